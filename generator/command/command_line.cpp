@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <ostream>
+
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  dalembert derive systems/mechanics/cart_pendulum.toml --scene lab
+  dalembert generate systems/mechanics/n_pendulum.toml --size N=5 -o include
+  dalembert check systems/mechanics/cart_pendulum.toml
+  dalembert evaluate systems/mechanics/cart_pendulum.toml --state "s=0.55,phi=0.7,dot(s)=-0.3" --input f_e=4.5
+  dalembert simulate systems/mechanics/cart_pendulum.toml --until 10 --tolerance 1e-9 -o out
+  dalembert help bodies
+
+Exit codes: 0 good, 1 a check failed, 2 bad input, 3 a tool or compiler is missing or failed, 4 a run stopped.)";
+
+/// "N=5": sizes as they are given.
+void read_sizes(const std::vector<std::string>& texts, std::map<std::string, int>& sizes) {
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        const auto value = equals == std::string::npos ? std::nullopt : read_decimal(text.substr(equals + 1));
+        const auto whole = value ? to_int(*value) : std::nullopt;
+        if (!whole) throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("'--size {}' is not of the form NAME=WHOLE_NUMBER", text)});
+        sizes[text.substr(0, equals)] = *whole;
+    }
+}
+
+class Parser {
+public:
+    Parser() : app_("Derives the equations of a machine, proves them, and emits C++.", "dalembert") {
+        app_.footer(examples);
+        app_.require_subcommand(1);
+        app_.set_version_flag("--version", std::string("dalembert ") + program_version);
+
+        CLI::App* derive = model_verb("derive", "print the equations of motion");
+        format(derive, "text, latex or json", {"text", "latex", "json"});
+        CLI::App* generate = model_verb("generate", "write the C++ header");
+        output(generate);
+        generate->add_flag("--every-scene", options_.every_scene, "the headers of all scenes");
+        format(generate, "text or json", {"text", "json"});
+        explain(generate);
+        CLI::App* check = model_verb("check", "prove the derivation and check the printed equations, in every scene unless one is chosen");
+        format(check, "text or json", {"text", "json"});
+        CLI::App* evaluate = model_verb("evaluate", "state derivative, outputs and energies at one point");
+        settings(evaluate);
+        format(evaluate, "text or json", {"text", "json"});
+        evaluate->add_option("--digits", options_.digits, "significant digits of the results")->capture_default_str()->check(CLI::Range(1, 1000));
+        CLI::App* simulate = model_verb("simulate", "generate, compile and run a simulation; write CSV and plots");
+        settings(simulate);
+        output(simulate);
+        format(simulate, "text or json", {"text", "json"});
+        integration(simulate);
+        simulate->add_option("--until", options_.until, "end of the run in seconds");
+        CLI::App* equilibrium = model_verb("equilibrium", "find an equilibrium, and the linearisation there with its eigenvalues");
+        settings(equilibrium);
+        format(equilibrium, "text or json", {"text", "json"});
+        equilibrium->add_option("--hold", options_.hold, "states that keep their value, comma separated")->delimiter(',');
+        equilibrium->add_option("--free", options_.free, "inputs that may change, comma separated")->delimiter(',');
+        CLI::App* survey = app_.add_subcommand("survey", "check, generate and simulate several models; print a table");
+        survey->add_option("MODELS", options_.models, "model files")->required();
+        survey->add_option("--size", sizes_, "size of a family, as N=5, where a model has it")->delimiter(',');
+        survey->add_flag("--every-scene", options_.every_scene, "a row for each scene, not only for the default");
+        output(survey);
+        format(survey, "text or json", {"text", "json"});
+        integration(survey);
+        CLI::App* scenes = app_.add_subcommand("scenes", "list the scenes of a model and their effects");
+        scenes->add_option("MODEL", model_, "model file")->required();
+        format(scenes, "text or json", {"text", "json"});
+        CLI::App* help = app_.add_subcommand("help", "the model language: a section, a key, `errors`, `functions` or `quantities`");
+        help->add_option("TOPIC", options_.topic, "for example `bodies`, `bodies.mass` or `mass`");
+    }
+
+    /// Nothing to do when help was asked for and printed.
+    std::optional<Options> parse(std::vector<std::string> arguments, Streams streams) {
+        std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them back to front
+        try {
+            app_.parse(std::move(arguments));
+        } catch (const CLI::ParseError& error) {
+            if (error.get_exit_code() == 0) {
+                app_.exit(error, streams.out, streams.err);
+                return std::nullopt;
+            }
+            std::string hint;
+            if (const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error); extras != nullptr || app_.get_subcommands().empty()) {
+                std::vector<std::string> verbs;
+                for (const CLI::App* verb : app_.get_subcommands({})) verbs.push_back(verb->get_name());
+                hint = fmt::format("; the verbs are {}", quoted_list(verbs));
+            }
+            throw Failure(Diagnostic{Id::bad_option, {}, std::string(error.what()) + hint + "; see `dalembert --help`"});
+        }
+        options_.verb = app_.get_subcommands().front()->get_name();
+        options_.choice.model = model_;
+        read_sizes(sizes_, options_.choice.sizes);
+        return options_;
+    }
+
+private:
+    CLI::App* model_verb(const char* name, const char* what) {
+        CLI::App* verb = app_.add_subcommand(name, what);
+        verb->add_option("MODEL", model_, "model file")->required();
+        verb->add_option("--scene", options_.choice.scene, "the scene, if the model has several");
+        verb->add_option("--size", sizes_, "size of a family, as N=5")->delimiter(',');
+        return verb;
+    }
+    void output(CLI::App* verb) { verb->add_option("-o,--output", options_.output, "folder for results; made if it is not there")->default_val("."); }
+    void format(CLI::App* verb, const char* what, std::vector<std::string> choices) {
+        verb->add_option("--format", options_.format, what)->check(CLI::IsMember(std::move(choices)));
+    }
+    void settings(CLI::App* verb) {
+        verb->add_option("--parameter", options_.parameters, "as m_W=1.2 or p=5bar, comma separated");
+        verb->add_option("--state", options_.states, "as s=0.55,dot(s)=-0.3");
+        verb->add_option("--input", options_.inputs, "as f_e=4.5; for simulate an expression of t and the states");
+    }
+    void integration(CLI::App* verb) {
+        verb->add_option("--run", options_.run, "the [runs.NAME] to take; `reference`, or the only one, if left out");
+        verb->add_option("--tolerance", options_.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
+        verb->add_option("--method", options_.method, "dopri5, fehlberg78 or rk4")->check(CLI::IsMember({"dopri5", "fehlberg78", "rk4"}));
+        verb->add_option("--step", options_.step, "step of rk4 in seconds")->check(CLI::PositiveNumber);
+        verb->add_option("--samples", options_.samples, "number of intervals at which results are written")->check(CLI::Range(1, 1000000));
+        verb->add_option("--periods", options_.periods, "length of the run in periods, where the run names a period")->check(CLI::PositiveNumber);
+        verb->add_flag("--no-plot", options_.no_plot, "write the CSV only");
+    }
+    void explain(CLI::App* verb) {
+        verb->add_flag("--explain", options_.explain, "time and result of each stage");
+        verb->add_option("--dump", options_.dump, "print a stage instead: scene, equations, atoms or code")->check(CLI::IsMember({"scene", "equations", "atoms", "code"}));
+    }
+
+    CLI::App app_;
+    Options options_;
+    std::string model_;
+    std::vector<std::string> sizes_;
+};
+
+ExitCode dispatch(const Options& options, Streams streams) {
+    static const std::map<std::string, ExitCode (*)(const Options&, Streams)> verbs{
+        {"derive", derive_command},     {"generate", generate_command},       {"check", check_command},   {"evaluate", evaluate_command},
+        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"survey", survey_command},
+        {"scenes", scenes_command},     {"help", help_command}};
+    return verbs.at(options.verb)(options, streams);
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& arguments, Streams streams) {
+    try {
+        Parser parser;
+        const auto options = parser.parse(arguments, streams);
+        return static_cast<int>(options ? dispatch(*options, streams) : ExitCode::good);
+    } catch (const Failure& failure) {
+        streams.err << failure.what();
+        return static_cast<int>(failure.exit_code());
+    } catch (const std::exception& error) {
+        streams.err << "dalembert: error: " << error.what() << "\nThis is a defect of the program; please report it with the model.\n";
+        return static_cast<int>(ExitCode::tool_missing);
+    }
+}
+
+}  // namespace dalembert

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line: what it says, and which verb it calls.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "pipeline.hpp"
+
+namespace dalembert {
+
+struct Options {
+    std::string verb;
+    Choice choice;
+    std::vector<std::string> models;      ///< of survey
+    bool every_scene = false;
+    std::string format = "text";
+    std::string output;                   ///< folder
+    std::vector<std::string> parameters;  ///< "m_W=1.2,g=9.81"
+    std::vector<std::string> states;
+    std::vector<std::string> inputs;
+    int digits = 17;
+    std::string run;
+    std::string until;
+    double tolerance = 0;                 ///< 0: as the run says
+    std::string method;
+    double step = 0;
+    int samples = 0;
+    double periods = 0;                   ///< length of the run in periods, where the run names one
+    bool no_plot = false;
+    std::vector<std::string> hold;
+    std::vector<std::string> free;
+    bool explain = false;
+    std::string dump;
+    std::string topic;                    ///< of help
+};
+
+/// Where a verb writes.
+struct Streams {
+    std::ostream& out;
+    std::ostream& err;
+};
+
+/// The verbs. They throw Failure; what they return is the exit code.
+ExitCode derive_command(const Options& options, Streams streams);
+ExitCode generate_command(const Options& options, Streams streams);
+ExitCode check_command(const Options& options, Streams streams);
+ExitCode evaluate_command(const Options& options, Streams streams);
+ExitCode simulate_command(const Options& options, Streams streams);
+ExitCode equilibrium_command(const Options& options, Streams streams);
+ExitCode survey_command(const Options& options, Streams streams);
+ExitCode scenes_command(const Options& options, Streams streams);
+ExitCode help_command(const Options& options, Streams streams);
+
+/// Runs the program: returns its exit code and never throws. Diagnostics go to err.
+int run_program(const std::vector<std::string>& arguments, Streams streams);
+
+}  // namespace dalembert

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <ostream>
+#include <sstream>
+
+#include "command/json_output.hpp"
+#include "command/run_header.hpp"
+#include "command/settings.hpp"
+#include "command/shared.hpp"
+#include "emit/runner.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace {
+
+std::vector<double> numbers(const std::string& text, char separator) {
+    std::vector<double> result;
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, separator);) result.push_back(std::stod(part));
+    return result;
+}
+
+/// "1,2;3,4" as rows.
+std::vector<std::vector<double>> matrix(const std::string& text) {
+    std::vector<std::vector<double>> rows;
+    std::istringstream lines(text);
+    for (std::string row; std::getline(lines, row, ';');) rows.push_back(numbers(row, ','));
+    return rows;
+}
+
+/// Sets flags for names; a family stands for its members.
+void mark(const std::vector<std::string>& names, const std::vector<const Variable*>& variables, std::vector<bool>& flags, bool value, const char* option) {
+    for (const std::string& name : names) {
+        bool found = false;
+        std::vector<std::string> known;
+        for (std::size_t i = 0; i < variables.size(); ++i) {
+            const Variable& v = *variables[i];
+            known.push_back(v.name);
+            const std::string family = v.kind == SymbolKind::velocity ? "dot(" + v.base + ")" : v.base;
+            if (v.name != name && family != name) continue;
+            flags[i] = value;
+            found = true;
+        }
+        if (!found) throw Failure(Diagnostic{Id::unknown_name, {}, fmt::format("--{}: there is no '{}'{}; there are {}", option, name, did_you_mean(name, known), quoted_list(known))});
+    }
+}
+
+}  // namespace
+
+ExitCode equilibrium_command(const Options& options, Streams streams) {
+    Machine machine = derived(options, streams);
+    const Header header = generate(machine);
+    const System& system = *machine.system;
+    Values values(system.scene, system.translate);
+    apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
+    apply_settings(values, parse_settings(options.states, "state"), on_states, system);
+    apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
+
+    std::vector<const Variable*> states;
+    std::vector<const Variable*> inputs;
+    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+        for (const Variable& v : system.symbols.all(kind)) states.push_back(&v);
+    for (const Variable& v : system.symbols.all(SymbolKind::input)) inputs.push_back(&v);
+    std::vector<bool> free_states(states.size(), true);
+    std::vector<bool> free_inputs(inputs.size(), false);
+    mark(options.hold, states, free_states, false, "hold");
+    mark(options.free, inputs, free_inputs, true, "free");
+
+    const ScratchFolder scratch;
+    const auto result = run_with_header(scratch, header, equilibrium_source(*machine.code, header, values, free_states, free_inputs), {}, "-O0");  // compiling takes longer than running
+    const bool found = result.at("status") == "success";
+    const auto x = numbers(result.at("x"), ',');
+    const auto u = numbers(result.at("u"), ',');
+
+    nlohmann::ordered_json json = json_result("equilibrium", system.scene);
+    json["status"] = result.at("status");
+    json["kind"] = result.at("kind");
+    json["dimension"] = std::stoul(result.at("dimension"));
+    json["residual"] = std::stod(result.at("residual"));
+    json["iterations"] = std::stoul(result.at("iterations"));
+    std::string text = fmt::format("{}, scene {}: ", system.scene.sized_name(), system.scene.name);
+    if (!found) text += fmt::format("no equilibrium found ({}), largest |dx/dt| left {}\n", result.at("status"), result.at("residual"));
+    else if (result.at("kind") == "family") text += fmt::format("one of a family of equilibria of dimension {}\n", result.at("dimension"));
+    else text += "an isolated equilibrium\n";
+    const auto list = [&](const char* key, const std::vector<const Variable*>& variables, const std::vector<double>& numbers_of) {
+        json[key] = nlohmann::ordered_json::object();
+        for (std::size_t i = 0; i < variables.size(); ++i) {
+            json[key][variables[i]->name] = numbers_of[i];
+            text += fmt::format("  {:<16} {:>22} {}\n", variables[i]->name, numbers_of[i], variables[i]->unit);
+        }
+    };
+    list("state", states, x);
+    list("input", inputs, u);
+    if (found) {
+        for (const char* name : {"A", "B", "C", "D"}) {
+            json[name] = matrix(result.at(name));
+            if (matrix(result.at(name)).empty()) continue;
+            text += fmt::format("{}\n", name);
+            for (const auto& row : matrix(result.at(name))) {
+                text += " ";
+                for (const double value : row) text += fmt::format(" {:>12.5g}", value);
+                text += "\n";
+            }
+        }
+        json["eigenvalues"] = nlohmann::ordered_json::array();
+        text += "eigenvalues of A [1/s]\n";
+        for (const auto& pair : matrix(result.at("eigenvalues"))) {
+            json["eigenvalues"].push_back({{"real", pair[0]}, {"imaginary", pair[1]}});
+            text += fmt::format("  {:>12.6g} {:+.6g} i\n", pair[0], pair[1]);
+        }
+    }
+    streams.out << (options.format == "json" ? printed(json) : text);
+    return found ? ExitCode::good : ExitCode::run_stopped;
+}
+
+}  // namespace dalembert

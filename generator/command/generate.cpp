@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "command/json_output.hpp"
+#include "command/shared.hpp"
+#include "emit/equations.hpp"
+#include "text/files.hpp"
+
+namespace dalembert {
+
+namespace {
+
+std::string stage_table(const std::vector<StageReport>& stages) {
+    std::string text;
+    for (const StageReport& stage : stages) text += fmt::format("  {:<11} {:>8.1f} ms  {}\n", stage.stage, 1000 * stage.seconds, stage.result);
+    return text;
+}
+
+/// What a stage hands to the next one, for whoever wants to see it.
+std::string dumped(const Machine& machine, const std::string& stage, const Header& header) {
+    const System& system = *machine.system;
+    if (stage == "equations") return equations_as_text(system);
+    if (stage == "code") return header.text;
+    std::string text;
+    if (stage == "atoms") {
+        const Atoms& atoms = machine.code->atoms;
+        for (Letter letter = 0; letter < atoms.size(); ++letter)
+            text += fmt::format("{:>4} {:<7} {} {}\n", letter, name_of(atoms[letter].op), atoms[letter].is_dynamic ? "moves" : "fixed",
+                                atoms[letter].variable != nullptr ? atoms[letter].variable->name : atoms[letter].key);
+        return text;
+    }
+    const Scene& scene = system.scene;
+    const auto list = [&](const char* title, const auto& members) {
+        text += fmt::format("{}:", title);
+        for (const auto& member : members) text += " " + member.name();
+        text += "\n";
+    };
+    text += fmt::format("scene {}\n", scene.name);
+    list("parameters", scene.parameters);
+    list("definitions", scene.definitions);
+    list("coordinates", scene.coordinates);
+    list("inputs", scene.inputs);
+    list("states", scene.states);
+    list("outputs", scene.outputs);
+    list("bodies", scene.bodies);
+    list("springs", scene.springs);
+    list("dampers", scene.dampers);
+    list("forces", scene.forces);
+    list("torques", scene.torques);
+    list("kinetic", scene.kinetic);
+    list("potentials", scene.potentials);
+    list("generalised_forces", scene.generalised_forces);
+    return text;
+}
+
+}  // namespace
+
+namespace {
+
+nlohmann::ordered_json as_json(const Machine& machine, const Header& header, const std::filesystem::path& path) {
+    nlohmann::ordered_json json = json_result("generate", machine.system->scene);
+    json["header"] = path.string();
+    json["namespace"] = header.name_space;
+    json["bytes"] = header.text.size();
+    json["all_proven"] = Proofs{machine.audit, machine.emitted}.all_proven();
+    json["operations"] = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < function_count; ++i) {
+        const OperationCount c = machine.code->count(static_cast<Function>(i));
+        json["operations"][name_of(static_cast<Function>(i))] = {{"additions", c.additions}, {"multiplications", c.multiplications},
+                                                                 {"divisions", c.divisions}, {"trigonometric", c.trigonometric},
+                                                                 {"other", c.other},         {"total", c.total()}};
+    }
+    json["seconds"] = nlohmann::ordered_json::object();
+    for (const StageReport& stage : machine.stages) json["seconds"][stage.stage] = stage.seconds;
+    return json;
+}
+
+}  // namespace
+
+ExitCode generate_command(const Options& options, Streams streams) {
+    const auto model = loaded(options, streams);
+    const std::vector<std::string> scenes = options.every_scene ? scene_names(model->model) : std::vector<std::string>{options.choice.scene};
+    FileContents files;
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    std::string text;
+    for (const std::string& scene : scenes) {
+        Machine machine = derive_machine(model, scene, options.choice.sizes);
+        const Header header = generate(machine);
+        if (!options.dump.empty()) {
+            streams.out << dumped(machine, options.dump, header);
+            return ExitCode::good;
+        }
+        const std::filesystem::path path = std::filesystem::path(options.output) / header.file_name;
+        files.emplace_back(path, header.text);
+        all.push_back(as_json(machine, header, path));
+        const bool all_proven = Proofs{machine.audit, machine.emitted}.all_proven();
+        text += fmt::format("{}: {} degrees of freedom, {} operations in the right-hand side, {}\n", path.string(), machine.system->symbols.degrees(),
+                            machine.code->count(Function::rhs).total(), all_proven ? "everything proven" : "some of it numerically equal only");
+        if (options.explain) text += stage_table(machine.stages);
+    }
+    write_files(files);
+    if (options.format == "json") streams.out << printed(options.every_scene ? all : all.front());
+    else streams.out << text;
+    return ExitCode::good;
+}
+
+}  // namespace dalembert

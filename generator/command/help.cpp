@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "command/command_line.hpp"
+#include "model/schema.hpp"
+#include "model/vocabulary.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace {
+
+std::string error_reference() {
+    std::string text = "Ids of errors and warnings:\n";
+    for (const DiagnosticKind& kind : diagnostic_kinds()) text += fmt::format("  {:<20} {}\n", kind.name, kind.meaning);
+    return text;
+}
+
+std::string function_reference() {
+    std::string text = "Functions: ";
+    for (const FunctionSpec& function : functions()) text += fmt::format("{}{} ", function.name, function.arguments == 1 ? "(x)" : "(x, y)");
+    return text +
+           "\nOperations: + - * / ^, dot(x) and ddot(x) (total time derivatives), sum(k, 1, N, term)\n"
+           "In outputs and printed equations also: diff(expression, variable), integral(function, x, from, to)\n"
+           "Names: t is the time, pi the number. Everything else is defined in the file.\n";
+}
+
+std::string quantity_reference() {
+    static constexpr const char* subscripts[]{"", "[body]", " or [body]", "[body, 1..3]", "[coordinate]", "[coordinate, coordinate]"};
+    std::string text = "Derived quantities, for outputs and printed equations:\n";
+    for (const QuantitySpec& quantity : quantities())
+        text += fmt::format("  {:<22}{:<26} {}\n", quantity.name, subscripts[static_cast<std::size_t>(quantity.subscript)], quantity.doc);
+    return text;
+}
+
+}  // namespace
+
+ExitCode help_command(const Options& options, Streams streams) {
+    const std::string& topic = options.topic;
+    if (topic.empty()) {
+        streams.out << "The model language: sections and their keys.\n\n" << language_reference("") << function_reference() << "\n" << quantity_reference();
+        return ExitCode::good;
+    }
+    std::string text = topic == "errors" ? error_reference() : topic == "functions" ? function_reference() : topic == "quantities" ? quantity_reference() : language_reference(topic);
+    if (text.empty()) {
+        std::vector<std::string> words = language_words();
+        words.insert(words.end(), {"errors", "functions", "quantities"});
+        throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the model language has no word '{}'{}", topic, did_you_mean(topic, words))});
+    }
+    streams.out << text;
+    return ExitCode::good;
+}
+
+}  // namespace dalembert

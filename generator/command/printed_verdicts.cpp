@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/printed_verdicts.hpp"
+
+#include <algorithm>
+
+#include "emit/notation.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// Higher is more important to report.
+int weight(Verdict verdict) {
+    static constexpr int weights[]{1, 2, 3, 5, 6, 0};  // what one scene cannot check, another may
+    return weights[static_cast<std::size_t>(verdict)];
+}
+
+}  // namespace
+
+bool PrintedRow::as_expected() const {
+    if (entry->expected) return verdict() == *entry->expected;
+    return verdict() != Verdict::wrong && verdict() != Verdict::dimensionally_wrong;
+}
+
+bool PrintedVerdicts::all_as_expected() const {
+    return std::all_of(rows_.begin(), rows_.end(), [](const PrintedRow& row) { return row.as_expected(); });
+}
+
+PrintedRow& PrintedVerdicts::row_of(const Member<PrintedEquation>& member) {
+    const std::string id = member.name();
+    for (PrintedRow& row : rows_)
+        if (row.id == id) return row;
+    rows_.push_back({id, member.item});
+    return rows_.back();
+}
+
+void PrintedVerdicts::add(const System& system) {
+    const Notation write(system.symbols, Style::text);
+    for (const PrintedEquation& entry : system.scene.model->printed) {
+        std::vector<Member<PrintedEquation>> members;
+        if (entry.family) {
+            const auto [from, to] = bounds(*entry.family, system.scene);
+            for (int k = from; k <= to; ++k) members.push_back({&entry, k});
+        } else {
+            members.push_back({&entry});
+        }
+        for (const auto& member : members) {
+            PrintedRow& row = row_of(member);
+            if (!system.scene.holds(entry.when)) continue;
+            const PrintedCheck check = check_printed(system, member);
+            row.scenes.push_back(system.scene.name);
+            const Verdict verdict = check.verdict();
+            if (row.found && weight(*row.found) >= weight(verdict)) continue;
+            row.found = verdict;
+            for (const PrintedResult& result : check.equations) {
+                if (result.comparison.verdict != verdict) continue;
+                row.equation = result.written;
+                row.reason = result.comparison.reason;
+                row.difference = result.difference ? write(*result.difference) : "";
+                row.counterexample = result.counterexample;
+                break;
+            }
+        }
+    }
+}
+
+}  // namespace dalembert

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/settings.hpp"
+
+#include <fmt/format.h>
+
+#include "model/checks.hpp"
+#include "model/parser.hpp"
+#include "model/units.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// The next comma outside of brackets, or the end.
+std::size_t end_of_part(const std::string& text, std::size_t from) {
+    int depth = 0;
+    for (std::size_t i = from; i < text.size(); ++i) {
+        if (text[i] == '(' || text[i] == '[') ++depth;
+        if (text[i] == ')' || text[i] == ']') --depth;
+        if (text[i] == ',' && depth <= 0) return i;
+    }
+    return text.size();
+}
+
+/// "5bar" and "20 mm" are a number and a unit; everything else is an expression.
+std::optional<std::size_t> unit_begin(const Excerpt& excerpt) {
+    const std::vector<Token> tokens = tokenise(excerpt);
+    std::size_t i = 0;
+    while (tokens[i].kind == Token::Kind::sign && (tokens[i].text == "-" || tokens[i].text == "+")) ++i;
+    if (tokens[i].kind != Token::Kind::number || tokens[i + 1].kind != Token::Kind::word) return std::nullopt;
+    return tokens[i + 1].span.begin;
+}
+
+Setting parse_setting(const SourcePtr& source, std::size_t begin, std::size_t end, const std::string& option) {
+    const std::size_t equals = source->text().find('=', begin);
+    if (equals == std::string::npos || equals >= end)
+        throw Failure(Diagnostic{Id::bad_option, Span{source, begin, end},
+                                 fmt::format("'--{} {}' is not of the form NAME=VALUE", option, source->text().substr(begin, end - begin))});
+    Setting setting{parse_expression(excerpt_of(source, begin, equals)), nullptr, std::nullopt};
+    const Excerpt right = excerpt_of(source, equals + 1, end);
+    if (const auto at = unit_begin(right)) {
+        setting.unit = parse_unit(excerpt_of(source, *at, end));
+        const ExpressionPtr number = parse_expression(excerpt_of(source, equals + 1, *at));
+        setting.value = make_binary(Expression::Kind::multiply,
+                                    make_binary(Expression::Kind::add, number, make_number(setting.unit->offset, number->span)),
+                                    make_number(setting.unit->factor, number->span));
+        for (int i = 0; i < setting.unit->pi_power; ++i)
+            setting.value = make_binary(Expression::Kind::multiply, setting.value, make_name("pi", number->span));
+    } else {
+        setting.value = parse_expression(right);
+    }
+    return setting;
+}
+
+/// The dimension of what is set.
+std::optional<Dimension> dimension_of(const Expression& variable, const System& system) {
+    const bool is_rate = variable.kind == Expression::Kind::call;
+    const Expression& named = is_rate && !variable.children.empty() ? *variable.children[0] : variable;
+    const Named* known = system.names.find(named.name);
+    if (known == nullptr || (known->kind != Named::Kind::parameter && known->kind != Named::Kind::coordinate && known->kind != Named::Kind::state &&
+                             known->kind != Named::Kind::input))
+        return std::nullopt;
+    const Dimension own = known->quantity().unit.dimension;
+    return is_rate ? own / Dimension::time() : own;
+}
+
+}  // namespace
+
+std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const std::string& option) {
+    std::vector<Setting> settings;
+    for (const std::string& text : texts) {
+        const auto source = std::make_shared<const Source>("--" + option, text);
+        for (std::size_t begin = 0; begin <= text.size();) {
+            const std::size_t end = end_of_part(text, begin);
+            settings.push_back(parse_setting(source, begin, end, option));
+            begin = end + 1;
+        }
+    }
+    return settings;
+}
+
+void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system) {
+    for (const Setting& setting : settings) {
+        const auto dimension = dimension_of(*setting.variable, system);
+        if (setting.unit && dimension && setting.unit->dimension != *dimension)
+            throw Failure(Diagnostic{Id::unit_mismatch, setting.value->span,
+                                     fmt::format("'{}' is in '{}', but '{}' is in '{}'", setting.variable->written(), dimension->described(),
+                                                 setting.unit->written, setting.unit->dimension.described())});
+        values.set(*setting.variable, *setting.value, allowed);
+    }
+}
+
+}  // namespace dalembert

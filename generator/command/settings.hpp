@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "s=0.55, dot(s)=-0.3, p=5bar": values from the command line.
+#pragma once
+
+#include "form/system.hpp"
+
+namespace dalembert {
+
+/// One assignment. A number with a unit is converted to SI; a bare number is in SI.
+struct Setting {
+    ExpressionPtr variable;
+    ExpressionPtr value;
+    std::optional<Unit> unit;  ///< as it was written
+};
+
+/// `option` names the option in diagnostics. Throws Failure (bad-option, syntax, unknown-unit).
+std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const std::string& option);
+
+/// Applies them. `allowed` says what may be set: bits of Dependence. Throws Failure (unknown-name, unit-mismatch, value-out-of-range).
+void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system);
+
+}  // namespace dalembert

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What several verbs do.
+#pragma once
+
+#include "command/command_line.hpp"
+
+namespace dalembert {
+
+/// The model of the command line; warnings are printed.
+std::shared_ptr<const LoadedModel> loaded(const Options& options, Streams streams);
+
+/// The machine of the command line, derived and proven.
+Machine derived(const Options& options, Streams streams);
+
+/// "proven", or "12 proven, 1 numerically equal".
+std::string summary(const std::vector<const AuditEntry*>& entries);
+std::vector<const AuditEntry*> pointers(const std::vector<AuditEntry>& entries);
+
+}  // namespace dalembert

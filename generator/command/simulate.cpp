@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "command/json_output.hpp"
+#include "command/shared.hpp"
+#include "command/simulation.hpp"
+
+namespace dalembert {
+
+ExitCode simulate_command(const Options& options, Streams streams) {
+    const PreparedSimulation prepared = prepare_simulation(loaded(options, streams), options.choice.scene, options);
+    const SimulationReport report = run_simulation(prepared, options.output);
+    write_files(report.files);
+    if (options.format == "json") {
+        nlohmann::ordered_json json = json_result("simulate", prepared.machine.system->scene);
+        json["status"] = report.status;
+        json["t"] = report.t;
+        json["state"] = report.culprit;
+        json["steps"] = report.steps;
+        json["rejected"] = report.rejected;
+        json["rhs_calls"] = report.rhs_calls;
+        json["energy_error"] = report.energy_error;
+        json["files"] = nlohmann::ordered_json::array();
+        for (const auto& [path, content] : report.files) json["files"].push_back(path.string());
+        streams.out << printed(json);
+    } else {
+        streams.out << fmt::format("{} steps ({} rejected), {} evaluations of the right-hand side\n", report.steps, report.rejected, report.rhs_calls);
+        streams.out << fmt::format("energy error: max |E - E(0) - work| / max(T + |V|) = {}\n", report.energy_error);
+        for (const auto& [path, content] : report.files) streams.out << path.string() << "\n";
+    }
+    if (report.status != "success") {
+        streams.err << fmt::format("dalembert: the run stopped at t = {} s: {}{}\n", report.t, report.status,
+                                   report.culprit.empty() ? "" : fmt::format("; state '{}' or its derivative is not finite", report.culprit));
+        return ExitCode::run_stopped;
+    }
+    if (prepared.draw && !report.drawn) {
+        streams.err << "dalembert: no plot: gnuplot is missing or failed (on Debian: apt-get install gnuplot-nox); --no-plot leaves it out\n";
+        return ExitCode::tool_missing;
+    }
+    return ExitCode::good;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "command/run_header.hpp"
+#include "command/settings.hpp"
+#include "emit/runner.hpp"
+#include "model/parser.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+/// The run that is meant: the one named, else `reference`, else the only one; null when the model has none.
+const Run* find_run(const Model& model, const std::string& wanted) {
+    std::vector<std::string> known;
+    for (const Run& run : model.runs) known.push_back(run.name);
+    const auto named = [&](const std::string& name) -> const Run* {
+        const auto found = std::find_if(model.runs.begin(), model.runs.end(), [&](const Run& r) { return r.name == name; });
+        return found == model.runs.end() ? nullptr : &*found;
+    };
+    if (wanted.empty()) {
+        if (const Run* reference = named("reference")) return reference;
+        return model.runs.size() == 1 ? &model.runs.front() : nullptr;
+    }
+    if (const Run* run = named(wanted)) return run;
+    throw Failure(Diagnostic{Id::unknown_run, {}, fmt::format("the model has no run '{}'{}", wanted, did_you_mean(wanted, known))});
+}
+
+double number(const ex& value, const Span& place) {
+    const auto result = value_at(value, {}, 40);
+    if (!result) throw Failure(Diagnostic{Id::division_by_zero, place, "this has no value"});
+    return cln::double_approx(*result);
+}
+
+/// Names of the recording for a name of the model: a family stands for all its members.
+std::vector<std::string> recorded_names(const std::string& name, const System& system) {
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& full, const std::string& family) {
+        if (full == name || family == name) names.push_back(full);
+    };
+    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::input})
+        for (const Variable& variable : system.symbols.all(kind))
+            add(variable.name, kind == SymbolKind::velocity ? "dot(" + variable.base + ")" : variable.base);
+    for (const OutputEquation& output : system.outputs) add(output.name, output.base);
+    for (const char* energy : {"t", "kinetic_energy", "potential_energy", "work"}) add(energy, energy);
+    return names;
+}
+
+/// What the model's run and the command line together say.
+class Preparation {
+public:
+    Preparation(const Model& model, const Options& options) : options_(options), run_(find_run(model, options.run)) {}
+
+    /// The scene: the one asked for, or the one that the run belongs to.
+    std::string scene(const std::string& wanted) const {
+        if (run_ == nullptr || run_->scene.empty()) return wanted;
+        if (!wanted.empty() && wanted != run_->scene)
+            throw Failure(Diagnostic{Id::bad_option, run_->scene_span, fmt::format("run '{}' belongs to scene '{}', not '{}'", run_->name, run_->scene, wanted)});
+        return run_->scene;
+    }
+
+    void set_values(Values& values, const System& system) const {
+        if (run_ != nullptr) {
+            const auto set = [&](const std::vector<RunEntry>& entries, unsigned allowed) {
+                for (const RunEntry& entry : entries)
+                    if (is_in_scene(*entry.variable, system)) values.set(*entry.variable, *entry.value, allowed);
+            };
+            set(run_->parameters, on_parameters);
+            set(run_->start, on_states);
+        }
+        apply_settings(values, parse_settings(options_.parameters, "parameter"), on_parameters, system);
+        apply_settings(values, parse_settings(options_.states, "state"), on_states, system);
+    }
+
+    SimulationSettings make_settings(const Values& values, const System& system) const {
+        const GiNaC::exmap at_start = values.substitution();
+        const auto seconds = [&](const ExpressionPtr& e) { return number(system.translate(*e, {}).subs(at_start), e->span); };
+        SimulationSettings settings;
+        settings.draw = !options_.no_plot;
+        if (run_ != nullptr) {
+            settings.until = seconds(run_->until);
+            settings.tolerance = cln::double_approx(run_->tolerance);
+            if (run_->step) settings.step = seconds(run_->step);
+            if (!run_->method.empty()) settings.method = run_->method;
+            settings.intervals = run_->samples;
+            settings.plots = run_->plots;
+        }
+        if (options_.periods > 0 && run_ != nullptr && run_->period) settings.until = options_.periods * seconds(run_->period);
+        if (!options_.until.empty()) {
+            const Excerpt text = excerpt_of(std::make_shared<const Source>("--until", options_.until));
+            settings.until = seconds(parse_expression(text));
+        }
+        if (options_.tolerance > 0) settings.tolerance = options_.tolerance;
+        if (!options_.method.empty()) settings.method = options_.method;
+        if (options_.step > 0) settings.step = options_.step;
+        if (options_.samples > 0) settings.intervals = options_.samples;
+        if (!(settings.until > 0))
+            throw Failure(Diagnostic{Id::bad_option, {}, "how long to simulate? Give --until, or a [runs.reference] in the model"});
+        if (settings.method == "rk4" && !(settings.step > 0)) throw Failure(Diagnostic{Id::bad_option, {}, "the method rk4 needs a fixed step: --step"});
+        settings.inputs = inputs(system);
+        settings.plots = plots(settings.plots, system);
+        return settings;
+    }
+
+private:
+    /// A run may speak of what only some scenes have.
+    static bool is_in_scene(const Expression& variable, const System& system) {
+        const Expression& named = variable.kind == Expression::Kind::call && !variable.children.empty() ? *variable.children[0] : variable;
+        for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
+            for (const Variable& known : system.symbols.all(kind))
+                if (known.base == named.name) return true;
+        return false;
+    }
+
+    std::vector<ex> inputs(const System& system) const {
+        std::vector<ex> result(system.symbols.count(SymbolKind::input), 0);
+        const auto set = [&](const Expression& variable, const ex& value) {
+            bool found = false;
+            for (const Variable& input : system.symbols.all(SymbolKind::input)) {
+                if (variable.kind != Expression::Kind::name || input.base != variable.name) continue;
+                if (!variable.children.empty() && index_value(*variable.children[0], system.scene, {}) != input.index) continue;
+                result[input.position] = value;
+                found = true;
+            }
+            return found;
+        };
+        if (run_ != nullptr)
+            for (const RunEntry& entry : run_->inputs)
+                if (is_in_scene(*entry.variable, system)) set(*entry.variable, system.translate(*entry.value, {}));
+        for (const Setting& setting : parse_settings(options_.inputs, "input"))
+            if (!set(*setting.variable, system.translate(*setting.value, {})))
+                throw Failure(Diagnostic{Id::unknown_name, setting.variable->span, fmt::format("scene '{}' has no input '{}'", system.scene.name, setting.variable->written())});
+        return result;
+    }
+
+    /// Plots with names of the recording; without any, one panel a coordinate or output.
+    static std::vector<Plot> plots(const std::vector<Plot>& wanted, const System& system) {
+        std::vector<Plot> result;
+        for (const Plot& plot : wanted) {
+            Plot resolved{plot.title, {}, {}, plot.span};
+            for (const std::string& name : plot.y)
+                for (const std::string& full : recorded_names(name, system)) resolved.y.push_back(full);
+            const auto x = recorded_names(plot.x, system);
+            if (!x.empty()) resolved.x = x.front();
+            if (!resolved.y.empty() && (plot.x.empty() || !x.empty())) result.push_back(std::move(resolved));
+        }
+        constexpr std::size_t most = 4;
+        const auto add = [&](const std::string& name) {
+            if (result.size() < most) result.push_back({{}, {}, {name}, {}});
+        };
+        if (wanted.empty()) {
+            for (const Variable& q : system.symbols.all(SymbolKind::coordinate)) add(q.name);
+            for (const Variable& z : system.symbols.all(SymbolKind::state)) add(z.name);
+            for (const OutputEquation& output : system.outputs) add(output.name);
+        }
+        return result;
+    }
+
+    const Options& options_;
+    const Run* run_;
+};
+
+}  // namespace
+
+PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
+    const Preparation preparation(model->model, options);
+    PreparedSimulation prepared{derive_machine(model, preparation.scene(scene), options.choice.sizes), {}, {}, {}};
+    prepared.header = generate(prepared.machine);
+    const System& system = *prepared.machine.system;
+    Values values(system.scene, system.translate);
+    preparation.set_values(values, system);
+    const SimulationSettings settings = preparation.make_settings(values, system);
+    prepared.draw = settings.draw;
+    prepared.source = simulation_source(*prepared.machine.code, prepared.header, values, settings);
+    prepared.name = fmt::format("{}_{}", system.scene.sized_name(), system.scene.name);
+    return prepared;
+}
+
+SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder) {
+    const ScratchFolder scratch;
+    const std::filesystem::path base = std::filesystem::path(scratch.path()) / prepared.name;
+    const auto result = run_with_header(scratch, prepared.header, prepared.source, {base.string()}, "-O2");
+    SimulationReport report;
+    report.status = result.at("status");
+    report.t = std::stod(result.at("t"));
+    report.steps = std::stoul(result.at("steps"));
+    report.rejected = std::stoul(result.at("rejected"));
+    report.rhs_calls = std::stoul(result.at("rhs_calls"));
+    report.energy_error = std::stod(result.at("energy_error"));
+    report.drawn = result.at("drawn") == "1";
+    if (report.status == "not finite") {
+        std::vector<std::string> states;
+        for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+            for (const Variable& variable : prepared.machine.system->symbols.all(kind)) states.push_back(variable.name);
+        const std::size_t state = std::stoul(result.at("state"));
+        report.culprit = state < states.size() ? states[state] : "";
+    }
+    report.files = {{folder / prepared.header.file_name, prepared.header.text}, {folder / (prepared.name + ".csv"), read_file(base.string() + ".csv")}};
+    if (report.drawn)
+        for (const char* ending : {".svg", ".png"}) report.files.emplace_back(folder / (prepared.name + ending), read_file(base.string() + ending));
+    return report;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One simulation of a model: what is to be run, the run itself, and its results.
+#pragma once
+
+#include "command/command_line.hpp"
+#include "text/files.hpp"
+
+namespace dalembert {
+
+/// A generated simulation that was not run yet. Preparing uses GiNaC, which knows one thread only; running does not.
+struct PreparedSimulation {
+    Machine machine;
+    Header header;
+    std::string source;
+    std::string name;    ///< of result files, without ending
+    bool draw = true;
+};
+
+struct SimulationReport {
+    std::string status;      ///< "success", or why it stopped
+    double t = 0;            ///< s, where it ended
+    std::string culprit;     ///< the state that is not finite, if that was it
+    std::size_t steps = 0;
+    std::size_t rejected = 0;
+    std::size_t rhs_calls = 0;
+    double energy_error = 0; ///< max |E - E(0) - work| / max(T + |V|)
+    bool drawn = false;
+    FileContents files;      ///< to be written: header, CSV, plots
+};
+
+/// Derives, generates and writes the program of a run. Throws Failure.
+PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options);
+
+/// Compiles and runs it. Throws Failure.
+SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder);
+
+}  // namespace dalembert

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/cpp_function.hpp"
+
+#include <fmt/format.h>
+
+namespace dalembert {
+
+namespace {
+
+constexpr std::size_t longest_inline = 70;
+constexpr std::size_t longest_line = 128;
+
+/// Functions that the header brings itself.
+bool is_own_function(Op op) { return op == Op::sign || op == Op::step || op == Op::min || op == Op::max; }
+
+std::string chunks(cln::cl_I value) {
+    // Literals are kept below 2^31, where every scalar type converts them without a warning; larger numbers are put together.
+    const cln::cl_I base = 1'000'000'000;
+    if (value < base) return fmt::format("Scalar({})", to_string(value));
+    const cln::cl_I high = cln::floor1(value, base);
+    const cln::cl_I low = value - high * base;
+    const std::string product = fmt::format("{} * Scalar(1000000000)", high < base ? chunks(high) : "(" + chunks(high) + ")");
+    return cln::zerop(low) ? product : fmt::format("{} + Scalar({})", product, to_string(low));
+}
+
+}  // namespace
+
+std::string cpp_constant(const Rational& value) {
+    const auto whole = [](const cln::cl_I& v) {
+        const std::string text = chunks(v);
+        return text.find(' ') == std::string::npos ? text : "(" + text + ")";
+    };
+    std::string text = whole(cln::abs(cln::numerator(value)));
+    if (!is_integer(value)) text += " / " + whole(cln::denominator(value));
+    return is_negative(value) ? "-" + text : text;
+}
+
+std::string wrapped(const std::string& statement, std::size_t indent) {
+    const std::string blanks(indent, ' ');
+    std::string result;
+    std::string rest = statement;
+    bool first = true;
+    while (true) {
+        const std::size_t room = longest_line - indent - (first ? 0 : 4);
+        if (rest.size() <= room) break;
+        // The last operator at the shallowest depth that still fits.
+        std::size_t best = std::string::npos;
+        int best_depth = 1000;
+        int depth = 0;
+        for (std::size_t i = 0; i + 2 < rest.size() && i < room; ++i) {
+            if (rest[i] == '(' || rest[i] == '[') ++depth;
+            if (rest[i] == ')' || rest[i] == ']') --depth;
+            const bool is_operator = rest[i] == ' ' && (rest[i + 1] == '+' || rest[i + 1] == '-' || rest[i + 1] == '*' || rest[i + 1] == '/') && rest[i + 2] == ' ';
+            if (is_operator && i > room / 3 && depth <= best_depth) {
+                best = i;
+                best_depth = depth;
+            }
+        }
+        if (best == std::string::npos) break;
+        result += blanks + (first ? "" : "    ") + rest.substr(0, best) + "\n";
+        rest = rest.substr(best + 1);
+        first = false;
+    }
+    return result + blanks + (first ? "" : "    ") + rest + "\n";
+}
+
+CppFunction::CppFunction(const Code& code, const FunctionCode& function, const CachedNumbers& cached, std::set<std::string> arguments)
+    : code_(code), function_(function), cached_(cached), arguments_(arguments), names_({}), uses_(function.program.size(), 0) {
+    const Symbols& symbols = code.system.symbols;
+    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+        for (const Variable& variable : symbols.all(kind)) arguments.insert(cpp_name(variable));
+    names_ = NameScope(std::move(arguments));
+    const std::vector<NodeId> roots = function.roots();
+    for (const NodeId root : roots) ++uses_[root];
+    for (const NodeId id : function.program.in_order(roots))
+        for (const NodeId argument : function.program[id].arguments) ++uses_[argument];
+}
+
+bool CppFunction::wants_name(NodeId id) const {
+    const Node& node = function_.program[id];
+    switch (node.kind) {
+        case Node::Kind::constant:
+        case Node::Kind::cached: return false;
+        case Node::Kind::symbol: return false;
+        case Node::Kind::function: return true;
+        default: return uses_[id] > 1 || wanted_names_.contains(id);
+    }
+}
+
+std::string CppFunction::compute(const std::vector<NodeId>& roots) {
+    std::string statements;
+    for (const NodeId id : function_.program.in_order(roots)) {
+        if (known_.contains(id)) continue;
+        if (function_.program[id].kind == Node::Kind::symbol) known_[id] = symbol(id, statements);
+        else if (wants_name(id)) declare(id, suggested_name(id), build(id, statements).text, statements);
+    }
+    return statements;
+}
+
+std::string CppFunction::value(NodeId id, std::string& statements) {
+    const auto known = known_.find(id);
+    return known != known_.end() ? known->second.text : build(id, statements).text;
+}
+
+void CppFunction::declare(NodeId id, const std::string& name, const std::string& text, std::string& statements) {
+    const std::string unique = names_.unique(name);
+    statements += wrapped(fmt::format("const Scalar {} = {};", unique, text), 8);
+    known_[id] = {unique, 3};
+}
+
+std::string CppFunction::suggested_name(NodeId id) {
+    if (const auto wanted = wanted_names_.find(id); wanted != wanted_names_.end()) return wanted->second;
+    const Node& node = function_.program[id];
+    if (node.kind == Node::Kind::function) {
+        const Node& argument = function_.program[node.arguments[0]];
+        const Variable* variable = argument.kind == Node::Kind::symbol ? code_.atoms[argument.index].variable : nullptr;
+        return variable != nullptr ? fmt::format("{}_{}", name_of(node.op), cpp_name(*variable)) : fmt::format("{}_{}", name_of(node.op), ++temporaries_);
+    }
+    // A square or product of two variables is called after them; the rest is numbered.
+    if (node.kind == Node::Kind::product && node.arguments.size() == 2 && node.arguments[0] == node.arguments[1]) {
+        const auto known = known_.find(node.arguments[0]);
+        if (known != known_.end() && known->second.text.find_first_of("[. (") == std::string::npos) return known->second.text + "_squared";
+    }
+    if (node.kind == Node::Kind::reciprocal) return fmt::format("inverse_{}", ++temporaries_);
+    return fmt::format("e{}", ++temporaries_);
+}
+
+CppFunction::Text CppFunction::text_of(NodeId id, std::string& statements) {
+    if (const auto known = known_.find(id); known != known_.end()) return known->second;
+    const Node& node = function_.program[id];
+    if (node.kind == Node::Kind::symbol) return known_[id] = symbol(id, statements);
+    Text text = build(id, statements);
+    const bool is_leaf = node.arguments.empty();
+    if (!is_leaf && (wants_name(id) || text.text.size() > longest_inline)) {
+        declare(id, suggested_name(id), text.text, statements);
+        return known_.at(id);
+    }
+    return text;
+}
+
+std::string CppFunction::operand(NodeId id, int least_precedence, std::string& statements) {
+    const Text text = text_of(id, statements);
+    return text.precedence < least_precedence ? "(" + text.text + ")" : text.text;
+}
+
+CppFunction::Text CppFunction::build(NodeId id, std::string& statements) {
+    const Node& node = function_.program[id];
+    switch (node.kind) {
+        case Node::Kind::constant: {
+            const std::string text = cpp_constant(node.value);
+            return {text, is_integer(node.value) && !is_negative(node.value) && text.find(' ') == std::string::npos ? 3 : 1};
+        }
+        case Node::Kind::cached: return {fmt::format("c_.k{}", cached_.at(node.index)), 3};
+        case Node::Kind::sum: return sum(node, statements);
+        case Node::Kind::product: return product(node, statements);
+        case Node::Kind::reciprocal: return {"Scalar(1) / " + operand(node.arguments[0], 3, statements), 2};
+        case Node::Kind::function: return call(node, statements);
+        case Node::Kind::symbol: break;
+    }
+    return symbol(id, statements);
+}
+
+CppFunction::Text CppFunction::symbol(NodeId id, std::string& statements) {
+    const Atom& atom = code_.atoms[function_.program[id].index];
+    if (atom.op == Op::pi) {
+        called_.insert("pi");
+        return {"detail::pi<Scalar>()", 3};
+    }
+    const Variable& variable = *atom.variable;
+    const std::size_t n = code_.system.symbols.degrees();
+    const auto local = [&](const std::string& array, std::size_t index) -> Text {
+        const std::string name = cpp_name(variable);
+        // A model may call something x or u; an argument of that name is in the way then.
+        const std::string unique = arguments_.contains(name) ? name + "_" : name;
+        statements += fmt::format("        const Scalar {} = {}[{}];\n", unique, array, index);
+        return {unique, 3};
+    };
+    const auto member = [&](const char* object) -> Text {
+        return {variable.is_member ? fmt::format("{}.{}[{}]", object, variable.base, variable.index - family_start(variable)) : fmt::format("{}.{}", object, variable.base), 3};
+    };
+    switch (variable.kind) {
+        case SymbolKind::parameter: return member("p_");
+        case SymbolKind::definition: return {fmt::format("c_.{}", cpp_name(variable)), 3};
+        case SymbolKind::time: uses_time_ = true; return {"t", 3};
+        case SymbolKind::input: uses_input_ = true; return local(input_, variable.position);
+        case SymbolKind::coordinate: uses_state_ = true; return local(state_, variable.position);
+        case SymbolKind::velocity: uses_state_ = true; return local(state_, n + variable.position);
+        case SymbolKind::state: uses_state_ = true; return local(state_, 2 * n + variable.position);
+        case SymbolKind::acceleration: return {fmt::format("{}[{}]", accelerations_, first_acceleration_ + variable.position), 3};
+        default: throw std::logic_error("a symbol that has no place in the header: " + variable.name);
+    }
+}
+
+int CppFunction::family_start(const Variable& variable) const {
+    for (const Variable& first : code_.system.symbols.all(variable.kind))
+        if (first.base == variable.base) return first.index;
+    return 0;
+}
+
+CppFunction::Text CppFunction::sum(const Node& node, std::string& statements) {
+    std::string text;
+    for (std::size_t i = 0; i < node.arguments.size(); ++i) {
+        const bool negative = node.negative[i];
+        const std::string term = operand(node.arguments[i], negative ? 2 : (i == 0 ? 1 : 2), statements);
+        if (i == 0) text = (negative ? "-" : "") + term;
+        else text += (negative ? " - " : " + ") + term;
+    }
+    return {text, 1};
+}
+
+CppFunction::Text CppFunction::product(const Node& node, std::string& statements) {
+    std::string above;
+    std::string below;
+    for (const NodeId argument : node.arguments) {
+        const Node& factor = function_.program[argument];
+        // A reciprocal that nothing else needs is a division.
+        if (factor.kind == Node::Kind::reciprocal && !wants_name(argument) && !known_.contains(argument)) {
+            below += " / " + operand(factor.arguments[0], 3, statements);
+            continue;
+        }
+        above += (above.empty() ? "" : " * ") + operand(argument, above.empty() ? 2 : 3, statements);
+    }
+    return {(above.empty() ? "Scalar(1)" : above) + below, 2};
+}
+
+CppFunction::Text CppFunction::call(const Node& node, std::string& statements) {
+    std::string arguments;
+    for (const NodeId argument : node.arguments) arguments += (arguments.empty() ? "" : ", ") + text_of(argument, statements).text;
+    const std::string name = node.op == Op::power ? "pow" : name_of(node.op);
+    called_.insert(name);
+    return {is_own_function(node.op) ? fmt::format("detail::{}<Scalar>({})", name, arguments) : fmt::format("{}({})", name, arguments), 3};
+}
+
+}  // namespace dalembert

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/cpp_names.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+std::string cpp_name(const std::string& base, int index, bool is_member) {
+    if (!is_member) return base;
+    return index >= 0 ? fmt::format("{}_{}", base, index) : fmt::format("{}_minus{}", base, -index);
+}
+
+std::string cpp_name(const Variable& variable) {
+    const std::string name = cpp_name(variable.base, variable.index, variable.is_member);
+    if (variable.kind == SymbolKind::velocity || variable.kind == SymbolKind::state_rate) return name + "_dot";
+    if (variable.kind == SymbolKind::acceleration) return name + "_ddot";
+    return name;
+}
+
+std::string NameScope::unique(const std::string& wanted) {
+    std::string name = wanted;
+    for (int i = 2; !taken_.insert(name).second; ++i) name = fmt::format("{}_{}", wanted, i);
+    return name;
+}
+
+void check_cpp_names(const Symbols& symbols) {
+    std::map<std::string, const Variable*> used;
+    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+        for (const Variable& variable : symbols.all(kind)) {
+            const auto [other, is_new] = used.emplace(cpp_name(variable), &variable);
+            if (is_new) continue;
+            const Variable& first = *other->second;
+            const Span place = variable.declared != nullptr ? variable.declared->span : Span();
+            throw Failure(Diagnostic{Id::doubly_defined, place, fmt::format("'{}' and '{}' would both be '{}' in the header", first.name, variable.name, other->first)});
+        }
+}
+
+}  // namespace dalembert

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/equations.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "emit/safe_text.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+struct NamedPart {
+    const char* key;
+    const char* title;
+    const Generalised& values;
+};
+
+/// The parts of the equations that have one entry a coordinate.
+std::vector<NamedPart> parts(const System& s) {
+    return {{"coriolis", "Coriolis and centrifugal forces c", s.coriolis},
+            {"gravity", "generalised forces of gravity", s.gravity},
+            {"elastic", "generalised forces of springs and potentials", s.elastic},
+            {"dissipative", "generalised forces of dampers", s.dissipative},
+            {"bias", "bias = c - gravity - elastic - dissipative", s.bias},
+            {"generalised_force", "Q, generalised forces of forces, torques and inputs", s.supplied}};
+}
+
+bool all_zero(const Generalised& values) {
+    for (const ex& value : values)
+        if (!value.is_zero()) return false;
+    return true;
+}
+
+std::vector<std::pair<const char*, ex>> scalars(const System& s) {
+    return {{"kinetic_energy", s.kinetic_energy},
+            {"potential_energy", s.potential_energy},
+            {"supplied_power", s.supplied_power},
+            {"dissipated_power", s.dissipated_power},
+            {"prescribed_power", s.prescribed_power}};
+}
+
+}  // namespace
+
+std::string equations_as_text(const System& s) {
+    const Notation write(s.symbols, Style::text);
+    const auto& q = s.symbols.all(SymbolKind::coordinate);
+    std::string text = fmt::format("{}, scene {}\n", s.scene.sized_name(), s.scene.name);
+    if (!s.scene.model->title.empty()) text += safe_line(s.scene.model->title) + "\n";
+    const auto& definitions = s.symbols.all(SymbolKind::definition);
+    if (!definitions.empty()) text += "\nwith\n";
+    for (std::size_t i = 0; i < definitions.size(); ++i) text += fmt::format("  {} = {}\n", definitions[i].name, write(s.symbols.definition_values()[i]));
+    if (!q.empty()) {
+        text += "\nequations of motion  M*ddot(q) + bias = Q\n";
+        for (std::size_t j = 0; j < q.size(); ++j) text += fmt::format("  {} = {}\n", write(s.residual[j] + s.supplied[j]), write(s.supplied[j]));
+        text += "\nmass matrix M\n";
+        for (std::size_t i = 0; i < q.size(); ++i)
+            for (std::size_t j = i; j < q.size(); ++j) {
+                const ex& entry = s.mass(static_cast<unsigned>(i), static_cast<unsigned>(j));
+                if (!entry.is_zero()) text += fmt::format("  M[{}, {}] = {}\n", q[i].name, q[j].name, write(entry));
+            }
+        for (const NamedPart& part : parts(s)) {
+            if (all_zero(part.values)) continue;
+            text += fmt::format("\n{}\n", part.title);
+            for (std::size_t j = 0; j < q.size(); ++j) text += fmt::format("  [{}] {}\n", q[j].name, write(part.values[j]));
+        }
+    }
+    if (!s.state_rates.empty()) text += "\nplain states\n";
+    for (std::size_t i = 0; i < s.state_rates.size(); ++i)
+        text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.state_rates[i]));
+    text += "\nenergies and powers\n";
+    for (const auto& [name, value] : scalars(s)) text += fmt::format("  {} = {}\n", name, write(value));
+    if (!s.outputs.empty()) text += "\noutputs\n";
+    for (const OutputEquation& output : s.outputs) text += fmt::format("  {} = {}\n", output.name, write(output.value));
+    return text;
+}
+
+std::string equations_as_latex(const System& s) {
+    const Notation write(s.symbols, Style::latex);
+    const auto& definitions = s.symbols.all(SymbolKind::definition);
+    std::string text = fmt::format("% {}, scene {}\n", s.scene.sized_name(), s.scene.name);
+    const auto aligned = [&](const std::vector<std::string>& lines) {
+        if (lines.empty()) return;
+        text += "\\begin{align}\n";
+        for (std::size_t i = 0; i < lines.size(); ++i) text += "  " + lines[i] + (i + 1 < lines.size() ? " \\\\\n" : "\n");
+        text += "\\end{align}\n";
+    };
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < definitions.size(); ++i) lines.push_back(fmt::format("{} &= {}", write.symbol(definitions[i]), write(s.symbols.definition_values()[i])));
+    aligned(lines);
+    lines.clear();
+    for (std::size_t j = 0; j < s.residual.size(); ++j) lines.push_back(fmt::format("{} &= {}", write(s.residual[j] + s.supplied[j]), write(s.supplied[j])));
+    for (std::size_t i = 0; i < s.state_rates.size(); ++i)
+        lines.push_back(fmt::format("{} &= {}", write.symbol(s.symbols.all(SymbolKind::state_rate)[i]), write(s.state_rates[i])));
+    aligned(lines);
+    lines = {fmt::format("T &= {}", write(s.kinetic_energy)), fmt::format("V &= {}", write(s.potential_energy))};
+    for (const OutputEquation& output : s.outputs) lines.push_back(fmt::format("{} &= {}", latex_name(output.base), write(output.value)));
+    aligned(lines);
+    return text;
+}
+
+nlohmann::ordered_json equations_as_json(const System& s) {
+    const Notation write(s.symbols, Style::text);
+    nlohmann::ordered_json json;
+    const auto& q = s.symbols.all(SymbolKind::coordinate);
+    const auto& definitions = s.symbols.all(SymbolKind::definition);
+    json["definitions"] = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < definitions.size(); ++i) json["definitions"][definitions[i].name] = write(s.symbols.definition_values()[i]);
+    json["coordinates"] = nlohmann::ordered_json::array();
+    for (const Variable& variable : q) json["coordinates"].push_back(variable.name);
+    json["equations"] = nlohmann::ordered_json::array();
+    for (std::size_t j = 0; j < q.size(); ++j)
+        json["equations"].push_back({{"coordinate", q[j].name}, {"left", write(s.residual[j] + s.supplied[j])}, {"right", write(s.supplied[j])}});
+    json["mass_matrix"] = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < q.size(); ++i) {
+        nlohmann::ordered_json row = nlohmann::ordered_json::array();
+        for (std::size_t j = 0; j < q.size(); ++j) row.push_back(write(s.mass(static_cast<unsigned>(i), static_cast<unsigned>(j))));
+        json["mass_matrix"].push_back(std::move(row));
+    }
+    for (const NamedPart& part : parts(s)) {
+        json[part.key] = nlohmann::ordered_json::array();
+        for (const ex& value : part.values) json[part.key].push_back(write(value));
+    }
+    json["state_rates"] = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < s.state_rates.size(); ++i) json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
+    for (const auto& [name, value] : scalars(s)) json[name] = write(value);
+    json["outputs"] = nlohmann::ordered_json::object();
+    for (const OutputEquation& output : s.outputs) json["outputs"][output.name] = write(output.value);
+    return json;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The equations of a machine in writing: as text, LaTeX or JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "emit/notation.hpp"
+#include "form/system.hpp"
+
+namespace dalembert {
+
+std::string equations_as_text(const System& system);
+std::string equations_as_latex(const System& system);
+nlohmann::ordered_json equations_as_json(const System& system);
+
+}  // namespace dalembert

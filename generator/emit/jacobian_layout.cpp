@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/jacobian_layout.hpp"
+
+#include <algorithm>
+
+namespace dalembert {
+
+namespace {
+constexpr std::size_t largest_dense = 16;
+}
+
+JacobianLayout::JacobianLayout(const Code& code, const FunctionCode& function, By by) {
+    const std::size_t n = code.solve.n;
+    const std::size_t m = code.system.symbols.states();
+    rows_ = 2 * n + m;
+    columns_ = function.right.columns;
+    is_sparse_ = rows_ > largest_dense && by != By::time;
+    column_starts_.push_back(0);
+    for (std::size_t c = 0; c < columns_; ++c) {
+        bool any = false;
+        for (std::size_t j = 0; j < n; ++j) any = any || !function.is_zero(function.right.at(j, c));
+        has_accelerations_.push_back(any);
+        if (by == By::state && c >= n && c < 2 * n) row_indices_.push_back(c - n);
+        for (std::size_t j = 0; any && j < n; ++j) row_indices_.push_back(n + j);
+        for (std::size_t i = 0; i < m; ++i)
+            if (!function.is_zero(function.below.at(i, c))) row_indices_.push_back(2 * n + i);
+        column_starts_.push_back(row_indices_.size());
+    }
+}
+
+std::optional<std::size_t> JacobianLayout::place(std::size_t row, std::size_t column) const {
+    if (!is_sparse_) return column * rows_ + row;
+    const auto begin = row_indices_.begin() + static_cast<std::ptrdiff_t>(column_starts_[column]);
+    const auto end = row_indices_.begin() + static_cast<std::ptrdiff_t>(column_starts_[column + 1]);
+    const auto found = std::lower_bound(begin, end, row);
+    if (found == end || *found != row) return std::nullopt;
+    return static_cast<std::size_t>(found - row_indices_.begin());
+}
+
+bool JacobianLayout::any_accelerations() const { return std::find(has_accelerations_.begin(), has_accelerations_.end(), true) != has_accelerations_.end(); }
+
+}  // namespace dalembert

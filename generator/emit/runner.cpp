@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/runner.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "emit/cpp_function.hpp"
+#include "emit/safe_text.hpp"
+#include "emit/template.hpp"
+#include "graph/lower.hpp"
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+std::string double_literal(const ex& value) {
+    const auto number = value_at(value, {}, 40);
+    if (!number) throw Failure(Diagnostic{Id::division_by_zero, {}, "a start value or parameter has no value"});
+    const std::string text = fmt::format("{}", cln::double_approx(*number));
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+std::string double_literal(double value) {
+    const std::string text = fmt::format("{}", value);
+    return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+std::string parameter_statements(const Symbols& symbols, const Values& values) {
+    std::string text;
+    const auto& parameters = symbols.all(SymbolKind::parameter);
+    std::map<std::string, int> position;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const Variable& p = parameters[i];
+        const std::string member = p.is_member ? fmt::format("{}[{}]", p.base, position[p.base]++) : p.base;
+        text += fmt::format("    p_.{} = {};\n", member, double_literal(values.parameter(i)));
+    }
+    return text;
+}
+
+std::string joined(const std::vector<ex>& values) {
+    std::vector<std::string> texts;
+    for (const ex& value : values) texts.push_back(double_literal(value));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// u[i] = ... for every input that is not zero.
+std::string input_statements(Code& code, const std::vector<ex>& inputs) {
+    std::vector<Polynomial> polynomials;
+    for (const ex& input : inputs) polynomials.push_back(lower(code.system.symbols.without_definitions(input), code.atoms));
+    FunctionCode f;
+    ProgramBuilder builder(code.atoms, code.cache, ParameterParts::in_place, f.program);
+    builder.prepare(polynomials);
+    for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(i));
+    const CachedNumbers none;
+    CppFunction cpp(code, f, none, {"x", "t", "u", "p_"});
+    std::string statements = cpp.compute(f.results);
+    for (std::size_t i = 0; i < f.results.size(); ++i) {
+        if (f.is_zero(f.results[i])) continue;
+        std::string before;
+        const std::string value = cpp.value(f.results[i], before);
+        statements += before + fmt::format("        u[{}] = {};\n", i, value);
+    }
+    std::string scope;
+    for (const std::string& name : cpp.called()) {
+        const bool is_own = name == "sign" || name == "step" || name == "min" || name == "max" || name == "pi";
+        scope += is_own ? "        namespace detail = dalembert::detail;\n" : fmt::format("        using std::{};\n", name);
+        if (is_own) break;
+    }
+    return scope + statements;
+}
+
+std::string flags(const std::vector<bool>& values) {
+    std::vector<std::string> texts;
+    for (const bool value : values) texts.emplace_back(value ? "true" : "false");
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+}  // namespace
+
+std::string simulation_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings) {
+    std::string panels;
+    for (const Plot& plot : settings.plots) {
+        std::vector<std::string> names;
+        for (const std::string& name : plot.y) names.push_back(cpp_string(name));
+        panels += fmt::format("\n        {{{}, {}, {{{}}}}},", cpp_string(plot.title), cpp_string(plot.x), fmt::join(names, ", "));
+    }
+    const Scene& scene = code.system.scene;
+    const std::string title = scene.model->title.empty() ? scene.sized_name() : scene.model->title;
+    return fill_template(embedded_file("simulation.cpp.in"), {{"NAMESPACE", header.name_space},
+                                                              {"HEADER", header.file_name},
+                                                              {"PARAMETERS", parameter_statements(code.system.symbols, values)},
+                                                              {"START", joined(values.state())},
+                                                              {"INPUTS", input_statements(code, settings.inputs)},
+                                                              {"METHOD", settings.method},
+                                                              {"TOLERANCE", double_literal(settings.tolerance)},
+                                                              {"STEP", double_literal(settings.step)},
+                                                              {"INTERVALS", std::to_string(settings.intervals)},
+                                                              {"UNTIL", double_literal(settings.until)},
+                                                              {"PANELS", panels},
+                                                              {"DRAW", settings.draw ? "true" : "false"},
+                                                              {"TITLE", cpp_string(fmt::format("{} ({})", title, scene.name))}});
+}
+
+std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<bool>& free_states, const std::vector<bool>& free_inputs) {
+    return fill_template(embedded_file("equilibrium.cpp.in"), {{"NAMESPACE", header.name_space},
+                                                               {"HEADER", header.file_name},
+                                                               {"PARAMETERS", parameter_statements(code.system.symbols, values)},
+                                                               {"START", joined(values.state())},
+                                                               {"INPUTS", joined(values.inputs())},
+                                                               {"FREE_STATES", flags(free_states)},
+                                                               {"FREE_INPUTS", flags(free_inputs)}});
+}
+
+}  // namespace dalembert

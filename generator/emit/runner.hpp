@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small programs around a generated header that simulate it or look for its equilibrium.
+#pragma once
+
+#include "emit/header.hpp"
+
+namespace dalembert {
+
+struct SimulationSettings {
+    double until = 0;      ///< s
+    double tolerance = 1e-9;
+    double step = 0;       ///< s; 0: chosen by the method
+    std::string method = "dopri5";
+    int intervals = 500;
+    std::vector<GiNaC::ex> inputs;  ///< expressions of time and state, one an input
+    std::vector<Plot> plots;        ///< names as the recording has them
+    bool draw = true;
+};
+
+/// The source of a simulation. Parameters and start are those of `values`.
+std::string simulation_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
+
+/// The source of a search for an equilibrium; flags say which states and inputs are free.
+std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<bool>& free_states,
+                               const std::vector<bool>& free_inputs);
+
+}  // namespace dalembert

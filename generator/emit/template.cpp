@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/template.hpp"
+
+#include <set>
+#include <stdexcept>
+
+namespace dalembert {
+
+std::string marked_section(std::string_view text, const std::string& name) {
+    const std::string begin = "// begin " + name + "\n";
+    const std::string end = "// end " + name + "\n";
+    const std::size_t from = text.find(begin);
+    const std::size_t to = text.find(end);
+    if (from == std::string_view::npos || to == std::string_view::npos) throw std::logic_error("no section '" + name + "'");
+    return std::string(text.substr(from + begin.size(), to - from - begin.size()));
+}
+
+std::string fill_template(std::string_view text, const std::map<std::string, std::string>& values) {
+    std::string result;
+    std::set<std::string> used;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t open = text.find('@', at);
+        if (open == std::string_view::npos) {
+            result += text.substr(at);
+            break;
+        }
+        const std::size_t close = text.find('@', open + 1);
+        if (close == std::string_view::npos) throw std::logic_error("a template ends inside a placeholder");
+        const std::string name(text.substr(open + 1, close - open - 1));
+        const auto value = values.find(name);
+        if (value == values.end()) throw std::logic_error("a template has a placeholder that nothing fills: " + name);
+        result += text.substr(at, open - at);
+        result += value->second;
+        used.insert(name);
+        at = close + 1;
+    }
+    for (const auto& [name, value] : values)
+        if (!used.contains(name)) throw std::logic_error("a template has no place for " + name);
+    return result;
+}
+
+}  // namespace dalembert

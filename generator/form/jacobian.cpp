@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "form/jacobian.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+/// Outputs with state rates replaced by what they are, so that only accelerations are left as unknowns.
+std::vector<ex> output_values(const System& system) {
+    GiNaC::exmap rates;
+    for (std::size_t i = 0; i < system.state_rates.size(); ++i) rates[system.symbols.get(SymbolKind::state_rate, i)] = system.state_rates[i];
+    std::vector<ex> values;
+    for (const OutputEquation& output : system.outputs) values.push_back(output.value.subs(rates, GiNaC::subs_options::no_pattern));
+    return values;
+}
+
+std::vector<const Variable*> columns(const Symbols& symbols, By by) {
+    std::vector<SymbolKind> kinds;
+    switch (by) {
+        case By::state: kinds = {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state}; break;
+        case By::input: kinds = {SymbolKind::input}; break;
+        case By::parameter: kinds = {SymbolKind::parameter}; break;
+        case By::time: kinds = {SymbolKind::time}; break;
+    }
+    std::vector<const Variable*> result;
+    for (const SymbolKind kind : kinds)
+        for (const Variable& variable : symbols.all(kind)) result.push_back(&variable);
+    return result;
+}
+
+}  // namespace
+
+std::size_t column_count(const Symbols& symbols, By by) { return columns(symbols, by).size(); }
+
+Partials partials(const System& system, By by) {
+    const std::vector<ex> outputs = output_values(system);
+    Partials result;
+    for (const Variable* variable : columns(system.symbols, by)) {
+        const auto derivatives = [&](const std::vector<ex>& rows) {
+            std::vector<ex> column;
+            for (const ex& row : rows)
+                column.push_back(by == By::parameter ? system.symbols.derivative_by_parameter(row, variable->position) : partial(row, variable->symbol));
+            return column;
+        };
+        result.residual.push_back(derivatives(system.residual));
+        result.state_rate.push_back(derivatives(system.state_rates));
+        result.output.push_back(derivatives(outputs));
+    }
+    return result;
+}
+
+std::vector<std::vector<ex>> output_by_acceleration(const System& system) {
+    const std::vector<ex> outputs = output_values(system);
+    std::vector<std::vector<ex>> result;
+    for (const Variable& a : system.symbols.all(SymbolKind::acceleration)) {
+        std::vector<ex> column;
+        for (const ex& output : outputs) column.push_back(partial(output, a.symbol));
+        result.push_back(std::move(column));
+    }
+    return result;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Partial derivatives by implicit differentiation: from R(q, qd, qdd, z, u, t, p) = 0 follows M d(qdd)/dx = -dR/dx at fixed qdd.
+// The solve with M is left to the numbers; M is never inverted symbolically.
+#pragma once
+
+#include "form/system.hpp"
+
+namespace dalembert {
+
+enum class By { state, input, parameter, time };
+
+/// Derivatives at fixed accelerations. One column for each variable: states in the order q, qd, z.
+struct Partials {
+    std::vector<std::vector<GiNaC::ex>> residual;    ///< [column][row]: dR_row/d(column)
+    std::vector<std::vector<GiNaC::ex>> state_rate;  ///< [column][row]: d(zd_row)/d(column)
+    std::vector<std::vector<GiNaC::ex>> output;      ///< [column][row]
+};
+
+std::size_t column_count(const Symbols& symbols, By by);
+Partials partials(const System& system, By by);
+
+/// d(output)/d(qdd): [coordinate][output]; not zero for outputs such as a measured acceleration.
+std::vector<std::vector<GiNaC::ex>> output_by_acceleration(const System& system);
+
+}  // namespace dalembert

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "form/system.hpp"
+
+#include <fmt/format.h>
+
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+/// Sum over parts of the j-th entry of a generalised force.
+template <class Parts>
+Generalised total_force(const Parts& parts, std::size_t degrees) {
+    Generalised result;
+    for (std::size_t j = 0; j < degrees; ++j) {
+        GiNaC::exvector terms;
+        for (const auto& part : parts) terms.push_back(part.force[j]);
+        result.push_back(GiNaC::add(terms));
+    }
+    return result;
+}
+
+void definitions(System& system) {
+    std::vector<ex> values;
+    for (const auto& member : system.scene.definitions) values.push_back(system.translate(member.item->value, Translator::indices_of(member)));
+    system.symbols.define(std::move(values));
+}
+
+void inertia(System& system) {
+    const std::size_t n = system.symbols.degrees();
+    const InertialForces bodies = dalembert(system.bodies, system.symbols);
+    const InertialForces terms = christoffel(system.scene, system.translate);
+    system.mass = bodies.mass.add(terms.mass);
+    for (std::size_t j = 0; j < n; ++j) system.coriolis.push_back(bodies.coriolis[j] + terms.coriolis[j]);
+    system.prescribed_power = bodies.prescribed_power;
+    system.kinetic = kinetic_energies(system.scene, system.translate, system.bodies);
+    system.kinetic_energy = GiNaC::add(GiNaC::exvector(system.kinetic.begin(), system.kinetic.end()));
+}
+
+void forces(System& system) {
+    const std::size_t n = system.symbols.degrees();
+    system.potentials = potentials(system.scene, system.translate, system.symbols, system.bodies);
+    system.resistances = resistances(system.scene, system.translate, system.symbols, system.bodies);
+    system.supplies = supplies(system.scene, system.translate, system.bodies);
+
+    std::vector<Potential> gravity;
+    std::vector<Potential> elastic;
+    for (const Potential& p : system.potentials) {
+        (p.origin == Potential::Origin::gravity ? gravity : elastic).push_back(p);
+        system.potential_energy += p.energy;
+        system.prescribed_power += partial(p.energy, system.symbols.time());
+    }
+    for (const Resistance& r : system.resistances) {
+        system.dissipated_power += r.power;
+        system.prescribed_power += r.prescribed;
+    }
+    for (const Supply& s : system.supplies) {
+        system.supplied_power += s.power;
+        system.prescribed_power += s.prescribed;
+    }
+    system.gravity = total_force(gravity, n);
+    system.elastic = total_force(elastic, n);
+    system.dissipative = total_force(system.resistances, n);
+    system.supplied = total_force(system.supplies, n);
+}
+
+void equations(System& system) {
+    const std::size_t n = system.symbols.degrees();
+    for (std::size_t j = 0; j < n; ++j) {
+        system.bias.push_back(system.coriolis[j] - system.gravity[j] - system.elastic[j] - system.dissipative[j]);
+        GiNaC::exvector terms{system.bias[j], -system.supplied[j]};
+        for (std::size_t l = 0; l < n; ++l)
+            terms.push_back(system.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)) * system.symbols.get(SymbolKind::acceleration, l));
+        system.residual.push_back(GiNaC::add(terms));
+    }
+    for (const auto& member : system.scene.states) system.state_rates.push_back(system.translate(member.item->derivative, Translator::indices_of(member)));
+}
+
+void outputs(System& system) {
+    for (const auto& member : system.scene.outputs) {
+        const Output& item = *member.item;
+        system.outputs.push_back({member.name(), item.name, member.index, item.family.has_value(), item.unit ? item.unit->si() : "", item.doc,
+                                  system.translate(item.value, Translator::indices_of(member))});
+    }
+}
+
+/// A coordinate whose row of M is zero moves without resistance, so its acceleration is not determined.
+void check_mass_rows(const System& system) {
+    const auto n = static_cast<unsigned>(system.symbols.degrees());
+    for (unsigned j = 0; j < n; ++j) {
+        bool any = false;
+        for (unsigned l = 0; l < n; ++l) any = any || !system.mass(j, l).expand().is_zero();
+        if (any) continue;
+        const Variable& q = system.symbols.all(SymbolKind::coordinate)[j];
+        throw Failure(Diagnostic{Id::singular_mass, q.declared->span,
+                                 fmt::format("no body moves or turns with coordinate '{}', so nothing determines its acceleration", q.name)});
+    }
+}
+
+}  // namespace
+
+System::System(const Names& all_names, Scene chosen)
+    : names(all_names), scene(std::move(chosen)), symbols(scene, names), translate(scene, names, symbols) {
+    translate.set_quantities([this](const Expression& e, const Indices& indices) { return quantity(*this, e, indices); });
+}
+
+std::unique_ptr<System> derive(const Names& names, Scene scene) {
+    auto system = std::make_unique<System>(names, std::move(scene));
+    definitions(*system);
+    system->bodies = body_motions(system->scene, system->translate);
+    inertia(*system);
+    check_mass_rows(*system);
+    forces(*system);
+    equations(*system);
+    outputs(*system);
+    return system;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The derived machine: M(q) qdd + bias(q, qd, z, t) = Q(...), zd = f, outputs, energies and powers. Everything later stages prove,
+// emit or print is read from here.
+#pragma once
+
+#include <memory>
+
+#include "mechanics/dalembert.hpp"
+#include "mechanics/euler_lagrange.hpp"
+#include "mechanics/forces.hpp"
+#include "symbolic/values.hpp"
+
+namespace dalembert {
+
+struct OutputEquation {
+    std::string name;
+    std::string base;
+    int index;
+    bool is_member;
+    std::string unit;  ///< in SI, empty when the model gives none
+    std::string doc;
+    GiNaC::ex value;   ///< may contain accelerations and state rates
+};
+
+/// Lives at one place, because its parts refer to each other.
+struct System {
+    System(const Names& names, Scene chosen);
+    System(const System&) = delete;
+    System& operator=(const System&) = delete;
+
+    const Names& names;
+    Scene scene;
+    Symbols symbols;
+    Translator translate;
+
+    std::vector<BodyMotion> bodies;
+    std::vector<Potential> potentials;
+    std::vector<Resistance> resistances;
+    std::vector<Supply> supplies;
+
+    GiNaC::matrix mass;             ///< M, from d'Alembert
+    Generalised coriolis;           ///< inertial terms without qdd, from d'Alembert
+    Generalised gravity;            ///< generalised forces of gravity
+    Generalised elastic;            ///< of springs and other potentials
+    Generalised dissipative;        ///< of dampers
+    Generalised supplied;           ///< Q: of forces, torques and inputs
+    Generalised bias;               ///< coriolis - gravity - elastic - dissipative
+    Generalised residual;           ///< M qdd + bias - Q, zero on every motion
+
+    std::vector<GiNaC::ex> kinetic; ///< kinetic energies: one a body, then one a plain term
+    GiNaC::ex kinetic_energy;
+    GiNaC::ex potential_energy;
+    GiNaC::ex supplied_power;
+    GiNaC::ex dissipated_power;
+    GiNaC::ex prescribed_power;     ///< contains accelerations where kinematics depend on time
+
+    std::vector<GiNaC::ex> state_rates;  ///< zd
+    std::vector<OutputEquation> outputs;
+};
+
+/// Derives a scene by d'Alembert's principle; energies and powers on their own. Throws Failure.
+std::unique_ptr<System> derive(const Names& names, Scene scene);
+
+/// The meaning of kinetic_energy[...], mass_matrix[...] and the like.
+GiNaC::ex quantity(const System& system, const Expression& e, const Indices& indices);
+
+}  // namespace dalembert

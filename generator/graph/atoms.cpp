@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/atoms.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace dalembert {
+
+namespace {
+
+/// The order in which symbols are numbered.
+constexpr std::array symbol_order{SymbolKind::parameter, SymbolKind::definition, SymbolKind::time,        SymbolKind::input, SymbolKind::coordinate,
+                                  SymbolKind::velocity,  SymbolKind::state,      SymbolKind::acceleration, SymbolKind::state_rate};
+
+bool is_parameter(SymbolKind kind) { return kind == SymbolKind::parameter || kind == SymbolKind::definition; }
+
+Polynomial renumbered(const Polynomial& p, const std::vector<Letter>& new_letter) {
+    Polynomial result;
+    for (const auto& [monomial, coefficient] : p.terms()) {
+        Monomial m;
+        for (const LetterPower& power : monomial) m.push_back({new_letter[power.letter], power.exponent});
+        std::sort(m.begin(), m.end());
+        result.add(m, coefficient);
+    }
+    return result;
+}
+
+}  // namespace
+
+const char* name_of(Op op) {
+    static constexpr const char* names[]{"symbol", "pi",   "sum",  "sin",  "cos", "tan", "asin", "acos", "atan", "atan2", "sinh",
+                                         "cosh",   "tanh", "exp",  "log",  "sqrt", "abs", "sign", "step", "min",  "max",   "power"};
+    return names[static_cast<std::size_t>(op)];
+}
+
+Atoms::Atoms(const Symbols& symbols) : symbols_(symbols) {
+    for (std::size_t k = 0; k < symbol_order.size(); ++k)
+        for (const Variable& variable : symbols.all(symbol_order[k]))
+            add({Op::symbol, {}, fmt::format("{}{:05}", static_cast<char>('a' + k), variable.position), 0, !is_parameter(variable.kind), &variable});
+    add({Op::pi, {}, "pi", 0, false});
+}
+
+Letter Atoms::add(Atom atom) {
+    const auto letter = static_cast<Letter>(atoms_.size());
+    by_key_.emplace(atom.key, letter);
+    atoms_.push_back(std::move(atom));
+    return letter;
+}
+
+Letter Atoms::symbol(const Variable& variable) const {
+    std::size_t first = 0;
+    for (const SymbolKind kind : symbol_order) {
+        if (kind == variable.kind) return static_cast<Letter>(first + variable.position);
+        first += symbols_.count(kind);
+    }
+    throw std::logic_error("a symbol that the graph does not know: " + variable.name);
+}
+
+std::string Atoms::key(const Monomial& m) const {
+    std::vector<std::string> parts;
+    for (const LetterPower& power : m) parts.push_back(fmt::format("{}^{}", atoms_[power.letter].key, power.exponent));
+    std::sort(parts.begin(), parts.end());
+    return fmt::format("{}", fmt::join(parts, "*"));
+}
+
+std::string Atoms::key(const Polynomial& p) const {
+    std::vector<std::string> parts;
+    for (const auto& [monomial, coefficient] : p.terms()) parts.push_back(key(monomial) + "#" + to_string(coefficient));
+    std::sort(parts.begin(), parts.end());
+    return fmt::format("{}", fmt::join(parts, "+"));
+}
+
+int Atoms::leading_sign(const Polynomial& p) const {
+    std::string first;
+    int sign = 0;
+    for (const auto& [monomial, coefficient] : p.terms()) {
+        std::string k = key(monomial);
+        if (sign != 0 && k >= first) continue;
+        first = std::move(k);
+        sign = is_negative(coefficient) ? -1 : 1;
+    }
+    return sign;
+}
+
+bool Atoms::is_dynamic(const Polynomial& p) const {
+    for (const auto& [monomial, coefficient] : p.terms())
+        for (const LetterPower& power : monomial)
+            if (atoms_[power.letter].is_dynamic) return true;
+    return false;
+}
+
+std::optional<Letter> Atoms::find(Op op, const std::vector<Polynomial>& arguments) const {
+    std::string whole = name_of(op);
+    for (const Polynomial& argument : arguments) whole += "(" + key(argument) + ")";
+    const auto known = by_key_.find(whole);
+    return known == by_key_.end() ? std::nullopt : std::optional(known->second);
+}
+
+Letter Atoms::letter(Op op, std::vector<Polynomial> arguments) {
+    std::string whole = name_of(op);
+    int level = 0;
+    bool dynamic = false;
+    for (const Polynomial& argument : arguments) {
+        whole += "(" + key(argument) + ")";
+        dynamic = dynamic || is_dynamic(argument);
+        for (const auto& [monomial, coefficient] : argument.terms())
+            for (const LetterPower& power : monomial) level = std::max(level, atoms_[power.letter].level);
+    }
+    if (const auto known = by_key_.find(whole); known != by_key_.end()) return known->second;
+    return add({op, std::move(arguments), std::move(whole), level + 1, dynamic});
+}
+
+void Atoms::canonicalise(const std::vector<Polynomial*>& polynomials) {
+    std::vector<Letter> order(atoms_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](Letter a, Letter b) {
+        const Atom &x = atoms_[a], &y = atoms_[b];
+        if (x.level != y.level) return x.level < y.level;
+        return x.level > 0 && x.key < y.key;  // symbols keep their order
+    });
+    std::vector<Letter> new_letter(atoms_.size());
+    std::vector<Atom> sorted;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        new_letter[order[i]] = static_cast<Letter>(i);
+        sorted.push_back(std::move(atoms_[order[i]]));
+    }
+    atoms_ = std::move(sorted);
+    by_key_.clear();
+    for (std::size_t i = 0; i < atoms_.size(); ++i) {
+        for (Polynomial& argument : atoms_[i].arguments) argument = renumbered(argument, new_letter);
+        by_key_.emplace(atoms_[i].key, static_cast<Letter>(i));
+    }
+    for (Polynomial* p : polynomials) *p = renumbered(*p, new_letter);
+}
+
+}  // namespace dalembert

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From polynomials over atoms to straight-line code: parameters apart from what moves, common parts once.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "graph/extract.hpp"
+#include "graph/program.hpp"
+
+namespace dalembert {
+
+/// Values that depend on parameters alone, computed when the parameters are set.
+class ParameterCache {
+public:
+    const std::vector<Polynomial>& values() const { return values_; }
+    std::uint32_t add(const Polynomial& p);
+    /// Room for values that are not polynomials; returns the number of the first.
+    std::uint32_t reserve(std::size_t count);
+    std::optional<std::uint32_t> find(const Polynomial& p) const;
+
+private:
+    std::vector<Polynomial> values_;
+    std::map<Polynomial, std::uint32_t> index_;
+};
+
+/// How parts that depend on parameters alone are treated.
+enum class ParameterParts {
+    cached,      ///< moved to the cache, which grows
+    if_cached,   ///< taken from the cache where they are there, else computed in place
+    in_place,    ///< not told apart: for the code that fills the cache
+};
+
+class ProgramBuilder {
+public:
+    ProgramBuilder(const Atoms& atoms, ParameterCache& cache, ParameterParts parts, Program& program);
+
+    /// Prepares code for all roots at once. To be called once.
+    void prepare(const std::vector<Polynomial>& roots);
+    /// Gives a symbol a value: an acceleration, once it is solved for. Before any root that uses it is asked for.
+    void define(Letter symbol, NodeId value) { symbol_nodes_[symbol] = value; }
+    NodeId root(std::size_t i);
+
+private:
+    /// What a cube is made of, before it has a number.
+    struct Reference {
+        enum class Kind { cached, atom, reciprocal, function };
+        Kind kind;
+        std::uint32_t index;
+        friend auto operator<=>(const Reference&, const Reference&) = default;
+    };
+    struct RawCube {
+        Rational coefficient;
+        std::vector<Reference> factors;
+    };
+    struct Value {  ///< of a polynomial: coefficient times a reference, or the coefficient alone
+        Rational coefficient;
+        std::optional<Reference> reference;
+    };
+
+    Value value_of(const Polynomial& p, bool split);
+    std::uint32_t function_of(const Polynomial& p, bool split);
+    void add_factor(RawCube& cube, const LetterPower& power);
+    void need_atom(Letter letter);
+    void need_arguments();
+    NodeId node(std::uint32_t number);
+    NodeId atom_node(Letter letter);
+    NodeId node(const Value& value);
+    NodeId sum_node(const CubeSum& sum);
+    void collect_terms(const CubeSum& sum, std::vector<std::pair<bool, NodeId>>& terms);
+
+    const Atoms& atoms_;
+    ParameterCache& cache_;
+    ParameterParts parts_;
+    Program& program_;
+
+    std::vector<Value> roots_;
+    std::map<Polynomial, std::uint32_t> functions_;
+    std::vector<std::vector<RawCube>> raw_;
+    std::map<Letter, std::vector<Value>> atom_arguments_;
+    std::vector<Letter> pending_atoms_;
+    std::map<Letter, NodeId> symbol_nodes_;
+
+    std::vector<Reference> references_;             ///< by number
+    std::map<Reference, std::uint32_t> numbers_;
+    Network network_;
+    std::map<std::uint32_t, NodeId> nodes_;         ///< by number
+};
+
+}  // namespace dalembert

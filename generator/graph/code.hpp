@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The code of a system, function by function, before it becomes C++.
+#pragma once
+
+#include <memory>
+
+#include "form/jacobian.hpp"
+#include "graph/build.hpp"
+#include "graph/factorisation.hpp"
+
+namespace dalembert {
+
+/// A matrix of values, column-major.
+struct CodeMatrix {
+    std::size_t rows = 0;
+    std::size_t columns = 0;
+    std::vector<NodeId> entries = {};
+    NodeId at(std::size_t row, std::size_t column) const { return entries[column * rows + row]; }
+};
+
+/// One function of the header. Which parts are there depends on the function.
+struct FunctionCode {
+    Program program = {};
+    bool by_loops = false;                  ///< solves with M by loops: M and right sides are results, not steps on the way
+    std::vector<NodeId> mass = {};          ///< lower triangle of M, row by row
+    std::vector<NodeId> force = {};         ///< Q - bias
+    std::vector<NodeId> accelerations = {}; ///< qdd: solved for where the solve is written out, else symbols
+    std::vector<NodeId> results = {};       ///< of rhs: the rates of plain states
+    CodeMatrix right = {};                  ///< -dR/d(column), the right sides of M*X
+    CodeMatrix solved = {};                 ///< X = d(qdd)/d(column) where the solve is written out
+    CodeMatrix below = {};                  ///< d(zd)/d(column)
+    CodeMatrix by_output = {};              ///< d(y)/d(column) at fixed accelerations
+    CodeMatrix by_acceleration = {};        ///< d(y)/d(qdd)
+    bool uses_accelerations = false;        ///< the symbols of qdd occur: they are to be computed first
+
+    bool is_zero(NodeId id) const { return program.is_constant(id, 0); }
+    /// What the emitted code has to compute.
+    std::vector<NodeId> roots() const;
+};
+
+enum class Function {
+    update,
+    rhs,
+    rhs_and_jacobian,
+    jacobian_u,
+    jacobian_p,
+    jacobian_t,
+    mass_matrix,
+    bias,
+    generalised_force,
+    output,
+    output_jacobian_x,
+    output_jacobian_u,
+    kinetic_energy,
+    potential_energy,
+    supplied_power,
+    dissipated_power,
+    prescribed_power,
+    start_state,
+};
+inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::start_state) + 1;
+const char* name_of(Function function);
+
+struct Code {
+    explicit Code(const System& derived) : system(derived), atoms(derived.symbols) {}
+    Code(const Code&) = delete;
+
+    const System& system;
+    Atoms atoms;
+    ParameterCache cache;
+    Solve solve;                                  ///< how M*x = b is solved
+    std::vector<std::size_t> definition_order;    ///< definitions, each behind those it needs
+    std::array<FunctionCode, function_count> functions;
+
+    FunctionCode& operator[](Function f) { return functions[static_cast<std::size_t>(f)]; }
+    const FunctionCode& operator[](Function f) const { return functions[static_cast<std::size_t>(f)]; }
+    OperationCount count(Function f) const;
+};
+
+/// All functions of a system as code.
+std::unique_ptr<Code> make_code(const System& system);
+
+}  // namespace dalembert

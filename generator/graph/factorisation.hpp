@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Solving with the mass matrix: M = L D L' without pivoting, which a positive definite matrix does not need. Written out where
+// that is short, zeros of M skipped; else done by loops whose code does not grow.
+#pragma once
+
+#include <functional>
+
+#include "graph/program.hpp"
+
+namespace dalembert {
+
+struct Solve {
+    std::size_t n = 0;
+    bool unrolled = true;
+    bool is_constant = false;           ///< M depends on parameters alone: factored when they are set
+    std::vector<bool> is_zero;          ///< lower triangle of M, row by row: zero for every motion
+    std::uint32_t first_cached = 0;     ///< unrolled and constant: cached values of reciprocal pivots and L, row by row
+};
+
+inline std::size_t lower_index(std::size_t row, std::size_t column) { return row * (row + 1) / 2 + column; }
+
+/// Whether the solve is to be written out.
+bool should_unroll(std::size_t n, const std::vector<bool>& is_zero);
+
+/// How 1/x is made; the caller may know a cheaper way than a division.
+using Reciprocal = std::function<NodeId(NodeId)>;
+
+/// Reciprocal pivots 1/D and the unit lower triangle L. L[lower_index(i,i)] is the reciprocal pivot of row i.
+std::vector<NodeId> factorise(Program& program, std::size_t n, const std::vector<NodeId>& mass, const Reciprocal& reciprocal = nullptr);
+
+/// x with M x = b.
+std::vector<NodeId> solve(Program& program, std::size_t n, const std::vector<NodeId>& factors, std::vector<NodeId> b);
+
+}  // namespace dalembert

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/lower.hpp"
+
+#include <algorithm>
+
+#include "symbolic/functions.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::numeric;
+
+namespace {
+
+/// A product of sums with more terms than this is kept as a product.
+constexpr std::size_t most_terms = 400;
+constexpr int largest_power = 8;
+
+struct FunctionOp {
+    unsigned serial;
+    Op op;
+    int parity;  ///< 1 even, -1 odd, 0 neither
+};
+
+const std::vector<FunctionOp>& function_ops() {
+    static const std::vector<FunctionOp> table{
+        {GiNaC::sin_SERIAL::serial, Op::sin, -1},   {GiNaC::cos_SERIAL::serial, Op::cos, 1},    {GiNaC::tan_SERIAL::serial, Op::tan, -1},
+        {GiNaC::asin_SERIAL::serial, Op::asin, -1}, {GiNaC::acos_SERIAL::serial, Op::acos, 0},  {GiNaC::atan_SERIAL::serial, Op::atan, -1},
+        {GiNaC::sinh_SERIAL::serial, Op::sinh, -1}, {GiNaC::cosh_SERIAL::serial, Op::cosh, 1},  {GiNaC::tanh_SERIAL::serial, Op::tanh, -1},
+        {GiNaC::exp_SERIAL::serial, Op::exp, 0},    {GiNaC::log_SERIAL::serial, Op::log, 0},    {GiNaC::atan2_SERIAL::serial, Op::atan2, 0},
+        {magnitude_SERIAL::serial, Op::abs, 1},     {sign_of_SERIAL::serial, Op::sign, -1},     {unit_step_SERIAL::serial, Op::step, 0},
+        {minimum_SERIAL::serial, Op::min, 0},       {maximum_SERIAL::serial, Op::max, 0},
+    };
+    return table;
+}
+
+Polynomial negated(Polynomial p) {
+    p *= Rational(-1);
+    return p;
+}
+
+class Lowering {
+public:
+    explicit Lowering(Atoms& atoms) : atoms_(atoms) {}
+
+    Polynomial operator()(const ex& e) {
+        if (GiNaC::is_exactly_a<numeric>(e)) {
+            if (!ex_to<numeric>(e).is_rational()) throw std::logic_error("a number that is not rational reached the graph");
+            return Polynomial(cln::the<cln::cl_RA>(ex_to<numeric>(e).to_cl_N()));
+        }
+        if (GiNaC::is_a<GiNaC::symbol>(e)) {
+            const Variable* variable = atoms_.symbols().find(e);
+            if (variable == nullptr) throw std::logic_error("a symbol that is no variable reached the graph");
+            return Polynomial::letter(atoms_.symbol(*variable));
+        }
+        if (GiNaC::is_a<GiNaC::add>(e)) {
+            Polynomial sum;
+            for (const ex& term : e) sum += (*this)(term);
+            return sum;
+        }
+        if (GiNaC::is_a<GiNaC::mul>(e)) {
+            Polynomial product(1);
+            for (const ex& factor : e) product = multiply(product, (*this)(factor));
+            return product;
+        }
+        if (GiNaC::is_a<GiNaC::power>(e)) return power(e);
+        if (GiNaC::is_a<GiNaC::function>(e)) return function(e);
+        if (e.is_equal(GiNaC::Pi)) return Polynomial::letter(atoms_.letter(Op::pi, {}));
+        throw std::logic_error("an expression that the graph does not know");
+    }
+
+private:
+    /// A polynomial kept whole, its sign and content taken out: returns factor*letter.
+    Polynomial kept_whole(const Polynomial& p, int exponent) {
+        if (p.is_monomial()) {
+            const auto& [monomial, coefficient] = *p.terms().begin();
+            Polynomial result;
+            result.add(raised(monomial, exponent), cln::expt(coefficient, cln::cl_I(exponent)));
+            return result;
+        }
+        const auto [content, common, rest] = primitive(p);
+        Polynomial result;
+        Monomial m = raised(common, exponent) * Monomial{{atoms_.letter(Op::sum, {rest}), exponent}};
+        result.add(m, cln::expt(content, cln::cl_I(exponent)));
+        return result;
+    }
+
+    /// content * common monomial * rest, rest with whole coprime coefficients and a positive leading term.
+    std::tuple<Rational, Monomial, Polynomial> primitive(const Polynomial& p) {
+        cln::cl_I numerators = 0;
+        cln::cl_I denominators = 1;
+        for (const auto& [monomial, coefficient] : p.terms()) {
+            numerators = cln::gcd(numerators, cln::numerator(coefficient));
+            denominators = cln::lcm(denominators, cln::denominator(coefficient));
+        }
+        Rational content = Rational(numerators) / denominators;
+        Monomial common = p.terms().begin()->first;
+        for (const auto& [monomial, coefficient] : p.terms()) {
+            Monomial shared;
+            for (const LetterPower& power : common)
+                if (const int other = exponent_of(monomial, power.letter); other > 0 && power.exponent > 0)
+                    shared.push_back({power.letter, std::min(power.exponent, other)});
+            common = std::move(shared);
+        }
+        if (atoms_.leading_sign(p) < 0) content = -content;
+        Polynomial rest;
+        for (const auto& [monomial, coefficient] : p.terms()) rest.add(monomial * raised(common, -1), coefficient / content);
+        return {content, common, rest};
+    }
+
+    Polynomial multiply(const Polynomial& a, const Polynomial& b) {
+        if (a.size() > 1 && b.size() > 1 && a.size() * b.size() > most_terms) return multiply(kept_whole(a, 1), kept_whole(b, 1));
+        return Polynomial::product(a, b, SIZE_MAX);
+    }
+
+    Polynomial power(const ex& e) {
+        const ex& exponent = e.op(1);
+        if (!GiNaC::is_exactly_a<numeric>(exponent))
+            return Polynomial::letter(atoms_.letter(Op::power, {(*this)(e.op(0)), (*this)(exponent)}));
+        const Rational value = cln::the<cln::cl_RA>(ex_to<numeric>(exponent).to_cl_N());
+        const Polynomial base = (*this)(e.op(0));
+        if (const auto n = to_int(value)) {
+            if (*n < 0 || base.is_monomial() || *n > largest_power) return kept_whole(base, *n);
+            Polynomial result(1);
+            for (int i = 0; i < *n; ++i) result = multiply(result, base);
+            return result;
+        }
+        const auto numerator = to_int(cln::numerator(value));
+        if (numerator && cln::denominator(value) == 2) return Polynomial::letter(atoms_.letter(Op::sqrt, {base}), *numerator);
+        return Polynomial::letter(atoms_.letter(Op::power, {base, Polynomial(value)}));
+    }
+
+    Polynomial function(const ex& e) {
+        const unsigned serial = ex_to<GiNaC::function>(e).get_serial();
+        for (const FunctionOp& known : function_ops()) {
+            if (known.serial != serial) continue;
+            std::vector<Polynomial> arguments;
+            for (const ex& argument : e) arguments.push_back(folded((*this)(argument), atoms_));
+            const bool flip = known.parity != 0 && atoms_.leading_sign(arguments[0]) < 0;
+            if (flip) arguments[0] = negated(arguments[0]);
+            if ((known.op == Op::min || known.op == Op::max) && atoms_.key(arguments[1]) < atoms_.key(arguments[0])) std::swap(arguments[0], arguments[1]);
+            const Polynomial result = Polynomial::letter(atoms_.letter(known.op, std::move(arguments)));
+            return flip && known.parity < 0 ? negated(result) : result;
+        }
+        throw std::logic_error("a function that the graph does not know: " + ex_to<GiNaC::function>(e).get_name());
+    }
+
+    Atoms& atoms_;
+};
+
+}  // namespace
+
+Polynomial folded(Polynomial p, const Atoms& atoms) {
+    // The order of folding is by key and exponent, so that the result does not depend on how letters happen to be numbered.
+    std::map<std::string, std::pair<Letter, Letter>> angles;
+    for (const auto& [monomial, coefficient] : p.terms())
+        for (const LetterPower& power : monomial) {
+            const Atom& atom = atoms[power.letter];
+            if (atom.op != Op::sin || power.exponent < 2 || angles.contains(atom.key)) continue;
+            if (const auto cosine = atoms.find(Op::cos, atom.arguments)) angles[atom.key] = {power.letter, *cosine};
+        }
+    bool changed = !angles.empty();
+    while (changed) {
+        changed = false;
+        for (const auto& [key, letters] : angles) {
+            const auto [sine, cosine] = letters;
+            std::vector<Monomial> squares;
+            for (const auto& [monomial, coefficient] : p.terms())
+                if (exponent_of(monomial, sine) >= 2) squares.push_back(monomial);
+            std::stable_sort(squares.begin(), squares.end(),
+                             [s = sine](const Monomial& a, const Monomial& b) { return exponent_of(a, s) > exponent_of(b, s); });
+            for (const Monomial& square : squares) {
+                const auto term = p.terms().find(square);
+                if (term == p.terms().end()) continue;
+                const Monomial rest = square * Monomial{{sine, -2}};
+                const Monomial partner = rest * Monomial{{cosine, 2}};
+                const auto other = p.terms().find(partner);
+                if (other == p.terms().end() || is_negative(other->second) != is_negative(term->second)) continue;
+                const Rational common = cln::abs(other->second) < cln::abs(term->second) ? other->second : term->second;
+                p.add(rest, common);
+                p.add(partner, -common);
+                p.add(square, -common);
+                changed = true;
+            }
+        }
+    }
+    return p;
+}
+
+Polynomial lower(const ex& e, Atoms& atoms) { return folded(Lowering(atoms)(e), atoms); }
+
+}  // namespace dalembert

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From GiNaC to polynomials over atoms.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include "graph/atoms.hpp"
+
+namespace dalembert {
+
+/// The expression multiplied out, as far as that stays small, with sin^2 + cos^2 folded. Exact: no rule that needs an assumption.
+Polynomial lower(const GiNaC::ex& e, Atoms& atoms);
+
+/// Replaces k*T*sin^2 + k*T*cos^2 by k*T wherever both stand in the polynomial.
+Polynomial folded(Polynomial p, const Atoms& atoms);
+
+}  // namespace dalembert

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/raise.hpp"
+
+#include "symbolic/functions.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+ex apply(Op op, const std::vector<ex>& a) {
+    switch (op) {
+        case Op::sin: return GiNaC::sin(a[0]);
+        case Op::cos: return GiNaC::cos(a[0]);
+        case Op::tan: return GiNaC::tan(a[0]);
+        case Op::asin: return GiNaC::asin(a[0]);
+        case Op::acos: return GiNaC::acos(a[0]);
+        case Op::atan: return GiNaC::atan(a[0]);
+        case Op::atan2: return GiNaC::atan2(a[0], a[1]);
+        case Op::sinh: return GiNaC::sinh(a[0]);
+        case Op::cosh: return GiNaC::cosh(a[0]);
+        case Op::tanh: return GiNaC::tanh(a[0]);
+        case Op::exp: return GiNaC::exp(a[0]);
+        case Op::log: return GiNaC::log(a[0]);
+        case Op::sqrt: return GiNaC::sqrt(a[0]);
+        case Op::abs: return magnitude(a[0]);
+        case Op::sign: return sign_of(a[0]);
+        case Op::step: return unit_step(a[0]);
+        case Op::min: return minimum(a[0], a[1]);
+        case Op::max: return maximum(a[0], a[1]);
+        case Op::power: return GiNaC::pow(a[0], a[1]);
+        case Op::symbol:
+        case Op::pi:
+        case Op::sum: break;
+    }
+    throw std::logic_error("an operation that is no function");
+}
+
+}  // namespace
+
+ex Raiser::operator()(NodeId id) {
+    if (const auto known = known_.find(id); known != known_.end()) return known->second;
+    for (const NodeId argument : program_[id].arguments) (*this)(argument);
+    return known_[id] = raise(program_[id]);
+}
+
+ex Raiser::raise(const Node& node) {
+    GiNaC::exvector parts;
+    for (std::size_t i = 0; i < node.arguments.size(); ++i) {
+        const ex& part = known_.at(node.arguments[i]);
+        const bool negative = !node.negative.empty() && node.negative[i];
+        parts.push_back(negative ? ex(-part) : part);
+    }
+    switch (node.kind) {
+        case Node::Kind::constant: return GiNaC::numeric(node.value);
+        case Node::Kind::symbol: return atoms_[node.index].op == Op::pi ? ex(GiNaC::Pi) : atoms_[node.index].variable->symbol;
+        case Node::Kind::cached: return cached_(node.index);
+        case Node::Kind::sum: return GiNaC::add(parts);
+        case Node::Kind::product: return GiNaC::mul(parts);
+        case Node::Kind::reciprocal: return GiNaC::pow(parts[0], -1);
+        case Node::Kind::function: break;
+    }
+    return apply(node.op, {parts.begin(), parts.end()});
+}
+
+CachedMeaning cached_meaning(const Code& code) {
+    const FunctionCode& update = code[Function::update];
+    auto raiser = std::make_shared<Raiser>(update.program, code.atoms, [](std::uint32_t) -> ex { throw std::logic_error("cached values of cached values"); });
+    const std::size_t first = code.definition_order.size();
+    return [&update, raiser, first](std::uint32_t index) { return (*raiser)(update.results[first + index]); };
+}
+
+}  // namespace dalembert

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/verify.hpp"
+
+#include "graph/raise.hpp"
+#include "prove/normal_form.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+class Verification {
+public:
+    explicit Verification(const Code& code) : code_(code), system_(code.system), prover_(code.system), cached_(cached_meaning(code)) {}
+
+    std::vector<AuditEntry> run() {
+        motion(Function::rhs);
+        motion(Function::rhs_and_jacobian);
+        columns(Function::rhs_and_jacobian, By::state);
+        columns(Function::jacobian_u, By::input);
+        columns(Function::jacobian_p, By::parameter);
+        columns(Function::jacobian_t, By::time);
+        values(Function::mass_matrix, mass());
+        values(Function::bias, system_.bias);
+        values(Function::generalised_force, system_.supplied);
+        std::vector<ex> outputs;
+        for (const OutputEquation& output : system_.outputs) outputs.push_back(with_rates(output.value));
+        values(Function::output, outputs);
+        output_columns(Function::output_jacobian_x, By::state);
+        output_columns(Function::output_jacobian_u, By::input);
+        values(Function::kinetic_energy, {system_.kinetic_energy});
+        values(Function::potential_energy, {system_.potential_energy});
+        values(Function::supplied_power, {system_.supplied_power});
+        values(Function::dissipated_power, {system_.dissipated_power});
+        values(Function::prescribed_power, {system_.prescribed_power});
+        if (code_.solve.unrolled && code_.solve.n > 0) solve_is_right();
+        return std::move(entries_);
+    }
+
+private:
+    AuditEntry& entry(const std::string& name) {
+        for (AuditEntry& known : entries_)
+            if (known.name == name) return known;
+        entries_.push_back({name, {Verdict::proven}});
+        return entries_.back();
+    }
+
+    void compare(Function function, const ex& emitted, const ex& derived) {
+        AuditEntry& e = entry(std::string("emitted = derived, ") + name_of(function));
+        if (prover_.proven_equal(emitted, derived)) return;
+        Comparison result = prover_.equal(emitted, derived);
+        if (static_cast<int>(result.verdict) > static_cast<int>(e.result.verdict)) e.result = std::move(result);
+    }
+
+    std::vector<ex> mass() const {
+        std::vector<ex> lower;
+        for (unsigned i = 0; i < code_.solve.n; ++i)
+            for (unsigned j = 0; j <= i; ++j) lower.push_back(system_.mass(i, j));
+        return lower;
+    }
+
+    ex with_rates(const ex& e) const {
+        GiNaC::exmap rates;
+        for (std::size_t i = 0; i < system_.state_rates.size(); ++i) rates[system_.symbols.get(SymbolKind::state_rate, i)] = system_.state_rates[i];
+        return e.subs(rates, GiNaC::subs_options::no_pattern);
+    }
+
+    void motion(Function function) {
+        const FunctionCode& f = code_[function];
+        Raiser raise(f.program, code_.atoms, cached_);
+        const std::vector<ex> derived_mass = mass();
+        const FunctionCode& m = code_.solve.is_constant ? code_[Function::update] : f;
+        Raiser raise_mass(m.program, code_.atoms, cached_);
+        for (std::size_t i = 0; i < derived_mass.size(); ++i) compare(function, raise_mass(m.mass[i]), derived_mass[i]);
+        for (std::size_t j = 0; j < code_.solve.n; ++j) compare(function, raise(f.force[j]), system_.supplied[j] - system_.bias[j]);
+        for (std::size_t i = 0; i < f.results.size(); ++i) compare(function, raise(f.results[i]), system_.state_rates[i]);
+    }
+
+    /// In the code of the joint function accelerations are solutions; for the comparison they are letters again. Where the same
+    /// operations happen to stand for an acceleration and for something else, the solutions are put into the derivation instead.
+    void columns(Function function, By by) {
+        const FunctionCode& f = code_[function];
+        Raiser with_letters(f.program, code_.atoms, cached_);
+        Raiser with_solutions(f.program, code_.atoms, cached_);
+        for (std::size_t j = 0; j < f.accelerations.size(); ++j) with_letters.define(f.accelerations[j], system_.symbols.get(SymbolKind::acceleration, j));
+        const auto check = [&](NodeId node, const ex& derived) {
+            if (prover_.proven_equal(with_letters(node), derived)) return compare(function, derived, derived);
+            GiNaC::exmap solutions;
+            for (std::size_t j = 0; j < f.accelerations.size(); ++j) solutions[system_.symbols.get(SymbolKind::acceleration, j)] = with_solutions(f.accelerations[j]);
+            compare(function, with_solutions(node), derived.subs(solutions, GiNaC::subs_options::no_pattern));
+        };
+        const Partials p = partials(system_, by);
+        for (std::size_t c = 0; c < p.residual.size(); ++c) {
+            for (std::size_t j = 0; j < p.residual[c].size(); ++j) check(f.right.at(j, c), -p.residual[c][j]);
+            for (std::size_t i = 0; i < p.state_rate[c].size(); ++i) check(f.below.at(i, c), p.state_rate[c][i]);
+        }
+    }
+
+    void values(Function function, const std::vector<ex>& derived) {
+        const FunctionCode& f = code_[function];
+        Raiser raise(f.program, code_.atoms, cached_);
+        for (std::size_t i = 0; i < derived.size(); ++i) compare(function, raise(f.results[i]), derived[i]);
+    }
+
+    void output_columns(Function function, By by) {
+        const FunctionCode& f = code_[function];
+        Raiser raise(f.program, code_.atoms, cached_);
+        const Partials p = partials(system_, by);
+        const auto by_acceleration = output_by_acceleration(system_);
+        for (std::size_t i = 0; i < system_.outputs.size(); ++i) {
+            for (std::size_t c = 0; c < p.output.size(); ++c) compare(function, raise(f.by_output.at(i, c)), p.output[c][i]);
+            for (std::size_t c = 0; c < by_acceleration.size(); ++c) compare(function, raise(f.by_acceleration.at(i, c)), by_acceleration[c][i]);
+        }
+    }
+
+    /// The solve written out gives M*x = b for every M with a factorisation L*D*L' and the zeros of this one. The letters are D and
+    /// V = L*D below the diagonal, from which M is made; they stand for any such M, and keep denominators down to letters.
+    void solve_is_right() {
+        const Solve& s = code_.solve;
+        int count = 0;
+        const auto letter = [&] { return GiNaC::realsymbol("x" + std::to_string(count++)); };
+        std::vector<ex> v(s.is_zero.size(), 0);  // on the diagonal: D
+        std::vector<ex> m(s.is_zero.size(), 0);
+        for (std::size_t i = 0; i < s.n; ++i)
+            for (std::size_t j = 0; j <= i; ++j) {
+                ex fill = 0;
+                for (std::size_t k = 0; k < j; ++k) fill += v[lower_index(i, k)] * v[lower_index(j, k)] / v[lower_index(k, k)];
+                // Where M has a zero, V follows from the fill-in.
+                v[lower_index(i, j)] = s.is_zero[lower_index(i, j)] ? ex(-fill) : ex(letter());
+                m[lower_index(i, j)] = v[lower_index(i, j)] + fill;
+            }
+        Program program;
+        std::vector<NodeId> mass;
+        std::vector<NodeId> right;
+        for (std::uint32_t i = 0; i < m.size(); ++i) mass.push_back(s.is_zero[i] ? program.constant(0) : program.cached(i));
+        for (std::size_t j = 0; j < s.n; ++j) {
+            right.push_back(program.cached(static_cast<std::uint32_t>(m.size())));
+            m.emplace_back(letter());
+        }
+        const std::vector<NodeId> x = solve(program, s.n, factorise(program, s.n, mass), right);
+        Raiser raise(program, code_.atoms, [&](std::uint32_t i) { return m[i]; });
+        AuditEntry& e = entry("emitted solve: M*x = b");
+        for (std::size_t i = 0; i < s.n; ++i) {
+            ex left = -raise(right[i]);
+            for (std::size_t j = 0; j < s.n; ++j) left += raise(mass[i >= j ? lower_index(i, j) : lower_index(j, i)]) * raise(x[j]);
+            try {
+                if (NormalForm().is_zero(left)) continue;
+                e.result = {Verdict::wrong};
+            } catch (const NoNormalForm& reason) {
+                e.result = {Verdict::not_checkable, reason.what()};
+            }
+        }
+    }
+
+    const Code& code_;
+    const System& system_;
+    Prover prover_;
+    CachedMeaning cached_;
+    std::vector<AuditEntry> entries_;
+};
+
+}  // namespace
+
+std::vector<AuditEntry> verify(const Code& code) { return Verification(code).run(); }
+
+}  // namespace dalembert

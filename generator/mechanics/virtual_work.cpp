@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "mechanics/forces.hpp"
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+/// A linear rate w = A qd + b resisted by f: Q = -A' f, dissipated f w; f b of that is put in by what moves in a prescribed way.
+void resist(Resistance& resistance, const AffineRate& rate, const ex& force, const ex& speed) {
+    for (std::size_t j = 0; j < rate.jacobian.size(); ++j) resistance.force[j] -= rate.jacobian[j] * force;
+    resistance.power += force * speed;
+    resistance.prescribed += force * rate.drift;
+}
+
+ex damper_law(const Damper& damper, const ex& rate, const Translator& translate, Symbols& symbols, const Indices& indices) {
+    if (damper.coefficient) return translate(damper.coefficient, indices) * rate;
+    const ex letter = symbols.letter(damper.force->variable);
+    return translate(*damper.force->body, indices, {{damper.force->variable, letter}}).subs(letter == rate);
+}
+
+/// Resistance of a medium at rest: a force against the velocity, with the law of the speed (2.94).
+void resist_body(Resistance& resistance, const Damper& damper, const BodyMotion& body, const Translator& translate, Symbols& symbols, const Indices& indices) {
+    const std::string what = fmt::format("the velocity of body '{}'", body.member.name());
+    if (damper.coefficient) {
+        const ex coefficient = translate(damper.coefficient, indices);
+        for (const ex& component : body.velocity)
+            resist(resistance, affine_rate(component, symbols, damper.span, what), coefficient * component, component);
+        return;
+    }
+    const ex speed = GiNaC::sqrt(dot(body.velocity, body.velocity).expand());
+    const ex letter = symbols.letter(damper.force->variable);
+    const ex law = translate(*damper.force->body, indices, {{damper.force->variable, letter}});
+    const ex force_per_speed = (law / letter).expand().subs(letter == speed);
+    for (const ex& component : body.velocity)
+        resist(resistance, affine_rate(component, symbols, damper.span, what), force_per_speed * component, component);
+}
+
+/// Q_j = F.dr/dq_j (2.206); the power of a force at a moving point includes what the motion of the point itself contributes.
+Supply force_at(std::string name, const SpaceVector& force, const SpaceVector& point, const Symbols& symbols) {
+    Supply result{std::move(name), {}, 0, 0};
+    SpaceVector velocity;
+    for (std::size_t i = 0; i < 3; ++i) velocity[i] = symbols.time_derivative(point[i]);
+    for (const Variable& q : symbols.all(SymbolKind::coordinate)) result.force.push_back(dot(force, partial(point, q.symbol)));
+    result.power = dot(force, velocity);
+    result.prescribed = -dot(force, partial(point, symbols.time()));
+    return result;
+}
+
+const BodyMotion& body_of(const BodyReference& reference, const std::vector<BodyMotion>& bodies, const Scene& scene, const Indices& indices) {
+    if (const BodyMotion* body = find_motion(bodies, reference, scene, indices)) return *body;
+    throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("there is no body '{}'", std::string(reference.span.text()))});
+}
+
+Supply torque_on(const Member<Torque>& member, const Translator& translate, const std::vector<BodyMotion>& bodies) {
+    const Torque& torque = *member.item;
+    const Indices indices = Translator::indices_of(member);
+    ex rate;
+    if (torque.rate) {
+        rate = translate(torque.rate, indices);
+    } else {
+        rate = body_of(*torque.on, bodies, translate.scene(), indices).angular_velocity;
+        if (torque.against) rate -= body_of(*torque.against, bodies, translate.scene(), indices).angular_velocity;
+    }
+    const Span& place = torque.rate ? torque.rate->span : torque.span;
+    const AffineRate affine = affine_rate(rate, translate.symbols(), place, fmt::format("the rate of torque '{}'", member.name()));
+    const ex value = translate(torque.torque, indices);
+    Supply result{fmt::format("torque {}", member.name()), {}, value * rate, -value * affine.drift};
+    for (const ex& slope : affine.jacobian) result.force.push_back(value * slope);
+    return result;
+}
+
+}  // namespace
+
+std::vector<Resistance> resistances(const Scene& scene, const Translator& translate, Symbols& symbols, const std::vector<BodyMotion>& bodies) {
+    std::vector<Resistance> result;
+    for (const auto& member : scene.dampers) {
+        const Damper& damper = *member.item;
+        const Indices indices = Translator::indices_of(member);
+        Resistance resistance{fmt::format("damper {}", member.name()), Generalised(symbols.degrees(), 0), 0, 0};
+        if (damper.rate) {
+            const ex rate = translate(damper.rate, indices);
+            const AffineRate affine = affine_rate(rate, symbols, damper.rate->span, fmt::format("the rate of damper '{}'", member.name()));
+            resist(resistance, affine, damper_law(damper, rate, translate, symbols, indices), rate);
+        } else {
+            resist_body(resistance, damper, body_of(*damper.on, bodies, scene, indices), translate, symbols, indices);
+        }
+        result.push_back(std::move(resistance));
+    }
+    for (const auto& member : scene.generalised_forces) {
+        if (!member.item->dissipated) continue;
+        const Indices indices = Translator::indices_of(member);
+        const CoordinateEntry& entry = member.item->coordinate;
+        const std::size_t j = translate.coordinate(entry.coordinate, entry.index.get(), entry.span, indices);
+        Resistance resistance{fmt::format("generalised force {}", member.name()), Generalised(symbols.degrees(), 0), 0, 0};
+        resistance.force[j] = translate(entry.value, indices);
+        resistance.power = -resistance.force[j] * symbols.get(SymbolKind::velocity, j);
+        result.push_back(std::move(resistance));
+    }
+    return result;
+}
+
+std::vector<Supply> supplies(const Scene& scene, const Translator& translate, const std::vector<BodyMotion>& bodies) {
+    const Symbols& symbols = translate.symbols();
+    std::vector<Supply> result;
+    for (const auto& member : scene.forces) {
+        const Force& force = *member.item;
+        const Indices indices = Translator::indices_of(member);
+        const SpaceVector point = force.at ? translate(*force.at, indices) : body_of(*force.on, bodies, scene, indices).position;
+        result.push_back(force_at(fmt::format("force {}", member.name()), translate(force.force, indices), point, symbols));
+    }
+    for (const auto& member : scene.torques) result.push_back(torque_on(member, translate, bodies));
+    for (const auto& member : scene.generalised_forces) {
+        if (member.item->dissipated) continue;
+        const Indices indices = Translator::indices_of(member);
+        const CoordinateEntry& entry = member.item->coordinate;
+        const std::size_t j = translate.coordinate(entry.coordinate, entry.index.get(), entry.span, indices);
+        const ex value = translate(entry.value, indices);
+        Supply supply{fmt::format("generalised force {}", member.name()), Generalised(symbols.degrees(), 0), value * symbols.get(SymbolKind::velocity, j), 0};
+        supply.force[j] = value;
+        result.push_back(std::move(supply));
+    }
+    return result;
+}
+
+}  // namespace dalembert

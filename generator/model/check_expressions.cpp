@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <set>
+
+#include "model/checks.hpp"
+#include "model/vocabulary.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Kind = Expression::Kind;
+
+/// Words and what they may depend on.
+class ExpressionCheck {
+public:
+    ExpressionCheck(const Names& names, Diagnostics& diagnostics) : names_(names), diagnostics_(diagnostics) {}
+
+    /// Reports what is unknown, and the first part that the site must not depend on.
+    void check(const Site& site) {
+        site_ = &site;
+        bound_ = {site.bound.begin(), site.bound.end()};
+        reported_ = false;
+        for (const std::string& name : site.bound)
+            if (names_.find(name) != nullptr && shadowing_.insert(site.what + name).second)
+                error(Id::doubly_defined, site.expression->span, fmt::format("'{}' is defined in the model and again as an index or variable in {}", name, site.what));
+        visit(*site.expression);
+    }
+
+private:
+    void error(Id id, const Span& span, std::string message, std::vector<Note> notes = {}) {
+        reported_ = true;
+        diagnostics_.error(id, span, std::move(message), std::move(notes));
+    }
+
+    unsigned visit(const Expression& e) {
+        switch (e.kind) {
+            case Kind::number: return 0;
+            case Kind::name: return name(e);
+            case Kind::call: return call(e);
+            case Kind::sum: return sum(e);
+            default: break;
+        }
+        unsigned result = 0;
+        for (const ExpressionPtr& child : e.children) result |= visit(*child);
+        return result;
+    }
+
+    /// Reports a dependence that the site does not allow.
+    unsigned allow(const Expression& e, unsigned depends, const char* is_a) {
+        if ((depends & ~site_->allowed) != 0 && !reported_)
+            error(Id::not_allowed_here, e.span, fmt::format("{} must not depend on '{}', which is {}", site_->what, e.written(), is_a));
+        return depends;
+    }
+
+    unsigned name(const Expression& e) {
+        if (bound_.contains(e.name)) {
+            if (!e.children.empty()) error(Id::not_indexed, e.span, fmt::format("'{}' has no index", e.name));
+            return 0;
+        }
+        if (e.name == "pi") return 0;
+        if (find_quantity(e.name) != nullptr) return quantity(e);
+        if (e.name == "t") {
+            if (!e.children.empty()) error(Id::not_indexed, e.span, "'t' has no index");
+            if (site_->sizes_only) return sizes_only(e);
+            return allow(e, on_time, "the time");
+        }
+        const Named* named = names_.find(e.name);
+        if (named == nullptr) {
+            const bool is_function = find_function(e.name) != nullptr || is_special_form(e.name);
+            error(Id::unknown_name, e.span,
+                  is_function ? fmt::format("'{}' is a function and needs its arguments in brackets", e.name)
+                              : fmt::format("'{}' is not defined{}", e.name, did_you_mean(e.name, names_.all())));
+            return 0;
+        }
+        index(e, *named->item);
+        if (named->kind == Named::Kind::size) return 0;
+        if (site_->sizes_only) return sizes_only(e);
+        switch (named->kind) {
+            case Named::Kind::parameter: return allow(e, on_parameters, "a parameter");
+            case Named::Kind::coordinate: return allow(e, on_coordinates, "a coordinate");
+            case Named::Kind::input: return allow(e, on_inputs, "an input");
+            case Named::Kind::state: return allow(e, on_states, "a state");
+            case Named::Kind::output: return allow(e, on_outputs, "an output");
+            default: break;
+        }
+        return definition(e, named->definition());
+    }
+
+    unsigned sizes_only(const Expression& e) {
+        error(Id::not_allowed_here, e.span, fmt::format("{} must be a whole number known at generation, but '{}' is not", site_->what, e.written()));
+        return 0;
+    }
+
+    unsigned definition(const Expression& e, const Definition& item) {
+        const unsigned depends = dependence(*item.value, names_);
+        if ((depends & ~site_->allowed) != 0 && !reported_)
+            error(Id::not_allowed_here, e.span,
+                  fmt::format("{} must not depend on '{}', which depends on what is not allowed here", site_->what, e.written()),
+                  {{item.span, fmt::format("'{}' is defined here", e.name)}});
+        return depends;
+    }
+
+    void index(const Expression& e, const Item& item) {
+        const std::size_t expected = item.family ? 1 : 0;
+        if (expected == 1 && e.children.empty()) {
+            error(Id::index_missing, e.span, fmt::format("'{}' is a family and needs an index, as in '{}[1]'", e.name, e.name),
+                  {{item.span, "the family is defined here"}});
+            return;
+        }
+        if (expected == 0 && !e.children.empty()) {
+            error(Id::not_indexed, e.span, fmt::format("'{}' is not a family and has no index", e.name), {{item.span, "it is defined here"}});
+            return;
+        }
+        if (e.children.size() > 1) error(Id::not_indexed, e.span, fmt::format("'{}' has one index", e.name));
+        for (const ExpressionPtr& child : e.children) whole_number(*child);
+    }
+
+    /// An index: sizes and bound indices only.
+    void whole_number(const Expression& e) {
+        for_each(e, [&](const Expression& part) {
+            if (part.kind == Kind::call || part.kind == Kind::sum)
+                error(Id::not_allowed_here, part.span, "an index is made of whole numbers, sizes, + - and *");
+            if (part.kind != Kind::name || bound_.contains(part.name)) return;
+            const Named* named = names_.find(part.name);
+            if (named == nullptr) error(Id::unknown_name, part.span, fmt::format("'{}' is not defined{}", part.name, did_you_mean(part.name, names_.all())));
+            else if (named->kind != Named::Kind::size)
+                error(Id::not_allowed_here, part.span, fmt::format("an index must be known at generation, but '{}' is {}", part.name, describe(named->kind)));
+        });
+    }
+
+    unsigned sum(const Expression& e) {
+        whole_number(*e.children[0]);
+        whole_number(*e.children[1]);
+        const bool shadows = bound_.contains(e.name) || names_.find(e.name) != nullptr || e.name == "t" || e.name == "pi";
+        if (shadows) error(Id::doubly_defined, e.span, fmt::format("the index '{}' of the sum means something else here already", e.name));
+        const auto inserted = bound_.insert(e.name);
+        const unsigned result = visit(*e.children[2]);
+        if (inserted.second) bound_.erase(inserted.first);
+        return result;
+    }
+
+    unsigned call(const Expression& e) {
+        if (e.name == "dot" || e.name == "ddot") return derivative(e);
+        if (e.name == "diff") return partial(e);
+        if (e.name == "integral") return integral(e);
+        const FunctionSpec* function = find_function(e.name);
+        unsigned result = 0;
+        for (const ExpressionPtr& child : e.children) result |= visit(*child);
+        if (function == nullptr) {
+            std::vector<std::string> known{"dot", "ddot", "sum"};
+            for (const FunctionSpec& f : functions()) known.emplace_back(f.name);
+            error(Id::unknown_name, e.span, fmt::format("there is no function '{}'{}", e.name, did_you_mean(e.name, known)));
+        } else if (e.children.size() != function->arguments) {
+            error(Id::wrong_arguments, e.span, fmt::format("'{}' takes {} argument{}, here it has {}", e.name, function->arguments,
+                                                           function->arguments == 1 ? "" : "s", e.children.size()));
+        }
+        return result;
+    }
+
+    unsigned derivative(const Expression& e) {
+        if (e.children.size() != 1) {
+            error(Id::wrong_arguments, e.span, fmt::format("'{}' takes one argument, here it has {}", e.name, e.children.size()));
+            return 0;
+        }
+        // What is differentiated is not what the site depends on; its derivative is. So the site is asked about that alone.
+        const Site inner{site_->expression, on_anything, site_->what, {}};
+        const Site& outer = *site_;
+        site_ = &inner;
+        unsigned depends = visit(*e.children[0]);
+        site_ = &outer;
+        for (int order = e.name == "dot" ? 1 : 2; order > 0; --order) {
+            if ((depends & on_inputs) != 0)
+                error(Id::not_allowed_here, e.span, fmt::format("'{}' needs the time derivative of an input, which is not known", e.written()));
+            depends = derivative_dependence(depends);
+        }
+        if (site_->sizes_only) return sizes_only(e);
+        return allow(e, depends, (depends & on_accelerations) != 0 ? "an acceleration" : "a velocity");
+    }
+
+    unsigned partial(const Expression& e) {
+        if (!derived_allowed(e)) return 0;
+        if (e.children.size() != 2) {
+            error(Id::wrong_arguments, e.span, "'diff' takes an expression and what to differentiate by, as in 'diff(kinetic_energy, dot(phi))'");
+            return 0;
+        }
+        return visit(*e.children[0]) | visit(*e.children[1]);
+    }
+
+    unsigned integral(const Expression& e) {
+        if (!derived_allowed(e)) return 0;
+        if (e.children.size() != 4 || e.children[1]->kind != Kind::name || !e.children[1]->children.empty()) {
+            error(Id::wrong_arguments, e.span, "'integral' takes a function, its variable and two limits, as in 'integral(x^2, x, 0, l)'");
+            return 0;
+        }
+        const unsigned limits = visit(*e.children[2]) | visit(*e.children[3]);
+        const auto inserted = bound_.insert(e.children[1]->name);
+        const unsigned result = limits | visit(*e.children[0]);
+        if (inserted.second) bound_.erase(inserted.first);
+        return result;
+    }
+
+    bool derived_allowed(const Expression& e) {
+        if ((site_->allowed & on_quantities) != 0) return true;
+        error(Id::not_allowed_here, e.span, fmt::format("'{}' is for outputs and printed equations; {} is neither", e.name, site_->what));
+        return false;
+    }
+
+    unsigned quantity(const Expression& e) {
+        const QuantitySpec& spec = *find_quantity(e.name);
+        static constexpr const char* shapes[]{"nothing", "a body", "nothing or a body", "a body and 1, 2 or 3", "a coordinate", "two coordinates"};
+        const std::size_t given = e.children.size();
+        const auto shape = static_cast<std::size_t>(spec.subscript);
+        const std::size_t expected = std::array<std::size_t, 6>{0, 1, 1, 2, 1, 2}[shape];
+        if (given != expected && !(spec.subscript == Subscript::optional_body && given == 0)) {
+            error(Id::wrong_arguments, e.span, fmt::format("'{}' takes {} in square brackets", e.name, shapes[shape]));
+            return 0;
+        }
+        const bool bodies = spec.subscript == Subscript::body || spec.subscript == Subscript::optional_body || spec.subscript == Subscript::body_and_axis;
+        for (std::size_t i = 0; i < given; ++i) {
+            const Expression& child = *e.children[i];
+            if (bodies && i == 1) whole_number(child);
+            else if (bodies) body(child);
+            else coordinate(child);
+        }
+        return allow(e, on_quantities, "a derived quantity");
+    }
+
+    void body(const Expression& e) {
+        const Body* item = e.kind == Kind::name ? names_.find_body(e.name) : nullptr;
+        if (item == nullptr) error(Id::unknown_name, e.span, fmt::format("'{}' is not a body", e.written()));
+        else index(e, *item);
+    }
+
+    void coordinate(const Expression& e) {
+        const Named* named = e.kind == Kind::name ? names_.find(e.name) : nullptr;
+        if (named == nullptr || named->kind != Named::Kind::coordinate) error(Id::unknown_name, e.span, fmt::format("'{}' is not a coordinate", e.written()));
+        else index(e, *named->item);
+    }
+
+    const Names& names_;
+    Diagnostics& diagnostics_;
+    const Site* site_ = nullptr;
+    std::set<std::string, std::less<>> bound_;
+    std::set<std::string> shadowing_;
+    bool reported_ = false;
+};
+
+}  // namespace
+
+void check_expressions(const Model& model, Diagnostics& diagnostics) {
+    const Names names(model);
+    ExpressionCheck check(names, diagnostics);
+    visit(model, [&](const Site& site) { check.check(site); });
+}
+
+}  // namespace dalembert

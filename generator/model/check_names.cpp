@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "model/checks.hpp"
+#include "model/vocabulary.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Kind = Expression::Kind;
+
+bool is_identifier(std::string_view name) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    if (name.empty() || name.size() > 60 || !letter(name.front()) || name.back() == '_') return false;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool ok = letter(name[i]) || (name[i] >= '0' && name[i] <= '9') || (name[i] == '_' && name[i - 1] != '_');
+        if (!ok) return false;
+    }
+    return true;
+}
+
+/// Names, and who defined them first.
+class NameCheck {
+public:
+    NameCheck(const Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
+
+    void run() {
+        well_formed(model_.name, model_.name_span);
+        // Names that expressions use share one namespace; a velocity gets the name NAME_dot in C++.
+        std::map<std::string, const Item*> used;
+        const auto shared = [&](const auto& items) {
+            for (const auto& item : items) define(used, item.name, item);
+        };
+        shared(model_.sizes);
+        shared(model_.parameters);
+        shared(model_.definitions);
+        shared(model_.coordinates);
+        shared(model_.inputs);
+        shared(model_.states);
+        shared(model_.outputs);
+        for (const Coordinate& coordinate : model_.coordinates)
+            if (const auto clash = used.find(coordinate.name + "_dot"); clash != used.end())
+                diagnostics_.error(Id::doubly_defined, clash->second->span,
+                                   fmt::format("'{}' is also the name of the velocity of '{}' in the header", clash->first, coordinate.name),
+                                   {{coordinate.span, fmt::format("'{}' is defined here", coordinate.name)}});
+        each_separately(model_.bodies);
+        each_separately(model_.springs);
+        each_separately(model_.dampers);
+        each_separately(model_.forces);
+        each_separately(model_.torques);
+        each_separately(model_.kinetic);
+        each_separately(model_.potentials);
+        each_separately(model_.generalised_forces);
+        each_separately(model_.effects);
+        each_separately(model_.scenes);
+        each_separately(model_.runs);
+        for (const PrintedEquation& printed : model_.printed)
+            if (printed.name.empty() || printed.name.size() > 80)
+                diagnostics_.error(Id::bad_name, printed.span, "the name of a printed equation has 1 to 80 characters");
+    }
+
+private:
+    bool well_formed(const std::string& name, const Span& span) {
+        if (!is_identifier(name)) {
+            diagnostics_.error(Id::bad_name, span,
+                               fmt::format("'{}' is not a name; a name is a letter followed by at most 59 letters, digits and single underscores", name));
+            return false;
+        }
+        if (is_cpp_keyword(name)) {
+            diagnostics_.error(Id::reserved_name, span, fmt::format("'{}' is a word of C++ and cannot be a name in the header", name));
+            return false;
+        }
+        return true;
+    }
+
+    void define(std::map<std::string, const Item*>& used, const std::string& name, const Item& item) {
+        if (!well_formed(name, item.span)) return;
+        const char* meaning = name == "t"                             ? "the time"
+                              : name == "pi"                          ? "the number pi"
+                              : find_function(name) != nullptr        ? "a function"
+                              : find_quantity(name) != nullptr        ? "a derived quantity"
+                              : is_special_form(name)                 ? "an operation"
+                                                                      : nullptr;
+        if (meaning != nullptr) {
+            diagnostics_.error(Id::reserved_name, item.span, fmt::format("'{}' is {} in every model and cannot be defined again", name, meaning));
+            return;
+        }
+        const auto [first, is_new] = used.emplace(name, &item);
+        if (!is_new)
+            diagnostics_.error(Id::doubly_defined, item.span, fmt::format("'{}' is defined twice", name),
+                               {{first->second->span, fmt::format("'{}' is first defined here", name)}});
+    }
+
+    template <class T>
+    void each_separately(const std::vector<T>& items) {
+        for (const T& item : items) well_formed(item.name, item.span);
+    }
+
+    const Model& model_;
+    Diagnostics& diagnostics_;
+};
+
+/// Reports definitions that need themselves; the others can be followed without end.
+void check_definition_cycles(const Model& model, const Names& names, Diagnostics& diagnostics) {
+    std::set<const Definition*> done;
+    std::vector<const Definition*> path;
+    const std::function<void(const Definition&)> follow = [&](const Definition& definition) {
+        if (const auto at = std::find(path.begin(), path.end(), &definition); at != path.end()) {
+            std::vector<Note> notes;
+            for (auto d = at + 1; d != path.end(); ++d) notes.push_back({(*d)->span, fmt::format("by way of '{}'", (*d)->name)});
+            diagnostics.error(Id::cyclic_definition, definition.span, fmt::format("the definition of '{}' needs '{}' itself", definition.name, definition.name), notes);
+            return;
+        }
+        if (!done.insert(&definition).second) return;
+        path.push_back(&definition);
+        for_each(*definition.value, [&](const Expression& e) {
+            const Named* named = e.kind == Kind::name ? names.find(e.name) : nullptr;
+            if (named != nullptr && named->kind == Named::Kind::definition) follow(named->definition());
+        });
+        path.pop_back();
+    };
+    for (const Definition& definition : model.definitions) follow(definition);
+}
+
+}  // namespace
+
+void check_names(const Model& model, Diagnostics& diagnostics) {
+    NameCheck(model, diagnostics).run();
+    check_definition_cycles(model, Names(model), diagnostics);
+}
+
+}  // namespace dalembert

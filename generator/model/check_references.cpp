@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "model/checks.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// References that are not expressions: bodies, coordinates, effects.
+class ReferenceCheck {
+public:
+    ReferenceCheck(const Model& model, const Names& names, Diagnostics& diagnostics) : model_(model), names_(names), diagnostics_(diagnostics) {}
+
+    void run() {
+        for (const Body& item : model_.bodies) body(item.on, false, false);
+        for (const Damper& item : model_.dampers) body(item.on, true, false);
+        for (const Force& item : model_.forces) body(item.on, true, false);
+        for (const Torque& item : model_.torques) {
+            body(item.on, false, true);
+            body(item.against, false, true);
+        }
+        placement_cycles();
+        for (const PotentialTerm& item : model_.potentials) {
+            for (const CoordinateEntry& entry : item.forces) coordinate(entry);
+            for (const CoordinateEntry& entry : item.reference) coordinate(entry);
+        }
+        for (const GeneralisedForce& item : model_.generalised_forces) coordinate(item.coordinate);
+        effects();
+    }
+
+private:
+    void body(const std::optional<BodyReference>& reference, bool needs_position, bool needs_rotation) {
+        if (!reference) return;
+        const Body* found = names_.find_body(reference->name);
+        if (found == nullptr) {
+            std::vector<std::string> known;
+            for (const Body& item : model_.bodies) known.push_back(item.name);
+            diagnostics_.error(Id::unknown_name, reference->span, fmt::format("there is no body '{}'{}", reference->name, did_you_mean(reference->name, known)));
+            return;
+        }
+        if (found->family.has_value() != (reference->index != nullptr))
+            diagnostics_.error(found->family ? Id::index_missing : Id::not_indexed, reference->span,
+                               fmt::format("body '{}' is {} family", reference->name, found->family ? "a" : "not a"), {{found->span, "it is defined here"}});
+        if (needs_position && !found->position)
+            diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' has no position", reference->name), {{found->span, "it is defined here"}});
+        if (needs_rotation && !found->rotation && !found->angular_velocity)
+            diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' does not turn", reference->name), {{found->span, "it is defined here"}});
+    }
+
+    void coordinate(const CoordinateEntry& entry) {
+        const Named* named = names_.find(entry.coordinate);
+        if (named == nullptr || named->kind != Named::Kind::coordinate) {
+            std::vector<std::string> known;
+            for (const Coordinate& item : model_.coordinates) known.push_back(item.name);
+            diagnostics_.error(Id::unknown_name, entry.span, fmt::format("there is no coordinate '{}'{}", entry.coordinate, did_you_mean(entry.coordinate, known)));
+        } else if (named->item->family.has_value() != (entry.index != nullptr)) {
+            diagnostics_.error(named->item->family ? Id::index_missing : Id::not_indexed, entry.span,
+                               fmt::format("coordinate '{}' is {} family", entry.coordinate, named->item->family ? "a" : "not a"));
+        }
+    }
+
+    /// A chain of "on" that comes back to where it began; members of one family are ordered by their index instead.
+    void placement_cycles() {
+        for (const Body& start : model_.bodies) {
+            std::set<std::string> seen{start.name};
+            const Body* at = &start;
+            while (at != nullptr && at->on && at->on->name != at->name) {
+                if (!seen.insert(at->on->name).second) {
+                    diagnostics_.error(Id::cyclic_definition, start.on->span, fmt::format("body '{}' is placed on a body that is placed on it", start.name));
+                    break;
+                }
+                at = names_.find_body(at->on->name);
+            }
+            if (start.on && start.on->name == start.name && !start.family)
+                diagnostics_.error(Id::cyclic_definition, start.on->span, fmt::format("body '{}' is placed on itself", start.name));
+        }
+    }
+
+    void effect(const std::string& name, const Span& span) {
+        std::vector<std::string> known;
+        for (const Effect& item : model_.effects) known.push_back(item.name);
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            diagnostics_.error(Id::unknown_effect, span,
+                               fmt::format("[effects] does not declare '{}'{}{}", name, did_you_mean(name, known),
+                                           known.empty() ? "; there is no [effects] at all" : ""));
+    }
+
+    void condition(const std::optional<Condition>& when) {
+        std::vector<std::pair<std::string, Span>> named;
+        if (when) when->collect(named);
+        for (const auto& [name, span] : named) effect(name, span);
+    }
+
+    void effects() {
+        const auto all = [&](const auto& items) {
+            for (const auto& item : items) condition(item.when);
+        };
+        all(model_.definitions);
+        all(model_.coordinates);
+        all(model_.inputs);
+        all(model_.states);
+        all(model_.outputs);
+        if (model_.gravity) condition(model_.gravity->when);
+        all(model_.bodies);
+        all(model_.springs);
+        all(model_.dampers);
+        all(model_.forces);
+        all(model_.torques);
+        all(model_.kinetic);
+        all(model_.potentials);
+        all(model_.generalised_forces);
+        all(model_.printed);
+        const auto listed = [&](const std::vector<std::pair<std::string, Span>>& names) {
+            for (const auto& [name, span] : names) effect(name, span);
+        };
+        for (const Effect& item : model_.effects) {
+            listed(item.excludes);
+            listed(item.implies);
+        }
+        for (const SceneChoice& scene : model_.scenes) listed(scene.effects);
+        for (const Run& run : model_.runs) {
+            std::vector<std::string> known{model_.scenes.empty() ? "full" : ""};
+            for (const SceneChoice& scene : model_.scenes) known.push_back(scene.name);
+            if (!run.scene.empty() && std::find(known.begin(), known.end(), run.scene) == known.end())
+                diagnostics_.error(Id::unknown_scene, run.scene_span, fmt::format("there is no scene '{}'{}", run.scene, did_you_mean(run.scene, known)));
+        }
+    }
+
+    const Model& model_;
+    const Names& names_;
+    Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void check_references(const Model& model, Diagnostics& diagnostics) {
+    const Names names(model);
+    ReferenceCheck(model, names, diagnostics).run();
+}
+
+}  // namespace dalembert

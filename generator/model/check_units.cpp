@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "model/checks.hpp"
+#include "model/units.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// What every kind of item must be in. Values that are numbers alone were converted from their unit when they were read.
+class UnitCheck {
+public:
+    UnitCheck(const Model& model, const Names& names, Diagnostics& diagnostics)
+        : model_(model), units_(names, diagnostics), names_(names) {}
+
+    void run() {
+        for (const Size& size : model_.sizes) expect(size.value, Dimension::none(), "the value", "size", size);
+        for (const Parameter& parameter : model_.parameters) {
+            for (const ExpressionPtr& value : parameter.values) si_value(value, parameter.unit.dimension, "the value", "parameter", parameter);
+            range(parameter, "parameter");
+        }
+        for (const Definition& definition : model_.definitions) {
+            if (definition.unit) expect(definition.value, definition.unit->dimension, "the value", "definition", definition);
+            else units_.of(*definition.value, {});
+        }
+        for (const Coordinate& coordinate : model_.coordinates) {
+            si_value(coordinate.start, coordinate.unit.dimension, "the start", "coordinate", coordinate);
+            si_value(coordinate.start_rate, coordinate.unit.dimension / Dimension::time(), "the start rate", "coordinate", coordinate);
+            range(coordinate, "coordinate");
+        }
+        for (const Input& input : model_.inputs) range(input, "input");
+        for (const State& state : model_.states) {
+            si_value(state.start, state.unit.dimension, "the start", "state", state);
+            expect(state.derivative, state.unit.dimension / Dimension::time(), "the derivative", "state", state);
+            range(state, "state");
+        }
+        for (const Output& output : model_.outputs) {
+            if (output.unit) expect(output.value, output.unit->dimension, "the value", "output", output);
+            else units_.of(*output.value, {});
+        }
+        if (model_.gravity) {
+            vector(model_.gravity->acceleration, Dimension::acceleration(), "the acceleration of gravity");
+            if (model_.gravity->reference) vector(*model_.gravity->reference, Dimension::length(), "the reference of gravity");
+        }
+        for (const Body& body : model_.bodies) check(body);
+        for (const Spring& spring : model_.springs) check(spring);
+        for (const Damper& damper : model_.dampers) check(damper);
+        for (const Force& force : model_.forces) {
+            vector(force.force, Dimension::force(), fmt::format("force '{}'", force.name));
+            if (force.at) vector(*force.at, Dimension::length(), fmt::format("the point of force '{}'", force.name));
+        }
+        for (const Torque& torque : model_.torques) {
+            expect(torque.torque, Dimension::energy(), "the value", "torque", torque);
+            expect(torque.rate, Dimension::none() / Dimension::time(), "the rate", "torque", torque);
+        }
+        for (const KineticTerm& term : model_.kinetic) expect(term.energy, Dimension::energy(), "the energy", "kinetic term", term);
+        for (const PotentialTerm& term : model_.potentials) {
+            expect(term.energy, Dimension::energy(), "the energy", "potential", term);
+            for (const CoordinateEntry& entry : term.forces) force_on(entry, "potential", term);
+            for (const CoordinateEntry& entry : term.reference)
+                si_value(entry.value, units_.of_coordinate(entry.coordinate), "the reference", "potential", term);
+        }
+        for (const GeneralisedForce& force : model_.generalised_forces) force_on(force.coordinate, "generalised force", force);
+    }
+
+private:
+    void expect(const ExpressionPtr& expression, const Dimension& expected, const char* part, const char* kind, const Item& item,
+                const Units::Bound& bound = {}) {
+        if (expression) units_.expect(*expression, expected, fmt::format("{} of {} '{}'", part, kind, item.name), bound);
+    }
+
+    void si_value(const ExpressionPtr& expression, const Dimension& expected, const char* part, const char* kind, const Item& item) {
+        if (expression && dependence(*expression, names_) != 0) expect(expression, expected, part, kind, item);
+    }
+
+    void range(const Quantity& quantity, const char* kind) {
+        if (!quantity.range) return;
+        si_value(quantity.range->low, quantity.unit.dimension, "the range", kind, quantity);
+        si_value(quantity.range->high, quantity.unit.dimension, "the range", kind, quantity);
+    }
+
+    void vector(const VectorExpression& vector, const Dimension& expected, const std::string& what) {
+        static constexpr const char* axis[]{"x", "y", "z"};
+        for (std::size_t i = 0; i < 3; ++i) units_.expect(*vector[i], expected, fmt::format("the {} component of {}", axis[i], what));
+    }
+
+    void force_on(const CoordinateEntry& entry, const char* kind, const Item& item) {
+        expect(entry.value, Dimension::energy() / units_.of_coordinate(entry.coordinate),
+               fmt::format("the force on '{}'", entry.coordinate).c_str(), kind, item);
+    }
+
+    void check(const Body& body) {
+        expect(body.mass, Dimension::mass(), "the mass", "body", body);
+        if (body.position) vector(*body.position, Dimension::length(), fmt::format("the position of body '{}'", body.name));
+        expect(body.rotation, Dimension::none(), "the rotation", "body", body);
+        expect(body.angular_velocity, Dimension::none() / Dimension::time(), "the angular velocity", "body", body);
+        expect(body.inertia, Dimension::inertia(), "the inertia", "body", body);
+    }
+
+    void check(const Spring& spring) {
+        const Dimension elongation = units_.of(*spring.elongation, {}).dimension;
+        expect(spring.stiffness, Dimension::energy() / elongation / elongation, "the stiffness", "spring", spring);
+        law(spring.force, elongation, Dimension::energy() / elongation, "the force law", "spring", spring);
+        law(spring.energy, elongation, Dimension::energy(), "the energy law", "spring", spring);
+    }
+
+    void check(const Damper& damper) {
+        const Dimension rate = damper.rate ? units_.of(*damper.rate, {}).dimension : Dimension::speed();
+        expect(damper.coefficient, Dimension::power() / rate / rate, "the coefficient", "damper", damper);
+        law(damper.force, rate, Dimension::power() / rate, "the force law", "damper", damper);
+    }
+
+    void law(const std::optional<Law>& law, const Dimension& variable, const Dimension& expected, const char* part, const char* kind, const Item& item) {
+        if (law) expect(law->body, expected, part, kind, item, {{law->variable, variable}});
+    }
+
+    const Model& model_;
+    Units units_;
+    const Names& names_;
+};
+
+}  // namespace
+
+void check_units(const Model& model, Diagnostics& diagnostics) {
+    const Names names(model);
+    UnitCheck(model, names, diagnostics).run();
+}
+
+}  // namespace dalembert

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One entry of a model file ([bodies.rod], say), read key by key against the schema. Problems are collected, not thrown, so that
+// one run reports all of them.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "model/document.hpp"
+#include "model/model.hpp"
+#include "model/schema.hpp"
+
+namespace dalembert {
+
+class Entry {
+public:
+    /// Reports unknown and missing keys.
+    Entry(const DocumentNode::Member& member, const SectionSpec& section, Diagnostics& diagnostics);
+
+    const std::string& name() const { return name_; }
+    const Span& span() const { return span_; }
+    bool has(std::string_view key) const { return find(key) != nullptr; }
+    Span span_of(std::string_view key) const;
+    void error(Id id, Span span, std::string message, std::vector<Note> notes = {}) const;
+
+    /// What is absent or cannot be read comes back empty or as the value given.
+    std::string text(std::string_view key) const;
+    int whole_number(std::string_view key, int otherwise) const;
+    std::optional<Rational> number(std::string_view key) const;
+    /// In SI. Constants are taken in the unit, expressions with names are in SI already.
+    ExpressionPtr constant(std::string_view key, const Unit& unit) const;
+    std::vector<ExpressionPtr> constants(std::string_view key, const Unit& unit) const;
+    std::optional<Unit> unit(std::string_view key) const;
+    std::optional<Range> range(std::string_view key, const Unit& unit) const;
+    ExpressionPtr expression(std::string_view key) const;
+    std::optional<VectorExpression> vector(std::string_view key) const;
+    std::optional<Law> law(std::string_view key) const;
+    std::vector<Equation> equations(std::string_view key) const;
+    std::optional<Family> family(std::string_view key) const;
+    std::optional<Condition> condition(std::string_view key) const;
+    std::vector<std::pair<std::string, Span>> names(std::string_view key) const;
+    std::optional<BodyReference> body(std::string_view key) const;
+    std::optional<CoordinateEntry> coordinate(std::string_view key) const;
+    std::vector<RunEntry> by_name(std::string_view key) const;
+    std::vector<Plot> plots(std::string_view key) const;
+
+    /// name, span, doc, for, when
+    void fill(Item& item) const;
+
+private:
+    const DocumentNode* find(std::string_view key) const;
+    const DocumentNode* find(std::string_view key, ValueType type) const;
+    void wrong_type(const DocumentNode& node, ValueType expected) const;
+    ExpressionPtr expression(const DocumentNode& node, ValueType type) const;
+    ExpressionPtr constant(const DocumentNode& node, const Unit& unit) const;
+    ExpressionPtr bound(const DocumentNode& node, const Unit& unit) const;
+    template <class Parse>
+    auto attempt(Parse parse) const -> std::optional<decltype(parse())>;
+
+    std::string name_;
+    Span span_;
+    const SectionSpec& section_;
+    Diagnostics& diagnostics_;
+    std::map<std::string, const DocumentNode*, std::less<>> values_;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A model as it was written: plain data, every part with its place. Nothing is chosen, expanded or derived yet.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/condition.hpp"
+#include "model/dimension.hpp"
+#include "model/expression.hpp"
+
+namespace dalembert {
+
+/// What everything with a name has in common.
+struct Item {
+    std::string name;
+    Span span;
+    std::string doc;
+    std::optional<Family> family;
+    std::optional<Condition> when;
+};
+
+/// Bounds in SI, constant expressions. A bound that is not there is infinite.
+struct Range {
+    ExpressionPtr low;
+    ExpressionPtr high;
+    Span span;
+};
+
+struct Quantity : Item {
+    Unit unit;
+    std::optional<Range> range;
+};
+
+/// Values are in SI: constants, or of a family one for all (its index may occur) or one for each member.
+struct Parameter : Quantity {
+    std::vector<ExpressionPtr> values;
+};
+
+struct Size : Item {
+    ExpressionPtr value;
+    std::optional<Range> range;
+};
+
+struct Definition : Item {
+    ExpressionPtr value;
+    std::optional<Unit> unit;
+};
+
+struct Coordinate : Quantity {
+    ExpressionPtr start;       ///< null: 0
+    ExpressionPtr start_rate;  ///< null: 0
+};
+
+struct Input : Quantity {};
+
+/// A plain first-order state: dot(name) = derivative.
+struct State : Quantity {
+    ExpressionPtr start;
+    ExpressionPtr derivative;
+};
+
+struct Output : Item {
+    ExpressionPtr value;
+    std::optional<Unit> unit;
+};
+
+using VectorExpression = std::array<ExpressionPtr, 3>;
+
+/// A body that another thing refers to, with an index where bodies are a family.
+struct BodyReference {
+    std::string name;
+    ExpressionPtr index;
+    Span span;
+};
+
+/// A point mass (mass, position), a planar rigid body (also rotation or angular_velocity, inertia about the centre of mass),
+/// or a body that only turns (no mass).
+struct Body : Item {
+    ExpressionPtr mass;
+    std::optional<VectorExpression> position;
+    ExpressionPtr rotation;
+    ExpressionPtr angular_velocity;
+    ExpressionPtr inertia;
+    std::optional<BodyReference> on;
+};
+
+struct Gravity {
+    VectorExpression acceleration;
+    std::optional<VectorExpression> reference;
+    std::optional<Condition> when;
+    Span span;
+};
+
+struct Spring : Item {
+    ExpressionPtr elongation;
+    ExpressionPtr stiffness;
+    std::optional<Law> force;
+    std::optional<Law> energy;
+};
+
+/// Between rates (scalar), or of a body's speed through a medium at rest (on).
+struct Damper : Item {
+    ExpressionPtr rate;
+    std::optional<BodyReference> on;
+    ExpressionPtr coefficient;
+    std::optional<Law> force;
+};
+
+struct Force : Item {
+    VectorExpression force;
+    std::optional<BodyReference> on;
+    std::optional<VectorExpression> at;
+};
+
+struct Torque : Item {
+    ExpressionPtr torque;
+    std::optional<BodyReference> on;
+    std::optional<BodyReference> against;
+    ExpressionPtr rate;
+};
+
+struct KineticTerm : Item {
+    ExpressionPtr energy;
+};
+
+/// A reference to a coordinate, with an index where coordinates are a family, and what belongs to it.
+struct CoordinateEntry {
+    std::string coordinate;
+    ExpressionPtr index;
+    ExpressionPtr value;
+    Span span;
+};
+
+/// A potential energy, or the generalised forces that have one (2.80)-(2.84).
+struct PotentialTerm : Item {
+    ExpressionPtr energy;
+    std::vector<CoordinateEntry> forces;
+    std::vector<CoordinateEntry> reference;
+};
+
+struct GeneralisedForce : Item {
+    CoordinateEntry coordinate;  ///< its value is the force
+    bool dissipated = false;
+};
+
+struct Effect : Item {
+    std::vector<std::pair<std::string, Span>> excludes;
+    std::vector<std::pair<std::string, Span>> implies;
+    std::string level_of;
+};
+
+struct SceneChoice : Item {
+    std::vector<std::pair<std::string, Span>> effects;
+};
+
+/// A letter that a printed equation uses, with what it stands for.
+struct PrintedLetter {
+    std::string name;
+    ExpressionPtr value;
+    Span span;
+};
+
+/// A point at which a printed equation holds: "dot(phi) = 0".
+struct AtPoint {
+    ExpressionPtr variable;
+    ExpressionPtr value;
+};
+
+enum class Verdict { proven, proven_under_assumption, numerically_equal, wrong, dimensionally_wrong, not_checkable };
+
+struct PrintedEquation : Item {
+    std::string source;
+    std::vector<Equation> equations;
+    std::vector<PrintedLetter> letters;
+    std::vector<AtPoint> at;
+    std::optional<Verdict> expected;
+};
+
+struct Plot {
+    std::string title;
+    std::string x;  ///< empty: time
+    std::vector<std::string> y;
+    Span span;
+};
+
+struct RunEntry {
+    ExpressionPtr variable;  ///< a name, member or dot(name)
+    ExpressionPtr value;
+    Span span;
+};
+
+struct Run : Item {
+    std::string scene;
+    Span scene_span;
+    ExpressionPtr until;
+    ExpressionPtr period;
+    std::vector<RunEntry> start;
+    std::vector<RunEntry> inputs;
+    std::vector<RunEntry> parameters;
+    Rational tolerance = Rational(1) / 1000000000;
+    ExpressionPtr step;
+    std::string method;
+    int samples = 500;
+    std::vector<Plot> plots;
+};
+
+struct Model {
+    SourcePtr source;
+    std::string name;
+    Span name_span;
+    std::string title;
+    std::string reference;  ///< the text it comes from, with equation numbers
+    std::vector<Size> sizes;
+    std::vector<Parameter> parameters;
+    std::vector<Definition> definitions;
+    std::vector<Coordinate> coordinates;
+    std::vector<Input> inputs;
+    std::vector<State> states;
+    std::vector<Output> outputs;
+    std::optional<Gravity> gravity;
+    std::vector<Body> bodies;
+    std::vector<Spring> springs;
+    std::vector<Damper> dampers;
+    std::vector<Force> forces;
+    std::vector<Torque> torques;
+    std::vector<KineticTerm> kinetic;
+    std::vector<PotentialTerm> potentials;
+    std::vector<GeneralisedForce> generalised_forces;
+    std::vector<Effect> effects;
+    std::vector<SceneChoice> scenes;
+    std::string default_scene;
+    std::vector<PrintedEquation> printed;
+    std::vector<Run> runs;
+};
+
+}  // namespace dalembert

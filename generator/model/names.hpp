@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each name of a model means.
+#pragma once
+
+#include <map>
+
+#include "model/model.hpp"
+#include "model/sites.hpp"
+
+namespace dalembert {
+
+/// A name that expressions may use, and the item that defines it.
+struct Named {
+    enum class Kind { size, parameter, definition, coordinate, input, state, output };
+    Kind kind;
+    const Item* item;
+
+    const Definition& definition() const { return static_cast<const Definition&>(*item); }
+    const Quantity& quantity() const { return static_cast<const Quantity&>(*item); }
+};
+
+const char* describe(Named::Kind kind);
+
+/// The names of a model. Refers into the model, which must outlive it.
+class Names {
+public:
+    explicit Names(const Model& model);
+
+    const Named* find(std::string_view name) const;
+    const Body* find_body(std::string_view name) const;
+    std::vector<std::string> all() const;
+    const std::map<std::string, Named, std::less<>>& table() const { return table_; }
+
+private:
+    std::map<std::string, Named, std::less<>> table_;
+    std::map<std::string, const Body*, std::less<>> bodies_;
+};
+
+/// What the time derivative of something depends on that depends on `depends` (bits of Dependence).
+unsigned derivative_dependence(unsigned depends);
+
+/// What an expression depends on (bits of Dependence), definitions followed.
+unsigned dependence(const Expression& expression, const Names& names);
+
+}  // namespace dalembert

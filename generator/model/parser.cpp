@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/parser.hpp"
+
+#include <fmt/format.h>
+
+namespace dalembert {
+
+namespace {
+
+constexpr int deepest = 100;
+
+class Parser {
+public:
+    explicit Parser(const Excerpt& excerpt) : tokens_(tokenise(excerpt)), whole_(excerpt.whole()) {}
+
+    ExpressionPtr whole_expression() {
+        ExpressionPtr result = expression();
+        expect_end("an operator or the end of the expression");
+        return result;
+    }
+
+    Law law() {
+        const std::string variable = word("the variable of a law, as in 'e -> c*e'");
+        sign("->", "'->' behind the variable of the law");
+        return {variable, whole_expression(), whole_};
+    }
+
+    Equation equation() {
+        Equation result{{expression()}, whole_};
+        if (!is_sign("=")) fail("'=' between the two sides of an equation");
+        while (is_sign("=")) {
+            next();
+            result.sides.push_back(expression());
+        }
+        expect_end("an operator, '=' or the end of the equation");
+        return result;
+    }
+
+    Family family() {
+        const std::string index = word("an index, as in 'k = 1..N'");
+        sign("=", "'=' behind the index");
+        ExpressionPtr from = expression();
+        sign("..", "'..' between the first and the last member");
+        ExpressionPtr to = whole_expression();
+        return {index, std::move(from), std::move(to), whole_};
+    }
+
+private:
+    using Kind = Expression::Kind;
+
+    /// Counts nesting, so that no input can exhaust the stack.
+    struct Depth {
+        explicit Depth(Parser& parser) : parser_(parser) {
+            if (++parser_.depth_ > deepest)
+                throw Failure(Diagnostic{Id::too_deep, parser_.token().span,
+                                         fmt::format("the expression is nested more than {} levels deep; split it into definitions", deepest)});
+        }
+        ~Depth() { --parser_.depth_; }
+        Depth(const Depth&) = delete;
+        Depth& operator=(const Depth&) = delete;
+        Parser& parser_;
+    };
+
+    const Token& token() const { return tokens_[at_]; }
+    const Token& next() { return tokens_[at_ + 1 < tokens_.size() ? at_++ : at_]; }
+    bool is_sign(std::string_view text) const { return token().kind == Token::Kind::sign && token().text == text; }
+
+    [[noreturn]] void fail(std::string_view expected) const {
+        const std::string found = token().kind == Token::Kind::end ? "the text ends" : fmt::format("there is '{}'", token().text);
+        throw Failure(Diagnostic{Id::syntax, token().span, fmt::format("{} where {} is expected", found, expected)});
+    }
+
+    void sign(std::string_view text, std::string_view expected) {
+        if (!is_sign(text)) fail(expected);
+        next();
+    }
+
+    std::string word(std::string_view expected) {
+        if (token().kind != Token::Kind::word) fail(expected);
+        return next().text;
+    }
+
+    void expect_end(std::string_view expected) const {
+        if (token().kind != Token::Kind::end) fail(expected);
+    }
+
+    static ExpressionPtr binary(Kind kind, ExpressionPtr left, ExpressionPtr right) {
+        Span span = cover(left->span, right->span);
+        return std::make_shared<Expression>(Expression{kind, std::move(span), 0, {}, {std::move(left), std::move(right)}});
+    }
+
+    ExpressionPtr expression() {
+        const Depth depth(*this);
+        ExpressionPtr left = term();
+        while (is_sign("+") || is_sign("-")) {
+            const Kind kind = next().text == "+" ? Kind::add : Kind::subtract;
+            left = binary(kind, std::move(left), term());
+        }
+        return left;
+    }
+
+    ExpressionPtr term() {
+        ExpressionPtr left = factor();
+        while (is_sign("*") || is_sign("/")) {
+            const Kind kind = next().text == "*" ? Kind::multiply : Kind::divide;
+            left = binary(kind, std::move(left), factor());
+        }
+        return left;
+    }
+
+    ExpressionPtr factor() {
+        if (is_sign("+")) {
+            const Depth depth(*this);
+            next();
+            return factor();
+        }
+        if (!is_sign("-")) return power();
+        const Depth depth(*this);
+        const Span begin = next().span;
+        ExpressionPtr operand = factor();
+        Span span = cover(begin, operand->span);
+        return std::make_shared<Expression>(Expression{Kind::negate, std::move(span), 0, {}, {std::move(operand)}});
+    }
+
+    ExpressionPtr power() {
+        ExpressionPtr base = primary();
+        if (!is_sign("^")) return base;
+        const Depth depth(*this);
+        next();
+        return binary(Kind::power, std::move(base), factor());
+    }
+
+    ExpressionPtr primary() {
+        const Token& first = token();
+        if (first.kind == Token::Kind::number) {
+            next();
+            const auto value = read_decimal(first.text);
+            if (!value)
+                throw Failure(Diagnostic{Id::number_too_large, first.span,
+                                         fmt::format("'{}' is not a decimal number with an exponent between -400 and 400", first.text)});
+            return make_number(*value, first.span);
+        }
+        if (is_sign("(")) {
+            next();
+            ExpressionPtr inside = expression();
+            const Span end = token().span;
+            sign(")", "')'");
+            auto bracketed = std::make_shared<Expression>(*inside);
+            bracketed->span = cover(first.span, end);
+            return bracketed;
+        }
+        if (first.kind != Token::Kind::word) fail("a number, a name or '('");
+        next();
+        if (is_sign("(")) return first.text == "sum" ? sum(first) : call(first);
+        auto name = std::make_shared<Expression>(Expression{Kind::name, first.span, 0, first.text});
+        if (is_sign("[")) {
+            next();
+            name->children.push_back(expression());
+            while (is_sign(",")) {
+                next();
+                name->children.push_back(expression());
+            }
+            name->span = cover(first.span, token().span);
+            sign("]", "']' or ','");
+        }
+        return name;
+    }
+
+    ExpressionPtr call(const Token& function) {
+        auto result = std::make_shared<Expression>(Expression{Kind::call, function.span, 0, function.text});
+        next();
+        if (!is_sign(")")) {
+            result->children.push_back(expression());
+            while (is_sign(",")) {
+                next();
+                result->children.push_back(expression());
+            }
+        }
+        result->span = cover(function.span, token().span);
+        sign(")", "')' or ','");
+        return result;
+    }
+
+    ExpressionPtr sum(const Token& function) {
+        auto result = std::make_shared<Expression>(Expression{Kind::sum, function.span});
+        next();
+        result->name = word("the index of the sum, as in 'sum(k, 1, N, m[k])'");
+        for (const char* part : {"the first index", "the last index", "the term"}) {
+            sign(",", fmt::format("',' before {}", part));
+            result->children.push_back(expression());
+        }
+        result->span = cover(function.span, token().span);
+        sign(")", "')'");
+        return result;
+    }
+
+    std::vector<Token> tokens_;
+    Span whole_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+};
+
+}  // namespace
+
+ExpressionPtr parse_expression(const Excerpt& excerpt) { return Parser(excerpt).whole_expression(); }
+Law parse_law(const Excerpt& excerpt) { return Parser(excerpt).law(); }
+Equation parse_equation(const Excerpt& excerpt) { return Parser(excerpt).equation(); }
+Family parse_family(const Excerpt& excerpt) { return Parser(excerpt).family(); }
+
+}  // namespace dalembert

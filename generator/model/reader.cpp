@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/reader.hpp"
+
+#include <fmt/format.h>
+
+#include "model/checks.hpp"
+#include "model/entry.hpp"
+#include "model/verdict.hpp"
+#include "text/files.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr int newest_format = 1;
+
+void read(const Entry& e, Size& size) {
+    size.value = e.constant("value", {});
+    size.range = e.range("range", {});
+}
+
+void read_quantity(const Entry& e, Quantity& quantity) {
+    quantity.unit = e.unit("unit").value_or(Unit{});
+    quantity.range = e.range("range", quantity.unit);
+}
+
+void read(const Entry& e, Parameter& parameter) {
+    read_quantity(e, parameter);
+    parameter.values = e.constants("value", parameter.unit);
+}
+
+void read(const Entry& e, Definition& definition) {
+    definition.value = e.expression("value");
+    definition.unit = e.unit("unit");
+}
+
+void read(const Entry& e, Coordinate& coordinate) {
+    read_quantity(e, coordinate);
+    coordinate.start = e.constant("start", coordinate.unit);
+    Unit rate = coordinate.unit;
+    rate.offset = 0;
+    coordinate.start_rate = e.constant("start_rate", rate);
+}
+
+void read(const Entry& e, Input& input) { read_quantity(e, input); }
+
+void read(const Entry& e, State& state) {
+    read_quantity(e, state);
+    state.start = e.constant("start", state.unit);
+    state.derivative = e.expression("derivative");
+}
+
+void read(const Entry& e, Output& output) {
+    output.value = e.expression("value");
+    output.unit = e.unit("unit");
+}
+
+void read(const Entry& e, Body& body) {
+    body.mass = e.expression("mass");
+    body.position = e.vector("position");
+    body.rotation = e.expression("rotation");
+    body.angular_velocity = e.expression("angular_velocity");
+    body.inertia = e.expression("inertia");
+    body.on = e.body("on");
+    if (body.mass && !e.has("position")) e.error(Id::missing_key, e.span(), fmt::format("body '{}' has a mass but no position", e.name()));
+    if (!body.mass && !e.has("inertia"))
+        e.error(Id::missing_key, e.span(), fmt::format("body '{}' has neither mass nor inertia; without either it is no body", e.name()));
+    if (body.rotation && body.angular_velocity)
+        e.error(Id::doubly_defined, e.span_of("angular_velocity"),
+                fmt::format("body '{}' has a rotation and an angular_velocity; the velocity follows from the rotation", e.name()),
+                {{e.span_of("rotation"), "the rotation stands here"}});
+    if (body.inertia && !body.rotation && !body.angular_velocity)
+        e.error(Id::missing_key, e.span_of("inertia"),
+                fmt::format("body '{}' has an inertia but neither rotation nor angular_velocity", e.name()));
+}
+
+void read(const Entry& e, Spring& spring) {
+    spring.elongation = e.expression("elongation");
+    spring.stiffness = e.expression("stiffness");
+    spring.force = e.law("force");
+    spring.energy = e.law("energy");
+    if (e.has("stiffness") == e.has("force"))
+        e.error(Id::missing_key, e.span(), fmt::format("spring '{}' needs either a stiffness or a force law", e.name()));
+    if (e.has("energy") && !e.has("force"))
+        e.error(Id::missing_key, e.span_of("energy"), fmt::format("spring '{}' has an energy but no force law that it belongs to", e.name()));
+}
+
+void read(const Entry& e, Damper& damper) {
+    damper.rate = e.expression("rate");
+    damper.on = e.body("on");
+    damper.coefficient = e.expression("coefficient");
+    damper.force = e.law("force");
+    if (e.has("rate") == e.has("on"))
+        e.error(Id::missing_key, e.span(), fmt::format("damper '{}' needs either a rate or the body that it acts on", e.name()));
+    if (e.has("coefficient") == e.has("force"))
+        e.error(Id::missing_key, e.span(), fmt::format("damper '{}' needs either a coefficient or a force law", e.name()));
+}
+
+void read(const Entry& e, Force& force) {
+    if (auto vector = e.vector("force")) force.force = *vector;
+    force.on = e.body("on");
+    force.at = e.vector("at");
+    if (e.has("on") == e.has("at"))
+        e.error(Id::missing_key, e.span(), fmt::format("force '{}' needs either the body that it acts on or the point at which it acts", e.name()));
+}
+
+void read(const Entry& e, Torque& torque) {
+    torque.torque = e.expression("torque");
+    torque.on = e.body("on");
+    torque.against = e.body("against");
+    torque.rate = e.expression("rate");
+    if (e.has("on") == e.has("rate"))
+        e.error(Id::missing_key, e.span(), fmt::format("torque '{}' needs either the body that it turns or a rate", e.name()));
+}
+
+void read(const Entry& e, KineticTerm& term) { term.energy = e.expression("energy"); }
+
+std::vector<CoordinateEntry> coordinates(const Entry& e, std::string_view key) {
+    std::vector<CoordinateEntry> result;
+    for (const RunEntry& entry : e.by_name(key)) {
+        const Expression& name = *entry.variable;
+        if (name.kind == Expression::Kind::name && name.children.size() <= 1)
+            result.push_back({name.name, name.children.empty() ? nullptr : name.children[0], entry.value, entry.span});
+        else
+            e.error(Id::wrong_type, entry.span, fmt::format("'{}' is not the name of a coordinate", name.written()));
+    }
+    return result;
+}
+
+void read(const Entry& e, PotentialTerm& term) {
+    term.energy = e.expression("energy");
+    term.forces = coordinates(e, "forces");
+    term.reference = coordinates(e, "reference");
+    if (e.has("energy") == e.has("forces"))
+        e.error(Id::missing_key, e.span(), fmt::format("potential '{}' needs either an energy or its forces", e.name()));
+    if (e.has("reference") && !e.has("forces"))
+        e.error(Id::missing_key, e.span_of("reference"), fmt::format("potential '{}' has a reference but no forces", e.name()));
+}
+
+void read(const Entry& e, GeneralisedForce& force) {
+    if (auto coordinate = e.coordinate("coordinate")) force.coordinate = *coordinate;
+    force.coordinate.value = e.expression("force");
+    const std::string power = e.text("power");
+    force.dissipated = power == "dissipated";
+    if (!power.empty() && power != "dissipated" && power != "supplied")
+        e.error(Id::wrong_type, e.span_of("power"), fmt::format("the power is 'supplied' or 'dissipated', not '{}'", power));
+}
+
+void read(const Entry& e, Effect& effect) {
+    effect.excludes = e.names("excludes");
+    effect.implies = e.names("implies");
+    effect.level_of = e.text("level_of");
+}
+
+void read(const Entry& e, PrintedEquation& printed) {
+    printed.source = e.text("source");
+    printed.equations = e.has("equations") ? e.equations("equations") : e.equations("equation");
+    for (const RunEntry& letter : e.by_name("with")) {
+        if (letter.variable->kind == Expression::Kind::name && letter.variable->children.empty())
+            printed.letters.push_back({letter.variable->name, letter.value, letter.span});
+        else
+            e.error(Id::bad_name, letter.span, fmt::format("'{}' is not a letter", letter.variable->written()));
+    }
+    for (const RunEntry& entry : e.by_name("at")) printed.at.push_back({entry.variable, entry.value});
+    if (e.has("equation") == e.has("equations"))
+        e.error(Id::missing_key, e.span(), fmt::format("printed '{}' needs either an equation or a list of equations", e.name()));
+    if (e.has("expect")) {
+        printed.expected = read_verdict(e.text("expect"));
+        if (!printed.expected)
+            e.error(Id::wrong_type, e.span_of("expect"),
+                    fmt::format("'{}' is not a verdict{}; the verdicts are {}", e.text("expect"),
+                                did_you_mean(e.text("expect"), {verdict_names.begin(), verdict_names.end()}),
+                                quoted_list({verdict_names.begin(), verdict_names.end()})));
+    }
+}
+
+void read(const Entry& e, Run& run) {
+    const Unit second{Dimension::time(), 1, 0, 0, "s"};
+    run.until = e.constant("until", second);
+    run.period = e.constant("period", second);
+    run.step = e.constant("step", second);
+    run.scene = e.text("scene");
+    run.scene_span = e.span_of("scene");
+    run.start = e.by_name("start");
+    run.inputs = e.by_name("inputs");
+    run.parameters = e.by_name("parameters");
+    run.tolerance = e.number("tolerance").value_or(run.tolerance);
+    if (!cln::plusp(run.tolerance) || run.tolerance >= 1)
+        e.error(Id::value_out_of_range, e.span_of("tolerance"), "the tolerance lies between 0 and 1");
+    run.method = e.text("method");
+    const std::vector<std::string> methods{"dopri5", "fehlberg78", "rk4"};
+    if (!run.method.empty() && std::find(methods.begin(), methods.end(), run.method) == methods.end())
+        e.error(Id::wrong_type, e.span_of("method"), fmt::format("'{}' is not a method; the methods are {}", run.method, quoted_list(methods)));
+    run.samples = e.whole_number("samples", run.samples);
+    if (run.samples < 1 || run.samples > 1'000'000)
+        e.error(Id::value_out_of_range, e.span_of("samples"), "the number of samples lies between 1 and 1000000");
+    run.plots = e.plots("plots");
+}
+
+class Reader {
+public:
+    Reader(const SourcePtr& source, Diagnostics& diagnostics) : root_(parse_document(source)), diagnostics_(diagnostics) {
+        model_.source = source;
+    }
+
+    Model read_all() {
+        header();
+        std::vector<std::string> known;
+        for (const SectionSpec& section : sections()) known.emplace_back(section.name);
+        for (const DocumentNode::Member& member : root_.members)
+            if (find_section(member.key) == nullptr)
+                diagnostics_.error(Id::unknown_key, member.key_span,
+                                   fmt::format("a model has no section [{}]{}", member.key, did_you_mean(member.key, known)));
+        collection("sizes", model_.sizes);
+        collection("parameters", model_.parameters);
+        collection("definitions", model_.definitions);
+        collection("coordinates", model_.coordinates);
+        collection("inputs", model_.inputs);
+        collection("states", model_.states);
+        collection("outputs", model_.outputs);
+        gravity();
+        collection("bodies", model_.bodies);
+        collection("springs", model_.springs);
+        collection("dampers", model_.dampers);
+        collection("forces", model_.forces);
+        collection("torques", model_.torques);
+        collection("kinetic", model_.kinetic);
+        collection("potentials", model_.potentials);
+        collection("generalised_forces", model_.generalised_forces);
+        collection("effects", model_.effects);
+        scenes();
+        collection("printed", model_.printed);
+        collection("runs", model_.runs);
+        return std::move(model_);
+    }
+
+private:
+    void header() {
+        const DocumentNode::Member* member = root_.find("model");
+        if (member == nullptr)
+            throw Failure(Diagnostic{Id::missing_key, Span{model_.source, 0, 0}, "the file has no [model] section and so is no model"});
+        // The format comes first: a file of another format may have other keys, and errors about those would mislead.
+        const Entry entry(*member, *find_section("model"), diagnostics_);
+        if (const int format = entry.whole_number("format", newest_format); format != newest_format)
+            throw Failure(Diagnostic{Id::unknown_format, entry.span_of("format"),
+                                     fmt::format("the file has format {}, this program reads format {}", format, newest_format)});
+        model_.name = entry.text("name");
+        model_.name_span = entry.span_of("name");
+        model_.title = entry.text("title");
+        model_.reference = entry.text("source");
+    }
+
+    template <class T>
+    void collection(const char* name, std::vector<T>& items) {
+        const DocumentNode* table = section_table(name);
+        if (table == nullptr) return;
+        for (const DocumentNode::Member& member : table->members) items.push_back(item<T>(member, *find_section(name)));
+    }
+
+    template <class T>
+    T item(const DocumentNode::Member& member, const SectionSpec& section) {
+        const Entry entry(member, section, diagnostics_);
+        T result;
+        entry.fill(result);
+        read(entry, result);
+        return result;
+    }
+
+    const DocumentNode* section_table(const char* name) {
+        const DocumentNode::Member* member = root_.find(name);
+        if (member == nullptr) return nullptr;
+        if (member->value.kind == DocumentNode::Kind::table) return &member->value;
+        diagnostics_.error(Id::wrong_type, member->key_span, fmt::format("[{}] must be a table", name));
+        return nullptr;
+    }
+
+    void gravity() {
+        const DocumentNode::Member* member = root_.find("gravity");
+        if (member == nullptr) return;
+        const Entry entry(*member, *find_section("gravity"), diagnostics_);
+        if (auto acceleration = entry.vector("acceleration"))
+            model_.gravity = Gravity{*acceleration, entry.vector("reference"), entry.condition("when"), entry.span()};
+    }
+
+    void scenes() {
+        const DocumentNode* table = section_table("scenes");
+        if (table == nullptr) return;
+        for (const DocumentNode::Member& member : table->members) {
+            if (member.key != "default") {
+                const Entry entry(member, *find_section("scenes"), diagnostics_);
+                SceneChoice scene;
+                entry.fill(scene);
+                scene.effects = entry.names("effects");
+                model_.scenes.push_back(std::move(scene));
+            } else if (member.value.kind == DocumentNode::Kind::string) {
+                model_.default_scene = member.value.string.text;
+                default_span_ = member.value.span;
+            } else {
+                diagnostics_.error(Id::wrong_type, member.value.span, "default is the name of a scene");
+            }
+        }
+        std::vector<std::string> names;
+        for (const SceneChoice& scene : model_.scenes) names.push_back(scene.name);
+        if (!model_.default_scene.empty() && std::find(names.begin(), names.end(), model_.default_scene) == names.end())
+            diagnostics_.error(Id::unknown_scene, default_span_,
+                               fmt::format("the default scene '{}' is not one of {}", model_.default_scene, quoted_list(names)));
+    }
+
+    DocumentNode root_;
+    Diagnostics& diagnostics_;
+    Model model_;
+    Span default_span_;
+};
+
+}  // namespace
+
+Model read_model(const SourcePtr& source, Diagnostics& diagnostics) {
+    Model model = Reader(source, diagnostics).read_all();
+    diagnostics.stop_on_errors();
+    check_names(model, diagnostics);
+    diagnostics.stop_on_errors();
+    check_references(model, diagnostics);
+    check_expressions(model, diagnostics);
+    diagnostics.stop_on_errors();
+    check_units(model, diagnostics);
+    diagnostics.stop_on_errors();
+    return model;
+}
+
+Model read_model(const std::filesystem::path& path, Diagnostics& diagnostics) {
+    return read_model(read_text_file(path), diagnostics);
+}
+
+}  // namespace dalembert

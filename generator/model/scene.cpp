@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Kind = Expression::Kind;
+
+constexpr int most_members = 10'000;
+
+[[noreturn]] void fail(Id id, const Span& span, std::string message, std::vector<Note> notes = {}) {
+    throw Failure(Diagnostic{id, span, std::move(message), std::move(notes)});
+}
+
+const SceneChoice* find_choice(const Model& model, const std::string& name) {
+    const auto found = std::find_if(model.scenes.begin(), model.scenes.end(), [&](const SceneChoice& s) { return s.name == name; });
+    return found == model.scenes.end() ? nullptr : &*found;
+}
+
+const Effect& find_effect(const Model& model, const std::string& name) {
+    return *std::find_if(model.effects.begin(), model.effects.end(), [&](const Effect& e) { return e.name == name; });
+}
+
+/// The effects of a scene with all that they imply; refuses those that cannot be together.
+std::set<std::string> effects_of(const Model& model, const std::string& scene) {
+    const SceneChoice* choice = find_choice(model, scene);
+    std::set<std::string> effects;
+    std::vector<std::string> pending;
+    if (choice != nullptr) {
+        for (const auto& [name, span] : choice->effects) pending.push_back(name);
+    } else {
+        for (const Effect& effect : model.effects) pending.push_back(effect.name);
+    }
+    while (!pending.empty()) {
+        const std::string name = pending.back();
+        pending.pop_back();
+        if (!effects.insert(name).second) continue;
+        for (const auto& [implied, span] : find_effect(model, name).implies) pending.push_back(implied);
+    }
+    const Span place = choice != nullptr ? choice->span : model.name_span;
+    std::map<std::string, std::string> levels;
+    for (const Effect& effect : model.effects) {
+        if (!effects.contains(effect.name)) continue;
+        for (const auto& [excluded, span] : effect.excludes)
+            if (effects.contains(excluded))
+                fail(Id::scene_contradiction, place,
+                     fmt::format("scene '{}' calls for '{}' and '{}', which exclude each other", scene, effect.name, excluded), {{span, "it is excluded here"}});
+        if (effect.level_of.empty()) continue;
+        const auto [other, is_first] = levels.emplace(effect.level_of, effect.name);
+        if (!is_first)
+            fail(Id::scene_contradiction, place,
+                 fmt::format("scene '{}' calls for '{}' and '{}', two levels of '{}'", scene, other->second, effect.name, effect.level_of),
+                 {{effect.span, fmt::format("'{}' is declared here", effect.name)}});
+    }
+    return effects;
+}
+
+class Selection {
+public:
+    Selection(const Model& model, const Names& names, const std::string& name) : model_(model), names_(names) {
+        scene_.model = &model;
+        scene_.name = name;
+        if (const SceneChoice* choice = find_choice(model, name)) scene_.doc = choice->doc;
+        effects_ = effects_of(model, name);
+        for (const Effect& effect : model.effects) (effects_.contains(effect.name) ? scene_.effects_in : scene_.effects_out).push_back(&effect);
+    }
+
+    void set_sizes(const std::map<std::string, int>& wanted) {
+        for (const auto& [name, value] : wanted)
+            if (std::none_of(model_.sizes.begin(), model_.sizes.end(), [&, key = name](const Size& s) { return s.name == key; })) {
+                std::vector<std::string> known;
+                for (const Size& size : model_.sizes) known.push_back(size.name);
+                fail(Id::unknown_size, {}, fmt::format("the model has no size '{}'{}{}", name, did_you_mean(name, known),
+                                                       known.empty() ? "; it has none at all" : ""));
+            }
+        for (const Size& size : model_.sizes) {
+            const auto given = wanted.find(size.name);
+            const int value = given != wanted.end() ? given->second : index_value(*size.value, scene_, {});
+            scene_.sizes[size.name] = value;
+            if (value < 0) fail(Id::value_out_of_range, size.span, fmt::format("size '{}' is {}; a size is not negative", size.name, value));
+            if (!size.range) continue;
+            const bool too_small = size.range->low && value < index_value(*size.range->low, scene_, {});
+            const bool too_large = size.range->high && value > index_value(*size.range->high, scene_, {});
+            if (too_small || too_large)
+                fail(Id::value_out_of_range, size.range->span, fmt::format("size '{}' is {}, outside its range", size.name, value));
+        }
+    }
+
+    Scene take() {
+        choose(model_.coordinates, scene_.coordinates);
+        choose(model_.outputs, scene_.outputs);
+        choose(model_.bodies, scene_.bodies);
+        choose(model_.springs, scene_.springs);
+        choose(model_.dampers, scene_.dampers);
+        choose(model_.forces, scene_.forces);
+        choose(model_.torques, scene_.torques);
+        choose(model_.kinetic, scene_.kinetic);
+        choose(model_.potentials, scene_.potentials);
+        choose(model_.generalised_forces, scene_.generalised_forces);
+        const bool any_mass = std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [](const auto& body) { return body.item->mass != nullptr; });
+        if (model_.gravity && any_mass && scene_.holds(model_.gravity->when)) scene_.gravity = &*model_.gravity;
+
+        const auto use_all = [&](const auto& members, const char* kind) {
+            for (const auto& member : members) {
+                owner_ = fmt::format("{} '{}'", kind, member.item->name);
+                visit(*member.item, [&](const Site& site) { use(site); });
+            }
+        };
+        for (const auto& member : scene_.coordinates) used_.insert(member.item->name);
+        use_all(scene_.coordinates, "coordinate");
+        use_all(scene_.bodies, "body");
+        use_all(scene_.springs, "spring");
+        use_all(scene_.dampers, "damper");
+        use_all(scene_.forces, "force");
+        use_all(scene_.torques, "torque");
+        use_all(scene_.kinetic, "kinetic term");
+        use_all(scene_.potentials, "potential");
+        use_all(scene_.generalised_forces, "generalised force");
+        use_all(scene_.outputs, "output");
+        if (scene_.gravity != nullptr) {
+            owner_ = "gravity";
+            visit(*scene_.gravity, [&](const Site& site) { use(site); });
+        }
+        // A model without outputs is about all of its states; otherwise a state that nothing needs is left out.
+        if (model_.outputs.empty())
+            for (const State& state : model_.states)
+                if (scene_.holds(state.when)) use_name(state.name, state.span);
+
+        choose_used(model_.parameters, scene_.parameters);
+        choose_used(model_.inputs, scene_.inputs);
+        choose_used(model_.states, scene_.states);
+        for (const Definition& definition : model_.definitions)
+            if (used_.contains(definition.name) && (dependence(*definition.value, names_) & ~on_parameters) == 0)
+                add_members(definition, scene_.definitions);
+        check_referred_bodies();
+        if (scene_.coordinates.empty() && scene_.states.empty())
+            fail(Id::nothing_left, model_.name_span, fmt::format("scene '{}' has neither a coordinate nor a state that anything uses", scene_.name));
+        return std::move(scene_);
+    }
+
+private:
+    template <class T>
+    void add_members(const T& item, std::vector<Member<T>>& members) {
+        if (!item.family) {
+            members.push_back({&item});
+            return;
+        }
+        const auto [from, to] = bounds(*item.family, scene_);
+        for (int index = from; index <= to; ++index) members.push_back({&item, index});
+    }
+
+    template <class T>
+    void choose(const std::vector<T>& items, std::vector<Member<T>>& members) {
+        for (const T& item : items)
+            if (scene_.holds(item.when)) add_members(item, members);
+    }
+
+    template <class T>
+    void choose_used(const std::vector<T>& items, std::vector<Member<T>>& members) {
+        for (const T& item : items)
+            if (used_.contains(item.name)) add_members(item, members);
+    }
+
+    void use(const Site& site) {
+        for_each(*site.expression, [&](const Expression& e) {
+            const bool bound = std::find(site.bound.begin(), site.bound.end(), e.name) != site.bound.end();
+            if (e.kind == Kind::name && !bound) use_name(e.name, e.span);
+        });
+    }
+
+    void use_name(const std::string& name, const Span& span) {
+        const Named* named = names_.find(name);
+        if (named == nullptr) return;
+        if (!scene_.holds(named->item->when))
+            fail(Id::needs_absent, span,
+                 fmt::format("{} needs '{}', which scene '{}' leaves out; give it a 'when' of its own", owner_, name, scene_.name),
+                 {{named->item->span, fmt::format("'{}' is defined here", name)}});
+        if (!used_.insert(name).second) return;
+        const auto follow = [&](const Site& site) { use(site); };
+        if (named->kind == Named::Kind::definition) visit(named->definition(), follow);
+        if (named->kind == Named::Kind::state) visit(static_cast<const State&>(*named->item), follow);
+    }
+
+    void check_referred_bodies() {
+        const auto check = [&](const std::optional<BodyReference>& reference, const std::string& owner) {
+            if (!reference) return;
+            const Body& body = *names_.find_body(reference->name);
+            if (!scene_.holds(body.when))
+                fail(Id::needs_absent, reference->span, fmt::format("'{}' needs body '{}', which scene '{}' leaves out", owner, body.name, scene_.name),
+                     {{body.span, "the body is defined here"}});
+        };
+        for (const auto& member : scene_.bodies) check(member.item->on, member.item->name);
+        for (const auto& member : scene_.dampers) check(member.item->on, member.item->name);
+        for (const auto& member : scene_.forces) check(member.item->on, member.item->name);
+        for (const auto& member : scene_.torques) {
+            check(member.item->on, member.item->name);
+            check(member.item->against, member.item->name);
+        }
+    }
+
+    const Model& model_;
+    const Names& names_;
+    Scene scene_;
+    std::set<std::string> effects_;
+    std::set<std::string> used_;
+    std::string owner_;
+};
+
+}  // namespace
+
+bool Scene::holds(const std::optional<Condition>& when) const {
+    if (!when) return true;
+    std::set<std::string> effects;
+    for (const Effect* effect : effects_in) effects.insert(effect->name);
+    return when->holds(effects);
+}
+
+std::string Scene::sized_name() const {
+    std::string result = model->name;
+    for (const Size& size : model->sizes) result += fmt::format("_{}{}", size.name, sizes.at(size.name));
+    return result;
+}
+
+std::vector<std::string> scene_names(const Model& model) {
+    if (model.scenes.empty()) return {"full"};
+    std::vector<std::string> names;
+    for (const SceneChoice& scene : model.scenes) names.push_back(scene.name);
+    return names;
+}
+
+std::string resolve_scene(const Model& model, const std::string& wanted) {
+    const std::vector<std::string> known = scene_names(model);
+    if (wanted.empty()) {
+        if (known.size() == 1) return known.front();
+        if (!model.default_scene.empty()) return model.default_scene;
+        fail(Id::scene_needed, model.name_span, fmt::format("model '{}' has the scenes {}; choose one with --scene", model.name, quoted_list(known)));
+    }
+    if (std::find(known.begin(), known.end(), wanted) == known.end())
+        fail(Id::unknown_scene, model.name_span,
+             fmt::format("model '{}' has no scene '{}'{}; its scenes are {}", model.name, wanted, did_you_mean(wanted, known), quoted_list(known)));
+    return wanted;
+}
+
+Scene select_scene(const Model& model, const Names& names, const std::string& scene, const std::map<std::string, int>& sizes) {
+    Selection selection(model, names, scene);
+    selection.set_sizes(sizes);
+    return selection.take();
+}
+
+int index_value(const Expression& e, const Scene& scene, const Indices& indices) {
+    const auto value = [&](const auto& self, const Expression& part) -> Rational {
+        const auto child = [&](std::size_t i) { return self(self, *part.children[i]); };
+        if (part.kind == Kind::number) return part.value;
+        if (part.kind == Kind::name) {
+            if (const auto index = indices.find(part.name); index != indices.end()) return index->second;
+            if (const auto size = scene.sizes.find(part.name); size != scene.sizes.end()) return size->second;
+        }
+        switch (part.kind) {
+            case Kind::negate: return -child(0);
+            case Kind::add: return child(0) + child(1);
+            case Kind::subtract: return child(0) - child(1);
+            case Kind::multiply: return child(0) * child(1);
+            case Kind::divide:
+                if (const Rational divisor = child(1); !is_zero(divisor)) return child(0) / divisor;
+                break;
+            default: break;
+        }
+        fail(Id::index_out_of_range, e.span, fmt::format("'{}' is not a whole number", e.written()));
+    };
+    const auto result = to_int(value(value, e));
+    if (!result) fail(Id::index_out_of_range, e.span, fmt::format("'{}' is not a whole number", e.written()));
+    return *result;
+}
+
+std::pair<int, int> bounds(const Family& family, const Scene& scene) {
+    const int from = index_value(*family.from, scene, {});
+    const int to = index_value(*family.to, scene, {});
+    if (static_cast<long long>(to) - from >= most_members)
+        fail(Id::too_large, family.span, fmt::format("the family has more than {} members", most_members));
+    return {from, to};
+}
+
+void warn_of_unused(const Model& model, Diagnostics& diagnostics) {
+    std::set<std::string> used;
+    visit(model, [&](const Site& site) {
+        for_each(*site.expression, [&](const Expression& e) {
+            if (e.kind == Kind::name) used.insert(e.name);
+        });
+    });
+    const auto warn = [&](const auto& items, const char* kind) {
+        for (const auto& item : items)
+            if (!used.contains(item.name)) diagnostics.warning(Id::unused, item.span, fmt::format("nothing uses the {} '{}'", kind, item.name));
+    };
+    warn(model.parameters, "parameter");
+    warn(model.definitions, "definition");
+    warn(model.inputs, "input");
+}
+
+}  // namespace dalembert

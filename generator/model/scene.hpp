@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one scene of a model contains, families counted out. What the scene does not call for is gone: components, and the
+// parameters, inputs and states that only they used.
+#pragma once
+
+#include <map>
+#include <set>
+
+#include "model/names.hpp"
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+/// One member of a family, or an item that is none.
+template <class T>
+struct Member {
+    const T* item;
+    int index = 0;  ///< of a family
+
+    std::string name() const { return item->family ? item->name + "[" + std::to_string(index) + "]" : item->name; }
+};
+
+/// The value of the index of a family or sum, by name.
+using Indices = std::map<std::string, int, std::less<>>;
+
+struct Scene {
+    const Model* model;
+    std::string name;
+    std::string doc;
+    std::vector<const Effect*> effects_in;   ///< in order of declaration
+    std::vector<const Effect*> effects_out;
+    std::map<std::string, int, std::less<>> sizes;
+
+    std::vector<Member<Parameter>> parameters;
+    std::vector<Member<Definition>> definitions;  ///< of parameters alone; the others are inserted where they are used
+    std::vector<Member<Coordinate>> coordinates;
+    std::vector<Member<Input>> inputs;
+    std::vector<Member<State>> states;
+    std::vector<Member<Output>> outputs;
+    const Gravity* gravity = nullptr;
+    std::vector<Member<Body>> bodies;
+    std::vector<Member<Spring>> springs;
+    std::vector<Member<Damper>> dampers;
+    std::vector<Member<Force>> forces;
+    std::vector<Member<Torque>> torques;
+    std::vector<Member<KineticTerm>> kinetic;
+    std::vector<Member<PotentialTerm>> potentials;
+    std::vector<Member<GeneralisedForce>> generalised_forces;
+
+    /// Whether the condition of an item holds.
+    bool holds(const std::optional<Condition>& when) const;
+    /// "n_pendulum_N5": the model's name and its sizes.
+    std::string sized_name() const;
+};
+
+/// The names of the scenes; "full" alone where the model has none.
+std::vector<std::string> scene_names(const Model& model);
+
+/// The scene that is meant: the one named, else the default, else the only one. Throws Failure (unknown-scene, scene-needed).
+std::string resolve_scene(const Model& model, const std::string& wanted);
+
+/// Throws Failure (scene-contradiction, unknown-size, value-out-of-range, needs-absent, nothing-left, too-large).
+Scene select_scene(const Model& model, const Names& names, const std::string& scene, const std::map<std::string, int>& sizes);
+
+/// A whole number made of sizes and indices. Throws Failure (index-out-of-range) when it is none.
+int index_value(const Expression& expression, const Scene& scene, const Indices& indices);
+
+/// The bounds of a family. Throws Failure (too-large) beyond 10000 members.
+std::pair<int, int> bounds(const Family& family, const Scene& scene);
+
+/// Warns of parameters, definitions and inputs that nothing in the model uses.
+void warn_of_unused(const Model& model, Diagnostics& diagnostics);
+
+}  // namespace dalembert

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace dalembert {
+
+namespace {
+
+using T = ValueType;
+
+constexpr KeySpec doc_key{"doc", T::text, false, "what it is, in words; goes into the report and the header"};
+constexpr KeySpec for_key{"for", T::family, false, "makes it a family, one for each value of an index: \"k = 1..N\""};
+constexpr KeySpec when_key{"when", T::condition, false,
+                           "the effects under which it is there: \"drag\", \"not drag\", \"a and (b or c)\"; always, if left out"};
+constexpr KeySpec unit_key{"unit", T::unit, true, "its unit: \"kg\", \"N/m\", \"deg\", \"1\""};
+constexpr KeySpec range_key{"range", T::range, false,
+                            "[low, high] in its unit; inf and -inf are allowed. Positivity in proofs and random test points come from here"};
+
+constexpr std::array model_keys{
+    KeySpec{"format", T::whole_number, true, "version of the model language: 1"},
+    KeySpec{"name", T::text, true, "name of files and namespaces"},
+    KeySpec{"title", T::text, false, "one line for reports and plots"},
+    KeySpec{"source", T::text, false, "the text the model comes from, with equation numbers"},
+};
+constexpr std::array size_keys{
+    KeySpec{"value", T::constant, true, "the size when --size does not set it; a whole number"},
+    range_key,
+    doc_key,
+};
+constexpr std::array parameter_keys{
+    KeySpec{"value", T::constants, true, "the default, in its unit; for a family one for all, or a list with one for each"},
+    unit_key, range_key, doc_key, for_key,
+};
+constexpr std::array definition_keys{
+    KeySpec{"value", T::expression, true, "what the name stands for"},
+    KeySpec{"unit", T::unit, false, "checked against the expression"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array coordinate_keys{
+    unit_key,
+    KeySpec{"start", T::constant, false, "value at the start, in its unit; 0 if left out"},
+    KeySpec{"start_rate", T::constant, false, "velocity at the start, in its unit per second; 0 if left out"},
+    range_key, doc_key, for_key, when_key,
+};
+constexpr std::array input_keys{unit_key, range_key, doc_key, for_key, when_key};
+constexpr std::array state_keys{
+    unit_key,
+    KeySpec{"start", T::constant, false, "value at the start, in its unit; 0 if left out"},
+    KeySpec{"derivative", T::expression, true, "its time derivative"},
+    range_key, doc_key, for_key, when_key,
+};
+constexpr std::array output_keys{
+    KeySpec{"value", T::expression, true,
+            "what is put out; may use ddot(q), kinetic_energy, potential_energy, generalised_force[q]"},
+    KeySpec{"unit", T::unit, false, "checked against the expression"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array gravity_keys{
+    KeySpec{"acceleration", T::vector, true, "the acceleration of free fall, as a vector"},
+    KeySpec{"reference", T::vector, false, "the point where the potential energy of gravity is zero; the origin if left out"},
+    when_key,
+};
+constexpr std::array body_keys{
+    KeySpec{"mass", T::expression, false, "its mass; needs a position"},
+    KeySpec{"position", T::vector, false, "position of its centre of mass"},
+    KeySpec{"rotation", T::expression, false, "its angle about the z axis, from x towards y"},
+    KeySpec{"angular_velocity", T::expression, false, "instead of rotation: its angular velocity, linear in the velocities"},
+    KeySpec{"inertia", T::expression, false, "moment of inertia about the axis through its centre of mass"},
+    KeySpec{"on", T::body, false,
+            "another body: position and rotation are then measured in its frame. Within a family, NAME[k-1] of the first is the ground"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array spring_keys{
+    KeySpec{"elongation", T::expression, true, "how far it is stretched from rest; a length or an angle"},
+    KeySpec{"stiffness", T::expression, false, "of a linear spring: force = stiffness*elongation"},
+    KeySpec{"force", T::law, false, "of any other: the force over the elongation, as in \"e -> c*e + c3*e^3\""},
+    KeySpec{"energy", T::law, false, "the integral of the force, where the program cannot find it; proven by differentiation"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array damper_keys{
+    KeySpec{"rate", T::expression, false, "the velocity that it resists, linear in the velocities"},
+    KeySpec{"on", T::body, false, "instead of a rate: a body whose speed through a medium at rest is resisted"},
+    KeySpec{"coefficient", T::expression, false, "of a linear damper: force = coefficient*rate"},
+    KeySpec{"force", T::law, false, "of any other: the force over the rate (with on: over the speed), as in \"w -> d*w*abs(w)\""},
+    doc_key, for_key, when_key,
+};
+constexpr std::array force_keys{
+    KeySpec{"force", T::vector, true, "the force as a vector; its power counts as supplied"},
+    KeySpec{"on", T::body, false, "the body at whose position it acts"},
+    KeySpec{"at", T::vector, false, "instead of a body: the point at which it acts"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array torque_keys{
+    KeySpec{"torque", T::expression, true, "the torque about the z axis; its power counts as supplied"},
+    KeySpec{"on", T::body, false, "the body that it turns"},
+    KeySpec{"against", T::body, false, "the body that carries the reaction; the ground if left out"},
+    KeySpec{"rate", T::expression, false, "instead of bodies: the angular velocity with which the torque works"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array kinetic_keys{
+    KeySpec{"energy", T::expression, true, "a kinetic energy, quadratic in the velocities"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array potential_keys{
+    KeySpec{"energy", T::expression, false, "a potential energy"},
+    KeySpec{"forces", T::expressions_by_name, false,
+            "instead of the energy: the generalised force on each coordinate; must satisfy the integrability condition (2.81)"},
+    KeySpec{"reference", T::expressions_by_name, false, "with forces: the point where the energy is zero; 0 for what is left out"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array generalised_force_keys{
+    KeySpec{"coordinate", T::coordinate, true, "the coordinate on which it acts"},
+    KeySpec{"force", T::expression, true, "the generalised force; force times velocity is a power"},
+    KeySpec{"power", T::choice, false, "\"supplied\" (default) or \"dissipated\": where its power is counted"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array effect_keys{
+    KeySpec{"doc", T::text, true, "what the effect is"},
+    KeySpec{"excludes", T::effects, false, "effects that cannot be in the same scene"},
+    KeySpec{"implies", T::effects, false, "effects that come with it"},
+    KeySpec{"level_of", T::text, false, "a common name: of the effects that share it a scene has at most one"},
+};
+constexpr std::array scene_keys{
+    KeySpec{"effects", T::effects, true, "the effects that the scene calls for"},
+    KeySpec{"doc", T::text, false, "what the scene is for"},
+};
+constexpr std::array printed_keys{
+    KeySpec{"equation", T::equation, false, "the printed equation in the model language: \"left = right\", also \"a = b = c\""},
+    KeySpec{"equations", T::equations, false, "several equations under one number"},
+    KeySpec{"with", T::expressions_by_name, false, "letters of the book that the model does not have, with what they stand for"},
+    KeySpec{"at", T::expressions_by_name, false, "a point at which it holds: { phi = 0, \"dot(phi)\" = 0 }"},
+    KeySpec{"expect", T::choice, false,
+            "the verdict of a known misprint: \"wrong\", \"dimensionally wrong\", \"numerically equal\", \"not checkable\""},
+    KeySpec{"source", T::text, false, "where it is printed, if not in the model's source"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array run_keys{
+    KeySpec{"until", T::constant, true, "end of the run in seconds; an expression of parameters is allowed"},
+    KeySpec{"scene", T::text, false, "the scene it belongs to; every scene, if left out"},
+    KeySpec{"period", T::constant, false, "time of one period in seconds, where there is one; used by the energy test"},
+    KeySpec{"start", T::expressions_by_name, false, "start values that differ: { s = 0.2, \"dot(s)\" = 0 }, in SI"},
+    KeySpec{"inputs", T::expressions_by_name, false, "inputs as expressions of t and the states; 0 for what is left out"},
+    KeySpec{"parameters", T::expressions_by_name, false, "parameters that differ, in SI"},
+    KeySpec{"tolerance", T::number, false, "relative tolerance of a step; 1e-9 if left out"},
+    KeySpec{"method", T::choice, false, "\"dopri5\" (default), \"fehlberg78\" or \"rk4\""},
+    KeySpec{"step", T::constant, false, "fixed step of rk4 in seconds"},
+    KeySpec{"samples", T::whole_number, false, "number of equal intervals at which results are written; 500 if left out"},
+    KeySpec{"plots", T::plots, false, "lists of names over time: [[\"s\"], [\"phi\"]], or { x = \"x\", y = [\"z\"] }"},
+    doc_key,
+};
+
+constexpr std::array table{
+    SectionSpec{"model", false, "What the file is about.",
+                "[model]\nformat = 1\nname   = \"cart_pendulum\"\ntitle  = \"Cart with a pendulum rod\"", model_keys, ""},
+    SectionSpec{"sizes", true, "Whole numbers that count the members of families; set with --size N=5.",
+                "[sizes]\nN = { value = 3, range = [1, 64], doc = \"number of links\" }", size_keys, "value"},
+    SectionSpec{"parameters", true, "Constants of the machine, set in the header's parameter struct.",
+                "[parameters]\nm_W = { value = 1.0, unit = \"kg\", range = [0.1, 10], doc = \"mass of the cart\" }", parameter_keys, ""},
+    SectionSpec{"definitions", true, "Names for expressions.", "[definitions]\nm_S = \"rho_S*l_S*b_S*h_S\"", definition_keys, "value"},
+    SectionSpec{"coordinates", true, "Generalised coordinates; their velocities are dot(NAME), their accelerations ddot(NAME).",
+                "[coordinates]\nphi = { unit = \"rad\", start = \"pi/6\", doc = \"rod angle, 0 hanging\" }", coordinate_keys, ""},
+    SectionSpec{"inputs", true, "What drives the machine from outside.", "[inputs]\nf_e = { unit = \"N\", doc = \"driving force\" }",
+                input_keys, ""},
+    SectionSpec{"states", true, "Plain first-order states beside the mechanics.",
+                "[states.u_C]\nunit = \"V\"\nderivative = \"i_C/C\"", state_keys, ""},
+    SectionSpec{"outputs", true, "What is measured or reported.", "[outputs]\nheight = \"-l*cos(phi)\"", output_keys, "value"},
+    SectionSpec{"gravity", false, "Free fall acting on every mass.", "[gravity]\nacceleration = [0, \"-g\", 0]", gravity_keys, ""},
+    SectionSpec{"bodies", true, "Point masses, planar rigid bodies, bodies that only turn.",
+                "[bodies.rod]\nmass     = \"m_S\"\nposition = [\"s + l_S/2*sin(phi)\", \"-l_S/2*cos(phi)\", 0]\n"
+                "rotation = \"phi\"\ninertia  = \"m_S*(l_S^2 + b_S^2)/12\"",
+                body_keys, ""},
+    SectionSpec{"springs", true, "Elastic forces with a potential energy.",
+                "[springs.wall]\nelongation = \"s - s_W0\"\nstiffness  = \"c_W\"", spring_keys, ""},
+    SectionSpec{"dampers", true, "Resistances, whose power is dissipated.",
+                "[dampers.friction]\nrate        = \"dot(s)\"\ncoefficient = \"d_R\"\nwhen        = \"viscous_friction\"", damper_keys, ""},
+    SectionSpec{"forces", true, "Forces at points.", "[forces.drive]\non    = \"cart\"\nforce = [\"f_e\", 0, 0]", force_keys, ""},
+    SectionSpec{"torques", true, "Torques on bodies that turn.", "[torques.motor]\non     = \"rotor\"\ntorque = \"tau_m\"", torque_keys, ""},
+    SectionSpec{"kinetic", true, "Kinetic energy for which there is no component.",
+                "[kinetic.gear]\nenergy = \"i_g^2*theta_m*dot(phi)^2/2\"", kinetic_keys, ""},
+    SectionSpec{"potentials", true, "Potential energy for which there is no component, or generalised forces that have one.",
+                "[potentials.leaf]\nforces = { z_1 = \"-c*(z_1 - z_2)\", z_2 = \"-c*(z_2 - z_1)\" }", potential_keys, ""},
+    SectionSpec{"generalised_forces", true, "Forces on coordinates for which there is no component.",
+                "[generalised_forces.load]\ncoordinate = \"phi_2\"\nforce = \"-tau_l\"", generalised_force_keys, ""},
+    SectionSpec{"effects", true, "Effects that a scene may call for or leave out.",
+                "[effects]\nviscous_friction = { doc = \"friction of the cart, proportional to its speed\" }", effect_keys, ""},
+    SectionSpec{"scenes", true,
+                "Lists of effects. What a scene does not name is gone before anything is derived. `default` names the scene that is "
+                "meant when none is chosen. Without [scenes] there is one, `full`, with all effects.",
+                "[scenes]\nlab     = [\"viscous_friction\"]\nideal   = []\ndefault = \"lab\"", scene_keys, "effects"},
+    SectionSpec{"printed", true, "Equations as a text prints them, to be checked against the derivation.",
+                "[printed.\"2.160\"]\nequation = \"m*l^2*ddot(phi) = -m*g*l*sin(phi)\"", printed_keys, ""},
+    SectionSpec{"runs", true, "Simulations: `simulate` takes the run `reference`, or the one named with --run.",
+                "[runs.reference]\nuntil = 10\nplots = [[\"s\"], [\"phi\"]]", run_keys, ""},
+};
+
+std::string key_reference(const KeySpec& key) {
+    return fmt::format("  {:<17} {:<24}{} {}\n", key.name, describe(key.type), key.required ? "required." : "optional.", key.doc);
+}
+
+std::string section_reference(const SectionSpec& section) {
+    std::string example;
+    for (const char* c = section.example; *c != '\0'; ++c) example += *c == '\n' ? std::string("\n    ") : std::string(1, *c);
+    std::string text = fmt::format("[{}{}]  {}\n\n    {}\n\n", section.name, section.is_collection ? ".NAME" : "", section.doc, example);
+    for (const KeySpec& key : section.keys) text += key_reference(key);
+    if (*section.short_form != '\0')
+        text += fmt::format("  A bare value stands for `{}`.\n", section.short_form);
+    return text;
+}
+
+}  // namespace
+
+std::span<const SectionSpec> sections() { return table; }
+
+const SectionSpec* find_section(std::string_view name) {
+    const auto found = std::find_if(table.begin(), table.end(), [&](const SectionSpec& s) { return name == s.name; });
+    return found == table.end() ? nullptr : &*found;
+}
+
+const KeySpec* find_key(const SectionSpec& section, std::string_view name) {
+    const auto found = std::find_if(section.keys.begin(), section.keys.end(), [&](const KeySpec& k) { return name == k.name; });
+    return found == section.keys.end() ? nullptr : &*found;
+}
+
+const char* describe(ValueType type) {
+    switch (type) {
+        case T::text: return "text";
+        case T::whole_number: return "whole number";
+        case T::number: return "number";
+        case T::constant: return "number or expression";
+        case T::constants: return "number(s) or expression";
+        case T::unit: return "unit";
+        case T::range: return "[low, high]";
+        case T::expression: return "expression";
+        case T::vector: return "[x, y] or [x, y, z]";
+        case T::law: return "law \"e -> ...\"";
+        case T::equation: return "equation";
+        case T::equations: return "list of equations";
+        case T::family: return "\"k = 1..N\"";
+        case T::condition: return "condition";
+        case T::effects: return "list of effects";
+        case T::body: return "body";
+        case T::coordinate: return "coordinate";
+        case T::expressions_by_name: return "{ NAME = expression }";
+        case T::choice: return "one of";
+        case T::plots: return "list of plots";
+        case T::boolean: break;
+    }
+    return "true or false";
+}
+
+std::string language_reference(std::string_view word) {
+    std::string text;
+    if (word.empty()) {
+        for (const SectionSpec& section : table) text += section_reference(section) + "\n";
+        return text;
+    }
+    if (const SectionSpec* section = find_section(word)) return section_reference(*section);
+    const std::size_t point = word.find('.');
+    const std::string_view key_name = point == std::string_view::npos ? word : word.substr(point + 1);
+    for (const SectionSpec& section : table) {
+        if (point != std::string_view::npos && word.substr(0, point) != section.name) continue;
+        if (const KeySpec* key = find_key(section, key_name))
+            text += fmt::format("[{}{}]\n{}", section.name, section.is_collection ? ".NAME" : "", key_reference(*key));
+    }
+    return text;
+}
+
+std::vector<std::string> language_words() {
+    std::vector<std::string> words;
+    for (const SectionSpec& section : table) {
+        words.emplace_back(section.name);
+        for (const KeySpec& key : section.keys) words.emplace_back(key.name);
+    }
+    return words;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of everything a model file may contain. The reader takes its keys from it and `dalembert help` prints it, so that
+// the two cannot drift apart.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dalembert {
+
+enum class ValueType {
+    text,
+    whole_number,
+    number,
+    constant,    ///< a number in the entry's unit, or a constant expression
+    constants,   ///< a constant or a list of them
+    unit,
+    range,
+    expression,
+    vector,
+    law,
+    equation,
+    equations,
+    family,
+    condition,
+    effects,
+    body,
+    coordinate,
+    expressions_by_name,
+    choice,
+    plots,
+    boolean,
+};
+
+struct KeySpec {
+    const char* name;
+    ValueType type;
+    bool required;
+    const char* doc;
+};
+
+struct SectionSpec {
+    const char* name;
+    bool is_collection;      ///< [name.ENTRY] rather than [name]
+    const char* doc;
+    const char* example;     ///< TOML
+    std::span<const KeySpec> keys;
+    const char* short_form;  ///< the key that a bare value stands for: `m_S = "rho*V"`; empty when there is none
+};
+
+std::span<const SectionSpec> sections();
+const SectionSpec* find_section(std::string_view name);
+const KeySpec* find_key(const SectionSpec& section, std::string_view name);
+const char* describe(ValueType type);
+
+/// The reference of a section ("bodies"), of a key ("bodies.mass" or "mass" wherever it occurs), or of everything ("").
+/// Empty when the word is not in the table.
+std::string language_reference(std::string_view word);
+/// Every word that language_reference knows.
+std::vector<std::string> language_words();
+
+}  // namespace dalembert

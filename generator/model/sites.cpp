@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/sites.hpp"
+
+#include <fmt/format.h>
+
+namespace dalembert {
+
+namespace {
+
+/// Visits the expressions of one item; null expressions are skipped.
+class Visit {
+public:
+    Visit(const Item& item, const char* kind, const SiteVisitor& visitor) : visitor_(visitor), owner_(fmt::format("{} '{}'", kind, item.name)) {
+        if (!item.family) return;
+        for (const ExpressionPtr& bound : {item.family->from, item.family->to})
+            visitor_({bound.get(), constant_only, "the members of " + owner_, {}, true});
+        bound_.push_back(item.family->index);
+    }
+    Visit(std::string owner, const SiteVisitor& visitor) : visitor_(visitor), owner_(std::move(owner)) {}
+
+    void operator()(const ExpressionPtr& expression, unsigned allowed, const char* part) const {
+        if (expression) visitor_({expression.get(), allowed, fmt::format("the {} of {}", part, owner_), bound_});
+    }
+    void operator()(const std::optional<VectorExpression>& vector, unsigned allowed, const char* part) const {
+        if (!vector) return;
+        for (const ExpressionPtr& component : *vector) (*this)(component, allowed, part);
+    }
+    void operator()(const std::optional<Law>& law, unsigned allowed, const char* part) const {
+        if (!law) return;
+        std::vector<std::string> bound = bound_;
+        bound.push_back(law->variable);
+        visitor_({law->body.get(), allowed, fmt::format("the {} of {}", part, owner_), bound});
+    }
+    void operator()(const std::optional<BodyReference>& body) const {
+        if (body && body->index) visitor_({body->index.get(), constant_only, fmt::format("the index of '{}'", body->name), bound_, true});
+    }
+    void operator()(const CoordinateEntry& entry, unsigned allowed, const char* part) const {
+        if (entry.index) visitor_({entry.index.get(), constant_only, fmt::format("the index of '{}'", entry.coordinate), bound_, true});
+        (*this)(entry.value, allowed, part);
+    }
+    void operator()(const std::optional<Range>& range) const {
+        if (!range) return;
+        (*this)(range->low, nothing, "range");
+        (*this)(range->high, nothing, "range");
+    }
+
+    const SiteVisitor& visitor_;
+    std::string owner_;
+    std::vector<std::string> bound_;
+};
+
+}  // namespace
+
+void visit(const Size& item, const SiteVisitor& visitor) {
+    const Visit each(item, "size", visitor);
+    visitor({item.value.get(), constant_only, "the value of " + each.owner_, {}, true});
+    each(item.range);
+}
+
+void visit(const Parameter& item, const SiteVisitor& visitor) {
+    const Visit each(item, "parameter", visitor);
+    for (const ExpressionPtr& value : item.values) each(value, nothing, "value");
+    each(item.range);
+}
+
+void visit(const Definition& item, const SiteVisitor& visitor) {
+    Visit(item, "definition", visitor)(item.value, on_state_and_inputs, "value");
+}
+
+void visit(const Coordinate& item, const SiteVisitor& visitor) {
+    const Visit each(item, "coordinate", visitor);
+    each(item.start, constant_only, "start");
+    each(item.start_rate, constant_only, "start rate");
+    each(item.range);
+}
+
+void visit(const Input& item, const SiteVisitor& visitor) { Visit(item, "input", visitor)(item.range); }
+
+void visit(const State& item, const SiteVisitor& visitor) {
+    const Visit each(item, "state", visitor);
+    each(item.start, constant_only, "start");
+    each(item.derivative, on_state_and_inputs, "derivative");
+    each(item.range);
+}
+
+void visit(const Output& item, const SiteVisitor& visitor) {
+    Visit(item, "output", visitor)(item.value, on_anything & ~on_outputs, "value");
+}
+
+void visit(const Gravity& item, const SiteVisitor& visitor) {
+    const Visit each("gravity", visitor);
+    each(item.acceleration, constant_only, "acceleration");
+    each(item.reference, constant_only, "reference");
+}
+
+void visit(const Body& item, const SiteVisitor& visitor) {
+    const Visit each(item, "body", visitor);
+    each(item.mass, constant_only, "mass");
+    each(item.position, on_configuration, "position");
+    each(item.rotation, on_configuration, "rotation");
+    each(item.angular_velocity, on_motion, "angular velocity");
+    each(item.inertia, constant_only, "inertia");
+    each(item.on);
+}
+
+void visit(const Spring& item, const SiteVisitor& visitor) {
+    const Visit each(item, "spring", visitor);
+    each(item.elongation, on_configuration, "elongation");
+    each(item.stiffness, constant_only, "stiffness");
+    each(item.force, constant_only, "force law");
+    each(item.energy, constant_only, "energy law");
+}
+
+void visit(const Damper& item, const SiteVisitor& visitor) {
+    const Visit each(item, "damper", visitor);
+    each(item.rate, on_motion, "rate");
+    each(item.on);
+    each(item.coefficient, on_state_and_inputs, "coefficient");
+    each(item.force, on_state_and_inputs, "force law");
+}
+
+void visit(const Force& item, const SiteVisitor& visitor) {
+    const Visit each(item, "force", visitor);
+    each(std::optional(item.force), on_state_and_inputs, "vector");
+    each(item.on);
+    each(item.at, on_configuration, "point");
+}
+
+void visit(const Torque& item, const SiteVisitor& visitor) {
+    const Visit each(item, "torque", visitor);
+    each(item.torque, on_state_and_inputs, "value");
+    each(item.on);
+    each(item.against);
+    each(item.rate, on_motion, "rate");
+}
+
+void visit(const KineticTerm& item, const SiteVisitor& visitor) {
+    Visit(item, "kinetic term", visitor)(item.energy, on_parameters | on_coordinates | on_velocities, "energy");
+}
+
+void visit(const PotentialTerm& item, const SiteVisitor& visitor) {
+    const Visit each(item, "potential", visitor);
+    each(item.energy, on_configuration, "energy");
+    for (const CoordinateEntry& entry : item.forces) each(entry, on_parameters | on_coordinates, "forces");
+    for (const CoordinateEntry& entry : item.reference) each(entry, constant_only, "reference");
+}
+
+void visit(const GeneralisedForce& item, const SiteVisitor& visitor) {
+    Visit(item, "generalised force", visitor)(item.coordinate, on_state_and_inputs, "force");
+}
+
+void visit(const PrintedEquation& item, const SiteVisitor& visitor) {
+    Visit each(item, "printed equation", visitor);
+    for (const PrintedLetter& letter : item.letters) each.bound_.push_back(letter.name);
+    for (const PrintedLetter& letter : item.letters) each(letter.value, on_anything, "letters");
+    for (const Equation& equation : item.equations)
+        for (const ExpressionPtr& side : equation.sides) each(side, on_anything, "sides");
+    for (const AtPoint& at : item.at) {
+        each(at.variable, on_anything, "point");
+        each(at.value, on_anything, "point");
+    }
+}
+
+void visit(const Run& item, const SiteVisitor& visitor) {
+    const Visit each(item, "run", visitor);
+    each(item.until, constant_only, "end");
+    each(item.period, constant_only, "period");
+    each(item.step, constant_only, "step");
+    for (const RunEntry& entry : item.start) {
+        each(entry.variable, on_parameters | on_coordinates | on_velocities | on_states, "start");
+        each(entry.value, constant_only, "start");
+    }
+    for (const RunEntry& entry : item.inputs) {
+        each(entry.variable, on_inputs, "inputs");
+        each(entry.value, on_motion | on_states, "inputs");
+    }
+    for (const RunEntry& entry : item.parameters) {
+        each(entry.variable, on_parameters, "parameters");
+        each(entry.value, constant_only, "parameters");
+    }
+}
+
+void visit(const Model& model, const SiteVisitor& visitor) {
+    const auto all = [&](const auto& items) {
+        for (const auto& item : items) visit(item, visitor);
+    };
+    all(model.sizes);
+    all(model.parameters);
+    all(model.definitions);
+    all(model.coordinates);
+    all(model.inputs);
+    all(model.states);
+    all(model.outputs);
+    if (model.gravity) visit(*model.gravity, visitor);
+    all(model.bodies);
+    all(model.springs);
+    all(model.dampers);
+    all(model.forces);
+    all(model.torques);
+    all(model.kinetic);
+    all(model.potentials);
+    all(model.generalised_forces);
+    all(model.printed);
+    all(model.runs);
+}
+
+}  // namespace dalembert

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every expression of a model with what it is for and what it may depend on. Checks and the choice of a scene walk over these,
+// so that no expression is forgotten by one of them.
+#pragma once
+
+#include <functional>
+
+#include "model/model.hpp"
+
+namespace dalembert {
+
+/// What an expression depends on, as bits.
+enum Dependence : unsigned {
+    on_parameters = 1,
+    on_coordinates = 2,
+    on_time = 4,
+    on_velocities = 8,
+    on_inputs = 16,
+    on_states = 32,
+    on_accelerations = 64,  ///< also derivatives of plain states: known only when the equations are solved
+    on_quantities = 128,    ///< derived quantities such as kinetic_energy
+    on_outputs = 256,
+
+    nothing = 0,
+    constant_only = on_parameters,
+    on_configuration = on_parameters | on_coordinates | on_time,
+    on_motion = on_configuration | on_velocities,
+    on_state_and_inputs = on_motion | on_inputs | on_states,
+    on_anything = on_state_and_inputs | on_accelerations | on_quantities | on_outputs,
+};
+
+struct Site {
+    const Expression* expression;
+    unsigned allowed;
+    std::string what;  ///< "the mass of body 'rod'"
+    /// Names that mean something here only: family index, variable of a law, letters of a printed equation.
+    std::vector<std::string> bound;
+    /// sizes only: bounds of a family
+    bool sizes_only = false;
+};
+
+using SiteVisitor = std::function<void(const Site&)>;
+
+void visit(const Size& item, const SiteVisitor& visitor);
+void visit(const Parameter& item, const SiteVisitor& visitor);
+void visit(const Definition& item, const SiteVisitor& visitor);
+void visit(const Coordinate& item, const SiteVisitor& visitor);
+void visit(const Input& item, const SiteVisitor& visitor);
+void visit(const State& item, const SiteVisitor& visitor);
+void visit(const Output& item, const SiteVisitor& visitor);
+void visit(const Gravity& item, const SiteVisitor& visitor);
+void visit(const Body& item, const SiteVisitor& visitor);
+void visit(const Spring& item, const SiteVisitor& visitor);
+void visit(const Damper& item, const SiteVisitor& visitor);
+void visit(const Force& item, const SiteVisitor& visitor);
+void visit(const Torque& item, const SiteVisitor& visitor);
+void visit(const KineticTerm& item, const SiteVisitor& visitor);
+void visit(const PotentialTerm& item, const SiteVisitor& visitor);
+void visit(const GeneralisedForce& item, const SiteVisitor& visitor);
+void visit(const PrintedEquation& item, const SiteVisitor& visitor);
+void visit(const Run& item, const SiteVisitor& visitor);
+
+/// All sites of a model, in the order of its sections.
+void visit(const Model& model, const SiteVisitor& visitor);
+
+}  // namespace dalembert

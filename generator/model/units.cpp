@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/units.hpp"
+
+#include <fmt/format.h>
+
+#include "model/vocabulary.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Kind = Expression::Kind;
+
+/// The exact value of an exponent written with numbers only.
+std::optional<Rational> constant_value(const Expression& e) {
+    if (e.kind == Kind::number) return e.value;
+    std::vector<Rational> parts;
+    for (const ExpressionPtr& child : e.children) {
+        const auto value = constant_value(*child);
+        if (!value || bit_length(*value) > 64) return std::nullopt;
+        parts.push_back(*value);
+    }
+    switch (e.kind) {
+        case Kind::negate: return -parts[0];
+        case Kind::add: return parts[0] + parts[1];
+        case Kind::subtract: return parts[0] - parts[1];
+        case Kind::multiply: return parts[0] * parts[1];
+        case Kind::divide: return is_zero(parts[1]) ? std::nullopt : std::optional<Rational>(parts[0] / parts[1]);
+        default: return std::nullopt;
+    }
+}
+
+constexpr Measure anything{{}, true};
+
+}  // namespace
+
+Measure Units::mismatch(const Expression& at, std::string message) {
+    diagnostics_.error(Id::unit_mismatch, at.span, std::move(message));
+    return anything;
+}
+
+void Units::expect(const Expression& expression, const Dimension& expected, const std::string& what, const Bound& bound) {
+    const Measure measure = of(expression, bound);
+    if (!measure.fits_all && measure.dimension != expected)
+        mismatch(expression, fmt::format("{} must be in '{}', but '{}' is in '{}'", what, expected.described(), expression.written(),
+                                         measure.dimension.described()));
+}
+
+Dimension Units::of_coordinate(std::string_view name) const {
+    const Named* named = names_.find(name);
+    return named == nullptr ? Dimension::none() : named->quantity().unit.dimension;
+}
+
+Measure Units::agreeing(const Expression& whole, const Expression& a, const Measure& ma, const Expression& b, const Measure& mb) {
+    if (ma.fits_all) return mb;
+    if (mb.fits_all || ma.dimension == mb.dimension) return ma;
+    return mismatch(whole, fmt::format("'{}' is in '{}' while '{}' is in '{}'; the two must agree", a.written(), ma.dimension.described(),
+                                       b.written(), mb.dimension.described()));
+}
+
+void Units::dimensionless(const Expression& e, const std::string& what, const Bound& bound) {
+    const Measure measure = of(e, bound);
+    if (!measure.fits_all && !measure.dimension.is_none())
+        mismatch(e, fmt::format("{} must be dimensionless, but '{}' is in '{}'", what, e.written(), measure.dimension.described()));
+}
+
+Measure Units::of(const Expression& e, const Bound& bound) {
+    const auto part = [&](std::size_t i) { return of(*e.children[i], bound); };
+    switch (e.kind) {
+        case Kind::number: return {Dimension::none(), is_zero(e.value)};
+        case Kind::name: return name(e, bound);
+        case Kind::call: return call(e, bound);
+        case Kind::negate: return part(0);
+        case Kind::add:
+        case Kind::subtract: {
+            const Measure left = part(0);
+            return agreeing(e, *e.children[0], left, *e.children[1], part(1));
+        }
+        case Kind::multiply:
+        case Kind::divide: {
+            const Measure left = part(0);
+            const Measure right = part(1);
+            if (left.fits_all || right.fits_all) return anything;
+            return {e.kind == Kind::multiply ? left.dimension * right.dimension : left.dimension / right.dimension};
+        }
+        case Kind::power: return power(e, bound);
+        case Kind::sum: break;
+    }
+    Bound inner = bound;
+    inner[e.name] = Dimension::none();
+    return of(*e.children[2], inner);
+}
+
+Measure Units::power(const Expression& e, const Bound& bound) {
+    const Measure base = of(*e.children[0], bound);
+    dimensionless(*e.children[1], "an exponent", bound);
+    if (base.fits_all || base.dimension.is_none()) return base;
+    const auto exponent = constant_value(*e.children[1]);
+    if (!exponent)
+        return mismatch(e, fmt::format("'{}' is in '{}' and can only be raised to a power that is a number", e.children[0]->written(),
+                                       base.dimension.described()));
+    const auto numerator = to_int(cln::numerator(*exponent));
+    const auto denominator = to_int(cln::denominator(*exponent));
+    if (!numerator || !denominator || std::abs(*numerator) > 24 || *denominator > 24)
+        return mismatch(e, fmt::format("the exponent of '{}' is too large for something with a unit", e.written()));
+    return {base.dimension.raised({*numerator, *denominator})};
+}
+
+Measure Units::name(const Expression& e, const Bound& bound) {
+    if (const auto found = bound.find(e.name); found != bound.end()) return {found->second};
+    if (e.name == "pi") return {};
+    if (e.name == "t") return {Dimension::time()};
+    if (find_quantity(e.name) != nullptr) return quantity(e);
+    const Named* named = names_.find(e.name);
+    if (named == nullptr) return {};  // an index of a family
+    switch (named->kind) {
+        case Named::Kind::size: return {};
+        case Named::Kind::parameter:
+        case Named::Kind::coordinate:
+        case Named::Kind::input:
+        case Named::Kind::state: return {named->quantity().unit.dimension};
+        case Named::Kind::output: return of(*static_cast<const Output*>(named->item)->value, {});
+        case Named::Kind::definition: break;
+    }
+    const Definition& definition = named->definition();
+    if (const auto known = definitions_.find(&definition); known != definitions_.end()) return known->second;
+    definitions_[&definition] = anything;
+    const Measure measure = definition.unit ? Measure{definition.unit->dimension} : of(*definition.value, {});
+    return definitions_[&definition] = measure;
+}
+
+Measure Units::quantity(const Expression& e) const {
+    const auto coordinate = [&](std::size_t i) { return of_coordinate(e.children[i]->name); };
+    const Dimension energy = Dimension::energy();
+    if (e.name == "position") return {Dimension::length()};
+    if (e.name == "velocity") return {Dimension::speed()};
+    if (e.name == "generalised_force" || e.name == "nonpotential_force" || e.name == "bias") return {energy / coordinate(0)};
+    if (e.name == "mass_matrix") return {energy * Dimension::time() * Dimension::time() / coordinate(0) / coordinate(1)};
+    if (e.name.ends_with("_power")) return {Dimension::power()};
+    return {energy};
+}
+
+Measure Units::call(const Expression& e, const Bound& bound) {
+    const auto part = [&](std::size_t i) { return of(*e.children[i], bound); };
+    if (e.name == "dot" || e.name == "ddot") {
+        Measure result = part(0);
+        result.dimension = result.dimension / Dimension::time().raised({e.name == "dot" ? 1 : 2, 1});
+        return result;
+    }
+    if (e.name == "diff") {
+        const Measure above = part(0);
+        return {above.dimension / part(1).dimension, above.fits_all};
+    }
+    if (e.name == "integral") {
+        const Measure low = part(2);
+        const Measure limit = agreeing(e, *e.children[2], low, *e.children[3], part(3));
+        Bound inner = bound;
+        inner[e.children[1]->name] = limit.dimension;
+        const Measure function = of(*e.children[0], inner);
+        return {function.dimension * limit.dimension, function.fits_all || limit.fits_all};
+    }
+    const FunctionSpec& function = *find_function(e.name);
+    switch (function.units) {
+        case UnitRule::dimensionless:
+            dimensionless(*e.children[0], fmt::format("the argument of '{}'", e.name), bound);
+            return {};
+        case UnitRule::square_root: {
+            Measure result = part(0);
+            result.dimension = result.dimension.raised({1, 2});
+            return result;
+        }
+        case UnitRule::sign: part(0); return {};
+        case UnitRule::same:
+        case UnitRule::angle_of: break;
+    }
+    Measure result = part(0);
+    for (std::size_t i = 1; i < e.children.size(); ++i) result = agreeing(e, *e.children[0], result, *e.children[i], part(i));
+    return function.units == UnitRule::angle_of ? Measure{} : result;
+}
+
+}  // namespace dalembert

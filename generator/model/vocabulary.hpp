@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of the model language that every model knows: functions, and the quantities that are derived.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace dalembert {
+
+enum class UnitRule {
+    dimensionless,  ///< argument and result
+    same,           ///< all arguments and the result
+    square_root,
+    sign,           ///< any argument, dimensionless result
+    angle_of,       ///< equal arguments, dimensionless result
+};
+
+struct FunctionSpec {
+    const char* name;
+    std::size_t arguments;
+    UnitRule units;
+};
+
+std::span<const FunctionSpec> functions();
+const FunctionSpec* find_function(std::string_view name);
+
+/// What stands in the brackets behind a derived quantity.
+enum class Subscript { nothing, body, optional_body, body_and_axis, coordinate, two_coordinates };
+
+struct QuantitySpec {
+    const char* name;
+    Subscript subscript;
+    const char* doc;
+};
+
+/// kinetic_energy, mass_matrix[q, p], ...: usable in outputs and printed equations.
+std::span<const QuantitySpec> quantities();
+const QuantitySpec* find_quantity(std::string_view name);
+
+/// Forms with a grammar of their own: dot, ddot, sum, diff, integral.
+bool is_special_form(std::string_view name);
+
+/// Words that mean something in C++ and so cannot be members of a header.
+bool is_cpp_keyword(std::string_view name);
+
+}  // namespace dalembert

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "emit/notation.hpp"
+#include "model/reader.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// Notes how long each stage takes.
+class Stopwatch {
+public:
+    explicit Stopwatch(std::vector<StageReport>& stages) : stages_(stages) {}
+    void lap(const char* stage, std::string result) {
+        const auto now = std::chrono::steady_clock::now();
+        stages_.push_back({stage, std::chrono::duration<double>(now - last_).count(), std::move(result)});
+        last_ = now;
+    }
+
+private:
+    std::vector<StageReport>& stages_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Whatever GiNaC or CLN throw about numbers and poles, as a diagnostic of the model.
+template <class Work>
+auto guarded(const Model& model, Work work) {
+    try {
+        return work();
+    } catch (const Failure&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw Failure(Diagnostic{Id::division_by_zero, model.name_span,
+                                 fmt::format("the derivation of model '{}' meets an expression that has no value: {}", model.name, error.what())});
+    }
+}
+
+void check_size(const Scene& scene) {
+    constexpr std::size_t most = 128;
+    const std::size_t states = 2 * scene.coordinates.size() + scene.states.size();
+    if (states > 2 * most)
+        throw Failure(Diagnostic{Id::too_large, scene.model->name_span,
+                                 fmt::format("scene '{}' has {} states; this version derives at most {}", scene.name, states, 2 * most)});
+}
+
+/// What must hold before anything is made of a derivation.
+void stop_on_failed_audit(const System& system, const Audit& audit) {
+    const Notation write(system.symbols, Style::text);
+    for (std::size_t i = 0; i < audit.potentials.size(); ++i) {
+        const Potential& potential = system.potentials[i];
+        if (audit.potentials[i].result.verdict != Verdict::wrong) continue;
+        if (potential.origin == Potential::Origin::forces) {
+            if (const auto problem = integrability(system, potential.force)) {
+                const auto& q = system.symbols.all(SymbolKind::coordinate);
+                throw Failure(Diagnostic{Id::not_integrable, potential.span,
+                                         fmt::format("the forces of {} have no potential: d(force on {})/d({}) is '{}', but d(force on {})/d({}) is '{}' (2.81)",
+                                                     potential.name, q[problem->i].name, q[problem->j].name, write(problem->slope_ij), q[problem->j].name,
+                                                     q[problem->i].name, write(problem->slope_ji))});
+            }
+        }
+        const bool is_given = potential.origin == Potential::Origin::given_energy;
+        throw Failure(Diagnostic{is_given ? Id::wrong_integral : Id::not_equal, potential.span,
+                                 fmt::format("the force of {} is not the derivative of its energy", potential.name)});
+    }
+    for (const AuditEntry* entry : audit.all())
+        if (entry->result.verdict == Verdict::wrong)
+            throw Failure(Diagnostic{Id::not_equal, system.scene.model->name_span, fmt::format("two derivations disagree: {}. This is a defect of the program; please report it with the model", entry->name)});
+    if (const auto j = singular_coordinate(system)) {
+        const Variable& q = system.symbols.all(SymbolKind::coordinate)[*j];
+        throw Failure(Diagnostic{Id::singular_mass, q.declared->span,
+                                 fmt::format("the mass matrix is singular: the acceleration of '{}' is not determined by the others", q.name)});
+    }
+}
+
+}  // namespace
+
+std::shared_ptr<const LoadedModel> load(const std::filesystem::path& path, Diagnostics& diagnostics) {
+    auto loaded = std::make_shared<LoadedModel>(read_model(path, diagnostics));
+    warn_of_unused(loaded->model, diagnostics);
+    return loaded;
+}
+
+Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene_name, const std::map<std::string, int>& sizes) {
+    const Model& model = loaded->model;
+    return guarded(model, [&] {
+        Machine machine;
+        Stopwatch watch(machine.stages);
+        Scene scene = select_scene(model, loaded->names, resolve_scene(model, scene_name), sizes);
+        check_size(scene);
+        watch.lap("scene", fmt::format("{} coordinates, {} states, {} inputs, {} parameters", scene.coordinates.size(), scene.states.size(),
+                                       scene.inputs.size(), scene.parameters.size()));
+        machine.system = derive(loaded->names, std::move(scene));
+        watch.lap("derive", fmt::format("{} bodies, {} potentials, {} resistances, {} supplies", machine.system->bodies.size(),
+                                        machine.system->potentials.size(), machine.system->resistances.size(), machine.system->supplies.size()));
+        machine.audit = audit(*machine.system);
+        stop_on_failed_audit(*machine.system, machine.audit);
+        watch.lap("prove", machine.audit.all_proven() ? "everything proven" : "something only numerically equal");
+        Values(machine.system->scene, machine.system->translate);  // defaults lie in their ranges
+        machine.loaded = std::move(loaded);
+        return machine;
+    });
+}
+
+Header generate(Machine& machine) {
+    return guarded(machine.loaded->model, [&] {
+        Stopwatch watch(machine.stages);
+        machine.code = make_code(*machine.system);
+        const OperationCount count = machine.code->count(Function::rhs);
+        watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
+        machine.emitted = verify(*machine.code);
+        for (const AuditEntry& entry : machine.emitted)
+            if (entry.result.verdict == Verdict::wrong)
+                throw Failure(Diagnostic{Id::not_equal, machine.loaded->model.name_span, fmt::format("{} fails. This is a defect of the program; please report it with the model", entry.name)});
+        const Proofs proofs{machine.audit, machine.emitted};
+        watch.lap("prove code", proofs.all_proven() ? "everything proven" : "something only numerically equal");
+        Header header = make_header(*machine.code, proofs, normalised_command(machine));
+        watch.lap("emit", fmt::format("{} bytes", header.text.size()));
+        return header;
+    });
+}
+
+std::string normalised_command(const Machine& machine) {
+    const Scene& scene = machine.system->scene;
+    const std::string file = std::filesystem::path(scene.model->source->name()).filename().string();
+    std::string command = fmt::format("dalembert generate {} --scene {}", file, scene.name);
+    for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);
+    return command;
+}
+
+}  // namespace dalembert

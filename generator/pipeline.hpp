@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The way of a model through the program: one call a stage, value in, value out.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "emit/header.hpp"
+#include "prove/printed.hpp"
+
+namespace dalembert {
+
+/// What one run of the program is about.
+struct Choice {
+    std::filesystem::path model;
+    std::string scene;                  ///< empty: the default
+    std::map<std::string, int> sizes;
+};
+
+/// Time and result of each stage, for `--explain`.
+struct StageReport {
+    std::string stage;
+    double seconds;
+    std::string result;
+};
+
+/// A model that was read and checked. Its parts refer to each other, so it stays where it is.
+struct LoadedModel {
+    explicit LoadedModel(Model read) : model(std::move(read)), names(model) {}
+    LoadedModel(const LoadedModel&) = delete;
+    Model model;
+    Names names;
+};
+
+/// A derived and proven machine.
+struct Machine {
+    std::shared_ptr<const LoadedModel> loaded;
+    std::unique_ptr<System> system;
+    Audit audit;
+    std::unique_ptr<Code> code;          ///< after generate
+    std::vector<AuditEntry> emitted;     ///< after generate
+    std::vector<StageReport> stages;
+};
+
+/// text -> model. Warnings go to diagnostics.
+std::shared_ptr<const LoadedModel> load(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+/// model -> symbolic -> mechanics -> form -> prove. Throws Failure.
+Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene, const std::map<std::string, int>& sizes);
+
+/// graph -> prove -> emit. Throws Failure when the code cannot be proven equal to the derivation, not even by numbers.
+Header generate(Machine& machine);
+
+/// The command that the banner shows: model file name without path, options sorted.
+std::string normalised_command(const Machine& machine);
+
+}  // namespace dalembert

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is proven of every derivation: two derivations agree, forces have the potentials they claim, energy is balanced.
+#pragma once
+
+#include "prove/equivalence.hpp"
+
+namespace dalembert {
+
+struct AuditEntry {
+    std::string name;     ///< "d'Alembert = Euler-Lagrange, phi"
+    Comparison result;
+};
+
+struct Audit {
+    std::vector<AuditEntry> derivations;  ///< one a coordinate
+    std::vector<AuditEntry> potentials;   ///< one a potential
+    AuditEntry power_balance;
+
+    std::vector<const AuditEntry*> all() const;
+    bool all_proven() const;
+};
+
+Audit audit(const System& system);
+
+/// Where generalised forces have no potential: d(force_i)/dq_j and d(force_j)/dq_i differ (2.81).
+struct NotIntegrable {
+    std::size_t i;
+    std::size_t j;
+    GiNaC::ex slope_ij;
+    GiNaC::ex slope_ji;
+};
+std::optional<NotIntegrable> integrability(const System& system, const Generalised& force);
+
+/// The coordinate whose pivot vanishes when M is eliminated at random points, if M is singular everywhere.
+std::optional<std::size_t> singular_coordinate(const System& system);
+
+}  // namespace dalembert

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prove/equivalence.hpp"
+
+#include "prove/normal_form.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+constexpr int needed_points = 30;
+constexpr int most_points = 300;
+
+}  // namespace
+
+Sign sign_at(const ValueAt& value) {
+    const auto coarse = value(60);
+    const auto fine = value(120);
+    const auto finest = value(180);
+    if (!coarse || !fine || !finest) return Sign::none;
+    if (cln::zerop(*finest)) return Sign::zero;
+    // A value that shrinks when more digits are used is nothing but rounding.
+    const cln::cl_R largest = cln::max(cln::abs(*coarse), cln::abs(*fine));
+    const cln::cl_RA shrinkage = cln::expt(cln::cl_RA(10), -30);
+    const bool shrinks = cln::zerop(largest) || cln::abs(*finest) <= shrinkage * largest;
+    return shrinks ? Sign::zero : Sign::not_zero;
+}
+
+bool Prover::proven_equal(const ex& a, const ex& b) {
+    const ex difference = a - b;
+    if (difference.is_zero()) return true;
+    for (const bool written_out : {false, true}) {
+        if (written_out && system_.symbols.count(SymbolKind::definition) == 0) break;
+        try {
+            if (NormalForm().is_zero(written_out ? system_.symbols.without_definitions(difference) : difference)) return true;
+        } catch (const NoNormalForm&) {  // too large or outside what the method knows: not proven
+        }
+    }
+    return false;
+}
+
+Comparison Prover::equal(const ex& a, const ex& b) {
+    if (proven_equal(a, b)) return {Verdict::proven};
+    return compare_at_points([&](const ex& e, const Point& point, int digits) { return value_at(e, system_.symbols, point, digits); }, a, b);
+}
+
+Comparison Prover::compare_at_points(const Evaluation& evaluate, const ex& a, const ex& b) const {
+    RandomPoints points(system_);
+    int valid = 0;
+    for (int i = 0; i < most_points && valid < needed_points; ++i) {
+        const Point point = points.next();
+        const auto sign = [&](const ex& e) { return sign_at([&](int digits) { return evaluate(e, point, digits); }); };
+        const Sign left = sign(a);
+        const Sign right = sign(b);
+        const Sign difference = sign(a - b);
+        if (left == Sign::none || right == Sign::none || difference == Sign::none) continue;
+        if (difference == Sign::not_zero) return {Verdict::wrong, {}, point};
+        if (left == Sign::not_zero || right == Sign::not_zero) ++valid;
+    }
+    if (valid < needed_points) return {Verdict::not_checkable, "needs points at which a side is not zero"};
+    return {Verdict::numerically_equal};
+}
+
+}  // namespace dalembert

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether two expressions are the same function: proven, numerically equal, or not.
+#pragma once
+
+#include <functional>
+
+#include "prove/random_points.hpp"
+
+namespace dalembert {
+
+struct Comparison {
+    Verdict verdict;                           ///< proven, numerically_equal, wrong or not_checkable
+    std::string reason = {};                   ///< why not checkable
+    std::optional<Point> counterexample = {};  ///< where the two differ
+};
+
+enum class Sign { none, zero, not_zero };
+
+/// A value computed with so many digits.
+using ValueAt = std::function<std::optional<cln::cl_R>(int)>;
+
+/// Whether a value is zero; none where it does not exist. Computed with 60, 120 and 180 digits.
+Sign sign_at(const ValueAt& value);
+
+/// Proofs are by normal form, first with definitions as letters, then written out. Where that decides nothing the two are compared
+/// at 30 random points with at least 60 digits. A difference is reported only when it was seen at a point.
+class Prover {
+public:
+    using Evaluation = std::function<std::optional<cln::cl_R>(const GiNaC::ex&, const Point&, int digits)>;
+
+    explicit Prover(const System& system) : system_(system) {}
+
+    Comparison equal(const GiNaC::ex& a, const GiNaC::ex& b);
+    /// True only when proven.
+    bool proven_equal(const GiNaC::ex& a, const GiNaC::ex& b);
+    /// The comparison by numbers alone, with an evaluation of the caller's.
+    Comparison compare_at_points(const Evaluation& evaluate, const GiNaC::ex& a, const GiNaC::ex& b) const;
+
+private:
+    const System& system_;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Brings expressions into a form in which equal ones look equal: polynomials in letters for sin, cos, exp, roots, signs and
+// reciprocals, reduced by s^2 = 1 - c^2, w^q = base, S^2 = 1 and I*den = 1. No floating point is involved.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "symbolic/polynomial.hpp"
+
+namespace dalembert {
+
+/// The expression cannot be brought into normal form: too large, or not real.
+struct NoNormalForm : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+class NormalForm {
+public:
+    /// True: proven zero, wherever the expression is defined. False: the normal form is not zero.
+    /// Throws NoNormalForm.
+    bool is_zero(const GiNaC::ex& e);
+
+private:
+    using Letter = std::uint32_t;
+
+    /// Powers of a letter from `degree` on are replaced: letter^degree = value.
+    struct Relation {
+        int degree;
+        Polynomial value;
+    };
+    /// The letters that stand for sin and cos, or for exp, of an atom divided by `denominator`.
+    struct Angle {
+        Letter first;   ///< sine, or exponential
+        Letter second;  ///< cosine
+    };
+    /// A finer denominator was met; everything made with the coarser one is void.
+    struct Restart {};
+
+    Polynomial convert(const GiNaC::ex& e);
+    Polynomial function(const GiNaC::ex& e);
+    Polynomial power(const GiNaC::ex& base, const GiNaC::ex& exponent);
+    Polynomial root(const Polynomial& base, int degree);
+    Polynomial root_of_number(const Rational& value, int degree);
+    std::pair<Polynomial, Polynomial> sine_and_cosine(const Polynomial& argument);
+    Polynomial exponential(const Polynomial& argument);
+    Polynomial sign_of(const Polynomial& argument);
+    Polynomial atom(const std::string& name, const GiNaC::ex& e);
+
+    Polynomial multiply(const Polynomial& a, const Polynomial& b);
+    Polynomial integer_power(const Polynomial& base, int exponent);
+    Polynomial inverse(const Polynomial& p);
+    void add_reduced(Polynomial& to, const Monomial& monomial, const Rational& coefficient);
+    Polynomial without_inverses(Polynomial p);
+
+    Letter new_letter(bool positive = false);
+    void relate(Letter letter, int degree, Polynomial value);
+    Letter symbol(const GiNaC::ex& symbol);
+    int multiple(const Rational& factor, const Monomial& atom, std::map<Monomial, int>& denominators);
+    void forget();
+
+    std::map<std::string, Letter> symbols_;        ///< these and the denominators survive a restart
+    std::map<Monomial, int> angle_denominators_;
+    std::map<Monomial, int> exponential_denominators_;
+
+    std::vector<bool> positive_;                   ///< by letter
+    std::map<Letter, Relation> relations_;
+    std::vector<bool> has_relation_;               ///< by letter
+    std::map<Monomial, Angle> angles_;
+    std::map<Monomial, Angle> exponentials_;
+    std::map<std::pair<Polynomial, int>, Letter> roots_;
+    std::map<Polynomial, Letter> signs_;
+    std::map<Polynomial, Letter> inverses_;
+    std::vector<std::pair<Letter, Polynomial>> inverse_order_;
+    std::map<std::pair<std::string, std::vector<Polynomial>>, Letter> atoms_;
+    std::map<GiNaC::ex, Polynomial, GiNaC::ex_is_less> known_functions_;
+};
+
+}  // namespace dalembert

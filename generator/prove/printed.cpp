@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prove/printed.hpp"
+
+#include <fmt/format.h>
+
+#include "model/units.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+
+namespace {
+
+constexpr std::size_t most_determinant = 5;
+
+/// The worse of two verdicts. What cannot be checked is worse than what is right, and better than what is wrong.
+int badness(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::proven: return 0;
+        case Verdict::proven_under_assumption: return 1;
+        case Verdict::numerically_equal: return 2;
+        case Verdict::not_checkable: return 3;
+        case Verdict::wrong: return 4;
+        case Verdict::dimensionally_wrong: break;
+    }
+    return 5;
+}
+
+/// The first disagreement of units in an equation, as a sentence.
+std::optional<std::string> unit_problem(const System& system, const PrintedEquation& printed, const Equation& equation) {
+    Diagnostics diagnostics;
+    Units units(system.names, diagnostics);
+    Units::Bound letters;
+    for (const PrintedLetter& letter : printed.letters) letters[letter.name] = units.of(*letter.value, letters).dimension;
+    std::optional<Dimension> common;
+    const Expression* first = nullptr;
+    for (const ExpressionPtr& side : equation.sides) {
+        const Measure measure = units.of(*side, letters);
+        if (diagnostics.has_errors()) return diagnostics.all().front().message;
+        if (measure.fits_all) continue;
+        if (common && measure.dimension != *common)
+            return fmt::format("'{}' is in '{}' while '{}' is in '{}'", first->written(), common->described(), side->written(), measure.dimension.described());
+        common = measure.dimension;
+        first = side.get();
+    }
+    return std::nullopt;
+}
+
+/// One pair of sides on the motion of the system, at the point that the entry names, if any.
+class PairCheck {
+public:
+    PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), n_(system.symbols.degrees()) {
+        GiNaC::exmap rates;
+        for (std::size_t i = 0; i < system.state_rates.size(); ++i) rates[system.symbols.get(SymbolKind::state_rate, i)] = system.state_rates[i];
+        rates_ = std::move(rates);
+    }
+
+    PrintedResult run(const ex& left_side, const ex& right_side) {
+        const ex left = prepared(left_side);
+        const ex right = prepared(right_side);
+        const ex rest = left - right;
+        PrintedResult result;
+        if (!contains_acceleration(rest)) {
+            result.comparison = prover_.equal(left, right);
+            if (result.comparison.verdict != Verdict::wrong) return result;
+            result.difference = rest;
+            result.counterexample = counterexample(left, right, *result.comparison.counterexample);
+            return result;
+        }
+        if (holds_on_motion(rest, result.difference)) {
+            result.comparison = {Verdict::proven};
+            result.difference.reset();
+            return result;
+        }
+        result.comparison = prover_.compare_at_points(
+            [this](const ex& e, const Point& point, int digits) { return value_on_motion(e, point, digits); }, left, right);
+        if (result.comparison.verdict != Verdict::wrong) result.difference.reset();
+        else result.counterexample = counterexample(left, right, *result.comparison.counterexample);
+        return result;
+    }
+
+private:
+    bool contains_acceleration(const ex& e) const {
+        for (const Variable& a : system_.symbols.all(SymbolKind::acceleration))
+            if (e.has(a.symbol)) return true;
+        return false;
+    }
+    ex prepared(const ex& e) const {
+        return e.subs(rates_, GiNaC::subs_options::no_pattern).subs(at_, GiNaC::subs_options::no_pattern);
+    }
+    ex mass(std::size_t j, std::size_t l) const {
+        return system_.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)).subs(at_, GiNaC::subs_options::no_pattern);
+    }
+    /// M qdd = force on the motion.
+    ex force(std::size_t j) const { return prepared(system_.supplied[j] - system_.bias[j]); }
+
+    /// Whether a.qdd + b vanishes when M qdd = force. Where it is a multiple of one row, the difference from that row is kept.
+    bool holds_on_motion(const ex& rest, std::optional<ex>& difference) {
+        std::vector<ex> a;
+        GiNaC::exmap without;
+        for (const Variable& variable : system_.symbols.all(SymbolKind::acceleration)) {
+            a.push_back(partial(rest, variable.symbol));
+            without[variable.symbol] = 0;
+            for (const Variable& other : system_.symbols.all(SymbolKind::acceleration))
+                if (!partial(a.back(), other.symbol).is_zero()) return false;  // not linear: left to numbers
+        }
+        const ex b = rest.subs(without, GiNaC::subs_options::no_pattern);
+        for (std::size_t j = 0; j < n_; ++j) {
+            const auto ratio = multiple_of_row(a, j);
+            if (!ratio) continue;
+            const ex row_difference = b + *ratio * force(j);
+            if (prover_.proven_equal(row_difference, 0)) return true;
+            if (!difference) difference = row_difference;
+        }
+        if (n_ > most_determinant) return false;
+        // det [M, force; a', -b] = -det(M) (a' M^-1 force + b)
+        const auto size = static_cast<unsigned>(n_ + 1);
+        GiNaC::matrix bordered(size, size);
+        for (unsigned j = 0; j + 1 < size; ++j) {
+            for (unsigned l = 0; l + 1 < size; ++l) bordered(j, l) = mass(j, l);
+            bordered(j, size - 1) = force(j);
+            bordered(size - 1, j) = a[j];
+        }
+        bordered(size - 1, size - 1) = -b;
+        return prover_.proven_equal(bordered.determinant(GiNaC::determinant_algo::laplace), 0);
+    }
+
+    /// c with a = c*(row j of M), if there is one.
+    std::optional<ex> multiple_of_row(const std::vector<ex>& a, std::size_t j) {
+        std::size_t pivot = n_;
+        for (std::size_t l = 0; l < n_ && pivot == n_; ++l)
+            if (!a[l].is_zero() && !mass(j, l).is_zero()) pivot = l;
+        if (pivot == n_) return std::nullopt;
+        for (std::size_t l = 0; l < n_; ++l)
+            if (!prover_.proven_equal(a[l] * mass(j, pivot), a[pivot] * mass(j, l))) return std::nullopt;
+        return a[pivot] / mass(j, pivot);
+    }
+
+    /// The point with numbers of three digits, if the sides differ there too.
+    CounterExample counterexample(const ex& left, const ex& right, const Point& found) const {
+        Point point = found;
+        for (auto& [letter, value] : point) value = rounded(value, 3);
+        const auto difference = [&](int digits) { return value_on_motion(left - right, point, digits); };
+        if (sign_at(difference) != Sign::not_zero) point = found;
+        CounterExample result;
+        const ex written_out = system_.symbols.without_definitions(left - right);
+        for (const auto& [letter, value] : point) {
+            const Variable* variable = system_.symbols.find(letter);
+            if (variable == nullptr || variable->kind == SymbolKind::acceleration || variable->kind == SymbolKind::state_rate) continue;
+            if (needed(written_out, letter)) result.values.emplace_back(variable->name, decimal(value, 6));
+        }
+        const auto number = [&](const ex& e) {
+            const auto value = value_on_motion(e, point, 30);
+            return value ? decimal(cln::rational(*value), 6) : std::string("none");
+        };
+        result.left = number(left);
+        result.right = number(right);
+        return result;
+    }
+
+    /// Whether a letter influences the value: directly, or through the accelerations.
+    bool needed(const ex& e, const ex& letter) const {
+        if (e.has(letter)) return true;
+        for (std::size_t j = 0; j < n_; ++j) {
+            if (!e.has(system_.symbols.get(SymbolKind::acceleration, j))) continue;
+            for (std::size_t i = 0; i < n_; ++i)
+                if (system_.symbols.without_definitions(system_.residual[i]).has(letter)) return true;
+        }
+        return false;
+    }
+
+    /// The value with the accelerations that the system has at the point.
+    std::optional<cln::cl_R> value_on_motion(const ex& e, const Point& point, int digits) const {
+        if (!contains_acceleration(e)) return value_at(e, system_.symbols, point, digits);
+        std::vector<std::vector<cln::cl_R>> m(n_, std::vector<cln::cl_R>(n_ + 1));
+        for (std::size_t j = 0; j < n_; ++j)
+            for (std::size_t l = 0; l <= n_; ++l) {
+                const auto value = value_at(l < n_ ? mass(j, l) : force(j), system_.symbols, point, digits);
+                if (!value) return std::nullopt;
+                m[j][l] = *value;
+            }
+        for (std::size_t k = 0; k < n_; ++k) {
+            std::size_t best = k;
+            for (std::size_t j = k + 1; j < n_; ++j)
+                if (cln::abs(m[j][k]) > cln::abs(m[best][k])) best = j;
+            std::swap(m[k], m[best]);
+            if (cln::zerop(m[k][k])) return std::nullopt;
+            for (std::size_t j = 0; j < n_; ++j) {
+                if (j == k) continue;
+                const cln::cl_R factor = m[j][k] / m[k][k];
+                for (std::size_t l = k; l <= n_; ++l) m[j][l] = m[j][l] - factor * m[k][l];
+            }
+        }
+        GiNaC::exmap solved;
+        for (std::size_t j = 0; j < n_; ++j) solved[system_.symbols.get(SymbolKind::acceleration, j)] = GiNaC::numeric(m[j][n_] / m[j][j]);
+        return value_at(e.subs(solved, GiNaC::subs_options::no_pattern), system_.symbols, point, digits);
+    }
+
+    const System& system_;
+    Prover prover_;
+    GiNaC::exmap at_;
+    GiNaC::exmap rates_;
+    std::size_t n_;
+};
+
+PrintedResult check_equation(const System& system, const PrintedEquation& printed, const Equation& equation, const Indices& indices) {
+    PrintedResult worst{std::string(equation.span.text()), {Verdict::proven}};
+    if (const auto problem = unit_problem(system, printed, equation)) {
+        worst.comparison = {Verdict::dimensionally_wrong, *problem};
+        return worst;
+    }
+    Letters letters;
+    for (const PrintedLetter& letter : printed.letters) letters[letter.name] = system.translate(*letter.value, indices, letters);
+    GiNaC::exmap at;
+    for (const AtPoint& point : printed.at) {
+        const ex variable = system.translate(*point.variable, indices, letters);
+        if (!GiNaC::is_a<GiNaC::symbol>(variable))
+            throw Failure(Diagnostic{Id::not_allowed_here, point.variable->span, fmt::format("'{}' is not a variable that can be set", point.variable->written())});
+        at[variable] = system.translate(*point.value, indices, letters);
+    }
+    PairCheck check(system, std::move(at));
+    for (std::size_t i = 0; i + 1 < equation.sides.size(); ++i) {
+        const ex left = system.translate(*equation.sides[i], indices, letters);
+        const ex right = system.translate(*equation.sides[i + 1], indices, letters);
+        PrintedResult result = check.run(left, right);
+        if (badness(result.comparison.verdict) <= badness(worst.comparison.verdict)) continue;
+        worst.comparison = std::move(result.comparison);
+        worst.difference = std::move(result.difference);
+        worst.counterexample = std::move(result.counterexample);
+    }
+    return worst;
+}
+
+}  // namespace
+
+Verdict PrintedCheck::verdict() const {
+    Verdict worst = Verdict::proven;
+    for (const PrintedResult& result : equations)
+        if (badness(result.comparison.verdict) > badness(worst)) worst = result.comparison.verdict;
+    return worst;
+}
+
+PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& entry) {
+    PrintedCheck result{entry, {}};
+    const Indices indices = Translator::indices_of(entry);
+    for (const Equation& equation : entry.item->equations) {
+        try {
+            result.equations.push_back(check_equation(system, *entry.item, equation, indices));
+        } catch (const Failure& failure) {
+            // What the scene does not have cannot be checked in it; everything else is an error of the file.
+            const Diagnostic& d = failure.diagnostics().front();
+            if (d.id != Id::needs_absent && d.id != Id::cannot_integrate) throw;
+            result.equations.push_back({std::string(equation.span.text()), {Verdict::not_checkable, d.message}});
+        }
+    }
+    return result;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Is this what the book prints? Printed equations against the derivation.
+#pragma once
+
+#include "prove/equivalence.hpp"
+
+namespace dalembert {
+
+/// Values at which the two sides of an equation differ, short enough for a pocket calculator. Accelerations are those of the motion.
+struct CounterExample {
+    std::vector<std::pair<std::string, std::string>> values;  ///< name and value, in SI
+    std::string left;
+    std::string right;
+};
+
+/// The verdict on one equation. Of several sides "a = b = c" the first pair that is worst.
+struct PrintedResult {
+    std::string written;                        ///< the equation as in the model file
+    Comparison comparison;                      ///< verdict also dimensionally_wrong
+    std::optional<GiNaC::ex> difference = {};   ///< printed left minus right on the motion, where it is wrong and can be shown
+    std::optional<CounterExample> counterexample = {};
+};
+
+struct PrintedCheck {
+    Member<PrintedEquation> entry;
+    std::vector<PrintedResult> equations;
+
+    Verdict verdict() const;  ///< the worst of its equations
+};
+
+/// Whether accelerations occur or not, an equation is right when it holds on every motion of the derived system.
+PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& entry);
+
+}  // namespace dalembert

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prove/random_points.hpp"
+
+#include <cln/float.h>
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::numeric;
+
+namespace {
+
+constexpr int guard_digits = 20;
+
+/// splitmix64
+std::uint64_t next_word(std::uint64_t& state) {
+    std::uint64_t z = (state += 0x9E3779B97F4A7C15ULL);
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
+    return z ^ (z >> 31U);
+}
+
+/// A rational next to a constant, which may contain roots and pi.
+std::optional<Rational> near(const ex& constant) {
+    const auto value = value_at(constant, {}, 30);
+    return value ? std::optional<Rational>(cln::rational(*value)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<cln::cl_R> value_at(const ex& e, const GiNaC::exmap& constants, int digits) {
+    GiNaC::Digits = digits + guard_digits;
+    try {
+        GiNaC::exmap floats;
+        for (const auto& [letter, value] : constants) floats[letter] = value.evalf();
+        const ex value = e.subs(floats, GiNaC::subs_options::no_pattern).evalf();
+        if (!GiNaC::is_exactly_a<numeric>(value)) return std::nullopt;
+        const numeric& number = ex_to<numeric>(value);
+        if (!number.is_real()) return std::nullopt;
+        return cln::realpart(number.to_cl_N());
+    } catch (const std::exception&) {  // a pole, an overflow: the expression has no value there
+        return std::nullopt;
+    }
+}
+
+std::optional<cln::cl_R> value_at(const ex& e, const Symbols& symbols, const Point& point, int digits) {
+    const cln::float_format_t precision = cln::float_format(static_cast<unsigned long>(digits + guard_digits));
+    GiNaC::exmap constants;
+    for (const auto& [letter, value] : point) constants[letter] = numeric(cln::cl_float(value, precision));
+    return value_at(symbols.without_definitions(e), constants, digits);
+}
+
+RandomPoints::RandomPoints(const System& system) {
+    const Values defaults(system.scene, system.translate);
+    const GiNaC::exmap at_start = defaults.substitution();
+    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity,
+                                  SymbolKind::state, SymbolKind::acceleration, SymbolKind::state_rate}) {
+        for (const Variable& variable : system.symbols.all(kind)) {
+            // Without a declared range: around the default of a parameter, around zero for what moves.
+            Rational low = kind == SymbolKind::time ? Rational(0) : Rational(-3) / 2;
+            Rational high = Rational(3) / 2;
+            if (kind == SymbolKind::parameter) {
+                const auto value = near(at_start.at(variable.symbol));
+                if (value && !is_zero(*value)) {
+                    low = *value / 2;
+                    high = *value * 3 / 2;
+                }
+            }
+            if (variable.declared != nullptr && variable.declared->range) {
+                const auto bound = [&](const ExpressionPtr& e) { return e ? near(system.translate(*e, {})) : std::nullopt; };
+                const auto declared_low = bound(variable.declared->range->low);
+                const auto declared_high = bound(variable.declared->range->high);
+                const Rational width = cln::abs(high - low);
+                if (declared_low && declared_high) {
+                    low = *declared_low;
+                    high = *declared_high;
+                } else if (declared_low && cln::min(low, high) < *declared_low) {
+                    low = *declared_low;
+                    high = low + width;
+                } else if (declared_high && cln::max(low, high) > *declared_high) {
+                    high = *declared_high;
+                    low = high - width;
+                }
+            }
+            intervals_.push_back({variable.symbol, low, high});
+        }
+    }
+}
+
+Point RandomPoints::next() {
+    Point point;
+    for (const Interval& interval : intervals_) {
+        // Strictly inside: at the ends of a range an expression may have no value.
+        const Rational fraction = Rational(cln::cl_I(static_cast<unsigned long>(next_word(state_) >> 40U)) + 1) / ((1UL << 24U) + 1);
+        point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction);
+    }
+    return point;
+}
+
+}  // namespace dalembert

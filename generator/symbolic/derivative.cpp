@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/derivative.hpp"
+
+#include "symbolic/functions.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::pow;
+
+namespace {
+
+/// f'(u) of a function of one argument.
+ex slope(const ex& f) {
+    const ex& u = f.op(0);
+    if (is_ex_the_function(f, GiNaC::sin)) return GiNaC::cos(u);
+    if (is_ex_the_function(f, GiNaC::cos)) return -GiNaC::sin(u);
+    if (is_ex_the_function(f, GiNaC::tan)) return 1 + pow(f, 2);
+    if (is_ex_the_function(f, GiNaC::asin)) return pow(1 - pow(u, 2), GiNaC::numeric(-1, 2));
+    if (is_ex_the_function(f, GiNaC::acos)) return -pow(1 - pow(u, 2), GiNaC::numeric(-1, 2));
+    if (is_ex_the_function(f, GiNaC::atan)) return pow(1 + pow(u, 2), -1);
+    if (is_ex_the_function(f, GiNaC::sinh)) return GiNaC::cosh(u);
+    if (is_ex_the_function(f, GiNaC::cosh)) return GiNaC::sinh(u);
+    if (is_ex_the_function(f, GiNaC::tanh)) return 1 - pow(f, 2);
+    if (is_ex_the_function(f, GiNaC::exp)) return f;
+    if (is_ex_the_function(f, GiNaC::log)) return pow(u, -1);
+    if (is_ex_the_function(f, magnitude)) return sign_of(u);
+    if (is_ex_the_function(f, sign_of) || is_ex_the_function(f, unit_step)) return 0;
+    throw std::logic_error("no derivative of " + ex_to<GiNaC::function>(f).get_name());
+}
+
+/// The slopes of a function of two arguments.
+std::pair<ex, ex> slopes(const ex& f) {
+    const ex& a = f.op(0);
+    const ex& b = f.op(1);
+    if (is_ex_the_function(f, minimum)) return {unit_step(b - a), unit_step(a - b)};
+    if (is_ex_the_function(f, maximum)) return {unit_step(a - b), unit_step(b - a)};
+    if (is_ex_the_function(f, GiNaC::atan2)) return {b / (pow(a, 2) + pow(b, 2)), -a / (pow(a, 2) + pow(b, 2))};
+    throw std::logic_error("no derivative of " + ex_to<GiNaC::function>(f).get_name());
+}
+
+template <class Rate>
+ex derivative(const ex& e, const Rate& rate) {
+    if (GiNaC::is_a<GiNaC::symbol>(e)) return rate(e);
+    if (GiNaC::is_a<GiNaC::add>(e)) {
+        GiNaC::exvector terms;
+        for (std::size_t i = 0; i < e.nops(); ++i) {
+            const ex one = derivative(e.op(i), rate);
+            if (!one.is_zero()) terms.push_back(one);
+        }
+        return GiNaC::add(terms);
+    }
+    if (GiNaC::is_a<GiNaC::mul>(e)) {
+        GiNaC::exvector terms;
+        for (std::size_t i = 0; i < e.nops(); ++i) {
+            const ex one = derivative(e.op(i), rate);
+            if (one.is_zero()) continue;
+            GiNaC::exvector factors;
+            for (std::size_t k = 0; k < e.nops(); ++k) factors.push_back(k == i ? one : e.op(k));
+            terms.push_back(GiNaC::mul(factors));
+        }
+        return GiNaC::add(terms);
+    }
+    if (GiNaC::is_a<GiNaC::power>(e)) {
+        const ex &base = e.op(0), &exponent = e.op(1);
+        ex result = 0;
+        if (const ex inner = derivative(base, rate); !inner.is_zero()) result += exponent * pow(base, exponent - 1) * inner;
+        if (const ex inner = derivative(exponent, rate); !inner.is_zero()) result += e * GiNaC::log(base) * inner;
+        return result;
+    }
+    if (!GiNaC::is_a<GiNaC::function>(e)) return 0;
+    const ex first = derivative(e.op(0), rate);
+    if (e.nops() == 1) return first.is_zero() ? ex(0) : slope(e) * first;
+    const ex second = derivative(e.op(1), rate);
+    if (first.is_zero() && second.is_zero()) return 0;
+    const auto [by_first, by_second] = slopes(e);
+    return by_first * first + by_second * second;
+}
+
+}  // namespace
+
+ex directional_derivative(const ex& e, const Direction& direction) { return derivative(e, direction); }
+
+ex partial(const ex& e, const ex& symbol) {
+    return derivative(e, [&](const ex& s) { return s.is_equal(symbol) ? ex(1) : ex(0); });
+}
+
+}  // namespace dalembert

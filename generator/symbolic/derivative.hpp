@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Derivatives by the chain rule, all directions in one pass. GiNaC's own diff knows one symbol at a time, and throws and catches
+// an exception for each function that it meets.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <functional>
+
+namespace dalembert {
+
+/// How fast each symbol changes; 0 for one that does not.
+using Direction = std::function<GiNaC::ex(const GiNaC::ex& symbol)>;
+
+GiNaC::ex directional_derivative(const GiNaC::ex& e, const Direction& direction);
+
+/// Partial derivative by a symbol.
+GiNaC::ex partial(const GiNaC::ex& e, const GiNaC::ex& symbol);
+
+}  // namespace dalembert

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/integrate.hpp"
+
+#include "symbolic/derivative.hpp"
+#include "symbolic/functions.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::numeric;
+using GiNaC::symbol;
+
+namespace {
+
+using Found = std::optional<ex>;
+
+bool is(const ex& e, const char* function) { return GiNaC::is_a<GiNaC::function>(e) && ex_to<GiNaC::function>(e).get_name() == function; }
+
+/// The slope of an argument that is linear in x; nothing otherwise.
+Found slope(const ex& argument, const symbol& x) {
+    const ex derivative = partial(argument, x).expand();
+    if (derivative.is_zero() || derivative.has(x)) return std::nullopt;
+    return derivative;
+}
+
+Found integrate_power(const ex& base, const ex& exponent, const symbol& x) {
+    if (exponent.has(x)) {
+        if (base.has(x)) return std::nullopt;
+        const Found a = slope(exponent, x);
+        return a ? Found(GiNaC::pow(base, exponent) / (*a * GiNaC::log(base))) : std::nullopt;
+    }
+    const Found a = slope(base, x);
+    if (!a) return std::nullopt;
+    if (exponent.is_equal(-1)) return GiNaC::log(magnitude(base)) / *a;
+    return GiNaC::pow(base, exponent + 1) / ((exponent + 1) * *a);
+}
+
+/// A function of one argument that is linear in x.
+Found integrate_function(const ex& f, const symbol& x) {
+    const ex u = f.op(0);
+    const Found a = slope(u, x);
+    if (!a) return std::nullopt;
+    if (is(f, "sin")) return -GiNaC::cos(u) / *a;
+    if (is(f, "cos")) return GiNaC::sin(u) / *a;
+    if (is(f, "exp")) return GiNaC::exp(u) / *a;
+    if (is(f, "sinh")) return GiNaC::cosh(u) / *a;
+    if (is(f, "cosh")) return GiNaC::sinh(u) / *a;
+    if (is(f, "tanh")) return GiNaC::log(GiNaC::cosh(u)) / *a;
+    if (is(f, "tan")) return -GiNaC::log(magnitude(GiNaC::cos(u))) / *a;
+    if (is(f, "log")) return u * (GiNaC::log(u) - 1) / *a;
+    if (is(f, "atan")) return (u * GiNaC::atan(u) - GiNaC::log(1 + GiNaC::pow(u, 2)) / 2) / *a;
+    if (is(f, "magnitude")) return u * magnitude(u) / (2 * *a);
+    if (is(f, "sign_of")) return magnitude(u) / *a;
+    return std::nullopt;
+}
+
+Found integrate_term(const ex& term, const symbol& x, int depth);
+
+/// Integration by parts of p(x)*f(x), p a polynomial: the degree of p falls each time.
+Found by_parts(const ex& polynomial, const ex& f, const symbol& x, int depth) {
+    if (depth > 20) return std::nullopt;
+    const bool repeats = is(f, "sin") || is(f, "cos") || is(f, "exp") ||
+                         is(f, "sinh") || is(f, "cosh");
+    if (!repeats) return std::nullopt;
+    const Found primitive = integrate_function(f, x);
+    if (!primitive) return std::nullopt;
+    const ex derivative = partial(polynomial, x);
+    if (derivative.is_zero()) return polynomial * *primitive;
+    const Found rest = integrate_term((derivative * *primitive).expand(), x, depth + 1);
+    return rest ? Found(polynomial * *primitive - *rest) : std::nullopt;
+}
+
+/// x^n*|x| and x^n*sign(x): on either side of zero a power.
+Found integrate_with_magnitude(const ex& rest, const ex& f, const symbol& x) {
+    if (!f.op(0).is_equal(x)) return std::nullopt;
+    const ex exponent = rest.degree(x);
+    const ex coefficient = rest.coeff(x, rest.degree(x));
+    if (!(rest - coefficient * GiNaC::pow(x, exponent)).expand().is_zero()) return std::nullopt;
+    if (is(f, "magnitude")) return coefficient * GiNaC::pow(x, exponent + 1) * magnitude(x) / (exponent + 2);
+    if (is(f, "sign_of")) return coefficient * GiNaC::pow(x, exponent) * magnitude(x) / (exponent + 1);
+    return std::nullopt;
+}
+
+Found integrate_term(const ex& term, const symbol& x, int depth) {
+    if (!term.has(x)) return term * x;
+    if (GiNaC::is_a<GiNaC::add>(term)) {
+        ex result = 0;
+        for (const ex& part : term) {
+            const Found one = integrate_term(part, x, depth);
+            if (!one) return std::nullopt;
+            result += *one;
+        }
+        return result;
+    }
+    ex constant = 1;
+    ex variable = 1;
+    const auto take = [&](const ex& factor) { (factor.has(x) ? variable : constant) *= factor; };
+    if (GiNaC::is_a<GiNaC::mul>(term))
+        for (const ex& factor : term) take(factor);
+    else
+        take(term);
+
+    const auto scaled = [&](const Found& primitive) { return primitive ? Found(constant * *primitive) : std::nullopt; };
+    if (variable.is_equal(x)) return constant * GiNaC::pow(x, 2) / 2;
+    if (GiNaC::is_a<GiNaC::power>(variable)) return scaled(integrate_power(variable.op(0), variable.op(1), x));
+    if (GiNaC::is_a<GiNaC::function>(variable)) return scaled(integrate_function(variable, x));
+    if (!GiNaC::is_a<GiNaC::mul>(variable)) return std::nullopt;
+
+    // polynomial * function
+    ex polynomial = 1;
+    Found function;
+    for (const ex& factor : variable) {
+        if (factor.is_polynomial(x)) polynomial *= factor;
+        else if (!function) function = factor;
+        else return std::nullopt;
+    }
+    if (!function) return std::nullopt;
+    if (is(*function, "magnitude") || is(*function, "sign_of"))
+        return scaled(integrate_with_magnitude(polynomial.expand(), *function, x));
+    return scaled(by_parts(polynomial, *function, x, depth));
+}
+
+}  // namespace
+
+std::optional<ex> integrate(const ex& function, const symbol& variable) { return integrate_term(function.expand(), variable, 0); }
+
+}  // namespace dalembert

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/symbols.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+
+namespace {
+
+using Kind = Expression::Kind;
+
+/// Whether an expression of parameters is positive for every value in the declared ranges, as far as its form shows.
+bool is_positive(const Expression& e, const Names& names) {
+    const auto part = [&](std::size_t i) { return is_positive(*e.children[i], names); };
+    switch (e.kind) {
+        case Kind::number: return cln::plusp(e.value);
+        case Kind::name: {
+            if (e.name == "pi") return true;
+            const Named* named = names.find(e.name);
+            if (named == nullptr) return false;
+            if (named->kind == Named::Kind::definition) return is_positive(*named->definition().value, names);
+            if (named->kind != Named::Kind::parameter) return false;
+            const auto& range = named->quantity().range;
+            return range && range->low && is_positive(*range->low, names);
+        }
+        case Kind::add:
+        case Kind::multiply:
+        case Kind::divide: return part(0) && part(1);
+        case Kind::power: return part(0);
+        case Kind::sum: return part(2);
+        case Kind::call: return e.name == "exp" || (e.name == "sqrt" && part(0));
+        default: return false;
+    }
+}
+
+bool is_positive(const Quantity& quantity, const Names& names) {
+    return quantity.range && quantity.range->low && is_positive(*quantity.range->low, names);
+}
+
+std::string key(SymbolKind kind, const std::string& base, int index) {
+    return std::to_string(static_cast<int>(kind)) + ":" + base + ":" + std::to_string(index);
+}
+
+/// "rad" becomes "rad/s".
+std::string per_second(const Unit& unit) {
+    const std::string si = unit.si();
+    if (si == "1") return "1/s";
+    return si.find('/') == std::string::npos ? si + "/s" : (unit.dimension / Dimension::time()).in_base_units();
+}
+
+}  // namespace
+
+Symbols::Symbols(const Scene& scene, const Names& names) {
+    for (const auto& member : scene.parameters) {
+        const Parameter& item = *member.item;
+        add(SymbolKind::parameter, member.name(), is_positive(item, names), {item.name, member.index, item.family.has_value(), item.unit.si(), item.doc, &item});
+    }
+    for (const auto& member : scene.definitions) {
+        const Definition& item = *member.item;
+        add(SymbolKind::definition, member.name(), is_positive(*item.value, names),
+            {item.name, member.index, item.family.has_value(), item.unit ? item.unit->si() : "", item.doc});
+    }
+    add(SymbolKind::time, "t", false, {"t", 0, false, "s", "time"});
+    for (const auto& member : scene.inputs) {
+        const Input& item = *member.item;
+        add(SymbolKind::input, member.name(), is_positive(item, names), {item.name, member.index, item.family.has_value(), item.unit.si(), item.doc, &item});
+    }
+    for (const auto& member : scene.coordinates) {
+        const Coordinate& item = *member.item;
+        const bool is_member = item.family.has_value();
+        const std::string rate_unit = per_second(item.unit);
+        const std::string what = item.doc.empty() ? member.name() : item.doc;
+        add(SymbolKind::coordinate, member.name(), is_positive(item, names), {item.name, member.index, is_member, item.unit.si(), item.doc, &item});
+        add(SymbolKind::velocity, "dot(" + member.name() + ")", false, {item.name, member.index, is_member, rate_unit, "rate of " + what});
+        add(SymbolKind::acceleration, "ddot(" + member.name() + ")", false, {item.name, member.index, is_member, "", ""});
+    }
+    for (const auto& member : scene.states) {
+        const State& item = *member.item;
+        const bool is_member = item.family.has_value();
+        add(SymbolKind::state, member.name(), is_positive(item, names), {item.name, member.index, is_member, item.unit.si(), item.doc, &item});
+        add(SymbolKind::state_rate, "dot(" + member.name() + ")", false, {item.name, member.index, is_member, "", ""});
+    }
+}
+
+void Symbols::add(SymbolKind kind, const std::string& name, bool positive, Origin origin) {
+    auto& list = variables_[static_cast<std::size_t>(kind)];
+    const ex symbol = positive ? ex(GiNaC::possymbol(name)) : ex(GiNaC::realsymbol(name));
+    by_name_.emplace(name, std::pair(kind, list.size()));
+    by_name_.emplace(key(kind, origin.base, origin.index), std::pair(kind, list.size()));
+    list.push_back({kind, list.size(), name, std::move(origin.base), origin.index, origin.is_member, std::move(origin.unit), std::move(origin.doc),
+                    origin.declared, symbol});
+}
+
+const Variable* Symbols::find(SymbolKind kind, const std::string& base, int index) const {
+    const auto found = by_name_.find(key(kind, base, index));
+    return found == by_name_.end() ? nullptr : &all(kind)[found->second.second];
+}
+
+const Variable* Symbols::find(const ex& symbol) const {
+    const auto found = by_name_.find(ex_to<GiNaC::symbol>(symbol).get_name());
+    return found == by_name_.end() ? nullptr : &all(found->second.first)[found->second.second];
+}
+
+ex Symbols::letter(const std::string& name) {
+    add(SymbolKind::letter, name, false, {name});
+    return all(SymbolKind::letter).back().symbol;
+}
+
+void Symbols::define(std::vector<ex> values) {
+    definition_values_ = std::move(values);
+    expanded_definitions_ = definition_values_;
+    // Definitions may mention each other in any order but without cycles, so as many rounds as there are definitions suffice.
+    for (std::size_t round = 0; round < expanded_definitions_.size(); ++round) {
+        bool changed = false;
+        for (ex& value : expanded_definitions_) {
+            GiNaC::exmap map;
+            for (std::size_t i = 0; i < definition_values_.size(); ++i)
+                if (value.has(get(SymbolKind::definition, i))) map[get(SymbolKind::definition, i)] = definition_values_[i];
+            if (map.empty()) continue;
+            value = value.subs(map, GiNaC::subs_options::no_pattern);
+            changed = true;
+        }
+        if (!changed) break;
+    }
+}
+
+ex Symbols::without_definitions(const ex& e) const {
+    if (expanded_definitions_.empty()) return e;
+    GiNaC::exmap map;
+    for (std::size_t i = 0; i < expanded_definitions_.size(); ++i) map[get(SymbolKind::definition, i)] = expanded_definitions_[i];
+    return e.subs(map, GiNaC::subs_options::no_pattern);
+}
+
+ex Symbols::time_derivative(const ex& e) const {
+    return directional_derivative(e, [this](const ex& symbol) -> ex {
+        const Variable* variable = find(symbol);
+        if (variable == nullptr) return 0;
+        switch (variable->kind) {
+            case SymbolKind::time: return 1;
+            case SymbolKind::coordinate: return get(SymbolKind::velocity, variable->position);
+            case SymbolKind::velocity: return get(SymbolKind::acceleration, variable->position);
+            case SymbolKind::state: return get(SymbolKind::state_rate, variable->position);
+            default: return 0;
+        }
+    });
+}
+
+ex Symbols::derivative_by_parameter(const ex& e, std::size_t parameter) const {
+    const ex& p = get(SymbolKind::parameter, parameter);
+    GiNaC::exvector terms{partial(e, p)};
+    for (std::size_t i = 0; i < count(SymbolKind::definition); ++i) {
+        const ex inner = partial(expanded_definitions_[i], p);
+        if (inner.is_zero()) continue;
+        const ex outer = partial(e, get(SymbolKind::definition, i));
+        if (!outer.is_zero()) terms.push_back(outer * inner);
+    }
+    return GiNaC::add(terms);
+}
+
+}  // namespace dalembert

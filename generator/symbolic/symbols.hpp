@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The letters of the derivation: every GiNaC symbol of a scene, made once and in the order of declaration.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <array>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "model/scene.hpp"
+#include "symbolic/derivative.hpp"
+
+namespace dalembert {
+
+enum class SymbolKind { parameter, definition, time, input, coordinate, velocity, state, acceleration, state_rate, letter };
+
+/// One scalar of the scene. For a member of a family, base and index say which.
+struct Variable {
+    SymbolKind kind;
+    std::size_t position;  ///< among those of its kind
+    std::string name;      ///< as in the model: "phi[2]", "dot(phi[2])"
+    std::string base;      ///< "phi"
+    int index;             ///< of a family, else 0
+    bool is_member;
+    std::string unit;      ///< in SI
+    std::string doc;
+    const Quantity* declared;  ///< with unit and range; null for what is not declared itself, as velocities
+    GiNaC::ex symbol;  ///< an ex, because a GiNaC::symbol by value forgets that it is real or positive
+};
+
+class Symbols {
+public:
+    /// Positivity of a symbol comes from its declared range only.
+    Symbols(const Scene& scene, const Names& names);
+
+    const std::vector<Variable>& all(SymbolKind kind) const { return variables_[static_cast<std::size_t>(kind)]; }
+    std::size_t count(SymbolKind kind) const { return all(kind).size(); }
+    const GiNaC::ex& get(SymbolKind kind, std::size_t position) const { return all(kind)[position].symbol; }
+    const GiNaC::ex& time() const { return get(SymbolKind::time, 0); }
+
+    /// Degrees of freedom and number of plain states.
+    std::size_t degrees() const { return count(SymbolKind::coordinate); }
+    std::size_t states() const { return count(SymbolKind::state); }
+
+    /// Null when the scene has no such variable.
+    const Variable* find(SymbolKind kind, const std::string& base, int index) const;
+    const Variable* find(const GiNaC::ex& symbol) const;
+
+    /// A further letter, as the variable of a law; not part of the scene.
+    GiNaC::ex letter(const std::string& name);
+
+    /// Gives the definitions (of parameters alone) their values, in terms of parameters and other definitions.
+    void define(std::vector<GiNaC::ex> values);
+    const std::vector<GiNaC::ex>& definition_values() const { return definition_values_; }
+    /// The expression with definitions replaced by what they stand for, down to parameters.
+    GiNaC::ex without_definitions(const GiNaC::ex& e) const;
+
+    /// Total time derivative by the chain rule: q -> qd -> qdd, z -> zd, t -> 1.
+    GiNaC::ex time_derivative(const GiNaC::ex& e) const;
+    /// Partial derivative by a parameter, definitions followed by the chain rule.
+    GiNaC::ex derivative_by_parameter(const GiNaC::ex& e, std::size_t parameter) const;
+
+private:
+    struct Origin {
+        std::string base;
+        int index = 0;
+        bool is_member = false;
+        std::string unit = {};
+        std::string doc = {};
+        const Quantity* declared = nullptr;
+    };
+    void add(SymbolKind kind, const std::string& name, bool positive, Origin origin);
+
+    static constexpr std::size_t kinds = static_cast<std::size_t>(SymbolKind::letter) + 1;
+    std::array<std::vector<Variable>, kinds> variables_;
+    std::unordered_map<std::string, std::pair<SymbolKind, std::size_t>> by_name_;  ///< names are unique in a scene
+    std::vector<GiNaC::ex> definition_values_;
+    std::vector<GiNaC::ex> expanded_definitions_;
+};
+
+}  // namespace dalembert

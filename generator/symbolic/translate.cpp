@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/translate.hpp"
+
+#include <fmt/format.h>
+
+#include "symbolic/functions.hpp"
+#include "symbolic/integrate.hpp"
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::numeric;
+
+namespace {
+
+using Kind = Expression::Kind;
+
+[[noreturn]] void fail(Id id, const Expression& at, std::string message, std::vector<Note> notes = {}) {
+    throw Failure(Diagnostic{id, at.span, std::move(message), std::move(notes)});
+}
+
+constexpr int most_terms = 10'000;
+constexpr int largest_exponent = 1'000;
+constexpr std::size_t most_bits = 100'000;
+
+}  // namespace
+
+ex Translator::operator()(const Expression& e, const Indices& indices, const Letters& letters) const { return visit(e, indices, letters); }
+
+SpaceVector Translator::operator()(const VectorExpression& vector, const Indices& indices) const {
+    return {visit(*vector[0], indices, {}), visit(*vector[1], indices, {}), visit(*vector[2], indices, {})};
+}
+
+ex Translator::visit(const Expression& e, const Indices& indices, const Letters& letters) const {
+    const auto part = [&](std::size_t i) { return visit(*e.children[i], indices, letters); };
+    switch (e.kind) {
+        case Kind::number: return numeric(e.value);
+        case Kind::name: return name(e, indices, letters);
+        case Kind::call: return call(e, indices, letters);
+        case Kind::sum: return sum(e, indices, letters);
+        case Kind::negate: return -part(0);
+        case Kind::add: return part(0) + part(1);
+        case Kind::subtract: return part(0) - part(1);
+        case Kind::multiply: return part(0) * part(1);
+        case Kind::divide: {
+            const ex divisor = part(1);
+            if (divisor.is_zero()) fail(Id::division_by_zero, e, fmt::format("'{}' divides by '{}', which is zero", e.written(), e.children[1]->written()));
+            return part(0) / divisor;
+        }
+        case Kind::power: break;
+    }
+    return power(e, part(0), part(1));
+}
+
+ex Translator::power(const Expression& e, const ex& base, const ex& exponent) const {
+    if (GiNaC::is_exactly_a<numeric>(exponent)) {
+        const numeric& n = ex_to<numeric>(exponent);
+        if (GiNaC::abs(n) > largest_exponent)
+            fail(Id::number_too_large, e, fmt::format("the exponent of '{}' is beyond {}", e.written(), largest_exponent));
+        if (base.is_zero() && !n.is_positive()) fail(Id::division_by_zero, e, fmt::format("'{}' raises zero to a power that is not positive", e.written()));
+        if (GiNaC::is_exactly_a<numeric>(base) && ex_to<numeric>(base).is_rational()) {
+            const cln::cl_RA value = cln::the<cln::cl_RA>(ex_to<numeric>(base).to_cl_N());
+            if (bit_length(value) * static_cast<std::size_t>(std::abs(n.to_double())) > most_bits)
+                fail(Id::number_too_large, e, fmt::format("'{}' has too many digits to be written exactly", e.written()));
+            if (is_negative(value) && !n.is_integer()) fail(Id::division_by_zero, e, fmt::format("'{}' is not a real number", e.written()));
+        }
+    }
+    return GiNaC::pow(base, exponent);
+}
+
+int Translator::member_index(const Expression& e, const Item& item, const Indices& indices) const {
+    if (!item.family) return 0;
+    const int index = index_value(*e.children.at(0), scene_, indices);
+    const auto [from, to] = bounds(*item.family, scene_);
+    if (index < from || index > to)
+        fail(Id::index_out_of_range, e, fmt::format("'{}' asks for member {} of '{}', which has the members {} to {}", e.written(), index, item.name, from, to),
+             {{item.span, fmt::format("'{}' is defined here", item.name)}});
+    return index;
+}
+
+ex Translator::name(const Expression& e, const Indices& indices, const Letters& letters) const {
+    if (const auto letter = letters.find(e.name); letter != letters.end()) return letter->second;
+    if (const auto index = indices.find(e.name); index != indices.end()) return index->second;
+    if (e.name == "pi") return GiNaC::Pi;
+    if (e.name == "t") return symbols_.time();
+    if (const auto size = scene_.sizes.find(e.name); size != scene_.sizes.end()) return size->second;
+    const Named* named = names_.find(e.name);
+    if (named == nullptr) {
+        if (!quantities_) fail(Id::not_allowed_here, e, fmt::format("'{}' has no meaning here", e.written()));
+        return quantities_(e, indices);
+    }
+    const int index = member_index(e, *named->item, indices);
+    static constexpr SymbolKind kinds[]{SymbolKind::letter, SymbolKind::parameter, SymbolKind::definition, SymbolKind::coordinate,
+                                        SymbolKind::input,  SymbolKind::state,     SymbolKind::letter};
+    if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index)) return variable->symbol;
+    if (named->kind == Named::Kind::definition || named->kind == Named::Kind::output) {
+        // Not a letter of its own: it depends on the motion, or only printed equations and values use it. Inserted where it stands.
+        const ExpressionPtr& value =
+            named->kind == Named::Kind::definition ? named->definition().value : static_cast<const Output*>(named->item)->value;
+        Indices inner;
+        if (named->item->family) inner[named->item->family->index] = index;
+        if (named->kind == Named::Kind::output) return visit(*value, inner, {});
+        const auto key = std::pair(&named->definition(), index);
+        if (const auto known = inserted_.find(key); known != inserted_.end()) return known->second;
+        return inserted_[key] = visit(*value, inner, {});
+    }
+    fail(Id::needs_absent, e, fmt::format("'{}' is not part of scene '{}'", e.written(), scene_.name), {{named->item->span, "it is defined here"}});
+}
+
+ex Translator::sum(const Expression& e, const Indices& indices, const Letters& letters) const {
+    const int from = index_value(*e.children[0], scene_, indices);
+    const int to = index_value(*e.children[1], scene_, indices);
+    if (static_cast<long long>(to) - from >= most_terms) fail(Id::too_large, e, fmt::format("the sum has more than {} terms", most_terms));
+    GiNaC::exvector terms;
+    Indices inner = indices;
+    for (int i = from; i <= to; ++i) {
+        inner[e.name] = i;
+        terms.push_back(visit(*e.children[2], inner, letters));
+    }
+    return GiNaC::add(terms);
+}
+
+ex Translator::call(const Expression& e, const Indices& indices, const Letters& letters) const {
+    const auto part = [&](std::size_t i) { return visit(*e.children[i], indices, letters); };
+    if (e.name == "dot") return symbols_.time_derivative(part(0));
+    if (e.name == "ddot") return symbols_.time_derivative(symbols_.time_derivative(part(0)));
+    if (e.name == "diff") {
+        const ex variable = part(1);
+        if (!GiNaC::is_a<GiNaC::symbol>(variable)) fail(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that one can differentiate by", e.children[1]->written()));
+        const Variable* known = symbols_.find(variable);
+        const bool by_parameter = known != nullptr && known->kind == SymbolKind::parameter;
+        return by_parameter ? symbols_.derivative_by_parameter(part(0), known->position) : partial(part(0), variable);
+    }
+    if (e.name == "integral") {
+        const GiNaC::realsymbol variable(e.children[1]->name);
+        Letters inner = letters;
+        inner[e.children[1]->name] = variable;
+        const ex function = visit(*e.children[0], indices, inner);
+        const auto primitive = integrate(function, variable);
+        if (!primitive) fail(Id::cannot_integrate, e, fmt::format("the integral of '{}' is not one that the program can find", e.children[0]->written()));
+        return primitive->subs(variable == part(3)) - primitive->subs(variable == part(2));
+    }
+    const ex x = part(0);
+    try {
+        if (e.name == "sin") return GiNaC::sin(x);
+        if (e.name == "cos") return GiNaC::cos(x);
+        if (e.name == "tan") return GiNaC::tan(x);
+        if (e.name == "asin") return GiNaC::asin(x);
+        if (e.name == "acos") return GiNaC::acos(x);
+        if (e.name == "atan") return GiNaC::atan(x);
+        if (e.name == "atan2") return GiNaC::atan2(x, part(1));
+        if (e.name == "sinh") return GiNaC::sinh(x);
+        if (e.name == "cosh") return GiNaC::cosh(x);
+        if (e.name == "tanh") return GiNaC::tanh(x);
+        if (e.name == "exp") return GiNaC::exp(x);
+        if (e.name == "log") return GiNaC::log(x);
+        if (e.name == "sqrt") return power(e, x, numeric(1, 2));
+        if (e.name == "abs") return magnitude(x);
+        if (e.name == "sign") return sign_of(x);
+        if (e.name == "min") return minimum(x, part(1));
+        if (e.name == "max") return maximum(x, part(1));
+    } catch (const GiNaC::pole_error&) {
+        fail(Id::division_by_zero, e, fmt::format("'{}' does not exist", e.written()));
+    }
+    throw std::logic_error("a function of the vocabulary without a translation: " + e.name);
+}
+
+std::size_t Translator::coordinate(const std::string& name, const Expression* index, const Span& span, const Indices& indices) const {
+    const int member = index == nullptr ? 0 : index_value(*index, scene_, indices);
+    if (const Variable* variable = symbols_.find(SymbolKind::coordinate, name, member)) return variable->position;
+    throw Failure(Diagnostic{Id::index_out_of_range, span, fmt::format("the scene has no coordinate '{}'", index == nullptr ? name : fmt::format("{}[{}]", name, member))});
+}
+
+}  // namespace dalembert

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From what a user wrote to GiNaC. Families are counted out here, sums written out, definitions inserted.
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "symbolic/symbols.hpp"
+
+namespace dalembert {
+
+/// What a name stands for here only: the variable of a law, a letter of a printed equation.
+using Letters = std::map<std::string, GiNaC::ex, std::less<>>;
+
+/// x, y, z in the inertial frame.
+using SpaceVector = std::array<GiNaC::ex, 3>;
+
+inline GiNaC::ex dot(const SpaceVector& a, const SpaceVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+inline SpaceVector partial(const SpaceVector& v, const GiNaC::ex& symbol) {
+    return {partial(v[0], symbol), partial(v[1], symbol), partial(v[2], symbol)};
+}
+
+class Translator {
+public:
+    /// Gives kinetic_energy, mass_matrix[...] and the like their meaning. Bodies and coordinates in it are resolved with `indices`.
+    using Quantities = std::function<GiNaC::ex(const Expression&, const Indices&)>;
+
+    Translator(const Scene& scene, const Names& names, const Symbols& symbols) : scene_(scene), names_(names), symbols_(symbols) {}
+
+    void set_quantities(Quantities quantities) { quantities_ = std::move(quantities); }
+
+    /// Throws Failure (index-out-of-range, division-by-zero, number-too-large, cannot-integrate).
+    GiNaC::ex operator()(const Expression& e, const Indices& indices, const Letters& letters = {}) const;
+    GiNaC::ex operator()(const ExpressionPtr& e, const Indices& indices) const { return (*this)(*e, indices); }
+    SpaceVector operator()(const VectorExpression& vector, const Indices& indices) const;
+
+    /// The position of a coordinate in q. Throws Failure (index-out-of-range).
+    std::size_t coordinate(const std::string& name, const Expression* index, const Span& span, const Indices& indices) const;
+
+    template <class T>
+    static Indices indices_of(const Member<T>& member) {
+        return member.item->family ? Indices{{member.item->family->index, member.index}} : Indices{};
+    }
+
+    const Scene& scene() const { return scene_; }
+    const Symbols& symbols() const { return symbols_; }
+
+private:
+    GiNaC::ex visit(const Expression& e, const Indices& indices, const Letters& letters) const;
+    GiNaC::ex name(const Expression& e, const Indices& indices, const Letters& letters) const;
+    GiNaC::ex call(const Expression& e, const Indices& indices, const Letters& letters) const;
+    GiNaC::ex sum(const Expression& e, const Indices& indices, const Letters& letters) const;
+    GiNaC::ex power(const Expression& e, const GiNaC::ex& base, const GiNaC::ex& exponent) const;
+    int member_index(const Expression& e, const Item& item, const Indices& indices) const;
+
+    const Scene& scene_;
+    const Names& names_;
+    const Symbols& symbols_;
+    Quantities quantities_;
+    mutable std::map<std::pair<const Definition*, int>, GiNaC::ex> inserted_;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/values.hpp"
+
+#include <fmt/format.h>
+
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::numeric;
+
+namespace {
+
+/// Sign of an exact constant; roots and pi make it necessary to look at digits.
+int sign(const ex& constant) {
+    const ex value = constant.evalf();
+    if (!GiNaC::is_exactly_a<numeric>(value) || !ex_to<numeric>(value).is_real()) return 0;
+    return ex_to<numeric>(value).is_zero() ? 0 : ex_to<numeric>(value).is_negative() ? -1 : 1;
+}
+
+}  // namespace
+
+Values::Values(const Scene& scene, const Translator& translate) : scene_(scene), translate_(translate) {
+    const Symbols& symbols = translate.symbols();
+    for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
+        const auto& member = scene.parameters[i];
+        const Parameter& item = *member.item;
+        std::size_t which = 0;
+        if (item.values.size() != 1) {
+            const auto [from, to] = item.family ? bounds(*item.family, scene) : std::pair(0, 0);
+            const auto count = static_cast<std::size_t>(to - from + 1);
+            if (item.values.size() != count)
+                throw Failure(Diagnostic{Id::wrong_arguments, item.span,
+                                         fmt::format("parameter '{}' has {} values, but {} member{}", item.name, item.values.size(), count, count == 1 ? "" : "s")});
+            which = static_cast<std::size_t>(member.index - from);
+        }
+        assign(symbols.all(SymbolKind::parameter)[i], translate(item.values[which], Translator::indices_of(member)), item.values[which]->span);
+    }
+    const auto start = [&](const ExpressionPtr& value, const Indices& indices) { return value ? translate(value, indices) : ex(0); };
+    for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
+        const auto& member = scene.coordinates[i];
+        const Indices indices = Translator::indices_of(member);
+        assign(symbols.all(SymbolKind::coordinate)[i], start(member.item->start, indices), member.item->span);
+        assign(symbols.all(SymbolKind::velocity)[i], start(member.item->start_rate, indices), member.item->span);
+    }
+    for (std::size_t i = 0; i < scene.states.size(); ++i) {
+        const auto& member = scene.states[i];
+        assign(symbols.all(SymbolKind::state)[i], start(member.item->start, Translator::indices_of(member)), member.item->span);
+    }
+    for (std::size_t i = 0; i < scene.inputs.size(); ++i) values_[key(SymbolKind::input, i)] = 0;
+}
+
+void Values::assign(const Variable& variable, const ex& value, const Span& place) {
+    values_[key(variable.kind, variable.position)] = value;
+    const Quantity* ranged = variable.declared;
+    if (ranged == nullptr || !ranged->range) return;
+    const ex number = GiNaC::is_exactly_a<numeric>(value) ? value : value.subs(substitution(), GiNaC::subs_options::no_pattern);
+    const auto check = [&](const ExpressionPtr& bound, int wrong, const char* side) {
+        if (!bound || sign(number - translate_(*bound, {})) != wrong) return;
+        throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("the value of '{}' lies {} its range", variable.name, side),
+                                 {{ranged->range->span, fmt::format("the range of '{}' is declared here", ranged->name)}}});
+    };
+    check(ranged->range->low, -1, "below");
+    check(ranged->range->high, 1, "above");
+}
+
+void Values::set(const Expression& variable, const Expression& value, unsigned allowed, const Indices& indices) {
+    const Symbols& symbols = translate_.symbols();
+    const bool is_rate = variable.kind == Expression::Kind::call && variable.name == "dot" && variable.children.size() == 1;
+    const Expression& named = is_rate ? *variable.children[0] : variable;
+    if (named.kind != Expression::Kind::name || named.children.size() > 1)
+        throw Failure(Diagnostic{Id::unknown_name, variable.span, fmt::format("'{}' is not something that can be set", variable.written())});
+    std::vector<SymbolKind> kinds;
+    if ((allowed & on_parameters) != 0 && !is_rate) kinds.push_back(SymbolKind::parameter);
+    if ((allowed & on_inputs) != 0 && !is_rate) kinds.push_back(SymbolKind::input);
+    if ((allowed & on_states) != 0) {
+        kinds.push_back(is_rate ? SymbolKind::velocity : SymbolKind::coordinate);
+        if (!is_rate) kinds.push_back(SymbolKind::state);
+    }
+    const ex number = translate_(value, indices);
+    bool found = false;
+    for (const SymbolKind kind : kinds)
+        for (const Variable& candidate : symbols.all(kind)) {
+            if (candidate.base != named.name) continue;
+            if (candidate.is_member && !named.children.empty() && index_value(*named.children[0], scene_, indices) != candidate.index) continue;
+            if (!candidate.is_member && !named.children.empty()) continue;
+            assign(candidate, number, value.span);
+            found = true;
+        }
+    if (found) return;
+    throw Failure(Diagnostic{Id::unknown_name, variable.span, fmt::format("'{}' is nothing in scene '{}' that can be set here", variable.written(), scene_.name)});
+}
+
+GiNaC::exmap Values::substitution(const ex& time) const {
+    const Symbols& symbols = translate_.symbols();
+    GiNaC::exmap parameters;
+    for (const auto& [which, value] : values_)
+        if (which.first == SymbolKind::parameter) parameters[symbols.get(which.first, which.second)] = value;
+    GiNaC::exmap map = parameters;
+    for (std::size_t i = 0; i < symbols.count(SymbolKind::definition); ++i) {
+        const ex& definition = symbols.get(SymbolKind::definition, i);
+        map[definition] = symbols.without_definitions(definition).subs(parameters, GiNaC::subs_options::no_pattern);
+    }
+    for (const auto& [which, value] : values_)
+        if (which.first != SymbolKind::parameter) map[symbols.get(which.first, which.second)] = value.subs(map, GiNaC::subs_options::no_pattern);
+    map[symbols.time()] = time;
+    return map;
+}
+
+std::vector<ex> Values::state() const {
+    std::vector<ex> result;
+    const GiNaC::exmap map = substitution();
+    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+        for (std::size_t i = 0; i < translate_.symbols().count(kind); ++i)
+            result.push_back(values_.at(key(kind, i)).subs(map, GiNaC::subs_options::no_pattern));
+    return result;
+}
+
+std::vector<ex> Values::inputs() const {
+    std::vector<ex> result;
+    const GiNaC::exmap map = substitution();
+    for (std::size_t i = 0; i < translate_.symbols().count(SymbolKind::input); ++i)
+        result.push_back(values_.at(key(SymbolKind::input, i)).subs(map, GiNaC::subs_options::no_pattern));
+    return result;
+}
+
+}  // namespace dalembert

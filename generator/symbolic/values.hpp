@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers for the letters: defaults from the model, or what a run or the command line sets. All exact and in SI.
+#pragma once
+
+#include "symbolic/translate.hpp"
+
+namespace dalembert {
+
+/// Values of all parameters of the model, and of everything else where it was set.
+class Values {
+public:
+    /// Defaults of the model. Throws Failure (value-out-of-range) when one is outside its range.
+    Values(const Scene& scene, const Translator& translate);
+
+    /// "m_W = 1.2", "phi[2] = 0.1", "dot(s) = -0.3": a parameter, coordinate, velocity, state or input, in SI.
+    /// A family name without index sets all members. Returns false when nothing in the scene has that name.
+    /// Throws Failure (value-out-of-range, unknown-name).
+    void set(const Expression& variable, const Expression& value, unsigned allowed, const Indices& indices = {});
+
+    const GiNaC::ex& parameter(std::size_t i) const { return values_.at(key(SymbolKind::parameter, i)); }
+    /// q, then qd, then z
+    std::vector<GiNaC::ex> state() const;
+    std::vector<GiNaC::ex> inputs() const;
+
+    /// Every letter that has a value: parameters, definitions, states, inputs, and the time as given.
+    GiNaC::exmap substitution(const GiNaC::ex& time = 0) const;
+
+private:
+    static std::pair<SymbolKind, std::size_t> key(SymbolKind kind, std::size_t i) { return {kind, i}; }
+    void assign(const Variable& variable, const GiNaC::ex& value, const Span& place);
+
+    const Scene& scene_;
+    const Translator& translate_;
+    std::map<std::pair<SymbolKind, std::size_t>, GiNaC::ex> values_;
+};
+
+}  // namespace dalembert

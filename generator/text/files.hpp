@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading model files with limits, and writing results whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "text/source.hpp"
+
+namespace dalembert {
+
+/// Reads a UTF-8 text of at most 1 MB. Throws Failure (unreadable-file, file-too-large, not-text).
+SourcePtr read_text_file(const std::filesystem::path& path);
+
+/// Reads any file. Throws Failure (unreadable-file).
+std::string read_file(const std::filesystem::path& path);
+
+using FileContents = std::vector<std::pair<std::filesystem::path, std::string>>;
+
+/// Writes all files or none: each is written beside its place first and renamed when all are complete.
+/// Makes missing folders. A file that has the same content already keeps its time stamp.
+/// Throws Failure (unreadable-file) with exit code 3 and leaves nothing behind.
+void write_files(const FileContents& files);
+
+}  // namespace dalembert

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/process.hpp"
+
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+
+#include "text/diagnostic.hpp"
+
+extern char** environ;
+
+namespace dalembert {
+
+namespace {
+
+/// Reads two pipes to their ends; reading one after the other could block the writer.
+void read_both(int first, int second, std::string& to_first, std::string& to_second) {
+    std::array<pollfd, 2> files{{{first, POLLIN, 0}, {second, POLLIN, 0}}};
+    std::array<std::string*, 2> texts{&to_first, &to_second};
+    int open = 2;
+    while (open > 0 && poll(files.data(), files.size(), -1) >= 0)
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            if (files[i].fd < 0 || files[i].revents == 0) continue;
+            std::array<char, 4096> buffer;
+            const ssize_t count = read(files[i].fd, buffer.data(), buffer.size());
+            if (count > 0) {
+                texts[i]->append(buffer.data(), static_cast<std::size_t>(count));
+            } else {
+                files[i].fd = -1;
+                --open;
+            }
+        }
+}
+
+}  // namespace
+
+ProcessResult run_process(const std::vector<std::string>& arguments) {
+    std::array<int, 2> out{};
+    std::array<int, 2> err{};
+    if (pipe(out.data()) != 0 || pipe(err.data()) != 0) return {127, {}, "no pipe"};
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, err[1], STDERR_FILENO);
+    for (const int file : {out[0], out[1], err[0], err[1]}) posix_spawn_file_actions_addclose(&actions, file);
+    std::vector<char*> argv;
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    pid_t child = 0;
+    const int failed = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(out[1]);
+    close(err[1]);
+    ProcessResult result{127, {}, {}};
+    if (failed == 0) {
+        read_both(out[0], err[0], result.output, result.errors);
+        int status = 0;
+        waitpid(child, &status, 0);
+        result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+    close(out[0]);
+    close(err[0]);
+    return result;
+}
+
+ScratchFolder::ScratchFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "dalembert-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr)
+        throw Failure(Diagnostic{Id::tool_failed, {}, "no folder for temporary files can be made"}, ExitCode::tool_missing);
+    path_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace dalembert

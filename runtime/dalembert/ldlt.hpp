@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSL-1.0
+// Symmetric positive definite systems of fixed size: M = L D L'. The generator copies what stands between the marks into headers
+// that need it, so that the two are the same code.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+// begin ldlt
+/// Factors M = L D L' in place. `m` is the lower triangle row by row; afterwards it holds L below the diagonal and 1/D on it.
+/// M must be positive definite; otherwise the result is not finite or useless, and no error is reported.
+template <class Scalar, std::size_t n>
+void ldlt_factor(std::array<Scalar, n * (n + 1) / 2>& m) noexcept {
+    for (std::size_t i = 0; i < n; ++i) {
+        Scalar* const row = m.data() + i * (i + 1) / 2;
+        for (std::size_t j = 0; j < i; ++j) {
+            const Scalar* const other = m.data() + j * (j + 1) / 2;
+            Scalar v = row[j];
+            for (std::size_t k = 0; k < j; ++k) v -= row[k] * other[k];
+            row[j] = v;
+        }
+        Scalar pivot = row[i];
+        for (std::size_t j = 0; j < i; ++j) {
+            const Scalar l = row[j] * m[j * (j + 1) / 2 + j];
+            pivot -= row[j] * l;
+            row[j] = l;
+        }
+        row[i] = Scalar(1) / pivot;
+    }
+}
+
+/// Solves M x = b in place, `m` as ldlt_factor leaves it. `b` points to n values.
+template <class Scalar, std::size_t n>
+void ldlt_solve(const std::array<Scalar, n * (n + 1) / 2>& m, Scalar* b) noexcept {
+    for (std::size_t i = 1; i < n; ++i) {
+        const Scalar* const row = m.data() + i * (i + 1) / 2;
+        Scalar value = b[i];
+        for (std::size_t k = 0; k < i; ++k) value -= row[k] * b[k];
+        b[i] = value;
+    }
+    for (std::size_t i = 0; i < n; ++i) b[i] *= m[i * (i + 1) / 2 + i];
+    for (std::size_t i = n; i-- > 1;) {
+        const Scalar* const row = m.data() + i * (i + 1) / 2;
+        const Scalar value = b[i];
+        for (std::size_t k = 0; k < i; ++k) b[k] -= row[k] * value;
+    }
+}
+// end ldlt
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSL-1.0
+// Jacobians of generated systems as Eigen matrices, whatever their layout in the header.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+
+namespace dalembert {
+inline namespace v1 {
+
+template <class Scalar>
+using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+template <class Scalar>
+using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+namespace detail {
+
+/// Expands flat values with the pattern of a header.
+template <class Pattern, class Array>
+auto expanded(const Array& values, std::size_t rows, std::size_t columns) {
+    using Scalar = typename Array::value_type;
+    Matrix<Scalar> result = Matrix<Scalar>::Zero(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+    for (std::size_t c = 0; c < columns; ++c) {
+        if constexpr (Pattern::is_sparse) {
+            for (std::size_t k = Pattern::column_starts[c]; k < Pattern::column_starts[c + 1]; ++k)
+                result(static_cast<Eigen::Index>(Pattern::row_indices[k]), static_cast<Eigen::Index>(c)) = values[k];
+        } else {
+            for (std::size_t r = 0; r < rows; ++r) result(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = values[c * rows + r];
+        }
+    }
+    return result;
+}
+
+struct Dense {
+    static constexpr bool is_sparse = false;
+};
+
+}  // namespace detail
+
+/// A = df/dx
+template <class System>
+auto jacobian_x(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+    typename System::JacobianX J;
+    system.jacobian_x(x, u, t, J);
+    return detail::expanded<typename System::PatternX>(J, x.size(), x.size());
+}
+
+/// B = df/du
+template <class System>
+auto jacobian_u(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+    typename System::JacobianU J{};
+    system.jacobian_u(x, u, t, J);
+    return detail::expanded<typename System::PatternU>(J, x.size(), u.size());
+}
+
+/// df/dp
+template <class System>
+auto jacobian_p(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+    typename System::JacobianP J{};
+    system.jacobian_p(x, u, t, J);
+    return detail::expanded<typename System::PatternP>(J, x.size(), System::parameter_table().size());
+}
+
+/// C = dh/dx
+template <class System>
+auto output_jacobian_x(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+    typename System::OutputJacobianX J{};
+    system.output_jacobian_x(x, u, t, J);
+    return detail::expanded<detail::Dense>(J, System::output_table().size(), x.size());
+}
+
+/// D = dh/du
+template <class System>
+auto output_jacobian_u(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+    typename System::OutputJacobianU J{};
+    system.output_jacobian_u(x, u, t, J);
+    return detail::expanded<detail::Dense>(J, System::output_table().size(), u.size());
+}
+
+}  // namespace v1
+}  // namespace dalembert

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSL-1.0
+// A table of results: named columns with units, written as CSV.
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace dalembert {
+inline namespace v1 {
+
+struct Column {
+    std::string name;
+    std::string unit;  ///< SI
+    /// "s [m]"
+    std::string title() const { return unit.empty() ? name : name + " [" + unit + "]"; }
+};
+
+struct Recording {
+    std::vector<Column> columns;
+    std::vector<std::vector<double>> rows;
+
+    /// The number of a column; columns.size() when there is none of that name.
+    std::size_t find(const std::string& name) const {
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            if (columns[i].name == name) return i;
+        return columns.size();
+    }
+};
+
+namespace detail {
+
+/// The shortest text that reads back as the same number.
+inline std::string number_text(double value) {
+    char buffer[32];
+    for (int digits = 9; digits <= 17; ++digits) {
+        std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+        double back = 0;
+        if (std::sscanf(buffer, "%lf", &back) == 1 && back == value) break;
+    }
+    return buffer;
+}
+
+inline std::string csv_field(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+}  // namespace detail
+
+/// First line: titles with units. Returns false when the file cannot be written.
+inline bool write_csv(const Recording& recording, const std::string& path) {
+    std::ofstream out(path);
+    for (std::size_t i = 0; i < recording.columns.size(); ++i) out << (i == 0 ? "" : ",") << detail::csv_field(recording.columns[i].title());
+    out << "\n";
+    for (const std::vector<double>& row : recording.rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) out << (i == 0 ? "" : ",") << detail::number_text(row[i]);
+        out << "\n";
+    }
+    out.close();
+    return static_cast<bool>(out);
+}
+
+}  // namespace v1
+}  // namespace dalembert

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSL-1.0
+// Functions of a scalar that <cmath> does not have, without branches, for every scalar type. The generator copies what stands
+// between the marks into headers that need it.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+// begin select
+/// a where the condition holds, else b.
+template <class Scalar>
+Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
+    return condition ? a : b;
+}
+// end select
+
+// begin sign
+/// -1, 0 or 1
+template <class Scalar>
+Scalar sign(const Scalar& x) noexcept {
+    return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(-1), x));
+}
+// end sign
+
+// begin step
+/// 0 below zero, 1/2 at zero, 1 above
+template <class Scalar>
+Scalar step(const Scalar& x) noexcept {
+    return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), Scalar(1) / Scalar(2)));
+}
+// end step
+
+// begin min
+template <class Scalar>
+Scalar min(const Scalar& a, const Scalar& b) noexcept {
+    return select(b < a, b, a);
+}
+// end min
+
+// begin max
+template <class Scalar>
+Scalar max(const Scalar& a, const Scalar& b) noexcept {
+    return select(a < b, b, a);
+}
+// end max
+
+// begin pi
+/// The number pi, to the digits of the type.
+template <class Scalar>
+Scalar pi() noexcept {
+    using std::acos;
+    constexpr bool is_builtin = std::numeric_limits<Scalar>::is_specialized && std::numeric_limits<Scalar>::digits <= 113;
+    if constexpr (is_builtin) {
+        return static_cast<Scalar>(3.14159265358979323846264338327950288419716939937510L);
+    } else {
+        return acos(Scalar(-1));
+    }
+}
+// end pi
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert

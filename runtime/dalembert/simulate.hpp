@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSL-1.0
+// Simulation of a generated system with inputs, its outputs, and the check of its energy.
+#pragma once
+
+#include "dalembert/integrate.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+
+/// The version of generated headers that this runtime works with.
+inline constexpr int supported_api = 1;
+
+/// No input moves.
+template <class System>
+struct ZeroInputs {
+    typename System::Input operator()(const typename System::State&, typename System::scalar_type) const { return {}; }
+};
+
+/// What the energy of a run did. For an exact solution the error is zero: E(t) - E(0) = work(t).
+struct EnergyBalance {
+    double largest_error = 0;   ///< J, max |E - E(0) - work|
+    double largest_energy = 0;  ///< J, max (T + |V|)
+    double relative_error() const { return largest_energy > 0 ? largest_error / largest_energy : largest_error; }
+};
+
+/// One point of a run.
+template <class System>
+struct Sample {
+    typename System::scalar_type t;
+    const typename System::State& x;
+    const typename System::Input& u;
+    const typename System::Output& y;
+    typename System::scalar_type kinetic_energy, potential_energy, work;
+};
+
+struct SimulationResult {
+    Outcome outcome;
+    EnergyBalance energy;
+};
+
+/// Integrates a system together with the work that is done on it, and calls observe(sample) at the output points.
+/// `inputs` is called as inputs(x, t). In `options` the last state is the work in joules.
+template <class System, class Inputs, class Observer>
+SimulationResult simulate(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
+                          const IntegrationOptions<std::array<typename System::scalar_type, std::tuple_size<typename System::State>::value + 1>>& options,
+                          Observer&& observe) {
+    static_assert(System::api == supported_api, "the header was generated for another version of the runtime");
+    using Scalar = typename System::scalar_type;
+    constexpr std::size_t n = std::tuple_size<typename System::State>::value;
+    using Extended = std::array<Scalar, n + 1>;
+    const auto plain = [](const Extended& extended) {
+        typename System::State state;
+        std::copy_n(extended.begin(), n, state.begin());
+        return state;
+    };
+    const auto rhs = [&](const Extended& extended, Scalar t, Extended& derivative) {
+        const auto state = plain(extended);
+        const auto u = inputs(state, t);
+        typename System::State dxdt;
+        system.rhs(state, u, t, dxdt);
+        std::copy_n(dxdt.begin(), n, derivative.begin());
+        derivative[n] = system.supplied_power(state, u, t) - system.dissipated_power(state, u, t) + system.prescribed_power(state, u, t);
+    };
+    SimulationResult result;
+    Scalar first = Scalar(0);
+    bool is_first = true;
+    const auto watch = [&](Scalar t, const Extended& extended) {
+        using std::abs;
+        const auto state = plain(extended);
+        const auto u = inputs(state, t);
+        typename System::Output y;
+        system.output(state, u, t, y);
+        const Scalar kinetic = system.kinetic_energy(state, t);
+        const Scalar potential = system.potential_energy(state, t);
+        if (is_first) first = kinetic + potential;
+        is_first = false;
+        const double error = static_cast<double>(abs(kinetic + potential - first - extended[n]));
+        result.energy.largest_error = std::max(result.energy.largest_error, error);
+        result.energy.largest_energy = std::max(result.energy.largest_energy, static_cast<double>(kinetic + abs(potential)));
+        observe(Sample<System>{t, state, u, y, kinetic, potential, extended[n]});
+    };
+    Extended extended;
+    std::copy_n(x.begin(), n, extended.begin());
+    extended[n] = Scalar(0);
+    result.outcome = integrate(rhs, extended, from, to, options, watch);
+    x = plain(extended);
+    return result;
+}
+
+}  // namespace v1
+}  // namespace dalembert
