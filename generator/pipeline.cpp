@@ -58,14 +58,20 @@ void stop_on_failed_audit(const System& system, const Audit& audit) {
             if (const auto problem = integrability(system, potential.force)) {
                 const auto& q = system.symbols.all(SymbolKind::coordinate);
                 throw Failure(Diagnostic{Id::not_integrable, potential.span,
-                                         fmt::format("the forces of {} have no potential: d(force on {})/d({}) is '{}', but d(force on {})/d({}) is '{}' (2.81)",
+                                         fmt::format("the forces of {} have no potential: d(force on {})/d({}) is '{}', but d(force on {})/d({}) is '{}'",
                                                      potential.name, q[problem->i].name, q[problem->j].name, write(problem->slope_ij), q[problem->j].name,
                                                      q[problem->i].name, write(problem->slope_ji))});
             }
         }
-        const bool is_given = potential.origin == Potential::Origin::given_energy;
-        throw Failure(Diagnostic{is_given ? Id::wrong_integral : Id::not_equal, potential.span,
-                                 fmt::format("the force of {} is not the derivative of its energy", potential.name)});
+        if (potential.origin != Potential::Origin::given_energy) continue;
+        Prover prover(system);
+        for (std::size_t j = 0; j < system.symbols.degrees(); ++j) {
+            const Variable& q = system.symbols.all(SymbolKind::coordinate)[j];
+            const GiNaC::ex slope = -partial(potential.energy, q.symbol);
+            if (prover.equal(potential.force[j], slope).verdict != Verdict::wrong) continue;
+            throw Failure(Diagnostic{Id::wrong_integral, potential.span,
+                                     fmt::format("the energy of {} gives the force '{}' on '{}', but its law gives '{}'", potential.name, write(slope), q.name, write(potential.force[j]))});
+        }
     }
     for (const AuditEntry* entry : audit.all())
         if (entry->result.verdict == Verdict::wrong)

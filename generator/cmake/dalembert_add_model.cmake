@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSL-1.0
 # dalembert_add_model(TARGET MODEL file.toml [SCENE scene] [SIZES N=5 ...])
 #
-# Generates the header of one scene of a model at build time and makes an interface library TARGET whose users can include it by
-# its name (NAME_SCENE.hpp). The header is generated again when the model file or the generator changes.
+# Generates the header of one scene of a model at build time, as TARGET.hpp, and makes an interface library TARGET for those who
+# include it. The header is generated again when the model file or the generator changes.
 function(dalembert_add_model target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "MODEL;SCENE" "SIZES")
   if(NOT arg_MODEL)
@@ -20,20 +20,19 @@ function(dalembert_add_model target)
     list(APPEND options --size ${size})
   endforeach()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}.generated)
-  set(stamp ${folder}/generated.stamp)
+  set(header ${folder}/${target}.hpp)
   if(TARGET dalembert::dalembert)
     set(program dalembert::dalembert)
   else()
     set(program dalembert)
   endif()
   add_custom_command(
-    OUTPUT ${stamp}
-    COMMAND ${program} generate ${model} ${options} -o ${folder}
-    COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+    OUTPUT ${header}
+    COMMAND ${program} generate ${model} ${options} -o ${folder} --header ${target}.hpp
     DEPENDS ${model} ${program}
     COMMENT "Generating ${target} from ${arg_MODEL}"
     VERBATIM)
-  add_custom_target(${target}_generated DEPENDS ${stamp})
+  add_custom_target(${target}_generated DEPENDS ${header})
   add_library(${target} INTERFACE)
   add_dependencies(${target} ${target}_generated)
   target_include_directories(${target} INTERFACE ${folder})

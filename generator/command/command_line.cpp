@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <ostream>
 
 #include "text/nearest.hpp"
@@ -22,6 +23,13 @@ constexpr const char* examples = R"(Examples:
   dalembert help bodies
 
 Exit codes: 0 good, 1 a check failed, 2 bad input, 3 a tool or compiler is missing or failed, 4 a run stopped.)";
+
+/// For CLI11: empty when the text is the name of a file and no path, else what is wrong.
+std::string file_name(const std::string& text) {
+    const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.'; };
+    if (!text.empty() && text.front() != '.' && text.front() != '-' && std::all_of(text.begin(), text.end(), fits)) return {};
+    return fmt::format("'{}' is not a file name of letters, digits, '_', '-' and '.'", text);
+}
 
 /// "N=5": sizes as they are given.
 void read_sizes(const std::vector<std::string>& texts, std::map<std::string, int>& sizes) {
@@ -45,7 +53,8 @@ public:
         format(derive, "text, latex or json", {"text", "latex", "json"});
         CLI::App* generate = model_verb("generate", "write the C++ header");
         output(generate);
-        generate->add_flag("--every-scene", options_.every_scene, "the headers of all scenes");
+        auto* every = generate->add_flag("--every-scene", options_.every_scene, "the headers of all scenes");
+        generate->add_option("--header", options_.header, "file name of the header instead of NAME_SCENE.hpp")->excludes(every)->check(file_name);
         format(generate, "text or json", {"text", "json"});
         explain(generate);
         CLI::App* check = model_verb("check", "prove the derivation and check the printed equations, in every scene unless one is chosen");

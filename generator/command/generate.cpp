@@ -92,7 +92,7 @@ ExitCode generate_command(const Options& options, Streams streams) {
             streams.out << dumped(machine, options.dump, header);
             return ExitCode::good;
         }
-        const std::filesystem::path path = std::filesystem::path(options.output) / header.file_name;
+        const std::filesystem::path path = std::filesystem::path(options.output) / (options.header.empty() ? header.file_name : options.header);
         files.emplace_back(path, header.text);
         all.push_back(as_json(machine, header, path));
         const bool all_proven = Proofs{machine.audit, machine.emitted}.all_proven();

@@ -30,7 +30,7 @@ const Run* find_run(const Model& model, const std::string& wanted) {
         return model.runs.size() == 1 ? &model.runs.front() : nullptr;
     }
     if (const Run* run = named(wanted)) return run;
-    throw Failure(Diagnostic{Id::unknown_run, {}, fmt::format("the model has no run '{}'{}", wanted, did_you_mean(wanted, known))});
+    throw Failure(Diagnostic{Id::unknown_run, model.name_span, fmt::format("the model has no run '{}'{}", wanted, known.empty() ? "; it has none at all" : "; its runs are " + quoted_list(known))});
 }
 
 double number(const ex& value, const Span& place) {

@@ -14,7 +14,7 @@ namespace {
 
 /// V = -m a_g.(r - r_ref), Q_j = m a_g.dr/dq_j (Beispiel 2.8, with gravity as a vector)
 Potential gravity_on(const BodyMotion& body, const SpaceVector& acceleration, const SpaceVector& reference, const Symbols& symbols, const Span& span) {
-    Potential result{fmt::format("gravity on {}", body.member.name()), Potential::Origin::gravity, span, {}, 0};
+    Potential result{fmt::format("gravity on '{}'", body.member.name()), Potential::Origin::gravity, span, {}, 0};
     SpaceVector from_reference = body.position;
     for (std::size_t i = 0; i < 3; ++i) from_reference[i] -= reference[i];
     result.energy = -body.mass * dot(acceleration, from_reference);
@@ -38,7 +38,7 @@ Potential spring_potential(const Member<Spring>& member, const Translator& trans
     const Spring& spring = *member.item;
     const Indices indices = Translator::indices_of(member);
     const ex elongation = translate(spring.elongation, indices);
-    Potential result{fmt::format("spring {}", member.name()), Potential::Origin::spring, spring.span, {}, 0};
+    Potential result{fmt::format("spring '{}'", member.name()), Potential::Origin::spring, spring.span, {}, 0};
     ex force;
     if (spring.stiffness) {
         const ex stiffness = translate(spring.stiffness, indices);
@@ -86,7 +86,7 @@ ex energy_of_forces(const PotentialTerm& term, const Generalised& force, const T
 Potential plain_potential(const Member<PotentialTerm>& member, const Translator& translate, const Symbols& symbols) {
     const PotentialTerm& term = *member.item;
     const Indices indices = Translator::indices_of(member);
-    Potential result{fmt::format("potential {}", member.name()), Potential::Origin::plain, term.span, Generalised(symbols.degrees(), 0), 0};
+    Potential result{fmt::format("potential '{}'", member.name()), Potential::Origin::plain, term.span, Generalised(symbols.degrees(), 0), 0};
     if (term.energy) {
         result.energy = translate(term.energy, indices);
         for (std::size_t j = 0; j < symbols.degrees(); ++j) result.force[j] = -partial(result.energy, symbols.get(SymbolKind::coordinate, j));

@@ -48,10 +48,19 @@ private:
         return result;
     }
 
+    /// Where the name at the bottom of an expression such as dot(phi) is defined.
+    std::vector<Note> definition_of(const Expression& e) const {
+        const Expression* named = &e;
+        while (named->kind == Kind::call && !named->children.empty()) named = named->children[0].get();
+        const Named* found = named->kind == Kind::name ? names_.find(named->name) : nullptr;
+        if (found == nullptr) return {};
+        return {{found->item->span, fmt::format("'{}' is defined here", named->name)}};
+    }
+
     /// Reports a dependence that the site does not allow.
     unsigned allow(const Expression& e, unsigned depends, const char* is_a) {
         if ((depends & ~site_->allowed) != 0 && !reported_)
-            error(Id::not_allowed_here, e.span, fmt::format("{} must not depend on '{}', which is {}", site_->what, e.written(), is_a));
+            error(Id::not_allowed_here, e.span, fmt::format("{} must not depend on '{}', which is {}", site_->what, e.written(), is_a), definition_of(e));
         return depends;
     }
 

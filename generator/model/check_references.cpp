@@ -126,8 +126,26 @@ private:
         for (const Run& run : model_.runs) {
             std::vector<std::string> known{model_.scenes.empty() ? "full" : ""};
             for (const SceneChoice& scene : model_.scenes) known.push_back(scene.name);
+            plots(run);
             if (!run.scene.empty() && std::find(known.begin(), known.end(), run.scene) == known.end())
                 diagnostics_.error(Id::unknown_scene, run.scene_span, fmt::format("there is no scene '{}'{}", run.scene, did_you_mean(run.scene, known)));
+        }
+    }
+
+    /// Names in plots: variables, members and rates of them, outputs, energies.
+    void plots(const Run& run) {
+        const auto check = [&](const std::string& name, const Span& span) {
+            std::string base = name.starts_with("dot(") && name.ends_with(")") ? name.substr(4, name.size() - 5) : name;
+            base = base.substr(0, base.find('['));
+            const std::vector<std::string> energies{"t", "kinetic_energy", "potential_energy", "work"};
+            if (names_.find(base) != nullptr || std::find(energies.begin(), energies.end(), base) != energies.end()) return;
+            std::vector<std::string> known = names_.all();
+            known.insert(known.end(), energies.begin(), energies.end());
+            diagnostics_.error(Id::unknown_name, span, fmt::format("run '{}' plots '{}', which is not defined{}", run.name, name, did_you_mean(name, known)));
+        };
+        for (const Plot& plot : run.plots) {
+            if (!plot.x.empty()) check(plot.x, plot.span);
+            for (const std::string& name : plot.y) check(name, plot.span);
         }
     }
 

@@ -64,6 +64,7 @@ Entry::Entry(const DocumentNode::Member& member, const SectionSpec& section, Dia
             values_.emplace(value.key, &value.value);
             continue;
         }
+        has_unknown_key_ = true;
         error(Id::unknown_key, value.key_span,
               fmt::format("[{}] has no key '{}'{}{}", path, value.key, did_you_mean(value.key, known),
                           nearest(value.key, known).empty() ? "; it takes " + quoted_list(known) : ""));
@@ -91,11 +92,12 @@ Span Entry::span_of(std::string_view key) const {
 }
 
 void Entry::error(Id id, Span span, std::string message, std::vector<Note> notes) const {
+    if (id == Id::missing_key && has_unknown_key_) return;  // the misspelt key is probably the missing one
     diagnostics_.error(id, std::move(span), std::move(message), std::move(notes));
 }
 
 void Entry::wrong_type(const DocumentNode& node, ValueType expected) const {
-    error(Id::wrong_type, node.span, fmt::format("there is {} where {} is expected", describe(node.kind), describe(expected)));
+    error(Id::wrong_type, node.span, fmt::format("there is {}; expected: {}", describe(node.kind), describe(expected)));
 }
 
 template <class Parse>

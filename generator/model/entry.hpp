@@ -62,6 +62,7 @@ private:
     const SectionSpec& section_;
     Diagnostics& diagnostics_;
     std::map<std::string, const DocumentNode*, std::less<>> values_;
+    bool has_unknown_key_ = false;
 };
 
 }  // namespace dalembert

@@ -63,14 +63,14 @@ void read(const Entry& e, Body& body) {
     body.angular_velocity = e.expression("angular_velocity");
     body.inertia = e.expression("inertia");
     body.on = e.body("on");
-    if (body.mass && !e.has("position")) e.error(Id::missing_key, e.span(), fmt::format("body '{}' has a mass but no position", e.name()));
-    if (!body.mass && !e.has("inertia"))
+    if (e.has("mass") && !e.has("position")) e.error(Id::missing_key, e.span(), fmt::format("body '{}' has a mass but no position", e.name()));
+    if (!e.has("mass") && !e.has("inertia"))
         e.error(Id::missing_key, e.span(), fmt::format("body '{}' has neither mass nor inertia; without either it is no body", e.name()));
-    if (body.rotation && body.angular_velocity)
+    if (e.has("rotation") && e.has("angular_velocity"))
         e.error(Id::doubly_defined, e.span_of("angular_velocity"),
                 fmt::format("body '{}' has a rotation and an angular_velocity; the velocity follows from the rotation", e.name()),
                 {{e.span_of("rotation"), "the rotation stands here"}});
-    if (body.inertia && !body.rotation && !body.angular_velocity)
+    if (e.has("inertia") && !e.has("rotation") && !e.has("angular_velocity"))
         e.error(Id::missing_key, e.span_of("inertia"),
                 fmt::format("body '{}' has an inertia but neither rotation nor angular_velocity", e.name()));
 }
@@ -81,7 +81,7 @@ void read(const Entry& e, Spring& spring) {
     spring.force = e.law("force");
     spring.energy = e.law("energy");
     if (e.has("stiffness") == e.has("force"))
-        e.error(Id::missing_key, e.span(), fmt::format("spring '{}' needs either a stiffness or a force law", e.name()));
+        e.error(Id::missing_key, e.span(), fmt::format("spring '{}' needs either a stiffness or a force law, and not both", e.name()));
     if (e.has("energy") && !e.has("force"))
         e.error(Id::missing_key, e.span_of("energy"), fmt::format("spring '{}' has an energy but no force law that it belongs to", e.name()));
 }
@@ -169,9 +169,7 @@ void read(const Entry& e, PrintedEquation& printed) {
         printed.expected = read_verdict(e.text("expect"));
         if (!printed.expected)
             e.error(Id::wrong_type, e.span_of("expect"),
-                    fmt::format("'{}' is not a verdict{}; the verdicts are {}", e.text("expect"),
-                                did_you_mean(e.text("expect"), {verdict_names.begin(), verdict_names.end()}),
-                                quoted_list({verdict_names.begin(), verdict_names.end()})));
+                    fmt::format("'{}' is not a verdict; the verdicts are {}", e.text("expect"), quoted_list({verdict_names.begin(), verdict_names.end()})));
     }
 }
 
@@ -304,7 +302,7 @@ private:
         for (const SceneChoice& scene : model_.scenes) names.push_back(scene.name);
         if (!model_.default_scene.empty() && std::find(names.begin(), names.end(), model_.default_scene) == names.end())
             diagnostics_.error(Id::unknown_scene, default_span_,
-                               fmt::format("the default scene '{}' is not one of {}", model_.default_scene, quoted_list(names)));
+                               fmt::format("there is no scene '{}' that could be the default; the scenes are {}", model_.default_scene, quoted_list(names)));
     }
 
     DocumentNode root_;

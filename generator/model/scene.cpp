@@ -77,8 +77,8 @@ public:
             if (std::none_of(model_.sizes.begin(), model_.sizes.end(), [&, key = name](const Size& s) { return s.name == key; })) {
                 std::vector<std::string> known;
                 for (const Size& size : model_.sizes) known.push_back(size.name);
-                fail(Id::unknown_size, {}, fmt::format("the model has no size '{}'{}{}", name, did_you_mean(name, known),
-                                                       known.empty() ? "; it has none at all" : ""));
+                fail(Id::unknown_size, model_.name_span,
+                     fmt::format("the model has no size '{}'{}", name, known.empty() ? "; it has none at all" : did_you_mean(name, known)));
             }
         for (const Size& size : model_.sizes) {
             const auto given = wanted.find(size.name);
@@ -89,7 +89,7 @@ public:
             const bool too_small = size.range->low && value < index_value(*size.range->low, scene_, {});
             const bool too_large = size.range->high && value > index_value(*size.range->high, scene_, {});
             if (too_small || too_large)
-                fail(Id::value_out_of_range, size.range->span, fmt::format("size '{}' is {}, outside its range", size.name, value));
+                fail(Id::value_out_of_range, size.range->span, fmt::format("size '{}' is {}, {} its range", size.name, value, too_small ? "below" : "above"));
         }
     }
 
@@ -244,7 +244,7 @@ std::string resolve_scene(const Model& model, const std::string& wanted) {
     }
     if (std::find(known.begin(), known.end(), wanted) == known.end())
         fail(Id::unknown_scene, model.name_span,
-             fmt::format("model '{}' has no scene '{}'{}; its scenes are {}", model.name, wanted, did_you_mean(wanted, known), quoted_list(known)));
+             fmt::format("model '{}' has no scene '{}'; its scenes are {}", model.name, wanted, quoted_list(known)));
     return wanted;
 }
 

@@ -34,8 +34,14 @@ constexpr Measure anything{{}, true};
 
 }  // namespace
 
-Measure Units::mismatch(const Expression& at, std::string message) {
-    diagnostics_.error(Id::unit_mismatch, at.span, std::move(message));
+Measure Units::mismatch(const Expression& at, std::string message, std::initializer_list<const Expression*> sides) {
+    // Where a side is a mere name, its unit is known from where it is defined.
+    std::vector<Note> notes;
+    for (const Expression* side : sides) {
+        const Named* named = side->kind == Kind::name ? names_.find(side->name) : nullptr;
+        if (named != nullptr) notes.push_back({named->item->span, fmt::format("'{}' is defined here", side->name)});
+    }
+    diagnostics_.error(Id::unit_mismatch, at.span, std::move(message), std::move(notes));
     return anything;
 }
 
@@ -43,7 +49,7 @@ void Units::expect(const Expression& expression, const Dimension& expected, cons
     const Measure measure = of(expression, bound);
     if (!measure.fits_all && measure.dimension != expected)
         mismatch(expression, fmt::format("{} must be in '{}', but '{}' is in '{}'", what, expected.described(), expression.written(),
-                                         measure.dimension.described()));
+                                         measure.dimension.described()), {&expression});
 }
 
 Dimension Units::of_coordinate(std::string_view name) const {
@@ -55,13 +61,13 @@ Measure Units::agreeing(const Expression& whole, const Expression& a, const Meas
     if (ma.fits_all) return mb;
     if (mb.fits_all || ma.dimension == mb.dimension) return ma;
     return mismatch(whole, fmt::format("'{}' is in '{}' while '{}' is in '{}'; the two must agree", a.written(), ma.dimension.described(),
-                                       b.written(), mb.dimension.described()));
+                                       b.written(), mb.dimension.described()), {&a, &b});
 }
 
 void Units::dimensionless(const Expression& e, const std::string& what, const Bound& bound) {
     const Measure measure = of(e, bound);
     if (!measure.fits_all && !measure.dimension.is_none())
-        mismatch(e, fmt::format("{} must be dimensionless, but '{}' is in '{}'", what, e.written(), measure.dimension.described()));
+        mismatch(e, fmt::format("{} must be dimensionless, but '{}' is in '{}'", what, e.written(), measure.dimension.described()), {&e});
 }
 
 Measure Units::of(const Expression& e, const Bound& bound) {
@@ -98,11 +104,11 @@ Measure Units::power(const Expression& e, const Bound& bound) {
     const auto exponent = constant_value(*e.children[1]);
     if (!exponent)
         return mismatch(e, fmt::format("'{}' is in '{}' and can only be raised to a power that is a number", e.children[0]->written(),
-                                       base.dimension.described()));
+                                       base.dimension.described()), {e.children[0].get()});
     const auto numerator = to_int(cln::numerator(*exponent));
     const auto denominator = to_int(cln::denominator(*exponent));
     if (!numerator || !denominator || std::abs(*numerator) > 24 || *denominator > 24)
-        return mismatch(e, fmt::format("the exponent of '{}' is too large for something with a unit", e.written()));
+        return mismatch(e, fmt::format("the exponent of '{}' is too large for something with a unit", e.written()), {});
     return {base.dimension.raised({*numerator, *denominator})};
 }
 

@@ -34,7 +34,7 @@ private:
     Measure call(const Expression& e, const Bound& bound);
     Measure power(const Expression& e, const Bound& bound);
     Measure agreeing(const Expression& whole, const Expression& a, const Measure& ma, const Expression& b, const Measure& mb);
-    Measure mismatch(const Expression& at, std::string message);
+    Measure mismatch(const Expression& at, std::string message, std::initializer_list<const Expression*> sides);
     void dimensionless(const Expression& e, const std::string& what, const Bound& bound);
 
     const Names& names_;

@@ -11,8 +11,8 @@ using GiNaC::numeric;
 
 namespace {
 
-constexpr std::size_t most_terms = 60'000;
-constexpr double most_products = 3e7;
+constexpr std::size_t most_terms = 40'000;
+constexpr double most_products = 4e6;
 constexpr int largest_power = 64;
 constexpr int largest_multiple = 24;
 constexpr int most_restarts = 8;

@@ -70,9 +70,8 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
         const Coordinate& item = *member.item;
         const bool is_member = item.family.has_value();
         const std::string rate_unit = per_second(item.unit);
-        const std::string what = item.doc.empty() ? member.name() : item.doc;
         add(SymbolKind::coordinate, member.name(), is_positive(item, names), {item.name, member.index, is_member, item.unit.si(), item.doc, &item});
-        add(SymbolKind::velocity, "dot(" + member.name() + ")", false, {item.name, member.index, is_member, rate_unit, "rate of " + what});
+        add(SymbolKind::velocity, "dot(" + member.name() + ")", false, {item.name, member.index, is_member, rate_unit, "time derivative of " + member.name()});
         add(SymbolKind::acceleration, "ddot(" + member.name() + ")", false, {item.name, member.index, is_member, "", ""});
     }
     for (const auto& member : scene.states) {

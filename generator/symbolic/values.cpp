@@ -20,6 +20,12 @@ int sign(const ex& constant) {
     return ex_to<numeric>(value).is_zero() ? 0 : ex_to<numeric>(value).is_negative() ? -1 : 1;
 }
 
+/// For messages only.
+std::string shown(const ex& constant) {
+    const ex value = constant.evalf();
+    return GiNaC::is_exactly_a<numeric>(value) ? fmt::format("{:.6g}", ex_to<numeric>(value).to_double()) : "a value";
+}
+
 }  // namespace
 
 Values::Values(const Scene& scene, const Translator& translate) : scene_(scene), translate_(translate) {
@@ -57,13 +63,17 @@ void Values::assign(const Variable& variable, const ex& value, const Span& place
     const Quantity* ranged = variable.declared;
     if (ranged == nullptr || !ranged->range) return;
     const ex number = GiNaC::is_exactly_a<numeric>(value) ? value : value.subs(substitution(), GiNaC::subs_options::no_pattern);
-    const auto check = [&](const ExpressionPtr& bound, int wrong, const char* side) {
-        if (!bound || sign(number - translate_(*bound, {})) != wrong) return;
-        throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("the value of '{}' lies {} its range", variable.name, side),
+    const auto check = [&](const ExpressionPtr& bound, int wrong, const char* relation) {
+        if (!bound) return;
+        const ex limit = translate_(*bound, {});
+        if (sign(number - limit) != wrong) return;
+        const std::string unit = ranged->unit.si() == "1" ? "" : " " + ranged->unit.si();
+        throw Failure(Diagnostic{Id::value_out_of_range, place,
+                                 fmt::format("the value of '{}' is {}{}, {} {}{}", variable.name, shown(number), unit, relation, shown(limit), unit),
                                  {{ranged->range->span, fmt::format("the range of '{}' is declared here", ranged->name)}}});
     };
-    check(ranged->range->low, -1, "below");
-    check(ranged->range->high, 1, "above");
+    check(ranged->range->low, -1, "but its range begins at");
+    check(ranged->range->high, 1, "but its range ends at");
 }
 
 void Values::set(const Expression& variable, const Expression& value, unsigned allowed, const Indices& indices) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Equilibria f(x, u) = 0 by Newton's method with the generated Jacobians. What may change is chosen; where more may change than
-// is determined, each step is the smallest one.
+// is determined, each step is the smallest one, in relative terms.
 #pragma once
 
 #include <Eigen/QR>
@@ -35,101 +35,131 @@ struct Equilibrium {
     std::size_t iterations = 0;
 };
 
+namespace detail {
+
+/// f(z) = 0 for the states and inputs z that are free. States, inputs and their rates have units of any size, so what is judged
+/// is always a row relative to |df/dz| |z|, its size when nothing cancels, and a column relative to max(|z|, 1 SI unit).
+template <class System>
+class EquilibriumSearch {
+    using Scalar = typename System::scalar_type;
+    using Index = Eigen::Index;
+
+public:
+    template <class FreeStates, class FreeInputs>
+    EquilibriumSearch(const System& system, Equilibrium<System>& point, const FreeStates& free_states, const FreeInputs& free_inputs, Scalar t)
+        : system_(system), point_(point), t_(t), rows_(static_cast<Index>(point.x.size())) {
+        for (std::size_t i = 0; i < point.x.size(); ++i)
+            if (free_states[i]) add(point.x[i], free_state_columns_, i);
+        for (std::size_t i = 0; i < point.u.size(); ++i)
+            if (free_inputs[i]) add(point.u[i], free_input_columns_, i);
+    }
+
+    void run(std::size_t most_iterations) {
+        if (!take_residual() || !take_jacobian()) {
+            point_.status = Status::not_finite;
+            return;
+        }
+        for (; columns() > 0 && point_.iterations < most_iterations && f_.squaredNorm() > Scalar(0); ++point_.iterations) {
+            if (!improve()) break;
+            if (!take_jacobian()) {
+                point_.status = Status::not_finite;
+                return;
+            }
+        }
+        point_.residual = static_cast<double>(f_.template lpNorm<Eigen::Infinity>());
+        const Scalar rounding = Scalar(10000) * Eigen::NumTraits<Scalar>::epsilon();
+        if (!(f_.cwiseQuotient(row_sizes_).template lpNorm<Eigen::Infinity>() <= rounding)) return;
+        point_.status = Status::success;
+        point_.dimension = static_cast<std::size_t>(columns() - rank());
+        point_.kind = point_.dimension == 0 ? EquilibriumKind::isolated : EquilibriumKind::family;
+    }
+
+private:
+    void add(Scalar& unknown, std::vector<Index>& which, std::size_t i) {
+        unknowns_.push_back(&unknown);
+        which.push_back(static_cast<Index>(i));
+    }
+    Index columns() const { return static_cast<Index>(unknowns_.size()); }
+
+    bool take_residual() {
+        typename System::State dxdt;
+        system_.rhs(point_.x, point_.u, t_, dxdt);
+        f_ = Eigen::Map<const Vector<Scalar>>(dxdt.data(), rows_);
+        return f_.allFinite();
+    }
+
+    bool take_jacobian() {
+        const Matrix<Scalar> A = jacobian_x(system_, point_.x, point_.u, t_);
+        const Matrix<Scalar> B = jacobian_u(system_, point_.x, point_.u, t_);
+        scaled_.resize(rows_, columns());
+        Index c = 0;
+        for (const Index i : free_state_columns_) scaled_.col(c++) = A.col(i);
+        for (const Index i : free_input_columns_) scaled_.col(c++) = B.col(i);
+        sizes_.resize(columns());
+        for (Index j = 0; j < columns(); ++j) {
+            using std::abs;
+            using std::max;
+            sizes_[j] = max(Scalar(abs(*unknowns_[static_cast<std::size_t>(j)])), Scalar(1));
+            scaled_.col(j) *= sizes_[j];
+        }
+        row_sizes_ = scaled_.cwiseAbs().rowwise().sum();
+        for (Index i = 0; i < rows_; ++i)
+            if (!(row_sizes_[i] > Scalar(0))) row_sizes_[i] = Scalar(1);  // nothing free moves this row
+        for (Index i = 0; i < rows_; ++i) scaled_.row(i) /= row_sizes_[i];
+        return scaled_.allFinite();
+    }
+
+    /// A Newton step, halved as long as the residual does not fall. False, with nothing changed, when it never does.
+    bool improve() {
+        const Eigen::CompleteOrthogonalDecomposition<Matrix<Scalar>> decomposition = with_threshold<Eigen::CompleteOrthogonalDecomposition<Matrix<Scalar>>>();
+        const Vector<Scalar> step = decomposition.solve(-f_.cwiseQuotient(row_sizes_)).cwiseProduct(sizes_);
+        const Vector<Scalar> f_before = f_;
+        const Scalar norm_before = f_.cwiseQuotient(row_sizes_).norm();
+        std::vector<Scalar> before;
+        for (const Scalar* unknown : unknowns_) before.push_back(*unknown);
+        Scalar factor = Scalar(1);
+        for (int halvings = 0; halvings < 40; ++halvings, factor /= Scalar(2)) {
+            for (std::size_t i = 0; i < unknowns_.size(); ++i) *unknowns_[i] = before[i] + factor * step[static_cast<Index>(i)];
+            if (take_residual() && f_.cwiseQuotient(row_sizes_).norm() <= (Scalar(1) - factor / Scalar(10)) * norm_before) return true;
+        }
+        for (std::size_t i = 0; i < unknowns_.size(); ++i) *unknowns_[i] = before[i];
+        f_ = f_before;
+        return false;
+    }
+
+    Index rank() const { return columns() == 0 ? 0 : with_threshold<Eigen::ColPivHouseholderQR<Matrix<Scalar>>>().rank(); }
+
+    /// What is below 1e-10 of the largest in the scaled matrix counts as zero.
+    template <class Decomposition>
+    Decomposition with_threshold() const {
+        Decomposition decomposition;
+        decomposition.setThreshold(Scalar(1e-10));
+        decomposition.compute(scaled_);
+        return decomposition;
+    }
+
+    const System& system_;
+    Equilibrium<System>& point_;
+    Scalar t_;
+    Index rows_;
+    std::vector<Scalar*> unknowns_;
+    std::vector<Index> free_state_columns_, free_input_columns_;
+    Vector<Scalar> f_, sizes_, row_sizes_;
+    Matrix<Scalar> scaled_;
+};
+
+}  // namespace detail
+
 /// Unknowns are the states that are free and the inputs that are free; everything else keeps the value given.
 template <class System>
 Equilibrium<System> find_equilibrium(const System& system, const typename System::State& x0, const typename System::Input& u0,
                                      const std::array<bool, std::tuple_size<typename System::State>::value>& free_states,
                                      const std::array<bool, std::tuple_size<typename System::Input>::value>& free_inputs,
                                      typename System::scalar_type t = typename System::scalar_type(0), std::size_t most_iterations = 100) {
-    using Scalar = typename System::scalar_type;
-    const auto rows = static_cast<Eigen::Index>(x0.size());
-    std::vector<Scalar*> unknowns;
     Equilibrium<System> result;
     result.x = x0;
     result.u = u0;
-    for (std::size_t i = 0; i < x0.size(); ++i)
-        if (free_states[i]) unknowns.push_back(&result.x[i]);
-    for (std::size_t i = 0; i < u0.size(); ++i)
-        if (free_inputs[i]) unknowns.push_back(&result.u[i]);
-    const auto columns = static_cast<Eigen::Index>(unknowns.size());
-
-    const auto residual = [&] {
-        typename System::State dxdt;
-        system.rhs(result.x, result.u, t, dxdt);
-        return Vector<Scalar>(Eigen::Map<const Vector<Scalar>>(dxdt.data(), rows));
-    };
-    const auto jacobian = [&] {
-        const Matrix<Scalar> A = jacobian_x(system, result.x, result.u, t);
-        const Matrix<Scalar> B = jacobian_u(system, result.x, result.u, t);
-        Matrix<Scalar> J(rows, columns);
-        Eigen::Index c = 0;
-        for (std::size_t i = 0; i < x0.size(); ++i)
-            if (free_states[i]) J.col(c++) = A.col(static_cast<Eigen::Index>(i));
-        for (std::size_t i = 0; i < u0.size(); ++i)
-            if (free_inputs[i]) J.col(c++) = B.col(static_cast<Eigen::Index>(i));
-        return J;
-    };
-
-    using std::abs;
-    using std::max;
-    Vector<Scalar> f = residual();
-    if (!f.allFinite()) {
-        result.status = Status::not_finite;
-        return result;
-    }
-    const Scalar small = Scalar(100) * Eigen::NumTraits<Scalar>::epsilon();
-    bool converged = f.template lpNorm<Eigen::Infinity>() == Scalar(0);
-    Matrix<Scalar> J = jacobian();
-    for (; !converged && columns > 0 && result.iterations < most_iterations; ++result.iterations) {
-        if (!J.allFinite()) {
-            result.status = Status::not_finite;
-            return result;
-        }
-        Eigen::CompleteOrthogonalDecomposition<Matrix<Scalar>> decomposition;
-        decomposition.setThreshold(Scalar(1e-10));
-        decomposition.compute(J);
-        const Vector<Scalar> step = decomposition.solve(-f);
-        std::vector<Scalar> before;
-        for (const Scalar* unknown : unknowns) before.push_back(*unknown);
-        // Half steps as long as the residual does not fall.
-        Scalar factor = Scalar(1);
-        Vector<Scalar> next;
-        for (int halvings = 0; halvings < 40; ++halvings, factor /= Scalar(2)) {
-            for (std::size_t i = 0; i < unknowns.size(); ++i) *unknowns[i] = before[i] + factor * step[static_cast<Eigen::Index>(i)];
-            next = residual();
-            if (next.allFinite() && next.norm() <= (Scalar(1) - factor / Scalar(10)) * f.norm()) break;
-        }
-        Scalar change = Scalar(0);
-        Scalar size = Scalar(1);
-        for (std::size_t i = 0; i < unknowns.size(); ++i) {
-            change = max(change, Scalar(abs(*unknowns[i] - before[i])));
-            size = max(size, Scalar(abs(*unknowns[i])));
-        }
-        const bool fell = next.allFinite() && next.norm() < f.norm();
-        if (!fell) {
-            for (std::size_t i = 0; i < unknowns.size(); ++i) *unknowns[i] = before[i];
-            change = Scalar(0);
-        } else {
-            f = next;
-        }
-        J = jacobian();
-        // Converged where the next step would be nothing but rounding, and the residual with it.
-        const Scalar scale = max(Scalar(1), Scalar(J.template lpNorm<Eigen::Infinity>())) * size;
-        converged = change <= small * size && f.template lpNorm<Eigen::Infinity>() <= Scalar(1000) * small * scale;
-        if (!fell && !converged) break;
-    }
-    result.residual = static_cast<double>(f.template lpNorm<Eigen::Infinity>());
-    if (!converged) return result;
-    result.status = Status::success;
-    Eigen::Index rank = 0;
-    if (columns > 0) {
-        Eigen::ColPivHouseholderQR<Matrix<Scalar>> decomposition;
-        decomposition.setThreshold(Scalar(1e-9));
-        decomposition.compute(J);
-        rank = decomposition.rank();
-    }
-    result.dimension = static_cast<std::size_t>(columns - rank);
-    result.kind = result.dimension == 0 ? EquilibriumKind::isolated : EquilibriumKind::family;
+    detail::EquilibriumSearch<System>(system, result, free_states, free_inputs, t).run(most_iterations);
     return result;
 }
 

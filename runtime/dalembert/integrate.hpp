@@ -19,10 +19,12 @@ namespace dalembert {
 inline namespace v1 {
 
 enum class Method {
-    rk4,               ///< classical Runge-Kutta, fixed step
-    dopri5,            ///< Dormand-Prince 5(4), controlled, output points by its dense output
-    dopri5_controlled, ///< the same, but steps end on output points
-    fehlberg78,        ///< Fehlberg 8(7), controlled, steps end on output points
+    rk4,                ///< classical Runge-Kutta, fixed step
+    dopri5,             ///< Dormand-Prince 5(4), controlled, output points by its dense output
+    dopri5_controlled,  ///< the same, but steps end on output points
+    /// Fehlberg 7(8), controlled, steps end on output points; for smooth motion at tight tolerances. The difference of the pair
+    /// vanishes for dx/dt = f(t): it does not see what depends on time alone, such as an input that jumps. Take dopri5 there.
+    fehlberg78,
 };
 
 template <class State>
@@ -73,7 +75,7 @@ public:
                          !(options_.step >= Scalar(0)) || (options_.method == Method::rk4 && !(options_.step > Scalar(0)));
         if (bad) return end(Status::bad_options);
         evaluate(x_, t_, dxdt_);
-        if (!good(x_, dxdt_)) return end(Status::not_finite);
+        if (!good(x_, dxdt_)) return end_not_finite(Scalar(0));
         observe_(t_, x_);
         if (to_ == from_) return end(Status::success);
         switch (options_.method) {
@@ -97,13 +99,25 @@ private:
         return outcome_;
     }
 
-    /// Whether both are finite; notes the culprit.
-    bool good(const State& a, const State& b) {
-        const std::size_t i = std::min(first_not_finite(a), first_not_finite(b));
-        if (i == N) return true;
+    static bool good(const State& a, const State& b) { return first_not_finite(a) == N && first_not_finite(b) == N; }
+
+    /// Names the state to blame: infinite itself, or else the one whose derivative is at x or a little further on. Within a step
+    /// what is not finite spreads from one state to the others, so the whole step would not tell.
+    Outcome end_not_finite(Scalar further) {
+        State ahead = x_;
+        State dxdt;
+        evaluate(x_, t_, dxdt);
+        std::size_t i = std::min(first_not_finite(x_), first_not_finite(dxdt));
+        if (i == N) {
+            for (std::size_t k = 0; k < N; ++k) ahead[k] += further * dxdt[k];
+            evaluate(ahead, t_ + further, dxdt);
+            i = std::min(first_not_finite(ahead), first_not_finite(dxdt));
+        }
         outcome_.state = i;
-        return false;
+        return end(Status::not_finite);
     }
+
+    Outcome stop(Status status) { return status == Status::not_finite ? end_not_finite(Scalar(64) * smallest_step()) : end(status); }
 
     Scalar output_time(std::size_t i) const {
         return i == options_.intervals ? to_ : from_ + (to_ - from_) * (Scalar(static_cast<double>(i)) / Scalar(static_cast<double>(options_.intervals)));
@@ -172,7 +186,7 @@ private:
                 if (outcome_.steps == options_.max_steps) return end(Status::too_many_steps);
                 State y = x_;
                 stepper.do_step(f, y, t_, h);
-                if (!good(y, y)) return end(Status::not_finite);
+                if (!good(y, y)) return end_not_finite(h);
                 x_ = y;
                 ++outcome_.steps;
                 t_ = k + 1 == count ? output_time(i) : begin + h * Scalar(static_cast<double>(k + 1));
@@ -228,11 +242,11 @@ private:
                 State y;
                 const Scalar limit = target - t_;
                 const Status status = accepted_step(h, limit, order, y, [&](Scalar now, State& out, State& error) { stepper.do_step(f, x_, dxdt_, t_, out, now, error); });
-                if (status != Status::success) return end(status);
+                if (status != Status::success) return stop(status);
                 t_ = taken_ == limit ? target : t_ + taken_;
                 x_ = y;
                 evaluate(x_, t_, dxdt_);
-                if (!good(x_, dxdt_)) return end(Status::not_finite);
+                if (!good(x_, dxdt_)) return end_not_finite(Scalar(0));
             }
             observe_(t_, x_);
         }
@@ -256,7 +270,7 @@ private:
                 const std::size_t culprit = first_not_finite(dydt);
                 if (culprit != N) out[culprit] = std::numeric_limits<Scalar>::quiet_NaN();
             });
-            if (status != Status::success) return end(status);
+            if (status != Status::success) return stop(status);
             const Scalar reached = taken_ == limit ? target : t_ + taken_;
             for (; next <= options_.intervals && output_time(next) < reached; ++next) {
                 State between;

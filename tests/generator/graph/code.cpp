@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/code.hpp"
+
+#include "generator/machine.hpp"
+#include "graph/extract.hpp"
+#include "graph/lower.hpp"
+#include "graph/verify.hpp"
+
+using namespace dalembert;
+
+namespace {
+
+int operations(const std::string& system, const std::string& scene, Function function, const std::map<std::string, int>& sizes = {}) {
+    const Machine machine = machine_of(system, scene, sizes);
+    return make_code(*machine.system)->count(function).total();
+}
+
+}  // namespace
+
+TEST_CASE("what the emitted code costs") {
+    // Upper bounds: whoever makes them smaller may lower them, nobody may raise them unnoticed.
+    CHECK(operations("pendulum", "", Function::rhs) <= 4);
+    CHECK(operations("cart_pendulum", "ideal", Function::rhs) <= 22);
+    CHECK(operations("cart_pendulum", "lab", Function::rhs) <= 24);
+    CHECK(operations("cart_pendulum", "lab", Function::rhs_and_jacobian) <= 58);
+    CHECK(operations("spherical_pendulum", "free", Function::rhs) <= 16);
+    CHECK(operations("ball_on_beam", "", Function::rhs) <= 29);
+    CHECK(operations("n_pendulum", "", Function::rhs, {{"N", 2}}) <= 31);
+    CHECK(operations("n_pendulum", "", Function::rhs, {{"N", 3}}) <= 78);
+    CHECK(operations("n_pendulum", "", Function::rhs, {{"N", 12}}) <= 960);
+    CHECK(operations("n_pendulum", "", Function::rhs_and_jacobian, {{"N", 12}}) <= 1860);
+}
+
+TEST_CASE("sine squared and cosine squared are folded, also through two angles") {
+    const Machine machine = machine_of("spherical_pendulum", "free");
+    const auto code = make_code(*machine.system);
+    // M = diag(m l^2, m l^2 sin^2(theta)): no trace of phi.
+    CHECK(code->count(Function::mass_matrix).total() <= 3);
+}
+
+TEST_CASE("sine and cosine of an angle are computed once") {
+    const Machine machine = machine_of("n_pendulum", "", {{"N", 4}});
+    CHECK(make_code(*machine.system)->count(Function::rhs_and_jacobian).trigonometric == 8);
+}
+
+TEST_CASE("the sign of a difference in a denominator does not depend on how it is written") {
+    const auto machine = [](const char* law) {
+        return machine_from("[parameters]\nm = { value = 1, unit = \"kg\" }\nk = { value = 1, unit = \"N*m\" }\n"
+                            "[coordinates]\nx = { unit = \"m\" }\ny = { unit = \"m\" }\n"
+                            "[bodies.a]\nmass = \"m\"\nposition = [\"x\", \"y\", 0]\n"
+                            "[generalised_forces.f]\ncoordinate = \"x\"\nforce = \"" + std::string(law) + "\"\n");
+    };
+    Machine one = machine("k/(x - y)");
+    Machine two = machine("-k/(y - x)");
+    CHECK(generate(one).text == generate(two).text);
+}
+
+TEST_CASE("common sums and products are found across functions") {
+    // f = a*c + b*c, g = a*d + b*d: (a + b) is computed once.
+    Network network{10, {{{1, {0, 2}}, {1, {1, 2}}}, {{1, {0, 3}}, {1, {1, 3}}}}};
+    extract(network);
+    REQUIRE(network.functions.size() == 3);
+    CHECK(network.functions[0].size() == 1);
+    CHECK(network.functions[1].size() == 1);
+    CHECK(network.functions[2].size() == 2);
+    // 2ac - 2bc and 3ad - 3bd share a - b too.
+    Network scaled{10, {{{2, {0, 2}}, {-2, {1, 2}}}, {{3, {0, 3}}, {-3, {1, 3}}}}};
+    extract(scaled);
+    CHECK(scaled.functions.size() == 3);
+    // Nothing in common: nothing is added.
+    Network different{10, {{{1, {0}}, {1, {1}}}, {{1, {2}}, {1, {3}}}}};
+    extract(different);
+    CHECK(different.functions.size() == 2);
+}
+
+TEST_CASE("a defect in the code is found") {
+    const Machine machine = machine_of("cart_pendulum", "lab");
+    const auto code = make_code(*machine.system);
+    FunctionCode& rhs = (*code)[Function::rhs];
+    rhs.force[0] = rhs.program.sum({{false, rhs.force[0]}, {false, rhs.program.constant(1)}});
+    bool found = false;
+    for (const AuditEntry& entry : verify(*code)) found = found || entry.result.verdict == Verdict::wrong;
+    CHECK(found);
+}
+
+TEST_CASE("large chains solve by loops, diagonal ones never") {
+    const auto chain = [](int n) {
+        return machine_from("[sizes]\nN = 3\n[parameters]\nm = { value = 1, unit = \"kg\" }\nc = { value = 1, unit = \"N/m\" }\n"
+                            "[coordinates]\nx = { for = \"k = 1..N\", unit = \"m\" }\n"
+                            "[bodies.b]\nfor = \"k = 1..N\"\nmass = \"m\"\nposition = [\"x[k]\", 0, 0]\n"
+                            "[springs.s]\nfor = \"k = 1..N-1\"\nelongation = \"x[k+1] - x[k]\"\nstiffness = \"c\"\n",
+                            "", {{"N", n}});
+    };
+    const Machine machine = chain(20);
+    const auto code = make_code(*machine.system);
+    CHECK(code->solve.unrolled);
+    CHECK(code->solve.is_constant);
+    CHECK(code->count(Function::rhs).divisions == 0);
+    CHECK_FALSE(make_code(*machine_of("n_pendulum", "", {{"N", 8}}).system)->solve.unrolled);
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prove/normal_form.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "symbolic/functions.hpp"
+
+using namespace dalembert;
+using namespace GiNaC;
+
+namespace {
+const realsymbol x("x"), y("y"), z("z");
+const possymbol p("p"), q("q");
+bool zero(const ex& e) { return NormalForm().is_zero(e); }
+}  // namespace
+
+TEST_CASE("identities are proven") {
+    const std::vector<ex> identities{
+        pow(sin(x), 2) + pow(cos(x), 2) - 1,
+        sin(x + y) - sin(x) * cos(y) - cos(x) * sin(y),
+        cos(3 * x) - 4 * pow(cos(x), 3) + 3 * cos(x),
+        sin(x) - 2 * sin(x / 2) * cos(x / 2),
+        tan(x) - sin(x) / cos(x),
+        1 + pow(tan(x), 2) - 1 / pow(cos(x), 2),
+        pow(cosh(x), 2) - pow(sinh(x), 2) - 1,
+        tanh(2 * x) - 2 * tanh(x) / (1 + pow(tanh(x), 2)),
+        exp(x + y) - exp(x) * exp(y),
+        exp(x / 3) * exp(2 * x / 3) - exp(x),
+        (pow(x, 2) - 1) / (x - 1) - x - 1,
+        1 / (x + y) - (x - y) / (pow(x, 2) - pow(y, 2)),
+        1 / (1 + 1 / x) - x / (x + 1),
+        sqrt(pow(x, 2) + 2 * x + 1) - sqrt(pow(x + 1, 2)),
+        pow(x + y, numeric(3, 2)) - (x + y) * sqrt(x + y),
+        1 / sqrt(x + y) - sqrt(x + y) / (x + y),
+        sqrt(p * q) - sqrt(p) * sqrt(q),
+        sqrt(ex(12)) - 2 * sqrt(ex(3)),
+        sqrt(ex(numeric(2, 3))) - sqrt(ex(6)) / 3,
+        pow(magnitude(x), 2) - pow(x, 2),
+        magnitude(x) - magnitude(-x),
+        x * sign_of(x) - magnitude(x),
+        sign_of(x) * sign_of(x) - 1,
+        minimum(x, y) + maximum(x, y) - x - y,
+        maximum(x, y) - minimum(x, y) - magnitude(x - y),
+        unit_step(x) + unit_step(-x) - 1,
+        pow(x, y + 1) - x * pow(x, y),
+        cos(x * y + z) - cos(x * y) * cos(z) + sin(x * y) * sin(z),
+        log(x + x) - log(2 * x),
+        sin(Pi * x) - sin(Pi * x),
+    };
+    for (const ex& e : identities) {
+        CAPTURE(e);
+        CHECK(zero(e));
+    }
+}
+
+TEST_CASE("what is no identity is not proven") {
+    const std::vector<ex> others{
+        sin(x) + cos(x), sin(x + y) - sin(x) - sin(y), cos(2 * x) - 2 * cos(x), sqrt(x * x) - x, magnitude(x) - x, 1 / (x + y) - 1 / x - 1 / y,
+        exp(x * y) - exp(x) * exp(y), sqrt(x + y) - sqrt(x) - sqrt(y), pow(x, 2) - pow(x, 3), ex(1), tanh(x) - x, log(x * y) - log(x), sign_of(x) - 1,
+        pow(sin(x), 2) + pow(cos(y), 2) - 1};
+    for (const ex& e : others) {
+        CAPTURE(e);
+        CHECK_FALSE(zero(e));
+    }
+}
+
+TEST_CASE("random polynomials in sines and cosines: the normal form agrees with GiNaC's expansion") {
+    std::mt19937 engine(7);
+    const auto pick = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(engine); };
+    const std::vector<ex> atoms{sin(x), cos(x), sin(y), cos(y), x, y, p};
+    for (int i = 0; i < 60; ++i) {
+        ex a = 0;
+        for (int t = 0; t < 4; ++t) {
+            ex term = pick(9) - 4;
+            for (int f = 0; f < 3; ++f) term *= atoms[static_cast<std::size_t>(pick(7))];
+            a += term;
+        }
+        const ex b = a.expand() + (pow(sin(x), 2) + pow(cos(x), 2) - 1) * atoms[static_cast<std::size_t>(pick(7))] * (pick(5) + 1);
+        CAPTURE(a);
+        CHECK(zero(a - b));
+        CHECK_FALSE(zero(a - b + 1));
+    }
+}
+
+TEST_CASE("what is too large is refused, not waited for") {
+    ex sum = 0;
+    for (int i = 0; i < 12; ++i) sum += realsymbol("a" + std::to_string(i));
+    CHECK_THROWS_AS(zero(pow(sum, 40) - 1), NoNormalForm);
+    CHECK_THROWS_AS(zero(sin(x / 1009) - y), NoNormalForm);
+}

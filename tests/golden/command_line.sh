@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Exit codes and messages of the program, called as a user calls it.
+set -uo pipefail
+here=$(mktemp -d)
+trap 'rm -rf "$here"' EXIT
+model=$SOURCE/systems/mechanics/cart_pendulum.toml
+failures=0
+# expect CODE PATTERN COMMAND...: exit code, and what must be printed
+expect() {
+  local code=$1 pattern=$2 output got
+  shift 2
+  output=$("$@" 2>&1)
+  got=$?
+  if [ "$got" -ne "$code" ] || ! grep -qe "$pattern" <<<"$output"; then
+    echo "FAILED: $* gives $got instead of $code, or not '$pattern':"
+    echo "$output"
+    failures=$((failures + 1))
+  fi
+}
+expect 0 'Examples:' "$PROGRAM" --help
+expect 0 'dalembert 0' "$PROGRAM" --version
+expect 2 'the verbs are' "$PROGRAM"
+expect 2 'the verbs are' "$PROGRAM" conjure
+expect 2 'MODEL is required' "$PROGRAM" derive
+expect 2 "no model 'nowhere'\|there is no file" "$PROGRAM" derive nowhere.toml
+expect 2 "no scene 'lap'; its scenes are 'lab' and 'ideal'" "$PROGRAM" derive "$model" --scene lap
+expect 2 'is not a file name' "$PROGRAM" generate "$model" --header ../x.hpp -o "$here/none"
+expect 2 'NAME=WHOLE_NUMBER' "$PROGRAM" derive "$model" --size N
+expect 2 'no size' "$PROGRAM" derive "$model" --size N=3
+expect 2 "did you mean 'bodies'" "$PROGRAM" help bodie
+expect 0 'ddot(s)' "$PROGRAM" evaluate "$model"
+expect 2 'unit-mismatch' "$PROGRAM" evaluate "$model" --parameter m_W=2m
+expect 2 'value-out-of-range' "$PROGRAM" evaluate "$model" --parameter m_W=-1
+expect 2 'unknown-name' "$PROGRAM" evaluate "$model" --state q=1
+expect 2 'not of the form NAME=VALUE' "$PROGRAM" evaluate "$model" --state q
+expect 1 'not all as expected' "$PROGRAM" check "$SOURCE/tests/golden/wrong_equation.toml"
+expect 3 'cannot be started' env CXX=no-such-compiler "$PROGRAM" simulate "$model" --until 1 -o "$here/none"
+[ ! -e "$here/none" ] || { echo "FAILED: something was left behind"; failures=$((failures + 1)); }
+expect 0 'energy error' "$PROGRAM" simulate "$model" --until 1 -o "$here/out"
+for ending in hpp csv svg png; do
+  [ -s "$here/out/cart_pendulum_lab.$ending" ] || { echo "FAILED: no $ending"; failures=$((failures + 1)); }
+done
+head -1 "$here/out/cart_pendulum_lab.csv" | grep -q '^t \[s\],s \[m\],phi \[rad\],dot(s) \[m/s\],dot(phi) \[rad/s\],tip \[m\],f_e \[N\],' ||
+  { echo "FAILED: CSV header"; failures=$((failures + 1)); }
+# A run that leaves where its equations have values ends with code 4, names the state, and keeps what was computed.
+expect 4 "not finite; state 'dot(x)'" "$PROGRAM" simulate "$SOURCE/tests/golden/blow_up.toml" --until 10 --no-plot -o "$here/blow_up"
+[ -s "$here/blow_up/blow_up_full.csv" ] || { echo "FAILED: what was computed before the stop is not kept"; failures=$((failures + 1)); }
+expect 2 'value-out-of-range' "$PROGRAM" simulate "$SOURCE/systems/mechanics/spherical_pendulum.toml" --scene free --state theta=4 --until 1 --no-plot -o "$here/pole"
+expect 0 'isolated' "$PROGRAM" equilibrium "$model"
+exit "$((failures > 0))"

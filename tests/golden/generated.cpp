@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// generated/ holds what the program generates from systems/: every scene, and of families a few small sizes.
+#include <set>
+
+#include "golden/support.hpp"
+
+namespace {
+
+using namespace golden;
+
+/// Sizes for which headers are kept, by model; all others have one.
+const std::map<std::string, std::vector<std::string>> kept_sizes{{"n_pendulum", {"N=1", "N=2", "N=3", "N=5"}}};
+
+void generate_all(const fs::path& to) {
+    for (const auto& entry : fs::recursive_directory_iterator(source / "systems")) {
+        if (entry.path().extension() != ".toml") continue;
+        const fs::path folder = to / fs::relative(entry.path().parent_path(), source / "systems");
+        const std::vector<std::string> common{"generate", entry.path().string(), "--every-scene", "-o", folder.string()};
+        const auto sizes = kept_sizes.find(entry.path().stem().string());
+        for (const std::string& size : sizes == kept_sizes.end() ? std::vector<std::string>{""} : sizes->second) {
+            std::vector<std::string> arguments = common;
+            if (!size.empty()) arguments.insert(arguments.end(), {"--size", size});
+            const Result result = run(arguments);
+            INFO(entry.path().string(), " ", size, ": ", result.err);
+            CHECK(result.exit_code == 0);
+            CHECK(result.err.empty());
+            CHECK(result.out.find("everything proven") != std::string::npos);
+        }
+    }
+}
+
+std::set<std::string> files_below(const fs::path& folder) {
+    std::set<std::string> files;
+    if (!fs::exists(folder)) return files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files.insert(fs::relative(entry.path(), folder).string());
+    return files;
+}
+
+}  // namespace
+
+TEST_CASE("generated/ is what the program generates") {
+    if (accepting()) {
+        fs::remove_all(source / "generated");
+        generate_all(source / "generated");
+        return;
+    }
+    const TemporaryFolder fresh;
+    generate_all(fresh.path());
+    const auto expected = files_below(source / "generated");
+    const auto made = files_below(fresh.path());
+    CHECK(expected == made);
+    for (const std::string& file : made) {
+        INFO(file, "; ./dev accept writes generated/ anew");
+        CHECK((content(fresh.path() / file) == content(source / "generated" / file)));
+    }
+}

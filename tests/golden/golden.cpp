@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the verbs print for the systems of the repository.
+#include "golden/support.hpp"
+
+using namespace golden;
+
+namespace {
+
+/// The path of a model in outputs, whatever folder the repository stands in.
+std::string without_path(std::string text) {
+    const std::string root = source.string() + "/";
+    for (std::size_t at; (at = text.find(root)) != std::string::npos;) text.erase(at, root.size());
+    return text;
+}
+
+struct Kept {
+    const char* file;
+    std::vector<std::string> arguments;
+    int exit_code = 0;
+};
+
+}  // namespace
+
+TEST_CASE("outputs of the verbs") {
+    const auto model = [](const char* name) { return (source / "systems" / "mechanics" / name).string() + ".toml"; };
+    const std::vector<Kept> kept{
+        {"derive_cart_pendulum.txt", {"derive", model("cart_pendulum")}},
+        {"derive_cart_pendulum.tex", {"derive", model("cart_pendulum"), "--format", "latex"}},
+        {"derive_cart_pendulum.json", {"derive", model("cart_pendulum"), "--format", "json"}},
+        {"derive_n_pendulum_N4.txt", {"derive", model("n_pendulum"), "--size", "N=4"}},
+        {"derive_projectile.txt", {"derive", model("projectile")}},
+        {"check_coupled_springs.txt", {"check", model("coupled_springs")}},
+        {"check_coupled_springs.json", {"check", model("coupled_springs"), "--format", "json"}},
+        {"check_drive_train.txt", {"check", model("drive_train")}},
+        {"evaluate_cart_pendulum.txt",
+         {"evaluate", model("cart_pendulum"), "--state", "s=0.55,phi=0.7,dot(s)=-0.3", "--input", "f_e=4.5", "--parameter", "m_W=1200 g"}},
+        {"evaluate_cart_pendulum.json", {"evaluate", model("cart_pendulum"), "--state", "s=55 cm, phi=40 deg", "--format", "json"}},
+        {"evaluate_kepler_40_digits.txt", {"evaluate", model("kepler"), "--digits", "40"}},
+        {"scenes_cart_pendulum.txt", {"scenes", model("cart_pendulum")}},
+        {"scenes_projectile.json", {"scenes", model("projectile"), "--format", "json"}},
+        {"help_bodies.txt", {"help", "bodies"}},
+        {"help_mass.txt", {"help", "mass"}},
+        {"help_errors.txt", {"help", "errors"}},
+        {"help_functions.txt", {"help", "functions"}},
+        {"help_quantities.txt", {"help", "quantities"}},
+        {"dump_scene.txt", {"generate", model("cart_pendulum"), "--scene", "ideal", "--dump", "scene"}},
+        {"dump_atoms.txt", {"generate", model("spherical_pendulum"), "--dump", "atoms"}},
+    };
+    for (const Kept& one : kept) {
+        const Result result = run(one.arguments);
+        CAPTURE(one.file);
+        CHECK(result.exit_code == one.exit_code);
+        CHECK(result.err.empty());
+        expect(source / "tests" / "golden" / "expected" / one.file, without_path(result.out));
+    }
+}

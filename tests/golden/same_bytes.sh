@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The same model gives the same bytes on every run, with addresses of memory randomised by the system.
+set -euo pipefail
+here=$(mktemp -d)
+trap 'rm -rf "$here"' EXIT
+for run in $(seq 1 20); do
+  for model in cart_pendulum spherical_pendulum ball_on_beam projectile kepler spring_mass_damper; do
+    "$PROGRAM" generate "$SOURCE/systems/mechanics/$model.toml" --every-scene -o "$here/$run" >/dev/null
+    "$PROGRAM" derive "$SOURCE/systems/mechanics/$model.toml" --format latex >"$here/$run/$model.tex"
+  done
+  "$PROGRAM" generate "$SOURCE/systems/mechanics/n_pendulum.toml" --size N=7 -o "$here/$run" >/dev/null
+  "$PROGRAM" derive "$SOURCE/systems/mechanics/n_pendulum.toml" --size N=4 >"$here/$run/n_pendulum.txt"
+  diff -r "$here/1" "$here/$run" >/dev/null || { echo "run $run differs from run 1:"; diff -rq "$here/1" "$here/$run"; exit 1; }
+done
+echo "20 runs, $(find "$here/1" -type f | wc -l) files, all the same; randomize_va_space is $(cat /proc/sys/kernel/randomize_va_space 2>/dev/null || echo unknown)"

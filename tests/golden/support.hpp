@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Outputs that are kept in files. With DALEMBERT_ACCEPT=1 in the environment the files are written anew instead of compared.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command/command_line.hpp"
+
+namespace golden {
+
+namespace fs = std::filesystem;
+
+inline const fs::path source = SOURCE_DIR;
+
+inline bool accepting() {
+    const char* value = std::getenv("DALEMBERT_ACCEPT");
+    return value != nullptr && std::string(value) == "1";
+}
+
+inline std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+struct Result {
+    int exit_code;
+    std::string out;
+    std::string err;
+};
+
+/// Runs the program in this process.
+inline Result run(const std::vector<std::string>& arguments) {
+    std::ostringstream out, err;
+    const int exit_code = dalembert::run_program(arguments, {out, err});
+    return {exit_code, out.str(), err.str()};
+}
+
+/// Compares with the file, or writes it.
+inline void expect(const fs::path& file, const std::string& text) {
+    if (accepting()) {
+        fs::create_directories(file.parent_path());
+        std::ofstream(file, std::ios::binary) << text;
+        return;
+    }
+    INFO("expected output in ", file.string(), "; ./dev accept writes it anew");
+    CHECK(text == content(file));
+}
+
+/// A folder for results that is empty at first and gone afterwards.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string pattern = (fs::temp_directory_path() / "dalembert-test-XXXXXX").string();
+        REQUIRE(mkdtemp(pattern.data()) != nullptr);
+        path_ = pattern;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    const fs::path& path() const { return path_; }
+    bool is_empty() const { return fs::is_empty(path_); }
+
+private:
+    fs::path path_;
+};
+
+}  // namespace golden
