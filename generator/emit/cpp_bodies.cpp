@@ -103,7 +103,8 @@ std::string CppBodies::motion(CppFunction& cpp, const FunctionCode& f) {
     if (f.by_loops) {
         std::vector<NodeId> first = code_.solve.is_constant ? std::vector<NodeId>() : f.mass;
         first.insert(first.end(), f.force.begin(), f.force.end());
-        statements += cpp.compute(first) + factored_mass(cpp, f);
+        statements += cpp.compute(first);
+        statements += factored_mass(cpp, f);
         for (std::size_t j = 0; j < n_; ++j) statements += assigned(cpp, fmt::format("dxdt[{}]", n_ + j), f.force[j]);
         statements += fmt::format("{}detail::ldlt_solve<Scalar, {}>({}, dxdt.data() + {});\n", indent, n_, mass_name(), n_);
     } else {
@@ -136,7 +137,8 @@ CppBody CppBodies::rhs_and_jacobian() {
 std::string CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout, By by, bool has_mass) {
     std::string statements;
     const CodeMatrix& accelerations = f.by_loops ? f.right : f.solved;
-    statements += cpp.compute(accelerations.entries) + cpp.compute(f.below.entries);
+    statements += cpp.compute(accelerations.entries);
+    statements += cpp.compute(f.below.entries);
     if (f.by_loops && !has_mass && layout.any_accelerations()) statements += factored_mass(cpp, f);
     std::vector<std::size_t> starts;
     for (std::size_t c = 0; c < layout.columns(); ++c) {
@@ -157,7 +159,7 @@ std::string CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, 
     }
     if (starts.empty()) return statements;
     statements += wrapped(fmt::format("constexpr std::array<std::size_t, {}> starts{{{}}};", starts.size(), fmt::join(starts, ", ")), 8);
-    statements += fmt::format("{}for (const std::size_t start : starts) detail::ldlt_solve<Scalar, {}>({}, J.data() + start);\n", indent, n_, mass_name());
+    statements += fmt::format("{}detail::ldlt_solve_columns<Scalar, {}>({}, J.data(), starts);\n", indent, n_, mass_name());
     return statements;
 }
 
@@ -213,7 +215,8 @@ CppBody CppBodies::output_jacobian(Function function, By by) {
         statements += fmt::format("{0}JacobianU J;\n{0}jacobian_u(x, u, t, J);\n", indent);
     }
     if (f.uses_accelerations && !(through && by == By::state)) statements += accelerations_by_rhs(cpp);
-    if (!is_empty) statements += cpp.compute(f.by_output.entries) + cpp.compute(f.by_acceleration.entries);
+    if (!is_empty) statements += cpp.compute(f.by_output.entries);
+    if (!is_empty) statements += cpp.compute(f.by_acceleration.entries);
     const char* name = by == By::state ? "C" : "D";
     for (std::size_t c = 0; !is_empty && c < f.by_output.columns; ++c)
         for (std::size_t r = 0; r < rows; ++r) {

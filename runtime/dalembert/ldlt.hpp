@@ -49,6 +49,37 @@ void ldlt_solve(const std::array<Scalar, n * (n + 1) / 2>& m, Scalar* b) noexcep
         for (std::size_t k = 0; k < i; ++k) b[k] -= row[k] * value;
     }
 }
+
+/// Solves M x = b for every column of n values that begins at one of `starts` in `values`, in place. Several columns go side by side,
+/// since the steps of one wait for each other.
+template <class Scalar, std::size_t n, std::size_t count>
+void ldlt_solve_columns(const std::array<Scalar, n * (n + 1) / 2>& m, Scalar* values, const std::array<std::size_t, count>& starts) noexcept {
+    constexpr std::size_t width = 8;
+    std::size_t next = 0;
+    for (; next + width <= count; next += width) {
+        Scalar b[n][width];
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t c = 0; c < width; ++c) b[i][c] = values[starts[next + c] + i];
+        for (std::size_t i = 1; i < n; ++i) {
+            const Scalar* const row = m.data() + i * (i + 1) / 2;
+            Scalar sum[width];
+            for (std::size_t c = 0; c < width; ++c) sum[c] = b[i][c];
+            for (std::size_t k = 0; k < i; ++k)
+                for (std::size_t c = 0; c < width; ++c) sum[c] -= row[k] * b[k][c];
+            for (std::size_t c = 0; c < width; ++c) b[i][c] = sum[c];
+        }
+        for (std::size_t i = n; i-- > 0;) {
+            Scalar sum[width];
+            for (std::size_t c = 0; c < width; ++c) sum[c] = b[i][c] * m[i * (i + 1) / 2 + i];
+            for (std::size_t k = i + 1; k < n; ++k)
+                for (std::size_t c = 0; c < width; ++c) sum[c] -= m[k * (k + 1) / 2 + i] * b[k][c];
+            for (std::size_t c = 0; c < width; ++c) b[i][c] = sum[c];
+        }
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t c = 0; c < width; ++c) values[starts[next + c] + i] = b[i][c];
+    }
+    for (; next < count; ++next) ldlt_solve<Scalar, n>(m, values + starts[next]);
+}
 // end ldlt
 
 }  // namespace detail

@@ -130,9 +130,10 @@ public:
             }
             by_angle[n + k] = own + work.acos[k * n + k] * w2;
             by_rate[n + k] = 0;
-            dalembert::detail::ldlt_solve<double, n>(work.factor, by_angle + n);
-            dalembert::detail::ldlt_solve<double, n>(work.factor, by_rate + n);
         }
+        std::array<std::size_t, 2 * n> starts;
+        for (std::size_t k = 0; k < starts.size(); ++k) starts[k] = 2 * n * k + n;
+        dalembert::detail::ldlt_solve_columns<double, n>(work.factor, J.data(), starts);
     }
 
 private:

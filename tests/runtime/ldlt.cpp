@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Cholesky>
+#include <cmath>
 
 #include "dalembert/ldlt.hpp"
 
@@ -30,6 +31,22 @@ void check_backward_error(double smallest) {
 }
 
 }  // namespace
+
+TEST_CASE("columns side by side are solved as one by one") {
+    constexpr std::size_t n = 7, count = 19;
+    std::array<double, n * (n + 1) / 2> m{};
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j <= i; ++j) m[i * (i + 1) / 2 + j] = i == j ? 3.0 : 1.0 / static_cast<double>(1 + i + j);
+    dalembert::detail::ldlt_factor<double, n>(m);
+    std::array<double, count*(n + 2)> values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::sin(static_cast<double>(i * i));
+    std::array<std::size_t, count> starts;
+    for (std::size_t c = 0; c < count; ++c) starts[c] = (count - 1 - c) * (n + 2) + 1;
+    auto one_by_one = values;
+    for (const std::size_t start : starts) dalembert::detail::ldlt_solve<double, n>(m, one_by_one.data() + start);
+    dalembert::detail::ldlt_solve_columns<double, n>(m, values.data(), starts);
+    for (std::size_t i = 0; i < values.size(); ++i) CHECK(values[i] == doctest::Approx(one_by_one[i]).epsilon(1e-14));
+}
 
 TEST_CASE("L D L' solves what Eigen solves") {
     check_backward_error<1>(1);
