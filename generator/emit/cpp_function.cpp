@@ -92,7 +92,7 @@ std::string CppFunction::compute(const std::vector<NodeId>& roots) {
     for (const NodeId id : function_.program.in_order(roots)) {
         if (known_.contains(id)) continue;
         if (function_.program[id].kind == Node::Kind::symbol) known_[id] = symbol(id, statements);
-        else if (wants_name(id)) declare(id, suggested_name(id), build(id, statements).text, statements);
+        else if (wants_name(id)) declare(id, build(id, statements).text, statements);
     }
     return statements;
 }
@@ -102,8 +102,8 @@ std::string CppFunction::value(NodeId id, std::string& statements) {
     return known != known_.end() ? known->second.text : build(id, statements).text;
 }
 
-void CppFunction::declare(NodeId id, const std::string& name, const std::string& text, std::string& statements) {
-    const std::string unique = names_.unique(name);
+void CppFunction::declare(NodeId id, const std::string& text, std::string& statements) {
+    const std::string unique = names_.unique(suggested_name(id));
     statements += wrapped(fmt::format("const Scalar {} = {};", unique, text), 8);
     known_[id] = {unique, 3};
 }
@@ -132,7 +132,7 @@ CppFunction::Text CppFunction::text_of(NodeId id, std::string& statements) {
     Text text = build(id, statements);
     const bool is_leaf = node.arguments.empty();
     if (!is_leaf && (wants_name(id) || text.text.size() > longest_inline)) {
-        declare(id, suggested_name(id), text.text, statements);
+        declare(id, text.text, statements);
         return known_.at(id);
     }
     return text;

@@ -53,7 +53,7 @@ private:
     Text call(const Node& node, std::string& statements);
     std::string suggested_name(NodeId id);
     int family_start(const Variable& variable) const;
-    void declare(NodeId id, const std::string& name, const std::string& text, std::string& statements);
+    void declare(NodeId id, const std::string& text, std::string& statements);
 
     const Code& code_;
     const FunctionCode& function_;

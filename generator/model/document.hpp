@@ -16,8 +16,8 @@ struct DocumentNode {
 
     Kind kind = Kind::other;
     Span span;
-    std::vector<Member> members = {};         ///< of a table, in the order of writing
-    std::vector<DocumentNode> elements = {};  ///< of an array
+    std::vector<Member> members;              ///< of a table, in the order of writing
+    std::vector<DocumentNode> elements;       ///< of an array
     Excerpt string = {};                      ///< of a string: its text without quotes and escapes
     std::string number = {};                  ///< of a number: as written
     bool boolean = false;

@@ -5,9 +5,9 @@ set -euo pipefail
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 for run in $(seq 1 20); do
-  for model in cart_pendulum spherical_pendulum ball_on_beam projectile kepler spring_mass_damper; do
-    "$PROGRAM" generate "$SOURCE/systems/mechanics/$model.toml" --every-scene -o "$here/$run" >/dev/null
-    "$PROGRAM" derive "$SOURCE/systems/mechanics/$model.toml" --format latex >"$here/$run/$model.tex"
+  for model in "$SOURCE"/systems/*/*.toml; do
+    "$PROGRAM" generate "$model" --every-scene -o "$here/$run" >/dev/null
+    "$PROGRAM" derive "$model" --format latex >"$here/$run/$(basename "$model").tex"
   done
   "$PROGRAM" generate "$SOURCE/systems/mechanics/n_pendulum.toml" --size N=7 -o "$here/$run" >/dev/null
   "$PROGRAM" derive "$SOURCE/systems/mechanics/n_pendulum.toml" --size N=4 >"$here/$run/n_pendulum.txt"
