@@ -26,7 +26,9 @@ public:
     NameCheck(const Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
 
     void run() {
-        well_formed(model_.name, model_.name_span);
+        if (well_formed(model_.name, model_.name_span) && is_global_function(model_.name))
+            diagnostics_.error(Id::reserved_name, model_.name_span,
+                               fmt::format("'{}' is a function of C and cannot be the namespace of the header", model_.name));
         // Names that expressions use share one namespace; a velocity gets the name NAME_dot in C++.
         std::map<std::string, const Item*> used;
         const auto shared = [&](const auto& items) {
@@ -67,11 +69,9 @@ private:
                                fmt::format("'{}' is not a name; a name is a letter followed by at most 59 letters, digits and single underscores", name));
             return false;
         }
-        if (is_cpp_keyword(name)) {
-            diagnostics_.error(Id::reserved_name, span, fmt::format("'{}' is a word of C++ and cannot be a name in the header", name));
-            return false;
-        }
-        return true;
+        const char* what = is_cpp_keyword(name) ? "a word of C++" : is_cpp_macro(name) ? "a macro of C++" : name == "std" ? "the namespace of C++" : nullptr;
+        if (what != nullptr) diagnostics_.error(Id::reserved_name, span, fmt::format("'{}' is {} and cannot be a name in the header", name, what));
+        return what == nullptr;
     }
 
     void define(std::map<std::string, const Item*>& used, const std::string& name, const Item& item) {

@@ -37,9 +37,9 @@ constexpr std::array quantity_table{
     QuantitySpec{"bias", S::coordinate, "entry of the bias in M*ddot(q) + bias = Q(u)"},
 };
 
-constexpr std::array<std::string_view, 5> special_forms{"dot", "ddot", "sum", "diff", "integral"};
+constexpr auto special_forms = std::to_array<std::string_view>({"dot", "ddot", "sum", "diff", "integral"});
 
-constexpr std::array<std::string_view, 92> keywords{
+constexpr auto keywords = std::to_array<std::string_view>({
     "alignas",   "alignof",   "and",        "and_eq",       "asm",          "auto",      "bitand",    "bitor",        "bool",
     "break",     "case",      "catch",      "char",         "char8_t",      "char16_t",  "char32_t",  "class",        "compl",
     "concept",   "const",     "consteval",  "constexpr",    "constinit",    "const_cast", "continue", "co_await",     "co_return",
@@ -51,7 +51,26 @@ constexpr std::array<std::string_view, 92> keywords{
     "switch",    "template",  "this",       "thread_local", "throw",        "true",      "try",       "typedef",      "typeid",
     "typename",  "union",     "unsigned",   "using",        "virtual",      "void",      "volatile",  "wchar_t",      "while",
     "xor",       "xor_eq",
-};
+});
+
+/// Macros of the headers that a generated header includes, and of compilers by themselves: no name survives them.
+constexpr auto macros = std::to_array<std::string_view>({
+    "NULL",     "NAN",       "INFINITY",   "HUGE_VAL",  "HUGE_VALF", "HUGE_VALL", "MATH_ERRNO", "MATH_ERREXCEPT", "FP_NAN",       "FP_INFINITE",
+    "FP_ZERO",  "FP_SUBNORMAL", "FP_NORMAL", "FP_FAST_FMA", "FP_FAST_FMAF", "FP_FAST_FMAL", "FP_ILOGB0", "FP_ILOGBNAN", "M_E",  "M_LOG2E",
+    "M_LOG10E", "M_LN2",     "M_LN10",     "M_PI",      "M_PI_2",    "M_PI_4",    "M_1_PI",     "M_2_PI",         "M_2_SQRTPI",   "M_SQRT2",
+    "M_SQRT1_2", "linux",    "unix",       "i386",      "errno",     "assert",    "EOF",
+});
+
+/// Functions that C headers put outside of every namespace, of mathematics without their endings f and l.
+constexpr auto global_functions = std::to_array<std::string_view>({
+    "acos",   "acosh",  "asin",    "asinh",   "atan",    "atan2",  "atanh",  "cbrt",   "ceil",     "copysign",  "cos",    "cosh",       "drem",
+    "erf",    "erfc",   "exp",     "exp10",   "exp2",    "expm1",  "fabs",   "fdim",   "floor",    "fma",       "fmax",   "fmin",       "fmod",
+    "frexp",  "gamma",  "hypot",   "ilogb",   "j0",      "j1",     "jn",     "ldexp",  "lgamma",   "llrint",    "llround", "log",       "log10",
+    "log1p",  "log2",   "logb",    "lrint",   "lround",  "modf",   "nan",    "nearbyint", "nextafter", "nexttoward", "pow", "remainder", "remquo",
+    "rint",   "round",  "scalb",   "scalbln", "scalbn",  "signgam", "signbit", "significand", "sin", "sincos",   "sinh",   "sqrt",       "tan",
+    "tanh",   "tgamma", "trunc",   "y0",      "y1",      "yn",     "abs",    "labs",   "llabs",    "div",       "ldiv",   "finite",     "isinf",
+    "isnan",  "time",   "clock",   "index",   "link",    "pause",  "pipe",   "random", "select",   "signal",    "system", "wait",
+});
 
 template <class Table>
 auto find_in(const Table& table, std::string_view name) -> decltype(table.data()) {
@@ -71,5 +90,11 @@ bool is_special_form(std::string_view name) {
 }
 
 bool is_cpp_keyword(std::string_view name) { return std::find(keywords.begin(), keywords.end(), name) != keywords.end(); }
+bool is_cpp_macro(std::string_view name) { return std::find(macros.begin(), macros.end(), name) != macros.end(); }
+
+bool is_global_function(std::string_view name) {
+    const auto has = [](std::string_view base) { return std::find(global_functions.begin(), global_functions.end(), base) != global_functions.end(); };
+    return has(name) || ((name.ends_with('f') || name.ends_with('l')) && has(name.substr(0, name.size() - 1)));
+}
 
 }  // namespace dalembert
