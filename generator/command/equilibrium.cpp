@@ -100,7 +100,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
             text += fmt::format("{}\n", name);
             for (const auto& row : matrix(result.at(name))) {
                 text += " ";
-                for (const double value : row) text += fmt::format(" {:>12.5g}", value);
+                for (const double value : row) text += fmt::format(" {:>12.5g}", value + 0.0);  // no -0
                 text += "\n";
             }
         }
@@ -108,7 +108,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
         text += "eigenvalues of A [1/s]\n";
         for (const auto& pair : matrix(result.at("eigenvalues"))) {
             json["eigenvalues"].push_back({{"real", pair[0]}, {"imaginary", pair[1]}});
-            text += fmt::format("  {:>12.6g} {:+.6g} i\n", pair[0], pair[1]);
+            text += fmt::format("  {:>12.6g} {:+.6g} i\n", pair[0] + 0.0, pair[1] + 0.0);
         }
     }
     streams.out << (options.format == "json" ? printed(json) : text);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <map>
 #include <ostream>
 
 #include "command/command_line.hpp"
+#include "command/json_fields.hpp"
 #include "model/schema.hpp"
 #include "model/vocabulary.hpp"
 #include "text/nearest.hpp"
@@ -35,6 +37,17 @@ std::string quantity_reference() {
     return text;
 }
 
+std::string json_reference() {
+    std::string text = "Fields of the JSON results; [] stands for the elements of an array, <NAME> for names of the model. Numbers are SI.\n";
+    const auto list = [&](const char* title, std::span<const JsonField> fields) {
+        text += fmt::format("\n{}\n", title);
+        for (const JsonField& field : fields) text += fmt::format("  {:<42} {}", field.path, field.doc).append("\n");
+    };
+    list("every result", common_json_fields());
+    for (const JsonSchema& schema : json_schemas()) list(schema.verb, schema.fields);
+    return text;
+}
+
 }  // namespace
 
 ExitCode help_command(const Options& options, Streams streams) {
@@ -43,10 +56,13 @@ ExitCode help_command(const Options& options, Streams streams) {
         streams.out << "The model language: sections and their keys.\n\n" << language_reference("") << function_reference() << "\n" << quantity_reference();
         return ExitCode::good;
     }
-    std::string text = topic == "errors" ? error_reference() : topic == "functions" ? function_reference() : topic == "quantities" ? quantity_reference() : language_reference(topic);
+    static const std::map<std::string, std::string (*)()> references{
+        {"errors", error_reference}, {"functions", function_reference}, {"quantities", quantity_reference}, {"json", json_reference}};
+    const auto reference = references.find(topic);
+    const std::string text = reference != references.end() ? reference->second() : language_reference(topic);
     if (text.empty()) {
         std::vector<std::string> words = language_words();
-        words.insert(words.end(), {"errors", "functions", "quantities"});
+        for (const auto& [name, write] : references) words.push_back(name);
         throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the model language has no word '{}'{}", topic, did_you_mean(topic, words))});
     }
     streams.out << text;

@@ -2,7 +2,10 @@
 // Plots through gnuplot: one picture with a panel for each plot, as SVG and PNG.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,17 +34,52 @@ inline std::string gnuplot_string(const std::string& text) {
     return result + "'";
 }
 
-/// "s, phi [m]" when all have the unit, else each with its own.
+/// Of one curve its title; of several, which the legend names, their units.
 inline std::string axis_title(const Recording& recording, const std::vector<std::string>& names) {
+    if (names.size() == 1) return recording.columns[recording.find(names[0])].title();
     std::string title;
-    bool same = true;
-    for (const std::string& name : names) same = same && recording.columns[recording.find(name)].unit == recording.columns[recording.find(names[0])].unit;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const Column& column = recording.columns[recording.find(names[i])];
-        title += (i == 0 ? "" : ", ") + (same ? column.name : column.title());
+    for (const std::string& name : names) {
+        const std::string unit = "[" + recording.columns[recording.find(name)].unit + "]";
+        if (unit != "[]" && title.find(unit) == std::string::npos) title += (title.empty() ? "" : ", ") + unit;
     }
-    const std::string& unit = recording.columns[recording.find(names[0])].unit;
-    return same && !unit.empty() ? title + " [" + unit + "]" : title;
+    return title;
+}
+
+struct Limits {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    double span() const { return high - low; }
+};
+
+inline Limits limits(const Recording& recording, const std::vector<std::string>& names) {
+    Limits result;
+    for (const std::string& name : names) {
+        for (const std::vector<double>& row : recording.rows) {
+            result.low = std::min(result.low, row[recording.find(name)]);
+            result.high = std::max(result.high, row[recording.find(name)]);
+        }
+    }
+    return result;
+}
+
+/// Limits for curves that change by rounding only, so that what is constant looks constant; otherwise gnuplot's own.
+inline std::string range_command(const Limits& y) {
+    const double size = std::max(std::abs(y.low), std::abs(y.high));
+    if (!(size > 0) || !(y.span() < 1e-6 * size)) return "set autoscale y\n";
+    const double middle = (y.low + y.high) / 2;
+    return "set yrange [" + number_text(middle - 0.1 * size) + ":" + number_text(middle + 0.1 * size) + "]\n";
+}
+
+/// A path in space keeps its shape; its numbers below need room, since it may be narrow.
+inline std::string path_commands(const Limits& x, const Limits& y) {
+    constexpr double panel_width = 750;
+    constexpr double panel_height = 180;
+    constexpr double label_width = 90;
+    const double width = y.span() > 0 ? std::min(panel_width, panel_height * x.span() / y.span()) : panel_width;
+    const double least = x.span() / std::max(2.0, width / label_width);
+    const double decade = std::pow(10.0, std::floor(std::log10(least)));
+    const double step = decade * (least <= decade ? 1 : least <= 2 * decade ? 2 : least <= 5 * decade ? 5 : 10);
+    return "set size ratio -1\nset lmargin\nset rmargin\n" + (std::isfinite(step) && step > 0 ? "set xtics " + number_text(step) + "\n" : std::string());
 }
 
 }  // namespace detail
@@ -54,7 +92,7 @@ inline std::string gnuplot_commands(const Recording& recording, const std::vecto
         for (const std::string& name : panel.y) known = known && recording.find(name) < recording.columns.size();
         if (known && !panel.y.empty()) drawn.push_back(panel);
     }
-    std::string text = "set encoding utf8\nset grid lc rgb '#d0d0d0'\nset key noenhanced outside right top\nset tics nomirror\nset border 3\nset lmargin 11\n";
+    std::string text = "set encoding utf8\nset grid lc rgb '#d0d0d0'\nset key noenhanced above right horizontal\nset tics nomirror\nset border 3\n";
     text += "array color[8] = ['#0060a8', '#c03028', '#2a8a3a', '#8a5a00', '#7a3a9a', '#00858a', '#c06a90', '#606060']\n";
     text += "set multiplot layout " + std::to_string(drawn.size()) + ",1 title " + detail::gnuplot_string(title) + " noenhanced\n";
     for (const Panel& panel : drawn) {
@@ -63,6 +101,11 @@ inline std::string gnuplot_commands(const Recording& recording, const std::vecto
         text += "set xlabel " + detail::gnuplot_string(recording.columns[column_x].title()) + " noenhanced\n";
         text += "set ylabel " + detail::gnuplot_string(detail::axis_title(recording, panel.y)) + " noenhanced\n";
         text += panel.title.empty() ? "unset title\n" : "set title " + detail::gnuplot_string(panel.title) + " noenhanced\n";
+        const bool is_path = !panel.x.empty() && recording.columns[column_x].unit == recording.columns[recording.find(panel.y[0])].unit;
+        const detail::Limits y = detail::limits(recording, panel.y);
+        if (is_path) text += detail::path_commands(detail::limits(recording, {x}), y);
+        else text += "set size noratio\nset lmargin at screen 0.13\nset rmargin at screen 0.96\nset xtics autofreq\n";
+        text += detail::range_command(y);
         text += panel.y.size() > 1 ? "set key on\n" : "set key off\n";
         text += "plot ";
         for (std::size_t i = 0; i < panel.y.size(); ++i) {

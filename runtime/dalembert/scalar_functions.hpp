@@ -19,7 +19,7 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 // end select
 
 // begin sign
-/// -1, 0 or 1
+/// -1, 0 or 1; not a number stays what it is, here and below
 template <class Scalar>
 Scalar sign(const Scalar& x) noexcept {
     return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(-1), x));
@@ -30,21 +30,23 @@ Scalar sign(const Scalar& x) noexcept {
 /// 0 below zero, 1/2 at zero, 1 above
 template <class Scalar>
 Scalar step(const Scalar& x) noexcept {
-    return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), Scalar(1) / Scalar(2)));
+    return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
 }
 // end step
 
 // begin min
+/// The smaller one; not a number if one is not.
 template <class Scalar>
 Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, a);
+    return select(b < a, b, select(b == b, a, b));
 }
 // end min
 
 // begin max
+/// The larger one; not a number if one is not.
 template <class Scalar>
 Scalar max(const Scalar& a, const Scalar& b) noexcept {
-    return select(a < b, b, a);
+    return select(a < b, b, select(b == b, a, b));
 }
 // end max
 

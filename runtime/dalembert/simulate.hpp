@@ -33,17 +33,20 @@ struct Sample {
     typename System::scalar_type kinetic_energy, potential_energy, work;
 };
 
+/// Options of a run; the last state is the work in joules.
+template <class System>
+using SimulationOptions = IntegrationOptions<std::array<typename System::scalar_type, std::tuple_size<typename System::State>::value + 1>>;
+
 struct SimulationResult {
     Outcome outcome;
     EnergyBalance energy;
 };
 
 /// Integrates a system together with the work that is done on it, and calls observe(sample) at the output points.
-/// `inputs` is called as inputs(x, t). In `options` the last state is the work in joules.
+/// `inputs` is called as inputs(x, t).
 template <class System, class Inputs, class Observer>
 SimulationResult simulate(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
-                          const IntegrationOptions<std::array<typename System::scalar_type, std::tuple_size<typename System::State>::value + 1>>& options,
-                          Observer&& observe) {
+                          const SimulationOptions<System>& options, Observer&& observe) {
     static_assert(System::api == supported_api, "the header was generated for another version of the runtime");
     using Scalar = typename System::scalar_type;
     constexpr std::size_t n = std::tuple_size<typename System::State>::value;

@@ -11,6 +11,9 @@ using namespace golden;
 /// Sizes for which headers are kept, by model; all others have one.
 const std::map<std::string, std::vector<std::string>> kept_sizes{{"n_pendulum", {"N=1", "N=2", "N=3", "N=5"}}};
 
+/// The plot that README.md shows. Its last digits depend on the machine, so its bytes are not compared.
+const std::string readme_plot = "mechanics/cart_pendulum_lab.svg";
+
 void generate_all(const fs::path& to) {
     for (const auto& entry : fs::recursive_directory_iterator(source / "systems")) {
         if (entry.path().extension() != ".toml") continue;
@@ -40,14 +43,18 @@ std::set<std::string> files_below(const fs::path& folder) {
 }  // namespace
 
 TEST_CASE("generated/ is what the program generates") {
+    const TemporaryFolder fresh;
     if (accepting()) {
         fs::remove_all(source / "generated");
         generate_all(source / "generated");
+        const Result result = run({"simulate", (source / "systems/mechanics/cart_pendulum.toml").string(), "-o", fresh.path().string()});
+        CHECK(result.exit_code == 0);
+        fs::copy_file(fresh.path() / "cart_pendulum_lab.svg", source / "generated" / readme_plot);
         return;
     }
-    const TemporaryFolder fresh;
     generate_all(fresh.path());
-    const auto expected = files_below(source / "generated");
+    auto expected = files_below(source / "generated");
+    CHECK(expected.erase(readme_plot) == 1);
     const auto made = files_below(fresh.path());
     CHECK(expected == made);
     for (const std::string& file : made) {

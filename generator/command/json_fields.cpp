@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/json_fields.hpp"
+
+#include <array>
+
+namespace dalembert {
+
+namespace {
+
+constexpr auto common = std::to_array<JsonField>({
+    {"schema", "dalembert/VERB"},
+    {"version", "of the schema; fields may join without a new version, none is renamed or removed"},
+    {"model", "name of the model; in a survey each system has its own"},
+});
+
+constexpr auto derive = std::to_array<JsonField>({
+    {"scene", "the scene"},
+    {"sizes.<NAME>", "sizes of families"},
+    {"definitions.<NAME>", "expressions of the definitions"},
+    {"coordinates[]", "names, in the order of rows and columns"},
+    {"equations[].coordinate", "whose equation of motion it is"},
+    {"equations[].left", "M*ddot(q) + bias"},
+    {"equations[].right", "generalised force of forces, torques and inputs"},
+    {"mass_matrix[][]", "M, row by row"},
+    {"coriolis[]", "part of the bias: Coriolis and centrifugal forces"},
+    {"gravity[]", "generalised forces of gravity, in the bias with a minus sign, as the next two"},
+    {"elastic[]", "generalised forces of springs and potentials"},
+    {"dissipative[]", "generalised forces of dampers"},
+    {"bias[]", "coriolis - gravity - elastic - dissipative"},
+    {"generalised_force[]", "Q in M*ddot(q) + bias = Q"},
+    {"state_rates.<NAME>", "rates of plain states"},
+    {"kinetic_energy", "T"},
+    {"potential_energy", "V"},
+    {"supplied_power", "of forces, torques and inputs"},
+    {"dissipated_power", "of dampers"},
+    {"prescribed_power", "of what moves the machine in a prescribed way"},
+    {"outputs.<NAME>", "expressions of the outputs"},
+});
+
+constexpr auto generate = std::to_array<JsonField>({
+    {"scene", "the scene; with --every-scene the result is an array of such objects"},
+    {"sizes.<NAME>", "sizes of families"},
+    {"header", "path of the header"},
+    {"namespace", "in which the header defines System and Parameters"},
+    {"bytes", "size of the header"},
+    {"all_proven", "every identity was proven, none only compared by numbers"},
+    {"operations.<FUNCTION>.additions", "operations of each function of the header: additions and subtractions"},
+    {"operations.<FUNCTION>.multiplications", ""},
+    {"operations.<FUNCTION>.divisions", ""},
+    {"operations.<FUNCTION>.trigonometric", "calls of sin and cos"},
+    {"operations.<FUNCTION>.other", "calls of other functions"},
+    {"operations.<FUNCTION>.total", "sum of the above"},
+    {"seconds.<STAGE>", "time of each stage"},
+});
+
+constexpr auto check = std::to_array<JsonField>({
+    {"scenes[].scene", "a scene that was derived"},
+    {"scenes[].proofs[].name", "what was proven of the derivation and of the emitted code"},
+    {"scenes[].proofs[].verdict", "proven, proven under assumption, numerically equal or wrong"},
+    {"printed[].id", "number of the printed equation"},
+    {"printed[].source", "where it is printed"},
+    {"printed[].verdict", "as above, and dimensionally wrong, not checkable"},
+    {"printed[].expected", "verdict that the model expects, for known misprints; else empty"},
+    {"printed[].as_expected", "the verdict is the expected one; without one, it is not wrong"},
+    {"printed[].scenes[]", "in which it was checked"},
+    {"printed[].equation", "the equation that decided the verdict"},
+    {"printed[].reason", "why it could not be checked"},
+    {"printed[].assumptions[]", "under which it is proven"},
+    {"printed[].difference", "printed minus derived"},
+    {"printed[].suggestion", "a form that would be right; empty so far"},
+    {"printed[].counterexample", "null, or numbers for which both sides differ"},
+    {"printed[].counterexample.values.<NAME>", "of parameters, states and inputs"},
+    {"printed[].counterexample.left", "value of the left side"},
+    {"printed[].counterexample.right", "value of the right side"},
+    {"passed", "everything is as expected; exit code 0"},
+});
+
+constexpr auto evaluate = std::to_array<JsonField>({
+    {"scene", "the scene"},
+    {"sizes.<NAME>", "sizes of families"},
+    {"digits", "significant digits; above 17 all numbers are texts"},
+    {"parameter.<NAME>", "in SI, as everything below"},
+    {"state.<NAME>", ""},
+    {"input.<NAME>", ""},
+    {"state_derivative.<NAME>", "dot(q), ddot(q) and the rates of plain states"},
+    {"output.<NAME>", ""},
+    {"kinetic_energy", "J"},
+    {"potential_energy", "J"},
+    {"supplied_power", "W"},
+    {"dissipated_power", "W"},
+    {"prescribed_power", "W"},
+});
+
+constexpr auto simulate = std::to_array<JsonField>({
+    {"scene", "the scene"},
+    {"sizes.<NAME>", "sizes of families"},
+    {"status", "success, or why the run stopped; exit code 4 then"},
+    {"t", "time that was reached, s"},
+    {"state", "the state that stopped the run, else empty"},
+    {"steps", "steps of the integrator"},
+    {"rejected", "steps that were tried and thrown away"},
+    {"rhs_calls", "evaluations of the right-hand side"},
+    {"energy_error", "max |E - E0 - work| / max(T + |V|)"},
+    {"files[]", "what was written"},
+});
+
+constexpr auto equilibrium = std::to_array<JsonField>({
+    {"scene", "the scene"},
+    {"sizes.<NAME>", "sizes of families"},
+    {"status", "success, or why the search stopped"},
+    {"kind", "isolated, family or none"},
+    {"dimension", "of the family"},
+    {"residual", "what is left of dx/dt, scaled"},
+    {"iterations", "steps of Newton's method"},
+    {"state.<NAME>", "the equilibrium"},
+    {"input.<NAME>", "the inputs that hold it"},
+    {"A[][]", "df/dx there, row by row"},
+    {"B[][]", "df/du"},
+    {"C[][]", "dy/dx"},
+    {"D[][]", "dy/du"},
+    {"eigenvalues[].real", "of A, 1/s"},
+    {"eigenvalues[].imaginary", ""},
+});
+
+constexpr auto survey = std::to_array<JsonField>({
+    {"systems[].model", "name of the model"},
+    {"systems[].scene", "the scene that was run"},
+    {"systems[].degrees_of_freedom", ""},
+    {"systems[].operations", "of the right-hand side"},
+    {"systems[].generation_seconds", "all stages"},
+    {"systems[].all_proven", "every identity was proven"},
+    {"systems[].equations", "printed equations that were checked"},
+    {"systems[].as_expected", "how many of them are as the model expects"},
+    {"systems[].misprints", "how many of them are wrong"},
+    {"systems[].status", "of the run, as in simulate"},
+    {"systems[].steps", "steps of the integrator"},
+    {"systems[].energy_error", "as in simulate"},
+});
+
+constexpr auto scenes = std::to_array<JsonField>({
+    {"default", "the default scene; empty without one"},
+    {"scenes[].scene", "name of the scene"},
+    {"scenes[].doc", "description"},
+    {"scenes[].effects_in[]", "effects that it has"},
+    {"scenes[].effects_out[]", "effects that it leaves out"},
+    {"scenes[].coordinates", "how many"},
+    {"scenes[].states", "length of x: coordinates, velocities and plain states"},
+    {"scenes[].inputs", "how many"},
+    {"scenes[].outputs", "how many"},
+    {"scenes[].parameters", "how many"},
+    {"scenes[].header", "file name of its header"},
+});
+
+constexpr auto schemas = std::to_array<JsonSchema>({
+    {"derive", derive},           {"generate", generate}, {"check", check},   {"evaluate", evaluate}, {"simulate", simulate},
+    {"equilibrium", equilibrium}, {"survey", survey},     {"scenes", scenes},
+});
+
+}  // namespace
+
+std::span<const JsonField> common_json_fields() { return common; }
+std::span<const JsonSchema> json_schemas() { return schemas; }
+
+}  // namespace dalembert

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The documented fields are those that the verbs print: none is missing in the documentation, none is documented only.
+#include "command/json_fields.hpp"
+
+#include <doctest/doctest.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "command/command_line.hpp"
+
+using namespace dalembert;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// Keys below these are names of the model, of functions or of stages.
+const std::map<std::string, std::string> free_keys{
+    {"sizes", "<NAME>"},     {"definitions", "<NAME>"},      {"state_rates", "<NAME>"}, {"outputs", "<NAME>"}, {"parameter", "<NAME>"},
+    {"state", "<NAME>"},     {"input", "<NAME>"},            {"output", "<NAME>"},      {"values", "<NAME>"},  {"state_derivative", "<NAME>"},
+    {"operations", "<FUNCTION>"}, {"seconds", "<STAGE>"}};
+
+void collect(const Json& value, const std::string& path, const std::string& key, std::set<std::string>& paths) {
+    if (value.is_object()) {
+        const auto general = free_keys.find(key);
+        for (const auto& [name, member] : value.items()) {
+            const std::string step = general == free_keys.end() ? name : general->second;
+            collect(member, path.empty() ? step : path + "." + step, step, paths);
+        }
+    } else if (value.is_array()) {
+        for (const Json& element : value) collect(element, path + "[]", "", paths);
+        if (value.empty()) paths.insert(path + "[]");
+    } else {
+        paths.insert(path);
+    }
+}
+
+std::set<std::string> printed_paths(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--format", "json"});
+    std::ostringstream out, err;
+    const int code = run_program(arguments, {out, err});
+    INFO(err.str());
+    REQUIRE(code <= 1);
+    std::set<std::string> paths;
+    collect(Json::parse(out.str()), "", "", paths);
+    return paths;
+}
+
+}  // namespace
+
+TEST_CASE("the JSON fields are the documented ones") {
+    const std::string systems = SOURCE_DIR "/systems/mechanics/";
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("dalembert_json_" + std::to_string(::getpid()));
+    // With a family and an input, so that every field occurs.
+    std::filesystem::create_directories(folder);
+    const std::string model = folder / "driven.toml";
+    std::ofstream(model) << "[model]\nformat = 1\nname = \"driven\"\n[sizes]\nN = { value = 1 }\n[parameters]\nm = { value = 1, unit = \"kg\" }\n"
+                            "c = { value = 2, unit = \"N/m\" }\n[coordinates]\nq = { for = \"k = 1..N\", unit = \"m\" }\n[inputs]\nf = { unit = \"N\" }\n"
+                            "[bodies.b]\nfor = \"k = 1..N\"\nmass = \"m\"\nposition = [\"q[k]\", 0, 0]\n[springs.s]\nstiffness = \"c\"\nelongation = \"q[1]\"\n"
+                            "[forces.f]\non = \"b[1]\"\nforce = [\"f\", 0, 0]\n[outputs]\ny = { value = \"q[1]\", unit = \"m\" }\n";
+    const std::map<std::string, std::vector<std::vector<std::string>>> calls{
+        {"derive", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/tests/golden/capacitor.toml"}}},
+        {"generate", {{systems + "cart_pendulum.toml", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
+        {"check", {{systems + "coupled_springs.toml"}, {systems + "cart_pendulum.toml"}}},
+        {"evaluate", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}}},
+        {"simulate", {{systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--no-plot", "-o", folder}}},
+        {"equilibrium", {{model}}},
+        {"survey", {{systems + "pulley.toml", "--no-plot", "-o", folder}}},
+        {"scenes", {{systems + "cart_pendulum.toml"}}},
+    };
+    CHECK(calls.size() == json_schemas().size());
+    for (const JsonSchema& schema : json_schemas()) {
+        CAPTURE(schema.verb);
+        std::set<std::string> documented;
+        for (const JsonField& field : common_json_fields()) documented.insert(field.path);
+        for (const JsonField& field : schema.fields) documented.insert(field.path);
+        if (schema.verb == std::string("survey")) documented.erase("model");
+        std::set<std::string> printed;
+        for (std::vector<std::string> arguments : calls.at(schema.verb)) {
+            arguments.insert(arguments.begin(), schema.verb);
+            printed.merge(printed_paths(arguments));
+        }
+        for (const std::string& path : printed) {
+            // Of an empty array one cannot see what its elements are.
+            const bool known = std::any_of(documented.begin(), documented.end(), [&](const std::string& d) { return d == path || (path.ends_with("[]") && d.starts_with(path)); });
+            CHECK_MESSAGE(known, path, " is printed but not documented");
+        }
+        for (const std::string& path : documented) CHECK_MESSAGE(printed.contains(path), path, " is documented but was not printed");
+    }
+    std::filesystem::remove_all(folder);
+}
