@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What README.md shows is what one gets: its files are taken out and used, its outputs and its table are compared.
+set -euo pipefail
+here=$(mktemp -d)
+trap 'rm -rf "$here"' EXIT
+readme=$SOURCE/README.md
+
+# block MARK: the lines of the fenced block behind <!-- MARK -->
+block() {
+  awk -v mark="<!-- $1 -->" '$0 == mark { armed = 1; next } armed && /^```/ { if (inside) exit; inside = 1; next } inside { print }' "$readme"
+}
+
+cd "$here"
+block 'file: crane.toml' >crane.toml
+block 'file: main.cpp' >main.cpp
+block 'run: dalembert check crane.toml' | tail -n +2 >check.expected
+block 'run: main' | tail -n +2 >main.expected
+for file in crane.toml main.cpp check.expected main.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
+
+"$PROGRAM" check crane.toml >check.txt
+diff check.expected check.txt
+"$PROGRAM" derive crane.toml >/dev/null
+"$PROGRAM" generate crane.toml >/dev/null
+g++ -std=c++17 -O2 -Wall -Wextra -Wconversion -I. -I"$SOURCE/runtime" -isystem /usr/include/eigen3 main.cpp -o main
+./main >main.txt
+diff main.expected main.txt
+
+# The right-hand side that is shown, line by line; "..." stands for what is left out.
+awk '/^```cpp/ { inside = 1; shown = 0; next } /^```/ { inside = 0 } inside && /void rhs\(/ { shown = 1 } inside && shown { print }' "$readme" |
+  grep -v '^ *\.\.\.$' | while IFS= read -r line; do
+  grep -qF -- "$line" crane_real.hpp || { echo "not in the header: $line"; exit 1; }
+done
+
+# The table of systems.
+count=0
+while IFS='|' read -r _ file _ degrees operations _; do
+  name=$(tr -d ' `' <<<"$file")
+  degrees=$(tr -d ' ' <<<"$degrees")
+  operations=$(grep -o '[0-9]*' <<<"$operations" | head -1)
+  "$PROGRAM" generate "$SOURCE/systems/mechanics/$name.toml" -o "$here" >generated.txt
+  [ "$degrees" = N ] && degrees=3
+  grep -q ": $degrees degrees of freedom, $operations operations" generated.txt || { echo "README.md says $degrees, $operations of $name:"; cat generated.txt; exit 1; }
+  count=$((count + 1))
+done < <(grep '^| `[a-z_]*` | .* | [0-9N]* | ' "$readme")
+[ "$count" -eq "$(find "$SOURCE/systems" -name '*.toml' | wc -l)" ] || { echo "the table has $count systems"; exit 1; }
+echo "README.md tells the truth of $count systems and its example"
