@@ -30,7 +30,8 @@ struct SurveyRow {
 
 /// Everything that needs GiNaC: derived, proven, generated, checked against the printed equations.
 SurveyRow prepare_row(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
-    SurveyRow row{.simulation = prepare_simulation(model, scene, options)};
+    SurveyRow row;
+    row.simulation = prepare_simulation(model, scene, options);
     const Machine& machine = row.simulation.machine;
     row.name = fmt::format("{}, {}", machine.system->scene.sized_name(), machine.system->scene.name);
     row.degrees = machine.system->symbols.degrees();

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The generated header: tables, functions, banner.
+// The generated header: tables and functions.
 #pragma once
 
-#include "graph/verify.hpp"
+#include "emit/banner.hpp"
 
 namespace dalembert {
 
-inline constexpr const char* program_version = "0.1.0";
 inline constexpr int header_api_version = 1;
-
-/// What was proven of a system and of its code.
-struct Proofs {
-    Audit derivation;
-    std::vector<AuditEntry> emitted;
-
-    bool all_proven() const;
-};
 
 struct Header {
     std::string file_name;   ///< NAME_SCENE.hpp

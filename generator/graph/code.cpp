@@ -3,94 +3,11 @@
 
 #include <algorithm>
 
-#include "graph/lower.hpp"
+#include "graph/lowered_system.hpp"
 
 namespace dalembert {
 
-using GiNaC::ex;
-
 namespace {
-
-/// Everything that is emitted as polynomials over the same atoms.
-struct Lowered {
-    std::vector<Polynomial> mass, force, bias, generalised_force, state_rate, output, definitions, start;
-    struct Columns {
-        std::vector<std::vector<Polynomial>> residual, state_rate, output;  ///< [column][row]
-    };
-    std::array<Columns, 4> by;
-    std::vector<std::vector<Polynomial>> output_by_acceleration;
-    std::vector<Polynomial> scalars;  ///< energies and powers
-
-    const Columns& partial(By which) const { return by[static_cast<std::size_t>(which)]; }
-};
-
-class Lowerer {
-public:
-    Lowerer(const System& system, Atoms& atoms) : system_(system), atoms_(atoms) {}
-
-    Lowered run() {
-        Lowered l;
-        const std::size_t n = system_.symbols.degrees();
-        for (unsigned i = 0; i < n; ++i)
-            for (unsigned j = 0; j <= i; ++j) l.mass.push_back(one(system_.mass(i, j)));
-        for (std::size_t j = 0; j < n; ++j) l.force.push_back(one(system_.supplied[j] - system_.bias[j]));
-        l.bias = all(system_.bias);
-        l.generalised_force = all(system_.supplied);
-        l.state_rate = all(system_.state_rates);
-        for (const OutputEquation& output : system_.outputs) l.output.push_back(one(with_rates(output.value)));
-        l.definitions = all(system_.symbols.definition_values());
-        l.start = all(start_values());
-        for (const By by : {By::state, By::input, By::parameter, By::time}) {
-            const Partials p = partials(system_, by);
-            auto& columns = l.by[static_cast<std::size_t>(by)];
-            for (const auto& column : p.residual) columns.residual.push_back(all(column));
-            for (const auto& column : p.state_rate) columns.state_rate.push_back(all(column));
-            for (const auto& column : p.output) columns.output.push_back(all(column));
-        }
-        for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
-        l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power, system_.prescribed_power});
-
-        std::vector<Polynomial*> everything;
-        each(l, [&](Polynomial& p) { everything.push_back(&p); });
-        atoms_.canonicalise(everything);
-        return l;
-    }
-
-private:
-    Polynomial one(const ex& e) { return lower(e, atoms_); }
-    std::vector<Polynomial> all(const std::vector<ex>& expressions) {
-        std::vector<Polynomial> result;
-        for (const ex& e : expressions) result.push_back(one(e));
-        return result;
-    }
-
-    ex with_rates(const ex& e) const {
-        GiNaC::exmap rates;
-        for (std::size_t i = 0; i < system_.state_rates.size(); ++i) rates[system_.symbols.get(SymbolKind::state_rate, i)] = system_.state_rates[i];
-        return e.subs(rates, GiNaC::subs_options::no_pattern);
-    }
-
-    std::vector<ex> start_values() const {
-        std::vector<ex> values;
-        const auto add = [&](const ExpressionPtr& e, const Indices& indices) { values.push_back(e ? system_.translate(e, indices) : ex(0)); };
-        for (const auto& member : system_.scene.coordinates) add(member.item->start, Translator::indices_of(member));
-        for (const auto& member : system_.scene.coordinates) add(member.item->start_rate, Translator::indices_of(member));
-        for (const auto& member : system_.scene.states) add(member.item->start, Translator::indices_of(member));
-        return values;
-    }
-
-    template <class Visit>
-    static void each(Lowered& l, const Visit& visit) {
-        const auto list = [&](std::vector<Polynomial>& polynomials) { std::for_each(polynomials.begin(), polynomials.end(), visit); };
-        for (auto* part : {&l.mass, &l.force, &l.bias, &l.generalised_force, &l.state_rate, &l.output, &l.definitions, &l.start, &l.scalars}) list(*part);
-        for (auto& columns : l.by)
-            for (auto* part : {&columns.residual, &columns.state_rate, &columns.output}) std::for_each(part->begin(), part->end(), list);
-        std::for_each(l.output_by_acceleration.begin(), l.output_by_acceleration.end(), list);
-    }
-
-    const System& system_;
-    Atoms& atoms_;
-};
 
 /// Roots for one call of the builder, and which of them is what.
 class Roots {
@@ -115,7 +32,7 @@ private:
 class CodeMaker {
 public:
     explicit CodeMaker(const System& system)
-        : code_(std::make_unique<Code>(system)), system_(system), lowered_(Lowerer(system, code_->atoms).run()), n_(system.symbols.degrees()) {}
+        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms)), n_(system.symbols.degrees()) {}
 
     std::unique_ptr<Code> run() {
         order_definitions();
@@ -209,7 +126,7 @@ private:
     Letter acceleration_letter(std::size_t j) const { return code_->atoms.symbol(system_.symbols.all(SymbolKind::acceleration)[j]); }
 
     /// rhs, alone or together with its Jacobian.
-    void motion_function(Function which, const Lowered::Columns* columns) {
+    void motion_function(Function which, const LoweredSystem::Columns* columns) {
         FunctionCode& f = (*code_)[which];
         const Solve& s = code_->solve;
         f.by_loops = !s.unrolled;
@@ -238,7 +155,7 @@ private:
     }
 
     /// d(qdd)/d(column) = M^-1 (-dR/d(column)) and d(zd)/d(column).
-    void take_columns(FunctionCode& f, ProgramBuilder& builder, const Lowered::Columns& columns, std::size_t residual, std::size_t below,
+    void take_columns(FunctionCode& f, ProgramBuilder& builder, const LoweredSystem::Columns& columns, std::size_t residual, std::size_t below,
                       const std::vector<NodeId>& lower) {
         const std::size_t m = lowered_.state_rate.size();
         f.by_loops = !code_->solve.unrolled;
@@ -258,7 +175,7 @@ private:
     void jacobian(Function which, By by, ParameterParts parts) {
         FunctionCode& f = (*code_)[which];
         const Solve& s = code_->solve;
-        const Lowered::Columns& columns = lowered_.partial(by);
+        const LoweredSystem::Columns& columns = lowered_.partial(by);
         ProgramBuilder builder(code_->atoms, code_->cache, parts, f.program);
         Roots roots;
         const std::size_t mass = s.is_constant ? 0 : roots.add(lowered_.mass);
@@ -326,7 +243,7 @@ private:
 
     std::unique_ptr<Code> code_;
     const System& system_;
-    Lowered lowered_;
+    LoweredSystem lowered_;
     std::size_t n_;
 };
 

@@ -13,54 +13,15 @@ namespace {
 
 constexpr std::size_t most_terms = 40'000;
 constexpr double most_products = 4e6;
-constexpr int largest_power = 64;
 constexpr int largest_multiple = 24;
 constexpr int most_restarts = 8;
 
-const Monomial one;
+}  // namespace
 
-Rational rational(const numeric& value) {
+Rational NormalForm::rational(const numeric& value) {
     if (!value.is_rational()) throw NoNormalForm("a number that is not rational");
     return cln::the<cln::cl_RA>(value.to_cl_N());
 }
-
-Polynomial constant(const Rational& value) { return Polynomial(value); }
-
-Polynomial minus(Polynomial p) {
-    p *= Rational(-1);
-    return p;
-}
-
-/// The coefficient of the first term, by which a polynomial is divided to make it comparable up to a factor.
-Rational leading(const Polynomial& p) { return p.terms().begin()->second; }
-
-/// What all terms have in common, negative exponents included.
-Monomial common_factor(const Polynomial& p) {
-    std::map<std::uint32_t, int> least;
-    bool first = true;
-    for (const auto& [monomial, coefficient] : p.terms()) {
-        if (first) {
-            for (const LetterPower& power : monomial) least[power.letter] = power.exponent;
-            first = false;
-            continue;
-        }
-        for (auto& [letter, exponent] : least) exponent = std::min(exponent, exponent_of(monomial, letter));
-        for (const LetterPower& power : monomial)
-            if (power.exponent < 0 && !least.contains(power.letter)) least[power.letter] = power.exponent;
-    }
-    Monomial result;
-    for (const auto& [letter, exponent] : least)
-        if (exponent != 0) result.push_back({letter, exponent});
-    return result;
-}
-
-Polynomial times(const Polynomial& p, const Monomial& m) {
-    Polynomial result;
-    for (const auto& [monomial, coefficient] : p.terms()) result.add(monomial * m, coefficient);
-    return result;
-}
-
-}  // namespace
 
 bool NormalForm::is_zero(const ex& e) {
     for (int attempt = 0; attempt < most_restarts; ++attempt) {
@@ -106,7 +67,7 @@ NormalForm::Letter NormalForm::symbol(const ex& symbol) {
 }
 
 Polynomial NormalForm::convert(const ex& e) {
-    if (GiNaC::is_exactly_a<numeric>(e)) return constant(rational(ex_to<numeric>(e)));
+    if (GiNaC::is_exactly_a<numeric>(e)) return Polynomial(rational(ex_to<numeric>(e)));
     if (GiNaC::is_a<GiNaC::symbol>(e)) return Polynomial::letter(symbol(e));
     if (GiNaC::is_a<GiNaC::add>(e)) {
         Polynomial sum;
@@ -155,7 +116,7 @@ Polynomial NormalForm::function(const ex& e) {
     }
     if (name == "unit_step") {
         Polynomial result = sign_of(convert(e.op(0)));
-        result.add(one, 1);
+        result.add({}, 1);
         result *= Rational(1) / 2;
         return result;
     }
@@ -222,7 +183,7 @@ std::pair<Polynomial, Polynomial> NormalForm::sine_and_cosine(const Polynomial& 
             found = angles_.emplace(monomial, angle).first;
         }
         const Polynomial cosine = Polynomial::letter(found->second.second);
-        const Polynomial sine = n > 0 ? Polynomial::letter(found->second.first) : minus(Polynomial::letter(found->second.first));
+        const Polynomial sine = n > 0 ? Polynomial::letter(found->second.first) : -Polynomial::letter(found->second.first);
         for (int i = 0; i < std::abs(n); ++i) turn(sine, cosine);
     }
     return {s, c};
@@ -257,90 +218,6 @@ Polynomial NormalForm::sign_of(const Polynomial& argument) {
     return result;
 }
 
-Polynomial NormalForm::power(const ex& base, const ex& exponent) {
-    if (GiNaC::is_exactly_a<numeric>(exponent)) {
-        const Rational e = rational(ex_to<numeric>(exponent));
-        const auto numerator = to_int(cln::numerator(e));
-        const auto denominator = to_int(cln::denominator(e));
-        if (!numerator || !denominator || *denominator > largest_power) throw NoNormalForm("a large exponent");
-        const Polynomial b = convert(base);
-        return integer_power(*denominator == 1 ? b : root(b, *denominator), *numerator);
-    }
-    // b^(r + ...) with rational r: the rational part is taken out, so that b^(k+1) = b*b^k.
-    const Polynomial e = convert(exponent);
-    Rational whole = 0;
-    if (const auto number = e.terms().find(one); number != e.terms().end()) whole = cln::floor1(number->second);
-    const auto n = to_int(whole);
-    if (!n) throw NoNormalForm("a large exponent");
-    const Polynomial rest = e - constant(whole);
-    const std::vector<Polynomial> key{convert(base), rest};
-    const auto [found, is_new] = atoms_.emplace(std::pair(std::string("power"), key), 0);
-    if (is_new) found->second = new_letter(true);
-    return multiply(Polynomial::letter(found->second), integer_power(key[0], *n));
-}
-
-/// b^(1/q), q > 1, for b where that is real. Positive factors are taken out.
-Polynomial NormalForm::root(const Polynomial& base, int degree) {
-    if (base.is_zero()) return {};
-    Rational factor = leading(base);
-    if (is_negative(factor)) factor = -factor;
-    Polynomial outside = root_of_number(factor, degree);
-    Polynomial inside = base;
-    inside *= Rational(1) / factor;
-    for (const LetterPower& p : common_factor(inside)) {
-        if (!positive_[p.letter]) continue;
-        inside = times(inside, {{p.letter, -p.exponent}});
-        if (p.exponent % degree == 0) {
-            outside = multiply(outside, integer_power(Polynomial::letter(p.letter), p.exponent / degree));
-            continue;
-        }
-        const auto [found, is_new] = roots_.emplace(std::pair(Polynomial::letter(p.letter), degree), 0);
-        if (is_new) {
-            found->second = new_letter(true);
-            relate(found->second, degree, Polynomial::letter(p.letter));
-        }
-        outside = multiply(outside, integer_power(Polynomial::letter(found->second), p.exponent));
-    }
-    if (inside == Polynomial(1)) return outside;
-    const auto [found, is_new] = roots_.emplace(std::pair(inside, degree), 0);
-    if (is_new) {
-        found->second = new_letter(true);
-        relate(found->second, degree, inside);
-    }
-    return multiply(outside, Polynomial::letter(found->second));
-}
-
-/// The root of a positive number as a number times roots of primes (and of one cofactor without small primes).
-Polynomial NormalForm::root_of_number(const Rational& value, int degree) {
-    Polynomial result(1);
-    const auto take = [&](const cln::cl_I& prime, int exponent) {
-        const int whole = exponent >= 0 ? exponent / degree : -((-exponent + degree - 1) / degree);
-        result *= cln::expt(Rational(prime), cln::cl_I(whole));
-        const int rest = exponent - whole * degree;
-        if (rest == 0) return;
-        const auto [found, is_new] = roots_.emplace(std::pair(constant(prime), degree), 0);
-        if (is_new) {
-            found->second = new_letter(true);
-            relate(found->second, degree, constant(prime));
-        }
-        result = multiply(result, Polynomial::letter(found->second, rest));
-    };
-    const auto factorise = [&](cln::cl_I n, int sign) {
-        for (int prime = 2; prime < 1000 && n > 1; ++prime) {
-            int exponent = 0;
-            while (cln::zerop(cln::mod(n, cln::cl_I(prime)))) {
-                n = cln::exquo(n, cln::cl_I(prime));
-                ++exponent;
-            }
-            if (exponent > 0) take(prime, sign * exponent);
-        }
-        if (n > 1) take(n, sign);
-    };
-    factorise(cln::numerator(value), 1);
-    factorise(cln::denominator(value), -1);
-    return result;
-}
-
 void NormalForm::add_reduced(Polynomial& to, const Monomial& monomial, const Rational& coefficient) {
     for (const LetterPower& p : monomial) {
         if (!has_relation_[p.letter]) continue;
@@ -363,46 +240,6 @@ Polynomial NormalForm::multiply(const Polynomial& a, const Polynomial& b) {
         if (result.size() > most_terms) throw TooManyTerms();
     }
     return result;
-}
-
-Polynomial NormalForm::integer_power(const Polynomial& base, int exponent) {
-    if (exponent < 0) return integer_power(inverse(base), -exponent);
-    if (exponent > largest_power && !base.is_monomial()) throw NoNormalForm("a large power");
-    if (exponent > 1 && base.is_monomial() && base.terms().begin()->first.empty()) return constant(cln::expt(leading(base), cln::cl_I(exponent)));
-    Polynomial result(1);
-    Polynomial square = base;
-    for (int left = exponent; left > 0; left /= 2) {
-        if (left % 2 == 1) result = multiply(result, square);
-        if (left > 1) square = multiply(square, square);
-    }
-    return result;
-}
-
-Polynomial NormalForm::inverse(const Polynomial& p) {
-    if (p.is_zero()) throw NoNormalForm("a division by zero");
-    const Monomial common = common_factor(p);
-    // Letters with a relation are inverted through it; the others get negative exponents.
-    Polynomial result(Rational(1) / leading(p));
-    Polynomial rest = p;
-    rest *= Rational(1) / leading(p);
-    for (const LetterPower& power : common) {
-        rest = times(rest, {{power.letter, -power.exponent}});
-        if (!has_relation_[power.letter]) {
-            result = times(result, {{power.letter, -power.exponent}});
-            continue;
-        }
-        const Relation& relation = relations_.at(power.letter);
-        Polynomial one_over = inverse(relation.value);
-        one_over = multiply(one_over, Polynomial::letter(power.letter, relation.degree - 1));
-        result = multiply(result, integer_power(one_over, power.exponent));
-    }
-    if (rest == Polynomial(1)) return result;
-    const auto [found, is_new] = inverses_.emplace(rest, 0);
-    if (is_new) {
-        found->second = new_letter();
-        inverse_order_.emplace_back(found->second, rest);
-    }
-    return multiply(result, Polynomial::letter(found->second));
 }
 
 /// Multiplies by the denominators until no reciprocal is left; a denominator is not zero where the expression is defined.

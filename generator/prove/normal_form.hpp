@@ -40,6 +40,7 @@ private:
     /// A finer denominator was met; everything made with the coarser one is void.
     struct Restart {};
 
+    static Rational rational(const GiNaC::numeric& value);
     Polynomial convert(const GiNaC::ex& e);
     Polynomial function(const GiNaC::ex& e);
     Polynomial power(const GiNaC::ex& base, const GiNaC::ex& exponent);

@@ -98,4 +98,29 @@ Polynomial Polynomial::product(const Polynomial& a, const Polynomial& b, std::si
     return result;
 }
 
+Polynomial operator*(const Polynomial& p, const Monomial& m) {
+    Polynomial result;
+    for (const auto& [monomial, coefficient] : p.terms()) result.add(monomial * m, coefficient);
+    return result;
+}
+
+Monomial common_factor(const Polynomial& p) {
+    std::map<std::uint32_t, int> least;
+    bool first = true;
+    for (const auto& [monomial, coefficient] : p.terms()) {
+        if (first) {
+            for (const LetterPower& power : monomial) least[power.letter] = power.exponent;
+            first = false;
+            continue;
+        }
+        for (auto& [letter, exponent] : least) exponent = std::min(exponent, exponent_of(monomial, letter));
+        for (const LetterPower& power : monomial)
+            if (power.exponent < 0 && !least.contains(power.letter)) least[power.letter] = power.exponent;
+    }
+    Monomial result;
+    for (const auto& [letter, exponent] : least)
+        if (exponent != 0) result.push_back({letter, exponent});
+    return result;
+}
+
 }  // namespace dalembert

@@ -51,6 +51,8 @@ public:
     Polynomial& operator+=(const Polynomial& other);
     Polynomial& operator*=(const Rational& factor);
     friend Polynomial operator-(const Polynomial& a, const Polynomial& b);
+    friend Polynomial operator-(Polynomial p) { return p *= Rational(-1); }
+    friend Polynomial operator*(const Polynomial& p, const Monomial& m);
     friend bool operator<(const Polynomial& a, const Polynomial& b);
     friend bool operator==(const Polynomial& a, const Polynomial& b);
 
@@ -60,5 +62,11 @@ public:
 private:
     Terms terms_;
 };
+
+/// The coefficient of the first term, by which a polynomial is divided to make it comparable up to a factor.
+inline const Rational& leading(const Polynomial& p) { return p.terms().begin()->second; }
+
+/// What all terms have in common, negative exponents included.
+Monomial common_factor(const Polynomial& p);
 
 }  // namespace dalembert

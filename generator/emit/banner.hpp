@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The comment at the top of a generated header: command, scene, what was proven, what each function costs, licence.
+#pragma once
+
+#include "graph/verify.hpp"
+
+namespace dalembert {
+
+inline constexpr const char* program_version = "0.1.0";
+
+/// What was proven of a system and of its code.
+struct Proofs {
+    Audit derivation;
+    std::vector<AuditEntry> emitted;
+
+    bool all_proven() const;
+};
+
+/// `command` is shown as it is: normalised, without paths.
+std::string banner(const Code& code, const Proofs& proofs, const std::string& command);
+
+}  // namespace dalembert
