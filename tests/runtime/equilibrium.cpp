@@ -132,3 +132,17 @@ TEST_CASE("a satellite has no equilibrium") {
     CHECK(found.status != Status::success);
     CHECK(found.kind == EquilibriumKind::none);
 }
+
+TEST_CASE("three masses have the eigenvalues printed in Aufgabe 2.15") {
+    using System = spring_mass_damper::damped::System<double>;
+    const System system;
+    auto eigenvalues = linearise(system, system.start_state(), {}, 0.0).eigenvalues;  // linear: the same everywhere
+    REQUIRE(eigenvalues.size() == 6);
+    std::sort(eigenvalues.begin(), eigenvalues.end(), [](const auto& a, const auto& b) { return a.imag() > b.imag(); });
+    constexpr double printed[3][2] = {{-0.2654, 1.6702}, {-0.0983, 1.5569}, {-0.0863, 0.7994}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(std::abs(eigenvalues[k].real() - printed[k][0]) < 5.1e-5);
+        CHECK(std::abs(eigenvalues[k].imag() - printed[k][1]) < 5.1e-5);
+        CHECK(std::abs(eigenvalues[5 - k] - std::conj(eigenvalues[k])) < 1e-12);
+    }
+}

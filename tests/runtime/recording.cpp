@@ -48,7 +48,7 @@ TEST_CASE("plot commands: axes have names and units") {
     CHECK(commands.find("set xlabel 't [s]'") != std::string::npos);
     CHECK(commands.find("set ylabel 'phi [rad]'") != std::string::npos);
     CHECK(commands.find("set xlabel 'phi [rad]'") != std::string::npos);
-    CHECK(commands.find("set ylabel 'energy [J], phi [rad]'") != std::string::npos);
+    CHECK(commands.find("set ylabel '[J], [rad]'") != std::string::npos);
     CHECK(commands.find("set title 'orbit'") != std::string::npos);
 }
 
@@ -66,4 +66,13 @@ TEST_CASE("plot commands: text stays text") {
 TEST_CASE("plot commands: panels with unknown names are left out") {
     const std::string commands = gnuplot_commands(example(), {{"", "", {"psi"}}, {"", "", {"phi"}}}, "Rod");
     CHECK(commands.find("layout 1,1") != std::string::npos);
+}
+
+TEST_CASE("plot commands: what is constant but for rounding looks constant, and a path in space keeps its shape") {
+    Recording recording{{{"t", "s"}, {"x", "m"}, {"y", "m"}}, {{0, 5, -1}, {1, 5.0000001, 1}, {2, 5, 3}}};
+    const std::string over_time = gnuplot_commands(recording, {{"", "", {"x"}}, {"", "", {"y"}}}, "Rod");
+    CHECK(over_time.find("set yrange [4.5") != std::string::npos);
+    CHECK(over_time.find("set autoscale y") != std::string::npos);
+    CHECK(over_time.find("ratio -1") == std::string::npos);
+    CHECK(gnuplot_commands(recording, {{"", "x", {"y"}}}, "Rod").find("set size ratio -1") != std::string::npos);
 }
