@@ -72,8 +72,7 @@ std::string Dimension::in_base_units() const {
         part += power_text(base_names[i], exponent);
     }
     if (below.empty()) return above.empty() ? "1" : above;
-    if (above.empty()) above = "1";
-    return below.find('*') == std::string::npos ? above + "/" + below : above + "/(" + below + ")";
+    return fmt::format(below.find('*') == std::string::npos ? "{}/{}" : "{}/({})", above.empty() ? "1" : above, below);
 }
 
 std::string Dimension::described() const {
