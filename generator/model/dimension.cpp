@@ -72,7 +72,8 @@ std::string Dimension::in_base_units() const {
         part += power_text(base_names[i], exponent);
     }
     if (below.empty()) return above.empty() ? "1" : above;
-    return fmt::format(below.find('*') == std::string::npos ? "{}/{}" : "{}/({})", above.empty() ? "1" : above, below);
+    if (above.empty()) above = "1";
+    return below.find('*') == std::string::npos ? fmt::format("{}/{}", above, below) : fmt::format("{}/({})", above, below);
 }
 
 std::string Dimension::described() const {
