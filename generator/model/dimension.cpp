@@ -72,7 +72,7 @@ std::string Dimension::in_base_units() const {
         part += power_text(base_names[i], exponent);
     }
     if (below.empty()) return above.empty() ? "1" : above;
-    if (above.empty()) above = "1";
+    if (above.empty()) above += '1';
     return below.find('*') == std::string::npos ? fmt::format("{}/{}", above, below) : fmt::format("{}/({})", above, below);
 }
 
