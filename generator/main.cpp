@@ -3,4 +3,9 @@
 
 #include "command/command_line.hpp"
 
-int main(int argc, char** argv) { return dalembert::run_program({argv + 1, argv + argc}, {std::cout, std::cerr}); }
+int main(int argc, char** argv) {
+    const int code = dalembert::run_program({argv + 1, argv + argc}, {std::cout, std::cerr});
+    if (std::cout.flush()) return code;
+    std::cerr << "dalembert: the output cannot be written\n";
+    return static_cast<int>(dalembert::ExitCode::tool_missing);
+}

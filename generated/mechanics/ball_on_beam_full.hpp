@@ -23,7 +23,7 @@
 //   jacobian_p            27     53     3        2      0
 //   mass_matrix            2      2     0        0      0
 //   bias                   3      9     0        2      0
-//   kinetic_energy         6     14     1        0      0
+//   kinetic_energy         6     15     1        0      0
 //   potential_energy       2      3     0        2      0
 //   supplied_power         0      1     0        0      0
 //
@@ -393,18 +393,18 @@ public:
     }
 
     /// T in joules.
-    /// Operations: 6 + or -, 14 *, 1 /
-    ///     T = -(m_K*r_K + theta_K/r_K)*dot(phi_1)*dot(r) + ((m_K*r_K^2 + theta_B + theta_K) + m_K*r^2)*dot(phi_1)^2/2 + (m_K +
-    ///     theta_K/r_K^2)*dot(r)^2/2
+    /// Operations: 6 + or -, 15 *, 1 /
+    ///     T = -m_K*r_K*dot(phi_1)*dot(r) + ((m_K*r_K^2 + theta_B) + m_K*r^2)*dot(phi_1)^2/2 + m_K*dot(r)^2/2 +
+    ///     theta_K*(-dot(phi_1) + dot(r)/r_K)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar phi_1_dot = x[2];
         const Scalar r = x[1];
+        const Scalar e1 = (Scalar(1) / Scalar(2)) * p_.m_K;
+        const Scalar e2 = p_.m_K * p_.r_K;
         const Scalar r_dot = x[3];
-        const Scalar inverse_1 = Scalar(1) / p_.r_K;
-        const Scalar e2 = (Scalar(1) / Scalar(2)) * (p_.m_K * p_.r_K * p_.r_K + p_.theta_B + c_.theta_K);
-        const Scalar e3 = phi_1_dot * phi_1_dot * (r * r * ((Scalar(1) / Scalar(2)) * p_.m_K) + e2);
-        const Scalar e4 = (Scalar(1) / Scalar(2)) * (p_.m_K + c_.theta_K * inverse_1 * inverse_1);
-        return e3 - r_dot * (c_.k1 * phi_1_dot - r_dot * e4);
+        const Scalar e3 = r_dot / p_.r_K - phi_1_dot;
+        const Scalar e4 = phi_1_dot * phi_1_dot * (r * r * e1 + (Scalar(1) / Scalar(2)) * (p_.theta_B + p_.r_K * e2));
+        return e4 - r_dot * (phi_1_dot * e2 - r_dot * e1) + e3 * e3 * ((Scalar(1) / Scalar(2)) * c_.theta_K);
     }
 
     /// V in joules.

@@ -26,7 +26,7 @@
 //   output                 1      1     0        1      0
 //   output_jacobian_x      0      1     0        1      0
 //   kinetic_energy         4     11     0        1      0
-//   potential_energy       3      7     0        1      0
+//   potential_energy       2      4     0        1      0
 //   supplied_power         0      1     0        0      0
 //   dissipated_power       0      2     0        0      0
 //   start_state            0      1     0        0      0
@@ -484,15 +484,15 @@ public:
     }
 
     /// V in joules.
-    /// Operations: 3 + or -, 7 *, 1 sin or cos
-    ///     V = c_W*s_W0^2/2 - c_W*s_W0*s + c_W*s^2/2 - l_S*g*m_S*cos(phi)/2
+    /// Operations: 2 + or -, 4 *, 1 sin or cos
+    ///     V = -l_S*g*m_S*cos(phi)/2 + c_W*(s_W0 - s)^2/2
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::cos;
         const Scalar s = x[0];
+        const Scalar e1 = p_.s_W0 - s;
         const Scalar phi = x[1];
         const Scalar cos_phi = cos(phi);
-        return (Scalar(1) / Scalar(2)) * p_.c_W * p_.s_W0 * p_.s_W0 - s * (c_.k3 - s * ((Scalar(1) / Scalar(2)) * p_.c_W))
-            - c_.k4 * cos_phi;
+        return e1 * e1 * ((Scalar(1) / Scalar(2)) * p_.c_W) - c_.k4 * cos_phi;
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.

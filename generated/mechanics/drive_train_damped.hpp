@@ -25,9 +25,9 @@
 //   generalised_force      1      1     0        0      0
 //   output                 1      0     0        0      0
 //   kinetic_energy         2      8     0        0      0
-//   potential_energy       2      6     0        0      0
+//   potential_energy       1      3     0        0      0
 //   supplied_power         1      3     0        0      0
-//   dissipated_power       2      6     0        0      0
+//   dissipated_power       1      2     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -367,13 +367,13 @@ public:
     }
 
     /// V in joules.
-    /// Operations: 2 + or -, 6 *
-    ///     V = c*phi_1^2/2 - c*phi_1*phi_2 + c*phi_2^2/2
+    /// Operations: 1 + or -, 3 *
+    ///     V = c*(phi_1 - phi_2)^2/2
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
-        const Scalar phi_2 = x[1];
-        const Scalar e1 = (Scalar(1) / Scalar(2)) * p_.c;
         const Scalar phi_1 = x[0];
-        return phi_2 * phi_2 * e1 - phi_1 * (p_.c * phi_2 - phi_1 * e1);
+        const Scalar phi_2 = x[1];
+        const Scalar e1 = phi_1 - phi_2;
+        return e1 * e1 * ((Scalar(1) / Scalar(2)) * p_.c);
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
@@ -388,12 +388,13 @@ public:
     }
 
     /// Power in watts that dampers dissipate; not negative for laws that resist.
-    /// Operations: 2 + or -, 6 *
-    ///     dissipated = -2*d*dot(phi_1)*dot(phi_2) + d*dot(phi_1)^2 + d*dot(phi_2)^2
+    /// Operations: 1 + or -, 2 *
+    ///     dissipated = d*(dot(phi_1) - dot(phi_2))^2
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         const Scalar phi_1_dot = x[2];
         const Scalar phi_2_dot = x[3];
-        return p_.d * (phi_1_dot * phi_1_dot + phi_2_dot * phi_2_dot) - phi_1_dot * phi_2_dot * (Scalar(2) * p_.d);
+        const Scalar e1 = phi_1_dot - phi_2_dot;
+        return p_.d * e1 * e1;
     }
 
     /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.

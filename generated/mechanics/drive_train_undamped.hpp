@@ -25,7 +25,7 @@
 //   generalised_force      1      1     0        0      0
 //   output                 1      0     0        0      0
 //   kinetic_energy         2      8     0        0      0
-//   potential_energy       2      6     0        0      0
+//   potential_energy       1      3     0        0      0
 //   supplied_power         1      3     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -350,13 +350,13 @@ public:
     }
 
     /// V in joules.
-    /// Operations: 2 + or -, 6 *
-    ///     V = c*phi_1^2/2 - c*phi_1*phi_2 + c*phi_2^2/2
+    /// Operations: 1 + or -, 3 *
+    ///     V = c*(phi_1 - phi_2)^2/2
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
-        const Scalar phi_2 = x[1];
-        const Scalar e1 = (Scalar(1) / Scalar(2)) * p_.c;
         const Scalar phi_1 = x[0];
-        return phi_2 * phi_2 * e1 - phi_1 * (p_.c * phi_2 - phi_1 * e1);
+        const Scalar phi_2 = x[1];
+        const Scalar e1 = phi_1 - phi_2;
+        return e1 * e1 * ((Scalar(1) / Scalar(2)) * p_.c);
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.

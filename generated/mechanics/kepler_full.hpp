@@ -177,13 +177,13 @@ public:
     ///     m*ddot(y) + G*M*m*y/sqrt(x^2 + y^2)^3 = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         using std::sqrt;
-        const Scalar x_ = x[0];
-        const Scalar y_ = x[1];
-        const Scalar sqrt_1 = sqrt(x_ * x_ + y_ * y_);
+        const Scalar x_value = x[0];
+        const Scalar y_value = x[1];
+        const Scalar sqrt_1 = sqrt(x_value * x_value + y_value * y_value);
         const Scalar inverse_2 = Scalar(1) / sqrt_1;
         const Scalar e3 = c_.k2 * inverse_2 * (inverse_2 * inverse_2);
-        const Scalar x_ddot = (-x_ * e3) * c_.k0;
-        const Scalar y_ddot = (-y_ * e3) * c_.k1;
+        const Scalar x_ddot = (-x_value * e3) * c_.k0;
+        const Scalar y_ddot = (-y_value * e3) * c_.k1;
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = x_ddot;
@@ -195,31 +195,31 @@ public:
     /// Operations: 5 + or -, 19 *, 1 /, 1 other functions
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::sqrt;
-        const Scalar x_ = x[0];
-        const Scalar x__squared = x_ * x_;
-        const Scalar y_ = x[1];
-        const Scalar y__squared = y_ * y_;
-        const Scalar sqrt_1 = sqrt(x__squared + y__squared);
+        const Scalar x_value = x[0];
+        const Scalar x_value_squared = x_value * x_value;
+        const Scalar y_value = x[1];
+        const Scalar y_value_squared = y_value * y_value;
+        const Scalar sqrt_1 = sqrt(x_value_squared + y_value_squared);
         const Scalar inverse_2 = Scalar(1) / sqrt_1;
         const Scalar inverse_2_squared = inverse_2 * inverse_2;
         const Scalar e3 = inverse_2 * inverse_2_squared;
         const Scalar e4 = c_.k2 * e3;
-        const Scalar x_ddot = (-x_ * e4) * c_.k0;
-        const Scalar y_ddot = (-y_ * e4) * c_.k1;
+        const Scalar x_ddot = (-x_value * e4) * c_.k0;
+        const Scalar y_ddot = (-y_value * e4) * c_.k1;
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = x_ddot;
         dxdt[3] = y_ddot;
         const Scalar e5 = e3 * (c_.k3 * inverse_2_squared);
-        const Scalar e6 = x_ * y_ * e5;
+        const Scalar e6 = x_value * y_value * e5;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = (e5 * x__squared - e4) * c_.k0;
+        J[2] = (e5 * x_value_squared - e4) * c_.k0;
         J[3] = e6 * c_.k1;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
         J[6] = e6 * c_.k0;
-        J[7] = (e5 * y__squared - e4) * c_.k1;
+        J[7] = (e5 * y_value_squared - e4) * c_.k1;
         J[8] = Scalar(1);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
@@ -248,13 +248,13 @@ public:
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar e1 = p_.M * p_.m;
-        const Scalar x_ = x[0];
-        const Scalar y_ = x[1];
-        const Scalar sqrt_2 = sqrt(x_ * x_ + y_ * y_);
+        const Scalar x_value = x[0];
+        const Scalar y_value = x[1];
+        const Scalar sqrt_2 = sqrt(x_value * x_value + y_value * y_value);
         const Scalar inverse_3 = Scalar(1) / sqrt_2;
         const Scalar e4 = inverse_3 * (inverse_3 * inverse_3);
-        const Scalar e5 = x_ * e4;
-        const Scalar e6 = y_ * e4;
+        const Scalar e5 = x_value * e4;
+        const Scalar e6 = y_value * e4;
         const Scalar e7 = p_.G * p_.m;
         const Scalar e8 = p_.G * p_.M;
         J[0] = Scalar(0);
@@ -306,13 +306,13 @@ public:
     ///     bias[y] = G*M*m*y/sqrt(x^2 + y^2)^3
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
         using std::sqrt;
-        const Scalar x_ = x[0];
-        const Scalar y_ = x[1];
-        const Scalar sqrt_1 = sqrt(x_ * x_ + y_ * y_);
+        const Scalar x_value = x[0];
+        const Scalar y_value = x[1];
+        const Scalar sqrt_1 = sqrt(x_value * x_value + y_value * y_value);
         const Scalar inverse_2 = Scalar(1) / sqrt_1;
         const Scalar e3 = c_.k2 * inverse_2 * (inverse_2 * inverse_2);
-        b[0] = x_ * e3;
-        b[1] = y_ * e3;
+        b[0] = x_value * e3;
+        b[1] = y_value * e3;
     }
 
     /// Q in M qdd + bias = Q: forces, torques and inputs.
@@ -331,12 +331,12 @@ public:
     ///     distance = sqrt(x^2 + y^2)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         using std::sqrt;
-        const Scalar x_ = x[0];
+        const Scalar x_value = x[0];
         const Scalar y_dot = x[3];
-        const Scalar y_ = x[1];
+        const Scalar y_value = x[1];
         const Scalar x_dot = x[2];
-        const Scalar e1 = x_ * y_dot - y_ * x_dot;
-        const Scalar sqrt_2 = sqrt(x_ * x_ + y_ * y_);
+        const Scalar e1 = x_value * y_dot - y_value * x_dot;
+        const Scalar sqrt_2 = sqrt(x_value * x_value + y_value * y_value);
         y[0] = (Scalar(1) / Scalar(2)) * e1;
         y[1] = p_.m * e1;
         y[2] = sqrt_2;
@@ -347,22 +347,22 @@ public:
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::sqrt;
         const Scalar y_dot = x[3];
-        const Scalar x_ = x[0];
-        const Scalar y_ = x[1];
-        const Scalar sqrt_1 = sqrt(x_ * x_ + y_ * y_);
+        const Scalar x_value = x[0];
+        const Scalar y_value = x[1];
+        const Scalar sqrt_1 = sqrt(x_value * x_value + y_value * y_value);
         const Scalar inverse_2 = Scalar(1) / sqrt_1;
         const Scalar x_dot = x[2];
         C[0] = (Scalar(1) / Scalar(2)) * y_dot;
         C[1] = p_.m * y_dot;
-        C[2] = x_ * inverse_2;
+        C[2] = x_value * inverse_2;
         C[3] = -(Scalar(1) / Scalar(2)) * x_dot;
         C[4] = -p_.m * x_dot;
-        C[5] = y_ * inverse_2;
-        C[6] = -(Scalar(1) / Scalar(2)) * y_;
-        C[7] = -p_.m * y_;
+        C[5] = y_value * inverse_2;
+        C[6] = -(Scalar(1) / Scalar(2)) * y_value;
+        C[7] = -p_.m * y_value;
         C[8] = Scalar(0);
-        C[9] = (Scalar(1) / Scalar(2)) * x_;
-        C[10] = p_.m * x_;
+        C[9] = (Scalar(1) / Scalar(2)) * x_value;
+        C[10] = p_.m * x_value;
         C[11] = Scalar(0);
     }
 
@@ -385,9 +385,9 @@ public:
     ///     V = -G*M*m/sqrt(x^2 + y^2)
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::sqrt;
-        const Scalar x_ = x[0];
-        const Scalar y_ = x[1];
-        const Scalar sqrt_1 = sqrt(x_ * x_ + y_ * y_);
+        const Scalar x_value = x[0];
+        const Scalar y_value = x[1];
+        const Scalar sqrt_1 = sqrt(x_value * x_value + y_value * y_value);
         return -c_.k2 / sqrt_1;
     }
 

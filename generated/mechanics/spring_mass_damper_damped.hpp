@@ -24,9 +24,9 @@
 //   bias                  12     11     0        0      0
 //   generalised_force      1      0     0        0      0
 //   kinetic_energy         2      9     0        0      0
-//   potential_energy      14     20     0        0      0
+//   potential_energy      12     18     0        0      0
 //   supplied_power         1      1     0        0      0
-//   dissipated_power       3      8     0        0      0
+//   dissipated_power       3      6     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -497,19 +497,20 @@ public:
     }
 
     /// V in joules.
-    /// Operations: 14 + or -, 20 *
-    ///     V = (c_11*s_011^2 + c_22*s_022^2 + c_13*s_013^2 + c_23*s_023^2)/2 + (m_1*g - c_11*s_011 + c_13*s_013)*s_1 + (c_11 +
-    ///     c_13)*s_1^2/2 - c_13*s_1*s_3 + (m_2*g - c_22*s_022 + c_23*s_023)*s_2 + (c_22 + c_23)*s_2^2/2 - c_23*s_2*s_3 + (m_3*g -
-    ///     c_13*s_013 - c_23*s_023)*s_3 + (c_13 + c_23)*s_3^2/2
+    /// Operations: 12 + or -, 18 *
+    ///     V = m_1*g*s_1 + m_2*g*s_2 + m_3*g*s_3 + c_11*(s_011 - s_1)^2/2 + c_22*(s_022 - s_2)^2/2 + c_13*(s_013 + s_1 - s_3)^2/2 +
+    ///     c_23*(s_023 + s_2 - s_3)^2/2
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar s_1 = x[0];
-        const Scalar s_3 = x[2];
         const Scalar s_2 = x[1];
-        const Scalar e1 = p_.c_13 * s_1 + p_.c_23 * s_2 - c_.k8 - s_3 * ((Scalar(1) / Scalar(2)) * (p_.c_13 + p_.c_23));
-        const Scalar e2 = p_.c_11 * p_.s_011 * p_.s_011 + p_.c_22 * p_.s_022 * p_.s_022 + p_.c_13 * p_.s_013 * p_.s_013
-            + p_.c_23 * p_.s_023 * p_.s_023;
-        return s_1 * (c_.k3 + s_1 * ((Scalar(1) / Scalar(2)) * (p_.c_11 + p_.c_13))) - s_3 * e1 + s_2
-            * (c_.k6 + s_2 * ((Scalar(1) / Scalar(2)) * (p_.c_22 + p_.c_23))) + (Scalar(1) / Scalar(2)) * e2;
+        const Scalar s_3 = x[2];
+        const Scalar e1 = p_.s_011 - s_1;
+        const Scalar e2 = p_.s_022 - s_2;
+        const Scalar e3 = p_.s_013 + s_1 - s_3;
+        const Scalar e4 = p_.s_023 + s_2 - s_3;
+        return s_1 * (p_.m_1 * p_.g) + s_2 * (p_.m_2 * p_.g) + s_3 * (p_.m_3 * p_.g) + e1 * e1
+            * ((Scalar(1) / Scalar(2)) * p_.c_11) + e2 * e2 * ((Scalar(1) / Scalar(2)) * p_.c_22) + e3 * e3
+            * ((Scalar(1) / Scalar(2)) * p_.c_13) + e4 * e4 * ((Scalar(1) / Scalar(2)) * p_.c_23);
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
@@ -522,14 +523,14 @@ public:
     }
 
     /// Power in watts that dampers dissipate; not negative for laws that resist.
-    /// Operations: 3 + or -, 8 *
-    ///     dissipated = -2*d_13*dot(s_1)*dot(s_3) + (d_11 + d_13)*dot(s_1)^2 + d_22*dot(s_2)^2 + d_13*dot(s_3)^2
+    /// Operations: 3 + or -, 6 *
+    ///     dissipated = d_11*dot(s_1)^2 + d_22*dot(s_2)^2 + d_13*(dot(s_1) - dot(s_3))^2
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
-        const Scalar s_2_dot = x[4];
         const Scalar s_1_dot = x[3];
+        const Scalar s_2_dot = x[4];
         const Scalar s_3_dot = x[5];
-        return p_.d_22 * s_2_dot * s_2_dot - s_1_dot * (s_3_dot * (Scalar(2) * p_.d_13) - c_.k5 * s_1_dot) + p_.d_13 * s_3_dot
-            * s_3_dot;
+        const Scalar e1 = s_1_dot - s_3_dot;
+        return p_.d_11 * s_1_dot * s_1_dot + p_.d_22 * s_2_dot * s_2_dot + p_.d_13 * e1 * e1;
     }
 
     /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.

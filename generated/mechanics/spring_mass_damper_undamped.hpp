@@ -24,7 +24,7 @@
 //   bias                   7      7     0        0      0
 //   generalised_force      1      0     0        0      0
 //   kinetic_energy         2      9     0        0      0
-//   potential_energy      14     20     0        0      0
+//   potential_energy      12     18     0        0      0
 //   supplied_power         1      1     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -451,19 +451,20 @@ public:
     }
 
     /// V in joules.
-    /// Operations: 14 + or -, 20 *
-    ///     V = (c_11*s_011^2 + c_22*s_022^2 + c_13*s_013^2 + c_23*s_023^2)/2 + (m_1*g - c_11*s_011 + c_13*s_013)*s_1 + (c_11 +
-    ///     c_13)*s_1^2/2 - c_13*s_1*s_3 + (m_2*g - c_22*s_022 + c_23*s_023)*s_2 + (c_22 + c_23)*s_2^2/2 - c_23*s_2*s_3 + (m_3*g -
-    ///     c_13*s_013 - c_23*s_023)*s_3 + (c_13 + c_23)*s_3^2/2
+    /// Operations: 12 + or -, 18 *
+    ///     V = m_1*g*s_1 + m_2*g*s_2 + m_3*g*s_3 + c_11*(s_011 - s_1)^2/2 + c_22*(s_022 - s_2)^2/2 + c_13*(s_013 + s_1 - s_3)^2/2 +
+    ///     c_23*(s_023 + s_2 - s_3)^2/2
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar s_1 = x[0];
-        const Scalar s_3 = x[2];
         const Scalar s_2 = x[1];
-        const Scalar e1 = p_.c_13 * s_1 + p_.c_23 * s_2 - c_.k7 - s_3 * ((Scalar(1) / Scalar(2)) * (p_.c_13 + p_.c_23));
-        const Scalar e2 = p_.c_11 * p_.s_011 * p_.s_011 + p_.c_22 * p_.s_022 * p_.s_022 + p_.c_13 * p_.s_013 * p_.s_013
-            + p_.c_23 * p_.s_023 * p_.s_023;
-        return s_1 * (c_.k3 + s_1 * ((Scalar(1) / Scalar(2)) * (p_.c_11 + p_.c_13))) - s_3 * e1 + s_2
-            * (c_.k5 + s_2 * ((Scalar(1) / Scalar(2)) * (p_.c_22 + p_.c_23))) + (Scalar(1) / Scalar(2)) * e2;
+        const Scalar s_3 = x[2];
+        const Scalar e1 = p_.s_011 - s_1;
+        const Scalar e2 = p_.s_022 - s_2;
+        const Scalar e3 = p_.s_013 + s_1 - s_3;
+        const Scalar e4 = p_.s_023 + s_2 - s_3;
+        return s_1 * (p_.m_1 * p_.g) + s_2 * (p_.m_2 * p_.g) + s_3 * (p_.m_3 * p_.g) + e1 * e1
+            * ((Scalar(1) / Scalar(2)) * p_.c_11) + e2 * e2 * ((Scalar(1) / Scalar(2)) * p_.c_22) + e3 * e3
+            * ((Scalar(1) / Scalar(2)) * p_.c_13) + e4 * e4 * ((Scalar(1) / Scalar(2)) * p_.c_23);
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.

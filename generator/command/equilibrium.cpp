@@ -58,6 +58,12 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);
     apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
 
+    const FunctionCode& by_time = (*machine.code)[Function::jacobian_t];
+    const auto moves = [&](const CodeMatrix& matrix) { return std::any_of(matrix.entries.begin(), matrix.entries.end(), [&](NodeId id) { return !by_time.is_zero(id); }); };
+    if (moves(by_time.right) || moves(by_time.below))
+        throw Failure(Diagnostic{Id::bad_option, system.scene.model->name_span,
+                                 fmt::format("the equations of scene '{}' depend on the time, so that nothing stays at rest in them", system.scene.name)});
+
     std::vector<const Variable*> states;
     std::vector<const Variable*> inputs;
     for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
@@ -81,7 +87,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     json["residual"] = std::stod(result.at("residual"));
     json["iterations"] = std::stoul(result.at("iterations"));
     std::string text = fmt::format("{}, scene {}: ", system.scene.sized_name(), system.scene.name);
-    if (!found) text += fmt::format("no equilibrium found ({}), largest |dx/dt| left {}\n", result.at("status"), result.at("residual"));
+    if (!found) text += fmt::format("no equilibrium found ({}{}), largest |dx/dt| left {}\n", result.at("status"), result.at("status") == "not finite" ? ": dx/dt or its Jacobian has no value" : "", result.at("residual"));
     else if (result.at("kind") == "family") text += fmt::format("one of a family of equilibria of dimension {}\n", result.at("dimension"));
     else text += "an isolated equilibrium\n";
     const auto list = [&](const char* key, const std::vector<const Variable*>& variables, const std::vector<double>& numbers_of) {

@@ -35,7 +35,7 @@ std::vector<std::string> compiler() {
     std::istringstream words(variable != nullptr && *variable != '\0' ? variable : "c++");
     std::vector<std::string> result;
     for (std::string word; words >> word;) result.push_back(word);
-    return result;
+    return result.empty() ? std::vector<std::string>{"c++"} : result;
 }
 
 /// The line that says what is wrong, or the first one.

@@ -10,7 +10,7 @@ namespace dalembert {
 
 namespace {
 
-const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "starts", "start", "p_", "c_", "detail", "Scalar", "State"};
+const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State"};
 
 constexpr const char* indent = "        ";
 
@@ -65,13 +65,13 @@ CppBody CppBodies::update() {
     for (std::size_t i = 0; i < f.results.size(); ++i) {
         statements += cpp.compute({f.results[i]});
         const bool is_definition = i < code_.definition_order.size();
-        const std::string target = is_definition ? cpp_name(definitions[code_.definition_order[i]]) : fmt::format("k{}", i - code_.definition_order.size());
+        const std::string target = is_definition ? cpp_name(definitions[code_.definition_order[i]]) : cached_name(code_.system.symbols, i - code_.definition_order.size());
         statements += assigned(cpp, "c_." + target, f.results[i]);
     }
     if (f.by_loops && code_.solve.is_constant) {
         statements += cpp.compute(f.mass);
-        for (std::size_t i = 0; i < f.mass.size(); ++i) statements += assigned(cpp, fmt::format("c_.mass[{}]", i), f.mass[i]);
-        statements += fmt::format("{}detail::ldlt_factor<Scalar, {}>(c_.mass);\n", indent, n_);
+        for (std::size_t i = 0; i < f.mass.size(); ++i) statements += assigned(cpp, fmt::format("c_.mass_factors[{}]", i), f.mass[i]);
+        statements += fmt::format("{}detail::ldlt_factor<Scalar, {}>(c_.mass_factors);\n", indent, n_);
     }
     return finish(cpp, std::move(statements), "", {});
 }
@@ -85,7 +85,7 @@ CppBody CppBodies::start_state() {
     return finish(cpp, std::move(statements), "", {});
 }
 
-std::string CppBodies::mass_name() const { return code_.solve.is_constant ? "c_.mass" : "mass"; }
+std::string CppBodies::mass_name() const { return code_.solve.is_constant ? "c_.mass_factors" : "mass"; }
 
 /// By loops: M of this motion, factored. A constant one was factored in update().
 std::string CppBodies::factored_mass(CppFunction& cpp, const FunctionCode& f) {

@@ -150,7 +150,7 @@ CppFunction::Text CppFunction::build(NodeId id, std::string& statements) {
             const std::string text = cpp_constant(node.value);
             return {text, is_integer(node.value) && !is_negative(node.value) && text.find(' ') == std::string::npos ? 3 : 1};
         }
-        case Node::Kind::cached: return {fmt::format("c_.k{}", cached_.at(node.index)), 3};
+        case Node::Kind::cached: return {"c_." + cached_name(code_.system.symbols, cached_.at(node.index)), 3};
         case Node::Kind::sum: return sum(node, statements);
         case Node::Kind::product: return product(node, statements);
         case Node::Kind::reciprocal: return {"Scalar(1) / " + operand(node.arguments[0], 3, statements), 2};
@@ -171,7 +171,7 @@ CppFunction::Text CppFunction::symbol(NodeId id, std::string& statements) {
     const auto local = [&](const std::string& array, std::size_t index) -> Text {
         const std::string name = cpp_name(variable);
         // A model may call something x or u; an argument of that name is in the way then.
-        const std::string unique = arguments_.contains(name) ? name + "_" : name;
+        const std::string unique = arguments_.contains(name) ? names_.unique(name + "_value") : name;
         statements += fmt::format("        const Scalar {} = {}[{}];\n", unique, array, index);
         return {unique, 3};
     };

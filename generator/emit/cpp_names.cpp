@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "text/diagnostic.hpp"
@@ -21,13 +22,30 @@ std::string cpp_name(const Variable& variable) {
     return name;
 }
 
+std::string cached_name(const Symbols& symbols, std::size_t number) {
+    const auto& definitions = symbols.all(SymbolKind::definition);
+    const bool taken = std::any_of(definitions.begin(), definitions.end(), [](const Variable& definition) {
+        const std::string name = cpp_name(definition);
+        return name.size() > 1 && name[0] == 'k' && name.find_first_not_of("0123456789", 1) == std::string::npos;
+    });
+    return fmt::format("{}{}", taken ? "cached_" : "k", number);
+}
+
 std::string NameScope::unique(const std::string& wanted) {
     std::string name = wanted;
     for (int i = 2; !taken_.insert(name).second; ++i) name = fmt::format("{}_{}", wanted, i);
     return name;
 }
 
-void check_cpp_names(const Symbols& symbols) {
+void check_cpp_names(const System& system) {
+    const Symbols& symbols = system.symbols;
+    std::map<std::string, const OutputEquation*> outputs;
+    for (const OutputEquation& output : system.outputs) {
+        const auto [other, is_new] = outputs.emplace(cpp_name(output.base, output.index, output.is_member), &output);
+        if (!is_new)
+            throw Failure(Diagnostic{Id::doubly_defined, system.scene.model->name_span,
+                                     fmt::format("the outputs '{}' and '{}' would both be '{}' in the header", other->second->name, output.name, other->first)});
+    }
     std::map<std::string, const Variable*> used;
     for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
         for (const Variable& variable : symbols.all(kind)) {

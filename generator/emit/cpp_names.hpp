@@ -5,13 +5,16 @@
 #include <set>
 #include <string>
 
-#include "symbolic/symbols.hpp"
+#include "form/system.hpp"
 
 namespace dalembert {
 
 /// "phi", "phi_dot", "m_2" for m[2]: a variable as an identifier.
 std::string cpp_name(const Variable& variable);
 std::string cpp_name(const std::string& base, int index, bool is_member);
+
+/// The member that caches value `number`: k0, k1, ..., unless a definition has such a name.
+std::string cached_name(const Symbols& symbols, std::size_t number);
 
 /// The names of one function.
 class NameScope {
@@ -26,6 +29,6 @@ private:
 };
 
 /// Throws Failure (doubly-defined) when two members of families get the same name in C++, as phi_1 and phi[1].
-void check_cpp_names(const Symbols& symbols);
+void check_cpp_names(const System& system);
 
 }  // namespace dalembert

@@ -238,9 +238,9 @@ private:
         for (const auto& [index, number] : bodies_.cached()) {
             const bool is_factor = code_.solve.is_constant && code_.solve.unrolled && index >= code_.solve.first_cached &&
                                    index < code_.solve.first_cached + code_.solve.is_zero.size();
-            text += fmt::format("        Scalar k{};  ///< {}\n", number, is_factor ? "of the factorisation of M" : shortened(write_(meaning(index))));
+            text += fmt::format("        Scalar {};  ///< {}\n", cached_name(symbols_, number), is_factor ? "of the factorisation of M" : shortened(write_(meaning(index))));
         }
-        if (has_mass) text += fmt::format("        std::array<Scalar, {}> mass;  ///< factors of M\n", code_.solve.is_zero.size());
+        if (has_mass) text += fmt::format("        std::array<Scalar, {}> mass_factors;  ///< factors of M\n", code_.solve.is_zero.size());
         return text + "    };\n    Cached c_{};\n";
     }
 
@@ -316,7 +316,7 @@ std::string header_name(const Scene& scene) { return fmt::format("{}_{}.hpp", sc
 std::string header_namespace(const Scene& scene) { return fmt::format("{}::{}", scene.sized_name(), scene.name); }
 
 Header make_header(const Code& code, const Proofs& proofs, const std::string& command) {
-    check_cpp_names(code.system.symbols);
+    check_cpp_names(code.system);
     return {header_name(code.system.scene), header_namespace(code.system.scene), HeaderWriter(code, proofs, command).run()};
 }
 

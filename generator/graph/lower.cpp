@@ -15,7 +15,6 @@ namespace {
 
 /// A product of sums with more terms than this is kept as a product.
 constexpr std::size_t most_terms = 400;
-constexpr int largest_power = 8;
 
 struct FunctionOp {
     unsigned serial;
@@ -109,6 +108,13 @@ private:
         return {content, common, rest};
     }
 
+    bool has_angles(const Polynomial& p) const {
+        for (const auto& [monomial, coefficient] : p.terms())
+            for (const LetterPower& power : monomial)
+                if (atoms_[power.letter].op == Op::sin || atoms_[power.letter].op == Op::cos) return true;
+        return false;
+    }
+
     Polynomial multiply(const Polynomial& a, const Polynomial& b) {
         if (a.size() > 1 && b.size() > 1 && a.size() * b.size() > most_terms) return multiply(kept_whole(a, 1), kept_whole(b, 1));
         return Polynomial::product(a, b, SIZE_MAX);
@@ -121,10 +127,9 @@ private:
         const Rational value = cln::the<cln::cl_RA>(ex_to<numeric>(exponent).to_cl_N());
         const Polynomial base = (*this)(e.op(0));
         if (const auto n = to_int(value)) {
-            if (*n < 0 || base.is_monomial() || *n > largest_power) return kept_whole(base, *n);
-            Polynomial result(1);
-            for (int i = 0; i < *n; ++i) result = multiply(result, base);
-            return result;
+            // Expanded, (x - a)^n loses its digits near a. Only squares with angles are: what becomes 1 in them is worth more.
+            if (*n == 2 && has_angles(base)) return multiply(base, base);
+            return kept_whole(base, *n);
         }
         const auto numerator = to_int(cln::numerator(value));
         if (numerator && cln::denominator(value) == 2) return Polynomial::letter(atoms_.letter(Op::sqrt, {base}), *numerator);

@@ -28,7 +28,7 @@ public:
     void run() {
         if (well_formed(model_.name, model_.name_span) && is_global_function(model_.name))
             diagnostics_.error(Id::reserved_name, model_.name_span,
-                               fmt::format("'{}' is a function of C and cannot be the namespace of the header", model_.name));
+                               fmt::format("'{}' has a meaning of its own in C or C++ and cannot be the namespace of the header", model_.name));
         // Names that expressions use share one namespace; a velocity gets the name NAME_dot in C++.
         std::map<std::string, const Item*> used;
         const auto shared = [&](const auto& items) {
@@ -84,6 +84,10 @@ private:
                                                                       : nullptr;
         if (meaning != nullptr) {
             diagnostics_.error(Id::reserved_name, item.span, fmt::format("'{}' is {} in every model and cannot be defined again", name, meaning));
+            return;
+        }
+        if (is_header_name(name)) {
+            diagnostics_.error(Id::reserved_name, item.span, fmt::format("'{}' is a name that every header defines itself", name));
             return;
         }
         const auto [first, is_new] = used.emplace(name, &item);

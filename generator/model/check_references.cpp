@@ -17,7 +17,10 @@ public:
     ReferenceCheck(const Model& model, const Names& names, Diagnostics& diagnostics) : model_(model), names_(names), diagnostics_(diagnostics) {}
 
     void run() {
-        for (const Body& item : model_.bodies) body(item.on, false, false);
+        for (const Body& item : model_.bodies) {
+            body(item.on, false, false);
+            placement(item);
+        }
         for (const Damper& item : model_.dampers) body(item.on, true, false);
         for (const Force& item : model_.forces) body(item.on, true, false);
         for (const Torque& item : model_.torques) {
@@ -50,6 +53,15 @@ private:
             diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' has no position", reference->name), {{found->span, "it is defined here"}});
         if (needs_rotation && !found->rotation && !found->angular_velocity)
             diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' does not turn", reference->name), {{found->span, "it is defined here"}});
+    }
+
+    /// A body that turns by its angular velocity alone points nobody knows where.
+    void placement(const Body& item) {
+        const Body* base = item.on ? names_.find_body(item.on->name) : nullptr;
+        if (base == nullptr || !base->angular_velocity || base->rotation) return;
+        diagnostics_.error(Id::not_allowed_here, item.on->span,
+                           fmt::format("body '{}' cannot be placed on '{}', of which only the angular velocity is given; give its rotation", item.name, base->name),
+                           {{base->angular_velocity->span, "it turns like this"}});
     }
 
     void coordinate(const CoordinateEntry& entry) {

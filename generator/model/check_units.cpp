@@ -62,6 +62,7 @@ public:
                 si_value(entry.value, units_.of_coordinate(entry.coordinate), "the reference", "potential", term);
         }
         for (const GeneralisedForce& force : model_.generalised_forces) force_on(force.coordinate, "generalised force", force);
+        for (const Run& run : model_.runs) check(run);
     }
 
 private:
@@ -109,6 +110,20 @@ private:
         const Dimension rate = damper.rate ? units_.of(*damper.rate, {}).dimension : Dimension::speed();
         expect(damper.coefficient, Dimension::power() / rate / rate, "the coefficient", "damper", damper);
         law(damper.force, rate, Dimension::power() / rate, "the force law", "damper", damper);
+    }
+
+    void check(const Run& run) {
+        const auto seconds = [&](const ExpressionPtr& e, const char* part) {
+            if (e) units_.expect_si(*e, Dimension::time(), fmt::format("the {} of run '{}'", part, run.name));
+        };
+        seconds(run.until, "end");
+        seconds(run.period, "period");
+        seconds(run.step, "step");
+        for (const auto* entries : {&run.start, &run.inputs, &run.parameters})
+            for (const RunEntry& entry : *entries) {
+                const Measure variable = units_.of(*entry.variable, {});
+                if (!variable.fits_all) units_.expect_si(*entry.value, variable.dimension, fmt::format("the value of '{}' in run '{}'", entry.variable->written(), run.name));
+            }
     }
 
     void law(const std::optional<Law>& law, const Dimension& variable, const Dimension& expected, const char* part, const char* kind, const Item& item) {

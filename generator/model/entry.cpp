@@ -241,6 +241,7 @@ std::vector<Equation> Entry::equations(std::string_view key) const {
     };
     if (!is_list) add(*node);
     for (const DocumentNode& element : node->elements) add(element);
+    if (is_list && node->elements.empty()) error(Id::wrong_type, node->span, fmt::format("'{}' is empty; there is nothing to check", key));
     return result;
 }
 

@@ -133,6 +133,7 @@ public:
             for (const State& state : model_.states)
                 if (scene_.holds(state.when)) use_name(state.name, state.span);
 
+        use_in_runs();
         choose_used(model_.parameters, scene_.parameters);
         choose_used(model_.inputs, scene_.inputs);
         choose_used(model_.states, scene_.states);
@@ -186,6 +187,25 @@ private:
         const auto follow = [&](const Site& site) { use(site); };
         if (named->kind == Named::Kind::definition) visit(named->definition(), follow);
         if (named->kind == Named::Kind::state) visit(static_cast<const State&>(*named->item), follow);
+    }
+
+    /// Parameters that the runs of this scene need for its inputs.
+    void use_in_runs() {
+        const auto use_parameters = [&](const ExpressionPtr& expression) {
+            if (!expression) return;
+            for_each(*expression, [&](const Expression& e) {
+                const Named* named = e.kind == Kind::name ? names_.find(e.name) : nullptr;
+                const bool is_constant = named != nullptr && (dependence(e, names_) & ~on_parameters) == 0;
+                if (is_constant && scene_.holds(named->item->when)) use_name(e.name, e.span);
+            });
+        };
+        for (const Run& run : model_.runs) {
+            if (!run.scene.empty() && run.scene != scene_.name) continue;
+            owner_ = fmt::format("run '{}'", run.name);
+            for (const ExpressionPtr& e : {run.until, run.period, run.step}) use_parameters(e);
+            for (const RunEntry& entry : run.inputs)
+                if (used_.contains(entry.variable->name)) use_parameters(entry.value);
+        }
     }
 
     void check_referred_bodies() {

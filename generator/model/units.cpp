@@ -52,6 +52,13 @@ void Units::expect(const Expression& expression, const Dimension& expected, cons
                                          measure.dimension.described()), {&expression});
 }
 
+void Units::expect_si(const Expression& expression, const Dimension& expected, const std::string& what) {
+    numbers_fit_all_ = true;
+    const Measure measure = of(expression, {});
+    if (!measure.dimension.is_none()) expect(expression, expected, what);
+    numbers_fit_all_ = false;
+}
+
 Dimension Units::of_coordinate(std::string_view name) const {
     const Named* named = names_.find(name);
     return named == nullptr ? Dimension::none() : named->quantity().unit.dimension;
@@ -73,7 +80,7 @@ void Units::dimensionless(const Expression& e, const std::string& what, const Bo
 Measure Units::of(const Expression& e, const Bound& bound) {
     const auto part = [&](std::size_t i) { return of(*e.children[i], bound); };
     switch (e.kind) {
-        case Kind::number: return {Dimension::none(), is_zero(e.value)};
+        case Kind::number: return {Dimension::none(), numbers_fit_all_ || is_zero(e.value)};
         case Kind::name: return name(e, bound);
         case Kind::call: return call(e, bound);
         case Kind::negate: return part(0);

@@ -25,6 +25,8 @@ public:
     Measure of(const Expression& expression, const Bound& bound);
     /// Reports when the expression is not in the expected unit. What is named in the sentence.
     void expect(const Expression& expression, const Dimension& expected, const std::string& what, const Bound& bound = {});
+    /// The same where plain numbers stand for values in SI, as in the inputs of runs.
+    void expect_si(const Expression& expression, const Dimension& expected, const std::string& what);
     /// Of a coordinate.
     Dimension of_coordinate(std::string_view name) const;
 
@@ -40,6 +42,7 @@ private:
     const Names& names_;
     Diagnostics& diagnostics_;
     std::map<const Definition*, Measure> definitions_;
+    bool numbers_fit_all_ = false;
 };
 
 }  // namespace dalembert

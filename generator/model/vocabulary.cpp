@@ -58,7 +58,10 @@ constexpr auto macros = std::to_array<std::string_view>({
     "NULL",     "NAN",       "INFINITY",   "HUGE_VAL",  "HUGE_VALF", "HUGE_VALL", "MATH_ERRNO", "MATH_ERREXCEPT", "FP_NAN",       "FP_INFINITE",
     "FP_ZERO",  "FP_SUBNORMAL", "FP_NORMAL", "FP_FAST_FMA", "FP_FAST_FMAF", "FP_FAST_FMAL", "FP_ILOGB0", "FP_ILOGBNAN", "M_E",  "M_LOG2E",
     "M_LOG10E", "M_LN2",     "M_LN10",     "M_PI",      "M_PI_2",    "M_PI_4",    "M_1_PI",     "M_2_PI",         "M_2_SQRTPI",   "M_SQRT2",
-    "M_SQRT1_2", "linux",    "unix",       "i386",      "errno",     "assert",    "EOF",
+    "M_SQRT1_2", "linux",    "unix",       "i386",      "errno",     "assert",    "EOF",       "MAXFLOAT",       "SNAN",         "SNANF",
+    "SNANL",     "RAND_MAX", "BIG_ENDIAN", "LITTLE_ENDIAN", "PDP_ENDIAN", "BYTE_ORDER", "EXIT_SUCCESS", "EXIT_FAILURE", "MB_CUR_MAX", "FD_SETSIZE",
+    "NFDBITS",   "WNOHANG",  "WUNTRACED",  "WSTOPPED",  "WEXITED",   "WCONTINUED", "WNOWAIT",  "FP_INT_UPWARD",  "FP_INT_DOWNWARD", "FP_INT_TOWARDZERO",
+    "FP_INT_TONEAREST", "FP_INT_TONEARESTFROMZERO", "DOMAIN", "SING", "OVERFLOW", "UNDERFLOW", "TLOSS", "PLOSS",
 });
 
 /// Functions that C headers put outside of every namespace, of mathematics without their endings f and l.
@@ -70,6 +73,22 @@ constexpr auto global_functions = std::to_array<std::string_view>({
     "rint",   "round",  "scalb",   "scalbln", "scalbn",  "signgam", "signbit", "significand", "sin", "sincos",   "sinh",   "sqrt",       "tan",
     "tanh",   "tgamma", "trunc",   "y0",      "y1",      "yn",     "abs",    "labs",   "llabs",    "div",       "ldiv",   "finite",     "isinf",
     "isnan",  "time",   "clock",   "index",   "link",    "pause",  "pipe",   "random", "select",   "signal",    "system", "wait",
+    "exit",   "free",   "abort",   "malloc",  "calloc",  "realloc", "rand",  "srand",  "getenv",   "setenv",    "atoi",   "ato",        "strtod",
+    "strto",  "strtol", "qsort",   "bsearch", "lldiv",   "size_t", "double_t", "float_t", "div_t", "ldiv_t",    "lldiv_t", "int8_t",    "int16_t",
+    "int32_t", "int64_t", "uint",  "ushort",  "ulong",   "timeva", "timespec", "fd_set", "locale_t", "realpath", "drand48", "erand48",  "lrand48",
+    "mblen",  "wctomb", "mbtowc",  "putenv",  "mktemp",  "pselect", "alloca", "remove", "rename",  "printf",    "memcpy", "memchr",     "memset",
+    "strlen", "strcpy", "strcmp",  "strchr",  "puts",    "read",   "write",  "open",   "close",    "main",      "System", "dalembert",  "boost",
+    "Eigen",  "detail",
+});
+
+/// What every header defines itself, or takes from <cmath> by a using declaration.
+constexpr auto header_names = std::to_array<std::string_view>({
+    "System",  "Parameters", "Scalar",     "Quantity",   "State",     "Input",     "Output",   "Generalised", "MassMatrix", "JacobianX", "JacobianU",
+    "JacobianP", "JacobianT", "OutputJacobianX", "OutputJacobianU", "PatternX", "PatternU", "PatternP", "Cached", "scalar_type", "state", "input",
+    "output",  "parameter",  "name",       "scene",      "title",     "api",       "api_version", "degrees",  "degrees_of_freedom", "state_count",
+    "input_count", "output_count", "parameter_count", "start_values", "state_quantities", "input_quantities", "output_quantities",
+    "parameter_quantities", "jacobian_x_pattern", "jacobian_u_pattern", "jacobian_p_pattern", "detail", "pow", "rhs", "rhs_and_jacobian", "jacobian_x",
+    "jacobian_u", "jacobian_p", "jacobian_t", "update", "parameters", "start_state", "mode", "mass_factors",
 });
 
 template <class Table>
@@ -90,7 +109,18 @@ bool is_special_form(std::string_view name) {
 }
 
 bool is_cpp_keyword(std::string_view name) { return std::find(keywords.begin(), keywords.end(), name) != keywords.end(); }
-bool is_cpp_macro(std::string_view name) { return std::find(macros.begin(), macros.end(), name) != macros.end(); }
+bool is_cpp_macro(std::string_view name) {
+    const auto has = [](std::string_view base) { return std::find(macros.begin(), macros.end(), base) != macros.end(); };
+    if (has(name)) return true;
+    // M_PI also as M_PIf, M_PIl, M_PIf128, ...
+    const auto suffixed = [&](std::string_view base) {
+        return base.starts_with("M_") && name.starts_with(base) && name.substr(base.size()).find_first_not_of("flx0123468") == std::string_view::npos &&
+               (name[base.size()] == 'f' || name[base.size()] == 'l');
+    };
+    return std::any_of(macros.begin(), macros.end(), suffixed);
+}
+
+bool is_header_name(std::string_view name) { return std::find(header_names.begin(), header_names.end(), name) != header_names.end(); }
 
 bool is_global_function(std::string_view name) {
     const auto has = [](std::string_view base) { return std::find(global_functions.begin(), global_functions.end(), base) != global_functions.end(); };

@@ -122,10 +122,19 @@ ex Translator::sum(const Expression& e, const Indices& indices, const Letters& l
     return GiNaC::add(terms);
 }
 
+/// The time derivative of what the derivative of is known: not of accelerations, rates of plain states and inputs.
+ex Translator::rate(const Expression& e, const ex& value) const {
+    for (const auto& [kind, what] : {std::pair(SymbolKind::acceleration, "acceleration"), std::pair(SymbolKind::state_rate, "rate"), std::pair(SymbolKind::input, "input")})
+        for (const Variable& variable : symbols_.all(kind))
+            if (value.has(variable.symbol))
+                fail(Id::not_allowed_here, e, fmt::format("'{}' needs the time derivative of the {} '{}', which is not known", e.written(), what, variable.name));
+    return symbols_.time_derivative(value);
+}
+
 ex Translator::call(const Expression& e, const Indices& indices, const Letters& letters) const {
     const auto part = [&](std::size_t i) { return visit(*e.children[i], indices, letters); };
-    if (e.name == "dot") return symbols_.time_derivative(part(0));
-    if (e.name == "ddot") return symbols_.time_derivative(symbols_.time_derivative(part(0)));
+    if (e.name == "dot") return rate(e, part(0));
+    if (e.name == "ddot") return rate(e, rate(e, part(0)));
     if (e.name == "diff") {
         const ex variable = part(1);
         if (!GiNaC::is_a<GiNaC::symbol>(variable)) fail(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that one can differentiate by", e.children[1]->written()));

@@ -49,6 +49,7 @@ public:
 private:
     GiNaC::ex visit(const Expression& e, const Indices& indices, const Letters& letters) const;
     GiNaC::ex name(const Expression& e, const Indices& indices, const Letters& letters) const;
+    GiNaC::ex rate(const Expression& e, const GiNaC::ex& value) const;
     GiNaC::ex call(const Expression& e, const Indices& indices, const Letters& letters) const;
     GiNaC::ex sum(const Expression& e, const Indices& indices, const Letters& letters) const;
     GiNaC::ex power(const Expression& e, const GiNaC::ex& base, const GiNaC::ex& exponent) const;

@@ -55,16 +55,10 @@ public:
     }
 
     void run(std::size_t most_iterations) {
-        if (!take_residual() || !take_jacobian()) {
-            point_.status = Status::not_finite;
-            return;
-        }
+        if (!take_residual() || !take_jacobian()) return end_not_finite();
         for (; columns() > 0 && point_.iterations < most_iterations && f_.squaredNorm() > Scalar(0); ++point_.iterations) {
             if (!improve()) break;
-            if (!take_jacobian()) {
-                point_.status = Status::not_finite;
-                return;
-            }
+            if (!take_jacobian()) return end_not_finite();
         }
         point_.residual = static_cast<double>(f_.template lpNorm<Eigen::Infinity>());
         const Scalar rounding = Scalar(10000) * Eigen::NumTraits<Scalar>::epsilon();
@@ -75,6 +69,10 @@ public:
     }
 
 private:
+    void end_not_finite() {
+        point_.status = Status::not_finite;
+        point_.residual = static_cast<double>(f_.template lpNorm<Eigen::Infinity>());
+    }
     void add(Scalar& unknown, std::vector<Index>& which, std::size_t i) {
         unknowns_.push_back(&unknown);
         which.push_back(static_cast<Index>(i));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -23,11 +24,18 @@ struct Panel {
 
 namespace detail {
 
-/// A gnuplot string. In single quotes nothing is special but the quote itself.
+/// The name of a file; a quote in it is doubled.
+inline std::string gnuplot_path(const std::string& path) {
+    std::string result = "'";
+    for (const char c : path) result += c == '\'' ? std::string("''") : std::string(1, c);
+    return result + "'";
+}
+
+/// A gnuplot string. In single quotes nothing is special but the quote itself, which becomes typographic.
 inline std::string gnuplot_string(const std::string& text) {
     std::string result = "'";
     for (const char c : text) {
-        if (c == '\'') result += "''";
+        if (c == '\'') result += "\xE2\x80\x99";
         else if (static_cast<unsigned char>(c) < 0x20 || c == '`') result += ' ';
         else result += c;
     }
@@ -120,8 +128,12 @@ inline std::string gnuplot_commands(const Recording& recording, const std::vecto
 
 /// Draws PATH.svg and PATH.png. Returns false when gnuplot is missing or fails.
 inline bool draw(const Recording& recording, const std::vector<Panel>& panels, const std::string& title, const std::string& path) {
+    const auto before = std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that is missing or ends early is a false below, not the end of the program
     FILE* gnuplot = popen("gnuplot", "w");
-    if (gnuplot == nullptr) return false;
+    if (gnuplot == nullptr) {
+        std::signal(SIGPIPE, before);
+        return false;
+    }
     std::string text = "$data << EOD\n";
     for (const std::vector<double>& row : recording.rows) {
         for (const double value : row) text += detail::number_text(value) + " ";
@@ -131,10 +143,12 @@ inline bool draw(const Recording& recording, const std::vector<Panel>& panels, c
     const std::string commands = gnuplot_commands(recording, panels, title);
     const int height = 90 + 260 * static_cast<int>(panels.empty() ? 1 : panels.size());
     const std::string size = "size 900," + std::to_string(height);
-    text += "set terminal svg " + size + " font 'sans,13' background '#ffffff'\nset output " + detail::gnuplot_string(path + ".svg") + "\n" + commands;
-    text += "set output\nset terminal pngcairo " + size + " font 'sans,11'\nset output " + detail::gnuplot_string(path + ".png") + "\n" + commands + "set output\n";
+    text += "set terminal svg " + size + " font 'sans,13' background '#ffffff'\nset output " + detail::gnuplot_path(path + ".svg") + "\n" + commands;
+    text += "set output\nset terminal pngcairo " + size + " font 'sans,11'\nset output " + detail::gnuplot_path(path + ".png") + "\n" + commands + "set output\n";
     const bool written = std::fwrite(text.data(), 1, text.size(), gnuplot) == text.size();
-    return pclose(gnuplot) == 0 && written;
+    const bool drawn = pclose(gnuplot) == 0 && written;
+    std::signal(SIGPIPE, before);
+    return drawn;
 }
 
 }  // namespace v1
