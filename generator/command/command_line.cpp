@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <filesystem>
 #include <ostream>
 
 #include "text/nearest.hpp"
@@ -106,6 +108,8 @@ public:
             }
             throw Failure(Diagnostic{Id::bad_option, {}, std::string(error.what()) + hint + "; see `dalembert --help`"});
         }
+        if (!std::isfinite(options_.tolerance) || !std::isfinite(options_.step) || !std::isfinite(options_.periods))
+            throw Failure(Diagnostic{Id::bad_option, {}, "tolerance, step and periods are finite numbers"});
         options_.verb = app_.get_subcommands().front()->get_name();
         options_.choice.model = model_;
         read_sizes(sizes_, options_.choice.sizes);
@@ -167,6 +171,12 @@ int run_program(const std::vector<std::string>& arguments, Streams streams) {
     } catch (const Failure& failure) {
         streams.err << failure.what();
         return static_cast<int>(failure.exit_code());
+    } catch (const GiNaC::pole_error&) {
+        streams.err << "dalembert: error[division-by-zero]: a value that was given makes an expression divide by zero\n";
+        return static_cast<int>(ExitCode::bad_input);
+    } catch (const std::filesystem::filesystem_error& error) {
+        streams.err << "dalembert: error[unreadable-file]: " << error.what() << "\n";
+        return static_cast<int>(ExitCode::tool_missing);
     } catch (const std::exception& error) {
         streams.err << "dalembert: error: " << error.what() << "\nThis is a defect of the program; please report it with the model.\n";
         return static_cast<int>(ExitCode::tool_missing);

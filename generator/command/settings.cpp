@@ -79,13 +79,26 @@ std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const
     return settings;
 }
 
+void check_setting(const Setting& setting, unsigned may_depend, const System& system) {
+    const auto dimension = dimension_of(*setting.variable, system);
+    if (setting.unit && dimension && setting.unit->dimension != *dimension)
+        throw Failure(Diagnostic{Id::unit_mismatch, setting.value->span,
+                                 fmt::format("'{}' is in '{}', but '{}' is in '{}'", setting.variable->written(), dimension->described(),
+                                             setting.unit->written, setting.unit->dimension.described())});
+    check_dependence(*setting.value, may_depend, fmt::format("the value of '{}'", setting.variable->written()), system);
+}
+
+void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const System& system) {
+    for_each(value, [&](const Expression& part) {
+        const bool is_leaf = part.kind == Expression::Kind::name || (part.kind == Expression::Kind::call && (part.name == "dot" || part.name == "ddot"));
+        if (is_leaf && (dependence(part, system.names) & ~may_depend) != 0)
+            throw Failure(Diagnostic{Id::not_allowed_here, part.span, fmt::format("{} must not depend on '{}'", what, part.written())});
+    });
+}
+
 void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system) {
     for (const Setting& setting : settings) {
-        const auto dimension = dimension_of(*setting.variable, system);
-        if (setting.unit && dimension && setting.unit->dimension != *dimension)
-            throw Failure(Diagnostic{Id::unit_mismatch, setting.value->span,
-                                     fmt::format("'{}' is in '{}', but '{}' is in '{}'", setting.variable->written(), dimension->described(),
-                                                 setting.unit->written, setting.unit->dimension.described())});
+        check_setting(setting, allowed == on_parameters ? nothing : on_parameters, system);
         values.set(*setting.variable, *setting.value, allowed);
     }
 }

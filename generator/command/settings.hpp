@@ -19,4 +19,8 @@ std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const
 /// Applies them. `allowed` says what may be set: bits of Dependence. Throws Failure (unknown-name, unit-mismatch, value-out-of-range).
 void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system);
 
+/// Throws Failure when the unit is not that of the variable, or the value depends on what it must not depend on.
+void check_setting(const Setting& setting, unsigned may_depend, const System& system);
+void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const System& system);
+
 }  // namespace dalembert

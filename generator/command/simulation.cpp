@@ -36,6 +36,7 @@ const Run* find_run(const Model& model, const std::string& wanted) {
 double number(const ex& value, const Span& place) {
     const auto result = value_at(value, {}, 40);
     if (!result) throw Failure(Diagnostic{Id::division_by_zero, place, "this has no value"});
+    if (cln::abs(*result) > cln::expt_pos(cln::cl_I(10), 300)) throw Failure(Diagnostic{Id::number_too_large, place, "this is beyond 1e300"});
     return cln::double_approx(*result);
 }
 
@@ -56,7 +57,7 @@ std::vector<std::string> recorded_names(const std::string& name, const System& s
 /// What the model's run and the command line together say.
 class Preparation {
 public:
-    Preparation(const Model& model, const Options& options) : options_(options), run_(find_run(model, options.run)) {}
+    Preparation(const Model& model, const Options& options) : options_(options), model_name_(model.name), run_(find_run(model, options.run)) {}
 
     /// The scene: the one asked for, or the one that the run belongs to.
     std::string scene(const std::string& wanted) const {
@@ -95,14 +96,17 @@ public:
         if (options_.periods > 0 && run_ != nullptr && run_->period) settings.until = options_.periods * seconds(run_->period);
         if (!options_.until.empty()) {
             const Excerpt text = excerpt_of(std::make_shared<const Source>("--until", options_.until));
-            settings.until = seconds(parse_expression(text));
+            const ExpressionPtr until = parse_expression(text);
+            check_dependence(*until, on_parameters, "the end of the run", system);
+            settings.until = seconds(until);
+            if (!(settings.until > 0)) throw Failure(Diagnostic{Id::bad_option, until->span, "a run begins at t = 0 and must end later"});
         }
         if (options_.tolerance > 0) settings.tolerance = options_.tolerance;
         if (!options_.method.empty()) settings.method = options_.method;
         if (options_.step > 0) settings.step = options_.step;
         if (options_.samples > 0) settings.intervals = options_.samples;
         if (!(settings.until > 0))
-            throw Failure(Diagnostic{Id::bad_option, {}, "how long to simulate? Give --until, or a [runs.reference] in the model"});
+            throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("how long to simulate '{}'? Give --until, or a [runs.reference] in the model", model_name_)});
         if (settings.method == "rk4" && !(settings.step > 0)) throw Failure(Diagnostic{Id::bad_option, {}, "the method rk4 needs a fixed step: --step"});
         settings.inputs = inputs(system);
         settings.plots = plots(settings.plots, system);
@@ -134,9 +138,11 @@ private:
         if (run_ != nullptr)
             for (const RunEntry& entry : run_->inputs)
                 if (is_in_scene(*entry.variable, system)) set(*entry.variable, system.translate(*entry.value, {}));
-        for (const Setting& setting : parse_settings(options_.inputs, "input"))
+        for (const Setting& setting : parse_settings(options_.inputs, "input")) {
+            check_setting(setting, on_motion | on_states, system);
             if (!set(*setting.variable, system.translate(*setting.value, {})))
                 throw Failure(Diagnostic{Id::unknown_name, setting.variable->span, fmt::format("scene '{}' has no input '{}'", system.scene.name, setting.variable->written())});
+        }
         return result;
     }
 
@@ -164,6 +170,7 @@ private:
     }
 
     const Options& options_;
+    const std::string& model_name_;
     const Run* run_;
 };
 

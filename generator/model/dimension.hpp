@@ -61,7 +61,7 @@ struct Unit {
 
     bool is_coherent() const { return factor == 1 && pi_power == 0 && is_zero(offset); }
     /// The unit of the value in SI: as written when that is SI already, else in base units.
-    std::string si() const { return is_coherent() ? written : dimension.in_base_units(); }
+    std::string si() const;
 };
 
 /// Reads "kg*m/s^2", "N/m", "deg", "mm^2", "bar", "m^(1/2)", "1". Throws Failure (syntax, unknown-unit).

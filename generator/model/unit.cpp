@@ -170,4 +170,11 @@ Unit parse_unit(const Excerpt& excerpt) {
     return result;
 }
 
+std::string Unit::si() const {
+    if (is_coherent()) return written;
+    const std::string base = dimension.in_base_units();
+    // Degrees and turns become radians, which are dimensionless.
+    return pi_power == 1 && base.starts_with('1') ? "rad" + base.substr(1) : base;
+}
+
 }  // namespace dalembert

@@ -59,6 +59,12 @@ Values::Values(const Scene& scene, const Translator& translate) : scene_(scene),
 }
 
 void Values::assign(const Variable& variable, const ex& value, const Span& place) {
+    if (GiNaC::is_exactly_a<numeric>(value) && !value.is_zero()) {
+        const numeric size = GiNaC::abs(GiNaC::ex_to<numeric>(value));
+        const numeric largest = GiNaC::pow(numeric(10), numeric(300));
+        if (size > largest || size < largest.inverse())
+            throw Failure(Diagnostic{Id::number_too_large, place, fmt::format("the value of '{}' is beyond 1e300 or within 1e-300 of zero", variable.name)});
+    }
     values_[key(variable.kind, variable.position)] = value;
     const Quantity* ranged = variable.declared;
     if (ranged == nullptr || !ranged->range) return;

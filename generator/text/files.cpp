@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -90,11 +91,12 @@ void write_files(const FileContents& files) {
             made_folders.push_back(*p);
         }
         const fs::path temporary = path.string() + ".part";
+        errno = 0;
         std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
         pending.emplace_back(temporary, path);
         out << content;
         out.close();
-        if (!out) stop(path, "the disk is full, or the folder is read-only");
+        if (!out) stop(path, errno != 0 ? std::generic_category().message(errno) : "the disk is full");
     }
     for (const auto& [temporary, path] : pending) {
         const bool unchanged = fs::is_regular_file(path, error) && read_file(path) == read_file(temporary);

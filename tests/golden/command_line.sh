@@ -34,10 +34,18 @@ expect 2 'unit-mismatch' "$PROGRAM" evaluate "$model" --parameter m_W=2m
 expect 2 'value-out-of-range' "$PROGRAM" evaluate "$model" --parameter m_W=-1
 expect 2 'unknown-name' "$PROGRAM" evaluate "$model" --state q=1
 expect 2 'not of the form NAME=VALUE' "$PROGRAM" evaluate "$model" --state q
+expect 2 "must not depend on 's'" "$PROGRAM" evaluate "$model" --parameter m_W=s
+expect 2 'number-too-large' "$PROGRAM" evaluate "$model" --state 's=1e308*10'
+expect 2 'begins at t = 0' "$PROGRAM" simulate "$model" --until 0 -o "$here/none"
+expect 2 "must not depend on 'ddot(s)'" "$PROGRAM" simulate "$model" --until 1 --input 'f_e=ddot(s)' -o "$here/none"
+expect 2 'unit-mismatch' "$PROGRAM" simulate "$model" --until 1 --input f_e=1m -o "$here/none"
+expect 2 'finite numbers' "$PROGRAM" simulate "$model" --tolerance nan -o "$here/none"
+expect 3 'cannot be written: Not a directory' "$PROGRAM" generate "$model" -o /dev/null
+expect 3 'output cannot be written' bash -c '"$0" derive "$1" >/dev/full' "$PROGRAM" "$model"
 expect 1 'not all as expected' "$PROGRAM" check "$SOURCE/tests/golden/wrong_equation.toml"
 expect 3 'cannot be started' env CXX=no-such-compiler "$PROGRAM" simulate "$model" --until 1 -o "$here/none"
 [ ! -e "$here/none" ] || { echo "FAILED: something was left behind"; failures=$((failures + 1)); }
-expect 0 'energy error' "$PROGRAM" simulate "$model" --until 1 -o "$here/out"
+expect 0 'energy error' "$PROGRAM" simulate "$model" --until 1 --input 'f_e=sin(2*pi*t) + min(1, t)' -o "$here/out"
 for ending in hpp csv svg png; do
   [ -s "$here/out/cart_pendulum_lab.$ending" ] || { echo "FAILED: no $ending"; failures=$((failures + 1)); }
 done
