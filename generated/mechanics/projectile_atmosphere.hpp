@@ -81,7 +81,7 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"g", "m/s^2", "gravity"},
     Quantity{"h", "m", "height at the start"},
     Quantity{"v_0", "m/s", "speed at the start"},
-    Quantity{"alpha", "1", "angle of the throw above the horizontal"},
+    Quantity{"alpha", "rad", "angle of the throw above the horizontal"},
     Quantity{"c_W", "1", "drag coefficient"},
     Quantity{"A", "m^2", "cross section"},
     Quantity{"rho_f", "kg/m^3", "density of the air"},
@@ -127,7 +127,7 @@ struct Parameters {
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
     Scalar h = Scalar(9) / Scalar(5);  ///< m, height at the start
     Scalar v_0 = Scalar(25);  ///< m/s, speed at the start
-    Scalar alpha = Scalar(2) / Scalar(9) * detail::pi<Scalar>();  ///< 1, angle of the throw above the horizontal
+    Scalar alpha = Scalar(2) / Scalar(9) * detail::pi<Scalar>();  ///< rad, angle of the throw above the horizontal
     Scalar c_W = Scalar(47) / Scalar(100);  ///< 1, drag coefficient
     Scalar A = Scalar(17) / Scalar(4000);  ///< m^2, cross section
     Scalar rho_f = Scalar(6) / Scalar(5);  ///< kg/m^3, density of the air

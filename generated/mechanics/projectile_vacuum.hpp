@@ -79,7 +79,7 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"g", "m/s^2", "gravity"},
     Quantity{"h", "m", "height at the start"},
     Quantity{"v_0", "m/s", "speed at the start"},
-    Quantity{"alpha", "1", "angle of the throw above the horizontal"},
+    Quantity{"alpha", "rad", "angle of the throw above the horizontal"},
 };
 
 /// Start values of the state in SI, for the default parameters.
@@ -122,7 +122,7 @@ struct Parameters {
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
     Scalar h = Scalar(9) / Scalar(5);  ///< m, height at the start
     Scalar v_0 = Scalar(25);  ///< m/s, speed at the start
-    Scalar alpha = Scalar(2) / Scalar(9) * detail::pi<Scalar>();  ///< 1, angle of the throw above the horizontal
+    Scalar alpha = Scalar(2) / Scalar(9) * detail::pi<Scalar>();  ///< rad, angle of the throw above the horizontal
 };
 
 /// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.

@@ -31,12 +31,11 @@ std::string safe_line(std::string_view text) {
             result += text[i];
         }
     }
-    // A trigraph for a backslash would do the same.
-    for (std::size_t at; (at = result.find("?\?/")) != std::string::npos;) result.replace(at, 3, "? ?/");
     while (!result.empty() && (result.back() == ' ' || result.back() == '\\')) {
         // A backslash at the end would join the next line of C++ to a comment.
         result.pop_back();
     }
+    if (result.ends_with("?\?/")) result.pop_back();  // the same as a trigraph
     return result;
 }
 
