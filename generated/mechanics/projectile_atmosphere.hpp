@@ -18,7 +18,7 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      4     1        0      0
 //   rhs                    3      7     0        0      1
-//   rhs_and_jacobian       6     16     1        0      1
+//   rhs_and_jacobian       6     16     0        0      2
 //   jacobian_p            10     25     0        0      1
 //   bias                   2      5     0        0      1
 //   output                 1      2     0        0      1
@@ -106,6 +106,20 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// a where the condition holds, else b.
+template <class Scalar>
+Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
+    return condition ? a : b;
+}
+
+/// 1/sqrt(x) of a sum of squares, and 0 where it is 0.
+template <class Scalar>
+Scalar inverse_norm(const Scalar& x) noexcept {
+    using std::sqrt;
+    const bool is_zero = x == Scalar(0);
+    return select(is_zero, Scalar(0), Scalar(1) / sqrt(select(is_zero, Scalar(1), x)));
+}
+
 /// The number pi, to the digits of the type.
 template <class Scalar>
 Scalar pi() noexcept {
@@ -210,23 +224,25 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 6 + or -, 16 *, 1 /, 1 other functions
+    /// Operations: 6 + or -, 16 *, 2 other functions
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::sqrt;
         const Scalar x_dot = x[2];
         const Scalar x_dot_squared = x_dot * x_dot;
         const Scalar z_dot = x[3];
         const Scalar z_dot_squared = z_dot * z_dot;
-        const Scalar sqrt_1 = sqrt(x_dot_squared + z_dot_squared);
-        const Scalar e2 = c_.k2 * sqrt_1;
-        const Scalar x_ddot = (-x_dot * e2) * c_.k0;
-        const Scalar z_ddot = (-c_.k3 - z_dot * e2) * c_.k1;
+        const Scalar e1 = x_dot_squared + z_dot_squared;
+        const Scalar sqrt_2 = sqrt(e1);
+        const Scalar e3 = c_.k2 * sqrt_2;
+        const Scalar x_ddot = (-x_dot * e3) * c_.k0;
+        const Scalar z_ddot = (-c_.k3 - z_dot * e3) * c_.k1;
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = x_ddot;
         dxdt[3] = z_ddot;
-        const Scalar e3 = c_.k2 / sqrt_1;
-        const Scalar e4 = -x_dot * z_dot * e3;
+        const Scalar inverse_norm_4 = detail::inverse_norm<Scalar>(e1);
+        const Scalar e5 = c_.k2 * inverse_norm_4;
+        const Scalar e6 = -x_dot * z_dot * e5;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -237,12 +253,12 @@ public:
         J[7] = Scalar(0);
         J[8] = Scalar(1);
         J[9] = Scalar(0);
-        J[10] = (-e2 - e3 * x_dot_squared) * c_.k0;
-        J[11] = e4 * c_.k1;
+        J[10] = (-e3 - e5 * x_dot_squared) * c_.k0;
+        J[11] = e6 * c_.k1;
         J[12] = Scalar(0);
         J[13] = Scalar(1);
-        J[14] = e4 * c_.k0;
-        J[15] = (-e2 - e3 * z_dot_squared) * c_.k1;
+        J[14] = e6 * c_.k0;
+        J[15] = (-e3 - e5 * z_dot_squared) * c_.k1;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].

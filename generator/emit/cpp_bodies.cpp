@@ -38,7 +38,7 @@ std::string CppBodies::assigned(CppFunction& cpp, const std::string& target, Nod
 /// Puts the functions that are called into scope and comments out the names of arguments that are not used.
 CppBody CppBodies::finish(const CppFunction& cpp, std::string statements, const std::string& result, Uses uses) {
     std::string scope;
-    static const std::set<std::string> own{"sign", "step", "min", "max", "pi"};
+    static const std::set<std::string> own{"sign", "step", "min", "max", "pi", "inverse_norm"};
     for (const std::string& name : cpp.called()) {
         if (own.contains(name)) helpers_.insert(name);
         else scope += fmt::format("{}using std::{};\n", indent, name);

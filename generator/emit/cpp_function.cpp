@@ -11,7 +11,7 @@ constexpr std::size_t longest_inline = 70;
 constexpr std::size_t longest_line = 128;
 
 /// Functions that the header brings itself.
-bool is_own_function(Op op) { return op == Op::sign || op == Op::step || op == Op::min || op == Op::max; }
+bool is_own_function(Op op) { return op == Op::sign || op == Op::step || op == Op::min || op == Op::max || op == Op::inverse_norm; }
 
 std::string chunks(cln::cl_I value) {
     // Literals are kept below 2^31, where every scalar type converts them without a warning; larger numbers are put together.

@@ -249,9 +249,10 @@ private:
     std::string helpers() {
         std::set<std::string> needed = bodies_.helpers();
         if (uses_pi_) needed.insert("pi");
-        if (needed.contains("sign") || needed.contains("step") || needed.contains("min") || needed.contains("max")) needed.insert("select");
+        if (needed.contains("sign") || needed.contains("step") || needed.contains("min") || needed.contains("max") || needed.contains("inverse_norm"))
+            needed.insert("select");
         std::string text;
-        for (const char* name : {"select", "sign", "step", "min", "max", "pi"})
+        for (const char* name : {"select", "sign", "step", "min", "max", "inverse_norm", "pi"})
             if (needed.contains(name)) text += marked_section(embedded_file("scalar_functions.hpp"), name) + "\n";
         if (needed.contains("ldlt")) text += marked_section(embedded_file("ldlt.hpp"), "ldlt") + "\n";
         return text;

@@ -99,6 +99,7 @@ std::string Notation::atom(const Atom& a, const Atoms& atoms) const {
     if (style_ == Style::text) return fmt::format("{}({})", name_of(a.op), fmt::join(arguments, ", "));
     switch (a.op) {
         case Op::sqrt: return fmt::format("\\sqrt{{{}}}", arguments[0]);
+        case Op::inverse_norm: return fmt::format("\\frac{{1}}{{\\sqrt{{{}}}}}", arguments[0]);
         case Op::abs: return fmt::format("\\left|{}\\right|", arguments[0]);
         case Op::asin:
         case Op::acos:

@@ -17,7 +17,7 @@ enum class Op {
     symbol,
     pi,
     sum,    ///< a polynomial kept whole: a denominator, or too large to be multiplied out
-    sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, exp, log, sqrt, abs, sign, step, min, max,
+    sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, exp, log, sqrt, inverse_norm, abs, sign, step, min, max,
     power,  ///< arguments: base, exponent
 };
 

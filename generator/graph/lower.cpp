@@ -29,6 +29,7 @@ const std::vector<FunctionOp>& function_ops() {
         {GiNaC::sinh_SERIAL::serial, Op::sinh, -1}, {GiNaC::cosh_SERIAL::serial, Op::cosh, 1},  {GiNaC::tanh_SERIAL::serial, Op::tanh, -1},
         {GiNaC::exp_SERIAL::serial, Op::exp, 0},    {GiNaC::log_SERIAL::serial, Op::log, 0},    {GiNaC::atan2_SERIAL::serial, Op::atan2, 0},
         {magnitude_SERIAL::serial, Op::abs, 1},     {sign_of_SERIAL::serial, Op::sign, -1},     {unit_step_SERIAL::serial, Op::step, 0},
+        {norm_SERIAL::serial, Op::sqrt, 0},         {inverse_norm_SERIAL::serial, Op::inverse_norm, 0},
         {minimum_SERIAL::serial, Op::min, 0},       {maximum_SERIAL::serial, Op::max, 0},
     };
     return table;

@@ -24,6 +24,7 @@ ex apply(Op op, const std::vector<ex>& a) {
         case Op::exp: return GiNaC::exp(a[0]);
         case Op::log: return GiNaC::log(a[0]);
         case Op::sqrt: return GiNaC::sqrt(a[0]);
+        case Op::inverse_norm: return inverse_norm(a[0]);
         case Op::abs: return magnitude(a[0]);
         case Op::sign: return sign_of(a[0]);
         case Op::step: return unit_step(a[0]);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "mechanics/forces.hpp"
+#include "symbolic/functions.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -32,10 +33,13 @@ void resist_body(Resistance& resistance, const Damper& damper, const BodyMotion&
             resist(resistance, affine_rate(component, symbols, damper.span, what), coefficient * component, component);
         return;
     }
-    const ex speed = GiNaC::sqrt(dot(body.velocity, body.velocity).expand());
+    const ex square = dot(body.velocity, body.velocity).expand();
     const ex letter = symbols.letter(damper.force->variable);
     const ex law = translate(*damper.force->body, indices, {{damper.force->variable, letter}});
-    const ex force_per_speed = (law / letter).expand().subs(letter == speed);
+    const ex quotient = (law / letter).expand();
+    // Where the quotient has a value and a slope at rest, the force and its derivatives have one too.
+    const bool is_smooth = quotient.is_polynomial(letter);
+    const ex force_per_speed = quotient.subs(letter == (is_smooth ? ex(norm(square)) : ex(GiNaC::sqrt(square))));
     for (const ex& component : body.velocity)
         resist(resistance, affine_rate(component, symbols, damper.span, what), force_per_speed * component, component);
 }

@@ -114,6 +114,8 @@ Polynomial NormalForm::function(const ex& e) {
         const Polynomial x = convert(e.op(0));
         return multiply(x, sign_of(x));
     }
+    if (name == "norm") return root(convert(e.op(0)), 2);
+    if (name == "inverse_norm") return inverse(root(convert(e.op(0)), 2));
     if (name == "unit_step") {
         Polynomial result = sign_of(convert(e.op(0)));
         result.add({}, 1);

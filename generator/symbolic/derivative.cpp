@@ -27,6 +27,8 @@ ex slope(const ex& f) {
     if (is_ex_the_function(f, GiNaC::log)) return pow(u, -1);
     if (is_ex_the_function(f, magnitude)) return sign_of(u);
     if (is_ex_the_function(f, sign_of) || is_ex_the_function(f, unit_step)) return 0;
+    if (is_ex_the_function(f, norm)) return inverse_norm(u) / 2;
+    if (is_ex_the_function(f, inverse_norm)) return -pow(f, 3) / 2;
     throw std::logic_error("no derivative of " + ex_to<GiNaC::function>(f).get_name());
 }
 

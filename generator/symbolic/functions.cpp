@@ -42,6 +42,17 @@ ex unit_step_eval(const ex& x) {
 ex unit_step_evalf(const ex& x) { return unit_step_eval(x.evalf()); }
 ex unit_step_derivative(const ex&, unsigned) { return 0; }
 
+ex norm_eval(const ex& x) { return is_real_number(x) ? ex(GiNaC::sqrt(x)) : norm(x).hold(); }
+ex norm_evalf(const ex& x) { return norm_eval(x.evalf()); }
+ex norm_derivative(const ex& x, unsigned) { return inverse_norm(x) / 2; }
+
+ex inverse_norm_eval(const ex& x) {
+    if (!is_real_number(x)) return inverse_norm(x).hold();
+    return x.is_zero() ? ex(0) : GiNaC::pow(x, numeric(-1, 2));
+}
+ex inverse_norm_evalf(const ex& x) { return inverse_norm_eval(x.evalf()); }
+ex inverse_norm_derivative(const ex& x, unsigned) { return -GiNaC::pow(inverse_norm(x), 3) / 2; }
+
 ex minimum_eval(const ex& a, const ex& b) {
     if (is_real_number(a) && is_real_number(b)) return ex_to<numeric>(a) < ex_to<numeric>(b) ? a : b;
     if (a.is_equal(b)) return a;
@@ -63,6 +74,8 @@ ex maximum_derivative(const ex& a, const ex& b, unsigned argument) { return argu
 REGISTER_FUNCTION(magnitude, eval_func(magnitude_eval).evalf_func(magnitude_evalf).derivative_func(magnitude_derivative))
 REGISTER_FUNCTION(sign_of, eval_func(sign_of_eval).evalf_func(sign_of_evalf).derivative_func(sign_of_derivative))
 REGISTER_FUNCTION(unit_step, eval_func(unit_step_eval).evalf_func(unit_step_evalf).derivative_func(unit_step_derivative))
+REGISTER_FUNCTION(norm, eval_func(norm_eval).evalf_func(norm_evalf).derivative_func(norm_derivative))
+REGISTER_FUNCTION(inverse_norm, eval_func(inverse_norm_eval).evalf_func(inverse_norm_evalf).derivative_func(inverse_norm_derivative))
 REGISTER_FUNCTION(minimum, eval_func(minimum_eval).evalf_func(minimum_evalf).derivative_func(minimum_derivative))
 REGISTER_FUNCTION(maximum, eval_func(maximum_eval).evalf_func(maximum_evalf).derivative_func(maximum_derivative))
 

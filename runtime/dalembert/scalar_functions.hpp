@@ -50,6 +50,16 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
 }
 // end max
 
+// begin inverse_norm
+/// 1/sqrt(x) of a sum of squares, and 0 where it is 0.
+template <class Scalar>
+Scalar inverse_norm(const Scalar& x) noexcept {
+    using std::sqrt;
+    const bool is_zero = x == Scalar(0);
+    return select(is_zero, Scalar(0), Scalar(1) / sqrt(select(is_zero, Scalar(1), x)));
+}
+// end inverse_norm
+
 // begin pi
 /// The number pi, to the digits of the type.
 template <class Scalar>

@@ -19,6 +19,9 @@ TEST_CASE("functions with corners: values, and nothing that is not a number gets
     CHECK(min(2.0, 1.0) == 1);
     CHECK(max(1.0, 2.0) == 2);
     CHECK(max(2.0, 1.0) == 2);
+    CHECK(inverse_norm(4.0) == 0.5);
+    CHECK(inverse_norm(0.0) == 0);
+    CHECK(std::isnan(inverse_norm(nan)));
     for (const double value : {sign(nan), step(nan), min(nan, 1.0), min(1.0, nan), max(nan, 1.0), max(1.0, nan)}) CHECK(std::isnan(value));
 }
 
