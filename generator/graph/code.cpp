@@ -142,21 +142,19 @@ private:
 
         for (std::size_t i = 0; needs_mass && i < lowered_.mass.size(); ++i) f.mass.push_back(builder.root(mass + i));
         for (std::size_t j = 0; j < n_; ++j) f.force.push_back(builder.root(force + j));
-        std::vector<NodeId> lower;
         if (s.unrolled) {
-            lower = factors(f.program, f.mass);
-            f.accelerations = solve(f.program, n_, lower, f.force);
+            f.factors = factors(f.program, f.mass);
+            f.accelerations = solve(f.program, n_, f.factors, f.force);
             for (std::size_t j = 0; j < n_; ++j) builder.define(acceleration_letter(j), f.accelerations[j]);
         } else {
             for (std::size_t j = 0; j < n_; ++j) f.accelerations.push_back(f.program.symbol(acceleration_letter(j)));
         }
         for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
-        if (columns != nullptr) take_columns(f, builder, *columns, residual, below, lower);
+        if (columns != nullptr) take_columns(f, builder, *columns, residual, below);
     }
 
     /// d(qdd)/d(column) = M^-1 (-dR/d(column)) and d(zd)/d(column).
-    void take_columns(FunctionCode& f, ProgramBuilder& builder, const LoweredSystem::Columns& columns, std::size_t residual, std::size_t below,
-                      const std::vector<NodeId>& lower) {
+    void take_columns(FunctionCode& f, ProgramBuilder& builder, const LoweredSystem::Columns& columns, std::size_t residual, std::size_t below) {
         const std::size_t m = lowered_.state_rate.size();
         f.by_loops = !code_->solve.unrolled;
         f.right = {n_, columns.residual.size(), {}};
@@ -166,7 +164,7 @@ private:
             std::vector<NodeId> right;
             for (std::size_t j = 0; j < n_; ++j) right.push_back(builder.root(residual + c * n_ + j));
             f.right.entries.insert(f.right.entries.end(), right.begin(), right.end());
-            if (!f.by_loops) right = solve(f.program, n_, lower, right);
+            if (!f.by_loops) right = solve(f.program, n_, f.factors, right);
             if (!f.by_loops) f.solved.entries.insert(f.solved.entries.end(), right.begin(), right.end());
             for (std::size_t i = 0; i < m; ++i) f.below.entries.push_back(builder.root(below + c * m + i));
         }
@@ -183,8 +181,8 @@ private:
         const std::size_t below = roots.add(columns.state_rate);
         builder.prepare(roots.polynomials());
         for (std::size_t i = 0; !s.is_constant && i < lowered_.mass.size(); ++i) f.mass.push_back(builder.root(mass + i));
-        const std::vector<NodeId> lower = s.unrolled ? factors(f.program, f.mass) : std::vector<NodeId>();
-        take_columns(f, builder, columns, residual, below, lower);
+        if (s.unrolled) f.factors = factors(f.program, f.mass);
+        take_columns(f, builder, columns, residual, below);
         note_accelerations(f);
     }
 

@@ -23,6 +23,7 @@ struct FunctionCode {
     Program program = {};
     bool by_loops = false;                  ///< solves with M by loops: M and right sides are results, not steps on the way
     std::vector<NodeId> mass = {};          ///< lower triangle of M, row by row
+    std::vector<NodeId> factors = {};       ///< L below the diagonal and 1/D on it, where the solve is written out
     std::vector<NodeId> force = {};         ///< Q - bias
     std::vector<NodeId> accelerations = {}; ///< qdd: solved for where the solve is written out, else symbols
     std::vector<NodeId> results = {};       ///< of rhs: the rates of plain states

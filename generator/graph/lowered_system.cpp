@@ -26,7 +26,7 @@ public:
         l.state_rate = all(system_.state_rates);
         for (const OutputEquation& output : system_.outputs) l.output.push_back(one(with_rates(output.value)));
         l.definitions = all(system_.symbols.definition_values());
-        l.start = all(start_values());
+        l.start = all(start_values(system_));
         for (const By by : {By::state, By::input, By::parameter, By::time}) {
             const Partials p = partials(system_, by);
             auto& columns = l.by[static_cast<std::size_t>(by)];
@@ -57,15 +57,6 @@ private:
         return e.subs(rates, GiNaC::subs_options::no_pattern);
     }
 
-    std::vector<ex> start_values() const {
-        std::vector<ex> values;
-        const auto add = [&](const ExpressionPtr& e, const Indices& indices) { values.push_back(e ? system_.translate(e, indices) : ex(0)); };
-        for (const auto& member : system_.scene.coordinates) add(member.item->start, Translator::indices_of(member));
-        for (const auto& member : system_.scene.coordinates) add(member.item->start_rate, Translator::indices_of(member));
-        for (const auto& member : system_.scene.states) add(member.item->start, Translator::indices_of(member));
-        return values;
-    }
-
     template <class Visit>
     static void each(LoweredSystem& l, const Visit& visit) {
         const auto list = [&](std::vector<Polynomial>& polynomials) { std::for_each(polynomials.begin(), polynomials.end(), visit); };
@@ -80,6 +71,15 @@ private:
 };
 
 }  // namespace
+
+std::vector<ex> start_values(const System& system) {
+    std::vector<ex> values;
+    const auto add = [&](const ExpressionPtr& e, const Indices& indices) { values.push_back(e ? system.translate(e, indices) : ex(0)); };
+    for (const auto& member : system.scene.coordinates) add(member.item->start, Translator::indices_of(member));
+    for (const auto& member : system.scene.coordinates) add(member.item->start_rate, Translator::indices_of(member));
+    for (const auto& member : system.scene.states) add(member.item->start, Translator::indices_of(member));
+    return values;
+}
 
 LoweredSystem lower_system(const System& system, Atoms& atoms) { return Lowerer(system, atoms).run(); }
 

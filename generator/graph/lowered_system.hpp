@@ -20,6 +20,9 @@ struct LoweredSystem {
     const Columns& partial(By which) const { return by[static_cast<std::size_t>(which)]; }
 };
 
+/// What the model gives as start of x = [q; v; z].
+std::vector<GiNaC::ex> start_values(const System& system);
+
 /// Lowers everything, and brings the atoms into the order of declaration.
 LoweredSystem lower_system(const System& system, Atoms& atoms);
 

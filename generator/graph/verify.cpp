@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/verify.hpp"
 
+#include "model/verdict.hpp"
+
+#include "graph/lowered_system.hpp"
 #include "graph/raise.hpp"
 #include "prove/normal_form.hpp"
 
@@ -34,7 +37,13 @@ public:
         values(Function::supplied_power, {system_.supplied_power});
         values(Function::dissipated_power, {system_.dissipated_power});
         values(Function::prescribed_power, {system_.prescribed_power});
-        if (code_.solve.unrolled && code_.solve.n > 0) solve_is_right();
+        definitions();
+        values(Function::start_state, start_values(system_));
+        if (code_.solve.unrolled && code_.solve.n > 0) {
+            solve_is_right();
+            if (code_.solve.is_constant) cached_factors();
+            for (const Function f : {Function::rhs, Function::rhs_and_jacobian, Function::jacobian_u, Function::jacobian_p, Function::jacobian_t}) solve_is_that_one(f);
+        }
         return std::move(entries_);
     }
 
@@ -50,7 +59,14 @@ private:
         AuditEntry& e = entry(std::string("emitted = derived, ") + name_of(function));
         if (prover_.proven_equal(emitted, derived)) return;
         Comparison result = prover_.equal(emitted, derived);
-        if (static_cast<int>(result.verdict) > static_cast<int>(e.result.verdict)) e.result = std::move(result);
+        if (is_worse(result.verdict, e.result.verdict)) e.result = std::move(result);
+    }
+
+    void definitions() {
+        const FunctionCode& f = code_[Function::update];
+        Raiser raise(f.program, code_.atoms, cached_);
+        for (std::size_t i = 0; i < code_.definition_order.size(); ++i)
+            compare(Function::update, raise(f.results[i]), system_.symbols.definition_values()[code_.definition_order[i]]);
     }
 
     std::vector<ex> mass() const {
@@ -144,12 +160,62 @@ private:
         for (std::size_t i = 0; i < s.n; ++i) {
             ex left = -raise(right[i]);
             for (std::size_t j = 0; j < s.n; ++j) left += raise(mass[i >= j ? lower_index(i, j) : lower_index(j, i)]) * raise(x[j]);
+            Comparison result{Verdict::wrong};
             try {
                 if (NormalForm().is_zero(left)) continue;
-                e.result = {Verdict::wrong};
             } catch (const NoNormalForm& reason) {
-                e.result = {Verdict::not_checkable, reason.what()};
+                result = {Verdict::not_checkable, reason.what()};
             }
+            if (is_worse(result.verdict, e.result.verdict)) e.result = std::move(result);
+        }
+    }
+
+    void require(bool holds) {
+        if (!holds) entry("emitted solve: M*x = b").result = {Verdict::wrong};
+    }
+
+    /// The factors of a constant M that update() computes are those of the solve that was proven. Equal operations are one node.
+    void cached_factors() {
+        const FunctionCode& update = code_[Function::update];
+        Program program = update.program;
+        const std::vector<NodeId> expected = factorise(program, code_.solve.n, update.mass);
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            require(update.results[code_.definition_order.size() + code_.solve.first_cached + i] == expected[i]);
+    }
+
+    /// The operations of a function on its M and its right sides are those of the solve that was proven.
+    void solve_is_that_one(Function function) {
+        const Solve& s = code_.solve;
+        const FunctionCode& f = code_[function];
+        Program program = f.program;
+        if (s.is_constant) {
+            const FunctionCode& update = code_[Function::update];
+            for (std::size_t i = 0; i < f.factors.size(); ++i) {
+                const Node& node = program[f.factors[i]];
+                const NodeId computed = update.results[code_.definition_order.size() + s.first_cached + i];
+                const bool is_cached = node.kind == Node::Kind::cached && node.index == s.first_cached + i;
+                require(is_cached || (f.is_zero(f.factors[i]) && update.is_zero(computed)));
+            }
+        } else {
+            std::size_t row = 0;
+            Raiser raise(f.program, code_.atoms, cached_);
+            const auto reciprocal = [&](NodeId pivot) {
+                const NodeId emitted = f.factors[lower_index(row, row)];
+                ++row;
+                const bool is_reciprocal = program.reciprocal(pivot) == emitted;
+                require(is_reciprocal || prover_.proven_equal(raise(emitted) * raise(pivot), 1));
+                return emitted;
+            };
+            require(factorise(program, s.n, f.mass, reciprocal) == f.factors);
+        }
+        if (!f.accelerations.empty()) require(solve(program, s.n, f.factors, f.force) == f.accelerations);
+        for (std::size_t c = 0; c < f.solved.columns; ++c) {
+            const auto column = [&](const CodeMatrix& matrix) {
+                std::vector<NodeId> entries;
+                for (std::size_t j = 0; j < matrix.rows; ++j) entries.push_back(matrix.at(j, c));
+                return entries;
+            };
+            require(solve(program, s.n, f.factors, column(f.right)) == column(f.solved));
         }
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/audit.hpp"
 
+#include "model/verdict.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +31,7 @@ std::vector<AuditEntry> compare_potentials(const System& system, Prover& prover)
         AuditEntry entry{fmt::format("force = -d(energy)/dq, {}", p.name), {Verdict::proven}};
         for (std::size_t j = 0; j < system.symbols.degrees(); ++j) {
             Comparison one = prover.equal(p.force[j], -partial(p.energy, system.symbols.get(SymbolKind::coordinate, j)));
-            if (static_cast<int>(one.verdict) > static_cast<int>(entry.result.verdict)) entry.result = std::move(one);
+            if (is_worse(one.verdict, entry.result.verdict)) entry.result = std::move(one);
         }
         entries.push_back(std::move(entry));
     }

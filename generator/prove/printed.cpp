@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/printed.hpp"
 
+#include "model/verdict.hpp"
+
 #include <fmt/format.h>
 
 #include "model/units.hpp"
@@ -15,18 +17,6 @@ namespace {
 constexpr std::size_t most_determinant = 5;
 
 /// The worse of two verdicts. What cannot be checked is worse than what is right, and better than what is wrong.
-int badness(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::proven: return 0;
-        case Verdict::proven_under_assumption: return 1;
-        case Verdict::numerically_equal: return 2;
-        case Verdict::not_checkable: return 3;
-        case Verdict::wrong: return 4;
-        case Verdict::dimensionally_wrong: break;
-    }
-    return 5;
-}
-
 /// The first disagreement of units in an equation, as a sentence.
 std::optional<std::string> unit_problem(const System& system, const PrintedEquation& printed, const Equation& equation) {
     Diagnostics diagnostics;
@@ -224,7 +214,7 @@ PrintedResult check_equation(const System& system, const PrintedEquation& printe
         const ex left = system.translate(*equation.sides[i], indices, letters);
         const ex right = system.translate(*equation.sides[i + 1], indices, letters);
         PrintedResult result = check.run(left, right);
-        if (badness(result.comparison.verdict) <= badness(worst.comparison.verdict)) continue;
+        if (!is_worse(result.comparison.verdict, worst.comparison.verdict)) continue;
         worst.comparison = std::move(result.comparison);
         worst.difference = std::move(result.difference);
         worst.counterexample = std::move(result.counterexample);
@@ -237,7 +227,7 @@ PrintedResult check_equation(const System& system, const PrintedEquation& printe
 Verdict PrintedCheck::verdict() const {
     Verdict worst = Verdict::proven;
     for (const PrintedResult& result : equations)
-        if (badness(result.comparison.verdict) > badness(worst)) worst = result.comparison.verdict;
+        if (is_worse(result.comparison.verdict, worst)) worst = result.comparison.verdict;
     return worst;
 }
 
