@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations
 //     force = -d(energy)/dq: 3 of 3 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 17 of 17 functions
+//     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 3     13     1        0      0

@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations
 //     force = -d(energy)/dq: 3 of 3 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 13 of 13 functions
+//     this code = the derivation: 14 of 14 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 2      0     2        0      0

@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations
 //     force = -d(energy)/dq: 1 of 1 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 17 of 17 functions
+//     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 1      2     2        0      0

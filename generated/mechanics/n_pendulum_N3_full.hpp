@@ -12,7 +12,7 @@
 //     d'Alembert = Euler-Lagrange: 3 of 3 equations
 //     force = -d(energy)/dq: 3 of 3 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 16 of 16 functions
+//     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 2     15     1        0      0

@@ -12,7 +12,7 @@
 //     d'Alembert = Euler-Lagrange: 5 of 5 equations
 //     force = -d(energy)/dq: 5 of 5 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 16 of 16 functions
+//     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 4     35     1        0      0

@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations
 //     force = -d(energy)/dq: 1 of 1 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 13 of 13 functions
+//     this code = the derivation: 15 of 15 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 2     12     1        0      0

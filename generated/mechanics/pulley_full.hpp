@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations
 //     force = -d(energy)/dq: 2 of 2 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 16 of 16 functions
+//     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 2      3     1        0      0

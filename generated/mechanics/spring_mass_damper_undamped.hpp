@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 3 of 3 equations
 //     force = -d(energy)/dq: 7 of 7 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 14 of 14 functions
+//     this code = the derivation: 15 of 15 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 9      7     3        0      0

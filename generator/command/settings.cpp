@@ -46,6 +46,8 @@ Setting parse_setting(const SourcePtr& source, std::size_t begin, std::size_t en
                                     make_number(setting.unit->factor, number->span));
         for (int i = 0; i < setting.unit->pi_power; ++i)
             setting.value = make_binary(Expression::Kind::multiply, setting.value, make_name("pi", number->span));
+        for (int i = 0; i > setting.unit->pi_power; --i)
+            setting.value = make_binary(Expression::Kind::divide, setting.value, make_name("pi", number->span));
     } else {
         setting.value = parse_expression(right);
     }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/verify.hpp"
 
-#include "model/verdict.hpp"
-
 #include "graph/lowered_system.hpp"
 #include "graph/raise.hpp"
+#include "model/verdict.hpp"
 #include "prove/normal_form.hpp"
 
 namespace dalembert {

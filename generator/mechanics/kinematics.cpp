@@ -11,9 +11,9 @@ using GiNaC::ex;
 
 namespace {
 
-/// Position and rotation of a body that is measured in the frame of another one.
+/// Position and rotation of a body that is measured in the frame of another one. A base that only turns does so about the origin.
 void place_on(BodyMotion& body, const BodyMotion& base) {
-    if (body.has_position && base.has_position) {
+    if (body.has_position) {
         SpaceVector& r = body.position;
         if (base.has_rotation) {
             const ex c = GiNaC::cos(base.rotation);

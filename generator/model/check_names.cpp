@@ -117,6 +117,11 @@ void check_definition_cycles(const Model& model, const Names& names, Diagnostics
             return;
         }
         if (!done.insert(&definition).second) return;
+        constexpr std::size_t deepest = 500;
+        if (path.size() >= deepest) {
+            diagnostics.error(Id::too_large, definition.span, fmt::format("'{}' stands behind more than {} definitions that need each other", definition.name, deepest));
+            return;
+        }
         path.push_back(&definition);
         for_each(*definition.value, [&](const Expression& e) {
             const Named* named = e.kind == Kind::name ? names.find(e.name) : nullptr;

@@ -12,12 +12,15 @@ namespace {
 class UnitCheck {
 public:
     UnitCheck(const Model& model, const Names& names, Diagnostics& diagnostics)
-        : model_(model), units_(names, diagnostics), names_(names) {}
+        : model_(model), units_(names, diagnostics), names_(names), diagnostics_(diagnostics) {}
 
     void run() {
         for (const Size& size : model_.sizes) expect(size.value, Dimension::none(), "the value", "size", size);
         for (const Parameter& parameter : model_.parameters) {
-            for (const ExpressionPtr& value : parameter.values) si_value(value, parameter.unit.dimension, "the value", "parameter", parameter);
+            for (const ExpressionPtr& value : parameter.values) {
+                si_value(value, parameter.unit.dimension, "the value", "parameter", parameter);
+                counted(value, parameter.unit, "parameter", parameter);
+            }
             range(parameter, "parameter");
         }
         for (const Definition& definition : model_.definitions) {
@@ -25,12 +28,15 @@ public:
             else units_.of(*definition.value, {});
         }
         for (const Coordinate& coordinate : model_.coordinates) {
+            counted(coordinate.start, coordinate.unit, "coordinate", coordinate);
+            counted(coordinate.start_rate, coordinate.unit, "coordinate", coordinate);
             si_value(coordinate.start, coordinate.unit.dimension, "the start", "coordinate", coordinate);
             si_value(coordinate.start_rate, coordinate.unit.dimension / Dimension::time(), "the start rate", "coordinate", coordinate);
             range(coordinate, "coordinate");
         }
         for (const Input& input : model_.inputs) range(input, "input");
         for (const State& state : model_.states) {
+            counted(state.start, state.unit, "state", state);
             si_value(state.start, state.unit.dimension, "the start", "state", state);
             expect(state.derivative, state.unit.dimension / Dimension::time(), "the derivative", "state", state);
             range(state, "state");
@@ -73,6 +79,17 @@ private:
 
     void si_value(const ExpressionPtr& expression, const Dimension& expected, const char* part, const char* kind, const Item& item) {
         if (expression && dependence(*expression, names_) != 0) expect(expression, expected, part, kind, item);
+    }
+
+    /// Plain numbers were converted when they were read; what counts with indices and sizes is SI, and must not look otherwise.
+    void counted(const ExpressionPtr& value, const Unit& unit, const char* kind, const Item& item) {
+        if (!value || unit.is_coherent() || dependence(*value, names_) != 0) return;
+        bool counts = false;
+        for_each(*value, [&](const Expression& e) { counts = counts || (e.kind == Expression::Kind::name && e.name != "pi"); });
+        if (counts)
+            diagnostics_.error(Id::unit_mismatch, value->span,
+                               fmt::format("'{}' counts with an index or a size and is in SI, but {} '{}' is declared in '{}'; declare it in SI", value->written(), kind,
+                                           item.name, unit.written));
     }
 
     void range(const Quantity& quantity, const char* kind) {
@@ -133,6 +150,7 @@ private:
     const Model& model_;
     Units units_;
     const Names& names_;
+    Diagnostics& diagnostics_;
 };
 
 }  // namespace

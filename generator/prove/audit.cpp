@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/audit.hpp"
 
-#include "model/verdict.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "model/verdict.hpp"
 
 namespace dalembert {
 

@@ -206,7 +206,7 @@ Polynomial NormalForm::exponential(const Polynomial& argument) {
 
 /// S with S^2 = 1, the same letter for x and, with the other sign, for -x. At x = 0 nothing is claimed.
 Polynomial NormalForm::sign_of(const Polynomial& argument) {
-    if (argument.is_zero()) return {};
+    if (without_inverses(argument).is_zero()) return {};
     Polynomial positive = argument;
     const Rational factor = leading(argument);
     positive *= Rational(1) / factor;

@@ -2,6 +2,8 @@
 // Powers, roots and reciprocals in the normal form.
 #include "prove/normal_form.hpp"
 
+#include <algorithm>
+
 namespace dalembert {
 
 using GiNaC::ex;
@@ -120,6 +122,12 @@ Polynomial NormalForm::inverse(const Polynomial& p) {
     rest *= Rational(1) / leading(p);
     for (const LetterPower& power : common) {
         rest = rest * Monomial{{power.letter, -power.exponent}};
+        const auto reciprocal = std::find_if(inverse_order_.begin(), inverse_order_.end(), [&](const auto& known) { return known.first == power.letter; });
+        if (reciprocal != inverse_order_.end()) {
+            const Polynomial denominator = reciprocal->second;
+            result = multiply(result, integer_power(denominator, power.exponent));
+            continue;
+        }
         if (!has_relation_[power.letter]) {
             result = result * Monomial{{power.letter, -power.exponent}};
             continue;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/printed.hpp"
 
-#include "model/verdict.hpp"
-
 #include <fmt/format.h>
 
 #include "model/units.hpp"
+#include "model/verdict.hpp"
 
 namespace dalembert {
 
@@ -77,16 +76,19 @@ private:
         return false;
     }
     ex prepared(const ex& e) const {
-        return e.subs(rates_, GiNaC::subs_options::no_pattern).subs(at_, GiNaC::subs_options::no_pattern);
+        return at_point(e.subs(rates_, GiNaC::subs_options::no_pattern));
     }
+    /// A point may set a parameter that definitions are made of.
+    ex at_point(const ex& e) const { return at_.empty() ? e : system_.symbols.without_definitions(e).subs(at_, GiNaC::subs_options::no_pattern); }
     ex mass(std::size_t j, std::size_t l) const {
-        return system_.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)).subs(at_, GiNaC::subs_options::no_pattern);
+        return at_point(system_.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)));
     }
     /// M qdd = force on the motion.
     ex force(std::size_t j) const { return prepared(system_.supplied[j] - system_.bias[j]); }
 
     /// Whether a.qdd + b vanishes when M qdd = force. Where it is a multiple of one row, the difference from that row is kept.
     bool holds_on_motion(const ex& rest, std::optional<ex>& difference) {
+        if (!at_.empty() && !has_inverse()) return false;
         std::vector<ex> a;
         GiNaC::exmap without;
         for (const Variable& variable : system_.symbols.all(SymbolKind::acceleration)) {
@@ -114,6 +116,15 @@ private:
         }
         bordered(size - 1, size - 1) = -b;
         return prover_.proven_equal(bordered.determinant(GiNaC::determinant_algo::laplace), 0);
+    }
+
+    /// Where M is singular at the point, no acceleration follows and nothing can be said of it.
+    bool has_inverse() {
+        if (n_ > most_determinant) return true;
+        GiNaC::matrix m(static_cast<unsigned>(n_), static_cast<unsigned>(n_));
+        for (unsigned j = 0; j < n_; ++j)
+            for (unsigned l = 0; l < n_; ++l) m(j, l) = mass(j, l);
+        return n_ == 0 || !prover_.proven_equal(m.determinant(GiNaC::determinant_algo::laplace), 0);
     }
 
     /// c with a = c*(row j of M), if there is one.

@@ -2,6 +2,7 @@
 #include "text/process.hpp"
 
 #include <poll.h>
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -42,7 +43,8 @@ void read_both(int first, int second, std::string& to_first, std::string& to_sec
 ProcessResult run_process(const std::vector<std::string>& arguments) {
     std::array<int, 2> out{};
     std::array<int, 2> err{};
-    if (pipe(out.data()) != 0 || pipe(err.data()) != 0) return {127, {}, "no pipe"};
+    // Not inherited by what other threads start meanwhile: it would keep the pipes open.
+    if (pipe2(out.data(), O_CLOEXEC) != 0 || pipe2(err.data(), O_CLOEXEC) != 0) return {127, {}, "no pipe"};
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);

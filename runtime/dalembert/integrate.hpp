@@ -34,6 +34,7 @@ struct IntegrationOptions {
     Scalar tolerance = Scalar(1e-9);  ///< error of a step relative to max(|x_i|, scale_i)
     State scale = filled(Scalar(1));  ///< what counts as one, state by state, in SI
     Scalar step = Scalar(0);          ///< s; of rk4, or the first of the others; 0: chosen
+    Scalar max_step = Scalar(0);      ///< s; the longest step, so that no short pulse is stepped over; 0: as long as the run
     std::size_t intervals = 1;        ///< the observer sees the two ends and the points that divide the run into so many parts
     std::size_t max_steps = 100000000;
 
@@ -72,7 +73,8 @@ public:
     Outcome run() {
         using std::isfinite;
         const bool bad = !(to_ >= from_) || !isfinite(from_) || !isfinite(to_) || options_.intervals == 0 || !(options_.tolerance > Scalar(0)) ||
-                         !(options_.step >= Scalar(0)) || (options_.method == Method::rk4 && !(options_.step > Scalar(0)));
+                         !(options_.step >= Scalar(0)) || !(options_.max_step >= Scalar(0)) ||
+                         !std::all_of(options_.scale.begin(), options_.scale.end(), [](const Scalar& scale) { return scale > Scalar(0); }) || (options_.method == Method::rk4 && !(options_.step > Scalar(0)));
         if (bad) return end(Status::bad_options);
         evaluate(x_, t_, dxdt_);
         if (!good(x_, dxdt_)) return end_not_finite(Scalar(0));
@@ -139,6 +141,7 @@ private:
             const Scalar size = max(options_.scale[i], max(Scalar(abs(x_[i])), Scalar(abs(y[i]))));
             const Scalar ratio = abs(error[i]) / (options_.tolerance * size);
             if (!(ratio <= largest)) largest = ratio;
+            if (!(largest == largest)) return std::numeric_limits<Scalar>::infinity();
         }
         return largest;
     }
@@ -202,6 +205,7 @@ private:
         bool not_finite = false;
         while (true) {
             if (outcome_.steps + outcome_.rejected >= options_.max_steps) return Status::too_many_steps;
+            if (options_.max_step > Scalar(0) && h > options_.max_step) h = options_.max_step;
             const bool clipped = h >= limit;
             const Scalar now = clipped ? limit : h;
             if (!(now > smallest_step()) && !clipped) return not_finite ? Status::not_finite : Status::step_too_small;

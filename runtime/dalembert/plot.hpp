@@ -73,7 +73,7 @@ inline Limits limits(const Recording& recording, const std::vector<std::string>&
 /// Limits for curves that change by rounding only, so that what is constant looks constant; otherwise gnuplot's own.
 inline std::string range_command(const Limits& y) {
     const double size = std::max(std::abs(y.low), std::abs(y.high));
-    if (!(size > 0) || !(y.span() < 1e-6 * size)) return "set autoscale y\n";
+    if (!std::isfinite(size) || !(size > 0) || !(y.span() < 1e-6 * size)) return "set autoscale y\n";
     const double middle = (y.low + y.high) / 2;
     return "set yrange [" + number_text(middle - 0.1 * size) + ":" + number_text(middle + 0.1 * size) + "]\n";
 }

@@ -20,7 +20,7 @@ struct ZeroInputs {
 struct EnergyBalance {
     double largest_error = 0;   ///< J, max |E - E(0) - work|
     double largest_energy = 0;  ///< J, max (T + |V|)
-    double relative_error() const { return largest_energy > 0 ? largest_error / largest_energy : largest_error; }
+    double relative_error() const { return largest_energy > 0 && std::isfinite(largest_energy) ? largest_error / largest_energy : largest_error; }
 };
 
 /// One point of a run.
@@ -78,7 +78,8 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
         if (is_first) first = kinetic + potential;
         is_first = false;
         const double error = static_cast<double>(abs(kinetic + potential - first - extended[n]));
-        result.energy.largest_error = std::max(result.energy.largest_error, error);
+        // What is no number stays to be seen.
+        if (!(error <= result.energy.largest_error)) result.energy.largest_error = error;
         result.energy.largest_energy = std::max(result.energy.largest_energy, static_cast<double>(kinetic + abs(potential)));
         observe(Sample<System>{t, state, u, y, kinetic, potential, extended[n]});
     };

@@ -33,6 +33,7 @@ RandomPoint<System> random_point(const System& system, std::mt19937& engine) {
 
 /// Norm-wise: largest difference relative to the largest entry of the column.
 inline double column_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    if (!a.allFinite() || !b.allFinite()) return std::numeric_limits<double>::infinity();
     double worst = 0;
     for (Eigen::Index c = 0; c < a.cols(); ++c) {
         const double size = std::max(a.col(c).lpNorm<Eigen::Infinity>(), b.col(c).lpNorm<Eigen::Infinity>());

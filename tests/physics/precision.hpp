@@ -28,6 +28,7 @@ double error_in_ulp(const Result& a, const Reference& b) {
     Digits50 difference = 0;
     Digits50 size = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!isfinite(Digits50(a[i])) || !isfinite(b[i])) return std::numeric_limits<double>::infinity();
         difference = std::max<Digits50>(difference, abs(Digits50(a[i]) - b[i]));
         size = std::max<Digits50>(size, abs(b[i]));
     }

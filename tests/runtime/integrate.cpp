@@ -52,6 +52,19 @@ struct Name {
 
 }  // namespace
 
+TEST_CASE("a largest step does not step over a pulse, and bad options are refused") {
+    using One = std::array<double, 1>;
+    const auto pulse = [](const One&, double t, One& dxdt) { dxdt[0] = t > 50 && t < 52 ? 1.0 : 0.0; };
+    IntegrationOptions<One> options;
+    options.tolerance = 1e-6;
+    options.max_step = 0.5;
+    One x{0};
+    CHECK(integrate(pulse, x, 0.0, 100.0, options, [](double, const One&) {}).status == Status::success);
+    CHECK(x[0] == doctest::Approx(2).epsilon(1e-4));
+    options.scale[0] = 0;
+    CHECK(integrate(pulse, x, 0.0, 100.0, options, [](double, const One&) {}).status == Status::bad_options);
+}
+
 TEST_CASE("measured order of the steppers") {
     CHECK(measured_order(Method::rk4, 100) == doctest::Approx(4).epsilon(0.02));
     CHECK(measured_order(Method::dopri5_controlled, 100) == doctest::Approx(5).epsilon(0.02));

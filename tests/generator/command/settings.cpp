@@ -22,3 +22,13 @@ TEST_CASE("values from the command line") {
     CHECK_THROWS_AS(parse_settings({"m_W"}, "parameter"), Failure);
     CHECK_THROWS_AS(parse_settings({"m_W=3 parsecs"}, "parameter"), Failure);
 }
+
+TEST_CASE("units with degrees above and below") {
+    const Machine machine = machine_from("[parameters]\nc = { value = 1, unit = \"N*m/rad\" }\nJ = { value = 1, unit = \"kg*m^2\" }\n[coordinates]\nphi = { unit = \"rad\" }\n"
+                                         "[bodies.b]\nrotation = \"phi\"\ninertia = \"J\"\n[springs.s]\nstiffness = \"c\"\nelongation = \"phi\"\n");
+    Values values(machine.system->scene, machine.system->translate);
+    apply_settings(values, parse_settings({"c=5N*m/deg"}, "parameter"), on_parameters, *machine.system);
+    CHECK(values.parameter(0).is_equal(900 / GiNaC::Pi));
+    apply_settings(values, parse_settings({"phi=90deg"}, "state"), on_states, *machine.system);
+    CHECK(values.state()[0].is_equal(GiNaC::Pi / 2));
+}

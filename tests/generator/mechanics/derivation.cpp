@@ -132,3 +132,13 @@ TEST_CASE("plain states drive the mechanics") {
     for (const AuditEntry& entry : machine.emitted) CHECK(entry.result.verdict == Verdict::proven);
     CHECK(header.text.find("state_count = 3") != std::string::npos);
 }
+
+TEST_CASE("placement on a body that only turns: about the origin") {
+    const Machine machine = machine_from(
+        "[parameters]\nJ = { value = 1, unit = \"kg*m^2\" }\nm = { value = 1, unit = \"kg\" }\nr = { value = 1, unit = \"m\" }\n"
+        "[coordinates]\nphi = { unit = \"rad\" }\n[bodies.wheel]\nrotation = \"phi\"\ninertia = \"J\"\n"
+        "[bodies.rim]\non = \"wheel\"\nmass = \"m\"\nposition = [\"r\", 0, 0]\n");
+    const Symbols& s = machine.system->symbols;
+    const GiNaC::ex J = s.get(SymbolKind::parameter, 0), m = s.get(SymbolKind::parameter, 1), r = s.get(SymbolKind::parameter, 2);
+    CHECK(Prover(*machine.system).proven_equal(machine.system->mass(0, 0), J + m * r * r));
+}

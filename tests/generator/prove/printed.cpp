@@ -62,3 +62,11 @@ TEST_CASE("coupled accelerations") {
     CHECK(of("ddot(y) = -c*y*(1/m + 1/M)") == Verdict::proven);
     CHECK(of("ddot(y) = -c*y*(1/m - 1/M)") == Verdict::wrong);
 }
+
+TEST_CASE("nothing follows where the mass matrix is singular") {
+    const Machine machine = machine_from(
+        "[parameters]\nm = { value = 1, unit = \"kg\" }\nc = { value = 1, unit = \"kg/s^2\" }\n[coordinates]\nr = { unit = \"m\", start = 1 }\nphi = { unit = \"rad\" }\n"
+        "[bodies.b]\nmass = \"m\"\nposition = [\"r*cos(phi)\", \"r*sin(phi)\", 0]\n"
+        "[printed.one]\nequation = \"m*ddot(phi) = 12345*c\"\nat = { r = 0 }\n");
+    CHECK(check_printed(*machine.system, {&machine.loaded->model.printed[0]}).verdict() == Verdict::not_checkable);
+}
