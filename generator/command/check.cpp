@@ -67,18 +67,20 @@ private:
             ++counts[to_string(verdict)];
             failed_ = failed_ || !row.as_expected();
             const std::string source = row.entry->source.empty() ? model_->model.reference : row.entry->source;
+            nlohmann::ordered_json assumptions = nlohmann::ordered_json::array();
+            if (verdict == Verdict::proven_under_assumption) assumptions.push_back(row.reason);
             nlohmann::ordered_json json{{"id", row.id},           {"source", source},
                                         {"verdict", to_string(verdict)}, {"expected", row.entry->expected ? to_string(*row.entry->expected) : ""},
                                         {"as_expected", row.as_expected()}, {"scenes", row.scenes},
                                         {"equation", row.equation}, {"reason", reason},
-                                        {"assumptions", nlohmann::ordered_json::array()}, {"difference", row.difference},
+                                        {"assumptions", assumptions}, {"difference", row.difference},
                                         {"suggestion", ""},       {"counterexample", nullptr}};
             std::string text = fmt::format("  {:<16} {}{}\n", safe_line(row.id), to_string(verdict),
                                            row.entry->expected ? (row.as_expected() ? ", as expected" : fmt::format(", but '{}' was expected", to_string(*row.entry->expected))) : "");
             const bool is_notable = verdict != Verdict::proven;
             if (is_notable && !row.entry->doc.empty()) text += fmt::format("      {}\n", safe_line(row.entry->doc));
             if (is_notable && !row.equation.empty()) text += fmt::format("      printed:    {}\n", safe_line(row.equation));
-            if (is_notable && !reason.empty()) text += fmt::format("      reason:     {}\n", safe_line(reason));
+            if (is_notable && !reason.empty()) text += fmt::format("      {} {}\n", verdict == Verdict::proven_under_assumption ? "assuming:  " : "reason:    ", safe_line(reason));
             if (!row.difference.empty()) text += fmt::format("      difference: {}\n", row.difference);
             if (row.counterexample) {
                 const CounterExample& c = *row.counterexample;

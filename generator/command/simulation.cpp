@@ -176,6 +176,11 @@ private:
 
 }  // namespace
 
+std::string scene_of_run(const Model& model, const std::string& run) {
+    const Run* found = find_run(model, run);
+    return found == nullptr ? "" : found->scene;
+}
+
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
     const Preparation preparation(model->model, options);
     PreparedSimulation prepared{derive_machine(model, preparation.scene(scene), options.choice.sizes), {}, {}, {}};

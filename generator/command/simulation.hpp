@@ -29,6 +29,8 @@ struct SimulationReport {
 };
 
 /// Derives, generates and writes the program of a run. Throws Failure.
+/// The scene that a run belongs to; empty when it belongs to none, or there is no run.
+std::string scene_of_run(const Model& model, const std::string& run);
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options);
 
 /// Compiles and runs it. Throws Failure.

@@ -93,7 +93,9 @@ ExitCode survey_command(const Options& options, Streams streams) {
         std::erase_if(one.choice.sizes, [&](const auto& size) {
             return std::none_of(model->model.sizes.begin(), model->model.sizes.end(), [&](const Size& s) { return s.name == size.first; });
         });
-        const auto scenes = options.every_scene ? scene_names(model->model) : std::vector<std::string>{resolve_scene(model->model, "")};
+        // A run that belongs to one scene is a row of that scene alone.
+        const std::string bound = scene_of_run(model->model, options.run);
+        const auto scenes = !bound.empty() ? std::vector<std::string>{bound} : options.every_scene ? scene_names(model->model) : std::vector<std::string>{resolve_scene(model->model, "")};
         for (const std::string& scene : scenes) {
             rows.push_back(prepare_row(model, scene, one));
             streams.err << fmt::format("  {}: derived, proven, generated\n", rows.back().name);

@@ -12,6 +12,13 @@ namespace {
 constexpr int needed_points = 30;
 constexpr int most_points = 300;
 
+/// "x > 0, y > 0"
+std::string positive_names(const std::set<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name + " > 0";
+    return text;
+}
+
 }  // namespace
 
 Sign sign_at(const ValueAt& value) {
@@ -27,13 +34,21 @@ Sign sign_at(const ValueAt& value) {
     return shrinks ? Sign::zero : Sign::not_zero;
 }
 
-bool Prover::proven_equal(const ex& a, const ex& b) {
+Prover::Prover(const System& system) : system_(system) {
+    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
+        for (const Variable& variable : system.symbols.all(kind))
+            if (variable.is_positive) ranged_.insert(variable.name);
+}
+
+bool Prover::proven_equal(const ex& a, const ex& b) { return proven_equal(a, b, {}) || (!ranged_.empty() && proven_equal(a, b, ranged_)); }
+
+bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>& positive) {
     const ex difference = a - b;
     if (difference.is_zero()) return true;
     for (const bool written_out : {false, true}) {
         if (written_out && system_.symbols.count(SymbolKind::definition) == 0) break;
         try {
-            if (NormalForm().is_zero(written_out ? system_.symbols.without_definitions(difference) : difference)) return true;
+            if (NormalForm(positive).is_zero(written_out ? system_.symbols.without_definitions(difference) : difference)) return true;
         } catch (const NoNormalForm&) {  // too large or outside what the method knows: not proven
         }
     }
@@ -41,7 +56,8 @@ bool Prover::proven_equal(const ex& a, const ex& b) {
 }
 
 Comparison Prover::equal(const ex& a, const ex& b) {
-    if (proven_equal(a, b)) return {Verdict::proven};
+    if (proven_equal(a, b, {})) return {Verdict::proven};
+    if (!ranged_.empty() && proven_equal(a, b, ranged_)) return {Verdict::proven_under_assumption, positive_names(ranged_)};
     return compare_at_points([&](const ex& e, const Point& point, int digits) { return value_at(e, system_.symbols, point, digits); }, a, b);
 }
 

@@ -28,16 +28,19 @@ class Prover {
 public:
     using Evaluation = std::function<std::optional<cln::cl_R>(const GiNaC::ex&, const Point&, int digits)>;
 
-    explicit Prover(const System& system) : system_(system) {}
+    explicit Prover(const System& system);
 
     Comparison equal(const GiNaC::ex& a, const GiNaC::ex& b);
-    /// True only when proven.
+    /// True only when proven, be it within the declared ranges of what moves.
     bool proven_equal(const GiNaC::ex& a, const GiNaC::ex& b);
     /// The comparison by numbers alone, with an evaluation of the caller's.
     Comparison compare_at_points(const Evaluation& evaluate, const GiNaC::ex& a, const GiNaC::ex& b) const;
 
 private:
+    bool proven_equal(const GiNaC::ex& a, const GiNaC::ex& b, const std::set<std::string>& positive);
+
     const System& system_;
+    std::set<std::string> ranged_;  ///< coordinates, states and inputs that their ranges keep positive
 };
 
 }  // namespace dalembert

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/normal_form.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace dalembert {
@@ -63,7 +64,7 @@ void NormalForm::relate(Letter letter, int degree, Polynomial value) {
 NormalForm::Letter NormalForm::symbol(const ex& symbol) {
     const std::string name = ex_to<GiNaC::symbol>(symbol).get_name();
     if (const auto known = symbols_.find(name); known != symbols_.end()) return known->second;
-    return symbols_[name] = new_letter(symbol.info(GiNaC::info_flags::positive));
+    return symbols_[name] = new_letter(symbol.info(GiNaC::info_flags::positive) || assumed_positive_.contains(name));
 }
 
 Polynomial NormalForm::convert(const ex& e) {
@@ -207,6 +208,11 @@ Polynomial NormalForm::exponential(const Polynomial& argument) {
 /// S with S^2 = 1, the same letter for x and, with the other sign, for -x. At x = 0 nothing is claimed.
 Polynomial NormalForm::sign_of(const Polynomial& argument) {
     if (without_inverses(argument).is_zero()) return {};
+    if (argument.is_monomial()) {
+        const auto& [monomial, coefficient] = *argument.terms().begin();
+        const auto is_positive = [&](const LetterPower& p) { return positive_[p.letter]; };
+        if (std::all_of(monomial.begin(), monomial.end(), is_positive)) return Polynomial(is_negative(coefficient) ? -1 : 1);
+    }
     Polynomial positive = argument;
     const Rational factor = leading(argument);
     positive *= Rational(1) / factor;

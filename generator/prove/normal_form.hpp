@@ -6,6 +6,7 @@
 #include <ginac/ginac.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct NoNormalForm : std::runtime_error {
 
 class NormalForm {
 public:
+    /// `positive` names further symbols that may be taken as positive.
+    explicit NormalForm(std::set<std::string> positive = {}) : assumed_positive_(std::move(positive)) {}
+
     /// True: proven zero, wherever the expression is defined. False: the normal form is not zero.
     /// Throws NoNormalForm.
     bool is_zero(const GiNaC::ex& e);
@@ -63,6 +67,7 @@ private:
     int multiple(const Rational& factor, const Monomial& atom, std::map<Monomial, int>& denominators);
     void forget();
 
+    std::set<std::string> assumed_positive_;
     std::map<std::string, Letter> symbols_;        ///< these and the denominators survive a restart
     std::map<Monomial, int> angle_denominators_;
     std::map<Monomial, int> exponential_denominators_;

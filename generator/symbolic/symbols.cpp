@@ -84,11 +84,12 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
 
 void Symbols::add(SymbolKind kind, const std::string& name, bool positive, Origin origin) {
     auto& list = variables_[static_cast<std::size_t>(kind)];
-    const ex symbol = positive ? ex(GiNaC::possymbol(name)) : ex(GiNaC::realsymbol(name));
+    const bool is_constant = kind == SymbolKind::parameter || kind == SymbolKind::definition;
+    const ex symbol = positive && is_constant ? ex(GiNaC::possymbol(name)) : ex(GiNaC::realsymbol(name));
     by_name_.emplace(name, std::pair(kind, list.size()));
     by_name_.emplace(key(kind, origin.base, origin.index), std::pair(kind, list.size()));
     list.push_back({kind, list.size(), name, std::move(origin.base), origin.index, origin.is_member, std::move(origin.unit), std::move(origin.doc),
-                    origin.declared, symbol});
+                    origin.declared, positive, symbol});
 }
 
 const Variable* Symbols::find(SymbolKind kind, const std::string& base, int index) const {

@@ -27,12 +27,14 @@ struct Variable {
     std::string unit;      ///< in SI
     std::string doc;
     const Quantity* declared;  ///< with unit and range; null for what is not declared itself, as velocities
+    bool is_positive;  ///< by its declared range
     GiNaC::ex symbol;  ///< an ex, because a GiNaC::symbol by value forgets that it is real or positive
 };
 
 class Symbols {
 public:
-    /// Positivity of a symbol comes from its declared range only.
+    /// Positivity comes from the declared range only. Parameters and definitions are positive letters; what moves may leave its range,
+    /// so its letter is only real, and its range is an assumption of proofs.
     Symbols(const Scene& scene, const Names& names);
 
     const std::vector<Variable>& all(SymbolKind kind) const { return variables_[static_cast<std::size_t>(kind)]; }

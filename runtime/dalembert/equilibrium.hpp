@@ -3,6 +3,7 @@
 // is determined, each step is the smallest one, in relative terms.
 #pragma once
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <array>
 #include <cmath>
@@ -65,6 +66,7 @@ public:
         if (!(f_.cwiseQuotient(row_sizes_).template lpNorm<Eigen::Infinity>() <= rounding)) return;
         point_.status = Status::success;
         point_.dimension = static_cast<std::size_t>(columns() - rank());
+        if (point_.dimension > 0 && !has_neighbour()) point_.dimension = 0;
         point_.kind = point_.dimension == 0 ? EquilibriumKind::isolated : EquilibriumKind::family;
     }
 
@@ -123,6 +125,31 @@ private:
         for (std::size_t i = 0; i < unknowns_.size(); ++i) *unknowns_[i] = before[i];
         f_ = f_before;
         return false;
+    }
+
+    /// Whether a point some way along the null direction of the linearisation leads to another equilibrium there, or back.
+    bool has_neighbour() {
+        const Eigen::FullPivLU<Matrix<Scalar>> lu = with_threshold<Eigen::FullPivLU<Matrix<Scalar>>>();
+        const Vector<Scalar> direction = lu.kernel().col(0).normalized().cwiseProduct(sizes_);
+        const Equilibrium<System> found = point_;
+        const Vector<Scalar> sizes = sizes_;
+        const Scalar distance = Scalar(1) / Scalar(20);
+        for (std::size_t i = 0; i < unknowns_.size(); ++i) *unknowns_[i] += distance * direction[static_cast<Index>(i)];
+        bool converged = take_residual() && take_jacobian();
+        for (int k = 0; k < 30 && converged && f_.squaredNorm() > Scalar(0); ++k)
+            if (!improve() || !take_jacobian()) break;
+        const Scalar rounding = Scalar(10000) * Eigen::NumTraits<Scalar>::epsilon();
+        converged = converged && f_.cwiseQuotient(row_sizes_).template lpNorm<Eigen::Infinity>() <= rounding;
+        Scalar moved = Scalar(0);
+        std::vector<Scalar> there;
+        for (const Scalar* unknown : unknowns_) there.push_back(*unknown);
+        point_ = found;
+        for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+            using std::abs;
+            using std::max;
+            moved = max(moved, Scalar(abs(there[i] - *unknowns_[i]) / sizes[static_cast<Index>(i)]));
+        }
+        return converged && moved > distance / Scalar(4);
     }
 
     Index rank() const { return columns() == 0 ? 0 : with_threshold<Eigen::ColPivHouseholderQR<Matrix<Scalar>>>().rank(); }

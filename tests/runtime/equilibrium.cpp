@@ -146,3 +146,28 @@ TEST_CASE("three masses have the eigenvalues printed in Aufgabe 2.15") {
         CHECK(std::abs(eigenvalues[5 - k] - std::conj(eigenvalues[k])) < 1e-12);
     }
 }
+
+namespace {
+
+/// A mass on a cubic spring with a damper: its only equilibrium has a singular linearisation.
+struct CubicSpring {
+    static constexpr int api = 1;
+    using scalar_type = double;
+    using State = std::array<double, 2>;
+    using Input = std::array<double, 0>;
+    using JacobianX = std::array<double, 4>;
+    using JacobianU = std::array<double, 0>;
+    using PatternX = detail::Dense;
+    using PatternU = detail::Dense;
+    void rhs(const State& x, const Input&, double, State& f) const { f = {x[1], -x[0] * x[0] * x[0] - x[1]}; }
+    void jacobian_x(const State& x, const Input&, double, JacobianX& J) const { J = {0, -3 * x[0] * x[0], 1, -1}; }
+    void jacobian_u(const State&, const Input&, double, JacobianU&) const {}
+};
+
+}  // namespace
+
+TEST_CASE("a singular linearisation alone makes no family") {
+    const auto point = find_equilibrium(CubicSpring(), {0.0, 0.0}, {}, all_states<CubicSpring>(), {});
+    CHECK(point.status == Status::success);
+    CHECK(point.kind == EquilibriumKind::isolated);
+}
