@@ -22,10 +22,6 @@ bool PrintedRow::as_expected() const {
     return verdict() != Verdict::wrong && verdict() != Verdict::dimensionally_wrong;
 }
 
-bool PrintedVerdicts::all_as_expected() const {
-    return std::all_of(rows_.begin(), rows_.end(), [](const PrintedRow& row) { return row.as_expected(); });
-}
-
 PrintedRow& PrintedVerdicts::row_of(const Member<PrintedEquation>& member) {
     const std::string id = member.name();
     for (PrintedRow& row : rows_)

@@ -26,7 +26,6 @@ public:
     /// Checks what the scene of a system contains.
     void add(const System& system);
     const std::vector<PrintedRow>& rows() const { return rows_; }
-    bool all_as_expected() const;
 
 private:
     PrintedRow& row_of(const Member<PrintedEquation>& member);

@@ -36,7 +36,7 @@ private:
         int degree;
         Polynomial value;
     };
-    /// The letters that stand for sin and cos, or for exp, of an atom divided by `denominator`.
+    /// The letters that stand for sin and cos, or for exp, of a monomial divided by its common denominator.
     struct Angle {
         Letter first;   ///< sine, or exponential
         Letter second;  ///< cosine

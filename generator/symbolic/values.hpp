@@ -13,7 +13,7 @@ public:
     Values(const Scene& scene, const Translator& translate);
 
     /// "m_W = 1.2", "phi[2] = 0.1", "dot(s) = -0.3": a parameter, coordinate, velocity, state or input, in SI.
-    /// A family name without index sets all members. Returns false when nothing in the scene has that name.
+    /// A family name without index sets all members. Throws Failure when nothing in the scene has that name.
     /// Throws Failure (value-out-of-range, unknown-name).
     void set(const Expression& variable, const Expression& value, unsigned allowed, const Indices& indices = {});
 

@@ -2,8 +2,9 @@
 // A table of results: named columns with units, written as CSV.
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <cstddef>
-#include <cstdio>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -34,13 +35,9 @@ namespace detail {
 
 /// The shortest text that reads back as the same number.
 inline std::string number_text(double value) {
-    char buffer[32];
-    for (int digits = 9; digits <= 17; ++digits) {
-        std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-        double back = 0;
-        if (std::sscanf(buffer, "%lf", &back) == 1 && back == value) break;
-    }
-    return buffer;
+    std::array<char, 32> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);  // whatever the locale of the program
+    return {buffer.data(), end.ptr};
 }
 
 inline std::string csv_field(const std::string& text) {
