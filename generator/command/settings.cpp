@@ -40,14 +40,7 @@ Setting parse_setting(const SourcePtr& source, std::size_t begin, std::size_t en
     const Excerpt right = excerpt_of(source, equals + 1, end);
     if (const auto at = unit_begin(right)) {
         setting.unit = parse_unit(excerpt_of(source, *at, end));
-        const ExpressionPtr number = parse_expression(excerpt_of(source, equals + 1, *at));
-        setting.value = make_binary(Expression::Kind::multiply,
-                                    make_binary(Expression::Kind::add, number, make_number(setting.unit->offset, number->span)),
-                                    make_number(setting.unit->factor, number->span));
-        for (int i = 0; i < setting.unit->pi_power; ++i)
-            setting.value = make_binary(Expression::Kind::multiply, setting.value, make_name("pi", number->span));
-        for (int i = 0; i > setting.unit->pi_power; --i)
-            setting.value = make_binary(Expression::Kind::divide, setting.value, make_name("pi", number->span));
+        setting.value = to_si(parse_expression(excerpt_of(source, equals + 1, *at)), *setting.unit);
     } else {
         setting.value = parse_expression(right);
     }

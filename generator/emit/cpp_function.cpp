@@ -13,27 +13,7 @@ constexpr std::size_t longest_line = 128;
 /// Functions that the header brings itself.
 bool is_own_function(Op op) { return op == Op::sign || op == Op::step || op == Op::min || op == Op::max || op == Op::inverse_norm; }
 
-std::string chunks(cln::cl_I value) {
-    // Literals are kept below 2^31, where every scalar type converts them without a warning; larger numbers are put together.
-    const cln::cl_I base = 1'000'000'000;
-    if (value < base) return fmt::format("Scalar({})", to_string(value));
-    const cln::cl_I high = cln::floor1(value, base);
-    const cln::cl_I low = value - high * base;
-    const std::string product = fmt::format("{} * Scalar(1000000000)", high < base ? chunks(high) : "(" + chunks(high) + ")");
-    return cln::zerop(low) ? product : fmt::format("{} + Scalar({})", product, to_string(low));
-}
-
 }  // namespace
-
-std::string cpp_constant(const Rational& value) {
-    const auto whole = [](const cln::cl_I& v) {
-        const std::string text = chunks(v);
-        return text.find(' ') == std::string::npos ? text : "(" + text + ")";
-    };
-    std::string text = whole(cln::abs(cln::numerator(value)));
-    if (!is_integer(value)) text += " / " + whole(cln::denominator(value));
-    return is_negative(value) ? "-" + text : text;
-}
 
 std::string wrapped(const std::string& statement, std::size_t indent) {
     const std::string blanks(indent, ' ');

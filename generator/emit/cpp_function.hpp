@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "emit/cpp_constant.hpp"
 #include "emit/cpp_names.hpp"
 #include "graph/code.hpp"
 
@@ -74,8 +75,6 @@ private:
     int temporaries_ = 0;
 };
 
-/// "Scalar(3)", "Scalar(3) / Scalar(4)": exact in every scalar type that holds the integers.
-std::string cpp_constant(const Rational& value);
 
 /// Breaks a long statement at its operators.
 std::string wrapped(const std::string& statement, std::size_t indent);

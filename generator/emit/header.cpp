@@ -9,6 +9,7 @@
 
 #include "emit/banner.hpp"
 #include "emit/cpp_bodies.hpp"
+#include "emit/cpp_constant.hpp"
 #include "emit/notation.hpp"
 #include "emit/safe_text.hpp"
 #include "emit/template.hpp"
@@ -26,50 +27,6 @@ constexpr std::size_t longest_equations = 8000;
 std::string upper(std::string text) {
     for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return text;
-}
-
-/// A number to 45 digits, in groups of nine that every scalar type holds.
-std::string decimal_text(const cln::cl_R& value) {
-    const cln::cl_I base = 1'000'000'000;
-    cln::cl_RA rest = cln::rational(cln::abs(value));
-    int groups = 0;
-    for (; rest >= base; ++groups) rest = rest / base;
-    for (; rest < 1; --groups) rest = rest * base;
-    std::vector<std::string> parts;
-    for (int i = 0; i < 5; ++i) {
-        const cln::cl_I part = cln::floor1(rest);
-        parts.push_back(fmt::format("Scalar({})", to_string(part)));
-        rest = (rest - part) * base;
-    }
-    std::string text = parts.back();
-    for (std::size_t i = parts.size() - 1; i-- > 0;) text = fmt::format("({} + {} / Scalar(1000000000))", parts[i], text);
-    for (int i = 0; i < groups; ++i) text += " * Scalar(1000000000)";
-    for (int i = 0; i > groups; --i) text += " / Scalar(1000000000)";
-    return (cln::minusp(value) ? "-" : "") + text;
-}
-
-/// An exact constant as C++: a rational, or one times a power of pi. Irrational numbers, and rationals of which float could not
-/// hold the numerator or the denominator, are given to 45 digits.
-std::string constant_text(const ex& value, bool& uses_pi) {
-    for (const int power : {0, 1, -1, 2, -2, 3, -3, 4, -4}) {
-        const ex ratio = (value / GiNaC::pow(GiNaC::Pi, power)).expand();
-        if (!GiNaC::is_exactly_a<GiNaC::numeric>(ratio) || !ex_to<GiNaC::numeric>(ratio).is_rational()) continue;
-        const auto rational = cln::the<cln::cl_RA>(ex_to<GiNaC::numeric>(ratio).to_cl_N());
-        constexpr std::size_t most_bits = 100;
-        std::string text = bit_length(rational) > most_bits ? decimal_text(rational) : cpp_constant(rational);
-        uses_pi = uses_pi || power != 0;
-        for (int i = 0; i < power; ++i) text += " * detail::pi<Scalar>()";
-        for (int i = 0; i > power; --i) text += " / detail::pi<Scalar>()";
-        return text;
-    }
-    const auto number = value_at(value, {}, 60);
-    if (!number) throw std::logic_error("a constant without a value");
-    return decimal_text(*number);
-}
-
-std::string double_text(const ex& value) {
-    const auto number = value_at(value, {}, 40);
-    return number ? fmt::format("{}", cln::double_approx(*number)) : "0.0";
 }
 
 class HeaderWriter {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "model/expression.hpp"
 #include "model/lexer.hpp"
 #include "model/rational.hpp"
 
@@ -66,5 +67,7 @@ struct Unit {
 
 /// Reads "kg*m/s^2", "N/m", "deg", "mm^2", "bar", "m^(1/2)", "1". Throws Failure (syntax, unknown-unit).
 Unit parse_unit(const Excerpt& excerpt);
+/// A constant written in a unit, in SI: (value + offset) * factor * pi^pi_power.
+ExpressionPtr to_si(ExpressionPtr value, const Unit& unit);
 
 }  // namespace dalembert

@@ -32,19 +32,6 @@ bool is_constant(const Expression& expression) {
     return constant;
 }
 
-/// A constant written in a unit, in SI: (value + offset) * factor * pi^pi_power.
-ExpressionPtr to_si(ExpressionPtr value, const Unit& unit) {
-    using Kind = Expression::Kind;
-    const Span span = value->span;
-    if (value->kind == Kind::number && unit.pi_power == 0)
-        return make_number((value->value + unit.offset) * unit.factor, span);
-    if (!is_zero(unit.offset)) value = make_binary(Kind::add, value, make_number(unit.offset, span));
-    if (unit.factor != 1) value = make_binary(Kind::multiply, value, make_number(unit.factor, span));
-    for (int i = 0; i < unit.pi_power; ++i) value = make_binary(Kind::multiply, value, make_name("pi", span));
-    for (int i = 0; i > unit.pi_power; --i) value = make_binary(Kind::divide, value, make_name("pi", span));
-    return value;
-}
-
 }  // namespace
 
 Entry::Entry(const DocumentNode::Member& member, const SectionSpec& section, Diagnostics& diagnostics)

@@ -13,8 +13,6 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr int most_members = 10'000;
-
 [[noreturn]] void fail(Id id, const Span& span, std::string message, std::vector<Note> notes = {}) {
     throw Failure(Diagnostic{id, span, std::move(message), std::move(notes)});
 }
@@ -272,39 +270,6 @@ Scene select_scene(const Model& model, const Names& names, const std::string& sc
     Selection selection(model, names, scene);
     selection.set_sizes(sizes);
     return selection.take();
-}
-
-int index_value(const Expression& e, const Scene& scene, const Indices& indices) {
-    const auto value = [&](const auto& self, const Expression& part) -> Rational {
-        const auto child = [&](std::size_t i) { return self(self, *part.children[i]); };
-        if (part.kind == Kind::number) return part.value;
-        if (part.kind == Kind::name) {
-            if (const auto index = indices.find(part.name); index != indices.end()) return index->second;
-            if (const auto size = scene.sizes.find(part.name); size != scene.sizes.end()) return size->second;
-        }
-        switch (part.kind) {
-            case Kind::negate: return -child(0);
-            case Kind::add: return child(0) + child(1);
-            case Kind::subtract: return child(0) - child(1);
-            case Kind::multiply: return child(0) * child(1);
-            case Kind::divide:
-                if (const Rational divisor = child(1); !is_zero(divisor)) return child(0) / divisor;
-                break;
-            default: break;
-        }
-        fail(Id::index_out_of_range, e.span, fmt::format("'{}' is not a whole number", e.written()));
-    };
-    const auto result = to_int(value(value, e));
-    if (!result) fail(Id::index_out_of_range, e.span, fmt::format("'{}' is not a whole number", e.written()));
-    return *result;
-}
-
-std::pair<int, int> bounds(const Family& family, const Scene& scene) {
-    const int from = index_value(*family.from, scene, {});
-    const int to = index_value(*family.to, scene, {});
-    if (static_cast<long long>(to) - from >= most_members)
-        fail(Id::too_large, family.span, fmt::format("the family has more than {} members", most_members));
-    return {from, to};
 }
 
 void warn_of_unused(const Model& model, Diagnostics& diagnostics) {

@@ -177,4 +177,16 @@ std::string Unit::si() const {
     return pi_power == 1 && base.starts_with('1') ? "rad" + base.substr(1) : base;
 }
 
+ExpressionPtr to_si(ExpressionPtr value, const Unit& unit) {
+    using Kind = Expression::Kind;
+    const Span span = value->span;
+    if (value->kind == Kind::number && unit.pi_power == 0)
+        return make_number((value->value + unit.offset) * unit.factor, span);
+    if (!is_zero(unit.offset)) value = make_binary(Kind::add, value, make_number(unit.offset, span));
+    if (unit.factor != 1) value = make_binary(Kind::multiply, value, make_number(unit.factor, span));
+    for (int i = 0; i < unit.pi_power; ++i) value = make_binary(Kind::multiply, value, make_name("pi", span));
+    for (int i = 0; i > unit.pi_power; --i) value = make_binary(Kind::divide, value, make_name("pi", span));
+    return value;
+}
+
 }  // namespace dalembert

@@ -40,7 +40,7 @@ Prover::Prover(const System& system) : system_(system) {
             if (variable.is_positive) ranged_.insert(variable.name);
 }
 
-bool Prover::proven_equal(const ex& a, const ex& b) { return proven_equal(a, b, {}) || (!ranged_.empty() && proven_equal(a, b, ranged_)); }
+bool Prover::proven_equal(const ex& a, const ex& b) { return proven_equal(a, b, {}); }
 
 bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>& positive) {
     const ex difference = a - b;

@@ -9,8 +9,8 @@
 namespace dalembert {
 
 struct Comparison {
-    Verdict verdict;                           ///< proven, numerically_equal, wrong or not_checkable
-    std::string reason = {};                   ///< why not checkable
+    Verdict verdict;
+    std::string reason = {};                   ///< why not checkable, or what is assumed
     std::optional<Point> counterexample = {};  ///< where the two differ
 };
 
@@ -31,7 +31,7 @@ public:
     explicit Prover(const System& system);
 
     Comparison equal(const GiNaC::ex& a, const GiNaC::ex& b);
-    /// True only when proven, be it within the declared ranges of what moves.
+    /// True only when proven without assumptions on what moves: what is emitted must be right outside of declared ranges too.
     bool proven_equal(const GiNaC::ex& a, const GiNaC::ex& b);
     /// The comparison by numbers alone, with an evaluation of the caller's.
     Comparison compare_at_points(const Evaluation& evaluate, const GiNaC::ex& a, const GiNaC::ex& b) const;

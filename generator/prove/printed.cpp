@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t most_determinant = 5;
 
-/// The worse of two verdicts. What cannot be checked is worse than what is right, and better than what is wrong.
 /// The first disagreement of units in an equation, as a sentence.
 std::optional<std::string> unit_problem(const System& system, const PrintedEquation& printed, const Equation& equation) {
     Diagnostics diagnostics;

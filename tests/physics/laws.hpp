@@ -53,7 +53,6 @@ void laws() {
     const Twin twin;
     constexpr std::size_t states = std::tuple_size<typename Real::State>::value;
     constexpr std::size_t inputs = std::tuple_size<typename Real::Input>::value;
-    constexpr std::size_t outputs = std::tuple_size<typename Real::Output>::value;
 
     const auto complex_state = [](const auto& x) {
         typename Twin::State result;
@@ -69,6 +68,23 @@ void laws() {
     const auto column = [&](const auto& values) {
         Eigen::VectorXd result(static_cast<Eigen::Index>(values.size()));
         for (std::size_t i = 0; i < values.size(); ++i) result[static_cast<Eigen::Index>(i)] = values[i].imag() / h;
+        return result;
+    };
+
+    /// d(function)/d(state) and d(function)/d(input), column by column.
+    const auto derivatives = [&](const auto& function, const auto& point) {
+        const auto rows = static_cast<Eigen::Index>(function(complex_state(point.x), complex_input(point.u)).size());
+        std::pair<Eigen::MatrixXd, Eigen::MatrixXd> result{Eigen::MatrixXd(rows, states), Eigen::MatrixXd(rows, inputs)};
+        for (std::size_t c = 0; c < states; ++c) {
+            auto z = complex_state(point.x);
+            z[c] += Complex(0, h);
+            result.first.col(static_cast<Eigen::Index>(c)) = column(function(z, complex_input(point.u)));
+        }
+        for (std::size_t c = 0; c < inputs; ++c) {
+            auto v = complex_input(point.u);
+            v[c] += Complex(0, h);
+            result.second.col(static_cast<Eigen::Index>(c)) = column(function(complex_state(point.x), v));
+        }
         return result;
     };
 
@@ -129,21 +145,12 @@ void laws() {
 
         {
             INFO("the Jacobians are the derivatives of the right-hand side");
-            Eigen::MatrixXd A(states, states), B(states, inputs);
-            for (std::size_t c = 0; c < states; ++c) {
-                typename Twin::State z = complex_state(point.x);
-                z[c] += Complex(0, h);
+            const auto rhs = [&](const auto& z, const auto& v) {
                 typename Twin::State dzdt;
-                twin.rhs(z, complex_input(point.u), point.t, dzdt);
-                A.col(static_cast<Eigen::Index>(c)) = column(dzdt);
-            }
-            for (std::size_t c = 0; c < inputs; ++c) {
-                typename Twin::Input v = complex_input(point.u);
-                v[c] += Complex(0, h);
-                typename Twin::State dzdt;
-                twin.rhs(complex_state(point.x), v, point.t, dzdt);
-                B.col(static_cast<Eigen::Index>(c)) = column(dzdt);
-            }
+                twin.rhs(z, v, point.t, dzdt);
+                return dzdt;
+            };
+            const auto [A, B] = derivatives(rhs, point);
             CHECK(column_error(dalembert::jacobian_x(system, point.x, point.u, point.t), A) <= 1e-12);
             CHECK(column_error(dalembert::jacobian_u(system, point.x, point.u, point.t), B) <= 1e-12);
             typename Real::State again;
@@ -170,7 +177,7 @@ void laws() {
                 Twin(parameters).rhs(complex_state(point.x), complex_input(point.u), point.t, dzdt);
                 P.col(static_cast<Eigen::Index>(c)) = column(dzdt);
             }
-// A relative error of a parameter changes f by p df/dp: what is small beside f is nothing.
+            // A relative error of a parameter changes f by p df/dp: what is small beside f is nothing.
             Eigen::MatrixXd J = dalembert::jacobian_p(system, point.x, point.u, point.t);
             const double f = Eigen::Map<const Eigen::VectorXd>(dxdt.data(), static_cast<Eigen::Index>(states)).lpNorm<Eigen::Infinity>();
             const Parameters<double> values = system.parameters();
@@ -184,21 +191,12 @@ void laws() {
 
         {
             INFO("the Jacobians of the outputs");
-            Eigen::MatrixXd C(outputs, states), D(outputs, inputs);
-            for (std::size_t c = 0; c < states; ++c) {
-                typename Twin::State z = complex_state(point.x);
-                z[c] += Complex(0, h);
+            const auto output = [&](const auto& z, const auto& v) {
                 typename Twin::Output y;
-                twin.output(z, complex_input(point.u), point.t, y);
-                C.col(static_cast<Eigen::Index>(c)) = column(y);
-            }
-            for (std::size_t c = 0; c < inputs; ++c) {
-                typename Twin::Input v = complex_input(point.u);
-                v[c] += Complex(0, h);
-                typename Twin::Output y;
-                twin.output(complex_state(point.x), v, point.t, y);
-                D.col(static_cast<Eigen::Index>(c)) = column(y);
-            }
+                twin.output(z, v, point.t, y);
+                return y;
+            };
+            const auto [C, D] = derivatives(output, point);
             CHECK(column_error(dalembert::output_jacobian_x(system, point.x, point.u, point.t), C) <= 1e-12);
             CHECK(column_error(dalembert::output_jacobian_u(system, point.x, point.u, point.t), D) <= 1e-12);
         }

@@ -53,7 +53,7 @@ TEST_CASE("plot commands: axes have names and units") {
 }
 
 TEST_CASE("plot commands: text stays text") {
-    Recording recording{{{"t", "s"}, {"x", "m'; set output '/tmp/y"}}, {{0, 0}}};
+    Recording recording{{{"t", "s"}, {"x", "m'; set output 'elsewhere"}}, {{0, 0}}};
     const std::string commands = gnuplot_commands(recording, {{"it's `id`\nset output 'z'", "", {"x"}}}, "'; system('true'); '");
     // A quote inside becomes another character, so every string ends where it was meant to end.
     std::istringstream lines(commands);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whole numbers of a scene: indices of members and bounds of families.
+#include <fmt/format.h>
+
+#include "model/scene.hpp"
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr int most_members = 10'000;
+
+[[noreturn]] void not_whole(const Expression& e) {
+    throw Failure(Diagnostic{Id::index_out_of_range, e.span, fmt::format("'{}' is not a whole number", e.written())});
+}
+
+}  // namespace
+
+int index_value(const Expression& e, const Scene& scene, const Indices& indices) {
+    const auto value = [&](const auto& self, const Expression& part) -> Rational {
+        const auto child = [&](std::size_t i) { return self(self, *part.children[i]); };
+        if (part.kind == Expression::Kind::number) return part.value;
+        if (part.kind == Expression::Kind::name) {
+            if (const auto index = indices.find(part.name); index != indices.end()) return index->second;
+            if (const auto size = scene.sizes.find(part.name); size != scene.sizes.end()) return size->second;
+        }
+        switch (part.kind) {
+            case Expression::Kind::negate: return -child(0);
+            case Expression::Kind::add: return child(0) + child(1);
+            case Expression::Kind::subtract: return child(0) - child(1);
+            case Expression::Kind::multiply: return child(0) * child(1);
+            case Expression::Kind::divide:
+                if (const Rational divisor = child(1); !is_zero(divisor)) return child(0) / divisor;
+                break;
+            default: break;
+        }
+        not_whole(e);
+    };
+    const auto result = to_int(value(value, e));
+    if (!result) not_whole(e);
+    return *result;
+}
+
+std::pair<int, int> bounds(const Family& family, const Scene& scene) {
+    const int from = index_value(*family.from, scene, {});
+    const int to = index_value(*family.to, scene, {});
+    if (static_cast<long long>(to) - from >= most_members)
+        throw Failure(Diagnostic{Id::too_large, family.span, fmt::format("the family has more than {} members", most_members)});
+    return {from, to};
+}
+
+}  // namespace dalembert

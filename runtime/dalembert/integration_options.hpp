@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSL-1.0
+// How a run is integrated: method, accuracy, output points.
+#pragma once
+
+#include <cstddef>
+
+namespace dalembert {
+inline namespace v1 {
+
+enum class Method {
+    rk4,                ///< classical Runge-Kutta, fixed step
+    dopri5,             ///< Dormand-Prince 5(4), controlled, output points by its dense output
+    dopri5_controlled,  ///< the same, but steps end on output points
+    /// Fehlberg 7(8), controlled, steps end on output points; for smooth motion at tight tolerances. The difference of the pair
+    /// vanishes for dx/dt = f(t): it does not see what depends on time alone, such as an input that jumps. Take dopri5 there.
+    fehlberg78,
+};
+
+template <class State>
+struct IntegrationOptions {
+    using Scalar = typename State::value_type;
+    Method method = Method::dopri5;
+    Scalar tolerance = Scalar(1e-9);  ///< error of a step relative to max(|x_i|, scale_i)
+    State scale = filled(Scalar(1));  ///< what counts as one, state by state, in SI
+    Scalar step = Scalar(0);          ///< s; of rk4, or the first of the others; 0: chosen
+    Scalar max_step = Scalar(0);      ///< s; the longest step, so that no short pulse is stepped over; 0: as long as the run
+    std::size_t intervals = 1;        ///< the observer sees the two ends and the points that divide the run into so many parts
+    std::size_t max_steps = 100000000;
+
+    static State filled(const Scalar& value) {
+        State state{};
+        for (auto& entry : state) entry = value;
+        return state;
+    }
+};
+
+}  // namespace v1
+}  // namespace dalembert
