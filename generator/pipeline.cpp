@@ -6,6 +6,8 @@
 #include <chrono>
 
 #include "emit/notation.hpp"
+#include "form/validity.hpp"
+#include "model/checks.hpp"
 #include "model/reader.hpp"
 
 namespace dalembert {
@@ -73,6 +75,12 @@ void stop_on_failed_audit(const System& system, const Audit& audit) {
                                      fmt::format("the energy of {} gives the force '{}' on '{}', but its law gives '{}'", potential.name, write(slope), q.name, write(potential.force[j]))});
         }
     }
+    for (const AuditEntry& entry : audit.media)
+        if (entry.result.verdict == Verdict::wrong) {
+            const auto& media = system.fluids.containers.media;
+            const auto medium = std::find_if(media.begin(), media.end(), [&](const MediumModel& m) { return entry.name.ends_with(", " + m.item().name); });
+            throw Failure(Diagnostic{Id::inconsistent_medium, medium->item().span, fmt::format("the laws of medium '{}' contradict each other; {}", medium->item().name, entry.result.reason)});
+        }
     for (const AuditEntry* entry : audit.all())
         if (entry->result.verdict == Verdict::wrong)
             throw Failure(Diagnostic{Id::not_equal, system.scene.model->name_span, fmt::format("two derivations disagree: {}. This is a defect of the program; please report it with the model", entry->name)});
@@ -88,6 +96,7 @@ void stop_on_failed_audit(const System& system, const Audit& audit) {
 std::shared_ptr<const LoadedModel> load(const std::filesystem::path& path, Diagnostics& diagnostics) {
     auto loaded = std::make_shared<LoadedModel>(read_model(path, diagnostics));
     warn_of_unused(loaded->model, diagnostics);
+    warn_of_vanishing(loaded->model, diagnostics);
     return loaded;
 }
 
@@ -103,6 +112,7 @@ Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::str
         machine.system = derive(loaded->names, std::move(scene));
         watch.lap("derive", fmt::format("{} bodies, {} potentials, {} resistances, {} supplies", machine.system->bodies.size(),
                                         machine.system->potentials.size(), machine.system->resistances.size(), machine.system->supplies.size()));
+        check_fluid_values(*machine.system);
         machine.audit = audit(*machine.system);
         stop_on_failed_audit(*machine.system, machine.audit);
         watch.lap("prove", machine.audit.all_proven() ? "everything proven" : "something only numerically equal");

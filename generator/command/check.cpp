@@ -51,7 +51,9 @@ private:
         };
         group("d'Alembert = Euler-Lagrange", pointers(machine.audit.derivations));
         group("force = -d(energy)/dq", pointers(machine.audit.potentials));
-        group("d(T + V)/dt = supplied - dissipated", {&machine.audit.power_balance});
+        group("media: (3.11), (3.21), (3.31), (3.41), (3.43)", pointers(machine.audit.media));
+        group("balances of mass and energy", pointers(machine.audit.balances));
+        group(Audit::power_balance_name(system), {&machine.audit.power_balance});
         group("emitted code = derivation", pointers(machine.emitted));
         json_["scenes"].push_back(std::move(scene));
         verdicts_.add(system);

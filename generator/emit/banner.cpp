@@ -42,14 +42,18 @@ std::string banner(const Code& code, const Proofs& proofs, const std::string& co
     text += cpp_comment("Effects in: " + effect_list(scene.effects_in), 0, "//");
     text += cpp_comment("Effects out: " + effect_list(scene.effects_out), 0, "//");
 
-    std::vector<const AuditEntry*> derivations, potentials, emitted;
+    std::vector<const AuditEntry*> derivations, potentials, media, balances, emitted;
     for (const AuditEntry& e : proofs.derivation.derivations) derivations.push_back(&e);
     for (const AuditEntry& e : proofs.derivation.potentials) potentials.push_back(&e);
+    for (const AuditEntry& e : proofs.derivation.media) media.push_back(&e);
+    for (const AuditEntry& e : proofs.derivation.balances) balances.push_back(&e);
     for (const AuditEntry& e : proofs.emitted) emitted.push_back(&e);
     text += "//\n// Proven as identities:\n";
     if (!derivations.empty()) text += fmt::format("//     d'Alembert = Euler-Lagrange: {} equations\n", verdicts(derivations));
     if (!potentials.empty()) text += fmt::format("//     force = -d(energy)/dq: {} potentials\n", verdicts(potentials));
-    text += fmt::format("//     d(T + V)/dt = supplied - dissipated + prescribed: {}\n", to_string(proofs.derivation.power_balance.result.verdict));
+    if (!media.empty()) text += fmt::format("//     media, entropy and energy: {} identities\n", verdicts(media));
+    if (!balances.empty()) text += fmt::format("//     balances of mass and energy: {} balances\n", verdicts(balances));
+    text += fmt::format("//     {} + prescribed: {}\n", Audit::power_balance_name(code.system), to_string(proofs.derivation.power_balance.result.verdict));
     text += fmt::format("//     this code = the derivation: {} functions\n", verdicts(emitted));
 
     text += "//\n// Operations          +,-      *     /  sin,cos  other\n";

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "emit/helpers.hpp"
+
 namespace dalembert {
 
 namespace {
@@ -38,9 +40,8 @@ std::string CppBodies::assigned(CppFunction& cpp, const std::string& target, Nod
 /// Puts the functions that are called into scope and comments out the names of arguments that are not used.
 CppBody CppBodies::finish(const CppFunction& cpp, std::string statements, const std::string& result, Uses uses) {
     std::string scope;
-    static const std::set<std::string> own{"sign", "step", "min", "max", "pi", "inverse_norm"};
     for (const std::string& name : cpp.called()) {
-        if (own.contains(name)) helpers_.insert(name);
+        if (is_helper(name)) helpers_.insert(name);
         else scope += fmt::format("{}using std::{};\n", indent, name);
     }
     const auto argument = [](const char* type, const char* name, bool used) { return used ? fmt::format("{} {}", type, name) : fmt::format("{} /*{}*/", type, name); };
@@ -244,7 +245,7 @@ CppBody CppBodies::scalar(Function function) {
     std::string before;
     const std::string text = cpp.value(f.results[0], before);
     statements += before + wrapped(fmt::format("return {};", text), 8);
-    const bool is_energy = function == Function::kinetic_energy || function == Function::potential_energy;
+    const bool is_energy = function == Function::kinetic_energy || function == Function::potential_energy || function == Function::internal_energy;
     return finish(cpp, std::move(statements), "", {.everything = f.uses_accelerations, .has_input = !is_energy});
 }
 

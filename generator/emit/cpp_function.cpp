@@ -3,15 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "emit/helpers.hpp"
+
 namespace dalembert {
 
 namespace {
 
 constexpr std::size_t longest_inline = 70;
 constexpr std::size_t longest_line = 128;
-
-/// Functions that the header brings itself.
-bool is_own_function(Op op) { return op == Op::sign || op == Op::step || op == Op::min || op == Op::max || op == Op::inverse_norm; }
 
 }  // namespace
 
@@ -208,7 +207,7 @@ CppFunction::Text CppFunction::call(const Node& node, std::string& statements) {
     for (const NodeId argument : node.arguments) arguments += (arguments.empty() ? "" : ", ") + text_of(argument, statements).text;
     const std::string name = node.op == Op::power ? "pow" : name_of(node.op);
     called_.insert(name);
-    return {is_own_function(node.op) ? fmt::format("detail::{}<Scalar>({})", name, arguments) : fmt::format("{}({})", name, arguments), 3};
+    return {is_helper(name) ? fmt::format("detail::{}<Scalar>({})", name, arguments) : fmt::format("{}({})", name, arguments), 3};
 }
 
 }  // namespace dalembert

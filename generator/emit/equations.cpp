@@ -25,7 +25,8 @@ std::vector<NamedPart> parts(const System& s) {
             {"gravity", "generalised forces of gravity", s.gravity},
             {"elastic", "generalised forces of springs and potentials", s.elastic},
             {"dissipative", "generalised forces of dampers", s.dissipative},
-            {"bias", "bias = c - gravity - elastic - dissipative", s.bias},
+            {"fluid", "generalised forces of fluids: p*dV/dq, shafts of pumps", s.fluids.force},
+            {"bias", s.fluids.empty() ? "bias = c - gravity - elastic - dissipative" : "bias = c - gravity - elastic - dissipative - fluid", s.bias},
             {"generalised_force", "Q, generalised forces of forces, torques and inputs", s.supplied}};
 }
 
@@ -40,7 +41,9 @@ std::vector<std::pair<const char*, ex>> scalars(const System& s) {
             {"potential_energy", s.potential_energy},
             {"supplied_power", s.supplied_power},
             {"dissipated_power", s.dissipated_power},
-            {"prescribed_power", s.prescribed_power}};
+            {"prescribed_power", s.prescribed_power},
+            {"internal_energy", s.internal_energy},
+            {"exchanged_power", s.exchanged_power}};
 }
 
 }  // namespace
@@ -68,11 +71,13 @@ std::string equations_as_text(const System& s) {
             for (std::size_t j = 0; j < q.size(); ++j) text += fmt::format("  [{}] {}\n", q[j].name, write(part.values[j]));
         }
     }
-    if (!s.state_rates.empty()) text += "\nplain states\n";
+    if (!s.state_rates.empty()) text += "\nstates\n";
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.state_rates[i]));
     text += "\nenergies and powers\n";
     for (const auto& [name, value] : scalars(s)) text += fmt::format("  {} = {}\n", name, write(value));
+    if (!s.fluids.guards.empty()) text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
+    for (const Guard& guard : s.fluids.guards) text += fmt::format("  {} ({}): {}\n", guard.name, guard.ends ? "ends" : "edge", write(guard.value));
     if (!s.outputs.empty()) text += "\noutputs\n";
     for (const OutputEquation& output : s.outputs) text += fmt::format("  {} = {}\n", output.name, write(output.value));
     return text;
@@ -127,6 +132,8 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     json["state_rates"] = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < s.state_rates.size(); ++i) json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
     for (const auto& [name, value] : scalars(s)) json[name] = write(value);
+    json["guards"] = nlohmann::ordered_json::array();
+    for (const Guard& guard : s.fluids.guards) json["guards"].push_back({{"name", guard.name}, {"ends", guard.ends}, {"value", write(guard.value)}});
     json["outputs"] = nlohmann::ordered_json::object();
     for (const OutputEquation& output : s.outputs) json["outputs"][output.name] = write(output.value);
     return json;

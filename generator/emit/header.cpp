@@ -10,6 +10,7 @@
 #include "emit/banner.hpp"
 #include "emit/cpp_bodies.hpp"
 #include "emit/cpp_constant.hpp"
+#include "emit/helpers.hpp"
 #include "emit/notation.hpp"
 #include "emit/safe_text.hpp"
 #include "emit/template.hpp"
@@ -79,8 +80,9 @@ private:
         body(Function::output, bodies_.values(Function::output, "Output", "y"));
         body(Function::output_jacobian_x, bodies_.output_jacobian(Function::output_jacobian_x, By::state));
         body(Function::output_jacobian_u, bodies_.output_jacobian(Function::output_jacobian_u, By::input));
-        for (const Function f : {Function::kinetic_energy, Function::potential_energy, Function::supplied_power, Function::dissipated_power, Function::prescribed_power})
+        for (const Function f : {Function::kinetic_energy, Function::potential_energy, Function::supplied_power, Function::dissipated_power, Function::prescribed_power, Function::internal_energy, Function::exchanged_power})
             body(f, bodies_.scalar(f));
+        body(Function::guards, bodies_.values(Function::guards, "Guards", "g"));
         layout(By::state, "X");
         layout(By::input, "U");
         layout(By::parameter, "P");
@@ -178,6 +180,10 @@ private:
             rows += quantity_row(output.name, output.unit, output.doc);
         }
         add_table("OUTPUT", indices, rows);
+        std::string guards;
+        for (const Guard& guard : system_.fluids.guards) guards += fmt::format("    Guard{{{}, {}}},\n", cpp_string(guard.name), guard.ends);
+        values("GUARD_TABLE", guards.empty() ? "" : "\n" + guards);
+        values("GUARDS_COUNT", std::to_string(system_.fluids.guards.size()));
 
         values("DEGREES", std::to_string(symbols_.degrees()));
         values("PLAIN_STATES", std::to_string(symbols_.states()));
@@ -228,13 +234,7 @@ private:
     std::string helpers() {
         std::set<std::string> needed = bodies_.helpers();
         if (uses_pi_) needed.insert("pi");
-        if (needed.contains("sign") || needed.contains("step") || needed.contains("min") || needed.contains("max") || needed.contains("inverse_norm"))
-            needed.insert("select");
-        std::string text;
-        for (const char* name : {"select", "sign", "step", "min", "max", "inverse_norm", "pi"})
-            if (needed.contains(name)) text += marked_section(embedded_file("scalar_functions.hpp"), name) + "\n";
-        if (needed.contains("ldlt")) text += marked_section(embedded_file("ldlt.hpp"), "ldlt") + "\n";
-        return text;
+        return helper_source(needed);
     }
 
     /// Comment lines, or a hint where they would drown the code.
@@ -273,6 +273,7 @@ private:
         };
         scalar("KINETIC_ENERGY_EQUATIONS", "T", system_.kinetic_energy);
         scalar("POTENTIAL_ENERGY_EQUATIONS", "V", system_.potential_energy);
+        scalar("INTERNAL_ENERGY_EQUATIONS", "E", system_.internal_energy);
         scalar("SUPPLIED_POWER_EQUATIONS", "supplied", system_.supplied_power);
         scalar("DISSIPATED_POWER_EQUATIONS", "dissipated", system_.dissipated_power);
     }

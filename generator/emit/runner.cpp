@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "emit/cpp_function.hpp"
+#include "emit/helpers.hpp"
 #include "emit/safe_text.hpp"
 #include "emit/template.hpp"
 #include "graph/lower.hpp"
@@ -65,9 +66,7 @@ std::string input_statements(Code& code, const std::vector<ex>& inputs) {
     }
     std::string scope;
     for (const std::string& name : cpp.called()) {
-        const bool is_own = name == "sign" || name == "step" || name == "min" || name == "max" || name == "pi";
-        scope += is_own ? "        namespace detail = dalembert::detail;\n" : fmt::format("        using std::{};\n", name);
-        if (is_own) break;
+        if (!is_helper(name)) scope += fmt::format("        using std::{};\n", name);
     }
     return scope + statements;
 }

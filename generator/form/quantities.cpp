@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "form/system.hpp"
+#include "model/vocabulary.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -11,7 +12,7 @@ using GiNaC::ex;
 namespace {
 
 const BodyMotion& body(const System& system, const Expression& reference, const Indices& indices) {
-    const BodyReference named{reference.name, reference.children.empty() ? nullptr : reference.children[0], reference.span};
+    const Reference named{reference.name, reference.children.empty() ? nullptr : reference.children[0], reference.span};
     if (const BodyMotion* motion = find_motion(system.bodies, named, system.scene, indices)) return *motion;
     const bool left_out = !system.scene.holds(system.names.find_body(reference.name)->when);
     throw Failure(Diagnostic{left_out ? Id::needs_absent : Id::index_out_of_range, reference.span, fmt::format("scene '{}' has no body '{}'", system.scene.name, reference.written())});
@@ -27,9 +28,78 @@ const ex& component(const SpaceVector& vector, const System& system, const Expre
     throw Failure(Diagnostic{Id::index_out_of_range, index.span, fmt::format("a vector has the components 1, 2 and 3, not {}", i)});
 }
 
+/// (3.40)-(3.42), (3.31), (3.37) and the like at a pressure and a temperature.
+ex property_of_medium(const MediumModel& medium, const Expression& e, const ex& p, const ex& T) {
+    const MediumState& law = medium.law();
+    const auto at = [&](const ex& value) { return value.subs(GiNaC::lst{medium.p() == p, medium.T() == T}, GiNaC::subs_options::no_pattern); };
+    const MediumState state = medium.at_pressure(p, T);
+    if (e.name == "density") return state.density;
+    if (e.name == "specific_energy") return state.energy;
+    if (e.name == "specific_enthalpy") return state.enthalpy;
+    if (e.name == "isochoric_heat") return state.isochoric_heat;
+    if (e.name == "isobaric_heat") return at(partial(law.enthalpy, medium.T()));
+    if (e.name == "expansion") return at(-partial(law.density, medium.T()) / law.density);
+    if (!medium.is_compressible())
+        throw Failure(Diagnostic{Id::wrong_medium, e.span, fmt::format("'{}' has no value: medium '{}' is incompressible", e.written(), medium.item().name)});
+    if (e.name == "bulk_modulus") return at(law.density / partial(law.density, medium.p()));
+    return state.pressure_by_temperature / p;
+}
+
+/// A property of a volume or reservoir, of a medium at a state, or what a flow or volume does.
+std::optional<ex> fluid_quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<ex>& arguments) {
+    const Fluids& fluids = system.fluids;
+    if (e.name == "exchanged_power") return system.exchanged_power;
+    if (e.name == "internal_energy" && e.children.empty()) return system.internal_energy;
+    const QuantitySpec& spec = *find_quantity(e.name);
+    if (spec.subscript < Subscript::fluid) return std::nullopt;
+    const Expression& named = *e.children[0];
+    const auto absent = [&](const Expression& part) {
+        const bool left_out = !system.scene.holds(system.names.find_part(part.name)->item->when);
+        return Failure(Diagnostic{left_out || part.children.empty() ? Id::needs_absent : Id::index_out_of_range, part.span, fmt::format("scene '{}' has no '{}'", system.scene.name, part.written())});
+    };
+    if (e.children.size() == 3) {
+        const MediumModel* medium = fluids.containers.find_medium(named.name);
+        if (medium == nullptr) throw absent(named);
+        return property_of_medium(*medium, e, arguments[1], arguments[2]);
+    }
+    const int index = named.children.empty() ? 0 : index_value(*named.children[0], system.scene, indices);
+    if (spec.subscript == Subscript::flow) {
+        const FlowState* flow = fluids.find_flow(named.name, index);
+        if (flow == nullptr) throw absent(named);
+        if (e.name == "mass_flow") return flow->mass_flow;
+        if (e.name == "volume_flow") return flow->mass_flow / flow->density;
+        return flow->shaft_power;
+    }
+    const ControlVolume* volume = fluids.containers.find_volume(named.name, index);
+    const ReservoirState* reservoir = fluids.containers.find_reservoir(named.name, index);
+    if (volume == nullptr && reservoir == nullptr) throw absent(named);
+    const FluidState& fluid = volume != nullptr ? volume->fluid : reservoir->fluid;
+    if (e.name == "pressure") return fluid.pressure;
+    if (e.name == "density") return fluid.density;
+    if (e.name == "specific_energy") return fluid.energy;
+    if (e.name == "specific_enthalpy") return fluid.enthalpy;
+    if (e.name == "temperature") {
+        if (fluid.temperature) return *fluid.temperature;
+        throw Failure(Diagnostic{Id::needs_absent, e.span, fmt::format("scene '{}' gives '{}' no temperature", system.scene.name, named.written())});
+    }
+    if (e.name == "inflow") {
+        ex sum = 0;
+        for (const FlowState& f : fluids.flows) sum += (f.to == &fluid ? f.mass_flow : ex(0)) - (f.from == &fluid ? f.mass_flow : ex(0));
+        return sum;
+    }
+    const VolumeBalance* balance = nullptr;
+    for (std::size_t i = 0; i < fluids.balances.size(); ++i)
+        if (&fluids.containers.volumes[i] == volume) balance = &fluids.balances[i];
+    if (e.name == "mass") return volume->mass();
+    if (e.name == "volume") return volume->size;
+    if (e.name == "heat") return balance->heat;
+    return volume->stored_energy();
+}
+
 }  // namespace
 
-ex quantity(const System& system, const Expression& e, const Indices& indices) {
+ex quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<ex>& arguments) {
+    if (const auto of_fluid = fluid_quantity(system, e, indices, arguments)) return *of_fluid;
     const auto child = [&](std::size_t i) -> const Expression& { return *e.children[i]; };
     if (e.name == "kinetic_energy") {
         if (e.children.empty()) return system.kinetic_energy;

@@ -61,22 +61,43 @@ void forces(System& system) {
         system.supplied_power += s.power;
         system.prescribed_power += s.prescribed;
     }
+    system.prescribed_power += system.fluids.prescribed_power;
     system.gravity = total_force(gravity, n);
     system.elastic = total_force(elastic, n);
     system.dissipative = total_force(system.resistances, n);
     system.supplied = total_force(system.supplies, n);
 }
 
+/// The rates of states that volumes and pipes determine. Of a state that is integrated as its root w: dw/dt = d(w^2)/dt/(2w).
+void balances(System& system) {
+    const auto& states = system.symbols.all(SymbolKind::state);
+    const auto set = [&](std::size_t state, const ex& rate) { system.state_rates[state] = states[state].is_root ? rate / (2 * states[state].symbol) : rate; };
+    const Fluids& fluids = system.fluids;
+    for (std::size_t i = 0; i < fluids.balances.size(); ++i) {
+        const ControlVolume& volume = fluids.containers.volumes[i];
+        // The rate of a filling is by its letter already.
+        if (volume.primary == ControlVolume::Primary::filling) system.state_rates[volume.state] = fluids.balances[i].rate;
+        else set(volume.state, fluids.balances[i].rate);
+        if (volume.temperature_state) set(*volume.temperature_state, fluids.balances[i].temperature_rate);
+    }
+    for (const FlowState& flow : fluids.flows)
+        if (flow.velocity_state) set(*flow.velocity_state, flow.acceleration);
+}
+
 void equations(System& system) {
     const std::size_t n = system.symbols.degrees();
     for (std::size_t j = 0; j < n; ++j) {
-        system.bias.push_back(system.coriolis[j] - system.gravity[j] - system.elastic[j] - system.dissipative[j]);
+        system.bias.push_back(system.coriolis[j] - system.gravity[j] - system.elastic[j] - system.dissipative[j] - system.fluids.force[j]);
         GiNaC::exvector terms{system.bias[j], -system.supplied[j]};
         for (std::size_t l = 0; l < n; ++l)
             terms.push_back(system.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)) * system.symbols.get(SymbolKind::acceleration, l));
         system.residual.push_back(GiNaC::add(terms));
     }
-    for (const auto& member : system.scene.states) system.state_rates.push_back(system.translate(member.item->derivative, Translator::indices_of(member)));
+    for (const auto& member : system.scene.states)
+        system.state_rates.push_back(member.item->derivative ? system.translate(member.item->derivative, Translator::indices_of(member)) : ex(0));
+    for (const Variable& state : system.symbols.all(SymbolKind::state))
+        if (state.is_root) system.state_rates[state.position] = system.state_rates[state.position] / (2 * state.symbol);
+    balances(system);
 }
 
 void outputs(System& system) {
@@ -104,12 +125,16 @@ void check_mass_rows(const System& system) {
 
 System::System(const Names& all_names, Scene chosen)
     : names(all_names), scene(std::move(chosen)), symbols(scene, names), translate(scene, names, symbols) {
-    translate.set_quantities([this](const Expression& e, const Indices& indices) { return quantity(*this, e, indices); });
+    translate.set_quantities([this](const Expression& e, const Indices& indices, const std::vector<ex>& arguments) { return quantity(*this, e, indices, arguments); });
 }
 
 std::unique_ptr<System> derive(const Names& names, Scene scene) {
     auto system = std::make_unique<System>(names, std::move(scene));
     definitions(*system);
+    system->fluids.containers = make_containers(system->scene, system->translate);
+    complete_fluids(system->fluids, system->scene, system->translate, system->symbols);
+    system->internal_energy = system->fluids.internal_energy;
+    system->exchanged_power = system->fluids.exchanged_power;
     system->bodies = body_motions(system->scene, system->translate);
     inertia(*system);
     check_mass_rows(*system);

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "balance/balance_equation.hpp"
 #include "mechanics/dalembert.hpp"
 #include "mechanics/euler_lagrange.hpp"
 #include "mechanics/forces.hpp"
@@ -37,6 +38,7 @@ struct System {
     std::vector<Potential> potentials;
     std::vector<Resistance> resistances;
     std::vector<Supply> supplies;
+    Fluids fluids;
 
     GiNaC::matrix mass;             ///< M, from d'Alembert
     Generalised coriolis;           ///< inertial terms without qdd, from d'Alembert
@@ -44,7 +46,7 @@ struct System {
     Generalised elastic;            ///< of springs and other potentials
     Generalised dissipative;        ///< of dampers
     Generalised supplied;           ///< Q: of forces, torques and inputs
-    Generalised bias;               ///< coriolis - gravity - elastic - dissipative
+    Generalised bias;               ///< coriolis - gravity - elastic - dissipative - (forces of fluids)
     Generalised residual;           ///< M qdd + bias - Q, zero on every motion
 
     std::vector<GiNaC::ex> kinetic; ///< kinetic energies: one a body, then one a plain term
@@ -53,6 +55,8 @@ struct System {
     GiNaC::ex supplied_power;
     GiNaC::ex dissipated_power;
     GiNaC::ex prescribed_power;     ///< contains accelerations where kinematics depend on time
+    GiNaC::ex internal_energy;      ///< of fluids
+    GiNaC::ex exchanged_power;      ///< of enthalpy flows, heat and shafts over the border
 
     std::vector<GiNaC::ex> state_rates;  ///< zd
     std::vector<OutputEquation> outputs;
@@ -61,7 +65,8 @@ struct System {
 /// Derives a scene by d'Alembert's principle; energies and powers on their own. Throws Failure.
 std::unique_ptr<System> derive(const Names& names, Scene scene);
 
-/// The meaning of kinetic_energy[...], mass_matrix[...] and the like.
-GiNaC::ex quantity(const System& system, const Expression& e, const Indices& indices);
+/// The meaning of kinetic_energy[...], mass_matrix[...] and the like. `arguments` are the values of what stands in the brackets
+/// behind a medium: of the second and third.
+GiNaC::ex quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<GiNaC::ex>& arguments);
 
 }  // namespace dalembert

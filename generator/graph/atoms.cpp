@@ -31,7 +31,9 @@ Polynomial renumbered(const Polynomial& p, const std::vector<Letter>& new_letter
 
 const char* name_of(Op op) {
     static constexpr const char* names[]{"symbol", "pi",   "sum",  "sin",  "cos", "tan", "asin", "acos", "atan", "atan2", "sinh",
-                                         "cosh",   "tanh", "exp",  "log",  "sqrt", "inverse_norm", "abs", "sign", "step", "min",  "max",   "power"};
+                                         "cosh",   "tanh", "exp",  "log",  "sqrt", "inverse_norm", "abs", "sign", "step", "min",  "max",   "expm1",
+                                         "log1p", "compression", "signed_root", "inverse_root", "forward_root", "outflow_factor", "outflow_factor_slope",
+                                         "outflow_factor_by_exponent", "power"};
     return names[static_cast<std::size_t>(op)];
 }
 

@@ -49,7 +49,8 @@ public:
         output_jacobian(Function::output_jacobian_x, By::state);
         output_jacobian(Function::output_jacobian_u, By::input);
         constexpr std::array scalars{Function::kinetic_energy, Function::potential_energy, Function::supplied_power, Function::dissipated_power,
-                                     Function::prescribed_power};
+                                     Function::prescribed_power, Function::internal_energy, Function::exchanged_power};
+        values(Function::guards, lowered_.guards, ParameterParts::if_cached);
         for (std::size_t i = 0; i < scalars.size(); ++i) values(scalars[i], {lowered_.scalars[i]}, ParameterParts::if_cached);
         values(Function::start_state, lowered_.start, ParameterParts::in_place);
         update();
@@ -251,7 +252,8 @@ const char* name_of(Function function) {
     static constexpr std::array<const char*, function_count> names{
         "update",            "rhs",          "rhs_and_jacobian",  "jacobian_u",        "jacobian_p",     "jacobian_t",
         "mass_matrix",       "bias",         "generalised_force", "output",            "output_jacobian_x", "output_jacobian_u",
-        "kinetic_energy",    "potential_energy", "supplied_power", "dissipated_power", "prescribed_power", "start_state"};
+        "kinetic_energy",    "potential_energy", "supplied_power", "dissipated_power", "prescribed_power", "internal_energy",
+        "exchanged_power",   "guards",       "start_state"};
     return names[static_cast<std::size_t>(function)];
 }
 

@@ -57,6 +57,9 @@ enum class Function {
     supplied_power,
     dissipated_power,
     prescribed_power,
+    internal_energy,
+    exchanged_power,
+    guards,
     start_state,
 };
 inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::start_state) + 1;

@@ -31,6 +31,10 @@ const std::vector<FunctionOp>& function_ops() {
         {magnitude_SERIAL::serial, Op::abs, 1},     {sign_of_SERIAL::serial, Op::sign, -1},     {unit_step_SERIAL::serial, Op::step, 0},
         {norm_SERIAL::serial, Op::sqrt, 0},         {inverse_norm_SERIAL::serial, Op::inverse_norm, 0},
         {minimum_SERIAL::serial, Op::min, 0},       {maximum_SERIAL::serial, Op::max, 0},
+        {exp_minus_one_SERIAL::serial, Op::expm1, 0}, {log_one_plus_SERIAL::serial, Op::log1p, 0}, {compression_SERIAL::serial, Op::compression, 0},
+        {signed_root_SERIAL::serial, Op::signed_root, -1}, {inverse_root_SERIAL::serial, Op::inverse_root, 1}, {forward_root_SERIAL::serial, Op::forward_root, 0},
+        {outflow_factor_SERIAL::serial, Op::outflow_factor, 0}, {outflow_factor_slope_SERIAL::serial, Op::outflow_factor_slope, 0},
+        {outflow_factor_by_exponent_SERIAL::serial, Op::outflow_factor_by_exponent, 0},
     };
     return table;
 }
@@ -139,6 +143,10 @@ private:
 
     Polynomial function(const ex& e) {
         const unsigned serial = ex_to<GiNaC::function>(e).get_serial();
+        if (serial == whole_SERIAL::serial) {
+            const Polynomial inside = folded((*this)(e.op(0)), atoms_);
+            return inside.is_zero() ? inside : kept_whole(inside, 1);
+        }
         for (const FunctionOp& known : function_ops()) {
             if (known.serial != serial) continue;
             std::vector<Polynomial> arguments;

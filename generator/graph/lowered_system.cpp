@@ -27,6 +27,7 @@ public:
         for (const OutputEquation& output : system_.outputs) l.output.push_back(one(with_rates(output.value)));
         l.definitions = all(system_.symbols.definition_values());
         l.start = all(start_values(system_));
+        for (const Guard& guard : system_.fluids.guards) l.guards.push_back(one(guard.value));
         for (const By by : {By::state, By::input, By::parameter, By::time}) {
             const Partials p = partials(system_, by);
             auto& columns = l.by[static_cast<std::size_t>(by)];
@@ -35,7 +36,7 @@ public:
             for (const auto& column : p.output) columns.output.push_back(all(column));
         }
         for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
-        l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power, system_.prescribed_power});
+        l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power, system_.prescribed_power, system_.internal_energy, system_.exchanged_power});
 
         std::vector<Polynomial*> everything;
         each(l, [&](Polynomial& p) { everything.push_back(&p); });
@@ -60,7 +61,7 @@ private:
     template <class Visit>
     static void each(LoweredSystem& l, const Visit& visit) {
         const auto list = [&](std::vector<Polynomial>& polynomials) { std::for_each(polynomials.begin(), polynomials.end(), visit); };
-        for (auto* part : {&l.mass, &l.force, &l.bias, &l.generalised_force, &l.state_rate, &l.output, &l.definitions, &l.start, &l.scalars}) list(*part);
+        for (auto* part : {&l.mass, &l.force, &l.bias, &l.generalised_force, &l.state_rate, &l.output, &l.definitions, &l.start, &l.guards, &l.scalars}) list(*part);
         for (auto& columns : l.by)
             for (auto* part : {&columns.residual, &columns.state_rate, &columns.output}) std::for_each(part->begin(), part->end(), list);
         std::for_each(l.output_by_acceleration.begin(), l.output_by_acceleration.end(), list);
@@ -77,7 +78,10 @@ std::vector<ex> start_values(const System& system) {
     const auto add = [&](const ExpressionPtr& e, const Indices& indices) { values.push_back(e ? system.translate(e, indices) : ex(0)); };
     for (const auto& member : system.scene.coordinates) add(member.item->start, Translator::indices_of(member));
     for (const auto& member : system.scene.coordinates) add(member.item->start_rate, Translator::indices_of(member));
-    for (const auto& member : system.scene.states) add(member.item->start, Translator::indices_of(member));
+    for (const auto& member : system.scene.states) {
+        add(member.item->start, Translator::indices_of(member));
+        if (member.item->root) values.back() = GiNaC::sqrt(values.back());
+    }
     return values;
 }
 

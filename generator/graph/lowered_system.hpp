@@ -9,7 +9,7 @@ namespace dalembert {
 
 /// Everything that is emitted as polynomials over the same atoms.
 struct LoweredSystem {
-    std::vector<Polynomial> mass, force, bias, generalised_force, state_rate, output, definitions, start;
+    std::vector<Polynomial> mass, force, bias, generalised_force, state_rate, output, definitions, start, guards;
     struct Columns {
         std::vector<std::vector<Polynomial>> residual, state_rate, output;  ///< [column][row]
     };

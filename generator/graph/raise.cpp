@@ -30,6 +30,15 @@ ex apply(Op op, const std::vector<ex>& a) {
         case Op::step: return unit_step(a[0]);
         case Op::min: return minimum(a[0], a[1]);
         case Op::max: return maximum(a[0], a[1]);
+        case Op::expm1: return exp_minus_one(a[0]);
+        case Op::log1p: return log_one_plus(a[0]);
+        case Op::compression: return compression(a[0]);
+        case Op::signed_root: return signed_root(a[0]);
+        case Op::inverse_root: return inverse_root(a[0]);
+        case Op::forward_root: return forward_root(a[0]);
+        case Op::outflow_factor: return outflow_factor(a[0], a[1]);
+        case Op::outflow_factor_slope: return outflow_factor_slope(a[0], a[1]);
+        case Op::outflow_factor_by_exponent: return outflow_factor_by_exponent(a[0], a[1]);
         case Op::power: return GiNaC::pow(a[0], a[1]);
         case Op::symbol:
         case Op::pi:

@@ -36,6 +36,11 @@ public:
         values(Function::supplied_power, {system_.supplied_power});
         values(Function::dissipated_power, {system_.dissipated_power});
         values(Function::prescribed_power, {system_.prescribed_power});
+        values(Function::internal_energy, {system_.internal_energy});
+        values(Function::exchanged_power, {system_.exchanged_power});
+        std::vector<ex> guards;
+        for (const Guard& guard : system_.fluids.guards) guards.push_back(guard.value);
+        values(Function::guards, guards);
         definitions();
         values(Function::start_state, start_values(system_));
         if (code_.solve.unrolled && code_.solve.n > 0) {

@@ -27,7 +27,7 @@ void place_on(BodyMotion& body, const BodyMotion& base) {
 
 }  // namespace
 
-const BodyMotion* find_motion(const std::vector<BodyMotion>& motions, const BodyReference& reference, const Scene& scene, const Indices& indices) {
+const BodyMotion* find_motion(const std::vector<BodyMotion>& motions, const Reference& reference, const Scene& scene, const Indices& indices) {
     const int index = reference.index ? index_value(*reference.index, scene, indices) : 0;
     for (const BodyMotion& motion : motions)
         if (motion.member.item->name == reference.name && motion.member.index == index) return &motion;
@@ -73,7 +73,7 @@ std::vector<BodyMotion> body_motions(const Scene& scene, const Translator& trans
             motions.push_back(std::move(body));
         }
         if (waiting.size() == pending.size()) {
-            const BodyReference& missing = *waiting.front().item->on;
+            const Reference& missing = *waiting.front().item->on;
             throw Failure(Diagnostic{Id::index_out_of_range, missing.span,
                                      fmt::format("body '{}' is placed on '{}', which does not exist or is placed on it",
                                                  waiting.front().name(), std::string(missing.span.text()))});

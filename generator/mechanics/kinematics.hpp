@@ -24,7 +24,7 @@ struct BodyMotion {
 std::vector<BodyMotion> body_motions(const Scene& scene, const Translator& translate);
 
 /// The motion of the body that a reference names; null for the ground.
-const BodyMotion* find_motion(const std::vector<BodyMotion>& motions, const BodyReference& reference, const Scene& scene, const Indices& indices);
+const BodyMotion* find_motion(const std::vector<BodyMotion>& motions, const Reference& reference, const Scene& scene, const Indices& indices);
 
 /// A rate w(q, qd, t) = sum_j jacobian[j]*qd[j] + drift.
 struct AffineRate {

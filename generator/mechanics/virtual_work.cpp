@@ -55,7 +55,7 @@ Supply force_at(std::string name, const SpaceVector& force, const SpaceVector& p
     return result;
 }
 
-const BodyMotion& body_of(const BodyReference& reference, const std::vector<BodyMotion>& bodies, const Scene& scene, const Indices& indices) {
+const BodyMotion& body_of(const Reference& reference, const std::vector<BodyMotion>& bodies, const Scene& scene, const Indices& indices) {
     if (const BodyMotion* body = find_motion(bodies, reference, scene, indices)) return *body;
     throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("there is no body '{}'", std::string(reference.span.text()))});
 }

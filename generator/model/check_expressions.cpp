@@ -219,14 +219,18 @@ private:
 
     unsigned quantity(const Expression& e) {
         const QuantitySpec& spec = *find_quantity(e.name);
-        static constexpr const char* shapes[]{"nothing", "a body", "nothing or a body", "a body and 1, 2 or 3", "a coordinate", "two coordinates"};
+        static constexpr const char* shapes[]{"nothing", "a body", "nothing or a body", "a body and 1, 2 or 3", "a coordinate", "two coordinates",
+                                              "a volume or reservoir", "a volume or reservoir, or a medium, a pressure and a temperature",
+                                              "a medium, a pressure and a temperature", "a volume", "nothing or a volume", "a flow"};
         const std::size_t given = e.children.size();
         const auto shape = static_cast<std::size_t>(spec.subscript);
-        const std::size_t expected = std::array<std::size_t, 6>{0, 1, 1, 2, 1, 2}[shape];
-        if (given != expected && !(spec.subscript == Subscript::optional_body && given == 0)) {
+        const std::size_t expected = std::array<std::size_t, 12>{0, 1, 1, 2, 1, 2, 1, 1, 3, 1, 1, 1}[shape];
+        const bool is_optional = spec.subscript == Subscript::optional_body || spec.subscript == Subscript::optional_volume;
+        if (given != expected && !(is_optional && given == 0) && !(spec.subscript == Subscript::fluid_or_medium && given == 3)) {
             error(Id::wrong_arguments, e.span, fmt::format("'{}' takes {} in square brackets", e.name, shapes[shape]));
             return 0;
         }
+        if (spec.subscript >= Subscript::fluid) return part_quantity(e, spec);
         const bool bodies = spec.subscript == Subscript::body || spec.subscript == Subscript::optional_body || spec.subscript == Subscript::body_and_axis;
         for (std::size_t i = 0; i < given; ++i) {
             const Expression& child = *e.children[i];
@@ -235,6 +239,27 @@ private:
             else coordinate(child);
         }
         return allow(e, on_quantities, "a derived quantity");
+    }
+
+    /// A quantity of a volume, reservoir, medium or flow.
+    unsigned part_quantity(const Expression& e, const QuantitySpec& spec) {
+        if (!e.children.empty()) {
+            const Expression& named = *e.children[0];
+            const Part* found = named.kind == Kind::name ? names_.find_part(named.name) : nullptr;
+            const Part::Kind kind = spec.subscript == Subscript::flow ? Part::Kind::flow : e.children.size() == 3 ? Part::Kind::medium : Part::Kind::volume;
+            const bool takes_reservoirs = kind == Part::Kind::volume && (spec.subscript == Subscript::fluid || spec.subscript == Subscript::fluid_or_medium);
+            if (found == nullptr || (found->kind != kind && !(takes_reservoirs && found->kind == Part::Kind::reservoir))) {
+                static constexpr const char* kinds[]{"a medium", "a volume", "a reservoir", "a flow"};
+                const auto known = takes_reservoirs ? names_.parts({kind, Part::Kind::reservoir}) : names_.parts({kind});
+                error(Id::unknown_name, named.span,
+                      fmt::format("'{}' is not {}{}{}", named.written(), kinds[static_cast<std::size_t>(kind)], takes_reservoirs ? " or reservoir" : "", did_you_mean(named.name, known)));
+            } else {
+                index(named, *found->item);
+            }
+        }
+        unsigned depends = allow(e, spec.is_property ? on_properties : on_quantities, spec.is_property ? "a property of a medium" : "a derived quantity");
+        for (std::size_t i = 1; i < e.children.size(); ++i) depends |= visit(*e.children[i]);
+        return depends;
     }
 
     void body(const Expression& e) {

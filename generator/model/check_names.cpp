@@ -54,6 +54,20 @@ public:
         each_separately(model_.kinetic);
         each_separately(model_.potentials);
         each_separately(model_.generalised_forces);
+        std::map<std::string, const Item*> parts;
+        const auto part = [&](const auto& items) {
+            for (const auto& item : items) {
+                if (!well_formed(item.name, item.span)) continue;
+                const auto [first, is_new] = parts.emplace(item.name, &item);
+                if (!is_new)
+                    diagnostics_.error(Id::doubly_defined, item.span, fmt::format("'{}' is defined twice among media, volumes, reservoirs and flows", item.name),
+                                       {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
+            }
+        };
+        part(model_.media);
+        part(model_.volumes);
+        part(model_.reservoirs);
+        part(model_.flows);
         each_separately(model_.effects);
         each_separately(model_.scenes);
         each_separately(model_.runs);

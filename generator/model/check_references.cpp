@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    void body(const std::optional<BodyReference>& reference, bool needs_position, bool needs_rotation) {
+    void body(const std::optional<Reference>& reference, bool needs_position, bool needs_rotation) {
         if (!reference) return;
         const Body* found = names_.find_body(reference->name);
         if (found == nullptr) {
@@ -126,6 +126,10 @@ private:
         all(model_.kinetic);
         all(model_.potentials);
         all(model_.generalised_forces);
+        all(model_.media);
+        all(model_.reservoirs);
+        all(model_.volumes);
+        all(model_.flows);
         all(model_.printed);
         const auto listed = [&](const std::vector<std::pair<std::string, Span>>& names) {
             for (const auto& [name, span] : names) effect(name, span);
@@ -149,7 +153,7 @@ private:
         const auto check = [&](const std::string& name, const Span& span) {
             std::string base = name.starts_with("dot(") && name.ends_with(")") ? name.substr(4, name.size() - 5) : name;
             base = base.substr(0, base.find('['));
-            const std::vector<std::string> energies{"t", "kinetic_energy", "potential_energy", "work"};
+            const std::vector<std::string> energies{"t", "kinetic_energy", "potential_energy", "internal_energy", "work"};
             if (names_.find(base) != nullptr || std::find(energies.begin(), energies.end(), base) != energies.end()) return;
             std::vector<std::string> known = names_.all();
             known.insert(known.end(), energies.begin(), energies.end());

@@ -68,6 +68,14 @@ public:
                 si_value(entry.value, units_.of_coordinate(entry.coordinate), "the reference", "potential", term);
         }
         for (const GeneralisedForce& force : model_.generalised_forces) force_on(force.coordinate, "generalised force", force);
+        for (const Medium& medium : model_.media) check(medium);
+        for (const Reservoir& reservoir : model_.reservoirs) {
+            expect(reservoir.pressure, Dimension::pressure(), "the pressure", "reservoir", reservoir);
+            expect(reservoir.temperature, Dimension::temperature(), "the temperature", "reservoir", reservoir);
+            expect(reservoir.potential, specific_energy, "the potential", "reservoir", reservoir);
+        }
+        for (const Volume& volume : model_.volumes) check(volume);
+        for (const Flow& flow : model_.flows) check(flow);
         for (const Run& run : model_.runs) check(run);
     }
 
@@ -129,6 +137,62 @@ private:
         law(damper.force, rate, Dimension::power() / rate, "the force law", "damper", damper);
     }
 
+    void check(const Medium& medium) {
+        const Dimension heat = specific_energy / Dimension::temperature();
+        const auto property = [&](const std::optional<Property>& law, const Dimension& first, const Dimension& expected, const char* part) {
+            if (!law) return;
+            Units::Bound bound;
+            if (!law->variables.empty()) bound = {{law->variables[0], first}, {law->variables[1], Dimension::temperature()}};
+            expect(law->body, expected, part, "medium", medium, bound);
+        };
+        expect(medium.gas_constant, heat, "the gas constant", "medium", medium);
+        property(medium.density, Dimension::pressure(), density, "the density");
+        expect(medium.bulk_modulus, Dimension::pressure(), "the bulk modulus", "medium", medium);
+        expect(medium.expansion, Dimension::none() / Dimension::temperature(), "the expansion", "medium", medium);
+        property(medium.isochoric_heat, Dimension::pressure(), heat, "the isochoric heat");
+        property(medium.energy, Dimension::pressure(), specific_energy, "the energy");
+        property(medium.pressure, density, Dimension::pressure(), "the pressure");
+        expect(medium.reference_pressure, Dimension::pressure(), "the reference pressure", "medium", medium);
+        expect(medium.reference_temperature, Dimension::temperature(), "the reference temperature", "medium", medium);
+    }
+
+    void check(const Volume& volume) {
+        expect(volume.volume, Dimension::volume(), "the size", "volume", volume);
+        expect(volume.pressure, Dimension::pressure(), "the pressure", "volume", volume);
+        expect(volume.density, density, "the density", "volume", volume);
+        expect(volume.mass, Dimension::mass(), "the mass", "volume", volume);
+        if (volume.filling) units_.of(*volume.filling, {});
+        expect(volume.temperature, Dimension::temperature(), "the temperature", "volume", volume);
+        expect(volume.isothermal, Dimension::temperature(), "the temperature", "volume", volume);
+        if (volume.polytropic) {
+            expect(volume.polytropic->exponent, Dimension::none(), "the polytropic exponent", "volume", volume);
+            expect(volume.polytropic->pressure, Dimension::pressure(), "the polytropic pressure", "volume", volume);
+            expect(volume.polytropic->temperature, Dimension::temperature(), "the polytropic temperature", "volume", volume);
+        }
+        expect(volume.head, Dimension::length(), "the head", "volume", volume);
+        expect(volume.gravity, Dimension::acceleration(), "the gravity", "volume", volume);
+        expect(volume.potential, specific_energy, "the potential", "volume", volume);
+        expect(volume.heat, Dimension::power(), "the heat", "volume", volume);
+        expect(volume.shaft_power, Dimension::power(), "the shaft power", "volume", volume);
+        expect(volume.smallest, Dimension::volume(), "the smallest size", "volume", volume);
+    }
+
+    void check(const Flow& flow) {
+        const Dimension volume_flow = Dimension::volume() / Dimension::time();
+        expect(flow.mass_flow, Dimension::mass() / Dimension::time(), "the mass flow", "flow", flow);
+        expect(flow.volume_flow, volume_flow, "the volume flow", "flow", flow);
+        expect(flow.area, Dimension::length() * Dimension::length(), "the area", "flow", flow);
+        expect(flow.coefficient, Dimension::none(), "the coefficient", "flow", flow);
+        expect(flow.width, Dimension::pressure(), "the width", "flow", flow);
+        expect(flow.conductance, volume_flow / Dimension::pressure(), "the conductance", "flow", flow);
+        expect(flow.cracking_pressure, Dimension::pressure(), "the cracking pressure", "flow", flow);
+        expect(flow.displacement, Dimension::volume(), "the displacement", "flow", flow);
+        expect(flow.speed, Dimension::none() / Dimension::time(), "the speed", "flow", flow);
+        expect(flow.velocity, Dimension::speed(), "the velocity", "flow", flow);
+        expect(flow.length, Dimension::length(), "the length", "flow", flow);
+        law(flow.loss, Dimension::speed(), Dimension::pressure(), "the loss", "flow", flow);
+    }
+
     void check(const Run& run) {
         const auto seconds = [&](const ExpressionPtr& e, const char* part) {
             if (e) units_.expect_si(*e, Dimension::time(), fmt::format("the {} of run '{}'", part, run.name));
@@ -147,6 +211,8 @@ private:
         if (law) expect(law->body, expected, part, kind, item, {{law->variable, variable}});
     }
 
+    const Dimension density = Dimension::mass() / Dimension::volume();
+    const Dimension specific_energy = Dimension::energy() / Dimension::mass();
     const Model& model_;
     Units units_;
     const Names& names_;

@@ -14,6 +14,10 @@ void check_names(const Model& model, Diagnostics& diagnostics);
 void check_expressions(const Model& model, Diagnostics& diagnostics);
 
 /// Bodies, coordinates, effects and scenes that items refer to by name.
+/// Media, volumes, reservoirs and flows: who refers to whom, and whether laws fit media and states.
+void check_fluids(const Model& model, Diagnostics& diagnostics);
+/// Warns of volumes that can reach zero within the declared ranges of coordinates and states, at the default parameters.
+void warn_of_vanishing(const Model& model, Diagnostics& diagnostics);
 void check_references(const Model& model, Diagnostics& diagnostics);
 
 /// Units of every expression, and that both sides of everything agree.

@@ -34,6 +34,9 @@ public:
     static Dimension acceleration() { return speed() / time(); }
     static Dimension force() { return mass() * acceleration(); }
     static Dimension energy() { return force() * length(); }
+    static Dimension volume() { return length() * length() * length(); }
+    static Dimension pressure() { return force() / (length() * length()); }
+    static Dimension temperature() { return base(4); }
     static Dimension power() { return energy() / time(); }
     static Dimension inertia() { return mass() * length() * length(); }
 

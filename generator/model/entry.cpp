@@ -212,6 +212,14 @@ std::optional<Law> Entry::law(std::string_view key) const {
     return attempt([&] { return parse_law(node->string); });
 }
 
+std::optional<Property> Entry::property(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::property);
+    if (node == nullptr) return std::nullopt;
+    if (node->kind == NodeKind::string) return attempt([&] { return parse_property(node->string); });
+    ExpressionPtr value = expression(*node, ValueType::property);
+    return value ? std::optional(Property{{}, std::move(value), node->span}) : std::nullopt;
+}
+
 std::vector<Equation> Entry::equations(std::string_view key) const {
     const KeySpec* spec = find_key(section_, key);
     const DocumentNode* node = find(key, spec == nullptr ? ValueType::equation : spec->type);
@@ -267,15 +275,24 @@ std::vector<std::pair<std::string, Span>> Entry::names(std::string_view key) con
     return result;
 }
 
-std::optional<BodyReference> Entry::body(std::string_view key) const {
-    const DocumentNode* node = find(key, ValueType::body);
+std::optional<Reference> Entry::reference(std::string_view key, ValueType type, const char* what) const {
+    const DocumentNode* node = find(key, type);
     if (node == nullptr) return std::nullopt;
-    const ExpressionPtr name = expression(*node, ValueType::body);
+    const ExpressionPtr name = expression(*node, type);
     if (!name) return std::nullopt;
     if (name->kind == Expression::Kind::name && name->children.size() <= 1)
-        return BodyReference{name->name, name->children.empty() ? nullptr : name->children[0], name->span};
-    error(Id::wrong_type, node->span, fmt::format("'{}' is not the name of a body", name->written()));
+        return Reference{name->name, name->children.empty() ? nullptr : name->children[0], name->span};
+    error(Id::wrong_type, node->span, fmt::format("'{}' is not the name of {}", name->written(), what));
     return std::nullopt;
+}
+
+std::optional<Reference> Entry::body(std::string_view key) const { return reference(key, ValueType::body, "a body"); }
+std::optional<Reference> Entry::part(std::string_view key) const { return reference(key, ValueType::part, "a medium, volume or reservoir"); }
+
+bool Entry::boolean(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::boolean);
+    if (node != nullptr && node->kind != NodeKind::boolean) wrong_type(*node, ValueType::boolean);
+    return node != nullptr && node->boolean;
 }
 
 std::optional<CoordinateEntry> Entry::coordinate(std::string_view key) const {

@@ -35,11 +35,14 @@ public:
     ExpressionPtr expression(std::string_view key) const;
     std::optional<VectorExpression> vector(std::string_view key) const;
     std::optional<Law> law(std::string_view key) const;
+    std::optional<Property> property(std::string_view key) const;
     std::vector<Equation> equations(std::string_view key) const;
     std::optional<Family> family(std::string_view key) const;
     std::optional<Condition> condition(std::string_view key) const;
     std::vector<std::pair<std::string, Span>> names(std::string_view key) const;
-    std::optional<BodyReference> body(std::string_view key) const;
+    std::optional<Reference> body(std::string_view key) const;
+    std::optional<Reference> part(std::string_view key) const;
+    bool boolean(std::string_view key) const;
     std::optional<CoordinateEntry> coordinate(std::string_view key) const;
     std::vector<RunEntry> by_name(std::string_view key) const;
     std::vector<Plot> plots(std::string_view key) const;
@@ -52,6 +55,7 @@ private:
     const DocumentNode* find(std::string_view key, ValueType type) const;
     void wrong_type(const DocumentNode& node, ValueType expected) const;
     ExpressionPtr expression(const DocumentNode& node, ValueType type) const;
+    std::optional<Reference> reference(std::string_view key, ValueType type, const char* what) const;
     ExpressionPtr constant(const DocumentNode& node, const Unit& unit) const;
     ExpressionPtr bound(const DocumentNode& node, const Unit& unit) const;
     template <class Parse>

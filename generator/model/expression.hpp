@@ -45,6 +45,13 @@ struct Law {
     Span span;
 };
 
+/// A property of a medium: an expression of parameters (no variables), or a law of two, "(p, T) -> ...".
+struct Property {
+    std::vector<std::string> variables;
+    ExpressionPtr body;
+    Span span;
+};
+
 /// "a = b" or "a = b = c": at least two sides.
 struct Equation {
     std::vector<ExpressionPtr> sides;

@@ -4,36 +4,10 @@
 
 #include <array>
 #include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "model/condition.hpp"
-#include "model/dimension.hpp"
-#include "model/expression.hpp"
+#include "model/fluids.hpp"
 
 namespace dalembert {
-
-/// What everything with a name has in common.
-struct Item {
-    std::string name;
-    Span span;
-    std::string doc;
-    std::optional<Family> family;
-    std::optional<Condition> when;
-};
-
-/// Bounds in SI, constant expressions. A bound that is not there is infinite.
-struct Range {
-    ExpressionPtr low;
-    ExpressionPtr high;
-    Span span;
-};
-
-struct Quantity : Item {
-    Unit unit;
-    std::optional<Range> range;
-};
 
 /// Values are in SI: constants, or of a family one for all (its index may occur) or one for each member.
 struct Parameter : Quantity {
@@ -57,10 +31,11 @@ struct Coordinate : Quantity {
 
 struct Input : Quantity {};
 
-/// A plain first-order state: dot(name) = derivative.
+/// A first-order state: dot(name) = derivative, or, without one, what a volume or pipe determines.
 struct State : Quantity {
     ExpressionPtr start;
     ExpressionPtr derivative;
+    bool root = false;  ///< integrated as its square root
 };
 
 struct Output : Item {
@@ -70,13 +45,6 @@ struct Output : Item {
 
 using VectorExpression = std::array<ExpressionPtr, 3>;
 
-/// A body that another thing refers to, with an index where bodies are a family.
-struct BodyReference {
-    std::string name;
-    ExpressionPtr index;
-    Span span;
-};
-
 /// A point mass (mass, position), a planar rigid body (also rotation or angular_velocity, inertia about the centre of mass),
 /// or a body that only turns (no mass).
 struct Body : Item {
@@ -85,7 +53,7 @@ struct Body : Item {
     ExpressionPtr rotation;
     ExpressionPtr angular_velocity;
     ExpressionPtr inertia;
-    std::optional<BodyReference> on;
+    std::optional<Reference> on;
 };
 
 struct Gravity {
@@ -105,21 +73,21 @@ struct Spring : Item {
 /// Between rates (scalar), or of a body's speed through a medium at rest (on).
 struct Damper : Item {
     ExpressionPtr rate;
-    std::optional<BodyReference> on;
+    std::optional<Reference> on;
     ExpressionPtr coefficient;
     std::optional<Law> force;
 };
 
 struct Force : Item {
     VectorExpression force;
-    std::optional<BodyReference> on;
+    std::optional<Reference> on;
     std::optional<VectorExpression> at;
 };
 
 struct Torque : Item {
     ExpressionPtr torque;
-    std::optional<BodyReference> on;
-    std::optional<BodyReference> against;
+    std::optional<Reference> on;
+    std::optional<Reference> against;
     ExpressionPtr rate;
 };
 
@@ -230,6 +198,10 @@ struct Model {
     std::vector<KineticTerm> kinetic;
     std::vector<PotentialTerm> potentials;
     std::vector<GeneralisedForce> generalised_forces;
+    std::vector<Medium> media;
+    std::vector<Reservoir> reservoirs;
+    std::vector<Volume> volumes;
+    std::vector<Flow> flows;
     std::vector<Effect> effects;
     std::vector<SceneChoice> scenes;
     std::string default_scene;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/names.hpp"
 
+#include <algorithm>
+
 #include "model/vocabulary.hpp"
 
 namespace dalembert {
@@ -30,6 +32,13 @@ Names::Names(const Model& model) {
     add(model.states, Named::Kind::state);
     add(model.outputs, Named::Kind::output);
     for (const Body& body : model.bodies) bodies_.emplace(body.name, &body);
+    const auto add_parts = [&](const auto& items, Part::Kind kind) {
+        for (const auto& item : items) parts_.emplace(item.name, Part{kind, &item});
+    };
+    add_parts(model.media, Part::Kind::medium);
+    add_parts(model.volumes, Part::Kind::volume);
+    add_parts(model.reservoirs, Part::Kind::reservoir);
+    add_parts(model.flows, Part::Kind::flow);
 }
 
 const Named* Names::find(std::string_view name) const {
@@ -42,6 +51,18 @@ const Body* Names::find_body(std::string_view name) const {
     return found == bodies_.end() ? nullptr : found->second;
 }
 
+const Part* Names::find_part(std::string_view name) const {
+    const auto found = parts_.find(name);
+    return found == parts_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> Names::parts(std::initializer_list<Part::Kind> kinds) const {
+    std::vector<std::string> names;
+    for (const auto& [name, part] : parts_)
+        if (std::find(kinds.begin(), kinds.end(), part.kind) != kinds.end()) names.push_back(name);
+    return names;
+}
+
 std::vector<std::string> Names::all() const {
     std::vector<std::string> names;
     for (const auto& [name, entry] : table_) names.push_back(name);
@@ -51,7 +72,7 @@ std::vector<std::string> Names::all() const {
 unsigned derivative_dependence(unsigned depends) {
     unsigned result = depends;
     if ((depends & on_coordinates) != 0) result |= on_velocities;
-    if ((depends & (on_velocities | on_states | on_quantities | on_outputs)) != 0) result |= on_accelerations;
+    if ((depends & (on_velocities | on_states | on_properties | on_quantities | on_outputs)) != 0) result |= on_accelerations;
     return result;
 }
 
@@ -62,7 +83,11 @@ unsigned dependence(const Expression& e, const Names& names, std::map<const Defi
     using Kind = Expression::Kind;
     if (e.kind == Kind::name) {
         if (e.name == "t") return on_time;
-        if (find_quantity(e.name) != nullptr) return on_quantities;
+        if (const QuantitySpec* quantity = find_quantity(e.name)) {
+            unsigned result = quantity->is_property ? on_properties : on_quantities;
+            for (const ExpressionPtr& child : e.children) result |= dependence(*child, names, known);
+            return result;
+        }
         const Named* named = names.find(e.name);
         if (named == nullptr) return 0;  // an index, the variable of a law or a letter
         switch (named->kind) {

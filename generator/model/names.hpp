@@ -21,6 +21,13 @@ struct Named {
 
 const char* describe(Named::Kind kind);
 
+/// A medium, volume, reservoir or flow.
+struct Part {
+    enum class Kind { medium, volume, reservoir, flow };
+    Kind kind;
+    const Item* item;
+};
+
 /// The names of a model. Refers into the model, which must outlive it.
 class Names {
 public:
@@ -28,12 +35,16 @@ public:
 
     const Named* find(std::string_view name) const;
     const Body* find_body(std::string_view name) const;
+    const Part* find_part(std::string_view name) const;
+    /// The names of the parts of these kinds.
+    std::vector<std::string> parts(std::initializer_list<Part::Kind> kinds) const;
     std::vector<std::string> all() const;
     const std::map<std::string, Named, std::less<>>& table() const { return table_; }
 
 private:
     std::map<std::string, Named, std::less<>> table_;
     std::map<std::string, const Body*, std::less<>> bodies_;
+    std::map<std::string, Part, std::less<>> parts_;
 };
 
 /// What the time derivative of something depends on that depends on `depends` (bits of Dependence).

@@ -25,6 +25,16 @@ public:
         return {variable, whole_expression(), whole_};
     }
 
+    /// A bracket, two words and an arrow are a law of two variables; everything else is an expression.
+    Property property() {
+        const bool is_law = tokens_.size() > 6 && is_sign("(") && tokens_[1].kind == Token::Kind::word && tokens_[2].text == "," &&
+                            tokens_[3].kind == Token::Kind::word && tokens_[4].text == ")" && tokens_[5].text == "->";
+        if (!is_law) return {{}, whole_expression(), whole_};
+        const std::vector<std::string> variables{tokens_[1].text, tokens_[3].text};
+        at_ = 6;
+        return {variables, whole_expression(), whole_};
+    }
+
     Equation equation() {
         Equation result{{expression()}, whole_};
         if (!is_sign("=")) fail("'=' between the two sides of an equation");
@@ -203,6 +213,7 @@ private:
 }  // namespace
 
 ExpressionPtr parse_expression(const Excerpt& excerpt) { return Parser(excerpt).whole_expression(); }
+Property parse_property(const Excerpt& excerpt) { return Parser(excerpt).property(); }
 Law parse_law(const Excerpt& excerpt) { return Parser(excerpt).law(); }
 Equation parse_equation(const Excerpt& excerpt) { return Parser(excerpt).equation(); }
 Family parse_family(const Excerpt& excerpt) { return Parser(excerpt).family(); }

@@ -11,6 +11,8 @@ namespace dalembert {
 ExpressionPtr parse_expression(const Excerpt& excerpt);
 /// "variable -> expression"
 Law parse_law(const Excerpt& excerpt);
+/// "(p, T) -> expression", or an expression alone
+Property parse_property(const Excerpt& excerpt);
 /// "side = side [= side ...]"
 Equation parse_equation(const Excerpt& excerpt);
 /// "index = from..to"

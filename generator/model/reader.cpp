@@ -5,6 +5,7 @@
 
 #include "model/checks.hpp"
 #include "model/entry.hpp"
+#include "model/read_fluids.hpp"
 #include "model/verdict.hpp"
 #include "text/files.hpp"
 #include "text/nearest.hpp"
@@ -49,6 +50,7 @@ void read(const Entry& e, State& state) {
     read_quantity(e, state);
     state.start = e.constant("start", state.unit);
     state.derivative = e.expression("derivative");
+    state.root = e.boolean("root");
 }
 
 void read(const Entry& e, Output& output) {
@@ -226,6 +228,10 @@ public:
         collection("kinetic", model_.kinetic);
         collection("potentials", model_.potentials);
         collection("generalised_forces", model_.generalised_forces);
+        collection("media", model_.media);
+        collection("reservoirs", model_.reservoirs);
+        collection("volumes", model_.volumes);
+        collection("flows", model_.flows);
         collection("effects", model_.effects);
         scenes();
         collection("printed", model_.printed);
@@ -319,6 +325,7 @@ Model read_model(const SourcePtr& source, Diagnostics& diagnostics) {
     check_names(model, diagnostics);
     diagnostics.stop_on_errors();
     check_references(model, diagnostics);
+    check_fluids(model, diagnostics);
     check_expressions(model, diagnostics);
     diagnostics.stop_on_errors();
     check_units(model, diagnostics);

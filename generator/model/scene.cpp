@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "model/vocabulary.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -102,6 +103,9 @@ public:
         choose(model_.kinetic, scene_.kinetic);
         choose(model_.potentials, scene_.potentials);
         choose(model_.generalised_forces, scene_.generalised_forces);
+        choose(model_.reservoirs, scene_.reservoirs);
+        choose(model_.volumes, scene_.volumes);
+        choose(model_.flows, scene_.flows);
         const bool any_mass = std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [](const auto& body) { return body.item->mass != nullptr; });
         if (model_.gravity && any_mass && scene_.holds(model_.gravity->when)) scene_.gravity = &*model_.gravity;
 
@@ -121,7 +125,11 @@ public:
         use_all(scene_.kinetic, "kinetic term");
         use_all(scene_.potentials, "potential");
         use_all(scene_.generalised_forces, "generalised force");
+        use_all(scene_.reservoirs, "reservoir");
+        use_volumes();
+        use_all(scene_.flows, "flow");
         use_all(scene_.outputs, "output");
+        use_media();
         if (scene_.gravity != nullptr) {
             owner_ = "gravity";
             visit(*scene_.gravity, [&](const Site& site) { use(site); });
@@ -139,6 +147,7 @@ public:
             if (used_.contains(definition.name) && (dependence(*definition.value, names_) & ~on_parameters) == 0)
                 add_members(definition, scene_.definitions);
         check_referred_bodies();
+        check_determined();
         if (scene_.coordinates.empty() && scene_.states.empty())
             fail(Id::nothing_left, model_.name_span, fmt::format("scene '{}' has neither a coordinate nor a state that anything uses", scene_.name));
         return std::move(scene_);
@@ -168,10 +177,94 @@ private:
     }
 
     void use(const Site& site) {
+        if (site.may_be_absent && !holds(*site.expression)) return;
         for_each(*site.expression, [&](const Expression& e) {
             const bool bound = std::find(site.bound.begin(), site.bound.end(), e.name) != site.bound.end();
-            if (e.kind == Kind::name && !bound) use_name(e.name, e.span);
+            if (e.kind != Kind::name || bound) return;
+            if (e.children.size() == 3 && find_quantity(e.name) != nullptr) {  // a property of a medium, at any temperature
+                media_.insert(e.children[0]->name);
+                scene_.thermal_media.insert(e.children[0]->name);
+            }
+            use_name(e.name, e.span);
         });
+    }
+
+    /// Whether what a mere name stands for is in the scene.
+    bool holds(const Expression& name) const {
+        const Named* named = names_.find(name.name);
+        return named == nullptr || scene_.holds(named->item->when);
+    }
+
+    /// A volume whose temperature is held takes the heat that this needs; what was given as heat is not asked for.
+    void use_volumes() {
+        for (const auto& member : scene_.volumes) {
+            owner_ = fmt::format("volume '{}'", member.item->name);
+            Volume used = *member.item;
+            if (!scene_.has_temperature(used, names_)) used.heat = nullptr;
+            visit(used, [&](const Site& site) { use(site); });
+        }
+    }
+
+    /// Media that something holds; where the temperature is everywhere the same, what depends on it is not asked for.
+    void use_media() {
+        const auto hold = [&](const Reference& medium, const Item& item, bool is_thermal) {
+            const Item& held = *names_.find_part(medium.name)->item;
+            if (!scene_.holds(held.when))
+                fail(Id::needs_absent, medium.span, fmt::format("'{}' holds '{}', which scene '{}' leaves out", item.name, held.name, scene_.name), {{held.span, "the medium is defined here"}});
+            media_.insert(medium.name);
+            if (is_thermal) scene_.thermal_media.insert(medium.name);
+        };
+        for (const auto& member : scene_.volumes) {
+            const Volume& volume = *member.item;
+            hold(volume.medium, volume, scene_.has_temperature(volume, names_) || volume.isothermal || volume.polytropic);
+        }
+        for (const auto& member : scene_.reservoirs) hold(member.item->medium, *member.item, member.item->temperature != nullptr);
+        for (const auto& member : scene_.flows)
+            for (const Reference& end : {member.item->from, member.item->to}) {
+                const Part& part = *names_.find_part(end.name);
+                if (!scene_.holds(part.item->when))
+                    fail(Id::needs_absent, end.span, fmt::format("flow '{}' needs '{}', which scene '{}' leaves out", member.item->name, end.name, scene_.name), {{part.item->span, "it is defined here"}});
+            }
+        std::set<std::string> orifices;  // the ratio of specific heats is needed at any temperature
+        for (const auto& member : scene_.flows)
+            if (member.item->law == Flow::Law::pneumatic_orifice) orifices.insert(member.item->from.name);
+        for (const Medium& medium : model_.media) {
+            if (!media_.contains(medium.name)) continue;
+            scene_.media.push_back({&medium});
+            owner_ = fmt::format("medium '{}'", medium.name);
+            Medium used = medium;
+            if (!scene_.thermal_media.contains(medium.name)) {
+                const bool for_orifice = std::any_of(orifices.begin(), orifices.end(), [&](const std::string& name) { return medium_of(name) == medium.name; });
+                if (!for_orifice && medium.law != Medium::Law::given) used.isochoric_heat.reset();
+            }
+            visit(used, [&](const Site& site) { use(site); });
+        }
+    }
+
+    const std::string& medium_of(const std::string& name) const {
+        const Part& part = *names_.find_part(name);
+        return part.kind == Part::Kind::volume ? static_cast<const Volume*>(part.item)->medium.name : static_cast<const Reservoir*>(part.item)->medium.name;
+    }
+
+    /// Each state without a derivative is determined once.
+    void check_determined() {
+        std::map<std::string, const Item*> by;
+        const auto claim = [&](const ExpressionPtr& state, const Item& item) {
+            if (!state) return;
+            const auto [first, is_new] = by.emplace(state->name, &item);
+            if (!is_new && first->second != &item)
+                fail(Id::doubly_determined, state->span, fmt::format("scene '{}': '{}' and '{}' both determine state '{}'", scene_.name, first->second->name, item.name, state->name),
+                     {{first->second->span, fmt::format("'{}' is defined here", first->second->name)}});
+        };
+        for (const auto& member : scene_.volumes) {
+            const Volume& volume = *member.item;
+            for (const ExpressionPtr& state : {volume.filling ? nullptr : volume.pressure, volume.density, volume.mass, volume.filling, scene_.has_temperature(volume, names_) ? volume.temperature : nullptr})
+                claim(state, volume);
+        }
+        for (const auto& member : scene_.flows) claim(member.item->velocity, *member.item);
+        for (const auto& member : scene_.states)
+            if (!member.item->derivative && !by.contains(member.item->name))
+                fail(Id::undetermined, member.item->span, fmt::format("nothing in scene '{}' determines state '{}'", scene_.name, member.item->name));
     }
 
     void use_name(const std::string& name, const Span& span) {
@@ -207,7 +300,7 @@ private:
     }
 
     void check_referred_bodies() {
-        const auto check = [&](const std::optional<BodyReference>& reference, const std::string& owner) {
+        const auto check = [&](const std::optional<Reference>& reference, const std::string& owner) {
             if (!reference) return;
             const Body& body = *names_.find_body(reference->name);
             if (!scene_.holds(body.when))
@@ -228,10 +321,15 @@ private:
     Scene scene_;
     std::set<std::string> effects_;
     std::set<std::string> used_;
+    std::set<std::string> media_;  ///< held by a volume or reservoir, or asked for
     std::string owner_;
 };
 
 }  // namespace
+
+bool Scene::has_temperature(const Volume& volume, const Names& names) const {
+    return volume.temperature && holds(names.find(volume.temperature->name)->item->when);
+}
 
 bool Scene::holds(const std::optional<Condition>& when) const {
     if (!when) return true;

@@ -46,9 +46,16 @@ struct Scene {
     std::vector<Member<KineticTerm>> kinetic;
     std::vector<Member<PotentialTerm>> potentials;
     std::vector<Member<GeneralisedForce>> generalised_forces;
+    std::vector<Member<Medium>> media;
+    std::vector<Member<Reservoir>> reservoirs;
+    std::vector<Member<Volume>> volumes;
+    std::vector<Member<Flow>> flows;
+    std::set<std::string> thermal_media;  ///< whose temperature varies, so that it matters
 
     /// Whether the condition of an item holds.
     bool holds(const std::optional<Condition>& when) const;
+    /// Whether a volume has a temperature state in this scene.
+    bool has_temperature(const Volume& volume, const Names& names) const;
     /// "n_pendulum_N5": the model's name and its sizes.
     std::string sized_name() const;
 };

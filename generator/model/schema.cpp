@@ -50,7 +50,9 @@ constexpr std::array input_keys{unit_key, range_key, doc_key, for_key, when_key}
 constexpr std::array state_keys{
     unit_key,
     KeySpec{"start", T::constant, false, "value at the start, in its unit; 0 if left out"},
-    KeySpec{"derivative", T::expression, true, "its time derivative"},
+    KeySpec{"derivative", T::expression, false, "its time derivative; left out for a state that a volume or pipe determines"},
+    KeySpec{"root", T::boolean, false,
+            "true: it is integrated as its square root, so that an outflow that goes like the root of it ends exactly; for what is not negative"},
     range_key, doc_key, for_key, when_key,
 };
 constexpr std::array output_keys{
@@ -118,6 +120,65 @@ constexpr std::array generalised_force_keys{
     KeySpec{"power", T::choice, false, "\"supplied\" (default) or \"dissipated\": where its power is counted"},
     doc_key, for_key, when_key,
 };
+constexpr std::array medium_keys{
+    KeySpec{"law", T::choice, true,
+            "\"ideal_gas\": density = p/(R*T); \"liquid\": rho_0*exp((p - p_0)/beta - alpha*(T - T_0)) (3.76); \"incompressible\"; \"given\": by density"},
+    KeySpec{"gas_constant", T::expression, false, "of an ideal gas: the specific gas constant R"},
+    KeySpec{"density", T::property, false, "of a liquid at the reference, of what is incompressible; given: \"(p, T) -> ...\""},
+    KeySpec{"bulk_modulus", T::expression, false, "of a liquid: beta (3.41)"},
+    KeySpec{"expansion", T::expression, false, "of a liquid: thermal expansion alpha (3.40); 0 if left out"},
+    KeySpec{"isochoric_heat", T::property, false, "specific heat at constant volume; needed where a temperature varies"},
+    KeySpec{"energy", T::property, false, "given: the specific internal energy \"(p, T) -> ...\" instead of isochoric_heat"},
+    KeySpec{"pressure", T::property, false, "given: the inverse of the density, \"(rho, T) -> ...\"; needed where density or mass is a state"},
+    KeySpec{"reference_pressure", T::expression, false, "p_0: where the internal energy of a liquid is zero"},
+    KeySpec{"reference_temperature", T::expression, false, "T_0; also the temperature of volumes and reservoirs that say none"},
+    doc_key, when_key,
+};
+constexpr std::array reservoir_keys{
+    KeySpec{"medium", T::part, true, "what it holds"},
+    KeySpec{"pressure", T::expression, true, "its pressure, absolute; may depend on inputs and the time"},
+    KeySpec{"temperature", T::expression, false, "its temperature; that of the medium's reference if left out"},
+    KeySpec{"potential", T::expression, false, "specific potential energy, as \"g*z_1\""},
+    doc_key, for_key, when_key,
+};
+constexpr std::array volume_keys{
+    KeySpec{"medium", T::part, true, "what it holds"},
+    KeySpec{"volume", T::expression, true, "its volume; may depend on coordinates, the time, and the filling"},
+    KeySpec{"pressure", T::expression, false, "the state that is its pressure; with filling: the pressure at the surface, an expression"},
+    KeySpec{"density", T::expression, false, "instead: the state that is its density"},
+    KeySpec{"mass", T::expression, false, "instead: the state that is its mass"},
+    KeySpec{"filling", T::expression, false, "instead: the state that its volume follows, as the level of a tank"},
+    KeySpec{"temperature", T::expression, false, "the state that is its temperature; where a scene leaves it out, the temperature is not balanced"},
+    KeySpec{"isothermal", T::expression, false, "the temperature at which it is held; that of the medium's reference if left out"},
+    KeySpec{"polytropic", T::expressions_by_name, false, "instead: { exponent, pressure, temperature } of the course of an ideal gas (3.65)"},
+    KeySpec{"head", T::expression, false, "height of the surface above the outlets, with filling"},
+    KeySpec{"gravity", T::expression, false, "acceleration of gravity along the head"},
+    KeySpec{"potential", T::expression, false, "specific potential energy, as \"g*z_1\""},
+    KeySpec{"heat", T::expression, false, "heat flow into it from outside; counts where its temperature is a state of the scene, else heat is what holds the temperature"},
+    KeySpec{"shaft_power", T::expression, false, "power of a shaft into it from outside"},
+    KeySpec{"smallest", T::expression, false, "the volume at which a run stops; 0 if left out"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array flow_keys{
+    KeySpec{"from", T::part, true, "the volume or reservoir that it leaves; the flow counts positive this way"},
+    KeySpec{"to", T::part, true, "the volume or reservoir that it enters"},
+    KeySpec{"law", T::choice, false,
+            "\"hydraulic_orifice\" (3.150), \"pneumatic_orifice\" (3.156), \"laminar\", \"check_valve\", \"pump\", \"pipe\"; none if the flow is given"},
+    KeySpec{"mass_flow", T::expression, false, "the mass flow, given"},
+    KeySpec{"volume_flow", T::expression, false, "the volume flow, given, at the density of the side that it comes from; also of a pump"},
+    KeySpec{"area", T::expression, false, "of an orifice or pipe; of an orifice it may depend on inputs"},
+    KeySpec{"coefficient", T::expression, false, "of an orifice: contraction coefficient (3.149)"},
+    KeySpec{"width", T::expression, false,
+            "of an orifice, a pressure: instead of the root of dp, whose slope is infinite at zero, dp/(dp^2 + width^2)^(1/4); 16 % low at dp = width, 0.25 % at 10 widths"},
+    KeySpec{"conductance", T::expression, false, "of a laminar leak or check valve: volume flow over pressure difference"},
+    KeySpec{"cracking_pressure", T::expression, false, "of a check valve: the pressure difference at which it opens; 0 if left out"},
+    KeySpec{"displacement", T::expression, false, "of a pump: volume for each radian"},
+    KeySpec{"speed", T::expression, false, "of a pump: its angular velocity; where it contains velocities the shaft acts on the mechanics"},
+    KeySpec{"velocity", T::expression, false, "of a pipe: the state that is its velocity"},
+    KeySpec{"length", T::expression, false, "of a pipe"},
+    KeySpec{"loss", T::law, false, "of a pipe: loss of pressure over the velocity, \"v -> zeta*rho/2*v*abs(v)\""},
+    doc_key, for_key, when_key,
+};
 constexpr std::array effect_keys{
     KeySpec{"doc", T::text, true, "what the effect is"},
     KeySpec{"excludes", T::effects, false, "effects that cannot be in the same scene"},
@@ -165,7 +226,7 @@ constexpr std::array table{
                 "[coordinates]\nphi = { unit = \"rad\", start = \"pi/6\", doc = \"rod angle, 0 hanging\" }", coordinate_keys, ""},
     SectionSpec{"inputs", true, "What drives the machine from outside.", "[inputs]\nf_e = { unit = \"N\", doc = \"driving force\" }",
                 input_keys, ""},
-    SectionSpec{"states", true, "Plain first-order states beside the mechanics.",
+    SectionSpec{"states", true, "First-order states beside the mechanics: plain ones with their derivative, or those that volumes and pipes determine.",
                 "[states.u_C]\nunit = \"V\"\nderivative = \"i_C/C\"", state_keys, ""},
     SectionSpec{"outputs", true, "What is measured or reported.", "[outputs]\nheight = \"-l*cos(phi)\"", output_keys, "value"},
     SectionSpec{"gravity", false, "Free fall acting on every mass.", "[gravity]\nacceleration = [0, \"-g\", 0]", gravity_keys, ""},
@@ -185,6 +246,15 @@ constexpr std::array table{
                 "[potentials.leaf]\nforces = { z_1 = \"-c*(z_1 - z_2)\", z_2 = \"-c*(z_2 - z_1)\" }", potential_keys, ""},
     SectionSpec{"generalised_forces", true, "Forces on coordinates for which there is no component.",
                 "[generalised_forces.load]\ncoordinate = \"phi_2\"\nforce = \"-tau_l\"", generalised_force_keys, ""},
+    SectionSpec{"media", true, "Gases and liquids.",
+                "[media.air]\nlaw            = \"ideal_gas\"\ngas_constant   = \"R_s\"\nisochoric_heat = \"c_v\"", medium_keys, ""},
+    SectionSpec{"reservoirs", true, "Media at a state that the model does not change: ambient, supply.",
+                "[reservoirs.ambient]\nmedium   = \"air\"\npressure = \"p_0\"", reservoir_keys, ""},
+    SectionSpec{"volumes", true,
+                "Control volumes. Balances of mass (3.98) and energy (3.165) determine the states that they name; the force p*dV/dq acts on the mechanics by itself.",
+                "[volumes.chamber_1]\nmedium      = \"oil\"\nvolume      = \"A_1*s\"\npressure    = \"p_1\"\ntemperature = \"T_1\"", volume_keys, ""},
+    SectionSpec{"flows", true, "Flows between volumes and reservoirs. What flows carries the enthalpy of the side that it comes from.",
+                "[flows.leak]\nfrom        = \"chamber_1\"\nto          = \"chamber_2\"\nlaw         = \"laminar\"\nconductance = \"c_L\"", flow_keys, ""},
     SectionSpec{"effects", true, "Effects that a scene may call for or leave out.",
                 "[effects]\nviscous_friction = { doc = \"friction of the cart, proportional to its speed\" }", effect_keys, ""},
     SectionSpec{"scenes", true,
@@ -237,12 +307,14 @@ const char* describe(ValueType type) {
         case T::expression: return "expression";
         case T::vector: return "[x, y] or [x, y, z]";
         case T::law: return "law \"e -> ...\"";
+        case T::property: return "expression or \"(p, T) -> ...\"";
         case T::equation: return "equation";
         case T::equations: return "list of equations";
         case T::family: return "\"k = 1..N\"";
         case T::condition: return "condition";
         case T::effects: return "list of effects";
         case T::body: return "body";
+        case T::part: return "name";
         case T::coordinate: return "coordinate";
         case T::expressions_by_name: return "{ NAME = expression }";
         case T::choice: return "one of";

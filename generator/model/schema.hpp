@@ -21,12 +21,14 @@ enum class ValueType {
     expression,
     vector,
     law,
+    property,    ///< an expression of parameters, or a law of two variables
     equation,
     equations,
     family,
     condition,
     effects,
     body,
+    part,        ///< a volume, reservoir or medium
     coordinate,
     expressions_by_name,
     choice,

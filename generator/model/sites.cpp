@@ -31,7 +31,16 @@ public:
         bound.push_back(law->variable);
         visitor_({law->body.get(), allowed, fmt::format("the {} of {}", part, owner_), bound});
     }
-    void operator()(const std::optional<BodyReference>& body) const {
+    void operator()(const std::optional<Property>& property, unsigned allowed, const char* part) const {
+        if (!property) return;
+        std::vector<std::string> bound = bound_;
+        bound.insert(bound.end(), property->variables.begin(), property->variables.end());
+        visitor_({property->body.get(), allowed, fmt::format("the {} of {}", part, owner_), bound});
+    }
+    void operator()(const Reference& part) const {
+        if (part.index) visitor_({part.index.get(), constant_only, fmt::format("the index of '{}'", part.name), bound_, true});
+    }
+    void operator()(const std::optional<Reference>& body) const {
         if (body && body->index) visitor_({body->index.get(), constant_only, fmt::format("the index of '{}'", body->name), bound_, true});
     }
     void operator()(const CoordinateEntry& entry, unsigned allowed, const char* part) const {
@@ -149,6 +158,66 @@ void visit(const GeneralisedForce& item, const SiteVisitor& visitor) {
     Visit(item, "generalised force", visitor)(item.coordinate, on_state_and_inputs, "force");
 }
 
+void visit(const Medium& item, const SiteVisitor& visitor) {
+    const Visit each(item, "medium", visitor);
+    each(item.gas_constant, constant_only, "gas constant");
+    each(item.density, constant_only, "density");
+    each(item.bulk_modulus, constant_only, "bulk modulus");
+    each(item.expansion, constant_only, "expansion");
+    each(item.isochoric_heat, constant_only, "isochoric heat");
+    each(item.energy, constant_only, "energy");
+    each(item.pressure, constant_only, "pressure");
+    each(item.reference_pressure, constant_only, "reference pressure");
+    each(item.reference_temperature, constant_only, "reference temperature");
+}
+
+void visit(const Reservoir& item, const SiteVisitor& visitor) {
+    const Visit each(item, "reservoir", visitor);
+    each(item.pressure, on_parameters | on_inputs | on_time, "pressure");
+    each(item.temperature, on_parameters | on_inputs | on_time, "temperature");
+    each(item.potential, on_parameters | on_time, "potential");
+}
+
+void visit(const Volume& item, const SiteVisitor& visitor) {
+    const Visit each(item, "volume", visitor);
+    each(item.volume, item.filling ? on_configuration | on_states : on_configuration, "size");
+    each(item.pressure, item.filling ? on_plain_states_and_inputs : on_states, "pressure");
+    each(item.density, on_states, "density");
+    each(item.mass, on_states, "mass");
+    each(item.filling, on_states, "filling");
+    if (item.temperature) visitor({item.temperature.get(), on_states, "the temperature of " + each.owner_, each.bound_, false, true});
+    each(item.isothermal, constant_only, "temperature");
+    if (item.polytropic) {
+        each(item.polytropic->exponent, constant_only, "polytropic exponent");
+        each(item.polytropic->pressure, constant_only, "polytropic pressure");
+        each(item.polytropic->temperature, constant_only, "polytropic temperature");
+    }
+    each(item.head, on_parameters | on_states, "head");
+    each(item.gravity, constant_only, "gravity");
+    each(item.potential, constant_only, "potential");
+    each(item.heat, on_state_and_inputs, "heat");
+    each(item.shaft_power, on_state_and_inputs, "shaft power");
+    each(item.smallest, constant_only, "smallest size");
+}
+
+void visit(const Flow& item, const SiteVisitor& visitor) {
+    const Visit each(item, "flow", visitor);
+    each(item.from);
+    each(item.to);
+    each(item.mass_flow, on_state_and_inputs, "mass flow");
+    each(item.volume_flow, on_state_and_inputs, "volume flow");
+    each(item.area, item.law == Flow::Law::pipe ? constant_only : on_state_and_inputs, "area");
+    each(item.coefficient, on_state_and_inputs, "coefficient");
+    each(item.width, constant_only, "width");
+    each(item.conductance, on_state_and_inputs, "conductance");
+    each(item.cracking_pressure, on_state_and_inputs, "cracking pressure");
+    each(item.displacement, on_state_and_inputs, "displacement");
+    each(item.speed, on_state_and_inputs, "speed");
+    each(item.velocity, on_states, "velocity");
+    each(item.length, constant_only, "length");
+    each(item.loss, constant_only, "loss");
+}
+
 void visit(const PrintedEquation& item, const SiteVisitor& visitor) {
     Visit each(item, "printed equation", visitor);
     for (const PrintedLetter& letter : item.letters) each.bound_.push_back(letter.name);
@@ -200,6 +269,10 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.kinetic);
     all(model.potentials);
     all(model.generalised_forces);
+    all(model.media);
+    all(model.reservoirs);
+    all(model.volumes);
+    all(model.flows);
     all(model.printed);
     all(model.runs);
 }

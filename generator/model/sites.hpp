@@ -20,12 +20,14 @@ enum Dependence : unsigned {
     on_accelerations = 64,  ///< also derivatives of plain states: known only when the equations are solved
     on_quantities = 128,    ///< derived quantities such as kinetic_energy
     on_outputs = 256,
+    on_properties = 512,    ///< of media in volumes and reservoirs: density[chamber] and the like
 
     nothing = 0,
     constant_only = on_parameters,
     on_configuration = on_parameters | on_coordinates | on_time,
     on_motion = on_configuration | on_velocities,
-    on_state_and_inputs = on_motion | on_inputs | on_states,
+    on_plain_states_and_inputs = on_motion | on_inputs | on_states,
+    on_state_and_inputs = on_plain_states_and_inputs | on_properties,
     on_anything = on_state_and_inputs | on_accelerations | on_quantities | on_outputs,
 };
 
@@ -37,6 +39,8 @@ struct Site {
     std::vector<std::string> bound;
     /// sizes only: bounds of a family
     bool sizes_only = false;
+    /// the state named here may be left out of a scene
+    bool may_be_absent = false;
 };
 
 using SiteVisitor = std::function<void(const Site&)>;
@@ -57,6 +61,10 @@ void visit(const Torque& item, const SiteVisitor& visitor);
 void visit(const KineticTerm& item, const SiteVisitor& visitor);
 void visit(const PotentialTerm& item, const SiteVisitor& visitor);
 void visit(const GeneralisedForce& item, const SiteVisitor& visitor);
+void visit(const Medium& item, const SiteVisitor& visitor);
+void visit(const Reservoir& item, const SiteVisitor& visitor);
+void visit(const Volume& item, const SiteVisitor& visitor);
+void visit(const Flow& item, const SiteVisitor& visitor);
 void visit(const PrintedEquation& item, const SiteVisitor& visitor);
 void visit(const Run& item, const SiteVisitor& visitor);
 

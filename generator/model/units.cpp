@@ -123,7 +123,7 @@ Measure Units::name(const Expression& e, const Bound& bound) {
     if (const auto found = bound.find(e.name); found != bound.end()) return {found->second};
     if (e.name == "pi") return {};
     if (e.name == "t") return {Dimension::time()};
-    if (find_quantity(e.name) != nullptr) return quantity(e);
+    if (find_quantity(e.name) != nullptr) return quantity(e, bound);
     const Named* named = names_.find(e.name);
     if (named == nullptr) return {};  // an index of a family
     switch (named->kind) {
@@ -142,13 +142,36 @@ Measure Units::name(const Expression& e, const Bound& bound) {
     return definitions_[&definition] = measure;
 }
 
-Measure Units::quantity(const Expression& e) const {
+Measure Units::quantity(const Expression& e, const Bound& bound) {
+    if (e.children.size() == 3) {  // a property of a medium at a pressure and a temperature
+        expect(*e.children[1], Dimension::pressure(), fmt::format("the pressure in '{}'", e.written()), bound);
+        expect(*e.children[2], Dimension::temperature(), fmt::format("the temperature in '{}'", e.written()), bound);
+    }
     const auto coordinate = [&](std::size_t i) { return of_coordinate(e.children[i]->name); };
     const Dimension energy = Dimension::energy();
     if (e.name == "position") return {Dimension::length()};
     if (e.name == "velocity") return {Dimension::speed()};
     if (e.name == "generalised_force" || e.name == "nonpotential_force" || e.name == "bias") return {energy / coordinate(0)};
     if (e.name == "mass_matrix") return {energy * Dimension::time() * Dimension::time() / coordinate(0) / coordinate(1)};
+    static const std::map<std::string, Dimension, std::less<>> fluid{
+        {"pressure", Dimension::pressure()},
+        {"bulk_modulus", Dimension::pressure()},
+        {"temperature", Dimension::temperature()},
+        {"expansion", Dimension::none() / Dimension::temperature()},
+        {"pressure_coefficient", Dimension::none() / Dimension::temperature()},
+        {"density", Dimension::mass() / Dimension::volume()},
+        {"mass", Dimension::mass()},
+        {"volume", Dimension::volume()},
+        {"specific_energy", energy / Dimension::mass()},
+        {"specific_enthalpy", energy / Dimension::mass()},
+        {"isochoric_heat", energy / Dimension::mass() / Dimension::temperature()},
+        {"isobaric_heat", energy / Dimension::mass() / Dimension::temperature()},
+        {"mass_flow", Dimension::mass() / Dimension::time()},
+        {"inflow", Dimension::mass() / Dimension::time()},
+        {"volume_flow", Dimension::volume() / Dimension::time()},
+        {"heat", Dimension::power()},
+    };
+    if (const auto found = fluid.find(e.name); found != fluid.end()) return {found->second};
     if (e.name.ends_with("_power")) return {Dimension::power()};
     return {energy};
 }

@@ -32,7 +32,7 @@ public:
 
 private:
     Measure name(const Expression& e, const Bound& bound);
-    Measure quantity(const Expression& e) const;
+    Measure quantity(const Expression& e, const Bound& bound);
     Measure call(const Expression& e, const Bound& bound);
     Measure power(const Expression& e, const Bound& bound);
     Measure agreeing(const Expression& whole, const Expression& a, const Measure& ma, const Expression& b, const Measure& mb);

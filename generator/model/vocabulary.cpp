@@ -16,7 +16,8 @@ constexpr std::array function_table{
     FunctionSpec{"atan2", 2, U::angle_of},      FunctionSpec{"sinh", 1, U::dimensionless}, FunctionSpec{"cosh", 1, U::dimensionless},
     FunctionSpec{"tanh", 1, U::dimensionless},  FunctionSpec{"exp", 1, U::dimensionless},  FunctionSpec{"log", 1, U::dimensionless},
     FunctionSpec{"sqrt", 1, U::square_root},    FunctionSpec{"abs", 1, U::same},           FunctionSpec{"sign", 1, U::sign},
-    FunctionSpec{"min", 2, U::same},            FunctionSpec{"max", 2, U::same},
+    FunctionSpec{"min", 2, U::same},            FunctionSpec{"max", 2, U::same},           FunctionSpec{"expm1", 1, U::dimensionless},
+    FunctionSpec{"log1p", 1, U::dimensionless},
 };
 
 using S = Subscript;
@@ -35,6 +36,25 @@ constexpr std::array quantity_table{
     QuantitySpec{"nonpotential_force", S::coordinate, "what acts on a coordinate without a potential (2.215)"},
     QuantitySpec{"mass_matrix", S::two_coordinates, "entry of the mass matrix M"},
     QuantitySpec{"bias", S::coordinate, "entry of the bias in M*ddot(q) + bias = Q(u)"},
+    QuantitySpec{"pressure", S::fluid, "pressure in a volume at its outlets, or of a reservoir", true},
+    QuantitySpec{"temperature", S::fluid, "temperature in a volume or reservoir", true},
+    QuantitySpec{"density", S::fluid_or_medium, "density in a volume or reservoir: density[tank], or of a medium at a state: density[oil, p, T]", true},
+    QuantitySpec{"specific_energy", S::fluid_or_medium, "specific internal energy", true},
+    QuantitySpec{"specific_enthalpy", S::fluid_or_medium, "specific enthalpy (3.33)", true},
+    QuantitySpec{"mass", S::volume, "mass in a volume", true},
+    QuantitySpec{"volume", S::volume, "size of a volume", true},
+    QuantitySpec{"expansion", S::medium, "isobaric thermal expansion (3.40)", true},
+    QuantitySpec{"bulk_modulus", S::medium, "isothermal bulk modulus (3.41)", true},
+    QuantitySpec{"pressure_coefficient", S::medium, "isochoric pressure coefficient (3.42)", true},
+    QuantitySpec{"isochoric_heat", S::medium, "specific heat at constant volume (3.31)", true},
+    QuantitySpec{"isobaric_heat", S::medium, "specific heat at constant pressure (3.37)", true},
+    QuantitySpec{"mass_flow", S::flow, "mass flow, positive from `from` to `to`"},
+    QuantitySpec{"volume_flow", S::flow, "mass flow over the density of the side that it comes from"},
+    QuantitySpec{"inflow", S::fluid, "sum of the mass flows into a volume or reservoir"},
+    QuantitySpec{"heat", S::volume, "heat flow into a volume: given, or what holds its temperature or its course"},
+    QuantitySpec{"shaft_power", S::flow, "power that the shaft of a pump puts into what flows"},
+    QuantitySpec{"internal_energy", S::optional_volume, "energy stored in all volumes and pipes, or in one volume; with its potential energy"},
+    QuantitySpec{"exchanged_power", S::nothing, "power of enthalpy flows, heat and shafts across the border of the model"},
 };
 
 constexpr auto special_forms = std::to_array<std::string_view>({"dot", "ddot", "sum", "diff", "integral"});
@@ -88,7 +108,7 @@ constexpr auto header_names = std::to_array<std::string_view>({
     "output",  "parameter",  "name",       "scene",      "title",     "api",       "api_version", "degrees",  "degrees_of_freedom", "state_count",
     "input_count", "output_count", "parameter_count", "start_values", "state_quantities", "input_quantities", "output_quantities",
     "parameter_quantities", "jacobian_x_pattern", "jacobian_u_pattern", "jacobian_p_pattern", "detail", "pow", "rhs", "rhs_and_jacobian", "jacobian_x",
-    "jacobian_u", "jacobian_p", "jacobian_t", "update", "parameters", "start_state", "mode", "mass_factors",
+    "jacobian_u", "jacobian_p", "jacobian_t", "update", "parameters", "start_state", "mode", "mass_factors", "Guard", "Guards", "guards", "guard", "guard_count", "guard_list",
 });
 
 template <class Table>

@@ -25,15 +25,29 @@ std::span<const FunctionSpec> functions();
 const FunctionSpec* find_function(std::string_view name);
 
 /// What stands in the brackets behind a derived quantity.
-enum class Subscript { nothing, body, optional_body, body_and_axis, coordinate, two_coordinates };
+enum class Subscript {
+    nothing,
+    body,
+    optional_body,
+    body_and_axis,
+    coordinate,
+    two_coordinates,
+    fluid,            ///< a volume or reservoir
+    fluid_or_medium,  ///< a volume or reservoir, or a medium with pressure and temperature
+    medium,           ///< a medium with pressure and temperature
+    volume,
+    optional_volume,
+    flow,
+};
 
 struct QuantitySpec {
     const char* name;
     Subscript subscript;
     const char* doc;
+    bool is_property = false;  ///< known from the state: usable wherever states are
 };
 
-/// kinetic_energy, mass_matrix[q, p], ...: usable in outputs and printed equations.
+/// kinetic_energy, mass_matrix[q, p], ...: usable in outputs and printed equations, properties also elsewhere.
 std::span<const QuantitySpec> quantities();
 const QuantitySpec* find_quantity(std::string_view name);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "model/verdict.hpp"
+#include "prove/media.hpp"
 
 namespace dalembert {
 
@@ -19,7 +20,7 @@ std::vector<AuditEntry> compare_derivations(const System& system, Prover& prover
     const std::vector<ex> lagrange = euler_lagrange(system.kinetic, symbols);
     std::vector<AuditEntry> entries;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
-        const ex other = lagrange[j] + partial(system.potential_energy, symbols.get(SymbolKind::coordinate, j)) - system.dissipative[j] - system.supplied[j];
+        const ex other = lagrange[j] + partial(system.potential_energy, symbols.get(SymbolKind::coordinate, j)) - system.dissipative[j] - system.supplied[j] - system.fluids.force[j];
         entries.push_back({fmt::format("d'Alembert = Euler-Lagrange, {}", symbols.all(SymbolKind::coordinate)[j].name), prover.equal(system.residual[j], other)});
     }
     return entries;
@@ -38,15 +39,67 @@ std::vector<AuditEntry> compare_potentials(const System& system, Prover& prover)
     return entries;
 }
 
-/// d(T+V)/dt = supplied - dissipated + prescribed on every motion: the two sides differ by sum of residual times velocity.
+/// State rates replaced by what was derived for them.
+ex with_rates(const System& system, const ex& e) {
+    GiNaC::exmap rates;
+    for (std::size_t i = 0; i < system.state_rates.size(); ++i) rates[system.symbols.get(SymbolKind::state_rate, i)] = system.state_rates[i];
+    return e.subs(rates, GiNaC::subs_options::no_pattern);
+}
+
+/// d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged on every motion: the two sides differ by sum of residual times
+/// velocity. E is that of the media, its change by the chain rule.
 AuditEntry balance_power(const System& system, Prover& prover) {
     const Symbols& symbols = system.symbols;
     GiNaC::exvector change;
     for (const ex& energy : system.kinetic) change.push_back(symbols.time_derivative(energy));
     for (const Potential& p : system.potentials) change.push_back(symbols.time_derivative(p.energy));
-    ex power = system.supplied_power - system.dissipated_power + system.prescribed_power;
+    if (!system.internal_energy.is_zero()) change.push_back(with_rates(system, symbols.time_derivative(system.internal_energy)));
+    ex power = system.supplied_power - system.dissipated_power + system.prescribed_power + system.exchanged_power;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) power += system.residual[j] * symbols.get(SymbolKind::velocity, j);
     return {"power balance", prover.equal(GiNaC::add(change), power)};
+}
+
+/// d(m)/dt = sum of the flows at the ports, and d(m*e)/dt = what the flows bring + heat + shaft - p*dV/dt, by the chain rule through
+/// rho(p, T) and e(p, T), which the derivation of the rates does not use.
+std::vector<AuditEntry> compare_balances(const System& system, Prover& prover) {
+    const Fluids& fluids = system.fluids;
+    const Symbols& symbols = system.symbols;
+    std::vector<AuditEntry> entries;
+    for (std::size_t i = 0; i < fluids.containers.volumes.size(); ++i) {
+        const ControlVolume& v = fluids.containers.volumes[i];
+        const std::string name = v.member.name();
+        ex mass = 0;
+        ex power = fluids.balances[i].heat + v.shaft_power - v.surface_pressure * with_rates(system, symbols.time_derivative(v.size));
+        for (const FlowState& f : fluids.flows) {
+            if (f.from_volume == &v) {
+                mass -= f.mass_flow;
+                power -= f.leaving();
+            }
+            if (f.to_volume == &v) {
+                mass += f.mass_flow;
+                power += f.arriving();
+            }
+        }
+        entries.push_back({"balance of mass, " + name, prover.equal(with_rates(system, symbols.time_derivative(v.mass())), mass)});
+        entries.push_back({"balance of energy, " + name, prover.equal(with_rates(system, symbols.time_derivative(v.stored_energy())), power)});
+    }
+    for (const FlowState& f : fluids.flows)
+        if (f.velocity_state) entries.push_back({"balance of energy, " + f.member.name(), prover.equal(with_rates(system, symbols.time_derivative(f.stored_energy)), f.leaving() - f.arriving() + f.shaft_power)});
+    return entries;
+}
+
+/// Identities of each medium in its letters p and T. Energy and density are those that are emitted.
+std::vector<AuditEntry> compare_media(const System& system, Prover& prover) {
+    std::vector<AuditEntry> entries;
+    for (const MediumModel& medium : system.fluids.containers.media) {
+        if (!medium.is_compressible()) continue;
+        for (MediumIdentity& identity : medium_identities(medium)) {
+            AuditEntry entry{fmt::format("{}, {}", identity.name, medium.item().name), {Verdict::proven}};
+            if (!prover.proven_equal(identity.left, identity.right)) entry.result = compare_at_states(system, medium, identity);
+            entries.push_back(std::move(entry));
+        }
+    }
+    return entries;
 }
 
 }  // namespace
@@ -55,6 +108,8 @@ std::vector<const AuditEntry*> Audit::all() const {
     std::vector<const AuditEntry*> result;
     for (const AuditEntry& entry : derivations) result.push_back(&entry);
     for (const AuditEntry& entry : potentials) result.push_back(&entry);
+    for (const AuditEntry& entry : media) result.push_back(&entry);
+    for (const AuditEntry& entry : balances) result.push_back(&entry);
     result.push_back(&power_balance);
     return result;
 }
@@ -64,9 +119,13 @@ bool Audit::all_proven() const {
     return std::all_of(entries.begin(), entries.end(), [](const AuditEntry* entry) { return entry->result.verdict == Verdict::proven; });
 }
 
+const char* Audit::power_balance_name(const System& system) {
+    return system.fluids.empty() ? "d(T + V)/dt = supplied - dissipated" : "d(T + V + E)/dt = supplied - dissipated + exchanged";
+}
+
 Audit audit(const System& system) {
     Prover prover(system);
-    return {compare_derivations(system, prover), compare_potentials(system, prover), balance_power(system, prover)};
+    return {compare_derivations(system, prover), compare_potentials(system, prover), compare_media(system, prover), compare_balances(system, prover), balance_power(system, prover)};
 }
 
 std::optional<NotIntegrable> integrability(const System& system, const Generalised& force) {

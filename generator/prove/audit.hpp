@@ -14,10 +14,14 @@ struct AuditEntry {
 struct Audit {
     std::vector<AuditEntry> derivations;  ///< one a coordinate
     std::vector<AuditEntry> potentials;   ///< one a potential
+    std::vector<AuditEntry> media;        ///< integrability, (3.21) and (3.43), of each medium
+    std::vector<AuditEntry> balances;     ///< mass and energy of each volume, and the changes of variable
     AuditEntry power_balance;
 
     std::vector<const AuditEntry*> all() const;
     bool all_proven() const;
+    /// "d(T + V)/dt = supplied - dissipated", with what fluids add where there are any.
+    static const char* power_balance_name(const System& system);
 };
 
 Audit audit(const System& system);

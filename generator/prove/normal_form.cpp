@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_terms = 40'000;
 constexpr double most_products = 4e6;
 constexpr int largest_multiple = 24;
-constexpr int most_restarts = 8;
+constexpr int most_restarts = 200;
 
 }  // namespace
 
@@ -46,8 +46,11 @@ void NormalForm::forget() {
     inverses_.clear();
     inverse_order_.clear();
     atoms_.clear();
+    logarithms_.clear();
     known_functions_.clear();
-    has_relation_.assign(positive_.size(), false);
+    symbols_.clear();
+    positive_.clear();
+    has_relation_.clear();
 }
 
 NormalForm::Letter NormalForm::new_letter(bool positive) {
@@ -114,6 +117,32 @@ Polynomial NormalForm::function(const ex& e) {
     if (name == "magnitude") {
         const Polynomial x = convert(e.op(0));
         return multiply(x, sign_of(x));
+    }
+    if (name == "whole") return convert(e.op(0));
+    if (name == "exp_minus_one") return exponential(convert(e.op(0))) - Polynomial(1);
+    if (name == "compression") {
+        const Polynomial x = convert(e.op(0));
+        Polynomial more = x;
+        more += Polynomial(1);
+        return Polynomial(1) - multiply(more, exponential(-x));
+    }
+    if (name == "log") return logarithm(convert(e.op(0)));
+    if (name == "log_one_plus") {
+        Polynomial x = convert(e.op(0));
+        x += Polynomial(1);
+        return logarithm(x);
+    }
+    if (name == "signed_root" || name == "inverse_root" || name == "forward_root") {
+        const Polynomial x = convert(e.op(0));
+        const Polynomial sign = sign_of(x);
+        const Polynomial magnitude_root = root(multiply(x, sign), 2);
+        if (name == "inverse_root") return inverse(magnitude_root);
+        Polynomial factor = sign;
+        if (name == "forward_root") {
+            factor += Polynomial(1);
+            factor *= Rational(1) / 2;
+        }
+        return multiply(factor, magnitude_root);
     }
     if (name == "norm") return root(convert(e.op(0)), 2);
     if (name == "inverse_norm") return inverse(root(convert(e.op(0)), 2));
@@ -194,7 +223,17 @@ std::pair<Polynomial, Polynomial> NormalForm::sine_and_cosine(const Polynomial& 
 
 Polynomial NormalForm::exponential(const Polynomial& argument) {
     Monomial product;
+    Polynomial powers(1);
     for (const auto& [monomial, factor] : argument.terms()) {
+        // exp(n/d*log(x)) = x^(n/d)
+        if (monomial.size() == 1 && monomial[0].exponent == 1 && logarithms_.contains(monomial[0].letter)) {
+            const auto n = to_int(cln::numerator(factor));
+            const auto d = to_int(cln::denominator(factor));
+            if (!n || !d) throw NoNormalForm("a large exponent");
+            const Polynomial& base = logarithms_.at(monomial[0].letter);
+            powers = multiply(powers, integer_power(*d == 1 ? base : root(base, *d), *n));
+            continue;
+        }
         const int n = multiple(factor, monomial, exponential_denominators_);
         auto found = exponentials_.find(monomial);
         if (found == exponentials_.end()) found = exponentials_.emplace(monomial, Angle{new_letter(true), 0}).first;
@@ -202,7 +241,7 @@ Polynomial NormalForm::exponential(const Polynomial& argument) {
     }
     Polynomial result;
     result.add(product, 1);
-    return result;
+    return multiply(result, powers);
 }
 
 /// S with S^2 = 1, the same letter for x and, with the other sign, for -x. At x = 0 nothing is claimed.

@@ -52,6 +52,10 @@ private:
     Polynomial root_of_number(const Rational& value, int degree);
     std::pair<Polynomial, Polynomial> sine_and_cosine(const Polynomial& argument);
     Polynomial exponential(const Polynomial& argument);
+    Polynomial logarithm(const Polynomial& argument);
+    Polynomial logarithm_of_letter(Letter letter);
+    Polynomial logarithm_of_number(const Rational& value);
+    Polynomial logarithm_atom(const Polynomial& argument);
     Polynomial sign_of(const Polynomial& argument);
     Polynomial atom(const std::string& name, const GiNaC::ex& e);
 
@@ -68,7 +72,8 @@ private:
     void forget();
 
     std::set<std::string> assumed_positive_;
-    std::map<std::string, Letter> symbols_;        ///< these and the denominators survive a restart
+    std::map<std::string, Letter> symbols_;
+    /// These survive a restart. Letters are numbered in the order in which they are met, which is the same after one.
     std::map<Monomial, int> angle_denominators_;
     std::map<Monomial, int> exponential_denominators_;
 
@@ -82,6 +87,7 @@ private:
     std::map<Polynomial, Letter> inverses_;
     std::vector<std::pair<Letter, Polynomial>> inverse_order_;
     std::map<std::pair<std::string, std::vector<Polynomial>>, Letter> atoms_;
+    std::map<Letter, Polynomial> logarithms_;      ///< letters that stand for log(polynomial)
     std::map<GiNaC::ex, Polynomial, GiNaC::ex_is_less> known_functions_;
 };
 

@@ -25,17 +25,75 @@ Polynomial NormalForm::power(const ex& base, const ex& exponent) {
         const Polynomial b = convert(base);
         return integer_power(*denominator == 1 ? b : root(b, *denominator), *numerator);
     }
-    // b^(r + ...) with rational r: the rational part is taken out, so that b^(k+1) = b*b^k.
-    const Polynomial e = convert(exponent);
-    Rational whole = 0;
-    if (const auto number = e.terms().find(Monomial()); number != e.terms().end()) whole = cln::floor1(number->second);
-    const auto n = to_int(whole);
-    if (!n) throw NoNormalForm("a large exponent");
-    const Polynomial rest = e - Polynomial(whole);
-    const std::vector<Polynomial> key{convert(base), rest};
-    const auto [found, is_new] = atoms_.emplace(std::pair(std::string("power"), key), 0);
-    if (is_new) found->second = new_letter(true);
-    return multiply(Polynomial::letter(found->second), integer_power(key[0], *n));
+    // A power with symbols in its exponent exists for positive bases only.
+    return exponential(multiply(convert(exponent), logarithm(convert(base))));
+}
+
+/// The logarithm of what is positive where it exists: of a product the sum of the logarithms, as far as the factors are known to be positive.
+Polynomial NormalForm::logarithm(const Polynomial& argument) {
+    if (argument.is_zero()) throw NoNormalForm("the logarithm of zero");
+    Rational factor = leading(argument);
+    if (is_negative(factor)) factor = -factor;
+    Polynomial result = logarithm_of_number(factor);
+    Polynomial rest = argument;
+    rest *= Rational(1) / factor;
+    for (const LetterPower& p : common_factor(rest)) {
+        if (!positive_[p.letter]) continue;
+        rest = rest * Monomial{{p.letter, -p.exponent}};
+        Polynomial one = logarithm_of_letter(p.letter);
+        one *= Rational(p.exponent);
+        result += one;
+    }
+    if (rest == Polynomial(1)) return result;
+    // A reciprocal alone is as positive as its denominator.
+    for (const auto& [letter, denominator] : inverse_order_)
+        if (rest == Polynomial::letter(letter)) return result - logarithm(denominator);
+    return result += logarithm_atom(rest);
+}
+
+Polynomial NormalForm::logarithm_of_letter(Letter letter) {
+    for (const auto& [exponent, letters] : exponentials_) {
+        if (letters.first != letter) continue;
+        Polynomial result;
+        result.add(exponent, Rational(1) / exponential_denominators_.at(exponent));
+        return result;
+    }
+    if (has_relation_[letter]) {
+        const Relation& relation = relations_.at(letter);
+        Polynomial result = logarithm(relation.value);
+        result *= Rational(1) / relation.degree;
+        return result;
+    }
+    return logarithm_atom(Polynomial::letter(letter));
+}
+
+Polynomial NormalForm::logarithm_of_number(const Rational& value) {
+    Polynomial result;
+    const auto take = [&](cln::cl_I n, int sign) {
+        const auto add = [&](const cln::cl_I& prime) {
+            Polynomial one = logarithm_atom(Polynomial(Rational(prime)));
+            one *= Rational(sign);
+            result += one;
+        };
+        for (int prime = 2; prime < 1000 && n > 1; ++prime)
+            while (cln::zerop(cln::mod(n, cln::cl_I(prime)))) {
+                n = cln::exquo(n, cln::cl_I(prime));
+                add(cln::cl_I(prime));
+            }
+        if (n > 1) add(n);
+    };
+    take(cln::numerator(value), 1);
+    take(cln::denominator(value), -1);
+    return result;
+}
+
+Polynomial NormalForm::logarithm_atom(const Polynomial& argument) {
+    const auto [found, is_new] = atoms_.emplace(std::pair(std::string("log"), std::vector<Polynomial>{argument}), 0);
+    if (is_new) {
+        found->second = new_letter();
+        logarithms_[found->second] = argument;
+    }
+    return Polynomial::letter(found->second);
 }
 
 /// b^(1/q), q > 1, for b where that is real. Positive factors are taken out.
@@ -49,6 +107,13 @@ Polynomial NormalForm::root(const Polynomial& base, int degree) {
     for (const LetterPower& p : common_factor(inside)) {
         if (!positive_[p.letter]) continue;
         inside = inside * Monomial{{p.letter, -p.exponent}};
+        const bool is_exponential = std::any_of(exponentials_.begin(), exponentials_.end(), [&](const auto& known) { return known.second.first == p.letter; });
+        if (is_exponential) {
+            Polynomial exponent = logarithm_of_letter(p.letter);
+            exponent *= Rational(p.exponent) / degree;
+            outside = multiply(outside, exponential(exponent));
+            continue;
+        }
         if (p.exponent % degree == 0) {
             outside = multiply(outside, integer_power(Polynomial::letter(p.letter), p.exponent / degree));
             continue;

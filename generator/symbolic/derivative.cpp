@@ -28,6 +28,13 @@ ex slope(const ex& f) {
     if (is_ex_the_function(f, magnitude)) return sign_of(u);
     if (is_ex_the_function(f, sign_of) || is_ex_the_function(f, unit_step)) return 0;
     if (is_ex_the_function(f, norm)) return inverse_norm(u) / 2;
+    if (is_ex_the_function(f, whole)) return 1;
+    if (is_ex_the_function(f, exp_minus_one)) return GiNaC::exp(u);
+    if (is_ex_the_function(f, log_one_plus)) return pow(1 + u, -1);
+    if (is_ex_the_function(f, compression)) return u * GiNaC::exp(-u);
+    if (is_ex_the_function(f, signed_root)) return inverse_root(u) / 2;
+    if (is_ex_the_function(f, inverse_root)) return -pow(f, 3) * sign_of(u) / 2;
+    if (is_ex_the_function(f, forward_root)) return unit_step(u) * inverse_root(u) / 2;
     if (is_ex_the_function(f, inverse_norm)) return -pow(f, 3) / 2;
     throw std::logic_error("no derivative of " + ex_to<GiNaC::function>(f).get_name());
 }
@@ -38,6 +45,7 @@ std::pair<ex, ex> slopes(const ex& f) {
     const ex& b = f.op(1);
     if (is_ex_the_function(f, minimum)) return {unit_step(b - a), unit_step(a - b)};
     if (is_ex_the_function(f, maximum)) return {unit_step(a - b), unit_step(b - a)};
+    if (is_ex_the_function(f, outflow_factor)) return {outflow_factor_slope(a, b), outflow_factor_by_exponent(a, b)};
     if (is_ex_the_function(f, GiNaC::atan2)) return {b / (pow(a, 2) + pow(b, 2)), -a / (pow(a, 2) + pow(b, 2))};
     throw std::logic_error("no derivative of " + ex_to<GiNaC::function>(f).get_name());
 }

@@ -15,4 +15,20 @@ DECLARE_FUNCTION_1P(inverse_norm)  ///< 1/sqrt(x), and 0 at 0, where a speed has
 DECLARE_FUNCTION_2P(minimum)
 DECLARE_FUNCTION_2P(maximum)
 
+DECLARE_FUNCTION_1P(whole)         ///< x itself, not multiplied out in what is emitted: a difference that must keep its digits
+DECLARE_FUNCTION_1P(exp_minus_one) ///< exp(x) - 1
+DECLARE_FUNCTION_1P(log_one_plus)  ///< log(1 + x)
+DECLARE_FUNCTION_1P(compression)   ///< 1 - (1 + x)*exp(-x), the energy of a liquid (3.79); derivative x*exp(-x)
+DECLARE_FUNCTION_1P(signed_root)   ///< sign(x)*sqrt(|x|), derivative inverse_root(x)/2
+DECLARE_FUNCTION_1P(inverse_root)  ///< 1/sqrt(|x|), infinite at zero
+DECLARE_FUNCTION_1P(forward_root)  ///< sqrt(x) above zero, else 0
+
+/// The outflow function (3.160) of d = 1 - (pressure ratio) and the isentropic exponent, over sqrt(d); 1 at d = 0.
+DECLARE_FUNCTION_2P(outflow_factor)
+DECLARE_FUNCTION_2P(outflow_factor_slope)        ///< its derivative by d
+DECLARE_FUNCTION_2P(outflow_factor_by_exponent)  ///< its derivative by the exponent
+
+/// What whole, exp_minus_one, log_one_plus and compression stand for, for proofs.
+GiNaC::ex in_elementary_functions(const GiNaC::ex& e);
+
 }  // namespace dalembert

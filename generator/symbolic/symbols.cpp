@@ -77,8 +77,11 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
     for (const auto& member : scene.states) {
         const State& item = *member.item;
         const bool is_member = item.family.has_value();
-        add(SymbolKind::state, member.name(), is_positive(item, names), {item.name, member.index, is_member, item.unit.si(), item.doc, &item});
-        add(SymbolKind::state_rate, "dot(" + member.name() + ")", false, {item.name, member.index, is_member, "", ""});
+        const std::string name = item.root ? "sqrt(" + member.name() + ")" : member.name();
+        const std::string unit = item.root ? item.unit.dimension.raised({1, 2}).in_base_units() : item.unit.si();
+        add(SymbolKind::state, name, item.root || is_positive(item, names),
+            {item.name, member.index, is_member, unit, item.root && !item.doc.empty() ? "root of: " + item.doc : item.doc, &item, item.root});
+        add(SymbolKind::state_rate, "dot(" + name + ")", false, {item.name, member.index, is_member, "", "", nullptr, item.root});
     }
 }
 
@@ -89,7 +92,7 @@ void Symbols::add(SymbolKind kind, const std::string& name, bool positive, Origi
     by_name_.emplace(name, std::pair(kind, list.size()));
     by_name_.emplace(key(kind, origin.base, origin.index), std::pair(kind, list.size()));
     list.push_back({kind, list.size(), name, std::move(origin.base), origin.index, origin.is_member, std::move(origin.unit), std::move(origin.doc),
-                    origin.declared, positive, symbol});
+                    origin.declared, positive, origin.is_root, symbol});
 }
 
 const Variable* Symbols::find(SymbolKind kind, const std::string& base, int index) const {

@@ -28,6 +28,7 @@ struct Variable {
     std::string doc;
     const Quantity* declared;  ///< with unit and range; null for what is not declared itself, as velocities
     bool is_positive;  ///< by its declared range
+    bool is_root;      ///< a state that is the square root of what the model calls so
     GiNaC::ex symbol;  ///< an ex, because a GiNaC::symbol by value forgets that it is real or positive
 };
 
@@ -72,6 +73,7 @@ private:
         std::string unit = {};
         std::string doc = {};
         const Quantity* declared = nullptr;
+        bool is_root = false;
     };
     void add(SymbolKind kind, const std::string& name, bool positive, Origin origin);
 

@@ -89,12 +89,15 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
     const Named* named = names_.find(e.name);
     if (named == nullptr) {
         if (!quantities_) fail(Id::not_allowed_here, e, fmt::format("'{}' has no meaning here", e.written()));
-        return quantities_(e, indices);
+        std::vector<ex> arguments;
+        if (e.children.size() == 3) arguments = {0, visit(*e.children[1], indices, letters), visit(*e.children[2], indices, letters)};
+        return quantities_(e, indices, arguments);
     }
     const int index = member_index(e, *named->item, indices);
     static constexpr SymbolKind kinds[]{SymbolKind::letter, SymbolKind::parameter, SymbolKind::definition, SymbolKind::coordinate,
                                         SymbolKind::input,  SymbolKind::state,     SymbolKind::letter};
-    if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index)) return variable->symbol;
+    if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index))
+        return variable->is_root ? GiNaC::pow(variable->symbol, 2) : variable->symbol;
     if (named->kind == Named::Kind::definition || named->kind == Named::Kind::output) {
         // Not a letter of its own: it depends on the motion, or only printed equations and values use it. Inserted where it stands.
         const ExpressionPtr& value =
@@ -165,6 +168,8 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
         if (e.name == "tanh") return GiNaC::tanh(x);
         if (e.name == "exp") return GiNaC::exp(x);
         if (e.name == "log") return GiNaC::log(x);
+        if (e.name == "expm1") return exp_minus_one(x);
+        if (e.name == "log1p") return log_one_plus(x);
         if (e.name == "sqrt") return power(e, x, numeric(1, 2));
         if (e.name == "abs") return magnitude(x);
         if (e.name == "sign") return sign_of(x);

@@ -24,7 +24,8 @@ inline SpaceVector partial(const SpaceVector& v, const GiNaC::ex& symbol) {
 class Translator {
 public:
     /// Gives kinetic_energy, mass_matrix[...] and the like their meaning. Bodies and coordinates in it are resolved with `indices`.
-    using Quantities = std::function<GiNaC::ex(const Expression&, const Indices&)>;
+    /// The third argument holds the values of a pressure and a temperature behind a medium, else nothing.
+    using Quantities = std::function<GiNaC::ex(const Expression&, const Indices&, const std::vector<GiNaC::ex>&)>;
 
     Translator(const Scene& scene, const Names& names, const Symbols& symbols) : scene_(scene), names_(names), symbols_(symbols) {}
 
@@ -45,6 +46,7 @@ public:
 
     const Scene& scene() const { return scene_; }
     const Symbols& symbols() const { return symbols_; }
+    const Names& names() const { return names_; }
 
 private:
     GiNaC::ex visit(const Expression& e, const Indices& indices, const Letters& letters) const;

@@ -65,7 +65,7 @@ void Values::assign(const Variable& variable, const ex& value, const Span& place
         if (size > largest || size < largest.inverse())
             throw Failure(Diagnostic{Id::number_too_large, place, fmt::format("the value of '{}' is beyond 1e300 or within 1e-300 of zero", variable.name)});
     }
-    values_[key(variable.kind, variable.position)] = value;
+    values_[key(variable.kind, variable.position)] = variable.is_root ? GiNaC::sqrt(value) : value;
     const Quantity* ranged = variable.declared;
     if (ranged == nullptr || !ranged->range) return;
     const ex number = GiNaC::is_exactly_a<numeric>(value) ? value : value.subs(substitution(), GiNaC::subs_options::no_pattern);

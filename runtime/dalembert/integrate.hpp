@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "dalembert/events.hpp"
 #include "dalembert/integration_options.hpp"
 #include "dalembert/status.hpp"
 
@@ -32,8 +33,8 @@ std::size_t first_not_finite(const std::array<Scalar, N>& x) noexcept {
     return N;
 }
 
-/// Integrates; the observer is called as observe(t, x) at the output points in order.
-template <class State, class Rhs, class Observer>
+/// Integrates; the observer is called as observe(t, x) at the output points in order. There are G guards.
+template <class State, class Rhs, class Observer, class Guards, std::size_t G>
 class Integration {
     using Scalar = typename State::value_type;
     static constexpr std::size_t N = std::tuple_size<State>::value;
@@ -41,8 +42,8 @@ class Integration {
     using On = Stepper<State, Scalar, State, Scalar, odeint::array_algebra, odeint::default_operations, odeint::initially_resizer>;
 
 public:
-    Integration(Rhs& rhs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observe)
-        : rhs_(rhs), x_(x), from_(from), to_(to), t_(from), options_(options), observe_(observe) {}
+    Integration(Rhs& rhs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observe, Guards& guards, const std::array<bool, G>& ends)
+        : rhs_(rhs), x_(x), from_(from), to_(to), t_(from), options_(options), observe_(observe), events_(guards, ends) {}
 
     Outcome run() {
         using std::isfinite;
@@ -52,8 +53,14 @@ public:
         if (bad) return end(Status::bad_options);
         evaluate(x_, t_, dxdt_);
         if (!good(x_, dxdt_)) return end_not_finite(Scalar(0));
-        observe_(t_, x_);
+        observe(t_);
+        if constexpr (G > 0) {
+            if (events_.not_a_number(x_, t_) != G) return end_not_finite(Scalar(0));
+            const std::size_t guard = events_.start(x_, t_);
+            if (guard != G) return end_at(Status::event, guard);
+        }
         if (to_ == from_) return end(Status::success);
+        if constexpr (G > 0) leave_zero();
         switch (options_.method) {
             case Method::rk4: return fixed_steps();
             case Method::dopri5: return dense_steps(true);
@@ -64,7 +71,10 @@ public:
     }
 
 private:
+    using Try = Candidate<State>;
+
     void evaluate(const State& x, Scalar t, State& dxdt) {
+        if constexpr (G > 0) events_.see(x, t);
         ++outcome_.rhs_calls;
         rhs_(x, t, dxdt);
     }
@@ -73,6 +83,17 @@ private:
         outcome_.status = status;
         outcome_.t = static_cast<double>(t_);
         return outcome_;
+    }
+
+    Outcome end_at(Status status, std::size_t guard) {
+        outcome_.guard = guard;
+        return end(status);
+    }
+
+    /// The state where the run is, as that at the time t: the same but for a few last digits.
+    void observe(Scalar t) {
+        observe_(t, x_);
+        observed_ = t_;
     }
 
     static bool good(const State& a, const State& b) { return first_not_finite(a) == N && first_not_finite(b) == N; }
@@ -88,6 +109,11 @@ private:
             for (std::size_t k = 0; k < N; ++k) ahead[k] += further * dxdt[k];
             evaluate(ahead, t_ + further, dxdt);
             i = std::min(first_not_finite(ahead), first_not_finite(dxdt));
+        }
+        if constexpr (G > 0) {
+            const std::size_t here = events_.not_a_number(x_, t_);
+            const std::size_t guard = here != G ? here : events_.not_a_number(ahead, t_ + further);
+            if (i == N && guard != G) outcome_.guard = guard;
         }
         outcome_.state = i;
         return end(Status::not_finite);
@@ -153,58 +179,69 @@ private:
     Outcome fixed_steps() {
         On<odeint::runge_kutta4> stepper;
         auto f = [this](const State& x, State& dxdt, Scalar t) { evaluate(x, t, dxdt); };
+        const auto take = [&](Try& c) {
+            c.error = State{};
+            stepper.do_step(f, x_, dxdt_, t_, c.y, c.length);
+            c.has_derivative = false;
+            c.finite = good(c.y, c.y);
+        };
         for (std::size_t i = 1; i <= options_.intervals; ++i) {
-            const Scalar begin = t_;
-            const Scalar length = output_time(i) - begin;
-            using std::ceil;
-            const auto count = static_cast<std::size_t>(std::max(1.0, static_cast<double>(ceil(length / options_.step * (Scalar(1) - Scalar(1e-9))))));
-            const Scalar h = length / Scalar(static_cast<double>(count));
-            for (std::size_t k = 0; k < count; ++k) {
-                if (outcome_.steps == options_.max_steps) return end(Status::too_many_steps);
-                State y = x_;
-                stepper.do_step(f, y, t_, h);
-                if (!good(y, y)) return end_not_finite(h);
-                x_ = y;
-                ++outcome_.steps;
-                t_ = k + 1 == count ? output_time(i) : begin + h * Scalar(static_cast<double>(k + 1));
+            while (t_ < output_time(i)) {
+                const Scalar begin = t_;
+                const Scalar length = output_time(i) - begin;
+                using std::ceil;
+                const auto count = static_cast<std::size_t>(std::max(1.0, static_cast<double>(ceil(length / options_.step * (Scalar(1) - Scalar(1e-9))))));
+                const Scalar h = length / Scalar(static_cast<double>(count));
+                for (std::size_t k = 0; k < count; ++k) {
+                    if (outcome_.steps == options_.max_steps) return end(Status::too_many_steps);
+                    Try c;
+                    c.length = h;
+                    c.end = k + 1 == count ? output_time(i) : begin + h * Scalar(static_cast<double>(k + 1));
+                    try_step(c, take, [this](Try& step, Scalar t, State& x) { interpolate(step, t, x); });
+                    if (!c.finite) return end_not_finite(h);
+                    accept(c);
+                    if (is_cut()) break;
+                }
+                const Status status = pass_event();
+                if (status != Status::success) return stop(status);
             }
-            observe_(t_, x_);
+            observe(output_time(i));
         }
         return end(Status::success);
     }
 
-    /// One accepted step of at most h; leaves the size of the next one in h. `step` computes y and its error.
-    template <class Step>
-    Status accepted_step(Scalar& h, Scalar limit, int order, State& y, Step step) {
+    /// One step that can be accepted, of at most h and not beyond `target`; leaves the size of the next one in h.
+    template <class Take, class Between>
+    Status acceptable_step(Scalar& h, Scalar target, int order, Try& c, Take take, Between between) {
+        const Scalar limit = target - t_;
         bool not_finite = false;
         while (true) {
             if (outcome_.steps + outcome_.rejected >= options_.max_steps) return Status::too_many_steps;
             if (options_.max_step > Scalar(0) && h > options_.max_step) h = options_.max_step;
-            const bool clipped = h >= limit;
-            const Scalar now = clipped ? limit : h;
-            if (!(now > smallest_step()) && !clipped) return not_finite ? Status::not_finite : Status::step_too_small;
-            State error;
-            step(now, y, error);
-            if (!good(y, error)) {
+            bool clipped = h >= limit;
+            c.length = clipped ? limit : h;
+            c.end = clipped ? target : t_ + c.length;
+            if (!(c.length > smallest_step()) && !clipped) return not_finite ? Status::not_finite : Status::step_too_small;
+            try_step(c, take, between);
+            clipped = clipped || is_cut();
+            if (!c.finite) {
                 not_finite = true;
                 ++outcome_.rejected;
-                h = now / Scalar(4);
+                h = c.length / Scalar(4);
                 continue;
             }
-            const Scalar e = error_norm(error, y);
+            const Scalar e = error_norm(c.error, c.y);
             if (!(e <= Scalar(1))) {
                 using std::max;
                 using std::pow;
                 ++outcome_.rejected;
-                h = now * max(Scalar(1) / Scalar(10), Scalar(9) / Scalar(10) * pow(e, -Scalar(1) / Scalar(order)));
+                h = c.length * max(Scalar(1) / Scalar(10), Scalar(9) / Scalar(10) * pow(e, -Scalar(1) / Scalar(order)));
                 continue;
             }
             // After a step that was cut to end on an output point, the size from before is as good a guess as ever.
             const Scalar factor = step_factor(e, order);
-            h = clipped ? std::max(h, now * factor) : now * factor;
+            h = clipped ? std::max(h, c.length * factor) : c.length * factor;
             last_error_ = std::max(e, Scalar(1) / Scalar(10000));
-            taken_ = now;
-            ++outcome_.steps;
             return Status::success;
         }
     }
@@ -213,20 +250,25 @@ private:
         constexpr int order = 8;
         On<odeint::runge_kutta_fehlberg78> stepper;
         auto f = [this](const State& x, State& dxdt, Scalar t) { evaluate(x, t, dxdt); };
+        const auto take = [&](Try& c) {
+            stepper.do_step(f, x_, dxdt_, t_, c.y, c.length, c.error);
+            c.has_derivative = false;
+            c.finite = good(c.y, c.error);
+        };
         Scalar h = first_step(order);
         for (std::size_t i = 1; i <= options_.intervals; ++i) {
             const Scalar target = output_time(i);
             while (t_ < target) {
-                State y;
-                const Scalar limit = target - t_;
-                const Status status = accepted_step(h, limit, order, y, [&](Scalar now, State& out, State& error) { stepper.do_step(f, x_, dxdt_, t_, out, now, error); });
+                Try c;
+                Status status = acceptable_step(h, target, order, c, take, [this](Try& step, Scalar t, State& x) { interpolate(step, t, x); });
                 if (status != Status::success) return stop(status);
-                t_ = taken_ == limit ? target : t_ + taken_;
-                x_ = y;
-                evaluate(x_, t_, dxdt_);
+                accept(c);
+                status = pass_event();
+                if (status != Status::success) return stop(status);
                 if (!good(x_, dxdt_)) return end_not_finite(Scalar(0));
+                if (is_anew_) h = first_step(order);
             }
-            observe_(t_, x_);
+            observe(output_time(i));
         }
         return end(Status::success);
     }
@@ -236,34 +278,155 @@ private:
         constexpr int order = 5;
         On<odeint::runge_kutta_dopri5> stepper;
         auto f = [this](const State& x, State& dxdt, Scalar t) { evaluate(x, t, dxdt); };
+        const auto take = [&](Try& c) {
+            stepper.do_step(f, x_, dxdt_, t_, c.y, c.dydt, c.length, c.error);
+            c.has_derivative = true;
+            c.finite = good(c.y, c.error) && good(c.dydt, c.dydt);
+        };
+        const auto between = [&](const Try& c, Scalar t, State& x) { stepper.calc_state(t, x, x_, dxdt_, t_, c.y, c.dydt, c.end); };
         Scalar h = first_step(order);
         std::size_t next = 1;
         while (next <= options_.intervals) {
-            State y;
-            State dydt;
-            const Scalar target = dense ? to_ : output_time(next);
-            const Scalar limit = target - t_;
-            const Status status = accepted_step(h, limit, order, y, [&](Scalar now, State& out, State& error) {
-                stepper.do_step(f, x_, dxdt_, t_, out, dydt, now, error);
-                const std::size_t culprit = first_not_finite(dydt);
-                if (culprit != N) out[culprit] = std::numeric_limits<Scalar>::quiet_NaN();
-            });
+            Try c;
+            Status status = acceptable_step(h, dense ? to_ : output_time(next), order, c, take, between);
             if (status != Status::success) return stop(status);
-            const Scalar reached = taken_ == limit ? target : t_ + taken_;
-            for (; next <= options_.intervals && output_time(next) < reached; ++next) {
-                State between;
-                stepper.calc_state(output_time(next), between, x_, dxdt_, t_, y, dydt, reached);
-                observe_(output_time(next), between);
+            for (; next <= options_.intervals && output_time(next) < c.end; ++next) {
+                State x;
+                between(c, output_time(next), x);
+                observe_(output_time(next), x);
             }
-            t_ = reached;
-            x_ = y;
-            dxdt_ = dydt;
-            if (next <= options_.intervals && output_time(next) == t_) {
-                observe_(t_, x_);
-                ++next;
-            }
+            accept(c);
+            observe_up_to_now(next);
+            status = pass_event();
+            if (status != Status::success) return stop(status);
+            if (!is_anew_) continue;
+            h = first_step(order);
+            observe_up_to_now(next);
         }
         return end(Status::success);
+    }
+
+    void observe_up_to_now(std::size_t& next) {
+        for (; next <= options_.intervals && output_time(next) <= t_; ++next) observe(output_time(next));
+    }
+
+    void accept(const Try& c) {
+        if (c.length > Scalar(0)) ++outcome_.steps;
+        t_ = c.end;
+        x_ = c.y;
+        if constexpr (G > 0) events_.accept();
+        if (c.has_derivative || is_at_end()) dxdt_ = c.dydt;
+        else evaluate(x_, t_, dxdt_);
+    }
+
+    bool is_cut() const {
+        if constexpr (G > 0) return events_.is_cut();
+        else return false;
+    }
+    /// A guard that ends the run is behind the step that was cut. On the zero itself the right-hand side may have no value.
+    bool is_at_end() const {
+        if constexpr (G > 0) return events_.is_cut() && events_.ending_guard() != G;
+        else return false;
+    }
+
+    /// Makes the step; with guards, only up to its first event.
+    template <class Take, class Between>
+    void try_step(Try& c, Take& take, Between between) {
+        if constexpr (G == 0) {
+            take(c);
+        } else {
+            using std::abs;
+            using std::max;
+            const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+            const Scalar resolution = epsilon * max(Scalar(abs(c.end)), Scalar(epsilon * (to_ - from_)));
+            const auto accurate = [this](const Try& step) { return error_norm(step.error, step.y) <= Scalar(1); };
+            events_.search(c, x_, t_, tiny_step(), resolution, take, between, accurate);
+        }
+    }
+
+    /// A step so short that it does no harm when its stages lie on both sides of a jump.
+    Scalar tiny_step() const { return Scalar(64) * smallest_step(); }
+
+    /// The cubic polynomial through both ends of a step with their derivatives.
+    void interpolate(Try& c, Scalar t, State& x) {
+        if (!c.has_derivative) evaluate(c.y, c.end, c.dydt);
+        c.has_derivative = true;
+        const Scalar s = (t - t_) / c.length;
+        const Scalar r = Scalar(1) - s;
+        for (std::size_t i = 0; i < N; ++i)
+            x[i] = r * r * (Scalar(1) + Scalar(2) * s) * x_[i] + s * s * (Scalar(1) + Scalar(2) * r) * c.y[i] + r * s * c.length * (r * dxdt_[i] - s * c.dydt[i]);
+    }
+
+    /// On its zero a jump may have a value that holds on neither side: a run that starts there starts just behind it.
+    void leave_zero() {
+        using std::abs;
+        using std::max;
+        const Scalar ahead = Scalar(16) * std::numeric_limits<Scalar>::epsilon() * max(Scalar(abs(t_)), Scalar(to_ - from_));
+        if (!events_.is_on_zero() || !(t_ + ahead < to_)) return;
+        State x;
+        State dxdt;
+        for (std::size_t i = 0; i < N; ++i) x[i] = x_[i] + ahead * dxdt_[i];
+        evaluate(x, t_ + ahead, dxdt);
+        if (!good(x, dxdt) || !events_.leave_zero(x, t_ + ahead)) return;
+        t_ += ahead;
+        x_ = x;
+        dxdt_ = dxdt;
+    }
+
+    /// At the end of a step that was cut for an event: ends the run there, or starts anew behind it.
+    Status pass_event() {
+        if constexpr (G > 0) {
+            is_anew_ = false;
+            if (!is_cut()) return Status::success;
+            Scalar t = t_;
+            State x = x_;
+            if (events_.ending_guard() == G && !find_other_side(t, x)) {
+                events_.retract();
+                return Status::success;
+            }
+            const std::size_t ending = events_.ending_guard();
+            if (ending != G) {
+                outcome_.guard = ending;
+                if (observed_ != t_) observe(t_);
+                return Status::event;
+            }
+            is_anew_ = true;
+            t_ = t;
+            x_ = x;
+            const std::size_t changed = events_.changed_guard();
+            outcome_.events += events_.pass();
+            stalled_ = outcome_.events > 1 && !(t_ - last_event_ > smallest_step()) ? stalled_ + 1 : 0;
+            last_event_ = t_;
+            last_error_ = Scalar(1);
+            evaluate(x_, t_, dxdt_);
+            if (!good(x_, dxdt_)) return Status::not_finite;
+            if (outcome_.events > options_.max_events || stalled_ > 100 + G) {
+                outcome_.guard = changed;
+                return Status::event_storm;
+            }
+        }
+        return Status::success;
+    }
+
+    /// The first point behind the event along dx/dt. What the longer step reached there may have used the right-hand side of the other
+    /// side; it is taken only where that makes no difference. If neither is there, the event is yet to come.
+    bool find_other_side(Scalar& t, State& x) {
+        using std::abs;
+        using std::max;
+        const Try& behind = events_.behind();
+        for (Scalar ahead = behind.end - t_; good(dxdt_, dxdt_) && ahead <= tiny_step() && t_ + ahead <= to_; ahead *= Scalar(2)) {
+            t = t_ + ahead;
+            for (std::size_t i = 0; i < N; ++i) x[i] = x_[i] + ahead * dxdt_[i];
+            if (events_.has_changed_at(x, t)) return true;
+        }
+        bool is_near = behind.finite;
+        for (std::size_t i = 0; i < N; ++i) {
+            const Scalar size = max(options_.scale[i], Scalar(abs(x_[i])));
+            is_near = is_near && abs(behind.y[i] - x_[i]) <= Scalar(64) * std::numeric_limits<Scalar>::epsilon() * size;
+        }
+        t = behind.end;
+        x = behind.y;
+        return behind.finite && events_.has_changed() && (is_near || behind.length <= tiny_step() || !events_.can_retract());
     }
 
     Rhs& rhs_;
@@ -274,16 +437,40 @@ private:
     State dxdt_{};
     Outcome outcome_;
     Scalar last_error_ = Scalar(1);
-    Scalar taken_ = Scalar(0);
+    Scalar observed_ = Scalar(0);  ///< s, of the last observation of the state where the run is
+    EventSearch<State, Guards, G> events_;
+    Scalar last_event_ = Scalar(0);
+    bool is_anew_ = false;     ///< integration has just started anew
+    std::size_t stalled_ = 0;  ///< events in a row without progress in time
 };
 
 }  // namespace detail
 
 /// Integrates dx/dt = rhs(x, t, dxdt) from `from` to `to`. `x` holds the start and afterwards the last good state.
 /// Calls observe(t, x) at the output points.
+///
+/// guards(x, t, g) writes functions whose sign matters into an array. Where one changes its sign, the step is cut:
+/// ends[i] = true: the model holds only where g[i] >= 0. The run ends there with Status::event; x is the last state with g[i] >= 0, and
+/// is observed. A start with g[i] < 0 is such an end.
+/// ends[i] = false: the right-hand side has a kink, a jump or an infinite slope there. Integration starts anew just behind it.
+/// Times are found down to neighbouring numbers, in steps repeated with other lengths: about ten steps' work for an event. Guards that
+/// change together are passed together; one that ends the run comes first. Output points are observed once each, whatever lies on them.
+/// A guard that begins at zero, or touches zero, has not changed. A guard that is not a number makes a step as bad as a state that is
+/// not; infinite ones are allowed.
+/// Guards are looked at in the stages of a step, at its end, and at three points between, in its interpolation. What changes and changes
+/// back between two of these is missed; options.max_step puts them closer together. Sliding along a zero, as a relay does whose two
+/// sides both lead back to it, is an event storm.
+template <class State, class Rhs, class Observer, class Guards, std::size_t G>
+Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options, Observer&& observe,
+                  Guards&& guards, const std::array<bool, G>& ends) {
+    using Run = detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>, G>;
+    return Run(rhs, x, from, to, options, observe, guards, ends).run();
+}
+
+/// The same without guards.
 template <class State, class Rhs, class Observer>
 Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options, Observer&& observe) {
-    return detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>>(rhs, x, from, to, options, observe).run();
+    return integrate(rhs, x, from, to, options, observe, detail::NoGuards{}, std::array<bool, 0>{});
 }
 
 }  // namespace v1

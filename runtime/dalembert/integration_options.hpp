@@ -26,6 +26,7 @@ struct IntegrationOptions {
     Scalar max_step = Scalar(0);      ///< s; the longest step, so that no short pulse is stepped over; 0: as long as the run
     std::size_t intervals = 1;        ///< the observer sees the two ends and the points that divide the run into so many parts
     std::size_t max_steps = 100000000;
+    std::size_t max_events = 100000;  ///< guards that change their sign, before the run is stopped as an event storm
 
     static State filled(const Scalar& value) {
         State state{};

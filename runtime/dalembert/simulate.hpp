@@ -16,10 +16,11 @@ struct ZeroInputs {
     typename System::Input operator()(const typename System::State&, typename System::scalar_type) const { return {}; }
 };
 
-/// What the energy of a run did. For an exact solution the error is zero: E(t) - E(0) = work(t).
+/// What the energy E = T + V + internal of a run did. From d(T + V + internal)/dt = supplied - dissipated + prescribed + exchanged
+/// follows E(t) - E(0) = work(t), the integral of the right-hand side; for an exact solution the error is zero.
 struct EnergyBalance {
     double largest_error = 0;   ///< J, max |E - E(0) - work|
-    double largest_energy = 0;  ///< J, max (T + |V|)
+    double largest_energy = 0;  ///< J, max (T + |V| + |internal|)
     double relative_error() const { return largest_energy > 0 && std::isfinite(largest_energy) ? largest_error / largest_energy : largest_error; }
 };
 
@@ -30,7 +31,7 @@ struct Sample {
     const typename System::State& x;
     const typename System::Input& u;
     const typename System::Output& y;
-    typename System::scalar_type kinetic_energy, potential_energy, work;
+    typename System::scalar_type kinetic_energy, potential_energy, internal_energy, work;  // J
 };
 
 /// Options of a run; the last state is the work in joules.
@@ -43,7 +44,8 @@ struct SimulationResult {
 };
 
 /// Integrates a system together with the work that is done on it, and calls observe(sample) at the output points.
-/// `inputs` is called as inputs(x, t).
+/// `inputs` is called as inputs(x, t). The guards of the system are located: see integrate. How the work is weighed against its
+/// tolerance, the last entry of options.scale, is up to the caller; a sensible size is that of the energy.
 template <class System, class Inputs, class Observer>
 SimulationResult simulate(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
                           const SimulationOptions<System>& options, Observer&& observe) {
@@ -62,8 +64,17 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
         typename System::State dxdt;
         system.rhs(state, u, t, dxdt);
         std::copy_n(dxdt.begin(), n, derivative.begin());
-        derivative[n] = system.supplied_power(state, u, t) - system.dissipated_power(state, u, t) + system.prescribed_power(state, u, t);
+        derivative[n] = system.supplied_power(state, u, t) - system.dissipated_power(state, u, t) + system.prescribed_power(state, u, t) +
+                        system.exchanged_power(state, u, t);
     };
+    using Guards = typename System::Guards;
+    constexpr std::size_t guard_count = std::tuple_size<Guards>::value;
+    const auto guards = [&](const Extended& extended, Scalar t, Guards& g) {
+        const auto state = plain(extended);
+        system.guards(state, inputs(state, t), t, g);
+    };
+    std::array<bool, guard_count> ends{};
+    for (std::size_t i = 0; i < guard_count; ++i) ends[i] = System::guard_table()[i].ends;
     SimulationResult result;
     Scalar first = Scalar(0);
     bool is_first = true;
@@ -75,18 +86,20 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
         system.output(state, u, t, y);
         const Scalar kinetic = system.kinetic_energy(state, t);
         const Scalar potential = system.potential_energy(state, t);
-        if (is_first) first = kinetic + potential;
+        const Scalar internal = system.internal_energy(state, t);
+        const Scalar total = kinetic + potential + internal;
+        if (is_first) first = total;
         is_first = false;
-        const double error = static_cast<double>(abs(kinetic + potential - first - extended[n]));
+        const double error = static_cast<double>(abs(total - first - extended[n]));
         // What is no number stays to be seen.
         if (!(error <= result.energy.largest_error)) result.energy.largest_error = error;
-        result.energy.largest_energy = std::max(result.energy.largest_energy, static_cast<double>(kinetic + abs(potential)));
-        observe(Sample<System>{t, state, u, y, kinetic, potential, extended[n]});
+        result.energy.largest_energy = std::max(result.energy.largest_energy, static_cast<double>(kinetic + abs(potential) + abs(internal)));
+        observe(Sample<System>{t, state, u, y, kinetic, potential, internal, extended[n]});
     };
     Extended extended;
     std::copy_n(x.begin(), n, extended.begin());
     extended[n] = Scalar(0);
-    result.outcome = integrate(rhs, extended, from, to, options, watch);
+    result.outcome = integrate(rhs, extended, from, to, options, watch, guards, ends);
     x = plain(extended);
     return result;
 }

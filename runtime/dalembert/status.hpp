@@ -2,6 +2,7 @@
 // How a computation ended. The runtime throws nothing; what can go wrong is said here.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -15,6 +16,8 @@ enum class Status {
     too_many_steps,
     not_converged,   ///< an iteration found no solution
     bad_options,
+    event,        ///< a guard that ends the run is about to become negative
+    event_storm,  ///< too many events, or one after the other without any progress in time
 };
 
 inline const char* to_string(Status status) noexcept {
@@ -25,29 +28,50 @@ inline const char* to_string(Status status) noexcept {
         case Status::too_many_steps: return "too many steps";
         case Status::not_converged: return "not converged";
         case Status::bad_options: return "bad options";
+        case Status::event: return "event";
+        case Status::event_storm: return "event storm";
     }
     return "unknown";
 }
 
 /// How an integration went.
 struct Outcome {
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
     Status status = Status::success;
     double t = 0;                 ///< s, where it ended
     std::size_t state = 0;        ///< with not_finite: the state that is to blame
+    std::size_t guard = none;     ///< with event and event_storm: the guard; with not_finite: one that is not a number, if no state is to blame
+    std::size_t events = 0;       ///< guards that changed their sign and were passed
     std::size_t steps = 0;        ///< accepted
     std::size_t rejected = 0;
     std::size_t rhs_calls = 0;
 };
 
-/// A sentence for people. `names` has a member .name for each state, as the tables of generated headers do.
-template <class Table>
-std::string message(const Outcome& outcome, const Table& names) {
-    std::string text = to_string(outcome.status);
+/// A sentence for people. `names` has a member .name for each state, `guards` .name and .doc for each guard, as the tables of
+/// generated headers do.
+template <class Table, class Guards>
+std::string message(const Outcome& outcome, const Table& names, const Guards& guards) {
+    std::string text = outcome.status == Status::event ? "stopped" : to_string(outcome.status);
     text += " at t = " + std::to_string(outcome.t) + " s";
     if (outcome.status == Status::not_finite && outcome.state < names.size())
         text += ": state '" + std::string(names[outcome.state].name) + "' or its derivative is not finite";
     if (outcome.status == Status::step_too_small) text += ": the tolerance cannot be met";
+    if (outcome.guard >= guards.size()) return text;
+    const auto& guard = guards[outcome.guard];
+    if (outcome.status == Status::event) text += ": " + std::string(guard.doc);
+    if (outcome.status == Status::event_storm) text += ": guard '" + std::string(guard.name) + "' changes its sign again and again (" + guard.doc + ")";
+    if (outcome.status == Status::not_finite) text += ": guard '" + std::string(guard.name) + "' is not a number";
     return text;
+}
+
+/// The same for a system without guards.
+template <class Table>
+std::string message(const Outcome& outcome, const Table& names) {
+    struct Guard {
+        const char* name;
+        const char* doc;
+    };
+    return message(outcome, names, std::array<Guard, 0>{});
 }
 
 }  // namespace v1

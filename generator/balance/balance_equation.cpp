@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "balance/balance_equation.hpp"
+
+#include <algorithm>
+
+#include "symbolic/functions.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::pow;
+
+namespace {
+
+using Primary = ControlVolume::Primary;
+
+/// Sums of what flows do at one volume.
+struct Ports {
+    GiNaC::exvector inflow;
+    ex excess;
+};
+
+Ports ports_of(const ControlVolume& volume, const std::vector<FlowState>& flows) {
+    Ports ports;
+    for (const FlowState& f : flows) {
+        if (f.from_volume == &volume) {
+            ports.inflow.push_back(-f.mass_flow);
+            ports.excess += f.excess_at_from();
+        }
+        if (f.to_volume == &volume) {
+            ports.inflow.push_back(f.mass_flow);
+            ports.excess += f.excess_at_to();
+        }
+    }
+    return ports;
+}
+
+/// Volumes whose walls move: d(rho*V)/dt = inflow gives d(rho)/dt; with m*de/dt = excess + heat + shaft - (p + ...)*..., that is
+/// m*c_v*dT/dt = excess + heat + shaft - T*(dp/dT)*(dV/dt - inflow/rho), because m*d(nu)/dt = dV/dt - inflow/rho, comes dT/dt; and
+/// dp/dt = (dp/drho)*d(rho)/dt + (dp/dT)*dT/dt.
+VolumeBalance with_walls(const ControlVolume& v, const Ports& ports, const Symbols& symbols) {
+    const MediumState& m = v.medium_state;
+    VolumeBalance b;
+    b.inflow = GiNaC::add(ports.inflow);
+    b.size_rate = symbols.time_derivative(v.size);
+    const ex density_rate = (b.inflow - m.density * b.size_rate) / v.size;
+    const ex stretching = b.size_rate - b.inflow / m.density;  // m*d(nu)/dt
+    if (v.is_thermal()) {
+        b.temperature_rate = (ports.excess + v.heat + v.shaft_power - m.temperature * m.pressure_by_temperature * stretching) / (v.mass() * m.isochoric_heat);
+        b.heat = v.heat;
+    } else {
+        b.temperature_rate = v.exponent ? (*v.exponent - 1) * m.temperature * density_rate / m.density : ex(0);
+        b.heat = v.mass() * m.isochoric_heat * b.temperature_rate + m.temperature * m.pressure_by_temperature * stretching - ports.excess - v.shaft_power;
+    }
+    switch (v.primary) {
+        case Primary::mass: b.rate = b.inflow; break;
+        case Primary::density: b.rate = density_rate; break;
+        default:
+            b.rate = v.exponent ? *v.exponent * m.pressure * density_rate / m.density
+                                : m.pressure_by_density * density_rate + m.pressure_by_temperature * b.temperature_rate;
+    }
+    return b;
+}
+
+/// Volumes that follow their filling: dV/dt = inflow/rho at constant density. At constant pressure m*c_p*dT/dt = excess + heat + shaft,
+/// and what grows warmer needs more room.
+VolumeBalance with_filling(const ControlVolume& v, const Ports& ports, const Symbols& symbols) {
+    const MediumState& m = v.medium_state;
+    VolumeBalance b;
+    b.inflow = GiNaC::add(ports.inflow);
+    const ex thermal_density = v.medium->is_compressible() ? -m.pressure_by_temperature / m.pressure_by_density : ex(0);  // drho/dT at constant p
+    const ex isobaric_heat = m.isochoric_heat - m.temperature * m.pressure_by_temperature * thermal_density / pow(m.density, 2);
+    b.heat = v.heat;
+    if (v.is_thermal()) b.temperature_rate = (ports.excess + v.heat + v.shaft_power) / (v.mass() * isobaric_heat);
+    else b.heat = -ports.excess - v.shaft_power;
+    const ex slope = partial(v.size, symbols.get(SymbolKind::state, v.state));
+    // Flow by flow, so that an outflow that goes like the filling is divided by it exactly.
+    for (const ex& flow : ports.inflow) b.rate += flow / m.density / slope;
+    if (v.is_thermal() && !thermal_density.is_zero()) b.rate -= v.size * thermal_density * b.temperature_rate / (m.density * slope);
+    b.size_rate = b.inflow / m.density - (v.is_thermal() ? v.size * thermal_density * b.temperature_rate / m.density : ex(0));
+    return b;
+}
+
+/// Where the model ends and where its right-hand side has edges.
+void guard_volume(const ControlVolume& v, const ex& smallest, const std::vector<FlowState>& flows, const Symbols& symbols, std::vector<Guard>& guards) {
+    const std::string name = v.member.name();
+    const bool moves = !symbols.time_derivative(v.size).is_zero();
+    if (v.primary == Primary::filling) {
+        // What runs out by its own law stops by itself; a flow that is given goes on where nothing is left.
+        const bool is_drained = std::any_of(flows.begin(), flows.end(), [&](const FlowState& f) {
+            const Flow::Law law = f.member.item->law;
+            const bool is_forced = law == Flow::Law::given_mass || law == Flow::Law::given_volume || law == Flow::Law::pump || law == Flow::Law::pipe;
+            return (f.from_volume == &v || f.to_volume == &v) && is_forced;
+        });
+        if (is_drained || v.medium->is_compressible()) guards.push_back({name + " is empty", true, v.size - smallest});
+        return;
+    }
+    if (moves) guards.push_back({name + " is about to vanish", true, v.size - smallest});
+    guards.push_back({"pressure of " + name + " is about to become negative", true, v.medium_state.pressure});
+    if (v.is_thermal()) guards.push_back({"temperature of " + name + " is about to become negative", true, *v.fluid.temperature});
+}
+
+}  // namespace
+
+const FlowState* Fluids::find_flow(const std::string& name, int index) const {
+    const auto found = std::find_if(flows.begin(), flows.end(), [&](const FlowState& f) { return f.member.item->name == name && f.member.index == index; });
+    return found == flows.end() ? nullptr : &*found;
+}
+
+void complete_fluids(Fluids& fluids, const Scene& scene, const Translator& translate, Symbols& symbols) {
+    fluids.flows = make_flows(scene, translate, symbols, fluids.containers);
+    fluids.force.assign(symbols.degrees(), 0);
+    for (ControlVolume& v : fluids.containers.volumes) {
+        const Indices indices = Translator::indices_of(v.member);
+        if (v.member.item->heat && v.is_thermal()) v.heat = translate(v.member.item->heat, indices);
+        if (v.member.item->shaft_power) v.shaft_power = translate(v.member.item->shaft_power, indices);
+        const Ports ports = ports_of(v, fluids.flows);
+        const bool fills = v.primary == Primary::filling;
+        const VolumeBalance balance = fills ? with_filling(v, ports, symbols) : with_walls(v, ports, symbols);
+        for (std::size_t j = 0; j < symbols.degrees(); ++j) fluids.force[j] += v.surface_pressure * partial(v.size, symbols.get(SymbolKind::coordinate, j));
+        fluids.internal_energy += v.stored_energy();
+        fluids.exchanged_power += balance.heat + v.shaft_power;
+        if (fills) fluids.exchanged_power -= v.surface_pressure * balance.size_rate;
+        else fluids.prescribed_power -= v.surface_pressure * partial(v.size, symbols.time());
+        const ex smallest = v.member.item->smallest ? translate(v.member.item->smallest, indices) : ex(0);
+        guard_volume(v, smallest, fluids.flows, symbols, fluids.guards);
+        fluids.balances.push_back(balance);
+    }
+    for (const FlowState& f : fluids.flows) {
+        if (f.from_volume == nullptr) fluids.exchanged_power += f.leaving();
+        if (f.to_volume == nullptr) fluids.exchanged_power -= f.arriving();
+        fluids.exchanged_power += f.outside_power;
+        fluids.internal_energy += f.stored_energy;
+        for (std::size_t j = 0; j < symbols.degrees(); ++j) fluids.force[j] += f.torque[j];
+        fluids.guards.insert(fluids.guards.end(), f.edges.begin(), f.edges.end());
+    }
+}
+
+}  // namespace dalembert

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Volumes and reservoirs: the state of the medium in them, and what they store.
+#pragma once
+
+#include <deque>
+
+#include "balance/media.hpp"
+
+namespace dalembert {
+
+/// What a flow sees at one of its ends.
+struct FluidState {
+    GiNaC::ex pressure;                    ///< at the ports, with the head of the column above them
+    std::optional<GiNaC::ex> temperature;  ///< nothing where none is given and none matters
+    GiNaC::ex density;
+    GiNaC::ex energy;                      ///< specific internal energy
+    GiNaC::ex enthalpy;                    ///< specific, e + p/rho at the ports
+    GiNaC::ex potential;                   ///< specific potential energy
+
+    /// What a kilogram brings with it when it leaves.
+    GiNaC::ex carried() const { return enthalpy + potential; }
+};
+
+struct ReservoirState {
+    Member<Reservoir> member;
+    const MediumModel* medium;
+    FluidState fluid;
+};
+
+/// A control volume. The medium in it has one state; with a filling the surface moves, else the walls do.
+struct ControlVolume {
+    enum class Primary { pressure, density, mass, filling };
+
+    Member<Volume> member;
+    const MediumModel* medium;
+    Primary primary;
+    std::size_t state;                            ///< the state that `primary` names, among the states
+    std::optional<std::size_t> temperature_state;
+    GiNaC::ex size;                               ///< V, m^3
+    GiNaC::ex surface_pressure;                   ///< pressure of the medium itself, which moves the walls
+    MediumState medium_state;
+    FluidState fluid;
+    GiNaC::ex column;                             ///< potential energy of the column, J
+    GiNaC::ex heat;                               ///< given, W; with the balances, because it may depend on other volumes
+    GiNaC::ex shaft_power;                        ///< given, W; likewise
+    std::optional<GiNaC::ex> exponent;            ///< of a polytropic course
+
+    GiNaC::ex mass() const { return fluid.density * size; }
+    /// m*(e + potential) and the column, J.
+    GiNaC::ex stored_energy() const { return mass() * (fluid.energy + fluid.potential) + column; }
+    /// Whether the temperature is determined by the energy balance.
+    bool is_thermal() const { return temperature_state.has_value(); }
+};
+
+/// Media and what holds them. Lives at one place, because its parts refer to each other.
+struct Containers {
+    std::deque<MediumModel> media;
+    std::vector<ReservoirState> reservoirs;
+    std::vector<ControlVolume> volumes;
+
+    const MediumModel* find_medium(const std::string& name) const;
+    /// Null where the scene has none of that name and index.
+    const ControlVolume* find_volume(const std::string& name, int index) const;
+    const ReservoirState* find_reservoir(const std::string& name, int index) const;
+};
+
+/// Throws Failure (not-allowed-here: a size that depends on foreign states; missing-key; cannot-integrate).
+Containers make_containers(const Scene& scene, const Translator& translate);
+
+}  // namespace dalembert

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "balance/flow.hpp"
+
+#include <fmt/format.h>
+
+#include "symbolic/functions.hpp"
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+using GiNaC::pow;
+
+namespace {
+
+/// a where the direction is positive, b where it is negative.
+ex upstream(const ex& direction, const ex& a, const ex& b) {
+    if ((a - b).expand().is_zero()) return a;
+    return unit_step(direction) * a + unit_step(-direction) * b;
+}
+
+class FlowMaking {
+public:
+    FlowMaking(const Scene& scene, const Translator& translate, Symbols& symbols, const Containers& containers)
+        : scene_(scene), translate_(translate), symbols_(symbols), containers_(containers) {}
+
+    FlowState operator()(const Member<Flow>& member) {
+        const Flow& item = *member.item;
+        indices_ = Translator::indices_of(member);
+        FlowState f{member, nullptr, nullptr, nullptr, nullptr, {}, {}, {}, {}, {}, {}, {}, std::vector<ex>(symbols_.degrees(), 0), {}, {}};
+        f.from = end(item.from, f.from_volume);
+        f.to = end(item.to, f.to_volume);
+        switch (item.law) {
+            case Flow::Law::given_mass:
+                f.mass_flow = value(item.mass_flow);
+                f.density = upstream(f.mass_flow, f.from->density, f.to->density);
+                break;
+            case Flow::Law::given_volume: by_volume(f, value(item.volume_flow)); break;
+            case Flow::Law::laminar: by_volume(f, value(item.conductance) * difference(f)); break;
+            case Flow::Law::hydraulic_orifice: hydraulic_orifice(f); break;
+            case Flow::Law::pneumatic_orifice: pneumatic_orifice(f); break;
+            case Flow::Law::check_valve: check_valve(f); break;
+            case Flow::Law::pump: pump(f); break;
+            case Flow::Law::pipe: pipe(f); break;
+        }
+        return f;
+    }
+
+private:
+    ex value(const ExpressionPtr& e) const { return e ? translate_(e, indices_) : ex(0); }
+
+    const FluidState* end(const Reference& reference, const ControlVolume*& volume) const {
+        const int index = reference.index ? index_value(*reference.index, scene_, indices_) : 0;
+        volume = containers_.find_volume(reference.name, index);
+        if (volume != nullptr) return &volume->fluid;
+        if (const ReservoirState* reservoir = containers_.find_reservoir(reference.name, index)) return &reservoir->fluid;
+        throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("the scene has no '{}'", std::string(reference.span.text()))});
+    }
+
+    /// p_from - p_to; kept whole, because the two are often close.
+    static ex difference(const FlowState& f) { return whole((f.from->pressure - f.to->pressure).expand()); }
+
+    static void by_volume(FlowState& f, const ex& volume_flow) {
+        f.density = upstream(volume_flow, f.from->density, f.to->density);
+        f.mass_flow = f.density * volume_flow;
+    }
+
+    void edge(FlowState& f, const char* what, const ex& guard) const { f.edges.push_back({fmt::format("{} {}", f.member.name(), what), false, guard}); }
+
+    /// sqrt(2/rho)*sign(dp)*sqrt(|dp|), the velocity behind (3.150); with a width the smooth law. Where dp is the head of a level that
+    /// is integrated as its root, the root is the level's own and ends where the tank is empty.
+    ex outflow_velocity(FlowState& f, const ex& difference, const ex& density, bool one_way) {
+        if (f.member.item->width) {
+            const ex width = value(f.member.item->width);
+            const ex dp = one_way ? maximum(difference, 0) : difference;
+            return GiNaC::sqrt(2 / density) * dp * pow(pow(dp, 2) + pow(width, 2), numeric(-1, 4));
+        }
+        const ex dp = is_ex_the_function(difference, whole) ? difference.op(0) : difference;
+        for (const Variable& z : symbols_.all(SymbolKind::state)) {
+            const ex square = (2 * dp / density / pow(z.symbol, 2)).expand();
+            if (!z.is_root || square.has(z.symbol)) continue;
+            if (!square.info(GiNaC::info_flags::positive))
+                throw Failure(Diagnostic{Id::not_allowed_here, f.member.item->span,
+                                         fmt::format("flow '{}' goes like the root of '{}', which is integrated as its root; that needs ranges by which density and gravity are positive", f.member.name(), z.base)});
+            edge(f, fmt::format("ends, {} is zero", z.base).c_str(), z.symbol);
+            return GiNaC::sqrt(square) * z.symbol * unit_step(z.symbol);
+        }
+        edge(f, one_way ? "opens or closes" : "changes its direction", difference);
+        const ex argument = 2 * difference / density;
+        return one_way ? forward_root(argument) : signed_root(argument);
+    }
+
+    void hydraulic_orifice(FlowState& f) {
+        const Flow& item = *f.member.item;
+        const ex dp = difference(f);
+        f.density = upstream(dp, f.from->density, f.to->density);
+        f.mass_flow = f.density * value(item.coefficient) * value(item.area) * outflow_velocity(f, dp, f.density, false);
+    }
+
+    void check_valve(FlowState& f) {
+        const Flow& item = *f.member.item;
+        const ex dp = whole((f.from->pressure - f.to->pressure - value(item.cracking_pressure)).expand());
+        f.density = f.from->density;
+        if (item.conductance) {
+            edge(f, "opens or closes", dp);
+            f.mass_flow = f.density * value(item.conductance) * maximum(dp, 0);
+        } else {
+            f.mass_flow = f.density * value(item.coefficient) * value(item.area) * outflow_velocity(f, dp, f.density, true);
+        }
+    }
+
+    /// (3.156) in both directions. With d = |p_1 - p_2|/p_u and p_u the higher pressure: p_u*Psi = sqrt(p_u*|p_1 - p_2|)*outflow_factor(d).
+    void pneumatic_orifice(FlowState& f) {
+        const Flow& item = *f.member.item;
+        const MediumModel& gas = *(f.from_volume != nullptr ? f.from_volume->medium : reservoir_medium(item.from));
+        const ex k = gas.isentropic_exponent();
+        const ex dp = difference(f);
+        const ex higher = maximum(f.from->pressure, f.to->pressure);
+        const ex temperature_root = upstream(dp, pow(*f.from->temperature, numeric(-1, 2)), pow(*f.to->temperature, numeric(-1, 2)));
+        const ex relative = magnitude(dp) / higher;
+        ex root = signed_root(higher * dp);
+        if (item.width) root = GiNaC::sqrt(higher) * dp * pow(pow(dp, 2) + pow(value(item.width), 2), numeric(-1, 4));
+        else edge(f, "changes its direction", dp);
+        edge(f, "changes between choked and subsonic", magnitude(dp) - (1 - pow(2 / (k + 1), k / (k - 1))) * higher);
+        f.density = upstream(dp, f.from->density, f.to->density);
+        f.mass_flow = value(item.coefficient) * value(item.area) * GiNaC::sqrt(2 / gas.gas_constant()) * temperature_root * outflow_factor(relative, k) * root;
+    }
+
+    const MediumModel* reservoir_medium(const Reference& reference) const {
+        return containers_.find_reservoir(reference.name, reference.index ? index_value(*reference.index, scene_, indices_) : 0)->medium;
+    }
+
+    /// The shaft lifts what flows from one pressure and potential to the other.
+    void pump(FlowState& f) {
+        const Flow& item = *f.member.item;
+        const ex displacement = value(item.displacement);
+        const ex speed = value(item.speed);
+        by_volume(f, item.volume_flow ? value(item.volume_flow) : displacement * speed);
+        const ex lift = f.to->pressure - f.from->pressure + f.density * (f.to->potential - f.from->potential);
+        f.shaft_power = (item.volume_flow ? value(item.volume_flow) : displacement * speed) * lift;
+        f.outside_power = f.shaft_power;
+        if (item.volume_flow) return;
+        const AffineRate rate = affine_rate(speed, symbols_, item.speed->span, fmt::format("the speed of pump '{}'", f.member.name()));
+        for (std::size_t j = 0; j < rate.jacobian.size(); ++j) f.torque[j] = -displacement * lift * rate.jacobian[j];
+        f.outside_power = displacement * rate.drift * lift;
+    }
+
+    /// The momentum of a stream of one density (3.131) along a pipe: rho*l*dv/dt = p_1 - p_2 + rho*(potential_1 - potential_2) - loss.
+    void pipe(FlowState& f) {
+        const Flow& item = *f.member.item;
+        const int index = item.velocity->children.empty() ? 0 : index_value(*item.velocity->children[0], scene_, indices_);
+        const Variable* state = symbols_.find(SymbolKind::state, item.velocity->name, index);
+        if (state == nullptr) throw Failure(Diagnostic{Id::index_out_of_range, item.velocity->span, fmt::format("the scene has no state '{}'", item.velocity->written())});
+        f.velocity_state = state->position;
+        const ex v = translate_(item.velocity, indices_);
+        const ex area = value(item.area);
+        const ex length = value(item.length);
+        f.density = (f.from_volume != nullptr ? f.from_volume->medium : reservoir_medium(item.from))->reference_density();
+        ex loss = 0;
+        if (item.loss) {
+            const ex letter = symbols_.letter(item.loss->variable);
+            loss = translate_(*item.loss->body, indices_, {{item.loss->variable, letter}}).subs(letter == v, GiNaC::subs_options::no_pattern);
+        }
+        const ex drive = f.from->pressure - f.to->pressure + f.density * (f.from->potential - f.to->potential) - loss;
+        f.mass_flow = f.density * area * v;
+        f.acceleration = drive / (f.density * length);
+        f.stored_energy = f.density * area * length * pow(v, 2) / 2;
+        f.storing = area * v * drive;
+    }
+
+    const Scene& scene_;
+    const Translator& translate_;
+    Symbols& symbols_;
+    const Containers& containers_;
+    Indices indices_;
+};
+
+/// The power that a shaft takes out and a stream stores on the way.
+ex kept(const FlowState& f) { return f.storing - f.shaft_power; }
+
+ex carried(const FlowState& f) {
+    const ex difference = (f.from->carried() - f.to->carried()).expand();
+    if (difference.is_zero()) return f.mass_flow * f.from->carried();
+    return maximum(f.mass_flow, 0) * f.from->carried() + minimum(f.mass_flow, 0) * f.to->carried();
+}
+
+}  // namespace
+
+ex FlowState::leaving() const { return carried(*this) + unit_step(-mass_flow) * kept(*this); }
+ex FlowState::arriving() const { return carried(*this) - unit_step(mass_flow) * kept(*this); }
+
+ex FlowState::excess_at_from() const { return -minimum(mass_flow, 0) * (to->carried() - from->carried()) - unit_step(-mass_flow) * kept(*this); }
+ex FlowState::excess_at_to() const { return maximum(mass_flow, 0) * (from->carried() - to->carried()) - unit_step(mass_flow) * kept(*this); }
+
+std::vector<FlowState> make_flows(const Scene& scene, const Translator& translate, Symbols& symbols, const Containers& containers) {
+    FlowMaking make(scene, translate, symbols, containers);
+    std::vector<FlowState> flows;
+    for (const auto& member : scene.flows) flows.push_back(make(member));
+    return flows;
+}
+
+}  // namespace dalembert

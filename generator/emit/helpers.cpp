@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/helpers.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "emit/template.hpp"
+
+namespace dalembert {
+
+namespace {
+
+struct Helper {
+    const char* name;
+    const char* file;
+    std::vector<const char*> needs;
+};
+
+/// Each behind those that it needs.
+const std::vector<Helper>& helpers() {
+    static constexpr const char* scalars = "scalar_functions.hpp";
+    static constexpr const char* fluids = "fluid_functions.hpp";
+    static const std::vector<Helper> table{
+        {"select", scalars, {}},
+        {"sign", scalars, {"select"}},
+        {"step", scalars, {"select"}},
+        {"min", scalars, {"select"}},
+        {"max", scalars, {"select"}},
+        {"inverse_norm", scalars, {"select"}},
+        {"pi", scalars, {}},
+        {"exponential_remainder", fluids, {}},
+        {"compression", fluids, {"select", "exponential_remainder"}},
+        {"signed_root", fluids, {"select"}},
+        {"inverse_root", fluids, {}},
+        {"forward_root", fluids, {"select"}},
+        {"outflow_logarithm", fluids, {"select"}},
+        {"critical_logarithm", fluids, {"select"}},
+        {"outflow_factor", fluids, {"outflow_logarithm", "critical_logarithm"}},
+        {"outflow_factor_slope", fluids, {"exponential_remainder", "outflow_factor"}},
+        {"outflow_factor_by_exponent", fluids, {"exponential_remainder", "outflow_factor"}},
+        {"ldlt", "ldlt.hpp", {}},
+    };
+    return table;
+}
+
+}  // namespace
+
+bool is_helper(std::string_view name) {
+    const auto& table = helpers();
+    return std::any_of(table.begin(), table.end(), [&](const Helper& helper) { return name == helper.name; });
+}
+
+std::string helper_source(std::set<std::string> names) {
+    const auto& table = helpers();
+    for (auto helper = table.rbegin(); helper != table.rend(); ++helper)
+        if (names.contains(helper->name)) names.insert(helper->needs.begin(), helper->needs.end());
+    std::string text;
+    for (const Helper& helper : table)
+        if (names.contains(helper.name)) text += marked_section(embedded_file(helper.file), helper.name) + "\n";
+    return text;
+}
+
+}  // namespace dalembert

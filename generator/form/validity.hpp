@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether the numbers of a model make a medium: at the default parameters and the start values.
+#pragma once
+
+#include "form/system.hpp"
+
+namespace dalembert {
+
+/// Throws Failure (value-out-of-range, inconsistent-medium): properties of media that must be positive, c_p <= c_v, volumes,
+/// pressures and temperatures at the start that are not positive, reservoirs likewise.
+void check_fluid_values(const System& system);
+
+}  // namespace dalembert

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "model/checks.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace {
+
+class FluidCheck {
+public:
+    FluidCheck(const Model& model, const Names& names, Diagnostics& diagnostics) : model_(model), names_(names), diagnostics_(diagnostics) {}
+
+    void run() {
+        for (const Reservoir& reservoir : model_.reservoirs) medium_of(reservoir.medium, "reservoir", reservoir);
+        for (const Volume& volume : model_.volumes) check(volume);
+        for (const Flow& flow : model_.flows) check(flow);
+        for (const State& state : model_.states)
+            if (!state.derivative && !claimed_.contains(state.name))
+                diagnostics_.error(Id::undetermined, state.span,
+                                   fmt::format("nothing determines state '{}': it has no derivative, and no volume or pipe names it", state.name));
+    }
+
+private:
+    const Medium* medium_of(const Reference& reference, const char* kind, const Item& item) {
+        const Part* part = names_.find_part(reference.name);
+        if (part == nullptr || part->kind != Part::Kind::medium || reference.index) {
+            diagnostics_.error(Id::unknown_name, reference.span,
+                               fmt::format("{} '{}' holds '{}', which is not a medium{}", kind, item.name, std::string(reference.span.text()),
+                                           did_you_mean(reference.name, names_.parts({Part::Kind::medium}))));
+            return nullptr;
+        }
+        return static_cast<const Medium*>(part->item);
+    }
+
+    /// The state that an entry names, which nothing else may determine.
+    void claim(const ExpressionPtr& named, const char* key, const char* kind, const Item& item) {
+        if (!named) return;
+        const Named* found = named->kind == Expression::Kind::name ? names_.find(named->name) : nullptr;
+        if (found == nullptr || found->kind != Named::Kind::state) {
+            diagnostics_.error(Id::wrong_type, named->span,
+                               fmt::format("the {} of {} '{}' must be the name of a state, but '{}' is {}", key, kind, item.name, named->written(),
+                                           found == nullptr ? "none" : describe(found->kind)));
+            return;
+        }
+        claimed_.insert(named->name);
+        const auto& state = static_cast<const State&>(*found->item);
+        if (state.derivative)
+            diagnostics_.error(Id::doubly_determined, named->span,
+                               fmt::format("state '{}' is the {} of {} '{}' and has a derivative of its own; only one can determine it", named->written(), key, kind, item.name),
+                               {{state.derivative->span, "its derivative stands here"}});
+    }
+
+    void wrong(const Span& span, std::string message, const Medium& medium) {
+        diagnostics_.error(Id::wrong_medium, span, std::move(message), {{medium.span, fmt::format("medium '{}' is defined here", medium.name)}});
+    }
+
+    void check(const Volume& volume) {
+        if (!volume.filling) claim(volume.pressure, "pressure", "volume", volume);
+        claim(volume.density, "density", "volume", volume);
+        claim(volume.mass, "mass", "volume", volume);
+        claim(volume.filling, "filling", "volume", volume);
+        claim(volume.temperature, "temperature", "volume", volume);
+        const Medium* medium = medium_of(volume.medium, "volume", volume);
+        if (medium == nullptr) return;
+        if (medium->law == Medium::Law::incompressible && !volume.filling)
+            diagnostics_.error(Id::undetermined, volume.span,
+                               fmt::format("volume '{}' holds '{}', which is incompressible: its pressure follows from no balance, and it can take up no flow; give it a filling", volume.name, medium->name),
+                               {{medium->span, fmt::format("medium '{}' is defined here", medium->name)}});
+        if (volume.polytropic && medium->law != Medium::Law::ideal_gas)
+            wrong(volume.polytropic->span, fmt::format("volume '{}' follows a polytropic course, which is one of ideal gases, but holds '{}'", volume.name, medium->name), *medium);
+        if (volume.head && medium->law != Medium::Law::incompressible)
+            wrong(volume.head->span, fmt::format("volume '{}' has a head, which needs an incompressible medium, but holds '{}'", volume.name, medium->name), *medium);
+        if ((volume.density || volume.mass) && medium->law == Medium::Law::given && !medium->pressure)
+            wrong(volume.span, fmt::format("volume '{}' has its {} as state, so medium '{}' must say its pressure as a law \"(rho, T) -> ...\"", volume.name, volume.density ? "density" : "mass", medium->name), *medium);
+    }
+
+    /// The medium at an end of a flow, if the end is one.
+    const Medium* end(const Reference& reference, const char* preposition, const Flow& flow) {
+        const Part* part = names_.find_part(reference.name);
+        const bool is_end = part != nullptr && (part->kind == Part::Kind::volume || part->kind == Part::Kind::reservoir);
+        if (!is_end) {
+            diagnostics_.error(Id::unknown_name, reference.span,
+                               fmt::format("flow '{}' goes {} '{}', which is neither a volume nor a reservoir{}", flow.name, preposition, reference.name,
+                                           did_you_mean(reference.name, names_.parts({Part::Kind::volume, Part::Kind::reservoir}))));
+            return nullptr;
+        }
+        if (part->item->family.has_value() != (reference.index != nullptr))
+            diagnostics_.error(part->item->family ? Id::index_missing : Id::not_indexed, reference.span,
+                               fmt::format("'{}' is {} family", reference.name, part->item->family ? "a" : "not a"), {{part->item->span, "it is defined here"}});
+        const Reference& medium = part->kind == Part::Kind::volume ? static_cast<const Volume*>(part->item)->medium : static_cast<const Reservoir*>(part->item)->medium;
+        const Part* named = names_.find_part(medium.name);
+        return named != nullptr && named->kind == Part::Kind::medium ? static_cast<const Medium*>(named->item) : nullptr;
+    }
+
+    void check(const Flow& flow) {
+        claim(flow.velocity, "velocity", "pipe", flow);
+        const Medium* from = end(flow.from, "from", flow);
+        const Medium* to = end(flow.to, "to", flow);
+        if (from == nullptr || to == nullptr) return;
+        if (flow.from.name == flow.to.name && !flow.from.index)
+            diagnostics_.error(Id::not_allowed_here, flow.to.span, fmt::format("flow '{}' goes from '{}' to '{}' itself", flow.name, flow.from.name, flow.to.name));
+        if (from != to)
+            diagnostics_.error(Id::wrong_medium, flow.span, fmt::format("flow '{}' goes from '{}', which holds '{}', to '{}', which holds '{}'; media do not mix", flow.name, flow.from.name, from->name, flow.to.name, to->name),
+                               {{from->span, fmt::format("medium '{}' is defined here", from->name)}, {to->span, fmt::format("medium '{}' is defined here", to->name)}});
+        const bool is_gas = from->law == Medium::Law::ideal_gas;
+        if (flow.law == Flow::Law::hydraulic_orifice && is_gas)
+            wrong(flow.span, fmt::format("flow '{}' follows the law of a hydraulic orifice, which is one of liquids, but '{}' is a gas; take \"pneumatic_orifice\"", flow.name, from->name), *from);
+        if (flow.law == Flow::Law::pneumatic_orifice && !is_gas)
+            wrong(flow.span, fmt::format("flow '{}' follows the law of a pneumatic orifice, which is one of ideal gases, but '{}' is none; take \"hydraulic_orifice\"", flow.name, from->name), *from);
+        if (flow.law == Flow::Law::check_valve && flow.area && is_gas)
+            wrong(flow.span, fmt::format("check valve '{}' follows the law of a hydraulic orifice, which is one of liquids, but '{}' is a gas; give it a conductance", flow.name, from->name), *from);
+        if (flow.law == Flow::Law::pneumatic_orifice && is_gas && !from->isochoric_heat)
+            wrong(flow.span, fmt::format("flow '{}' needs the ratio of specific heats of '{}', which has no isochoric_heat", flow.name, from->name), *from);
+        if (flow.law == Flow::Law::pipe && from->law != Medium::Law::liquid && from->law != Medium::Law::incompressible)
+            wrong(flow.span, fmt::format("pipe '{}' carries a stream of one density, but '{}' is not a liquid", flow.name, from->name), *from);
+    }
+
+    const Model& model_;
+    const Names& names_;
+    Diagnostics& diagnostics_;
+    std::set<std::string> claimed_;
+};
+
+}  // namespace
+
+void check_fluids(const Model& model, Diagnostics& diagnostics) {
+    const Names names(model);
+    FluidCheck(model, names, diagnostics).run();
+}
+
+}  // namespace dalembert

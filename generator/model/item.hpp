@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What everything in a model has in common.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/condition.hpp"
+#include "model/dimension.hpp"
+#include "model/expression.hpp"
+
+namespace dalembert {
+
+/// What everything with a name has in common.
+struct Item {
+    std::string name;
+    Span span;
+    std::string doc;
+    std::optional<Family> family;
+    std::optional<Condition> when;
+};
+
+/// Bounds in SI, constant expressions. A bound that is not there is infinite.
+struct Range {
+    ExpressionPtr low;
+    ExpressionPtr high;
+    Span span;
+};
+
+struct Quantity : Item {
+    Unit unit;
+    std::optional<Range> range;
+};
+
+/// Another thing by its name, with an index where it is a family: a body, volume, reservoir or medium.
+struct Reference {
+    std::string name;
+    ExpressionPtr index;
+    Span span;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: BSL-1.0
+// Where guards change their sign: what is remembered of them, and the search for the first change within a step.
+//
+// note [clean steps]: The right-hand side may jump or have a kink where a guard changes its sign, so a step is only worth its order
+// when none of its stages lies on the other side, or on the zero itself. All stages are therefore watched. A step that is not clean is
+// repeated from its beginning with other lengths (on its dense output the time would be as wrong as the step) until two neighbouring
+// lengths are known, of which the shorter one is clean. That step is taken, and integration starts anew behind the zero. When only a
+// stage of the longer step was on the other side, the zero is near, but not yet reached; what is missing shrinks like the error of a
+// stage, and the next step finds it.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// A step that may or may not be taken: from where the run is to `end`.
+template <class State>
+struct Candidate {
+    using Scalar = typename State::value_type;
+    Scalar length = Scalar(0), end = Scalar(0);  ///< s
+    State y{}, error{}, dydt{};
+    bool has_derivative = false;  ///< dydt is that at the end
+    bool finite = true;
+};
+
+/// A closing bracket around the first time at which one of G functions is negative; at `near` none is, at `far` one is.
+/// ITP: Oliveira, Takahashi: An enhancement of the bisection method average performance preserving minmax optimality, ACM TOMS 47
+/// (2020), article 5: regula falsi, drawn a little to the middle so that both ends move, and kept so close to the middle that a few
+/// evaluations more than those of bisection are enough for whatever function.
+template <class Scalar, std::size_t G>
+class Bracket {
+public:
+    using Values = std::array<Scalar, G>;
+
+    Bracket(Scalar near, const Values& at_near, Scalar far, const Values& at_far)
+        : near_(near), far_(far), at_near_(at_near), at_far_(at_far), width_(far - near), reach_(Scalar(slack) * width_) {}
+
+    Scalar near() const { return near_; }
+    Scalar far() const { return far_; }
+    Scalar middle() const { return near_ + (far_ - near_) / Scalar(2); }
+    bool is_closed(Scalar resolution) const { return !(far_ - near_ > resolution) || !(middle() > near_ && middle() < far_); }
+
+    void put_near(Scalar t, const Values& values) { near_ = t, at_near_ = values; }
+    void put_far(Scalar t, const Values& values) { far_ = t, at_far_ = values; }
+
+    /// The next time to look at, strictly between.
+    Scalar next(Scalar resolution) {
+        using std::abs;
+        using std::max;
+        const Scalar half = middle();
+        const Scalar width = far_ - near_;
+        reach_ /= Scalar(2);
+        const Scalar zero = first_zero();
+        const Scalar drawn = max(resolution, Scalar(width * (width / width_) / Scalar(100)));
+        Scalar t = half;
+        if (abs(half - zero) > drawn) t = zero < half ? zero + drawn : zero - drawn;  // not so when the zero is no number
+        const Scalar radius = max(Scalar(0), Scalar(reach_ - width / Scalar(2)));
+        if (abs(t - half) > radius) t = t < half ? half - radius : half + radius;
+        return t > near_ && t < far_ ? t : half;
+    }
+
+private:
+    static constexpr int slack = 8;  // three evaluations more than bisection at most
+
+    /// By regula falsi: of each function that changes its sign, the first of all.
+    Scalar first_zero() const {
+        Scalar first = far_;
+        for (std::size_t i = 0; i < G; ++i) {
+            if (!(at_far_[i] <= Scalar(0) && at_near_[i] > at_far_[i])) continue;
+            const Scalar zero = near_ + (far_ - near_) * (at_near_[i] / (at_near_[i] - at_far_[i]));
+            if (!(zero >= first)) first = zero;
+        }
+        return first;
+    }
+
+    Scalar near_, far_;
+    Values at_near_, at_far_;
+    Scalar width_, reach_;
+};
+
+/// No guards: nothing of what follows becomes code.
+struct NoGuards {
+    template <class State, class Scalar>
+    void operator()(const State&, Scalar, std::array<Scalar, 0>&) const {}
+};
+
+/// Watches the guards of a run. A guard has a side, the sign that it had last; zero belongs to the side where the guard comes from,
+/// and a guard that begins at zero takes the side to which it goes. A guard that ends the run is on the side >= 0 from the start.
+/// Values here are those of the guards times their sides: negative means changed.
+template <class State, class Guards, std::size_t G>
+class EventSearch {
+    using Scalar = typename State::value_type;
+    using Try = Candidate<State>;
+
+public:
+    using Values = std::array<Scalar, G>;
+    static constexpr std::size_t none = G;
+
+    EventSearch(Guards& guards, const std::array<bool, G>& ends) : guards_(guards), ends_(ends) {}
+
+    /// The first guard that is not a number, or none.
+    std::size_t not_a_number(const State& x, Scalar t) const {
+        const Values g = raw(x, t);
+        return first(g, [](const Scalar& value) { return !(value == value); });
+    }
+
+    /// The sides at the start. The first guard that ends the run there and then, or none.
+    std::size_t start(const State& x, Scalar t) {
+        const Values g = raw(x, t);
+        for (std::size_t i = 0; i < G; ++i) side_[i] = ends_[i] ? 1 : sign(g[i]);
+        settled_ = side_;
+        found_ = values(x, t);
+        return ending_guard();
+    }
+
+    /// A kink on whose zero the run starts.
+    bool is_on_zero() const {
+        for (const int side : settled_)
+            if (side == 0) return true;
+        return false;
+    }
+
+    /// The sides just behind the start. False, with nothing changed, if none becomes known or a guard would end the run.
+    bool leave_zero(const State& x, Scalar t) {
+        const Values g = raw(x, t);
+        bool leaves = false;
+        for (std::size_t i = 0; i < G; ++i) {
+            if (ends_[i] && g[i] < Scalar(0)) return false;
+            if (settled_[i] == 0) side_[i] = sign(g[i]);
+            leaves = leaves || side_[i] != settled_[i];
+        }
+        if (leaves) settled_ = side_;
+        return leaves;
+    }
+
+    /// Makes the step c from (t, x), and cuts it at its first event. Looks at its stages, its end and, if it is accurate, three points
+    /// between. What cannot be taken is left in the candidate: not finite, or not accurate enough.
+    /// take(candidate) makes the step to candidate.end and calls `see` for each of its stages; between(candidate, t, x) interpolates
+    /// in the step that was made last; accurate(candidate) judges its error.
+    template <class Take, class Between, class Accurate>
+    void search(Try& c, const State& x, Scalar t, Scalar tiny, Scalar resolution, Take take, Between between, Accurate accurate) {
+        is_cut_ = false;
+        side_ = settled_;
+        const Values at_start = values(x, t);
+        for (std::size_t i = 0; i < G; ++i) is_strict_[i] = !may_touch_ && !ends_[i] && at_start[i] > Scalar(0);
+        Values lowest;
+        bool is_step = is_clean(c, tiny, lowest, take);
+        const bool inside = c.finite && accurate(c);
+        Scalar before = t;
+        Values at_before = at_start;
+        for (int k = inside ? 1 : parts; k <= parts; ++k) {
+            const bool is_end = k == parts;
+            const Scalar at = is_end ? c.end : t + (c.end - t) * (Scalar(k) / Scalar(parts));
+            State between_x = c.y;
+            if (!is_end) between(c, at, between_x);
+            const Values sample = values_and_sides(between_x, at);
+            if (!is_behind(sample) && !(is_end && !is_step)) {
+                before = at;
+                at_before = sample;
+                continue;
+            }
+            const Scalar guess = inside && is_behind(sample) ? interpolated(Bracket<Scalar, G>(before, at_before, at, sample), c, between) : at;
+            Try part = c;
+            if (!is_end) {
+                part.end = at;
+                part.length = at - t;
+                is_step = is_clean(part, tiny, lowest, take);
+            }
+            if (!is_step) return close(t, at_start, at, lowest, guess, c, x, tiny, resolution, take, accurate);
+            if (!part.finite) {
+                c = part;
+                return;
+            }
+            // A false alarm: the step itself does not do what its interpolation does. The next look needs the interpolation again.
+            if (!is_end) is_step = is_clean(c, tiny, lowest, take);
+        }
+        cuts_ = 0;
+        may_touch_ = false;
+    }
+
+    /// A stage of the step that is being made.
+    void see(const State& x, Scalar t) {
+        if (!is_watching_) return;
+        const Values seen = values(x, t);
+        for (std::size_t i = 0; i < G; ++i)
+            if (seen[i] < lowest_[i]) lowest_[i] = seen[i];
+    }
+
+    /// Whether the step that was made last ends before its time, and the shortest one that was tried behind its end.
+    bool is_cut() const { return is_cut_; }
+    const Try& behind() const { return behind_; }
+
+    /// Of the guards that changed: the first one that ends the run, or none.
+    std::size_t ending_guard() const {
+        for (std::size_t i = 0; i < G; ++i)
+            if (ends_[i] && found_[i] < Scalar(0)) return i;
+        return none;
+    }
+    std::size_t changed_guard() const { return first(found_, [](const Scalar& value) { return value < Scalar(0); }); }
+
+    /// The step that was searched last is taken.
+    void accept() { settled_ = side_; }
+
+    /// Whether a guard has changed at (x, t). If so, that is what `pass` passes.
+    bool has_changed_at(const State& x, Scalar t) {
+        const Values seen = values(x, t);
+        if (!has_changed(seen)) return false;
+        found_ = seen;
+        return true;
+    }
+    bool has_changed() const { return has_changed(found_); }
+
+    /// The event was none yet: the step ran into it too early, or a guard is zero there without a change. It may be, in the next step.
+    void retract() {
+        may_touch_ = true;
+        ++cuts_;
+    }
+    bool can_retract() const { return cuts_ < most_cuts; }
+
+    /// Goes on behind the event: other sides. How many guards changed.
+    std::size_t pass() {
+        cuts_ = 0;
+        may_touch_ = false;
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < G; ++i) {
+            if (!(found_[i] < Scalar(0))) continue;
+            settled_[i] = -side_[i];
+            ++changed;
+        }
+        return changed;
+    }
+
+private:
+    static constexpr int parts = 4;       // into which a step is divided to look between
+    static constexpr int most_cuts = 30;  // in a row that bring no event
+
+    Values raw(const State& x, Scalar t) const {
+        Values g{};
+        guards_(x, t, g);
+        return g;
+    }
+
+    Values values(const State& x, Scalar t) const { return with_sides(raw(x, t)); }
+
+    Values values_and_sides(const State& x, Scalar t) {
+        const Values g = raw(x, t);
+        for (std::size_t i = 0; i < G; ++i)
+            if (side_[i] == 0) side_[i] = sign(g[i]);
+        return with_sides(g);
+    }
+
+    Values with_sides(Values g) const {
+        for (std::size_t i = 0; i < G; ++i)
+            if (g[i] == g[i]) g[i] = side_[i] > 0 ? g[i] : side_[i] < 0 ? Scalar(-g[i]) : Scalar(0);
+        return g;
+    }
+
+    static int sign(const Scalar& g) { return g > Scalar(0) ? 1 : g < Scalar(0) ? -1 : 0; }
+
+    template <class Condition>
+    static std::size_t first(const Values& values, Condition condition) {
+        for (std::size_t i = 0; i < G; ++i)
+            if (condition(values[i])) return i;
+        return none;
+    }
+    static bool has_changed(const Values& values) {
+        return first(values, [](const Scalar& value) { return value < Scalar(0); }) != none;
+    }
+    bool is_behind(const Values& values) const {
+        for (std::size_t i = 0; i < G; ++i)
+            if (values[i] < Scalar(0) || (is_strict_[i] && values[i] == Scalar(0))) return true;
+        return false;
+    }
+    static bool has_nan(const Values& values) {
+        return first(values, [](const Scalar& value) { return !(value == value); }) != none;
+    }
+
+    /// The time of the change in the interpolation of the step.
+    template <class Between>
+    Scalar interpolated(Bracket<Scalar, G> bracket, Try& c, Between& between) const {
+        const Scalar rough = c.length / Scalar(1000000);
+        while (!bracket.is_closed(rough)) {
+            const Scalar at = bracket.next(rough);
+            State x;
+            between(c, at, x);
+            const Values sample = values(x, at);
+            is_behind(sample) ? bracket.put_far(at, sample) : bracket.put_near(at, sample);
+        }
+        return bracket.middle();
+    }
+
+    /// Makes the step c; see note [clean steps]. `lowest` are the least values of its stages and its end; where clean steps
+    /// do not lead on, those of its end alone, unless there are no numbers on the other side.
+    template <class Take>
+    bool is_clean(Try& c, Scalar tiny, Values& lowest, Take& take) {
+        lowest_.fill(std::numeric_limits<Scalar>::infinity());
+        is_watching_ = true;
+        take(c);
+        is_watching_ = false;
+        const Values at_end = values(c.y, c.end);
+        for (std::size_t i = 0; i < G; ++i)
+            if (at_end[i] < lowest_[i]) lowest_[i] = at_end[i];
+        if (has_nan(at_end)) c.finite = false;
+        lowest = cuts_ < most_cuts || !c.finite ? lowest_ : at_end;
+        if (!is_behind(lowest)) return true;
+        behind_ = c;
+        found_ = at_end;
+        // What ends the run is found when it is near enough, whether or not there are numbers on the other side.
+        for (std::size_t i = 0; i < G; ++i)
+            if (ends_[i] && !(c.length > tiny) && !(found_[i] < Scalar(0))) found_[i] = lowest_[i];
+        return false;
+    }
+
+    /// Closes the bracket with repeated steps, the guess first, and leaves the longest clean step.
+    template <class Take, class Accurate>
+    void close(Scalar t, const Values& at_start, Scalar end, const Values& at_end, Scalar guess, Try& c, const State& x, Scalar tiny, Scalar resolution, Take& take, Accurate& accurate) {
+        Bracket<Scalar, G> bracket(t, at_start, end, at_end);
+        c = Try();
+        bool is_first = guess > bracket.near() && guess < bracket.far();
+        while (!bracket.is_closed(resolution)) {
+            Try part;
+            part.end = is_first ? guess : bracket.next(resolution);
+            part.length = part.end - t;
+            is_first = false;
+            Values lowest;
+            if (!is_clean(part, tiny, lowest, take)) {
+                bracket.put_far(part.end, lowest);
+                continue;
+            }
+            c = part;
+            if (!c.finite || !accurate(c)) return;  // nor would a longer one be
+            bracket.put_near(part.end, lowest);
+        }
+        is_cut_ = true;
+        c.end = bracket.near();
+        c.length = c.end - t;
+        if (c.end > t) return take(c);  // the stepper knows the step again, for its dense output
+        c.y = x;
+        c.finite = cuts_ < most_cuts || has_changed(found_);
+        if (!c.finite) c.length = behind_.length;
+    }
+
+    Guards& guards_;
+    const std::array<bool, G>& ends_;
+    std::array<int, G> settled_{};     ///< the sides where the run is: -1, 1, or 0 when not known yet
+    std::array<int, G> side_{};        ///< and further on in the step that is tried
+    std::array<bool, G> is_strict_{};  ///< kinks that the step does not start on, and must not end on
+    bool may_touch_ = false;           ///< it may
+    bool is_watching_ = false;
+    Values lowest_{};
+    Try behind_;
+    Values found_{};
+    bool is_cut_ = false;
+    int cuts_ = 0;
+};
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert
