@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations
 //     force = -d(energy)/dq: 1 of 1 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 16 of 16 functions
+//     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 4      8     1        0      0
@@ -51,6 +51,7 @@ inline constexpr std::size_t state_count = 4;
 inline constexpr std::size_t input_count = 1;
 inline constexpr std::size_t output_count = 0;
 inline constexpr std::size_t parameter_count = 4;
+inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi_1 = 0, r = 1, phi_1_dot = 2, r_dot = 3 }; };
@@ -58,11 +59,13 @@ struct input { enum : std::size_t { tau_e = 0 }; };
 struct output {};
 struct parameter { enum : std::size_t { m_K = 0, r_K = 1, theta_B = 2, g = 3 }; };
 
-/// Name in the model, SI unit, description.
+/// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
     const char* name;
     const char* unit;
     const char* description;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
@@ -76,11 +79,21 @@ inline constexpr std::array<Quantity, input_count> input_quantities{
 };
 inline constexpr std::array<Quantity, output_count> output_quantities{};
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
-    Quantity{"m_K", "kg", "mass of the ball"},
-    Quantity{"r_K", "m", "radius of the ball"},
-    Quantity{"theta_B", "kg*m^2", "moment of inertia of the beam about its axis"},
-    Quantity{"g", "m/s^2", "gravity"},
+    Quantity{"m_K", "kg", "mass of the ball", 0.001, 10},
+    Quantity{"r_K", "m", "radius of the ball", 0.001, 0.2},
+    Quantity{"theta_B", "kg*m^2", "moment of inertia of the beam about its axis", 0.0001, 10},
+    Quantity{"g", "m/s^2", "gravity", 0.1, 30},
 };
+
+/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
+/// a kink, jump or infinite slope where its sign changes.
+struct Guard {
+    const char* name;
+    const char* doc;
+    bool ends;
+};
+
+inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// Start values of the state in SI, for the default parameters.
 inline constexpr std::array<double, state_count> start_values{0, 0.21, 0, 0};
@@ -123,6 +136,7 @@ public:
     using Output = std::array<Scalar, output_count>;
     using Generalised = std::array<Scalar, degrees_of_freedom>;
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
+    using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 16>;
     using JacobianU = std::array<Scalar, 4>;
     using JacobianP = std::array<Scalar, 16>;
@@ -140,6 +154,8 @@ public:
     static constexpr const std::array<Quantity, input_count>& input_table() noexcept { return input_quantities; }
     static constexpr const std::array<Quantity, output_count>& output_table() noexcept { return output_quantities; }
     static constexpr const std::array<Quantity, parameter_count>& parameter_table() noexcept { return parameter_quantities; }
+
+    static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
@@ -349,7 +365,7 @@ public:
         M[3] = c_.k2;
     }
 
-    /// bias in M qdd + bias = Q: Coriolis, gravity, springs and dampers.
+    /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
     /// Operations: 3 + or -, 9 *, 2 sin or cos
     ///     bias[phi_1] = 2*m_K*r*dot(phi_1)*dot(r) + m_K*g*r*cos(phi_1) - m_K*r_K*g*sin(phi_1)
     ///     bias[r] = -m_K*r*dot(phi_1)^2 + m_K*g*sin(phi_1)
@@ -420,7 +436,7 @@ public:
         return c_.k4 * r * sin_phi_1 - c_.k5 * (Scalar(1) - cos_phi_1);
     }
 
-    /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
+    /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
     /// Operations: 1 *
     ///     supplied = tau_e*dot(phi_1)
     Scalar supplied_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
@@ -440,6 +456,24 @@ public:
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
+    }
+
+    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Operations: none
+    ///     E = 0
+    Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Functions whose sign matters, in the order of guard_table().
+    /// Operations: none
+    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:

@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations
 //     force = -d(energy)/dq: 3 of 3 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 19 of 19 functions
+//     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 3     13     1        0      0
@@ -54,6 +54,7 @@ inline constexpr std::size_t state_count = 4;
 inline constexpr std::size_t input_count = 1;
 inline constexpr std::size_t output_count = 1;
 inline constexpr std::size_t parameter_count = 8;
+inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s = 0, phi = 1, s_dot = 2, phi_dot = 3 }; };
@@ -61,11 +62,13 @@ struct input { enum : std::size_t { f_e = 0 }; };
 struct output { enum : std::size_t { tip = 0 }; };
 struct parameter { enum : std::size_t { m_W = 0, rho_S = 1, l_S = 2, b_S = 3, h_S = 4, c_W = 5, s_W0 = 6, g = 7 }; };
 
-/// Name in the model, SI unit, description.
+/// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
     const char* name;
     const char* unit;
     const char* description;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
@@ -81,15 +84,25 @@ inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"tip", "m", "position of the lower end of the rod"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
-    Quantity{"m_W", "kg", "mass of the cart"},
-    Quantity{"rho_S", "kg/m^3", "density of the rod"},
-    Quantity{"l_S", "m", "length of the rod"},
-    Quantity{"b_S", "m", "width of the rod"},
-    Quantity{"h_S", "m", "depth of the rod"},
-    Quantity{"c_W", "N/m", "stiffness of the spring to the wall"},
+    Quantity{"m_W", "kg", "mass of the cart", 0.1, 100},
+    Quantity{"rho_S", "kg/m^3", "density of the rod", 100, 20000},
+    Quantity{"l_S", "m", "length of the rod", 0.1, 5},
+    Quantity{"b_S", "m", "width of the rod", 0.001, 0.2},
+    Quantity{"h_S", "m", "depth of the rod", 0.001, 0.2},
+    Quantity{"c_W", "N/m", "stiffness of the spring to the wall", 0, 10000},
     Quantity{"s_W0", "m", "cart position at which the spring is relaxed"},
-    Quantity{"g", "m/s^2", "gravity"},
+    Quantity{"g", "m/s^2", "gravity", 0, 30},
 };
+
+/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
+/// a kink, jump or infinite slope where its sign changes.
+struct Guard {
+    const char* name;
+    const char* doc;
+    bool ends;
+};
+
+inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// Start values of the state in SI, for the default parameters.
 inline constexpr std::array<double, state_count> start_values{0.1, 0.5235987755982989, 0, 0};
@@ -148,6 +161,7 @@ public:
     using Output = std::array<Scalar, output_count>;
     using Generalised = std::array<Scalar, degrees_of_freedom>;
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
+    using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 16>;
     using JacobianU = std::array<Scalar, 4>;
     using JacobianP = std::array<Scalar, 32>;
@@ -165,6 +179,8 @@ public:
     static constexpr const std::array<Quantity, input_count>& input_table() noexcept { return input_quantities; }
     static constexpr const std::array<Quantity, output_count>& output_table() noexcept { return output_quantities; }
     static constexpr const std::array<Quantity, parameter_count>& parameter_table() noexcept { return parameter_quantities; }
+
+    static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
@@ -401,7 +417,7 @@ public:
         M[3] = c_.k2;
     }
 
-    /// bias in M qdd + bias = Q: Coriolis, gravity, springs and dampers.
+    /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
     /// Operations: 2 + or -, 5 *, 1 sin or cos
     ///     bias[s] = -l_S*m_S*sin(phi)*dot(phi)^2/2 - c_W*s_W0 + c_W*s
     ///     bias[phi] = l_S*g*m_S*sin(phi)/2
@@ -480,7 +496,7 @@ public:
         return e1 * e1 * ((Scalar(1) / Scalar(2)) * p_.c_W) - c_.k4 * cos_phi;
     }
 
-    /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
+    /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
     /// Operations: 1 *
     ///     supplied = f_e*dot(s)
     Scalar supplied_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
@@ -500,6 +516,24 @@ public:
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
+    }
+
+    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Operations: none
+    ///     E = 0
+    Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Functions whose sign matters, in the order of guard_table().
+    /// Operations: none
+    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:

@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations
 //     force = -d(energy)/dq: 3 of 3 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 14 of 14 functions
+//     this code = the derivation: 16 of 16 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 2      0     2        0      0
@@ -48,6 +48,7 @@ inline constexpr std::size_t state_count = 4;
 inline constexpr std::size_t input_count = 0;
 inline constexpr std::size_t output_count = 0;
 inline constexpr std::size_t parameter_count = 5;
+inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { z_1 = 0, z_2 = 1, z_1_dot = 2, z_2_dot = 3 }; };
@@ -55,11 +56,13 @@ struct input {};
 struct output {};
 struct parameter { enum : std::size_t { m_1 = 0, m_2 = 1, c_1 = 2, c_2 = 3, c_12 = 4 }; };
 
-/// Name in the model, SI unit, description.
+/// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
     const char* name;
     const char* unit;
     const char* description;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
@@ -71,12 +74,22 @@ inline constexpr std::array<Quantity, state_count> state_quantities{
 inline constexpr std::array<Quantity, input_count> input_quantities{};
 inline constexpr std::array<Quantity, output_count> output_quantities{};
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
-    Quantity{"m_1", "kg", "mass 1"},
-    Quantity{"m_2", "kg", "mass 2"},
-    Quantity{"c_1", "N/m", "stiffness of spring 1"},
-    Quantity{"c_2", "N/m", "stiffness of spring 2"},
-    Quantity{"c_12", "N/m", "stiffness of the leaf spring"},
+    Quantity{"m_1", "kg", "mass 1", 0.01, 1000},
+    Quantity{"m_2", "kg", "mass 2", 0.01, 1000},
+    Quantity{"c_1", "N/m", "stiffness of spring 1", 0.1, 100000},
+    Quantity{"c_2", "N/m", "stiffness of spring 2", 0.1, 100000},
+    Quantity{"c_12", "N/m", "stiffness of the leaf spring", 0.1, 100000},
 };
+
+/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
+/// a kink, jump or infinite slope where its sign changes.
+struct Guard {
+    const char* name;
+    const char* doc;
+    bool ends;
+};
+
+inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// Start values of the state in SI, for the default parameters.
 inline constexpr std::array<double, state_count> start_values{0.1, 0, 0, 0};
@@ -120,6 +133,7 @@ public:
     using Output = std::array<Scalar, output_count>;
     using Generalised = std::array<Scalar, degrees_of_freedom>;
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
+    using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 16>;
     using JacobianU = std::array<Scalar, 0>;
     using JacobianP = std::array<Scalar, 20>;
@@ -137,6 +151,8 @@ public:
     static constexpr const std::array<Quantity, input_count>& input_table() noexcept { return input_quantities; }
     static constexpr const std::array<Quantity, output_count>& output_table() noexcept { return output_quantities; }
     static constexpr const std::array<Quantity, parameter_count>& parameter_table() noexcept { return parameter_quantities; }
+
+    static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
@@ -266,7 +282,7 @@ public:
         M[3] = p_.m_2;
     }
 
-    /// bias in M qdd + bias = Q: Coriolis, gravity, springs and dampers.
+    /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
     /// Operations: 2 + or -, 4 *
     ///     bias[z_1] = (c_1 + c_12)*z_1 - c_12*z_2
     ///     bias[z_2] = -c_12*z_1 + (c_2 + c_12)*z_2
@@ -320,7 +336,7 @@ public:
         return z_2 * z_2 * ((Scalar(1) / Scalar(2)) * (p_.c_2 + p_.c_12)) - e1;
     }
 
-    /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
+    /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
     /// Operations: none
     ///     supplied = 0
     Scalar supplied_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -338,6 +354,24 @@ public:
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
+    }
+
+    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Operations: none
+    ///     E = 0
+    Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Functions whose sign matters, in the order of guard_table().
+    /// Operations: none
+    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:

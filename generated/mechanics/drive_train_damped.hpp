@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations
 //     force = -d(energy)/dq: 1 of 1 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 18 of 18 functions
+//     this code = the derivation: 20 of 20 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 1      2     2        0      0
@@ -53,6 +53,7 @@ inline constexpr std::size_t state_count = 4;
 inline constexpr std::size_t input_count = 2;
 inline constexpr std::size_t output_count = 1;
 inline constexpr std::size_t parameter_count = 6;
+inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi_1 = 0, phi_2 = 1, phi_1_dot = 2, phi_2_dot = 3 }; };
@@ -60,11 +61,13 @@ struct input { enum : std::size_t { tau_m = 0, tau_l = 1 }; };
 struct output { enum : std::size_t { twist = 0 }; };
 struct parameter { enum : std::size_t { theta_m = 0, theta_1 = 1, theta_2 = 2, i_g = 3, c = 4, d = 5 }; };
 
-/// Name in the model, SI unit, description.
+/// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
     const char* name;
     const char* unit;
     const char* description;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
@@ -81,13 +84,23 @@ inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"twist", "rad", "twist of the shaft"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
-    Quantity{"theta_m", "kg*m^2", "moment of inertia of the motor"},
-    Quantity{"theta_1", "kg*m^2", "moment of inertia behind the gear"},
-    Quantity{"theta_2", "kg*m^2", "moment of inertia of the load"},
-    Quantity{"i_g", "1", "gear ratio, speed of the motor to speed behind the gear"},
-    Quantity{"c", "N*m/rad", "stiffness of the shaft"},
-    Quantity{"d", "N*m*s/rad", "damping of the shaft"},
+    Quantity{"theta_m", "kg*m^2", "moment of inertia of the motor", 1e-06, 100},
+    Quantity{"theta_1", "kg*m^2", "moment of inertia behind the gear", 1e-06, 100},
+    Quantity{"theta_2", "kg*m^2", "moment of inertia of the load", 1e-06, 100},
+    Quantity{"i_g", "1", "gear ratio, speed of the motor to speed behind the gear", 0.1, 100},
+    Quantity{"c", "N*m/rad", "stiffness of the shaft", 0.1, 1000000},
+    Quantity{"d", "N*m*s/rad", "damping of the shaft", 0, 1000},
 };
+
+/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
+/// a kink, jump or infinite slope where its sign changes.
+struct Guard {
+    const char* name;
+    const char* doc;
+    bool ends;
+};
+
+inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// Start values of the state in SI, for the default parameters.
 inline constexpr std::array<double, state_count> start_values{0.05, 0, 0, 0};
@@ -132,6 +145,7 @@ public:
     using Output = std::array<Scalar, output_count>;
     using Generalised = std::array<Scalar, degrees_of_freedom>;
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
+    using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 16>;
     using JacobianU = std::array<Scalar, 8>;
     using JacobianP = std::array<Scalar, 24>;
@@ -149,6 +163,8 @@ public:
     static constexpr const std::array<Quantity, input_count>& input_table() noexcept { return input_quantities; }
     static constexpr const std::array<Quantity, output_count>& output_table() noexcept { return output_quantities; }
     static constexpr const std::array<Quantity, parameter_count>& parameter_table() noexcept { return parameter_quantities; }
+
+    static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
@@ -306,7 +322,7 @@ public:
         M[3] = p_.theta_2;
     }
 
-    /// bias in M qdd + bias = Q: Coriolis, gravity, springs and dampers.
+    /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
     /// Operations: 4 + or -, 2 *
     ///     bias[phi_1] = d*dot(phi_1) - d*dot(phi_2) + c*phi_1 - c*phi_2
     ///     bias[phi_2] = -d*dot(phi_1) + d*dot(phi_2) - c*phi_1 + c*phi_2
@@ -376,7 +392,7 @@ public:
         return e1 * e1 * ((Scalar(1) / Scalar(2)) * p_.c);
     }
 
-    /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
+    /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
     /// Operations: 1 + or -, 3 *
     ///     supplied = i_g*tau_m*dot(phi_1) - tau_l*dot(phi_2)
     Scalar supplied_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
@@ -401,6 +417,24 @@ public:
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
+    }
+
+    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Operations: none
+    ///     E = 0
+    Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Functions whose sign matters, in the order of guard_table().
+    /// Operations: none
+    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:

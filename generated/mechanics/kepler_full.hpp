@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations
 //     force = -d(energy)/dq: 1 of 1 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 17 of 17 functions
+//     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      3     1        0      0
@@ -51,6 +51,7 @@ inline constexpr std::size_t state_count = 4;
 inline constexpr std::size_t input_count = 0;
 inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 5;
+inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { x = 0, y = 1, x_dot = 2, y_dot = 3 }; };
@@ -58,11 +59,13 @@ struct input {};
 struct output { enum : std::size_t { areal_velocity = 0, angular_momentum = 1, distance = 2 }; };
 struct parameter { enum : std::size_t { G = 0, M = 1, m = 2, r_p = 3, e = 4 }; };
 
-/// Name in the model, SI unit, description.
+/// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
     const char* name;
     const char* unit;
     const char* description;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
@@ -78,12 +81,22 @@ inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"distance", "m", "distance from the planet"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
-    Quantity{"G", "m^3/(kg*s^2)", "gravitational constant"},
-    Quantity{"M", "kg", "mass of the planet, which rests at the origin"},
-    Quantity{"m", "kg", "mass of the satellite"},
-    Quantity{"r_p", "m", "distance at the start, the smallest one"},
-    Quantity{"e", "1", "eccentricity of the orbit"},
+    Quantity{"G", "m^3/(kg*s^2)", "gravitational constant", 1e-12, 1e-09},
+    Quantity{"M", "kg", "mass of the planet, which rests at the origin", 1e+20, 1e+28},
+    Quantity{"m", "kg", "mass of the satellite", 1, 1000000},
+    Quantity{"r_p", "m", "distance at the start, the smallest one", 1000, 1000000000},
+    Quantity{"e", "1", "eccentricity of the orbit", 0, 0.99},
 };
+
+/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
+/// a kink, jump or infinite slope where its sign changes.
+struct Guard {
+    const char* name;
+    const char* doc;
+    bool ends;
+};
+
+inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// Start values of the state in SI, for the default parameters.
 inline constexpr std::array<double, state_count> start_values{7000000, 0, 0, 8603.703146237172};
@@ -127,6 +140,7 @@ public:
     using Output = std::array<Scalar, output_count>;
     using Generalised = std::array<Scalar, degrees_of_freedom>;
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
+    using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 16>;
     using JacobianU = std::array<Scalar, 0>;
     using JacobianP = std::array<Scalar, 20>;
@@ -144,6 +158,8 @@ public:
     static constexpr const std::array<Quantity, input_count>& input_table() noexcept { return input_quantities; }
     static constexpr const std::array<Quantity, output_count>& output_table() noexcept { return output_quantities; }
     static constexpr const std::array<Quantity, parameter_count>& parameter_table() noexcept { return parameter_quantities; }
+
+    static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
@@ -300,7 +316,7 @@ public:
         M[3] = p_.m;
     }
 
-    /// bias in M qdd + bias = Q: Coriolis, gravity, springs and dampers.
+    /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
     /// Operations: 1 + or -, 7 *, 1 /, 1 other functions
     ///     bias[x] = G*M*m*x/sqrt(x^2 + y^2)^3
     ///     bias[y] = G*M*m*y/sqrt(x^2 + y^2)^3
@@ -391,7 +407,7 @@ public:
         return -c_.k2 / sqrt_1;
     }
 
-    /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
+    /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
     /// Operations: none
     ///     supplied = 0
     Scalar supplied_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -409,6 +425,24 @@ public:
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
+    }
+
+    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Operations: none
+    ///     E = 0
+    Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Functions whose sign matters, in the order of guard_table().
+    /// Operations: none
+    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:

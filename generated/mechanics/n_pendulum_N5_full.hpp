@@ -12,7 +12,7 @@
 //     d'Alembert = Euler-Lagrange: 5 of 5 equations
 //     force = -d(energy)/dq: 5 of 5 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 17 of 17 functions
+//     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 4     35     1        0      0
@@ -51,6 +51,7 @@ inline constexpr std::size_t state_count = 10;
 inline constexpr std::size_t input_count = 0;
 inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 11;
+inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi_1 = 0, phi_2 = 1, phi_3 = 2, phi_4 = 3, phi_5 = 4, phi_1_dot = 5, phi_2_dot = 6,
@@ -60,11 +61,13 @@ struct output { enum : std::size_t { x_end = 0, y_end = 1 }; };
 struct parameter { enum : std::size_t { m_1 = 0, m_2 = 1, m_3 = 2, m_4 = 3, m_5 = 4, l_1 = 5, l_2 = 6, l_3 = 7, l_4 = 8,
     l_5 = 9, g = 10 }; };
 
-/// Name in the model, SI unit, description.
+/// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
     const char* name;
     const char* unit;
     const char* description;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
@@ -85,18 +88,28 @@ inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"y_end", "m", "height of the last mass"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
-    Quantity{"m[1]", "kg", "mass at the end of link k"},
-    Quantity{"m[2]", "kg", "mass at the end of link k"},
-    Quantity{"m[3]", "kg", "mass at the end of link k"},
-    Quantity{"m[4]", "kg", "mass at the end of link k"},
-    Quantity{"m[5]", "kg", "mass at the end of link k"},
-    Quantity{"l[1]", "m", "length of link k"},
-    Quantity{"l[2]", "m", "length of link k"},
-    Quantity{"l[3]", "m", "length of link k"},
-    Quantity{"l[4]", "m", "length of link k"},
-    Quantity{"l[5]", "m", "length of link k"},
-    Quantity{"g", "m/s^2", "gravity"},
+    Quantity{"m[1]", "kg", "mass at the end of link k", 0.01, 100},
+    Quantity{"m[2]", "kg", "mass at the end of link k", 0.01, 100},
+    Quantity{"m[3]", "kg", "mass at the end of link k", 0.01, 100},
+    Quantity{"m[4]", "kg", "mass at the end of link k", 0.01, 100},
+    Quantity{"m[5]", "kg", "mass at the end of link k", 0.01, 100},
+    Quantity{"l[1]", "m", "length of link k", 0.01, 10},
+    Quantity{"l[2]", "m", "length of link k", 0.01, 10},
+    Quantity{"l[3]", "m", "length of link k", 0.01, 10},
+    Quantity{"l[4]", "m", "length of link k", 0.01, 10},
+    Quantity{"l[5]", "m", "length of link k", 0.01, 10},
+    Quantity{"g", "m/s^2", "gravity", 0, 30},
 };
+
+/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
+/// a kink, jump or infinite slope where its sign changes.
+struct Guard {
+    const char* name;
+    const char* doc;
+    bool ends;
+};
+
+inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// Start values of the state in SI, for the default parameters.
 inline constexpr std::array<double, state_count> start_values{0.5235987755982989, 0.5235987755982989, 0.5235987755982989, 0.5235987755982989, 0.5235987755982989, 0, 0, 0, 0, 0};
@@ -150,6 +163,7 @@ public:
     using Output = std::array<Scalar, output_count>;
     using Generalised = std::array<Scalar, degrees_of_freedom>;
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
+    using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 100>;
     using JacobianU = std::array<Scalar, 0>;
     using JacobianP = std::array<Scalar, 110>;
@@ -167,6 +181,8 @@ public:
     static constexpr const std::array<Quantity, input_count>& input_table() noexcept { return input_quantities; }
     static constexpr const std::array<Quantity, output_count>& output_table() noexcept { return output_quantities; }
     static constexpr const std::array<Quantity, parameter_count>& parameter_table() noexcept { return parameter_quantities; }
+
+    static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
@@ -1109,7 +1125,7 @@ public:
         M[24] = c_.k14;
     }
 
-    /// bias in M qdd + bias = Q: Coriolis, gravity, springs and dampers.
+    /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
     /// Operations: 30 + or -, 60 *, 10 sin or cos
     ///     bias[phi[1]] = l[1]*l[2]*(m[2] + m[3] + m[4] + m[5])*sin(phi[1] - phi[2])*dot(phi[2])^2 + l[1]*l[3]*(m[3] + m[4] +
     ///     m[5])*sin(phi[1] - phi[3])*dot(phi[3])^2 + l[1]*l[4]*(m[4] + m[5])*sin(phi[1] - phi[4])*dot(phi[4])^2 +
@@ -1339,7 +1355,7 @@ public:
         return -c_.k15 * cos_phi_1 - c_.k16 * cos_phi_2 - c_.k17 * cos_phi_3 - c_.k18 * cos_phi_4 - c_.k19 * cos_phi_5;
     }
 
-    /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
+    /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
     /// Operations: none
     ///     supplied = 0
     Scalar supplied_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -1357,6 +1373,24 @@ public:
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
+    }
+
+    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Operations: none
+    ///     E = 0
+    Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Functions whose sign matters, in the order of guard_table().
+    /// Operations: none
+    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:

@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations
 //     force = -d(energy)/dq: 1 of 1 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 17 of 17 functions
+//     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      4     1        0      0
@@ -52,6 +52,7 @@ inline constexpr std::size_t state_count = 4;
 inline constexpr std::size_t input_count = 0;
 inline constexpr std::size_t output_count = 1;
 inline constexpr std::size_t parameter_count = 8;
+inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { x = 0, z = 1, x_dot = 2, z_dot = 3 }; };
@@ -59,11 +60,13 @@ struct input {};
 struct output { enum : std::size_t { speed = 0 }; };
 struct parameter { enum : std::size_t { m = 0, g = 1, h = 2, v_0 = 3, alpha = 4, c_W = 5, A = 6, rho_f = 7 }; };
 
-/// Name in the model, SI unit, description.
+/// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
     const char* name;
     const char* unit;
     const char* description;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
@@ -77,15 +80,25 @@ inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"speed", "m/s", "speed"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
-    Quantity{"m", "kg", "mass of the ball"},
-    Quantity{"g", "m/s^2", "gravity"},
-    Quantity{"h", "m", "height at the start"},
-    Quantity{"v_0", "m/s", "speed at the start"},
-    Quantity{"alpha", "rad", "angle of the throw above the horizontal"},
-    Quantity{"c_W", "1", "drag coefficient"},
-    Quantity{"A", "m^2", "cross section"},
-    Quantity{"rho_f", "kg/m^3", "density of the air"},
+    Quantity{"m", "kg", "mass of the ball", 0.001, 100},
+    Quantity{"g", "m/s^2", "gravity", 0.1, 30},
+    Quantity{"h", "m", "height at the start", 0, 100},
+    Quantity{"v_0", "m/s", "speed at the start", 0.1, 300},
+    Quantity{"alpha", "rad", "angle of the throw above the horizontal", 0.017453292519943295, 1.5533430342749532},
+    Quantity{"c_W", "1", "drag coefficient", 0.01, 2},
+    Quantity{"A", "m^2", "cross section", 1e-05, 0.1},
+    Quantity{"rho_f", "kg/m^3", "density of the air", 0.01, 1200},
 };
+
+/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
+/// a kink, jump or infinite slope where its sign changes.
+struct Guard {
+    const char* name;
+    const char* doc;
+    bool ends;
+};
+
+inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// Start values of the state in SI, for the default parameters.
 inline constexpr std::array<double, state_count> start_values{0, 1.8, 19.151111077974452, 16.06969024216348};
@@ -158,6 +171,7 @@ public:
     using Output = std::array<Scalar, output_count>;
     using Generalised = std::array<Scalar, degrees_of_freedom>;
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
+    using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 16>;
     using JacobianU = std::array<Scalar, 0>;
     using JacobianP = std::array<Scalar, 32>;
@@ -175,6 +189,8 @@ public:
     static constexpr const std::array<Quantity, input_count>& input_table() noexcept { return input_quantities; }
     static constexpr const std::array<Quantity, output_count>& output_table() noexcept { return output_quantities; }
     static constexpr const std::array<Quantity, parameter_count>& parameter_table() noexcept { return parameter_quantities; }
+
+    static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
@@ -341,7 +357,7 @@ public:
         M[3] = p_.m;
     }
 
-    /// bias in M qdd + bias = Q: Coriolis, gravity, springs and dampers.
+    /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
     /// Operations: 2 + or -, 5 *, 1 other functions
     ///     bias[x] = c_W*A*rho_f*sqrt(dot(x)^2 + dot(z)^2)*dot(x)/2
     ///     bias[z] = c_W*A*rho_f*sqrt(dot(x)^2 + dot(z)^2)*dot(z)/2 + m*g
@@ -411,7 +427,7 @@ public:
         return c_.k3 * z;
     }
 
-    /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
+    /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
     /// Operations: none
     ///     supplied = 0
     Scalar supplied_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -434,6 +450,24 @@ public:
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
+    }
+
+    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Operations: none
+    ///     E = 0
+    Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Functions whose sign matters, in the order of guard_table().
+    /// Operations: none
+    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:

@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations
 //     force = -d(energy)/dq: 2 of 2 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 17 of 17 functions
+//     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 2      3     1        0      0
@@ -48,6 +48,7 @@ inline constexpr std::size_t state_count = 2;
 inline constexpr std::size_t input_count = 0;
 inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 5;
+inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { delta_z_2 = 0, delta_z_2_dot = 1 }; };
@@ -55,11 +56,13 @@ struct input {};
 struct output { enum : std::size_t { z_1 = 0, z_2 = 1 }; };
 struct parameter { enum : std::size_t { m_1 = 0, m_2 = 1, g = 2, z_10 = 3, z_20 = 4 }; };
 
-/// Name in the model, SI unit, description.
+/// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
     const char* name;
     const char* unit;
     const char* description;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
@@ -72,12 +75,22 @@ inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"z_2", "m", "position of mass 2"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
-    Quantity{"m_1", "kg", "mass that hangs on the loose pulley"},
-    Quantity{"m_2", "kg", "mass at the end of the rope"},
-    Quantity{"g", "m/s^2", "gravity"},
+    Quantity{"m_1", "kg", "mass that hangs on the loose pulley", 0.01, 1000},
+    Quantity{"m_2", "kg", "mass at the end of the rope", 0.01, 1000},
+    Quantity{"g", "m/s^2", "gravity", 0, 30},
     Quantity{"z_10", "m", "position of mass 1 at the start, downwards"},
     Quantity{"z_20", "m", "position of mass 2 at the start, downwards"},
 };
+
+/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
+/// a kink, jump or infinite slope where its sign changes.
+struct Guard {
+    const char* name;
+    const char* doc;
+    bool ends;
+};
+
+inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// Start values of the state in SI, for the default parameters.
 inline constexpr std::array<double, state_count> start_values{0, 0};
@@ -121,6 +134,7 @@ public:
     using Output = std::array<Scalar, output_count>;
     using Generalised = std::array<Scalar, degrees_of_freedom>;
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
+    using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 4>;
     using JacobianU = std::array<Scalar, 0>;
     using JacobianP = std::array<Scalar, 10>;
@@ -138,6 +152,8 @@ public:
     static constexpr const std::array<Quantity, input_count>& input_table() noexcept { return input_quantities; }
     static constexpr const std::array<Quantity, output_count>& output_table() noexcept { return output_quantities; }
     static constexpr const std::array<Quantity, parameter_count>& parameter_table() noexcept { return parameter_quantities; }
+
+    static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
@@ -223,7 +239,7 @@ public:
         M[0] = c_.k2;
     }
 
-    /// bias in M qdd + bias = Q: Coriolis, gravity, springs and dampers.
+    /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
     /// Operations: none
     ///     bias[delta_z_2] = g*(m_1/2 - m_2)
     void bias(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
@@ -277,7 +293,7 @@ public:
         return c_.k1 * delta_z_2 - p_.g * (p_.m_1 * p_.z_10 + p_.m_2 * p_.z_20);
     }
 
-    /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
+    /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
     /// Operations: none
     ///     supplied = 0
     Scalar supplied_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -295,6 +311,24 @@ public:
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
+    }
+
+    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Operations: none
+    ///     E = 0
+    Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Functions whose sign matters, in the order of guard_table().
+    /// Operations: none
+    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:

@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations
 //     force = -d(energy)/dq: 1 of 1 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 17 of 17 functions
+//     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      6     2        0      0
@@ -51,6 +51,7 @@ inline constexpr std::size_t state_count = 4;
 inline constexpr std::size_t input_count = 0;
 inline constexpr std::size_t output_count = 1;
 inline constexpr std::size_t parameter_count = 3;
+inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { theta = 0, phi = 1, theta_dot = 2, phi_dot = 3 }; };
@@ -58,15 +59,17 @@ struct input {};
 struct output { enum : std::size_t { height = 0 }; };
 struct parameter { enum : std::size_t { m = 0, l = 1, g = 2 }; };
 
-/// Name in the model, SI unit, description.
+/// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
     const char* name;
     const char* unit;
     const char* description;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
-    Quantity{"theta", "rad", "angle from the downward vertical"},
+    Quantity{"theta", "rad", "angle from the downward vertical", 0.1, 3},
     Quantity{"phi", "rad", "angle about the vertical"},
     Quantity{"dot(theta)", "rad/s", "time derivative of theta"},
     Quantity{"dot(phi)", "rad/s", "time derivative of phi"},
@@ -76,10 +79,20 @@ inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"height", "m", "height of the bob"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
-    Quantity{"m", "kg", "mass"},
-    Quantity{"l", "m", "length"},
-    Quantity{"g", "m/s^2", "gravity"},
+    Quantity{"m", "kg", "mass", 0.01, 100},
+    Quantity{"l", "m", "length", 0.01, 100},
+    Quantity{"g", "m/s^2", "gravity", 0.1, 30},
 };
+
+/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
+/// a kink, jump or infinite slope where its sign changes.
+struct Guard {
+    const char* name;
+    const char* doc;
+    bool ends;
+};
+
+inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// Start values of the state in SI, for the default parameters.
 inline constexpr std::array<double, state_count> start_values{1, 0, 0, 2};
@@ -121,6 +134,7 @@ public:
     using Output = std::array<Scalar, output_count>;
     using Generalised = std::array<Scalar, degrees_of_freedom>;
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
+    using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 16>;
     using JacobianU = std::array<Scalar, 0>;
     using JacobianP = std::array<Scalar, 12>;
@@ -138,6 +152,8 @@ public:
     static constexpr const std::array<Quantity, input_count>& input_table() noexcept { return input_quantities; }
     static constexpr const std::array<Quantity, output_count>& output_table() noexcept { return output_quantities; }
     static constexpr const std::array<Quantity, parameter_count>& parameter_table() noexcept { return parameter_quantities; }
+
+    static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
@@ -298,7 +314,7 @@ public:
         M[3] = c_.k0 * sin_theta * sin_theta;
     }
 
-    /// bias in M qdd + bias = Q: Coriolis, gravity, springs and dampers.
+    /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
     /// Operations: 1 + or -, 7 *, 2 sin or cos
     ///     bias[theta] = -m*l^2*cos(theta)*sin(theta)*dot(phi)^2 + m*l*g*sin(theta)
     ///     bias[phi] = 2*m*l^2*cos(theta)*sin(theta)*dot(theta)*dot(phi)
@@ -374,7 +390,7 @@ public:
         return c_.k1 * (Scalar(1) - cos_theta);
     }
 
-    /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
+    /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
     /// Operations: none
     ///     supplied = 0
     Scalar supplied_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -392,6 +408,24 @@ public:
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
+    }
+
+    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Operations: none
+    ///     E = 0
+    Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Functions whose sign matters, in the order of guard_table().
+    /// Operations: none
+    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:

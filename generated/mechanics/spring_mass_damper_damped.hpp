@@ -13,7 +13,7 @@
 //     d'Alembert = Euler-Lagrange: 3 of 3 equations
 //     force = -d(energy)/dq: 7 of 7 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 15 of 15 functions
+//     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                10      7     3        0      0
@@ -52,6 +52,7 @@ inline constexpr std::size_t state_count = 6;
 inline constexpr std::size_t input_count = 1;
 inline constexpr std::size_t output_count = 0;
 inline constexpr std::size_t parameter_count = 15;
+inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s_1 = 0, s_2 = 1, s_3 = 2, s_1_dot = 3, s_2_dot = 4, s_3_dot = 5 }; };
@@ -60,11 +61,13 @@ struct output {};
 struct parameter { enum : std::size_t { m_1 = 0, m_2 = 1, m_3 = 2, c_11 = 3, c_22 = 4, c_13 = 5, c_23 = 6, s_011 = 7, s_022 = 8,
     s_013 = 9, s_023 = 10, d_11 = 11, d_22 = 12, d_13 = 13, g = 14 }; };
 
-/// Name in the model, SI unit, description.
+/// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
     const char* name;
     const char* unit;
     const char* description;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
@@ -80,22 +83,32 @@ inline constexpr std::array<Quantity, input_count> input_quantities{
 };
 inline constexpr std::array<Quantity, output_count> output_quantities{};
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
-    Quantity{"m_1", "kg", "mass 1"},
-    Quantity{"m_2", "kg", "mass 2"},
-    Quantity{"m_3", "kg", "mass 3"},
-    Quantity{"c_11", "N/m", "spring between ground and mass 1"},
-    Quantity{"c_22", "N/m", "spring between ground and mass 2"},
-    Quantity{"c_13", "N/m", "spring between masses 1 and 3"},
-    Quantity{"c_23", "N/m", "spring between masses 2 and 3"},
+    Quantity{"m_1", "kg", "mass 1", 0.01, 100},
+    Quantity{"m_2", "kg", "mass 2", 0.01, 100},
+    Quantity{"m_3", "kg", "mass 3", 0.01, 100},
+    Quantity{"c_11", "N/m", "spring between ground and mass 1", 0.01, 1000},
+    Quantity{"c_22", "N/m", "spring between ground and mass 2", 0.01, 1000},
+    Quantity{"c_13", "N/m", "spring between masses 1 and 3", 0.01, 1000},
+    Quantity{"c_23", "N/m", "spring between masses 2 and 3", 0.01, 1000},
     Quantity{"s_011", "m", "relaxed length of spring c_11"},
     Quantity{"s_022", "m", "relaxed length of spring c_22"},
     Quantity{"s_013", "m", "relaxed length of spring c_13"},
     Quantity{"s_023", "m", "relaxed length of spring c_23"},
-    Quantity{"d_11", "N*s/m", "damper between ground and mass 1"},
-    Quantity{"d_22", "N*s/m", "damper between ground and mass 2"},
-    Quantity{"d_13", "N*s/m", "damper between masses 1 and 3"},
-    Quantity{"g", "m/s^2", "gravity"},
+    Quantity{"d_11", "N*s/m", "damper between ground and mass 1", 0, 100},
+    Quantity{"d_22", "N*s/m", "damper between ground and mass 2", 0, 100},
+    Quantity{"d_13", "N*s/m", "damper between masses 1 and 3", 0, 100},
+    Quantity{"g", "m/s^2", "gravity", 0, 30},
 };
+
+/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
+/// a kink, jump or infinite slope where its sign changes.
+struct Guard {
+    const char* name;
+    const char* doc;
+    bool ends;
+};
+
+inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// Start values of the state in SI, for the default parameters.
 inline constexpr std::array<double, state_count> start_values{15, 15, 30, 0, 0, 0};
@@ -149,6 +162,7 @@ public:
     using Output = std::array<Scalar, output_count>;
     using Generalised = std::array<Scalar, degrees_of_freedom>;
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
+    using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 36>;
     using JacobianU = std::array<Scalar, 6>;
     using JacobianP = std::array<Scalar, 90>;
@@ -166,6 +180,8 @@ public:
     static constexpr const std::array<Quantity, input_count>& input_table() noexcept { return input_quantities; }
     static constexpr const std::array<Quantity, output_count>& output_table() noexcept { return output_quantities; }
     static constexpr const std::array<Quantity, parameter_count>& parameter_table() noexcept { return parameter_quantities; }
+
+    static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
@@ -440,7 +456,7 @@ public:
         M[8] = p_.m_3;
     }
 
-    /// bias in M qdd + bias = Q: Coriolis, gravity, springs and dampers.
+    /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
     /// Operations: 12 + or -, 11 *
     ///     bias[s_1] = (d_11 + d_13)*dot(s_1) - d_13*dot(s_3) + (m_1*g - c_11*s_011 + c_13*s_013) + (c_11 + c_13)*s_1 - c_13*s_3
     ///     bias[s_2] = d_22*dot(s_2) + (m_2*g - c_22*s_022 + c_23*s_023) + (c_22 + c_23)*s_2 - c_23*s_3
@@ -513,7 +529,7 @@ public:
             * ((Scalar(1) / Scalar(2)) * p_.c_13) + e4 * e4 * ((Scalar(1) / Scalar(2)) * p_.c_23);
     }
 
-    /// Power in watts that forces, torques and inputs supply. d(T + V)/dt = supplied - dissipated + prescribed.
+    /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
     /// Operations: 1 + or -, 1 *
     ///     supplied = -f_L*dot(s_3)
     Scalar supplied_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
@@ -537,6 +553,24 @@ public:
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
+    }
+
+    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Operations: none
+    ///     E = 0
+    Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
+    }
+
+    /// Functions whose sign matters, in the order of guard_table().
+    /// Operations: none
+    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:

@@ -92,12 +92,12 @@ void guard_volume(const ControlVolume& v, const ex& smallest, const std::vector<
             const bool is_forced = law == Flow::Law::given_mass || law == Flow::Law::given_volume || law == Flow::Law::pump || law == Flow::Law::pipe;
             return (f.from_volume == &v || f.to_volume == &v) && is_forced;
         });
-        if (is_drained || v.medium->is_compressible()) guards.push_back({name + " is empty", true, v.size - smallest});
+        if (is_drained || v.medium->is_compressible()) guards.push_back({name, "volume " + name + " is empty", true, v.size - smallest});
         return;
     }
-    if (moves) guards.push_back({name + " is about to vanish", true, v.size - smallest});
-    guards.push_back({"pressure of " + name + " is about to become negative", true, v.medium_state.pressure});
-    if (v.is_thermal()) guards.push_back({"temperature of " + name + " is about to become negative", true, *v.fluid.temperature});
+    if (moves) guards.push_back({name, "volume " + name + " is about to vanish", true, v.size - smallest});
+    guards.push_back({name, "the pressure in volume " + name + " is about to become negative", true, v.medium_state.pressure});
+    if (v.is_thermal()) guards.push_back({name, "the temperature in volume " + name + " is about to become negative", true, *v.fluid.temperature});
 }
 
 }  // namespace

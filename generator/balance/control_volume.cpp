@@ -63,6 +63,8 @@ private:
                                      : ControlVolume::Primary::mass;
         v.state = state(named, indices);
         v.size = translate_(item.volume, indices);
+        if (v.size.expand().is_zero())
+            throw Failure(Diagnostic{Id::value_out_of_range, item.volume->span, fmt::format("the size of volume '{}' is zero whatever the parameters are", v.member.name())});
         check_size(v);
 
         std::optional<ex> T;

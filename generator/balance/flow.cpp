@@ -66,7 +66,7 @@ private:
         f.mass_flow = f.density * volume_flow;
     }
 
-    void edge(FlowState& f, const char* what, const ex& guard) const { f.edges.push_back({fmt::format("{} {}", f.member.name(), what), false, guard}); }
+    void edge(FlowState& f, const char* what, const ex& guard) const { f.edges.push_back({f.member.name(), fmt::format("flow {} {}", f.member.name(), what), false, guard}); }
 
     /// sqrt(2/rho)*sign(dp)*sqrt(|dp|), the velocity behind (3.150); with a width the smooth law. Where dp is the head of a level that
     /// is integrated as its root, the root is the level's own and ends where the tank is empty.

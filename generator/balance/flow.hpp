@@ -9,7 +9,8 @@ namespace dalembert {
 
 /// A function whose sign matters to the integration.
 struct Guard {
-    std::string name;  ///< "chamber_1 is empty"
+    std::string name;  ///< what it belongs to: "chamber_1"
+    std::string doc;   ///< "chamber_1 is about to vanish"
     bool ends;         ///< the model holds only where it is not negative; else the right-hand side has an edge where its sign changes
     GiNaC::ex value;
 };

@@ -29,6 +29,8 @@ public:
     bool is_compressible() const { return item_->law != Medium::Law::incompressible; }
 
     MediumState at_pressure(const GiNaC::ex& p, const GiNaC::ex& T) const;
+    /// Where the medium says its pressure over density and temperature: gases, liquids, given ones with an inverse.
+    bool has_density_form() const { return by_density_.has_value(); }
     MediumState at_density(const GiNaC::ex& rho, const GiNaC::ex& T) const;
 
     /// The temperature of what says none; nothing where the medium has none either and none matters.

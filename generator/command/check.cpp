@@ -92,7 +92,7 @@ private:
                     json["counterexample"]["values"][name] = value;
                     values.push_back(fmt::format("{} = {}", name, value));
                 }
-                text += fmt::format("      example:    left {}, right {} at {}\n", c.left, c.right, fmt::join(values, ", "));
+                text += fmt::format("      example:    left {}, right {}{}{}\n", c.left, c.right, values.empty() ? "" : " at ", fmt::join(values, ", "));
             }
             json_["printed"].push_back(std::move(json));
             say(text);

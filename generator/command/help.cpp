@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <array>
 #include <ostream>
 
 #include "command/command_line.hpp"
@@ -30,11 +31,17 @@ std::string function_reference() {
 }
 
 std::string quantity_reference() {
-    static constexpr const char* subscripts[]{"", "[body]", " or [body]", "[body, 1..3]", "[coordinate]", "[coordinate, coordinate]"};
-    std::string text = "Derived quantities, for outputs and printed equations:\n";
-    for (const QuantitySpec& quantity : quantities())
-        text += fmt::format("  {:<22}{:<26} {}\n", quantity.name, subscripts[static_cast<std::size_t>(quantity.subscript)], quantity.doc);
-    return text;
+    static constexpr std::array subscripts{"",          "[body]", " or [body]",       "[body, 1..3]",   "[coordinate]",     "[coordinate, coordinate]",
+                                           "[X]", "[X] or [medium, p, T]", "[medium, p, T]", "[volume]", " or [volume]", "[flow]"};
+    const auto rows = [](bool properties) {
+        std::string text;
+        for (const QuantitySpec& quantity : quantities())
+            if (quantity.is_property == properties)
+                text += fmt::format("  {:<22}{:<26} {}\n", quantity.name, subscripts.at(static_cast<std::size_t>(quantity.subscript)), quantity.doc);
+        return text;
+    };
+    return "Derived quantities, for outputs and printed equations:\n" + rows(false) +
+           "Properties of media, usable wherever states are; X is a volume or reservoir:\n" + rows(true);
 }
 
 std::string json_reference() {

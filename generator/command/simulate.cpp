@@ -18,6 +18,8 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         json["status"] = report.status;
         json["t"] = report.t;
         json["state"] = report.culprit;
+        json["guard"] = report.guard;
+        json["events"] = report.events;
         json["steps"] = report.steps;
         json["rejected"] = report.rejected;
         json["rhs_calls"] = report.rhs_calls;
@@ -26,12 +28,14 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         for (const auto& [path, content] : report.files) json["files"].push_back(path.string());
         streams.out << printed(json);
     } else {
-        streams.out << fmt::format("{} steps ({} rejected), {} evaluations of the right-hand side\n", report.steps, report.rejected, report.rhs_calls);
-        streams.out << fmt::format("energy error: max |E - E(0) - work| / max(T + |V|) = {}\n", report.energy_error);
+        streams.out << fmt::format("{} steps ({} rejected), {} evaluations of the right-hand side{}\n", report.steps, report.rejected, report.rhs_calls,
+                                   report.events > 0 ? fmt::format(", {} events passed", report.events) : "");
+        const char* energy = prepared.machine.system->fluids.empty() ? "T + |V|" : "T + |V| + |internal energy|";
+        streams.out << fmt::format("energy error: max |E - E(0) - work| / max({}) = {}\n", energy, report.energy_error);
         for (const auto& [path, content] : report.files) streams.out << path.string() << "\n";
     }
     if (report.status != "success") {
-        streams.err << fmt::format("dalembert: the run stopped at t = {} s: {}{}\n", report.t, report.status,
+        streams.err << fmt::format("dalembert: the run stopped at t = {} s: {}{}\n", report.t, report.guard.empty() ? report.status : report.guard,
                                    report.culprit.empty() ? "" : fmt::format("; state '{}' or its derivative is not finite", report.culprit));
         return ExitCode::run_stopped;
     }

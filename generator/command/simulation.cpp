@@ -48,9 +48,9 @@ std::vector<std::string> recorded_names(const std::string& name, const System& s
     };
     for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::input})
         for (const Variable& variable : system.symbols.all(kind))
-            add(variable.name, kind == SymbolKind::velocity ? "dot(" + variable.base + ")" : variable.base);
+            add(variable.recorded_name(), kind == SymbolKind::velocity ? "dot(" + variable.base + ")" : variable.base);
     for (const OutputEquation& output : system.outputs) add(output.name, output.base);
-    for (const char* energy : {"t", "kinetic_energy", "potential_energy", "work"}) add(energy, energy);
+    for (const char* energy : {"t", "kinetic_energy", "potential_energy", "internal_energy", "work"}) add(energy, energy);
     return names;
 }
 
@@ -163,7 +163,7 @@ private:
         };
         if (wanted.empty()) {
             for (const Variable& q : system.symbols.all(SymbolKind::coordinate)) add(q.name);
-            for (const Variable& z : system.symbols.all(SymbolKind::state)) add(z.name);
+            for (const Variable& z : system.symbols.all(SymbolKind::state)) add(z.recorded_name());
             for (const OutputEquation& output : system.outputs) add(output.name);
         }
         return result;
@@ -202,6 +202,9 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     SimulationReport report;
     report.status = result.at("status");
     report.t = std::stod(result.at("t"));
+    report.events = std::stoul(result.at("events"));
+    const auto& guards = prepared.machine.system->fluids.guards;
+    if (const std::size_t guard = std::stoul(result.at("guard")); guard < guards.size()) report.guard = guards[guard].doc;
     report.steps = std::stoul(result.at("steps"));
     report.rejected = std::stoul(result.at("rejected"));
     report.rhs_calls = std::stoul(result.at("rhs_calls"));

@@ -20,10 +20,12 @@ struct SimulationReport {
     std::string status;      ///< "success", or why it stopped
     double t = 0;            ///< s, where it ended
     std::string culprit;     ///< the state that is not finite, if that was it
+    std::string guard;       ///< with an event: what is about to happen
+    std::size_t events = 0;  ///< guards that changed their sign and were passed
     std::size_t steps = 0;
     std::size_t rejected = 0;
     std::size_t rhs_calls = 0;
-    double energy_error = 0; ///< max |E - E(0) - work| / max(T + |V|)
+    double energy_error = 0; ///< max |E - E(0) - work| / max(T + |V| + |internal energy|)
     bool drawn = false;
     FileContents files;      ///< to be written: header, CSV, plots
 };

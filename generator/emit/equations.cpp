@@ -75,9 +75,12 @@ std::string equations_as_text(const System& s) {
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.state_rates[i]));
     text += "\nenergies and powers\n";
-    for (const auto& [name, value] : scalars(s)) text += fmt::format("  {} = {}\n", name, write(value));
+    for (const auto& [name, value] : scalars(s)) {
+        const bool is_of_fluids = name == std::string_view("internal_energy") || name == std::string_view("exchanged_power");
+        if (!is_of_fluids || !s.fluids.empty()) text += fmt::format("  {} = {}\n", name, write(value));
+    }
     if (!s.fluids.guards.empty()) text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
-    for (const Guard& guard : s.fluids.guards) text += fmt::format("  {} ({}): {}\n", guard.name, guard.ends ? "ends" : "edge", write(guard.value));
+    for (const Guard& guard : s.fluids.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
     if (!s.outputs.empty()) text += "\noutputs\n";
     for (const OutputEquation& output : s.outputs) text += fmt::format("  {} = {}\n", output.name, write(output.value));
     return text;
@@ -133,7 +136,7 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     for (std::size_t i = 0; i < s.state_rates.size(); ++i) json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
     for (const auto& [name, value] : scalars(s)) json[name] = write(value);
     json["guards"] = nlohmann::ordered_json::array();
-    for (const Guard& guard : s.fluids.guards) json["guards"].push_back({{"name", guard.name}, {"ends", guard.ends}, {"value", write(guard.value)}});
+    for (const Guard& guard : s.fluids.guards) json["guards"].push_back({{"name", guard.name}, {"doc", guard.doc}, {"ends", guard.ends}, {"value", write(guard.value)}});
     json["outputs"] = nlohmann::ordered_json::object();
     for (const OutputEquation& output : s.outputs) json["outputs"][output.name] = write(output.value);
     return json;

@@ -133,8 +133,21 @@ private:
         return text;
     }
 
-    static std::string quantity_row(const std::string& name, const std::string& unit, const std::string& doc) {
-        return fmt::format("    Quantity{{{}, {}, {}}},\n", cpp_string(name), cpp_string(unit), cpp_string(doc));
+    static std::string quantity_row(const std::string& name, const std::string& unit, const std::string& doc, const std::string& range = "") {
+        return fmt::format("    Quantity{{{}, {}, {}{}}},\n", cpp_string(name), cpp_string(unit), cpp_string(doc), range);
+    }
+
+    /// ", low, high", as far as they are declared.
+    std::string range_text(const Variable& variable) const {
+        if (variable.declared == nullptr || !variable.declared->range || variable.kind == SymbolKind::velocity) return {};
+        const auto bound = [&](const ExpressionPtr& e) {
+            const ex value = system_.translate(*e, {});
+            return double_text(variable.is_root ? ex(GiNaC::sqrt(value)) : value);
+        };
+        const Range& range = *variable.declared->range;
+        std::string text = range.low ? ", " + bound(range.low) : ", -std::numeric_limits<double>::infinity()";
+        if (range.high) text += ", " + bound(range.high);
+        return text;
     }
 
     void table(const char* name, const std::vector<const Variable*>& variables) {
@@ -142,7 +155,7 @@ private:
         std::string rows;
         for (std::size_t i = 0; i < variables.size(); ++i) {
             indices += fmt::format("{}{} = {}", i == 0 ? "" : ", ", cpp_name(*variables[i]), i);
-            rows += quantity_row(variables[i]->name, variables[i]->unit, variables[i]->doc);
+            rows += quantity_row(variables[i]->name, variables[i]->unit, variables[i]->doc, range_text(*variables[i]));
         }
         add_table(name, indices, rows);
     }
@@ -181,7 +194,7 @@ private:
         }
         add_table("OUTPUT", indices, rows);
         std::string guards;
-        for (const Guard& guard : system_.fluids.guards) guards += fmt::format("    Guard{{{}, {}}},\n", cpp_string(guard.name), guard.ends);
+        for (const Guard& guard : system_.fluids.guards) guards += fmt::format("    Guard{{{}, {}, {}}},\n", cpp_string(guard.name), cpp_string(guard.doc), guard.ends);
         values("GUARD_TABLE", guards.empty() ? "" : "\n" + guards);
         values("GUARDS_COUNT", std::to_string(system_.fluids.guards.size()));
 

@@ -24,7 +24,7 @@ public:
         bound_ = {site.bound.begin(), site.bound.end()};
         reported_ = false;
         for (const std::string& name : site.bound)
-            if (names_.find(name) != nullptr && shadowing_.insert(site.what + name).second)
+            if (!site.may_shadow && names_.find(name) != nullptr && shadowing_.insert(site.what + name).second)
                 error(Id::doubly_defined, site.expression->span, fmt::format("'{}' is defined in the model and again as an index or variable in {}", name, site.what));
         visit(*site.expression);
     }

@@ -35,7 +35,7 @@ public:
         if (!property) return;
         std::vector<std::string> bound = bound_;
         bound.insert(bound.end(), property->variables.begin(), property->variables.end());
-        visitor_({property->body.get(), allowed, fmt::format("the {} of {}", part, owner_), bound});
+        visitor_({property->body.get(), allowed, fmt::format("the {} of {}", part, owner_), bound, false, false, true});
     }
     void operator()(const Reference& part) const {
         if (part.index) visitor_({part.index.get(), constant_only, fmt::format("the index of '{}'", part.name), bound_, true});

@@ -41,6 +41,8 @@ struct Site {
     bool sizes_only = false;
     /// the state named here may be left out of a scene
     bool may_be_absent = false;
+    /// the bound names may be names of the model too: p and T of a medium's law
+    bool may_shadow = false;
 };
 
 using SiteVisitor = std::function<void(const Site&)>;

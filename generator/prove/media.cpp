@@ -33,6 +33,11 @@ std::vector<MediumIdentity> medium_identities(const MediumModel& medium) {
     // T and p over (e, nu): dT/dnu at constant e = -e_nu/e_T, d/de = 1/e_T d/dT at constant nu. Without a heat there is no such T.
     if (!energy_by_T.is_zero())
         identities.push_back({"entropy (3.11)", "d(1/T)/dnu", "d(p/T)/de", energy_by_volume / (energy_by_T * pow(T, 2)), (T * pressure_by_T - p) / (pow(T, 2) * energy_by_T)});
+    if (medium.has_density_form()) {
+        const MediumState back = medium.at_density(law.density, T);
+        identities.push_back({"inverse", "p(rho(p, T), T)", "p", back.pressure, p});
+        identities.push_back({"energy over density", "e(rho(p, T), T)", "e(p, T)", back.energy, e});
+    }
     return identities;
 }
 

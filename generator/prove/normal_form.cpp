@@ -144,6 +144,12 @@ Polynomial NormalForm::function(const ex& e) {
         }
         return multiply(factor, magnitude_root);
     }
+    if (name == "outflow_factor") {
+        const Polynomial d = convert(e.op(0));
+        const Polynomial k = convert(e.op(1));
+        if (d.is_constant() && k.is_constant() && !d.is_zero() && !k.is_zero()) return outflow_factor(leading(d), leading(k));
+        return atom(name, e);
+    }
     if (name == "norm") return root(convert(e.op(0)), 2);
     if (name == "inverse_norm") return inverse(root(convert(e.op(0)), 2));
     if (name == "unit_step") {

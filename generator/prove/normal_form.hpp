@@ -57,6 +57,7 @@ private:
     Polynomial logarithm_of_number(const Rational& value);
     Polynomial logarithm_atom(const Polynomial& argument);
     Polynomial sign_of(const Polynomial& argument);
+    Polynomial outflow_factor(const Rational& d, const Rational& k);
     Polynomial atom(const std::string& name, const GiNaC::ex& e);
 
     Polynomial multiply(const Polynomial& a, const Polynomial& b);

@@ -178,6 +178,31 @@ Polynomial NormalForm::integer_power(const Polynomial& base, int exponent) {
     return result;
 }
 
+/// (3.160) over sqrt(d) at numbers; which of its two pieces holds is decided exactly.
+Polynomial NormalForm::outflow_factor(const Rational& d, const Rational& k) {
+    const auto a = to_int(cln::numerator(k));
+    const auto b = to_int(cln::denominator(k));
+    const Rational ratio = 1 - d;
+    if (!a || !b || *a > largest_power || *a <= *b || d <= 0 || ratio < 0) throw NoNormalForm("an outflow at no state");
+    const auto power_of = [&](const Rational& base, const Rational& exponent) {
+        const auto numerator = to_int(cln::numerator(exponent));
+        const auto denominator = to_int(cln::denominator(exponent));
+        if (!numerator || !denominator) throw NoNormalForm("a large exponent");
+        return integer_power(root(Polynomial(base), *denominator), *numerator);
+    };
+    // ratio <= (2/(k+1))^(k/(k-1)), both sides raised to a - b.
+    const bool choked = cln::expt(ratio, cln::cl_I(*a - *b)) <= cln::expt(2 / (k + 1), cln::cl_I(*a));
+    Polynomial square;
+    if (choked) {
+        square = power_of(2 / (k + 1), 2 / (k - 1));
+        square *= k / (k + 1) / d;
+    } else {
+        square = power_of(ratio, 2 / k) - power_of(ratio, (k + 1) / k);
+        square *= k / (k - 1) / d;
+    }
+    return root(square, 2);
+}
+
 Polynomial NormalForm::inverse(const Polynomial& p) {
     if (p.is_zero()) throw NoNormalForm("a division by zero");
     const Monomial common = common_factor(p);

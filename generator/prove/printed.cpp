@@ -15,12 +15,36 @@ namespace {
 
 constexpr std::size_t most_determinant = 5;
 
+/// The letters of an entry, each behind those that its value uses. Throws Failure (cyclic-definition).
+std::vector<const PrintedLetter*> ordered_letters(const PrintedEquation& printed) {
+    std::vector<const PrintedLetter*> ordered;
+    const auto is_waiting = [&](const std::string& name) {
+        const auto has_name = [&](const auto& letter) { return letter.name == name; };
+        const bool is_letter = std::any_of(printed.letters.begin(), printed.letters.end(), has_name);
+        return is_letter && std::none_of(ordered.begin(), ordered.end(), [&](const PrintedLetter* done) { return done->name == name; });
+    };
+    while (ordered.size() < printed.letters.size()) {
+        const std::size_t before = ordered.size();
+        for (const PrintedLetter& letter : printed.letters) {
+            if (!is_waiting(letter.name)) continue;
+            bool is_ready = true;
+            for_each(*letter.value, [&](const Expression& e) { is_ready = is_ready && !(e.kind == Expression::Kind::name && is_waiting(e.name)); });
+            if (is_ready) ordered.push_back(&letter);
+        }
+        if (ordered.size() == before) {
+            const auto stuck = std::find_if(printed.letters.begin(), printed.letters.end(), [&](const PrintedLetter& letter) { return is_waiting(letter.name); });
+            throw Failure(Diagnostic{Id::cyclic_definition, stuck->span, fmt::format("the letter '{}' of printed '{}' needs itself", stuck->name, printed.name)});
+        }
+    }
+    return ordered;
+}
+
 /// The first disagreement of units in an equation, as a sentence.
 std::optional<std::string> unit_problem(const System& system, const PrintedEquation& printed, const Equation& equation) {
     Diagnostics diagnostics;
     Units units(system.names, diagnostics);
     Units::Bound letters;
-    for (const PrintedLetter& letter : printed.letters) letters[letter.name] = units.of(*letter.value, letters).dimension;
+    for (const PrintedLetter* letter : ordered_letters(printed)) letters[letter->name] = units.of(*letter->value, letters).dimension;
     std::optional<Dimension> common;
     const Expression* first = nullptr;
     for (const ExpressionPtr& side : equation.sides) {
@@ -211,7 +235,7 @@ PrintedResult check_equation(const System& system, const PrintedEquation& printe
         return worst;
     }
     Letters letters;
-    for (const PrintedLetter& letter : printed.letters) letters[letter.name] = system.translate(*letter.value, indices, letters);
+    for (const PrintedLetter* letter : ordered_letters(printed)) letters[letter->name] = system.translate(*letter->value, indices, letters);
     GiNaC::exmap at;
     for (const AtPoint& point : printed.at) {
         const ex variable = system.translate(*point.variable, indices, letters);

@@ -60,7 +60,7 @@ RandomPoints::RandomPoints(const System& system) {
             // Without a declared range: around the default of a parameter, around zero for what moves. Coordinates go beyond pi,
             // so that asin(sin(phi)) is not taken for phi.
             Rational high = kind == SymbolKind::coordinate || kind == SymbolKind::state ? Rational(4) : Rational(3) / 2;
-            Rational low = kind == SymbolKind::time ? Rational(0) : -high;
+            Rational low = kind == SymbolKind::time || variable.is_root ? Rational(0) : -high;
             if (kind == SymbolKind::parameter) {
                 const auto value = near(at_start.at(variable.symbol));
                 if (value && !is_zero(*value)) {
@@ -69,7 +69,11 @@ RandomPoints::RandomPoints(const System& system) {
                 }
             }
             if (variable.declared != nullptr && variable.declared->range) {
-                const auto bound = [&](const ExpressionPtr& e) { return e ? near(system.translate(*e, {})) : std::nullopt; };
+                const auto bound = [&](const ExpressionPtr& e) { 
+                    if (!e) return std::optional<Rational>();
+                    const ex value = system.translate(*e, {});
+                    return near(variable.is_root ? GiNaC::sqrt(value) : value);
+                };
                 const auto declared_low = bound(variable.declared->range->low);
                 const auto declared_high = bound(variable.declared->range->high);
                 const Rational width = cln::abs(high - low);

@@ -38,6 +38,12 @@ bool is_positive(const Quantity& quantity, const Names& names) {
     return quantity.range && quantity.range->low && is_positive(*quantity.range->low, names);
 }
 
+/// Of what moves: an assumption of proofs only, which an end of the range at zero does not spoil.
+bool stays_positive(const Quantity& quantity, const Names& names) {
+    const bool from_zero = quantity.range && quantity.range->low && quantity.range->low->kind == Kind::number && is_zero(quantity.range->low->value);
+    return from_zero || is_positive(quantity, names);
+}
+
 std::string key(SymbolKind kind, const std::string& base, int index) {
     return std::to_string(static_cast<int>(kind)) + ":" + base + ":" + std::to_string(index);
 }
@@ -64,13 +70,13 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
     add(SymbolKind::time, "t", false, {"t", 0, false, "s", "time"});
     for (const auto& member : scene.inputs) {
         const Input& item = *member.item;
-        add(SymbolKind::input, member.name(), is_positive(item, names), {item.name, member.index, item.family.has_value(), item.unit.si(), item.doc, &item});
+        add(SymbolKind::input, member.name(), stays_positive(item, names), {item.name, member.index, item.family.has_value(), item.unit.si(), item.doc, &item});
     }
     for (const auto& member : scene.coordinates) {
         const Coordinate& item = *member.item;
         const bool is_member = item.family.has_value();
         const std::string rate_unit = per_second(item.unit);
-        add(SymbolKind::coordinate, member.name(), is_positive(item, names), {item.name, member.index, is_member, item.unit.si(), item.doc, &item});
+        add(SymbolKind::coordinate, member.name(), stays_positive(item, names), {item.name, member.index, is_member, item.unit.si(), item.doc, &item});
         add(SymbolKind::velocity, "dot(" + member.name() + ")", false, {item.name, member.index, is_member, rate_unit, "time derivative of " + member.name()});
         add(SymbolKind::acceleration, "ddot(" + member.name() + ")", false, {item.name, member.index, is_member, "", ""});
     }
@@ -79,7 +85,7 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
         const bool is_member = item.family.has_value();
         const std::string name = item.root ? "sqrt(" + member.name() + ")" : member.name();
         const std::string unit = item.root ? item.unit.dimension.raised({1, 2}).in_base_units() : item.unit.si();
-        add(SymbolKind::state, name, item.root || is_positive(item, names),
+        add(SymbolKind::state, name, item.root || stays_positive(item, names),
             {item.name, member.index, is_member, unit, item.root && !item.doc.empty() ? "root of: " + item.doc : item.doc, &item, item.root});
         add(SymbolKind::state_rate, "dot(" + name + ")", false, {item.name, member.index, is_member, "", "", nullptr, item.root});
     }

@@ -29,6 +29,9 @@ struct Variable {
     const Quantity* declared;  ///< with unit and range; null for what is not declared itself, as velocities
     bool is_positive;  ///< by its declared range
     bool is_root;      ///< a state that is the square root of what the model calls so
+    /// As the model calls it, also where its root is what is integrated.
+    std::string recorded_name() const { return is_root ? name.substr(5, name.size() - 6) : name; }
+
     GiNaC::ex symbol;  ///< an ex, because a GiNaC::symbol by value forgets that it is real or positive
 };
 

@@ -453,10 +453,10 @@ private:
 /// ends[i] = true: the model holds only where g[i] >= 0. The run ends there with Status::event; x is the last state with g[i] >= 0, and
 /// is observed. A start with g[i] < 0 is such an end.
 /// ends[i] = false: the right-hand side has a kink, a jump or an infinite slope there. Integration starts anew just behind it.
-/// Times are found down to neighbouring numbers, in steps repeated with other lengths: about ten steps' work for an event. Guards that
-/// change together are passed together; one that ends the run comes first. Output points are observed once each, whatever lies on them.
-/// A guard that begins at zero, or touches zero, has not changed. A guard that is not a number makes a step as bad as a state that is
-/// not; infinite ones are allowed.
+/// Times are found down to neighbouring numbers, in steps repeated with other lengths: the work of ten to twenty steps for an event, up
+/// to sixty at a jump. Guards that change together are passed together; one that ends the run comes first. Output points are observed
+/// once each, whatever lies on them. A guard that begins at zero, or touches zero, has not changed. A guard that is not a number makes
+/// a step as bad as a state that is not; infinite ones are allowed.
 /// Guards are looked at in the stages of a step, at its end, and at three points between, in its interpolation. What changes and changes
 /// back between two of these is missed; options.max_step puts them closer together. Sliding along a zero, as a relay does whose two
 /// sides both lead back to it, is an event storm.

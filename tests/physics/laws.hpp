@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must hold for every generated system, at random states. The oracles share nothing with the generator: complex steps for
-// derivatives, the definition of the equations of motion, the chain rule for energies.
+// What must hold for every generated system, at random states. The oracles share nothing with the generator: differences in 50 digits
+// for derivatives, the definition of the equations of motion, the chain rule for energies.
 #pragma once
 
 #include <doctest/doctest.h>
 
 #include <Eigen/Cholesky>
-#include <complex>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <random>
 
 #include "dalembert/matrices.hpp"
 
-/// Values near the start state and the defaults, away from special points.
+using Digits50 = boost::multiprecision::cpp_bin_float_50;
+
+/// Values in the declared ranges, else near the start state; numbers of float, so that every arithmetic has the same.
 template <class System>
 struct RandomPoint {
     typename System::State x;
@@ -22,13 +24,32 @@ struct RandomPoint {
 template <class System>
 RandomPoint<System> random_point(const System& system, std::mt19937& engine) {
     std::uniform_real_distribution<double> distribution(-0.4, 0.4);
-    RandomPoint<System> point{system.start_state(), {}, 1.0 + distribution(engine)};
-    for (std::size_t i = 0; i < point.x.size(); ++i) {
-        const double scale = std::max(1.0, std::abs(point.x[i]));
-        point.x[i] += scale * (distribution(engine) + 0.05);
-    }
-    for (double& u : point.u) u = 3 * distribution(engine);
+    const auto value = [&](const auto& quantity, double start) {
+        const double share = distribution(engine);
+        double result = start + (start != 0 ? std::abs(start) : 1.0) * (share + 0.05);
+        if (std::isfinite(quantity.low) && std::isfinite(quantity.high)) {
+            // In the middle of the range; over decades where it spans many.
+            const bool is_wide = quantity.low > 0 && quantity.high > 30 * quantity.low;
+            const double low = is_wide ? std::log(quantity.low) : quantity.low;
+            const double high = is_wide ? std::log(quantity.high) : quantity.high;
+            result = low + (high - low) * (0.5 + share);
+            if (is_wide) result = std::exp(result);
+        }
+        return static_cast<double>(static_cast<float>(result));
+    };
+    RandomPoint<System> point{system.start_state(), {}, 0};
+    point.t = value(typename std::decay_t<decltype(System::state_table()[0])>{"t", "s", ""}, 1.0);
+    for (std::size_t i = 0; i < point.x.size(); ++i) point.x[i] = value(System::state_table()[i], point.x[i]);
+    for (std::size_t i = 0; i < point.u.size(); ++i) point.u[i] = value(System::input_table()[i], 0.0);
     return point;
+}
+
+/// The same numbers in another arithmetic, exactly.
+template <class To, class From>
+To converted(const From& values) {
+    To result{};
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = static_cast<typename To::value_type>(values[i]);
+    return result;
 }
 
 /// Norm-wise: largest difference relative to the largest entry of the column.
@@ -44,47 +65,37 @@ inline double column_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 template <template <class> class System, template <class> class Parameters>
 void laws() {
-    using Complex = std::complex<double>;
     using Real = System<double>;
-    using Twin = System<Complex>;
+    using Twin = System<Digits50>;
     constexpr std::size_t n = Real::degrees;
-    constexpr double h = 1e-150;  // of complex steps: no cancellation, so as small as one likes
+    const Digits50 share("1e-17");  // of central differences: their error is its square
     const Real system;
     const Twin twin;
     constexpr std::size_t states = std::tuple_size<typename Real::State>::value;
     constexpr std::size_t inputs = std::tuple_size<typename Real::Input>::value;
 
-    const auto complex_state = [](const auto& x) {
-        typename Twin::State result;
-        for (std::size_t i = 0; i < x.size(); ++i) result[i] = x[i];
-        return result;
-    };
-    const auto complex_input = [](const auto& u) {
-        typename Twin::Input result;
-        for (std::size_t i = 0; i < u.size(); ++i) result[i] = u[i];
-        return result;
-    };
-    /// Column of d(function)/d(variable) by a complex step.
-    const auto column = [&](const auto& values) {
-        Eigen::VectorXd result(static_cast<Eigen::Index>(values.size()));
-        for (std::size_t i = 0; i < values.size(); ++i) result[static_cast<Eigen::Index>(i)] = values[i].imag() / h;
+    const auto step = [&](const Digits50& value) { return Digits50(share * (abs(value) > 0 ? Digits50(abs(value)) : Digits50(1))); };
+    /// d(function)/d(argument[c]) as a column, by a central difference.
+    const auto column = [&](const auto& function, auto argument, std::size_t c) {
+        const Digits50 middle = argument[c];
+        const Digits50 h = step(middle);
+        argument[c] = middle + h;
+        const auto above = function(argument);
+        argument[c] = middle - h;
+        const auto below = function(argument);
+        Eigen::VectorXd result(static_cast<Eigen::Index>(above.size()));
+        for (std::size_t i = 0; i < above.size(); ++i) result[static_cast<Eigen::Index>(i)] = static_cast<double>((above[i] - below[i]) / (2 * h));
         return result;
     };
 
     /// d(function)/d(state) and d(function)/d(input), column by column.
     const auto derivatives = [&](const auto& function, const auto& point) {
-        const auto rows = static_cast<Eigen::Index>(function(complex_state(point.x), complex_input(point.u)).size());
+        const auto x = converted<typename Twin::State>(point.x);
+        const auto u = converted<typename Twin::Input>(point.u);
+        const auto rows = static_cast<Eigen::Index>(function(x, u).size());
         std::pair<Eigen::MatrixXd, Eigen::MatrixXd> result{Eigen::MatrixXd(rows, states), Eigen::MatrixXd(rows, inputs)};
-        for (std::size_t c = 0; c < states; ++c) {
-            auto z = complex_state(point.x);
-            z[c] += Complex(0, h);
-            result.first.col(static_cast<Eigen::Index>(c)) = column(function(z, complex_input(point.u)));
-        }
-        for (std::size_t c = 0; c < inputs; ++c) {
-            auto v = complex_input(point.u);
-            v[c] += Complex(0, h);
-            result.second.col(static_cast<Eigen::Index>(c)) = column(function(complex_state(point.x), v));
-        }
+        for (std::size_t c = 0; c < states; ++c) result.first.col(static_cast<Eigen::Index>(c)) = column([&](const auto& z) { return function(z, u); }, x, c);
+        for (std::size_t c = 0; c < inputs; ++c) result.second.col(static_cast<Eigen::Index>(c)) = column([&](const auto& v) { return function(x, v); }, u, c);
         return result;
     };
 
@@ -129,27 +140,45 @@ void laws() {
         }
 
         {
-            INFO("d(T + V)/dt = supplied - dissipated + prescribed");
-            typename Twin::State z = complex_state(point.x);
-            for (std::size_t i = 0; i < states; ++i) z[i] += Complex(0, h * dxdt[i]);
-            const Complex t(point.t, h);
-            const double change = (twin.kinetic_energy(z, t) + twin.potential_energy(z, t)).imag() / h;
-            const double supplied = system.supplied_power(point.x, point.u, point.t);
+            INFO("d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged");
+            const auto x = converted<typename Twin::State>(point.x);
+            const auto energy = [&](const auto& z, const Digits50& t) {
+                return Digits50(twin.kinetic_energy(z, t) + twin.potential_energy(z, t) + twin.internal_energy(z, t));
+            };
+            double change = 0;
+            double size = 0;
+            const auto add = [&](const Digits50& part) {
+                change += static_cast<double>(part);
+                size += std::abs(static_cast<double>(part));
+            };
+            for (std::size_t i = 0; i < states; ++i) {
+                auto above = x;
+                auto below = x;
+                const Digits50 h = step(x[i]);
+                above[i] += h;
+                below[i] -= h;
+                add((energy(above, point.t) - energy(below, point.t)) / (2 * h) * dxdt[i]);
+            }
+            add((energy(x, point.t + share) - energy(x, point.t - share)) / (2 * share));
             const double dissipated = system.dissipated_power(point.x, point.u, point.t);
-            const double prescribed = system.prescribed_power(point.x, point.u, point.t);
-            const double kinetic_change = twin.kinetic_energy(z, t).imag() / h;
-            const double size = std::abs(kinetic_change) + std::abs(supplied) + std::abs(dissipated) + std::abs(prescribed);
-            CHECK(std::abs(change - (supplied - dissipated + prescribed)) <= 1e-12 * size);
+            double power = -dissipated;
+            for (const double part : {system.supplied_power(point.x, point.u, point.t), system.prescribed_power(point.x, point.u, point.t),
+                                      system.exchanged_power(point.x, point.u, point.t)}) {
+                power += part;
+                size += std::abs(part);
+            }
+            CHECK(std::abs(change - power) <= 1e-12 * (size + std::abs(dissipated)));
             CHECK(dissipated >= 0);
         }
 
         {
             INFO("the Jacobians are the derivatives of the right-hand side");
-            const auto rhs = [&](const auto& z, const auto& v) {
+            const auto at_time = [&](const auto& z, const auto& v, const Digits50& t) {
                 typename Twin::State dzdt;
-                twin.rhs(z, v, point.t, dzdt);
+                twin.rhs(z, v, t, dzdt);
                 return dzdt;
             };
+            const auto rhs = [&](const auto& z, const auto& v) { return at_time(z, v, point.t); };
             const auto [A, B] = derivatives(rhs, point);
             CHECK(column_error(dalembert::jacobian_x(system, point.x, point.u, point.t), A) <= 1e-12);
             CHECK(column_error(dalembert::jacobian_u(system, point.x, point.u, point.t), B) <= 1e-12);
@@ -160,23 +189,29 @@ void laws() {
 
             typename Real::JacobianT Jt;
             system.jacobian_t(point.x, point.u, point.t, Jt);
-            typename Twin::State dzdt;
-            twin.rhs(complex_state(point.x), complex_input(point.u), Complex(point.t, h), dzdt);
-            CHECK(column_error(Eigen::Map<const Eigen::VectorXd>(Jt.data(), static_cast<Eigen::Index>(states)), column(dzdt)) <= 1e-12);
+            const auto x = converted<typename Twin::State>(point.x);
+            const auto u = converted<typename Twin::Input>(point.u);
+            const auto by_time = column([&](const auto& t) { return at_time(x, u, t[0]); }, std::array<Digits50, 1>{point.t}, 0);
+            CHECK(column_error(Eigen::Map<const Eigen::VectorXd>(Jt.data(), static_cast<Eigen::Index>(states)), by_time) <= 1e-12);
         }
 
         {
             INFO("the Jacobian by parameters");
             constexpr std::size_t count = Real::parameter_table().size();
-            static_assert(sizeof(Parameters<Complex>) == count * sizeof(Complex), "parameters are stored one after the other");
+            static_assert(sizeof(Parameters<Digits50>) == count * sizeof(Digits50), "parameters are stored one after the other");
             Eigen::MatrixXd P(states, count);
-            for (std::size_t c = 0; c < count; ++c) {
-                Parameters<Complex> parameters;
-                reinterpret_cast<Complex*>(&parameters)[c] += Complex(0, h);
+            const auto x = converted<typename Twin::State>(point.x);
+            const auto u = converted<typename Twin::Input>(point.u);
+            std::array<Digits50, count> defaults;
+            for (std::size_t c = 0; c < count; ++c) defaults[c] = reinterpret_cast<const Digits50*>(&twin.parameters())[c];
+            const auto with = [&](const auto& values) {
+                Parameters<Digits50> parameters;
+                for (std::size_t c = 0; c < count; ++c) reinterpret_cast<Digits50*>(&parameters)[c] = values[c];
                 typename Twin::State dzdt;
-                Twin(parameters).rhs(complex_state(point.x), complex_input(point.u), point.t, dzdt);
-                P.col(static_cast<Eigen::Index>(c)) = column(dzdt);
-            }
+                Twin(parameters).rhs(x, u, point.t, dzdt);
+                return dzdt;
+            };
+            for (std::size_t c = 0; c < count; ++c) P.col(static_cast<Eigen::Index>(c)) = column(with, defaults, c);
             // A relative error of a parameter changes f by p df/dp: what is small beside f is nothing.
             Eigen::MatrixXd J = dalembert::jacobian_p(system, point.x, point.u, point.t);
             const double f = Eigen::Map<const Eigen::VectorXd>(dxdt.data(), static_cast<Eigen::Index>(states)).lpNorm<Eigen::Infinity>();

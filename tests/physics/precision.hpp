@@ -5,22 +5,12 @@
 
 #include <doctest/doctest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <limits>
 #include <random>
 #include <vector>
 
 #include "dalembert/matrices.hpp"
-
-using Digits50 = boost::multiprecision::cpp_bin_float_50;
-
-/// The same numbers in another arithmetic, exactly.
-template <class To, class From>
-To converted(const From& values) {
-    To result{};
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] = static_cast<typename To::value_type>(values[i]);
-    return result;
-}
+#include "physics/laws.hpp"
 
 /// max |a - b| / max |b|, in units of the last place of Scalar; Scalar is the type of a.
 template <class Result, class Reference>
@@ -34,18 +24,6 @@ double error_in_ulp(const Result& a, const Reference& b) {
     }
     if (size == 0) return difference == 0 ? 0 : std::numeric_limits<double>::infinity();
     return static_cast<double>(difference / size / std::numeric_limits<typename Result::value_type>::epsilon());
-}
-
-/// A point with few bits, so that every arithmetic starts from the same numbers.
-template <class System>
-void set_dyadic_point(const System& system, std::mt19937& engine, typename System::State& x, typename System::Input& u) {
-    std::uniform_int_distribution<int> sixteenth(-7, 7);
-    const auto start = system.start_state();
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const double first = std::round(16 * static_cast<double>(start[i])) / 16;
-        x[i] = first + std::max(1.0, std::round(std::abs(first))) * (sixteenth(engine) + 0.5) / 16;
-    }
-    for (auto& value : u) value = sixteenth(engine) / 4.0;
 }
 
 /// Parameters that are numbers of float, so that every arithmetic has the same machine before it.
@@ -68,15 +46,13 @@ void check_precision(double allowed) {
     const System<Digits50> exact(float_parameters<Parameters, Digits50>());
     std::mt19937 engine(1743);
     for (int repetition = 0; repetition < 5; ++repetition) {
-        typename System<double>::State start;
-        typename System<double>::Input drive;
-        set_dyadic_point(System<double>(), engine, start, drive);
+        const auto [start, drive, time] = random_point(System<double>(), engine);
         const auto x = converted<typename System<Scalar>::State>(start);
         const auto u = converted<typename System<Scalar>::Input>(drive);
         const auto X = converted<typename System<Digits50>::State>(start);
         const auto U = converted<typename System<Digits50>::Input>(drive);
-        const Scalar t = 0.375;
-        const Digits50 T = 0.375;
+        const auto t = static_cast<Scalar>(time);
+        const Digits50 T = time;
         typename System<Scalar>::State f;
         typename System<Digits50>::State F;
         system.rhs(x, u, t, f);
@@ -108,28 +84,26 @@ void check_precision(double allowed) {
     }
 }
 
-/// d(T + V)/dt along the motion, by differences in 50 digits, is what is supplied, dissipated and prescribed.
+/// d(T + V + E)/dt along the motion, by differences in 50 digits, is what is supplied, dissipated, prescribed and exchanged.
 template <template <class> class System>
 void check_power_balance() {
     const System<Digits50> system;
     std::mt19937 engine(1758);
     for (int repetition = 0; repetition < 5; ++repetition) {
-        typename System<double>::State start;
-        typename System<double>::Input drive;
-        set_dyadic_point(System<double>(), engine, start, drive);
+        const auto [start, drive, time] = random_point(System<double>(), engine);
         const auto x = converted<typename System<Digits50>::State>(start);
         const auto u = converted<typename System<Digits50>::Input>(drive);
-        const Digits50 t = 0.375;
+        const Digits50 t = time;
         typename System<Digits50>::State f;
         system.rhs(x, u, t, f);
         const auto energy = [&](const Digits50& h) {
             auto moved = x;
             for (std::size_t i = 0; i < x.size(); ++i) moved[i] += h * f[i];
-            return Digits50(system.kinetic_energy(moved, t + h) + system.potential_energy(moved, t + h));
+            return Digits50(system.kinetic_energy(moved, t + h) + system.potential_energy(moved, t + h) + system.internal_energy(moved, t + h));
         };
         const Digits50 h("1e-17");
         const Digits50 change = (energy(h) - energy(-h)) / (2 * h);
-        const Digits50 power = system.supplied_power(x, u, t) - system.dissipated_power(x, u, t) + system.prescribed_power(x, u, t);
+        const Digits50 power = system.supplied_power(x, u, t) - system.dissipated_power(x, u, t) + system.prescribed_power(x, u, t) + system.exchanged_power(x, u, t);
         Digits50 size = abs(energy(0)) + abs(power);
         for (const Digits50& v : f) size += abs(v);
         CHECK(static_cast<double>(abs(change - power) / size) < 1e-27);
