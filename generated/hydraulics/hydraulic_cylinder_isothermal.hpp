@@ -19,19 +19,19 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                14     33     7        0      3
+//   update                14     32     6        0      3
 //   rhs                    5      8     2        0      0
-//   rhs_and_jacobian      18     28     4        0      4
+//   rhs_and_jacobian       8     14     2        0      0
 //   jacobian_u             1      3     2        0      0
-//   jacobian_p            23     40     7        0      4
+//   jacobian_p             9     19     4        0      0
 //   bias                   1      2     0        0      0
 //   generalised_force      1      0     0        0      0
-//   output                16     26     1        0      7
-//   output_jacobian_x     25     42     2        0     11
-//   output_jacobian_u      6      8     0        0      4
+//   output                16     26     2        0      7
+//   output_jacobian_x     23     34     2        0      8
+//   output_jacobian_u      6      8     1        0      4
 //   kinetic_energy         0      2     0        0      0
 //   supplied_power         1      1     0        0      0
-//   internal_energy        9     13     0        0      6
+//   internal_energy        9     13     2        0      6
 //   exchanged_power       15     21     2        0     10
 //   guards                 1      2     0        0      0
 //
@@ -251,63 +251,57 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 14 + or -, 33 *, 7 /, 3 other functions
+    /// Operations: 14 + or -, 32 *, 6 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
         using std::expm1;
         c_.k0 = Scalar(1) / p_.m_k;
-        const Scalar inverse_1 = Scalar(1) / p_.A_1;
-        c_.k1 = p_.beta * inverse_1;
-        const Scalar inverse_2 = Scalar(1) / p_.A_2;
-        c_.k2 = p_.beta * inverse_2;
-        const Scalar e3 = p_.l - p_.d;
-        c_.k3 = e3;
-        c_.k4 = inverse_1;
-        c_.k5 = inverse_2;
-        const Scalar inverse_4 = Scalar(1) / p_.beta;
-        c_.k6 = Scalar(2) * inverse_4;
-        c_.k7 = inverse_4;
-        c_.k8 = p_.A_1 * p_.beta;
-        c_.k9 = p_.A_2 * p_.beta;
-        const Scalar e5 = p_.alpha * p_.T_0;
-        const Scalar e6 = p_.beta * e5;
-        const Scalar e7 = e6 - p_.p_0;
-        c_.k10 = p_.A_1 * e7;
-        c_.k11 = p_.A_2 * e7;
-        c_.k12 = (Scalar(1) / Scalar(2)) * p_.m_k;
-        const Scalar e8 = p_.A_2 * e3;
-        c_.k13 = p_.beta * e8;
-        c_.k14 = e7 * e8;
-        c_.k15 = p_.m_k / p_.rho_k;
-        c_.k16 = e6;
-        c_.k17 = p_.A_1 * e6;
-        const Scalar inverse_9 = Scalar(1) / p_.rho_0;
-        c_.k18 = inverse_9;
-        c_.k19 = p_.beta * inverse_9;
-        c_.k20 = inverse_9 * e7;
-        const Scalar e10 = (p_.p_0 - p_.p_s) * inverse_4;
-        const Scalar expm1_11 = expm1(e10);
-        const Scalar e12 = -e10;
-        const Scalar compression_13 = detail::compression<Scalar>(e12);
-        const Scalar exp_14 = exp(e12);
-        const Scalar e15 = p_.p_s / exp_14;
-        const Scalar e16 = expm1_11 * e7 + (p_.beta * compression_13 + e15);
-        c_.k21 = inverse_9 * e16;
-        c_.k22 = p_.A_1 * inverse_4;
-        const Scalar e17 = e5 - p_.p_0 * inverse_4;
-        c_.k23 = -p_.A_1 * e17;
-        c_.k24 = -e17;
-        c_.k25 = -compression_13 - expm1_11 * e17 - inverse_4 * e15;
-        c_.k26 = inverse_9 * inverse_4;
-        c_.k27 = -inverse_9 * e17;
-        c_.k28 = p_.A_2 * inverse_4;
-        c_.k29 = -p_.A_2 * e17;
-        c_.k30 = inverse_4 * e8;
-        c_.k31 = e8;
-        c_.k32 = -e17 * e8;
-        c_.k33 = e7;
-        c_.k34 = e16;
+        c_.k1 = p_.beta / p_.A_1;
+        c_.k2 = p_.beta / p_.A_2;
+        const Scalar e1 = p_.l - p_.d;
+        c_.k3 = e1;
+        c_.k4 = p_.A_1 * p_.beta;
+        c_.k5 = p_.A_2 * p_.beta;
+        const Scalar e2 = p_.alpha * p_.T_0;
+        const Scalar e3 = p_.beta * e2;
+        const Scalar e4 = e3 - p_.p_0;
+        c_.k6 = p_.A_1 * e4;
+        c_.k7 = p_.A_2 * e4;
+        c_.k8 = (Scalar(1) / Scalar(2)) * p_.m_k;
+        const Scalar e5 = p_.A_2 * e1;
+        c_.k9 = p_.beta * e5;
+        c_.k10 = e4 * e5;
+        c_.k11 = p_.m_k / p_.rho_k;
+        c_.k12 = e3;
+        c_.k13 = p_.A_1 * e3;
+        const Scalar inverse_6 = Scalar(1) / p_.rho_0;
+        c_.k14 = inverse_6;
+        c_.k15 = p_.beta * inverse_6;
+        c_.k16 = inverse_6 * e4;
+        const Scalar inverse_7 = Scalar(1) / p_.beta;
+        const Scalar e8 = (p_.p_0 - p_.p_s) * inverse_7;
+        const Scalar expm1_9 = expm1(e8);
+        const Scalar compression_10 = detail::compression<Scalar>(-e8);
+        const Scalar exp_11 = exp(e8);
+        const Scalar e12 = p_.p_s * exp_11;
+        const Scalar e13 = expm1_9 * e4 + (p_.beta * compression_10 + e12);
+        c_.k17 = inverse_6 * e13;
+        c_.k18 = inverse_7;
+        const Scalar e14 = e2 - p_.p_0 * inverse_7;
+        c_.k19 = -p_.A_1 * e14;
+        c_.k20 = p_.A_1 * inverse_7;
+        c_.k21 = -e14;
+        c_.k22 = -compression_10 - expm1_9 * e14 - inverse_7 * e12;
+        c_.k23 = inverse_6 * inverse_7;
+        c_.k24 = inverse_6 * (Scalar(1) - e14);
+        c_.k25 = -e14 * e5;
+        c_.k26 = -p_.A_2 * e14;
+        c_.k27 = p_.A_2 * inverse_7;
+        c_.k28 = inverse_7 * e5;
+        c_.k29 = e5;
+        c_.k30 = e4;
+        c_.k31 = e13;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -344,9 +338,8 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 18 + or -, 28 *, 4 /, 4 other functions
+    /// Operations: 8 + or -, 14 *, 2 /
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::exp;
         const Scalar p_1 = x[2];
         const Scalar f_l = u[2];
         const Scalar p_2 = x[3];
@@ -364,12 +357,6 @@ public:
         dxdt[1] = s_k_ddot;
         dxdt[2] = e3;
         dxdt[3] = e5;
-        const Scalar e6 = p_.p_0 - p_1;
-        const Scalar exp_7 = exp(-c_.k7 * e6);
-        const Scalar exp_8 = exp(-c_.k6 * e6);
-        const Scalar e9 = p_.p_0 - p_2;
-        const Scalar exp_10 = exp(-c_.k7 * e9);
-        const Scalar exp_11 = exp(-c_.k6 * e9);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = -inverse_1 * e3;
@@ -380,12 +367,12 @@ public:
         J[7] = p_.beta * inverse_4;
         J[8] = Scalar(0);
         J[9] = p_.A_1 * c_.k0;
-        J[10] = inverse_1 * (c_.k4 * q_1 - s_k_dot) * (Scalar(1) - exp_7 * exp_7 / exp_8);
+        J[10] = Scalar(0);
         J[11] = Scalar(0);
         J[12] = Scalar(0);
         J[13] = (-p_.A_2) * c_.k0;
         J[14] = Scalar(0);
-        J[15] = inverse_4 * (c_.k5 * q_2 + s_k_dot) * (Scalar(1) - exp_10 * exp_10 / exp_11);
+        J[15] = Scalar(0);
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -413,50 +400,39 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 14, entry (i, j) at J[4*j + i].
-    /// Operations: 23 + or -, 40 *, 7 /, 4 other functions
+    /// Operations: 9 + or -, 19 *, 4 /
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::exp;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
+        const Scalar inverse_1 = Scalar(1) / p_.A_1;
         const Scalar q_1 = u[0];
         const Scalar s_k = x[0];
-        const Scalar inverse_1 = Scalar(1) / s_k;
-        const Scalar inverse_2 = Scalar(1) / p_.A_1;
-        const Scalar q_2 = u[1];
-        const Scalar inverse_3 = Scalar(1) / (c_.k3 - s_k);
+        const Scalar inverse_2 = Scalar(1) / s_k;
+        const Scalar e3 = q_1 * inverse_2;
         const Scalar inverse_4 = Scalar(1) / p_.A_2;
+        const Scalar q_2 = u[1];
+        const Scalar inverse_5 = Scalar(1) / (c_.k3 - s_k);
+        const Scalar e6 = q_2 * inverse_5;
         const Scalar s_k_dot = x[1];
-        const Scalar e5 = (c_.k2 * q_2 + p_.beta * s_k_dot) * (inverse_3 * inverse_3);
-        const Scalar e6 = p_.p_0 - p_1;
-        const Scalar exp_7 = exp(-c_.k7 * e6);
-        const Scalar exp_8 = exp(-c_.k6 * e6);
-        const Scalar e9 = inverse_1 * (Scalar(1) - exp_7 * exp_7 / exp_8);
-        const Scalar inverse_10 = Scalar(1) / p_.beta;
-        const Scalar e11 = c_.k7 * s_k_dot;
-        const Scalar e12 = c_.k4 * q_1 - s_k_dot;
-        const Scalar e13 = p_.p_0 - p_2;
-        const Scalar exp_14 = exp(-c_.k7 * e13);
-        const Scalar exp_15 = exp(-c_.k6 * e13);
-        const Scalar e16 = inverse_3 * (Scalar(1) - exp_14 * exp_14 / exp_15);
-        const Scalar e17 = c_.k5 * q_2 + s_k_dot;
+        const Scalar e7 = (c_.k2 * q_2 + p_.beta * s_k_dot) * (inverse_5 * inverse_5);
         J[0] = Scalar(0);
         J[1] = p_1 * c_.k0;
-        J[2] = -q_1 * inverse_1 * (p_.beta * inverse_2 * inverse_2);
+        J[2] = -p_.beta * inverse_1 * inverse_1 * e3;
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = (-p_2) * c_.k0;
         J[6] = Scalar(0);
-        J[7] = -q_2 * inverse_3 * (p_.beta * inverse_4 * inverse_4);
+        J[7] = -p_.beta * inverse_4 * inverse_4 * e6;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = -e5;
+        J[11] = -e7;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e5;
+        J[15] = e7;
         J[16] = Scalar(0);
         J[17] = (-dxdt[1]) * c_.k0;
         J[18] = Scalar(0);
@@ -471,8 +447,8 @@ public:
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = e6 * e9 * (q_1 * (inverse_2 * inverse_10) - e11) + inverse_1 * e12;
-        J[31] = e13 * e16 * (q_2 * (inverse_4 * inverse_10) + e11) + inverse_3 * e17;
+        J[30] = inverse_1 * e3 - s_k_dot * inverse_2;
+        J[31] = s_k_dot * inverse_5 + inverse_4 * e6;
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
@@ -483,8 +459,8 @@ public:
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        J[42] = -e12 * e9;
-        J[43] = -e17 * e16;
+        J[42] = Scalar(0);
+        J[43] = Scalar(0);
         J[44] = Scalar(0);
         J[45] = Scalar(0);
         J[46] = Scalar(0);
@@ -533,119 +509,114 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 16 + or -, 26 *, 1 /, 7 other functions
+    /// Operations: 16 + or -, 26 *, 2 /, 7 other functions
     ///     f_h = A_1*p_1 - A_2*p_2
-    ///     E_g = m_k*dot(s_k)^2/2 + A_1*beta*s_k*compression(-(p_0 - p_1)/beta)*exp(-(p_0 - p_1)/beta) -
-    ///     A_2*beta*s_k*compression(-(p_0 - p_2)/beta)*exp(-(p_0 - p_2)/beta) + A_1*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 -
-    ///     p_1)/beta)*expm1((p_0 - p_1)/beta) - A_2*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_2)/beta)*expm1((p_0 - p_2)/beta) +
-    ///     A_2*beta*(l - d)*compression(-(p_0 - p_2)/beta)*exp(-(p_0 - p_2)/beta) + A_2*(l*beta*alpha*T_0 - l*p_0 -
-    ///     d*beta*alpha*T_0 + d*p_0)*exp(-(p_0 - p_2)/beta)*expm1((p_0 - p_2)/beta)
+    ///     E_g = m_k*dot(s_k)^2/2 + A_1*beta*s_k*compression(-(p_0 - p_1)/beta)/exp((p_0 - p_1)/beta) -
+    ///     A_2*beta*s_k*compression(-(p_0 - p_2)/beta)/exp((p_0 - p_2)/beta) + A_1*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 -
+    ///     p_1)/beta)/exp((p_0 - p_1)/beta) - A_2*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_2)/beta)/exp((p_0 - p_2)/beta) +
+    ///     A_2*beta*(l - d)*compression(-(p_0 - p_2)/beta)/exp((p_0 - p_2)/beta) + A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0
+    ///     + d*p_0)*expm1((p_0 - p_2)/beta)/exp((p_0 - p_2)/beta)
     ///     V_k = m_k/rho_k
-    ///     Q_1 = A_1*beta*alpha*T_0*dot(s_k) - beta*alpha*T_0*q_1 + p_1*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta))/(rho_0*exp(-(p_0 -
-    ///     p_1)/beta)) + beta*compression(-(p_0 - p_1)/beta)*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta))/rho_0 + (beta*alpha*T_0 -
-    ///     p_0)*expm1((p_0 - p_1)/beta)*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta))/rho_0 - (beta*alpha*T_0*expm1((p_0 - p_s)/beta) +
-    ///     beta*compression(-(p_0 - p_s)/beta) - p_0*expm1((p_0 - p_s)/beta) + p_s/exp(-(p_0 - p_s)/beta))*max(0,
-    ///     rho_0*q_1*exp(-(p_0 - p_1)/beta))/rho_0
+    ///     Q_1 = A_1*beta*alpha*T_0*dot(s_k) - beta*alpha*T_0*q_1 + p_1*exp((p_0 - p_1)/beta)*max(0, rho_0*q_1/exp((p_0 -
+    ///     p_1)/beta))/rho_0 + beta*compression(-(p_0 - p_1)/beta)*max(0, rho_0*q_1/exp((p_0 - p_1)/beta))/rho_0 + (beta*alpha*T_0
+    ///     - p_0)*expm1((p_0 - p_1)/beta)*max(0, rho_0*q_1/exp((p_0 - p_1)/beta))/rho_0 - (beta*alpha*T_0*expm1((p_0 - p_s)/beta) +
+    ///     beta*compression(-(p_0 - p_s)/beta) - p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 - p_s)/beta))*max(0, rho_0*q_1/exp((p_0
+    ///     - p_1)/beta))/rho_0
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
-        const Scalar e1 = c_.k7 * (p_.p_0 - p_2);
-        const Scalar e2 = -e1;
-        const Scalar compression_3 = detail::compression<Scalar>(e2);
-        const Scalar exp_4 = exp(e2);
+        const Scalar e1 = c_.k18 * (p_.p_0 - p_2);
+        const Scalar compression_2 = detail::compression<Scalar>(-e1);
+        const Scalar exp_3 = exp(e1);
+        const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar s_k = x[0];
-        const Scalar e5 = s_k * exp_4;
+        const Scalar e5 = s_k * inverse_4;
         const Scalar expm1_6 = expm1(e1);
-        const Scalar e7 = c_.k7 * (p_.p_0 - p_1);
-        const Scalar e8 = -e7;
-        const Scalar exp_9 = exp(e8);
-        const Scalar compression_10 = detail::compression<Scalar>(e8);
+        const Scalar e7 = c_.k18 * (p_.p_0 - p_1);
+        const Scalar exp_8 = exp(e7);
+        const Scalar inverse_9 = Scalar(1) / exp_8;
+        const Scalar compression_10 = detail::compression<Scalar>(-e7);
         const Scalar expm1_11 = expm1(e7);
         const Scalar s_k_dot = x[1];
         const Scalar q_1 = u[0];
-        const Scalar max_12 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * exp_9);
+        const Scalar max_12 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * inverse_9);
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        y[1] = compression_3 * (c_.k13 * exp_4 - c_.k9 * e5) + expm1_6 * (c_.k14 * exp_4 - c_.k11 * e5) + s_k * exp_9
-            * (c_.k8 * compression_10 + c_.k10 * expm1_11) + c_.k12 * s_k_dot * s_k_dot;
-        y[2] = c_.k15;
-        const Scalar e13 = c_.k18 * p_1 / exp_9 + c_.k19 * compression_10 + c_.k20 * expm1_11 - c_.k21;
-        y[3] = max_12 * e13 - c_.k16 * q_1 + c_.k17 * s_k_dot;
+        y[1] = compression_2 * (c_.k9 * inverse_4 - c_.k5 * e5) + expm1_6 * (c_.k10 * inverse_4 - c_.k7 * e5) + s_k * inverse_9
+            * (c_.k4 * compression_10 + c_.k6 * expm1_11) + c_.k8 * s_k_dot * s_k_dot;
+        y[2] = c_.k11;
+        const Scalar e13 = c_.k14 * p_1 * exp_8 + c_.k15 * compression_10 + c_.k16 * expm1_11 - c_.k17;
+        y[3] = max_12 * e13 - c_.k12 * q_1 + c_.k13 * s_k_dot;
     }
 
     /// C = dh/dx.
-    /// Operations: 25 + or -, 42 *, 2 /, 11 other functions
+    /// Operations: 23 + or -, 34 *, 2 /, 8 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_0 - p_1;
-        const Scalar e2 = c_.k7 * e1;
-        const Scalar e3 = -e2;
-        const Scalar exp_4 = exp(e3);
-        const Scalar compression_5 = detail::compression<Scalar>(e3);
-        const Scalar expm1_6 = expm1(e2);
+        const Scalar e2 = c_.k18 * e1;
+        const Scalar compression_3 = detail::compression<Scalar>(-e2);
+        const Scalar exp_4 = exp(e2);
+        const Scalar inverse_5 = Scalar(1) / exp_4;
+        const Scalar e6 = compression_3 * inverse_5;
+        const Scalar expm1_7 = expm1(e2);
+        const Scalar e8 = expm1_7 * inverse_5;
         const Scalar p_2 = x[3];
-        const Scalar e7 = p_.p_0 - p_2;
-        const Scalar e8 = c_.k7 * e7;
-        const Scalar e9 = -e8;
-        const Scalar compression_10 = detail::compression<Scalar>(e9);
-        const Scalar exp_11 = exp(e9);
-        const Scalar e12 = compression_10 * exp_11;
-        const Scalar expm1_13 = expm1(e8);
-        const Scalar e14 = exp_11 * expm1_13;
+        const Scalar e9 = p_.p_0 - p_2;
+        const Scalar e10 = c_.k18 * e9;
+        const Scalar compression_11 = detail::compression<Scalar>(-e10);
+        const Scalar exp_12 = exp(e10);
+        const Scalar inverse_13 = Scalar(1) / exp_12;
+        const Scalar e14 = compression_11 * inverse_13;
+        const Scalar expm1_15 = expm1(e10);
+        const Scalar e16 = expm1_15 * inverse_13;
         const Scalar s_k_dot = x[1];
         const Scalar s_k = x[0];
-        const Scalar e15 = s_k * exp_4;
-        const Scalar exp_16 = exp(e2);
-        const Scalar e17 = e1 * exp_16;
         const Scalar q_1 = u[0];
-        const Scalar e18 = p_.rho_0 * q_1 * exp_4;
-        const Scalar step_19 = detail::step<Scalar>(e18);
-        const Scalar e20 = q_1 * step_19;
-        const Scalar exp_21 = exp(-c_.k6 * e1);
-        const Scalar max_22 = detail::max<Scalar>(Scalar(0), e18);
-        const Scalar e23 = c_.k26 * max_22;
-        const Scalar exp_24 = exp(e8);
-        const Scalar e25 = exp_11 * exp_24;
-        const Scalar e26 = e7 * e25;
+        const Scalar e17 = p_.rho_0 * q_1 * inverse_5;
+        const Scalar step_18 = detail::step<Scalar>(e17);
+        const Scalar max_19 = detail::max<Scalar>(Scalar(0), e17);
+        const Scalar e20 = exp_4 * max_19;
         C[0] = Scalar(0);
-        C[1] = exp_4 * (c_.k8 * compression_5 + c_.k10 * expm1_6) - c_.k9 * e12 - c_.k11 * e14;
+        C[1] = c_.k4 * e6 + c_.k6 * e8 - c_.k5 * e14 - c_.k7 * e16;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
         C[5] = p_.m_k * s_k_dot;
         C[6] = Scalar(0);
-        C[7] = c_.k17;
+        C[7] = c_.k13;
         C[8] = p_.A_1;
-        C[9] = e15 * (p_.A_1 * compression_5 - c_.k22 * e17) + c_.k23 * e15 * (exp_16 - expm1_6);
+        C[9] = c_.k19 * s_k * (Scalar(1) - e8) - s_k * (c_.k20 * e1 - p_.A_1 * e6);
         C[10] = Scalar(0);
-        C[11] = exp_4 * e20 * (compression_5 - c_.k24 * expm1_6 + c_.k25) + p_1 * (c_.k7 * e20 - exp_4 * e23 / exp_21) + max_22
-            * (c_.k18 / exp_4 + c_.k27 * exp_16) - e23 * e17;
+        C[11] = q_1 * step_18 * (c_.k18 * p_1 + c_.k22 * inverse_5 + e6 - c_.k21 * e8) - c_.k23 * e20 * (p_1 + e1) + c_.k24
+            * e20;
         C[12] = -p_.A_2;
-        C[13] = c_.k31 * e12 - s_k * (p_.A_2 * e12 - c_.k28 * e26) - (c_.k29 * s_k - c_.k32) * (e25 - e14) - c_.k30 * e26;
+        C[13] = s_k * (c_.k27 * e9 - p_.A_2 * e14) + (c_.k25 - c_.k26 * s_k) * (Scalar(1) - e16) - c_.k28 * e9 + c_.k29 * e14;
         C[14] = Scalar(0);
         C[15] = Scalar(0);
     }
 
     /// D = dh/du.
-    /// Operations: 6 + or -, 8 *, 4 other functions
+    /// Operations: 6 + or -, 8 *, 1 /, 4 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
         using std::expm1;
-        const Scalar p_1 = x[2];
-        const Scalar e1 = c_.k7 * (p_.p_0 - p_1);
-        const Scalar e2 = -e1;
-        const Scalar exp_3 = exp(e2);
         const Scalar q_1 = u[0];
-        const Scalar step_4 = detail::step<Scalar>(p_.rho_0 * q_1 * exp_3);
-        const Scalar compression_5 = detail::compression<Scalar>(e2);
+        const Scalar p_1 = x[2];
+        const Scalar e1 = c_.k18 * (p_.p_0 - p_1);
+        const Scalar exp_2 = exp(e1);
+        const Scalar inverse_3 = Scalar(1) / exp_2;
+        const Scalar step_4 = detail::step<Scalar>(p_.rho_0 * q_1 * inverse_3);
+        const Scalar compression_5 = detail::compression<Scalar>(-e1);
         const Scalar expm1_6 = expm1(e1);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = exp_3 * step_4 * (p_.beta * compression_5 + c_.k33 * expm1_6 - c_.k34) - c_.k16 + p_1 * step_4;
+        const Scalar e7 = step_4 * inverse_3 * (p_.beta * compression_5 + c_.k30 * expm1_6 - c_.k31);
+        D[3] = e7 - c_.k12 + p_1 * step_4;
         D[4] = Scalar(0);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
@@ -661,7 +632,7 @@ public:
     ///     T = m_k*dot(s_k)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar s_k_dot = x[1];
-        return c_.k12 * s_k_dot * s_k_dot;
+        return c_.k8 * s_k_dot * s_k_dot;
     }
 
     /// V in joules.
@@ -694,31 +665,30 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 9 + or -, 13 *, 6 other functions
-    ///     E = A_1*beta*s_k*compression(-(p_0 - p_1)/beta)*exp(-(p_0 - p_1)/beta) - A_2*beta*s_k*compression(-(p_0 -
-    ///     p_2)/beta)*exp(-(p_0 - p_2)/beta) + A_1*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_1)/beta)*expm1((p_0 - p_1)/beta) -
-    ///     A_2*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_2)/beta)*expm1((p_0 - p_2)/beta) + A_2*beta*(l - d)*compression(-(p_0 -
-    ///     p_2)/beta)*exp(-(p_0 - p_2)/beta) + A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)*exp(-(p_0 -
-    ///     p_2)/beta)*expm1((p_0 - p_2)/beta)
+    /// Operations: 9 + or -, 13 *, 2 /, 6 other functions
+    ///     E = A_1*beta*s_k*compression(-(p_0 - p_1)/beta)/exp((p_0 - p_1)/beta) - A_2*beta*s_k*compression(-(p_0 -
+    ///     p_2)/beta)/exp((p_0 - p_2)/beta) + A_1*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_1)/beta)/exp((p_0 - p_1)/beta) -
+    ///     A_2*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_2)/beta)/exp((p_0 - p_2)/beta) + A_2*beta*(l - d)*compression(-(p_0 -
+    ///     p_2)/beta)/exp((p_0 - p_2)/beta) + A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)*expm1((p_0 -
+    ///     p_2)/beta)/exp((p_0 - p_2)/beta)
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_2 = x[3];
-        const Scalar e1 = c_.k7 * (p_.p_0 - p_2);
-        const Scalar e2 = -e1;
-        const Scalar compression_3 = detail::compression<Scalar>(e2);
-        const Scalar exp_4 = exp(e2);
+        const Scalar e1 = c_.k18 * (p_.p_0 - p_2);
+        const Scalar compression_2 = detail::compression<Scalar>(-e1);
+        const Scalar exp_3 = exp(e1);
+        const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar s_k = x[0];
-        const Scalar e5 = s_k * exp_4;
+        const Scalar e5 = s_k * inverse_4;
         const Scalar expm1_6 = expm1(e1);
         const Scalar p_1 = x[2];
-        const Scalar e7 = c_.k7 * (p_.p_0 - p_1);
-        const Scalar e8 = -e7;
-        const Scalar exp_9 = exp(e8);
-        const Scalar compression_10 = detail::compression<Scalar>(e8);
-        const Scalar expm1_11 = expm1(e7);
-        return compression_3 * (c_.k13 * exp_4 - c_.k9 * e5) + expm1_6 * (c_.k14 * exp_4 - c_.k11 * e5) + s_k * exp_9
-            * (c_.k8 * compression_10 + c_.k10 * expm1_11);
+        const Scalar e7 = c_.k18 * (p_.p_0 - p_1);
+        const Scalar exp_8 = exp(e7);
+        const Scalar compression_9 = detail::compression<Scalar>(-e7);
+        const Scalar expm1_10 = expm1(e7);
+        return compression_2 * (c_.k9 * inverse_4 - c_.k5 * e5) + expm1_6 * (c_.k10 * inverse_4 - c_.k7 * e5) + s_k / exp_8
+            * (c_.k4 * compression_9 + c_.k6 * expm1_10);
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
@@ -728,28 +698,26 @@ public:
         using std::expm1;
         const Scalar q_1 = u[0];
         const Scalar p_1 = x[2];
-        const Scalar e1 = c_.k7 * (p_.p_0 - p_1);
-        const Scalar e2 = -e1;
-        const Scalar exp_3 = exp(e2);
-        const Scalar e4 = p_.rho_0 * q_1 * exp_3;
-        const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
-        const Scalar min_6 = detail::min<Scalar>(Scalar(0), e4);
-        const Scalar compression_7 = detail::compression<Scalar>(e2);
-        const Scalar expm1_8 = expm1(e1);
+        const Scalar e1 = c_.k18 * (p_.p_0 - p_1);
+        const Scalar exp_2 = exp(e1);
+        const Scalar e3 = p_.rho_0 * q_1 / exp_2;
+        const Scalar max_4 = detail::max<Scalar>(Scalar(0), e3);
+        const Scalar min_5 = detail::min<Scalar>(Scalar(0), e3);
+        const Scalar compression_6 = detail::compression<Scalar>(-e1);
+        const Scalar expm1_7 = expm1(e1);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
-        const Scalar e9 = c_.k7 * (p_.p_0 - p_2);
-        const Scalar e10 = -e9;
-        const Scalar exp_11 = exp(e10);
-        const Scalar e12 = p_.rho_0 * q_2 * exp_11;
-        const Scalar max_13 = detail::max<Scalar>(Scalar(0), e12);
-        const Scalar min_14 = detail::min<Scalar>(Scalar(0), e12);
-        const Scalar compression_15 = detail::compression<Scalar>(e10);
-        const Scalar expm1_16 = expm1(e9);
+        const Scalar e8 = c_.k18 * (p_.p_0 - p_2);
+        const Scalar exp_9 = exp(e8);
+        const Scalar e10 = p_.rho_0 * q_2 / exp_9;
+        const Scalar max_11 = detail::max<Scalar>(Scalar(0), e10);
+        const Scalar min_12 = detail::min<Scalar>(Scalar(0), e10);
+        const Scalar compression_13 = detail::compression<Scalar>(-e8);
+        const Scalar expm1_14 = expm1(e8);
         const Scalar s_k_dot = x[1];
-        const Scalar e17 = (max_5 + min_6) * (c_.k18 * p_1 / exp_3 + c_.k19 * compression_7 + c_.k20 * expm1_8);
-        const Scalar e18 = (max_13 + min_14) * (c_.k18 * p_2 / exp_11 + c_.k19 * compression_15 + c_.k20 * expm1_16);
-        return e17 + e18 - c_.k16 * (q_1 + q_2) + s_k_dot * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
+        const Scalar e15 = (max_4 + min_5) * (c_.k14 * p_1 * exp_2 + c_.k15 * compression_6 + c_.k16 * expm1_7);
+        const Scalar e16 = (max_11 + min_12) * (c_.k14 * p_2 * exp_9 + c_.k15 * compression_13 + c_.k16 * expm1_14);
+        return e15 + e16 - c_.k12 * (q_1 + q_2) + s_k_dot * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -760,7 +728,7 @@ public:
         const Scalar p_2 = x[3];
         g[0] = p_.A_1 * s_k;
         g[1] = p_1;
-        g[2] = c_.k31 - p_.A_2 * s_k;
+        g[2] = c_.k29 - p_.A_2 * s_k;
         g[3] = p_2;
     }
 
@@ -772,37 +740,34 @@ private:
         Scalar k1;  ///< beta/A_1
         Scalar k2;  ///< beta/A_2
         Scalar k3;  ///< l - d
-        Scalar k4;  ///< 1/A_1
-        Scalar k5;  ///< 1/A_2
-        Scalar k6;  ///< 2/beta
-        Scalar k7;  ///< 1/beta
-        Scalar k8;  ///< A_1*beta
-        Scalar k9;  ///< A_2*beta
-        Scalar k10;  ///< A_1*(beta*alpha*T_0 - p_0)
-        Scalar k11;  ///< A_2*(beta*alpha*T_0 - p_0)
-        Scalar k12;  ///< m_k/2
-        Scalar k13;  ///< A_2*beta*(l - d)
-        Scalar k14;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
-        Scalar k15;  ///< m_k/rho_k
-        Scalar k16;  ///< beta*alpha*T_0
-        Scalar k17;  ///< A_1*beta*alpha*T_0
-        Scalar k18;  ///< 1/rho_0
-        Scalar k19;  ///< beta/rho_0
-        Scalar k20;  ///< (beta*alpha*T_0 - p_0)/rho_0
-        Scalar k21;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
-        Scalar k22;  ///< A_1/beta
-        Scalar k23;  ///< A_1*(p_0/beta - alpha*T_0)
-        Scalar k24;  ///< p_0/beta - alpha*T_0
-        Scalar k25;  ///< p_0*expm1(p_0/beta - p_s/beta)/beta - p_s/(beta*exp(-p_0/beta + p_s/beta)) - ...
-        Scalar k26;  ///< 1/(rho_0*beta)
-        Scalar k27;  ///< (p_0/beta - alpha*T_0)/rho_0
-        Scalar k28;  ///< A_2/beta
-        Scalar k29;  ///< A_2*(p_0/beta - alpha*T_0)
-        Scalar k30;  ///< A_2*(l - d)/beta
-        Scalar k31;  ///< A_2*(l - d)
-        Scalar k32;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
-        Scalar k33;  ///< beta*alpha*T_0 - p_0
-        Scalar k34;  ///< beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k4;  ///< A_1*beta
+        Scalar k5;  ///< A_2*beta
+        Scalar k6;  ///< A_1*(beta*alpha*T_0 - p_0)
+        Scalar k7;  ///< A_2*(beta*alpha*T_0 - p_0)
+        Scalar k8;  ///< m_k/2
+        Scalar k9;  ///< A_2*beta*(l - d)
+        Scalar k10;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k11;  ///< m_k/rho_k
+        Scalar k12;  ///< beta*alpha*T_0
+        Scalar k13;  ///< A_1*beta*alpha*T_0
+        Scalar k14;  ///< 1/rho_0
+        Scalar k15;  ///< beta/rho_0
+        Scalar k16;  ///< (beta*alpha*T_0 - p_0)/rho_0
+        Scalar k17;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k18;  ///< 1/beta
+        Scalar k19;  ///< A_1*(p_0/beta - alpha*T_0)
+        Scalar k20;  ///< A_1/beta
+        Scalar k21;  ///< p_0/beta - alpha*T_0
+        Scalar k22;  ///< p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k23;  ///< 1/(rho_0*beta)
+        Scalar k24;  ///< (1 + p_0/beta - alpha*T_0)/rho_0
+        Scalar k25;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
+        Scalar k26;  ///< A_2*(p_0/beta - alpha*T_0)
+        Scalar k27;  ///< A_2/beta
+        Scalar k28;  ///< A_2*(l - d)/beta
+        Scalar k29;  ///< A_2*(l - d)
+        Scalar k30;  ///< beta*alpha*T_0 - p_0
+        Scalar k31;  ///< beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
     };
     Cached c_{};
 };

@@ -19,19 +19,19 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                15     44     7        0      3
-//   rhs                   15     21     4        0      4
-//   rhs_and_jacobian      33     49     6        0      6
+//   update                15     43     6        0      3
+//   rhs                   13     21     4        0      4
+//   rhs_and_jacobian      20     31     4        0      4
 //   jacobian_u             1      3     2        0      0
-//   jacobian_p            40     79     9        0      6
+//   jacobian_p            22     50     7        0      4
 //   bias                   1      2     0        0      0
 //   generalised_force      1      0     0        0      0
 //   output                25     40     2        0     10
-//   output_jacobian_x     56     87     4        0     16
-//   output_jacobian_u      6      8     0        0      4
+//   output_jacobian_x     49     74     2        0     12
+//   output_jacobian_u      6      8     1        0      4
 //   kinetic_energy         0      2     0        0      0
 //   supplied_power         1      1     0        0      0
-//   internal_energy        9     13     0        0      6
+//   internal_energy        9     13     2        0      6
 //   exchanged_power       25     30     2        0     14
 //   guards                 1      2     0        0      0
 //
@@ -254,7 +254,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 15 + or -, 44 *, 7 /, 3 other functions
+    /// Operations: 15 + or -, 43 *, 6 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -271,59 +271,54 @@ public:
         c_.k5 = e4;
         const Scalar inverse_5 = Scalar(1) / p_.beta;
         c_.k6 = inverse_5;
-        c_.k7 = inverse_1;
-        c_.k8 = p_.k_l * inverse_1;
-        c_.k9 = p_.k_l * inverse_3;
-        c_.k10 = inverse_3;
-        c_.k11 = Scalar(2) * inverse_5;
-        c_.k12 = p_.A_1 * p_.beta;
-        c_.k13 = p_.A_2 * p_.beta;
+        c_.k7 = p_.k_l * inverse_1;
+        c_.k8 = p_.k_l * inverse_3;
+        c_.k9 = p_.A_1 * p_.beta;
+        c_.k10 = p_.A_2 * p_.beta;
         const Scalar e6 = p_.alpha * p_.T_0;
         const Scalar e7 = p_.beta * e6;
         const Scalar e8 = e7 - p_.p_0;
-        c_.k14 = p_.A_1 * e8;
-        c_.k15 = p_.A_2 * e8;
-        c_.k16 = (Scalar(1) / Scalar(2)) * p_.m_k;
+        c_.k11 = p_.A_1 * e8;
+        c_.k12 = p_.A_2 * e8;
+        c_.k13 = (Scalar(1) / Scalar(2)) * p_.m_k;
         const Scalar e9 = p_.A_2 * e4;
-        c_.k17 = p_.beta * e9;
-        c_.k18 = e8 * e9;
-        c_.k19 = p_.m_k / p_.rho_k;
-        c_.k20 = e7;
-        c_.k21 = p_.A_1 * e7;
+        c_.k14 = p_.beta * e9;
+        c_.k15 = e8 * e9;
+        c_.k16 = p_.m_k / p_.rho_k;
+        c_.k17 = e7;
+        c_.k18 = p_.A_1 * e7;
         const Scalar inverse_10 = Scalar(1) / p_.rho_0;
-        c_.k22 = inverse_10;
-        c_.k23 = e6 * e2;
-        c_.k24 = p_.beta * inverse_10;
-        c_.k25 = inverse_10 * e8;
+        c_.k19 = inverse_10;
+        c_.k20 = e6 * e2;
+        c_.k21 = p_.beta * inverse_10;
+        c_.k22 = inverse_10 * e8;
         const Scalar e11 = (p_.p_0 - p_.p_s) * inverse_5;
         const Scalar expm1_12 = expm1(e11);
-        const Scalar e13 = -e11;
-        const Scalar compression_14 = detail::compression<Scalar>(e13);
-        const Scalar exp_15 = exp(e13);
-        const Scalar e16 = p_.p_s / exp_15;
-        const Scalar e17 = expm1_12 * e8 + (p_.beta * compression_14 + e16);
-        c_.k26 = inverse_10 * e17;
-        c_.k27 = p_.rho_0 * p_.k_l;
-        c_.k28 = p_.A_1 * inverse_5;
-        const Scalar e18 = e6 - p_.p_0 * inverse_5;
-        c_.k29 = -p_.A_1 * e18;
-        c_.k30 = e6;
-        c_.k31 = -e18;
-        c_.k32 = -compression_14 - expm1_12 * e18 - inverse_5 * e16;
-        c_.k33 = p_.k_l * inverse_5;
-        c_.k34 = inverse_10 * inverse_5;
-        c_.k35 = p_.k_l * e6;
-        c_.k36 = -p_.k_l * e18;
-        c_.k37 = e2;
-        c_.k38 = p_.k_l * e8;
-        c_.k39 = -inverse_10 * e18;
-        c_.k40 = p_.A_2 * inverse_5;
-        c_.k41 = -p_.A_2 * e18;
-        c_.k42 = inverse_5 * e9;
-        c_.k43 = e9;
-        c_.k44 = -e18 * e9;
-        c_.k45 = e8;
-        c_.k46 = e17;
+        const Scalar compression_13 = detail::compression<Scalar>(-e11);
+        const Scalar exp_14 = exp(e11);
+        const Scalar e15 = p_.p_s * exp_14;
+        const Scalar e16 = expm1_12 * e8 + (p_.beta * compression_13 + e15);
+        c_.k23 = inverse_10 * e16;
+        c_.k24 = p_.rho_0 * p_.k_l;
+        const Scalar e17 = e6 - p_.p_0 * inverse_5;
+        c_.k25 = -p_.A_1 * e17;
+        c_.k26 = p_.A_1 * inverse_5;
+        c_.k27 = -e17;
+        c_.k28 = -compression_13 - expm1_12 * e17 - inverse_5 * e15;
+        c_.k29 = p_.k_l * inverse_5;
+        c_.k30 = inverse_10 * inverse_5;
+        c_.k31 = -p_.k_l * e17;
+        c_.k32 = p_.k_l * e6;
+        c_.k33 = e2;
+        c_.k34 = p_.k_l * e8;
+        c_.k35 = inverse_10 * (Scalar(1) - e17);
+        c_.k36 = -e17 * e9;
+        c_.k37 = -p_.A_2 * e17;
+        c_.k38 = p_.A_2 * inverse_5;
+        c_.k39 = inverse_5 * e9;
+        c_.k40 = e9;
+        c_.k41 = e8;
+        c_.k42 = e16;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -338,12 +333,12 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 15 + or -, 21 *, 4 /, 4 other functions
+    /// Operations: 13 + or -, 21 *, 4 /, 4 other functions
     ///     m_k*ddot(s_k) - A_1*p_1 + A_2*p_2 = -f_l
-    ///     dot(p_1) = -beta*dot(s_k)/s_k + beta*q_1/(A_1*s_k) - beta*k_l*(p_1 - p_2)*exp(-(p_0 - p_2)/beta)*step(-k_l*(p_1 -
-    ///     p_2))/(A_1*s_k*exp(-(p_0 - p_1)/beta)) - beta*k_l*(p_1 - p_2)*step(k_l*(p_1 - p_2))/(A_1*s_k)
-    ///     dot(p_2) = beta*dot(s_k)/(l - d - s_k) + beta*q_2/(A_2*(l - d - s_k)) + beta*k_l*(p_1 - p_2)*exp(-(p_0 -
-    ///     p_1)/beta)*step(k_l*(p_1 - p_2))/(A_2*(l - d - s_k)*exp(-(p_0 - p_2)/beta)) + beta*k_l*(p_1 - p_2)*step(-k_l*(p_1 -
+    ///     dot(p_1) = -beta*dot(s_k)/s_k + beta*q_1/(A_1*s_k) - beta*k_l*(p_1 - p_2)*exp((p_0 - p_1)/beta)*step(-k_l*(p_1 -
+    ///     p_2))/(A_1*s_k*exp((p_0 - p_2)/beta)) - beta*k_l*(p_1 - p_2)*step(k_l*(p_1 - p_2))/(A_1*s_k)
+    ///     dot(p_2) = beta*dot(s_k)/(l - d - s_k) + beta*q_2/(A_2*(l - d - s_k)) + beta*k_l*(p_1 - p_2)*exp((p_0 -
+    ///     p_2)/beta)*step(k_l*(p_1 - p_2))/(A_2*(l - d - s_k)*exp((p_0 - p_1)/beta)) + beta*k_l*(p_1 - p_2)*step(-k_l*(p_1 -
     ///     p_2))/(A_2*(l - d - s_k))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::exp;
@@ -357,10 +352,10 @@ public:
         const Scalar s_k_dot = x[1];
         const Scalar e2 = p_.beta * s_k_dot;
         const Scalar e3 = p_1 - p_2;
-        const Scalar exp_4 = exp(-c_.k6 * (p_.p_0 - p_2));
+        const Scalar exp_4 = exp(c_.k6 * (p_.p_0 - p_1));
         const Scalar e5 = p_.k_l * e3;
         const Scalar step_6 = detail::step<Scalar>(-e5);
-        const Scalar exp_7 = exp(-c_.k6 * (p_.p_0 - p_1));
+        const Scalar exp_7 = exp(c_.k6 * (p_.p_0 - p_2));
         const Scalar step_8 = detail::step<Scalar>(e5);
         const Scalar inverse_9 = Scalar(1) / (c_.k5 - s_k);
         const Scalar q_2 = u[1];
@@ -372,7 +367,7 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 33 + or -, 49 *, 6 /, 6 other functions
+    /// Operations: 20 + or -, 31 *, 4 /, 4 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
         const Scalar p_1 = x[2];
@@ -387,50 +382,39 @@ public:
         const Scalar e3 = p_1 - p_2;
         const Scalar e4 = p_.k_l * e3;
         const Scalar step_5 = detail::step<Scalar>(e4);
-        const Scalar e6 = p_.p_0 - p_1;
-        const Scalar exp_7 = exp(-c_.k6 * e6);
-        const Scalar e8 = p_.p_0 - p_2;
-        const Scalar exp_9 = exp(-c_.k6 * e8);
-        const Scalar step_10 = detail::step<Scalar>(-e4);
-        const Scalar e11 = exp_9 * step_10;
-        const Scalar e12 = e11 / exp_7;
-        const Scalar e13 = c_.k2 * (step_5 + e12);
-        const Scalar e14 = inverse_1 * (e2 - (c_.k1 * q_1 - e3 * e13));
-        const Scalar inverse_15 = Scalar(1) / (c_.k5 - s_k);
+        const Scalar exp_6 = exp(c_.k6 * (p_.p_0 - p_2));
+        const Scalar exp_7 = exp(c_.k6 * (p_.p_0 - p_1));
+        const Scalar step_8 = detail::step<Scalar>(-e4);
+        const Scalar e9 = exp_7 * step_8 / exp_6;
+        const Scalar e10 = c_.k2 * (step_5 + e9);
+        const Scalar e11 = inverse_1 * (e2 - (c_.k1 * q_1 - e3 * e10));
+        const Scalar inverse_12 = Scalar(1) / (c_.k5 - s_k);
         const Scalar q_2 = u[1];
-        const Scalar e16 = exp_7 * step_5;
-        const Scalar e17 = e16 / exp_9;
-        const Scalar e18 = c_.k4 * (step_10 + e17);
-        const Scalar e19 = inverse_15 * (c_.k3 * q_2 + e3 * e18 + e2);
+        const Scalar e13 = exp_6 * step_5 / exp_7;
+        const Scalar e14 = c_.k4 * (step_8 + e13);
+        const Scalar e15 = inverse_12 * (c_.k3 * q_2 + e3 * e14 + e2);
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = -e14;
-        dxdt[3] = e19;
-        const Scalar exp_20 = exp(-c_.k11 * e6);
-        const Scalar e21 = exp_7 / exp_20;
-        const Scalar e22 = c_.k8 * (e3 * inverse_1);
-        const Scalar e23 = e11 + e16;
-        const Scalar e24 = inverse_1 * e13;
-        const Scalar e25 = c_.k9 * (e3 * inverse_15);
-        const Scalar e26 = inverse_15 * e18;
-        const Scalar exp_27 = exp(-c_.k11 * e8);
-        const Scalar e28 = exp_9 / exp_27;
+        dxdt[2] = -e11;
+        dxdt[3] = e15;
+        const Scalar e16 = inverse_1 * (e10 - c_.k7 * e3 * e9);
+        const Scalar e17 = inverse_12 * (e14 + c_.k8 * e3 * e13);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = inverse_1 * e14;
-        J[3] = inverse_15 * e19;
+        J[2] = inverse_1 * e11;
+        J[3] = inverse_12 * e15;
         J[4] = Scalar(1);
         J[5] = Scalar(0);
         J[6] = -p_.beta * inverse_1;
-        J[7] = p_.beta * inverse_15;
+        J[7] = p_.beta * inverse_12;
         J[8] = Scalar(0);
         J[9] = p_.A_1 * c_.k0;
-        J[10] = inverse_1 * (c_.k7 * q_1 - s_k_dot) * (Scalar(1) - exp_7 * e21) - e22 * (step_5 - e23 * e21) - e24;
-        J[11] = e25 * e17 + e26;
+        J[10] = -e16;
+        J[11] = e17;
         J[12] = Scalar(0);
         J[13] = (-p_.A_2) * c_.k0;
-        J[14] = e24 - e22 * e12;
-        J[15] = e25 * (step_10 - e23 * e28) + inverse_15 * (c_.k10 * q_2 + s_k_dot) * (Scalar(1) - exp_9 * e28) - e26;
+        J[14] = e16;
+        J[15] = -e17;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -458,7 +442,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 15, entry (i, j) at J[4*j + i].
-    /// Operations: 40 + or -, 79 *, 9 /, 6 other functions
+    /// Operations: 22 + or -, 50 *, 7 /, 4 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
         State dxdt;
@@ -471,63 +455,48 @@ public:
         const Scalar e4 = p_1 - p_2;
         const Scalar e5 = p_.k_l * e4;
         const Scalar step_6 = detail::step<Scalar>(e5);
-        const Scalar e7 = p_.p_0 - p_1;
-        const Scalar exp_8 = exp(-c_.k6 * e7);
-        const Scalar e9 = p_.p_0 - p_2;
-        const Scalar exp_10 = exp(-c_.k6 * e9);
+        const Scalar e7 = p_.p_0 - p_2;
+        const Scalar exp_8 = exp(c_.k6 * e7);
+        const Scalar e9 = p_.p_0 - p_1;
+        const Scalar exp_10 = exp(c_.k6 * e9);
         const Scalar step_11 = detail::step<Scalar>(-e5);
-        const Scalar e12 = exp_10 * step_11;
-        const Scalar e13 = e12 / exp_8;
-        const Scalar e14 = step_6 + e13;
+        const Scalar e12 = exp_10 * step_11 / exp_8;
         const Scalar s_k = x[0];
-        const Scalar inverse_15 = Scalar(1) / s_k;
-        const Scalar e16 = e4 * inverse_15;
-        const Scalar e17 = e14 * e16;
+        const Scalar inverse_13 = Scalar(1) / s_k;
+        const Scalar e14 = e4 * inverse_13;
+        const Scalar e15 = (step_6 + e12) * e14;
         const Scalar q_1 = u[0];
-        const Scalar inverse_18 = Scalar(1) / p_.A_2;
-        const Scalar e19 = p_.beta * inverse_18;
-        const Scalar e20 = p_.k_l * inverse_18;
-        const Scalar e21 = exp_8 * step_6;
-        const Scalar e22 = e21 / exp_10;
-        const Scalar inverse_23 = Scalar(1) / (c_.k5 - s_k);
-        const Scalar e24 = e4 * inverse_23;
-        const Scalar e25 = (step_11 + e22) * e24;
+        const Scalar e16 = q_1 * inverse_13;
+        const Scalar inverse_17 = Scalar(1) / p_.A_2;
+        const Scalar e18 = p_.beta * inverse_17;
+        const Scalar e19 = p_.k_l * inverse_17;
+        const Scalar e20 = exp_8 * step_6 / exp_10;
+        const Scalar e21 = step_11 + e20;
+        const Scalar inverse_22 = Scalar(1) / (c_.k5 - s_k);
+        const Scalar e23 = e4 * inverse_22;
+        const Scalar e24 = e21 * e23;
         const Scalar q_2 = u[1];
-        const Scalar e26 = q_2 * inverse_23;
+        const Scalar e25 = q_2 * inverse_22;
         const Scalar s_k_dot = x[1];
-        const Scalar e27 = inverse_23 * (inverse_23 * (c_.k3 * q_2 + p_.beta * s_k_dot) + c_.k4 * e25);
-        const Scalar inverse_28 = Scalar(1) / p_.beta;
-        const Scalar exp_29 = exp(-c_.k11 * e7);
-        const Scalar e30 = exp_8 / exp_29;
-        const Scalar e31 = Scalar(1) - exp_8 * e30;
-        const Scalar e32 = e12 * e30 - step_6 * e31;
-        const Scalar e33 = inverse_15 * e31;
-        const Scalar e34 = c_.k6 * s_k_dot;
-        const Scalar e35 = c_.k7 * q_1 - s_k_dot;
-        const Scalar e36 = c_.k8 * e16;
-        const Scalar exp_37 = exp(-c_.k11 * e9);
-        const Scalar e38 = exp_10 / exp_37;
-        const Scalar e39 = Scalar(1) - exp_10 * e38;
-        const Scalar e40 = inverse_28 * e20 * e24;
-        const Scalar e41 = e21 * e38;
-        const Scalar e42 = inverse_23 * (c_.k10 * q_2 + s_k_dot);
-        const Scalar e43 = c_.k9 * e25;
+        const Scalar e26 = (p_.beta * s_k_dot + (c_.k3 * q_2 + c_.k4 * e4 * e21)) * (inverse_22 * inverse_22);
+        const Scalar inverse_27 = Scalar(1) / p_.beta;
+        const Scalar e28 = e9 - e7;
         J[0] = Scalar(0);
         J[1] = p_1 * c_.k0;
-        J[2] = e2 * e3 * e17 - q_1 * inverse_15 * (inverse_1 * e2);
+        J[2] = e2 * e3 * e15 - inverse_1 * e2 * e16;
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = (-p_2) * c_.k0;
         J[6] = Scalar(0);
-        J[7] = -e19 * e20 * e25 - inverse_18 * e19 * e26;
+        J[7] = -e18 * e19 * e24 - inverse_17 * e18 * e25;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = -e27;
+        J[11] = -e26;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e27;
+        J[15] = e26;
         J[16] = Scalar(0);
         J[17] = (-dxdt[1]) * c_.k0;
         J[18] = Scalar(0);
@@ -542,10 +511,8 @@ public:
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = inverse_28 * e3 * e16 * (e7 * e32 - e9 * e13) + e7 * e33 * (q_1 * (inverse_1 * inverse_28) - e34) + inverse_15
-            * e35 - e14 * e36;
-        const Scalar e44 = e9 * e39 * (step_11 * e40 + inverse_18 * inverse_28 * e26 + inverse_23 * e34);
-        J[31] = e44 + e40 * (e7 * e22 - e9 * e41) + e42 + e43;
+        J[30] = inverse_1 * e16 - s_k_dot * inverse_13 - c_.k7 * e15 + inverse_27 * e3 * e28 * e14 * e12;
+        J[31] = s_k_dot * inverse_22 + c_.k8 * e24 + inverse_17 * e25 + inverse_27 * e19 * e28 * e23 * e20;
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
@@ -556,8 +523,8 @@ public:
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        J[42] = -e36 * (e32 - e13) - e35 * e33;
-        J[43] = c_.k9 * e24 * (e12 * e38 + e41) - e39 * e42 - e43;
+        J[42] = Scalar(0);
+        J[43] = Scalar(0);
         J[44] = Scalar(0);
         J[45] = Scalar(0);
         J[46] = Scalar(0);
@@ -572,8 +539,8 @@ public:
         J[55] = Scalar(0);
         J[56] = Scalar(0);
         J[57] = Scalar(0);
-        J[58] = -c_.k1 * e17;
-        J[59] = c_.k3 * e25;
+        J[58] = -c_.k1 * e15;
+        J[59] = c_.k3 * e24;
     }
 
     /// J = df/dt at fixed x and u.
@@ -612,133 +579,122 @@ public:
     /// y = h(x, u, t).
     /// Operations: 25 + or -, 40 *, 2 /, 10 other functions
     ///     f_h = A_1*p_1 - A_2*p_2
-    ///     E_g = m_k*dot(s_k)^2/2 + A_1*beta*s_k*compression(-(p_0 - p_1)/beta)*exp(-(p_0 - p_1)/beta) -
-    ///     A_2*beta*s_k*compression(-(p_0 - p_2)/beta)*exp(-(p_0 - p_2)/beta) + A_1*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 -
-    ///     p_1)/beta)*expm1((p_0 - p_1)/beta) - A_2*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_2)/beta)*expm1((p_0 - p_2)/beta) +
-    ///     A_2*beta*(l - d)*compression(-(p_0 - p_2)/beta)*exp(-(p_0 - p_2)/beta) + A_2*(l*beta*alpha*T_0 - l*p_0 -
-    ///     d*beta*alpha*T_0 + d*p_0)*exp(-(p_0 - p_2)/beta)*expm1((p_0 - p_2)/beta)
+    ///     E_g = m_k*dot(s_k)^2/2 + A_1*beta*s_k*compression(-(p_0 - p_1)/beta)/exp((p_0 - p_1)/beta) -
+    ///     A_2*beta*s_k*compression(-(p_0 - p_2)/beta)/exp((p_0 - p_2)/beta) + A_1*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 -
+    ///     p_1)/beta)/exp((p_0 - p_1)/beta) - A_2*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_2)/beta)/exp((p_0 - p_2)/beta) +
+    ///     A_2*beta*(l - d)*compression(-(p_0 - p_2)/beta)/exp((p_0 - p_2)/beta) + A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0
+    ///     + d*p_0)*expm1((p_0 - p_2)/beta)/exp((p_0 - p_2)/beta)
     ///     V_k = m_k/rho_k
     ///     q_l = k_l*(p_1 - p_2)
-    ///     Q_1 = A_1*beta*alpha*T_0*dot(s_k) - beta*alpha*T_0*q_1 + p_1*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta))/(rho_0*exp(-(p_0 -
-    ///     p_1)/beta)) - p_1*min(0, rho_0*k_l*(p_1 - p_2)*exp(-(p_0 - p_1)/beta)*step(k_l*(p_1 - p_2)) + rho_0*k_l*(p_1 -
-    ///     p_2)*exp(-(p_0 - p_2)/beta)*step(-k_l*(p_1 - p_2)))/(rho_0*exp(-(p_0 - p_1)/beta)) + p_2*min(0, rho_0*k_l*(p_1 -
-    ///     p_2)*exp(-(p_0 - p_1)/beta)*step(k_l*(p_1 - p_2)) + rho_0*k_l*(p_1 - p_2)*exp(-(p_0 - p_2)/beta)*step(-k_l*(p_1 -
-    ///     p_2)))/(rho_0*exp(-(p_0 - p_2)/beta)) + beta*alpha*T_0*k_l*(p_1 - p_2)*exp(-(p_0 - p_2)/beta)*step(-k_l*(p_1 -
-    ///     p_2))/exp(-(p_0 - p_1)/beta) + beta*alpha*T_0*k_l*(p_1 - p_2)*step(k_l*(p_1 - p_2)) + beta*compression(-(p_0 -
-    ///     p_1)/beta)*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta))/rho_0 - beta*compression(-(p_0 - p_1)/beta)*min(0, rho_0*k_l*(p_1 -
-    ///     p_2)*exp(-(p_0 - p_1)/beta)*step(k_l*(p_1 - p_2)) + rho_0*k_l*(p_1 - p_2)*exp(-(p_0 - p_2)/beta)*step(-k_l*(p_1 -
-    ///     p_2)))/rho_0 + beta*compression(-(p_0 - p_2)/beta)*min(0, rho_0*k_l*(p_1 - p_2)*exp(-(p_0 - p_1)/beta)*step(k_l*(p_1 -
-    ///     p_2)) + rho_0*k_l*(p_1 - p_2)*exp(-(p_0 - p_2)/beta)*step(-k_l*(p_1 - p_2)))/rho_0 + (beta*alpha*T_0 - p_0)*expm1((p_0 -
-    ///     p_1)/beta)*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta))/rho_0 - (beta*alpha*T_0 - p_0)*expm1((p_0 - p_1)/beta)*min(0,
-    ///     rho_0*k_l*(p_1 - p_2)*exp(-(p_0 - p_1)/beta)*step(k_l*(p_1 - p_2)) + rho_0*k_l*(p_1 - p_2)*exp(-(p_0 -
-    ///     p_2)/beta)*step(-k_l*(p_1 - p_2)))/rho_0 + (beta*alpha*T_0 - p_0)*expm1((p_0 - p_2)/beta)*min(0, rho_0*k_l*(p_1 -
-    ///     p_2)*exp(-(p_0 - p_1)/beta)*step(k_l*(p_1 - p_2)) + rho_0*k_l*(p_1 - p_2)*exp(-(p_0 - p_2)/beta)*step(-k_l*(p_1 -
-    ///     p_2)))/rho_0 - (beta*alpha*T_0*expm1((p_0 - p_s)/beta) + beta*compression(-(p_0 - p_s)/beta) - p_0*expm1((p_0 -
-    ///     p_s)/beta) + p_s/exp(-(p_0 - p_s)/beta))*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta))/rho_0
+    ///     Q_1 = A_1*beta*alpha*T_0*dot(s_k) - beta*alpha*T_0*q_1 + p_1*exp((p_0 - p_1)/beta)*max(0, rho_0*q_1/exp((p_0 -
+    ///     p_1)/beta))/rho_0 - p_1*exp((p_0 - p_1)/beta)*min(0, rho_0*k_l*(p_1 - p_2)*step(k_l*(p_1 - p_2))/exp((p_0 - p_1)/beta) +
+    ///     rho_0*k_l*(p_1 - p_2)*step(-k_l*(p_1 - p_2))/exp((p_0 - p_2)/beta))/rho_0 + p_2*exp((p_0 - p_2)/beta)*min(0,
+    ///     rho_0*k_l*(p_1 - p_2)*step(k_l*(p_1 - p_2))/exp((p_0 - p_1)/beta) + rho_0*k_l*(p_1 - p_2)*step(-k_l*(p_1 -
+    ///     p_2))/exp((p_0 - p_2)/beta))/rho_0 + beta*alpha*T_0*k_l*(p_1 - p_2)*exp((p_0 - p_1)/beta)*step(-k_l*(p_1 -
+    ///     p_2))/exp((p_0 - p_2)/beta) + beta*alpha*T_0*k_l*(p_1 - p_2)*step(k_l*(p_1 - p_2)) + beta*compression(-(p_0 -
+    ///     p_1)/beta)*max(0, rho_0*q_1/exp((p_0 - p_1)/beta))/rho_0 - beta*compression(-(p_0 - p_1)/beta)*min(0, rho_0*k_l*(p_1 -
+    ///     p_2)*step(k_l*(p_1 - p_2))/exp((p_0 - p_1)/beta) + rho_0*k_l*(p_1 - p_2)*step(-k_l*(p_1 - p_2))/exp((p_0 -
+    ///     p_2)/beta))/rho_0 + beta*compression(-(p_0 - p_2)/beta)*min(0, rho_0*k_l*(p_1 - p_2)*step(k_l*(p_1 - p_2))/exp((p_0 -
+    ///     p_1)/beta) + rho_0*k_l*(p_1 - p_2)*step(-k_l*(p_1 - p_2))/exp((p_0 - p_2)/beta))/rho_0 + (beta*alpha*T_0 -
+    ///     p_0)*expm1((p_0 - p_1)/beta)*max(0, rho_0*q_1/exp((p_0 - p_1)/beta))/rho_0 - (beta*alpha*T_0 - p_0)*expm1((p_0 -
+    ///     p_1)/beta)*min(0, rho_0*k_l*(p_1 - p_2)*step(k_l*(p_1 - p_2))/exp((p_0 - p_1)/beta) + rho_0*k_l*(p_1 -
+    ///     p_2)*step(-k_l*(p_1 - p_2))/exp((p_0 - p_2)/beta))/rho_0 + (beta*alpha*T_0 - p_0)*expm1((p_0 - p_2)/beta)*min(0,
+    ///     rho_0*k_l*(p_1 - p_2)*step(k_l*(p_1 - p_2))/exp((p_0 - p_1)/beta) + rho_0*k_l*(p_1 - p_2)*step(-k_l*(p_1 -
+    ///     p_2))/exp((p_0 - p_2)/beta))/rho_0 - (beta*alpha*T_0*expm1((p_0 - p_s)/beta) + beta*compression(-(p_0 - p_s)/beta) -
+    ///     p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 - p_s)/beta))*max(0, rho_0*q_1/exp((p_0 - p_1)/beta))/rho_0
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
         const Scalar e1 = c_.k6 * (p_.p_0 - p_2);
-        const Scalar e2 = -e1;
-        const Scalar compression_3 = detail::compression<Scalar>(e2);
-        const Scalar exp_4 = exp(e2);
+        const Scalar compression_2 = detail::compression<Scalar>(-e1);
+        const Scalar exp_3 = exp(e1);
+        const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar s_k = x[0];
-        const Scalar e5 = s_k * exp_4;
+        const Scalar e5 = s_k * inverse_4;
         const Scalar expm1_6 = expm1(e1);
         const Scalar e7 = c_.k6 * (p_.p_0 - p_1);
-        const Scalar e8 = -e7;
-        const Scalar exp_9 = exp(e8);
-        const Scalar compression_10 = detail::compression<Scalar>(e8);
+        const Scalar exp_8 = exp(e7);
+        const Scalar inverse_9 = Scalar(1) / exp_8;
+        const Scalar compression_10 = detail::compression<Scalar>(-e7);
         const Scalar expm1_11 = expm1(e7);
         const Scalar s_k_dot = x[1];
         const Scalar e12 = p_1 - p_2;
         const Scalar e13 = p_.k_l * e12;
         const Scalar step_14 = detail::step<Scalar>(e13);
         const Scalar step_15 = detail::step<Scalar>(-e13);
-        const Scalar e16 = exp_4 * step_15;
-        const Scalar min_17 = detail::min<Scalar>(Scalar(0), c_.k27 * e12 * (exp_9 * step_14 + e16));
+        const Scalar e16 = step_15 * inverse_4;
+        const Scalar min_17 = detail::min<Scalar>(Scalar(0), c_.k24 * e12 * (step_14 * inverse_9 + e16));
         const Scalar q_1 = u[0];
-        const Scalar max_18 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * exp_9);
-        const Scalar inverse_19 = Scalar(1) / exp_9;
+        const Scalar max_18 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * inverse_9);
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        y[1] = compression_3 * (c_.k17 * exp_4 - c_.k13 * e5) + expm1_6 * (c_.k18 * exp_4 - c_.k15 * e5) + s_k * exp_9
-            * (c_.k12 * compression_10 + c_.k14 * expm1_11) + c_.k16 * s_k_dot * s_k_dot;
-        y[2] = c_.k19;
+        y[1] = compression_2 * (c_.k14 * inverse_4 - c_.k10 * e5) + expm1_6 * (c_.k15 * inverse_4 - c_.k12 * e5) + s_k
+            * inverse_9 * (c_.k9 * compression_10 + c_.k11 * expm1_11) + c_.k13 * s_k_dot * s_k_dot;
+        y[2] = c_.k16;
         y[3] = e13;
-        const Scalar e20 = min_17 * (c_.k22 * p_2 / exp_4 + c_.k24 * compression_3 + c_.k25 * expm1_6);
-        const Scalar e21 = c_.k22 * p_1 * inverse_19 + c_.k24 * compression_10 + c_.k25 * expm1_11;
-        y[4] = e20 + (max_18 - min_17) * e21 + c_.k23 * e12 * (step_14 + inverse_19 * e16) - c_.k20 * q_1 + c_.k21 * s_k_dot
-            - c_.k26 * max_18;
+        const Scalar e19 = min_17 * (c_.k19 * p_2 * exp_3 + c_.k21 * compression_2 + c_.k22 * expm1_6);
+        const Scalar e20 = (max_18 - min_17) * (c_.k19 * p_1 * exp_8 + c_.k21 * compression_10 + c_.k22 * expm1_11);
+        y[4] = e19 + e20 + c_.k20 * e12 * (step_14 + exp_8 * e16) - c_.k17 * q_1 + c_.k18 * s_k_dot - c_.k23 * max_18;
     }
 
     /// C = dh/dx.
-    /// Operations: 56 + or -, 87 *, 4 /, 16 other functions
+    /// Operations: 49 + or -, 74 *, 2 /, 12 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_0 - p_1;
         const Scalar e2 = c_.k6 * e1;
-        const Scalar e3 = -e2;
-        const Scalar exp_4 = exp(e3);
-        const Scalar compression_5 = detail::compression<Scalar>(e3);
-        const Scalar expm1_6 = expm1(e2);
+        const Scalar compression_3 = detail::compression<Scalar>(-e2);
+        const Scalar exp_4 = exp(e2);
+        const Scalar inverse_5 = Scalar(1) / exp_4;
+        const Scalar e6 = compression_3 * inverse_5;
+        const Scalar expm1_7 = expm1(e2);
+        const Scalar e8 = expm1_7 * inverse_5;
         const Scalar p_2 = x[3];
-        const Scalar e7 = p_.p_0 - p_2;
-        const Scalar e8 = c_.k6 * e7;
-        const Scalar e9 = -e8;
-        const Scalar compression_10 = detail::compression<Scalar>(e9);
-        const Scalar exp_11 = exp(e9);
-        const Scalar e12 = compression_10 * exp_11;
-        const Scalar expm1_13 = expm1(e8);
-        const Scalar e14 = exp_11 * expm1_13;
+        const Scalar e9 = p_.p_0 - p_2;
+        const Scalar e10 = c_.k6 * e9;
+        const Scalar compression_11 = detail::compression<Scalar>(-e10);
+        const Scalar exp_12 = exp(e10);
+        const Scalar inverse_13 = Scalar(1) / exp_12;
+        const Scalar e14 = compression_11 * inverse_13;
+        const Scalar expm1_15 = expm1(e10);
+        const Scalar e16 = expm1_15 * inverse_13;
         const Scalar s_k_dot = x[1];
         const Scalar s_k = x[0];
-        const Scalar e15 = s_k * exp_4;
-        const Scalar exp_16 = exp(e2);
-        const Scalar e17 = e1 * exp_16;
-        const Scalar exp_18 = exp(-c_.k11 * e1);
         const Scalar q_1 = u[0];
-        const Scalar e19 = q_1 * exp_4;
+        const Scalar e17 = p_.rho_0 * q_1 * inverse_5;
+        const Scalar step_18 = detail::step<Scalar>(e17);
+        const Scalar max_19 = detail::max<Scalar>(Scalar(0), e17);
         const Scalar e20 = p_1 - p_2;
         const Scalar e21 = p_.k_l * e20;
-        const Scalar step_22 = detail::step<Scalar>(e21);
-        const Scalar e23 = exp_4 * step_22;
-        const Scalar step_24 = detail::step<Scalar>(-e21);
-        const Scalar e25 = exp_11 * step_24;
+        const Scalar step_22 = detail::step<Scalar>(-e21);
+        const Scalar e23 = step_22 * inverse_13;
+        const Scalar step_24 = detail::step<Scalar>(e21);
+        const Scalar e25 = step_24 * inverse_5;
         const Scalar e26 = e23 + e25;
-        const Scalar e27 = e20 * e26;
-        const Scalar e28 = p_.rho_0 * e19;
-        const Scalar max_29 = detail::max<Scalar>(Scalar(0), e28);
-        const Scalar e30 = c_.k27 * e27;
-        const Scalar min_31 = detail::min<Scalar>(Scalar(0), e30);
-        const Scalar e32 = max_29 - min_31;
-        const Scalar e33 = c_.k34 * e32;
-        const Scalar step_34 = detail::step<Scalar>(e28);
-        const Scalar inverse_35 = Scalar(1) / exp_4;
-        const Scalar step_36 = detail::step<Scalar>(-e30);
-        const Scalar inverse_37 = Scalar(1) / exp_11;
-        const Scalar e38 = inverse_37 * e23;
-        const Scalar e39 = p_1 * step_36;
-        const Scalar e40 = c_.k23 - p_.k_l * e39;
-        const Scalar e41 = inverse_35 * e25;
-        const Scalar e42 = compression_5 - compression_10;
-        const Scalar e43 = expm1_6 - expm1_13;
-        const Scalar e44 = p_.k_l * p_2 * step_36 * (step_24 + e38) + e40 * e41
-            + (step_22 * e40 - step_36 * e26 * (c_.k37 * e42 + c_.k38 * e43));
-        const Scalar e45 = e20 * (c_.k33 * e39 - c_.k35);
-        const Scalar e46 = e20 * step_36;
-        const Scalar e47 = (c_.k36 * e43 - p_.k_l * e42) * e46;
-        const Scalar e48 = e46 * (c_.k33 * p_2);
-        const Scalar exp_49 = exp(e8);
-        const Scalar e50 = exp_11 * exp_49;
-        const Scalar e51 = e7 * e50;
-        const Scalar e52 = c_.k34 * min_31;
-        const Scalar exp_53 = exp(-c_.k11 * e7);
+        const Scalar e27 = e26 * (c_.k24 * e20);
+        const Scalar min_28 = detail::min<Scalar>(Scalar(0), e27);
+        const Scalar e29 = exp_4 * (max_19 - min_28);
+        const Scalar step_30 = detail::step<Scalar>(-e27);
+        const Scalar e31 = p_.k_l * step_30;
+        const Scalar e32 = c_.k20 - p_1 * e31;
+        const Scalar e33 = compression_3 - compression_11;
+        const Scalar e34 = p_2 * step_22;
+        const Scalar e35 = exp_4 * e23;
+        const Scalar e36 = p_2 * exp_12;
+        const Scalar e37 = e25 * e36;
+        const Scalar e38 = expm1_7 - expm1_15;
+        const Scalar e39 = c_.k32 * e20 * e35 - e31 * e37 + (c_.k34 * step_30 * e26 * e38 - e32 * e35);
+        const Scalar e40 = step_24 * e32 - step_30 * (c_.k33 * e26 * e33 - p_.k_l * e34) - e39;
+        const Scalar e41 = e20 * step_30;
+        const Scalar e42 = (c_.k31 * e38 - p_.k_l * e33) * e41;
+        const Scalar e43 = c_.k29 * e41;
+        const Scalar e44 = p_1 * e43;
+        const Scalar e45 = c_.k30 * min_28;
         C[0] = Scalar(0);
-        C[1] = exp_4 * (c_.k12 * compression_5 + c_.k14 * expm1_6) - c_.k13 * e12 - c_.k15 * e14;
+        C[1] = c_.k9 * e6 + c_.k11 * e8 - c_.k10 * e14 - c_.k12 * e16;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
@@ -746,40 +702,39 @@ public:
         C[6] = p_.m_k * s_k_dot;
         C[7] = Scalar(0);
         C[8] = Scalar(0);
-        C[9] = c_.k21;
+        C[9] = c_.k18;
         C[10] = p_.A_1;
-        C[11] = e15 * (p_.A_1 * compression_5 - c_.k28 * e17) + c_.k29 * e15 * (exp_16 - expm1_6);
+        C[11] = c_.k25 * s_k * (Scalar(1) - e8) - s_k * (c_.k26 * e1 - p_.A_1 * e6);
         C[12] = Scalar(0);
         C[13] = p_.k_l;
-        C[14] = exp_4 / exp_18 * (c_.k30 * e19 - c_.k35 * e27 - p_1 * e33) + step_34 * e19
-            * (compression_5 - c_.k31 * expm1_6 + c_.k32) - q_1 * (c_.k30 - c_.k6 * p_1 * step_34) + e32
-            * (c_.k22 * inverse_35 + c_.k39 * exp_16) + e44 - e17 * e33 - step_22 * e45 + e23 * e47 + e38 * e48;
+        C[14] = q_1 * step_18 * (c_.k6 * p_1 + c_.k28 * inverse_5 + e6 - c_.k27 * e8) - c_.k30 * e29 * (p_1 + e1) + c_.k35
+            * e29 + e40 + e25 * e42 - step_24 * e44 + e43 * e37;
         C[15] = -p_.A_2;
-        C[16] = c_.k43 * e12 - s_k * (p_.A_2 * e12 - c_.k40 * e51) - (c_.k41 * s_k - c_.k44) * (e50 - e14) - c_.k42 * e51;
+        C[16] = s_k * (c_.k38 * e9 - p_.A_2 * e14) + (c_.k36 - c_.k37 * s_k) * (Scalar(1) - e16) - c_.k39 * e9 + c_.k40 * e14;
         C[17] = Scalar(0);
         C[18] = -p_.k_l;
-        C[19] = exp_49 * (c_.k39 * min_31 - e7 * e52) + c_.k22 * min_31 * inverse_37 - e44 - p_2 * exp_11 * e52 / exp_53 + e25
-            * e47 - e45 * e41 + step_24 * e48;
+        C[19] = exp_12 * (c_.k35 * min_28 - e9 * e45) - e40 - e36 * e45 + e43 * e34 + e23 * e42 - e35 * e44;
     }
 
     /// D = dh/du.
-    /// Operations: 6 + or -, 8 *, 4 other functions
+    /// Operations: 6 + or -, 8 *, 1 /, 4 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
         using std::expm1;
+        const Scalar q_1 = u[0];
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k6 * (p_.p_0 - p_1);
-        const Scalar e2 = -e1;
-        const Scalar exp_3 = exp(e2);
-        const Scalar q_1 = u[0];
-        const Scalar step_4 = detail::step<Scalar>(p_.rho_0 * q_1 * exp_3);
-        const Scalar compression_5 = detail::compression<Scalar>(e2);
+        const Scalar exp_2 = exp(e1);
+        const Scalar inverse_3 = Scalar(1) / exp_2;
+        const Scalar step_4 = detail::step<Scalar>(p_.rho_0 * q_1 * inverse_3);
+        const Scalar compression_5 = detail::compression<Scalar>(-e1);
         const Scalar expm1_6 = expm1(e1);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
         D[3] = Scalar(0);
-        D[4] = exp_3 * step_4 * (p_.beta * compression_5 + c_.k45 * expm1_6 - c_.k46) - c_.k20 + p_1 * step_4;
+        const Scalar e7 = step_4 * inverse_3 * (p_.beta * compression_5 + c_.k41 * expm1_6 - c_.k42);
+        D[4] = e7 - c_.k17 + p_1 * step_4;
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -797,7 +752,7 @@ public:
     ///     T = m_k*dot(s_k)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar s_k_dot = x[1];
-        return c_.k16 * s_k_dot * s_k_dot;
+        return c_.k13 * s_k_dot * s_k_dot;
     }
 
     /// V in joules.
@@ -830,31 +785,30 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 9 + or -, 13 *, 6 other functions
-    ///     E = A_1*beta*s_k*compression(-(p_0 - p_1)/beta)*exp(-(p_0 - p_1)/beta) - A_2*beta*s_k*compression(-(p_0 -
-    ///     p_2)/beta)*exp(-(p_0 - p_2)/beta) + A_1*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_1)/beta)*expm1((p_0 - p_1)/beta) -
-    ///     A_2*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_2)/beta)*expm1((p_0 - p_2)/beta) + A_2*beta*(l - d)*compression(-(p_0 -
-    ///     p_2)/beta)*exp(-(p_0 - p_2)/beta) + A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)*exp(-(p_0 -
-    ///     p_2)/beta)*expm1((p_0 - p_2)/beta)
+    /// Operations: 9 + or -, 13 *, 2 /, 6 other functions
+    ///     E = A_1*beta*s_k*compression(-(p_0 - p_1)/beta)/exp((p_0 - p_1)/beta) - A_2*beta*s_k*compression(-(p_0 -
+    ///     p_2)/beta)/exp((p_0 - p_2)/beta) + A_1*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_1)/beta)/exp((p_0 - p_1)/beta) -
+    ///     A_2*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_2)/beta)/exp((p_0 - p_2)/beta) + A_2*beta*(l - d)*compression(-(p_0 -
+    ///     p_2)/beta)/exp((p_0 - p_2)/beta) + A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)*expm1((p_0 -
+    ///     p_2)/beta)/exp((p_0 - p_2)/beta)
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_2 = x[3];
         const Scalar e1 = c_.k6 * (p_.p_0 - p_2);
-        const Scalar e2 = -e1;
-        const Scalar compression_3 = detail::compression<Scalar>(e2);
-        const Scalar exp_4 = exp(e2);
+        const Scalar compression_2 = detail::compression<Scalar>(-e1);
+        const Scalar exp_3 = exp(e1);
+        const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar s_k = x[0];
-        const Scalar e5 = s_k * exp_4;
+        const Scalar e5 = s_k * inverse_4;
         const Scalar expm1_6 = expm1(e1);
         const Scalar p_1 = x[2];
         const Scalar e7 = c_.k6 * (p_.p_0 - p_1);
-        const Scalar e8 = -e7;
-        const Scalar exp_9 = exp(e8);
-        const Scalar compression_10 = detail::compression<Scalar>(e8);
-        const Scalar expm1_11 = expm1(e7);
-        return compression_3 * (c_.k17 * exp_4 - c_.k13 * e5) + expm1_6 * (c_.k18 * exp_4 - c_.k15 * e5) + s_k * exp_9
-            * (c_.k12 * compression_10 + c_.k14 * expm1_11);
+        const Scalar exp_8 = exp(e7);
+        const Scalar compression_9 = detail::compression<Scalar>(-e7);
+        const Scalar expm1_10 = expm1(e7);
+        return compression_2 * (c_.k14 * inverse_4 - c_.k10 * e5) + expm1_6 * (c_.k15 * inverse_4 - c_.k12 * e5) + s_k / exp_8
+            * (c_.k9 * compression_9 + c_.k11 * expm1_10);
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
@@ -865,40 +819,37 @@ public:
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k6 * (p_.p_0 - p_1);
         const Scalar expm1_2 = expm1(e1);
-        const Scalar e3 = -e1;
-        const Scalar exp_4 = exp(e3);
-        const Scalar inverse_5 = Scalar(1) / exp_4;
-        const Scalar compression_6 = detail::compression<Scalar>(e3);
+        const Scalar exp_3 = exp(e1);
+        const Scalar compression_4 = detail::compression<Scalar>(-e1);
         const Scalar q_1 = u[0];
-        const Scalar e7 = p_.rho_0 * q_1 * exp_4;
-        const Scalar max_8 = detail::max<Scalar>(Scalar(0), e7);
-        const Scalar min_9 = detail::min<Scalar>(Scalar(0), e7);
+        const Scalar inverse_5 = Scalar(1) / exp_3;
+        const Scalar e6 = p_.rho_0 * q_1 * inverse_5;
+        const Scalar max_7 = detail::max<Scalar>(Scalar(0), e6);
+        const Scalar min_8 = detail::min<Scalar>(Scalar(0), e6);
         const Scalar p_2 = x[3];
-        const Scalar e10 = p_1 - p_2;
-        const Scalar e11 = p_.k_l * e10;
-        const Scalar step_12 = detail::step<Scalar>(e11);
-        const Scalar e13 = exp_4 * step_12;
+        const Scalar e9 = p_1 - p_2;
+        const Scalar e10 = p_.k_l * e9;
+        const Scalar step_11 = detail::step<Scalar>(e10);
+        const Scalar e12 = step_11 * inverse_5;
+        const Scalar step_13 = detail::step<Scalar>(-e10);
         const Scalar e14 = c_.k6 * (p_.p_0 - p_2);
-        const Scalar e15 = -e14;
-        const Scalar exp_16 = exp(e15);
-        const Scalar step_17 = detail::step<Scalar>(-e11);
-        const Scalar e18 = exp_16 * step_17;
-        const Scalar e19 = c_.k27 * e10 * (e13 + e18);
-        const Scalar max_20 = detail::max<Scalar>(Scalar(0), e19);
-        const Scalar min_21 = detail::min<Scalar>(Scalar(0), e19);
-        const Scalar e22 = max_20 + min_21;
-        const Scalar inverse_23 = Scalar(1) / exp_16;
-        const Scalar expm1_24 = expm1(e14);
-        const Scalar compression_25 = detail::compression<Scalar>(e15);
+        const Scalar exp_15 = exp(e14);
+        const Scalar inverse_16 = Scalar(1) / exp_15;
+        const Scalar e17 = step_13 * inverse_16;
+        const Scalar e18 = c_.k24 * e9 * (e12 + e17);
+        const Scalar max_19 = detail::max<Scalar>(Scalar(0), e18);
+        const Scalar min_20 = detail::min<Scalar>(Scalar(0), e18);
+        const Scalar e21 = max_19 + min_20;
+        const Scalar expm1_22 = expm1(e14);
+        const Scalar compression_23 = detail::compression<Scalar>(-e14);
         const Scalar q_2 = u[1];
-        const Scalar e26 = p_.rho_0 * q_2 * exp_16;
-        const Scalar max_27 = detail::max<Scalar>(Scalar(0), e26);
-        const Scalar min_28 = detail::min<Scalar>(Scalar(0), e26);
+        const Scalar e24 = p_.rho_0 * q_2 * inverse_16;
+        const Scalar max_25 = detail::max<Scalar>(Scalar(0), e24);
+        const Scalar min_26 = detail::min<Scalar>(Scalar(0), e24);
         const Scalar s_k_dot = x[1];
-        const Scalar e29 = (c_.k25 * expm1_2 + (c_.k22 * p_1 * inverse_5 + c_.k24 * compression_6)) * (max_8 + min_9 - e22);
-        const Scalar e30 = c_.k23 * e10 * (step_17 - step_12 + inverse_23 * e13 - inverse_5 * e18);
-        const Scalar e31 = c_.k25 * expm1_24 + (c_.k22 * p_2 * inverse_23 + c_.k24 * compression_25);
-        return e29 - e30 + e31 * (max_27 + min_28 + e22) - c_.k20 * (q_1 + q_2) + s_k_dot
+        const Scalar e27 = (c_.k22 * expm1_2 + (c_.k19 * p_1 * exp_3 + c_.k21 * compression_4)) * (max_7 + min_8 - e21);
+        const Scalar e28 = (c_.k22 * expm1_22 + (c_.k19 * p_2 * exp_15 + c_.k21 * compression_23)) * (max_25 + min_26 + e21);
+        return e27 - c_.k20 * e9 * (step_13 - step_11 + exp_15 * e12 - exp_3 * e17) + e28 - c_.k17 * (q_1 + q_2) + s_k_dot
             * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
     }
 
@@ -910,7 +861,7 @@ public:
         const Scalar p_2 = x[3];
         g[0] = p_.A_1 * s_k;
         g[1] = p_1;
-        g[2] = c_.k43 - p_.A_2 * s_k;
+        g[2] = c_.k40 - p_.A_2 * s_k;
         g[3] = p_2;
     }
 
@@ -925,46 +876,42 @@ private:
         Scalar k4;  ///< beta*k_l/A_2
         Scalar k5;  ///< l - d
         Scalar k6;  ///< 1/beta
-        Scalar k7;  ///< 1/A_1
-        Scalar k8;  ///< k_l/A_1
-        Scalar k9;  ///< k_l/A_2
-        Scalar k10;  ///< 1/A_2
-        Scalar k11;  ///< 2/beta
-        Scalar k12;  ///< A_1*beta
-        Scalar k13;  ///< A_2*beta
-        Scalar k14;  ///< A_1*(beta*alpha*T_0 - p_0)
-        Scalar k15;  ///< A_2*(beta*alpha*T_0 - p_0)
-        Scalar k16;  ///< m_k/2
-        Scalar k17;  ///< A_2*beta*(l - d)
-        Scalar k18;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
-        Scalar k19;  ///< m_k/rho_k
-        Scalar k20;  ///< beta*alpha*T_0
-        Scalar k21;  ///< A_1*beta*alpha*T_0
-        Scalar k22;  ///< 1/rho_0
-        Scalar k23;  ///< beta*alpha*T_0*k_l
-        Scalar k24;  ///< beta/rho_0
-        Scalar k25;  ///< (beta*alpha*T_0 - p_0)/rho_0
-        Scalar k26;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
-        Scalar k27;  ///< rho_0*k_l
-        Scalar k28;  ///< A_1/beta
-        Scalar k29;  ///< A_1*(p_0/beta - alpha*T_0)
-        Scalar k30;  ///< alpha*T_0
-        Scalar k31;  ///< p_0/beta - alpha*T_0
-        Scalar k32;  ///< p_0*expm1(p_0/beta - p_s/beta)/beta - p_s/(beta*exp(-p_0/beta + p_s/beta)) - ...
-        Scalar k33;  ///< k_l/beta
-        Scalar k34;  ///< 1/(rho_0*beta)
-        Scalar k35;  ///< alpha*T_0*k_l
-        Scalar k36;  ///< k_l*(p_0/beta - alpha*T_0)
-        Scalar k37;  ///< beta*k_l
-        Scalar k38;  ///< k_l*(beta*alpha*T_0 - p_0)
-        Scalar k39;  ///< (p_0/beta - alpha*T_0)/rho_0
-        Scalar k40;  ///< A_2/beta
-        Scalar k41;  ///< A_2*(p_0/beta - alpha*T_0)
-        Scalar k42;  ///< A_2*(l - d)/beta
-        Scalar k43;  ///< A_2*(l - d)
-        Scalar k44;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
-        Scalar k45;  ///< beta*alpha*T_0 - p_0
-        Scalar k46;  ///< beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k7;  ///< k_l/A_1
+        Scalar k8;  ///< k_l/A_2
+        Scalar k9;  ///< A_1*beta
+        Scalar k10;  ///< A_2*beta
+        Scalar k11;  ///< A_1*(beta*alpha*T_0 - p_0)
+        Scalar k12;  ///< A_2*(beta*alpha*T_0 - p_0)
+        Scalar k13;  ///< m_k/2
+        Scalar k14;  ///< A_2*beta*(l - d)
+        Scalar k15;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k16;  ///< m_k/rho_k
+        Scalar k17;  ///< beta*alpha*T_0
+        Scalar k18;  ///< A_1*beta*alpha*T_0
+        Scalar k19;  ///< 1/rho_0
+        Scalar k20;  ///< beta*alpha*T_0*k_l
+        Scalar k21;  ///< beta/rho_0
+        Scalar k22;  ///< (beta*alpha*T_0 - p_0)/rho_0
+        Scalar k23;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k24;  ///< rho_0*k_l
+        Scalar k25;  ///< A_1*(p_0/beta - alpha*T_0)
+        Scalar k26;  ///< A_1/beta
+        Scalar k27;  ///< p_0/beta - alpha*T_0
+        Scalar k28;  ///< p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k29;  ///< k_l/beta
+        Scalar k30;  ///< 1/(rho_0*beta)
+        Scalar k31;  ///< k_l*(p_0/beta - alpha*T_0)
+        Scalar k32;  ///< alpha*T_0*k_l
+        Scalar k33;  ///< beta*k_l
+        Scalar k34;  ///< k_l*(beta*alpha*T_0 - p_0)
+        Scalar k35;  ///< (1 + p_0/beta - alpha*T_0)/rho_0
+        Scalar k36;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
+        Scalar k37;  ///< A_2*(p_0/beta - alpha*T_0)
+        Scalar k38;  ///< A_2/beta
+        Scalar k39;  ///< A_2*(l - d)/beta
+        Scalar k40;  ///< A_2*(l - d)
+        Scalar k41;  ///< beta*alpha*T_0 - p_0
+        Scalar k42;  ///< beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
     };
     Cached c_{};
 };

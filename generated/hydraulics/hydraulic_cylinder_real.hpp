@@ -20,21 +20,21 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                42    234     9        0      6
+//   update                48    234     7        0      6
 //   rhs                   65    106     4        0     12
-//   rhs_and_jacobian     322    498     6        0     20
+//   rhs_and_jacobian     296    416     4        0     16
 //   jacobian_u            31     51     4        0      8
-//   jacobian_p           687   1202    15        0     30
+//   jacobian_p           642   1114     9        0     22
 //   bias                   4      4     0        0      0
 //   generalised_force      1      0     0        0      0
-//   output                19     23     0        0      6
-//   output_jacobian_x     45     63     0        0      8
+//   output                19     23     2        0      6
+//   output_jacobian_x     45     57     2        0      6
 //   kinetic_energy         0      2     0        0      0
 //   potential_energy       1      3     0        0      0
 //   supplied_power         1      1     0        0      0
 //   dissipated_power       0      2     0        0      0
-//   internal_energy       16     18     0        0      6
-//   exchanged_power       26     36     6        0     16
+//   internal_energy       16     18     2        0      6
+//   exchanged_power       26     36     4        0     16
 //   guards                 1      2     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -267,7 +267,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 42 + or -, 234 *, 9 /, 6 other functions
+    /// Operations: 48 + or -, 234 *, 7 /, 6 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -281,8 +281,8 @@ public:
         const Scalar e4 = inverse_3 / p_.c_v;
         const Scalar e5 = p_.alpha * e4;
         const Scalar e6 = p_.beta * e5;
-        const Scalar e7 = p_.alpha * e6;
-        const Scalar e8 = p_.beta * e7;
+        const Scalar e7 = p_.beta * p_.alpha;
+        const Scalar e8 = e6 * e7;
         c_.k3 = inverse_2 * e8;
         c_.k4 = e8;
         const Scalar e9 = inverse_2 * inverse_3;
@@ -290,274 +290,271 @@ public:
         c_.k5 = e10;
         const Scalar e11 = p_.k_l * inverse_2;
         c_.k6 = e11 * e8;
-        const Scalar e12 = p_.beta * p_.alpha;
-        c_.k7 = e9 * e12;
+        const Scalar e12 = e7 * e9;
+        c_.k7 = e12;
         c_.k8 = p_.beta * e11;
         const Scalar e13 = p_.beta * e6;
         c_.k9 = e9 * e13;
-        const Scalar e14 = p_.T_0 * e12 - p_.p_0;
+        const Scalar e14 = p_.T_0 * e7 - p_.p_0;
         const Scalar e15 = e14 * e6;
         c_.k10 = -e9 * e15;
         const Scalar inverse_16 = Scalar(1) / p_.beta;
         const Scalar e17 = (p_.p_0 - p_.p_s) * inverse_16;
-        const Scalar e18 = -e17;
-        const Scalar compression_19 = detail::compression<Scalar>(e18);
-        const Scalar expm1_20 = expm1(e17);
-        const Scalar exp_21 = exp(e18);
-        const Scalar e22 = p_.p_s / exp_21;
-        const Scalar e23 = expm1_20 * e14 + e22;
-        const Scalar e24 = p_.beta * compression_19 + e23;
-        c_.k11 = -e24 * e10;
-        const Scalar inverse_25 = Scalar(1) / p_.A_2;
-        c_.k12 = inverse_25 * e8;
-        c_.k13 = p_.beta * inverse_25;
-        const Scalar e26 = inverse_25 * inverse_3;
-        const Scalar e27 = e6 * e26;
-        c_.k14 = e27;
-        const Scalar e28 = p_.k_l * inverse_25;
-        c_.k15 = e28 * e8;
-        c_.k16 = e26 * e12;
-        c_.k17 = p_.beta * e28;
-        c_.k18 = e26 * e13;
-        c_.k19 = -e26 * e15;
+        const Scalar compression_18 = detail::compression<Scalar>(-e17);
+        const Scalar expm1_19 = expm1(e17);
+        const Scalar exp_20 = exp(e17);
+        const Scalar e21 = p_.p_s * exp_20;
+        const Scalar e22 = expm1_19 * e14 + e21;
+        const Scalar e23 = p_.beta * compression_18 + e22;
+        c_.k11 = -e23 * e10;
+        const Scalar inverse_24 = Scalar(1) / p_.A_2;
+        c_.k12 = inverse_24 * e8;
+        c_.k13 = p_.beta * inverse_24;
+        const Scalar e25 = inverse_24 * inverse_3;
+        const Scalar e26 = e6 * e25;
+        c_.k14 = e26;
+        const Scalar e27 = p_.k_l * inverse_24;
+        c_.k15 = e27 * e8;
+        const Scalar e28 = e7 * e25;
+        c_.k16 = e28;
+        c_.k17 = p_.beta * e27;
+        c_.k18 = e25 * e13;
+        c_.k19 = -e25 * e15;
         const Scalar e29 = (p_.p_0 - p_.p_t) * inverse_16;
-        const Scalar e30 = -e29;
-        const Scalar compression_31 = detail::compression<Scalar>(e30);
-        const Scalar expm1_32 = expm1(e29);
-        const Scalar exp_33 = exp(e30);
-        const Scalar e34 = p_.p_t / exp_33;
-        const Scalar e35 = expm1_32 * e14 + e34;
-        const Scalar e36 = p_.beta * compression_31 + e35;
-        c_.k20 = -e36 * e27;
-        const Scalar e37 = inverse_2 * e6;
-        c_.k21 = e37;
+        const Scalar compression_30 = detail::compression<Scalar>(-e29);
+        const Scalar expm1_31 = expm1(e29);
+        const Scalar exp_32 = exp(e29);
+        const Scalar e33 = p_.p_t * exp_32;
+        const Scalar e34 = expm1_31 * e14 + e33;
+        const Scalar e35 = p_.beta * compression_30 + e34;
+        c_.k20 = -e35 * e26;
+        const Scalar e36 = inverse_2 * e6;
+        c_.k21 = e36;
         c_.k22 = e6;
-        const Scalar e38 = e4 * e9;
-        c_.k23 = e38;
+        const Scalar e37 = e4 * e9;
+        c_.k23 = e37;
         c_.k24 = e6 * e11;
         c_.k25 = e9;
-        const Scalar e39 = p_.beta * e4;
-        c_.k26 = e9 * e39;
-        const Scalar e40 = e14 * e4;
-        c_.k27 = e9 * e40;
-        c_.k28 = e24 * e38;
-        const Scalar e41 = inverse_25 * e6;
-        c_.k29 = e41;
-        const Scalar e42 = e4 * e26;
-        c_.k30 = e42;
-        c_.k31 = e6 * e28;
-        c_.k32 = e26;
-        c_.k33 = e26 * e39;
-        c_.k34 = e26 * e40;
-        c_.k35 = e36 * e42;
+        const Scalar e38 = p_.beta * e4;
+        c_.k26 = e9 * e38;
+        const Scalar e39 = e14 * e4;
+        c_.k27 = e9 * e39;
+        c_.k28 = e23 * e37;
+        const Scalar e40 = inverse_24 * e6;
+        c_.k29 = e40;
+        const Scalar e41 = e4 * e25;
+        c_.k30 = e41;
+        c_.k31 = e6 * e27;
+        c_.k32 = e25;
+        c_.k33 = e25 * e38;
+        c_.k34 = e25 * e39;
+        c_.k35 = e35 * e41;
         c_.k36 = p_.rho_0 * p_.k_l;
-        const Scalar e43 = p_.l - p_.d;
-        c_.k37 = e43;
+        const Scalar e42 = p_.l - p_.d;
+        c_.k37 = e42;
         c_.k38 = inverse_16;
-        c_.k39 = inverse_2;
-        const Scalar e44 = inverse_2 * e5;
-        c_.k40 = e44;
-        const Scalar e45 = inverse_2 * e7;
-        c_.k41 = e45;
-        c_.k42 = Scalar(2) * e45;
-        c_.k43 = p_.alpha * inverse_2;
-        const Scalar e46 = e14 * e5;
-        c_.k44 = inverse_2 * e46;
-        const Scalar e47 = compression_19 * e6 + e5 * e23;
-        c_.k45 = inverse_2 * e47;
-        c_.k46 = e7;
-        const Scalar e48 = e5 * e11;
-        c_.k47 = e48;
-        const Scalar e49 = e5 * e9;
-        c_.k48 = Scalar(2) * e49;
-        c_.k49 = e49;
-        const Scalar e50 = e7 * e11;
-        c_.k50 = e50;
-        c_.k51 = Scalar(2) * e50;
-        c_.k52 = p_.alpha * e11;
-        const Scalar e51 = e7 * e9;
-        c_.k53 = e51;
-        c_.k54 = e12 * e11;
-        c_.k55 = p_.alpha * e9;
-        c_.k56 = e11;
-        c_.k57 = e11 * e46;
-        c_.k58 = e11 * e13;
-        c_.k59 = e9 * e46;
-        c_.k60 = -e11 * e15;
-        c_.k61 = e9 * e47;
-        const Scalar e52 = e5 * e28;
-        c_.k62 = e52;
-        const Scalar e53 = e5 * e26;
-        c_.k63 = e53;
-        const Scalar e54 = e7 * e28;
-        c_.k64 = e54;
-        c_.k65 = p_.alpha * e28;
-        c_.k66 = e12 * e28;
-        const Scalar e55 = e7 * e26;
-        c_.k67 = e55;
-        c_.k68 = e28 * e46;
-        c_.k69 = e28;
-        c_.k70 = e28 * e13;
-        c_.k71 = -e28 * e15;
-        c_.k72 = e26 * e46;
+        c_.k39 = inverse_2 * e5;
+        const Scalar e43 = p_.alpha * e6;
+        c_.k40 = inverse_2 * e43;
+        c_.k41 = p_.alpha * inverse_2;
+        const Scalar e44 = e14 * e5;
+        c_.k42 = inverse_2 * e44;
+        const Scalar e45 = compression_18 * e6 + e5 * e22;
+        c_.k43 = inverse_2 * e45;
+        c_.k44 = e43;
+        const Scalar e46 = e5 * e11;
+        c_.k45 = e46;
+        const Scalar e47 = e5 * e9;
+        c_.k46 = Scalar(2) * e47;
+        c_.k47 = e47;
+        const Scalar e48 = e43 * e11;
+        c_.k48 = e48;
+        c_.k49 = Scalar(2) * e48;
+        c_.k50 = p_.alpha * e11;
+        c_.k51 = e7 * e11;
+        c_.k52 = p_.alpha * e9;
+        const Scalar e49 = e9 * e43;
+        c_.k53 = e49;
+        c_.k54 = e11;
+        c_.k55 = e11 * e44;
+        c_.k56 = e11 * e13;
+        c_.k57 = -e11 * e15;
+        c_.k58 = e9 * e44;
+        const Scalar e50 = e9 * e45;
+        c_.k59 = e50;
+        const Scalar e51 = e6 - e44;
+        c_.k60 = e9 * e51;
+        const Scalar e52 = e5 * e27;
+        c_.k61 = e52;
+        const Scalar e53 = e5 * e25;
+        c_.k62 = e53;
+        const Scalar e54 = e43 * e27;
+        c_.k63 = e54;
+        c_.k64 = p_.alpha * e27;
+        c_.k65 = e7 * e27;
+        const Scalar e55 = e25 * e43;
+        c_.k66 = e55;
+        c_.k67 = e27 * e44;
+        c_.k68 = e27;
+        c_.k69 = e27 * e13;
+        c_.k70 = -e27 * e15;
+        c_.k71 = e25 * e51;
         const Scalar e56 = inverse_16 * e4;
-        c_.k73 = inverse_2 * e56;
-        c_.k74 = Scalar(2) * e44;
-        c_.k75 = inverse_2 * inverse_16;
+        c_.k72 = inverse_2 * e56;
+        c_.k73 = inverse_2 * inverse_16;
         const Scalar e57 = inverse_2 * e4;
-        c_.k76 = e57;
+        c_.k74 = e57;
         const Scalar e58 = p_.p_0 * e56 - p_.T_0 * e5;
-        c_.k77 = inverse_2 * e58;
-        const Scalar e59 = expm1_20 * e58 - (compression_19 * e4 + e56 * e22);
-        c_.k78 = inverse_2 * e59;
-        c_.k79 = e5;
-        c_.k80 = e11 * e56;
-        c_.k81 = e4 * e11;
+        c_.k75 = inverse_2 * e58;
+        const Scalar e59 = expm1_19 * e58 - (compression_18 * e4 + e56 * e21);
+        c_.k76 = inverse_2 * e59;
+        c_.k77 = e5;
+        c_.k78 = e11 * e56;
+        c_.k79 = e4 * e11;
         const Scalar e60 = e9 * e56;
-        c_.k82 = Scalar(2) * e60;
-        c_.k83 = e60;
-        c_.k84 = Scalar(2) * e48;
-        c_.k85 = inverse_16 * e11;
-        c_.k86 = inverse_16 * e9;
-        c_.k87 = e58 * e11;
-        c_.k88 = e11 * e39;
-        c_.k89 = e58 * e9;
-        c_.k90 = e11 * e40;
-        c_.k91 = e9 * e59;
-        c_.k92 = e28 * e56;
-        c_.k93 = e4 * e28;
-        const Scalar e61 = e26 * e56;
-        c_.k94 = e61;
-        c_.k95 = inverse_16 * e28;
-        c_.k96 = e58 * e28;
-        c_.k97 = e28 * e39;
-        c_.k98 = e28 * e40;
-        c_.k99 = e58 * e26;
-        const Scalar e62 = inverse_25 * e5;
-        c_.k100 = e62;
-        const Scalar e63 = inverse_25 * e7;
-        c_.k101 = e63;
-        c_.k102 = Scalar(2) * e63;
-        c_.k103 = inverse_25;
-        c_.k104 = p_.alpha * inverse_25;
-        c_.k105 = inverse_25 * e46;
-        const Scalar e64 = compression_31 * e6 + e5 * e35;
-        c_.k106 = inverse_25 * e64;
-        c_.k107 = Scalar(2) * e53;
-        c_.k108 = Scalar(2) * e54;
-        c_.k109 = p_.alpha * e26;
-        c_.k110 = e26 * e64;
-        c_.k111 = inverse_25 * e56;
-        c_.k112 = Scalar(2) * e62;
-        c_.k113 = inverse_25 * inverse_16;
-        const Scalar e65 = inverse_25 * e4;
-        c_.k114 = e65;
-        c_.k115 = inverse_25 * e58;
-        const Scalar e66 = expm1_32 * e58 - (compression_31 * e4 + e56 * e34);
-        c_.k116 = inverse_25 * e66;
-        c_.k117 = Scalar(2) * e61;
-        c_.k118 = Scalar(2) * e52;
-        c_.k119 = inverse_16 * e26;
-        c_.k120 = e26 * e66;
-        c_.k121 = inverse_2 * e12;
-        const Scalar e67 = e7 * e12;
-        const Scalar e68 = inverse_2 * e67;
-        c_.k122 = e68;
-        c_.k123 = Scalar(2) * e68;
-        const Scalar e69 = p_.alpha * e12;
-        c_.k124 = inverse_2 * e69;
-        const Scalar e70 = e14 * e7;
-        c_.k125 = -inverse_2 * e70;
-        c_.k126 = -e24 * e45;
-        c_.k127 = e12;
-        c_.k128 = e67;
-        c_.k129 = Scalar(2) * e51;
+        c_.k80 = Scalar(2) * e60;
+        c_.k81 = e60;
+        c_.k82 = Scalar(2) * e46;
+        c_.k83 = inverse_16 * e11;
+        c_.k84 = inverse_16 * e9;
+        c_.k85 = e58 * e11;
+        c_.k86 = e11 * e38;
+        c_.k87 = e11 * e39;
+        c_.k88 = e58 * e9;
+        c_.k89 = e9 * e59;
+        const Scalar e61 = e4 + e58;
+        c_.k90 = e9 * e61;
+        c_.k91 = e27 * e56;
+        const Scalar e62 = e25 * e56;
+        c_.k92 = e62;
+        c_.k93 = e4 * e27;
+        c_.k94 = inverse_16 * e27;
+        c_.k95 = e58 * e27;
+        c_.k96 = e27 * e38;
+        c_.k97 = e27 * e39;
+        c_.k98 = e25 * e61;
+        c_.k99 = inverse_24 * e5;
+        c_.k100 = inverse_24 * e43;
+        c_.k101 = p_.alpha * inverse_24;
+        c_.k102 = inverse_24 * e44;
+        const Scalar e63 = compression_30 * e6 + e5 * e34;
+        c_.k103 = inverse_24 * e63;
+        c_.k104 = Scalar(2) * e53;
+        c_.k105 = Scalar(2) * e54;
+        c_.k106 = p_.alpha * e25;
+        c_.k107 = e25 * e44;
+        const Scalar e64 = e25 * e63;
+        c_.k108 = e64;
+        c_.k109 = inverse_24 * e56;
+        c_.k110 = inverse_24 * inverse_16;
+        const Scalar e65 = inverse_24 * e4;
+        c_.k111 = e65;
+        c_.k112 = inverse_24 * e58;
+        const Scalar e66 = expm1_31 * e58 - (compression_30 * e4 + e56 * e33);
+        c_.k113 = inverse_24 * e66;
+        c_.k114 = Scalar(2) * e62;
+        c_.k115 = Scalar(2) * e52;
+        c_.k116 = inverse_16 * e25;
+        c_.k117 = e58 * e25;
+        c_.k118 = e25 * e66;
+        const Scalar e67 = e7 * e43;
+        c_.k119 = inverse_2 * e67;
+        const Scalar e68 = p_.alpha * e7;
+        c_.k120 = inverse_2 * e68;
+        const Scalar e69 = e14 * e43;
+        c_.k121 = -inverse_2 * e69;
+        const Scalar e70 = compression_18 * e8 + e22 * e43;
+        c_.k122 = -inverse_2 * e70;
+        c_.k123 = e67;
+        c_.k124 = Scalar(2) * e49;
         const Scalar e71 = e11 * e67;
-        c_.k130 = e71;
-        c_.k131 = Scalar(2) * e71;
-        c_.k132 = e11 * e69;
-        c_.k133 = e9 * e67;
-        c_.k134 = e9 * e69;
-        c_.k135 = -e11 * e70;
-        c_.k136 = e9 * e8;
-        c_.k137 = -e9 * e70;
-        c_.k138 = -e24 * e51;
-        const Scalar e72 = e28 * e67;
-        c_.k139 = e72;
-        c_.k140 = e28 * e69;
-        c_.k141 = e26 * e67;
-        c_.k142 = -e28 * e70;
-        c_.k143 = -e26 * e70;
-        const Scalar e73 = inverse_25 * e67;
-        c_.k144 = e73;
-        c_.k145 = Scalar(2) * e73;
-        c_.k146 = inverse_25 * e12;
-        c_.k147 = inverse_25 * e69;
-        c_.k148 = -inverse_25 * e70;
-        c_.k149 = -e36 * e63;
-        c_.k150 = Scalar(2) * e55;
-        c_.k151 = Scalar(2) * e72;
-        c_.k152 = e26 * e69;
-        c_.k153 = e26 * e8;
-        c_.k154 = -e36 * e55;
-        c_.k155 = Scalar(2) * inverse_16;
-        c_.k156 = Scalar(2) * p_.alpha;
-        c_.k157 = inverse_2 * e13;
-        c_.k158 = -inverse_2 * e15;
-        c_.k159 = -e24 * e37;
-        c_.k160 = inverse_2 * e39;
-        c_.k161 = inverse_2 * e40;
-        c_.k162 = e24 * e57;
-        c_.k163 = inverse_25 * e13;
-        c_.k164 = -inverse_25 * e15;
-        c_.k165 = -e36 * e41;
-        c_.k166 = inverse_25 * e39;
-        c_.k167 = inverse_25 * e40;
-        c_.k168 = e36 * e65;
-        c_.k169 = e1;
+        c_.k125 = e71;
+        c_.k126 = Scalar(2) * e71;
+        c_.k127 = e11 * e68;
+        c_.k128 = e9 * e68;
+        c_.k129 = e9 * e67;
+        c_.k130 = -e11 * e69;
+        c_.k131 = e9 * e8;
+        c_.k132 = -e9 * e69;
+        c_.k133 = e12 - e9 * e70;
+        const Scalar e72 = e27 * e67;
+        c_.k134 = e72;
+        c_.k135 = e27 * e68;
+        c_.k136 = e25 * e67;
+        c_.k137 = -e27 * e69;
+        c_.k138 = -e25 * e69;
+        c_.k139 = e9 - e50;
+        c_.k140 = inverse_24 * e67;
+        c_.k141 = inverse_24 * e68;
+        c_.k142 = -inverse_24 * e69;
+        const Scalar e73 = compression_30 * e8 + e34 * e43;
+        c_.k143 = -inverse_24 * e73;
+        c_.k144 = Scalar(2) * e55;
+        c_.k145 = Scalar(2) * e72;
+        c_.k146 = e25 * e68;
+        c_.k147 = e25 * e8;
+        c_.k148 = e28 - e25 * e73;
+        c_.k149 = e25 - e64;
+        c_.k150 = inverse_2 * e7;
+        c_.k151 = inverse_2 * e13;
+        c_.k152 = -inverse_2 * e15;
+        c_.k153 = -e23 * e36;
+        c_.k154 = inverse_2;
+        c_.k155 = inverse_2 * e38;
+        c_.k156 = inverse_2 * e39;
+        c_.k157 = e23 * e57;
+        c_.k158 = inverse_24 * e7;
+        c_.k159 = inverse_24 * e13;
+        c_.k160 = -inverse_24 * e15;
+        c_.k161 = -e35 * e40;
+        c_.k162 = inverse_24;
+        c_.k163 = inverse_24 * e38;
+        c_.k164 = inverse_24 * e39;
+        c_.k165 = e35 * e65;
+        c_.k166 = e1;
         const Scalar e74 = p_.rho_0 * p_.c_v;
-        c_.k170 = p_.A_1 * e74;
-        c_.k171 = p_.A_2 * e74;
-        c_.k172 = p_.A_1 * p_.beta;
-        c_.k173 = p_.A_2 * p_.beta;
-        c_.k174 = p_.A_1 * e14;
-        c_.k175 = p_.A_2 * e14;
-        c_.k176 = (Scalar(1) / Scalar(2)) * e1;
-        const Scalar e75 = p_.A_2 * e43;
-        c_.k177 = e75 * e74;
-        c_.k178 = p_.beta * e75;
-        c_.k179 = e14 * e75;
-        c_.k180 = p_.m_k / p_.rho_k;
-        c_.k181 = p_.A_1 * inverse_16;
-        const Scalar e76 = inverse_16 * e74;
-        c_.k182 = p_.A_1 * e76;
+        c_.k167 = p_.A_1 * e74;
+        c_.k168 = p_.A_2 * e74;
+        c_.k169 = p_.A_1 * p_.beta;
+        c_.k170 = p_.A_2 * p_.beta;
+        c_.k171 = p_.A_1 * e14;
+        c_.k172 = p_.A_2 * e14;
+        c_.k173 = (Scalar(1) / Scalar(2)) * e1;
+        const Scalar e75 = p_.A_2 * e42;
+        c_.k174 = e75 * e74;
+        c_.k175 = p_.beta * e75;
+        c_.k176 = e14 * e75;
+        c_.k177 = p_.m_k / p_.rho_k;
+        const Scalar e76 = p_.alpha * p_.T_0 - p_.p_0 * inverse_16;
+        c_.k178 = -p_.A_1 * e76;
+        c_.k179 = p_.A_1 * inverse_16;
         const Scalar e77 = p_.A_1 * p_.alpha;
-        c_.k183 = e77;
-        const Scalar e78 = p_.alpha * p_.T_0 - p_.p_0 * inverse_16;
-        c_.k184 = -p_.A_1 * e78;
-        c_.k185 = p_.A_2 * inverse_16;
-        c_.k186 = p_.A_2 * e76;
+        c_.k180 = e77;
+        const Scalar e78 = inverse_16 * e74;
+        c_.k181 = p_.A_1 * e78;
+        c_.k182 = -e75 * e76;
+        c_.k183 = -p_.A_2 * e76;
+        c_.k184 = p_.A_2 * inverse_16;
         const Scalar e79 = p_.A_2 * p_.alpha;
-        c_.k187 = e79;
-        c_.k188 = -p_.A_2 * e78;
-        c_.k189 = inverse_16 * e75;
-        c_.k190 = e75 * e76;
+        c_.k185 = e79;
+        c_.k186 = p_.A_2 * e78;
+        c_.k187 = inverse_16 * e75;
         const Scalar e80 = p_.alpha * e75;
-        c_.k191 = e80;
-        c_.k192 = e75;
-        c_.k193 = -e75 * e78;
-        c_.k194 = e74 * e77;
-        c_.k195 = p_.A_1 * e69;
-        c_.k196 = p_.A_1 * e12;
-        c_.k197 = e14 * e77;
+        c_.k188 = e80;
+        c_.k189 = e75 * e78;
+        c_.k190 = e75;
+        c_.k191 = e14 * e77;
+        c_.k192 = p_.A_1 * e68;
+        c_.k193 = e74 * e77;
+        c_.k194 = p_.A_1 * e7;
+        c_.k195 = e14 * e80;
+        c_.k196 = e14 * e79;
+        c_.k197 = p_.A_2 * e68;
         c_.k198 = e74 * e79;
-        c_.k199 = p_.A_2 * e69;
-        c_.k200 = p_.A_2 * e12;
-        c_.k201 = e14 * e79;
-        c_.k202 = e74 * e80;
-        c_.k203 = e75 * e69;
-        c_.k204 = e12 * e75;
-        c_.k205 = e14 * e80;
+        c_.k199 = p_.A_2 * e7;
+        c_.k200 = e75 * e68;
+        c_.k201 = e74 * e80;
+        c_.k202 = e7 * e75;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -596,69 +593,67 @@ public:
         const Scalar T_1 = x[4];
         const Scalar e8 = p_.T_0 - T_1;
         const Scalar e9 = c_.k38 * (p_.p_0 - p_1) - p_.alpha * e8;
-        const Scalar e10 = -e9;
-        const Scalar exp_11 = exp(e10);
-        const Scalar inverse_12 = Scalar(1) / exp_11;
-        const Scalar e13 = inverse_2 * inverse_12;
-        const Scalar e14 = T_1 * e13;
-        const Scalar e15 = c_.k4 * s_k_dot;
-        const Scalar max_16 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * exp_11);
-        const Scalar e17 = max_16 * e13;
+        const Scalar exp_10 = exp(e9);
+        const Scalar e11 = exp_10 * inverse_2;
+        const Scalar e12 = T_1 * e11;
+        const Scalar e13 = c_.k4 * s_k_dot;
+        const Scalar inverse_14 = Scalar(1) / exp_10;
+        const Scalar max_15 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * inverse_14);
+        const Scalar e16 = max_15 * e11;
         const Scalar T_2 = x[5];
-        const Scalar e18 = p_.T_0 - T_2;
-        const Scalar e19 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e18;
-        const Scalar e20 = -e19;
-        const Scalar exp_21 = exp(e20);
-        const Scalar step_22 = detail::step<Scalar>(-e4);
-        const Scalar e23 = e3 * step_22;
-        const Scalar e24 = exp_21 * e23;
-        const Scalar e25 = exp_11 * e6;
-        const Scalar e26 = c_.k36 * (e24 + e25);
-        const Scalar min_27 = detail::min<Scalar>(Scalar(0), e26);
-        const Scalar e28 = max_16 - min_27;
-        const Scalar e29 = p_1 * inverse_12;
-        const Scalar inverse_30 = Scalar(1) / exp_21;
-        const Scalar e31 = p_2 * inverse_30;
-        const Scalar e32 = e13 * (e28 * e29 + min_27 * e31);
-        const Scalar e33 = e13 * (e8 * e28 + e18 * min_27);
-        const Scalar compression_34 = detail::compression<Scalar>(e10);
-        const Scalar compression_35 = detail::compression<Scalar>(e20);
-        const Scalar e36 = e13 * (compression_34 * e28 + compression_35 * min_27);
-        const Scalar expm1_37 = expm1(e9);
-        const Scalar expm1_38 = expm1(e19);
-        const Scalar e39 = e13 * (expm1_37 * e28 + expm1_38 * min_27);
-        const Scalar e40 = q_1 * e14;
-        const Scalar e41 = e14 * (e3 * (exp_21 * step_22 * inverse_12 + step_5));
-        const Scalar inverse_42 = Scalar(1) / (c_.k37 - s_k);
+        const Scalar e17 = p_.T_0 - T_2;
+        const Scalar e18 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e17;
+        const Scalar exp_19 = exp(e18);
+        const Scalar inverse_20 = Scalar(1) / exp_19;
+        const Scalar step_21 = detail::step<Scalar>(-e4);
+        const Scalar e22 = e3 * step_21;
+        const Scalar e23 = inverse_20 * e22;
+        const Scalar e24 = inverse_14 * e6;
+        const Scalar e25 = c_.k36 * (e23 + e24);
+        const Scalar min_26 = detail::min<Scalar>(Scalar(0), e25);
+        const Scalar e27 = max_15 - min_26;
+        const Scalar e28 = p_1 * exp_10;
+        const Scalar e29 = p_2 * exp_19;
+        const Scalar e30 = e11 * (e27 * e28 + min_26 * e29);
+        const Scalar e31 = e11 * (e8 * e27 + e17 * min_26);
+        const Scalar compression_32 = detail::compression<Scalar>(-e9);
+        const Scalar compression_33 = detail::compression<Scalar>(-e18);
+        const Scalar e34 = e11 * (compression_32 * e27 + compression_33 * min_26);
+        const Scalar expm1_35 = expm1(e9);
+        const Scalar expm1_36 = expm1(e18);
+        const Scalar e37 = e11 * (expm1_35 * e27 + expm1_36 * min_26);
+        const Scalar e38 = q_1 * e12;
+        const Scalar e39 = e12 * (e3 * (exp_10 * step_21 * inverse_20 + step_5));
+        const Scalar inverse_40 = Scalar(1) / (c_.k37 - s_k);
         const Scalar q_2 = u[1];
-        const Scalar e43 = inverse_42 * inverse_30;
-        const Scalar e44 = T_2 * e43;
-        const Scalar max_45 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_2 * exp_21);
-        const Scalar e46 = max_45 * e43;
-        const Scalar max_47 = detail::max<Scalar>(Scalar(0), e26);
-        const Scalar e48 = max_47 + max_45;
-        const Scalar e49 = e43 * (max_47 * e29 - e48 * e31);
-        const Scalar e50 = e43 * (e8 * max_47 - e18 * e48);
-        const Scalar e51 = e43 * (compression_34 * max_47 - compression_35 * e48);
-        const Scalar e52 = e43 * (expm1_37 * max_47 - expm1_38 * e48);
-        const Scalar e53 = q_2 * e44;
-        const Scalar e54 = e44 * (e3 * (exp_11 * step_5 * inverse_30 + step_22));
-        const Scalar e55 = c_.k22 * s_k_dot;
+        const Scalar e41 = exp_19 * inverse_40;
+        const Scalar e42 = T_2 * e41;
+        const Scalar max_43 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_2 * inverse_20);
+        const Scalar e44 = max_43 * e41;
+        const Scalar max_45 = detail::max<Scalar>(Scalar(0), e25);
+        const Scalar e46 = max_45 + max_43;
+        const Scalar e47 = e41 * (max_45 * e28 - e46 * e29);
+        const Scalar e48 = e41 * (e8 * max_45 - e17 * e46);
+        const Scalar e49 = e41 * (compression_32 * max_45 - compression_33 * e46);
+        const Scalar e50 = e41 * (expm1_35 * max_45 - expm1_36 * e46);
+        const Scalar e51 = q_2 * e42;
+        const Scalar e52 = e42 * (e3 * (exp_19 * step_5 * inverse_14 + step_21));
+        const Scalar e53 = c_.k22 * s_k_dot;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = inverse_2 * (c_.k2 * q_1 - c_.k8 * e6 - e7) - e14 * e15 - c_.k11 * e17 - c_.k5 * e32 + c_.k7 * e33 - c_.k9
-            * e36 + c_.k10 * e39 + c_.k3 * e40 - c_.k8 * e13 * e24 - c_.k6 * e41;
-        dxdt[3] = inverse_42 * (c_.k13 * q_2 + c_.k17 * e23 + e7) + e44 * e15 - c_.k20 * e46 + c_.k14 * e49 - c_.k16 * e50
-            + c_.k18 * e51 - c_.k19 * e52 + c_.k12 * e53 + c_.k17 * e43 * e25 + c_.k15 * e54;
-        dxdt[4] = c_.k28 * e17 - e14 * e55 - c_.k23 * e32 + c_.k25 * e33 - c_.k26 * e36 - c_.k27 * e39 + c_.k21 * e40 - c_.k24
-            * e41;
-        dxdt[5] = e44 * e55 + c_.k35 * e46 + c_.k30 * e49 - c_.k32 * e50 + c_.k33 * e51 + c_.k34 * e52 + c_.k29 * e53 + c_.k31
-            * e54;
+        dxdt[2] = inverse_2 * (c_.k2 * q_1 - c_.k8 * e6 - e7) - e12 * e13 - c_.k11 * e16 - c_.k5 * e30 + c_.k7 * e31 - c_.k9
+            * e34 + c_.k10 * e37 + c_.k3 * e38 - c_.k8 * e11 * e23 - c_.k6 * e39;
+        dxdt[3] = inverse_40 * (c_.k13 * q_2 + c_.k17 * e22 + e7) + e42 * e13 - c_.k20 * e44 + c_.k14 * e47 - c_.k16 * e48
+            + c_.k18 * e49 - c_.k19 * e50 + c_.k12 * e51 + c_.k17 * e41 * e24 + c_.k15 * e52;
+        dxdt[4] = c_.k28 * e16 - e12 * e53 - c_.k23 * e30 + c_.k25 * e31 - c_.k26 * e34 - c_.k27 * e37 + c_.k21 * e38 - c_.k24
+            * e39;
+        dxdt[5] = e42 * e53 + c_.k35 * e44 + c_.k30 * e47 - c_.k32 * e48 + c_.k33 * e49 + c_.k34 * e50 + c_.k29 * e51 + c_.k31
+            * e52;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 322 + or -, 498 *, 6 /, 20 other functions
+    /// Operations: 296 + or -, 416 *, 4 /, 16 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
         using std::expm1;
@@ -669,287 +664,234 @@ public:
         const Scalar p_2 = x[3];
         const Scalar e1 = c_.k1 - f_l - p_.c_l * s_k - p_.d_k * s_k_dot + p_.A_1 * p_1 - p_.A_2 * p_2;
         const Scalar s_k_ddot = e1 * c_.k0;
-        const Scalar inverse_2 = Scalar(1) / s_k;
-        const Scalar e3 = p_.p_0 - p_1;
-        const Scalar T_1 = x[4];
-        const Scalar e4 = p_.T_0 - T_1;
-        const Scalar e5 = c_.k38 * e3 - p_.alpha * e4;
-        const Scalar e6 = -e5;
-        const Scalar exp_7 = exp(e6);
-        const Scalar inverse_8 = Scalar(1) / exp_7;
-        const Scalar e9 = inverse_2 * inverse_8;
         const Scalar q_1 = u[0];
-        const Scalar e10 = q_1 * exp_7;
-        const Scalar e11 = p_.rho_0 * e10;
+        const Scalar T_1 = x[4];
+        const Scalar e2 = p_.p_0 - p_1;
+        const Scalar e3 = p_.T_0 - T_1;
+        const Scalar e4 = c_.k38 * e2 - p_.alpha * e3;
+        const Scalar exp_5 = exp(e4);
+        const Scalar inverse_6 = Scalar(1) / s_k;
+        const Scalar e7 = exp_5 * inverse_6;
+        const Scalar e8 = T_1 * e7;
+        const Scalar e9 = q_1 * e8;
+        const Scalar inverse_10 = Scalar(1) / exp_5;
+        const Scalar e11 = p_.rho_0 * q_1 * inverse_10;
         const Scalar max_12 = detail::max<Scalar>(Scalar(0), e11);
-        const Scalar e13 = p_1 - p_2;
-        const Scalar e14 = p_.p_0 - p_2;
+        const Scalar e13 = p_.p_0 - p_2;
         const Scalar T_2 = x[5];
-        const Scalar e15 = p_.T_0 - T_2;
-        const Scalar e16 = c_.k38 * e14 - p_.alpha * e15;
-        const Scalar e17 = -e16;
-        const Scalar exp_18 = exp(e17);
-        const Scalar e19 = p_.k_l * e13;
+        const Scalar e14 = p_.T_0 - T_2;
+        const Scalar e15 = c_.k38 * e13 - p_.alpha * e14;
+        const Scalar exp_16 = exp(e15);
+        const Scalar inverse_17 = Scalar(1) / exp_16;
+        const Scalar e18 = p_1 - p_2;
+        const Scalar e19 = p_.k_l * e18;
         const Scalar step_20 = detail::step<Scalar>(-e19);
-        const Scalar e21 = exp_18 * step_20;
-        const Scalar step_22 = detail::step<Scalar>(e19);
-        const Scalar e23 = exp_7 * step_22;
-        const Scalar e24 = e13 * (e21 + e23);
-        const Scalar e25 = c_.k36 * e24;
-        const Scalar min_26 = detail::min<Scalar>(Scalar(0), e25);
-        const Scalar e27 = e4 - e15;
-        const Scalar e28 = e4 * max_12 - min_26 * e27;
-        const Scalar compression_29 = detail::compression<Scalar>(e6);
-        const Scalar compression_30 = detail::compression<Scalar>(e17);
-        const Scalar e31 = compression_29 - compression_30;
-        const Scalar e32 = compression_29 * max_12 - min_26 * e31;
-        const Scalar expm1_33 = expm1(e5);
-        const Scalar expm1_34 = expm1(e16);
-        const Scalar e35 = expm1_33 - expm1_34;
-        const Scalar e36 = expm1_33 * max_12 - min_26 * e35;
-        const Scalar e37 = c_.k7 * e28 - c_.k11 * max_12 - (c_.k9 * e32 - c_.k10 * e36);
-        const Scalar e38 = max_12 - min_26;
-        const Scalar e39 = e9 * e38;
-        const Scalar e40 = p_1 * inverse_8;
-        const Scalar e41 = min_26 * e9;
-        const Scalar inverse_42 = Scalar(1) / exp_18;
-        const Scalar e43 = p_2 * inverse_42;
-        const Scalar e44 = e41 * e43;
-        const Scalar e45 = e39 * e40 + e44;
-        const Scalar e46 = T_1 * e9;
-        const Scalar e47 = c_.k4 * e46 + p_.beta * inverse_2;
-        const Scalar e48 = q_1 * inverse_2;
-        const Scalar e49 = c_.k6 * e46 + c_.k8 * inverse_2;
-        const Scalar e50 = step_22 + inverse_8 * e21;
-        const Scalar e51 = e13 * e50;
-        const Scalar e52 = s_k_dot * e47 - (c_.k2 * e48 - e49 * e51);
-        const Scalar e53 = q_1 * e46;
-        const Scalar max_54 = detail::max<Scalar>(Scalar(0), e25);
-        const Scalar inverse_55 = Scalar(1) / (c_.k37 - s_k);
-        const Scalar e56 = inverse_55 * inverse_42;
-        const Scalar e57 = max_54 * e56;
-        const Scalar e58 = e57 * e40;
+        const Scalar e21 = e18 * step_20;
+        const Scalar e22 = inverse_17 * e21;
+        const Scalar step_23 = detail::step<Scalar>(e19);
+        const Scalar e24 = e18 * step_23;
+        const Scalar e25 = inverse_10 * e24;
+        const Scalar e26 = c_.k36 * (e22 + e25);
+        const Scalar min_27 = detail::min<Scalar>(Scalar(0), e26);
+        const Scalar e28 = (max_12 - min_27) * e7;
+        const Scalar e29 = p_1 * exp_5;
+        const Scalar e30 = e28 * e29;
+        const Scalar e31 = min_27 * e7;
+        const Scalar e32 = p_2 * exp_16;
+        const Scalar e33 = e31 * e32;
+        const Scalar e34 = e30 + e33;
+        const Scalar e35 = max_12 * e7;
+        const Scalar e36 = e3 * e28 + e14 * e31;
+        const Scalar e37 = c_.k6 * e8 + c_.k8 * inverse_6;
+        const Scalar e38 = exp_5 * step_20 * inverse_17 + step_23;
+        const Scalar e39 = e18 * e38;
+        const Scalar compression_40 = detail::compression<Scalar>(-e4);
+        const Scalar compression_41 = detail::compression<Scalar>(-e15);
+        const Scalar e42 = compression_40 * e28 + compression_41 * e31;
+        const Scalar expm1_43 = expm1(e4);
+        const Scalar expm1_44 = expm1(e15);
+        const Scalar e45 = expm1_43 * e28 + expm1_44 * e31;
+        const Scalar e46 = q_1 * inverse_6;
+        const Scalar e47 = c_.k4 * e8 + p_.beta * inverse_6;
+        const Scalar e48 = c_.k11 * e35 - (c_.k7 * e36 - e37 * e39)
+            + (c_.k9 * e42 - c_.k10 * e45 - (c_.k2 * e46 - s_k_dot * e47));
+        const Scalar max_49 = detail::max<Scalar>(Scalar(0), e26);
+        const Scalar inverse_50 = Scalar(1) / (c_.k37 - s_k);
+        const Scalar e51 = exp_16 * inverse_50;
+        const Scalar e52 = max_49 * e51;
+        const Scalar e53 = e52 * e29;
         const Scalar q_2 = u[1];
-        const Scalar e59 = q_2 * exp_18;
-        const Scalar e60 = p_.rho_0 * e59;
-        const Scalar max_61 = detail::max<Scalar>(Scalar(0), e60);
-        const Scalar e62 = max_54 + max_61;
-        const Scalar e63 = e56 * e62;
-        const Scalar e64 = e58 - e63 * e43;
-        const Scalar e65 = e15 * max_61 - max_54 * e27;
-        const Scalar e66 = compression_30 * max_61 - max_54 * e31;
-        const Scalar e67 = expm1_34 * max_61 - max_54 * e35;
-        const Scalar e68 = c_.k16 * e65 - c_.k20 * max_61 - (c_.k18 * e66 - c_.k19 * e67);
-        const Scalar e69 = T_2 * e56;
-        const Scalar e70 = c_.k4 * e69 + p_.beta * inverse_55;
-        const Scalar e71 = q_2 * inverse_55;
-        const Scalar e72 = c_.k15 * e69 + c_.k17 * inverse_55;
-        const Scalar e73 = step_20 + inverse_42 * e23;
-        const Scalar e74 = e13 * e73;
-        const Scalar e75 = s_k_dot * e70 + (c_.k13 * e71 + e72 * e74);
-        const Scalar e76 = q_2 * e69;
-        const Scalar e77 = c_.k22 * s_k_dot;
-        const Scalar e78 = c_.k24 * e51 + e77;
-        const Scalar e79 = c_.k21 * q_1 - e78;
-        const Scalar e80 = c_.k25 * e28 + c_.k28 * max_12 - (c_.k26 * e32 + c_.k27 * e36);
-        const Scalar e81 = c_.k31 * e74 + e77;
-        const Scalar e82 = c_.k29 * q_2 + e81;
-        const Scalar e83 = c_.k32 * e65 + c_.k35 * max_61 - (c_.k33 * e66 + c_.k34 * e67);
+        const Scalar e54 = p_.rho_0 * q_2 * inverse_17;
+        const Scalar max_55 = detail::max<Scalar>(Scalar(0), e54);
+        const Scalar e56 = (max_49 + max_55) * e51;
+        const Scalar e57 = e56 * e32;
+        const Scalar e58 = e53 - e57;
+        const Scalar e59 = max_55 * e51;
+        const Scalar e60 = e3 * e52 - e14 * e56;
+        const Scalar e61 = T_2 * e51;
+        const Scalar e62 = c_.k15 * e61 + c_.k17 * inverse_50;
+        const Scalar e63 = exp_16 * step_23 * inverse_10 + step_20;
+        const Scalar e64 = e18 * e63;
+        const Scalar e65 = compression_40 * e52 - compression_41 * e56;
+        const Scalar e66 = expm1_43 * e52 - expm1_44 * e56;
+        const Scalar e67 = q_2 * inverse_50;
+        const Scalar e68 = c_.k4 * e61 + p_.beta * inverse_50;
+        const Scalar e69 = c_.k20 * e59 + (c_.k16 * e60 - e62 * e64)
+            - (c_.k18 * e65 - c_.k19 * e66 + (c_.k13 * e67 + s_k_dot * e68));
+        const Scalar e70 = q_2 * e61;
+        const Scalar e71 = c_.k22 * s_k_dot;
+        const Scalar e72 = c_.k24 * e39 + e71;
+        const Scalar e73 = c_.k21 * q_1 - e72;
+        const Scalar e74 = c_.k25 * e36 - c_.k26 * e42 - (c_.k27 * e45 - c_.k28 * e35);
+        const Scalar e75 = c_.k31 * e64 + e71;
+        const Scalar e76 = c_.k29 * q_2 + e75;
+        const Scalar e77 = c_.k32 * e60 - c_.k33 * e65 - (c_.k34 * e66 + c_.k35 * e59);
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = e9 * e37 - c_.k5 * e45 - e52 + c_.k3 * e53;
-        dxdt[3] = c_.k14 * e64 + e56 * e68 + e75 + c_.k12 * e76;
-        dxdt[4] = e46 * e79 - c_.k23 * e45 + e9 * e80;
-        dxdt[5] = c_.k30 * e64 + e69 * e82 + e56 * e83;
-        const Scalar e84 = p_1 * e9 * e39 + inverse_2 * e44;
-        const Scalar e85 = inverse_2 * e9;
-        const Scalar e86 = e46 * e48;
-        const Scalar e87 = inverse_55 * e56;
-        const Scalar e88 = p_2 * e56 * e63 - inverse_55 * e58;
-        const Scalar e89 = e69 * e71;
-        const Scalar exp_90 = exp(c_.k156 * e4 - c_.k155 * e3);
-        const Scalar inverse_91 = Scalar(1) / exp_90;
-        const Scalar e92 = inverse_2 * inverse_91;
-        const Scalar e93 = exp_7 * e92;
-        const Scalar e94 = exp_7 * e93 - inverse_2;
-        const Scalar e95 = e93 * e10 - e48;
-        const Scalar e96 = e13 * step_22;
-        const Scalar e97 = inverse_2 * e96 - e93 * e24;
-        const Scalar step_98 = detail::step<Scalar>(-e25);
-        const Scalar e99 = step_98 * inverse_2;
-        const Scalar e100 = e50 * e99;
-        const Scalar e101 = e35 * e100;
-        const Scalar e102 = step_98 * e9;
-        const Scalar e103 = p_1 * e102;
-        const Scalar e104 = e99 * e43;
-        const Scalar e105 = p_2 * step_20 * e102 - (e50 * e103 - step_22 * e104);
-        const Scalar e106 = e50 * e49 + c_.k60 * e101 + (c_.k24 * e105 + e100 * (c_.k54 * e27 - c_.k58 * e31));
-        const Scalar e107 = c_.k46 * s_k_dot;
-        const Scalar e108 = T_1 * e93;
-        const Scalar e109 = e24 * (T_1 * e92);
-        const Scalar exp_110 = exp(e5);
-        const Scalar e111 = exp_110 * e39;
-        const Scalar e112 = e4 * e111;
-        const Scalar e113 = e93 * e32;
-        const Scalar e114 = e96 * (e103 - e104);
-        const Scalar step_115 = detail::step<Scalar>(e11);
-        const Scalar e116 = step_115 * e48;
-        const Scalar e117 = expm1_33 * e116;
-        const Scalar e118 = c_.k57 * e35 + (c_.k24 * e31 - c_.k52 * e27);
-        const Scalar e119 = e96 * e99;
-        const Scalar e120 = min_26 * e93 * e43 + e3 * e111;
-        const Scalar e121 = e93 * e36 + e111;
-        const Scalar e122 = q_1 * e9;
-        const Scalar e123 = step_115 * e122;
-        const Scalar e124 = e38 * e92;
-        const Scalar e125 = e93 * (c_.k55 * e28 + c_.k61 * max_12) + (c_.k42 * q_1 - e107) * e108
-            - (c_.k51 * e109 - c_.k53 * e112 + (c_.k5 * e113 + c_.k47 * e114));
-        const Scalar e126 = e46 * (c_.k41 * q_1 - c_.k50 * e96) - e116 * (c_.k21 * compression_29 - c_.k43 * e4);
-        const Scalar e127 = c_.k44 * e117 - e118 * e119 - (c_.k49 * e120 + c_.k59 * e121)
-            - (c_.k45 * e116 - p_1 * (c_.k40 * e123 - c_.k48 * e124) + e126);
-        const Scalar e128 = e125 + e127;
-        const Scalar e129 = inverse_8 * e39;
-        const Scalar e130 = inverse_8 * e57;
-        const Scalar step_131 = detail::step<Scalar>(e25);
-        const Scalar e132 = step_131 * inverse_55;
-        const Scalar e133 = e73 * e132;
-        const Scalar e134 = e35 * e133;
-        const Scalar e135 = step_131 * e56;
-        const Scalar e136 = e132 * e40;
-        const Scalar e137 = p_2 * e135;
-        const Scalar e138 = p_1 * step_22 * e135 + (step_20 * e136 - e73 * e137);
-        const Scalar e139 = c_.k71 * e134 - e73 * e72 - (c_.k31 * e138 - e133 * (c_.k66 * e27 - c_.k70 * e31));
-        const Scalar e140 = (p_1 * exp_7 * inverse_91 + e3 * exp_110) * e57;
-        const Scalar e141 = exp_7 * e96;
-        const Scalar e142 = c_.k68 * e35 + (c_.k31 * e31 - c_.k65 * e27);
-        const Scalar e143 = inverse_42 * e69;
-        const Scalar e144 = exp_110 * e57;
-        const Scalar e145 = e4 * e144;
-        const Scalar e146 = (p_1 - exp_7 * e43) * (e96 * e135);
-        const Scalar e147 = c_.k63 * e140 - e141 * (e135 * e142 + c_.k64 * e143)
-            + (c_.k72 * e144 - (c_.k67 * e145 + c_.k62 * e146));
-        const Scalar e148 = e56 * e141;
-        const Scalar e149 = c_.k87 * e35 - (c_.k81 * e31 - c_.k85 * e27);
-        const Scalar e150 = c_.k24 * e50 * e46 - c_.k90 * e101 + (c_.k81 * e105 + e100 * (c_.k56 * e27 - c_.k88 * e31));
-        const Scalar e151 = c_.k79 * s_k_dot;
-        const Scalar e152 = max_12 * e93;
-        const Scalar e153 = e93 * e28;
-        const Scalar e154 = e96 * e46;
-        const Scalar e155 = e4 * e116;
-        const Scalar e156 = compression_29 * e116;
-        const Scalar e157 = q_1 * e108;
-        const Scalar e158 = p_1 * e124;
-        const Scalar e159 = p_1 * e123;
-        const Scalar e160 = c_.k31 * e73 * e69 + c_.k98 * e134 + (c_.k93 * e138 - e133 * (c_.k69 * e27 - c_.k97 * e31));
-        const Scalar e161 = c_.k96 * e35 - (c_.k93 * e31 - c_.k95 * e27);
-        const Scalar e162 = e135 * e141;
-        const Scalar e163 = e141 * e143;
-        const Scalar exp_164 = exp(c_.k156 * e15 - c_.k155 * e14);
-        const Scalar inverse_165 = Scalar(1) / exp_164;
-        const Scalar exp_166 = exp(e16);
-        const Scalar e167 = (p_2 * exp_18 * inverse_165 + e14 * exp_166) * e41;
-        const Scalar e168 = e13 * step_20;
-        const Scalar e169 = exp_18 * e168;
-        const Scalar e170 = inverse_8 * e46;
-        const Scalar e171 = exp_166 * e41;
-        const Scalar e172 = (exp_18 * e40 - p_2) * (e168 * e102);
-        const Scalar e173 = e15 * e171;
-        const Scalar e174 = c_.k49 * e167 - e169 * (c_.k50 * e170 - e102 * e118)
-            + (c_.k59 * e171 + (c_.k47 * e172 - c_.k53 * e173));
-        const Scalar e175 = inverse_42 * e41;
-        const Scalar e176 = e9 * e169;
-        const Scalar e177 = inverse_55 * inverse_165;
-        const Scalar e178 = exp_18 * e177;
-        const Scalar e179 = inverse_55 * e168 - e178 * e24;
-        const Scalar e180 = exp_18 * e178 - inverse_55;
-        const Scalar e181 = e178 * e59 - e71;
-        const Scalar e182 = T_2 * e178;
-        const Scalar e183 = exp_166 * e63;
-        const Scalar e184 = e15 * e183;
-        const Scalar e185 = e24 * (T_2 * e177);
-        const Scalar e186 = e178 * e66;
-        const Scalar e187 = e168 * (e136 - e137);
-        const Scalar step_188 = detail::step<Scalar>(e60);
-        const Scalar e189 = step_188 * e71;
-        const Scalar e190 = expm1_34 * e189;
-        const Scalar e191 = e168 * e132;
-        const Scalar e192 = max_54 * e178 * e40 - e14 * e183;
-        const Scalar e193 = e178 * e67 + e183;
-        const Scalar e194 = q_2 * e56;
-        const Scalar e195 = step_188 * e194;
-        const Scalar e196 = e62 * e177;
-        const Scalar e197 = e178 * (c_.k109 * e65 + c_.k110 * max_61) + (c_.k102 * q_2 + e107) * e182;
-        const Scalar e198 = e197 + (c_.k67 * e184 + c_.k108 * e185 - (c_.k14 * e186 + c_.k62 * e187));
-        const Scalar e199 = e69 * (c_.k64 * e168 + c_.k101 * q_2) - e189 * (c_.k29 * compression_30 - c_.k104 * e15);
-        const Scalar e200 = c_.k105 * e190 - e142 * e191 + (c_.k63 * e192 - c_.k72 * e193)
-            - (c_.k106 * e189 - p_2 * (c_.k100 * e195 - c_.k107 * e196) + e199);
-        const Scalar e201 = e198 + e200;
-        const Scalar e202 = inverse_42 * e63;
-        const Scalar e203 = e102 * e169;
-        const Scalar e204 = e169 * e170;
-        const Scalar e205 = max_61 * e178;
-        const Scalar e206 = e178 * e65;
-        const Scalar e207 = e168 * e69;
-        const Scalar e208 = e15 * e189;
-        const Scalar e209 = compression_30 * e189;
-        const Scalar e210 = q_2 * e182;
-        const Scalar e211 = p_2 * e196;
-        const Scalar e212 = p_2 * e195;
-        const Scalar e213 = c_.k4 * s_k_dot;
-        const Scalar e214 = c_.k135 * e35 - (c_.k6 * e31 - c_.k132 * e27);
-        const Scalar e215 = c_.k127 * s_k_dot;
-        const Scalar e216 = c_.k128 * s_k_dot;
-        const Scalar e217 = c_.k142 * e35 - (c_.k15 * e31 - c_.k140 * e27);
+        dxdt[2] = c_.k3 * e9 - c_.k5 * e34 - e48;
+        dxdt[3] = c_.k14 * e58 - e69 + c_.k12 * e70;
+        dxdt[4] = e8 * e73 - c_.k23 * e34 + e74;
+        dxdt[5] = c_.k30 * e58 + e61 * e76 - e77;
+        const Scalar e78 = p_1 * e7 * e28 + inverse_6 * e33;
+        const Scalar e79 = e8 * e46;
+        const Scalar e80 = e61 * e67;
+        const Scalar e81 = p_2 * e51 * e56 - inverse_50 * e53;
+        const Scalar step_82 = detail::step<Scalar>(-e26);
+        const Scalar e83 = step_82 * e7;
+        const Scalar e84 = p_1 * e83;
+        const Scalar e85 = step_82 * inverse_6;
+        const Scalar e86 = e85 * e32;
+        const Scalar e87 = e38 * e84 - (p_2 * step_20 * e83 + step_23 * e86);
+        const Scalar e88 = e38 * e85;
+        const Scalar e89 = e3 - e14;
+        const Scalar e90 = compression_40 - compression_41;
+        const Scalar e91 = e7 * e22;
+        const Scalar e92 = expm1_43 - expm1_44;
+        const Scalar e93 = e92 * e88;
+        const Scalar e94 = c_.k24 * e87 - e38 * e37 - (e88 * (c_.k51 * e89 - c_.k56 * e90) - (c_.k54 * e91 - c_.k57 * e93));
+        const Scalar e95 = exp_5 * e28;
+        const Scalar e96 = c_.k44 * s_k_dot;
+        const Scalar step_97 = detail::step<Scalar>(e11);
+        const Scalar e98 = step_97 * e46;
+        const Scalar e99 = e3 * e95;
+        const Scalar e100 = q_1 * e7;
+        const Scalar e101 = e100 * (p_1 * step_97);
+        const Scalar e102 = e24 * (e84 - e86);
+        const Scalar e103 = expm1_43 * e98;
+        const Scalar e104 = c_.k55 * e92 + (c_.k24 * e90 - c_.k50 * e89);
+        const Scalar e105 = e24 * e85;
+        const Scalar e106 = e2 * e95 + e33;
+        const Scalar e107 = exp_5 * e22;
+        const Scalar e108 = e8 * (c_.k48 * e24 + e96) - e98 * (c_.k21 * compression_40 - c_.k41 * e3);
+        const Scalar e109 = c_.k47 * e106 + c_.k58 * e45 + (c_.k43 * e98 - e8 * (c_.k40 * q_1 - c_.k49 * e107));
+        const Scalar e110 = e108 - (c_.k53 * e99 + c_.k39 * e101 - (c_.k46 * e30 + c_.k45 * e102))
+            - (c_.k42 * e103 - e104 * e105 - (c_.k5 * e42 - c_.k52 * e36) - e109);
+        const Scalar e111 = exp_5 * e52;
+        const Scalar step_112 = detail::step<Scalar>(e26);
+        const Scalar e113 = step_112 * e51;
+        const Scalar e114 = e113 * (p_1 * e24 - e32 * e25);
+        const Scalar e115 = e52 * (e2 * exp_5 + e29);
+        const Scalar e116 = exp_16 * e25;
+        const Scalar e117 = e61 * e116;
+        const Scalar e118 = e3 * e111;
+        const Scalar e119 = c_.k67 * e92 + (c_.k31 * e90 - c_.k64 * e89);
+        const Scalar e120 = e113 * e25;
+        const Scalar e121 = c_.k61 * e114 - c_.k62 * e115 + (c_.k63 * e117 + c_.k66 * e118 + e119 * e120);
+        const Scalar e122 = p_2 * e113;
+        const Scalar e123 = step_112 * inverse_50;
+        const Scalar e124 = e123 * e29;
+        const Scalar e125 = e63 * e122 - (p_1 * step_23 * e113 + step_20 * e124);
+        const Scalar e126 = e63 * e123;
+        const Scalar e127 = e51 * e25;
+        const Scalar e128 = e92 * e126;
+        const Scalar e129 = c_.k31 * e125 - e63 * e62
+            + (e126 * (c_.k65 * e89 - c_.k69 * e90) - (c_.k68 * e127 - c_.k70 * e128));
+        const Scalar e130 = e8 * e107;
+        const Scalar e131 = c_.k85 * e92 - (c_.k79 * e90 - c_.k83 * e89);
+        const Scalar e132 = c_.k24 * e38 * e8 - c_.k87 * e93 - (c_.k79 * e87 - e88 * (c_.k54 * e89 - c_.k86 * e90));
+        const Scalar e133 = c_.k77 * s_k_dot;
+        const Scalar e134 = e24 * e8;
+        const Scalar e135 = e3 * e98;
+        const Scalar e136 = compression_40 * e98;
+        const Scalar e137 = c_.k95 * e92 - (c_.k93 * e90 - c_.k94 * e89);
+        const Scalar e138 = c_.k31 * e63 * e61 + c_.k97 * e128 - (c_.k93 * e125 + e126 * (c_.k68 * e89 - c_.k96 * e90));
+        const Scalar e139 = exp_16 * e31;
+        const Scalar e140 = e83 * (p_2 * e21 - e29 * e22);
+        const Scalar e141 = e31 * (e13 * exp_16 + e32);
+        const Scalar e142 = e83 * e22;
+        const Scalar e143 = e14 * e139;
+        const Scalar e144 = c_.k45 * e140 - c_.k47 * e141 - (e104 * e142 - (c_.k48 * e130 + c_.k53 * e143));
+        const Scalar e145 = exp_16 * e56;
+        const Scalar step_146 = detail::step<Scalar>(e54);
+        const Scalar e147 = step_146 * e67;
+        const Scalar e148 = e14 * e145;
+        const Scalar e149 = q_2 * e51;
+        const Scalar e150 = e149 * (p_2 * step_146);
+        const Scalar e151 = e21 * (e122 - e124);
+        const Scalar e152 = expm1_44 * e147;
+        const Scalar e153 = e21 * e123;
+        const Scalar e154 = e13 * e145 - e53;
+        const Scalar e155 = e61 * (c_.k63 * e21 + e96) + e147 * (c_.k29 * compression_41 - c_.k101 * e14);
+        const Scalar e156 = e155 + (c_.k66 * e148 + c_.k99 * e150 + (c_.k61 * e151 - c_.k104 * e57));
+        const Scalar e157 = c_.k62 * e154 - c_.k107 * e66 + (c_.k103 * e147 - e61 * (c_.k100 * q_2 + c_.k105 * e116));
+        const Scalar e158 = e156 + (c_.k102 * e152 - e119 * e153 + (c_.k14 * e65 - c_.k106 * e60) - e157);
+        const Scalar e159 = e21 * e61;
+        const Scalar e160 = e14 * e147;
+        const Scalar e161 = compression_41 * e147;
+        const Scalar e162 = c_.k4 * s_k_dot;
+        const Scalar e163 = c_.k7 * e31 - c_.k51 * e91;
+        const Scalar e164 = c_.k130 * e92 - (c_.k6 * e90 - c_.k127 * e89);
+        const Scalar e165 = c_.k123 * s_k_dot;
+        const Scalar e166 = c_.k16 * e52 - c_.k65 * e127;
+        const Scalar e167 = c_.k137 * e92 - (c_.k15 * e90 - c_.k135 * e89);
+        const Scalar e168 = c_.k25 * e31;
+        const Scalar e169 = c_.k32 * e52;
         J[0] = Scalar(0);
         J[1] = (-p_.c_l) * c_.k0;
-        J[2] = c_.k5 * e84 - e85 * e37 + inverse_2 * e52 - c_.k3 * e86;
-        J[3] = e87 * e68 - c_.k14 * e88 + inverse_55 * e75 + c_.k12 * e89;
-        J[4] = inverse_2 * e46 * e78 + c_.k23 * e84 - e85 * e80 - c_.k21 * e86;
-        J[5] = inverse_55 * e69 * e81 - c_.k30 * e88 + e87 * e83 + c_.k29 * e89;
+        J[2] = c_.k5 * e78 + inverse_6 * e48 - c_.k3 * e79;
+        J[3] = c_.k12 * e80 - c_.k14 * e81 - inverse_50 * e69;
+        J[4] = inverse_6 * (e8 * e72 - e74) + c_.k23 * e78 - c_.k21 * e79;
+        J[5] = inverse_50 * (e61 * e75 - e77) - c_.k30 * e81 + c_.k29 * e80;
         J[6] = Scalar(1);
         J[7] = (-p_.d_k) * c_.k0;
         J[8] = -e47;
-        J[9] = e70;
-        J[10] = -c_.k22 * e46;
-        J[11] = c_.k22 * e69;
+        J[9] = e68;
+        J[10] = -c_.k22 * e8;
+        J[11] = c_.k22 * e61;
         J[12] = Scalar(0);
         J[13] = p_.A_1 * c_.k0;
-        J[14] = s_k_dot * e94 - c_.k39 * e95 - c_.k56 * e97 - e106 - e128 - c_.k5 * e129;
-        J[15] = c_.k14 * e130 - e139 - e147 + c_.k69 * e148;
-        J[16] = c_.k23 * (e113 - e129) + c_.k83 * e120 - c_.k89 * e121 - c_.k78 * e116 - e149 * e119 + c_.k40 * e53 + c_.k80
-            * e114 + c_.k77 * e117 - c_.k49 * e112 + c_.k84 * e109 - e150 + e108 * e151 + c_.k91 * e152 - c_.k86 * e153
-            - c_.k47 * e154 + c_.k75 * e155 - c_.k76 * e156 - c_.k74 * e157 + c_.k82 * e158 - c_.k73 * e159;
-        J[17] = c_.k99 * e144 - c_.k94 * e140 + c_.k63 * e145 + c_.k92 * e146 + e160 + c_.k30 * e130 - e161 * e162 + c_.k62
-            * e163;
+        J[14] = e94 - c_.k59 * e35 - c_.k60 * e95 + e110;
+        J[15] = c_.k71 * e111 + e121 - e129;
+        J[16] = c_.k23 * e42 - c_.k84 * e36 - c_.k88 * e45 + c_.k81 * e106 - c_.k76 * e98 + c_.k89 * e35 - c_.k90 * e95
+            + c_.k82 * e130 + c_.k80 * e30 - c_.k39 * e9 - e131 * e105 + c_.k78 * e102 + c_.k75 * e103 - c_.k47 * e99 - c_.k72
+            * e101 - e132 + e8 * e133 + c_.k45 * e134 + c_.k73 * e135 - c_.k74 * e136;
+        J[17] = c_.k98 * e111 + c_.k61 * e117 - e137 * e120 + c_.k91 * e114 - c_.k92 * e115 + c_.k62 * e118 + e138;
         J[18] = Scalar(0);
         J[19] = (-p_.A_2) * c_.k0;
-        J[20] = e106 + e174 - c_.k5 * e175 - c_.k56 * e176;
-        J[21] = c_.k69 * e179 - s_k_dot * e180 - c_.k103 * e181 + e139 - e201 - c_.k14 * e202;
-        J[22] = c_.k83 * e167 - c_.k89 * e171 - c_.k49 * e173 + c_.k80 * e172 + e150 - c_.k23 * e175 - e149 * e203 - c_.k47
-            * e204;
-        J[23] = c_.k30 * (e186 - e202) - c_.k94 * e192 - c_.k99 * e193 - c_.k116 * e189 - e161 * e191 + c_.k100 * e76 + c_.k92
-            * e187 + c_.k115 * e190 - c_.k63 * e184 - c_.k118 * e185 - e160 - e182 * e151 + c_.k120 * e205 - c_.k119 * e206
-            + c_.k62 * e207 + c_.k113 * e208 - c_.k114 * e209 - c_.k112 * e210 + c_.k117 * e211 - c_.k111 * e212;
+        J[20] = -c_.k60 * e139 - e144 - e94;
+        J[21] = e129 - c_.k108 * e59 - c_.k71 * e145 - e158;
+        J[22] = c_.k81 * e141 - c_.k90 * e139 - c_.k45 * e130 - e131 * e142 - c_.k78 * e140 - c_.k47 * e143 + e132;
+        J[23] = c_.k116 * e60 - c_.k30 * e65 + c_.k117 * e66 + c_.k92 * e154 - c_.k113 * e147 + c_.k118 * e59 - c_.k98 * e145
+            - c_.k115 * e117 + c_.k114 * e57 - c_.k99 * e70 - e137 * e153 - c_.k91 * e151 + c_.k112 * e152 - c_.k62 * e148
+            - c_.k109 * e150 - e138 - e61 * e133 - c_.k61 * e159 + c_.k110 * e160 - c_.k111 * e161;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = c_.k3 * (e122 + e156) - e9 * (c_.k6 * e51 + e213) - c_.k53 * e120 + c_.k137 * e121 + c_.k126 * e116 - c_.k7
-            * e39 + c_.k121 * e95 + c_.k54 * e97 - c_.k136 * e113 + e214 * e119 - c_.k122 * e53 - c_.k50 * e114 - c_.k125
-            * e117 + c_.k133 * e112 - c_.k131 * e109 - e94 * e215 - e108 * e216 - c_.k138 * e152 + c_.k134 * e153 + c_.k130
-            * e154 - c_.k124 * e155 + c_.k123 * e157 - c_.k129 * e158 + c_.k41 * e159;
-        J[27] = c_.k16 * e57 - c_.k143 * e144 + c_.k67 * e140 - c_.k141 * e145 - c_.k64 * e146 - c_.k66 * e148 + e217 * e162
-            - c_.k139 * e163;
-        J[28] = e9 * e79 - c_.k25 * e39 + e128;
-        J[29] = c_.k32 * e57 + e147;
+        J[26] = c_.k3 * (e100 + e136) + c_.k132 * (e45 + e95) - e7 * (c_.k6 * e39 + e162) + c_.k128 * e36 - c_.k131 * e42
+            - c_.k53 * e106 + c_.k122 * e98 - c_.k133 * e35 + e163 - c_.k126 * e130 - c_.k124 * e30 + c_.k119 * e9 + e164
+            * e105 - c_.k48 * e102 - c_.k121 * e103 + c_.k129 * e99 + c_.k40 * e101 - e8 * e165 - c_.k125 * e134 - c_.k120
+            * e135;
+        J[27] = e166 - c_.k138 * e111 - c_.k134 * e117 + e167 * e120 - c_.k63 * e114 + c_.k66 * e115 - c_.k136 * e118;
+        J[28] = e7 * e73 - c_.k139 * e35 - c_.k58 * e95 - e110 + e168;
+        J[29] = c_.k107 * e111 - e121 + e169;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
-        J[32] = c_.k137 * e171 - c_.k7 * e41 - c_.k53 * e167 + c_.k133 * e173 - c_.k50 * e172 + c_.k54 * e176 + e214 * e203
-            + c_.k130 * e204;
-        J[33] = c_.k12 * (e194 + e209) + e56 * (c_.k15 * e74 + e213) + c_.k67 * e192 + c_.k143 * e193 + c_.k149 * e189 - c_.k16
-            * e63 + c_.k146 * e181 - c_.k66 * e179 - c_.k153 * e186 + e217 * e191 - c_.k144 * e76 - c_.k64 * e187 - c_.k148
-            * e190 + c_.k141 * e184 + c_.k151 * e185 + e180 * e215 + e182 * e216 - c_.k154 * e205 + c_.k152 * e206 - c_.k139
-            * e207 - c_.k147 * e208 + c_.k145 * e210 - c_.k150 * e211 + c_.k101 * e212;
-        J[34] = -c_.k25 * e41 - e174;
-        J[35] = e56 * e82 - c_.k32 * e63 + e201;
+        J[32] = c_.k132 * e139 - e163 + c_.k125 * e130 + e164 * e142 + c_.k48 * e140 - c_.k53 * e141 + c_.k129 * e143;
+        J[33] = c_.k12 * (e149 + e161) - c_.k138 * (e66 - e145) + e51 * (c_.k15 * e64 + e162) - c_.k146 * e60 + c_.k147 * e65
+            - c_.k66 * e154 + c_.k143 * e147 - c_.k148 * e59 - e166 + c_.k145 * e117 - c_.k144 * e57 + c_.k140 * e70 + e167
+            * e153 + c_.k63 * e151 - c_.k142 * e152 + c_.k136 * e148 + c_.k100 * e150 + e61 * e165 + c_.k134 * e159 - c_.k141
+            * e160;
+        J[34] = e144 - c_.k58 * e139 - e168;
+        J[35] = e51 * e76 - c_.k149 * e59 - c_.k107 * e145 + e158 - e169;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -970,49 +912,45 @@ public:
         const Scalar T_1 = x[4];
         const Scalar e2 = p_.T_0 - T_1;
         const Scalar e3 = c_.k38 * (p_.p_0 - p_1) - p_.alpha * e2;
-        const Scalar e4 = -e3;
-        const Scalar exp_5 = exp(e4);
-        const Scalar step_6 = detail::step<Scalar>(p_.rho_0 * q_1 * exp_5);
-        const Scalar e7 = step_6 * inverse_1;
-        const Scalar e8 = e2 * e7;
-        const Scalar compression_9 = detail::compression<Scalar>(e4);
-        const Scalar e10 = compression_9 * e7;
-        const Scalar expm1_11 = expm1(e3);
-        const Scalar e12 = expm1_11 * e7;
-        const Scalar inverse_13 = Scalar(1) / exp_5;
-        const Scalar e14 = T_1 * (inverse_1 * inverse_13);
-        const Scalar e15 = e7 * (p_1 * inverse_13);
-        const Scalar inverse_16 = Scalar(1) / (c_.k37 - s_k);
+        const Scalar exp_4 = exp(e3);
+        const Scalar step_5 = detail::step<Scalar>(p_.rho_0 * q_1 / exp_4);
+        const Scalar e6 = step_5 * inverse_1;
+        const Scalar e7 = e2 * e6;
+        const Scalar compression_8 = detail::compression<Scalar>(-e3);
+        const Scalar e9 = compression_8 * e6;
+        const Scalar expm1_10 = expm1(e3);
+        const Scalar e11 = expm1_10 * e6;
+        const Scalar e12 = T_1 * (exp_4 * inverse_1);
+        const Scalar e13 = e6 * (p_1 * exp_4);
+        const Scalar inverse_14 = Scalar(1) / (c_.k37 - s_k);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
-        const Scalar e17 = p_.T_0 - T_2;
-        const Scalar e18 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e17;
-        const Scalar e19 = -e18;
-        const Scalar exp_20 = exp(e19);
-        const Scalar step_21 = detail::step<Scalar>(p_.rho_0 * q_2 * exp_20);
-        const Scalar e22 = step_21 * inverse_16;
-        const Scalar e23 = e17 * e22;
-        const Scalar compression_24 = detail::compression<Scalar>(e19);
-        const Scalar e25 = compression_24 * e22;
-        const Scalar expm1_26 = expm1(e18);
-        const Scalar e27 = expm1_26 * e22;
-        const Scalar inverse_28 = Scalar(1) / exp_20;
-        const Scalar e29 = T_2 * (inverse_16 * inverse_28);
-        const Scalar e30 = e22 * (p_2 * inverse_28);
+        const Scalar e15 = p_.T_0 - T_2;
+        const Scalar e16 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e15;
+        const Scalar exp_17 = exp(e16);
+        const Scalar step_18 = detail::step<Scalar>(p_.rho_0 * q_2 / exp_17);
+        const Scalar e19 = step_18 * inverse_14;
+        const Scalar e20 = e15 * e19;
+        const Scalar compression_21 = detail::compression<Scalar>(-e16);
+        const Scalar e22 = compression_21 * e19;
+        const Scalar expm1_23 = expm1(e16);
+        const Scalar e24 = expm1_23 * e19;
+        const Scalar e25 = T_2 * (exp_17 * inverse_14);
+        const Scalar e26 = e19 * (p_2 * exp_17);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k2 * inverse_1 - c_.k159 * e7 + c_.k121 * e8 - c_.k157 * e10 + c_.k158 * e12 + c_.k3 * e14 - c_.k21 * e15;
+        J[2] = c_.k2 * inverse_1 - c_.k153 * e6 + c_.k150 * e7 - c_.k151 * e9 + c_.k152 * e11 + c_.k3 * e12 - c_.k21 * e13;
         J[3] = Scalar(0);
-        J[4] = c_.k162 * e7 + c_.k39 * e8 - c_.k160 * e10 - c_.k161 * e12 + c_.k21 * e14 - c_.k76 * e15;
+        J[4] = c_.k157 * e6 + c_.k154 * e7 - c_.k155 * e9 - c_.k156 * e11 + c_.k21 * e12 - c_.k74 * e13;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = c_.k13 * inverse_16 - c_.k165 * e22 + c_.k146 * e23 - c_.k163 * e25 + c_.k164 * e27 + c_.k12 * e29 - c_.k29
-            * e30;
+        J[9] = c_.k13 * inverse_14 - c_.k161 * e19 + c_.k158 * e20 - c_.k159 * e22 + c_.k160 * e24 + c_.k12 * e25 - c_.k29
+            * e26;
         J[10] = Scalar(0);
-        J[11] = c_.k168 * e22 + c_.k103 * e23 - c_.k166 * e25 - c_.k167 * e27 + c_.k29 * e29 - c_.k114 * e30;
+        J[11] = c_.k165 * e19 + c_.k162 * e20 - c_.k163 * e22 - c_.k164 * e24 + c_.k29 * e25 - c_.k111 * e26;
         J[12] = Scalar(0);
         J[13] = (-Scalar(1)) * c_.k0;
         J[14] = Scalar(0);
@@ -1022,7 +960,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 19, entry (i, j) at J[6*j + i].
-    /// Operations: 687 + or -, 1202 *, 15 /, 30 other functions
+    /// Operations: 642 + or -, 1114 *, 9 /, 22 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
         using std::expm1;
@@ -1033,471 +971,420 @@ public:
         const Scalar e1 = (-dxdt[1]) * c_.k0;
         const Scalar s_k_dot = x[1];
         const Scalar s_k = x[0];
-        const Scalar e2 = p_.p_0 - p_.p_s;
-        const Scalar inverse_3 = Scalar(1) / p_.beta;
-        const Scalar e4 = e2 * inverse_3;
-        const Scalar expm1_5 = expm1(e4);
-        const Scalar e6 = p_.beta * p_.alpha;
-        const Scalar e7 = p_.T_0 * e6;
-        const Scalar e8 = e7 - p_.p_0;
-        const Scalar e9 = -e4;
-        const Scalar compression_10 = detail::compression<Scalar>(e9);
-        const Scalar exp_11 = exp(e9);
-        const Scalar inverse_12 = Scalar(1) / exp_11;
-        const Scalar e13 = p_.p_s * inverse_12;
-        const Scalar e14 = p_.beta * compression_10 + e13;
-        const Scalar e15 = expm1_5 * e8 + e14;
-        const Scalar inverse_16 = Scalar(1) / p_.A_1;
-        const Scalar inverse_17 = Scalar(1) / p_.rho_0;
-        const Scalar inverse_18 = Scalar(1) / p_.c_v;
-        const Scalar e19 = inverse_17 * inverse_18;
-        const Scalar e20 = inverse_17 * e19;
-        const Scalar e21 = inverse_16 * e20;
-        const Scalar e22 = e6 * e21;
-        const Scalar e23 = inverse_16 * e22;
-        const Scalar q_1 = u[0];
-        const Scalar e24 = p_.p_0 - p_1;
-        const Scalar e25 = c_.k38 * e24;
-        const Scalar T_1 = x[4];
-        const Scalar e26 = p_.T_0 - T_1;
-        const Scalar e27 = e25 - p_.alpha * e26;
-        const Scalar e28 = -e27;
-        const Scalar exp_29 = exp(e28);
-        const Scalar e30 = p_.rho_0 * q_1 * exp_29;
-        const Scalar max_31 = detail::max<Scalar>(Scalar(0), e30);
-        const Scalar inverse_32 = Scalar(1) / s_k;
-        const Scalar inverse_33 = Scalar(1) / exp_29;
-        const Scalar e34 = inverse_32 * inverse_33;
-        const Scalar e35 = max_31 * e34;
-        const Scalar e36 = p_.beta * inverse_16;
-        const Scalar e37 = inverse_16 * e19;
-        const Scalar e38 = e6 * e37;
-        const Scalar e39 = inverse_16 * e38;
-        const Scalar e40 = T_1 * e34;
-        const Scalar e41 = q_1 * e40;
-        const Scalar e42 = p_.k_l * e6;
-        const Scalar e43 = p_1 - p_2;
-        const Scalar e44 = p_.k_l * e43;
-        const Scalar step_45 = detail::step<Scalar>(e44);
-        const Scalar e46 = p_.p_0 - p_2;
-        const Scalar e47 = c_.k38 * e46;
+        const Scalar inverse_2 = Scalar(1) / p_.A_1;
+        const Scalar e3 = p_.beta * p_.alpha;
+        const Scalar inverse_4 = Scalar(1) / p_.rho_0;
+        const Scalar inverse_5 = Scalar(1) / p_.c_v;
+        const Scalar e6 = inverse_4 * inverse_5;
+        const Scalar e7 = inverse_4 * e6;
+        const Scalar e8 = inverse_2 * e7;
+        const Scalar e9 = e3 * e8;
+        const Scalar e10 = inverse_2 * e9;
+        const Scalar e11 = p_.p_0 - p_2;
         const Scalar T_2 = x[5];
-        const Scalar e48 = p_.T_0 - T_2;
-        const Scalar e49 = e47 - p_.alpha * e48;
-        const Scalar e50 = -e49;
-        const Scalar exp_51 = exp(e50);
-        const Scalar step_52 = detail::step<Scalar>(-e44);
-        const Scalar e53 = exp_51 * step_52;
-        const Scalar e54 = inverse_33 * e53;
-        const Scalar e55 = step_45 + e54;
-        const Scalar e56 = e43 * e40;
-        const Scalar e57 = e55 * e56;
-        const Scalar expm1_58 = expm1(e27);
-        const Scalar e59 = exp_29 * step_45;
-        const Scalar e60 = e43 * (e53 + e59);
-        const Scalar e61 = c_.k36 * e60;
-        const Scalar min_62 = detail::min<Scalar>(Scalar(0), e61);
-        const Scalar e63 = max_31 - min_62;
-        const Scalar expm1_64 = expm1(e49);
-        const Scalar e65 = expm1_58 * e63 + expm1_64 * min_62;
-        const Scalar e66 = e34 * e65;
-        const Scalar compression_67 = detail::compression<Scalar>(e28);
-        const Scalar compression_68 = detail::compression<Scalar>(e50);
-        const Scalar e69 = compression_67 * e63 + compression_68 * min_62;
-        const Scalar e70 = e34 * e69;
-        const Scalar e71 = p_1 * e63;
-        const Scalar inverse_72 = Scalar(1) / exp_51;
-        const Scalar e73 = p_2 * inverse_72;
-        const Scalar e74 = min_62 * e73;
-        const Scalar e75 = e34 * (inverse_33 * e71 + e74);
-        const Scalar e76 = inverse_16 * inverse_17;
-        const Scalar e77 = inverse_16 * e76;
-        const Scalar e78 = e26 * e63 + e48 * min_62;
-        const Scalar e79 = e34 * e78;
-        const Scalar e80 = p_.k_l * inverse_16;
-        const Scalar e81 = inverse_32 * e55;
-        const Scalar e82 = e43 * e81;
-        const Scalar e83 = e37 * e42;
-        const Scalar e84 = inverse_16 * e21;
-        const Scalar e85 = p_.beta * e21;
-        const Scalar e86 = p_.p_0 - p_.p_t;
-        const Scalar e87 = e86 * inverse_3;
-        const Scalar expm1_88 = expm1(e87);
-        const Scalar e89 = -e87;
-        const Scalar compression_90 = detail::compression<Scalar>(e89);
-        const Scalar exp_91 = exp(e89);
-        const Scalar inverse_92 = Scalar(1) / exp_91;
-        const Scalar e93 = p_.p_t * inverse_92;
-        const Scalar e94 = p_.beta * compression_90 + e93;
-        const Scalar e95 = expm1_88 * e8 + e94;
-        const Scalar inverse_96 = Scalar(1) / p_.A_2;
-        const Scalar e97 = inverse_96 * e20;
-        const Scalar e98 = e6 * e97;
-        const Scalar e99 = inverse_96 * e98;
+        const Scalar e12 = p_.T_0 - T_2;
+        const Scalar e13 = c_.k38 * e11 - p_.alpha * e12;
+        const Scalar compression_14 = detail::compression<Scalar>(-e13);
+        const Scalar e15 = p_1 - p_2;
+        const Scalar e16 = p_.k_l * e15;
+        const Scalar step_17 = detail::step<Scalar>(-e16);
+        const Scalar exp_18 = exp(e13);
+        const Scalar inverse_19 = Scalar(1) / exp_18;
+        const Scalar e20 = step_17 * inverse_19;
+        const Scalar step_21 = detail::step<Scalar>(e16);
+        const Scalar e22 = p_.p_0 - p_1;
+        const Scalar T_1 = x[4];
+        const Scalar e23 = p_.T_0 - T_1;
+        const Scalar e24 = c_.k38 * e22 - p_.alpha * e23;
+        const Scalar exp_25 = exp(e24);
+        const Scalar inverse_26 = Scalar(1) / exp_25;
+        const Scalar e27 = step_21 * inverse_26;
+        const Scalar e28 = (e20 + e27) * (c_.k36 * e15);
+        const Scalar min_29 = detail::min<Scalar>(Scalar(0), e28);
+        const Scalar inverse_30 = Scalar(1) / s_k;
+        const Scalar e31 = exp_25 * inverse_30;
+        const Scalar e32 = min_29 * e31;
+        const Scalar compression_33 = detail::compression<Scalar>(-e24);
+        const Scalar q_1 = u[0];
+        const Scalar e34 = p_.rho_0 * q_1 * inverse_26;
+        const Scalar max_35 = detail::max<Scalar>(Scalar(0), e34);
+        const Scalar e36 = (max_35 - min_29) * e31;
+        const Scalar e37 = compression_14 * e32 + compression_33 * e36;
+        const Scalar e38 = p_.T_0 * e3;
+        const Scalar e39 = e38 - p_.p_0;
+        const Scalar expm1_40 = expm1(e13);
+        const Scalar expm1_41 = expm1(e24);
+        const Scalar e42 = expm1_40 * e32 + expm1_41 * e36;
+        const Scalar e43 = exp_25 * e36;
+        const Scalar e44 = exp_18 * e32;
+        const Scalar e45 = p_2 * e44;
+        const Scalar e46 = p_1 * e43 + e45;
+        const Scalar e47 = inverse_2 * inverse_4;
+        const Scalar e48 = inverse_2 * e47;
+        const Scalar e49 = e12 * e32 + e23 * e36;
+        const Scalar e50 = p_.p_0 - p_.p_s;
+        const Scalar inverse_51 = Scalar(1) / p_.beta;
+        const Scalar e52 = e50 * inverse_51;
+        const Scalar expm1_53 = expm1(e52);
+        const Scalar exp_54 = exp(e52);
+        const Scalar e55 = p_.p_s * exp_54;
+        const Scalar e56 = expm1_53 * e39 + e55;
+        const Scalar compression_57 = detail::compression<Scalar>(-e52);
+        const Scalar e58 = p_.beta * compression_57;
+        const Scalar e59 = e56 + e58;
+        const Scalar e60 = max_35 * e31;
+        const Scalar e61 = inverse_2 * e6;
+        const Scalar e62 = e3 * e61;
+        const Scalar e63 = inverse_2 * e62;
+        const Scalar e64 = T_1 * e31;
+        const Scalar e65 = q_1 * e64;
+        const Scalar e66 = p_.k_l * e3;
+        const Scalar e67 = exp_25 * e20;
+        const Scalar e68 = step_21 + e67;
+        const Scalar e69 = e15 * e64;
+        const Scalar e70 = e68 * e69;
+        const Scalar e71 = p_.beta * p_.k_l;
+        const Scalar inverse_2_squared = inverse_2 * inverse_2;
+        const Scalar e72 = inverse_30 * e68;
+        const Scalar e73 = e15 * e72;
+        const Scalar e74 = q_1 * inverse_30;
+        const Scalar e75 = inverse_2 * e8;
+        const Scalar e76 = p_.beta * e8;
+        const Scalar e77 = e61 * e66;
+        const Scalar e78 = p_.p_0 - p_.p_t;
+        const Scalar e79 = e78 * inverse_51;
+        const Scalar expm1_80 = expm1(e79);
+        const Scalar exp_81 = exp(e79);
+        const Scalar e82 = p_.p_t * exp_81;
+        const Scalar e83 = expm1_80 * e39 + e82;
+        const Scalar compression_84 = detail::compression<Scalar>(-e79);
+        const Scalar e85 = p_.beta * compression_84;
+        const Scalar e86 = e83 + e85;
+        const Scalar inverse_87 = Scalar(1) / p_.A_2;
+        const Scalar e88 = inverse_87 * e7;
+        const Scalar e89 = e3 * e88;
+        const Scalar e90 = inverse_87 * e89;
         const Scalar q_2 = u[1];
-        const Scalar e100 = q_2 * exp_51;
-        const Scalar e101 = p_.rho_0 * e100;
-        const Scalar max_102 = detail::max<Scalar>(Scalar(0), e101);
-        const Scalar inverse_103 = Scalar(1) / (c_.k37 - s_k);
-        const Scalar e104 = inverse_103 * inverse_72;
-        const Scalar e105 = max_102 * e104;
-        const Scalar e106 = p_.beta * inverse_96;
-        const Scalar e107 = q_2 * inverse_103;
-        const Scalar max_108 = detail::max<Scalar>(Scalar(0), e61);
-        const Scalar e109 = max_108 + max_102;
-        const Scalar e110 = expm1_58 * max_108 - expm1_64 * e109;
-        const Scalar e111 = e104 * e110;
-        const Scalar e112 = inverse_96 * e19;
-        const Scalar e113 = e6 * e112;
-        const Scalar e114 = inverse_96 * e113;
-        const Scalar e115 = T_2 * e104;
-        const Scalar e116 = q_2 * e115;
-        const Scalar e117 = inverse_72 * e59;
-        const Scalar e118 = step_52 + e117;
-        const Scalar e119 = e43 * e115;
-        const Scalar e120 = e118 * e119;
-        const Scalar e121 = compression_67 * max_108 - compression_68 * e109;
-        const Scalar e122 = e104 * e121;
-        const Scalar e123 = p_1 * inverse_33;
-        const Scalar e124 = max_108 * e123;
-        const Scalar e125 = p_2 * e109;
-        const Scalar e126 = e104 * (e124 - inverse_72 * e125);
-        const Scalar e127 = inverse_96 * inverse_17;
-        const Scalar e128 = inverse_96 * e127;
-        const Scalar e129 = e26 * max_108 - e48 * e109;
-        const Scalar e130 = e104 * e129;
-        const Scalar e131 = p_.k_l * inverse_96;
-        const Scalar e132 = inverse_103 * e118;
-        const Scalar e133 = e43 * e132;
-        const Scalar e134 = inverse_96 * e97;
-        const Scalar e135 = e112 * e42;
-        const Scalar e136 = p_.beta * e97;
-        const Scalar e137 = c_.k16 * e129 - c_.k18 * e121;
-        const Scalar e138 = c_.k15 * e119;
-        const Scalar e139 = s_k_dot * e115;
-        const Scalar e140 = max_108 * e104;
-        const Scalar e141 = inverse_103 * e123;
-        const Scalar e142 = p_2 * e104;
-        const Scalar e143 = e109 * e104;
-        const Scalar e144 = e140 * e141 - e142 * e143;
-        const Scalar e145 = s_k_dot * inverse_103;
-        const Scalar e146 = inverse_103 * (c_.k19 * e111 + e104 * e137) - (e132 * e138 - c_.k20 * inverse_103 * e105);
-        const Scalar e147 = inverse_103 * (c_.k17 * e133 + p_.beta * e145) + e107 * (c_.k12 * e115 + c_.k13 * inverse_103);
-        const Scalar e148 = e146 - (c_.k4 * inverse_103 * e139 + c_.k14 * e144 + e147);
-        const Scalar e149 = c_.k32 * e129 - c_.k33 * e121;
-        const Scalar e150 = c_.k31 * e119;
-        const Scalar e151 = inverse_103 * (c_.k22 * e139 - e104 * e149) + (c_.k29 * e115 * e107 + e132 * e150);
-        const Scalar e152 = c_.k30 * e144 + inverse_103 * (c_.k34 * e111 + c_.k35 * e105) + e151;
-        const Scalar e153 = inverse_17 * e22;
-        const Scalar step_154 = detail::step<Scalar>(e30);
-        const Scalar e155 = q_1 * step_154;
-        const Scalar e156 = inverse_32 * e155;
-        const Scalar e157 = e26 * e156;
-        const Scalar e158 = inverse_17 * e8;
-        const Scalar e159 = p_1 * e34;
-        const Scalar e160 = e155 * e159;
-        const Scalar e161 = e20 * e6;
-        const Scalar e162 = e6 * e161;
-        const Scalar e163 = s_k_dot * e40;
-        const Scalar e164 = compression_67 * e156;
-        const Scalar e165 = expm1_58 * e156;
-        const Scalar e166 = e21 * e42;
-        const Scalar step_167 = detail::step<Scalar>(-e61);
-        const Scalar e168 = e43 * step_167;
-        const Scalar e169 = inverse_32 * e73;
-        const Scalar e170 = e168 * (p_2 * step_52 * e34 - (e55 * e159 - step_45 * e169));
-        const Scalar e171 = e26 - e48;
-        const Scalar e172 = e168 * e81;
-        const Scalar e173 = e171 * e172;
-        const Scalar e174 = compression_67 - compression_68;
-        const Scalar e175 = e174 * e172;
-        const Scalar e176 = expm1_58 - expm1_64;
-        const Scalar e177 = e176 * e172;
-        const Scalar e178 = inverse_17 * e6;
-        const Scalar e179 = inverse_17 * e98;
-        const Scalar step_180 = detail::step<Scalar>(e101);
-        const Scalar e181 = step_180 * e107;
-        const Scalar e182 = e48 * e181;
-        const Scalar e183 = e142 * (q_2 * step_180);
-        const Scalar e184 = compression_68 * e181;
-        const Scalar e185 = expm1_64 * e181;
-        const Scalar e186 = e97 * e42;
-        const Scalar step_187 = detail::step<Scalar>(e61);
-        const Scalar e188 = e43 * step_187;
-        const Scalar e189 = e188 * (p_1 * step_45 * e104 + (step_52 * e141 - e118 * e142));
-        const Scalar e190 = e188 * e132;
-        const Scalar e191 = e171 * e190;
-        const Scalar e192 = e174 * e190;
-        const Scalar e193 = e176 * e190;
-        const Scalar e194 = inverse_17 * e21;
-        const Scalar e195 = p_.k_l * e8;
-        const Scalar e196 = inverse_17 * e97;
-        const Scalar e197 = p_.alpha * p_.alpha;
-        const Scalar e198 = e37 * e197;
-        const Scalar exp_199 = exp(c_.k156 * e26 - c_.k155 * e24);
-        const Scalar inverse_200 = Scalar(1) / exp_199;
-        const Scalar e201 = inverse_32 * inverse_200;
-        const Scalar e202 = exp_29 * e201;
-        const Scalar e203 = exp_29 * e202 - inverse_32;
-        const Scalar e204 = q_1 * e203;
-        const Scalar e205 = e202 * e60;
-        const Scalar e206 = e69 * e202;
-        const Scalar e207 = e24 * e206;
-        const Scalar e208 = e24 * step_45;
-        const Scalar e209 = e34 * e53;
-        const Scalar e210 = inverse_32 * e208 + e46 * e209;
-        const Scalar e211 = p_.alpha * e21;
-        const Scalar e212 = p_.p_0 - Scalar(2) * e7;
-        const Scalar e213 = expm1_5 * e212;
-        const Scalar e214 = p_.alpha * inverse_3;
-        const Scalar e215 = e21 * e214;
-        const Scalar exp_216 = exp(-Scalar(2) * e4);
-        const Scalar exp_217 = exp(e4);
-        const Scalar e218 = e2 * exp_217;
-        const Scalar e219 = p_.p_s * exp_11 / exp_216 + e218;
-        const Scalar e220 = e2 * e219;
-        const Scalar e221 = p_.alpha * p_.T_0 - p_.p_0 * inverse_3;
-        const Scalar e222 = e221 * e211;
-        const Scalar e223 = min_62 * e34;
-        const Scalar exp_224 = exp(e49);
-        const Scalar e225 = e48 * exp_224;
-        const Scalar e226 = e223 * e225;
-        const Scalar exp_227 = exp(e27);
-        const Scalar e228 = exp_227 * e63;
-        const Scalar e229 = e34 * e228;
-        const Scalar e230 = e24 * e229;
-        const Scalar e231 = e46 * e226 + e26 * e230;
-        const Scalar e232 = Scalar(2) * e22;
-        const Scalar e233 = e19 * e6;
-        const Scalar e234 = Scalar(2) * p_.alpha * e233;
-        const Scalar e235 = e65 * e202 + e229;
-        const Scalar e236 = e46 * exp_224;
-        const Scalar e237 = e24 * e235 + e223 * e236;
-        const Scalar e238 = e202 * e74 + e230;
-        const Scalar exp_239 = exp(c_.k156 * e48 - c_.k155 * e46);
-        const Scalar inverse_240 = Scalar(1) / exp_239;
-        const Scalar e241 = (p_2 * exp_51 * inverse_240 + e236) * e223;
-        const Scalar e242 = e24 * e238 + e46 * e241;
-        const Scalar e243 = c_.k39 * q_1 - s_k_dot;
-        const Scalar e244 = s_k_dot * e203;
-        const Scalar e245 = e37 * e214;
-        const Scalar e246 = e24 * e245;
-        const Scalar e247 = compression_10 + expm1_5 * e221;
-        const Scalar e248 = e24 * e156;
-        const Scalar e249 = e24 * e157;
-        const Scalar e250 = p_.k_l * e37;
-        const Scalar e251 = e214 * e250;
-        const Scalar e252 = e159 - e169;
-        const Scalar e253 = e46 * step_52;
-        const Scalar e254 = e34 * (exp_51 * e123 - p_2);
-        const Scalar e255 = e168 * (e252 * e208 + e253 * e254);
-        const Scalar e256 = e197 * e250;
-        const Scalar e257 = e56 * (e208 + e46 * e54);
-        const Scalar e258 = max_31 * e202;
-        const Scalar e259 = e24 * e258;
-        const Scalar e260 = e78 * e202;
-        const Scalar e261 = e24 * e260;
-        const Scalar e262 = e24 * e164;
-        const Scalar e263 = p_.alpha * e221;
-        const Scalar e264 = e24 * e165;
-        const Scalar e265 = T_1 * e202;
-        const Scalar e266 = q_1 * e265;
-        const Scalar e267 = e24 * e266;
-        const Scalar e268 = e19 * e197;
-        const Scalar e269 = s_k_dot * e265;
-        const Scalar e270 = e24 * e269;
-        const Scalar e271 = e201 * e71;
-        const Scalar e272 = e24 * e271;
-        const Scalar e273 = e60 * (T_1 * e201);
-        const Scalar e274 = e24 * e273;
-        const Scalar e275 = e168 * e210;
-        const Scalar e276 = e171 * e275;
-        const Scalar e277 = e174 * e275;
-        const Scalar e278 = e176 * e275;
-        const Scalar e279 = inverse_103 * inverse_240;
-        const Scalar e280 = exp_51 * e279;
-        const Scalar e281 = e46 * e280;
-        const Scalar e282 = e121 * e281;
-        const Scalar e283 = e104 * e59;
-        const Scalar e284 = inverse_103 * e253 + e24 * e283;
-        const Scalar e285 = e112 * e197;
-        const Scalar e286 = e280 * e100 - e107;
-        const Scalar e287 = p_.alpha * e97;
-        const Scalar e288 = expm1_88 * e212;
-        const Scalar e289 = e97 * e214;
-        const Scalar exp_290 = exp(-Scalar(2) * e87);
-        const Scalar exp_291 = exp(e87);
-        const Scalar e292 = e86 * exp_291;
-        const Scalar e293 = p_.p_t * exp_91 / exp_290 + e292;
-        const Scalar e294 = e86 * e293;
-        const Scalar e295 = e221 * e287;
-        const Scalar e296 = exp_227 * e140;
-        const Scalar e297 = e26 * e296;
-        const Scalar e298 = e225 * e143;
-        const Scalar e299 = e24 * e297 - e46 * e298;
-        const Scalar e300 = Scalar(2) * e98;
-        const Scalar e301 = e280 * e124 - e143 * e236;
-        const Scalar e302 = (p_1 * exp_29 * inverse_200 + e24 * exp_227) * e140;
-        const Scalar e303 = e46 * e301 + e24 * e302;
-        const Scalar e304 = exp_224 * e143 - e110 * e280;
-        const Scalar e305 = e24 * e296 - e46 * e304;
-        const Scalar e306 = s_k_dot * (exp_51 * e280 - inverse_103);
-        const Scalar e307 = e112 * e214;
-        const Scalar e308 = e46 * e307;
-        const Scalar e309 = compression_90 + expm1_88 * e221;
-        const Scalar e310 = e46 * e181;
-        const Scalar e311 = e46 * e182;
-        const Scalar e312 = p_.k_l * e112;
-        const Scalar e313 = e214 * e312;
-        const Scalar e314 = e141 - e142;
-        const Scalar e315 = e104 * (p_1 - exp_29 * e73);
-        const Scalar e316 = e188 * (e314 * e253 + e208 * e315);
-        const Scalar e317 = e197 * e312;
-        const Scalar e318 = e119 * (e253 + e24 * e117);
-        const Scalar e319 = max_102 * e280;
-        const Scalar e320 = e46 * e319;
-        const Scalar e321 = e46 * e184;
-        const Scalar e322 = e46 * e185;
-        const Scalar e323 = T_2 * e280;
-        const Scalar e324 = q_2 * e323;
-        const Scalar e325 = e46 * e324;
-        const Scalar e326 = s_k_dot * e323;
-        const Scalar e327 = e46 * e326;
-        const Scalar e328 = e279 * e125;
-        const Scalar e329 = e46 * e328;
-        const Scalar e330 = e60 * (T_2 * e279);
-        const Scalar e331 = e46 * e330;
-        const Scalar e332 = e129 * e280;
-        const Scalar e333 = e46 * e332;
-        const Scalar e334 = e188 * e284;
-        const Scalar e335 = e171 * e334;
-        const Scalar e336 = e174 * e334;
-        const Scalar e337 = e176 * e334;
-        const Scalar e338 = inverse_3 * e221;
-        const Scalar e339 = e21 * e338;
-        const Scalar inverse_3_squared = inverse_3 * inverse_3;
-        const Scalar e340 = e21 * inverse_3_squared;
-        const Scalar e341 = p_.T_0 * expm1_5;
-        const Scalar e342 = c_.k40 * e41 - c_.k47 * e57;
-        const Scalar e343 = inverse_3 * e247 + inverse_3_squared * e13;
-        const Scalar e344 = e19 * e214;
-        const Scalar e345 = e97 * inverse_3_squared;
-        const Scalar e346 = p_.T_0 * expm1_88;
-        const Scalar e347 = e97 * e338;
-        const Scalar e348 = c_.k62 * e120 + c_.k100 * e116;
-        const Scalar e349 = inverse_3 * e309 + inverse_3_squared * e93;
-        const Scalar e350 = e26 * step_45;
-        const Scalar e351 = inverse_32 * e350 + e48 * e209;
-        const Scalar e352 = e26 * e26 * e229 + e48 * e226;
-        const Scalar e353 = p_.beta * e19;
-        const Scalar e354 = Scalar(2) * e6 * e353;
-        const Scalar e355 = e26 * e238 + e48 * e241;
-        const Scalar e356 = e26 * e235 + e226;
-        const Scalar e357 = c_.k21 * e26;
-        const Scalar e358 = compression_67 * e157;
-        const Scalar e359 = expm1_58 * e157;
-        const Scalar e360 = e26 * e157;
-        const Scalar e361 = e48 * step_52;
-        const Scalar e362 = e168 * (e252 * e350 + e361 * e254);
-        const Scalar e363 = e56 * (e350 + e48 * e54);
-        const Scalar e364 = e26 * e258;
-        const Scalar e365 = e26 * e260;
-        const Scalar e366 = e26 * e266;
-        const Scalar e367 = e26 * e269;
-        const Scalar e368 = e26 * e271;
-        const Scalar e369 = e26 * e273;
-        const Scalar e370 = e168 * e351;
-        const Scalar e371 = e171 * e370;
-        const Scalar e372 = e174 * e370;
-        const Scalar e373 = e176 * e370;
-        const Scalar e374 = e26 * e206;
-        const Scalar e375 = inverse_103 * e361 + e26 * e283;
-        const Scalar e376 = e48 * e280;
-        const Scalar e377 = e26 * e297 - e48 * e298;
-        const Scalar e378 = e48 * e301 + e26 * e302;
-        const Scalar e379 = e297 - e48 * e304;
-        const Scalar e380 = c_.k29 * e48;
-        const Scalar e381 = e361 + e26 * e117;
-        const Scalar e382 = compression_68 * e182;
-        const Scalar e383 = expm1_64 * e182;
-        const Scalar e384 = e48 * e182;
-        const Scalar e385 = e188 * (e314 * e361 + e350 * e315);
-        const Scalar e386 = e48 * e319;
-        const Scalar e387 = e48 * e324;
-        const Scalar e388 = e48 * e326;
-        const Scalar e389 = e48 * e328;
-        const Scalar e390 = e48 * e330;
-        const Scalar e391 = e188 * e375;
-        const Scalar e392 = e171 * e391;
-        const Scalar e393 = e174 * e391;
-        const Scalar e394 = e176 * e391;
-        const Scalar e395 = e19 * e38;
-        const Scalar e396 = inverse_18 * e6;
-        const Scalar e397 = inverse_18 * e42;
-        const Scalar e398 = e19 * e8;
-        const Scalar e399 = e396 * e233;
-        const Scalar e400 = e19 * e113;
-        const Scalar e401 = e19 * e37;
-        const Scalar e402 = e19 * e396;
-        const Scalar e403 = e19 * e112;
-        const Scalar e404 = e82 - e205;
-        const Scalar e405 = expm1_5 * e22;
-        const Scalar e406 = e211 * (exp_217 * e8 + e219);
-        const Scalar e407 = e34 * (min_62 * e225 + e26 * e228);
-        const Scalar e408 = e66 - e206;
-        const Scalar e409 = e238 + e241;
-        const Scalar e410 = exp_224 * e223 + e235;
-        const Scalar e411 = c_.k21 * e164 + c_.k55 * e260 + (c_.k44 * e165 + c_.k47 * e170)
-            - (c_.k24 * e175 - c_.k52 * e173 - (c_.k42 * e266 - c_.k57 * e177));
-        const Scalar e412 = c_.k46 * e269 + c_.k48 * e271 + (c_.k51 * e273 + (c_.k45 * e156 - c_.k53 * e407));
-        const Scalar e413 = c_.k41 * e41 + c_.k43 * e157 - (c_.k5 * e408 + c_.k50 * e57)
-            + (c_.k49 * e409 + c_.k59 * e410 - (c_.k40 * e160 + c_.k61 * e258));
-        const Scalar e414 = e411 - (e412 + e413);
-        const Scalar e415 = expm1_88 * e98;
-        const Scalar e416 = e287 * (exp_291 * e8 + e293);
-        const Scalar e417 = e133 - e280 * e60;
-        const Scalar e418 = e297 - e298;
-        const Scalar e419 = e301 + e302;
-        const Scalar e420 = e121 * e280 - e111;
-        const Scalar e421 = e304 - e296;
-        const Scalar e422 = c_.k29 * e184 + c_.k105 * e185 - (c_.k62 * e189 - c_.k65 * e191)
-            - (c_.k31 * e192 + c_.k68 * e193 - (c_.k46 * e326 + c_.k102 * e324));
-        const Scalar e423 = c_.k107 * e328 - c_.k108 * e330 + (c_.k109 * e332 + (c_.k67 * e418 + c_.k106 * e181));
-        const Scalar e424 = c_.k101 * e116 + c_.k104 * e182 - (c_.k63 * e419 - c_.k64 * e120)
-            - (c_.k14 * e420 + c_.k100 * e183 - (c_.k72 * e421 - c_.k110 * e319));
-        const Scalar e425 = e422 - (e423 + e424);
-        const Scalar e426 = e21 * (exp_217 * e221 + inverse_3 * e219);
-        const Scalar e427 = e97 * (exp_291 * e221 + inverse_3 * e293);
-        const Scalar e428 = e76 + e405;
-        const Scalar e429 = e127 + e415;
+        const Scalar e91 = p_.rho_0 * q_2 * inverse_19;
+        const Scalar max_92 = detail::max<Scalar>(Scalar(0), e91);
+        const Scalar inverse_93 = Scalar(1) / (c_.k37 - s_k);
+        const Scalar e94 = exp_18 * inverse_93;
+        const Scalar e95 = max_92 * e94;
+        const Scalar max_96 = detail::max<Scalar>(Scalar(0), e28);
+        const Scalar e97 = max_96 + max_92;
+        const Scalar e98 = e94 * (expm1_41 * max_96 - expm1_40 * e97);
+        const Scalar e99 = inverse_87 * e6;
+        const Scalar e100 = e3 * e99;
+        const Scalar e101 = inverse_87 * e100;
+        const Scalar e102 = T_2 * e94;
+        const Scalar e103 = q_2 * e102;
+        const Scalar e104 = e94 * (compression_33 * max_96 - compression_14 * e97);
+        const Scalar e105 = inverse_87 * inverse_4;
+        const Scalar e106 = inverse_87 * e105;
+        const Scalar e107 = e94 * (e23 * max_96 - e12 * e97);
+        const Scalar e108 = exp_18 * e27;
+        const Scalar e109 = step_17 + e108;
+        const Scalar e110 = e15 * e102;
+        const Scalar e111 = e109 * e110;
+        const Scalar e112 = exp_25 * max_96;
+        const Scalar e113 = p_1 * e112;
+        const Scalar e114 = exp_18 * e97;
+        const Scalar e115 = e94 * (e113 - p_2 * e114);
+        const Scalar inverse_87_squared = inverse_87 * inverse_87;
+        const Scalar e116 = inverse_93 * e109;
+        const Scalar e117 = e15 * e116;
+        const Scalar e118 = q_2 * inverse_93;
+        const Scalar e119 = inverse_87 * e88;
+        const Scalar e120 = p_.beta * e88;
+        const Scalar e121 = e99 * e66;
+        const Scalar e122 = c_.k17 * e15;
+        const Scalar e123 = c_.k15 * e110;
+        const Scalar e124 = s_k_dot * e102;
+        const Scalar e125 = c_.k4 * e124 + c_.k18 * e104 - (c_.k16 * e107 - (c_.k12 * e103 - c_.k19 * e98));
+        const Scalar e126 = p_2 * e94;
+        const Scalar e127 = inverse_93 * e113 - e97 * e126;
+        const Scalar e128 = c_.k14 * e94;
+        const Scalar e129 = inverse_93 * inverse_93 * (c_.k13 * q_2 + p_.beta * s_k_dot) + e116 * (inverse_93 * e122 + e123);
+        const Scalar e130 = e129 + (inverse_93 * e125 + (e127 * e128 - c_.k20 * inverse_93 * e95));
+        const Scalar e131 = c_.k22 * e124 - c_.k32 * e107 + (c_.k34 * e98 + c_.k35 * e95 + (c_.k29 * e103 + c_.k33 * e104));
+        const Scalar e132 = c_.k30 * e94;
+        const Scalar e133 = c_.k31 * e110;
+        const Scalar e134 = inverse_93 * e131 + (e127 * e132 + e116 * e133);
+        const Scalar e135 = inverse_4 * e9;
+        const Scalar e136 = inverse_4 * e39;
+        const Scalar e137 = inverse_4 * e3;
+        const Scalar step_138 = detail::step<Scalar>(e34);
+        const Scalar e139 = q_1 * step_138;
+        const Scalar e140 = inverse_30 * e139;
+        const Scalar e141 = e7 * e3;
+        const Scalar e142 = e3 * e141;
+        const Scalar e143 = s_k_dot * e64;
+        const Scalar e144 = e23 * e140;
+        const Scalar e145 = p_1 * e31;
+        const Scalar e146 = e139 * e145;
+        const Scalar e147 = compression_33 * e140;
+        const Scalar e148 = expm1_41 * e140;
+        const Scalar e149 = p_.k_l * e9;
+        const Scalar step_150 = detail::step<Scalar>(-e28);
+        const Scalar e151 = e15 * step_150;
+        const Scalar e152 = p_2 * exp_18;
+        const Scalar e153 = inverse_30 * e152;
+        const Scalar e154 = e151 * (p_2 * step_17 * e31 - (e68 * e145 - step_21 * e153));
+        const Scalar e155 = e23 - e12;
+        const Scalar e156 = e151 * e72;
+        const Scalar e157 = e155 * e156;
+        const Scalar e158 = compression_33 - compression_14;
+        const Scalar e159 = e158 * e156;
+        const Scalar e160 = p_.k_l * e39;
+        const Scalar e161 = expm1_41 - expm1_40;
+        const Scalar e162 = e161 * e156;
+        const Scalar e163 = inverse_4 * e89;
+        const Scalar step_164 = detail::step<Scalar>(e91);
+        const Scalar e165 = q_2 * step_164;
+        const Scalar e166 = inverse_93 * e165;
+        const Scalar e167 = e12 * e166;
+        const Scalar e168 = e165 * e126;
+        const Scalar e169 = compression_14 * e166;
+        const Scalar e170 = expm1_40 * e166;
+        const Scalar e171 = p_.k_l * e89;
+        const Scalar step_172 = detail::step<Scalar>(e28);
+        const Scalar e173 = e15 * step_172;
+        const Scalar e174 = p_1 * exp_25;
+        const Scalar e175 = inverse_93 * e174;
+        const Scalar e176 = e173 * (p_1 * step_21 * e94 + (step_17 * e175 - e109 * e126));
+        const Scalar e177 = e173 * e116;
+        const Scalar e178 = e155 * e177;
+        const Scalar e179 = e158 * e177;
+        const Scalar e180 = e161 * e177;
+        const Scalar e181 = inverse_4 * e8;
+        const Scalar e182 = inverse_4 * e88;
+        const Scalar e183 = exp_54 * e8;
+        const Scalar e184 = p_.p_s * e183;
+        const Scalar e185 = p_.alpha * p_.T_0 - p_.p_0 * inverse_51;
+        const Scalar e186 = p_.alpha * e185;
+        const Scalar e187 = e50 * e183;
+        const Scalar e188 = p_.alpha * e8;
+        const Scalar e189 = p_.p_0 - Scalar(2) * e38;
+        const Scalar e190 = expm1_53 * e189;
+        const Scalar e191 = p_.alpha * inverse_51;
+        const Scalar e192 = p_.p_s + e50;
+        const Scalar e193 = e192 * e187;
+        const Scalar e194 = e22 * e37;
+        const Scalar e195 = p_.alpha * p_.alpha;
+        const Scalar e196 = Scalar(2) * e9;
+        const Scalar e197 = e22 * e43;
+        const Scalar e198 = e12 * e44;
+        const Scalar e199 = e23 * e197 + e11 * e198;
+        const Scalar e200 = e6 * e3;
+        const Scalar e201 = Scalar(2) * p_.alpha * e200;
+        const Scalar e202 = e8 * e191;
+        const Scalar e203 = e22 + e11;
+        const Scalar e204 = e44 * (p_2 * e203 + e11 * e11) + e22 * e197;
+        const Scalar e205 = e11 * e44 + e197;
+        const Scalar e206 = e22 * e42 + e205;
+        const Scalar e207 = e61 * e191;
+        const Scalar e208 = e22 * e207;
+        const Scalar e209 = e22 * e49;
+        const Scalar e210 = c_.k52 * e49;
+        const Scalar e211 = compression_57 + expm1_53 * e185;
+        const Scalar e212 = e61 * e211;
+        const Scalar e213 = e22 * e140;
+        const Scalar e214 = e22 * e60;
+        const Scalar e215 = e6 * e195;
+        const Scalar e216 = e22 * e143;
+        const Scalar e217 = e22 * e144;
+        const Scalar e218 = p_.k_l * e61;
+        const Scalar e219 = e191 * e218;
+        const Scalar e220 = e145 - e153;
+        const Scalar e221 = e22 * step_21;
+        const Scalar e222 = e11 * step_17;
+        const Scalar e223 = e31 * (inverse_19 * e174 - p_2);
+        const Scalar e224 = e151 * (e220 * e221 + e222 * e223);
+        const Scalar e225 = e31 * e20;
+        const Scalar e226 = e15 * (e22 - e11);
+        const Scalar e227 = e195 * e218;
+        const Scalar e228 = e69 * (e221 - e11 * e67);
+        const Scalar e229 = e22 * e147;
+        const Scalar e230 = e22 * e148;
+        const Scalar e231 = p_.k_l * inverse_2;
+        const Scalar e232 = e151 * (inverse_30 * e221 + e11 * e225);
+        const Scalar e233 = e155 * e232;
+        const Scalar e234 = e158 * e232;
+        const Scalar e235 = e161 * e232;
+        const Scalar e236 = p_1 * e197;
+        const Scalar e237 = e69 * e67;
+        const Scalar e238 = e22 * e237;
+        const Scalar e239 = e11 * e104;
+        const Scalar e240 = e23 * e112;
+        const Scalar e241 = e11 * e114;
+        const Scalar e242 = e22 * e240 - e12 * e241;
+        const Scalar e243 = exp_81 * e88;
+        const Scalar e244 = p_.p_t * e243;
+        const Scalar e245 = e78 * e243;
+        const Scalar e246 = p_.alpha * e88;
+        const Scalar e247 = expm1_80 * e189;
+        const Scalar e248 = p_.p_t + e78;
+        const Scalar e249 = e248 * e245;
+        const Scalar e250 = Scalar(2) * e89;
+        const Scalar e251 = e22 * e112 - e241;
+        const Scalar e252 = e94 * e251;
+        const Scalar e253 = e11 * e98 + e252;
+        const Scalar e254 = e99 * e191;
+        const Scalar e255 = e11 * e254;
+        const Scalar e256 = e11 * e241 - e112 * (p_1 * e203 + e22 * e22);
+        const Scalar e257 = e88 * e191;
+        const Scalar e258 = e257 * e94;
+        const Scalar e259 = compression_84 + expm1_80 * e185;
+        const Scalar e260 = e99 * e259;
+        const Scalar e261 = e11 * e166;
+        const Scalar e262 = e11 * e95;
+        const Scalar e263 = e11 * e124;
+        const Scalar e264 = e11 * e107;
+        const Scalar e265 = c_.k106 * e107;
+        const Scalar e266 = e11 * e167;
+        const Scalar e267 = p_.k_l * e99;
+        const Scalar e268 = e191 * e267;
+        const Scalar e269 = e175 - e126;
+        const Scalar e270 = e94 * (p_1 - inverse_26 * e152);
+        const Scalar e271 = e173 * (e269 * e222 + e221 * e270);
+        const Scalar e272 = e94 * e27;
+        const Scalar e273 = e195 * e267;
+        const Scalar e274 = e110 * (e22 * e108 - e222);
+        const Scalar e275 = e11 * e169;
+        const Scalar e276 = e11 * e170;
+        const Scalar e277 = p_.k_l * inverse_87;
+        const Scalar e278 = e173 * (inverse_93 * e222 + e22 * e272);
+        const Scalar e279 = e155 * e278;
+        const Scalar e280 = e158 * e278;
+        const Scalar e281 = e161 * e278;
+        const Scalar e282 = e126 * e241;
+        const Scalar e283 = e110 * e108;
+        const Scalar e284 = e11 * e283;
+        const Scalar inverse_51_squared = inverse_51 * inverse_51;
+        const Scalar e285 = e8 * inverse_51_squared;
+        const Scalar e286 = inverse_51 * e185;
+        const Scalar e287 = p_.T_0 * expm1_53;
+        const Scalar e288 = e61 * inverse_51_squared;
+        const Scalar e289 = c_.k23 * e37 - c_.k39 * e65 + (c_.k45 * e70 + c_.k77 * e143);
+        const Scalar e290 = e8 * e211;
+        const Scalar e291 = e6 * e191;
+        const Scalar e292 = p_.T_0 * expm1_80;
+        const Scalar e293 = e99 * inverse_51_squared;
+        const Scalar e294 = e88 * inverse_51_squared;
+        const Scalar e295 = c_.k30 * e104 + c_.k99 * e103 + (c_.k61 * e111 + c_.k77 * e124);
+        const Scalar e296 = e88 * e259;
+        const Scalar e297 = p_.beta * e47;
+        const Scalar e298 = p_.beta * e6;
+        const Scalar e299 = Scalar(2) * e3 * e298;
+        const Scalar e300 = e23 * e43;
+        const Scalar e301 = e23 * e300 + e12 * e198;
+        const Scalar e302 = e23 + e12;
+        const Scalar e303 = e199 + e302 * e45;
+        const Scalar e304 = e300 + e198;
+        const Scalar e305 = e23 * e42 + e304;
+        const Scalar e306 = c_.k21 * e23;
+        const Scalar e307 = e23 * e37;
+        const Scalar e308 = e23 * e49;
+        const Scalar e309 = e23 * e60;
+        const Scalar e310 = e23 * e143;
+        const Scalar e311 = compression_33 * e144;
+        const Scalar e312 = expm1_41 * e144;
+        const Scalar e313 = e23 * e144;
+        const Scalar e314 = e23 * step_21;
+        const Scalar e315 = e12 * step_17;
+        const Scalar e316 = e151 * (e220 * e314 + e315 * e223);
+        const Scalar e317 = e69 * (e314 - e12 * e67);
+        const Scalar e318 = e151 * (inverse_30 * e314 + e12 * e225);
+        const Scalar e319 = e155 * e318;
+        const Scalar e320 = e158 * e318;
+        const Scalar e321 = e161 * e318;
+        const Scalar e322 = p_1 * e300;
+        const Scalar e323 = e23 * e237;
+        const Scalar e324 = p_.beta * e105;
+        const Scalar e325 = e12 * e114;
+        const Scalar e326 = e23 * e240 - e12 * e325;
+        const Scalar e327 = e240 - e325;
+        const Scalar e328 = e94 * e327;
+        const Scalar e329 = e242 + e302 * e113;
+        const Scalar e330 = e23 * e108 - e315;
+        const Scalar e331 = compression_14 * e167;
+        const Scalar e332 = expm1_40 * e167;
+        const Scalar e333 = e12 * e167;
+        const Scalar e334 = e173 * (e269 * e315 + e314 * e270);
+        const Scalar e335 = e12 * e168;
+        const Scalar e336 = e173 * (inverse_93 * e315 + e23 * e272);
+        const Scalar e337 = e155 * e336;
+        const Scalar e338 = e158 * e336;
+        const Scalar e339 = e161 * e336;
+        const Scalar e340 = e126 * e325;
+        const Scalar e341 = e12 * e283;
+        const Scalar e342 = e39 * e6;
+        const Scalar e343 = e6 * e62;
+        const Scalar e344 = inverse_5 * e3;
+        const Scalar e345 = e344 * e200;
+        const Scalar e346 = inverse_5 * e66;
+        const Scalar e347 = e6 * e100;
+        const Scalar e348 = e6 * e61;
+        const Scalar e349 = e6 * e344;
+        const Scalar e350 = e6 * e99;
+        const Scalar e351 = p_.alpha * e39;
+        const Scalar e352 = expm1_53 * e8;
+        const Scalar e353 = p_.p_s + (Scalar(1) / Scalar(2)) * e50;
+        const Scalar e354 = p_.alpha * e183;
+        const Scalar e355 = e183 * e351;
+        const Scalar e356 = e9 * (compression_57 - expm1_53);
+        const Scalar e357 = e44 + e43;
+        const Scalar e358 = c_.k40 * e65 + c_.k53 * e304 - (c_.k41 * e144 + c_.k44 * e143)
+            + (c_.k39 * e146 - c_.k48 * e70 + (c_.k21 * e147 - c_.k58 * e357));
+        const Scalar e359 = c_.k55 * e162 + (c_.k5 * e37 - c_.k60 * e42)
+            + (c_.k46 * e46 - e210 + (c_.k43 * e140 + c_.k47 * e205));
+        const Scalar e360 = e358 + (c_.k42 * e148 + c_.k45 * e154 - (c_.k24 * e159 - c_.k50 * e157) - e359);
+        const Scalar e361 = expm1_80 * e88;
+        const Scalar e362 = p_.p_t + (Scalar(1) / Scalar(2)) * e78;
+        const Scalar e363 = p_.alpha * e243;
+        const Scalar e364 = e243 * e351;
+        const Scalar e365 = e89 * (compression_84 - expm1_80);
+        const Scalar e366 = e94 * (e112 - e114);
+        const Scalar e367 = c_.k14 * e104 + c_.k44 * e124 - (c_.k101 * e167 + e265)
+            + (c_.k63 * e111 + c_.k104 * e115 + (c_.k29 * e169 + c_.k99 * e168));
+        const Scalar e368 = c_.k67 * e180 - e94 * (c_.k62 * e251 - c_.k66 * e327)
+            + (c_.k103 * e166 - c_.k107 * e366 + (c_.k71 * e98 - c_.k100 * e103));
+        const Scalar e369 = c_.k61 * e176 - c_.k102 * e170 + (c_.k31 * e179 - c_.k64 * e178) + e368;
+        const Scalar e370 = e367 - e369;
+        const Scalar e371 = inverse_51 * e183;
+        const Scalar e372 = inverse_51 * e243;
+        const Scalar e373 = e3 - e351;
+        const Scalar e374 = e356 - e47;
+        const Scalar e375 = e365 - e105;
+        const Scalar e376 = Scalar(1) - e185;
         J[0] = Scalar(0);
         J[1] = p_1 * c_.k0;
-        J[2] = (-e15 * e23) * e35 - q_1 * inverse_32 * (inverse_16 * e36) - e6 * e39 * e41 + e42 * e39 * e57 - (-e8 * e23)
-            * e66 + p_.beta * e23 * e70 + e23 * e75 - e6 * e77 * e79 + e80 * e36 * e82;
+        J[2] = p_.beta * e10 * e37 - (-e39 * e10) * e42 + e10 * e46 - e3 * e48 * e49 + (-e59 * e10) * e60 - e3 * e63 * e65
+            + e66 * e63 * e70 + e71 * inverse_2_squared * e73 - p_.beta * inverse_2_squared * e74;
         J[3] = Scalar(0);
-        J[4] = inverse_16 * e83 * e57 - e39 * e41 - e15 * e84 * e35 + e8 * e84 * e66 + inverse_16 * e85 * e70 + e84 * e75 - e77
-            * e79;
+        J[4] = e39 * e75 * e42 + inverse_2 * e76 * e37 + e75 * e46 - e48 * e49 - e59 * e75 * e60 - e63 * e65 + inverse_2 * e77
+            * e70;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = (-p_2) * c_.k0;
         J[8] = Scalar(0);
-        J[9] = (-e95 * e99) * e105 - inverse_96 * e106 * e107 + (-e8 * e99) * e111 - e6 * e114 * e116 - e42 * e114 * e120
-            - p_.beta * e99 * e122 - e99 * e126 + e6 * e128 * e130 - e131 * e106 * e133;
+        J[9] = (-e86 * e90) * e95 + (-e39 * e90) * e98 - e3 * e101 * e103 - p_.beta * e90 * e104 + e3 * e106 * e107 - e66
+            * e101 * e111 - e90 * e115 - e71 * inverse_87_squared * e117 - p_.beta * inverse_87_squared * e118;
         J[10] = Scalar(0);
-        J[11] = e128 * e130 - e95 * e134 * e105 - e8 * e134 * e111 - e114 * e116 - inverse_96 * e135 * e120 - inverse_96 * e136
-            * e122 - e134 * e126;
+        J[11] = e106 * e107 - e86 * e119 * e95 - e39 * e119 * e98 - e101 * e103 - inverse_87 * e120 * e104 - inverse_87 * e121
+            * e111 - e119 * e115;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e148;
+        J[15] = -e130;
         J[16] = Scalar(0);
-        J[17] = -e152;
+        J[17] = -e134;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = -e148;
+        J[21] = e130;
         J[22] = Scalar(0);
-        J[23] = e152;
+        J[23] = e134;
         J[24] = Scalar(0);
         J[25] = e1;
         J[26] = Scalar(0);
@@ -1512,126 +1399,122 @@ public:
         J[35] = Scalar(0);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        J[38] = (-Scalar(2) * e15 * e153) * e35 - c_.k11 * e156 - c_.k136 * e41 + c_.k7 * e157 + e42 * e22 * e57
-            - (-Scalar(2) * e22 * e158) * e66 - c_.k5 * e160 + Scalar(2) * p_.beta * e153 * e70 + Scalar(2) * e153 * e75 + e162
-            * e163 - c_.k9 * e164 + c_.k10 * e165 - e166 * e170 - e42 * e76 * e173 + e42 * e85 * e175 - (-e8 * e166) * e177
-            - e76 * e178 * e79;
-        J[39] = (-Scalar(2) * e95 * e179) * e105 - c_.k20 * e181 + (-Scalar(2) * e98 * e158) * e111 - c_.k153 * e116 + c_.k16
-            * e182 - e42 * e98 * e120 - e162 * e139 - c_.k14 * e183 - Scalar(2) * p_.beta * e179 * e122 - Scalar(2) * e179
-            * e126 - c_.k18 * e184 + c_.k19 * e185 + e186 * e189 - e42 * e127 * e191 + e42 * e136 * e192 - (-e8 * e186) * e193
-            + e127 * e178 * e130;
-        J[40] = c_.k28 * e156 - c_.k5 * e41 - Scalar(2) * e15 * e194 * e35 + c_.k25 * e157 + e166 * e57 + Scalar(2) * e21
-            * e158 * e66 - c_.k23 * e160 + Scalar(2) * inverse_17 * e85 * e70 + Scalar(2) * e194 * e75 + e161 * e163 - c_.k26
-            * e164 - c_.k27 * e165 - p_.k_l * e21 * e170 - p_.k_l * e76 * e173 + p_.k_l * e85 * e175 + e21 * e195 * e177
-            - inverse_17 * e76 * e79;
-        J[41] = c_.k35 * e181 - Scalar(2) * e95 * e196 * e105 - Scalar(2) * e97 * e158 * e111 - c_.k14 * e116 + c_.k32 * e182
-            - e186 * e120 - e161 * e139 - c_.k30 * e183 - Scalar(2) * inverse_17 * e136 * e122 - Scalar(2) * e196 * e126
-            - c_.k33 * e184 - c_.k34 * e185 + p_.k_l * e97 * e189 - p_.k_l * e127 * e191 + p_.k_l * e136 * e192 + e97 * e195
-            * e193 + inverse_17 * e127 * e130;
+        J[38] = Scalar(2) * p_.beta * e135 * e37 - (-Scalar(2) * e9 * e136) * e42 + Scalar(2) * e135 * e46 - e47 * e137 * e49
+            - c_.k11 * e140 + (-Scalar(2) * e59 * e135) * e60 - c_.k131 * e65 + e142 * e143 + c_.k7 * e144 + e9 * e66 * e70
+            - c_.k5 * e146 - c_.k9 * e147 + c_.k10 * e148 - e149 * e154 - e66 * e47 * e157 + e9 * e71 * e159 - (-e9 * e160)
+            * e162;
+        J[39] = (-Scalar(2) * e86 * e163) * e95 - c_.k20 * e166 + (-Scalar(2) * e89 * e136) * e98 - c_.k147 * e103 - Scalar(2)
+            * p_.beta * e163 * e104 - e142 * e124 + e105 * e137 * e107 + c_.k16 * e167 - e89 * e66 * e111 - Scalar(2) * e163
+            * e115 - c_.k14 * e168 - c_.k18 * e169 + c_.k19 * e170 + e171 * e176 - e66 * e105 * e178 + e89 * e71 * e179
+            - (-e89 * e160) * e180;
+        J[40] = Scalar(2) * e8 * e136 * e42 + Scalar(2) * inverse_4 * e76 * e37 + Scalar(2) * e181 * e46 - inverse_4 * e47
+            * e49 + c_.k28 * e140 - Scalar(2) * e59 * e181 * e60 - c_.k5 * e65 + e141 * e143 + c_.k25 * e144 + e149 * e70
+            - c_.k23 * e146 - c_.k26 * e147 - c_.k27 * e148 - p_.k_l * e8 * e154 - p_.k_l * e47 * e157 + p_.k_l * e76 * e159
+            + e8 * e160 * e162;
+        J[41] = c_.k35 * e166 - Scalar(2) * e86 * e182 * e95 - Scalar(2) * e88 * e136 * e98 - c_.k14 * e103 - Scalar(2)
+            * inverse_4 * e120 * e104 - e141 * e124 + inverse_4 * e105 * e107 + c_.k32 * e167 - e171 * e111 - Scalar(2) * e182
+            * e115 - c_.k30 * e168 - c_.k33 * e169 - c_.k34 * e170 + p_.k_l * e88 * e176 - p_.k_l * e105 * e178 + p_.k_l * e120
+            * e179 + e88 * e160 * e180;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        const Scalar e430 = e211 * (e13 - e213) + Scalar(2) * compression_10 * e22 - e215 * e220 - e218 * e222;
-        J[44] = e24 * (e198 * e41 - c_.k75 * e204 + c_.k85 * e205) - c_.k49 * (e75 - e207) - c_.k85 * e43 * e210 + c_.k42 * e41
-            + e430 * e35 - c_.k51 * e57 - (-e212 * e211) * e66 - p_.alpha * e211 * e231 - e232 * e70 - e234 * e163 - (-e222)
-            * e237 + e215 * e242 + c_.k55 * e79 + inverse_32 * e243 - c_.k56 * e82 + e244 * e25 - e160 * e246
-            - (-p_.alpha * e37 * e247 - e13 * e245) * e248 + inverse_16 * e214 * e249 + e251 * e255 - e256 * e257
-            + (-e247 * e211 - e13 * e215) * e259 - e214 * e76 * e261 - c_.k40 * e262 + (-e37 * e263) * e264 - Scalar(2) * e198
-            * e267 + e268 * e270 + Scalar(2) * e215 * e272 + Scalar(2) * e256 * e274 - e214 * e80 * e276 + c_.k47 * e277
-            - (-e250 * e263) * e278;
-        const Scalar e431 = e287 * (e93 - e288) + Scalar(2) * compression_90 * e98 - e289 * e294 - e292 * e295;
-        J[45] = c_.k63 * (e126 - e282) + c_.k95 * (e43 * e284 - e60 * e281) + e46 * (e285 * e116 - c_.k113 * e286) + c_.k103
-            * e107 + e431 * e105 + (-e212 * e287) * e111 + c_.k102 * e116 + c_.k108 * e120 + e234 * e139 + p_.alpha * e287
-            * e299 + e300 * e122 - e289 * e303 + (-e295) * e305 - c_.k109 * e130 + c_.k69 * e133 + e145 - e306 * e47 - e183
-            * e308 - (-p_.alpha * e112 * e309 - e93 * e307) * e310 + inverse_96 * e214 * e311 + e313 * e316 + e317 * e318
-            + (-e309 * e287 - e93 * e289) * e320 - c_.k100 * e321 + (-e112 * e263) * e322 - Scalar(2) * e285 * e325 - e268
-            * e327 + Scalar(2) * e289 * e329 - Scalar(2) * e317 * e331 + e214 * e127 * e333 - e214 * e131 * e335 + c_.k62
-            * e336 - (-e312 * e263) * e337;
-        J[46] = e339 * e237 - (e340 * e220 - compression_10 * e21 - e211 * e341 + e218 * e339) * e35 - p_.T_0 * e211 * e66
-            - e215 * e231 - e24 * (e37 * inverse_3_squared) * e160 - c_.k23 * e70 - c_.k79 * e163 + e340 * e242 + e342 + e41
-            * e246 + e37 * e343 * e248 + inverse_16 * inverse_3_squared * e249 + inverse_3_squared * e250 * e255 - e251 * e257
-            - e21 * e343 * e259 - inverse_3_squared * e76 * e261 - c_.k73 * e262 - e37 * e338 * e264 - Scalar(2) * e245 * e267
-            + e344 * e270 + Scalar(2) * e340 * e272 + Scalar(2) * e251 * e274 - inverse_3_squared * e80 * e276 + c_.k80 * e277
-            + e338 * e250 * e278 + c_.k83 * e207;
-        const Scalar e432 = (e345 * e294 - compression_90 * e97 - e287 * e346 + e292 * e347) * e105;
-        J[47] = p_.T_0 * e287 * e111 - e432 + c_.k79 * e139 - e46 * (e112 * inverse_3_squared) * e183 + e289 * e299 + c_.k30
-            * e122 - e345 * e303 - e347 * e305 + e348 + e116 * e308 + e112 * e349 * e310 + inverse_96 * inverse_3_squared
-            * e311 + inverse_3_squared * e312 * e316 + e313 * e318 - e97 * e349 * e320 - c_.k111 * e321 - e112 * e338 * e322
-            - Scalar(2) * e307 * e325 - e344 * e327 + Scalar(2) * e345 * e329 - Scalar(2) * e313 * e331 + inverse_3_squared
-            * e127 * e333 - inverse_3_squared * e131 * e335 + c_.k92 * e336 + e338 * e312 * e337 - c_.k94 * e282;
+        const Scalar e377 = Scalar(2) * compression_57 * e9 + p_.alpha * e184 - e186 * e187 - e188 * e190 - e191 * e193;
+        J[44] = e377 * e60 - c_.k47 * (e46 - e194) - e65 * (e22 * (e61 * e195) - Scalar(2) * p_.alpha * e62) - s_k_dot
+            * inverse_30 - (-e189 * e188) * e42 - e196 * e37 - e8 * e195 * e199 - e201 * e143 - c_.k49 * e70 + e202 * e204
+            - (-e8 * e186) * e206 - c_.k54 * e73 + c_.k154 * e74 - e146 * e208 - e191 * e47 * e209 + e210
+            - (-e55 * e207 - p_.alpha * e212) * e213 + (-e211 * e188 - e191 * e184) * e214 + e215 * e216 + inverse_2 * e191
+            * e217 + e219 * e224 + c_.k83 * e225 * e226 + e227 * e228 - c_.k39 * e229 + (-e61 * e186) * e230 - e191 * e231
+            * e233 + c_.k45 * e234 - (-e186 * e218) * e235 + Scalar(2) * e202 * e236 + Scalar(2) * e227 * e238;
+        const Scalar e378 = Scalar(2) * compression_84 * e89 + p_.alpha * e244 - e186 * e245 - e246 * e247 - e191 * e249;
+        J[45] = c_.k62 * (e115 - e239) - e103 * (e11 * (e99 * e195) - Scalar(2) * p_.alpha * e100) + s_k_dot * inverse_93 + e88
+            * e195 * e94 * e242 + e378 * e95 + (-e189 * e246) * e98 + e250 * e104 + e201 * e124 + c_.k105 * e111
+            + (-e88 * e186) * e253 + c_.k68 * e117 + c_.k162 * e118 - e168 * e255 + e256 * e258
+            - (-e82 * e254 - p_.alpha * e260) * e261 + (-e259 * e246 - e191 * e244) * e262 - e215 * e263 + e191 * e105 * e264
+            - e265 + inverse_87 * e191 * e266 + e268 * e271 + c_.k94 * e272 * e226 + e273 * e274 - c_.k99 * e275
+            + (-e99 * e186) * e276 - e191 * e277 * e279 + c_.k61 * e280 - (-e186 * e267) * e281 + Scalar(2) * e257 * e282
+            - Scalar(2) * e273 * e284;
+        const Scalar e379 = e286 * e187 - compression_57 * e8 - e188 * e287 + inverse_51_squared * e193;
+        J[46] = e285 * e204 - p_.T_0 * e188 * e42 - e202 * e199 - e379 * e60 - e22 * e288 * e146 + e8 * e286 * e206 - e289
+            - e65 * e208 + c_.k81 * e194 - inverse_51_squared * e47 * e209 + (e55 * e288 + inverse_51 * e212) * e213
+            - (inverse_51_squared * e184 + inverse_51 * e290) * e214 + e291 * e216 + inverse_2 * inverse_51_squared * e217
+            + inverse_51_squared * e218 * e224 + e219 * e228 - c_.k72 * e229 - e61 * e286 * e230 - inverse_51_squared * e231
+            * e233 + c_.k78 * e234 + e286 * e218 * e235 + Scalar(2) * e285 * e236 + Scalar(2) * e219 * e238;
+        const Scalar e380 = e286 * e245 - compression_84 * e88 - e246 * e292 + inverse_51_squared * e249;
+        J[47] = p_.T_0 * e246 * e98 - e380 * e95 - e11 * e293 * e168 + e294 * e94 * e256 - e88 * e286 * e253 + e295 - e103
+            * e255 + e242 * e258 + (e82 * e293 + inverse_51 * e260) * e261 - (inverse_51_squared * e244 + inverse_51 * e296)
+            * e262 - c_.k92 * e239 - e291 * e263 + inverse_51_squared * e105 * e264 + inverse_87 * inverse_51_squared * e266
+            + inverse_51_squared * e267 * e271 + e268 * e274 - c_.k109 * e275 - e99 * e286 * e276 - inverse_51_squared * e277
+            * e279 + c_.k91 * e280 + e286 * e267 * e281 + Scalar(2) * e294 * e282 - Scalar(2) * e268 * e284;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = e26 * (c_.k3 * e41 - c_.k2 * e204 + p_.beta * e244 + c_.k8 * e205) - c_.k8 * e43 * e351 + Scalar(2) * p_.beta
-            * e38 * e41 - (-e85 * (e14 - e213)) * e35 - c_.k159 * e157 - Scalar(2) * p_.beta * e83 * e57 + e212 * e85 * e66
-            - c_.k136 * e352 - p_.beta * e85 * e70 - c_.k26 * e75 - e354 * e163 + c_.k5 * e355 - c_.k10 * e356 + p_.beta * e76
-            * e79 - e160 * e357 - c_.k157 * e358 + c_.k158 * e359 + c_.k121 * e360 + c_.k24 * e362 - c_.k6 * e363 + c_.k11
-            * e364 - c_.k7 * e365 - Scalar(2) * e6 * e38 * e366 + c_.k4 * e367 + e232 * e368 + Scalar(2) * e42 * e38 * e369
-            - c_.k54 * e371 + c_.k58 * e372 - c_.k60 * e373 + c_.k9 * e374;
-        J[51] = e48 * (c_.k12 * e116 - c_.k13 * e286 - p_.beta * e306) + c_.k17 * (e43 * e375 - e60 * e376)
-            - (-e136 * (e94 - e288)) * e105 - e212 * e136 * e111 + Scalar(2) * p_.beta * e113 * e116 - c_.k165 * e182
-            + Scalar(2) * p_.beta * e135 * e120 + e354 * e139 + c_.k153 * e377 + p_.beta * e136 * e122 + c_.k33 * e126 - c_.k14
-            * e378 + c_.k19 * e379 - p_.beta * e127 * e130 + e137 * e376 - e183 * e380 + e381 * e138 - c_.k163 * e382 + c_.k164
-            * e383 + c_.k146 * e384 + c_.k31 * e385 + c_.k20 * e386 - Scalar(2) * e6 * e113 * e387 - c_.k4 * e388 + e300 * e389
-            - Scalar(2) * e42 * e113 * e390 - c_.k66 * e392 + c_.k70 * e393 - c_.k71 * e394;
-        J[52] = c_.k160 * (e41 - e358) - c_.k88 * (e57 - e372) + e85 * e341 * e35 + c_.k162 * e157 - p_.T_0 * e85 * e66 - c_.k5
-            * e352 - c_.k76 * e26 * e160 - e353 * e163 + c_.k23 * e355 + c_.k27 * e356 + e41 * e357 - c_.k161 * e359 + c_.k39
-            * e360 + c_.k81 * e362 - c_.k24 * e363 - c_.k28 * e364 - c_.k25 * e365 - Scalar(2) * e38 * e366 + c_.k22 * e367
-            + Scalar(2) * e21 * e368 + Scalar(2) * e83 * e369 - c_.k56 * e371 + c_.k90 * e373 + c_.k26 * e374;
-        J[53] = c_.k97 * (e120 + e393) + c_.k166 * (e116 - e382) + e136 * e346 * e105 + p_.T_0 * e136 * e111 + c_.k168 * e182
-            + e353 * e139 - c_.k114 * e48 * e183 + c_.k14 * e377 - c_.k30 * e378 - c_.k34 * e379 + e149 * e376 + e116 * e380
-            + e381 * e150 - c_.k167 * e383 + c_.k103 * e384 + c_.k93 * e385 - c_.k35 * e386 - Scalar(2) * e113 * e387 - c_.k22
-            * e388 + Scalar(2) * e97 * e389 - Scalar(2) * e135 * e390 - c_.k69 * e392 + c_.k98 * e394;
+        J[50] = e189 * e76 * e42 - e155 * (e297 * e32 - c_.k8 * e15 * e225) - e65 * (c_.k3 * e23 - Scalar(2) * p_.beta * e62)
+            - p_.beta * e76 * e37 - c_.k26 * e46 - (-e76 * (e58 - e190) - p_.beta * e184) * e60 - e299 * e143 - c_.k153 * e144
+            - Scalar(2) * p_.beta * e77 * e70 - c_.k131 * e301 + c_.k5 * e303 - c_.k10 * e305 - e146 * e306 + c_.k9 * e307
+            - c_.k7 * e308 + (e297 - e59 * e9) * e309 + c_.k4 * e310 - c_.k151 * e311 + c_.k152 * e312 + c_.k150 * e313
+            + c_.k24 * e316 + c_.k6 * e317 - c_.k51 * e319 + c_.k56 * e320 - c_.k57 * e321 + e196 * e322 + Scalar(2) * e66
+            * e62 * e323;
+        J[51] = e12 * ((e324 - e86 * e89) * e95 - e125) - e94 * (max_96 * e324 * e155 - c_.k147 * e326)
+            - (-e120 * (e85 - e247) - p_.beta * e244) * e95 - e189 * e120 * e98 + Scalar(2) * p_.beta * e100 * e103 + p_.beta
+            * e120 * e104 + e299 * e124 - c_.k161 * e167 + Scalar(2) * p_.beta * e121 * e111 + c_.k33 * e115 + c_.k19 * e328
+            - e329 * e128 + e155 * e272 * e122 + e330 * e123 - c_.k159 * e331 + c_.k160 * e332 + c_.k158 * e333 + c_.k31 * e334
+            - c_.k29 * e335 - c_.k65 * e337 + c_.k69 * e338 - c_.k70 * e339 + e250 * e340 - Scalar(2) * e66 * e100 * e341;
+        J[52] = c_.k155 * (e65 - e311) - c_.k86 * (e70 - e320) - p_.T_0 * e76 * e42 + e76 * e287 * e60 - e298 * e143 + c_.k157
+            * e144 - c_.k74 * e23 * e146 - c_.k5 * e301 + c_.k23 * e303 + c_.k27 * e305 - e65 * e306 + c_.k26 * e307 - c_.k25
+            * e308 - c_.k28 * e309 + c_.k22 * e310 - c_.k156 * e312 + c_.k154 * e313 + c_.k79 * e316 + c_.k24 * e317 - c_.k54
+            * e319 + c_.k87 * e321 + Scalar(2) * e8 * e322 + Scalar(2) * e77 * e323;
+        J[53] = c_.k96 * (e111 + e338) + c_.k163 * (e103 - e331) + e120 * e292 * e95 + p_.T_0 * e120 * e98 + e298 * e124
+            + c_.k165 * e167 - e12 * e131 - c_.k34 * e328 + e326 * e128 - e329 * e132 + e330 * e133 - c_.k164 * e332 + c_.k162
+            * e333 + c_.k93 * e334 - c_.k111 * e335 - c_.k68 * e337 + c_.k97 * e339 + Scalar(2) * e88 * e340 - Scalar(2) * e121
+            * e341;
         J[54] = Scalar(0);
         J[55] = Scalar(0);
-        J[56] = (-e15 * e395) * e35 - e38 * e396 * e41 + e38 * e397 * e57 - (-e38 * e398) * e66 + e38 * e353 * e70 + e395 * e75
-            + e399 * e163;
-        J[57] = (-e95 * e400) * e105 + (-e113 * e398) * e111 - e113 * e396 * e116 - e113 * e397 * e120 - e399 * e139 - e113
-            * e353 * e122 - e400 * e126;
-        J[58] = inverse_18 * e83 * e57 - inverse_18 * e38 * e41 - e15 * e401 * e35 + e37 * e398 * e66 + e37 * e353 * e70 + e401
-            * e75 + e402 * e163;
-        J[59] = -e95 * e403 * e105 - e112 * e398 * e111 - inverse_18 * e113 * e116 - inverse_18 * e135 * e120 - e402 * e139
-            - e112 * e353 * e122 - e403 * e126;
+        J[56] = e62 * e298 * e37 - (-e62 * e342) * e42 + e343 * e46 + (-e59 * e343) * e60 - e62 * e344 * e65 + e345 * e143
+            + e62 * e346 * e70;
+        J[57] = (-e86 * e347) * e95 + (-e100 * e342) * e98 - e100 * e344 * e103 - e100 * e298 * e104 - e345 * e124 - e100
+            * e346 * e111 - e347 * e115;
+        J[58] = e61 * e342 * e42 + e61 * e298 * e37 + e348 * e46 - e59 * e348 * e60 - inverse_5 * e62 * e65 + e349 * e143
+            + inverse_5 * e77 * e70;
+        J[59] = -e86 * e350 * e95 - e99 * e342 * e98 - inverse_5 * e100 * e103 - e99 * e298 * e104 - e349 * e124 - inverse_5
+            * e121 * e111 - e350 * e115;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = c_.k56 * e404 - (e405 - e406) * e35 + e203 * e243 + e414;
-        J[63] = c_.k103 * e286 - (e415 - e416) * e105 - c_.k69 * e417 + e306 + e425;
-        J[64] = c_.k78 * e156 - (expm1_5 * e21 - e426) * e35 - c_.k75 * e157 + c_.k23 * e408 + c_.k89 * e410 - c_.k83 * e409
-            + c_.k73 * e160 - c_.k91 * e258 + c_.k86 * e260 + c_.k76 * e164 - c_.k77 * e165 + c_.k80 * e170 + c_.k85 * e173
-            - c_.k81 * e175 + c_.k87 * e177 + c_.k74 * e266 - c_.k79 * e269 - c_.k82 * e271 - c_.k84 * e273 - e342 + c_.k49
-            * e407;
-        J[65] = c_.k116 * e181 - c_.k63 * e418 - (expm1_88 * e97 - e427) * e105 - c_.k113 * e182 + c_.k94 * e419 + c_.k30
-            * e420 + c_.k111 * e183 + c_.k99 * e421 - c_.k120 * e319 + c_.k114 * e184 - c_.k115 * e185 - c_.k92 * e189 + c_.k95
-            * e191 - c_.k93 * e192 + c_.k96 * e193 + c_.k112 * e324 + c_.k79 * e326 - c_.k117 * e328 + c_.k118 * e330 - c_.k119
-            * e332 - e348;
+        J[62] = (e351 * e352 + Scalar(2) * e353 * e354 + e355 + e356) * e60 + e360;
+        J[63] = (e351 * e361 + Scalar(2) * e362 * e363 + e364 + e365) * e95 + e370;
+        J[64] = c_.k90 * e42 - c_.k80 * e46 + c_.k84 * e49 + c_.k76 * e140 - c_.k81 * e205 + c_.k47 * e304
+            - (e352 - e185 * e183 - Scalar(2) * e353 * e371 - e290) * e60 - c_.k73 * e144 + c_.k72 * e146 + c_.k88 * e357
+            + c_.k74 * e147 - c_.k75 * e148 + c_.k78 * e154 + c_.k83 * e157 - c_.k79 * e159 + c_.k85 * e162 - e289;
+        J[65] = c_.k113 * e166 - (e361 - e185 * e243 - Scalar(2) * e362 * e372 - e296) * e95 - c_.k98 * e98 - c_.k116 * e107
+            - c_.k110 * e167 + c_.k114 * e115 + c_.k109 * e168 + c_.k111 * e169 - c_.k112 * e170 - c_.k91 * e176 + c_.k94
+            * e178 - c_.k93 * e179 + c_.k95 * e180 - c_.k62 * e328 + c_.k92 * e252 - c_.k117 * e366 + e295;
         J[66] = Scalar(0);
         J[67] = Scalar(0);
-        J[68] = c_.k122 * e41 - c_.k126 * e156 + e6 * e428 * e35 + c_.k124 * e157 - c_.k130 * e57 - c_.k136 * e408 - c_.k137
-            * e410 + c_.k53 * e409 - c_.k41 * e160 + c_.k138 * e258 - c_.k134 * e260 - c_.k3 * e164 + c_.k125 * e165 - c_.k50
-            * e170 - c_.k132 * e173 + c_.k6 * e175 - c_.k135 * e177 - c_.k123 * e266 + c_.k128 * e269 + c_.k129 * e271
-            + c_.k131 * e273 - c_.k54 * e404 - c_.k121 * e204 + c_.k127 * e244 - c_.k133 * e407;
-        J[69] = c_.k141 * e418 - c_.k149 * e181 + e6 * e429 * e105 + c_.k144 * e116 - c_.k146 * e286 + c_.k147 * e182 + c_.k139
-            * e120 - c_.k67 * e419 - c_.k153 * e420 - c_.k101 * e183 - c_.k143 * e421 + c_.k154 * e319 - c_.k12 * e184
-            + c_.k148 * e185 + c_.k64 * e189 - c_.k140 * e191 + c_.k15 * e192 - c_.k142 * e193 - c_.k145 * e324 - c_.k128
-            * e326 + c_.k150 * e328 - c_.k151 * e330 + c_.k66 * e417 + c_.k152 * e332 - c_.k127 * e306;
-        J[70] = e428 * e35 - e414;
-        J[71] = e429 * e105 - e425;
+        J[68] = c_.k131 * e37 - e9 * e373 * e42 + c_.k124 * e46 - c_.k128 * e49 - c_.k122 * e140 + c_.k53 * e205 - c_.k129
+            * e304 + (-p_.alpha * e56 * e9 - e3 * e374) * e60 - c_.k119 * e65 + c_.k123 * e143 + c_.k120 * e144 + c_.k125 * e70
+            - c_.k40 * e146 - c_.k132 * e357 - c_.k3 * e147 + c_.k121 * e148 - c_.k48 * e154 - c_.k127 * e157 + c_.k6 * e159
+            - c_.k130 * e162;
+        J[69] = (-p_.alpha * e83 * e89 - e3 * e375) * e95 - c_.k143 * e166 + e89 * e373 * e98 - c_.k140 * e103 - c_.k147 * e104
+            - c_.k123 * e124 + c_.k146 * e107 + c_.k141 * e167 - c_.k134 * e111 - c_.k144 * e115 - c_.k100 * e168 - c_.k12
+            * e169 + c_.k142 * e170 + c_.k63 * e176 - c_.k135 * e178 + c_.k15 * e179 - c_.k137 * e180 + c_.k136 * e328 - c_.k66
+            * e252 + c_.k138 * e366;
+        J[70] = (-e56 * e188 - e374) * e60 - e360;
+        J[71] = (-e83 * e246 - e375) * e95 - e370;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
-        J[74] = (inverse_12 * e22 - e406) * e35;
+        J[74] = (exp_54 * e9 - e192 * e354 - e355) * e60;
         J[75] = Scalar(0);
-        J[76] = (inverse_12 * e21 - e426) * e35;
+        J[76] = (e183 * e376 - e192 * e371) * e60;
         J[77] = Scalar(0);
         J[78] = Scalar(0);
         J[79] = Scalar(0);
         J[80] = Scalar(0);
-        J[81] = (inverse_92 * e98 - e416) * e105;
+        J[81] = (exp_81 * e89 - e248 * e363 - e364) * e95;
         J[82] = Scalar(0);
-        J[83] = (inverse_92 * e97 - e427) * e105;
+        J[83] = (e243 * e376 - e248 * e372) * e95;
         J[84] = Scalar(0);
         J[85] = Scalar(0);
-        J[86] = c_.k157 * e175 - c_.k3 * e57 - c_.k21 * e170 - c_.k121 * e173 - c_.k158 * e177 - c_.k2 * e82;
-        J[87] = c_.k12 * e120 + c_.k29 * e189 - c_.k146 * e191 + c_.k163 * e192 - c_.k164 * e193 + c_.k13 * e133;
-        J[88] = c_.k160 * e175 - c_.k21 * e57 - c_.k76 * e170 - c_.k39 * e173 + c_.k161 * e177;
-        J[89] = c_.k29 * e120 + c_.k114 * e189 - c_.k103 * e191 + c_.k166 * e192 + c_.k167 * e193;
+        J[86] = c_.k151 * e159 - c_.k3 * e70 - c_.k21 * e154 - c_.k150 * e157 - c_.k152 * e162 - c_.k2 * e73;
+        J[87] = c_.k12 * e111 + c_.k29 * e176 - c_.k158 * e178 + c_.k159 * e179 - c_.k160 * e180 + c_.k13 * e117;
+        J[88] = c_.k155 * e159 - c_.k21 * e70 - c_.k74 * e154 - c_.k154 * e157 + c_.k156 * e162;
+        J[89] = c_.k29 * e111 + c_.k111 * e176 - c_.k162 * e178 + c_.k163 * e179 + c_.k164 * e180;
         J[90] = Scalar(0);
         J[91] = (-s_k_dot) * c_.k0;
         J[92] = Scalar(0);
@@ -1673,7 +1556,7 @@ public:
     /// Operations: none
     ///     M[s_k, s_k] = m_k + m_l
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
-        M[0] = c_.k169;
+        M[0] = c_.k166;
     }
 
     /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
@@ -1696,16 +1579,16 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 19 + or -, 23 *, 6 other functions
+    /// Operations: 19 + or -, 23 *, 2 /, 6 other functions
     ///     f_h = A_1*p_1 - A_2*p_2
-    ///     E_g = (m_k + m_l)*dot(s_k)^2/2 - A_1*rho_0*c_v*s_k*(T_0 - T_1)*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)) +
-    ///     A_2*rho_0*c_v*s_k*(T_0 - T_2)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)) + A_1*beta*s_k*compression(-(p_0 - p_1)/beta +
-    ///     alpha*(T_0 - T_1))*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)) - A_2*beta*s_k*compression(-(p_0 - p_2)/beta + alpha*(T_0
-    ///     - T_2))*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)) + A_1*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 -
-    ///     T_1))*expm1((p_0 - p_1)/beta - alpha*(T_0 - T_1)) - A_2*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_2)/beta + alpha*(T_0 -
-    ///     T_2))*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2)) - A_2*rho_0*c_v*(l - d)*(T_0 - T_2)*exp(-(p_0 - p_2)/beta + alpha*(T_0
-    ///     - T_2)) + A_2*beta*(l - d)*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))
-    ///     + A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*expm1((p_0 -
+    ///     E_g = (m_k + m_l)*dot(s_k)^2/2 - A_1*rho_0*c_v*s_k*(T_0 - T_1)/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)) +
+    ///     A_2*rho_0*c_v*s_k*(T_0 - T_2)/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) + A_1*beta*s_k*compression(-(p_0 - p_1)/beta +
+    ///     alpha*(T_0 - T_1))/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)) - A_2*beta*s_k*compression(-(p_0 - p_2)/beta + alpha*(T_0 -
+    ///     T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) + A_1*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_1)/beta - alpha*(T_0 -
+    ///     T_1))/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)) - A_2*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_2)/beta - alpha*(T_0 -
+    ///     T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) - A_2*rho_0*c_v*(l - d)*(T_0 - T_2)/exp((p_0 - p_2)/beta - alpha*(T_0 -
+    ///     T_2)) + A_2*beta*(l - d)*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) +
+    ///     A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2))/exp((p_0 -
     ///     p_2)/beta - alpha*(T_0 - T_2))
     ///     V_k = m_k/rho_k
     ///     q_l = k_l*(p_1 - p_2)
@@ -1718,28 +1601,28 @@ public:
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
         const Scalar e2 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e1;
-        const Scalar e3 = -e2;
-        const Scalar exp_4 = exp(e3);
-        const Scalar compression_5 = detail::compression<Scalar>(e3);
+        const Scalar exp_3 = exp(e2);
+        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar compression_5 = detail::compression<Scalar>(-e2);
         const Scalar expm1_6 = expm1(e2);
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
         const Scalar e8 = c_.k38 * (p_.p_0 - p_1) - p_.alpha * e7;
-        const Scalar e9 = -e8;
-        const Scalar exp_10 = exp(e9);
-        const Scalar compression_11 = detail::compression<Scalar>(e9);
-        const Scalar expm1_12 = expm1(e8);
+        const Scalar exp_9 = exp(e8);
+        const Scalar compression_10 = detail::compression<Scalar>(-e8);
+        const Scalar expm1_11 = expm1(e8);
         const Scalar s_k_dot = x[1];
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        const Scalar e13 = s_k * exp_4 * (c_.k171 * e1 - c_.k173 * compression_5 - c_.k175 * expm1_6);
-        const Scalar e14 = s_k * exp_10 * (c_.k170 * e7 - c_.k172 * compression_11 - c_.k174 * expm1_12);
-        y[1] = e13 - exp_4 * (c_.k177 * e1 - c_.k178 * compression_5 - c_.k179 * expm1_6) - e14 + c_.k176 * s_k_dot * s_k_dot;
-        y[2] = c_.k180;
+        const Scalar e12 = s_k * inverse_4 * (c_.k168 * e1 - c_.k170 * compression_5 - c_.k172 * expm1_6);
+        const Scalar e13 = inverse_4 * (c_.k174 * e1 - c_.k175 * compression_5 - c_.k176 * expm1_6);
+        const Scalar e14 = s_k / exp_9 * (c_.k167 * e7 - c_.k169 * compression_10 - c_.k171 * expm1_11);
+        y[1] = e12 - e13 - e14 + c_.k173 * s_k_dot * s_k_dot;
+        y[2] = c_.k177;
         y[3] = p_.k_l * (p_1 - p_2);
     }
 
     /// C = dh/dx.
-    /// Operations: 45 + or -, 63 *, 8 other functions
+    /// Operations: 45 + or -, 57 *, 2 /, 6 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
         using std::expm1;
@@ -1748,64 +1631,60 @@ public:
         const Scalar p_2 = x[3];
         const Scalar e2 = p_.p_0 - p_2;
         const Scalar e3 = c_.k38 * e2 - p_.alpha * e1;
-        const Scalar e4 = -e3;
-        const Scalar exp_5 = exp(e4);
-        const Scalar e6 = e1 * exp_5;
+        const Scalar exp_4 = exp(e3);
+        const Scalar inverse_5 = Scalar(1) / exp_4;
+        const Scalar e6 = e1 * inverse_5;
         const Scalar p_1 = x[2];
         const Scalar e7 = p_.p_0 - p_1;
         const Scalar T_1 = x[4];
         const Scalar e8 = p_.T_0 - T_1;
         const Scalar e9 = c_.k38 * e7 - p_.alpha * e8;
-        const Scalar e10 = -e9;
-        const Scalar exp_11 = exp(e10);
-        const Scalar compression_12 = detail::compression<Scalar>(e10);
+        const Scalar exp_10 = exp(e9);
+        const Scalar inverse_11 = Scalar(1) / exp_10;
+        const Scalar compression_12 = detail::compression<Scalar>(-e9);
         const Scalar expm1_13 = expm1(e9);
-        const Scalar expm1_14 = expm1(e3);
-        const Scalar compression_15 = detail::compression<Scalar>(e4);
-        const Scalar e16 = compression_15 * exp_5;
+        const Scalar compression_14 = detail::compression<Scalar>(-e3);
+        const Scalar e15 = compression_14 * inverse_5;
+        const Scalar expm1_16 = expm1(e3);
+        const Scalar e17 = expm1_16 * inverse_5;
         const Scalar s_k_dot = x[1];
         const Scalar s_k = x[0];
-        const Scalar e17 = s_k * exp_11;
-        const Scalar e18 = compression_12 * e17;
-        const Scalar e19 = e8 * e17;
-        const Scalar exp_20 = exp(e9);
-        const Scalar e21 = c_.k183 * exp_20;
-        const Scalar e22 = e7 * e17;
-        const Scalar e23 = e17 * (exp_20 - expm1_13);
-        const Scalar exp_24 = exp(e3);
-        const Scalar e25 = e2 * exp_24;
-        const Scalar e26 = s_k * exp_5;
-        const Scalar e27 = c_.k187 * e26 - c_.k191 * exp_5;
-        const Scalar e28 = e1 * e26;
-        const Scalar e29 = exp_24 - expm1_14;
-        const Scalar e30 = exp_5 * e29;
-        const Scalar e31 = compression_15 * e26;
-        const Scalar e32 = e29 * e26;
+        const Scalar e18 = s_k * inverse_11;
+        const Scalar e19 = s_k - expm1_13 * e18;
+        const Scalar e20 = s_k * e8;
+        const Scalar e21 = s_k * e7;
+        const Scalar e22 = e8 * e18;
+        const Scalar e23 = compression_12 * e18;
+        const Scalar e24 = Scalar(1) - e17;
+        const Scalar e25 = c_.k185 * s_k - c_.k188;
+        const Scalar e26 = s_k * e24;
+        const Scalar e27 = s_k * e6;
+        const Scalar e28 = s_k * e15;
         C[0] = Scalar(0);
-        const Scalar e33 = exp_11 * (c_.k170 * e8 - c_.k172 * compression_12 - c_.k174 * expm1_13);
-        C[1] = c_.k171 * e6 - e33 - c_.k175 * exp_5 * expm1_14 - c_.k173 * e16;
+        const Scalar e29 = inverse_11 * (c_.k167 * e8 - c_.k169 * compression_12 - c_.k171 * expm1_13);
+        C[1] = c_.k168 * e6 - e29 - c_.k170 * e15 - c_.k172 * e17;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
-        C[5] = c_.k169 * s_k_dot;
+        C[5] = c_.k166 * s_k_dot;
         C[6] = Scalar(0);
         C[7] = Scalar(0);
         C[8] = p_.A_1;
-        C[9] = p_.A_1 * e18 - e19 * (c_.k182 - e21) - c_.k181 * exp_20 * e22 + c_.k184 * e23;
+        C[9] = c_.k178 * e19 + c_.k180 * e20 - c_.k179 * e21 - c_.k181 * e22 + p_.A_1 * e23;
         C[10] = Scalar(0);
         C[11] = p_.k_l;
         C[12] = -p_.A_2;
-        C[13] = c_.k192 * e16 - e25 * (c_.k189 * exp_5 - c_.k185 * e26) - e1 * exp_24 * e27 - c_.k190 * e6 + c_.k186 * e28
-            + c_.k193 * e30 - p_.A_2 * e31 - c_.k188 * e32;
+        C[13] = e2 * (c_.k184 * s_k - c_.k187) + c_.k182 * e24 - e1 * e25 - c_.k189 * e6 + c_.k190 * e15 - c_.k183 * e26
+            + c_.k186 * e27 - p_.A_2 * e28;
         C[14] = Scalar(0);
         C[15] = -p_.k_l;
         C[16] = Scalar(0);
-        C[17] = e19 * (c_.k194 - c_.k195 * exp_20) + c_.k170 * e17 + e21 * e22 - c_.k196 * e18 + c_.k197 * e23;
+        C[17] = c_.k167 * e18 + c_.k191 * e19 - c_.k192 * e20 + c_.k180 * e21 + c_.k193 * e22 - c_.k194 * e23;
         C[18] = Scalar(0);
         C[19] = Scalar(0);
         C[20] = Scalar(0);
-        C[21] = c_.k177 * exp_5 - exp_24 * (c_.k203 * e6 - c_.k199 * e28) - c_.k171 * e26 + c_.k202 * e6 - c_.k204 * e16 - e27
-            * e25 - c_.k198 * e28 + c_.k205 * e30 + c_.k200 * e31 - c_.k201 * e32;
+        C[21] = s_k * (c_.k197 * e1 - c_.k168 * inverse_5) - c_.k200 * e1 + c_.k174 * inverse_5 + c_.k195 * e24 - e2 * e25
+            + c_.k201 * e6 - c_.k202 * e15 - c_.k196 * e26 - c_.k198 * e27 + c_.k199 * e28;
         C[22] = Scalar(0);
         C[23] = Scalar(0);
     }
@@ -1832,7 +1711,7 @@ public:
     ///     T = (m_k + m_l)*dot(s_k)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar s_k_dot = x[1];
-        return c_.k176 * s_k_dot * s_k_dot;
+        return c_.k173 * s_k_dot * s_k_dot;
     }
 
     /// V in joules.
@@ -1868,16 +1747,15 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 16 + or -, 18 *, 6 other functions
-    ///     E = -A_1*rho_0*c_v*s_k*(T_0 - T_1)*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)) + A_2*rho_0*c_v*s_k*(T_0 - T_2)*exp(-(p_0
-    ///     - p_2)/beta + alpha*(T_0 - T_2)) + A_1*beta*s_k*compression(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))*exp(-(p_0 - p_1)/beta
-    ///     + alpha*(T_0 - T_1)) - A_2*beta*s_k*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*exp(-(p_0 - p_2)/beta +
-    ///     alpha*(T_0 - T_2)) + A_1*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))*expm1((p_0 - p_1)/beta -
-    ///     alpha*(T_0 - T_1)) - A_2*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*expm1((p_0 - p_2)/beta -
-    ///     alpha*(T_0 - T_2)) - A_2*rho_0*c_v*(l - d)*(T_0 - T_2)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)) + A_2*beta*(l -
-    ///     d)*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)) + A_2*(l*beta*alpha*T_0
-    ///     - l*p_0 - d*beta*alpha*T_0 + d*p_0)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*expm1((p_0 - p_2)/beta - alpha*(T_0 -
-    ///     T_2))
+    /// Operations: 16 + or -, 18 *, 2 /, 6 other functions
+    ///     E = -A_1*rho_0*c_v*s_k*(T_0 - T_1)/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)) + A_2*rho_0*c_v*s_k*(T_0 - T_2)/exp((p_0 -
+    ///     p_2)/beta - alpha*(T_0 - T_2)) + A_1*beta*s_k*compression(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))/exp((p_0 - p_1)/beta -
+    ///     alpha*(T_0 - T_1)) - A_2*beta*s_k*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 -
+    ///     T_2)) + A_1*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_1)/beta - alpha*(T_0 - T_1))/exp((p_0 - p_1)/beta - alpha*(T_0 -
+    ///     T_1)) - A_2*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 -
+    ///     T_2)) - A_2*rho_0*c_v*(l - d)*(T_0 - T_2)/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) + A_2*beta*(l - d)*compression(-(p_0
+    ///     - p_2)/beta + alpha*(T_0 - T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) + A_2*(l*beta*alpha*T_0 - l*p_0 -
+    ///     d*beta*alpha*T_0 + d*p_0)*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
@@ -1886,25 +1764,25 @@ public:
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
         const Scalar e2 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e1;
-        const Scalar e3 = -e2;
-        const Scalar exp_4 = exp(e3);
-        const Scalar compression_5 = detail::compression<Scalar>(e3);
+        const Scalar exp_3 = exp(e2);
+        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar compression_5 = detail::compression<Scalar>(-e2);
         const Scalar expm1_6 = expm1(e2);
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
         const Scalar e8 = c_.k38 * (p_.p_0 - p_1) - p_.alpha * e7;
-        const Scalar e9 = -e8;
-        const Scalar exp_10 = exp(e9);
-        const Scalar compression_11 = detail::compression<Scalar>(e9);
-        const Scalar expm1_12 = expm1(e8);
-        const Scalar e13 = s_k * exp_4 * (c_.k171 * e1 - c_.k173 * compression_5 - c_.k175 * expm1_6);
-        const Scalar e14 = s_k * exp_10 * (c_.k170 * e7 - c_.k172 * compression_11 - c_.k174 * expm1_12);
-        return e13 - exp_4 * (c_.k177 * e1 - c_.k178 * compression_5 - c_.k179 * expm1_6) - e14;
+        const Scalar exp_9 = exp(e8);
+        const Scalar compression_10 = detail::compression<Scalar>(-e8);
+        const Scalar expm1_11 = expm1(e8);
+        const Scalar e12 = s_k * inverse_4 * (c_.k168 * e1 - c_.k170 * compression_5 - c_.k172 * expm1_6);
+        const Scalar e13 = inverse_4 * (c_.k174 * e1 - c_.k175 * compression_5 - c_.k176 * expm1_6);
+        const Scalar e14 = s_k / exp_9 * (c_.k167 * e7 - c_.k169 * compression_10 - c_.k171 * expm1_11);
+        return e12 - e13 - e14;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 26 + or -, 36 *, 6 /, 16 other functions
+    /// Operations: 26 + or -, 36 *, 4 /, 16 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
@@ -1913,44 +1791,40 @@ public:
         const Scalar T_1 = x[4];
         const Scalar e1 = p_.T_0 - T_1;
         const Scalar e2 = c_.k38 * (p_.p_0 - p_1) - p_.alpha * e1;
-        const Scalar e3 = -e2;
-        const Scalar exp_4 = exp(e3);
-        const Scalar e5 = p_.rho_0 * q_1 * exp_4;
-        const Scalar min_6 = detail::min<Scalar>(Scalar(0), e5);
-        const Scalar inverse_7 = Scalar(1) / p_.rho_0;
-        const Scalar compression_8 = detail::compression<Scalar>(e3);
-        const Scalar e9 = p_.beta * inverse_7;
-        const Scalar expm1_10 = expm1(e2);
-        const Scalar e11 = inverse_7 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
+        const Scalar exp_3 = exp(e2);
+        const Scalar e4 = p_.rho_0 * q_1 / exp_3;
+        const Scalar min_5 = detail::min<Scalar>(Scalar(0), e4);
+        const Scalar inverse_6 = Scalar(1) / p_.rho_0;
+        const Scalar compression_7 = detail::compression<Scalar>(-e2);
+        const Scalar e8 = p_.beta * inverse_6;
+        const Scalar expm1_9 = expm1(e2);
+        const Scalar e10 = inverse_6 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
-        const Scalar e12 = p_.T_0 - T_2;
-        const Scalar e13 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e12;
-        const Scalar e14 = -e13;
-        const Scalar exp_15 = exp(e14);
-        const Scalar e16 = p_.rho_0 * q_2 * exp_15;
-        const Scalar min_17 = detail::min<Scalar>(Scalar(0), e16);
-        const Scalar compression_18 = detail::compression<Scalar>(e14);
-        const Scalar expm1_19 = expm1(e13);
-        const Scalar max_20 = detail::max<Scalar>(Scalar(0), e5);
-        const Scalar inverse_21 = Scalar(1) / p_.beta;
-        const Scalar e22 = (p_.p_0 - p_.p_s) * inverse_21;
-        const Scalar e23 = -e22;
-        const Scalar exp_24 = exp(e23);
-        const Scalar compression_25 = detail::compression<Scalar>(e23);
-        const Scalar expm1_26 = expm1(e22);
-        const Scalar max_27 = detail::max<Scalar>(Scalar(0), e16);
-        const Scalar e28 = (p_.p_0 - p_.p_t) * inverse_21;
-        const Scalar e29 = -e28;
-        const Scalar exp_30 = exp(e29);
-        const Scalar compression_31 = detail::compression<Scalar>(e29);
-        const Scalar expm1_32 = expm1(e28);
-        const Scalar e33 = p_1 * inverse_7 / exp_4 - p_.c_v * e1 + compression_8 * e9 + expm1_10 * e11;
-        const Scalar e34 = p_2 * inverse_7 / exp_15 - p_.c_v * e12 + compression_18 * e9 + expm1_19 * e11;
-        const Scalar e35 = max_20 * (p_.p_s * inverse_7 / exp_24 + compression_25 * e9 + expm1_26 * e11);
-        const Scalar e36 = max_27 * (p_.p_t * inverse_7 / exp_30 + compression_31 * e9 + expm1_32 * e11);
-        return min_6 * e33 + min_17 * e34 + e35 + e36;
+        const Scalar e11 = p_.T_0 - T_2;
+        const Scalar e12 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e11;
+        const Scalar exp_13 = exp(e12);
+        const Scalar e14 = p_.rho_0 * q_2 / exp_13;
+        const Scalar min_15 = detail::min<Scalar>(Scalar(0), e14);
+        const Scalar compression_16 = detail::compression<Scalar>(-e12);
+        const Scalar expm1_17 = expm1(e12);
+        const Scalar max_18 = detail::max<Scalar>(Scalar(0), e4);
+        const Scalar inverse_19 = Scalar(1) / p_.beta;
+        const Scalar e20 = (p_.p_0 - p_.p_s) * inverse_19;
+        const Scalar exp_21 = exp(e20);
+        const Scalar compression_22 = detail::compression<Scalar>(-e20);
+        const Scalar expm1_23 = expm1(e20);
+        const Scalar max_24 = detail::max<Scalar>(Scalar(0), e14);
+        const Scalar e25 = (p_.p_0 - p_.p_t) * inverse_19;
+        const Scalar exp_26 = exp(e25);
+        const Scalar compression_27 = detail::compression<Scalar>(-e25);
+        const Scalar expm1_28 = expm1(e25);
+        const Scalar e29 = p_1 * exp_3 * inverse_6 - p_.c_v * e1 + compression_7 * e8 + expm1_9 * e10;
+        const Scalar e30 = p_2 * exp_13 * inverse_6 - p_.c_v * e11 + compression_16 * e8 + expm1_17 * e10;
+        const Scalar e31 = max_18 * (p_.p_s * exp_21 * inverse_6 + compression_22 * e8 + expm1_23 * e10);
+        const Scalar e32 = max_24 * (p_.p_t * exp_26 * inverse_6 + compression_27 * e8 + expm1_28 * e10);
+        return min_5 * e29 + min_15 * e30 + e31 + e32;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1964,7 +1838,7 @@ public:
         g[0] = p_.A_1 * s_k;
         g[1] = p_1;
         g[2] = T_1;
-        g[3] = c_.k192 - p_.A_2 * s_k;
+        g[3] = c_.k190 - p_.A_2 * s_k;
         g[4] = p_2;
         g[5] = T_2;
     }
@@ -2012,173 +1886,170 @@ private:
         Scalar k36;  ///< rho_0*k_l
         Scalar k37;  ///< l - d
         Scalar k38;  ///< 1/beta
-        Scalar k39;  ///< 1/A_1
-        Scalar k40;  ///< alpha/(A_1*rho_0*c_v)
-        Scalar k41;  ///< beta*alpha^2/(A_1*rho_0*c_v)
-        Scalar k42;  ///< 2*beta*alpha^2/(A_1*rho_0*c_v)
-        Scalar k43;  ///< alpha/A_1
-        Scalar k44;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k45;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
-        Scalar k46;  ///< beta*alpha^2/(rho_0*c_v)
-        Scalar k47;  ///< alpha*k_l/(A_1*rho_0*c_v)
-        Scalar k48;  ///< 2*alpha/(A_1*rho_0^2*c_v)
-        Scalar k49;  ///< alpha/(A_1*rho_0^2*c_v)
-        Scalar k50;  ///< beta*alpha^2*k_l/(A_1*rho_0*c_v)
-        Scalar k51;  ///< 2*beta*alpha^2*k_l/(A_1*rho_0*c_v)
-        Scalar k52;  ///< alpha*k_l/A_1
+        Scalar k39;  ///< alpha/(A_1*rho_0*c_v)
+        Scalar k40;  ///< beta*alpha^2/(A_1*rho_0*c_v)
+        Scalar k41;  ///< alpha/A_1
+        Scalar k42;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
+        Scalar k43;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k44;  ///< beta*alpha^2/(rho_0*c_v)
+        Scalar k45;  ///< alpha*k_l/(A_1*rho_0*c_v)
+        Scalar k46;  ///< 2*alpha/(A_1*rho_0^2*c_v)
+        Scalar k47;  ///< alpha/(A_1*rho_0^2*c_v)
+        Scalar k48;  ///< beta*alpha^2*k_l/(A_1*rho_0*c_v)
+        Scalar k49;  ///< 2*beta*alpha^2*k_l/(A_1*rho_0*c_v)
+        Scalar k50;  ///< alpha*k_l/A_1
+        Scalar k51;  ///< beta*alpha*k_l/A_1
+        Scalar k52;  ///< alpha/(A_1*rho_0)
         Scalar k53;  ///< beta*alpha^2/(A_1*rho_0^2*c_v)
-        Scalar k54;  ///< beta*alpha*k_l/A_1
-        Scalar k55;  ///< alpha/(A_1*rho_0)
-        Scalar k56;  ///< k_l/A_1
-        Scalar k57;  ///< alpha*k_l*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k58;  ///< beta^2*alpha*k_l/(A_1*rho_0*c_v)
-        Scalar k59;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0^2*c_v)
-        Scalar k60;  ///< beta*alpha*k_l*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k61;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
-        Scalar k62;  ///< alpha*k_l/(A_2*rho_0*c_v)
-        Scalar k63;  ///< alpha/(A_2*rho_0^2*c_v)
-        Scalar k64;  ///< beta*alpha^2*k_l/(A_2*rho_0*c_v)
-        Scalar k65;  ///< alpha*k_l/A_2
-        Scalar k66;  ///< beta*alpha*k_l/A_2
-        Scalar k67;  ///< beta*alpha^2/(A_2*rho_0^2*c_v)
-        Scalar k68;  ///< alpha*k_l*(beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k69;  ///< k_l/A_2
-        Scalar k70;  ///< beta^2*alpha*k_l/(A_2*rho_0*c_v)
-        Scalar k71;  ///< beta*alpha*k_l*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k72;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0^2*c_v)
-        Scalar k73;  ///< 1/(A_1*rho_0*beta*c_v)
-        Scalar k74;  ///< 2*alpha/(A_1*rho_0*c_v)
-        Scalar k75;  ///< 1/(A_1*beta)
-        Scalar k76;  ///< 1/(A_1*rho_0*c_v)
-        Scalar k77;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0*c_v)
-        Scalar k78;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s/(beta*exp(-p_0/beta + p_s/beta)) - ...
-        Scalar k79;  ///< alpha/(rho_0*c_v)
-        Scalar k80;  ///< k_l/(A_1*rho_0*beta*c_v)
-        Scalar k81;  ///< k_l/(A_1*rho_0*c_v)
-        Scalar k82;  ///< 2/(A_1*rho_0^2*beta*c_v)
-        Scalar k83;  ///< 1/(A_1*rho_0^2*beta*c_v)
-        Scalar k84;  ///< 2*alpha*k_l/(A_1*rho_0*c_v)
-        Scalar k85;  ///< k_l/(A_1*beta)
-        Scalar k86;  ///< 1/(A_1*rho_0*beta)
-        Scalar k87;  ///< k_l*(p_0/beta - alpha*T_0)/(A_1*rho_0*c_v)
-        Scalar k88;  ///< beta*k_l/(A_1*rho_0*c_v)
-        Scalar k89;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0^2*c_v)
-        Scalar k90;  ///< k_l*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k91;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s/(beta*exp(-p_0/beta + p_s/beta)) - ...
-        Scalar k92;  ///< k_l/(A_2*rho_0*beta*c_v)
+        Scalar k54;  ///< k_l/A_1
+        Scalar k55;  ///< alpha*k_l*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
+        Scalar k56;  ///< beta^2*alpha*k_l/(A_1*rho_0*c_v)
+        Scalar k57;  ///< beta*alpha*k_l*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
+        Scalar k58;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0^2*c_v)
+        Scalar k59;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k60;  ///< alpha*(beta - beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
+        Scalar k61;  ///< alpha*k_l/(A_2*rho_0*c_v)
+        Scalar k62;  ///< alpha/(A_2*rho_0^2*c_v)
+        Scalar k63;  ///< beta*alpha^2*k_l/(A_2*rho_0*c_v)
+        Scalar k64;  ///< alpha*k_l/A_2
+        Scalar k65;  ///< beta*alpha*k_l/A_2
+        Scalar k66;  ///< beta*alpha^2/(A_2*rho_0^2*c_v)
+        Scalar k67;  ///< alpha*k_l*(beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
+        Scalar k68;  ///< k_l/A_2
+        Scalar k69;  ///< beta^2*alpha*k_l/(A_2*rho_0*c_v)
+        Scalar k70;  ///< beta*alpha*k_l*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
+        Scalar k71;  ///< alpha*(beta - beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
+        Scalar k72;  ///< 1/(A_1*rho_0*beta*c_v)
+        Scalar k73;  ///< 1/(A_1*beta)
+        Scalar k74;  ///< 1/(A_1*rho_0*c_v)
+        Scalar k75;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0*c_v)
+        Scalar k76;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k77;  ///< alpha/(rho_0*c_v)
+        Scalar k78;  ///< k_l/(A_1*rho_0*beta*c_v)
+        Scalar k79;  ///< k_l/(A_1*rho_0*c_v)
+        Scalar k80;  ///< 2/(A_1*rho_0^2*beta*c_v)
+        Scalar k81;  ///< 1/(A_1*rho_0^2*beta*c_v)
+        Scalar k82;  ///< 2*alpha*k_l/(A_1*rho_0*c_v)
+        Scalar k83;  ///< k_l/(A_1*beta)
+        Scalar k84;  ///< 1/(A_1*rho_0*beta)
+        Scalar k85;  ///< k_l*(p_0/beta - alpha*T_0)/(A_1*rho_0*c_v)
+        Scalar k86;  ///< beta*k_l/(A_1*rho_0*c_v)
+        Scalar k87;  ///< k_l*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
+        Scalar k88;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0^2*c_v)
+        Scalar k89;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k90;  ///< (1 + p_0/beta - alpha*T_0)/(A_1*rho_0^2*c_v)
+        Scalar k91;  ///< k_l/(A_2*rho_0*beta*c_v)
+        Scalar k92;  ///< 1/(A_2*rho_0^2*beta*c_v)
         Scalar k93;  ///< k_l/(A_2*rho_0*c_v)
-        Scalar k94;  ///< 1/(A_2*rho_0^2*beta*c_v)
-        Scalar k95;  ///< k_l/(A_2*beta)
-        Scalar k96;  ///< k_l*(p_0/beta - alpha*T_0)/(A_2*rho_0*c_v)
-        Scalar k97;  ///< beta*k_l/(A_2*rho_0*c_v)
-        Scalar k98;  ///< k_l*(beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k99;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0^2*c_v)
-        Scalar k100;  ///< alpha/(A_2*rho_0*c_v)
-        Scalar k101;  ///< beta*alpha^2/(A_2*rho_0*c_v)
-        Scalar k102;  ///< 2*beta*alpha^2/(A_2*rho_0*c_v)
-        Scalar k103;  ///< 1/A_2
-        Scalar k104;  ///< alpha/A_2
-        Scalar k105;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k106;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
-        Scalar k107;  ///< 2*alpha/(A_2*rho_0^2*c_v)
-        Scalar k108;  ///< 2*beta*alpha^2*k_l/(A_2*rho_0*c_v)
-        Scalar k109;  ///< alpha/(A_2*rho_0)
-        Scalar k110;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
-        Scalar k111;  ///< 1/(A_2*rho_0*beta*c_v)
-        Scalar k112;  ///< 2*alpha/(A_2*rho_0*c_v)
-        Scalar k113;  ///< 1/(A_2*beta)
-        Scalar k114;  ///< 1/(A_2*rho_0*c_v)
-        Scalar k115;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0*c_v)
-        Scalar k116;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t/(beta*exp(-p_0/beta + p_t/beta)) - ...
-        Scalar k117;  ///< 2/(A_2*rho_0^2*beta*c_v)
-        Scalar k118;  ///< 2*alpha*k_l/(A_2*rho_0*c_v)
-        Scalar k119;  ///< 1/(A_2*rho_0*beta)
-        Scalar k120;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t/(beta*exp(-p_0/beta + p_t/beta)) - ...
-        Scalar k121;  ///< beta*alpha/A_1
-        Scalar k122;  ///< beta^2*alpha^3/(A_1*rho_0*c_v)
-        Scalar k123;  ///< 2*beta^2*alpha^3/(A_1*rho_0*c_v)
-        Scalar k124;  ///< beta*alpha^2/A_1
-        Scalar k125;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k126;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + ...
-        Scalar k127;  ///< beta*alpha
-        Scalar k128;  ///< beta^2*alpha^3/(rho_0*c_v)
-        Scalar k129;  ///< 2*beta*alpha^2/(A_1*rho_0^2*c_v)
-        Scalar k130;  ///< beta^2*alpha^3*k_l/(A_1*rho_0*c_v)
-        Scalar k131;  ///< 2*beta^2*alpha^3*k_l/(A_1*rho_0*c_v)
-        Scalar k132;  ///< beta*alpha^2*k_l/A_1
-        Scalar k133;  ///< beta^2*alpha^3/(A_1*rho_0^2*c_v)
-        Scalar k134;  ///< beta*alpha^2/(A_1*rho_0)
-        Scalar k135;  ///< beta*alpha^2*k_l*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k136;  ///< beta^2*alpha^2/(A_1*rho_0^2*c_v)
-        Scalar k137;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
-        Scalar k138;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + ...
-        Scalar k139;  ///< beta^2*alpha^3*k_l/(A_2*rho_0*c_v)
-        Scalar k140;  ///< beta*alpha^2*k_l/A_2
-        Scalar k141;  ///< beta^2*alpha^3/(A_2*rho_0^2*c_v)
-        Scalar k142;  ///< beta*alpha^2*k_l*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k143;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
-        Scalar k144;  ///< beta^2*alpha^3/(A_2*rho_0*c_v)
-        Scalar k145;  ///< 2*beta^2*alpha^3/(A_2*rho_0*c_v)
-        Scalar k146;  ///< beta*alpha/A_2
-        Scalar k147;  ///< beta*alpha^2/A_2
-        Scalar k148;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k149;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + ...
-        Scalar k150;  ///< 2*beta*alpha^2/(A_2*rho_0^2*c_v)
-        Scalar k151;  ///< 2*beta^2*alpha^3*k_l/(A_2*rho_0*c_v)
-        Scalar k152;  ///< beta*alpha^2/(A_2*rho_0)
-        Scalar k153;  ///< beta^2*alpha^2/(A_2*rho_0^2*c_v)
-        Scalar k154;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + ...
-        Scalar k155;  ///< 2/beta
-        Scalar k156;  ///< 2*alpha
-        Scalar k157;  ///< beta^2*alpha/(A_1*rho_0*c_v)
-        Scalar k158;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k159;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + p_s/beta) ...
-        Scalar k160;  ///< beta/(A_1*rho_0*c_v)
-        Scalar k161;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k162;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
-        Scalar k163;  ///< beta^2*alpha/(A_2*rho_0*c_v)
-        Scalar k164;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k165;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + p_t/beta) ...
-        Scalar k166;  ///< beta/(A_2*rho_0*c_v)
-        Scalar k167;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k168;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
-        Scalar k169;  ///< m_k + m_l
-        Scalar k170;  ///< A_1*rho_0*c_v
-        Scalar k171;  ///< A_2*rho_0*c_v
-        Scalar k172;  ///< A_1*beta
-        Scalar k173;  ///< A_2*beta
-        Scalar k174;  ///< A_1*(beta*alpha*T_0 - p_0)
-        Scalar k175;  ///< A_2*(beta*alpha*T_0 - p_0)
-        Scalar k176;  ///< (m_k + m_l)/2
-        Scalar k177;  ///< A_2*rho_0*c_v*(l - d)
-        Scalar k178;  ///< A_2*beta*(l - d)
-        Scalar k179;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
-        Scalar k180;  ///< m_k/rho_k
-        Scalar k181;  ///< A_1/beta
-        Scalar k182;  ///< A_1*rho_0*c_v/beta
-        Scalar k183;  ///< A_1*alpha
-        Scalar k184;  ///< A_1*(p_0/beta - alpha*T_0)
-        Scalar k185;  ///< A_2/beta
+        Scalar k94;  ///< k_l/(A_2*beta)
+        Scalar k95;  ///< k_l*(p_0/beta - alpha*T_0)/(A_2*rho_0*c_v)
+        Scalar k96;  ///< beta*k_l/(A_2*rho_0*c_v)
+        Scalar k97;  ///< k_l*(beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
+        Scalar k98;  ///< (1 + p_0/beta - alpha*T_0)/(A_2*rho_0^2*c_v)
+        Scalar k99;  ///< alpha/(A_2*rho_0*c_v)
+        Scalar k100;  ///< beta*alpha^2/(A_2*rho_0*c_v)
+        Scalar k101;  ///< alpha/A_2
+        Scalar k102;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
+        Scalar k103;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k104;  ///< 2*alpha/(A_2*rho_0^2*c_v)
+        Scalar k105;  ///< 2*beta*alpha^2*k_l/(A_2*rho_0*c_v)
+        Scalar k106;  ///< alpha/(A_2*rho_0)
+        Scalar k107;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0^2*c_v)
+        Scalar k108;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k109;  ///< 1/(A_2*rho_0*beta*c_v)
+        Scalar k110;  ///< 1/(A_2*beta)
+        Scalar k111;  ///< 1/(A_2*rho_0*c_v)
+        Scalar k112;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0*c_v)
+        Scalar k113;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k114;  ///< 2/(A_2*rho_0^2*beta*c_v)
+        Scalar k115;  ///< 2*alpha*k_l/(A_2*rho_0*c_v)
+        Scalar k116;  ///< 1/(A_2*rho_0*beta)
+        Scalar k117;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0^2*c_v)
+        Scalar k118;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k119;  ///< beta^2*alpha^3/(A_1*rho_0*c_v)
+        Scalar k120;  ///< beta*alpha^2/A_1
+        Scalar k121;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
+        Scalar k122;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + ...
+        Scalar k123;  ///< beta^2*alpha^3/(rho_0*c_v)
+        Scalar k124;  ///< 2*beta*alpha^2/(A_1*rho_0^2*c_v)
+        Scalar k125;  ///< beta^2*alpha^3*k_l/(A_1*rho_0*c_v)
+        Scalar k126;  ///< 2*beta^2*alpha^3*k_l/(A_1*rho_0*c_v)
+        Scalar k127;  ///< beta*alpha^2*k_l/A_1
+        Scalar k128;  ///< beta*alpha^2/(A_1*rho_0)
+        Scalar k129;  ///< beta^2*alpha^3/(A_1*rho_0^2*c_v)
+        Scalar k130;  ///< beta*alpha^2*k_l*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
+        Scalar k131;  ///< beta^2*alpha^2/(A_1*rho_0^2*c_v)
+        Scalar k132;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
+        Scalar k133;  ///< beta*alpha*(1 - beta*alpha^2*T_0*expm1(p_0/beta - p_s/beta)/(rho_0*c_v) - ...
+        Scalar k134;  ///< beta^2*alpha^3*k_l/(A_2*rho_0*c_v)
+        Scalar k135;  ///< beta*alpha^2*k_l/A_2
+        Scalar k136;  ///< beta^2*alpha^3/(A_2*rho_0^2*c_v)
+        Scalar k137;  ///< beta*alpha^2*k_l*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
+        Scalar k138;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
+        Scalar k139;  ///< (1 - beta*alpha^2*T_0*expm1(p_0/beta - p_s/beta)/(rho_0*c_v) - beta*alpha*compression(-p_0/beta ...
+        Scalar k140;  ///< beta^2*alpha^3/(A_2*rho_0*c_v)
+        Scalar k141;  ///< beta*alpha^2/A_2
+        Scalar k142;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
+        Scalar k143;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + ...
+        Scalar k144;  ///< 2*beta*alpha^2/(A_2*rho_0^2*c_v)
+        Scalar k145;  ///< 2*beta^2*alpha^3*k_l/(A_2*rho_0*c_v)
+        Scalar k146;  ///< beta*alpha^2/(A_2*rho_0)
+        Scalar k147;  ///< beta^2*alpha^2/(A_2*rho_0^2*c_v)
+        Scalar k148;  ///< beta*alpha*(1 - beta*alpha^2*T_0*expm1(p_0/beta - p_t/beta)/(rho_0*c_v) - ...
+        Scalar k149;  ///< (1 - beta*alpha^2*T_0*expm1(p_0/beta - p_t/beta)/(rho_0*c_v) - beta*alpha*compression(-p_0/beta ...
+        Scalar k150;  ///< beta*alpha/A_1
+        Scalar k151;  ///< beta^2*alpha/(A_1*rho_0*c_v)
+        Scalar k152;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
+        Scalar k153;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + p_s/beta) ...
+        Scalar k154;  ///< 1/A_1
+        Scalar k155;  ///< beta/(A_1*rho_0*c_v)
+        Scalar k156;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
+        Scalar k157;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k158;  ///< beta*alpha/A_2
+        Scalar k159;  ///< beta^2*alpha/(A_2*rho_0*c_v)
+        Scalar k160;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
+        Scalar k161;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + p_t/beta) ...
+        Scalar k162;  ///< 1/A_2
+        Scalar k163;  ///< beta/(A_2*rho_0*c_v)
+        Scalar k164;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
+        Scalar k165;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k166;  ///< m_k + m_l
+        Scalar k167;  ///< A_1*rho_0*c_v
+        Scalar k168;  ///< A_2*rho_0*c_v
+        Scalar k169;  ///< A_1*beta
+        Scalar k170;  ///< A_2*beta
+        Scalar k171;  ///< A_1*(beta*alpha*T_0 - p_0)
+        Scalar k172;  ///< A_2*(beta*alpha*T_0 - p_0)
+        Scalar k173;  ///< (m_k + m_l)/2
+        Scalar k174;  ///< A_2*rho_0*c_v*(l - d)
+        Scalar k175;  ///< A_2*beta*(l - d)
+        Scalar k176;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k177;  ///< m_k/rho_k
+        Scalar k178;  ///< A_1*(p_0/beta - alpha*T_0)
+        Scalar k179;  ///< A_1/beta
+        Scalar k180;  ///< A_1*alpha
+        Scalar k181;  ///< A_1*rho_0*c_v/beta
+        Scalar k182;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
+        Scalar k183;  ///< A_2*(p_0/beta - alpha*T_0)
+        Scalar k184;  ///< A_2/beta
+        Scalar k185;  ///< A_2*alpha
         Scalar k186;  ///< A_2*rho_0*c_v/beta
-        Scalar k187;  ///< A_2*alpha
-        Scalar k188;  ///< A_2*(p_0/beta - alpha*T_0)
-        Scalar k189;  ///< A_2*(l - d)/beta
-        Scalar k190;  ///< A_2*rho_0*c_v*(l - d)/beta
-        Scalar k191;  ///< A_2*alpha*(l - d)
-        Scalar k192;  ///< A_2*(l - d)
-        Scalar k193;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
-        Scalar k194;  ///< A_1*rho_0*alpha*c_v
-        Scalar k195;  ///< A_1*beta*alpha^2
-        Scalar k196;  ///< A_1*beta*alpha
-        Scalar k197;  ///< A_1*alpha*(beta*alpha*T_0 - p_0)
+        Scalar k187;  ///< A_2*(l - d)/beta
+        Scalar k188;  ///< A_2*alpha*(l - d)
+        Scalar k189;  ///< A_2*rho_0*c_v*(l - d)/beta
+        Scalar k190;  ///< A_2*(l - d)
+        Scalar k191;  ///< A_1*alpha*(beta*alpha*T_0 - p_0)
+        Scalar k192;  ///< A_1*beta*alpha^2
+        Scalar k193;  ///< A_1*rho_0*alpha*c_v
+        Scalar k194;  ///< A_1*beta*alpha
+        Scalar k195;  ///< A_2*alpha*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k196;  ///< A_2*alpha*(beta*alpha*T_0 - p_0)
+        Scalar k197;  ///< A_2*beta*alpha^2
         Scalar k198;  ///< A_2*rho_0*alpha*c_v
-        Scalar k199;  ///< A_2*beta*alpha^2
-        Scalar k200;  ///< A_2*beta*alpha
-        Scalar k201;  ///< A_2*alpha*(beta*alpha*T_0 - p_0)
-        Scalar k202;  ///< A_2*rho_0*alpha*c_v*(l - d)
-        Scalar k203;  ///< A_2*beta*alpha^2*(l - d)
-        Scalar k204;  ///< A_2*beta*alpha*(l - d)
-        Scalar k205;  ///< A_2*alpha*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k199;  ///< A_2*beta*alpha
+        Scalar k200;  ///< A_2*beta*alpha^2*(l - d)
+        Scalar k201;  ///< A_2*rho_0*alpha*c_v*(l - d)
+        Scalar k202;  ///< A_2*beta*alpha*(l - d)
     };
     Cached c_{};
 };

@@ -19,19 +19,19 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                39    184     9        0      6
+//   update                45    178     7        0      6
 //   rhs                   39     64     4        0      8
-//   rhs_and_jacobian     151    233     6        0     14
+//   rhs_and_jacobian     146    212     4        0     10
 //   jacobian_u            31     51     4        0      8
-//   jacobian_p           448    808    15        0     24
+//   jacobian_p           435    742     9        0     16
 //   bias                   1      2     0        0      0
 //   generalised_force      1      0     0        0      0
-//   output                18     22     0        0      6
-//   output_jacobian_x     44     63     0        0      8
+//   output                18     22     2        0      6
+//   output_jacobian_x     44     57     2        0      6
 //   kinetic_energy         0      2     0        0      0
 //   supplied_power         1      1     0        0      0
-//   internal_energy       16     18     0        0      6
-//   exchanged_power       26     36     6        0     16
+//   internal_energy       16     18     2        0      6
+//   exchanged_power       26     36     4        0     16
 //   guards                 1      2     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -253,7 +253,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 39 + or -, 184 *, 9 /, 6 other functions
+    /// Operations: 45 + or -, 178 *, 7 /, 6 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -272,210 +272,215 @@ public:
         const Scalar e8 = inverse_1 * inverse_2;
         const Scalar e9 = e5 * e8;
         c_.k4 = e9;
-        c_.k5 = e8 * e6;
-        const Scalar e10 = p_.beta * e5;
-        c_.k6 = e8 * e10;
+        const Scalar e10 = e8 * e6;
+        c_.k5 = e10;
+        c_.k6 = p_.beta * e9;
         const Scalar e11 = p_.T_0 * e6 - p_.p_0;
-        const Scalar e12 = e11 * e8;
-        c_.k7 = -e5 * e12;
-        const Scalar inverse_13 = Scalar(1) / p_.beta;
-        const Scalar e14 = (p_.p_0 - p_.p_s) * inverse_13;
-        const Scalar e15 = -e14;
-        const Scalar compression_16 = detail::compression<Scalar>(e15);
-        const Scalar expm1_17 = expm1(e14);
-        const Scalar exp_18 = exp(e15);
-        const Scalar e19 = p_.p_s / exp_18;
-        const Scalar e20 = expm1_17 * e11 + e19;
-        const Scalar e21 = p_.beta * compression_16 + e20;
-        c_.k8 = -e21 * e9;
-        const Scalar inverse_22 = Scalar(1) / p_.A_2;
-        c_.k9 = inverse_22 * e7;
-        c_.k10 = p_.beta * inverse_22;
-        const Scalar e23 = inverse_22 * inverse_2;
-        const Scalar e24 = e5 * e23;
-        c_.k11 = e24;
-        c_.k12 = e23 * e6;
-        c_.k13 = e23 * e10;
-        const Scalar e25 = e11 * e23;
-        c_.k14 = -e5 * e25;
-        const Scalar e26 = (p_.p_0 - p_.p_t) * inverse_13;
-        const Scalar e27 = -e26;
-        const Scalar compression_28 = detail::compression<Scalar>(e27);
-        const Scalar expm1_29 = expm1(e26);
-        const Scalar exp_30 = exp(e27);
-        const Scalar e31 = p_.p_t / exp_30;
-        const Scalar e32 = expm1_29 * e11 + e31;
-        const Scalar e33 = p_.beta * compression_28 + e32;
-        c_.k15 = -e33 * e24;
-        const Scalar e34 = inverse_1 * e5;
-        c_.k16 = e34;
+        c_.k7 = -e11 * e9;
+        const Scalar inverse_12 = Scalar(1) / p_.beta;
+        const Scalar e13 = (p_.p_0 - p_.p_s) * inverse_12;
+        const Scalar compression_14 = detail::compression<Scalar>(-e13);
+        const Scalar expm1_15 = expm1(e13);
+        const Scalar exp_16 = exp(e13);
+        const Scalar e17 = p_.p_s * exp_16;
+        const Scalar e18 = expm1_15 * e11 + e17;
+        const Scalar e19 = p_.beta * compression_14 + e18;
+        c_.k8 = -e19 * e9;
+        const Scalar inverse_20 = Scalar(1) / p_.A_2;
+        c_.k9 = inverse_20 * e7;
+        c_.k10 = p_.beta * inverse_20;
+        const Scalar e21 = inverse_20 * inverse_2;
+        const Scalar e22 = e5 * e21;
+        c_.k11 = e22;
+        const Scalar e23 = e21 * e6;
+        c_.k12 = e23;
+        c_.k13 = p_.beta * e22;
+        c_.k14 = -e11 * e22;
+        const Scalar e24 = (p_.p_0 - p_.p_t) * inverse_12;
+        const Scalar compression_25 = detail::compression<Scalar>(-e24);
+        const Scalar expm1_26 = expm1(e24);
+        const Scalar exp_27 = exp(e24);
+        const Scalar e28 = p_.p_t * exp_27;
+        const Scalar e29 = expm1_26 * e11 + e28;
+        const Scalar e30 = p_.beta * compression_25 + e29;
+        c_.k15 = -e30 * e22;
+        const Scalar e31 = inverse_1 * e5;
+        c_.k16 = e31;
         c_.k17 = e5;
-        const Scalar e35 = e3 * e8;
-        c_.k18 = e35;
+        const Scalar e32 = e3 * e8;
+        c_.k18 = e32;
         c_.k19 = e8;
-        const Scalar e36 = p_.beta * e3;
-        c_.k20 = e8 * e36;
-        c_.k21 = e3 * e12;
-        c_.k22 = e21 * e35;
-        const Scalar e37 = inverse_22 * e5;
-        c_.k23 = e37;
-        const Scalar e38 = e3 * e23;
-        c_.k24 = e38;
-        c_.k25 = e23;
-        c_.k26 = e23 * e36;
-        c_.k27 = e3 * e25;
-        c_.k28 = e33 * e38;
-        c_.k29 = inverse_13;
-        const Scalar e39 = p_.l - p_.d;
-        c_.k30 = e39;
-        c_.k31 = inverse_1;
-        c_.k32 = inverse_1 * e4;
-        const Scalar e40 = p_.alpha * e5;
-        c_.k33 = inverse_1 * e40;
-        c_.k34 = p_.alpha * inverse_1;
-        const Scalar e41 = inverse_1 * e11;
-        c_.k35 = e4 * e41;
-        const Scalar e42 = compression_16 * e5 + e4 * e20;
-        c_.k36 = inverse_1 * e42;
-        c_.k37 = e40;
-        const Scalar e43 = e4 * e8;
-        c_.k38 = Scalar(2) * e43;
-        c_.k39 = e43;
-        const Scalar e44 = e8 * e40;
-        c_.k40 = e44;
-        c_.k41 = p_.alpha * e8;
-        c_.k42 = e4 * e12;
-        c_.k43 = e8 * e42;
-        const Scalar e45 = inverse_13 * e3;
-        c_.k44 = inverse_1 * e45;
-        c_.k45 = inverse_1 * inverse_13;
-        const Scalar e46 = inverse_1 * e3;
-        c_.k46 = e46;
-        const Scalar e47 = p_.p_0 * e45 - p_.T_0 * e4;
-        c_.k47 = inverse_1 * e47;
-        const Scalar e48 = expm1_17 * e47 - (compression_16 * e3 + e45 * e19);
-        c_.k48 = inverse_1 * e48;
+        c_.k20 = p_.beta * e32;
+        c_.k21 = e11 * e32;
+        c_.k22 = e19 * e32;
+        const Scalar e33 = inverse_20 * e5;
+        c_.k23 = e33;
+        const Scalar e34 = e3 * e21;
+        c_.k24 = e34;
+        c_.k25 = e21;
+        c_.k26 = p_.beta * e34;
+        c_.k27 = e11 * e34;
+        c_.k28 = e30 * e34;
+        c_.k29 = inverse_12;
+        const Scalar e35 = p_.l - p_.d;
+        c_.k30 = e35;
+        c_.k31 = inverse_1 * e4;
+        const Scalar e36 = p_.alpha * e5;
+        c_.k32 = inverse_1 * e36;
+        c_.k33 = p_.alpha * inverse_1;
+        const Scalar e37 = e11 * e4;
+        c_.k34 = inverse_1 * e37;
+        const Scalar e38 = compression_14 * e5 + e4 * e18;
+        c_.k35 = inverse_1 * e38;
+        c_.k36 = e36;
+        const Scalar e39 = e4 * e8;
+        c_.k37 = Scalar(2) * e39;
+        c_.k38 = e39;
+        c_.k39 = p_.alpha * e8;
+        const Scalar e40 = e8 * e36;
+        c_.k40 = e40;
+        const Scalar e41 = e8 * e37;
+        c_.k41 = e41;
+        const Scalar e42 = e8 * e38;
+        c_.k42 = e42;
+        c_.k43 = e9 - e41;
+        const Scalar e43 = inverse_12 * e3;
+        c_.k44 = inverse_1 * e43;
+        c_.k45 = inverse_1 * inverse_12;
+        const Scalar e44 = inverse_1 * e3;
+        c_.k46 = e44;
+        const Scalar e45 = p_.p_0 * e43 - p_.T_0 * e4;
+        c_.k47 = inverse_1 * e45;
+        const Scalar e46 = expm1_15 * e45 - (compression_14 * e3 + e43 * e17);
+        c_.k48 = inverse_1 * e46;
         c_.k49 = e4;
-        const Scalar e49 = e8 * e45;
-        c_.k50 = Scalar(2) * e49;
-        c_.k51 = e49;
-        c_.k52 = inverse_13 * e8;
-        c_.k53 = e47 * e8;
-        c_.k54 = e8 * e48;
-        c_.k55 = inverse_22 * e4;
-        c_.k56 = inverse_22 * e40;
-        c_.k57 = inverse_22;
-        c_.k58 = p_.alpha * inverse_22;
-        const Scalar e50 = inverse_22 * e11;
-        c_.k59 = e4 * e50;
-        const Scalar e51 = compression_28 * e5 + e4 * e32;
-        c_.k60 = inverse_22 * e51;
-        const Scalar e52 = e4 * e23;
-        c_.k61 = Scalar(2) * e52;
-        c_.k62 = e52;
-        const Scalar e53 = e23 * e40;
-        c_.k63 = e53;
-        c_.k64 = p_.alpha * e23;
-        c_.k65 = e4 * e25;
-        c_.k66 = e23 * e51;
-        c_.k67 = inverse_22 * e45;
-        c_.k68 = inverse_22 * inverse_13;
-        const Scalar e54 = inverse_22 * e3;
-        c_.k69 = e54;
-        c_.k70 = inverse_22 * e47;
-        const Scalar e55 = expm1_29 * e47 - (compression_28 * e3 + e45 * e31);
-        c_.k71 = inverse_22 * e55;
-        const Scalar e56 = e23 * e45;
-        c_.k72 = Scalar(2) * e56;
-        c_.k73 = e56;
-        c_.k74 = inverse_13 * e23;
-        c_.k75 = e47 * e23;
-        c_.k76 = e23 * e55;
-        c_.k77 = inverse_1 * e6;
-        const Scalar e57 = e6 * e40;
-        c_.k78 = inverse_1 * e57;
-        const Scalar e58 = p_.alpha * e6;
+        const Scalar e47 = e8 * e43;
+        c_.k50 = Scalar(2) * e47;
+        c_.k51 = e47;
+        c_.k52 = inverse_12 * e8;
+        const Scalar e48 = e45 * e8;
+        c_.k53 = e48;
+        c_.k54 = e8 * e46;
+        c_.k55 = e32 + e48;
+        c_.k56 = inverse_20 * e4;
+        c_.k57 = inverse_20 * e36;
+        c_.k58 = p_.alpha * inverse_20;
+        c_.k59 = inverse_20 * e37;
+        const Scalar e49 = compression_25 * e5 + e4 * e29;
+        c_.k60 = inverse_20 * e49;
+        const Scalar e50 = e4 * e21;
+        c_.k61 = Scalar(2) * e50;
+        c_.k62 = e50;
+        c_.k63 = p_.alpha * e21;
+        const Scalar e51 = e21 * e36;
+        c_.k64 = e51;
+        const Scalar e52 = e21 * e37;
+        c_.k65 = e52;
+        const Scalar e53 = e21 * e49;
+        c_.k66 = e53;
+        c_.k67 = e22 - e52;
+        c_.k68 = inverse_20 * e43;
+        c_.k69 = inverse_20 * inverse_12;
+        const Scalar e54 = inverse_20 * e3;
+        c_.k70 = e54;
+        c_.k71 = inverse_20 * e45;
+        const Scalar e55 = expm1_26 * e45 - (compression_25 * e3 + e43 * e28);
+        c_.k72 = inverse_20 * e55;
+        const Scalar e56 = e21 * e43;
+        c_.k73 = Scalar(2) * e56;
+        c_.k74 = e56;
+        c_.k75 = inverse_12 * e21;
+        const Scalar e57 = e45 * e21;
+        c_.k76 = e57;
+        c_.k77 = e21 * e55;
+        c_.k78 = e34 + e57;
+        const Scalar e58 = e6 * e36;
         c_.k79 = inverse_1 * e58;
-        c_.k80 = -e40 * e41;
-        const Scalar e59 = compression_16 * e7 + e20 * e40;
-        c_.k81 = -inverse_1 * e59;
-        c_.k82 = e6;
-        c_.k83 = e57;
-        c_.k84 = Scalar(2) * e44;
-        c_.k85 = e8 * e57;
+        const Scalar e59 = p_.alpha * e6;
+        c_.k80 = inverse_1 * e59;
+        const Scalar e60 = e11 * e36;
+        c_.k81 = -inverse_1 * e60;
+        const Scalar e61 = compression_14 * e7 + e18 * e36;
+        c_.k82 = -inverse_1 * e61;
+        c_.k83 = e58;
+        c_.k84 = Scalar(2) * e40;
+        c_.k85 = e8 * e59;
         c_.k86 = e8 * e58;
         c_.k87 = e8 * e7;
-        c_.k88 = -e40 * e12;
-        c_.k89 = -e8 * e59;
-        c_.k90 = inverse_22 * e57;
-        c_.k91 = inverse_22 * e6;
-        c_.k92 = inverse_22 * e58;
-        c_.k93 = -e40 * e50;
-        const Scalar e60 = compression_28 * e7 + e32 * e40;
-        c_.k94 = -inverse_22 * e60;
-        c_.k95 = Scalar(2) * e53;
-        c_.k96 = e23 * e57;
-        c_.k97 = e23 * e58;
-        c_.k98 = e23 * e7;
-        c_.k99 = -e40 * e25;
-        c_.k100 = -e23 * e60;
-        c_.k101 = Scalar(2) * inverse_13;
-        c_.k102 = Scalar(2) * p_.alpha;
-        c_.k103 = inverse_1 * e10;
-        c_.k104 = -e5 * e41;
-        c_.k105 = -e21 * e34;
-        c_.k106 = inverse_1 * e36;
-        c_.k107 = e3 * e41;
-        c_.k108 = e21 * e46;
-        c_.k109 = inverse_22 * e10;
-        c_.k110 = -e5 * e50;
-        c_.k111 = -e33 * e37;
-        c_.k112 = inverse_22 * e36;
-        c_.k113 = e3 * e50;
-        c_.k114 = e33 * e54;
-        const Scalar e61 = p_.rho_0 * p_.c_v;
-        c_.k115 = p_.A_1 * e61;
-        c_.k116 = p_.A_2 * e61;
-        c_.k117 = p_.A_1 * p_.beta;
-        c_.k118 = p_.A_2 * p_.beta;
-        c_.k119 = p_.A_1 * e11;
-        c_.k120 = p_.A_2 * e11;
-        c_.k121 = (Scalar(1) / Scalar(2)) * p_.m_k;
-        const Scalar e62 = p_.A_2 * e39;
-        c_.k122 = e62 * e61;
-        c_.k123 = p_.beta * e62;
-        c_.k124 = e11 * e62;
-        c_.k125 = p_.m_k / p_.rho_k;
-        c_.k126 = p_.A_1 * inverse_13;
-        const Scalar e63 = inverse_13 * e61;
-        c_.k127 = p_.A_1 * e63;
-        const Scalar e64 = p_.A_1 * p_.alpha;
-        c_.k128 = e64;
-        const Scalar e65 = p_.alpha * p_.T_0 - p_.p_0 * inverse_13;
+        c_.k88 = -e8 * e60;
+        c_.k89 = e10 - e8 * e61;
+        c_.k90 = e8 - e42;
+        c_.k91 = inverse_20 * e58;
+        c_.k92 = inverse_20 * e59;
+        c_.k93 = -inverse_20 * e60;
+        const Scalar e62 = compression_25 * e7 + e29 * e36;
+        c_.k94 = -inverse_20 * e62;
+        c_.k95 = Scalar(2) * e51;
+        c_.k96 = e21 * e59;
+        c_.k97 = e21 * e58;
+        c_.k98 = e21 * e7;
+        c_.k99 = -e21 * e60;
+        c_.k100 = e23 - e21 * e62;
+        c_.k101 = e21 - e53;
+        c_.k102 = inverse_1 * e6;
+        c_.k103 = p_.beta * e31;
+        c_.k104 = -e11 * e31;
+        c_.k105 = -e19 * e31;
+        c_.k106 = inverse_1;
+        c_.k107 = p_.beta * e44;
+        c_.k108 = e11 * e44;
+        c_.k109 = e19 * e44;
+        c_.k110 = inverse_20 * e6;
+        c_.k111 = p_.beta * e33;
+        c_.k112 = -e11 * e33;
+        c_.k113 = -e30 * e33;
+        c_.k114 = inverse_20;
+        c_.k115 = p_.beta * e54;
+        c_.k116 = e11 * e54;
+        c_.k117 = e30 * e54;
+        const Scalar e63 = p_.rho_0 * p_.c_v;
+        c_.k118 = p_.A_1 * e63;
+        c_.k119 = p_.A_2 * e63;
+        c_.k120 = p_.A_1 * p_.beta;
+        c_.k121 = p_.A_2 * p_.beta;
+        c_.k122 = p_.A_1 * e11;
+        c_.k123 = p_.A_2 * e11;
+        c_.k124 = (Scalar(1) / Scalar(2)) * p_.m_k;
+        const Scalar e64 = p_.A_2 * e35;
+        c_.k125 = e64 * e63;
+        c_.k126 = p_.beta * e64;
+        c_.k127 = e11 * e64;
+        c_.k128 = p_.m_k / p_.rho_k;
+        const Scalar e65 = p_.alpha * p_.T_0 - p_.p_0 * inverse_12;
         c_.k129 = -p_.A_1 * e65;
-        c_.k130 = p_.A_2 * inverse_13;
-        c_.k131 = p_.A_2 * e63;
-        const Scalar e66 = p_.A_2 * p_.alpha;
-        c_.k132 = e66;
-        c_.k133 = -p_.A_2 * e65;
-        c_.k134 = inverse_13 * e62;
-        c_.k135 = e62 * e63;
-        const Scalar e67 = p_.alpha * e62;
-        c_.k136 = e67;
-        c_.k137 = e62;
-        c_.k138 = -e62 * e65;
-        c_.k139 = e61 * e64;
-        c_.k140 = p_.A_1 * e58;
-        c_.k141 = p_.A_1 * e6;
-        c_.k142 = e11 * e64;
-        c_.k143 = e61 * e66;
-        c_.k144 = p_.A_2 * e58;
-        c_.k145 = p_.A_2 * e6;
-        c_.k146 = e11 * e66;
-        c_.k147 = e61 * e67;
-        c_.k148 = e62 * e58;
-        c_.k149 = e6 * e62;
-        c_.k150 = e11 * e67;
+        c_.k130 = p_.A_1 * inverse_12;
+        const Scalar e66 = p_.A_1 * p_.alpha;
+        c_.k131 = e66;
+        const Scalar e67 = inverse_12 * e63;
+        c_.k132 = p_.A_1 * e67;
+        c_.k133 = -e64 * e65;
+        c_.k134 = -p_.A_2 * e65;
+        c_.k135 = p_.A_2 * inverse_12;
+        const Scalar e68 = p_.A_2 * p_.alpha;
+        c_.k136 = e68;
+        c_.k137 = p_.A_2 * e67;
+        c_.k138 = inverse_12 * e64;
+        const Scalar e69 = p_.alpha * e64;
+        c_.k139 = e69;
+        c_.k140 = e64 * e67;
+        c_.k141 = e64;
+        c_.k142 = e11 * e66;
+        c_.k143 = p_.A_1 * e59;
+        c_.k144 = e63 * e66;
+        c_.k145 = p_.A_1 * e6;
+        c_.k146 = e11 * e69;
+        c_.k147 = e11 * e68;
+        c_.k148 = p_.A_2 * e59;
+        c_.k149 = e63 * e68;
+        c_.k150 = p_.A_2 * e6;
+        c_.k151 = e64 * e59;
+        c_.k152 = e63 * e69;
+        c_.k153 = e6 * e64;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -494,50 +499,49 @@ public:
     /// dx/dt = f(x, u, t).
     /// Operations: 39 + or -, 64 *, 4 /, 8 other functions
     ///     m_k*ddot(s_k) - A_1*p_1 + A_2*p_2 = -f_l
-    ///     dot(p_1) = -beta*(1 + beta*alpha^2*T_1/(rho_0*c_v*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))))*dot(s_k)/s_k +
-    ///     beta*q_1/(A_1*s_k) + beta^2*alpha^2*q_1*T_1/(A_1*rho_0*c_v*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))) -
-    ///     beta*alpha*p_1*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)))/(A_1*rho_0^2*c_v*s_k*exp(-(p_0 - p_1)/beta +
-    ///     alpha*(T_0 - T_1))^2) + beta*alpha*(T_0 - T_1)*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta + alpha*(T_0 -
-    ///     T_1)))/(A_1*rho_0*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))) - beta^2*alpha*compression(-(p_0 - p_1)/beta +
-    ///     alpha*(T_0 - T_1))*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)))/(A_1*rho_0^2*c_v*s_k*exp(-(p_0 -
-    ///     p_1)/beta + alpha*(T_0 - T_1))) + beta*alpha*(-beta*alpha*T_0 + p_0)*expm1((p_0 - p_1)/beta - alpha*(T_0 - T_1))*max(0,
-    ///     rho_0*q_1*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)))/(A_1*rho_0^2*c_v*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))) -
+    ///     dot(p_1) = -beta*(1 + beta*alpha^2*T_1*exp((p_0 - p_1)/beta - alpha*(T_0 - T_1))/(rho_0*c_v))*dot(s_k)/s_k +
+    ///     beta*q_1/(A_1*s_k) + beta^2*alpha^2*q_1*T_1*exp((p_0 - p_1)/beta - alpha*(T_0 - T_1))/(A_1*rho_0*c_v*s_k) -
+    ///     beta*alpha*p_1*exp((p_0 - p_1)/beta - alpha*(T_0 - T_1))^2*max(0, rho_0*q_1/exp((p_0 - p_1)/beta - alpha*(T_0 -
+    ///     T_1)))/(A_1*rho_0^2*c_v*s_k) + beta*alpha*(T_0 - T_1)*exp((p_0 - p_1)/beta - alpha*(T_0 - T_1))*max(0,
+    ///     rho_0*q_1/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)))/(A_1*rho_0*s_k) - beta^2*alpha*compression(-(p_0 - p_1)/beta +
+    ///     alpha*(T_0 - T_1))*exp((p_0 - p_1)/beta - alpha*(T_0 - T_1))*max(0, rho_0*q_1/exp((p_0 - p_1)/beta - alpha*(T_0 -
+    ///     T_1)))/(A_1*rho_0^2*c_v*s_k) + beta*alpha*(-beta*alpha*T_0 + p_0)*exp((p_0 - p_1)/beta - alpha*(T_0 - T_1))*expm1((p_0 -
+    ///     p_1)/beta - alpha*(T_0 - T_1))*max(0, rho_0*q_1/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)))/(A_1*rho_0^2*c_v*s_k) -
     ///     beta*alpha*(-beta*alpha*T_0*expm1((p_0 - p_s)/beta) - beta*compression(-(p_0 - p_s)/beta) + p_0*expm1((p_0 - p_s)/beta)
-    ///     - p_s/exp(-(p_0 - p_s)/beta))*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta + alpha*(T_0 -
-    ///     T_1)))/(A_1*rho_0^2*c_v*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)))
-    ///     dot(p_2) = beta*(1 + beta*alpha^2*T_2/(rho_0*c_v*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))))*dot(s_k)/(l - d - s_k) +
-    ///     beta^2*alpha^2*q_2*T_2/(A_2*rho_0*c_v*(l - d - s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))) + beta*q_2/(A_2*(l - d -
-    ///     s_k)) - beta*alpha*p_2*max(0, rho_0*q_2*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)))/(A_2*rho_0^2*c_v*(l - d -
-    ///     s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))^2) + beta*alpha*(T_0 - T_2)*max(0, rho_0*q_2*exp(-(p_0 - p_2)/beta +
-    ///     alpha*(T_0 - T_2)))/(A_2*rho_0*(l - d - s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))) -
-    ///     beta^2*alpha*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*max(0, rho_0*q_2*exp(-(p_0 - p_2)/beta + alpha*(T_0 -
-    ///     T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))) + beta*alpha*(-beta*alpha*T_0 +
-    ///     p_0)*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2))*max(0, rho_0*q_2*exp(-(p_0 - p_2)/beta + alpha*(T_0 -
-    ///     T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))) -
-    ///     beta*alpha*(-beta*alpha*T_0*expm1((p_0 - p_t)/beta) - beta*compression(-(p_0 - p_t)/beta) + p_0*expm1((p_0 - p_t)/beta)
-    ///     - p_t/exp(-(p_0 - p_t)/beta))*max(0, rho_0*q_2*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)))/(A_2*rho_0^2*c_v*(l - d -
-    ///     s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)))
-    ///     dot(T_1) = -beta*alpha*T_1*dot(s_k)/(rho_0*c_v*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))) +
-    ///     beta*alpha*q_1*T_1/(A_1*rho_0*c_v*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))) - p_1*max(0, rho_0*q_1*exp(-(p_0 -
-    ///     p_1)/beta + alpha*(T_0 - T_1)))/(A_1*rho_0^2*c_v*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))^2) + (T_0 - T_1)*max(0,
-    ///     rho_0*q_1*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)))/(A_1*rho_0*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))) -
-    ///     beta*compression(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta + alpha*(T_0 -
-    ///     T_1)))/(A_1*rho_0^2*c_v*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))) - (beta*alpha*T_0 - p_0)*expm1((p_0 - p_1)/beta
-    ///     - alpha*(T_0 - T_1))*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)))/(A_1*rho_0^2*c_v*s_k*exp(-(p_0 -
-    ///     p_1)/beta + alpha*(T_0 - T_1))) + (beta*alpha*T_0*expm1((p_0 - p_s)/beta) + beta*compression(-(p_0 - p_s)/beta) -
-    ///     p_0*expm1((p_0 - p_s)/beta) + p_s/exp(-(p_0 - p_s)/beta))*max(0, rho_0*q_1*exp(-(p_0 - p_1)/beta + alpha*(T_0 -
-    ///     T_1)))/(A_1*rho_0^2*c_v*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)))
-    ///     dot(T_2) = beta*alpha*T_2*dot(s_k)/(rho_0*c_v*(l - d - s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))) +
-    ///     beta*alpha*q_2*T_2/(A_2*rho_0*c_v*(l - d - s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))) - p_2*max(0,
-    ///     rho_0*q_2*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0
-    ///     - T_2))^2) + (T_0 - T_2)*max(0, rho_0*q_2*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)))/(A_2*rho_0*(l - d - s_k)*exp(-(p_0
-    ///     - p_2)/beta + alpha*(T_0 - T_2))) - beta*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*max(0, rho_0*q_2*exp(-(p_0 -
-    ///     p_2)/beta + alpha*(T_0 - T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))) -
-    ///     (beta*alpha*T_0 - p_0)*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2))*max(0, rho_0*q_2*exp(-(p_0 - p_2)/beta + alpha*(T_0 -
-    ///     T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))) + (beta*alpha*T_0*expm1((p_0 -
-    ///     p_t)/beta) + beta*compression(-(p_0 - p_t)/beta) - p_0*expm1((p_0 - p_t)/beta) + p_t/exp(-(p_0 - p_t)/beta))*max(0,
-    ///     rho_0*q_2*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)*exp(-(p_0 - p_2)/beta + alpha*(T_0
-    ///     - T_2)))
+    ///     - p_s*exp((p_0 - p_s)/beta))*exp((p_0 - p_1)/beta - alpha*(T_0 - T_1))*max(0, rho_0*q_1/exp((p_0 - p_1)/beta -
+    ///     alpha*(T_0 - T_1)))/(A_1*rho_0^2*c_v*s_k)
+    ///     dot(p_2) = beta*(1 + beta*alpha^2*T_2*exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))/(rho_0*c_v))*dot(s_k)/(l - d - s_k) +
+    ///     beta^2*alpha^2*q_2*T_2*exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))/(A_2*rho_0*c_v*(l - d - s_k)) + beta*q_2/(A_2*(l - d -
+    ///     s_k)) - beta*alpha*p_2*exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))^2*max(0, rho_0*q_2/exp((p_0 - p_2)/beta - alpha*(T_0 -
+    ///     T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)) + beta*alpha*(T_0 - T_2)*exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))*max(0,
+    ///     rho_0*q_2/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)))/(A_2*rho_0*(l - d - s_k)) - beta^2*alpha*compression(-(p_0 -
+    ///     p_2)/beta + alpha*(T_0 - T_2))*exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))*max(0, rho_0*q_2/exp((p_0 - p_2)/beta -
+    ///     alpha*(T_0 - T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)) + beta*alpha*(-beta*alpha*T_0 + p_0)*exp((p_0 - p_2)/beta -
+    ///     alpha*(T_0 - T_2))*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2))*max(0, rho_0*q_2/exp((p_0 - p_2)/beta - alpha*(T_0 -
+    ///     T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)) - beta*alpha*(-beta*alpha*T_0*expm1((p_0 - p_t)/beta) - beta*compression(-(p_0 -
+    ///     p_t)/beta) + p_0*expm1((p_0 - p_t)/beta) - p_t*exp((p_0 - p_t)/beta))*exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))*max(0,
+    ///     rho_0*q_2/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k))
+    ///     dot(T_1) = -beta*alpha*T_1*exp((p_0 - p_1)/beta - alpha*(T_0 - T_1))*dot(s_k)/(rho_0*c_v*s_k) +
+    ///     beta*alpha*q_1*T_1*exp((p_0 - p_1)/beta - alpha*(T_0 - T_1))/(A_1*rho_0*c_v*s_k) - p_1*exp((p_0 - p_1)/beta - alpha*(T_0
+    ///     - T_1))^2*max(0, rho_0*q_1/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)))/(A_1*rho_0^2*c_v*s_k) + (T_0 - T_1)*exp((p_0 -
+    ///     p_1)/beta - alpha*(T_0 - T_1))*max(0, rho_0*q_1/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)))/(A_1*rho_0*s_k) -
+    ///     beta*compression(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))*exp((p_0 - p_1)/beta - alpha*(T_0 - T_1))*max(0,
+    ///     rho_0*q_1/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)))/(A_1*rho_0^2*c_v*s_k) - (beta*alpha*T_0 - p_0)*exp((p_0 - p_1)/beta
+    ///     - alpha*(T_0 - T_1))*expm1((p_0 - p_1)/beta - alpha*(T_0 - T_1))*max(0, rho_0*q_1/exp((p_0 - p_1)/beta - alpha*(T_0 -
+    ///     T_1)))/(A_1*rho_0^2*c_v*s_k) + (beta*alpha*T_0*expm1((p_0 - p_s)/beta) + beta*compression(-(p_0 - p_s)/beta) -
+    ///     p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 - p_s)/beta))*exp((p_0 - p_1)/beta - alpha*(T_0 - T_1))*max(0,
+    ///     rho_0*q_1/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)))/(A_1*rho_0^2*c_v*s_k)
+    ///     dot(T_2) = beta*alpha*T_2*exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))*dot(s_k)/(rho_0*c_v*(l - d - s_k)) +
+    ///     beta*alpha*q_2*T_2*exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))/(A_2*rho_0*c_v*(l - d - s_k)) - p_2*exp((p_0 - p_2)/beta -
+    ///     alpha*(T_0 - T_2))^2*max(0, rho_0*q_2/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)) + (T_0
+    ///     - T_2)*exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))*max(0, rho_0*q_2/exp((p_0 - p_2)/beta - alpha*(T_0 -
+    ///     T_2)))/(A_2*rho_0*(l - d - s_k)) - beta*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*exp((p_0 - p_2)/beta -
+    ///     alpha*(T_0 - T_2))*max(0, rho_0*q_2/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)) -
+    ///     (beta*alpha*T_0 - p_0)*exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2))*max(0,
+    ///     rho_0*q_2/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)))/(A_2*rho_0^2*c_v*(l - d - s_k)) + (beta*alpha*T_0*expm1((p_0 -
+    ///     p_t)/beta) + beta*compression(-(p_0 - p_t)/beta) - p_0*expm1((p_0 - p_t)/beta) + p_t*exp((p_0 - p_t)/beta))*exp((p_0 -
+    ///     p_2)/beta - alpha*(T_0 - T_2))*max(0, rho_0*q_2/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)))/(A_2*rho_0^2*c_v*(l - d -
+    ///     s_k))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::exp;
         using std::expm1;
@@ -553,54 +557,50 @@ public:
         const Scalar T_1 = x[4];
         const Scalar e3 = p_.T_0 - T_1;
         const Scalar e4 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e3;
-        const Scalar e5 = -e4;
-        const Scalar exp_6 = exp(e5);
-        const Scalar max_7 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * exp_6);
-        const Scalar inverse_8 = Scalar(1) / exp_6;
-        const Scalar e9 = inverse_1 * inverse_8;
-        const Scalar e10 = max_7 * e9;
-        const Scalar e11 = T_1 * e9;
-        const Scalar e12 = c_.k3 * s_k_dot;
-        const Scalar e13 = e3 * e10;
-        const Scalar compression_14 = detail::compression<Scalar>(e5);
-        const Scalar e15 = compression_14 * e10;
-        const Scalar expm1_16 = expm1(e4);
-        const Scalar e17 = expm1_16 * e10;
-        const Scalar e18 = q_1 * e11;
-        const Scalar e19 = e10 * (p_1 * inverse_8);
-        const Scalar inverse_20 = Scalar(1) / (c_.k30 - s_k);
+        const Scalar exp_5 = exp(e4);
+        const Scalar max_6 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 / exp_5);
+        const Scalar e7 = exp_5 * inverse_1;
+        const Scalar e8 = max_6 * e7;
+        const Scalar e9 = T_1 * e7;
+        const Scalar e10 = c_.k3 * s_k_dot;
+        const Scalar e11 = e3 * e8;
+        const Scalar compression_12 = detail::compression<Scalar>(-e4);
+        const Scalar e13 = compression_12 * e8;
+        const Scalar expm1_14 = expm1(e4);
+        const Scalar e15 = expm1_14 * e8;
+        const Scalar e16 = q_1 * e9;
+        const Scalar e17 = e8 * (p_1 * exp_5);
+        const Scalar inverse_18 = Scalar(1) / (c_.k30 - s_k);
         const Scalar q_2 = u[1];
         const Scalar T_2 = x[5];
-        const Scalar e21 = p_.T_0 - T_2;
-        const Scalar e22 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e21;
-        const Scalar e23 = -e22;
-        const Scalar exp_24 = exp(e23);
-        const Scalar max_25 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_2 * exp_24);
-        const Scalar inverse_26 = Scalar(1) / exp_24;
-        const Scalar e27 = inverse_20 * inverse_26;
-        const Scalar e28 = max_25 * e27;
-        const Scalar e29 = T_2 * e27;
-        const Scalar e30 = e21 * e28;
-        const Scalar compression_31 = detail::compression<Scalar>(e23);
-        const Scalar e32 = compression_31 * e28;
-        const Scalar expm1_33 = expm1(e22);
-        const Scalar e34 = expm1_33 * e28;
-        const Scalar e35 = q_2 * e29;
-        const Scalar e36 = e28 * (p_2 * inverse_26);
-        const Scalar e37 = c_.k17 * s_k_dot;
+        const Scalar e19 = p_.T_0 - T_2;
+        const Scalar e20 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e19;
+        const Scalar exp_21 = exp(e20);
+        const Scalar max_22 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_2 / exp_21);
+        const Scalar e23 = exp_21 * inverse_18;
+        const Scalar e24 = max_22 * e23;
+        const Scalar e25 = T_2 * e23;
+        const Scalar e26 = e19 * e24;
+        const Scalar compression_27 = detail::compression<Scalar>(-e20);
+        const Scalar e28 = compression_27 * e24;
+        const Scalar expm1_29 = expm1(e20);
+        const Scalar e30 = expm1_29 * e24;
+        const Scalar e31 = q_2 * e25;
+        const Scalar e32 = e24 * (p_2 * exp_21);
+        const Scalar e33 = c_.k17 * s_k_dot;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = inverse_1 * (c_.k1 * q_1 - e2) - c_.k8 * e10 - e11 * e12 + c_.k5 * e13 - c_.k6 * e15 + c_.k7 * e17 + c_.k2
-            * e18 - c_.k4 * e19;
-        dxdt[3] = inverse_20 * (c_.k10 * q_2 + e2) - c_.k15 * e28 + e29 * e12 + c_.k12 * e30 - c_.k13 * e32 + c_.k14 * e34
-            + c_.k9 * e35 - c_.k11 * e36;
-        dxdt[4] = c_.k22 * e10 - e11 * e37 + c_.k19 * e13 - c_.k20 * e15 - c_.k21 * e17 + c_.k16 * e18 - c_.k18 * e19;
-        dxdt[5] = c_.k28 * e28 + e29 * e37 + c_.k25 * e30 - c_.k26 * e32 - c_.k27 * e34 + c_.k23 * e35 - c_.k24 * e36;
+        dxdt[2] = inverse_1 * (c_.k1 * q_1 - e2) - c_.k8 * e8 - e9 * e10 + c_.k5 * e11 - c_.k6 * e13 + c_.k7 * e15 + c_.k2
+            * e16 - c_.k4 * e17;
+        dxdt[3] = inverse_18 * (c_.k10 * q_2 + e2) - c_.k15 * e24 + e25 * e10 + c_.k12 * e26 - c_.k13 * e28 + c_.k14 * e30
+            + c_.k9 * e31 - c_.k11 * e32;
+        dxdt[4] = c_.k22 * e8 - e9 * e33 + c_.k19 * e11 - c_.k20 * e13 - c_.k21 * e15 + c_.k16 * e16 - c_.k18 * e17;
+        dxdt[5] = c_.k28 * e24 + e25 * e33 + c_.k25 * e26 - c_.k26 * e28 - c_.k27 * e30 + c_.k23 * e31 - c_.k24 * e32;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 151 + or -, 233 *, 6 /, 14 other functions
+    /// Operations: 146 + or -, 212 *, 4 /, 10 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
         using std::expm1;
@@ -608,166 +608,137 @@ public:
         const Scalar f_l = u[2];
         const Scalar p_2 = x[3];
         const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.A_2 * p_2) * c_.k0;
-        const Scalar s_k_dot = x[1];
-        const Scalar s_k = x[0];
-        const Scalar inverse_1 = Scalar(1) / s_k;
-        const Scalar e2 = s_k_dot * inverse_1;
         const Scalar q_1 = u[0];
-        const Scalar e3 = q_1 * inverse_1;
-        const Scalar e4 = c_.k2 * e3 - c_.k3 * e2;
         const Scalar T_1 = x[4];
-        const Scalar e5 = p_.p_0 - p_1;
-        const Scalar e6 = p_.T_0 - T_1;
-        const Scalar e7 = c_.k29 * e5 - p_.alpha * e6;
-        const Scalar e8 = -e7;
-        const Scalar exp_9 = exp(e8);
-        const Scalar inverse_10 = Scalar(1) / exp_9;
-        const Scalar e11 = T_1 * inverse_10;
-        const Scalar e12 = p_.beta * e2 - (c_.k1 * e3 + e4 * e11);
-        const Scalar e13 = p_.rho_0 * q_1 * exp_9;
-        const Scalar max_14 = detail::max<Scalar>(Scalar(0), e13);
-        const Scalar e15 = max_14 * inverse_1;
-        const Scalar e16 = inverse_10 * e15;
-        const Scalar compression_17 = detail::compression<Scalar>(e8);
-        const Scalar expm1_18 = expm1(e7);
-        const Scalar e19 = p_1 * inverse_10;
-        const Scalar e20 = c_.k6 * compression_17 - c_.k7 * expm1_18 + (c_.k8 + (c_.k4 * e19 - c_.k5 * e6));
-        const Scalar inverse_21 = Scalar(1) / (c_.k30 - s_k);
-        const Scalar e22 = s_k_dot * inverse_21;
+        const Scalar e1 = p_.p_0 - p_1;
+        const Scalar e2 = p_.T_0 - T_1;
+        const Scalar e3 = c_.k29 * e1 - p_.alpha * e2;
+        const Scalar exp_4 = exp(e3);
+        const Scalar s_k = x[0];
+        const Scalar inverse_5 = Scalar(1) / s_k;
+        const Scalar e6 = exp_4 * inverse_5;
+        const Scalar e7 = T_1 * e6;
+        const Scalar e8 = q_1 * e7;
+        const Scalar e9 = p_.rho_0 * q_1 / exp_4;
+        const Scalar max_10 = detail::max<Scalar>(Scalar(0), e9);
+        const Scalar e11 = max_10 * e6;
+        const Scalar e12 = exp_4 * e11;
+        const Scalar e13 = p_1 * e12;
+        const Scalar compression_14 = detail::compression<Scalar>(-e3);
+        const Scalar e15 = compression_14 * e11;
+        const Scalar expm1_16 = expm1(e3);
+        const Scalar e17 = expm1_16 * e11;
+        const Scalar e18 = q_1 * inverse_5;
+        const Scalar s_k_dot = x[1];
+        const Scalar e19 = c_.k3 * e7 + p_.beta * inverse_5;
+        const Scalar e20 = c_.k6 * e15 - c_.k7 * e17 - (e11 * (c_.k5 * e2 - c_.k8) + (c_.k1 * e18 - s_k_dot * e19));
         const Scalar q_2 = u[1];
-        const Scalar e23 = q_2 * inverse_21;
-        const Scalar e24 = c_.k3 * e22 + c_.k9 * e23;
         const Scalar T_2 = x[5];
-        const Scalar e25 = p_.p_0 - p_2;
-        const Scalar e26 = p_.T_0 - T_2;
-        const Scalar e27 = c_.k29 * e25 - p_.alpha * e26;
-        const Scalar e28 = -e27;
-        const Scalar exp_29 = exp(e28);
-        const Scalar inverse_30 = Scalar(1) / exp_29;
-        const Scalar e31 = T_2 * inverse_30;
-        const Scalar e32 = p_.beta * e22 + (c_.k10 * e23 + e24 * e31);
-        const Scalar e33 = p_.rho_0 * q_2 * exp_29;
-        const Scalar max_34 = detail::max<Scalar>(Scalar(0), e33);
-        const Scalar e35 = max_34 * inverse_21;
-        const Scalar e36 = inverse_30 * e35;
-        const Scalar compression_37 = detail::compression<Scalar>(e28);
-        const Scalar expm1_38 = expm1(e27);
-        const Scalar e39 = p_2 * inverse_30;
-        const Scalar e40 = c_.k13 * compression_37 - c_.k14 * expm1_38 + (c_.k15 + (c_.k11 * e39 - c_.k12 * e26));
-        const Scalar e41 = c_.k16 * e3 - c_.k17 * e2;
-        const Scalar e42 = c_.k20 * compression_17 + c_.k21 * expm1_18 - (c_.k22 - (c_.k18 * e19 - c_.k19 * e6));
-        const Scalar e43 = c_.k17 * e22 + c_.k23 * e23;
-        const Scalar e44 = c_.k26 * compression_37 + c_.k27 * expm1_38 - (c_.k28 - (c_.k24 * e39 - c_.k25 * e26));
+        const Scalar e21 = p_.p_0 - p_2;
+        const Scalar e22 = p_.T_0 - T_2;
+        const Scalar e23 = c_.k29 * e21 - p_.alpha * e22;
+        const Scalar exp_24 = exp(e23);
+        const Scalar inverse_25 = Scalar(1) / (c_.k30 - s_k);
+        const Scalar e26 = exp_24 * inverse_25;
+        const Scalar e27 = T_2 * e26;
+        const Scalar e28 = q_2 * e27;
+        const Scalar e29 = p_.rho_0 * q_2 / exp_24;
+        const Scalar max_30 = detail::max<Scalar>(Scalar(0), e29);
+        const Scalar e31 = max_30 * e26;
+        const Scalar e32 = exp_24 * e31;
+        const Scalar e33 = p_2 * e32;
+        const Scalar compression_34 = detail::compression<Scalar>(-e23);
+        const Scalar e35 = compression_34 * e31;
+        const Scalar expm1_36 = expm1(e23);
+        const Scalar e37 = expm1_36 * e31;
+        const Scalar e38 = q_2 * inverse_25;
+        const Scalar e39 = c_.k3 * e27 + p_.beta * inverse_25;
+        const Scalar e40 = c_.k13 * e35 - c_.k14 * e37 - (e31 * (c_.k12 * e22 - c_.k15) + (c_.k10 * e38 + s_k_dot * e39));
+        const Scalar e41 = c_.k17 * s_k_dot;
+        const Scalar e42 = e2 * e11;
+        const Scalar e43 = c_.k20 * e15 - c_.k22 * e11 + (c_.k21 * e17 + (e7 * e41 - c_.k19 * e42));
+        const Scalar e44 = e22 * e31;
+        const Scalar e45 = c_.k26 * e35 - c_.k28 * e31 + (c_.k27 * e37 - (e27 * e41 + c_.k25 * e44));
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = -e12 - e16 * e20;
-        dxdt[3] = e32 - e36 * e40;
-        dxdt[4] = e41 * e11 - e16 * e42;
-        dxdt[5] = e43 * e31 - e36 * e44;
-        const Scalar e45 = inverse_1 * e16;
-        const Scalar e46 = inverse_21 * e36;
-        const Scalar e47 = inverse_1 * e11;
-        const Scalar e48 = inverse_21 * e31;
-        const Scalar exp_49 = exp(c_.k102 * e6 - c_.k101 * e5);
-        const Scalar inverse_50 = Scalar(1) / exp_49;
-        const Scalar e51 = exp_9 * inverse_50;
-        const Scalar e52 = e15 * e51;
-        const Scalar exp_53 = exp(e7);
-        const Scalar e54 = exp_53 * e16;
-        const Scalar e55 = expm1_18 * e52 + e54;
-        const Scalar step_56 = detail::step<Scalar>(e13);
-        const Scalar e57 = step_56 * e3;
-        const Scalar e58 = T_1 * e51;
-        const Scalar e59 = e3 * e58;
-        const Scalar e60 = e15 * (p_1 * inverse_50);
-        const Scalar e61 = e57 * e19;
-        const Scalar e62 = e2 * e58;
-        const Scalar e63 = e57 * (c_.k16 * compression_17 - c_.k34 * e6) - e54 * (c_.k39 * e5 - c_.k40 * e6);
-        const Scalar e64 = e57 * (c_.k35 * expm1_18 - c_.k36) - e52 * (c_.k4 * compression_17 - c_.k41 * e6);
-        const Scalar e65 = c_.k42 * e55 - c_.k43 * e52 - e63
-            - (e64 + (c_.k33 * e59 - c_.k38 * e60 + (c_.k32 * e61 - c_.k37 * e62)));
-        const Scalar e66 = inverse_10 * e16;
-        const Scalar e67 = Scalar(1) - exp_9 * e51;
-        const Scalar e68 = e3 * e67;
-        const Scalar e69 = e2 * e67;
-        const Scalar e70 = compression_17 * e52;
-        const Scalar e71 = e6 * e57;
-        const Scalar e72 = compression_17 * e57;
-        const Scalar e73 = expm1_18 * e57;
-        const Scalar e74 = e6 * e52;
-        const Scalar e75 = e5 * e54;
-        const Scalar e76 = e6 * e54;
-        const Scalar exp_77 = exp(c_.k102 * e26 - c_.k101 * e25);
-        const Scalar inverse_78 = Scalar(1) / exp_77;
-        const Scalar e79 = exp_29 * inverse_78;
-        const Scalar e80 = e35 * e79;
-        const Scalar exp_81 = exp(e27);
-        const Scalar e82 = exp_81 * e36;
-        const Scalar e83 = expm1_38 * e80 + e82;
-        const Scalar step_84 = detail::step<Scalar>(e33);
-        const Scalar e85 = step_84 * e23;
-        const Scalar e86 = T_2 * e79;
-        const Scalar e87 = e23 * e86;
-        const Scalar e88 = e35 * (p_2 * inverse_78);
-        const Scalar e89 = e22 * e86;
-        const Scalar e90 = e85 * e39;
-        const Scalar e91 = e85 * (c_.k23 * compression_37 - c_.k58 * e26) - e82 * (c_.k62 * e25 - c_.k63 * e26);
-        const Scalar e92 = e85 * (c_.k59 * expm1_38 - c_.k60) - e80 * (c_.k11 * compression_37 - c_.k64 * e26);
-        const Scalar e93 = c_.k65 * e83 - c_.k66 * e80 - e91
-            - (e92 + (c_.k56 * e87 - c_.k61 * e88 + (c_.k37 * e89 + c_.k55 * e90)));
-        const Scalar e94 = inverse_30 * e36;
-        const Scalar e95 = Scalar(1) - exp_29 * e79;
-        const Scalar e96 = e23 * e95;
-        const Scalar e97 = e22 * e95;
-        const Scalar e98 = compression_37 * e80;
-        const Scalar e99 = e26 * e85;
-        const Scalar e100 = compression_37 * e85;
-        const Scalar e101 = expm1_38 * e85;
-        const Scalar e102 = e26 * e80;
-        const Scalar e103 = e25 * e82;
-        const Scalar e104 = e26 * e82;
+        dxdt[2] = c_.k2 * e8 - c_.k4 * e13 - e20;
+        dxdt[3] = c_.k9 * e28 - c_.k11 * e33 - e40;
+        dxdt[4] = c_.k16 * e8 - c_.k18 * e13 - e43;
+        dxdt[5] = c_.k23 * e28 - c_.k24 * e33 - e45;
+        const Scalar e46 = e18 * e7;
+        const Scalar e47 = e11 * (p_1 * e6);
+        const Scalar e48 = e38 * e27;
+        const Scalar e49 = e31 * (p_2 * e26);
+        const Scalar e50 = e2 * e12;
+        const Scalar step_51 = detail::step<Scalar>(e9);
+        const Scalar e52 = step_51 * e18;
+        const Scalar e53 = expm1_16 * e52;
+        const Scalar e54 = c_.k36 * s_k_dot;
+        const Scalar e55 = q_1 * e6;
+        const Scalar e56 = e55 * (p_1 * step_51);
+        const Scalar e57 = e7 * (c_.k32 * q_1 - e54) + e52 * (c_.k16 * compression_14 - c_.k33 * e2);
+        const Scalar e58 = e57 - (e12 * (c_.k37 * p_1 + c_.k38 * e1) - (c_.k39 * e42 + c_.k31 * e56));
+        const Scalar e59 = c_.k40 * e50 + c_.k34 * e53 - (c_.k4 * e15 + c_.k35 * e52) + e58;
+        const Scalar e60 = c_.k49 * s_k_dot;
+        const Scalar e61 = e1 * e12;
+        const Scalar e62 = e2 * e52;
+        const Scalar e63 = compression_14 * e52;
+        const Scalar e64 = e22 * e32;
+        const Scalar step_65 = detail::step<Scalar>(e29);
+        const Scalar e66 = step_65 * e38;
+        const Scalar e67 = expm1_36 * e66;
+        const Scalar e68 = q_2 * e26;
+        const Scalar e69 = e68 * (p_2 * step_65);
+        const Scalar e70 = e27 * (c_.k57 * q_2 + e54) + e66 * (c_.k23 * compression_34 - c_.k58 * e22);
+        const Scalar e71 = e70 - (e32 * (c_.k61 * p_2 + c_.k62 * e21) - (c_.k63 * e44 + c_.k56 * e69));
+        const Scalar e72 = c_.k64 * e64 + c_.k59 * e67 - (c_.k11 * e35 + c_.k60 * e66) + e71;
+        const Scalar e73 = e21 * e32;
+        const Scalar e74 = e22 * e66;
+        const Scalar e75 = compression_34 * e66;
+        const Scalar e76 = e12 + e17;
+        const Scalar e77 = c_.k3 * s_k_dot;
+        const Scalar e78 = c_.k83 * s_k_dot;
+        const Scalar e79 = e32 + e37;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = inverse_1 * e12 + e45 * e20;
-        J[3] = inverse_21 * e32 - e46 * e40;
-        J[4] = e45 * e42 - e41 * e47;
-        J[5] = e43 * e48 - e46 * e44;
+        J[2] = inverse_5 * e20 - c_.k2 * e46 + c_.k4 * e47;
+        J[3] = c_.k9 * e48 - inverse_25 * e40 - c_.k11 * e49;
+        J[4] = inverse_5 * e43 - c_.k16 * e46 + c_.k18 * e47;
+        J[5] = c_.k23 * e48 - inverse_25 * e45 - c_.k24 * e49;
         J[6] = Scalar(1);
         J[7] = Scalar(0);
-        J[8] = -p_.beta * inverse_1 - c_.k3 * e47;
-        J[9] = p_.beta * inverse_21 + c_.k3 * e48;
-        J[10] = -c_.k17 * e47;
-        J[11] = c_.k17 * e48;
+        J[8] = -e19;
+        J[9] = e39;
+        J[10] = -c_.k17 * e7;
+        J[11] = c_.k17 * e27;
         J[12] = Scalar(0);
         J[13] = p_.A_1 * c_.k0;
-        J[14] = e65 - c_.k4 * e66 + c_.k31 * e68 - e69;
+        J[14] = c_.k41 * e17 - c_.k42 * e11 - c_.k43 * e12 - e59;
         J[15] = Scalar(0);
-        J[16] = c_.k54 * e52 - c_.k18 * (e66 - e70) - c_.k48 * e57 - c_.k53 * e55 - c_.k32 * e59 + c_.k49 * e62 - c_.k44 * e61
-            + c_.k50 * e60 + c_.k45 * e71 - c_.k46 * e72 + c_.k47 * e73 - c_.k52 * e74 + c_.k51 * e75 - c_.k39 * e76;
+        J[16] = c_.k54 * e11 - c_.k55 * e12 - c_.k48 * e52 + c_.k18 * e15 - c_.k53 * e17 - c_.k52 * e42 - c_.k31 * e8 + c_.k50
+            * e13 - c_.k38 * e50 + c_.k47 * e53 - c_.k44 * e56 + e7 * e60 + c_.k51 * e61 + c_.k45 * e62 - c_.k46 * e63;
         J[17] = Scalar(0);
         J[18] = Scalar(0);
         J[19] = (-p_.A_2) * c_.k0;
         J[20] = Scalar(0);
-        J[21] = e93 - c_.k11 * e94 + c_.k57 * e96 + e97;
+        J[21] = c_.k65 * e37 - c_.k66 * e31 - c_.k67 * e32 - e72;
         J[22] = Scalar(0);
-        J[23] = c_.k76 * e80 - c_.k24 * (e94 - e98) - c_.k71 * e85 - c_.k75 * e83 - c_.k55 * e87 - c_.k49 * e89 - c_.k67 * e90
-            + c_.k72 * e88 + c_.k68 * e99 - c_.k69 * e100 + c_.k70 * e101 - c_.k74 * e102 + c_.k73 * e103 - c_.k62 * e104;
+        J[23] = c_.k77 * e31 - c_.k78 * e32 - c_.k72 * e66 + c_.k24 * e35 - c_.k76 * e37 - c_.k75 * e44 - c_.k56 * e28 + c_.k73
+            * e33 - c_.k62 * e64 + c_.k71 * e67 - c_.k68 * e69 - e27 * e60 + c_.k74 * e73 + c_.k69 * e74 - c_.k70 * e75;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = c_.k81 * e57 - c_.k5 * e16 + c_.k88 * e55 + inverse_10 * e4 - c_.k89 * e52 + c_.k78 * e59 - c_.k83 * e62
-            + c_.k33 * e61 - c_.k84 * e60 - c_.k79 * e71 + c_.k2 * e72 - c_.k80 * e73 + c_.k86 * e74 - c_.k87 * e70 - c_.k77
-            * e68 + c_.k82 * e69 - c_.k40 * e75 + c_.k85 * e76;
+        J[26] = c_.k2 * (e55 + e63) - c_.k89 * e11 + c_.k82 * e52 - c_.k87 * e15 + c_.k88 * e76 + c_.k85 * e42 + c_.k79 * e8
+            - c_.k84 * e13 + c_.k86 * e50 - c_.k81 * e53 + c_.k32 * e56 - e6 * e77 - e7 * e78 - c_.k40 * e61 - c_.k80 * e62;
         J[27] = Scalar(0);
-        J[28] = inverse_10 * e41 - c_.k19 * e16 - e65;
+        J[28] = c_.k16 * e55 - c_.k90 * e11 - c_.k41 * e76 - e6 * e41 + e59;
         J[29] = Scalar(0);
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = c_.k94 * e85 - c_.k12 * e36 + c_.k99 * e83 + inverse_30 * e24 - c_.k100 * e80 + c_.k90 * e87 + c_.k83 * e89
-            + c_.k56 * e90 - c_.k95 * e88 - c_.k92 * e99 + c_.k9 * e100 - c_.k93 * e101 + c_.k97 * e102 - c_.k98 * e98 - c_.k91
-            * e96 - c_.k82 * e97 - c_.k63 * e103 + c_.k96 * e104;
+        J[33] = c_.k9 * (e68 + e75) - c_.k100 * e31 + c_.k94 * e66 - c_.k98 * e35 + c_.k99 * e79 + c_.k96 * e44 + c_.k91 * e28
+            - c_.k95 * e33 + c_.k97 * e64 - c_.k93 * e67 + c_.k57 * e69 + e26 * e77 + e27 * e78 - c_.k64 * e73 - c_.k92 * e74;
         J[34] = Scalar(0);
-        J[35] = inverse_30 * e43 - c_.k25 * e36 - e93;
+        J[35] = c_.k23 * e68 - c_.k101 * e31 - c_.k65 * e79 + e26 * e41 + e72;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -788,48 +759,44 @@ public:
         const Scalar T_1 = x[4];
         const Scalar e2 = p_.T_0 - T_1;
         const Scalar e3 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e2;
-        const Scalar e4 = -e3;
-        const Scalar exp_5 = exp(e4);
-        const Scalar step_6 = detail::step<Scalar>(p_.rho_0 * q_1 * exp_5);
-        const Scalar e7 = step_6 * inverse_1;
-        const Scalar e8 = e2 * e7;
-        const Scalar compression_9 = detail::compression<Scalar>(e4);
-        const Scalar e10 = compression_9 * e7;
-        const Scalar expm1_11 = expm1(e3);
-        const Scalar e12 = expm1_11 * e7;
-        const Scalar inverse_13 = Scalar(1) / exp_5;
-        const Scalar e14 = T_1 * (inverse_1 * inverse_13);
-        const Scalar e15 = e7 * (p_1 * inverse_13);
-        const Scalar inverse_16 = Scalar(1) / (c_.k30 - s_k);
+        const Scalar exp_4 = exp(e3);
+        const Scalar step_5 = detail::step<Scalar>(p_.rho_0 * q_1 / exp_4);
+        const Scalar e6 = step_5 * inverse_1;
+        const Scalar e7 = e2 * e6;
+        const Scalar compression_8 = detail::compression<Scalar>(-e3);
+        const Scalar e9 = compression_8 * e6;
+        const Scalar expm1_10 = expm1(e3);
+        const Scalar e11 = expm1_10 * e6;
+        const Scalar e12 = T_1 * (exp_4 * inverse_1);
+        const Scalar e13 = e6 * (p_1 * exp_4);
+        const Scalar inverse_14 = Scalar(1) / (c_.k30 - s_k);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
-        const Scalar e17 = p_.T_0 - T_2;
-        const Scalar e18 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e17;
-        const Scalar e19 = -e18;
-        const Scalar exp_20 = exp(e19);
-        const Scalar step_21 = detail::step<Scalar>(p_.rho_0 * q_2 * exp_20);
-        const Scalar e22 = step_21 * inverse_16;
-        const Scalar e23 = e17 * e22;
-        const Scalar compression_24 = detail::compression<Scalar>(e19);
-        const Scalar e25 = compression_24 * e22;
-        const Scalar expm1_26 = expm1(e18);
-        const Scalar e27 = expm1_26 * e22;
-        const Scalar inverse_28 = Scalar(1) / exp_20;
-        const Scalar e29 = T_2 * (inverse_16 * inverse_28);
-        const Scalar e30 = e22 * (p_2 * inverse_28);
+        const Scalar e15 = p_.T_0 - T_2;
+        const Scalar e16 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e15;
+        const Scalar exp_17 = exp(e16);
+        const Scalar step_18 = detail::step<Scalar>(p_.rho_0 * q_2 / exp_17);
+        const Scalar e19 = step_18 * inverse_14;
+        const Scalar e20 = e15 * e19;
+        const Scalar compression_21 = detail::compression<Scalar>(-e16);
+        const Scalar e22 = compression_21 * e19;
+        const Scalar expm1_23 = expm1(e16);
+        const Scalar e24 = expm1_23 * e19;
+        const Scalar e25 = T_2 * (exp_17 * inverse_14);
+        const Scalar e26 = e19 * (p_2 * exp_17);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k1 * inverse_1 - c_.k105 * e7 + c_.k77 * e8 - c_.k103 * e10 + c_.k104 * e12 + c_.k2 * e14 - c_.k16 * e15;
+        J[2] = c_.k1 * inverse_1 - c_.k105 * e6 + c_.k102 * e7 - c_.k103 * e9 + c_.k104 * e11 + c_.k2 * e12 - c_.k16 * e13;
         J[3] = Scalar(0);
-        J[4] = c_.k108 * e7 + c_.k31 * e8 - c_.k106 * e10 - c_.k107 * e12 + c_.k16 * e14 - c_.k46 * e15;
+        J[4] = c_.k109 * e6 + c_.k106 * e7 - c_.k107 * e9 - c_.k108 * e11 + c_.k16 * e12 - c_.k46 * e13;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = c_.k10 * inverse_16 - c_.k111 * e22 + c_.k91 * e23 - c_.k109 * e25 + c_.k110 * e27 + c_.k9 * e29 - c_.k23 * e30;
+        J[9] = c_.k10 * inverse_14 - c_.k113 * e19 + c_.k110 * e20 - c_.k111 * e22 + c_.k112 * e24 + c_.k9 * e25 - c_.k23 * e26;
         J[10] = Scalar(0);
-        J[11] = c_.k114 * e22 + c_.k57 * e23 - c_.k112 * e25 - c_.k113 * e27 + c_.k23 * e29 - c_.k69 * e30;
+        J[11] = c_.k117 * e19 + c_.k114 * e20 - c_.k115 * e22 - c_.k116 * e24 + c_.k23 * e25 - c_.k70 * e26;
         J[12] = Scalar(0);
         J[13] = (-Scalar(1)) * c_.k0;
         J[14] = Scalar(0);
@@ -839,7 +806,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 14, entry (i, j) at J[6*j + i].
-    /// Operations: 448 + or -, 808 *, 15 /, 24 other functions
+    /// Operations: 435 + or -, 742 *, 9 /, 16 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
         using std::expm1;
@@ -847,323 +814,281 @@ public:
         rhs(x, u, t, dxdt);
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
-        const Scalar inverse_1 = Scalar(1) / p_.rho_0;
-        const Scalar inverse_2 = Scalar(1) / p_.c_v;
-        const Scalar e3 = inverse_1 * inverse_2;
-        const Scalar e4 = inverse_1 * e3;
-        const Scalar e5 = p_.alpha * e4;
-        const Scalar inverse_6 = Scalar(1) / p_.A_1;
-        const Scalar e7 = p_.beta * inverse_6;
-        const Scalar e8 = e5 * e7;
-        const Scalar e9 = p_.p_0 - p_.p_s;
-        const Scalar inverse_10 = Scalar(1) / p_.beta;
-        const Scalar e11 = e9 * inverse_10;
-        const Scalar expm1_12 = expm1(e11);
-        const Scalar e13 = p_.alpha * p_.T_0;
-        const Scalar e14 = p_.beta * e13 - p_.p_0;
-        const Scalar e15 = -e11;
-        const Scalar exp_16 = exp(e15);
-        const Scalar inverse_17 = Scalar(1) / exp_16;
-        const Scalar e18 = p_.p_s * inverse_17;
-        const Scalar e19 = expm1_12 * e14 + e18;
-        const Scalar compression_20 = detail::compression<Scalar>(e15);
-        const Scalar e21 = compression_20 * e7;
-        const Scalar e22 = inverse_6 * e19 + e21;
-        const Scalar e23 = p_.p_0 - p_1;
-        const Scalar e24 = c_.k29 * e23;
-        const Scalar T_1 = x[4];
-        const Scalar e25 = p_.T_0 - T_1;
-        const Scalar e26 = e24 - p_.alpha * e25;
-        const Scalar e27 = -e26;
-        const Scalar exp_28 = exp(e27);
-        const Scalar inverse_29 = Scalar(1) / exp_28;
+        const Scalar e1 = p_.p_0 - p_.p_s;
+        const Scalar inverse_2 = Scalar(1) / p_.beta;
+        const Scalar e3 = e1 * inverse_2;
+        const Scalar expm1_4 = expm1(e3);
+        const Scalar e5 = p_.beta * p_.alpha;
+        const Scalar e6 = p_.T_0 * e5 - p_.p_0;
+        const Scalar compression_7 = detail::compression<Scalar>(-e3);
+        const Scalar exp_8 = exp(e3);
+        const Scalar e9 = p_.p_s * exp_8;
+        const Scalar e10 = p_.beta * compression_7 + e9;
+        const Scalar e11 = expm1_4 * e6 + e10;
+        const Scalar inverse_12 = Scalar(1) / p_.A_1;
+        const Scalar inverse_13 = Scalar(1) / p_.rho_0;
+        const Scalar inverse_14 = Scalar(1) / p_.c_v;
+        const Scalar e15 = inverse_13 * inverse_14;
+        const Scalar e16 = inverse_13 * e15;
+        const Scalar e17 = p_.alpha * e16;
+        const Scalar e18 = p_.beta * e17;
+        const Scalar e19 = inverse_12 * e18;
+        const Scalar e20 = inverse_12 * e19;
         const Scalar q_1 = u[0];
-        const Scalar e30 = p_.rho_0 * q_1 * exp_28;
-        const Scalar max_31 = detail::max<Scalar>(Scalar(0), e30);
+        const Scalar e21 = p_.p_0 - p_1;
+        const Scalar T_1 = x[4];
+        const Scalar e22 = p_.T_0 - T_1;
+        const Scalar e23 = c_.k29 * e21 - p_.alpha * e22;
+        const Scalar exp_24 = exp(e23);
+        const Scalar e25 = p_.rho_0 * q_1 / exp_24;
+        const Scalar max_26 = detail::max<Scalar>(Scalar(0), e25);
         const Scalar s_k = x[0];
-        const Scalar inverse_32 = Scalar(1) / s_k;
-        const Scalar e33 = max_31 * inverse_32;
-        const Scalar e34 = inverse_29 * e33;
-        const Scalar e35 = inverse_6 * e7;
-        const Scalar e36 = q_1 * inverse_32;
-        const Scalar e37 = inverse_6 * e14;
-        const Scalar expm1_38 = expm1(e26);
-        const Scalar e39 = expm1_38 * e34;
-        const Scalar e40 = p_.alpha * e3;
-        const Scalar e41 = p_.alpha * e40;
-        const Scalar e42 = e7 * e41;
-        const Scalar e43 = T_1 * inverse_29;
-        const Scalar e44 = e36 * e43;
-        const Scalar compression_45 = detail::compression<Scalar>(e27);
-        const Scalar e46 = compression_45 * e34;
-        const Scalar e47 = p_1 * inverse_29;
-        const Scalar e48 = e34 * e47;
-        const Scalar e49 = p_.alpha * inverse_1;
-        const Scalar e50 = e25 * e34;
-        const Scalar e51 = inverse_6 * e4;
-        const Scalar e52 = inverse_6 * inverse_1;
-        const Scalar inverse_53 = Scalar(1) / p_.A_2;
-        const Scalar e54 = p_.beta * inverse_53;
-        const Scalar e55 = e5 * e54;
-        const Scalar e56 = p_.p_0 - p_.p_t;
-        const Scalar e57 = e56 * inverse_10;
-        const Scalar expm1_58 = expm1(e57);
-        const Scalar e59 = -e57;
-        const Scalar exp_60 = exp(e59);
-        const Scalar inverse_61 = Scalar(1) / exp_60;
-        const Scalar e62 = p_.p_t * inverse_61;
-        const Scalar e63 = expm1_58 * e14 + e62;
-        const Scalar compression_64 = detail::compression<Scalar>(e59);
-        const Scalar e65 = compression_64 * e54;
-        const Scalar e66 = inverse_53 * e63 + e65;
-        const Scalar e67 = p_.p_0 - p_2;
-        const Scalar e68 = c_.k29 * e67;
-        const Scalar T_2 = x[5];
-        const Scalar e69 = p_.T_0 - T_2;
-        const Scalar e70 = e68 - p_.alpha * e69;
-        const Scalar e71 = -e70;
-        const Scalar exp_72 = exp(e71);
-        const Scalar inverse_73 = Scalar(1) / exp_72;
+        const Scalar inverse_27 = Scalar(1) / s_k;
+        const Scalar e28 = exp_24 * inverse_27;
+        const Scalar e29 = max_26 * e28;
+        const Scalar e30 = inverse_12 * inverse_13;
+        const Scalar e31 = e5 * e30;
+        const Scalar e32 = e22 * e29;
+        const Scalar e33 = p_.alpha * e15;
+        const Scalar e34 = p_.beta * e33;
+        const Scalar e35 = inverse_12 * e34;
+        const Scalar e36 = inverse_12 * e35;
+        const Scalar e37 = T_1 * e28;
+        const Scalar e38 = q_1 * e37;
+        const Scalar expm1_39 = expm1(e23);
+        const Scalar e40 = expm1_39 * e29;
+        const Scalar e41 = exp_24 * e29;
+        const Scalar e42 = p_1 * e41;
+        const Scalar compression_43 = detail::compression<Scalar>(-e23);
+        const Scalar e44 = compression_43 * e29;
+        const Scalar e45 = q_1 * inverse_27;
+        const Scalar e46 = inverse_12 * e16;
+        const Scalar e47 = inverse_12 * e46;
+        const Scalar e48 = p_.beta * e46;
+        const Scalar e49 = p_.p_0 - p_.p_t;
+        const Scalar e50 = e49 * inverse_2;
+        const Scalar expm1_51 = expm1(e50);
+        const Scalar compression_52 = detail::compression<Scalar>(-e50);
+        const Scalar exp_53 = exp(e50);
+        const Scalar e54 = p_.p_t * exp_53;
+        const Scalar e55 = p_.beta * compression_52 + e54;
+        const Scalar e56 = expm1_51 * e6 + e55;
+        const Scalar inverse_57 = Scalar(1) / p_.A_2;
+        const Scalar e58 = inverse_57 * e18;
+        const Scalar e59 = inverse_57 * e58;
         const Scalar q_2 = u[1];
-        const Scalar e74 = p_.rho_0 * q_2 * exp_72;
-        const Scalar max_75 = detail::max<Scalar>(Scalar(0), e74);
-        const Scalar inverse_76 = Scalar(1) / (c_.k30 - s_k);
-        const Scalar e77 = max_75 * inverse_76;
-        const Scalar e78 = inverse_73 * e77;
-        const Scalar e79 = inverse_53 * e54;
-        const Scalar e80 = q_2 * inverse_76;
-        const Scalar e81 = e69 * e78;
-        const Scalar e82 = inverse_53 * e14;
-        const Scalar expm1_83 = expm1(e70);
-        const Scalar e84 = expm1_83 * e78;
-        const Scalar e85 = e54 * e41;
-        const Scalar e86 = T_2 * inverse_73;
-        const Scalar e87 = e80 * e86;
-        const Scalar e88 = p_2 * inverse_73;
-        const Scalar e89 = e78 * e88;
-        const Scalar compression_90 = detail::compression<Scalar>(e71);
-        const Scalar e91 = compression_90 * e78;
-        const Scalar e92 = inverse_53 * e4;
-        const Scalar e93 = inverse_53 * inverse_1;
+        const Scalar e60 = p_.p_0 - p_2;
+        const Scalar T_2 = x[5];
+        const Scalar e61 = p_.T_0 - T_2;
+        const Scalar e62 = c_.k29 * e60 - p_.alpha * e61;
+        const Scalar exp_63 = exp(e62);
+        const Scalar e64 = p_.rho_0 * q_2 / exp_63;
+        const Scalar max_65 = detail::max<Scalar>(Scalar(0), e64);
+        const Scalar inverse_66 = Scalar(1) / (c_.k30 - s_k);
+        const Scalar e67 = exp_63 * inverse_66;
+        const Scalar e68 = max_65 * e67;
+        const Scalar e69 = inverse_57 * inverse_13;
+        const Scalar e70 = e5 * e69;
+        const Scalar e71 = e61 * e68;
+        const Scalar e72 = inverse_57 * e34;
+        const Scalar e73 = inverse_57 * e72;
+        const Scalar e74 = T_2 * e67;
+        const Scalar e75 = q_2 * e74;
+        const Scalar expm1_76 = expm1(e62);
+        const Scalar e77 = expm1_76 * e68;
+        const Scalar compression_78 = detail::compression<Scalar>(-e62);
+        const Scalar e79 = compression_78 * e68;
+        const Scalar e80 = exp_63 * e68;
+        const Scalar e81 = p_2 * e80;
+        const Scalar e82 = q_2 * inverse_66;
+        const Scalar e83 = inverse_57 * e16;
+        const Scalar e84 = inverse_57 * e83;
+        const Scalar e85 = p_.beta * e83;
         const Scalar s_k_dot = x[1];
-        const Scalar e94 = s_k_dot * inverse_76;
-        const Scalar e95 = c_.k10 * e80 + p_.beta * e94;
-        const Scalar e96 = c_.k13 * compression_90 + c_.k15;
-        const Scalar e97 = e94 * e86;
-        const Scalar e98 = e95 + (c_.k12 * e81 + c_.k14 * e84) + (c_.k9 * e87 - e78 * e96 + (c_.k3 * e97 - c_.k11 * e89));
-        const Scalar e99 = inverse_76 * e98;
-        const Scalar e100 = c_.k26 * compression_90 - c_.k28;
-        const Scalar e101 = c_.k17 * e97 - c_.k24 * e89 + (c_.k25 * e81 - c_.k27 * e84 + (c_.k23 * e87 - e78 * e100));
-        const Scalar e102 = inverse_76 * e101;
-        const Scalar e103 = inverse_1 * e8;
-        const Scalar e104 = p_.beta * compression_20;
-        const Scalar step_105 = detail::step<Scalar>(e30);
-        const Scalar e106 = step_105 * e36;
-        const Scalar e107 = e25 * e106;
-        const Scalar e108 = compression_45 * e106;
-        const Scalar e109 = expm1_38 * e106;
-        const Scalar e110 = e106 * e47;
-        const Scalar e111 = p_.beta * p_.alpha;
-        const Scalar e112 = p_.beta * e5;
-        const Scalar e113 = e111 * e112;
-        const Scalar e114 = s_k_dot * inverse_32;
-        const Scalar e115 = e114 * e43;
-        const Scalar e116 = inverse_1 * e7;
-        const Scalar e117 = inverse_1 * e55;
-        const Scalar e118 = p_.beta * compression_64;
-        const Scalar e119 = inverse_1 * e54;
-        const Scalar step_120 = detail::step<Scalar>(e74);
-        const Scalar e121 = step_120 * e80;
-        const Scalar e122 = e69 * e121;
-        const Scalar e123 = expm1_83 * e121;
-        const Scalar e124 = e121 * e88;
-        const Scalar e125 = inverse_1 * e4;
-        const Scalar e126 = inverse_1 * e14;
-        const Scalar e127 = e4 * e7;
-        const Scalar e128 = e4 * e54;
-        const Scalar exp_129 = exp(-Scalar(2) * e11);
-        const Scalar exp_130 = exp(e11);
-        const Scalar e131 = e9 * exp_130;
-        const Scalar e132 = p_.p_s * exp_16 / exp_129 + e131;
-        const Scalar e133 = inverse_6 * inverse_10;
-        const Scalar e134 = e13 - p_.p_0 * inverse_10;
-        const Scalar e135 = inverse_6 * e134;
-        const Scalar e136 = e132 * e133 + exp_130 * e135;
-        const Scalar e137 = inverse_6 * e5;
-        const Scalar e138 = p_.p_0 * expm1_12 - e18;
-        const Scalar e139 = expm1_12 * e8;
-        const Scalar exp_140 = exp(c_.k102 * e25 - c_.k101 * e23);
-        const Scalar inverse_141 = Scalar(1) / exp_140;
-        const Scalar e142 = exp_28 * inverse_141;
-        const Scalar e143 = e33 * e142;
-        const Scalar e144 = e23 * e143;
-        const Scalar e145 = compression_45 * e144;
-        const Scalar e146 = T_1 * e142;
-        const Scalar e147 = e36 * e146;
-        const Scalar e148 = Scalar(1) - exp_28 * e142;
-        const Scalar e149 = e36 * e148;
-        const Scalar e150 = Scalar(2) * e8;
-        const Scalar e151 = p_.beta * e40;
-        const Scalar e152 = Scalar(2) * p_.alpha * e151;
-        const Scalar e153 = c_.k31 * e36 - e114;
-        const Scalar e154 = compression_20 + expm1_12 * e134;
-        const Scalar e155 = e5 * e133;
-        const Scalar exp_156 = exp(e26);
-        const Scalar e157 = exp_156 * e34;
-        const Scalar e158 = e23 * e157;
-        const Scalar e159 = e25 * e158;
-        const Scalar e160 = e148 * e114;
-        const Scalar e161 = e40 * e133;
-        const Scalar e162 = e23 * e161;
-        const Scalar e163 = e23 * e106;
-        const Scalar e164 = expm1_38 * e143 + e157;
-        const Scalar e165 = e23 * e164;
-        const Scalar e166 = e23 * e107;
-        const Scalar e167 = e25 * e143;
-        const Scalar e168 = e23 * e167;
-        const Scalar e169 = e23 * e158;
-        const Scalar e170 = e23 * e108;
-        const Scalar e171 = e23 * e109;
-        const Scalar e172 = e114 * e146;
-        const Scalar e173 = e23 * e172;
-        const Scalar e174 = e33 * (p_1 * inverse_141);
-        const Scalar e175 = e23 * e174;
-        const Scalar exp_176 = exp(-Scalar(2) * e57);
-        const Scalar exp_177 = exp(e57);
-        const Scalar e178 = e56 * exp_177;
-        const Scalar e179 = p_.p_t * exp_60 / exp_176 + e178;
-        const Scalar e180 = inverse_53 * inverse_10;
-        const Scalar e181 = inverse_53 * e134;
-        const Scalar e182 = e179 * e180 + exp_177 * e181;
-        const Scalar e183 = inverse_53 * e5;
-        const Scalar e184 = p_.p_0 * expm1_58 - e62;
-        const Scalar e185 = expm1_58 * e55;
-        const Scalar exp_186 = exp(c_.k102 * e69 - c_.k101 * e67);
-        const Scalar inverse_187 = Scalar(1) / exp_186;
-        const Scalar e188 = exp_72 * inverse_187;
-        const Scalar e189 = e77 * e188;
-        const Scalar e190 = e67 * e189;
-        const Scalar e191 = compression_90 * e190;
-        const Scalar e192 = T_2 * e188;
-        const Scalar e193 = e80 * e192;
-        const Scalar e194 = Scalar(1) - exp_72 * e188;
-        const Scalar e195 = e80 * e194;
-        const Scalar e196 = Scalar(2) * e55;
-        const Scalar e197 = c_.k57 * e80 + e94;
-        const Scalar e198 = compression_64 + expm1_58 * e134;
-        const Scalar e199 = e5 * e180;
-        const Scalar exp_200 = exp(e70);
-        const Scalar e201 = e67 * exp_200;
-        const Scalar e202 = e81 * e201;
-        const Scalar e203 = e40 * e180;
-        const Scalar e204 = e67 * e203;
-        const Scalar e205 = e67 * e121;
-        const Scalar e206 = exp_200 * e78 + expm1_83 * e189;
-        const Scalar e207 = e67 * e206;
-        const Scalar e208 = e94 * e194;
-        const Scalar e209 = e67 * e122;
-        const Scalar e210 = e69 * e189;
-        const Scalar e211 = e67 * e210;
-        const Scalar e212 = e67 * e123;
-        const Scalar e213 = e94 * e192;
-        const Scalar e214 = e67 * e213;
-        const Scalar e215 = e77 * (p_2 * inverse_187);
-        const Scalar e216 = e67 * e215;
-        const Scalar e217 = e78 * e201;
-        const Scalar e218 = e67 * e217;
-        const Scalar e219 = compression_90 * e121;
-        const Scalar e220 = e67 * e219;
-        const Scalar e221 = inverse_10 * e4;
-        const Scalar e222 = e133 * e221;
-        const Scalar e223 = p_.T_0 * expm1_12;
-        const Scalar e224 = e4 * e134;
-        const Scalar e225 = e133 * e224;
-        const Scalar e226 = inverse_10 * e133;
-        const Scalar e227 = e133 * (e154 + inverse_10 * e18);
-        const Scalar e228 = e3 * e134;
-        const Scalar e229 = inverse_10 * e40;
-        const Scalar e230 = e180 * e221;
-        const Scalar e231 = p_.T_0 * expm1_58;
-        const Scalar e232 = e180 * e224;
-        const Scalar e233 = inverse_10 * e180;
-        const Scalar e234 = e180 * (e198 + inverse_10 * e62);
-        const Scalar e235 = p_.beta * p_.T_0;
-        const Scalar e236 = Scalar(2) * p_.beta * e151;
-        const Scalar e237 = e25 * e164;
-        const Scalar e238 = compression_45 * e107;
-        const Scalar e239 = expm1_38 * e107;
-        const Scalar e240 = e25 * e107;
-        const Scalar e241 = e47 * e107;
-        const Scalar e242 = compression_45 * e167;
-        const Scalar e243 = e25 * e167;
-        const Scalar e244 = e25 * e147;
-        const Scalar e245 = e25 * e172;
-        const Scalar e246 = e25 * e174;
-        const Scalar e247 = e25 * e157;
-        const Scalar e248 = e25 * e247;
-        const Scalar e249 = e69 * e206;
-        const Scalar e250 = compression_90 * e122;
-        const Scalar e251 = expm1_83 * e122;
-        const Scalar e252 = e69 * e122;
-        const Scalar e253 = e88 * e122;
-        const Scalar e254 = e69 * e210;
-        const Scalar e255 = e69 * e193;
-        const Scalar e256 = e69 * e213;
-        const Scalar e257 = e69 * e215;
-        const Scalar e258 = exp_200 * e81;
-        const Scalar e259 = e69 * e258;
-        const Scalar e260 = p_.beta * e3;
-        const Scalar e261 = e3 * e40;
-        const Scalar e262 = e7 * e261;
-        const Scalar e263 = e3 * e151;
-        const Scalar e264 = inverse_2 * e151;
-        const Scalar e265 = p_.alpha * e264;
-        const Scalar e266 = e111 * e264;
-        const Scalar e267 = e54 * e261;
-        const Scalar e3_squared = e3 * e3;
-        const Scalar e268 = inverse_2 * e40;
-        const Scalar e269 = e137 * (exp_130 * e14 + e132);
-        const Scalar e270 = compression_45 * e143 - e39;
-        const Scalar e271 = c_.k38 * e174 - c_.k40 * e247 + (c_.k36 * e106 + c_.k42 * e164 + (c_.k34 * e107 - c_.k43 * e143));
-        const Scalar e272 = c_.k4 * e270 - c_.k41 * e167 - (c_.k16 * e108 - c_.k39 * e158)
-            - (c_.k32 * e110 + c_.k35 * e109 + (c_.k33 * e147 - c_.k37 * e172));
-        const Scalar e273 = e271 + e272;
-        const Scalar e274 = e183 * (exp_177 * e14 + e179);
-        const Scalar e275 = compression_90 * e189 - e84;
-        const Scalar e276 = c_.k61 * e215 + c_.k62 * e217 - (c_.k23 * e219 + c_.k63 * e258 - (c_.k60 * e121 + c_.k65 * e206));
-        const Scalar e277 = c_.k58 * e122 - c_.k66 * e189 + (c_.k11 * e275 - c_.k64 * e210)
-            - (c_.k55 * e124 + c_.k59 * e123 + (c_.k37 * e213 + c_.k56 * e193));
-        const Scalar e278 = e276 + e277;
-        const Scalar e279 = e4 * e136;
-        const Scalar e280 = e4 * e182;
+        const Scalar e86 = s_k_dot * e74;
+        const Scalar e87 = c_.k3 * e86 + (c_.k9 * e75 + c_.k12 * e71);
+        const Scalar e88 = inverse_66 * e79;
+        const Scalar e89 = p_2 * e67;
+        const Scalar e90 = e68 * e89;
+        const Scalar e91 = c_.k14 * e77 - c_.k15 * e68 + (inverse_66 * (c_.k10 * q_2 + p_.beta * s_k_dot) + e87);
+        const Scalar e92 = inverse_66 * e91 - (c_.k13 * e88 + c_.k11 * e90);
+        const Scalar e93 = c_.k17 * e86 + (c_.k23 * e75 + c_.k25 * e71);
+        const Scalar e94 = inverse_66 * (e93 - (c_.k27 * e77 - c_.k28 * e68)) - (c_.k26 * e88 + c_.k24 * e90);
+        const Scalar e95 = inverse_13 * e19;
+        const Scalar step_96 = detail::step<Scalar>(e25);
+        const Scalar e97 = q_1 * step_96;
+        const Scalar e98 = inverse_27 * e97;
+        const Scalar e99 = inverse_13 * e6;
+        const Scalar e100 = e22 * e98;
+        const Scalar e101 = e18 * e5;
+        const Scalar e102 = s_k_dot * e37;
+        const Scalar e103 = e97 * (p_1 * e28);
+        const Scalar e104 = compression_43 * e98;
+        const Scalar e105 = expm1_39 * e98;
+        const Scalar e106 = inverse_13 * e58;
+        const Scalar step_107 = detail::step<Scalar>(e64);
+        const Scalar e108 = q_2 * step_107;
+        const Scalar e109 = inverse_66 * e108;
+        const Scalar e110 = e61 * e109;
+        const Scalar e111 = e108 * e89;
+        const Scalar e112 = compression_78 * e109;
+        const Scalar e113 = expm1_76 * e109;
+        const Scalar e114 = inverse_13 * e46;
+        const Scalar e115 = inverse_13 * e83;
+        const Scalar e116 = p_.alpha * p_.T_0;
+        const Scalar e117 = inverse_12 * e17;
+        const Scalar e118 = e19 * e116 - (Scalar(1) / Scalar(2)) * p_.p_0 * e117;
+        const Scalar e119 = p_.p_s + e1;
+        const Scalar e120 = e116 - p_.p_0 * inverse_2;
+        const Scalar e121 = inverse_2 * e119 + e120;
+        const Scalar e122 = exp_8 * e117;
+        const Scalar e123 = compression_7 * e19;
+        const Scalar e124 = p_.p_s * e122;
+        const Scalar e125 = e21 * e44;
+        const Scalar e126 = inverse_12 * e33;
+        const Scalar e127 = Scalar(2) * p_.alpha * e34;
+        const Scalar e128 = Scalar(2) * e19;
+        const Scalar e129 = e21 * e41;
+        const Scalar e130 = e21 * e40 + e129;
+        const Scalar e131 = e22 * e129;
+        const Scalar e132 = e21 * (inverse_2 * e126);
+        const Scalar e133 = compression_7 + (expm1_4 * e120 + inverse_2 * e9);
+        const Scalar e134 = e21 * e29;
+        const Scalar e135 = e21 * e98;
+        const Scalar e136 = p_.alpha * inverse_2;
+        const Scalar e137 = e21 * e32;
+        const Scalar e138 = c_.k39 * e32;
+        const Scalar e139 = inverse_2 * e117;
+        const Scalar e140 = e21 * e42;
+        const Scalar e141 = e21 * e100;
+        const Scalar e142 = p_.alpha * e33;
+        const Scalar e143 = e21 * e102;
+        const Scalar e144 = e21 * e129;
+        const Scalar e145 = e21 * e104;
+        const Scalar e146 = e21 * e105;
+        const Scalar e147 = e60 * e79;
+        const Scalar e148 = inverse_57 * e33;
+        const Scalar e149 = inverse_57 * e17;
+        const Scalar e150 = e58 * e116 - (Scalar(1) / Scalar(2)) * p_.p_0 * e149;
+        const Scalar e151 = p_.p_t + e49;
+        const Scalar e152 = inverse_2 * e151 + e120;
+        const Scalar e153 = exp_53 * e149;
+        const Scalar e154 = compression_52 * e58;
+        const Scalar e155 = p_.p_t * e153;
+        const Scalar e156 = Scalar(2) * e58;
+        const Scalar e157 = e60 * e80;
+        const Scalar e158 = e60 * e77 + e157;
+        const Scalar e159 = e61 * e157;
+        const Scalar e160 = e60 * (inverse_2 * e148);
+        const Scalar e161 = compression_52 + (expm1_51 * e120 + inverse_2 * e54);
+        const Scalar e162 = e60 * e68;
+        const Scalar e163 = e60 * e109;
+        const Scalar e164 = e60 * e71;
+        const Scalar e165 = c_.k63 * e71;
+        const Scalar e166 = e60 * e86;
+        const Scalar e167 = inverse_2 * e149;
+        const Scalar e168 = e60 * e81;
+        const Scalar e169 = e60 * e110;
+        const Scalar e170 = e60 * e157;
+        const Scalar e171 = e60 * e112;
+        const Scalar e172 = e60 * e113;
+        const Scalar e173 = inverse_2 * e120;
+        const Scalar e174 = exp_8 * e46;
+        const Scalar e175 = e121 * e174;
+        const Scalar e176 = compression_7 * e46;
+        const Scalar e177 = p_.T_0 * e117;
+        const Scalar e178 = inverse_12 * e15;
+        const Scalar inverse_2_squared = inverse_2 * inverse_2;
+        const Scalar e179 = c_.k18 * e44 - (c_.k31 * e38 - c_.k49 * e102);
+        const Scalar e180 = inverse_2 * e133;
+        const Scalar e181 = e46 * inverse_2_squared;
+        const Scalar e182 = inverse_2 * e33;
+        const Scalar e183 = exp_53 * e83;
+        const Scalar e184 = e152 * e183;
+        const Scalar e185 = compression_52 * e83;
+        const Scalar e186 = p_.T_0 * e149;
+        const Scalar e187 = inverse_57 * e15;
+        const Scalar e188 = c_.k24 * e79 - (c_.k49 * e86 + c_.k56 * e75);
+        const Scalar e189 = inverse_2 * e161;
+        const Scalar e190 = e83 * inverse_2_squared;
+        const Scalar e191 = e11 * e19;
+        const Scalar e192 = p_.beta * p_.T_0;
+        const Scalar e193 = p_.p_0 * e48 - Scalar(2) * e19 * e192;
+        const Scalar e194 = Scalar(2) * p_.beta * e34;
+        const Scalar e195 = e22 * e41;
+        const Scalar e196 = expm1_39 * e32 + e195;
+        const Scalar e197 = c_.k16 * e22;
+        const Scalar e198 = compression_43 * e32;
+        const Scalar e199 = e22 * e32;
+        const Scalar e200 = e22 * e42;
+        const Scalar e201 = compression_43 * e100;
+        const Scalar e202 = expm1_39 * e100;
+        const Scalar e203 = e22 * e100;
+        const Scalar e204 = e22 * e102;
+        const Scalar e205 = e22 * e195;
+        const Scalar e206 = e56 * e58;
+        const Scalar e207 = p_.p_0 * e85 - Scalar(2) * e58 * e192;
+        const Scalar e208 = e61 * e80;
+        const Scalar e209 = expm1_76 * e71 + e208;
+        const Scalar e210 = compression_78 * e71;
+        const Scalar e211 = e61 * e81;
+        const Scalar e212 = compression_78 * e110;
+        const Scalar e213 = expm1_76 * e110;
+        const Scalar e214 = e61 * e110;
+        const Scalar e215 = e61 * e111;
+        const Scalar e216 = e61 * e208;
+        const Scalar e217 = expm1_4 * e46;
+        const Scalar e218 = p_.beta * e15;
+        const Scalar e219 = expm1_51 * e83;
+        const Scalar e220 = e34 * e178;
+        const Scalar e221 = inverse_14 * e5;
+        const Scalar e222 = e34 * e221;
+        const Scalar e223 = e34 * e187;
+        const Scalar e224 = e15 * e178;
+        const Scalar e225 = inverse_14 * e34;
+        const Scalar e226 = e15 * e187;
+        const Scalar e227 = p_.p_s + (Scalar(1) / Scalar(2)) * e1;
+        const Scalar e228 = e6 * e117 - e19;
+        const Scalar e229 = expm1_4 * e228 + e123;
+        const Scalar e230 = c_.k16 * e104 + c_.k34 * e105 - (c_.k35 * e98 + c_.k41 * e41 - (c_.k32 * e38 + e138));
+        const Scalar e231 = c_.k37 * e42 - c_.k43 * e40 + (c_.k33 * e100 + c_.k36 * e102)
+            + (c_.k4 * e44 + c_.k38 * e129 - (c_.k31 * e103 + c_.k40 * e195));
+        const Scalar e232 = e230 - e231;
+        const Scalar e233 = p_.p_t + (Scalar(1) / Scalar(2)) * e49;
+        const Scalar e234 = e6 * e149 - e58;
+        const Scalar e235 = expm1_51 * e234 + e154;
+        const Scalar e236 = c_.k23 * e112 + c_.k59 * e113 - (c_.k60 * e109 + c_.k65 * e80 - (c_.k57 * e75 + e165));
+        const Scalar e237 = c_.k36 * e86 + c_.k67 * e77 - (c_.k11 * e79 + c_.k61 * e81)
+            - (c_.k58 * e110 + c_.k62 * e157 - (c_.k56 * e111 + c_.k64 * e208));
+        const Scalar e238 = e236 + e237;
+        const Scalar e239 = Scalar(1) - e120;
+        const Scalar e240 = p_.alpha * e6 - e5;
         J[0] = Scalar(0);
         J[1] = p_1 * c_.k0;
-        J[2] = (-e8 * e22) * e34 - e35 * e36 - (-e8 * e37) * e39 - e7 * e42 * e44 + e7 * e8 * e46 + inverse_6 * e8 * e48 - e49
-            * e35 * e50;
+        J[2] = (-e11 * e20) * e29 - inverse_12 * e31 * e32 - e5 * e36 * e38 - (-e6 * e20) * e40 + e20 * e42 + p_.beta * e20
+            * e44 - p_.beta * inverse_12 * inverse_12 * e45;
         J[3] = Scalar(0);
-        J[4] = e51 * e37 * e39 - e22 * e51 * e34 - e40 * e35 * e44 + e7 * e51 * e46 + inverse_6 * e51 * e48 - inverse_6 * e52
-            * e50;
+        J[4] = e6 * e47 * e40 - e11 * e47 * e29 - inverse_12 * e30 * e32 - e36 * e38 + e47 * e42 + inverse_12 * e48 * e44;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = (-p_2) * c_.k0;
         J[8] = Scalar(0);
-        J[9] = (-e55 * e66) * e78 - e79 * e80 - e49 * e79 * e81 - (-e55 * e82) * e84 - e54 * e85 * e87 + inverse_53 * e55 * e89
-            + e54 * e55 * e91;
+        J[9] = (-e56 * e59) * e68 - inverse_57 * e70 * e71 - e5 * e73 * e75 - (-e6 * e59) * e77 + p_.beta * e59 * e79 + e59
+            * e81 - p_.beta * inverse_57 * inverse_57 * e82;
         J[10] = Scalar(0);
-        J[11] = e92 * e82 * e84 - e66 * e92 * e78 - inverse_53 * e93 * e81 - e40 * e79 * e87 + inverse_53 * e92 * e89 + e54
-            * e92 * e91;
+        J[11] = e6 * e84 * e77 - e56 * e84 * e68 - inverse_57 * e69 * e71 - e73 * e75 + inverse_57 * e85 * e79 + e84 * e81;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = -e99;
+        J[15] = -e92;
         J[16] = Scalar(0);
-        J[17] = -e102;
+        J[17] = -e94;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = e99;
+        J[21] = e92;
         J[22] = Scalar(0);
-        J[23] = e102;
+        J[23] = e94;
         J[24] = Scalar(0);
         J[25] = (-dxdt[1]) * c_.k0;
         J[26] = Scalar(0);
@@ -1178,98 +1103,93 @@ public:
         J[35] = Scalar(0);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        J[38] = Scalar(2) * (-e103 * (e19 + e104)) * e34 - c_.k8 * e106 + c_.k5 * e107 - (-Scalar(2) * e14 * e103) * e39
-            - c_.k87 * e44 + Scalar(2) * p_.beta * e103 * e46 - c_.k6 * e108 + c_.k7 * e109 + Scalar(2) * e103 * e48 - c_.k4
-            * e110 + e113 * e115 - e49 * e116 * e50;
-        J[39] = Scalar(2) * (-e117 * (e63 + e118)) * e78 - e49 * e119 * e81 - (-Scalar(2) * e14 * e117) * e84 + c_.k12 * e122
-            - e121 * e96 - c_.k98 * e87 - e113 * e97 + Scalar(2) * e117 * e89 + Scalar(2) * p_.beta * e117 * e91 + c_.k14
-            * e123 - c_.k11 * e124;
-        J[40] = c_.k22 * e106 - Scalar(2) * e22 * e125 * e34 + c_.k19 * e107 + Scalar(2) * e51 * e126 * e39 - c_.k4 * e44
-            + Scalar(2) * inverse_1 * e127 * e46 - c_.k20 * e108 - c_.k21 * e109 + Scalar(2) * inverse_1 * e51 * e48 - c_.k18
-            * e110 + e112 * e115 - inverse_1 * e52 * e50;
-        J[41] = Scalar(2) * e92 * e126 * e84 - Scalar(2) * e66 * e125 * e78 - inverse_1 * e93 * e81 + c_.k25 * e122 - e121
-            * e100 - c_.k11 * e87 - e112 * e97 + Scalar(2) * inverse_1 * e92 * e89 + Scalar(2) * inverse_1 * e128 * e91
-            - c_.k27 * e123 - c_.k24 * e124;
+        J[38] = (-Scalar(2) * e11 * e95) * e29 - c_.k8 * e98 - inverse_13 * e31 * e32 - c_.k87 * e38 - (-Scalar(2) * e19 * e99)
+            * e40 + Scalar(2) * e95 * e42 + c_.k5 * e100 + e101 * e102 + Scalar(2) * p_.beta * e95 * e44 - c_.k4 * e103 - c_.k6
+            * e104 + c_.k7 * e105;
+        J[39] = (-Scalar(2) * e56 * e106) * e68 - c_.k15 * e109 - inverse_13 * e70 * e71 - c_.k98 * e75
+            - (-Scalar(2) * e58 * e99) * e77 - e101 * e86 + Scalar(2) * p_.beta * e106 * e79 + Scalar(2) * e106 * e81 + c_.k12
+            * e110 - c_.k11 * e111 - c_.k13 * e112 + c_.k14 * e113;
+        J[40] = c_.k22 * e98 - Scalar(2) * e11 * e114 * e29 - inverse_13 * e30 * e32 - c_.k4 * e38 + Scalar(2) * e46 * e99
+            * e40 + Scalar(2) * e114 * e42 + c_.k19 * e100 + e18 * e102 + Scalar(2) * inverse_13 * e48 * e44 - c_.k18 * e103
+            - c_.k20 * e104 - c_.k21 * e105;
+        J[41] = c_.k28 * e109 - Scalar(2) * e56 * e115 * e68 - inverse_13 * e69 * e71 - c_.k11 * e75 + Scalar(2) * e83 * e99
+            * e77 - e18 * e86 + Scalar(2) * inverse_13 * e85 * e79 + Scalar(2) * e115 * e81 + c_.k25 * e110 - c_.k24 * e111
+            - c_.k26 * e112 - c_.k27 * e113;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        const Scalar e281 = Scalar(2) * compression_20 * e8 - e9 * e5 * e136 - e137 * e138 + Scalar(2) * e13 * e139;
-        J[44] = e281 * e34 - c_.k39 * (e48 - e145) - e23 * (inverse_6 * e41 * e147 - c_.k45 * e149)
-            - (Scalar(2) * e8 * e13 - p_.p_0 * e137) * e39 + Scalar(2) * e42 * e44 - e150 * e46 - e152 * e115 + c_.k41 * e50
-            + e153 + (-e154 * e137 - e18 * e155) * e144 - p_.alpha * e137 * e159 - e160 * e24 - e110 * e162
-            - (-inverse_6 * e40 * e154 - e18 * e161) * e163 - (-e134 * e137) * e165 + p_.alpha * e133 * e166 - e133 * e49
-            * e168 + e155 * e169 - c_.k32 * e170 + (-e40 * e135) * e171 + e41 * e173 + Scalar(2) * e155 * e175;
-        const Scalar e282 = Scalar(2) * compression_64 * e55 - e56 * e5 * e182 - e183 * e184 + Scalar(2) * e13 * e185;
-        J[45] = e282 * e78 - c_.k62 * (e89 - e191) - e67 * (inverse_53 * e41 * e193 - c_.k68 * e195) + c_.k64 * e81
-            - (Scalar(2) * e55 * e13 - p_.p_0 * e183) * e84 + Scalar(2) * e85 * e87 + e152 * e97 - e196 * e91 + e197
-            + (-e198 * e183 - e62 * e199) * e190 - p_.alpha * e183 * e202 - e124 * e204
-            - (-inverse_53 * e40 * e198 - e62 * e203) * e205 - (-e134 * e183) * e207 + e68 * e208 + p_.alpha * e180 * e209
-            - e180 * e49 * e211 + (-e40 * e181) * e212 - e41 * e214 + Scalar(2) * e199 * e216 + e199 * e218 - c_.k55 * e220;
-        const Scalar e283 = (e9 * e132 * e222 - compression_20 * e51 - e137 * e223 + e131 * e225) * e34;
-        J[46] = c_.k32 * e44 - e283 - p_.T_0 * e137 * e39 - c_.k18 * e46 - e23 * (e3 * e226) * e110 - c_.k49 * e115 - e4 * e227
-            * e144 - e155 * e159 - e147 * e162 + e3 * e227 * e163 + e225 * e165 + e226 * e166 - inverse_1 * e226 * e168 + e222
-            * e169 - c_.k44 * e170 - e133 * e228 * e171 + e229 * e173 + Scalar(2) * e222 * e175 + c_.k51 * e145;
-        const Scalar e284 = (e56 * e179 * e230 - compression_64 * e92 - e183 * e231 + e178 * e232) * e78;
-        J[47] = c_.k55 * e87 - e284 - p_.T_0 * e183 * e84 + c_.k49 * e97 - c_.k24 * e91 - e67 * (e3 * e233) * e124 - e4 * e234
-            * e190 - e199 * e202 - e193 * e204 + e3 * e234 * e205 + e232 * e207 + e233 * e209 - inverse_1 * e233 * e211 - e180
-            * e228 * e212 - e229 * e214 + Scalar(2) * e230 * e216 + e230 * e218 - c_.k67 * e220 + c_.k73 * e191;
+        const Scalar e241 = Scalar(2) * expm1_4 * e118 - e1 * e121 * e122 + Scalar(2) * e123 + e124;
+        J[44] = e241 * e29 - c_.k38 * (e42 - e125) - e38 * (e21 * (p_.alpha * e126) - Scalar(2) * p_.alpha * e35) - s_k_dot
+            * inverse_27 - Scalar(2) * e118 * e40 - e127 * e102 - e128 * e44 - (-e120 * e117) * e130 - p_.alpha * e117 * e131
+            + c_.k106 * e45 - e103 * e132 + (-e117 * e133) * e134 - (-e133 * e126) * e135 - e30 * e136 * e137 + e138
+            + Scalar(2) * e139 * e140 + inverse_12 * e136 * e141 + e142 * e143 + e139 * e144 - c_.k31 * e145 + (-e120 * e126)
+            * e146;
+        const Scalar e242 = Scalar(2) * expm1_51 * e150 - e49 * e152 * e153 + Scalar(2) * e154 + e155;
+        J[45] = s_k_dot * inverse_66 - c_.k62 * (e81 - e147) - e75 * (e60 * (p_.alpha * e148) - Scalar(2) * p_.alpha * e72)
+            + e242 * e68 - Scalar(2) * e150 * e77 + e127 * e86 - e156 * e79 - (-e120 * e149) * e158 - p_.alpha * e149 * e159
+            + c_.k114 * e82 - e111 * e160 + (-e149 * e161) * e162 - (-e161 * e148) * e163 - e69 * e136 * e164 + e165 - e142
+            * e166 + Scalar(2) * e167 * e168 + inverse_57 * e136 * e169 + e167 * e170 - c_.k56 * e171 + (-e120 * e148) * e172;
+        J[46] = e46 * e173 * e130 - (e3 * e175 - e176 - expm1_4 * e177) * e29 - e177 * e40 - e21 * (e178 * inverse_2_squared)
+            * e103 - e139 * e131 - e179 - e38 * e132 - e46 * e180 * e134 + e178 * e180 * e135 - inverse_2_squared * e30 * e137
+            + Scalar(2) * e181 * e140 + inverse_12 * inverse_2_squared * e141 + e182 * e143 + c_.k51 * e125 + e181 * e144
+            - c_.k44 * e145 - e178 * e173 * e146;
+        J[47] = e83 * e173 * e158 - (e50 * e184 - e185 - expm1_51 * e186) * e68 - e186 * e77 - e60 * (e187 * inverse_2_squared)
+            * e111 - e167 * e159 - e188 - e75 * e160 - e83 * e189 * e162 + e187 * e189 * e163 - inverse_2_squared * e69 * e164
+            - e182 * e166 + c_.k74 * e147 + Scalar(2) * e190 * e168 + inverse_57 * inverse_2_squared * e169 + e190 * e170
+            - c_.k68 * e171 - e187 * e173 * e172;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = e25 * (c_.k1 * e149 - p_.beta * e160) - (e127 * (e138 - e104) - Scalar(2) * e139 * e235) * e34 - c_.k105 * e107
-            + c_.k8 * e167 + (p_.p_0 * e127 - Scalar(2) * e8 * e235) * e39 + Scalar(2) * e7 * e151 * e44 - p_.beta * e127 * e46
-            - c_.k20 * e48 - e236 * e115 + e116 * e50 + c_.k4 * e159 - c_.k7 * e237 - c_.k103 * e238 + c_.k104 * e239 + c_.k77
-            * e240 - c_.k16 * e241 + c_.k6 * e242 - c_.k5 * e243 - c_.k2 * e244 + c_.k3 * e245 + e150 * e246 - c_.k87 * e248;
-        J[51] = e119 * e81 - (e128 * (e184 - e118) - Scalar(2) * e185 * e235) * e78 + (p_.p_0 * e128 - Scalar(2) * e55 * e235)
-            * e84 - c_.k111 * e122 + Scalar(2) * e54 * e151 * e87 + e236 * e97 - c_.k26 * e89 + e69 * e194 * e95 + e96 * e210
-            - p_.beta * e128 * e91 + c_.k11 * e202 - c_.k14 * e249 - c_.k109 * e250 + c_.k110 * e251 + c_.k91 * e252 - c_.k23
-            * e253 - c_.k12 * e254 - c_.k9 * e255 - c_.k3 * e256 + e196 * e257 - c_.k98 * e259;
-        J[52] = c_.k106 * (e44 - e238) + e127 * e223 * e34 + c_.k108 * e107 - c_.k22 * e167 - p_.T_0 * e127 * e39 - e260 * e115
-            + c_.k18 * e159 + c_.k21 * e237 - c_.k107 * e239 + c_.k31 * e240 - c_.k46 * e241 + c_.k20 * e242 - c_.k19 * e243
-            - c_.k16 * e244 + c_.k17 * e245 + Scalar(2) * e51 * e246 - c_.k4 * e248;
-        J[53] = c_.k112 * (e87 - e250) + e128 * e231 * e78 - p_.T_0 * e128 * e84 + c_.k114 * e122 + e260 * e97 + e100 * e210
-            + c_.k24 * e202 + c_.k27 * e249 - c_.k113 * e251 + c_.k57 * e252 - c_.k69 * e253 - c_.k25 * e254 - c_.k23 * e255
-            - c_.k17 * e256 + Scalar(2) * e92 * e257 - c_.k11 * e259;
+        J[50] = (p_.beta * e30 - e191) * e32 - e38 * (c_.k2 * e22 - Scalar(2) * p_.beta * e35) - (expm1_4 * e193 - e10 * e48)
+            * e29 + e193 * e40 - c_.k20 * e42 - c_.k105 * e100 - e194 * e102 - p_.beta * e48 * e44 - c_.k7 * e196 + c_.k4
+            * e131 - e103 * e197 + c_.k6 * e198 - c_.k5 * e199 + e128 * e200 - c_.k103 * e201 + c_.k104 * e202 + c_.k102 * e203
+            + c_.k3 * e204 - c_.k87 * e205;
+        J[51] = (p_.beta * e69 - e206) * e71 - (expm1_51 * e207 - e55 * e85) * e68 + Scalar(2) * p_.beta * e72 * e75 + e207
+            * e77 + e194 * e86 - p_.beta * e85 * e79 - c_.k26 * e81 - c_.k113 * e110 - e61 * e87 - c_.k14 * e209 + c_.k11
+            * e159 + c_.k13 * e210 + e156 * e211 - c_.k111 * e212 + c_.k112 * e213 + c_.k110 * e214 - c_.k23 * e215 - c_.k98
+            * e216;
+        J[52] = c_.k107 * (e38 - e201) + e192 * e217 * e29 - c_.k22 * e32 - e46 * e192 * e40 + c_.k109 * e100 - e218 * e102
+            - c_.k46 * e22 * e103 + c_.k21 * e196 + c_.k18 * e131 - e38 * e197 + c_.k20 * e198 - c_.k19 * e199 + Scalar(2)
+            * e46 * e200 - c_.k108 * e202 + c_.k106 * e203 + c_.k17 * e204 - c_.k4 * e205;
+        J[53] = c_.k115 * (e75 - e212) + e192 * e219 * e68 - c_.k28 * e71 - e83 * e192 * e77 + e218 * e86 + c_.k117 * e110
+            - e61 * e93 + c_.k27 * e209 + c_.k24 * e159 + c_.k26 * e210 + Scalar(2) * e83 * e211 - c_.k116 * e213 + c_.k114
+            * e214 - c_.k70 * e215 - c_.k11 * e216;
         J[54] = Scalar(0);
         J[55] = Scalar(0);
-        J[56] = (-e19 * e262 - e263 * e21) * e34 - (-e14 * e262) * e39 - e7 * e265 * e44 + e7 * e263 * e46 + e262 * e48 + e266
-            * e115;
-        J[57] = (-e63 * e267 - e263 * e65) * e78 - (-e14 * e267) * e84 - e54 * e265 * e87 - e266 * e97 + e267 * e89 + e54
-            * e263 * e91;
-        J[58] = e3_squared * e37 * e39 - e22 * e3_squared * e34 - e7 * e268 * e44 + e7 * e3_squared * e46 + inverse_6
-            * e3_squared * e48 + e264 * e115;
-        J[59] = e3_squared * e82 * e84 - e66 * e3_squared * e78 - e54 * e268 * e87 - e264 * e97 + inverse_53 * e3_squared * e89
-            + e54 * e3_squared * e91;
+        J[56] = (-e11 * e220) * e29 - e35 * e221 * e38 - (-e6 * e220) * e40 + e220 * e42 + e222 * e102 + p_.beta * e220 * e44;
+        J[57] = (-e56 * e223) * e68 - e72 * e221 * e75 - (-e6 * e223) * e77 - e222 * e86 + p_.beta * e223 * e79 + e223 * e81;
+        J[58] = e6 * e224 * e40 - e11 * e224 * e29 - inverse_14 * e35 * e38 + e224 * e42 + e225 * e102 + p_.beta * e224 * e44;
+        J[59] = e6 * e226 * e77 - e56 * e226 * e68 - inverse_14 * e72 * e75 - e225 * e86 + p_.beta * e226 * e79 + e226 * e81;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = -(e139 - e269) * e34 - e148 * e153 - e273;
-        J[63] = -(e185 - e274) * e78 - e194 * e197 - e278;
-        J[64] = c_.k48 * e106 - (expm1_12 * e51 - e279) * e34 + c_.k53 * e164 - c_.k54 * e143 - c_.k45 * e107 - c_.k18 * e270
-            + c_.k52 * e167 - c_.k51 * e158 + c_.k46 * e108 - c_.k47 * e109 + c_.k44 * e110 + c_.k32 * e147 - c_.k49 * e172
-            - c_.k50 * e174 + c_.k39 * e247;
-        J[65] = c_.k71 * e121 - (expm1_58 * e92 - e280) * e78 + c_.k75 * e206 - c_.k76 * e189 - c_.k68 * e122 - c_.k24 * e275
-            + c_.k74 * e210 - c_.k70 * e123 + c_.k67 * e124 + c_.k55 * e193 + c_.k49 * e213 - c_.k72 * e215 - c_.k73 * e217
-            + c_.k69 * e219 + c_.k62 * e258;
+        J[62] = (e122 * (e6 + Scalar(2) * e227) + e229) * e29 + e232;
+        J[63] = (e153 * (e6 + Scalar(2) * e233) + e235) * e68 + e238;
+        const Scalar e243 = (e239 * e217 - e174 * (e120 + Scalar(2) * inverse_2 * e227) - e176) * e29;
+        J[64] = c_.k53 * e41 - e243 + c_.k48 * e98 + c_.k52 * e32 + c_.k55 * e40 - c_.k50 * e42 - c_.k45 * e100 - c_.k51 * e129
+            + c_.k44 * e103 + c_.k38 * e195 + c_.k46 * e104 - c_.k47 * e105 - e179;
+        const Scalar e244 = (e239 * e219 - e183 * (e120 + Scalar(2) * inverse_2 * e233) - e185) * e68;
+        J[65] = c_.k76 * e80 - e244 + c_.k72 * e109 + c_.k75 * e71 + c_.k78 * e77 - c_.k73 * e81 - c_.k69 * e110 - c_.k74
+            * e157 + c_.k68 * e111 + c_.k62 * e208 + c_.k70 * e112 - c_.k71 * e113 - e188;
         J[66] = Scalar(0);
         J[67] = Scalar(0);
-        J[68] = (e7 * e49 + e139 * e111) * e34 - c_.k81 * e106 - c_.k88 * e164 + c_.k89 * e143 + c_.k79 * e107 + c_.k87 * e270
-            - c_.k86 * e167 + c_.k40 * e158 - c_.k2 * e108 + c_.k80 * e109 - c_.k33 * e110 - c_.k78 * e147 + c_.k83 * e172
-            + c_.k84 * e174 - c_.k85 * e247 + c_.k77 * e149 - c_.k82 * e160;
-        J[69] = (e54 * e49 + e185 * e111) * e78 - c_.k94 * e121 - c_.k99 * e206 + c_.k100 * e189 + c_.k92 * e122 + c_.k98
-            * e275 - c_.k97 * e210 + c_.k93 * e123 - c_.k56 * e124 - c_.k90 * e193 - c_.k83 * e213 + c_.k95 * e215 + c_.k63
-            * e217 - c_.k9 * e219 - c_.k96 * e258 + c_.k91 * e195 + c_.k82 * e208;
-        J[70] = (e139 + e52) * e34 + e273;
-        J[71] = (e185 + e93) * e78 + e278;
+        J[68] = (expm1_4 * e19 * e5 + e31 - p_.alpha * e191) * e29 - c_.k88 * e41 - c_.k82 * e98 - c_.k85 * e32 - c_.k79 * e38
+            - (-e19 * e240) * e40 + c_.k84 * e42 + c_.k80 * e100 + c_.k83 * e102 + c_.k87 * e44 + c_.k40 * e129 - c_.k32 * e103
+            - c_.k86 * e195 - c_.k2 * e104 + c_.k81 * e105;
+        J[69] = (expm1_51 * e58 * e5 + e70 - p_.alpha * e206) * e68 - c_.k99 * e80 - c_.k94 * e109 - c_.k96 * e71 - c_.k91
+            * e75 - (-e58 * e240) * e77 - c_.k83 * e86 + c_.k98 * e79 + c_.k95 * e81 + c_.k92 * e110 + c_.k64 * e157 - c_.k57
+            * e111 - c_.k97 * e208 - c_.k9 * e112 + c_.k93 * e113;
+        J[70] = (e30 - e229 - e124) * e29 - e232;
+        J[71] = (e69 - e235 - e155) * e68 - e238;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
-        J[74] = (inverse_17 * e8 - e269) * e34;
+        J[74] = (-exp_8 * e228 - e119 * e122) * e29;
         J[75] = Scalar(0);
-        J[76] = (inverse_17 * e51 - e279) * e34;
+        J[76] = (e174 - e175) * e29;
         J[77] = Scalar(0);
         J[78] = Scalar(0);
         J[79] = Scalar(0);
         J[80] = Scalar(0);
-        J[81] = (inverse_61 * e55 - e274) * e78;
+        J[81] = (-exp_53 * e234 - e151 * e153) * e68;
         J[82] = Scalar(0);
-        J[83] = (inverse_61 * e92 - e280) * e78;
+        J[83] = (e183 - e184) * e68;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1308,16 +1228,16 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 18 + or -, 22 *, 6 other functions
+    /// Operations: 18 + or -, 22 *, 2 /, 6 other functions
     ///     f_h = A_1*p_1 - A_2*p_2
-    ///     E_g = m_k*dot(s_k)^2/2 - A_1*rho_0*c_v*s_k*(T_0 - T_1)*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)) +
-    ///     A_2*rho_0*c_v*s_k*(T_0 - T_2)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)) + A_1*beta*s_k*compression(-(p_0 - p_1)/beta +
-    ///     alpha*(T_0 - T_1))*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)) - A_2*beta*s_k*compression(-(p_0 - p_2)/beta + alpha*(T_0
-    ///     - T_2))*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)) + A_1*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 -
-    ///     T_1))*expm1((p_0 - p_1)/beta - alpha*(T_0 - T_1)) - A_2*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_2)/beta + alpha*(T_0 -
-    ///     T_2))*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2)) - A_2*rho_0*c_v*(l - d)*(T_0 - T_2)*exp(-(p_0 - p_2)/beta + alpha*(T_0
-    ///     - T_2)) + A_2*beta*(l - d)*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))
-    ///     + A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*expm1((p_0 -
+    ///     E_g = m_k*dot(s_k)^2/2 - A_1*rho_0*c_v*s_k*(T_0 - T_1)/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)) +
+    ///     A_2*rho_0*c_v*s_k*(T_0 - T_2)/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) + A_1*beta*s_k*compression(-(p_0 - p_1)/beta +
+    ///     alpha*(T_0 - T_1))/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)) - A_2*beta*s_k*compression(-(p_0 - p_2)/beta + alpha*(T_0 -
+    ///     T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) + A_1*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_1)/beta - alpha*(T_0 -
+    ///     T_1))/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)) - A_2*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_2)/beta - alpha*(T_0 -
+    ///     T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) - A_2*rho_0*c_v*(l - d)*(T_0 - T_2)/exp((p_0 - p_2)/beta - alpha*(T_0 -
+    ///     T_2)) + A_2*beta*(l - d)*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) +
+    ///     A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2))/exp((p_0 -
     ///     p_2)/beta - alpha*(T_0 - T_2))
     ///     V_k = m_k/rho_k
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
@@ -1329,27 +1249,27 @@ public:
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
         const Scalar e2 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e1;
-        const Scalar e3 = -e2;
-        const Scalar exp_4 = exp(e3);
-        const Scalar compression_5 = detail::compression<Scalar>(e3);
+        const Scalar exp_3 = exp(e2);
+        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar compression_5 = detail::compression<Scalar>(-e2);
         const Scalar expm1_6 = expm1(e2);
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
         const Scalar e8 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e7;
-        const Scalar e9 = -e8;
-        const Scalar exp_10 = exp(e9);
-        const Scalar compression_11 = detail::compression<Scalar>(e9);
-        const Scalar expm1_12 = expm1(e8);
+        const Scalar exp_9 = exp(e8);
+        const Scalar compression_10 = detail::compression<Scalar>(-e8);
+        const Scalar expm1_11 = expm1(e8);
         const Scalar s_k_dot = x[1];
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        const Scalar e13 = s_k * exp_4 * (c_.k116 * e1 - c_.k118 * compression_5 - c_.k120 * expm1_6);
-        const Scalar e14 = s_k * exp_10 * (c_.k115 * e7 - c_.k117 * compression_11 - c_.k119 * expm1_12);
-        y[1] = e13 - exp_4 * (c_.k122 * e1 - c_.k123 * compression_5 - c_.k124 * expm1_6) - e14 + c_.k121 * s_k_dot * s_k_dot;
-        y[2] = c_.k125;
+        const Scalar e12 = s_k * inverse_4 * (c_.k119 * e1 - c_.k121 * compression_5 - c_.k123 * expm1_6);
+        const Scalar e13 = inverse_4 * (c_.k125 * e1 - c_.k126 * compression_5 - c_.k127 * expm1_6);
+        const Scalar e14 = s_k / exp_9 * (c_.k118 * e7 - c_.k120 * compression_10 - c_.k122 * expm1_11);
+        y[1] = e12 - e13 - e14 + c_.k124 * s_k_dot * s_k_dot;
+        y[2] = c_.k128;
     }
 
     /// C = dh/dx.
-    /// Operations: 44 + or -, 63 *, 8 other functions
+    /// Operations: 44 + or -, 57 *, 2 /, 6 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
         using std::expm1;
@@ -1358,59 +1278,55 @@ public:
         const Scalar p_2 = x[3];
         const Scalar e2 = p_.p_0 - p_2;
         const Scalar e3 = c_.k29 * e2 - p_.alpha * e1;
-        const Scalar e4 = -e3;
-        const Scalar exp_5 = exp(e4);
-        const Scalar e6 = e1 * exp_5;
+        const Scalar exp_4 = exp(e3);
+        const Scalar inverse_5 = Scalar(1) / exp_4;
+        const Scalar e6 = e1 * inverse_5;
         const Scalar p_1 = x[2];
         const Scalar e7 = p_.p_0 - p_1;
         const Scalar T_1 = x[4];
         const Scalar e8 = p_.T_0 - T_1;
         const Scalar e9 = c_.k29 * e7 - p_.alpha * e8;
-        const Scalar e10 = -e9;
-        const Scalar exp_11 = exp(e10);
-        const Scalar compression_12 = detail::compression<Scalar>(e10);
+        const Scalar exp_10 = exp(e9);
+        const Scalar inverse_11 = Scalar(1) / exp_10;
+        const Scalar compression_12 = detail::compression<Scalar>(-e9);
         const Scalar expm1_13 = expm1(e9);
-        const Scalar expm1_14 = expm1(e3);
-        const Scalar compression_15 = detail::compression<Scalar>(e4);
-        const Scalar e16 = compression_15 * exp_5;
+        const Scalar compression_14 = detail::compression<Scalar>(-e3);
+        const Scalar e15 = compression_14 * inverse_5;
+        const Scalar expm1_16 = expm1(e3);
+        const Scalar e17 = expm1_16 * inverse_5;
         const Scalar s_k_dot = x[1];
         const Scalar s_k = x[0];
-        const Scalar e17 = s_k * exp_11;
-        const Scalar e18 = compression_12 * e17;
-        const Scalar e19 = e8 * e17;
-        const Scalar exp_20 = exp(e9);
-        const Scalar e21 = c_.k128 * exp_20;
-        const Scalar e22 = e7 * e17;
-        const Scalar e23 = e17 * (exp_20 - expm1_13);
-        const Scalar exp_24 = exp(e3);
-        const Scalar e25 = e2 * exp_24;
-        const Scalar e26 = s_k * exp_5;
-        const Scalar e27 = c_.k132 * e26 - c_.k136 * exp_5;
-        const Scalar e28 = e1 * e26;
-        const Scalar e29 = exp_24 - expm1_14;
-        const Scalar e30 = exp_5 * e29;
-        const Scalar e31 = compression_15 * e26;
-        const Scalar e32 = e29 * e26;
+        const Scalar e18 = s_k * inverse_11;
+        const Scalar e19 = s_k - expm1_13 * e18;
+        const Scalar e20 = s_k * e8;
+        const Scalar e21 = s_k * e7;
+        const Scalar e22 = e8 * e18;
+        const Scalar e23 = compression_12 * e18;
+        const Scalar e24 = Scalar(1) - e17;
+        const Scalar e25 = c_.k136 * s_k - c_.k139;
+        const Scalar e26 = s_k * e24;
+        const Scalar e27 = s_k * e6;
+        const Scalar e28 = s_k * e15;
         C[0] = Scalar(0);
-        const Scalar e33 = exp_11 * (c_.k115 * e8 - c_.k117 * compression_12 - c_.k119 * expm1_13);
-        C[1] = c_.k116 * e6 - e33 - c_.k120 * exp_5 * expm1_14 - c_.k118 * e16;
+        const Scalar e29 = inverse_11 * (c_.k118 * e8 - c_.k120 * compression_12 - c_.k122 * expm1_13);
+        C[1] = c_.k119 * e6 - e29 - c_.k121 * e15 - c_.k123 * e17;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = p_.m_k * s_k_dot;
         C[5] = Scalar(0);
         C[6] = p_.A_1;
-        C[7] = p_.A_1 * e18 - e19 * (c_.k127 - e21) - c_.k126 * exp_20 * e22 + c_.k129 * e23;
+        C[7] = c_.k129 * e19 + c_.k131 * e20 - c_.k130 * e21 - c_.k132 * e22 + p_.A_1 * e23;
         C[8] = Scalar(0);
         C[9] = -p_.A_2;
-        C[10] = c_.k137 * e16 - e25 * (c_.k134 * exp_5 - c_.k130 * e26) - e1 * exp_24 * e27 - c_.k135 * e6 + c_.k131 * e28
-            + c_.k138 * e30 - p_.A_2 * e31 - c_.k133 * e32;
+        C[10] = e2 * (c_.k135 * s_k - c_.k138) + c_.k133 * e24 - e1 * e25 - c_.k140 * e6 + c_.k141 * e15 - c_.k134 * e26
+            + c_.k137 * e27 - p_.A_2 * e28;
         C[11] = Scalar(0);
         C[12] = Scalar(0);
-        C[13] = e19 * (c_.k139 - c_.k140 * exp_20) + c_.k115 * e17 + e21 * e22 - c_.k141 * e18 + c_.k142 * e23;
+        C[13] = c_.k118 * e18 + c_.k142 * e19 - c_.k143 * e20 + c_.k131 * e21 + c_.k144 * e22 - c_.k145 * e23;
         C[14] = Scalar(0);
         C[15] = Scalar(0);
-        C[16] = c_.k122 * exp_5 - exp_24 * (c_.k148 * e6 - c_.k144 * e28) - c_.k116 * e26 + c_.k147 * e6 - c_.k149 * e16 - e27
-            * e25 - c_.k143 * e28 + c_.k150 * e30 + c_.k145 * e31 - c_.k146 * e32;
+        C[16] = s_k * (c_.k148 * e1 - c_.k119 * inverse_5) - c_.k151 * e1 + c_.k125 * inverse_5 + c_.k146 * e24 - e2 * e25
+            + c_.k152 * e6 - c_.k153 * e15 - c_.k147 * e26 - c_.k149 * e27 + c_.k150 * e28;
         C[17] = Scalar(0);
     }
 
@@ -1433,7 +1349,7 @@ public:
     ///     T = m_k*dot(s_k)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar s_k_dot = x[1];
-        return c_.k121 * s_k_dot * s_k_dot;
+        return c_.k124 * s_k_dot * s_k_dot;
     }
 
     /// V in joules.
@@ -1466,16 +1382,15 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 16 + or -, 18 *, 6 other functions
-    ///     E = -A_1*rho_0*c_v*s_k*(T_0 - T_1)*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1)) + A_2*rho_0*c_v*s_k*(T_0 - T_2)*exp(-(p_0
-    ///     - p_2)/beta + alpha*(T_0 - T_2)) + A_1*beta*s_k*compression(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))*exp(-(p_0 - p_1)/beta
-    ///     + alpha*(T_0 - T_1)) - A_2*beta*s_k*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*exp(-(p_0 - p_2)/beta +
-    ///     alpha*(T_0 - T_2)) + A_1*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))*expm1((p_0 - p_1)/beta -
-    ///     alpha*(T_0 - T_1)) - A_2*(beta*alpha*T_0 - p_0)*s_k*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*expm1((p_0 - p_2)/beta -
-    ///     alpha*(T_0 - T_2)) - A_2*rho_0*c_v*(l - d)*(T_0 - T_2)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)) + A_2*beta*(l -
-    ///     d)*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2)) + A_2*(l*beta*alpha*T_0
-    ///     - l*p_0 - d*beta*alpha*T_0 + d*p_0)*exp(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))*expm1((p_0 - p_2)/beta - alpha*(T_0 -
-    ///     T_2))
+    /// Operations: 16 + or -, 18 *, 2 /, 6 other functions
+    ///     E = -A_1*rho_0*c_v*s_k*(T_0 - T_1)/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)) + A_2*rho_0*c_v*s_k*(T_0 - T_2)/exp((p_0 -
+    ///     p_2)/beta - alpha*(T_0 - T_2)) + A_1*beta*s_k*compression(-(p_0 - p_1)/beta + alpha*(T_0 - T_1))/exp((p_0 - p_1)/beta -
+    ///     alpha*(T_0 - T_1)) - A_2*beta*s_k*compression(-(p_0 - p_2)/beta + alpha*(T_0 - T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 -
+    ///     T_2)) + A_1*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_1)/beta - alpha*(T_0 - T_1))/exp((p_0 - p_1)/beta - alpha*(T_0 -
+    ///     T_1)) - A_2*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 -
+    ///     T_2)) - A_2*rho_0*c_v*(l - d)*(T_0 - T_2)/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) + A_2*beta*(l - d)*compression(-(p_0
+    ///     - p_2)/beta + alpha*(T_0 - T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) + A_2*(l*beta*alpha*T_0 - l*p_0 -
+    ///     d*beta*alpha*T_0 + d*p_0)*expm1((p_0 - p_2)/beta - alpha*(T_0 - T_2))/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
@@ -1484,25 +1399,25 @@ public:
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
         const Scalar e2 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e1;
-        const Scalar e3 = -e2;
-        const Scalar exp_4 = exp(e3);
-        const Scalar compression_5 = detail::compression<Scalar>(e3);
+        const Scalar exp_3 = exp(e2);
+        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar compression_5 = detail::compression<Scalar>(-e2);
         const Scalar expm1_6 = expm1(e2);
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
         const Scalar e8 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e7;
-        const Scalar e9 = -e8;
-        const Scalar exp_10 = exp(e9);
-        const Scalar compression_11 = detail::compression<Scalar>(e9);
-        const Scalar expm1_12 = expm1(e8);
-        const Scalar e13 = s_k * exp_4 * (c_.k116 * e1 - c_.k118 * compression_5 - c_.k120 * expm1_6);
-        const Scalar e14 = s_k * exp_10 * (c_.k115 * e7 - c_.k117 * compression_11 - c_.k119 * expm1_12);
-        return e13 - exp_4 * (c_.k122 * e1 - c_.k123 * compression_5 - c_.k124 * expm1_6) - e14;
+        const Scalar exp_9 = exp(e8);
+        const Scalar compression_10 = detail::compression<Scalar>(-e8);
+        const Scalar expm1_11 = expm1(e8);
+        const Scalar e12 = s_k * inverse_4 * (c_.k119 * e1 - c_.k121 * compression_5 - c_.k123 * expm1_6);
+        const Scalar e13 = inverse_4 * (c_.k125 * e1 - c_.k126 * compression_5 - c_.k127 * expm1_6);
+        const Scalar e14 = s_k / exp_9 * (c_.k118 * e7 - c_.k120 * compression_10 - c_.k122 * expm1_11);
+        return e12 - e13 - e14;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 26 + or -, 36 *, 6 /, 16 other functions
+    /// Operations: 26 + or -, 36 *, 4 /, 16 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
@@ -1511,44 +1426,40 @@ public:
         const Scalar T_1 = x[4];
         const Scalar e1 = p_.T_0 - T_1;
         const Scalar e2 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e1;
-        const Scalar e3 = -e2;
-        const Scalar exp_4 = exp(e3);
-        const Scalar e5 = p_.rho_0 * q_1 * exp_4;
-        const Scalar min_6 = detail::min<Scalar>(Scalar(0), e5);
-        const Scalar inverse_7 = Scalar(1) / p_.rho_0;
-        const Scalar compression_8 = detail::compression<Scalar>(e3);
-        const Scalar e9 = p_.beta * inverse_7;
-        const Scalar expm1_10 = expm1(e2);
-        const Scalar e11 = inverse_7 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
+        const Scalar exp_3 = exp(e2);
+        const Scalar e4 = p_.rho_0 * q_1 / exp_3;
+        const Scalar min_5 = detail::min<Scalar>(Scalar(0), e4);
+        const Scalar inverse_6 = Scalar(1) / p_.rho_0;
+        const Scalar compression_7 = detail::compression<Scalar>(-e2);
+        const Scalar e8 = p_.beta * inverse_6;
+        const Scalar expm1_9 = expm1(e2);
+        const Scalar e10 = inverse_6 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
-        const Scalar e12 = p_.T_0 - T_2;
-        const Scalar e13 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e12;
-        const Scalar e14 = -e13;
-        const Scalar exp_15 = exp(e14);
-        const Scalar e16 = p_.rho_0 * q_2 * exp_15;
-        const Scalar min_17 = detail::min<Scalar>(Scalar(0), e16);
-        const Scalar compression_18 = detail::compression<Scalar>(e14);
-        const Scalar expm1_19 = expm1(e13);
-        const Scalar max_20 = detail::max<Scalar>(Scalar(0), e5);
-        const Scalar inverse_21 = Scalar(1) / p_.beta;
-        const Scalar e22 = (p_.p_0 - p_.p_s) * inverse_21;
-        const Scalar e23 = -e22;
-        const Scalar exp_24 = exp(e23);
-        const Scalar compression_25 = detail::compression<Scalar>(e23);
-        const Scalar expm1_26 = expm1(e22);
-        const Scalar max_27 = detail::max<Scalar>(Scalar(0), e16);
-        const Scalar e28 = (p_.p_0 - p_.p_t) * inverse_21;
-        const Scalar e29 = -e28;
-        const Scalar exp_30 = exp(e29);
-        const Scalar compression_31 = detail::compression<Scalar>(e29);
-        const Scalar expm1_32 = expm1(e28);
-        const Scalar e33 = p_1 * inverse_7 / exp_4 - p_.c_v * e1 + compression_8 * e9 + expm1_10 * e11;
-        const Scalar e34 = p_2 * inverse_7 / exp_15 - p_.c_v * e12 + compression_18 * e9 + expm1_19 * e11;
-        const Scalar e35 = max_20 * (p_.p_s * inverse_7 / exp_24 + compression_25 * e9 + expm1_26 * e11);
-        const Scalar e36 = max_27 * (p_.p_t * inverse_7 / exp_30 + compression_31 * e9 + expm1_32 * e11);
-        return min_6 * e33 + min_17 * e34 + e35 + e36;
+        const Scalar e11 = p_.T_0 - T_2;
+        const Scalar e12 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e11;
+        const Scalar exp_13 = exp(e12);
+        const Scalar e14 = p_.rho_0 * q_2 / exp_13;
+        const Scalar min_15 = detail::min<Scalar>(Scalar(0), e14);
+        const Scalar compression_16 = detail::compression<Scalar>(-e12);
+        const Scalar expm1_17 = expm1(e12);
+        const Scalar max_18 = detail::max<Scalar>(Scalar(0), e4);
+        const Scalar inverse_19 = Scalar(1) / p_.beta;
+        const Scalar e20 = (p_.p_0 - p_.p_s) * inverse_19;
+        const Scalar exp_21 = exp(e20);
+        const Scalar compression_22 = detail::compression<Scalar>(-e20);
+        const Scalar expm1_23 = expm1(e20);
+        const Scalar max_24 = detail::max<Scalar>(Scalar(0), e14);
+        const Scalar e25 = (p_.p_0 - p_.p_t) * inverse_19;
+        const Scalar exp_26 = exp(e25);
+        const Scalar compression_27 = detail::compression<Scalar>(-e25);
+        const Scalar expm1_28 = expm1(e25);
+        const Scalar e29 = p_1 * exp_3 * inverse_6 - p_.c_v * e1 + compression_7 * e8 + expm1_9 * e10;
+        const Scalar e30 = p_2 * exp_13 * inverse_6 - p_.c_v * e11 + compression_16 * e8 + expm1_17 * e10;
+        const Scalar e31 = max_18 * (p_.p_s * exp_21 * inverse_6 + compression_22 * e8 + expm1_23 * e10);
+        const Scalar e32 = max_24 * (p_.p_t * exp_26 * inverse_6 + compression_27 * e8 + expm1_28 * e10);
+        return min_5 * e29 + min_15 * e30 + e31 + e32;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1562,7 +1473,7 @@ public:
         g[0] = p_.A_1 * s_k;
         g[1] = p_1;
         g[2] = T_1;
-        g[3] = c_.k137 - p_.A_2 * s_k;
+        g[3] = c_.k141 - p_.A_2 * s_k;
         g[4] = p_2;
         g[5] = T_2;
     }
@@ -1602,126 +1513,129 @@ private:
         Scalar k28;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
         Scalar k29;  ///< 1/beta
         Scalar k30;  ///< l - d
-        Scalar k31;  ///< 1/A_1
-        Scalar k32;  ///< alpha/(A_1*rho_0*c_v)
-        Scalar k33;  ///< beta*alpha^2/(A_1*rho_0*c_v)
-        Scalar k34;  ///< alpha/A_1
-        Scalar k35;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k36;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
-        Scalar k37;  ///< beta*alpha^2/(rho_0*c_v)
-        Scalar k38;  ///< 2*alpha/(A_1*rho_0^2*c_v)
-        Scalar k39;  ///< alpha/(A_1*rho_0^2*c_v)
+        Scalar k31;  ///< alpha/(A_1*rho_0*c_v)
+        Scalar k32;  ///< beta*alpha^2/(A_1*rho_0*c_v)
+        Scalar k33;  ///< alpha/A_1
+        Scalar k34;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
+        Scalar k35;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k36;  ///< beta*alpha^2/(rho_0*c_v)
+        Scalar k37;  ///< 2*alpha/(A_1*rho_0^2*c_v)
+        Scalar k38;  ///< alpha/(A_1*rho_0^2*c_v)
+        Scalar k39;  ///< alpha/(A_1*rho_0)
         Scalar k40;  ///< beta*alpha^2/(A_1*rho_0^2*c_v)
-        Scalar k41;  ///< alpha/(A_1*rho_0)
-        Scalar k42;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0^2*c_v)
-        Scalar k43;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k41;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0^2*c_v)
+        Scalar k42;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k43;  ///< alpha*(beta - beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
         Scalar k44;  ///< 1/(A_1*rho_0*beta*c_v)
         Scalar k45;  ///< 1/(A_1*beta)
         Scalar k46;  ///< 1/(A_1*rho_0*c_v)
         Scalar k47;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0*c_v)
-        Scalar k48;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s/(beta*exp(-p_0/beta + p_s/beta)) - ...
+        Scalar k48;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
         Scalar k49;  ///< alpha/(rho_0*c_v)
         Scalar k50;  ///< 2/(A_1*rho_0^2*beta*c_v)
         Scalar k51;  ///< 1/(A_1*rho_0^2*beta*c_v)
         Scalar k52;  ///< 1/(A_1*rho_0*beta)
         Scalar k53;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0^2*c_v)
-        Scalar k54;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s/(beta*exp(-p_0/beta + p_s/beta)) - ...
-        Scalar k55;  ///< alpha/(A_2*rho_0*c_v)
-        Scalar k56;  ///< beta*alpha^2/(A_2*rho_0*c_v)
-        Scalar k57;  ///< 1/A_2
+        Scalar k54;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k55;  ///< (1 + p_0/beta - alpha*T_0)/(A_1*rho_0^2*c_v)
+        Scalar k56;  ///< alpha/(A_2*rho_0*c_v)
+        Scalar k57;  ///< beta*alpha^2/(A_2*rho_0*c_v)
         Scalar k58;  ///< alpha/A_2
         Scalar k59;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
         Scalar k60;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
         Scalar k61;  ///< 2*alpha/(A_2*rho_0^2*c_v)
         Scalar k62;  ///< alpha/(A_2*rho_0^2*c_v)
-        Scalar k63;  ///< beta*alpha^2/(A_2*rho_0^2*c_v)
-        Scalar k64;  ///< alpha/(A_2*rho_0)
+        Scalar k63;  ///< alpha/(A_2*rho_0)
+        Scalar k64;  ///< beta*alpha^2/(A_2*rho_0^2*c_v)
         Scalar k65;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0^2*c_v)
         Scalar k66;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
-        Scalar k67;  ///< 1/(A_2*rho_0*beta*c_v)
-        Scalar k68;  ///< 1/(A_2*beta)
-        Scalar k69;  ///< 1/(A_2*rho_0*c_v)
-        Scalar k70;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0*c_v)
-        Scalar k71;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t/(beta*exp(-p_0/beta + p_t/beta)) - ...
-        Scalar k72;  ///< 2/(A_2*rho_0^2*beta*c_v)
-        Scalar k73;  ///< 1/(A_2*rho_0^2*beta*c_v)
-        Scalar k74;  ///< 1/(A_2*rho_0*beta)
-        Scalar k75;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0^2*c_v)
-        Scalar k76;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t/(beta*exp(-p_0/beta + p_t/beta)) - ...
-        Scalar k77;  ///< beta*alpha/A_1
-        Scalar k78;  ///< beta^2*alpha^3/(A_1*rho_0*c_v)
-        Scalar k79;  ///< beta*alpha^2/A_1
-        Scalar k80;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k81;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + ...
-        Scalar k82;  ///< beta*alpha
+        Scalar k67;  ///< alpha*(beta - beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
+        Scalar k68;  ///< 1/(A_2*rho_0*beta*c_v)
+        Scalar k69;  ///< 1/(A_2*beta)
+        Scalar k70;  ///< 1/(A_2*rho_0*c_v)
+        Scalar k71;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0*c_v)
+        Scalar k72;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k73;  ///< 2/(A_2*rho_0^2*beta*c_v)
+        Scalar k74;  ///< 1/(A_2*rho_0^2*beta*c_v)
+        Scalar k75;  ///< 1/(A_2*rho_0*beta)
+        Scalar k76;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0^2*c_v)
+        Scalar k77;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k78;  ///< (1 + p_0/beta - alpha*T_0)/(A_2*rho_0^2*c_v)
+        Scalar k79;  ///< beta^2*alpha^3/(A_1*rho_0*c_v)
+        Scalar k80;  ///< beta*alpha^2/A_1
+        Scalar k81;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
+        Scalar k82;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + ...
         Scalar k83;  ///< beta^2*alpha^3/(rho_0*c_v)
         Scalar k84;  ///< 2*beta*alpha^2/(A_1*rho_0^2*c_v)
-        Scalar k85;  ///< beta^2*alpha^3/(A_1*rho_0^2*c_v)
-        Scalar k86;  ///< beta*alpha^2/(A_1*rho_0)
+        Scalar k85;  ///< beta*alpha^2/(A_1*rho_0)
+        Scalar k86;  ///< beta^2*alpha^3/(A_1*rho_0^2*c_v)
         Scalar k87;  ///< beta^2*alpha^2/(A_1*rho_0^2*c_v)
         Scalar k88;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
-        Scalar k89;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + ...
-        Scalar k90;  ///< beta^2*alpha^3/(A_2*rho_0*c_v)
-        Scalar k91;  ///< beta*alpha/A_2
+        Scalar k89;  ///< beta*alpha*(1 - beta*alpha^2*T_0*expm1(p_0/beta - p_s/beta)/(rho_0*c_v) - ...
+        Scalar k90;  ///< (1 - beta*alpha^2*T_0*expm1(p_0/beta - p_s/beta)/(rho_0*c_v) - beta*alpha*compression(-p_0/beta ...
+        Scalar k91;  ///< beta^2*alpha^3/(A_2*rho_0*c_v)
         Scalar k92;  ///< beta*alpha^2/A_2
         Scalar k93;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
         Scalar k94;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + ...
         Scalar k95;  ///< 2*beta*alpha^2/(A_2*rho_0^2*c_v)
-        Scalar k96;  ///< beta^2*alpha^3/(A_2*rho_0^2*c_v)
-        Scalar k97;  ///< beta*alpha^2/(A_2*rho_0)
+        Scalar k96;  ///< beta*alpha^2/(A_2*rho_0)
+        Scalar k97;  ///< beta^2*alpha^3/(A_2*rho_0^2*c_v)
         Scalar k98;  ///< beta^2*alpha^2/(A_2*rho_0^2*c_v)
         Scalar k99;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
-        Scalar k100;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + ...
-        Scalar k101;  ///< 2/beta
-        Scalar k102;  ///< 2*alpha
+        Scalar k100;  ///< beta*alpha*(1 - beta*alpha^2*T_0*expm1(p_0/beta - p_t/beta)/(rho_0*c_v) - ...
+        Scalar k101;  ///< (1 - beta*alpha^2*T_0*expm1(p_0/beta - p_t/beta)/(rho_0*c_v) - beta*alpha*compression(-p_0/beta ...
+        Scalar k102;  ///< beta*alpha/A_1
         Scalar k103;  ///< beta^2*alpha/(A_1*rho_0*c_v)
         Scalar k104;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
         Scalar k105;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + p_s/beta) ...
-        Scalar k106;  ///< beta/(A_1*rho_0*c_v)
-        Scalar k107;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k108;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
-        Scalar k109;  ///< beta^2*alpha/(A_2*rho_0*c_v)
-        Scalar k110;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k111;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + p_t/beta) ...
-        Scalar k112;  ///< beta/(A_2*rho_0*c_v)
-        Scalar k113;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k114;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
-        Scalar k115;  ///< A_1*rho_0*c_v
-        Scalar k116;  ///< A_2*rho_0*c_v
-        Scalar k117;  ///< A_1*beta
-        Scalar k118;  ///< A_2*beta
-        Scalar k119;  ///< A_1*(beta*alpha*T_0 - p_0)
-        Scalar k120;  ///< A_2*(beta*alpha*T_0 - p_0)
-        Scalar k121;  ///< m_k/2
-        Scalar k122;  ///< A_2*rho_0*c_v*(l - d)
-        Scalar k123;  ///< A_2*beta*(l - d)
-        Scalar k124;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
-        Scalar k125;  ///< m_k/rho_k
-        Scalar k126;  ///< A_1/beta
-        Scalar k127;  ///< A_1*rho_0*c_v/beta
-        Scalar k128;  ///< A_1*alpha
+        Scalar k106;  ///< 1/A_1
+        Scalar k107;  ///< beta/(A_1*rho_0*c_v)
+        Scalar k108;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
+        Scalar k109;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k110;  ///< beta*alpha/A_2
+        Scalar k111;  ///< beta^2*alpha/(A_2*rho_0*c_v)
+        Scalar k112;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
+        Scalar k113;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + p_t/beta) ...
+        Scalar k114;  ///< 1/A_2
+        Scalar k115;  ///< beta/(A_2*rho_0*c_v)
+        Scalar k116;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
+        Scalar k117;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k118;  ///< A_1*rho_0*c_v
+        Scalar k119;  ///< A_2*rho_0*c_v
+        Scalar k120;  ///< A_1*beta
+        Scalar k121;  ///< A_2*beta
+        Scalar k122;  ///< A_1*(beta*alpha*T_0 - p_0)
+        Scalar k123;  ///< A_2*(beta*alpha*T_0 - p_0)
+        Scalar k124;  ///< m_k/2
+        Scalar k125;  ///< A_2*rho_0*c_v*(l - d)
+        Scalar k126;  ///< A_2*beta*(l - d)
+        Scalar k127;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k128;  ///< m_k/rho_k
         Scalar k129;  ///< A_1*(p_0/beta - alpha*T_0)
-        Scalar k130;  ///< A_2/beta
-        Scalar k131;  ///< A_2*rho_0*c_v/beta
-        Scalar k132;  ///< A_2*alpha
-        Scalar k133;  ///< A_2*(p_0/beta - alpha*T_0)
-        Scalar k134;  ///< A_2*(l - d)/beta
-        Scalar k135;  ///< A_2*rho_0*c_v*(l - d)/beta
-        Scalar k136;  ///< A_2*alpha*(l - d)
-        Scalar k137;  ///< A_2*(l - d)
-        Scalar k138;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
-        Scalar k139;  ///< A_1*rho_0*alpha*c_v
-        Scalar k140;  ///< A_1*beta*alpha^2
-        Scalar k141;  ///< A_1*beta*alpha
+        Scalar k130;  ///< A_1/beta
+        Scalar k131;  ///< A_1*alpha
+        Scalar k132;  ///< A_1*rho_0*c_v/beta
+        Scalar k133;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
+        Scalar k134;  ///< A_2*(p_0/beta - alpha*T_0)
+        Scalar k135;  ///< A_2/beta
+        Scalar k136;  ///< A_2*alpha
+        Scalar k137;  ///< A_2*rho_0*c_v/beta
+        Scalar k138;  ///< A_2*(l - d)/beta
+        Scalar k139;  ///< A_2*alpha*(l - d)
+        Scalar k140;  ///< A_2*rho_0*c_v*(l - d)/beta
+        Scalar k141;  ///< A_2*(l - d)
         Scalar k142;  ///< A_1*alpha*(beta*alpha*T_0 - p_0)
-        Scalar k143;  ///< A_2*rho_0*alpha*c_v
-        Scalar k144;  ///< A_2*beta*alpha^2
-        Scalar k145;  ///< A_2*beta*alpha
-        Scalar k146;  ///< A_2*alpha*(beta*alpha*T_0 - p_0)
-        Scalar k147;  ///< A_2*rho_0*alpha*c_v*(l - d)
-        Scalar k148;  ///< A_2*beta*alpha^2*(l - d)
-        Scalar k149;  ///< A_2*beta*alpha*(l - d)
-        Scalar k150;  ///< A_2*alpha*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k143;  ///< A_1*beta*alpha^2
+        Scalar k144;  ///< A_1*rho_0*alpha*c_v
+        Scalar k145;  ///< A_1*beta*alpha
+        Scalar k146;  ///< A_2*alpha*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k147;  ///< A_2*alpha*(beta*alpha*T_0 - p_0)
+        Scalar k148;  ///< A_2*beta*alpha^2
+        Scalar k149;  ///< A_2*rho_0*alpha*c_v
+        Scalar k150;  ///< A_2*beta*alpha
+        Scalar k151;  ///< A_2*beta*alpha^2*(l - d)
+        Scalar k152;  ///< A_2*rho_0*alpha*c_v*(l - d)
+        Scalar k153;  ///< A_2*beta*alpha*(l - d)
     };
     Cached c_{};
 };

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "balance/control_volume.hpp"
-#include "mechanics/kinematics.hpp"
+#include "symbolic/affine_rate.hpp"
 
 namespace dalembert {
 

@@ -27,7 +27,7 @@ const std::vector<FunctionOp>& function_ops() {
         {GiNaC::sin_SERIAL::serial, Op::sin, -1},   {GiNaC::cos_SERIAL::serial, Op::cos, 1},    {GiNaC::tan_SERIAL::serial, Op::tan, -1},
         {GiNaC::asin_SERIAL::serial, Op::asin, -1}, {GiNaC::acos_SERIAL::serial, Op::acos, 0},  {GiNaC::atan_SERIAL::serial, Op::atan, -1},
         {GiNaC::sinh_SERIAL::serial, Op::sinh, -1}, {GiNaC::cosh_SERIAL::serial, Op::cosh, 1},  {GiNaC::tanh_SERIAL::serial, Op::tanh, -1},
-        {GiNaC::exp_SERIAL::serial, Op::exp, 0},    {GiNaC::log_SERIAL::serial, Op::log, 0},    {GiNaC::atan2_SERIAL::serial, Op::atan2, 0},
+        {GiNaC::log_SERIAL::serial, Op::log, 0},    {GiNaC::atan2_SERIAL::serial, Op::atan2, 0},
         {magnitude_SERIAL::serial, Op::abs, 1},     {sign_of_SERIAL::serial, Op::sign, -1},     {unit_step_SERIAL::serial, Op::step, 0},
         {norm_SERIAL::serial, Op::sqrt, 0},         {inverse_norm_SERIAL::serial, Op::inverse_norm, 0},
         {minimum_SERIAL::serial, Op::min, 0},       {maximum_SERIAL::serial, Op::max, 0},
@@ -147,6 +147,7 @@ private:
             const Polynomial inside = folded((*this)(e.op(0)), atoms_);
             return inside.is_zero() ? inside : kept_whole(inside, 1);
         }
+        if (serial == GiNaC::exp_SERIAL::serial) return exponential(folded((*this)(e.op(0)), atoms_));
         for (const FunctionOp& known : function_ops()) {
             if (known.serial != serial) continue;
             std::vector<Polynomial> arguments;
@@ -158,6 +159,17 @@ private:
             return flip && known.parity < 0 ? negated(result) : result;
         }
         throw std::logic_error("a function that the graph does not know: " + ex_to<GiNaC::function>(e).get_name());
+    }
+
+    /// exp(n*x) = exp(x)^n for whole n, negative ones too: GiNaC writes a product of exponentials now one way, now the other, and what
+    /// is to cancel must look alike.
+    Polynomial exponential(Polynomial argument) {
+        if (argument.is_zero()) return Polynomial(1);
+        const auto content = std::get<0>(primitive(argument));
+        const auto n = cln::denominator(content) == 1 ? to_int(content) : std::optional<int>(is_negative(content) ? -1 : 1);
+        const int exponent = n.value_or(1);
+        argument *= Rational(1) / exponent;
+        return Polynomial::letter(atoms_.letter(Op::exp, {std::move(argument)}), exponent);
     }
 
     Atoms& atoms_;

@@ -2,6 +2,7 @@
 // Where every body is and how it moves, in the inertial frame.
 #pragma once
 
+#include "symbolic/affine_rate.hpp"
 #include "symbolic/translate.hpp"
 
 namespace dalembert {
@@ -25,14 +26,5 @@ std::vector<BodyMotion> body_motions(const Scene& scene, const Translator& trans
 
 /// The motion of the body that a reference names; null for the ground.
 const BodyMotion* find_motion(const std::vector<BodyMotion>& motions, const Reference& reference, const Scene& scene, const Indices& indices);
-
-/// A rate w(q, qd, t) = sum_j jacobian[j]*qd[j] + drift.
-struct AffineRate {
-    std::vector<GiNaC::ex> jacobian;
-    GiNaC::ex drift;
-};
-
-/// Splits a rate into its part linear in the velocities and the rest. Throws Failure (not-affine) when there is another part.
-AffineRate affine_rate(const GiNaC::ex& rate, const Symbols& symbols, const Span& place, const std::string& what);
 
 }  // namespace dalembert

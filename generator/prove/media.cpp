@@ -31,7 +31,7 @@ std::vector<MediumIdentity> medium_identities(const MediumModel& medium) {
         {"bulk modulus (3.41)", "dp/drho", "beta/rho", law.pressure_by_density, beta / law.density},
     };
     // T and p over (e, nu): dT/dnu at constant e = -e_nu/e_T, d/de = 1/e_T d/dT at constant nu. Without a heat there is no such T.
-    if (!energy_by_T.is_zero())
+    if (!law.isochoric_heat.is_zero())
         identities.push_back({"entropy (3.11)", "d(1/T)/dnu", "d(p/T)/de", energy_by_volume / (energy_by_T * pow(T, 2)), (T * pressure_by_T - p) / (pow(T, 2) * energy_by_T)});
     if (medium.has_density_form()) {
         const MediumState back = medium.at_density(law.density, T);

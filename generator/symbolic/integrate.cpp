@@ -57,6 +57,22 @@ Found integrate_function(const ex& f, const symbol& x) {
 
 Found integrate_term(const ex& term, const symbol& x, int depth);
 
+/// Powers and products of exponentials as one exponential each.
+struct OneExponential : GiNaC::map_function {
+    ex operator()(const ex& e) override {
+        if (GiNaC::is_a<GiNaC::power>(e) && is(e.op(0), "exp")) return GiNaC::exp((e.op(0).op(0) * e.op(1)).expand());
+        if (!GiNaC::is_a<GiNaC::mul>(e)) return e.map(*this);
+        ex exponent = 0;
+        ex rest = 1;
+        for (const ex& factor : e) {
+            const ex one = (*this)(factor);
+            if (is(one, "exp")) exponent += one.op(0);
+            else rest *= one;
+        }
+        return exponent.is_zero() ? rest : rest * GiNaC::exp(exponent.expand());
+    }
+};
+
 /// Integration by parts of p(x)*f(x), p a polynomial: the degree of p falls each time.
 Found by_parts(const ex& polynomial, const ex& f, const symbol& x, int depth) {
     if (depth > 20) return std::nullopt;
@@ -123,6 +139,9 @@ Found integrate_term(const ex& term, const symbol& x, int depth) {
 
 }  // namespace
 
-std::optional<ex> integrate(const ex& function, const symbol& variable) { return integrate_term(function.expand(), variable, 0); }
+std::optional<ex> integrate(const ex& function, const symbol& variable) {
+    OneExponential one;
+    return integrate_term(one(function.expand()).expand(), variable, 0);
+}
 
 }  // namespace dalembert

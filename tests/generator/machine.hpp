@@ -18,9 +18,11 @@ inline Machine machine_from(const std::string& text, const std::string& scene = 
     return derive_machine(model_from(text), scene, sizes);
 }
 
+/// A shipped system; of mechanics unless the name says another folder: "hydraulics/torricelli".
 inline Machine machine_of(const std::string& system, const std::string& scene = "", const std::map<std::string, int>& sizes = {}) {
     Diagnostics diagnostics;
-    return derive_machine(load(std::string(SOURCE_DIR) + "/systems/mechanics/" + system + ".toml", diagnostics), scene, sizes);
+    const std::string name = system.find('/') == std::string::npos ? "mechanics/" + system : system;
+    return derive_machine(load(std::string(SOURCE_DIR) + "/systems/" + name + ".toml", diagnostics), scene, sizes);
 }
 
 /// A machine with one coordinate and one body, to which a test adds what it is about.

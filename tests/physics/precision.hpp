@@ -112,7 +112,7 @@ void check_power_balance() {
 
 template <template <class> class System, template <class> class Parameters>
 void precision() {
-    constexpr double ulps = 100;
+    constexpr double ulps = 300;
     check_precision<float, System, Parameters>(ulps);
     check_precision<double, System, Parameters>(ulps);
     check_precision<long double, System, Parameters>(ulps);
