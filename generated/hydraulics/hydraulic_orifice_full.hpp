@@ -12,16 +12,18 @@
 // Proven as identities:
 //     balances of mass and energy: 2 of 2 balances
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
-//     this code = the derivation: 16 of 16 functions
+//     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 3     11     5        0      2
-//   rhs                    1      0     0        0      0
-//   rhs_and_jacobian       1      0     0        0      0
-//   jacobian_p             5     18     4        0      3
-//   output                 4      0     0        0      0
-//   exchanged_power        4      8     1        0      3
-//   guards                 2      0     0        0      0
+//   update                 1     12     5        0      1
+//   rhs                    0      2     0        0      1
+//   rhs_and_jacobian       0      2     0        0      1
+//   jacobian_u             0      2     0        0      1
+//   jacobian_p             6     19     4        0      3
+//   output                 1      4     0        0      1
+//   output_jacobian_u      0      4     0        0      1
+//   exchanged_power        2      8     1        0      3
+//   guards                 1      0     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -44,16 +46,16 @@ inline constexpr const char* title = "Orifice in a pipe";
 inline constexpr std::size_t degrees_of_freedom = 0;
 inline constexpr std::size_t plain_state_count = 1;
 inline constexpr std::size_t state_count = 1;
-inline constexpr std::size_t input_count = 0;
+inline constexpr std::size_t input_count = 1;
 inline constexpr std::size_t output_count = 4;
-inline constexpr std::size_t parameter_count = 7;
+inline constexpr std::size_t parameter_count = 6;
 inline constexpr std::size_t guard_count = 2;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { V_m = 0 }; };
-struct input {};
+struct input { enum : std::size_t { dp = 0 }; };
 struct output { enum : std::size_t { V_c = 0, q = 1, v_v = 2, v_1 = 3 }; };
-struct parameter { enum : std::size_t { A_1 = 0, A_d = 1, A_v = 2, rho = 3, p_2 = 4, dp = 5, V_0 = 6 }; };
+struct parameter { enum : std::size_t { A_1 = 0, A_d = 1, A_v = 2, rho = 3, p_2 = 4, V_0 = 5 }; };
 
 /// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
@@ -67,7 +69,9 @@ struct Quantity {
 inline constexpr std::array<Quantity, state_count> state_quantities{
     Quantity{"V_m", "m^3", "liquid in the measuring vessel", 0.0001, 1},
 };
-inline constexpr std::array<Quantity, input_count> input_quantities{};
+inline constexpr std::array<Quantity, input_count> input_quantities{
+    Quantity{"dp", "Pa", "pressure drop over the orifice", 1000, 10000000},
+};
 inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"V_c", "m^3", "liquid collected since the start"},
     Quantity{"q", "m^3/s", "volume flow"},
@@ -79,8 +83,7 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"A_d", "m^2", "cross section of the orifice", 1e-05, 0.0003},
     Quantity{"A_v", "m^2", "cross section of the jet at its narrowest point, the vena contracta", 5e-06, 0.0002},
     Quantity{"rho", "kg/m^3", "density of the liquid", 500, 1500},
-    Quantity{"p_2", "kg/(m*s^2)", "pressure behind the orifice", 10000, 10000000},
-    Quantity{"dp", "kg/(m*s^2)", "pressure drop over the orifice", 1000, 10000000},
+    Quantity{"p_2", "Pa", "pressure behind the orifice", 10000, 10000000},
     Quantity{"V_0", "m^3", "liquid in the measuring vessel at the start", 0.0001, 0.1},
 };
 
@@ -160,8 +163,7 @@ struct Parameters {
     Scalar A_d = Scalar(1) / Scalar(10000);  ///< m^2, cross section of the orifice
     Scalar A_v = Scalar(31) / Scalar(500000);  ///< m^2, cross section of the jet at its narrowest point, the vena contracta
     Scalar rho = Scalar(850);  ///< kg/m^3, density of the liquid
-    Scalar p_2 = Scalar(500000);  ///< kg/(m*s^2), pressure behind the orifice
-    Scalar dp = Scalar(200000);  ///< kg/(m*s^2), pressure drop over the orifice
+    Scalar p_2 = Scalar(500000);  ///< Pa, pressure behind the orifice
     Scalar V_0 = Scalar(1) / Scalar(1000);  ///< m^3, liquid in the measuring vessel at the start
 };
 
@@ -178,8 +180,8 @@ public:
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
     using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 1>;
-    using JacobianU = std::array<Scalar, 0>;
-    using JacobianP = std::array<Scalar, 7>;
+    using JacobianU = std::array<Scalar, 1>;
+    using JacobianP = std::array<Scalar, 6>;
     using JacobianT = std::array<Scalar, state_count>;
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
@@ -200,19 +202,24 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 + or -, 11 *, 5 /, 2 other functions
+    /// Operations: 1 + or -, 12 *, 5 /, 1 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
-        c_.p_1 = p_.p_2 + p_.dp;
         const Scalar inverse_1 = Scalar(1) / p_.A_1;
         const Scalar sqrt_2 = sqrt(Scalar(1) - p_.A_v * p_.A_v * inverse_1 * inverse_1);
         c_.alpha = p_.A_v / p_.A_d / sqrt_2;
-        const Scalar signed_root_3 = detail::signed_root<Scalar>(Scalar(2) * (p_.p_2 - c_.p_1) / p_.rho);
-        const Scalar e4 = signed_root_3 * (p_.A_d * c_.alpha);
-        c_.k0 = e4;
-        c_.k1 = e4 / p_.A_v;
-        c_.k2 = inverse_1 * e4;
+        const Scalar e3 = p_.A_d * c_.alpha;
+        c_.k0 = e3;
+        const Scalar inverse_4 = Scalar(1) / p_.rho;
+        c_.k1 = Scalar(2) * inverse_4;
+        const Scalar e5 = inverse_4 * e3;
+        c_.k2 = e5;
+        const Scalar inverse_6 = Scalar(1) / p_.A_v;
+        c_.k3 = inverse_6 * e3;
+        c_.k4 = inverse_1 * e3;
+        c_.k5 = inverse_6 * e5;
+        c_.k6 = inverse_1 * e5;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -225,17 +232,24 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 1 + or -
-    ///     dot(V_m) = -A_d*alpha*signed_root(2*(p_2 - p_1)/rho)
-    void rhs(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        dxdt[0] = -c_.k0;
+    /// Operations: 2 *, 1 other functions
+    ///     specific_enthalpy[upstream] = p_2/rho + dp/rho
+    ///     specific_enthalpy[vessel] = p_2/rho
+    ///     mass_flow[orifice] = A_d*rho*alpha*signed_root(2*dp/rho)
+    ///     dot(V_m) = mass_flow[orifice]/rho
+    void rhs(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
+        const Scalar dp = u[0];
+        const Scalar signed_root_1 = detail::signed_root<Scalar>(c_.k1 * dp);
+        dxdt[0] = c_.k0 * signed_root_1;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 1 + or -
-    void rhs_and_jacobian(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        dxdt[0] = -c_.k0;
+    /// Operations: 2 *, 1 other functions
+    void rhs_and_jacobian(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
+        const Scalar dp = u[0];
+        const Scalar signed_root_1 = detail::signed_root<Scalar>(c_.k1 * dp);
+        dxdt[0] = c_.k0 * signed_root_1;
         J[0] = Scalar(0);
     }
 
@@ -245,35 +259,35 @@ public:
         rhs_and_jacobian(x, u, t, dxdt, J);
     }
 
-    /// J = df/du. 1 x 0, entry (i, j) at J[1*j + i].
-    /// Operations: none
-    void jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, JacobianU& /*J*/) const noexcept {
+    /// J = df/du. 1 x 1, entry (i, j) at J[1*j + i].
+    /// Operations: 2 *, 1 other functions
+    void jacobian_u(const State& /*x*/, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
+        const Scalar dp = u[0];
+        const Scalar inverse_root_1 = detail::inverse_root<Scalar>(c_.k1 * dp);
+        J[0] = c_.k2 * inverse_root_1;
     }
 
-    /// J = df/dp, parameters in the order of the table. 1 x 7, entry (i, j) at J[1*j + i].
-    /// Operations: 5 + or -, 18 *, 4 /, 3 other functions
-    void jacobian_p(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
+    /// J = df/dp, parameters in the order of the table. 1 x 6, entry (i, j) at J[1*j + i].
+    /// Operations: 6 + or -, 19 *, 4 /, 3 other functions
+    void jacobian_p(const State& /*x*/, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::sqrt;
-        const Scalar inverse_1 = Scalar(1) / p_.A_1;
-        const Scalar inverse_2 = Scalar(1) / p_.rho;
-        const Scalar e3 = (p_.p_2 - c_.p_1) * inverse_2;
-        const Scalar e4 = Scalar(2) * e3;
-        const Scalar signed_root_5 = detail::signed_root<Scalar>(e4);
-        const Scalar e6 = p_.A_v * p_.A_v * (inverse_1 * inverse_1);
-        const Scalar sqrt_7 = sqrt(Scalar(1) - e6);
-        const Scalar inverse_8 = Scalar(1) / sqrt_7;
-        const Scalar e9 = signed_root_5 * inverse_8;
-        const Scalar e10 = p_.A_v * e9;
-        const Scalar e11 = e6 * (inverse_8 * inverse_8);
-        const Scalar inverse_root_12 = detail::inverse_root<Scalar>(e4);
-        const Scalar e13 = p_.A_d * inverse_2 * (c_.alpha * inverse_root_12);
-        J[0] = inverse_1 * e10 * e11;
-        J[1] = e10 / p_.A_d - c_.alpha * signed_root_5;
-        J[2] = -e9 * (Scalar(1) + e11);
-        J[3] = e3 * e13;
+        const Scalar dp = u[0];
+        const Scalar e1 = c_.k1 * dp;
+        const Scalar signed_root_2 = detail::signed_root<Scalar>(e1);
+        const Scalar inverse_3 = Scalar(1) / p_.A_1;
+        const Scalar e4 = p_.A_v * p_.A_v * (inverse_3 * inverse_3);
+        const Scalar sqrt_5 = sqrt(Scalar(1) - e4);
+        const Scalar inverse_6 = Scalar(1) / sqrt_5;
+        const Scalar e7 = p_.A_v * inverse_6;
+        const Scalar e8 = e4 * (inverse_6 * inverse_6);
+        const Scalar inverse_root_9 = detail::inverse_root<Scalar>(e1);
+        const Scalar inverse_10 = Scalar(1) / p_.rho;
+        J[0] = -signed_root_2 * (inverse_3 * e7 * e8);
+        J[1] = -signed_root_2 * (e7 / p_.A_d - c_.alpha);
+        J[2] = signed_root_2 * (inverse_6 * (Scalar(1) + e8));
+        J[3] = -dp * inverse_root_9 * (p_.A_d * c_.alpha * inverse_10 * inverse_10);
         J[4] = Scalar(0);
-        J[5] = e13;
-        J[6] = Scalar(0);
+        J[5] = Scalar(0);
     }
 
     /// J = df/dt at fixed x and u.
@@ -298,17 +312,19 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 4 + or -
+    /// Operations: 1 + or -, 4 *, 1 other functions
     ///     V_c = -V_0 + V_m
-    ///     q = -A_d*alpha*signed_root(2*(p_2 - p_1)/rho)
-    ///     v_v = -A_d*alpha*signed_root(2*(p_2 - p_1)/rho)/A_v
-    ///     v_1 = -A_d*alpha*signed_root(2*(p_2 - p_1)/rho)/A_1
-    void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
+    ///     q = A_d*alpha*signed_root(2*dp/rho)
+    ///     v_v = A_d*alpha*signed_root(2*dp/rho)/A_v
+    ///     v_1 = A_d*alpha*signed_root(2*dp/rho)/A_1
+    void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         const Scalar V_m = x[0];
+        const Scalar dp = u[0];
+        const Scalar signed_root_1 = detail::signed_root<Scalar>(c_.k1 * dp);
         y[0] = V_m - p_.V_0;
-        y[1] = -c_.k0;
-        y[2] = -c_.k1;
-        y[3] = -c_.k2;
+        y[1] = c_.k0 * signed_root_1;
+        y[2] = c_.k3 * signed_root_1;
+        y[3] = c_.k4 * signed_root_1;
     }
 
     /// C = dh/dx.
@@ -321,8 +337,14 @@ public:
     }
 
     /// D = dh/du.
-    /// Operations: none
-    void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
+    /// Operations: 4 *, 1 other functions
+    void output_jacobian_u(const State& /*x*/, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
+        const Scalar dp = u[0];
+        const Scalar inverse_root_1 = detail::inverse_root<Scalar>(c_.k1 * dp);
+        D[0] = Scalar(0);
+        D[1] = c_.k2 * inverse_root_1;
+        D[2] = c_.k5 * inverse_root_1;
+        D[3] = c_.k6 * inverse_root_1;
     }
 
     /// T in joules.
@@ -367,34 +389,37 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 4 + or -, 8 *, 1 /, 3 other functions
-    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / p_.rho;
-        const Scalar signed_root_2 = detail::signed_root<Scalar>(Scalar(2) * (p_.p_2 - c_.p_1) * inverse_1);
-        const Scalar e3 = signed_root_2 * (p_.A_d * c_.alpha);
-        const Scalar e4 = -p_.rho * e3;
-        const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
-        const Scalar min_6 = detail::min<Scalar>(Scalar(0), e4);
-        return p_.p_2 * inverse_1 * (max_5 + min_6) + p_.p_2 * e3;
+    /// Operations: 2 + or -, 8 *, 1 /, 3 other functions
+    Scalar exchanged_power(const State& /*x*/, const Input& u, Scalar /*t*/) const noexcept {
+        const Scalar dp = u[0];
+        const Scalar signed_root_1 = detail::signed_root<Scalar>(c_.k1 * dp);
+        const Scalar e2 = p_.A_d * c_.alpha;
+        const Scalar e3 = signed_root_1 * (p_.rho * e2);
+        const Scalar max_4 = detail::max<Scalar>(Scalar(0), e3);
+        const Scalar min_5 = detail::min<Scalar>(Scalar(0), e3);
+        return p_.p_2 / p_.rho * (max_4 + min_5) - signed_root_1 * (p_.p_2 * e2);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
-    /// Operations: 2 + or -
-    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
-        const Scalar e1 = p_.p_2 - c_.p_1;
-        g[0] = -e1;
-        g[1] = e1;
+    /// Operations: 1 + or -
+    void guards(const State& /*x*/, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
+        const Scalar dp = u[0];
+        g[0] = dp;
+        g[1] = -dp;
     }
 
 private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
-        Scalar p_1;  ///< p_2 + dp
         Scalar alpha;  ///< A_v/(A_d*sqrt(1 - A_v^2/A_1^2))
-        Scalar k0;  ///< A_d*alpha*signed_root(2*p_2/rho - 2*p_1/rho)
-        Scalar k1;  ///< A_d*alpha*signed_root(2*p_2/rho - 2*p_1/rho)/A_v
-        Scalar k2;  ///< A_d*alpha*signed_root(2*p_2/rho - 2*p_1/rho)/A_1
+        Scalar k0;  ///< A_d*alpha
+        Scalar k1;  ///< 2/rho
+        Scalar k2;  ///< A_d*alpha/rho
+        Scalar k3;  ///< A_d*alpha/A_v
+        Scalar k4;  ///< A_d*alpha/A_1
+        Scalar k5;  ///< A_d*alpha/(A_v*rho)
+        Scalar k6;  ///< A_d*alpha/(A_1*rho)
     };
     Cached c_{};
 };

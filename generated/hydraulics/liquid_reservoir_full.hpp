@@ -16,14 +16,14 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                11     21     4        0      3
+//   update                11     19     4        0      3
 //   rhs                    0      1     0        0      0
 //   rhs_and_jacobian       0      1     0        0      0
 //   jacobian_p             1      4     1        0      0
 //   output                 8      9     1        0      4
-//   output_jacobian_x     12     19     2        0      7
-//   output_jacobian_u      7      8     0        0      4
-//   internal_energy        7     11     0        0      3
+//   output_jacobian_x     10     17     1        0      5
+//   output_jacobian_u      7      8     1        0      4
+//   internal_energy        7     11     1        0      3
 //   exchanged_power        8      9     1        0      5
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -68,7 +68,7 @@ struct Quantity {
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
-    Quantity{"p", "kg/(m*s^2)", "pressure in the vessel", 10000, 100000000},
+    Quantity{"p", "Pa", "pressure in the vessel", 10000, 100000000},
 };
 inline constexpr std::array<Quantity, input_count> input_quantities{
     Quantity{"q", "m^3/s", "volume flow in, at the density in the vessel", -0.001, 0.001},
@@ -85,7 +85,7 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"beta", "Pa", "bulk modulus", 100000000, 10000000000},
     Quantity{"alpha", "1/K", "thermal expansion", 1e-05, 0.002},
     Quantity{"c_v", "m^2/(s^2*K)", "isochoric heat capacity", 1000, 5000},
-    Quantity{"p_0", "kg/(m*s^2)", "reference pressure", 10000, 1000000},
+    Quantity{"p_0", "Pa", "reference pressure", 10000, 1000000},
     Quantity{"T_0", "K", "reference temperature", 250, 300},
     Quantity{"T", "K", "temperature of the vessel, constant", 250, 400},
 };
@@ -181,7 +181,7 @@ struct Parameters {
     Scalar beta = (Scalar(1) * Scalar(1000000000) + Scalar(520000000));  ///< Pa, bulk modulus
     Scalar alpha = Scalar(1) / Scalar(1250);  ///< 1/K, thermal expansion
     Scalar c_v = Scalar(1930);  ///< m^2/(s^2*K), isochoric heat capacity
-    Scalar p_0 = Scalar(100000);  ///< kg/(m*s^2), reference pressure
+    Scalar p_0 = Scalar(100000);  ///< Pa, reference pressure
     Scalar T_0 = Scalar(273);  ///< K, reference temperature
     Scalar T = Scalar(293);  ///< K, temperature of the vessel, constant
 };
@@ -221,7 +221,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 11 + or -, 21 *, 4 /, 3 other functions
+    /// Operations: 11 + or -, 19 *, 4 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -250,13 +250,13 @@ public:
         c_.k10 = inverse_2 * inverse_11;
         const Scalar e12 = p_.p_0 * inverse_11;
         const Scalar e13 = p_.alpha * p_.T_0 - e12;
-        c_.k11 = -inverse_2 * (e13 - e5);
+        const Scalar e14 = inverse_2 * (e5 - e13);
+        c_.k11 = e14;
         c_.k12 = -e13;
         c_.k13 = compression_7 + expm1_6 * e13 + inverse_9 * e12;
-        c_.k14 = Scalar(2) * e5;
-        c_.k15 = Scalar(2) * inverse_11;
-        c_.k16 = e4;
-        c_.k17 = e10;
+        c_.k14 = inverse_2 + e14;
+        c_.k15 = e4;
+        c_.k16 = e10;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -270,7 +270,15 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 1 *
-    ///     dot(p) = beta*q/V
+    ///     specific_enthalpy[supply] = beta*alpha*T_0*expm1(-alpha*(T_0 - T))/rho_0 + beta*compression(alpha*(T_0 - T))/rho_0 +
+    ///     p_0/(rho_0*exp(alpha*(T_0 - T))) - p_0*expm1(-alpha*(T_0 - T))/rho_0 - c_v*(T_0 - T)
+    ///     density[vessel] = rho_0/exp((p_0 - p)/beta - alpha*(T_0 - T))
+    ///     specific_energy[vessel] = -c_v*(T_0 - T) + beta*compression(-(p_0 - p)/beta + alpha*(T_0 - T))/rho_0 + (beta*alpha*T_0 -
+    ///     p_0)*expm1((p_0 - p)/beta - alpha*(T_0 - T))/rho_0
+    ///     specific_enthalpy[vessel] = -c_v*(T_0 - T) + p*exp((p_0 - p)/beta - alpha*(T_0 - T))/rho_0 + beta*compression(-(p_0 -
+    ///     p)/beta + alpha*(T_0 - T))/rho_0 + (beta*alpha*T_0 - p_0)*expm1((p_0 - p)/beta - alpha*(T_0 - T))/rho_0
+    ///     mass_flow[port] = rho_0*q/exp((p_0 - p)/beta - alpha*(T_0 - T))
+    ///     dot(p) = beta*mass_flow[port]/(V*density[vessel])
     void rhs(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar q = u[0];
         dxdt[0] = c_.k0 * q;
@@ -335,78 +343,82 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: 8 + or -, 9 *, 1 /, 4 other functions
-    ///     rho = rho_0*exp(-(p_0 - p)/beta + alpha*(T_0 - T))
+    ///     rho = rho_0/exp((p_0 - p)/beta - alpha*(T_0 - T))
     ///     e_i = -c_v*(T_0 - T) + beta*compression(-(p_0 - p)/beta + alpha*(T_0 - T))/rho_0 + (beta*alpha*T_0 - p_0)*expm1((p_0 -
     ///     p)/beta - alpha*(T_0 - T))/rho_0
-    ///     m_dot = rho_0*q*exp(-(p_0 - p)/beta + alpha*(T_0 - T))
-    ///     Q_dot = -beta*alpha*T*q + p*max(0, rho_0*q*exp(-(p_0 - p)/beta + alpha*(T_0 - T)))/(rho_0*exp(-(p_0 - p)/beta +
-    ///     alpha*(T_0 - T))) + beta*compression(-(p_0 - p)/beta + alpha*(T_0 - T))*max(0, rho_0*q*exp(-(p_0 - p)/beta + alpha*(T_0
-    ///     - T)))/rho_0 + (beta*alpha*T_0 - p_0)*expm1((p_0 - p)/beta - alpha*(T_0 - T))*max(0, rho_0*q*exp(-(p_0 - p)/beta +
+    ///     m_dot = rho_0*q/exp((p_0 - p)/beta - alpha*(T_0 - T))
+    ///     Q_dot = -beta*alpha*T*q + p*exp((p_0 - p)/beta - alpha*(T_0 - T))*max(0, rho_0*q/exp((p_0 - p)/beta - alpha*(T_0 -
+    ///     T)))/rho_0 + beta*compression(-(p_0 - p)/beta + alpha*(T_0 - T))*max(0, rho_0*q/exp((p_0 - p)/beta - alpha*(T_0 -
+    ///     T)))/rho_0 + (beta*alpha*T_0 - p_0)*expm1((p_0 - p)/beta - alpha*(T_0 - T))*max(0, rho_0*q/exp((p_0 - p)/beta -
     ///     alpha*(T_0 - T)))/rho_0 - (beta*alpha*T_0*expm1(-alpha*(T_0 - T)) + beta*compression(alpha*(T_0 - T)) +
-    ///     p_0/exp(alpha*(T_0 - T)) - p_0*expm1(-alpha*(T_0 - T)))*max(0, rho_0*q*exp(-(p_0 - p)/beta + alpha*(T_0 - T)))/rho_0
+    ///     p_0/exp(alpha*(T_0 - T)) - p_0*expm1(-alpha*(T_0 - T)))*max(0, rho_0*q/exp((p_0 - p)/beta - alpha*(T_0 - T)))/rho_0
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k7 - c_.k8 * (p_.p_0 - p_value);
-        const Scalar exp_2 = exp(e1);
-        const Scalar e3 = p_.rho_0 * exp_2;
-        const Scalar compression_4 = detail::compression<Scalar>(e1);
-        const Scalar expm1_5 = expm1(-e1);
-        const Scalar e6 = c_.k2 * compression_4 + c_.k3 * expm1_5;
+        const Scalar e2 = -e1;
+        const Scalar exp_3 = exp(e2);
+        const Scalar e4 = p_.rho_0 / exp_3;
+        const Scalar compression_5 = detail::compression<Scalar>(e1);
+        const Scalar expm1_6 = expm1(e2);
+        const Scalar e7 = c_.k2 * compression_5 + c_.k3 * expm1_6;
         const Scalar q = u[0];
-        const Scalar e7 = q * e3;
-        const Scalar max_8 = detail::max<Scalar>(Scalar(0), e7);
-        y[0] = e3;
-        y[1] = e6 - c_.k1;
-        y[2] = e7;
-        y[3] = max_8 * (c_.k5 * p_value / exp_2 - c_.k6 + e6) - c_.k4 * q;
+        const Scalar e8 = q * e4;
+        const Scalar max_9 = detail::max<Scalar>(Scalar(0), e8);
+        y[0] = e4;
+        y[1] = e7 - c_.k1;
+        y[2] = e8;
+        y[3] = max_9 * (c_.k5 * p_value * exp_3 - c_.k6 + e7) - c_.k4 * q;
     }
 
     /// C = dh/dx.
-    /// Operations: 12 + or -, 19 *, 2 /, 7 other functions
+    /// Operations: 10 + or -, 17 *, 1 /, 5 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_0 - p_value;
         const Scalar e2 = c_.k7 - c_.k8 * e1;
-        const Scalar exp_3 = exp(e2);
-        const Scalar e4 = -e2;
-        const Scalar exp_5 = exp(e4);
-        const Scalar e6 = exp_5 * (c_.k10 * e1 - c_.k11);
+        const Scalar e3 = -e2;
+        const Scalar exp_4 = exp(e3);
+        const Scalar inverse_5 = Scalar(1) / exp_4;
+        const Scalar e6 = c_.k10 * exp_4;
+        const Scalar e7 = e1 * e6;
         const Scalar q = u[0];
-        const Scalar e7 = q * exp_3;
-        const Scalar e8 = p_.rho_0 * e7;
-        const Scalar step_9 = detail::step<Scalar>(e8);
-        const Scalar compression_10 = detail::compression<Scalar>(e2);
-        const Scalar expm1_11 = expm1(e4);
-        const Scalar max_12 = detail::max<Scalar>(Scalar(0), e8);
-        const Scalar exp_13 = exp(c_.k14 - c_.k15 * e1);
-        C[0] = c_.k9 * exp_3;
-        C[1] = -e6;
-        C[2] = c_.k9 * e7;
-        C[3] = step_9 * e7 * (compression_10 - c_.k12 * expm1_11 - c_.k13) - max_12
-            * (c_.k10 * p_value * exp_3 / exp_13 - c_.k5 / exp_3 + e6) + c_.k8 * q * p_value * step_9;
+        const Scalar e8 = q * inverse_5;
+        const Scalar e9 = p_.rho_0 * e8;
+        const Scalar max_10 = detail::max<Scalar>(Scalar(0), e9);
+        const Scalar step_11 = detail::step<Scalar>(e9);
+        const Scalar compression_12 = detail::compression<Scalar>(e2);
+        const Scalar expm1_13 = expm1(e3);
+        C[0] = c_.k9 * inverse_5;
+        C[1] = c_.k11 * exp_4 - e7;
+        C[2] = c_.k9 * e8;
+        C[3] = max_10 * (c_.k14 * exp_4 - p_value * e6 - e7) + step_11 * e8 * (compression_12 - c_.k12 * expm1_13 - c_.k13)
+            + c_.k8 * q * p_value * step_11;
     }
 
     /// D = dh/du.
-    /// Operations: 7 + or -, 8 *, 4 other functions
+    /// Operations: 7 + or -, 8 *, 1 /, 4 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k7 - c_.k8 * (p_.p_0 - p_value);
-        const Scalar exp_2 = exp(e1);
-        const Scalar e3 = p_.rho_0 * exp_2;
+        const Scalar e2 = -e1;
+        const Scalar exp_3 = exp(e2);
+        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar e5 = p_.rho_0 * inverse_4;
         const Scalar q = u[0];
-        const Scalar step_4 = detail::step<Scalar>(q * e3);
-        const Scalar compression_5 = detail::compression<Scalar>(e1);
-        const Scalar expm1_6 = expm1(-e1);
+        const Scalar step_6 = detail::step<Scalar>(q * e5);
+        const Scalar compression_7 = detail::compression<Scalar>(e1);
+        const Scalar expm1_8 = expm1(e2);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = e3;
-        D[3] = exp_2 * step_4 * (p_.beta * compression_5 + c_.k16 * expm1_6 - c_.k17) - c_.k4 + p_value * step_4;
+        D[2] = e5;
+        const Scalar e9 = step_6 * inverse_4 * (p_.beta * compression_7 + c_.k15 * expm1_8 - c_.k16);
+        D[3] = e9 - c_.k4 + p_value * step_6;
     }
 
     /// T in joules.
@@ -444,22 +456,21 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 7 + or -, 11 *, 3 other functions
-    ///     E = V*beta*compression(-(p_0 - p)/beta + alpha*(T_0 - T))*exp(-(p_0 - p)/beta + alpha*(T_0 - T)) - V*rho_0*c_v*(T_0 -
-    ///     T)*exp(-(p_0 - p)/beta + alpha*(T_0 - T)) + V*(beta*alpha*T_0 - p_0)*exp(-(p_0 - p)/beta + alpha*(T_0 - T))*expm1((p_0 -
-    ///     p)/beta - alpha*(T_0 - T))
+    /// Operations: 7 + or -, 11 *, 1 /, 3 other functions
+    ///     E = V*density[vessel]*specific_energy[vessel]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k7 - c_.k8 * (p_.p_0 - p_value);
-        const Scalar exp_2 = exp(e1);
-        const Scalar compression_3 = detail::compression<Scalar>(e1);
-        const Scalar e4 = p_.V * p_.beta;
-        const Scalar expm1_5 = expm1(-e1);
-        const Scalar e6 = compression_3 * e4 - p_.V * p_.rho_0 * p_.c_v * (p_.T_0 - p_.T) + expm1_5
-            * (p_.alpha * p_.T_0 * e4 - p_.V * p_.p_0);
-        return exp_2 * e6;
+        const Scalar e2 = -e1;
+        const Scalar exp_3 = exp(e2);
+        const Scalar compression_4 = detail::compression<Scalar>(e1);
+        const Scalar e5 = p_.V * p_.beta;
+        const Scalar expm1_6 = expm1(e2);
+        const Scalar e7 = compression_4 * e5 - p_.V * p_.rho_0 * p_.c_v * (p_.T_0 - p_.T) + expm1_6
+            * (p_.alpha * p_.T_0 * e5 - p_.V * p_.p_0);
+        return e7 / exp_3;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
@@ -470,14 +481,15 @@ public:
         const Scalar q = u[0];
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k7 - c_.k8 * (p_.p_0 - p_value);
-        const Scalar exp_2 = exp(e1);
-        const Scalar e3 = p_.rho_0 * q * exp_2;
-        const Scalar max_4 = detail::max<Scalar>(Scalar(0), e3);
-        const Scalar min_5 = detail::min<Scalar>(Scalar(0), e3);
-        const Scalar compression_6 = detail::compression<Scalar>(e1);
-        const Scalar expm1_7 = expm1(-e1);
-        const Scalar e8 = c_.k5 * p_value / exp_2 + c_.k2 * compression_6 + c_.k3 * expm1_7 - c_.k1;
-        return (max_4 + min_5) * e8 - c_.k4 * q;
+        const Scalar e2 = -e1;
+        const Scalar exp_3 = exp(e2);
+        const Scalar e4 = p_.rho_0 * q / exp_3;
+        const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
+        const Scalar min_6 = detail::min<Scalar>(Scalar(0), e4);
+        const Scalar compression_7 = detail::compression<Scalar>(e1);
+        const Scalar expm1_8 = expm1(e2);
+        const Scalar e9 = c_.k5 * p_value * exp_3 + c_.k2 * compression_7 + c_.k3 * expm1_8 - c_.k1;
+        return (max_5 + min_6) * e9 - c_.k4 * q;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -505,10 +517,9 @@ private:
         Scalar k11;  ///< (p_0/beta - alpha*T)/rho_0
         Scalar k12;  ///< p_0/beta - alpha*T_0
         Scalar k13;  ///< p_0/(beta*exp(alpha*T_0 - alpha*T)) - p_0*expm1(-alpha*T_0 + alpha*T)/beta + ...
-        Scalar k14;  ///< 2*alpha*(T_0 - T)
-        Scalar k15;  ///< 2/beta
-        Scalar k16;  ///< beta*alpha*T_0 - p_0
-        Scalar k17;  ///< beta*alpha*T_0*expm1(-alpha*T_0 + alpha*T) + beta*compression(alpha*T_0 - alpha*T) + ...
+        Scalar k14;  ///< (1 + p_0/beta - alpha*T)/rho_0
+        Scalar k15;  ///< beta*alpha*T_0 - p_0
+        Scalar k16;  ///< beta*alpha*T_0*expm1(-alpha*T_0 + alpha*T) + beta*compression(alpha*T_0 - alpha*T) + ...
     };
     Cached c_{};
 };

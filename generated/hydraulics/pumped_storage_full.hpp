@@ -89,7 +89,7 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"A", "m^2", "cross section of the pipe", 0.1, 100},
     Quantity{"rho", "kg/m^3", "density of the water", 500, 2000},
     Quantity{"g", "m/s^2", "gravity", 0.1, 30},
-    Quantity{"p_0", "kg/(m*s^2)", "ambient pressure", 10000, 1000000},
+    Quantity{"p_0", "Pa", "ambient pressure", 10000, 1000000},
 };
 
 /// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
@@ -160,7 +160,7 @@ struct Parameters {
     Scalar A = Scalar(20);  ///< m^2, cross section of the pipe
     Scalar rho = Scalar(1000);  ///< kg/m^3, density of the water
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
-    Scalar p_0 = Scalar(100000);  ///< kg/(m*s^2), ambient pressure
+    Scalar p_0 = Scalar(100000);  ///< Pa, ambient pressure
 };
 
 /// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
@@ -221,8 +221,11 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 1 + or -, 2 *
-    ///     dot(h_o) = -q/A_o
-    ///     dot(h_u) = q/A_u
+    ///     specific_enthalpy[upper] = p_0/rho + g*h_o
+    ///     specific_enthalpy[lower] = p_0/rho + g*h_u
+    ///     mass_flow[turbine] = rho*q
+    ///     dot(h_o) = -mass_flow[turbine]/(A_o*rho)
+    ///     dot(h_u) = mass_flow[turbine]/(A_u*rho)
     void rhs(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar q = u[0];
         dxdt[0] = -c_.k0 * q;

@@ -81,7 +81,7 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"omega", "1/s", "how fast it varies", 0.1, 10},
     Quantity{"rho", "kg/m^3", "density", 500, 2000},
     Quantity{"g", "m/s^2", "gravity", 0.1, 30},
-    Quantity{"p_0", "kg/(m*s^2)", "pressure where the flow rests", 10000, 1000000},
+    Quantity{"p_0", "Pa", "pressure where the flow rests", 10000, 1000000},
     Quantity{"X", "m", "a fixed point of the field, along the wall", 0.1, 2},
     Quantity{"Z", "m", "a fixed point of the field, above the wall", 0.1, 2},
     Quantity{"xi", "m", "distance from the fixed point along the streamline", 0.01, 1},
@@ -126,7 +126,7 @@ struct Parameters {
     Scalar omega = Scalar(2);  ///< 1/s, how fast it varies
     Scalar rho = Scalar(1000);  ///< kg/m^3, density
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
-    Scalar p_0 = Scalar(200000);  ///< kg/(m*s^2), pressure where the flow rests
+    Scalar p_0 = Scalar(200000);  ///< Pa, pressure where the flow rests
     Scalar X = Scalar(1) / Scalar(2);  ///< m, a fixed point of the field, along the wall
     Scalar Z = Scalar(7) / Scalar(10);  ///< m, a fixed point of the field, above the wall
     Scalar xi = Scalar(1) / Scalar(10);  ///< m, distance from the fixed point along the streamline

@@ -16,14 +16,14 @@
 //     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 6     30     6        1      0
+//   update                 9     31     6        1      0
 //   rhs                    2      3     1        0      1
 //   rhs_and_jacobian       3      7     1        0      2
 //   jacobian_p            14     53     5        2      3
 //   bias                   1      0     0        0      0
 //   generalised_force      1      2     1        0      1
-//   output                 5      8     1        0      1
-//   output_jacobian_x      7      7     1        0      2
+//   output                 6     11     1        0      2
+//   output_jacobian_x     11     14     2        0      3
 //   kinetic_energy         0      3     0        0      0
 //   potential_energy       1      1     0        0      0
 //   supplied_power         1      3     1        0      1
@@ -50,14 +50,14 @@ inline constexpr std::size_t degrees_of_freedom = 1;
 inline constexpr std::size_t plain_state_count = 0;
 inline constexpr std::size_t state_count = 2;
 inline constexpr std::size_t input_count = 0;
-inline constexpr std::size_t output_count = 4;
+inline constexpr std::size_t output_count = 5;
 inline constexpr std::size_t parameter_count = 10;
 inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { xi = 0, xi_dot = 1 }; };
 struct input {};
-struct output { enum : std::size_t { v = 0, p_p = 1, r_p = 2, B = 3 }; };
+struct output { enum : std::size_t { v = 0, p_p = 1, r_p = 2, v_s = 3, B = 4 }; };
 struct parameter { enum : std::size_t { m = 0, phi = 1, l = 2, p_1 = 3, p_2 = 4, p_0 = 5, rho_0 = 6, kappa = 7, g = 8, v_1 = 9 }; };
 
 /// Name in the model, SI unit, description, and the declared range in SI.
@@ -78,15 +78,16 @@ inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"v", "m/s", "velocity"},
     Quantity{"p_p", "Pa", "pressure"},
     Quantity{"r_p", "kg/m^3", "density"},
+    Quantity{"v_s", "m/s", "velocity of sound"},
     Quantity{"B", "J/kg", "the sum of (3.136), constant"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"m", "kg", "mass of the particle", 1e-06, 0.1},
     Quantity{"phi", "rad", "slope of the streamline, downwards", 0.017453292519943295, 1.5533430342749532},
     Quantity{"l", "m", "length over which the pressure changes", 1, 100},
-    Quantity{"p_1", "kg/(m*s^2)", "pressure at the beginning", 150000, 1000000},
-    Quantity{"p_2", "kg/(m*s^2)", "pressure at the end", 50000, 140000},
-    Quantity{"p_0", "kg/(m*s^2)", "reference pressure", 10000, 1000000},
+    Quantity{"p_1", "Pa", "pressure at the beginning", 150000, 1000000},
+    Quantity{"p_2", "Pa", "pressure at the end", 50000, 140000},
+    Quantity{"p_0", "Pa", "reference pressure", 10000, 1000000},
     Quantity{"rho_0", "kg/m^3", "density at the reference pressure", 0.1, 10},
     Quantity{"kappa", "1", "adiabatic exponent", 1.1, 1.7},
     Quantity{"g", "m/s^2", "gravity", 0.1, 30},
@@ -142,9 +143,9 @@ struct Parameters {
     Scalar m = Scalar(1) / Scalar(1000);  ///< kg, mass of the particle
     Scalar phi = Scalar(1) / Scalar(6) * detail::pi<Scalar>();  ///< rad, slope of the streamline, downwards
     Scalar l = Scalar(1);  ///< m, length over which the pressure changes
-    Scalar p_1 = Scalar(200000);  ///< kg/(m*s^2), pressure at the beginning
-    Scalar p_2 = Scalar(120000);  ///< kg/(m*s^2), pressure at the end
-    Scalar p_0 = Scalar(100000);  ///< kg/(m*s^2), reference pressure
+    Scalar p_1 = Scalar(200000);  ///< Pa, pressure at the beginning
+    Scalar p_2 = Scalar(120000);  ///< Pa, pressure at the end
+    Scalar p_0 = Scalar(100000);  ///< Pa, reference pressure
     Scalar rho_0 = Scalar(6) / Scalar(5);  ///< kg/m^3, density at the reference pressure
     Scalar kappa = Scalar(7) / Scalar(5);  ///< 1, adiabatic exponent
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
@@ -186,7 +187,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 6 + or -, 30 *, 6 /, 1 sin or cos
+    /// Operations: 9 + or -, 31 *, 6 /, 1 sin or cos
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sin;
@@ -198,28 +199,36 @@ public:
         const Scalar inverse_3 = Scalar(1) / p_.l;
         const Scalar inverse_4 = Scalar(1) / p_.rho_0;
         const Scalar e5 = inverse_3 * inverse_4;
-        const Scalar e6 = p_.m * e5;
-        c_.k2 = e2 * e6;
+        const Scalar e6 = e2 * e5;
+        c_.k2 = p_.m * e6;
         const Scalar inverse_7 = Scalar(1) / p_.p_0;
-        c_.k3 = p_.p_1 * inverse_7;
-        const Scalar e8 = inverse_3 * inverse_7;
-        const Scalar e9 = e2 * e8;
-        c_.k4 = e9;
-        const Scalar inverse_10 = Scalar(1) / p_.kappa;
-        c_.k5 = inverse_10;
-        c_.k6 = e2 * e2 * inverse_10 * e8 * e6;
-        c_.k7 = Scalar(1) - inverse_10;
+        const Scalar e8 = p_.p_1 * inverse_7;
+        c_.k3 = e8;
+        const Scalar e9 = inverse_3 * inverse_7;
+        const Scalar e10 = e2 * e9;
+        c_.k4 = e10;
+        const Scalar inverse_11 = Scalar(1) / p_.kappa;
+        c_.k5 = inverse_11;
+        const Scalar e12 = e5 * e9;
+        c_.k6 = p_.m * e2 * e2 * inverse_11 * e12;
+        c_.k7 = Scalar(1) - inverse_11;
         c_.k8 = inverse_3 * e2;
         c_.k9 = e1;
-        const Scalar inverse_11 = Scalar(1) / (Scalar(1) - p_.kappa);
-        const Scalar e12 = inverse_11 * e5;
-        c_.k10 = p_.kappa * e2 * e12;
-        c_.k11 = p_.p_1 * p_.kappa * inverse_4 * inverse_11;
-        c_.k12 = p_.rho_0 * inverse_10 * e9;
-        const Scalar e13 = p_.p_1 * e12;
-        const Scalar e14 = p_.p_2 * e8;
-        c_.k13 = -e13 * (p_.p_1 * e8 - Scalar(2) * e14) - p_.p_2 * e12 * e14;
-        c_.k14 = -inverse_7 * e2 * e13;
+        const Scalar inverse_13 = Scalar(1) / (Scalar(1) - p_.kappa);
+        const Scalar e14 = p_.kappa * e6;
+        c_.k10 = inverse_13 * e14;
+        const Scalar e15 = p_.kappa * (p_.p_1 * inverse_4);
+        c_.k11 = inverse_13 * e15;
+        c_.k12 = e14;
+        c_.k13 = e15;
+        c_.k14 = p_.rho_0 * inverse_11 * e10;
+        const Scalar e16 = (p_.p_1 * (p_.p_1 - Scalar(2) * p_.p_2) + p_.p_2 * p_.p_2) * e12;
+        c_.k15 = -(Scalar(1) / Scalar(2)) * e16;
+        const Scalar e17 = e6 * e8;
+        c_.k16 = -(Scalar(1) / Scalar(2)) * e17;
+        c_.k17 = (Scalar(1) / Scalar(2)) * e14;
+        c_.k18 = -inverse_13 * e16;
+        c_.k19 = -inverse_13 * e17;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -363,42 +372,55 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 5 + or -, 8 *, 1 /, 1 other functions
+    /// Operations: 6 + or -, 11 *, 1 /, 2 other functions
     ///     v = dot(xi)
     ///     p_p = p_1 - (p_1 - p_2)*xi/l
     ///     r_p = rho_0*(-p_1*xi/(l*p_0) + p_2*xi/(l*p_0) + p_1/p_0)^(1/kappa)
+    ///     v_s = sqrt(-p_1*kappa*xi/(l*rho_0*(-p_1*xi/(l*p_0) + p_2*xi/(l*p_0) + p_1/p_0)^(1/kappa)) +
+    ///     p_2*kappa*xi/(l*rho_0*(-p_1*xi/(l*p_0) + p_2*xi/(l*p_0) + p_1/p_0)^(1/kappa)) + p_1*kappa/(rho_0*(-p_1*xi/(l*p_0) +
+    ///     p_2*xi/(l*p_0) + p_1/p_0)^(1/kappa)))
     ///     B = dot(xi)^2/2 - g*sin(phi)*xi + kappa*(p_1 - p_2)*xi/(l*rho_0*(1 - kappa)*(-p_1*xi/(l*p_0) + p_2*xi/(l*p_0) +
     ///     p_1/p_0)^(1/kappa)) - p_1*kappa/(rho_0*(1 - kappa)*(-p_1*xi/(l*p_0) + p_2*xi/(l*p_0) + p_1/p_0)^(1/kappa))
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         using std::pow;
+        using std::sqrt;
         const Scalar xi_dot = x[1];
         const Scalar xi = x[0];
         const Scalar power_1 = pow(c_.k3 - c_.k4 * xi, c_.k5);
         const Scalar inverse_2 = Scalar(1) / power_1;
+        const Scalar e3 = xi * inverse_2;
+        const Scalar sqrt_4 = sqrt(c_.k13 * inverse_2 - c_.k12 * e3);
         y[0] = xi_dot;
         y[1] = p_.p_1 - c_.k8 * xi;
         y[2] = p_.rho_0 * power_1;
-        y[3] = (Scalar(1) / Scalar(2)) * xi_dot * xi_dot - xi * (c_.k9 - c_.k10 * inverse_2) - c_.k11 * inverse_2;
+        y[3] = sqrt_4;
+        y[4] = (Scalar(1) / Scalar(2)) * xi_dot * xi_dot - c_.k9 * xi - c_.k11 * inverse_2 + c_.k10 * e3;
     }
 
     /// C = dh/dx.
-    /// Operations: 7 + or -, 7 *, 1 /, 2 other functions
+    /// Operations: 11 + or -, 14 *, 2 /, 3 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::pow;
+        using std::sqrt;
         const Scalar xi = x[0];
         const Scalar e1 = c_.k3 - c_.k4 * xi;
         const Scalar power_2 = pow(e1, -c_.k7);
         const Scalar power_3 = pow(e1, c_.k5);
         const Scalar inverse_4 = Scalar(1) / power_3;
+        const Scalar sqrt_5 = sqrt(-inverse_4 * (c_.k12 * xi - c_.k13));
+        const Scalar inverse_6 = Scalar(1) / sqrt_5;
+        const Scalar e7 = inverse_4 * (power_2 * inverse_4);
         const Scalar xi_dot = x[1];
         C[0] = Scalar(0);
         C[1] = -c_.k8;
-        C[2] = -c_.k12 * power_2;
-        C[3] = c_.k10 * inverse_4 - inverse_4 * (power_2 * inverse_4) * (c_.k13 * xi - c_.k14) - c_.k9;
-        C[4] = Scalar(1);
-        C[5] = Scalar(0);
+        C[2] = -c_.k14 * power_2;
+        C[3] = inverse_6 * e7 * (c_.k15 * xi - c_.k16) - c_.k17 * inverse_4 * inverse_6;
+        C[4] = c_.k10 * inverse_4 - e7 * (c_.k18 * xi - c_.k19) - c_.k9;
+        C[5] = Scalar(1);
         C[6] = Scalar(0);
-        C[7] = xi_dot;
+        C[7] = Scalar(0);
+        C[8] = Scalar(0);
+        C[9] = xi_dot;
     }
 
     /// D = dh/du.
@@ -480,9 +502,14 @@ private:
         Scalar k9;  ///< g*sin(phi)
         Scalar k10;  ///< kappa*(p_1 - p_2)/(l*rho_0*(1 - kappa))
         Scalar k11;  ///< p_1*kappa/(rho_0*(1 - kappa))
-        Scalar k12;  ///< rho_0*(p_1 - p_2)/(l*p_0*kappa)
-        Scalar k13;  ///< (-p_1^2 + 2*p_1*p_2 - p_2^2)/(l^2*p_0*rho_0*(1 - kappa))
-        Scalar k14;  ///< p_1*(-p_1 + p_2)/(l*p_0*rho_0*(1 - kappa))
+        Scalar k12;  ///< kappa*(p_1 - p_2)/(l*rho_0)
+        Scalar k13;  ///< p_1*kappa/rho_0
+        Scalar k14;  ///< rho_0*(p_1 - p_2)/(l*p_0*kappa)
+        Scalar k15;  ///< (-p_1^2/2 + p_1*p_2 - p_2^2/2)/(l^2*p_0*rho_0)
+        Scalar k16;  ///< p_1*(-p_1 + p_2)/(2*l*p_0*rho_0)
+        Scalar k17;  ///< kappa*(p_1 - p_2)/(2*l*rho_0)
+        Scalar k18;  ///< (-p_1^2 + 2*p_1*p_2 - p_2^2)/(l^2*p_0*rho_0*(1 - kappa))
+        Scalar k19;  ///< p_1*(-p_1 + p_2)/(l*p_0*rho_0*(1 - kappa))
     };
     Cached c_{};
 };

@@ -79,7 +79,7 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"A_b", "m^2", "base area of the tank", 0.01, 1000},
     Quantity{"h_0", "m", "level at the start", 0.01, 10},
     Quantity{"rho", "kg/m^3", "density of the water", 500, 2000},
-    Quantity{"p_0", "kg/(m*s^2)", "ambient pressure", 10000, 1000000},
+    Quantity{"p_0", "Pa", "ambient pressure", 10000, 1000000},
 };
 
 /// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
@@ -121,7 +121,7 @@ struct Parameters {
     Scalar A_b = Scalar(2);  ///< m^2, base area of the tank
     Scalar h_0 = Scalar(1);  ///< m, level at the start
     Scalar rho = Scalar(1000);  ///< kg/m^3, density of the water
-    Scalar p_0 = Scalar(100000);  ///< kg/(m*s^2), ambient pressure
+    Scalar p_0 = Scalar(100000);  ///< Pa, ambient pressure
 };
 
 /// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
@@ -177,7 +177,12 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 1 + or -, 1 *
-    ///     dot(h) = q_z/A_b - q_a/A_b
+    ///     specific_enthalpy[source] = p_0/rho
+    ///     specific_enthalpy[drain] = p_0/rho
+    ///     specific_enthalpy[tank] = p_0/rho
+    ///     mass_flow[inflow] = rho*q_z
+    ///     mass_flow[outflow] = rho*q_a
+    ///     dot(h) = mass_flow[inflow]/(A_b*rho) - mass_flow[outflow]/(A_b*rho)
     void rhs(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar q_z = u[0];
         const Scalar q_a = u[1];

@@ -76,7 +76,7 @@ inline constexpr std::array<Quantity, state_count> state_quantities{
     Quantity{"T_V", "K", "temperature in the vessel", 150, 1500},
 };
 inline constexpr std::array<Quantity, input_count> input_quantities{
-    Quantity{"Q", "W", "heat flow into each of the two"},
+    Quantity{"Q", "W", "heat flow into each of the two", -1000, 1000},
 };
 inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"lift_power", "W", "power of the air on the piston and the ambience"},
@@ -202,10 +202,14 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 6 *, 2 /
-    ///     dot(h) = R_s*Q/(A*(R_s + c_v)*(m_K*g/A + p_0))
-    ///     dot(T) = R_s*Q*T/(A*(R_s + c_v)*(m_K*g/A + p_0)*h)
-    ///     dot(p_V) = R_s*Q/(c_v*V)
-    ///     dot(T_V) = R_s*Q*T_V/(c_v*V*p_V)
+    ///     density[cylinder] = (m_K*g/A + p_0)/(R_s*T)
+    ///     specific_energy[cylinder] = c_v*T
+    ///     density[vessel] = p_V/(R_s*T_V)
+    ///     specific_energy[vessel] = c_v*T_V
+    ///     dot(h) = Q/(A*T*density[cylinder]*(c_v + m_K*g/(A*T*density[cylinder]) + p_0/(T*density[cylinder])))
+    ///     dot(T) = Q/(A*h*density[cylinder]*(c_v + m_K*g/(A*T*density[cylinder]) + p_0/(T*density[cylinder])))
+    ///     dot(p_V) = Q*p_V/(c_v*V*T_V*density[vessel])
+    ///     dot(T_V) = Q/(c_v*V*density[vessel])
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar Q_value = u[0];
         const Scalar e1 = c_.k0 * Q_value;
@@ -437,7 +441,7 @@ public:
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 2 + or -, 7 *, 1 /
-    ///     E = c_v*(A*p_0 + m_K*g)*h/R_s + c_v*V*p_V/R_s
+    ///     E = A*h*density[cylinder]*specific_energy[cylinder] + V*density[vessel]*specific_energy[vessel]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar h = x[0];
         const Scalar e1 = p_.c_v / p_.R_s;

@@ -85,7 +85,7 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"R_s", "J/(kg*K)", "gas constant of air", 50, 500},
     Quantity{"kappa", "1", "isentropic exponent of air", 1.1, 1.7},
     Quantity{"T_1", "K", "temperature upstream and in the bag", 250, 400},
-    Quantity{"p_2", "kg/(m*s^2)", "pressure downstream", 50000, 200000},
+    Quantity{"p_2", "Pa", "pressure downstream", 50000, 200000},
     Quantity{"A_1", "m^2", "area of the pipe upstream", 5e-05, 0.001},
     Quantity{"A_d", "m^2", "area of the orifice", 1e-07, 2e-05},
     Quantity{"alpha_d", "1", "contraction coefficient", 0.3, 1},
@@ -264,7 +264,7 @@ struct Parameters {
     Scalar R_s = Scalar(287);  ///< J/(kg*K), gas constant of air
     Scalar kappa = Scalar(7) / Scalar(5);  ///< 1, isentropic exponent of air
     Scalar T_1 = Scalar(5863) / Scalar(20);  ///< K, temperature upstream and in the bag
-    Scalar p_2 = Scalar(100000);  ///< kg/(m*s^2), pressure downstream
+    Scalar p_2 = Scalar(100000);  ///< Pa, pressure downstream
     Scalar A_1 = Scalar(1) / Scalar(10000);  ///< m^2, area of the pipe upstream
     Scalar A_d = Scalar(1) / Scalar(200000);  ///< m^2, area of the orifice
     Scalar alpha_d = Scalar(7) / Scalar(10);  ///< 1, contraction coefficient
@@ -347,8 +347,13 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 2 + or -, 4 *, 1 /, 4 other functions
-    ///     dot(V_b) = -A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_1)*signed_root(max(p_2, p_1)*(p_2 - p_1))*outflow_factor(abs((p_2 -
-    ///     p_1))/max(p_2, p_1), 1 + R_s/c_v)/p_2
+    ///     specific_enthalpy[upstream] = T_1*(R_s + c_v)
+    ///     density[bag] = p_2/(R_s*T_1)
+    ///     specific_energy[bag] = T_1*c_v
+    ///     specific_enthalpy[bag] = T_1*(R_s + c_v)
+    ///     mass_flow[orifice] = -A_d*alpha_d*sqrt(2)*signed_root(max(p_2, p_1)*(p_2 - p_1))*outflow_factor(abs(p_2 - p_1)/max(p_2,
+    ///     p_1), 1 + R_s/c_v)/(sqrt(R_s)*sqrt(T_1))
+    ///     dot(V_b) = mass_flow[orifice]/density[bag]
     void rhs(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::abs;
         const Scalar p_1 = u[0];
@@ -471,14 +476,14 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: 4 + or -, 8 *, 2 /, 4 other functions
-    ///     flow = -A_d*alpha_d*sqrt(2)*signed_root(max(p_2, p_1)*(p_2 - p_1))*outflow_factor(abs((p_2 - p_1))/max(p_2, p_1), 1 +
+    ///     flow = -A_d*alpha_d*sqrt(2)*signed_root(max(p_2, p_1)*(p_2 - p_1))*outflow_factor(abs(p_2 - p_1)/max(p_2, p_1), 1 +
     ///     R_s/c_v)/(sqrt(R_s)*sqrt(T_1))
     ///     ratio = p_2/p_1
-    ///     Psi = -signed_root(max(p_2, p_1)*(p_2 - p_1))*outflow_factor(abs((p_2 - p_1))/max(p_2, p_1), 1 +
+    ///     Psi = -signed_root(max(p_2, p_1)*(p_2 - p_1))*outflow_factor(abs(p_2 - p_1)/max(p_2, p_1), 1 +
     ///     R_s/c_v)/(sqrt(1/(R_s*T_1))*sqrt(R_s)*sqrt(T_1)*p_1)
     ///     critical_ratio = Pi_c
-    ///     pipe_speed = -A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_1)*signed_root(max(p_2, p_1)*(p_2 - p_1))*outflow_factor(abs((p_2 -
-    ///     p_1))/max(p_2, p_1), 1 + R_s/c_v)/(A_1*p_1)
+    ///     pipe_speed = -A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_1)*signed_root(max(p_2, p_1)*(p_2 - p_1))*outflow_factor(abs(p_2 -
+    ///     p_1)/max(p_2, p_1), 1 + R_s/c_v)/(A_1*p_1)
     void output(const State& /*x*/, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::abs;
         const Scalar p_1 = u[0];
@@ -572,7 +577,7 @@ public:
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 3 *, 1 /
-    ///     E = p_2*c_v*V_b/R_s
+    ///     E = V_b*density[bag]*specific_energy[bag]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar V_b = x[0];
         return V_b * (p_.p_2 * c_.c_v / p_.R_s);

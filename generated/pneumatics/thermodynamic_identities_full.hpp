@@ -15,9 +15,9 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                11     34     8        0      0
-//   output                17     31     5        0      7
-//   output_jacobian_x     29     47     6        0      4
+//   update                11     28     8        0      0
+//   output                16     27     4        0      5
+//   output_jacobian_x     22     36     4        0      1
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -70,10 +70,10 @@ inline constexpr std::array<Quantity, state_count> state_quantities{
     Quantity{"e_i", "J/kg", "specific internal energy, in the pair (e_i, nu)", 100000, 1000000},
 };
 inline constexpr std::array<Quantity, input_count> input_quantities{
-    Quantity{"T_rate", "K/s", "how fast the temperature is changed"},
-    Quantity{"nu_rate", "m^3/(kg*s)", "how fast the specific volume is changed"},
-    Quantity{"p_rate", "Pa/s", "how fast the pressure is changed"},
-    Quantity{"e_rate", "W/kg", "how fast the specific energy is changed"},
+    Quantity{"T_rate", "K/s", "how fast the temperature is changed", -100, 100},
+    Quantity{"nu_rate", "m^3/(kg*s)", "how fast the specific volume is changed", -1, 1},
+    Quantity{"p_rate", "Pa/s", "how fast the pressure is changed", -1000000, 1000000},
+    Quantity{"e_rate", "W/kg", "how fast the specific energy is changed", -100000, 100000},
 };
 inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"air_pressure", "Pa", "of air at T, nu"},
@@ -218,7 +218,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 11 + or -, 34 *, 8 /
+    /// Operations: 11 + or -, 28 *, 8 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.nu_0a = p_.R_s * p_.T_0 / p_.p_0;
@@ -241,30 +241,26 @@ public:
         const Scalar e7 = p_.alpha * e4;
         const Scalar e8 = p_.beta * e7;
         c_.k9 = e8;
-        const Scalar e9 = p_.T_0 * e8;
-        c_.k10 = p_.p_0 * e4 - e9;
+        const Scalar e9 = p_.p_0 * e4;
+        const Scalar e10 = p_.T_0 * e8;
+        c_.k10 = e9 - e10;
         c_.k11 = -(p_.c - e2) / (p_.c_v - p_.c);
-        const Scalar inverse_10 = Scalar(1) / p_.beta;
-        c_.k12 = inverse_10;
-        c_.k13 = Scalar(2) * inverse_10;
-        c_.k14 = Scalar(2) * p_.alpha;
-        c_.k15 = Scalar(1) / c_.nu_0a;
-        c_.k16 = Scalar(1) / p_.T_0;
-        c_.k17 = p_.rho_0 * p_.alpha;
-        c_.k18 = Scalar(4) * e6;
-        c_.k19 = e7;
-        c_.k20 = Scalar(2) * e7;
-        c_.k21 = p_.alpha * e8;
-        c_.k22 = p_.p_0 * e7 - e8 - p_.alpha * e9;
-        c_.k23 = p_.rho_0 * inverse_10;
-        c_.k24 = inverse_1 * inverse_10;
-        c_.k25 = inverse_10 * e3 - p_.T_0 * e4;
-        const Scalar e11 = inverse_10 * e4;
-        c_.k26 = e11;
-        c_.k27 = Scalar(2) * e11;
-        c_.k28 = p_.p_0 * e11 - e4 - p_.T_0 * e7;
-        c_.k29 = Scalar(4) * inverse_10;
-        c_.k30 = Scalar(4) * p_.alpha;
+        const Scalar inverse_11 = Scalar(1) / p_.beta;
+        c_.k12 = inverse_11;
+        c_.k13 = Scalar(1) / c_.nu_0a;
+        c_.k14 = Scalar(1) / p_.T_0;
+        c_.k15 = p_.rho_0 * p_.alpha;
+        c_.k16 = Scalar(4) * e6;
+        c_.k17 = e7;
+        c_.k18 = p_.alpha * e8;
+        c_.k19 = p_.p_0 * e7 - e8 - p_.alpha * e10;
+        c_.k20 = p_.rho_0 * inverse_11;
+        c_.k21 = inverse_1 * inverse_11;
+        const Scalar e12 = inverse_11 * e3 - p_.T_0 * e4;
+        c_.k22 = e12;
+        c_.k23 = inverse_1 + e12;
+        c_.k24 = inverse_11 * e4;
+        c_.k25 = inverse_11 * e9 - p_.T_0 * e7;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -427,23 +423,23 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 17 + or -, 31 *, 5 /, 7 other functions
+    /// Operations: 16 + or -, 27 *, 4 /, 5 other functions
     ///     air_pressure = R_s*T/nu
     ///     air_energy = c_v*T
     ///     air_entropy = c_v*log(T/T_0) + R_s*log(nu/nu_0a)
     ///     air_volume = R_s*T/p
     ///     air_enthalpy = (R_s + c_v)*T
     ///     air_temperature = e_i/c_v
-    ///     oil_density = rho_0*exp(-(p_0 - p)/beta + alpha*(T_0 - T))
+    ///     oil_density = rho_0/exp((p_0 - p)/beta - alpha*(T_0 - T))
     ///     oil_energy = -c_o*(T_0 - T) + beta*compression(-(p_0 - p)/beta + alpha*(T_0 - T))/rho_0 - (p_0 -
     ///     T_0*beta*alpha)*expm1((p_0 - p)/beta - alpha*(T_0 - T))/rho_0
-    ///     oil_enthalpy = p/(rho_0*exp(-(p_0 - p)/beta + alpha*(T_0 - T))) - c_o*(T_0 - T) + beta*compression(-(p_0 - p)/beta +
+    ///     oil_enthalpy = p*exp((p_0 - p)/beta - alpha*(T_0 - T))/rho_0 - c_o*(T_0 - T) + beta*compression(-(p_0 - p)/beta +
     ///     alpha*(T_0 - T))/rho_0 - (p_0 - T_0*beta*alpha)*expm1((p_0 - p)/beta - alpha*(T_0 - T))/rho_0
-    ///     oil_entropy = -beta*alpha*nu_0o + c_o*log(T/T_0) + beta*alpha/(rho_0*exp(-(p_0 - p)/beta + alpha*(T_0 - T)))
+    ///     oil_entropy = -beta*alpha*nu_0o + c_o*log(T/T_0) + beta*alpha*exp((p_0 - p)/beta - alpha*(T_0 - T))/rho_0
     ///     real_heat = (R_s + c_v) + 2*a*p/(R_s*T^2)
-    ///     oil_heat = c_o + alpha*p*exp(-(p_0 - p)/beta + alpha*(T_0 - T))/(rho_0*exp(-2*(p_0 - p)/beta + 2*alpha*(T_0 - T))) +
-    ///     alpha*(p_0 - p)*exp((p_0 - p)/beta - alpha*(T_0 - T))/rho_0 - beta*alpha^2*(T_0 - T)*exp((p_0 - p)/beta - alpha*(T_0 -
-    ///     T))/rho_0 - alpha*(p_0 - T_0*beta*alpha)*exp((p_0 - p)/beta - alpha*(T_0 - T))/rho_0
+    ///     oil_heat = c_o + alpha*p*exp((p_0 - p)/beta - alpha*(T_0 - T))/rho_0 + alpha*(p_0 - p)*exp((p_0 - p)/beta - alpha*(T_0 -
+    ///     T))/rho_0 - beta*alpha^2*(T_0 - T)*exp((p_0 - p)/beta - alpha*(T_0 - T))/rho_0 - alpha*(p_0 - T_0*beta*alpha)*exp((p_0 -
+    ///     p)/beta - alpha*(T_0 - T))/rho_0
     ///     exponent = (R_s + c_v - c)/(c_v - c)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
@@ -452,39 +448,36 @@ public:
         const Scalar nu = x[1];
         const Scalar T = x[0];
         const Scalar e1 = p_.R_s * T;
-        const Scalar log_2 = log(c_.k16 * T);
-        const Scalar log_3 = log(c_.k15 * nu);
+        const Scalar log_2 = log(c_.k14 * T);
+        const Scalar log_3 = log(c_.k13 * nu);
         const Scalar p_value = x[2];
         const Scalar e_i = x[3];
         const Scalar e4 = p_.p_0 - p_value;
         const Scalar e5 = p_.T_0 - T;
         const Scalar e6 = c_.k12 * e4 - p_.alpha * e5;
-        const Scalar e7 = -e6;
-        const Scalar exp_8 = exp(e7);
-        const Scalar expm1_9 = expm1(e6);
-        const Scalar compression_10 = detail::compression<Scalar>(e7);
-        const Scalar e11 = c_.k3 * expm1_9 - (c_.k2 * compression_10 - p_.c_o * e5);
-        const Scalar inverse_12 = Scalar(1) / exp_8;
-        const Scalar inverse_13 = Scalar(1) / T;
-        const Scalar exp_14 = exp(e6);
-        const Scalar exp_15 = exp(c_.k14 * e5 - c_.k13 * e4);
+        const Scalar exp_7 = exp(e6);
+        const Scalar expm1_8 = expm1(e6);
+        const Scalar compression_9 = detail::compression<Scalar>(-e6);
+        const Scalar e10 = c_.k3 * expm1_8 - (c_.k2 * compression_9 - p_.c_o * e5);
+        const Scalar e11 = p_value * exp_7;
+        const Scalar inverse_12 = Scalar(1) / T;
         y[0] = e1 / nu;
         y[1] = p_.c_v * T;
         y[2] = p_.c_v * log_2 + p_.R_s * log_3;
         y[3] = e1 / p_value;
         y[4] = c_.k0 * T;
         y[5] = c_.k1 * e_i;
-        y[6] = p_.rho_0 * exp_8;
-        y[7] = -e11;
-        y[8] = c_.k4 * p_value * inverse_12 - e11;
-        y[9] = p_.c_o * log_2 - c_.k5 + c_.k6 * inverse_12;
-        y[10] = c_.k0 + c_.k7 * p_value * inverse_13 * inverse_13;
-        y[11] = exp_14 * (c_.k8 * e4 - c_.k9 * e5 - c_.k10) + p_.c_o + c_.k8 * p_value * exp_8 / exp_15;
+        y[6] = p_.rho_0 / exp_7;
+        y[7] = -e10;
+        y[8] = c_.k4 * e11 - e10;
+        y[9] = p_.c_o * log_2 - c_.k5 + c_.k6 * exp_7;
+        y[10] = c_.k0 + c_.k7 * p_value * inverse_12 * inverse_12;
+        y[11] = exp_7 * (c_.k8 * e4 - c_.k9 * e5 - c_.k10) + p_.c_o + c_.k8 * e11;
         y[12] = c_.k11;
     }
 
     /// C = dh/dx.
-    /// Operations: 29 + or -, 47 *, 6 /, 4 other functions
+    /// Operations: 22 + or -, 36 *, 4 /, 1 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
         const Scalar nu = x[1];
@@ -497,34 +490,26 @@ public:
         const Scalar e5 = p_.R_s * inverse_4;
         const Scalar e6 = p_.p_0 - p_value;
         const Scalar e7 = p_.T_0 - T;
-        const Scalar e8 = c_.k12 * e6 - p_.alpha * e7;
-        const Scalar exp_9 = exp(-e8);
-        const Scalar exp_10 = exp(e8);
-        const Scalar e11 = e6 * exp_10;
-        const Scalar e12 = e7 * exp_10;
-        const Scalar e13 = p_.c_o - (c_.k9 * e12 + c_.k10 * exp_10);
-        const Scalar exp_14 = exp(c_.k14 * e7 - c_.k13 * e6);
-        const Scalar e15 = exp_9 / exp_14;
-        const Scalar e16 = p_value * e15;
-        const Scalar e17 = e11 + e16;
+        const Scalar exp_8 = exp(c_.k12 * e6 - p_.alpha * e7);
+        const Scalar inverse_9 = Scalar(1) / exp_8;
+        const Scalar e10 = e7 * exp_8;
+        const Scalar e11 = p_.c_o - (c_.k9 * e10 + c_.k10 * exp_8);
+        const Scalar e12 = c_.k8 * exp_8;
+        const Scalar e13 = exp_8 * (p_value + e6);
         const Scalar inverse_3_squared = inverse_3 * inverse_3;
-        const Scalar exp_18 = exp(c_.k30 * e7 - c_.k29 * e6);
-        const Scalar e19 = p_value * exp_9 * (exp_14 / exp_18);
-        const Scalar e20 = e16 - e11;
-        const Scalar e21 = c_.k8 * e12 + c_.k25 * exp_10;
-        const Scalar e22 = c_.k8 * e15;
+        const Scalar e14 = c_.k8 * e10;
         C[0] = e2;
         C[1] = p_.c_v;
         C[2] = p_.c_v * inverse_3;
         C[3] = e5;
         C[4] = c_.k0;
         C[5] = Scalar(0);
-        C[6] = -c_.k17 * exp_9;
-        C[7] = c_.k8 * e11 + e13;
-        C[8] = c_.k8 * e17 + e13;
-        C[9] = p_.c_o * inverse_3 + c_.k9 * e15;
-        C[10] = -c_.k18 * p_value * inverse_3 * inverse_3_squared;
-        C[11] = c_.k20 * e19 - c_.k22 * exp_10 - c_.k19 * e20 - c_.k21 * e12;
+        C[6] = -c_.k15 * inverse_9;
+        C[7] = e11 + e6 * e12;
+        C[8] = c_.k8 * e13 + e11;
+        C[9] = p_.c_o * inverse_3 + c_.k9 * exp_8;
+        C[10] = -c_.k16 * p_value * inverse_3 * inverse_3_squared;
+        C[11] = c_.k17 * e13 - c_.k19 * exp_8 - c_.k18 * e10;
         C[12] = Scalar(0);
         C[13] = -T * inverse_1 * e2;
         C[14] = Scalar(0);
@@ -545,12 +530,12 @@ public:
         C[29] = -T * inverse_4 * e5;
         C[30] = Scalar(0);
         C[31] = Scalar(0);
-        C[32] = c_.k23 * exp_9;
-        C[33] = e21 - c_.k24 * e11;
-        C[34] = c_.k4 / exp_9 - c_.k24 * e17 + e21;
-        C[35] = -e22;
+        C[32] = c_.k20 * inverse_9;
+        C[33] = e14 - exp_8 * (c_.k21 * e6 - c_.k22);
+        C[34] = c_.k23 * exp_8 - c_.k21 * e13 + e14;
+        C[35] = -e12;
         C[36] = c_.k7 * inverse_3_squared;
-        C[37] = c_.k28 * exp_10 + c_.k26 * e20 + c_.k19 * e12 + e22 - c_.k27 * e19;
+        C[37] = c_.k25 * exp_8 + c_.k17 * e10 - c_.k24 * e13;
         C[38] = Scalar(0);
         C[39] = Scalar(0);
         C[40] = Scalar(0);
@@ -695,24 +680,19 @@ private:
         Scalar k10;  ///< alpha*(p_0 - T_0*beta*alpha)/rho_0
         Scalar k11;  ///< (R_s + c_v - c)/(c_v - c)
         Scalar k12;  ///< 1/beta
-        Scalar k13;  ///< 2/beta
-        Scalar k14;  ///< 2*alpha
-        Scalar k15;  ///< 1/nu_0a
-        Scalar k16;  ///< 1/T_0
-        Scalar k17;  ///< rho_0*alpha
-        Scalar k18;  ///< 4*a/R_s
-        Scalar k19;  ///< alpha^2/rho_0
-        Scalar k20;  ///< 2*alpha^2/rho_0
-        Scalar k21;  ///< beta*alpha^3/rho_0
-        Scalar k22;  ///< alpha^2*(p_0 - T_0*beta*alpha - beta)/rho_0
-        Scalar k23;  ///< rho_0/beta
-        Scalar k24;  ///< 1/(rho_0*beta)
-        Scalar k25;  ///< (p_0/beta - T_0*alpha)/rho_0
-        Scalar k26;  ///< alpha/(rho_0*beta)
-        Scalar k27;  ///< 2*alpha/(rho_0*beta)
-        Scalar k28;  ///< alpha*(-1 + p_0/beta - T_0*alpha)/rho_0
-        Scalar k29;  ///< 4/beta
-        Scalar k30;  ///< 4*alpha
+        Scalar k13;  ///< 1/nu_0a
+        Scalar k14;  ///< 1/T_0
+        Scalar k15;  ///< rho_0*alpha
+        Scalar k16;  ///< 4*a/R_s
+        Scalar k17;  ///< alpha^2/rho_0
+        Scalar k18;  ///< beta*alpha^3/rho_0
+        Scalar k19;  ///< alpha^2*(p_0 - T_0*beta*alpha - beta)/rho_0
+        Scalar k20;  ///< rho_0/beta
+        Scalar k21;  ///< 1/(rho_0*beta)
+        Scalar k22;  ///< (p_0/beta - T_0*alpha)/rho_0
+        Scalar k23;  ///< (1 + p_0/beta - T_0*alpha)/rho_0
+        Scalar k24;  ///< alpha/(rho_0*beta)
+        Scalar k25;  ///< alpha*(p_0/beta - T_0*alpha)/rho_0
     };
     Cached c_{};
 };

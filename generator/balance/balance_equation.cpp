@@ -102,6 +102,26 @@ void guard_volume(const ControlVolume& v, const ex& smallest, const std::vector<
 
 }  // namespace
 
+VolumeBalance balance_of(const ControlVolume& volume, const std::vector<FlowState>& flows, const Symbols& symbols) {
+    const Ports ports = ports_of(volume, flows);
+    return volume.primary == Primary::filling ? with_filling(volume, ports, symbols) : with_walls(volume, ports, symbols);
+}
+
+ex Fluids::power_over_border() const {
+    ex power = 0;
+    for (std::size_t i = 0; i < balances.size(); ++i) {
+        const ControlVolume& v = containers.volumes[i];
+        power += balances[i].heat + v.shaft_power;
+        if (v.primary == Primary::filling) power -= v.surface_pressure * balances[i].size_rate;
+    }
+    for (const FlowState& f : flows) {
+        if (f.from_volume == nullptr) power += f.leaving();
+        if (f.to_volume == nullptr) power -= f.arriving();
+        power += f.outside_power;
+    }
+    return power;
+}
+
 const FlowState* Fluids::find_flow(const std::string& name, int index) const {
     const auto found = std::find_if(flows.begin(), flows.end(), [&](const FlowState& f) { return f.member.item->name == name && f.member.index == index; });
     return found == flows.end() ? nullptr : &*found;
@@ -114,26 +134,20 @@ void complete_fluids(Fluids& fluids, const Scene& scene, const Translator& trans
         const Indices indices = Translator::indices_of(v.member);
         if (v.member.item->heat && v.is_thermal()) v.heat = translate(v.member.item->heat, indices);
         if (v.member.item->shaft_power) v.shaft_power = translate(v.member.item->shaft_power, indices);
-        const Ports ports = ports_of(v, fluids.flows);
         const bool fills = v.primary == Primary::filling;
-        const VolumeBalance balance = fills ? with_filling(v, ports, symbols) : with_walls(v, ports, symbols);
         for (std::size_t j = 0; j < symbols.degrees(); ++j) fluids.force[j] += v.surface_pressure * partial(v.size, symbols.get(SymbolKind::coordinate, j));
         fluids.internal_energy += v.stored_energy();
-        fluids.exchanged_power += balance.heat + v.shaft_power;
-        if (fills) fluids.exchanged_power -= v.surface_pressure * balance.size_rate;
-        else fluids.prescribed_power -= v.surface_pressure * partial(v.size, symbols.time());
+        if (!fills) fluids.prescribed_power -= v.surface_pressure * partial(v.size, symbols.time());
         const ex smallest = v.member.item->smallest ? translate(v.member.item->smallest, indices) : ex(0);
         guard_volume(v, smallest, fluids.flows, symbols, fluids.guards);
-        fluids.balances.push_back(balance);
+        fluids.balances.push_back(balance_of(v, fluids.flows, symbols));
     }
     for (const FlowState& f : fluids.flows) {
-        if (f.from_volume == nullptr) fluids.exchanged_power += f.leaving();
-        if (f.to_volume == nullptr) fluids.exchanged_power -= f.arriving();
-        fluids.exchanged_power += f.outside_power;
         fluids.internal_energy += f.stored_energy;
         for (std::size_t j = 0; j < symbols.degrees(); ++j) fluids.force[j] += f.torque[j];
         fluids.guards.insert(fluids.guards.end(), f.edges.begin(), f.edges.end());
     }
+    fluids.exchanged_power = fluids.power_over_border();
 }
 
 }  // namespace dalembert

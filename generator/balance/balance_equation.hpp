@@ -27,8 +27,13 @@ struct Fluids {
     std::vector<Guard> guards;
 
     bool empty() const { return flows.empty() && containers.volumes.empty(); }
+    /// What crosses the border, with what is stored in pipes and what surfaces do.
+    GiNaC::ex power_over_border() const;
     const FlowState* find_flow(const std::string& name, int index) const;
 };
+
+/// The balances of a volume with the flows at its ports.
+VolumeBalance balance_of(const ControlVolume& volume, const std::vector<FlowState>& flows, const Symbols& symbols);
 
 /// Flows and balances for containers that are made. Throws Failure.
 void complete_fluids(Fluids& fluids, const Scene& scene, const Translator& translate, Symbols& symbols);

@@ -41,9 +41,7 @@ std::vector<std::pair<const char*, ex>> scalars(const System& s) {
             {"potential_energy", s.potential_energy},
             {"supplied_power", s.supplied_power},
             {"dissipated_power", s.dissipated_power},
-            {"prescribed_power", s.prescribed_power},
-            {"internal_energy", s.internal_energy},
-            {"exchanged_power", s.exchanged_power}};
+            {"prescribed_power", s.prescribed_power}};
 }
 
 }  // namespace
@@ -71,14 +69,14 @@ std::string equations_as_text(const System& s) {
             for (std::size_t j = 0; j < q.size(); ++j) text += fmt::format("  [{}] {}\n", q[j].name, write(part.values[j]));
         }
     }
+    if (!s.named.names.empty()) text += "\nflows and media\n";
+    for (const auto& [letter, value] : s.named.names) text += fmt::format("  {} = {}\n", write(letter), write(value));
     if (!s.state_rates.empty()) text += "\nstates\n";
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
-        text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.state_rates[i]));
+        text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.named.state_rates[i]));
     text += "\nenergies and powers\n";
-    for (const auto& [name, value] : scalars(s)) {
-        const bool is_of_fluids = name == std::string_view("internal_energy") || name == std::string_view("exchanged_power");
-        if (!is_of_fluids || !s.fluids.empty()) text += fmt::format("  {} = {}\n", name, write(value));
-    }
+    for (const auto& [name, value] : scalars(s)) text += fmt::format("  {} = {}\n", name, write(value));
+    if (!s.fluids.empty()) text += fmt::format("  internal_energy = {}\n  exchanged_power = {}\n", write(s.named.internal_energy), write(s.named.exchanged_power));
     if (!s.fluids.guards.empty()) text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
     for (const Guard& guard : s.fluids.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
     if (!s.outputs.empty()) text += "\noutputs\n";
@@ -101,8 +99,9 @@ std::string equations_as_latex(const System& s) {
     aligned(lines);
     lines.clear();
     for (std::size_t j = 0; j < s.residual.size(); ++j) lines.push_back(fmt::format("{} &= {}", write(s.residual[j] + s.supplied[j]), write(s.supplied[j])));
+    for (const auto& [letter, value] : s.named.names) lines.push_back(fmt::format("{} &= {}", write(letter), write(value)));
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
-        lines.push_back(fmt::format("{} &= {}", write.symbol(s.symbols.all(SymbolKind::state_rate)[i]), write(s.state_rates[i])));
+        lines.push_back(fmt::format("{} &= {}", write.symbol(s.symbols.all(SymbolKind::state_rate)[i]), write(s.named.state_rates[i])));
     aligned(lines);
     lines = {fmt::format("T &= {}", write(s.kinetic_energy)), fmt::format("V &= {}", write(s.potential_energy))};
     for (const OutputEquation& output : s.outputs) lines.push_back(fmt::format("{} &= {}", latex_name(output.base), write(output.value)));
@@ -135,6 +134,8 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     json["state_rates"] = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < s.state_rates.size(); ++i) json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
     for (const auto& [name, value] : scalars(s)) json[name] = write(value);
+    json["internal_energy"] = write(s.internal_energy);
+    json["exchanged_power"] = write(s.exchanged_power);
     json["guards"] = nlohmann::ordered_json::array();
     for (const Guard& guard : s.fluids.guards) json["guards"].push_back({{"name", guard.name}, {"doc", guard.doc}, {"ends", guard.ends}, {"value", write(guard.value)}});
     json["outputs"] = nlohmann::ordered_json::object();

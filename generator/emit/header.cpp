@@ -274,7 +274,10 @@ private:
             force.push_back(fmt::format("Q[{}] = {}", q[j].name, write_(system_.supplied[j])));
         }
         for (std::size_t i = 0; i < system_.state_rates.size(); ++i)
-            motion.push_back(fmt::format("dot({}) = {}", symbols_.all(SymbolKind::state)[i].name, write_(system_.state_rates[i])));
+            motion.push_back(fmt::format("dot({}) = {}", symbols_.all(SymbolKind::state)[i].name, write_(system_.named.state_rates[i])));
+        std::vector<std::string> names;
+        for (const auto& [letter, value] : system_.named.names) names.push_back(fmt::format("{} = {}", write_(letter), write_(value)));
+        motion.insert(motion.begin(), names.begin(), names.end());
         for (const OutputEquation& o : system_.outputs) output.push_back(fmt::format("{} = {}", o.name, write_(o.value)));
         values("EQUATIONS", lines(is_large ? too_long : motion));
         values("MASS_EQUATIONS", lines(is_large ? too_long : mass));
@@ -286,7 +289,7 @@ private:
         };
         scalar("KINETIC_ENERGY_EQUATIONS", "T", system_.kinetic_energy);
         scalar("POTENTIAL_ENERGY_EQUATIONS", "V", system_.potential_energy);
-        scalar("INTERNAL_ENERGY_EQUATIONS", "E", system_.internal_energy);
+        scalar("INTERNAL_ENERGY_EQUATIONS", "E", system_.named.internal_energy);
         scalar("SUPPLIED_POWER_EQUATIONS", "supplied", system_.supplied_power);
         scalar("DISSIPATED_POWER_EQUATIONS", "dissipated", system_.dissipated_power);
     }

@@ -20,6 +20,7 @@ int rank(const Atom& atom) {
         case SymbolKind::definition: return 0;
         case SymbolKind::time:
         case SymbolKind::input: return 2;
+        case SymbolKind::letter:
         case SymbolKind::state: return 3;
         case SymbolKind::coordinate: return 4;
         case SymbolKind::velocity: return 6;
@@ -86,11 +87,22 @@ std::string Notation::fraction(const std::string& above, const std::string& belo
     return fmt::format("{}/{}", above.empty() ? "1" : above, below_is_compound ? "(" + below + ")" : below);
 }
 
+/// A sum kept whole that stands alone needs no brackets.
+Polynomial Notation::without_brackets(const Polynomial& p, const Atoms& atoms) {
+    if (!p.is_monomial()) return p;
+    const auto& [m, coefficient] = *p.terms().begin();
+    const bool is_sum = m.size() == 1 && m[0].exponent == 1 && cln::abs(coefficient) == 1 && atoms[m[0].letter].op == Op::sum;
+    if (!is_sum) return p;
+    Polynomial inside = atoms[m[0].letter].arguments[0];
+    inside *= coefficient;
+    return inside;
+}
+
 std::string Notation::atom(const Atom& a, const Atoms& atoms) const {
     if (a.variable != nullptr) return symbol(*a.variable);
     if (a.op == Op::pi) return style_ == Style::text ? "pi" : "\\pi";
     std::vector<std::string> arguments;
-    for (const Polynomial& argument : a.arguments) arguments.push_back(polynomial(argument, atoms, 0));
+    for (const Polynomial& argument : a.arguments) arguments.push_back(polynomial(without_brackets(argument, atoms), atoms, 0));
     if (a.op == Op::sum) return arguments[0];
     if (a.op == Op::power) {
         if (style_ == Style::text) return fmt::format("({})^({})", arguments[0], arguments[1]);
@@ -217,7 +229,7 @@ std::string Notation::operator()(const GiNaC::ex& e) const {
     Atoms atoms(symbols_);
     Polynomial p = lower(e, atoms);
     atoms.canonicalise({&p});
-    return polynomial(with_angle_sums(std::move(p), atoms), atoms, 2);
+    return polynomial(without_brackets(with_angle_sums(std::move(p), atoms), atoms), atoms, 2);
 }
 
 }  // namespace dalembert

@@ -21,6 +21,7 @@ public:
     std::string symbol(const Variable& variable) const;
 
 private:
+    static Polynomial without_brackets(const Polynomial& p, const Atoms& atoms);
     struct Factored;
     static Factored factored(const Polynomial& p, const Atoms& atoms);
     /// level 2: a whole expression, 1: without velocities, 0: as it is

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "form/system.hpp"
+#include "form/named_balances.hpp"
 
 #include <fmt/format.h>
 
@@ -68,20 +68,12 @@ void forces(System& system) {
     system.supplied = total_force(system.supplies, n);
 }
 
-/// The rates of states that volumes and pipes determine. Of a state that is integrated as its root w: dw/dt = d(w^2)/dt/(2w).
+/// The rates of states that volumes and pipes determine.
 void balances(System& system) {
-    const auto& states = system.symbols.all(SymbolKind::state);
-    const auto set = [&](std::size_t state, const ex& rate) { system.state_rates[state] = states[state].is_root ? rate / (2 * states[state].symbol) : rate; };
     const Fluids& fluids = system.fluids;
-    for (std::size_t i = 0; i < fluids.balances.size(); ++i) {
-        const ControlVolume& volume = fluids.containers.volumes[i];
-        // The rate of a filling is by its letter already.
-        if (volume.primary == ControlVolume::Primary::filling) system.state_rates[volume.state] = fluids.balances[i].rate;
-        else set(volume.state, fluids.balances[i].rate);
-        if (volume.temperature_state) set(*volume.temperature_state, fluids.balances[i].temperature_rate);
-    }
+    for (std::size_t i = 0; i < fluids.balances.size(); ++i) set_rates(system.state_rates, fluids.containers.volumes[i], fluids.balances[i], system.symbols);
     for (const FlowState& flow : fluids.flows)
-        if (flow.velocity_state) set(*flow.velocity_state, flow.acceleration);
+        if (flow.velocity_state) system.state_rates[*flow.velocity_state] = flow.acceleration;
 }
 
 void equations(System& system) {
@@ -128,6 +120,17 @@ System::System(const Names& all_names, Scene chosen)
     translate.set_quantities([this](const Expression& e, const Indices& indices, const std::vector<ex>& arguments) { return quantity(*this, e, indices, arguments); });
 }
 
+void set_rates(std::vector<ex>& state_rates, const ControlVolume& volume, const VolumeBalance& balance, const Symbols& symbols) {
+    const auto set = [&](std::size_t state, const ex& rate) {
+        const Variable& z = symbols.all(SymbolKind::state)[state];
+        state_rates[state] = z.is_root ? rate / (2 * z.symbol) : rate;
+    };
+    // The rate of a filling is by its letter already.
+    if (volume.primary == ControlVolume::Primary::filling) state_rates[volume.state] = balance.rate;
+    else set(volume.state, balance.rate);
+    if (volume.temperature_state) set(*volume.temperature_state, balance.temperature_rate);
+}
+
 std::unique_ptr<System> derive(const Names& names, Scene scene) {
     auto system = std::make_unique<System>(names, std::move(scene));
     definitions(*system);
@@ -141,6 +144,7 @@ std::unique_ptr<System> derive(const Names& names, Scene scene) {
     forces(*system);
     equations(*system);
     outputs(*system);
+    system->named = name_balances(*system, system->symbols);
     return system;
 }
 

@@ -23,6 +23,14 @@ struct OutputEquation {
     GiNaC::ex value;   ///< may contain accelerations and state rates
 };
 
+/// The balances with names for mass flows, densities and specific energies, for people. What is proven and emitted is written out.
+struct NamedBalances {
+    std::vector<std::pair<GiNaC::ex, GiNaC::ex>> names;  ///< letter and value, each made of those before it
+    std::vector<GiNaC::ex> state_rates;
+    GiNaC::ex internal_energy;
+    GiNaC::ex exchanged_power;
+};
+
 /// Lives at one place, because its parts refer to each other.
 struct System {
     System(const Names& names, Scene chosen);
@@ -59,8 +67,12 @@ struct System {
     GiNaC::ex exchanged_power;      ///< of enthalpy flows, heat and shafts over the border
 
     std::vector<GiNaC::ex> state_rates;  ///< zd
+    NamedBalances named;
     std::vector<OutputEquation> outputs;
 };
+
+/// Sets the rates of the states that a volume determines. Of a state that is integrated as its root w: dw/dt = d(w^2)/dt/(2w).
+void set_rates(std::vector<GiNaC::ex>& state_rates, const ControlVolume& volume, const VolumeBalance& balance, const Symbols& symbols);
 
 /// Derives a scene by d'Alembert's principle; energies and powers on their own. Throws Failure.
 std::unique_ptr<System> derive(const Names& names, Scene scene);

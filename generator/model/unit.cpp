@@ -172,6 +172,9 @@ Unit parse_unit(const Excerpt& excerpt) {
 
 std::string Unit::si() const {
     if (is_coherent()) return written;
+    if (dimension == Dimension::pressure()) return "Pa";
+    if (dimension == Dimension::force()) return "N";
+    if (dimension == Dimension::power()) return "W";
     const std::string base = dimension.in_base_units();
     // Degrees and turns become radians, which are dimensionless.
     return pi_power == 1 && base.starts_with('1') ? "rad" + base.substr(1) : base;

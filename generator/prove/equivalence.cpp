@@ -57,7 +57,13 @@ bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>&
 
 Comparison Prover::equal(const ex& a, const ex& b) {
     if (proven_equal(a, b, {})) return {Verdict::proven};
-    if (!ranged_.empty() && proven_equal(a, b, ranged_)) return {Verdict::proven_under_assumption, positive_names(ranged_)};
+    if (!ranged_.empty() && proven_equal(a, b, ranged_)) {
+        std::set<std::string> needed;
+        for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
+            for (const Variable& variable : system_.symbols.all(kind))
+                if (ranged_.contains(variable.name) && (a.has(variable.symbol) || b.has(variable.symbol))) needed.insert(variable.name);
+        return {Verdict::proven_under_assumption, positive_names(needed)};
+    }
     return compare_at_points([&](const ex& e, const Point& point, int digits) { return value_at(e, system_.symbols, point, digits); }, a, b);
 }
 

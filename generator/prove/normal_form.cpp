@@ -258,8 +258,8 @@ Polynomial NormalForm::sign_of(const Polynomial& argument) {
         const auto is_positive = [&](const LetterPower& p) { return positive_[p.letter]; };
         if (std::all_of(monomial.begin(), monomial.end(), is_positive)) return Polynomial(is_negative(coefficient) ? -1 : 1);
     }
-    Polynomial positive = argument;
-    const Rational factor = leading(argument);
+    Polynomial positive = argument * raised(positive_factor(argument), -1);
+    const Rational factor = leading(positive);
     positive *= Rational(1) / factor;
     const auto [found, is_new] = signs_.emplace(positive, 0);
     if (is_new) {
@@ -295,25 +295,36 @@ Polynomial NormalForm::multiply(const Polynomial& a, const Polynomial& b) {
     return result;
 }
 
-/// Multiplies by the denominators until no reciprocal is left; a denominator is not zero where the expression is defined.
+/// Multiplies by the denominators until no reciprocal is left; a denominator is not zero where the expression is defined. Reducing the
+/// square of a root may bring a reciprocal back that was gone already, so one round is not always enough.
 Polynomial NormalForm::without_inverses(Polynomial p) {
-    for (auto inverse = inverse_order_.rbegin(); inverse != inverse_order_.rend(); ++inverse) {
-        const auto& [letter, denominator] = *inverse;
+    const auto highest_power = [&](Letter letter) {
         int highest = 0;
         for (const auto& [monomial, coefficient] : p.terms()) highest = std::max(highest, exponent_of(monomial, letter));
-        if (highest == 0) continue;
-        std::vector<Polynomial> by_exponent(static_cast<std::size_t>(highest) + 1);
-        for (const auto& [monomial, coefficient] : p.terms())
-            by_exponent[static_cast<std::size_t>(highest - exponent_of(monomial, letter))].add(without(monomial, letter), coefficient);
-        Polynomial result;
-        Polynomial denominators(1);
-        for (const Polynomial& part : by_exponent) {
-            result += multiply(part, denominators);
-            denominators = multiply(denominators, denominator);
+        return highest;
+    };
+    constexpr int most_rounds = 20;
+    for (int round = 0; round < most_rounds; ++round) {
+        bool any = false;
+        for (auto inverse = inverse_order_.rbegin(); inverse != inverse_order_.rend(); ++inverse) {
+            const auto& [letter, denominator] = *inverse;
+            const int highest = highest_power(letter);
+            if (highest == 0) continue;
+            any = true;
+            std::vector<Polynomial> by_exponent(static_cast<std::size_t>(highest) + 1);
+            for (const auto& [monomial, coefficient] : p.terms())
+                by_exponent[static_cast<std::size_t>(highest - exponent_of(monomial, letter))].add(without(monomial, letter), coefficient);
+            Polynomial result;
+            Polynomial denominators(1);
+            for (const Polynomial& part : by_exponent) {
+                result += multiply(part, denominators);
+                denominators = multiply(denominators, denominator);
+            }
+            p = std::move(result);
         }
-        p = std::move(result);
+        if (!any) return p;
     }
-    return p;
+    throw NoNormalForm("reciprocals that do not go away");
 }
 
 }  // namespace dalembert

@@ -63,6 +63,7 @@ private:
     Polynomial multiply(const Polynomial& a, const Polynomial& b);
     Polynomial integer_power(const Polynomial& base, int exponent);
     Polynomial inverse(const Polynomial& p);
+    Monomial positive_factor(const Polynomial& p) const;
     void add_reduced(Polynomial& to, const Monomial& monomial, const Rational& coefficient);
     Polynomial without_inverses(Polynomial p);
 

@@ -32,14 +32,13 @@ Polynomial NormalForm::power(const ex& base, const ex& exponent) {
 /// The logarithm of what is positive where it exists: of a product the sum of the logarithms, as far as the factors are known to be positive.
 Polynomial NormalForm::logarithm(const Polynomial& argument) {
     if (argument.is_zero()) throw NoNormalForm("the logarithm of zero");
-    Rational factor = leading(argument);
+    const Monomial common = positive_factor(argument);
+    Polynomial rest = argument * raised(common, -1);
+    Rational factor = leading(rest);
     if (is_negative(factor)) factor = -factor;
     Polynomial result = logarithm_of_number(factor);
-    Polynomial rest = argument;
     rest *= Rational(1) / factor;
-    for (const LetterPower& p : common_factor(rest)) {
-        if (!positive_[p.letter]) continue;
-        rest = rest * Monomial{{p.letter, -p.exponent}};
+    for (const LetterPower& p : common) {
         Polynomial one = logarithm_of_letter(p.letter);
         one *= Rational(p.exponent);
         result += one;
@@ -96,17 +95,24 @@ Polynomial NormalForm::logarithm_atom(const Polynomial& argument) {
     return Polynomial::letter(found->second);
 }
 
+/// What all terms have in common and is known to be positive.
+Monomial NormalForm::positive_factor(const Polynomial& p) const {
+    Monomial result;
+    for (const LetterPower& power : common_factor(p))
+        if (positive_[power.letter]) result.push_back(power);
+    return result;
+}
+
 /// b^(1/q), q > 1, for b where that is real. Positive factors are taken out.
 Polynomial NormalForm::root(const Polynomial& base, int degree) {
     if (base.is_zero()) return {};
-    Rational factor = leading(base);
+    const Monomial common = positive_factor(base);
+    Polynomial inside = base * raised(common, -1);
+    Rational factor = leading(inside);
     if (is_negative(factor)) factor = -factor;
     Polynomial outside = root_of_number(factor, degree);
-    Polynomial inside = base;
     inside *= Rational(1) / factor;
-    for (const LetterPower& p : common_factor(inside)) {
-        if (!positive_[p.letter]) continue;
-        inside = inside * Monomial{{p.letter, -p.exponent}};
+    for (const LetterPower& p : common) {
         const bool is_exponential = std::any_of(exponentials_.begin(), exponentials_.end(), [&](const auto& known) { return known.second.first == p.letter; });
         if (is_exponential) {
             Polynomial exponent = logarithm_of_letter(p.letter);
@@ -206,12 +212,13 @@ Polynomial NormalForm::outflow_factor(const Rational& d, const Rational& k) {
 Polynomial NormalForm::inverse(const Polynomial& p) {
     if (p.is_zero()) throw NoNormalForm("a division by zero");
     const Monomial common = common_factor(p);
-    // Letters with a relation are inverted through it; the others get negative exponents.
-    Polynomial result(Rational(1) / leading(p));
+    // Letters with a relation are inverted through it; the others get negative exponents. Without the common factor the terms may
+    // stand in another order, so the leading coefficient is taken then.
     Polynomial rest = p;
-    rest *= Rational(1) / leading(p);
+    for (const LetterPower& power : common) rest = rest * Monomial{{power.letter, -power.exponent}};
+    Polynomial result(Rational(1) / leading(rest));
+    rest *= Rational(1) / leading(rest);
     for (const LetterPower& power : common) {
-        rest = rest * Monomial{{power.letter, -power.exponent}};
         const auto reciprocal = std::find_if(inverse_order_.begin(), inverse_order_.end(), [&](const auto& known) { return known.first == power.letter; });
         if (reciprocal != inverse_order_.end()) {
             const Polynomial denominator = reciprocal->second;

