@@ -42,7 +42,7 @@ private:
         say(fmt::format("{}, scene {}\n", system.scene.sized_name(), name));
         const auto group = [&](const char* title, const std::vector<const AuditEntry*>& entries) {
             if (entries.empty()) return;
-            say(fmt::format("  {:<46} {}\n", title, summary(entries)));
+            say(fmt::format("  {:<52} {}\n", title, summary(entries)));
             for (const AuditEntry* entry : entries) {
                 scene["proofs"].push_back({{"name", entry->name}, {"verdict", to_string(entry->result.verdict)}});
                 if (entry->result.verdict != Verdict::proven) say(fmt::format("    {}: {}\n", entry->name, to_string(entry->result.verdict)));

@@ -58,12 +58,13 @@ ProgramBuilder::Value ProgramBuilder::value_of(const Polynomial& p, bool split) 
     if (p.is_zero()) return {0, {}};
     if (p.is_constant()) return {p.terms().begin()->second, {}};
     const bool is_parameter_part = split && !atoms_.is_dynamic(p);
-    // A single letter needs no computation, only its sign or factor.
+    // A single symbol needs no computation, only its sign or factor; a function of parameters is computed once.
     if (p.is_monomial()) {
         const auto& [monomial, coefficient] = *p.terms().begin();
         const bool is_plain = monomial.size() == 1 && monomial[0].exponent == 1;
         const bool is_unit = coefficient == 1 || coefficient == -1;
-        if (is_plain && (is_unit || !is_parameter_part)) {
+        const bool is_symbol = is_plain && atoms_[monomial[0].letter].arguments.empty();
+        if (is_plain && ((is_unit && is_symbol) || !is_parameter_part)) {
             need_atom(monomial[0].letter);
             return {coefficient, Reference{Reference::Kind::atom, monomial[0].letter}};
         }

@@ -16,10 +16,16 @@ block 'file: crane.toml' >crane.toml
 block 'file: main.cpp' >main.cpp
 block 'run: dalembert check crane.toml' | tail -n +2 >check.expected
 block 'run: main' | tail -n +2 >main.expected
-for file in crane.toml main.cpp check.expected main.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
+block 'file: lift.toml' >lift.toml
+block 'run: dalembert check lift.toml' | tail -n +2 >lift.expected
+for file in crane.toml main.cpp check.expected main.expected lift.toml lift.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
 
 "$PROGRAM" check crane.toml >check.txt
 diff check.expected check.txt
+"$PROGRAM" check lift.toml >lift.txt
+diff lift.expected lift.txt
+"$PROGRAM" derive lift.toml >lift.derived
+grep '^  dot(p) = ' "$readme" | while IFS= read -r line; do grep -qF -- "$line" lift.derived || { echo "not derived: $line"; exit 1; }; done
 "$PROGRAM" derive crane.toml >/dev/null
 "$PROGRAM" generate crane.toml >/dev/null
 g++ -std=c++17 -O2 -Wall -Wextra -Wconversion -I. -I"$SOURCE/runtime" -isystem /usr/include/eigen3 main.cpp -o main
@@ -36,9 +42,10 @@ done
 count=0
 while IFS='|' read -r _ file _ degrees operations _; do
   name=$(tr -d ' `' <<<"$file")
+  model=$(echo "$SOURCE"/systems/*/"$name.toml")
   degrees=$(tr -d ' ' <<<"$degrees")
   operations=$(grep -o '[0-9]*' <<<"$operations" | head -1)
-  "$PROGRAM" generate "$SOURCE/systems/mechanics/$name.toml" -o "$here" >generated.txt
+  "$PROGRAM" generate "$model" -o "$here" >generated.txt
   [ "$degrees" = N ] && degrees=3
   grep -q ": $degrees degrees of freedom, $operations operations" generated.txt || { echo "README.md says $degrees, $operations of $name:"; cat generated.txt; exit 1; }
   count=$((count + 1))
