@@ -49,7 +49,7 @@ inline constexpr std::size_t state_count = 1;
 inline constexpr std::size_t input_count = 1;
 inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 6;
-inline constexpr std::size_t guard_count = 2;
+inline constexpr std::size_t guard_count = 3;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { V_m = 0 }; };
@@ -96,6 +96,7 @@ struct Guard {
 };
 
 inline constexpr std::array<Guard, guard_count> guard_list{
+    Guard{"vessel", "volume vessel is empty", true},
     Guard{"orifice", "flow orifice changes its direction", false},
     Guard{"reversed", "flow reversed changes its direction", false},
 };
@@ -402,10 +403,12 @@ public:
 
     /// Functions whose sign matters, in the order of guard_table().
     /// Operations: 1 + or -
-    void guards(const State& /*x*/, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
+    void guards(const State& x, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
+        const Scalar V_m = x[0];
         const Scalar dp = u[0];
-        g[0] = dp;
-        g[1] = -dp;
+        g[0] = V_m;
+        g[1] = dp;
+        g[2] = -dp;
     }
 
 private:

@@ -86,13 +86,15 @@ void guard_volume(const ControlVolume& v, const ex& smallest, const std::vector<
     const std::string name = v.member.name();
     const bool moves = !symbols.time_derivative(v.size).is_zero();
     if (v.primary == Primary::filling) {
-        // What runs out by its own law stops by itself; a flow that is given goes on where nothing is left.
+        // What runs out by its own head stops by itself; every other flow goes on where nothing is left.
+        const ex& filling = symbols.get(SymbolKind::state, v.state);
         const bool is_drained = std::any_of(flows.begin(), flows.end(), [&](const FlowState& f) {
+            if (f.from_volume != &v && f.to_volume != &v) return false;
             const Flow::Law law = f.member.item->law;
             const bool is_forced = law == Flow::Law::given_mass || law == Flow::Law::given_volume || law == Flow::Law::pump || law == Flow::Law::pipe;
-            return (f.from_volume == &v || f.to_volume == &v) && is_forced;
+            return is_forced || !(f.from->pressure - f.to->pressure).subs(filling == 0, GiNaC::subs_options::no_pattern).expand().is_zero();
         });
-        if (is_drained || v.medium->is_compressible()) guards.push_back({name, "volume " + name + " is empty", true, v.size - smallest});
+        if (is_drained || v.medium->is_compressible() || v.member.item->smallest) guards.push_back({name, "volume " + name + " is empty", true, v.size - smallest});
         return;
     }
     if (moves) guards.push_back({name, "volume " + name + " is about to vanish", true, v.size - smallest});

@@ -69,6 +69,9 @@ private:
 
         std::optional<ex> T;
         if (scene_.has_temperature(item, translate_.names())) {
+            if (!item_has_heat(v.medium->item()))
+                throw Failure(Diagnostic{Id::missing_key, v.medium->item().span, fmt::format("the temperature of volume '{}' is a state, which needs the isochoric_heat of medium '{}'", v.member.name(), v.medium->item().name),
+                                         {{item.temperature->span, "the temperature stands here"}}});
             v.temperature_state = state(item.temperature, indices);
             T = translate_(item.temperature, indices);
         } else if (!item.polytropic) {
@@ -90,12 +93,17 @@ private:
             case ControlVolume::Primary::mass: return v.medium->at_density(primary / v.size, T);
             case ControlVolume::Primary::filling: break;
         }
-        const ex pressure = translate_(v.member.item->pressure, indices);
+        return v.medium->at_pressure(surface_pressure(v, indices), T);
+    }
+
+    /// Of a volume with a filling; constant where the medium is compressible.
+    ex surface_pressure(const ControlVolume& v, const Indices& indices) const {
+        ex pressure = translate_(v.member.item->pressure, indices);
         if (v.medium->is_compressible() && !is_constant(pressure))
             throw Failure(Diagnostic{Id::not_allowed_here, v.member.item->pressure->span,
                                      fmt::format("volume '{}' follows its filling and holds '{}', which is compressible: its pressure must be constant, but '{}' is not",
                                                  v.member.name(), v.medium->item().name, v.member.item->pressure->written())});
-        return v.medium->at_pressure(pressure, T);
+        return pressure;
     }
 
     /// p = p_r*(rho/rho_r)^n and T = T_r*(p/p_r)^((n-1)/n), (3.65) and (3.67).
@@ -106,7 +114,7 @@ private:
         const ex T_r = translate_(course.temperature, indices);
         v.exponent = n;
         if (v.primary == ControlVolume::Primary::pressure || v.primary == ControlVolume::Primary::filling) {
-            const ex p = v.primary == ControlVolume::Primary::pressure ? primary : translate_(v.member.item->pressure, indices);
+            const ex p = v.primary == ControlVolume::Primary::pressure ? primary : surface_pressure(v, indices);
             T = T_r * pow(p / p_r, (n - 1) / n);
             v.medium_state = v.medium->at_pressure(p, *T);
         } else {
@@ -115,6 +123,8 @@ private:
             v.medium_state = v.medium->at_density(rho, *T);
         }
     }
+
+    static bool item_has_heat(const Medium& medium) { return medium.isochoric_heat.has_value() || medium.energy.has_value(); }
 
     bool is_constant(const ex& e) const {
         for (const SymbolKind kind : {SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
@@ -145,6 +155,9 @@ private:
         const Volume& item = *v.member.item;
         const ex weight = v.fluid.density * translate_(item.gravity, indices);
         const ex head = translate_(item.head, indices);
+        for (const Variable& state : symbols_.all(SymbolKind::state))
+            if (state.position != v.state && head.has(state.symbol))
+                throw Failure(Diagnostic{Id::not_allowed_here, item.head->span, fmt::format("the head of volume '{}' follows its filling '{}', so it must not depend on '{}'", v.member.name(), item.filling->written(), state.name)});
         v.fluid.pressure = v.surface_pressure + weight * head;
         v.fluid.enthalpy = v.fluid.energy + v.fluid.pressure / v.fluid.density;
         const ex& filling = symbols_.get(SymbolKind::state, v.state);

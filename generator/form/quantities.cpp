@@ -117,7 +117,7 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
     if (e.name == "generalised_force" || e.name == "nonpotential_force" || e.name == "bias") {
         const std::size_t j = coordinate(system, child(0), indices);
         if (e.name == "bias") return system.bias[j];
-        const ex nonpotential = system.supplied[j] + system.dissipative[j];
+        const ex nonpotential = system.supplied[j] + system.dissipative[j] + system.fluids.force[j];
         return e.name == "nonpotential_force" ? nonpotential : nonpotential + system.gravity[j] + system.elastic[j];
     }
     if (e.name == "mass_matrix")

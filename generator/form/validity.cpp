@@ -25,6 +25,15 @@ public:
             if (item.temperature && reservoir.fluid.temperature && !depends_on_input(*reservoir.fluid.temperature)) positive(*reservoir.fluid.temperature, item.temperature->span, fmt::format("the temperature of reservoir '{}'", item.name), "K");
         }
         for (const ControlVolume& volume : system_.fluids.containers.volumes) check(volume);
+        for (const FlowState& flow : system_.fluids.flows) {
+            const Flow& item = *flow.member.item;
+            const auto constant = [&](const ExpressionPtr& e, const char* what, const char* unit) {
+                if (e) positive(system_.translate(e, Translator::indices_of(flow.member)), e->span, fmt::format("the {} of flow '{}'", what, flow.member.name()), unit);
+            };
+            constant(item.width, "width", "Pa");
+            constant(item.length, "length", "m");
+            if (item.law == Flow::Law::pipe) constant(item.area, "area", "m^2");
+        }
     }
 
 private:
@@ -71,6 +80,16 @@ private:
     void check(const ControlVolume& volume) const {
         const Volume& item = *volume.member.item;
         const std::string name = fmt::format("volume '{}'", volume.member.name());
+        const Indices indices = Translator::indices_of(volume.member);
+        const auto constant = [&](const ExpressionPtr& e, const char* what, const char* unit) {
+            if (e) positive(system_.translate(e, indices), e->span, fmt::format("the {} of {}", what, name), unit);
+        };
+        if (!volume.is_thermal()) constant(item.isothermal, "temperature", "K");
+        if (item.polytropic && volume.exponent) {
+            constant(item.polytropic->exponent, "polytropic exponent", "1");
+            constant(item.polytropic->pressure, "polytropic pressure", "Pa");
+            constant(item.polytropic->temperature, "polytropic temperature", "K");
+        }
         if (volume.primary == ControlVolume::Primary::filling) return;
         positive(volume.size, item.volume->span, fmt::format("the size of {}", name), "m^3");
         const ExpressionPtr& state = item.pressure ? item.pressure : item.density ? item.density : item.mass;

@@ -96,6 +96,9 @@ private:
 
     void check(const Flow& flow) {
         claim(flow.velocity, "velocity", "pipe", flow);
+        if (const Named* state = flow.velocity ? names_.find(flow.velocity->name) : nullptr; state != nullptr && state->kind == Named::Kind::state && static_cast<const State*>(state->item)->root)
+            diagnostics_.error(Id::not_allowed_here, flow.velocity->span, fmt::format("the velocity of pipe '{}' may become negative, so that its root is no state", flow.name),
+                               {{state->item->span, fmt::format("'{}' is declared here", flow.velocity->name)}});
         const Medium* from = end(flow.from, "from", flow);
         const Medium* to = end(flow.to, "to", flow);
         if (from == nullptr || to == nullptr) return;

@@ -248,23 +248,25 @@ private:
 
     /// Each state without a derivative is determined once.
     void check_determined() {
-        std::map<std::string, const Item*> by;
-        const auto claim = [&](const ExpressionPtr& state, const Item& item) {
+        std::map<std::pair<std::string, int>, std::pair<std::string, Span>> by;
+        const auto claim = [&](const ExpressionPtr& state, const auto& member) {
             if (!state) return;
-            const auto [first, is_new] = by.emplace(state->name, &item);
-            if (!is_new && first->second != &item)
-                fail(Id::doubly_determined, state->span, fmt::format("scene '{}': '{}' and '{}' both determine state '{}'", scene_.name, first->second->name, item.name, state->name),
-                     {{first->second->span, fmt::format("'{}' is defined here", first->second->name)}});
+            const Indices indices = member.item->family ? Indices{{member.item->family->index, member.index}} : Indices{};
+            const int index = state->children.empty() ? 0 : index_value(*state->children[0], scene_, indices);
+            const auto [first, is_new] = by.emplace(std::pair(state->name, index), std::pair(member.name(), member.item->span));
+            if (!is_new)
+                fail(Id::doubly_determined, state->span, fmt::format("scene '{}': '{}' and '{}' both determine state '{}'", scene_.name, first->second.first, member.name(), state->written()),
+                     {{first->second.second, fmt::format("'{}' is defined here", first->second.first)}});
         };
         for (const auto& member : scene_.volumes) {
             const Volume& volume = *member.item;
             for (const ExpressionPtr& state : {volume.filling ? nullptr : volume.pressure, volume.density, volume.mass, volume.filling, scene_.has_temperature(volume, names_) ? volume.temperature : nullptr})
-                claim(state, volume);
+                claim(state, member);
         }
-        for (const auto& member : scene_.flows) claim(member.item->velocity, *member.item);
+        for (const auto& member : scene_.flows) claim(member.item->velocity, member);
         for (const auto& member : scene_.states)
-            if (!member.item->derivative && !by.contains(member.item->name))
-                fail(Id::undetermined, member.item->span, fmt::format("nothing in scene '{}' determines state '{}'", scene_.name, member.item->name));
+            if (!member.item->derivative && !by.contains({member.item->name, member.index}))
+                fail(Id::undetermined, member.item->span, fmt::format("nothing in scene '{}' determines state '{}'", scene_.name, member.name()));
     }
 
     void use_name(const std::string& name, const Span& span) {

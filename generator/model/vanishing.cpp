@@ -2,6 +2,8 @@
 // Can a volume become zero? By interval arithmetic over the declared ranges.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/checks.hpp"
 
 namespace dalembert {

@@ -7,6 +7,10 @@
 // lengths are known, of which the shorter one is clean. That step is taken, and integration starts anew behind the zero. When only a
 // stage of the longer step was on the other side, the zero is near, but not yet reached; what is missing shrinks like the error of a
 // stage, and the next step finds it.
+//
+// note [rest]: Where the motion on both sides leads back to the zero, as with two pressures that have become equal, the sign changes
+// again and again by rounding alone. A kink that has come back several times without going anywhere rests: it is not watched, and the
+// control of errors alone keeps the motion near the zero, until the guard keeps its sign for a while.
 #pragma once
 
 #include <array>
@@ -101,7 +105,8 @@ public:
     using Values = std::array<Scalar, G>;
     static constexpr std::size_t none = G;
 
-    EventSearch(Guards& guards, const std::array<bool, G>& ends) : guards_(guards), ends_(ends) {}
+    /// A kink may rest when it moves by less than `tolerance` of what it did before, or comes back within the time `soon`.
+    EventSearch(Guards& guards, const std::array<bool, G>& ends, Scalar tolerance, Scalar soon) : guards_(guards), ends_(ends), tolerance_(tolerance), soon_(soon) {}
 
     /// The first guard that is not a number, or none.
     std::size_t not_a_number(const State& x, Scalar t) const {
@@ -145,6 +150,7 @@ public:
     template <class Take, class Between, class Accurate>
     void search(Try& c, const State& x, Scalar t, Scalar tiny, Scalar resolution, Take take, Between between, Accurate accurate) {
         is_cut_ = false;
+        notice(x, t);
         side_ = settled_;
         const Values at_start = values(x, t);
         for (std::size_t i = 0; i < G; ++i) is_strict_[i] = !may_touch_ && !ends_[i] && at_start[i] > Scalar(0);
@@ -222,8 +228,8 @@ public:
     }
     bool can_retract() const { return cuts_ < most_cuts; }
 
-    /// Goes on behind the event: other sides. How many guards changed.
-    std::size_t pass() {
+    /// Goes on behind the event at t: other sides. How many guards changed.
+    std::size_t pass(Scalar t) {
         cuts_ = 0;
         may_touch_ = false;
         std::size_t changed = 0;
@@ -231,11 +237,83 @@ public:
             if (!(found_[i] < Scalar(0))) continue;
             settled_[i] = -side_[i];
             ++changed;
+            if (!ends_[i]) watches_[i].change(t, tolerance_, soon_);
         }
         return changed;
     }
 
+    /// Whether a kink that rests is still near its zero at (x, t), or leaves it to one side, no faster than twice as far in a step. Estimates of errors
+    /// do not see every jump.
+    bool keeps_rest(const State& x, Scalar t) const {
+        using std::abs;
+        using std::max;
+        const Values g = raw(x, t);
+        for (std::size_t i = 0; i < G; ++i) {
+            const Watch& watch = watches_[i];
+            const Scalar leaving = watch.kept >= 5 ? Scalar(2) * watch.last : Scalar(0);
+            if (watch.rests && abs(g[i]) > max(Scalar(1000) * max(Scalar(tolerance_ * watch.largest), watch.rest), leaving)) return false;
+        }
+        return true;
+    }
+
+    /// The guard that ends the run and is next to nothing beside what it was, or none: where a step cannot be made, it is why.
+    std::size_t vanishing_guard(const State& x, Scalar t) const {
+        const Values g = raw(x, t);
+        for (std::size_t i = 0; i < G; ++i)
+            if (ends_[i] && !(g[i] > watches_[i].largest / Scalar(1000000))) return i;
+        return none;
+    }
+
 private:
+    /// What is remembered of one guard; see note [rest].
+    struct Watch {
+        Scalar largest = Scalar(0);    ///< of all values
+        Scalar excursion = Scalar(0);  ///< of the values since the last change
+        Scalar last = Scalar(0);       ///< where the last step began
+        Scalar rest = Scalar(0);       ///< of the values between the changes that made it rest
+        Scalar last_change = -std::numeric_limits<Scalar>::infinity();
+        int small_changes = 0, soon_changes = 0;  ///< in a row
+        bool rests = false;
+        int sign = 0, kept = 0;  ///< where it rests: the last sign, and for how many steps
+        int patience = 15;       ///< steps with one sign after which it rests no more; twice as many each time
+
+        void change(Scalar t, Scalar tolerance, Scalar soon) {
+            small_changes = excursion <= tolerance * largest ? small_changes + 1 : 0;
+            soon_changes = t - last_change <= soon ? soon_changes + 1 : 0;
+            const bool is_first = small_changes <= 1 && soon_changes <= 1;  // the excursion before that led here
+            rest = !is_first && rest > excursion ? rest : excursion;
+            rests = small_changes >= 3 || soon_changes >= 20;
+            if (rests && patience < 1000000) patience *= 2;
+            last_change = t;
+            excursion = Scalar(0);
+            kept = 0;
+        }
+        /// Whether it rests no more.
+        bool wakes(int seen) {
+            kept = seen != 0 && seen == sign ? kept + 1 : 0;
+            sign = seen;
+            if (kept < patience) return false;
+            rests = false;
+            small_changes = soon_changes = 0;
+            return true;
+        }
+    };
+
+    void notice(const State& x, Scalar t) {
+        using std::abs;
+        if (t == noticed_) return;
+        noticed_ = t;
+        const Values g = raw(x, t);
+        for (std::size_t i = 0; i < G; ++i) {
+            Watch& watch = watches_[i];
+            const Scalar size = abs(g[i]);
+            if (size > watch.largest) watch.largest = size;
+            if (size > watch.excursion) watch.excursion = size;
+            watch.last = size;
+            if (watch.rests && watch.wakes(sign(g[i]))) settled_[i] = watch.sign;
+        }
+    }
+
     static constexpr int parts = 4;       // into which a step is divided to look between
     static constexpr int most_cuts = 30;  // in a row that bring no event
 
@@ -256,7 +334,8 @@ private:
 
     Values with_sides(Values g) const {
         for (std::size_t i = 0; i < G; ++i)
-            if (g[i] == g[i]) g[i] = side_[i] > 0 ? g[i] : side_[i] < 0 ? Scalar(-g[i]) : Scalar(0);
+            if (watches_[i].rests) g[i] = Scalar(1);
+            else if (g[i] == g[i]) g[i] = side_[i] > 0 ? g[i] : side_[i] < 0 ? Scalar(-g[i]) : Scalar(0);
         return g;
     }
 
@@ -347,6 +426,9 @@ private:
 
     Guards& guards_;
     const std::array<bool, G>& ends_;
+    Scalar tolerance_, soon_;
+    std::array<Watch, G> watches_{};
+    Scalar noticed_ = std::numeric_limits<Scalar>::quiet_NaN();
     std::array<int, G> settled_{};     ///< the sides where the run is: -1, 1, or 0 when not known yet
     std::array<int, G> side_{};        ///< and further on in the step that is tried
     std::array<bool, G> is_strict_{};  ///< kinks that the step does not start on, and must not end on

@@ -43,7 +43,7 @@ class Integration {
 
 public:
     Integration(Rhs& rhs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observe, Guards& guards, const std::array<bool, G>& ends)
-        : rhs_(rhs), x_(x), from_(from), to_(to), t_(from), options_(options), observe_(observe), events_(guards, ends) {}
+        : rhs_(rhs), x_(x), from_(from), to_(to), t_(from), options_(options), observe_(observe), events_(guards, ends, options.tolerance, (to - from) / Scalar(1000000)) {}
 
     Outcome run() {
         using std::isfinite;
@@ -119,7 +119,19 @@ private:
         return end(Status::not_finite);
     }
 
-    Outcome stop(Status status) { return status == Status::not_finite ? end_not_finite(Scalar(64) * smallest_step()) : end(status); }
+    /// A step that cannot be made next to the zero of a guard that ends the run ends there.
+    Outcome stop(Status status) {
+        if constexpr (G > 0) {
+            const bool is_stuck = status == Status::not_finite || status == Status::step_too_small;
+            const std::size_t guard = is_stuck ? events_.vanishing_guard(x_, t_) : G;
+            if (guard != G) {
+                if (observed_ != t_) observe(t_);
+                return end_at(Status::event, guard);
+            }
+        }
+        return stop_there(status);
+    }
+    Outcome stop_there(Status status) { return status == Status::not_finite ? end_not_finite(Scalar(64) * smallest_step()) : end(status); }
 
     Scalar output_time(std::size_t i) const {
         return i == options_.intervals ? to_ : from_ + (to_ - from_) * (Scalar(static_cast<double>(i)) / Scalar(static_cast<double>(options_.intervals)));
@@ -237,6 +249,13 @@ private:
                 ++outcome_.rejected;
                 h = c.length * max(Scalar(1) / Scalar(10), Scalar(9) / Scalar(10) * pow(e, -Scalar(1) / Scalar(order)));
                 continue;
+            }
+            if constexpr (G > 0) {
+                if (!events_.keeps_rest(c.y, c.end)) {
+                    ++outcome_.rejected;
+                    h = c.length / Scalar(4);
+                    continue;
+                }
             }
             // After a step that was cut to end on an output point, the size from before is as good a guess as ever.
             const Scalar factor = step_factor(e, order);
@@ -394,7 +413,7 @@ private:
             t_ = t;
             x_ = x;
             const std::size_t changed = events_.changed_guard();
-            outcome_.events += events_.pass();
+            outcome_.events += events_.pass(t_);
             stalled_ = outcome_.events > 1 && !(t_ - last_event_ > smallest_step()) ? stalled_ + 1 : 0;
             last_event_ = t_;
             last_error_ = Scalar(1);

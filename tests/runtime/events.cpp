@@ -360,16 +360,15 @@ TEST_CASE("grazing: what only comes near is no event, what dips below is found i
     }
 }
 
-TEST_CASE("event storms stop") {
+TEST_CASE("a relay that sticks rests, and event storms stop") {
     for (const Method method : methods) {
         CAPTURE(static_cast<int>(method));
-        // A relay without anything that slows it: the sign flips back as soon as integration goes on.
+        // A relay without anything that slows it: both sides lead back to the zero, where it rests.
         Two x{1, 0};
         const auto relay = [](const Two& at, double, Two& dxdt) { dxdt = {at[0] < 0 ? 1.0 : -1.0, 0}; };
         const Outcome stuck = integrate(relay, x, 0.0, 3.0, with<Two>(method, 1e-9), nobody, first_state, passes);
-        CHECK(stuck.status == Status::event_storm);
-        CHECK(stuck.guard == 0);
-        CHECK(stuck.t == doctest::Approx(1).epsilon(1e-9));
+        CHECK(stuck.status == Status::success);
+        CHECK(std::abs(x[0]) < (method == Method::rk4 ? 0.2 : 1e-6));
         CHECK(stuck.events < 1000);
         // Too many.
         x = {1, 0};

@@ -35,7 +35,7 @@
 #include "hydraulics/water_tank_full.hpp"
 #include "pneumatics/air_expansion_adiabatic.hpp"
 #include "pneumatics/air_expansion_polytropic.hpp"
-#include "pneumatics/air_reservoir_adiabatic.hpp"
+#include "pneumatics/air_reservoir_isentropic.hpp"
 #include "pneumatics/air_reservoir_isothermal.hpp"
 #include "pneumatics/air_reservoir_thermal_isothermal.hpp"
 #include "pneumatics/air_reservoir_thermal_isothermal_smooth.hpp"
@@ -120,7 +120,7 @@ TEST_CASE("energy balance of gases") {
     Worst worst;
     ROW(air_expansion::adiabatic, 1, );
     ROW(air_expansion::polytropic, 1, );
-    ROW(air_reservoir::adiabatic, 60, 0.002, 0.0015);
+    ROW(air_reservoir::isentropic, 60, 0.002, 0.0015);
     ROW(air_reservoir::isothermal, 60, 0.002, 0.0015);
     ROW(air_reservoir_thermal::isothermal, 60, 1, 0.1, 0);
     ROW(air_reservoir_thermal::isothermal_smooth, 100, 1, 0.1, 0);
