@@ -12,8 +12,8 @@ using GiNaC::numeric;
 
 namespace {
 
-constexpr std::size_t most_terms = 40'000;
-constexpr double most_products = 4e6;
+constexpr std::size_t most_terms = 200'000;
+constexpr double most_products = 2e7;
 constexpr int largest_multiple = 24;
 constexpr int most_restarts = 200;
 

@@ -165,3 +165,37 @@ TEST_CASE("a level that is integrated as its root empties at a constant rate") {
     REQUIRE(system.fluids.guards.size() == 1);
     CHECK_FALSE(system.fluids.guards[0].ends);
 }
+
+TEST_CASE("all that acts on a coordinate includes the pressure") {
+    const Machine machine = machine_from(oil +
+                                         "[parameters.A]\nvalue = 1e-3\nunit = \"m^2\"\n[parameters.m]\nvalue = 1\nunit = \"kg\"\n"
+                                         "[coordinates]\ns = { unit = \"m\", start = 0.1 }\n[bodies.piston]\nmass = \"m\"\nposition = [\"s\", 0, 0]\n"
+                                         "[states]\np = { unit = \"bar\", start = 50 }\n[volumes.vessel]\nmedium = \"oil\"\nvolume = \"V + A*s\"\npressure = \"p\"\n"
+                                         "[outputs]\nforce = { value = \"generalised_force[s]\" }\n");
+    CHECK(written(machine, machine.system->outputs[0].value) == "A*p");
+}
+
+TEST_CASE("a chain of volumes as a family") {
+    const Machine machine = machine_from(oil +
+                                         "[states]\np = { unit = \"bar\", start = 50, for = \"k = 1..3\" }\nT = { unit = \"K\", start = 300, for = \"k = 1..3\" }\n"
+                                         "[volumes.cell]\nfor = \"k = 1..3\"\nmedium = \"oil\"\nvolume = \"V\"\npressure = \"p[k]\"\ntemperature = \"T[k]\"\n"
+                                         "[flows.between]\nfor = \"k = 1..2\"\nfrom = \"cell[k]\"\nto = \"cell[k+1]\"\nlaw = \"laminar\"\nconductance = \"G\"\n");
+    CHECK(all_proven(*machine.system));
+    CHECK(machine.system->fluids.flows.size() == 2);
+    CHECK(machine.audit.balances.size() == 6);
+}
+
+TEST_CASE("a tank that is pressed empty by more than its own head ends there") {
+    const auto guards = [](const std::string& pressure) {
+        const Machine machine = machine_from("[parameters]\nrho = { value = 1000, unit = \"kg/m^3\", range = [1, 2000] }\ng = { value = 9.81, unit = \"m/s^2\", range = [1, 20] }\n"
+                                             "p_0 = { value = 1, unit = \"bar\", range = [0.1, 10] }\nA = { value = 1, unit = \"m^2\", range = [0.1, 10] }\n"
+                                             "[states]\nh = { unit = \"m\", start = 1 }\n[media.water]\nlaw = \"incompressible\"\ndensity = \"rho\"\n"
+                                             "[reservoirs.ambient]\nmedium = \"water\"\npressure = \"p_0\"\n"
+                                             "[volumes.tank]\nmedium = \"water\"\nvolume = \"A*h\"\nfilling = \"h\"\npressure = \"" + pressure + "\"\nhead = \"h\"\ngravity = \"g\"\n"
+                                             "[flows.opening]\nfrom = \"tank\"\nto = \"ambient\"\nlaw = \"hydraulic_orifice\"\narea = \"0.001*A\"\ncoefficient = 1\n");
+        CHECK(all_proven(*machine.system));
+        return std::count_if(machine.system->fluids.guards.begin(), machine.system->fluids.guards.end(), [](const Guard& guard) { return guard.ends; });
+    };
+    CHECK(guards("p_0") == 0);
+    CHECK(guards("2*p_0") == 1);
+}
