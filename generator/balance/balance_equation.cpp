@@ -35,8 +35,8 @@ Ports ports_of(const ControlVolume& volume, const std::vector<FlowState>& flows)
     return ports;
 }
 
-/// Volumes whose walls move: d(rho*V)/dt = inflow gives d(rho)/dt; with m*de/dt = excess + heat + shaft - (p + ...)*..., that is
-/// m*c_v*dT/dt = excess + heat + shaft - T*(dp/dT)*(dV/dt - inflow/rho), because m*d(nu)/dt = dV/dt - inflow/rho, comes dT/dt; and
+/// Volumes whose walls move. d(rho*V)/dt = inflow gives d(rho)/dt. The balance of energy with de = c_v*dT + (T*dp/dT - p)*d(nu) and
+/// m*d(nu)/dt = dV/dt - inflow/rho gives m*c_v*dT/dt = excess + heat + shaft - T*(dp/dT)*(dV/dt - inflow/rho). From both,
 /// dp/dt = (dp/drho)*d(rho)/dt + (dp/dT)*dT/dt.
 VolumeBalance with_walls(const ControlVolume& v, const Ports& ports, const Symbols& symbols) {
     const MediumState& m = v.medium_state;

@@ -136,9 +136,10 @@ private:
         const Flow& item = *f.member.item;
         const ex displacement = value(item.displacement);
         const ex speed = value(item.speed);
-        by_volume(f, item.volume_flow ? value(item.volume_flow) : displacement * speed);
+        const ex volume_flow = item.volume_flow ? value(item.volume_flow) : displacement * speed;
+        by_volume(f, volume_flow);
         const ex lift = f.to->pressure - f.from->pressure + f.density * (f.to->potential - f.from->potential);
-        f.shaft_power = (item.volume_flow ? value(item.volume_flow) : displacement * speed) * lift;
+        f.shaft_power = volume_flow * lift;
         f.outside_power = f.shaft_power;
         if (item.volume_flow) return;
         const AffineRate rate = affine_rate(speed, symbols_, item.speed->span, fmt::format("the speed of pump '{}'", f.member.name()));
