@@ -76,11 +76,8 @@ void stop_on_failed_audit(const System& system, const Audit& audit) {
         }
     }
     for (const AuditEntry& entry : audit.media)
-        if (entry.result.verdict == Verdict::wrong) {
-            const auto& media = system.fluids.containers.media;
-            const auto medium = std::find_if(media.begin(), media.end(), [&](const MediumModel& m) { return entry.name.ends_with(", " + m.item().name); });
-            throw Failure(Diagnostic{Id::inconsistent_medium, medium->item().span, fmt::format("the laws of medium '{}' contradict each other; {}", medium->item().name, entry.result.reason)});
-        }
+        if (entry.result.verdict == Verdict::wrong)
+            throw Failure(Diagnostic{Id::inconsistent_medium, entry.of->span, fmt::format("the laws of medium '{}' contradict each other; {}", entry.of->name, entry.result.reason)});
     for (const AuditEntry* entry : audit.all())
         if (entry->result.verdict == Verdict::wrong)
             throw Failure(Diagnostic{Id::not_equal, system.scene.model->name_span, fmt::format("two derivations disagree: {}. This is a defect of the program; please report it with the model", entry->name)});

@@ -9,10 +9,8 @@ namespace {
 
 /// Outputs with state rates replaced by what they are, so that only accelerations are left as unknowns.
 std::vector<ex> output_values(const System& system) {
-    GiNaC::exmap rates;
-    for (std::size_t i = 0; i < system.state_rates.size(); ++i) rates[system.symbols.get(SymbolKind::state_rate, i)] = system.state_rates[i];
     std::vector<ex> values;
-    for (const OutputEquation& output : system.outputs) values.push_back(output.value.subs(rates, GiNaC::subs_options::no_pattern));
+    for (const OutputEquation& output : system.outputs) values.push_back(system.with_rates(output.value));
     return values;
 }
 

@@ -120,6 +120,12 @@ System::System(const Names& all_names, Scene chosen)
     translate.set_quantities([this](const Expression& e, const Indices& indices, const std::vector<ex>& arguments) { return quantity(*this, e, indices, arguments); });
 }
 
+ex System::with_rates(const ex& e) const {
+    GiNaC::exmap rates;
+    for (std::size_t i = 0; i < state_rates.size(); ++i) rates[symbols.get(SymbolKind::state_rate, i)] = state_rates[i];
+    return e.subs(rates, GiNaC::subs_options::no_pattern);
+}
+
 void set_rates(std::vector<ex>& state_rates, const ControlVolume& volume, const VolumeBalance& balance, const Symbols& symbols) {
     const auto set = [&](std::size_t state, const ex& rate) {
         const Variable& z = symbols.all(SymbolKind::state)[state];

@@ -67,6 +67,9 @@ struct System {
     GiNaC::ex exchanged_power;      ///< of enthalpy flows, heat and shafts over the border
 
     std::vector<GiNaC::ex> state_rates;  ///< zd
+    /// An expression with the rates of states replaced by what they are.
+    GiNaC::ex with_rates(const GiNaC::ex& e) const;
+
     NamedBalances named;
     std::vector<OutputEquation> outputs;
 };

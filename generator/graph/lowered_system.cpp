@@ -24,7 +24,7 @@ public:
         l.bias = all(system_.bias);
         l.generalised_force = all(system_.supplied);
         l.state_rate = all(system_.state_rates);
-        for (const OutputEquation& output : system_.outputs) l.output.push_back(one(with_rates(output.value)));
+        for (const OutputEquation& output : system_.outputs) l.output.push_back(one(system_.with_rates(output.value)));
         l.definitions = all(system_.symbols.definition_values());
         l.start = all(start_values(system_));
         for (const Guard& guard : system_.fluids.guards) l.guards.push_back(one(guard.value));
@@ -50,12 +50,6 @@ private:
         std::vector<Polynomial> result;
         for (const ex& e : expressions) result.push_back(one(e));
         return result;
-    }
-
-    ex with_rates(const ex& e) const {
-        GiNaC::exmap rates;
-        for (std::size_t i = 0; i < system_.state_rates.size(); ++i) rates[system_.symbols.get(SymbolKind::state_rate, i)] = system_.state_rates[i];
-        return e.subs(rates, GiNaC::subs_options::no_pattern);
     }
 
     template <class Visit>

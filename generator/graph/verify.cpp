@@ -27,7 +27,7 @@ public:
         values(Function::bias, system_.bias);
         values(Function::generalised_force, system_.supplied);
         std::vector<ex> outputs;
-        for (const OutputEquation& output : system_.outputs) outputs.push_back(with_rates(output.value));
+        for (const OutputEquation& output : system_.outputs) outputs.push_back(system_.with_rates(output.value));
         values(Function::output, outputs);
         output_columns(Function::output_jacobian_x, By::state);
         output_columns(Function::output_jacobian_u, By::input);
@@ -78,12 +78,6 @@ private:
         for (unsigned i = 0; i < code_.solve.n; ++i)
             for (unsigned j = 0; j <= i; ++j) lower.push_back(system_.mass(i, j));
         return lower;
-    }
-
-    ex with_rates(const ex& e) const {
-        GiNaC::exmap rates;
-        for (std::size_t i = 0; i < system_.state_rates.size(); ++i) rates[system_.symbols.get(SymbolKind::state_rate, i)] = system_.state_rates[i];
-        return e.subs(rates, GiNaC::subs_options::no_pattern);
     }
 
     void motion(Function function) {

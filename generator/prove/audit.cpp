@@ -39,13 +39,6 @@ std::vector<AuditEntry> compare_potentials(const System& system, Prover& prover)
     return entries;
 }
 
-/// State rates replaced by what was derived for them.
-ex with_rates(const System& system, const ex& e) {
-    GiNaC::exmap rates;
-    for (std::size_t i = 0; i < system.state_rates.size(); ++i) rates[system.symbols.get(SymbolKind::state_rate, i)] = system.state_rates[i];
-    return e.subs(rates, GiNaC::subs_options::no_pattern);
-}
-
 /// d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged on every motion: the two sides differ by sum of residual times
 /// velocity. E is that of the media, its change by the chain rule.
 AuditEntry balance_power(const System& system, Prover& prover) {
@@ -53,7 +46,7 @@ AuditEntry balance_power(const System& system, Prover& prover) {
     GiNaC::exvector change;
     for (const ex& energy : system.kinetic) change.push_back(symbols.time_derivative(energy));
     for (const Potential& p : system.potentials) change.push_back(symbols.time_derivative(p.energy));
-    if (!system.internal_energy.is_zero()) change.push_back(with_rates(system, symbols.time_derivative(system.internal_energy)));
+    if (!system.internal_energy.is_zero()) change.push_back(system.with_rates(symbols.time_derivative(system.internal_energy)));
     ex power = system.supplied_power - system.dissipated_power + system.prescribed_power + system.exchanged_power;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) power += system.residual[j] * symbols.get(SymbolKind::velocity, j);
     return {"power balance", prover.equal(GiNaC::add(change), power)};
@@ -69,7 +62,7 @@ std::vector<AuditEntry> compare_balances(const System& system, Prover& prover) {
         const ControlVolume& v = fluids.containers.volumes[i];
         const std::string name = v.member.name();
         ex mass = 0;
-        ex power = fluids.balances[i].heat + v.shaft_power - v.surface_pressure * with_rates(system, symbols.time_derivative(v.size));
+        ex power = fluids.balances[i].heat + v.shaft_power - v.surface_pressure * system.with_rates(symbols.time_derivative(v.size));
         for (const FlowState& f : fluids.flows) {
             if (f.from_volume == &v) {
                 mass -= f.mass_flow;
@@ -80,11 +73,11 @@ std::vector<AuditEntry> compare_balances(const System& system, Prover& prover) {
                 power += f.arriving();
             }
         }
-        entries.push_back({"balance of mass, " + name, prover.equal(with_rates(system, symbols.time_derivative(v.mass())), mass)});
-        entries.push_back({"balance of energy, " + name, prover.equal(with_rates(system, symbols.time_derivative(v.stored_energy())), power)});
+        entries.push_back({"balance of mass, " + name, prover.equal(system.with_rates(symbols.time_derivative(v.mass())), mass)});
+        entries.push_back({"balance of energy, " + name, prover.equal(system.with_rates(symbols.time_derivative(v.stored_energy())), power)});
     }
     for (const FlowState& f : fluids.flows)
-        if (f.velocity_state) entries.push_back({"balance of energy, " + f.member.name(), prover.equal(with_rates(system, symbols.time_derivative(f.stored_energy)), f.leaving() - f.arriving() + f.shaft_power)});
+        if (f.velocity_state) entries.push_back({"balance of energy, " + f.member.name(), prover.equal(system.with_rates(symbols.time_derivative(f.stored_energy)), f.leaving() - f.arriving() + f.shaft_power)});
     return entries;
 }
 
@@ -94,7 +87,7 @@ std::vector<AuditEntry> compare_media(const System& system, Prover& prover) {
     for (const MediumModel& medium : system.fluids.containers.media) {
         if (!medium.is_compressible()) continue;
         for (MediumIdentity& identity : medium_identities(medium)) {
-            AuditEntry entry{fmt::format("{}, {}", identity.name, medium.item().name), {Verdict::proven}};
+            AuditEntry entry{fmt::format("{}, {}", identity.name, medium.item().name), {Verdict::proven}, &medium.item()};
             if (!prover.proven_equal(identity.left, identity.right)) entry.result = compare_at_states(system, medium, identity);
             entries.push_back(std::move(entry));
         }

@@ -9,6 +9,7 @@ namespace dalembert {
 struct AuditEntry {
     std::string name;     ///< "d'Alembert = Euler-Lagrange, phi"
     Comparison result;
+    const Item* of = nullptr;  ///< of a medium: the medium
 };
 
 struct Audit {

@@ -62,11 +62,7 @@ std::optional<std::string> unit_problem(const System& system, const PrintedEquat
 /// One pair of sides on the motion of the system, at the point that the entry names, if any.
 class PairCheck {
 public:
-    PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), n_(system.symbols.degrees()) {
-        GiNaC::exmap rates;
-        for (std::size_t i = 0; i < system.state_rates.size(); ++i) rates[system.symbols.get(SymbolKind::state_rate, i)] = system.state_rates[i];
-        rates_ = std::move(rates);
-    }
+    PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), n_(system.symbols.degrees()) {}
 
     PrintedResult run(const ex& left_side, const ex& right_side) {
         const ex left = prepared(left_side);
@@ -98,9 +94,7 @@ private:
             if (e.has(a.symbol)) return true;
         return false;
     }
-    ex prepared(const ex& e) const {
-        return at_point(e.subs(rates_, GiNaC::subs_options::no_pattern));
-    }
+    ex prepared(const ex& e) const { return at_point(system_.with_rates(e)); }
     /// A point may set a parameter that definitions are made of.
     ex at_point(const ex& e) const { return at_.empty() ? e : system_.symbols.without_definitions(e).subs(at_, GiNaC::subs_options::no_pattern); }
     ex mass(std::size_t j, std::size_t l) const {
@@ -224,7 +218,6 @@ private:
     const System& system_;
     Prover prover_;
     GiNaC::exmap at_;
-    GiNaC::exmap rates_;
     std::size_t n_;
 };
 

@@ -24,7 +24,6 @@ ex magnitude_eval(const ex& x) {
     return magnitude(x).hold();
 }
 ex magnitude_evalf(const ex& x) { return magnitude_eval(x.evalf()); }
-ex magnitude_derivative(const ex& x, unsigned) { return sign_of(x); }
 
 ex sign_of_eval(const ex& x) {
     if (is_real_number(x)) return sign_of_number(x);
@@ -32,7 +31,6 @@ ex sign_of_eval(const ex& x) {
     return sign_of(x).hold();
 }
 ex sign_of_evalf(const ex& x) { return sign_of_eval(x.evalf()); }
-ex sign_of_derivative(const ex&, unsigned) { return 0; }
 
 ex unit_step_eval(const ex& x) {
     if (is_real_number(x)) return numeric(1 + sign_of_number(x), 2);
@@ -40,18 +38,15 @@ ex unit_step_eval(const ex& x) {
     return unit_step(x).hold();
 }
 ex unit_step_evalf(const ex& x) { return unit_step_eval(x.evalf()); }
-ex unit_step_derivative(const ex&, unsigned) { return 0; }
 
 ex norm_eval(const ex& x) { return is_real_number(x) ? ex(GiNaC::sqrt(x)) : norm(x).hold(); }
 ex norm_evalf(const ex& x) { return norm_eval(x.evalf()); }
-ex norm_derivative(const ex& x, unsigned) { return inverse_norm(x) / 2; }
 
 ex inverse_norm_eval(const ex& x) {
     if (!is_real_number(x)) return inverse_norm(x).hold();
     return x.is_zero() ? ex(0) : GiNaC::pow(x, numeric(-1, 2));
 }
 ex inverse_norm_evalf(const ex& x) { return inverse_norm_eval(x.evalf()); }
-ex inverse_norm_derivative(const ex& x, unsigned) { return -GiNaC::pow(inverse_norm(x), 3) / 2; }
 
 ex minimum_eval(const ex& a, const ex& b) {
     if (is_real_number(a) && is_real_number(b)) return ex_to<numeric>(a) < ex_to<numeric>(b) ? a : b;
@@ -59,7 +54,6 @@ ex minimum_eval(const ex& a, const ex& b) {
     return minimum(a, b).hold();
 }
 ex minimum_evalf(const ex& a, const ex& b) { return minimum_eval(a.evalf(), b.evalf()); }
-ex minimum_derivative(const ex& a, const ex& b, unsigned argument) { return argument == 0 ? unit_step(b - a) : unit_step(a - b); }
 
 ex maximum_eval(const ex& a, const ex& b) {
     if (is_real_number(a) && is_real_number(b)) return ex_to<numeric>(a) < ex_to<numeric>(b) ? b : a;
@@ -67,41 +61,33 @@ ex maximum_eval(const ex& a, const ex& b) {
     return maximum(a, b).hold();
 }
 ex maximum_evalf(const ex& a, const ex& b) { return maximum_eval(a.evalf(), b.evalf()); }
-ex maximum_derivative(const ex& a, const ex& b, unsigned argument) { return argument == 0 ? unit_step(a - b) : unit_step(b - a); }
 
 ex whole_eval(const ex& x) {
     if (!GiNaC::is_a<GiNaC::add>(x)) return x;
     return whole(x).hold();
 }
 ex whole_evalf(const ex& x) { return x.evalf(); }
-ex whole_derivative(const ex&, unsigned) { return 1; }
 
 ex exp_minus_one_eval(const ex& x) { return x.is_zero() ? ex(0) : exp_minus_one(x).hold(); }
 ex exp_minus_one_evalf(const ex& x) { return (GiNaC::exp(x) - 1).evalf(); }
-ex exp_minus_one_derivative(const ex& x, unsigned) { return GiNaC::exp(x); }
 
 ex log_one_plus_eval(const ex& x) { return x.is_zero() ? ex(0) : log_one_plus(x).hold(); }
 ex log_one_plus_evalf(const ex& x) { return GiNaC::log(1 + x).evalf(); }
-ex log_one_plus_derivative(const ex& x, unsigned) { return GiNaC::pow(1 + x, -1); }
 
 ex compression_eval(const ex& x) { return x.is_zero() ? ex(0) : compression(x).hold(); }
 ex compression_evalf(const ex& x) { return (1 - (1 + x) * GiNaC::exp(-x)).evalf(); }
-ex compression_derivative(const ex& x, unsigned) { return x * GiNaC::exp(-x); }
 
 ex signed_root_eval(const ex& x) { return x.is_zero() ? ex(0) : signed_root(x).hold(); }
 ex signed_root_evalf(const ex& x) { return is_real_number(x) ? (sign_of_number(x) * GiNaC::sqrt(magnitude(x))).evalf() : signed_root(x).hold(); }
-ex signed_root_derivative(const ex& x, unsigned) { return inverse_root(x) / 2; }
 
 ex inverse_root_eval(const ex& x) { return inverse_root(x).hold(); }
 ex inverse_root_evalf(const ex& x) { return is_real_number(x) ? GiNaC::pow(magnitude(x), numeric(-1, 2)).evalf() : inverse_root(x).hold(); }
-ex inverse_root_derivative(const ex& x, unsigned) { return -GiNaC::pow(inverse_root(x), 3) * sign_of(x) / 2; }
 
 ex forward_root_eval(const ex& x) { return x.is_zero() ? ex(0) : forward_root(x).hold(); }
 ex forward_root_evalf(const ex& x) {
     if (!is_real_number(x)) return forward_root(x).hold();
     return sign_of_number(x) > 0 ? GiNaC::sqrt(x).evalf() : ex(0);
 }
-ex forward_root_derivative(const ex& x, unsigned) { return unit_step(x) * inverse_root(x) / 2; }
 
 /// The square of (3.160) and its derivatives by the pressure ratio and the exponent.
 struct Outflow {
@@ -129,7 +115,6 @@ ex outflow_factor_evalf(const ex& d, const ex& k) {
     if (!are_numbers(d, k)) return outflow_factor(d, k).hold();
     return d.is_zero() ? ex(1) : GiNaC::sqrt(outflow(d, k).square / d).evalf();
 }
-ex outflow_factor_derivative(const ex& d, const ex& k, unsigned argument) { return argument == 0 ? outflow_factor_slope(d, k) : outflow_factor_by_exponent(d, k); }
 
 ex outflow_factor_slope_eval(const ex& d, const ex& k) { return outflow_factor_slope(d, k).hold(); }
 ex outflow_factor_slope_evalf(const ex& d, const ex& k) {
@@ -167,21 +152,21 @@ ex in_elementary_functions(const ex& e) {
     return elementary(e);
 }
 
-REGISTER_FUNCTION(magnitude, eval_func(magnitude_eval).evalf_func(magnitude_evalf).derivative_func(magnitude_derivative))
-REGISTER_FUNCTION(sign_of, eval_func(sign_of_eval).evalf_func(sign_of_evalf).derivative_func(sign_of_derivative))
-REGISTER_FUNCTION(unit_step, eval_func(unit_step_eval).evalf_func(unit_step_evalf).derivative_func(unit_step_derivative))
-REGISTER_FUNCTION(norm, eval_func(norm_eval).evalf_func(norm_evalf).derivative_func(norm_derivative))
-REGISTER_FUNCTION(inverse_norm, eval_func(inverse_norm_eval).evalf_func(inverse_norm_evalf).derivative_func(inverse_norm_derivative))
-REGISTER_FUNCTION(minimum, eval_func(minimum_eval).evalf_func(minimum_evalf).derivative_func(minimum_derivative))
-REGISTER_FUNCTION(maximum, eval_func(maximum_eval).evalf_func(maximum_evalf).derivative_func(maximum_derivative))
-REGISTER_FUNCTION(whole, eval_func(whole_eval).evalf_func(whole_evalf).derivative_func(whole_derivative))
-REGISTER_FUNCTION(exp_minus_one, eval_func(exp_minus_one_eval).evalf_func(exp_minus_one_evalf).derivative_func(exp_minus_one_derivative))
-REGISTER_FUNCTION(log_one_plus, eval_func(log_one_plus_eval).evalf_func(log_one_plus_evalf).derivative_func(log_one_plus_derivative))
-REGISTER_FUNCTION(compression, eval_func(compression_eval).evalf_func(compression_evalf).derivative_func(compression_derivative))
-REGISTER_FUNCTION(signed_root, eval_func(signed_root_eval).evalf_func(signed_root_evalf).derivative_func(signed_root_derivative))
-REGISTER_FUNCTION(inverse_root, eval_func(inverse_root_eval).evalf_func(inverse_root_evalf).derivative_func(inverse_root_derivative))
-REGISTER_FUNCTION(forward_root, eval_func(forward_root_eval).evalf_func(forward_root_evalf).derivative_func(forward_root_derivative))
-REGISTER_FUNCTION(outflow_factor, eval_func(outflow_factor_eval).evalf_func(outflow_factor_evalf).derivative_func(outflow_factor_derivative))
+REGISTER_FUNCTION(magnitude, eval_func(magnitude_eval).evalf_func(magnitude_evalf))
+REGISTER_FUNCTION(sign_of, eval_func(sign_of_eval).evalf_func(sign_of_evalf))
+REGISTER_FUNCTION(unit_step, eval_func(unit_step_eval).evalf_func(unit_step_evalf))
+REGISTER_FUNCTION(norm, eval_func(norm_eval).evalf_func(norm_evalf))
+REGISTER_FUNCTION(inverse_norm, eval_func(inverse_norm_eval).evalf_func(inverse_norm_evalf))
+REGISTER_FUNCTION(minimum, eval_func(minimum_eval).evalf_func(minimum_evalf))
+REGISTER_FUNCTION(maximum, eval_func(maximum_eval).evalf_func(maximum_evalf))
+REGISTER_FUNCTION(whole, eval_func(whole_eval).evalf_func(whole_evalf))
+REGISTER_FUNCTION(exp_minus_one, eval_func(exp_minus_one_eval).evalf_func(exp_minus_one_evalf))
+REGISTER_FUNCTION(log_one_plus, eval_func(log_one_plus_eval).evalf_func(log_one_plus_evalf))
+REGISTER_FUNCTION(compression, eval_func(compression_eval).evalf_func(compression_evalf))
+REGISTER_FUNCTION(signed_root, eval_func(signed_root_eval).evalf_func(signed_root_evalf))
+REGISTER_FUNCTION(inverse_root, eval_func(inverse_root_eval).evalf_func(inverse_root_evalf))
+REGISTER_FUNCTION(forward_root, eval_func(forward_root_eval).evalf_func(forward_root_evalf))
+REGISTER_FUNCTION(outflow_factor, eval_func(outflow_factor_eval).evalf_func(outflow_factor_evalf))
 REGISTER_FUNCTION(outflow_factor_slope, eval_func(outflow_factor_slope_eval).evalf_func(outflow_factor_slope_evalf))
 REGISTER_FUNCTION(outflow_factor_by_exponent, eval_func(outflow_factor_by_exponent_eval).evalf_func(outflow_factor_by_exponent_evalf))
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Functions that the model language has and GiNaC has not, or has with another meaning: for real arguments, with derivatives that
-// are defined wherever the function has a slope.
+// are defined wherever the function has a slope. The derivatives stand in derivative.cpp; GiNaC's own diff does not know them.
 #pragma once
 
 #include <ginac/ginac.h>
