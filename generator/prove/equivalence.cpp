@@ -48,11 +48,32 @@ bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>&
     for (const bool written_out : {false, true}) {
         if (written_out && system_.symbols.count(SymbolKind::definition) == 0) break;
         try {
-            if (NormalForm(positive).is_zero(written_out ? system_.symbols.without_definitions(difference) : difference)) return true;
+            NormalForm form(positive);
+            if (!form.is_zero(written_out ? system_.symbols.without_definitions(difference) : difference)) continue;
+            // S^2 = 1, a positive root, I*den = 1: all of it is said of what is not zero. A zero that the form did not see proves nothing.
+            const auto& claimed = form.must_not_vanish();
+            if (std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return is_somewhere_not_zero(e); })) return true;
         } catch (const NoNormalForm&) {  // too large or outside what the method knows: not proven
         }
     }
     return false;
+}
+
+bool Prover::is_somewhere_not_zero(const ex& e) {
+    const auto [known, is_new] = somewhere_not_zero_.emplace(e, true);
+    if (!is_new) return known->second;
+    constexpr int tries = 3;
+    if (points_.empty()) {
+        RandomPoints random(system_);
+        for (int i = 0; i < tries; ++i) points_.push_back(random.next());
+    }
+    bool is_zero_somewhere = false;
+    for (const Point& point : points_) {
+        const Sign sign = sign_at([&](int digits) { return value_at(e, system_.symbols, point, digits); });
+        if (sign == Sign::not_zero) return true;
+        is_zero_somewhere = is_zero_somewhere || sign == Sign::zero;
+    }
+    return known->second = !is_zero_somewhere;
 }
 
 Comparison Prover::equal(const ex& a, const ex& b) {

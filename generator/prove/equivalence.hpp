@@ -39,7 +39,12 @@ public:
 private:
     bool proven_equal(const GiNaC::ex& a, const GiNaC::ex& b, const std::set<std::string>& positive);
 
+    /// Whether an expression is not zero at one of a few random points at least, as far as it has values there.
+    bool is_somewhere_not_zero(const GiNaC::ex& e);
+
     const System& system_;
+    std::vector<Point> points_;
+    std::map<GiNaC::ex, bool, GiNaC::ex_is_less> somewhere_not_zero_;
     std::set<std::string> ranged_;  ///< coordinates, states and inputs that their ranges keep positive
 };
 

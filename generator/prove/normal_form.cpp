@@ -86,15 +86,30 @@ Polynomial NormalForm::convert(const ex& e) {
     }
     if (const auto known = known_functions_.find(e); known != known_functions_.end()) return known->second;
     Polynomial result;
-    if (GiNaC::is_a<GiNaC::power>(e)) result = power(e.op(0), e.op(1));
+    if (GiNaC::is_a<GiNaC::power>(e)) {
+        if (!e.op(1).info(GiNaC::info_flags::nonnegint)) note_argument(e.op(0));
+        result = power(e.op(0), e.op(1));
+    }
     else if (GiNaC::is_a<GiNaC::function>(e)) result = function(e);
     else result = atom("constant", e);
     known_functions_.emplace(e, result);
     return result;
 }
 
+void NormalForm::note_argument(const ex& e) {
+    bool may_hide = false;
+    for (auto part = e.preorder_begin(); part != e.preorder_end() && !may_hide; ++part) {
+        const bool is_root = GiNaC::is_a<GiNaC::power>(*part) && !part->op(1).info(GiNaC::info_flags::integer);
+        may_hide = is_root || GiNaC::is_a<GiNaC::function>(*part);
+    }
+    if (may_hide) must_not_vanish_.insert(e);
+}
+
 Polynomial NormalForm::function(const ex& e) {
     const std::string name = ex_to<GiNaC::function>(e).get_name();
+    static const std::set<std::string> with_sign{"sign_of", "magnitude", "unit_step", "signed_root", "inverse_root", "forward_root", "norm", "inverse_norm"};
+    if (with_sign.contains(name)) note_argument(e.op(0));
+    if (name == "minimum" || name == "maximum") note_argument(e.op(0) - e.op(1));
     if (name == "sin") return sine_and_cosine(convert(e.op(0))).first;
     if (name == "cos") return sine_and_cosine(convert(e.op(0))).second;
     if (name == "tan") {

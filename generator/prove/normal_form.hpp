@@ -28,6 +28,10 @@ public:
     /// Throws NoNormalForm.
     bool is_zero(const GiNaC::ex& e);
 
+    /// What must not be zero everywhere for the answer to hold: arguments of signs and roots and denominators in which a zero may hide
+    /// from the normal form, because they contain functions or roots.
+    const std::set<GiNaC::ex, GiNaC::ex_is_less>& must_not_vanish() const { return must_not_vanish_; }
+
 private:
     using Letter = std::uint32_t;
 
@@ -73,7 +77,10 @@ private:
     int multiple(const Rational& factor, const Monomial& atom, std::map<Monomial, int>& denominators);
     void forget();
 
+    void note_argument(const GiNaC::ex& e);
+
     std::set<std::string> assumed_positive_;
+    std::set<GiNaC::ex, GiNaC::ex_is_less> must_not_vanish_;
     std::map<std::string, Letter> symbols_;
     /// These survive a restart. Letters are numbered in the order in which they are met, which is the same after one.
     std::map<Monomial, int> angle_denominators_;

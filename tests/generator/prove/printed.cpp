@@ -79,3 +79,11 @@ TEST_CASE("nothing follows where the mass matrix is singular") {
         "[printed.one]\nequation = \"m*ddot(phi) = 12345*c\"\nat = { r = 0 }\n");
     CHECK(check_printed(*machine.system, {&machine.loaded->model.printed[0]}).verdict() == Verdict::not_checkable);
 }
+
+TEST_CASE("a zero that hides behind functions proves nothing") {
+    CHECK(verdict("x*sign(abs(x) - sqrt(x^2))^2 = x") == Verdict::wrong);
+    CHECK(verdict("x*sign(sqrt(3 + 2*sqrt(2)) - 1 - sqrt(2))^2 = x") == Verdict::wrong);
+    CHECK(verdict("x*sign(sqrt(abs(abs(x) - sqrt(x^2)))) = x") == Verdict::wrong);
+    CHECK(verdict("x*sign(x)^2 = x") == Verdict::proven);
+    CHECK(verdict("abs(x)*sign(abs(x) + l) = abs(x)") != Verdict::wrong);
+}
