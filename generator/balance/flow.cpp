@@ -31,6 +31,8 @@ public:
         FlowState f{member, nullptr, nullptr, nullptr, nullptr, {}, {}, {}, {}, {}, {}, {}, std::vector<ex>(symbols_.degrees(), 0), {}, {}};
         f.from = end(item.from, f.from_volume);
         f.to = end(item.to, f.to_volume);
+        if (f.from == f.to)
+            throw Failure(Diagnostic{Id::not_allowed_here, item.to.span, fmt::format("flow '{}' goes from '{}' to itself", member.name(), (f.from_volume != nullptr ? f.from_volume->member.name() : item.from.name))});
         switch (item.law) {
             case Flow::Law::given_mass:
                 f.mass_flow = value(item.mass_flow);

@@ -101,11 +101,16 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
     for (const OutputEquation& output : system.outputs) outputs.emplace_back(output.name, output.value);
     group("output", "outputs y", outputs);
     text += "energies and powers\n";
-    for (const auto& [name, value] : {std::pair<const char*, ex>{"kinetic_energy", system.kinetic_energy},
-                                      {"potential_energy", system.potential_energy},
-                                      {"supplied_power", system.supplied_power},
-                                      {"dissipated_power", system.dissipated_power},
-                                      {"prescribed_power", system.prescribed_power}}) {
+    std::vector<std::pair<const char*, ex>> powers{{"kinetic_energy", system.kinetic_energy},
+                                                   {"potential_energy", system.potential_energy},
+                                                   {"supplied_power", system.supplied_power},
+                                                   {"dissipated_power", system.dissipated_power},
+                                                   {"prescribed_power", system.prescribed_power}};
+    if (!system.fluids.empty()) {
+        powers.emplace_back("internal_energy", system.internal_energy);
+        powers.emplace_back("exchanged_power", system.exchanged_power);
+    }
+    for (const auto& [name, value] : powers) {
         const std::string number = at.number(value);
         json[name] = json_number(number);
         text += fmt::format("  {:<20} {}\n", name, number);

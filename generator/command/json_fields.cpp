@@ -96,6 +96,8 @@ constexpr auto evaluate = std::to_array<JsonField>({
     {"supplied_power", "W"},
     {"dissipated_power", "W"},
     {"prescribed_power", "W"},
+    {"internal_energy", "J; where there are fluids"},
+    {"exchanged_power", "W; likewise"},
 });
 
 constexpr auto simulate = std::to_array<JsonField>({

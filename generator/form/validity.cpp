@@ -33,6 +33,10 @@ public:
             constant(item.width, "width", "Pa");
             constant(item.length, "length", "m");
             if (item.law == Flow::Law::pipe) constant(item.area, "area", "m^2");
+            else at_least_zero(item.area, flow, "area", "m^2");
+            at_least_zero(item.coefficient, flow, "coefficient", "1");
+            at_least_zero(item.conductance, flow, "conductance", "m^3/(s*Pa)");
+            at_least_zero(item.cracking_pressure, flow, "cracking pressure", "Pa");
         }
     }
 
@@ -56,6 +60,16 @@ private:
         const auto number = value(e);
         if (number && number->is_positive()) return;
         throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("{} is {} {} at the start, but must be above zero", what, number ? fmt::format("{:.6g}", number->to_double()) : "no number", unit)});
+    }
+
+    /// Of what may be shut. An input may make it zero or negative later.
+    void at_least_zero(const ExpressionPtr& e, const FlowState& flow, const char* what, const char* unit) const {
+        if (!e) return;
+        const ex translated = system_.translate(e, Translator::indices_of(flow.member));
+        const auto number = value(translated);
+        if (depends_on_input(translated) || !number || !number->is_negative()) return;
+        throw Failure(Diagnostic{Id::value_out_of_range, e->span,
+                                 fmt::format("the {} of flow '{}' is {:.6g} {} at the start, but must not be below zero", what, flow.member.name(), number->to_double(), unit)});
     }
 
     void property(const ExpressionPtr& e, const Medium& medium, const char* what, const char* unit) const {
@@ -90,13 +104,13 @@ private:
             constant(item.polytropic->pressure, "polytropic pressure", "Pa");
             constant(item.polytropic->temperature, "polytropic temperature", "K");
         }
+        if (volume.is_thermal()) positive(*volume.fluid.temperature, item.temperature->span, fmt::format("the temperature of {}", name), "K");
         if (volume.primary == ControlVolume::Primary::filling) return;
         positive(volume.size, item.volume->span, fmt::format("the size of {}", name), "m^3");
         const ExpressionPtr& state = item.pressure ? item.pressure : item.density ? item.density : item.mass;
         const char* what = item.pressure ? "pressure" : item.density ? "density" : "mass";
         positive(system_.translate(state, Translator::indices_of(volume.member)), state->span, fmt::format("the {} of {}", what, name), item.pressure ? "Pa" : item.density ? "kg/m^3" : "kg");
         positive(volume.medium_state.pressure, state->span, fmt::format("the pressure that follows from the {} of {}", what, name), "Pa");
-        if (volume.is_thermal()) positive(*volume.fluid.temperature, item.temperature->span, fmt::format("the temperature of {}", name), "K");
     }
 
     const System& system_;

@@ -65,10 +65,12 @@ void Values::assign(const Variable& variable, const ex& value, const Span& place
         if (size > largest || size < largest.inverse())
             throw Failure(Diagnostic{Id::number_too_large, place, fmt::format("the value of '{}' is beyond 1e300 or within 1e-300 of zero", variable.name)});
     }
+    const ex number = GiNaC::is_exactly_a<numeric>(value) ? value : value.subs(substitution(), GiNaC::subs_options::no_pattern);
+    if (variable.is_root && sign(number) < 0)
+        throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("the value of '{}' is {}, which has no root, but it is integrated as its root", variable.base, shown(number))});
     values_[key(variable.kind, variable.position)] = variable.is_root ? GiNaC::sqrt(value) : value;
     const Quantity* ranged = variable.declared;
     if (ranged == nullptr || !ranged->range) return;
-    const ex number = GiNaC::is_exactly_a<numeric>(value) ? value : value.subs(substitution(), GiNaC::subs_options::no_pattern);
     const auto check = [&](const ExpressionPtr& bound, int wrong, const char* relation) {
         if (!bound) return;
         const ex limit = translate_(*bound, {});
