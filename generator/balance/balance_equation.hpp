@@ -3,6 +3,7 @@
 #pragma once
 
 #include "balance/flow.hpp"
+#include "balance/heat_network.hpp"
 
 namespace dalembert {
 
@@ -12,7 +13,8 @@ struct VolumeBalance {
     GiNaC::ex size_rate;         ///< dV/dt, m^3/s
     GiNaC::ex rate;              ///< of the state that the volume's primary names
     GiNaC::ex temperature_rate;  ///< dT/dt, K/s; 0 where the temperature is held
-    GiNaC::ex heat;              ///< into it, W: given, or what holds its temperature or its course
+    GiNaC::ex heat;              ///< into it, W: given and along links, or what holds its temperature or its course
+    GiNaC::ex linked_heat;       ///< the part of it that comes along links
 };
 
 /// All that fluids do.
@@ -36,6 +38,7 @@ struct Fluids {
 VolumeBalance balance_of(const ControlVolume& volume, const std::vector<FlowState>& flows, const Symbols& symbols);
 
 /// Flows and balances for containers that are made. Throws Failure.
-void complete_fluids(Fluids& fluids, const Scene& scene, const Translator& translate, Symbols& symbols);
+/// `heat`: what flows into volumes from nodes and rods.
+void complete_fluids(Fluids& fluids, const Scene& scene, const Translator& translate, Symbols& symbols, const HeatNetwork& heat);
 
 }  // namespace dalembert

@@ -106,7 +106,7 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
                                                    {"supplied_power", system.supplied_power},
                                                    {"dissipated_power", system.dissipated_power},
                                                    {"prescribed_power", system.prescribed_power}};
-    if (!system.fluids.empty()) {
+    if (system.has_balances()) {
         powers.emplace_back("internal_energy", system.internal_energy);
         powers.emplace_back("exchanged_power", system.exchanged_power);
     }

@@ -27,12 +27,13 @@ std::string function_reference() {
     return text +
            "\nOperations: + - * / ^, dot(x) and ddot(x) (total time derivatives), sum(k, 1, N, term)\n"
            "In outputs and printed equations also: diff(expression, variable), integral(function, x, from, to)\n"
-           "Names: t is the time, pi the number. Everything else is defined in the file.\n";
+           "Names: t is the time, pi the number, stefan_boltzmann the constant of radiation (4.35), 5.670374419e-8 W/(m^2*K^4). Everything else is defined in the file.\n";
 }
 
 std::string quantity_reference() {
     static constexpr std::array subscripts{"",          "[body]", " or [body]",       "[body, 1..3]",   "[coordinate]",     "[coordinate, coordinate]",
-                                           "[X]", "[X] or [medium, p, T]", "[medium, p, T]", "[volume]", " or [volume]", "[flow]"};
+                                           " or [damper]", "[X]", "[X] or [medium, p, T]", "[medium, p, T]", "[volume]", "[flow]", "[X], [node], [rod[k]]",
+                                           "[volume], [node], [link]", " or [volume], [node]"};
     const auto rows = [](bool properties) {
         std::string text;
         for (const QuantitySpec& quantity : quantities())
@@ -41,7 +42,7 @@ std::string quantity_reference() {
         return text;
     };
     return "Derived quantities, for outputs and printed equations:\n" + rows(false) +
-           "Properties of media, usable wherever states are; X is a volume or reservoir:\n" + rows(true);
+           "Properties, usable wherever states are; X is a volume or reservoir:\n" + rows(true);
 }
 
 std::string json_reference() {

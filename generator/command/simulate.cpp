@@ -30,7 +30,7 @@ ExitCode simulate_command(const Options& options, Streams streams) {
     } else {
         streams.out << fmt::format("{} steps ({} rejected), {} evaluations of the right-hand side{}\n", report.steps, report.rejected, report.rhs_calls,
                                    report.events > 0 ? fmt::format(", {} events passed", report.events) : "");
-        const char* energy = prepared.machine.system->fluids.empty() ? "T + |V|" : "T + |V| + |internal energy|";
+        const char* energy = prepared.machine.system->has_balances() ? "T + |V| + |internal energy|" : "T + |V|";
         streams.out << fmt::format("energy error: max |E - E(0) - work| / max({}) = {}\n", energy, report.energy_error);
         for (const auto& [path, content] : report.files) streams.out << path.string() << "\n";
     }

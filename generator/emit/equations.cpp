@@ -76,7 +76,7 @@ std::string equations_as_text(const System& s) {
         text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.named.state_rates[i]));
     text += "\nenergies and powers\n";
     for (const auto& [name, value] : scalars(s)) text += fmt::format("  {} = {}\n", name, write(value));
-    if (!s.fluids.empty()) text += fmt::format("  internal_energy = {}\n  exchanged_power = {}\n", write(s.named.internal_energy), write(s.named.exchanged_power));
+    if (s.has_balances()) text += fmt::format("  internal_energy = {}\n  exchanged_power = {}\n", write(s.named.internal_energy), write(s.named.exchanged_power));
     if (!s.fluids.guards.empty()) text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
     for (const Guard& guard : s.fluids.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
     if (!s.outputs.empty()) text += "\noutputs\n";

@@ -26,11 +26,13 @@ public:
         result_.state_rates = system_.state_rates;
         for (const ControlVolume& volume : fluids_.containers.volumes) {
             fluids_.balances.push_back(balance_of(volume, fluids_.flows, symbols_));
+            fluids_.balances.back().linked_heat = system_.fluids.balances[fluids_.balances.size() - 1].linked_heat;
             set_rates(result_.state_rates, volume, fluids_.balances.back(), symbols_);
             result_.internal_energy += volume.stored_energy();
         }
         for (const FlowState& flow : fluids_.flows) result_.internal_energy += flow.stored_energy;
-        result_.exchanged_power = fluids_.power_over_border();
+        result_.internal_energy += system_.heat.stored_energy;
+        result_.exchanged_power = fluids_.power_over_border() + system_.heat.exchanged_power;
         return only_used();
     }
 
@@ -83,7 +85,7 @@ private:
 }  // namespace
 
 NamedBalances name_balances(const System& system, Symbols& symbols) {
-    if (system.fluids.empty()) return {{}, system.state_rates, 0, 0};
+    if (!system.has_balances()) return {{}, system.state_rates, 0, 0};
     return Naming(system, symbols).run();
 }
 

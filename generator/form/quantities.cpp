@@ -45,6 +45,15 @@ ex property_of_medium(const MediumModel& medium, const Expression& e, const ex& 
     return state.pressure_by_temperature / p;
 }
 
+/// Of a node, link or cell of a rod.
+std::optional<ex> heat_quantity(const System& system, const Expression& e, const std::string& name) {
+    if (const LinkState* link = system.heat.find_link(name)) return link->heat;
+    const NodeState* node = system.heat.find_node(name);
+    if (node == nullptr) return std::nullopt;
+    if (e.name == "temperature") return node->warmth.temperature;
+    return e.name == "heat" ? system.heat.heat_into(*node) : node->stored_energy;
+}
+
 /// A property of a volume or reservoir, of a medium at a state, or what a flow or volume does.
 std::optional<ex> fluid_quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<ex>& arguments) {
     const Fluids& fluids = system.fluids;
@@ -63,6 +72,7 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
         return property_of_medium(*medium, e, arguments[1], arguments[2]);
     }
     const int index = named.children.empty() ? 0 : index_value(*named.children[0], system.scene, indices);
+    if (const auto of_heat = heat_quantity(system, e, named.children.empty() ? named.name : fmt::format("{}[{}]", named.name, index))) return *of_heat;
     if (spec.subscript == Subscript::flow) {
         const FlowState* flow = fluids.find_flow(named.name, index);
         if (flow == nullptr) throw absent(named);
@@ -110,7 +120,14 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
     if (e.name == "rotational_energy") return rotational_energy(body(system, child(0), indices));
     if (e.name == "potential_energy") return system.potential_energy;
     if (e.name == "supplied_power") return system.supplied_power;
-    if (e.name == "dissipated_power") return system.dissipated_power;
+    if (e.name == "dissipated_power") {
+        if (e.children.empty()) return system.dissipated_power;
+        const int index = child(0).children.empty() ? 0 : index_value(*child(0).children[0], system.scene, indices);
+        for (std::size_t i = 0; i < system.scene.dampers.size(); ++i)
+            if (system.scene.dampers[i].item->name == child(0).name && system.scene.dampers[i].index == index) return system.resistances[i].power;
+        const bool left_out = !system.scene.holds(system.names.find_damper(child(0).name)->when);
+        throw Failure(Diagnostic{left_out ? Id::needs_absent : Id::index_out_of_range, child(0).span, fmt::format("scene '{}' has no damper '{}'", system.scene.name, child(0).written())});
+    }
     if (e.name == "prescribed_power") return system.prescribed_power;
     if (e.name == "position") return component(body(system, child(0), indices).position, system, child(1), indices);
     if (e.name == "velocity") return component(body(system, child(0), indices).velocity, system, child(1), indices);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -43,7 +45,6 @@ void inertia(System& system) {
 void forces(System& system) {
     const std::size_t n = system.symbols.degrees();
     system.potentials = potentials(system.scene, system.translate, system.symbols, system.bodies);
-    system.resistances = resistances(system.scene, system.translate, system.symbols, system.bodies);
     system.supplies = supplies(system.scene, system.translate, system.bodies);
 
     std::vector<Potential> gravity;
@@ -53,10 +54,7 @@ void forces(System& system) {
         system.potential_energy += p.energy;
         system.prescribed_power += partial(p.energy, system.symbols.time());
     }
-    for (const Resistance& r : system.resistances) {
-        system.dissipated_power += r.power;
-        system.prescribed_power += r.prescribed;
-    }
+    for (const Resistance& r : system.resistances) system.prescribed_power += r.prescribed;
     for (const Supply& s : system.supplies) {
         system.supplied_power += s.power;
         system.prescribed_power += s.prescribed;
@@ -68,12 +66,43 @@ void forces(System& system) {
     system.supplied = total_force(system.supplies, n);
 }
 
-/// The rates of states that volumes and pipes determine.
+/// Dampers come before the balances, which may take up what they dissipate.
+void resistances(System& system) {
+    system.resistances = resistances(system.scene, system.translate, system.symbols, system.bodies);
+    for (const Resistance& r : system.resistances) system.dissipated_power += r.power;
+}
+
+/// Heat that flows into a volume comes from inside of the model: it is taken off what crosses the border.
+void stores(System& system) {
+    Fluids& fluids = system.fluids;
+    fluids.containers = make_containers(system.scene, system.translate);
+    system.heat = make_nodes(system.scene, system.translate, system.symbols);
+    system.bodies = body_motions(system.scene, system.translate);
+    resistances(system);
+    complete_heat(system.heat, system.scene, system.translate, system.symbols, fluids.containers);
+    if (!system.heat.solved.empty()) {
+        system.translate.forget();
+        const auto in = [&](ex& e) { e = e.subs(system.heat.solved, GiNaC::subs_options::no_pattern); };
+        in(system.dissipated_power);
+        for (Resistance& r : system.resistances) {
+            std::for_each(r.force.begin(), r.force.end(), in);
+            in(r.power);
+            in(r.prescribed);
+        }
+    }
+    complete_fluids(fluids, system.scene, system.translate, system.symbols, system.heat);
+    system.internal_energy = fluids.internal_energy + system.heat.stored_energy;
+    system.exchanged_power = fluids.exchanged_power + system.heat.exchanged_power;
+}
+
+/// The rates of states that volumes, pipes, nodes and rods determine.
 void balances(System& system) {
     const Fluids& fluids = system.fluids;
     for (std::size_t i = 0; i < fluids.balances.size(); ++i) set_rates(system.state_rates, fluids.containers.volumes[i], fluids.balances[i], system.symbols);
     for (const FlowState& flow : fluids.flows)
         if (flow.velocity_state) system.state_rates[*flow.velocity_state] = flow.acceleration;
+    for (const NodeState& node : system.heat.nodes)
+        if (node.state) system.state_rates[*node.state] = system.heat.rate(node);
 }
 
 void equations(System& system) {
@@ -140,11 +169,7 @@ void set_rates(std::vector<ex>& state_rates, const ControlVolume& volume, const 
 std::unique_ptr<System> derive(const Names& names, Scene scene) {
     auto system = std::make_unique<System>(names, std::move(scene));
     definitions(*system);
-    system->fluids.containers = make_containers(system->scene, system->translate);
-    complete_fluids(system->fluids, system->scene, system->translate, system->symbols);
-    system->internal_energy = system->fluids.internal_energy;
-    system->exchanged_power = system->fluids.exchanged_power;
-    system->bodies = body_motions(system->scene, system->translate);
+    stores(*system);
     inertia(*system);
     check_mass_rows(*system);
     forces(*system);

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "balance/balance_equation.hpp"
+#include "balance/heat_network.hpp"
 #include "mechanics/dalembert.hpp"
 #include "mechanics/euler_lagrange.hpp"
 #include "mechanics/forces.hpp"
@@ -47,6 +48,7 @@ struct System {
     std::vector<Resistance> resistances;
     std::vector<Supply> supplies;
     Fluids fluids;
+    HeatNetwork heat;
 
     GiNaC::matrix mass;             ///< M, from d'Alembert
     Generalised coriolis;           ///< inertial terms without qdd, from d'Alembert
@@ -63,8 +65,10 @@ struct System {
     GiNaC::ex supplied_power;
     GiNaC::ex dissipated_power;
     GiNaC::ex prescribed_power;     ///< contains accelerations where kinematics depend on time
-    GiNaC::ex internal_energy;      ///< of fluids
+    GiNaC::ex internal_energy;      ///< of fluids and of what stores heat
     GiNaC::ex exchanged_power;      ///< of enthalpy flows, heat and shafts over the border
+    /// Whether anything stores internal energy.
+    bool has_balances() const { return !fluids.empty() || !heat.empty(); }
 
     std::vector<GiNaC::ex> state_rates;  ///< zd
     /// An expression with the rates of states replaced by what they are.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <set>
 
 #include "model/checks.hpp"
@@ -69,7 +71,7 @@ private:
             if (!e.children.empty()) error(Id::not_indexed, e.span, fmt::format("'{}' has no index", e.name));
             return 0;
         }
-        if (e.name == "pi") return 0;
+        if (e.name == "pi" || e.name == "stefan_boltzmann") return 0;
         if (find_quantity(e.name) != nullptr) return quantity(e);
         if (e.name == "t") {
             if (!e.children.empty()) error(Id::not_indexed, e.span, "'t' has no index");
@@ -220,25 +222,28 @@ private:
     unsigned quantity(const Expression& e) {
         const QuantitySpec& spec = *find_quantity(e.name);
         static constexpr const char* shapes[]{"nothing", "a body", "nothing or a body", "a body and 1, 2 or 3", "a coordinate", "two coordinates",
-                                              "a volume or reservoir", "a volume or reservoir, or a medium, a pressure and a temperature",
-                                              "a medium, a pressure and a temperature", "a volume", "nothing or a volume", "a flow"};
+                                              "nothing or a damper", "a volume or reservoir", "a volume or reservoir, or a medium, a pressure and a temperature",
+                                              "a medium, a pressure and a temperature", "a volume", "a flow", "a volume, reservoir, node or cell of a rod",
+                                              "a volume, node or link", "nothing, a volume or a node"};
         const std::size_t given = e.children.size();
         const auto shape = static_cast<std::size_t>(spec.subscript);
-        const std::size_t expected = std::array<std::size_t, 12>{0, 1, 1, 2, 1, 2, 1, 1, 3, 1, 1, 1}[shape];
-        const bool is_optional = spec.subscript == Subscript::optional_body || spec.subscript == Subscript::optional_volume;
+        const std::size_t expected = std::array<std::size_t, 15>{0, 1, 1, 2, 1, 2, 1, 1, 1, 3, 1, 1, 1, 1, 1}[shape];
+        const bool is_optional = spec.subscript == Subscript::optional_body || spec.subscript == Subscript::optional_store || spec.subscript == Subscript::optional_damper;
         if (given != expected && !(is_optional && given == 0) && !(spec.subscript == Subscript::fluid_or_medium && given == 3)) {
             error(Id::wrong_arguments, e.span, fmt::format("'{}' takes {} in square brackets", e.name, shapes[shape]));
             return 0;
         }
         if (spec.subscript >= Subscript::fluid) return part_quantity(e, spec);
         const bool bodies = spec.subscript == Subscript::body || spec.subscript == Subscript::optional_body || spec.subscript == Subscript::body_and_axis;
+        const bool dampers = spec.subscript == Subscript::optional_damper;
         for (std::size_t i = 0; i < given; ++i) {
             const Expression& child = *e.children[i];
-            if (bodies && i == 1) whole_number(child);
+            if (dampers) damper(child);
+            else if (bodies && i == 1) whole_number(child);
             else if (bodies) body(child);
             else coordinate(child);
         }
-        return allow(e, on_quantities, "a derived quantity");
+        return allow(e, dependence(spec), "a derived quantity");
     }
 
     /// A quantity of a volume, reservoir, medium or flow.
@@ -246,13 +251,14 @@ private:
         if (!e.children.empty()) {
             const Expression& named = *e.children[0];
             const Part* found = named.kind == Kind::name ? names_.find_part(named.name) : nullptr;
-            const Part::Kind kind = spec.subscript == Subscript::flow ? Part::Kind::flow : e.children.size() == 3 ? Part::Kind::medium : Part::Kind::volume;
-            const bool takes_reservoirs = kind == Part::Kind::volume && (spec.subscript == Subscript::fluid || spec.subscript == Subscript::fluid_or_medium);
-            if (found == nullptr || (found->kind != kind && !(takes_reservoirs && found->kind == Part::Kind::reservoir))) {
-                static constexpr const char* kinds[]{"a medium", "a volume", "a reservoir", "a flow"};
-                const auto known = takes_reservoirs ? names_.parts({kind, Part::Kind::reservoir}) : names_.parts({kind});
-                error(Id::unknown_name, named.span,
-                      fmt::format("'{}' is not {}{}{}", named.written(), kinds[static_cast<std::size_t>(kind)], takes_reservoirs ? " or reservoir" : "", did_you_mean(named.name, known)));
+            const std::vector<Part::Kind> kinds = e.children.size() == 3 ? std::vector{Part::Kind::medium} : parts_in(spec.subscript);
+            if (found == nullptr || std::find(kinds.begin(), kinds.end(), found->kind) == kinds.end()) {
+                std::string described;
+                for (std::size_t i = 0; i < kinds.size(); ++i) described += fmt::format("{}{}", i == 0 ? "" : i + 1 == kinds.size() ? " or " : ", ", std::string_view(describe(kinds[i])).substr(i == 0 ? 0 : 2));
+                error(Id::unknown_name, named.span, fmt::format("'{}' is not {}{}", named.written(), described, did_you_mean(named.name, names_.parts(kinds))));
+            } else if (found->kind == Part::Kind::rod) {
+                if (named.children.size() == 1) whole_number(*named.children[0]);
+                else error(Id::index_missing, named.span, fmt::format("'{}' is a rod and needs the index of a cell, as in '{}[1]'", named.name, named.name));
             } else {
                 index(named, *found->item);
             }
@@ -260,6 +266,12 @@ private:
         unsigned depends = allow(e, spec.is_property ? on_properties : on_quantities, spec.is_property ? "a property of a medium" : "a derived quantity");
         for (std::size_t i = 1; i < e.children.size(); ++i) depends |= visit(*e.children[i]);
         return depends;
+    }
+
+    void damper(const Expression& e) {
+        const Damper* item = e.kind == Kind::name ? names_.find_damper(e.name) : nullptr;
+        if (item == nullptr) error(Id::unknown_name, e.span, fmt::format("'{}' is not a damper", e.written()));
+        else index(e, *item);
     }
 
     void body(const Expression& e) {

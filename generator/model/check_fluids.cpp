@@ -10,16 +10,12 @@ namespace {
 
 class FluidCheck {
 public:
-    FluidCheck(const Model& model, const Names& names, Diagnostics& diagnostics) : model_(model), names_(names), diagnostics_(diagnostics) {}
+    FluidCheck(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics) : model_(model), names_(names), claims_(claims), diagnostics_(diagnostics) {}
 
     void run() {
         for (const Reservoir& reservoir : model_.reservoirs) medium_of(reservoir.medium, "reservoir", reservoir);
         for (const Volume& volume : model_.volumes) check(volume);
         for (const Flow& flow : model_.flows) check(flow);
-        for (const State& state : model_.states)
-            if (!state.derivative && !claimed_.contains(state.name))
-                diagnostics_.error(Id::undetermined, state.span,
-                                   fmt::format("nothing determines state '{}': it has no derivative, and no volume or pipe names it", state.name));
     }
 
 private:
@@ -34,22 +30,9 @@ private:
         return static_cast<const Medium*>(part->item);
     }
 
-    /// The state that an entry names, which nothing else may determine.
-    void claim(const ExpressionPtr& named, const char* key, const char* kind, const Item& item) {
-        if (!named) return;
-        const Named* found = named->kind == Expression::Kind::name ? names_.find(named->name) : nullptr;
-        if (found == nullptr || found->kind != Named::Kind::state) {
-            diagnostics_.error(Id::wrong_type, named->span,
-                               fmt::format("the {} of {} '{}' must be the name of a state, but '{}' is {}", key, kind, item.name, named->written(),
-                                           found == nullptr ? "none" : describe(found->kind)));
-            return;
-        }
-        claimed_.insert(named->name);
-        const auto& state = static_cast<const State&>(*found->item);
-        if (state.derivative)
-            diagnostics_.error(Id::doubly_determined, named->span,
-                               fmt::format("state '{}' is the {} of {} '{}' and has a derivative of its own; only one can determine it", named->written(), key, kind, item.name),
-                               {{state.derivative->span, "its derivative stands here"}});
+    const State* claim(const ExpressionPtr& named, const char* key, const char* kind, const Item& item) {
+        if (!named) return nullptr;
+        return claims_.claim(named->kind == Expression::Kind::name ? named->name : named->written(), named->span, key, fmt::format("{} '{}'", kind, item.name));
     }
 
     void wrong(const Span& span, std::string message, const Medium& medium) {
@@ -95,10 +78,9 @@ private:
     }
 
     void check(const Flow& flow) {
-        claim(flow.velocity, "velocity", "pipe", flow);
-        if (const Named* state = flow.velocity ? names_.find(flow.velocity->name) : nullptr; state != nullptr && state->kind == Named::Kind::state && static_cast<const State*>(state->item)->root)
+        if (const State* state = claim(flow.velocity, "velocity", "pipe", flow); state != nullptr && state->root)
             diagnostics_.error(Id::not_allowed_here, flow.velocity->span, fmt::format("the velocity of pipe '{}' may become negative, so that its root is no state", flow.name),
-                               {{state->item->span, fmt::format("'{}' is declared here", flow.velocity->name)}});
+                               {{state->span, fmt::format("'{}' is declared here", state->name)}});
         const Medium* from = end(flow.from, "from", flow);
         const Medium* to = end(flow.to, "to", flow);
         if (from == nullptr || to == nullptr) return;
@@ -122,15 +104,12 @@ private:
 
     const Model& model_;
     const Names& names_;
+    Claims& claims_;
     Diagnostics& diagnostics_;
-    std::set<std::string> claimed_;
 };
 
 }  // namespace
 
-void check_fluids(const Model& model, Diagnostics& diagnostics) {
-    const Names names(model);
-    FluidCheck(model, names, diagnostics).run();
-}
+void check_fluids(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics) { FluidCheck(model, names, claims, diagnostics).run(); }
 
 }  // namespace dalembert

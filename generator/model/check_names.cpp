@@ -60,7 +60,7 @@ public:
                 if (!well_formed(item.name, item.span)) continue;
                 const auto [first, is_new] = parts.emplace(item.name, &item);
                 if (!is_new)
-                    diagnostics_.error(Id::doubly_defined, item.span, fmt::format("'{}' is defined twice among media, volumes, reservoirs and flows", item.name),
+                    diagnostics_.error(Id::doubly_defined, item.span, fmt::format("'{}' is defined twice among media, volumes, reservoirs, flows, nodes, links and rods", item.name),
                                        {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
             }
         };
@@ -68,6 +68,9 @@ public:
         part(model_.volumes);
         part(model_.reservoirs);
         part(model_.flows);
+        part(model_.nodes);
+        part(model_.links);
+        part(model_.rods);
         each_separately(model_.effects);
         each_separately(model_.scenes);
         each_separately(model_.runs);
@@ -92,6 +95,7 @@ private:
         if (!well_formed(name, item.span)) return;
         const char* meaning = name == "t"                             ? "the time"
                               : name == "pi"                          ? "the number pi"
+                              : name == "stefan_boltzmann"            ? "the constant of radiation"
                               : find_function(name) != nullptr        ? "a function"
                               : find_quantity(name) != nullptr        ? "a derived quantity"
                               : is_special_form(name)                 ? "an operation"

@@ -130,6 +130,9 @@ private:
         all(model_.reservoirs);
         all(model_.volumes);
         all(model_.flows);
+        all(model_.nodes);
+        all(model_.links);
+        all(model_.rods);
         all(model_.printed);
         const auto listed = [&](const std::vector<std::pair<std::string, Span>>& names) {
             for (const auto& [name, span] : names) effect(name, span);

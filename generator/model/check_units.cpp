@@ -76,6 +76,9 @@ public:
         }
         for (const Volume& volume : model_.volumes) check(volume);
         for (const Flow& flow : model_.flows) check(flow);
+        for (const HeatNode& node : model_.nodes) check(node);
+        for (const Link& link : model_.links) check(link);
+        for (const Rod& rod : model_.rods) check(rod);
         for (const Run& run : model_.runs) check(run);
     }
 
@@ -193,6 +196,50 @@ private:
         law(flow.loss, Dimension::speed(), Dimension::pressure(), "the loss", "flow", flow);
     }
 
+    void check(const HeatNode& node) {
+        expect(node.temperature, Dimension::temperature(), "the temperature", "node", node);
+        dependent(node.capacity, Dimension::temperature(), Dimension::energy() / Dimension::temperature(), "the capacity", "node", node);
+        expect(node.heat, Dimension::power(), "the heat", "node", node);
+    }
+
+    void check(const Link& link) {
+        const Dimension conductance = Dimension::power() / Dimension::temperature();
+        expect(link.heat, Dimension::power(), "the heat", "link", link);
+        expect(link.conductance, conductance, "the conductance", "link", link);
+        expect(link.resistance, Dimension::none() / conductance, "the resistance", "link", link);
+        dependent(link.conductivity, Dimension::temperature(), conductance / Dimension::length(), "the conductivity", "link", link);
+        expect(link.area, area, "the area", "link", link);
+        expect(link.length, Dimension::length(), "the length", "link", link);
+        expect(link.coefficient, conductance / area, "the coefficient", "link", link);
+        expect(link.emissivity, Dimension::none(), "the emissivity", "link", link);
+    }
+
+    void check(const Rod& rod) {
+        const Dimension conductance = Dimension::power() / Dimension::temperature();
+        expect(rod.length, Dimension::length(), "the length", "rod", rod);
+        dependent(rod.area, Dimension::length(), area, "the area", "rod", rod);
+        expect(rod.inner, Dimension::length(), "the inner radius", "rod", rod);
+        expect(rod.outer, Dimension::length(), "the outer radius", "rod", rod);
+        expect(rod.height, Dimension::length(), "the height", "rod", rod);
+        law(rod.grid, Dimension::none(), Dimension::none(), "the grid", "rod", rod);
+        dependent(rod.conductivity, Dimension::temperature(), conductance / Dimension::length(), "the conductivity", "rod", rod);
+        expect(rod.density, density, "the density", "rod", rod);
+        dependent(rod.heat_capacity, Dimension::temperature(), specific_energy / Dimension::temperature(), "the heat capacity", "rod", rod);
+        dependent(rod.source, Dimension::length(), Dimension::power() / Dimension::volume(), "the source", "rod", rod);
+        expect(rod.perimeter, Dimension::length(), "the perimeter", "rod", rod);
+        expect(rod.side_coefficient, conductance / area, "the side coefficient", "rod", rod);
+        expect(rod.side_emissivity, Dimension::none(), "the side emissivity", "rod", rod);
+        expect(rod.ambient, Dimension::temperature(), "the ambient", "rod", rod);
+        for (const auto* end : {&rod.first, &rod.last}) {
+            if (!*end) continue;
+            expect((*end)->temperature, Dimension::temperature(), "the end temperature", "rod", rod);
+            expect((*end)->flux, Dimension::power() / area, "the end flux", "rod", rod);
+            expect((*end)->coefficient, conductance / area, "the end coefficient", "rod", rod);
+            expect((*end)->emissivity, Dimension::none(), "the end emissivity", "rod", rod);
+            expect((*end)->ambient, Dimension::temperature(), "the end ambient", "rod", rod);
+        }
+    }
+
     void check(const Run& run) {
         const auto seconds = [&](const ExpressionPtr& e, const char* part) {
             if (e) units_.expect_si(*e, Dimension::time(), fmt::format("the {} of run '{}'", part, run.name));
@@ -211,6 +258,11 @@ private:
         if (law) expect(law->body, expected, part, kind, item, {{law->variable, variable}});
     }
 
+    void dependent(const std::optional<Property>& law, const Dimension& variable, const Dimension& expected, const char* part, const char* kind, const Item& item) {
+        if (law) expect(law->body, expected, part, kind, item, law->variables.empty() ? Units::Bound{} : Units::Bound{{law->variables[0], variable}});
+    }
+
+    const Dimension area = Dimension::length() * Dimension::length();
     const Dimension density = Dimension::mass() / Dimension::volume();
     const Dimension specific_energy = Dimension::energy() / Dimension::mass();
     const Model& model_;

@@ -2,6 +2,8 @@
 // The checks that a model passes after it was read and before anything is chosen from it. Each reports all that it finds.
 #pragma once
 
+#include <set>
+
 #include "model/names.hpp"
 #include "text/diagnostic.hpp"
 
@@ -13,11 +15,31 @@ void check_names(const Model& model, Diagnostics& diagnostics);
 /// Every word of every expression: defined, with the right index and arguments, and nothing that its place must not depend on.
 void check_expressions(const Model& model, Diagnostics& diagnostics);
 
-/// Bodies, coordinates, effects and scenes that items refer to by name.
-/// Media, volumes, reservoirs and flows: who refers to whom, and whether laws fit media and states.
-void check_fluids(const Model& model, Diagnostics& diagnostics);
+/// States that volumes, pipes, nodes and rods determine.
+class Claims {
+public:
+    Claims(const Names& names, Diagnostics& diagnostics) : names_(names), diagnostics_(diagnostics) {}
+
+    /// The state that a key of an item names, which nothing else may determine. `what` is "volume 'tank'". Null, with an error, if it names none.
+    const State* claim(const std::string& name, const Span& span, const char* key, const std::string& what);
+    /// Reports states that nothing determines.
+    void check_all(const Model& model) const;
+
+private:
+    const Names& names_;
+    Diagnostics& diagnostics_;
+    std::set<std::string> claimed_;
+};
+
+/// What balances are about: who refers to whom, whether laws fit media, and that each state is determined.
+void check_balances(const Model& model, Diagnostics& diagnostics);
+/// Media, volumes, reservoirs and flows.
+void check_fluids(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics);
+/// Nodes, links and rods.
+void check_heat(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics);
 /// Warns of volumes that can reach zero within the declared ranges of coordinates and states, at the default parameters.
 void warn_of_vanishing(const Model& model, Diagnostics& diagnostics);
+/// Bodies, coordinates, effects and scenes that items refer to by name.
 void check_references(const Model& model, Diagnostics& diagnostics);
 
 /// Units of every expression, and that both sides of everything agree.

@@ -213,10 +213,11 @@ std::optional<Law> Entry::law(std::string_view key) const {
 }
 
 std::optional<Property> Entry::property(std::string_view key) const {
-    const DocumentNode* node = find(key, ValueType::property);
+    const KeySpec* spec = find_key(section_, key);
+    const DocumentNode* node = find(key, spec == nullptr ? ValueType::property : spec->type);
     if (node == nullptr) return std::nullopt;
     if (node->kind == NodeKind::string) return attempt([&] { return parse_property(node->string); });
-    ExpressionPtr value = expression(*node, ValueType::property);
+    ExpressionPtr value = expression(*node, spec->type);
     return value ? std::optional(Property{{}, std::move(value), node->span}) : std::nullopt;
 }
 

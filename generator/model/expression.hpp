@@ -45,7 +45,7 @@ struct Law {
     Span span;
 };
 
-/// A property of a medium: an expression of parameters (no variables), or a law of two, "(p, T) -> ...".
+/// A property of a material: an expression (no variables), or a law of one or two, "T -> ...", "(p, T) -> ...".
 struct Property {
     std::vector<std::string> variables;
     ExpressionPtr body;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "model/fluids.hpp"
+#include "model/heat.hpp"
 
 namespace dalembert {
 
@@ -31,7 +32,7 @@ struct Coordinate : Quantity {
 
 struct Input : Quantity {};
 
-/// A first-order state: dot(name) = derivative, or, without one, what a volume or pipe determines.
+/// A first-order state: dot(name) = derivative, or, without one, what a volume, pipe, node or rod determines.
 struct State : Quantity {
     ExpressionPtr start;
     ExpressionPtr derivative;
@@ -202,6 +203,9 @@ struct Model {
     std::vector<Reservoir> reservoirs;
     std::vector<Volume> volumes;
     std::vector<Flow> flows;
+    std::vector<HeatNode> nodes;
+    std::vector<Link> links;
+    std::vector<Rod> rods;
     std::vector<Effect> effects;
     std::vector<SceneChoice> scenes;
     std::string default_scene;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "model/vocabulary.hpp"
-
 namespace dalembert {
 
 const char* describe(Named::Kind kind) {
@@ -20,6 +18,34 @@ const char* describe(Named::Kind kind) {
     return "an output";
 }
 
+const char* describe(Part::Kind kind) {
+    switch (kind) {
+        case Part::Kind::medium: return "a medium";
+        case Part::Kind::volume: return "a volume";
+        case Part::Kind::reservoir: return "a reservoir";
+        case Part::Kind::flow: return "a flow";
+        case Part::Kind::node: return "a node";
+        case Part::Kind::link: return "a link";
+        case Part::Kind::rod: break;
+    }
+    return "a cell of a rod";
+}
+
+std::vector<Part::Kind> parts_in(Subscript subscript) {
+    using K = Part::Kind;
+    switch (subscript) {
+        case Subscript::fluid:
+        case Subscript::fluid_or_medium: return {K::volume, K::reservoir};
+        case Subscript::warm: return {K::volume, K::reservoir, K::node, K::rod};
+        case Subscript::medium: return {K::medium};
+        case Subscript::volume: return {K::volume};
+        case Subscript::optional_store: return {K::volume, K::node};
+        case Subscript::heated: return {K::volume, K::node, K::link};
+        case Subscript::flow: return {K::flow};
+        default: return {};
+    }
+}
+
 Names::Names(const Model& model) {
     const auto add = [&](const auto& items, Named::Kind kind) {
         for (const auto& item : items) table_.emplace(item.name, Named{kind, &item});
@@ -32,6 +58,7 @@ Names::Names(const Model& model) {
     add(model.states, Named::Kind::state);
     add(model.outputs, Named::Kind::output);
     for (const Body& body : model.bodies) bodies_.emplace(body.name, &body);
+    for (const Damper& damper : model.dampers) dampers_.emplace(damper.name, &damper);
     const auto add_parts = [&](const auto& items, Part::Kind kind) {
         for (const auto& item : items) parts_.emplace(item.name, Part{kind, &item});
     };
@@ -39,6 +66,9 @@ Names::Names(const Model& model) {
     add_parts(model.volumes, Part::Kind::volume);
     add_parts(model.reservoirs, Part::Kind::reservoir);
     add_parts(model.flows, Part::Kind::flow);
+    add_parts(model.nodes, Part::Kind::node);
+    add_parts(model.links, Part::Kind::link);
+    add_parts(model.rods, Part::Kind::rod);
 }
 
 const Named* Names::find(std::string_view name) const {
@@ -51,12 +81,17 @@ const Body* Names::find_body(std::string_view name) const {
     return found == bodies_.end() ? nullptr : found->second;
 }
 
+const Damper* Names::find_damper(std::string_view name) const {
+    const auto found = dampers_.find(name);
+    return found == dampers_.end() ? nullptr : found->second;
+}
+
 const Part* Names::find_part(std::string_view name) const {
     const auto found = parts_.find(name);
     return found == parts_.end() ? nullptr : &found->second;
 }
 
-std::vector<std::string> Names::parts(std::initializer_list<Part::Kind> kinds) const {
+std::vector<std::string> Names::parts(const std::vector<Part::Kind>& kinds) const {
     std::vector<std::string> names;
     for (const auto& [name, part] : parts_)
         if (std::find(kinds.begin(), kinds.end(), part.kind) != kinds.end()) names.push_back(name);
@@ -69,10 +104,15 @@ std::vector<std::string> Names::all() const {
     return names;
 }
 
+unsigned dependence(const QuantitySpec& quantity) {
+    if (quantity.is_property) return on_properties;
+    return quantity.subscript == Subscript::optional_damper ? on_losses : on_quantities;
+}
+
 unsigned derivative_dependence(unsigned depends) {
     unsigned result = depends;
     if ((depends & on_coordinates) != 0) result |= on_velocities;
-    if ((depends & (on_velocities | on_states | on_properties | on_quantities | on_outputs)) != 0) result |= on_accelerations;
+    if ((depends & (on_velocities | on_states | on_properties | on_losses | on_quantities | on_outputs)) != 0) result |= on_accelerations;
     return result;
 }
 
@@ -84,7 +124,7 @@ unsigned dependence(const Expression& e, const Names& names, std::map<const Defi
     if (e.kind == Kind::name) {
         if (e.name == "t") return on_time;
         if (const QuantitySpec* quantity = find_quantity(e.name)) {
-            unsigned result = quantity->is_property ? on_properties : on_quantities;
+            unsigned result = dependence(*quantity);
             for (const ExpressionPtr& child : e.children) result |= dependence(*child, names, known);
             return result;
         }

@@ -6,6 +6,7 @@
 
 #include "model/model.hpp"
 #include "model/sites.hpp"
+#include "model/vocabulary.hpp"
 
 namespace dalembert {
 
@@ -21,12 +22,16 @@ struct Named {
 
 const char* describe(Named::Kind kind);
 
-/// A medium, volume, reservoir or flow.
+/// What is not a number: media, what holds and moves them, and what holds and carries heat.
 struct Part {
-    enum class Kind { medium, volume, reservoir, flow };
+    enum class Kind { medium, volume, reservoir, flow, node, link, rod };
     Kind kind;
     const Item* item;
 };
+
+const char* describe(Part::Kind kind);
+/// What may stand in the brackets behind a quantity, but for media with a pressure and a temperature.
+std::vector<Part::Kind> parts_in(Subscript subscript);
 
 /// The names of a model. Refers into the model, which must outlive it.
 class Names {
@@ -35,20 +40,25 @@ public:
 
     const Named* find(std::string_view name) const;
     const Body* find_body(std::string_view name) const;
+    const Damper* find_damper(std::string_view name) const;
     const Part* find_part(std::string_view name) const;
     /// The names of the parts of these kinds.
-    std::vector<std::string> parts(std::initializer_list<Part::Kind> kinds) const;
+    std::vector<std::string> parts(const std::vector<Part::Kind>& kinds) const;
     std::vector<std::string> all() const;
     const std::map<std::string, Named, std::less<>>& table() const { return table_; }
 
 private:
     std::map<std::string, Named, std::less<>> table_;
     std::map<std::string, const Body*, std::less<>> bodies_;
+    std::map<std::string, const Damper*, std::less<>> dampers_;
     std::map<std::string, Part, std::less<>> parts_;
 };
 
 /// What the time derivative of something depends on that depends on `depends` (bits of Dependence).
 unsigned derivative_dependence(unsigned depends);
+
+/// The bit of a derived quantity.
+unsigned dependence(const QuantitySpec& quantity);
 
 /// What an expression depends on (bits of Dependence), definitions followed.
 unsigned dependence(const Expression& expression, const Names& names);

@@ -25,8 +25,13 @@ public:
         return {variable, whole_expression(), whole_};
     }
 
-    /// A bracket, two words and an arrow are a law of two variables; everything else is an expression.
+    /// A bracket, two words and an arrow are a law of two variables, a word and an arrow one of one; everything else is an expression.
     Property property() {
+        if (tokens_.size() > 2 && tokens_[0].kind == Token::Kind::word && tokens_[1].text == "->") {
+            const std::string variable = tokens_[0].text;
+            at_ = 2;
+            return {{variable}, whole_expression(), whole_};
+        }
         const bool is_law = tokens_.size() > 6 && is_sign("(") && tokens_[1].kind == Token::Kind::word && tokens_[2].text == "," &&
                             tokens_[3].kind == Token::Kind::word && tokens_[4].text == ")" && tokens_[5].text == "->";
         if (!is_law) return {{}, whole_expression(), whole_};

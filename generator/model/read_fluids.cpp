@@ -3,28 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
-#include "text/nearest.hpp"
+#include "model/law_keys.hpp"
 
 namespace dalembert {
 
 namespace {
-
-/// One law of a table with the keys that it needs and may have.
-template <class Law>
-struct LawKeys {
-    const char* name;
-    Law law;
-    std::vector<const char*> required;
-    std::vector<const char*> optional;
-
-    bool takes(std::string_view key) const {
-        const auto has = [&](const std::vector<const char*>& keys) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
-        return has(required) || has(optional);
-    }
-};
 
 const std::vector<LawKeys<Medium::Law>>& medium_laws() {
     using L = Medium::Law;
@@ -50,34 +33,9 @@ const std::vector<LawKeys<Flow::Law>>& flow_laws() {
     return laws;
 }
 
-template <class Law>
-std::vector<std::string> names_of(const std::vector<LawKeys<Law>>& laws) {
-    std::vector<std::string> names;
-    for (const auto& law : laws) names.emplace_back(law.name);
-    return names;
-}
-
-/// The row of a law; checks that the keys are those that it takes.
-template <class Law>
-const LawKeys<Law>* find_law(const Entry& e, const char* what, const std::vector<LawKeys<Law>>& laws, const std::vector<const char*>& keys) {
-    const std::string name = e.text("law");
-    const auto found = std::find_if(laws.begin(), laws.end(), [&](const auto& law) { return name == law.name; });
-    if (found == laws.end()) {
-        if (e.has("law"))
-            e.error(Id::wrong_type, e.span_of("law"), fmt::format("'{}' is not a law of a {}; the laws are {}", name, what, quoted_list(names_of(laws))));
-        return nullptr;
-    }
-    for (const char* key : found->required)
-        if (!e.has(key)) e.error(Id::missing_key, e.span(), fmt::format("{} '{}' follows the law '{}' and needs the key '{}'", what, e.name(), name, key));
-    for (const char* key : keys)
-        if (e.has(key) && !found->takes(key))
-            e.error(Id::unknown_key, e.span_of(key), fmt::format("{} '{}' follows the law '{}', which has no use for '{}'", what, e.name(), name, key));
-    return &*found;
-}
-
 void check_given(const Entry& e, const Medium& medium) {
     const auto needs_law = [&](const char* key, const std::optional<Property>& property) {
-        if (property && property->variables.empty())
+        if (property && property->variables.size() != 2)
             e.error(Id::wrong_type, property->span, fmt::format("the {} of medium '{}' must be a law of two variables, as in \"(p, T) -> ...\"", key, e.name()));
     };
     needs_law("density", medium.density);

@@ -6,6 +6,7 @@
 #include "model/checks.hpp"
 #include "model/entry.hpp"
 #include "model/read_fluids.hpp"
+#include "model/read_heat.hpp"
 #include "model/verdict.hpp"
 #include "text/files.hpp"
 #include "text/nearest.hpp"
@@ -232,6 +233,9 @@ public:
         collection("reservoirs", model_.reservoirs);
         collection("volumes", model_.volumes);
         collection("flows", model_.flows);
+        collection("nodes", model_.nodes);
+        collection("links", model_.links);
+        collection("rods", model_.rods);
         collection("effects", model_.effects);
         scenes();
         collection("printed", model_.printed);
@@ -325,7 +329,7 @@ Model read_model(const SourcePtr& source, Diagnostics& diagnostics) {
     check_names(model, diagnostics);
     diagnostics.stop_on_errors();
     check_references(model, diagnostics);
-    check_fluids(model, diagnostics);
+    check_balances(model, diagnostics);
     check_expressions(model, diagnostics);
     diagnostics.stop_on_errors();
     check_units(model, diagnostics);

@@ -23,6 +23,10 @@ bool Scene::has_temperature(const Volume& volume, const Names& names) const {
     return volume.temperature && holds(names.find(volume.temperature->name)->item->when);
 }
 
+bool Scene::has_capacity(const HeatNode& node, const Names& names) const {
+    return node.capacity && holds(names.find(node.temperature->name)->item->when);
+}
+
 bool Scene::holds(const std::optional<Condition>& when) const {
     if (!when) return true;
     std::set<std::string> effects;
@@ -63,6 +67,7 @@ void warn_of_unused(const Model& model, Diagnostics& diagnostics) {
             if (e.kind == Kind::name) used.insert(e.name);
         });
     });
+    for (const Rod& rod : model.rods) used.insert(rod.temperature.name);
     const auto warn = [&](const auto& items, const char* kind) {
         for (const auto& item : items)
             if (!used.contains(item.name)) diagnostics.warning(Id::unused, item.span, fmt::format("nothing uses the {} '{}'", kind, item.name));

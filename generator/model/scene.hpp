@@ -50,12 +50,17 @@ struct Scene {
     std::vector<Member<Reservoir>> reservoirs;
     std::vector<Member<Volume>> volumes;
     std::vector<Member<Flow>> flows;
+    std::vector<Member<HeatNode>> nodes;
+    std::vector<Member<Link>> links;
+    std::vector<Member<Rod>> rods;
     std::set<std::string> thermal_media;  ///< whose temperature varies, so that it matters
 
     /// Whether the condition of an item holds.
     bool holds(const std::optional<Condition>& when) const;
     /// Whether a volume has a temperature state in this scene.
     bool has_temperature(const Volume& volume, const Names& names) const;
+    /// Whether a node stores heat in this scene.
+    bool has_capacity(const HeatNode& node, const Names& names) const;
     /// "n_pendulum_N5": the model's name and its sizes.
     std::string sized_name() const;
 };

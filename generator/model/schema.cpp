@@ -50,7 +50,7 @@ constexpr std::array input_keys{unit_key, range_key, doc_key, for_key, when_key}
 constexpr std::array state_keys{
     unit_key,
     KeySpec{"start", T::constant, false, "value at the start, in its unit; 0 if left out"},
-    KeySpec{"derivative", T::expression, false, "its time derivative; left out for a state that a volume or pipe determines"},
+    KeySpec{"derivative", T::expression, false, "its time derivative; left out for a state that a volume, pipe, node or rod determines"},
     KeySpec{"root", T::boolean, false,
             "true: it is integrated as its square root, so that an outflow that goes like the root of it ends exactly; for what is not negative"},
     range_key, doc_key, for_key, when_key,
@@ -179,6 +179,51 @@ constexpr std::array flow_keys{
     KeySpec{"loss", T::law, false, "of a pipe: loss of pressure over the velocity, \"v -> zeta*rho/2*v*abs(v)\""},
     doc_key, for_key, when_key,
 };
+constexpr std::array node_keys{
+    KeySpec{"temperature", T::expression, false,
+            "with a capacity: the state that is its temperature; where a scene leaves it out, nothing is stored. Without: the temperature at which it is held. Left out: it follows from the balance"},
+    KeySpec{"capacity", T::dependent, false, "its heat capacity; \"T -> ...\" where it depends on the temperature"},
+    KeySpec{"heat", T::expression, false, "heat flow into it from outside, or from dissipation as \"dissipated_power[friction]\""},
+    doc_key, for_key, when_key,
+};
+constexpr std::array link_keys{
+    KeySpec{"from", T::part, true, "a node, volume, reservoir or cell of a rod; the heat counts positive from here"},
+    KeySpec{"to", T::part, true, "where it goes"},
+    KeySpec{"law", T::choice, false, "\"conduction\" (4.64), \"convection\" (4.17), \"contact\" (4.25), \"radiation\" (4.53); none with conductance, resistance or heat"},
+    KeySpec{"heat", T::expression, false, "the heat flow, given"},
+    KeySpec{"conductance", T::expression, false, "heat flow over temperature difference"},
+    KeySpec{"resistance", T::expression, false, "instead: temperature difference over heat flow (4.103a)"},
+    KeySpec{"conductivity", T::dependent, false, "of conduction; \"T -> ...\" where it depends on the temperature: its integral is what flows"},
+    KeySpec{"area", T::expression, false, "across the flow of heat"},
+    KeySpec{"length", T::expression, false, "of conduction, along the flow of heat"},
+    KeySpec{"coefficient", T::expression, false, "of convection or contact: alpha"},
+    KeySpec{"emissivity", T::expression, false, "of radiation: emissivity or exchange factor; area*emissivity*stefan_boltzmann*(T_1^4 - T_2^4)"},
+    doc_key, for_key, when_key,
+};
+constexpr std::array rod_keys{
+    KeySpec{"temperature", T::part, true, "the family of states that are its temperatures, from the first to the last"},
+    KeySpec{"scheme", T::choice, false,
+            "\"points\" (default): at points from end to end, half a cell at free ends, the finite differences of (4.96); \"cells\": means of cells, finite volumes"},
+    KeySpec{"shape", T::choice, false, "\"bar\" (default), \"cylinder\" or \"sphere\" (4.5), with heat along the radius"},
+    KeySpec{"length", T::expression, false, "of a bar"},
+    KeySpec{"area", T::dependent, false, "of a bar: its cross section; \"x -> ...\" where it varies"},
+    KeySpec{"inner", T::expression, false, "of a cylinder or sphere: the radius where it begins; 0 for a solid one"},
+    KeySpec{"outer", T::expression, false, "of a cylinder or sphere: the radius where it ends"},
+    KeySpec{"height", T::expression, false, "of a cylinder, along its axis"},
+    KeySpec{"grid", T::law, false, "\"s -> ...\", rising from 0 to 1: the cells are equal over s; \"s -> s^2\" makes them finer at the first end"},
+    KeySpec{"conductivity", T::dependent, true, "\"T -> ...\" where it depends on the temperature"},
+    KeySpec{"density", T::expression, true, "mass by volume"},
+    KeySpec{"heat_capacity", T::dependent, true, "specific heat capacity; \"T -> ...\" where it depends on the temperature"},
+    KeySpec{"source", T::dependent, false, "heat by volume and time (4.4); \"x -> ...\" where it varies along the rod"},
+    KeySpec{"perimeter", T::expression, false, "of a bar: for what leaves through its side"},
+    KeySpec{"side_coefficient", T::expression, false, "convection through the side to the ambient"},
+    KeySpec{"side_emissivity", T::expression, false, "radiation of the side to the ambient"},
+    KeySpec{"ambient", T::expression, false, "temperature of what surrounds the side"},
+    KeySpec{"first", T::expressions_by_name, false,
+            "what holds at the first end: { temperature }, or some of flux (into the rod), coefficient and emissivity with ambient; insulated without (4.9)"},
+    KeySpec{"last", T::expressions_by_name, false, "likewise at the last end"},
+    doc_key, when_key,
+};
 constexpr std::array effect_keys{
     KeySpec{"doc", T::text, true, "what the effect is"},
     KeySpec{"excludes", T::effects, false, "effects that cannot be in the same scene"},
@@ -255,6 +300,14 @@ constexpr std::array table{
                 "[volumes.chamber_1]\nmedium      = \"oil\"\nvolume      = \"A_1*s\"\npressure    = \"p_1\"\ntemperature = \"T_1\"", volume_keys, ""},
     SectionSpec{"flows", true, "Flows between volumes and reservoirs. What flows carries the enthalpy of the side that it comes from.",
                 "[flows.leak]\nfrom        = \"chamber_1\"\nto          = \"chamber_2\"\nlaw         = \"laminar\"\nconductance = \"c_L\"", flow_keys, ""},
+    SectionSpec{"nodes", true, "Places with one temperature: bodies that store heat, surfaces, ambient air.",
+                "[nodes.plate]\ntemperature = \"T_B\"\ncapacity    = \"m_B*c_B\"\nheat        = \"P\"", node_keys, ""},
+    SectionSpec{"links", true, "Heat between nodes, volumes, reservoirs and cells of rods.",
+                "[links.paste]\nfrom       = \"plate\"\nto         = \"sink\"\nresistance = \"H/(lambda*A)\"", link_keys, ""},
+    SectionSpec{"rods", true, "Bars, walls, pipes and shells in which heat flows in one direction (4.5), cut into cells.",
+                "[rods.bar]\ntemperature   = \"T\"\nlength        = \"L\"\narea          = \"A\"\nconductivity  = \"lambda\"\ndensity       = \"rho\"\n"
+                "heat_capacity = \"c_p\"\nfirst         = { temperature = \"T_0\" }\nlast          = { coefficient = \"alpha\", ambient = \"T_inf\" }",
+                rod_keys, ""},
     SectionSpec{"effects", true, "Effects that a scene may call for or leave out.",
                 "[effects]\nviscous_friction = { doc = \"friction of the cart, proportional to its speed\" }", effect_keys, ""},
     SectionSpec{"scenes", true,
@@ -308,6 +361,7 @@ const char* describe(ValueType type) {
         case T::vector: return "[x, y] or [x, y, z]";
         case T::law: return "law \"e -> ...\"";
         case T::property: return "expression or \"(p, T) -> ...\"";
+        case T::dependent: return "expression or \"T -> ...\"";
         case T::equation: return "equation";
         case T::equations: return "list of equations";
         case T::family: return "\"k = 1..N\"";

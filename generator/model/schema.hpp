@@ -22,13 +22,14 @@ enum class ValueType {
     vector,
     law,
     property,    ///< an expression of parameters, or a law of two variables
+    dependent,   ///< an expression, or a law of one variable
     equation,
     equations,
     family,
     condition,
     effects,
     body,
-    part,        ///< a volume, reservoir or medium
+    part,        ///< a volume, reservoir, medium, node or rod
     coordinate,
     expressions_by_name,
     choice,

@@ -106,6 +106,9 @@ public:
         choose(model_.reservoirs, scene_.reservoirs);
         choose(model_.volumes, scene_.volumes);
         choose(model_.flows, scene_.flows);
+        choose(model_.nodes, scene_.nodes);
+        choose(model_.links, scene_.links);
+        choose(model_.rods, scene_.rods);
         const bool any_mass = std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [](const auto& body) { return body.item->mass != nullptr; });
         if (model_.gravity && any_mass && scene_.holds(model_.gravity->when)) scene_.gravity = &*model_.gravity;
 
@@ -128,6 +131,9 @@ public:
         use_all(scene_.reservoirs, "reservoir");
         use_volumes();
         use_all(scene_.flows, "flow");
+        use_nodes();
+        use_all(scene_.links, "link");
+        use_rods();
         use_all(scene_.outputs, "output");
         use_media();
         if (scene_.gravity != nullptr) {
@@ -205,6 +211,32 @@ private:
         }
     }
 
+    /// A node whose temperature the scene leaves out stores nothing.
+    void use_nodes() {
+        for (const auto& member : scene_.nodes) {
+            owner_ = fmt::format("node '{}'", member.item->name);
+            HeatNode used = *member.item;
+            if (used.capacity && !scene_.has_capacity(used, names_)) used.capacity.reset(), used.temperature.reset();
+            visit(used, [&](const Site& site) { use(site); });
+        }
+    }
+
+    void use_rods() {
+        for (const auto& member : scene_.rods) {
+            owner_ = fmt::format("rod '{}'", member.item->name);
+            use_name(member.item->temperature.name, member.item->temperature.span);
+            visit(*member.item, [&](const Site& site) { use(site); });
+        }
+        for (const auto& member : scene_.links)
+            for (const Reference& end : {member.item->from, member.item->to}) needs_part(end, fmt::format("link '{}'", member.item->name));
+    }
+
+    void needs_part(const Reference& end, const std::string& owner) const {
+        const Part& part = *names_.find_part(end.name);
+        if (!scene_.holds(part.item->when))
+            fail(Id::needs_absent, end.span, fmt::format("{} needs '{}', which scene '{}' leaves out", owner, end.name, scene_.name), {{part.item->span, "it is defined here"}});
+    }
+
     /// Media that something holds; where the temperature is everywhere the same, what depends on it is not asked for.
     void use_media() {
         const auto hold = [&](const Reference& medium, const Item& item, bool is_thermal) {
@@ -220,11 +252,7 @@ private:
         }
         for (const auto& member : scene_.reservoirs) hold(member.item->medium, *member.item, member.item->temperature != nullptr);
         for (const auto& member : scene_.flows)
-            for (const Reference& end : {member.item->from, member.item->to}) {
-                const Part& part = *names_.find_part(end.name);
-                if (!scene_.holds(part.item->when))
-                    fail(Id::needs_absent, end.span, fmt::format("flow '{}' needs '{}', which scene '{}' leaves out", member.item->name, end.name, scene_.name), {{part.item->span, "it is defined here"}});
-            }
+            for (const Reference& end : {member.item->from, member.item->to}) needs_part(end, fmt::format("flow '{}'", member.item->name));
         std::set<std::string> orifices;  // the ratio of specific heats is needed at any temperature
         for (const auto& member : scene_.flows)
             if (member.item->law == Flow::Law::pneumatic_orifice) orifices.insert(member.item->from.name);
@@ -264,6 +292,16 @@ private:
                 claim(state, member);
         }
         for (const auto& member : scene_.flows) claim(member.item->velocity, member);
+        for (const auto& member : scene_.nodes)
+            if (scene_.has_capacity(*member.item, names_)) claim(member.item->temperature, member);
+        for (const auto& member : scene_.rods)
+            for (const auto& state : scene_.states) {
+                if (state.item->name != member.item->temperature.name) continue;
+                const auto [first, is_new] = by.emplace(std::pair(state.item->name, state.index), std::pair(member.name(), member.item->span));
+                if (!is_new)
+                    fail(Id::doubly_determined, member.item->temperature.span, fmt::format("scene '{}': '{}' and '{}' both determine state '{}'", scene_.name, first->second.first, member.name(), state.name()),
+                         {{first->second.second, fmt::format("'{}' is defined here", first->second.first)}});
+            }
         for (const auto& member : scene_.states)
             if (!member.item->derivative && !by.contains({member.item->name, member.index}))
                 fail(Id::undetermined, member.item->span, fmt::format("nothing in scene '{}' determines state '{}'", scene_.name, member.name()));

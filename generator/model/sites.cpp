@@ -195,7 +195,7 @@ void visit(const Volume& item, const SiteVisitor& visitor) {
     each(item.head, on_parameters | on_states, "head");
     each(item.gravity, constant_only, "gravity");
     each(item.potential, constant_only, "potential");
-    each(item.heat, on_state_and_inputs, "heat");
+    each(item.heat, on_state_and_inputs | on_losses, "heat");
     each(item.shaft_power, on_state_and_inputs, "shaft power");
     each(item.smallest, constant_only, "smallest size");
 }
@@ -216,6 +216,54 @@ void visit(const Flow& item, const SiteVisitor& visitor) {
     each(item.velocity, on_states, "velocity");
     each(item.length, constant_only, "length");
     each(item.loss, constant_only, "loss");
+}
+
+void visit(const HeatNode& item, const SiteVisitor& visitor) {
+    const Visit each(item, "node", visitor);
+    if (item.temperature && item.capacity) visitor({item.temperature.get(), on_states, "the temperature of " + each.owner_, each.bound_, false, true});
+    else each(item.temperature, on_plain_states_and_inputs, "temperature");
+    each(item.capacity, constant_only, "capacity");
+    each(item.heat, on_state_and_inputs | on_losses, "heat");
+}
+
+void visit(const Link& item, const SiteVisitor& visitor) {
+    const Visit each(item, "link", visitor);
+    each(item.from);
+    each(item.to);
+    each(item.heat, on_state_and_inputs, "heat");
+    each(item.conductance, on_state_and_inputs, "conductance");
+    each(item.resistance, on_state_and_inputs, "resistance");
+    each(item.conductivity, constant_only, "conductivity");
+    each(item.area, on_state_and_inputs, "area");
+    each(item.length, on_state_and_inputs, "length");
+    each(item.coefficient, on_state_and_inputs, "coefficient");
+    each(item.emissivity, on_state_and_inputs, "emissivity");
+}
+
+void visit(const Rod& item, const SiteVisitor& visitor) {
+    const Visit each(item, "rod", visitor);
+    each(item.length, constant_only, "length");
+    each(item.area, constant_only, "area");
+    each(item.inner, constant_only, "inner radius");
+    each(item.outer, constant_only, "outer radius");
+    each(item.height, constant_only, "height");
+    each(item.grid, constant_only, "grid");
+    each(item.conductivity, constant_only, "conductivity");
+    each(item.density, constant_only, "density");
+    each(item.heat_capacity, constant_only, "heat capacity");
+    each(item.source, on_plain_states_and_inputs, "source");
+    each(item.perimeter, constant_only, "perimeter");
+    each(item.side_coefficient, on_plain_states_and_inputs, "side coefficient");
+    each(item.side_emissivity, constant_only, "side emissivity");
+    each(item.ambient, on_plain_states_and_inputs, "ambient");
+    for (const auto* end : {&item.first, &item.last}) {
+        if (!*end) continue;
+        each((*end)->temperature, on_plain_states_and_inputs, "end temperature");
+        each((*end)->flux, on_plain_states_and_inputs, "end flux");
+        each((*end)->coefficient, on_plain_states_and_inputs, "end coefficient");
+        each((*end)->emissivity, on_plain_states_and_inputs, "end emissivity");
+        each((*end)->ambient, on_plain_states_and_inputs, "end ambient");
+    }
 }
 
 void visit(const PrintedEquation& item, const SiteVisitor& visitor) {
@@ -273,6 +321,9 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.reservoirs);
     all(model.volumes);
     all(model.flows);
+    all(model.nodes);
+    all(model.links);
+    all(model.rods);
     all(model.printed);
     all(model.runs);
 }

@@ -20,7 +20,8 @@ enum Dependence : unsigned {
     on_accelerations = 64,  ///< also derivatives of plain states: known only when the equations are solved
     on_quantities = 128,    ///< derived quantities such as kinetic_energy
     on_outputs = 256,
-    on_properties = 512,    ///< of media in volumes and reservoirs: density[chamber] and the like
+    on_properties = 512,    ///< of media in volumes and reservoirs, and of nodes: density[chamber], temperature[plate] and the like
+    on_losses = 1024,       ///< dissipated_power
 
     nothing = 0,
     constant_only = on_parameters,
@@ -28,7 +29,7 @@ enum Dependence : unsigned {
     on_motion = on_configuration | on_velocities,
     on_plain_states_and_inputs = on_motion | on_inputs | on_states,
     on_state_and_inputs = on_plain_states_and_inputs | on_properties,
-    on_anything = on_state_and_inputs | on_accelerations | on_quantities | on_outputs,
+    on_anything = on_state_and_inputs | on_accelerations | on_quantities | on_outputs | on_losses,
 };
 
 struct Site {
@@ -67,6 +68,9 @@ void visit(const Medium& item, const SiteVisitor& visitor);
 void visit(const Reservoir& item, const SiteVisitor& visitor);
 void visit(const Volume& item, const SiteVisitor& visitor);
 void visit(const Flow& item, const SiteVisitor& visitor);
+void visit(const HeatNode& item, const SiteVisitor& visitor);
+void visit(const Link& item, const SiteVisitor& visitor);
+void visit(const Rod& item, const SiteVisitor& visitor);
 void visit(const PrintedEquation& item, const SiteVisitor& visitor);
 void visit(const Run& item, const SiteVisitor& visitor);
 

@@ -122,6 +122,7 @@ Measure Units::power(const Expression& e, const Bound& bound) {
 Measure Units::name(const Expression& e, const Bound& bound) {
     if (const auto found = bound.find(e.name); found != bound.end()) return {found->second};
     if (e.name == "pi") return {};
+    if (e.name == "stefan_boltzmann") return {Dimension::power() / Dimension::length().raised({2, 1}) / Dimension::temperature().raised({4, 1})};
     if (e.name == "t") return {Dimension::time()};
     if (find_quantity(e.name) != nullptr) return quantity(e, bound);
     const Named* named = names_.find(e.name);

@@ -32,12 +32,15 @@ enum class Subscript {
     body_and_axis,
     coordinate,
     two_coordinates,
+    optional_damper,
     fluid,            ///< a volume or reservoir
     fluid_or_medium,  ///< a volume or reservoir, or a medium with pressure and temperature
     medium,           ///< a medium with pressure and temperature
     volume,
-    optional_volume,
     flow,
+    warm,             ///< what has a temperature: a volume, reservoir, node or cell of a rod
+    heated,           ///< what heat flows into or through: a volume, node or link
+    optional_store,   ///< a volume or node
 };
 
 struct QuantitySpec {

@@ -76,6 +76,11 @@ std::vector<AuditEntry> compare_balances(const System& system, Prover& prover) {
         entries.push_back({"balance of mass, " + name, prover.equal(system.with_rates(symbols.time_derivative(v.mass())), mass)});
         entries.push_back({"balance of energy, " + name, prover.equal(system.with_rates(symbols.time_derivative(v.stored_energy())), power)});
     }
+    for (const NodeState& node : system.heat.nodes) {
+        if (node.kind == NodeState::Kind::held) continue;
+        const ex change = system.with_rates(symbols.time_derivative(node.stored_energy));
+        entries.push_back({"balance of heat, " + node.name, prover.equal(change, system.heat.heat_into(node))});
+    }
     for (const FlowState& f : fluids.flows)
         if (f.velocity_state) entries.push_back({"balance of energy, " + f.member.name(), prover.equal(system.with_rates(symbols.time_derivative(f.stored_energy)), f.leaving() - f.arriving() + f.shaft_power)});
     return entries;
@@ -113,7 +118,7 @@ bool Audit::all_proven() const {
 }
 
 const char* Audit::power_balance_name(const System& system) {
-    return system.fluids.empty() ? "d(T + V)/dt = supplied - dissipated" : "d(T + V + E)/dt = supplied - dissipated + exchanged";
+    return !system.has_balances() ? "d(T + V)/dt = supplied - dissipated" : "d(T + V + E)/dt = supplied - dissipated + exchanged";
 }
 
 Audit audit(const System& system) {

@@ -28,6 +28,9 @@ DECLARE_FUNCTION_2P(outflow_factor)
 DECLARE_FUNCTION_2P(outflow_factor_slope)        ///< its derivative by d
 DECLARE_FUNCTION_2P(outflow_factor_by_exponent)  ///< its derivative by the exponent
 
+inline GiNaC::ex log_ratio(const GiNaC::ex& a, const GiNaC::ex& b) { return GiNaC::log(a / b); }
+inline GiNaC::ex radiant_temperature(const GiNaC::ex&, const GiNaC::ex&) { throw std::logic_error("radiant"); }
+
 /// What whole, exp_minus_one, log_one_plus and compression stand for, for proofs.
 GiNaC::ex in_elementary_functions(const GiNaC::ex& e);
 

@@ -16,7 +16,7 @@ bool is_positive(const Expression& e, const Names& names) {
     switch (e.kind) {
         case Kind::number: return cln::plusp(e.value);
         case Kind::name: {
-            if (e.name == "pi") return true;
+            if (e.name == "pi" || e.name == "stefan_boltzmann") return true;
             const Named* named = names.find(e.name);
             if (named == nullptr) return false;
             if (named->kind == Named::Kind::definition) return is_positive(*named->definition().value, names);

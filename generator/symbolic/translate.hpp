@@ -29,6 +29,8 @@ public:
 
     Translator(const Scene& scene, const Names& names, const Symbols& symbols) : scene_(scene), names_(names), symbols_(symbols) {}
 
+    /// Forgets definitions that were inserted before temperatures were found.
+    void forget() const { inserted_.clear(); }
     void set_quantities(Quantities quantities) { quantities_ = std::move(quantities); }
 
     /// Throws Failure (index-out-of-range, division-by-zero, number-too-large, cannot-integrate).

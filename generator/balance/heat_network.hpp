@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Heat between places with one temperature: nodes, cells of rods, volumes and reservoirs. Each node balances what flows in,
+// C(T)*dT/dt = sum of the heat flows + what comes from outside (4.103b); one without a capacity has its temperature from the balance.
+#pragma once
+
+#include <deque>
+
+#include "balance/control_volume.hpp"
+
+namespace dalembert {
+
+/// A temperature, and its fourth power, which has a letter of its own where the temperature is still sought.
+struct Warmth {
+    GiNaC::ex temperature;
+    GiNaC::ex fourth;
+    bool is_sought = false;
+};
+
+/// A node of [nodes], or a cell or surface of a rod.
+struct NodeState {
+    enum class Kind { storing, held, sought };
+    Kind kind;
+    std::string name;                  ///< "plate", "bar[3]"
+    const Item* item;
+    Span place;                        ///< what a message about its temperature points at
+    Warmth warmth;
+    std::optional<std::size_t> state;  ///< of one that stores
+    GiNaC::ex capacity = 0;            ///< J/K
+    GiNaC::ex stored_energy = 0;       ///< J, the integral of the capacity over the temperature
+    GiNaC::ex source = 0;              ///< W, from outside
+};
+
+/// Where a link ends. Exactly one of the three is there.
+struct LinkEnd {
+    const NodeState* node = nullptr;
+    const ControlVolume* volume = nullptr;
+    const ReservoirState* reservoir = nullptr;
+};
+
+struct LinkState {
+    std::string name;
+    Span place;
+    LinkEnd from, to;
+    GiNaC::ex heat;  ///< W, positive from `from` to `to`
+};
+
+/// All that heat does outside of fluids.
+struct HeatNetwork {
+    std::deque<NodeState> nodes;  ///< addresses are kept
+    std::vector<LinkState> links;
+    GiNaC::ex stored_energy = 0;    ///< J
+    GiNaC::ex exchanged_power = 0;  ///< W, from sources, held nodes and reservoirs
+    GiNaC::exmap solved;            ///< the letters of sought temperatures, with what they are
+
+    bool empty() const { return nodes.empty() && links.empty(); }
+    /// Null where the scene has none of that name: "plate", "bar[3]".
+    const NodeState* find_node(const std::string& name) const;
+    const LinkState* find_link(const std::string& name) const;
+    /// W, along links and from outside.
+    GiNaC::ex heat_into(const NodeState& node) const;
+    GiNaC::ex heat_into(const ControlVolume& volume) const;
+    /// dT/dt of a node that stores.
+    GiNaC::ex rate(const NodeState& node) const { return heat_into(node) / node.capacity; }
+    GiNaC::ex power_over_border() const;
+};
+
+/// The nodes with their temperatures; the cells of rods with all that is theirs. Throws Failure.
+HeatNetwork make_nodes(const Scene& scene, const Translator& translate, Symbols& symbols);
+/// Sources and links, and the temperatures that are sought. Throws Failure (cannot-integrate, index-out-of-range, undetermined,
+/// needs-absent).
+void complete_heat(HeatNetwork& network, const Scene& scene, const Translator& translate, Symbols& symbols, const Containers& containers);
+
+// For rods, which are made of nodes and links too.
+
+/// A node that stores: capacity as an expression (no variables) or law of its temperature, times `amount`.
+void store(NodeState& node, const Property& capacity, const GiNaC::ex& amount, const Translator& translate, Symbols& symbols, const Indices& indices);
+NodeState& add_sought(HeatNetwork& network, std::string name, const Item& item, const Span& place, Symbols& symbols);
+/// shape*(integral of the conductivity from T_b to T_a): W.
+GiNaC::ex conduct(const Property& conductivity, const GiNaC::ex& shape, const Warmth& a, const Warmth& b, const Translator& translate, Symbols& symbols, const Indices& indices);
+/// factor*(T_a - T_b), W.
+GiNaC::ex exchange(const GiNaC::ex& factor, const Warmth& a, const Warmth& b);
+/// factor*(T_a^4 - T_b^4), W.
+GiNaC::ex radiate(const GiNaC::ex& factor, const Warmth& a, const Warmth& b);
+Warmth warmth_of(const GiNaC::ex& temperature);
+/// 5.670374419e-8 W/(m^2 K^4)
+GiNaC::ex stefan_boltzmann();
+
+}  // namespace dalembert

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nodes, links, rods and enclosures as they were written.
+#pragma once
+
+#include "model/item.hpp"
+
+namespace dalembert {
+
+/// A place with one temperature. With a capacity the temperature is a state, which a scene may leave out; without one it is held at
+/// an expression, or, where none is given, follows from the balance of what flows in.
+struct HeatNode : Item {
+    ExpressionPtr temperature;
+    std::optional<Property> capacity;  ///< J/K, or a law "T -> ..."
+    ExpressionPtr heat;                ///< W into it, from outside
+
+    bool is_held() const { return temperature && !capacity; }
+};
+
+/// Heat from one node, volume, reservoir or cell of a rod to another.
+struct Link : Item {
+    enum class Law { given, linear, conduction, convection, radiation };
+    Law law = Law::given;
+    Reference from;
+    Reference to;
+    ExpressionPtr heat;
+    ExpressionPtr conductance;
+    ExpressionPtr resistance;
+    std::optional<Property> conductivity;  ///< W/(m K), or a law "T -> ..."
+    ExpressionPtr area;
+    ExpressionPtr length;
+    ExpressionPtr coefficient;
+    ExpressionPtr emissivity;
+};
+
+/// What holds at one end of a rod: nothing (insulated), or some of these.
+struct RodEnd {
+    ExpressionPtr temperature;  ///< first kind (4.9a)
+    ExpressionPtr flux;         ///< second kind (4.9b), W/m^2 into the rod
+    ExpressionPtr coefficient;  ///< third kind (4.9c)
+    ExpressionPtr emissivity;   ///< radiation to a large surrounding
+    ExpressionPtr ambient;      ///< temperature of the surrounding, for the last two
+    Span span;
+};
+
+/// A body in which heat flows in one direction: a bar, the wall of a pipe, a shell. Its temperatures are a family of states.
+struct Rod : Item {
+    enum class Scheme { points, cells };
+    enum class Shape { bar, cylinder, sphere };
+    Scheme scheme = Scheme::points;
+    Shape shape = Shape::bar;
+    Reference temperature;
+    ExpressionPtr length;
+    std::optional<Property> area;  ///< of a bar: an expression, or a law "x -> ..."
+    ExpressionPtr inner, outer;    ///< radii of a cylinder or sphere
+    ExpressionPtr height;          ///< of a cylinder
+    std::optional<Law> grid;       ///< from 0..1 to 0..1: where the cells lie; uniform without
+    std::optional<Property> conductivity;   ///< an expression, or a law "T -> ..."
+    ExpressionPtr density;
+    std::optional<Property> heat_capacity;  ///< likewise
+    std::optional<Property> source;         ///< W/m^3, an expression or a law "x -> ..."
+    ExpressionPtr perimeter;
+    ExpressionPtr side_coefficient;
+    ExpressionPtr side_emissivity;
+    ExpressionPtr ambient;
+    std::optional<RodEnd> first;
+    std::optional<RodEnd> last;
+};
+
+}  // namespace dalembert

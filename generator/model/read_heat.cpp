@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/read_heat.hpp"
+
+#include "model/law_keys.hpp"
+
+namespace dalembert {
+
+namespace {
+
+const std::vector<LawKeys<Link::Law>>& link_laws() {
+    using L = Link::Law;
+    static const std::vector<LawKeys<L>> laws{
+        {"conduction", L::conduction, {"conductivity", "area", "length"}, {}},
+        {"convection", L::convection, {"coefficient", "area"}, {}},
+        {"contact", L::convection, {"coefficient", "area"}, {}},
+        {"radiation", L::radiation, {"emissivity", "area"}, {}},
+    };
+    return laws;
+}
+
+/// A law of more than one variable makes no sense here.
+std::optional<Property> dependent(const Entry& e, const char* key) {
+    auto property = e.property(key);
+    if (property && property->variables.size() > 1)
+        e.error(Id::wrong_type, property->span, fmt::format("the {} of '{}' may be a law of one variable, as in \"T -> ...\", not of two", key, e.name()));
+    return property;
+}
+
+void needs(const Entry& e, const char* what, const char* key, const char* because) {
+    if (!e.has(key)) e.error(Id::missing_key, e.span(), fmt::format("{} '{}' needs the key '{}'{}", what, e.name(), key, because));
+}
+
+void useless(const Entry& e, const char* what, const char* key, const char* because) {
+    if (e.has(key)) e.error(Id::unknown_key, e.span_of(key), fmt::format("{} '{}' has no use for '{}'{}", what, e.name(), key, because));
+}
+
+RodEnd rod_end(const Entry& e, const char* key) {
+    RodEnd end;
+    end.span = e.span_of(key);
+    for (const RunEntry& entry : e.by_name(key)) {
+        const std::string& name = entry.variable->name;
+        ExpressionPtr* part = name == "temperature"   ? &end.temperature
+                              : name == "flux"        ? &end.flux
+                              : name == "coefficient" ? &end.coefficient
+                              : name == "emissivity"  ? &end.emissivity
+                              : name == "ambient"     ? &end.ambient
+                                                      : nullptr;
+        if (part == nullptr)
+            e.error(Id::unknown_key, entry.span, fmt::format("the end of a rod has a temperature, flux, coefficient, emissivity and ambient, but no '{}'", entry.variable->written()));
+        else
+            *part = entry.value;
+    }
+    const bool exchanges = end.coefficient || end.emissivity;
+    if (end.temperature && (end.flux || exchanges))
+        e.error(Id::doubly_determined, end.span, fmt::format("the {} end of rod '{}' has a temperature, so that nothing else can be said of it", key, e.name()));
+    if (exchanges != (end.ambient != nullptr))
+        e.error(Id::missing_key, end.span, fmt::format("the {} end of rod '{}' needs an ambient together with a coefficient or an emissivity", key, e.name()));
+    return end;
+}
+
+void read_shape(const Entry& e, Rod& rod) {
+    const std::string shape = e.text("shape");
+    rod.shape = shape == "cylinder" ? Rod::Shape::cylinder : shape == "sphere" ? Rod::Shape::sphere : Rod::Shape::bar;
+    if (!shape.empty() && shape != "bar" && shape != "cylinder" && shape != "sphere")
+        e.error(Id::wrong_type, e.span_of("shape"), fmt::format("'{}' is not a shape of a rod; the shapes are 'bar', 'cylinder' and 'sphere'", shape));
+    const bool is_bar = rod.shape == Rod::Shape::bar;
+    const std::string because = fmt::format(", because it is a {}", is_bar ? "bar" : shape);
+    for (const char* key : {"length", "area"}) is_bar ? needs(e, "rod", key, because.c_str()) : useless(e, "rod", key, because.c_str());
+    for (const char* key : {"inner", "outer"}) is_bar ? useless(e, "rod", key, because.c_str()) : needs(e, "rod", key, because.c_str());
+    rod.shape == Rod::Shape::cylinder ? needs(e, "rod", "height", because.c_str()) : useless(e, "rod", "height", because.c_str());
+    if (!is_bar)
+        for (const char* key : {"perimeter", "side_coefficient", "side_emissivity", "ambient"}) useless(e, "rod", key, ", because only a bar has a side");
+}
+
+}  // namespace
+
+void read(const Entry& e, HeatNode& node) {
+    node.temperature = e.expression("temperature");
+    node.capacity = dependent(e, "capacity");
+    node.heat = e.expression("heat");
+    if (e.has("capacity")) needs(e, "node", "temperature", ": the state that its capacity belongs to");
+    if (node.is_held() && e.has("heat"))
+        e.error(Id::doubly_determined, e.span_of("heat"), fmt::format("node '{}' is held at a temperature, so that heat into it changes nothing; give it a capacity, or leave its temperature out", e.name()));
+}
+
+void read(const Entry& e, Link& link) {
+    if (auto from = e.part("from")) link.from = *from;
+    if (auto to = e.part("to")) link.to = *to;
+    link.heat = e.expression("heat");
+    link.conductance = e.expression("conductance");
+    link.resistance = e.expression("resistance");
+    link.conductivity = dependent(e, "conductivity");
+    link.area = e.expression("area");
+    link.length = e.expression("length");
+    link.coefficient = e.expression("coefficient");
+    link.emissivity = e.expression("emissivity");
+    const std::vector<const char*> keys{"heat", "conductance", "resistance", "conductivity", "area", "length", "coefficient", "emissivity"};
+    if (e.has("law")) {
+        if (const auto* law = find_law(e, "link", link_laws(), keys)) link.law = law->law;
+        return;
+    }
+    std::vector<const char*> given;
+    for (const char* key : keys)
+        if (e.has(key)) given.push_back(key);
+    const bool is_simple = given.size() == 1 && (e.has("heat") || e.has("conductance") || e.has("resistance"));
+    if (!is_simple)
+        e.error(Id::missing_key, e.span(), fmt::format("link '{}' needs either a law, or one of heat, conductance and resistance", e.name()));
+    link.law = e.has("heat") ? Link::Law::given : Link::Law::linear;
+}
+
+void read(const Entry& e, Rod& rod) {
+    if (auto temperature = e.part("temperature")) rod.temperature = *temperature;
+    const std::string scheme = e.text("scheme");
+    rod.scheme = scheme == "cells" ? Rod::Scheme::cells : Rod::Scheme::points;
+    if (!scheme.empty() && scheme != "cells" && scheme != "points")
+        e.error(Id::wrong_type, e.span_of("scheme"), fmt::format("'{}' is not a scheme of a rod; the schemes are 'points' and 'cells'", scheme));
+    read_shape(e, rod);
+    rod.length = e.expression("length");
+    rod.area = dependent(e, "area");
+    rod.inner = e.expression("inner");
+    rod.outer = e.expression("outer");
+    rod.height = e.expression("height");
+    rod.grid = e.law("grid");
+    rod.conductivity = dependent(e, "conductivity");
+    rod.density = e.expression("density");
+    rod.heat_capacity = dependent(e, "heat_capacity");
+    rod.source = dependent(e, "source");
+    rod.perimeter = e.expression("perimeter");
+    rod.side_coefficient = e.expression("side_coefficient");
+    rod.side_emissivity = e.expression("side_emissivity");
+    rod.ambient = e.expression("ambient");
+    if (e.has("first")) rod.first = rod_end(e, "first");
+    if (e.has("last")) rod.last = rod_end(e, "last");
+    if (e.has("side_coefficient") || e.has("side_emissivity"))
+        for (const char* key : {"perimeter", "ambient"}) needs(e, "rod", key, ", because heat leaves through its side");
+    else
+        for (const char* key : {"perimeter", "ambient"}) useless(e, "rod", key, ": it says neither side_coefficient nor side_emissivity");
+    if (rod.temperature.index)
+        e.error(Id::not_indexed, rod.temperature.span, fmt::format("rod '{}' takes a whole family of states; name it without an index", e.name()));
+}
+
+}  // namespace dalembert

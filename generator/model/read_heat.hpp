@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads entries of [nodes], [links] and [rods].
+#pragma once
+
+#include "model/entry.hpp"
+
+namespace dalembert {
+
+void read(const Entry& e, HeatNode& node);
+void read(const Entry& e, Link& link);
+void read(const Entry& e, Rod& rod);
+
+}  // namespace dalembert
