@@ -44,7 +44,7 @@ auto guarded(const Model& model, Work work) {
 
 void check_size(const Scene& scene) {
     constexpr std::size_t most = 128;
-    const std::size_t states = 2 * scene.coordinates.size() + scene.states.size();
+    const std::size_t states = 2 * scene.coordinates.size() + scene.states.size();  // cells of fields are not counted: they are derived once
     if (states > 2 * most)
         throw Failure(Diagnostic{Id::too_large, scene.model->name_span,
                                  fmt::format("scene '{}' has {} states; this version derives at most {}", scene.name, states, 2 * most)});
@@ -126,12 +126,17 @@ Header generate(Machine& machine) {
         const OperationCount count = machine.code->count(Function::rhs);
         watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
         machine.emitted = verify(*machine.code);
+        std::unique_ptr<FieldCode> fields;
+        if (!machine.system->heat.fields.empty()) {
+            fields = make_field_code(*machine.system);
+            for (AuditEntry& entry : verify_fields(*fields)) machine.emitted.push_back(std::move(entry));
+        }
         for (const AuditEntry& entry : machine.emitted)
             if (entry.result.verdict == Verdict::wrong)
                 throw Failure(Diagnostic{Id::not_equal, machine.loaded->model.name_span, fmt::format("{} fails. This is a defect of the program; please report it with the model", entry.name)});
         const Proofs proofs{machine.audit, machine.emitted};
         watch.lap("prove code", proofs.all_proven() ? "everything proven" : "something only numerically equal");
-        Header header = make_header(*machine.code, proofs, normalised_command(machine));
+        Header header = make_header(*machine.code, fields.get(), proofs, normalised_command(machine));
         watch.lap("emit", fmt::format("{} bytes", header.text.size()));
         return header;
     });

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "balance/flow.hpp"
-#include "balance/heat_network.hpp"
+#include "balance/rod.hpp"
 
 namespace dalembert {
 

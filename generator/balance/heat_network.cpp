@@ -208,7 +208,8 @@ void complete_heat(HeatNetwork& network, const Scene& scene, const Translator& t
     Linking linking(network, scene, translate, symbols, containers);
     for (const auto& member : scene.links) linking.add(member);
     find_sought_temperatures(network);
-    for (const NodeState& node : network.nodes) network.stored_energy += node.stored_energy;
+    for (const NodeState& node : network.nodes)
+        if (!node.is_tapped) network.stored_energy += node.stored_energy;
     network.exchanged_power = network.power_over_border();
 }
 

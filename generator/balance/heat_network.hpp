@@ -28,6 +28,7 @@ struct NodeState {
     GiNaC::ex capacity = 0;            ///< J/K
     GiNaC::ex stored_energy = 0;       ///< J, the integral of the capacity over the temperature
     GiNaC::ex source = 0;              ///< W, from outside
+    bool is_tapped = false;            ///< a cell of a field, of which only what comes from elsewhere is balanced here
 };
 
 /// Where a link ends. Exactly one of the three is there.
@@ -44,10 +45,13 @@ struct LinkState {
     GiNaC::ex heat;  ///< W, positive from `from` to `to`
 };
 
+struct RodField;
+
 /// All that heat does outside of fluids.
 struct HeatNetwork {
     std::deque<NodeState> nodes;  ///< addresses are kept
     std::vector<LinkState> links;
+    std::vector<RodField> fields;
     GiNaC::ex stored_energy = 0;    ///< J
     GiNaC::ex exchanged_power = 0;  ///< W, from sources, held nodes and reservoirs
     GiNaC::exmap solved;            ///< the letters of sought temperatures, with what they are

@@ -3,114 +3,102 @@
 
 #include <fmt/format.h>
 
-#include "symbolic/functions.hpp"
+#include <algorithm>
+
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
 
 using GiNaC::ex;
-using GiNaC::numeric;
-using GiNaC::pow;
 
 namespace {
 
 class RodMaking {
 public:
     RodMaking(HeatNetwork& network, const Rod& rod, const Scene& scene, const Translator& translate, Symbols& symbols)
-        : network_(network), rod_(rod), translate_(translate), symbols_(symbols) {
+        : network_(network), rod_(rod), translate_(translate), symbols_(symbols), field_(scene.find_field(rod)), geometry_(rod, translate, cell_count(rod, scene)) {
         for (const auto& member : scene.states)
             if (member.item->name == rod.temperature.name) states_.push_back(symbols.find(SymbolKind::state, member.item->name, member.index));
-        if (states_.size() < 2)
-            throw Failure(Diagnostic{Id::value_out_of_range, rod.temperature.span, fmt::format("rod '{}' has {} cell{}, but needs at least 2", rod.name, states_.size(), states_.size() == 1 ? "" : "s")});
     }
 
     void run() {
-        make_grid();
-        for (std::size_t k = 0; k < states_.size(); ++k) cell(k);
-        for (std::size_t k = 0; k + 1 < states_.size(); ++k) join(fmt::format("between {} and {}", cells_[k]->name, cells_[k + 1]->name), *cells_[k], *cells_[k + 1], centres_[k], centres_[k + 1]);
-        end(rod_.first, "first", faces_.front(), cells_.front(), centres_.front());
-        end(rod_.last, "last", faces_.back(), cells_.back(), centres_.back());
+        for (const Variable* state : states_) cells_.push_back(&cell(*state));
+        if (field_ == nullptr) {
+            for (std::size_t k = 0; k < cells_.size(); ++k) fill(*cells_[k], geometry_.place(k));
+            for (std::size_t k = 0; k + 1 < cells_.size(); ++k)
+                join(fmt::format("between {} and {}", cells_[k]->name, cells_[k + 1]->name), *cells_[k], *cells_[k + 1], geometry_.shape_factor(geometry_.place(k), geometry_.place(k + 1)));
+        } else {
+            for (std::size_t i = 0; i < cells_.size(); ++i) fill_tapped(*cells_[i], geometry_.place(static_cast<std::size_t>(states_[i]->index - field_->from)));
+            network_.fields.push_back(field());
+        }
+        end(rod_.first, "first", cells_.front(), geometry_.place(0));
+        end(rod_.last, "last", cells_.back(), geometry_.place(geometry_.cells() - 1));
     }
 
 private:
+    static std::size_t cell_count(const Rod& rod, const Scene& scene) {
+        const Field* field = scene.find_field(rod);
+        const auto count = field != nullptr ? static_cast<std::size_t>(field->to - field->from + 1)
+                                            : static_cast<std::size_t>(std::count_if(scene.states.begin(), scene.states.end(), [&](const auto& s) { return s.item->name == rod.temperature.name; }));
+        if (count >= 2) return count;
+        throw Failure(Diagnostic{Id::value_out_of_range, rod.temperature.span, fmt::format("rod '{}' has {} cell{}, but needs at least 2", rod.name, count, count == 1 ? "" : "s")});
+    }
+
     ex value(const ExpressionPtr& e) const { return translate_(e, {}); }
-    ex value(const Property& property, const ex& x) const {
-        return property.variables.empty() ? value(property.body) : translate_(*property.body, {}, {{property.variables[0], x}});
-    }
-    bool is_held(const std::optional<RodEnd>& end) const { return end && end->temperature; }
-    bool has_points() const { return rod_.scheme == Rod::Scheme::points; }
 
-    /// Where along the rod or its radius the fraction j/n of the cells lies (4.94).
-    ex position(std::size_t j, std::size_t n) const {
-        const ex s = numeric(static_cast<long>(j), static_cast<long>(n));
-        const ex part = rod_.grid ? translate_(*rod_.grid->body, {}, {{rod_.grid->variable, s}}) : s;
-        if (rod_.shape == Rod::Shape::bar) return (value(rod_.length) * part).expand();
-        return (value(rod_.inner) + (value(rod_.outer) - value(rod_.inner)) * part).expand();
-    }
-
-    /// Points lie on the ends of the rod and have their faces half way between them; where an end is held, its point is no state. Cells
-    /// have their faces on the grid and their centres half way between these.
-    void make_grid() {
-        const std::size_t m = states_.size();
-        const auto middle = [](const ex& a, const ex& b) { return ((a + b) / 2).expand(); };
-        if (!has_points()) {
-            for (std::size_t j = 0; j <= m; ++j) faces_.push_back(position(j, m));
-            for (std::size_t j = 0; j < m; ++j) centres_.push_back(middle(faces_[j], faces_[j + 1]));
-            return;
-        }
-        const std::size_t skipped = is_held(rod_.first) ? 1 : 0;
-        const std::size_t n = m - 1 + skipped + (is_held(rod_.last) ? 1 : 0);
-        for (std::size_t j = 0; j < m; ++j) centres_.push_back(position(j + skipped, n));
-        const ex before = position(0, n);
-        const ex behind = position(n, n);
-        faces_.push_back(skipped == 1 ? middle(before, centres_.front()) : before);
-        for (std::size_t j = 0; j + 1 < m; ++j) faces_.push_back(middle(centres_[j], centres_[j + 1]));
-        faces_.push_back(is_held(rod_.last) ? middle(centres_.back(), behind) : behind);
-        ends_ = {before, behind};
-    }
-
-    /// The area across the flow of heat.
-    ex area(const ex& x) const {
-        switch (rod_.shape) {
-            case Rod::Shape::bar: return value(*rod_.area, x);
-            case Rod::Shape::cylinder: return 2 * GiNaC::Pi * value(rod_.height) * x;
-            case Rod::Shape::sphere: break;
-        }
-        return 4 * GiNaC::Pi * pow(x, 2);
-    }
-
-    ex volume(const ex& from, const ex& to) const {
-        switch (rod_.shape) {
-            case Rod::Shape::bar: return area((from + to) / 2) * (to - from).expand();
-            case Rod::Shape::cylinder: return GiNaC::Pi * value(rod_.height) * (to - from).expand() * (to + from).expand();
-            case Rod::Shape::sphere: break;
-        }
-        return 4 * GiNaC::Pi / 3 * (to - from).expand() * (pow(to, 2) + to * from + pow(from, 2)).expand();
-    }
-
-    /// Heat flow over the integral of the conductivity: of a bar by the area half way, else exact for steady heat flow (4.68); from the
-    /// centre of a solid cylinder or sphere by the area half way too.
-    ex shape_factor(const ex& from, const ex& to) const {
-        const ex width = (to - from).expand();
-        if (rod_.shape == Rod::Shape::bar || from.is_zero()) return area(((from + to) / 2).expand()) / width;
-        if (rod_.shape == Rod::Shape::cylinder) return 2 * GiNaC::Pi * value(rod_.height) / log_ratio(to, from);
-        return 4 * GiNaC::Pi * from * to / width;
-    }
-
-    void cell(std::size_t k) {
-        const Variable& state = *states_[k];
-        NodeState& node = network_.nodes.emplace_back(
+    NodeState& cell(const Variable& state) {
+        return network_.nodes.emplace_back(
             NodeState{NodeState::Kind::storing, fmt::format("{}[{}]", rod_.name, state.index), &rod_, rod_.temperature.span, warmth_of(state.symbol), state.position});
-        const ex& from = faces_[k];
-        const ex& to = faces_[k + 1];
-        const ex size = volume(from, to);
-        store(node, *rod_.heat_capacity, value(rod_.density) * size, translate_, symbols_, {});
-        if (rod_.source) node.source += value(*rod_.source, centres_[k]) * size;
-        if (rod_.ambient) {
-            const ex surface = value(rod_.perimeter) * (to - from).expand();
-            node.source += taken_up(node.warmth, surface, rod_.side_coefficient, rod_.side_emissivity, rod_.ambient);
+    }
+
+    ex mass(const GridPlace& place) const { return value(rod_.density) * geometry_.volume(place); }
+
+    /// What a cell takes up from outside, but for the ends.
+    ex source(const Warmth& warmth, const GridPlace& place) const {
+        ex heat = 0;
+        if (rod_.source) {
+            const ex density = rod_.source->variables.empty() ? value(rod_.source->body) : translate_(*rod_.source->body, {}, {{rod_.source->variables[0], geometry_.centre(place)}});
+            heat += density * geometry_.volume(place);
         }
-        cells_.push_back(&node);
+        if (rod_.ambient) heat += taken_up(warmth, value(rod_.perimeter) * geometry_.width(place), rod_.side_coefficient, rod_.side_emissivity, rod_.ambient);
+        return heat;
+    }
+
+    void fill(NodeState& node, const GridPlace& place) {
+        store(node, *rod_.heat_capacity, mass(place), translate_, symbols_, {});
+        node.source += source(node.warmth, place);
+    }
+
+    /// A cell of a field balances what comes from elsewhere; its energy counts with the field.
+    void fill_tapped(NodeState& node, const GridPlace& place) {
+        store(node, *rod_.heat_capacity, mass(place), translate_, symbols_, {});
+        node.is_tapped = true;
+    }
+
+    RodField field() {
+        const State& states = *field_->states;
+        const auto letter = [&](const char* name) { return symbols_.grid_letter(fmt::format("{}[{}]", name, rod_.name)); };
+        const auto temperature = [&](const char* name) { return symbols_.letter(fmt::format("{}[{}]", name, rod_.name)); };
+        // In this order differences of them are written as what is positive.
+        const ex beyond = letter("beyond");
+        const ex right = letter("right");
+        const ex middle = letter("here");
+        RodField f{&rod_, &states, field_->from, geometry_, {letter("left"), middle, right}, beyond, letter("index"), temperature("T_here"), temperature("T_next"), {}, {}, {}, {}, {}, {}};
+        if (!geometry_.has_points()) f.place.here = (f.place.left + f.place.right) / 2;
+        const GridPlace next{f.place.right, f.place.right, f.beyond};
+        const Warmth here = warmth_of(f.here);
+        f.link = conduct(*rod_.conductivity, geometry_.shape_factor(f.place, next), here, warmth_of(f.next), translate_, symbols_, {});
+        f.source = source(here, f.place);
+        NodeState generic{NodeState::Kind::storing, rod_.name, &rod_, rod_.span, here, {}};
+        store(generic, *rod_.heat_capacity, mass(f.place), translate_, symbols_, {});
+        f.capacity = generic.capacity;
+        f.energy = generic.stored_energy;
+        f.start = states.start ? translate_(*states.start, {}, {{states.family->index, f.number}}) : ex(0);
+        f.tapped.assign(cells_.begin(), cells_.end());
+        for (const Variable& state : symbols_.all(SymbolKind::state))
+            if (f.source.has(state.symbol))
+                throw Failure(Diagnostic{Id::not_allowed_here, rod_.span, fmt::format("rod '{}' has {} cells, which are computed in a loop; what surrounds or heats it must not depend on the state '{}' then", rod_.name, geometry_.cells(), state.name)});
+        return f;
     }
 
     /// What a surface takes up by convection and radiation.
@@ -122,40 +110,39 @@ private:
         return heat;
     }
 
-    void join(std::string name, const NodeState& a, const NodeState& b, const ex& from, const ex& to) {
-        LinkState link{std::move(name), rod_.span, {}, {}, conduct(*rod_.conductivity, shape_factor(from, to), a.warmth, b.warmth, translate_, symbols_, {})};
+    void join(std::string name, const NodeState& a, const NodeState& b, const ex& shape) {
+        LinkState link{std::move(name), rod_.span, {}, {}, conduct(*rod_.conductivity, shape, a.warmth, b.warmth, translate_, symbols_, {})};
         link.from.node = &a;
         link.to.node = &b;
         network_.links.push_back(std::move(link));
     }
 
-    void end(const std::optional<RodEnd>& what, const char* which, const ex& face, NodeState* nearest, const ex& centre) {
+    void end(const std::optional<RodEnd>& what, const char* which, NodeState* nearest, const GridPlace& place) {
         if (!what) return;
         const bool is_first = which == std::string_view("first");
         const std::string name = fmt::format("{}.{}", rod_.name, which);
-        const ex surface = has_points() && is_held(what) ? (is_first ? ends_.first : ends_.second) : face;
-        NodeState* at_surface = nearest;
-        if (is_held(what)) {
-            at_surface = &network_.nodes.emplace_back(NodeState{NodeState::Kind::held, name, &rod_, what->temperature->span, warmth_of(value(what->temperature)), {}});
-        } else if (!has_points() && what->ambient) {
-            at_surface = &add_sought(network_, name, rod_, what->span, symbols_);
+        NodeState* surface = nearest;
+        if (what->temperature)
+            surface = &network_.nodes.emplace_back(NodeState{NodeState::Kind::held, name, &rod_, what->temperature->span, warmth_of(value(what->temperature)), {}});
+        else if (!geometry_.has_points() && what->ambient)
+            surface = &add_sought(network_, name, rod_, what->span, symbols_);
+        if (surface != nearest) {
+            const ex shape = geometry_.end_factor(place, is_first);
+            if (is_first) join(fmt::format("between {} and {}", name, nearest->name), *surface, *nearest, shape);
+            else join(fmt::format("between {} and {}", nearest->name, name), *nearest, *surface, shape);
         }
-        if (at_surface != nearest) {
-            if (is_first) join(fmt::format("between {} and {}", name, nearest->name), *at_surface, *nearest, surface, centre);
-            else join(fmt::format("between {} and {}", nearest->name, name), *nearest, *at_surface, centre, surface);
-        }
-        if (what->flux) at_surface->source += value(what->flux) * area(surface);
-        if (what->ambient) at_surface->source += taken_up(at_surface->warmth, area(surface), what->coefficient, what->emissivity, what->ambient);
+        const ex area = geometry_.end_area(is_first);
+        if (what->flux) surface->source += value(what->flux) * area;
+        if (what->ambient) surface->source += taken_up(surface->warmth, area, what->coefficient, what->emissivity, what->ambient);
     }
 
     HeatNetwork& network_;
     const Rod& rod_;
     const Translator& translate_;
     Symbols& symbols_;
+    const Field* field_;  ///< null: every cell is a node
+    RodGeometry geometry_;
     std::vector<const Variable*> states_;
-    std::vector<ex> faces_;    ///< one more than there are cells
-    std::vector<ex> centres_;
-    std::pair<ex, ex> ends_;   ///< of points
     std::vector<NodeState*> cells_;
 };
 

@@ -23,7 +23,10 @@ CppBodies::CppBodies(const Code& code) : code_(code), n_(code.solve.n), m_(code.
     for (const FunctionCode& f : code.functions)
         for (const NodeId id : f.program.in_order(f.roots()))
             if (f.program[id].kind == Node::Kind::cached) used.insert(f.program[id].index);
-    for (const std::uint32_t index : used) cached_.emplace(index, cached_.size());
+    for (const std::uint32_t index : used) {
+        cached_texts_.emplace(index, "c_." + cached_name(code.system.symbols, cached_.size()));
+        cached_.emplace(index, cached_.size());
+    }
     layouts_.emplace_back(code, code[Function::rhs_and_jacobian], By::state);
     layouts_.emplace_back(code, code[Function::jacobian_u], By::input);
     layouts_.emplace_back(code, code[Function::jacobian_p], By::parameter);
@@ -60,7 +63,7 @@ CppBody CppBodies::update() {
     FunctionCode f = all;
     f.results.assign(all.results.begin(), all.results.begin() + static_cast<std::ptrdiff_t>(code_.definition_order.size()));
     for (const auto& [index, number] : cached_) f.results.push_back(all.results[code_.definition_order.size() + index]);
-    CppFunction cpp(code_, f, cached_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, argument_names);
     std::string statements;
     const auto& definitions = code_.system.symbols.all(SymbolKind::definition);
     for (std::size_t i = 0; i < f.results.size(); ++i) {
@@ -79,7 +82,7 @@ CppBody CppBodies::update() {
 
 CppBody CppBodies::start_state() {
     const FunctionCode& f = code_[Function::start_state];
-    CppFunction cpp(code_, f, cached_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, argument_names);
     std::string statements = cpp.compute(f.results);
     for (std::size_t i = 0; i < f.results.size(); ++i)
         if (!f.is_zero(f.results[i])) statements += assigned(cpp, fmt::format("x[{}]", i), f.results[i]);
@@ -121,14 +124,14 @@ std::string CppBodies::motion(CppFunction& cpp, const FunctionCode& f) {
 
 CppBody CppBodies::rhs() {
     const FunctionCode& f = code_[Function::rhs];
-    CppFunction cpp(code_, f, cached_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, argument_names);
     std::string statements = motion(cpp, f);
     return finish(cpp, std::move(statements), "State& dxdt", {.state = n_ > 0});
 }
 
 CppBody CppBodies::rhs_and_jacobian() {
     const FunctionCode& f = code_[Function::rhs_and_jacobian];
-    CppFunction cpp(code_, f, cached_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, argument_names);
     std::string statements = motion(cpp, f);
     statements += filled_jacobian(cpp, f, layout(By::state), By::state, true);
     return finish(cpp, std::move(statements), "State& dxdt, JacobianX& J", {.state = n_ > 0});
@@ -172,7 +175,7 @@ std::string CppBodies::accelerations_by_rhs(CppFunction& cpp) {
 
 CppBody CppBodies::jacobian(Function function, By by) {
     const FunctionCode& f = code_[function];
-    CppFunction cpp(code_, f, cached_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, argument_names);
     std::string statements;
     if (f.uses_accelerations) statements += accelerations_by_rhs(cpp);
     statements += filled_jacobian(cpp, f, layout(by), by, false);
@@ -183,7 +186,7 @@ CppBody CppBodies::jacobian(Function function, By by) {
 
 CppBody CppBodies::mass_matrix() {
     const FunctionCode& f = code_[Function::mass_matrix];
-    CppFunction cpp(code_, f, cached_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, argument_names);
     std::string statements = cpp.compute(f.results);
     for (std::size_t c = 0; c < n_; ++c)
         for (std::size_t r = 0; r < n_; ++r)
@@ -193,7 +196,7 @@ CppBody CppBodies::mass_matrix() {
 
 CppBody CppBodies::values(Function function, const char* type, const char* result) {
     const FunctionCode& f = code_[function];
-    CppFunction cpp(code_, f, cached_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, argument_names);
     std::string statements;
     if (f.uses_accelerations) statements += accelerations_by_rhs(cpp);
     statements += cpp.compute(f.results);
@@ -204,7 +207,7 @@ CppBody CppBodies::values(Function function, const char* type, const char* resul
 /// dh/dx at fixed accelerations, and through the accelerations where outputs contain them.
 CppBody CppBodies::output_jacobian(Function function, By by) {
     const FunctionCode& f = code_[function];
-    CppFunction cpp(code_, f, cached_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, argument_names);
     const std::size_t rows = f.by_output.rows;
     const bool through = std::any_of(f.by_acceleration.entries.begin(), f.by_acceleration.entries.end(), [&](NodeId id) { return !f.is_zero(id); });
     const bool is_empty = rows == 0 || f.by_output.columns == 0;
@@ -238,7 +241,7 @@ CppBody CppBodies::output_jacobian(Function function, By by) {
 
 CppBody CppBodies::scalar(Function function) {
     const FunctionCode& f = code_[function];
-    CppFunction cpp(code_, f, cached_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, argument_names);
     std::string statements;
     if (f.uses_accelerations) statements += accelerations_by_rhs(cpp);
     statements += cpp.compute(f.results);

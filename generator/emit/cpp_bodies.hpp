@@ -27,8 +27,8 @@ public:
     CppBody output_jacobian(Function function, By by);
     CppBody scalar(Function function);
 
-    /// Cached values that some function uses, in order, with their number in the cache.
-    const CachedNumbers& cached() const { return cached_; }
+    /// Cached values that some function uses, in order, with the number in their name.
+    const std::map<std::uint32_t, std::size_t>& cached() const { return cached_; }
     const JacobianLayout& layout(By by) const { return layouts_[static_cast<std::size_t>(by)]; }
     /// The header's own functions that its code calls: "ldlt", "sign", ...
     const std::set<std::string>& helpers() const { return helpers_; }
@@ -52,7 +52,8 @@ private:
     const Code& code_;
     std::size_t n_;
     std::size_t m_;
-    CachedNumbers cached_;
+    std::map<std::uint32_t, std::size_t> cached_;
+    CachedTexts cached_texts_;
     std::vector<JacobianLayout> layouts_;
     std::set<std::string> helpers_;
 };

@@ -43,7 +43,7 @@ std::string wrapped(const std::string& statement, std::size_t indent) {
     return result + blanks + (first ? "" : "    ") + rest + "\n";
 }
 
-CppFunction::CppFunction(const Code& code, const FunctionCode& function, const CachedNumbers& cached, std::set<std::string> arguments)
+CppFunction::CppFunction(const Code& code, const FunctionCode& function, const CachedTexts& cached, std::set<std::string> arguments)
     : code_(code), function_(function), cached_(cached), arguments_(arguments), names_({}), uses_(function.program.size(), 0) {
     const Symbols& symbols = code.system.symbols;
     for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
@@ -129,7 +129,7 @@ CppFunction::Text CppFunction::build(NodeId id, std::string& statements) {
             const std::string text = cpp_constant(node.value);
             return {text, is_integer(node.value) && !is_negative(node.value) && text.find(' ') == std::string::npos ? 3 : 1};
         }
-        case Node::Kind::cached: return {"c_." + cached_name(code_.system.symbols, cached_.at(node.index)), 3};
+        case Node::Kind::cached: return {cached_.at(node.index), 3};
         case Node::Kind::sum: return sum(node, statements);
         case Node::Kind::product: return product(node, statements);
         case Node::Kind::reciprocal: return {"Scalar(1) / " + operand(node.arguments[0], 3, statements), 2};
@@ -166,6 +166,8 @@ CppFunction::Text CppFunction::symbol(NodeId id, std::string& statements) {
         case SymbolKind::velocity: uses_state_ = true; return local(state_, n + variable.position);
         case SymbolKind::state: uses_state_ = true; return local(state_, 2 * n + variable.position);
         case SymbolKind::acceleration: return {fmt::format("{}[{}]", accelerations_, first_acceleration_ + variable.position), 3};
+        case SymbolKind::grid:
+        case SymbolKind::letter: return {variable.base.substr(0, variable.base.find('[')), 3};  // of a cell in a loop
         default: throw std::logic_error("a symbol that has no place in the header: " + variable.name);
     }
 }

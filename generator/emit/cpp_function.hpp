@@ -11,13 +11,13 @@
 
 namespace dalembert {
 
-/// The number that a cached value has among those that some function uses.
-using CachedNumbers = std::map<std::uint32_t, std::size_t>;
+/// How cached values are read: "c_.k3".
+using CachedTexts = std::map<std::uint32_t, std::string>;
 
 class CppFunction {
 public:
     /// `arguments` are names that are in scope already.
-    CppFunction(const Code& code, const FunctionCode& function, const CachedNumbers& cached, std::set<std::string> arguments);
+    CppFunction(const Code& code, const FunctionCode& function, const CachedTexts& cached, std::set<std::string> arguments);
 
     /// How symbols of a kind are read: "x", first index in it; members of the parameter struct have none.
     void bind_state(const std::string& array) { state_ = array; }
@@ -58,7 +58,7 @@ private:
 
     const Code& code_;
     const FunctionCode& function_;
-    const CachedNumbers& cached_;
+    const CachedTexts& cached_;
     std::set<std::string> arguments_;
     NameScope names_;
     std::vector<int> uses_;

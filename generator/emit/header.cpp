@@ -10,6 +10,7 @@
 #include "emit/banner.hpp"
 #include "emit/cpp_bodies.hpp"
 #include "emit/cpp_constant.hpp"
+#include "emit/field_header.hpp"
 #include "emit/helpers.hpp"
 #include "emit/notation.hpp"
 #include "emit/safe_text.hpp"
@@ -32,31 +33,28 @@ std::string upper(std::string text) {
 
 class HeaderWriter {
 public:
-    HeaderWriter(const Code& code, const Proofs& proofs, const std::string& command)
-        : code_(code), system_(code.system), symbols_(system_.symbols), proofs_(proofs), command_(command), bodies_(code), write_(symbols_, Style::text),
+    explicit HeaderWriter(const Code& code)
+        : code_(code), system_(code.system), symbols_(system_.symbols), bodies_(code), write_(symbols_, Style::text),
           values_(system_.scene, system_.translate) {}
 
-    std::string run() {
+    /// The part of the header in its namespace.
+    std::string run(const std::string& name_space) {
         functions();
         tables();
         equations();
         values("API_VERSION", std::to_string(header_api_version));
-        values("NAMESPACE", header_namespace(system_.scene));
-        values("GUARD", upper(header_namespace_flat()) + "_HPP");
+        values("NAMESPACE", name_space);
         values("NAME", cpp_string(system_.scene.model->name));
         values("SCENE", cpp_string(system_.scene.name));
         values("TITLE", cpp_string(system_.scene.model->title));
         values("CACHED", cached_members());
         values("PARAMETER_MEMBERS", parameter_members());
         values("HELPERS", helpers());
-        values("BANNER", banner(code_, proofs_, command_));
         return fill_template(embedded_file("system.hpp.in"), placeholders_);
     }
 
 private:
     void values(const std::string& name, std::string text) { placeholders_[name] = std::move(text); }
-
-    std::string header_namespace_flat() const { return system_.scene.sized_name() + "_" + system_.scene.name; }
 
     void body(Function function, const CppBody& body) {
         const std::string name = upper(name_of(function));
@@ -297,8 +295,6 @@ private:
     const Code& code_;
     const System& system_;
     const Symbols& symbols_;
-    const Proofs& proofs_;
-    const std::string& command_;
     CppBodies bodies_;
     Notation write_;
     Values values_;
@@ -312,9 +308,13 @@ private:
 std::string header_name(const Scene& scene) { return fmt::format("{}_{}.hpp", scene.sized_name(), scene.name); }
 std::string header_namespace(const Scene& scene) { return fmt::format("{}::{}", scene.sized_name(), scene.name); }
 
-Header make_header(const Code& code, const Proofs& proofs, const std::string& command) {
+Header make_header(const Code& code, const FieldCode* fields, const Proofs& proofs, const std::string& command) {
     check_cpp_names(code.system);
-    return {header_name(code.system.scene), header_namespace(code.system.scene), HeaderWriter(code, proofs, command).run()};
+    const Scene& scene = code.system.scene;
+    const std::string name_space = header_namespace(scene);
+    const std::string content = fields == nullptr ? HeaderWriter(code).run(name_space) : HeaderWriter(code).run(name_space + "::core") + "\n" + field_content(*fields, name_space);
+    const std::string guard = upper(scene.sized_name() + "_" + scene.name) + "_HPP";
+    return {header_name(scene), name_space, fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner(code, proofs, command)}, {"GUARD", guard}, {"CONTENT", content}})};
 }
 
 }  // namespace dalembert

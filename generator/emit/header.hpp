@@ -3,6 +3,7 @@
 #pragma once
 
 #include "emit/banner.hpp"
+#include "graph/field_code.hpp"
 
 namespace dalembert {
 
@@ -19,6 +20,7 @@ std::string header_name(const Scene& scene);
 std::string header_namespace(const Scene& scene);
 
 /// `command` is what the banner shows: normalised, without paths.
-Header make_header(const Code& code, const Proofs& proofs, const std::string& command);
+/// `fields`: null where every state is code of its own.
+Header make_header(const Code& code, const FieldCode* fields, const Proofs& proofs, const std::string& command);
 
 }  // namespace dalembert

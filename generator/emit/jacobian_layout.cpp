@@ -14,7 +14,8 @@ JacobianLayout::JacobianLayout(const Code& code, const FunctionCode& function, B
     const std::size_t m = code.system.symbols.states();
     rows_ = 2 * n + m;
     columns_ = function.right.columns;
-    is_sparse_ = rows_ > largest_dense && by != By::time;
+    const bool is_core = !code.system.heat.fields.empty();  // of a header with loops, where the pattern decides what is a band
+    is_sparse_ = (rows_ > largest_dense || is_core) && by != By::time;
     column_starts_.push_back(0);
     for (std::size_t c = 0; c < columns_; ++c) {
         bool any = false;

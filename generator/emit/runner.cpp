@@ -55,7 +55,7 @@ std::string input_statements(Code& code, const std::vector<ex>& inputs) {
     ProgramBuilder builder(code.atoms, code.cache, ParameterParts::in_place, f.program);
     builder.prepare(polynomials);
     for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(i));
-    const CachedNumbers none;
+    const CachedTexts none;
     CppFunction cpp(code, f, none, {"x", "t", "u", "p_"});
     std::string statements = cpp.compute(f.results);
     for (std::size_t i = 0; i < f.results.size(); ++i) {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "balance/balance_equation.hpp"
-#include "balance/heat_network.hpp"
+#include "balance/rod.hpp"
 #include "mechanics/dalembert.hpp"
 #include "mechanics/euler_lagrange.hpp"
 #include "mechanics/forces.hpp"

@@ -12,9 +12,9 @@ namespace {
 
 /// The order in which symbols are numbered.
 constexpr std::array symbol_order{SymbolKind::parameter, SymbolKind::definition, SymbolKind::time,        SymbolKind::input, SymbolKind::coordinate,
-                                  SymbolKind::velocity,  SymbolKind::state,      SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::letter};
+                                  SymbolKind::velocity,  SymbolKind::state,      SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::grid, SymbolKind::letter};
 
-bool is_parameter(SymbolKind kind) { return kind == SymbolKind::parameter || kind == SymbolKind::definition; }
+bool is_parameter(SymbolKind kind) { return kind == SymbolKind::parameter || kind == SymbolKind::definition || kind == SymbolKind::grid; }
 
 Polynomial renumbered(const Polynomial& p, const std::vector<Letter>& new_letter) {
     Polynomial result;

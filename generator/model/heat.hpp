@@ -62,6 +62,7 @@ struct Rod : Item {
     ExpressionPtr side_coefficient;
     ExpressionPtr side_emissivity;
     ExpressionPtr ambient;
+    std::optional<bool> loops;     ///< whether its cells are computed in loops; decided by their number without
     std::optional<RodEnd> first;
     std::optional<RodEnd> last;
 };

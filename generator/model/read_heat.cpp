@@ -129,6 +129,7 @@ void read(const Entry& e, Rod& rod) {
     rod.side_coefficient = e.expression("side_coefficient");
     rod.side_emissivity = e.expression("side_emissivity");
     rod.ambient = e.expression("ambient");
+    if (e.has("loops")) rod.loops = e.boolean("loops");
     if (e.has("first")) rod.first = rod_end(e, "first");
     if (e.has("last")) rod.last = rod_end(e, "last");
     if (e.has("side_coefficient") || e.has("side_emissivity"))

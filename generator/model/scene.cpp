@@ -27,6 +27,17 @@ bool Scene::has_capacity(const HeatNode& node, const Names& names) const {
     return node.capacity && holds(names.find(node.temperature->name)->item->when);
 }
 
+const Field* Scene::find_field(const Rod& rod) const {
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.rod == &rod; });
+    return found == fields.end() ? nullptr : &*found;
+}
+
+std::size_t Scene::state_count() const {
+    std::size_t count = 2 * coordinates.size() + states.size();
+    for (const Field& field : fields) count += static_cast<std::size_t>(field.to - field.from + 1) - field.tapped.size();
+    return count;
+}
+
 bool Scene::holds(const std::optional<Condition>& when) const {
     if (!when) return true;
     std::set<std::string> effects;

@@ -20,6 +20,15 @@ struct Member {
     std::string name() const { return item->family ? item->name + "[" + std::to_string(index) + "]" : item->name; }
 };
 
+/// A family of states that is computed in loops: the cells of a rod with many of them. Of its states only those are in the scene that
+/// something else needs, and the first and last.
+struct Field {
+    const Rod* rod;
+    const State* states;
+    int from, to;
+    std::set<int> tapped;
+};
+
 /// The value of the index of a family or sum, by name.
 using Indices = std::map<std::string, int, std::less<>>;
 
@@ -53,6 +62,7 @@ struct Scene {
     std::vector<Member<HeatNode>> nodes;
     std::vector<Member<Link>> links;
     std::vector<Member<Rod>> rods;
+    std::vector<Field> fields;
     std::set<std::string> thermal_media;  ///< whose temperature varies, so that it matters
 
     /// Whether the condition of an item holds.
@@ -61,6 +71,10 @@ struct Scene {
     bool has_temperature(const Volume& volume, const Names& names) const;
     /// Whether a node stores heat in this scene.
     bool has_capacity(const HeatNode& node, const Names& names) const;
+    /// The field of a rod; null where its cells are states one by one.
+    const Field* find_field(const Rod& rod) const;
+    /// The number of states, cells of fields included.
+    std::size_t state_count() const;
     /// "n_pendulum_N5": the model's name and its sizes.
     std::string sized_name() const;
 };

@@ -219,6 +219,7 @@ constexpr std::array rod_keys{
     KeySpec{"side_coefficient", T::expression, false, "convection through the side to the ambient"},
     KeySpec{"side_emissivity", T::expression, false, "radiation of the side to the ambient"},
     KeySpec{"ambient", T::expression, false, "temperature of what surrounds the side"},
+    KeySpec{"loops", T::boolean, false, "true: the cells are computed in loops, whose code does not grow with their number; if left out, above 40 cells"},
     KeySpec{"first", T::expressions_by_name, false,
             "what holds at the first end: { temperature }, or some of flux (into the rod), coefficient and emissivity with ambient; insulated without (4.9)"},
     KeySpec{"last", T::expressions_by_name, false, "likewise at the last end"},

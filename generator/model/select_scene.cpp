@@ -118,6 +118,7 @@ public:
                 visit(*member.item, [&](const Site& site) { use(site); });
             }
         };
+        find_fields();
         for (const auto& member : scene_.coordinates) used_.insert(member.item->name);
         use_all(scene_.coordinates, "coordinate");
         use_all(scene_.bodies, "body");
@@ -134,6 +135,7 @@ public:
         use_nodes();
         use_all(scene_.links, "link");
         use_rods();
+        tap_all();
         use_all(scene_.outputs, "output");
         use_media();
         if (scene_.gravity != nullptr) {
@@ -148,7 +150,7 @@ public:
         use_in_runs();
         choose_used(model_.parameters, scene_.parameters);
         choose_used(model_.inputs, scene_.inputs);
-        choose_used(model_.states, scene_.states);
+        choose_states();
         for (const Definition& definition : model_.definitions)
             if (used_.contains(definition.name) && (dependence(*definition.value, names_) & ~on_parameters) == 0)
                 add_members(definition, scene_.definitions);
@@ -182,11 +184,62 @@ private:
             if (used_.contains(item.name)) add_members(item, members);
     }
 
+    /// A rod with so many cells is computed in loops.
+    static constexpr int most_unrolled = 40;
+
+    void find_fields() {
+        for (const auto& member : scene_.rods) {
+            const State& states = static_cast<const State&>(*names_.find(member.item->temperature.name)->item);
+            const auto [from, to] = bounds(*states.family, scene_);
+            if (member.item->loops.value_or(to - from + 1 > most_unrolled) && to > from) scene_.fields.push_back({member.item, &states, from, to, {from, to}});
+        }
+    }
+
+    Field* field_of(const std::string& name) {
+        for (Field& field : scene_.fields)
+            if (field.states->name == name || field.rod->name == name) return &field;
+        return nullptr;
+    }
+
+    void choose_states() {
+        for (const State& state : model_.states) {
+            if (!used_.contains(state.name)) continue;
+            const Field* field = field_of(state.name);
+            if (field == nullptr) add_members(state, scene_.states);
+            else for (const int index : field->tapped) scene_.states.push_back({&state, index});
+        }
+    }
+
+    /// A cell of a field that something asks for by its number is a state of its own.
+    void tap(const std::string& name, const Expression& index, const Indices& indices) {
+        Field* field = field_of(name);
+        if (field == nullptr) return;
+        const int value = index_value(index, scene_, indices);
+        if (value < field->from || value > field->to)
+            fail(Id::index_out_of_range, index.span, fmt::format("'{}' has the members {} to {}, but {} is asked for", name, field->from, field->to, value));
+        field->tapped.insert(value);
+    }
+
+    void tap_all() {
+        for (const auto& member : scene_.links) {
+            const Indices indices = member.item->family ? Indices{{member.item->family->index, member.index}} : Indices{};
+            for (const Reference& end : {member.item->from, member.item->to})
+                if (end.index) tap(end.name, *end.index, indices);
+        }
+    }
+
     void use(const Site& site) {
         if (site.may_be_absent && !holds(*site.expression)) return;
         for_each(*site.expression, [&](const Expression& e) {
             const bool bound = std::find(site.bound.begin(), site.bound.end(), e.name) != site.bound.end();
             if (e.kind != Kind::name || bound) return;
+            if (const Field* field = field_of(e.name); field != nullptr && e.children.size() == 1) {
+                bool counts = false;
+                for_each(*e.children[0], [&](const Expression& part) { counts = counts || std::find(site.bound.begin(), site.bound.end(), part.name) != site.bound.end(); });
+                if (counts)
+                    fail(Id::too_large, e.span, fmt::format("'{}' asks for all of the {} cells of rod '{}', which are computed in a loop; name single cells", e.written(), field->to - field->from + 1, field->rod->name));
+                tap(e.name, *e.children[0], {});
+            }
             if (e.children.size() == 3 && find_quantity(e.name) != nullptr) {  // a property of a medium, at any temperature
                 media_.insert(e.children[0]->name);
                 scene_.thermal_media.insert(e.children[0]->name);

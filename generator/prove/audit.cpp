@@ -47,6 +47,9 @@ AuditEntry balance_power(const System& system, Prover& prover) {
     for (const ex& energy : system.kinetic) change.push_back(symbols.time_derivative(energy));
     for (const Potential& p : system.potentials) change.push_back(symbols.time_derivative(p.energy));
     if (!system.internal_energy.is_zero()) change.push_back(system.with_rates(symbols.time_derivative(system.internal_energy)));
+    // The energy of a cell of a field counts with the field; here the cell balances what comes to it from elsewhere.
+    for (const NodeState& node : system.heat.nodes)
+        if (node.is_tapped) change.push_back(system.with_rates(symbols.time_derivative(node.stored_energy)));
     ex power = system.supplied_power - system.dissipated_power + system.prescribed_power + system.exchanged_power;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) power += system.residual[j] * symbols.get(SymbolKind::velocity, j);
     return {"power balance", prover.equal(GiNaC::add(change), power)};

@@ -115,6 +115,11 @@ ex Symbols::letter(const std::string& name) {
     return all(SymbolKind::letter).back().symbol;
 }
 
+ex Symbols::grid_letter(const std::string& name) {
+    add(SymbolKind::grid, name, false, {name});
+    return all(SymbolKind::grid).back().symbol;
+}
+
 void Symbols::define(std::vector<ex> values) {
     definition_values_ = std::move(values);
     expanded_definitions_ = definition_values_;

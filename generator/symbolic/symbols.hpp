@@ -14,7 +14,7 @@
 
 namespace dalembert {
 
-enum class SymbolKind { parameter, definition, time, input, coordinate, velocity, state, acceleration, state_rate, letter };
+enum class SymbolKind { parameter, definition, time, input, coordinate, velocity, state, acceleration, state_rate, grid, letter };
 
 /// One scalar of the scene. For a member of a family, base and index say which.
 struct Variable {
@@ -56,6 +56,8 @@ public:
 
     /// A further letter, as the variable of a law; not part of the scene.
     GiNaC::ex letter(const std::string& name);
+    /// A number on the grid of a rod: known before the parameters are.
+    GiNaC::ex grid_letter(const std::string& name);
 
     /// Gives the definitions (of parameters alone) their values, in terms of parameters and other definitions.
     void define(std::vector<GiNaC::ex> values);

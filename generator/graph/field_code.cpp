@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/field_code.hpp"
+
+#include <fmt/format.h>
+
+#include "graph/lower.hpp"
+#include "graph/raise.hpp"
+#include "model/verdict.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+constexpr auto parameters_as_they_are = ParameterParts::in_place;
+
+/// What every function of a field is to compute.
+struct Wanted {
+    FunctionCode* function;
+    std::vector<ex> values;
+    ParameterParts parts;
+};
+
+ex by_column(const System& system, const ex& e, By by, std::size_t column) {
+    const Symbols& symbols = system.symbols;
+    if (by == By::parameter) return partial(e, symbols.get(SymbolKind::parameter, column));
+    return partial(e, by == By::time ? symbols.time() : symbols.get(SymbolKind::input, column));
+}
+
+/// Definitions are the other code's; here parameters stand for themselves.
+struct Cell {
+    ex link, source, capacity, energy, start;
+    Cell(const RodField& f, const Symbols& symbols)
+        : link(symbols.without_definitions(f.link)), source(symbols.without_definitions(f.source)), capacity(symbols.without_definitions(f.capacity)),
+          energy(symbols.without_definitions(f.energy)), start(symbols.without_definitions(f.start)) {}
+};
+
+void add_columns(FieldFunctions& functions, const System& system, const Cell& cell, By by, std::size_t count) {
+    for (std::size_t c = 0; c < count; ++c) {
+        const auto matters = [&](const ex& e) { return !by_column(system, e, by, c).is_zero(); };
+        if (matters(cell.link) || matters(cell.source) || matters(cell.capacity)) functions.columns.push_back({by, c, {}, {}});
+    }
+}
+
+/// All functions of a field with what they are to compute. In the columns of parameters nothing is cached.
+std::vector<Wanted> wanted(FieldFunctions& functions, const System& system) {
+    const RodField& f = *functions.field;
+    const Cell cell(f, system.symbols);
+    const auto here = [&](const ex& e) { return partial(e, f.here); };
+    std::vector<Wanted> result{
+        {&functions.link, {cell.link}, ParameterParts::cached},
+        {&functions.link_slopes, {cell.link, here(cell.link), partial(cell.link, f.next)}, ParameterParts::cached},
+        {&functions.cell, {cell.source, 1 / cell.capacity}, ParameterParts::cached},
+        {&functions.cell_slopes, {cell.source, 1 / cell.capacity, here(cell.source), here(cell.capacity)}, ParameterParts::cached},
+        {&functions.source, {cell.source}, ParameterParts::cached},
+        {&functions.energy, {cell.energy}, ParameterParts::cached},
+        {&functions.start, {cell.start}, parameters_as_they_are},
+    };
+    for (FieldColumn& column : functions.columns) {
+        const auto by = [&](const ex& e) { return by_column(system, e, column.by, column.column); };
+        const auto parts = column.by == By::parameter ? parameters_as_they_are : ParameterParts::cached;
+        if (!by(cell.link).is_zero()) result.push_back({&column.link, {by(cell.link)}, parts});
+        result.push_back({&column.cell, {by(cell.source), by(cell.capacity), 1 / cell.capacity}, parts});
+    }
+    return result;
+}
+
+void build(FunctionCode& function, const std::vector<Polynomial>& values, ParameterParts parts, Code& code) {
+    ProgramBuilder builder(code.atoms, code.cache, parts, function.program);
+    builder.prepare(values);
+    for (std::size_t i = 0; i < values.size(); ++i) function.results.push_back(builder.root(i));
+}
+
+}  // namespace
+
+bool FieldCode::depends_on_grid(std::uint32_t cached) const {
+    for (const NodeId id : update.program.in_order({update.results[cached]})) {
+        const Node& node = update.program[id];
+        if (node.kind != Node::Kind::symbol) continue;
+        const Variable* variable = code.atoms[node.index].variable;
+        if (variable != nullptr && variable->kind == SymbolKind::grid) return true;
+    }
+    return false;
+}
+
+std::unique_ptr<FieldCode> make_field_code(const System& system) {
+    auto result = std::make_unique<FieldCode>(system);
+    for (const RodField& field : system.heat.fields) {
+        FieldFunctions& functions = result->fields.emplace_back();
+        functions.field = &field;
+        const Cell cell(field, system.symbols);
+        add_columns(functions, system, cell, By::input, system.symbols.count(SymbolKind::input));
+        add_columns(functions, system, cell, By::parameter, system.symbols.count(SymbolKind::parameter));
+        add_columns(functions, system, cell, By::time, 1);
+    }
+    std::vector<Wanted> all;
+    for (FieldFunctions& functions : result->fields)
+        for (Wanted& one : wanted(functions, system)) all.push_back(std::move(one));
+    std::vector<std::vector<Polynomial>> lowered;
+    for (const Wanted& one : all) {
+        lowered.emplace_back();
+        for (const ex& value : one.values) lowered.back().push_back(lower(value, result->code.atoms));
+    }
+    std::vector<Polynomial*> everything;
+    for (auto& group : lowered)
+        for (Polynomial& p : group) everything.push_back(&p);
+    result->code.atoms.canonicalise(everything);
+    for (std::size_t i = 0; i < all.size(); ++i) build(*all[i].function, lowered[i], all[i].parts, result->code);
+    build(result->update, result->code.cache.values(), ParameterParts::in_place, result->code);
+    return result;
+}
+
+std::vector<AuditEntry> verify_fields(const FieldCode& field_code) {
+    const System& system = field_code.code.system;
+    Prover prover(system);
+    Raiser cached(field_code.update.program, field_code.code.atoms, [](std::uint32_t) -> ex { throw std::logic_error("cached values of cached values"); });
+    std::vector<AuditEntry> entries;
+    for (const FieldFunctions& fields : field_code.fields) {
+        FieldFunctions copy = fields;
+        AuditEntry emitted{fmt::format("emitted = derived, cells of {}", fields.field->rod->name), {Verdict::proven}};
+        const auto compare = [&](AuditEntry& entry, const ex& a, const ex& b) {
+            Comparison result = prover.equal(a, b);
+            if (is_worse(result.verdict, entry.result.verdict)) entry.result = std::move(result);
+        };
+        for (const Wanted& one : wanted(copy, system)) {
+            Raiser raise(one.function->program, field_code.code.atoms, [&](std::uint32_t index) { return cached(field_code.update.results[index]); });
+            for (std::size_t i = 0; i < one.values.size(); ++i) compare(emitted, raise(one.function->results[i]), one.values[i]);
+        }
+        entries.push_back(std::move(emitted));
+        AuditEntry energy{fmt::format("capacity = d(energy)/dT, cells of {}", fields.field->rod->name), {Verdict::proven}};
+        compare(energy, partial(fields.field->energy, fields.field->here), fields.field->capacity);
+        entries.push_back(std::move(energy));
+    }
+    return entries;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The code of rods with many cells: what one cell does, as straight-line code that is emitted inside of loops.
+#pragma once
+
+#include "balance/rod.hpp"
+#include "graph/code.hpp"
+#include "prove/audit.hpp"
+
+namespace dalembert {
+
+/// Derivatives by one input, the time or a parameter.
+struct FieldColumn {
+    By by;
+    std::size_t column;
+    FunctionCode link;    ///< result: d(heat to the next cell); none where it is zero
+    FunctionCode cell;    ///< results: d(source), d(capacity), 1/capacity
+};
+
+struct FieldFunctions {
+    const RodField* field;
+    FunctionCode link;         ///< result: heat to the next cell
+    FunctionCode link_slopes;  ///< results: that, d/d(here), d/d(next)
+    FunctionCode cell;         ///< results: source, 1/capacity
+    FunctionCode cell_slopes;  ///< results: those, d(source)/d(here), d(capacity)/d(here)
+    FunctionCode source;       ///< result: source
+    FunctionCode energy;       ///< result: energy
+    FunctionCode start;        ///< result: temperature at the start
+    std::vector<FieldColumn> columns;
+};
+
+struct FieldCode {
+    explicit FieldCode(const System& system) : code(system) {}
+    FieldCode(const FieldCode&) = delete;
+
+    Code code;                                ///< atoms and cache only
+    std::vector<FieldFunctions> fields;
+    FunctionCode update;                      ///< results: cached values
+    bool depends_on_grid(std::uint32_t cached) const;
+};
+
+std::unique_ptr<FieldCode> make_field_code(const System& system);
+
+/// Proves the code equal to what cells do, and the capacity the slope of the energy.
+std::vector<AuditEntry> verify_fields(const FieldCode& code);
+
+}  // namespace dalembert
