@@ -28,6 +28,7 @@ bool NormalForm::is_zero(const ex& e) {
     for (int attempt = 0; attempt < most_restarts; ++attempt) {
         forget();
         try {
+            if (!functions_are_letters_) roots_first(e);
             return without_inverses(convert(e)).is_zero();
         } catch (const Restart&) {
         } catch (const TooManyTerms&) {
@@ -134,6 +135,7 @@ Polynomial NormalForm::function(const ex& e) {
         return multiply(x, sign_of(x));
     }
     if (name == "whole") return convert(e.op(0));
+    if (name == "sum_of_three") return convert(e.op(0) + e.op(1) + e.op(2));
     if (name == "exp_minus_one") return exponential(convert(e.op(0))) - Polynomial(1);
     if (name == "compression") {
         const Polynomial x = convert(e.op(0));
@@ -165,6 +167,7 @@ Polynomial NormalForm::function(const ex& e) {
         if (d.is_constant() && k.is_constant() && !d.is_zero() && !k.is_zero()) return outflow_factor(leading(d), leading(k));
         return atom(name, e);
     }
+    if (const auto heat = heat_function(name, e)) return *heat;
     if (name == "norm") return root(convert(e.op(0)), 2);
     if (name == "inverse_norm") return inverse(root(convert(e.op(0)), 2));
     if (name == "unit_step") {
