@@ -271,11 +271,12 @@ Polynomial NormalForm::exponential(const Polynomial& argument) {
 /// S with S^2 = 1, the same letter for x and, with the other sign, for -x. At x = 0 nothing is claimed.
 Polynomial NormalForm::sign_of(const Polynomial& argument) {
     if (without_inverses(argument).is_zero()) return {};
-    if (argument.is_monomial()) {
-        const auto& [monomial, coefficient] = *argument.terms().begin();
-        const auto is_positive = [&](const LetterPower& p) { return positive_[p.letter]; };
-        if (std::all_of(monomial.begin(), monomial.end(), is_positive)) return Polynomial(is_negative(coefficient) ? -1 : 1);
-    }
+    const bool negative = is_negative(leading(argument));
+    const auto has_that_sign = [&](const auto& term) {
+        const auto& [monomial, coefficient] = term;
+        return is_negative(coefficient) == negative && std::all_of(monomial.begin(), monomial.end(), [&](const LetterPower& p) { return positive_[p.letter]; });
+    };
+    if (std::all_of(argument.terms().begin(), argument.terms().end(), has_that_sign)) return Polynomial(negative ? -1 : 1);
     Polynomial positive = argument * raised(positive_factor(argument), -1);
     const Rational factor = leading(positive);
     positive *= Rational(1) / factor;

@@ -56,7 +56,7 @@ ex plate_nusselt_of(const ex& Re, const ex& Pr) {
 /// sqrt(y^2 + a^2)
 ex root(const ex& a, const ex& y) { return norm(square(a) + square(y)); }
 /// A B - (a b - y^2) with the roots A and B of a and b
-ex excess(const ex& a, const ex& b, const ex& y) { return root_excess(a * b - square(y), square(y) * square(a + b)); }
+ex excess(const ex& a, const ex& b, const ex& y) { return root_excess(a * b - square(y), square(y) * square(kept(a + b))); }
 
 ex view_parallel_strips_of(const ex& x, const ex& y, const ex& L_i, const ex& L_j) {
     const ex a = kept(x + L_j);
@@ -81,7 +81,7 @@ ex view_perpendicular_strips_of(const ex& x, const ex& y, const ex& L_i, const e
 }
 
 ex view_wedge_of(const ex& L_i, const ex& L_j, const ex& theta) {
-    const ex third_side = norm(square(L_i - L_j) + 4 * L_i * L_j * square(GiNaC::sin(theta / 2)));
+    const ex third_side = norm(square(kept(L_i - L_j)) + 4 * L_i * L_j * square(GiNaC::sin(theta / 2)));
     return 2 * L_j * square(GiNaC::cos(theta / 2)) / kept(L_i + L_j + third_side);
 }
 
