@@ -22,10 +22,11 @@ std::string error_reference() {
 }
 
 std::string function_reference() {
-    std::string text = "Functions: ";
-    for (const FunctionSpec& function : functions()) text += fmt::format("{}{} ", function.name, function.arguments == 1 ? "(x)" : "(x, y)");
+    std::string text = "Functions:\n";
+    for (const FunctionSpec& function : functions())
+        text += fmt::format("  {:<48} {}\n", fmt::format("{}({})", function.name, function.arguments), function.doc);
     return text +
-           "\nOperations: + - * / ^, dot(x) and ddot(x) (total time derivatives), sum(k, 1, N, term)\n"
+           "Operations: + - * / ^, dot(x) and ddot(x) (total time derivatives), sum(k, 1, N, term)\n"
            "In outputs and printed equations also: diff(expression, variable), integral(function, x, from, to)\n"
            "Names: t is the time, pi the number, stefan_boltzmann the constant of radiation (4.35), 5.670374419e-8 W/(m^2*K^4). Everything else is defined in the file.\n";
 }

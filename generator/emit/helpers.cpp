@@ -20,6 +20,7 @@ struct Helper {
 const std::vector<Helper>& helpers() {
     static constexpr const char* scalars = "scalar_functions.hpp";
     static constexpr const char* fluids = "fluid_functions.hpp";
+    static constexpr const char* heat = "heat_functions.hpp";
     static const std::vector<Helper> table{
         {"select", scalars, {}},
         {"sign", scalars, {"select"}},
@@ -38,6 +39,14 @@ const std::vector<Helper>& helpers() {
         {"outflow_factor", fluids, {"outflow_logarithm", "critical_logarithm"}},
         {"outflow_factor_slope", fluids, {"exponential_remainder", "outflow_factor"}},
         {"outflow_factor_by_exponent", fluids, {"exponential_remainder", "outflow_factor"}},
+        {"decay_mean", heat, {"select"}},
+        {"decay_mean_slope", heat, {"select", "exponential_remainder", "compression"}},
+        {"log_ratio", heat, {"select"}},
+        {"log_mean", heat, {"select", "log_ratio"}},
+        {"log_mean_slope", heat, {"select", "exponential_remainder", "log_ratio"}},
+        {"root_excess", heat, {"select"}},
+        {"sum_of_three", heat, {}},
+        {"radiant_temperature", heat, {"select"}},
         {"ldlt", "ldlt.hpp", {}},
     };
     return table;

@@ -19,6 +19,7 @@ enum class Op {
     sum,    ///< a polynomial kept whole: a denominator, or too large to be multiplied out
     sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, exp, log, sqrt, inverse_norm, abs, sign, step, min, max,
     expm1, log1p, compression, signed_root, inverse_root, forward_root, outflow_factor, outflow_factor_slope, outflow_factor_by_exponent,
+    decay_mean, decay_mean_slope, log_ratio, log_mean, log_mean_slope, root_excess, sum_of_three, radiant_temperature,
     power,  ///< arguments: base, exponent
 };
 

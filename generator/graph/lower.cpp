@@ -35,6 +35,10 @@ const std::vector<FunctionOp>& function_ops() {
         {signed_root_SERIAL::serial, Op::signed_root, -1}, {inverse_root_SERIAL::serial, Op::inverse_root, 1}, {forward_root_SERIAL::serial, Op::forward_root, 0},
         {outflow_factor_SERIAL::serial, Op::outflow_factor, 0}, {outflow_factor_slope_SERIAL::serial, Op::outflow_factor_slope, 0},
         {outflow_factor_by_exponent_SERIAL::serial, Op::outflow_factor_by_exponent, 0},
+        {decay_mean_SERIAL::serial, Op::decay_mean, 0}, {decay_mean_slope_SERIAL::serial, Op::decay_mean_slope, 0},
+        {log_ratio_SERIAL::serial, Op::log_ratio, 0}, {log_mean_SERIAL::serial, Op::log_mean, 0}, {log_mean_slope_SERIAL::serial, Op::log_mean_slope, 0},
+        {root_excess_SERIAL::serial, Op::root_excess, 0}, {sum_of_three_SERIAL::serial, Op::sum_of_three, 0},
+        {radiant_temperature_SERIAL::serial, Op::radiant_temperature, 0},
     };
     return table;
 }
@@ -154,7 +158,8 @@ private:
             for (const ex& argument : e) arguments.push_back(folded((*this)(argument), atoms_));
             const bool flip = known.parity != 0 && atoms_.leading_sign(arguments[0]) < 0;
             if (flip) arguments[0] = negated(arguments[0]);
-            if ((known.op == Op::min || known.op == Op::max) && atoms_.key(arguments[1]) < atoms_.key(arguments[0])) std::swap(arguments[0], arguments[1]);
+            const bool is_symmetric = known.op == Op::min || known.op == Op::max || known.op == Op::log_mean;
+            if (is_symmetric && atoms_.key(arguments[1]) < atoms_.key(arguments[0])) std::swap(arguments[0], arguments[1]);
             const Polynomial result = Polynomial::letter(atoms_.letter(known.op, std::move(arguments)));
             return flip && known.parity < 0 ? negated(result) : result;
         }

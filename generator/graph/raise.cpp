@@ -39,6 +39,14 @@ ex apply(Op op, const std::vector<ex>& a) {
         case Op::outflow_factor: return outflow_factor(a[0], a[1]);
         case Op::outflow_factor_slope: return outflow_factor_slope(a[0], a[1]);
         case Op::outflow_factor_by_exponent: return outflow_factor_by_exponent(a[0], a[1]);
+        case Op::decay_mean: return decay_mean(a[0]);
+        case Op::decay_mean_slope: return decay_mean_slope(a[0]);
+        case Op::log_ratio: return log_ratio(a[0], a[1]);
+        case Op::log_mean: return log_mean(a[0], a[1]);
+        case Op::log_mean_slope: return log_mean_slope(a[0], a[1]);
+        case Op::root_excess: return root_excess(a[0], a[1]);
+        case Op::sum_of_three: return sum_of_three(a[0], a[1], a[2]);
+        case Op::radiant_temperature: return radiant_temperature(a[0], a[1]);
         case Op::power: return GiNaC::pow(a[0], a[1]);
         case Op::symbol:
         case Op::pi:

@@ -164,9 +164,9 @@ private:
             std::vector<std::string> known{"dot", "ddot", "sum"};
             for (const FunctionSpec& f : functions()) known.emplace_back(f.name);
             error(Id::unknown_name, e.span, fmt::format("there is no function '{}'{}", e.name, did_you_mean(e.name, known)));
-        } else if (e.children.size() != function->arguments) {
-            error(Id::wrong_arguments, e.span, fmt::format("'{}' takes {} argument{}, here it has {}", e.name, function->arguments,
-                                                           function->arguments == 1 ? "" : "s", e.children.size()));
+        } else if (const std::size_t count = function->count(); e.children.size() != count) {
+            error(Id::wrong_arguments, e.span, fmt::format("'{}({})' takes {} argument{}, here it has {}", e.name, function->arguments, count,
+                                                           count == 1 ? "" : "s", e.children.size()));
         }
         return result;
     }

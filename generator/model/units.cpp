@@ -32,6 +32,11 @@ std::optional<Rational> constant_value(const Expression& e) {
 
 constexpr Measure anything{{}, true};
 
+Measure raised(Measure measure, const Fraction& exponent) {
+    measure.dimension = measure.dimension.raised(exponent);
+    return measure;
+}
+
 }  // namespace
 
 Measure Units::mismatch(const Expression& at, std::string message, std::initializer_list<const Expression*> sides) {
@@ -196,23 +201,41 @@ Measure Units::call(const Expression& e, const Bound& bound) {
         const Measure function = of(*e.children[0], inner);
         return {function.dimension * limit.dimension, function.fits_all || limit.fits_all};
     }
-    const FunctionSpec& function = *find_function(e.name);
+    return function(*find_function(e.name), e, bound);
+}
+
+Measure Units::function(const FunctionSpec& function, const Expression& e, const Bound& bound) {
+    const auto part = [&](std::size_t i) { return of(*e.children[i], bound); };
+    const auto agreeing_up_to = [&](std::size_t count) {
+        Measure result = part(0);
+        for (std::size_t i = 1; i < count; ++i) result = agreeing(e, *e.children[0], result, *e.children[i], part(i));
+        return result;
+    };
+    const std::size_t count = e.children.size();
     switch (function.units) {
         case UnitRule::dimensionless:
-            dimensionless(*e.children[0], fmt::format("the argument of '{}'", e.name), bound);
+            for (const ExpressionPtr& argument : e.children)
+                dimensionless(*argument, fmt::format("{} of '{}'", count == 1 ? "the argument" : "an argument", e.name), bound);
             return {};
-        case UnitRule::square_root: {
-            Measure result = part(0);
-            result.dimension = result.dimension.raised({1, 2});
-            return result;
-        }
+        case UnitRule::same: return agreeing_up_to(count);
+        case UnitRule::square_root: return raised(part(0), {1, 2});
         case UnitRule::sign: part(0); return {};
-        case UnitRule::same:
-        case UnitRule::angle_of: break;
+        case UnitRule::ratio: agreeing_up_to(count); return {};
+        case UnitRule::ratio_and_angle:
+            agreeing_up_to(count - 1);
+            dimensionless(*e.children[count - 1], fmt::format("the angle in '{}'", e.name), bound);
+            return {};
+        case UnitRule::fourth_power: return raised(agreeing_up_to(count), {4, 1});
+        case UnitRule::root_excess: {
+            const Measure c = part(0);
+            if (!c.fits_all) expect(*e.children[1], c.dimension.raised({2, 1}), fmt::format("the second argument of '{}'", e.name), bound);
+            return c.fits_all ? raised(part(1), {1, 2}) : c;
+        }
+        case UnitRule::radiant: break;
     }
-    Measure result = part(0);
-    for (std::size_t i = 1; i < e.children.size(); ++i) result = agreeing(e, *e.children[0], result, *e.children[i], part(i));
-    return function.units == UnitRule::angle_of ? Measure{} : result;
+    const Measure b = part(1);
+    if (!b.fits_all) expect(*e.children[0], b.dimension.raised({-3, 1}), fmt::format("the first argument of '{}'", e.name), bound);
+    return b.fits_all ? raised(part(0), {-1, 3}) : b;
 }
 
 }  // namespace dalembert

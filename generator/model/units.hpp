@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/names.hpp"
+#include "model/vocabulary.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -34,6 +35,7 @@ private:
     Measure name(const Expression& e, const Bound& bound);
     Measure quantity(const Expression& e, const Bound& bound);
     Measure call(const Expression& e, const Bound& bound);
+    Measure function(const FunctionSpec& function, const Expression& e, const Bound& bound);
     Measure power(const Expression& e, const Bound& bound);
     Measure agreeing(const Expression& whole, const Expression& a, const Measure& ma, const Expression& b, const Measure& mb);
     Measure mismatch(const Expression& at, std::string message, std::initializer_list<const Expression*> sides);

@@ -2,23 +2,31 @@
 // The words of the model language that every model knows: functions, and the quantities that are derived.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string_view>
 
 namespace dalembert {
 
 enum class UnitRule {
-    dimensionless,  ///< argument and result
-    same,           ///< all arguments and the result
+    dimensionless,    ///< arguments and result
+    same,             ///< all arguments and the result
     square_root,
-    sign,           ///< any argument, dimensionless result
-    angle_of,       ///< equal arguments, dimensionless result
+    sign,             ///< any argument, dimensionless result
+    ratio,            ///< equal arguments, dimensionless result
+    ratio_and_angle,  ///< the same, but for the last argument, which is dimensionless
+    fourth_power,     ///< equal arguments, result their fourth power
+    root_excess,      ///< c and the result; s as its square
+    radiant,          ///< a in 1/b^3, result as b
 };
 
 struct FunctionSpec {
     const char* name;
-    std::size_t arguments;
+    std::string_view arguments;  ///< their names, separated by ", "
     UnitRule units;
+    const char* doc;
+
+    std::size_t count() const { return static_cast<std::size_t>(std::count(arguments.begin(), arguments.end(), ',')) + 1; }
 };
 
 std::span<const FunctionSpec> functions();

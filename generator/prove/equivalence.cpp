@@ -45,10 +45,12 @@ bool Prover::proven_equal(const ex& a, const ex& b) { return proven_equal(a, b, 
 bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>& positive) {
     const ex difference = a - b;
     if (difference.is_zero()) return true;
-    for (const bool written_out : {false, true}) {
+    const bool has_heat = NormalForm::has_heat_functions(difference);
+    for (const auto& [written_out, as_letters] : {std::pair(false, true), std::pair(false, false), std::pair(true, false)}) {
+        if (as_letters && !has_heat) continue;
         if (written_out && system_.symbols.count(SymbolKind::definition) == 0) break;
         try {
-            NormalForm form(positive);
+            NormalForm form(positive, as_letters);
             if (!form.is_zero(written_out ? system_.symbols.without_definitions(difference) : difference)) continue;
             // S^2 = 1, a positive root, I*den = 1: all of it is said of what is not zero. A zero that the form did not see proves nothing.
             const auto& claimed = form.must_not_vanish();

@@ -28,6 +28,7 @@ bool NormalForm::is_zero(const ex& e) {
     for (int attempt = 0; attempt < most_restarts; ++attempt) {
         forget();
         try {
+            if (!functions_are_letters_) roots_first(e);
             return without_inverses(convert(e)).is_zero();
         } catch (const Restart&) {
         } catch (const TooManyTerms&) {
@@ -134,6 +135,7 @@ Polynomial NormalForm::function(const ex& e) {
         return multiply(x, sign_of(x));
     }
     if (name == "whole") return convert(e.op(0));
+    if (name == "sum_of_three") return convert(e.op(0) + e.op(1) + e.op(2));
     if (name == "exp_minus_one") return exponential(convert(e.op(0))) - Polynomial(1);
     if (name == "compression") {
         const Polynomial x = convert(e.op(0));
@@ -165,6 +167,7 @@ Polynomial NormalForm::function(const ex& e) {
         if (d.is_constant() && k.is_constant() && !d.is_zero() && !k.is_zero()) return outflow_factor(leading(d), leading(k));
         return atom(name, e);
     }
+    if (const auto heat = heat_function(name, e)) return *heat;
     if (name == "norm") return root(convert(e.op(0)), 2);
     if (name == "inverse_norm") return inverse(root(convert(e.op(0)), 2));
     if (name == "unit_step") {
@@ -268,11 +271,12 @@ Polynomial NormalForm::exponential(const Polynomial& argument) {
 /// S with S^2 = 1, the same letter for x and, with the other sign, for -x. At x = 0 nothing is claimed.
 Polynomial NormalForm::sign_of(const Polynomial& argument) {
     if (without_inverses(argument).is_zero()) return {};
-    if (argument.is_monomial()) {
-        const auto& [monomial, coefficient] = *argument.terms().begin();
-        const auto is_positive = [&](const LetterPower& p) { return positive_[p.letter]; };
-        if (std::all_of(monomial.begin(), monomial.end(), is_positive)) return Polynomial(is_negative(coefficient) ? -1 : 1);
-    }
+    const bool negative = is_negative(leading(argument));
+    const auto has_that_sign = [&](const auto& term) {
+        const auto& [monomial, coefficient] = term;
+        return is_negative(coefficient) == negative && std::all_of(monomial.begin(), monomial.end(), [&](const LetterPower& p) { return positive_[p.letter]; });
+    };
+    if (std::all_of(argument.terms().begin(), argument.terms().end(), has_that_sign)) return Polynomial(negative ? -1 : 1);
     Polynomial positive = argument * raised(positive_factor(argument), -1);
     const Rational factor = leading(positive);
     positive *= Rational(1) / factor;

@@ -6,6 +6,7 @@
 #include <ginac/ginac.h>
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,7 +23,12 @@ struct NoNormalForm : std::runtime_error {
 class NormalForm {
 public:
     /// `positive` names further symbols that may be taken as positive.
-    explicit NormalForm(std::set<std::string> positive = {}) : assumed_positive_(std::move(positive)) {}
+    /// `functions_are_letters` leaves functions of heat transfer what they are: quicker, and enough where both sides have the same.
+    explicit NormalForm(std::set<std::string> positive = {}, bool functions_are_letters = false)
+        : assumed_positive_(std::move(positive)), functions_are_letters_(functions_are_letters) {}
+
+    /// Whether the expression has functions that may be left letters.
+    static bool has_heat_functions(const GiNaC::ex& e);
 
     /// True: proven zero, wherever the expression is defined. False: the normal form is not zero.
     /// Throws NoNormalForm.
@@ -62,6 +68,12 @@ private:
     Polynomial logarithm_atom(const Polynomial& argument);
     Polynomial sign_of(const Polynomial& argument);
     Polynomial outflow_factor(const Rational& d, const Rational& k);
+    std::optional<Polynomial> heat_function(const std::string& name, const GiNaC::ex& e);
+    Polynomial decay_mean(const Polynomial& z, bool slope);
+    Polynomial log_mean(const Polynomial& a, const Polynomial& b, bool slope);
+    Polynomial root_of_product(const Polynomial& base);
+    Polynomial radiant_temperature(const Polynomial& a, const Polynomial& b);
+    void roots_first(const GiNaC::ex& e);
     Polynomial atom(const std::string& name, const GiNaC::ex& e);
 
     Polynomial multiply(const Polynomial& a, const Polynomial& b);
@@ -80,6 +92,7 @@ private:
     void note_argument(const GiNaC::ex& e);
 
     std::set<std::string> assumed_positive_;
+    bool functions_are_letters_;
     std::set<GiNaC::ex, GiNaC::ex_is_less> must_not_vanish_;
     std::map<std::string, Letter> symbols_;
     /// These survive a restart. Letters are numbered in the order in which they are met, which is the same after one.

@@ -13,6 +13,7 @@ using GiNaC::numeric;
 namespace {
 
 constexpr int largest_power = 64;
+constexpr int largest_root = 1000;
 
 }  // namespace
 
@@ -21,7 +22,7 @@ Polynomial NormalForm::power(const ex& base, const ex& exponent) {
         const Rational e = rational(ex_to<numeric>(exponent));
         const auto numerator = to_int(cln::numerator(e));
         const auto denominator = to_int(cln::denominator(e));
-        if (!numerator || !denominator || *denominator > largest_power) throw NoNormalForm("a large exponent");
+        if (!numerator || !denominator || *denominator > largest_root) throw NoNormalForm("a large exponent");
         const Polynomial b = convert(base);
         return integer_power(*denominator == 1 ? b : root(b, *denominator), *numerator);
     }

@@ -36,6 +36,8 @@ ex slope(const ex& f) {
     if (is_ex_the_function(f, inverse_root)) return -pow(f, 3) * sign_of(u) / 2;
     if (is_ex_the_function(f, forward_root)) return unit_step(u) * inverse_root(u) / 2;
     if (is_ex_the_function(f, inverse_norm)) return -pow(f, 3) / 2;
+    if (is_ex_the_function(f, decay_mean)) return decay_mean_slope(u);
+    if (is_ex_the_function(f, decay_mean_slope)) return -(GiNaC::exp(-u) + 2 * f) / u;  // second derivatives only; at u = 0 it is 1/3
     throw std::logic_error("no derivative of " + ex_to<GiNaC::function>(f).get_name());
 }
 
@@ -46,6 +48,17 @@ std::pair<ex, ex> slopes(const ex& f) {
     if (is_ex_the_function(f, minimum)) return {unit_step(b - a), unit_step(a - b)};
     if (is_ex_the_function(f, maximum)) return {unit_step(a - b), unit_step(b - a)};
     if (is_ex_the_function(f, outflow_factor)) return {outflow_factor_slope(a, b), outflow_factor_by_exponent(a, b)};
+    if (is_ex_the_function(f, log_ratio)) return {pow(a, -1), -pow(b, -1)};
+    if (is_ex_the_function(f, log_mean)) return {log_mean_slope(a, b), log_mean_slope(b, a)};
+    if (is_ex_the_function(f, log_mean_slope)) {  // second derivatives only; at a = b it is -1/6 by the logarithm
+        const ex by_logarithm = (1 - (2 + log_ratio(a, b)) * f) / log_ratio(a, b);
+        return {by_logarithm / a, -by_logarithm / b};
+    }
+    if (is_ex_the_function(f, root_excess)) return {-f / (f + a), pow(2 * (f + a), -1)};
+    if (is_ex_the_function(f, radiant_temperature)) {
+        const ex by_b = pow(1 + 4 * a * pow(f, 3), -1);
+        return {-pow(f, 4) * by_b, by_b};
+    }
     if (is_ex_the_function(f, GiNaC::atan2)) return {b / (pow(a, 2) + pow(b, 2)), -a / (pow(a, 2) + pow(b, 2))};
     throw std::logic_error("no derivative of " + ex_to<GiNaC::function>(f).get_name());
 }
@@ -83,6 +96,7 @@ ex derivative(const ex& e, const Rate& rate) {
     const ex first = derivative(e.op(0), rate);
     if (e.nops() == 1) return first.is_zero() ? ex(0) : slope(e) * first;
     const ex second = derivative(e.op(1), rate);
+    if (is_ex_the_function(e, sum_of_three)) return first + second + derivative(e.op(2), rate);
     if (first.is_zero() && second.is_zero()) return 0;
     const auto [by_first, by_second] = slopes(e);
     return by_first * first + by_second * second;

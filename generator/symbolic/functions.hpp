@@ -28,8 +28,15 @@ DECLARE_FUNCTION_2P(outflow_factor)
 DECLARE_FUNCTION_2P(outflow_factor_slope)        ///< its derivative by d
 DECLARE_FUNCTION_2P(outflow_factor_by_exponent)  ///< its derivative by the exponent
 
-inline GiNaC::ex log_ratio(const GiNaC::ex& a, const GiNaC::ex& b) { return GiNaC::log(a / b); }
-inline GiNaC::ex radiant_temperature(const GiNaC::ex&, const GiNaC::ex&) { throw std::logic_error("radiant"); }
+// Heat transfer, chapter 4; in heat_functions.cpp.
+DECLARE_FUNCTION_1P(decay_mean)           ///< (1 - exp(-z))/z, 1 at z = 0 (4.84)
+DECLARE_FUNCTION_1P(decay_mean_slope)     ///< its derivative, -1/2 at z = 0
+DECLARE_FUNCTION_2P(log_ratio)            ///< log(a/b)
+DECLARE_FUNCTION_2P(log_mean)             ///< (a - b)/log(a/b), a at a = b (4.86a); by b it is log_mean_slope(b, a)
+DECLARE_FUNCTION_2P(log_mean_slope)       ///< its derivative by a, 1/2 at a = b
+DECLARE_FUNCTION_2P(root_excess)          ///< sqrt(c^2 + s) - c for s >= 0
+DECLARE_FUNCTION_3P(sum_of_three)         ///< a + b + c, also where two of them nearly cancel
+DECLARE_FUNCTION_2P(radiant_temperature)  ///< the T >= 0 with a*T^4 + T = b for a, b >= 0
 
 /// What whole, exp_minus_one, log_one_plus and compression stand for, for proofs.
 GiNaC::ex in_elementary_functions(const GiNaC::ex& e);

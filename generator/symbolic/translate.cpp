@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "symbolic/functions.hpp"
+#include "symbolic/heat_formulas.hpp"
 #include "symbolic/integrate.hpp"
 #include "text/diagnostic.hpp"
 
@@ -160,15 +161,18 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
         if (!primitive) fail(Id::cannot_integrate, e, fmt::format("the integral of '{}' is not one that the program can find", e.children[0]->written()));
         return primitive->subs(variable == part(3)) - primitive->subs(variable == part(2));
     }
-    const ex x = part(0);
+    std::vector<ex> arguments;
+    for (std::size_t i = 0; i < e.children.size(); ++i) arguments.push_back(part(i));
+    const ex& x = arguments[0];
     try {
+        if (const auto heat = heat_function(e.name, arguments)) return *heat;
         if (e.name == "sin") return GiNaC::sin(x);
         if (e.name == "cos") return GiNaC::cos(x);
         if (e.name == "tan") return GiNaC::tan(x);
         if (e.name == "asin") return GiNaC::asin(x);
         if (e.name == "acos") return GiNaC::acos(x);
         if (e.name == "atan") return GiNaC::atan(x);
-        if (e.name == "atan2") return GiNaC::atan2(x, part(1));
+        if (e.name == "atan2") return GiNaC::atan2(x, arguments[1]);
         if (e.name == "sinh") return GiNaC::sinh(x);
         if (e.name == "cosh") return GiNaC::cosh(x);
         if (e.name == "tanh") return GiNaC::tanh(x);
@@ -179,8 +183,8 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
         if (e.name == "sqrt") return power(e, x, numeric(1, 2));
         if (e.name == "abs") return magnitude(x);
         if (e.name == "sign") return sign_of(x);
-        if (e.name == "min") return minimum(x, part(1));
-        if (e.name == "max") return maximum(x, part(1));
+        if (e.name == "min") return minimum(x, arguments[1]);
+        if (e.name == "max") return maximum(x, arguments[1]);
     } catch (const GiNaC::pole_error&) {
         fail(Id::division_by_zero, e, fmt::format("'{}' does not exist", e.written()));
     }

@@ -39,6 +39,7 @@ TEST_CASE("identities are proven") {
         sqrt(ex(numeric(2, 3))) - sqrt(ex(6)) / 3,
         pow(magnitude(x), 2) - pow(x, 2),
         magnitude(x) - magnitude(-x),
+        magnitude(-p - 2 * q * q) - p - 2 * q * q,
         x * sign_of(x) - magnitude(x),
         sign_of(x) * sign_of(x) - 1,
         minimum(x, y) + maximum(x, y) - x - y,
