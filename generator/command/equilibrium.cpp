@@ -53,6 +53,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     Machine machine = derived(options, streams);
     const Header header = generate(machine);
     const System& system = *machine.system;
+    refuse_fields(system, "equilibrium");
     Values values(system.scene, system.translate);
     apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);

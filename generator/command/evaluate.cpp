@@ -67,6 +67,7 @@ private:
 ExitCode evaluate_command(const Options& options, Streams streams) {
     const Machine machine = derived(options, streams);
     const System& system = *machine.system;
+    refuse_fields(system, "evaluate");
     Values values(system.scene, system.translate);
     apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);

@@ -34,4 +34,9 @@ std::vector<const AuditEntry*> pointers(const std::vector<AuditEntry>& entries) 
     return result;
 }
 
+void refuse_fields(const System& system, const char* verb) {
+    for (const RodField& field : system.heat.fields)
+        throw Failure(Diagnostic{Id::too_large, field.rod->span, fmt::format("the {} cells of rod '{}' are computed in a loop, and '{}' needs each by itself; choose fewer cells", field.geometry.cells(), field.rod->name, verb)});
+}
+
 }  // namespace dalembert

@@ -16,4 +16,7 @@ Machine derived(const Options& options, Streams streams);
 std::string summary(const std::vector<const AuditEntry*>& entries);
 std::vector<const AuditEntry*> pointers(const std::vector<AuditEntry>& entries);
 
+/// Throws Failure (too-large) where cells of rods are computed in loops, so that they have no equations of their own.
+void refuse_fields(const System& system, const char* verb);
+
 }  // namespace dalembert

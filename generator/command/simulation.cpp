@@ -8,6 +8,7 @@
 #include "command/run_header.hpp"
 #include "command/settings.hpp"
 #include "emit/runner.hpp"
+#include "form/state_places.hpp"
 #include "model/parser.hpp"
 #include "text/nearest.hpp"
 
@@ -52,6 +53,21 @@ std::vector<std::string> recorded_names(const std::string& name, const System& s
     for (const OutputEquation& output : system.outputs) add(output.name, output.base);
     for (const char* energy : {"t", "kinetic_energy", "potential_energy", "internal_energy", "work"}) add(energy, energy);
     return names;
+}
+
+/// The name of a state by its place in x; of none, nothing.
+std::string name_of_state(const System& system, std::size_t place) {
+    const StatePlaces places = place_states(system);
+    std::vector<std::string> names;
+    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+        for (const Variable& variable : system.symbols.all(kind)) names.push_back(variable.name);
+    const auto found = std::find(places.positions.begin(), places.positions.end(), place);
+    if (found != places.positions.end()) return names[static_cast<std::size_t>(found - places.positions.begin())];
+    for (std::size_t f = 0; f < places.firsts.size(); ++f) {
+        const RodField& field = system.heat.fields[f];
+        if (place >= places.firsts[f] && place < places.firsts[f] + field.geometry.cells()) return fmt::format("{}[{}]", field.states->name, place - places.firsts[f] + static_cast<std::size_t>(field.first_index));
+    }
+    return "";
 }
 
 /// What the model's run and the command line together say.
@@ -211,11 +227,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     report.energy_error = std::stod(result.at("energy_error"));
     report.drawn = result.at("drawn") == "1";
     if (report.status == "not finite") {
-        std::vector<std::string> states;
-        for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
-            for (const Variable& variable : prepared.machine.system->symbols.all(kind)) states.push_back(variable.name);
-        const std::size_t state = std::stoul(result.at("state"));
-        report.culprit = state < states.size() ? states[state] : "";
+        report.culprit = name_of_state(*prepared.machine.system, std::stoul(result.at("state")));
     }
     report.files = {{folder / prepared.header.file_name, prepared.header.text}, {folder / (prepared.name + ".csv"), read_file(base.string() + ".csv")}};
     if (report.drawn)

@@ -74,6 +74,12 @@ std::string equations_as_text(const System& s) {
     if (!s.state_rates.empty()) text += "\nstates\n";
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.named.state_rates[i]));
+    for (const RodField& f : s.heat.fields) {
+        text += fmt::format("\nrod {}: {} cells in a loop; what stands above of its cells comes from elsewhere and is added\n", f.rod->name, f.geometry.cells());
+        for (const auto& [name, value] : {std::pair("heat to the next", f.link), std::pair("source", f.source), std::pair("capacity", f.capacity), std::pair("energy", f.energy)})
+            text += fmt::format("  {} = {}\n", name, write(value));
+        text += "  capacity*dot(T_here) = heat from the cell before - heat to the next + source\n";
+    }
     text += "\nenergies and powers\n";
     for (const auto& [name, value] : scalars(s)) text += fmt::format("  {} = {}\n", name, write(value));
     if (s.has_balances()) text += fmt::format("  internal_energy = {}\n  exchanged_power = {}\n", write(s.named.internal_energy), write(s.named.exchanged_power));

@@ -12,6 +12,7 @@
 #include "emit/notation.hpp"
 #include "emit/safe_text.hpp"
 #include "emit/template.hpp"
+#include "form/state_places.hpp"
 
 namespace dalembert {
 
@@ -43,10 +44,7 @@ std::string indented(const std::string& text) {
 
 class FieldWriter {
 public:
-    explicit FieldWriter(const FieldCode& code) : code_(code), system_(code.code.system), scene_(system_.scene) {
-        place_states();
-        name_cached();
-    }
+    explicit FieldWriter(const FieldCode& code) : code_(code), system_(code.code.system), places_(place_states(system_)) { name_cached(); }
 
     std::string run(const std::string& name_space) {
         std::map<std::string, std::string> values;
@@ -66,27 +64,6 @@ private:
     static std::string at(std::size_t first) { return first == 0 ? "k" : fmt::format("{} + k", first); }
 
     const RodField& field(std::size_t r) const { return *code_.fields[r].field; }
-
-    /// Where states of the core and first cells stand in x.
-    void place_states() {
-        std::size_t at = 0;
-        for (std::size_t i = 0; i < 2 * system_.symbols.degrees(); ++i) positions_.push_back(at++);
-        firsts_.assign(code_.fields.size(), 0);
-        for (std::size_t i = 0; i < scene_.states.size(); ++i) {
-            const State* item = scene_.states[i].item;
-            const auto r = static_cast<std::size_t>(std::find_if(code_.fields.begin(), code_.fields.end(), [&](const FieldFunctions& f) { return f.field->states == item; }) - code_.fields.begin());
-            if (r == code_.fields.size()) {
-                positions_.push_back(at++);
-                continue;
-            }
-            const bool is_first = i == 0 || scene_.states[i - 1].item != item;
-            const bool is_last = i + 1 == scene_.states.size() || scene_.states[i + 1].item != item;
-            if (is_first) firsts_[r] = at;
-            positions_.push_back(firsts_[r] + static_cast<std::size_t>(scene_.states[i].index - field(r).first_index));
-            if (is_last) at = firsts_[r] + field(r).geometry.cells();
-        }
-        state_count_ = at;
-    }
 
     /// Cached values: numbers, and arrays over the cells of a rod where they depend on the place on the grid.
     void name_cached() {
@@ -166,8 +143,8 @@ private:
 
     std::string temperatures(std::size_t r, const std::string& statements) const {
         std::string text;
-        if (mentions(statements, "T_here")) text += fmt::format("        const Scalar T_here = x[{}];\n", at(firsts_[r]));
-        if (mentions(statements, "T_next")) text += fmt::format("        const Scalar T_next = x[{}];\n", at(firsts_[r] + 1));
+        if (mentions(statements, "T_here")) text += fmt::format("        const Scalar T_here = x[{}];\n", at(places_.firsts[r]));
+        if (mentions(statements, "T_next")) text += fmt::format("        const Scalar T_next = x[{}];\n", at(places_.firsts[r] + 1));
         return text;
     }
 
@@ -182,7 +159,7 @@ private:
 
     void functions(std::size_t r, std::map<std::string, std::string>& values) {
         const FieldFunctions& f = code_.fields[r];
-        const std::size_t first = firsts_[r];
+        const std::size_t first = places_.firsts[r];
         const std::string here = at(first);
         const std::string next = at(first + 1);
         values["UPDATE"] += update(r);
@@ -232,7 +209,7 @@ private:
 
     std::string jacobian(std::size_t r) {
         const FieldFunctions& f = code_.fields[r];
-        const std::size_t first = firsts_[r];
+        const std::size_t first = places_.firsts[r];
         FunctionCode slopes = f.link_slopes;
         slopes.results.erase(slopes.results.begin());
         std::string text = loop(r, true, in_loop(slopes, [&](Results v) {
@@ -256,8 +233,8 @@ private:
     }
 
     std::string column_loops(std::size_t r, const FieldColumn& column) {
-        const std::size_t first = firsts_[r];
-        const std::size_t offset = column.by == By::time ? 0 : column.column * state_count_;
+        const std::size_t first = places_.firsts[r];
+        const std::size_t offset = column.by == By::time ? 0 : column.column * places_.count;
         std::string text;
         if (!column.link.results.empty())
             text += loop(r, true, in_loop(column.link, [&](Results v) {
@@ -281,33 +258,33 @@ private:
         std::size_t i = 0;
         for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
             for (const Variable& variable : system_.symbols.all(kind)) {
-                const std::size_t at = positions_[i++];
+                const std::size_t at = places_.positions[i++];
                 const auto r = std::find_if(code_.fields.begin(), code_.fields.end(), [&](const FieldFunctions& f) { return variable.kind == SymbolKind::state && f.field->states->name == variable.base; });
                 if (r == code_.fields.end()) index(cpp_name(variable), at);
-                else index(variable.base, firsts_[static_cast<std::size_t>(r - code_.fields.begin())]);
+                else index(variable.base, places_.firsts[static_cast<std::size_t>(r - code_.fields.begin())]);
             }
         std::size_t longest = 0;
         for (std::size_t r = 0; r < code_.fields.size(); ++r) {
             const State& states = *field(r).states;
             const std::size_t cells = field(r).geometry.cells();
             longest = std::max(longest, states.name.size() + std::to_string(static_cast<std::size_t>(field(r).first_index) + cells).size() + 3);
-            rods += fmt::format("{}Cells{{{}, {}}}", r == 0 ? "" : ", ", firsts_[r], cells);
+            rods += fmt::format("{}Cells{{{}, {}}}", r == 0 ? "" : ", ", places_.firsts[r], cells);
             names += fmt::format("inline constexpr CellNames<{}> {}_names({}, {});\n", cells, states.name, cpp_string(states.name), field(r).first_index);
             std::string range;
             const auto bound = [&](const ExpressionPtr& e, const char* otherwise) { return e ? double_text(system_.translate(*e, {})) : std::string(otherwise); };
             if (states.range) range = fmt::format(", {}, {}", bound(states.range->low, "-std::numeric_limits<double>::infinity()"), bound(states.range->high, "std::numeric_limits<double>::infinity()"));
-            quantities += fmt::format("    for (std::size_t k = 0; k < {}; ++k) table[{}] = Quantity{{{}_names.names[k].data(), {}, {}{}}};\n", cells, at(firsts_[r]), states.name, cpp_string(states.unit.si()),
+            quantities += fmt::format("    for (std::size_t k = 0; k < {}; ++k) table[{}] = Quantity{{{}_names.names[k].data(), {}, {}{}}};\n", cells, at(places_.firsts[r]), states.name, cpp_string(states.unit.si()),
                                       cpp_string(states.doc), range);
         }
         values["STATE_INDICES"] = " enum : std::size_t { " + indices + " }; ";
-        values["POSITIONS"] = fmt::format("{}", fmt::join(positions_, ", "));
+        values["POSITIONS"] = fmt::format("{}", fmt::join(places_.positions, ", "));
         values["RODS"] = rods;
         values["ROD_COUNT"] = std::to_string(code_.fields.size());
         values["NAME_SIZE"] = std::to_string(longest);
         values["CELL_NAMES"] = names;
         values["CELL_QUANTITIES"] = quantities;
-        values["STATES"] = std::to_string(state_count_);
-        values["PLAIN_STATES"] = std::to_string(state_count_ - 2 * system_.symbols.degrees());
+        values["STATES"] = std::to_string(places_.count);
+        values["PLAIN_STATES"] = std::to_string(places_.count - 2 * system_.symbols.degrees());
     }
 
     std::string equations() const {
@@ -325,10 +302,7 @@ private:
 
     const FieldCode& code_;
     const System& system_;
-    const Scene& scene_;
-    std::vector<std::size_t> positions_;
-    std::vector<std::size_t> firsts_;
-    std::size_t state_count_ = 0;
+    const StatePlaces places_;
     std::map<std::uint32_t, std::size_t> links_, cells_;  ///< cached values that code of faces and cells uses, with the rod
     std::map<std::uint32_t, std::size_t> numbers_;
     CachedTexts cached_;

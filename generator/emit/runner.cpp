@@ -8,6 +8,7 @@
 #include "emit/helpers.hpp"
 #include "emit/safe_text.hpp"
 #include "emit/template.hpp"
+#include "form/state_places.hpp"
 #include "graph/lower.hpp"
 #include "text/diagnostic.hpp"
 
@@ -72,17 +73,27 @@ std::string input_statements(Code& code, const std::vector<ex>& inputs) {
 }
 
 /// Columns and values of the states as the model calls them: what is integrated as its root is recorded as itself.
-std::pair<std::string, std::string> recorded_states(const Symbols& symbols) {
+std::pair<std::string, std::string> recorded_states(const System& system) {
+    const Symbols& symbols = system.symbols;
+    const StatePlaces places = place_states(system);
     std::vector<std::string> columns;
     std::vector<std::string> values;
     for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
         for (const Variable& variable : symbols.all(kind)) {
-            const std::string x = fmt::format("x[{}]", values.size());
+            const std::string x = fmt::format("x[{}]", places.positions[values.size()]);
             const bool is_root = variable.is_root;
             columns.push_back(fmt::format("{{{}, {}}}", cpp_string(is_root ? variable.recorded_name() : variable.name), cpp_string(is_root ? variable.declared->unit.si() : variable.unit)));
             values.push_back(is_root ? x + " * " + x : x);
         }
     return {fmt::format("{}", fmt::join(columns, ", ")), fmt::format("{}", fmt::join(values, ", "))};
+}
+
+std::string start_statements(const System& system, const Values& values) {
+    const StatePlaces places = place_states(system);
+    const std::vector<ex> state = values.state();
+    std::string text;
+    for (std::size_t i = 0; i < state.size(); ++i) text += fmt::format("    start[{}] = {};\n", places.positions[i], double_literal(state[i]));
+    return text;
 }
 
 std::string flags(const std::vector<bool>& values) {
@@ -101,12 +112,12 @@ std::string simulation_source(Code& code, const Header& header, const Values& va
         panels += fmt::format("\n        {{{}, {}, {{{}}}}},", cpp_string(plot.title), cpp_string(plot.x), fmt::join(names, ", "));
     }
     const Scene& scene = code.system.scene;
-    const auto [state_columns, state_values] = recorded_states(code.system.symbols);
+    const auto [state_columns, state_values] = recorded_states(code.system);
     const std::string title = scene.model->title.empty() ? scene.sized_name() : scene.model->title;
     return fill_template(embedded_file("simulation.cpp.in"), {{"NAMESPACE", header.name_space},
                                                               {"HEADER", header.file_name},
                                                               {"PARAMETERS", parameter_statements(code.system.symbols, values)},
-                                                              {"START", joined(values.state())},
+                                                              {"START", start_statements(code.system, values)},
                                                               {"STATE_COLUMNS", state_columns},
                                                               {"STATE_VALUES", state_values},
                                                               {"INPUTS", input_statements(code, settings.inputs)},

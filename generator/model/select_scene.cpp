@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "model/vocabulary.hpp"
 #include "text/nearest.hpp"
@@ -220,6 +221,16 @@ private:
         field->tapped.insert(value);
     }
 
+    /// "T[5]" in a plot; a whole family is plotted by those of its cells that are there.
+    void tap_plotted(const std::string& name) {
+        const std::size_t bracket = name.find('[');
+        Field* field = bracket == std::string::npos ? nullptr : field_of(name.substr(0, bracket));
+        if (field == nullptr) return;
+        int index = 0;
+        const auto [end, error] = std::from_chars(name.data() + bracket + 1, name.data() + name.size(), index);
+        if (error == std::errc() && *end == ']' && index >= field->from && index <= field->to) field->tapped.insert(index);
+    }
+
     void tap_all() {
         for (const auto& member : scene_.links) {
             const Indices indices = member.item->family ? Indices{{member.item->family->index, member.index}} : Indices{};
@@ -387,6 +398,8 @@ private:
             if (!run.scene.empty() && run.scene != scene_.name) continue;
             owner_ = fmt::format("run '{}'", run.name);
             for (const ExpressionPtr& e : {run.until, run.period, run.step}) use_parameters(e);
+            for (const Plot& plot : run.plots)
+                for (const std::string& name : plot.y) tap_plotted(name);
             for (const RunEntry& entry : run.inputs)
                 if (used_.contains(entry.variable->name)) use_parameters(entry.value);
         }
