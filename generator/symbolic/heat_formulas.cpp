@@ -50,7 +50,8 @@ ex plate_nusselt_of(const ex& Re, const ex& Pr) {
     const ex sum = 1 + numeric(1973, 1000) * pow(Pr, numeric(272, 1000)) + numeric(2129, 100) * Pr;
     const ex phi = sqrt(Pr) / (sqrt(ex(GiNaC::Pi)) * pow(sum, numeric(1, 6)));
     const ex growth = exp_minus_one(four_fifths * log_ratio(maximum(Re, critical), critical));
-    return 2 * sqrt(ex(minimum(Re, critical))) * phi + numeric(370, 10000) * pow(critical, ex(four_fifths)) * growth * pow(Pr, numeric(1, 3));
+    const ex critical_power = 10'000 * pow(ex(5), four_fifths);  // 500000^(4/5); the smaller the base, the less its rounded exponent matters
+    return 2 * sqrt(ex(minimum(Re, critical))) * phi + numeric(370, 10000) * critical_power * growth * pow(Pr, numeric(1, 3));
 }
 
 /// sqrt(y^2 + a^2)
