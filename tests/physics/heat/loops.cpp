@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSL-1.0
+// A rod whose cells are computed in loops does what one does whose cells are written out.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "coupled_looped.hpp"
+#include "coupled_single.hpp"
+#include "dalembert/matrices.hpp"
+
+namespace {
+
+using Looped = coupled_N10::looped::System<double>;
+using Single = coupled_N10::single::System<double>;
+
+/// The largest difference, relative to the largest entry.
+template <class A, class B>
+double difference(const A& a, const B& b) {
+    double apart = 0, size = 0;
+    for (std::size_t i = 0; i < std::size_t(a.size()); ++i) {
+        apart = std::max(apart, std::fabs(a.data()[i] - b.data()[i]));
+        size = std::max(size, std::fabs(b.data()[i]));
+    }
+    return size > 0 ? apart / size : apart;
+}
+
+}  // namespace
+
+TEST_CASE("cells in loops and cells one by one are the same system") {
+    const Looped looped;
+    const Single single;
+    CHECK(difference(looped.start_state(), single.start_state()) < 1e-15);
+    for (std::size_t i = 0; i < Looped::state_table().size(); ++i) {
+        CHECK(std::string(Looped::state_table()[i].name) == Single::state_table()[i].name);
+        CHECK(Looped::state_table()[i].low == Single::state_table()[i].low);
+    }
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> temperature(250, 600);
+    for (int trial = 0; trial < 20; ++trial) {
+        Looped::State x;
+        for (double& T : x) T = temperature(random);
+        const Looped::Input u{temperature(random)};
+        const double t = trial * 1000.0;
+        Looped::State a, b;
+        looped.rhs(x, u, t, a);
+        single.rhs(x, u, t, b);
+        CHECK(difference(a, b) < 1e-13);
+        CHECK(difference(dalembert::jacobian_x(looped, x, u, t), dalembert::jacobian_x(single, x, u, t)) < 1e-13);
+        CHECK(difference(dalembert::jacobian_u(looped, x, u, t), dalembert::jacobian_u(single, x, u, t)) < 1e-13);
+        const auto by_looped = dalembert::jacobian_p(looped, x, u, t);
+        const auto by_single = dalembert::jacobian_p(single, x, u, t);
+        for (Eigen::Index p = 0; p < by_single.cols(); ++p) CHECK(difference(by_looped.col(p).eval(), by_single.col(p).eval()) < 1e-12);
+        Looped::JacobianT by_time;
+        Single::JacobianT by_time_single;
+        looped.jacobian_t(x, u, t, by_time);
+        single.jacobian_t(x, u, t, by_time_single);
+        CHECK(difference(by_time, by_time_single) < 1e-13);
+        CHECK(looped.internal_energy(x, t) == doctest::Approx(single.internal_energy(x, t)).epsilon(1e-14));
+        CHECK(std::fabs(looped.exchanged_power(x, u, t) - single.exchanged_power(x, u, t)) < 1e-10);
+    }
+}
