@@ -19,20 +19,11 @@
 #include <limits>
 
 #include "dalembert/bracket.hpp"
+#include "dalembert/stepper.hpp"
 
 namespace dalembert {
 inline namespace v1 {
 namespace detail {
-
-/// A step that may or may not be taken: from where the run is to `end`.
-template <class State>
-struct Candidate {
-    using Scalar = typename State::value_type;
-    Scalar length = Scalar(0), end = Scalar(0);  ///< s
-    State y{}, error{}, dydt{};
-    bool has_derivative = false;  ///< dydt is that at the end
-    bool finite = true;
-};
 
 /// No guards: nothing of what follows becomes code.
 struct NoGuards {

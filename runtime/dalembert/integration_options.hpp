@@ -14,6 +14,9 @@ enum class Method {
     /// Fehlberg 7(8), controlled, steps end on output points; for smooth motion at tight tolerances. The difference of the pair
     /// vanishes for dx/dt = f(t): it does not see what depends on time alone, such as an input that jumps. Take dopri5 there.
     fehlberg78,
+    /// Rosenbrock method 5(4) for stiff problems, controlled, output points by its dense output; needs the Jacobian, so it is there for
+    /// `simulate`, and for `integrate` where that is given derivatives.
+    rodas5p,
 };
 
 template <class State>

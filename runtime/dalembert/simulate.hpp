@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dalembert/integrate.hpp"
+#include "dalembert/system_derivatives.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -45,7 +46,9 @@ struct SimulationResult {
 
 /// Integrates a system together with the work that is done on it, and calls observe(sample) at the output points.
 /// `inputs` is called as inputs(x, t). The guards of the system are located: see integrate. How the work is weighed against its
-/// tolerance, the last entry of options.scale, is up to the caller; a sensible size is that of the energy.
+/// tolerance, the last entry of options.scale, is up to the caller; a sensible size is that of the energy. Method::rodas5p takes the
+/// Jacobian of the system, and finds what `inputs` adds to it by calling it near the state and within the step; it integrates the work
+/// along the steps that the states allow, so that its scale does not matter.
 template <class System, class Inputs, class Observer>
 SimulationResult simulate(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
                           const SimulationOptions<System>& options, Observer&& observe) {
@@ -99,7 +102,12 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
     Extended extended;
     std::copy_n(x.begin(), n, extended.begin());
     extended[n] = Scalar(0);
-    result.outcome = integrate(rhs, extended, from, to, options, watch, guards, ends);
+    if constexpr (detail::has_derivatives<System>) {
+        detail::SystemDerivatives<System, Inputs> derivatives(system, inputs, options.scale);
+        result.outcome = integrate(rhs, derivatives, extended, from, to, options, watch, guards, ends);
+    } else {
+        result.outcome = integrate(rhs, extended, from, to, options, watch, guards, ends);
+    }
     x = plain(extended);
     return result;
 }

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSL-1.0
+// Drives a stepper from the start of a run to its end: which steps are taken, and what is observed.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "dalembert/run_state.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// Integrates; the observer is called at the output points in order.
+template <class StateOfRun, class Rhs, class Observer, class Guards, std::size_t G>
+class Integration : RunState<StateOfRun, Rhs, Observer, Guards, G> {
+    using Run = RunState<StateOfRun, Rhs, Observer, Guards, G>;
+    using typename Run::Try;
+    using Run::x_, Run::dxdt_, Run::t_, Run::from_, Run::to_, Run::options_, Run::control_, Run::outcome_, Run::events_, Run::observe_, Run::stepper_, Run::is_anew_;
+    using Run::evaluate, Run::end, Run::end_at, Run::end_not_finite, Run::stop, Run::observe, Run::here, Run::try_step, Run::accept, Run::is_cut, Run::keeps_rest, Run::pass_event;
+
+public:
+    using typename Run::State;
+    using typename Run::Scalar;
+
+    using Run::Run;
+
+    /// The right-hand side as steppers call it.
+    struct RightHandSide {
+        Integration* run;
+        void operator()(const State& x, State& dxdt, Scalar t) const { run->evaluate(x, t, dxdt); }
+    };
+    RightHandSide right_hand_side() { return {this}; }
+
+    /// For a method that cannot be used.
+    Outcome refuse() { return end(Status::bad_options); }
+
+    Outcome go(Stepper<State>& stepper, Steps steps) {
+        stepper_ = &stepper;
+        if (!control_.are_options_good()) return refuse();
+        evaluate(x_, t_, dxdt_);
+        if (!are_finite(x_, dxdt_)) return end_not_finite(Scalar(0));
+        observe(t_);
+        if constexpr (G > 0) {
+            if (events_.not_a_number(x_, t_) != G) return end_not_finite(Scalar(0));
+            const std::size_t guard = events_.start(x_, t_);
+            if (guard != G) return end_at(Status::event, guard);
+        }
+        if (to_ == from_) return end(Status::success);
+        if constexpr (G > 0) this->leave_zero();
+        switch (steps) {
+            case Steps::fixed: return fixed_steps();
+            case Steps::to_outputs: return controlled_steps(false);
+            case Steps::dense: return controlled_steps(true);
+        }
+        return refuse();
+    }
+
+private:
+    Outcome fixed_steps() {
+        using std::ceil;
+        for (std::size_t i = 1; i <= options_.intervals; ++i) {
+            const Scalar target = control_.output_time(i);
+            while (t_ < target) {
+                const Scalar begin = t_;
+                const Scalar length = target - begin;
+                const auto count = static_cast<std::size_t>(std::max(1.0, static_cast<double>(ceil(length / options_.step * (Scalar(1) - Scalar(1e-9))))));
+                const Scalar h = length / Scalar(static_cast<double>(count));
+                for (std::size_t k = 0; k < count; ++k) {
+                    if (outcome_.steps == options_.max_steps) return end(Status::too_many_steps);
+                    Try c;
+                    c.length = h;
+                    c.end = k + 1 == count ? target : begin + h * Scalar(static_cast<double>(k + 1));
+                    try_step(c);
+                    if (!c.finite) return end_not_finite(h);
+                    accept(c);
+                    if (is_cut()) break;
+                }
+                const Status status = pass_event();
+                if (status != Status::success) return stop(status);
+            }
+            observe(target);
+        }
+        return end(Status::success);
+    }
+
+    /// With dense output steps need not end on output points.
+    Outcome controlled_steps(bool dense) {
+        Scalar h = control_.first(x_, dxdt_, stepper_->order());
+        std::size_t next = 1;
+        while (next <= options_.intervals) {
+            Try c;
+            Status status = acceptable_step(h, dense ? to_ : control_.output_time(next), c);
+            if (status != Status::success) return stop(status);
+            for (; next <= options_.intervals && control_.output_time(next) < c.end; ++next) {
+                State x;
+                stepper_->between(here(), c, control_.output_time(next), x);
+                observe_(control_.output_time(next), x);
+            }
+            accept(c);
+            observe_up_to_now(next);
+            status = pass_event();
+            if (status != Status::success) return stop(status);
+            if (!are_finite(x_, dxdt_)) return end_not_finite(Scalar(0));
+            if (!is_anew_) continue;
+            h = control_.first(x_, dxdt_, stepper_->order());
+            observe_up_to_now(next);
+        }
+        return end(Status::success);
+    }
+
+    /// One step that can be accepted, of at most h and not beyond `target`; leaves the size of the next one in h.
+    Status acceptable_step(Scalar& h, Scalar target, Try& c) {
+        const Scalar limit = target - t_;
+        bool not_finite = false;
+        while (true) {
+            if (outcome_.steps + outcome_.rejected >= options_.max_steps) return Status::too_many_steps;
+            if (options_.max_step > Scalar(0) && h > options_.max_step) h = options_.max_step;
+            bool clipped = h >= limit;
+            c.length = clipped ? limit : h;
+            c.end = clipped ? target : t_ + c.length;
+            if (!(c.length > control_.smallest(t_)) && !clipped) return not_finite ? Status::not_finite : Status::step_too_small;
+            try_step(c);
+            clipped = clipped || is_cut();
+            const Scalar e = c.finite ? control_.error_norm(x_, c.y, c.error) : Scalar(0);
+            if (!c.finite || !(e <= Scalar(1)) || !keeps_rest(c)) {
+                not_finite = not_finite || !c.finite;
+                ++outcome_.rejected;
+                h = c.length * (e <= Scalar(1) ? Scalar(1) / Scalar(4) : control_.factor_of_failure(e, stepper_->order()));
+                continue;
+            }
+            // After a step that was cut to end on an output point, the size from before is as good a guess as ever.
+            const Scalar factor = control_.factor(e, stepper_->order());
+            h = clipped ? std::max(h, c.length * factor) : c.length * factor;
+            return Status::success;
+        }
+    }
+
+    void observe_up_to_now(std::size_t& next) {
+        for (; next <= options_.intervals && control_.output_time(next) <= t_; ++next) observe(control_.output_time(next));
+    }
+};
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSL-1.0
+// What the sparsity patterns of generated headers say at compile time, and the matrix that suits one: a band where that is small.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+#include "dalembert/linear_solve.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// Calls take(row, value) for the stored entries of a column of flat values with `rows` rows.
+template <class Pattern, class Values, class Take>
+void for_each_in_column(const Values& values, std::size_t rows, std::size_t column, Take take) {
+    if constexpr (Pattern::is_sparse) {
+        for (std::size_t k = Pattern::column_starts[column]; k < Pattern::column_starts[column + 1]; ++k) take(Pattern::row_indices[k], values[k]);
+    } else {
+        for (std::size_t row = 0; row < rows; ++row) take(row, values[column * rows + row]);
+    }
+}
+
+/// How far entries reach below and above the diagonal.
+struct Bandwidth {
+    std::size_t lower = 0, upper = 0;
+    constexpr std::size_t height() const noexcept { return 2 * lower + upper + 1; }  ///< of a column while it is factored
+};
+
+/// Of a square pattern with n columns.
+template <class Pattern>
+constexpr Bandwidth bandwidth(std::size_t n) noexcept {
+    Bandwidth band;
+    if constexpr (Pattern::is_sparse) {
+        for (std::size_t column = 0; column < n; ++column)
+            for (std::size_t k = Pattern::column_starts[column]; k < Pattern::column_starts[column + 1]; ++k) {
+                const std::size_t row = Pattern::row_indices[k];
+                if (row > column && row - column > band.lower) band.lower = row - column;
+                if (column > row && column - row > band.upper) band.upper = column - row;
+            }
+    } else if (n > 0) {
+        band.lower = band.upper = n - 1;
+    }
+    return band;
+}
+
+/// A matrix with the pattern and the diagonal: a band where that takes at most half of the places of all entries.
+template <class Scalar, class Pattern, std::size_t n>
+struct SquareMatrix {
+    static constexpr Bandwidth band = bandwidth<Pattern>(n);
+    static constexpr bool is_band = 2 * band.height() <= n;
+    /// So that everything stays well within the usual stack of 8 MB.
+    static constexpr bool fits = (is_band ? band.height() : n) * n * sizeof(Scalar) <= std::size_t(2) << 20;
+    using type = std::conditional_t<is_band, BandLu<Scalar, n, is_band ? band.lower : 0, is_band ? band.upper : 0>, DenseLu<Scalar, is_band ? 0 : n>>;
+};
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert

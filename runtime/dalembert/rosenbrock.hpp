@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSL-1.0
+// Rodas5P, a Rosenbrock method for stiff problems: it solves linear systems with the Jacobian, and no others.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "dalembert/jacobian_pattern.hpp"
+#include "dalembert/rodas5p_coefficients.hpp"
+#include "dalembert/status.hpp"
+#include "dalembert/stepper.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+
+/// All entries are stored, column by column.
+struct DensePattern {
+    static constexpr bool is_sparse = false;
+};
+
+/// The derivatives of a right-hand side f(x, t): jacobian(x, t, values) writes df/dx in the order of the pattern, which is a
+/// DensePattern or, as in generated headers, compressed columns; time_derivative(x, t, dfdt) writes df/dt at fixed x.
+template <class State, class PatternOfJacobian, class Jacobian, class TimeDerivative>
+class Derivatives {
+    using Scalar = typename State::value_type;
+
+public:
+    using Pattern = PatternOfJacobian;
+    static constexpr std::size_t states = std::tuple_size<State>::value;
+
+    Derivatives(Jacobian jacobian, TimeDerivative rate) : jacobian_(jacobian), rate_(rate) {}
+
+    // What follows is what the method asks for, of this class or another. A state of the run may have more entries than `states`: those
+    // behind are integrals, and the right-hand side does not depend on them.
+
+    /// Computes the Jacobian at a point.
+    void prepare(const State& x, Scalar t) { jacobian_(x, t, values_); }
+    /// Calls add(row, column, value) for its entries; those of one place are added up.
+    template <class Add>
+    void for_each_entry(Add add) const {
+        for (std::size_t column = 0; column < states; ++column)
+            detail::for_each_in_column<Pattern>(values_, states, column, [&](std::size_t row, const Scalar& value) { add(row, column, value); });
+    }
+    /// df/dt at that point, for a step of this length.
+    void time_derivative(const State& x, Scalar t, Scalar /*length*/, State& dfdt) const { rate_(x, t, dfdt); }
+
+private:
+    static constexpr std::size_t entries() {
+        if constexpr (Pattern::is_sparse) return Pattern::row_indices.size();
+        else return states * states;
+    }
+    Jacobian jacobian_;
+    TimeDerivative rate_;
+    std::array<Scalar, entries()> values_{};
+};
+
+template <class State, class Pattern = DensePattern, class Jacobian, class TimeDerivative>
+Derivatives<State, Pattern, Jacobian, TimeDerivative> derivatives(Jacobian jacobian, TimeDerivative time_derivative) {
+    return {jacobian, time_derivative};
+}
+
+namespace detail {
+
+/// Hairer, Wanner: Solving Ordinary Differential Equations II, section IV.7 on implementation: with W = 1/(h gamma) - J the stages are
+/// W u_i = f(t + time_i h, x + sum a_ij u_j) + sum c_ij/h u_j + gradient_i h df/dt, and y = (the last stage's state) + u_8, of which u_8
+/// is the error.
+template <class State, class Rhs, class Derivatives>
+class Rodas5p final : public Stepper<State> {
+    using Scalar = typename State::value_type;
+    using Table = Rodas5pCoefficients;
+    static constexpr std::size_t n = Derivatives::states;
+    static constexpr std::size_t integrals = std::tuple_size<State>::value - n;
+    using Increment = std::array<Scalar, n>;
+
+public:
+    Rodas5p(Rhs rhs, Derivatives& derivatives) : rhs_(rhs), derivatives_(derivatives) {}
+
+    int order() const override { return 5; }
+
+    void take(const Point<State>& from, Candidate<State>& c) override {
+        c.has_derivative = false;
+        c.finite = false;
+        if (!factor(from, c.length)) return c.y.fill(std::numeric_limits<Scalar>::quiet_NaN());
+        derivatives_.time_derivative(from.x, from.t, c.length, dfdt_);
+        c.y = from.x;
+        c.dydt = from.dxdt;
+        for (std::size_t i = 0; i < Table::stages; ++i) {
+            if (i > 0) {
+                set_stage(i, from.x, c.y);
+                rhs_(c.y, c.dydt, Table::time[i] == 1 ? c.end : from.t + Scalar(Table::time[i]) * c.length);
+            }
+            solve_stage(i, c.length, c.dydt);
+        }
+        add(1, u_.back(), c.y);
+        c.error.fill(Scalar(0));
+        add(1, u_.back(), c.error);
+        if (!are_finite(c.y, c.error)) return;
+        rhs_(c.y, c.dydt, c.end);
+        if constexpr (integrals > 0) integrate_over(from, c);
+        c.has_derivative = true;
+        c.finite = are_finite(c.y, c.dydt);
+    }
+
+    void between(const Point<State>& from, Candidate<State>& c, Scalar t, State& x) override {
+        const Scalar s = (t - from.t) / c.length;
+        interpolate(from, c, s, x);
+        for (std::size_t i = n; i < n + integrals; ++i) x[i] = integral(from, c, s, i);
+    }
+
+private:
+    static void add(double factor, const Increment& u, State& x) {
+        const Scalar f = Scalar(factor);
+        for (std::size_t r = 0; r < n; ++r) x[r] += f * u[r];
+    }
+
+    /// Events repeat steps from one point: the Jacobian is computed there once.
+    bool factor(const Point<State>& from, Scalar length) {
+        if (!is_prepared_ || prepared_ != from.number) derivatives_.prepare(from.x, from.t);
+        is_prepared_ = true;
+        prepared_ = from.number;
+        W_.clear();
+        derivatives_.for_each_entry([this](std::size_t row, std::size_t column, const Scalar& value) { W_.add(row, column, -value); });
+        const Scalar diagonal = Scalar(1) / (length * Scalar(Table::gamma));
+        for (std::size_t i = 0; i < n; ++i) W_.add(i, i, diagonal);
+        return W_.factor();
+    }
+
+    void set_stage(std::size_t i, const State& x, State& y) const {
+        if (i > 5) return add(1, u_[i - 1], y);
+        std::copy_n(x.begin(), n, y.begin());
+        for (std::size_t j = 0; j < i; ++j) add(Table::a[i][j], u_[j], y);
+    }
+
+    void solve_stage(std::size_t i, Scalar length, const State& f) {
+        Increment& u = u_[i];
+        std::copy_n(f.begin(), n, u.begin());
+        for (std::size_t j = 0; j < i; ++j) {
+            const Scalar factor = Scalar(Table::c[i][j]) / length;
+            for (std::size_t r = 0; r < n; ++r) u[r] += factor * u_[j][r];
+        }
+        if (const Scalar factor = Scalar(Table::gradient[i]) * length; factor != Scalar(0))
+            for (std::size_t r = 0; r < n; ++r) u[r] += factor * dfdt_[r];
+        W_.solve(u);
+    }
+
+    /// The dense output, s from 0 to 1.
+    void interpolate(const Point<State>& from, const Candidate<State>& c, Scalar s, State& x) const {
+        for (std::size_t r = 0; r < n; ++r) x[r] = from.x[r] + s * (c.y[r] - from.x[r]);
+        for (std::size_t j = 0; j < Table::stages; ++j) {
+            const Scalar d = Scalar(Table::dense[0][j]) + s * (Scalar(Table::dense[1][j]) + s * Scalar(Table::dense[2][j]));
+            const Scalar factor = s * (Scalar(1) - s) * d;
+            for (std::size_t r = 0; r < n; ++r) x[r] += factor * u_[j][r];
+        }
+    }
+
+    /// Integrals over the step: Lobatto's rule with four points, order 6, on the dense output, whose error h^5 becomes h^6. They follow
+    /// the states, whose errors are those that are watched.
+    void integrate_over(const Point<State>& from, Candidate<State>& c) {
+        using std::sqrt;
+        const Scalar half_distance = Scalar(1) / (Scalar(2) * sqrt(Scalar(5)));
+        State x = from.x;
+        State rate;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Scalar s = Scalar(1) / Scalar(2) + (k == 0 ? -half_distance : half_distance);
+            interpolate(from, c, s, x);
+            rhs_(x, rate, from.t + s * c.length);
+            std::copy(rate.begin() + n, rate.end(), rates_[k].begin());
+        }
+        for (std::size_t i = n; i < n + integrals; ++i) c.y[i] = integral(from, c, Scalar(1), i);
+    }
+
+    /// Up to s: that of the cubic polynomial through the rates at Lobatto's points -1, -1/sqrt(5), 1/sqrt(5), 1 of z = 2 s - 1, whose
+    /// even part is even[0] + even[1] z^2 and whose odd part is odd[0] z + odd[1] z^3.
+    Scalar integral(const Point<State>& from, const Candidate<State>& c, Scalar s, std::size_t i) const {
+        using std::sqrt;
+        const Scalar two = Scalar(2);
+        const Scalar inner_even = (rates_[1][i - n] + rates_[0][i - n]) / two;
+        const Scalar inner_odd = (rates_[1][i - n] - rates_[0][i - n]) / two * sqrt(Scalar(5));
+        const Scalar outer_even = (c.dydt[i] + from.dxdt[i]) / two;
+        const Scalar outer_odd = (c.dydt[i] - from.dxdt[i]) / two;
+        const Scalar even = Scalar(5) / Scalar(4) * (outer_even - inner_even);
+        const Scalar odd = Scalar(5) / Scalar(4) * (outer_odd - inner_odd);
+        const Scalar z = two * s - Scalar(1);
+        const Scalar of_even = (z + Scalar(1)) * (outer_even - even) + (z * z * z + Scalar(1)) / Scalar(3) * even;
+        const Scalar of_odd = (z * z - Scalar(1)) * ((outer_odd - odd) / two + (z * z + Scalar(1)) / Scalar(4) * odd);
+        return from.x[i] + c.length / two * (of_even + of_odd);
+    }
+
+    Rhs rhs_;
+    Derivatives& derivatives_;
+    typename SquareMatrix<Scalar, typename Derivatives::Pattern, n>::type W_;
+    std::array<Increment, Table::stages> u_{};
+    Increment dfdt_{};
+    std::array<std::array<Scalar, integrals>, 2> rates_{};  ///< at the inner points of Lobatto's rule
+    bool is_prepared_ = false;
+    std::size_t prepared_ = 0;
+};
+
+/// A matrix that is too large to be stored is refused.
+template <class Run, class Derivatives>
+Outcome run_rodas5p(Run& run, Derivatives& derivatives) {
+    using State = typename Run::State;
+    if constexpr (SquareMatrix<typename State::value_type, typename Derivatives::Pattern, Derivatives::states>::fits) {
+        Rodas5p<State, typename Run::RightHandSide, Derivatives> stepper(run.right_hand_side(), derivatives);
+        return run.go(stepper, Steps::dense);
+    } else {
+        return run.refuse();
+    }
+}
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert

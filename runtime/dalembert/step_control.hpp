@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSL-1.0
+// How long a step may be.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "dalembert/integration_options.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+template <class State>
+class StepControl {
+    using Scalar = typename State::value_type;
+
+public:
+    StepControl(const IntegrationOptions<State>& options, Scalar from, Scalar to) : options_(options), from_(from), to_(to) {}
+
+    bool are_options_good() const {
+        using std::isfinite;
+        return to_ >= from_ && isfinite(from_) && isfinite(to_) && options_.intervals > 0 && options_.tolerance > Scalar(0) && options_.step >= Scalar(0) &&
+               options_.max_step >= Scalar(0) && std::all_of(options_.scale.begin(), options_.scale.end(), [](const Scalar& scale) { return scale > Scalar(0); }) &&
+               (options_.method != Method::rk4 || options_.step > Scalar(0));
+    }
+
+    Scalar output_time(std::size_t i) const {
+        return i == options_.intervals ? to_ : from_ + (to_ - from_) * (Scalar(static_cast<double>(i)) / Scalar(static_cast<double>(options_.intervals)));
+    }
+
+    /// A step that changes nothing any more at t.
+    Scalar smallest(Scalar t) const {
+        using std::abs;
+        using std::max;
+        return Scalar(16) * std::numeric_limits<Scalar>::epsilon() * max(abs(t), abs(to_ - from_) * std::numeric_limits<Scalar>::epsilon());
+    }
+    /// One so short that it does no harm when its stages lie on both sides of a jump.
+    Scalar tiny(Scalar t) const { return Scalar(64) * smallest(t); }
+    /// The least distance of two times near t.
+    Scalar resolution(Scalar t) const {
+        using std::abs;
+        using std::max;
+        const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+        return epsilon * max(Scalar(abs(t)), Scalar(epsilon * (to_ - from_)));
+    }
+
+    /// Largest error of a step from x to y relative to what is allowed; NaN counts as infinite.
+    Scalar error_norm(const State& x, const State& y, const State& error) const {
+        using std::abs;
+        using std::max;
+        Scalar largest = Scalar(0);
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const Scalar size = max(options_.scale[i], max(Scalar(abs(x[i])), Scalar(abs(y[i]))));
+            const Scalar ratio = abs(error[i]) / (options_.tolerance * size);
+            if (!(ratio <= largest)) largest = ratio;
+            if (!(largest == largest)) return std::numeric_limits<Scalar>::infinity();
+        }
+        return largest;
+    }
+
+    /// Hairer, Norsett, Wanner: Solving Ordinary Differential Equations I, section II.4: a first step from the sizes of x and dx/dt.
+    Scalar first(const State& x, const State& dxdt, int order) const {
+        using std::abs;
+        using std::max;
+        using std::min;
+        using std::pow;
+        if (options_.step > Scalar(0)) return min(options_.step, to_ - from_);
+        Scalar d0 = Scalar(0);
+        Scalar d1 = Scalar(0);
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const Scalar size = max(options_.scale[i], Scalar(abs(x[i])));
+            d0 = max(d0, Scalar(abs(x[i]) / size));
+            d1 = max(d1, Scalar(abs(dxdt[i]) / size));
+        }
+        const Scalar guess = d1 > Scalar(0) ? Scalar(max(d0, Scalar(1) / Scalar(100)) / d1) : to_ - from_;
+        return min(Scalar(pow(options_.tolerance, Scalar(1) / Scalar(order + 1)) * guess), to_ - from_);
+    }
+
+    /// The factor for the next step after one with this error (Gustafsson's PI controller).
+    Scalar factor(Scalar error, int order) {
+        using std::max;
+        using std::min;
+        using std::pow;
+        const Scalar e = max(error, least_error());
+        const Scalar k = Scalar(order);
+        const Scalar factor = Scalar(9) / Scalar(10) * pow(e, -Scalar(7) / (Scalar(10) * k)) * pow(last_error_, Scalar(4) / (Scalar(10) * k));
+        last_error_ = e;
+        return min(Scalar(5), max(Scalar(1) / Scalar(5), factor));
+    }
+
+    /// The factor for another try after an error that is too large.
+    static Scalar factor_of_failure(Scalar error, int order) {
+        using std::max;
+        using std::pow;
+        return max(Scalar(1) / Scalar(10), Scalar(9) / Scalar(10) * pow(error, -Scalar(1) / Scalar(order)));
+    }
+
+    void forget() { last_error_ = Scalar(1); }
+
+private:
+    static Scalar least_error() { return Scalar(1) / Scalar(10000); }
+
+    const IntegrationOptions<State>& options_;
+    Scalar from_, to_;
+    Scalar last_error_ = Scalar(1);
+};
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert

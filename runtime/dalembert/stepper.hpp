@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSL-1.0
+// What the driver of an integration asks of a method. One interface with virtual functions: a step costs more than a call, and the
+// control of steps and events is compiled once, not once for each method.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// A step that may or may not be taken: from where the run is to `end`.
+template <class State>
+struct Candidate {
+    using Scalar = typename State::value_type;
+    Scalar length = Scalar(0), end = Scalar(0);  ///< s
+    State y{}, error{}, dydt{};
+    bool has_derivative = false;  ///< dydt is that at the end
+    bool finite = true;
+};
+
+/// Where the run is.
+template <class State>
+struct Point {
+    const State& x;
+    const State& dxdt;
+    typename State::value_type t;
+    std::size_t number;  ///< another one for another point
+};
+
+/// How the steps of a run lie to its output points.
+enum class Steps {
+    fixed,       ///< of one length between two output points
+    to_outputs,  ///< controlled; they end on output points
+    dense,       ///< controlled; output points lie within them
+};
+
+template <class State>
+class Stepper {
+public:
+    using Scalar = typename State::value_type;
+    virtual int order() const = 0;  ///< the error of a step shrinks like its length to this power
+    /// Makes the step; c.finite says whether all of it is.
+    virtual void take(const Point<State>& from, Candidate<State>& c) = 0;
+    /// The state at t within the step that was made last.
+    virtual void between(const Point<State>& from, Candidate<State>& c, Scalar t, State& x) = 0;
+
+protected:
+    ~Stepper() = default;
+};
+
+/// The first entry that is not finite, or N.
+template <class State>
+std::size_t first_not_finite(const State& x) noexcept {
+    using std::isfinite;
+    std::size_t i = 0;
+    while (i < x.size() && isfinite(x[i])) ++i;
+    return i;
+}
+
+template <class State>
+bool are_finite(const State& a, const State& b) noexcept {
+    return first_not_finite(a) == a.size() && first_not_finite(b) == b.size();
+}
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert
