@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "emit/notation.hpp"
+#include "form/heat_validity.hpp"
 #include "form/validity.hpp"
 #include "model/checks.hpp"
 #include "model/reader.hpp"
@@ -110,6 +111,7 @@ Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::str
         watch.lap("derive", fmt::format("{} bodies, {} potentials, {} resistances, {} supplies", machine.system->bodies.size(),
                                         machine.system->potentials.size(), machine.system->resistances.size(), machine.system->supplies.size()));
         check_fluid_values(*machine.system);
+        check_heat_values(*machine.system);
         machine.audit = audit(*machine.system);
         stop_on_failed_audit(*machine.system, machine.audit);
         watch.lap("prove", machine.audit.all_proven() ? "everything proven" : "something only numerically equal");

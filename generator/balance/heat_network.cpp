@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "balance/rod.hpp"
 #include "balance/sought_temperatures.hpp"
@@ -187,6 +189,35 @@ ex HeatNetwork::power_over_border() const {
         if (is_outside(link.to)) terms.push_back(-link.heat);
     }
     return GiNaC::add(terms);
+}
+
+std::vector<std::vector<std::size_t>> HeatNetwork::floating_parts() const {
+    // Parts by the first node in them; a part that touches the outside is none.
+    std::map<const NodeState*, const NodeState*> part;
+    std::set<const NodeState*> anchored;
+    for (const NodeState& node : nodes) {
+        part[&node] = &node;
+        if (node.kind == NodeState::Kind::held || (node.state && !partial(node.source, node.warmth.temperature).is_zero())) anchored.insert(&node);
+    }
+    const auto root = [&](const NodeState* node) {
+        while (part[node] != node) node = part[node];
+        return node;
+    };
+    for (const LinkState& link : links) {
+        const NodeState *a = link.from.node, *b = link.to.node;
+        if (a != nullptr && b != nullptr) part[root(b)] = root(a);
+        else if (a != nullptr) anchored.insert(a);
+        else if (b != nullptr) anchored.insert(b);
+    }
+    std::set<const NodeState*> fixed;
+    for (const NodeState* node : anchored) fixed.insert(root(node));
+    std::map<const NodeState*, std::vector<std::size_t>> found;
+    for (const NodeState& node : nodes)
+        if (node.state && !fixed.contains(root(&node))) found[root(&node)].push_back(*node.state);
+    std::vector<std::vector<std::size_t>> result;
+    for (const NodeState& node : nodes)
+        if (const auto one = found.find(&node); one != found.end()) result.push_back(one->second);
+    return result;
 }
 
 HeatNetwork make_nodes(const Scene& scene, const Translator& translate, Symbols& symbols) {

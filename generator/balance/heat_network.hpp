@@ -66,6 +66,9 @@ struct HeatNetwork {
     /// dT/dt of a node that stores.
     GiNaC::ex rate(const NodeState& node) const { return heat_into(node) / node.capacity; }
     GiNaC::ex power_over_border() const;
+    /// Parts of the network that no link joins to a temperature that is held, and that nothing outside cools or warms towards its own:
+    /// the states of their nodes.
+    std::vector<std::vector<std::size_t>> floating_parts() const;
 };
 
 /// The nodes with their temperatures; the cells of rods with all that is theirs. Throws Failure.

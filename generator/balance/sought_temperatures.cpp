@@ -54,7 +54,8 @@ private:
             for (const Row& other : rows_)
                 for (const ex& letter : {T(other), fourth(other)})
                     if (has_letters(partial(row.balance, letter)))
-                        fail(*row.node, fmt::format("but this is neither linear in the temperature of '{}' nor in its fourth power. Give one of the two a capacity", other.node->name));
+                        fail(*row.node, &row == &other ? std::string("but this is neither linear in it nor in its fourth power. Give it a capacity")
+                                             : fmt::format("but this is neither linear in the temperature of '{}' nor in its fourth power. Give one of the two a capacity", other.node->name));
     }
 
     /// First nodes that only conduct or only radiate, then those that do both. Links are symmetric, so a node does to others what

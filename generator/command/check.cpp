@@ -54,6 +54,7 @@ private:
         group("media: (3.11), (3.21), (3.31), (3.41), (3.43)", pointers(machine.audit.media));
         group("balances of mass and energy", pointers(machine.audit.balances));
         group(Audit::power_balance_name(system), {&machine.audit.power_balance});
+        group("passive network: eigenvalues real, not positive", pointers(machine.audit.eigenvalues));
         group("emitted code = derivation", pointers(machine.emitted));
         json_["scenes"].push_back(std::move(scene));
         verdicts_.add(system);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 #include <sstream>
 
@@ -74,6 +75,16 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     std::vector<bool> free_inputs(inputs.size(), false);
     mark(options.hold, states, free_states, false, "hold");
     mark(options.free, inputs, free_inputs, true, "free");
+
+    // Each needs a temperature that is held, or its level is arbitrary and its heat has nowhere to go.
+    const std::size_t first_plain = 2 * system.symbols.degrees();
+    for (const std::vector<std::size_t>& floating : system.heat.floating_parts()) {
+        if (std::any_of(floating.begin(), floating.end(), [&](std::size_t state) { return !free_states[first_plain + state]; })) continue;
+        std::vector<std::string> names;
+        for (const std::size_t state : floating) names.push_back(system.symbols.all(SymbolKind::state)[state].name);
+        throw Failure(Diagnostic{Id::undetermined, system.symbols.all(SymbolKind::state)[floating[0]].declared->span,
+                                 fmt::format("no link leads from {} to a temperature that is given, so that heat that flows in has nowhere to go and their level is arbitrary; hold one with --hold {}, or link them", quoted_list(names), names[0])});
+    }
 
     const ScratchFolder scratch;
     const auto result = run_with_header(scratch, header, equilibrium_source(*machine.code, header, values, free_states, free_inputs), {}, "-O0");  // compiling takes longer than running

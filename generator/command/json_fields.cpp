@@ -112,6 +112,7 @@ constexpr auto simulate = std::to_array<JsonField>({
     {"rejected", "steps that were tried and thrown away"},
     {"rhs_calls", "evaluations of the right-hand side"},
     {"energy_error", "max |E - E0 - work| / max(T + |V|)"},
+    {"euler_step", "s, largest step for which the explicit Euler method is stable at the start; of models with heat"},
     {"files[]", "what was written"},
 });
 

@@ -24,6 +24,7 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         json["rejected"] = report.rejected;
         json["rhs_calls"] = report.rhs_calls;
         json["energy_error"] = report.energy_error;
+        if (report.euler_step) json["euler_step"] = *report.euler_step;
         json["files"] = nlohmann::ordered_json::array();
         for (const auto& [path, content] : report.files) json["files"].push_back(path.string());
         streams.out << printed(json);
@@ -32,6 +33,7 @@ ExitCode simulate_command(const Options& options, Streams streams) {
                                    report.events > 0 ? fmt::format(", {} events passed", report.events) : "");
         const char* energy = prepared.machine.system->has_balances() ? "T + |V| + |internal energy|" : "T + |V|";
         streams.out << fmt::format("energy error: max |E - E(0) - work| / max({}) = {}\n", energy, report.energy_error);
+        if (report.euler_step) streams.out << fmt::format("explicit Euler at the start: stable up to steps of {:.6g} s\n", *report.euler_step);
         for (const auto& [path, content] : report.files) streams.out << path.string() << "\n";
     }
     if (report.status != "success") {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "command/run_header.hpp"
 #include "command/settings.hpp"
@@ -225,6 +226,10 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     report.rejected = std::stoul(result.at("rejected"));
     report.rhs_calls = std::stoul(result.at("rhs_calls"));
     report.energy_error = std::stod(result.at("energy_error"));
+    if (const auto step = result.find("euler_step"); step != result.end()) {
+        const double value = std::stod(step->second);
+        if (std::isfinite(value)) report.euler_step = value;
+    }
     report.drawn = result.at("drawn") == "1";
     if (report.status == "not finite") {
         report.culprit = name_of_state(*prepared.machine.system, std::stoul(result.at("state")));

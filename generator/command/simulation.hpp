@@ -26,6 +26,7 @@ struct SimulationReport {
     std::size_t rejected = 0;
     std::size_t rhs_calls = 0;
     double energy_error = 0; ///< max |E - E(0) - work| / max(T + |V| + |internal energy|)
+    std::optional<double> euler_step;  ///< s, of heat: up to which the explicit Euler method is stable at the start; nothing where it is not known
     bool drawn = false;
     FileContents files;      ///< to be written: header, CSV, plots
 };

@@ -114,10 +114,15 @@ std::string simulation_source(Code& code, const Header& header, const Values& va
     const Scene& scene = code.system.scene;
     const auto [state_columns, state_values] = recorded_states(code.system);
     const std::string title = scene.model->title.empty() ? scene.sized_name() : scene.model->title;
+    // Of heat the bound of explicit methods is what one asks for first (4.99).
+    const bool has_heat = !code.system.heat.empty();
     return fill_template(embedded_file("simulation.cpp.in"), {{"NAMESPACE", header.name_space},
+                                                              {"EXTRA_INCLUDES", has_heat ? "#include \"dalembert/euler_step.hpp\"\n" : ""},
+                                                              {"EXTRA_RESULTS", has_heat ? "    std::printf(\"euler_step=%.17g\\n\", dalembert::largest_euler_step(system, begin, inputs(begin, 0.0), 0.0));\n" : ""},
                                                               {"HEADER", header.file_name},
                                                               {"PARAMETERS", parameter_statements(code.system.symbols, values)},
                                                               {"START", start_statements(code.system, values)},
+                                                              {"BEGIN", has_heat ? "    const System::State begin = start;\n" : ""},
                                                               {"STATE_COLUMNS", state_columns},
                                                               {"STATE_VALUES", state_values},
                                                               {"INPUTS", input_statements(code, settings.inputs)},

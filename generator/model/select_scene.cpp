@@ -246,7 +246,7 @@ private:
             if (e.kind != Kind::name || bound) return;
             if (const Field* field = field_of(e.name); field != nullptr && e.children.size() == 1) {
                 bool counts = false;
-                for_each(*e.children[0], [&](const Expression& part) { counts = counts || std::find(site.bound.begin(), site.bound.end(), part.name) != site.bound.end(); });
+                for_each(*e.children[0], [&](const Expression& part) { counts = counts || (part.kind == Kind::name && !scene_.sizes.contains(part.name)); });
                 if (counts)
                     fail(Id::too_large, e.span, fmt::format("'{}' asks for all of the {} cells of rod '{}', which are computed in a loop; name single cells", e.written(), field->to - field->from + 1, field->rod->name));
                 tap(e.name, *e.children[0], {});

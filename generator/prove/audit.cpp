@@ -7,6 +7,7 @@
 
 #include "model/verdict.hpp"
 #include "prove/media.hpp"
+#include "prove/passivity.hpp"
 
 namespace dalembert {
 
@@ -103,6 +104,12 @@ std::vector<AuditEntry> compare_media(const System& system, Prover& prover) {
     return entries;
 }
 
+/// A theorem where it holds; where it was not proven nothing is claimed.
+std::vector<AuditEntry> passive_network(const System& system, Prover& prover) {
+    if (!is_passive(system, prover)) return {};
+    return {{"eigenvalues real and not positive", {Verdict::proven}}};
+}
+
 }  // namespace
 
 std::vector<const AuditEntry*> Audit::all() const {
@@ -112,6 +119,7 @@ std::vector<const AuditEntry*> Audit::all() const {
     for (const AuditEntry& entry : media) result.push_back(&entry);
     for (const AuditEntry& entry : balances) result.push_back(&entry);
     result.push_back(&power_balance);
+    for (const AuditEntry& entry : eigenvalues) result.push_back(&entry);
     return result;
 }
 
@@ -126,7 +134,7 @@ const char* Audit::power_balance_name(const System& system) {
 
 Audit audit(const System& system) {
     Prover prover(system);
-    return {compare_derivations(system, prover), compare_potentials(system, prover), compare_media(system, prover), compare_balances(system, prover), balance_power(system, prover)};
+    return {compare_derivations(system, prover), compare_potentials(system, prover), compare_media(system, prover), compare_balances(system, prover), balance_power(system, prover), passive_network(system, prover)};
 }
 
 std::optional<NotIntegrable> integrability(const System& system, const Generalised& force) {

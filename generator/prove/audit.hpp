@@ -18,6 +18,7 @@ struct Audit {
     std::vector<AuditEntry> media;        ///< integrability, (3.21) and (3.43), of each medium
     std::vector<AuditEntry> balances;     ///< mass and energy of each volume, and the changes of variable
     AuditEntry power_balance;
+    std::vector<AuditEntry> eigenvalues;  ///< of a passive network of heat: that they are real and not positive; else nothing
 
     std::vector<const AuditEntry*> all() const;
     bool all_proven() const;

@@ -69,7 +69,7 @@ TEST_CASE("the JSON fields are the documented ones") {
         {"generate", {{systems + "cart_pendulum.toml", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
         {"check", {{systems + "coupled_springs.toml"}, {systems + "cart_pendulum.toml"}}},
         {"evaluate", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}}},
-        {"simulate", {{systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--no-plot", "-o", folder}}},
+        {"simulate", {{systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--no-plot", "-o", folder}, {SOURCE_DIR "/systems/heat/voltage_regulator.toml", "--until", "1", "--no-plot", "-o", folder}}},
         {"equilibrium", {{model}}},
         {"survey", {{systems + "pulley.toml", "--no-plot", "-o", folder}}},
         {"scenes", {{systems + "cart_pendulum.toml"}}},

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether the numbers of a model make a network of heat: at the default parameters and the start values.
+#pragma once
+
+#include "form/system.hpp"
+
+namespace dalembert {
+
+/// Throws Failure (value-out-of-range): capacities, conductances and resistances that are not positive, cells of rods without width,
+/// temperatures at the start that are not above 0 K.
+void check_heat_values(const System& system);
+
+}  // namespace dalembert

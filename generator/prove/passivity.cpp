@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prove/passivity.hpp"
+
+#include <optional>
+
+#include "symbolic/functions.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::numeric;
+
+namespace {
+
+std::optional<int> sign_of_terms(const ex& e);
+
+std::optional<int> sign_of_power(const ex& base, const ex& exponent) {
+    const std::optional<int> inner = sign_of_terms(base);
+    if (!inner || !GiNaC::is_exactly_a<numeric>(exponent)) return std::nullopt;
+    if (*inner >= 0) return *inner;
+    const numeric& n = ex_to<numeric>(exponent);
+    if (!n.is_integer()) return std::nullopt;
+    return n.is_even() ? 1 : -1;
+}
+
+/// -1, 0 or 1 where the signs of the terms tell; parameters have theirs from their ranges.
+std::optional<int> sign_of_terms(const ex& e) {
+    if (e.is_zero()) return 0;
+    if (e.info(GiNaC::info_flags::positive)) return 1;
+    if (GiNaC::is_exactly_a<numeric>(e)) return ex_to<numeric>(e).is_negative() ? -1 : 1;
+    if (is_ex_the_function(e, whole)) return sign_of_terms(e.op(0));
+    if (GiNaC::is_a<GiNaC::power>(e)) return sign_of_power(e.op(0), e.op(1));
+    if (!GiNaC::is_a<GiNaC::add>(e) && !GiNaC::is_a<GiNaC::mul>(e)) return std::nullopt;
+    const bool is_sum = GiNaC::is_a<GiNaC::add>(e);
+    int result = is_sum ? 0 : 1;
+    for (std::size_t i = 0; i < e.nops(); ++i) {
+        const std::optional<int> part = sign_of_terms(e.op(i));
+        if (!part) return std::nullopt;
+        if (!is_sum) result *= *part;
+        else if (result == 0) result = *part;
+        else if (*part != 0 && *part != result) return std::nullopt;
+    }
+    return result;
+}
+
+bool has_sign(const ex& e, int sign) {
+    const std::optional<int> found = sign_of_terms(e.expand());
+    return found && (*found == 0 || *found == sign);
+}
+
+bool has_state(const ex& e, const Symbols& symbols) {
+    for (const Variable& state : symbols.all(SymbolKind::state))
+        if (e.has(state.symbol)) return true;
+    return false;
+}
+
+/// What holds for every cell of a rod in a loop: conduction is symmetric, the surroundings draw towards themselves.
+bool is_passive(const RodField& f) {
+    const auto knows = [&](const ex& e) { return e.has(f.here) || e.has(f.next); };
+    const ex by_here = partial(f.link, f.here);
+    const ex by_next = partial(f.link, f.next);
+    const ex side = partial(f.source, f.here);
+    const auto capacity = sign_of_terms(f.capacity);
+    return !knows(by_here) && !knows(by_next) && !knows(side) && !knows(f.capacity) && capacity == 1 && has_sign(by_here, 1) && (by_here + by_next).expand().is_zero() && has_sign(side, -1);
+}
+
+}  // namespace
+
+bool is_passive(const System& system, Prover& prover) {
+    const Symbols& symbols = system.symbols;
+    std::vector<const NodeState*> nodes;
+    for (const NodeState& node : system.heat.nodes)
+        if (node.state) nodes.push_back(&node);
+    if (nodes.empty() || nodes.size() != symbols.states() || symbols.degrees() > 0) return false;
+    std::vector<ex> heat;
+    for (const NodeState* node : nodes) heat.push_back(system.heat.heat_into(*node));
+    const auto slope = [&](std::size_t i, std::size_t j) { return partial(heat[i], nodes[j]->warmth.temperature); };
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const auto capacity = sign_of_terms(nodes[i]->capacity);
+        if (capacity != 1 || has_state(nodes[i]->capacity, symbols)) return false;
+        ex sum = 0;
+        for (std::size_t j = 0; j < nodes.size(); ++j) {
+            const ex here = slope(i, j);
+            if (has_state(here, symbols)) return false;
+            sum += here;
+            if (i != j && !has_sign(here, 1)) return false;
+            if (j < i && !(here.is_zero() && slope(j, i).is_zero()) && !prover.proven_equal(here, slope(j, i))) return false;
+        }
+        if (!has_sign(sum, -1)) return false;
+    }
+    for (const RodField& field : system.heat.fields)
+        if (!is_passive(field)) return false;
+    return true;
+}
+
+}  // namespace dalembert
