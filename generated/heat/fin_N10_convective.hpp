@@ -7,20 +7,23 @@
 //     dalembert generate fin.toml --scene convective --size N=10
 // Scene convective: boundary condition of the third kind (4.75b)
 // Effects in: free_end (the far end gives heat to the air; without it, it is held at T_L)
-// Effects out: none
+// Effects out: radiation (side and end radiate to what is around), variable (the conductivity depends on the temperature)
 //
 // Proven as identities:
 //     balances of mass and energy: 10 of 10 balances
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
-//     this code = the derivation: 14 of 14 functions
+//     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 3     14     4        0      0
+//   update                10     42    10        0      3
 //   rhs                   39     21     0        0      0
 //   rhs_and_jacobian      41     21     0        0      0
 //   jacobian_p            70    121     4        0      0
+//   output                 6      8     2        0      3
+//   output_jacobian_x      1      0     0        0      0
+//   output_jacobian_u      6     12     2        0      3
 //   internal_energy        9      7     0        0      0
-//   exchanged_power       22     11     1        0      0
+//   exchanged_power       22      8     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -43,16 +46,16 @@ inline constexpr const char* title = "Rod in a stream of air, held at one end";
 inline constexpr std::size_t degrees_of_freedom = 0;
 inline constexpr std::size_t plain_state_count = 10;
 inline constexpr std::size_t state_count = 10;
-inline constexpr std::size_t input_count = 0;
-inline constexpr std::size_t output_count = 1;
+inline constexpr std::size_t input_count = 1;
+inline constexpr std::size_t output_count = 7;
 inline constexpr std::size_t parameter_count = 10;
 inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_1 = 0, T_2 = 1, T_3 = 2, T_4 = 3, T_5 = 4, T_6 = 5, T_7 = 6, T_8 = 7, T_9 = 8,
     T_10 = 9 }; };
-struct input {};
-struct output { enum : std::size_t { T_end = 0 }; };
+struct input { enum : std::size_t { x = 0 }; };
+struct output { enum : std::size_t { T_end = 0, difference = 1, limit = 2, Q_0 = 3, Q_exact = 4, T_x = 5, efficiency = 6 }; };
 struct parameter { enum : std::size_t { L = 0, A = 1, P = 2, lambda = 3, rho = 4, c_p = 5, alpha = 6, alpha_L = 7, T_0 = 8,
     T_inf = 9 }; };
 
@@ -77,9 +80,17 @@ inline constexpr std::array<Quantity, state_count> state_quantities{
     Quantity{"T[9]", "K", "temperature at k*L/N", 250, 600},
     Quantity{"T[10]", "K", "temperature at k*L/N", 250, 600},
 };
-inline constexpr std::array<Quantity, input_count> input_quantities{};
+inline constexpr std::array<Quantity, input_count> input_quantities{
+    Quantity{"x", "m", "where the exact steady temperature is put out", 0.001, 0.5},
+};
 inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"T_end", "K", "temperature of the free end"},
+    Quantity{"difference", "K", "exact steady temperature (4.76a) minus temperature at the free end, where the two are farthest apart; of Aufgabe 4.18"},
+    Quantity{"limit", "K", "what Aufgabe 4.18 asks for"},
+    Quantity{"Q_0", "W", "heat into the rod, with half a cell at its beginning"},
+    Quantity{"Q_exact", "W", "steady heat into the rod (4.76b)"},
+    Quantity{"T_x", "K", "exact steady temperature at x (4.76a)"},
+    Quantity{"efficiency", "1", "(4.80): steady heat over that of a rod which is at T_0 everywhere"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"L", "m", "length", 0.01, 10},
@@ -153,7 +164,7 @@ public:
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
     using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 100>;
-    using JacobianU = std::array<Scalar, 0>;
+    using JacobianU = std::array<Scalar, 10>;
     using JacobianP = std::array<Scalar, 100>;
     using JacobianT = std::array<Scalar, state_count>;
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
@@ -175,24 +186,56 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 + or -, 14 *, 4 /
+    /// Operations: 10 + or -, 42 *, 10 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        const Scalar inverse_1 = Scalar(1) / p_.L;
-        const Scalar e2 = Scalar(1) / p_.rho / p_.c_p;
-        const Scalar e3 = inverse_1 * e2;
-        const Scalar e4 = p_.lambda * inverse_1;
-        const Scalar e5 = e3 * e4;
-        c_.k0 = Scalar(100) * e5;
-        const Scalar e6 = p_.P * p_.alpha / p_.A;
-        const Scalar e7 = e2 * e6;
-        c_.k1 = e7;
-        const Scalar e8 = Scalar(20) * (p_.alpha_L * e3);
-        c_.k2 = e8 + e7;
-        c_.k3 = Scalar(200) * e5;
-        const Scalar e9 = (Scalar(200) * inverse_1 * e4 + e6) * e2;
-        c_.k4 = e9;
-        c_.k5 = e9 + e8;
+        using std::exp;
+        using std::sqrt;
+        using std::tanh;
+        const Scalar inverse_1 = Scalar(1) / p_.lambda;
+        const Scalar e2 = p_.P * p_.alpha;
+        const Scalar e3 = e2 / p_.A;
+        const Scalar sqrt_4 = sqrt(inverse_1 * e3);
+        c_.m = sqrt_4;
+        const Scalar inverse_5 = Scalar(1) / p_.L;
+        const Scalar e6 = p_.lambda * inverse_5;
+        const Scalar e7 = Scalar(1) / p_.rho / p_.c_p;
+        const Scalar e8 = inverse_5 * e7;
+        const Scalar e9 = e6 * e8;
+        c_.k0 = Scalar(100) * e9;
+        const Scalar e10 = e7 * e3;
+        c_.k1 = e10;
+        const Scalar e11 = Scalar(20) * (p_.alpha_L * e8);
+        c_.k2 = e11 + e10;
+        c_.k3 = Scalar(200) * e9;
+        const Scalar e12 = (Scalar(200) * inverse_5 * e6 + e3) * e7;
+        c_.k4 = e12;
+        c_.k5 = e12 + e11;
+        const Scalar e13 = p_.L * c_.m;
+        const Scalar exp_14 = exp(e13);
+        const Scalar inverse_15 = Scalar(1) / exp_14;
+        const Scalar tanh_16 = tanh(e13);
+        const Scalar e17 = p_.alpha_L * inverse_1;
+        const Scalar e18 = e17 / c_.m;
+        const Scalar inverse_19 = Scalar(1) / (Scalar(1) + tanh_16 * e18);
+        const Scalar e20 = p_.T_0 - p_.T_inf;
+        const Scalar e21 = inverse_19 * e20;
+        const Scalar e22 = e21 / (Scalar(1) + inverse_15 * inverse_15);
+        c_.k6 = p_.T_inf + Scalar(2) * inverse_15 * e22;
+        c_.k7 = (Scalar(1) / Scalar(20)) * e20;
+        const Scalar e23 = p_.L * e2;
+        const Scalar e24 = p_.A * e6;
+        c_.k8 = (Scalar(1) / Scalar(20)) * e20 * e23 + Scalar(10) * p_.T_0 * e24;
+        c_.k9 = Scalar(10) * e24;
+        const Scalar e25 = p_.A * p_.lambda * (c_.m * (tanh_16 + e18));
+        c_.k10 = e21 * e25;
+        c_.k11 = e22;
+        c_.k12 = inverse_19 * e25 / (p_.A * p_.alpha_L + e23);
+        c_.k13 = e18;
+        const Scalar e26 = c_.m * e22;
+        c_.k14 = Scalar(2) * e26;
+        c_.k15 = e22 * e17;
+        c_.k16 = e26;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -408,9 +451,19 @@ public:
         rhs_and_jacobian(x, u, t, dxdt, J);
     }
 
-    /// J = df/du. 10 x 0, entry (i, j) at J[10*j + i].
+    /// J = df/du. 10 x 1, entry (i, j) at J[10*j + i].
     /// Operations: none
-    void jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, JacobianU& /*J*/) const noexcept {
+    void jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
+        J[0] = Scalar(0);
+        J[1] = Scalar(0);
+        J[2] = Scalar(0);
+        J[3] = Scalar(0);
+        J[4] = Scalar(0);
+        J[5] = Scalar(0);
+        J[6] = Scalar(0);
+        J[7] = Scalar(0);
+        J[8] = Scalar(0);
+        J[9] = Scalar(0);
     }
 
     /// J = df/dp, parameters in the order of the table. 10 x 10, entry (i, j) at J[10*j + i].
@@ -610,31 +663,134 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: none
+    /// Operations: 6 + or -, 8 *, 2 /, 3 other functions
     ///     T_end = T[10]
-    void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
+    ///     difference = (2*T_0/(exp(L*m)*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2)) + T_inf - 2*T_inf/(exp(L*m)*(1 +
+    ///     alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))) - T[10]
+    ///     limit = (T_0 - T_inf)/20
+    ///     Q_0 = (10*A*lambda*T_0/L + L*P*alpha*T_0/20 - L*P*alpha*T_inf/20) - 10*A*lambda*T[1]/L
+    ///     Q_exact = A*lambda*m*(alpha_L/(lambda*m) + tanh(L*m))*(T_0 - T_inf)/(1 + alpha_L*tanh(L*m)/(lambda*m))
+    ///     T_x = T_inf + (T_0 - T_inf)*(1 + alpha_L*tanh(m*(L - x))/(lambda*m))*(1 + 1/exp(m*(L - x))^2)/((1 +
+    ///     alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2)*exp(m*x))
+    ///     efficiency = A*lambda*m*(alpha_L/(lambda*m) + tanh(L*m))/((L*P*alpha + A*alpha_L)*(1 + alpha_L*tanh(L*m)/(lambda*m)))
+    void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
+        using std::exp;
+        using std::tanh;
         const Scalar T_10 = x[9];
+        const Scalar T_1 = x[0];
+        const Scalar x_value = u[0];
+        const Scalar e1 = c_.m * (p_.L - x_value);
+        const Scalar tanh_2 = tanh(e1);
+        const Scalar exp_3 = exp(e1);
+        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar exp_5 = exp(c_.m * x_value);
         y[0] = T_10;
+        y[1] = c_.k6 - T_10;
+        y[2] = c_.k7;
+        y[3] = c_.k8 - c_.k9 * T_1;
+        y[4] = c_.k10;
+        const Scalar e6 = c_.k11 * (Scalar(1) + c_.k13 * tanh_2) * (Scalar(1) + inverse_4 * inverse_4) / exp_5;
+        y[5] = p_.T_inf + e6;
+        y[6] = c_.k12;
     }
 
     /// C = dh/dx.
-    /// Operations: none
+    /// Operations: 1 + or -
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         C[0] = Scalar(0);
         C[1] = Scalar(0);
         C[2] = Scalar(0);
-        C[3] = Scalar(0);
+        C[3] = -c_.k9;
         C[4] = Scalar(0);
         C[5] = Scalar(0);
         C[6] = Scalar(0);
         C[7] = Scalar(0);
         C[8] = Scalar(0);
-        C[9] = Scalar(1);
+        C[9] = Scalar(0);
+        C[10] = Scalar(0);
+        C[11] = Scalar(0);
+        C[12] = Scalar(0);
+        C[13] = Scalar(0);
+        C[14] = Scalar(0);
+        C[15] = Scalar(0);
+        C[16] = Scalar(0);
+        C[17] = Scalar(0);
+        C[18] = Scalar(0);
+        C[19] = Scalar(0);
+        C[20] = Scalar(0);
+        C[21] = Scalar(0);
+        C[22] = Scalar(0);
+        C[23] = Scalar(0);
+        C[24] = Scalar(0);
+        C[25] = Scalar(0);
+        C[26] = Scalar(0);
+        C[27] = Scalar(0);
+        C[28] = Scalar(0);
+        C[29] = Scalar(0);
+        C[30] = Scalar(0);
+        C[31] = Scalar(0);
+        C[32] = Scalar(0);
+        C[33] = Scalar(0);
+        C[34] = Scalar(0);
+        C[35] = Scalar(0);
+        C[36] = Scalar(0);
+        C[37] = Scalar(0);
+        C[38] = Scalar(0);
+        C[39] = Scalar(0);
+        C[40] = Scalar(0);
+        C[41] = Scalar(0);
+        C[42] = Scalar(0);
+        C[43] = Scalar(0);
+        C[44] = Scalar(0);
+        C[45] = Scalar(0);
+        C[46] = Scalar(0);
+        C[47] = Scalar(0);
+        C[48] = Scalar(0);
+        C[49] = Scalar(0);
+        C[50] = Scalar(0);
+        C[51] = Scalar(0);
+        C[52] = Scalar(0);
+        C[53] = Scalar(0);
+        C[54] = Scalar(0);
+        C[55] = Scalar(0);
+        C[56] = Scalar(0);
+        C[57] = Scalar(0);
+        C[58] = Scalar(0);
+        C[59] = Scalar(0);
+        C[60] = Scalar(0);
+        C[61] = Scalar(0);
+        C[62] = Scalar(0);
+        C[63] = Scalar(1);
+        C[64] = -Scalar(1);
+        C[65] = Scalar(0);
+        C[66] = Scalar(0);
+        C[67] = Scalar(0);
+        C[68] = Scalar(0);
+        C[69] = Scalar(0);
     }
 
     /// D = dh/du.
-    /// Operations: none
-    void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
+    /// Operations: 6 + or -, 12 *, 2 /, 3 other functions
+    void output_jacobian_u(const State& /*x*/, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
+        using std::exp;
+        using std::tanh;
+        const Scalar x_value = u[0];
+        const Scalar e1 = c_.m * (p_.L - x_value);
+        const Scalar exp_2 = exp(e1);
+        const Scalar inverse_3 = Scalar(1) / exp_2;
+        const Scalar inverse_3_squared = inverse_3 * inverse_3;
+        const Scalar exp_4 = exp(c_.m * x_value);
+        const Scalar inverse_5 = Scalar(1) / exp_4;
+        const Scalar e6 = (Scalar(1) + inverse_3_squared) * inverse_5;
+        const Scalar tanh_7 = tanh(e1);
+        D[0] = Scalar(0);
+        D[1] = Scalar(0);
+        D[2] = Scalar(0);
+        D[3] = Scalar(0);
+        D[4] = Scalar(0);
+        const Scalar e8 = (Scalar(1) + c_.k13 * tanh_7) * (c_.k16 * e6 - c_.k14 * inverse_5 * inverse_3_squared);
+        D[5] = c_.k15 * e6 * (tanh_7 * tanh_7 - Scalar(1)) - e8;
+        D[6] = Scalar(0);
     }
 
     /// T in joules.
@@ -692,7 +848,7 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 22 + or -, 11 *, 1 /
+    /// Operations: 22 + or -, 8 *
     Scalar exchanged_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         const Scalar e1 = p_.alpha * (p_.L * p_.P);
         const Scalar T_1 = x[0];
@@ -708,7 +864,7 @@ public:
         const Scalar e2 = p_.T_inf - T_1 + (p_.T_inf - T_2) + (p_.T_inf - T_3) + (p_.T_inf - T_4) + (p_.T_inf - T_5)
             + (p_.T_inf - T_6) + (p_.T_inf - T_7) + (p_.T_inf - T_8) + (p_.T_inf - T_9);
         const Scalar e3 = (p_.T_inf - T_10) * (p_.A * p_.alpha_L + (Scalar(1) / Scalar(20)) * e1);
-        return (Scalar(1) / Scalar(10)) * e1 * e2 + (p_.T_0 - T_1) * (Scalar(10) * p_.A * p_.lambda / p_.L) + e3;
+        return (Scalar(1) / Scalar(10)) * e1 * e2 + c_.k9 * (p_.T_0 - T_1) + e3;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -720,12 +876,24 @@ private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
+        Scalar m;  ///< sqrt(P*alpha/(A*lambda))
         Scalar k0;  ///< 100*lambda/(L^2*rho*c_p)
         Scalar k1;  ///< P*alpha/(A*rho*c_p)
         Scalar k2;  ///< (20*alpha_L/L + P*alpha/A)/(rho*c_p)
         Scalar k3;  ///< 200*lambda/(L^2*rho*c_p)
         Scalar k4;  ///< (200*lambda/L^2 + P*alpha/A)/(rho*c_p)
         Scalar k5;  ///< (200*lambda/L^2 + 20*alpha_L/L + P*alpha/A)/(rho*c_p)
+        Scalar k6;  ///< 2*T_0/(exp(L*m)*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2)) + T_inf - ...
+        Scalar k7;  ///< (T_0 - T_inf)/20
+        Scalar k8;  ///< 10*A*lambda*T_0/L + L*P*alpha*T_0/20 - L*P*alpha*T_inf/20
+        Scalar k9;  ///< 10*A*lambda/L
+        Scalar k10;  ///< A*(lambda*T_0*m*tanh(L*m) - lambda*T_inf*m*tanh(L*m) + alpha_L*T_0 - alpha_L*T_inf)/(1 + ...
+        Scalar k11;  ///< (T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
+        Scalar k12;  ///< A*(lambda*m*tanh(L*m) + alpha_L)/((L*P*alpha + A*alpha_L)*(1 + alpha_L*tanh(L*m)/(lambda*m)))
+        Scalar k13;  ///< alpha_L/(lambda*m)
+        Scalar k14;  ///< 2*m*(T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
+        Scalar k15;  ///< alpha_L*(T_0 - T_inf)/(lambda*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
+        Scalar k16;  ///< m*(T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
     };
     Cached c_{};
 };

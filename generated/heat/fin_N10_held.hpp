@@ -7,18 +7,21 @@
 //     dalembert generate fin.toml --scene held --size N=10
 // Scene held: of the first kind at both ends (4.77)
 // Effects in: none
-// Effects out: free_end (the far end gives heat to the air; without it, it is held at T_L)
+// Effects out: free_end (the far end gives heat to the air; without it, it is held at T_L), radiation (side and end radiate to what
+//     is around), variable (the conductivity depends on the temperature)
 //
 // Proven as identities:
 //     balances of mass and energy: 9 of 9 balances
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
-//     this code = the derivation: 12 of 12 functions
+//     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 1      9     4        0      0
+//   update                 3     17     6        0      2
 //   rhs                   37     19     0        0      0
 //   rhs_and_jacobian      38     19     0        0      0
 //   jacobian_p            64     99     4        0      0
+//   output                 3      3     0        0      2
+//   output_jacobian_u      2      3     0        0      2
 //   internal_energy        8      5     0        0      0
 //   exchanged_power       21      8     1        0      0
 //
@@ -43,15 +46,15 @@ inline constexpr const char* title = "Rod in a stream of air, held at one end";
 inline constexpr std::size_t degrees_of_freedom = 0;
 inline constexpr std::size_t plain_state_count = 9;
 inline constexpr std::size_t state_count = 9;
-inline constexpr std::size_t input_count = 0;
-inline constexpr std::size_t output_count = 0;
+inline constexpr std::size_t input_count = 1;
+inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 10;
 inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { U_1 = 0, U_2 = 1, U_3 = 2, U_4 = 3, U_5 = 4, U_6 = 5, U_7 = 6, U_8 = 7, U_9 = 8 }; };
-struct input {};
-struct output {};
+struct input { enum : std::size_t { x = 0 }; };
+struct output { enum : std::size_t { limit = 0, U_x = 1 }; };
 struct parameter { enum : std::size_t { L = 0, A = 1, P = 2, lambda = 3, rho = 4, c_p = 5, alpha = 6, T_0 = 7, T_inf = 8,
     T_L = 9 }; };
 
@@ -75,8 +78,13 @@ inline constexpr std::array<Quantity, state_count> state_quantities{
     Quantity{"U[8]", "K", "temperature at k*L/N", 250, 600},
     Quantity{"U[9]", "K", "temperature at k*L/N", 250, 600},
 };
-inline constexpr std::array<Quantity, input_count> input_quantities{};
-inline constexpr std::array<Quantity, output_count> output_quantities{};
+inline constexpr std::array<Quantity, input_count> input_quantities{
+    Quantity{"x", "m", "where the exact steady temperature is put out", 0.001, 0.5},
+};
+inline constexpr std::array<Quantity, output_count> output_quantities{
+    Quantity{"limit", "K", "what Aufgabe 4.18 asks for"},
+    Quantity{"U_x", "K", "exact steady temperature at x (4.78a)"},
+};
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"L", "m", "length", 0.01, 10},
     Quantity{"A", "m^2", "cross section", 1e-06, 1},
@@ -149,7 +157,7 @@ public:
     using MassMatrix = std::array<Scalar, degrees_of_freedom * degrees_of_freedom>;
     using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 81>;
-    using JacobianU = std::array<Scalar, 0>;
+    using JacobianU = std::array<Scalar, 9>;
     using JacobianP = std::array<Scalar, 90>;
     using JacobianT = std::array<Scalar, state_count>;
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
@@ -171,16 +179,33 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 1 + or -, 9 *, 4 /
+    /// Operations: 3 + or -, 17 *, 6 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        const Scalar inverse_1 = Scalar(1) / p_.L;
-        const Scalar e2 = Scalar(1) / p_.rho / p_.c_p;
-        const Scalar e3 = p_.lambda * inverse_1 * (inverse_1 * e2);
-        c_.k0 = Scalar(100) * e3;
-        const Scalar e4 = p_.P * p_.alpha * (e2 / p_.A);
-        c_.k1 = e4;
-        c_.k2 = Scalar(200) * e3 + e4;
+        using std::sinh;
+        using std::sqrt;
+        const Scalar e1 = p_.P * p_.alpha / p_.A;
+        const Scalar sqrt_2 = sqrt(e1 / p_.lambda);
+        c_.m = sqrt_2;
+        const Scalar inverse_3 = Scalar(1) / p_.L;
+        const Scalar e4 = Scalar(1) / p_.rho / p_.c_p;
+        const Scalar e5 = p_.lambda * inverse_3 * (inverse_3 * e4);
+        c_.k0 = Scalar(100) * e5;
+        const Scalar e6 = e4 * e1;
+        c_.k1 = e6;
+        c_.k2 = e6 + Scalar(200) * e5;
+        const Scalar e7 = p_.T_0 - p_.T_inf;
+        c_.k3 = (Scalar(1) / Scalar(20)) * e7;
+        const Scalar e8 = p_.L * c_.m;
+        const Scalar sinh_9 = sinh(e8);
+        const Scalar inverse_10 = Scalar(1) / sinh_9;
+        c_.k4 = inverse_10 * e7;
+        const Scalar e11 = p_.T_inf - p_.T_L;
+        c_.k5 = inverse_10 * e11;
+        c_.k6 = e8;
+        const Scalar e12 = c_.m * inverse_10;
+        c_.k7 = e7 * e12;
+        c_.k8 = e11 * e12;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -369,9 +394,18 @@ public:
         rhs_and_jacobian(x, u, t, dxdt, J);
     }
 
-    /// J = df/du. 9 x 0, entry (i, j) at J[9*j + i].
+    /// J = df/du. 9 x 1, entry (i, j) at J[9*j + i].
     /// Operations: none
-    void jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, JacobianU& /*J*/) const noexcept {
+    void jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
+        J[0] = Scalar(0);
+        J[1] = Scalar(0);
+        J[2] = Scalar(0);
+        J[3] = Scalar(0);
+        J[4] = Scalar(0);
+        J[5] = Scalar(0);
+        J[6] = Scalar(0);
+        J[7] = Scalar(0);
+        J[8] = Scalar(0);
     }
 
     /// J = df/dp, parameters in the order of the table. 9 x 10, entry (i, j) at J[9*j + i].
@@ -552,18 +586,52 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: none
-    void output(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Output& /*y*/) const noexcept {
+    /// Operations: 3 + or -, 3 *, 2 other functions
+    ///     limit = (T_0 - T_inf)/20
+    ///     U_x = T_inf + (T_0 - T_inf)*sinh(L*m - m*x)/sinh(L*m) - (T_inf - T_L)*sinh(m*x)/sinh(L*m)
+    void output(const State& /*x*/, const Input& u, Scalar /*t*/, Output& y) const noexcept {
+        using std::sinh;
+        const Scalar x_value = u[0];
+        const Scalar e1 = c_.m * x_value;
+        const Scalar sinh_2 = sinh(c_.k6 - e1);
+        const Scalar sinh_3 = sinh(e1);
+        y[0] = c_.k3;
+        y[1] = p_.T_inf + c_.k4 * sinh_2 - c_.k5 * sinh_3;
     }
 
     /// C = dh/dx.
     /// Operations: none
-    void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& /*C*/) const noexcept {
+    void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
+        C[0] = Scalar(0);
+        C[1] = Scalar(0);
+        C[2] = Scalar(0);
+        C[3] = Scalar(0);
+        C[4] = Scalar(0);
+        C[5] = Scalar(0);
+        C[6] = Scalar(0);
+        C[7] = Scalar(0);
+        C[8] = Scalar(0);
+        C[9] = Scalar(0);
+        C[10] = Scalar(0);
+        C[11] = Scalar(0);
+        C[12] = Scalar(0);
+        C[13] = Scalar(0);
+        C[14] = Scalar(0);
+        C[15] = Scalar(0);
+        C[16] = Scalar(0);
+        C[17] = Scalar(0);
     }
 
     /// D = dh/du.
-    /// Operations: none
-    void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
+    /// Operations: 2 + or -, 3 *, 2 other functions
+    void output_jacobian_u(const State& /*x*/, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
+        using std::cosh;
+        const Scalar x_value = u[0];
+        const Scalar e1 = c_.m * x_value;
+        const Scalar cosh_2 = cosh(c_.k6 - e1);
+        const Scalar cosh_3 = cosh(e1);
+        D[0] = Scalar(0);
+        D[1] = -c_.k7 * cosh_2 - c_.k8 * cosh_3;
     }
 
     /// T in joules.
@@ -644,9 +712,16 @@ private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
+        Scalar m;  ///< sqrt(P*alpha/(A*lambda))
         Scalar k0;  ///< 100*lambda/(L^2*rho*c_p)
         Scalar k1;  ///< P*alpha/(A*rho*c_p)
         Scalar k2;  ///< (200*lambda/L^2 + P*alpha/A)/(rho*c_p)
+        Scalar k3;  ///< (T_0 - T_inf)/20
+        Scalar k4;  ///< (T_0 - T_inf)/sinh(L*m)
+        Scalar k5;  ///< (T_inf - T_L)/sinh(L*m)
+        Scalar k6;  ///< L*m
+        Scalar k7;  ///< m*(T_0 - T_inf)/sinh(L*m)
+        Scalar k8;  ///< m*(T_inf - T_L)/sinh(L*m)
     };
     Cached c_{};
 };

@@ -15,7 +15,7 @@
 //     this code = the derivation: 16 of 16 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 0      7     3        0      0
+//   update                 3      9     5        0      0
 //   rhs                    3      2     0        0      0
 //   rhs_and_jacobian       4      2     0        0      0
 //   jacobian_p             8     17     3        0      0
@@ -45,15 +45,15 @@ inline constexpr std::size_t degrees_of_freedom = 0;
 inline constexpr std::size_t plain_state_count = 1;
 inline constexpr std::size_t state_count = 1;
 inline constexpr std::size_t input_count = 1;
-inline constexpr std::size_t output_count = 1;
-inline constexpr std::size_t parameter_count = 7;
+inline constexpr std::size_t output_count = 3;
+inline constexpr std::size_t parameter_count = 8;
 inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_B = 0 }; };
 struct input { enum : std::size_t { U_e = 0 }; };
-struct output { enum : std::size_t { T_S = 0 }; };
-struct parameter { enum : std::size_t { U_a = 0, I_a = 1, R_SB = 2, R_Binf = 3, m_B = 4, c_B = 5, T_inf = 6 }; };
+struct output { enum : std::size_t { T_S = 0, limit = 1, U_bare = 2 }; };
+struct parameter { enum : std::size_t { U_a = 0, I_a = 1, R_SB = 2, R_Binf = 3, m_B = 4, c_B = 5, T_inf = 6, T_max = 7 }; };
 
 /// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
@@ -72,6 +72,8 @@ inline constexpr std::array<Quantity, input_count> input_quantities{
 };
 inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"T_S", "K", "temperature of the junction"},
+    Quantity{"limit", "K", "what it must not exceed"},
+    Quantity{"U_bare", "V", "largest steady input voltage"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"U_a", "V", "output voltage", 1, 50},
@@ -81,6 +83,7 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"m_B", "kg", "mass of the base plate", 0.0001, 1},
     Quantity{"c_B", "J/(kg*K)", "specific heat capacity of copper", 100, 5000},
     Quantity{"T_inf", "K", "temperature of the air; the exercise prints 313 K, its results belong to 323 K", 200, 400},
+    Quantity{"T_max", "K", "largest temperature of the junction", 350, 500},
 };
 
 /// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
@@ -124,6 +127,7 @@ struct Parameters {
     Scalar m_B = Scalar(1) / Scalar(500);  ///< kg, mass of the base plate
     Scalar c_B = Scalar(385);  ///< J/(kg*K), specific heat capacity of copper
     Scalar T_inf = Scalar(323);  ///< K, temperature of the air; the exercise prints 313 K, its results belong to 323 K
+    Scalar T_max = Scalar(403);  ///< K, largest temperature of the junction
 };
 
 /// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
@@ -140,7 +144,7 @@ public:
     using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 1>;
     using JacobianU = std::array<Scalar, 1>;
-    using JacobianP = std::array<Scalar, 7>;
+    using JacobianP = std::array<Scalar, 8>;
     using JacobianT = std::array<Scalar, state_count>;
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
@@ -161,7 +165,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 7 *, 3 /
+    /// Operations: 3 + or -, 9 *, 5 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = Scalar(1) / p_.m_B / p_.c_B;
@@ -171,6 +175,7 @@ public:
         c_.k2 = e1 / p_.R_Binf;
         c_.k3 = p_.R_SB * e2;
         c_.k4 = p_.I_a * p_.R_SB;
+        c_.k5 = p_.U_a - Scalar(1) / p_.I_a / (p_.R_SB + p_.R_Binf) * (p_.T_inf - p_.T_max);
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -213,7 +218,7 @@ public:
         J[0] = c_.k1;
     }
 
-    /// J = df/dp, parameters in the order of the table. 1 x 7, entry (i, j) at J[1*j + i].
+    /// J = df/dp, parameters in the order of the table. 1 x 8, entry (i, j) at J[1*j + i].
     /// Operations: 8 + or -, 17 *, 3 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar U_e = u[0];
@@ -234,6 +239,7 @@ public:
         J[4] = p_.U_a * e8 - U_e * e8 - e4 * (inverse_1 * e6);
         J[5] = p_.U_a * e9 - U_e * e9 - e4 * (inverse_2 * e6);
         J[6] = c_.k2;
+        J[7] = Scalar(0);
     }
 
     /// J = df/dt at fixed x and u.
@@ -260,22 +266,30 @@ public:
     /// y = h(x, u, t).
     /// Operations: 2 + or -, 1 *
     ///     T_S = -U_a*I_a*R_SB + I_a*R_SB*U_e + T_B
+    ///     limit = T_max
+    ///     U_bare = U_a - T_inf/(I_a*(R_SB + R_Binf)) + T_max/(I_a*(R_SB + R_Binf))
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         const Scalar U_e = u[0];
         const Scalar T_B = x[0];
         y[0] = c_.k4 * U_e - c_.k3 + T_B;
+        y[1] = p_.T_max;
+        y[2] = c_.k5;
     }
 
     /// C = dh/dx.
     /// Operations: none
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         C[0] = Scalar(1);
+        C[1] = Scalar(0);
+        C[2] = Scalar(0);
     }
 
     /// D = dh/du.
     /// Operations: none
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         D[0] = c_.k4;
+        D[1] = Scalar(0);
+        D[2] = Scalar(0);
     }
 
     /// T in joules.
@@ -342,6 +356,7 @@ private:
         Scalar k2;  ///< 1/(R_Binf*m_B*c_B)
         Scalar k3;  ///< U_a*I_a*R_SB
         Scalar k4;  ///< I_a*R_SB
+        Scalar k5;  ///< U_a - T_inf/(I_a*(R_SB + R_Binf)) + T_max/(I_a*(R_SB + R_Binf))
     };
     Cached c_{};
 };

@@ -12,10 +12,10 @@
 // Proven as identities:
 //     balances of mass and energy: 3 of 3 balances
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
-//     this code = the derivation: 16 of 16 functions
+//     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 1     12     6        0      0
+//   update                17     40    13        0      1
 //   rhs                    5      4     0        0      0
 //   rhs_and_jacobian       7      4     0        0      0
 //   jacobian_p            14     43     6        0      0
@@ -45,16 +45,16 @@ inline constexpr std::size_t degrees_of_freedom = 0;
 inline constexpr std::size_t plain_state_count = 2;
 inline constexpr std::size_t state_count = 2;
 inline constexpr std::size_t input_count = 1;
-inline constexpr std::size_t output_count = 1;
-inline constexpr std::size_t parameter_count = 12;
+inline constexpr std::size_t output_count = 5;
+inline constexpr std::size_t parameter_count = 16;
 inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_B = 0, T_K = 1 }; };
 struct input { enum : std::size_t { U_e = 0 }; };
-struct output { enum : std::size_t { T_S = 0 }; };
+struct output { enum : std::size_t { T_S = 0, limit = 1, U_cooled = 2, impedance = 3, T_peak = 4 }; };
 struct parameter { enum : std::size_t { U_a = 0, I_a = 1, R_SB = 2, R_Kinf = 3, m_B = 4, c_B = 5, m_K = 6, c_K = 7, lambda = 8,
-    A = 9, H = 10, T_inf = 11 }; };
+    A = 9, H = 10, T_inf = 11, T_max = 12, U_m = 13, U_h = 14, f = 15 }; };
 
 /// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
@@ -74,6 +74,10 @@ inline constexpr std::array<Quantity, input_count> input_quantities{
 };
 inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"T_S", "K", "temperature of the junction"},
+    Quantity{"limit", "K", "what it must not exceed"},
+    Quantity{"U_cooled", "V", "largest steady input voltage"},
+    Quantity{"impedance", "K/W", "amplitude of T_S over that of the power, at the frequency f"},
+    Quantity{"T_peak", "K", "largest temperature of the junction where the input voltage swings"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"U_a", "V", "output voltage", 1, 50},
@@ -88,6 +92,10 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"A", "m^2", "area of the paste", 1e-06, 0.01},
     Quantity{"H", "m", "thickness of the paste", 1e-06, 0.001},
     Quantity{"T_inf", "K", "temperature of the air; the exercise prints 313 K, its results belong to 323 K", 200, 400},
+    Quantity{"T_max", "K", "largest temperature of the junction", 350, 500},
+    Quantity{"U_m", "V", "mean of an input voltage that swings", 6, 20},
+    Quantity{"U_h", "V", "how far it swings", 0, 10},
+    Quantity{"f", "Hz", "how often it swings", 1e-05, 10},
 };
 
 /// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
@@ -119,6 +127,18 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// The number pi, to the digits of the type.
+template <class Scalar>
+Scalar pi() noexcept {
+    using std::acos;
+    constexpr bool is_builtin = std::numeric_limits<Scalar>::is_specialized && std::numeric_limits<Scalar>::digits <= 113;
+    if constexpr (is_builtin) {
+        return static_cast<Scalar>(3.14159265358979323846264338327950288419716939937510L);
+    } else {
+        return acos(Scalar(-1));
+    }
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -136,6 +156,10 @@ struct Parameters {
     Scalar A = Scalar(3) / Scalar(20000);  ///< m^2, area of the paste
     Scalar H = Scalar(3) / Scalar(100000);  ///< m, thickness of the paste
     Scalar T_inf = Scalar(323);  ///< K, temperature of the air; the exercise prints 313 K, its results belong to 323 K
+    Scalar T_max = Scalar(403);  ///< K, largest temperature of the junction
+    Scalar U_m = Scalar(13);  ///< V, mean of an input voltage that swings
+    Scalar U_h = Scalar(7);  ///< V, how far it swings
+    Scalar f = Scalar(1429) / Scalar(1000000);  ///< Hz, how often it swings
 };
 
 /// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
@@ -152,7 +176,7 @@ public:
     using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 4>;
     using JacobianU = std::array<Scalar, 2>;
-    using JacobianP = std::array<Scalar, 24>;
+    using JacobianP = std::array<Scalar, 32>;
     using JacobianT = std::array<Scalar, state_count>;
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
@@ -173,23 +197,46 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 1 + or -, 12 *, 6 /
+    /// Operations: 17 + or -, 40 *, 13 /, 1 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        const Scalar e1 = Scalar(1) / p_.m_B / p_.c_B;
-        const Scalar e2 = p_.U_a * p_.I_a;
-        c_.k0 = e1 * e2;
-        c_.k1 = p_.I_a * e1;
-        const Scalar e3 = p_.lambda * p_.A / p_.H;
-        c_.k2 = e1 * e3;
-        const Scalar e4 = Scalar(1) / p_.m_K / p_.c_K;
-        const Scalar e5 = e4 / p_.R_Kinf;
-        c_.k3 = e5;
-        const Scalar e6 = e4 * e3;
-        c_.k4 = e6;
-        c_.k5 = e5 + e6;
-        c_.k6 = p_.R_SB * e2;
+        using std::sqrt;
+        c_.R_P = p_.H / p_.lambda / p_.A;
+        c_.w = Scalar(2) * p_.f * detail::pi<Scalar>();
+        const Scalar inverse_1 = Scalar(1) / p_.R_Kinf;
+        const Scalar e2 = c_.w * (p_.m_K * p_.c_K);
+        const Scalar inverse_3 = Scalar(1) / (inverse_1 * inverse_1 + e2 * e2);
+        c_.K_x = inverse_1 * inverse_3;
+        c_.K_y = -inverse_3 * e2;
+        const Scalar e4 = c_.R_P + c_.K_x;
+        c_.K_2 = c_.K_y * c_.K_y + e4 * e4;
+        const Scalar inverse_5 = Scalar(1) / c_.K_2;
+        c_.Y_x = inverse_5 * e4;
+        c_.Y_y = p_.m_B * p_.c_B * c_.w - c_.K_y * inverse_5;
+        const Scalar inverse_6 = Scalar(1) / (c_.Y_x * c_.Y_x + c_.Y_y * c_.Y_y);
+        c_.B_x = c_.Y_x * inverse_6;
+        c_.B_y = -c_.Y_y * inverse_6;
+        const Scalar e7 = p_.R_SB + c_.B_x;
+        const Scalar sqrt_8 = sqrt(c_.B_y * c_.B_y + e7 * e7);
+        c_.Z = sqrt_8;
+        const Scalar e9 = c_.R_P + (p_.R_SB + p_.R_Kinf);
+        c_.T_m = p_.T_inf - p_.I_a * (p_.U_a - p_.U_m) * e9;
+        const Scalar e10 = Scalar(1) / p_.m_B / p_.c_B;
+        const Scalar e11 = p_.U_a * p_.I_a;
+        c_.k0 = e10 * e11;
+        c_.k1 = p_.I_a * e10;
+        const Scalar e12 = p_.lambda * p_.A / p_.H;
+        c_.k2 = e10 * e12;
+        const Scalar e13 = Scalar(1) / p_.m_K / p_.c_K;
+        const Scalar e14 = inverse_1 * e13;
+        c_.k3 = e14;
+        const Scalar e15 = e13 * e12;
+        c_.k4 = e15;
+        c_.k5 = e14 + e15;
+        c_.k6 = p_.R_SB * e11;
         c_.k7 = p_.I_a * p_.R_SB;
+        c_.k8 = p_.U_a - Scalar(1) / p_.I_a / e9 * (p_.T_inf - p_.T_max);
+        c_.k9 = p_.I_a * p_.U_h * c_.Z + c_.T_m;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -244,7 +291,7 @@ public:
         J[1] = Scalar(0);
     }
 
-    /// J = df/dp, parameters in the order of the table. 2 x 12, entry (i, j) at J[2*j + i].
+    /// J = df/dp, parameters in the order of the table. 2 x 16, entry (i, j) at J[2*j + i].
     /// Operations: 14 + or -, 43 *, 6 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar U_e = u[0];
@@ -293,6 +340,14 @@ public:
         J[21] = -e12 * (inverse_13 * e18);
         J[22] = Scalar(0);
         J[23] = c_.k3;
+        J[24] = Scalar(0);
+        J[25] = Scalar(0);
+        J[26] = Scalar(0);
+        J[27] = Scalar(0);
+        J[28] = Scalar(0);
+        J[29] = Scalar(0);
+        J[30] = Scalar(0);
+        J[31] = Scalar(0);
     }
 
     /// J = df/dt at fixed x and u.
@@ -320,10 +375,18 @@ public:
     /// y = h(x, u, t).
     /// Operations: 2 + or -, 1 *
     ///     T_S = -U_a*I_a*R_SB + I_a*R_SB*U_e + T_B
+    ///     limit = T_max
+    ///     U_cooled = U_a - T_inf/(I_a*(R_SB + R_Kinf + R_P)) + T_max/(I_a*(R_SB + R_Kinf + R_P))
+    ///     impedance = Z
+    ///     T_peak = I_a*U_h*Z + T_m
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         const Scalar U_e = u[0];
         const Scalar T_B = x[0];
         y[0] = c_.k7 * U_e - c_.k6 + T_B;
+        y[1] = p_.T_max;
+        y[2] = c_.k8;
+        y[3] = c_.Z;
+        y[4] = c_.k9;
     }
 
     /// C = dh/dx.
@@ -331,12 +394,24 @@ public:
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         C[0] = Scalar(1);
         C[1] = Scalar(0);
+        C[2] = Scalar(0);
+        C[3] = Scalar(0);
+        C[4] = Scalar(0);
+        C[5] = Scalar(0);
+        C[6] = Scalar(0);
+        C[7] = Scalar(0);
+        C[8] = Scalar(0);
+        C[9] = Scalar(0);
     }
 
     /// D = dh/du.
     /// Operations: none
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         D[0] = c_.k7;
+        D[1] = Scalar(0);
+        D[2] = Scalar(0);
+        D[3] = Scalar(0);
+        D[4] = Scalar(0);
     }
 
     /// T in joules.
@@ -399,6 +474,17 @@ private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
+        Scalar R_P;  ///< H/(lambda*A)
+        Scalar w;  ///< 2*f*pi
+        Scalar K_x;  ///< 1/(R_Kinf*(1/R_Kinf^2 + m_K^2*c_K^2*w^2))
+        Scalar K_y;  ///< -m_K*c_K*w/(1/R_Kinf^2 + m_K^2*c_K^2*w^2)
+        Scalar K_2;  ///< K_y^2 + (R_P + K_x)^2
+        Scalar Y_x;  ///< (R_P + K_x)/K_2
+        Scalar Y_y;  ///< m_B*c_B*w - K_y/K_2
+        Scalar B_x;  ///< Y_x/(Y_x^2 + Y_y^2)
+        Scalar B_y;  ///< -Y_y/(Y_x^2 + Y_y^2)
+        Scalar Z;  ///< sqrt(B_y^2 + (R_SB + B_x)^2)
+        Scalar T_m;  ///< -(U_a*I_a*R_SB + U_a*I_a*R_Kinf + U_a*I_a*R_P - I_a*R_SB*U_m - I_a*R_Kinf*U_m - I_a*U_m*R_P - T_inf)
         Scalar k0;  ///< U_a*I_a/(m_B*c_B)
         Scalar k1;  ///< I_a/(m_B*c_B)
         Scalar k2;  ///< lambda*A/(m_B*c_B*H)
@@ -407,6 +493,8 @@ private:
         Scalar k5;  ///< (1/R_Kinf + lambda*A/H)/(m_K*c_K)
         Scalar k6;  ///< U_a*I_a*R_SB
         Scalar k7;  ///< I_a*R_SB
+        Scalar k8;  ///< U_a - T_inf/(I_a*(R_SB + R_Kinf + R_P)) + T_max/(I_a*(R_SB + R_Kinf + R_P))
+        Scalar k9;  ///< I_a*U_h*Z + T_m
     };
     Cached c_{};
 };
