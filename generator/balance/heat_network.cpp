@@ -147,7 +147,9 @@ void store(NodeState& node, const Property& capacity, const ex& amount, const Tr
 
 NodeState& add_sought(HeatNetwork& network, std::string name, const Item& item, const Span& place, Symbols& symbols) {
     const Warmth warmth{symbols.letter("temperature[" + name + "]"), symbols.letter("temperature[" + name + "]^4"), true};
-    return network.nodes.emplace_back(NodeState{NodeState::Kind::sought, std::move(name), &item, place, warmth, {}});
+    NodeState& node = network.nodes.emplace_back(NodeState{NodeState::Kind::sought, std::move(name), &item, place, warmth, {}});
+    node.letter = warmth.temperature;
+    return node;
 }
 
 const NodeState* HeatNetwork::find_node(const std::string& name) const {

@@ -28,6 +28,7 @@ struct NodeState {
     GiNaC::ex capacity = 0;            ///< J/K
     GiNaC::ex stored_energy = 0;       ///< J, the integral of the capacity over the temperature
     GiNaC::ex source = 0;              ///< W, from outside
+    GiNaC::ex letter = 0;              ///< of a sought temperature, before it was found
     bool is_tapped = false;            ///< a cell of a field, of which only what comes from elsewhere is balanced here
 };
 

@@ -123,6 +123,20 @@ std::string Notation::atom(const Atom& a, const Atoms& atoms) const {
     }
 }
 
+namespace {
+
+/// A number as a product with a power of the constant of radiation, which is known by its digits.
+std::pair<Rational, int> without_radiation(Rational coefficient) {
+    const cln::cl_I digits = 5670374419L;
+    const Rational constant = Rational(digits) / cln::expt_pos(cln::cl_I(10), 17);
+    int power = 0;
+    for (; cln::zerop(cln::mod(cln::numerator(coefficient), digits)); ++power) coefficient = coefficient / constant;
+    for (; cln::zerop(cln::mod(cln::denominator(coefficient), digits)); --power) coefficient = coefficient * constant;
+    return {coefficient, power};
+}
+
+}  // namespace
+
 /// coefficient * (collected) * letters, what has a negative exponent below a fraction bar. The sign is left to the caller.
 std::string Notation::monomial(const Monomial& m, const Rational& coefficient, const std::string& collected, const Atoms& atoms) const {
     const char* times = style_ == Style::text ? "*" : " ";
@@ -136,12 +150,17 @@ std::string Notation::monomial(const Monomial& m, const Rational& coefficient, c
     std::string below;
     int factors_below = 0;
     const auto append = [&](std::string& to, const std::string& factor) { to += (to.empty() ? "" : times) + factor; };
-    const cln::cl_I numerator = cln::abs(cln::numerator(coefficient));
-    const cln::cl_I denominator = cln::denominator(coefficient);
+    const auto [plain, radiation] = without_radiation(coefficient);
+    const cln::cl_I numerator = cln::abs(cln::numerator(plain));
+    const cln::cl_I denominator = cln::denominator(plain);
     if (numerator != 1) append(above, number(numerator));
     if (denominator != 1) {
         append(below, number(denominator));
         ++factors_below;
+    }
+    if (radiation != 0) {
+        append(radiation > 0 ? above : below, power(style_ == Style::text ? "stefan_boltzmann" : "\\sigma", false, std::abs(radiation)));
+        factors_below += radiation > 0 ? 0 : 1;
     }
     bool placed = collected.empty();
     for (const LetterPower& p : sorted) {

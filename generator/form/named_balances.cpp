@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "symbolic/functions.hpp"
+
 namespace dalembert {
 
 using GiNaC::ex;
@@ -33,10 +35,22 @@ public:
         for (const FlowState& flow : fluids_.flows) result_.internal_energy += flow.stored_energy;
         result_.internal_energy += system_.heat.stored_energy;
         result_.exchanged_power = fluids_.power_over_border() + system_.heat.exchanged_power;
+        for (const NodeState& node : system_.heat.nodes) name_sought(node);
         return only_used();
     }
 
 private:
+    /// The root of a balance with radiation is long and occurs often.
+    void name_sought(const NodeState& node) {
+        const ex& value = node.warmth.temperature;
+        if (node.kind != NodeState::Kind::sought || !is_ex_the_function(value, radiant_temperature)) return;
+        const GiNaC::exmap named{{value, node.letter}};
+        const auto in = [&](ex& e) { e = e.subs(named, GiNaC::subs_options::no_pattern); };
+        std::for_each(result_.state_rates.begin(), result_.state_rates.end(), in);
+        in(result_.exchanged_power);
+        result_.names.emplace_back(node.letter, value);
+    }
+
     /// A name for what is more than a name.
     ex letter(const char* what, const std::string& of, const ex& value) {
         if (GiNaC::is_a<GiNaC::symbol>(value) || GiNaC::is_a<GiNaC::numeric>(value)) return value;

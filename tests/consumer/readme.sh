@@ -18,12 +18,18 @@ block 'run: dalembert check crane.toml' | tail -n +2 >check.expected
 block 'run: main' | tail -n +2 >main.expected
 block 'file: lift.toml' >lift.toml
 block 'run: dalembert check lift.toml' | tail -n +2 >lift.expected
-for file in crane.toml main.cpp check.expected main.expected lift.toml lift.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
+block 'file: bar.toml' >bar.toml
+block 'run: dalembert check bar.toml' | tail -n +2 >bar.expected
+for file in crane.toml main.cpp check.expected main.expected lift.toml lift.expected bar.toml bar.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
 
 "$PROGRAM" check crane.toml >check.txt
 diff check.expected check.txt
 "$PROGRAM" check lift.toml >lift.txt
 diff lift.expected lift.txt
+"$PROGRAM" check bar.toml >bar.txt
+diff bar.expected bar.txt
+"$PROGRAM" generate bar.toml --size N=10000 >/dev/null
+[ "$(wc -c <bar_N10000_full.hpp)" -lt 50000 ] || { echo "the header of 10000 cells is large"; exit 1; }
 "$PROGRAM" derive lift.toml >lift.derived
 grep '^  dot(p) = ' "$readme" | while IFS= read -r line; do grep -qF -- "$line" lift.derived || { echo "not derived: $line"; exit 1; }; done
 "$PROGRAM" derive crane.toml >/dev/null
