@@ -130,7 +130,7 @@ std::pair<Rational, int> without_radiation(Rational coefficient) {
     const cln::cl_I digits = 5670374419L;
     const Rational constant = Rational(digits) / cln::expt_pos(cln::cl_I(10), 17);
     int power = 0;
-    for (; cln::zerop(cln::mod(cln::numerator(coefficient), digits)); ++power) coefficient = coefficient / constant;
+    for (; !cln::zerop(coefficient) && cln::zerop(cln::mod(cln::numerator(coefficient), digits)); ++power) coefficient = coefficient / constant;
     for (; cln::zerop(cln::mod(cln::denominator(coefficient), digits)); --power) coefficient = coefficient * constant;
     return {coefficient, power};
 }
