@@ -109,6 +109,7 @@ private:
         if (rod_.ambient) {
             const ex surface = value(rod_.perimeter) * (to - from).expand();
             node.source += taken_up(node.warmth, surface, rod_.side_coefficient, rod_.side_emissivity, rod_.ambient);
+            node.radiates = rod_.side_emissivity != nullptr;
         }
         cells_.push_back(&node);
     }
@@ -145,6 +146,7 @@ private:
             else join(fmt::format("between {} and {}", nearest->name, name), *nearest, *at_surface, centre, surface);
         }
         if (what->flux) at_surface->source += value(what->flux) * area(surface);
+        at_surface->radiates = at_surface->radiates || what->emissivity;
         if (what->ambient) at_surface->source += taken_up(at_surface->warmth, area(surface), what->coefficient, what->emissivity, what->ambient);
     }
 

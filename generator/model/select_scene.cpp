@@ -109,6 +109,7 @@ public:
         choose(model_.nodes, scene_.nodes);
         choose(model_.links, scene_.links);
         choose(model_.rods, scene_.rods);
+        choose(model_.enclosures, scene_.enclosures);
         const bool any_mass = std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [](const auto& body) { return body.item->mass != nullptr; });
         if (model_.gravity && any_mass && scene_.holds(model_.gravity->when)) scene_.gravity = &*model_.gravity;
 
@@ -134,6 +135,9 @@ public:
         use_nodes();
         use_all(scene_.links, "link");
         use_rods();
+        use_all(scene_.enclosures, "enclosure");
+        for (const auto& member : scene_.enclosures)
+            for (const Reference& surface : member.item->surfaces) needs_part(surface, fmt::format("enclosure '{}'", member.item->name));
         use_all(scene_.outputs, "output");
         use_media();
         if (scene_.gravity != nullptr) {
@@ -187,7 +191,8 @@ private:
         for_each(*site.expression, [&](const Expression& e) {
             const bool bound = std::find(site.bound.begin(), site.bound.end(), e.name) != site.bound.end();
             if (e.kind != Kind::name || bound) return;
-            if (e.children.size() == 3 && find_quantity(e.name) != nullptr) {  // a property of a medium, at any temperature
+            const QuantitySpec* quantity = e.children.size() == 3 ? find_quantity(e.name) : nullptr;
+            if (quantity != nullptr && quantity->subscript != Subscript::two_surfaces) {  // a property of a medium, at any temperature
                 media_.insert(e.children[0]->name);
                 scene_.thermal_media.insert(e.children[0]->name);
             }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/symbols.hpp"
 
+#include <set>
+
 namespace dalembert {
 
 using GiNaC::ex;
@@ -133,10 +135,64 @@ void Symbols::define(std::vector<ex> values) {
     }
 }
 
-ex Symbols::without_definitions(const ex& e) const {
+ex Symbols::add_step(Step step) {
+    double size = 0;
+    for (auto part = step.value.preorder_begin(); part != step.value.preorder_end(); ++part) {
+        const auto inner = GiNaC::is_a<GiNaC::symbol>(*part) ? step_of(*part) : std::nullopt;
+        size += inner ? step_sizes_[*inner] : 1;
+    }
+    add(SymbolKind::definition, step.name, step.value.info(GiNaC::info_flags::positive), {step.cpp_name, 0, false, "", step.doc});
+    definition_values_.push_back(step.value);
+    step_sizes_.push_back(size);
+    steps_.push_back(std::move(step));
+    return all(SymbolKind::definition).back().symbol;
+}
+
+std::optional<std::size_t> Symbols::step_of(const ex& symbol) const {
+    if (steps_.empty()) return std::nullopt;
+    const Variable* variable = find(symbol);
+    const bool is_step = variable != nullptr && variable->kind == SymbolKind::definition && variable->position >= model_definitions();
+    return is_step ? std::optional(variable->position - model_definitions()) : std::nullopt;
+}
+
+std::vector<std::size_t> Symbols::steps_in(const ex& e) const {
+    std::vector<std::size_t> result;
+    std::set<std::size_t> seen;
+    const std::function<void(const ex&)> visit = [&](const ex& whole) {
+        for (auto part = whole.preorder_begin(); !steps_.empty() && part != whole.preorder_end(); ++part) {
+            const auto step = GiNaC::is_a<GiNaC::symbol>(*part) ? step_of(*part) : std::nullopt;
+            if (!step || !seen.insert(*step).second) continue;
+            visit(steps_[*step].value);
+            result.push_back(model_definitions() + *step);
+        }
+    };
+    visit(e);
+    return result;
+}
+
+/// A step down to parameters. The number of letters of steps made of steps grows exponentially.
+ex Symbols::written_out(std::size_t step) const {
+    if (const auto known = written_out_.find(step); known != written_out_.end()) return known->second;
+    constexpr double largest = 2000;
+    const ex value = step_sizes_[step] > largest ? get(SymbolKind::definition, model_definitions() + step) : without_definitions(steps_[step].value);
+    return written_out_[step] = value;
+}
+
+ex Symbols::without_model_definitions(const ex& e) const {
     if (expanded_definitions_.empty()) return e;
     GiNaC::exmap map;
     for (std::size_t i = 0; i < expanded_definitions_.size(); ++i) map[get(SymbolKind::definition, i)] = expanded_definitions_[i];
+    return e.subs(map, GiNaC::subs_options::no_pattern);
+}
+
+ex Symbols::without_definitions(const ex& e) const {
+    if (steps_.empty()) return without_model_definitions(e);
+    GiNaC::exmap map;
+    for (std::size_t i = 0; i < expanded_definitions_.size(); ++i) map[get(SymbolKind::definition, i)] = expanded_definitions_[i];
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
+        const auto step = GiNaC::is_a<GiNaC::symbol>(*part) ? step_of(*part) : std::nullopt;
+        if (step && !map.contains(*part)) map[*part] = written_out(*step);
+    }
     return e.subs(map, GiNaC::subs_options::no_pattern);
 }
 
@@ -154,10 +210,21 @@ ex Symbols::time_derivative(const ex& e) const {
     });
 }
 
+/// Of a step. Steps stay letters in it.
+ex Symbols::slope(std::size_t step, std::size_t parameter) const {
+    if (const auto known = slopes_.find({step, parameter}); known != slopes_.end()) return known->second;
+    const Step& s = steps_[step];
+    return slopes_[{step, parameter}] = s.slope ? s.slope(*this, parameter) : derivative_by_parameter(s.value, parameter);
+}
+
 ex Symbols::derivative_by_parameter(const ex& e, std::size_t parameter) const {
     const ex& p = get(SymbolKind::parameter, parameter);
-    GiNaC::exvector terms{partial(e, p)};
-    for (std::size_t i = 0; i < count(SymbolKind::definition); ++i) {
+    GiNaC::exvector terms{directional_derivative(e, [&](const ex& symbol) -> ex {
+        if (symbol.is_equal(p)) return 1;
+        const auto step = step_of(symbol);
+        return step ? slope(*step, parameter) : ex(0);
+    })};
+    for (std::size_t i = 0; i < model_definitions(); ++i) {
         const ex inner = partial(expanded_definitions_[i], p);
         if (inner.is_zero()) continue;
         const ex outer = partial(e, get(SymbolKind::definition, i));
