@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "balance/view_factors.hpp"
 #include "symbolic/functions.hpp"
 
 namespace dalembert {
@@ -44,7 +45,7 @@ public:
         if (!is_new) return known->second;
         const auto [dx, dy] = between(piece.first, piece.second);
         const ex value = dx.is_zero() ? magnitude(dy) : dy.is_zero() ? magnitude(dx) : GiNaC::sqrt(pow(dx, 2) + pow(dy, 2));
-        return known->second = steps_("distance", {piece.first, piece.second}, value);
+        return known->second = steps_.staying("distance", {piece.first, piece.second}, value);
     }
 
     static Piece piece(std::size_t a, std::size_t b) { return {std::min(a, b), std::max(a, b)}; }
@@ -123,6 +124,7 @@ PrismAreas crossed_strings(const std::vector<Corner>& corners, const Polygon& po
     Strings strings(corners, numbers, steps);
     PrismAreas result{std::vector<ex>(n), std::vector<std::vector<ex>>(n, std::vector<ex>(n, 0))};
     for (std::size_t i = 0; i < n; ++i) result.areas[i] = steps("area", {i}, height * strings.length(Strings::piece(i, polygon.next(i))));
+    std::map<Pair, ex> values;
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = i + 1; j < n; ++j) {
             std::map<Piece, int> count;
@@ -134,8 +136,20 @@ PrismAreas crossed_strings(const std::vector<Corner>& corners, const Polygon& po
             add(polygon.next(i), polygon.next(j), 1);
             add(polygon.next(i), j, -1);
             add(i, polygon.next(j), -1);
-            result.direct[i][j] = result.direct[j][i] = steps("view_area", {i, j}, height * strings.half_excess(count));
+            const ex excess = strings.half_excess(count);
+            if (!excess.is_zero()) values[{i, j}] = height * excess;
         }
+    // The strings telescope, so that rows add up to A_i (4.47): in proofs some of the areas seen are what the others leave.
+    std::vector<Pair> left;
+    for (const auto& [pair, value] : values) {
+        left.push_back(pair);
+        if (left.size() > n || solve_rows(result.areas, result.direct, left).undetermined) left.pop_back();
+    }
+    const auto set = [&](const Pair& pair, const ex& e) { result.direct[pair.first][pair.second] = result.direct[pair.second][pair.first] = e; };
+    for (const auto& [pair, value] : values)
+        if (std::find(left.begin(), left.end(), pair) == left.end()) set(pair, steps.staying("view_area", {pair.first, pair.second}, value));
+    const SolvedRows solved = solve_rows(result.areas, result.direct, left);
+    for (std::size_t u = 0; u < left.size(); ++u) set(left[u], steps.staying("view_area", {left[u].first, left[u].second}, values.at(left[u]), solved.values[u]));
     return result;
 }
 

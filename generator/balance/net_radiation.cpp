@@ -113,7 +113,7 @@ private:
         const ex& eps = s_.emissivities[k];
         const ex leaving = is_black ? s_.areas[k] : steps_("leaving", {k}, caught + eps * passed_[k][k] + later);
         inverse_.push_back(reciprocal(leaving));
-        share_.push_back(is_black ? ex(1) : steps_("caught", {k}, whole(caught + eps * whole(passed_[k][k] + later)) * inverse_[k]));
+        if (k + 1 < n_) share_.push_back(is_black ? ex(1) : steps_("caught", {k}, whole(caught + eps * whole(passed_[k][k] + later)) * inverse_[k]));
     }
 
     ex reciprocal(const ex& leaving) const {

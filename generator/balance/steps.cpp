@@ -23,15 +23,29 @@ bool is_short(const ex& e) {
 }  // namespace
 
 ex Steps::operator()(const char* what, const std::vector<std::size_t>& indices, const ex& value, Slope slope) {
-    if (is_short(value)) return value;
-    if (!with_letters_) return whole(value);
-    std::string name = enclosure_;
-    std::string cpp_name = fmt::format("{}_{}", enclosure_, what);
+    Step step{{}, {}, {}, value};
+    step.slope = std::move(slope);
+    return add(what, indices, std::move(step));
+}
+
+ex Steps::staying(const char* what, const std::vector<std::size_t>& indices, const ex& value, const ex& instead) {
+    Step step{{}, {}, {}, value};
+    step.stays = true;
+    step.instead = instead;
+    return add(what, indices, std::move(step));
+}
+
+ex Steps::add(const char* what, const std::vector<std::size_t>& indices, Step step) {
+    if (is_short(step.value)) return step.value;
+    if (!with_letters_) return whole(step.value);
+    step.name = enclosure_;
+    step.cpp_name = fmt::format("{}_{}", enclosure_, what);
     for (const std::size_t i : indices) {
-        name += fmt::format(", {}", i + 1);
-        cpp_name += fmt::format("_{}", i + 1);
+        step.name += fmt::format(", {}", i + 1);
+        step.cpp_name += fmt::format("_{}", i + 1);
     }
-    return symbols_.add_step({fmt::format("{}[{}]", what, name), cpp_name, "", value, std::move(slope)});
+    step.name = fmt::format("{}[{}]", what, step.name);
+    return symbols_.add_step(std::move(step));
 }
 
 bool is_of_parameters(const ex& e, const Symbols& symbols) {

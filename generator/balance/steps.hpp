@@ -15,11 +15,15 @@ public:
 
     /// A letter "what[enclosure, i, j]" for a value, indices counted from 0 here; the value itself where it is as short as a letter.
     GiNaC::ex operator()(const char* what, const std::vector<std::size_t>& indices, const GiNaC::ex& value, Slope slope = {});
+    /// One that stays a letter in proofs halfway down, or is `instead` there.
+    GiNaC::ex staying(const char* what, const std::vector<std::size_t>& indices, const GiNaC::ex& value, const GiNaC::ex& instead = 0);
 
     bool with_letters() const { return with_letters_; }
     const Symbols& symbols() const { return symbols_; }
 
 private:
+    GiNaC::ex add(const char* what, const std::vector<std::size_t>& indices, Step step);
+
     Symbols& symbols_;
     std::string enclosure_;
     bool with_letters_;

@@ -15,8 +15,6 @@ using GiNaC::ex;
 
 namespace {
 
-using Number = std::pair<std::size_t, std::size_t>;
-
 class Completion {
 public:
     Completion(const Enclosure& enclosure, const std::vector<ex>& areas, const std::vector<std::vector<std::optional<ex>>>& factors, const Defaults& value)
@@ -32,13 +30,13 @@ public:
                 else unknown_.emplace_back(i, j);
             }
         for (std::size_t i = 0; i < n_; ++i) check_row(i);
-        if (!unknown_.empty()) solve_rows();
+        if (!unknown_.empty()) complete();
         return std::move(direct_);
     }
 
 private:
     void set(std::size_t i, std::size_t j, const ex& e) { direct_[i][j] = direct_[j][i] = e; }
-    bool is_unknown(std::size_t i, std::size_t j) const { return std::find(unknown_.begin(), unknown_.end(), Number(std::min(i, j), std::max(i, j))) != unknown_.end(); }
+    bool is_unknown(std::size_t i, std::size_t j) const { return std::find(unknown_.begin(), unknown_.end(), Pair(std::min(i, j), std::max(i, j))) != unknown_.end(); }
     Span place(std::size_t i, std::size_t j) const {
         const ExpressionPtr& entry = enclosure_.view_factors[i][j];
         return entry ? entry->span : enclosure_.view_factors_span;
@@ -97,44 +95,20 @@ private:
         return enclosure_.view_factors_span;
     }
 
-    /// The rows, sum over j of A_i*F_ij = A_i, as equations for what is left out. The coefficients are numbers.
-    void solve_rows() {
-        struct Row {
-            std::vector<GiNaC::numeric> factors;
-            ex right;
-        };
-        std::vector<Row> rows;
-        for (std::size_t i = 0; i < n_; ++i) {
-            Row row{std::vector<GiNaC::numeric>(unknown_.size(), 0), areas_[i]};
-            for (std::size_t j = 0; j < n_; ++j)
-                if (!is_unknown(i, j)) row.right -= direct_[i][j];
-            for (std::size_t u = 0; u < unknown_.size(); ++u)
-                if (unknown_[u].first == i || unknown_[u].second == i) row.factors[u] = 1;
-            rows.push_back(std::move(row));
-        }
-        for (std::size_t u = 0; u < unknown_.size(); ++u) {
-            std::size_t pivot = u;
-            while (pivot < n_ && rows[pivot].factors[u].is_zero()) ++pivot;
-            if (pivot >= n_)
-                fail(Id::undetermined, enclosure_.view_factors_span,
-                     fmt::format("reciprocity (4.45) and the sums of rows (4.47) do not determine the view factor from {} to {}; give it", name(unknown_[u].first), name(unknown_[u].second)));
-            std::swap(rows[u], rows[pivot]);
-            for (std::size_t i = 0; i < n_; ++i) {
-                if (i == u || rows[i].factors[u].is_zero()) continue;
-                const GiNaC::numeric factor = rows[i].factors[u] / rows[u].factors[u];
-                for (std::size_t v = u; v < unknown_.size(); ++v) rows[i].factors[v] -= factor * rows[u].factors[v];
-                rows[i].right -= factor * rows[u].right;
-            }
-        }
-        for (std::size_t i = unknown_.size(); i < n_; ++i) {
-            const auto rest = rows[i].right.expand().is_zero() ? std::nullopt : value_(rows[i].right);
-            if (rest && sign_of_value(*rest) != 0)
+    void complete() {
+        const SolvedRows solved = solve_rows(areas_, direct_, unknown_);
+        if (solved.undetermined)
+            fail(Id::undetermined, enclosure_.view_factors_span,
+                 fmt::format("reciprocity (4.45) and the sums of rows (4.47) do not determine the view factor from {} to {}; give it", name(solved.undetermined->first), name(solved.undetermined->second)));
+        for (const ex& rest : solved.left_over) {
+            const auto number = rest.expand().is_zero() ? std::nullopt : value_(rest);
+            if (number && sign_of_value(*number) != 0)
                 fail(Id::inconsistent_enclosure, enclosure_.view_factors_span,
-                     fmt::format("no view factors in the places left out make all rows of enclosure '{}' add up to 1 (4.47) and keep the reciprocity (4.45): {} m^2 are left over", enclosure_.name, shown(*rest)));
+                     fmt::format("no view factors in the places left out make all rows of enclosure '{}' add up to 1 (4.47) and keep the reciprocity (4.45): {} m^2 are left over", enclosure_.name, shown(*number)));
         }
         for (std::size_t u = 0; u < unknown_.size(); ++u) {
             const auto [i, j] = unknown_[u];
-            set(i, j, (rows[u].right / rows[u].factors[u]).expand());
+            set(i, j, solved.values[u]);
             const auto number = value_(direct_[i][j] / areas_[i]);
             if (number && sign_of_value(*number) < 0)
                 fail(Id::inconsistent_enclosure, enclosure_.view_factors_span,
@@ -148,10 +122,44 @@ private:
     const Defaults& value_;
     std::size_t n_;
     std::vector<std::vector<ex>> direct_;
-    std::vector<Number> unknown_;
+    std::vector<Pair> unknown_;
 };
 
 }  // namespace
+
+SolvedRows solve_rows(const std::vector<ex>& areas, const std::vector<std::vector<ex>>& direct, const std::vector<Pair>& unknown) {
+    struct Row {
+        std::vector<GiNaC::numeric> factors;
+        ex right;
+    };
+    const std::size_t n = areas.size();
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < n; ++i) {
+        Row row{std::vector<GiNaC::numeric>(unknown.size(), 0), areas[i] - GiNaC::add(GiNaC::exvector(direct[i].begin(), direct[i].end()))};
+        for (std::size_t u = 0; u < unknown.size(); ++u)
+            if (unknown[u].first == i || unknown[u].second == i) row.factors[u] = 1;
+        rows.push_back(std::move(row));
+    }
+    SolvedRows result;
+    for (std::size_t u = 0; u < unknown.size(); ++u) {
+        std::size_t pivot = u;
+        while (pivot < n && rows[pivot].factors[u].is_zero()) ++pivot;
+        if (pivot >= n) {
+            result.undetermined = unknown[u];
+            return result;
+        }
+        std::swap(rows[u], rows[pivot]);
+        for (std::size_t i = 0; i < n; ++i) {
+            if (i == u || rows[i].factors[u].is_zero()) continue;
+            const GiNaC::numeric factor = rows[i].factors[u] / rows[u].factors[u];
+            for (std::size_t v = u; v < unknown.size(); ++v) rows[i].factors[v] -= factor * rows[u].factors[v];
+            rows[i].right -= factor * rows[u].right;
+        }
+    }
+    for (std::size_t u = 0; u < unknown.size(); ++u) result.values.push_back((rows[u].right / rows[u].factors[u]).expand());
+    for (std::size_t i = unknown.size(); i < n; ++i) result.left_over.push_back(rows[i].right);
+    return result;
+}
 
 std::string surface_name(const Enclosure& enclosure, std::size_t i) { return fmt::format("'{}'", std::string(enclosure.surfaces[i].span.text())); }
 
@@ -174,6 +182,10 @@ std::optional<cl_R> Defaults::operator()(const ex& e) const {
 int sign_of_value(const cl_R& value) {
     static const cln::cl_RA tiny = cln::expt(cln::cl_RA(10), -45);
     return cln::abs(value) <= tiny ? 0 : cln::minusp(value) ? -1 : 1;
+}
+
+std::vector<std::vector<ex>> complete_view_factors(const Enclosure& enclosure, const std::vector<ex>& areas, const std::vector<std::vector<std::optional<ex>>>& factors, const Defaults& value) {
+    return Completion(enclosure, areas, factors, value).run();
 }
 
 std::string shown(const cl_R& value) { return fmt::format("{:.6g}", cln::double_approx(value)); }

@@ -26,6 +26,17 @@ int sign_of_value(const cln::cl_R& value);
 /// For messages.
 std::string shown(const cln::cl_R& value);
 
+/// Two surfaces by their numbers.
+using Pair = std::pair<std::size_t, std::size_t>;
+
+/// The rows, sum over j of A_i*F_ij = A_i, solved for what is not known. `direct` is zero at those places.
+struct SolvedRows {
+    std::vector<GiNaC::ex> values;             ///< of what is not known
+    std::vector<GiNaC::ex> left_over;          ///< of rows that were not needed: zero where the rows agree
+    std::optional<Pair> undetermined = {};     ///< the first for which the rows do not suffice
+};
+SolvedRows solve_rows(const std::vector<GiNaC::ex>& areas, const std::vector<std::vector<GiNaC::ex>>& direct, const std::vector<Pair>& unknown);
+
 /// A_i*F_ij, symmetric. Throws Failure (inconsistent-enclosure, value-out-of-range, undetermined).
 std::vector<std::vector<GiNaC::ex>> complete_view_factors(const Enclosure& enclosure, const std::vector<GiNaC::ex>& areas, const std::vector<std::vector<std::optional<GiNaC::ex>>>& factors,
                                                           const Defaults& value);

@@ -45,11 +45,18 @@ bool Prover::proven_equal(const ex& a, const ex& b) { return proven_equal(a, b, 
 bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>& positive) {
     const ex difference = a - b;
     if (difference.is_zero()) return true;
-    for (const bool written_out : {false, true}) {
-        if (written_out && system_.symbols.count(SymbolKind::definition) == 0) break;
+    // Steps of derivations are many: first what is written out stays small.
+    std::vector<std::optional<Depth>> depths{std::nullopt};
+    if (system_.symbols.has_steps()) depths.insert(depths.end(), {Depth::shallow, Depth::halfway});
+    if (system_.symbols.count(SymbolKind::definition) > 0) depths.emplace_back(Depth::full);
+    ex tried = difference;
+    for (const auto& depth : depths) {
+        const ex written = depth ? system_.symbols.without_definitions(difference, *depth) : difference;
+        if (depth && written.is_equal(tried)) continue;
+        tried = written;
         try {
             NormalForm form(positive);
-            if (!form.is_zero(written_out ? system_.symbols.without_definitions(difference) : difference)) continue;
+            if (!form.is_zero(written)) continue;
             // S^2 = 1, a positive root, I*den = 1: all of it is said of what is not zero. A zero that the form did not see proves nothing.
             const auto& claimed = form.must_not_vanish();
             if (std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return is_somewhere_not_zero(e); })) return true;

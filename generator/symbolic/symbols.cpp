@@ -135,15 +135,20 @@ void Symbols::define(std::vector<ex> values) {
     }
 }
 
-ex Symbols::add_step(Step step) {
+double Symbols::size_of(const ex& e, const std::vector<double>& sizes) const {
     double size = 0;
-    for (auto part = step.value.preorder_begin(); part != step.value.preorder_end(); ++part) {
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
         const auto inner = GiNaC::is_a<GiNaC::symbol>(*part) ? step_of(*part) : std::nullopt;
-        size += inner ? step_sizes_[*inner] : 1;
+        size += inner ? sizes[*inner] : 1;
     }
+    return size;
+}
+
+ex Symbols::add_step(Step step) {
+    step_sizes_.push_back(size_of(step.value, step_sizes_));
+    halfway_sizes_.push_back(!step.stays ? size_of(step.value, halfway_sizes_) : step.instead.is_zero() ? 1 : size_of(step.instead, halfway_sizes_));
     add(SymbolKind::definition, step.name, step.value.info(GiNaC::info_flags::positive), {step.cpp_name, 0, false, "", step.doc});
     definition_values_.push_back(step.value);
-    step_sizes_.push_back(size);
     steps_.push_back(std::move(step));
     return all(SymbolKind::definition).back().symbol;
 }
@@ -170,12 +175,17 @@ std::vector<std::size_t> Symbols::steps_in(const ex& e) const {
     return result;
 }
 
-/// A step down to parameters. The number of letters of steps made of steps grows exponentially.
-ex Symbols::written_out(std::size_t step) const {
-    if (const auto known = written_out_.find(step); known != written_out_.end()) return known->second;
-    constexpr double largest = 2000;
-    const ex value = step_sizes_[step] > largest ? get(SymbolKind::definition, model_definitions() + step) : without_definitions(steps_[step].value);
-    return written_out_[step] = value;
+/// A step written out. The number of parts of steps made of steps grows exponentially.
+ex Symbols::written_out(std::size_t step, Depth depth) const {
+    if (const auto known = written_out_.find({step, depth}); known != written_out_.end()) return known->second;
+    const Step& s = steps_[step];
+    const bool is_halfway = depth == Depth::halfway;
+    const double size = is_halfway ? halfway_sizes_[step] : step_sizes_[step];
+    const double largest = depth == Depth::shallow ? 500 : is_halfway ? 100'000 : 5'000;
+    ex value = s.value;
+    if (size > largest || (is_halfway && s.stays && s.instead.is_zero())) value = get(SymbolKind::definition, model_definitions() + step);
+    else value = without_definitions(is_halfway && s.stays ? s.instead : s.value, depth);
+    return written_out_[{step, depth}] = value;
 }
 
 ex Symbols::without_model_definitions(const ex& e) const {
@@ -185,13 +195,13 @@ ex Symbols::without_model_definitions(const ex& e) const {
     return e.subs(map, GiNaC::subs_options::no_pattern);
 }
 
-ex Symbols::without_definitions(const ex& e) const {
+ex Symbols::without_definitions(const ex& e, Depth depth) const {
     if (steps_.empty()) return without_model_definitions(e);
     GiNaC::exmap map;
     for (std::size_t i = 0; i < expanded_definitions_.size(); ++i) map[get(SymbolKind::definition, i)] = expanded_definitions_[i];
     for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
         const auto step = GiNaC::is_a<GiNaC::symbol>(*part) ? step_of(*part) : std::nullopt;
-        if (step && !map.contains(*part)) map[*part] = written_out(*step);
+        if (step && !map.contains(*part)) map[*part] = written_out(*step, depth);
     }
     return e.subs(map, GiNaC::subs_options::no_pattern);
 }

@@ -49,6 +49,16 @@ struct Step {
     GiNaC::ex value;       ///< of parameters, definitions and earlier steps
     /// Its derivative by a parameter, where that has a closed form; else it follows from the value.
     std::function<GiNaC::ex(const Symbols&, std::size_t parameter)> slope = {};
+    /// For proofs halfway down: a letter with a meaning of its own, which stays, or is what this says instead of its value.
+    bool stays = false;
+    GiNaC::ex instead = 0;
+};
+
+/// How far down proofs write steps out.
+enum class Depth {
+    shallow,  ///< only those that are small
+    halfway,  ///< down to those that stay
+    full,     ///< down to parameters
 };
 
 class Symbols {
@@ -82,7 +92,8 @@ public:
     const std::vector<GiNaC::ex>& definition_values() const { return definition_values_; }
     /// The expression with definitions replaced by what they stand for, down to parameters. Steps stay letters where they would make
     /// it larger than can be worked with.
-    GiNaC::ex without_definitions(const GiNaC::ex& e) const;
+    GiNaC::ex without_definitions(const GiNaC::ex& e, Depth depth = Depth::full) const;
+    bool has_steps() const { return !steps_.empty(); }
     /// The same, with all steps left letters.
     GiNaC::ex without_model_definitions(const GiNaC::ex& e) const;
     /// The steps in an expression and those that they need, each behind what it needs.
@@ -105,7 +116,8 @@ private:
     };
     void add(SymbolKind kind, const std::string& name, bool positive, Origin origin);
     GiNaC::ex slope(std::size_t step, std::size_t parameter) const;
-    GiNaC::ex written_out(std::size_t step) const;
+    GiNaC::ex written_out(std::size_t step, Depth depth) const;
+    double size_of(const GiNaC::ex& e, const std::vector<double>& sizes) const;
     std::optional<std::size_t> step_of(const GiNaC::ex& symbol) const;
 
     static constexpr std::size_t kinds = static_cast<std::size_t>(SymbolKind::letter) + 1;
@@ -114,8 +126,9 @@ private:
     std::vector<GiNaC::ex> definition_values_;
     std::vector<GiNaC::ex> expanded_definitions_;
     std::vector<Step> steps_;
-    std::vector<double> step_sizes_;  ///< how many letters each has when it is written out
-    mutable std::map<std::size_t, GiNaC::ex> written_out_;
+    std::vector<double> step_sizes_;  ///< how many parts each has when it is written out
+    std::vector<double> halfway_sizes_;
+    mutable std::map<std::pair<std::size_t, Depth>, GiNaC::ex> written_out_;
     mutable std::map<std::pair<std::size_t, std::size_t>, GiNaC::ex> slopes_;
 };
 
