@@ -113,7 +113,10 @@ private:
         const ex& eps = s_.emissivities[k];
         const ex leaving = is_black ? s_.areas[k] : steps_("leaving", {k}, caught + eps * passed_[k][k] + later);
         inverse_.push_back(reciprocal(leaving));
-        if (k + 1 < n_) share_.push_back(is_black ? ex(1) : steps_("caught", {k}, whole(caught + eps * whole(passed_[k][k] + later)) * inverse_[k]));
+        if (k + 1 == n_) return;
+        if (is_black) share_.emplace_back(1);
+        else if (caught.is_zero() && passed_[k][k].is_zero()) share_.push_back(eps);
+        else share_.push_back(steps_("caught", {k}, whole(caught + eps * whole(passed_[k][k] + later)) * inverse_[k]));
     }
 
     ex reciprocal(const ex& leaving) const {

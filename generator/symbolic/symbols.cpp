@@ -181,7 +181,7 @@ ex Symbols::written_out(std::size_t step, Depth depth) const {
     const Step& s = steps_[step];
     const bool is_halfway = depth == Depth::halfway;
     const double size = is_halfway ? halfway_sizes_[step] : step_sizes_[step];
-    const double largest = depth == Depth::shallow ? 500 : is_halfway ? 20'000 : 2'000;
+    const double largest = depth == Depth::shallow ? 100 : is_halfway ? 20'000 : 2'000;
     ex value = s.value;
     if (size > largest || (is_halfway && s.stays && s.instead.is_zero())) value = get(SymbolKind::definition, model_definitions() + step);
     else value = without_definitions(is_halfway && s.stays ? s.instead : s.value, depth);

@@ -141,8 +141,8 @@ TEST_CASE("the exchange factors of two and three surfaces are both forms of (4.5
         std::vector<std::vector<ex>> direct(n, std::vector<ex>(n));
         std::vector<ex> emissivities;
         for (unsigned i = 0; i < n; ++i) {
-            emissivities.push_back(GiNaC::realsymbol(fmt::format("e{}", i)));
-            for (unsigned j = i; j < n; ++j) direct[i][j] = direct[j][i] = GiNaC::realsymbol(fmt::format("s{}{}", i, j));
+            emissivities.push_back(GiNaC::possymbol(fmt::format("e{}", i)));
+            for (unsigned j = i; j < n; ++j) direct[i][j] = direct[j][i] = GiNaC::possymbol(fmt::format("s{}{}", i, j));
         }
         const Surroundings s = surroundings_of(direct, emissivities);
         Steps written_out(machine.system->symbols, "any", false);
