@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "balance/enclosure.hpp"
 #include "balance/rod.hpp"
 #include "balance/sought_temperatures.hpp"
 #include "symbolic/functions.hpp"
@@ -56,6 +57,7 @@ public:
         if (link.from.node == link.to.node && link.from.volume == link.to.volume && link.from.reservoir == link.to.reservoir)
             throw Failure(Diagnostic{Id::not_allowed_here, item.to.span, fmt::format("link '{}' goes from '{}' to itself", link.name, std::string(item.to.span.text()))});
         link.heat = heat(item, a, b);
+        link.radiates = item.law == Link::Law::radiation;
         network_.links.push_back(std::move(link));
     }
 
@@ -240,6 +242,7 @@ void complete_heat(HeatNetwork& network, const Scene& scene, const Translator& t
                 if (node.name == member.name()) node.source += translate(member.item->heat, Translator::indices_of(member));
     Linking linking(network, scene, translate, symbols, containers);
     for (const auto& member : scene.links) linking.add(member);
+    for (const auto& member : scene.enclosures) add_enclosure(network, *member.item, scene, translate, symbols);
     find_sought_temperatures(network);
     for (const NodeState& node : network.nodes)
         if (!node.is_tapped) network.stored_energy += node.stored_energy;

@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "balance/control_volume.hpp"
+#include "balance/net_radiation.hpp"
 
 namespace dalembert {
 
@@ -30,6 +31,7 @@ struct NodeState {
     GiNaC::ex source = 0;              ///< W, from outside
     GiNaC::ex letter = 0;              ///< of a sought temperature, before it was found
     bool is_tapped = false;            ///< a cell of a field, of which only what comes from elsewhere is balanced here
+    bool radiates = false;             ///< to what surrounds it, as part of the source
 };
 
 /// Where a link ends. Exactly one of the three is there.
@@ -44,6 +46,20 @@ struct LinkState {
     Span place;
     LinkEnd from, to;
     GiNaC::ex heat;  ///< W, positive from `from` to `to`
+    bool radiates = false;
+};
+
+/// Surfaces that radiate at each other, with what they see and exchange.
+struct EnclosureState {
+    std::string name;
+    std::vector<const NodeState*> nodes;
+    std::vector<std::vector<GiNaC::ex>> view_factors;
+    Surroundings surroundings;
+    NetRadiation radiation;
+
+    /// W/m^2 that leaves surface i (4.42), and that arrives at it (4.48).
+    GiNaC::ex radiosity(std::size_t i) const;
+    GiNaC::ex irradiation(std::size_t i) const;
 };
 
 struct RodField;
@@ -53,6 +69,7 @@ struct HeatNetwork {
     std::deque<NodeState> nodes;  ///< addresses are kept
     std::vector<LinkState> links;
     std::vector<RodField> fields;
+    std::vector<EnclosureState> enclosures;
     GiNaC::ex stored_energy = 0;    ///< J
     GiNaC::ex exchanged_power = 0;  ///< W, from sources, held nodes and reservoirs
     GiNaC::exmap solved;            ///< the letters of sought temperatures, with what they are

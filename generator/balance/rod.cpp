@@ -67,6 +67,7 @@ private:
     void fill(NodeState& node, const GridPlace& place) {
         store(node, *rod_.heat_capacity, mass(place), translate_, symbols_, {});
         node.source += source(node.warmth, place);
+        node.radiates = rod_.side_emissivity != nullptr;
     }
 
     /// A cell of a field balances what comes from elsewhere; its energy counts with the field.
@@ -133,6 +134,7 @@ private:
         }
         const ex area = geometry_.end_area(is_first);
         if (what->flux) surface->source += value(what->flux) * area;
+        surface->radiates = surface->radiates || what->emissivity;
         if (what->ambient) surface->source += taken_up(surface->warmth, area, what->coefficient, what->emissivity, what->ambient);
     }
 

@@ -16,7 +16,10 @@ namespace {
 /// Values of a system at one point, from the symbolic derivation.
 class Evaluation {
 public:
-    Evaluation(const System& system, const Values& values, int digits) : system_(system), digits_(digits), point_(values.substitution()) { solve(); }
+    Evaluation(const System& system, const Values& values, int digits) : system_(system), digits_(digits), point_(values.substitution()) {
+        add_steps(point_, system.symbols, working_digits() + 20);
+        solve();
+    }
 
     std::string number(const ex& e) const {
         const auto v = value_at(e, point_, working_digits());

@@ -20,9 +20,16 @@ constexpr const char* indent = "        ";
 
 CppBodies::CppBodies(const Code& code) : code_(code), n_(code.solve.n), m_(code.system.symbols.states()) {
     std::set<std::uint32_t> used;
+    const Symbols& symbols = code.system.symbols;
+    for (std::size_t i = symbols.model_definitions(); i < symbols.count(SymbolKind::definition); ++i) only_in_update_.insert(i);
     for (const FunctionCode& f : code.functions)
-        for (const NodeId id : f.program.in_order(f.roots()))
-            if (f.program[id].kind == Node::Kind::cached) used.insert(f.program[id].index);
+        for (const NodeId id : f.program.in_order(f.roots())) {
+            const Node& node = f.program[id];
+            if (node.kind == Node::Kind::cached) used.insert(node.index);
+            const Variable* variable = node.kind == Node::Kind::symbol ? code.atoms[node.index].variable : nullptr;
+            const bool is_definition = variable != nullptr && variable->kind == SymbolKind::definition;
+            if (is_definition && &f != &code[Function::update]) only_in_update_.erase(variable->position);
+        }
     for (const std::uint32_t index : used) {
         cached_texts_.emplace(index, "c_." + cached_name(code.system.symbols, cached_.size()));
         cached_.emplace(index, cached_.size());
@@ -64,13 +71,15 @@ CppBody CppBodies::update() {
     f.results.assign(all.results.begin(), all.results.begin() + static_cast<std::ptrdiff_t>(code_.definition_order.size()));
     for (const auto& [index, number] : cached_) f.results.push_back(all.results[code_.definition_order.size() + index]);
     CppFunction cpp(code_, f, cached_texts_, argument_names);
+    cpp.bind_locals(only_in_update_);
     std::string statements;
     const auto& definitions = code_.system.symbols.all(SymbolKind::definition);
     for (std::size_t i = 0; i < f.results.size(); ++i) {
         statements += cpp.compute({f.results[i]});
         const bool is_definition = i < code_.definition_order.size();
         const std::string target = is_definition ? cpp_name(definitions[code_.definition_order[i]]) : cached_name(code_.system.symbols, i - code_.definition_order.size());
-        statements += assigned(cpp, "c_." + target, f.results[i]);
+        const bool is_local = is_definition && !is_kept(code_.definition_order[i]);
+        statements += assigned(cpp, (is_local ? "const Scalar " : "c_.") + target, f.results[i]);
     }
     if (f.by_loops && code_.solve.is_constant) {
         statements += cpp.compute(f.mass);

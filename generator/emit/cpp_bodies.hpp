@@ -27,6 +27,8 @@ public:
     CppBody output_jacobian(Function function, By by);
     CppBody scalar(Function function);
 
+    /// Whether a definition is a member of the header: those of the model, and the steps that some function but update() uses.
+    bool is_kept(std::size_t definition) const { return !only_in_update_.contains(definition); }
     /// Cached values that some function uses, in order, with the number in their name.
     const std::map<std::uint32_t, std::size_t>& cached() const { return cached_; }
     const JacobianLayout& layout(By by) const { return layouts_[static_cast<std::size_t>(by)]; }
@@ -54,6 +56,7 @@ private:
     std::size_t m_;
     std::map<std::uint32_t, std::size_t> cached_;
     CachedTexts cached_texts_;
+    std::set<std::size_t> only_in_update_;
     std::vector<JacobianLayout> layouts_;
     std::set<std::string> helpers_;
 };

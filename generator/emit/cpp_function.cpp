@@ -159,7 +159,7 @@ CppFunction::Text CppFunction::symbol(NodeId id, std::string& statements) {
     };
     switch (variable.kind) {
         case SymbolKind::parameter: return member("p_");
-        case SymbolKind::definition: return {fmt::format("c_.{}", cpp_name(variable)), 3};
+        case SymbolKind::definition: return {fmt::format("{}{}", local_definitions_.contains(variable.position) ? "" : "c_.", cpp_name(variable)), 3};
         case SymbolKind::time: uses_time_ = true; return {"t", 3};
         case SymbolKind::input: uses_input_ = true; return local(input_, variable.position);
         case SymbolKind::coordinate: uses_state_ = true; return local(state_, variable.position);

@@ -24,6 +24,8 @@ public:
     void bind_input(const std::string& array) { input_ = array; }
     /// Accelerations are read from an array, from this index on.
     void bind_accelerations(const std::string& array, std::size_t first) { accelerations_ = array; first_acceleration_ = first; }
+    /// In update(): definitions that are variables of it, not members.
+    void bind_locals(const std::set<std::size_t>& definitions) { local_definitions_ = definitions; }
     /// In update(): cached values are written, not read.
     void name_node(NodeId id, const std::string& name) { wanted_names_[id] = name; }
 
@@ -69,6 +71,7 @@ private:
     std::string input_ = "u";
     std::string accelerations_;
     std::size_t first_acceleration_ = 0;
+    std::set<std::size_t> local_definitions_;
     bool uses_state_ = false;
     bool uses_input_ = false;
     bool uses_time_ = false;

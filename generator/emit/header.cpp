@@ -229,7 +229,7 @@ private:
         if (definitions.empty() && bodies_.cached().empty() && !has_mass) return {};
         std::string text = "    /// What depends on parameters alone.\n    struct Cached {\n";
         for (std::size_t i = 0; i < definitions.size(); ++i)
-            text += fmt::format("        Scalar {};  ///< {}\n", cpp_name(definitions[i]), shortened(write_(symbols_.definition_values()[i])));
+            if (bodies_.is_kept(i)) text += fmt::format("        Scalar {};  ///< {}\n", cpp_name(definitions[i]), shortened(write_(symbols_.definition_values()[i])));
         const CachedMeaning meaning = cached_meaning(code_);
         for (const auto& [index, number] : bodies_.cached()) {
             const bool is_factor = code_.solve.is_constant && code_.solve.unrolled && index >= code_.solve.first_cached &&

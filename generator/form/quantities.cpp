@@ -54,6 +54,25 @@ std::optional<ex> heat_quantity(const System& system, const Expression& e, const
     return e.name == "heat" ? system.heat.heat_into(*node) : node->stored_energy;
 }
 
+/// Of surfaces of an enclosure, counted from 1.
+ex surface_quantity(const System& system, const Expression& e, const Indices& indices) {
+    const Expression& named = *e.children[0];
+    for (const EnclosureState& enclosure : system.heat.enclosures) {
+        if (enclosure.name != named.name) continue;
+        const auto surface = [&](std::size_t child) {
+            const int number = index_value(*e.children[child], system.scene, indices);
+            if (number >= 1 && static_cast<std::size_t>(number) <= enclosure.nodes.size()) return static_cast<std::size_t>(number - 1);
+            throw Failure(Diagnostic{Id::index_out_of_range, e.children[child]->span, fmt::format("enclosure '{}' has the surfaces 1 to {}, not {}", enclosure.name, enclosure.nodes.size(), number)});
+        };
+        const std::size_t i = surface(1);
+        if (e.name == "radiosity") return enclosure.radiosity(i);
+        if (e.name == "irradiation") return enclosure.irradiation(i);
+        const std::size_t j = surface(2);
+        return e.name == "view_factor" ? enclosure.view_factors[i][j] : enclosure.radiation.exchange[i][j];
+    }
+    throw Failure(Diagnostic{Id::needs_absent, named.span, fmt::format("scene '{}' has no '{}'", system.scene.name, named.written())});
+}
+
 /// A property of a volume or reservoir, of a medium at a state, or what a flow or volume does.
 std::optional<ex> fluid_quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<ex>& arguments) {
     const Fluids& fluids = system.fluids;
@@ -110,6 +129,8 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
 
 ex quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<ex>& arguments) {
     if (const auto of_fluid = fluid_quantity(system, e, indices, arguments)) return *of_fluid;
+    const Subscript subscript = find_quantity(e.name)->subscript;
+    if (subscript == Subscript::surface || subscript == Subscript::two_surfaces) return surface_quantity(system, e, indices);
     const auto child = [&](std::size_t i) -> const Expression& { return *e.children[i]; };
     if (e.name == "kinetic_energy") {
         if (e.children.empty()) return system.kinetic_energy;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -15,7 +17,7 @@ namespace {
 
 class ValueCheck {
 public:
-    explicit ValueCheck(const System& system) : system_(system), start_(Values(system.scene, system.translate).substitution()) {}
+    explicit ValueCheck(const System& system) : system_(system), start_(Values(system.scene, system.translate).substitution()) { add_steps(start_, system.symbols, 30); }
 
     void run() const {
         for (const auto& member : system_.scene.media) check(*member.item);
@@ -25,6 +27,7 @@ public:
             if (item.temperature && reservoir.fluid.temperature && !depends_on_input(*reservoir.fluid.temperature)) positive(*reservoir.fluid.temperature, item.temperature->span, fmt::format("the temperature of reservoir '{}'", item.name), "K");
         }
         for (const ControlVolume& volume : system_.fluids.containers.volumes) check(volume);
+        check_radiation();
         for (const FlowState& flow : system_.fluids.flows) {
             const Flow& item = *flow.member.item;
             const auto constant = [&](const ExpressionPtr& e, const char* what, const char* unit) {
@@ -54,6 +57,20 @@ private:
         for (const Variable& input : system_.symbols.all(SymbolKind::input))
             if (e.has(input.symbol)) return true;
         return false;
+    }
+
+    /// What radiates is above absolute zero.
+    void check_radiation() const {
+        std::set<const NodeState*> checked;
+        const auto check = [&](const NodeState& node) {
+            const ex& T = node.warmth.temperature;
+            if (checked.insert(&node).second && !depends_on_input(T)) positive(T, node.place, fmt::format("the temperature of '{}', which radiates,", node.name), "K");
+        };
+        for (const NodeState& node : system_.heat.nodes)
+            if (node.radiates) check(node);
+        for (const LinkState& link : system_.heat.links)
+            for (const LinkEnd& end : {link.from, link.to})
+                if (link.radiates && end.node != nullptr) check(*end.node);
     }
 
     void positive(const ex& e, const Span& place, const std::string& what, const char* unit) const {

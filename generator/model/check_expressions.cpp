@@ -222,18 +222,19 @@ private:
     unsigned quantity(const Expression& e) {
         const QuantitySpec& spec = *find_quantity(e.name);
         static constexpr const char* shapes[]{"nothing", "a body", "nothing or a body", "a body and 1, 2 or 3", "a coordinate", "two coordinates",
-                                              "nothing or a damper", "a volume or reservoir", "a volume or reservoir, or a medium, a pressure and a temperature",
+                                              "nothing or a damper", "an enclosure and the number of a surface", "an enclosure and the numbers of two surfaces", "a volume or reservoir", "a volume or reservoir, or a medium, a pressure and a temperature",
                                               "a medium, a pressure and a temperature", "a volume", "a flow", "a volume, reservoir, node or cell of a rod",
                                               "a volume, node or link", "nothing, a volume or a node"};
         const std::size_t given = e.children.size();
         const auto shape = static_cast<std::size_t>(spec.subscript);
-        const std::size_t expected = std::array<std::size_t, 15>{0, 1, 1, 2, 1, 2, 1, 1, 1, 3, 1, 1, 1, 1, 1}[shape];
+        const std::size_t expected = std::array<std::size_t, 17>{0, 1, 1, 2, 1, 2, 1, 2, 3, 1, 1, 3, 1, 1, 1, 1, 1}[shape];
         const bool is_optional = spec.subscript == Subscript::optional_body || spec.subscript == Subscript::optional_store || spec.subscript == Subscript::optional_damper;
         if (given != expected && !(is_optional && given == 0) && !(spec.subscript == Subscript::fluid_or_medium && given == 3)) {
             error(Id::wrong_arguments, e.span, fmt::format("'{}' takes {} in square brackets", e.name, shapes[shape]));
             return 0;
         }
         if (spec.subscript >= Subscript::fluid) return part_quantity(e, spec);
+        if (spec.subscript == Subscript::surface || spec.subscript == Subscript::two_surfaces) return surface_quantity(e, spec);
         const bool bodies = spec.subscript == Subscript::body || spec.subscript == Subscript::optional_body || spec.subscript == Subscript::body_and_axis;
         const bool dampers = spec.subscript == Subscript::optional_damper;
         for (std::size_t i = 0; i < given; ++i) {
@@ -243,6 +244,15 @@ private:
             else if (bodies) body(child);
             else coordinate(child);
         }
+        return allow(e, dependence(spec), "a derived quantity");
+    }
+
+    unsigned surface_quantity(const Expression& e, const QuantitySpec& spec) {
+        const Expression& named = *e.children[0];
+        const Part* found = named.kind == Kind::name && named.children.empty() ? names_.find_part(named.name) : nullptr;
+        if (found == nullptr || found->kind != Part::Kind::enclosure)
+            error(Id::unknown_name, named.span, fmt::format("'{}' is not an enclosure{}", named.written(), did_you_mean(named.name, names_.parts(parts_in(spec.subscript)))));
+        for (std::size_t i = 1; i < e.children.size(); ++i) whole_number(*e.children[i]);
         return allow(e, dependence(spec), "a derived quantity");
     }
 

@@ -16,6 +16,7 @@ public:
         for (const HeatNode& node : model_.nodes)
             if (node.capacity && node.temperature) temperature(node.temperature->name, node.temperature->span, fmt::format("node '{}'", node.name));
         for (const Link& link : model_.links) check(link);
+        for (const Enclosure& enclosure : model_.enclosures) check(enclosure);
         for (const Rod& rod : model_.rods) {
             const State* states = temperature(rod.temperature.name, rod.temperature.span, fmt::format("rod '{}'", rod.name));
             if (states != nullptr && !states->family)
@@ -40,12 +41,49 @@ private:
     }
 
     void end(const Reference& reference, const char* preposition, const Link& link) {
+        const auto kinds = parts_in(Subscript::warm);
+        warm(reference, kinds, [&] {
+            return fmt::format("link '{}' goes {} '{}', which is no node, rod, volume or reservoir{}", link.name, preposition, reference.name, did_you_mean(reference.name, names_.parts(kinds)));
+        });
+    }
+
+    void check(const Enclosure& enclosure) {
+        const std::size_t n = enclosure.surfaces.size();
+        const auto has_length = [&](std::size_t length, const Span& span, const char* what) {
+            if (length != n)
+                diagnostics_.error(Id::wrong_arguments, span, fmt::format("enclosure '{}' has {} surface{}, but {} {}", enclosure.name, n, n == 1 ? "" : "s", length, what));
+        };
+        constexpr std::size_t most = 32;
+        if (n < 2 || n > most)
+            diagnostics_.error(Id::wrong_arguments, enclosure.span, fmt::format("enclosure '{}' has {} surface{}; there must be 2 to {}", enclosure.name, n, n == 1 ? "" : "s", most));
+        has_length(enclosure.emissivities.size(), enclosure.emissivities_span, "emissivities");
+        if (enclosure.is_prism()) {
+            has_length(enclosure.polygon.size(), enclosure.polygon_span, "corners, each of which begins a surface");
+            if (enclosure.polygon.size() < 3)
+                diagnostics_.error(Id::wrong_arguments, enclosure.polygon_span, fmt::format("the polygon of enclosure '{}' has {} corners, but needs at least 3", enclosure.name, enclosure.polygon.size()));
+        } else {
+            has_length(enclosure.areas.size(), enclosure.areas_span, "areas");
+            has_length(enclosure.view_factors.size(), enclosure.view_factors_span, "rows of view factors");
+            for (std::size_t i = 0; i < enclosure.view_factors.size(); ++i)
+                if (enclosure.view_factors[i].size() != n)
+                    diagnostics_.error(Id::wrong_arguments, enclosure.view_factors_span,
+                                       fmt::format("enclosure '{}' has {} surfaces, but row {} of its view factors has {} entries", enclosure.name, n, i + 1, enclosure.view_factors[i].size()));
+        }
+        using K = Part::Kind;
+        const std::vector<K> kinds{K::node, K::rod};
+        for (const Reference& surface : enclosure.surfaces)
+            warm(surface, kinds, [&] {
+                return fmt::format("a surface of enclosure '{}' is '{}', which is no node or cell of a rod{}", enclosure.name, surface.name, did_you_mean(surface.name, names_.parts(kinds)));
+            });
+    }
+
+    /// A reference to something with a temperature, with an index where it is a rod or a family.
+    template <class Message>
+    void warm(const Reference& reference, const std::vector<Part::Kind>& kinds, const Message& wrong_kind) {
         using K = Part::Kind;
         const Part* part = names_.find_part(reference.name);
-        const std::vector<K> kinds = parts_in(Subscript::warm);
         if (part == nullptr || std::find(kinds.begin(), kinds.end(), part->kind) == kinds.end()) {
-            diagnostics_.error(Id::unknown_name, reference.span,
-                               fmt::format("link '{}' goes {} '{}', which is no node, rod, volume or reservoir{}", link.name, preposition, reference.name, did_you_mean(reference.name, names_.parts(kinds))));
+            diagnostics_.error(Id::unknown_name, reference.span, wrong_kind());
             return;
         }
         const bool takes_index = part->kind == K::rod || part->item->family.has_value();

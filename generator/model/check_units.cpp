@@ -79,6 +79,7 @@ public:
         for (const HeatNode& node : model_.nodes) check(node);
         for (const Link& link : model_.links) check(link);
         for (const Rod& rod : model_.rods) check(rod);
+        for (const Enclosure& enclosure : model_.enclosures) check(enclosure);
         for (const Run& run : model_.runs) check(run);
     }
 
@@ -238,6 +239,16 @@ private:
             expect((*end)->emissivity, Dimension::none(), "the end emissivity", "rod", rod);
             expect((*end)->ambient, Dimension::temperature(), "the end ambient", "rod", rod);
         }
+    }
+
+    void check(const Enclosure& enclosure) {
+        for (const ExpressionPtr& emissivity : enclosure.emissivities) expect(emissivity, Dimension::none(), "an emissivity", "enclosure", enclosure);
+        for (const ExpressionPtr& size : enclosure.areas) expect(size, area, "an area", "enclosure", enclosure);
+        for (const auto& row : enclosure.view_factors)
+            for (const ExpressionPtr& factor : row) expect(factor, Dimension::none(), "a view factor", "enclosure", enclosure);
+        for (const auto& corner : enclosure.polygon)
+            for (const ExpressionPtr& coordinate : corner) expect(coordinate, Dimension::length(), "a corner", "enclosure", enclosure);
+        expect(enclosure.height, Dimension::length(), "the height", "enclosure", enclosure);
     }
 
     void check(const Run& run) {

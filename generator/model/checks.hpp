@@ -35,7 +35,7 @@ private:
 void check_balances(const Model& model, Diagnostics& diagnostics);
 /// Media, volumes, reservoirs and flows.
 void check_fluids(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics);
-/// Nodes, links and rods.
+/// Nodes, links, rods and enclosures.
 void check_heat(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics);
 /// Warns of volumes that can reach zero within the declared ranges of coordinates and states, at the default parameters.
 void warn_of_vanishing(const Model& model, Diagnostics& diagnostics);

@@ -276,15 +276,63 @@ std::vector<std::pair<std::string, Span>> Entry::names(std::string_view key) con
     return result;
 }
 
-std::optional<Reference> Entry::reference(std::string_view key, ValueType type, const char* what) const {
-    const DocumentNode* node = find(key, type);
-    if (node == nullptr) return std::nullopt;
-    const ExpressionPtr name = expression(*node, type);
+std::optional<Reference> Entry::reference(const DocumentNode& node, ValueType type, const char* what) const {
+    const ExpressionPtr name = expression(node, type);
     if (!name) return std::nullopt;
     if (name->kind == Expression::Kind::name && name->children.size() <= 1)
         return Reference{name->name, name->children.empty() ? nullptr : name->children[0], name->span};
-    error(Id::wrong_type, node->span, fmt::format("'{}' is not the name of {}", name->written(), what));
+    error(Id::wrong_type, node.span, fmt::format("'{}' is not the name of {}", name->written(), what));
     return std::nullopt;
+}
+
+std::optional<Reference> Entry::reference(std::string_view key, ValueType type, const char* what) const {
+    const DocumentNode* node = find(key, type);
+    return node == nullptr ? std::nullopt : reference(*node, type, what);
+}
+
+std::vector<const DocumentNode*> Entry::list(const DocumentNode* node, ValueType type) const {
+    std::vector<const DocumentNode*> result;
+    if (node == nullptr) return result;
+    if (node->kind != NodeKind::array) {
+        wrong_type(*node, type);
+        return result;
+    }
+    for (const DocumentNode& element : node->elements) result.push_back(&element);
+    return result;
+}
+
+std::vector<Reference> Entry::parts(std::string_view key) const {
+    std::vector<Reference> result;
+    for (const DocumentNode* element : list(find(key, ValueType::parts), ValueType::parts))
+        if (auto part = reference(*element, ValueType::part, "a node or of a cell of a rod")) result.push_back(std::move(*part));
+    return result;
+}
+
+std::vector<ExpressionPtr> Entry::expressions(std::string_view key) const {
+    std::vector<ExpressionPtr> result;
+    for (const DocumentNode* element : list(find(key, ValueType::expressions), ValueType::expressions)) result.push_back(expression(*element, ValueType::expression));
+    return result;
+}
+
+std::vector<std::vector<ExpressionPtr>> Entry::matrix(std::string_view key) const {
+    std::vector<std::vector<ExpressionPtr>> result;
+    for (const DocumentNode* row : list(find(key, ValueType::matrix), ValueType::matrix)) {
+        result.emplace_back();
+        for (const DocumentNode* element : list(row, ValueType::matrix)) {
+            const bool is_left_out = element->kind == NodeKind::string && (element->string.text.empty() || element->string.text == "?");
+            result.back().push_back(is_left_out ? nullptr : expression(*element, ValueType::expression));
+        }
+    }
+    return result;
+}
+
+std::vector<std::array<ExpressionPtr, 2>> Entry::points(std::string_view key) const {
+    std::vector<std::array<ExpressionPtr, 2>> result;
+    for (const DocumentNode* point : list(find(key, ValueType::points), ValueType::points)) {
+        if (point->kind != NodeKind::array || point->elements.size() != 2) wrong_type(*point, ValueType::points);
+        else result.push_back({expression(point->elements[0], ValueType::expression), expression(point->elements[1], ValueType::expression)});
+    }
+    return result;
 }
 
 std::optional<Reference> Entry::body(std::string_view key) const { return reference(key, ValueType::body, "a body"); }

@@ -42,6 +42,11 @@ public:
     std::vector<std::pair<std::string, Span>> names(std::string_view key) const;
     std::optional<Reference> body(std::string_view key) const;
     std::optional<Reference> part(std::string_view key) const;
+    std::vector<Reference> parts(std::string_view key) const;
+    std::vector<ExpressionPtr> expressions(std::string_view key) const;
+    /// Null for what is left out as "?".
+    std::vector<std::vector<ExpressionPtr>> matrix(std::string_view key) const;
+    std::vector<std::array<ExpressionPtr, 2>> points(std::string_view key) const;
     bool boolean(std::string_view key) const;
     std::optional<CoordinateEntry> coordinate(std::string_view key) const;
     std::vector<RunEntry> by_name(std::string_view key) const;
@@ -55,7 +60,10 @@ private:
     const DocumentNode* find(std::string_view key, ValueType type) const;
     void wrong_type(const DocumentNode& node, ValueType expected) const;
     ExpressionPtr expression(const DocumentNode& node, ValueType type) const;
+    std::optional<Reference> reference(const DocumentNode& node, ValueType type, const char* what) const;
     std::optional<Reference> reference(std::string_view key, ValueType type, const char* what) const;
+    /// The elements of a list; none, with an error, where it is no list.
+    std::vector<const DocumentNode*> list(const DocumentNode* node, ValueType type) const;
     ExpressionPtr constant(const DocumentNode& node, const Unit& unit) const;
     ExpressionPtr bound(const DocumentNode& node, const Unit& unit) const;
     template <class Parse>

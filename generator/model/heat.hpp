@@ -2,6 +2,8 @@
 // Nodes, links, rods and enclosures as they were written.
 #pragma once
 
+#include <array>
+
 #include "model/item.hpp"
 
 namespace dalembert {
@@ -65,6 +67,23 @@ struct Rod : Item {
     std::optional<bool> loops;     ///< whether its cells are computed in loops; decided by their number without
     std::optional<RodEnd> first;
     std::optional<RodEnd> last;
+};
+
+/// Grey diffuse surfaces that see each other and nothing else. Their view factors are given, or follow from the cross section of a
+/// prism: surface i goes from corner i to corner i + 1.
+struct Enclosure : Item {
+    std::vector<Reference> surfaces;
+    std::vector<ExpressionPtr> emissivities;
+    Span emissivities_span;
+    std::vector<ExpressionPtr> areas;
+    Span areas_span;
+    std::vector<std::vector<ExpressionPtr>> view_factors;  ///< null: to be completed
+    Span view_factors_span;
+    std::vector<std::array<ExpressionPtr, 2>> polygon;
+    Span polygon_span;
+    ExpressionPtr height;
+
+    bool is_prism() const { return !polygon.empty(); }
 };
 
 }  // namespace dalembert

@@ -206,6 +206,7 @@ struct Model {
     std::vector<HeatNode> nodes;
     std::vector<Link> links;
     std::vector<Rod> rods;
+    std::vector<Enclosure> enclosures;
     std::vector<Effect> effects;
     std::vector<SceneChoice> scenes;
     std::string default_scene;

@@ -26,9 +26,10 @@ const char* describe(Part::Kind kind) {
         case Part::Kind::flow: return "a flow";
         case Part::Kind::node: return "a node";
         case Part::Kind::link: return "a link";
-        case Part::Kind::rod: break;
+        case Part::Kind::rod: return "a cell of a rod";
+        case Part::Kind::enclosure: break;
     }
-    return "a cell of a rod";
+    return "an enclosure";
 }
 
 std::vector<Part::Kind> parts_in(Subscript subscript) {
@@ -42,6 +43,8 @@ std::vector<Part::Kind> parts_in(Subscript subscript) {
         case Subscript::optional_store: return {K::volume, K::node};
         case Subscript::heated: return {K::volume, K::node, K::link};
         case Subscript::flow: return {K::flow};
+        case Subscript::surface:
+        case Subscript::two_surfaces: return {K::enclosure};
         default: return {};
     }
 }
@@ -69,6 +72,7 @@ Names::Names(const Model& model) {
     add_parts(model.nodes, Part::Kind::node);
     add_parts(model.links, Part::Kind::link);
     add_parts(model.rods, Part::Kind::rod);
+    add_parts(model.enclosures, Part::Kind::enclosure);
 }
 
 const Named* Names::find(std::string_view name) const {

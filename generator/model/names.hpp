@@ -24,7 +24,7 @@ const char* describe(Named::Kind kind);
 
 /// What is not a number: media, what holds and moves them, and what holds and carries heat.
 struct Part {
-    enum class Kind { medium, volume, reservoir, flow, node, link, rod };
+    enum class Kind { medium, volume, reservoir, flow, node, link, rod, enclosure };
     Kind kind;
     const Item* item;
 };

@@ -140,4 +140,23 @@ void read(const Entry& e, Rod& rod) {
         e.error(Id::not_indexed, rod.temperature.span, fmt::format("rod '{}' takes a whole family of states; name it without an index", e.name()));
 }
 
+void read(const Entry& e, Enclosure& enclosure) {
+    enclosure.surfaces = e.parts("surfaces");
+    enclosure.emissivities = e.expressions("emissivities");
+    enclosure.emissivities_span = e.span_of("emissivities");
+    enclosure.areas = e.expressions("areas");
+    enclosure.areas_span = e.span_of("areas");
+    enclosure.view_factors = e.matrix("view_factors");
+    enclosure.view_factors_span = e.span_of("view_factors");
+    enclosure.polygon = e.points("polygon");
+    enclosure.polygon_span = e.span_of("polygon");
+    enclosure.height = e.expression("height");
+    if (e.has("polygon") == e.has("view_factors"))
+        e.error(Id::missing_key, e.has("polygon") ? e.span_of("view_factors") : e.span(),
+                fmt::format("enclosure '{}' needs either the polygon of its cross section or its view_factors{}", e.name(), e.has("polygon") ? ", and not both" : ""));
+    const bool is_prism = e.has("polygon");
+    needs(e, "enclosure", is_prism ? "height" : "areas", is_prism ? ", because it has a polygon" : ", because its view factors are given");
+    useless(e, "enclosure", is_prism ? "areas" : "height", is_prism ? ": they follow from the polygon and the height" : ", because its view factors are given");
+}
+
 }  // namespace dalembert

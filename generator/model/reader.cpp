@@ -236,6 +236,7 @@ public:
         collection("nodes", model_.nodes);
         collection("links", model_.links);
         collection("rods", model_.rods);
+        collection("enclosures", model_.enclosures);
         collection("effects", model_.effects);
         scenes();
         collection("printed", model_.printed);

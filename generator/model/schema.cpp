@@ -225,6 +225,20 @@ constexpr std::array rod_keys{
     KeySpec{"last", T::expressions_by_name, false, "likewise at the last end"},
     doc_key, when_key,
 };
+constexpr std::array enclosure_keys{
+    KeySpec{"surfaces", T::parts, true, "the nodes or cells of rods that radiate, up to 32; a flat body of one temperature may stand there twice"},
+    KeySpec{"emissivities", T::expressions, true, "of each surface, from 0 (reflects everything) to 1 (black); where one depends on states or inputs, up to 4 surfaces"},
+    KeySpec{"areas", T::expressions, false, "of each surface; with view_factors"},
+    KeySpec{"view_factors", T::matrix, false,
+            "row i, column j: the share of what leaves surface i that arrives at j (4.44). \"?\" for what follows from reciprocity (4.45) and the "
+            "sum 1 of each row (4.47). An opening is a black surface too, held at the temperature of what is outside"},
+    KeySpec{"polygon", T::points, false,
+            "instead: the corners of the cross section of a prism without ends, in order, convex or not; surface i goes from corner i to corner i + 1. The view "
+            "factors follow from crossed strings; which corners the strings touch is decided at the default parameters, and holds for others while no "
+            "string takes another course"},
+    KeySpec{"height", T::expression, false, "with polygon: the length of the prism along its axis"},
+    doc_key, when_key,
+};
 constexpr std::array effect_keys{
     KeySpec{"doc", T::text, true, "what the effect is"},
     KeySpec{"excludes", T::effects, false, "effects that cannot be in the same scene"},
@@ -309,6 +323,12 @@ constexpr std::array table{
                 "[rods.bar]\ntemperature   = \"T\"\nlength        = \"L\"\narea          = \"A\"\nconductivity  = \"lambda\"\ndensity       = \"rho\"\n"
                 "heat_capacity = \"c_p\"\nfirst         = { temperature = \"T_0\" }\nlast          = { coefficient = \"alpha\", ambient = \"T_inf\" }",
                 rod_keys, ""},
+    SectionSpec{"enclosures", true,
+                "Radiation between grey diffuse surfaces that see each other, all reflections counted (4.42)-(4.51). Surface i gives the heat "
+                "exchange_factor[NAME, i, j]*stefan_boltzmann*(T_i^4 - T_j^4) to surface j; a node with neither capacity nor temperature re-radiates what it takes up.",
+                "[enclosures.furnace]\nsurfaces     = [\"floor\", \"wall\", \"roof\"]\nareas        = [\"A\", \"A\", \"A\"]\n"
+                "emissivities = [\"eps\", 0.8, 1]\nview_factors = [[0, \"?\", \"?\"], [\"?\", 0, \"?\"], [\"?\", \"?\", 0]]",
+                enclosure_keys, ""},
     SectionSpec{"effects", true, "Effects that a scene may call for or leave out.",
                 "[effects]\nviscous_friction = { doc = \"friction of the cart, proportional to its speed\" }", effect_keys, ""},
     SectionSpec{"scenes", true,
@@ -370,6 +390,10 @@ const char* describe(ValueType type) {
         case T::effects: return "list of effects";
         case T::body: return "body";
         case T::part: return "name";
+        case T::parts: return "list of names";
+        case T::expressions: return "list of expressions";
+        case T::matrix: return "list of rows";
+        case T::points: return "list of [x, y]";
         case T::coordinate: return "coordinate";
         case T::expressions_by_name: return "{ NAME = expression }";
         case T::choice: return "one of";

@@ -30,6 +30,10 @@ enum class ValueType {
     effects,
     body,
     part,        ///< a volume, reservoir, medium, node or rod
+    parts,
+    expressions,
+    matrix,      ///< of expressions, or "?" for what is left out
+    points,      ///< in the plane
     coordinate,
     expressions_by_name,
     choice,

@@ -110,6 +110,7 @@ public:
         choose(model_.nodes, scene_.nodes);
         choose(model_.links, scene_.links);
         choose(model_.rods, scene_.rods);
+        choose(model_.enclosures, scene_.enclosures);
         const bool any_mass = std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [](const auto& body) { return body.item->mass != nullptr; });
         if (model_.gravity && any_mass && scene_.holds(model_.gravity->when)) scene_.gravity = &*model_.gravity;
 
@@ -137,6 +138,9 @@ public:
         use_all(scene_.links, "link");
         use_rods();
         tap_all();
+        use_all(scene_.enclosures, "enclosure");
+        for (const auto& member : scene_.enclosures)
+            for (const Reference& surface : member.item->surfaces) needs_part(surface, fmt::format("enclosure '{}'", member.item->name));
         use_all(scene_.outputs, "output");
         use_media();
         if (scene_.gravity != nullptr) {
@@ -251,7 +255,8 @@ private:
                     fail(Id::too_large, e.span, fmt::format("'{}' asks for all of the {} cells of rod '{}', which are computed in a loop; name single cells", e.written(), field->to - field->from + 1, field->rod->name));
                 tap(e.name, *e.children[0], {});
             }
-            if (e.children.size() == 3 && find_quantity(e.name) != nullptr) {  // a property of a medium, at any temperature
+            const QuantitySpec* quantity = e.children.size() == 3 ? find_quantity(e.name) : nullptr;
+            if (quantity != nullptr && quantity->subscript != Subscript::two_surfaces) {  // a property of a medium, at any temperature
                 media_.insert(e.children[0]->name);
                 scene_.thermal_media.insert(e.children[0]->name);
             }

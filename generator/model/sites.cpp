@@ -266,6 +266,18 @@ void visit(const Rod& item, const SiteVisitor& visitor) {
     }
 }
 
+void visit(const Enclosure& item, const SiteVisitor& visitor) {
+    const Visit each(item, "enclosure", visitor);
+    for (const Reference& surface : item.surfaces) each(surface);
+    for (const ExpressionPtr& emissivity : item.emissivities) each(emissivity, on_plain_states_and_inputs, "emissivities");
+    for (const ExpressionPtr& area : item.areas) each(area, on_plain_states_and_inputs, "areas");
+    for (const auto& row : item.view_factors)
+        for (const ExpressionPtr& factor : row) each(factor, on_plain_states_and_inputs, "view factors");
+    for (const auto& corner : item.polygon)
+        for (const ExpressionPtr& coordinate : corner) each(coordinate, constant_only, "polygon");
+    each(item.height, constant_only, "height");
+}
+
 void visit(const PrintedEquation& item, const SiteVisitor& visitor) {
     Visit each(item, "printed equation", visitor);
     for (const PrintedLetter& letter : item.letters) each.bound_.push_back(letter.name);
@@ -324,6 +336,7 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.nodes);
     all(model.links);
     all(model.rods);
+    all(model.enclosures);
     all(model.printed);
     all(model.runs);
 }

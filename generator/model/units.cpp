@@ -149,7 +149,8 @@ Measure Units::name(const Expression& e, const Bound& bound) {
 }
 
 Measure Units::quantity(const Expression& e, const Bound& bound) {
-    if (e.children.size() == 3) {  // a property of a medium at a pressure and a temperature
+    const Subscript subscript = find_quantity(e.name)->subscript;
+    if (e.children.size() == 3 && subscript != Subscript::two_surfaces) {  // a property of a medium at a pressure and a temperature
         expect(*e.children[1], Dimension::pressure(), fmt::format("the pressure in '{}'", e.written()), bound);
         expect(*e.children[2], Dimension::temperature(), fmt::format("the temperature in '{}'", e.written()), bound);
     }
@@ -176,6 +177,10 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
         {"inflow", Dimension::mass() / Dimension::time()},
         {"volume_flow", Dimension::volume() / Dimension::time()},
         {"heat", Dimension::power()},
+        {"view_factor", Dimension::none()},
+        {"exchange_factor", Dimension::length() * Dimension::length()},
+        {"radiosity", Dimension::power() / Dimension::length() / Dimension::length()},
+        {"irradiation", Dimension::power() / Dimension::length() / Dimension::length()},
     };
     if (const auto found = fluid.find(e.name); found != fluid.end()) return {found->second};
     if (e.name.ends_with("_power")) return {Dimension::power()};

@@ -84,6 +84,10 @@ constexpr std::array quantity_table{
     QuantitySpec{"inflow", S::fluid, "sum of the mass flows into a volume or reservoir"},
     QuantitySpec{"heat", S::heated, "heat flow along a link, into a node, or into a volume: given, or what holds its temperature or its course"},
     QuantitySpec{"shaft_power", S::flow, "power that the shaft of a pump puts into what flows"},
+    QuantitySpec{"view_factor", S::two_surfaces, "of an enclosure: view_factor[furnace, 1, 2] (4.44)"},
+    QuantitySpec{"exchange_factor", S::two_surfaces, "of an enclosure: heat from one surface to another over stefan_boltzmann*(T_i^4 - T_j^4), an area"},
+    QuantitySpec{"radiosity", S::surface, "of an enclosure: radiosity[furnace, 1], what leaves a surface by area (4.42)"},
+    QuantitySpec{"irradiation", S::surface, "of an enclosure: irradiation[furnace, 1], what arrives at a surface by area (4.48)"},
     QuantitySpec{"internal_energy", S::optional_store, "energy stored in volumes, pipes, nodes and rods, or in one volume or node"},
     QuantitySpec{"exchanged_power", S::nothing, "power of enthalpy flows, heat and shafts across the border of the model"},
 };

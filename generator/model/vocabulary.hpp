@@ -41,6 +41,8 @@ enum class Subscript {
     coordinate,
     two_coordinates,
     optional_damper,
+    surface,          ///< an enclosure and the number of a surface
+    two_surfaces,     ///< an enclosure and the numbers of two surfaces
     fluid,            ///< a volume or reservoir
     fluid_or_medium,  ///< a volume or reservoir, or a medium with pressure and temperature
     medium,           ///< a medium with pressure and temperature

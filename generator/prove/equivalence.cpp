@@ -45,13 +45,26 @@ bool Prover::proven_equal(const ex& a, const ex& b) { return proven_equal(a, b, 
 bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>& positive) {
     const ex difference = a - b;
     if (difference.is_zero()) return true;
-    const bool has_heat = NormalForm::has_heat_functions(difference);
-    for (const auto& [written_out, as_letters] : {std::pair(false, true), std::pair(false, false), std::pair(true, false)}) {
-        if (as_letters && !has_heat) continue;
-        if (written_out && system_.symbols.count(SymbolKind::definition) == 0) break;
+    // First with functions of heat as letters. Steps of derivations are many: what is written out stays small at first.
+    struct Attempt {
+        std::optional<Depth> depth;
+        bool as_letters;
+    };
+    std::vector<Attempt> attempts;
+    if (NormalForm::has_heat_functions(difference)) attempts.push_back({std::nullopt, true});
+    attempts.push_back({std::nullopt, false});
+    if (system_.symbols.has_steps()) attempts.insert(attempts.end(), {{Depth::shallow, false}, {Depth::halfway, false}});
+    if (system_.symbols.count(SymbolKind::definition) > 0) attempts.push_back({Depth::full, false});
+    ex tried = difference;
+    for (const auto& [depth, as_letters] : attempts) {
+        const ex written = depth ? system_.symbols.without_definitions(difference, *depth) : difference;
+        if (depth && written.is_equal(tried)) continue;
+        // What differs somewhere is not worth the effort.
+        if (depth && system_.symbols.has_steps() && is_somewhere_not_zero(difference)) return false;
+        tried = written;
         try {
             NormalForm form(positive, as_letters);
-            if (!form.is_zero(written_out ? system_.symbols.without_definitions(difference) : difference)) continue;
+            if (!form.is_zero(written)) continue;
             // S^2 = 1, a positive root, I*den = 1: all of it is said of what is not zero. A zero that the form did not see proves nothing.
             const auto& claimed = form.must_not_vanish();
             if (std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return is_somewhere_not_zero(e); })) return true;

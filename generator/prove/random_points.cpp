@@ -48,7 +48,13 @@ std::optional<cln::cl_R> value_at(const ex& e, const Symbols& symbols, const Poi
     const cln::float_format_t precision = cln::float_format(static_cast<unsigned long>(digits + guard_digits));
     GiNaC::exmap constants;
     for (const auto& [letter, value] : point) constants[letter] = numeric(cln::cl_float(value, precision));
-    return value_at(symbols.without_definitions(e), constants, digits);
+    // Steps one after the other: written out they may be too large.
+    for (const std::size_t step : symbols.steps_in(e)) {
+        const auto value = value_at(symbols.without_model_definitions(symbols.definition_values()[step]), constants, digits);
+        if (!value) return std::nullopt;
+        constants[symbols.get(SymbolKind::definition, step)] = numeric(*value);
+    }
+    return value_at(symbols.without_model_definitions(e), constants, digits);
 }
 
 RandomPoints::RandomPoints(const System& system) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/symbols.hpp"
 
+#include <set>
+
 namespace dalembert {
 
 using GiNaC::ex;
@@ -138,10 +140,74 @@ void Symbols::define(std::vector<ex> values) {
     }
 }
 
-ex Symbols::without_definitions(const ex& e) const {
+double Symbols::size_of(const ex& e, const std::vector<double>& sizes) const {
+    double size = 0;
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
+        const auto inner = GiNaC::is_a<GiNaC::symbol>(*part) ? step_of(*part) : std::nullopt;
+        size += inner ? sizes[*inner] : 1;
+    }
+    return size;
+}
+
+ex Symbols::add_step(Step step) {
+    step_sizes_.push_back(size_of(step.value, step_sizes_));
+    halfway_sizes_.push_back(!step.stays ? size_of(step.value, halfway_sizes_) : step.instead.is_zero() ? 1 : size_of(step.instead, halfway_sizes_));
+    add(SymbolKind::definition, step.name, step.value.info(GiNaC::info_flags::positive), {step.cpp_name, 0, false, "", step.doc});
+    definition_values_.push_back(step.value);
+    steps_.push_back(std::move(step));
+    return all(SymbolKind::definition).back().symbol;
+}
+
+std::optional<std::size_t> Symbols::step_of(const ex& symbol) const {
+    if (steps_.empty()) return std::nullopt;
+    const Variable* variable = find(symbol);
+    const bool is_step = variable != nullptr && variable->kind == SymbolKind::definition && variable->position >= model_definitions();
+    return is_step ? std::optional(variable->position - model_definitions()) : std::nullopt;
+}
+
+std::vector<std::size_t> Symbols::steps_in(const ex& e) const {
+    std::vector<std::size_t> result;
+    std::set<std::size_t> seen;
+    const std::function<void(const ex&)> visit = [&](const ex& whole) {
+        for (auto part = whole.preorder_begin(); !steps_.empty() && part != whole.preorder_end(); ++part) {
+            const auto step = GiNaC::is_a<GiNaC::symbol>(*part) ? step_of(*part) : std::nullopt;
+            if (!step || !seen.insert(*step).second) continue;
+            visit(steps_[*step].value);
+            result.push_back(model_definitions() + *step);
+        }
+    };
+    visit(e);
+    return result;
+}
+
+/// A step written out. The number of parts of steps made of steps grows exponentially.
+ex Symbols::written_out(std::size_t step, Depth depth) const {
+    if (const auto known = written_out_.find({step, depth}); known != written_out_.end()) return known->second;
+    const Step& s = steps_[step];
+    const bool is_halfway = depth == Depth::halfway;
+    const double size = is_halfway ? halfway_sizes_[step] : step_sizes_[step];
+    const double largest = depth == Depth::shallow ? 100 : is_halfway ? 20'000 : 2'000;
+    ex value = s.value;
+    if (size > largest || (is_halfway && s.stays && s.instead.is_zero())) value = get(SymbolKind::definition, model_definitions() + step);
+    else value = without_definitions(is_halfway && s.stays ? s.instead : s.value, depth);
+    return written_out_[{step, depth}] = value;
+}
+
+ex Symbols::without_model_definitions(const ex& e) const {
     if (expanded_definitions_.empty()) return e;
     GiNaC::exmap map;
     for (std::size_t i = 0; i < expanded_definitions_.size(); ++i) map[get(SymbolKind::definition, i)] = expanded_definitions_[i];
+    return e.subs(map, GiNaC::subs_options::no_pattern);
+}
+
+ex Symbols::without_definitions(const ex& e, Depth depth) const {
+    if (steps_.empty()) return without_model_definitions(e);
+    GiNaC::exmap map;
+    for (std::size_t i = 0; i < expanded_definitions_.size(); ++i) map[get(SymbolKind::definition, i)] = expanded_definitions_[i];
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
+        const auto step = GiNaC::is_a<GiNaC::symbol>(*part) ? step_of(*part) : std::nullopt;
+        if (step && !map.contains(*part)) map[*part] = written_out(*step, depth);
+    }
     return e.subs(map, GiNaC::subs_options::no_pattern);
 }
 
@@ -159,10 +225,21 @@ ex Symbols::time_derivative(const ex& e) const {
     });
 }
 
+/// Of a step. Steps stay letters in it.
+ex Symbols::slope(std::size_t step, std::size_t parameter) const {
+    if (const auto known = slopes_.find({step, parameter}); known != slopes_.end()) return known->second;
+    const Step& s = steps_[step];
+    return slopes_[{step, parameter}] = s.slope ? s.slope(*this, parameter) : derivative_by_parameter(s.value, parameter);
+}
+
 ex Symbols::derivative_by_parameter(const ex& e, std::size_t parameter) const {
     const ex& p = get(SymbolKind::parameter, parameter);
-    GiNaC::exvector terms{partial(e, p)};
-    for (std::size_t i = 0; i < count(SymbolKind::definition); ++i) {
+    GiNaC::exvector terms{directional_derivative(e, [&](const ex& symbol) -> ex {
+        if (symbol.is_equal(p)) return 1;
+        const auto step = step_of(symbol);
+        return step ? slope(*step, parameter) : ex(0);
+    })};
+    for (std::size_t i = 0; i < model_definitions(); ++i) {
         const ex inner = partial(expanded_definitions_[i], p);
         if (inner.is_zero()) continue;
         const ex outer = partial(e, get(SymbolKind::definition, i));

@@ -5,6 +5,9 @@
 #include <ginac/ginac.h>
 
 #include <array>
+#include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -35,6 +38,29 @@ struct Variable {
     GiNaC::ex symbol;  ///< an ex, because a GiNaC::symbol by value forgets that it is real or positive
 };
 
+class Symbols;
+
+/// A letter of parameters alone that the derivation adds to the definitions, because what it stands for is too large to be written
+/// out wherever it is needed.
+struct Step {
+    std::string name;      ///< as people read it: "exchange_factor[furnace, 1, 2]"
+    std::string cpp_name;  ///< "furnace_exchange_1_2"
+    std::string doc;
+    GiNaC::ex value;       ///< of parameters, definitions and earlier steps
+    /// Its derivative by a parameter, where that has a closed form; else it follows from the value.
+    std::function<GiNaC::ex(const Symbols&, std::size_t parameter)> slope = {};
+    /// For proofs halfway down: a letter with a meaning of its own, which stays, or is what this says instead of its value.
+    bool stays = false;
+    GiNaC::ex instead = 0;
+};
+
+/// How far down proofs write steps out.
+enum class Depth {
+    shallow,  ///< only those that are small
+    halfway,  ///< down to those that stay
+    full,     ///< down to parameters
+};
+
 class Symbols {
 public:
     /// Positivity comes from the declared range only. Parameters and definitions are positive letters; what moves may leave its range,
@@ -61,9 +87,19 @@ public:
 
     /// Gives the definitions (of parameters alone) their values, in terms of parameters and other definitions.
     void define(std::vector<GiNaC::ex> values);
+    /// Adds a definition behind those of the model. Not before define().
+    GiNaC::ex add_step(Step step);
+    /// Of the definitions, those of the model come first; the steps of derivations stand behind them.
+    std::size_t model_definitions() const { return expanded_definitions_.size(); }
     const std::vector<GiNaC::ex>& definition_values() const { return definition_values_; }
-    /// The expression with definitions replaced by what they stand for, down to parameters.
-    GiNaC::ex without_definitions(const GiNaC::ex& e) const;
+    /// The expression with definitions replaced by what they stand for, down to parameters. Steps stay letters where they would make
+    /// it larger than can be worked with.
+    GiNaC::ex without_definitions(const GiNaC::ex& e, Depth depth = Depth::full) const;
+    bool has_steps() const { return !steps_.empty(); }
+    /// The same, with all steps left letters.
+    GiNaC::ex without_model_definitions(const GiNaC::ex& e) const;
+    /// The steps in an expression and those that they need, each behind what it needs.
+    std::vector<std::size_t> steps_in(const GiNaC::ex& e) const;
 
     /// Total time derivative by the chain rule: q -> qd -> qdd, z -> zd, t -> 1.
     GiNaC::ex time_derivative(const GiNaC::ex& e) const;
@@ -81,12 +117,21 @@ private:
         bool is_root = false;
     };
     void add(SymbolKind kind, const std::string& name, bool positive, Origin origin);
+    GiNaC::ex slope(std::size_t step, std::size_t parameter) const;
+    GiNaC::ex written_out(std::size_t step, Depth depth) const;
+    double size_of(const GiNaC::ex& e, const std::vector<double>& sizes) const;
+    std::optional<std::size_t> step_of(const GiNaC::ex& symbol) const;
 
     static constexpr std::size_t kinds = static_cast<std::size_t>(SymbolKind::letter) + 1;
     std::array<std::vector<Variable>, kinds> variables_;
     std::unordered_map<std::string, std::pair<SymbolKind, std::size_t>> by_name_;  ///< names are unique in a scene
     std::vector<GiNaC::ex> definition_values_;
     std::vector<GiNaC::ex> expanded_definitions_;
+    std::vector<Step> steps_;
+    std::vector<double> step_sizes_;  ///< how many parts each has when it is written out
+    std::vector<double> halfway_sizes_;
+    mutable std::map<std::pair<std::size_t, Depth>, GiNaC::ex> written_out_;
+    mutable std::map<std::pair<std::size_t, std::size_t>, GiNaC::ex> slopes_;
 };
 
 }  // namespace dalembert

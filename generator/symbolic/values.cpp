@@ -117,7 +117,7 @@ GiNaC::exmap Values::substitution(const ex& time) const {
     for (const auto& [which, value] : values_)
         if (which.first == SymbolKind::parameter) parameters[symbols.get(which.first, which.second)] = value;
     GiNaC::exmap map = parameters;
-    for (std::size_t i = 0; i < symbols.count(SymbolKind::definition); ++i) {
+    for (std::size_t i = 0; i < symbols.model_definitions(); ++i) {
         const ex& definition = symbols.get(SymbolKind::definition, i);
         map[definition] = symbols.without_definitions(definition).subs(parameters, GiNaC::subs_options::no_pattern);
     }
@@ -125,6 +125,18 @@ GiNaC::exmap Values::substitution(const ex& time) const {
         if (which.first != SymbolKind::parameter) map[symbols.get(which.first, which.second)] = value.subs(map, GiNaC::subs_options::no_pattern);
     map[symbols.time()] = time;
     return map;
+}
+
+void add_steps(GiNaC::exmap& point, const Symbols& symbols, int digits) {
+    if (symbols.count(SymbolKind::definition) == symbols.model_definitions()) return;
+    GiNaC::Digits = digits;
+    for (std::size_t i = symbols.model_definitions(); i < symbols.count(SymbolKind::definition); ++i) {
+        try {
+            const ex value = symbols.definition_values()[i].subs(point, GiNaC::subs_options::no_pattern).evalf();
+            if (GiNaC::is_exactly_a<numeric>(value)) point[symbols.get(SymbolKind::definition, i)] = value;
+        } catch (const std::exception&) {  // a pole
+        }
+    }
 }
 
 std::vector<ex> Values::state() const {

@@ -22,7 +22,7 @@ public:
     std::vector<GiNaC::ex> state() const;
     std::vector<GiNaC::ex> inputs() const;
 
-    /// Every letter that has a value: parameters, definitions, states, inputs, and the time as given.
+    /// Every letter that has a value: parameters, definitions but for steps, states, inputs, and the time as given.
     GiNaC::exmap substitution(const GiNaC::ex& time = 0) const;
 
 private:
@@ -33,5 +33,8 @@ private:
     const Translator& translate_;
     std::map<std::pair<SymbolKind, std::size_t>, GiNaC::ex> values_;
 };
+
+/// Adds the values of steps to a point, with so many digits. What has no value there is left out.
+void add_steps(GiNaC::exmap& point, const Symbols& symbols, int digits);
 
 }  // namespace dalembert

@@ -55,6 +55,7 @@ enum class Id {
     wrong_integral,
     inconsistent_medium,
     wrong_medium,
+    inconsistent_enclosure,
     undetermined,
     doubly_determined,
     can_vanish,
