@@ -319,9 +319,8 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 7 + or -, 10 *, 4 other functions
-    ///     dot(T_P) = P/C + 5670374419*L*b*eps*T_inf^2*T_P*(T_inf - T_P)/(100000000000000000*C) +
-    ///     5670374419*L*b*eps*T_inf*T_P^2*(T_inf - T_P)/(100000000000000000*C) + 5670374419*L*b*eps*T_P^3*(T_inf -
-    ///     T_P)/(100000000000000000*C) + b*(5670374419*L*eps*T_inf^3/100000000000000000 -
+    ///     dot(T_P) = P/C + stefan_boltzmann*L*b*eps*T_inf^2*T_P*(T_inf - T_P)/C + stefan_boltzmann*L*b*eps*T_inf*T_P^2*(T_inf -
+    ///     T_P)/C + stefan_boltzmann*L*b*eps*T_P^3*(T_inf - T_P)/C + b*(stefan_boltzmann*L*eps*T_inf^3 -
     ///     37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000)*(T_inf - T_P)/C + 37*b*lambda*(Pr)^(1/3)*(T_inf - T_P)*(max(L*u/nu,
     ///     Re_c))^(4/5)/(1000*C) + 2*b*lambda*phi_Pr*(T_inf - T_P)*sqrt(min(L*u/nu, Re_c))/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
@@ -549,9 +548,8 @@ public:
     ///     alpha_l = 2*lambda*phi_Pr*sqrt(L*u/nu)/L
     ///     Q_stream = 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)*(T_inf - T_P)/1000 - 37*b*lambda*(Pr)^(1/3)*(T_inf - T_P)*(max(L*u/nu,
     ///     Re_c))^(4/5)/1000 - 2*b*lambda*phi_Pr*(T_inf - T_P)*sqrt(min(L*u/nu, Re_c))
-    ///     Q_radiation = -5670374419*L*b*eps*T_inf^2*T_P*(T_inf - T_P)/100000000000000000 - 5670374419*L*b*eps*T_inf*T_P^2*(T_inf -
-    ///     T_P)/100000000000000000 - 5670374419*L*b*eps*T_P^3*(T_inf - T_P)/100000000000000000 - 5670374419*L*b*eps*T_inf^3*(T_inf
-    ///     - T_P)/100000000000000000
+    ///     Q_radiation = -stefan_boltzmann*L*b*eps*T_inf^2*T_P*(T_inf - T_P) - stefan_boltzmann*L*b*eps*T_inf*T_P^2*(T_inf - T_P) -
+    ///     stefan_boltzmann*L*b*eps*T_P^3*(T_inf - T_P) - stefan_boltzmann*L*b*eps*T_inf^3*(T_inf - T_P)
     ///     reynolds = L*u/nu
     ///     critical = nu*Re_c/u
     ///     delta_lam = 5*sqrt(nu*x/u)
@@ -806,15 +804,15 @@ private:
         Scalar Pr;  ///< nu/a
         Scalar phi_Pr;  ///< sqrt(Pr)*(1 + 2129*Pr/100 + 1973*exp(34*log(Pr)/125)/1000)^(-1/6)/sqrt(pi)
         Scalar k0;  ///< 1/C
-        Scalar k1;  ///< 5670374419*L*b*eps*T_inf^2/(100000000000000000*C)
-        Scalar k2;  ///< 5670374419*L*b*eps*T_inf/(100000000000000000*C)
-        Scalar k3;  ///< 5670374419*L*b*eps/(100000000000000000*C)
-        Scalar k4;  ///< b*(5670374419*L*eps*T_inf^3/100000000000000000 - 37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000)/C
+        Scalar k1;  ///< stefan_boltzmann*L*b*eps*T_inf^2/C
+        Scalar k2;  ///< stefan_boltzmann*L*b*eps*T_inf/C
+        Scalar k3;  ///< stefan_boltzmann*L*b*eps/C
+        Scalar k4;  ///< b*(stefan_boltzmann*L*eps*T_inf^3 - 37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000)/C
         Scalar k5;  ///< 37*b*lambda*(Pr)^(1/3)/(1000*C)
         Scalar k6;  ///< 2*b*lambda*phi_Pr/C
         Scalar k7;  ///< L/nu
-        Scalar k8;  ///< 5670374419*L*b*eps*T_inf/(50000000000000000*C)
-        Scalar k9;  ///< 17011123257*L*b*eps/(100000000000000000*C)
+        Scalar k8;  ///< 2*stefan_boltzmann*L*b*eps*T_inf/C
+        Scalar k9;  ///< 3*stefan_boltzmann*L*b*eps/C
         Scalar k10;  ///< L*b*lambda*phi_Pr/(C*nu)
         Scalar k11;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*C*nu)
         Scalar k12;  ///< 37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L)
@@ -823,17 +821,17 @@ private:
         Scalar k15;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000
         Scalar k16;  ///< 37*b*lambda*(Pr)^(1/3)/1000
         Scalar k17;  ///< 2*b*lambda*phi_Pr
-        Scalar k18;  ///< 5670374419*L*b*eps*T_inf^2/100000000000000000
-        Scalar k19;  ///< 5670374419*L*b*eps*T_inf/100000000000000000
-        Scalar k20;  ///< 5670374419*L*b*eps/100000000000000000
-        Scalar k21;  ///< 5670374419*L*b*eps*T_inf^3/100000000000000000
+        Scalar k18;  ///< stefan_boltzmann*L*b*eps*T_inf^2
+        Scalar k19;  ///< stefan_boltzmann*L*b*eps*T_inf
+        Scalar k20;  ///< stefan_boltzmann*L*b*eps
+        Scalar k21;  ///< stefan_boltzmann*L*b*eps*T_inf^3
         Scalar k22;  ///< nu*Re_c
         Scalar k23;  ///< 5*(Pr)^(-1/3)
         Scalar k24;  ///< lambda*phi_Pr
         Scalar k25;  ///< 37*lambda*(Pr)^(1/3)/1250
         Scalar k26;  ///< 1/nu
-        Scalar k27;  ///< 5670374419*L*b*eps*T_inf/50000000000000000
-        Scalar k28;  ///< 17011123257*L*b*eps/100000000000000000
+        Scalar k27;  ///< 2*stefan_boltzmann*L*b*eps*T_inf
+        Scalar k28;  ///< 3*stefan_boltzmann*L*b*eps
         Scalar k29;  ///< lambda*phi_Pr/nu
         Scalar k30;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
         Scalar k31;  ///< L*b*lambda*phi_Pr/nu

@@ -279,47 +279,45 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 69 + or -, 71 *
-    ///     dot(T[1]) = 5670374419*P*T_inf^2*eps*T[1]*(T_inf - T[1])/(100000000000000000*A*rho*c_p) +
-    ///     5670374419*P*T_inf*eps*T[1]^2*(T_inf - T[1])/(100000000000000000*A*rho*c_p) + 5670374419*P*eps*T[1]^3*(T_inf -
-    ///     T[1])/(100000000000000000*A*rho*c_p) + 100*lambda*(T_0 - T[1])/(L^2*rho*c_p) + P*(alpha +
-    ///     5670374419*T_inf^3*eps/100000000000000000)*(T_inf - T[1])/(A*rho*c_p) - 100*lambda*(T[1] - T[2])/(L^2*rho*c_p)
-    ///     dot(T[2]) = 5670374419*P*T_inf^2*eps*T[2]*(T_inf - T[2])/(100000000000000000*A*rho*c_p) +
-    ///     5670374419*P*T_inf*eps*T[2]^2*(T_inf - T[2])/(100000000000000000*A*rho*c_p) + 5670374419*P*eps*T[2]^3*(T_inf -
-    ///     T[2])/(100000000000000000*A*rho*c_p) + P*(alpha + 5670374419*T_inf^3*eps/100000000000000000)*(T_inf - T[2])/(A*rho*c_p)
-    ///     + 100*lambda*(T[1] - T[2])/(L^2*rho*c_p) - 100*lambda*(T[2] - T[3])/(L^2*rho*c_p)
-    ///     dot(T[3]) = 5670374419*P*T_inf^2*eps*T[3]*(T_inf - T[3])/(100000000000000000*A*rho*c_p) +
-    ///     5670374419*P*T_inf*eps*T[3]^2*(T_inf - T[3])/(100000000000000000*A*rho*c_p) + 5670374419*P*eps*T[3]^3*(T_inf -
-    ///     T[3])/(100000000000000000*A*rho*c_p) + P*(alpha + 5670374419*T_inf^3*eps/100000000000000000)*(T_inf - T[3])/(A*rho*c_p)
-    ///     + 100*lambda*(T[2] - T[3])/(L^2*rho*c_p) - 100*lambda*(T[3] - T[4])/(L^2*rho*c_p)
-    ///     dot(T[4]) = 5670374419*P*T_inf^2*eps*T[4]*(T_inf - T[4])/(100000000000000000*A*rho*c_p) +
-    ///     5670374419*P*T_inf*eps*T[4]^2*(T_inf - T[4])/(100000000000000000*A*rho*c_p) + 5670374419*P*eps*T[4]^3*(T_inf -
-    ///     T[4])/(100000000000000000*A*rho*c_p) + P*(alpha + 5670374419*T_inf^3*eps/100000000000000000)*(T_inf - T[4])/(A*rho*c_p)
-    ///     + 100*lambda*(T[3] - T[4])/(L^2*rho*c_p) - 100*lambda*(T[4] - T[5])/(L^2*rho*c_p)
-    ///     dot(T[5]) = 5670374419*P*T_inf^2*eps*T[5]*(T_inf - T[5])/(100000000000000000*A*rho*c_p) +
-    ///     5670374419*P*T_inf*eps*T[5]^2*(T_inf - T[5])/(100000000000000000*A*rho*c_p) + 5670374419*P*eps*T[5]^3*(T_inf -
-    ///     T[5])/(100000000000000000*A*rho*c_p) + P*(alpha + 5670374419*T_inf^3*eps/100000000000000000)*(T_inf - T[5])/(A*rho*c_p)
-    ///     + 100*lambda*(T[4] - T[5])/(L^2*rho*c_p) - 100*lambda*(T[5] - T[6])/(L^2*rho*c_p)
-    ///     dot(T[6]) = 5670374419*P*T_inf^2*eps*T[6]*(T_inf - T[6])/(100000000000000000*A*rho*c_p) +
-    ///     5670374419*P*T_inf*eps*T[6]^2*(T_inf - T[6])/(100000000000000000*A*rho*c_p) + 5670374419*P*eps*T[6]^3*(T_inf -
-    ///     T[6])/(100000000000000000*A*rho*c_p) + P*(alpha + 5670374419*T_inf^3*eps/100000000000000000)*(T_inf - T[6])/(A*rho*c_p)
-    ///     + 100*lambda*(T[5] - T[6])/(L^2*rho*c_p) - 100*lambda*(T[6] - T[7])/(L^2*rho*c_p)
-    ///     dot(T[7]) = 5670374419*P*T_inf^2*eps*T[7]*(T_inf - T[7])/(100000000000000000*A*rho*c_p) +
-    ///     5670374419*P*T_inf*eps*T[7]^2*(T_inf - T[7])/(100000000000000000*A*rho*c_p) + 5670374419*P*eps*T[7]^3*(T_inf -
-    ///     T[7])/(100000000000000000*A*rho*c_p) + P*(alpha + 5670374419*T_inf^3*eps/100000000000000000)*(T_inf - T[7])/(A*rho*c_p)
-    ///     + 100*lambda*(T[6] - T[7])/(L^2*rho*c_p) - 100*lambda*(T[7] - T[8])/(L^2*rho*c_p)
-    ///     dot(T[8]) = 5670374419*P*T_inf^2*eps*T[8]*(T_inf - T[8])/(100000000000000000*A*rho*c_p) +
-    ///     5670374419*P*T_inf*eps*T[8]^2*(T_inf - T[8])/(100000000000000000*A*rho*c_p) + 5670374419*P*eps*T[8]^3*(T_inf -
-    ///     T[8])/(100000000000000000*A*rho*c_p) + P*(alpha + 5670374419*T_inf^3*eps/100000000000000000)*(T_inf - T[8])/(A*rho*c_p)
-    ///     + 100*lambda*(T[7] - T[8])/(L^2*rho*c_p) - 100*lambda*(T[8] - T[9])/(L^2*rho*c_p)
-    ///     dot(T[9]) = 5670374419*P*T_inf^2*eps*T[9]*(T_inf - T[9])/(100000000000000000*A*rho*c_p) +
-    ///     5670374419*P*T_inf*eps*T[9]^2*(T_inf - T[9])/(100000000000000000*A*rho*c_p) + 5670374419*P*eps*T[9]^3*(T_inf -
-    ///     T[9])/(100000000000000000*A*rho*c_p) + P*(alpha + 5670374419*T_inf^3*eps/100000000000000000)*(T_inf - T[9])/(A*rho*c_p)
-    ///     + 100*lambda*(T[8] - T[9])/(L^2*rho*c_p) - 100*lambda*(T[9] - T[10])/(L^2*rho*c_p)
-    ///     dot(T[10]) = T_inf^2*eps*(5670374419/(5000000000000000*L) + 5670374419*P/(100000000000000000*A))*T[10]*(T_inf -
-    ///     T[10])/(rho*c_p) + T_inf*eps*(5670374419/(5000000000000000*L) + 5670374419*P/(100000000000000000*A))*T[10]^2*(T_inf -
-    ///     T[10])/(rho*c_p) + eps*(5670374419/(5000000000000000*L) + 5670374419*P/(100000000000000000*A))*T[10]^3*(T_inf -
-    ///     T[10])/(rho*c_p) + (20*alpha_L/L + 5670374419*T_inf^3*eps/(5000000000000000*L) + P*alpha/A +
-    ///     5670374419*P*T_inf^3*eps/(100000000000000000*A))*(T_inf - T[10])/(rho*c_p) + 200*lambda*(T[9] - T[10])/(L^2*rho*c_p)
+    ///     dot(T[1]) = stefan_boltzmann*P*T_inf^2*eps*T[1]*(T_inf - T[1])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[1]^2*(T_inf
+    ///     - T[1])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[1]^3*(T_inf - T[1])/(A*rho*c_p) + 100*lambda*(T_0 - T[1])/(L^2*rho*c_p) +
+    ///     P*(alpha + stefan_boltzmann*T_inf^3*eps)*(T_inf - T[1])/(A*rho*c_p) - 100*lambda*(T[1] - T[2])/(L^2*rho*c_p)
+    ///     dot(T[2]) = stefan_boltzmann*P*T_inf^2*eps*T[2]*(T_inf - T[2])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[2]^2*(T_inf
+    ///     - T[2])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[2]^3*(T_inf - T[2])/(A*rho*c_p) + P*(alpha +
+    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[2])/(A*rho*c_p) + 100*lambda*(T[1] - T[2])/(L^2*rho*c_p) - 100*lambda*(T[2] -
+    ///     T[3])/(L^2*rho*c_p)
+    ///     dot(T[3]) = stefan_boltzmann*P*T_inf^2*eps*T[3]*(T_inf - T[3])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[3]^2*(T_inf
+    ///     - T[3])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[3]^3*(T_inf - T[3])/(A*rho*c_p) + P*(alpha +
+    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[3])/(A*rho*c_p) + 100*lambda*(T[2] - T[3])/(L^2*rho*c_p) - 100*lambda*(T[3] -
+    ///     T[4])/(L^2*rho*c_p)
+    ///     dot(T[4]) = stefan_boltzmann*P*T_inf^2*eps*T[4]*(T_inf - T[4])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[4]^2*(T_inf
+    ///     - T[4])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[4]^3*(T_inf - T[4])/(A*rho*c_p) + P*(alpha +
+    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[4])/(A*rho*c_p) + 100*lambda*(T[3] - T[4])/(L^2*rho*c_p) - 100*lambda*(T[4] -
+    ///     T[5])/(L^2*rho*c_p)
+    ///     dot(T[5]) = stefan_boltzmann*P*T_inf^2*eps*T[5]*(T_inf - T[5])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[5]^2*(T_inf
+    ///     - T[5])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[5]^3*(T_inf - T[5])/(A*rho*c_p) + P*(alpha +
+    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[5])/(A*rho*c_p) + 100*lambda*(T[4] - T[5])/(L^2*rho*c_p) - 100*lambda*(T[5] -
+    ///     T[6])/(L^2*rho*c_p)
+    ///     dot(T[6]) = stefan_boltzmann*P*T_inf^2*eps*T[6]*(T_inf - T[6])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[6]^2*(T_inf
+    ///     - T[6])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[6]^3*(T_inf - T[6])/(A*rho*c_p) + P*(alpha +
+    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[6])/(A*rho*c_p) + 100*lambda*(T[5] - T[6])/(L^2*rho*c_p) - 100*lambda*(T[6] -
+    ///     T[7])/(L^2*rho*c_p)
+    ///     dot(T[7]) = stefan_boltzmann*P*T_inf^2*eps*T[7]*(T_inf - T[7])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[7]^2*(T_inf
+    ///     - T[7])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[7]^3*(T_inf - T[7])/(A*rho*c_p) + P*(alpha +
+    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[7])/(A*rho*c_p) + 100*lambda*(T[6] - T[7])/(L^2*rho*c_p) - 100*lambda*(T[7] -
+    ///     T[8])/(L^2*rho*c_p)
+    ///     dot(T[8]) = stefan_boltzmann*P*T_inf^2*eps*T[8]*(T_inf - T[8])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[8]^2*(T_inf
+    ///     - T[8])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[8]^3*(T_inf - T[8])/(A*rho*c_p) + P*(alpha +
+    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[8])/(A*rho*c_p) + 100*lambda*(T[7] - T[8])/(L^2*rho*c_p) - 100*lambda*(T[8] -
+    ///     T[9])/(L^2*rho*c_p)
+    ///     dot(T[9]) = stefan_boltzmann*P*T_inf^2*eps*T[9]*(T_inf - T[9])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[9]^2*(T_inf
+    ///     - T[9])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[9]^3*(T_inf - T[9])/(A*rho*c_p) + P*(alpha +
+    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[9])/(A*rho*c_p) + 100*lambda*(T[8] - T[9])/(L^2*rho*c_p) - 100*lambda*(T[9] -
+    ///     T[10])/(L^2*rho*c_p)
+    ///     dot(T[10]) = T_inf^2*eps*(20*stefan_boltzmann/L + stefan_boltzmann*P/A)*T[10]*(T_inf - T[10])/(rho*c_p) +
+    ///     T_inf*eps*(20*stefan_boltzmann/L + stefan_boltzmann*P/A)*T[10]^2*(T_inf - T[10])/(rho*c_p) + eps*(20*stefan_boltzmann/L
+    ///     + stefan_boltzmann*P/A)*T[10]^3*(T_inf - T[10])/(rho*c_p) + (20*alpha_L/L + 20*stefan_boltzmann*T_inf^3*eps/L +
+    ///     P*alpha/A + stefan_boltzmann*P*T_inf^3*eps/A)*(T_inf - T[10])/(rho*c_p) + 200*lambda*(T[9] - T[10])/(L^2*rho*c_p)
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar e1 = p_.T_inf - T_1;
@@ -1146,22 +1144,22 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar m;  ///< sqrt(P*alpha/(A*lambda))
-        Scalar k0;  ///< 5670374419*P*T_inf^2*eps/(100000000000000000*A*rho*c_p)
-        Scalar k1;  ///< 5670374419*P*T_inf*eps/(100000000000000000*A*rho*c_p)
-        Scalar k2;  ///< 5670374419*P*eps/(100000000000000000*A*rho*c_p)
+        Scalar k0;  ///< stefan_boltzmann*P*T_inf^2*eps/(A*rho*c_p)
+        Scalar k1;  ///< stefan_boltzmann*P*T_inf*eps/(A*rho*c_p)
+        Scalar k2;  ///< stefan_boltzmann*P*eps/(A*rho*c_p)
         Scalar k3;  ///< 100*lambda/(L^2*rho*c_p)
-        Scalar k4;  ///< P*(alpha + 5670374419*T_inf^3*eps/100000000000000000)/(A*rho*c_p)
-        Scalar k5;  ///< T_inf^2*eps*(5670374419/(5000000000000000*L) + 5670374419*P/(100000000000000000*A))/(rho*c_p)
-        Scalar k6;  ///< T_inf*eps*(5670374419/(5000000000000000*L) + 5670374419*P/(100000000000000000*A))/(rho*c_p)
-        Scalar k7;  ///< eps*(5670374419/(5000000000000000*L) + 5670374419*P/(100000000000000000*A))/(rho*c_p)
-        Scalar k8;  ///< (20*alpha_L/L + 5670374419*T_inf^3*eps/(5000000000000000*L) + P*alpha/A + ...
+        Scalar k4;  ///< P*(alpha + stefan_boltzmann*T_inf^3*eps)/(A*rho*c_p)
+        Scalar k5;  ///< T_inf^2*eps*(20*stefan_boltzmann/L + stefan_boltzmann*P/A)/(rho*c_p)
+        Scalar k6;  ///< T_inf*eps*(20*stefan_boltzmann/L + stefan_boltzmann*P/A)/(rho*c_p)
+        Scalar k7;  ///< eps*(20*stefan_boltzmann/L + stefan_boltzmann*P/A)/(rho*c_p)
+        Scalar k8;  ///< (20*alpha_L/L + 20*stefan_boltzmann*T_inf^3*eps/L + P*alpha/A + ...
         Scalar k9;  ///< 200*lambda/(L^2*rho*c_p)
-        Scalar k10;  ///< (200*lambda/L^2 + P*alpha/A + 5670374419*P*T_inf^3*eps/(100000000000000000*A))/(rho*c_p)
-        Scalar k11;  ///< 5670374419*P*T_inf*eps/(50000000000000000*A*rho*c_p)
-        Scalar k12;  ///< 17011123257*P*eps/(100000000000000000*A*rho*c_p)
-        Scalar k13;  ///< (200*lambda/L^2 + 20*alpha_L/L + 5670374419*T_inf^3*eps/(5000000000000000*L) + P*alpha/A + ...
-        Scalar k14;  ///< T_inf*eps*(5670374419/(2500000000000000*L) + 5670374419*P/(50000000000000000*A))/(rho*c_p)
-        Scalar k15;  ///< eps*(17011123257/(5000000000000000*L) + 17011123257*P/(100000000000000000*A))/(rho*c_p)
+        Scalar k10;  ///< (200*lambda/L^2 + P*alpha/A + stefan_boltzmann*P*T_inf^3*eps/A)/(rho*c_p)
+        Scalar k11;  ///< 2*stefan_boltzmann*P*T_inf*eps/(A*rho*c_p)
+        Scalar k12;  ///< 3*stefan_boltzmann*P*eps/(A*rho*c_p)
+        Scalar k13;  ///< (200*lambda/L^2 + 20*alpha_L/L + 20*stefan_boltzmann*T_inf^3*eps/L + P*alpha/A + ...
+        Scalar k14;  ///< T_inf*eps*(40*stefan_boltzmann/L + 2*stefan_boltzmann*P/A)/(rho*c_p)
+        Scalar k15;  ///< eps*(60*stefan_boltzmann/L + 3*stefan_boltzmann*P/A)/(rho*c_p)
         Scalar k16;  ///< 2*T_0/(exp(L*m)*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2)) + T_inf - ...
         Scalar k17;  ///< (T_0 - T_inf)/20
         Scalar k18;  ///< A*(lambda*T_0*m*tanh(L*m) - lambda*T_inf*m*tanh(L*m) + alpha_L*T_0 - alpha_L*T_inf)/(1 + ...

@@ -226,10 +226,10 @@ public:
     ///     dot(T[5]) = g/(rho*c_p) + 49*lambda*(T[4] - T[5])/(R^2*rho*c_p) - 49*lambda*(T[5] - T[6])/(R^2*rho*c_p)
     ///     dot(T[6]) = g/(rho*c_p) + 49*lambda*(T[5] - T[6])/(R^2*rho*c_p) - 49*lambda*(T[6] - T[7])/(R^2*rho*c_p)
     ///     dot(T[7]) = g/(rho*c_p) + 49*lambda*(T[6] - T[7])/(R^2*rho*c_p) - 49*lambda*(T[7] - T[8])/(R^2*rho*c_p)
-    ///     dot(T[8]) = g/(rho*c_p) + 39692620933*eps*T_inf^2*T[8]*(T_inf - T[8])/(50000000000000000*R*rho*c_p) +
-    ///     39692620933*eps*T_inf*T[8]^2*(T_inf - T[8])/(50000000000000000*R*rho*c_p) + 39692620933*eps*T[8]^3*(T_inf -
-    ///     T[8])/(50000000000000000*R*rho*c_p) + (14*alpha + 39692620933*eps*T_inf^3/50000000000000000)*(T_inf - T[8])/(R*rho*c_p)
-    ///     + 98*lambda*(T[7] - T[8])/(R^2*rho*c_p)
+    ///     dot(T[8]) = g/(rho*c_p) + 14*stefan_boltzmann*eps*T_inf^2*T[8]*(T_inf - T[8])/(R*rho*c_p) +
+    ///     14*stefan_boltzmann*eps*T_inf*T[8]^2*(T_inf - T[8])/(R*rho*c_p) + 14*stefan_boltzmann*eps*T[8]^3*(T_inf -
+    ///     T[8])/(R*rho*c_p) + (14*alpha + 14*stefan_boltzmann*eps*T_inf^3)*(T_inf - T[8])/(R*rho*c_p) + 98*lambda*(T[7] -
+    ///     T[8])/(R^2*rho*c_p)
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -687,13 +687,13 @@ private:
         Scalar k0;  ///< g/(rho*c_p)
         Scalar k1;  ///< 98*lambda/(R^2*rho*c_p)
         Scalar k2;  ///< 49*lambda/(R^2*rho*c_p)
-        Scalar k3;  ///< 39692620933*eps*T_inf^2/(50000000000000000*R*rho*c_p)
-        Scalar k4;  ///< 39692620933*eps*T_inf/(50000000000000000*R*rho*c_p)
-        Scalar k5;  ///< 39692620933*eps/(50000000000000000*R*rho*c_p)
-        Scalar k6;  ///< (14*alpha + 39692620933*eps*T_inf^3/50000000000000000)/(R*rho*c_p)
-        Scalar k7;  ///< (98*lambda/R + 14*alpha + 39692620933*eps*T_inf^3/50000000000000000)/(R*rho*c_p)
-        Scalar k8;  ///< 39692620933*eps*T_inf/(25000000000000000*R*rho*c_p)
-        Scalar k9;  ///< 119077862799*eps/(50000000000000000*R*rho*c_p)
+        Scalar k3;  ///< 14*stefan_boltzmann*eps*T_inf^2/(R*rho*c_p)
+        Scalar k4;  ///< 14*stefan_boltzmann*eps*T_inf/(R*rho*c_p)
+        Scalar k5;  ///< 14*stefan_boltzmann*eps/(R*rho*c_p)
+        Scalar k6;  ///< (14*alpha + 14*stefan_boltzmann*eps*T_inf^3)/(R*rho*c_p)
+        Scalar k7;  ///< (98*lambda/R + 14*alpha + 14*stefan_boltzmann*eps*T_inf^3)/(R*rho*c_p)
+        Scalar k8;  ///< 28*stefan_boltzmann*eps*T_inf/(R*rho*c_p)
+        Scalar k9;  ///< 42*stefan_boltzmann*eps/(R*rho*c_p)
     };
     Cached c_{};
 };

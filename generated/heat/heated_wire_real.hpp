@@ -274,14 +274,13 @@ public:
     /// dx/dt = f(x, u, t).
     /// Operations: 13 + or -, 21 *
     ///     dot(T_ac) = -16*rho_0*(-1 + gamma*T_0)*I_ac^2/(D_ac^4*s*rho*c_p*pi^2) +
-    ///     16*rho_0*gamma*I_ac^2*T_ac/(D_ac^4*s*rho*c_p*pi^2) + 5670374419*T_0^2*eps*T_ac*(T_0 -
-    ///     T_ac)/(25000000000000000*D_ac*rho*c_p) + 5670374419*T_0*eps*T_ac^2*(T_0 - T_ac)/(25000000000000000*D_ac*rho*c_p) +
-    ///     5670374419*eps*T_ac^3*(T_0 - T_ac)/(25000000000000000*D_ac*rho*c_p) + (5670374419*T_0^3*eps/25000000000000000 +
-    ///     4*alpha)*(T_0 - T_ac)/(D_ac*rho*c_p)
-    ///     dot(T_dc) = 16*rho_0*gamma*T_dc*I_dc^2/(D_dc^4*rho*c_p*pi^2) + 5670374419*T_0^2*eps*T_dc*(T_0 -
-    ///     T_dc)/(25000000000000000*D_dc*rho*c_p) + 5670374419*T_0*eps*T_dc^2*(T_0 - T_dc)/(25000000000000000*D_dc*rho*c_p) +
-    ///     5670374419*eps*T_dc^3*(T_0 - T_dc)/(25000000000000000*D_dc*rho*c_p) - 16*rho_0*(-1 +
-    ///     gamma*T_0)*I_dc^2/(D_dc^4*rho*c_p*pi^2) + (5670374419*T_0^3*eps/25000000000000000 + 4*alpha)*(T_0 - T_dc)/(D_dc*rho*c_p)
+    ///     16*rho_0*gamma*I_ac^2*T_ac/(D_ac^4*s*rho*c_p*pi^2) + 4*stefan_boltzmann*T_0^2*eps*T_ac*(T_0 - T_ac)/(D_ac*rho*c_p) +
+    ///     4*stefan_boltzmann*T_0*eps*T_ac^2*(T_0 - T_ac)/(D_ac*rho*c_p) + 4*stefan_boltzmann*eps*T_ac^3*(T_0 -
+    ///     T_ac)/(D_ac*rho*c_p) + (4*stefan_boltzmann*T_0^3*eps + 4*alpha)*(T_0 - T_ac)/(D_ac*rho*c_p)
+    ///     dot(T_dc) = 16*rho_0*gamma*T_dc*I_dc^2/(D_dc^4*rho*c_p*pi^2) + 4*stefan_boltzmann*T_0^2*eps*T_dc*(T_0 -
+    ///     T_dc)/(D_dc*rho*c_p) + 4*stefan_boltzmann*T_0*eps*T_dc^2*(T_0 - T_dc)/(D_dc*rho*c_p) +
+    ///     4*stefan_boltzmann*eps*T_dc^3*(T_0 - T_dc)/(D_dc*rho*c_p) - 16*rho_0*(-1 + gamma*T_0)*I_dc^2/(D_dc^4*rho*c_p*pi^2) +
+    ///     (4*stefan_boltzmann*T_0^3*eps + 4*alpha)*(T_0 - T_dc)/(D_dc*rho*c_p)
     ///     dot(I_dc) = k_c*T_ac - k_c*T_dc
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_ac = x[0];
@@ -684,20 +683,20 @@ private:
     struct Cached {
         Scalar k0;  ///< 16*rho_0*(-1 + gamma*T_0)/(D_ac^4*s*rho*c_p*pi^2)
         Scalar k1;  ///< 16*rho_0*gamma/(D_ac^4*s*rho*c_p*pi^2)
-        Scalar k2;  ///< 5670374419*T_0^2*eps/(25000000000000000*D_ac*rho*c_p)
-        Scalar k3;  ///< 5670374419*T_0*eps/(25000000000000000*D_ac*rho*c_p)
-        Scalar k4;  ///< 5670374419*eps/(25000000000000000*D_ac*rho*c_p)
-        Scalar k5;  ///< (5670374419*T_0^3*eps/25000000000000000 + 4*alpha)/(D_ac*rho*c_p)
+        Scalar k2;  ///< 4*stefan_boltzmann*T_0^2*eps/(D_ac*rho*c_p)
+        Scalar k3;  ///< 4*stefan_boltzmann*T_0*eps/(D_ac*rho*c_p)
+        Scalar k4;  ///< 4*stefan_boltzmann*eps/(D_ac*rho*c_p)
+        Scalar k5;  ///< (4*stefan_boltzmann*T_0^3*eps + 4*alpha)/(D_ac*rho*c_p)
         Scalar k6;  ///< 16*rho_0*gamma/(D_dc^4*rho*c_p*pi^2)
-        Scalar k7;  ///< 5670374419*T_0^2*eps/(25000000000000000*D_dc*rho*c_p)
-        Scalar k8;  ///< 5670374419*T_0*eps/(25000000000000000*D_dc*rho*c_p)
-        Scalar k9;  ///< 5670374419*eps/(25000000000000000*D_dc*rho*c_p)
+        Scalar k7;  ///< 4*stefan_boltzmann*T_0^2*eps/(D_dc*rho*c_p)
+        Scalar k8;  ///< 4*stefan_boltzmann*T_0*eps/(D_dc*rho*c_p)
+        Scalar k9;  ///< 4*stefan_boltzmann*eps/(D_dc*rho*c_p)
         Scalar k10;  ///< 16*rho_0*(-1 + gamma*T_0)/(D_dc^4*rho*c_p*pi^2)
-        Scalar k11;  ///< (5670374419*T_0^3*eps/25000000000000000 + 4*alpha)/(D_dc*rho*c_p)
-        Scalar k12;  ///< 5670374419*T_0*eps/(12500000000000000*D_ac*rho*c_p)
-        Scalar k13;  ///< 17011123257*eps/(25000000000000000*D_ac*rho*c_p)
-        Scalar k14;  ///< 5670374419*T_0*eps/(12500000000000000*D_dc*rho*c_p)
-        Scalar k15;  ///< 17011123257*eps/(25000000000000000*D_dc*rho*c_p)
+        Scalar k11;  ///< (4*stefan_boltzmann*T_0^3*eps + 4*alpha)/(D_dc*rho*c_p)
+        Scalar k12;  ///< 8*stefan_boltzmann*T_0*eps/(D_ac*rho*c_p)
+        Scalar k13;  ///< 12*stefan_boltzmann*eps/(D_ac*rho*c_p)
+        Scalar k14;  ///< 8*stefan_boltzmann*T_0*eps/(D_dc*rho*c_p)
+        Scalar k15;  ///< 12*stefan_boltzmann*eps/(D_dc*rho*c_p)
         Scalar k16;  ///< 32*rho_0*gamma/(D_dc^4*rho*c_p*pi^2)
         Scalar k17;  ///< 32*rho_0*(-1 + gamma*T_0)/(D_dc^4*rho*c_p*pi^2)
         Scalar k18;  ///< 32*rho_0*(-1 + gamma*T_0)/(D_ac^4*s*rho*c_p*pi^2)

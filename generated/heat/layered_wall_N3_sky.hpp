@@ -319,6 +319,9 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 12 + or -, 16 *, 1 other functions
+    ///     temperature[front] = radiant_temperature(stefan_boltzmann*eps/(2*lambda[3]/L[3] + alpha_L),
+    ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L)) + alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) +
+    ///     stefan_boltzmann*eps*T_h^4/(2*lambda[3]/L[3] + alpha_L) + a_s*sun/(2*lambda[3]/L[3] + alpha_L))
     ///     dot(T[1]) = g/(rho[1]*c_p[1]) + 2*lambda[1]*alpha_0*T_i/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0)) -
     ///     lambda[1]*(4 - 2*lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) - 4*lambda[1]/(L[1]*(2*lambda[1]/L[1] +
     ///     alpha_0)))*T[1]/(L[1]^2*rho[1]*c_p[1]) + 2*lambda[1]*lambda[2]*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(lambda[1]/L[1] +
@@ -329,10 +332,7 @@ public:
     ///     lambda[3]/L[3]))
     ///     dot(T[3]) = g/(rho[3]*c_p[3]) + 2*lambda[2]*lambda[3]*T[2]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
     ///     - lambda[3]*(4 - 2*lambda[3]/(L[3]*(lambda[2]/L[2] + lambda[3]/L[3])))*T[3]/(L[3]^2*rho[3]*c_p[3]) +
-    ///     2*lambda[3]*radiant_temperature(5670374419*eps/(100000000000000000*(2*lambda[3]/L[3] + alpha_L)),
-    ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L)) + alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) +
-    ///     5670374419*eps*T_h^4/(100000000000000000*(2*lambda[3]/L[3] + alpha_L)) + a_s*sun/(2*lambda[3]/L[3] +
-    ///     alpha_L))/(L[3]^2*rho[3]*c_p[3])
+    ///     2*lambda[3]*temperature[front]/(L[3]^2*rho[3]*c_p[3])
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
@@ -629,9 +629,9 @@ public:
     ///     T_inside = alpha_0*T_i/(2*lambda[1]/L[1] + alpha_0) + 2*lambda[1]*T[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
     ///     T_between = lambda[2]*T[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3])) + lambda[3]*T[3]/(L[3]*(lambda[2]/L[2] +
     ///     lambda[3]/L[3]))
-    ///     T_front = radiant_temperature(5670374419*eps/(100000000000000000*(2*lambda[3]/L[3] + alpha_L)),
+    ///     T_front = radiant_temperature(stefan_boltzmann*eps/(2*lambda[3]/L[3] + alpha_L),
     ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L)) + alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) +
-    ///     5670374419*eps*T_h^4/(100000000000000000*(2*lambda[3]/L[3] + alpha_L)) + a_s*sun/(2*lambda[3]/L[3] + alpha_L))
+    ///     stefan_boltzmann*eps*T_h^4/(2*lambda[3]/L[3] + alpha_L) + a_s*sun/(2*lambda[3]/L[3] + alpha_L))
     ///     Q_inside = A*alpha_0*(1 - alpha_0/(2*lambda[1]/L[1] + alpha_0))*T_i - 2*lambda[1]*A*alpha_0*T[1]/(L[1]*(2*lambda[1]/L[1]
     ///     + alpha_0))
     ///     U = k
@@ -843,14 +843,14 @@ private:
         Scalar k9;  ///< 2*lambda[2]*lambda[3]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
         Scalar k10;  ///< lambda[3]*(4 - 2*lambda[3]/(L[3]*(lambda[2]/L[2] + lambda[3]/L[3])))/(L[3]^2*rho[3]*c_p[3])
         Scalar k11;  ///< 2*lambda[3]/(L[3]^2*rho[3]*c_p[3])
-        Scalar k12;  ///< 5670374419*eps/(100000000000000000*(2*lambda[3]/L[3] + alpha_L))
+        Scalar k12;  ///< stefan_boltzmann*eps/(2*lambda[3]/L[3] + alpha_L)
         Scalar k13;  ///< alpha_L/(2*lambda[3]/L[3] + alpha_L)
         Scalar k14;  ///< a_s/(2*lambda[3]/L[3] + alpha_L)
         Scalar k15;  ///< 2*lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
         Scalar k16;  ///< 100000000000000000*lambda[3]^2/(L[3]^3*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
-        Scalar k17;  ///< 5670374419*eps/(2*lambda[3]/L[3] + alpha_L)
+        Scalar k17;  ///< 100000000000000000*stefan_boltzmann*eps/(2*lambda[3]/L[3] + alpha_L)
         Scalar k18;  ///< 50000000000000000*lambda[3]*alpha_L/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
-        Scalar k19;  ///< 11340748838*lambda[3]*eps/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
+        Scalar k19;  ///< 200000000000000000*stefan_boltzmann*lambda[3]*eps/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + ...
         Scalar k20;  ///< 50000000000000000*lambda[3]*a_s/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
         Scalar k21;  ///< alpha_0/(2*lambda[1]/L[1] + alpha_0)
         Scalar k22;  ///< 2*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))

@@ -363,11 +363,10 @@ public:
     ///     dot(T_s[2]) = -2*lambda[2]*(-1 + b[2]*T_ref)*T[2]/(L[2]*C_s) + lambda[2]*b[2]*T[2]^2/(L[2]*C_s) - 2*lambda[3]*(-1 +
     ///     b[3]*T_ref)*T[3]/(L[3]*C_s) + lambda[3]*b[3]*T[3]^2/(L[3]*C_s) + 2*(-lambda[2]/L[2] + lambda[2]*b[2]*T_ref/L[2] -
     ///     lambda[3]/L[3] + lambda[3]*b[3]*T_ref/L[3])*T_s[2]/C_s - (lambda[2]*b[2]/L[2] + lambda[3]*b[3]/L[3])*T_s[2]^2/C_s
-    ///     dot(T_s[3]) = 5670374419*eps*T_h*T_s[3]^2*(T_h - T_s[3])/(100000000000000000*C_s) + 5670374419*eps*T_h^2*T_s[3]*(T_h -
-    ///     T_s[3])/(100000000000000000*C_s) + 5670374419*eps*T_h^3*(T_h - T_s[3])/(100000000000000000*C_s) + a_s*sun/C_s -
-    ///     2*lambda[3]*(-1 + b[3]*T_ref)*T[3]/(L[3]*C_s) + lambda[3]*b[3]*T[3]^2/(L[3]*C_s) + 2*lambda[3]*(-1 +
-    ///     b[3]*T_ref)*T_s[3]/(L[3]*C_s) - lambda[3]*b[3]*T_s[3]^2/(L[3]*C_s) + 5670374419*eps*T_s[3]^3*(T_h -
-    ///     T_s[3])/(100000000000000000*C_s) + alpha_L*(T_a - T_s[3])/C_s
+    ///     dot(T_s[3]) = stefan_boltzmann*eps*T_h*T_s[3]^2*(T_h - T_s[3])/C_s + stefan_boltzmann*eps*T_h^2*T_s[3]*(T_h -
+    ///     T_s[3])/C_s + stefan_boltzmann*eps*T_h^3*(T_h - T_s[3])/C_s + a_s*sun/C_s - 2*lambda[3]*(-1 +
+    ///     b[3]*T_ref)*T[3]/(L[3]*C_s) + lambda[3]*b[3]*T[3]^2/(L[3]*C_s) + 2*lambda[3]*(-1 + b[3]*T_ref)*T_s[3]/(L[3]*C_s) -
+    ///     lambda[3]*b[3]*T_s[3]^2/(L[3]*C_s) + stefan_boltzmann*eps*T_s[3]^3*(T_h - T_s[3])/C_s + alpha_L*(T_a - T_s[3])/C_s
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_s_0 = x[3];
         const Scalar T_s_1 = x[4];
@@ -1105,7 +1104,7 @@ private:
         Scalar k23;  ///< lambda[3]*b[3]/(L[3]*C_s)
         Scalar k24;  ///< 2*(-lambda[2]/L[2] + lambda[2]*b[2]*T_ref/L[2] - lambda[3]/L[3] + lambda[3]*b[3]*T_ref/L[3])/C_s
         Scalar k25;  ///< (lambda[2]*b[2]/L[2] + lambda[3]*b[3]/L[3])/C_s
-        Scalar k26;  ///< 5670374419*eps/(100000000000000000*C_s)
+        Scalar k26;  ///< stefan_boltzmann*eps/C_s
         Scalar k27;  ///< a_s/C_s
         Scalar k28;  ///< alpha_L/C_s
         Scalar k29;  ///< 4*lambda[1]*b[1]/(L[1]^2*rho[1]*c_p[1])
@@ -1118,8 +1117,8 @@ private:
         Scalar k36;  ///< 2*(lambda[1]*b[1]/L[1] + lambda[2]*b[2]/L[2])/C_s
         Scalar k37;  ///< 2*(lambda[2]*b[2]/L[2] + lambda[3]*b[3]/L[3])/C_s
         Scalar k38;  ///< (-2*lambda[3]/L[3] + 2*lambda[3]*b[3]*T_ref/L[3] - alpha_L)/C_s
-        Scalar k39;  ///< 5670374419*eps/(50000000000000000*C_s)
-        Scalar k40;  ///< 17011123257*eps/(100000000000000000*C_s)
+        Scalar k39;  ///< 2*stefan_boltzmann*eps/C_s
+        Scalar k40;  ///< 3*stefan_boltzmann*eps/C_s
         Scalar k41;  ///< A*alpha_0
         Scalar k42;  ///< 1 - k/alpha_0
         Scalar k43;  ///< k/lambda[1]

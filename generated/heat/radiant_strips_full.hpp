@@ -308,17 +308,15 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 14 + or -, 17 *
-    ///     dot(T_i) = P/(L_i*H*C_i) - 5670374419*F*T_i*T_j^2*(T_i - T_j)/(100000000000000000*C_i) - 5670374419*F*T_i^2*T_j*(T_i -
-    ///     T_j)/(100000000000000000*C_i) + 5670374419*T_0^2*(1 - F)*T_i*(T_0 - T_i)/(100000000000000000*C_i) + 5670374419*T_0*(1 -
-    ///     F)*T_i^2*(T_0 - T_i)/(100000000000000000*C_i) + 5670374419*(1 - F)*T_i^3*(T_0 - T_i)/(100000000000000000*C_i) -
-    ///     5670374419*F*T_i^3*(T_i - T_j)/(100000000000000000*C_i) - 5670374419*F*T_j^3*(T_i - T_j)/(100000000000000000*C_i) +
-    ///     5670374419*T_0^3*(1 - F)*(T_0 - T_i)/(100000000000000000*C_i)
-    ///     dot(T_j) = 5670374419*L_i*F*T_i*T_j^2*(T_i - T_j)/(100000000000000000*L_j*C_j) + 5670374419*L_i*F*T_i^2*T_j*(T_i -
-    ///     T_j)/(100000000000000000*L_j*C_j) + 5670374419*L_i*F*T_i^3*(T_i - T_j)/(100000000000000000*L_j*C_j) -
-    ///     5670374419*T_0^2*(-1 + L_i*F/L_j)*T_j*(T_0 - T_j)/(100000000000000000*C_j) - 5670374419*T_0*(-1 + L_i*F/L_j)*T_j^2*(T_0
-    ///     - T_j)/(100000000000000000*C_j) - 5670374419*(-1 + L_i*F/L_j)*T_j^3*(T_0 - T_j)/(100000000000000000*C_j) +
-    ///     5670374419*L_i*F*T_j^3*(T_i - T_j)/(100000000000000000*L_j*C_j) - (5670374419*L_i*T_0^3*F/(100000000000000000*L_j) -
-    ///     alpha - 5670374419*T_0^3/100000000000000000)*(T_0 - T_j)/C_j
+    ///     dot(T_i) = P/(L_i*H*C_i) - stefan_boltzmann*F*T_i*T_j^2*(T_i - T_j)/C_i - stefan_boltzmann*F*T_i^2*T_j*(T_i - T_j)/C_i +
+    ///     stefan_boltzmann*T_0^2*(1 - F)*T_i*(T_0 - T_i)/C_i + stefan_boltzmann*T_0*(1 - F)*T_i^2*(T_0 - T_i)/C_i +
+    ///     stefan_boltzmann*(1 - F)*T_i^3*(T_0 - T_i)/C_i - stefan_boltzmann*F*T_i^3*(T_i - T_j)/C_i -
+    ///     stefan_boltzmann*F*T_j^3*(T_i - T_j)/C_i + stefan_boltzmann*T_0^3*(1 - F)*(T_0 - T_i)/C_i
+    ///     dot(T_j) = stefan_boltzmann*L_i*F*T_i*T_j^2*(T_i - T_j)/(L_j*C_j) + stefan_boltzmann*L_i*F*T_i^2*T_j*(T_i -
+    ///     T_j)/(L_j*C_j) + stefan_boltzmann*L_i*F*T_i^3*(T_i - T_j)/(L_j*C_j) - stefan_boltzmann*T_0^2*(-1 + L_i*F/L_j)*T_j*(T_0 -
+    ///     T_j)/C_j - stefan_boltzmann*T_0*(-1 + L_i*F/L_j)*T_j^2*(T_0 - T_j)/C_j - stefan_boltzmann*(-1 + L_i*F/L_j)*T_j^3*(T_0 -
+    ///     T_j)/C_j + stefan_boltzmann*L_i*F*T_j^3*(T_i - T_j)/(L_j*C_j) - (stefan_boltzmann*L_i*T_0^3*F/L_j - alpha -
+    ///     stefan_boltzmann*T_0^3)*(T_0 - T_j)/C_j
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_i = x[0];
         const Scalar e1 = p_.T_0 - T_i;
@@ -617,12 +615,10 @@ public:
     /// y = h(x, u, t).
     /// Operations: 9 + or -, 14 *, 1 /, 1 other functions
     ///     view = F
-    ///     Q_floor = 5670374419*L_i*H*F*T_i*T_j^2*(T_i - T_j)/100000000000000000 + 5670374419*L_i*H*F*T_i^2*T_j*(T_i -
-    ///     T_j)/100000000000000000 + 5670374419*L_i*H*F*T_i^3*(T_i - T_j)/100000000000000000 + 5670374419*L_i*H*F*T_j^3*(T_i -
-    ///     T_j)/100000000000000000
-    ///     Q_hall = -5670374419*L_i*H*T_0^2*(1 - F)*T_i*(T_0 - T_i)/100000000000000000 - 5670374419*L_i*H*T_0*(1 - F)*T_i^2*(T_0 -
-    ///     T_i)/100000000000000000 - 5670374419*L_i*H*(1 - F)*T_i^3*(T_0 - T_i)/100000000000000000 - 5670374419*L_i*H*T_0^3*(1 -
-    ///     F)*(T_0 - T_i)/100000000000000000
+    ///     Q_floor = stefan_boltzmann*L_i*H*F*T_i*T_j^2*(T_i - T_j) + stefan_boltzmann*L_i*H*F*T_i^2*T_j*(T_i - T_j) +
+    ///     stefan_boltzmann*L_i*H*F*T_i^3*(T_i - T_j) + stefan_boltzmann*L_i*H*F*T_j^3*(T_i - T_j)
+    ///     Q_hall = -stefan_boltzmann*L_i*H*T_0^2*(1 - F)*T_i*(T_0 - T_i) - stefan_boltzmann*L_i*H*T_0*(1 - F)*T_i^2*(T_0 - T_i) -
+    ///     stefan_boltzmann*L_i*H*(1 - F)*T_i^3*(T_0 - T_i) - stefan_boltzmann*L_i*H*T_0^3*(1 - F)*(T_0 - T_i)
     ///     kernel = y^2/(2*sqrt(y^2 + (u - v)^2)^3)
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::sqrt;
@@ -769,37 +765,37 @@ private:
     struct Cached {
         Scalar F;  ///< L_j*(root_excess(x*sum_of_three(x, L_j, -L_i) - y^2, y^2*(x + sum_of_three(x, L_j, -L_i))^2) + ...
         Scalar k0;  ///< 1/(L_i*H*C_i)
-        Scalar k1;  ///< 5670374419*F/(100000000000000000*C_i)
-        Scalar k2;  ///< 5670374419*T_0^2*(1 - F)/(100000000000000000*C_i)
-        Scalar k3;  ///< 5670374419*T_0*(1 - F)/(100000000000000000*C_i)
-        Scalar k4;  ///< 5670374419*(1 - F)/(100000000000000000*C_i)
-        Scalar k5;  ///< 5670374419*T_0^3*(1 - F)/(100000000000000000*C_i)
-        Scalar k6;  ///< 5670374419*L_i*F/(100000000000000000*L_j*C_j)
-        Scalar k7;  ///< 5670374419*T_0^2*(-1 + L_i*F/L_j)/(100000000000000000*C_j)
-        Scalar k8;  ///< 5670374419*T_0*(-1 + L_i*F/L_j)/(100000000000000000*C_j)
-        Scalar k9;  ///< 5670374419*(-1 + L_i*F/L_j)/(100000000000000000*C_j)
-        Scalar k10;  ///< (5670374419*L_i*T_0^3*F/(100000000000000000*L_j) - alpha - 5670374419*T_0^3/100000000000000000)/C_j
-        Scalar k11;  ///< 5670374419*F/(50000000000000000*C_i)
-        Scalar k12;  ///< 5670374419*T_0*(1 - F)/(50000000000000000*C_i)
-        Scalar k13;  ///< 17011123257*(1 - F)/(100000000000000000*C_i)
-        Scalar k14;  ///< 17011123257*F/(100000000000000000*C_i)
-        Scalar k15;  ///< 5670374419/(100000000000000000*C_i)
-        Scalar k16;  ///< 5670374419*L_i*F/(50000000000000000*L_j*C_j)
-        Scalar k17;  ///< 17011123257*L_i*F/(100000000000000000*L_j*C_j)
-        Scalar k18;  ///< 5670374419*T_0*(-1 + L_i*F/L_j)/(50000000000000000*C_j)
-        Scalar k19;  ///< 17011123257*(-1 + L_i*F/L_j)/(100000000000000000*C_j)
-        Scalar k20;  ///< 5670374419/(100000000000000000*C_j)
-        Scalar k21;  ///< 5670374419*L_i*H*F/100000000000000000
-        Scalar k22;  ///< 5670374419*L_i*H*T_0^2*(1 - F)/100000000000000000
-        Scalar k23;  ///< 5670374419*L_i*H*T_0*(1 - F)/100000000000000000
-        Scalar k24;  ///< 5670374419*L_i*H*(1 - F)/100000000000000000
-        Scalar k25;  ///< 5670374419*L_i*H*T_0^3*(1 - F)/100000000000000000
+        Scalar k1;  ///< stefan_boltzmann*F/C_i
+        Scalar k2;  ///< stefan_boltzmann*T_0^2*(1 - F)/C_i
+        Scalar k3;  ///< stefan_boltzmann*T_0*(1 - F)/C_i
+        Scalar k4;  ///< stefan_boltzmann*(1 - F)/C_i
+        Scalar k5;  ///< stefan_boltzmann*T_0^3*(1 - F)/C_i
+        Scalar k6;  ///< stefan_boltzmann*L_i*F/(L_j*C_j)
+        Scalar k7;  ///< stefan_boltzmann*T_0^2*(-1 + L_i*F/L_j)/C_j
+        Scalar k8;  ///< stefan_boltzmann*T_0*(-1 + L_i*F/L_j)/C_j
+        Scalar k9;  ///< stefan_boltzmann*(-1 + L_i*F/L_j)/C_j
+        Scalar k10;  ///< (stefan_boltzmann*L_i*T_0^3*F/L_j - alpha - stefan_boltzmann*T_0^3)/C_j
+        Scalar k11;  ///< 2*stefan_boltzmann*F/C_i
+        Scalar k12;  ///< 2*stefan_boltzmann*T_0*(1 - F)/C_i
+        Scalar k13;  ///< 3*stefan_boltzmann*(1 - F)/C_i
+        Scalar k14;  ///< 3*stefan_boltzmann*F/C_i
+        Scalar k15;  ///< stefan_boltzmann/C_i
+        Scalar k16;  ///< 2*stefan_boltzmann*L_i*F/(L_j*C_j)
+        Scalar k17;  ///< 3*stefan_boltzmann*L_i*F/(L_j*C_j)
+        Scalar k18;  ///< 2*stefan_boltzmann*T_0*(-1 + L_i*F/L_j)/C_j
+        Scalar k19;  ///< 3*stefan_boltzmann*(-1 + L_i*F/L_j)/C_j
+        Scalar k20;  ///< stefan_boltzmann/C_j
+        Scalar k21;  ///< stefan_boltzmann*L_i*H*F
+        Scalar k22;  ///< stefan_boltzmann*L_i*H*T_0^2*(1 - F)
+        Scalar k23;  ///< stefan_boltzmann*L_i*H*T_0*(1 - F)
+        Scalar k24;  ///< stefan_boltzmann*L_i*H*(1 - F)
+        Scalar k25;  ///< stefan_boltzmann*L_i*H*T_0^3*(1 - F)
         Scalar k26;  ///< y^2/2
         Scalar k27;  ///< y^2
-        Scalar k28;  ///< 5670374419*L_i*H*F/50000000000000000
-        Scalar k29;  ///< 17011123257*L_i*H*F/100000000000000000
-        Scalar k30;  ///< 5670374419*L_i*H*T_0*(1 - F)/50000000000000000
-        Scalar k31;  ///< 17011123257*L_i*H*(1 - F)/100000000000000000
+        Scalar k28;  ///< 2*stefan_boltzmann*L_i*H*F
+        Scalar k29;  ///< 3*stefan_boltzmann*L_i*H*F
+        Scalar k30;  ///< 2*stefan_boltzmann*L_i*H*T_0*(1 - F)
+        Scalar k31;  ///< 3*stefan_boltzmann*L_i*H*(1 - F)
         Scalar k32;  ///< 3*y^2/2
     };
     Cached c_{};

@@ -231,9 +231,9 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 6 + or -, 7 *
-    ///     dot(T) = 5670374419*A*eps*T_h*T^2*(T_h - T)/(100000000000000000*C) + 5670374419*A*eps*T_h^2*T*(T_h -
-    ///     T)/(100000000000000000*C) + 5670374419*A*eps*T_h^3*(T_h - T)/(100000000000000000*C) + A*eps*tau_g*sun/C +
-    ///     5670374419*A*eps*T^3*(T_h - T)/(100000000000000000*C) + A*alpha*(T_a - T)/C
+    ///     dot(T) = stefan_boltzmann*A*eps*T_h*T^2*(T_h - T)/C + stefan_boltzmann*A*eps*T_h^2*T*(T_h - T)/C +
+    ///     stefan_boltzmann*A*eps*T_h^3*(T_h - T)/C + A*eps*tau_g*sun/C + stefan_boltzmann*A*eps*T^3*(T_h - T)/C + A*alpha*(T_a -
+    ///     T)/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_h = u[0];
         const Scalar T = x[0];
@@ -338,7 +338,7 @@ public:
     ///     coating = -2*h*c_0^2*eps*pi/(l^5*(1 + l^2/l_0^2)*(1 - exp(h*c_0/(k*l*T))))
     ///     l_max = 1250251421346000*h*c_0/(6207642188737199*k*T)
     ///     glass = (1 - rho_g - tau_g)*sun
-    ///     total = 5670374419*T^4/100000000000000000
+    ///     total = stefan_boltzmann*T^4
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
         const Scalar l = u[3];
@@ -476,11 +476,11 @@ private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
-        Scalar k0;  ///< 5670374419*A*eps/(100000000000000000*C)
+        Scalar k0;  ///< stefan_boltzmann*A*eps/C
         Scalar k1;  ///< A*eps*tau_g/C
         Scalar k2;  ///< A*alpha/C
-        Scalar k3;  ///< 5670374419*A*eps/(50000000000000000*C)
-        Scalar k4;  ///< 17011123257*A*eps/(100000000000000000*C)
+        Scalar k3;  ///< 2*stefan_boltzmann*A*eps/C
+        Scalar k4;  ///< 3*stefan_boltzmann*A*eps/C
         Scalar k5;  ///< 2*h*c_0^2*pi
         Scalar k6;  ///< 2*h*c_0^2*eps*pi
         Scalar k7;  ///< 1250251421346000*h*c_0/(6207642188737199*k)

@@ -265,15 +265,12 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 9 + or -, 12 *
-    ///     dot(T_1) = q_max*load/C_1 - 5670374419*d*F*pi*T_1*T_2^2*(T_1 - T_2)/(100000000000000000*C_1) -
-    ///     5670374419*d*F*pi*T_1^2*T_2*(T_1 - T_2)/(100000000000000000*C_1) - 5670374419*d*F*pi*T_1^3*(T_1 -
-    ///     T_2)/(100000000000000000*C_1) - 5670374419*d*F*pi*T_2^3*(T_1 - T_2)/(100000000000000000*C_1)
-    ///     dot(T_2) = 5670374419*d*F*pi*T_1*T_2^2*(T_1 - T_2)/(100000000000000000*C_2) + 5670374419*d*F*pi*T_1^2*T_2*(T_1 -
-    ///     T_2)/(100000000000000000*C_2) + 5670374419*d*F*pi*T_1^3*(T_1 - T_2)/(100000000000000000*C_2) +
-    ///     5670374419*D*eps_2*T_inf^2*pi*T_2*(T_inf - T_2)/(100000000000000000*C_2) + 5670374419*D*eps_2*T_inf*pi*T_2^2*(T_inf -
-    ///     T_2)/(100000000000000000*C_2) + 5670374419*D*eps_2*pi*T_2^3*(T_inf - T_2)/(100000000000000000*C_2) +
-    ///     5670374419*d*F*pi*T_2^3*(T_1 - T_2)/(100000000000000000*C_2) + D*pi*(5670374419*eps_2*T_inf^3/100000000000000000 +
-    ///     alpha)*(T_inf - T_2)/C_2
+    ///     dot(T_1) = q_max*load/C_1 - stefan_boltzmann*d*F*pi*T_1*T_2^2*(T_1 - T_2)/C_1 - stefan_boltzmann*d*F*pi*T_1^2*T_2*(T_1 -
+    ///     T_2)/C_1 - stefan_boltzmann*d*F*pi*T_1^3*(T_1 - T_2)/C_1 - stefan_boltzmann*d*F*pi*T_2^3*(T_1 - T_2)/C_1
+    ///     dot(T_2) = stefan_boltzmann*d*F*pi*T_1*T_2^2*(T_1 - T_2)/C_2 + stefan_boltzmann*d*F*pi*T_1^2*T_2*(T_1 - T_2)/C_2 +
+    ///     stefan_boltzmann*d*F*pi*T_1^3*(T_1 - T_2)/C_2 + stefan_boltzmann*D*eps_2*T_inf^2*pi*T_2*(T_inf - T_2)/C_2 +
+    ///     stefan_boltzmann*D*eps_2*T_inf*pi*T_2^2*(T_inf - T_2)/C_2 + stefan_boltzmann*D*eps_2*pi*T_2^3*(T_inf - T_2)/C_2 +
+    ///     stefan_boltzmann*d*F*pi*T_2^3*(T_1 - T_2)/C_2 + D*pi*(stefan_boltzmann*eps_2*T_inf^3 + alpha)*(T_inf - T_2)/C_2
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar load = u[0];
         const Scalar T_1 = x[0];
@@ -480,12 +477,10 @@ public:
     ///     T_outer = T_2
     ///     limit = T_2max
     ///     T_1steady = T_1s
-    ///     Q_vacuum = 5670374419*d*H*F*pi*T_1*T_2^2*(T_1 - T_2)/100000000000000000 + 5670374419*d*H*F*pi*T_1^2*T_2*(T_1 -
-    ///     T_2)/100000000000000000 + 5670374419*d*H*F*pi*T_1^3*(T_1 - T_2)/100000000000000000 + 5670374419*d*H*F*pi*T_2^3*(T_1 -
-    ///     T_2)/100000000000000000
-    ///     Q_loss = -5670374419*D*H*eps_2*T_inf^2*pi*T_2*(T_inf - T_2)/100000000000000000 -
-    ///     5670374419*D*H*eps_2*T_inf*pi*T_2^2*(T_inf - T_2)/100000000000000000 - 5670374419*D*H*eps_2*pi*T_2^3*(T_inf -
-    ///     T_2)/100000000000000000 - D*H*pi*(5670374419*eps_2*T_inf^3/100000000000000000 + alpha)*(T_inf - T_2)
+    ///     Q_vacuum = stefan_boltzmann*d*H*F*pi*T_1*T_2^2*(T_1 - T_2) + stefan_boltzmann*d*H*F*pi*T_1^2*T_2*(T_1 - T_2) +
+    ///     stefan_boltzmann*d*H*F*pi*T_1^3*(T_1 - T_2) + stefan_boltzmann*d*H*F*pi*T_2^3*(T_1 - T_2)
+    ///     Q_loss = -stefan_boltzmann*D*H*eps_2*T_inf^2*pi*T_2*(T_inf - T_2) - stefan_boltzmann*D*H*eps_2*T_inf*pi*T_2^2*(T_inf -
+    ///     T_2) - stefan_boltzmann*D*H*eps_2*pi*T_2^3*(T_inf - T_2) - D*H*pi*(stefan_boltzmann*eps_2*T_inf^3 + alpha)*(T_inf - T_2)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         const Scalar T_2 = x[1];
         const Scalar T_1 = x[0];
@@ -597,31 +592,31 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar F;  ///< -1/(d/D - d/(D*eps_2) - 1/eps_1)
-        Scalar q_max;  ///< -D*pi*(5670374419*eps_2*T_inf^4/100000000000000000 - ...
+        Scalar q_max;  ///< -D*pi*(stefan_boltzmann*eps_2*T_inf^4 - stefan_boltzmann*eps_2*T_2max^4 + alpha*T_inf - ...
         Scalar T_1s;  ///< (-D*eps_2*T_inf^4/(d*eps_1) + D*eps_2*T_2max^4/(d*eps_1) - ...
         Scalar k0;  ///< q_max/C_1
-        Scalar k1;  ///< 5670374419*d*F*pi/(100000000000000000*C_1)
-        Scalar k2;  ///< 5670374419*d*F*pi/(100000000000000000*C_2)
-        Scalar k3;  ///< 5670374419*D*eps_2*T_inf^2*pi/(100000000000000000*C_2)
-        Scalar k4;  ///< 5670374419*D*eps_2*T_inf*pi/(100000000000000000*C_2)
-        Scalar k5;  ///< 5670374419*D*eps_2*pi/(100000000000000000*C_2)
-        Scalar k6;  ///< D*pi*(5670374419*eps_2*T_inf^3/100000000000000000 + alpha)/C_2
-        Scalar k7;  ///< 5670374419*d*F*pi/(50000000000000000*C_1)
-        Scalar k8;  ///< 17011123257*d*F*pi/(100000000000000000*C_1)
-        Scalar k9;  ///< 5670374419*d*F*pi/(50000000000000000*C_2)
-        Scalar k10;  ///< 17011123257*d*F*pi/(100000000000000000*C_2)
-        Scalar k11;  ///< 5670374419*D*eps_2*T_inf*pi/(50000000000000000*C_2)
-        Scalar k12;  ///< 17011123257*D*eps_2*pi/(100000000000000000*C_2)
-        Scalar k13;  ///< 5670374419*pi*(d*F + D*eps_2)/(100000000000000000*C_2)
-        Scalar k14;  ///< 5670374419*d*H*F*pi/100000000000000000
-        Scalar k15;  ///< 5670374419*D*H*eps_2*T_inf^2*pi/100000000000000000
-        Scalar k16;  ///< 5670374419*D*H*eps_2*T_inf*pi/100000000000000000
-        Scalar k17;  ///< 5670374419*D*H*eps_2*pi/100000000000000000
-        Scalar k18;  ///< D*H*pi*(5670374419*eps_2*T_inf^3/100000000000000000 + alpha)
-        Scalar k19;  ///< 5670374419*d*H*F*pi/50000000000000000
-        Scalar k20;  ///< 17011123257*d*H*F*pi/100000000000000000
-        Scalar k21;  ///< 5670374419*D*H*eps_2*T_inf*pi/50000000000000000
-        Scalar k22;  ///< 17011123257*D*H*eps_2*pi/100000000000000000
+        Scalar k1;  ///< stefan_boltzmann*d*F*pi/C_1
+        Scalar k2;  ///< stefan_boltzmann*d*F*pi/C_2
+        Scalar k3;  ///< stefan_boltzmann*D*eps_2*T_inf^2*pi/C_2
+        Scalar k4;  ///< stefan_boltzmann*D*eps_2*T_inf*pi/C_2
+        Scalar k5;  ///< stefan_boltzmann*D*eps_2*pi/C_2
+        Scalar k6;  ///< D*pi*(stefan_boltzmann*eps_2*T_inf^3 + alpha)/C_2
+        Scalar k7;  ///< 2*stefan_boltzmann*d*F*pi/C_1
+        Scalar k8;  ///< 3*stefan_boltzmann*d*F*pi/C_1
+        Scalar k9;  ///< 2*stefan_boltzmann*d*F*pi/C_2
+        Scalar k10;  ///< 3*stefan_boltzmann*d*F*pi/C_2
+        Scalar k11;  ///< 2*stefan_boltzmann*D*eps_2*T_inf*pi/C_2
+        Scalar k12;  ///< 3*stefan_boltzmann*D*eps_2*pi/C_2
+        Scalar k13;  ///< stefan_boltzmann*pi*(d*F + D*eps_2)/C_2
+        Scalar k14;  ///< stefan_boltzmann*d*H*F*pi
+        Scalar k15;  ///< stefan_boltzmann*D*H*eps_2*T_inf^2*pi
+        Scalar k16;  ///< stefan_boltzmann*D*H*eps_2*T_inf*pi
+        Scalar k17;  ///< stefan_boltzmann*D*H*eps_2*pi
+        Scalar k18;  ///< D*H*pi*(stefan_boltzmann*eps_2*T_inf^3 + alpha)
+        Scalar k19;  ///< 2*stefan_boltzmann*d*H*F*pi
+        Scalar k20;  ///< 3*stefan_boltzmann*d*H*F*pi
+        Scalar k21;  ///< 2*stefan_boltzmann*D*H*eps_2*T_inf*pi
+        Scalar k22;  ///< 3*stefan_boltzmann*D*H*eps_2*pi
     };
     Cached c_{};
 };

@@ -283,10 +283,9 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 3 + or -, 8 *, 1 other functions
-    ///     dot(T_1) = q_max*load/C_1 - 5670374419*d*F*pi*T_1^4/(100000000000000000*C_1) +
-    ///     5670374419*d*F*pi*radiant_temperature(5670374419*d*F/(100000000000000000*D*alpha) +
-    ///     5670374419*eps_2/(100000000000000000*alpha), 5670374419*d*F*T_1^4/(100000000000000000*D*alpha) +
-    ///     5670374419*eps_2*T_inf^4/(100000000000000000*alpha) + T_inf)^4/(100000000000000000*C_1)
+    ///     temperature[outer] = radiant_temperature(stefan_boltzmann*d*F/(D*alpha) + stefan_boltzmann*eps_2/alpha,
+    ///     stefan_boltzmann*d*F*T_1^4/(D*alpha) + stefan_boltzmann*eps_2*T_inf^4/alpha + T_inf)
+    ///     dot(T_1) = q_max*load/C_1 - stefan_boltzmann*d*F*pi*T_1^4/C_1 + stefan_boltzmann*d*F*pi*temperature[outer]^4/C_1
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_1_squared = T_1 * T_1;
@@ -458,20 +457,17 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: 4 + or -, 8 *, 1 other functions
-    ///     T_outer = radiant_temperature(5670374419*d*F/(100000000000000000*D*alpha) + 5670374419*eps_2/(100000000000000000*alpha),
-    ///     5670374419*d*F*T_1^4/(100000000000000000*D*alpha) + 5670374419*eps_2*T_inf^4/(100000000000000000*alpha) + T_inf)
+    ///     T_outer = radiant_temperature(stefan_boltzmann*d*F/(D*alpha) + stefan_boltzmann*eps_2/alpha,
+    ///     stefan_boltzmann*d*F*T_1^4/(D*alpha) + stefan_boltzmann*eps_2*T_inf^4/alpha + T_inf)
     ///     limit = T_2max
     ///     T_1steady = T_1s
-    ///     Q_vacuum = 5670374419*d*H*F*pi*T_1^4/100000000000000000 - 5670374419*d*H*F*pi*radiant_temperature(5670374419*d*F/(100000000000000000*D*alpha)
-    ///     + 5670374419*eps_2/(100000000000000000*alpha), 5670374419*d*F*T_1^4/(100000000000000000*D*alpha) +
-    ///     5670374419*eps_2*T_inf^4/(100000000000000000*alpha) + T_inf)^4/100000000000000000
-    ///     Q_loss = -D*H*T_inf*pi*(5670374419*eps_2*T_inf^3/100000000000000000 + alpha) +
-    ///     D*H*alpha*pi*radiant_temperature(5670374419*d*F/(100000000000000000*D*alpha) +
-    ///     5670374419*eps_2/(100000000000000000*alpha), 5670374419*d*F*T_1^4/(100000000000000000*D*alpha) +
-    ///     5670374419*eps_2*T_inf^4/(100000000000000000*alpha) + T_inf) +
-    ///     5670374419*D*H*eps_2*pi*radiant_temperature(5670374419*d*F/(100000000000000000*D*alpha) +
-    ///     5670374419*eps_2/(100000000000000000*alpha), 5670374419*d*F*T_1^4/(100000000000000000*D*alpha) +
-    ///     5670374419*eps_2*T_inf^4/(100000000000000000*alpha) + T_inf)^4/100000000000000000
+    ///     Q_vacuum = stefan_boltzmann*d*H*F*pi*T_1^4 - stefan_boltzmann*d*H*F*pi*radiant_temperature(stefan_boltzmann*d*F/(D*alpha)
+    ///     + stefan_boltzmann*eps_2/alpha, stefan_boltzmann*d*F*T_1^4/(D*alpha) + stefan_boltzmann*eps_2*T_inf^4/alpha + T_inf)^4
+    ///     Q_loss = -D*H*T_inf*pi*(stefan_boltzmann*eps_2*T_inf^3 + alpha) +
+    ///     D*H*alpha*pi*radiant_temperature(stefan_boltzmann*d*F/(D*alpha) + stefan_boltzmann*eps_2/alpha,
+    ///     stefan_boltzmann*d*F*T_1^4/(D*alpha) + stefan_boltzmann*eps_2*T_inf^4/alpha + T_inf) +
+    ///     stefan_boltzmann*D*H*eps_2*pi*radiant_temperature(stefan_boltzmann*d*F/(D*alpha) + stefan_boltzmann*eps_2/alpha,
+    ///     stefan_boltzmann*d*F*T_1^4/(D*alpha) + stefan_boltzmann*eps_2*T_inf^4/alpha + T_inf)^4
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_1_squared = T_1 * T_1;
@@ -576,25 +572,25 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar F;  ///< -1/(d/D - d/(D*eps_2) - 1/eps_1)
-        Scalar q_max;  ///< -D*pi*(5670374419*eps_2*T_inf^4/100000000000000000 - ...
+        Scalar q_max;  ///< -D*pi*(stefan_boltzmann*eps_2*T_inf^4 - stefan_boltzmann*eps_2*T_2max^4 + alpha*T_inf - ...
         Scalar T_1s;  ///< (-D*eps_2*T_inf^4/(d*eps_1) + D*eps_2*T_2max^4/(d*eps_1) - ...
         Scalar k0;  ///< q_max/C_1
-        Scalar k1;  ///< 5670374419*d*F*pi/(100000000000000000*C_1)
-        Scalar k2;  ///< 5670374419*(d*F/D + eps_2)/(100000000000000000*alpha)
-        Scalar k3;  ///< T_inf*(1 + 5670374419*eps_2*T_inf^3/(100000000000000000*alpha))
-        Scalar k4;  ///< 5670374419*d*F/(100000000000000000*D*alpha)
-        Scalar k5;  ///< 5670374419*d*F*pi/(25000000000000000*C_1)
-        Scalar k6;  ///< 32153146051649587561*d^2*F^2*pi/(25000000000000000*D*alpha*C_1)
-        Scalar k7;  ///< 5670374419*(d*F/D + eps_2)/alpha
-        Scalar k8;  ///< 5670374419*d*H*F*pi/100000000000000000
-        Scalar k9;  ///< D*H*T_inf*pi*(5670374419*eps_2*T_inf^3/100000000000000000 + alpha)
+        Scalar k1;  ///< stefan_boltzmann*d*F*pi/C_1
+        Scalar k2;  ///< stefan_boltzmann*(d*F/D + eps_2)/alpha
+        Scalar k3;  ///< T_inf*(1 + stefan_boltzmann*eps_2*T_inf^3/alpha)
+        Scalar k4;  ///< stefan_boltzmann*d*F/(D*alpha)
+        Scalar k5;  ///< 4*stefan_boltzmann*d*F*pi/C_1
+        Scalar k6;  ///< 400000000000000000*stefan_boltzmann^2*d^2*F^2*pi/(D*alpha*C_1)
+        Scalar k7;  ///< 100000000000000000*stefan_boltzmann*(d*F/D + eps_2)/alpha
+        Scalar k8;  ///< stefan_boltzmann*d*H*F*pi
+        Scalar k9;  ///< D*H*T_inf*pi*(stefan_boltzmann*eps_2*T_inf^3 + alpha)
         Scalar k10;  ///< D*H*alpha*pi
-        Scalar k11;  ///< 5670374419*D*H*eps_2*pi/100000000000000000
-        Scalar k12;  ///< 5670374419*d*F/(D*alpha)
-        Scalar k13;  ///< 5670374419*d*H*F*pi/25000000000000000
-        Scalar k14;  ///< 32153146051649587561*d^2*H*F^2*pi/(25000000000000000*D*alpha)
-        Scalar k15;  ///< 32153146051649587561*d*H*eps_2*F*pi/(25000000000000000*alpha)
-        Scalar k16;  ///< 5670374419*d*H*F*pi
+        Scalar k11;  ///< stefan_boltzmann*D*H*eps_2*pi
+        Scalar k12;  ///< 100000000000000000*stefan_boltzmann*d*F/(D*alpha)
+        Scalar k13;  ///< 4*stefan_boltzmann*d*H*F*pi
+        Scalar k14;  ///< 400000000000000000*stefan_boltzmann^2*d^2*H*F^2*pi/(D*alpha)
+        Scalar k15;  ///< 400000000000000000*stefan_boltzmann^2*d*H*eps_2*F*pi/alpha
+        Scalar k16;  ///< 100000000000000000*stefan_boltzmann*d*H*F*pi
     };
     Cached c_{};
 };
