@@ -113,7 +113,7 @@ ex Fluids::power_over_border() const {
     ex power = 0;
     for (std::size_t i = 0; i < balances.size(); ++i) {
         const ControlVolume& v = containers.volumes[i];
-        power += balances[i].heat - balances[i].linked_heat + v.shaft_power;
+        power += balances[i].heat + v.shaft_power;
         if (v.primary == Primary::filling) power -= v.surface_pressure * balances[i].size_rate;
     }
     for (const FlowState& f : flows) {
@@ -135,8 +135,7 @@ void complete_fluids(Fluids& fluids, const Scene& scene, const Translator& trans
     for (ControlVolume& v : fluids.containers.volumes) {
         const Indices indices = Translator::indices_of(v.member);
         if (v.member.item->heat && v.is_thermal()) v.heat = translate(v.member.item->heat, indices);
-        const ex linked_heat = heat.heat_into(v);
-        if (v.is_thermal()) v.heat += linked_heat;
+        if (v.is_thermal()) v.heat += heat.heat_into(v);
         if (v.member.item->shaft_power) v.shaft_power = translate(v.member.item->shaft_power, indices);
         const bool fills = v.primary == Primary::filling;
         for (std::size_t j = 0; j < symbols.degrees(); ++j) fluids.force[j] += v.surface_pressure * partial(v.size, symbols.get(SymbolKind::coordinate, j));
@@ -145,7 +144,6 @@ void complete_fluids(Fluids& fluids, const Scene& scene, const Translator& trans
         const ex smallest = v.member.item->smallest ? translate(v.member.item->smallest, indices) : ex(0);
         guard_volume(v, smallest, fluids.flows, symbols, fluids.guards);
         fluids.balances.push_back(balance_of(v, fluids.flows, symbols));
-        fluids.balances.back().linked_heat = linked_heat;
     }
     for (const FlowState& f : fluids.flows) {
         fluids.internal_energy += f.stored_energy;

@@ -14,7 +14,6 @@ struct VolumeBalance {
     GiNaC::ex rate;              ///< of the state that the volume's primary names
     GiNaC::ex temperature_rate;  ///< dT/dt, K/s; 0 where the temperature is held
     GiNaC::ex heat;              ///< into it, W: given and along links, or what holds its temperature or its course
-    GiNaC::ex linked_heat;       ///< the part of it that comes along links
 };
 
 /// All that fluids do.

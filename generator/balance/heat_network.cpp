@@ -182,7 +182,7 @@ ex HeatNetwork::heat_into(const ControlVolume& volume) const {
     return GiNaC::add(terms);
 }
 
-/// What is held takes and gives as it must; what flows into volumes is theirs to balance.
+/// What is held takes and gives as it must. Volumes are outside of the network: the heat into them counts with theirs.
 ex HeatNetwork::power_over_border() const {
     GiNaC::exvector terms;
     for (const NodeState& node : nodes)

@@ -28,7 +28,6 @@ public:
         result_.state_rates = system_.state_rates;
         for (const ControlVolume& volume : fluids_.containers.volumes) {
             fluids_.balances.push_back(balance_of(volume, fluids_.flows, symbols_));
-            fluids_.balances.back().linked_heat = system_.fluids.balances[fluids_.balances.size() - 1].linked_heat;
             set_rates(result_.state_rates, volume, fluids_.balances.back(), symbols_);
             result_.internal_energy += volume.stored_energy();
         }

@@ -72,7 +72,7 @@ void resistances(System& system) {
     for (const Resistance& r : system.resistances) system.dissipated_power += r.power;
 }
 
-/// Heat that flows into a volume comes from inside of the model: it is taken off what crosses the border.
+/// Of each of the two, fluids and heat, the other is outside: what links carry into volumes leaves the one and enters the other.
 void stores(System& system) {
     Fluids& fluids = system.fluids;
     fluids.containers = make_containers(system.scene, system.translate);

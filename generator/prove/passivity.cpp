@@ -57,12 +57,16 @@ bool has_state(const ex& e, const Symbols& symbols) {
 
 /// What holds for every cell of a rod in a loop: conduction is symmetric, the surroundings draw towards themselves.
 bool is_passive(const RodField& f) {
+    if (f.rod->grid || f.rod->shape != Rod::Shape::bar || !f.rod->area->variables.empty()) return false;  // the signs of widths and areas are not told by their terms
+    // Numbers on a uniform grid stand in differences alone, from the smaller to the larger: any that rise give their signs.
+    const GiNaC::exmap rising{{f.place.left, 1}, {f.place.here, 2}, {f.place.right, 3}, {f.beyond, 4}};
+    const auto at = [&](const ex& e) { return e.subs(rising, GiNaC::subs_options::no_pattern); };
     const auto knows = [&](const ex& e) { return e.has(f.here) || e.has(f.next); };
     const ex by_here = partial(f.link, f.here);
     const ex by_next = partial(f.link, f.next);
     const ex side = partial(f.source, f.here);
-    const auto capacity = sign_of_terms(f.capacity);
-    return !knows(by_here) && !knows(by_next) && !knows(side) && !knows(f.capacity) && capacity == 1 && has_sign(by_here, 1) && (by_here + by_next).expand().is_zero() && has_sign(side, -1);
+    const auto capacity = sign_of_terms(at(f.capacity));
+    return !knows(by_here) && !knows(by_next) && !knows(side) && !knows(f.capacity) && capacity == 1 && has_sign(at(by_here), 1) && (by_here + by_next).expand().is_zero() && has_sign(at(side), -1);
 }
 
 }  // namespace

@@ -97,6 +97,16 @@ RandomPoints::RandomPoints(const System& system) {
             intervals_.push_back({variable.symbol, low, high});
         }
     }
+    // What the cells of rods in loops are made of: temperatures, and numbers on the grid in their order.
+    for (const RodField& field : system.heat.fields) {
+        for (const ex& temperature : {field.here, field.next}) intervals_.push_back({temperature, Rational(250), Rational(600)});
+        int number = 1;
+        for (const ex& letter : {field.place.left, field.place.here, field.place.right, field.beyond, field.number})
+            if (GiNaC::is_a<GiNaC::symbol>(letter)) {
+                intervals_.push_back({letter, Rational(number), Rational(2 * number + 1) / 2});
+                ++number;
+            }
+    }
 }
 
 Point RandomPoints::next() {

@@ -19,7 +19,7 @@ const std::string plate =
     "R = { value = 3, unit = \"K/W\", range = [0.01, 100] }\n"
     "A = { value = 0.2, unit = \"m^2\", range = [0.01, 10] }\n"
     "eps = { value = 0.7, unit = \"1\", range = [0.01, 1] }\n"
-    "P = { value = 30, unit = \"W\", range = [0, 1000] }\n"
+    "P = { value = 30, unit = \"W\", range = [1, 1000] }\n"
     "T_0 = { value = 293, unit = \"K\", range = [200, 400] }\n"
     "[states]\nT = { unit = \"K\", start = 300, range = [200, 1000] }\n"
     "[nodes]\nplate = { temperature = \"T\", capacity = \"C\", heat = \"P\" }\nlid = {}\nair = { temperature = \"T_0\" }\n";
@@ -78,6 +78,30 @@ TEST_CASE("nodes that radiate and store nothing, one behind the other") {
         const Machine machine = machine_from(plate + links + "c = { from = \"lid\", to = \"air\", resistance = \"R\" }\n");
         CHECK(all_proven(*machine.system));
         CHECK(is_ex_the_function(machine.system->heat.find_node("lid")->warmth.temperature, radiant_temperature));
+    }
+}
+
+TEST_CASE("heat along links into and out of volumes is counted once") {
+    const std::string oil =
+        "[parameters]\n"
+        "rho_0 = { value = 850, unit = \"kg/m^3\", range = [500, 1500] }\nbeta = { value = 1.5e9, unit = \"Pa\", range = [1e8, 1e10] }\n"
+        "c_v = { value = 1900, unit = \"J/(kg*K)\", range = [100, 5000] }\np_0 = { value = 1, unit = \"bar\", range = [0.1, 10] }\n"
+        "T_0 = { value = 300, unit = \"K\", range = [200, 400] }\nV = { value = 1, unit = \"l\", range = [0.01, 100] }\n"
+        "C = { value = 500, unit = \"J/K\", range = [1, 1e4] }\nR = { value = 2, unit = \"K/W\", range = [0.01, 100] }\n"
+        "[states]\np = { unit = \"bar\", start = 50, range = [1, 400] }\nT_w = { unit = \"K\", start = 350, range = [250, 500] }\nSTATE\n"
+        "[media.oil]\nlaw = \"liquid\"\ndensity = \"rho_0\"\nbulk_modulus = \"beta\"\nexpansion = \"1/(1000*T_0)\"\nisochoric_heat = \"c_v\"\n"
+        "reference_pressure = \"p_0\"\nreference_temperature = \"T_0\"\n"
+        "[reservoirs.ambient]\nmedium = \"oil\"\npressure = \"p_0\"\n"
+        "[volumes.vessel]\nmedium = \"oil\"\nvolume = \"V\"\npressure = \"p\"\nTEMPERATURE\n"
+        "[nodes]\nwall = { temperature = \"T_w\", capacity = \"C\" }\nair = { temperature = \"T_0\" }\n"
+        "[links]\nin = { from = \"wall\", to = \"vessel\", resistance = \"R\" }\nout = { from = \"wall\", to = \"air\", resistance = \"3*R\" }\n"
+        "side = { from = \"vessel\", to = \"ambient\", resistance = \"5*R\" }\n";
+    for (const auto& [state, temperature] : {std::pair("T = { unit = \"K\", start = 300, range = [250, 500] }", "temperature = \"T\""), std::pair("", "isothermal = \"T_0\"")}) {
+        std::string text = oil;
+        text.replace(text.find("STATE"), 5, state);
+        text.replace(text.find("TEMPERATURE"), 11, temperature);
+        CAPTURE(temperature);
+        CHECK(all_proven(*machine_from(text).system));
     }
 }
 
