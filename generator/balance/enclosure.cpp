@@ -50,7 +50,7 @@ private:
     /// With letters where all depends on parameters alone; written out the exchange factors grow exponentially.
     Steps steps_for(const std::vector<ex>& expressions) {
         const bool with_letters = of_parameters_ && std::all_of(expressions.begin(), expressions.end(), [&](const ex& e) { return is_of_parameters(e, symbols_); });
-        constexpr std::size_t most = 4;
+        constexpr std::size_t most = 3;
         if (!with_letters && n_ > most)
             throw Failure(Diagnostic{Id::too_large, item_.span, fmt::format("enclosure '{}' has {} surfaces, but can have at most {} where emissivities, areas or view factors depend on more than parameters", item_.name, n_, most)});
         return {symbols_, item_.name, with_letters};

@@ -29,8 +29,11 @@ public:
             // A_k*eps_k/(1 - eps_k) is the conductance from sigma*T_k^4 to the radiosity.
             const ex own = s_.areas[k] * d.emissivities[k] + s_.emissivities[k] * rho_[k] * d.areas[k];
             if (!own.is_zero()) sum -= own * shortfall(k, i) * shortfall(k, j);
-            for (std::size_t l = k + 1; l < n_; ++l)
-                if (!d.direct[k][l].is_zero()) sum -= d.direct[k][l] * whole(radiosity(k, i) - radiosity(l, i)) * whole(radiosity(k, j) - radiosity(l, j));
+            // Conductances between radiosities, gathered at each end: the sums are the same for all i.
+            ex gathered = 0;
+            for (std::size_t l = 0; l < n_; ++l)
+                if (l != k && !d.direct[k][l].is_zero()) gathered += d.direct[k][l] * whole(radiosity(k, j) - radiosity(l, j));
+            if (!gathered.is_zero()) sum -= radiosity(k, i) * whole(gathered);
         }
         return sum;
     }
@@ -48,7 +51,7 @@ private:
         for (std::size_t k = 0; k < n_; ++k) {
             d.areas[k] = slope(s_.areas[k]);
             d.emissivities[k] = slope(s_.emissivities[k]);
-            for (std::size_t l = k + 1; l < n_; ++l) d.direct[k][l] = slope(s_.direct[k][l]);
+            for (std::size_t l = k + 1; l < n_; ++l) d.direct[k][l] = d.direct[l][k] = slope(s_.direct[k][l]);
         }
         return changes_[parameter] = std::move(d);
     }

@@ -227,7 +227,7 @@ constexpr std::array rod_keys{
 };
 constexpr std::array enclosure_keys{
     KeySpec{"surfaces", T::parts, true, "the nodes or cells of rods that radiate, up to 32; a flat body of one temperature may stand there twice"},
-    KeySpec{"emissivities", T::expressions, true, "of each surface, from 0 (reflects everything) to 1 (black); where one depends on states or inputs, up to 4 surfaces"},
+    KeySpec{"emissivities", T::expressions, true, "of each surface, from 0 (reflects everything) to 1 (black); where one depends on states or inputs, up to 3 surfaces"},
     KeySpec{"areas", T::expressions, false, "of each surface; with view_factors"},
     KeySpec{"view_factors", T::matrix, false,
             "row i, column j: the share of what leaves surface i that arrives at j (4.44). \"?\" for what follows from reciprocity (4.45) and the "
