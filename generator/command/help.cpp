@@ -32,7 +32,7 @@ std::string function_reference() {
 
 std::string quantity_reference() {
     static constexpr std::array subscripts{"",          "[body]", " or [body]",       "[body, 1..3]",   "[coordinate]",     "[coordinate, coordinate]",
-                                           " or [damper]", "[X]", "[X] or [medium, p, T]", "[medium, p, T]", "[volume]", "[flow]", "[X], [node], [rod[k]]",
+                                           " or [damper]", "[enclosure, i]", "[enclosure, i, j]", "[X]", "[X] or [medium, p, T]", "[medium, p, T]", "[volume]", "[flow]", "[X], [node], [rod[k]]",
                                            "[volume], [node], [link]", " or [volume], [node]"};
     const auto rows = [](bool properties) {
         std::string text;
