@@ -18,7 +18,7 @@
 //   update                32     97     9        0      2
 //   rhs                    7      9     0        0      0
 //   rhs_and_jacobian      11     14     0        0      0
-//   jacobian_p           179    427     9        0      2
+//   jacobian_p           200    471     9        0      2
 //   output                 7      9     0        0      1
 //   output_jacobian_x      8     12     0        0      1
 //   internal_energy        0      1     0        0      0
@@ -321,336 +321,356 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 179 + or -, 427 *, 9 /, 2 other functions
+    /// Operations: 200 + or -, 471 *, 9 /, 2 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::sqrt;
         const Scalar T_R = x[0];
         const Scalar e1 = p_.T_M - T_R;
-        const Scalar e2 = p_.T_M * p_.T_M;
-        const Scalar e3 = p_.T_M * e2;
-        const Scalar inverse_4 = Scalar(1) / p_.C_R;
-        const Scalar e5 = p_.eps_R * inverse_4;
-        const Scalar e6 = p_.eps_C * e5;
-        const Scalar inverse_7 = Scalar(1) / p_.b;
-        const Scalar e8 = c_.furnace_reflectivity_1 * inverse_7;
-        const Scalar inverse_9 = Scalar(1) / p_.H;
-        const Scalar e10 = c_.furnace_reach_1_2 * inverse_9;
-        const Scalar e11 = c_.furnace_reach_1_3 * inverse_9;
-        const Scalar e12 = p_.eps_W * e11;
-        const Scalar e13 = inverse_7 * (p_.eps_R * e10 + e12);
-        const Scalar e14 = c_.furnace_reach_1_2 * e13;
-        const Scalar inverse_15 = Scalar(1) / (p_.b + c_.furnace_distance_2_3 + c_.furnace_distance_1_3);
-        const Scalar e16 = p_.b - p_.x_R;
-        const Scalar e17 = c_.furnace_distance_2_3 + e16;
-        const Scalar inverse_18 = Scalar(1) / c_.furnace_distance_2_3;
-        const Scalar e19 = c_.furnace_reflectivity_2 * inverse_18;
-        const Scalar e20 = Scalar(1) + c_.furnace_reach_2_2 * inverse_9 * e19;
-        const Scalar e21 = e8 * e10;
-        const Scalar e22 = -(e20 - e21);
-        const Scalar e23 = Scalar(1) + c_.furnace_reach_1_1 * inverse_9 * e8;
-        const Scalar e24 = e10 * e19;
-        const Scalar e25 = e23 - e24;
-        const Scalar e26 = e22 * e25;
-        const Scalar e27 = p_.x_R + c_.furnace_distance_1_3;
-        const Scalar inverse_28 = Scalar(1) / c_.furnace_distance_1_3;
-        const Scalar e29 = c_.furnace_reflectivity_3 * inverse_28;
-        const Scalar e30 = e11 * e29;
-        const Scalar e31 = e23 - e30;
-        const Scalar e32 = c_.furnace_reach_2_3 * inverse_9;
-        const Scalar e33 = e29 * e32;
-        const Scalar e34 = e21 - e33;
-        const Scalar e35 = e31 * e34;
-        const Scalar e36 = e17 * e26 + e27 * e35;
-        const Scalar e37 = p_.h * p_.h;
-        const Scalar e38 = c_.furnace_distance_2_3 * c_.furnace_distance_1_3 - (p_.x_R * e16 - e37);
-        const Scalar e39 = e20 - e33;
-        const Scalar e40 = e24 - e30;
-        const Scalar e41 = e39 * e40;
-        const Scalar e42 = inverse_15 * (p_.b * e36 + e38 * e41);
-        const Scalar sqrt_43 = sqrt(e16 * e16 + e37);
-        const Scalar inverse_44 = Scalar(1) / sqrt_43;
-        const Scalar e45 = e16 * inverse_44;
-        const Scalar e46 = Scalar(1) + e45;
-        const Scalar e47 = p_.H * inverse_15;
-        const Scalar e48 = e47 * e6;
-        const Scalar e49 = e46 * e48;
-        const Scalar e50 = e48 * e41;
-        const Scalar e51 = inverse_18 * e10;
-        const Scalar e52 = p_.eps_W * inverse_18 * e32 + p_.eps_C * e51;
-        const Scalar e53 = (c_.furnace_distance_1_3 * e47 * e41 - c_.furnace_reach_1_2 * e52 * e19) * e6;
-        const Scalar e54 = p_.b * e26;
-        const Scalar e55 = p_.x_R * e50 - (e45 * e53 + e49 * e54);
-        const Scalar e56 = e6 * e8 * e14 + e42 * e49 - (e48 * e36 - e55);
-        const Scalar inverse_57 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
-        const Scalar e58 = c_.furnace_exchange_factor_1_3 * inverse_57;
-        const Scalar e59 = Scalar(1) - e58;
-        const Scalar e60 = c_.furnace_exchange_factor_2_3 * inverse_4;
-        const Scalar e61 = p_.eps_C * e60;
-        const Scalar e62 = e59 * e61;
-        const Scalar e63 = c_.furnace_exchange_factor_2_3 * inverse_57;
-        const Scalar e64 = Scalar(1) - e63;
-        const Scalar e65 = c_.furnace_exchange_factor_1_3 * e64;
-        const Scalar e66 = e5 * e65;
-        const Scalar e67 = e25 * e62 + e22 * e66;
-        const Scalar e68 = p_.eps_W * inverse_57;
-        const Scalar e2_squared = e2 * e2;
-        const Scalar e69 = e68 * e2_squared;
-        const Scalar e70 = e47 * e69;
-        const Scalar e71 = e67 * e70;
-        const Scalar e72 = e11 * e8;
-        const Scalar e73 = e19 * e32;
-        const Scalar e74 = e72 - e73;
-        const Scalar e75 = p_.b * e74;
-        const Scalar e76 = e46 * e75;
-        const Scalar e77 = c_.furnace_reach_2_3 * e69;
-        const Scalar e78 = e51 * (c_.furnace_exchange_factor_2_3 * e6);
-        const Scalar e79 = e59 * e78 - e52 * e66;
-        const Scalar e80 = e77 * (e79 * e19);
-        const Scalar e81 = e71 * e76 + e45 * e80;
-        const Scalar e82 = c_.furnace_reach_1_3 * e13;
-        const Scalar e83 = c_.furnace_reach_1_2 * inverse_7;
-        const Scalar e84 = e6 * e11;
-        const Scalar e85 = e65 * e84;
-        const Scalar e86 = p_.x_R - c_.furnace_distance_1_3 * e45;
-        const Scalar e87 = Scalar(1) + c_.furnace_reach_3_3 * inverse_9 * e29;
-        const Scalar e88 = -(e87 - e73);
-        const Scalar e89 = e88 * (e40 * e62 + e39 * e66);
-        const Scalar e90 = e70 * e89;
-        const Scalar e91 = e31 * e62 + e34 * e66;
-        const Scalar e92 = -(e87 - e72);
-        const Scalar e93 = e92 * e27;
-        const Scalar e94 = e74 * e17;
-        const Scalar e95 = inverse_15 * (p_.b * (e91 * e93 + e67 * e94) + e38 * e89);
-        const Scalar e96 = e70 * e95;
-        const Scalar e97 = e91 * e70;
-        const Scalar e98 = T_R * e1;
+        const Scalar inverse_2 = Scalar(1) / p_.H;
+        const Scalar inverse_3 = Scalar(1) / c_.furnace_distance_2_3;
+        const Scalar e4 = c_.furnace_reflectivity_2 * inverse_3;
+        const Scalar e5 = inverse_2 * e4;
+        const Scalar e6 = Scalar(1) + c_.furnace_reach_2_2 * e5;
+        const Scalar inverse_7 = Scalar(1) / c_.furnace_distance_1_3;
+        const Scalar e8 = c_.furnace_reflectivity_3 * inverse_7;
+        const Scalar e9 = c_.furnace_reach_2_3 * inverse_2;
+        const Scalar e10 = e8 * e9;
+        const Scalar e11 = e6 - e10;
+        const Scalar inverse_12 = Scalar(1) / (p_.b + c_.furnace_distance_2_3 + c_.furnace_distance_1_3);
+        const Scalar e13 = p_.b - p_.x_R;
+        const Scalar e14 = p_.h * p_.h;
+        const Scalar sqrt_15 = sqrt(e13 * e13 + e14);
+        const Scalar inverse_16 = Scalar(1) / sqrt_15;
+        const Scalar e17 = e13 * inverse_16;
+        const Scalar e18 = p_.x_R - c_.furnace_distance_1_3 * e17;
+        const Scalar e19 = Scalar(1) + e17;
+        const Scalar e20 = c_.furnace_distance_2_3 * c_.furnace_distance_1_3 - (p_.x_R * e13 - e14);
+        const Scalar inverse_12_squared = inverse_12 * inverse_12;
+        const Scalar e21 = e20 * inverse_12_squared;
+        const Scalar e22 = inverse_12 * e18 + e19 * e21;
+        const Scalar e23 = e11 * e22;
+        const Scalar inverse_24 = Scalar(1) / p_.b;
+        const Scalar e25 = c_.furnace_reflectivity_1 * inverse_24;
+        const Scalar e26 = c_.furnace_reach_1_2 * inverse_2;
+        const Scalar e27 = e25 * e26;
+        const Scalar e28 = e27 - e10;
+        const Scalar e29 = p_.b * e19;
+        const Scalar e30 = p_.x_R + c_.furnace_distance_1_3;
+        const Scalar e31 = e30 * inverse_12_squared;
+        const Scalar e32 = c_.furnace_distance_1_3 * inverse_12 - (e29 * e31 - p_.x_R * inverse_12);
+        const Scalar e33 = e28 * e32;
+        const Scalar e34 = c_.furnace_reach_1_3 * e8;
+        const Scalar e35 = -(e6 - e27);
+        const Scalar e36 = c_.furnace_distance_2_3 + e13;
+        const Scalar e37 = e36 * inverse_12_squared;
+        const Scalar e38 = c_.furnace_distance_2_3 * inverse_12;
+        const Scalar e39 = inverse_12 * (e13 + e29) - (e29 * e37 - e38);
+        const Scalar e40 = e35 * e39;
+        const Scalar e41 = c_.furnace_reach_1_2 * e4;
+        const Scalar e42 = c_.furnace_reach_1_3 * inverse_2;
+        const Scalar e43 = inverse_24 * e42;
+        const Scalar e44 = p_.eps_R * inverse_24 * e26 + p_.eps_W * e43;
+        const Scalar e45 = inverse_3 * e26;
+        const Scalar e46 = p_.eps_C * e45 + p_.eps_W * inverse_3 * e9;
+        const Scalar e47 = e4 * e17;
+        const Scalar e48 = p_.H + c_.furnace_reach_1_1 * e25;
+        const Scalar e49 = (e23 - e33) * e34 - (e23 + e40) * e41
+            - (c_.furnace_reach_1_2 * (e44 * e25 + e46 * e47) - (e33 + e40) * e48);
+        const Scalar e50 = p_.T_M * p_.T_M;
+        const Scalar inverse_51 = Scalar(1) / p_.C_R;
+        const Scalar e52 = p_.eps_R * inverse_51;
+        const Scalar e53 = p_.eps_C * e52;
+        const Scalar e54 = e50 * e53;
+        const Scalar e55 = p_.T_M * e54;
+        const Scalar e56 = Scalar(1) + c_.furnace_reach_3_3 * inverse_2 * e8;
+        const Scalar e57 = c_.furnace_reach_2_3 * e4;
+        const Scalar e58 = inverse_2 * e57;
+        const Scalar e59 = -(e56 - e58);
+        const Scalar e60 = e59 * e22;
+        const Scalar e61 = e42 * e25;
+        const Scalar e62 = -(e56 - e61);
+        const Scalar e63 = e62 * e32;
+        const Scalar e64 = e60 - e63;
+        const Scalar inverse_65 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
+        const Scalar e66 = c_.furnace_exchange_factor_1_3 * inverse_65;
+        const Scalar e67 = Scalar(1) - e66;
+        const Scalar e68 = c_.furnace_exchange_factor_2_3 * inverse_51;
+        const Scalar e69 = p_.eps_C * e68;
+        const Scalar e70 = e67 * e69;
+        const Scalar e71 = c_.furnace_exchange_factor_2_3 * inverse_65;
+        const Scalar e72 = Scalar(1) - e71;
+        const Scalar e73 = c_.furnace_exchange_factor_1_3 * e72;
+        const Scalar e74 = e52 * e73;
+        const Scalar e75 = c_.furnace_reach_1_3 * e70 + c_.furnace_reach_2_3 * e74;
+        const Scalar e76 = p_.eps_W * inverse_65;
+        const Scalar e77 = e50 * e76;
+        const Scalar e78 = e50 * e77;
+        const Scalar e79 = e75 * e78;
+        const Scalar e80 = e8 * e79;
+        const Scalar e81 = e61 - e58;
+        const Scalar e82 = e81 * e39;
+        const Scalar e83 = e60 + e82;
+        const Scalar e84 = c_.furnace_reach_1_2 * e70 + c_.furnace_reach_2_2 * e74;
+        const Scalar e85 = e78 * (e4 * e84 + p_.H * e74);
+        const Scalar e86 = -e63 - e82;
+        const Scalar e87 = c_.furnace_reach_1_3 * e44;
+        const Scalar e88 = e86 * e48 + e25 * e87;
+        const Scalar e89 = e78 * e70;
+        const Scalar e90 = e57 * e17;
+        const Scalar e91 = c_.furnace_exchange_factor_2_3 * e67;
+        const Scalar e92 = (e54 * e45 * e91 - e46 * e50 * e74) * e77;
+        const Scalar e93 = e90 * e92;
+        const Scalar e94 = e86 * e25;
+        const Scalar e95 = c_.furnace_reach_1_2 * e52;
+        const Scalar e96 = e78 * e73;
+        const Scalar e97 = e95 * e96;
+        const Scalar e98 = c_.furnace_reach_1_2 * inverse_24;
+        const Scalar e99 = e54 * e77;
+        const Scalar e100 = e99 * (e73 * e61);
+        const Scalar e101 = T_R * e1;
+        const Scalar e102 = p_.T_M * e53;
         const Scalar T_R_squared = T_R * T_R;
-        const Scalar e99 = e1 * T_R_squared;
-        const Scalar e100 = e61 * e63;
-        const Scalar e101 = e68 * e100;
-        const Scalar e102 = e63 - (Scalar(1) / Scalar(2)) * (Scalar(1) + e63 * e63);
-        const Scalar e103 = p_.eps_W * e102;
-        const Scalar e104 = e84 * e103;
-        const Scalar e105 = inverse_57 * e100;
-        const Scalar e106 = e102 * e5;
-        const Scalar e107 = e25 * e105 - Scalar(2) * e22 * e106;
-        const Scalar e108 = p_.eps_W * e47;
-        const Scalar e109 = e107 * e108;
-        const Scalar e110 = p_.eps_W * e106;
-        const Scalar e111 = e68 * e63;
-        const Scalar e112 = e52 * e110 + (Scalar(1) / Scalar(2)) * e111 * e78;
-        const Scalar e113 = e19 * (c_.furnace_reach_2_3 * e112);
-        const Scalar e114 = e109 * e76 + Scalar(2) * e45 * e113;
-        const Scalar e115 = e88 * (e40 * e105 - Scalar(2) * e39 * e106);
-        const Scalar e116 = e108 * e115;
-        const Scalar e117 = e31 * e105 - Scalar(2) * e34 * e106;
-        const Scalar e118 = inverse_15 * (p_.b * (e117 * e93 + e107 * e94) + e38 * e115);
-        const Scalar e119 = e108 * e118;
-        const Scalar e120 = e117 * e108;
+        const Scalar e103 = e1 * T_R_squared;
+        const Scalar e104 = e76 * e71;
+        const Scalar e105 = e69 * e104;
+        const Scalar e106 = e71 - (Scalar(1) / Scalar(2)) * (Scalar(1) + e71 * e71);
+        const Scalar e107 = p_.eps_W * e106;
+        const Scalar e108 = e52 * e107;
+        const Scalar e109 = c_.furnace_reach_1_2 * e105 - Scalar(2) * c_.furnace_reach_2_2 * e108;
+        const Scalar e110 = p_.H * e108 - (Scalar(1) / Scalar(2)) * e4 * e109;
+        const Scalar e111 = c_.furnace_reach_1_3 * inverse_65 * e69 * e71 - Scalar(2) * c_.furnace_reach_2_3 * e106 * e52;
+        const Scalar e112 = p_.eps_W * e8;
+        const Scalar e113 = e111 * e112;
+        const Scalar e114 = e107 * e95;
+        const Scalar e115 = e104 * (c_.furnace_exchange_factor_2_3 * e53);
+        const Scalar e116 = e46 * e108 + (Scalar(1) / Scalar(2)) * e45 * e115;
+        const Scalar e117 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * (e116 * e90);
+        const Scalar e118 = e61 * (e53 * e107);
         const Scalar T_R_squared_squared = T_R_squared * T_R_squared;
-        const Scalar e121 = T_R_squared * e98;
-        const Scalar e122 = inverse_28 * (p_.eps_C * e11 + p_.eps_R * e32);
-        const Scalar e123 = e122 * (c_.furnace_reach_1_3 * e62 + c_.furnace_reach_2_3 * e66);
-        const Scalar e124 = e69 * e123;
-        const Scalar e125 = p_.b * e92;
-        const Scalar e126 = e125 * e97;
-        const Scalar e127 = c_.furnace_distance_2_3 * e90 - e29 * e124 + e126;
-        const Scalar sqrt_128 = sqrt(p_.x_R * p_.x_R + e37);
-        const Scalar inverse_129 = Scalar(1) / sqrt_128;
-        const Scalar e130 = p_.x_R * inverse_129;
-        const Scalar e131 = e16 - e86;
-        const Scalar e132 = e130 - e45;
-        const Scalar e133 = p_.b * e35;
-        const Scalar e134 = c_.furnace_reach_2_3 * inverse_28;
-        const Scalar e135 = e29 * e12;
-        const Scalar e136 = e6 * (e47 * e133 + e134 * e135) + c_.furnace_distance_2_3 * e50;
-        const Scalar e137 = e136 * e130 - e132 * e48 * e42 + (e48 * (e133 - e16 * e41) + e55);
-        const Scalar e138 = e122 * (c_.furnace_reach_1_3 * e101 - Scalar(2) * c_.furnace_reach_2_3 * e110);
-        const Scalar e139 = e29 * e138 - e108 * (c_.furnace_distance_2_3 * e115 + e117 * e125);
-        const Scalar e140 = inverse_129 + inverse_44;
-        const Scalar e141 = p_.h * e140;
-        const Scalar e142 = p_.h * inverse_129;
-        const Scalar e143 = Scalar(1) + (Scalar(1) / Scalar(2)) * c_.furnace_distance_1_3 * inverse_44;
-        const Scalar e144 = p_.h * e143;
-        const Scalar e145 = p_.h * inverse_44;
-        const Scalar e146 = e75 * e145;
-        const Scalar e147 = (Scalar(1) / Scalar(2)) * (inverse_129 * e136 + e48 * (inverse_44 * e54 - e140 * e42));
-        const Scalar e148 = p_.h * (e50 + (Scalar(1) / Scalar(2)) * inverse_44 * e53 + e147);
-        const Scalar e149 = c_.furnace_reflectivity_1 * e13;
-        const Scalar e150 = e69 * e11;
-        const Scalar e151 = c_.furnace_reflectivity_2 * e32;
-        const Scalar e152 = c_.furnace_reflectivity_3 * inverse_9;
-        const Scalar e153 = inverse_9 * (c_.furnace_reach_2_3 * e135 - c_.furnace_reflectivity_1 * e14);
-        const Scalar e154 = e6 * (e153 - (c_.furnace_reflectivity_2 * e52 * e10 - e42));
-        const Scalar e155 = e60 * e82;
-        const Scalar e156 = e5 * e14;
-        const Scalar e157 = e52 * inverse_4;
-        const Scalar e158 = e157 * (p_.eps_C * c_.furnace_reach_1_2);
-        const Scalar e159 = e84 * e134;
-        const Scalar e160 = inverse_4 * e60;
+        const Scalar e119 = T_R_squared * e101;
+        const Scalar sqrt_120 = sqrt(p_.x_R * p_.x_R + e14);
+        const Scalar inverse_121 = Scalar(1) / sqrt_120;
+        const Scalar e122 = p_.x_R * inverse_121;
+        const Scalar e123 = e122 - e17;
+        const Scalar e124 = inverse_12 + (inverse_12 * e122 - e123 * e31);
+        const Scalar e125 = p_.b * e62;
+        const Scalar e126 = inverse_12 * (e13 - e18) - (e122 * e38 - e123 * e21);
+        const Scalar e127 = e59 * e126;
+        const Scalar e128 = c_.furnace_reach_2_3 * inverse_7;
+        const Scalar e129 = p_.eps_C * inverse_7 * e42 + p_.eps_R * inverse_2 * e128;
+        const Scalar e130 = e124 * e125 - e127 + e129 * e122;
+        const Scalar e131 = inverse_12 * e19 + e123 * e37;
+        const Scalar e132 = p_.b * e81;
+        const Scalar e133 = e131 * e132 - e127;
+        const Scalar e134 = e62 * e124 - e81 * e131;
+        const Scalar e135 = c_.furnace_reflectivity_1 * c_.furnace_reach_1_1;
+        const Scalar e136 = p_.b * p_.H + e135;
+        const Scalar e137 = e78 * (c_.furnace_reflectivity_1 * e73 * e95 + e136 * e70);
+        const Scalar e138 = p_.b * e28;
+        const Scalar e139 = e11 * e126;
+        const Scalar e140 = p_.b * e35;
+        const Scalar e141 = c_.furnace_reach_1_2 * e46;
+        const Scalar e142 = e42 * e128;
+        const Scalar e143 = e112 * e142;
+        const Scalar e144 = (e124 * e138 - e139) * e34 - (e131 * e140 - e139) * e41
+            + ((e35 * e131 - e28 * e124) * e136 - (e141 * e47 + e122 * e143));
+        const Scalar e145 = c_.furnace_reflectivity_1 * e114 - (Scalar(1) / Scalar(2)) * e136 * e105;
+        const Scalar e146 = inverse_121 + inverse_16;
+        const Scalar e147 = inverse_12 * inverse_16;
+        const Scalar e148 = (Scalar(1) / Scalar(2)) * (inverse_121 * e38 - e146 * e21 + c_.furnace_distance_1_3 * e147);
+        const Scalar e149 = inverse_12 + e148;
+        const Scalar e150 = Scalar(2) * (e59 * e149);
+        const Scalar e151 = e146 * e31 - inverse_121 * inverse_12;
+        const Scalar e152 = p_.h * (e129 * inverse_121 + (e150 - e151 * e125));
+        const Scalar e153 = e146 * e37 - e147;
+        const Scalar e154 = p_.h * (e153 * e132 + e150);
+        const Scalar e155 = p_.h * (-e81 * e153 - e62 * e151);
+        const Scalar e156 = e57 * (p_.h * inverse_16);
+        const Scalar e157 = Scalar(2) * (e11 * e149);
+        const Scalar e158 = (e35 * e153 + e28 * e151) * e136 - (inverse_121 * e143 - inverse_16 * e4 * e141);
+        const Scalar e159 = p_.h * ((e157 - e151 * e138) * e34 - (e153 * e140 + e157) * e41 + e158);
+        const Scalar e160 = p_.b * inverse_12;
+        const Scalar e161 = e81 * e36;
+        const Scalar e162 = e20 * inverse_12;
+        const Scalar e163 = e59 * e162;
+        const Scalar e164 = e160 * e161 - e163;
+        const Scalar e165 = e62 * e30;
+        const Scalar e166 = inverse_12 * (e165 + e161);
+        const Scalar e167 = c_.furnace_reflectivity_1 * c_.furnace_reach_1_2;
+        const Scalar e168 = c_.furnace_reach_2_3 * e46;
+        const Scalar e169 = e164 - inverse_2 * (e166 * e167 - c_.furnace_reflectivity_2 * e168);
+        const Scalar e170 = e164 * e5;
+        const Scalar e171 = p_.b + inverse_2 * e135;
+        const Scalar e172 = c_.furnace_reflectivity_1 * e44 * e42 - e166 * e171;
+        const Scalar e173 = inverse_2 * (c_.furnace_reflectivity_3 * e129 + (e160 * e165 + e163) * e8);
+        const Scalar e174 = e26 * e58;
+        const Scalar e175 = e28 * e30;
+        const Scalar e176 = e11 * e162;
+        const Scalar e177 = e35 * e36;
+        const Scalar e178 = c_.furnace_reach_2_3 * e42 * e112 - e44 * e167
+            - (c_.furnace_reflectivity_2 * e141 + (e160 * e175 + e176) * e34);
+        const Scalar e179 = inverse_2 * e178 - ((e160 * e177 - e176) * e4 * e26 - inverse_12 * (e177 + e175) * e171);
+        const Scalar e180 = e68 * e87;
+        const Scalar e181 = e44 * e95;
+        const Scalar e182 = p_.T_M * e50;
+        const Scalar e183 = inverse_51 * e168;
+        const Scalar e184 = c_.furnace_reach_2_3 * e45;
+        const Scalar e185 = p_.eps_C * e141;
+        const Scalar e186 = inverse_51 * e50;
+        const Scalar e187 = p_.T_M * e186;
+        const Scalar e188 = p_.T_M * inverse_51;
+        const Scalar e189 = e68 * e66;
         const Scalar P = u[0];
-        const Scalar e161 = c_.furnace_exchange_factor_1_2 * inverse_4;
-        const Scalar e162 = inverse_4 * e161;
-        const Scalar e163 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3 * e56;
-        const Scalar e164 = e81 - e69 * e8 * (e62 * e82 - e83 * e85) - e86 * e90 - e46 * e96 + e97 * e93 + e71 * e94;
-        const Scalar e165 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e164;
-        const Scalar e166 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e56;
-        const Scalar e167 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_M * e56;
-        const Scalar e168 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e82 * e101;
-        const Scalar e169 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e83 * e104;
-        const Scalar e170 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e114;
-        const Scalar e171 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e86 * e116;
-        const Scalar e172 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e46 * e119;
-        const Scalar e173 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e109 * e94;
-        const Scalar e174 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e93 * e120;
-        const Scalar e175 = (e8 * (e168 + e169) - e170 + e171 + e172 - e173 - e174) * T_R_squared_squared;
-        const Scalar e176 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e56;
-        J[0] = e1 * e163 - e165 + e166 * e98 + e167 * e99 - e175 + e176 * e121;
-        const Scalar e177 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e81 - e127 * e130 + e131 * e90 + e132 * e96 - e126);
-        const Scalar e178 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3 * e137;
-        const Scalar e179 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e137;
-        const Scalar e180 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_M * e137;
-        const Scalar e181 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e125 * e120 - e114 - e139 * e130 - e131 * e116 - e132 * e119);
-        const Scalar e182 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e137;
-        J[1] = e177 + e1 * (-e178) + (-e179) * e98 + (-e180) * e99 + e181 * T_R_squared_squared + (-e182) * e121;
-        const Scalar e183 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e96 * e141;
-        const Scalar e184 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e127 * e142;
-        const Scalar e185 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e90 * e144;
-        const Scalar e186 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e71 * e146;
-        const Scalar e187 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e145 * e80;
-        const Scalar e188 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e3 * e148;
-        const Scalar e189 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e2 * e148;
-        const Scalar e190 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.T_M * e148;
-        const Scalar e191 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e116 * e144;
+        const Scalar e190 = c_.furnace_exchange_factor_1_2 * inverse_51;
+        const Scalar e191 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e49 * e55;
         const Scalar e192 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e139 * e142;
+            * (e64 * e80 - e83 * e85 - e88 * e89 + e93 - e94 * e97 + e98 * e100);
         const Scalar e193 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e119 * e141;
+            * e54 * e49;
         const Scalar e194 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e109 * e146;
-        const Scalar e195 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e145 * e113;
+            * e49 * e102;
+        const Scalar e195 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e88 * e105;
         const Scalar e196 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e148;
-        J[2] = e183 - e184 - e185 - e186 - e187 + e1 * (-e188) + (-e189) * e98 + (-e190) * e99
-            + (e191 - e192 - e193 + e194 + e195) * T_R_squared_squared + (-e196) * e121;
+            * e83 * e110;
         const Scalar e197 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e62 * e149 * e150 - e69 * (e95 + e79 * e151 + e21 * e85) + e152 * e124);
-        const Scalar e198 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3 * e154;
-        const Scalar e199 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e154;
+            * e64 * e113;
+        const Scalar e198 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e114 * e94;
+        const Scalar e199 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e98 * e118;
         const Scalar e200 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_M * e154;
+            * e53 * e49;
+        J[0] = e1 * (-e191) - e192 + (-e193) * e101 + (-e194) * e103 - (e195 - e196 - e197 - e198 - e117 + e199)
+            * T_R_squared_squared + (-e200) * e119;
         const Scalar e201 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.eps_W * e118;
+            * (e130 * e80 - e133 * e85 - e134 * e137 + e93);
         const Scalar e202 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e11 * e101 * e149;
+            * e144 * e55;
         const Scalar e203 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e152 * e138;
-        const Scalar e204 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e112 * e151;
+            * e54 * e144;
+        const Scalar e204 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e144 * e102;
         const Scalar e205 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e21 * e104;
-        const Scalar e206 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e154;
-        J[3] = e197 - e1 * e198 - e199 * e98 - e200 * e99 + (e201 - e202 - e203 + e204 - e205) * T_R_squared_squared - e206
-            * e121;
+            * e133 * e110;
+        const Scalar e206 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e134 * e145;
         const Scalar e207 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e59 * e69 * e155 - e66 * e83 * e150);
+            * e130 * e113;
         const Scalar e208 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3 * e156;
+            * e53 * e144;
+        J[1] = e201 + e1 * e202 + e203 * e101 + e204 * e103 + (-e205 - e206 - e207 - e117) * T_R_squared_squared + e208 * e119;
         const Scalar e209 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e156;
+            * (e80 * e152 - e85 * e154 - e155 * e137 - e92 * e156);
         const Scalar e210 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_M * e156;
-        const Scalar e211 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e106 * e83 * e12;
+            * e55 * e159;
+        const Scalar e211 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e54 * e159;
         const Scalar e212 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e111 * e155;
-        const Scalar e213 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e156;
-        J[4] = e207 + e1 * e208 + e209 * e98 + e210 * e99 + (-e211 - e212) * T_R_squared_squared + e213 * e121;
-        const Scalar e214 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e77 * (e65 * e157 - e62 * e51));
-        const Scalar e215 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3 * e158;
+            * e102 * e159;
+        const Scalar e213 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e116 * e156;
+        const Scalar e214 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e145 * e155;
+        const Scalar e215 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e110 * e154;
         const Scalar e216 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e158;
+            * e113 * e152;
         const Scalar e217 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_M * e158;
-        const Scalar e218 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e51 * e101;
-        const Scalar e219 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e157 * e103;
+            * e53 * e159;
+        J[2] = e209 + e1 * e210 + e211 * e101 + e212 * e103 + (e213 - e214 - e215 - e216) * T_R_squared_squared + e217 * e119;
+        const Scalar e218 = e78 * (e169 * e74 + e84 * e170) + e172 * e89 + e79 * e173 - e99 * e91 * e174 - e26 * e100;
+        const Scalar e219 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e218;
         const Scalar e220 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e158;
-        J[5] = e214 + e1 * e215 + e216 * e98 + e217 * e99 + c_.furnace_reach_2_3 * (e218 + e219) * T_R_squared_squared + e220
-            * e121;
+            * e179 * e55;
         const Scalar e221 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_57 * e2_squared * e123;
+            * e54 * e179;
         const Scalar e222 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3 * e159;
-        const Scalar e223 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e159;
+            * e179 * e102;
+        const Scalar e223 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e169 * e108;
         const Scalar e224 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_M * e159;
-        const Scalar e225 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * c_.furnace_reach_2_3 * e106;
+            * e172 * e105;
+        const Scalar e225 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * p_.eps_W * e111 * e173;
         const Scalar e226 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_reach_1_3 * e105;
+            * e109 * e170;
         const Scalar e227 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e159;
-        J[6] = -(-e221) - e1 * e222 - e223 * e98 - e224 * e99 - (-e122 * (e225 - e226)) * T_R_squared_squared - e227 * e121;
-        const Scalar e228 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e64 * e160;
+            * e174 * e115;
+        const Scalar e228 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e26 * e118;
         const Scalar e229 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2_squared * e58 * e160;
+            * e53 * e179;
+        J[3] = e219 - e1 * e220 - e221 * e101 - e222 * e103 + (e223 - e224 - e225 - e226 + e227 - e228) * T_R_squared_squared
+            - e229 * e119;
         const Scalar e230 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3 * e162;
+            * (e67 * e78 * e180 - e43 * e97);
         const Scalar e231 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e162;
+            * e181 * e182;
         const Scalar e232 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_M * e162;
+            * e50 * e181;
         const Scalar e233 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e162;
-        J[7] = e228 * T_R_squared_squared - e229 - P * (inverse_4 * inverse_4) - e1 * e230 - e231 * e98 - e232 * e99 - e233
-            * e121;
-        const Scalar e234 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e161;
-        const Scalar e235 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e60 * e58;
-        const Scalar e236 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e161;
-        J[8] = c_.k4 * (T_R * T_R_squared + e99) + e3 * (e234 + e235) + c_.k2 * T_R + e1 * e236 + c_.k3 * T_R_squared + c_.k7
-            * e98;
+            * p_.T_M * e181;
+        const Scalar e234 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e43 * e114;
+        const Scalar e235 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e104 * e180;
+        const Scalar e236 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e181;
+        J[4] = e230 + e1 * e231 + e232 * e101 + e233 * e103 + (-e234 - e235) * T_R_squared_squared + e236 * e119;
+        const Scalar e237 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e96 * e183 - e89 * e184);
+        const Scalar e238 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e185 * e187;
+        const Scalar e239 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e186 * e185;
+        const Scalar e240 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e185 * e188;
+        const Scalar e241 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e105 * e184;
+        const Scalar e242 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e107 * e183;
+        const Scalar e243 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_51 * e185;
+        J[5] = e237 + e1 * e238 + e239 * e101 + e240 * e103 + (e241 + e242) * T_R_squared_squared + e243 * e119;
+        const Scalar e244 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e129 * inverse_65 * e50 * e50 * e75;
+        const Scalar e245 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e142 * e55;
+        const Scalar e246 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e54 * e142;
+        const Scalar e247 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e142 * e102;
+        const Scalar e248 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e129 * e111;
+        const Scalar e249 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e53 * e142;
+        J[6] = -(-e244) - e1 * e245 - e246 * e101 - e247 * e103 - e248 * T_R_squared_squared - e249 * e119;
+        const Scalar e250 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_51 * e72 * e68;
+        const Scalar e251 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e50 * e186 * e189;
+        const Scalar e252 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e190 * e187;
+        const Scalar e253 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e186 * e190;
+        const Scalar e254 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e190 * e188;
+        const Scalar e255 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_51 * e190;
+        J[7] = e250 * T_R_squared_squared - e251 - P * (inverse_51 * inverse_51) - e1 * e252 - e253 * e101 - e254 * e103 - e255
+            * e119;
+        const Scalar e256 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * c_.furnace_exchange_factor_1_2 * e187;
+        const Scalar e257 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e182 * e189;
+        const Scalar e258 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000)))
+            * c_.furnace_exchange_factor_1_2 * e186;
+        J[8] = c_.k4 * (T_R * T_R_squared + e103) + (e256 + e257) + c_.k2 * T_R + e1 * e258 + c_.k3 * T_R_squared + c_.k7
+            * e101;
         J[9] = Scalar(0);
     }
 

@@ -18,7 +18,7 @@
 //   update                 4     22     6        0      0
 //   rhs                    4      6     0        0      0
 //   rhs_and_jacobian      14     20     0        0      0
-//   jacobian_p            15     56     5        0      0
+//   jacobian_p            17     55     5        0      0
 //   output                 3      5     0        0      0
 //   output_jacobian_x      9     13     0        0      0
 //   internal_energy        1      4     0        0      0
@@ -252,64 +252,65 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 9, entry (i, j) at J[2*j + i].
-    /// Operations: 15 + or -, 56 *, 5 /
+    /// Operations: 17 + or -, 55 *, 5 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.m_1;
         const Scalar inverse_2 = Scalar(1) / p_.c_1;
         const Scalar e3 = inverse_1 * inverse_2;
         const Scalar inverse_4 = Scalar(1) / p_.A;
         const Scalar e5 = c_.gap_reach_1_2 * inverse_4;
-        const Scalar e6 = (p_.eps_1 * c_.gap_reflectivity_2 + p_.eps_2 * c_.gap_reflectivity_1) * e5 * e5;
-        const Scalar e7 = Scalar(1) + c_.gap_reflectivity_2 * c_.gap_reach_2_2 * inverse_4 - c_.gap_reflectivity_1 * e5;
-        const Scalar e8 = c_.gap_reflectivity_2 * e5 * (c_.gap_reflectivity_1 - Scalar(1)) + Scalar(1);
-        const Scalar e9 = (e6 - (-e7) * e8) * (p_.eps_1 * p_.eps_2);
+        const Scalar e6 = Scalar(1) + c_.gap_reflectivity_2 * c_.gap_reach_2_2 * inverse_4 - c_.gap_reflectivity_1 * e5;
+        const Scalar e7 = -e6;
+        const Scalar e8 = c_.gap_reflectivity_2 * e7;
+        const Scalar e9 = (p_.eps_1 * c_.gap_reflectivity_2 + p_.eps_2 * c_.gap_reflectivity_1) * e5;
+        const Scalar e10 = ((e8 - (c_.gap_reflectivity_1 * e8 - e9)) * e5 - e7) * (p_.eps_1 * p_.eps_2);
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
-        const Scalar e10 = (T_1 + T_2) * ((T_1 - T_2) * (T_1 * T_1 + T_2 * T_2));
-        const Scalar inverse_11 = Scalar(1) / p_.m_2;
-        const Scalar inverse_12 = Scalar(1) / p_.c_2;
-        const Scalar e13 = inverse_11 * inverse_12;
-        const Scalar e14 = p_.eps_2 * p_.eps_2;
-        const Scalar e15 = c_.gap_reach_1_2 * e5;
-        const Scalar e16 = e3 * e15;
-        const Scalar e17 = e13 * e15;
-        const Scalar e18 = p_.eps_1 * p_.eps_1;
-        const Scalar e19 = c_.gap_exchange_factor_1_2 * e3;
-        const Scalar e20 = c_.gap_exchange_factor_1_2 * e13;
-        const Scalar e21 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3 * e9;
-        J[0] = -e21 * e10;
+        const Scalar e11 = (T_1 + T_2) * ((T_1 - T_2) * (T_1 * T_1 + T_2 * T_2));
+        const Scalar inverse_12 = Scalar(1) / p_.m_2;
+        const Scalar inverse_13 = Scalar(1) / p_.c_2;
+        const Scalar e14 = inverse_12 * inverse_13;
+        const Scalar e15 = p_.eps_2 * p_.eps_2;
+        const Scalar e16 = c_.gap_reach_1_2 * e5;
+        const Scalar e17 = e3 * e16;
+        const Scalar e18 = e14 * e16;
+        const Scalar e19 = p_.eps_1 * p_.eps_1;
+        const Scalar e20 = c_.gap_exchange_factor_1_2 * e3;
+        const Scalar e21 = c_.gap_exchange_factor_1_2 * e14;
         const Scalar e22 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e13 * e9;
-        J[1] = e22 * e10;
+            * e3 * e10;
+        J[0] = (-e22) * e11;
         const Scalar e23 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e14 * e16;
-        J[2] = -e23 * e10;
+            * e14 * e10;
+        J[1] = -(-e23) * e11;
         const Scalar e24 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e14 * e17;
-        J[3] = e24 * e10;
+            * e15 * e17;
+        J[2] = -e24 * e11;
         const Scalar e25 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e18 * e16;
-        J[4] = -e25 * e10;
+            * e15 * e18;
+        J[3] = e25 * e11;
         const Scalar e26 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e18 * e17;
-        J[5] = e26 * e10;
+            * e19 * e17;
+        J[4] = -e26 * e11;
         const Scalar e27 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_1 * e19;
-        J[6] = e27 * e10;
+            * e19 * e18;
+        J[5] = e27 * e11;
+        const Scalar e28 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_1 * e20;
+        J[6] = e28 * e11;
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        const Scalar e28 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_11 * e20;
-        J[9] = -e28 * e10;
         const Scalar e29 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_2 * e19;
-        J[10] = e29 * e10;
+            * inverse_12 * e21;
+        J[9] = -e29 * e11;
+        const Scalar e30 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_2 * e20;
+        J[10] = e30 * e11;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        const Scalar e30 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_12 * e20;
-        J[13] = -e30 * e10;
+        const Scalar e31 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_13 * e21;
+        J[13] = -e31 * e11;
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = Scalar(0);

@@ -18,7 +18,7 @@
 //   update                10     41     8        0      0
 //   rhs                    2      8     0        0      0
 //   rhs_and_jacobian       4     14     0        0      0
-//   jacobian_p            47    159     6        0      0
+//   jacobian_p            48    161     6        0      0
 //   output                 2      8     0        0      1
 //   output_jacobian_x      2     14     0        0      1
 //   internal_energy        1      4     0        0      0
@@ -279,101 +279,103 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 10, entry (i, j) at J[2*j + i].
-    /// Operations: 47 + or -, 159 *, 6 /
+    /// Operations: 48 + or -, 161 *, 6 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / p_.A;
-        const Scalar e2 = c_.first_gap_reach_1_2 * inverse_1;
-        const Scalar e3 = c_.first_gap_reflectivity_1 * e2;
-        const Scalar e4 = c_.first_gap_reflectivity_2 * e2;
-        const Scalar e5 = Scalar(1) + c_.first_gap_reflectivity_2 * c_.first_gap_reach_2_2 * inverse_1 - e3;
-        const Scalar e6 = p_.eps_s * e2 * e3 - (-e5) * (e4 * (c_.first_gap_reflectivity_1 - Scalar(1)) + Scalar(1));
-        const Scalar e7 = p_.eps_1 * (e6 + p_.eps_1 * e2 * e4);
-        const Scalar inverse_8 = Scalar(1) / (c_.first_gap_exchange_factor_1_2 + c_.second_gap_exchange_factor_1_2);
-        const Scalar e9 = c_.first_gap_exchange_factor_1_2 * inverse_8;
-        const Scalar inverse_10 = Scalar(1) / p_.m_1;
-        const Scalar inverse_11 = Scalar(1) / p_.c_1;
-        const Scalar e12 = inverse_10 * inverse_11;
-        const Scalar e13 = Scalar(1) - Scalar(2) * (Scalar(1) - (Scalar(1) / Scalar(2)) * e9) * e9;
-        const Scalar e14 = e13 * e12;
-        const Scalar e15 = c_.second_gap_reach_1_2 * inverse_1;
-        const Scalar e16 = c_.second_gap_reflectivity_2 * e15;
-        const Scalar e17 = c_.second_gap_reflectivity_1 * e15;
-        const Scalar e18 = Scalar(1) + c_.second_gap_reflectivity_2 * c_.second_gap_reach_2_2 * inverse_1 - e17;
-        const Scalar e19 = (-e18) * (e16 * (c_.second_gap_reflectivity_1 - Scalar(1)) + Scalar(1));
-        const Scalar e20 = p_.eps_2 * (p_.eps_s * e15 * e16 - e19 + p_.eps_2 * e15 * e17);
-        const Scalar e21 = e12 * e9;
-        const Scalar e22 = e9 * e21;
-        const Scalar T_1 = x[0];
-        const Scalar T_1_squared = T_1 * T_1;
-        const Scalar T_1_squared_squared = T_1_squared * T_1_squared;
-        const Scalar e23 = Scalar(1) - e9;
-        const Scalar e24 = c_.second_gap_exchange_factor_1_2 * e23;
-        const Scalar e25 = c_.second_gap_exchange_factor_1_2 * inverse_8;
-        const Scalar e26 = Scalar(1) - e25;
-        const Scalar e27 = c_.first_gap_exchange_factor_1_2 * e26;
-        const Scalar e28 = inverse_8 * (e7 * e24 + e20 * e27);
+        const Scalar inverse_1 = Scalar(1) / p_.m_1;
+        const Scalar inverse_2 = Scalar(1) / p_.c_1;
+        const Scalar e3 = inverse_1 * inverse_2;
+        const Scalar inverse_4 = Scalar(1) / (c_.first_gap_exchange_factor_1_2 + c_.second_gap_exchange_factor_1_2);
+        const Scalar inverse_5 = Scalar(1) / p_.A;
+        const Scalar e6 = c_.first_gap_reach_1_2 * inverse_5;
+        const Scalar e7 = Scalar(1) + c_.first_gap_reflectivity_2 * c_.first_gap_reach_2_2 * inverse_5
+            - c_.first_gap_reflectivity_1 * e6;
+        const Scalar e8 = -e7;
+        const Scalar e9 = p_.eps_1 * c_.first_gap_reflectivity_2 + p_.eps_s * c_.first_gap_reflectivity_1;
+        const Scalar e10 = c_.first_gap_reflectivity_1 * c_.first_gap_reflectivity_2 * e8 - e9 * e6;
+        const Scalar e11 = p_.eps_1 * (e8 * (Scalar(1) - c_.first_gap_reflectivity_2 * e6) + e10 * e6);
+        const Scalar e12 = c_.first_gap_exchange_factor_1_2 * inverse_4;
+        const Scalar e13 = Scalar(1) - e12;
+        const Scalar e14 = c_.second_gap_exchange_factor_1_2 * e13;
+        const Scalar e15 = c_.second_gap_reach_1_2 * inverse_5;
+        const Scalar e16 = Scalar(1) + c_.second_gap_reflectivity_2 * c_.second_gap_reach_2_2 * inverse_5
+            - c_.second_gap_reflectivity_1 * e15;
+        const Scalar e17 = -e16;
+        const Scalar e18 = p_.eps_2 * c_.second_gap_reflectivity_1 + p_.eps_s * c_.second_gap_reflectivity_2;
+        const Scalar e19 = c_.second_gap_reflectivity_1 * c_.second_gap_reflectivity_2 * e17 - e18 * e15;
+        const Scalar e20 = p_.eps_2 * (e17 * (Scalar(1) - c_.second_gap_reflectivity_2 * e15) + e19 * e15);
+        const Scalar e21 = c_.second_gap_exchange_factor_1_2 * inverse_4;
+        const Scalar e22 = Scalar(1) - e21;
+        const Scalar e23 = c_.first_gap_exchange_factor_1_2 * e22;
+        const Scalar e24 = inverse_4 * (e11 * e14 + e20 * e23);
         const Scalar T_2 = x[1];
         const Scalar T_2_squared = T_2 * T_2;
         const Scalar T_2_squared_squared = T_2_squared * T_2_squared;
+        const Scalar e25 = Scalar(1) - Scalar(2) * (Scalar(1) - (Scalar(1) / Scalar(2)) * e12) * e12;
+        const Scalar e26 = e25 * e3;
+        const Scalar e27 = e3 * e12;
+        const Scalar e28 = e12 * e27;
+        const Scalar T_1 = x[0];
+        const Scalar T_1_squared = T_1 * T_1;
+        const Scalar T_1_squared_squared = T_1_squared * T_1_squared;
         const Scalar inverse_29 = Scalar(1) / p_.m_2;
         const Scalar inverse_30 = Scalar(1) / p_.c_2;
         const Scalar e31 = inverse_29 * inverse_30;
         const Scalar e32 = p_.eps_s * e31;
-        const Scalar e33 = Scalar(1) - Scalar(2) * (Scalar(1) - (Scalar(1) / Scalar(2)) * e25) * e25;
+        const Scalar e33 = Scalar(1) - Scalar(2) * (Scalar(1) - (Scalar(1) / Scalar(2)) * e21) * e21;
         const Scalar e34 = p_.eps_s * p_.eps_s;
-        const Scalar e35 = c_.first_gap_reach_1_2 * e2;
-        const Scalar e36 = e35 * e14;
-        const Scalar e37 = e25 * e35;
-        const Scalar e38 = e23 * e12;
+        const Scalar e35 = c_.first_gap_reach_1_2 * e6;
+        const Scalar e36 = e35 * e26;
+        const Scalar e37 = e21 * e35;
+        const Scalar e38 = e13 * e3;
         const Scalar e39 = e31 * e34;
-        const Scalar e40 = e25 * e37;
+        const Scalar e40 = e21 * e37;
         const Scalar e41 = c_.second_gap_reach_1_2 * e15;
         const Scalar e42 = e34 * e41;
         const Scalar e43 = e33 * e41;
         const Scalar e44 = p_.eps_2 * p_.eps_2;
         const Scalar e45 = p_.eps_1 * p_.eps_1;
-        const Scalar e46 = c_.first_gap_reach_1_2 * c_.first_gap_reach_1_2 * e45 * e24 + c_.second_gap_reach_1_2
-            * c_.second_gap_reach_1_2 * e44 * e27;
-        const Scalar e47 = e46 * (inverse_1 * inverse_8);
+        const Scalar e46 = c_.first_gap_reach_1_2 * c_.first_gap_reach_1_2 * e45 * e14 + c_.second_gap_reach_1_2
+            * c_.second_gap_reach_1_2 * e44 * e23;
+        const Scalar e47 = e46 * (inverse_5 * inverse_4);
         const Scalar e48 = c_.first_gap_exchange_factor_1_2 * e38;
-        const Scalar e49 = c_.second_gap_exchange_factor_1_2 * e21;
+        const Scalar e49 = c_.second_gap_exchange_factor_1_2 * e27;
         const Scalar e50 = c_.second_gap_exchange_factor_1_2 * e31;
-        const Scalar e51 = e26 * e50;
-        const Scalar e52 = e9 * e50;
+        const Scalar e51 = e22 * e50;
+        const Scalar e52 = e12 * e50;
         const Scalar e53 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (p_.eps_s * (e7 * e14 + e20 * e22));
+            * p_.eps_s * e3 * e24;
         const Scalar e54 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.eps_s * e12 * e28;
-        J[0] = -e53 * T_1_squared_squared - (-e54) * T_2_squared_squared;
+            * (-p_.eps_s * (e11 * e26 + e20 * e28));
+        J[0] = (-e53) * T_2_squared_squared - e54 * T_1_squared_squared;
         const Scalar e55 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e32 * e28;
+            * e32 * e24;
         const Scalar e56 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e32 * (e25 * e25 * e7 + e33 * e20));
-        J[1] = -(-e55) * T_1_squared_squared - e56 * T_2_squared_squared;
+            * (e32 * (e21 * e21 * e11 + e33 * e20));
+        J[1] = (-e55) * T_1_squared_squared + e56 * T_2_squared_squared;
         const Scalar e57 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e34 * e36;
         const Scalar e58 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e34 * e37 * e38;
         J[2] = -e57 * T_1_squared_squared - (-e58) * T_2_squared_squared;
         const Scalar e59 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e23 * e39 * e37;
+            * e13 * e39 * e37;
         const Scalar e60 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e39 * e40;
         J[3] = -(-e59) * T_1_squared_squared - e60 * T_2_squared_squared;
         const Scalar e61 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e22 * e42;
+            * e28 * e42;
         const Scalar e62 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e26 * e21 * e42;
+            * e22 * e27 * e42;
         J[4] = -e61 * T_1_squared_squared - (-e62) * T_2_squared_squared;
         const Scalar e63 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e26 * e9 * e41 * e39;
+            * e22 * e12 * e41 * e39;
         const Scalar e64 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e39 * e43;
         J[5] = -(-e63) * T_1_squared_squared - e64 * T_2_squared_squared;
         const Scalar e65 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e41 * e44 * e22 + e45 * e36);
+            * (e41 * e44 * e28 + e45 * e36);
         const Scalar e66 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e12 * e47;
+            * e3 * e47;
         J[6] = -e65 * T_1_squared_squared - (-e66) * T_2_squared_squared;
         const Scalar e67 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e31 * e47;
@@ -381,9 +383,9 @@ public:
             * (e31 * (e44 * e43 + e45 * e40));
         J[7] = -(-e67) * T_1_squared_squared - e68 * T_2_squared_squared;
         const Scalar e69 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_10 * e48;
+            * inverse_1 * e48;
         const Scalar e70 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_10 * e49;
+            * inverse_1 * e49;
         J[8] = e69 * T_1_squared_squared - e70 * T_2_squared_squared;
         J[9] = Scalar(0);
         J[10] = Scalar(0);
@@ -393,9 +395,9 @@ public:
             * inverse_29 * e52;
         J[11] = e71 * T_2_squared_squared - e72 * T_1_squared_squared;
         const Scalar e73 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_11 * e48;
+            * inverse_2 * e48;
         const Scalar e74 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_11 * e49;
+            * inverse_2 * e49;
         J[12] = e73 * T_1_squared_squared - e74 * T_2_squared_squared;
         J[13] = Scalar(0);
         J[14] = Scalar(0);

@@ -111,8 +111,8 @@ private:
         if (const auto problem = polygon.problem()) {
             const auto [i, j] = *problem;
             const Span place = item_.polygon[j][0]->span;
-            if (i == j) throw Failure(Diagnostic{Id::inconsistent_enclosure, place, fmt::format("surface {} of enclosure '{}' has no length: it ends at the corner where it begins", surface_name(item_, i), item_.name)});
-            throw Failure(Diagnostic{Id::inconsistent_enclosure, place,
+            if (i == j) throw Failure(Diagnostic{Id::wrong_enclosure, place, fmt::format("surface {} of enclosure '{}' has no length: it ends at the corner where it begins", surface_name(item_, i), item_.name)});
+            throw Failure(Diagnostic{Id::wrong_enclosure, place,
                                      fmt::format("the polygon of enclosure '{}' crosses or touches itself: surfaces {} and {} meet away from a corner that they share", item_.name, surface_name(item_, i), surface_name(item_, j)),
                                      {{item_.polygon[i][0]->span, fmt::format("surface {} begins here", surface_name(item_, i))}}});
         }

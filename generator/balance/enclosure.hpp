@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-/// Adds the links of an enclosure. Throws Failure (inconsistent-enclosure, value-out-of-range, undetermined, index-out-of-range, too-large).
+/// Adds the links of an enclosure. Throws Failure (wrong-enclosure, value-out-of-range, undetermined, index-out-of-range, too-large).
 void add_enclosure(HeatNetwork& network, const Enclosure& enclosure, const Scene& scene, const Translator& translate, Symbols& symbols);
 
 }  // namespace dalembert

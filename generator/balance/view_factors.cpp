@@ -62,7 +62,7 @@ private:
         const auto left = value_(here);
         const auto right = value_(back);
         if (!left || !right || sign_of_value((*left - *right) / cln::max(cln::abs(*left), cln::abs(*right))) == 0) return;
-        fail(Id::inconsistent_enclosure, place(j, i),
+        fail(Id::wrong_enclosure, place(j, i),
              fmt::format("the view factors of enclosure '{}' break the reciprocity A_i*F_ij = A_j*F_ji (4.45): from {} to {} it is {} m^2, but back {} m^2; leave one of the two out as \"?\"",
                          enclosure_.name, name(i), name(j), shown(*left), shown(*right)),
              {{place(i, j), "the other one stands here"}});
@@ -82,9 +82,9 @@ private:
         const int sign = sign_of_value(*number - 1);
         const char* given = is_complete ? "" : " that are given";
         if (sign > 0)
-            fail(Id::inconsistent_enclosure, row_place(i), fmt::format("the view factors from {}{} add up to {}, beyond the 1 of (4.47)", name(i), given, shown(*number)));
+            fail(Id::wrong_enclosure, row_place(i), fmt::format("the view factors from {}{} add up to {}, beyond the 1 of (4.47)", name(i), given, shown(*number)));
         if (sign < 0 && is_complete)
-            fail(Id::inconsistent_enclosure, row_place(i),
+            fail(Id::wrong_enclosure, row_place(i),
                  fmt::format("enclosure '{}' is open: the view factors from {} add up to {} instead of 1 (4.47). Leave one out as \"?\", or add a black surface for the opening, held at the "
                              "temperature outside",
                              enclosure_.name, name(i), shown(*number)));
@@ -103,7 +103,7 @@ private:
         for (const ex& rest : solved.left_over) {
             const auto number = rest.expand().is_zero() ? std::nullopt : value_(rest);
             if (number && sign_of_value(*number) != 0)
-                fail(Id::inconsistent_enclosure, enclosure_.view_factors_span,
+                fail(Id::wrong_enclosure, enclosure_.view_factors_span,
                      fmt::format("no view factors in the places left out make all rows of enclosure '{}' add up to 1 (4.47) and keep the reciprocity (4.45): {} m^2 are left over", enclosure_.name, shown(*number)));
         }
         for (std::size_t u = 0; u < unknown_.size(); ++u) {
@@ -111,7 +111,7 @@ private:
             set(i, j, solved.values[u]);
             const auto number = value_(direct_[i][j] / areas_[i]);
             if (number && sign_of_value(*number) < 0)
-                fail(Id::inconsistent_enclosure, enclosure_.view_factors_span,
+                fail(Id::wrong_enclosure, enclosure_.view_factors_span,
                      fmt::format("the view factor from {} to {} follows as {} from reciprocity (4.45) and the sums of rows (4.47), but must not be below 0", name(i), name(j), shown(*number)));
         }
     }

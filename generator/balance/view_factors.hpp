@@ -37,7 +37,7 @@ struct SolvedRows {
 };
 SolvedRows solve_rows(const std::vector<GiNaC::ex>& areas, const std::vector<std::vector<GiNaC::ex>>& direct, const std::vector<Pair>& unknown);
 
-/// A_i*F_ij, symmetric. Throws Failure (inconsistent-enclosure, value-out-of-range, undetermined).
+/// A_i*F_ij, symmetric. Throws Failure (wrong-enclosure, value-out-of-range, undetermined).
 std::vector<std::vector<GiNaC::ex>> complete_view_factors(const Enclosure& enclosure, const std::vector<GiNaC::ex>& areas, const std::vector<std::vector<std::optional<GiNaC::ex>>>& factors,
                                                           const Defaults& value);
 

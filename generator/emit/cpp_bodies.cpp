@@ -64,11 +64,38 @@ CppBody CppBodies::finish(const CppFunction& cpp, std::string statements, const 
     return body;
 }
 
+/// The definitions that are computed, in order: members, and the steps on the way to them and to what is cached.
+std::vector<std::size_t> CppBodies::needed_definitions() const {
+    const FunctionCode& f = code_[Function::update];
+    const std::vector<std::size_t>& order = code_.definition_order;
+    std::set<std::size_t> needed;
+    const auto need_parts = [&](NodeId root) {
+        for (const NodeId id : f.program.in_order({root})) {
+            const Node& node = f.program[id];
+            const Variable* variable = node.kind == Node::Kind::symbol ? code_.atoms[node.index].variable : nullptr;
+            if (variable != nullptr && variable->kind == SymbolKind::definition) needed.insert(variable->position);
+        }
+    };
+    for (const auto& [index, number] : cached_) need_parts(f.results[order.size() + index]);
+    for (const NodeId mass : f.mass) need_parts(mass);
+    for (std::size_t i = order.size(); i-- > 0;) {
+        if (!is_kept(order[i]) && !needed.contains(order[i])) continue;
+        needed.insert(order[i]);
+        if (!only_in_update_.empty()) need_parts(f.results[i]);
+    }
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < order.size(); ++i)
+        if (needed.contains(order[i])) result.push_back(i);
+    return result;
+}
+
 CppBody CppBodies::update() {
     const FunctionCode& all = code_[Function::update];
     // Only what some function uses is computed.
     FunctionCode f = all;
-    f.results.assign(all.results.begin(), all.results.begin() + static_cast<std::ptrdiff_t>(code_.definition_order.size()));
+    const std::vector<std::size_t> needed = needed_definitions();
+    f.results.clear();
+    for (const std::size_t i : needed) f.results.push_back(all.results[i]);
     for (const auto& [index, number] : cached_) f.results.push_back(all.results[code_.definition_order.size() + index]);
     CppFunction cpp(code_, f, cached_texts_, argument_names);
     cpp.bind_locals(only_in_update_);
@@ -76,9 +103,10 @@ CppBody CppBodies::update() {
     const auto& definitions = code_.system.symbols.all(SymbolKind::definition);
     for (std::size_t i = 0; i < f.results.size(); ++i) {
         statements += cpp.compute({f.results[i]});
-        const bool is_definition = i < code_.definition_order.size();
-        const std::string target = is_definition ? cpp_name(definitions[code_.definition_order[i]]) : cached_name(code_.system.symbols, i - code_.definition_order.size());
-        const bool is_local = is_definition && !is_kept(code_.definition_order[i]);
+        const bool is_definition = i < needed.size();
+        const std::size_t definition = is_definition ? code_.definition_order[needed[i]] : 0;
+        const std::string target = is_definition ? cpp_name(definitions[definition]) : cached_name(code_.system.symbols, i - needed.size());
+        const bool is_local = is_definition && !is_kept(definition);
         statements += assigned(cpp, (is_local ? "const Scalar " : "c_.") + target, f.results[i]);
     }
     if (f.by_loops && code_.solve.is_constant) {

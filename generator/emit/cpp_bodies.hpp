@@ -43,6 +43,7 @@ private:
         bool has_input = true;
     };
 
+    std::vector<std::size_t> needed_definitions() const;
     std::string motion(CppFunction& cpp, const FunctionCode& f);
     std::string filled_jacobian(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout, By by, bool has_mass);
     std::string factored_mass(CppFunction& cpp, const FunctionCode& f);

@@ -53,7 +53,7 @@ constexpr std::array kinds{
     DiagnosticKind{Id::wrong_integral, "wrong-integral", "an energy whose derivative is not the force"},
     DiagnosticKind{Id::inconsistent_medium, "inconsistent-medium", "a medium whose laws contradict each other"},
     DiagnosticKind{Id::wrong_medium, "wrong-medium", "a flow or volume whose law does not fit the medium"},
-    DiagnosticKind{Id::inconsistent_enclosure, "inconsistent-enclosure", "surfaces that cannot see each other as the model says"},
+    DiagnosticKind{Id::wrong_enclosure, "wrong-enclosure", "surfaces that cannot see each other as the model says"},
     DiagnosticKind{Id::undetermined, "undetermined", "a state or volume that nothing determines"},
     DiagnosticKind{Id::doubly_determined, "doubly-determined", "two things that fix the same quantity"},
     DiagnosticKind{Id::can_vanish, "can-vanish", "a volume that can become zero within the declared ranges"},

@@ -55,7 +55,7 @@ enum class Id {
     wrong_integral,
     inconsistent_medium,
     wrong_medium,
-    inconsistent_enclosure,
+    wrong_enclosure,
     undetermined,
     doubly_determined,
     can_vanish,
