@@ -161,7 +161,12 @@ SolvedRows solve_rows(const std::vector<ex>& areas, const std::vector<std::vecto
     return result;
 }
 
-std::string surface_name(const Enclosure& enclosure, std::size_t i) { return fmt::format("'{}'", std::string(enclosure.surfaces[i].span.text())); }
+std::string surface_name(const Enclosure& enclosure, std::size_t i) {
+    const auto name = [](const Reference& surface) { return std::string(surface.span.text()); };
+    const std::string own = name(enclosure.surfaces[i]);
+    const auto same = std::count_if(enclosure.surfaces.begin(), enclosure.surfaces.end(), [&](const Reference& surface) { return name(surface) == own; });
+    return same == 1 ? fmt::format("'{}'", own) : fmt::format("'{}' (surface {})", own, i + 1);
+}
 
 Defaults::Defaults(const Scene& scene, const Translator& translate) : symbols_(translate.symbols()), values_(Values(scene, translate).substitution()) {
     for (const Variable& input : symbols_.all(SymbolKind::input)) values_.erase(input.symbol);

@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-/// A surface by its number and name, for messages.
+/// The name of a surface, with its number where another has the same; for messages.
 std::string surface_name(const Enclosure& enclosure, std::size_t i);
 
 /// The value of an expression at the defaults, exact where it can be; nothing where it depends on an input or has none.
