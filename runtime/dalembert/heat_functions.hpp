@@ -271,6 +271,18 @@ Scalar view_wedge(const Scalar& L_i, const Scalar& L_j, const Scalar& theta) noe
     return Scalar(2) * L_j * c * c / (L_i + L_j + third_side);
 }
 
+/// Two resistances one behind the other, as the layers of a wall (4.65), (4.70)
+template <class Scalar>
+Scalar in_series(const Scalar& a, const Scalar& b) noexcept {
+    return a + b;
+}
+
+/// Two resistances side by side; with in_series the bounds of (4.108).
+template <class Scalar>
+Scalar in_parallel(const Scalar& a, const Scalar& b) noexcept {
+    return a * b / (a + b);
+}
+
 /// Row 5: a right-angled groove with the sides x and y, to itself.
 template <class Scalar>
 Scalar view_groove(const Scalar& x, const Scalar& y) noexcept {
