@@ -6,8 +6,8 @@
 #include <chrono>
 
 #include "emit/notation.hpp"
+#include "form/fluid_validity.hpp"
 #include "form/heat_validity.hpp"
-#include "form/validity.hpp"
 #include "model/checks.hpp"
 #include "model/reader.hpp"
 
@@ -128,17 +128,16 @@ Header generate(Machine& machine) {
         const OperationCount count = machine.code->count(Function::rhs);
         watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
         machine.emitted = verify(*machine.code);
-        std::unique_ptr<FieldCode> fields;
         if (!machine.system->heat.fields.empty()) {
-            fields = make_field_code(*machine.system);
-            for (AuditEntry& entry : verify_fields(*fields)) machine.emitted.push_back(std::move(entry));
+            machine.fields = make_field_code(*machine.system);
+            for (AuditEntry& entry : verify_fields(*machine.fields)) machine.emitted.push_back(std::move(entry));
         }
         for (const AuditEntry& entry : machine.emitted)
             if (entry.result.verdict == Verdict::wrong)
                 throw Failure(Diagnostic{Id::not_equal, machine.loaded->model.name_span, fmt::format("{} fails. This is a defect of the program; please report it with the model", entry.name)});
         const Proofs proofs{machine.audit, machine.emitted};
         watch.lap("prove code", proofs.all_proven() ? "everything proven" : "something only numerically equal");
-        Header header = make_header(*machine.code, fields.get(), proofs, normalised_command(machine));
+        Header header = make_header(*machine.code, machine.fields.get(), proofs, normalised_command(machine));
         watch.lap("emit", fmt::format("{} bytes", header.text.size()));
         return header;
     });

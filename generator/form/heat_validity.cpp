@@ -3,22 +3,25 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
+#include "form/start_values.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
 
 using GiNaC::ex;
-using GiNaC::ex_to;
 using GiNaC::numeric;
 
 namespace {
 
 class HeatValues {
 public:
-    explicit HeatValues(const System& system) : system_(system), start_(Values(system.scene, system.translate).substitution()) {}
+    explicit HeatValues(const System& system) : system_(system), value_(system) {}
 
     void run() const {
         for (const auto& member : system_.scene.rods) check(*member.item);
+        check_radiation();
         for (const NodeState& node : system_.heat.nodes) {
             if (node.kind == NodeState::Kind::storing) above_zero(node.capacity, place_of_capacity(node), fmt::format("the heat capacity of '{}'", node.name), "J/K");
             if (node.kind != NodeState::Kind::sought) above_zero(node.warmth.temperature, node.place, fmt::format("the temperature of '{}'", node.name), "K");
@@ -40,24 +43,25 @@ public:
     }
 
 private:
-    /// The value at the start; nothing where it has none.
-    std::optional<numeric> value(const ex& e) const {
-        const ex number = e.subs(start_, GiNaC::subs_options::no_pattern).evalf();
-        if (!GiNaC::is_exactly_a<numeric>(number) || !ex_to<numeric>(number).is_real()) return std::nullopt;
-        return ex_to<numeric>(number);
+    /// What radiates is above absolute zero, also where its temperature follows from the others.
+    void check_radiation() const {
+        std::set<const NodeState*> checked;
+        const auto check = [&](const NodeState& node) {
+            if (checked.insert(&node).second) above_zero(node.warmth.temperature, node.place, fmt::format("the temperature of '{}', which radiates,", node.name), "K");
+        };
+        for (const NodeState& node : system_.heat.nodes)
+            if (node.radiates) check(node);
+        for (const LinkState& link : system_.heat.links)
+            for (const LinkEnd& end : {link.from, link.to})
+                if (link.radiates && end.node != nullptr) check(*end.node);
     }
 
-    bool moves(const ex& e) const {
-        for (const Variable& input : system_.symbols.all(SymbolKind::input))
-            if (e.has(input.symbol)) return true;
-        return e.has(system_.symbols.time());
-    }
+    /// What moves with inputs or the time has no value before a run.
+    bool moves(const ex& e) const { return value_.depends_on_input(e) || e.has(system_.symbols.time()); }
 
     void above_zero(const ex& e, const Span& place, const std::string& what, const char* unit, bool strictly = true) const {
-        if (moves(e)) return;  // its value is not known before a run
-        const auto number = value(e);
-        if (number && (number->is_positive() || (!strictly && number->is_zero()))) return;
-        throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("{} is {} {} at the start, but must {}", what, number ? fmt::format("{:.6g}", number->to_double()) : "no number", unit, strictly ? "be above zero" : "not be below zero")});
+        if (moves(e)) return;
+        strictly ? value_.positive(e, place, what, unit) : value_.at_least_zero(e, place, what, unit);
     }
 
     Span place_of_capacity(const NodeState& node) const {
@@ -79,7 +83,7 @@ private:
         if (!rod.grid) return;
         // At its ends and in steps between them; what folds back in between shows in the capacities of cells.
         constexpr int steps = 64;
-        const auto at = [&](int i) { return value(system_.translate(*rod.grid->body, {}, {{rod.grid->variable, numeric(i, steps)}})); };
+        const auto at = [&](int i) { return value_(system_.translate(*rod.grid->body, {}, {{rod.grid->variable, numeric(i, steps)}})); };
         const auto first = at(0);
         const auto last = at(steps);
         bool rises = first && last && first->is_zero() && *last == 1;
@@ -88,7 +92,7 @@ private:
     }
 
     const System& system_;
-    GiNaC::exmap start_;
+    StartValues value_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace dalembert {
 
 /// Throws Failure (value-out-of-range): capacities, conductances and resistances that are not positive, cells of rods without width,
-/// temperatures at the start that are not above 0 K.
+/// temperatures at the start that are not above 0 K, sought ones where they radiate.
 void check_heat_values(const System& system);
 
 }  // namespace dalembert

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the numbers of a model make a medium, and temperatures that radiate: at the default parameters and the start values.
+// Whether the numbers of a model make media and volumes: at the default parameters and the start values.
 #pragma once
 
 #include "form/system.hpp"
@@ -7,7 +7,7 @@
 namespace dalembert {
 
 /// Throws Failure (value-out-of-range, inconsistent-medium): properties of media that must be positive, c_p <= c_v, volumes,
-/// pressures and temperatures at the start that are not positive, reservoirs likewise, temperatures of what radiates.
+/// pressures and temperatures at the start that are not positive, reservoirs and flows likewise.
 void check_fluid_values(const System& system);
 
 }  // namespace dalembert

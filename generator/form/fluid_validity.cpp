@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "form/validity.hpp"
+#include "form/fluid_validity.hpp"
 
 #include <fmt/format.h>
 
-#include <set>
+#include "form/start_values.hpp"
 
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
 
 using GiNaC::ex;
-using GiNaC::ex_to;
-using GiNaC::numeric;
 
 namespace {
 
 class ValueCheck {
 public:
-    explicit ValueCheck(const System& system) : system_(system), start_(Values(system.scene, system.translate).substitution()) { add_steps(start_, system.symbols, 30); }
+    explicit ValueCheck(const System& system) : system_(system), value_(system) {}
 
     void run() const {
         for (const auto& member : system_.scene.media) check(*member.item);
@@ -27,7 +25,6 @@ public:
             if (item.temperature && reservoir.fluid.temperature && !depends_on_input(*reservoir.fluid.temperature)) positive(*reservoir.fluid.temperature, item.temperature->span, fmt::format("the temperature of reservoir '{}'", item.name), "K");
         }
         for (const ControlVolume& volume : system_.fluids.containers.volumes) check(volume);
-        check_radiation();
         for (const FlowState& flow : system_.fluids.flows) {
             const Flow& item = *flow.member.item;
             const auto constant = [&](const ExpressionPtr& e, const char* what, const char* unit) {
@@ -44,49 +41,14 @@ public:
     }
 
 private:
-    static constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
-
-    /// The value at the start; nothing where it has none.
-    std::optional<numeric> value(const ex& e) const {
-        const ex number = e.subs(start_, no_pattern).evalf();
-        if (!GiNaC::is_exactly_a<numeric>(number) || !ex_to<numeric>(number).is_real()) return std::nullopt;
-        return ex_to<numeric>(number);
-    }
-
-    bool depends_on_input(const ex& e) const {
-        for (const Variable& input : system_.symbols.all(SymbolKind::input))
-            if (e.has(input.symbol)) return true;
-        return false;
-    }
-
-    /// What radiates is above absolute zero.
-    void check_radiation() const {
-        std::set<const NodeState*> checked;
-        const auto check = [&](const NodeState& node) {
-            const ex& T = node.warmth.temperature;
-            if (checked.insert(&node).second && !depends_on_input(T)) positive(T, node.place, fmt::format("the temperature of '{}', which radiates,", node.name), "K");
-        };
-        for (const NodeState& node : system_.heat.nodes)
-            if (node.radiates) check(node);
-        for (const LinkState& link : system_.heat.links)
-            for (const LinkEnd& end : {link.from, link.to})
-                if (link.radiates && end.node != nullptr) check(*end.node);
-    }
-
-    void positive(const ex& e, const Span& place, const std::string& what, const char* unit) const {
-        const auto number = value(e);
-        if (number && number->is_positive()) return;
-        throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("{} is {} {} at the start, but must be above zero", what, number ? fmt::format("{:.6g}", number->to_double()) : "no number", unit)});
-    }
+    bool depends_on_input(const ex& e) const { return value_.depends_on_input(e); }
+    void positive(const ex& e, const Span& place, const std::string& what, const char* unit) const { value_.positive(e, place, what, unit); }
 
     /// Of what may be shut. An input may make it zero or negative later.
     void at_least_zero(const ExpressionPtr& e, const FlowState& flow, const char* what, const char* unit) const {
         if (!e) return;
         const ex translated = system_.translate(e, Translator::indices_of(flow.member));
-        const auto number = value(translated);
-        if (depends_on_input(translated) || !number || !number->is_negative()) return;
-        throw Failure(Diagnostic{Id::value_out_of_range, e->span,
-                                 fmt::format("the {} of flow '{}' is {:.6g} {} at the start, but must not be below zero", what, flow.member.name(), number->to_double(), unit)});
+        if (!depends_on_input(translated)) value_.at_least_zero(translated, e->span, fmt::format("the {} of flow '{}'", what, flow.member.name()), unit);
     }
 
     void property(const ExpressionPtr& e, const Medium& medium, const char* what, const char* unit) const {
@@ -95,7 +57,7 @@ private:
 
     void check(const Medium& medium) const {
         if (medium.law == Medium::Law::ideal_gas) {
-            const auto R = value(system_.translate(medium.gas_constant, {}));
+            const auto R = value_(system_.translate(medium.gas_constant, {}));
             if (!R || !R->is_positive())
                 throw Failure(Diagnostic{Id::inconsistent_medium, medium.gas_constant->span,
                                          fmt::format("the gas constant of medium '{}' is {:.6g} J/(kg*K), so that c_p = c_v + R is not above c_v", medium.name, R ? R->to_double() : 0.0)});
@@ -131,7 +93,7 @@ private:
     }
 
     const System& system_;
-    GiNaC::exmap start_;
+    StartValues value_;
 };
 
 }  // namespace
