@@ -15,14 +15,14 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                32     97     9        0      2
-//   rhs                    7      9     0        0      0
-//   rhs_and_jacobian      11     14     0        0      0
-//   jacobian_p           200    471     9        0      2
-//   output                 7      9     0        0      1
-//   output_jacobian_x      8     12     0        0      1
+//   update                30     83     9        0      2
+//   rhs                    6      7     0        0      0
+//   rhs_and_jacobian       9     11     0        0      0
+//   jacobian_p           166    363     9        0      2
+//   output                 6      7     0        0      1
+//   output_jacobian_x      7     12     0        0      1
 //   internal_energy        0      1     0        0      0
-//   exchanged_power        7      8     0        0      0
+//   exchanged_power        6      6     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -170,7 +170,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 32 + or -, 97 *, 9 /, 2 other functions
+    /// Operations: 30 + or -, 83 *, 9 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
@@ -231,41 +231,24 @@ public:
         c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * inverse_22
             * e24 * e27;
         c_.k1 = inverse_22;
-        const Scalar e28 = c_.furnace_exchange_factor_1_2 * inverse_22;
-        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e25 * e28;
-        const Scalar e29 = p_.T_M * e28;
+        const Scalar e28 = (Scalar(1) - e24) * (c_.furnace_exchange_factor_2_3 * inverse_22);
+        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e28;
+        const Scalar e29 = c_.furnace_exchange_factor_1_2 * inverse_22;
         c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e29;
-        const Scalar e30 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e28;
-        c_.k4 = e30;
-        const Scalar e31 = (Scalar(1) - e24) * (c_.furnace_exchange_factor_2_3 * inverse_22);
-        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e31;
-        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e25 * e29;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e29;
-        c_.k8 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e28;
-        const Scalar e32 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e31;
-        c_.k9 = e30 + e32;
-        c_.k10 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        c_.k4 = e25;
+        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e29;
+        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e28;
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * (e27 - inverse_23 * e26 * e26);
-        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_exchange_factor_1_2 * e25;
-        const Scalar e33 = p_.T_M * c_.furnace_exchange_factor_1_2;
-        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e33;
-        const Scalar e34 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e30 = c_.furnace_exchange_factor_1_3 * e24;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e30;
+        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * c_.furnace_exchange_factor_1_2;
-        c_.k13 = e34;
-        const Scalar e35 = c_.furnace_exchange_factor_1_3 * e24;
-        c_.k14 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e35;
-        c_.k15 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e25 * e33;
-        c_.k16 = inverse_23 * e27;
-        c_.k17 = e24;
-        c_.k18 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e33;
-        c_.k19 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000)))
+        c_.k10 = inverse_23 * e27;
+        c_.k11 = e24;
+        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
             * c_.furnace_exchange_factor_1_2;
-        const Scalar e36 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e35;
-        c_.k20 = e34 + e36;
+        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e30;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -278,34 +261,33 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 7 + or -, 9 *
+    /// Operations: 6 + or -, 7 *
     ///     dot(T_R) = stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2,
     ///     3]/(C_R*(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3])) + P/C_R -
     ///     stefan_boltzmann*exchange_factor[furnace, 2, 3]*(1 - exchange_factor[furnace, 2, 3]/(exchange_factor[furnace, 1, 3] +
-    ///     exchange_factor[furnace, 2, 3]))*T_R^4/C_R + stefan_boltzmann*T_M^2*exchange_factor[furnace, 1, 2]*T_R*(T_M - T_R)/C_R +
-    ///     stefan_boltzmann*T_M*exchange_factor[furnace, 1, 2]*T_R^2*(T_M - T_R)/C_R + stefan_boltzmann*exchange_factor[furnace, 1,
-    ///     2]*T_R^3*(T_M - T_R)/C_R + stefan_boltzmann*T_M^3*exchange_factor[furnace, 1, 2]*(T_M - T_R)/C_R
+    ///     exchange_factor[furnace, 2, 3]))*T_R^4/C_R + stefan_boltzmann*exchange_factor[furnace, 1, 2]*(T_M - T_R)*(T_M +
+    ///     T_R)*(T_M^2 + T_R^2)/C_R
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        const Scalar T_R = x[0];
-        const Scalar e1 = p_.T_M - T_R;
-        const Scalar T_R_squared = T_R * T_R;
         const Scalar P = u[0];
-        dxdt[0] = T_R * e1 * (c_.k2 + c_.k3 * T_R + c_.k4 * T_R_squared) + c_.k0 + c_.k1 * P + c_.k6 * e1 - c_.k5 * T_R_squared
+        const Scalar T_R = x[0];
+        const Scalar T_R_squared = T_R * T_R;
+        dxdt[0] = c_.k0 + c_.k1 * P + c_.k3 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared) - c_.k2 * T_R_squared
             * T_R_squared;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 11 + or -, 14 *
+    /// Operations: 9 + or -, 11 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
+        const Scalar P = u[0];
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        const Scalar e1 = p_.T_M - T_R;
-        const Scalar e2 = T_R * e1;
-        const Scalar P = u[0];
-        const Scalar e3 = c_.k6 + T_R * (c_.k2 + c_.k3 * T_R);
-        dxdt[0] = c_.k0 - T_R_squared * (c_.k5 * T_R_squared - c_.k4 * e2) + c_.k1 * P + e1 * e3;
-        J[0] = e1 * (c_.k2 + c_.k8 * T_R_squared) - e3 - c_.k9 * T_R * T_R_squared + c_.k7 * e2;
+        const Scalar e1 = c_.k3 * (c_.k4 + T_R_squared);
+        const Scalar e2 = p_.T_M - T_R;
+        const Scalar e3 = p_.T_M + T_R;
+        const Scalar e4 = e2 * e3;
+        dxdt[0] = c_.k0 + c_.k1 * P - c_.k2 * T_R_squared * T_R_squared + e1 * e4;
+        J[0] = e1 * (e2 - e3) - T_R * (c_.k6 * T_R_squared - c_.k5 * e4);
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -321,356 +303,286 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 200 + or -, 471 *, 9 /, 2 other functions
+    /// Operations: 166 + or -, 363 *, 9 /, 2 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::sqrt;
-        const Scalar T_R = x[0];
-        const Scalar e1 = p_.T_M - T_R;
-        const Scalar inverse_2 = Scalar(1) / p_.H;
-        const Scalar inverse_3 = Scalar(1) / c_.furnace_distance_2_3;
-        const Scalar e4 = c_.furnace_reflectivity_2 * inverse_3;
-        const Scalar e5 = inverse_2 * e4;
-        const Scalar e6 = Scalar(1) + c_.furnace_reach_2_2 * e5;
-        const Scalar inverse_7 = Scalar(1) / c_.furnace_distance_1_3;
-        const Scalar e8 = c_.furnace_reflectivity_3 * inverse_7;
-        const Scalar e9 = c_.furnace_reach_2_3 * inverse_2;
-        const Scalar e10 = e8 * e9;
-        const Scalar e11 = e6 - e10;
-        const Scalar inverse_12 = Scalar(1) / (p_.b + c_.furnace_distance_2_3 + c_.furnace_distance_1_3);
-        const Scalar e13 = p_.b - p_.x_R;
-        const Scalar e14 = p_.h * p_.h;
-        const Scalar sqrt_15 = sqrt(e13 * e13 + e14);
-        const Scalar inverse_16 = Scalar(1) / sqrt_15;
-        const Scalar e17 = e13 * inverse_16;
-        const Scalar e18 = p_.x_R - c_.furnace_distance_1_3 * e17;
-        const Scalar e19 = Scalar(1) + e17;
-        const Scalar e20 = c_.furnace_distance_2_3 * c_.furnace_distance_1_3 - (p_.x_R * e13 - e14);
-        const Scalar inverse_12_squared = inverse_12 * inverse_12;
-        const Scalar e21 = e20 * inverse_12_squared;
-        const Scalar e22 = inverse_12 * e18 + e19 * e21;
-        const Scalar e23 = e11 * e22;
+        const Scalar inverse_1 = Scalar(1) / p_.H;
+        const Scalar inverse_2 = Scalar(1) / c_.furnace_distance_2_3;
+        const Scalar e3 = c_.furnace_reflectivity_2 * inverse_2;
+        const Scalar e4 = c_.furnace_reach_2_2 * e3;
+        const Scalar e5 = Scalar(1) + inverse_1 * e4;
+        const Scalar inverse_6 = Scalar(1) / c_.furnace_distance_1_3;
+        const Scalar e7 = c_.furnace_reflectivity_3 * inverse_6;
+        const Scalar e8 = c_.furnace_reach_2_3 * inverse_1;
+        const Scalar e9 = e7 * e8;
+        const Scalar e10 = e5 - e9;
+        const Scalar inverse_11 = Scalar(1) / (p_.b + c_.furnace_distance_2_3 + c_.furnace_distance_1_3);
+        const Scalar e12 = p_.b - p_.x_R;
+        const Scalar e13 = p_.h * p_.h;
+        const Scalar sqrt_14 = sqrt(e12 * e12 + e13);
+        const Scalar inverse_15 = Scalar(1) / sqrt_14;
+        const Scalar e16 = e12 * inverse_15;
+        const Scalar e17 = p_.x_R - c_.furnace_distance_1_3 * e16;
+        const Scalar e18 = Scalar(1) + e16;
+        const Scalar e19 = c_.furnace_distance_2_3 * c_.furnace_distance_1_3 - (p_.x_R * e12 - e13);
+        const Scalar inverse_11_squared = inverse_11 * inverse_11;
+        const Scalar e20 = e19 * inverse_11_squared;
+        const Scalar e21 = inverse_11 * e17 + e18 * e20;
+        const Scalar e22 = e10 * e21;
+        const Scalar e23 = c_.furnace_reach_1_2 * inverse_1;
         const Scalar inverse_24 = Scalar(1) / p_.b;
         const Scalar e25 = c_.furnace_reflectivity_1 * inverse_24;
-        const Scalar e26 = c_.furnace_reach_1_2 * inverse_2;
-        const Scalar e27 = e25 * e26;
-        const Scalar e28 = e27 - e10;
-        const Scalar e29 = p_.b * e19;
-        const Scalar e30 = p_.x_R + c_.furnace_distance_1_3;
-        const Scalar e31 = e30 * inverse_12_squared;
-        const Scalar e32 = c_.furnace_distance_1_3 * inverse_12 - (e29 * e31 - p_.x_R * inverse_12);
-        const Scalar e33 = e28 * e32;
-        const Scalar e34 = c_.furnace_reach_1_3 * e8;
-        const Scalar e35 = -(e6 - e27);
-        const Scalar e36 = c_.furnace_distance_2_3 + e13;
-        const Scalar e37 = e36 * inverse_12_squared;
-        const Scalar e38 = c_.furnace_distance_2_3 * inverse_12;
-        const Scalar e39 = inverse_12 * (e13 + e29) - (e29 * e37 - e38);
-        const Scalar e40 = e35 * e39;
-        const Scalar e41 = c_.furnace_reach_1_2 * e4;
-        const Scalar e42 = c_.furnace_reach_1_3 * inverse_2;
-        const Scalar e43 = inverse_24 * e42;
-        const Scalar e44 = p_.eps_R * inverse_24 * e26 + p_.eps_W * e43;
-        const Scalar e45 = inverse_3 * e26;
-        const Scalar e46 = p_.eps_C * e45 + p_.eps_W * inverse_3 * e9;
-        const Scalar e47 = e4 * e17;
-        const Scalar e48 = p_.H + c_.furnace_reach_1_1 * e25;
-        const Scalar e49 = (e23 - e33) * e34 - (e23 + e40) * e41
-            - (c_.furnace_reach_1_2 * (e44 * e25 + e46 * e47) - (e33 + e40) * e48);
-        const Scalar e50 = p_.T_M * p_.T_M;
-        const Scalar inverse_51 = Scalar(1) / p_.C_R;
-        const Scalar e52 = p_.eps_R * inverse_51;
-        const Scalar e53 = p_.eps_C * e52;
-        const Scalar e54 = e50 * e53;
-        const Scalar e55 = p_.T_M * e54;
-        const Scalar e56 = Scalar(1) + c_.furnace_reach_3_3 * inverse_2 * e8;
-        const Scalar e57 = c_.furnace_reach_2_3 * e4;
-        const Scalar e58 = inverse_2 * e57;
-        const Scalar e59 = -(e56 - e58);
-        const Scalar e60 = e59 * e22;
-        const Scalar e61 = e42 * e25;
-        const Scalar e62 = -(e56 - e61);
-        const Scalar e63 = e62 * e32;
-        const Scalar e64 = e60 - e63;
-        const Scalar inverse_65 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
-        const Scalar e66 = c_.furnace_exchange_factor_1_3 * inverse_65;
-        const Scalar e67 = Scalar(1) - e66;
-        const Scalar e68 = c_.furnace_exchange_factor_2_3 * inverse_51;
-        const Scalar e69 = p_.eps_C * e68;
-        const Scalar e70 = e67 * e69;
-        const Scalar e71 = c_.furnace_exchange_factor_2_3 * inverse_65;
-        const Scalar e72 = Scalar(1) - e71;
-        const Scalar e73 = c_.furnace_exchange_factor_1_3 * e72;
-        const Scalar e74 = e52 * e73;
-        const Scalar e75 = c_.furnace_reach_1_3 * e70 + c_.furnace_reach_2_3 * e74;
-        const Scalar e76 = p_.eps_W * inverse_65;
-        const Scalar e77 = e50 * e76;
-        const Scalar e78 = e50 * e77;
-        const Scalar e79 = e75 * e78;
-        const Scalar e80 = e8 * e79;
-        const Scalar e81 = e61 - e58;
-        const Scalar e82 = e81 * e39;
-        const Scalar e83 = e60 + e82;
-        const Scalar e84 = c_.furnace_reach_1_2 * e70 + c_.furnace_reach_2_2 * e74;
-        const Scalar e85 = e78 * (e4 * e84 + p_.H * e74);
-        const Scalar e86 = -e63 - e82;
-        const Scalar e87 = c_.furnace_reach_1_3 * e44;
-        const Scalar e88 = e86 * e48 + e25 * e87;
-        const Scalar e89 = e78 * e70;
-        const Scalar e90 = e57 * e17;
-        const Scalar e91 = c_.furnace_exchange_factor_2_3 * e67;
-        const Scalar e92 = (e54 * e45 * e91 - e46 * e50 * e74) * e77;
-        const Scalar e93 = e90 * e92;
-        const Scalar e94 = e86 * e25;
-        const Scalar e95 = c_.furnace_reach_1_2 * e52;
-        const Scalar e96 = e78 * e73;
-        const Scalar e97 = e95 * e96;
-        const Scalar e98 = c_.furnace_reach_1_2 * inverse_24;
-        const Scalar e99 = e54 * e77;
-        const Scalar e100 = e99 * (e73 * e61);
-        const Scalar e101 = T_R * e1;
-        const Scalar e102 = p_.T_M * e53;
+        const Scalar e26 = e23 * e25;
+        const Scalar e27 = -(e5 - e26);
+        const Scalar e28 = p_.b * e18;
+        const Scalar e29 = c_.furnace_distance_2_3 + e12;
+        const Scalar e30 = e29 * inverse_11_squared;
+        const Scalar e31 = c_.furnace_distance_2_3 * inverse_11;
+        const Scalar e32 = inverse_11 * (e12 + e28) - (e28 * e30 - e31);
+        const Scalar e33 = e27 * e32;
+        const Scalar inverse_34 = Scalar(1) / p_.C_R;
+        const Scalar e35 = p_.eps_C * p_.eps_R;
+        const Scalar e36 = inverse_34 * e35;
+        const Scalar e37 = c_.furnace_reach_1_2 * e3;
+        const Scalar e38 = e36 * e37;
+        const Scalar e39 = e26 - e9;
+        const Scalar e40 = p_.x_R + c_.furnace_distance_1_3;
+        const Scalar e41 = e40 * inverse_11_squared;
+        const Scalar e42 = c_.furnace_distance_1_3 * inverse_11 - (e28 * e41 - p_.x_R * inverse_11);
+        const Scalar e43 = e39 * e42;
+        const Scalar e44 = p_.H + c_.furnace_reach_1_1 * e25;
+        const Scalar e45 = c_.furnace_reach_1_3 * inverse_1;
+        const Scalar e46 = inverse_24 * e23;
+        const Scalar e47 = p_.eps_W * inverse_24 * e45 + p_.eps_R * e46;
+        const Scalar e48 = c_.furnace_reach_1_2 * e25;
+        const Scalar e49 = c_.furnace_reach_1_3 * e36;
+        const Scalar e50 = e7 * e49;
+        const Scalar e51 = inverse_2 * e23;
+        const Scalar e52 = p_.eps_W * inverse_2 * e8 + p_.eps_C * e51;
+        const Scalar e53 = e52 * e38;
+        const Scalar e54 = e16 * e53;
+        const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        const Scalar e103 = e1 * T_R_squared;
-        const Scalar e104 = e76 * e71;
-        const Scalar e105 = e69 * e104;
-        const Scalar e106 = e71 - (Scalar(1) / Scalar(2)) * (Scalar(1) + e71 * e71);
-        const Scalar e107 = p_.eps_W * e106;
-        const Scalar e108 = e52 * e107;
-        const Scalar e109 = c_.furnace_reach_1_2 * e105 - Scalar(2) * c_.furnace_reach_2_2 * e108;
-        const Scalar e110 = p_.H * e108 - (Scalar(1) / Scalar(2)) * e4 * e109;
-        const Scalar e111 = c_.furnace_reach_1_3 * inverse_65 * e69 * e71 - Scalar(2) * c_.furnace_reach_2_3 * e106 * e52;
-        const Scalar e112 = p_.eps_W * e8;
-        const Scalar e113 = e111 * e112;
-        const Scalar e114 = e107 * e95;
-        const Scalar e115 = e104 * (c_.furnace_exchange_factor_2_3 * e53);
-        const Scalar e116 = e46 * e108 + (Scalar(1) / Scalar(2)) * e45 * e115;
-        const Scalar e117 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * (e116 * e90);
-        const Scalar e118 = e61 * (e53 * e107);
+        const Scalar e55 = c_.k4 + T_R_squared;
+        const Scalar e56 = p_.T_M - T_R;
+        const Scalar e57 = p_.T_M + T_R;
+        const Scalar e58 = e56 * e57;
+        const Scalar e59 = e55 * e58;
+        const Scalar e60 = Scalar(1) + c_.furnace_reach_3_3 * inverse_1 * e7;
+        const Scalar e61 = e3 * e8;
+        const Scalar e62 = -(e60 - e61);
+        const Scalar e63 = e62 * e21;
+        const Scalar e64 = e25 * e45;
+        const Scalar e65 = -(e60 - e64);
+        const Scalar e66 = e65 * e42;
+        const Scalar e67 = e63 - e66;
+        const Scalar inverse_68 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
+        const Scalar e69 = Scalar(1) - c_.furnace_exchange_factor_1_3 * inverse_68;
+        const Scalar e70 = p_.eps_C * c_.furnace_exchange_factor_2_3;
+        const Scalar e71 = e69 * e70;
+        const Scalar e72 = c_.furnace_exchange_factor_2_3 * inverse_68;
+        const Scalar e73 = Scalar(1) - e72;
+        const Scalar e74 = c_.furnace_exchange_factor_1_3 * e73;
+        const Scalar e75 = p_.eps_R * e74;
+        const Scalar e76 = c_.furnace_reach_1_3 * e71 + c_.furnace_reach_2_3 * e75;
+        const Scalar e77 = p_.eps_W * inverse_34;
+        const Scalar e78 = inverse_68 * e77;
+        const Scalar e79 = p_.T_M * p_.T_M;
+        const Scalar e79_squared = e79 * e79;
+        const Scalar e80 = e78 * e79_squared;
+        const Scalar e81 = e76 * e80;
+        const Scalar e82 = e7 * e81;
+        const Scalar e83 = e64 - e61;
+        const Scalar e84 = e83 * e32;
+        const Scalar e85 = e63 + e84;
+        const Scalar e86 = p_.H + e4;
+        const Scalar e87 = (e37 * e71 + e86 * e75) * e80;
+        const Scalar e88 = -e66 - e84;
+        const Scalar e89 = e88 * e44;
+        const Scalar e90 = e80 * e71;
+        const Scalar e91 = e71 * e51 - e52 * e74;
+        const Scalar e92 = p_.eps_R * e80;
+        const Scalar e93 = e91 * e92;
+        const Scalar e94 = c_.furnace_reach_2_3 * e3;
+        const Scalar e95 = e16 * e94;
+        const Scalar e96 = e93 * e95;
+        const Scalar e97 = e74 * e92;
+        const Scalar e98 = e88 * e48;
+        const Scalar e99 = c_.furnace_exchange_factor_2_3 * e47;
+        const Scalar e100 = (e75 * e46 - e69 * e99) * e80;
+        const Scalar e101 = e25 * (p_.eps_C * c_.furnace_reach_1_3);
+        const Scalar e102 = e70 * e72;
+        const Scalar e103 = e78 * e102;
+        const Scalar e104 = e72 - (Scalar(1) / Scalar(2)) * (Scalar(1) + e72 * e72);
+        const Scalar e105 = p_.eps_R * e77;
+        const Scalar e106 = e104 * e105;
+        const Scalar e107 = e37 * e103 - Scalar(2) * e86 * e106;
+        const Scalar e108 = inverse_68 * e102;
+        const Scalar e109 = c_.furnace_reach_1_3 * e108 - Scalar(2) * p_.eps_R * c_.furnace_reach_2_3 * e104;
+        const Scalar e110 = e77 * e7;
+        const Scalar e111 = e109 * e110;
+        const Scalar e112 = Scalar(2) * e52 * e104 + e51 * e108;
+        const Scalar e113 = e112 * e105;
+        const Scalar e114 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e113 * e95);
+        const Scalar e115 = e106 * e46 + (Scalar(1) / Scalar(2)) * e78 * e72 * e99;
         const Scalar T_R_squared_squared = T_R_squared * T_R_squared;
-        const Scalar e119 = T_R_squared * e101;
-        const Scalar sqrt_120 = sqrt(p_.x_R * p_.x_R + e14);
-        const Scalar inverse_121 = Scalar(1) / sqrt_120;
-        const Scalar e122 = p_.x_R * inverse_121;
-        const Scalar e123 = e122 - e17;
-        const Scalar e124 = inverse_12 + (inverse_12 * e122 - e123 * e31);
-        const Scalar e125 = p_.b * e62;
-        const Scalar e126 = inverse_12 * (e13 - e18) - (e122 * e38 - e123 * e21);
-        const Scalar e127 = e59 * e126;
-        const Scalar e128 = c_.furnace_reach_2_3 * inverse_7;
-        const Scalar e129 = p_.eps_C * inverse_7 * e42 + p_.eps_R * inverse_2 * e128;
-        const Scalar e130 = e124 * e125 - e127 + e129 * e122;
-        const Scalar e131 = inverse_12 * e19 + e123 * e37;
-        const Scalar e132 = p_.b * e81;
-        const Scalar e133 = e131 * e132 - e127;
-        const Scalar e134 = e62 * e124 - e81 * e131;
-        const Scalar e135 = c_.furnace_reflectivity_1 * c_.furnace_reach_1_1;
-        const Scalar e136 = p_.b * p_.H + e135;
-        const Scalar e137 = e78 * (c_.furnace_reflectivity_1 * e73 * e95 + e136 * e70);
-        const Scalar e138 = p_.b * e28;
-        const Scalar e139 = e11 * e126;
-        const Scalar e140 = p_.b * e35;
-        const Scalar e141 = c_.furnace_reach_1_2 * e46;
-        const Scalar e142 = e42 * e128;
-        const Scalar e143 = e112 * e142;
-        const Scalar e144 = (e124 * e138 - e139) * e34 - (e131 * e140 - e139) * e41
-            + ((e35 * e131 - e28 * e124) * e136 - (e141 * e47 + e122 * e143));
-        const Scalar e145 = c_.furnace_reflectivity_1 * e114 - (Scalar(1) / Scalar(2)) * e136 * e105;
-        const Scalar e146 = inverse_121 + inverse_16;
-        const Scalar e147 = inverse_12 * inverse_16;
-        const Scalar e148 = (Scalar(1) / Scalar(2)) * (inverse_121 * e38 - e146 * e21 + c_.furnace_distance_1_3 * e147);
-        const Scalar e149 = inverse_12 + e148;
-        const Scalar e150 = Scalar(2) * (e59 * e149);
-        const Scalar e151 = e146 * e31 - inverse_121 * inverse_12;
-        const Scalar e152 = p_.h * (e129 * inverse_121 + (e150 - e151 * e125));
-        const Scalar e153 = e146 * e37 - e147;
-        const Scalar e154 = p_.h * (e153 * e132 + e150);
-        const Scalar e155 = p_.h * (-e81 * e153 - e62 * e151);
-        const Scalar e156 = e57 * (p_.h * inverse_16);
-        const Scalar e157 = Scalar(2) * (e11 * e149);
-        const Scalar e158 = (e35 * e153 + e28 * e151) * e136 - (inverse_121 * e143 - inverse_16 * e4 * e141);
-        const Scalar e159 = p_.h * ((e157 - e151 * e138) * e34 - (e153 * e140 + e157) * e41 + e158);
-        const Scalar e160 = p_.b * inverse_12;
-        const Scalar e161 = e81 * e36;
-        const Scalar e162 = e20 * inverse_12;
-        const Scalar e163 = e59 * e162;
-        const Scalar e164 = e160 * e161 - e163;
-        const Scalar e165 = e62 * e30;
-        const Scalar e166 = inverse_12 * (e165 + e161);
-        const Scalar e167 = c_.furnace_reflectivity_1 * c_.furnace_reach_1_2;
-        const Scalar e168 = c_.furnace_reach_2_3 * e46;
-        const Scalar e169 = e164 - inverse_2 * (e166 * e167 - c_.furnace_reflectivity_2 * e168);
-        const Scalar e170 = e164 * e5;
-        const Scalar e171 = p_.b + inverse_2 * e135;
-        const Scalar e172 = c_.furnace_reflectivity_1 * e44 * e42 - e166 * e171;
-        const Scalar e173 = inverse_2 * (c_.furnace_reflectivity_3 * e129 + (e160 * e165 + e163) * e8);
-        const Scalar e174 = e26 * e58;
-        const Scalar e175 = e28 * e30;
-        const Scalar e176 = e11 * e162;
-        const Scalar e177 = e35 * e36;
-        const Scalar e178 = c_.furnace_reach_2_3 * e42 * e112 - e44 * e167
-            - (c_.furnace_reflectivity_2 * e141 + (e160 * e175 + e176) * e34);
-        const Scalar e179 = inverse_2 * e178 - ((e160 * e177 - e176) * e4 * e26 - inverse_12 * (e177 + e175) * e171);
-        const Scalar e180 = e68 * e87;
-        const Scalar e181 = e44 * e95;
-        const Scalar e182 = p_.T_M * e50;
-        const Scalar e183 = inverse_51 * e168;
-        const Scalar e184 = c_.furnace_reach_2_3 * e45;
-        const Scalar e185 = p_.eps_C * e141;
-        const Scalar e186 = inverse_51 * e50;
-        const Scalar e187 = p_.T_M * e186;
-        const Scalar e188 = p_.T_M * inverse_51;
-        const Scalar e189 = e68 * e66;
+        const Scalar sqrt_116 = sqrt(p_.x_R * p_.x_R + e13);
+        const Scalar inverse_117 = Scalar(1) / sqrt_116;
+        const Scalar e118 = p_.x_R * inverse_117;
+        const Scalar e119 = e118 - e16;
+        const Scalar e120 = inverse_11 + (inverse_11 * e118 - e119 * e41);
+        const Scalar e121 = p_.b * e65;
+        const Scalar e122 = inverse_11 * (e12 - e17) - (e118 * e31 - e119 * e20);
+        const Scalar e123 = e62 * e122;
+        const Scalar e124 = inverse_6 * e8;
+        const Scalar e125 = p_.eps_C * e45;
+        const Scalar e126 = p_.eps_R * e124 + inverse_6 * e125;
+        const Scalar e127 = e120 * e121 - e123 + e126 * e118;
+        const Scalar e128 = inverse_11 * e18 + e119 * e30;
+        const Scalar e129 = p_.b * e83;
+        const Scalar e130 = e128 * e129 - e123;
+        const Scalar e131 = e65 * e120 - e83 * e128;
+        const Scalar e132 = c_.furnace_reflectivity_1 * c_.furnace_reach_1_1;
+        const Scalar e133 = p_.b * p_.H + e132;
+        const Scalar e134 = c_.furnace_reflectivity_1 * c_.furnace_reach_1_2;
+        const Scalar e135 = e80 * (e133 * e71 + e75 * e134);
+        const Scalar e136 = e106 * e134 - (Scalar(1) / Scalar(2)) * e133 * e103;
+        const Scalar e137 = p_.b * e39;
+        const Scalar e138 = e10 * e122;
+        const Scalar e139 = p_.b * e27;
+        const Scalar e140 = e133 * e36;
+        const Scalar e141 = e35 * e110;
+        const Scalar e142 = e141 * (c_.furnace_reach_1_3 * e124);
+        const Scalar e143 = inverse_117 + inverse_15;
+        const Scalar e144 = inverse_11 * inverse_15;
+        const Scalar e145 = (Scalar(1) / Scalar(2)) * (inverse_117 * e31 - e143 * e20 + c_.furnace_distance_1_3 * e144);
+        const Scalar e146 = inverse_11 + e145;
+        const Scalar e147 = Scalar(2) * (e62 * e146);
+        const Scalar e148 = e143 * e41 - inverse_117 * inverse_11;
+        const Scalar e149 = p_.h * (e126 * inverse_117 + (e147 - e148 * e121));
+        const Scalar e150 = e143 * e30 - e144;
+        const Scalar e151 = p_.h * (e150 * e129 + e147);
+        const Scalar e152 = p_.h * (-e83 * e150 - e65 * e148);
+        const Scalar e153 = p_.h * inverse_15;
+        const Scalar e154 = e94 * e153;
+        const Scalar e155 = Scalar(2) * (e10 * e146);
+        const Scalar e156 = p_.b * inverse_11;
+        const Scalar e157 = e65 * e40;
+        const Scalar e158 = e19 * inverse_11;
+        const Scalar e159 = e62 * e158;
+        const Scalar e160 = inverse_1 * (c_.furnace_reflectivity_3 * e126 + (e156 * e157 + e159) * e7);
+        const Scalar e161 = c_.furnace_reflectivity_2 * e8;
+        const Scalar e162 = e83 * e29;
+        const Scalar e163 = inverse_11 * (e157 + e162);
+        const Scalar e164 = e156 * e162 - e159;
+        const Scalar e165 = c_.furnace_reflectivity_1 * e163 * e23 - e164 * e5;
+        const Scalar e166 = p_.b + inverse_1 * e132;
+        const Scalar e167 = e163 * e166 - e164 * e3 * e23;
+        const Scalar e168 = c_.furnace_reflectivity_1 * e125;
+        const Scalar e169 = e27 * e29;
+        const Scalar e170 = e39 * e40;
+        const Scalar e171 = e10 * e158;
+        const Scalar e172 = c_.furnace_reach_1_2 * inverse_34;
+        const Scalar e173 = e126 * inverse_34;
+        const Scalar inverse_34_squared = inverse_34 * inverse_34;
+        const Scalar e174 = c_.furnace_exchange_factor_1_3 * e72;
         const Scalar P = u[0];
-        const Scalar e190 = c_.furnace_exchange_factor_1_2 * inverse_51;
+        const Scalar e175 = p_.T_M * inverse_34;
+        const Scalar e176 = (e22 + e33) * e38 - e36 * ((e43 + e33) * e44 - e47 * e48) - (e22 - e43) * e50 + e54;
+        const Scalar e177 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e176;
+        const Scalar e178 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e67 * e82 - e85 * e87 - e89 * e90 + e96 - e97 * e98 + e100 * e101);
+        const Scalar e179 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e85 * e107;
+        const Scalar e180 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e67 * e111;
+        const Scalar e181 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e103 * e89;
+        const Scalar e182 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e106 * e98;
+        const Scalar e183 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e115 * e101;
+        J[0] = e177 * e59 - e178 - (e179 - e180 + e181 - e114 - e182 + e183) * T_R_squared_squared;
+        const Scalar e184 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e127 * e82 - e130 * e87 - e131 * e135 + e96);
+        const Scalar e185 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e130 * e107;
+        const Scalar e186 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e131 * e136;
+        const Scalar e187 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e127 * e111;
+        const Scalar e188 = (e120 * e137 - e138) * e50 - (e128 * e139 - e138) * e38 + (e27 * e128 - e39 * e120) * e140 - e54
+            - e118 * e142;
+        const Scalar e189 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e188;
+        J[1] = e184 + (e185 - e186 - e187 - e114) * T_R_squared_squared + e189 * e59;
+        const Scalar e190 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e82 * e149 - e87 * e151 - e152 * e135 - e93 * e154);
         const Scalar e191 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e49 * e55;
-        const Scalar e192 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e64 * e80 - e83 * e85 - e88 * e89 + e93 - e94 * e97 + e98 * e100);
+            * e107 * e151;
+        const Scalar e192 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e136 * e152;
         const Scalar e193 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e54 * e49;
+            * e111 * e149;
         const Scalar e194 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e49 * e102;
-        const Scalar e195 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e88 * e105;
-        const Scalar e196 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e83 * e110;
+            * e113 * e154;
+        const Scalar e195 = (e150 * e139 + e155) * e38 - (e155 - e148 * e137) * e50 - (e27 * e150 + e39 * e148) * e140
+            + inverse_117 * e142;
+        const Scalar e196 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e153 * e53 - p_.h * e195);
+        J[2] = e190 + (e191 - e192 - e193 + e194) * T_R_squared_squared + e196 * e59;
         const Scalar e197 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e64 * e113;
-        const Scalar e198 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e114 * e94;
+            * (e81 * e160 - e93 * e161 - e165 * e97 - e167 * e90 - e100 * e168);
+        const Scalar e198 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e167 * e103;
         const Scalar e199 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e98 * e118;
+            * e165 * e106;
         const Scalar e200 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e53 * e49;
-        J[0] = e1 * (-e191) - e192 + (-e193) * e101 + (-e194) * e103 - (e195 - e196 - e197 - e198 - e117 + e199)
-            * T_R_squared_squared + (-e200) * e119;
+            * e113 * e161;
         const Scalar e201 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e130 * e80 - e133 * e85 - e134 * e137 + e93);
-        const Scalar e202 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e144 * e55;
-        const Scalar e203 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e54 * e144;
-        const Scalar e204 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e144 * e102;
-        const Scalar e205 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e133 * e110;
-        const Scalar e206 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e134 * e145;
-        const Scalar e207 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e130 * e113;
+            * e77 * e109 * e160;
+        const Scalar e202 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e115 * e168;
+        const Scalar e203 = e36 * (inverse_11 * (e169 + e170) * e166 - (e156 * e170 + e171) * e7 * e45);
+        const Scalar e204 = c_.furnace_reflectivity_1 * e47 + c_.furnace_reflectivity_2 * e52 + (e156 * e169 - e171) * e3;
+        const Scalar e205 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e203 - e36 * e23 * e204 + e8 * e45 * e141);
+        J[3] = e197 + (e198 - e199 + e200 - e201 - e202) * T_R_squared_squared - e205 * e59;
+        const Scalar e206 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * c_.furnace_reach_1_3 * e100;
+        const Scalar e207 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * c_.furnace_reach_1_3 * e115;
         const Scalar e208 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e53 * e144;
-        J[1] = e201 + e1 * e202 + e203 * e101 + e204 * e103 + (-e205 - e206 - e207 - e117) * T_R_squared_squared + e208 * e119;
+            * p_.eps_R * e47 * e172;
+        J[4] = -e206 + (-e207) * T_R_squared_squared + e208 * e59;
         const Scalar e209 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e80 * e152 - e85 * e154 - e155 * e137 - e92 * e156);
+            * c_.furnace_reach_2_3 * e91 * e80;
         const Scalar e210 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e55 * e159;
+            * c_.furnace_reach_2_3 * e77 * e112;
         const Scalar e211 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e54 * e159;
+            * p_.eps_C * e52 * e172;
+        J[5] = -e209 + e210 * T_R_squared_squared + e211 * e59;
         const Scalar e212 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e102 * e159;
-        const Scalar e213 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e116 * e156;
-        const Scalar e214 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e145 * e155;
-        const Scalar e215 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e110 * e154;
+            * inverse_68 * e76 * e79_squared * e173;
+        const Scalar e213 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e109 * e173;
+        const Scalar e214 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e49 * e124;
+        J[6] = -(-e212) - e213 * T_R_squared_squared - e214 * e59;
+        const Scalar e215 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * c_.furnace_exchange_factor_2_3 * e73 * inverse_34_squared;
         const Scalar e216 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e113 * e152;
+            * e79_squared * inverse_34_squared * e174;
         const Scalar e217 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e53 * e159;
-        J[2] = e209 + e1 * e210 + e211 * e101 + e212 * e103 + (e213 - e214 - e215 - e216) * T_R_squared_squared + e217 * e119;
-        const Scalar e218 = e78 * (e169 * e74 + e84 * e170) + e172 * e89 + e79 * e173 - e99 * e91 * e174 - e26 * e100;
-        const Scalar e219 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e218;
-        const Scalar e220 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e179 * e55;
-        const Scalar e221 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e54 * e179;
-        const Scalar e222 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e179 * e102;
-        const Scalar e223 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e169 * e108;
-        const Scalar e224 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e172 * e105;
-        const Scalar e225 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.eps_W * e111 * e173;
-        const Scalar e226 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e109 * e170;
-        const Scalar e227 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e174 * e115;
-        const Scalar e228 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e26 * e118;
-        const Scalar e229 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e53 * e179;
-        J[3] = e219 - e1 * e220 - e221 * e101 - e222 * e103 + (e223 - e224 - e225 - e226 + e227 - e228) * T_R_squared_squared
-            - e229 * e119;
-        const Scalar e230 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e67 * e78 * e180 - e43 * e97);
-        const Scalar e231 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e181 * e182;
-        const Scalar e232 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e50 * e181;
-        const Scalar e233 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_M * e181;
-        const Scalar e234 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e43 * e114;
-        const Scalar e235 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e104 * e180;
-        const Scalar e236 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e181;
-        J[4] = e230 + e1 * e231 + e232 * e101 + e233 * e103 + (-e234 - e235) * T_R_squared_squared + e236 * e119;
-        const Scalar e237 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e96 * e183 - e89 * e184);
-        const Scalar e238 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e185 * e187;
-        const Scalar e239 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e186 * e185;
-        const Scalar e240 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e185 * e188;
-        const Scalar e241 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e105 * e184;
-        const Scalar e242 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e107 * e183;
-        const Scalar e243 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_51 * e185;
-        J[5] = e237 + e1 * e238 + e239 * e101 + e240 * e103 + (e241 + e242) * T_R_squared_squared + e243 * e119;
-        const Scalar e244 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e129 * inverse_65 * e50 * e50 * e75;
-        const Scalar e245 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e142 * e55;
-        const Scalar e246 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e54 * e142;
-        const Scalar e247 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e142 * e102;
-        const Scalar e248 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e129 * e111;
-        const Scalar e249 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e53 * e142;
-        J[6] = -(-e244) - e1 * e245 - e246 * e101 - e247 * e103 - e248 * T_R_squared_squared - e249 * e119;
-        const Scalar e250 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_51 * e72 * e68;
-        const Scalar e251 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e50 * e186 * e189;
-        const Scalar e252 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e190 * e187;
-        const Scalar e253 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e186 * e190;
-        const Scalar e254 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e190 * e188;
-        const Scalar e255 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_51 * e190;
-        J[7] = e250 * T_R_squared_squared - e251 - P * (inverse_51 * inverse_51) - e1 * e252 - e253 * e101 - e254 * e103 - e255
-            * e119;
-        const Scalar e256 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_exchange_factor_1_2 * e187;
-        const Scalar e257 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e182 * e189;
-        const Scalar e258 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_exchange_factor_1_2 * e186;
-        J[8] = c_.k4 * (T_R * T_R_squared + e103) + (e256 + e257) + c_.k2 * T_R + e1 * e258 + c_.k3 * T_R_squared + c_.k7
-            * e101;
+            * c_.furnace_exchange_factor_1_2 * inverse_34_squared;
+        J[7] = e215 * T_R_squared_squared - e216 - P * inverse_34_squared - e217 * e59;
+        const Scalar e218 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e79 * e175 * e174;
+        const Scalar e219 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * c_.furnace_exchange_factor_1_2 * e175;
+        J[8] = c_.k3 * e55 * (e56 + e57) + e218 + e219 * e58;
         J[9] = Scalar(0);
     }
 
@@ -696,38 +608,35 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 7 + or -, 9 *, 1 other functions
+    /// Operations: 6 + or -, 7 *, 1 other functions
     ///     T_W = (T_M^4*exchange_factor[furnace, 1, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3]) +
     ///     exchange_factor[furnace, 2, 3]*T_R^4/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3]))^(1/4)
     ///     Q_C = -stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*(1 - exchange_factor[furnace, 1,
     ///     3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3])) + stefan_boltzmann*exchange_factor[furnace, 1,
     ///     3]*exchange_factor[furnace, 2, 3]*T_R^4/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3]) -
-    ///     stefan_boltzmann*T_M^2*exchange_factor[furnace, 1, 2]*T_R*(T_M - T_R) - stefan_boltzmann*T_M*exchange_factor[furnace, 1,
-    ///     2]*T_R^2*(T_M - T_R) - stefan_boltzmann*exchange_factor[furnace, 1, 2]*T_R^3*(T_M - T_R) -
-    ///     stefan_boltzmann*T_M^3*exchange_factor[furnace, 1, 2]*(T_M - T_R)
+    ///     stefan_boltzmann*exchange_factor[furnace, 1, 2]*(T_M - T_R)*(T_M + T_R)*(T_M^2 + T_R^2)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         using std::pow;
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
         const Scalar T_R_squared_squared = T_R_squared * T_R_squared;
-        const Scalar power_1 = pow(c_.k16 + c_.k17 * T_R_squared_squared, Scalar(1) / Scalar(4));
-        const Scalar e2 = p_.T_M - T_R;
+        const Scalar power_1 = pow(c_.k10 + c_.k11 * T_R_squared_squared, Scalar(1) / Scalar(4));
         y[0] = power_1;
-        y[1] = c_.k14 * T_R_squared_squared - e2 * (c_.k15 + c_.k12 * T_R_squared) - T_R * e2 * (c_.k11 + c_.k13 * T_R_squared)
-            - c_.k10;
+        y[1] = c_.k8 * T_R_squared_squared - c_.k7 - c_.k9 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared);
     }
 
     /// C = dh/dx.
-    /// Operations: 8 + or -, 12 *, 1 other functions
+    /// Operations: 7 + or -, 12 *, 1 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::pow;
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        const Scalar power_1 = pow(c_.k16 + c_.k17 * T_R_squared * T_R_squared, -Scalar(3) / Scalar(4));
+        const Scalar power_1 = pow(c_.k10 + c_.k11 * T_R_squared * T_R_squared, -Scalar(3) / Scalar(4));
         const Scalar e2 = T_R * T_R_squared;
-        C[0] = c_.k17 * power_1 * e2;
-        C[1] = c_.k15 - (p_.T_M - T_R) * (c_.k18 * T_R + c_.k11 + c_.k19 * T_R_squared) + c_.k11 * T_R + c_.k12 * T_R_squared
-            + c_.k20 * e2;
+        const Scalar e3 = p_.T_M + T_R;
+        const Scalar e4 = c_.k9 * (c_.k4 + T_R_squared);
+        C[0] = c_.k11 * power_1 * e2;
+        C[1] = e3 * e4 - (p_.T_M - T_R) * (c_.k12 * T_R * e3 + e4) + c_.k13 * e2;
     }
 
     /// D = dh/du.
@@ -780,14 +689,12 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 7 + or -, 8 *
+    /// Operations: 6 + or -, 6 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar T_R = x[0];
-        const Scalar e1 = p_.T_M - T_R;
-        const Scalar T_R_squared = T_R * T_R;
         const Scalar P = u[0];
-        return T_R * e1 * (c_.k11 + c_.k12 * T_R + c_.k13 * T_R_squared) + c_.k10 + P + c_.k15 * e1 - c_.k14 * T_R_squared
-            * T_R_squared;
+        const Scalar T_R = x[0];
+        const Scalar T_R_squared = T_R * T_R;
+        return c_.k7 + P + c_.k9 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared) - c_.k8 * T_R_squared * T_R_squared;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -815,25 +722,18 @@ private:
         Scalar furnace_exchange_factor_2_3;  ///< eps_R*eps_W*reach[furnace, 2, 3]
         Scalar k0;  ///< stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
         Scalar k1;  ///< 1/C_R
-        Scalar k2;  ///< stefan_boltzmann*T_M^2*exchange_factor[furnace, 1, 2]/C_R
-        Scalar k3;  ///< stefan_boltzmann*T_M*exchange_factor[furnace, 1, 2]/C_R
-        Scalar k4;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2]/C_R
-        Scalar k5;  ///< stefan_boltzmann*exchange_factor[furnace, 2, 3]*(1 - exchange_factor[furnace, 2, ...
-        Scalar k6;  ///< stefan_boltzmann*T_M^3*exchange_factor[furnace, 1, 2]/C_R
-        Scalar k7;  ///< 2*stefan_boltzmann*T_M*exchange_factor[furnace, 1, 2]/C_R
-        Scalar k8;  ///< 3*stefan_boltzmann*exchange_factor[furnace, 1, 2]/C_R
-        Scalar k9;  ///< (stefan_boltzmann*exchange_factor[furnace, 1, 2] + 4*stefan_boltzmann*exchange_factor[furnace, ...
-        Scalar k10;  ///< stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*(1 - exchange_factor[furnace, 1, ...
-        Scalar k11;  ///< stefan_boltzmann*T_M^2*exchange_factor[furnace, 1, 2]
-        Scalar k12;  ///< stefan_boltzmann*T_M*exchange_factor[furnace, 1, 2]
-        Scalar k13;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2]
-        Scalar k14;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
-        Scalar k15;  ///< stefan_boltzmann*T_M^3*exchange_factor[furnace, 1, 2]
-        Scalar k16;  ///< T_M^4*exchange_factor[furnace, 1, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, ...
-        Scalar k17;  ///< exchange_factor[furnace, 2, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3])
-        Scalar k18;  ///< 2*stefan_boltzmann*T_M*exchange_factor[furnace, 1, 2]
-        Scalar k19;  ///< 3*stefan_boltzmann*exchange_factor[furnace, 1, 2]
-        Scalar k20;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2] + 4*stefan_boltzmann*exchange_factor[furnace, 1, ...
+        Scalar k2;  ///< stefan_boltzmann*exchange_factor[furnace, 2, 3]*(1 - exchange_factor[furnace, 2, ...
+        Scalar k3;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2]/C_R
+        Scalar k4;  ///< T_M^2
+        Scalar k5;  ///< 2*stefan_boltzmann*exchange_factor[furnace, 1, 2]/C_R
+        Scalar k6;  ///< 4*stefan_boltzmann*exchange_factor[furnace, 2, 3]*(1 - exchange_factor[furnace, 2, ...
+        Scalar k7;  ///< stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*(1 - exchange_factor[furnace, 1, ...
+        Scalar k8;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
+        Scalar k9;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2]
+        Scalar k10;  ///< T_M^4*exchange_factor[furnace, 1, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, ...
+        Scalar k11;  ///< exchange_factor[furnace, 2, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3])
+        Scalar k12;  ///< 2*stefan_boltzmann*exchange_factor[furnace, 1, 2]
+        Scalar k13;  ///< 4*stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
     };
     Cached c_{};
 };

@@ -16,14 +16,14 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                13     62    10        0      3
-//   rhs                   69     71     0        0      0
-//   rhs_and_jacobian     109    101     0        0      0
-//   jacobian_p           277    467     4        0      0
+//   update                10     45    10        0      3
+//   rhs                   69     51     0        0      0
+//   rhs_and_jacobian      99     91     0        0      0
+//   jacobian_p           152    257     4        0      0
 //   output                 5      7     2        0      3
 //   output_jacobian_u      6     12     2        0      3
 //   internal_energy        9      7     0        0      0
-//   exchanged_power       55     65     1        0      0
+//   exchanged_power       53     47     1        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -187,7 +187,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 13 + or -, 62 *, 10 /, 3 other functions
+    /// Operations: 10 + or -, 45 *, 10 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -195,68 +195,50 @@ public:
         using std::tanh;
         const Scalar inverse_1 = Scalar(1) / p_.lambda;
         const Scalar e2 = p_.P / p_.A;
-        const Scalar e3 = p_.alpha * e2;
-        const Scalar sqrt_4 = sqrt(inverse_1 * e3);
-        c_.m = sqrt_4;
+        const Scalar sqrt_3 = sqrt(p_.alpha * inverse_1 * e2);
+        c_.m = sqrt_3;
+        const Scalar inverse_4 = Scalar(1) / p_.L;
         const Scalar e5 = Scalar(1) / p_.rho / p_.c_p;
-        const Scalar e6 = p_.eps * e5;
-        const Scalar e7 = p_.T_inf * e6;
-        const Scalar e8 = p_.T_inf * e7;
-        const Scalar e9 = e2 * e8;
-        c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e9;
-        const Scalar e10 = e2 * e7;
-        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e10;
-        const Scalar e11 = e6 * e2;
-        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e11;
-        const Scalar inverse_12 = Scalar(1) / p_.L;
-        const Scalar e13 = p_.lambda * inverse_12;
-        const Scalar e14 = inverse_12 * e5;
-        const Scalar e15 = e13 * e14;
-        c_.k3 = Scalar(100) * e15;
-        const Scalar e16 = e5 * e3;
-        const Scalar e17 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (p_.T_inf * e9);
-        c_.k4 = e16 + e17;
-        const Scalar e18 = Scalar(20) * inverse_12 + e2;
-        const Scalar e19 = e18 * e8;
-        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e19;
-        const Scalar e20 = e18 * e7;
-        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e20;
-        const Scalar e21 = e18 * e6;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
-        const Scalar e22 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))
-            / ((Scalar(2) * Scalar(1000000000)) * Scalar(1000000000))) * p_.T_inf * e19;
-        const Scalar e23 = Scalar(20) * (p_.alpha_L * e14 + e22);
-        c_.k8 = e23 + e16;
-        c_.k9 = Scalar(200) * e15;
-        const Scalar e24 = Scalar(200) * (e5 * ((Scalar(1) / Scalar(200)) * e3 + inverse_12 * e13));
-        c_.k10 = e24 + e17;
-        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e10;
-        c_.k12 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e11;
-        c_.k13 = e23 + e24;
-        c_.k14 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e20;
-        c_.k15 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
-        const Scalar e25 = p_.L * c_.m;
-        const Scalar exp_26 = exp(e25);
-        const Scalar inverse_27 = Scalar(1) / exp_26;
-        const Scalar tanh_28 = tanh(e25);
-        const Scalar e29 = p_.alpha_L * inverse_1;
-        const Scalar e30 = e29 / c_.m;
-        const Scalar inverse_31 = Scalar(1) / (Scalar(1) + tanh_28 * e30);
-        const Scalar e32 = p_.T_0 - p_.T_inf;
-        const Scalar e33 = inverse_31 * e32;
-        const Scalar e34 = e33 / (Scalar(1) + inverse_27 * inverse_27);
-        c_.k16 = p_.T_inf + Scalar(2) * inverse_27 * e34;
-        c_.k17 = (Scalar(1) / Scalar(20)) * e32;
-        const Scalar e35 = p_.A * p_.lambda * (c_.m * (tanh_28 + e30));
-        c_.k18 = e33 * e35;
-        c_.k19 = e34;
-        c_.k20 = inverse_31 * e35 / (p_.L * p_.P * p_.alpha + p_.A * p_.alpha_L);
-        c_.k21 = e30;
-        const Scalar e36 = c_.m * e34;
-        c_.k22 = Scalar(2) * e36;
-        c_.k23 = e34 * e29;
-        c_.k24 = e36;
+        const Scalar e6 = inverse_4 * e5;
+        const Scalar e7 = e6 * (p_.lambda * inverse_4);
+        c_.k0 = Scalar(100) * e7;
+        const Scalar e8 = e5 * e2;
+        const Scalar e9 = p_.alpha * e8;
+        c_.k1 = e9;
+        const Scalar e10 = p_.eps * e8;
+        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e10;
+        const Scalar e11 = Scalar(20) * (p_.alpha_L * e6);
+        c_.k3 = e9 + e11;
+        const Scalar e12 = p_.eps * (e6 + (Scalar(1) / Scalar(20)) * e8);
+        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(5000000) * Scalar(1000000000))) * e12;
+        c_.k5 = Scalar(200) * e7;
+        c_.k6 = p_.T_inf * p_.T_inf;
+        const Scalar e13 = Scalar(200) * ((Scalar(1) / Scalar(200)) * e9 + e7);
+        c_.k7 = e13;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e10;
+        c_.k9 = e13 + e11;
+        c_.k10 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(2500000) * Scalar(1000000000))) * e12;
+        const Scalar e14 = p_.L * c_.m;
+        const Scalar exp_15 = exp(e14);
+        const Scalar inverse_16 = Scalar(1) / exp_15;
+        const Scalar tanh_17 = tanh(e14);
+        const Scalar e18 = p_.alpha_L * inverse_1;
+        const Scalar e19 = e18 / c_.m;
+        const Scalar inverse_20 = Scalar(1) / (Scalar(1) + tanh_17 * e19);
+        const Scalar e21 = p_.T_0 - p_.T_inf;
+        const Scalar e22 = inverse_20 * e21;
+        const Scalar e23 = e22 / (Scalar(1) + inverse_16 * inverse_16);
+        c_.k11 = p_.T_inf + Scalar(2) * inverse_16 * e23;
+        c_.k12 = (Scalar(1) / Scalar(20)) * e21;
+        const Scalar e24 = p_.A * p_.lambda * (c_.m * (tanh_17 + e19));
+        c_.k13 = e22 * e24;
+        c_.k14 = e23;
+        c_.k15 = inverse_20 * e24 / (p_.L * p_.P * p_.alpha + p_.A * p_.alpha_L);
+        c_.k16 = e19;
+        const Scalar e25 = c_.m * e23;
+        c_.k17 = Scalar(2) * e25;
+        c_.k18 = e23 * e18;
+        c_.k19 = e25;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -278,163 +260,145 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 69 + or -, 71 *
-    ///     dot(T[1]) = stefan_boltzmann*P*T_inf^2*eps*T[1]*(T_inf - T[1])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[1]^2*(T_inf
-    ///     - T[1])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[1]^3*(T_inf - T[1])/(A*rho*c_p) + 100*lambda*(T_0 - T[1])/(L^2*rho*c_p) +
-    ///     P*(alpha + stefan_boltzmann*T_inf^3*eps)*(T_inf - T[1])/(A*rho*c_p) - 100*lambda*(T[1] - T[2])/(L^2*rho*c_p)
-    ///     dot(T[2]) = stefan_boltzmann*P*T_inf^2*eps*T[2]*(T_inf - T[2])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[2]^2*(T_inf
-    ///     - T[2])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[2]^3*(T_inf - T[2])/(A*rho*c_p) + P*(alpha +
-    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[2])/(A*rho*c_p) + 100*lambda*(T[1] - T[2])/(L^2*rho*c_p) - 100*lambda*(T[2] -
-    ///     T[3])/(L^2*rho*c_p)
-    ///     dot(T[3]) = stefan_boltzmann*P*T_inf^2*eps*T[3]*(T_inf - T[3])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[3]^2*(T_inf
-    ///     - T[3])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[3]^3*(T_inf - T[3])/(A*rho*c_p) + P*(alpha +
-    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[3])/(A*rho*c_p) + 100*lambda*(T[2] - T[3])/(L^2*rho*c_p) - 100*lambda*(T[3] -
-    ///     T[4])/(L^2*rho*c_p)
-    ///     dot(T[4]) = stefan_boltzmann*P*T_inf^2*eps*T[4]*(T_inf - T[4])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[4]^2*(T_inf
-    ///     - T[4])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[4]^3*(T_inf - T[4])/(A*rho*c_p) + P*(alpha +
-    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[4])/(A*rho*c_p) + 100*lambda*(T[3] - T[4])/(L^2*rho*c_p) - 100*lambda*(T[4] -
-    ///     T[5])/(L^2*rho*c_p)
-    ///     dot(T[5]) = stefan_boltzmann*P*T_inf^2*eps*T[5]*(T_inf - T[5])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[5]^2*(T_inf
-    ///     - T[5])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[5]^3*(T_inf - T[5])/(A*rho*c_p) + P*(alpha +
-    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[5])/(A*rho*c_p) + 100*lambda*(T[4] - T[5])/(L^2*rho*c_p) - 100*lambda*(T[5] -
-    ///     T[6])/(L^2*rho*c_p)
-    ///     dot(T[6]) = stefan_boltzmann*P*T_inf^2*eps*T[6]*(T_inf - T[6])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[6]^2*(T_inf
-    ///     - T[6])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[6]^3*(T_inf - T[6])/(A*rho*c_p) + P*(alpha +
-    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[6])/(A*rho*c_p) + 100*lambda*(T[5] - T[6])/(L^2*rho*c_p) - 100*lambda*(T[6] -
-    ///     T[7])/(L^2*rho*c_p)
-    ///     dot(T[7]) = stefan_boltzmann*P*T_inf^2*eps*T[7]*(T_inf - T[7])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[7]^2*(T_inf
-    ///     - T[7])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[7]^3*(T_inf - T[7])/(A*rho*c_p) + P*(alpha +
-    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[7])/(A*rho*c_p) + 100*lambda*(T[6] - T[7])/(L^2*rho*c_p) - 100*lambda*(T[7] -
-    ///     T[8])/(L^2*rho*c_p)
-    ///     dot(T[8]) = stefan_boltzmann*P*T_inf^2*eps*T[8]*(T_inf - T[8])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[8]^2*(T_inf
-    ///     - T[8])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[8]^3*(T_inf - T[8])/(A*rho*c_p) + P*(alpha +
-    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[8])/(A*rho*c_p) + 100*lambda*(T[7] - T[8])/(L^2*rho*c_p) - 100*lambda*(T[8] -
-    ///     T[9])/(L^2*rho*c_p)
-    ///     dot(T[9]) = stefan_boltzmann*P*T_inf^2*eps*T[9]*(T_inf - T[9])/(A*rho*c_p) + stefan_boltzmann*P*T_inf*eps*T[9]^2*(T_inf
-    ///     - T[9])/(A*rho*c_p) + stefan_boltzmann*P*eps*T[9]^3*(T_inf - T[9])/(A*rho*c_p) + P*(alpha +
-    ///     stefan_boltzmann*T_inf^3*eps)*(T_inf - T[9])/(A*rho*c_p) + 100*lambda*(T[8] - T[9])/(L^2*rho*c_p) - 100*lambda*(T[9] -
+    /// Operations: 69 + or -, 51 *
+    ///     dot(T[1]) = 100*lambda*(T_0 - T[1])/(L^2*rho*c_p) + P*alpha*(T_inf - T[1])/(A*rho*c_p) + stefan_boltzmann*P*eps*(T_inf -
+    ///     T[1])*(T_inf + T[1])*(T_inf^2 + T[1]^2)/(A*rho*c_p) - 100*lambda*(T[1] - T[2])/(L^2*rho*c_p)
+    ///     dot(T[2]) = P*alpha*(T_inf - T[2])/(A*rho*c_p) + stefan_boltzmann*P*eps*(T_inf - T[2])*(T_inf + T[2])*(T_inf^2 +
+    ///     T[2]^2)/(A*rho*c_p) + 100*lambda*(T[1] - T[2])/(L^2*rho*c_p) - 100*lambda*(T[2] - T[3])/(L^2*rho*c_p)
+    ///     dot(T[3]) = P*alpha*(T_inf - T[3])/(A*rho*c_p) + stefan_boltzmann*P*eps*(T_inf - T[3])*(T_inf + T[3])*(T_inf^2 +
+    ///     T[3]^2)/(A*rho*c_p) + 100*lambda*(T[2] - T[3])/(L^2*rho*c_p) - 100*lambda*(T[3] - T[4])/(L^2*rho*c_p)
+    ///     dot(T[4]) = P*alpha*(T_inf - T[4])/(A*rho*c_p) + stefan_boltzmann*P*eps*(T_inf - T[4])*(T_inf + T[4])*(T_inf^2 +
+    ///     T[4]^2)/(A*rho*c_p) + 100*lambda*(T[3] - T[4])/(L^2*rho*c_p) - 100*lambda*(T[4] - T[5])/(L^2*rho*c_p)
+    ///     dot(T[5]) = P*alpha*(T_inf - T[5])/(A*rho*c_p) + stefan_boltzmann*P*eps*(T_inf - T[5])*(T_inf + T[5])*(T_inf^2 +
+    ///     T[5]^2)/(A*rho*c_p) + 100*lambda*(T[4] - T[5])/(L^2*rho*c_p) - 100*lambda*(T[5] - T[6])/(L^2*rho*c_p)
+    ///     dot(T[6]) = P*alpha*(T_inf - T[6])/(A*rho*c_p) + stefan_boltzmann*P*eps*(T_inf - T[6])*(T_inf + T[6])*(T_inf^2 +
+    ///     T[6]^2)/(A*rho*c_p) + 100*lambda*(T[5] - T[6])/(L^2*rho*c_p) - 100*lambda*(T[6] - T[7])/(L^2*rho*c_p)
+    ///     dot(T[7]) = P*alpha*(T_inf - T[7])/(A*rho*c_p) + stefan_boltzmann*P*eps*(T_inf - T[7])*(T_inf + T[7])*(T_inf^2 +
+    ///     T[7]^2)/(A*rho*c_p) + 100*lambda*(T[6] - T[7])/(L^2*rho*c_p) - 100*lambda*(T[7] - T[8])/(L^2*rho*c_p)
+    ///     dot(T[8]) = P*alpha*(T_inf - T[8])/(A*rho*c_p) + stefan_boltzmann*P*eps*(T_inf - T[8])*(T_inf + T[8])*(T_inf^2 +
+    ///     T[8]^2)/(A*rho*c_p) + 100*lambda*(T[7] - T[8])/(L^2*rho*c_p) - 100*lambda*(T[8] - T[9])/(L^2*rho*c_p)
+    ///     dot(T[9]) = P*alpha*(T_inf - T[9])/(A*rho*c_p) + stefan_boltzmann*P*eps*(T_inf - T[9])*(T_inf + T[9])*(T_inf^2 +
+    ///     T[9]^2)/(A*rho*c_p) + 100*lambda*(T[8] - T[9])/(L^2*rho*c_p) - 100*lambda*(T[9] - T[10])/(L^2*rho*c_p)
+    ///     dot(T[10]) = (20*alpha_L/L + P*alpha/A)*(T_inf - T[10])/(rho*c_p) + eps*(20*stefan_boltzmann/L +
+    ///     stefan_boltzmann*P/A)*(T_inf - T[10])*(T_inf + T[10])*(T_inf^2 + T[10]^2)/(rho*c_p) + 200*lambda*(T[9] -
     ///     T[10])/(L^2*rho*c_p)
-    ///     dot(T[10]) = T_inf^2*eps*(20*stefan_boltzmann/L + stefan_boltzmann*P/A)*T[10]*(T_inf - T[10])/(rho*c_p) +
-    ///     T_inf*eps*(20*stefan_boltzmann/L + stefan_boltzmann*P/A)*T[10]^2*(T_inf - T[10])/(rho*c_p) + eps*(20*stefan_boltzmann/L
-    ///     + stefan_boltzmann*P/A)*T[10]^3*(T_inf - T[10])/(rho*c_p) + (20*alpha_L/L + 20*stefan_boltzmann*T_inf^3*eps/L +
-    ///     P*alpha/A + stefan_boltzmann*P*T_inf^3*eps/A)*(T_inf - T[10])/(rho*c_p) + 200*lambda*(T[9] - T[10])/(L^2*rho*c_p)
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_1 = x[0];
-        const Scalar e1 = p_.T_inf - T_1;
-        const Scalar e2 = T_1 * e1;
         const Scalar T_2 = x[1];
-        const Scalar e3 = c_.k3 * (T_1 - T_2);
-        const Scalar e4 = p_.T_inf - T_2;
-        const Scalar e5 = T_2 * e4;
+        const Scalar e1 = c_.k0 * (T_1 - T_2);
         const Scalar T_3 = x[2];
-        const Scalar e6 = c_.k3 * (T_2 - T_3);
-        const Scalar e7 = p_.T_inf - T_3;
-        const Scalar e8 = T_3 * e7;
+        const Scalar e2 = c_.k0 * (T_2 - T_3);
         const Scalar T_4 = x[3];
-        const Scalar e9 = c_.k3 * (T_3 - T_4);
-        const Scalar e10 = p_.T_inf - T_4;
-        const Scalar e11 = T_4 * e10;
+        const Scalar e3 = c_.k0 * (T_3 - T_4);
         const Scalar T_5 = x[4];
-        const Scalar e12 = c_.k3 * (T_4 - T_5);
-        const Scalar e13 = p_.T_inf - T_5;
-        const Scalar e14 = T_5 * e13;
+        const Scalar e4 = c_.k0 * (T_4 - T_5);
         const Scalar T_6 = x[5];
-        const Scalar e15 = c_.k3 * (T_5 - T_6);
-        const Scalar e16 = p_.T_inf - T_6;
-        const Scalar e17 = T_6 * e16;
+        const Scalar e5 = c_.k0 * (T_5 - T_6);
         const Scalar T_7 = x[6];
-        const Scalar e18 = c_.k3 * (T_6 - T_7);
-        const Scalar e19 = p_.T_inf - T_7;
-        const Scalar e20 = T_7 * e19;
+        const Scalar e6 = c_.k0 * (T_6 - T_7);
         const Scalar T_8 = x[7];
-        const Scalar e21 = c_.k3 * (T_7 - T_8);
-        const Scalar e22 = p_.T_inf - T_8;
-        const Scalar e23 = T_8 * e22;
+        const Scalar e7 = c_.k0 * (T_7 - T_8);
         const Scalar T_9 = x[8];
-        const Scalar e24 = c_.k3 * (T_8 - T_9);
-        const Scalar e25 = p_.T_inf - T_9;
-        const Scalar e26 = T_9 * e25;
+        const Scalar e8 = c_.k0 * (T_8 - T_9);
         const Scalar T_10 = x[9];
-        const Scalar e27 = T_9 - T_10;
-        const Scalar e28 = p_.T_inf - T_10;
-        const Scalar e29 = T_10 * e28;
-        dxdt[0] = T_1 * e2 * (c_.k1 + c_.k2 * T_1) + c_.k3 * (p_.T_0 - T_1) + c_.k4 * e1 + c_.k0 * e2 - e3;
-        dxdt[1] = T_2 * e5 * (c_.k1 + c_.k2 * T_2) + c_.k4 * e4 + c_.k0 * e5 + e3 - e6;
-        dxdt[2] = T_3 * e8 * (c_.k1 + c_.k2 * T_3) + c_.k4 * e7 + c_.k0 * e8 + e6 - e9;
-        dxdt[3] = T_4 * e11 * (c_.k1 + c_.k2 * T_4) + c_.k4 * e10 + c_.k0 * e11 + e9 - e12;
-        dxdt[4] = T_5 * e14 * (c_.k1 + c_.k2 * T_5) + c_.k4 * e13 + c_.k0 * e14 + e12 - e15;
-        dxdt[5] = T_6 * e17 * (c_.k1 + c_.k2 * T_6) + c_.k4 * e16 + c_.k0 * e17 + e15 - e18;
-        dxdt[6] = T_7 * e20 * (c_.k1 + c_.k2 * T_7) + c_.k4 * e19 + c_.k0 * e20 + e18 - e21;
-        dxdt[7] = T_8 * e23 * (c_.k1 + c_.k2 * T_8) + c_.k4 * e22 + c_.k0 * e23 + e21 - e24;
-        dxdt[8] = T_9 * e26 * (c_.k1 + c_.k2 * T_9) + c_.k4 * e25 - c_.k3 * e27 + c_.k0 * e26 + e24;
-        dxdt[9] = T_10 * e29 * (c_.k6 + c_.k7 * T_10) + c_.k8 * e28 + c_.k9 * e27 + c_.k5 * e29;
+        const Scalar e9 = T_9 - T_10;
+        const Scalar e10 = (p_.T_inf - T_1) * (c_.k1 + c_.k2 * (p_.T_inf + T_1) * (c_.k6 + T_1 * T_1));
+        dxdt[0] = e10 + c_.k0 * (p_.T_0 - T_1) - e1;
+        const Scalar e11 = (p_.T_inf - T_2) * (c_.k1 + c_.k2 * (p_.T_inf + T_2) * (c_.k6 + T_2 * T_2));
+        dxdt[1] = e11 + e1 - e2;
+        const Scalar e12 = (p_.T_inf - T_3) * (c_.k1 + c_.k2 * (p_.T_inf + T_3) * (c_.k6 + T_3 * T_3));
+        dxdt[2] = e12 + e2 - e3;
+        const Scalar e13 = (p_.T_inf - T_4) * (c_.k1 + c_.k2 * (p_.T_inf + T_4) * (c_.k6 + T_4 * T_4));
+        dxdt[3] = e13 + e3 - e4;
+        const Scalar e14 = (p_.T_inf - T_5) * (c_.k1 + c_.k2 * (p_.T_inf + T_5) * (c_.k6 + T_5 * T_5));
+        dxdt[4] = e14 + e4 - e5;
+        const Scalar e15 = (p_.T_inf - T_6) * (c_.k1 + c_.k2 * (p_.T_inf + T_6) * (c_.k6 + T_6 * T_6));
+        dxdt[5] = e15 + e5 - e6;
+        const Scalar e16 = (p_.T_inf - T_7) * (c_.k1 + c_.k2 * (p_.T_inf + T_7) * (c_.k6 + T_7 * T_7));
+        dxdt[6] = e16 + e6 - e7;
+        const Scalar e17 = (p_.T_inf - T_8) * (c_.k1 + c_.k2 * (p_.T_inf + T_8) * (c_.k6 + T_8 * T_8));
+        dxdt[7] = e17 + e7 - e8;
+        const Scalar e18 = (p_.T_inf - T_9) * (c_.k1 + c_.k2 * (p_.T_inf + T_9) * (c_.k6 + T_9 * T_9));
+        dxdt[8] = e18 - c_.k0 * e9 + e8;
+        const Scalar e19 = (p_.T_inf - T_10) * (c_.k3 + c_.k4 * (p_.T_inf + T_10) * (c_.k6 + T_10 * T_10));
+        dxdt[9] = e19 + c_.k5 * e9;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 10 x 10, entry (i, j) at J[10*j + i].
-    /// Operations: 109 + or -, 101 *
+    /// Operations: 99 + or -, 91 *
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar e1 = p_.T_inf - T_1;
-        const Scalar e2 = c_.k0 + T_1 * (c_.k1 + c_.k2 * T_1);
-        const Scalar e3 = T_1 * e1;
         const Scalar T_2 = x[1];
-        const Scalar e4 = c_.k3 * (T_1 - T_2);
-        const Scalar e5 = p_.T_inf - T_2;
-        const Scalar e6 = c_.k0 + T_2 * (c_.k1 + c_.k2 * T_2);
-        const Scalar e7 = T_2 * e5;
+        const Scalar e2 = c_.k0 * (T_1 - T_2);
+        const Scalar e3 = c_.k2 * (c_.k6 + T_1 * T_1);
+        const Scalar e4 = p_.T_inf + T_1;
+        const Scalar e5 = e1 * e4;
+        const Scalar e6 = p_.T_inf - T_2;
         const Scalar T_3 = x[2];
-        const Scalar e8 = c_.k3 * (T_2 - T_3);
-        const Scalar e9 = p_.T_inf - T_3;
-        const Scalar e10 = c_.k0 + T_3 * (c_.k1 + c_.k2 * T_3);
-        const Scalar e11 = T_3 * e9;
+        const Scalar e7 = c_.k0 * (T_2 - T_3);
+        const Scalar e8 = c_.k2 * (c_.k6 + T_2 * T_2);
+        const Scalar e9 = p_.T_inf + T_2;
+        const Scalar e10 = e6 * e9;
+        const Scalar e11 = p_.T_inf - T_3;
         const Scalar T_4 = x[3];
-        const Scalar e12 = c_.k3 * (T_3 - T_4);
-        const Scalar e13 = p_.T_inf - T_4;
-        const Scalar e14 = c_.k0 + T_4 * (c_.k1 + c_.k2 * T_4);
-        const Scalar e15 = T_4 * e13;
+        const Scalar e12 = c_.k0 * (T_3 - T_4);
+        const Scalar e13 = c_.k2 * (c_.k6 + T_3 * T_3);
+        const Scalar e14 = p_.T_inf + T_3;
+        const Scalar e15 = e11 * e14;
+        const Scalar e16 = p_.T_inf - T_4;
         const Scalar T_5 = x[4];
-        const Scalar e16 = c_.k3 * (T_4 - T_5);
-        const Scalar e17 = p_.T_inf - T_5;
-        const Scalar e18 = c_.k0 + T_5 * (c_.k1 + c_.k2 * T_5);
-        const Scalar e19 = T_5 * e17;
+        const Scalar e17 = c_.k0 * (T_4 - T_5);
+        const Scalar e18 = c_.k2 * (c_.k6 + T_4 * T_4);
+        const Scalar e19 = p_.T_inf + T_4;
+        const Scalar e20 = e16 * e19;
+        const Scalar e21 = p_.T_inf - T_5;
         const Scalar T_6 = x[5];
-        const Scalar e20 = c_.k3 * (T_5 - T_6);
-        const Scalar e21 = p_.T_inf - T_6;
-        const Scalar e22 = c_.k0 + T_6 * (c_.k1 + c_.k2 * T_6);
-        const Scalar e23 = T_6 * e21;
+        const Scalar e22 = c_.k0 * (T_5 - T_6);
+        const Scalar e23 = c_.k2 * (c_.k6 + T_5 * T_5);
+        const Scalar e24 = p_.T_inf + T_5;
+        const Scalar e25 = e21 * e24;
+        const Scalar e26 = p_.T_inf - T_6;
         const Scalar T_7 = x[6];
-        const Scalar e24 = c_.k3 * (T_6 - T_7);
-        const Scalar e25 = p_.T_inf - T_7;
-        const Scalar e26 = c_.k0 + T_7 * (c_.k1 + c_.k2 * T_7);
-        const Scalar e27 = T_7 * e25;
+        const Scalar e27 = c_.k0 * (T_6 - T_7);
+        const Scalar e28 = c_.k2 * (c_.k6 + T_6 * T_6);
+        const Scalar e29 = p_.T_inf + T_6;
+        const Scalar e30 = e26 * e29;
+        const Scalar e31 = p_.T_inf - T_7;
         const Scalar T_8 = x[7];
-        const Scalar e28 = c_.k3 * (T_7 - T_8);
-        const Scalar e29 = p_.T_inf - T_8;
-        const Scalar e30 = c_.k0 + T_8 * (c_.k1 + c_.k2 * T_8);
-        const Scalar e31 = T_8 * e29;
+        const Scalar e32 = c_.k0 * (T_7 - T_8);
+        const Scalar e33 = c_.k2 * (c_.k6 + T_7 * T_7);
+        const Scalar e34 = p_.T_inf + T_7;
+        const Scalar e35 = e31 * e34;
+        const Scalar e36 = p_.T_inf - T_8;
         const Scalar T_9 = x[8];
-        const Scalar e32 = c_.k3 * (T_8 - T_9);
-        const Scalar e33 = p_.T_inf - T_9;
+        const Scalar e37 = c_.k0 * (T_8 - T_9);
+        const Scalar e38 = c_.k2 * (c_.k6 + T_8 * T_8);
+        const Scalar e39 = p_.T_inf + T_8;
+        const Scalar e40 = e36 * e39;
+        const Scalar e41 = p_.T_inf - T_9;
         const Scalar T_10 = x[9];
-        const Scalar e34 = T_9 - T_10;
-        const Scalar e35 = c_.k0 + T_9 * (c_.k1 + c_.k2 * T_9);
-        const Scalar e36 = T_9 * e33;
-        const Scalar e37 = p_.T_inf - T_10;
-        const Scalar e38 = c_.k5 + T_10 * (c_.k6 + c_.k7 * T_10);
-        const Scalar e39 = T_10 * e37;
-        dxdt[0] = c_.k3 * (p_.T_0 - T_1) + c_.k4 * e1 + e2 * e3 - e4;
-        dxdt[1] = c_.k4 * e5 + e6 * e7 + e4 - e8;
-        dxdt[2] = c_.k4 * e9 + e10 * e11 + e8 - e12;
-        dxdt[3] = c_.k4 * e13 + e14 * e15 + e12 - e16;
-        dxdt[4] = c_.k4 * e17 + e18 * e19 + e16 - e20;
-        dxdt[5] = c_.k4 * e21 + e22 * e23 + e20 - e24;
-        dxdt[6] = c_.k4 * e25 + e26 * e27 + e24 - e28;
-        dxdt[7] = c_.k4 * e29 + e30 * e31 + e28 - e32;
-        dxdt[8] = c_.k4 * e33 - c_.k3 * e34 + e35 * e36 + e32;
-        dxdt[9] = c_.k8 * e37 + c_.k9 * e34 + e38 * e39;
-        J[0] = c_.k0 * e1 - T_1 * (e2 - c_.k12 * e3) - c_.k10 + c_.k11 * e3;
-        J[1] = c_.k3;
+        const Scalar e42 = T_9 - T_10;
+        const Scalar e43 = c_.k2 * (c_.k6 + T_9 * T_9);
+        const Scalar e44 = p_.T_inf + T_9;
+        const Scalar e45 = e41 * e44;
+        const Scalar e46 = p_.T_inf - T_10;
+        const Scalar e47 = c_.k4 * (c_.k6 + T_10 * T_10);
+        const Scalar e48 = p_.T_inf + T_10;
+        const Scalar e49 = e46 * e48;
+        dxdt[0] = c_.k0 * (p_.T_0 - T_1) + c_.k1 * e1 - e2 + e3 * e5;
+        dxdt[1] = c_.k1 * e6 + e2 - e7 + e8 * e10;
+        dxdt[2] = c_.k1 * e11 + e7 - e12 + e13 * e15;
+        dxdt[3] = c_.k1 * e16 + e12 - e17 + e18 * e20;
+        dxdt[4] = c_.k1 * e21 + e17 - e22 + e23 * e25;
+        dxdt[5] = c_.k1 * e26 + e22 - e27 + e28 * e30;
+        dxdt[6] = c_.k1 * e31 + e27 - e32 + e33 * e35;
+        dxdt[7] = c_.k1 * e36 + e32 - e37 + e38 * e40;
+        dxdt[8] = c_.k1 * e41 - c_.k0 * e42 + e37 + e43 * e45;
+        dxdt[9] = c_.k3 * e46 + c_.k5 * e42 + e47 * e49;
+        J[0] = e3 * (e1 - e4) - c_.k7 + c_.k8 * T_1 * e5;
+        J[1] = c_.k0;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
@@ -443,9 +407,9 @@ public:
         J[7] = Scalar(0);
         J[8] = Scalar(0);
         J[9] = Scalar(0);
-        J[10] = c_.k3;
-        J[11] = c_.k0 * e5 - T_2 * (e6 - c_.k12 * e7) - c_.k10 + c_.k11 * e7;
-        J[12] = c_.k3;
+        J[10] = c_.k0;
+        J[11] = e8 * (e6 - e9) - c_.k7 + c_.k8 * T_2 * e10;
+        J[12] = c_.k0;
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
@@ -454,9 +418,9 @@ public:
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = c_.k3;
-        J[22] = c_.k0 * e9 - T_3 * (e10 - c_.k12 * e11) - c_.k10 + c_.k11 * e11;
-        J[23] = c_.k3;
+        J[21] = c_.k0;
+        J[22] = e13 * (e11 - e14) - c_.k7 + c_.k8 * T_3 * e15;
+        J[23] = c_.k0;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
@@ -465,9 +429,9 @@ public:
         J[29] = Scalar(0);
         J[30] = Scalar(0);
         J[31] = Scalar(0);
-        J[32] = c_.k3;
-        J[33] = c_.k0 * e13 - T_4 * (e14 - c_.k12 * e15) - c_.k10 + c_.k11 * e15;
-        J[34] = c_.k3;
+        J[32] = c_.k0;
+        J[33] = e18 * (e16 - e19) - c_.k7 + c_.k8 * T_4 * e20;
+        J[34] = c_.k0;
         J[35] = Scalar(0);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
@@ -476,9 +440,9 @@ public:
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
-        J[43] = c_.k3;
-        J[44] = c_.k0 * e17 - T_5 * (e18 - c_.k12 * e19) - c_.k10 + c_.k11 * e19;
-        J[45] = c_.k3;
+        J[43] = c_.k0;
+        J[44] = e23 * (e21 - e24) - c_.k7 + c_.k8 * T_5 * e25;
+        J[45] = c_.k0;
         J[46] = Scalar(0);
         J[47] = Scalar(0);
         J[48] = Scalar(0);
@@ -487,9 +451,9 @@ public:
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
-        J[54] = c_.k3;
-        J[55] = c_.k0 * e21 - T_6 * (e22 - c_.k12 * e23) - c_.k10 + c_.k11 * e23;
-        J[56] = c_.k3;
+        J[54] = c_.k0;
+        J[55] = e28 * (e26 - e29) - c_.k7 + c_.k8 * T_6 * e30;
+        J[56] = c_.k0;
         J[57] = Scalar(0);
         J[58] = Scalar(0);
         J[59] = Scalar(0);
@@ -498,9 +462,9 @@ public:
         J[62] = Scalar(0);
         J[63] = Scalar(0);
         J[64] = Scalar(0);
-        J[65] = c_.k3;
-        J[66] = c_.k0 * e25 - T_7 * (e26 - c_.k12 * e27) - c_.k10 + c_.k11 * e27;
-        J[67] = c_.k3;
+        J[65] = c_.k0;
+        J[66] = e33 * (e31 - e34) - c_.k7 + c_.k8 * T_7 * e35;
+        J[67] = c_.k0;
         J[68] = Scalar(0);
         J[69] = Scalar(0);
         J[70] = Scalar(0);
@@ -509,9 +473,9 @@ public:
         J[73] = Scalar(0);
         J[74] = Scalar(0);
         J[75] = Scalar(0);
-        J[76] = c_.k3;
-        J[77] = c_.k0 * e29 - T_8 * (e30 - c_.k12 * e31) - c_.k10 + c_.k11 * e31;
-        J[78] = c_.k3;
+        J[76] = c_.k0;
+        J[77] = e38 * (e36 - e39) - c_.k7 + c_.k8 * T_8 * e40;
+        J[78] = c_.k0;
         J[79] = Scalar(0);
         J[80] = Scalar(0);
         J[81] = Scalar(0);
@@ -520,9 +484,9 @@ public:
         J[84] = Scalar(0);
         J[85] = Scalar(0);
         J[86] = Scalar(0);
-        J[87] = c_.k3;
-        J[88] = c_.k0 * e33 - T_9 * (e35 - c_.k12 * e36) - c_.k10 + c_.k11 * e36;
-        J[89] = c_.k9;
+        J[87] = c_.k0;
+        J[88] = e43 * (e41 - e44) - c_.k7 + c_.k8 * T_9 * e45;
+        J[89] = c_.k5;
         J[90] = Scalar(0);
         J[91] = Scalar(0);
         J[92] = Scalar(0);
@@ -531,8 +495,8 @@ public:
         J[95] = Scalar(0);
         J[96] = Scalar(0);
         J[97] = Scalar(0);
-        J[98] = c_.k3;
-        J[99] = c_.k5 * e37 - T_10 * (e38 - c_.k15 * e39) - c_.k13 + c_.k14 * e39;
+        J[98] = c_.k0;
+        J[99] = e47 * (e46 - e48) - c_.k9 + c_.k10 * T_10 * e49;
     }
 
     /// J = df/dx. 10 x 10, entry (i, j) at J[10*j + i].
@@ -557,256 +521,200 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 10 x 11, entry (i, j) at J[10*j + i].
-    /// Operations: 277 + or -, 467 *, 4 /
+    /// Operations: 152 + or -, 257 *, 4 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.L;
         const Scalar inverse_2 = Scalar(1) / p_.rho;
         const Scalar inverse_3 = Scalar(1) / p_.c_p;
         const Scalar e4 = inverse_2 * inverse_3;
-        const Scalar inverse_1_squared = inverse_1 * inverse_1;
-        const Scalar e5 = e4 * inverse_1_squared;
-        const Scalar e6 = p_.lambda * e5;
-        const Scalar e7 = inverse_1 * e6;
-        const Scalar e8 = Scalar(200) * e7;
+        const Scalar e5 = inverse_1 * e4;
+        const Scalar e6 = inverse_1 * e5;
+        const Scalar e7 = p_.lambda * e6;
+        const Scalar e8 = inverse_1 * e7;
+        const Scalar e9 = Scalar(200) * e8;
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
-        const Scalar e9 = T_1 - T_2;
-        const Scalar e10 = p_.T_0 - T_1 - e9;
+        const Scalar e10 = T_1 - T_2;
+        const Scalar e11 = p_.T_0 - T_1 - e10;
         const Scalar T_3 = x[2];
-        const Scalar e11 = T_2 - T_3;
-        const Scalar e12 = e9 - e11;
+        const Scalar e12 = T_2 - T_3;
+        const Scalar e13 = e10 - e12;
         const Scalar T_4 = x[3];
-        const Scalar e13 = T_3 - T_4;
-        const Scalar e14 = e11 - e13;
+        const Scalar e14 = T_3 - T_4;
+        const Scalar e15 = e12 - e14;
         const Scalar T_5 = x[4];
-        const Scalar e15 = T_4 - T_5;
-        const Scalar e16 = e13 - e15;
+        const Scalar e16 = T_4 - T_5;
+        const Scalar e17 = e14 - e16;
         const Scalar T_6 = x[5];
-        const Scalar e17 = T_5 - T_6;
-        const Scalar e18 = e15 - e17;
+        const Scalar e18 = T_5 - T_6;
+        const Scalar e19 = e16 - e18;
         const Scalar T_7 = x[6];
-        const Scalar e19 = T_6 - T_7;
-        const Scalar e20 = e17 - e19;
+        const Scalar e20 = T_6 - T_7;
+        const Scalar e21 = e18 - e20;
         const Scalar T_8 = x[7];
-        const Scalar e21 = T_7 - T_8;
-        const Scalar e22 = e19 - e21;
+        const Scalar e22 = T_7 - T_8;
+        const Scalar e23 = e20 - e22;
         const Scalar T_9 = x[8];
-        const Scalar e23 = T_8 - T_9;
-        const Scalar e24 = e21 - e23;
+        const Scalar e24 = T_8 - T_9;
+        const Scalar e25 = e22 - e24;
         const Scalar T_10 = x[9];
-        const Scalar e25 = T_9 - T_10;
-        const Scalar e26 = e23 - e25;
-        const Scalar e27 = p_.T_inf - T_10;
-        const Scalar e28 = p_.eps * e4;
-        const Scalar e29 = p_.T_inf * e28;
-        const Scalar e30 = p_.T_inf * e29;
-        const Scalar e31 = p_.T_inf * e30;
-        const Scalar e32 = T_10 * e27;
-        const Scalar e33 = T_10 * e32;
-        const Scalar e34 = T_10 * e33;
-        const Scalar e35 = p_.T_inf - T_1;
-        const Scalar e36 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e31;
-        const Scalar e37 = p_.alpha * e4 + e36;
-        const Scalar inverse_38 = Scalar(1) / p_.A;
-        const Scalar e39 = p_.P * inverse_38;
-        const Scalar e40 = inverse_38 * e39;
-        const Scalar e41 = e37 * e40;
-        const Scalar e42 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e30 * e40;
-        const Scalar e43 = T_1 * e35;
-        const Scalar e44 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e29 * e40;
-        const Scalar e45 = T_1 * e43;
-        const Scalar e46 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e28 * e40;
-        const Scalar e47 = T_1 * e45;
-        const Scalar e48 = p_.T_inf - T_2;
-        const Scalar e49 = T_2 * e48;
-        const Scalar e50 = T_2 * e49;
-        const Scalar e51 = T_2 * e50;
-        const Scalar e52 = p_.T_inf - T_3;
-        const Scalar e53 = T_3 * e52;
-        const Scalar e54 = T_3 * e53;
-        const Scalar e55 = T_3 * e54;
-        const Scalar e56 = p_.T_inf - T_4;
-        const Scalar e57 = T_4 * e56;
-        const Scalar e58 = T_4 * e57;
-        const Scalar e59 = T_4 * e58;
+        const Scalar e26 = T_9 - T_10;
+        const Scalar e27 = e24 - e26;
+        const Scalar e28 = p_.T_inf - T_10;
+        const Scalar e29 = c_.k6 + T_10 * T_10;
+        const Scalar e30 = p_.T_inf + T_10;
+        const Scalar e31 = e28 * e30;
+        const Scalar e32 = e29 * e31;
+        const Scalar e33 = p_.T_inf - T_1;
+        const Scalar inverse_34 = Scalar(1) / p_.A;
+        const Scalar e35 = inverse_34 * e4;
+        const Scalar e36 = p_.P * e35;
+        const Scalar e37 = p_.alpha * e36;
+        const Scalar e38 = inverse_34 * e37;
+        const Scalar e39 = p_.eps * e36;
+        const Scalar e40 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_34 * e39;
+        const Scalar e41 = c_.k6 + T_1 * T_1;
+        const Scalar e42 = p_.T_inf + T_1;
+        const Scalar e43 = e33 * e42;
+        const Scalar e44 = e41 * e43;
+        const Scalar e45 = p_.T_inf - T_2;
+        const Scalar e46 = c_.k6 + T_2 * T_2;
+        const Scalar e47 = p_.T_inf + T_2;
+        const Scalar e48 = e45 * e47;
+        const Scalar e49 = e46 * e48;
+        const Scalar e50 = p_.T_inf - T_3;
+        const Scalar e51 = c_.k6 + T_3 * T_3;
+        const Scalar e52 = p_.T_inf + T_3;
+        const Scalar e53 = e50 * e52;
+        const Scalar e54 = e51 * e53;
+        const Scalar e55 = p_.T_inf - T_4;
+        const Scalar e56 = c_.k6 + T_4 * T_4;
+        const Scalar e57 = p_.T_inf + T_4;
+        const Scalar e58 = e55 * e57;
+        const Scalar e59 = e56 * e58;
         const Scalar e60 = p_.T_inf - T_5;
-        const Scalar e61 = T_5 * e60;
-        const Scalar e62 = T_5 * e61;
-        const Scalar e63 = T_5 * e62;
-        const Scalar e64 = p_.T_inf - T_6;
-        const Scalar e65 = T_6 * e64;
-        const Scalar e66 = T_6 * e65;
-        const Scalar e67 = T_6 * e66;
-        const Scalar e68 = p_.T_inf - T_7;
-        const Scalar e69 = T_7 * e68;
-        const Scalar e70 = T_7 * e69;
-        const Scalar e71 = T_7 * e70;
-        const Scalar e72 = p_.T_inf - T_8;
-        const Scalar e73 = T_8 * e72;
-        const Scalar e74 = T_8 * e73;
-        const Scalar e75 = T_8 * e74;
-        const Scalar e76 = p_.T_inf - T_9;
-        const Scalar e77 = T_9 * e76;
-        const Scalar e78 = T_9 * e77;
-        const Scalar e79 = T_9 * e78;
-        const Scalar e80 = inverse_38 * e37;
-        const Scalar e81 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_38 * e30;
-        const Scalar e82 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_38 * e29;
-        const Scalar e83 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_38 * e28;
-        const Scalar e84 = Scalar(100) * e5;
-        const Scalar e85 = inverse_2 * e39;
-        const Scalar e86 = e37 * e85;
-        const Scalar e87 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e30 * e85;
-        const Scalar e88 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e29 * e85;
-        const Scalar e89 = inverse_2 * e6;
+        const Scalar e61 = c_.k6 + T_5 * T_5;
+        const Scalar e62 = p_.T_inf + T_5;
+        const Scalar e63 = e60 * e62;
+        const Scalar e64 = e61 * e63;
+        const Scalar e65 = p_.T_inf - T_6;
+        const Scalar e66 = c_.k6 + T_6 * T_6;
+        const Scalar e67 = p_.T_inf + T_6;
+        const Scalar e68 = e65 * e67;
+        const Scalar e69 = e66 * e68;
+        const Scalar e70 = p_.T_inf - T_7;
+        const Scalar e71 = c_.k6 + T_7 * T_7;
+        const Scalar e72 = p_.T_inf + T_7;
+        const Scalar e73 = e70 * e72;
+        const Scalar e74 = e71 * e73;
+        const Scalar e75 = p_.T_inf - T_8;
+        const Scalar e76 = c_.k6 + T_8 * T_8;
+        const Scalar e77 = p_.T_inf + T_8;
+        const Scalar e78 = e75 * e77;
+        const Scalar e79 = e76 * e78;
+        const Scalar e80 = p_.T_inf - T_9;
+        const Scalar e81 = c_.k6 + T_9 * T_9;
+        const Scalar e82 = p_.T_inf + T_9;
+        const Scalar e83 = e80 * e82;
+        const Scalar e84 = e81 * e83;
+        const Scalar e85 = p_.alpha * e35;
+        const Scalar e86 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * p_.eps * e35;
+        const Scalar e87 = Scalar(100) * e6;
+        const Scalar e88 = inverse_2 * e37;
+        const Scalar e89 = inverse_2 * e7;
         const Scalar e90 = Scalar(100) * e89;
         const Scalar e91 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e28 * e85;
-        const Scalar e92 = Scalar(20) * inverse_1 + e39;
-        const Scalar e93 = e92 * e30;
-        const Scalar e94 = ((Scalar(100000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
-            * e4 * (p_.alpha * e39 + Scalar(20) * p_.alpha_L * inverse_1);
-        const Scalar e95 = e94 + p_.T_inf * e93;
-        const Scalar e96 = inverse_2 * e92;
-        const Scalar e97 = inverse_3 * e39;
-        const Scalar e98 = e37 * e97;
-        const Scalar e99 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e30 * e97;
+            * inverse_2 * e39;
+        const Scalar e92 = Scalar(20) * p_.alpha_L * e5 + e37;
+        const Scalar e93 = e4 * (p_.P * inverse_34 + Scalar(20) * inverse_1);
+        const Scalar e94 = p_.eps * e93;
+        const Scalar e95 = inverse_3 * e37;
+        const Scalar e96 = inverse_3 * e7;
+        const Scalar e97 = Scalar(100) * e96;
+        const Scalar e98 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_3 * e39;
+        const Scalar e99 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * p_.T_inf * e39;
         const Scalar e100 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e29 * e97;
-        const Scalar e101 = inverse_3 * e6;
-        const Scalar e102 = Scalar(100) * e101;
+            * e36;
+        J[0] = -e9 * e11;
+        J[1] = -e9 * e13;
+        J[2] = -e9 * e15;
+        J[3] = -e9 * e17;
+        J[4] = -e9 * e19;
+        J[5] = -e9 * e21;
+        J[6] = -e9 * e23;
+        J[7] = -e9 * e25;
+        J[8] = -e9 * e27;
+        const Scalar e101 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(5000000) * Scalar(1000000000)))
+            * p_.eps * e6;
+        J[9] = -e28 * (Scalar(20) * p_.alpha_L * e6) - e26 * (Scalar(400) * e8) - e101 * e32;
+        J[10] = -e33 * e38 - e40 * e44;
+        J[11] = -e45 * e38 - e40 * e49;
+        J[12] = -e50 * e38 - e40 * e54;
+        J[13] = -e55 * e38 - e40 * e59;
+        J[14] = -e60 * e38 - e40 * e64;
+        J[15] = -e65 * e38 - e40 * e69;
+        J[16] = -e70 * e38 - e40 * e74;
+        J[17] = -e75 * e38 - e40 * e79;
+        J[18] = -e80 * e38 - e40 * e84;
+        J[19] = -e28 * e38 - e40 * e32;
+        J[20] = e33 * e85 + e86 * e44;
+        J[21] = e45 * e85 + e86 * e49;
+        J[22] = e50 * e85 + e86 * e54;
+        J[23] = e55 * e85 + e86 * e59;
+        J[24] = e60 * e85 + e86 * e64;
+        J[25] = e65 * e85 + e86 * e69;
+        J[26] = e70 * e85 + e86 * e74;
+        J[27] = e75 * e85 + e86 * e79;
+        J[28] = e80 * e85 + e86 * e84;
+        J[29] = e28 * e85 + e86 * e32;
+        J[30] = e87 * e11;
+        J[31] = e87 * e13;
+        J[32] = e87 * e15;
+        J[33] = e87 * e17;
+        J[34] = e87 * e19;
+        J[35] = e87 * e21;
+        J[36] = e87 * e23;
+        J[37] = e87 * e25;
+        J[38] = e87 * e27;
+        J[39] = e26 * (Scalar(200) * e6);
+        J[40] = -e33 * e88 - e90 * e11 - e91 * e44;
+        J[41] = -e45 * e88 - e90 * e13 - e91 * e49;
+        J[42] = -e50 * e88 - e90 * e15 - e91 * e54;
+        J[43] = -e55 * e88 - e90 * e17 - e91 * e59;
+        J[44] = -e60 * e88 - e90 * e19 - e91 * e64;
+        J[45] = -e65 * e88 - e90 * e21 - e91 * e69;
+        J[46] = -e70 * e88 - e90 * e23 - e91 * e74;
+        J[47] = -e75 * e88 - e90 * e25 - e91 * e79;
+        J[48] = -e80 * e88 - e90 * e27 - e91 * e84;
+        const Scalar e102 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_2 * e94;
+        J[49] = -e28 * (inverse_2 * e92) - e26 * (Scalar(200) * e89) - e102 * e32;
+        J[50] = -e33 * e95 - e97 * e11 - e98 * e44;
+        J[51] = -e45 * e95 - e97 * e13 - e98 * e49;
+        J[52] = -e50 * e95 - e97 * e15 - e98 * e54;
+        J[53] = -e55 * e95 - e97 * e17 - e98 * e59;
+        J[54] = -e60 * e95 - e97 * e19 - e98 * e64;
+        J[55] = -e65 * e95 - e97 * e21 - e98 * e69;
+        J[56] = -e70 * e95 - e97 * e23 - e98 * e74;
+        J[57] = -e75 * e95 - e97 * e25 - e98 * e79;
+        J[58] = -e80 * e95 - e97 * e27 - e98 * e84;
         const Scalar e103 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e28 * e97;
-        const Scalar e104 = inverse_3 * e92;
-        const Scalar e105 = e4 * e39;
-        const Scalar T_1_squared = T_1 * T_1;
-        const Scalar e106 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e39 * e30;
-        const Scalar T_2_squared = T_2 * T_2;
-        const Scalar T_3_squared = T_3 * T_3;
-        const Scalar T_4_squared = T_4 * T_4;
-        const Scalar T_5_squared = T_5 * T_5;
-        const Scalar T_6_squared = T_6 * T_6;
-        const Scalar T_7_squared = T_7 * T_7;
-        const Scalar T_8_squared = T_8 * T_8;
-        const Scalar T_9_squared = T_9 * T_9;
-        const Scalar T_10_squared = T_10 * T_10;
-        const Scalar e107 = p_.T_inf * e4;
-        const Scalar e108 = p_.T_inf * e107;
-        const Scalar e109 = e39 * e108;
-        const Scalar e110 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_inf * e109;
-        const Scalar e111 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e109;
-        const Scalar e112 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e39 * e107;
-        const Scalar e113 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e105;
-        const Scalar e114 = e92 * e108;
-        J[0] = -e8 * e10;
-        J[1] = -e8 * e12;
-        J[2] = -e8 * e14;
-        J[3] = -e8 * e16;
-        J[4] = -e8 * e18;
-        J[5] = -e8 * e20;
-        J[6] = -e8 * e22;
-        J[7] = -e8 * e24;
-        J[8] = -e8 * e26;
-        const Scalar e115 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(5000000) * Scalar(1000000000)))
-            * inverse_1_squared * e31;
-        const Scalar e116 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(5000000) * Scalar(1000000000)))
-            * inverse_1_squared * e30;
-        const Scalar e117 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(5000000) * Scalar(1000000000)))
-            * e29 * inverse_1_squared;
-        const Scalar e118 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(5000000) * Scalar(1000000000)))
-            * e28 * inverse_1_squared;
-        J[9] = -e27 * (Scalar(20) * p_.alpha_L * e5 + e115) - e25 * (Scalar(400) * e7) - e116 * e32 - e117 * e33 - e118 * e34;
-        J[10] = -e35 * e41 - e42 * e43 - e44 * e45 - e46 * e47;
-        J[11] = -e48 * e41 - e42 * e49 - e44 * e50 - e46 * e51;
-        J[12] = -e52 * e41 - e42 * e53 - e44 * e54 - e46 * e55;
-        J[13] = -e56 * e41 - e42 * e57 - e44 * e58 - e46 * e59;
-        J[14] = -e60 * e41 - e42 * e61 - e44 * e62 - e46 * e63;
-        J[15] = -e64 * e41 - e42 * e65 - e44 * e66 - e46 * e67;
-        J[16] = -e68 * e41 - e42 * e69 - e44 * e70 - e46 * e71;
-        J[17] = -e72 * e41 - e42 * e73 - e44 * e74 - e46 * e75;
-        J[18] = -e76 * e41 - e42 * e77 - e44 * e78 - e46 * e79;
-        J[19] = -e27 * e41 - e42 * e32 - e44 * e33 - e46 * e34;
-        J[20] = e35 * e80 + e81 * e43 + e82 * e45 + e83 * e47;
-        J[21] = e48 * e80 + e81 * e49 + e82 * e50 + e83 * e51;
-        J[22] = e52 * e80 + e81 * e53 + e82 * e54 + e83 * e55;
-        J[23] = e56 * e80 + e81 * e57 + e82 * e58 + e83 * e59;
-        J[24] = e60 * e80 + e81 * e61 + e82 * e62 + e83 * e63;
-        J[25] = e64 * e80 + e81 * e65 + e82 * e66 + e83 * e67;
-        J[26] = e68 * e80 + e81 * e69 + e82 * e70 + e83 * e71;
-        J[27] = e72 * e80 + e81 * e73 + e82 * e74 + e83 * e75;
-        J[28] = e76 * e80 + e81 * e77 + e82 * e78 + e83 * e79;
-        J[29] = e27 * e80 + e81 * e32 + e82 * e33 + e83 * e34;
-        J[30] = e84 * e10;
-        J[31] = e84 * e12;
-        J[32] = e84 * e14;
-        J[33] = e84 * e16;
-        J[34] = e84 * e18;
-        J[35] = e84 * e20;
-        J[36] = e84 * e22;
-        J[37] = e84 * e24;
-        J[38] = e84 * e26;
-        J[39] = e25 * (Scalar(200) * e5);
-        J[40] = -e35 * e86 - e87 * e43 - e88 * e45 - e90 * e10 - e91 * e47;
-        J[41] = -e48 * e86 - e87 * e49 - e88 * e50 - e90 * e12 - e91 * e51;
-        J[42] = -e52 * e86 - e87 * e53 - e88 * e54 - e90 * e14 - e91 * e55;
-        J[43] = -e56 * e86 - e87 * e57 - e88 * e58 - e90 * e16 - e91 * e59;
-        J[44] = -e60 * e86 - e87 * e61 - e88 * e62 - e90 * e18 - e91 * e63;
-        J[45] = -e64 * e86 - e87 * e65 - e88 * e66 - e90 * e20 - e91 * e67;
-        J[46] = -e68 * e86 - e87 * e69 - e88 * e70 - e90 * e22 - e91 * e71;
-        J[47] = -e72 * e86 - e87 * e73 - e88 * e74 - e90 * e24 - e91 * e75;
-        J[48] = -e76 * e86 - e87 * e77 - e88 * e78 - e90 * e26 - e91 * e79;
-        const Scalar e119 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_2 * e95;
-        const Scalar e120 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_2 * e93;
-        const Scalar e121 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e29 * e96;
-        const Scalar e122 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e28 * e96;
-        J[49] = -e27 * e119 - e25 * (Scalar(200) * e89) - e120 * e32 - e121 * e33 - e122 * e34;
-        J[50] = -e35 * e98 - e99 * e43 - e100 * e45 - e102 * e10 - e103 * e47;
-        J[51] = -e48 * e98 - e99 * e49 - e100 * e50 - e102 * e12 - e103 * e51;
-        J[52] = -e52 * e98 - e99 * e53 - e100 * e54 - e102 * e14 - e103 * e55;
-        J[53] = -e56 * e98 - e99 * e57 - e100 * e58 - e102 * e16 - e103 * e59;
-        J[54] = -e60 * e98 - e99 * e61 - e100 * e62 - e102 * e18 - e103 * e63;
-        J[55] = -e64 * e98 - e99 * e65 - e100 * e66 - e102 * e20 - e103 * e67;
-        J[56] = -e68 * e98 - e99 * e69 - e100 * e70 - e102 * e22 - e103 * e71;
-        J[57] = -e72 * e98 - e99 * e73 - e100 * e74 - e102 * e24 - e103 * e75;
-        J[58] = -e76 * e98 - e99 * e77 - e100 * e78 - e102 * e26 - e103 * e79;
-        const Scalar e123 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_3 * e95;
-        const Scalar e124 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_3 * e93;
-        const Scalar e125 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e29 * e104;
-        const Scalar e126 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e28 * e104;
-        J[59] = -e27 * e123 - e25 * (Scalar(200) * e101) - e124 * e32 - e125 * e33 - e126 * e34;
-        J[60] = e35 * e105;
-        J[61] = e48 * e105;
-        J[62] = e52 * e105;
-        J[63] = e56 * e105;
-        J[64] = e60 * e105;
-        J[65] = e64 * e105;
-        J[66] = e68 * e105;
-        J[67] = e72 * e105;
-        J[68] = e76 * e105;
-        J[69] = e27 * e105;
+            * inverse_3 * e94;
+        J[59] = -e28 * (inverse_3 * e92) - e26 * (Scalar(200) * e96) - e103 * e32;
+        J[60] = e33 * e36;
+        J[61] = e45 * e36;
+        J[62] = e50 * e36;
+        J[63] = e55 * e36;
+        J[64] = e60 * e36;
+        J[65] = e65 * e36;
+        J[66] = e70 * e36;
+        J[67] = e75 * e36;
+        J[68] = e80 * e36;
+        J[69] = e28 * e36;
         J[70] = Scalar(0);
         J[71] = Scalar(0);
         J[72] = Scalar(0);
@@ -816,8 +724,8 @@ public:
         J[76] = Scalar(0);
         J[77] = Scalar(0);
         J[78] = Scalar(0);
-        J[79] = e27 * (Scalar(20) * inverse_1 * e4);
-        J[80] = c_.k3;
+        J[79] = e28 * (Scalar(20) * e5);
+        J[80] = c_.k0;
         J[81] = Scalar(0);
         J[82] = Scalar(0);
         J[83] = Scalar(0);
@@ -827,36 +735,30 @@ public:
         J[87] = Scalar(0);
         J[88] = Scalar(0);
         J[89] = Scalar(0);
-        J[90] = c_.k2 * (e45 + T_1 * T_1_squared) + c_.k4 + c_.k0 * T_1 + e35 * e106 + c_.k11 * e43 + c_.k1 * T_1_squared;
-        J[91] = c_.k2 * (e50 + T_2 * T_2_squared) + c_.k4 + c_.k0 * T_2 + e48 * e106 + c_.k11 * e49 + c_.k1 * T_2_squared;
-        J[92] = c_.k2 * (e54 + T_3 * T_3_squared) + c_.k4 + c_.k0 * T_3 + e52 * e106 + c_.k11 * e53 + c_.k1 * T_3_squared;
-        J[93] = c_.k2 * (e58 + T_4 * T_4_squared) + c_.k4 + c_.k0 * T_4 + e56 * e106 + c_.k11 * e57 + c_.k1 * T_4_squared;
-        J[94] = c_.k2 * (e62 + T_5 * T_5_squared) + c_.k4 + c_.k0 * T_5 + e60 * e106 + c_.k11 * e61 + c_.k1 * T_5_squared;
-        J[95] = c_.k2 * (e66 + T_6 * T_6_squared) + c_.k4 + c_.k0 * T_6 + e64 * e106 + c_.k11 * e65 + c_.k1 * T_6_squared;
-        J[96] = c_.k2 * (e70 + T_7 * T_7_squared) + c_.k4 + c_.k0 * T_7 + e68 * e106 + c_.k11 * e69 + c_.k1 * T_7_squared;
-        J[97] = c_.k2 * (e74 + T_8 * T_8_squared) + c_.k4 + c_.k0 * T_8 + e72 * e106 + c_.k11 * e73 + c_.k1 * T_8_squared;
-        J[98] = c_.k2 * (e78 + T_9 * T_9_squared) + c_.k4 + c_.k0 * T_9 + e76 * e106 + c_.k11 * e77 + c_.k1 * T_9_squared;
-        const Scalar e127 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[90] = c_.k2 * e41 * (e33 + e42) + c_.k1 + e99 * e43;
+        J[91] = c_.k2 * e46 * (e45 + e47) + c_.k1 + e99 * e48;
+        J[92] = c_.k2 * e51 * (e50 + e52) + c_.k1 + e99 * e53;
+        J[93] = c_.k2 * e56 * (e55 + e57) + c_.k1 + e99 * e58;
+        J[94] = c_.k2 * e61 * (e60 + e62) + c_.k1 + e99 * e63;
+        J[95] = c_.k2 * e66 * (e65 + e67) + c_.k1 + e99 * e68;
+        J[96] = c_.k2 * e71 * (e70 + e72) + c_.k1 + e99 * e73;
+        J[97] = c_.k2 * e76 * (e75 + e77) + c_.k1 + e99 * e78;
+        J[98] = c_.k2 * e81 * (e80 + e82) + c_.k1 + e99 * e83;
+        const Scalar e104 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * p_.T_inf * e94;
+        J[99] = c_.k4 * e29 * (e28 + e30) + c_.k3 + e104 * e31;
+        J[100] = e100 * e44;
+        J[101] = e100 * e49;
+        J[102] = e100 * e54;
+        J[103] = e100 * e59;
+        J[104] = e100 * e64;
+        J[105] = e100 * e69;
+        J[106] = e100 * e74;
+        J[107] = e100 * e79;
+        J[108] = e100 * e84;
+        const Scalar e105 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e93;
-        J[99] = c_.k7 * (e33 + T_10 * T_10_squared) + c_.k8 + c_.k5 * T_10 + e27 * e127 + c_.k14 * e32 + c_.k6 * T_10_squared;
-        J[100] = e35 * e110 + e111 * e43 + e112 * e45 + e113 * e47;
-        J[101] = e48 * e110 + e111 * e49 + e112 * e50 + e113 * e51;
-        J[102] = e52 * e110 + e111 * e53 + e112 * e54 + e113 * e55;
-        J[103] = e56 * e110 + e111 * e57 + e112 * e58 + e113 * e59;
-        J[104] = e60 * e110 + e111 * e61 + e112 * e62 + e113 * e63;
-        J[105] = e64 * e110 + e111 * e65 + e112 * e66 + e113 * e67;
-        J[106] = e68 * e110 + e111 * e69 + e112 * e70 + e113 * e71;
-        J[107] = e72 * e110 + e111 * e73 + e112 * e74 + e113 * e75;
-        J[108] = e76 * e110 + e111 * e77 + e112 * e78 + e113 * e79;
-        const Scalar e128 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_inf * e114;
-        const Scalar e129 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e114;
-        const Scalar e130 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e92 * e107;
-        const Scalar e131 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e92 * e4;
-        J[109] = e27 * e128 + e129 * e32 + e130 * e33 + e131 * e34;
+        J[109] = e105 * e32;
     }
 
     /// J = df/dt at fixed x and u.
@@ -910,12 +812,12 @@ public:
         const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar exp_5 = exp(c_.m * x_value);
         y[0] = T_10;
-        y[1] = c_.k16 - T_10;
-        y[2] = c_.k17;
-        y[3] = c_.k18;
-        const Scalar e6 = c_.k19 * (Scalar(1) + c_.k21 * tanh_2) * (Scalar(1) + inverse_4 * inverse_4) / exp_5;
+        y[1] = c_.k11 - T_10;
+        y[2] = c_.k12;
+        y[3] = c_.k13;
+        const Scalar e6 = c_.k14 * (Scalar(1) + c_.k16 * tanh_2) * (Scalar(1) + inverse_4 * inverse_4) / exp_5;
         y[4] = p_.T_inf + e6;
-        y[5] = c_.k20;
+        y[5] = c_.k15;
     }
 
     /// C = dh/dx.
@@ -1001,8 +903,8 @@ public:
         D[1] = Scalar(0);
         D[2] = Scalar(0);
         D[3] = Scalar(0);
-        const Scalar e8 = (Scalar(1) + c_.k21 * tanh_7) * (c_.k24 * e6 - c_.k22 * inverse_5 * inverse_3_squared);
-        D[4] = c_.k23 * e6 * (tanh_7 * tanh_7 - Scalar(1)) - e8;
+        const Scalar e8 = (Scalar(1) + c_.k16 * tanh_7) * (c_.k19 * e6 - c_.k17 * inverse_5 * inverse_3_squared);
+        D[4] = c_.k18 * e6 * (tanh_7 * tanh_7 - Scalar(1)) - e8;
         D[5] = Scalar(0);
     }
 
@@ -1061,77 +963,44 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 55 + or -, 65 *, 1 /
+    /// Operations: 53 + or -, 47 *, 1 /
     Scalar exchanged_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         const Scalar e1 = p_.L * p_.P;
-        const Scalar e2 = p_.T_inf * p_.eps;
-        const Scalar e3 = p_.T_inf * e2;
-        const Scalar e4 = e1 * e3;
+        const Scalar e2 = p_.alpha * e1;
         const Scalar T_1 = x[0];
-        const Scalar e5 = p_.T_inf - T_1;
-        const Scalar e6 = T_1 * e5;
+        const Scalar e3 = p_.T_inf - T_1;
         const Scalar T_2 = x[1];
-        const Scalar e7 = p_.T_inf - T_2;
-        const Scalar e8 = T_2 * e7;
+        const Scalar e4 = p_.T_inf - T_2;
         const Scalar T_3 = x[2];
-        const Scalar e9 = p_.T_inf - T_3;
-        const Scalar e10 = T_3 * e9;
+        const Scalar e5 = p_.T_inf - T_3;
         const Scalar T_4 = x[3];
-        const Scalar e11 = p_.T_inf - T_4;
-        const Scalar e12 = T_4 * e11;
+        const Scalar e6 = p_.T_inf - T_4;
         const Scalar T_5 = x[4];
-        const Scalar e13 = p_.T_inf - T_5;
-        const Scalar e14 = T_5 * e13;
+        const Scalar e7 = p_.T_inf - T_5;
         const Scalar T_6 = x[5];
-        const Scalar e15 = p_.T_inf - T_6;
-        const Scalar e16 = T_6 * e15;
+        const Scalar e8 = p_.T_inf - T_6;
         const Scalar T_7 = x[6];
-        const Scalar e17 = p_.T_inf - T_7;
-        const Scalar e18 = T_7 * e17;
+        const Scalar e9 = p_.T_inf - T_7;
         const Scalar T_8 = x[7];
-        const Scalar e19 = p_.T_inf - T_8;
-        const Scalar e20 = T_8 * e19;
+        const Scalar e10 = p_.T_inf - T_8;
         const Scalar T_9 = x[8];
-        const Scalar e21 = p_.T_inf - T_9;
-        const Scalar e22 = T_9 * e21;
-        const Scalar e23 = T_1 * e6;
-        const Scalar e24 = T_2 * e8;
-        const Scalar e25 = T_3 * e10;
-        const Scalar e26 = T_4 * e12;
-        const Scalar e27 = T_5 * e14;
-        const Scalar e28 = T_6 * e16;
-        const Scalar e29 = T_7 * e18;
-        const Scalar e30 = T_8 * e20;
-        const Scalar e31 = T_9 * e22;
-        const Scalar e32 = p_.alpha * e1;
+        const Scalar e11 = p_.T_inf - T_9;
+        const Scalar e12 = p_.eps * e1;
         const Scalar T_10 = x[9];
-        const Scalar e33 = p_.T_inf - T_10;
-        const Scalar e34 = T_10 * e33;
-        const Scalar e35 = Scalar(20) * p_.A + e1;
-        const Scalar e36 = e35 * e3;
-        const Scalar e37 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))
-            / ((Scalar(1) * Scalar(1000000000)) * Scalar(1000000000))) * e4;
-        const Scalar e38 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))
-            / ((Scalar(1) * Scalar(1000000000)) * Scalar(1000000000))) * e1 * e2;
-        const Scalar e39 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))
-            / ((Scalar(1) * Scalar(1000000000)) * Scalar(1000000000))) * p_.eps * e1;
-        const Scalar e40 = T_1 * e23 + T_2 * e24 + T_3 * e25 + T_4 * e26 + T_5 * e27 + T_6 * e28 + T_7 * e29 + T_8 * e30 + T_9
-            * e31;
-        const Scalar e41 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))
-            / ((Scalar(1) * Scalar(1000000000)) * Scalar(1000000000))) * p_.T_inf * e4;
-        const Scalar e42 = ((Scalar(1) / Scalar(10)) * e32 + e41) * (e5 + e7 + e9 + e11 + e13 + e15 + e17 + e19 + e21);
-        const Scalar e43 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))
-            / ((Scalar(2) * Scalar(1000000000)) * Scalar(1000000000))) * e35 * e2;
-        const Scalar e44 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))
-            / ((Scalar(2) * Scalar(1000000000)) * Scalar(1000000000))) * p_.eps * e35;
-        const Scalar e45 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))
-            / ((Scalar(2) * Scalar(1000000000)) * Scalar(1000000000))) * p_.T_inf * e36;
-        const Scalar e46 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))
-            / ((Scalar(2) * Scalar(1000000000)) * Scalar(1000000000))) * e36;
-        return e37 * (e6 + e8 + e10 + e12 + e14 + e16 + e18 + e20 + e22) + e38
-            * (e23 + e24 + e25 + e26 + e27 + e28 + e29 + e30 + e31) + e39 * e40 + e42 + T_10 * e34 * (e43 + T_10 * e44)
-            + (p_.T_0 - T_1) * (Scalar(10) * p_.A * p_.lambda / p_.L) + e33
-            * (p_.A * p_.alpha_L + (Scalar(1) / Scalar(20)) * e32 + e45) + e46 * e34;
+        const Scalar e13 = (Scalar(1) / Scalar(10)) * e2 * (e3 + e4 + e5 + e6 + e7 + e8 + e9 + e10 + e11);
+        const Scalar e14 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))
+            / ((Scalar(1) * Scalar(1000000000)) * Scalar(1000000000))) * e12;
+        const Scalar e15 = e3 * (p_.T_inf + T_1) * (c_.k6 + T_1 * T_1) + e4 * (p_.T_inf + T_2) * (c_.k6 + T_2 * T_2) + e5
+            * (p_.T_inf + T_3) * (c_.k6 + T_3 * T_3) + e6 * (p_.T_inf + T_4) * (c_.k6 + T_4 * T_4) + e7 * (p_.T_inf + T_5)
+            * (c_.k6 + T_5 * T_5) + e8 * (p_.T_inf + T_6) * (c_.k6 + T_6 * T_6) + e9 * (p_.T_inf + T_7) * (c_.k6 + T_7 * T_7)
+            + e10 * (p_.T_inf + T_8) * (c_.k6 + T_8 * T_8) + e11 * (p_.T_inf + T_9) * (c_.k6 + T_9 * T_9);
+        const Scalar e16 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * p_.A * p_.eps;
+        const Scalar e17 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))
+            / ((Scalar(2) * Scalar(1000000000)) * Scalar(1000000000))) * e12;
+        const Scalar e18 = p_.A * p_.alpha_L + (Scalar(1) / Scalar(20)) * e2 + (p_.T_inf + T_10) * (c_.k6 + T_10 * T_10)
+            * (e16 + e17);
+        return e13 + e14 * e15 + (p_.T_inf - T_10) * e18 + (p_.T_0 - T_1) * (Scalar(10) * p_.A * p_.lambda / p_.L);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1144,31 +1013,26 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar m;  ///< sqrt(P*alpha/(A*lambda))
-        Scalar k0;  ///< stefan_boltzmann*P*T_inf^2*eps/(A*rho*c_p)
-        Scalar k1;  ///< stefan_boltzmann*P*T_inf*eps/(A*rho*c_p)
+        Scalar k0;  ///< 100*lambda/(L^2*rho*c_p)
+        Scalar k1;  ///< P*alpha/(A*rho*c_p)
         Scalar k2;  ///< stefan_boltzmann*P*eps/(A*rho*c_p)
-        Scalar k3;  ///< 100*lambda/(L^2*rho*c_p)
-        Scalar k4;  ///< P*(alpha + stefan_boltzmann*T_inf^3*eps)/(A*rho*c_p)
-        Scalar k5;  ///< T_inf^2*eps*(20*stefan_boltzmann/L + stefan_boltzmann*P/A)/(rho*c_p)
-        Scalar k6;  ///< T_inf*eps*(20*stefan_boltzmann/L + stefan_boltzmann*P/A)/(rho*c_p)
-        Scalar k7;  ///< eps*(20*stefan_boltzmann/L + stefan_boltzmann*P/A)/(rho*c_p)
-        Scalar k8;  ///< (20*alpha_L/L + 20*stefan_boltzmann*T_inf^3*eps/L + P*alpha/A + ...
-        Scalar k9;  ///< 200*lambda/(L^2*rho*c_p)
-        Scalar k10;  ///< (200*lambda/L^2 + P*alpha/A + stefan_boltzmann*P*T_inf^3*eps/A)/(rho*c_p)
-        Scalar k11;  ///< 2*stefan_boltzmann*P*T_inf*eps/(A*rho*c_p)
-        Scalar k12;  ///< 3*stefan_boltzmann*P*eps/(A*rho*c_p)
-        Scalar k13;  ///< (200*lambda/L^2 + 20*alpha_L/L + 20*stefan_boltzmann*T_inf^3*eps/L + P*alpha/A + ...
-        Scalar k14;  ///< T_inf*eps*(40*stefan_boltzmann/L + 2*stefan_boltzmann*P/A)/(rho*c_p)
-        Scalar k15;  ///< eps*(60*stefan_boltzmann/L + 3*stefan_boltzmann*P/A)/(rho*c_p)
-        Scalar k16;  ///< 2*T_0/(exp(L*m)*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2)) + T_inf - ...
-        Scalar k17;  ///< (T_0 - T_inf)/20
-        Scalar k18;  ///< A*(lambda*T_0*m*tanh(L*m) - lambda*T_inf*m*tanh(L*m) + alpha_L*T_0 - alpha_L*T_inf)/(1 + ...
-        Scalar k19;  ///< (T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
-        Scalar k20;  ///< A*(lambda*m*tanh(L*m) + alpha_L)/((L*P*alpha + A*alpha_L)*(1 + alpha_L*tanh(L*m)/(lambda*m)))
-        Scalar k21;  ///< alpha_L/(lambda*m)
-        Scalar k22;  ///< 2*m*(T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
-        Scalar k23;  ///< alpha_L*(T_0 - T_inf)/(lambda*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
-        Scalar k24;  ///< m*(T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
+        Scalar k3;  ///< (20*alpha_L/L + P*alpha/A)/(rho*c_p)
+        Scalar k4;  ///< eps*(20*stefan_boltzmann/L + stefan_boltzmann*P/A)/(rho*c_p)
+        Scalar k5;  ///< 200*lambda/(L^2*rho*c_p)
+        Scalar k6;  ///< T_inf^2
+        Scalar k7;  ///< (200*lambda/L^2 + P*alpha/A)/(rho*c_p)
+        Scalar k8;  ///< 2*stefan_boltzmann*P*eps/(A*rho*c_p)
+        Scalar k9;  ///< (200*lambda/L^2 + 20*alpha_L/L + P*alpha/A)/(rho*c_p)
+        Scalar k10;  ///< eps*(40*stefan_boltzmann/L + 2*stefan_boltzmann*P/A)/(rho*c_p)
+        Scalar k11;  ///< 2*T_0/(exp(L*m)*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2)) + T_inf - ...
+        Scalar k12;  ///< (T_0 - T_inf)/20
+        Scalar k13;  ///< A*(lambda*T_0*m*tanh(L*m) - lambda*T_inf*m*tanh(L*m) + alpha_L*T_0 - alpha_L*T_inf)/(1 + ...
+        Scalar k14;  ///< (T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
+        Scalar k15;  ///< A*(lambda*m*tanh(L*m) + alpha_L)/((L*P*alpha + A*alpha_L)*(1 + alpha_L*tanh(L*m)/(lambda*m)))
+        Scalar k16;  ///< alpha_L/(lambda*m)
+        Scalar k17;  ///< 2*m*(T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
+        Scalar k18;  ///< alpha_L*(T_0 - T_inf)/(lambda*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
+        Scalar k19;  ///< m*(T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
     };
     Cached c_{};
 };

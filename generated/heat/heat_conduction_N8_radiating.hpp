@@ -18,12 +18,12 @@
 //     this code = the derivation: 15 of 15 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     22     3        0      0
-//   rhs                   26     15     0        0      0
-//   rhs_and_jacobian      31     18     0        0      0
-//   jacobian_p            59    117     3        0      0
+//   update                 1     14     3        0      0
+//   rhs                   26     13     0        0      0
+//   rhs_and_jacobian      30     17     0        0      0
+//   jacobian_p            48     82     3        0      0
 //   internal_energy        7      7     0        0      0
-//   exchanged_power        6     17     0        0      0
+//   exchanged_power        5      9     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -174,7 +174,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 22 *, 3 /
+    /// Operations: 1 + or -, 14 *, 3 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = Scalar(1) / p_.rho / p_.c_p;
@@ -186,19 +186,13 @@ public:
         const Scalar e5 = Scalar(98) * e4;
         c_.k1 = e5;
         c_.k2 = Scalar(49) * e4;
-        const Scalar e6 = p_.eps * e3;
-        const Scalar e7 = p_.T_inf * e6;
-        c_.k3 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000))) * p_.T_inf
-            * e7;
+        const Scalar e6 = Scalar(14) * (p_.alpha * e3);
+        c_.k3 = e6;
+        const Scalar e7 = p_.eps * e3;
         c_.k4 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000))) * e7;
-        c_.k5 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000))) * e6;
-        const Scalar e8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.eps * p_.T_inf * p_.T_inf * p_.T_inf;
-        const Scalar e9 = Scalar(14) * (e3 * (p_.alpha + e8));
-        c_.k6 = e9;
-        c_.k7 = e5 + e9;
-        c_.k8 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(25000000) * Scalar(1000000000))) * e7;
-        c_.k9 = ((Scalar(119) * Scalar(1000000000) + Scalar(77862799)) / (Scalar(50000000) * Scalar(1000000000))) * e6;
+        c_.k5 = p_.T_inf * p_.T_inf;
+        c_.k6 = e5 + e6;
+        c_.k7 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(25000000) * Scalar(1000000000))) * e7;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -218,7 +212,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 26 + or -, 15 *
+    /// Operations: 26 + or -, 13 *
     ///     dot(T[1]) = g/(rho*c_p) - 98*lambda*(T[1] - T[2])/(R^2*rho*c_p)
     ///     dot(T[2]) = g/(rho*c_p) + 49*lambda*(T[1] - T[2])/(R^2*rho*c_p) - 49*lambda*(T[2] - T[3])/(R^2*rho*c_p)
     ///     dot(T[3]) = g/(rho*c_p) + 49*lambda*(T[2] - T[3])/(R^2*rho*c_p) - 49*lambda*(T[3] - T[4])/(R^2*rho*c_p)
@@ -226,10 +220,8 @@ public:
     ///     dot(T[5]) = g/(rho*c_p) + 49*lambda*(T[4] - T[5])/(R^2*rho*c_p) - 49*lambda*(T[5] - T[6])/(R^2*rho*c_p)
     ///     dot(T[6]) = g/(rho*c_p) + 49*lambda*(T[5] - T[6])/(R^2*rho*c_p) - 49*lambda*(T[6] - T[7])/(R^2*rho*c_p)
     ///     dot(T[7]) = g/(rho*c_p) + 49*lambda*(T[6] - T[7])/(R^2*rho*c_p) - 49*lambda*(T[7] - T[8])/(R^2*rho*c_p)
-    ///     dot(T[8]) = g/(rho*c_p) + 14*stefan_boltzmann*eps*T_inf^2*T[8]*(T_inf - T[8])/(R*rho*c_p) +
-    ///     14*stefan_boltzmann*eps*T_inf*T[8]^2*(T_inf - T[8])/(R*rho*c_p) + 14*stefan_boltzmann*eps*T[8]^3*(T_inf -
-    ///     T[8])/(R*rho*c_p) + (14*alpha + 14*stefan_boltzmann*eps*T_inf^3)*(T_inf - T[8])/(R*rho*c_p) + 98*lambda*(T[7] -
-    ///     T[8])/(R^2*rho*c_p)
+    ///     dot(T[8]) = g/(rho*c_p) + 14*alpha*(T_inf - T[8])/(R*rho*c_p) + 14*stefan_boltzmann*eps*(T_inf - T[8])*(T_inf +
+    ///     T[8])*(T_inf^2 + T[8]^2)/(R*rho*c_p) + 98*lambda*(T[7] - T[8])/(R^2*rho*c_p)
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -246,8 +238,6 @@ public:
         const Scalar e6 = c_.k2 * (T_6 - T_7);
         const Scalar T_8 = x[7];
         const Scalar e7 = T_7 - T_8;
-        const Scalar e8 = p_.T_inf - T_8;
-        const Scalar e9 = T_8 * e8;
         dxdt[0] = c_.k0 - c_.k1 * e1;
         dxdt[1] = c_.k0 + c_.k2 * e1 - e2;
         dxdt[2] = c_.k0 + e2 - e3;
@@ -255,12 +245,13 @@ public:
         dxdt[4] = c_.k0 + e4 - e5;
         dxdt[5] = c_.k0 + e5 - e6;
         dxdt[6] = c_.k0 - c_.k2 * e7 + e6;
-        dxdt[7] = T_8 * e9 * (c_.k4 + c_.k5 * T_8) + c_.k0 + c_.k6 * e8 + c_.k1 * e7 + c_.k3 * e9;
+        const Scalar e8 = (p_.T_inf - T_8) * (c_.k3 + c_.k4 * (p_.T_inf + T_8) * (c_.k5 + T_8 * T_8));
+        dxdt[7] = e8 + c_.k0 + c_.k1 * e7;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 8 x 8, entry (i, j) at J[8*j + i].
-    /// Operations: 31 + or -, 18 *
+    /// Operations: 30 + or -, 17 *
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -278,8 +269,9 @@ public:
         const Scalar T_8 = x[7];
         const Scalar e7 = T_7 - T_8;
         const Scalar e8 = p_.T_inf - T_8;
-        const Scalar e9 = c_.k3 + T_8 * (c_.k4 + c_.k5 * T_8);
-        const Scalar e10 = T_8 * e8;
+        const Scalar e9 = c_.k4 * (c_.k5 + T_8 * T_8);
+        const Scalar e10 = p_.T_inf + T_8;
+        const Scalar e11 = e8 * e10;
         dxdt[0] = c_.k0 - c_.k1 * e1;
         dxdt[1] = c_.k0 + c_.k2 * e1 - e2;
         dxdt[2] = c_.k0 + e2 - e3;
@@ -287,9 +279,9 @@ public:
         dxdt[4] = c_.k0 + e4 - e5;
         dxdt[5] = c_.k0 + e5 - e6;
         dxdt[6] = c_.k0 - c_.k2 * e7 + e6;
-        dxdt[7] = c_.k0 + c_.k6 * e8 + c_.k1 * e7 + e9 * e10;
-        const Scalar e11 = -c_.k1;
-        J[0] = e11;
+        dxdt[7] = c_.k0 + c_.k3 * e8 + c_.k1 * e7 + e9 * e11;
+        const Scalar e12 = -c_.k1;
+        J[0] = e12;
         J[1] = c_.k2;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
@@ -298,7 +290,7 @@ public:
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = c_.k1;
-        J[9] = e11;
+        J[9] = e12;
         J[10] = c_.k2;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
@@ -307,7 +299,7 @@ public:
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = c_.k2;
-        J[18] = e11;
+        J[18] = e12;
         J[19] = c_.k2;
         J[20] = Scalar(0);
         J[21] = Scalar(0);
@@ -316,7 +308,7 @@ public:
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = c_.k2;
-        J[27] = e11;
+        J[27] = e12;
         J[28] = c_.k2;
         J[29] = Scalar(0);
         J[30] = Scalar(0);
@@ -325,7 +317,7 @@ public:
         J[33] = Scalar(0);
         J[34] = Scalar(0);
         J[35] = c_.k2;
-        J[36] = e11;
+        J[36] = e12;
         J[37] = c_.k2;
         J[38] = Scalar(0);
         J[39] = Scalar(0);
@@ -334,7 +326,7 @@ public:
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = c_.k2;
-        J[45] = e11;
+        J[45] = e12;
         J[46] = c_.k2;
         J[47] = Scalar(0);
         J[48] = Scalar(0);
@@ -343,7 +335,7 @@ public:
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = c_.k2;
-        J[54] = e11;
+        J[54] = e12;
         J[55] = c_.k1;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
@@ -352,7 +344,7 @@ public:
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = c_.k2;
-        J[63] = c_.k3 * e8 - T_8 * (e9 - c_.k9 * e10) - c_.k7 + c_.k8 * e10;
+        J[63] = e9 * (e8 - e10) - c_.k6 + c_.k7 * T_8 * e11;
     }
 
     /// J = df/dx. 8 x 8, entry (i, j) at J[8*j + i].
@@ -367,7 +359,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 8 x 9, entry (i, j) at J[8*j + i].
-    /// Operations: 59 + or -, 117 *, 3 /
+    /// Operations: 48 + or -, 82 *, 3 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -401,31 +393,23 @@ public:
         const Scalar e22 = T_7 - T_8;
         const Scalar e23 = e20 - e22;
         const Scalar e24 = p_.T_inf - T_8;
-        const Scalar e25 = p_.eps * p_.T_inf;
-        const Scalar e26 = p_.T_inf * p_.T_inf;
-        const Scalar e27 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e25 * e26;
-        const Scalar e28 = p_.alpha + e27;
-        const Scalar e29 = e7 * e25;
-        const Scalar e30 = T_8 * e24;
-        const Scalar e31 = T_8 * e30;
-        const Scalar e32 = T_8 * e31;
-        const Scalar e33 = Scalar(98) * e7;
-        const Scalar e34 = Scalar(49) * e7;
-        const Scalar e35 = inverse_3 * e8;
-        const Scalar e36 = Scalar(98) * e35;
-        const Scalar e37 = p_.g * e5;
-        const Scalar e38 = inverse_3 * e37;
-        const Scalar e39 = Scalar(49) * e35;
-        const Scalar e40 = inverse_3 * e6;
-        const Scalar e41 = p_.T_inf * e6;
-        const Scalar e42 = e25 * e41;
-        const Scalar e43 = inverse_4 * e8;
-        const Scalar e44 = Scalar(98) * e43;
-        const Scalar e45 = inverse_4 * e37;
-        const Scalar e46 = Scalar(49) * e43;
-        const Scalar e47 = inverse_4 * e6;
-        const Scalar T_8_squared = T_8 * T_8;
+        const Scalar e25 = c_.k5 + T_8 * T_8;
+        const Scalar e26 = p_.T_inf + T_8;
+        const Scalar e27 = e24 * e26;
+        const Scalar e28 = e25 * e27;
+        const Scalar e29 = Scalar(98) * e7;
+        const Scalar e30 = Scalar(49) * e7;
+        const Scalar e31 = inverse_3 * e8;
+        const Scalar e32 = Scalar(98) * e31;
+        const Scalar e33 = p_.g * e5;
+        const Scalar e34 = inverse_3 * e33;
+        const Scalar e35 = Scalar(49) * e31;
+        const Scalar e36 = p_.alpha * e6;
+        const Scalar e37 = p_.eps * e6;
+        const Scalar e38 = inverse_4 * e8;
+        const Scalar e39 = Scalar(98) * e38;
+        const Scalar e40 = inverse_4 * e33;
+        const Scalar e41 = Scalar(49) * e38;
         J[0] = e1 * e10;
         J[1] = -e11 * e13;
         J[2] = -e11 * e15;
@@ -433,13 +417,9 @@ public:
         J[4] = -e11 * e19;
         J[5] = -e11 * e21;
         J[6] = -e11 * e23;
-        const Scalar e48 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.T_inf * e29;
-        const Scalar e49 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e29;
-        const Scalar e50 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
+        const Scalar e42 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
             * p_.eps * e7;
-        J[7] = -e24 * (Scalar(14) * e28 * e7) - e22 * e10 - e48 * e30 - e49 * e31 - e50 * e32;
+        J[7] = -e24 * (Scalar(14) * p_.alpha * e7) - e22 * e10 - e42 * e28;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
@@ -448,42 +428,34 @@ public:
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
-        J[16] = -e1 * e33;
-        J[17] = e34 * e13;
-        J[18] = e34 * e15;
-        J[19] = e34 * e17;
-        J[20] = e34 * e19;
-        J[21] = e34 * e21;
-        J[22] = e34 * e23;
-        J[23] = e22 * e33;
-        J[24] = e1 * e36 - e38;
-        J[25] = -e38 - e39 * e13;
-        J[26] = -e38 - e39 * e15;
-        J[27] = -e38 - e39 * e17;
-        J[28] = -e38 - e39 * e19;
-        J[29] = -e38 - e39 * e21;
-        J[30] = -e38 - e39 * e23;
-        const Scalar e51 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * inverse_3 * e42;
-        const Scalar e52 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e25 * e40;
-        const Scalar e53 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.eps * e40;
-        J[31] = -e38 - e24 * (Scalar(14) * e28 * e40) - e22 * e36 - e51 * e30 - e52 * e31 - e53 * e32;
-        J[32] = e1 * e44 - e45;
-        J[33] = -e45 - e46 * e13;
-        J[34] = -e45 - e46 * e15;
-        J[35] = -e45 - e46 * e17;
-        J[36] = -e45 - e46 * e19;
-        J[37] = -e45 - e46 * e21;
-        J[38] = -e45 - e46 * e23;
-        const Scalar e54 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * inverse_4 * e42;
-        const Scalar e55 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e25 * e47;
-        const Scalar e56 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.eps * e47;
-        J[39] = -e45 - e24 * (Scalar(14) * e28 * e47) - e22 * e44 - e54 * e30 - e55 * e31 - e56 * e32;
+        J[16] = -e1 * e29;
+        J[17] = e30 * e13;
+        J[18] = e30 * e15;
+        J[19] = e30 * e17;
+        J[20] = e30 * e19;
+        J[21] = e30 * e21;
+        J[22] = e30 * e23;
+        J[23] = e22 * e29;
+        J[24] = e1 * e32 - e34;
+        J[25] = -e34 - e35 * e13;
+        J[26] = -e34 - e35 * e15;
+        J[27] = -e34 - e35 * e17;
+        J[28] = -e34 - e35 * e19;
+        J[29] = -e34 - e35 * e21;
+        J[30] = -e34 - e35 * e23;
+        const Scalar e43 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
+            * inverse_3 * e37;
+        J[31] = -e34 - e24 * (Scalar(14) * inverse_3 * e36) - e22 * e32 - e43 * e28;
+        J[32] = e1 * e39 - e40;
+        J[33] = -e40 - e41 * e13;
+        J[34] = -e40 - e41 * e15;
+        J[35] = -e40 - e41 * e17;
+        J[36] = -e40 - e41 * e19;
+        J[37] = -e40 - e41 * e21;
+        J[38] = -e40 - e41 * e23;
+        const Scalar e44 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
+            * inverse_4 * e37;
+        J[39] = -e40 - e24 * (Scalar(14) * inverse_4 * e36) - e22 * e39 - e44 * e28;
         J[40] = e5;
         J[41] = e5;
         J[42] = e5;
@@ -507,15 +479,9 @@ public:
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = Scalar(0);
-        const Scalar e57 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e41 * e26;
-        const Scalar e58 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.T_inf * e41;
-        const Scalar e59 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e41;
-        const Scalar e60 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
+        const Scalar e45 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
             * e6;
-        J[63] = e24 * e57 + e58 * e30 + e59 * e31 + e60 * e32;
+        J[63] = e45 * e28;
         J[64] = Scalar(0);
         J[65] = Scalar(0);
         J[66] = Scalar(0);
@@ -523,9 +489,9 @@ public:
         J[68] = Scalar(0);
         J[69] = Scalar(0);
         J[70] = Scalar(0);
-        const Scalar e61 = ((Scalar(119) * Scalar(1000000000) + Scalar(77862799)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e42;
-        J[71] = c_.k5 * (e31 + T_8 * T_8_squared) + c_.k6 + c_.k3 * T_8 + e24 * e61 + c_.k8 * e30 + c_.k4 * T_8_squared;
+        const Scalar e46 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(25000000) * Scalar(1000000000)))
+            * p_.T_inf * e37;
+        J[71] = c_.k4 * e25 * (e24 + e26) + c_.k3 + e46 * e27;
     }
 
     /// J = df/dt at fixed x and u.
@@ -655,23 +621,13 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 6 + or -, 17 *
+    /// Operations: 5 + or -, 9 *
     Scalar exchanged_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         const Scalar T_8 = x[7];
-        const Scalar e1 = p_.T_inf - T_8;
-        const Scalar e2 = T_8 * e1;
-        const Scalar e3 = p_.A * p_.eps;
-        const Scalar e4 = p_.T_inf * e3;
-        const Scalar e5 = p_.T_inf * e4;
-        const Scalar e6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e4;
-        const Scalar e7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3;
-        const Scalar e8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_inf * e5;
-        const Scalar e9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e5;
-        return T_8 * e2 * (e6 + T_8 * e7) + p_.R * p_.A * p_.g + e1 * (p_.A * p_.alpha + e8) + e9 * e2;
+        const Scalar e1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * p_.A * p_.eps;
+        const Scalar e2 = (p_.T_inf - T_8) * (p_.A * p_.alpha + (p_.T_inf + T_8) * (c_.k5 + T_8 * T_8) * e1);
+        return e2 + p_.R * p_.A * p_.g;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -687,13 +643,11 @@ private:
         Scalar k0;  ///< g/(rho*c_p)
         Scalar k1;  ///< 98*lambda/(R^2*rho*c_p)
         Scalar k2;  ///< 49*lambda/(R^2*rho*c_p)
-        Scalar k3;  ///< 14*stefan_boltzmann*eps*T_inf^2/(R*rho*c_p)
-        Scalar k4;  ///< 14*stefan_boltzmann*eps*T_inf/(R*rho*c_p)
-        Scalar k5;  ///< 14*stefan_boltzmann*eps/(R*rho*c_p)
-        Scalar k6;  ///< (14*alpha + 14*stefan_boltzmann*eps*T_inf^3)/(R*rho*c_p)
-        Scalar k7;  ///< (98*lambda/R + 14*alpha + 14*stefan_boltzmann*eps*T_inf^3)/(R*rho*c_p)
-        Scalar k8;  ///< 28*stefan_boltzmann*eps*T_inf/(R*rho*c_p)
-        Scalar k9;  ///< 42*stefan_boltzmann*eps/(R*rho*c_p)
+        Scalar k3;  ///< 14*alpha/(R*rho*c_p)
+        Scalar k4;  ///< 14*stefan_boltzmann*eps/(R*rho*c_p)
+        Scalar k5;  ///< T_inf^2
+        Scalar k6;  ///< (98*lambda/R + 14*alpha)/(R*rho*c_p)
+        Scalar k7;  ///< 28*stefan_boltzmann*eps/(R*rho*c_p)
     };
     Cached c_{};
 };

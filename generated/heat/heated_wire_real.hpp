@@ -15,16 +15,16 @@
 //     this code = the derivation: 16 of 16 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                10     65     6        0      0
-//   rhs                   13     21     0        0      0
-//   rhs_and_jacobian      23     29     0        0      0
+//   update                 9     52     6        0      0
+//   rhs                   13     15     0        0      0
+//   rhs_and_jacobian      21     25     0        0      0
 //   jacobian_u             2      2     0        0      0
-//   jacobian_p            69    222     6        0      0
+//   jacobian_p            48    158     6        0      0
 //   output                 4      6     0        0      0
 //   output_jacobian_x      1      6     0        0      0
 //   output_jacobian_u      2      2     0        0      0
 //   internal_energy        1     11     0        0      0
-//   exchanged_power       14     44     0        0      0
+//   exchanged_power       13     23     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -191,73 +191,59 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 10 + or -, 65 *, 6 /
+    /// Operations: 9 + or -, 52 *, 6 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        const Scalar e1 = Scalar(1) - p_.gamma * p_.T_0;
-        const Scalar inverse_2 = Scalar(1) / p_.D_ac;
-        const Scalar inverse_2_squared = inverse_2 * inverse_2;
-        const Scalar e3 = inverse_2_squared / p_.s;
-        const Scalar e4 = e1 * e3;
-        const Scalar inverse_5 = Scalar(1) / detail::pi<Scalar>();
-        const Scalar e6 = p_.rho_0 * inverse_5;
-        const Scalar e7 = Scalar(1) / p_.rho / p_.c_p;
-        const Scalar e8 = e6 * (inverse_5 * e7);
-        const Scalar e9 = inverse_2_squared * e8;
-        const Scalar e10 = e4 * e9;
-        c_.k0 = -Scalar(16) * e10;
-        const Scalar e11 = p_.gamma * e3;
-        const Scalar e12 = e11 * e9;
-        c_.k1 = Scalar(16) * e12;
-        const Scalar e13 = p_.eps * e7;
-        const Scalar e14 = p_.T_0 * e13;
-        const Scalar e15 = inverse_2 * e14;
-        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * p_.T_0 * e15;
-        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e15;
-        const Scalar e16 = inverse_2 * e13;
-        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e16;
-        const Scalar e17 = ((Scalar(100000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
-            * p_.alpha * e7;
-        const Scalar e18 = e17 + p_.T_0 * p_.T_0 * e14;
-        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * inverse_2
-            * e18;
-        const Scalar inverse_19 = Scalar(1) / p_.D_dc;
-        const Scalar inverse_19_squared = inverse_19 * inverse_19;
-        const Scalar e20 = p_.gamma * inverse_19_squared;
-        const Scalar e21 = inverse_19_squared * e8;
-        const Scalar e22 = e20 * e21;
-        c_.k6 = Scalar(16) * e22;
-        const Scalar e23 = inverse_19 * e14;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * p_.T_0 * e23;
-        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e23;
-        const Scalar e24 = inverse_19 * e13;
-        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e24;
-        const Scalar e25 = e1 * inverse_19_squared;
-        const Scalar e26 = e25 * e21;
-        c_.k10 = -Scalar(16) * e26;
-        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * inverse_19
-            * e18;
-        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(12500000) * Scalar(1000000000))) * e15;
-        c_.k13 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(25000000) * Scalar(1000000000))) * e16;
-        c_.k14 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(12500000) * Scalar(1000000000))) * e23;
-        c_.k15 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(25000000) * Scalar(1000000000))) * e24;
-        c_.k16 = Scalar(32) * e22;
-        c_.k17 = -Scalar(32) * e26;
-        c_.k18 = -Scalar(32) * e10;
-        c_.k19 = Scalar(32) * e12;
-        const Scalar e27 = p_.l * e6;
-        const Scalar e28 = e27 * e4;
-        c_.k20 = -Scalar(4) * e28;
-        const Scalar e29 = e27 * e11;
-        c_.k21 = Scalar(4) * e29;
-        const Scalar e30 = e27 * e20;
-        c_.k22 = Scalar(4) * e30;
-        const Scalar e31 = e27 * e25;
-        c_.k23 = -Scalar(4) * e31;
-        c_.k24 = Scalar(8) * e30;
-        c_.k25 = -Scalar(8) * e31;
-        c_.k26 = -Scalar(8) * e28;
-        c_.k27 = Scalar(8) * e29;
+        const Scalar inverse_1 = Scalar(1) / detail::pi<Scalar>();
+        const Scalar e2 = p_.rho_0 * inverse_1;
+        const Scalar e3 = (Scalar(1) - p_.gamma * p_.T_0) * e2;
+        const Scalar inverse_4 = Scalar(1) / p_.D_ac;
+        const Scalar inverse_4_squared = inverse_4 * inverse_4;
+        const Scalar e5 = inverse_4_squared / p_.s;
+        const Scalar e6 = Scalar(1) / p_.rho / p_.c_p;
+        const Scalar e7 = inverse_1 * e6;
+        const Scalar e8 = e5 * (inverse_4_squared * e7);
+        const Scalar e9 = e3 * e8;
+        c_.k0 = -Scalar(16) * e9;
+        const Scalar e10 = p_.gamma * e2;
+        const Scalar e11 = e10 * e8;
+        c_.k1 = Scalar(16) * e11;
+        const Scalar e12 = p_.alpha * e6;
+        c_.k2 = Scalar(4) * inverse_4 * e12;
+        const Scalar e13 = p_.eps * e6;
+        const Scalar e14 = inverse_4 * e13;
+        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e14;
+        const Scalar inverse_15 = Scalar(1) / p_.D_dc;
+        const Scalar inverse_15_squared = inverse_15 * inverse_15;
+        const Scalar e16 = e7 * (inverse_15_squared * inverse_15_squared);
+        const Scalar e17 = e10 * e16;
+        c_.k4 = Scalar(16) * e17;
+        const Scalar e18 = e3 * e16;
+        c_.k5 = -Scalar(16) * e18;
+        c_.k6 = Scalar(4) * inverse_15 * e12;
+        const Scalar e19 = inverse_15 * e13;
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e19;
+        c_.k8 = p_.T_0 * p_.T_0;
+        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(12500000) * Scalar(1000000000))) * e14;
+        c_.k10 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(12500000) * Scalar(1000000000))) * e19;
+        c_.k11 = Scalar(32) * e17;
+        c_.k12 = -Scalar(32) * e18;
+        c_.k13 = -Scalar(32) * e9;
+        c_.k14 = Scalar(32) * e11;
+        const Scalar e20 = p_.l * e5;
+        const Scalar e21 = e3 * e20;
+        c_.k15 = -Scalar(4) * e21;
+        const Scalar e22 = e10 * e20;
+        c_.k16 = Scalar(4) * e22;
+        const Scalar e23 = p_.l * inverse_15_squared;
+        const Scalar e24 = e10 * e23;
+        c_.k17 = Scalar(4) * e24;
+        const Scalar e25 = e3 * e23;
+        c_.k18 = -Scalar(4) * e25;
+        c_.k19 = Scalar(8) * e24;
+        c_.k20 = -Scalar(8) * e25;
+        c_.k21 = -Scalar(8) * e21;
+        c_.k22 = Scalar(8) * e22;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -272,63 +258,56 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 13 + or -, 21 *
+    /// Operations: 13 + or -, 15 *
     ///     dot(T_ac) = -16*rho_0*(-1 + gamma*T_0)*I_ac^2/(D_ac^4*s*rho*c_p*pi^2) +
-    ///     16*rho_0*gamma*I_ac^2*T_ac/(D_ac^4*s*rho*c_p*pi^2) + 4*stefan_boltzmann*T_0^2*eps*T_ac*(T_0 - T_ac)/(D_ac*rho*c_p) +
-    ///     4*stefan_boltzmann*T_0*eps*T_ac^2*(T_0 - T_ac)/(D_ac*rho*c_p) + 4*stefan_boltzmann*eps*T_ac^3*(T_0 -
-    ///     T_ac)/(D_ac*rho*c_p) + (4*stefan_boltzmann*T_0^3*eps + 4*alpha)*(T_0 - T_ac)/(D_ac*rho*c_p)
-    ///     dot(T_dc) = 16*rho_0*gamma*T_dc*I_dc^2/(D_dc^4*rho*c_p*pi^2) + 4*stefan_boltzmann*T_0^2*eps*T_dc*(T_0 -
-    ///     T_dc)/(D_dc*rho*c_p) + 4*stefan_boltzmann*T_0*eps*T_dc^2*(T_0 - T_dc)/(D_dc*rho*c_p) +
-    ///     4*stefan_boltzmann*eps*T_dc^3*(T_0 - T_dc)/(D_dc*rho*c_p) - 16*rho_0*(-1 + gamma*T_0)*I_dc^2/(D_dc^4*rho*c_p*pi^2) +
-    ///     (4*stefan_boltzmann*T_0^3*eps + 4*alpha)*(T_0 - T_dc)/(D_dc*rho*c_p)
+    ///     16*rho_0*gamma*I_ac^2*T_ac/(D_ac^4*s*rho*c_p*pi^2) + 4*alpha*(T_0 - T_ac)/(D_ac*rho*c_p) + 4*stefan_boltzmann*eps*(T_0 -
+    ///     T_ac)*(T_0 + T_ac)*(T_0^2 + T_ac^2)/(D_ac*rho*c_p)
+    ///     dot(T_dc) = 16*rho_0*gamma*T_dc*I_dc^2/(D_dc^4*rho*c_p*pi^2) - 16*rho_0*(-1 + gamma*T_0)*I_dc^2/(D_dc^4*rho*c_p*pi^2) +
+    ///     4*alpha*(T_0 - T_dc)/(D_dc*rho*c_p) + 4*stefan_boltzmann*eps*(T_0 - T_dc)*(T_0 + T_dc)*(T_0^2 + T_dc^2)/(D_dc*rho*c_p)
     ///     dot(I_dc) = k_c*T_ac - k_c*T_dc
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_ac = x[0];
         const Scalar I_ac = u[0];
-        const Scalar I_ac_squared = I_ac * I_ac;
-        const Scalar e1 = p_.T_0 - T_ac;
-        const Scalar e2 = T_ac * e1;
-        const Scalar e3 = T_ac * e2;
         const Scalar T_dc = x[1];
         const Scalar I_dc = x[2];
-        const Scalar I_dc_squared = I_dc * I_dc;
-        const Scalar e4 = p_.T_0 - T_dc;
-        const Scalar e5 = T_dc * e4;
-        const Scalar e6 = T_dc * e5;
-        dxdt[0] = T_ac * (c_.k1 * I_ac_squared + c_.k4 * e3) + c_.k5 * e1 + c_.k2 * e2 - c_.k0 * I_ac_squared + c_.k3 * e3;
-        dxdt[1] = T_dc * (c_.k6 * I_dc_squared + c_.k9 * e6) + c_.k11 * e4 + c_.k7 * e5 - c_.k10 * I_dc_squared + c_.k8 * e6;
+        const Scalar e1 = (p_.T_0 - T_ac) * (c_.k2 + c_.k3 * (p_.T_0 + T_ac) * (c_.k8 + T_ac * T_ac));
+        dxdt[0] = e1 - I_ac * I_ac * (c_.k0 - c_.k1 * T_ac);
+        const Scalar e2 = (p_.T_0 - T_dc) * (c_.k6 + c_.k7 * (p_.T_0 + T_dc) * (c_.k8 + T_dc * T_dc));
+        dxdt[1] = e2 + I_dc * I_dc * (c_.k4 * T_dc - c_.k5);
         dxdt[2] = p_.k_c * (T_ac - T_dc);
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 3 x 3, entry (i, j) at J[3*j + i].
-    /// Operations: 23 + or -, 29 *
+    /// Operations: 21 + or -, 25 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_ac = x[0];
         const Scalar e1 = p_.T_0 - T_ac;
+        const Scalar e2 = p_.T_0 + T_ac;
+        const Scalar e3 = c_.k3 * (c_.k8 + T_ac * T_ac);
+        const Scalar e4 = c_.k2 + e2 * e3;
         const Scalar I_ac = u[0];
         const Scalar I_ac_squared = I_ac * I_ac;
-        const Scalar e2 = c_.k2 * e1 + c_.k1 * I_ac_squared;
-        const Scalar e3 = c_.k5 + T_ac * T_ac * (c_.k3 + c_.k4 * T_ac);
+        const Scalar e5 = c_.k1 * I_ac_squared;
         const Scalar T_dc = x[1];
-        const Scalar e4 = p_.T_0 - T_dc;
+        const Scalar e6 = p_.T_0 - T_dc;
+        const Scalar e7 = p_.T_0 + T_dc;
+        const Scalar e8 = c_.k7 * (c_.k8 + T_dc * T_dc);
+        const Scalar e9 = c_.k6 + e7 * e8;
         const Scalar I_dc = x[2];
         const Scalar I_dc_squared = I_dc * I_dc;
-        const Scalar e5 = c_.k7 * e4 + c_.k6 * I_dc_squared;
-        const Scalar e6 = c_.k11 + T_dc * T_dc * (c_.k8 + c_.k9 * T_dc);
-        dxdt[0] = T_ac * e2 + e1 * e3 - c_.k0 * I_ac_squared;
-        dxdt[1] = T_dc * e5 + e4 * e6 - c_.k10 * I_dc_squared;
+        const Scalar e10 = c_.k4 * I_dc_squared;
+        dxdt[0] = e1 * e4 - c_.k0 * I_ac_squared + T_ac * e5;
+        dxdt[1] = e6 * e9 - c_.k5 * I_dc_squared + T_dc * e10;
         dxdt[2] = p_.k_c * (T_ac - T_dc);
-        const Scalar e7 = T_ac * e1;
-        const Scalar e8 = T_dc * e4;
-        J[0] = e2 - T_ac * (c_.k2 - c_.k13 * e7) - e3 + c_.k12 * e7;
+        J[0] = e1 * (c_.k9 * T_ac * e2 + e3) - e4 + e5;
         J[1] = Scalar(0);
         J[2] = p_.k_c;
         J[3] = Scalar(0);
-        J[4] = e5 - T_dc * (c_.k7 - c_.k15 * e8) - e6 + c_.k14 * e8;
+        J[4] = e6 * (c_.k10 * T_dc * e7 + e8) - e9 + e10;
         J[5] = -p_.k_c;
         J[6] = Scalar(0);
-        J[7] = I_dc * (c_.k16 * T_dc - c_.k17);
+        J[7] = I_dc * (c_.k11 * T_dc - c_.k12);
         J[8] = Scalar(0);
     }
 
@@ -343,176 +322,122 @@ public:
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         const Scalar I_ac = u[0];
         const Scalar T_ac = x[0];
-        J[0] = -I_ac * (c_.k18 - c_.k19 * T_ac);
+        J[0] = -I_ac * (c_.k13 - c_.k14 * T_ac);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 12, entry (i, j) at J[3*j + i].
-    /// Operations: 69 + or -, 222 *, 6 /
+    /// Operations: 48 + or -, 158 *, 6 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.D_dc;
         const Scalar e2 = Scalar(1) - p_.gamma * p_.T_0;
-        const Scalar inverse_3 = Scalar(1) / detail::pi<Scalar>();
-        const Scalar inverse_3_squared = inverse_3 * inverse_3;
-        const Scalar e4 = p_.rho_0 * inverse_3_squared;
-        const Scalar inverse_5 = Scalar(1) / p_.rho;
-        const Scalar inverse_6 = Scalar(1) / p_.c_p;
-        const Scalar e7 = inverse_5 * inverse_6;
-        const Scalar e8 = inverse_1 * e7;
-        const Scalar e9 = inverse_1 * e8;
-        const Scalar e10 = e9 * (inverse_1 * inverse_1);
-        const Scalar e11 = e4 * e10;
-        const Scalar e12 = e2 * e11;
+        const Scalar inverse_3 = Scalar(1) / p_.rho;
+        const Scalar inverse_4 = Scalar(1) / p_.c_p;
+        const Scalar e5 = inverse_3 * inverse_4;
+        const Scalar inverse_6 = Scalar(1) / detail::pi<Scalar>();
+        const Scalar e7 = e5 * (inverse_6 * inverse_6);
+        const Scalar e8 = p_.rho_0 * e7;
+        const Scalar inverse_1_squared = inverse_1 * inverse_1;
+        const Scalar inverse_1_squared_squared = inverse_1_squared * inverse_1_squared;
+        const Scalar e9 = e8 * inverse_1_squared_squared;
+        const Scalar e10 = e2 * e9;
         const Scalar I_dc = x[2];
         const Scalar I_dc_squared = I_dc * I_dc;
         const Scalar T_dc = x[1];
-        const Scalar e13 = p_.T_0 - T_dc;
-        const Scalar e14 = p_.T_0 * p_.eps;
-        const Scalar e15 = p_.T_0 * e14;
-        const Scalar e16 = ((Scalar(100000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
-            * p_.alpha;
-        const Scalar e17 = e16 + p_.T_0 * e15;
-        const Scalar e18 = T_dc * e13;
-        const Scalar e19 = T_dc * e18;
-        const Scalar e20 = p_.gamma * e11;
-        const Scalar e21 = T_dc * I_dc_squared;
-        const Scalar e22 = T_dc * e19;
-        const Scalar inverse_23 = Scalar(1) / p_.D_ac;
-        const Scalar inverse_24 = Scalar(1) / p_.s;
-        const Scalar e25 = inverse_23 * e7;
-        const Scalar e26 = inverse_23 * e25;
-        const Scalar e27 = inverse_23 * inverse_23 * (inverse_24 * e26);
-        const Scalar e28 = e4 * e27;
-        const Scalar e29 = e2 * e28;
+        const Scalar e11 = p_.T_0 - T_dc;
+        const Scalar e12 = p_.alpha * e5;
+        const Scalar e13 = p_.gamma * e9;
+        const Scalar e14 = T_dc * I_dc_squared;
+        const Scalar e15 = p_.eps * e5;
+        const Scalar e16 = c_.k8 + T_dc * T_dc;
+        const Scalar e17 = p_.T_0 + T_dc;
+        const Scalar e18 = e11 * e17;
+        const Scalar e19 = e16 * e18;
+        const Scalar inverse_20 = Scalar(1) / p_.D_ac;
+        const Scalar inverse_20_squared = inverse_20 * inverse_20;
+        const Scalar e21 = inverse_20_squared / p_.s;
+        const Scalar e22 = inverse_20_squared * e21;
+        const Scalar e23 = e8 * e22;
+        const Scalar e24 = e2 * e23;
         const Scalar I_ac = u[0];
         const Scalar I_ac_squared = I_ac * I_ac;
         const Scalar T_ac = x[0];
-        const Scalar e30 = p_.T_0 - T_ac;
-        const Scalar e31 = T_ac * e30;
-        const Scalar e32 = T_ac * e31;
-        const Scalar e33 = p_.gamma * e28;
-        const Scalar e34 = T_ac * I_ac_squared;
-        const Scalar e35 = T_ac * e32;
-        const Scalar e36 = p_.gamma * inverse_3_squared;
-        const Scalar e37 = e2 * inverse_3_squared;
-        const Scalar T_ac_squared = T_ac * T_ac;
-        const Scalar T_dc_squared = T_dc * T_dc;
-        const Scalar e38 = inverse_5 * e25;
-        const Scalar e39 = inverse_5 * e8;
-        const Scalar e40 = inverse_6 * e25;
-        const Scalar e41 = inverse_6 * e8;
-        const Scalar e42 = p_.T_0 * p_.T_0;
-        const Scalar e43 = p_.T_0 * e25;
-        const Scalar e44 = p_.T_0 * e8;
+        const Scalar e25 = p_.T_0 - T_ac;
+        const Scalar e26 = p_.gamma * e23;
+        const Scalar e27 = T_ac * I_ac_squared;
+        const Scalar e28 = c_.k8 + T_ac * T_ac;
+        const Scalar e29 = p_.T_0 + T_ac;
+        const Scalar e30 = e25 * e29;
+        const Scalar e31 = e28 * e30;
+        const Scalar e32 = e21 * (e8 * e21);
+        const Scalar e33 = p_.gamma * e7;
+        const Scalar e34 = e2 * e7;
+        const Scalar e35 = inverse_20 * e15;
+        const Scalar e36 = inverse_1 * e15;
+        const Scalar e37 = inverse_3 * e12;
+        const Scalar e38 = inverse_4 * e12;
+        const Scalar e39 = inverse_20 * e5;
+        const Scalar e40 = inverse_1 * e5;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
         J[3] = Scalar(0);
-        const Scalar e45 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e17 * e9;
-        const Scalar e46 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e9 * e15;
-        const Scalar e47 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e14 * e9;
-        const Scalar e48 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * p_.eps * e9;
-        J[4] = (-Scalar(64) * inverse_1 * e12) * I_dc_squared - e13 * e45 - e46 * e18 - e47 * e19 - Scalar(64) * inverse_1
-            * e20 * e21 - e48 * e22;
+        const Scalar e41 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * inverse_1_squared * e15;
+        J[4] = (-Scalar(64) * inverse_1 * e10) * I_dc_squared - e11 * (Scalar(4) * inverse_1_squared * e12) - Scalar(64)
+            * inverse_1 * e13 * e14 - e41 * e19;
         J[5] = Scalar(0);
-        const Scalar e49 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e17 * e26;
-        const Scalar e50 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e26 * e15;
-        const Scalar e51 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e26 * e14;
-        const Scalar e52 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * p_.eps * e26;
-        J[6] = (-Scalar(64) * inverse_23 * e29) * I_ac_squared - e30 * e49 - e50 * e31 - e51 * e32 - Scalar(64) * inverse_23
-            * e33 * e34 - e52 * e35;
+        const Scalar e42 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * inverse_20_squared * e15;
+        J[6] = (-Scalar(64) * inverse_20 * e24) * I_ac_squared - e25 * (Scalar(4) * inverse_20_squared * e12) - Scalar(64)
+            * inverse_20 * e26 * e27 - e42 * e31;
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = (-Scalar(16) * inverse_24 * e29) * I_ac_squared - Scalar(16) * inverse_24 * e33 * e34;
+        J[9] = (-Scalar(16) * e2 * e32) * I_ac_squared - Scalar(16) * p_.gamma * e32 * e27;
         J[10] = Scalar(0);
         J[11] = Scalar(0);
-        J[12] = Scalar(16) * e27 * e36 * e34 - (-Scalar(16) * e27 * e37) * I_ac_squared;
-        J[13] = Scalar(16) * e10 * e36 * e21 - (-Scalar(16) * e10 * e37) * I_dc_squared;
+        J[12] = Scalar(16) * e22 * e33 * e27 - (-Scalar(16) * e22 * e34) * I_ac_squared;
+        J[13] = Scalar(16) * inverse_1_squared_squared * e33 * e14 - (-Scalar(16) * inverse_1_squared_squared * e34)
+            * I_dc_squared;
         J[14] = Scalar(0);
-        J[15] = Scalar(16) * e28 * e34 - Scalar(16) * p_.T_0 * e28 * I_ac_squared;
-        J[16] = Scalar(16) * e11 * e21 - Scalar(16) * p_.T_0 * e11 * I_dc_squared;
+        J[15] = Scalar(16) * e23 * e27 - Scalar(16) * p_.T_0 * e23 * I_ac_squared;
+        J[16] = Scalar(16) * e9 * e14 - Scalar(16) * p_.T_0 * e9 * I_dc_squared;
         J[17] = Scalar(0);
-        const Scalar e53 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e25 * e15;
-        J[18] = c_.k4 * (e32 + T_ac * T_ac_squared) + c_.k5 + c_.k2 * T_ac + e30 * e53 + c_.k12 * e31 - c_.k1 * I_ac_squared
-            + c_.k3 * T_ac_squared;
-        const Scalar e54 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e8 * e15;
-        J[19] = c_.k9 * (e19 + T_dc * T_dc_squared) + c_.k11 + c_.k7 * T_dc + e13 * e54 + c_.k14 * e18 - c_.k6 * I_dc_squared
-            + c_.k8 * T_dc_squared;
+        const Scalar e43 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(12500000) * Scalar(1000000000)))
+            * p_.T_0 * e35;
+        J[18] = c_.k3 * e28 * (e25 + e29) + c_.k2 - c_.k1 * I_ac_squared + e43 * e30;
+        const Scalar e44 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(12500000) * Scalar(1000000000)))
+            * p_.T_0 * e36;
+        J[19] = c_.k7 * e16 * (e11 + e17) + c_.k6 - c_.k4 * I_dc_squared + e44 * e18;
         J[20] = Scalar(0);
-        const Scalar e55 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e17 * e38;
-        const Scalar e56 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e15 * e38;
-        const Scalar e57 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e14 * e38;
-        const Scalar e58 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * p_.eps * e38;
-        J[21] = (-Scalar(16) * inverse_5 * e29) * I_ac_squared - e30 * e55 - e56 * e31 - e57 * e32 - Scalar(16) * inverse_5
-            * e33 * e34 - e58 * e35;
-        const Scalar e59 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e17 * e39;
-        const Scalar e60 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e15 * e39;
-        const Scalar e61 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e14 * e39;
-        const Scalar e62 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * p_.eps * e39;
-        J[22] = (-Scalar(16) * inverse_5 * e12) * I_dc_squared - e13 * e59 - e60 * e18 - e61 * e19 - Scalar(16) * inverse_5
-            * e20 * e21 - e62 * e22;
+        const Scalar e45 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * inverse_3 * e35;
+        J[21] = (-Scalar(16) * inverse_3 * e24) * I_ac_squared - e25 * (Scalar(4) * inverse_20 * e37) - Scalar(16) * inverse_3
+            * e26 * e27 - e45 * e31;
+        const Scalar e46 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * inverse_3 * e36;
+        J[22] = (-Scalar(16) * inverse_3 * e10) * I_dc_squared - e11 * (Scalar(4) * inverse_1 * e37) - Scalar(16) * inverse_3
+            * e13 * e14 - e46 * e19;
         J[23] = Scalar(0);
-        const Scalar e63 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e17 * e40;
-        const Scalar e64 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e15 * e40;
-        const Scalar e65 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e14 * e40;
-        const Scalar e66 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * p_.eps * e40;
-        J[24] = (-Scalar(16) * inverse_6 * e29) * I_ac_squared - e30 * e63 - e64 * e31 - e65 * e32 - Scalar(16) * inverse_6
-            * e33 * e34 - e66 * e35;
-        const Scalar e67 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e17 * e41;
-        const Scalar e68 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e15 * e41;
-        const Scalar e69 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e14 * e41;
-        const Scalar e70 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * p_.eps * e41;
-        J[25] = (-Scalar(16) * inverse_6 * e12) * I_dc_squared - e13 * e67 - e68 * e18 - e69 * e19 - Scalar(16) * inverse_6
-            * e20 * e21 - e70 * e22;
+        const Scalar e47 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * inverse_4 * e35;
+        J[24] = (-Scalar(16) * inverse_4 * e24) * I_ac_squared - e25 * (Scalar(4) * inverse_20 * e38) - Scalar(16) * inverse_4
+            * e26 * e27 - e47 * e31;
+        const Scalar e48 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * inverse_4 * e36;
+        J[25] = (-Scalar(16) * inverse_4 * e10) * I_dc_squared - e11 * (Scalar(4) * inverse_1 * e38) - Scalar(16) * inverse_4
+            * e13 * e14 - e48 * e19;
         J[26] = Scalar(0);
-        J[27] = e30 * (Scalar(4) * e25);
-        J[28] = e13 * (Scalar(4) * e8);
+        J[27] = e25 * (Scalar(4) * e39);
+        J[28] = e11 * (Scalar(4) * e40);
         J[29] = Scalar(0);
-        const Scalar e71 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e42 * e43;
-        const Scalar e72 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e25 * e42;
-        const Scalar e73 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e43;
-        const Scalar e74 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e25;
-        J[30] = e30 * e71 + e72 * e31 + e73 * e32 + e74 * e35;
-        const Scalar e75 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e42 * e44;
-        const Scalar e76 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e8 * e42;
-        const Scalar e77 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e44;
-        const Scalar e78 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e8;
-        J[31] = e13 * e75 + e76 * e18 + e77 * e19 + e78 * e22;
+        const Scalar e49 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e39;
+        J[30] = e49 * e31;
+        const Scalar e50 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e40;
+        J[31] = e50 * e19;
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
@@ -553,8 +478,8 @@ public:
         const Scalar T_ac = x[0];
         const Scalar T_dc = x[1];
         y[0] = I_dc - I_ac;
-        y[1] = -I_ac * I_ac * (c_.k20 - c_.k21 * T_ac);
-        y[2] = I_dc * I_dc * (c_.k22 * T_dc - c_.k23);
+        y[1] = -I_ac * I_ac * (c_.k15 - c_.k16 * T_ac);
+        y[2] = I_dc * I_dc * (c_.k17 * T_dc - c_.k18);
     }
 
     /// C = dh/dx.
@@ -564,14 +489,14 @@ public:
         const Scalar I_dc = x[2];
         const Scalar T_dc = x[1];
         C[0] = Scalar(0);
-        C[1] = c_.k21 * I_ac * I_ac;
+        C[1] = c_.k16 * I_ac * I_ac;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
-        C[5] = c_.k22 * I_dc * I_dc;
+        C[5] = c_.k17 * I_dc * I_dc;
         C[6] = Scalar(1);
         C[7] = Scalar(0);
-        C[8] = I_dc * (c_.k24 * T_dc - c_.k25);
+        C[8] = I_dc * (c_.k19 * T_dc - c_.k20);
     }
 
     /// D = dh/du.
@@ -580,7 +505,7 @@ public:
         const Scalar I_ac = u[0];
         const Scalar T_ac = x[0];
         D[0] = -Scalar(1);
-        D[1] = -I_ac * (c_.k26 - c_.k27 * T_ac);
+        D[1] = -I_ac * (c_.k21 - c_.k22 * T_ac);
         D[2] = Scalar(0);
     }
 
@@ -630,46 +555,22 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 14 + or -, 44 *
+    /// Operations: 13 + or -, 23 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_ac = x[0];
-        const Scalar I_ac = u[0];
-        const Scalar I_ac_squared = I_ac * I_ac;
         const Scalar e1 = p_.l * detail::pi<Scalar>();
-        const Scalar e2 = p_.eps * e1;
-        const Scalar e3 = p_.T_0 - T_ac;
-        const Scalar e4 = T_ac * e3;
-        const Scalar e5 = T_ac * e4;
+        const Scalar e2 = p_.D_ac * e1;
         const Scalar T_dc = x[1];
+        const Scalar e3 = p_.D_dc * e1;
+        const Scalar I_ac = u[0];
         const Scalar I_dc = x[2];
-        const Scalar I_dc_squared = I_dc * I_dc;
-        const Scalar e6 = p_.T_0 - T_dc;
-        const Scalar e7 = T_dc * e6;
-        const Scalar e8 = T_dc * e7;
-        const Scalar e9 = ((Scalar(100000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
-            * p_.alpha;
-        const Scalar e10 = (p_.T_0 * p_.T_0 * p_.T_0 * p_.eps + e9) * e1;
-        const Scalar e11 = p_.T_0 * e2;
-        const Scalar e12 = p_.D_ac * e11;
-        const Scalar e13 = p_.D_dc * e11;
-        const Scalar e14 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.D_ac * e2;
-        const Scalar e15 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.D_dc * e2;
-        const Scalar e16 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.D_ac * e10;
-        const Scalar e17 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.D_dc * e10;
-        const Scalar e18 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_0 * e12;
-        const Scalar e19 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_0 * e13;
-        const Scalar e20 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e12;
-        const Scalar e21 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e13;
-        return T_ac * (c_.k21 * I_ac_squared + e14 * e5) + T_dc * (c_.k22 * I_dc_squared + e15 * e8) + e3 * e16 + e6 * e17
-            + e18 * e4 + e19 * e7 - c_.k20 * I_ac_squared - c_.k23 * I_dc_squared + e20 * e5 + e21 * e8;
+        const Scalar e4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * p_.eps * e2;
+        const Scalar e5 = (p_.T_0 - T_ac) * (p_.alpha * e2 + (p_.T_0 + T_ac) * (c_.k8 + T_ac * T_ac) * e4);
+        const Scalar e6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * p_.eps * e3;
+        const Scalar e7 = (p_.T_0 - T_dc) * (p_.alpha * e3 + (p_.T_0 + T_dc) * (c_.k8 + T_dc * T_dc) * e6);
+        return e5 + e7 - I_ac * I_ac * (c_.k15 - c_.k16 * T_ac) + I_dc * I_dc * (c_.k17 * T_dc - c_.k18);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -683,32 +584,27 @@ private:
     struct Cached {
         Scalar k0;  ///< 16*rho_0*(-1 + gamma*T_0)/(D_ac^4*s*rho*c_p*pi^2)
         Scalar k1;  ///< 16*rho_0*gamma/(D_ac^4*s*rho*c_p*pi^2)
-        Scalar k2;  ///< 4*stefan_boltzmann*T_0^2*eps/(D_ac*rho*c_p)
-        Scalar k3;  ///< 4*stefan_boltzmann*T_0*eps/(D_ac*rho*c_p)
-        Scalar k4;  ///< 4*stefan_boltzmann*eps/(D_ac*rho*c_p)
-        Scalar k5;  ///< (4*stefan_boltzmann*T_0^3*eps + 4*alpha)/(D_ac*rho*c_p)
-        Scalar k6;  ///< 16*rho_0*gamma/(D_dc^4*rho*c_p*pi^2)
-        Scalar k7;  ///< 4*stefan_boltzmann*T_0^2*eps/(D_dc*rho*c_p)
-        Scalar k8;  ///< 4*stefan_boltzmann*T_0*eps/(D_dc*rho*c_p)
-        Scalar k9;  ///< 4*stefan_boltzmann*eps/(D_dc*rho*c_p)
-        Scalar k10;  ///< 16*rho_0*(-1 + gamma*T_0)/(D_dc^4*rho*c_p*pi^2)
-        Scalar k11;  ///< (4*stefan_boltzmann*T_0^3*eps + 4*alpha)/(D_dc*rho*c_p)
-        Scalar k12;  ///< 8*stefan_boltzmann*T_0*eps/(D_ac*rho*c_p)
-        Scalar k13;  ///< 12*stefan_boltzmann*eps/(D_ac*rho*c_p)
-        Scalar k14;  ///< 8*stefan_boltzmann*T_0*eps/(D_dc*rho*c_p)
-        Scalar k15;  ///< 12*stefan_boltzmann*eps/(D_dc*rho*c_p)
-        Scalar k16;  ///< 32*rho_0*gamma/(D_dc^4*rho*c_p*pi^2)
-        Scalar k17;  ///< 32*rho_0*(-1 + gamma*T_0)/(D_dc^4*rho*c_p*pi^2)
-        Scalar k18;  ///< 32*rho_0*(-1 + gamma*T_0)/(D_ac^4*s*rho*c_p*pi^2)
-        Scalar k19;  ///< 32*rho_0*gamma/(D_ac^4*s*rho*c_p*pi^2)
-        Scalar k20;  ///< 4*l*rho_0*(-1 + gamma*T_0)/(D_ac^2*s*pi)
-        Scalar k21;  ///< 4*l*rho_0*gamma/(D_ac^2*s*pi)
-        Scalar k22;  ///< 4*l*rho_0*gamma/(D_dc^2*pi)
-        Scalar k23;  ///< 4*l*rho_0*(-1 + gamma*T_0)/(D_dc^2*pi)
-        Scalar k24;  ///< 8*l*rho_0*gamma/(D_dc^2*pi)
-        Scalar k25;  ///< 8*l*rho_0*(-1 + gamma*T_0)/(D_dc^2*pi)
-        Scalar k26;  ///< 8*l*rho_0*(-1 + gamma*T_0)/(D_ac^2*s*pi)
-        Scalar k27;  ///< 8*l*rho_0*gamma/(D_ac^2*s*pi)
+        Scalar k2;  ///< 4*alpha/(D_ac*rho*c_p)
+        Scalar k3;  ///< 4*stefan_boltzmann*eps/(D_ac*rho*c_p)
+        Scalar k4;  ///< 16*rho_0*gamma/(D_dc^4*rho*c_p*pi^2)
+        Scalar k5;  ///< 16*rho_0*(-1 + gamma*T_0)/(D_dc^4*rho*c_p*pi^2)
+        Scalar k6;  ///< 4*alpha/(D_dc*rho*c_p)
+        Scalar k7;  ///< 4*stefan_boltzmann*eps/(D_dc*rho*c_p)
+        Scalar k8;  ///< T_0^2
+        Scalar k9;  ///< 8*stefan_boltzmann*eps/(D_ac*rho*c_p)
+        Scalar k10;  ///< 8*stefan_boltzmann*eps/(D_dc*rho*c_p)
+        Scalar k11;  ///< 32*rho_0*gamma/(D_dc^4*rho*c_p*pi^2)
+        Scalar k12;  ///< 32*rho_0*(-1 + gamma*T_0)/(D_dc^4*rho*c_p*pi^2)
+        Scalar k13;  ///< 32*rho_0*(-1 + gamma*T_0)/(D_ac^4*s*rho*c_p*pi^2)
+        Scalar k14;  ///< 32*rho_0*gamma/(D_ac^4*s*rho*c_p*pi^2)
+        Scalar k15;  ///< 4*l*rho_0*(-1 + gamma*T_0)/(D_ac^2*s*pi)
+        Scalar k16;  ///< 4*l*rho_0*gamma/(D_ac^2*s*pi)
+        Scalar k17;  ///< 4*l*rho_0*gamma/(D_dc^2*pi)
+        Scalar k18;  ///< 4*l*rho_0*(-1 + gamma*T_0)/(D_dc^2*pi)
+        Scalar k19;  ///< 8*l*rho_0*gamma/(D_dc^2*pi)
+        Scalar k20;  ///< 8*l*rho_0*(-1 + gamma*T_0)/(D_dc^2*pi)
+        Scalar k21;  ///< 8*l*rho_0*(-1 + gamma*T_0)/(D_ac^2*s*pi)
+        Scalar k22;  ///< 8*l*rho_0*gamma/(D_ac^2*s*pi)
     };
     Cached c_{};
 };

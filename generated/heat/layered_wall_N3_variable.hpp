@@ -16,10 +16,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                18     70    16        0      0
+//   update                18     69    16        0      0
 //   rhs                   40     37     0        0      0
-//   rhs_and_jacobian      60     59     0        0      0
-//   jacobian_u             6     10     0        0      0
+//   rhs_and_jacobian      59     55     0        0      0
+//   jacobian_u             5      7     0        0      0
 //   jacobian_p           132    300    10        0      0
 //   output                 8      7     0        0      6
 //   output_jacobian_x      1      0     0        0      0
@@ -228,7 +228,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 18 + or -, 70 *, 16 /
+    /// Operations: 18 + or -, 69 *, 16 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.lambda[0];
@@ -299,11 +299,11 @@ public:
         c_.k24 = Scalar(2) * (-e35 - e38);
         const Scalar e41 = e36 + e40;
         c_.k25 = e41;
-        const Scalar e42 = p_.eps * inverse_30;
-        c_.k26 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e42;
-        c_.k27 = p_.a_s * inverse_30;
-        const Scalar e43 = p_.alpha_L * inverse_30;
-        c_.k28 = e43;
+        c_.k26 = p_.a_s * inverse_30;
+        const Scalar e42 = p_.alpha_L * inverse_30;
+        c_.k27 = e42;
+        const Scalar e43 = p_.eps * inverse_30;
+        c_.k28 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e43;
         c_.k29 = Scalar(4) * e13;
         c_.k30 = Scalar(2) * e33;
         c_.k31 = Scalar(4) * e21;
@@ -313,17 +313,16 @@ public:
         c_.k35 = -e32 - e34;
         c_.k36 = Scalar(2) * e37;
         c_.k37 = Scalar(2) * e41;
-        c_.k38 = -e39 - e43;
-        c_.k39 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e42;
-        c_.k40 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e42;
-        c_.k41 = p_.A * p_.alpha_0;
+        c_.k38 = -e39 - e42;
+        c_.k39 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e43;
+        c_.k40 = p_.A * p_.alpha_0;
         const Scalar e44 = c_.k * inverse_4;
-        c_.k42 = Scalar(1) - e44;
-        c_.k43 = c_.k * inverse_1;
-        c_.k44 = c_.k * inverse_2;
-        c_.k45 = c_.k * inverse_3;
-        c_.k46 = e44;
-        c_.k47 = p_.L[0] + p_.L[1];
+        c_.k41 = Scalar(1) - e44;
+        c_.k42 = c_.k * inverse_1;
+        c_.k43 = c_.k * inverse_2;
+        c_.k44 = c_.k * inverse_3;
+        c_.k45 = e44;
+        c_.k46 = p_.L[0] + p_.L[1];
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -363,10 +362,9 @@ public:
     ///     dot(T_s[2]) = -2*lambda[2]*(-1 + b[2]*T_ref)*T[2]/(L[2]*C_s) + lambda[2]*b[2]*T[2]^2/(L[2]*C_s) - 2*lambda[3]*(-1 +
     ///     b[3]*T_ref)*T[3]/(L[3]*C_s) + lambda[3]*b[3]*T[3]^2/(L[3]*C_s) + 2*(-lambda[2]/L[2] + lambda[2]*b[2]*T_ref/L[2] -
     ///     lambda[3]/L[3] + lambda[3]*b[3]*T_ref/L[3])*T_s[2]/C_s - (lambda[2]*b[2]/L[2] + lambda[3]*b[3]/L[3])*T_s[2]^2/C_s
-    ///     dot(T_s[3]) = stefan_boltzmann*eps*T_h*T_s[3]^2*(T_h - T_s[3])/C_s + stefan_boltzmann*eps*T_h^2*T_s[3]*(T_h -
-    ///     T_s[3])/C_s + stefan_boltzmann*eps*T_h^3*(T_h - T_s[3])/C_s + a_s*sun/C_s - 2*lambda[3]*(-1 +
-    ///     b[3]*T_ref)*T[3]/(L[3]*C_s) + lambda[3]*b[3]*T[3]^2/(L[3]*C_s) + 2*lambda[3]*(-1 + b[3]*T_ref)*T_s[3]/(L[3]*C_s) -
-    ///     lambda[3]*b[3]*T_s[3]^2/(L[3]*C_s) + stefan_boltzmann*eps*T_s[3]^3*(T_h - T_s[3])/C_s + alpha_L*(T_a - T_s[3])/C_s
+    ///     dot(T_s[3]) = a_s*sun/C_s - 2*lambda[3]*(-1 + b[3]*T_ref)*T[3]/(L[3]*C_s) + lambda[3]*b[3]*T[3]^2/(L[3]*C_s) +
+    ///     2*lambda[3]*(-1 + b[3]*T_ref)*T_s[3]/(L[3]*C_s) - lambda[3]*b[3]*T_s[3]^2/(L[3]*C_s) + alpha_L*(T_a - T_s[3])/C_s +
+    ///     stefan_boltzmann*eps*(T_h - T_s[3])*(T_h + T_s[3])*(T_h^2 + T_s[3]^2)/C_s
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_s_0 = x[3];
         const Scalar T_s_1 = x[4];
@@ -383,22 +381,22 @@ public:
         const Scalar e1 = T_1 * (c_.k15 - c_.k16 * T_1);
         const Scalar e2 = T_2 * (c_.k18 - c_.k19 * T_2);
         const Scalar e3 = T_3 * (c_.k22 - c_.k23 * T_3);
-        const Scalar T_h = u[2];
-        const Scalar e4 = (T_h * T_h + T_s_3_squared) * (c_.k26 * (T_h - T_s_3));
         const Scalar sun = u[3];
         const Scalar T_a = u[1];
+        const Scalar T_h = u[2];
         dxdt[0] = c_.k3 * (T_s_0 + T_s_1) + c_.k4 * (T_s_1_squared + T_s_0_squared) - T_1 * (c_.k1 + c_.k2 * T_1) + c_.k0;
         dxdt[1] = c_.k8 * (T_s_1 + T_s_2) + c_.k9 * (T_s_1_squared + T_s_2_squared) - T_2 * (c_.k6 + c_.k7 * T_2) + c_.k5;
         dxdt[2] = c_.k13 * (T_s_2 + T_s_3) + c_.k14 * (T_s_2_squared + T_s_3_squared) - T_3 * (c_.k11 + c_.k12 * T_3) + c_.k10;
         dxdt[3] = c_.k15 * T_s_0 + c_.k17 * (T_i - T_s_0) - c_.k16 * T_s_0_squared - e1;
         dxdt[4] = c_.k20 * T_s_1 - c_.k21 * T_s_1_squared - e1 - e2;
         dxdt[5] = c_.k24 * T_s_2 - c_.k25 * T_s_2_squared - e2 - e3;
-        dxdt[6] = T_s_3 * (c_.k22 + e4) + c_.k27 * sun + c_.k28 * (T_a - T_s_3) - c_.k23 * T_s_3_squared - e3 + T_h * e4;
+        dxdt[6] = c_.k26 * sun + c_.k22 * T_s_3 + c_.k27 * (T_a - T_s_3) + c_.k28 * (T_h - T_s_3) * (T_h + T_s_3)
+            * (T_h * T_h + T_s_3_squared) - c_.k23 * T_s_3_squared - e3;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 7 x 7, entry (i, j) at J[7*j + i].
-    /// Operations: 60 + or -, 59 *
+    /// Operations: 59 + or -, 55 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_s_0 = x[3];
         const Scalar T_s_1 = x[4];
@@ -418,41 +416,41 @@ public:
         const Scalar sun = u[3];
         const Scalar T_a = u[1];
         const Scalar T_h = u[2];
-        const Scalar e4 = T_h - T_s_3;
-        const Scalar e5 = c_.k26 * e4;
-        const Scalar T_h_squared = T_h * T_h;
-        const Scalar e6 = (T_s_3_squared + T_h_squared) * (T_h + T_s_3);
+        const Scalar e4 = c_.k28 * (T_h * T_h + T_s_3_squared);
+        const Scalar e5 = T_h - T_s_3;
+        const Scalar e6 = T_h + T_s_3;
+        const Scalar e7 = e5 * e6;
         dxdt[0] = c_.k3 * (T_s_0 + T_s_1) + c_.k4 * (T_s_1_squared + T_s_0_squared) - T_1 * (c_.k1 + c_.k2 * T_1) + c_.k0;
         dxdt[1] = c_.k8 * (T_s_1 + T_s_2) + c_.k9 * (T_s_1_squared + T_s_2_squared) - T_2 * (c_.k6 + c_.k7 * T_2) + c_.k5;
-        dxdt[2] = c_.k13 * (T_s_2 + T_s_3) + c_.k14 * (T_s_3_squared + T_s_2_squared) - T_3 * (c_.k11 + c_.k12 * T_3) + c_.k10;
+        dxdt[2] = c_.k13 * (T_s_2 + T_s_3) + c_.k14 * (T_s_2_squared + T_s_3_squared) - T_3 * (c_.k11 + c_.k12 * T_3) + c_.k10;
         dxdt[3] = c_.k15 * T_s_0 + c_.k17 * (T_i - T_s_0) - c_.k16 * T_s_0_squared - e1;
         dxdt[4] = c_.k20 * T_s_1 - c_.k21 * T_s_1_squared - e1 - e2;
         dxdt[5] = c_.k24 * T_s_2 - c_.k25 * T_s_2_squared - e2 - e3;
-        dxdt[6] = c_.k27 * sun + c_.k22 * T_s_3 + c_.k28 * (T_a - T_s_3) - c_.k23 * T_s_3_squared + e5 * e6 - e3;
-        const Scalar e7 = c_.k30 * T_1 - c_.k15;
-        const Scalar e8 = c_.k32 * T_2 - c_.k18;
-        const Scalar e9 = c_.k34 * T_3 - c_.k22;
+        dxdt[6] = c_.k26 * sun + c_.k22 * T_s_3 + c_.k27 * (T_a - T_s_3) - c_.k23 * T_s_3_squared + e4 * e7 - e3;
+        const Scalar e8 = c_.k30 * T_1 - c_.k15;
+        const Scalar e9 = c_.k32 * T_2 - c_.k18;
+        const Scalar e10 = c_.k34 * T_3 - c_.k22;
         J[0] = -c_.k1 - c_.k29 * T_1;
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = e7;
-        J[4] = e7;
+        J[3] = e8;
+        J[4] = e8;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = -c_.k6 - c_.k31 * T_2;
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = e8;
-        J[12] = e8;
+        J[11] = e9;
+        J[12] = e9;
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = -c_.k11 - c_.k33 * T_3;
         J[17] = Scalar(0);
         J[18] = Scalar(0);
-        J[19] = e9;
-        J[20] = e9;
+        J[19] = e10;
+        J[20] = e10;
         J[21] = c_.k3 + c_.k2 * T_s_0;
         J[22] = Scalar(0);
         J[23] = Scalar(0);
@@ -480,7 +478,7 @@ public:
         J[45] = Scalar(0);
         J[46] = Scalar(0);
         J[47] = Scalar(0);
-        J[48] = T_s_3 * (c_.k39 * T_h * e4 - c_.k34) + c_.k38 + c_.k40 * e4 * T_s_3_squared + e5 * T_h_squared - c_.k26 * e6;
+        J[48] = e4 * (e5 - e6) - T_s_3 * (c_.k34 - c_.k39 * e7) + c_.k38;
     }
 
     /// J = df/dx. 7 x 7, entry (i, j) at J[7*j + i].
@@ -490,14 +488,12 @@ public:
     }
 
     /// J = df/du. 7 x 5, entry (i, j) at J[7*j + i].
-    /// Operations: 6 + or -, 10 *
+    /// Operations: 5 + or -, 7 *
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         const Scalar T_h = u[2];
         const Scalar T_s_3 = x[6];
-        const Scalar T_h_squared = T_h * T_h;
-        const Scalar e1 = T_s_3 * T_s_3 + T_h_squared;
-        const Scalar e2 = T_h - T_s_3;
-        const Scalar e3 = T_s_3 * e2;
+        const Scalar e1 = T_h + T_s_3;
+        const Scalar e2 = c_.k28 * (T_h * T_h + T_s_3 * T_s_3);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -511,21 +507,21 @@ public:
         J[10] = Scalar(0);
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        J[13] = c_.k28;
+        J[13] = c_.k27;
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = Scalar(0);
         J[18] = Scalar(0);
         J[19] = Scalar(0);
-        J[20] = T_h * (c_.k26 * e1 + c_.k39 * e3) + c_.k26 * T_s_3 * (e1 + e3) + c_.k40 * e2 * T_h_squared;
+        J[20] = (T_h - T_s_3) * (c_.k39 * T_h * e1 + e2) + e1 * e2;
         J[21] = Scalar(0);
         J[22] = Scalar(0);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
-        J[27] = c_.k27;
+        J[27] = c_.k26;
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
@@ -661,7 +657,7 @@ public:
         const Scalar T_a = u[1];
         const Scalar e106 = T_a - T_s_3;
         const Scalar T_h = u[2];
-        const Scalar e107 = (T_h + T_s_3) * ((T_h - T_s_3) * (T_h * T_h + T_s_3_squared));
+        const Scalar e107 = (T_h * T_h + T_s_3_squared) * ((T_h - T_s_3) * (T_h + T_s_3));
         const Scalar sun = u[3];
         const Scalar inverse_15_squared = inverse_15 * inverse_15;
         const Scalar e108 = e2 * inverse_15_squared;
@@ -892,14 +888,14 @@ public:
         const Scalar min_L_1 = detail::min<Scalar>(p_.L[0], max_1);
         const Scalar max_2 = detail::max<Scalar>(Scalar(0), x_value - p_.L[0]);
         const Scalar min_L_2 = detail::min<Scalar>(p_.L[1], max_2);
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value - c_.k47);
+        const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value - c_.k46);
         const Scalar min_L_3 = detail::min<Scalar>(p_.L[2], max_3);
         y[0] = T_s_0;
         y[1] = T_s_2;
         y[2] = T_s_3;
-        y[3] = c_.k41 * (T_i - T_s_0);
+        y[3] = c_.k40 * (T_i - T_s_0);
         y[4] = c_.k;
-        y[5] = c_.k42 * T_i - (T_i - T_a) * (c_.k43 * min_L_1 + c_.k44 * min_L_2 + c_.k45 * min_L_3) + c_.k46 * T_a;
+        y[5] = c_.k41 * T_i - (T_i - T_a) * (c_.k42 * min_L_1 + c_.k43 * min_L_2 + c_.k44 * min_L_3) + c_.k45 * T_a;
     }
 
     /// C = dh/dx.
@@ -926,7 +922,7 @@ public:
         C[18] = Scalar(1);
         C[19] = Scalar(0);
         C[20] = Scalar(0);
-        C[21] = -c_.k41;
+        C[21] = -c_.k40;
         C[22] = Scalar(0);
         C[23] = Scalar(0);
         C[24] = Scalar(0);
@@ -953,7 +949,7 @@ public:
     /// Operations: 13 + or -, 10 *, 12 other functions
     void output_jacobian_u(const State& /*x*/, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         const Scalar x_value = u[4];
-        const Scalar e1 = x_value - c_.k47;
+        const Scalar e1 = x_value - c_.k46;
         const Scalar max_2 = detail::max<Scalar>(Scalar(0), e1);
         const Scalar min_L_3 = detail::min<Scalar>(p_.L[2], max_2);
         const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value);
@@ -961,7 +957,7 @@ public:
         const Scalar e4 = x_value - p_.L[0];
         const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
         const Scalar min_L_2 = detail::min<Scalar>(p_.L[1], max_5);
-        const Scalar e6 = c_.k45 * min_L_3 + (c_.k43 * min_L_1 + c_.k44 * min_L_2);
+        const Scalar e6 = c_.k44 * min_L_3 + (c_.k42 * min_L_1 + c_.k43 * min_L_2);
         const Scalar T_i = u[0];
         const Scalar T_a = u[1];
         const Scalar step_7 = detail::step<Scalar>(e1);
@@ -973,15 +969,15 @@ public:
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = c_.k41;
+        D[3] = c_.k40;
         D[4] = Scalar(0);
-        D[5] = c_.k42 - e6;
+        D[5] = c_.k41 - e6;
         D[6] = Scalar(0);
         D[7] = Scalar(0);
         D[8] = Scalar(0);
         D[9] = Scalar(0);
         D[10] = Scalar(0);
-        D[11] = c_.k46 + e6;
+        D[11] = c_.k45 + e6;
         D[12] = Scalar(0);
         D[13] = Scalar(0);
         D[14] = Scalar(0);
@@ -999,7 +995,7 @@ public:
         D[26] = Scalar(0);
         D[27] = Scalar(0);
         D[28] = Scalar(0);
-        const Scalar e12 = c_.k45 * step_7 * step_8 + c_.k44 * step_9 * step_10 + c_.k43 * step_x * step_11;
+        const Scalar e12 = c_.k44 * step_7 * step_8 + c_.k43 * step_9 * step_10 + c_.k42 * step_x * step_11;
         D[29] = -(T_i - T_a) * e12;
     }
 
@@ -1056,16 +1052,16 @@ public:
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
     /// Operations: 11 + or -, 14 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar T_h = u[2];
-        const Scalar T_s_3 = x[6];
         const Scalar sun = u[3];
         const Scalar T_i = u[0];
         const Scalar T_s_0 = x[3];
         const Scalar T_a = u[1];
+        const Scalar T_s_3 = x[6];
+        const Scalar T_h = u[2];
         const Scalar e1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.A * p_.eps;
-        return (T_h * T_h + T_s_3 * T_s_3) * ((T_h - T_s_3) * e1) * (T_h + T_s_3) + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2])
-            + sun * (p_.A * p_.a_s) + c_.k41 * (T_i - T_s_0) + (T_a - T_s_3) * (p_.A * p_.alpha_L);
+        return p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) + sun * (p_.A * p_.a_s) + c_.k40 * (T_i - T_s_0) + (T_a - T_s_3)
+            * (p_.A * p_.alpha_L) + (T_h - T_s_3) * (T_h + T_s_3) * (T_h * T_h + T_s_3 * T_s_3) * e1;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1104,9 +1100,9 @@ private:
         Scalar k23;  ///< lambda[3]*b[3]/(L[3]*C_s)
         Scalar k24;  ///< 2*(-lambda[2]/L[2] + lambda[2]*b[2]*T_ref/L[2] - lambda[3]/L[3] + lambda[3]*b[3]*T_ref/L[3])/C_s
         Scalar k25;  ///< (lambda[2]*b[2]/L[2] + lambda[3]*b[3]/L[3])/C_s
-        Scalar k26;  ///< stefan_boltzmann*eps/C_s
-        Scalar k27;  ///< a_s/C_s
-        Scalar k28;  ///< alpha_L/C_s
+        Scalar k26;  ///< a_s/C_s
+        Scalar k27;  ///< alpha_L/C_s
+        Scalar k28;  ///< stefan_boltzmann*eps/C_s
         Scalar k29;  ///< 4*lambda[1]*b[1]/(L[1]^2*rho[1]*c_p[1])
         Scalar k30;  ///< 2*lambda[1]*b[1]/(L[1]*C_s)
         Scalar k31;  ///< 4*lambda[2]*b[2]/(L[2]^2*rho[2]*c_p[2])
@@ -1118,14 +1114,13 @@ private:
         Scalar k37;  ///< 2*(lambda[2]*b[2]/L[2] + lambda[3]*b[3]/L[3])/C_s
         Scalar k38;  ///< (-2*lambda[3]/L[3] + 2*lambda[3]*b[3]*T_ref/L[3] - alpha_L)/C_s
         Scalar k39;  ///< 2*stefan_boltzmann*eps/C_s
-        Scalar k40;  ///< 3*stefan_boltzmann*eps/C_s
-        Scalar k41;  ///< A*alpha_0
-        Scalar k42;  ///< 1 - k/alpha_0
-        Scalar k43;  ///< k/lambda[1]
-        Scalar k44;  ///< k/lambda[2]
-        Scalar k45;  ///< k/lambda[3]
-        Scalar k46;  ///< k/alpha_0
-        Scalar k47;  ///< L[1] + L[2]
+        Scalar k40;  ///< A*alpha_0
+        Scalar k41;  ///< 1 - k/alpha_0
+        Scalar k42;  ///< k/lambda[1]
+        Scalar k43;  ///< k/lambda[2]
+        Scalar k44;  ///< k/lambda[3]
+        Scalar k45;  ///< k/alpha_0
+        Scalar k46;  ///< L[1] + L[2]
     };
     Cached c_{};
 };

@@ -15,15 +15,15 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                24     70     7        0      7
-//   rhs                   14     17     0        0      0
-//   rhs_and_jacobian      38     47     0        0      0
-//   jacobian_p           133    239     9        0     11
-//   output                 9     14     1        0      1
-//   output_jacobian_x     16     19     0        0      0
+//   update                21     40     7        0      7
+//   rhs                   13     13     0        0      0
+//   rhs_and_jacobian      25     30     0        0      0
+//   jacobian_p            75    129     9        0     11
+//   output                 9     12     1        0      1
+//   output_jacobian_x     12     14     0        0      0
 //   output_jacobian_u      3      6     1        0      1
 //   internal_energy        1      6     0        0      0
-//   exchanged_power       12     23     0        0      0
+//   exchanged_power       10     13     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -213,7 +213,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 24 + or -, 70 *, 7 /, 7 other functions
+    /// Operations: 21 + or -, 40 *, 7 /, 7 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
@@ -234,66 +234,34 @@ public:
         const Scalar inverse_12 = Scalar(1) / p_.C_i;
         c_.k0 = inverse_12 / p_.L_i / p_.H;
         const Scalar e13 = c_.F * inverse_12;
-        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e13;
-        const Scalar e14 = Scalar(1) - c_.F;
-        const Scalar e15 = p_.T_0 * e14;
-        const Scalar e16 = inverse_12 * e15;
-        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * p_.T_0
-            * e16;
-        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e16;
-        const Scalar e17 = inverse_12 * e14;
-        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e17;
-        const Scalar e18 = p_.T_0 * p_.T_0;
-        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e18 * e16;
-        const Scalar inverse_19 = Scalar(1) / p_.C_j;
-        const Scalar e20 = p_.L_i * c_.F / p_.L_j;
-        const Scalar e21 = inverse_19 * e20;
-        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
-        const Scalar e22 = inverse_19 * (Scalar(1) - e20);
-        const Scalar e23 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e22 * e18;
-        c_.k7 = -e23;
-        const Scalar e24 = p_.T_0 * e22;
-        const Scalar e25 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e24;
-        c_.k8 = -e25;
-        const Scalar e26 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e22;
-        c_.k9 = -e26;
-        const Scalar e27 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e18 * e24;
-        c_.k10 = -p_.alpha * inverse_19 - e27;
-        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e13;
-        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e16;
-        c_.k13 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e17;
-        c_.k14 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e13;
-        c_.k15 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * inverse_12;
-        c_.k16 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e21;
-        c_.k17 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
-        const Scalar e28 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e24;
-        c_.k18 = -e28;
-        const Scalar e29 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e22;
-        c_.k19 = -e29;
-        c_.k20 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * inverse_19;
-        const Scalar e30 = p_.L_i * p_.H;
-        const Scalar e31 = c_.F * e30;
-        c_.k21 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e31;
-        const Scalar e32 = e30 * e15;
-        c_.k22 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * p_.T_0
-            * e32;
-        c_.k23 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e32;
-        const Scalar e33 = e14 * e30;
-        c_.k24 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e33;
-        c_.k25 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e18 * e32;
-        c_.k26 = (Scalar(1) / Scalar(2)) * e1;
-        c_.k27 = e1;
-        c_.k28 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e31;
-        c_.k29 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e31;
-        c_.k30 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e32;
-        c_.k31 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e33;
-        c_.k32 = (Scalar(3) / Scalar(2)) * e1;
+        const Scalar e14 = inverse_12 - e13;
+        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e14;
+        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e13;
+        const Scalar inverse_15 = Scalar(1) / p_.C_j;
+        c_.k3 = p_.alpha * inverse_15;
+        const Scalar e16 = p_.L_i * c_.F;
+        const Scalar e17 = e16 * (inverse_15 / p_.L_j);
+        const Scalar e18 = inverse_15 - e17;
+        const Scalar e19 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e18;
+        c_.k4 = -e19;
+        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e17;
+        c_.k6 = p_.T_0 * p_.T_0;
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e14;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e13;
+        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e17;
+        const Scalar e20 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e18;
+        c_.k10 = -e20;
+        const Scalar e21 = p_.H * e16;
+        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
+        const Scalar e22 = p_.H * (p_.L_i - e16);
+        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e22;
+        c_.k13 = (Scalar(1) / Scalar(2)) * e1;
+        c_.k14 = e1;
+        c_.k15 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e21;
+        c_.k16 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e22;
+        c_.k17 = (Scalar(3) / Scalar(2)) * e1;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -307,61 +275,56 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 14 + or -, 17 *
-    ///     dot(T_i) = P/(L_i*H*C_i) - stefan_boltzmann*F*T_i*T_j^2*(T_i - T_j)/C_i - stefan_boltzmann*F*T_i^2*T_j*(T_i - T_j)/C_i +
-    ///     stefan_boltzmann*T_0^2*(1 - F)*T_i*(T_0 - T_i)/C_i + stefan_boltzmann*T_0*(1 - F)*T_i^2*(T_0 - T_i)/C_i +
-    ///     stefan_boltzmann*(1 - F)*T_i^3*(T_0 - T_i)/C_i - stefan_boltzmann*F*T_i^3*(T_i - T_j)/C_i -
-    ///     stefan_boltzmann*F*T_j^3*(T_i - T_j)/C_i + stefan_boltzmann*T_0^3*(1 - F)*(T_0 - T_i)/C_i
-    ///     dot(T_j) = stefan_boltzmann*L_i*F*T_i*T_j^2*(T_i - T_j)/(L_j*C_j) + stefan_boltzmann*L_i*F*T_i^2*T_j*(T_i -
-    ///     T_j)/(L_j*C_j) + stefan_boltzmann*L_i*F*T_i^3*(T_i - T_j)/(L_j*C_j) - stefan_boltzmann*T_0^2*(-1 + L_i*F/L_j)*T_j*(T_0 -
-    ///     T_j)/C_j - stefan_boltzmann*T_0*(-1 + L_i*F/L_j)*T_j^2*(T_0 - T_j)/C_j - stefan_boltzmann*(-1 + L_i*F/L_j)*T_j^3*(T_0 -
-    ///     T_j)/C_j + stefan_boltzmann*L_i*F*T_j^3*(T_i - T_j)/(L_j*C_j) - (stefan_boltzmann*L_i*T_0^3*F/L_j - alpha -
-    ///     stefan_boltzmann*T_0^3)*(T_0 - T_j)/C_j
+    /// Operations: 13 + or -, 13 *
+    ///     dot(T_i) = P/(L_i*H*C_i) + stefan_boltzmann*(1 - F)*(T_0 - T_i)*(T_0 + T_i)*(T_0^2 + T_i^2)/C_i -
+    ///     stefan_boltzmann*F*(T_i - T_j)*(T_i + T_j)*(T_i^2 + T_j^2)/C_i
+    ///     dot(T_j) = alpha*(T_0 - T_j)/C_j - stefan_boltzmann*(-1 + L_i*F/L_j)*(T_0 - T_j)*(T_0 + T_j)*(T_0^2 + T_j^2)/C_j +
+    ///     stefan_boltzmann*L_i*F*(T_i - T_j)*(T_i + T_j)*(T_i^2 + T_j^2)/(L_j*C_j)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        const Scalar T_i = x[0];
-        const Scalar e1 = p_.T_0 - T_i;
-        const Scalar T_i_squared = T_i * T_i;
         const Scalar P = u[0];
+        const Scalar T_i = x[0];
+        const Scalar T_i_squared = T_i * T_i;
         const Scalar T_j = x[1];
         const Scalar T_j_squared = T_j * T_j;
-        const Scalar e2 = (T_i + T_j) * ((T_i - T_j) * (T_i_squared + T_j_squared));
-        const Scalar e3 = p_.T_0 - T_j;
-        dxdt[0] = e1 * (c_.k5 + c_.k3 * T_i_squared) + T_i * e1 * (c_.k2 + c_.k4 * T_i_squared) + c_.k0 * P - c_.k1 * e2;
-        dxdt[1] = c_.k6 * e2 - e3 * (c_.k10 + c_.k8 * T_j_squared) - T_j * e3 * (c_.k7 + c_.k9 * T_j_squared);
+        const Scalar e1 = (T_j_squared + T_i_squared) * ((T_i - T_j) * (T_i + T_j));
+        dxdt[0] = c_.k0 * P + c_.k1 * (p_.T_0 - T_i) * (p_.T_0 + T_i) * (c_.k6 + T_i_squared) - c_.k2 * e1;
+        const Scalar e2 = (p_.T_0 - T_j) * (c_.k3 - c_.k4 * (p_.T_0 + T_j) * (c_.k6 + T_j_squared));
+        dxdt[1] = e2 + c_.k5 * e1;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: 38 + or -, 47 *
+    /// Operations: 25 + or -, 30 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar P = u[0];
         const Scalar T_i = x[0];
-        const Scalar e1 = p_.T_0 - T_i;
-        const Scalar T_i_squared = T_i * T_i;
-        const Scalar e2 = c_.k5 + (c_.k2 * T_i + c_.k3 * T_i_squared);
-        const Scalar e3 = T_i * e1;
         const Scalar T_j = x[1];
-        const Scalar e4 = T_i - T_j;
+        const Scalar e1 = T_i - T_j;
+        const Scalar e2 = T_i + T_j;
+        const Scalar e3 = e1 * e2;
         const Scalar T_j_squared = T_j * T_j;
-        const Scalar e5 = T_i_squared + T_j_squared;
-        const Scalar e6 = e5 * (T_i + T_j);
-        const Scalar e7 = e4 * e6;
-        const Scalar e8 = p_.T_0 - T_j;
-        const Scalar e9 = c_.k10 + (c_.k7 * T_j + c_.k8 * T_j_squared);
-        const Scalar e10 = T_j * e8;
-        dxdt[0] = c_.k0 * P + e1 * e2 + c_.k4 * T_i_squared * e3 - c_.k1 * e7;
-        dxdt[1] = c_.k6 * e7 - e8 * e9 - c_.k9 * T_j_squared * e10;
-        const Scalar e11 = e4 * T_j_squared;
-        const Scalar e12 = e4 * T_i_squared;
-        const Scalar e13 = e4 * (T_i * T_j);
-        const Scalar e14 = c_.k11 * e13;
-        const Scalar e15 = c_.k16 * e13;
-        J[0] = e1 * (c_.k2 + c_.k13 * T_i_squared) - c_.k1 * (T_j * e5 + T_i * T_j_squared + e11) - c_.k15 * T_i * T_i_squared
-            - c_.k14 * e12 - e2 + c_.k12 * e3 - e14;
-        J[1] = c_.k6 * (e6 + e11) + c_.k17 * e12 + e15;
-        J[2] = c_.k1 * (e6 - e12) - c_.k14 * e11 - e14;
-        J[3] = c_.k17 * e11 - c_.k6 * (T_i * e5 + T_j * T_i_squared - e12) - e8 * (c_.k7 + c_.k19 * T_j_squared) - c_.k20 * T_j
-            * T_j_squared + e9 - c_.k18 * e10 + e15;
+        const Scalar T_i_squared = T_i * T_i;
+        const Scalar e4 = T_j_squared + T_i_squared;
+        const Scalar e5 = c_.k2 * e4;
+        const Scalar e6 = c_.k1 * (c_.k6 + T_i_squared);
+        const Scalar e7 = p_.T_0 - T_i;
+        const Scalar e8 = p_.T_0 + T_i;
+        const Scalar e9 = e7 * e8;
+        const Scalar e10 = p_.T_0 - T_j;
+        const Scalar e11 = p_.T_0 + T_j;
+        const Scalar e12 = c_.k4 * (c_.k6 + T_j_squared);
+        const Scalar e13 = c_.k3 - e11 * e12;
+        const Scalar e14 = c_.k5 * e4;
+        dxdt[0] = c_.k0 * P - e3 * e5 + e6 * e9;
+        dxdt[1] = e10 * e13 + e3 * e14;
+        const Scalar e15 = e1 + e2;
+        const Scalar e16 = T_i * e3;
+        const Scalar e17 = e1 - e2;
+        const Scalar e18 = T_j * e3;
+        J[0] = e6 * (e7 - e8) - e15 * e5 + c_.k7 * T_i * e9 - c_.k8 * e16;
+        J[1] = e15 * e14 + c_.k9 * e16;
+        J[2] = -e17 * e5 - c_.k8 * e18;
+        J[3] = e17 * e14 - e10 * (c_.k10 * T_j * e11 + e12) - e13 + c_.k9 * e18;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].
@@ -382,7 +345,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 9, entry (i, j) at J[2*j + i].
-    /// Operations: 133 + or -, 239 *, 9 /, 11 other functions
+    /// Operations: 75 + or -, 129 *, 9 /, 11 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::sqrt;
         const Scalar P = u[0];
@@ -391,8 +354,7 @@ public:
         const Scalar inverse_3 = Scalar(1) / p_.H;
         const Scalar e4 = inverse_1 * inverse_3;
         const Scalar e5 = inverse_2 * e4;
-        const Scalar T_i = x[0];
-        const Scalar e6 = p_.T_0 - T_i;
+        const Scalar e6 = p_.L_j * inverse_2;
         const Scalar e7 = p_.y * p_.y;
         const Scalar e8 = p_.x * p_.x + e7;
         const Scalar sqrt_9 = sqrt(e8);
@@ -408,186 +370,111 @@ public:
         const Scalar inverse_18 = Scalar(1) / (sqrt_9 + sqrt_12 + sqrt_15 + sqrt_17);
         const Scalar inverse_19 = Scalar(1) / (sqrt_9 * sqrt_17 + sqrt_12 * sqrt_15);
         const Scalar e20 = inverse_18 * inverse_19;
-        const Scalar e21 = p_.T_0 * e20;
-        const Scalar e22 = p_.T_0 * e21;
-        const Scalar e23 = p_.T_0 * e22;
-        const Scalar e24 = p_.L_j * inverse_2;
-        const Scalar e25 = e10 * e13 + e7;
-        const Scalar e26 = e10 - e13;
-        const Scalar root_excess_27 = detail::root_excess<Scalar>(-e25, e26 * e26 * e7);
-        const Scalar inverse_28 = Scalar(1) / (e25 - root_excess_27);
-        const Scalar e29 = root_excess_27 * inverse_28;
-        const Scalar e30 = p_.x * sum_of_three_x - e7;
-        const Scalar e31 = p_.x + sum_of_three_x;
-        const Scalar root_excess_32 = detail::root_excess<Scalar>(e30, e31 * e31 * e7);
-        const Scalar e33 = root_excess_32 + root_excess_27;
-        const Scalar inverse_norm_34 = detail::inverse_norm<Scalar>(e11);
-        const Scalar e35 = inverse_norm_34 * (sqrt_15 * inverse_19 + inverse_18);
-        const Scalar e36 = e13 * e29 + e10 * e33 * e35;
-        const Scalar inverse_37 = Scalar(1) / (root_excess_32 + e30);
-        const Scalar e38 = e31 * inverse_37;
-        const Scalar e39 = e26 * inverse_28;
-        const Scalar e40 = (e38 + e39) * e7;
-        const Scalar e41 = root_excess_32 * inverse_37;
-        const Scalar inverse_norm_42 = detail::inverse_norm<Scalar>(e16);
-        const Scalar e43 = inverse_norm_42 * (sqrt_9 * inverse_19 + inverse_18);
-        const Scalar e44 = p_.x * e41 + sum_of_three_x * e33 * e43;
-        const Scalar e45 = e40 - e44;
-        const Scalar e46 = e36 + e45;
-        const Scalar e47 = e24 * e46;
+        const Scalar e21 = e10 * e13 + e7;
+        const Scalar e22 = e10 - e13;
+        const Scalar root_excess_23 = detail::root_excess<Scalar>(-e21, e22 * e22 * e7);
+        const Scalar inverse_24 = Scalar(1) / (e21 - root_excess_23);
+        const Scalar e25 = root_excess_23 * inverse_24;
+        const Scalar e26 = p_.x * sum_of_three_x - e7;
+        const Scalar e27 = p_.x + sum_of_three_x;
+        const Scalar root_excess_28 = detail::root_excess<Scalar>(e26, e27 * e27 * e7);
+        const Scalar e29 = root_excess_28 + root_excess_23;
+        const Scalar inverse_norm_30 = detail::inverse_norm<Scalar>(e11);
+        const Scalar e31 = inverse_norm_30 * (sqrt_15 * inverse_19 + inverse_18);
+        const Scalar e32 = e13 * e25 + e10 * e29 * e31;
+        const Scalar e33 = p_.y * e20;
+        const Scalar inverse_34 = Scalar(1) / (root_excess_28 + e26);
+        const Scalar e35 = e27 * inverse_34;
+        const Scalar e36 = e22 * inverse_24;
+        const Scalar e37 = e33 * (p_.y * (e35 + e36));
+        const Scalar e38 = root_excess_28 * inverse_34;
+        const Scalar inverse_norm_39 = detail::inverse_norm<Scalar>(e16);
+        const Scalar e40 = inverse_norm_39 * (sqrt_9 * inverse_19 + inverse_18);
+        const Scalar e41 = e20 * (p_.x * e38 + sum_of_three_x * e29 * e40);
+        const Scalar e42 = e37 - e41;
+        const Scalar e43 = e20 * e32 + e42;
         const Scalar T_j = x[1];
-        const Scalar T_i_squared = T_i * T_i;
         const Scalar T_j_squared = T_j * T_j;
-        const Scalar e48 = (T_i + T_j) * ((T_i - T_j) * (T_i_squared + T_j_squared));
-        const Scalar e49 = T_i * e6;
-        const Scalar e50 = T_i * e49;
-        const Scalar e51 = T_i * e50;
-        const Scalar e52 = e48 + e51;
-        const Scalar e53 = p_.T_0 - T_j;
-        const Scalar e54 = p_.T_0 * p_.T_0;
-        const Scalar inverse_55 = Scalar(1) / p_.C_j;
-        const Scalar inverse_56 = Scalar(1) / p_.L_j;
-        const Scalar e57 = c_.F * inverse_56;
-        const Scalar e58 = inverse_55 * e57;
-        const Scalar e59 = p_.L_i * inverse_55;
-        const Scalar e60 = e59 * e22;
-        const Scalar e61 = e54 * e58 - e46 * e60;
-        const Scalar e62 = e20 * e59;
-        const Scalar e63 = T_j * e53;
-        const Scalar e64 = T_j * e63;
-        const Scalar e65 = T_j * e64;
-        const Scalar e66 = e65 - e48;
-        const Scalar e67 = e21 * e59;
-        const Scalar inverse_norm_68 = detail::inverse_norm<Scalar>(e14);
-        const Scalar e69 = inverse_norm_68 * (sqrt_12 * inverse_19 + inverse_18);
-        const Scalar e70 = e10 * e29 + e13 * e33 * e69;
-        const Scalar e71 = e70 - e45;
-        const Scalar e72 = e33 * inverse_2 - e24 * e71;
-        const Scalar e73 = inverse_56 * e57;
-        const Scalar e74 = e33 * inverse_56 - e71;
-        const Scalar e75 = e54 * e73 - e22 * e74;
-        const Scalar e76 = p_.T_0 * e59;
-        const Scalar inverse_norm_77 = detail::inverse_norm<Scalar>(e8);
-        const Scalar e78 = inverse_norm_77 * (sqrt_17 * inverse_19 + inverse_18);
-        const Scalar e79 = sum_of_three_x * e41 + p_.x * e33 * e78 - Scalar(2) * (e40 - (Scalar(1) / Scalar(2)) * e44);
-        const Scalar e80 = e36 - e70 - e79;
-        const Scalar e81 = e24 * e80;
-        const Scalar e82 = e59 * e23;
-        const Scalar e83 = (Scalar(1) / Scalar(2)) * (e33 * (e43 + e35 + (e69 + e78)) - (e31 * e38 - e26 * e39));
-        const Scalar e84 = p_.y * (e41 - e29 - e83);
-        const Scalar e85 = e24 * e84;
+        const Scalar T_i = x[0];
+        const Scalar T_i_squared = T_i * T_i;
+        const Scalar e44 = (T_j_squared + T_i_squared) * ((T_i - T_j) * (T_i + T_j));
+        const Scalar e45 = c_.k6 + T_i_squared;
+        const Scalar e46 = p_.T_0 - T_i;
+        const Scalar e47 = p_.T_0 + T_i;
+        const Scalar e48 = e46 * e47;
+        const Scalar e49 = e45 * e48;
+        const Scalar e50 = e44 + e49;
+        const Scalar inverse_51 = Scalar(1) / p_.C_j;
+        const Scalar inverse_52 = Scalar(1) / p_.L_j;
+        const Scalar e53 = c_.F * inverse_52;
+        const Scalar e54 = p_.L_i * inverse_51;
+        const Scalar e55 = c_.k6 + T_j_squared;
+        const Scalar e56 = p_.T_0 - T_j;
+        const Scalar e57 = p_.T_0 + T_j;
+        const Scalar e58 = e56 * e57;
+        const Scalar e59 = e55 * e58;
+        const Scalar e60 = e59 - e44;
+        const Scalar inverse_norm_61 = detail::inverse_norm<Scalar>(e14);
+        const Scalar e62 = inverse_norm_61 * (sqrt_12 * inverse_19 + inverse_18);
+        const Scalar e63 = e10 * e25 + e13 * e29 * e62;
+        const Scalar e64 = e20 * e63 - e42;
+        const Scalar e65 = e29 * e20;
+        const Scalar e66 = e54 * e53;
+        const Scalar inverse_norm_67 = detail::inverse_norm<Scalar>(e8);
+        const Scalar e68 = inverse_norm_67 * (sqrt_17 * inverse_19 + inverse_18);
+        const Scalar e69 = e20 * (sum_of_three_x * e38 + p_.x * e29 * e68 - (e32 - e63)) - Scalar(2)
+            * (e37 - (Scalar(1) / Scalar(2)) * e41);
+        const Scalar e70 = (Scalar(1) / Scalar(2)) * (e29 * (e40 + e31 + (e62 + e68)) - (e27 * e35 - e22 * e36));
+        const Scalar e71 = e33 * (e38 - e25 - e70);
         const Scalar inverse_2_squared = inverse_2 * inverse_2;
-        const Scalar e86 = Scalar(1) - c_.F;
-        const Scalar e87 = e86 * inverse_2_squared;
-        const Scalar e88 = p_.T_0 * e54;
-        const Scalar e89 = e59 * e57 - inverse_55;
-        const Scalar e90 = inverse_55 * e89;
-        const Scalar e91 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e23 * e47;
-        const Scalar e92 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e20 * e47;
-        const Scalar e93 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e22 * e47;
-        const Scalar e94 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e21 * e47;
-        J[0] = -P * (inverse_1 * e5) - e6 * (-e91) - (-e92) * e52 - (-e93) * e49 - (-e94) * e50;
-        const Scalar e95 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_0 * e61;
-        const Scalar e96 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e58 - e46 * e62);
-        const Scalar e97 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e61;
-        const Scalar e98 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (p_.T_0 * e58 - e46 * e67);
-        J[1] = -e53 * e95 - e96 * e66 - e97 * e63 - e98 * e64;
-        const Scalar e99 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e72 * e23;
-        const Scalar e100 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e20 * e72;
-        const Scalar e101 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e22 * e72;
-        const Scalar e102 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e21 * e72;
-        J[2] = e6 * (-e99) + (-e100) * e52 + (-e101) * e49 + (-e102) * e50;
-        const Scalar e103 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e75 * e76;
-        const Scalar e104 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e74 * e62 - e59 * e73);
-        const Scalar e105 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e59 * e75;
-        const Scalar e106 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e74 * e67 - e73 * e76);
-        J[3] = -e53 * (-e103) - e104 * e66 - (-e105) * e63 - e106 * e64;
-        const Scalar e107 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e23 * e81;
-        const Scalar e108 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e20 * e81;
-        const Scalar e109 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e22 * e81;
-        const Scalar e110 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e21 * e81;
-        J[4] = e6 * (-e107) + (-e108) * e52 + (-e109) * e49 + (-e110) * e50;
-        const Scalar e111 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e80 * e82;
-        const Scalar e112 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e80 * e62;
-        const Scalar e113 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e80 * e60;
-        const Scalar e114 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e80 * e67;
-        J[5] = e53 * (-e111) + (-e112) * e66 + (-e113) * e63 + (-e114) * e64;
-        const Scalar e115 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e23 * e85;
-        const Scalar e116 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e20 * e85;
-        const Scalar e117 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e22 * e85;
-        const Scalar e118 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e21 * e85;
-        J[6] = e6 * (-e115) + (-e116) * e52 + (-e117) * e49 + (-e118) * e50;
-        const Scalar e119 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e84 * e82;
-        const Scalar e120 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e84 * e62;
-        const Scalar e121 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e84 * e60;
-        const Scalar e122 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e84 * e67;
-        J[7] = e53 * (-e119) + (-e120) * e66 + (-e121) * e63 + (-e122) * e64;
+        const Scalar e72 = Scalar(1) - c_.F;
+        const Scalar e73 = e66 - inverse_51;
+        const Scalar e74 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e6 * e43;
+        J[0] = -P * (inverse_1 * e5) - (-e74) * e50;
+        const Scalar e75 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (inverse_51 * e53 - e54 * e43);
+        J[1] = -e75 * e60;
+        const Scalar e76 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e6 * e64 - inverse_2 * e65);
+        J[2] = e76 * e50;
+        const Scalar e77 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (-inverse_52 * (e66 - e54 * e65) - e54 * e64);
+        J[3] = -e77 * e60;
+        const Scalar e78 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e6 * e69;
+        J[4] = e78 * e50;
+        const Scalar e79 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e54 * e69;
+        J[5] = e79 * e60;
+        const Scalar e80 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e6 * e71;
+        J[6] = (-e80) * e50;
+        const Scalar e81 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e54 * e71;
+        J[7] = (-e81) * e60;
         J[8] = -P * (inverse_3 * e5);
         J[9] = Scalar(0);
-        const Scalar e123 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e82 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * c_.F * inverse_2_squared;
-        const Scalar e124 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e87 * e88;
-        const Scalar e125 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e54 * e87;
-        const Scalar e126 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_0 * e87;
-        const Scalar e127 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e87;
-        J[10] = e123 * e48 - P * (inverse_2_squared * e4) - e6 * e124 - e125 * e49 - e126 * e50 - e127 * e51;
+        const Scalar e83 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e72 * inverse_2_squared;
+        J[10] = e82 * e44 - P * (e4 * inverse_2_squared) - e83 * e49;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        const Scalar e128 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e90 * e88;
-        const Scalar e129 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e54 * e90;
-        const Scalar e130 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_0 * e90;
-        const Scalar e131 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e59 * e58;
-        const Scalar e132 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e90;
-        J[13] = e53 * (e128 - p_.alpha * inverse_55 * inverse_55) + e129 * e63 + e130 * e64 - e131 * e48 + e132 * e65;
+        const Scalar e84 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_51 * e73;
+        const Scalar e85 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_51 * e66;
+        J[13] = e84 * e59 - e56 * (p_.alpha * inverse_51 * inverse_51) - e85 * e44;
         J[14] = Scalar(0);
-        J[15] = e53 * inverse_55;
-        const Scalar e133 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_2 * e86 * e54;
-        J[16] = c_.k4 * (e50 + T_i * T_i_squared) + c_.k5 + c_.k2 * T_i + e6 * e133 + c_.k12 * e49 + c_.k3 * T_i_squared;
-        const Scalar e134 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e89 * e54;
-        J[17] = -c_.k9 * (e64 + T_j * T_j_squared) - c_.k10 - c_.k7 * T_j - e53 * e134 - c_.k18 * e63 - c_.k8 * T_j_squared;
+        J[15] = e56 * inverse_51;
+        const Scalar e86 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * p_.T_0 * inverse_2 * e72;
+        J[16] = c_.k1 * e45 * (e46 + e47) + e86 * e48;
+        const Scalar e87 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * p_.T_0 * e73;
+        J[17] = c_.k3 - c_.k4 * e55 * (e56 + e57) - e87 * e58;
     }
 
     /// J = df/dt at fixed x and u.
@@ -613,50 +500,47 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 9 + or -, 14 *, 1 /, 1 other functions
+    /// Operations: 9 + or -, 12 *, 1 /, 1 other functions
     ///     view = F
-    ///     Q_floor = stefan_boltzmann*L_i*H*F*T_i*T_j^2*(T_i - T_j) + stefan_boltzmann*L_i*H*F*T_i^2*T_j*(T_i - T_j) +
-    ///     stefan_boltzmann*L_i*H*F*T_i^3*(T_i - T_j) + stefan_boltzmann*L_i*H*F*T_j^3*(T_i - T_j)
-    ///     Q_hall = -stefan_boltzmann*L_i*H*T_0^2*(1 - F)*T_i*(T_0 - T_i) - stefan_boltzmann*L_i*H*T_0*(1 - F)*T_i^2*(T_0 - T_i) -
-    ///     stefan_boltzmann*L_i*H*(1 - F)*T_i^3*(T_0 - T_i) - stefan_boltzmann*L_i*H*T_0^3*(1 - F)*(T_0 - T_i)
+    ///     Q_floor = stefan_boltzmann*L_i*H*F*(T_i - T_j)*(T_i + T_j)*(T_i^2 + T_j^2)
+    ///     Q_hall = -stefan_boltzmann*L_i*H*(1 - F)*(T_0 - T_i)*(T_0 + T_i)*(T_0^2 + T_i^2)
     ///     kernel = y^2/(2*sqrt(y^2 + (u - v)^2)^3)
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::sqrt;
-        const Scalar T_j = x[1];
         const Scalar T_i = x[0];
+        const Scalar T_j = x[1];
         const Scalar T_i_squared = T_i * T_i;
-        const Scalar e1 = p_.T_0 - T_i;
         const Scalar u_value = u[1];
         const Scalar v = u[2];
-        const Scalar e2 = u_value - v;
-        const Scalar sqrt_3 = sqrt(c_.k27 + e2 * e2);
-        const Scalar inverse_4 = Scalar(1) / sqrt_3;
+        const Scalar e1 = u_value - v;
+        const Scalar sqrt_2 = sqrt(c_.k14 + e1 * e1);
+        const Scalar inverse_3 = Scalar(1) / sqrt_2;
         y[0] = c_.F;
-        y[1] = (T_j * T_j + T_i_squared) * (c_.k21 * (T_i - T_j)) * (T_i + T_j);
-        y[2] = -e1 * (c_.k25 + c_.k23 * T_i_squared) - T_i * e1 * (c_.k22 + c_.k24 * T_i_squared);
-        y[3] = c_.k26 * inverse_4 * inverse_4 * inverse_4;
+        y[1] = c_.k11 * (T_i - T_j) * (T_i + T_j) * (T_j * T_j + T_i_squared);
+        y[2] = -c_.k12 * (p_.T_0 - T_i) * (p_.T_0 + T_i) * (c_.k6 + T_i_squared);
+        y[3] = c_.k13 * inverse_3 * inverse_3 * inverse_3;
     }
 
     /// C = dh/dx.
-    /// Operations: 16 + or -, 19 *
+    /// Operations: 12 + or -, 14 *
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         const Scalar T_i = x[0];
         const Scalar T_j = x[1];
         const Scalar e1 = T_i - T_j;
         const Scalar T_i_squared = T_i * T_i;
-        const Scalar e2 = e1 * T_i_squared;
-        const Scalar e3 = T_j * e1;
-        const Scalar e4 = T_j * e3;
-        const Scalar e5 = e3 * (c_.k28 * T_i);
-        const Scalar e6 = (T_i + T_j) * (c_.k21 * (T_j * T_j + T_i_squared));
-        const Scalar e7 = p_.T_0 - T_i;
+        const Scalar e2 = c_.k11 * (T_j * T_j + T_i_squared);
+        const Scalar e3 = e1 * e2;
+        const Scalar e4 = T_i + T_j;
+        const Scalar e5 = e4 * e2;
+        const Scalar e6 = e4 * (c_.k15 * e1);
+        const Scalar e7 = p_.T_0 + T_i;
+        const Scalar e8 = c_.k12 * (c_.k6 + T_i_squared);
         C[0] = Scalar(0);
-        C[1] = c_.k29 * e2 + c_.k21 * e4 + e5 + e6;
-        C[2] = T_i * (c_.k22 - c_.k30 * e7 + c_.k24 * T_i_squared) - e7 * (c_.k22 + c_.k31 * T_i_squared) + c_.k25 + c_.k23
-            * T_i_squared;
+        C[1] = e3 + e5 + T_i * e6;
+        C[2] = e7 * e8 - (p_.T_0 - T_i) * (c_.k16 * T_i * e7 + e8);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
-        C[5] = c_.k21 * e2 + c_.k29 * e4 + e5 - e6;
+        C[5] = e3 - e5 + T_j * e6;
         C[6] = Scalar(0);
         C[7] = Scalar(0);
     }
@@ -668,10 +552,10 @@ public:
         const Scalar u_value = u[1];
         const Scalar v = u[2];
         const Scalar e1 = u_value - v;
-        const Scalar sqrt_2 = sqrt(c_.k27 + e1 * e1);
+        const Scalar sqrt_2 = sqrt(c_.k14 + e1 * e1);
         const Scalar inverse_3 = Scalar(1) / sqrt_2;
         const Scalar inverse_3_squared = inverse_3 * inverse_3;
-        const Scalar e4 = e1 * (c_.k32 * inverse_3) * (inverse_3_squared * inverse_3_squared);
+        const Scalar e4 = e1 * (c_.k17 * inverse_3) * (inverse_3_squared * inverse_3_squared);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
@@ -730,28 +614,16 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 12 + or -, 23 *
+    /// Operations: 10 + or -, 13 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar T_i = x[0];
-        const Scalar e1 = p_.T_0 - T_i;
-        const Scalar e2 = T_i * e1;
         const Scalar T_j = x[1];
-        const Scalar e3 = p_.T_0 - T_j;
-        const Scalar e4 = T_j * e3;
-        const Scalar e5 = p_.H * (p_.L_i * c_.F - p_.L_j);
-        const Scalar e6 = p_.T_0 * e5;
+        const Scalar e1 = p_.L_j * p_.H;
         const Scalar P = u[0];
-        const Scalar e7 = p_.T_0 * e6;
-        const Scalar e8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e6;
-        const Scalar e9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e5;
-        const Scalar e10 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_0 * e7;
-        const Scalar e11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e7;
-        return T_i * e2 * (c_.k23 + c_.k24 * T_i) - T_j * e4 * (e8 + T_j * e9) + P + c_.k25 * e1 - e3
-            * (e10 - p_.L_j * p_.H * p_.alpha) + c_.k22 * e2 - e11 * e4;
+        const Scalar T_i = x[0];
+        const Scalar e2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (p_.L_i * p_.H * c_.F - e1);
+        const Scalar e3 = (p_.T_0 - T_j) * (p_.alpha * e1 - (p_.T_0 + T_j) * (c_.k6 + T_j * T_j) * e2);
+        return e3 + P + c_.k12 * (p_.T_0 - T_i) * (p_.T_0 + T_i) * (c_.k6 + T_i * T_i);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -765,38 +637,23 @@ private:
     struct Cached {
         Scalar F;  ///< L_j*(root_excess(x*sum_of_three(x, L_j, -L_i) - y^2, y^2*(x + sum_of_three(x, L_j, -L_i))^2) + ...
         Scalar k0;  ///< 1/(L_i*H*C_i)
-        Scalar k1;  ///< stefan_boltzmann*F/C_i
-        Scalar k2;  ///< stefan_boltzmann*T_0^2*(1 - F)/C_i
-        Scalar k3;  ///< stefan_boltzmann*T_0*(1 - F)/C_i
-        Scalar k4;  ///< stefan_boltzmann*(1 - F)/C_i
-        Scalar k5;  ///< stefan_boltzmann*T_0^3*(1 - F)/C_i
-        Scalar k6;  ///< stefan_boltzmann*L_i*F/(L_j*C_j)
-        Scalar k7;  ///< stefan_boltzmann*T_0^2*(-1 + L_i*F/L_j)/C_j
-        Scalar k8;  ///< stefan_boltzmann*T_0*(-1 + L_i*F/L_j)/C_j
-        Scalar k9;  ///< stefan_boltzmann*(-1 + L_i*F/L_j)/C_j
-        Scalar k10;  ///< (stefan_boltzmann*L_i*T_0^3*F/L_j - alpha - stefan_boltzmann*T_0^3)/C_j
-        Scalar k11;  ///< 2*stefan_boltzmann*F/C_i
-        Scalar k12;  ///< 2*stefan_boltzmann*T_0*(1 - F)/C_i
-        Scalar k13;  ///< 3*stefan_boltzmann*(1 - F)/C_i
-        Scalar k14;  ///< 3*stefan_boltzmann*F/C_i
-        Scalar k15;  ///< stefan_boltzmann/C_i
-        Scalar k16;  ///< 2*stefan_boltzmann*L_i*F/(L_j*C_j)
-        Scalar k17;  ///< 3*stefan_boltzmann*L_i*F/(L_j*C_j)
-        Scalar k18;  ///< 2*stefan_boltzmann*T_0*(-1 + L_i*F/L_j)/C_j
-        Scalar k19;  ///< 3*stefan_boltzmann*(-1 + L_i*F/L_j)/C_j
-        Scalar k20;  ///< stefan_boltzmann/C_j
-        Scalar k21;  ///< stefan_boltzmann*L_i*H*F
-        Scalar k22;  ///< stefan_boltzmann*L_i*H*T_0^2*(1 - F)
-        Scalar k23;  ///< stefan_boltzmann*L_i*H*T_0*(1 - F)
-        Scalar k24;  ///< stefan_boltzmann*L_i*H*(1 - F)
-        Scalar k25;  ///< stefan_boltzmann*L_i*H*T_0^3*(1 - F)
-        Scalar k26;  ///< y^2/2
-        Scalar k27;  ///< y^2
-        Scalar k28;  ///< 2*stefan_boltzmann*L_i*H*F
-        Scalar k29;  ///< 3*stefan_boltzmann*L_i*H*F
-        Scalar k30;  ///< 2*stefan_boltzmann*L_i*H*T_0*(1 - F)
-        Scalar k31;  ///< 3*stefan_boltzmann*L_i*H*(1 - F)
-        Scalar k32;  ///< 3*y^2/2
+        Scalar k1;  ///< stefan_boltzmann*(1 - F)/C_i
+        Scalar k2;  ///< stefan_boltzmann*F/C_i
+        Scalar k3;  ///< alpha/C_j
+        Scalar k4;  ///< stefan_boltzmann*(-1 + L_i*F/L_j)/C_j
+        Scalar k5;  ///< stefan_boltzmann*L_i*F/(L_j*C_j)
+        Scalar k6;  ///< T_0^2
+        Scalar k7;  ///< 2*stefan_boltzmann*(1 - F)/C_i
+        Scalar k8;  ///< 2*stefan_boltzmann*F/C_i
+        Scalar k9;  ///< 2*stefan_boltzmann*L_i*F/(L_j*C_j)
+        Scalar k10;  ///< 2*stefan_boltzmann*(-1 + L_i*F/L_j)/C_j
+        Scalar k11;  ///< stefan_boltzmann*L_i*H*F
+        Scalar k12;  ///< stefan_boltzmann*L_i*H*(1 - F)
+        Scalar k13;  ///< y^2/2
+        Scalar k14;  ///< y^2
+        Scalar k15;  ///< 2*stefan_boltzmann*L_i*H*F
+        Scalar k16;  ///< 2*stefan_boltzmann*L_i*H*(1 - F)
+        Scalar k17;  ///< 3*y^2/2
     };
     Cached c_{};
 };

@@ -16,10 +16,10 @@
 //     this code = the derivation: 16 of 16 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     25     3        0      0
+//   update                 2     24     3        0      0
 //   rhs                    6      7     0        0      0
-//   rhs_and_jacobian      10     13     0        0      0
-//   jacobian_u             6     10     0        0      0
+//   rhs_and_jacobian       9     10     0        0      0
+//   jacobian_u             5      7     0        0      0
 //   jacobian_p             8     28     1        0      0
 //   output                 4     17     4        0      1
 //   output_jacobian_x      3     20     4        0      1
@@ -195,35 +195,34 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 25 *, 3 /
+    /// Operations: 2 + or -, 24 *, 3 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.A / p_.C;
+        c_.k0 = p_.a_s * p_.tau_g * e1;
         const Scalar e2 = p_.eps_s * e1;
-        c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e2;
-        c_.k1 = p_.a_s * p_.tau_g * e1;
+        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e2;
         c_.k2 = p_.alpha * e1;
         c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e2;
-        c_.k4 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e2;
         const Scalar e3 = p_.h * p_.c_0;
         const Scalar e4 = e3 * (p_.c_0 * detail::pi<Scalar>());
-        c_.k5 = Scalar(2) * e4;
+        c_.k4 = Scalar(2) * e4;
         const Scalar e5 = p_.eps * e4;
-        c_.k6 = Scalar(2) * e5;
+        c_.k5 = Scalar(2) * e5;
         const Scalar e6 = e3 / p_.k;
-        c_.k7 = ((Scalar(201405200) + (Scalar(772426396)
+        c_.k6 = ((Scalar(201405200) + (Scalar(772426396)
             + (Scalar(718690518) + (Scalar(823662918) + Scalar(925589742) / Scalar(1000000000)) / Scalar(1000000000))
             / Scalar(1000000000)) / Scalar(1000000000)) / Scalar(1000000000)) * e6;
-        c_.k8 = Scalar(1) - p_.rho_g - p_.tau_g;
+        c_.k7 = Scalar(1) - p_.rho_g - p_.tau_g;
         const Scalar inverse_7 = Scalar(1) / p_.l_0;
         const Scalar inverse_7_squared = inverse_7 * inverse_7;
-        c_.k9 = inverse_7_squared;
-        c_.k10 = e6;
-        c_.k11 = Scalar(2) * e4 * e6;
-        c_.k12 = Scalar(2) * e6 * e5;
-        c_.k13 = Scalar(10) * e4;
-        c_.k14 = Scalar(10) * e5;
-        c_.k15 = Scalar(4) * e5 * inverse_7_squared;
+        c_.k8 = inverse_7_squared;
+        c_.k9 = e6;
+        c_.k10 = Scalar(2) * e4 * e6;
+        c_.k11 = Scalar(2) * e6 * e5;
+        c_.k12 = Scalar(10) * e4;
+        c_.k13 = Scalar(10) * e5;
+        c_.k14 = Scalar(4) * e5 * inverse_7_squared;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -237,31 +236,29 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 6 + or -, 7 *
-    ///     dot(T) = stefan_boltzmann*A*eps_s*T_h*T^2*(T_h - T)/C + stefan_boltzmann*A*eps_s*T_h^2*T*(T_h - T)/C +
-    ///     stefan_boltzmann*A*eps_s*T_h^3*(T_h - T)/C + A*a_s*tau_g*sun/C + stefan_boltzmann*A*eps_s*T^3*(T_h - T)/C + A*alpha*(T_a
-    ///     - T)/C
+    ///     dot(T) = A*a_s*tau_g*sun/C + stefan_boltzmann*A*eps_s*(T_h - T)*(T_h + T)*(T_h^2 + T^2)/C + A*alpha*(T_a - T)/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
+        const Scalar sun = u[2];
         const Scalar T_h = u[0];
         const Scalar T = x[0];
-        const Scalar sun = u[2];
         const Scalar T_a = u[1];
-        dxdt[0] = (T_h * T_h + T * T) * (c_.k0 * (T_h - T)) * (T_h + T) + c_.k1 * sun + c_.k2 * (T_a - T);
+        dxdt[0] = c_.k0 * sun + c_.k1 * (T_h - T) * (T_h + T) * (T_h * T_h + T * T) + c_.k2 * (T_a - T);
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 10 + or -, 13 *
+    /// Operations: 9 + or -, 10 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar sun = u[2];
         const Scalar T_a = u[1];
         const Scalar T = x[0];
         const Scalar T_h = u[0];
-        const Scalar e1 = T_h - T;
-        const Scalar e2 = c_.k0 * e1;
-        const Scalar T_h_squared = T_h * T_h;
-        const Scalar e3 = (T * T + T_h_squared) * (T_h + T);
-        dxdt[0] = c_.k1 * sun + c_.k2 * (T_a - T) + e2 * e3;
-        J[0] = T * e1 * (c_.k3 * T_h + c_.k4 * T) - c_.k2 + e2 * T_h_squared - c_.k0 * e3;
+        const Scalar e1 = c_.k1 * (T_h * T_h + T * T);
+        const Scalar e2 = T_h - T;
+        const Scalar e3 = T_h + T;
+        const Scalar e4 = e2 * e3;
+        dxdt[0] = c_.k0 * sun + c_.k2 * (T_a - T) + e1 * e4;
+        J[0] = e1 * (e2 - e3) - c_.k2 + c_.k3 * T * e4;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -271,17 +268,15 @@ public:
     }
 
     /// J = df/du. 1 x 4, entry (i, j) at J[1*j + i].
-    /// Operations: 6 + or -, 10 *
+    /// Operations: 5 + or -, 7 *
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         const Scalar T_h = u[0];
         const Scalar T = x[0];
-        const Scalar T_h_squared = T_h * T_h;
-        const Scalar e1 = T * T + T_h_squared;
-        const Scalar e2 = T_h - T;
-        const Scalar e3 = T * e2;
-        J[0] = T_h * (c_.k0 * e1 + c_.k3 * e3) + c_.k0 * T * (e1 + e3) + c_.k4 * e2 * T_h_squared;
+        const Scalar e1 = T_h + T;
+        const Scalar e2 = c_.k1 * (T_h * T_h + T * T);
+        J[0] = (T_h - T) * (c_.k3 * T_h * e1 + e2) + e1 * e2;
         J[1] = c_.k2;
-        J[2] = c_.k1;
+        J[2] = c_.k0;
         J[3] = Scalar(0);
     }
 
@@ -295,7 +290,7 @@ public:
         const Scalar T = x[0];
         const Scalar e3 = T_a - T;
         const Scalar T_h = u[0];
-        const Scalar e4 = (T_h + T) * ((T_h - T) * (T_h * T_h + T * T));
+        const Scalar e4 = (T_h * T_h + T * T) * ((T_h - T) * (T_h + T));
         const Scalar e5 = p_.A * inverse_1;
         const Scalar e6 = inverse_1 * e5;
         J[0] = Scalar(0);
@@ -352,14 +347,14 @@ public:
         const Scalar inverse_1 = Scalar(1) / l;
         const Scalar T = x[0];
         const Scalar inverse_2 = Scalar(1) / T;
-        const Scalar exp_3 = exp(c_.k10 * inverse_1 * inverse_2);
+        const Scalar exp_3 = exp(c_.k9 * inverse_1 * inverse_2);
         const Scalar inverse_1_squared = inverse_1 * inverse_1;
         const Scalar e4 = inverse_1 / (Scalar(1) - exp_3) * (inverse_1_squared * inverse_1_squared);
         const Scalar sun = u[2];
-        y[0] = -c_.k5 * e4;
-        y[1] = -c_.k6 * e4 / (Scalar(1) + c_.k9 * l * l);
-        y[2] = c_.k7 * inverse_2;
-        y[3] = c_.k8 * sun;
+        y[0] = -c_.k4 * e4;
+        y[1] = -c_.k5 * e4 / (Scalar(1) + c_.k8 * l * l);
+        y[2] = c_.k6 * inverse_2;
+        y[3] = c_.k7 * sun;
         y[4] = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * T * T * T
             * T;
     }
@@ -373,12 +368,12 @@ public:
         const Scalar T = x[0];
         const Scalar inverse_2 = Scalar(1) / T;
         const Scalar e3 = inverse_1 * inverse_2;
-        const Scalar exp_4 = exp(c_.k10 * e3);
+        const Scalar exp_4 = exp(c_.k9 * e3);
         const Scalar inverse_5 = Scalar(1) / (Scalar(1) - exp_4);
         const Scalar e6 = inverse_1 * inverse_1 * (inverse_1 * inverse_5) * (inverse_5 * e3 * (e3 * (exp_4 * inverse_1)));
-        C[0] = c_.k11 * e6;
-        C[1] = c_.k12 * e6 / (Scalar(1) + c_.k9 * l * l);
-        C[2] = -c_.k7 * inverse_2 * inverse_2;
+        C[0] = c_.k10 * e6;
+        C[1] = c_.k11 * e6 / (Scalar(1) + c_.k8 * l * l);
+        C[2] = -c_.k6 * inverse_2 * inverse_2;
         C[3] = Scalar(0);
         C[4] = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * T * T * T;
     }
@@ -392,11 +387,11 @@ public:
         const Scalar inverse_1_squared = inverse_1 * inverse_1;
         const Scalar T = x[0];
         const Scalar e2 = inverse_1 / T;
-        const Scalar exp_3 = exp(c_.k10 * e2);
+        const Scalar exp_3 = exp(c_.k9 * e2);
         const Scalar e4 = inverse_1_squared / (Scalar(1) - exp_3);
         const Scalar e5 = inverse_1_squared * e4;
         const Scalar e6 = e2 * (exp_3 * e4);
-        const Scalar inverse_7 = Scalar(1) / (Scalar(1) + c_.k9 * l * l);
+        const Scalar inverse_7 = Scalar(1) / (Scalar(1) + c_.k8 * l * l);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
@@ -410,10 +405,10 @@ public:
         D[10] = Scalar(0);
         D[11] = Scalar(0);
         D[12] = Scalar(0);
-        D[13] = c_.k8;
+        D[13] = c_.k7;
         D[14] = Scalar(0);
-        D[15] = e5 * (c_.k13 * inverse_1_squared + c_.k11 * e6);
-        D[16] = inverse_7 * e5 * (c_.k14 * inverse_1_squared + c_.k15 * inverse_7 + c_.k12 * e6);
+        D[15] = e5 * (c_.k12 * inverse_1_squared + c_.k10 * e6);
+        D[16] = inverse_7 * e5 * (c_.k13 * inverse_1_squared + c_.k14 * inverse_7 + c_.k11 * e6);
         D[17] = Scalar(0);
         D[18] = Scalar(0);
         D[19] = Scalar(0);
@@ -464,13 +459,13 @@ public:
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
     /// Operations: 6 + or -, 12 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
+        const Scalar sun = u[2];
         const Scalar T_h = u[0];
         const Scalar T = x[0];
-        const Scalar sun = u[2];
         const Scalar T_a = u[1];
         const Scalar e1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.A * p_.eps_s;
-        return (T_h * T_h + T * T) * ((T_h - T) * e1) * (T_h + T) + sun * (p_.A * p_.a_s * p_.tau_g) + (T_a - T)
+        return sun * (p_.A * p_.a_s * p_.tau_g) + (T_h - T) * (T_h + T) * (T_h * T_h + T * T) * e1 + (T_a - T)
             * (p_.A * p_.alpha);
     }
 
@@ -483,22 +478,21 @@ private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
-        Scalar k0;  ///< stefan_boltzmann*A*eps_s/C
-        Scalar k1;  ///< A*a_s*tau_g/C
+        Scalar k0;  ///< A*a_s*tau_g/C
+        Scalar k1;  ///< stefan_boltzmann*A*eps_s/C
         Scalar k2;  ///< A*alpha/C
         Scalar k3;  ///< 2*stefan_boltzmann*A*eps_s/C
-        Scalar k4;  ///< 3*stefan_boltzmann*A*eps_s/C
-        Scalar k5;  ///< 2*h*c_0^2*pi
-        Scalar k6;  ///< 2*h*c_0^2*eps*pi
-        Scalar k7;  ///< 1250251421346000*h*c_0/(6207642188737199*k)
-        Scalar k8;  ///< 1 - rho_g - tau_g
-        Scalar k9;  ///< 1/l_0^2
-        Scalar k10;  ///< h*c_0/k
-        Scalar k11;  ///< 2*h^2*c_0^3*pi/k
-        Scalar k12;  ///< 2*h^2*c_0^3*eps*pi/k
-        Scalar k13;  ///< 10*h*c_0^2*pi
-        Scalar k14;  ///< 10*h*c_0^2*eps*pi
-        Scalar k15;  ///< 4*h*c_0^2*eps*pi/l_0^2
+        Scalar k4;  ///< 2*h*c_0^2*pi
+        Scalar k5;  ///< 2*h*c_0^2*eps*pi
+        Scalar k6;  ///< 1250251421346000*h*c_0/(6207642188737199*k)
+        Scalar k7;  ///< 1 - rho_g - tau_g
+        Scalar k8;  ///< 1/l_0^2
+        Scalar k9;  ///< h*c_0/k
+        Scalar k10;  ///< 2*h^2*c_0^3*pi/k
+        Scalar k11;  ///< 2*h^2*c_0^3*eps*pi/k
+        Scalar k12;  ///< 10*h*c_0^2*pi
+        Scalar k13;  ///< 10*h*c_0^2*eps*pi
+        Scalar k14;  ///< 4*h*c_0^2*eps*pi/l_0^2
     };
     Cached c_{};
 };

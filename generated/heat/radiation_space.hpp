@@ -16,10 +16,10 @@
 //     this code = the derivation: 16 of 16 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     23     3        0      0
+//   update                 2     22     3        0      0
 //   rhs                    4      6     0        0      0
-//   rhs_and_jacobian       7     12     0        0      0
-//   jacobian_u             6     10     0        0      0
+//   rhs_and_jacobian       6      9     0        0      0
+//   jacobian_u             5      7     0        0      0
 //   jacobian_p             6     21     1        0      0
 //   output                 4     17     4        0      1
 //   output_jacobian_x      3     20     4        0      1
@@ -187,33 +187,32 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 23 *, 3 /
+    /// Operations: 2 + or -, 22 *, 3 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.A * p_.eps / p_.C;
-        c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e1;
-        c_.k1 = p_.tau_g * e1;
+        c_.k0 = p_.tau_g * e1;
+        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e1;
         c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e1;
-        c_.k3 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e1;
         const Scalar e2 = p_.h * p_.c_0;
         const Scalar e3 = e2 * (p_.c_0 * detail::pi<Scalar>());
-        c_.k4 = Scalar(2) * e3;
+        c_.k3 = Scalar(2) * e3;
         const Scalar e4 = p_.eps * e3;
-        c_.k5 = Scalar(2) * e4;
+        c_.k4 = Scalar(2) * e4;
         const Scalar e5 = e2 / p_.k;
-        c_.k6 = ((Scalar(201405200) + (Scalar(772426396)
+        c_.k5 = ((Scalar(201405200) + (Scalar(772426396)
             + (Scalar(718690518) + (Scalar(823662918) + Scalar(925589742) / Scalar(1000000000)) / Scalar(1000000000))
             / Scalar(1000000000)) / Scalar(1000000000)) / Scalar(1000000000)) * e5;
-        c_.k7 = Scalar(1) - p_.rho_g - p_.tau_g;
+        c_.k6 = Scalar(1) - p_.rho_g - p_.tau_g;
         const Scalar inverse_6 = Scalar(1) / p_.l_0;
         const Scalar inverse_6_squared = inverse_6 * inverse_6;
-        c_.k8 = inverse_6_squared;
-        c_.k9 = e5;
-        c_.k10 = Scalar(2) * e3 * e5;
-        c_.k11 = Scalar(2) * e5 * e4;
-        c_.k12 = Scalar(10) * e3;
-        c_.k13 = Scalar(10) * e4;
-        c_.k14 = Scalar(4) * e4 * inverse_6_squared;
+        c_.k7 = inverse_6_squared;
+        c_.k8 = e5;
+        c_.k9 = Scalar(2) * e3 * e5;
+        c_.k10 = Scalar(2) * e5 * e4;
+        c_.k11 = Scalar(10) * e3;
+        c_.k12 = Scalar(10) * e4;
+        c_.k13 = Scalar(4) * e4 * inverse_6_squared;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -227,28 +226,27 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 4 + or -, 6 *
-    ///     dot(T) = stefan_boltzmann*A*eps*T_h*T^2*(T_h - T)/C + stefan_boltzmann*A*eps*T_h^2*T*(T_h - T)/C +
-    ///     stefan_boltzmann*A*eps*T_h^3*(T_h - T)/C + A*eps*tau_g*sun/C + stefan_boltzmann*A*eps*T^3*(T_h - T)/C
+    ///     dot(T) = A*eps*tau_g*sun/C + stefan_boltzmann*A*eps*(T_h - T)*(T_h + T)*(T_h^2 + T^2)/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
+        const Scalar sun = u[1];
         const Scalar T_h = u[0];
         const Scalar T = x[0];
-        const Scalar sun = u[1];
-        dxdt[0] = (T_h * T_h + T * T) * (c_.k0 * (T_h - T)) * (T_h + T) + c_.k1 * sun;
+        dxdt[0] = c_.k0 * sun + c_.k1 * (T_h - T) * (T_h + T) * (T_h * T_h + T * T);
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 7 + or -, 12 *
+    /// Operations: 6 + or -, 9 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar sun = u[1];
         const Scalar T_h = u[0];
         const Scalar T = x[0];
-        const Scalar e1 = T_h - T;
-        const Scalar e2 = c_.k0 * e1;
-        const Scalar T_h_squared = T_h * T_h;
-        const Scalar e3 = (T * T + T_h_squared) * (T_h + T);
-        dxdt[0] = c_.k1 * sun + e2 * e3;
-        J[0] = T * e1 * (c_.k2 * T_h + c_.k3 * T) + e2 * T_h_squared - c_.k0 * e3;
+        const Scalar e1 = c_.k1 * (T_h * T_h + T * T);
+        const Scalar e2 = T_h - T;
+        const Scalar e3 = T_h + T;
+        const Scalar e4 = e2 * e3;
+        dxdt[0] = c_.k0 * sun + e1 * e4;
+        J[0] = e1 * (e2 - e3) + c_.k2 * T * e4;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -258,16 +256,14 @@ public:
     }
 
     /// J = df/du. 1 x 3, entry (i, j) at J[1*j + i].
-    /// Operations: 6 + or -, 10 *
+    /// Operations: 5 + or -, 7 *
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         const Scalar T_h = u[0];
         const Scalar T = x[0];
-        const Scalar T_h_squared = T_h * T_h;
-        const Scalar e1 = T * T + T_h_squared;
-        const Scalar e2 = T_h - T;
-        const Scalar e3 = T * e2;
-        J[0] = T_h * (c_.k0 * e1 + c_.k2 * e3) + c_.k0 * T * (e1 + e3) + c_.k3 * e2 * T_h_squared;
-        J[1] = c_.k1;
+        const Scalar e1 = T_h + T;
+        const Scalar e2 = c_.k1 * (T_h * T_h + T * T);
+        J[0] = (T_h - T) * (c_.k2 * T_h * e1 + e2) + e1 * e2;
+        J[1] = c_.k0;
         J[2] = Scalar(0);
     }
 
@@ -280,7 +276,7 @@ public:
         const Scalar e3 = p_.tau_g * e2;
         const Scalar T_h = u[0];
         const Scalar T = x[0];
-        const Scalar e4 = (T_h + T) * ((T_h - T) * (T_h * T_h + T * T));
+        const Scalar e4 = (T_h * T_h + T * T) * ((T_h - T) * (T_h + T));
         const Scalar e5 = p_.A * inverse_1;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
@@ -333,14 +329,14 @@ public:
         const Scalar inverse_1 = Scalar(1) / l;
         const Scalar T = x[0];
         const Scalar inverse_2 = Scalar(1) / T;
-        const Scalar exp_3 = exp(c_.k9 * inverse_1 * inverse_2);
+        const Scalar exp_3 = exp(c_.k8 * inverse_1 * inverse_2);
         const Scalar inverse_1_squared = inverse_1 * inverse_1;
         const Scalar e4 = inverse_1 / (Scalar(1) - exp_3) * (inverse_1_squared * inverse_1_squared);
         const Scalar sun = u[1];
-        y[0] = -c_.k4 * e4;
-        y[1] = -c_.k5 * e4 / (Scalar(1) + c_.k8 * l * l);
-        y[2] = c_.k6 * inverse_2;
-        y[3] = c_.k7 * sun;
+        y[0] = -c_.k3 * e4;
+        y[1] = -c_.k4 * e4 / (Scalar(1) + c_.k7 * l * l);
+        y[2] = c_.k5 * inverse_2;
+        y[3] = c_.k6 * sun;
         y[4] = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * T * T * T
             * T;
     }
@@ -354,12 +350,12 @@ public:
         const Scalar T = x[0];
         const Scalar inverse_2 = Scalar(1) / T;
         const Scalar e3 = inverse_1 * inverse_2;
-        const Scalar exp_4 = exp(c_.k9 * e3);
+        const Scalar exp_4 = exp(c_.k8 * e3);
         const Scalar inverse_5 = Scalar(1) / (Scalar(1) - exp_4);
         const Scalar e6 = inverse_1 * inverse_1 * (inverse_1 * inverse_5) * (inverse_5 * e3 * (e3 * (exp_4 * inverse_1)));
-        C[0] = c_.k10 * e6;
-        C[1] = c_.k11 * e6 / (Scalar(1) + c_.k8 * l * l);
-        C[2] = -c_.k6 * inverse_2 * inverse_2;
+        C[0] = c_.k9 * e6;
+        C[1] = c_.k10 * e6 / (Scalar(1) + c_.k7 * l * l);
+        C[2] = -c_.k5 * inverse_2 * inverse_2;
         C[3] = Scalar(0);
         C[4] = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * T * T * T;
     }
@@ -373,11 +369,11 @@ public:
         const Scalar inverse_1_squared = inverse_1 * inverse_1;
         const Scalar T = x[0];
         const Scalar e2 = inverse_1 / T;
-        const Scalar exp_3 = exp(c_.k9 * e2);
+        const Scalar exp_3 = exp(c_.k8 * e2);
         const Scalar e4 = inverse_1_squared / (Scalar(1) - exp_3);
         const Scalar e5 = inverse_1_squared * e4;
         const Scalar e6 = e2 * (exp_3 * e4);
-        const Scalar inverse_7 = Scalar(1) / (Scalar(1) + c_.k8 * l * l);
+        const Scalar inverse_7 = Scalar(1) / (Scalar(1) + c_.k7 * l * l);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
@@ -386,10 +382,10 @@ public:
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
-        D[8] = c_.k7;
+        D[8] = c_.k6;
         D[9] = Scalar(0);
-        D[10] = e5 * (c_.k12 * inverse_1_squared + c_.k10 * e6);
-        D[11] = inverse_7 * e5 * (c_.k13 * inverse_1_squared + c_.k14 * inverse_7 + c_.k11 * e6);
+        D[10] = e5 * (c_.k11 * inverse_1_squared + c_.k9 * e6);
+        D[11] = inverse_7 * e5 * (c_.k12 * inverse_1_squared + c_.k13 * inverse_7 + c_.k10 * e6);
         D[12] = Scalar(0);
         D[13] = Scalar(0);
         D[14] = Scalar(0);
@@ -440,13 +436,13 @@ public:
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
     /// Operations: 4 + or -, 9 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
+        const Scalar sun = u[1];
+        const Scalar e1 = p_.A * p_.eps;
         const Scalar T_h = u[0];
         const Scalar T = x[0];
-        const Scalar e1 = p_.A * p_.eps;
-        const Scalar sun = u[1];
         const Scalar e2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e1;
-        return (T_h * T_h + T * T) * ((T_h - T) * e2) * (T_h + T) + sun * (p_.tau_g * e1);
+        return sun * (p_.tau_g * e1) + (T_h - T) * (T_h + T) * (T_h * T_h + T * T) * e2;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -458,21 +454,20 @@ private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
-        Scalar k0;  ///< stefan_boltzmann*A*eps/C
-        Scalar k1;  ///< A*eps*tau_g/C
+        Scalar k0;  ///< A*eps*tau_g/C
+        Scalar k1;  ///< stefan_boltzmann*A*eps/C
         Scalar k2;  ///< 2*stefan_boltzmann*A*eps/C
-        Scalar k3;  ///< 3*stefan_boltzmann*A*eps/C
-        Scalar k4;  ///< 2*h*c_0^2*pi
-        Scalar k5;  ///< 2*h*c_0^2*eps*pi
-        Scalar k6;  ///< 1250251421346000*h*c_0/(6207642188737199*k)
-        Scalar k7;  ///< 1 - rho_g - tau_g
-        Scalar k8;  ///< 1/l_0^2
-        Scalar k9;  ///< h*c_0/k
-        Scalar k10;  ///< 2*h^2*c_0^3*pi/k
-        Scalar k11;  ///< 2*h^2*c_0^3*eps*pi/k
-        Scalar k12;  ///< 10*h*c_0^2*pi
-        Scalar k13;  ///< 10*h*c_0^2*eps*pi
-        Scalar k14;  ///< 4*h*c_0^2*eps*pi/l_0^2
+        Scalar k3;  ///< 2*h*c_0^2*pi
+        Scalar k4;  ///< 2*h*c_0^2*eps*pi
+        Scalar k5;  ///< 1250251421346000*h*c_0/(6207642188737199*k)
+        Scalar k6;  ///< 1 - rho_g - tau_g
+        Scalar k7;  ///< 1/l_0^2
+        Scalar k8;  ///< h*c_0/k
+        Scalar k9;  ///< 2*h^2*c_0^3*pi/k
+        Scalar k10;  ///< 2*h^2*c_0^3*eps*pi/k
+        Scalar k11;  ///< 10*h*c_0^2*pi
+        Scalar k12;  ///< 10*h*c_0^2*eps*pi
+        Scalar k13;  ///< 4*h*c_0^2*eps*pi/l_0^2
     };
     Cached c_{};
 };

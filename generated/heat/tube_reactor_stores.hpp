@@ -15,14 +15,14 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                12     62     7        0      1
-//   rhs                    9     12     0        0      0
-//   rhs_and_jacobian      26     34     0        0      0
-//   jacobian_p            44    134     6        0      0
-//   output                 7     10     0        0      0
-//   output_jacobian_x     16     19     0        0      0
+//   update                11     40     7        0      1
+//   rhs                    9     10     0        0      0
+//   rhs_and_jacobian      18     24     0        0      0
+//   jacobian_p            33    103     6        0      0
+//   output                 8      8     0        0      0
+//   output_jacobian_x     13     14     0        0      0
 //   internal_energy        1      4     0        0      0
-//   exchanged_power        5      8     0        0      0
+//   exchanged_power        5      6     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -186,71 +186,54 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 12 + or -, 62 *, 7 /, 1 other functions
+    /// Operations: 11 + or -, 40 *, 7 /, 1 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::pow;
         const Scalar inverse_1 = Scalar(1) / p_.eps_2;
         const Scalar inverse_2 = Scalar(1) / p_.eps_1;
         c_.F = -Scalar(1) / (p_.d / p_.D * (Scalar(1) - inverse_1) - inverse_2);
-        const Scalar e3 = p_.D * detail::pi<Scalar>();
+        const Scalar e3 = p_.T_inf * p_.T_inf;
+        const Scalar e3_squared = e3 * e3;
         const Scalar e4 = p_.T_2max * p_.T_2max;
         const Scalar e4_squared = e4 * e4;
-        const Scalar e5 = p_.T_inf * p_.T_inf;
+        const Scalar e5 = p_.alpha * (p_.T_inf - p_.T_2max);
         const Scalar e6 = ((Scalar(100000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
-            * p_.alpha;
-        const Scalar e7 = e6 + p_.eps_2 * p_.T_inf * e5;
-        const Scalar e8 = p_.alpha * p_.T_2max;
+            * e5;
+        const Scalar e7 = p_.eps_2 * (e3_squared - e4_squared) + e6;
+        const Scalar e8 = p_.D * detail::pi<Scalar>();
         const Scalar e9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (p_.eps_2 * e4_squared - p_.T_inf * e7);
-        const Scalar e10 = e9 + e8;
-        c_.q_max = e3 * e10;
-        const Scalar e11 = ((Scalar(100000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
-            * (p_.D * inverse_2 / p_.d - Scalar(1));
-        const Scalar e12 = ((Scalar(100000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
-            * (p_.alpha * p_.T_inf - e8);
-        const Scalar power_13 = pow(e10 * e11 - inverse_1 * e12 - e5 * e5 + Scalar(2) * e4_squared, Scalar(1) / Scalar(4));
-        c_.T_1s = power_13;
-        const Scalar inverse_14 = Scalar(1) / p_.C_1;
-        c_.k0 = c_.q_max * inverse_14;
-        const Scalar e15 = detail::pi<Scalar>() * (p_.d * c_.F);
-        const Scalar e16 = inverse_14 * e15;
-        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e16;
-        const Scalar inverse_17 = Scalar(1) / p_.C_2;
-        const Scalar e18 = inverse_17 * e15;
-        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e18;
-        const Scalar e19 = p_.eps_2 * e3;
-        const Scalar e20 = p_.T_inf * e19;
-        const Scalar e21 = inverse_17 * e20;
-        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * p_.T_inf
-            * e21;
-        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
-        const Scalar e22 = inverse_17 * e19;
-        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e22;
-        const Scalar e23 = e7 * e3;
-        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * inverse_17
-            * e23;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e16;
-        c_.k8 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e16;
-        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e18;
-        c_.k10 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e18;
-        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e21;
-        c_.k12 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e22;
-        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e18 + e22);
-        const Scalar e24 = p_.H * e15;
-        c_.k14 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e24;
-        const Scalar e25 = p_.H * e20;
-        c_.k15 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * p_.T_inf
-            * e25;
-        c_.k16 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e25;
-        const Scalar e26 = p_.H * e19;
-        c_.k17 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26;
-        c_.k18 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * p_.H * e23;
-        c_.k19 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e24;
-        c_.k20 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e24;
-        c_.k21 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e25;
-        c_.k22 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000))) * e26;
+            * e7 * e8;
+        c_.q_max = -e9;
+        const Scalar e10 = ((Scalar(100000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
+            * inverse_1 * e5;
+        const Scalar e11 = Scalar(2) * e4_squared - e7 * (p_.D * inverse_2 / p_.d - Scalar(1)) - e10 - e3_squared;
+        const Scalar power_12 = pow(e11, Scalar(1) / Scalar(4));
+        c_.T_1s = power_12;
+        const Scalar inverse_13 = Scalar(1) / p_.C_1;
+        c_.k0 = c_.q_max * inverse_13;
+        const Scalar e14 = detail::pi<Scalar>() * (p_.d * c_.F);
+        const Scalar e15 = inverse_13 * e14;
+        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e15;
+        const Scalar inverse_16 = Scalar(1) / p_.C_2;
+        const Scalar e17 = p_.alpha * e8;
+        c_.k2 = inverse_16 * e17;
+        const Scalar e18 = p_.eps_2 * e8;
+        const Scalar e19 = inverse_16 * e18;
+        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e19;
+        const Scalar e20 = inverse_16 * e14;
+        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e20;
+        c_.k5 = e3;
+        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e15;
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e20;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e19;
+        const Scalar e21 = p_.H * e14;
+        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
+        c_.k10 = p_.H * e17;
+        const Scalar e22 = p_.H * e18;
+        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e22;
+        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e21;
+        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e22;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -264,54 +247,49 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 9 + or -, 12 *
-    ///     dot(T_1) = q_max*load/C_1 - stefan_boltzmann*d*F*pi*T_1*T_2^2*(T_1 - T_2)/C_1 - stefan_boltzmann*d*F*pi*T_1^2*T_2*(T_1 -
-    ///     T_2)/C_1 - stefan_boltzmann*d*F*pi*T_1^3*(T_1 - T_2)/C_1 - stefan_boltzmann*d*F*pi*T_2^3*(T_1 - T_2)/C_1
-    ///     dot(T_2) = stefan_boltzmann*d*F*pi*T_1*T_2^2*(T_1 - T_2)/C_2 + stefan_boltzmann*d*F*pi*T_1^2*T_2*(T_1 - T_2)/C_2 +
-    ///     stefan_boltzmann*d*F*pi*T_1^3*(T_1 - T_2)/C_2 + stefan_boltzmann*D*eps_2*T_inf^2*pi*T_2*(T_inf - T_2)/C_2 +
-    ///     stefan_boltzmann*D*eps_2*T_inf*pi*T_2^2*(T_inf - T_2)/C_2 + stefan_boltzmann*D*eps_2*pi*T_2^3*(T_inf - T_2)/C_2 +
-    ///     stefan_boltzmann*d*F*pi*T_2^3*(T_1 - T_2)/C_2 + D*pi*(stefan_boltzmann*eps_2*T_inf^3 + alpha)*(T_inf - T_2)/C_2
+    /// Operations: 9 + or -, 10 *
+    ///     dot(T_1) = q_max*load/C_1 - stefan_boltzmann*d*F*pi*(T_1 - T_2)*(T_1 + T_2)*(T_1^2 + T_2^2)/C_1
+    ///     dot(T_2) = D*alpha*pi*(T_inf - T_2)/C_2 + stefan_boltzmann*D*eps_2*pi*(T_inf - T_2)*(T_inf + T_2)*(T_inf^2 + T_2^2)/C_2
+    ///     + stefan_boltzmann*d*F*pi*(T_1 - T_2)*(T_1 + T_2)*(T_1^2 + T_2^2)/C_2
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar load = u[0];
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
         const Scalar T_2_squared = T_2 * T_2;
-        const Scalar e1 = (T_1 + T_2) * ((T_1 - T_2) * (T_1 * T_1 + T_2_squared));
-        const Scalar e2 = p_.T_inf - T_2;
+        const Scalar e1 = (T_1 * T_1 + T_2_squared) * ((T_1 - T_2) * (T_1 + T_2));
         dxdt[0] = c_.k0 * load - c_.k1 * e1;
-        dxdt[1] = e2 * (c_.k6 + c_.k4 * T_2_squared) + T_2 * e2 * (c_.k3 + c_.k5 * T_2_squared) + c_.k2 * e1;
+        const Scalar e2 = (p_.T_inf - T_2) * (c_.k2 + c_.k3 * (p_.T_inf + T_2) * (c_.k5 + T_2_squared));
+        dxdt[1] = e2 + c_.k4 * e1;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: 26 + or -, 34 *
+    /// Operations: 18 + or -, 24 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar load = u[0];
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
         const Scalar e1 = T_1 - T_2;
+        const Scalar e2 = T_1 + T_2;
+        const Scalar e3 = e1 * e2;
         const Scalar T_2_squared = T_2 * T_2;
-        const Scalar T_1_squared = T_1 * T_1;
-        const Scalar e2 = T_2_squared + T_1_squared;
-        const Scalar e3 = e2 * (T_1 + T_2);
-        const Scalar e4 = e1 * e3;
-        const Scalar e5 = p_.T_inf - T_2;
-        const Scalar e6 = c_.k6 + (c_.k3 * T_2 + c_.k4 * T_2_squared);
-        const Scalar e7 = T_2 * e5;
-        dxdt[0] = c_.k0 * load - c_.k1 * e4;
-        dxdt[1] = e5 * e6 + c_.k5 * T_2_squared * e7 + c_.k2 * e4;
-        const Scalar e8 = e1 * T_2_squared;
-        const Scalar e9 = e3 + e8;
-        const Scalar e10 = T_1 * e1;
-        const Scalar e11 = T_1 * e10;
-        const Scalar e12 = T_2 * e10;
-        const Scalar e13 = c_.k7 * e12;
-        const Scalar e14 = c_.k9 * e12;
-        J[0] = -c_.k1 * e9 - c_.k8 * e11 - e13;
-        J[1] = c_.k2 * e9 + c_.k10 * e11 + e14;
-        J[2] = c_.k1 * (e3 - e11) - c_.k8 * e8 - e13;
-        J[3] = e5 * (c_.k3 + c_.k12 * T_2_squared) - c_.k2 * (T_1 * e2 - e11 + T_2 * T_1_squared) - c_.k13 * T_2 * T_2_squared
-            - e6 + c_.k10 * e8 + c_.k11 * e7 + e14;
+        const Scalar e4 = T_1 * T_1 + T_2_squared;
+        const Scalar e5 = c_.k1 * e4;
+        const Scalar e6 = p_.T_inf - T_2;
+        const Scalar e7 = p_.T_inf + T_2;
+        const Scalar e8 = c_.k3 * (c_.k5 + T_2_squared);
+        const Scalar e9 = c_.k2 + e7 * e8;
+        const Scalar e10 = c_.k4 * e4;
+        dxdt[0] = c_.k0 * load - e3 * e5;
+        dxdt[1] = e6 * e9 + e3 * e10;
+        const Scalar e11 = e1 + e2;
+        const Scalar e12 = T_1 * e3;
+        const Scalar e13 = e1 - e2;
+        const Scalar e14 = T_2 * e3;
+        J[0] = -e11 * e5 - c_.k6 * e12;
+        J[1] = e11 * e10 + c_.k7 * e12;
+        J[2] = -e13 * e5 - c_.k6 * e14;
+        J[3] = e6 * (c_.k8 * T_2 * e7 + e8) - e9 + e13 * e10 + c_.k7 * e14;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].
@@ -328,7 +306,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 10, entry (i, j) at J[2*j + i].
-    /// Operations: 44 + or -, 134 *, 6 /
+    /// Operations: 33 + or -, 103 *, 6 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.C_1;
         const Scalar e2 = detail::pi<Scalar>() * inverse_1;
@@ -344,110 +322,85 @@ public:
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
         const Scalar T_2_squared = T_2 * T_2;
-        const Scalar e12 = (T_1 + T_2) * ((T_1 - T_2) * (T_1 * T_1 + T_2_squared));
+        const Scalar e12 = (T_1 * T_1 + T_2_squared) * ((T_1 - T_2) * (T_1 + T_2));
         const Scalar inverse_13 = Scalar(1) / p_.C_2;
         const Scalar e14 = detail::pi<Scalar>() * inverse_13;
         const Scalar load = u[0];
         const Scalar e15 = p_.T_inf * p_.T_inf;
-        const Scalar e16 = p_.eps_2 * e15;
-        const Scalar e17 = ((Scalar(100000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
-            * p_.alpha;
-        const Scalar e18 = e17 + p_.T_inf * e16;
-        const Scalar e19 = p_.T_2max * p_.T_2max;
-        const Scalar e20 = p_.eps_2 * e19;
-        const Scalar e21 = e2 * e9;
-        const Scalar e22 = p_.T_inf - T_2;
-        const Scalar e23 = T_2 * e22;
-        const Scalar e24 = e14 * e9;
-        const Scalar e25 = p_.eps_2 * p_.T_inf;
-        const Scalar e26 = T_2 * e23;
-        const Scalar e27 = T_2 * e26;
-        const Scalar e28 = inverse_6 * inverse_7 * (inverse_6 * e8);
-        const Scalar e29 = p_.D * e2;
-        const Scalar e30 = e8 * (inverse_4 * inverse_4);
-        const Scalar e31 = p_.D * e14;
-        const Scalar e32 = p_.T_inf * e31;
-        const Scalar e33 = p_.T_inf * e29;
-        const Scalar e34 = p_.T_2max * e29;
-        const Scalar e35 = p_.alpha * e29;
-        const Scalar e36 = p_.d * c_.F;
-        const Scalar e37 = inverse_13 * e31;
-        const Scalar e38 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e16 = p_.T_2max * p_.T_2max;
+        const Scalar e17 = e15 * e15 - e16 * e16;
+        const Scalar e18 = p_.T_inf - p_.T_2max;
+        const Scalar e19 = e2 * e9;
+        const Scalar e20 = p_.T_inf - T_2;
+        const Scalar e21 = e14 * e9;
+        const Scalar e22 = c_.k5 + T_2_squared;
+        const Scalar e23 = p_.T_inf + T_2;
+        const Scalar e24 = e20 * e23;
+        const Scalar e25 = e22 * e24;
+        const Scalar e26 = inverse_6 * inverse_7 * (inverse_6 * e8);
+        const Scalar e27 = p_.D * e2;
+        const Scalar e28 = e8 * (inverse_4 * inverse_4);
+        const Scalar e29 = p_.D * e14;
+        const Scalar e30 = p_.eps_2 * p_.T_inf;
+        const Scalar e31 = p_.alpha * e27;
+        const Scalar e32 = p_.d * c_.F;
+        const Scalar e33 = inverse_13 * e29;
+        const Scalar e34 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e2 * e11;
-        J[0] = (-e38) * e12;
-        const Scalar e39 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[0] = (-e34) * e12;
+        const Scalar e35 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e14 * e11;
-        J[1] = -(-e39) * e12;
-        const Scalar e40 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.T_inf * e18;
-        const Scalar e41 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e19 * e20;
-        const Scalar e42 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[1] = -(-e35) * e12;
+        const Scalar e36 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * p_.eps_2 * e17;
+        const Scalar e37 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e10 * e19;
+        J[2] = -load * (e2 * (e36 + p_.alpha * e18)) - (-e37) * e12;
+        const Scalar e38 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e10 * e21;
-        J[2] = -load * (-e2 * (p_.alpha * p_.T_2max - e40 + e41)) - (-e42) * e12;
-        const Scalar e43 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e14 * e18;
-        const Scalar e44 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e14 * e16;
-        const Scalar e45 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e10 * e24;
-        const Scalar e46 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e14 * e25;
-        const Scalar e47 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e39 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.eps_2 * e14;
-        J[3] = e22 * e43 + e44 * e23 + (-e45) * e12 + e46 * e26 + e47 * e27;
+        J[3] = e20 * (p_.alpha * e14) + (-e38) * e12 + e39 * e25;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        const Scalar e48 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e28;
-        J[6] = -e48 * e12;
-        const Scalar e49 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e14 * e28;
-        J[7] = e49 * e12;
-        const Scalar e50 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e29 * (e15 * e15 - e19 * e19));
-        const Scalar e51 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e21 * e30;
-        J[8] = -load * e50 - e51 * e12;
-        const Scalar e52 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e15 * e32;
-        const Scalar e53 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e31 * e15;
-        const Scalar e54 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e24 * e30;
-        const Scalar e55 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e32;
-        const Scalar e56 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e31;
-        J[9] = e22 * e52 + e53 * e23 + e54 * e12 + e55 * e26 + e56 * e27;
-        J[10] = -load * (e33 - e34);
-        J[11] = e22 * e31;
-        const Scalar e57 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e16 * e33;
-        J[12] = -load * (e35 + e57);
-        const Scalar e58 = ((Scalar(17) * Scalar(1000000000) + Scalar(11123257)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e31 * e16;
-        J[13] = c_.k5 * (e26 + T_2 * T_2_squared) + c_.k6 + c_.k3 * T_2 + e22 * e58 + c_.k11 * e23 + c_.k4 * T_2_squared;
-        const Scalar e59 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e34 * e20;
-        J[14] = load * (e35 + e59);
+        const Scalar e40 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e2 * e26;
+        J[6] = -e40 * e12;
+        const Scalar e41 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e14 * e26;
+        J[7] = e41 * e12;
+        const Scalar e42 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e17 * e27;
+        const Scalar e43 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e19 * e28;
+        J[8] = -load * e42 - e43 * e12;
+        const Scalar e44 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e21 * e28;
+        const Scalar e45 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e29;
+        J[9] = e44 * e12 + e45 * e25;
+        J[10] = -load * (e27 * e18);
+        J[11] = e20 * e29;
+        const Scalar e46 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e27 * e30 * e15;
+        J[12] = -load * (e46 + e31);
+        const Scalar e47 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e29 * e30;
+        J[13] = c_.k3 * e22 * (e20 + e23) + c_.k2 + e47 * e24;
+        const Scalar e48 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * p_.eps_2 * p_.T_2max * e27 * e16;
+        J[14] = load * (e48 + e31);
         J[15] = Scalar(0);
-        const Scalar e60 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_1 * e2 * e36;
-        J[16] = e60 * e12 - load * (c_.q_max * inverse_1 * inverse_1);
+        const Scalar e49 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_1 * e2 * e32;
+        J[16] = e49 * e12 - load * (c_.q_max * inverse_1 * inverse_1);
         J[17] = Scalar(0);
         J[18] = Scalar(0);
-        const Scalar e61 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e18 * e37;
-        const Scalar e62 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e16 * e37;
-        const Scalar e63 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_13 * e14 * e36;
-        const Scalar e64 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e37 * e25;
-        const Scalar e65 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.eps_2 * e37;
-        J[19] = -e22 * e61 - e62 * e23 - e63 * e12 - e64 * e26 - e65 * e27;
+        const Scalar e50 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_13 * e14 * e32;
+        const Scalar e51 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * p_.eps_2 * e33;
+        J[19] = -e20 * (p_.alpha * e33) - e50 * e12 - e51 * e25;
     }
 
     /// J = df/dt at fixed x and u.
@@ -473,50 +426,48 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 7 + or -, 10 *
+    /// Operations: 8 + or -, 8 *
     ///     T_outer = T_2
     ///     limit = T_2max
     ///     T_1steady = T_1s
-    ///     Q_vacuum = stefan_boltzmann*d*H*F*pi*T_1*T_2^2*(T_1 - T_2) + stefan_boltzmann*d*H*F*pi*T_1^2*T_2*(T_1 - T_2) +
-    ///     stefan_boltzmann*d*H*F*pi*T_1^3*(T_1 - T_2) + stefan_boltzmann*d*H*F*pi*T_2^3*(T_1 - T_2)
-    ///     Q_loss = -stefan_boltzmann*D*H*eps_2*T_inf^2*pi*T_2*(T_inf - T_2) - stefan_boltzmann*D*H*eps_2*T_inf*pi*T_2^2*(T_inf -
-    ///     T_2) - stefan_boltzmann*D*H*eps_2*pi*T_2^3*(T_inf - T_2) - D*H*pi*(stefan_boltzmann*eps_2*T_inf^3 + alpha)*(T_inf - T_2)
+    ///     Q_vacuum = stefan_boltzmann*d*H*F*pi*(T_1 - T_2)*(T_1 + T_2)*(T_1^2 + T_2^2)
+    ///     Q_loss = -D*H*alpha*pi*(T_inf - T_2) - stefan_boltzmann*D*H*eps_2*pi*(T_inf - T_2)*(T_inf + T_2)*(T_inf^2 + T_2^2)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         const Scalar T_2 = x[1];
         const Scalar T_1 = x[0];
         const Scalar T_2_squared = T_2 * T_2;
-        const Scalar e1 = p_.T_inf - T_2;
         y[0] = T_2;
         y[1] = p_.T_2max;
         y[2] = c_.T_1s;
-        y[3] = (T_1 * T_1 + T_2_squared) * (c_.k14 * (T_1 - T_2)) * (T_1 + T_2);
-        y[4] = -e1 * (c_.k18 + c_.k16 * T_2_squared) - T_2 * e1 * (c_.k15 + c_.k17 * T_2_squared);
+        y[3] = c_.k9 * (T_1 - T_2) * (T_1 + T_2) * (T_1 * T_1 + T_2_squared);
+        const Scalar e1 = (p_.T_inf - T_2) * (c_.k10 + c_.k11 * (p_.T_inf + T_2) * (c_.k5 + T_2_squared));
+        y[4] = -e1;
     }
 
     /// C = dh/dx.
-    /// Operations: 16 + or -, 19 *
+    /// Operations: 13 + or -, 14 *
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
         const Scalar e1 = T_1 - T_2;
         const Scalar T_2_squared = T_2 * T_2;
-        const Scalar e2 = e1 * T_2_squared;
-        const Scalar e3 = T_1 * e1;
-        const Scalar e4 = T_1 * e3;
-        const Scalar e5 = e3 * (c_.k19 * T_2);
-        const Scalar e6 = (T_1 + T_2) * (c_.k14 * (T_1 * T_1 + T_2_squared));
-        const Scalar e7 = p_.T_inf - T_2;
+        const Scalar e2 = c_.k9 * (T_1 * T_1 + T_2_squared);
+        const Scalar e3 = e1 * e2;
+        const Scalar e4 = T_1 + T_2;
+        const Scalar e5 = e4 * e2;
+        const Scalar e6 = e4 * (c_.k12 * e1);
+        const Scalar e7 = p_.T_inf + T_2;
+        const Scalar e8 = c_.k11 * (c_.k5 + T_2_squared);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
         C[2] = Scalar(0);
-        C[3] = c_.k14 * e2 + c_.k20 * e4 + e5 + e6;
+        C[3] = e3 + e5 + T_1 * e6;
         C[4] = Scalar(0);
         C[5] = Scalar(1);
         C[6] = Scalar(0);
         C[7] = Scalar(0);
-        C[8] = c_.k20 * e2 + c_.k14 * e4 + e5 - e6;
-        C[9] = T_2 * (c_.k15 - c_.k21 * e7 + c_.k17 * T_2_squared) - e7 * (c_.k15 + c_.k22 * T_2_squared) + c_.k18 + c_.k16
-            * T_2_squared;
+        C[8] = e3 - e5 + T_2 * e6;
+        C[9] = c_.k10 - (p_.T_inf - T_2) * (c_.k13 * T_2 * e7 + e8) + e7 * e8;
     }
 
     /// D = dh/du.
@@ -573,13 +524,12 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 5 + or -, 8 *
+    /// Operations: 5 + or -, 6 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_2 = x[1];
-        const Scalar e1 = p_.T_inf - T_2;
-        const Scalar e2 = T_2 * e1;
         const Scalar load = u[0];
-        return T_2 * e2 * (c_.k16 + c_.k17 * T_2) + load * (p_.H * c_.q_max) + c_.k18 * e1 + c_.k15 * e2;
+        const Scalar e1 = (p_.T_inf - T_2) * (c_.k10 + c_.k11 * (p_.T_inf + T_2) * (c_.k5 + T_2 * T_2));
+        return e1 + load * (p_.H * c_.q_max);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -596,27 +546,18 @@ private:
         Scalar T_1s;  ///< (-D*eps_2*T_inf^4/(d*eps_1) + D*eps_2*T_2max^4/(d*eps_1) - ...
         Scalar k0;  ///< q_max/C_1
         Scalar k1;  ///< stefan_boltzmann*d*F*pi/C_1
-        Scalar k2;  ///< stefan_boltzmann*d*F*pi/C_2
-        Scalar k3;  ///< stefan_boltzmann*D*eps_2*T_inf^2*pi/C_2
-        Scalar k4;  ///< stefan_boltzmann*D*eps_2*T_inf*pi/C_2
-        Scalar k5;  ///< stefan_boltzmann*D*eps_2*pi/C_2
-        Scalar k6;  ///< D*pi*(stefan_boltzmann*eps_2*T_inf^3 + alpha)/C_2
-        Scalar k7;  ///< 2*stefan_boltzmann*d*F*pi/C_1
-        Scalar k8;  ///< 3*stefan_boltzmann*d*F*pi/C_1
-        Scalar k9;  ///< 2*stefan_boltzmann*d*F*pi/C_2
-        Scalar k10;  ///< 3*stefan_boltzmann*d*F*pi/C_2
-        Scalar k11;  ///< 2*stefan_boltzmann*D*eps_2*T_inf*pi/C_2
-        Scalar k12;  ///< 3*stefan_boltzmann*D*eps_2*pi/C_2
-        Scalar k13;  ///< stefan_boltzmann*pi*(d*F + D*eps_2)/C_2
-        Scalar k14;  ///< stefan_boltzmann*d*H*F*pi
-        Scalar k15;  ///< stefan_boltzmann*D*H*eps_2*T_inf^2*pi
-        Scalar k16;  ///< stefan_boltzmann*D*H*eps_2*T_inf*pi
-        Scalar k17;  ///< stefan_boltzmann*D*H*eps_2*pi
-        Scalar k18;  ///< D*H*pi*(stefan_boltzmann*eps_2*T_inf^3 + alpha)
-        Scalar k19;  ///< 2*stefan_boltzmann*d*H*F*pi
-        Scalar k20;  ///< 3*stefan_boltzmann*d*H*F*pi
-        Scalar k21;  ///< 2*stefan_boltzmann*D*H*eps_2*T_inf*pi
-        Scalar k22;  ///< 3*stefan_boltzmann*D*H*eps_2*pi
+        Scalar k2;  ///< D*alpha*pi/C_2
+        Scalar k3;  ///< stefan_boltzmann*D*eps_2*pi/C_2
+        Scalar k4;  ///< stefan_boltzmann*d*F*pi/C_2
+        Scalar k5;  ///< T_inf^2
+        Scalar k6;  ///< 2*stefan_boltzmann*d*F*pi/C_1
+        Scalar k7;  ///< 2*stefan_boltzmann*d*F*pi/C_2
+        Scalar k8;  ///< 2*stefan_boltzmann*D*eps_2*pi/C_2
+        Scalar k9;  ///< stefan_boltzmann*d*H*F*pi
+        Scalar k10;  ///< D*H*alpha*pi
+        Scalar k11;  ///< stefan_boltzmann*D*H*eps_2*pi
+        Scalar k12;  ///< 2*stefan_boltzmann*d*H*F*pi
+        Scalar k13;  ///< 2*stefan_boltzmann*D*H*eps_2*pi
     };
     Cached c_{};
 };

@@ -7,6 +7,7 @@
 
 #include "balance/crossed_strings.hpp"
 #include "balance/view_factors.hpp"
+#include "symbolic/heat_formulas.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -127,7 +128,7 @@ private:
 
     void join(std::size_t i, std::size_t j, const ex& exchange) {
         if (exchange.is_zero() || nodes_[i] == nodes_[j]) return;
-        LinkState link{fmt::format("{}, {} - {}", item_.name, nodes_[i]->name, nodes_[j]->name), item_.span, {}, {}, radiate(exchange * stefan_boltzmann(), nodes_[i]->warmth, nodes_[j]->warmth), true};
+        LinkState link{fmt::format("{}, {} - {}", item_.name, nodes_[i]->name, nodes_[j]->name), item_.span, {}, {}, radiate(exchange, nodes_[i]->warmth, nodes_[j]->warmth), true};
         link.from.node = nodes_[i];
         link.to.node = nodes_[j];
         network_.links.push_back(std::move(link));
@@ -155,13 +156,13 @@ void add_enclosure(HeatNetwork& network, const Enclosure& enclosure, const Scene
 ex EnclosureState::irradiation(std::size_t j) const {
     ex sum = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        sum += radiation.reach[j][i] * surroundings.emissivities[i] / surroundings.areas[j] * stefan_boltzmann() * nodes[i]->warmth.fourth;
+        sum += radiation.reach[j][i] * surroundings.emissivities[i] / surroundings.areas[j] * GiNaC::numeric(stefan_boltzmann()) * nodes[i]->warmth.fourth;
     return sum;
 }
 
 ex EnclosureState::radiosity(std::size_t i) const {
     const ex& eps = surroundings.emissivities[i];
-    return eps * stefan_boltzmann() * nodes[i]->warmth.fourth + (1 - eps) * irradiation(i);
+    return eps * GiNaC::numeric(stefan_boltzmann()) * nodes[i]->warmth.fourth + (1 - eps) * irradiation(i);
 }
 
 }  // namespace dalembert

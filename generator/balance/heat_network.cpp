@@ -11,6 +11,7 @@
 #include "balance/rod.hpp"
 #include "balance/sought_temperatures.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/heat_formulas.hpp"
 #include "symbolic/integrate.hpp"
 #include "text/diagnostic.hpp"
 
@@ -72,7 +73,7 @@ private:
             case Link::Law::convection: return exchange(value(item.coefficient) * value(item.area), a, b);
             case Link::Law::radiation: break;
         }
-        return radiate(value(item.emissivity) * value(item.area) * stefan_boltzmann(), a, b);
+        return radiate(value(item.emissivity) * value(item.area), a, b);
     }
 
     Warmth end(const Reference& reference, LinkEnd& link_end) const {
@@ -117,17 +118,14 @@ NodeState node_of(const Member<HeatNode>& member, const Scene& scene, const Tran
 
 }  // namespace
 
-ex stefan_boltzmann() { return GiNaC::numeric(5670374419L) / GiNaC::pow(GiNaC::numeric(10), 17); }
-
 Warmth warmth_of(const ex& temperature) { return {temperature, pow(temperature, 4), false}; }
 
 ex exchange(const ex& factor, const Warmth& a, const Warmth& b) { return factor * difference(a, b); }
 
-ex radiate(const ex& factor, const Warmth& a, const Warmth& b) {
+ex radiate(const ex& area, const Warmth& a, const Warmth& b) {
+    const ex factor = area * GiNaC::numeric(stefan_boltzmann());
     if (a.is_sought || b.is_sought) return factor * (a.fourth - b.fourth);
-    const ex& T_a = a.temperature;
-    const ex& T_b = b.temperature;
-    return factor * difference(a, b) * (T_a + T_b) * (pow(T_a, 2) + pow(T_b, 2));
+    return factor * fourth_power_difference(a.temperature, b.temperature);
 }
 
 ex conduct(const Property& conductivity, const ex& shape, const Warmth& a, const Warmth& b, const Translator& translate, Symbols& symbols, const Indices& indices) {

@@ -104,10 +104,8 @@ NodeState& add_sought(HeatNetwork& network, std::string name, const Item& item, 
 GiNaC::ex conduct(const Property& conductivity, const GiNaC::ex& shape, const Warmth& a, const Warmth& b, const Translator& translate, Symbols& symbols, const Indices& indices);
 /// factor*(T_a - T_b), W.
 GiNaC::ex exchange(const GiNaC::ex& factor, const Warmth& a, const Warmth& b);
-/// factor*(T_a^4 - T_b^4), W.
-GiNaC::ex radiate(const GiNaC::ex& factor, const Warmth& a, const Warmth& b);
+/// area*stefan_boltzmann*(T_a^4 - T_b^4), W; the area times what emissivities and reflections leave of it.
+GiNaC::ex radiate(const GiNaC::ex& area, const Warmth& a, const Warmth& b);
 Warmth warmth_of(const GiNaC::ex& temperature);
-/// 5.670374419e-8 W/(m^2 K^4)
-GiNaC::ex stefan_boltzmann();
 
 }  // namespace dalembert

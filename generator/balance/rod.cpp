@@ -107,7 +107,7 @@ private:
         const Warmth around = warmth_of(value(ambient));
         ex heat = 0;
         if (coefficient) heat += exchange(value(coefficient) * size, around, surface);
-        if (emissivity) heat += radiate(value(emissivity) * size * stefan_boltzmann(), around, surface);
+        if (emissivity) heat += radiate(value(emissivity) * size, around, surface);
         return heat;
     }
 

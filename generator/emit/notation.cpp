@@ -7,6 +7,7 @@
 #include <set>
 
 #include "emit/angle_sums.hpp"
+#include "symbolic/heat_formulas.hpp"
 
 namespace dalembert {
 
@@ -127,8 +128,8 @@ namespace {
 
 /// A number as a product with a power of the constant of radiation, which is known by its digits.
 std::pair<Rational, int> without_radiation(Rational coefficient) {
-    const cln::cl_I digits = 5670374419L;
-    const Rational constant = Rational(digits) / cln::expt_pos(cln::cl_I(10), 17);
+    const Rational constant = stefan_boltzmann();
+    const cln::cl_I digits = cln::numerator(constant);
     int power = 0;
     for (; !cln::zerop(coefficient) && cln::zerop(cln::mod(cln::numerator(coefficient), digits)); ++power) coefficient = coefficient / constant;
     for (; cln::zerop(cln::mod(cln::denominator(coefficient), digits)); --power) coefficient = coefficient * constant;

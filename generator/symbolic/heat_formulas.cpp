@@ -24,8 +24,6 @@ using Arguments = std::vector<ex>;
 ex square(const ex& x) { return pow(x, 2); }
 ex kept(const ex& x) { return whole(x); }
 
-ex fourth_power_difference_of(const ex& a, const ex& b) { return kept(a - b) * kept(a + b) * kept(square(a) + square(b)); }
-
 ex sinh_ratio_of(const ex& a, const ex& b) { return exp(a - b) * exp_minus_one(-2 * a) / exp_minus_one(-2 * b); }
 ex cosh_ratio_of(const ex& a, const ex& b) { return exp(a - b) * kept(1 + exp(-2 * a)) / kept(1 + exp(-2 * b)); }
 
@@ -96,7 +94,7 @@ const std::map<std::string_view, Formula>& formulas() {
         {"log_mean", [](const Arguments& x) -> ex { return log_mean(x[0], x[1]); }},
         {"root_excess", [](const Arguments& x) -> ex { return root_excess(x[0], x[1]); }},
         {"radiant_temperature", [](const Arguments& x) -> ex { return radiant_temperature(x[0], x[1]); }},
-        {"fourth_power_difference", [](const Arguments& x) { return fourth_power_difference_of(x[0], x[1]); }},
+        {"fourth_power_difference", [](const Arguments& x) { return fourth_power_difference(x[0], x[1]); }},
         {"in_series", [](const Arguments& x) -> ex { return x[0] + x[1]; }},
         {"in_parallel", [](const Arguments& x) -> ex { return x[0] * x[1] / kept(x[0] + x[1]); }},
         {"sinh_ratio", [](const Arguments& x) { return sinh_ratio_of(x[0], x[1]); }},
@@ -117,6 +115,10 @@ const std::map<std::string_view, Formula>& formulas() {
 }
 
 }  // namespace
+
+Rational stefan_boltzmann() { return Rational(cln::cl_I(5670374419L)) / cln::expt_pos(cln::cl_I(10), 17); }
+
+ex fourth_power_difference(const ex& a, const ex& b) { return kept((a - b).expand()) * kept((a + b).expand()) * kept(square(a) + square(b)); }
 
 std::optional<ex> heat_function(std::string_view name, const Arguments& arguments) {
     const auto formula = formulas().find(name);

@@ -8,9 +8,16 @@
 #include <string_view>
 #include <vector>
 
+#include "model/rational.hpp"
+
 namespace dalembert {
 
 /// The value of a function of heat transfer, or nothing where the name is none.
 std::optional<GiNaC::ex> heat_function(std::string_view name, const std::vector<GiNaC::ex>& arguments);
+
+/// The constant of radiation (4.35), 5.670374419e-8 W/(m^2 K^4), as CODATA 2018 gives its digits.
+Rational stefan_boltzmann();
+/// a^4 - b^4, also where the two are close.
+GiNaC::ex fourth_power_difference(const GiNaC::ex& a, const GiNaC::ex& b);
 
 }  // namespace dalembert

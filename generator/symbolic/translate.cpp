@@ -85,7 +85,7 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
     if (const auto letter = letters.find(e.name); letter != letters.end()) return letter->second;
     if (const auto index = indices.find(e.name); index != indices.end()) return index->second;
     if (e.name == "pi") return GiNaC::Pi;
-    if (e.name == "stefan_boltzmann") return numeric(5670374419L) / GiNaC::pow(numeric(10), 17);
+    if (e.name == "stefan_boltzmann") return numeric(stefan_boltzmann());
     if (e.name == "t") return symbols_.time();
     if (const auto size = scene_.sizes.find(e.name); size != scene_.sizes.end()) return size->second;
     const Named* named = names_.find(e.name);

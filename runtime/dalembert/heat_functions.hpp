@@ -144,6 +144,18 @@ Scalar fourth_power_difference(const Scalar& a, const Scalar& b) noexcept {
     return (a - b) * (a + b) * (a * a + b * b);
 }
 
+/// Two resistances one behind the other, as the layers of a wall (4.65), (4.70)
+template <class Scalar>
+Scalar in_series(const Scalar& a, const Scalar& b) noexcept {
+    return a + b;
+}
+
+/// Two resistances side by side; with in_series the bounds of (4.108).
+template <class Scalar>
+Scalar in_parallel(const Scalar& a, const Scalar& b) noexcept {
+    return a * b / (a + b);
+}
+
 /// sinh(a)/sinh(b) for a, b >= 0 of any size
 template <class Scalar>
 Scalar sinh_ratio(const Scalar& a, const Scalar& b) noexcept {
@@ -269,18 +281,6 @@ Scalar view_wedge(const Scalar& L_i, const Scalar& L_j, const Scalar& theta) noe
     const Scalar s = sin(Scalar(theta / Scalar(2)));
     const Scalar third_side = sqrt(Scalar((L_i - L_j) * (L_i - L_j) + Scalar(4) * L_i * L_j * s * s));
     return Scalar(2) * L_j * c * c / (L_i + L_j + third_side);
-}
-
-/// Two resistances one behind the other, as the layers of a wall (4.65), (4.70)
-template <class Scalar>
-Scalar in_series(const Scalar& a, const Scalar& b) noexcept {
-    return a + b;
-}
-
-/// Two resistances side by side; with in_series the bounds of (4.108).
-template <class Scalar>
-Scalar in_parallel(const Scalar& a, const Scalar& b) noexcept {
-    return a * b / (a + b);
 }
 
 /// Row 5: a right-angled groove with the sides x and y, to itself.
