@@ -38,6 +38,7 @@ struct Machine {
     std::unique_ptr<System> system;
     Audit audit;
     std::unique_ptr<Code> code;          ///< after generate
+    std::unique_ptr<FieldCode> fields;   ///< after generate, where cells of rods are computed in loops
     std::vector<AuditEntry> emitted;     ///< after generate
     std::vector<StageReport> stages;
 };

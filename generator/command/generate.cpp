@@ -72,6 +72,11 @@ nlohmann::ordered_json as_json(const Machine& machine, const Header& header, con
                                                                  {"divisions", c.divisions}, {"trigonometric", c.trigonometric},
                                                                  {"other", c.other},         {"total", c.total()}};
     }
+    json["cells"] = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; machine.fields && i < machine.fields->fields.size(); ++i) {
+        const FieldFunctions& f = machine.fields->fields[i];
+        json["cells"].push_back({{"rod", f.field->rod->name}, {"count", f.field->geometry.cells()}, {"operations", machine.fields->per_cell(f).total()}});
+    }
     json["seconds"] = nlohmann::ordered_json::object();
     for (const StageReport& stage : machine.stages) json["seconds"][stage.stage] = stage.seconds;
     return json;
@@ -96,8 +101,13 @@ ExitCode generate_command(const Options& options, Streams streams) {
         files.emplace_back(path, header.text);
         all.push_back(as_json(machine, header, path));
         const bool all_proven = Proofs{machine.audit, machine.emitted}.all_proven();
-        text += fmt::format("{}: {} degrees of freedom, {} operations in the right-hand side, {}\n", path.string(), machine.system->symbols.degrees(),
-                            machine.code->count(Function::rhs).total(), all_proven ? "everything proven" : "some of it numerically equal only");
+        std::string cells;
+        for (std::size_t i = 0; machine.fields && i < machine.fields->fields.size(); ++i) {
+            const FieldFunctions& f = machine.fields->fields[i];
+            cells += fmt::format(" and {} for each of the {} cells of {}", machine.fields->per_cell(f).total(), f.field->geometry.cells(), f.field->rod->name);
+        }
+        text += fmt::format("{}: {} degrees of freedom, {} operations in the right-hand side{}, {}\n", path.string(), machine.system->symbols.degrees(),
+                            machine.code->count(Function::rhs).total(), cells, all_proven ? "everything proven" : "some of it numerically equal only");
         if (options.explain) text += stage_table(machine.stages);
     }
     write_files(files);

@@ -30,6 +30,12 @@ constexpr auto derive = std::to_array<JsonField>({
     {"bias[]", "coriolis - gravity - elastic - dissipative - fluid"},
     {"generalised_force[]", "Q in M*ddot(q) + bias = Q"},
     {"state_rates.<NAME>", "rates of the states"},
+    {"rods[].name", "a rod whose cells are computed in loops; what state_rates says of its cells is added"},
+    {"rods[].cells", "how many there are"},
+    {"rods[].heat_to_next", "from a cell to the next"},
+    {"rods[].source", "heat into a cell from outside"},
+    {"rods[].capacity", "of a cell"},
+    {"rods[].energy", "of a cell"},
     {"kinetic_energy", "T"},
     {"potential_energy", "V"},
     {"supplied_power", "of forces, torques and inputs"},
@@ -57,6 +63,9 @@ constexpr auto generate = std::to_array<JsonField>({
     {"operations.<FUNCTION>.trigonometric", "calls of sin and cos"},
     {"operations.<FUNCTION>.other", "calls of other functions"},
     {"operations.<FUNCTION>.total", "sum of the above"},
+    {"cells[].rod", "a rod whose cells are computed in loops; their operations are not among those above"},
+    {"cells[].count", "how many there are"},
+    {"cells[].operations", "of the right-hand side, for each"},
     {"seconds.<STAGE>", "time of each stage"},
 });
 

@@ -30,6 +30,17 @@ std::vector<NamedPart> parts(const System& s) {
             {"generalised_force", "Q, generalised forces of forces, torques and inputs", s.supplied}};
 }
 
+struct CellPart {
+    const char* key;
+    const char* title;
+    const ex& value;
+};
+
+/// What a cell in a loop does.
+std::vector<CellPart> parts(const RodField& f) {
+    return {{"heat_to_next", "heat to the next", f.link}, {"source", "source", f.source}, {"capacity", "capacity", f.capacity}, {"energy", "energy", f.energy}};
+}
+
 bool all_zero(const Generalised& values) {
     for (const ex& value : values)
         if (!value.is_zero()) return false;
@@ -76,8 +87,7 @@ std::string equations_as_text(const System& s) {
         text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.named.state_rates[i]));
     for (const RodField& f : s.heat.fields) {
         text += fmt::format("\nrod {}: {} cells in a loop; what stands above of its cells comes from elsewhere and is added\n", f.rod->name, f.geometry.cells());
-        for (const auto& [name, value] : {std::pair("heat to the next", f.link), std::pair("source", f.source), std::pair("capacity", f.capacity), std::pair("energy", f.energy)})
-            text += fmt::format("  {} = {}\n", name, write(value));
+        for (const CellPart& part : parts(f)) text += fmt::format("  {} = {}\n", part.title, write(part.value));
         text += "  capacity*dot(T_here) = heat from the cell before - heat to the next + source\n";
     }
     text += "\nenergies and powers\n";
@@ -108,6 +118,8 @@ std::string equations_as_latex(const System& s) {
     for (const auto& [letter, value] : s.named.names) lines.push_back(fmt::format("{} &= {}", write(letter), write(value)));
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         lines.push_back(fmt::format("{} &= {}", write.symbol(s.symbols.all(SymbolKind::state_rate)[i]), write(s.named.state_rates[i])));
+    for (const RodField& f : s.heat.fields)
+        for (const CellPart& part : parts(f)) lines.push_back(fmt::format("\\text{{{}, {}}} &= {}", f.rod->name, part.title, write(part.value)));
     aligned(lines);
     lines = {fmt::format("T &= {}", write(s.kinetic_energy)), fmt::format("V &= {}", write(s.potential_energy))};
     for (const OutputEquation& output : s.outputs) lines.push_back(fmt::format("{} &= {}", latex_name(output.base), write(output.value)));
@@ -139,6 +151,12 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     }
     json["state_rates"] = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < s.state_rates.size(); ++i) json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
+    json["rods"] = nlohmann::ordered_json::array();
+    for (const RodField& f : s.heat.fields) {
+        nlohmann::ordered_json rod{{"name", f.rod->name}, {"cells", f.geometry.cells()}};
+        for (const CellPart& part : parts(f)) rod[part.key] = write(part.value);
+        json["rods"].push_back(std::move(rod));
+    }
     for (const auto& [name, value] : scalars(s)) json[name] = write(value);
     json["internal_energy"] = write(s.internal_energy);
     json["exchanged_power"] = write(s.exchanged_power);

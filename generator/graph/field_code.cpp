@@ -84,6 +84,14 @@ bool FieldCode::depends_on_grid(std::uint32_t cached) const {
     return false;
 }
 
+/// With what the loops do themselves: heat added on both sides of a face, the source, and the division by the capacity.
+OperationCount FieldCode::per_cell(const FieldFunctions& functions) const {
+    OperationCount count = functions.link.program.count(functions.link.results);
+    count += functions.cell.program.count(functions.cell.results);
+    count += OperationCount{.additions = functions.field->source.is_zero() ? 2 : 3, .multiplications = 1};
+    return count;
+}
+
 std::unique_ptr<FieldCode> make_field_code(const System& system) {
     auto result = std::make_unique<FieldCode>(system);
     for (const RodField& field : system.heat.fields) {

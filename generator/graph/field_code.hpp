@@ -36,6 +36,8 @@ struct FieldCode {
     std::vector<FieldFunctions> fields;
     FunctionCode update;                      ///< results: cached values
     bool depends_on_grid(std::uint32_t cached) const;
+    /// Of the right-hand side, for each cell of a rod and the face behind it.
+    OperationCount per_cell(const FieldFunctions& functions) const;
 };
 
 std::unique_ptr<FieldCode> make_field_code(const System& system);

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
+#include "model/choose_fields.hpp"
 #include "model/vocabulary.hpp"
 #include "text/nearest.hpp"
 
@@ -64,7 +64,7 @@ std::set<std::string> effects_of(const Model& model, const std::string& scene) {
 
 class Selection {
 public:
-    Selection(const Model& model, const Names& names, const std::string& name) : model_(model), names_(names) {
+    Selection(const Model& model, const Names& names, const std::string& name) : model_(model), names_(names), fields_(scene_) {
         scene_.model = &model;
         scene_.name = name;
         if (const SceneChoice* choice = find_choice(model, name)) scene_.doc = choice->doc;
@@ -120,7 +120,7 @@ public:
                 visit(*member.item, [&](const Site& site) { use(site); });
             }
         };
-        find_fields();
+        fields_.find_all(names_);
         for (const auto& member : scene_.coordinates) used_.insert(member.item->name);
         use_all(scene_.coordinates, "coordinate");
         use_all(scene_.bodies, "body");
@@ -137,7 +137,7 @@ public:
         use_nodes();
         use_all(scene_.links, "link");
         use_rods();
-        tap_all();
+        fields_.tap_ends();
         use_all(scene_.enclosures, "enclosure");
         for (const auto& member : scene_.enclosures)
             for (const Reference& surface : member.item->surfaces) needs_part(surface, fmt::format("enclosure '{}'", member.item->name));
@@ -189,57 +189,12 @@ private:
             if (used_.contains(item.name)) add_members(item, members);
     }
 
-    /// A rod with so many cells is computed in loops.
-    static constexpr int most_unrolled = 40;
-
-    void find_fields() {
-        for (const auto& member : scene_.rods) {
-            const State& states = static_cast<const State&>(*names_.find(member.item->temperature.name)->item);
-            const auto [from, to] = bounds(*states.family, scene_);
-            if (member.item->loops.value_or(to - from + 1 > most_unrolled) && to > from) scene_.fields.push_back({member.item, &states, from, to, {from, to}});
-        }
-    }
-
-    Field* field_of(const std::string& name) {
-        for (Field& field : scene_.fields)
-            if (field.states->name == name || field.rod->name == name) return &field;
-        return nullptr;
-    }
-
     void choose_states() {
         for (const State& state : model_.states) {
             if (!used_.contains(state.name)) continue;
-            const Field* field = field_of(state.name);
+            const Field* field = fields_.find(state.name);
             if (field == nullptr) add_members(state, scene_.states);
             else for (const int index : field->tapped) scene_.states.push_back({&state, index});
-        }
-    }
-
-    /// A cell of a field that something asks for by its number is a state of its own.
-    void tap(const std::string& name, const Expression& index, const Indices& indices) {
-        Field* field = field_of(name);
-        if (field == nullptr) return;
-        const int value = index_value(index, scene_, indices);
-        if (value < field->from || value > field->to)
-            fail(Id::index_out_of_range, index.span, fmt::format("'{}' has the members {} to {}, but {} is asked for", name, field->from, field->to, value));
-        field->tapped.insert(value);
-    }
-
-    /// "T[5]" in a plot; a whole family is plotted by those of its cells that are there.
-    void tap_plotted(const std::string& name) {
-        const std::size_t bracket = name.find('[');
-        Field* field = bracket == std::string::npos ? nullptr : field_of(name.substr(0, bracket));
-        if (field == nullptr) return;
-        int index = 0;
-        const auto [end, error] = std::from_chars(name.data() + bracket + 1, name.data() + name.size(), index);
-        if (error == std::errc() && *end == ']' && index >= field->from && index <= field->to) field->tapped.insert(index);
-    }
-
-    void tap_all() {
-        for (const auto& member : scene_.links) {
-            const Indices indices = member.item->family ? Indices{{member.item->family->index, member.index}} : Indices{};
-            for (const Reference& end : {member.item->from, member.item->to})
-                if (end.index) tap(end.name, *end.index, indices);
         }
     }
 
@@ -248,13 +203,7 @@ private:
         for_each(*site.expression, [&](const Expression& e) {
             const bool bound = std::find(site.bound.begin(), site.bound.end(), e.name) != site.bound.end();
             if (e.kind != Kind::name || bound) return;
-            if (const Field* field = field_of(e.name); field != nullptr && e.children.size() == 1) {
-                bool counts = false;
-                for_each(*e.children[0], [&](const Expression& part) { counts = counts || (part.kind == Kind::name && !scene_.sizes.contains(part.name)); });
-                if (counts)
-                    fail(Id::too_large, e.span, fmt::format("'{}' asks for all of the {} cells of rod '{}', which are computed in a loop; name single cells", e.written(), field->to - field->from + 1, field->rod->name));
-                tap(e.name, *e.children[0], {});
-            }
+            fields_.tap(e);
             const QuantitySpec* quantity = e.children.size() == 3 ? find_quantity(e.name) : nullptr;
             if (quantity != nullptr && quantity->subscript != Subscript::two_surfaces) {  // a property of a medium, at any temperature
                 media_.insert(e.children[0]->name);
@@ -404,7 +353,7 @@ private:
             owner_ = fmt::format("run '{}'", run.name);
             for (const ExpressionPtr& e : {run.until, run.period, run.step}) use_parameters(e);
             for (const Plot& plot : run.plots)
-                for (const std::string& name : plot.y) tap_plotted(name);
+                for (const std::string& name : plot.y) fields_.tap_plotted(name);
             for (const RunEntry& entry : run.inputs)
                 if (used_.contains(entry.variable->name)) use_parameters(entry.value);
         }
@@ -430,6 +379,7 @@ private:
     const Model& model_;
     const Names& names_;
     Scene scene_;
+    FieldChoice fields_;
     std::set<std::string> effects_;
     std::set<std::string> used_;
     std::set<std::string> media_;  ///< held by a volume or reservoir, or asked for

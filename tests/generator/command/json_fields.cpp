@@ -65,8 +65,8 @@ TEST_CASE("the JSON fields are the documented ones") {
                             "[bodies.b]\nfor = \"k = 1..N\"\nmass = \"m\"\nposition = [\"q[k]\", 0, 0]\n[springs.s]\nstiffness = \"c\"\nelongation = \"q[1]\"\n"
                             "[forces.f]\non = \"b[1]\"\nforce = [\"f\", 0, 0]\n[outputs]\ny = { value = \"q[1]\", unit = \"m\" }\n";
     const std::map<std::string, std::vector<std::vector<std::string>>> calls{
-        {"derive", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/tests/golden/capacitor.toml"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}}},
-        {"generate", {{systems + "cart_pendulum.toml", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
+        {"derive", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/tests/golden/capacitor.toml"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50"}}},
+        {"generate", {{SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50", "-o", folder}, {systems + "cart_pendulum.toml", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
         {"check", {{systems + "coupled_springs.toml"}, {systems + "cart_pendulum.toml"}}},
         {"evaluate", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}}},
         {"simulate", {{systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--no-plot", "-o", folder}, {SOURCE_DIR "/systems/heat/voltage_regulator.toml", "--until", "1", "--no-plot", "-o", folder}}},
