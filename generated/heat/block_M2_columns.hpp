@@ -16,13 +16,13 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                14     40    20        0      0
+//   update                19     47    21        0      0
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            78    201     6        0      0
+//   jacobian_p            64    196    11        0      0
 //   output                 3      3     0        0      0
 //   internal_energy        0      1     0        0      0
-//   exchanged_power       10     23     5        0      0
+//   exchanged_power        7     19    10        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -175,40 +175,49 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 14 + or -, 40 *, 20 /
+    /// Operations: 19 + or -, 47 *, 21 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.H = p_.H_b + p_.H_c;
-        const Scalar inverse_1 = Scalar(1) / p_.B;
-        const Scalar inverse_2 = Scalar(1) / p_.L_b;
-        const Scalar e3 = p_.H_b * p_.lambda_b;
-        const Scalar e4 = p_.H_c * p_.lambda_c;
-        const Scalar e5 = inverse_2 * (e3 + e4);
-        const Scalar e6 = inverse_1 * (p_.L_a / p_.lambda_a + p_.L_d / p_.lambda_d);
-        c_.R_low = inverse_1 / e5 + e6 / c_.H;
-        const Scalar e7 = p_.L_b * inverse_1;
-        const Scalar e8 = Scalar(1) / ((e6 + e7 / p_.lambda_b) / p_.H_b) + Scalar(1) / ((e6 + e7 / p_.lambda_c) / p_.H_c);
-        c_.R_up = Scalar(1) / e8;
-        const Scalar inverse_9 = Scalar(1) / p_.C;
-        const Scalar e10 = p_.lambda_a * c_.H / p_.L_a;
-        const Scalar e11 = p_.B * e10;
-        const Scalar inverse_12 = Scalar(1) / (e10 + e5);
-        const Scalar e13 = p_.lambda_d * c_.H / p_.L_d;
-        const Scalar e14 = ((Scalar(1) / Scalar(2)) * (e3 * e3 + e4 * e4) + e3 * e4) * (inverse_2 * inverse_2);
-        const Scalar e15 = inverse_12 / (e5 + e13 - Scalar(2) * inverse_12 * e14);
-        const Scalar e16 = e11 * e15 * (e13 * (p_.T_0 * e5));
-        c_.k0 = inverse_9 * e16;
-        c_.k1 = inverse_9;
-        const Scalar e17 = (Scalar(1) - inverse_12 * (Scalar(1) + Scalar(2) * e15 * e14) * e10) * e11;
-        c_.k2 = inverse_9 * e17;
-        c_.k3 = e16;
-        c_.k4 = e17;
-        const Scalar inverse_18 = Scalar(1) / c_.R_low;
-        c_.k5 = p_.T_0 * inverse_18;
-        c_.k6 = inverse_18;
-        const Scalar inverse_19 = Scalar(1) / c_.R_up;
-        c_.k7 = p_.T_0 * inverse_19;
-        c_.k8 = inverse_19;
+        const Scalar inverse_1 = Scalar(1) / c_.H;
+        const Scalar inverse_2 = Scalar(1) / p_.B;
+        const Scalar e3 = p_.L_a / p_.lambda_a;
+        const Scalar e4 = inverse_2 * (p_.L_d / p_.lambda_d + e3);
+        const Scalar inverse_5 = Scalar(1) / p_.L_b;
+        const Scalar e6 = p_.H_b * p_.lambda_b;
+        const Scalar e7 = p_.H_c * p_.lambda_c;
+        const Scalar e8 = inverse_5 * (e6 + e7);
+        const Scalar e9 = inverse_2 / e8;
+        c_.R_low = inverse_1 * e4 + e9;
+        const Scalar e10 = p_.L_b * inverse_2;
+        const Scalar e11 = Scalar(1) / ((e4 + e10 / p_.lambda_b) / p_.H_b) + Scalar(1) / ((e4 + e10 / p_.lambda_c) / p_.H_c);
+        c_.R_up = Scalar(1) / e11;
+        const Scalar inverse_12 = Scalar(1) / p_.C;
+        const Scalar e13 = p_.lambda_a * c_.H / p_.L_a;
+        const Scalar e14 = p_.B * e13;
+        const Scalar inverse_15 = Scalar(1) / (e13 + e8);
+        const Scalar e16 = p_.B * c_.H * (p_.lambda_d / p_.L_d);
+        const Scalar e17 = e14 * (inverse_15 / (Scalar(1) / (inverse_2 * inverse_1 * e3 + e9) + e16));
+        const Scalar e18 = p_.T_0 * e17 * (e8 * e16);
+        c_.k0 = inverse_12 * e18;
+        c_.k1 = inverse_12;
+        const Scalar e19 = inverse_15 * e17;
+        const Scalar e20 = e19 * (inverse_5 * inverse_5);
+        const Scalar e21 = Scalar(1) - inverse_15 * e13;
+        const Scalar e22 = Scalar(2) * (e6 * e7 * e20 - (Scalar(1) / Scalar(2)) * e21) + (e6 * e6 + e7 * e7) * e20;
+        const Scalar e23 = inverse_12 * e14;
+        c_.k2 = -e22 * e23;
+        const Scalar e24 = e8 * e8 * e19 - e21;
+        c_.k3 = -e24 * e23;
+        c_.k4 = e18;
+        c_.k5 = -e22 * e14;
+        const Scalar inverse_25 = Scalar(1) / c_.R_low;
+        c_.k6 = p_.T_0 * inverse_25;
+        c_.k7 = inverse_25;
+        const Scalar inverse_26 = Scalar(1) / c_.R_up;
+        c_.k8 = p_.T_0 * inverse_26;
+        c_.k9 = inverse_26;
+        c_.k10 = -e24 * e14;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -222,23 +231,15 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 2 + or -, 2 *
-    ///     dot(T_P) = B*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*C*(lambda_a*H/L_a + H_b*lambda_b/L_b +
-    ///     H_c*lambda_c/L_b)*(-2*H_b*H_c*lambda_b*lambda_c/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) +
-    ///     H_b*lambda_b/L_b - H_b^2*lambda_b^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + H_c*lambda_c/L_b -
-    ///     H_c^2*lambda_c^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + lambda_d*H/L_d)) + P/C -
-    ///     B*lambda_a*H*(1 - 2*H_b*H_c*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b +
-    ///     H_c*lambda_c/L_b)^2*(-2*H_b*H_c*lambda_b*lambda_c/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) +
-    ///     H_b*lambda_b/L_b - H_b^2*lambda_b^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + H_c*lambda_c/L_b -
-    ///     H_c^2*lambda_c^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + lambda_d*H/L_d)) -
-    ///     H_b^2*lambda_a*lambda_b^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b +
-    ///     H_c*lambda_c/L_b)^2*(-2*H_b*H_c*lambda_b*lambda_c/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) +
-    ///     H_b*lambda_b/L_b - H_b^2*lambda_b^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + H_c*lambda_c/L_b -
-    ///     H_c^2*lambda_c^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + lambda_d*H/L_d)) -
-    ///     H_c^2*lambda_a*lambda_c^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b +
-    ///     H_c*lambda_c/L_b)^2*(-2*H_b*H_c*lambda_b*lambda_c/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) +
-    ///     H_b*lambda_b/L_b - H_b^2*lambda_b^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + H_c*lambda_c/L_b -
-    ///     H_c^2*lambda_c^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + lambda_d*H/L_d)) -
-    ///     lambda_a*H/(L_a*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)))*T_P/(L_a*C)
+    ///     dot(T_P) = B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*C*(lambda_a*H/L_a + H_b*lambda_b/L_b
+    ///     + H_c*lambda_c/L_b)*(B*lambda_d*H/L_d + 1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) + P/C -
+    ///     B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b +
+    ///     H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d + 1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) -
+    ///     H_b^2*B*lambda_a*lambda_b^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d +
+    ///     1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) -
+    ///     H_c^2*B*lambda_a*lambda_c^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d +
+    ///     1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) - lambda_a*H/(L_a*(lambda_a*H/L_a +
+    ///     H_b*lambda_b/L_b + H_c*lambda_c/L_b)))*T_P/(L_a*C)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar T_P = x[0];
@@ -252,7 +253,7 @@ public:
         const Scalar P = u[0];
         const Scalar T_P = x[0];
         dxdt[0] = c_.k0 + c_.k1 * P - c_.k2 * T_P;
-        J[0] = -c_.k2;
+        J[0] = -c_.k3;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -268,109 +269,106 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 12, entry (i, j) at J[1*j + i].
-    /// Operations: 78 + or -, 201 *, 6 /
+    /// Operations: 64 + or -, 196 *, 11 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
+        const Scalar inverse_1 = Scalar(1) / p_.lambda_a;
+        const Scalar inverse_2 = Scalar(1) / p_.L_b;
+        const Scalar e3 = p_.H_b * p_.lambda_b;
+        const Scalar e4 = p_.H_c * p_.lambda_c;
+        const Scalar e5 = e3 + e4;
+        const Scalar e6 = inverse_2 * e5;
+        const Scalar inverse_7 = Scalar(1) / e6;
+        const Scalar inverse_8 = Scalar(1) / ((p_.L_a * inverse_1 / c_.H + inverse_7) / p_.B);
+        const Scalar inverse_9 = Scalar(1) / p_.L_d;
+        const Scalar e10 = p_.lambda_d * inverse_9;
+        const Scalar e11 = p_.B * c_.H;
+        const Scalar e12 = e10 * e11;
+        const Scalar inverse_13 = Scalar(1) / (inverse_8 + e12);
+        const Scalar inverse_14 = Scalar(1) / p_.L_a;
+        const Scalar inverse_15 = Scalar(1) / p_.C;
+        const Scalar e16 = inverse_14 * inverse_15;
+        const Scalar e17 = inverse_2 * inverse_13;
+        const Scalar e18 = p_.B * e17;
+        const Scalar e19 = e16 * e18;
+        const Scalar inverse_8_squared = inverse_8 * inverse_8;
+        const Scalar e20 = p_.lambda_a * inverse_14;
+        const Scalar inverse_21 = Scalar(1) / (c_.H * e20 + e6);
+        const Scalar e22 = c_.H * inverse_21;
+        const Scalar e23 = p_.T_0 * e10;
+        const Scalar e24 = e5 * e23;
+        const Scalar e25 = e22 * e24;
+        const Scalar e26 = inverse_8_squared * e25;
+        const Scalar e27 = p_.lambda_a * e16;
+        const Scalar e28 = e27 * e22;
+        const Scalar e29 = p_.B * e28;
+        const Scalar e30 = e17 * e29;
+        const Scalar e31 = p_.B * e30;
+        const Scalar e32 = c_.H * e31;
+        const Scalar e33 = e24 * e32;
+        const Scalar e34 = inverse_14 * e33;
+        const Scalar e35 = e22 * e20;
         const Scalar T_P = x[0];
-        const Scalar inverse_1 = Scalar(1) / p_.L_a;
-        const Scalar inverse_2 = Scalar(1) / p_.C;
-        const Scalar e3 = inverse_1 * inverse_2;
-        const Scalar e4 = p_.lambda_a * e3;
-        const Scalar e5 = c_.H * e4;
-        const Scalar e6 = p_.B * e5;
-        const Scalar e7 = p_.lambda_a * inverse_1;
-        const Scalar inverse_8 = Scalar(1) / p_.L_b;
-        const Scalar e9 = p_.H_c * p_.lambda_c;
-        const Scalar e10 = p_.H_b * p_.lambda_b;
-        const Scalar e11 = e9 + e10;
-        const Scalar e12 = inverse_8 * e11;
-        const Scalar inverse_13 = Scalar(1) / (c_.H * e7 + e12);
-        const Scalar e14 = inverse_13 * e7;
-        const Scalar e15 = c_.H * e14;
-        const Scalar e16 = inverse_8 * inverse_13;
-        const Scalar e17 = e16 * e7;
-        const Scalar e9_squared = e9 * e9;
-        const Scalar e10_squared = e10 * e10;
-        const Scalar e18 = e9_squared + e10_squared;
-        const Scalar e19 = e9 * e10;
-        const Scalar e20 = (Scalar(1) / Scalar(2)) * e18 + e19;
-        const Scalar e21 = inverse_13 * e5;
-        const Scalar e22 = c_.H * e21;
-        const Scalar inverse_23 = Scalar(1) / p_.L_d;
-        const Scalar e24 = p_.lambda_d * inverse_23;
-        const Scalar inverse_25 = Scalar(1) / (c_.H * e24 - Scalar(2) * inverse_8 * e20 * e16 + e12);
-        const Scalar e26 = inverse_8 * inverse_25;
-        const Scalar e27 = e22 * e26;
-        const Scalar e28 = p_.B * e27;
-        const Scalar e29 = e20 * e28;
-        const Scalar e30 = p_.B * e22;
-        const Scalar e31 = e26 * e16;
-        const Scalar e31_squared = e31 * e31;
-        const Scalar e32 = e19 * e31_squared;
-        const Scalar e33 = e9_squared * e9_squared + e10_squared * e10_squared;
-        const Scalar e34 = (Scalar(1) / Scalar(4)) * (Scalar(1) + Scalar(6) * e19 * e32) + e18 * e32;
-        const Scalar e35 = Scalar(4) * e34 + e33 * e31_squared;
-        const Scalar e36 = e35 * e7;
-        const Scalar e37 = Scalar(4) * e17 * e29 + e30 * e36;
-        const Scalar e38 = inverse_1 * e37;
-        const Scalar e39 = inverse_1 * e30;
-        const Scalar e40 = inverse_1 * e29;
-        const Scalar e41 = p_.T_0 * e24;
-        const Scalar e42 = e28 * e41;
-        const Scalar e43 = e11 * e42;
-        const Scalar e44 = Scalar(1) + Scalar(3) * e31 * e19;
-        const Scalar e45 = e9 * e9_squared;
-        const Scalar e46 = e10 * e10_squared;
-        const Scalar e47 = e45 + e46;
-        const Scalar e48 = e11 * e44 + e47 * e31;
-        const Scalar e49 = e42 * (inverse_1 * e48);
-        const Scalar e50 = (Scalar(1) / Scalar(4)) * e33 * e31 + ((Scalar(1) / Scalar(2)) * e44 + e18 * e31) * e19;
-        const Scalar e51 = e18 + Scalar(4) * e50;
-        const Scalar e52 = e11 * e19;
-        const Scalar e53 = (Scalar(1) / Scalar(3)) * e47 + e52;
-        const Scalar e54 = inverse_8 * (inverse_13 + (Scalar(1) / Scalar(2)) * inverse_25);
-        const Scalar e55 = (Scalar(1) / Scalar(10)) * (e9_squared * e45 + e10_squared * e46)
-            + ((Scalar(1) / Scalar(2)) * e47 + e52) * e19;
-        const Scalar e56 = (Scalar(5) / Scalar(3)) * e16 * e55 * e31 + e53 * e54;
-        const Scalar e57 = e20 * e26;
-        const Scalar e58 = e57 + (Scalar(1) / Scalar(2)) * (e16 * e51 - Scalar(6) * e53 * e31);
-        const Scalar e59 = inverse_23 * e28;
-        const Scalar e60 = e57 * e15;
-        const Scalar e61 = e24 * e60;
-        const Scalar e62 = inverse_23 * e43;
-        const Scalar e63 = e62 * (c_.H * inverse_25);
-        const Scalar e64 = p_.B * e21;
-        const Scalar e65 = e11 * e26;
-        const Scalar e66 = e41 * e65;
-        const Scalar e67 = e11 * e24;
-        const Scalar e68 = e48 * e14 + inverse_25 * e67;
-        const Scalar e69 = Scalar(2) * (e64 * e66 - (Scalar(1) / Scalar(2)) * e42 * e68);
-        const Scalar e70 = Scalar(1) - (e65 - Scalar(4) * e16 * (e57 - (Scalar(1) / Scalar(4)) * e48));
-        const Scalar e71 = e42 * e70;
-        const Scalar e72 = Scalar(2) * e57 * (e17 * e64 - (Scalar(1) / Scalar(2)) * e28 * e24 * e14);
-        const Scalar e73 = p_.B * e4 + e37 * e14 - Scalar(2) * (e7 * e64 + e72);
-        const Scalar e74 = e48 * e28 - (Scalar(1) / Scalar(2)) * (e35 * e30 + Scalar(4) * e29 * e54);
-        const Scalar e75 = e17 * e74;
-        const Scalar e76 = e27 * e17;
-        const Scalar e77 = c_.H * inverse_13;
-        const Scalar e78 = e3 * (p_.B * c_.H);
+        const Scalar e3_squared = e3 * e3;
+        const Scalar e4_squared = e4 * e4;
+        const Scalar e36 = e3 * e4;
+        const Scalar e37 = (Scalar(1) / Scalar(2)) * (e3_squared + e4_squared) + e36;
+        const Scalar e38 = inverse_2 * e37;
+        const Scalar e39 = inverse_21 * e18;
+        const Scalar e40 = Scalar(1) + Scalar(4) * e38 * e39;
+        const Scalar e41 = e29 * (Scalar(1) - (Scalar(1) / Scalar(2)) * e40 * e35);
+        const Scalar e42 = p_.B * e27 - Scalar(2) * e20 * e41;
+        const Scalar e43 = c_.H * inverse_14;
+        const Scalar e44 = inverse_2 * e35;
+        const Scalar e45 = inverse_14 * e31;
+        const Scalar e46 = inverse_21 * e37;
+        const Scalar e47 = e17 * e46;
+        const Scalar e48 = inverse_8_squared * e47;
+        const Scalar e49 = inverse_2 * e31;
+        const Scalar e50 = e22 * e38;
+        const Scalar e51 = inverse_7 * inverse_8_squared;
+        const Scalar e52 = inverse_13 * e51;
+        const Scalar e53 = p_.B - e52;
+        const Scalar e54 = e24 * (c_.H * e30);
+        const Scalar e55 = (p_.B - (Scalar(1) / Scalar(2)) * e52) * e30;
+        const Scalar e56 = (Scalar(1) / Scalar(3)) * (e3 * e3_squared + e4 * e4_squared) + e5 * e36;
+        const Scalar e57 = e56 * e44;
+        const Scalar e58 = e57 * (inverse_2 * inverse_21);
+        const Scalar e59 = inverse_9 * e32;
+        const Scalar e60 = e37 * e35 * (e18 * e59);
+        const Scalar e61 = inverse_9 * e33;
+        const Scalar e62 = inverse_13 * e61;
+        const Scalar e63 = inverse_8_squared + e20 * e11 * e12;
+        const Scalar e64 = inverse_15 * inverse_13;
+        const Scalar e65 = Scalar(2) * (e24 * (e31 - (Scalar(1) / Scalar(2)) * (e35 * e31 + e63 * e64 * e39)));
+        const Scalar e66 = e30 * e23;
+        const Scalar e67 = (p_.B * e22 * e6 - c_.H * e53) * e66;
+        const Scalar e68 = e63 * e17;
+        const Scalar e69 = (e27 * e68 * e39 - Scalar(2) * e20 * e49) * e46 + (Scalar(1) / Scalar(2)) * e42;
+        const Scalar e70 = (e5 * e55 - (Scalar(1) / Scalar(2)) * e40 * e29) * e44;
+        const Scalar e71 = c_.H * e28;
+        const Scalar e72 = e17 * e17 * (inverse_7 * e51);
+        const Scalar e73 = c_.H * e27;
         const Scalar P = u[0];
-        const Scalar e79 = inverse_1 * e6 + e15 * e38 - Scalar(2) * e7 * e39 - Scalar(4) * e17 * e40;
-        J[0] = T_P * e79 - (inverse_1 * e43 - e15 * e49);
-        const Scalar e80 = e17 * e30 * e12 - e17 * (inverse_8 * e28) * (Scalar(2) * e51 - Scalar(6) * e56);
-        J[1] = T_P * e80 - (-inverse_8 * (Scalar(2) * e42 * e58 - e43));
-        J[2] = T_P * (Scalar(2) * e59 * e61) - (e62 - e24 * e63);
-        J[3] = e69 + p_.lambda_b * e71 - T_P * (e73 - Scalar(2) * p_.lambda_b * e75);
-        J[4] = e69 + p_.lambda_c * e71 - T_P * (e73 - Scalar(2) * p_.lambda_c * e75);
-        const Scalar e81 = ((Scalar(1) / Scalar(4)) * e22 * e36 + e20 * e76) * (Scalar(8) - Scalar(4) * e15);
-        const Scalar e82 = e5 - e81 + e11 * e22 * e17 + Scalar(6) * e56 * e76 + Scalar(2) * e27 * e61;
-        J[5] = e27 * e41 * (Scalar(3) * e11 - c_.H * e68 - Scalar(2) * e58) - T_P * e82;
-        J[6] = e77 * (e66 * e78 - e49) - T_P * (e77 * e38 - Scalar(2) * e39 - Scalar(4) * e16 * e40 + e78);
-        J[7] = p_.H_b * e71 - T_P * (-Scalar(2) * p_.H_b * e75);
-        J[8] = p_.H_c * e71 - T_P * (-Scalar(2) * p_.H_c * e75);
-        J[9] = p_.T_0 * e11 * e59 - e63 - T_P * (Scalar(2) * e59 * e60);
-        const Scalar e83 = T_P * (inverse_2 * e6 - e64 * (e5 + Scalar(2) * inverse_8 * e21 * e57));
-        J[10] = e83 - inverse_2 * e43 - P * (inverse_2 * inverse_2);
-        J[11] = e28 * e67;
+        const Scalar e74 = e42 * e43 - Scalar(4) * e37 * e44 * e45 + Scalar(2) * inverse_14 * e30 * e48;
+        J[0] = inverse_13 * e19 * e26 - e34 * (Scalar(1) - e35) + T_P * e74;
+        const Scalar e75 = T_P * (e44 * (e29 * e6 - Scalar(4) * e38 * e55) + Scalar(6) * e49 * e58);
+        J[1] = Scalar(2) * e23 * e49 * e50 - inverse_2 * e53 * e54 + e75;
+        J[2] = T_P * (Scalar(2) * e10 * e60) - (e61 - e12 * e62);
+        J[3] = e65 - p_.lambda_b * e67 - T_P * (Scalar(2) * (e69 - p_.lambda_b * e70));
+        J[4] = e65 - p_.lambda_c * e67 - T_P * (Scalar(2) * (e69 - p_.lambda_c * e70));
+        const Scalar e76 = e54 * (Scalar(3) - e35) - e25 * e64 * e68 - Scalar(2) * e66 * e50 - Scalar(2) * e37 * e23 * e71
+            * e72;
+        const Scalar e77 = e28 * (e5 * e44 + Scalar(2) * e68 * e47 + Scalar(3) * e57 * e72) - e71 * (e40 * e20)
+            * (Scalar(2) - e35) + e73 + Scalar(6) * e30 * e58;
+        J[5] = e76 - T_P * e77;
+        const Scalar e78 = e16 * e11 - Scalar(4) * e50 * e45 - Scalar(2) * e43 * e41 + Scalar(2) * e22 * e19 * e48;
+        J[6] = e11 * e25 * e19 - e22 * e34 - inverse_1 * e18 * e64 * e26 - T_P * e78;
+        J[7] = -p_.H_b * e67 - T_P * (-Scalar(2) * p_.H_b * e70);
+        J[8] = -p_.H_c * e67 - T_P * (-Scalar(2) * p_.H_c * e70);
+        J[9] = p_.T_0 * e5 * e59 - e11 * e62 - T_P * (Scalar(2) * e60);
+        J[10] = T_P * (inverse_15 * e27 * e11 - e29 * (Scalar(2) * e30 * e38 + e73)) - inverse_15 * e33 - P
+            * (inverse_15 * inverse_15);
+        J[11] = e5 * e10 * e32;
     }
 
     /// J = df/dt at fixed x and u.
@@ -396,38 +394,30 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: 3 + or -, 3 *
-    ///     Q_column = -B*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*(lambda_a*H/L_a + H_b*lambda_b/L_b +
-    ///     H_c*lambda_c/L_b)*(-2*H_b*H_c*lambda_b*lambda_c/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) +
-    ///     H_b*lambda_b/L_b - H_b^2*lambda_b^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + H_c*lambda_c/L_b -
-    ///     H_c^2*lambda_c^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + lambda_d*H/L_d)) + B*lambda_a*H*(1 -
-    ///     2*H_b*H_c*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b +
-    ///     H_c*lambda_c/L_b)^2*(-2*H_b*H_c*lambda_b*lambda_c/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) +
-    ///     H_b*lambda_b/L_b - H_b^2*lambda_b^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + H_c*lambda_c/L_b -
-    ///     H_c^2*lambda_c^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + lambda_d*H/L_d)) -
-    ///     H_b^2*lambda_a*lambda_b^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b +
-    ///     H_c*lambda_c/L_b)^2*(-2*H_b*H_c*lambda_b*lambda_c/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) +
-    ///     H_b*lambda_b/L_b - H_b^2*lambda_b^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + H_c*lambda_c/L_b -
-    ///     H_c^2*lambda_c^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + lambda_d*H/L_d)) -
-    ///     H_c^2*lambda_a*lambda_c^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b +
-    ///     H_c*lambda_c/L_b)^2*(-2*H_b*H_c*lambda_b*lambda_c/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) +
-    ///     H_b*lambda_b/L_b - H_b^2*lambda_b^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + H_c*lambda_c/L_b -
-    ///     H_c^2*lambda_c^2/(L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)) + lambda_d*H/L_d)) -
-    ///     lambda_a*H/(L_a*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)))*T_P/L_a
+    ///     Q_column = -B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*(lambda_a*H/L_a + H_b*lambda_b/L_b
+    ///     + H_c*lambda_c/L_b)*(B*lambda_d*H/L_d + 1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) +
+    ///     B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b +
+    ///     H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d + 1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) -
+    ///     H_b^2*B*lambda_a*lambda_b^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d +
+    ///     1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) -
+    ///     H_c^2*B*lambda_a*lambda_c^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d +
+    ///     1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) - lambda_a*H/(L_a*(lambda_a*H/L_a +
+    ///     H_b*lambda_b/L_b + H_c*lambda_c/L_b)))*T_P/L_a
     ///     Q_most = -T_0/R_low + T_P/R_low
     ///     Q_least = -T_0/R_up + T_P/R_up
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         const Scalar T_P = x[0];
-        y[0] = c_.k4 * T_P - c_.k3;
-        y[1] = c_.k6 * T_P - c_.k5;
-        y[2] = c_.k8 * T_P - c_.k7;
+        y[0] = c_.k5 * T_P - c_.k4;
+        y[1] = c_.k7 * T_P - c_.k6;
+        y[2] = c_.k9 * T_P - c_.k8;
     }
 
     /// C = dh/dx.
     /// Operations: none
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        C[0] = c_.k4;
-        C[1] = c_.k6;
-        C[2] = c_.k8;
+        C[0] = c_.k10;
+        C[1] = c_.k7;
+        C[2] = c_.k9;
     }
 
     /// D = dh/du.
@@ -481,23 +471,16 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 10 + or -, 23 *, 5 /
+    /// Operations: 7 + or -, 19 *, 10 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar e1 = p_.lambda_d * c_.H / p_.L_d;
-        const Scalar e2 = p_.B * e1;
-        const Scalar e3 = p_.H_c * p_.lambda_c;
-        const Scalar inverse_4 = Scalar(1) / p_.L_b;
-        const Scalar e5 = p_.H_b * p_.lambda_b;
-        const Scalar e6 = e5 + e3;
-        const Scalar e7 = inverse_4 * e6;
-        const Scalar e8 = p_.lambda_a * c_.H / p_.L_a;
-        const Scalar e9 = inverse_4 / (e7 + e8);
-        const Scalar e10 = inverse_4 * e9;
-        const Scalar e11 = e5 * e10;
-        const Scalar inverse_12 = Scalar(1) / (e1 - e3 * (e3 * e10 + Scalar(2) * e11) + e7 - e5 * e11);
+        const Scalar e1 = p_.B * p_.lambda_d * (c_.H / p_.L_d);
+        const Scalar e2 = (p_.H_b * p_.lambda_b + p_.H_c * p_.lambda_c) / p_.L_b;
+        const Scalar e3 = Scalar(1) / ((p_.L_a / p_.lambda_a / c_.H + Scalar(1) / e2) / p_.B) + e1;
+        const Scalar e4 = e1 / e3;
         const Scalar P = u[0];
         const Scalar T_P = x[0];
-        return -p_.T_0 * e2 * (inverse_12 * e1 - Scalar(1)) + P - T_P * (inverse_12 * e6 * e9 * e2 * e8);
+        const Scalar e5 = p_.lambda_a * c_.H / p_.L_a;
+        return p_.T_0 * e1 * (Scalar(1) - e4) + P - T_P * (p_.B * e2 * e4 * e5 / (e2 + e5));
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -512,15 +495,17 @@ private:
         Scalar H;  ///< H_b + H_c
         Scalar R_low;  ///< (L_a/(lambda_a*H) + L_d/(lambda_d*H) + 1/(H_b*lambda_b/L_b + H_c*lambda_c/L_b))/B
         Scalar R_up;  ///< 1/(1/(L_a/(H_b*B*lambda_a) + L_b/(H_b*B*lambda_b) + L_d/(H_b*B*lambda_d)) + ...
-        Scalar k0;  ///< B*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*C*(lambda_a*H/L_a + ...
+        Scalar k0;  ///< B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*C*(lambda_a*H/L_a + ...
         Scalar k1;  ///< 1/C
-        Scalar k2;  ///< B*lambda_a*H*(1 - 2*H_b*H_c*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + ...
-        Scalar k3;  ///< B*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*(lambda_a*H/L_a + ...
-        Scalar k4;  ///< B*lambda_a*H*(1 - 2*H_b*H_c*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + ...
-        Scalar k5;  ///< T_0/R_low
-        Scalar k6;  ///< 1/R_low
-        Scalar k7;  ///< T_0/R_up
-        Scalar k8;  ///< 1/R_up
+        Scalar k2;  ///< B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + ...
+        Scalar k3;  ///< B*lambda_a*H*(1 - B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b^2*(lambda_a*H/L_a + ...
+        Scalar k4;  ///< B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*(lambda_a*H/L_a + ...
+        Scalar k5;  ///< B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + ...
+        Scalar k6;  ///< T_0/R_low
+        Scalar k7;  ///< 1/R_low
+        Scalar k8;  ///< T_0/R_up
+        Scalar k9;  ///< 1/R_up
+        Scalar k10;  ///< B*lambda_a*H*(1 - B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b^2*(lambda_a*H/L_a + ...
     };
     Cached c_{};
 };

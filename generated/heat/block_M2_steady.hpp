@@ -16,13 +16,13 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                26     50    27        0      0
+//   update                26     49    30        0      0
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            86    200    16        0      0
+//   jacobian_p            92    217    19        0      0
 //   output                 3      3     0        0      0
 //   internal_energy        0      1     0        0      0
-//   exchanged_power       17     17     8        0      0
+//   exchanged_power       17     16    11        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -175,7 +175,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 26 + or -, 50 *, 27 /
+    /// Operations: 26 + or -, 49 *, 30 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.H = p_.H_b + p_.H_c;
@@ -204,28 +204,29 @@ public:
         const Scalar e15 = Scalar(1) / ((e13 + inverse_9 * e14) / p_.H_b) + Scalar(1) / ((e13 + inverse_10 * e14) / p_.H_c);
         c_.R_up = Scalar(1) / e15;
         const Scalar inverse_16 = Scalar(1) / p_.C;
-        const Scalar inverse_17 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
-        const Scalar inverse_18 = Scalar(1) / (c_.G_ab + c_.G_l + inverse_17);
-        const Scalar e19 = c_.G_l * inverse_18;
-        const Scalar inverse_20 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
-        const Scalar inverse_21 = Scalar(1) / (c_.G_l * (Scalar(1) - e19) + c_.G_ac + inverse_20);
-        const Scalar e22 = c_.G_ab * inverse_18;
-        const Scalar e23 = c_.G_l * e22;
-        const Scalar e24 = inverse_21 * (c_.G_ac + e23) * (inverse_20 + inverse_17 * e19) + inverse_17 * e22;
-        const Scalar e25 = p_.T_0 * e24;
-        c_.k0 = inverse_16 * e25;
+        const Scalar inverse_17 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
+        const Scalar inverse_18 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
+        const Scalar e19 = c_.G_ab + inverse_18;
+        const Scalar e20 = c_.G_ac + inverse_17 + Scalar(1) / (Scalar(1) / c_.G_l + Scalar(1) / e19);
+        const Scalar inverse_21 = Scalar(1) / e20;
+        const Scalar inverse_22 = Scalar(1) / (c_.G_l + e19);
+        const Scalar e23 = c_.G_ab * inverse_22;
+        const Scalar e24 = c_.G_l * e23;
+        const Scalar e25 = inverse_21 * (c_.G_ac + e24) * (c_.G_l * inverse_18 * inverse_22 + inverse_17);
+        const Scalar e26 = p_.T_0 * (e25 + inverse_18 * e23);
+        c_.k0 = inverse_16 * e26;
         c_.k1 = inverse_16;
-        const Scalar e26 = c_.G_ac * c_.G_ac * inverse_21 + (c_.G_ab + c_.G_l * inverse_21 * (Scalar(2) * c_.G_ac + e23)) * e22;
-        const Scalar e27 = e26 - (c_.G_ab + c_.G_ac);
-        c_.k2 = -inverse_16 * e27;
-        c_.k3 = e25;
-        c_.k4 = -e27;
-        const Scalar inverse_28 = Scalar(1) / c_.R_low;
-        c_.k5 = p_.T_0 * inverse_28;
-        c_.k6 = inverse_28;
-        const Scalar inverse_29 = Scalar(1) / c_.R_up;
-        c_.k7 = p_.T_0 * inverse_29;
-        c_.k8 = inverse_29;
+        const Scalar e27 = c_.G_ac * c_.G_ac * inverse_21 + (c_.G_ab + c_.G_l * inverse_21 * (Scalar(2) * c_.G_ac + e24)) * e23;
+        const Scalar e28 = e27 - (c_.G_ab + c_.G_ac);
+        c_.k2 = -inverse_16 * e28;
+        c_.k3 = e26;
+        c_.k4 = -e28;
+        const Scalar inverse_29 = Scalar(1) / c_.R_low;
+        c_.k5 = p_.T_0 * inverse_29;
+        c_.k6 = inverse_29;
+        const Scalar inverse_30 = Scalar(1) / c_.R_up;
+        c_.k7 = p_.T_0 * inverse_30;
+        c_.k8 = inverse_30;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -239,15 +240,15 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 2 + or -, 2 *
-    ///     dot(T_P) = T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + G_l - G_l^2/(G_ab + G_l +
-    ///     1/(1/G_b + 1/G_db)) + 1/(1/G_c + 1/G_dc))) + G_ab*G_l/((1/G_c + 1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + G_l -
-    ///     G_l^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) + 1/(1/G_c + 1/G_dc))) + G_ab/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b +
-    ///     1/G_db))) + G_ac*G_l/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + G_l - G_l^2/(G_ab + G_l + 1/(1/G_b +
-    ///     1/G_db)) + 1/(1/G_c + 1/G_dc))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + G_l - G_l^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) +
-    ///     1/(1/G_c + 1/G_dc))))/C + P/C - (G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + G_l - G_l^2/(G_ab +
-    ///     G_l + 1/(1/G_b + 1/G_db)) + 1/(1/G_c + 1/G_dc))) - G_ab^2*G_l^2/((G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + G_l -
-    ///     G_l^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) + 1/(1/G_c + 1/G_dc))) - G_ab^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) + G_ac -
-    ///     G_ac^2/(G_ac + G_l - G_l^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) + 1/(1/G_c + 1/G_dc)))*T_P/C
+    ///     dot(T_P) = T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l +
+    ///     1/(G_ab + 1/(1/G_b + 1/G_db))))) + G_ab*G_l/((1/G_c + 1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c +
+    ///     1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db))))) + G_ab/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) +
+    ///     G_ac*G_l/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b
+    ///     + 1/G_db))))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db))))))/C + P/C
+    ///     - (G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b
+    ///     + 1/G_db))))) - G_ab^2*G_l^2/((G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab +
+    ///     1/(1/G_b + 1/G_db))))) - G_ab^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) + G_ac - G_ac^2/(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l
+    ///     + 1/(G_ab + 1/(1/G_b + 1/G_db)))))*T_P/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar T_P = x[0];
@@ -277,130 +278,142 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 12, entry (i, j) at J[1*j + i].
-    /// Operations: 86 + or -, 200 *, 16 /
+    /// Operations: 92 + or -, 217 *, 19 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / c_.G_b;
-        const Scalar inverse_2 = Scalar(1) / c_.G_db;
-        const Scalar inverse_3 = Scalar(1) / (inverse_1 + inverse_2);
-        const Scalar inverse_4 = Scalar(1) / c_.G_c;
-        const Scalar inverse_5 = Scalar(1) / c_.G_dc;
-        const Scalar inverse_6 = Scalar(1) / (inverse_4 + inverse_5);
-        const Scalar inverse_7 = Scalar(1) / (c_.G_ab + c_.G_l + inverse_3);
-        const Scalar e8 = c_.G_l * inverse_7;
-        const Scalar e9 = Scalar(1) - e8;
-        const Scalar inverse_10 = Scalar(1) / (c_.G_ac + inverse_6 + c_.G_l * e9);
-        const Scalar e11 = c_.G_ab * inverse_7;
-        const Scalar e12 = c_.G_l * e11;
-        const Scalar e13 = c_.G_ac + e12;
-        const Scalar e14 = inverse_10 * e13;
-        const Scalar e15 = inverse_3 * inverse_7;
-        const Scalar e16 = inverse_6 + c_.G_l * e15;
-        const Scalar e17 = inverse_10 * e16;
-        const Scalar e18 = c_.G_l * c_.G_l;
-        const Scalar e19 = c_.G_ab * inverse_3 + e14 * e17 * e18;
-        const Scalar inverse_7_squared = inverse_7 * inverse_7;
-        const Scalar e20 = (Scalar(1) / Scalar(2)) * c_.G_ac + e12;
-        const Scalar e21 = c_.G_ab * inverse_6 + Scalar(2) * inverse_3 * e20;
-        const Scalar e22 = Scalar(1) - Scalar(2) * e8;
-        const Scalar e23 = e16 * e14;
-        const Scalar e24 = e19 * inverse_7_squared - inverse_10 * (inverse_7 * e9 * e21 - e22 * e23);
-        const Scalar inverse_25 = Scalar(1) / p_.C;
-        const Scalar e26 = p_.B * inverse_25;
-        const Scalar e27 = p_.T_0 * e26;
-        const Scalar e28 = e24 * e27;
-        const Scalar e29 = p_.H_b + p_.H_c;
-        const Scalar inverse_30 = Scalar(1) / e29;
-        const Scalar e31 = p_.lambda_a * inverse_30;
-        const Scalar inverse_32 = Scalar(1) / p_.L_a;
-        const Scalar e33 = p_.lambda_a * inverse_32;
-        const Scalar e34 = e27 * e33;
-        const Scalar e35 = inverse_7 * (c_.G_l * inverse_10 * e21 + e19);
-        const Scalar e36 = inverse_3 + (c_.G_l * e17 - e35);
-        const Scalar e37 = p_.H_b * inverse_7;
-        const Scalar e38 = (Scalar(1) - e14) * e17;
-        const Scalar e39 = e36 * e37 + p_.H_c * e38;
-        const Scalar e40 = inverse_32 * e39;
+        const Scalar inverse_1 = Scalar(1) / p_.C;
+        const Scalar e2 = p_.B * inverse_1;
+        const Scalar e3 = p_.T_0 * e2;
+        const Scalar inverse_4 = Scalar(1) / p_.L_a;
+        const Scalar e5 = p_.lambda_a * inverse_4;
+        const Scalar e6 = e3 * e5;
+        const Scalar inverse_7 = Scalar(1) / c_.G_b;
+        const Scalar inverse_8 = Scalar(1) / c_.G_db;
+        const Scalar inverse_9 = Scalar(1) / (inverse_7 + inverse_8);
+        const Scalar e10 = c_.G_ab + inverse_9;
+        const Scalar inverse_11 = Scalar(1) / (c_.G_l + e10);
+        const Scalar e12 = c_.G_ab * inverse_11;
+        const Scalar e13 = c_.G_l * e12;
+        const Scalar e14 = c_.G_ac + e13;
+        const Scalar inverse_15 = Scalar(1) / c_.G_c;
+        const Scalar inverse_16 = Scalar(1) / c_.G_dc;
+        const Scalar inverse_17 = Scalar(1) / (inverse_15 + inverse_16);
+        const Scalar e18 = c_.G_l * inverse_11;
+        const Scalar e19 = inverse_17 + inverse_9 * e18;
+        const Scalar inverse_20 = Scalar(1) / e10;
+        const Scalar inverse_20_squared = inverse_20 * inverse_20;
+        const Scalar inverse_21 = Scalar(1) / c_.G_l;
+        const Scalar inverse_22 = Scalar(1) / (inverse_21 + inverse_20);
+        const Scalar inverse_23 = Scalar(1) / (c_.G_ac + inverse_17 + inverse_22);
+        const Scalar e24 = inverse_22 * inverse_23;
+        const Scalar e24_squared = e24 * e24;
+        const Scalar e25 = inverse_9 * e12;
+        const Scalar e26 = inverse_11 * e25;
+        const Scalar e27 = c_.G_ab * inverse_17 + c_.G_ac * inverse_9;
+        const Scalar e28 = (Scalar(1) / Scalar(2)) * e27 + inverse_9 * e13;
+        const Scalar e29 = inverse_11 * inverse_23;
+        const Scalar e30 = (Scalar(1) / Scalar(2)) * (e14 * e19 * inverse_20_squared * e24_squared + e26);
+        const Scalar e31 = e30 + e28 * e18 * e29;
+        const Scalar e32 = inverse_23 * e19;
+        const Scalar e33 = inverse_11 * (inverse_9 + c_.G_l * e32);
+        const Scalar e34 = inverse_23 * e14;
+        const Scalar e35 = (Scalar(1) - e34) * e32;
+        const Scalar e36 = p_.H_b * e31 - (Scalar(1) / Scalar(2)) * (p_.H_b * e33 + p_.H_c * e35);
+        const Scalar e37 = inverse_4 * e36;
+        const Scalar e38 = Scalar(1) + e24_squared;
+        const Scalar e39 = inverse_17 * inverse_23;
+        const Scalar e40 = inverse_21 * e24;
+        const Scalar e41 = c_.G_ac * e40;
+        const Scalar e42 = inverse_22 * e41;
+        const Scalar e43 = Scalar(1) - e18;
+        const Scalar e44 = e38 * e26 + inverse_21 * e39 * e42 + (inverse_22 * e27 * e40 - Scalar(2) * e43 * e28) * e29;
+        const Scalar e45 = e44 * e3;
+        const Scalar e46 = p_.H_b + p_.H_c;
+        const Scalar inverse_47 = Scalar(1) / e46;
+        const Scalar e48 = p_.lambda_a * inverse_47;
         const Scalar T_P = x[0];
-        const Scalar e41 = e26 * e33;
-        const Scalar e42 = inverse_10 * (Scalar(2) * c_.G_ac * e20 + e11 * e11 * e18);
-        const Scalar e43 = inverse_10 * e42;
-        const Scalar e44 = c_.G_ab * c_.G_ab + e43 * e18;
-        const Scalar e45 = c_.G_l * e14;
-        const Scalar e46 = (Scalar(1) / Scalar(2)) * e44 + c_.G_ab * e45;
-        const Scalar e47 = c_.G_ab + e45;
-        const Scalar e48 = inverse_7 * e46 - e47;
-        const Scalar e49 = inverse_10 * (e42 - Scalar(2) * e13);
-        const Scalar e50 = e48 * e37 + (Scalar(1) / Scalar(2)) * p_.H_c * e49 + (Scalar(1) / Scalar(2)) * e29;
-        const Scalar e51 = inverse_32 * e50;
-        const Scalar e52 = Scalar(2) * inverse_10 * (e13 * e9 * e11 - (Scalar(1) / Scalar(2)) * e22 * e42);
-        const Scalar e53 = e44 * inverse_7_squared - e52;
-        const Scalar e54 = e26 * e53;
-        const Scalar e55 = inverse_3 * (e35 - e47);
-        const Scalar e56 = e27 * e55;
-        const Scalar e57 = p_.H_b * e15;
-        const Scalar inverse_58 = Scalar(1) / p_.L_b;
-        const Scalar e59 = inverse_58 * inverse_1;
-        const Scalar e60 = e57 * e59;
-        const Scalar e61 = p_.lambda_b * e59;
-        const Scalar e62 = e60 * e61;
-        const Scalar inverse_63 = Scalar(1) / p_.lambda_b;
-        const Scalar e64 = p_.H_b * inverse_63;
-        const Scalar inverse_65 = Scalar(1) / p_.lambda_c;
-        const Scalar e66 = p_.H_c * inverse_65;
-        const Scalar inverse_67 = Scalar(1) / (e64 + e66);
-        const Scalar e68 = inverse_58 * inverse_4;
-        const Scalar e69 = p_.lambda_c * e68;
-        const Scalar inverse_6_squared = inverse_6 * inverse_6;
-        const Scalar e70 = p_.H_c * inverse_6_squared;
-        const Scalar e71 = (Scalar(1) - e17) * e14;
-        const Scalar e72 = e70 * e71;
-        const Scalar e73 = e72 * (e27 * e68);
-        const Scalar e74 = e46 * e15;
-        const Scalar e75 = e26 * e74;
-        const Scalar e76 = e70 * e43;
-        const Scalar e77 = e76 * (e26 * e68);
-        const Scalar inverse_78 = Scalar(1) / p_.L_d;
-        const Scalar e79 = p_.lambda_d * inverse_78;
-        const Scalar inverse_2_squared = inverse_2 * inverse_2;
-        const Scalar e80 = e57 * inverse_2_squared;
-        const Scalar inverse_5_squared = inverse_5 * inverse_5;
-        const Scalar e81 = (e55 * e80 - e72 * inverse_5_squared) * (inverse_78 * e27);
-        const Scalar e82 = ((Scalar(1) / Scalar(2)) * e76 * inverse_5_squared + e74 * e80) * (inverse_78 * e26);
-        const Scalar e83 = e79 * inverse_2_squared + inverse_1 * e61;
-        const Scalar e84 = e83 * e15;
-        const Scalar e85 = p_.L_b * inverse_67;
-        const Scalar e86 = inverse_67 * e85;
-        const Scalar e87 = inverse_63 * e86;
-        const Scalar e88 = p_.L_a * inverse_30;
-        const Scalar e89 = e31 * e88;
-        const Scalar e90 = e87 + e89;
-        const Scalar e91 = inverse_65 * e86;
-        const Scalar e92 = e91 + e89;
-        const Scalar e93 = e79 * inverse_5_squared + inverse_4 * e69;
-        const Scalar e94 = e93 * inverse_6_squared;
-        const Scalar e95 = e85 + p_.L_a * e31;
-        const Scalar e96 = e83 * e57;
-        const Scalar e97 = inverse_1 * e60;
-        const Scalar e98 = e64 * e87;
-        const Scalar e99 = e66 * e91;
-        const Scalar inverse_25_squared = inverse_25 * inverse_25;
-        const Scalar e100 = c_.G_ab * e15 + e23;
+        const Scalar e12_squared = e12 * e12;
+        const Scalar e49 = (Scalar(1) / Scalar(2)) * (e41 * e41 + e38 * e12_squared) + inverse_23 * (e42 - e14 * e43) * e12;
+        const Scalar e50 = e2 * e49;
+        const Scalar e51 = e2 * e5;
+        const Scalar e52 = inverse_11 * (c_.G_ab + c_.G_l * e34);
+        const Scalar e53 = (Scalar(1) / Scalar(2)) * (c_.G_ac * c_.G_ac + e13 * e13) + c_.G_ac * e13;
+        const Scalar e54 = Scalar(2) * inverse_23 * (inverse_11 * e14 * e13 + inverse_22 * e53 * e24 * inverse_20_squared);
+        const Scalar e55 = e54 + e12_squared;
+        const Scalar e56 = e52 - (Scalar(1) / Scalar(2)) * e55;
+        const Scalar e57 = inverse_23 * e53;
+        const Scalar e58 = inverse_23 * (e57 - e14);
+        const Scalar e59 = p_.H_b * e56 - p_.H_c * e58 - (Scalar(1) / Scalar(2)) * e46;
+        const Scalar e60 = inverse_4 * e59;
+        const Scalar inverse_61 = Scalar(1) / p_.lambda_b;
+        const Scalar e62 = p_.H_b * inverse_61;
+        const Scalar inverse_63 = Scalar(1) / p_.lambda_c;
+        const Scalar e64 = p_.H_c * inverse_63;
+        const Scalar inverse_65 = Scalar(1) / (e62 + e64);
+        const Scalar e66 = (Scalar(1) - e32) * (inverse_17 * e14);
+        const Scalar e67 = e3 * e66;
+        const Scalar e68 = p_.H_c * e39;
+        const Scalar inverse_69 = Scalar(1) / p_.L_b;
+        const Scalar e70 = inverse_69 * inverse_15;
+        const Scalar e71 = e68 * e70;
+        const Scalar e72 = p_.lambda_c * e70;
+        const Scalar e73 = e71 * e72;
+        const Scalar e74 = inverse_69 * inverse_7;
+        const Scalar e75 = p_.lambda_b * e74;
+        const Scalar e76 = Scalar(2) * e31;
+        const Scalar e77 = e52 - e76;
+        const Scalar inverse_9_squared = inverse_9 * inverse_9;
+        const Scalar e78 = p_.H_b * inverse_9_squared;
+        const Scalar e79 = e77 * e78;
+        const Scalar e80 = e79 * (e3 * e74);
+        const Scalar e81 = e53 * e39;
+        const Scalar e82 = e2 * e81;
+        const Scalar e83 = e55 * e78;
+        const Scalar e84 = e83 * (e2 * e74);
+        const Scalar inverse_85 = Scalar(1) / p_.L_d;
+        const Scalar e86 = p_.lambda_d * inverse_85;
+        const Scalar inverse_8_squared = inverse_8 * inverse_8;
+        const Scalar inverse_16_squared = inverse_16 * inverse_16;
+        const Scalar e87 = e68 * inverse_16_squared;
+        const Scalar e88 = (e79 * inverse_8_squared + e66 * e87) * (inverse_85 * e3);
+        const Scalar e89 = (e83 * inverse_8_squared + Scalar(2) * e81 * e87) * (inverse_85 * e2);
+        const Scalar e90 = p_.L_b * inverse_65;
+        const Scalar e91 = inverse_65 * e90;
+        const Scalar e92 = inverse_61 * e91;
+        const Scalar e93 = p_.L_a * inverse_47;
+        const Scalar e94 = e48 * e93;
+        const Scalar e95 = e92 + e94;
+        const Scalar e96 = e86 * inverse_8_squared + inverse_7 * e75;
+        const Scalar e97 = e96 * inverse_9_squared;
+        const Scalar e98 = inverse_63 * e91;
+        const Scalar e99 = e98 + e94;
+        const Scalar e100 = e86 * inverse_16_squared + inverse_15 * e72;
+        const Scalar e101 = e100 * e39;
+        const Scalar e102 = e90 + p_.L_a * e48;
+        const Scalar e103 = e100 * e68;
+        const Scalar e104 = e62 * e92;
+        const Scalar e105 = inverse_15 * e71;
+        const Scalar e106 = e64 * e98;
+        const Scalar inverse_1_squared = inverse_1 * inverse_1;
+        const Scalar e107 = e14 * e32 + e25;
         const Scalar P = u[0];
-        J[0] = -e28 * e31 - e34 * e40 + T_P * (Scalar(2) * e41 * e51 - e54 * e31);
-        J[1] = e56 * e62 - inverse_67 * e28 - e69 * e73 + T_P * (Scalar(2) * e75 * e62 - inverse_67 * e54 + e69 * e77);
-        J[2] = e79 * e81 + T_P * (Scalar(2) * e79 * e82);
-        const Scalar e101 = e41 * (Scalar(1) + Scalar(2) * inverse_7 * e48) - e90 * e54 + Scalar(2) * e75 * e84;
-        J[3] = -(e56 * e84 - e90 * e28 - inverse_7 * e36 * e34) - T_P * e101;
-        J[4] = -(-e92 * e28 - e27 * e71 * e94 - e34 * e38) - T_P * (e41 * (Scalar(1) + e49) - e92 * e54 + e26 * e43 * e94);
-        const Scalar e102 = inverse_25 * (e53 * e95 + Scalar(2) * e33 * e50 + e93 * e76 + Scalar(2) * e74 * e96);
-        J[5] = -(-p_.T_0 * inverse_25 * (e33 * e39 - e24 * e95 + e93 * e72 - e55 * e96)) - T_P * e102;
-        J[6] = -(e28 * e88 - e27 * e40) - T_P * (e54 * e88 + Scalar(2) * e26 * e51);
-        J[7] = -(e56 * e97 + e28 * e98) - T_P * (Scalar(2) * e75 * e97 + e54 * e98);
-        J[8] = inverse_4 * e73 - e28 * e99 - T_P * (e54 * e99 + inverse_4 * e77);
-        J[9] = -e81 - T_P * (Scalar(2) * e82);
-        const Scalar e103 = inverse_25_squared * (c_.G_ac - e42) + c_.G_ab * inverse_25_squared * (Scalar(1) - e11);
-        J[10] = T_P * e103 - p_.T_0 * e100 * inverse_25_squared - P * inverse_25_squared;
-        J[11] = inverse_25 * e100;
+        J[0] = Scalar(2) * e6 * e37 - e45 * e48 + T_P * (Scalar(2) * (-e50 * e48 - e51 * e60));
+        const Scalar e108 = T_P * (Scalar(2) * e82 * e73 - Scalar(2) * inverse_65 * e50 + e75 * e84);
+        J[1] = -inverse_65 * e45 - e67 * e73 - e75 * e80 + e108;
+        J[2] = -e86 * e88 + T_P * (e86 * e89);
+        const Scalar e109 = e51 * (Scalar(1) - Scalar(2) * e56) - Scalar(2) * e95 * e50 + e2 * e55 * e97;
+        J[3] = -(e6 * (e76 - e33) - e95 * e45 - e77 * e3 * e97) - T_P * e109;
+        const Scalar e110 = e51 * (Scalar(1) + Scalar(2) * e58) - Scalar(2) * e99 * e50 + Scalar(2) * e82 * e101;
+        J[4] = -(-e99 * e45 - e67 * e101 - e6 * e35) - T_P * e110;
+        const Scalar e111 = p_.T_0 * inverse_1 * (Scalar(2) * e5 * e36 + e44 * e102 - e96 * e79 - e66 * e103);
+        const Scalar e112 = Scalar(2) * e49 * e102 - Scalar(2) * e5 * e59 + e96 * e83 + Scalar(2) * e81 * e103;
+        J[5] = -e111 - T_P * (inverse_1 * e112);
+        J[6] = -(e45 * e93 + Scalar(2) * e3 * e37) - T_P * (Scalar(2) * (e50 * e93 - e2 * e60));
+        J[7] = -(e45 * e104 - inverse_7 * e80) - T_P * (Scalar(2) * e50 * e104 + inverse_7 * e84);
+        J[8] = e67 * e105 - e45 * e106 - T_P * (Scalar(2) * (e82 * e105 + e50 * e106));
+        J[9] = -(-e88) - T_P * e89;
+        const Scalar e113 = inverse_1_squared * (c_.G_ac - Scalar(2) * e57) + c_.G_ab * inverse_1_squared * (Scalar(1) - e12);
+        J[10] = T_P * e113 - p_.T_0 * e107 * inverse_1_squared - P * inverse_1_squared;
+        J[11] = inverse_1 * e107;
     }
 
     /// J = df/dt at fixed x and u.
@@ -426,15 +439,15 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: 3 + or -, 3 *
-    ///     Q_chain = -T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + G_l - G_l^2/(G_ab + G_l +
-    ///     1/(1/G_b + 1/G_db)) + 1/(1/G_c + 1/G_dc))) + G_ab*G_l/((1/G_c + 1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + G_l -
-    ///     G_l^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) + 1/(1/G_c + 1/G_dc))) + G_ab/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b +
-    ///     1/G_db))) + G_ac*G_l/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + G_l - G_l^2/(G_ab + G_l + 1/(1/G_b +
-    ///     1/G_db)) + 1/(1/G_c + 1/G_dc))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + G_l - G_l^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) +
-    ///     1/(1/G_c + 1/G_dc)))) + (G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + G_l - G_l^2/(G_ab + G_l +
-    ///     1/(1/G_b + 1/G_db)) + 1/(1/G_c + 1/G_dc))) - G_ab^2*G_l^2/((G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + G_l - G_l^2/(G_ab
-    ///     + G_l + 1/(1/G_b + 1/G_db)) + 1/(1/G_c + 1/G_dc))) - G_ab^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) + G_ac - G_ac^2/(G_ac +
-    ///     G_l - G_l^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) + 1/(1/G_c + 1/G_dc)))*T_P
+    ///     Q_chain = -T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l +
+    ///     1/(G_ab + 1/(1/G_b + 1/G_db))))) + G_ab*G_l/((1/G_c + 1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c +
+    ///     1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db))))) + G_ab/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) +
+    ///     G_ac*G_l/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b
+    ///     + 1/G_db))))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))))) + (G_ab
+    ///     - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b +
+    ///     1/G_db))))) - G_ab^2*G_l^2/((G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab +
+    ///     1/(1/G_b + 1/G_db))))) - G_ab^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) + G_ac - G_ac^2/(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l
+    ///     + 1/(G_ab + 1/(1/G_b + 1/G_db)))))*T_P
     ///     Q_most = -T_0/R_low + T_P/R_low
     ///     Q_least = -T_0/R_up + T_P/R_up
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
@@ -503,21 +516,23 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 17 + or -, 17 *, 8 /
+    /// Operations: 17 + or -, 16 *, 11 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar P = u[0];
         const Scalar inverse_1 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
-        const Scalar inverse_2 = Scalar(1) / (c_.G_ab + c_.G_l + inverse_1);
-        const Scalar e3 = c_.G_l * inverse_2;
-        const Scalar inverse_4 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
-        const Scalar inverse_5 = Scalar(1) / (c_.G_l * (Scalar(1) - e3) + c_.G_ac + inverse_4);
-        const Scalar e6 = inverse_4 * inverse_5;
-        const Scalar e7 = e3 * e6;
-        const Scalar e8 = inverse_5 * e3;
-        const Scalar e9 = (Scalar(1) + c_.G_l * e8) * (inverse_1 * inverse_2);
+        const Scalar e2 = c_.G_ab + inverse_1;
+        const Scalar inverse_3 = Scalar(1) / (c_.G_l + e2);
+        const Scalar e4 = c_.G_l * inverse_3;
+        const Scalar inverse_5 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
+        const Scalar e6 = c_.G_ac + inverse_5 + Scalar(1) / (Scalar(1) / c_.G_l + Scalar(1) / e2);
+        const Scalar inverse_7 = Scalar(1) / e6;
+        const Scalar e8 = inverse_5 * inverse_7;
+        const Scalar e9 = e4 * e8;
+        const Scalar e10 = inverse_7 * e4;
+        const Scalar e11 = (Scalar(1) + c_.G_l * e10) * (inverse_1 * inverse_3);
         const Scalar T_P = x[0];
-        const Scalar e10 = -p_.T_0 * inverse_1 * (Scalar(1) - Scalar(2) * e7 - e9) - p_.T_0 * inverse_4 * (Scalar(1) - e6);
-        return P - e10 - T_P * (c_.G_ab * (e7 + e9) + c_.G_ac * (e6 + inverse_1 * e8));
+        const Scalar e12 = -p_.T_0 * inverse_1 * (Scalar(1) - Scalar(2) * e9 - e11) - p_.T_0 * inverse_5 * (Scalar(1) - e8);
+        return P - e12 - T_P * (c_.G_ab * (e9 + e11) + c_.G_ac * (e8 + inverse_1 * e10));
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -539,11 +554,11 @@ private:
         Scalar G_l;  ///< B*(L_a*lambda_a/H + L_b/(H_b/lambda_b + H_c/lambda_c))
         Scalar R_low;  ///< (L_a/(lambda_a*H) + L_d/(lambda_d*H) + 1/(H_b*lambda_b/L_b + H_c*lambda_c/L_b))/B
         Scalar R_up;  ///< 1/(1/(L_a/(H_b*B*lambda_a) + L_b/(H_b*B*lambda_b) + L_d/(H_b*B*lambda_d)) + ...
-        Scalar k0;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + G_l - G_l^2/(G_ab ...
+        Scalar k0;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) ...
         Scalar k1;  ///< 1/C
-        Scalar k2;  ///< (G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + G_l - G_l^2/(G_ab + G_l + ...
-        Scalar k3;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + G_l - G_l^2/(G_ab ...
-        Scalar k4;  ///< G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + G_l - G_l^2/(G_ab + G_l + ...
+        Scalar k2;  ///< (G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l ...
+        Scalar k3;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) ...
+        Scalar k4;  ///< G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l ...
         Scalar k5;  ///< T_0/R_low
         Scalar k6;  ///< 1/R_low
         Scalar k7;  ///< T_0/R_up

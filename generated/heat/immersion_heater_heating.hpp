@@ -15,10 +15,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                13     30    13        0      1
+//   update                12     28    14        0      1
 //   rhs                    2      2     0        0      0
-//   rhs_and_jacobian       2      2     0        0      0
-//   jacobian_p            37     79     5        0      0
+//   rhs_and_jacobian       3      2     0        0      0
+//   jacobian_p            34     91     9        0      0
 //   output                 3      4     1        0      1
 //   internal_energy        0      2     0        0      0
 //   exchanged_power        2      1     0        0      0
@@ -173,39 +173,41 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 13 + or -, 30 *, 13 /, 1 other functions
+    /// Operations: 12 + or -, 28 *, 14 /, 1 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
-        c_.k = Scalar(1) / (p_.L / p_.lambda + Scalar(1) / p_.alpha_i + Scalar(1) / p_.alpha_a);
-        const Scalar e1 = p_.A * c_.k;
-        const Scalar e2 = Scalar(1) / p_.m_0 / p_.c_p;
-        const Scalar e3 = e1 * e2;
-        const Scalar exp_4 = exp(p_.t_s * e3);
-        const Scalar inverse_5 = Scalar(1) / exp_4;
-        const Scalar e6 = p_.T_inf * e1;
-        const Scalar e7 = p_.T_s * e1;
-        c_.P_s = -(inverse_5 * e6 - e7) / (Scalar(1) - inverse_5) - e6;
-        const Scalar e8 = p_.T_inf * p_.alpha_a;
-        const Scalar e9 = p_.A * p_.alpha_i;
-        const Scalar e10 = e2 * e9;
+        const Scalar e1 = p_.L / p_.lambda + Scalar(1) / p_.alpha_i;
+        c_.k = Scalar(1) / (Scalar(1) / p_.alpha_a + e1);
+        const Scalar e2 = p_.A * c_.k;
+        const Scalar e3 = Scalar(1) / p_.m_0 / p_.c_p;
+        const Scalar e4 = e2 * e3;
+        const Scalar exp_5 = exp(p_.t_s * e4);
+        const Scalar inverse_6 = Scalar(1) / exp_5;
+        const Scalar e7 = p_.T_inf * e2;
+        const Scalar e8 = p_.T_s * e2;
+        c_.P_s = -(inverse_6 * e7 - e8) / (Scalar(1) - inverse_6) - e7;
+        const Scalar e9 = p_.A * p_.alpha_a;
+        const Scalar e10 = p_.T_inf * e9;
         const Scalar e11 = p_.lambda / p_.L;
-        const Scalar inverse_12 = Scalar(1) / (p_.alpha_i + e11);
-        const Scalar e13 = inverse_12 * e11;
-        const Scalar inverse_14 = Scalar(1) / (e11 * (Scalar(1) - e13) + p_.alpha_a);
-        const Scalar e15 = inverse_14 * e13;
-        c_.k0 = e8 * e10 * e15;
-        c_.k1 = e2;
-        c_.k2 = p_.alpha_i * e10 * (inverse_12 + e13 * e15) - e10;
-        c_.k3 = inverse_14 * e8;
-        c_.k4 = p_.alpha_i * e15;
-        c_.k5 = p_.A * e8 * (Scalar(1) - p_.alpha_a * inverse_14);
-        c_.k6 = p_.alpha_a * e9 * e15;
-        const Scalar e16 = c_.P_s / p_.A / c_.k;
-        c_.k7 = p_.T_inf + e16;
-        c_.k8 = e16;
-        c_.k9 = e7 - e6;
-        c_.k10 = e3;
+        const Scalar e12 = p_.A * p_.alpha_i;
+        const Scalar e13 = e12 / (p_.alpha_i + e11);
+        const Scalar inverse_14 = Scalar(1) / p_.A;
+        const Scalar inverse_15 = Scalar(1) / (Scalar(1) / (inverse_14 * e1) + e9);
+        const Scalar e16 = e13 * (inverse_15 * e11);
+        c_.k0 = e3 * e10 * e16;
+        c_.k1 = e3;
+        c_.k2 = e3 * e12 - e3 * e13 * (p_.alpha_i + e11 * e16);
+        const Scalar e17 = inverse_15 * e10;
+        c_.k3 = e17;
+        c_.k4 = e16;
+        c_.k5 = e10 - e9 * e17;
+        c_.k6 = e9 * e16;
+        const Scalar e18 = c_.P_s * inverse_14 / c_.k;
+        c_.k7 = p_.T_inf + e18;
+        c_.k8 = e18;
+        c_.k9 = e8 - e7;
+        c_.k10 = e4;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -219,23 +221,23 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 2 + or -, 2 *
-    ///     dot(T) = T_inf*A*lambda*alpha_i*alpha_a/(m_0*c_p*L*(lambda/L + alpha_i)*(lambda/L - lambda^2/(L^2*(lambda/L + alpha_i))
-    ///     + alpha_a)) + P/(m_0*c_p) + A*alpha_i*(-1 + lambda^2*alpha_i/(L^2*(lambda/L + alpha_i)^2*(lambda/L -
-    ///     lambda^2/(L^2*(lambda/L + alpha_i)) + alpha_a)) + alpha_i/(lambda/L + alpha_i))*T/(m_0*c_p)
+    ///     dot(T) = T_inf*A^2*lambda*alpha_i*alpha_a/(m_0*c_p*L*(lambda/L + alpha_i)*(A*alpha_a + 1/(L/(A*lambda) +
+    ///     1/(A*alpha_i)))) + P/(m_0*c_p) - A*alpha_i*(1 - A*lambda^2*alpha_i/(L^2*(lambda/L + alpha_i)^2*(A*alpha_a +
+    ///     1/(L/(A*lambda) + 1/(A*alpha_i)))) - alpha_i/(lambda/L + alpha_i))*T/(m_0*c_p)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar T = x[0];
-        dxdt[0] = c_.k0 + c_.k1 * P + c_.k2 * T;
+        dxdt[0] = c_.k0 + c_.k1 * P - c_.k2 * T;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 2 + or -, 2 *
+    /// Operations: 3 + or -, 2 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar P = u[0];
         const Scalar T = x[0];
-        dxdt[0] = c_.k0 + c_.k1 * P + c_.k2 * T;
-        J[0] = c_.k2;
+        dxdt[0] = c_.k0 + c_.k1 * P - c_.k2 * T;
+        J[0] = -c_.k2;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -251,52 +253,61 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 37 + or -, 79 *, 5 /
+    /// Operations: 34 + or -, 91 *, 9 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / p_.m_0;
-        const Scalar inverse_2 = Scalar(1) / p_.L;
-        const Scalar e3 = p_.lambda * inverse_2;
-        const Scalar inverse_4 = Scalar(1) / (p_.alpha_i + e3);
-        const Scalar inverse_5 = Scalar(1) / p_.c_p;
-        const Scalar e6 = inverse_1 * inverse_5;
-        const Scalar e7 = p_.alpha_i * e6;
-        const Scalar e8 = inverse_4 * e7;
-        const Scalar e9 = p_.A * e8;
-        const Scalar e10 = inverse_4 * e3;
-        const Scalar inverse_11 = Scalar(1) / (e3 * (Scalar(1) - e10) + p_.alpha_a);
-        const Scalar e12 = inverse_11 * e3;
-        const Scalar e13 = p_.alpha_a * e12;
-        const Scalar e14 = p_.T_inf * e13;
-        const Scalar e15 = e9 * e14;
-        const Scalar P = u[0];
         const Scalar T = x[0];
-        const Scalar e16 = e12 * e10;
-        const Scalar e17 = Scalar(1) + e16;
-        const Scalar e18 = e17 * e9;
-        const Scalar e19 = p_.A * e7 - p_.alpha_i * e18;
-        const Scalar e20 = p_.alpha_i * inverse_4;
-        const Scalar e21 = p_.alpha_a * inverse_11;
-        const Scalar e22 = inverse_4 * (e12 - (Scalar(1) / Scalar(2)) * e17) - (Scalar(1) / Scalar(2)) * inverse_11;
-        const Scalar e23 = Scalar(2) * (e22 * e3);
-        const Scalar e12_squared = e12 * e12;
-        const Scalar e24 = (Scalar(1) / Scalar(2)) * (Scalar(1) + e10 * e10 * e12_squared) + e16;
-        const Scalar e25 = Scalar(2) * e24 + e12_squared;
-        const Scalar e26 = p_.alpha_i * e24;
-        const Scalar e27 = e9 * e20;
-        const Scalar e28 = e27 * (inverse_2 * (e17 * e12 - (Scalar(1) / Scalar(2)) * e25));
-        const Scalar e29 = inverse_2 * e15;
-        const Scalar e30 = p_.T_inf * e9;
-        const Scalar e31 = p_.A * e6;
-        J[0] = -inverse_1 * e15 - P * (inverse_1 * e6) - T * (-inverse_1 * e19);
-        J[1] = -inverse_5 * e15 - P * (inverse_5 * e6) - T * (-inverse_5 * e19);
+        const Scalar inverse_1 = Scalar(1) / p_.m_0;
+        const Scalar inverse_2 = Scalar(1) / p_.c_p;
+        const Scalar e3 = inverse_1 * inverse_2;
+        const Scalar e4 = p_.A * e3;
+        const Scalar inverse_5 = Scalar(1) / p_.L;
+        const Scalar e6 = p_.lambda * inverse_5;
+        const Scalar e7 = p_.alpha_i + e6;
+        const Scalar inverse_8 = Scalar(1) / e7;
+        const Scalar e9 = inverse_8 * e3;
+        const Scalar e10 = p_.A * e9;
+        const Scalar e11 = p_.alpha_i * e10;
+        const Scalar inverse_12 = Scalar(1) / p_.lambda;
+        const Scalar inverse_13 = Scalar(1) / p_.alpha_i;
+        const Scalar inverse_14 = Scalar(1) / ((p_.L * inverse_12 + inverse_13) / p_.A);
+        const Scalar inverse_15 = Scalar(1) / (p_.A * p_.alpha_a + inverse_14);
+        const Scalar e16 = inverse_5 * inverse_15;
+        const Scalar e17 = p_.lambda * e16;
+        const Scalar e18 = e11 * e17;
+        const Scalar e19 = p_.A * e18;
+        const Scalar e20 = inverse_8 * e6;
+        const Scalar e21 = e11 + e19 * e20;
+        const Scalar e22 = p_.alpha_i * (e4 - e21);
+        const Scalar e23 = p_.T_inf * p_.alpha_a;
+        const Scalar e24 = e19 * e23;
+        const Scalar P = u[0];
+        const Scalar e25 = p_.alpha_a * e19;
+        const Scalar inverse_14_squared = inverse_14 * inverse_14;
+        const Scalar e26 = inverse_15 * inverse_14_squared;
+        const Scalar e27 = e7 * e9;
+        const Scalar e28 = e26 * e27 + e25;
+        const Scalar e29 = p_.A * e17;
+        const Scalar e30 = Scalar(1) + Scalar(2) * e29 * e20;
+        const Scalar e31 = p_.alpha_i * e30;
+        const Scalar e32 = p_.alpha_i * inverse_8;
+        const Scalar e33 = e11 * e16;
+        const Scalar e34 = e23 * e26;
+        const Scalar e35 = inverse_5 * e24;
+        const Scalar e36 = e30 * e11;
+        const Scalar e37 = e32 * (inverse_5 * (e36 - Scalar(2) * e19));
+        const Scalar e38 = e10 * e17;
+        J[0] = T * (inverse_1 * e22) - inverse_1 * e24 - P * (inverse_1 * e3);
+        J[1] = T * (inverse_2 * e22) - inverse_2 * e24 - P * (inverse_2 * e3);
         J[2] = Scalar(0);
-        J[3] = e9 * e13;
-        const Scalar e32 = e8 * e20 * (e25 * e3 + e12 * e13 + Scalar(2) * e26) + e7 - Scalar(4) * e8 * e26;
-        J[4] = e8 * e14 * (Scalar(3) - e17 * e20 - e21 + e23) - T * e32;
-        J[5] = T * (-Scalar(2) * e3 * e28) - e29 * (Scalar(1) + e23);
-        J[6] = Scalar(2) * e22 * e29 + inverse_2 * e21 * e30 - T * (-Scalar(2) * e28);
-        J[7] = -inverse_4 * (e17 * e15 - e14 * e31) - T * (Scalar(2) * e24 * e27 + e31 - Scalar(2) * e18);
-        J[8] = -(inverse_11 * e15 - e12 * e30) - T * (e27 * e12_squared);
+        J[3] = e25;
+        const Scalar e39 = -p_.alpha_i * (e3 - Scalar(2) * e9 * e31) - e32 * (e17 * e28 + e31 * e27);
+        J[4] = e18 * e23 * (Scalar(3) - inverse_8 * e7) - inverse_15 * e23 * e28 + T * e39;
+        J[5] = e33 * e34 - e35 * (Scalar(1) - e20) + T * (e16 * e18 * e32 * inverse_14_squared + e6 * e37);
+        const Scalar e40 = inverse_8 * e35 - p_.A * e23 * e33 + inverse_12 * inverse_15 * e11 * e34;
+        J[6] = -e40 - T * (e32 * e26 * e33 + e37);
+        const Scalar e41 = e4 - Scalar(2) * e21 + e32 * e36 + inverse_8 * e17 * inverse_14_squared * e38;
+        J[7] = -(inverse_8 * e24 - e10 * e23 * e29 + inverse_13 * e34 * e38) - T * e41;
+        J[8] = p_.T_inf * e19 - p_.A * inverse_15 * e24 - T * (e19 * e32 * e29);
         J[9] = Scalar(0);
     }
 
@@ -323,10 +334,10 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: 3 + or -, 4 *, 1 /, 1 other functions
-    ///     T_outer = T_inf*alpha_a/(lambda/L - lambda^2/(L^2*(lambda/L + alpha_i)) + alpha_a) + lambda*alpha_i*T/(L*(lambda/L +
-    ///     alpha_i)*(lambda/L - lambda^2/(L^2*(lambda/L + alpha_i)) + alpha_a))
-    ///     loss = -T_inf*A*alpha_a*(1 - alpha_a/(lambda/L - lambda^2/(L^2*(lambda/L + alpha_i)) + alpha_a)) +
-    ///     A*lambda*alpha_i*alpha_a*T/(L*(lambda/L + alpha_i)*(lambda/L - lambda^2/(L^2*(lambda/L + alpha_i)) + alpha_a))
+    ///     T_outer = T_inf*A*alpha_a/(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i))) + A*lambda*alpha_i*T/(L*(lambda/L +
+    ///     alpha_i)*(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i))))
+    ///     loss = -T_inf*A*alpha_a*(1 - A*alpha_a/(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i)))) +
+    ///     A^2*lambda*alpha_i*alpha_a*T/(L*(lambda/L + alpha_i)*(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i))))
     ///     exact = (T_inf + P_s/(A*k)) - P_s/(A*k*exp(A*k*t/(m_0*c_p)))
     ///     boils = T_s
     ///     power = P_s
@@ -426,13 +437,13 @@ private:
     struct Cached {
         Scalar k;  ///< 1/(L/lambda + 1/alpha_i + 1/alpha_a)
         Scalar P_s;  ///< A*k*(T_s/(1 - 1/exp(A*t_s*k/(m_0*c_p))) - T_inf - T_inf/(exp(A*t_s*k/(m_0*c_p))*(1 - ...
-        Scalar k0;  ///< T_inf*A*lambda*alpha_i*alpha_a/(m_0*c_p*L*(lambda/L + alpha_i)*(lambda/L - ...
+        Scalar k0;  ///< T_inf*A*lambda*alpha_i*alpha_a/(m_0*c_p*L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
         Scalar k1;  ///< 1/(m_0*c_p)
-        Scalar k2;  ///< A*alpha_i*(-1 + lambda^2*alpha_i/(L^2*(lambda/L + alpha_i)^2*(lambda/L - lambda^2/(L^2*(lambda/L ...
-        Scalar k3;  ///< T_inf*alpha_a/(lambda/L - lambda^2/(L^2*(lambda/L + alpha_i)) + alpha_a)
-        Scalar k4;  ///< lambda*alpha_i/(L*(lambda/L + alpha_i)*(lambda/L - lambda^2/(L^2*(lambda/L + alpha_i)) + alpha_a))
-        Scalar k5;  ///< T_inf*A*alpha_a*(1 - alpha_a/(lambda/L - lambda^2/(L^2*(lambda/L + alpha_i)) + alpha_a))
-        Scalar k6;  ///< A*lambda*alpha_i*alpha_a/(L*(lambda/L + alpha_i)*(lambda/L - lambda^2/(L^2*(lambda/L + alpha_i)) ...
+        Scalar k2;  ///< -A*alpha_i*(-1 + lambda^2*alpha_i/(L^2*(lambda/L + alpha_i)^2*(alpha_a + 1/(L/lambda + ...
+        Scalar k3;  ///< T_inf*alpha_a/(alpha_a + 1/(L/lambda + 1/alpha_i))
+        Scalar k4;  ///< lambda*alpha_i/(L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
+        Scalar k5;  ///< T_inf*A*alpha_a*(1 - alpha_a/(alpha_a + 1/(L/lambda + 1/alpha_i)))
+        Scalar k6;  ///< A*lambda*alpha_i*alpha_a/(L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
         Scalar k7;  ///< T_inf + P_s/(A*k)
         Scalar k8;  ///< P_s/(A*k)
         Scalar k9;  ///< A*k*(T_s - T_inf)

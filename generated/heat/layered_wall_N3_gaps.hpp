@@ -16,10 +16,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                22     77    21        0      0
+//   update                23     89    25        0      0
 //   rhs                   10     10     0        0      0
 //   rhs_and_jacobian      13     10     0        0      0
-//   jacobian_p           159    457    16        0      0
+//   jacobian_p           172    526    21        0      0
 //   output                12     15     0        0      6
 //   output_jacobian_x      1      0     0        0      0
 //   output_jacobian_u     13     10     0        0     12
@@ -214,72 +214,75 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 22 + or -, 77 *, 21 /
+    /// Operations: 23 + or -, 89 *, 25 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        const Scalar inverse_1 = Scalar(1) / p_.lambda[0];
-        const Scalar inverse_2 = Scalar(1) / p_.lambda[1];
-        const Scalar inverse_3 = Scalar(1) / p_.lambda[2];
-        const Scalar inverse_4 = Scalar(1) / p_.alpha_0;
-        const Scalar e5 = p_.L[0] * inverse_1 + p_.L[1] * inverse_2 + p_.L[2] * inverse_3 + inverse_4 + Scalar(1) / p_.alpha_L;
-        c_.k = Scalar(1) / e5;
-        const Scalar e6 = Scalar(1) / p_.rho[0] / p_.c_p[0];
-        c_.k0 = p_.g * e6;
-        const Scalar inverse_7 = Scalar(1) / p_.L[0];
-        const Scalar e8 = p_.lambda[0] * inverse_7;
-        const Scalar e9 = e6 * (inverse_7 * e8);
-        const Scalar e10 = Scalar(2) * e8;
-        const Scalar inverse_11 = Scalar(1) / (p_.alpha_0 + e10);
-        const Scalar e12 = p_.alpha_0 * inverse_11;
-        c_.k1 = Scalar(2) * e9 * e12;
-        const Scalar inverse_13 = Scalar(1) / (p_.alpha_c + e10);
-        const Scalar e14 = p_.alpha_c * inverse_13;
-        const Scalar inverse_15 = Scalar(1) / p_.L[1];
-        const Scalar e16 = p_.lambda[1] * inverse_15;
-        const Scalar e17 = p_.alpha_c + Scalar(2) * e16;
-        const Scalar inverse_18 = Scalar(1) / (e17 - p_.alpha_c * e14);
-        const Scalar e19 = inverse_18 * e14;
-        c_.k2 = Scalar(4) * (e9 - e8 * e9 * (inverse_11 + inverse_13 + e14 * e19));
-        c_.k3 = Scalar(4) * e16 * e9 * e19;
-        const Scalar e20 = Scalar(1) / p_.rho[1] / p_.c_p[1];
-        c_.k4 = p_.g * e20;
-        const Scalar e21 = e20 * (inverse_15 * e16);
-        c_.k5 = Scalar(4) * e8 * e21 * e19;
-        const Scalar inverse_22 = Scalar(1) / e17;
-        const Scalar e23 = p_.alpha_c * inverse_22;
-        const Scalar inverse_24 = Scalar(1) / p_.L[2];
-        const Scalar e25 = p_.lambda[2] * inverse_24;
-        const Scalar e26 = Scalar(2) * e25;
-        const Scalar inverse_27 = Scalar(1) / (p_.alpha_c * (Scalar(1) - e23) + e26);
-        const Scalar e28 = inverse_27 * e23;
-        const Scalar e29 = inverse_22 * (Scalar(1) + p_.alpha_c * e28);
-        c_.k6 = Scalar(4) * (e21 - e16 * e21 * (inverse_18 + e29));
-        const Scalar e30 = e25 * e28;
-        c_.k7 = Scalar(4) * e21 * e30;
-        const Scalar e31 = Scalar(1) / p_.rho[2] / p_.c_p[2];
-        c_.k8 = p_.g * e31;
-        const Scalar inverse_32 = Scalar(1) / (p_.alpha_L + e26);
-        const Scalar e33 = e31 * (inverse_24 * e25);
-        const Scalar e34 = inverse_32 * e33;
-        c_.k9 = Scalar(2) * p_.alpha_L * e34;
-        c_.k10 = Scalar(2) * p_.a_s * e34;
-        c_.k11 = Scalar(4) * e16 * e33 * e28;
-        c_.k12 = Scalar(4) * (e33 - e25 * (inverse_27 * e33 + e34));
-        c_.k13 = e12;
-        c_.k14 = Scalar(2) * inverse_11 * e8;
-        c_.k15 = Scalar(2) * e16 * e29;
-        c_.k16 = Scalar(2) * e30;
-        c_.k17 = p_.alpha_L * inverse_32;
-        c_.k18 = p_.a_s * inverse_32;
-        c_.k19 = Scalar(2) * inverse_32 * e25;
-        c_.k20 = p_.A * p_.alpha_0 * (Scalar(1) - e12);
-        c_.k21 = Scalar(2) * p_.A * e8 * e12;
-        const Scalar e35 = c_.k * inverse_4;
-        c_.k22 = Scalar(1) - e35;
-        c_.k23 = c_.k * inverse_1;
-        c_.k24 = c_.k * inverse_2;
-        c_.k25 = c_.k * inverse_3;
-        c_.k26 = e35;
+        const Scalar inverse_1 = Scalar(1) / p_.lambda[2];
+        const Scalar inverse_2 = Scalar(1) / p_.alpha_0;
+        const Scalar inverse_3 = Scalar(1) / p_.lambda[0];
+        const Scalar e4 = p_.L[0] * inverse_3;
+        const Scalar inverse_5 = Scalar(1) / p_.lambda[1];
+        const Scalar e6 = p_.L[1] * inverse_5;
+        c_.k = Scalar(1) / (p_.L[2] * inverse_1 + inverse_2 + Scalar(1) / p_.alpha_L + e4 + e6);
+        const Scalar e7 = Scalar(1) / p_.rho[0] / p_.c_p[0];
+        c_.k0 = p_.g * e7;
+        const Scalar inverse_8 = Scalar(1) / p_.L[0];
+        const Scalar e9 = p_.lambda[0] * inverse_8;
+        const Scalar e10 = e7 * (inverse_8 * e9);
+        const Scalar e11 = Scalar(2) * e9;
+        const Scalar inverse_12 = Scalar(1) / (p_.alpha_0 + e11);
+        const Scalar e13 = p_.alpha_0 * inverse_12;
+        c_.k1 = Scalar(2) * e10 * e13;
+        const Scalar inverse_14 = Scalar(1) / (p_.alpha_c + e11);
+        const Scalar e15 = e9 * e10;
+        const Scalar e16 = p_.A * p_.alpha_c;
+        const Scalar inverse_17 = Scalar(1) / p_.A;
+        const Scalar e18 = Scalar(2) * (inverse_17 / p_.alpha_c);
+        const Scalar inverse_19 = Scalar(1) / p_.L[1];
+        const Scalar e20 = p_.lambda[1] * inverse_19;
+        const Scalar e21 = p_.A * e20;
+        const Scalar inverse_22 = Scalar(1) / (Scalar(1) / (e18 + inverse_17 * e4) + e21);
+        const Scalar e23 = e16 * (inverse_14 * inverse_22);
+        c_.k2 = Scalar(4) * e10 - inverse_14 * e15 * (Scalar(4) + Scalar(2) * p_.alpha_c * e23) - Scalar(4) * inverse_12 * e15;
+        c_.k3 = Scalar(2) * e20 * e10 * e23;
+        const Scalar e24 = Scalar(1) / p_.rho[1] / p_.c_p[1];
+        c_.k4 = p_.g * e24;
+        const Scalar e25 = e24 * (inverse_19 * e20);
+        c_.k5 = Scalar(2) * e9 * e25 * e23;
+        const Scalar inverse_26 = Scalar(1) / (p_.alpha_c + Scalar(2) * e20);
+        const Scalar inverse_27 = Scalar(1) / p_.L[2];
+        const Scalar e28 = p_.lambda[2] * inverse_27;
+        const Scalar e29 = p_.A * e28;
+        const Scalar inverse_30 = Scalar(1) / (Scalar(1) / (e18 + inverse_17 * e6) + e29);
+        const Scalar e31 = e16 * (inverse_26 * inverse_30);
+        const Scalar e32 = e20 * (inverse_26 * (Scalar(1) + (Scalar(1) / Scalar(2)) * p_.alpha_c * e31));
+        c_.k6 = e25 * (Scalar(4) - Scalar(2) * inverse_22 * e21 - Scalar(4) * e32);
+        const Scalar e33 = e28 * e31;
+        c_.k7 = Scalar(2) * e25 * e33;
+        const Scalar e34 = Scalar(1) / p_.rho[2] / p_.c_p[2];
+        c_.k8 = p_.g * e34;
+        const Scalar inverse_35 = Scalar(1) / (p_.alpha_L + Scalar(2) * e28);
+        const Scalar e36 = e34 * (inverse_27 * e28);
+        const Scalar e37 = inverse_35 * e36;
+        c_.k9 = Scalar(2) * p_.alpha_L * e37;
+        c_.k10 = Scalar(2) * p_.a_s * e37;
+        c_.k11 = Scalar(2) * e20 * e36 * e31;
+        c_.k12 = e36 * (Scalar(4) - Scalar(2) * inverse_30 * e29) - Scalar(4) * e28 * e37;
+        c_.k13 = e13;
+        c_.k14 = Scalar(2) * inverse_12 * e9;
+        c_.k15 = Scalar(2) * e32;
+        c_.k16 = e33;
+        c_.k17 = p_.alpha_L * inverse_35;
+        c_.k18 = p_.a_s * inverse_35;
+        c_.k19 = Scalar(2) * inverse_35 * e28;
+        c_.k20 = p_.A * p_.alpha_0 * (Scalar(1) - e13);
+        c_.k21 = Scalar(2) * p_.A * e9 * e13;
+        const Scalar e38 = c_.k * inverse_2;
+        c_.k22 = Scalar(1) - e38;
+        c_.k23 = c_.k * inverse_3;
+        c_.k24 = c_.k * inverse_5;
+        c_.k25 = c_.k * inverse_1;
+        c_.k26 = e38;
         c_.k27 = p_.L[0] + p_.L[1];
     }
 
@@ -297,23 +300,22 @@ public:
     /// dx/dt = f(x, u, t).
     /// Operations: 10 + or -, 10 *
     ///     dot(T[1]) = g/(rho[1]*c_p[1]) + 2*lambda[1]*alpha_0*T_i/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0)) -
-    ///     4*lambda[1]*(1 - lambda[1]*alpha_c^2/(L[1]*(2*lambda[1]/L[1] + alpha_c)^2*(2*lambda[2]/L[2] + alpha_c -
-    ///     alpha_c^2/(2*lambda[1]/L[1] + alpha_c))) - lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0)) -
-    ///     lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_c)))*T[1]/(L[1]^2*rho[1]*c_p[1]) +
-    ///     4*lambda[1]*lambda[2]*alpha_c*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_c)*(2*lambda[2]/L[2] + alpha_c -
-    ///     alpha_c^2/(2*lambda[1]/L[1] + alpha_c)))
-    ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 4*lambda[1]*lambda[2]*alpha_c*T[1]/(L[1]*L[2]^2*rho[2]*c_p[2]*(2*lambda[1]/L[1] +
-    ///     alpha_c)*(2*lambda[2]/L[2] + alpha_c - alpha_c^2/(2*lambda[1]/L[1] + alpha_c))) - 4*lambda[2]*(1 -
-    ///     lambda[2]*alpha_c^2/(L[2]*(2*lambda[2]/L[2] + alpha_c)^2*(2*lambda[3]/L[3] + alpha_c - alpha_c^2/(2*lambda[2]/L[2] +
-    ///     alpha_c))) - lambda[2]/(L[2]*(2*lambda[2]/L[2] + alpha_c)) - lambda[2]/(L[2]*(2*lambda[2]/L[2] + alpha_c -
-    ///     alpha_c^2/(2*lambda[1]/L[1] + alpha_c))))*T[2]/(L[2]^2*rho[2]*c_p[2]) +
-    ///     4*lambda[2]*lambda[3]*alpha_c*T[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(2*lambda[2]/L[2] + alpha_c)*(2*lambda[3]/L[3] + alpha_c -
-    ///     alpha_c^2/(2*lambda[2]/L[2] + alpha_c)))
+    ///     lambda[1]*(4 - 2*lambda[1]*A*alpha_c^2/(L[1]*(2*lambda[1]/L[1] + alpha_c)^2*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) +
+    ///     2/(A*alpha_c)))) - 4*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0)) - 4*lambda[1]/(L[1]*(2*lambda[1]/L[1] +
+    ///     alpha_c)))*T[1]/(L[1]^2*rho[1]*c_p[1]) + 2*lambda[1]*lambda[2]*A*alpha_c*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(2*lambda[1]/L[1]
+    ///     + alpha_c)*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) + 2/(A*alpha_c))))
+    ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 2*lambda[1]*lambda[2]*A*alpha_c*T[1]/(L[1]*L[2]^2*rho[2]*c_p[2]*(2*lambda[1]/L[1] +
+    ///     alpha_c)*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) + 2/(A*alpha_c)))) - lambda[2]*(4 -
+    ///     2*lambda[2]*A*alpha_c^2/(L[2]*(2*lambda[2]/L[2] + alpha_c)^2*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) +
+    ///     2/(A*alpha_c)))) - 2*lambda[2]*A/(L[2]*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) + 2/(A*alpha_c)))) -
+    ///     4*lambda[2]/(L[2]*(2*lambda[2]/L[2] + alpha_c)))*T[2]/(L[2]^2*rho[2]*c_p[2]) +
+    ///     2*lambda[2]*lambda[3]*A*alpha_c*T[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] +
+    ///     1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c))))
     ///     dot(T[3]) = g/(rho[3]*c_p[3]) + 2*lambda[3]*alpha_L*T_a/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L)) +
     ///     2*lambda[3]*a_s*sun/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L)) +
-    ///     4*lambda[2]*lambda[3]*alpha_c*T[2]/(L[2]*L[3]^2*rho[3]*c_p[3]*(2*lambda[2]/L[2] + alpha_c)*(2*lambda[3]/L[3] + alpha_c -
-    ///     alpha_c^2/(2*lambda[2]/L[2] + alpha_c))) - 4*lambda[3]*(1 - lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L)) -
-    ///     lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_c - alpha_c^2/(2*lambda[2]/L[2] + alpha_c))))*T[3]/(L[3]^2*rho[3]*c_p[3])
+    ///     2*lambda[2]*lambda[3]*A*alpha_c*T[2]/(L[2]*L[3]^2*rho[3]*c_p[3]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] +
+    ///     1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c)))) - lambda[3]*(4 - 2*lambda[3]*A/(L[3]*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A)
+    ///     + 2/(A*alpha_c)))) - 4*lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L)))*T[3]/(L[3]^2*rho[3]*c_p[3])
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
@@ -374,225 +376,266 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 18, entry (i, j) at J[3*j + i].
-    /// Operations: 159 + or -, 457 *, 16 /
+    /// Operations: 172 + or -, 526 *, 21 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.L[0];
-        const Scalar inverse_2 = Scalar(1) / p_.rho[0];
-        const Scalar inverse_3 = Scalar(1) / p_.c_p[0];
-        const Scalar e4 = inverse_2 * inverse_3;
-        const Scalar e5 = p_.lambda[0] * inverse_1;
+        const Scalar e2 = p_.lambda[0] * inverse_1;
+        const Scalar inverse_3 = Scalar(1) / p_.rho[0];
+        const Scalar inverse_4 = Scalar(1) / p_.c_p[0];
+        const Scalar e5 = inverse_3 * inverse_4;
         const Scalar e6 = inverse_1 * e5;
-        const Scalar e7 = e4 * e6;
-        const Scalar e8 = Scalar(2) * e5;
-        const Scalar inverse_9 = Scalar(1) / (p_.alpha_0 + e8);
-        const Scalar e10 = inverse_9 * e7;
-        const Scalar e11 = p_.alpha_c + e8;
-        const Scalar inverse_12 = Scalar(1) / e11;
-        const Scalar inverse_13 = Scalar(1) / p_.L[1];
-        const Scalar e14 = p_.lambda[1] * inverse_13;
-        const Scalar e15 = (Scalar(1) / Scalar(2)) * p_.alpha_c + e14;
-        const Scalar e16 = Scalar(2) * e15;
-        const Scalar e17 = p_.alpha_c * p_.alpha_c;
-        const Scalar e18 = inverse_12 * e17;
-        const Scalar inverse_19 = Scalar(1) / (e16 - e18);
-        const Scalar e20 = inverse_12 * inverse_19;
-        const Scalar e21 = e20 * e17;
-        const Scalar e22 = Scalar(1) + e21;
-        const Scalar e23 = inverse_12 * e22;
-        const Scalar e24 = e10 + e7 * e23;
-        const Scalar e25 = inverse_9 * e10;
-        const Scalar e26 = inverse_12 * e7;
-        const Scalar e27 = Scalar(1) + Scalar(2) * e21;
-        const Scalar e28 = e26 * (inverse_12 * (e27 + e21 * e21));
-        const Scalar e29 = e6 * (e25 + e28);
+        const Scalar e7 = e2 * e6;
+        const Scalar e8 = inverse_1 * e7;
+        const Scalar e9 = (Scalar(1) / Scalar(2)) * p_.alpha_c + e2;
+        const Scalar inverse_10 = Scalar(1) / (Scalar(2) * e9);
+        const Scalar inverse_11 = Scalar(1) / p_.A;
+        const Scalar inverse_12 = Scalar(1) / p_.alpha_c;
+        const Scalar e13 = Scalar(2) * inverse_12;
+        const Scalar inverse_14 = Scalar(1) / p_.lambda[0];
+        const Scalar e15 = p_.L[0] * inverse_14;
+        const Scalar e16 = inverse_11 * (e13 + e15);
+        const Scalar inverse_17 = Scalar(1) / e16;
+        const Scalar inverse_18 = Scalar(1) / p_.L[1];
+        const Scalar e19 = p_.lambda[1] * inverse_18;
+        const Scalar e20 = p_.A * e19;
+        const Scalar inverse_21 = Scalar(1) / (inverse_17 + e20);
+        const Scalar e22 = inverse_10 * inverse_21;
+        const Scalar e23 = p_.alpha_c * e22;
+        const Scalar inverse_17_squared = inverse_17 * inverse_17;
+        const Scalar e24 = inverse_17_squared * e23;
+        const Scalar e25 = Scalar(2) * (e23 * e24);
+        const Scalar e26 = e2 * e7;
+        const Scalar inverse_27 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e2);
+        const Scalar e28 = p_.A * p_.alpha_c;
+        const Scalar e29 = e28 * e22;
+        const Scalar e30 = p_.alpha_c * e29;
+        const Scalar e31 = Scalar(2) * inverse_27 + inverse_10 * e30;
+        const Scalar e32 = inverse_10 * e26;
+        const Scalar e33 = e26 * e31 + Scalar(2) * e32;
+        const Scalar e34 = inverse_27 * e26;
+        const Scalar e35 = inverse_27 * e34;
+        const Scalar e36 = inverse_10 * e32;
+        const Scalar e37 = (Scalar(1) + e30) * e36;
+        const Scalar e38 = inverse_1 * (e35 + e37);
         const Scalar T_i = u[0];
-        const Scalar e30 = p_.alpha_0 * e10;
-        const Scalar e31 = inverse_9 * e30;
+        const Scalar e39 = p_.alpha_0 * inverse_27;
+        const Scalar e40 = e39 * e8;
+        const Scalar e41 = e39 * e34;
         const Scalar T_2 = x[1];
-        const Scalar e32 = p_.alpha_c * e14;
-        const Scalar e33 = e7 * e20;
-        const Scalar e34 = e32 * e33;
-        const Scalar e35 = inverse_1 * e34;
-        const Scalar e36 = e6 * e23;
-        const Scalar inverse_37 = Scalar(1) / p_.rho[1];
-        const Scalar inverse_38 = Scalar(1) / p_.c_p[1];
-        const Scalar e39 = inverse_37 * inverse_38;
-        const Scalar e40 = inverse_13 * e39;
-        const Scalar e41 = e32 * e40;
-        const Scalar e42 = e41 * e20;
-        const Scalar e43 = e32 * e20;
-        const Scalar e44 = e42 * e43;
-        const Scalar e45 = e5 * e42;
-        const Scalar e46 = p_.alpha_c * inverse_13;
-        const Scalar e47 = e5 * e20;
-        const Scalar e48 = inverse_13 * e14;
-        const Scalar e49 = inverse_19 * e48;
-        const Scalar e50 = e14 * e40;
-        const Scalar e51 = e14 * e50;
-        const Scalar inverse_52 = Scalar(1) / e16;
-        const Scalar inverse_52_squared = inverse_52 * inverse_52;
-        const Scalar inverse_53 = Scalar(1) / p_.L[2];
-        const Scalar e54 = p_.lambda[2] * inverse_53;
-        const Scalar e55 = Scalar(2) * e54;
-        const Scalar e56 = p_.alpha_c + e55;
-        const Scalar inverse_57 = Scalar(1) / (e56 - inverse_52 * e17);
-        const Scalar e58 = inverse_52 * inverse_57;
-        const Scalar e59 = Scalar(1) + e58 * e17;
-        const Scalar e60 = inverse_52 * e59;
-        const Scalar e61 = inverse_19 + e60;
-        const Scalar e62 = inverse_13 * e61;
-        const Scalar e63 = inverse_19 * e51;
-        const Scalar e64 = e32 * e58;
-        const Scalar e65 = e41 * e64;
-        const Scalar e66 = inverse_52_squared * e65;
-        const Scalar e67 = (Scalar(1) / Scalar(2)) * inverse_19 * e63 + e66;
+        const Scalar e42 = inverse_1 * e6;
+        const Scalar e43 = inverse_21 * inverse_17_squared;
+        const Scalar e44 = e23 * e43;
+        const Scalar e45 = inverse_1 * e29;
+        const Scalar e46 = e19 * e7;
+        const Scalar e47 = e29 * e46;
+        const Scalar inverse_48 = Scalar(1) / p_.rho[1];
+        const Scalar inverse_49 = Scalar(1) / p_.c_p[1];
+        const Scalar e50 = inverse_48 * inverse_49;
+        const Scalar e51 = inverse_18 * e19;
+        const Scalar e52 = e50 * e51;
+        const Scalar e53 = e2 * e52;
+        const Scalar e54 = e29 * e53;
+        const Scalar e55 = inverse_1 * inverse_10;
+        const Scalar e56 = e54 * e55;
+        const Scalar e57 = e19 * e52;
+        const Scalar e58 = inverse_21 * e57;
+        const Scalar e59 = e43 * e58;
+        const Scalar e60 = inverse_14 * e59;
+        const Scalar e61 = e29 * e26;
+        const Scalar e62 = e29 * e61;
+        const Scalar e63 = e7 * e29;
+        const Scalar e64 = p_.A * inverse_21;
+        const Scalar e65 = e51 * e64;
+        const Scalar e66 = inverse_18 * e52;
+        const Scalar e67 = p_.alpha_c + Scalar(2) * e19;
+        const Scalar inverse_68 = Scalar(1) / e67;
+        const Scalar inverse_69 = Scalar(1) / p_.lambda[1];
+        const Scalar e70 = p_.L[1] * inverse_69;
+        const Scalar e71 = inverse_11 * (e13 + e70);
+        const Scalar inverse_72 = Scalar(1) / e71;
+        const Scalar inverse_73 = Scalar(1) / p_.L[2];
+        const Scalar e74 = p_.lambda[2] * inverse_73;
+        const Scalar e75 = p_.A * e74;
+        const Scalar inverse_76 = Scalar(1) / (inverse_72 + e75);
+        const Scalar e77 = inverse_68 * inverse_76;
+        const Scalar e78 = p_.alpha_c * e77;
+        const Scalar inverse_72_squared = inverse_72 * inverse_72;
+        const Scalar e79 = inverse_72_squared * e78;
+        const Scalar e80 = Scalar(2) * (e78 * e79);
+        const Scalar e81 = e28 * e77;
+        const Scalar e82 = p_.alpha_c * e81;
+        const Scalar e83 = inverse_68 * (Scalar(1) + e82);
+        const Scalar e84 = e64 * e64 + Scalar(4) * inverse_68 * e83;
+        const Scalar e85 = inverse_68 + (Scalar(1) / Scalar(2)) * (e64 + inverse_68 * e82);
+        const Scalar e86 = e51 * e52;
+        const Scalar e87 = inverse_18 * e54;
         const Scalar T_3 = x[2];
-        const Scalar e68 = e58 * e41;
-        const Scalar e69 = e54 * e68;
-        const Scalar e70 = inverse_13 * e69;
-        const Scalar e71 = e60 * e48;
-        const Scalar inverse_72 = Scalar(1) / p_.rho[2];
-        const Scalar inverse_73 = Scalar(1) / p_.c_p[2];
-        const Scalar e74 = inverse_72 * inverse_73;
-        const Scalar e75 = inverse_53 * e54;
-        const Scalar e76 = e74 * e75;
-        const Scalar e77 = e76 * e64;
-        const Scalar e78 = e54 * e58;
-        const Scalar e79 = inverse_13 * e77;
-        const Scalar e80 = e64 * e68;
-        const Scalar e81 = inverse_57 * e75;
-        const Scalar e82 = p_.alpha_L + e55;
-        const Scalar inverse_83 = Scalar(1) / e82;
-        const Scalar e84 = inverse_83 * e76;
-        const Scalar e85 = inverse_57 * e76;
-        const Scalar e86 = e84 + e85;
-        const Scalar e87 = inverse_83 * e84;
-        const Scalar e88 = e75 * (e87 + inverse_57 * e85);
+        const Scalar e88 = e52 * e81;
+        const Scalar e89 = e74 * e88;
+        const Scalar e90 = inverse_68 * e51;
+        const Scalar e91 = inverse_18 * e50;
+        const Scalar e92 = inverse_18 * e91;
+        const Scalar e93 = inverse_76 * e74;
+        const Scalar e94 = inverse_72_squared * e93;
+        const Scalar e95 = e78 * e94;
+        const Scalar e96 = inverse_18 * e89;
+        const Scalar inverse_97 = Scalar(1) / p_.rho[2];
+        const Scalar inverse_98 = Scalar(1) / p_.c_p[2];
+        const Scalar e99 = inverse_97 * inverse_98;
+        const Scalar e100 = inverse_73 * e74;
+        const Scalar e101 = e99 * e100;
+        const Scalar e102 = e19 * e81;
+        const Scalar e103 = e101 * e102;
+        const Scalar e104 = e101 * e81;
+        const Scalar e105 = inverse_76 * e101;
+        const Scalar e106 = e105 * e79;
+        const Scalar e107 = e105 * e94;
+        const Scalar e108 = inverse_69 * e107;
+        const Scalar e109 = e81 * e57;
+        const Scalar e110 = e81 * e109;
+        const Scalar e111 = p_.A * e100;
+        const Scalar e112 = e88 * e111;
+        const Scalar e113 = p_.alpha_L + Scalar(2) * e74;
+        const Scalar inverse_114 = Scalar(1) / e113;
+        const Scalar e115 = inverse_114 * e101;
+        const Scalar e116 = Scalar(2) * e115;
+        const Scalar e117 = p_.A * e105;
+        const Scalar e118 = e116 + e117;
+        const Scalar e119 = inverse_114 * e115;
+        const Scalar e120 = e100 * e119;
+        const Scalar e121 = e93 * e117;
         const Scalar T_a = u[1];
-        const Scalar e89 = inverse_53 * e84 - e75 * e87;
+        const Scalar e122 = inverse_73 * e115 - e120;
         const Scalar sun = u[2];
-        const Scalar e90 = inverse_53 * e77;
-        const Scalar e91 = e4 * (inverse_1 * inverse_1);
-        const Scalar e92 = inverse_13 * inverse_19;
-        const Scalar e93 = e33 * e21;
-        const Scalar e94 = e5 * e93;
-        const Scalar e95 = e40 * e46;
-        const Scalar e96 = e17 * e80;
-        const Scalar e97 = Scalar(2) * e67 + (e51 + e96) * inverse_52_squared;
-        const Scalar e98 = e76 * e58;
-        const Scalar e99 = e17 * e78;
-        const Scalar e100 = e98 * e99;
-        const Scalar e101 = inverse_53 * e74;
-        const Scalar e102 = inverse_53 * (inverse_83 * e101 - Scalar(2) * e87);
-        const Scalar e103 = inverse_53 * e101;
-        const Scalar e104 = e5 * e24 - e7;
-        const Scalar e105 = p_.g * e4;
-        const Scalar e106 = e61 * e51 - e50;
-        const Scalar e107 = p_.g * e39;
-        const Scalar e108 = e54 * e86 - e76;
-        const Scalar e109 = p_.g * e74;
-        const Scalar e110 = p_.alpha_L * e84;
-        const Scalar e111 = p_.a_s * e84;
-        const Scalar inverse_112 = Scalar(1) / p_.A;
-        const Scalar e113 = inverse_112 * e5;
-        const Scalar e114 = e10 - e31;
-        const Scalar e115 = e5 * e25;
-        const Scalar e116 = e22 - (inverse_19 * e15 + (Scalar(1) / Scalar(2)) * e11 * e23);
-        const Scalar e117 = inverse_112 * e15;
-        const Scalar e118 = inverse_57 * e56;
-        const Scalar e119 = inverse_112 * (e59 - (Scalar(1) / Scalar(2)) * (Scalar(2) * e15 * e60 + e118));
-        const Scalar e120 = e82 * e87;
-        const Scalar e121 = inverse_112 * (e84 - e120);
-        const Scalar e122 = inverse_19 + e23;
-        const Scalar e123 = p_.alpha_c * e58 - (Scalar(1) / Scalar(2)) * inverse_57;
-        const Scalar e124 = e123 - (Scalar(1) / Scalar(2)) * e60;
-        const Scalar e125 = Scalar(8) * inverse_1 * e7 - Scalar(12) * e6 * e24 + Scalar(8) * e5 * e29;
-        J[0] = T_1 * e125 - T_i * (Scalar(4) * (inverse_1 * e30 - e6 * e31)) - T_2 * (Scalar(8) * (e35 - e34 * e36));
-        J[1] = T_2 * (Scalar(8) * e6 * e44) - T_1 * (Scalar(4) * e6 * e42 - Scalar(8) * e45 * e36);
+        const Scalar e123 = e45 - inverse_14 * e44;
+        const Scalar e124 = e19 * e6;
+        const Scalar e125 = e2 * e29;
+        const Scalar e126 = e91 * e95;
+        const Scalar e127 = inverse_73 * e99;
+        const Scalar e128 = inverse_73 * (inverse_114 * e127 - Scalar(2) * e119);
+        const Scalar e129 = e7 - (Scalar(1) / Scalar(2)) * e33;
+        const Scalar e130 = p_.g * e5;
+        const Scalar e131 = e7 * e39;
+        const Scalar e132 = e52 - e57 * e85;
+        const Scalar e133 = p_.g * e50;
+        const Scalar e134 = e74 * e118 - Scalar(2) * e101;
+        const Scalar e135 = p_.g * e99;
+        const Scalar e136 = p_.alpha_L * e115;
+        const Scalar e137 = p_.a_s * e115;
+        const Scalar e138 = Scalar(1) - e39;
+        const Scalar e139 = inverse_11 * e138;
+        const Scalar e140 = inverse_11 * e9;
+        const Scalar e141 = p_.alpha_c * e23;
+        const Scalar e142 = e22 * e140;
+        const Scalar e143 = e23 * (Scalar(1) - inverse_10 * e9);
+        const Scalar e144 = e43 * e142;
+        const Scalar e145 = inverse_68 * e67;
+        const Scalar e146 = inverse_68 * e57;
+        const Scalar e147 = inverse_11 * e146;
+        const Scalar e148 = e146 * (p_.alpha_c * e78);
+        const Scalar e149 = e52 * e77;
+        const Scalar e150 = inverse_11 * e67;
+        const Scalar e151 = e74 * e78;
+        const Scalar e152 = e94 * e149;
+        const Scalar e153 = Scalar(1) - (Scalar(1) / Scalar(2)) * e145;
+        const Scalar e154 = inverse_11 * (e115 - e113 * e119);
+        const Scalar e155 = e74 * e105;
+        const Scalar e156 = e77 * inverse_72_squared;
+        const Scalar e157 = e105 * e156;
+        const Scalar e158 = e22 * (p_.A - Scalar(2) * inverse_12 * e43);
+        const Scalar inverse_12_squared = inverse_12 * inverse_12;
+        const Scalar e159 = e8 * (Scalar(8) + e25) - Scalar(6) * inverse_1 * e33 + Scalar(8) * e2 * e38;
+        const Scalar e160 = e19 * (Scalar(2) * e42 * e44 + Scalar(4) * e32 * e45) - Scalar(4) * inverse_1 * e47;
+        J[0] = T_1 * e159 - T_i * (Scalar(4) * (e40 - inverse_1 * e41)) + T_2 * e160;
+        const Scalar e161 = T_1 * (Scalar(4) * e2 * e56 - inverse_1 * (Scalar(2) * (e54 - e52 * e44)));
+        J[1] = e161 + T_2 * (Scalar(2) * e60);
         J[2] = Scalar(0);
-        J[3] = T_1 * (Scalar(8) * e34 * e46 * e47) - T_2 * (e34 * (Scalar(4) * inverse_13 - Scalar(8) * e49));
-        const Scalar e126 = e51 * (Scalar(8) * e48 * inverse_52_squared - Scalar(12) * e62) + Scalar(8) * inverse_13 * e50
-            + Scalar(16) * e67 * e48 + Scalar(8) * e64 * e46 * e66;
-        J[4] = T_2 * e126 - T_1 * (Scalar(8) * (e45 * (inverse_13 - e49))) - T_3 * (Scalar(8) * (e70 - e69 * e71));
-        J[5] = T_3 * (Scalar(8) * e77 * e46 * e78) - T_2 * (Scalar(4) * e79 - Scalar(8) * e77 * e71);
+        J[3] = T_1 * (Scalar(2) * e51 * e62) - T_2 * (Scalar(2) * (e51 * e63 - e47 * e65));
+        const Scalar e162 = e66 * (Scalar(8) + e80) + Scalar(2) * e51 * e57 * e84 - Scalar(12) * e85 * e86;
+        const Scalar e163 = T_3 * (Scalar(4) * e89 * e90 + Scalar(2) * e92 * e95 - Scalar(4) * e96);
+        J[4] = T_2 * e162 - T_1 * (Scalar(4) * e87 - Scalar(2) * e54 * e65) + e163;
+        const Scalar e164 = Scalar(4) * e103 * e90 - Scalar(2) * e51 * e104 + Scalar(2) * inverse_18 * e106;
+        J[5] = T_2 * e164 + T_3 * (Scalar(2) * e108);
         J[6] = Scalar(0);
-        J[7] = T_2 * (Scalar(8) * e75 * e80) - T_3 * (Scalar(4) * e75 * e68 - Scalar(8) * e69 * e81);
-        const Scalar e127 = Scalar(8) * inverse_53 * e76 - Scalar(12) * e75 * e86 + Scalar(8) * e54 * e88;
-        J[8] = T_3 * e127 - T_a * (Scalar(4) * p_.alpha_L * e89) - sun * (Scalar(4) * p_.a_s * e89) - T_2
-            * (Scalar(8) * (e90 - e77 * e81));
-        const Scalar e128 = T_i * (Scalar(2) * p_.alpha_0 * inverse_9 * e91 - Scalar(4) * inverse_1 * e31);
-        const Scalar e129 = T_1 * (Scalar(4) * e91 - Scalar(8) * inverse_1 * e24 + Scalar(8) * e29);
-        J[9] = e128 - e129 + T_2 * (Scalar(4) * e43 * e91 - Scalar(8) * e23 * e35);
-        J[10] = T_1 * (e42 * (Scalar(4) * inverse_1 - Scalar(8) * e36)) - T_2 * (Scalar(8) * inverse_1 * e44);
+        J[7] = T_2 * (Scalar(2) * e100 * e110) - T_3 * (Scalar(2) * (e100 * e88 - e93 * e112));
+        const Scalar e165 = Scalar(8) * inverse_73 * e101 - Scalar(6) * e100 * e118 + Scalar(8) * e74 * e120 + Scalar(2) * e111
+            * e121;
+        J[8] = T_3 * e165 - T_a * (Scalar(4) * p_.alpha_L * e122) - sun * (Scalar(4) * p_.a_s * e122) - T_2
+            * (Scalar(4) * inverse_73 * e103 - Scalar(2) * e100 * e102 * e117);
+        const Scalar e166 = e42 * (Scalar(4) + e25) - e8 * (Scalar(8) * inverse_10 + Scalar(4) * e31) + Scalar(8) * e38;
+        J[9] = T_i * (Scalar(2) * e39 * e42 - Scalar(4) * inverse_27 * e40) - T_1 * e166 - T_2
+            * (Scalar(4) * e47 * e55 - Scalar(2) * e123 * e124);
+        J[10] = T_1 * (Scalar(2) * e52 * e123 - Scalar(4) * e56) - T_2 * (Scalar(2) * e15 * e60);
         J[11] = Scalar(0);
-        J[12] = T_2 * (Scalar(4) * e33 * e46 - Scalar(8) * e34 * e92) - T_1 * (Scalar(8) * inverse_13 * e94);
-        const Scalar e130 = inverse_13 * (Scalar(4) * e40 + Scalar(8) * e97) - Scalar(8) * e50 * e62;
-        J[13] = T_1 * (Scalar(4) * e47 * e95 - Scalar(8) * e45 * e92) - T_2 * e130 + T_3
-            * (Scalar(4) * e78 * e95 - Scalar(8) * e60 * e70);
-        J[14] = T_2 * (Scalar(4) * e46 * e98 - Scalar(8) * e60 * e79) - T_3 * (Scalar(8) * inverse_13 * e100);
+        J[12] = T_2 * (Scalar(2) * (e63 * (inverse_18 - e65))) - T_1 * (Scalar(2) * inverse_18 * e62);
+        const Scalar e167 = e92 * (Scalar(4) + e80) - Scalar(8) * e85 * e66 + Scalar(2) * e84 * e86;
+        const Scalar e168 = Scalar(4) * inverse_68 * e96 - Scalar(2) * e74 * e81 * e92 + Scalar(2) * inverse_69 * e126;
+        J[13] = T_1 * (Scalar(2) * (e92 * e125 - e64 * e87)) - T_2 * e167 - T_3 * e168;
+        const Scalar e169 = e104 * (Scalar(2) * inverse_18 - Scalar(4) * e90) - Scalar(2) * inverse_69 * e106;
+        J[14] = T_2 * e169 - T_3 * (Scalar(2) * e70 * e108);
         J[15] = Scalar(0);
-        J[16] = T_3 * (e68 * (Scalar(4) * inverse_53 - Scalar(8) * e81)) - T_2 * (Scalar(8) * inverse_53 * e80);
-        const Scalar e131 = T_3 * (Scalar(8) * e88 - Scalar(8) * inverse_53 * e86 + Scalar(4) * e103);
-        J[17] = T_a * (Scalar(2) * p_.alpha_L * e102) + sun * (Scalar(2) * p_.a_s * e102) + T_2
-            * (Scalar(4) * e64 * e103 - Scalar(8) * inverse_57 * e90) - e131;
-        J[18] = T_1 * (-Scalar(4) * inverse_2 * e104) - inverse_2 * e105 - T_i * (Scalar(2) * inverse_2 * e30) - T_2
-            * (Scalar(4) * inverse_2 * e34);
+        J[16] = T_3 * (Scalar(2) * (inverse_73 * e88 - inverse_76 * e112)) - T_2 * (Scalar(2) * inverse_73 * e110);
+        const Scalar e170 = Scalar(2) * inverse_76 * e117 * e111 - inverse_73 * (Scalar(4) * (e118 - e127)) + Scalar(8) * e120;
+        J[17] = T_a * (Scalar(2) * p_.alpha_L * e128) + sun * (Scalar(2) * p_.a_s * e128) + T_2
+            * (Scalar(2) * (-inverse_73 * e102 * (e117 - e127))) - T_3 * e170;
+        J[18] = T_1 * (Scalar(4) * inverse_3 * e129) - inverse_3 * e130 - T_i * (Scalar(2) * inverse_3 * e131) - T_2
+            * (Scalar(2) * inverse_3 * e47);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (-Scalar(4) * inverse_37 * e106) - inverse_37 * e107 - T_1 * (Scalar(4) * inverse_37 * e45) - T_3
-            * (Scalar(4) * inverse_37 * e69);
+        J[22] = T_2 * (Scalar(4) * inverse_48 * e132) - inverse_48 * e133 - T_1 * (Scalar(2) * inverse_48 * e54) - T_3
+            * (Scalar(2) * inverse_48 * e89);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (-Scalar(4) * inverse_72 * e108) - inverse_72 * e109 - T_a * (Scalar(2) * inverse_72 * e110) - sun
-            * (Scalar(2) * inverse_72 * e111) - T_2 * (Scalar(4) * inverse_72 * e77);
-        J[27] = T_1 * (-Scalar(4) * inverse_3 * e104) - inverse_3 * e105 - T_i * (Scalar(2) * inverse_3 * e30) - T_2
-            * (Scalar(4) * inverse_3 * e34);
+        J[26] = T_3 * (-Scalar(2) * inverse_97 * e134) - inverse_97 * e135 - T_a * (Scalar(2) * inverse_97 * e136) - sun
+            * (Scalar(2) * inverse_97 * e137) - T_2 * (Scalar(2) * inverse_97 * e103);
+        J[27] = T_1 * (Scalar(4) * inverse_4 * e129) - inverse_4 * e130 - T_i * (Scalar(2) * inverse_4 * e131) - T_2
+            * (Scalar(2) * inverse_4 * e47);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (-Scalar(4) * inverse_38 * e106) - inverse_38 * e107 - T_1 * (Scalar(4) * inverse_38 * e45) - T_3
-            * (Scalar(4) * inverse_38 * e69);
+        J[31] = T_2 * (Scalar(4) * inverse_49 * e132) - inverse_49 * e133 - T_1 * (Scalar(2) * inverse_49 * e54) - T_3
+            * (Scalar(2) * inverse_49 * e89);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (-Scalar(4) * inverse_73 * e108) - inverse_73 * e109 - T_a * (Scalar(2) * inverse_73 * e110) - sun
-            * (Scalar(2) * inverse_73 * e111) - T_2 * (Scalar(4) * inverse_73 * e77);
-        const Scalar e132 = inverse_112 * (Scalar(2) * (e30 - p_.alpha_0 * e31)) - Scalar(4) * e113 * e31;
-        const Scalar e133 = Scalar(4) * e26 + Scalar(4) * e114 + Scalar(12) * e33 * e18 - Scalar(4) * e11 * e28 - Scalar(8)
-            * e115;
-        J[36] = T_i * e132 - T_1 * (e113 * e93 * (Scalar(8) * (e15 - e18)) - e113 * e133) + T_2
-            * (Scalar(8) * inverse_112 * e34 * e116);
-        const Scalar e134 = inverse_112 * inverse_52 * (Scalar(4) * e51 + Scalar(12) * e65 + Scalar(8) * e96);
-        const Scalar e135 = inverse_112 * (Scalar(4) * (e56 * e80 + e11 * e44 - e27 * e63)) - e134 + Scalar(8) * e97 * e117;
-        J[37] = T_1 * (Scalar(8) * e42 * e113 * e116) - T_2 * e135 + T_3 * (Scalar(8) * e69 * e119);
-        const Scalar e136 = Scalar(8) * e100 * e117 - inverse_112 * e54 * (Scalar(4) * (e86 - e85 * e118 - e120)) - Scalar(8)
-            * inverse_112 * e85 * e99;
-        J[38] = T_a * (Scalar(2) * p_.alpha_L * e121) - sun * (-Scalar(2) * p_.a_s * e121) + T_2 * (Scalar(8) * e77 * e119)
-            - T_3 * e136;
-        J[39] = -T_i * (-Scalar(2) * e114) - T_1 * (Scalar(4) * e115);
+        J[35] = T_3 * (-Scalar(2) * inverse_98 * e134) - inverse_98 * e135 - T_a * (Scalar(2) * inverse_98 * e136) - sun
+            * (Scalar(2) * inverse_98 * e137) - T_2 * (Scalar(2) * inverse_98 * e103);
+        const Scalar e171 = e36 * (Scalar(8) * (e140 + e9 * e141)) - inverse_11 * (Scalar(4) * e32 - Scalar(8) * e2 * e35)
+            + Scalar(2) * e19 * e23 * e61 + Scalar(4) * e7 * e24 * e142 - Scalar(6) * e32 * e141 - Scalar(4) * e34 * e139;
+        const Scalar e172 = Scalar(2) * inverse_21 * e19 * e47 - Scalar(4) * e46 * e143 + Scalar(4) * e124 * e144;
+        J[36] = T_i * (Scalar(2) * e131 * e139 - Scalar(4) * inverse_11 * e41) - T_1 * e171 - T_2 * e172;
+        const Scalar e173 = Scalar(2) * e58 * e125 - Scalar(4) * e53 * e143 + Scalar(4) * e52 * e144;
+        const Scalar e174 = e145 * (Scalar(4) * (e147 + e148)) - e58 * (Scalar(2) * (Scalar(1) - e19 * e64)) + Scalar(2) * e79
+            * e149 * e150 + Scalar(2) * e109 * e151 + Scalar(2) * e59 * e16 - Scalar(4) * e147 - Scalar(6) * e148;
+        const Scalar e175 = inverse_11 * (Scalar(4) * e152 + Scalar(2) * e126) + Scalar(2) * e93 * e89 - Scalar(4) * e52 * e153
+            * e151;
+        J[37] = -T_1 * e173 - T_2 * e174 - T_3 * e175;
+        const Scalar e176 = Scalar(2) * e102 * e155 - Scalar(4) * e19 * e101 * e78 * e153 + Scalar(2) * e150 * e157;
+        const Scalar e177 = Scalar(2) * e107 * e71 - e74 * (Scalar(4) * e154 - Scalar(2) * e121) - Scalar(2) * e155;
+        J[38] = T_a * (Scalar(2) * p_.alpha_L * e154) - sun * (-Scalar(2) * p_.a_s * e154) - T_2 * e176 - T_3 * e177;
+        J[39] = -T_i * (-Scalar(2) * inverse_27 * e7 * e138) - T_1 * (Scalar(4) * e35);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        J[44] = -T_a * (Scalar(2) * (p_.alpha_L * e87 - e84)) - sun * (Scalar(2) * p_.a_s * e87) - T_3
-            * (Scalar(4) * e54 * e87);
-        const Scalar e137 = e5 * (Scalar(8) * p_.alpha_c * e33 * e23 - Scalar(4) * e28) - Scalar(4) * e94;
-        J[45] = T_1 * e137 - T_2 * (Scalar(4) * (e34 * e122 - e14 * e27 * e33));
-        const Scalar e138 = e14 * (Scalar(8) * (inverse_19 * e42 + e68 * e60)) - Scalar(4) * e97 - Scalar(4) * e80 - Scalar(4)
-            * e44;
-        J[46] = T_2 * e138 - T_1 * (Scalar(4) * (e45 * e122 - e27 * e50 * e47)) - T_3
-            * (-Scalar(4) * e50 * e78 - Scalar(8) * e69 * e124);
-        J[47] = T_3 * (Scalar(8) * e54 * e123 * e85 - Scalar(4) * e100) - T_2
-            * (-Scalar(4) * e14 * e98 - Scalar(8) * e77 * e124);
+        J[44] = -T_a * (Scalar(2) * (p_.alpha_L * e119 - e115)) - sun * (Scalar(2) * p_.a_s * e119) - T_3
+            * (Scalar(4) * e74 * e119);
+        const Scalar e178 = T_1 * (Scalar(4) * (e29 * e32 - e22 * e22 * e26 * inverse_17_squared - e37));
+        J[45] = e178 - T_2 * (Scalar(2) * (inverse_10 * e47 - e46 * e158));
+        const Scalar e179 = Scalar(4) * (e146 * (e81 - e83) - e77 * e57 * e156 - e59 * inverse_12_squared);
+        const Scalar e180 = Scalar(2) * inverse_68 * e89 - Scalar(2) * e149 * e75 + Scalar(4) * inverse_12 * e152;
+        J[46] = T_2 * e179 - T_1 * (Scalar(2) * (inverse_10 * e54 - e53 * e158)) - T_3 * e180;
+        const Scalar e181 = Scalar(2) * inverse_68 * e103 - Scalar(2) * e101 * e77 * e20 + Scalar(4) * inverse_12 * e19 * e157;
+        J[47] = -T_2 * e181 - T_3 * (Scalar(4) * e107 * inverse_12_squared);
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = sun * (Scalar(2) * e84);
-        J[51] = e4;
-        J[52] = e39;
-        J[53] = e74;
+        J[50] = sun * e116;
+        J[51] = e5;
+        J[52] = e50;
+        J[53] = e99;
     }
 
     /// J = df/dt at fixed x and u.
@@ -621,10 +664,9 @@ public:
     /// y = h(x, u, t).
     /// Operations: 12 + or -, 15 *, 6 other functions
     ///     T_inside = alpha_0*T_i/(2*lambda[1]/L[1] + alpha_0) + 2*lambda[1]*T[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
-    ///     T_between = 2*lambda[2]*(1 + alpha_c^2/((2*lambda[2]/L[2] + alpha_c)*(2*lambda[3]/L[3] + alpha_c -
-    ///     alpha_c^2/(2*lambda[2]/L[2] + alpha_c))))*T[2]/(L[2]*(2*lambda[2]/L[2] + alpha_c)) +
-    ///     2*lambda[3]*alpha_c*T[3]/(L[3]*(2*lambda[2]/L[2] + alpha_c)*(2*lambda[3]/L[3] + alpha_c - alpha_c^2/(2*lambda[2]/L[2] +
-    ///     alpha_c)))
+    ///     T_between = lambda[2]*(2 + A*alpha_c^2/((2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) +
+    ///     2/(A*alpha_c)))))*T[2]/(L[2]*(2*lambda[2]/L[2] + alpha_c)) + lambda[3]*A*alpha_c*T[3]/(L[3]*(2*lambda[2]/L[2] +
+    ///     alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c))))
     ///     T_front = alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) + a_s*sun/(2*lambda[3]/L[3] + alpha_L) +
     ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
     ///     Q_inside = A*alpha_0*(1 - alpha_0/(2*lambda[1]/L[1] + alpha_0))*T_i - 2*lambda[1]*A*alpha_0*T[1]/(L[1]*(2*lambda[1]/L[1]
@@ -799,21 +841,21 @@ private:
         Scalar k;  ///< 1/(L[1]/lambda[1] + L[2]/lambda[2] + L[3]/lambda[3] + 1/alpha_0 + 1/alpha_L)
         Scalar k0;  ///< g/(rho[1]*c_p[1])
         Scalar k1;  ///< 2*lambda[1]*alpha_0/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k2;  ///< 4*lambda[1]*(1 - lambda[1]*alpha_c^2/(L[1]*(2*lambda[1]/L[1] + alpha_c)^2*(2*lambda[2]/L[2] + ...
-        Scalar k3;  ///< 4*lambda[1]*lambda[2]*alpha_c/(L[1]^2*L[2]*rho[1]*c_p[1]*(2*lambda[1]/L[1] + ...
+        Scalar k2;  ///< lambda[1]*(4 - 2*lambda[1]*A*alpha_c^2/(L[1]*(2*lambda[1]/L[1] + alpha_c)^2*(lambda[2]*A/L[2] + ...
+        Scalar k3;  ///< 2*lambda[1]*lambda[2]*A*alpha_c/(L[1]^2*L[2]*rho[1]*c_p[1]*(2*lambda[1]/L[1] + ...
         Scalar k4;  ///< g/(rho[2]*c_p[2])
-        Scalar k5;  ///< 4*lambda[1]*lambda[2]*alpha_c/(L[1]*L[2]^2*rho[2]*c_p[2]*(2*lambda[1]/L[1] + ...
-        Scalar k6;  ///< 4*lambda[2]*(1 - lambda[2]*alpha_c^2/(L[2]*(2*lambda[2]/L[2] + alpha_c)^2*(2*lambda[3]/L[3] + ...
-        Scalar k7;  ///< 4*lambda[2]*lambda[3]*alpha_c/(L[2]^2*L[3]*rho[2]*c_p[2]*(2*lambda[2]/L[2] + ...
+        Scalar k5;  ///< 2*lambda[1]*lambda[2]*A*alpha_c/(L[1]*L[2]^2*rho[2]*c_p[2]*(2*lambda[1]/L[1] + ...
+        Scalar k6;  ///< lambda[2]*(4 - 2*lambda[2]*A*alpha_c^2/(L[2]*(2*lambda[2]/L[2] + alpha_c)^2*(lambda[3]*A/L[3] + ...
+        Scalar k7;  ///< 2*lambda[2]*lambda[3]*A*alpha_c/(L[2]^2*L[3]*rho[2]*c_p[2]*(2*lambda[2]/L[2] + ...
         Scalar k8;  ///< g/(rho[3]*c_p[3])
         Scalar k9;  ///< 2*lambda[3]*alpha_L/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
         Scalar k10;  ///< 2*lambda[3]*a_s/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
-        Scalar k11;  ///< 4*lambda[2]*lambda[3]*alpha_c/(L[2]*L[3]^2*rho[3]*c_p[3]*(2*lambda[2]/L[2] + ...
-        Scalar k12;  ///< 4*lambda[3]*(1 - lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L)) - ...
+        Scalar k11;  ///< 2*lambda[2]*lambda[3]*A*alpha_c/(L[2]*L[3]^2*rho[3]*c_p[3]*(2*lambda[2]/L[2] + ...
+        Scalar k12;  ///< lambda[3]*(4 - 2*lambda[3]*A/(L[3]*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c)))) ...
         Scalar k13;  ///< alpha_0/(2*lambda[1]/L[1] + alpha_0)
         Scalar k14;  ///< 2*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k15;  ///< 2*lambda[2]*(1 + alpha_c^2/((2*lambda[2]/L[2] + alpha_c)*(2*lambda[3]/L[3] + alpha_c - ...
-        Scalar k16;  ///< 2*lambda[3]*alpha_c/(L[3]*(2*lambda[2]/L[2] + alpha_c)*(2*lambda[3]/L[3] + alpha_c - ...
+        Scalar k15;  ///< lambda[2]*(2 + A*alpha_c^2/((2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + ...
+        Scalar k16;  ///< lambda[3]*A*alpha_c/(L[3]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) ...
         Scalar k17;  ///< alpha_L/(2*lambda[3]/L[3] + alpha_L)
         Scalar k18;  ///< a_s/(2*lambda[3]/L[3] + alpha_L)
         Scalar k19;  ///< 2*lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))

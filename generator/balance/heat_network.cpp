@@ -149,6 +149,7 @@ NodeState& add_sought(HeatNetwork& network, std::string name, const Item& item, 
     const Warmth warmth{symbols.letter("temperature[" + name + "]"), symbols.letter("temperature[" + name + "]^4"), true};
     NodeState& node = network.nodes.emplace_back(NodeState{NodeState::Kind::sought, std::move(name), &item, place, warmth, {}});
     node.letter = warmth.temperature;
+    node.fourth_letter = warmth.fourth;
     return node;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 
 #include "balance/control_volume.hpp"
 #include "balance/net_radiation.hpp"
@@ -30,6 +31,8 @@ struct NodeState {
     GiNaC::ex stored_energy = 0;       ///< J, the integral of the capacity over the temperature
     GiNaC::ex source = 0;              ///< W, from outside
     GiNaC::ex letter = 0;              ///< of a sought temperature, before it was found
+    GiNaC::ex fourth_letter = 0;       ///< of its fourth power
+    GiNaC::ex balance = 0;             ///< W into it, in the letters of sought temperatures; zero of one that is held
     bool is_tapped = false;            ///< a cell of a field, of which only what comes from elsewhere is balanced here
     bool radiates = false;             ///< to what surrounds it, as part of the source
 };
@@ -73,6 +76,7 @@ struct HeatNetwork {
     GiNaC::ex stored_energy = 0;    ///< J
     GiNaC::ex exchanged_power = 0;  ///< W, from sources, held nodes and reservoirs
     GiNaC::exmap solved;            ///< the letters of sought temperatures, with what they are
+    std::map<const NodeState*, GiNaC::ex> defined;  ///< W into nodes that hold each other in balance: zero by definition of their temperatures
 
     bool empty() const { return nodes.empty() && links.empty(); }
     /// Null where the scene has none of that name: "plate", "bar[3]".

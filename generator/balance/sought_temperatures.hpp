@@ -6,9 +6,10 @@
 
 namespace dalembert {
 
-/// Solves the balances of the nodes that store nothing and puts the temperatures in wherever their letters stand. Links that are
-/// linear in temperatures, or in fourth powers of temperatures, are eliminated. A node that has both kinds follows from
-/// a*T^4 + T = b. Throws Failure (undetermined) where nothing determines a temperature, or where a balance is of another kind.
+/// Solves the balances of the nodes that store nothing and puts the temperatures in wherever their letters stand. Chains and trees of
+/// nodes that only conduct, or only radiate, are eliminated, and a node that then does both follows from a*T^4 + T = b. What is left,
+/// rings and nodes that do both to each other, are networks whose temperatures are functions of their own. Throws Failure (undetermined)
+/// where nothing determines a temperature, or where a balance is of another kind.
 void find_sought_temperatures(HeatNetwork& network);
 
 }  // namespace dalembert

@@ -43,6 +43,18 @@ std::string wrapped(const std::string& statement, std::size_t indent) {
     return result + blanks + (first ? "" : "    ") + rest + "\n";
 }
 
+namespace {
+
+/// The number of nodes of a network, from that of its data.
+std::size_t order_of_network(const Node& node) {
+    const auto fits = [&](std::size_t n) { return node.arguments.size() == (node.op == Op::network_inverse ? n * n : 2 * n * n + n); };
+    std::size_t n = 1;
+    while (!fits(n)) ++n;
+    return n;
+}
+
+}  // namespace
+
 CppFunction::CppFunction(const Code& code, const FunctionCode& function, const CachedTexts& cached, std::set<std::string> arguments)
     : code_(code), function_(function), cached_(cached), arguments_(arguments), names_({}), uses_(function.program.size(), 0) {
     const Symbols& symbols = code.system.symbols;
@@ -61,7 +73,7 @@ bool CppFunction::wants_name(NodeId id) const {
         case Node::Kind::constant:
         case Node::Kind::cached: return false;
         case Node::Kind::symbol: return false;
-        case Node::Kind::function: return true;
+        case Node::Kind::function: return node.op != Op::element;
         default: return uses_[id] > 1 || wanted_names_.contains(id);
     }
 }
@@ -83,7 +95,9 @@ std::string CppFunction::value(NodeId id, std::string& statements) {
 
 void CppFunction::declare(NodeId id, const std::string& text, std::string& statements) {
     const std::string unique = names_.unique(suggested_name(id));
-    statements += wrapped(fmt::format("const Scalar {} = {};", unique, text), 8);
+    const Node& node = function_.program[id];
+    const bool is_an_array = node.kind == Node::Kind::function && is_array(node.op);
+    statements += wrapped(fmt::format("const {} {} = {};", is_an_array ? "auto" : "Scalar", unique, text), 8);
     known_[id] = {unique, 3};
 }
 
@@ -205,10 +219,12 @@ CppFunction::Text CppFunction::product(const Node& node, std::string& statements
 }
 
 CppFunction::Text CppFunction::call(const Node& node, std::string& statements) {
+    if (node.op == Op::element) return {fmt::format("{}[{}]", text_of(node.arguments[0], statements).text, to_string(function_.program[node.arguments[1]].value)), 3};
     std::string arguments;
     for (const NodeId argument : node.arguments) arguments += (arguments.empty() ? "" : ", ") + text_of(argument, statements).text;
     const std::string name = node.op == Op::power ? "pow" : name_of(node.op);
     called_.insert(name);
+    if (is_array(node.op)) return {fmt::format("detail::{}<Scalar, {}>({{{}}})", name, order_of_network(node), arguments), 3};
     return {is_helper(name) ? fmt::format("detail::{}<Scalar>({})", name, arguments) : fmt::format("{}({})", name, arguments), 3};
 }
 

@@ -82,6 +82,8 @@ std::string equations_as_text(const System& s) {
     }
     if (!s.named.names.empty()) text += "\nflows and media\n";
     for (const auto& [letter, value] : s.named.names) text += fmt::format("  {} = {}\n", write(letter), write(value));
+    if (!s.named.balanced.empty()) text += "\ntemperatures that follow from balances\n";
+    for (const auto& [letter, heat] : s.named.balanced) text += fmt::format("  {}: 0 = {}\n", write(letter), write(heat));
     if (!s.state_rates.empty()) text += "\nstates\n";
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.named.state_rates[i]));
@@ -96,7 +98,7 @@ std::string equations_as_text(const System& s) {
     if (!s.fluids.guards.empty()) text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
     for (const Guard& guard : s.fluids.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
     if (!s.outputs.empty()) text += "\noutputs\n";
-    for (const OutputEquation& output : s.outputs) text += fmt::format("  {} = {}\n", output.name, write(output.value));
+    for (const OutputEquation& output : s.outputs) text += fmt::format("  {} = {}\n", output.name, write(s.named.shortened(output.value)));
     return text;
 }
 
@@ -116,13 +118,14 @@ std::string equations_as_latex(const System& s) {
     lines.clear();
     for (std::size_t j = 0; j < s.residual.size(); ++j) lines.push_back(fmt::format("{} &= {}", write(s.residual[j] + s.supplied[j]), write(s.supplied[j])));
     for (const auto& [letter, value] : s.named.names) lines.push_back(fmt::format("{} &= {}", write(letter), write(value)));
+    for (const auto& [letter, heat] : s.named.balanced) lines.push_back(fmt::format("0 &= {} \\quad ({})", write(heat), write(letter)));
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         lines.push_back(fmt::format("{} &= {}", write.symbol(s.symbols.all(SymbolKind::state_rate)[i]), write(s.named.state_rates[i])));
     for (const RodField& f : s.heat.fields)
         for (const CellPart& part : parts(f)) lines.push_back(fmt::format("\\text{{{}, {}}} &= {}", f.rod->name, part.title, write(part.value)));
     aligned(lines);
     lines = {fmt::format("T &= {}", write(s.kinetic_energy)), fmt::format("V &= {}", write(s.potential_energy))};
-    for (const OutputEquation& output : s.outputs) lines.push_back(fmt::format("{} &= {}", latex_name(output.base), write(output.value)));
+    for (const OutputEquation& output : s.outputs) lines.push_back(fmt::format("{} &= {}", latex_name(output.base), write(s.named.shortened(output.value))));
     aligned(lines);
     return text;
 }

@@ -21,6 +21,7 @@ const std::vector<Helper>& helpers() {
     static constexpr const char* scalars = "scalar_functions.hpp";
     static constexpr const char* fluids = "fluid_functions.hpp";
     static constexpr const char* heat = "heat_functions.hpp";
+    static constexpr const char* networks = "heat_networks.hpp";
     static const std::vector<Helper> table{
         {"select", scalars, {}},
         {"sign", scalars, {"select"}},
@@ -47,6 +48,9 @@ const std::vector<Helper>& helpers() {
         {"root_excess", heat, {"select"}},
         {"sum_of_three", heat, {}},
         {"radiant_temperature", heat, {"select"}},
+        {"network", networks, {}},
+        {"network_inverse", networks, {"network"}},
+        {"balanced_temperature", networks, {"network", "radiant_temperature"}},
         {"ldlt", "ldlt.hpp", {}},
     };
     return table;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "symbolic/functions.hpp"
+#include "symbolic/network_functions.hpp"
 
 namespace dalembert {
 
@@ -35,19 +36,30 @@ public:
         result_.internal_energy += system_.heat.stored_energy;
         result_.exchanged_power = fluids_.power_over_border() + system_.heat.exchanged_power;
         for (const NodeState& node : system_.heat.nodes) name_sought(node);
+        shorten();
         return only_used();
     }
 
 private:
-    /// The root of a balance with radiation is long and occurs often.
+    /// The root of a balance with radiation, and what a network balances, are long and occur often.
     void name_sought(const NodeState& node) {
-        const ex& value = node.warmth.temperature;
-        if (node.kind != NodeState::Kind::sought || !is_ex_the_function(value, radiant_temperature)) return;
-        const GiNaC::exmap named{{value, node.letter}};
-        const auto in = [&](ex& e) { e = e.subs(named, GiNaC::subs_options::no_pattern); };
+        const ex& T = node.warmth.temperature;
+        const bool is_balanced = system_.heat.defined.contains(&node);
+        if (is_balanced || is_ex_the_function(T, radiant_temperature)) result_.temperatures[T] = node.letter;
+        if (is_balanced && is_ex_the_function(node.warmth.fourth, balanced_temperature)) {  // where all only radiate
+            const ex fourth = GiNaC::pow(node.letter, 4);
+            result_.temperatures[node.warmth.fourth] = fourth;
+            result_.temperatures[GiNaC::pow(fourth, GiNaC::numeric(1, 4))] = node.letter;
+        }
+        if (is_balanced) result_.balanced.emplace_back(node.letter, system_.heat.heat_into(node));
+        else if (is_ex_the_function(T, radiant_temperature)) result_.names.emplace_back(node.letter, T);
+    }
+
+    void shorten() {
+        const auto in = [&](ex& e) { e = result_.shortened(e); };
         std::for_each(result_.state_rates.begin(), result_.state_rates.end(), in);
         in(result_.exchanged_power);
-        result_.names.emplace_back(node.letter, value);
+        for (auto& [letter, heat] : result_.balanced) in(heat);
     }
 
     /// A name for what is more than a name.
@@ -77,6 +89,8 @@ private:
         std::vector<ex> shown = result_.state_rates;
         shown.push_back(result_.internal_energy);
         shown.push_back(result_.exchanged_power);
+        for (const auto& [letter, heat] : result_.balanced) shown.push_back(heat);
+        for (const OutputEquation& output : system_.outputs) shown.push_back(result_.shortened(output.value));
         std::vector<std::pair<ex, ex>> used;
         // Names are made of those before them.
         for (auto named = result_.names.rbegin(); named != result_.names.rend(); ++named) {
@@ -98,7 +112,7 @@ private:
 }  // namespace
 
 NamedBalances name_balances(const System& system, Symbols& symbols) {
-    if (!system.has_balances()) return {{}, system.state_rates, 0, 0};
+    if (!system.has_balances()) return {{}, {}, {}, system.state_rates, 0, 0};
     return Naming(system, symbols).run();
 }
 

@@ -168,7 +168,12 @@ NodeId ProgramBuilder::atom_node(Letter letter) {
     if (atom.op == Op::symbol || atom.op == Op::pi) return program_.symbol(letter);
     std::vector<NodeId> arguments;
     for (const Value& value : atom_arguments_.at(letter)) arguments.push_back(node(value));
-    return atom.op == Op::sum ? arguments[0] : program_.function(atom.op, std::move(arguments));
+    if (atom.op == Op::sum) return arguments[0];
+    if (!is_array(atom.op)) return program_.function(atom.op, std::move(arguments));
+    // All elements come from one computation.
+    const NodeId which = arguments[0];
+    arguments.erase(arguments.begin());
+    return program_.function(Op::element, {program_.function(atom.op, std::move(arguments)), which});
 }
 
 NodeId ProgramBuilder::sum_node(const CubeSum& sum) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "symbolic/functions.hpp"
+#include "symbolic/network_functions.hpp"
 
 namespace dalembert {
 
@@ -151,6 +152,7 @@ private:
             const Polynomial inside = folded((*this)(e.op(0)), atoms_);
             return inside.is_zero() ? inside : kept_whole(inside, 1);
         }
+        if (is_network_function(e)) return network(e);
         if (serial == GiNaC::exp_SERIAL::serial) return exponential(folded((*this)(e.op(0)), atoms_));
         for (const FunctionOp& known : function_ops()) {
             if (known.serial != serial) continue;
@@ -164,6 +166,18 @@ private:
             return flip && known.parity < 0 ? negated(result) : result;
         }
         throw std::logic_error("a function that the graph does not know: " + ex_to<GiNaC::function>(e).get_name());
+    }
+
+    /// One element of an array. The elements of an inverse are numbered through.
+    Polynomial network(const ex& e) {
+        const bool is_inverse = is_ex_the_function(e, network_inverse);
+        if (!is_inverse && NetworkData(e.op(1)).is_linear()) return (*this)(in_inverse(e));
+        const ex& list = e.op(is_inverse ? 2 : 1);
+        ex which = e.op(0);
+        if (is_inverse) which = which * network_order(list) + e.op(1);
+        std::vector<Polynomial> arguments{(*this)(which)};
+        for (const ex& entry : list) arguments.push_back(folded((*this)(entry), atoms_));
+        return Polynomial::letter(atoms_.letter(is_inverse ? Op::network_inverse : Op::balanced_temperature, std::move(arguments)));
     }
 
     /// exp(n*x) = exp(x)^n for whole n, negative ones too: GiNaC writes a product of exponentials now one way, now the other, and what

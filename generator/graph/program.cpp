@@ -113,6 +113,7 @@ OperationCount Program::count(const std::vector<NodeId>& roots, const std::vecto
             case Node::Kind::product: result.multiplications += arguments - 1; break;
             case Node::Kind::reciprocal: result.divisions += 1; break;
             case Node::Kind::function: {
+                if (node.op == Op::element) break;
                 const bool is_trigonometric = node.op == Op::sin || node.op == Op::cos || node.op == Op::tan;
                 (is_trigonometric ? result.trigonometric : result.other) += 1;
                 break;

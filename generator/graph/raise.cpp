@@ -2,6 +2,7 @@
 #include "graph/raise.hpp"
 
 #include "symbolic/functions.hpp"
+#include "symbolic/network_functions.hpp"
 
 namespace dalembert {
 
@@ -47,9 +48,12 @@ ex apply(Op op, const std::vector<ex>& a) {
         case Op::root_excess: return root_excess(a[0], a[1]);
         case Op::sum_of_three: return sum_of_three(a[0], a[1], a[2]);
         case Op::radiant_temperature: return radiant_temperature(a[0], a[1]);
+        case Op::network_inverse:
+        case Op::balanced_temperature: return GiNaC::exprseq(a.begin(), a.end());
         case Op::power: return GiNaC::pow(a[0], a[1]);
         case Op::symbol:
         case Op::pi:
+        case Op::element:
         case Op::sum: break;
     }
     throw std::logic_error("an operation that is no function");
@@ -61,6 +65,16 @@ ex Raiser::operator()(NodeId id) {
     if (const auto known = known_.find(id); known != known_.end()) return known->second;
     for (const NodeId argument : program_[id].arguments) (*this)(argument);
     return known_[id] = raise(program_[id]);
+}
+
+/// Of an array its list of arguments was raised.
+ex Raiser::element(const Node& node) const {
+    const ex& list = known_.at(node.arguments[0]);
+    const ex& which = known_.at(node.arguments[1]);
+    if (program_[node.arguments[0]].op == Op::balanced_temperature) return balanced_temperature(which, list);
+    const auto n = network_order(list);
+    const auto k = static_cast<unsigned long>(GiNaC::ex_to<GiNaC::numeric>(which).to_long());
+    return network_inverse(k / n, k % n, list);
 }
 
 ex Raiser::raise(const Node& node) {
@@ -79,6 +93,7 @@ ex Raiser::raise(const Node& node) {
         case Node::Kind::reciprocal: return GiNaC::pow(parts[0], -1);
         case Node::Kind::function: break;
     }
+    if (node.op == Op::element) return element(node);
     return apply(node.op, {parts.begin(), parts.end()});
 }
 

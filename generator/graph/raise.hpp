@@ -20,6 +20,7 @@ public:
 
 private:
     GiNaC::ex raise(const Node& node);
+    GiNaC::ex element(const Node& node) const;
 
     const Program& program_;
     const Atoms& atoms_;

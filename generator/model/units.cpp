@@ -236,6 +236,15 @@ Measure Units::function(const FunctionSpec& function, const Expression& e, const
             if (!c.fits_all) expect(*e.children[1], c.dimension.raised({2, 1}), fmt::format("the second argument of '{}'", e.name), bound);
             return c.fits_all ? raised(part(1), {1, 2}) : c;
         }
+        case UnitRule::plate: {
+            const Measure above = part(0), first = part(1), second = part(2);
+            return {above.dimension / first.dimension / second.dimension, above.fits_all};
+        }
+        case UnitRule::pipe: {
+            agreeing_up_to(2);
+            const Measure conductivity = part(2), length = part(3);
+            return {Dimension::none() / conductivity.dimension / length.dimension, conductivity.fits_all || length.fits_all};
+        }
         case UnitRule::radiant: break;
     }
     const Measure b = part(1);

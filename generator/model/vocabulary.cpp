@@ -36,6 +36,8 @@ constexpr std::array function_table{
     FunctionSpec{"root_excess", "c, s", U::root_excess, "sqrt(c^2 + s) - c, s not negative"},
     FunctionSpec{"radiant_temperature", "a, b", U::radiant, "the T with a*T^4 + T = b, a and b not negative"},
     FunctionSpec{"fourth_power_difference", "a, b", U::fourth_power, "a^4 - b^4, also where they are close"},
+    FunctionSpec{"plate_resistance", "L, lambda, A", U::plate, "resistance of a plane layer, L/(lambda*A) (4.63)"},
+    FunctionSpec{"pipe_resistance", "r_1, r_2, lambda, L", U::pipe, "resistance of a cylindrical layer from r_1 to r_2, log(r_2/r_1)/(2*pi*lambda*L) (4.68), also of thin ones"},
     FunctionSpec{"in_series", "a, b", U::same, "resistance of two resistances one behind the other, a + b (4.65), (4.108)"},
     FunctionSpec{"in_parallel", "a, b", U::same, "resistance of two resistances side by side, a*b/(a + b) (4.108)"},
     FunctionSpec{"sinh_ratio", "a, b", U::dimensionless, "sinh(a)/sinh(b), not negative, of any size"},

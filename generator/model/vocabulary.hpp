@@ -18,6 +18,8 @@ enum class UnitRule {
     fourth_power,     ///< equal arguments, result their fourth power
     root_excess,      ///< c and the result; s as its square
     radiant,          ///< a in 1/b^3, result as b
+    plate,            ///< the first argument by the other two
+    pipe,             ///< two equal arguments, result 1 by the other two
 };
 
 struct FunctionSpec {

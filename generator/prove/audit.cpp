@@ -53,6 +53,7 @@ AuditEntry balance_power(const System& system, Prover& prover) {
         if (node.is_tapped) change.push_back(system.with_rates(symbols.time_derivative(node.stored_energy)));
     ex power = system.supplied_power - system.dissipated_power + system.prescribed_power + system.exchanged_power;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) power += system.residual[j] * symbols.get(SymbolKind::velocity, j);
+    for (const auto& [node, heat] : system.heat.defined) power -= heat;
     return {"power balance", prover.equal(GiNaC::add(change), power)};
 }
 
@@ -83,7 +84,9 @@ std::vector<AuditEntry> compare_balances(const System& system, Prover& prover) {
     for (const NodeState& node : system.heat.nodes) {
         if (node.kind == NodeState::Kind::held) continue;
         const ex change = system.with_rates(symbols.time_derivative(node.stored_energy));
-        entries.push_back({"balance of heat, " + node.name, prover.equal(change, system.heat.heat_into(node))});
+        // Where the temperature is defined by a balance, that is the balance of this node.
+        const auto defined = system.heat.defined.find(&node);
+        entries.push_back({"balance of heat, " + node.name, prover.equal(defined == system.heat.defined.end() ? change : defined->second, system.heat.heat_into(node))});
     }
     for (const FlowState& f : fluids.flows)
         if (f.velocity_state) entries.push_back({"balance of energy, " + f.member.name(), prover.equal(system.with_rates(symbols.time_derivative(f.stored_energy)), f.leaving() - f.arriving() + f.shaft_power)});

@@ -73,6 +73,7 @@ private:
     Polynomial log_mean(const Polynomial& a, const Polynomial& b, bool slope);
     Polynomial root_of_product(const Polynomial& base);
     Polynomial radiant_temperature(const Polynomial& a, const Polynomial& b);
+    Polynomial network(const std::string& name, const GiNaC::ex& e);
     void roots_first(const GiNaC::ex& e);
     Polynomial atom(const std::string& name, const GiNaC::ex& e);
 

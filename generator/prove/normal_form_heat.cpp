@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "prove/normal_form.hpp"
+#include "symbolic/network_functions.hpp"
 
 namespace dalembert {
 
@@ -13,7 +14,7 @@ using GiNaC::ex_to;
 namespace {
 
 bool is_heat_function(const std::string& name) {
-    static const std::set<std::string> names{"decay_mean", "decay_mean_slope", "log_ratio", "log_mean", "log_mean_slope", "root_excess", "radiant_temperature"};
+    static const std::set<std::string> names{"decay_mean", "decay_mean_slope", "log_ratio", "log_mean", "log_mean_slope", "root_excess", "radiant_temperature", "network_inverse", "balanced_temperature"};
     return names.contains(name);
 }
 
@@ -27,6 +28,7 @@ bool NormalForm::has_heat_functions(const ex& e) {
 
 std::optional<Polynomial> NormalForm::heat_function(const std::string& name, const ex& e) {
     if (!is_heat_function(name)) return std::nullopt;
+    if (is_network_function(e)) return network(name, e);
     if (functions_are_letters_) return atom(name, e);
     const Polynomial a = convert(e.op(0));
     if (name == "decay_mean" || name == "decay_mean_slope") {
@@ -98,6 +100,18 @@ Polynomial NormalForm::radiant_temperature(const Polynomial& a, const Polynomial
         found->second = new_letter();
         relate(found->second, 4, multiply(b - Polynomial::letter(found->second), over_a));
     }
+    return Polynomial::letter(found->second);
+}
+
+/// A letter for each function of the same network. Where nothing radiates, temperatures are written out with the inverse.
+Polynomial NormalForm::network(const std::string& name, const ex& e) {
+    const ex& list = e.op(e.nops() - 1);
+    if (name == "balanced_temperature" && NetworkData(list).is_linear()) return convert(in_inverse(e));
+    std::vector<Polynomial> arguments;
+    for (std::size_t i = 0; i + 1 < e.nops(); ++i) arguments.push_back(convert(e.op(i)));
+    for (const ex& entry : list) arguments.push_back(convert(entry));
+    const auto [found, is_new] = atoms_.emplace(std::pair(name, std::move(arguments)), 0);
+    if (is_new) found->second = new_letter();
     return Polynomial::letter(found->second);
 }
 

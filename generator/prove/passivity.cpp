@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/passivity.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "symbolic/functions.hpp"
@@ -49,11 +50,7 @@ bool has_sign(const ex& e, int sign) {
     return found && (*found == 0 || *found == sign);
 }
 
-bool has_state(const ex& e, const Symbols& symbols) {
-    for (const Variable& state : symbols.all(SymbolKind::state))
-        if (e.has(state.symbol)) return true;
-    return false;
-}
+const ex& letter(const NodeState& node) { return node.kind == NodeState::Kind::sought ? node.letter : node.warmth.temperature; }
 
 /// What holds for every cell of a rod in a loop: conduction is symmetric, the surroundings draw towards themselves.
 bool is_passive(const RodField& f) {
@@ -77,16 +74,20 @@ bool is_passive(const System& system, Prover& prover) {
     for (const NodeState& node : system.heat.nodes)
         if (node.state) nodes.push_back(&node);
     if (nodes.empty() || nodes.size() != symbols.states() || symbols.degrees() > 0) return false;
-    std::vector<ex> heat;
-    for (const NodeState* node : nodes) heat.push_back(system.heat.heat_into(*node));
-    const auto slope = [&](std::size_t i, std::size_t j) { return partial(heat[i], nodes[j]->warmth.temperature); };
+    // Nodes that store nothing count too: what is left when they are eliminated has the same signs.
+    for (const NodeState& node : system.heat.nodes)
+        if (node.kind == NodeState::Kind::sought) nodes.push_back(&node);
+    const auto has_state = [&](const ex& e) { return std::any_of(nodes.begin(), nodes.end(), [&](const NodeState* node) { return e.has(letter(*node)); }); };
+    const auto slope = [&](std::size_t i, std::size_t j) { return partial(nodes[i]->balance, letter(*nodes[j])); };
+    for (const NodeState* node : nodes)
+        for (const NodeState* other : nodes)
+            if (other->kind == NodeState::Kind::sought && node->balance.has(other->fourth_letter)) return false;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const auto capacity = sign_of_terms(nodes[i]->capacity);
-        if (capacity != 1 || has_state(nodes[i]->capacity, symbols)) return false;
+        if (nodes[i]->state && (sign_of_terms(nodes[i]->capacity) != 1 || has_state(nodes[i]->capacity))) return false;
         ex sum = 0;
         for (std::size_t j = 0; j < nodes.size(); ++j) {
             const ex here = slope(i, j);
-            if (has_state(here, symbols)) return false;
+            if (has_state(here)) return false;
             sum += here;
             if (i != j && !has_sign(here, 1)) return false;
             if (j < i && !(here.is_zero() && slope(j, i).is_zero()) && !prover.proven_equal(here, slope(j, i))) return false;

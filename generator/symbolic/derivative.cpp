@@ -2,6 +2,7 @@
 #include "symbolic/derivative.hpp"
 
 #include "symbolic/functions.hpp"
+#include "symbolic/network_functions.hpp"
 
 namespace dalembert {
 
@@ -93,6 +94,7 @@ ex derivative(const ex& e, const Rate& rate) {
         return result;
     }
     if (!GiNaC::is_a<GiNaC::function>(e)) return 0;
+    if (is_network_function(e)) return derivative_of_network(e, [&](const ex& part) { return derivative(part, rate); });
     const ex first = derivative(e.op(0), rate);
     if (e.nops() == 1) return first.is_zero() ? ex(0) : slope(e) * first;
     const ex second = derivative(e.op(1), rate);

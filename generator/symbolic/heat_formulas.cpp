@@ -95,6 +95,8 @@ const std::map<std::string_view, Formula>& formulas() {
         {"root_excess", [](const Arguments& x) -> ex { return root_excess(x[0], x[1]); }},
         {"radiant_temperature", [](const Arguments& x) -> ex { return radiant_temperature(x[0], x[1]); }},
         {"fourth_power_difference", [](const Arguments& x) { return fourth_power_difference(x[0], x[1]); }},
+        {"plate_resistance", [](const Arguments& x) -> ex { return x[0] / (x[1] * x[2]); }},
+        {"pipe_resistance", [](const Arguments& x) -> ex { return log_ratio(x[1], x[0]) / (2 * GiNaC::Pi * x[2] * x[3]); }},
         {"in_series", [](const Arguments& x) -> ex { return x[0] + x[1]; }},
         {"in_parallel", [](const Arguments& x) -> ex { return x[0] * x[1] / kept(x[0] + x[1]); }},
         {"sinh_ratio", [](const Arguments& x) { return sinh_ratio_of(x[0], x[1]); }},

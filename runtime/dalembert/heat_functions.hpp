@@ -144,6 +144,18 @@ Scalar fourth_power_difference(const Scalar& a, const Scalar& b) noexcept {
     return (a - b) * (a + b) * (a * a + b * b);
 }
 
+/// The resistance of a plane layer (4.63): thickness L in m, conductivity lambda in W/(m K), area A in m^2; in K/W.
+template <class Scalar>
+Scalar plate_resistance(const Scalar& L, const Scalar& lambda, const Scalar& A) noexcept {
+    return L / (lambda * A);
+}
+
+/// The resistance of a cylindrical layer from radius r_1 to r_2 > r_1, L long (4.68), also of a thin one; in K/W.
+template <class Scalar>
+Scalar pipe_resistance(const Scalar& r_1, const Scalar& r_2, const Scalar& lambda, const Scalar& L) noexcept {
+    return log_ratio(r_2, r_1) / (Scalar(2) * detail::pi<Scalar>() * lambda * L);
+}
+
 /// Two resistances one behind the other, as the layers of a wall (4.65), (4.70)
 template <class Scalar>
 Scalar in_series(const Scalar& a, const Scalar& b) noexcept {
