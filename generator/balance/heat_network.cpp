@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "balance/block.hpp"
 #include "balance/enclosure.hpp"
 #include "balance/rod.hpp"
 #include "balance/sought_temperatures.hpp"
@@ -128,6 +129,14 @@ ex radiate(const ex& area, const Warmth& a, const Warmth& b) {
     return factor * fourth_power_difference(a.temperature, b.temperature);
 }
 
+ex taken_up(const Warmth& surface, const ex& size, const ExpressionPtr& coefficient, const ExpressionPtr& emissivity, const ExpressionPtr& ambient, const Translator& translate) {
+    const Warmth around = warmth_of(translate(ambient, {}));
+    ex heat = 0;
+    if (coefficient) heat += exchange(translate(coefficient, {}) * size, around, surface);
+    if (emissivity) heat += radiate(translate(emissivity, {}) * size, around, surface);
+    return heat;
+}
+
 ex conduct(const Property& conductivity, const ex& shape, const Warmth& a, const Warmth& b, const Translator& translate, Symbols& symbols, const Indices& indices) {
     if (conductivity.variables.empty()) return exchange(translate(conductivity.body, indices) * shape, a, b);
     const ex letter = symbols.letter(conductivity.variables[0]);
@@ -153,6 +162,13 @@ NodeState& add_sought(HeatNetwork& network, std::string name, const Item& item, 
     return node;
 }
 
+void add_link(HeatNetwork& network, const Item& item, const NodeState& a, const NodeState& b, const ex& heat) {
+    LinkState link{fmt::format("between {} and {}", a.name, b.name), item.span, {}, {}, heat};
+    link.from.node = &a;
+    link.to.node = &b;
+    network.links.push_back(std::move(link));
+}
+
 const NodeState* HeatNetwork::find_node(const std::string& name) const {
     const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const NodeState& n) { return n.name == name; });
     return found == nodes.end() ? nullptr : &*found;
@@ -161,6 +177,11 @@ const NodeState* HeatNetwork::find_node(const std::string& name) const {
 const LinkState* HeatNetwork::find_link(const std::string& name) const {
     const auto found = std::find_if(links.begin(), links.end(), [&](const LinkState& l) { return l.name == name; });
     return found == links.end() ? nullptr : &*found;
+}
+
+const BorderState* HeatNetwork::find_border(const std::string& name) const {
+    const auto found = std::find_if(borders.begin(), borders.end(), [&](const BorderState& b) { return b.name == name; });
+    return found == borders.end() ? nullptr : &*found;
 }
 
 ex HeatNetwork::heat_into(const NodeState& node) const {
@@ -200,7 +221,7 @@ std::vector<std::vector<std::size_t>> HeatNetwork::floating_parts() const {
     std::set<const NodeState*> anchored;
     for (const NodeState& node : nodes) {
         part[&node] = &node;
-        if (node.kind == NodeState::Kind::held || (node.state && !partial(node.source, node.warmth.temperature).is_zero())) anchored.insert(&node);
+        if (node.kind == NodeState::Kind::held || node.is_surface || (node.state && !partial(node.source, node.warmth.temperature).is_zero())) anchored.insert(&node);
     }
     const auto root = [&](const NodeState* node) {
         while (part[node] != node) node = part[node];
@@ -231,6 +252,7 @@ HeatNetwork make_nodes(const Scene& scene, const Translator& translate, Symbols&
         else network.nodes.push_back(node_of(member, scene, translate, symbols));
     }
     for (const auto& member : scene.rods) add_rod(network, *member.item, scene, translate, symbols);
+    for (const auto& member : scene.blocks) add_block(network, *member.item, scene, translate, symbols);
     return network;
 }
 
@@ -243,6 +265,7 @@ void complete_heat(HeatNetwork& network, const Scene& scene, const Translator& t
     for (const auto& member : scene.links) linking.add(member);
     for (const auto& member : scene.enclosures) add_enclosure(network, *member.item, scene, translate, symbols);
     find_sought_temperatures(network);
+    for (BorderState& border : network.borders) border.heat = border.heat.subs(network.solved, GiNaC::subs_options::no_pattern);
     for (const NodeState& node : network.nodes)
         if (!node.is_tapped) network.stored_energy += node.stored_energy;
     network.exchanged_power = network.power_over_border();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Heat between places with one temperature: nodes, cells of rods, volumes and reservoirs. Each node balances what flows in,
+// Heat between places with one temperature: nodes, cells of rods and blocks, volumes and reservoirs. Each node balances what flows in,
 // C(T)*dT/dt = sum of the heat flows + what comes from outside (4.103b); one without a capacity has its temperature from the balance.
 #pragma once
 
@@ -18,7 +18,7 @@ struct Warmth {
     bool is_sought = false;
 };
 
-/// A node of [nodes], or a cell or surface of a rod.
+/// A node of [nodes], or a cell or surface of a rod or block.
 struct NodeState {
     enum class Kind { storing, held, sought };
     Kind kind;
@@ -35,6 +35,7 @@ struct NodeState {
     GiNaC::ex balance = 0;             ///< W into it, in the letters of sought temperatures; zero of one that is held
     bool is_tapped = false;            ///< a cell of a field, of which only what comes from elsewhere is balanced here
     bool radiates = false;             ///< to what surrounds it, as part of the source
+    bool is_surface = false;           ///< of a rod or block: stores nothing, and is drawn towards the temperature of what surrounds it
 };
 
 /// Where a link ends. Exactly one of the three is there.
@@ -50,6 +51,12 @@ struct LinkState {
     LinkEnd from, to;
     GiNaC::ex heat;  ///< W, positive from `from` to `to`
     bool radiates = false;
+};
+
+/// An end of a rod or a side of a block.
+struct BorderState {
+    std::string name;      ///< "bar.first"
+    GiNaC::ex heat = 0;    ///< W, into the rod or block
 };
 
 /// Surfaces that radiate at each other, with what they see and exchange.
@@ -73,6 +80,7 @@ struct HeatNetwork {
     std::vector<LinkState> links;
     std::vector<RodField> fields;
     std::vector<EnclosureState> enclosures;
+    std::vector<BorderState> borders;
     GiNaC::ex stored_energy = 0;    ///< J
     GiNaC::ex exchanged_power = 0;  ///< W, from sources, held nodes and reservoirs
     GiNaC::exmap solved;            ///< the letters of sought temperatures, with what they are
@@ -82,6 +90,7 @@ struct HeatNetwork {
     /// Null where the scene has none of that name: "plate", "bar[3]".
     const NodeState* find_node(const std::string& name) const;
     const LinkState* find_link(const std::string& name) const;
+    const BorderState* find_border(const std::string& name) const;
     /// W, along links and from outside.
     GiNaC::ex heat_into(const NodeState& node) const;
     GiNaC::ex heat_into(const ControlVolume& volume) const;
@@ -93,13 +102,13 @@ struct HeatNetwork {
     std::vector<std::vector<std::size_t>> floating_parts() const;
 };
 
-/// The nodes with their temperatures; the cells of rods with all that is theirs. Throws Failure.
+/// The nodes with their temperatures; the cells of rods and blocks with all that is theirs. Throws Failure.
 HeatNetwork make_nodes(const Scene& scene, const Translator& translate, Symbols& symbols);
 /// Sources and links, and the temperatures that are sought. Throws Failure (cannot-integrate, index-out-of-range, undetermined,
 /// needs-absent).
 void complete_heat(HeatNetwork& network, const Scene& scene, const Translator& translate, Symbols& symbols, const Containers& containers);
 
-// For rods, which are made of nodes and links too.
+// For rods and blocks, which are made of nodes and links too.
 
 /// A node that stores: capacity as an expression (no variables) or law of its temperature, times `amount`.
 void store(NodeState& node, const Property& capacity, const GiNaC::ex& amount, const Translator& translate, Symbols& symbols, const Indices& indices);
@@ -111,5 +120,9 @@ GiNaC::ex exchange(const GiNaC::ex& factor, const Warmth& a, const Warmth& b);
 /// area*stefan_boltzmann*(T_a^4 - T_b^4), W; the area times what emissivities and reflections leave of it.
 GiNaC::ex radiate(const GiNaC::ex& area, const Warmth& a, const Warmth& b);
 Warmth warmth_of(const GiNaC::ex& temperature);
+/// What a surface of a size (m^2) takes up from what surrounds it, by convection and radiation where they are given; W.
+GiNaC::ex taken_up(const Warmth& surface, const GiNaC::ex& size, const ExpressionPtr& coefficient, const ExpressionPtr& emissivity, const ExpressionPtr& ambient, const Translator& translate);
+/// Heat from `a` to `b`, W.
+void add_link(HeatNetwork& network, const Item& item, const NodeState& a, const NodeState& b, const GiNaC::ex& heat);
 
 }  // namespace dalembert

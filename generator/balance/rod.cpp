@@ -26,7 +26,7 @@ public:
         if (field_ == nullptr) {
             for (std::size_t k = 0; k < cells_.size(); ++k) fill(*cells_[k], geometry_.place(k));
             for (std::size_t k = 0; k + 1 < cells_.size(); ++k)
-                join(fmt::format("between {} and {}", cells_[k]->name, cells_[k + 1]->name), *cells_[k], *cells_[k + 1], geometry_.shape_factor(geometry_.place(k), geometry_.place(k + 1)));
+                join(*cells_[k], *cells_[k + 1], geometry_.shape_factor(geometry_.place(k), geometry_.place(k + 1)));
         } else {
             for (std::size_t i = 0; i < cells_.size(); ++i) fill_tapped(*cells_[i], geometry_.place(static_cast<std::size_t>(states_[i]->index - field_->from)));
             network_.fields.push_back(field());
@@ -60,7 +60,7 @@ private:
             const ex density = rod_.source->variables.empty() ? value(rod_.source->body) : translate_(*rod_.source->body, {}, {{rod_.source->variables[0], geometry_.centre(place)}});
             heat += density * geometry_.volume(place);
         }
-        if (rod_.ambient) heat += taken_up(warmth, value(rod_.perimeter) * geometry_.width(place), rod_.side_coefficient, rod_.side_emissivity, rod_.ambient);
+        if (rod_.ambient) heat += taken_up(warmth, value(rod_.perimeter) * geometry_.width(place), rod_.side_coefficient, rod_.side_emissivity, rod_.ambient, translate_);
         return heat;
     }
 
@@ -102,40 +102,35 @@ private:
         return f;
     }
 
-    /// What a surface takes up by convection and radiation.
-    ex taken_up(const Warmth& surface, const ex& size, const ExpressionPtr& coefficient, const ExpressionPtr& emissivity, const ExpressionPtr& ambient) const {
-        const Warmth around = warmth_of(value(ambient));
-        ex heat = 0;
-        if (coefficient) heat += exchange(value(coefficient) * size, around, surface);
-        if (emissivity) heat += radiate(value(emissivity) * size, around, surface);
+    ex join(const NodeState& a, const NodeState& b, const ex& shape) {
+        const ex heat = conduct(*rod_.conductivity, shape, a.warmth, b.warmth, translate_, symbols_, {});
+        add_link(network_, rod_, a, b, heat);
         return heat;
     }
 
-    void join(std::string name, const NodeState& a, const NodeState& b, const ex& shape) {
-        LinkState link{std::move(name), rod_.span, {}, {}, conduct(*rod_.conductivity, shape, a.warmth, b.warmth, translate_, symbols_, {})};
-        link.from.node = &a;
-        link.to.node = &b;
-        network_.links.push_back(std::move(link));
+    void end(const std::optional<Boundary>& what, const char* which, NodeState* nearest, const GridPlace& place) {
+        const std::string name = fmt::format("{}.{}", rod_.name, which);
+        network_.borders.push_back({name, what ? enter(*what, which == std::string_view("first"), name, nearest, place) : 0});
     }
 
-    void end(const std::optional<RodEnd>& what, const char* which, NodeState* nearest, const GridPlace& place) {
-        if (!what) return;
-        const bool is_first = which == std::string_view("first");
-        const std::string name = fmt::format("{}.{}", rod_.name, which);
+    /// Lets heat through an end; W into the rod.
+    ex enter(const Boundary& what, bool is_first, const std::string& name, NodeState* nearest, const GridPlace& place) {
         NodeState* surface = nearest;
-        if (what->temperature)
-            surface = &network_.nodes.emplace_back(NodeState{NodeState::Kind::held, name, &rod_, what->temperature->span, warmth_of(value(what->temperature)), {}});
-        else if (!geometry_.has_points() && what->ambient)
-            surface = &add_sought(network_, name, rod_, what->span, symbols_);
-        if (surface != nearest) {
-            const ex shape = geometry_.end_factor(place, is_first);
-            if (is_first) join(fmt::format("between {} and {}", name, nearest->name), *surface, *nearest, shape);
-            else join(fmt::format("between {} and {}", nearest->name, name), *nearest, *surface, shape);
-        }
+        if (what.temperature)
+            surface = &network_.nodes.emplace_back(NodeState{NodeState::Kind::held, name, &rod_, what.temperature->span, warmth_of(value(what.temperature)), {}});
+        else if (!geometry_.has_points() && what.ambient)
+            surface = &add_sought(network_, name, rod_, what.span, symbols_);
         const ex area = geometry_.end_area(is_first);
-        if (what->flux) surface->source += value(what->flux) * area;
-        surface->radiates = surface->radiates || what->emissivity;
-        if (what->ambient) surface->source += taken_up(surface->warmth, area, what->coefficient, what->emissivity, what->ambient);
+        ex heat = 0;
+        if (what.flux) heat += value(what.flux) * area;
+        if (what.ambient) heat += taken_up(surface->warmth, area, what.coefficient, what.emissivity, what.ambient, translate_);
+        surface->radiates = surface->radiates || what.emissivity;
+        surface->source += heat;
+        if (surface == nearest) return heat;
+        surface->is_surface = !what.temperature;
+        const ex shape = geometry_.end_factor(place, is_first);
+        const ex through = is_first ? join(*surface, *nearest, shape) : -join(*nearest, *surface, shape);
+        return what.temperature ? through : heat;
     }
 
     HeatNetwork& network_;

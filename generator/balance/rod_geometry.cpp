@@ -11,7 +11,7 @@ using GiNaC::pow;
 
 namespace {
 
-bool is_held(const std::optional<RodEnd>& end) { return end && end->temperature; }
+bool is_held(const std::optional<Boundary>& end) { return end && end->temperature; }
 
 ex number(std::size_t n) { return numeric(static_cast<unsigned long>(n)); }
 

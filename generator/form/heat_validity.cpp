@@ -21,6 +21,7 @@ public:
 
     void run() const {
         for (const auto& member : system_.scene.rods) check(*member.item);
+        for (const auto& member : system_.scene.blocks) check(*member.item);
         check_radiation();
         for (const NodeState& node : system_.heat.nodes) {
             if (node.kind == NodeState::Kind::storing) above_zero(node.capacity, place_of_capacity(node), fmt::format("the heat capacity of '{}'", node.name), "J/K");
@@ -89,6 +90,17 @@ private:
         bool rises = first && last && first->is_zero() && *last == 1;
         for (int i = 0; rises && i < steps; ++i) rises = at(i) && at(i + 1) && *at(i) < *at(i + 1);
         if (!rises) throw Failure(Diagnostic{Id::value_out_of_range, rod.grid->span, fmt::format("the grid of rod '{}' must rise from 0 at s = 0 to 1 at s = 1, but '{}' does not", rod.name, rod.grid->body->written())});
+    }
+
+    void check(const Block& block) const {
+        const auto positive = [&](const ExpressionPtr& e, const char* what, const char* unit) { above_zero(system_.translate(e, {}), e->span, fmt::format("{} of block '{}'", what, block.name), unit); };
+        for (const BlockPiece& piece : block.columns) positive(piece.length, "the length of a column", "m");
+        for (const BlockPiece& piece : block.rows) positive(piece.length, "the height of a row", "m");
+        positive(block.depth, "the depth", "m");
+        for (const auto& column : block.conductivity)
+            for (const ExpressionPtr& value : column) positive(value, "a conductivity", "W/(m*K)");
+        for (const auto& column : block.density)
+            for (const ExpressionPtr& value : column) positive(value, "a density", "kg/m^3");
     }
 
     const System& system_;

@@ -45,9 +45,10 @@ ex property_of_medium(const MediumModel& medium, const Expression& e, const ex& 
     return state.pressure_by_temperature / p;
 }
 
-/// Of a node, link or cell of a rod.
+/// Of a node, a link, a cell of a rod or block, or its border.
 std::optional<ex> heat_quantity(const System& system, const Expression& e, const std::string& name) {
     if (const LinkState* link = system.heat.find_link(name)) return link->heat;
+    if (const BorderState* border = system.heat.find_border(name)) return border->heat;
     const NodeState* node = system.heat.find_node(name);
     if (node == nullptr) return std::nullopt;
     if (e.name == "temperature") return node->warmth.temperature;

@@ -95,7 +95,7 @@ void stores(System& system) {
     system.exchanged_power = fluids.exchanged_power + system.heat.exchanged_power;
 }
 
-/// The rates of states that volumes, pipes, nodes and rods determine.
+/// The rates of states that volumes, pipes, nodes, rods and blocks determine.
 void balances(System& system) {
     const Fluids& fluids = system.fluids;
     for (std::size_t i = 0; i < fluids.balances.size(); ++i) set_rates(system.state_rates, fluids.containers.volumes[i], fluids.balances[i], system.symbols);

@@ -24,7 +24,7 @@ void Claims::check_all(const Model& model) const {
     for (const State& state : model.states)
         if (!state.derivative && !claimed_.contains(state.name))
             diagnostics_.error(Id::undetermined, state.span,
-                               fmt::format("nothing determines state '{}': it has no derivative, and no volume, pipe, node or rod names it", state.name));
+                               fmt::format("nothing determines state '{}': it has no derivative, and no volume, pipe, node, rod or block names it", state.name));
 }
 
 void check_balances(const Model& model, Diagnostics& diagnostics) {

@@ -223,8 +223,8 @@ private:
         const QuantitySpec& spec = *find_quantity(e.name);
         static constexpr const char* shapes[]{"nothing", "a body", "nothing or a body", "a body and 1, 2 or 3", "a coordinate", "two coordinates",
                                               "nothing or a damper", "an enclosure and the number of a surface", "an enclosure and the numbers of two surfaces", "a volume or reservoir", "a volume or reservoir, or a medium, a pressure and a temperature",
-                                              "a medium, a pressure and a temperature", "a volume", "a flow", "a volume, reservoir, node or cell of a rod",
-                                              "a volume, node or link", "nothing, a volume or a node"};
+                                              "a medium, a pressure and a temperature", "a volume", "a flow", "a volume, reservoir, node or cell of a rod or block",
+                                              "a volume, node or link, or an end of a rod or side of a block", "nothing, a volume or a node"};
         const std::size_t given = e.children.size();
         const auto shape = static_cast<std::size_t>(spec.subscript);
         const std::size_t expected = std::array<std::size_t, 17>{0, 1, 1, 2, 1, 2, 1, 2, 3, 1, 1, 3, 1, 1, 1, 1, 1}[shape];
@@ -264,11 +264,14 @@ private:
             const std::vector<Part::Kind> kinds = e.children.size() == 3 ? std::vector{Part::Kind::medium} : parts_in(spec.subscript);
             if (found == nullptr || std::find(kinds.begin(), kinds.end(), found->kind) == kinds.end()) {
                 std::string described;
-                for (std::size_t i = 0; i < kinds.size(); ++i) described += fmt::format("{}{}", i == 0 ? "" : i + 1 == kinds.size() ? " or " : ", ", std::string_view(describe(kinds[i])).substr(i == 0 ? 0 : 2));
+                for (std::size_t i = 0; i < kinds.size(); ++i) {
+                    const std::string_view kind = describe(kinds[i]);
+                    described += fmt::format("{}{}", i == 0 ? "" : i + 1 == kinds.size() ? " or " : ", ", kind.substr(i == 0 ? 0 : kind.find(' ') + 1));
+                }
                 error(Id::unknown_name, named.span, fmt::format("'{}' is not {}{}", named.written(), described, did_you_mean(named.name, names_.parts(kinds))));
-            } else if (found->kind == Part::Kind::rod) {
+            } else if (found->kind == Part::Kind::rod || found->kind == Part::Kind::block) {
                 if (named.children.size() == 1) whole_number(*named.children[0]);
-                else error(Id::index_missing, named.span, fmt::format("'{}' is a rod and needs the index of a cell, as in '{}[1]'", named.name, named.name));
+                else error(Id::index_missing, named.span, fmt::format("'{}' is a {} and needs the index of a cell, as in '{}[1]'", named.name, found->kind == Part::Kind::rod ? "rod" : "block", named.name));
             } else {
                 index(named, *found->item);
             }

@@ -60,7 +60,7 @@ public:
                 if (!well_formed(item.name, item.span)) continue;
                 const auto [first, is_new] = parts.emplace(item.name, &item);
                 if (!is_new)
-                    diagnostics_.error(Id::doubly_defined, item.span, fmt::format("'{}' is defined twice among media, volumes, reservoirs, flows, nodes, links, rods and enclosures", item.name),
+                    diagnostics_.error(Id::doubly_defined, item.span, fmt::format("'{}' is defined twice among media, volumes, reservoirs, flows, nodes, links, rods, blocks and enclosures", item.name),
                                        {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
             }
         };
@@ -71,6 +71,7 @@ public:
         part(model_.nodes);
         part(model_.links);
         part(model_.rods);
+        part(model_.blocks);
         part(model_.enclosures);
         each_separately(model_.effects);
         each_separately(model_.scenes);

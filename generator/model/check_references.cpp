@@ -133,6 +133,7 @@ private:
         all(model_.nodes);
         all(model_.links);
         all(model_.rods);
+        all(model_.blocks);
         all(model_.enclosures);
         all(model_.printed);
         const auto listed = [&](const std::vector<std::pair<std::string, Span>>& names) {

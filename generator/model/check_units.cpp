@@ -79,6 +79,7 @@ public:
         for (const HeatNode& node : model_.nodes) check(node);
         for (const Link& link : model_.links) check(link);
         for (const Rod& rod : model_.rods) check(rod);
+        for (const Block& block : model_.blocks) check(block);
         for (const Enclosure& enclosure : model_.enclosures) check(enclosure);
         for (const Run& run : model_.runs) check(run);
     }
@@ -231,14 +232,37 @@ private:
         expect(rod.side_coefficient, conductance / area, "the side coefficient", "rod", rod);
         expect(rod.side_emissivity, Dimension::none(), "the side emissivity", "rod", rod);
         expect(rod.ambient, Dimension::temperature(), "the ambient", "rod", rod);
-        for (const auto* end : {&rod.first, &rod.last}) {
-            if (!*end) continue;
-            expect((*end)->temperature, Dimension::temperature(), "the end temperature", "rod", rod);
-            expect((*end)->flux, Dimension::power() / area, "the end flux", "rod", rod);
-            expect((*end)->coefficient, conductance / area, "the end coefficient", "rod", rod);
-            expect((*end)->emissivity, Dimension::none(), "the end emissivity", "rod", rod);
-            expect((*end)->ambient, Dimension::temperature(), "the end ambient", "rod", rod);
+        for (const auto* end : {&rod.first, &rod.last}) boundary(*end, "end", "rod", rod);
+    }
+
+    void check(const Block& block) {
+        for (const auto* pieces : {&block.columns, &block.rows})
+            for (const BlockPiece& piece : *pieces) expect(piece.length, Dimension::length(), "a piece length", "block", block);
+        expect(block.depth, Dimension::length(), "the depth", "block", block);
+        const auto table = [&](const Block::Table& values, const Dimension& expected, const char* part) {
+            for (const auto& column : values)
+                for (const ExpressionPtr& value : column) expect(value, expected, part, "block", block);
+        };
+        table(block.conductivity, Dimension::power() / Dimension::temperature() / Dimension::length(), "the conductivity");
+        table(block.density, density, "the density");
+        table(block.heat_capacity, specific_energy / Dimension::temperature(), "the heat capacity");
+        if (block.source) {
+            Units::Bound places;
+            for (const std::string& variable : block.source->variables) places.emplace(variable, Dimension::length());
+            expect(block.source->body, Dimension::power() / Dimension::volume(), "the source", "block", block, places);
         }
+        for (const auto* side : {&block.left, &block.right, &block.bottom, &block.top}) boundary(*side, "side", "block", block);
+    }
+
+    void boundary(const std::optional<Boundary>& boundary, const char* what, const char* kind, const Item& item) {
+        if (!boundary) return;
+        const Dimension flux = Dimension::power() / area;
+        const auto part = [&](const ExpressionPtr& e, const Dimension& expected, const char* name) { expect(e, expected, fmt::format("the {} {}", what, name).c_str(), kind, item); };
+        part(boundary->temperature, Dimension::temperature(), "temperature");
+        part(boundary->flux, flux, "flux");
+        part(boundary->coefficient, flux / Dimension::temperature(), "coefficient");
+        part(boundary->emissivity, Dimension::none(), "emissivity");
+        part(boundary->ambient, Dimension::temperature(), "ambient");
     }
 
     void check(const Enclosure& enclosure) {

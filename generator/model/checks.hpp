@@ -15,7 +15,7 @@ void check_names(const Model& model, Diagnostics& diagnostics);
 /// Every word of every expression: defined, with the right index and arguments, and nothing that its place must not depend on.
 void check_expressions(const Model& model, Diagnostics& diagnostics);
 
-/// States that volumes, pipes, nodes and rods determine.
+/// States that volumes, pipes, nodes, rods and blocks determine.
 class Claims {
 public:
     Claims(const Names& names, Diagnostics& diagnostics) : names_(names), diagnostics_(diagnostics) {}
@@ -35,7 +35,7 @@ private:
 void check_balances(const Model& model, Diagnostics& diagnostics);
 /// Media, volumes, reservoirs and flows.
 void check_fluids(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics);
-/// Nodes, links, rods and enclosures.
+/// Nodes, links, rods, blocks and enclosures.
 void check_heat(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics);
 /// Warns of volumes that can reach zero within the declared ranges of coordinates and states, at the default parameters.
 void warn_of_vanishing(const Model& model, Diagnostics& diagnostics);

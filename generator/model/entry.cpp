@@ -304,7 +304,7 @@ std::vector<const DocumentNode*> Entry::list(const DocumentNode* node, ValueType
 std::vector<Reference> Entry::parts(std::string_view key) const {
     std::vector<Reference> result;
     for (const DocumentNode* element : list(find(key, ValueType::parts), ValueType::parts))
-        if (auto part = reference(*element, ValueType::part, "a node or of a cell of a rod")) result.push_back(std::move(*part));
+        if (auto part = reference(*element, ValueType::part, "a node or of a cell of a rod or block")) result.push_back(std::move(*part));
     return result;
 }
 
@@ -326,10 +326,24 @@ std::vector<std::vector<ExpressionPtr>> Entry::matrix(std::string_view key) cons
     return result;
 }
 
+std::vector<std::vector<ExpressionPtr>> Entry::table(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::table);
+    if (node == nullptr) return {};
+    if (node->kind != NodeKind::array) return {{expression(*node, ValueType::table)}};
+    std::vector<std::vector<ExpressionPtr>> result;
+    for (const DocumentNode& row : node->elements) {
+        result.emplace_back();
+        for (const DocumentNode* element : list(&row, ValueType::table)) result.back().push_back(expression(*element, ValueType::table));
+    }
+    return result;
+}
+
 std::vector<std::array<ExpressionPtr, 2>> Entry::points(std::string_view key) const {
+    const KeySpec* spec = find_key(section_, key);
+    const ValueType type = spec != nullptr && spec->type == ValueType::pieces ? ValueType::pieces : ValueType::points;
     std::vector<std::array<ExpressionPtr, 2>> result;
-    for (const DocumentNode* point : list(find(key, ValueType::points), ValueType::points)) {
-        if (point->kind != NodeKind::array || point->elements.size() != 2) wrong_type(*point, ValueType::points);
+    for (const DocumentNode* point : list(find(key, type), type)) {
+        if (point->kind != NodeKind::array || point->elements.size() != 2) wrong_type(*point, type);
         else result.push_back({expression(point->elements[0], ValueType::expression), expression(point->elements[1], ValueType::expression)});
     }
     return result;

@@ -46,6 +46,9 @@ public:
     std::vector<ExpressionPtr> expressions(std::string_view key) const;
     /// Null for what is left out as "?".
     std::vector<std::vector<ExpressionPtr>> matrix(std::string_view key) const;
+    /// One expression for all as a table of one.
+    std::vector<std::vector<ExpressionPtr>> table(std::string_view key) const;
+    /// Also pieces: a length and the number of its cells.
     std::vector<std::array<ExpressionPtr, 2>> points(std::string_view key) const;
     bool boolean(std::string_view key) const;
     std::optional<CoordinateEntry> coordinate(std::string_view key) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nodes, links, rods and enclosures as they were written.
+// Nodes, links, rods, blocks and enclosures as they were written.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct HeatNode : Item {
     bool is_held() const { return temperature && !capacity; }
 };
 
-/// Heat from one node, volume, reservoir or cell of a rod to another.
+/// Heat from one node, volume, reservoir or cell of a rod or block to another.
 struct Link : Item {
     enum class Law { given, linear, conduction, convection, radiation };
     Law law = Law::given;
@@ -34,13 +34,14 @@ struct Link : Item {
     ExpressionPtr emissivity;
 };
 
-/// What holds at one end of a rod: nothing (insulated), or some of these.
-struct RodEnd {
-    ExpressionPtr temperature;  ///< first kind (4.9a)
-    ExpressionPtr flux;         ///< second kind (4.9b), W/m^2 into the rod
-    ExpressionPtr coefficient;  ///< third kind (4.9c)
-    ExpressionPtr emissivity;   ///< radiation to a large surrounding
-    ExpressionPtr ambient;      ///< temperature of the surrounding, for the last two
+/// What holds at one end of a rod or side of a block: nothing (insulated), or some of these.
+struct Boundary {
+    ExpressionPtr temperature;      ///< first kind (4.9a)
+    ExpressionPtr flux;             ///< second kind (4.9b), W/m^2 into the body
+    ExpressionPtr coefficient;      ///< third kind (4.9c)
+    ExpressionPtr emissivity;       ///< radiation to a large surrounding
+    ExpressionPtr ambient;          ///< temperature of the surrounding, for the last two
+    std::optional<Reference> node;  ///< in perfect contact with it; of a block
     Span span;
 };
 
@@ -65,8 +66,30 @@ struct Rod : Item {
     ExpressionPtr side_emissivity;
     ExpressionPtr ambient;
     std::optional<bool> loops;     ///< whether its cells are computed in loops; decided by their number without
-    std::optional<RodEnd> first;
-    std::optional<RodEnd> last;
+    std::optional<Boundary> first;
+    std::optional<Boundary> last;
+};
+
+/// A stretch of a block along x or y, cut into equal cells.
+struct BlockPiece {
+    ExpressionPtr length;  ///< m
+    ExpressionPtr cells;
+};
+
+/// A rectangle in which heat flows in two directions, pieced together of columns and rows, each meeting of which has its material. Its
+/// temperatures are a family of states, row by row from the bottom, each from the left.
+struct Block : Item {
+    /// One expression for all (a single entry), or one for each piece: [column][row].
+    using Table = std::vector<std::vector<ExpressionPtr>>;
+    Reference temperature;
+    std::vector<BlockPiece> columns, rows;
+    ExpressionPtr depth;
+    Table conductivity, density, heat_capacity;
+    Span conductivity_span, density_span, heat_capacity_span;
+    std::optional<Property> source;  ///< W/m^3, an expression or a law "(x, y) -> ..."
+    std::optional<Boundary> left, right, bottom, top;
+
+    static const ExpressionPtr& at(const Table& table, std::size_t column, std::size_t row) { return table.size() == 1 && table[0].size() == 1 ? table[0][0] : table[column][row]; }
 };
 
 /// Grey diffuse surfaces that see each other and nothing else. Their view factors are given, or follow from the cross section of a

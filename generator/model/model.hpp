@@ -32,7 +32,7 @@ struct Coordinate : Quantity {
 
 struct Input : Quantity {};
 
-/// A first-order state: dot(name) = derivative, or, without one, what a volume, pipe, node or rod determines.
+/// A first-order state: dot(name) = derivative, or, without one, what a volume, pipe, node, rod or block determines.
 struct State : Quantity {
     ExpressionPtr start;
     ExpressionPtr derivative;
@@ -206,6 +206,7 @@ struct Model {
     std::vector<HeatNode> nodes;
     std::vector<Link> links;
     std::vector<Rod> rods;
+    std::vector<Block> blocks;
     std::vector<Enclosure> enclosures;
     std::vector<Effect> effects;
     std::vector<SceneChoice> scenes;

@@ -27,6 +27,8 @@ const char* describe(Part::Kind kind) {
         case Part::Kind::node: return "a node";
         case Part::Kind::link: return "a link";
         case Part::Kind::rod: return "a cell of a rod";
+        case Part::Kind::block: return "a cell of a block";
+        case Part::Kind::border: return "an end of a rod or side of a block";
         case Part::Kind::enclosure: break;
     }
     return "an enclosure";
@@ -37,11 +39,11 @@ std::vector<Part::Kind> parts_in(Subscript subscript) {
     switch (subscript) {
         case Subscript::fluid:
         case Subscript::fluid_or_medium: return {K::volume, K::reservoir};
-        case Subscript::warm: return {K::volume, K::reservoir, K::node, K::rod};
+        case Subscript::warm: return {K::volume, K::reservoir, K::node, K::rod, K::block};
         case Subscript::medium: return {K::medium};
         case Subscript::volume: return {K::volume};
         case Subscript::optional_store: return {K::volume, K::node};
-        case Subscript::heated: return {K::volume, K::node, K::link};
+        case Subscript::heated: return {K::volume, K::node, K::link, K::border};
         case Subscript::flow: return {K::flow};
         case Subscript::surface:
         case Subscript::two_surfaces: return {K::enclosure};
@@ -72,6 +74,13 @@ Names::Names(const Model& model) {
     add_parts(model.nodes, Part::Kind::node);
     add_parts(model.links, Part::Kind::link);
     add_parts(model.rods, Part::Kind::rod);
+    add_parts(model.blocks, Part::Kind::block);
+    const auto add_borders = [&](const auto& items, std::initializer_list<const char*> borders) {
+        for (const auto& item : items)
+            for (const char* border : borders) parts_.emplace(item.name + "." + border, Part{Part::Kind::border, &item});
+    };
+    add_borders(model.rods, {"first", "last"});
+    add_borders(model.blocks, {"left", "right", "bottom", "top"});
     add_parts(model.enclosures, Part::Kind::enclosure);
 }
 

@@ -22,9 +22,10 @@ struct Named {
 
 const char* describe(Named::Kind kind);
 
-/// What is not a number: media, what holds and moves them, and what holds and carries heat.
+/// What is not a number: media, what holds and moves them, and what holds and carries heat. A border is an end of a rod, "bar.first", or a
+/// side of a block, "plate.left".
 struct Part {
-    enum class Kind { medium, volume, reservoir, flow, node, link, rod, enclosure };
+    enum class Kind { medium, volume, reservoir, flow, node, link, rod, block, border, enclosure };
     Kind kind;
     const Item* item;
 };

@@ -168,6 +168,11 @@ private:
         next();
         if (is_sign("(")) return first.text == "sum" ? sum(first) : call(first);
         auto name = std::make_shared<Expression>(Expression{Kind::name, first.span, 0, first.text});
+        if (is_sign(".")) {  // a part of a part: bar.first
+            next();
+            name->span = cover(first.span, token().span);
+            name->name += "." + word("the name of a part, as in 'bar.first',");
+        }
         if (is_sign("[")) {
             next();
             name->children.push_back(expression());

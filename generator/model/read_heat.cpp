@@ -34,11 +34,20 @@ void useless(const Entry& e, const char* what, const char* key, const char* beca
     if (e.has(key)) e.error(Id::unknown_key, e.span_of(key), fmt::format("{} '{}' has no use for '{}'{}", what, e.name(), key, because));
 }
 
-RodEnd rod_end(const Entry& e, const char* key) {
-    RodEnd end;
+/// An end of a rod, or a side of a block: "the last end of rod 'bar'".
+std::optional<Boundary> boundary(const Entry& e, const char* key, const char* what, bool takes_node) {
+    if (!e.has(key)) return std::nullopt;
+    Boundary end;
     end.span = e.span_of(key);
+    const std::string place = fmt::format("the {} {} '{}'", key, what, e.name());
     for (const RunEntry& entry : e.by_name(key)) {
         const std::string& name = entry.variable->name;
+        if (takes_node && name == "node") {
+            const Expression& node = *entry.value;
+            if (node.kind == Expression::Kind::name && node.children.size() <= 1) end.node = Reference{node.name, node.children.empty() ? nullptr : node.children[0], node.span};
+            else e.error(Id::wrong_type, node.span, fmt::format("'{}' is not the name of a node", node.written()));
+            continue;
+        }
         ExpressionPtr* part = name == "temperature"   ? &end.temperature
                               : name == "flux"        ? &end.flux
                               : name == "coefficient" ? &end.coefficient
@@ -46,16 +55,21 @@ RodEnd rod_end(const Entry& e, const char* key) {
                               : name == "ambient"     ? &end.ambient
                                                       : nullptr;
         if (part == nullptr)
-            e.error(Id::unknown_key, entry.span, fmt::format("the end of a rod has a temperature, flux, coefficient, emissivity and ambient, but no '{}'", entry.variable->written()));
+            e.error(Id::unknown_key, entry.span, fmt::format("{} has a temperature, {}flux, coefficient, emissivity and ambient, but no '{}'", place, takes_node ? "node, " : "", entry.variable->written()));
         else
             *part = entry.value;
     }
     const bool exchanges = end.coefficient || end.emissivity;
-    if (end.temperature && (end.flux || exchanges))
-        e.error(Id::doubly_determined, end.span, fmt::format("the {} end of rod '{}' has a temperature, so that nothing else can be said of it", key, e.name()));
+    if ((end.temperature || end.node) && (end.flux || exchanges || (end.temperature && end.node)))
+        e.error(Id::doubly_determined, end.span, fmt::format("{} has a {}, so that nothing else can be said of it", place, end.temperature ? "temperature" : "node"));
     if (exchanges != (end.ambient != nullptr))
-        e.error(Id::missing_key, end.span, fmt::format("the {} end of rod '{}' needs an ambient together with a coefficient or an emissivity", key, e.name()));
+        e.error(Id::missing_key, end.span, fmt::format("{} needs an ambient together with a coefficient or an emissivity", place));
     return end;
+}
+
+/// Cells take all members, so an index has no place.
+void whole_family(const Entry& e, const char* what, const Reference& temperature) {
+    if (temperature.index) e.error(Id::not_indexed, temperature.span, fmt::format("{} '{}' takes a whole family of states; name it without an index", what, e.name()));
 }
 
 void read_shape(const Entry& e, Rod& rod) {
@@ -130,14 +144,34 @@ void read(const Entry& e, Rod& rod) {
     rod.side_emissivity = e.expression("side_emissivity");
     rod.ambient = e.expression("ambient");
     if (e.has("loops")) rod.loops = e.boolean("loops");
-    if (e.has("first")) rod.first = rod_end(e, "first");
-    if (e.has("last")) rod.last = rod_end(e, "last");
+    rod.first = boundary(e, "first", "end of rod", false);
+    rod.last = boundary(e, "last", "end of rod", false);
     if (e.has("side_coefficient") || e.has("side_emissivity"))
         for (const char* key : {"perimeter", "ambient"}) needs(e, "rod", key, ", because heat leaves through its side");
     else
         for (const char* key : {"perimeter", "ambient"}) useless(e, "rod", key, ": it says neither side_coefficient nor side_emissivity");
-    if (rod.temperature.index)
-        e.error(Id::not_indexed, rod.temperature.span, fmt::format("rod '{}' takes a whole family of states; name it without an index", e.name()));
+    whole_family(e, "rod", rod.temperature);
+}
+
+void read(const Entry& e, Block& block) {
+    if (auto temperature = e.part("temperature")) block.temperature = *temperature;
+    for (const auto& [length, cells] : e.points("columns")) block.columns.push_back({length, cells});
+    for (const auto& [length, cells] : e.points("rows")) block.rows.push_back({length, cells});
+    block.depth = e.expression("depth");
+    block.conductivity = e.table("conductivity");
+    block.conductivity_span = e.span_of("conductivity");
+    block.density = e.table("density");
+    block.density_span = e.span_of("density");
+    block.heat_capacity = e.table("heat_capacity");
+    block.heat_capacity_span = e.span_of("heat_capacity");
+    block.source = e.property("source");
+    if (block.source && block.source->variables.size() == 1)
+        e.error(Id::wrong_type, block.source->span, fmt::format("the source of block '{}' may be a law of two variables, as in \"(x, y) -> ...\", not of one", e.name()));
+    block.left = boundary(e, "left", "side of block", true);
+    block.right = boundary(e, "right", "side of block", true);
+    block.bottom = boundary(e, "bottom", "side of block", true);
+    block.top = boundary(e, "top", "side of block", true);
+    whole_family(e, "block", block.temperature);
 }
 
 void read(const Entry& e, Enclosure& enclosure) {

@@ -236,6 +236,7 @@ public:
         collection("nodes", model_.nodes);
         collection("links", model_.links);
         collection("rods", model_.rods);
+        collection("blocks", model_.blocks);
         collection("enclosures", model_.enclosures);
         collection("effects", model_.effects);
         scenes();

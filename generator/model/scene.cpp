@@ -79,6 +79,7 @@ void warn_of_unused(const Model& model, Diagnostics& diagnostics) {
         });
     });
     for (const Rod& rod : model.rods) used.insert(rod.temperature.name);
+    for (const Block& block : model.blocks) used.insert(block.temperature.name);
     const auto warn = [&](const auto& items, const char* kind) {
         for (const auto& item : items)
             if (!used.contains(item.name)) diagnostics.warning(Id::unused, item.span, fmt::format("nothing uses the {} '{}'", kind, item.name));

@@ -62,6 +62,7 @@ struct Scene {
     std::vector<Member<HeatNode>> nodes;
     std::vector<Member<Link>> links;
     std::vector<Member<Rod>> rods;
+    std::vector<Member<Block>> blocks;
     std::vector<Member<Enclosure>> enclosures;
     std::vector<Field> fields;
     std::set<std::string> thermal_media;  ///< whose temperature varies, so that it matters

@@ -50,7 +50,7 @@ constexpr std::array input_keys{unit_key, range_key, doc_key, for_key, when_key}
 constexpr std::array state_keys{
     unit_key,
     KeySpec{"start", T::constant, false, "value at the start, in its unit; 0 if left out"},
-    KeySpec{"derivative", T::expression, false, "its time derivative; left out for a state that a volume, pipe, node or rod determines"},
+    KeySpec{"derivative", T::expression, false, "its time derivative; left out for a state that a volume, pipe, node, rod or block determines"},
     KeySpec{"root", T::boolean, false,
             "true: it is integrated as its square root, so that an outflow that goes like the root of it ends exactly; for what is not negative"},
     range_key, doc_key, for_key, when_key,
@@ -225,8 +225,24 @@ constexpr std::array rod_keys{
     KeySpec{"last", T::expressions_by_name, false, "likewise at the last end"},
     doc_key, when_key,
 };
+constexpr std::array block_keys{
+    KeySpec{"temperature", T::part, true, "the family of states that are its temperatures, a cell each: along the bottom row from left to right, then the next row"},
+    KeySpec{"columns", T::pieces, true, "what it is pieced together of from left to right, along x: [[\"L_a\", \"M\"], [\"L_b\", 3]] is a length L_a cut into M cells, and L_b cut into 3"},
+    KeySpec{"rows", T::pieces, true, "likewise from bottom to top, along y"},
+    KeySpec{"depth", T::expression, true, "across x and y"},
+    KeySpec{"conductivity", T::table, true, "of all, or a list for each column of what stands there in each row: [[\"a\", \"a\"], [\"b\", \"c\"]]"},
+    KeySpec{"density", T::table, true, "mass by volume, likewise"},
+    KeySpec{"heat_capacity", T::table, true, "specific heat capacity, likewise"},
+    KeySpec{"source", T::field, false, "heat by volume and time (4.4); \"(x, y) -> ...\" where it varies, from the left bottom corner"},
+    KeySpec{"left", T::expressions_by_name, false,
+            "what holds at the left side: { temperature }, { node } in perfect contact with it, or some of flux (into the block), coefficient and emissivity with ambient; insulated without (4.9)"},
+    KeySpec{"right", T::expressions_by_name, false, "likewise at the right side"},
+    KeySpec{"bottom", T::expressions_by_name, false, "likewise at the bottom"},
+    KeySpec{"top", T::expressions_by_name, false, "likewise at the top"},
+    doc_key, when_key,
+};
 constexpr std::array enclosure_keys{
-    KeySpec{"surfaces", T::parts, true, "the nodes or cells of rods that radiate, up to 32; a flat body of one temperature may stand there twice"},
+    KeySpec{"surfaces", T::parts, true, "the nodes or cells of rods and blocks that radiate, up to 32; a flat body of one temperature may stand there twice"},
     KeySpec{"emissivities", T::expressions, true, "of each surface, from 0 (reflects everything) to 1 (black); where one depends on states or inputs, up to 3 surfaces"},
     KeySpec{"areas", T::expressions, false, "of each surface; with view_factors"},
     KeySpec{"view_factors", T::matrix, false,
@@ -317,12 +333,19 @@ constexpr std::array table{
                 "[flows.leak]\nfrom        = \"chamber_1\"\nto          = \"chamber_2\"\nlaw         = \"laminar\"\nconductance = \"c_L\"", flow_keys, ""},
     SectionSpec{"nodes", true, "Places with one temperature: bodies that store heat, surfaces, ambient air.",
                 "[nodes.plate]\ntemperature = \"T_B\"\ncapacity    = \"m_B*c_B\"\nheat        = \"P\"", node_keys, ""},
-    SectionSpec{"links", true, "Heat between nodes, volumes, reservoirs and cells of rods.",
+    SectionSpec{"links", true, "Heat between nodes, volumes, reservoirs and cells of rods and blocks.",
                 "[links.paste]\nfrom       = \"plate\"\nto         = \"sink\"\nresistance = \"H/(lambda*A)\"", link_keys, ""},
-    SectionSpec{"rods", true, "Bars, walls, pipes and shells in which heat flows in one direction (4.5), cut into cells.",
+    SectionSpec{"rods", true, "Bars, walls, pipes and shells in which heat flows in one direction (4.5), cut into cells. heat[NAME.first] and heat[NAME.last] are the heat into it through its ends.",
                 "[rods.bar]\ntemperature   = \"T\"\nlength        = \"L\"\narea          = \"A\"\nconductivity  = \"lambda\"\ndensity       = \"rho\"\n"
                 "heat_capacity = \"c_p\"\nfirst         = { temperature = \"T_0\" }\nlast          = { coefficient = \"alpha\", ambient = \"T_inf\" }",
                 rod_keys, ""},
+    SectionSpec{"blocks", true,
+                "Rectangles of one or several materials in which heat flows in two directions (4.4), cut into cells: finite volumes, in which the halves of two cells "
+                "that touch stand in series. heat[NAME.left], right, bottom and top are the heat into it through its sides.",
+                "[blocks.wall]\ntemperature   = \"T\"\ncolumns       = [[\"L\", 8]]\nrows          = [[\"H_1\", 4], [\"H_2\", 4]]\ndepth         = \"B\"\n"
+                "conductivity  = [[\"lambda_1\", \"lambda_2\"]]\ndensity       = \"rho\"\nheat_capacity = \"c_p\"\n"
+                "left          = { node = \"plate\" }\nright         = { coefficient = \"alpha\", ambient = \"T_inf\" }",
+                block_keys, ""},
     SectionSpec{"enclosures", true,
                 "Radiation between grey diffuse surfaces that see each other, all reflections counted (4.42)-(4.51). Surface i gives the heat "
                 "exchange_factor[NAME, i, j]*stefan_boltzmann*(T_i^4 - T_j^4) to surface j; a node with neither capacity nor temperature re-radiates what it takes up.",
@@ -342,7 +365,7 @@ constexpr std::array table{
 };
 
 std::string key_reference(const KeySpec& key) {
-    return fmt::format("  {:<17} {:<24}{} {}\n", key.name, describe(key.type), key.required ? "required." : "optional.", key.doc);
+    return fmt::format("  {:<17} {:<23} {} {}\n", key.name, describe(key.type), key.required ? "required." : "optional.", key.doc);
 }
 
 std::string section_reference(const SectionSpec& section) {
@@ -383,6 +406,7 @@ const char* describe(ValueType type) {
         case T::law: return "law \"e -> ...\"";
         case T::property: return "expression or \"(p, T) -> ...\"";
         case T::dependent: return "expression or \"T -> ...\"";
+        case T::field: return "expression or \"(x, y) -> ...\"";
         case T::equation: return "equation";
         case T::equations: return "list of equations";
         case T::family: return "\"k = 1..N\"";
@@ -394,6 +418,8 @@ const char* describe(ValueType type) {
         case T::expressions: return "list of expressions";
         case T::matrix: return "list of rows";
         case T::points: return "list of [x, y]";
+        case T::pieces: return "list of [length, cells]";
+        case T::table: return "expression or list of lists";
         case T::coordinate: return "coordinate";
         case T::expressions_by_name: return "{ NAME = expression }";
         case T::choice: return "one of";

@@ -23,17 +23,20 @@ enum class ValueType {
     law,
     property,    ///< an expression of parameters, or a law of two variables
     dependent,   ///< an expression, or a law of one variable
+    field,       ///< an expression, or a law of two places
     equation,
     equations,
     family,
     condition,
     effects,
     body,
-    part,        ///< a volume, reservoir, medium, node or rod
+    part,        ///< a volume, reservoir, medium, node, rod or block
     parts,
     expressions,
     matrix,      ///< of expressions, or "?" for what is left out
     points,      ///< in the plane
+    pieces,      ///< of a length, each with the number of its cells
+    table,       ///< of expressions, or one for all
     coordinate,
     expressions_by_name,
     choice,

@@ -110,6 +110,7 @@ public:
         choose(model_.nodes, scene_.nodes);
         choose(model_.links, scene_.links);
         choose(model_.rods, scene_.rods);
+        choose(model_.blocks, scene_.blocks);
         choose(model_.enclosures, scene_.enclosures);
         const bool any_mass = std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [](const auto& body) { return body.item->mass != nullptr; });
         if (model_.gravity && any_mass && scene_.holds(model_.gravity->when)) scene_.gravity = &*model_.gravity;
@@ -136,7 +137,13 @@ public:
         use_all(scene_.flows, "flow");
         use_nodes();
         use_all(scene_.links, "link");
-        use_rods();
+        use_cells(scene_.rods, "rod");
+        use_cells(scene_.blocks, "block");
+        for (const auto& member : scene_.links)
+            for (const Reference& end : {member.item->from, member.item->to}) needs_part(end, fmt::format("link '{}'", member.item->name));
+        for (const auto& member : scene_.blocks)
+            for (const auto* side : {&member.item->left, &member.item->right, &member.item->bottom, &member.item->top})
+                if (*side && (*side)->node) needs_part(*(*side)->node, fmt::format("block '{}'", member.item->name));
         fields_.tap_ends();
         use_all(scene_.enclosures, "enclosure");
         for (const auto& member : scene_.enclosures)
@@ -239,14 +246,14 @@ private:
         }
     }
 
-    void use_rods() {
-        for (const auto& member : scene_.rods) {
-            owner_ = fmt::format("rod '{}'", member.item->name);
+    /// Rods and blocks, with all the states that are their temperatures.
+    template <class T>
+    void use_cells(const std::vector<Member<T>>& members, const char* kind) {
+        for (const auto& member : members) {
+            owner_ = fmt::format("{} '{}'", kind, member.item->name);
             use_name(member.item->temperature.name, member.item->temperature.span);
             visit(*member.item, [&](const Site& site) { use(site); });
         }
-        for (const auto& member : scene_.links)
-            for (const Reference& end : {member.item->from, member.item->to}) needs_part(end, fmt::format("link '{}'", member.item->name));
     }
 
     void needs_part(const Reference& end, const std::string& owner) const {
@@ -312,14 +319,18 @@ private:
         for (const auto& member : scene_.flows) claim(member.item->velocity, member);
         for (const auto& member : scene_.nodes)
             if (scene_.has_capacity(*member.item, names_)) claim(member.item->temperature, member);
-        for (const auto& member : scene_.rods)
-            for (const auto& state : scene_.states) {
-                if (state.item->name != member.item->temperature.name) continue;
-                const auto [first, is_new] = by.emplace(std::pair(state.item->name, state.index), std::pair(member.name(), member.item->span));
-                if (!is_new)
-                    fail(Id::doubly_determined, member.item->temperature.span, fmt::format("scene '{}': '{}' and '{}' both determine state '{}'", scene_.name, first->second.first, member.name(), state.name()),
-                         {{first->second.second, fmt::format("'{}' is defined here", first->second.first)}});
-            }
+        const auto claim_cells = [&](const auto& members) {
+            for (const auto& member : members)
+                for (const auto& state : scene_.states) {
+                    if (state.item->name != member.item->temperature.name) continue;
+                    const auto [first, is_new] = by.emplace(std::pair(state.item->name, state.index), std::pair(member.name(), member.item->span));
+                    if (!is_new)
+                        fail(Id::doubly_determined, member.item->temperature.span, fmt::format("scene '{}': '{}' and '{}' both determine state '{}'", scene_.name, first->second.first, member.name(), state.name()),
+                             {{first->second.second, fmt::format("'{}' is defined here", first->second.first)}});
+                }
+        };
+        claim_cells(scene_.rods);
+        claim_cells(scene_.blocks);
         for (const auto& member : scene_.states)
             if (!member.item->derivative && !by.contains({member.item->name, member.index}))
                 fail(Id::undetermined, member.item->span, fmt::format("nothing in scene '{}' determines state '{}'", scene_.name, member.name()));

@@ -47,6 +47,16 @@ public:
         if (entry.index) visitor_({entry.index.get(), constant_only, fmt::format("the index of '{}'", entry.coordinate), bound_, true});
         (*this)(entry.value, allowed, part);
     }
+    void operator()(const std::optional<Boundary>& boundary, const char* what) const {
+        if (!boundary) return;
+        const auto part = [&](const ExpressionPtr& expression, const char* name) { (*this)(expression, on_plain_states_and_inputs, fmt::format("{} {}", what, name).c_str()); };
+        part(boundary->temperature, "temperature");
+        part(boundary->flux, "flux");
+        part(boundary->coefficient, "coefficient");
+        part(boundary->emissivity, "emissivity");
+        part(boundary->ambient, "ambient");
+        (*this)(boundary->node);
+    }
     void operator()(const std::optional<Range>& range) const {
         if (!range) return;
         (*this)(range->low, nothing, "range");
@@ -256,14 +266,22 @@ void visit(const Rod& item, const SiteVisitor& visitor) {
     each(item.side_coefficient, on_plain_states_and_inputs, "side coefficient");
     each(item.side_emissivity, constant_only, "side emissivity");
     each(item.ambient, on_plain_states_and_inputs, "ambient");
-    for (const auto* end : {&item.first, &item.last}) {
-        if (!*end) continue;
-        each((*end)->temperature, on_plain_states_and_inputs, "end temperature");
-        each((*end)->flux, on_plain_states_and_inputs, "end flux");
-        each((*end)->coefficient, on_plain_states_and_inputs, "end coefficient");
-        each((*end)->emissivity, on_plain_states_and_inputs, "end emissivity");
-        each((*end)->ambient, on_plain_states_and_inputs, "end ambient");
-    }
+    for (const auto* end : {&item.first, &item.last}) each(*end, "end");
+}
+
+void visit(const Block& item, const SiteVisitor& visitor) {
+    const Visit each(item, "block", visitor);
+    for (const auto* pieces : {&item.columns, &item.rows})
+        for (const BlockPiece& piece : *pieces) {
+            each(piece.length, constant_only, "piece lengths");
+            if (piece.cells) visitor({piece.cells.get(), constant_only, "the cells of " + each.owner_, {}, true});
+        }
+    each(item.depth, constant_only, "depth");
+    for (const auto& [table, part] : {std::pair(&item.conductivity, "conductivity"), std::pair(&item.density, "density"), std::pair(&item.heat_capacity, "heat capacity")})
+        for (const auto& column : *table)
+            for (const ExpressionPtr& value : column) each(value, constant_only, part);
+    each(item.source, on_plain_states_and_inputs, "source");
+    for (const auto* side : {&item.left, &item.right, &item.bottom, &item.top}) each(*side, "side");
 }
 
 void visit(const Enclosure& item, const SiteVisitor& visitor) {
@@ -336,6 +354,7 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.nodes);
     all(model.links);
     all(model.rods);
+    all(model.blocks);
     all(model.enclosures);
     all(model.printed);
     all(model.runs);

@@ -71,6 +71,7 @@ void visit(const Flow& item, const SiteVisitor& visitor);
 void visit(const HeatNode& item, const SiteVisitor& visitor);
 void visit(const Link& item, const SiteVisitor& visitor);
 void visit(const Rod& item, const SiteVisitor& visitor);
+void visit(const Block& item, const SiteVisitor& visitor);
 void visit(const Enclosure& item, const SiteVisitor& visitor);
 void visit(const PrintedEquation& item, const SiteVisitor& visitor);
 void visit(const Run& item, const SiteVisitor& visitor);

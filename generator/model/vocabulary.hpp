@@ -50,8 +50,8 @@ enum class Subscript {
     medium,           ///< a medium with pressure and temperature
     volume,
     flow,
-    warm,             ///< what has a temperature: a volume, reservoir, node or cell of a rod
-    heated,           ///< what heat flows into or through: a volume, node or link
+    warm,             ///< what has a temperature: a volume, reservoir, node or cell of a rod or block
+    heated,           ///< what heat flows into or through: a volume, node or link, an end of a rod or side of a block
     optional_store,   ///< a volume or node
 };
 

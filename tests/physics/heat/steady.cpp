@@ -2,32 +2,17 @@
 // Rods of every shape, scheme, grid and kind of end come to their known temperatures with the second power of the cell size.
 #include <doctest/doctest.h>
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "dalembert/matrices.hpp"
+#include "at_rest.hpp"
 #include "steady_N16.hpp"
 #include "steady_N32.hpp"
 #include "steady_N8.hpp"
 
 namespace {
-
-/// The state at which nothing changes, by Newton's method.
-template <class System>
-typename System::State at_rest(const System& system) {
-    typename System::State x = system.start_state();
-    for (int i = 0; i < 12; ++i) {
-        typename System::State f;
-        system.rhs(x, {}, 0.0, f);
-        const auto J = dalembert::jacobian_x(system, x, {}, 0.0);
-        const Eigen::VectorXd step = J.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(f.data(), static_cast<Eigen::Index>(f.size())));
-        for (std::size_t k = 0; k < x.size(); ++k) x[k] -= step[static_cast<Eigen::Index>(k)];
-    }
-    return x;
-}
 
 struct Rod {
     const char* name;
