@@ -123,9 +123,19 @@ Numbers balance(const NumberTable& g, const NumberTable& r, const Numbers& b) {
     return T;
 }
 
+/// All temperatures of a network are found at once, and asked for one after another.
+struct LatestNetwork {
+    ex list;
+    long digits = 0;
+    Numbers temperatures;
+};
+thread_local LatestNetwork latest;
+
 ex balanced_temperature_evalf(const ex& i, const ex& list) {
     const auto is_real = [](const ex& x) { return GiNaC::is_exactly_a<numeric>(x) && ex_to<numeric>(x).is_real(); };
     if (!GiNaC::is_a<GiNaC::exprseq>(list) || !std::all_of(list.begin(), list.end(), is_real)) return balanced_temperature(i, list).hold();
+    const std::size_t at = index_of(i);
+    if (latest.digits == GiNaC::Digits && latest.list.is_equal(list)) return latest.temperatures[at];
     const NetworkData data(list);
     const std::size_t n = data.size();
     NumberTable g(n, Numbers(n));
@@ -140,9 +150,8 @@ ex balanced_temperature_evalf(const ex& i, const ex& list) {
             if (g[k][l].is_negative() || r[k][l].is_negative()) return balanced_temperature(i, list).hold();
         }
     }
-    const auto at = index_of(i);
-    if (data.is_linear()) return Eliminated(std::move(g)).solve(std::move(b))[at];
-    return balance(g, r, b)[at];
+    latest = {list, GiNaC::Digits, data.is_linear() ? Eliminated(std::move(g)).solve(std::move(b)) : balance(g, r, b)};
+    return latest.temperatures[at];
 }
 
 ex sequence(GiNaC::exvector list) { return GiNaC::exprseq(std::move(list)); }

@@ -99,9 +99,10 @@ TEST_CASE("derivatives of a network are those of its balances") {
     const Machine machine = machine_from(nodes(2, chain("a", 1, conducts) + chain("b", 1, radiates)));
     const System& system = *machine.system;
     for (const auto& [node, heat] : system.heat.defined)
-        for (const Variable& parameter : system.symbols.all(SymbolKind::parameter)) {
+        for (const char* name : {"R", "eps", "T_0"}) {
             CAPTURE(node->name);
-            CAPTURE(parameter.name);
+            CAPTURE(name);
+            const Variable& parameter = *system.symbols.find(SymbolKind::parameter, name, 0);
             // The balance stays zero, so its derivative does.
             CHECK(Prover(system).equal(system.symbols.derivative_by_parameter(heat, parameter.position), 0).verdict != Verdict::wrong);
         }
