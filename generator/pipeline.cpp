@@ -146,7 +146,7 @@ Header generate(Machine& machine) {
 std::string normalised_command(const Machine& machine) {
     const Scene& scene = machine.system->scene;
     const std::string file = std::filesystem::path(scene.model->source->name()).filename().string();
-    std::string command = fmt::format("dalembert generate {} --scene {}", file, scene.name);
+    std::string command = fmt::format("dalembert generate {} --scene {}", file, scene.wish);
     for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);
     return command;
 }

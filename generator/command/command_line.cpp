@@ -83,6 +83,13 @@ public:
         output(survey);
         format(survey, "text or json", {"text", "json"});
         integration(survey);
+        CLI::App* effects = model_verb("effects", "what each scene and each effect costs, and what leaving it out changes; writes CSV and a plot");
+        effects->add_option("--against", options_.against, "the scene that others are compared with; the one with most effects, if left out");
+        settings(effects);
+        output(effects);
+        format(effects, "text or json", {"text", "json"});
+        integration(effects);
+        effects->add_option("--until", options_.until, "end of the run in seconds");
         CLI::App* scenes = app_.add_subcommand("scenes", "list the scenes of a model and their effects");
         scenes->add_option("MODEL", model_, "model file")->required();
         format(scenes, "text or json", {"text", "json"});
@@ -120,7 +127,7 @@ private:
     CLI::App* model_verb(const char* name, const char* what) {
         CLI::App* verb = app_.add_subcommand(name, what);
         verb->add_option("MODEL", model_, "model file")->required();
-        verb->add_option("--scene", options_.choice.scene, "the scene, if the model has several");
+        verb->add_option("--scene", options_.choice.scene, "the scene, if the model has several; NAME+EFFECT and NAME-EFFECT add one effect or leave one out");
         verb->add_option("--size", sizes_, "size of a family, as N=5")->delimiter(',');
         return verb;
     }
@@ -156,7 +163,7 @@ private:
 ExitCode dispatch(const Options& options, Streams streams) {
     static const std::map<std::string, ExitCode (*)(const Options&, Streams)> verbs{
         {"derive", derive_command},     {"generate", generate_command},       {"check", check_command},   {"evaluate", evaluate_command},
-        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"survey", survey_command},
+        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"survey", survey_command}, {"effects", effects_command},
         {"scenes", scenes_command},     {"help", help_command}};
     return verbs.at(options.verb)(options, streams);
 }

@@ -30,6 +30,8 @@ struct Options {
     int samples = 0;
     double periods = 0;                   ///< length of the run in periods, where the run names one
     bool no_plot = false;
+    bool compares_scenes = false;         ///< a run counts for every scene
+    std::string against;                  ///< the scene that others are compared with; the fullest, if empty
     std::vector<std::string> hold;
     std::vector<std::string> free;
     bool explain = false;
@@ -51,6 +53,7 @@ ExitCode evaluate_command(const Options& options, Streams streams);
 ExitCode simulate_command(const Options& options, Streams streams);
 ExitCode equilibrium_command(const Options& options, Streams streams);
 ExitCode survey_command(const Options& options, Streams streams);
+ExitCode effects_command(const Options& options, Streams streams);
 ExitCode scenes_command(const Options& options, Streams streams);
 ExitCode help_command(const Options& options, Streams streams);
 

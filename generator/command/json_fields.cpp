@@ -158,6 +158,26 @@ constexpr auto survey = std::to_array<JsonField>({
     {"systems[].energy_error", "as in simulate"},
 });
 
+constexpr auto effects = std::to_array<JsonField>({
+    {"against", "the scene that the others are compared with"},
+    {"scenes[].scene", "name of the scene; NAME-EFFECT and NAME+EFFECT are scenes with one effect left out or added"},
+    {"scenes[].named", "whether it is a scene of the model"},
+    {"scenes[].refused", "why there is no such scene or run; nothing else is known of it then"},
+    {"scenes[].states", "length of x"},
+    {"scenes[].parameters", "how many"},
+    {"scenes[].operations", "of the right-hand side"},
+    {"scenes[].nanoseconds.median", "of a call of the right-hand side at the start of the run"},
+    {"scenes[].nanoseconds.lowest", "of all rounds"},
+    {"scenes[].nanoseconds.highest", "of all rounds"},
+    {"scenes[].bytes", "of the code of the right-hand side"},
+    {"scenes[].status", "of the run, as in simulate"},
+    {"scenes[].t", "time that was reached, s"},
+    {"scenes[].deviations[].output", "an output that both scenes have, with its unit; a state where the model has no outputs"},
+    {"scenes[].deviations[].largest", "its largest difference over the run"},
+    {"scenes[].deviations[].relative", "to its largest magnitude in the scene compared with; missing where that is zero"},
+    {"files[]", "what was written"},
+});
+
 constexpr auto scenes = std::to_array<JsonField>({
     {"default", "the default scene; empty without one"},
     {"scenes[].scene", "name of the scene"},
@@ -174,7 +194,7 @@ constexpr auto scenes = std::to_array<JsonField>({
 
 constexpr auto schemas = std::to_array<JsonSchema>({
     {"derive", derive},           {"generate", generate}, {"check", check},   {"evaluate", evaluate}, {"simulate", simulate},
-    {"equilibrium", equilibrium}, {"survey", survey},     {"scenes", scenes},
+    {"equilibrium", equilibrium}, {"survey", survey},     {"effects", effects},   {"scenes", scenes},
 });
 
 }  // namespace

@@ -51,8 +51,7 @@ std::string complaint(const std::string& text) {
 
 }  // namespace
 
-std::map<std::string, std::string> run_with_header(const ScratchFolder& folder, const Header& header, const std::string& source,
-                                                   const std::vector<std::string>& arguments, const char* optimisation) {
+void compile_with_header(const ScratchFolder& folder, const Header& header, const std::string& source, const char* optimisation) {
     const fs::path at = folder.path();
     write_files({{at / header.file_name, header.text}, {at / "main.cpp", source}});
     std::vector<std::string> command = compiler();
@@ -64,7 +63,10 @@ std::map<std::string, std::string> run_with_header(const ScratchFolder& folder, 
     if (compiled.exit_code == 127)
         fail(fmt::format("the compiler '{}' cannot be started; set CXX to a C++17 compiler (on Debian: apt-get install g++)", name));
     if (compiled.exit_code != 0) fail(fmt::format("the compiler '{}' refuses the generated program: {}", name, complaint(compiled.errors)));
+}
 
+std::map<std::string, std::string> run_compiled(const ScratchFolder& folder, const std::vector<std::string>& arguments) {
+    const fs::path at = folder.path();
     std::vector<std::string> run{(at / "program").string()};
     run.insert(run.end(), arguments.begin(), arguments.end());
     const ProcessResult ran = run_process(run);
@@ -74,6 +76,12 @@ std::map<std::string, std::string> run_with_header(const ScratchFolder& folder, 
         if (const std::size_t equals = line.find('='); equals != std::string::npos) values[line.substr(0, equals)] = line.substr(equals + 1);
     if (!values.contains("status")) fail(fmt::format("the generated program ended with code {}: {}", ran.exit_code, complaint(ran.errors)));
     return values;
+}
+
+std::map<std::string, std::string> run_with_header(const ScratchFolder& folder, const Header& header, const std::string& source,
+                                                   const std::vector<std::string>& arguments, const char* optimisation) {
+    compile_with_header(folder, header, source, optimisation);
+    return run_compiled(folder, arguments);
 }
 
 }  // namespace dalembert

@@ -14,4 +14,8 @@ namespace dalembert {
 std::map<std::string, std::string> run_with_header(const ScratchFolder& folder, const Header& header, const std::string& source,
                                                    const std::vector<std::string>& arguments, const char* optimisation);
 
+/// The two halves of it.
+void compile_with_header(const ScratchFolder& folder, const Header& header, const std::string& source, const char* optimisation);
+std::map<std::string, std::string> run_compiled(const ScratchFolder& folder, const std::vector<std::string>& arguments);
+
 }  // namespace dalembert

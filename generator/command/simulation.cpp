@@ -78,10 +78,11 @@ public:
 
     /// The scene: the one asked for, or the one that the run belongs to.
     std::string scene(const std::string& wanted) const {
-        if (run_ == nullptr || run_->scene.empty()) return wanted;
-        if (!wanted.empty() && wanted != run_->scene)
+        if (run_ == nullptr || run_->scene.empty() || options_.compares_scenes) return wanted;
+        const SceneWish wish(wanted);
+        if (!wish.base.empty() && wish.base != run_->scene)
             throw Failure(Diagnostic{Id::bad_option, run_->scene_span, fmt::format("run '{}' belongs to scene '{}', not '{}'", run_->name, run_->scene, wanted)});
-        return run_->scene;
+        return wish.base.empty() ? run_->scene + wanted : wanted;
     }
 
     void set_values(Values& values, const System& system) const {
@@ -200,7 +201,7 @@ std::string scene_of_run(const Model& model, const std::string& run) {
 
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
     const Preparation preparation(model->model, options);
-    PreparedSimulation prepared{derive_machine(model, preparation.scene(scene), options.choice.sizes), {}, {}, {}};
+    PreparedSimulation prepared{derive_machine(model, preparation.scene(scene), options.choice.sizes), {}, {}, {}, {}};
     prepared.header = generate(prepared.machine);
     const System& system = *prepared.machine.system;
     Values values(system.scene, system.translate);
@@ -208,8 +209,17 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     const SimulationSettings settings = preparation.make_settings(values, system);
     prepared.draw = settings.draw;
     prepared.source = simulation_source(*prepared.machine.code, prepared.header, values, settings);
+    if (options.compares_scenes) prepared.cost = cost_source(*prepared.machine.code, prepared.header, values, settings);
     prepared.name = fmt::format("{}_{}", system.scene.sized_name(), system.scene.name);
     return prepared;
+}
+
+CostMeasurement::CostMeasurement(const PreparedSimulation& prepared) : folder_(std::make_unique<ScratchFolder>()) { compile_with_header(*folder_, prepared.header, prepared.cost, "-O2"); }
+
+void CostMeasurement::measure() {
+    const auto result = run_compiled(*folder_, {});
+    nanoseconds_.push_back(std::stod(result.at("ns")));
+    bytes_ = std::stoul(result.at("bytes"));
 }
 
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder) {

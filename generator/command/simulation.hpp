@@ -4,6 +4,7 @@
 
 #include "command/command_line.hpp"
 #include "text/files.hpp"
+#include "text/process.hpp"
 
 namespace dalembert {
 
@@ -12,6 +13,7 @@ struct PreparedSimulation {
     Machine machine;
     Header header;
     std::string source;
+    std::string cost;    ///< the source that measures the right-hand side; where costs are asked for
     std::string name;    ///< of result files, without ending
     bool draw = true;
 };
@@ -31,10 +33,25 @@ struct SimulationReport {
     FileContents files;      ///< to be written: header, CSV, plots
 };
 
-/// Derives, generates and writes the program of a run. Throws Failure.
 /// The scene that a run belongs to; empty when it belongs to none, or there is no run.
 std::string scene_of_run(const Model& model, const std::string& run);
+/// Derives, generates and writes the program of a run. Throws Failure.
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options);
+
+/// The time of a call of the right-hand side in ns, in several rounds, and the bytes of its code.
+class CostMeasurement {
+public:
+    /// Compiles. Throws Failure.
+    explicit CostMeasurement(const PreparedSimulation& prepared);
+    void measure();
+    const std::vector<double>& nanoseconds() const { return nanoseconds_; }
+    std::size_t bytes() const { return bytes_; }
+
+private:
+    std::unique_ptr<ScratchFolder> folder_;
+    std::vector<double> nanoseconds_;
+    std::size_t bytes_ = 0;
+};
 
 /// Compiles and runs it. Throws Failure.
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder);

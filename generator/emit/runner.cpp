@@ -136,6 +136,14 @@ std::string simulation_source(Code& code, const Header& header, const Values& va
                                                               {"TITLE", cpp_string(fmt::format("{} ({})", title, scene.name))}});
 }
 
+std::string cost_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings) {
+    return fill_template(embedded_file("cost.cpp.in"), {{"NAMESPACE", header.name_space},
+                                                        {"HEADER", header.file_name},
+                                                        {"PARAMETERS", parameter_statements(code.system.symbols, values)},
+                                                        {"START", start_statements(code.system, values)},
+                                                        {"INPUTS", input_statements(code, settings.inputs)}});
+}
+
 std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<bool>& free_states, const std::vector<bool>& free_inputs) {
     return fill_template(embedded_file("equilibrium.cpp.in"), {{"NAMESPACE", header.name_space},
                                                                {"HEADER", header.file_name},

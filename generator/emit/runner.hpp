@@ -20,6 +20,9 @@ struct SimulationSettings {
 /// The source of a simulation. Parameters and start are those of `values`.
 std::string simulation_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
 
+/// The source of a program that measures one call of the right-hand side at the start, and the bytes of its code.
+std::string cost_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
+
 /// The source of a search for an equilibrium; flags say which states and inputs are free.
 std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<bool>& free_states,
                                const std::vector<bool>& free_inputs);

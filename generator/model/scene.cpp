@@ -19,6 +19,22 @@ using Kind = Expression::Kind;
 
 }  // namespace
 
+SceneWish::SceneWish(const std::string& text) {
+    std::size_t sign = std::min(text.find_first_of("+-"), text.size());
+    base = text.substr(0, sign);
+    while (sign < text.size()) {
+        const std::size_t next = std::min(text.find_first_of("+-", sign + 1), text.size());
+        changes.emplace_back(text.substr(sign + 1, next - sign - 1), text[sign] == '+');
+        sign = next;
+    }
+}
+
+std::string SceneWish::name() const {
+    std::string result = base;
+    for (const auto& [effect, is_added] : changes) result += (is_added ? "_with_" : "_without_") + effect;
+    return result;
+}
+
 bool Scene::has_temperature(const Volume& volume, const Names& names) const {
     return volume.temperature && holds(names.find(volume.temperature->name)->item->when);
 }
@@ -60,14 +76,21 @@ std::vector<std::string> scene_names(const Model& model) {
 
 std::string resolve_scene(const Model& model, const std::string& wanted) {
     const std::vector<std::string> known = scene_names(model);
-    if (wanted.empty()) {
-        if (known.size() == 1) return known.front();
-        if (!model.default_scene.empty()) return model.default_scene;
+    const SceneWish wish(wanted);
+    for (const auto& [effect, is_added] : wish.changes) {
+        std::vector<std::string> effects;
+        for (const Effect& declared : model.effects) effects.push_back(declared.name);
+        if (std::find(effects.begin(), effects.end(), effect) == effects.end())
+            fail(Id::unknown_name, model.name_span, fmt::format("model '{}' has no effect '{}' that '{}' could {}{}", model.name, effect, wanted, is_added ? "add" : "leave out", effects.empty() ? "; it has none at all" : "; its effects are " + quoted_list(effects)));
+    }
+    if (wish.base.empty()) {
+        if (known.size() == 1) return known.front() + wanted;
+        if (!model.default_scene.empty()) return model.default_scene + wanted;
         fail(Id::scene_needed, model.name_span, fmt::format("model '{}' has the scenes {}; choose one with --scene", model.name, quoted_list(known)));
     }
-    if (std::find(known.begin(), known.end(), wanted) == known.end())
+    if (std::find(known.begin(), known.end(), wish.base) == known.end())
         fail(Id::unknown_scene, model.name_span,
-             fmt::format("model '{}' has no scene '{}'; its scenes are {}", model.name, wanted, quoted_list(known)));
+             fmt::format("model '{}' has no scene '{}'; its scenes are {}", model.name, wish.base, quoted_list(known)));
     return wanted;
 }
 

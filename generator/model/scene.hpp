@@ -32,9 +32,21 @@ struct Field {
 /// The value of the index of a family or sum, by name.
 using Indices = std::map<std::string, int, std::less<>>;
 
+/// A scene as it is asked for: one of the model's, and effects added to it or left out, as in "full-drag" or "bare+gust".
+struct SceneWish {
+    std::string base;                                     ///< empty: the default
+    std::vector<std::pair<std::string, bool>> changes;    ///< an effect, and whether it is added
+
+    explicit SceneWish(const std::string& text);
+    /// "full_without_drag": an identifier.
+    std::string name() const;
+};
+
 struct Scene {
     const Model* model;
     std::string name;
+    std::string base;    ///< the scene of the model that it is, or was made from
+    std::string wish;    ///< as one asks for it: "full-drag"
     std::string doc;
     std::vector<const Effect*> effects_in;   ///< in order of declaration
     std::vector<const Effect*> effects_out;
@@ -84,7 +96,8 @@ struct Scene {
 /// The names of the scenes; "full" alone where the model has none.
 std::vector<std::string> scene_names(const Model& model);
 
-/// The scene that is meant: the one named, else the default, else the only one. Throws Failure (unknown-scene, scene-needed).
+/// The scene that is meant: the one named, else the default, else the only one, with the effects that are added or left out. Throws
+/// Failure (unknown-scene, scene-needed, unknown-name).
 std::string resolve_scene(const Model& model, const std::string& wanted);
 
 /// Throws Failure (scene-contradiction, unknown-size, value-out-of-range, needs-absent, nothing-left, too-large).

@@ -29,22 +29,43 @@ const Effect& find_effect(const Model& model, const std::string& name) {
 }
 
 /// The effects of a scene with all that they imply; refuses those that cannot be together.
-std::set<std::string> effects_of(const Model& model, const std::string& scene) {
-    const SceneChoice* choice = find_choice(model, scene);
+std::set<std::string> effects_of(const Model& model, const SceneWish& wish, const std::string& scene) {
+    const SceneChoice* choice = find_choice(model, wish.base);
     std::set<std::string> effects;
     std::vector<std::string> pending;
+    std::vector<std::string> added;
+    std::set<std::string> left_out;
+    for (const auto& [name, is_added] : wish.changes) {
+        if (is_added) added.push_back(name);
+        else left_out.insert(name);
+    }
     if (choice != nullptr) {
         for (const auto& [name, span] : choice->effects) pending.push_back(name);
     } else {
         for (const Effect& effect : model.effects) pending.push_back(effect.name);
     }
-    while (!pending.empty()) {
-        const std::string name = pending.back();
-        pending.pop_back();
-        if (!effects.insert(name).second) continue;
-        for (const auto& [implied, span] : find_effect(model, name).implies) pending.push_back(implied);
-    }
+    const auto close = [&](const std::set<std::string>& without) {
+        while (!pending.empty()) {
+            const std::string name = pending.back();
+            pending.pop_back();
+            if (without.contains(name) || !effects.insert(name).second) continue;
+            for (const auto& [implied, span] : find_effect(model, name).implies) pending.push_back(implied);
+        }
+    };
+    const std::vector<std::string> written = pending;
+    close({});
+    for (const auto& [name, is_added] : wish.changes)
+        if (effects.contains(name) == is_added)
+            fail(Id::scene_contradiction, choice != nullptr ? choice->span : model.name_span, fmt::format("scene '{}' {} '{}' anyway, so that it cannot {}", wish.base, is_added ? "has" : "is without", name, is_added ? "be added" : "be left out"));
+    effects.clear();
+    pending = written;
+    pending.insert(pending.end(), added.begin(), added.end());
+    close(left_out);
     const Span place = choice != nullptr ? choice->span : model.name_span;
+    for (const std::string& name : effects)
+        for (const auto& [implied, span] : find_effect(model, name).implies)
+            if (!effects.contains(implied))
+                fail(Id::scene_contradiction, place, fmt::format("scene '{}' leaves out '{}', which '{}' implies", scene, implied, name), {{span, "it is implied here"}});
     std::map<std::string, std::string> levels;
     for (const Effect& effect : model.effects) {
         if (!effects.contains(effect.name)) continue;
@@ -66,9 +87,13 @@ class Selection {
 public:
     Selection(const Model& model, const Names& names, const std::string& name) : model_(model), names_(names), fields_(scene_) {
         scene_.model = &model;
-        scene_.name = name;
-        if (const SceneChoice* choice = find_choice(model, name)) scene_.doc = choice->doc;
-        effects_ = effects_of(model, name);
+        const SceneWish wish(name);
+        scene_.name = wish.name();
+        scene_.base = wish.base;
+        scene_.wish = name;
+        if (const SceneChoice* choice = find_choice(model, wish.base)) scene_.doc = choice->doc;
+        for (const auto& [effect, is_added] : wish.changes) scene_.doc += fmt::format("{}{} '{}'", scene_.doc.empty() ? "" : ", ", is_added ? "with" : "without", effect);
+        effects_ = effects_of(model, wish, name);
         for (const Effect& effect : model.effects) (effects_.contains(effect.name) ? scene_.effects_in : scene_.effects_out).push_back(&effect);
     }
 
@@ -360,7 +385,7 @@ private:
             });
         };
         for (const Run& run : model_.runs) {
-            if (!run.scene.empty() && run.scene != scene_.name) continue;
+            if (!run.scene.empty() && run.scene != scene_.base) continue;
             owner_ = fmt::format("run '{}'", run.name);
             for (const ExpressionPtr& e : {run.until, run.period, run.step}) use_parameters(e);
             for (const Plot& plot : run.plots)

@@ -11,8 +11,9 @@ using namespace golden;
 /// Sizes for which headers are kept, by model; all others have one.
 const std::map<std::string, std::vector<std::string>> kept_sizes{{"n_pendulum", {"N=1", "N=2", "N=3", "N=5"}}};
 
-/// The plot that README.md shows. Its last digits depend on the machine, so its bytes are not compared.
-const std::string readme_plot = "mechanics/cart_pendulum_lab.svg";
+/// The plots that README.md shows. Their last digits, and times, depend on the machine, so their bytes are not compared.
+const std::string path_plot = "mechanics/cart_pendulum_lab.svg";
+const std::string effects_plot = "hydraulics/hydraulic_cylinder_effects.svg";
 
 void generate_all(const fs::path& to) {
     for (const auto& entry : fs::recursive_directory_iterator(source / "systems")) {
@@ -49,12 +50,16 @@ TEST_CASE("generated/ is what the program generates") {
         generate_all(source / "generated");
         const Result result = run({"simulate", (source / "systems/mechanics/cart_pendulum.toml").string(), "-o", fresh.path().string()});
         CHECK(result.exit_code == 0);
-        fs::copy_file(fresh.path() / "cart_pendulum_lab.svg", source / "generated" / readme_plot);
+        fs::copy_file(fresh.path() / "cart_pendulum_lab.svg", source / "generated" / path_plot);
+        const Result effects = run({"effects", (source / "systems/hydraulics/hydraulic_cylinder.toml").string(), "-o", fresh.path().string()});
+        CHECK(effects.exit_code == 0);
+        fs::copy_file(fresh.path() / "hydraulic_cylinder_effects.svg", source / "generated" / effects_plot);
         return;
     }
     generate_all(fresh.path());
     auto expected = files_below(source / "generated");
-    CHECK(expected.erase(readme_plot) == 1);
+    CHECK(expected.erase(path_plot) == 1);
+    CHECK(expected.erase(effects_plot) == 1);
     const auto made = files_below(fresh.path());
     CHECK(expected == made);
     for (const std::string& file : made) {

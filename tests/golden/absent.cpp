@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene leaves out costs nothing: its header is, behind the banner, that of a file in which nothing of it was ever written.
+#include "golden/support.hpp"
+#include "golden/without_effects.hpp"
+
+namespace {
+
+using namespace golden;
+
+/// Without the comment at the top, which tells of effects.
+std::string behind_banner(const std::string& header) {
+    std::size_t line = 0;
+    while (header.compare(line, 2, "//") == 0) line = header.find('\n', line) + 1;
+    return header.substr(line);
+}
+
+}  // namespace
+
+TEST_CASE("the header of a scene is that of a model without what the scene leaves out") {
+    int compared = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(source / "systems")) {
+        if (entry.path().extension() != ".toml") continue;
+        const TextModel model(content(entry.path()));
+        if (!model.leaves_out_anything()) continue;
+        for (const std::string& scene : model.scenes()) {
+            const TemporaryFolder folder;
+            const fs::path file = folder.path() / entry.path().filename();
+            std::ofstream(file) << model.without(scene);
+            const Result result = run({"generate", file.string(), "-o", folder.path().string()});
+            INFO(entry.path().filename().string(), ", ", scene, ": ", result.err);
+            CHECK(result.exit_code == 0);
+            if (result.exit_code != 0) continue;
+            const fs::path header = result.out.substr(0, result.out.find(".hpp") + 4);
+            const fs::path kept = source / "generated" / entry.path().parent_path().filename() / header.filename();
+            CHECK_MESSAGE(behind_banner(content(header)) == behind_banner(content(kept)), header.filename().string());
+            ++compared;
+        }
+    }
+    CHECK(compared > 60);
+}
+
+TEST_CASE("five models written by hand without what the scene leaves out") {
+    for (const auto& entry : fs::directory_iterator(source / "tests/golden/by_hand")) {
+        const TemporaryFolder folder;
+        const Result result = run({"generate", entry.path().string(), "-o", folder.path().string()});
+        INFO(entry.path().filename().string(), ": ", result.err);
+        REQUIRE(result.exit_code == 0);
+        const fs::path header = result.out.substr(0, result.out.find(".hpp") + 4);
+        fs::path kept;
+        for (const auto& other : fs::recursive_directory_iterator(source / "generated"))
+            if (other.path().filename() == header.filename()) kept = other.path();
+        CHECK_MESSAGE(behind_banner(content(header)) == behind_banner(content(kept)), header.filename().string());
+    }
+}
