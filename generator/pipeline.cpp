@@ -137,7 +137,9 @@ Header generate(Machine& machine) {
                 throw Failure(Diagnostic{Id::not_equal, machine.loaded->model.name_span, fmt::format("{} fails. This is a defect of the program; please report it with the model", entry.name)});
         const Proofs proofs{machine.audit, machine.emitted};
         watch.lap("prove code", proofs.all_proven() ? "everything proven" : "something only numerically equal");
-        Header header = make_header(*machine.code, machine.fields.get(), proofs, normalised_command(machine));
+        const auto effects_out = sizes_of_effects_out(*machine.system, {machine.system->scene.sizes.begin(), machine.system->scene.sizes.end()});
+        if (!effects_out.empty()) watch.lap("effects out", fmt::format("{} compared at the start", effects_out.size()));
+        Header header = make_header(*machine.code, machine.fields.get(), proofs, effects_out, normalised_command(machine));
         watch.lap("emit", fmt::format("{} bytes", header.text.size()));
         return header;
     });

@@ -7,8 +7,9 @@
 //     dalembert generate block.toml --scene block --size M=2 --size N=1
 // Scene block: heat along the rows and between them, the block stores heat
 // Effects in: stores (the block stores heat; without it, only the plate)
-// Effects out: rows (the two rows are insulated from each other (figure 4.23b)), columns (where materials meet, the block is
-//     isothermal over its height (figure 4.23c))
+// Effects out, and what each would do to the rates at the start values:
+//     rows (the two rows are insulated from each other (figure 4.23b)): contradicts effects that are in
+//     columns (where materials meet, the block is isothermal over its height (figure 4.23c)): contradicts effects that are in
 //
 // Proven as identities:
 //     balances of mass and energy: 13 of 13 balances

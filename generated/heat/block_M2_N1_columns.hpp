@@ -7,8 +7,9 @@
 //     dalembert generate block.toml --scene columns --size M=2 --size N=1
 // Scene columns: the lower bound
 // Effects in: columns (where materials meet, the block is isothermal over its height (figure 4.23c))
-// Effects out: stores (the block stores heat; without it, only the plate), rows (the two rows are insulated from each other (figure
-//     4.23b))
+// Effects out, and what each would do to the rates at the start values:
+//     stores (the block stores heat; without it, only the plate): contradicts effects that are in
+//     rows (the two rows are insulated from each other (figure 4.23b)): contradicts effects that are in
 //
 // Proven as identities:
 //     balances of mass and energy: 3 of 3 balances

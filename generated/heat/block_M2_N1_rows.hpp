@@ -7,8 +7,9 @@
 //     dalembert generate block.toml --scene rows --size M=2 --size N=1
 // Scene rows: the upper bound
 // Effects in: rows (the two rows are insulated from each other (figure 4.23b))
-// Effects out: stores (the block stores heat; without it, only the plate), columns (where materials meet, the block is isothermal
-//     over its height (figure 4.23c))
+// Effects out, and what each would do to the rates at the start values:
+//     stores (the block stores heat; without it, only the plate): contradicts effects that are in
+//     columns (where materials meet, the block is isothermal over its height (figure 4.23c)): contradicts effects that are in
 //
 // Proven as identities:
 //     balances of mass and energy: 3 of 3 balances

@@ -7,7 +7,9 @@
 //     dalembert generate convection.toml --scene laminar
 // Scene laminar: laminar convection alone, for slow streams
 // Effects in: none
-// Effects out: turbulence (the stream becomes turbulent at x_c; without it, it stays laminar), radiation (the plate radiates too)
+// Effects out, and what each would do to the rates at the start values:
+//     turbulence (the stream becomes turbulent at x_c; without it, it stays laminar): changes nothing
+//     radiation (the plate radiates too): changes nothing
 //
 // Proven as identities:
 //     balances of mass and energy: 1 of 1 balances

@@ -7,7 +7,8 @@
 //     dalembert generate convection.toml --scene stream
 // Scene stream: convection alone
 // Effects in: turbulence (the stream becomes turbulent at x_c; without it, it stays laminar)
-// Effects out: radiation (the plate radiates too)
+// Effects out, and what each would do to the rates at the start values:
+//     radiation (the plate radiates too): changes nothing
 //
 // Proven as identities:
 //     balances of mass and energy: 1 of 1 balances

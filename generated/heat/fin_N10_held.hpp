@@ -7,8 +7,10 @@
 //     dalembert generate fin.toml --scene held --size N=10
 // Scene held: of the first kind at both ends (4.77)
 // Effects in: none
-// Effects out: free_end (the far end gives heat to the air; without it, it is held at T_L), radiation (side and end radiate to what
-//     is around), variable (the conductivity depends on the temperature)
+// Effects out, and what each would do to the rates at the start values:
+//     free_end (the far end gives heat to the air; without it, it is held at T_L): adds 1 state
+//     radiation (side and end radiate to what is around): adds 1 state
+//     variable (the conductivity depends on the temperature): adds 1 state
 //
 // Proven as identities:
 //     balances of mass and energy: 9 of 9 balances

@@ -8,7 +8,8 @@
 // Scene radiating: third kind, with radiation
 // Effects in: free_end (the far end gives heat to the air; without it, it is held at T_L), radiation (side and end radiate to what
 //     is around)
-// Effects out: variable (the conductivity depends on the temperature)
+// Effects out, and what each would do to the rates at the start values:
+//     variable (the conductivity depends on the temperature): contradicts effects that are in
 //
 // Proven as identities:
 //     balances of mass and energy: 10 of 10 balances

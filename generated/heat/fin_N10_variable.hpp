@@ -8,7 +8,8 @@
 // Scene variable: third kind, with a conductivity that depends on the temperature (4.73)
 // Effects in: free_end (the far end gives heat to the air; without it, it is held at T_L), variable (the conductivity depends on
 //     the temperature)
-// Effects out: radiation (side and end radiate to what is around)
+// Effects out, and what each would do to the rates at the start values:
+//     radiation (side and end radiate to what is around): contradicts effects that are in
 //
 // Proven as identities:
 //     balances of mass and energy: 10 of 10 balances

@@ -7,7 +7,8 @@
 //     dalembert generate friction_heat.toml --scene cold
 // Scene cold
 // Effects in: none
-// Effects out: thermal (what the damper dissipates heats oil and housing, and the oil gets thinner)
+// Effects out, and what each would do to the rates at the start values:
+//     thermal (what the damper dissipates heats oil and housing, and the oil gets thinner): adds 2 states
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

@@ -7,7 +7,8 @@
 //     dalembert generate glazing.toml --scene mirrors --size N=3
 // Scene mirrors: glass that does not radiate: a wall of layers
 // Effects in: gas (the gaps are filled with gas)
-// Effects out: radiates (glass radiates)
+// Effects out, and what each would do to the rates at the start values:
+//     radiates (glass radiates): changes dot(T) by 10 %
 //
 // Proven as identities:
 //     balances of mass and energy: 4 of 4 balances

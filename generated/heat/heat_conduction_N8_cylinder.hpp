@@ -7,10 +7,14 @@
 //     dalembert generate heat_conduction.toml --scene cylinder --size N=8
 // Scene cylinder: solid, convection outside
 // Effects in: cylinder (heat along the radius of a cylinder (4.5b))
-// Effects out: plate (heat along x (4.5a)), sphere (heat along the radius of a sphere (4.5c)), held (the surface is held at a
-//     temperature, a condition of the first kind (4.9a)), given_heat (the heat through the surface is given, of the second kind
-//     (4.9b); no source inside), radiating (the surface radiates too, a nonlinear condition (4.9d); otherwise it is of the third
-//     kind (4.9c))
+// Effects out, and what each would do to the rates at the start values:
+//     plate (heat along x (4.5a)): contradicts effects that are in
+//     sphere (heat along the radius of a sphere (4.5c)): contradicts effects that are in
+//     held (the surface is held at a temperature, a condition of the first kind (4.9a)): contradicts effects that are in
+//     given_heat (the heat through the surface is given, of the second kind (4.9b); no source inside): contradicts effects that are
+//         in
+//     radiating (the surface radiates too, a nonlinear condition (4.9d); otherwise it is of the third kind (4.9c)): contradicts
+//         effects that are in
 //
 // Proven as identities:
 //     balances of mass and energy: 9 of 9 balances

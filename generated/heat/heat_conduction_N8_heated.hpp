@@ -8,9 +8,12 @@
 // Scene heated: heat q_r through its surface
 // Effects in: plate (heat along x (4.5a)), given_heat (the heat through the surface is given, of the second kind (4.9b); no source
 //     inside)
-// Effects out: cylinder (heat along the radius of a cylinder (4.5b)), sphere (heat along the radius of a sphere (4.5c)), held (the
-//     surface is held at a temperature, a condition of the first kind (4.9a)), radiating (the surface radiates too, a nonlinear
-//     condition (4.9d); otherwise it is of the third kind (4.9c))
+// Effects out, and what each would do to the rates at the start values:
+//     cylinder (heat along the radius of a cylinder (4.5b)): contradicts effects that are in
+//     sphere (heat along the radius of a sphere (4.5c)): contradicts effects that are in
+//     held (the surface is held at a temperature, a condition of the first kind (4.9a)): contradicts effects that are in
+//     radiating (the surface radiates too, a nonlinear condition (4.9d); otherwise it is of the third kind (4.9c)): contradicts
+//         effects that are in
 //
 // Proven as identities:
 //     balances of mass and energy: 8 of 8 balances

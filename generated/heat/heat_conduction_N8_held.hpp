@@ -7,9 +7,13 @@
 //     dalembert generate heat_conduction.toml --scene held --size N=8
 // Scene held: its surface at T_inf
 // Effects in: plate (heat along x (4.5a)), held (the surface is held at a temperature, a condition of the first kind (4.9a))
-// Effects out: cylinder (heat along the radius of a cylinder (4.5b)), sphere (heat along the radius of a sphere (4.5c)), given_heat
-//     (the heat through the surface is given, of the second kind (4.9b); no source inside), radiating (the surface radiates too, a
-//     nonlinear condition (4.9d); otherwise it is of the third kind (4.9c))
+// Effects out, and what each would do to the rates at the start values:
+//     cylinder (heat along the radius of a cylinder (4.5b)): contradicts effects that are in
+//     sphere (heat along the radius of a sphere (4.5c)): contradicts effects that are in
+//     given_heat (the heat through the surface is given, of the second kind (4.9b); no source inside): contradicts effects that are
+//         in
+//     radiating (the surface radiates too, a nonlinear condition (4.9d); otherwise it is of the third kind (4.9c)): contradicts
+//         effects that are in
 //
 // Proven as identities:
 //     balances of mass and energy: 8 of 8 balances

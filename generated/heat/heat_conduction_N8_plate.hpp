@@ -7,10 +7,12 @@
 //     dalembert generate heat_conduction.toml --scene plate --size N=8
 // Scene plate: insulated in the middle, convection outside
 // Effects in: plate (heat along x (4.5a))
-// Effects out: cylinder (heat along the radius of a cylinder (4.5b)), sphere (heat along the radius of a sphere (4.5c)), held (the
-//     surface is held at a temperature, a condition of the first kind (4.9a)), given_heat (the heat through the surface is given,
-//     of the second kind (4.9b); no source inside), radiating (the surface radiates too, a nonlinear condition (4.9d); otherwise it
-//     is of the third kind (4.9c))
+// Effects out, and what each would do to the rates at the start values:
+//     cylinder (heat along the radius of a cylinder (4.5b)): contradicts effects that are in
+//     sphere (heat along the radius of a sphere (4.5c)): contradicts effects that are in
+//     held (the surface is held at a temperature, a condition of the first kind (4.9a)): changes nothing
+//     given_heat (the heat through the surface is given, of the second kind (4.9b); no source inside): changes dot(T[1]) by 100 %
+//     radiating (the surface radiates too, a nonlinear condition (4.9d); otherwise it is of the third kind (4.9c)): changes nothing
 //
 // Proven as identities:
 //     balances of mass and energy: 8 of 8 balances

@@ -7,7 +7,8 @@
 //     dalembert generate heat_exchanger.toml --scene counter --size N=12
 // Scene counter: counter flow, a thin wall
 // Effects in: counter (the cold fluid flows from L to 0; without it, both flow the same way)
-// Effects out: wall_stores (the wall stores heat)
+// Effects out, and what each would do to the rates at the start values:
+//     wall_stores (the wall stores heat): adds 12 states
 //
 // Proven as identities:
 //     balances of mass and energy: 36 of 36 balances

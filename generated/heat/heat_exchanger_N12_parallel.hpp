@@ -7,7 +7,9 @@
 //     dalembert generate heat_exchanger.toml --scene parallel --size N=12
 // Scene parallel: parallel flow, a thin wall
 // Effects in: none
-// Effects out: counter (the cold fluid flows from L to 0; without it, both flow the same way), wall_stores (the wall stores heat)
+// Effects out, and what each would do to the rates at the start values:
+//     counter (the cold fluid flows from L to 0; without it, both flow the same way): changes nothing
+//     wall_stores (the wall stores heat): adds 12 states
 //
 // Proven as identities:
 //     balances of mass and energy: 36 of 36 balances

@@ -7,7 +7,8 @@
 //     dalembert generate heat_exchanger.toml --scene parallel_wall --size N=12
 // Scene parallel_wall: parallel flow, the wall stores heat
 // Effects in: wall_stores (the wall stores heat)
-// Effects out: counter (the cold fluid flows from L to 0; without it, both flow the same way)
+// Effects out, and what each would do to the rates at the start values:
+//     counter (the cold fluid flows from L to 0; without it, both flow the same way): changes nothing
 //
 // Proven as identities:
 //     balances of mass and energy: 36 of 36 balances

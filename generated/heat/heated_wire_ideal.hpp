@@ -7,7 +7,9 @@
 //     dalembert generate heated_wire.toml --scene ideal
 // Scene ideal
 // Effects in: none
-// Effects out: warm (the resistance depends on the temperature (4.59)), radiation (the wires radiate too)
+// Effects out, and what each would do to the rates at the start values:
+//     warm (the resistance depends on the temperature (4.59)): changes nothing
+//     radiation (the wires radiate too): changes nothing
 //
 // Proven as identities:
 //     balances of mass and energy: 2 of 2 balances

@@ -7,7 +7,8 @@
 //     dalembert generate heated_wire.toml --scene warm
 // Scene warm
 // Effects in: warm (the resistance depends on the temperature (4.59))
-// Effects out: radiation (the wires radiate too)
+// Effects out, and what each would do to the rates at the start values:
+//     radiation (the wires radiate too): changes nothing
 //
 // Proven as identities:
 //     balances of mass and energy: 2 of 2 balances

@@ -7,7 +7,8 @@
 //     dalembert generate immersion_heater.toml --scene heating
 // Scene heating: until the water boils
 // Effects in: none
-// Effects out: boiling (the water boils; without it, it is heated and all of it is there)
+// Effects out, and what each would do to the rates at the start values:
+//     boiling (the water boils; without it, it is heated and all of it is there): changes nothing
 //
 // Proven as identities:
 //     balances of mass and energy: 3 of 3 balances

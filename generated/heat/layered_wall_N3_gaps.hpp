@@ -7,8 +7,9 @@
 //     dalembert generate layered_wall.toml --scene gaps --size N=3
 // Scene gaps: contact resistance between the layers
 // Effects in: gaps (the layers do not touch everywhere (4.25))
-// Effects out: radiation (the wall radiates to the sky), variable (the conductivity depends on the temperature; then the surfaces
-//     store heat too)
+// Effects out, and what each would do to the rates at the start values:
+//     radiation (the wall radiates to the sky): changes dot(T[2]) by 100 %
+//     variable (the conductivity depends on the temperature; then the surfaces store heat too): contradicts effects that are in
 //
 // Proven as identities:
 //     balances of mass and energy: 9 of 9 balances

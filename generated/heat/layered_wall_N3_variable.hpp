@@ -8,7 +8,8 @@
 // Scene variable: conductivity that depends on the temperature, and radiation
 // Effects in: radiation (the wall radiates to the sky), variable (the conductivity depends on the temperature; then the surfaces
 //     store heat too)
-// Effects out: gaps (the layers do not touch everywhere (4.25))
+// Effects out, and what each would do to the rates at the start values:
+//     gaps (the layers do not touch everywhere (4.25)): contradicts effects that are in
 //
 // Proven as identities:
 //     balances of mass and energy: 7 of 7 balances

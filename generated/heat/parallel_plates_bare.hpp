@@ -7,7 +7,8 @@
 //     dalembert generate parallel_plates.toml --scene bare
 // Scene bare: the plates alone
 // Effects in: none
-// Effects out: shielded (a thin foil hangs between the plates)
+// Effects out, and what each would do to the rates at the start values:
+//     shielded (a thin foil hangs between the plates): changes dot(T_1) by 95 %
 //
 // Proven as identities:
 //     balances of mass and energy: 2 of 2 balances

@@ -7,8 +7,10 @@
 //     dalembert generate pipe_wall.toml --scene bare --size M=3 --size N=6
 // Scene bare: water flows, without insulation
 // Effects in: none
-// Effects out: insulated (there is insulation around the wall), standing (the water stands and cools; otherwise it flows and has a
-//     given temperature)
+// Effects out, and what each would do to the rates at the start values:
+//     insulated (there is insulation around the wall): adds 6 states
+//     standing (the water stands and cools; otherwise it flows and has a given temperature): adds 1 state, changes dot(T_1[1]) by
+//         128 %
 //
 // Proven as identities:
 //     balances of mass and energy: 3 of 3 balances

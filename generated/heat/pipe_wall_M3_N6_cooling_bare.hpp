@@ -7,7 +7,8 @@
 //     dalembert generate pipe_wall.toml --scene cooling_bare --size M=3 --size N=6
 // Scene cooling_bare: water stands, without insulation
 // Effects in: standing (the water stands and cools; otherwise it flows and has a given temperature)
-// Effects out: insulated (there is insulation around the wall)
+// Effects out, and what each would do to the rates at the start values:
+//     insulated (there is insulation around the wall): adds 6 states
 //
 // Proven as identities:
 //     balances of mass and energy: 4 of 4 balances

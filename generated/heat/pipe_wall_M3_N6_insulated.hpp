@@ -7,7 +7,9 @@
 //     dalembert generate pipe_wall.toml --scene insulated --size M=3 --size N=6
 // Scene insulated: water flows, with insulation
 // Effects in: insulated (there is insulation around the wall)
-// Effects out: standing (the water stands and cools; otherwise it flows and has a given temperature)
+// Effects out, and what each would do to the rates at the start values:
+//     standing (the water stands and cools; otherwise it flows and has a given temperature): adds 1 state, changes dot(T_1[1]) by
+//         128 %
 //
 // Proven as identities:
 //     balances of mass and energy: 9 of 9 balances

@@ -7,8 +7,10 @@
 //     dalembert generate radiation.toml --scene space
 // Scene space: grey, radiation alone
 // Effects in: none
-// Effects out: selective (a coating that absorbs light well and radiates heat badly; without it the plate is grey (4.41)), air (the
-//     plate gives heat to the air too)
+// Effects out, and what each would do to the rates at the start values:
+//     selective (a coating that absorbs light well and radiates heat badly; without it the plate is grey (4.41)): changes dot(T) by
+//         89 %
+//     air (the plate gives heat to the air too): changes dot(T) by 76 %
 //
 // Proven as identities:
 //     balances of mass and energy: 1 of 1 balances

@@ -7,7 +7,8 @@
 //     dalembert generate radiation.toml --scene vacuum
 // Scene vacuum: the coating in an evacuated tube
 // Effects in: selective (a coating that absorbs light well and radiates heat badly; without it the plate is grey (4.41))
-// Effects out: air (the plate gives heat to the air too)
+// Effects out, and what each would do to the rates at the start values:
+//     air (the plate gives heat to the air too): changes dot(T) by 97 %
 //
 // Proven as identities:
 //     balances of mass and energy: 1 of 1 balances

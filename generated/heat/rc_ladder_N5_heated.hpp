@@ -8,7 +8,8 @@
 // Scene heated: heat in at 0, out at L
 // Effects in: cooled (the end at L is cooled, a condition of the third kind; without it, it is held), heated (the end at 0 takes a
 //     given heat, of the second kind; without it, it is insulated)
-// Effects out: source (every part of the bar is a source of heat)
+// Effects out, and what each would do to the rates at the start values:
+//     source (every part of the bar is a source of heat): changes dot(T[0]) by 100 %
 //
 // Proven as identities:
 //     balances of mass and energy: 6 of 6 balances

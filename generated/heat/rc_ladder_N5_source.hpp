@@ -7,8 +7,10 @@
 //     dalembert generate rc_ladder.toml --scene source --size N=5
 // Scene source: sources inside, held at L
 // Effects in: source (every part of the bar is a source of heat)
-// Effects out: cooled (the end at L is cooled, a condition of the third kind; without it, it is held), heated (the end at 0 takes a
-//     given heat, of the second kind; without it, it is insulated)
+// Effects out, and what each would do to the rates at the start values:
+//     cooled (the end at L is cooled, a condition of the third kind; without it, it is held): adds 1 state, changes dot(T[4]) by
+//         104 %
+//     heated (the end at 0 takes a given heat, of the second kind; without it, it is insulated): changes nothing
 //
 // Proven as identities:
 //     balances of mass and energy: 5 of 5 balances

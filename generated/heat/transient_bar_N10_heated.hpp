@@ -7,8 +7,10 @@
 //     dalembert generate transient_bar.toml --scene heated --size N=10
 // Scene heated: the bar of Aufgabe 4.13
 // Effects in: none
-// Effects out: insulated (insulated at 0 and without a source (4.93); without it, the bar of Aufgabe 4.13 with a source and both
-//     ends held), graded (points with unequal steps, closer where the waves come from)
+// Effects out, and what each would do to the rates at the start values:
+//     insulated (insulated at 0 and without a source (4.93); without it, the bar of Aufgabe 4.13 with a source and both ends held):
+//         adds 1 state
+//     graded (points with unequal steps, closer where the waves come from): adds 1 state
 //
 // Proven as identities:
 //     balances of mass and energy: 9 of 9 balances

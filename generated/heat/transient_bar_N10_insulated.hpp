@@ -8,7 +8,8 @@
 // Scene insulated: the bar of (4.93)
 // Effects in: insulated (insulated at 0 and without a source (4.93); without it, the bar of Aufgabe 4.13 with a source and both
 //     ends held)
-// Effects out: graded (points with unequal steps, closer where the waves come from)
+// Effects out, and what each would do to the rates at the start values:
+//     graded (points with unequal steps, closer where the waves come from): changes dot(T[9]) by 67 %
 //
 // Proven as identities:
 //     balances of mass and energy: 10 of 10 balances

@@ -7,7 +7,8 @@
 //     dalembert generate tube_reactor.toml --scene thin
 // Scene thin: a thin outer tube that radiates and conducts
 // Effects in: none
-// Effects out: outer_stores (the outer tube stores heat; without it, its temperature follows from that of the inner one)
+// Effects out, and what each would do to the rates at the start values:
+//     outer_stores (the outer tube stores heat; without it, its temperature follows from that of the inner one): adds 1 state
 //
 // Proven as identities:
 //     balances of mass and energy: 2 of 2 balances

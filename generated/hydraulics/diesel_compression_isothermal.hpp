@@ -7,7 +7,8 @@
 //     dalembert generate diesel_compression.toml --scene isothermal
 // Scene isothermal: slow: the wall holds the temperature
 // Effects in: none
-// Effects out: adiabatic (no heat through the wall: the temperature follows from the energy balance)
+// Effects out, and what each would do to the rates at the start values:
+//     adiabatic (no heat through the wall: the temperature follows from the energy balance): adds 1 state
 //
 // Proven as identities:
 //     media, entropy and energy: 8 of 8 identities

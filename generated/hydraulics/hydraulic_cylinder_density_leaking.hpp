@@ -7,7 +7,8 @@
 //     dalembert generate hydraulic_cylinder_density.toml --scene leaking
 // Scene leaking: with the gap around the piston, as in the book
 // Effects in: leakage (laminar leakage around the piston)
-// Effects out: friction (viscous friction of the piston)
+// Effects out, and what each would do to the rates at the start values:
+//     friction (viscous friction of the piston): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

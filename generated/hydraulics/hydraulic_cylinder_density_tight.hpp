@@ -7,7 +7,9 @@
 //     dalembert generate hydraulic_cylinder_density.toml --scene tight
 // Scene tight: without leakage and friction
 // Effects in: none
-// Effects out: leakage (laminar leakage around the piston), friction (viscous friction of the piston)
+// Effects out, and what each would do to the rates at the start values:
+//     leakage (laminar leakage around the piston): changes dot(rho_1) by 100 %
+//     friction (viscous friction of the piston): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

@@ -7,9 +7,12 @@
 //     dalembert generate hydraulic_cylinder.toml --scene incompressible
 // Scene incompressible: the piston follows the flow
 // Effects in: none
-// Effects out: compressible (the oil is compressible and the piston has mass; without it the piston follows the flow), thermal (the
-//     temperatures of the chambers follow from the energy balance, without heat through the walls), leakage (laminar leakage around
-//     the piston), friction (viscous friction of the piston), load (a mass on a spring at the end of the rod)
+// Effects out, and what each would do to the rates at the start values:
+//     compressible (the oil is compressible and the piston has mass; without it the piston follows the flow): adds 3 states
+//     thermal (the temperatures of the chambers follow from the energy balance, without heat through the walls): adds 5 states
+//     leakage (laminar leakage around the piston): adds 3 states
+//     friction (viscous friction of the piston): adds 3 states
+//     load (a mass on a spring at the end of the rod): adds 3 states
 //
 // Proven as identities:
 //     balances of mass and energy: 2 of 2 balances

@@ -7,9 +7,11 @@
 //     dalembert generate hydraulic_cylinder.toml --scene isothermal
 // Scene isothermal: the machine of (3.167)
 // Effects in: compressible (the oil is compressible and the piston has mass; without it the piston follows the flow)
-// Effects out: thermal (the temperatures of the chambers follow from the energy balance, without heat through the walls), leakage
-//     (laminar leakage around the piston), friction (viscous friction of the piston), load (a mass on a spring at the end of the
-//     rod)
+// Effects out, and what each would do to the rates at the start values:
+//     thermal (the temperatures of the chambers follow from the energy balance, without heat through the walls): adds 2 states
+//     leakage (laminar leakage around the piston): changes dot(p_1) by 100 %
+//     friction (viscous friction of the piston): changes nothing
+//     load (a mass on a spring at the end of the rod): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

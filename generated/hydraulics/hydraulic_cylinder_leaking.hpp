@@ -8,8 +8,11 @@
 // Scene leaking: with the gap around the piston
 // Effects in: compressible (the oil is compressible and the piston has mass; without it the piston follows the flow), leakage
 //     (laminar leakage around the piston)
-// Effects out: thermal (the temperatures of the chambers follow from the energy balance, without heat through the walls), friction
-//     (viscous friction of the piston), load (a mass on a spring at the end of the rod)
+// Effects out, and what each would do to the rates at the start values:
+//     thermal (the temperatures of the chambers follow from the energy balance, without heat through the walls): adds 2 states,
+//         changes dot(p_1) by 12 %
+//     friction (viscous friction of the piston): changes nothing
+//     load (a mass on a spring at the end of the rod): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

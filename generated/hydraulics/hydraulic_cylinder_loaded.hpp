@@ -8,8 +8,10 @@
 // Scene loaded: with a mass on a spring
 // Effects in: compressible (the oil is compressible and the piston has mass; without it the piston follows the flow), load (a mass
 //     on a spring at the end of the rod)
-// Effects out: thermal (the temperatures of the chambers follow from the energy balance, without heat through the walls), leakage
-//     (laminar leakage around the piston), friction (viscous friction of the piston)
+// Effects out, and what each would do to the rates at the start values:
+//     thermal (the temperatures of the chambers follow from the energy balance, without heat through the walls): adds 2 states
+//     leakage (laminar leakage around the piston): changes dot(p_1) by 100 %
+//     friction (viscous friction of the piston): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

@@ -8,8 +8,10 @@
 // Scene thermal: with the energy balances of the chambers
 // Effects in: compressible (the oil is compressible and the piston has mass; without it the piston follows the flow), thermal (the
 //     temperatures of the chambers follow from the energy balance, without heat through the walls)
-// Effects out: leakage (laminar leakage around the piston), friction (viscous friction of the piston), load (a mass on a spring at
-//     the end of the rod)
+// Effects out, and what each would do to the rates at the start values:
+//     leakage (laminar leakage around the piston): changes dot(T_1) by 100 %
+//     friction (viscous friction of the piston): changes nothing
+//     load (a mass on a spring at the end of the rod): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

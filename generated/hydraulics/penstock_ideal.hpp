@@ -7,7 +7,8 @@
 //     dalembert generate penstock.toml --scene ideal
 // Scene ideal: without friction, as in the book
 // Effects in: none
-// Effects out: friction (pressure loss proportional to the square of the velocity)
+// Effects out, and what each would do to the rates at the start values:
+//     friction (pressure loss proportional to the square of the velocity): changes nothing
 //
 // Proven as identities:
 //     balances of mass and energy: 1 of 1 balances

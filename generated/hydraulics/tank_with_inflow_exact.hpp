@@ -7,7 +7,8 @@
 //     dalembert generate tank_with_inflow.toml --scene exact
 // Scene exact: outflow by the root of the level
 // Effects in: none
-// Effects out: smooth (the opening without the infinite slope of the root at zero)
+// Effects out, and what each would do to the rates at the start values:
+//     smooth (the opening without the infinite slope of the root at zero): changes dot(h) by 1 %
 //
 // Proven as identities:
 //     balances of mass and energy: 2 of 2 balances

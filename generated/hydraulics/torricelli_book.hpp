@@ -7,8 +7,9 @@
 //     dalembert generate torricelli.toml --scene book
 // Scene book: the velocity of the surface is neglected, as in the book
 // Effects in: none
-// Effects out: moving_surface (the velocity of the surface counts in the Bernoulli equation; the book neglects it, since A_1 is
-//     much larger than A_2)
+// Effects out, and what each would do to the rates at the start values:
+//     moving_surface (the velocity of the surface counts in the Bernoulli equation; the book neglects it, since A_1 is much larger
+//         than A_2): changes dot(sqrt(h)) by 5e-05 %
 //
 // Proven as identities:
 //     balances of mass and energy: 2 of 2 balances

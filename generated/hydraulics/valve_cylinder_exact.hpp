@@ -7,7 +7,8 @@
 //     dalembert generate valve_cylinder.toml --scene exact
 // Scene exact: edges by the root, as (3.150)
 // Effects in: leakage (laminar leakage around the piston), friction (viscous friction of the piston)
-// Effects out: smooth (the edges without the infinite slope of the root at equal pressures)
+// Effects out, and what each would do to the rates at the start values:
+//     smooth (the edges without the infinite slope of the root at equal pressures): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

@@ -7,8 +7,10 @@
 //     dalembert generate valve_cylinder.toml --scene ideal
 // Scene ideal: without leakage and friction: the machine of (3.167) with the flows (3.150)
 // Effects in: none
-// Effects out: smooth (the edges without the infinite slope of the root at equal pressures), leakage (laminar leakage around the
-//     piston), friction (viscous friction of the piston)
+// Effects out, and what each would do to the rates at the start values:
+//     smooth (the edges without the infinite slope of the root at equal pressures): changes nothing
+//     leakage (laminar leakage around the piston): changes dot(p_1) by 100 %
+//     friction (viscous friction of the piston): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

@@ -7,7 +7,8 @@
 //     dalembert generate cart_pendulum.toml --scene ideal
 // Scene ideal
 // Effects in: none
-// Effects out: viscous_friction (friction of the cart, proportional to its speed)
+// Effects out, and what each would do to the rates at the start values:
+//     viscous_friction (friction of the cart, proportional to its speed): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations

@@ -7,7 +7,8 @@
 //     dalembert generate drive_train.toml --scene undamped
 // Scene undamped
 // Effects in: none
-// Effects out: shaft_damping (material damping of the shaft, proportional to the rate of its twist)
+// Effects out, and what each would do to the rates at the start values:
+//     shaft_damping (material damping of the shaft, proportional to the rate of its twist): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations

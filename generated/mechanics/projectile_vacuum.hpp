@@ -7,7 +7,8 @@
 //     dalembert generate projectile.toml --scene vacuum
 // Scene vacuum
 // Effects in: none
-// Effects out: air (resistance of the air, proportional to the square of the speed (2.94))
+// Effects out, and what each would do to the rates at the start values:
+//     air (resistance of the air, proportional to the square of the speed (2.94)): changes ddot(x) by 100 %
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations

@@ -7,7 +7,8 @@
 //     dalembert generate spherical_pendulum.toml --scene free
 // Scene free
 // Effects in: none
-// Effects out: external_force (force on the bob in the direction of -x)
+// Effects out, and what each would do to the rates at the start values:
+//     external_force (force on the bob in the direction of -x): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations

@@ -7,7 +7,8 @@
 //     dalembert generate spring_mass_damper.toml --scene undamped
 // Scene undamped
 // Effects in: none
-// Effects out: damping (viscous dampers)
+// Effects out, and what each would do to the rates at the start values:
+//     damping (viscous dampers): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 3 of 3 equations

@@ -7,8 +7,9 @@
 //     dalembert generate air_expansion.toml --scene polytropic
 // Scene polytropic: the second case, with the exponent n
 // Effects in: none
-// Effects out: adiabatic (no heat is exchanged: the temperature follows from the energy balance; otherwise the expansion is
-//     polytropic)
+// Effects out, and what each would do to the rates at the start values:
+//     adiabatic (no heat is exchanged: the temperature follows from the energy balance; otherwise the expansion is polytropic):
+//         adds 1 state, changes dot(p) by 14 %
 //
 // Proven as identities:
 //     media, entropy and energy: 8 of 8 identities

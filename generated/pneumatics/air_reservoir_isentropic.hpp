@@ -7,7 +7,8 @@
 //     dalembert generate air_reservoir.toml --scene isentropic
 // Scene isentropic: quick: the air stays on the isentrope through p_0, T_0
 // Effects in: none
-// Effects out: isothermal (slow changes at ambient temperature; otherwise the air in the reservoir stays on one isentrope)
+// Effects out, and what each would do to the rates at the start values:
+//     isothermal (slow changes at ambient temperature; otherwise the air in the reservoir stays on one isentrope): changes nothing
 //
 // Proven as identities:
 //     media, entropy and energy: 8 of 8 identities

@@ -7,8 +7,9 @@
 //     dalembert generate air_reservoir_thermal.toml --scene isothermal
 // Scene isothermal: slow: the air keeps the ambient temperature
 // Effects in: none
-// Effects out: thermal (energy balance of the air, with heat to the walls; otherwise it has ambient temperature), smooth (orifices
-//     with a finite slope at equal pressures)
+// Effects out, and what each would do to the rates at the start values:
+//     thermal (energy balance of the air, with heat to the walls; otherwise it has ambient temperature): adds 1 state
+//     smooth (orifices with a finite slope at equal pressures): changes nothing
 //
 // Proven as identities:
 //     media, entropy and energy: 8 of 8 identities

@@ -7,7 +7,8 @@
 //     dalembert generate air_reservoir_thermal.toml --scene isothermal_smooth
 // Scene isothermal_smooth: isothermal, for solvers that want a finite slope
 // Effects in: smooth (orifices with a finite slope at equal pressures)
-// Effects out: thermal (energy balance of the air, with heat to the walls; otherwise it has ambient temperature)
+// Effects out, and what each would do to the rates at the start values:
+//     thermal (energy balance of the air, with heat to the walls; otherwise it has ambient temperature): adds 1 state
 //
 // Proven as identities:
 //     media, entropy and energy: 8 of 8 identities

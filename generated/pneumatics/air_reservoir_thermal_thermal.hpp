@@ -7,7 +7,8 @@
 //     dalembert generate air_reservoir_thermal.toml --scene thermal
 // Scene thermal: the temperature follows from the energy balance
 // Effects in: thermal (energy balance of the air, with heat to the walls; otherwise it has ambient temperature)
-// Effects out: smooth (orifices with a finite slope at equal pressures)
+// Effects out, and what each would do to the rates at the start values:
+//     smooth (orifices with a finite slope at equal pressures): changes nothing
 //
 // Proven as identities:
 //     media, entropy and energy: 8 of 8 identities

@@ -7,7 +7,8 @@
 //     dalembert generate changes_of_state.toml --scene polytropic
 // Scene polytropic: the change of state is given: n = 1 isothermal, n = kappa isentropic
 // Effects in: none
-// Effects out: thermal (energy balance of the air with the heat that is supplied; otherwise the change of state is polytropic)
+// Effects out, and what each would do to the rates at the start values:
+//     thermal (energy balance of the air with the heat that is supplied; otherwise the change of state is polytropic): adds 1 state
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

@@ -7,8 +7,11 @@
 //     dalembert generate pneumatic_cylinder.toml --scene plain
 // Scene plain: polytropic and without dry friction: the piston of (3.117)
 // Effects in: none
-// Effects out: dry_friction (dry friction of the seals), thermal (energy balance of each chamber, with heat to the walls; otherwise
-//     the air is polytropic), leakage (air that passes the piston), smooth (valve edges with a finite slope at equal pressures)
+// Effects out, and what each would do to the rates at the start values:
+//     dry_friction (dry friction of the seals): changes nothing
+//     thermal (energy balance of each chamber, with heat to the walls; otherwise the air is polytropic): adds 2 states
+//     leakage (air that passes the piston): changes dot(p_1) by 100 %
+//     smooth (valve edges with a finite slope at equal pressures): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

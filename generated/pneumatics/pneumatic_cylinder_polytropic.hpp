@@ -7,8 +7,10 @@
 //     dalembert generate pneumatic_cylinder.toml --scene polytropic
 // Scene polytropic: the temperatures follow from the pressures; n = 1 is isothermal
 // Effects in: dry_friction (dry friction of the seals)
-// Effects out: thermal (energy balance of each chamber, with heat to the walls; otherwise the air is polytropic), leakage (air that
-//     passes the piston), smooth (valve edges with a finite slope at equal pressures)
+// Effects out, and what each would do to the rates at the start values:
+//     thermal (energy balance of each chamber, with heat to the walls; otherwise the air is polytropic): adds 2 states
+//     leakage (air that passes the piston): changes dot(p_1) by 100 %
+//     smooth (valve edges with a finite slope at equal pressures): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

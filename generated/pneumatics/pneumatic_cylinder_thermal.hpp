@@ -8,7 +8,9 @@
 // Scene thermal: the temperatures follow from the energy balances
 // Effects in: dry_friction (dry friction of the seals), thermal (energy balance of each chamber, with heat to the walls; otherwise
 //     the air is polytropic)
-// Effects out: leakage (air that passes the piston), smooth (valve edges with a finite slope at equal pressures)
+// Effects out, and what each would do to the rates at the start values:
+//     leakage (air that passes the piston): changes dot(T_1) by 100 %
+//     smooth (valve edges with a finite slope at equal pressures): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations

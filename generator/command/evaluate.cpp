@@ -6,6 +6,7 @@
 #include "command/json_output.hpp"
 #include "command/settings.hpp"
 #include "command/shared.hpp"
+#include "prove/motion_at.hpp"
 
 namespace dalembert {
 
@@ -13,56 +14,15 @@ using GiNaC::ex;
 
 namespace {
 
-/// Values of a system at one point, from the symbolic derivation.
+/// Values as text. Results are correct in all digits that are asked for as long as no more than twice as many cancel.
 class Evaluation {
 public:
-    Evaluation(const System& system, const Values& values, int digits) : system_(system), digits_(digits), point_(values.substitution()) {
-        add_steps(point_, system.symbols, working_digits() + 20);
-        solve();
-    }
-
-    std::string number(const ex& e) const {
-        const auto v = value_at(e, point_, working_digits());
-        if (!v) throw Failure(Diagnostic{Id::division_by_zero, system_.scene.model->name_span, "an expression has no value at this point"});
-        return decimal(cln::rational(*v), digits_);
-    }
+    Evaluation(const System& system, const Values& values, int digits) : at_(system, values, 3 * digits + 30), digits_(digits) {}
+    std::string number(const ex& e) const { return decimal(cln::rational(at_(e)), digits_); }
 
 private:
-    /// Results are correct in all digits that are asked for as long as no more than twice as many cancel.
-    int working_digits() const { return 3 * digits_ + 30; }
-
-    /// Accelerations and state rates join the point.
-    void solve() {
-        const Symbols& symbols = system_.symbols;
-        const std::size_t n = symbols.degrees();
-        std::vector<std::vector<cln::cl_R>> m(n, std::vector<cln::cl_R>(n + 1));
-        const auto entry = [&](const ex& e) {
-            const auto v = value_at(e, point_, working_digits());
-            if (!v) throw Failure(Diagnostic{Id::division_by_zero, system_.scene.model->name_span, "the equations of motion have no value at this point"});
-            return *v;
-        };
-        for (std::size_t j = 0; j < n; ++j) {
-            for (std::size_t l = 0; l < n; ++l) m[j][l] = entry(system_.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)));
-            m[j][n] = entry(system_.supplied[j] - system_.bias[j]);
-        }
-        for (std::size_t k = 0; k < n; ++k) {
-            if (cln::zerop(m[k][k]))
-                throw Failure(Diagnostic{Id::singular_mass, symbols.all(SymbolKind::coordinate)[k].declared->span,
-                                         fmt::format("the mass matrix is singular at this point: the acceleration of '{}' is not determined", symbols.all(SymbolKind::coordinate)[k].name)});
-            for (std::size_t j = 0; j < n; ++j) {
-                if (j == k) continue;
-                const cln::cl_R factor = m[j][k] / m[k][k];
-                for (std::size_t l = k; l <= n; ++l) m[j][l] = m[j][l] - factor * m[k][l];
-            }
-        }
-        for (std::size_t j = 0; j < n; ++j) point_[symbols.get(SymbolKind::acceleration, j)] = GiNaC::numeric(m[j][n] / m[j][j]);
-        for (std::size_t i = 0; i < system_.state_rates.size(); ++i)
-            point_[symbols.get(SymbolKind::state_rate, i)] = GiNaC::numeric(entry(system_.state_rates[i]));
-    }
-
-    const System& system_;
+    MotionAt at_;
     int digits_;
-    GiNaC::exmap point_;
 };
 
 }  // namespace

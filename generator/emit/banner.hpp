@@ -2,6 +2,7 @@
 // The comment at the top of a generated header: command, scene, what was proven, what each function costs, licence.
 #pragma once
 
+#include "prove/effect_size.hpp"
 #include "graph/verify.hpp"
 
 namespace dalembert {
@@ -17,6 +18,6 @@ struct Proofs {
 };
 
 /// `command` is shown as it is: normalised, without paths.
-std::string banner(const Code& code, const Proofs& proofs, const std::string& command);
+std::string banner(const Code& code, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command);
 
 }  // namespace dalembert

@@ -308,13 +308,13 @@ private:
 std::string header_name(const Scene& scene) { return fmt::format("{}_{}.hpp", scene.sized_name(), scene.name); }
 std::string header_namespace(const Scene& scene) { return fmt::format("{}::{}", scene.sized_name(), scene.name); }
 
-Header make_header(const Code& code, const FieldCode* fields, const Proofs& proofs, const std::string& command) {
+Header make_header(const Code& code, const FieldCode* fields, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command) {
     check_cpp_names(code.system);
     const Scene& scene = code.system.scene;
     const std::string name_space = header_namespace(scene);
     const std::string content = fields == nullptr ? HeaderWriter(code).run(name_space) : HeaderWriter(code).run(name_space + "::core") + "\n" + field_content(*fields, name_space);
     const std::string guard = upper(scene.sized_name() + "_" + scene.name) + "_HPP";
-    return {header_name(scene), name_space, fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner(code, proofs, command)}, {"GUARD", guard}, {"CONTENT", content}})};
+    return {header_name(scene), name_space, fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner(code, proofs, effects_out, command)}, {"GUARD", guard}, {"CONTENT", content}})};
 }
 
 }  // namespace dalembert

@@ -21,6 +21,6 @@ std::string header_namespace(const Scene& scene);
 
 /// `command` is what the banner shows: normalised, without paths.
 /// `fields`: null where every state is code of its own.
-Header make_header(const Code& code, const FieldCode* fields, const Proofs& proofs, const std::string& command);
+Header make_header(const Code& code, const FieldCode* fields, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command);
 
 }  // namespace dalembert

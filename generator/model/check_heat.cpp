@@ -54,7 +54,7 @@ private:
             if (!*side || !(*side)->node) continue;
             const Reference& node = *(*side)->node;
             const std::vector kinds{Part::Kind::node};
-            warm(node, kinds, [&] { return fmt::format("the {} side of block '{}' touches '{}', which is no node{}", name, block.name, node.name, did_you_mean(node.name, names_.parts(kinds))); });
+            warm(node, kinds, [&, &name = name] { return fmt::format("the {} side of block '{}' touches '{}', which is no node{}", name, block.name, node.name, did_you_mean(node.name, names_.parts(kinds))); });
         }
     }
 

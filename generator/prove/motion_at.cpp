@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prove/motion_at.hpp"
+
+#include <fmt/format.h>
+
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+MotionAt::MotionAt(const System& system, const Values& values, int digits) : system_(system), digits_(digits), point_(values.substitution()) {
+    const Symbols& symbols = system.symbols;
+    add_steps(point_, symbols, digits + 20);
+    const std::size_t n = symbols.degrees();
+    std::vector<std::vector<cln::cl_R>> m(n, std::vector<cln::cl_R>(n + 1));
+    const auto entry = [&](const ex& e) {
+        const auto v = value_at(e, point_, digits);
+        if (!v) throw Failure(Diagnostic{Id::division_by_zero, system.scene.model->name_span, "the equations of motion have no value at this point"});
+        return *v;
+    };
+    for (std::size_t j = 0; j < n; ++j) {
+        for (std::size_t l = 0; l < n; ++l) m[j][l] = entry(system.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)));
+        m[j][n] = entry(system.supplied[j] - system.bias[j]);
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        if (cln::zerop(m[k][k]))
+            throw Failure(Diagnostic{Id::singular_mass, symbols.all(SymbolKind::coordinate)[k].declared->span,
+                                     fmt::format("the mass matrix is singular at this point: the acceleration of '{}' is not determined", symbols.all(SymbolKind::coordinate)[k].name)});
+        for (std::size_t j = 0; j < n; ++j) {
+            if (j == k) continue;
+            const cln::cl_R factor = m[j][k] / m[k][k];
+            for (std::size_t l = k; l <= n; ++l) m[j][l] = m[j][l] - factor * m[k][l];
+        }
+    }
+    for (std::size_t j = 0; j < n; ++j) point_[symbols.get(SymbolKind::acceleration, j)] = GiNaC::numeric(m[j][n] / m[j][j]);
+    for (std::size_t i = 0; i < system.state_rates.size(); ++i) point_[symbols.get(SymbolKind::state_rate, i)] = GiNaC::numeric(entry(system.state_rates[i]));
+}
+
+cln::cl_R MotionAt::operator()(const ex& e) const {
+    const auto v = value_at(e, point_, digits_);
+    if (!v) throw Failure(Diagnostic{Id::division_by_zero, system_.scene.model->name_span, "an expression has no value at this point"});
+    return *v;
+}
+
+}  // namespace dalembert
