@@ -105,7 +105,10 @@ private:
     void condition(const std::optional<Condition>& when) {
         std::vector<std::pair<std::string, Span>> named;
         if (when) when->collect(named);
-        for (const auto& [name, span] : named) effect(name, span);
+        for (const auto& [name, span] : named) {
+            effect(name, span);
+            carried_.insert(name);
+        }
     }
 
     void effects() {
@@ -135,6 +138,7 @@ private:
         all(model_.rods);
         all(model_.blocks);
         all(model_.enclosures);
+        const std::set<std::string> carried = carried_;  // a printed equation says when it holds, and carries nothing
         all(model_.printed);
         const auto listed = [&](const std::vector<std::pair<std::string, Span>>& names) {
             for (const auto& [name, span] : names) effect(name, span);
@@ -142,6 +146,8 @@ private:
         for (const Effect& item : model_.effects) {
             listed(item.excludes);
             listed(item.implies);
+            if (!carried.contains(item.name) && item.implies.empty())
+                diagnostics_.error(Id::unused, item.span, fmt::format("no component carries the effect '{0}': nothing says when = \"{0}\" or \"not {0}\", so that scenes with and without it are the same machine", item.name));
         }
         for (const SceneChoice& scene : model_.scenes) listed(scene.effects);
         for (const Run& run : model_.runs) {
@@ -173,6 +179,7 @@ private:
     const Model& model_;
     const Names& names_;
     Diagnostics& diagnostics_;
+    std::set<std::string> carried_;  ///< effects that some condition names
 };
 
 }  // namespace
