@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "emit/notation.hpp"
+#include "generator/audits.hpp"
 #include "generator/machine.hpp"
 #include "model/checks.hpp"
 #include "model/verdict.hpp"
@@ -33,29 +34,6 @@ const std::string leak =
     "[flows.leak]\nfrom = \"vessel\"\nto = \"ambient\"\nlaw = \"laminar\"\nconductance = \"G\"\n";
 
 std::string written(const Machine& machine, const ex& e) { return Notation(machine.system->symbols, Style::text)(e); }
-
-bool all_proven(const System& system) {
-    const Audit result = audit(system);
-    for (const AuditEntry* entry : result.all())
-        if (entry->result.verdict != Verdict::proven) MESSAGE(entry->name, ": ", to_string(entry->result.verdict), " ", entry->result.reason);
-    return result.all_proven();
-}
-
-bool any_wrong(const System& system) {
-    const Audit result = audit(system);
-    const auto entries = result.all();
-    return std::any_of(entries.begin(), entries.end(), [](const AuditEntry* entry) { return entry->result.verdict == Verdict::wrong; });
-}
-
-/// Negates a value, sees the proofs fail, and puts it back.
-void flipped_is_wrong(System& system, ex& value, const std::string& what) {
-    if (Prover(system).equal(value, 0).verdict != Verdict::wrong) return;  // zero on every motion
-    CAPTURE(what);
-    const ex right = value;
-    value = -value;
-    CHECK(any_wrong(system));
-    value = right;
-}
 
 }  // namespace
 

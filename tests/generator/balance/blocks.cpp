@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blocks: their cells against a network that is written by hand, and what their sides and the ends of rods take up.
+#include "generator/audits.hpp"
 #include "generator/machine.hpp"
 #include "model/verdict.hpp"
 
@@ -82,13 +83,6 @@ const std::string plate =
     "T_0 = { value = 293, unit = \"K\", range = [200, 400] }\n"
     "[states]\nT = { for = \"n = 3..14\", unit = \"K\", start = 300, range = [200, 1000] }\n"
     "[blocks.plate]\ntemperature = \"T\"\ncolumns = [[\"L\", 4]]\nrows = [[\"L/2\", 2], [\"L\", 1]]\ndepth = \"L\"\nconductivity = \"k\"\ndensity = \"rho\"\nheat_capacity = \"c_p\"\n";
-
-bool all_proven(const System& system) {
-    const Audit result = audit(system);
-    for (const AuditEntry* entry : result.all())
-        if (entry->result.verdict != Verdict::proven) MESSAGE(entry->name, ": ", to_string(entry->result.verdict), " ", entry->result.reason);
-    return result.all_proven();
-}
 
 }  // namespace
 

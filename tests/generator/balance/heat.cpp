@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "emit/notation.hpp"
+#include "generator/audits.hpp"
 #include "generator/machine.hpp"
 #include "graph/field_code.hpp"
 #include "model/verdict.hpp"
@@ -23,28 +24,6 @@ const std::string plate =
     "T_0 = { value = 293, unit = \"K\", range = [200, 400] }\n"
     "[states]\nT = { unit = \"K\", start = 300, range = [200, 1000] }\n"
     "[nodes]\nplate = { temperature = \"T\", capacity = \"C\", heat = \"P\" }\nlid = {}\nair = { temperature = \"T_0\" }\n";
-
-bool all_proven(const System& system) {
-    const Audit result = audit(system);
-    for (const AuditEntry* entry : result.all())
-        if (entry->result.verdict != Verdict::proven) MESSAGE(entry->name, ": ", to_string(entry->result.verdict), " ", entry->result.reason);
-    return result.all_proven();
-}
-
-bool any_wrong(const System& system) {
-    const Audit result = audit(system);
-    const auto entries = result.all();
-    return std::any_of(entries.begin(), entries.end(), [](const AuditEntry* entry) { return entry->result.verdict == Verdict::wrong; });
-}
-
-/// Negates a value, sees the proofs fail, and puts it back.
-void flipped_is_wrong(System& system, ex& value, const std::string& what) {
-    CAPTURE(what);
-    const ex right = value;
-    value = -value;
-    CHECK(any_wrong(system));
-    value = right;
-}
 
 bool proven_equal(const System& system, const ex& a, const ex& b) { return Prover(system).proven_equal(a, b); }
 
