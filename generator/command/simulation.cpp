@@ -126,7 +126,7 @@ public:
         if (!(settings.until > 0))
             throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("how long to simulate '{}'? Give --until, or a [runs.reference] in the model", model_name_)});
         if (settings.method == "rk4" && !(settings.step > 0)) throw Failure(Diagnostic{Id::bad_option, {}, "the method rk4 needs a fixed step: --step"});
-        settings.inputs = inputs(system);
+        settings.inputs = inputs(values, system);
         settings.plots = plots(settings.plots, system);
         return settings;
     }
@@ -141,8 +141,12 @@ private:
         return false;
     }
 
-    std::vector<ex> inputs(const System& system) const {
+    std::vector<ex> inputs(const Values& values, const System& system) const {
         std::vector<ex> result(system.symbols.count(SymbolKind::input), 0);
+        // What stays constant keeps to its range; what varies is not known before.
+        const auto check_range = [&](const Expression& variable, const Expression& value) {
+            if ((dependence(value, system.names) & ~on_parameters) == 0) Values(values).set(variable, value, on_inputs);
+        };
         const auto set = [&](const Expression& variable, const ex& value) {
             bool found = false;
             for (const Variable& input : system.symbols.all(SymbolKind::input)) {
@@ -155,11 +159,12 @@ private:
         };
         if (run_ != nullptr)
             for (const RunEntry& entry : run_->inputs)
-                if (is_in_scene(*entry.variable, system)) set(*entry.variable, system.translate(*entry.value, {}));
+                if (is_in_scene(*entry.variable, system) && set(*entry.variable, system.translate(*entry.value, {}))) check_range(*entry.variable, *entry.value);
         for (const Setting& setting : parse_settings(options_.inputs, "input")) {
             check_setting(setting, on_motion | on_states, system);
             if (!set(*setting.variable, system.translate(*setting.value, {})))
                 throw Failure(Diagnostic{Id::unknown_name, setting.variable->span, fmt::format("scene '{}' has no input '{}'", system.scene.name, setting.variable->written())});
+            check_range(*setting.variable, *setting.value);
         }
         return result;
     }
