@@ -52,6 +52,13 @@ public:
         return first(g, [](const Scalar& value) { return !(value == value); });
     }
 
+    /// The right-hand side goes on smoothly behind guards that end the run: of these only the ends of steps matter, not the stages. There
+    /// rounding can take a guard that begins at zero to the other side.
+    void spare_stages() {
+        spares_stages_ = true;
+        for (const bool is_end : ends_) has_kinks_ = has_kinks_ || !is_end;
+    }
+
     /// The sides at the start. The first guard that ends the run there and then, or none.
     std::size_t start(const State& x, Scalar t) {
         const Values g = raw(x, t);
@@ -132,7 +139,7 @@ public:
         if (!is_watching_) return;
         const Values seen = values(x, t);
         for (std::size_t i = 0; i < G; ++i)
-            if (seen[i] < lowest_[i]) lowest_[i] = seen[i];
+            if (seen[i] < lowest_[i] && !(spares_stages_ && ends_[i])) lowest_[i] = seen[i];
     }
 
     /// Whether the step that was made last ends before its time, and the shortest one that was tried behind its end.
@@ -316,7 +323,7 @@ private:
     template <class Take>
     bool is_clean(Try& c, Scalar tiny, Values& lowest, Take& take) {
         lowest_.fill(std::numeric_limits<Scalar>::infinity());
-        is_watching_ = true;
+        is_watching_ = !spares_stages_ || has_kinks_;
         take(c);
         is_watching_ = false;
         const Values at_end = values(c.y, c.end);
@@ -372,6 +379,7 @@ private:
     std::array<bool, G> is_strict_{};  ///< kinks that the step does not start on, and must not end on
     bool may_touch_ = false;           ///< it may
     bool is_watching_ = false;
+    bool spares_stages_ = false, has_kinks_ = false;
     Values lowest_{};
     Try behind_;
     Values found_{};
