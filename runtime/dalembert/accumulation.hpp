@@ -44,6 +44,9 @@ public:
         return is_stalled() || (is_steady() && remaining() <= sqrt(std::numeric_limits<Scalar>::epsilon()) * (time(0) - begin_));
     }
 
+    /// Whether the last two are no further apart than `interval`.
+    bool is_repeated(Scalar interval) const { return count_ > 1 && time(0) - time(1) <= interval; }
+
     /// Too close together to be told apart.
     bool is_stalled() const { return stalls_ >= enough_stalls; }
 

@@ -55,7 +55,7 @@ public:
     InMode(const System& system, Mode start) : mode(start), system_(system) {}
 
     Mode mode;
-    std::size_t ignored = events;  ///< an event that is not looked at
+    std::array<bool, events> is_ignored{};  ///< events that are not looked at
 
     void rhs(const State& x, const Input& u, scalar_type t, State& dxdt) const { system_.rhs(mode, x, u, t, dxdt); }
     template <class Jacobian>
@@ -74,7 +74,7 @@ public:
     void guards(const State& x, const Input& u, scalar_type t, Guards& g) const {
         typename System::Events of_events{};
         system_.guards(mode, x, u, t, of_events);
-        for (std::size_t e = 0; e < events; ++e) g[e] = e != ignored && System::is_watched(mode, e) ? of_events[e] : scalar_type(1);
+        for (std::size_t e = 0; e < events; ++e) g[e] = !is_ignored[e] && System::is_watched(mode, e) ? of_events[e] : scalar_type(1);
         if constexpr (kinks > 0) {
             typename System::Kinks of_kinks{};
             system_.kinks(mode, x, u, t, of_kinks);

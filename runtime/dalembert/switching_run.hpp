@@ -158,7 +158,7 @@ private:
 
     /// The guard rises from zero, but is back there before the time has changed. A reset would take it the wrong way.
     bool is_too_soon(std::size_t event) const {
-        if (!(result_.before_last.event == event && stalled_ > 0)) return false;
+        if (!accumulations_[event].is_repeated(control_.smallest(t_))) return false;
         typename System::Events rates{};
         system_.guard_rates(here_.mode, x_, inputs_(x_, t_), t_, rates);
         return rates[event] > Scalar(0);
@@ -170,7 +170,7 @@ private:
         const Mode from = here_.mode;
         reset(x_, inputs_(x_, t_));
         bool is_found = is_finite() && choose(candidates, t_, next);
-        if (result_.state == x_.size() && (!is_found || next != none)) is_found = choose_behind_jump(candidates, next) || is_found;
+        if (result_.state == x_.size() && (!is_found || next != none)) is_found = change_behind(before, from, candidates, reset, next) || is_found;
         if (!is_found) {
             x_ = before;
             return result_.state < x_.size() ? Status::not_finite : Status::no_mode;
@@ -179,56 +179,84 @@ private:
         return Status::success;
     }
 
-    /// An event may be there because an input jumps. The run is still in front of the jump; behind it, an instant later, a mode may accept.
-    template <class Modes>
-    bool choose_behind_jump(const Modes& candidates, std::size_t& event) {
-        const Mode mode = here_.mode;
-        const Scalar later = t_ + control_.tiny(t_);
+    /// The run is in front of the zero. Where an input jumps, or a guard leaves zero with a rate that is zero itself but grows, as with
+    /// friction that is the same at rest, a mode only accepts what is behind: the motion goes on for an instant before the reset.
+    template <class Modes, class Reset>
+    bool change_behind(const State& before, Mode from, const Modes& candidates, const Reset& reset, std::size_t& event) {
+        const Mode to = here_.mode;
+        const State after = x_;
+        const Scalar t = t_;
         std::size_t next = none;
-        if (!(later > t_) || later > to_ || !has_jump(later)) return false;
-        if (!choose(candidates, later, next) || next != none) {
-            here_.mode = mode;
-            return false;
+        here_.mode = from;
+        State dxdt;
+        here_.rhs(before, inputs_(before, t), t, dxdt);
+        t_ += control_.tiny(t);
+        for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = before[i] + (t_ - t) * dxdt[i];
+        reset(x_, inputs_(x_, t_));
+        if (t_ > t && t_ <= to_ && is_finite() && choose(candidates, t_, next) && next == none) {
+            event = none;
+            return true;
         }
-        t_ = later;
-        event = none;
-        return true;
+        result_.state = x_.size();
+        here_.mode = to;
+        x_ = after;
+        t_ = t;
+        return false;
     }
 
-    bool has_jump(Scalar later) const {
-        const Input before = inputs_(x_, t_), after = inputs_(x_, later);
-        return !(before == after);
-    }
-
-    /// Where the event accumulates, the run goes on at the time at which its intervals vanish.
+    /// Where the event accumulates, the run goes on at the time at which its intervals vanish. What accumulates at the same time, as in
+    /// parts of a machine that are alike, goes with it.
     Status pass_accumulation(std::size_t happened, std::size_t& event) {
+        using std::abs;
         const Accumulation<Scalar>& times = accumulations_[happened];
         if (!times.is_certain() || (times.end() > to_ && !times.is_stalled())) return Status::success;
         const Scalar end = times.end() < to_ ? times.end() : to_;
+        std::array<bool, events> is_over{};
+        for (std::size_t e = 0; e < events; ++e)
+            is_over[e] = e == happened || (System::is_watched(here_.mode, e) && accumulations_[e].is_certain() && abs(accumulations_[e].end() - end) <= control_.tiny(t_) && goes_on_after(e));
         if constexpr (says_what_follows_accumulation<System>) {
-            const auto candidates = System::after_accumulation(happened, here_.mode);
-            if (candidates.begin() != candidates.end()) {
-                if (end > t_ && !coast(happened, end)) return Status::success;
-                accumulations_[happened].forget();
-                const auto settle = [this, happened](State& x, const Input& u) { system_.settle(happened, here_.mode, x, u, t_); };
-                return change(happened, candidates, settle, true, event);
-            }
+            if (goes_on_after(happened)) return end > t_ && !coast(is_over, end) ? Status::success : settle(is_over, event);
         }
         result_.accumulates_at = static_cast<double>(end);
         return Status::accumulation;
     }
 
-    /// To the end of an accumulation, without a look at its event. False, and nothing has happened, if there is another one before.
-    bool coast(std::size_t event, Scalar end) {
-        here_.ignored = event;
+    bool goes_on_after(std::size_t event) const {
+        if constexpr (says_what_follows_accumulation<System>) {
+            const auto candidates = System::after_accumulation(event, here_.mode);
+            return candidates.begin() != candidates.end();
+        } else {
+            return false;
+        }
+    }
+
+    /// To the end of accumulations, without a look at their events. False, and nothing has happened, if there is another one before.
+    bool coast(const std::array<bool, events>& is_over, Scalar end) {
+        here_.is_ignored = is_over;
         State x = x_;
         std::size_t other = none;
         is_trial_ = true;
         bool is_alone = integrate_to(x, end, other) == Status::success;
         is_trial_ = false;
         if (is_alone) is_alone = integrate_to(x_, end, other) == Status::success;
-        here_.ignored = none;
+        here_.is_ignored = {};
         return is_alone;
+    }
+
+    Status settle(const std::array<bool, events>& is_over, std::size_t& event) {
+        bool is_settled = false;
+        const auto all = [&](State& x, const Input& u) {
+            for (std::size_t e = 0; e < events && !is_settled; ++e)
+                if (is_over[e]) system_.settle(e, here_.mode, x, u, t_);
+            is_settled = true;
+        };
+        for (std::size_t e = 0; e < events; ++e) {
+            if (!is_over[e]) continue;
+            accumulations_[e].forget();
+            const Status status = change(e, System::after_accumulation(e, here_.mode), all, true, event);
+            if (status != Status::success) return status;
+        }
+        return Status::success;
     }
 
     using Here = InMode<System>;

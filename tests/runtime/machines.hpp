@@ -45,7 +45,54 @@ struct Ball {
     static constexpr Candidates<Mode, 1> after_accumulation(std::size_t, Mode) { return {{Mode::rest}, 1}; }
 };
 
-/// The same ball, of which nothing is said about where its bounces lead.
+/// Two balls that know nothing of each other. x = [height, height, speed, speed].
+struct TwoBalls {
+    enum class Mode : unsigned { both_fly, second_flies, first_flies, both_rest };
+    using scalar_type = double;
+    using State = std::array<double, 4>;
+    using Input = std::array<double, 0>;
+    using Events = std::array<double, 2>;
+    static constexpr std::array<const char*, 4> mode_table() { return {"both fly", "second flies", "first flies", "both rest"}; }
+    static constexpr std::array<const char*, 2> event_table() { return {"first bounces", "second bounces"}; }
+    double g = 9.81;
+    std::array<double, 2> e{0.8, 0.8};
+
+    static constexpr unsigned bit(std::size_t ball) { return 1u << ball; }
+    static constexpr bool rests(Mode mode, std::size_t ball) { return (static_cast<unsigned>(mode) & bit(ball)) != 0; }
+    void rhs(Mode mode, const State& x, const Input&, double, State& dxdt) const {
+        for (std::size_t i = 0; i < 2; ++i) dxdt[i] = rests(mode, i) ? 0 : x[2 + i], dxdt[2 + i] = rests(mode, i) ? 0 : -g;
+    }
+    void guards(Mode, const State& x, const Input&, double, Events& at) const { at = {x[0], x[1]}; }
+    void guard_rates(Mode, const State& x, const Input&, double, Events& rates) const { rates = {x[2], x[3]}; }
+    static constexpr bool is_watched(Mode mode, std::size_t event) { return !rests(mode, event); }
+    void reset(std::size_t event, Mode, State& x, const Input&, double) const { x[event] = 0, x[2 + event] *= -e[event]; }
+    static constexpr Candidates<Mode, 1> next_modes(std::size_t, Mode mode) { return {{mode}, 1}; }
+    void settle(std::size_t event, Mode, State& x, const Input&, double) const { x[event] = x[2 + event] = 0; }
+    static constexpr Candidates<Mode, 1> after_accumulation(std::size_t event, Mode mode) { return {{static_cast<Mode>(static_cast<unsigned>(mode) | bit(event))}, 1}; }
+};
+
+/// A point in a round room; x = [position; velocity]. Where it bounces, its place is only as near to the wall as roundings allow.
+struct Round {
+    enum class Mode : unsigned { free };
+    using scalar_type = double;
+    using State = std::array<double, 4>;
+    using Input = std::array<double, 0>;
+    using Events = std::array<double, 1>;
+    static constexpr std::array<const char*, 1> mode_table() { return {"free"}; }
+    static constexpr std::array<const char*, 1> event_table() { return {"wall"}; }
+
+    void rhs(Mode, const State& x, const Input&, double, State& dxdt) const { dxdt = {x[2], x[3], 0, 0}; }
+    void guards(Mode, const State& x, const Input&, double, Events& g) const { g = {1 - std::hypot(x[0], x[1])}; }
+    void guard_rates(Mode, const State& x, const Input&, double, Events& r) const { r = {-(x[0] * x[2] + x[1] * x[3]) / std::hypot(x[0], x[1])}; }
+    static constexpr bool is_watched(Mode, std::size_t) { return true; }
+    void reset(std::size_t, Mode, State& x, const Input&, double) const {
+        const double outwards = 2 * (x[0] * x[2] + x[1] * x[3]) / (x[0] * x[0] + x[1] * x[1]);
+        x[2] -= outwards * x[0], x[3] -= outwards * x[1];
+    }
+    static constexpr Candidates<Mode, 1> next_modes(std::size_t, Mode) { return {{Mode::free}, 1}; }
+};
+
+/// A ball of which nothing is said about where its bounces lead.
 struct BallWithoutRest : Ball<double> {
     void settle(std::size_t, Mode, State&, const Input&, double) const {}
     static constexpr Candidates<Mode, 1> after_accumulation(std::size_t, Mode) { return {}; }

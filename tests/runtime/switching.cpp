@@ -179,6 +179,52 @@ TEST_CASE("the ball far from the origin of time, thrown at the table, at rest, a
     }
 }
 
+TEST_CASE("two balls, alike or not, each come to rest at their own time") {
+    std::vector<Entry> events;
+    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78}) {
+        for (const double second : {0.8, 0.9, 0.3, 1e-9}) {
+            for (const double first : {second, 0.8, 1e-9}) {
+                for (const double height : {1.0, 1.0000001, 2.0}) {
+                    CAPTURE(static_cast<int>(method));
+                    CAPTURE(first);
+                    CAPTURE(second);
+                    CAPTURE(height);
+                    TwoBalls balls;
+                    balls.e = {first, second};
+                    TwoBalls::State x{1, height, 0, 0};
+                    const auto outcome = run(balls, x, 20.0, with<TwoBalls>(method, 1e-9), events);
+                    CHECK(outcome.status == Status::success);
+                    CHECK(outcome.mode == TwoBalls::Mode::both_rest);
+                    CHECK(x == TwoBalls::State{0, 0, 0, 0});
+                    int rests = 0;
+                    for (const Entry& entry : events) {
+                        if (!entry.is_accumulation) continue;
+                        const double e = balls.e[entry.event];
+                        CHECK(is_near(entry.t, std::sqrt(2 * (entry.event == 0 ? 1 : height) / balls.g) * (1 + e) / (1 - e), 1e-10));
+                        ++rests;
+                    }
+                    CHECK(rests == 2);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("a wall on which no reset can put a point exactly") {
+    for (const Method method : explicit_methods) {
+        CAPTURE(static_cast<int>(method));
+        const Round room;
+        Round::State x{0.5, 0, 0.3, 1};
+        const double speed = std::hypot(x[2], x[3]), nearest = 0.5 / speed, chord = 2 * std::sqrt(1 - nearest * nearest);
+        std::vector<Entry> events;
+        const auto outcome = run(room, x, 1000.0, with<Round>(method, 1e-9), events);
+        CHECK(outcome.status == Status::success);
+        REQUIRE(events.size() > 500);
+        for (std::size_t i = 1; i < events.size(); ++i) CHECK(is_near(events[i].t, events[0].t + static_cast<double>(i) * chord / speed, 1e-11));
+        CHECK(std::hypot(x[2], x[3]) == doctest::Approx(speed).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("a block on a belt sticks and slips for a thousand cycles, each as the closed form has it") {
     // Slip about the force mu N with the amplitude of both D = (mu0 - mu) N/k and V/omega, from the speed V to the speed V; stick over 2 D.
     const Friction block;
@@ -452,6 +498,23 @@ struct Broken : Relay {
     void rhs(Mode, const State& x, const Input&, double, State& dxdt) const { dxdt = {1 + 0 * std::sqrt(0.5 - x[0])}; }
 };
 
+/// Falls below its bottom, where its rate has no number, and rests there, with a guard that stays at zero; up to a time at which nothing has.
+struct Root {
+    enum class Mode : unsigned { falls, rests };
+    using scalar_type = double;
+    using State = std::array<double, 1>;
+    using Input = std::array<double, 0>;
+    using Events = std::array<double, 1>;
+    static constexpr std::array<const char*, 2> mode_table() { return {"falls", "rests"}; }
+    static constexpr std::array<const char*, 1> event_table() { return {"bottom"}; }
+    void rhs(Mode mode, const State& x, const Input&, double t, State& dxdt) const { dxdt = {mode == Mode::falls ? -1 - std::sqrt(x[0]) : 0 * std::sqrt(2 - t)}; }
+    void guards(Mode, const State& x, const Input&, double, Events& g) const { g = {x[0]}; }
+    void guard_rates(Mode mode, const State&, const Input&, double, Events& r) const { r = {mode == Mode::falls ? -1.0 : 0.0}; }
+    static constexpr bool is_watched(Mode, std::size_t) { return true; }
+    void reset(std::size_t, Mode, State& x, const Input&, double) const { x[0] = 0; }
+    static constexpr Candidates<Mode, 1> next_modes(std::size_t, Mode) { return {{Mode::rests}, 1}; }
+};
+
 /// |sin t| summed up, and a reset after each second.
 struct Kinky {
     enum class Mode : unsigned { only };
@@ -586,6 +649,26 @@ TEST_CASE("kinks are passed within a mode") {
         CHECK(outcome.events == 13);
         CHECK(x[0] == doctest::Approx(0.5));
         CHECK(x[1] == doctest::Approx(7 + std::cos(10.5)).epsilon(1e-8));
+    }
+}
+
+TEST_CASE("the rate has no number behind the guard") {
+    const Root root;
+    for (const Method method : explicit_methods) {
+        CAPTURE(static_cast<int>(method));
+        Root::State x{1};
+        std::vector<Entry> events;
+        CHECK(run(root, x, 1.5, with<Root>(method, 1e-12, 0.001), events).status == Status::success);
+        REQUIRE(events.size() == 1);
+        CHECK(events[0].t == doctest::Approx(2 * (1 - std::log(2.0))).epsilon(method == Method::rk4 ? 1e-5 : 1e-8));
+        CHECK(x[0] == 0);
+        x = {1};
+        const auto outcome = run(root, x, 5.0, with<Root>(method, 1e-9), events);
+        CHECK(outcome.status == Status::not_finite);
+        CHECK(outcome.state == 0);
+        CHECK(outcome.mode == Root::Mode::rests);
+        CHECK(outcome.t == doctest::Approx(2).epsilon(0.01));
+        CHECK(events.size() == 1);
     }
 }
 
