@@ -23,10 +23,12 @@
 // note [acceptance]: A mode accepts a state when each guard that is watched in it is positive, or is zero and rises, or is zero with a
 // rate that is exactly zero, as at rest. Zero is exact: resets put guards there. A positive guard that falls so fast that it is gone
 // within an instant (1024 roundings of the time) is not accepted either. Such a guard, or one that is zero and falls, is an event that
-// happens at once: where no candidate accepts the state, the first one is taken in which nothing is worse than that, and of these events
-// the first in order of declaration is passed there, and so on. So events of independent parts of a machine may fall together, and an
-// impact may cause another. Modes that only lead to each other that way, as where sliding friction is larger than what holds, are an
-// event storm.
+// happens at once. Where no candidate accepts the state,
+//  1. the event is passed an instant later, behind the zero: there an input has jumped, or a rate is no longer zero, as of a body that
+//     leaves the belt with the same friction that held it;
+//  2. else the first candidate is taken in which nothing is worse than events that happen at once, and of these the first in order of
+//     declaration is passed there, and so on: events of independent parts of a machine may fall together, and an impact may cause another.
+//     Modes that only lead to each other that way, as where sliding friction is larger than what holds, are an event storm.
 #pragma once
 
 #include <string>
@@ -70,13 +72,17 @@ struct SwitchingOutcome : Outcome {
 /// `inputs` is called as inputs(x, t). Calls observe(t, x, mode) at the output points, once each: where an event lies on one, with what was
 /// before it; and where an event ends the run. Calls on_change(change) for each event: there both sides are to be seen.
 ///
-/// Events are located as in integrate(). Sums of steps, and the limits max_steps and max_events, are those of the whole run. Besides the
-/// statuses of integrate() there are no_start_mode, no_mode (x and mode are those before the event), accumulation, and event_storm where
-/// events follow each other without progress in time; `last` and `before_last` are the two that alternate.
+/// Events are located as in integrate(), between two looks at the guards. Where nothing moves, as in a body that sticks, steps are long: with
+/// inputs that swing, options.max_step should be shorter than what may happen between. Sums of steps, and the limits max_steps and
+/// max_events, are those of the whole run. Besides the statuses of integrate() there are no_start_mode, no_mode (x and mode are those before
+/// the event), accumulation, and event_storm where events follow each other without progress in time; `last` and `before_last` are the two
+/// that alternate.
 ///
 /// Events accumulate where three or more of their intervals shrink by a steady ratio, and the sum of all to come is less than the root of a
 /// rounding (1.5e-8) of the sequence so far, or where they cannot be told apart any more. The motion is then followed without that event to
 /// the sum, a rounding or two behind the guard; `settle` makes up for that.
+///
+/// What has the rate zero stays exactly as it is; with Method::rodas5p but for rounding, where steps are long.
 ///
 /// Time does not run backwards: to < from are bad options, as in integrate().
 template <class System, class Inputs, class Observer, class OnChange>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The way of a run through its modes: integration up to an event, the reset, the choice of the next mode.
+// The way of a run through its modes: what happens at an event, and at the end of a sequence of them.
 #pragma once
 
 #include <array>
@@ -7,27 +7,23 @@
 #include <type_traits>
 
 #include "dalembert/accumulation.hpp"
-#include "dalembert/integrate.hpp"
-#include "dalembert/modes.hpp"
+#include "dalembert/mode_run.hpp"
 
 namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
 template <class System, class Inputs, class Observer, class OnChange, class Result, class Change>
-class SwitchingRun {
-    using Scalar = typename System::scalar_type;
-    using State = typename System::State;
-    using Input = typename System::Input;
-    using Mode = typename System::Mode;
-    static constexpr std::size_t events = std::tuple_size<typename System::Events>::value;
+class SwitchingRun : ModeRun<System, Inputs, Observer, Result> {
+    using Run = ModeRun<System, Inputs, Observer, Result>;
+    using typename Run::Scalar, typename Run::State, typename Run::Input, typename Run::Mode;
+    using Run::events, Run::none, Run::system_, Run::inputs_, Run::x_, Run::t_, Run::to_, Run::options_, Run::control_, Run::here_, Run::observed_, Run::is_trial_, Run::result_;
+    using Run::is_finite, Run::choose, Run::integrate_to, Run::observe, Run::observe_output;
     static constexpr std::size_t mode_count = std::tuple_size<std::decay_t<decltype(System::mode_table())>>::value;
-    static constexpr std::size_t none = Outcome::none;
 
 public:
-    SwitchingRun(const System& system, const Inputs& inputs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observe, OnChange& on_change)
-        : system_(system), inputs_(inputs), x_(x), t_(from), to_(to), options_(options), control_(options, from, to), outputs_{from, to, options.intervals}, observe_(observe),
-          on_change_(on_change), here_(system, Mode{}), derivatives_(here_, inputs, options_.scale) {}
+    SwitchingRun(const System& system, const Inputs& inputs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observer, OnChange& on_change)
+        : Run(system, inputs, x, from, to, options, observer), on_change_(on_change) {}
 
     Result go(bool is_given, Mode given) {
         if (!control_.are_options_good()) return end(Status::bad_options);
@@ -53,77 +49,12 @@ private:
         return result_;
     }
 
-    bool is_finite() {
-        result_.state = first_not_finite(x_);
-        return result_.state == x_.size();
-    }
-
     /// The first mode that accepts the start, or else the first one in which an event happens there and then.
     bool start(bool is_given, Mode given, std::size_t& event) {
-        if (is_given) return choose(std::array<Mode, 1>{given}, t_, event);
+        if (is_given) return choose(std::array<Mode, 1>{given}, event);
         std::array<Mode, mode_count> all{};
         for (std::size_t i = 0; i < mode_count; ++i) all[i] = static_cast<Mode>(i);
-        return choose(all, t_, event);
-    }
-
-    /// Takes the first of the modes that accepts the state, or else the first one in which an event happens at once.
-    template <class Modes>
-    bool choose(const Modes& modes, Scalar t, std::size_t& event) {
-        const Input u = inputs_(x_, t);
-        bool is_found = false;
-        for (const Mode mode : modes) {
-            const Acceptance answer = acceptance(system_, mode, x_, u, t, control_.tiny(t));
-            if (!answer.is_possible || (is_found && answer.event != none)) continue;
-            here_.mode = mode;
-            event = answer.event;
-            is_found = true;
-            if (event == none) break;
-        }
-        return is_found;
-    }
-
-    /// In the present mode up to `to`, or to an event.
-    Status integrate_to(State& x, Scalar to, std::size_t& event) {
-        const auto rhs = [this](const State& at, Scalar t, State& dxdt) { here_.rhs(at, inputs_(at, t), t, dxdt); };
-        const auto guards = [this](const State& at, Scalar t, typename Here::Guards& g) { here_.guards(at, inputs_(at, t), t, g); };
-        const auto observe = [this](Scalar t, const State& at) { observe_output(t, at); };
-        std::array<bool, std::tuple_size<typename Here::Guards>::value> ends{};
-        for (std::size_t e = 0; e < events; ++e) ends[e] = true;
-        // The limits are those of the whole.
-        IntegrationOptions<State> options = options_;
-        options.max_steps -= result_.steps + result_.rejected;
-        options.max_events -= result_.events;
-        for (options.intervals = next_; outputs_.time(options.intervals) < to;) ++options.intervals;
-        Integration<State, decltype(rhs), decltype(observe), decltype(guards), ends.size()> run(rhs, x, t_, to, options, observe, guards, ends);
-        run.be_part(outputs_, next_);
-        const Outcome part = integrate_by_method(run);
-        if (is_trial_) return part.status;
-        t_ = run.time();
-        result_.steps += part.steps;
-        result_.rejected += part.rejected;
-        result_.rhs_calls += part.rhs_calls;
-        result_.events += part.events;
-        result_.state = part.state;
-        result_.guard = event = part.guard;
-        return part.status;
-    }
-
-    template <class Run>
-    Outcome integrate_by_method(Run& run) {
-        if constexpr (has_derivatives<System>)
-            if (options_.method == Method::rodas5p) return run_rodas5p(run, derivatives_);
-        return run_explicit(run, options_.method);
-    }
-
-    /// Integrations observe their ends too; of these only output points are passed on.
-    void observe_output(Scalar t, const State& x) {
-        if (is_trial_ || next_ > outputs_.intervals || t != outputs_.time(next_)) return;
-        ++next_;
-        observe(t, x);
-    }
-    void observe(Scalar t, const State& x) {
-        observed_ = t;
-        observe_(t, x, here_.mode);
+        return choose(all, event);
     }
 
     /// The event happens now. Leaves the next one there, if that happens at once.
@@ -147,7 +78,7 @@ private:
 
     /// Notes what happens. False if that is too much.
     bool count(std::size_t event) {
-        stalled_ = result_.last.event != none && !(t_ - last_time_ > control_.smallest(t_)) ? stalled_ + 1 : 0;
+        stalled_ = result_.last.event != none && !(t_ - last_time_ > Scalar(2) * control_.tiny(t_)) ? stalled_ + 1 : 0;
         last_time_ = t_;
         result_.guard = event;
         result_.before_last = result_.last;
@@ -169,7 +100,7 @@ private:
         const State before = x_;
         const Mode from = here_.mode;
         reset(x_, inputs_(x_, t_));
-        bool is_found = is_finite() && choose(candidates, t_, next);
+        bool is_found = is_finite() && choose(candidates, next);
         if (result_.state == x_.size() && (!is_found || next != none)) is_found = change_behind(before, from, candidates, reset, next) || is_found;
         if (!is_found) {
             x_ = before;
@@ -193,7 +124,7 @@ private:
         t_ += control_.tiny(t);
         for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = before[i] + (t_ - t) * dxdt[i];
         reset(x_, inputs_(x_, t_));
-        if (t_ > t && t_ <= to_ && is_finite() && choose(candidates, t_, next) && next == none) {
+        if (t_ > t && t_ <= to_ && is_finite() && choose(candidates, next) && next == none) {
             event = none;
             return true;
         }
@@ -213,7 +144,8 @@ private:
         const Scalar end = times.end() < to_ ? times.end() : to_;
         std::array<bool, events> is_over{};
         for (std::size_t e = 0; e < events; ++e)
-            is_over[e] = e == happened || (System::is_watched(here_.mode, e) && accumulations_[e].is_certain() && abs(accumulations_[e].end() - end) <= control_.tiny(t_) && goes_on_after(e));
+            is_over[e] = e == happened || (System::is_watched(here_.mode, e) && goes_on_after(e) && accumulations_[e].is_certain() &&
+                                           abs(accumulations_[e].end() - end) <= control_.tiny(t_));
         if constexpr (says_what_follows_accumulation<System>) {
             if (goes_on_after(happened)) return end > t_ && !coast(is_over, end) ? Status::success : settle(is_over, event);
         }
@@ -244,52 +176,25 @@ private:
     }
 
     Status settle(const std::array<bool, events>& is_over, std::size_t& event) {
-        bool is_settled = false;
+        bool is_first = true;
         const auto all = [&](State& x, const Input& u) {
-            for (std::size_t e = 0; e < events && !is_settled; ++e)
+            for (std::size_t e = 0; e < events && is_first; ++e)
                 if (is_over[e]) system_.settle(e, here_.mode, x, u, t_);
-            is_settled = true;
         };
         for (std::size_t e = 0; e < events; ++e) {
             if (!is_over[e]) continue;
             accumulations_[e].forget();
             const Status status = change(e, System::after_accumulation(e, here_.mode), all, true, event);
             if (status != Status::success) return status;
+            is_first = false;
         }
         return Status::success;
     }
 
-    using Here = InMode<System>;
-    struct NoDerivatives {
-        NoDerivatives(const Here&, const Inputs&, const State&) {}
-    };
-    template <class S, bool>
-    struct DerivativesOf {
-        using type = NoDerivatives;
-    };
-    template <class S>
-    struct DerivativesOf<S, true> {
-        using type = SystemDerivatives<S, Inputs>;
-    };
-
-    const System& system_;
-    const Inputs& inputs_;
-    State& x_;
-    Scalar t_, to_;
-    const IntegrationOptions<State>& options_;
-    StepControl<State> control_;
-    OutputPoints<Scalar> outputs_;
-    std::size_t next_ = 0;  ///< output point
-    Observer& observe_;
     OnChange& on_change_;
-    Here here_;
-    typename DerivativesOf<Here, has_derivatives<System>>::type derivatives_;
-    Result result_;
     std::array<Accumulation<Scalar>, events> accumulations_{};
     Scalar last_time_ = Scalar(0);
-    Scalar observed_ = Scalar(0);
     std::size_t stalled_ = 0;  ///< events in a row without progress in time
-    bool is_trial_ = false;    ///< nobody looks
 };
 
 }  // namespace detail

@@ -235,12 +235,10 @@ TEST_CASE("a block on a belt sticks and slips for a thousand cycles, each as the
         // From the middle of sticking.
         Friction::State x{block.mu * block.N / block.k, block.V, 0};
         std::vector<Entry> events;
-        std::vector<std::size_t> steps;
         auto options = with<Friction>(method, 1e-12, 1e-3);
         options.intervals = 777;
         const int cycles = method == Method::dopri5 ? 1000 : 20;
         double loss = -1e9, last = -1;
-        Friction::State before{};
         const auto outcome = run(block, x, cycles * period, options, events, [&](double t, const Friction::State& at, Friction::Mode mode) {
             CHECK(t > last);
             last = t;
@@ -249,7 +247,6 @@ TEST_CASE("a block on a belt sticks and slips for a thousand cycles, each as the
             const double dissipated = at[2] - block.energy(at);
             CHECK(dissipated >= loss - 1e-9);
             loss = dissipated;
-            before = at;
         });
         CHECK(outcome.status == Status::success);
         REQUIRE(events.size() == static_cast<std::size_t>(2 * cycles));
@@ -265,6 +262,27 @@ TEST_CASE("a block on a belt sticks and slips for a thousand cycles, each as the
         CHECK(worst < 1e-9);
         CHECK(x[1] == block.V);
         CHECK(x[0] == doctest::Approx(block.mu * block.N / block.k).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("friction that is the same at rest: the block leaves the belt with a rate that is zero") {
+    // It swings about the force mu N with the speed of the belt, and touches that speed once in a period.
+    Friction block;
+    block.mu0 = block.mu;
+    const double omega = std::sqrt(block.k / block.m), middle = block.mu * block.N / block.k, leaves = middle / block.V;
+    for (const Method method : {Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::fehlberg78, Method::rodas5p}) {
+        CAPTURE(static_cast<int>(method));
+        Friction::State x{0, block.V, 0};
+        std::vector<Entry> events;
+        auto options = with<Friction>(method, 1e-12, 1e-3);
+        options.intervals = 300;
+        const auto outcome = run(block, x, 10.0, options, events, [&](double t, const Friction::State& at, auto) {
+            CHECK(std::abs(at[0] - (t < leaves ? block.V * t : middle + block.V / omega * std::sin(omega * (t - leaves)))) < 1e-7);
+        });
+        CHECK(outcome.status == Status::success);
+        REQUIRE(!events.empty());
+        CHECK(is_near(events[0].t, leaves, 1e-11));
+        CHECK(events.size() < 100);
     }
 }
 
