@@ -8,7 +8,7 @@
 //     static mode_table(), event_table()      arrays of their names, const char*
 //     rhs(mode, x, u, t, dxdt)                dx/dt in a mode
 //     guards(mode, x, u, t, g)                event e happens where g[e] falls through zero
-//     guard_rates(mode, x, u, t, r)           dg/dt in 1/s along the motion in that mode, with inputs held
+//     guard_rates(mode, x, u, t, r)           dg/dt, per second, along the motion in that mode, with inputs held
 //     static is_watched(mode, event)          whether an event can happen in a mode; what its guard is does not matter elsewhere
 //     reset(event, mode, x, u, t)             changes x where the event happens in a mode; sets to zero exactly what is meant to be zero
 //     static next_modes(event, mode)          modes in order of preference, with begin() and end(); none: the run ends there, without reset
