@@ -52,6 +52,15 @@ public:
         return first(g, [](const Scalar& value) { return !(value == value); });
     }
 
+    /// The right-hand side goes on smoothly behind guards that end the run, or has no number there: of these guards only the ends of steps
+    /// matter, not the stages, where rounding can take one that begins at zero to the other side.
+    void spare_stages() {
+        spares_stages_ = true;
+        for (const bool is_end : ends_) has_kinks_ = has_kinks_ || !is_end;
+    }
+
+    bool spares_stages() const { return spares_stages_; }
+
     /// The sides at the start. The first guard that ends the run there and then, or none.
     std::size_t start(const State& x, Scalar t) {
         const Values g = raw(x, t);
@@ -132,7 +141,7 @@ public:
         if (!is_watching_) return;
         const Values seen = values(x, t);
         for (std::size_t i = 0; i < G; ++i)
-            if (seen[i] < lowest_[i]) lowest_[i] = seen[i];
+            if (seen[i] < lowest_[i] && (sees_ends_ || !ends_[i])) lowest_[i] = seen[i];
     }
 
     /// Whether the step that was made last ends before its time, and the shortest one that was tried behind its end.
@@ -198,7 +207,7 @@ public:
     std::size_t vanishing_guard(const State& x, Scalar t) const {
         const Values g = raw(x, t);
         for (std::size_t i = 0; i < G; ++i)
-            if (ends_[i] && !(g[i] > watches_[i].largest / Scalar(1000000))) return i;
+            if (ends_[i] && !(g[i] > watches_[i].largest / Scalar(1000000)) && !(spares_stages_ && watches_[i].largest == Scalar(0))) return i;
         return none;
     }
 
@@ -311,14 +320,22 @@ private:
         return bracket.middle();
     }
 
+    /// Makes the step c, and notes the least values of its stages.
+    template <class Take>
+    void watch(Try& c, bool with_ends, Take& take) {
+        lowest_.fill(std::numeric_limits<Scalar>::infinity());
+        sees_ends_ = with_ends;
+        is_watching_ = with_ends || has_kinks_;
+        take(c);
+        is_watching_ = false;
+    }
+
     /// Makes the step c; see note [clean steps]. `lowest` are the least values of its stages and its end; where clean steps
     /// do not lead on, those of its end alone, unless there are no numbers on the other side.
     template <class Take>
     bool is_clean(Try& c, Scalar tiny, Values& lowest, Take& take) {
-        lowest_.fill(std::numeric_limits<Scalar>::infinity());
-        is_watching_ = true;
-        take(c);
-        is_watching_ = false;
+        watch(c, !spares_stages_, take);
+        if (spares_stages_ && !c.finite) watch(c, true, take);
         const Values at_end = values(c.y, c.end);
         for (std::size_t i = 0; i < G; ++i)
             if (at_end[i] < lowest_[i]) lowest_[i] = at_end[i];
@@ -372,6 +389,7 @@ private:
     std::array<bool, G> is_strict_{};  ///< kinks that the step does not start on, and must not end on
     bool may_touch_ = false;           ///< it may
     bool is_watching_ = false;
+    bool spares_stages_ = false, has_kinks_ = false, sees_ends_ = true;
     Values lowest_{};
     Try behind_;
     Values found_{};

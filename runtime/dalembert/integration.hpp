@@ -34,6 +34,17 @@ public:
     };
     RightHandSide right_hand_side() { return {this}; }
 
+    /// The run is a part of a longer one, up to a guard behind which the right-hand side would go on smoothly. Of the output points of the
+    /// whole those from number `next` on are observed, besides both ends of the part.
+    void be_part(const OutputPoints<Scalar>& outputs, std::size_t next) {
+        control_.set_outputs(outputs);
+        next_ = next;
+        if constexpr (G > 0) events_.spare_stages();
+    }
+
+    /// Where the run is, in s; Outcome has no more digits than a double.
+    Scalar time() const { return t_; }
+
     /// For a method that cannot be used.
     Outcome refuse() { return end(Status::bad_options); }
 
@@ -61,7 +72,7 @@ public:
 private:
     Outcome fixed_steps() {
         using std::ceil;
-        for (std::size_t i = 1; i <= options_.intervals; ++i) {
+        for (std::size_t i = next_; i <= options_.intervals; ++i) {
             const Scalar target = control_.output_time(i);
             while (t_ < target) {
                 const Scalar begin = t_;
@@ -89,7 +100,7 @@ private:
     /// With dense output steps need not end on output points.
     Outcome controlled_steps(bool dense) {
         Scalar h = control_.first(x_, dxdt_, stepper_->order());
-        std::size_t next = 1;
+        std::size_t next = next_;
         while (next <= options_.intervals) {
             Try c;
             Status status = acceptable_step(h, dense ? to_ : control_.output_time(next), c);
@@ -141,6 +152,8 @@ private:
     void observe_up_to_now(std::size_t& next) {
         for (; next <= options_.intervals && control_.output_time(next) <= t_; ++next) observe(control_.output_time(next));
     }
+
+    std::size_t next_ = 1;  ///< the first output point behind the start
 };
 
 }  // namespace detail

@@ -111,9 +111,12 @@ protected:
     }
     /// A guard that ends the run is behind the step that was cut. On the zero itself the right-hand side may have no value.
     bool is_at_end() const {
-        if constexpr (G > 0) return events_.is_cut() && events_.ending_guard() != G;
+        if constexpr (G > 0) return events_.is_cut() && is_sure_of_end();
         else return false;
     }
+
+    /// Where the right-hand side is smooth across guards, it is not they that cut a step short that runs into an input that jumps.
+    bool is_sure_of_end() const { return events_.ending_guard() != G && !events_.spares_stages(); }
 
     bool keeps_rest(const Try& c) const {
         if constexpr (G > 0) return events_.keeps_rest(c.y, c.end);
@@ -154,7 +157,7 @@ protected:
             if (!is_cut()) return Status::success;
             Scalar t = t_;
             State x = x_;
-            if (events_.ending_guard() == G && !find_other_side(t, x)) {
+            if (!is_sure_of_end() && !find_other_side(t, x)) {
                 events_.retract();
                 return Status::success;
             }

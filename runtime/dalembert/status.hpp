@@ -16,8 +16,11 @@ enum class Status {
     too_many_steps,
     not_converged,   ///< an iteration found no solution
     bad_options,
-    event,        ///< a guard that ends the run is about to become negative
-    event_storm,  ///< too many events, or one after the other without any progress in time
+    event,          ///< a guard that ends the run is about to become negative
+    event_storm,    ///< too many events, or one after the other without any progress in time
+    no_start_mode,  ///< no mode accepts the start values, or not the one that was asked for
+    no_mode,        ///< an event after which no mode can go on
+    accumulation,   ///< an event that happens again and again at ever shorter intervals, and nothing is said of what comes after
 };
 
 inline const char* to_string(Status status) noexcept {
@@ -30,6 +33,9 @@ inline const char* to_string(Status status) noexcept {
         case Status::bad_options: return "bad options";
         case Status::event: return "event";
         case Status::event_storm: return "event storm";
+        case Status::no_start_mode: return "no start mode";
+        case Status::no_mode: return "no mode";
+        case Status::accumulation: return "accumulation";
     }
     return "unknown";
 }

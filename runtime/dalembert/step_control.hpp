@@ -13,12 +13,23 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
+/// Output points divide a run into equal parts.
+template <class Scalar>
+struct OutputPoints {
+    Scalar from, to;  ///< s
+    std::size_t intervals;
+
+    Scalar time(std::size_t i) const {
+        return i == intervals ? to : from + (to - from) * (Scalar(static_cast<double>(i)) / Scalar(static_cast<double>(intervals)));
+    }
+};
+
 template <class State>
 class StepControl {
     using Scalar = typename State::value_type;
 
 public:
-    StepControl(const IntegrationOptions<State>& options, Scalar from, Scalar to) : options_(options), from_(from), to_(to) {}
+    StepControl(const IntegrationOptions<State>& options, Scalar from, Scalar to) : options_(options), from_(from), to_(to), outputs_{from, to, options.intervals} {}
 
     bool are_options_good() const {
         using std::isfinite;
@@ -27,9 +38,9 @@ public:
                (options_.method != Method::rk4 || options_.step > Scalar(0));
     }
 
-    Scalar output_time(std::size_t i) const {
-        return i == options_.intervals ? to_ : from_ + (to_ - from_) * (Scalar(static_cast<double>(i)) / Scalar(static_cast<double>(options_.intervals)));
-    }
+    /// The last one is the end of the run, also where it is a part of a longer one that has `outputs`.
+    Scalar output_time(std::size_t i) const { return i == options_.intervals ? to_ : outputs_.time(i); }
+    void set_outputs(const OutputPoints<Scalar>& outputs) { outputs_ = outputs; }
 
     /// A step that changes nothing any more at t.
     Scalar smallest(Scalar t) const {
@@ -105,6 +116,7 @@ private:
 
     const IntegrationOptions<State>& options_;
     Scalar from_, to_;
+    OutputPoints<Scalar> outputs_;
     Scalar last_error_ = Scalar(1);
 };
 

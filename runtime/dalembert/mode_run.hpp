@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSL-1.0
+// A run of a system with modes within one of them: which one, the integration up to an event, and what is observed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/integrate.hpp"
+#include "dalembert/modes.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+template <class System, class Inputs, class Observer, class Result>
+class ModeRun {
+public:
+    using Scalar = typename System::scalar_type;
+    using State = typename System::State;
+    using Input = typename System::Input;
+    using Mode = typename System::Mode;
+    static constexpr std::size_t events = std::tuple_size<typename System::Events>::value;
+    static constexpr std::size_t none = Outcome::none;
+
+    ModeRun(const System& system, const Inputs& inputs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observer)
+        : system_(system), inputs_(inputs), x_(x), t_(from), to_(to), options_(options), control_(options, from, to), outputs_{from, to, options.intervals}, observe_(observer),
+          here_(system, Mode{}), derivatives_(here_, inputs, options_.scale) {}
+
+protected:
+    bool is_finite() {
+        result_.state = first_not_finite(x_);
+        return result_.state == x_.size();
+    }
+
+    /// Takes the first of the modes that accepts the state, or else the first one in which an event happens at once.
+    template <class Modes>
+    bool choose(const Modes& modes, std::size_t& event) {
+        const Input u = inputs_(x_, t_);
+        bool is_found = false;
+        for (const Mode mode : modes) {
+            const Acceptance answer = acceptance(system_, mode, x_, u, t_, control_.tiny(t_));
+            if (!answer.is_possible || (is_found && answer.event != none)) continue;
+            here_.mode = mode;
+            event = answer.event;
+            is_found = true;
+            if (event == none) break;
+        }
+        return is_found;
+    }
+
+    /// In the present mode up to `to`, or to an event.
+    Status integrate_to(State& x, Scalar to, std::size_t& event) {
+        const auto rhs = [this](const State& at, Scalar t, State& dxdt) { here_.rhs(at, inputs_(at, t), t, dxdt); };
+        const auto guards = [this](const State& at, Scalar t, typename Here::Guards& g) { here_.guards(at, inputs_(at, t), t, g); };
+        const auto observe = [this](Scalar t, const State& at) { observe_output(t, at); };
+        std::array<bool, std::tuple_size<typename Here::Guards>::value> ends{};
+        for (std::size_t e = 0; e < events; ++e) ends[e] = true;
+        // The limits are those of the whole.
+        IntegrationOptions<State> options = options_;
+        options.max_steps -= result_.steps + result_.rejected;
+        options.max_events -= result_.events;
+        if (to < to_)
+            for (options.intervals = next_; outputs_.time(options.intervals) < to;) ++options.intervals;
+        Integration<State, decltype(rhs), decltype(observe), decltype(guards), ends.size()> run(rhs, x, t_, to, options, observe, guards, ends);
+        run.be_part(outputs_, next_);
+        const Outcome part = integrate_by_method(run);
+        if (is_trial_) return part.status;
+        t_ = run.time();
+        result_.steps += part.steps;
+        result_.rejected += part.rejected;
+        result_.rhs_calls += part.rhs_calls;
+        result_.events += part.events;
+        result_.state = part.state;
+        result_.guard = event = part.guard;
+        return part.status;
+    }
+
+    template <class Run>
+    Outcome integrate_by_method(Run& run) {
+        if constexpr (has_derivatives<System>)
+            if (options_.method == Method::rodas5p) return run_rodas5p(run, derivatives_);
+        return run_explicit(run, options_.method);
+    }
+
+    /// Integrations observe their ends too; of these only output points are passed on.
+    void observe_output(Scalar t, const State& x) {
+        if (is_trial_ || next_ > outputs_.intervals || t != outputs_.time(next_)) return;
+        ++next_;
+        observe(t, x);
+    }
+    void observe(Scalar t, const State& x) {
+        observed_ = t;
+        observe_(t, x, here_.mode);
+    }
+
+    using Here = InMode<System>;
+    struct NoDerivatives {
+        NoDerivatives(const Here&, const Inputs&, const State&) {}
+    };
+    template <class S, bool>
+    struct DerivativesOf {
+        using type = NoDerivatives;
+    };
+    template <class S>
+    struct DerivativesOf<S, true> {
+        using type = SystemDerivatives<S, Inputs>;
+    };
+
+    const System& system_;
+    const Inputs& inputs_;
+    State& x_;
+    Scalar t_, to_;
+    const IntegrationOptions<State>& options_;
+    StepControl<State> control_;
+    OutputPoints<Scalar> outputs_;
+    std::size_t next_ = 0;  ///< output point
+    Observer& observe_;
+    Here here_;
+    typename DerivativesOf<Here, has_derivatives<System>>::type derivatives_;
+    Result result_;
+    Scalar observed_ = Scalar(0);  ///< s, when it was last
+    bool is_trial_ = false;        ///< nobody looks, and nothing counts
+};
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert

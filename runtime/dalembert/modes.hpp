@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSL-1.0
+// A system with modes seen from one of them: what it is there, and whether it can be there.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+
+#include "dalembert/status.hpp"
+#include "dalembert/system_derivatives.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+// What a system may do without; see switching.hpp.
+template <class System, class = void>
+inline constexpr std::size_t kink_count = 0;
+template <class System>
+inline constexpr std::size_t kink_count<System, std::void_t<typename System::Kinks>> = std::tuple_size<typename System::Kinks>::value;
+
+template <class System, class = void>
+inline constexpr bool has_conditions = false;
+template <class System>
+inline constexpr bool has_conditions<System, std::void_t<decltype(&System::holds)>> = true;
+
+template <class System, class = void>
+inline constexpr bool says_what_follows_accumulation = false;
+template <class System>
+inline constexpr bool says_what_follows_accumulation<System, std::void_t<decltype(&System::after_accumulation)>> = true;
+
+template <class System, bool>
+struct DerivativeTypes {};
+template <class System>
+struct DerivativeTypes<System, true> {
+    using PatternX = typename System::PatternX;
+    using PatternU = typename System::PatternU;
+    using JacobianX = typename System::JacobianX;
+    using JacobianU = typename System::JacobianU;
+};
+
+/// A system with modes as one without: what it is in its present mode. Its guards are the events, and behind them the kinks.
+template <class System>
+class InMode : public DerivativeTypes<System, has_derivatives<System>> {
+public:
+    using scalar_type = typename System::scalar_type;
+    using State = typename System::State;
+    using Input = typename System::Input;
+    using Mode = typename System::Mode;
+    static constexpr std::size_t events = std::tuple_size<typename System::Events>::value;
+    static constexpr std::size_t kinks = kink_count<System>;
+    using Guards = std::array<scalar_type, events + kinks>;
+
+    InMode(const System& system, Mode start) : mode(start), system_(system) {}
+
+    Mode mode;
+    std::array<bool, events> is_ignored{};  ///< events that are not looked at
+
+    void rhs(const State& x, const Input& u, scalar_type t, State& dxdt) const { system_.rhs(mode, x, u, t, dxdt); }
+    template <class Jacobian>
+    void jacobian_x(const State& x, const Input& u, scalar_type t, Jacobian& J) const {
+        system_.jacobian_x(mode, x, u, t, J);
+    }
+    template <class Jacobian>
+    void jacobian_u(const State& x, const Input& u, scalar_type t, Jacobian& J) const {
+        system_.jacobian_u(mode, x, u, t, J);
+    }
+    template <class Jacobian>
+    void jacobian_t(const State& x, const Input& u, scalar_type t, Jacobian& J) const {
+        system_.jacobian_t(mode, x, u, t, J);
+    }
+
+    void guards(const State& x, const Input& u, scalar_type t, Guards& g) const {
+        typename System::Events of_events{};
+        system_.guards(mode, x, u, t, of_events);
+        for (std::size_t e = 0; e < events; ++e) g[e] = !is_ignored[e] && System::is_watched(mode, e) ? of_events[e] : scalar_type(1);
+        if constexpr (kinks > 0) {
+            typename System::Kinks of_kinks{};
+            system_.kinks(mode, x, u, t, of_kinks);
+            for (std::size_t k = 0; k < kinks; ++k) g[events + k] = of_kinks[k];
+        }
+    }
+
+private:
+    const System& system_;
+};
+
+/// Whether a mode can take a state. It may be that an event happens there at once: then this is the first.
+struct Acceptance {
+    bool is_possible = false;
+    std::size_t event = Outcome::none;
+};
+
+/// In `mode` at (t, x). What falls through zero within `instant`, in s, happens at once.
+template <class System>
+Acceptance acceptance(const System& system, typename System::Mode mode, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t,
+                      typename System::scalar_type instant) {
+    using Scalar = typename System::scalar_type;
+    if constexpr (has_conditions<System>)
+        if (!system.holds(mode, x, u, t)) return {};
+    typename System::Events g{}, rates{};
+    system.guards(mode, x, u, t, g);
+    system.guard_rates(mode, x, u, t, rates);
+    Acceptance result{true, Outcome::none};
+    for (std::size_t e = 0; e < g.size(); ++e) {
+        if (!System::is_watched(mode, e)) continue;
+        if (!(g[e] >= Scalar(0))) return {};
+        const bool falls = g[e] == Scalar(0) ? !(rates[e] >= Scalar(0)) : g[e] + instant * rates[e] <= Scalar(0);
+        if (falls && result.event == Outcome::none) result.event = e;
+    }
+    return result;
+}
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert

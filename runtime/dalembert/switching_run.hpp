@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSL-1.0
+// The way of a run through its modes: what happens at an event, and at the end of a sequence of them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+#include "dalembert/accumulation.hpp"
+#include "dalembert/mode_run.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+template <class System, class Inputs, class Observer, class OnChange, class Result, class Change>
+class SwitchingRun : ModeRun<System, Inputs, Observer, Result> {
+    using Run = ModeRun<System, Inputs, Observer, Result>;
+    using typename Run::Scalar, typename Run::State, typename Run::Input, typename Run::Mode;
+    using Run::events, Run::none, Run::system_, Run::inputs_, Run::x_, Run::t_, Run::to_, Run::options_, Run::control_, Run::here_, Run::observed_, Run::is_trial_, Run::result_;
+    using Run::is_finite, Run::choose, Run::integrate_to, Run::observe, Run::observe_output;
+    static constexpr std::size_t mode_count = std::tuple_size<std::decay_t<decltype(System::mode_table())>>::value;
+
+public:
+    SwitchingRun(const System& system, const Inputs& inputs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observer, OnChange& on_change)
+        : Run(system, inputs, x, from, to, options, observer), on_change_(on_change) {}
+
+    Result go(bool is_given, Mode given) {
+        if (!control_.are_options_good()) return end(Status::bad_options);
+        if (!is_finite()) return end(Status::not_finite);
+        std::size_t event = none;
+        if (!start(is_given, given, event)) return end(Status::no_start_mode);
+        observe_output(t_, x_);
+        while (true) {
+            if (event == none) {
+                const Status status = integrate_to(x_, to_, event);
+                if (status != Status::event) return end(status);
+            }
+            const Status status = pass(event);
+            if (status != Status::success) return end(status);
+        }
+    }
+
+private:
+    Result end(Status status) {
+        result_.status = status;
+        result_.t = static_cast<double>(t_);
+        result_.mode = here_.mode;
+        return result_;
+    }
+
+    /// The first mode that accepts the start, or else the first one in which an event happens there and then.
+    bool start(bool is_given, Mode given, std::size_t& event) {
+        if (is_given) return choose(std::array<Mode, 1>{given}, event);
+        std::array<Mode, mode_count> all{};
+        for (std::size_t i = 0; i < mode_count; ++i) all[i] = static_cast<Mode>(i);
+        return choose(all, event);
+    }
+
+    /// The event happens now. Leaves the next one there, if that happens at once.
+    Status pass(std::size_t& event) {
+        if (!count(event)) return Status::event_storm;
+        const auto candidates = System::next_modes(event, here_.mode);
+        if (candidates.begin() == candidates.end()) {
+            if (observed_ != t_) observe(t_, x_);
+            return Status::event;
+        }
+        const std::size_t happened = event;
+        if (is_too_soon(happened)) {
+            accumulations_[happened].stall();
+            event = none;
+            return pass_accumulation(happened, event);
+        }
+        const auto reset = [this, happened](State& x, const Input& u) { system_.reset(happened, here_.mode, x, u, t_); };
+        const Status status = change(happened, candidates, reset, false, event);
+        return status == Status::success && event == none ? pass_accumulation(happened, event) : status;
+    }
+
+    /// Notes what happens. False if that is too much.
+    bool count(std::size_t event) {
+        stalled_ = result_.last.event != none && !(t_ - last_time_ > Scalar(2) * control_.tiny(t_)) ? stalled_ + 1 : 0;
+        last_time_ = t_;
+        result_.guard = event;
+        result_.before_last = result_.last;
+        result_.last = {event, here_.mode};
+        accumulations_[event].add(t_, control_.tiny(t_), result_.before_last.event == event);
+        return result_.events++ < options_.max_events && stalled_ <= 100 + events;
+    }
+
+    /// The guard rises from zero, but is back there before the time has changed. A reset would take it the wrong way.
+    bool is_too_soon(std::size_t event) const {
+        if (!accumulations_[event].is_repeated(control_.smallest(t_))) return false;
+        typename System::Events rates{};
+        system_.guard_rates(here_.mode, x_, inputs_(x_, t_), t_, rates);
+        return rates[event] > Scalar(0);
+    }
+
+    template <class Modes, class Reset>
+    Status change(std::size_t event, const Modes& candidates, const Reset& reset, bool is_accumulation, std::size_t& next) {
+        const State before = x_;
+        const Mode from = here_.mode;
+        reset(x_, inputs_(x_, t_));
+        bool is_found = is_finite() && choose(candidates, next);
+        if (result_.state == x_.size() && (!is_found || next != none)) is_found = change_behind(before, from, candidates, reset, next) || is_found;
+        if (!is_found) {
+            x_ = before;
+            return result_.state < x_.size() ? Status::not_finite : Status::no_mode;
+        }
+        on_change_(Change{t_, event, from, here_.mode, is_accumulation, before, x_});
+        return Status::success;
+    }
+
+    /// The run is in front of the zero. Where an input jumps, or a guard leaves zero with a rate that is zero itself but grows, as with
+    /// friction that is the same at rest, a mode only accepts what is behind: the motion goes on for an instant before the reset.
+    template <class Modes, class Reset>
+    bool change_behind(const State& before, Mode from, const Modes& candidates, const Reset& reset, std::size_t& event) {
+        const Mode to = here_.mode;
+        const State after = x_;
+        const Scalar t = t_;
+        std::size_t next = none;
+        here_.mode = from;
+        State dxdt;
+        here_.rhs(before, inputs_(before, t), t, dxdt);
+        t_ += control_.tiny(t);
+        for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = before[i] + (t_ - t) * dxdt[i];
+        reset(x_, inputs_(x_, t_));
+        if (t_ > t && t_ <= to_ && is_finite() && choose(candidates, next) && next == none) {
+            event = none;
+            return true;
+        }
+        result_.state = x_.size();
+        here_.mode = to;
+        x_ = after;
+        t_ = t;
+        return false;
+    }
+
+    /// Where the event accumulates, the run goes on at the time at which its intervals vanish. What accumulates at the same time, as in
+    /// parts of a machine that are alike, goes with it.
+    Status pass_accumulation(std::size_t happened, std::size_t& event) {
+        using std::abs;
+        const Accumulation<Scalar>& times = accumulations_[happened];
+        if (!times.is_certain() || (times.end() > to_ && !times.is_stalled())) return Status::success;
+        const Scalar end = times.end() < to_ ? times.end() : to_;
+        std::array<bool, events> is_over{};
+        for (std::size_t e = 0; e < events; ++e)
+            is_over[e] = e == happened || (System::is_watched(here_.mode, e) && goes_on_after(e) && accumulations_[e].is_certain() &&
+                                           abs(accumulations_[e].end() - end) <= control_.tiny(t_));
+        if constexpr (says_what_follows_accumulation<System>) {
+            if (goes_on_after(happened)) return end > t_ && !coast(is_over, end) ? Status::success : settle(is_over, event);
+        }
+        result_.accumulates_at = static_cast<double>(end);
+        return Status::accumulation;
+    }
+
+    bool goes_on_after(std::size_t event) const {
+        if constexpr (says_what_follows_accumulation<System>) {
+            const auto candidates = System::after_accumulation(event, here_.mode);
+            return candidates.begin() != candidates.end();
+        } else {
+            return false;
+        }
+    }
+
+    /// To the end of accumulations, without a look at their events. False, and nothing has happened, if there is another one before.
+    bool coast(const std::array<bool, events>& is_over, Scalar end) {
+        here_.is_ignored = is_over;
+        State x = x_;
+        std::size_t other = none;
+        is_trial_ = true;
+        bool is_alone = integrate_to(x, end, other) == Status::success;
+        is_trial_ = false;
+        if (is_alone) is_alone = integrate_to(x_, end, other) == Status::success;
+        here_.is_ignored = {};
+        return is_alone;
+    }
+
+    Status settle(const std::array<bool, events>& is_over, std::size_t& event) {
+        bool is_first = true;
+        const auto all = [&](State& x, const Input& u) {
+            for (std::size_t e = 0; e < events && is_first; ++e)
+                if (is_over[e]) system_.settle(e, here_.mode, x, u, t_);
+        };
+        for (std::size_t e = 0; e < events; ++e) {
+            if (!is_over[e]) continue;
+            accumulations_[e].forget();
+            const Status status = change(e, System::after_accumulation(e, here_.mode), all, true, event);
+            if (status != Status::success) return status;
+            is_first = false;
+        }
+        return Status::success;
+    }
+
+    OnChange& on_change_;
+    std::array<Accumulation<Scalar>, events> accumulations_{};
+    Scalar last_time_ = Scalar(0);
+    std::size_t stalled_ = 0;  ///< events in a row without progress in time
+};
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert
