@@ -8,9 +8,9 @@
 // Scene steady: the same in a coarse network that stores nothing
 // Effects in: none
 // Effects out, and what each would do to the rates at the start values:
-//     stores (the block stores heat; without it, only the plate): adds 12 states, changes dot(T_P) by 100 %
-//     rows (the two rows are insulated from each other (figure 4.23b)): changes dot(T_P) by 200 %
-//     columns (where materials meet, the block is isothermal over its height (figure 4.23c)): changes dot(T_P) by 100 %
+//     stores (the block stores heat; without it, only the plate): adds 12 states
+//     rows (the two rows are insulated from each other (figure 4.23b)): changes nothing
+//     columns (where materials meet, the block is isothermal over its height (figure 4.23c)): changes nothing
 //
 // Proven as identities:
 //     balances of mass and energy: 3 of 3 balances

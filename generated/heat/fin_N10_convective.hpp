@@ -9,7 +9,7 @@
 // Effects in: free_end (the far end gives heat to the air; without it, it is held at T_L)
 // Effects out, and what each would do to the rates at the start values:
 //     radiation (side and end radiate to what is around): changes nothing
-//     variable (the conductivity depends on the temperature): changes dot(T[4]) by 100 %
+//     variable (the conductivity depends on the temperature): changes dot(T[1]) by 1.5 %
 //
 // Proven as identities:
 //     balances of mass and energy: 10 of 10 balances

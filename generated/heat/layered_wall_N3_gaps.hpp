@@ -8,7 +8,7 @@
 // Scene gaps: contact resistance between the layers
 // Effects in: gaps (the layers do not touch everywhere (4.25))
 // Effects out, and what each would do to the rates at the start values:
-//     radiation (the wall radiates to the sky): changes dot(T[2]) by 100 %
+//     radiation (the wall radiates to the sky): changes dot(T[3]) by 6.3e-06 %
 //     variable (the conductivity depends on the temperature; then the surfaces store heat too): contradicts effects that are in
 //
 // Proven as identities:

@@ -9,8 +9,8 @@
 // Effects in: radiation (the wall radiates to the sky)
 // Effects out, and what each would do to the rates at the start values:
 //     gaps (the layers do not touch everywhere (4.25)): changes nothing
-//     variable (the conductivity depends on the temperature; then the surfaces store heat too): adds 4 states, changes dot(T[2]) by
-//         150 %
+//     variable (the conductivity depends on the temperature; then the surfaces store heat too): adds 4 states, changes dot(T[1]) by
+//         100 %
 //
 // Proven as identities:
 //     balances of mass and energy: 7 of 7 balances

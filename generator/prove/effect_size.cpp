@@ -12,12 +12,20 @@ namespace {
 
 constexpr int digits = 40;
 
-/// Rates of states and accelerations by name, at the start.
+/// Rates of states and accelerations by name, at the start. What shrinks when more digits are used is nothing but rounding: the rate of
+/// what starts at rest is zero.
 std::map<std::string, cln::cl_R> rates(const System& system) {
-    const MotionAt at(system, Values(system.scene, system.translate), digits);
+    const Values values(system.scene, system.translate);
+    const MotionAt coarse(system, values, digits);
+    const MotionAt fine(system, values, 2 * digits);
     std::map<std::string, cln::cl_R> result;
     for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::state_rate})
-        for (const Variable& variable : system.symbols.all(kind)) result.emplace(variable.name, at(variable.symbol));
+        for (const Variable& variable : system.symbols.all(kind)) {
+            const cln::cl_R value = fine(variable.symbol);
+            const cln::cl_R before = cln::abs(coarse(variable.symbol));
+            const bool is_rounding = cln::zerop(before) || cln::abs(value) <= cln::expt(cln::cl_RA(10), -digits / 4) * before;
+            result.emplace(variable.name, is_rounding ? cln::cl_R(0) : value);
+        }
     return result;
 }
 
@@ -27,6 +35,7 @@ std::string difference(const System& without, const System& with) {
     if (before != after) text = fmt::format("{} {} state{}", after > before ? "adds" : "removes", after > before ? after - before : before - after, after + 1 == before || before + 1 == after ? "" : "s");
     std::string name;
     cln::cl_R largest = 0;
+    const cln::cl_RA rounding = cln::expt(cln::cl_RA(10), 10 - digits);
     const auto with_it = rates(with);
     for (const auto& [rate, value] : rates(without)) {
         const auto other = with_it.find(rate);
@@ -34,7 +43,7 @@ std::string difference(const System& without, const System& with) {
         const cln::cl_R scale = cln::max(cln::abs(value), cln::cl_R(cln::abs(other->second)));
         if (cln::zerop(scale)) continue;
         const cln::cl_R share = cln::abs(other->second - value) / scale;
-        if (share <= largest || share < cln::expt(cln::cl_RA(10), 10 - digits)) continue;
+        if (share <= largest + rounding) continue;  // of equal ones the first by name, whatever the rounding
         largest = share;
         name = rate;
     }
