@@ -100,7 +100,11 @@ public:
         notice(x, t);
         side_ = settled_;
         const Values at_start = values(x, t);
-        for (std::size_t i = 0; i < G; ++i) is_strict_[i] = !may_touch_ && !ends_[i] && at_start[i] > Scalar(0);
+        for (std::size_t i = 0; i < G; ++i) {
+            is_strict_[i] = !may_touch_ && !ends_[i] && at_start[i] > Scalar(0);
+            begins_at_zero_[i] = ends_[i] && at_start[i] == Scalar(0);
+        }
+        begin_ = t;
         Values lowest;
         bool is_step = is_clean(c, tiny, lowest, take);
         const bool inside = c.finite && accurate(c);
@@ -136,12 +140,13 @@ public:
         may_touch_ = false;
     }
 
-    /// A stage of the step that is being made.
+    /// A stage of the step that is being made. A later stage at its beginning is the start but for an error, which tells nothing of a guard
+    /// that is zero there.
     void see(const State& x, Scalar t) {
         if (!is_watching_) return;
         const Values seen = values(x, t);
         for (std::size_t i = 0; i < G; ++i)
-            if (seen[i] < lowest_[i] && (sees_ends_ || !ends_[i])) lowest_[i] = seen[i];
+            if (seen[i] < lowest_[i] && (sees_ends_ || !ends_[i]) && !(begins_at_zero_[i] && t == begin_)) lowest_[i] = seen[i];
     }
 
     /// Whether the step that was made last ends before its time, and the shortest one that was tried behind its end.
@@ -388,6 +393,8 @@ private:
     std::array<int, G> side_{};        ///< and further on in the step that is tried
     std::array<bool, G> is_strict_{};  ///< kinks that the step does not start on, and must not end on
     bool may_touch_ = false;           ///< it may
+    std::array<bool, G> begins_at_zero_{};  ///< guards that end the run
+    Scalar begin_ = Scalar(0);         ///< of the step
     bool is_watching_ = false;
     bool spares_stages_ = false, has_kinks_ = false, sees_ends_ = true;
     Values lowest_{};

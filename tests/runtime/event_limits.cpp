@@ -17,6 +17,21 @@ TEST_CASE("zero in the middle, on the end of a step") {
     }
 }
 
+TEST_CASE("a throw from the zero of the guard that ends it, with a stage at the start that is not the start") {
+    const double g = 9.81;
+    const auto fall = [&](const Two& x, double, Two& dxdt) { dxdt = {x[1], -g}; };
+    for (const Method method : methods)
+        for (int k = 1; k <= 100; ++k) {
+            CAPTURE(static_cast<int>(method));
+            CAPTURE(k);
+            const double v = 0.1 * k;
+            Two x{0, v};
+            const Outcome outcome = integrate(fall, x, 0.45, 2000.0, with<Two>(method, 1e-9), nobody, first_state, ends);
+            CHECK(outcome.status == Status::event);
+            CHECK(std::abs(outcome.t - 0.45 - 2 * v / g) <= 1e-12);
+        }
+}
+
 TEST_CASE("grazing: what only comes near is no event, what dips below is found if steps are short enough") {
     const auto events = [](Method method, double depth, double max_step) {
         One x{0};
