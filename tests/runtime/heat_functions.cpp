@@ -40,6 +40,10 @@ TEST_CASE_TEMPLATE("functions of heat transfer: the kernels within 4 units of th
 
 TEST_CASE_TEMPLATE("functions of heat transfer: the others within 8 units of the last place", Scalar, float, double, long double) {
     check_within<Scalar>(8, "fourth_power_difference", CALL(fourth_power_difference), exact_fourth_power_difference, temperatures<Scalar>());
+    check_within<Scalar>(8, "plate_resistance", CALL(plate_resistance), exact_plate_resistance, layers<Scalar>());
+    check_within<Scalar>(8, "pipe_resistance", CALL(pipe_resistance), exact_pipe_resistance, pipes<Scalar>());
+    check_within<Scalar>(8, "in_series", CALL(in_series), exact_in_series, neighbours<Scalar>());
+    check_within<Scalar>(8, "in_parallel", CALL(in_parallel), exact_in_parallel, neighbours<Scalar>());
     check_within<Scalar>(8, "sinh_ratio", CALL(sinh_ratio), exact_sinh_ratio, lengths<Scalar>());
     check_within<Scalar>(8, "cosh_ratio", CALL(cosh_ratio), exact_cosh_ratio, lengths<Scalar>());
     check_within<Scalar>(8, "fin_temperature", CALL(fin_temperature), exact_fin_temperature, fins<Scalar>());

@@ -137,6 +137,10 @@ void for_each_function(const Visit& visit) {
     visit(output::excess, Two{input::x, input::y}, exact_excess_of_root, distances<Scalar>(), 4, excess);
     visit(output::radiant, Two{input::k, input::T_b}, exact_radiant_temperature, radiations<Scalar>(), 4, CALL(radiant_temperature));
     visit(output::fourth_powers, Two{input::T_a, input::T_b}, exact_fourth_power_difference, temperatures<Scalar>(), 8, CALL(fourth_power_difference));
+    visit(output::plate, Three{input::x, input::lambda, input::A}, exact_plate_resistance, layers<Scalar>(), 4, CALL(plate_resistance));
+    visit(output::pipe, Four{input::L_i, input::L_j, input::lambda, input::x}, exact_pipe_resistance, pipes<Scalar>(), 8, CALL(pipe_resistance));
+    visit(output::series, Two{input::R_1, input::R_2}, exact_in_series, neighbours<Scalar>(), 4, CALL(in_series));
+    visit(output::parallel, Two{input::R_1, input::R_2}, exact_in_parallel, neighbours<Scalar>(), 4, CALL(in_parallel));
     visit(output::sines, Two{input::mx, input::mL}, exact_sinh_ratio, lengths<Scalar>(), 8, CALL(sinh_ratio));
     visit(output::cosines, Two{input::mx, input::mL}, exact_cosh_ratio, lengths<Scalar>(), 8, CALL(cosh_ratio));
     visit(output::fin_excess, Three{input::mL, input::mx, input::h}, exact_fin_temperature, fins<Scalar>(), 8, CALL(fin_temperature));
