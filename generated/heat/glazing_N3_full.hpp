@@ -25,6 +25,7 @@
 //   output_jacobian_u     16     23     1        0      2
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        9     12     0        0      1
+//   and solves for the temperatures of networks of up to 3 nodes, of which only the calls are counted
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.

@@ -20,6 +20,15 @@ std::string effect_list(const std::vector<const Effect*>& effects) {
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+/// The number of nodes of the largest network that is solved at once, zero without one.
+std::size_t largest_network(const Code& code) {
+    std::size_t largest = 0;
+    for (const FunctionCode& f : code.functions)
+        for (const NodeId id : f.program.in_order(f.roots()))
+            if (const Node& node = f.program[id]; node.kind == Node::Kind::function && is_array(node.op)) largest = std::max(largest, order_of_network(node));
+    return largest;
+}
+
 std::string verdicts(const std::vector<const AuditEntry*>& entries) {
     const auto proven = std::count_if(entries.begin(), entries.end(), [](const AuditEntry* e) { return e->result.verdict == Verdict::proven; });
     return fmt::format("{} of {}", proven, entries.size());
@@ -66,6 +75,7 @@ std::string banner(const Code& code, const Proofs& proofs, const std::vector<Eff
         text += fmt::format("//   {:<18} {:>5} {:>6} {:>5} {:>8} {:>6}\n", name_of(function), c.additions, c.multiplications, c.divisions, c.trigonometric, c.other);
     }
     if (!code.solve.unrolled) text += fmt::format("//   and solves with M ({} x {}) by loops, which are not counted\n", code.solve.n, code.solve.n);
+    if (const std::size_t nodes = largest_network(code)) text += fmt::format("//   and solves for the temperatures of networks of up to {} nodes, of which only the calls are counted\n", nodes);
     text += "//\n// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software\n"
             "// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.\n";
     return text;

@@ -43,18 +43,6 @@ std::string wrapped(const std::string& statement, std::size_t indent) {
     return result + blanks + (first ? "" : "    ") + rest + "\n";
 }
 
-namespace {
-
-/// The number of nodes of a network, from that of its data.
-std::size_t order_of_network(const Node& node) {
-    const auto fits = [&](std::size_t n) { return node.arguments.size() == (node.op == Op::network_inverse ? n * n : 2 * n * n + n); };
-    std::size_t n = 1;
-    while (!fits(n)) ++n;
-    return n;
-}
-
-}  // namespace
-
 CppFunction::CppFunction(const Code& code, const FunctionCode& function, const CachedTexts& cached, std::set<std::string> arguments)
     : code_(code), function_(function), cached_(cached), arguments_(arguments), names_({}), uses_(function.program.size(), 0) {
     const Symbols& symbols = code.system.symbols;

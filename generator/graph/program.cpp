@@ -6,6 +6,13 @@
 
 namespace dalembert {
 
+std::size_t order_of_network(const Node& node) {
+    const auto fits = [&](std::size_t n) { return node.arguments.size() == (node.op == Op::network_inverse ? n * n : 2 * n * n + n); };
+    std::size_t n = 1;
+    while (!fits(n)) ++n;
+    return n;
+}
+
 OperationCount& OperationCount::operator+=(const OperationCount& o) {
     additions += o.additions;
     multiplications += o.multiplications;

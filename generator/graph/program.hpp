@@ -30,6 +30,9 @@ struct Node {
     std::vector<bool> negative = {};
 };
 
+/// The number of nodes of a network that is solved at once, from that of its data.
+std::size_t order_of_network(const Node& node);
+
 /// How many operations of which kind.
 struct OperationCount {
     int additions = 0;  ///< and subtractions
