@@ -10,6 +10,7 @@
 #include "command/settings.hpp"
 #include "emit/runner.hpp"
 #include "form/state_places.hpp"
+#include "model/choose_effects.hpp"
 #include "model/parser.hpp"
 #include "text/nearest.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "model/choose_effects.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -18,22 +19,6 @@ using Kind = Expression::Kind;
 }
 
 }  // namespace
-
-SceneWish::SceneWish(const std::string& text) {
-    std::size_t sign = std::min(text.find_first_of("+-"), text.size());
-    base = text.substr(0, sign);
-    while (sign < text.size()) {
-        const std::size_t next = std::min(text.find_first_of("+-", sign + 1), text.size());
-        changes.emplace_back(text.substr(sign + 1, next - sign - 1), text[sign] == '+');
-        sign = next;
-    }
-}
-
-std::string SceneWish::name() const {
-    std::string result = base;
-    for (const auto& [effect, is_added] : changes) result += (is_added ? "_with_" : "_without_") + effect;
-    return result;
-}
 
 bool Scene::has_temperature(const Volume& volume, const Names& names) const {
     return volume.temperature && holds(names.find(volume.temperature->name)->item->when);

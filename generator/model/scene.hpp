@@ -32,16 +32,6 @@ struct Field {
 /// The value of the index of a family or sum, by name.
 using Indices = std::map<std::string, int, std::less<>>;
 
-/// A scene as it is asked for: one of the model's, and effects added to it or left out, as in "full-drag" or "bare+gust".
-struct SceneWish {
-    std::string base;                                     ///< empty: the default
-    std::vector<std::pair<std::string, bool>> changes;    ///< an effect, and whether it is added
-
-    explicit SceneWish(const std::string& text);
-    /// "full_without_drag": an identifier.
-    std::string name() const;
-};
-
 struct Scene {
     const Model* model;
     std::string name;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "model/choose_effects.hpp"
 #include "model/choose_fields.hpp"
 #include "model/vocabulary.hpp"
 #include "text/nearest.hpp"
@@ -19,70 +20,6 @@ using Kind = Expression::Kind;
     throw Failure(Diagnostic{id, span, std::move(message), std::move(notes)});
 }
 
-const SceneChoice* find_choice(const Model& model, const std::string& name) {
-    const auto found = std::find_if(model.scenes.begin(), model.scenes.end(), [&](const SceneChoice& s) { return s.name == name; });
-    return found == model.scenes.end() ? nullptr : &*found;
-}
-
-const Effect& find_effect(const Model& model, const std::string& name) {
-    return *std::find_if(model.effects.begin(), model.effects.end(), [&](const Effect& e) { return e.name == name; });
-}
-
-/// The effects of a scene with all that they imply; refuses those that cannot be together.
-std::set<std::string> effects_of(const Model& model, const SceneWish& wish, const std::string& scene) {
-    const SceneChoice* choice = find_choice(model, wish.base);
-    std::set<std::string> effects;
-    std::vector<std::string> pending;
-    std::vector<std::string> added;
-    std::set<std::string> left_out;
-    for (const auto& [name, is_added] : wish.changes) {
-        if (is_added) added.push_back(name);
-        else left_out.insert(name);
-    }
-    if (choice != nullptr) {
-        for (const auto& [name, span] : choice->effects) pending.push_back(name);
-    } else {
-        for (const Effect& effect : model.effects) pending.push_back(effect.name);
-    }
-    const auto close = [&](const std::set<std::string>& without) {
-        while (!pending.empty()) {
-            const std::string name = pending.back();
-            pending.pop_back();
-            if (without.contains(name) || !effects.insert(name).second) continue;
-            for (const auto& [implied, span] : find_effect(model, name).implies) pending.push_back(implied);
-        }
-    };
-    const std::vector<std::string> written = pending;
-    close({});
-    for (const auto& [name, is_added] : wish.changes)
-        if (effects.contains(name) == is_added)
-            fail(Id::scene_contradiction, choice != nullptr ? choice->span : model.name_span, fmt::format("scene '{}' {} '{}' anyway, so that it cannot {}", wish.base, is_added ? "has" : "is without", name, is_added ? "be added" : "be left out"));
-    effects.clear();
-    pending = written;
-    pending.insert(pending.end(), added.begin(), added.end());
-    close(left_out);
-    const Span place = choice != nullptr ? choice->span : model.name_span;
-    for (const std::string& name : effects)
-        for (const auto& [implied, span] : find_effect(model, name).implies)
-            if (!effects.contains(implied))
-                fail(Id::scene_contradiction, place, fmt::format("scene '{}' leaves out '{}', which '{}' implies", scene, implied, name), {{span, "it is implied here"}});
-    std::map<std::string, std::string> levels;
-    for (const Effect& effect : model.effects) {
-        if (!effects.contains(effect.name)) continue;
-        for (const auto& [excluded, span] : effect.excludes)
-            if (effects.contains(excluded))
-                fail(Id::scene_contradiction, place,
-                     fmt::format("scene '{}' calls for '{}' and '{}', which exclude each other", scene, effect.name, excluded), {{span, "it is excluded here"}});
-        if (effect.level_of.empty()) continue;
-        const auto [other, is_first] = levels.emplace(effect.level_of, effect.name);
-        if (!is_first)
-            fail(Id::scene_contradiction, place,
-                 fmt::format("scene '{}' calls for '{}' and '{}', two levels of '{}'", scene, other->second, effect.name, effect.level_of),
-                 {{effect.span, fmt::format("'{}' is declared here", effect.name)}});
-    }
-    return effects;
-}
-
 class Selection {
 public:
     Selection(const Model& model, const Names& names, const std::string& name) : model_(model), names_(names), fields_(scene_) {
@@ -93,7 +30,7 @@ public:
         scene_.wish = name;
         if (const SceneChoice* choice = find_choice(model, wish.base)) scene_.doc = choice->doc;
         for (const auto& [effect, is_added] : wish.changes) scene_.doc += fmt::format("{}{} '{}'", scene_.doc.empty() ? "" : ", ", is_added ? "with" : "without", effect);
-        effects_ = effects_of(model, wish, name);
+        effects_ = effects_of(model, wish);
         for (const Effect& effect : model.effects) (effects_.contains(effect.name) ? scene_.effects_in : scene_.effects_out).push_back(&effect);
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes with one effect added or left out.
 #include "generator/machine.hpp"
+#include "model/choose_effects.hpp"
 
 using namespace dalembert;
 
@@ -44,6 +45,6 @@ TEST_CASE("scenes that cannot be asked for") {
     CHECK(refusal("mechanics/projectile", "space-air") == "model 'projectile' has no scene 'space'; its scenes are 'vacuum' and 'atmosphere'");
     CHECK(refusal("mechanics/projectile", "atmosphere+air") == "scene 'atmosphere' has 'air' anyway, so that it cannot be added");
     CHECK(refusal("mechanics/projectile", "vacuum-air") == "scene 'vacuum' is without 'air' anyway, so that it cannot be left out");
-    CHECK(refusal("hydraulics/hydraulic_cylinder", "real-compressible") == "scene 'real-compressible' leaves out 'compressible', which 'friction' implies");
+    CHECK(refusal("hydraulics/hydraulic_cylinder", "real-compressible") == "scene 'real-compressible' leaves out 'compressible', which 'thermal' implies");
     CHECK(refusal("heat/block", "rows+columns") == "scene 'rows+columns' calls for 'rows' and 'columns', two levels of 'bound'");
 }
