@@ -33,7 +33,7 @@ std::vector<std::pair<std::string, std::string>> cost_plot(const SceneComparison
     for (const bool is_named : {true, false}) {
         for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
             const ComparedScene& s = comparison.scenes[i];
-            if (s.is_named != is_named || !s.refused.empty() || s.deviations.empty() || s.worst() == nullptr) continue;
+            if (s.is_named != is_named || !s.is_known() || s.deviations.empty() || s.worst() == nullptr) continue;
             data += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} \"{}\"\n", s.median() / reference.median(), std::max(s.worst()->relative, floor), s.nanoseconds.front() / reference.median(), s.nanoseconds.back() / reference.median(), i == comparison.against ? s.wish + " (compared with)" : s.worst()->relative < floor ? s.wish + " (no deviation)" : s.wish);
         }
         data += "\n\n";

@@ -18,6 +18,8 @@ std::string percent(double share) { return share < 1e-15 ? "0" : share < 1e-3 ? 
 
 std::string deviation(const ComparedScene& scene, bool is_reference) {
     if (is_reference) return "compared with";
+    for (const Deviation& d : scene.deviations)
+        if (std::isnan(d.largest)) return d.output.substr(0, d.output.find(" [")) + " is not a number";
     const Deviation* worst = scene.worst();
     if (worst == nullptr) return scene.deviations.empty() ? "no output in common" : "outputs are zero there";
     const std::string text = worst->relative > 0 ? fmt::format("{} of {}", percent(worst->relative), worst->output.substr(0, worst->output.find(" ["))) : "none";
@@ -36,7 +38,8 @@ std::string table(const SceneComparison& comparison) {
             if (s.is_named != is_named) continue;
             if (!is_named && is_first) text += "one effect changed\n";
             is_first = false;
-            if (!s.refused.empty()) text += fmt::format("{:<{}}  {}\n", s.wish, width, s.refused);
+            if (!s.same_as.empty()) text += fmt::format("{:<{}}  has the effects of '{}'\n", s.wish, width, s.same_as);
+            else if (!s.refused.empty()) text += fmt::format("{:<{}}  {}\n", s.wish, width, s.refused);
             else
                 text += line(s.wish, width, s.states, s.parameters, s.operations, fmt::format("{:.1f}", s.median()), fmt::format("{:.1f} .. {:.1f}", s.nanoseconds.front(), s.nanoseconds.back()), s.bytes,
                              deviation(s, i == comparison.against));
@@ -49,7 +52,7 @@ std::string table(const SceneComparison& comparison) {
 std::string csv(const SceneComparison& comparison) {
     std::string text = "scene,states,parameters,operations,ns,ns_lowest,ns_highest,bytes,output,largest_deviation,relative_deviation,status\n";
     for (const ComparedScene& s : comparison.scenes) {
-        if (!s.refused.empty()) continue;
+        if (!s.is_known()) continue;
         const std::string cost = fmt::format("{},{},{},{},{:.4g},{:.4g},{:.4g},{}", s.wish, s.states, s.parameters, s.operations, s.median(), s.nanoseconds.front(), s.nanoseconds.back(), s.bytes);
         if (s.deviations.empty()) text += fmt::format("{},,,,{}\n", cost, s.status);
         for (const Deviation& d : s.deviations) text += fmt::format("{},{},{},{},{}\n", cost, d.output, d.largest, std::isfinite(d.relative) ? fmt::format("{}", d.relative) : "", s.status);
@@ -61,8 +64,8 @@ nlohmann::ordered_json as_json(const SceneComparison& comparison) {
     nlohmann::ordered_json scenes = nlohmann::ordered_json::array();
     for (const ComparedScene& s : comparison.scenes) {
         nlohmann::ordered_json row{{"scene", s.wish}, {"named", s.is_named}};
-        if (!s.refused.empty()) {
-            row["refused"] = s.refused;
+        if (!s.is_known()) {
+            row[s.same_as.empty() ? "refused" : "same_as"] = s.same_as.empty() ? s.refused : s.same_as;
             scenes.push_back(std::move(row));
             continue;
         }

@@ -162,6 +162,7 @@ constexpr auto effects = std::to_array<JsonField>({
     {"against", "the scene that the others are compared with"},
     {"scenes[].scene", "name of the scene; NAME-EFFECT and NAME+EFFECT are scenes with one effect left out or added"},
     {"scenes[].named", "whether it is a scene of the model"},
+    {"scenes[].same_as", "a scene with the same effects; what is known stands there"},
     {"scenes[].refused", "why there is no such scene or run; nothing else is known of it then"},
     {"scenes[].states", "length of x"},
     {"scenes[].parameters", "how many"},

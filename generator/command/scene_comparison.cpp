@@ -20,18 +20,20 @@ namespace {
 
 /// A CSV as `simulate` writes it, by the titles of its columns.
 std::map<std::string, std::vector<double>> columns_of(const std::string& csv) {
+    const auto cells_of = [](const std::string& line) {
+        std::istringstream text(line);
+        std::vector<std::string> cells;
+        for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+        return cells;
+    };
     std::istringstream lines(csv);
     std::string line;
-    std::vector<std::string> titles;
+    std::getline(lines, line);
+    const std::vector<std::string> titles = cells_of(line);
     std::map<std::string, std::vector<double>> columns;
     while (std::getline(lines, line)) {
-        std::istringstream cells(line);
-        std::string cell;
-        for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) {
-            if (columns.size() < titles.size() || titles.empty() || i >= titles.size()) titles.push_back(cell);
-            else columns[titles[i]].push_back(std::strtod(cell.c_str(), nullptr));
-        }
-        for (const std::string& title : titles) columns.try_emplace(title);
+        const std::vector<std::string> cells = cells_of(line);
+        for (std::size_t i = 0; i < cells.size(); ++i) columns[titles.at(i)].push_back(std::strtod(cells[i].c_str(), nullptr));
     }
     return columns;
 }
@@ -49,7 +51,7 @@ public:
     SideBySide(const std::shared_ptr<const LoadedModel>& model, const Options& options, Streams streams) : model_(model), options_(options), streams_(streams) { options_.compares_scenes = true; }
 
     SceneComparison run() {
-        for (const std::string& name : scene_names(model_->model)) add(name, true, "");
+        for (const std::string& name : scene_names(model_->model)) add(name, true);
         const std::size_t fullest = against();
         const std::size_t barest = extreme([](std::size_t a, std::size_t b) { return a < b; });
         single_changes(fullest, barest);
@@ -66,13 +68,12 @@ public:
 
 private:
     /// Derives and generates; a scene that is refused says why.
-    void add(const std::string& wish, bool is_named, const std::string& change) {
+    void add(const std::string& wish, bool is_named) {
         Compared compared{{}, {}};
         compared.row.wish = wish;
         compared.row.is_named = is_named;
-        compared.row.change = change;
         if (const Compared* same = is_named ? nullptr : with_effects(wish)) {
-            compared.row.refused = fmt::format("is {} '{}'", same->row.is_named ? "scene" : "the same as", same->row.wish);
+            compared.row.same_as = same->row.wish;
             all_.push_back(std::move(compared));
             return;
         }
@@ -123,10 +124,10 @@ private:
         const std::string full = all_[fullest].row.wish, bare = all_[barest].row.wish;
         const std::set<std::string> in_full = all_[fullest].effects, in_bare = all_[barest].effects;
         for (const Effect& effect : model_->model.effects)
-            if (in_full.contains(effect.name)) add(full + "-" + effect.name, false, fmt::format("{} without '{}'", full, effect.name));
+            if (in_full.contains(effect.name)) add(full + "-" + effect.name, false);
         if (fullest == barest) return;
         for (const Effect& effect : model_->model.effects)
-            if (!in_bare.contains(effect.name)) add(bare + "+" + effect.name, false, fmt::format("{} with '{}'", bare, effect.name));
+            if (!in_bare.contains(effect.name)) add(bare + "+" + effect.name, false);
     }
 
     /// On all processors.
@@ -188,10 +189,11 @@ private:
             double largest = 0;
             double magnitude = 0;
             for (std::size_t i = 0; i < count; ++i) {
-                largest = std::max(largest, std::fabs(found->second[i] - exact[i]));
+                const double difference = std::fabs(found->second[i] - exact[i]);
+                if (!(difference <= largest)) largest = difference;  // what is no number stays so
                 magnitude = std::max(magnitude, std::fabs(exact[i]));
             }
-            compared.row.deviations.push_back({title, largest, magnitude > 0 ? largest / magnitude : largest > 0 ? std::numeric_limits<double>::infinity() : 0.0});
+            compared.row.deviations.push_back({title, largest, magnitude > 0 || std::isnan(largest) ? largest / magnitude : largest > 0 ? std::numeric_limits<double>::infinity() : 0.0});
         }
     }
 

@@ -16,7 +16,7 @@ struct Deviation {
 struct ComparedScene {
     std::string wish;       ///< "full", "full-drag"
     bool is_named = true;   ///< a scene of the model; else one with a single effect changed
-    std::string change;     ///< of the others: "full without 'drag'"
+    std::string same_as;    ///< a scene above with the same effects, which stands for this one
     std::string refused;    ///< why there is no such scene, or no such run
     std::size_t states = 0;
     std::size_t parameters = 0;
@@ -27,6 +27,8 @@ struct ComparedScene {
     double until = 0;       ///< s, where the run ended
     std::vector<Deviation> deviations;
 
+    /// Whether it was measured and run.
+    bool is_known() const { return same_as.empty() && refused.empty(); }
     double median() const { return nanoseconds.empty() ? 0 : nanoseconds[nanoseconds.size() / 2]; }
     /// The largest relative one, null where none is known.
     const Deviation* worst() const;

@@ -64,10 +64,16 @@ TEST_CASE("the JSON fields are the documented ones") {
                             "c = { value = 2, unit = \"N/m\" }\n[coordinates]\nq = { for = \"k = 1..N\", unit = \"m\" }\n[inputs]\nf = { unit = \"N\" }\n"
                             "[bodies.b]\nfor = \"k = 1..N\"\nmass = \"m\"\nposition = [\"q[k]\", 0, 0]\n[springs.s]\nstiffness = \"c\"\nelongation = \"q[1]\"\n"
                             "[forces.f]\non = \"b[1]\"\nforce = [\"f\", 0, 0]\n[outputs]\ny = { value = \"q[1]\", unit = \"m\" }\n";
+    // Of two effects one needs the other, so that a scene is refused.
+    const std::string braked = folder / "braked.toml";
+    std::ofstream(braked) << "[model]\nformat = 1\nname = \"braked\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\nd = { value = 2, unit = \"N*s/m\" }\n"
+                             "[coordinates]\nq = { unit = \"m\", start_rate = 1 }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n"
+                             "[dampers.weak]\nrate = \"dot(q)\"\ncoefficient = \"d\"\nwhen = \"weak\"\n[dampers.strong]\nrate = \"dot(q)\"\ncoefficient = \"2*d\"\nwhen = \"strong\"\n"
+                             "[effects]\nweak = { doc = \"a brake\" }\nstrong = { doc = \"another\", implies = [\"weak\"] }\n[runs.reference]\nuntil = 1\n";
     const std::map<std::string, std::vector<std::vector<std::string>>> calls{
         {"derive", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/tests/golden/capacitor.toml"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50"}}},
         {"generate", {{SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50", "-o", folder}, {systems + "cart_pendulum.toml", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
-        {"effects", {{systems + "projectile.toml", "-o", folder, "--no-plot"}}},
+        {"effects", {{systems + "projectile.toml", "-o", folder, "--no-plot"}, {braked, "-o", folder, "--no-plot"}}},
         {"check", {{systems + "coupled_springs.toml"}, {systems + "cart_pendulum.toml"}}},
         {"evaluate", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}}},
         {"simulate", {{systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--no-plot", "-o", folder}, {SOURCE_DIR "/systems/heat/voltage_regulator.toml", "--until", "1", "--no-plot", "-o", folder}}},
