@@ -21,6 +21,8 @@ public:
     /// The event happens at t; `again`: the last event was the same one. `instant` is the time that counts as none.
     void add(Scalar t, Scalar instant, bool again) {
         const Scalar interval = t - time(0);
+        // Where a place has roundings, the last bounces are no shorter than these allow. Longer ones begin anew.
+        if (count_ > 0 && interval > (t - origin_) / Scalar(10'000)) has_sum_ = false;
         stalls_ = again && count_ > 0 && interval <= instant ? stalls_ + 1 : 0;
         // Two of the same length, but for rounding, may belong to a ratio next to one.
         if (count_ > 1 && interval > time(0) - time(1) + instant) {
@@ -31,12 +33,20 @@ public:
         newest_ = (newest_ + 1) % kept;
         times_[newest_] = t;
         ++count_;
+        if (is_steady() && remaining() <= (t - begin_) / Scalar(1000)) {
+            if (!has_sum_) origin_ = begin_;
+            has_sum_ = true;
+            sum_ = t + remaining();
+        }
     }
 
     /// The interval that begins now is too short to be seen.
     void stall() { stalls_ = enough_stalls; }
 
-    void forget() { count_ = stalls_ = 0; }
+    void forget() {
+        count_ = stalls_ = 0;
+        has_sum_ = false;
+    }
 
     /// Whether the end is near enough to be believed.
     bool is_certain() const {
@@ -47,8 +57,8 @@ public:
     /// Whether the last two are no further apart than `interval`.
     bool is_repeated(Scalar interval) const { return count_ > 1 && time(0) - time(1) <= interval; }
 
-    /// Too close together to be told apart.
-    bool is_stalled() const { return stalls_ >= enough_stalls; }
+    /// Too close together to be told apart, or beyond the sum that they had while they shrank steadily.
+    bool is_stalled() const { return stalls_ >= enough_stalls || (has_sum_ && !is_steady() && time(0) >= sum_); }
 
     /// The time at which the intervals vanish, in s.
     Scalar end() const { return is_steady() ? Scalar(time(0) + remaining()) : time(0); }
@@ -92,6 +102,8 @@ private:
     std::size_t count_ = 0;   ///< events in a row whose intervals do not grow
     std::size_t stalls_ = 0;  ///< in a row
     Scalar begin_ = Scalar(0);
+    bool has_sum_ = false;     ///< the end was near, and known
+    Scalar sum_ = Scalar(0), origin_ = Scalar(0);  ///< where it was, and where the sequence began
 };
 
 }  // namespace detail

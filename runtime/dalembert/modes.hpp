@@ -30,6 +30,11 @@ inline constexpr bool says_what_follows_accumulation = false;
 template <class System>
 inline constexpr bool says_what_follows_accumulation<System, std::void_t<decltype(&System::after_accumulation)>> = true;
 
+template <class System, class = void>
+inline constexpr bool has_modes_beside = false;
+template <class System>
+inline constexpr bool has_modes_beside<System, std::void_t<decltype(&System::modes_beside)>> = true;
+
 template <class System, bool>
 struct DerivativeTypes {};
 template <class System>
@@ -38,6 +43,7 @@ struct DerivativeTypes<System, true> {
     using PatternU = typename System::PatternU;
     using JacobianX = typename System::JacobianX;
     using JacobianU = typename System::JacobianU;
+    using DifferentiatedState = typename detail::DifferentiatedState<System>::type;
 };
 
 /// A system with modes as one without: what it is in its present mode. Its guards are the events, and behind them the kinks.
@@ -51,6 +57,7 @@ public:
     static constexpr std::size_t events = std::tuple_size<typename System::Events>::value;
     static constexpr std::size_t kinks = kink_count<System>;
     using Guards = std::array<scalar_type, events + kinks>;
+    using Differentiated = typename detail::DifferentiatedState<System>::type;
 
     InMode(const System& system, Mode start) : mode(start), system_(system) {}
 
@@ -59,15 +66,15 @@ public:
 
     void rhs(const State& x, const Input& u, scalar_type t, State& dxdt) const { system_.rhs(mode, x, u, t, dxdt); }
     template <class Jacobian>
-    void jacobian_x(const State& x, const Input& u, scalar_type t, Jacobian& J) const {
+    void jacobian_x(const Differentiated& x, const Input& u, scalar_type t, Jacobian& J) const {
         system_.jacobian_x(mode, x, u, t, J);
     }
     template <class Jacobian>
-    void jacobian_u(const State& x, const Input& u, scalar_type t, Jacobian& J) const {
+    void jacobian_u(const Differentiated& x, const Input& u, scalar_type t, Jacobian& J) const {
         system_.jacobian_u(mode, x, u, t, J);
     }
     template <class Jacobian>
-    void jacobian_t(const State& x, const Input& u, scalar_type t, Jacobian& J) const {
+    void jacobian_t(const Differentiated& x, const Input& u, scalar_type t, Jacobian& J) const {
         system_.jacobian_t(mode, x, u, t, J);
     }
 

@@ -25,7 +25,7 @@ struct EnergyBalance {
     double relative_error() const { return largest_energy > 0 && std::isfinite(largest_energy) ? largest_error / largest_energy : largest_error; }
 };
 
-/// One point of a run.
+/// One point of a run. States, inputs and outputs are references: to be copied if they are to stay.
 template <class System>
 struct Sample {
     typename System::scalar_type t;

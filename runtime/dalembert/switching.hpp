@@ -13,6 +13,8 @@
 //     reset(event, mode, x, u, t)             changes x where the event happens in a mode; sets to zero exactly what is meant to be zero
 //     static next_modes(event, mode)          modes in order of preference, with begin() and end(); none: the run ends there, without reset
 // and may have
+//     static modes_beside(event, mode)        further modes, for when none of next_modes accepts what the event leaves: an impact turns a velocity
+//                                             round, so that friction elsewhere acts the other way
 //     holds(mode, x, u, t)                    what a mode asks for besides its guards, such as two velocities that are equal; it is looked at
 //                                             where a mode begins. A guard that stays at zero would do, too, but for rounding.
 //     settle(event, mode, x, u, t),

@@ -33,6 +33,12 @@ public:
         observe_output(t_, x_);
         while (true) {
             if (event == none) {
+                // An event next to the end leaves no time for a step.
+                if (result_.events > 0 && to_ - t_ <= control_.tiny(t_)) {
+                    t_ = to_;
+                    observe_output(t_, x_);
+                    return end(Status::success);
+                }
                 const Status status = integrate_to(x_, to_, event);
                 if (status != Status::event) return end(status);
             }
@@ -102,6 +108,8 @@ private:
         reset(x_, inputs_(x_, t_));
         bool is_found = is_finite() && choose(candidates, next);
         if (result_.state == x_.size() && (!is_found || next != none)) is_found = change_behind(before, from, candidates, reset, next) || is_found;
+        if constexpr (has_modes_beside<System>)
+            if (!is_found && !is_accumulation && is_finite()) is_found = choose(System::modes_beside(event, from), next);
         if (!is_found) {
             x_ = before;
             return result_.state < x_.size() ? Status::not_finite : Status::no_mode;

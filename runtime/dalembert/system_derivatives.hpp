@@ -16,12 +16,22 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
+/// The state that the Jacobian of a system is about: that of the system, unless it says that something is integrated along with it.
+template <class System, class = void>
+struct DifferentiatedState {
+    using type = typename System::State;
+};
+template <class System>
+struct DifferentiatedState<System, std::void_t<typename System::DifferentiatedState>> {
+    using type = typename System::DifferentiatedState;
+};
+
 /// As Rodas5p wants them. The state of the run is that of the system and what is integrated along with it. Feedback from inputs that
 /// leaves the band of the system's Jacobian is left out; it then costs steps, not accuracy.
 template <class System, class Inputs>
 class SystemDerivatives {
     using Scalar = typename System::scalar_type;
-    using State = typename System::State;
+    using State = typename DifferentiatedState<System>::type;
     using Input = typename System::Input;
 
 public:

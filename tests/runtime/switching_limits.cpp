@@ -228,3 +228,19 @@ TEST_CASE("the statuses of an integration") {
         CHECK(stopped.state == 0);
     }
 }
+
+TEST_CASE("an event a rounding before the end leaves no time for a step, and the run ends well") {
+    // It slides with 1 m/s against 1 m/s^2, and stops at the end of the run.
+    Friction block;
+    block.m = 1, block.k = 0, block.V = 0, block.N = 1, block.mu = 1, block.mu0 = 1;
+    Friction::State x{0, 1, 0};
+    dalembert::SwitchingOptions<Friction> options;
+    options.tolerance = 1e-9;
+    options.intervals = 10;
+    options.max_step = 0.002;
+    int observed = 0;
+    const auto outcome = dalembert::simulate_modes(block, [](const auto&, double) { return Friction::Input{}; }, x, 0.0, 1.0, options, [&](auto&&...) { ++observed; }, [](const auto&) {});
+    CHECK(outcome.status == dalembert::Status::success);
+    CHECK(observed == 11);
+    CHECK(x[1] == doctest::Approx(0).epsilon(1e-9));
+}

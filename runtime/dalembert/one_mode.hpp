@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSL-1.0
+// A generated system that switches, seen in one of its modes as a system that does not: for its equilibria, its linearisation, an observer.
+#pragma once
+
+namespace dalembert {
+inline namespace v1 {
+
+/// Everything of System in the mode, under the names of a system without modes. A class of its own derives from the system, so that
+/// parameters and tables are those of the system.
+template <class System, typename System::Mode mode>
+class OneMode : public System {
+public:
+    using System::System;
+    using State = typename System::State;
+    using Input = typename System::Input;
+    using Scalar = typename System::scalar_type;
+
+    void rhs(const State& x, const Input& u, Scalar t, State& dxdt) const noexcept { System::rhs(mode, x, u, t, dxdt); }
+    void rhs_and_jacobian(const State& x, const Input& u, Scalar t, State& dxdt, typename System::JacobianX& J) const noexcept { System::rhs_and_jacobian(mode, x, u, t, dxdt, J); }
+    void jacobian_x(const State& x, const Input& u, Scalar t, typename System::JacobianX& J) const noexcept { System::jacobian_x(mode, x, u, t, J); }
+    void jacobian_u(const State& x, const Input& u, Scalar t, typename System::JacobianU& J) const noexcept { System::jacobian_u(mode, x, u, t, J); }
+    void jacobian_p(const State& x, const Input& u, Scalar t, typename System::JacobianP& J) const noexcept { System::jacobian_p(mode, x, u, t, J); }
+    void jacobian_t(const State& x, const Input& u, Scalar t, typename System::JacobianT& J) const noexcept { System::jacobian_t(mode, x, u, t, J); }
+    void mass_matrix(const State& x, Scalar t, typename System::MassMatrix& M) const noexcept { System::mass_matrix(mode, x, t, M); }
+    void bias(const State& x, const Input& u, Scalar t, typename System::Generalised& b) const noexcept { System::bias(mode, x, u, t, b); }
+    void generalised_force(const State& x, const Input& u, Scalar t, typename System::Generalised& Q) const noexcept { System::generalised_force(mode, x, u, t, Q); }
+    void output(const State& x, const Input& u, Scalar t, typename System::Output& y) const noexcept { System::output(mode, x, u, t, y); }
+    void output_jacobian_x(const State& x, const Input& u, Scalar t, typename System::OutputJacobianX& C) const noexcept { System::output_jacobian_x(mode, x, u, t, C); }
+    void output_jacobian_u(const State& x, const Input& u, Scalar t, typename System::OutputJacobianU& D) const noexcept { System::output_jacobian_u(mode, x, u, t, D); }
+    Scalar kinetic_energy(const State& x, Scalar t) const noexcept { return System::kinetic_energy(mode, x, t); }
+    Scalar potential_energy(const State& x, Scalar t) const noexcept { return System::potential_energy(mode, x, t); }
+    Scalar internal_energy(const State& x, Scalar t) const noexcept { return System::internal_energy(mode, x, t); }
+    Scalar supplied_power(const State& x, const Input& u, Scalar t) const noexcept { return System::supplied_power(mode, x, u, t); }
+    Scalar dissipated_power(const State& x, const Input& u, Scalar t) const noexcept { return System::dissipated_power(mode, x, u, t); }
+    Scalar prescribed_power(const State& x, const Input& u, Scalar t) const noexcept { return System::prescribed_power(mode, x, u, t); }
+    Scalar exchanged_power(const State& x, const Input& u, Scalar t) const noexcept { return System::exchanged_power(mode, x, u, t); }
+};
+
+}  // namespace v1
+}  // namespace dalembert
