@@ -3,13 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <optional>
 
 #include "emit/notation.hpp"
 #include "form/fluid_validity.hpp"
 #include "form/heat_validity.hpp"
 #include "model/checks.hpp"
 #include "model/reader.hpp"
+#include "model/verdict.hpp"
+#include "prove/switching_validity.hpp"
 
 namespace dalembert {
 
@@ -98,6 +103,82 @@ std::shared_ptr<const LoadedModel> load(const std::filesystem::path& path, Diagn
     return loaded;
 }
 
+namespace {
+
+/// Derives and proves the scene, which is in one of its modes if it has any.
+void derive_and_prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, Scene scene, Stopwatch& watch) {
+    const std::string mode = scene.modes.size() > 1 ? fmt::format("mode {}: ", scene.modes[*scene.mode].name) : "";
+    machine.system = derive(loaded->names, std::move(scene));
+    watch.lap("derive", fmt::format("{}{} bodies, {} potentials, {} resistances, {} supplies", mode, machine.system->bodies.size(), machine.system->potentials.size(),
+                                    machine.system->resistances.size(), machine.system->supplies.size()));
+    check_fluid_values(*machine.system);
+    check_heat_values(*machine.system);
+    machine.audit = audit(*machine.system);
+    stop_on_failed_audit(*machine.system, machine.audit);
+    watch.lap("prove", mode + (machine.audit.all_proven() ? "everything proven" : "something only numerically equal"));
+    const Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
+    check_switching_values(*machine.system, defaults);
+    machine.loaded = loaded;
+}
+
+/// Modes of which the constraints repeat each other are left out: two stops on two sides are not closed at once, and what a body bears that
+/// sticks and leans on a stop is anybody's guess. A mode of a group that is there no more is an error.
+void leave_out_overdetermined(Scene& scene, const Names& names) {
+    std::optional<Failure> first;
+    std::vector<SceneMode> kept;
+    for (std::size_t mode = 0; mode < scene.modes.size(); ++mode) {
+        const auto count = std::count_if(scene.constraints.begin(), scene.constraints.end(), [&](const auto& c) { return scene.holds(c.item->when, mode); });
+        try {
+            if (count > 1) derive(names, in_mode(scene, mode));
+            kept.push_back(scene.modes[mode]);
+        } catch (const Failure& failure) {
+            if (failure.diagnostics().front().id != Id::doubly_determined) throw;
+            if (!first) first = failure;
+        }
+    }
+    for (const ModeGroup* group : scene.mode_groups)
+        for (const Mode& part : group->modes)
+            if (first && std::none_of(kept.begin(), kept.end(), [&](const SceneMode& mode) { return mode.is_in(part.name); })) throw *first;
+    scene.modes = std::move(kept);
+}
+
+/// A volume may have a limit in some modes only: where flows reach it. Each mode gets a place for all of them.
+void align_events(Machine& machine) {
+    std::vector<System*> modes{machine.system.get()};
+    for (Machine& other : machine.other_modes) modes.push_back(other.system.get());
+    std::vector<EventEquation> limits;
+    const auto is_same = [](const EventEquation& a) { return [&a](const EventEquation& b) { return a.item == b.item && a.name == b.name && a.doc == b.doc; }; };
+    for (const System* system : modes)
+        for (const EventEquation& event : system->events)
+            if (event.item == nullptr && std::none_of(limits.begin(), limits.end(), is_same(event))) limits.push_back(event);
+    for (System* system : modes) {
+        std::vector<EventEquation> aligned;
+        std::copy_if(system->events.begin(), system->events.end(), std::back_inserter(aligned), [](const EventEquation& e) { return e.item != nullptr; });
+        for (const EventEquation& limit : limits) {
+            const auto own = std::find_if(system->events.begin(), system->events.end(), is_same(limit));
+            if (own != system->events.end()) aligned.push_back(*own);
+            else aligned.push_back({nullptr, limit.name, limit.doc, true, false, 0, 0, {}, {}});
+        }
+        system->events = std::move(aligned);
+    }
+}
+
+void make_and_prove_code(Machine& machine, Stopwatch& watch) {
+    machine.code = make_code(*machine.system);
+    const OperationCount count = machine.code->count(Function::rhs);
+    watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
+    machine.emitted = verify(*machine.code);
+    if (!machine.system->heat.fields.empty()) {
+        machine.fields = make_field_code(*machine.system);
+        for (AuditEntry& entry : verify_fields(*machine.fields)) machine.emitted.push_back(std::move(entry));
+    }
+    for (const AuditEntry& entry : machine.emitted)
+        if (entry.result.verdict == Verdict::wrong)
+            throw Failure(Diagnostic{Id::not_equal, machine.loaded->model.name_span, fmt::format("{} fails. This is a defect of the program; please report it with the model", entry.name)});
+}
+
+}  // namespace
+
 Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene_name, const std::map<std::string, int>& sizes) {
     const Model& model = loaded->model;
     return guarded(model, [&] {
@@ -105,41 +186,55 @@ Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::str
         Stopwatch watch(machine.stages);
         Scene scene = select_scene(model, loaded->names, resolve_scene(model, scene_name), sizes);
         check_size(scene);
-        watch.lap("scene", fmt::format("{} coordinates, {} states, {} inputs, {} parameters", scene.coordinates.size(), scene.states.size(),
-                                       scene.inputs.size(), scene.parameters.size()));
-        machine.system = derive(loaded->names, std::move(scene));
-        watch.lap("derive", fmt::format("{} bodies, {} potentials, {} resistances, {} supplies", machine.system->bodies.size(),
-                                        machine.system->potentials.size(), machine.system->resistances.size(), machine.system->supplies.size()));
-        check_fluid_values(*machine.system);
-        check_heat_values(*machine.system);
-        machine.audit = audit(*machine.system);
-        stop_on_failed_audit(*machine.system, machine.audit);
-        watch.lap("prove", machine.audit.all_proven() ? "everything proven" : "something only numerically equal");
-        Values(machine.system->scene, machine.system->translate);  // defaults lie in their ranges
-        machine.loaded = std::move(loaded);
+        leave_out_overdetermined(scene, loaded->names);
+        watch.lap("scene", fmt::format("{} coordinates, {} states, {} inputs, {} parameters{}", scene.coordinates.size(), scene.states.size(), scene.inputs.size(), scene.parameters.size(),
+                                       scene.modes.empty() ? "" : fmt::format(", {} modes, {} events", scene.modes.size(), scene.events.size())));
+        for (std::size_t mode = 1; mode < scene.modes.size(); ++mode) {
+            machine.other_modes.emplace_back();
+            derive_and_prove(machine.other_modes.back(), loaded, in_mode(scene, mode), watch);
+        }
+        derive_and_prove(machine, loaded, scene.modes.empty() ? std::move(scene) : in_mode(scene, 0), watch);
+        align_events(machine);
         return machine;
     });
+}
+
+Proofs proofs_of(const Machine& machine) {
+    Proofs proofs{machine.audit, machine.emitted};
+    for (const Machine& other : machine.other_modes) {
+        const auto add = [](std::vector<AuditEntry>& all, const std::vector<AuditEntry>& more) { all.insert(all.end(), more.begin(), more.end()); };
+        add(proofs.derivation.derivations, other.audit.derivations);
+        add(proofs.derivation.potentials, other.audit.potentials);
+        add(proofs.derivation.media, other.audit.media);
+        add(proofs.derivation.balances, other.audit.balances);
+        add(proofs.emitted, other.emitted);
+        if (is_worse(other.audit.power_balance.result.verdict, proofs.derivation.power_balance.result.verdict)) proofs.derivation.power_balance = other.audit.power_balance;
+    }
+    return proofs;
+}
+
+OperationCount operations(const Machine& machine, Function function) {
+    OperationCount most = machine.code->count(function);
+    for (const Machine& other : machine.other_modes)
+        if (const OperationCount count = other.code->count(function); count.total() > most.total()) most = count;
+    return most;
 }
 
 Header generate(Machine& machine) {
     return guarded(machine.loaded->model, [&] {
         Stopwatch watch(machine.stages);
-        machine.code = make_code(*machine.system);
-        const OperationCount count = machine.code->count(Function::rhs);
-        watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
-        machine.emitted = verify(*machine.code);
-        if (!machine.system->heat.fields.empty()) {
-            machine.fields = make_field_code(*machine.system);
-            for (AuditEntry& entry : verify_fields(*machine.fields)) machine.emitted.push_back(std::move(entry));
+        std::vector<const Code*> modes;
+        make_and_prove_code(machine, watch);
+        modes.push_back(machine.code.get());
+        for (Machine& other : machine.other_modes) {
+            make_and_prove_code(other, watch);
+            modes.push_back(other.code.get());
         }
-        for (const AuditEntry& entry : machine.emitted)
-            if (entry.result.verdict == Verdict::wrong)
-                throw Failure(Diagnostic{Id::not_equal, machine.loaded->model.name_span, fmt::format("{} fails. This is a defect of the program; please report it with the model", entry.name)});
-        const Proofs proofs{machine.audit, machine.emitted};
+        const Proofs proofs = proofs_of(machine);
         watch.lap("prove code", proofs.all_proven() ? "everything proven" : "something only numerically equal");
         const auto effects_out = sizes_of_effects_out(*machine.system, {machine.system->scene.sizes.begin(), machine.system->scene.sizes.end()});
         if (!effects_out.empty()) watch.lap("effects out", fmt::format("{} compared at the start", effects_out.size()));
-        Header header = make_header(*machine.code, machine.fields.get(), proofs, effects_out, normalised_command(machine));
+        Header header = make_header(modes, machine.fields.get(), proofs, effects_out, normalised_command(machine));
         watch.lap("emit", fmt::format("{} bytes", header.text.size()));
         return header;
     });

@@ -40,6 +40,7 @@ struct Machine {
     std::unique_ptr<Code> code;          ///< after generate
     std::unique_ptr<FieldCode> fields;   ///< after generate, where cells of rods are computed in loops
     std::vector<AuditEntry> emitted;     ///< after generate
+    std::vector<Machine> other_modes;    ///< of one that switches: the machine in its other modes; this one is in the first
     std::vector<StageReport> stages;
 };
 
@@ -51,6 +52,12 @@ Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::str
 
 /// graph -> prove -> emit. Throws Failure when the code cannot be proven equal to the derivation, not even by numbers.
 Header generate(Machine& machine);
+
+/// Of a function, in the mode that needs most. After generate.
+OperationCount operations(const Machine& machine, Function function);
+
+/// What was proven, in all modes. After generate.
+Proofs proofs_of(const Machine& machine);
 
 /// The command that the banner shows: model file name without path, options sorted.
 std::string normalised_command(const Machine& machine);

@@ -104,7 +104,11 @@ private:
         const Flow& item = *f.member.item;
         const ex dp = whole((f.from->pressure - f.to->pressure - value(item.cracking_pressure)).expand());
         f.density = f.from->density;
-        if (item.conductance) {
+        if (item.switches) {
+            const bool is_open = scene_.mode && scene_.modes[*scene_.mode].is_in(item.name + "_open");
+            const ex volume_flow = item.conductance ? ex(value(item.conductance) * dp) : value(item.coefficient) * value(item.area) * forward_root(2 * dp / f.density);
+            f.mass_flow = is_open ? ex(f.density * volume_flow) : ex(0);
+        } else if (item.conductance) {
             edge(f, "opens or closes", dp);
             f.mass_flow = f.density * value(item.conductance) * maximum(dp, 0);
         } else {
@@ -118,6 +122,7 @@ private:
         const MediumModel& gas = *(f.from_volume != nullptr ? f.from_volume->medium : reservoir_medium(item.from));
         const ex k = gas.isentropic_exponent();
         const ex dp = difference(f);
+        if (item.switches) return switched_orifice(f, k, gas.gas_constant(), dp);
         const ex higher = maximum(f.from->pressure, f.to->pressure);
         const ex temperature_root = upstream(dp, pow(*f.from->temperature, numeric(-1, 2)), pow(*f.to->temperature, numeric(-1, 2)));
         const ex relative = magnitude(dp) / higher;
@@ -127,6 +132,21 @@ private:
         edge(f, "changes between choked and subsonic", magnitude(dp) - (1 - pow(2 / (k + 1), k / (k - 1))) * higher);
         f.density = upstream(dp, f.from->density, f.to->density);
         f.mass_flow = value(item.coefficient) * value(item.area) * GiNaC::sqrt(2 / gas.gas_constant()) * temperature_root * outflow_factor(relative, k) * root;
+    }
+
+    bool is_in(const FlowState& f, const char* mode) const { return scene_.mode && scene_.modes[*scene_.mode].is_in(f.member.item->name + mode); }
+
+    /// The same in one of its modes: the direction is known, and whether it is choked, where the outflow function has its largest value.
+    void switched_orifice(FlowState& f, const ex& k, const ex& gas_constant, const ex& dp) const {
+        const Flow& item = *f.member.item;
+        const bool is_back = is_in(f, "_subsonic_back") || is_in(f, "_choked_back");
+        const FluidState& upstream = is_back ? *f.to : *f.from;
+        const ex drop = is_back ? ex(-dp) : dp;
+        const ex choked = GiNaC::sqrt(k / (k + 1)) * pow(2 / (k + 1), 1 / (k - 1)) * upstream.pressure;
+        const bool is_choked = is_in(f, "_choked") || is_in(f, "_choked_back");
+        const ex outflow = is_choked ? choked : outflow_factor(drop / upstream.pressure, k) * forward_root(upstream.pressure * drop);
+        f.density = upstream.density;
+        f.mass_flow = (is_back ? -1 : 1) * value(item.coefficient) * value(item.area) * GiNaC::sqrt(2 / gas_constant) * pow(*upstream.temperature, numeric(-1, 2)) * outflow;
     }
 
     const MediumModel* reservoir_medium(const Reference& reference) const {

@@ -38,6 +38,7 @@ private:
         Machine machine = derive_machine(model_, name, options_.choice.sizes);
         generate(machine);
         const System& system = *machine.system;
+        const Proofs proofs = proofs_of(machine);
         nlohmann::ordered_json scene{{"scene", name}, {"proofs", nlohmann::ordered_json::array()}};
         say(fmt::format("{}, scene {}\n", system.scene.sized_name(), name));
         const auto group = [&](const char* title, const std::vector<const AuditEntry*>& entries) {
@@ -49,15 +50,16 @@ private:
                 failed_ = failed_ || entry->result.verdict == Verdict::wrong;
             }
         };
-        group("d'Alembert = Euler-Lagrange", pointers(machine.audit.derivations));
-        group("force = -d(energy)/dq", pointers(machine.audit.potentials));
-        group("media: (3.11), (3.21), (3.31), (3.41), (3.43)", pointers(machine.audit.media));
-        group("balances of mass and energy", pointers(machine.audit.balances));
-        group(Audit::power_balance_name(system), {&machine.audit.power_balance});
-        group("passive network: eigenvalues real, not positive", pointers(machine.audit.eigenvalues));
-        group("emitted code = derivation", pointers(machine.emitted));
+        group("d'Alembert = Euler-Lagrange", pointers(proofs.derivation.derivations));
+        group("force = -d(energy)/dq", pointers(proofs.derivation.potentials));
+        group("media: (3.11), (3.21), (3.31), (3.41), (3.43)", pointers(proofs.derivation.media));
+        group("balances of mass and energy", pointers(proofs.derivation.balances));
+        group(Audit::power_balance_name(system), {&proofs.derivation.power_balance});
+        group("passive network: eigenvalues real, not positive", pointers(proofs.derivation.eigenvalues));
+        group("emitted code = derivation", pointers(proofs.emitted));
         json_["scenes"].push_back(std::move(scene));
         verdicts_.add(system);
+        for (const Machine& other : machine.other_modes) verdicts_.add(*other.system);
     }
 
     void report_printed() {

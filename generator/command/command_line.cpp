@@ -63,6 +63,7 @@ public:
         format(check, "text or json", {"text", "json"});
         CLI::App* evaluate = model_verb("evaluate", "state derivative, outputs and energies at one point");
         settings(evaluate);
+        mode(evaluate);
         format(evaluate, "text or json", {"text", "json"});
         evaluate->add_option("--digits", options_.digits, "significant digits of the results")->capture_default_str()->check(CLI::Range(1, 1000));
         CLI::App* simulate = model_verb("simulate", "generate, compile and run a simulation; write CSV and plots");
@@ -73,6 +74,7 @@ public:
         simulate->add_option("--until", options_.until, "end of the run in seconds");
         CLI::App* equilibrium = model_verb("equilibrium", "find an equilibrium, and the linearisation there with its eigenvalues");
         settings(equilibrium);
+        mode(equilibrium);
         format(equilibrium, "text or json", {"text", "json"});
         equilibrium->add_option("--hold", options_.hold, "states that keep their value, comma separated")->delimiter(',');
         equilibrium->add_option("--free", options_.free, "inputs that may change, comma separated")->delimiter(',');
@@ -124,6 +126,8 @@ public:
     }
 
 private:
+    void mode(CLI::App* verb) { verb->add_option("--mode", options_.mode, "of a machine that switches, the mode; the first, if left out"); }
+
     CLI::App* model_verb(const char* name, const char* what) {
         CLI::App* verb = app_.add_subcommand(name, what);
         verb->add_option("MODEL", model_, "model file")->required();

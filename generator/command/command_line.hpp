@@ -21,6 +21,7 @@ struct Options {
     std::vector<std::string> parameters;  ///< "m_W=1.2,g=9.81"
     std::vector<std::string> states;
     std::vector<std::string> inputs;
+    std::string mode;                     ///< of a machine that switches; empty: the first
     int digits = 17;
     std::string run;
     std::string until;

@@ -53,14 +53,15 @@ void mark(const std::vector<std::string>& names, const std::vector<const Variabl
 ExitCode equilibrium_command(const Options& options, Streams streams) {
     Machine machine = derived(options, streams);
     const Header header = generate(machine);
-    const System& system = *machine.system;
+    const Machine& chosen = in_chosen_mode(machine, options);
+    const System& system = *chosen.system;
     refuse_fields(system, "equilibrium");
     Values values(system.scene, system.translate);
     apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);
     apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
 
-    const FunctionCode& by_time = (*machine.code)[Function::jacobian_t];
+    const FunctionCode& by_time = (*chosen.code)[Function::jacobian_t];
     const auto moves = [&](const CodeMatrix& matrix) { return std::any_of(matrix.entries.begin(), matrix.entries.end(), [&](NodeId id) { return !by_time.is_zero(id); }); };
     if (moves(by_time.right) || moves(by_time.below))
         throw Failure(Diagnostic{Id::bad_option, system.scene.model->name_span,
@@ -87,7 +88,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     }
 
     const ScratchFolder scratch;
-    const auto result = run_with_header(scratch, header, equilibrium_source(*machine.code, header, values, free_states, free_inputs), {}, "-O0");  // compiling takes longer than running
+    const auto result = run_with_header(scratch, header, equilibrium_source(*chosen.code, header, values, free_states, free_inputs), {}, "-O0");  // compiling takes longer than running
     const bool found = result.at("status") == "success";
     const auto x = numbers(result.at("x"), ',');
     const auto u = numbers(result.at("u"), ',');
@@ -98,7 +99,8 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     json["dimension"] = std::stoul(result.at("dimension"));
     json["residual"] = std::stod(result.at("residual"));
     json["iterations"] = std::stoul(result.at("iterations"));
-    std::string text = fmt::format("{}, scene {}: ", system.scene.sized_name(), system.scene.name);
+    if (system.scene.mode) json["mode"] = system.scene.modes[*system.scene.mode].name;
+    std::string text = title_of(system.scene) + ": ";
     if (!found) text += fmt::format("no equilibrium found ({}{}), largest |dx/dt| left {}\n", result.at("status"), result.at("status") == "not finite" ? ": dx/dt or its Jacobian has no value" : "", result.at("residual"));
     else if (result.at("kind") == "family") text += fmt::format("one of a family of equilibria of dimension {}\n", result.at("dimension"));
     else text += "an isolated equilibrium\n";

@@ -29,7 +29,7 @@ private:
 
 ExitCode evaluate_command(const Options& options, Streams streams) {
     const Machine machine = derived(options, streams);
-    const System& system = *machine.system;
+    const System& system = *in_chosen_mode(machine, options).system;
     refuse_fields(system, "evaluate");
     Values values(system.scene, system.translate);
     apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
@@ -39,7 +39,8 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
 
     nlohmann::ordered_json json = json_result("evaluate", system.scene);
     json["digits"] = options.digits;
-    std::string text = fmt::format("{}, scene {}\n", system.scene.sized_name(), system.scene.name);
+    if (system.scene.mode) json["mode"] = system.scene.modes[*system.scene.mode].name;
+    std::string text = title_of(system.scene) + "\n";
     // Up to 17 digits are numbers in JSON; more would be lost there and are texts.
     const auto json_number = [&](const std::string& number) { return options.digits <= 17 ? nlohmann::ordered_json(std::stod(number)) : nlohmann::ordered_json(number); };
     const auto group = [&](const char* key, const char* title, const std::vector<std::pair<std::string, ex>>& entries) {

@@ -64,10 +64,10 @@ nlohmann::ordered_json as_json(const Machine& machine, const Header& header, con
     json["header"] = path.string();
     json["namespace"] = header.name_space;
     json["bytes"] = header.text.size();
-    json["all_proven"] = Proofs{machine.audit, machine.emitted}.all_proven();
+    json["all_proven"] = proofs_of(machine).all_proven();
     json["operations"] = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < function_count; ++i) {
-        const OperationCount c = machine.code->count(static_cast<Function>(i));
+        const OperationCount c = operations(machine, static_cast<Function>(i));
         json["operations"][name_of(static_cast<Function>(i))] = {{"additions", c.additions}, {"multiplications", c.multiplications},
                                                                  {"divisions", c.divisions}, {"trigonometric", c.trigonometric},
                                                                  {"other", c.other},         {"total", c.total()}};
@@ -100,14 +100,14 @@ ExitCode generate_command(const Options& options, Streams streams) {
         const std::filesystem::path path = std::filesystem::path(options.output) / (options.header.empty() ? header.file_name : options.header);
         files.emplace_back(path, header.text);
         all.push_back(as_json(machine, header, path));
-        const bool all_proven = Proofs{machine.audit, machine.emitted}.all_proven();
+        const bool all_proven = proofs_of(machine).all_proven();
         std::string cells;
         for (std::size_t i = 0; machine.fields && i < machine.fields->fields.size(); ++i) {
             const FieldFunctions& f = machine.fields->fields[i];
             cells += fmt::format(" and {} for each of the {} cells of {}", machine.fields->per_cell(f).total(), f.field->geometry.cells(), f.field->rod->name);
         }
         text += fmt::format("{}: {} degrees of freedom, {} operations in the right-hand side{}, {}\n", path.string(), machine.system->symbols.degrees(),
-                            machine.code->count(Function::rhs).total(), cells, all_proven ? "everything proven" : "some of it numerically equal only");
+                            operations(machine, Function::rhs).total(), cells, all_proven ? "everything proven" : "some of it numerically equal only");
         if (options.explain) text += stage_table(machine.stages);
     }
     write_files(files);

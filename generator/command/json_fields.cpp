@@ -48,6 +48,17 @@ constexpr auto derive = std::to_array<JsonField>({
     {"guards[].ends", "whether a run ends there; else the right-hand side has an edge"},
     {"guards[].value", "the guard"},
     {"outputs.<NAME>", "expressions of the outputs"},
+    {"modes[].mode", "of a machine that switches: name of the mode; what stands above is of the first"},
+    {"modes[].equations[].left", "equations of motion as constraints leave them, and accelerations that these determine"},
+    {"modes[].equations[].right", ""},
+    {"modes[].state_rates.<NAME>", "rates of the states"},
+    {"modes[].constraints[].name", "a constraint that holds"},
+    {"modes[].constraints[].rate", "which is zero"},
+    {"modes[].constraints[].force", "along the rate, on the machine"},
+    {"modes[].events[].name", "an event that is watched"},
+    {"modes[].events[].guard", "it happens where this falls through zero"},
+    {"modes[].events[].ends", "whether a run ends there"},
+    {"modes[].events[].next[]", "modes afterwards, in order of preference"},
 });
 
 constexpr auto generate = std::to_array<JsonField>({
@@ -94,6 +105,7 @@ constexpr auto check = std::to_array<JsonField>({
 constexpr auto evaluate = std::to_array<JsonField>({
     {"scene", "the scene"},
     {"sizes.<NAME>", "sizes of families"},
+    {"mode", "of a machine that switches"},
     {"digits", "significant digits; above 17 all numbers are texts"},
     {"parameter.<NAME>", "in SI, as everything below"},
     {"state.<NAME>", ""},
@@ -122,12 +134,15 @@ constexpr auto simulate = std::to_array<JsonField>({
     {"rhs_calls", "evaluations of the right-hand side"},
     {"energy_error", "max |E - E0 - work| / max(T + |V|)"},
     {"euler_step", "s, largest step for which the explicit Euler method is stable at the start; of models with heat"},
+    {"lost", "J, energy lost at events, as by impacts; of what switches, as the next one"},
+    {"mode", "in which the run ended"},
     {"files[]", "what was written"},
 });
 
 constexpr auto equilibrium = std::to_array<JsonField>({
     {"scene", "the scene"},
     {"sizes.<NAME>", "sizes of families"},
+    {"mode", "of a machine that switches"},
     {"status", "success, or why the search stopped"},
     {"kind", "isolated, family or none"},
     {"dimension", "of the family"},

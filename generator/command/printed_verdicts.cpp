@@ -44,7 +44,7 @@ void PrintedVerdicts::add(const System& system) {
             PrintedRow& row = row_of(member);
             if (!system.scene.holds(entry.when)) continue;
             const PrintedCheck check = check_printed(system, member);
-            row.scenes.push_back(system.scene.name);
+            if (row.scenes.empty() || row.scenes.back() != system.scene.name) row.scenes.push_back(system.scene.name);
             const Verdict verdict = check.verdict();
             if (row.found && weight(*row.found) >= weight(verdict)) continue;
             row.found = verdict;

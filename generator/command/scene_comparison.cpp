@@ -84,7 +84,7 @@ private:
             for (const OutputEquation& output : system.outputs) compared.outputs.push_back(output.name);
             compared.row.states = system.scene.state_count();
             compared.row.parameters = system.symbols.count(SymbolKind::parameter);
-            compared.row.operations = compared.prepared->machine.code->count(Function::rhs).total();
+            compared.row.operations = operations(compared.prepared->machine, Function::rhs).total();
             streams_.err << fmt::format("  {}: derived, proven, generated\n", wish);
         } catch (const Failure& failure) {
             compared.row.refused = failure.diagnostics().empty() ? failure.what() : failure.diagnostics().front().message;
@@ -141,7 +141,7 @@ private:
                 row.status = report.status;
                 row.until = report.t;
                 for (const auto& [path, content] : report.files)
-                    if (path.extension() == ".csv") job.first->results = columns_of(content);
+                    if (path.filename() == job.first->prepared->name + ".csv") job.first->results = columns_of(content);
                 streams_.err << fmt::format("  {}: compiled and run\n", row.wish);
             } catch (const Failure& failure) {
                 if (failure.exit_code() == ExitCode::tool_missing) throw;

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 
 #include "model/verdict.hpp"
+#include "text/nearest.hpp"
 
 namespace dalembert {
 
@@ -18,6 +20,21 @@ std::shared_ptr<const LoadedModel> loaded(const Options& options, Streams stream
 
 Machine derived(const Options& options, Streams streams) {
     return derive_machine(loaded(options, streams), options.choice.scene, options.choice.sizes);
+}
+
+const Machine& in_chosen_mode(const Machine& machine, const Options& options) {
+    if (options.mode.empty()) return machine;
+    const Scene& scene = machine.system->scene;
+    std::vector<std::string> names;
+    for (const SceneMode& mode : scene.modes) names.push_back(mode.name);
+    if (names.empty()) throw Failure(Diagnostic{Id::unknown_name, scene.model->name_span, fmt::format("scene '{}' has no modes, and so no mode '{}'", scene.name, options.mode)});
+    const auto found = std::find(names.begin(), names.end(), options.mode);
+    if (found == names.end()) throw Failure(Diagnostic{Id::unknown_name, scene.model->name_span, fmt::format("scene '{}' has no mode '{}'; its modes are {}", scene.name, options.mode, quoted_list(names))});
+    return found == names.begin() ? machine : machine.other_modes[static_cast<std::size_t>(found - names.begin()) - 1];
+}
+
+std::string title_of(const Scene& scene) {
+    return fmt::format("{}, scene {}{}", scene.sized_name(), scene.name, scene.mode ? ", mode " + scene.modes[*scene.mode].name : "");
 }
 
 std::string summary(const std::vector<const AuditEntry*>& entries) {

@@ -12,6 +12,11 @@ std::shared_ptr<const LoadedModel> loaded(const Options& options, Streams stream
 /// The machine of the command line, derived and proven.
 Machine derived(const Options& options, Streams streams);
 
+/// The machine in the mode of the command line. Throws Failure (unknown-name).
+const Machine& in_chosen_mode(const Machine& machine, const Options& options);
+/// "NAME, scene S", with the mode where there are some.
+std::string title_of(const Scene& scene);
+
 /// "proven", or "12 proven, 1 numerically equal".
 std::string summary(const std::vector<const AuditEntry*>& entries);
 std::vector<const AuditEntry*> pointers(const std::vector<AuditEntry>& entries);

@@ -25,6 +25,8 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         json["rhs_calls"] = report.rhs_calls;
         json["energy_error"] = report.energy_error;
         if (report.euler_step) json["euler_step"] = *report.euler_step;
+        if (report.lost) json["lost"] = *report.lost;
+        if (report.lost) json["mode"] = report.mode;
         json["files"] = nlohmann::ordered_json::array();
         for (const auto& [path, content] : report.files) json["files"].push_back(path.string());
         streams.out << printed(json);
@@ -34,9 +36,15 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         const char* energy = prepared.machine.system->has_balances() ? "T + |V| + |internal energy|" : "T + |V|";
         streams.out << fmt::format("energy error: max |E - E(0) - work| / max({}) = {}\n", energy, report.energy_error);
         if (report.euler_step) streams.out << fmt::format("explicit Euler at the start: stable up to steps of {:.6g} s\n", *report.euler_step);
+        if (report.lost) streams.out << fmt::format("energy lost at events: {} J; mode at the end: {}\n", *report.lost, report.mode);
+        if (report.ended) streams.out << report.message << "\n";
         for (const auto& [path, content] : report.files) streams.out << path.string() << "\n";
     }
-    if (report.status != "success") {
+    if (report.status != "success" && !report.ended) {
+        if (report.lost && report.guard.empty() && report.culprit.empty()) {
+            streams.err << fmt::format("dalembert: the run stopped: {}\n", report.message);
+            return ExitCode::run_stopped;
+        }
         streams.err << fmt::format("dalembert: the run stopped at t = {} s: {}{}\n", report.t, report.guard.empty() ? report.status : report.guard,
                                    report.culprit.empty() ? "" : fmt::format("; state '{}' or its derivative is not finite", report.culprit));
         return ExitCode::run_stopped;

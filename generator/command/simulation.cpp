@@ -12,6 +12,7 @@
 #include "form/state_places.hpp"
 #include "model/choose_effects.hpp"
 #include "model/parser.hpp"
+#include "prove/switching_validity.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -212,6 +213,7 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     const System& system = *prepared.machine.system;
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
+    check_switching_values(system, values);
     const SimulationSettings settings = preparation.make_settings(values, system);
     prepared.draw = settings.draw;
     prepared.source = simulation_source(*prepared.machine.code, prepared.header, values, settings);
@@ -237,7 +239,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     report.t = std::stod(result.at("t"));
     report.events = std::stoul(result.at("events"));
     const auto& guards = prepared.machine.system->fluids.guards;
-    if (const std::size_t guard = std::stoul(result.at("guard")); guard < guards.size()) report.guard = guards[guard].doc;
+    if (const std::size_t guard = std::stoul(result.at("guard")); guard < guards.size() && prepared.machine.system->scene.modes.empty()) report.guard = guards[guard].doc;
     report.steps = std::stoul(result.at("steps"));
     report.rejected = std::stoul(result.at("rejected"));
     report.rhs_calls = std::stoul(result.at("rhs_calls"));
@@ -247,10 +249,20 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
         if (std::isfinite(value)) report.euler_step = value;
     }
     report.drawn = result.at("drawn") == "1";
+    if (const auto lost = result.find("lost"); lost != result.end()) {
+        report.lost = std::stod(lost->second);
+        report.mode = result.at("mode");
+        report.message = result.at("message");
+        const auto& events = prepared.machine.system->events;
+        const std::size_t event = std::stoul(result.at("guard"));
+        report.ended = report.status == "event" && event < events.size() && events[event].item != nullptr && !events[event].item->is_limit;
+        report.guard = event < events.size() && !report.ended && report.status == "event" ? events[event].doc : "";
+    }
     if (report.status == "not finite") {
         report.culprit = name_of_state(*prepared.machine.system, std::stoul(result.at("state")));
     }
     report.files = {{folder / prepared.header.file_name, prepared.header.text}, {folder / (prepared.name + ".csv"), read_file(base.string() + ".csv")}};
+    if (report.lost) report.files.emplace_back(folder / (prepared.name + "_events.csv"), read_file(base.string() + "_events.csv"));
     if (report.drawn)
         for (const char* ending : {".svg", ".png"}) report.files.emplace_back(folder / (prepared.name + ending), read_file(base.string() + ending));
     return report;

@@ -29,6 +29,10 @@ struct SimulationReport {
     std::size_t rhs_calls = 0;
     double energy_error = 0; ///< max |E - E(0) - work| / max(T + |V| + |internal energy|)
     std::optional<double> euler_step;  ///< s, of heat: up to which the explicit Euler method is stable at the start; nothing where it is not known
+    std::optional<double> lost;        ///< J, of what switches: at events, as by impacts
+    std::string message;               ///< of what switches: how the run ended, for people
+    std::string mode;                  ///< of what switches: in which it ended
+    bool ended = false;                ///< by an event that the model says ends a run
     bool drawn = false;
     FileContents files;      ///< to be written: header, CSV, plots
 };

@@ -35,10 +35,11 @@ SurveyRow prepare_row(const std::shared_ptr<const LoadedModel>& model, const std
     const Machine& machine = row.simulation.machine;
     row.name = fmt::format("{}, {}", machine.system->scene.sized_name(), machine.system->scene.name);
     row.degrees = machine.system->symbols.degrees();
-    row.operations = machine.code->count(Function::rhs).total();
+    row.operations = operations(machine, Function::rhs).total();
     for (const StageReport& stage : machine.stages) row.generation_seconds += stage.seconds;
     PrintedVerdicts verdicts;
     verdicts.add(*machine.system);
+    for (const Machine& other : machine.other_modes) verdicts.add(*other.system);
     // Only what one scene runs is shown, so its row answers for what the book prints of the others too.
     for (const std::string& other : options.every_scene ? std::vector<std::string>() : scene_names(model->model))
         if (other != scene) verdicts.add(*derive_machine(model, other, options.choice.sizes).system);
@@ -48,7 +49,7 @@ SurveyRow prepare_row(const std::shared_ptr<const LoadedModel>& model, const std
         row.as_expected += printed.as_expected() ? 1 : 0;
         row.misprints += printed.verdict() == Verdict::wrong || printed.verdict() == Verdict::dimensionally_wrong ? 1 : 0;
     }
-    row.all_proven = Proofs{machine.audit, machine.emitted}.all_proven();
+    row.all_proven = proofs_of(machine).all_proven();
     return row;
 }
 

@@ -40,7 +40,8 @@ bool Proofs::all_proven() const {
     return derivation.all_proven() && std::all_of(emitted.begin(), emitted.end(), [](const AuditEntry& e) { return e.result.verdict == Verdict::proven; });
 }
 
-std::string banner(const Code& code, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command) {
+std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command) {
+    const Code& code = *modes.front();
     const Scene& scene = code.system.scene;
     const Model& model = *scene.model;
     std::string text = "// SPDX-License-Identifier: BSL-1.0\n//\n";
@@ -52,6 +53,12 @@ std::string banner(const Code& code, const Proofs& proofs, const std::vector<Eff
     if (effects_out.empty()) text += "// Effects out: none\n";
     else text += "// Effects out, and what each would do to the rates at the start values:\n";
     for (const EffectSize& out : effects_out) text += cpp_comment(fmt::format("{} ({}): {}", out.effect->name, safe_line(out.effect->doc), out.at_start), 0, "//    ");
+
+    if (modes.size() > 1) {
+        std::vector<std::string> names;
+        for (const SceneMode& mode : scene.modes) names.push_back(mode.name);
+        text += cpp_comment(fmt::format("Modes: {}", fmt::join(names, ", ")), 0, "//");
+    }
 
     std::vector<const AuditEntry*> derivations, potentials, media, balances, emitted;
     for (const AuditEntry& e : proofs.derivation.derivations) derivations.push_back(&e);
@@ -67,10 +74,14 @@ std::string banner(const Code& code, const Proofs& proofs, const std::vector<Eff
     text += fmt::format("//     {} + prescribed: {}\n", Audit::power_balance_name(code.system), to_string(proofs.derivation.power_balance.result.verdict));
     text += fmt::format("//     this code = the derivation: {} functions\n", verdicts(emitted));
 
-    text += "//\n// Operations          +,-      *     /  sin,cos  other\n";
+    text += "//\n";
+    if (modes.size() > 1) text += "// Of each function, in the mode that needs most:\n";
+    text += "// Operations          +,-      *     /  sin,cos  other\n";
     for (std::size_t i = 0; i < function_count; ++i) {
         const auto function = static_cast<Function>(i);
-        const OperationCount c = code.count(function);
+        OperationCount c;
+        for (const Code* mode : modes)
+            if (mode->count(function).total() > c.total()) c = mode->count(function);
         if (c.total() == 0) continue;
         text += fmt::format("//   {:<18} {:>5} {:>6} {:>5} {:>8} {:>6}\n", name_of(function), c.additions, c.multiplications, c.divisions, c.trigonometric, c.other);
     }

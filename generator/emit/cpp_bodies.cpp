@@ -7,38 +7,59 @@
 #include <algorithm>
 
 #include "emit/helpers.hpp"
+#include "emit/notation.hpp"
+#include "graph/raise.hpp"
 
 namespace dalembert {
 
 namespace {
 
 const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State"};
+const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g", "rates", "by_time", "k"};
 
 constexpr const char* indent = "        ";
 
 }  // namespace
 
-CppBodies::CppBodies(const Code& code) : code_(code), n_(code.solve.n), m_(code.system.symbols.states()) {
-    std::set<std::uint32_t> used;
-    const Symbols& symbols = code.system.symbols;
-    for (std::size_t i = symbols.model_definitions(); i < symbols.count(SymbolKind::definition); ++i) only_in_update_.insert(i);
-    for (const FunctionCode& f : code.functions)
-        for (const NodeId id : f.program.in_order(f.roots())) {
-            const Node& node = f.program[id];
-            if (node.kind == Node::Kind::cached) used.insert(node.index);
-            const Variable* variable = node.kind == Node::Kind::symbol ? code.atoms[node.index].variable : nullptr;
-            const bool is_definition = variable != nullptr && variable->kind == SymbolKind::definition;
-            if (is_definition && &f != &code[Function::update]) only_in_update_.erase(variable->position);
+SharedMembers::SharedMembers(std::vector<const Code*> modes) : modes_(std::move(modes)) {
+    const Symbols& first = modes_.front()->system.symbols;
+    for (std::size_t i = first.model_definitions(); i < first.count(SymbolKind::definition); ++i) only_in_update_.insert(i);
+    std::map<std::string, std::size_t> numbers;
+    std::size_t count = 0;
+    for (const Code* code : modes_) {
+        std::set<std::uint32_t> used;
+        for (const FunctionCode& f : code->functions)
+            for (const NodeId id : f.program.in_order(f.roots())) {
+                const Node& node = f.program[id];
+                if (node.kind == Node::Kind::cached) used.insert(node.index);
+                const Variable* variable = node.kind == Node::Kind::symbol ? code->atoms[node.index].variable : nullptr;
+                const bool is_definition = variable != nullptr && variable->kind == SymbolKind::definition;
+                if (is_definition && &f != &(*code)[Function::update]) only_in_update_.erase(variable->position);
+            }
+        const Notation write(code->system.symbols, Style::text);
+        const CachedMeaning meaning = cached_meaning(*code);
+        for (const std::uint32_t index : used) {
+            if (modes_.size() == 1) {
+                cached_[code].emplace(index, count++);
+                continue;
+            }
+            const auto [known, is_new] = numbers.emplace(write(meaning(index)), count);
+            if (is_new) ++count;
+            cached_[code].emplace(index, known->second);
         }
-    for (const std::uint32_t index : used) {
-        cached_texts_.emplace(index, "c_." + cached_name(code.system.symbols, cached_.size()));
-        cached_.emplace(index, cached_.size());
+        cached_[code];
     }
-    layouts_.emplace_back(code, code[Function::rhs_and_jacobian], By::state);
-    layouts_.emplace_back(code, code[Function::jacobian_u], By::input);
-    layouts_.emplace_back(code, code[Function::jacobian_p], By::parameter);
-    layouts_.emplace_back(code, code[Function::jacobian_t], By::time);
+    layouts_.emplace_back(modes_, Function::rhs_and_jacobian, By::state);
+    layouts_.emplace_back(modes_, Function::jacobian_u, By::input);
+    layouts_.emplace_back(modes_, Function::jacobian_p, By::parameter);
+    layouts_.emplace_back(modes_, Function::jacobian_t, By::time);
+}
+
+CppBodies::CppBodies(const Code& code, const SharedMembers& shared)
+    : code_(code), shared_(shared), n_(code.system.symbols.degrees()), m_(code.system.symbols.states()), cached_(shared.cached(code)), mode_(shared.has_modes() ? "mode, " : ""), arguments_(argument_names) {
+    for (const auto& [index, number] : cached_) cached_texts_.emplace(index, "c_." + cached_name(code.system.symbols, number));
     if (!code.solve.unrolled) helpers_.insert("ldlt");
+    if (shared.has_modes()) arguments_.insert(names_of_modes.begin(), names_of_modes.end());
 }
 
 std::string CppBodies::assigned(CppFunction& cpp, const std::string& target, NodeId value) {
@@ -81,7 +102,7 @@ std::vector<std::size_t> CppBodies::needed_definitions() const {
     for (std::size_t i = order.size(); i-- > 0;) {
         if (!is_kept(order[i]) && !needed.contains(order[i])) continue;
         needed.insert(order[i]);
-        if (!only_in_update_.empty()) need_parts(f.results[i]);
+        if (!shared_.only_in_update().empty()) need_parts(f.results[i]);
     }
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -89,25 +110,29 @@ std::vector<std::size_t> CppBodies::needed_definitions() const {
     return result;
 }
 
-CppBody CppBodies::update() {
+CppBody CppBodies::update(std::set<std::string>& done) {
     const FunctionCode& all = code_[Function::update];
     // Only what some function uses is computed.
     FunctionCode f = all;
-    const std::vector<std::size_t> needed = needed_definitions();
     f.results.clear();
-    for (const std::size_t i : needed) f.results.push_back(all.results[i]);
-    for (const auto& [index, number] : cached_) f.results.push_back(all.results[code_.definition_order.size() + index]);
-    CppFunction cpp(code_, f, cached_texts_, argument_names);
-    cpp.bind_locals(only_in_update_);
-    std::string statements;
+    std::vector<std::string> targets;
     const auto& definitions = code_.system.symbols.all(SymbolKind::definition);
+    const auto add = [&](const std::string& target, NodeId result) {
+        if (target.starts_with("c_.") && !done.insert(target).second) return;
+        targets.push_back(target);
+        f.results.push_back(result);
+    };
+    for (const std::size_t i : needed_definitions()) {
+        const std::size_t definition = code_.definition_order[i];
+        add((is_kept(definition) ? "c_." : "const Scalar ") + cpp_name(definitions[definition]), all.results[i]);
+    }
+    for (const auto& [index, number] : cached_) add(cached_texts_.at(index), all.results[code_.definition_order.size() + index]);
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
+    cpp.bind_locals(shared_.only_in_update());
+    std::string statements;
     for (std::size_t i = 0; i < f.results.size(); ++i) {
         statements += cpp.compute({f.results[i]});
-        const bool is_definition = i < needed.size();
-        const std::size_t definition = is_definition ? code_.definition_order[needed[i]] : 0;
-        const std::string target = is_definition ? cpp_name(definitions[definition]) : cached_name(code_.system.symbols, i - needed.size());
-        const bool is_local = is_definition && !is_kept(definition);
-        statements += assigned(cpp, (is_local ? "const Scalar " : "c_.") + target, f.results[i]);
+        statements += assigned(cpp, targets[i], f.results[i]);
     }
     if (f.by_loops && code_.solve.is_constant) {
         statements += cpp.compute(f.mass);
@@ -119,7 +144,7 @@ CppBody CppBodies::update() {
 
 CppBody CppBodies::start_state() {
     const FunctionCode& f = code_[Function::start_state];
-    CppFunction cpp(code_, f, cached_texts_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements = cpp.compute(f.results);
     for (std::size_t i = 0; i < f.results.size(); ++i)
         if (!f.is_zero(f.results[i])) statements += assigned(cpp, fmt::format("x[{}]", i), f.results[i]);
@@ -161,14 +186,14 @@ std::string CppBodies::motion(CppFunction& cpp, const FunctionCode& f) {
 
 CppBody CppBodies::rhs() {
     const FunctionCode& f = code_[Function::rhs];
-    CppFunction cpp(code_, f, cached_texts_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements = motion(cpp, f);
     return finish(cpp, std::move(statements), "State& dxdt", {.state = n_ > 0});
 }
 
 CppBody CppBodies::rhs_and_jacobian() {
     const FunctionCode& f = code_[Function::rhs_and_jacobian];
-    CppFunction cpp(code_, f, cached_texts_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements = motion(cpp, f);
     statements += filled_jacobian(cpp, f, layout(By::state), By::state, true);
     return finish(cpp, std::move(statements), "State& dxdt, JacobianX& J", {.state = n_ > 0});
@@ -207,12 +232,12 @@ std::string CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, 
 /// Accelerations for functions that need them but do not solve for them.
 std::string CppBodies::accelerations_by_rhs(CppFunction& cpp) {
     cpp.bind_accelerations("dxdt", n_);
-    return fmt::format("{}State dxdt;\n{}rhs(x, u, t, dxdt);\n", indent, indent);
+    return fmt::format("{0}State dxdt;\n{0}rhs({1}x, u, t, dxdt);\n", indent, mode_);
 }
 
 CppBody CppBodies::jacobian(Function function, By by) {
     const FunctionCode& f = code_[function];
-    CppFunction cpp(code_, f, cached_texts_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements;
     if (f.uses_accelerations) statements += accelerations_by_rhs(cpp);
     statements += filled_jacobian(cpp, f, layout(by), by, false);
@@ -223,7 +248,7 @@ CppBody CppBodies::jacobian(Function function, By by) {
 
 CppBody CppBodies::mass_matrix() {
     const FunctionCode& f = code_[Function::mass_matrix];
-    CppFunction cpp(code_, f, cached_texts_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements = cpp.compute(f.results);
     for (std::size_t c = 0; c < n_; ++c)
         for (std::size_t r = 0; r < n_; ++r)
@@ -233,7 +258,7 @@ CppBody CppBodies::mass_matrix() {
 
 CppBody CppBodies::values(Function function, const char* type, const char* result) {
     const FunctionCode& f = code_[function];
-    CppFunction cpp(code_, f, cached_texts_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements;
     if (f.uses_accelerations) statements += accelerations_by_rhs(cpp);
     statements += cpp.compute(f.results);
@@ -244,16 +269,16 @@ CppBody CppBodies::values(Function function, const char* type, const char* resul
 /// dh/dx at fixed accelerations, and through the accelerations where outputs contain them.
 CppBody CppBodies::output_jacobian(Function function, By by) {
     const FunctionCode& f = code_[function];
-    CppFunction cpp(code_, f, cached_texts_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
     const std::size_t rows = f.by_output.rows;
     const bool through = std::any_of(f.by_acceleration.entries.begin(), f.by_acceleration.entries.end(), [&](NodeId id) { return !f.is_zero(id); });
     const bool is_empty = rows == 0 || f.by_output.columns == 0;
     std::string statements;
     if (through && !is_empty && by == By::state) {
         cpp.bind_accelerations("dxdt", n_);
-        statements += fmt::format("{0}State dxdt;\n{0}JacobianX J;\n{0}rhs_and_jacobian(x, u, t, dxdt, J);\n", indent);
+        statements += fmt::format("{0}State dxdt;\n{0}JacobianX J;\n{0}rhs_and_jacobian({1}x, u, t, dxdt, J);\n", indent, mode_);
     } else if (through && !is_empty) {
-        statements += fmt::format("{0}JacobianU J;\n{0}jacobian_u(x, u, t, J);\n", indent);
+        statements += fmt::format("{0}JacobianU J;\n{0}jacobian_u({1}x, u, t, J);\n", indent, mode_);
     }
     if (f.uses_accelerations && !(through && by == By::state)) statements += accelerations_by_rhs(cpp);
     if (!is_empty) statements += cpp.compute(f.by_output.entries);
@@ -278,7 +303,7 @@ CppBody CppBodies::output_jacobian(Function function, By by) {
 
 CppBody CppBodies::scalar(Function function) {
     const FunctionCode& f = code_[function];
-    CppFunction cpp(code_, f, cached_texts_, argument_names);
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements;
     if (f.uses_accelerations) statements += accelerations_by_rhs(cpp);
     statements += cpp.compute(f.results);
@@ -287,6 +312,116 @@ CppBody CppBodies::scalar(Function function) {
     statements += before + wrapped(fmt::format("return {};", text), 8);
     const bool is_energy = function == Function::kinetic_energy || function == Function::potential_energy || function == Function::internal_energy;
     return finish(cpp, std::move(statements), "", {.everything = f.uses_accelerations, .has_input = !is_energy});
+}
+
+/// Rates of the accelerations that occur, by the chain rule along the motion, with inputs held.
+std::string CppBodies::jerks(const FunctionCode& f) {
+    std::string statements = fmt::format("{0}State dxdt;\n{0}JacobianX J;\n{0}rhs_and_jacobian(mode, x, u, t, dxdt, J);\n{0}JacobianT by_time;\n{0}jacobian_t(mode, x, u, t, by_time);\n", indent);
+    for (const NodeId id : f.program.in_order(f.roots())) {
+        const Node& node = f.program[id];
+        const Variable* variable = node.kind == Node::Kind::symbol ? code_.atoms[node.index].variable : nullptr;
+        if (variable == nullptr || variable->kind != SymbolKind::jerk) continue;
+        const std::size_t row = n_ + variable->position;
+        std::string sum = fmt::format("by_time[{}]", row);
+        for (std::size_t c = 0; c < layout(By::state).columns(); ++c)
+            if (const auto place = layout(By::state).place(row, c)) sum += fmt::format(" + J[{}] * dxdt[{}]", *place, c);
+        statements += wrapped(fmt::format("const Scalar {} = {};", cpp_name(*variable), sum), 8);
+    }
+    return statements;
+}
+
+CppBody CppBodies::guards(Function function, const char* type, const char* result) {
+    FunctionCode f = code_[function];
+    std::vector<std::size_t> watched;
+    for (std::size_t e = 0; e < code_.system.events.size(); ++e)
+        if (code_.system.events[e].is_watched) watched.push_back(e);
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
+    std::string statements;
+    if (f.uses_jerks) statements += jerks(f);
+    else if (f.uses_accelerations) statements += accelerations_by_rhs(cpp);
+    cpp.bind_accelerations("dxdt", n_);
+    for (const std::size_t e : watched) {
+        statements += cpp.compute({f.results[e]});
+        statements += assigned(cpp, fmt::format("{}[{}]", result, e), f.results[e]);
+    }
+    return finish(cpp, std::move(statements), watched.empty() ? fmt::format("{}& /*{}*/", type, result) : fmt::format("{}& {}", type, result), {.everything = f.uses_accelerations || f.uses_jerks});
+}
+
+CppBody CppBodies::conditions() {
+    const FunctionCode& f = code_[Function::conditions];
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
+    std::string statements = cpp.compute(f.results);
+    std::string all;
+    const std::size_t count = code_.condition_places.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string value = cpp.value(f.results[i], statements);
+        const std::string size = cpp.value(f.results[count + i], statements);
+        all += fmt::format("{}detail::is_near<Scalar>(x[{}], {}, {})", i == 0 ? "" : " && ", code_.condition_places[i], value, size);
+    }
+    if (!f.results.empty()) helpers_.insert("is_near");
+    statements += fmt::format("{}return {};\n", indent, f.results.empty() ? "true" : all);
+    return finish(cpp, std::move(statements), "", {.state = !f.results.empty()});
+}
+
+CppBody CppBodies::resets(const std::vector<ResetCode>& resets) {
+    const FunctionCode& f = code_[Function::resets];
+    std::string statements;
+    bool uses_input = false, uses_time = false;
+    std::set<std::string> called;
+    for (std::size_t e = 0; e < resets.size(); ++e) {
+        if (resets[e].places.empty()) continue;
+        FunctionCode one = f;
+        one.solved = one.right = {};
+        const auto first = f.results.begin() + static_cast<std::ptrdiff_t>(resets[e].first);
+        one.results.assign(first, first + static_cast<std::ptrdiff_t>(resets[e].places.size()));
+        CppFunction cpp(code_, one, cached_texts_, arguments_);
+        // Everything is read before anything is written.
+        std::string body = cpp.compute(one.results);
+        std::vector<std::string> values;
+        for (const NodeId result : one.results) values.push_back(cpp.value(result, body));
+        const bool at_once = values.size() > 1;
+        for (std::size_t i = 0; at_once && i < values.size(); ++i) body += wrapped(fmt::format("const Scalar new_{}_ = {};", i, values[i]), 8);
+        for (std::size_t i = 0; i < values.size(); ++i) body += wrapped(fmt::format("x[{}] = {};", resets[e].places[i], at_once ? fmt::format("new_{}_", i) : values[i]), 8);
+        statements += fmt::format("{0}if (event_number == event::{1}) {{\n{2}{0}}}\n", indent, cpp_name(code_.system.events[e].name, 0, false), shifted(body));
+        uses_input = uses_input || cpp.uses_input();
+        uses_time = uses_time || cpp.uses_time();
+        called.insert(cpp.called().begin(), cpp.called().end());
+    }
+    std::string scope;
+    for (const std::string& name : called) {
+        if (is_helper(name)) helpers_.insert(name);
+        else scope += fmt::format("{}using std::{};\n", indent, name);
+    }
+    const auto argument = [](const char* type, const char* name, bool used) { return used ? fmt::format("{} {}", type, name) : fmt::format("{} /*{}*/", type, name); };
+    return {argument("State&", "x", !statements.empty()) + ", " + argument("const Input&", "u", uses_input) + ", " + argument("Scalar", "t", uses_time), scope + statements};
+}
+
+CppBody CppBodies::kinks(const std::vector<std::string>& names) {
+    const FunctionCode& f = code_[Function::guards];
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
+    std::string statements;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const auto& guards = code_.system.fluids.guards;
+        const auto found = std::find_if(guards.begin(), guards.end(), [&](const Guard& g) { return !g.ends && g.name + g.doc == names[k]; });
+        if (found == guards.end()) {
+            statements += fmt::format("{}k[{}] = Scalar(1);\n", indent, k);
+            continue;
+        }
+        const NodeId result = f.results[static_cast<std::size_t>(found - guards.begin())];
+        statements += cpp.compute({result});
+        statements += assigned(cpp, fmt::format("k[{}]", k), result);
+    }
+    return finish(cpp, std::move(statements), names.empty() ? "Kinks& /*k*/" : "Kinks& k", {.everything = f.uses_accelerations});
+}
+
+std::string shifted(const std::string& text) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = text.find('\n', at);
+        result += "    " + text.substr(at, end - at) + "\n";
+        at = end + 1;
+    }
+    return result;
 }
 
 }  // namespace dalembert

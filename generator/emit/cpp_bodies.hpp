@@ -12,11 +12,35 @@ struct CppBody {
     std::string statements;
 };
 
+/// What the modes of one machine share in its header: members for what depends on parameters alone, and patterns of Jacobians.
+class SharedMembers {
+public:
+    explicit SharedMembers(std::vector<const Code*> modes);
+
+    const JacobianLayout& layout(By by) const { return layouts_[static_cast<std::size_t>(by)]; }
+    /// Whether a definition is a member of the header: those of the model, and the steps that some function but update() uses.
+    bool is_kept(std::size_t definition) const { return !only_in_update_.contains(definition); }
+    const std::set<std::size_t>& only_in_update() const { return only_in_update_; }
+    /// The number of a cached value of a mode, or nothing where no function uses it. Equal values have one number.
+    const std::map<std::uint32_t, std::size_t>& cached(const Code& mode) const { return cached_.at(&mode); }
+    bool has_modes() const { return modes_.size() > 1 || !modes_.front()->system.scene.modes.empty(); }
+
+private:
+    std::vector<const Code*> modes_;
+    std::vector<JacobianLayout> layouts_;
+    std::set<std::size_t> only_in_update_;
+    std::map<const Code*, std::map<std::uint32_t, std::size_t>> cached_;
+};
+
+/// Every line by four blanks.
+std::string shifted(const std::string& text);
+
 class CppBodies {
 public:
-    explicit CppBodies(const Code& code);
+    CppBodies(const Code& code, const SharedMembers& shared);
 
-    CppBody update();
+    /// `done`: members that other modes have computed, which grows.
+    CppBody update(std::set<std::string>& done);
     CppBody start_state();
     CppBody rhs();
     CppBody rhs_and_jacobian();
@@ -26,12 +50,14 @@ public:
     CppBody values(Function function, const char* type, const char* result);
     CppBody output_jacobian(Function function, By by);
     CppBody scalar(Function function);
+    /// Of a machine that switches: guards of events that are watched, or their rates.
+    CppBody guards(Function function, const char* type, const char* result);
+    CppBody conditions();
+    /// What events change, by `resets`: a switch over the event.
+    CppBody resets(const std::vector<ResetCode>& resets);
+    /// Guards that end nothing, each at its place in `names`, a list for all modes.
+    CppBody kinks(const std::vector<std::string>& names);
 
-    /// Whether a definition is a member of the header: those of the model, and the steps that some function but update() uses.
-    bool is_kept(std::size_t definition) const { return !only_in_update_.contains(definition); }
-    /// Cached values that some function uses, in order, with the number in their name.
-    const std::map<std::uint32_t, std::size_t>& cached() const { return cached_; }
-    const JacobianLayout& layout(By by) const { return layouts_[static_cast<std::size_t>(by)]; }
     /// The header's own functions that its code calls: "ldlt", "sign", ...
     const std::set<std::string>& helpers() const { return helpers_; }
 
@@ -52,13 +78,18 @@ private:
     CppBody finish(const CppFunction& cpp, std::string statements, const std::string& result, Uses uses);
     std::string accelerations_by_rhs(CppFunction& cpp);
 
+    bool is_kept(std::size_t definition) const { return shared_.is_kept(definition); }
+    const JacobianLayout& layout(By by) const { return shared_.layout(by); }
+    std::string jerks(const FunctionCode& f);
+
     const Code& code_;
+    const SharedMembers& shared_;
     std::size_t n_;
     std::size_t m_;
-    std::map<std::uint32_t, std::size_t> cached_;
+    const std::map<std::uint32_t, std::size_t>& cached_;
     CachedTexts cached_texts_;
-    std::set<std::size_t> only_in_update_;
-    std::vector<JacobianLayout> layouts_;
+    const char* mode_;  ///< the first argument of calls: "mode, ", or nothing
+    std::set<std::string> arguments_;
     std::set<std::string> helpers_;
 };
 

@@ -19,6 +19,7 @@ std::string cpp_name(const Variable& variable) {
     const std::string name = cpp_name(variable.is_root ? variable.base + "_root" : variable.base, variable.index, variable.is_member);
     if (variable.kind == SymbolKind::velocity || variable.kind == SymbolKind::state_rate) return name + "_dot";
     if (variable.kind == SymbolKind::acceleration) return name + "_ddot";
+    if (variable.kind == SymbolKind::jerk) return name + "_jerk";
     return name;
 }
 

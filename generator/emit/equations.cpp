@@ -55,19 +55,53 @@ std::vector<std::pair<const char*, ex>> scalars(const System& s) {
             {"prescribed_power", s.prescribed_power}};
 }
 
+/// What constraints hold and bear in this mode.
+std::string constrained(const System& s, const Notation& write) {
+    if (s.motion.accelerations.empty()) return {};
+    std::string text = "\nconstraints, and their force along the rate\n";
+    for (const ConstraintEquation& c : s.constraints)
+        if (c.holds) text += fmt::format("  {}: {} = 0, force {}\n", c.item->name, write(c.position ? *c.position : c.whole_rate), write(c.force));
+    return text;
+}
+
+/// Events that are watched in this mode, and where they lead.
+std::string events(const System& s, const Notation& write) {
+    std::string text;
+    for (const EventEquation& event : s.events) {
+        if (!event.is_watched) continue;
+        std::string next = event.ends ? "the run ends" : "";
+        if (!event.ends)
+            for (const std::size_t mode : s.scene.modes_after(event.item->next, *s.scene.mode)) next += (next.empty() ? "" : ", else ") + s.scene.modes[mode].name;
+        text += fmt::format("  {}: {} -> {}\n", event.name, write(event.guard), next);
+    }
+    return text.empty() ? text : "\nevents: where this falls through zero -> mode afterwards\n" + text;
+}
+
 }  // namespace
+
+std::vector<std::pair<ex, ex>> motion_equations(const System& s) {
+    std::vector<std::pair<ex, ex>> result;
+    const bool is_free = s.motion.accelerations.empty();
+    for (std::size_t i = 0; i < s.motion.free.size(); ++i) {
+        const ex& right = is_free ? s.supplied[i] : s.motion.force[i];
+        result.emplace_back(s.motion.residual[i] + right, right);
+    }
+    for (const auto& [coordinate, acceleration] : s.motion.accelerations) result.emplace_back(s.symbols.get(SymbolKind::acceleration, coordinate), acceleration);
+    return result;
+}
 
 std::string equations_as_text(const System& s) {
     const Notation write(s.symbols, Style::text);
     const auto& q = s.symbols.all(SymbolKind::coordinate);
-    std::string text = fmt::format("{}, scene {}\n", s.scene.sized_name(), s.scene.name);
+    std::string text = fmt::format("{}, scene {}{}\n", s.scene.sized_name(), s.scene.name, s.scene.mode ? ", mode " + s.scene.modes[*s.scene.mode].name : "");
     if (!s.scene.model->title.empty()) text += safe_line(s.scene.model->title) + "\n";
     const auto& definitions = s.symbols.all(SymbolKind::definition);
     if (!definitions.empty()) text += "\nwith\n";
     for (std::size_t i = 0; i < definitions.size(); ++i) text += fmt::format("  {} = {}\n", definitions[i].name, write(s.symbols.definition_values()[i]));
     if (!q.empty()) {
-        text += "\nequations of motion  M*ddot(q) + bias = Q\n";
-        for (std::size_t j = 0; j < q.size(); ++j) text += fmt::format("  {} = {}\n", write(s.residual[j] + s.supplied[j]), write(s.supplied[j]));
+        text += fmt::format("\nequations of motion  M*ddot(q) + bias = Q{}\n", s.motion.accelerations.empty() ? "" : " + forces of constraints");
+        for (const auto& [left, right] : motion_equations(s)) text += fmt::format("  {} = {}\n", write(left), write(right));
+        text += constrained(s, write);
         text += "\nmass matrix M\n";
         for (std::size_t i = 0; i < q.size(); ++i)
             for (std::size_t j = i; j < q.size(); ++j) {
@@ -97,6 +131,7 @@ std::string equations_as_text(const System& s) {
     if (s.has_balances()) text += fmt::format("  internal_energy = {}\n  exchanged_power = {}\n", write(s.named.internal_energy), write(s.named.exchanged_power));
     if (!s.fluids.guards.empty()) text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
     for (const Guard& guard : s.fluids.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
+    text += events(s, write);
     if (!s.outputs.empty()) text += "\noutputs\n";
     for (const OutputEquation& output : s.outputs) text += fmt::format("  {} = {}\n", output.name, write(s.named.shortened(output.value)));
     return text;
@@ -105,7 +140,7 @@ std::string equations_as_text(const System& s) {
 std::string equations_as_latex(const System& s) {
     const Notation write(s.symbols, Style::latex);
     const auto& definitions = s.symbols.all(SymbolKind::definition);
-    std::string text = fmt::format("% {}, scene {}\n", s.scene.sized_name(), s.scene.name);
+    std::string text = fmt::format("% {}, scene {}{}\n", s.scene.sized_name(), s.scene.name, s.scene.mode ? ", mode " + s.scene.modes[*s.scene.mode].name : "");
     const auto aligned = [&](const std::vector<std::string>& lines) {
         if (lines.empty()) return;
         text += "\\begin{align}\n";
@@ -116,7 +151,7 @@ std::string equations_as_latex(const System& s) {
     for (std::size_t i = 0; i < definitions.size(); ++i) lines.push_back(fmt::format("{} &= {}", write.symbol(definitions[i]), write(s.symbols.definition_values()[i])));
     aligned(lines);
     lines.clear();
-    for (std::size_t j = 0; j < s.residual.size(); ++j) lines.push_back(fmt::format("{} &= {}", write(s.residual[j] + s.supplied[j]), write(s.supplied[j])));
+    for (const auto& [left, right] : motion_equations(s)) lines.push_back(fmt::format("{} &= {}", write(left), write(right)));
     for (const auto& [letter, value] : s.named.names) lines.push_back(fmt::format("{} &= {}", write(letter), write(value)));
     for (const auto& [letter, heat] : s.named.balanced) lines.push_back(fmt::format("0 &= {} \\quad ({})", write(heat), write(letter)));
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
@@ -167,6 +202,25 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     for (const Guard& guard : s.fluids.guards) json["guards"].push_back({{"name", guard.name}, {"doc", guard.doc}, {"ends", guard.ends}, {"value", write(guard.value)}});
     json["outputs"] = nlohmann::ordered_json::object();
     for (const OutputEquation& output : s.outputs) json["outputs"][output.name] = write(output.value);
+    return json;
+}
+
+nlohmann::ordered_json mode_as_json(const System& s) {
+    const Notation write(s.symbols, Style::text);
+    nlohmann::ordered_json json{{"mode", s.scene.modes[*s.scene.mode].name}, {"equations", nlohmann::ordered_json::array()}};
+    for (const auto& [left, right] : motion_equations(s)) json["equations"].push_back({{"left", write(left)}, {"right", write(right)}});
+    json["state_rates"] = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < s.state_rates.size(); ++i) json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
+    json["constraints"] = nlohmann::ordered_json::array();
+    for (const ConstraintEquation& c : s.constraints)
+        if (c.holds) json["constraints"].push_back({{"name", c.item->name}, {"rate", write(c.whole_rate)}, {"force", write(c.force)}});
+    json["events"] = nlohmann::ordered_json::array();
+    for (const EventEquation& event : s.events) {
+        if (!event.is_watched) continue;
+        json["events"].push_back({{"name", event.name}, {"guard", write(event.guard)}, {"ends", event.ends}, {"next", nlohmann::ordered_json::array()}});
+        if (event.ends) continue;
+        for (const std::size_t mode : s.scene.modes_after(event.item->next, *s.scene.mode)) json["events"].back()["next"].push_back(s.scene.modes[mode].name);
+    }
     return json;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "emit/banner.hpp"
+#include "emit/cpp_bodies.hpp"
 #include "emit/cpp_function.hpp"
 #include "emit/helpers.hpp"
 #include "emit/notation.hpp"
@@ -30,16 +31,6 @@ bool mentions(const std::string& text, const std::string& name) {
         if (begins && (end == text.size() || !in_word(text[end]))) return true;
     }
     return false;
-}
-
-std::string indented(const std::string& text) {
-    std::string result;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = text.find('\n', at);
-        result += "    " + text.substr(at, end - at) + "\n";
-        at = end + 1;
-    }
-    return result;
 }
 
 class FieldWriter {
@@ -151,7 +142,7 @@ private:
     /// Over cells, or over the faces between them.
     std::string loop(std::size_t r, bool over_links, const std::string& statements) const {
         const std::size_t count = field(r).geometry.cells() - (over_links ? 1 : 0);
-        return fmt::format("        for (std::size_t k = 0; k < {}; ++k) {{\n", count) + indented(grid_numbers(r, statements) + temperatures(r, statements) + statements) + "        }\n";
+        return fmt::format("        for (std::size_t k = 0; k < {}; ++k) {{\n", count) + shifted(grid_numbers(r, statements) + temperatures(r, statements) + statements) + "        }\n";
     }
 
     using Lines = std::vector<std::string>;
@@ -201,7 +192,7 @@ private:
             (!code_.depends_on_grid(index) ? once_for_all : cell != cells_.end() ? by_cell : by_link).push_back(index);
         }
         std::string text;
-        if (!once_for_all.empty()) text += "        {\n" + indented(fill(false, once_for_all)) + "        }\n";
+        if (!once_for_all.empty()) text += "        {\n" + shifted(fill(false, once_for_all)) + "        }\n";
         if (!by_link.empty()) text += fill(true, by_link);
         if (!by_cell.empty()) text += fill(false, by_cell);
         return text;

@@ -6,12 +6,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "emit/banner.hpp"
 #include "emit/cpp_bodies.hpp"
 #include "emit/cpp_constant.hpp"
+#include "emit/equations.hpp"
 #include "emit/field_header.hpp"
 #include "emit/helpers.hpp"
+#include "emit/mode_code.hpp"
 #include "emit/notation.hpp"
 #include "emit/safe_text.hpp"
 #include "emit/template.hpp"
@@ -33,17 +36,21 @@ std::string upper(std::string text) {
 
 class HeaderWriter {
 public:
-    explicit HeaderWriter(const Code& code)
-        : code_(code), system_(code.system), symbols_(system_.symbols), bodies_(code), write_(symbols_, Style::text),
-          values_(system_.scene, system_.translate) {}
+    explicit HeaderWriter(const std::vector<const Code*>& modes)
+        : modes_(modes), shared_(modes), code_(*modes.front()), system_(code_.system), symbols_(system_.symbols), write_(symbols_, Style::text),
+          values_(system_.scene, system_.translate), switches_(shared_.has_modes()) {
+        for (const Code* code : modes_) bodies_.emplace_back(*code, shared_);
+    }
 
     /// The part of the header in its namespace.
     std::string run(const std::string& name_space) {
+        values("NAMESPACE", name_space);
+        values("MODE_ARGUMENT", switches_ ? "Mode mode, " : "");
+        values("MODE_CALL", switches_ ? "mode, " : "");
         functions();
         tables();
         equations();
         values("API_VERSION", std::to_string(header_api_version));
-        values("NAMESPACE", name_space);
         values("NAME", cpp_string(system_.scene.model->name));
         values("SCENE", cpp_string(system_.scene.name));
         values("TITLE", cpp_string(system_.scene.model->title));
@@ -56,39 +63,99 @@ public:
 private:
     void values(const std::string& name, std::string text) { placeholders_[name] = std::move(text); }
 
-    void body(Function function, const CppBody& body) {
+    template <class Make>
+    std::vector<CppBody> each(const Make& make) {
+        std::vector<CppBody> result;
+        for (CppBodies& bodies : bodies_) result.push_back(make(bodies));
+        return result;
+    }
+
+    CppBody merged(std::vector<CppBody> bodies) const { return switches_ ? by_mode(system_.scene, bodies) : std::move(bodies.front()); }
+
+    template <class Make>
+    void body(Function function, const Make& make) {
         const std::string name = upper(name_of(function));
-        values(name, body.statements);
-        if (function == Function::start_state) return;
+        put(name, merged(each(make)));
         values("COUNT_" + name, count_text(function));
-        if (function != Function::update) values(name + "_ARGUMENTS", body.arguments);
+    }
+
+    void put(const std::string& name, const CppBody& body) {
+        values(name, body.statements);
+        values(name + "_ARGUMENTS", body.arguments);
     }
 
     void functions() {
-        body(Function::update, bodies_.update());
-        body(Function::start_state, bodies_.start_state());
-        body(Function::rhs, bodies_.rhs());
-        body(Function::rhs_and_jacobian, bodies_.rhs_and_jacobian());
-        body(Function::jacobian_u, bodies_.jacobian(Function::jacobian_u, By::input));
-        body(Function::jacobian_p, bodies_.jacobian(Function::jacobian_p, By::parameter));
-        body(Function::jacobian_t, bodies_.jacobian(Function::jacobian_t, By::time));
-        body(Function::mass_matrix, bodies_.mass_matrix());
-        body(Function::bias, bodies_.values(Function::bias, "Generalised", "b"));
-        body(Function::generalised_force, bodies_.values(Function::generalised_force, "Generalised", "Q"));
-        body(Function::output, bodies_.values(Function::output, "Output", "y"));
-        body(Function::output_jacobian_x, bodies_.output_jacobian(Function::output_jacobian_x, By::state));
-        body(Function::output_jacobian_u, bodies_.output_jacobian(Function::output_jacobian_u, By::input));
+        std::set<std::string> done;
+        std::vector<CppBody> updates = each([&](CppBodies& b) { return b.update(done); });
+        std::string update;
+        for (const CppBody& one : updates)
+            if (!one.statements.empty()) update += updates.size() == 1 ? one.statements : "        {\n" + shifted(one.statements) + "        }\n";
+        values("UPDATE", update);
+        values("COUNT_UPDATE", count_text(Function::update));
+        values("START_STATE", bodies_.front().start_state().statements);
+        body(Function::rhs, [](CppBodies& b) { return b.rhs(); });
+        body(Function::rhs_and_jacobian, [](CppBodies& b) { return b.rhs_and_jacobian(); });
+        body(Function::jacobian_u, [](CppBodies& b) { return b.jacobian(Function::jacobian_u, By::input); });
+        body(Function::jacobian_p, [](CppBodies& b) { return b.jacobian(Function::jacobian_p, By::parameter); });
+        body(Function::jacobian_t, [](CppBodies& b) { return b.jacobian(Function::jacobian_t, By::time); });
+        body(Function::mass_matrix, [](CppBodies& b) { return b.mass_matrix(); });
+        body(Function::bias, [](CppBodies& b) { return b.values(Function::bias, "Generalised", "b"); });
+        body(Function::generalised_force, [](CppBodies& b) { return b.values(Function::generalised_force, "Generalised", "Q"); });
+        body(Function::output, [](CppBodies& b) { return b.values(Function::output, "Output", "y"); });
+        body(Function::output_jacobian_x, [](CppBodies& b) { return b.output_jacobian(Function::output_jacobian_x, By::state); });
+        body(Function::output_jacobian_u, [](CppBodies& b) { return b.output_jacobian(Function::output_jacobian_u, By::input); });
         for (const Function f : {Function::kinetic_energy, Function::potential_energy, Function::supplied_power, Function::dissipated_power, Function::prescribed_power, Function::internal_energy, Function::exchanged_power})
-            body(f, bodies_.scalar(f));
-        body(Function::guards, bodies_.values(Function::guards, "Guards", "g"));
+            body(f, [f](CppBodies& b) { return b.scalar(f); });
+        guards();
         layout(By::state, "X");
         layout(By::input, "U");
         layout(By::parameter, "P");
         values("PATTERNS", patterns_);
     }
 
+    /// Guards of a machine that does not switch, or what one that does has instead.
+    void guards() {
+        if (!switches_) {
+            const CppBody body = bodies_.front().values(Function::guards, "Guards", "g");
+            values("GUARD_FUNCTIONS", fill_template(embedded_file("guards.hpp.in"), {{"COUNT_GUARDS", count_text(Function::guards)}, {"GUARDS_ARGUMENTS", body.arguments}, {"GUARDS", body.statements}}));
+            values("MODE_TABLES", "");
+            values("MODE_TYPES", "");
+            return;
+        }
+        for (const Code* code : modes_)
+            for (const Guard& guard : code->system.fluids.guards)
+                if (!guard.ends && std::find(kink_names_.begin(), kink_names_.end(), guard.name + guard.doc) == kink_names_.end()) {
+                    kink_names_.push_back(guard.name + guard.doc);
+                    kinks_.push_back(guard);
+                }
+        std::map<std::string, std::string> v;
+        const auto add = [&](const std::string& name, const CppBody& body, std::optional<Function> counted = {}) {
+            v[name] = body.statements;
+            v[name + "_ARGUMENTS"] = body.arguments;
+            if (counted) v["COUNT_" + name] = count_text(*counted);
+        };
+        add("EVENTS", merged(each([](CppBodies& b) { return b.guards(Function::events, "Events", "g"); })), Function::events);
+        add("EVENT_RATES", merged(each([](CppBodies& b) { return b.guards(Function::event_rates, "Events", "rates"); })), Function::event_rates);
+        add("CONDITIONS", merged(each([](CppBodies& b) { return b.conditions(); })), Function::conditions);
+        const auto resets = [&](const std::string& name, const std::vector<ResetCode> Code::*which) {
+            std::size_t mode = 0;
+            CppBody body = merged(each([&](CppBodies& b) { return b.resets(modes_[mode++]->*which); }));
+            add(name, body);
+        };
+        resets("RESETS", &Code::resets);
+        resets("RESTS", &Code::rests);
+        for (const char* name : {"RESETS", "RESTS"})
+            if (v[name].empty()) v[name] = "        (void)event_number;\n";
+        add("KINKS", merged(each([&](CppBodies& b) { return b.kinks(kink_names_); })));
+        v["COUNT_GUARDS"] = count_text(Function::guards);
+        v["EVENT_EQUATIONS"] = lines(event_equations(modes_));
+        values("GUARD_FUNCTIONS", fill_template(embedded_file("mode_functions.hpp.in"), v));
+        values("MODE_TABLES", mode_tables(modes_));
+        values("MODE_TYPES", fill_template(embedded_file("mode_types.hpp.in"), {{"NAMESPACE", placeholders_.at("NAMESPACE")}}));
+    }
+
     void layout(By by, const char* letter) {
-        const JacobianLayout& l = bodies_.layout(by);
+        const JacobianLayout& l = shared_.layout(by);
         const std::string lower_letter(1, static_cast<char>(std::tolower(*letter)));
         values(fmt::format("SIZE_{}", letter), std::to_string(l.size()));
         values(fmt::format("LAYOUT_{}", letter),
@@ -114,8 +181,20 @@ private:
         patterns_ += "};\n\n";
     }
 
+    /// Of all modes, where they differ.
     std::string count_text(Function function) const {
-        const OperationCount c = code_.count(function);
+        std::string text;
+        bool same = true;
+        for (std::size_t m = 0; m < modes_.size(); ++m) {
+            const std::string one = count_text(*modes_[m], function);
+            same = same && one == count_text(code_, function);
+            if (switches_) text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", system_.scene.modes[m].name, one);
+        }
+        return same ? count_text(code_, function) : text.size() <= 300 ? text : text.substr(0, text.rfind(';', 300)) + "; ...";
+    }
+
+    static std::string count_text(const Code& code, Function function) {
+        const OperationCount c = code.count(function);
         std::string text;
         const auto add = [&](int count, const char* what) {
             if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
@@ -126,8 +205,8 @@ private:
         add(c.trigonometric, "sin or cos");
         add(c.other, "other functions");
         if (text.empty()) text = "none";
-        const bool solves = code_[function].by_loops && (function == Function::rhs || code_[function].right.columns > 0);
-        if (solves) text += fmt::format(", and the factorisation and solve with M ({} x {}) by loops", code_.solve.n, code_.solve.n);
+        const bool solves = code[function].by_loops && (function == Function::rhs || code[function].right.columns > 0);
+        if (solves) text += fmt::format(", and the factorisation and solve with M ({} x {}) by loops", code.solve.n, code.solve.n);
         return text;
     }
 
@@ -192,9 +271,10 @@ private:
         }
         add_table("OUTPUT", indices, rows);
         std::string guards;
-        for (const Guard& guard : system_.fluids.guards) guards += fmt::format("    Guard{{{}, {}, {}}},\n", cpp_string(guard.name), cpp_string(guard.doc), guard.ends);
+        const std::vector<Guard>& listed = switches_ ? kinks_ : system_.fluids.guards;
+        for (const Guard& guard : listed) guards += fmt::format("    Guard{{{}, {}, {}}},\n", cpp_string(guard.name), cpp_string(guard.doc), guard.ends);
         values("GUARD_TABLE", guards.empty() ? "" : "\n" + guards);
-        values("GUARDS_COUNT", std::to_string(system_.fluids.guards.size()));
+        values("GUARDS_COUNT", std::to_string(listed.size()));
 
         values("DEGREES", std::to_string(symbols_.degrees()));
         values("PLAIN_STATES", std::to_string(symbols_.states()));
@@ -226,16 +306,21 @@ private:
     std::string cached_members() {
         const auto& definitions = symbols_.all(SymbolKind::definition);
         const bool has_mass = code_.solve.is_constant && !code_.solve.unrolled;
-        if (definitions.empty() && bodies_.cached().empty() && !has_mass) return {};
+        std::map<std::size_t, std::string> members;
+        for (const Code* code : modes_) {
+            const CachedMeaning meaning = cached_meaning(*code);
+            const Notation write(code->system.symbols, Style::text);
+            for (const auto& [index, number] : shared_.cached(*code)) {
+                const bool is_factor = code->solve.is_constant && code->solve.unrolled && index >= code->solve.first_cached &&
+                                       index < code->solve.first_cached + code->solve.is_zero.size();
+                members.emplace(number, fmt::format("        Scalar {};  ///< {}\n", cached_name(symbols_, number), is_factor ? "of the factorisation of M" : shortened(write(meaning(index)))));
+            }
+        }
+        if (definitions.empty() && members.empty() && !has_mass) return {};
         std::string text = "    /// What depends on parameters alone.\n    struct Cached {\n";
         for (std::size_t i = 0; i < definitions.size(); ++i)
-            if (bodies_.is_kept(i)) text += fmt::format("        Scalar {};  ///< {}\n", cpp_name(definitions[i]), shortened(write_(symbols_.definition_values()[i])));
-        const CachedMeaning meaning = cached_meaning(code_);
-        for (const auto& [index, number] : bodies_.cached()) {
-            const bool is_factor = code_.solve.is_constant && code_.solve.unrolled && index >= code_.solve.first_cached &&
-                                   index < code_.solve.first_cached + code_.solve.is_zero.size();
-            text += fmt::format("        Scalar {};  ///< {}\n", cached_name(symbols_, number), is_factor ? "of the factorisation of M" : shortened(write_(meaning(index))));
-        }
+            if (shared_.is_kept(i)) text += fmt::format("        Scalar {};  ///< {}\n", cpp_name(definitions[i]), shortened(write_(symbols_.definition_values()[i])));
+        for (const auto& [number, member] : members) text += member;
         if (has_mass) text += fmt::format("        std::array<Scalar, {}> mass_factors;  ///< factors of M\n", code_.solve.is_zero.size());
         return text + "    };\n    Cached c_{};\n";
     }
@@ -243,7 +328,8 @@ private:
     static std::string shortened(const std::string& text) { return text.size() <= 100 ? text : text.substr(0, text.rfind(' ', 96)) + " ..."; }
 
     std::string helpers() {
-        std::set<std::string> needed = bodies_.helpers();
+        std::set<std::string> needed;
+        for (const CppBodies& bodies : bodies_) needed.insert(bodies.helpers().begin(), bodies.helpers().end());
         if (uses_pi_) needed.insert("pi");
         return helper_source(needed);
     }
@@ -258,46 +344,78 @@ private:
         return text;
     }
 
-    void equations() {
-        const std::size_t n = symbols_.degrees();
-        const auto& q = symbols_.all(SymbolKind::coordinate);
-        const bool is_large = n > 8;
-        const std::vector<std::string> too_long{std::string(longest_equations + 1, ' ')};
-        std::vector<std::string> motion, mass, bias, force, output;
-        for (std::size_t j = 0; !is_large && j < n; ++j) {
-            motion.push_back(fmt::format("{} = {}", write_(system_.residual[j] + system_.supplied[j]), write_(system_.supplied[j])));
-            for (std::size_t l = 0; l <= j; ++l)
-                mass.push_back(fmt::format("M[{}, {}] = {}", q[l].name, q[j].name, write_(system_.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)))));
-            bias.push_back(fmt::format("bias[{}] = {}", q[j].name, write_(system_.bias[j])));
-            force.push_back(fmt::format("Q[{}] = {}", q[j].name, write_(system_.supplied[j])));
+    /// Equations as they are in the modes.
+    template <class Make>
+    std::string in_modes(const Make& make) const {
+        std::vector<std::vector<std::string>> of_mode;
+        for (const Code* code : modes_) of_mode.push_back(make(code->system, Notation(code->system.symbols, Style::text)));
+        const bool same = std::all_of(of_mode.begin(), of_mode.end(), [&](const auto& l) { return l == of_mode.front(); });
+        if (same) return lines(of_mode.front());
+        std::vector<std::string> all;
+        for (std::size_t m = 0; m < of_mode.size(); ++m) {
+            all.push_back(fmt::format("In the mode {}:", system_.scene.modes[m].name));
+            all.insert(all.end(), of_mode[m].begin(), of_mode[m].end());
         }
-        for (std::size_t i = 0; i < system_.state_rates.size(); ++i)
-            motion.push_back(fmt::format("dot({}) = {}", symbols_.all(SymbolKind::state)[i].name, write_(system_.named.state_rates[i])));
-        std::vector<std::string> names;
-        for (const auto& [letter, value] : system_.named.names) names.push_back(fmt::format("{} = {}", write_(letter), write_(value)));
-        motion.insert(motion.begin(), names.begin(), names.end());
-        for (const OutputEquation& o : system_.outputs) output.push_back(fmt::format("{} = {}", o.name, write_(o.value)));
-        values("EQUATIONS", lines(is_large ? too_long : motion));
-        values("MASS_EQUATIONS", lines(is_large ? too_long : mass));
-        values("BIAS_EQUATIONS", lines(is_large ? too_long : bias));
-        values("FORCE_EQUATIONS", lines(is_large ? too_long : force));
-        values("OUTPUT_EQUATIONS", lines(output));
-        const auto scalar = [&](const char* name, const char* letter, const ex& value) {
-            values(name, lines(is_large ? too_long : std::vector<std::string>{fmt::format("{} = {}", letter, write_(value))}));
-        };
-        scalar("KINETIC_ENERGY_EQUATIONS", "T", system_.kinetic_energy);
-        scalar("POTENTIAL_ENERGY_EQUATIONS", "V", system_.potential_energy);
-        scalar("INTERNAL_ENERGY_EQUATIONS", "E", system_.named.internal_energy);
-        scalar("SUPPLIED_POWER_EQUATIONS", "supplied", system_.supplied_power);
-        scalar("DISSIPATED_POWER_EQUATIONS", "dissipated", system_.dissipated_power);
+        return lines(all);
     }
 
-    const Code& code_;
+    void equations() {
+        const std::size_t n = symbols_.degrees();
+        const bool is_large = n > 8;
+        const std::vector<std::string> too_long{std::string(longest_equations + 1, ' ')};
+        const auto of_coordinates = [&](const char* name, const auto& row) {
+            values(name, is_large ? lines(too_long) : in_modes([&](const System& s, const Notation& write) {
+                std::vector<std::string> result;
+                for (std::size_t j = 0; j < n; ++j) row(s, write, j, result);
+                return result;
+            }));
+        };
+        values("EQUATIONS", is_large ? lines(too_long) : in_modes(written_motion));
+        of_coordinates("MASS_EQUATIONS", [](const System& s, const Notation& write, std::size_t j, auto& result) {
+            const auto& q = s.symbols.all(SymbolKind::coordinate);
+            for (std::size_t l = 0; l <= j; ++l) result.push_back(fmt::format("M[{}, {}] = {}", q[l].name, q[j].name, write(s.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)))));
+        });
+        of_coordinates("BIAS_EQUATIONS", [](const System& s, const Notation& write, std::size_t j, auto& result) {
+            result.push_back(fmt::format("bias[{}] = {}", s.symbols.all(SymbolKind::coordinate)[j].name, write(s.bias[j])));
+        });
+        of_coordinates("FORCE_EQUATIONS", [](const System& s, const Notation& write, std::size_t j, auto& result) {
+            result.push_back(fmt::format("Q[{}] = {}", s.symbols.all(SymbolKind::coordinate)[j].name, write(s.supplied[j])));
+        });
+        values("OUTPUT_EQUATIONS", in_modes([](const System& s, const Notation& write) {
+            std::vector<std::string> result;
+            for (const OutputEquation& o : s.outputs) result.push_back(fmt::format("{} = {}", o.name, write(o.value)));
+            return result;
+        }));
+        const auto scalar = [&](const char* name, const char* letter, const auto& value) {
+            values(name, is_large ? lines(too_long) : in_modes([&](const System& s, const Notation& write) { return std::vector<std::string>{fmt::format("{} = {}", letter, write(value(s)))}; }));
+        };
+        scalar("KINETIC_ENERGY_EQUATIONS", "T", [](const System& s) { return s.kinetic_energy; });
+        scalar("POTENTIAL_ENERGY_EQUATIONS", "V", [](const System& s) { return s.potential_energy; });
+        scalar("INTERNAL_ENERGY_EQUATIONS", "E", [](const System& s) { return s.named.internal_energy; });
+        scalar("SUPPLIED_POWER_EQUATIONS", "supplied", [](const System& s) { return s.supplied_power; });
+        scalar("DISSIPATED_POWER_EQUATIONS", "dissipated", [](const System& s) { return s.dissipated_power; });
+    }
+
+    static std::vector<std::string> written_motion(const System& s, const Notation& write) {
+        std::vector<std::string> motion;
+        for (const auto& [letter, value] : s.named.names) motion.push_back(fmt::format("{} = {}", write(letter), write(value)));
+        for (const auto& [left, right] : motion_equations(s)) motion.push_back(fmt::format("{} = {}", write(left), write(right)));
+        for (std::size_t i = 0; i < s.state_rates.size(); ++i)
+            motion.push_back(fmt::format("dot({}) = {}", s.symbols.all(SymbolKind::state)[i].name, write(s.named.state_rates[i])));
+        return motion;
+    }
+
+    const std::vector<const Code*>& modes_;
+    const SharedMembers shared_;
+    const Code& code_;  ///< of the first mode
     const System& system_;
     const Symbols& symbols_;
-    CppBodies bodies_;
+    std::vector<CppBodies> bodies_;
     Notation write_;
     Values values_;
+    bool switches_;
+    std::vector<std::string> kink_names_;
+    std::vector<Guard> kinks_;
     std::map<std::string, std::string> placeholders_;
     std::string patterns_;
     bool uses_pi_ = false;
@@ -308,13 +426,14 @@ private:
 std::string header_name(const Scene& scene) { return fmt::format("{}_{}.hpp", scene.sized_name(), scene.name); }
 std::string header_namespace(const Scene& scene) { return fmt::format("{}::{}", scene.sized_name(), scene.name); }
 
-Header make_header(const Code& code, const FieldCode* fields, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command) {
+Header make_header(const std::vector<const Code*>& modes, const FieldCode* fields, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command) {
+    const Code& code = *modes.front();
     check_cpp_names(code.system);
     const Scene& scene = code.system.scene;
     const std::string name_space = header_namespace(scene);
-    const std::string content = fields == nullptr ? HeaderWriter(code).run(name_space) : HeaderWriter(code).run(name_space + "::core") + "\n" + field_content(*fields, name_space);
+    const std::string content = fields == nullptr ? HeaderWriter(modes).run(name_space) : HeaderWriter(modes).run(name_space + "::core") + "\n" + field_content(*fields, name_space);
     const std::string guard = upper(scene.sized_name() + "_" + scene.name) + "_HPP";
-    return {header_name(scene), name_space, fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner(code, proofs, effects_out, command)}, {"GUARD", guard}, {"CONTENT", content}})};
+    return {header_name(scene), name_space, fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner(modes, proofs, effects_out, command)}, {"GUARD", guard}, {"CONTENT", content}})};
 }
 
 }  // namespace dalembert

@@ -20,7 +20,8 @@ std::string header_name(const Scene& scene);
 std::string header_namespace(const Scene& scene);
 
 /// `command` is what the banner shows: normalised, without paths.
-/// `fields`: null where every state is code of its own.
-Header make_header(const Code& code, const FieldCode* fields, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command);
+/// `fields`: null where every state is code of its own. `modes`: the code of each mode, in the order of the scene; of a machine that does
+/// not switch, its code alone.
+Header make_header(const std::vector<const Code*>& modes, const FieldCode* fields, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command);
 
 }  // namespace dalembert

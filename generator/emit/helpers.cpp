@@ -29,6 +29,7 @@ const std::vector<Helper>& helpers() {
         {"min", scalars, {"select"}},
         {"max", scalars, {"select"}},
         {"inverse_norm", scalars, {"select"}},
+        {"is_near", scalars, {}},
         {"pi", scalars, {}},
         {"exponential_remainder", fluids, {}},
         {"compression", fluids, {"select", "exponential_remainder"}},

@@ -9,22 +9,29 @@ namespace {
 constexpr std::size_t largest_dense = 16;
 }
 
-JacobianLayout::JacobianLayout(const Code& code, const FunctionCode& function, By by) {
-    const std::size_t n = code.solve.n;
-    const std::size_t m = code.system.symbols.states();
+JacobianLayout::JacobianLayout(const std::vector<const Code*>& modes, Function function, By by) {
+    const System& system = modes.front()->system;
+    const std::size_t n = system.symbols.degrees();
+    const std::size_t m = system.symbols.states();
     rows_ = 2 * n + m;
-    columns_ = function.right.columns;
-    const bool is_core = !code.system.heat.fields.empty();  // of a header with loops, where the pattern decides what is a band
+    columns_ = (*modes.front())[function].right.columns;
+    const bool is_core = !system.heat.fields.empty();  // of a header with loops, where the pattern decides what is a band
     is_sparse_ = (rows_ > largest_dense || is_core) && by != By::time;
     column_starts_.push_back(0);
+    const auto in_any = [&](const auto& is_there) { return std::any_of(modes.begin(), modes.end(), [&](const Code* code) { return is_there((*code)[function]); }); };
     for (std::size_t c = 0; c < columns_; ++c) {
-        bool any = false;
-        for (std::size_t j = 0; j < n; ++j) any = any || !function.is_zero(function.right.at(j, c));
+        const bool any = in_any([&](const FunctionCode& f) {
+            for (std::size_t j = 0; j < f.right.rows; ++j)
+                if (!f.is_zero(f.right.at(j, c))) return true;
+            for (std::size_t j = 0; f.solved.rows != f.right.rows && j < f.solved.rows; ++j)
+                if (!f.is_zero(f.solved.at(j, c))) return true;
+            return false;
+        });
         has_accelerations_.push_back(any);
         if (by == By::state && c >= n && c < 2 * n) row_indices_.push_back(c - n);
         for (std::size_t j = 0; any && j < n; ++j) row_indices_.push_back(n + j);
         for (std::size_t i = 0; i < m; ++i)
-            if (!function.is_zero(function.below.at(i, c))) row_indices_.push_back(2 * n + i);
+            if (in_any([&](const FunctionCode& f) { return !f.is_zero(f.below.at(i, c)); })) row_indices_.push_back(2 * n + i);
         column_starts_.push_back(row_indices_.size());
     }
 }

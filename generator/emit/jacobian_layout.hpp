@@ -9,8 +9,8 @@ namespace dalembert {
 
 class JacobianLayout {
 public:
-    /// Rows are q (n), dq/dt (n), z. `by` says what the columns are.
-    JacobianLayout(const Code& code, const FunctionCode& function, By by);
+    /// Rows are q (n), dq/dt (n), z. `by` says what the columns are. Of a machine with several modes what is not zero in one is stored.
+    JacobianLayout(const std::vector<const Code*>& modes, Function function, By by);
 
     bool is_sparse() const { return is_sparse_; }
     std::size_t rows() const { return rows_; }

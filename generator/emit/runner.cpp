@@ -114,30 +114,34 @@ std::string simulation_source(Code& code, const Header& header, const Values& va
     const Scene& scene = code.system.scene;
     const auto [state_columns, state_values] = recorded_states(code.system);
     const std::string title = scene.model->title.empty() ? scene.sized_name() : scene.model->title;
+    std::map<std::string, std::string> values_of{{"NAMESPACE", header.name_space},
+                                                 {"HEADER", header.file_name},
+                                                 {"PARAMETERS", parameter_statements(code.system.symbols, values)},
+                                                 {"START", start_statements(code.system, values)},
+                                                 {"STATE_COLUMNS", state_columns},
+                                                 {"STATE_VALUES", state_values},
+                                                 {"INPUTS", input_statements(code, settings.inputs)},
+                                                 {"METHOD", settings.method},
+                                                 {"TOLERANCE", double_literal(settings.tolerance)},
+                                                 {"STEP", double_literal(settings.step)},
+                                                 {"INTERVALS", std::to_string(settings.intervals)},
+                                                 {"UNTIL", double_literal(settings.until)},
+                                                 {"PANELS", panels},
+                                                 {"DRAW", settings.draw ? "true" : "false"},
+                                                 {"TITLE", cpp_string(fmt::format("{} ({})", title, scene.name))}};
+    if (!scene.modes.empty()) return fill_template(embedded_file("switching.cpp.in"), values_of);
     // Of heat the bound of explicit methods is what one asks for first (4.99).
     const bool has_heat = !code.system.heat.empty();
-    return fill_template(embedded_file("simulation.cpp.in"), {{"NAMESPACE", header.name_space},
-                                                              {"EXTRA_INCLUDES", has_heat ? "#include \"dalembert/euler_step.hpp\"\n" : ""},
-                                                              {"EXTRA_RESULTS", has_heat ? "    std::printf(\"euler_step=%.17g\\n\", dalembert::largest_euler_step(system, begin, inputs(begin, 0.0), 0.0));\n" : ""},
-                                                              {"HEADER", header.file_name},
-                                                              {"PARAMETERS", parameter_statements(code.system.symbols, values)},
-                                                              {"START", start_statements(code.system, values)},
-                                                              {"BEGIN", has_heat ? "    const System::State begin = start;\n" : ""},
-                                                              {"STATE_COLUMNS", state_columns},
-                                                              {"STATE_VALUES", state_values},
-                                                              {"INPUTS", input_statements(code, settings.inputs)},
-                                                              {"METHOD", settings.method},
-                                                              {"TOLERANCE", double_literal(settings.tolerance)},
-                                                              {"STEP", double_literal(settings.step)},
-                                                              {"INTERVALS", std::to_string(settings.intervals)},
-                                                              {"UNTIL", double_literal(settings.until)},
-                                                              {"PANELS", panels},
-                                                              {"DRAW", settings.draw ? "true" : "false"},
-                                                              {"TITLE", cpp_string(fmt::format("{} ({})", title, scene.name))}});
+    values_of["EXTRA_INCLUDES"] = has_heat ? "#include \"dalembert/euler_step.hpp\"\n" : "";
+    values_of["EXTRA_RESULTS"] = has_heat ? "    std::printf(\"euler_step=%.17g\\n\", dalembert::largest_euler_step(system, begin, inputs(begin, 0.0), 0.0));\n" : "";
+    values_of["BEGIN"] = has_heat ? "    const System::State begin = start;\n" : "";
+    return fill_template(embedded_file("simulation.cpp.in"), values_of);
 }
 
 std::string cost_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings) {
     return fill_template(embedded_file("cost.cpp.in"), {{"NAMESPACE", header.name_space},
+                                                        {"MODE_CALL", code.system.scene.modes.empty() ? "" : "static_cast<System::Mode>(mode), "},
+                                                        {"MODE_COUNT", std::to_string(std::max<std::size_t>(1, code.system.scene.modes.size()))},
                                                         {"HEADER", header.file_name},
                                                         {"PARAMETERS", parameter_statements(code.system.symbols, values)},
                                                         {"START", start_statements(code.system, values)},
@@ -145,7 +149,10 @@ std::string cost_source(Code& code, const Header& header, const Values& values, 
 }
 
 std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<bool>& free_states, const std::vector<bool>& free_inputs) {
+    const Scene& scene = code.system.scene;
+    const std::string in_mode = scene.mode ? fmt::format("dalembert::OneMode<{0}::System<double>, {0}::Mode::{1}>", header.name_space, scene.modes[*scene.mode].name) : header.name_space + "::System<double>";
     return fill_template(embedded_file("equilibrium.cpp.in"), {{"NAMESPACE", header.name_space},
+                                                               {"SYSTEM", in_mode},
                                                                {"HEADER", header.file_name},
                                                                {"PARAMETERS", parameter_statements(code.system.symbols, values)},
                                                                {"START", joined(values.state())},

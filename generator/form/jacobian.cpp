@@ -34,6 +34,8 @@ std::size_t column_count(const Symbols& symbols, By by) { return columns(symbols
 
 Partials partials(const System& system, By by) {
     const std::vector<ex> outputs = output_values(system);
+    std::vector<ex> held;
+    for (const auto& [coordinate, acceleration] : system.motion.accelerations) held.push_back(acceleration);
     Partials result;
     for (const Variable* variable : columns(system.symbols, by)) {
         const auto derivatives = [&](const std::vector<ex>& rows) {
@@ -42,9 +44,10 @@ Partials partials(const System& system, By by) {
                 column.push_back(by == By::parameter ? system.symbols.derivative_by_parameter(row, variable->position) : partial(row, variable->symbol));
             return column;
         };
-        result.residual.push_back(derivatives(system.residual));
+        result.residual.push_back(derivatives(system.motion.residual));
         result.state_rate.push_back(derivatives(system.state_rates));
         result.output.push_back(derivatives(outputs));
+        result.held.push_back(derivatives(held));
     }
     return result;
 }

@@ -9,11 +9,12 @@ namespace dalembert {
 
 enum class By { state, input, parameter, time };
 
-/// Derivatives at fixed accelerations. One column for each variable: states in the order q, qd, z.
+/// Derivatives at fixed accelerations; R is what constraints leave of the equations of motion. One column for each variable: states in the order q, qd, z.
 struct Partials {
     std::vector<std::vector<GiNaC::ex>> residual;    ///< [column][row]: dR_row/d(column)
     std::vector<std::vector<GiNaC::ex>> state_rate;  ///< [column][row]: d(zd_row)/d(column)
     std::vector<std::vector<GiNaC::ex>> output;      ///< [column][row]
+    std::vector<std::vector<GiNaC::ex>> held;        ///< [column][row]: of accelerations that constraints determine, at fixed free ones
 };
 
 std::size_t column_count(const Symbols& symbols, By by);

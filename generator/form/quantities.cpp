@@ -145,10 +145,29 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
     if (e.name == "dissipated_power") {
         if (e.children.empty()) return system.dissipated_power;
         const int index = child(0).children.empty() ? 0 : index_value(*child(0).children[0], system.scene, indices);
-        for (std::size_t i = 0; i < system.scene.dampers.size(); ++i)
-            if (system.scene.dampers[i].item->name == child(0).name && system.scene.dampers[i].index == index) return system.resistances[i].power;
-        const bool left_out = !system.scene.holds(system.names.find_damper(child(0).name)->when);
+        const Friction* friction = system.names.find_friction(child(0).name);
+        ex sum = 0;
+        bool any = false;
+        for (std::size_t i = 0; i < system.scene.dampers.size(); ++i) {
+            const Damper& damper = *system.scene.dampers[i].item;
+            // Dry friction slides by dampers of its own, at its place.
+            const bool is_friction = friction != nullptr && damper.span.begin == friction->span.begin && damper.span.end == friction->span.end;
+            if (!is_friction && (damper.name != child(0).name || system.scene.dampers[i].index != index)) continue;
+            sum += system.resistances[i].power;
+            any = true;
+        }
+        if (any) return sum;
+        // In another mode it is there.
+        const std::optional<Condition>& when = friction != nullptr ? friction->when : system.names.find_damper(child(0).name)->when;
+        for (std::size_t mode = 0; mode < system.scene.modes.size(); ++mode)
+            if (system.scene.holds(when, mode)) return 0;
+        const bool left_out = !system.scene.holds(when);
         throw Failure(Diagnostic{left_out ? Id::needs_absent : Id::index_out_of_range, child(0).span, fmt::format("scene '{}' has no damper '{}'", system.scene.name, child(0).written())});
+    }
+    if (e.name == "constraint_force") {
+        for (const ConstraintEquation& constraint : system.constraints)
+            if (constraint.item->name == child(0).name) return constraint.force;
+        throw Failure(Diagnostic{Id::needs_absent, child(0).span, fmt::format("scene '{}' has no constraint '{}'", system.scene.name, child(0).written())});
     }
     if (e.name == "prescribed_power") return system.prescribed_power;
     if (e.name == "position") return component(body(system, child(0), indices).position, system, child(1), indices);

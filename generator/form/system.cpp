@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "form/constrained_motion.hpp"
+#include "form/events.hpp"
 #include "form/named_balances.hpp"
 
 #include <fmt/format.h>
@@ -155,6 +157,17 @@ ex System::with_rates(const ex& e) const {
     return e.subs(rates, GiNaC::subs_options::no_pattern);
 }
 
+GiNaC::exmap System::held_motion() const {
+    GiNaC::exmap held;
+    for (const auto& [coordinate, rate] : motion.velocities) {
+        ex velocity = rate.drift;
+        for (std::size_t i = 0; i < motion.free.size(); ++i) velocity += rate.jacobian[i] * symbols.get(SymbolKind::velocity, motion.free[i]);
+        held[symbols.get(SymbolKind::velocity, coordinate)] = velocity;
+    }
+    for (const auto& [coordinate, acceleration] : motion.accelerations) held[symbols.get(SymbolKind::acceleration, coordinate)] = acceleration;
+    return held;
+}
+
 void set_rates(std::vector<ex>& state_rates, const ControlVolume& volume, const VolumeBalance& balance, const Symbols& symbols) {
     const auto set = [&](std::size_t state, const ex& rate) {
         const Variable& z = symbols.all(SymbolKind::state)[state];
@@ -174,7 +187,9 @@ std::unique_ptr<System> derive(const Names& names, Scene scene) {
     check_mass_rows(*system);
     forces(*system);
     equations(*system);
+    constrain(*system);
     outputs(*system);
+    events(*system);
     system->named = name_balances(*system, system->symbols);
     return system;
 }

@@ -10,6 +10,7 @@
 #include "mechanics/dalembert.hpp"
 #include "mechanics/euler_lagrange.hpp"
 #include "mechanics/forces.hpp"
+#include "symbolic/affine_rate.hpp"
 #include "symbolic/values.hpp"
 
 namespace dalembert {
@@ -34,6 +35,53 @@ struct NamedBalances {
     std::vector<GiNaC::ex> state_rates;
     GiNaC::ex internal_energy;
     GiNaC::ex exchanged_power;
+};
+
+/// A constraint in one mode.
+struct ConstraintEquation {
+    const Constraint* item;
+    bool holds;
+    AffineRate rate;                     ///< zero where it holds
+    std::optional<GiNaC::ex> position;   ///< zero with it
+    GiNaC::ex force;                     ///< along the rate, on the machine; may contain accelerations
+    /// The rate, written out.
+    GiNaC::ex whole_rate;
+};
+
+/// What is solved for: the accelerations that constraints leave free, mass*qdd = force. Without constraints all of them.
+struct Motion {
+    std::vector<std::size_t> free;                                      ///< coordinates
+    GiNaC::matrix mass;
+    std::vector<GiNaC::ex> force, residual;                             ///< residual = mass*qdd - force
+    std::vector<std::pair<std::size_t, AffineRate>> velocities;         ///< of the other coordinates, by those of the free ones
+    std::vector<std::pair<std::size_t, GiNaC::ex>> accelerations;       ///< of the other coordinates
+    std::vector<std::pair<std::size_t, GiNaC::ex>> positions;           ///< coordinates that lie on a constraint, by the others
+};
+
+/// A constraint that is struck: velocities of free coordinates change by mass^-1*direction*impulse, so that the rate becomes -restitution
+/// times what it was.
+struct Impact {
+    std::vector<GiNaC::ex> direction;   ///< of the rate by the free velocities
+    GiNaC::ex drift;                    ///< rate = direction*velocities + drift
+    GiNaC::ex restitution;
+    std::optional<std::size_t> pivot;   ///< where nothing is left of the rate: the free coordinate whose velocity follows from it
+};
+
+/// New values of x, by place, made of the old ones.
+struct Reset {
+    std::vector<std::pair<std::size_t, GiNaC::ex>> values;
+    std::optional<Impact> impact;
+};
+
+/// An event in one mode.
+struct EventEquation {
+    const Event* item;  ///< null where a medium or volume brings it
+    std::string name, doc;
+    bool ends;
+    bool is_watched;
+    GiNaC::ex guard;  ///< falls through zero; may contain accelerations
+    GiNaC::ex rate;   ///< of the guard; may contain accelerations and their rates
+    Reset reset, rest;
 };
 
 /// Lives at one place, because its parts refer to each other.
@@ -80,6 +128,12 @@ struct System {
 
     NamedBalances named;
     std::vector<OutputEquation> outputs;
+
+    std::vector<ConstraintEquation> constraints;
+    Motion motion;
+    std::vector<EventEquation> events;
+    /// Velocities and accelerations that constraints determine, by the others.
+    GiNaC::exmap held_motion() const;
 };
 
 /// Sets the rates of the states that a volume determines. Of a state that is integrated as its root w: dw/dt = d(w^2)/dt/(2w).

@@ -12,7 +12,8 @@ namespace {
 
 /// The order in which symbols are numbered.
 constexpr std::array symbol_order{SymbolKind::parameter, SymbolKind::definition, SymbolKind::time,        SymbolKind::input, SymbolKind::coordinate,
-                                  SymbolKind::velocity,  SymbolKind::state,      SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::grid, SymbolKind::letter};
+                                  SymbolKind::velocity,  SymbolKind::state,      SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::grid, SymbolKind::letter,
+                                  SymbolKind::jerk};
 
 bool is_parameter(SymbolKind kind) { return kind == SymbolKind::parameter || kind == SymbolKind::definition || kind == SymbolKind::grid; }
 

@@ -25,7 +25,7 @@ struct FunctionCode {
     std::vector<NodeId> mass = {};          ///< lower triangle of M, row by row
     std::vector<NodeId> factors = {};       ///< L below the diagonal and 1/D on it, where the solve is written out
     std::vector<NodeId> force = {};         ///< Q - bias
-    std::vector<NodeId> accelerations = {}; ///< qdd: solved for where the solve is written out, else symbols
+    std::vector<NodeId> accelerations = {}; ///< qdd: solved for where the solve is written out, else symbols; those that constraints determine with them
     std::vector<NodeId> results = {};       ///< of rhs: the rates of plain states
     CodeMatrix right = {};                  ///< -dR/d(column), the right sides of M*X
     CodeMatrix solved = {};                 ///< X = d(qdd)/d(column) where the solve is written out
@@ -33,6 +33,7 @@ struct FunctionCode {
     CodeMatrix by_output = {};              ///< d(y)/d(column) at fixed accelerations
     CodeMatrix by_acceleration = {};        ///< d(y)/d(qdd)
     bool uses_accelerations = false;        ///< the symbols of qdd occur: they are to be computed first
+    bool uses_jerks = false;                ///< those of their rates occur
 
     bool is_zero(NodeId id) const { return program.is_constant(id, 0); }
     /// What the emitted code has to compute.
@@ -61,9 +62,20 @@ enum class Function {
     exchanged_power,
     guards,
     start_state,
+    events,
+    event_rates,
+    conditions,
+    resets,
 };
-inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::start_state) + 1;
+inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::resets) + 1;
 const char* name_of(Function function);
+
+/// What an event sets: these places in x, to results of Function::resets from `first` on.
+struct ResetCode {
+    std::vector<std::size_t> places = {};
+    std::size_t first = 0;
+    std::optional<std::size_t> impact = {};  ///< the column of solved in which M^-1*direction stands
+};
 
 struct Code {
     explicit Code(const System& derived) : system(derived), atoms(derived.symbols) {}
@@ -75,6 +87,8 @@ struct Code {
     Solve solve;                                  ///< how M*x = b is solved
     std::vector<std::size_t> definition_order;    ///< definitions, each behind those it needs
     std::array<FunctionCode, function_count> functions;
+    std::vector<ResetCode> resets, rests;         ///< by event
+    std::vector<std::size_t> condition_places;    ///< of x, with the results of Function::conditions
 
     FunctionCode& operator[](Function f) { return functions[static_cast<std::size_t>(f)]; }
     const FunctionCode& operator[](Function f) const { return functions[static_cast<std::size_t>(f)]; }

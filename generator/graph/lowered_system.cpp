@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "graph/lower.hpp"
+#include "symbolic/functions.hpp"
 
 namespace dalembert {
 
@@ -20,7 +21,9 @@ public:
         const std::size_t n = system_.symbols.degrees();
         for (unsigned i = 0; i < n; ++i)
             for (unsigned j = 0; j <= i; ++j) l.mass.push_back(one(system_.mass(i, j)));
-        for (std::size_t j = 0; j < n; ++j) l.force.push_back(one(system_.supplied[j] - system_.bias[j]));
+        l.force = all(system_.motion.force);
+        constrained(l);
+        switching(l);
         l.bias = all(system_.bias);
         l.generalised_force = all(system_.supplied);
         l.state_rate = all(system_.state_rates);
@@ -34,6 +37,7 @@ public:
             for (const auto& column : p.residual) columns.residual.push_back(all(column));
             for (const auto& column : p.state_rate) columns.state_rate.push_back(all(column));
             for (const auto& column : p.output) columns.output.push_back(all(column));
+            for (const auto& column : p.held) columns.held.push_back(all(column));
         }
         for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
         l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power, system_.prescribed_power, system_.internal_energy, system_.exchanged_power});
@@ -45,6 +49,42 @@ public:
     }
 
 private:
+    void constrained(LoweredSystem& l) {
+        const Motion& motion = system_.motion;
+        const std::size_t free = motion.free.size();
+        for (unsigned i = 0; i < free; ++i)
+            for (unsigned j = 0; j <= i; ++j) l.solve_mass.push_back(motion.accelerations.empty() ? l.mass[l.solve_mass.size()] : one(motion.mass(i, j)));
+        for (const auto& [coordinate, acceleration] : motion.accelerations) {
+            l.held.push_back(one(acceleration));
+            for (const std::size_t k : motion.free) l.held_by_free.push_back(one(partial(acceleration, system_.symbols.get(SymbolKind::acceleration, k))));
+        }
+        for (const auto& [coordinate, rate] : motion.velocities) {
+            l.held_drift.push_back(one(rate.drift));
+            for (const ex& factor : rate.jacobian) l.held_factors.push_back(one(factor));
+        }
+    }
+
+    void switching(LoweredSystem& l) {
+        for (const EventEquation& event : system_.events) {
+            l.events.push_back(one(event.guard));
+            l.event_rates.push_back(one(event.rate));
+            l.resets.push_back(reset(event.reset));
+            l.rests.push_back(reset(event.rest));
+        }
+        if (!system_.scene.modes.empty())
+            l.conditions = all(condition_values(system_));
+    }
+
+    LoweredSystem::Reset reset(const Reset& reset) {
+        LoweredSystem::Reset result;
+        for (const auto& [place, value] : reset.values) result.values.push_back(one(value));
+        if (!reset.impact) return result;
+        result.direction = all(reset.impact->direction);
+        result.drift = one(reset.impact->drift);
+        result.restitution = one(reset.impact->restitution);
+        return result;
+    }
+
     Polynomial one(const ex& e) { return lower(e, atoms_); }
     std::vector<Polynomial> all(const std::vector<ex>& expressions) {
         std::vector<Polynomial> result;
@@ -55,9 +95,16 @@ private:
     template <class Visit>
     static void each(LoweredSystem& l, const Visit& visit) {
         const auto list = [&](std::vector<Polynomial>& polynomials) { std::for_each(polynomials.begin(), polynomials.end(), visit); };
-        for (auto* part : {&l.mass, &l.force, &l.bias, &l.generalised_force, &l.state_rate, &l.output, &l.definitions, &l.start, &l.guards, &l.scalars}) list(*part);
+        for (auto* part : {&l.mass, &l.force, &l.bias, &l.generalised_force, &l.state_rate, &l.output, &l.definitions, &l.start, &l.guards, &l.scalars, &l.solve_mass, &l.held, &l.held_by_free, &l.held_drift, &l.held_factors, &l.events, &l.event_rates, &l.conditions}) list(*part);
+        for (auto* resets : {&l.resets, &l.rests})
+            for (LoweredSystem::Reset& reset : *resets) {
+                list(reset.values);
+                list(reset.direction);
+                visit(reset.drift);
+                visit(reset.restitution);
+            }
         for (auto& columns : l.by)
-            for (auto* part : {&columns.residual, &columns.state_rate, &columns.output}) std::for_each(part->begin(), part->end(), list);
+            for (auto* part : {&columns.residual, &columns.state_rate, &columns.output, &columns.held}) std::for_each(part->begin(), part->end(), list);
         std::for_each(l.output_by_acceleration.begin(), l.output_by_acceleration.end(), list);
     }
 
@@ -66,6 +113,33 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::pair<std::size_t, ex>> conditions(const System& system) {
+    std::vector<std::pair<std::size_t, ex>> result = system.motion.positions;
+    const std::size_t n = system.symbols.degrees();
+    for (const auto& [coordinate, rate] : system.motion.velocities) {
+        ex velocity = rate.drift;
+        for (std::size_t i = 0; i < system.motion.free.size(); ++i) velocity += rate.jacobian[i] * system.symbols.get(SymbolKind::velocity, system.motion.free[i]);
+        result.emplace_back(n + coordinate, velocity);
+    }
+    return result;
+}
+
+std::vector<ex> condition_values(const System& system) {
+    std::vector<ex> values, sizes;
+    for (const auto& [place, value] : conditions(system)) {
+        const ex sum = value.expand();
+        values.push_back(sum);
+        const bool is_sum = GiNaC::is_exactly_a<GiNaC::add>(sum);
+        GiNaC::exvector terms;
+        for (std::size_t i = 0; is_sum && i < sum.nops(); ++i) terms.push_back(magnitude(sum.op(i)));
+        // A position is as good as the integration, whose error is larger than that of a rate.
+        const ex size = is_sum ? ex(GiNaC::add(terms)) : magnitude(sum);
+        sizes.push_back(place < system.symbols.degrees() ? 64 * size : size);
+    }
+    values.insert(values.end(), sizes.begin(), sizes.end());
+    return values;
+}
 
 std::vector<ex> start_values(const System& system) {
     std::vector<ex> values;

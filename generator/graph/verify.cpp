@@ -23,7 +23,7 @@ public:
         columns(Function::jacobian_u, By::input);
         columns(Function::jacobian_p, By::parameter);
         columns(Function::jacobian_t, By::time);
-        values(Function::mass_matrix, mass());
+        values(Function::mass_matrix, lower_triangle(system_.mass));
         values(Function::bias, system_.bias);
         values(Function::generalised_force, system_.supplied);
         std::vector<ex> outputs;
@@ -41,12 +41,13 @@ public:
         std::vector<ex> guards;
         for (const Guard& guard : system_.fluids.guards) guards.push_back(guard.value);
         values(Function::guards, guards);
+        switching();
         definitions();
         values(Function::start_state, start_values(system_));
         if (code_.solve.unrolled && code_.solve.n > 0) {
             solve_is_right();
             if (code_.solve.is_constant) cached_factors();
-            for (const Function f : {Function::rhs, Function::rhs_and_jacobian, Function::jacobian_u, Function::jacobian_p, Function::jacobian_t}) solve_is_that_one(f);
+            for (const Function f : {Function::rhs, Function::rhs_and_jacobian, Function::jacobian_u, Function::jacobian_p, Function::jacobian_t, Function::resets}) solve_is_that_one(f);
         }
         return std::move(entries_);
     }
@@ -73,21 +74,26 @@ private:
             compare(Function::update, raise(f.results[i]), system_.symbols.definition_values()[code_.definition_order[i]]);
     }
 
-    std::vector<ex> mass() const {
+    static std::vector<ex> lower_triangle(const GiNaC::matrix& matrix) {
         std::vector<ex> lower;
-        for (unsigned i = 0; i < code_.solve.n; ++i)
-            for (unsigned j = 0; j <= i; ++j) lower.push_back(system_.mass(i, j));
+        for (unsigned i = 0; i < matrix.rows(); ++i)
+            for (unsigned j = 0; j <= i; ++j) lower.push_back(matrix(i, j));
         return lower;
     }
+
+    const ex& acceleration(std::size_t j) const { return system_.symbols.get(SymbolKind::acceleration, j); }
 
     void motion(Function function) {
         const FunctionCode& f = code_[function];
         Raiser raise(f.program, code_.atoms, cached_);
-        const std::vector<ex> derived_mass = mass();
+        const std::vector<ex> derived_mass = lower_triangle(system_.motion.mass);
         const FunctionCode& m = code_.solve.is_constant ? code_[Function::update] : f;
         Raiser raise_mass(m.program, code_.atoms, cached_);
         for (std::size_t i = 0; i < derived_mass.size(); ++i) compare(function, raise_mass(m.mass[i]), derived_mass[i]);
-        for (std::size_t j = 0; j < code_.solve.n; ++j) compare(function, raise(f.force[j]), system_.supplied[j] - system_.bias[j]);
+        for (std::size_t j = 0; j < code_.solve.n; ++j) compare(function, raise(f.force[j]), system_.motion.force[j]);
+        GiNaC::exmap solutions;
+        for (const std::size_t k : system_.motion.free) solutions[acceleration(k)] = raise(f.accelerations[k]);
+        for (const auto& [j, derived] : system_.motion.accelerations) compare(function, raise(f.accelerations[j]), derived.subs(solutions, GiNaC::subs_options::no_pattern));
         for (std::size_t i = 0; i < f.results.size(); ++i) compare(function, raise(f.results[i]), system_.state_rates[i]);
     }
 
@@ -97,17 +103,86 @@ private:
         const FunctionCode& f = code_[function];
         Raiser with_letters(f.program, code_.atoms, cached_);
         Raiser with_solutions(f.program, code_.atoms, cached_);
-        for (std::size_t j = 0; j < f.accelerations.size(); ++j) with_letters.define(f.accelerations[j], system_.symbols.get(SymbolKind::acceleration, j));
+        const std::vector<std::size_t>& free = f.accelerations.empty() ? std::vector<std::size_t>() : system_.motion.free;
+        for (const std::size_t j : free) with_letters.define(f.accelerations[j], acceleration(j));
         const auto check = [&](NodeId node, const ex& derived) {
             if (prover_.proven_equal(with_letters(node), derived)) return compare(function, derived, derived);
             GiNaC::exmap solutions;
-            for (std::size_t j = 0; j < f.accelerations.size(); ++j) solutions[system_.symbols.get(SymbolKind::acceleration, j)] = with_solutions(f.accelerations[j]);
+            for (const std::size_t j : free) solutions[acceleration(j)] = with_solutions(f.accelerations[j]);
             compare(function, with_solutions(node), derived.subs(solutions, GiNaC::subs_options::no_pattern));
         };
         const Partials p = partials(system_, by);
         for (std::size_t c = 0; c < p.residual.size(); ++c) {
             for (std::size_t j = 0; j < p.residual[c].size(); ++j) check(f.right.at(j, c), -p.residual[c][j]);
             for (std::size_t i = 0; i < p.state_rate[c].size(); ++i) check(f.below.at(i, c), p.state_rate[c][i]);
+            held_column(function, f, c, p.held[c]);
+        }
+    }
+
+    /// By the chain rule through the free accelerations, whose slopes are letters here.
+    void held_column(Function function, const FunctionCode& f, std::size_t c, const std::vector<ex>& at_fixed) {
+        const Motion& motion = system_.motion;
+        if (motion.accelerations.empty()) return;
+        Raiser raise(f.program, code_.atoms, cached_);
+        const auto solution = [&](std::size_t j) { return f.accelerations.empty() ? acceleration(j) : raise(f.accelerations[j]); };
+        GiNaC::exmap solutions;
+        for (const std::size_t k : motion.free) solutions[acceleration(k)] = solution(k);
+        for (std::size_t i = 0; i < motion.accelerations.size(); ++i) {
+            const auto& [j, derived] = motion.accelerations[i];
+            ex slope = at_fixed[i];
+            for (const std::size_t k : motion.free) slope += partial(derived, acceleration(k)) * raise(f.solved.at(k, c));
+            compare(function, raise(f.solved.at(j, c)), slope.subs(solutions, GiNaC::subs_options::no_pattern));
+        }
+    }
+
+    void switching() {
+        std::vector<ex> guards, rates, asked;
+        for (const EventEquation& event : system_.events) {
+            guards.push_back(event.guard);
+            rates.push_back(event.rate);
+        }
+        values(Function::events, guards);
+        values(Function::event_rates, rates);
+        if (!system_.scene.modes.empty())
+            asked = condition_values(system_);
+        values(Function::conditions, asked);
+        for (std::size_t e = 0; e < system_.events.size(); ++e) {
+            reset(code_.resets[e], system_.events[e].reset);
+            reset(code_.rests[e], system_.events[e].rest);
+        }
+    }
+
+    /// Of an impact the rate afterwards is compared with what it should be, and that the velocities change along M^-1*direction.
+    void reset(const ResetCode& code, const Reset& derived) {
+        const FunctionCode& f = code_[Function::resets];
+        const Motion& motion = system_.motion;
+        Raiser raise(f.program, code_.atoms, cached_);
+        for (std::size_t i = 0; i < derived.values.size(); ++i) compare(Function::resets, raise(f.results[code.first + i]), derived.values[i].second);
+        if (!derived.impact) return;
+        std::vector<ex> slope;
+        for (std::size_t i = 0; i < motion.free.size(); ++i) {
+            // What is a number is no letter: it stands for that number elsewhere, too.
+            const NodeId node = f.solved.at(i, *code.impact);
+            if (f.program[node].kind != Node::Kind::constant) raise.define(node, GiNaC::realsymbol("s" + std::to_string(i)));
+            slope.push_back(raise(node));
+        }
+        const auto velocity = [&](std::size_t i) { return system_.symbols.get(SymbolKind::velocity, motion.free[i]); };
+        ex before = derived.impact->drift, after = derived.impact->drift, along = 0;
+        std::vector<ex> changed;
+        const std::size_t first = code.first + derived.values.size();
+        for (std::size_t i = 0; i < motion.free.size(); ++i) {
+            changed.push_back(raise(f.results[first + i]));
+            before += derived.impact->direction[i] * velocity(i);
+            after += derived.impact->direction[i] * changed[i];
+            along += derived.impact->direction[i] * slope[i];
+        }
+        compare(Function::resets, after, -derived.impact->restitution * before);
+        for (std::size_t i = 0; i < motion.free.size(); ++i)
+            compare(Function::resets, (changed[i] - velocity(i)) * along, -slope[i] * (1 + derived.impact->restitution) * before);
+        for (std::size_t h = 0; h < motion.velocities.size(); ++h) {
+            ex held = motion.velocities[h].second.drift;
+            for (std::size_t i = 0; i < motion.free.size(); ++i) held += motion.velocities[h].second.jacobian[i] * changed[i];
+            compare(Function::resets, raise(f.results[first + motion.free.size() + h]), held);
         }
     }
 
@@ -185,6 +260,7 @@ private:
     void solve_is_that_one(Function function) {
         const Solve& s = code_.solve;
         const FunctionCode& f = code_[function];
+        if (f.factors.empty()) return;  // without an impact nothing is solved
         Program program = f.program;
         if (s.is_constant) {
             const FunctionCode& update = code_[Function::update];
@@ -206,14 +282,20 @@ private:
             };
             require(factorise(program, s.n, f.mass, reciprocal) == f.factors);
         }
-        if (!f.accelerations.empty()) require(solve(program, s.n, f.factors, f.force) == f.accelerations);
+        const auto free = [&](const auto& of) {
+            std::vector<NodeId> entries;
+            for (const std::size_t j : system_.motion.free) entries.push_back(of(j));
+            return entries;
+        };
+        if (!f.accelerations.empty()) require(solve(program, s.n, f.factors, f.force) == free([&](std::size_t j) { return f.accelerations[j]; }));
         for (std::size_t c = 0; c < f.solved.columns; ++c) {
             const auto column = [&](const CodeMatrix& matrix) {
                 std::vector<NodeId> entries;
                 for (std::size_t j = 0; j < matrix.rows; ++j) entries.push_back(matrix.at(j, c));
                 return entries;
             };
-            require(solve(program, s.n, f.factors, column(f.right)) == column(f.solved));
+            const bool has_held = f.solved.rows != s.n;
+            require(solve(program, s.n, f.factors, column(f.right)) == (has_held ? free([&](std::size_t j) { return f.solved.at(j, c); }) : column(f.solved)));
         }
     }
 

@@ -41,6 +41,7 @@ public:
         shared(model_.inputs);
         shared(model_.states);
         shared(model_.outputs);
+        for (const ModeGroup& group : model_.modes) shared(group.modes);
         for (const Coordinate& coordinate : model_.coordinates)
             if (const auto clash = used.find(coordinate.name + "_dot"); clash != used.end())
                 diagnostics_.error(Id::doubly_defined, clash->second->span,
@@ -73,6 +74,11 @@ public:
         part(model_.rods);
         part(model_.blocks);
         part(model_.enclosures);
+        distinct(model_.modes, "groups of modes");
+        distinct(model_.constraints, "constraints");
+        distinct(model_.events, "events");
+        for (const Event& event : model_.events)
+            if (event.name == "event") diagnostics_.error(Id::reserved_name, event.span, "'event' is a name that every header with events defines itself");
         each_separately(model_.effects);
         each_separately(model_.scenes);
         each_separately(model_.runs);
@@ -119,6 +125,18 @@ private:
     template <class T>
     void each_separately(const std::vector<T>& items) {
         for (const T& item : items) well_formed(item.name, item.span);
+    }
+
+    /// Of what elements bring along some may have the name of something that was written.
+    template <class T>
+    void distinct(const std::vector<T>& items, const char* what) {
+        std::map<std::string, const Item*> seen;
+        for (const T& item : items) {
+            if (!well_formed(item.name, item.span)) continue;
+            const auto [first, is_new] = seen.emplace(item.name, &item);
+            if (!is_new)
+                diagnostics_.error(Id::doubly_defined, item.span, fmt::format("there are two {} '{}'", what, item.name), {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
+        }
     }
 
     const Model& model_;

@@ -93,12 +93,15 @@ private:
         }
     }
 
-    void effect(const std::string& name, const Span& span) {
+    void effect(const std::string& name, const Span& span, bool may_be_mode = false) {
         std::vector<std::string> known;
         for (const Effect& item : model_.effects) known.push_back(item.name);
+        if (may_be_mode)
+            for (const ModeGroup& group : model_.modes)
+                for (const Mode& mode : group.modes) known.push_back(mode.name);
         if (std::find(known.begin(), known.end(), name) == known.end())
             diagnostics_.error(Id::unknown_effect, span,
-                               fmt::format("[effects] does not declare '{}'{}{}", name, did_you_mean(name, known),
+                               fmt::format("{} '{}'{}{}", may_be_mode && !model_.modes.empty() ? "there is neither an effect nor a mode" : "[effects] does not declare", name, did_you_mean(name, known),
                                            known.empty() ? "; there is no [effects] at all" : ""));
     }
 
@@ -106,7 +109,7 @@ private:
         std::vector<std::pair<std::string, Span>> named;
         if (when) when->collect(named);
         for (const auto& [name, span] : named) {
-            effect(name, span);
+            effect(name, span, true);
             carried_.insert(name);
         }
     }
@@ -138,6 +141,9 @@ private:
         all(model_.rods);
         all(model_.blocks);
         all(model_.enclosures);
+        all(model_.modes);
+        all(model_.constraints);
+        all(model_.events);
         const std::set<std::string> carried = carried_;  // a printed equation says when it holds, and carries nothing
         all(model_.printed);
         const auto listed = [&](const std::vector<std::pair<std::string, Span>>& names) {
@@ -165,7 +171,11 @@ private:
             std::string base = name.starts_with("dot(") && name.ends_with(")") ? name.substr(4, name.size() - 5) : name;
             base = base.substr(0, base.find('['));
             const std::vector<std::string> energies{"t", "kinetic_energy", "potential_energy", "internal_energy", "work"};
-            if (names_.find(base) != nullptr || std::find(energies.begin(), energies.end(), base) != energies.end()) return;
+            const Named* named = names_.find(base);
+            if (named != nullptr && (named->kind == Named::Kind::definition || named->kind == Named::Kind::parameter || named->kind == Named::Kind::size || named->kind == Named::Kind::mode))
+                return diagnostics_.error(Id::not_allowed_here, span, fmt::format("run '{}' plots '{}', which is {} and not recorded; make it an output", run.name, name, describe(named->kind)),
+                                          {{named->item->span, fmt::format("'{}' is defined here", base)}});
+            if (named != nullptr || std::find(energies.begin(), energies.end(), base) != energies.end()) return;
             std::vector<std::string> known = names_.all();
             known.insert(known.end(), energies.begin(), energies.end());
             diagnostics_.error(Id::unknown_name, span, fmt::format("run '{}' plots '{}', which is not defined{}", run.name, name, did_you_mean(name, known)));

@@ -67,6 +67,10 @@ public:
             for (const CoordinateEntry& entry : term.reference)
                 si_value(entry.value, units_.of_coordinate(entry.coordinate), "the reference", "potential", term);
         }
+        for (const Constraint& constraint : model_.constraints)
+            for (const ExpressionPtr& held : {constraint.rate, constraint.position})
+                if (held) units_.of(*held, {});
+        for (const Event& event : model_.events) check(event);
         for (const GeneralisedForce& force : model_.generalised_forces) force_on(force.coordinate, "generalised force", force);
         for (const Medium& medium : model_.media) check(medium);
         for (const Reservoir& reservoir : model_.reservoirs) {
@@ -140,6 +144,14 @@ private:
         const Dimension rate = damper.rate ? units_.of(*damper.rate, {}).dimension : Dimension::speed();
         expect(damper.coefficient, Dimension::power() / rate / rate, "the coefficient", "damper", damper);
         law(damper.force, rate, Dimension::power() / rate, "the force law", "damper", damper);
+    }
+
+    void check(const Event& event) {
+        units_.of(*event.guard, {});
+        expect(event.restitution, Dimension::none(), "the restitution", "event", event);
+        for (const auto* entries : {&event.reset, &event.rest_reset})
+            for (const RunEntry& entry : *entries)
+                expect(entry.value, units_.of(*entry.variable, {}).dimension, fmt::format("the new value of '{}'", entry.variable->written()).c_str(), "event", event);
     }
 
     void check(const Medium& medium) {

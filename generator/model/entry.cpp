@@ -261,6 +261,19 @@ std::optional<Condition> Entry::condition(std::string_view key) const {
     return attempt([&] { return parse_condition(node->string); });
 }
 
+std::vector<Condition> Entry::conditions(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::modes);
+    std::vector<Condition> result;
+    if (node == nullptr) return result;
+    const auto add = [&](const DocumentNode& element) {
+        if (element.kind != NodeKind::string) return wrong_type(element, ValueType::modes);
+        if (auto parsed = attempt([&] { return parse_condition(element.string); })) result.push_back(std::move(*parsed));
+    };
+    if (node->kind != NodeKind::array) add(*node);
+    else std::for_each(node->elements.begin(), node->elements.end(), add);
+    return result;
+}
+
 std::vector<std::pair<std::string, Span>> Entry::names(std::string_view key) const {
     const DocumentNode* node = find(key, ValueType::effects);
     std::vector<std::pair<std::string, Span>> result;
@@ -351,6 +364,8 @@ std::vector<std::array<ExpressionPtr, 2>> Entry::points(std::string_view key) co
 
 std::optional<Reference> Entry::body(std::string_view key) const { return reference(key, ValueType::body, "a body"); }
 std::optional<Reference> Entry::part(std::string_view key) const { return reference(key, ValueType::part, "a medium, volume or reservoir"); }
+
+std::optional<Reference> Entry::constraint(std::string_view key) const { return reference(key, ValueType::part, "a constraint"); }
 
 bool Entry::boolean(std::string_view key) const {
     const DocumentNode* node = find(key, ValueType::boolean);

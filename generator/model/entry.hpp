@@ -39,9 +39,12 @@ public:
     std::vector<Equation> equations(std::string_view key) const;
     std::optional<Family> family(std::string_view key) const;
     std::optional<Condition> condition(std::string_view key) const;
+    /// One or a list.
+    std::vector<Condition> conditions(std::string_view key) const;
     std::vector<std::pair<std::string, Span>> names(std::string_view key) const;
     std::optional<Reference> body(std::string_view key) const;
     std::optional<Reference> part(std::string_view key) const;
+    std::optional<Reference> constraint(std::string_view key) const;
     std::vector<Reference> parts(std::string_view key) const;
     std::vector<ExpressionPtr> expressions(std::string_view key) const;
     /// Null for what is left out as "?".

@@ -64,6 +64,7 @@ struct Flow : Item {
     ExpressionPtr width;
     ExpressionPtr conductance;
     ExpressionPtr cracking_pressure;
+    bool switches = false;   ///< of a check valve being open or shut, of a pneumatic orifice being choked and the direction, are modes
     ExpressionPtr displacement;
     ExpressionPtr speed;
     ExpressionPtr velocity;  ///< a state

@@ -40,4 +40,11 @@ struct Reference {
     Span span;
 };
 
+/// What gets a value: of a run, or where an event resets it.
+struct RunEntry {
+    ExpressionPtr variable;  ///< a name, member or dot(name)
+    ExpressionPtr value;
+    Span span;
+};
+
 }  // namespace dalembert

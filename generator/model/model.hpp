@@ -7,6 +7,7 @@
 
 #include "model/fluids.hpp"
 #include "model/heat.hpp"
+#include "model/switching.hpp"
 
 namespace dalembert {
 
@@ -156,12 +157,6 @@ struct Plot {
     Span span;
 };
 
-struct RunEntry {
-    ExpressionPtr variable;  ///< a name, member or dot(name)
-    ExpressionPtr value;
-    Span span;
-};
-
 struct Run : Item {
     std::string scene;
     Span scene_span;
@@ -208,6 +203,13 @@ struct Model {
     std::vector<Rod> rods;
     std::vector<Block> blocks;
     std::vector<Enclosure> enclosures;
+    std::vector<Friction> frictions;
+    std::vector<Stop> stops;
+    std::vector<Contact> contacts;
+    std::vector<Saturation> saturations;
+    std::vector<ModeGroup> modes;           ///< with those of the elements above, as the next two
+    std::vector<Constraint> constraints;
+    std::vector<Event> events;
     std::vector<Effect> effects;
     std::vector<SceneChoice> scenes;
     std::string default_scene;

@@ -13,9 +13,10 @@ const char* describe(Named::Kind kind) {
         case Named::Kind::coordinate: return "a coordinate";
         case Named::Kind::input: return "an input";
         case Named::Kind::state: return "a state";
-        case Named::Kind::output: break;
+        case Named::Kind::output: return "an output";
+        case Named::Kind::mode: break;
     }
-    return "an output";
+    return "a mode";
 }
 
 const char* describe(Part::Kind kind) {
@@ -64,6 +65,9 @@ Names::Names(const Model& model) {
     add(model.outputs, Named::Kind::output);
     for (const Body& body : model.bodies) bodies_.emplace(body.name, &body);
     for (const Damper& damper : model.dampers) dampers_.emplace(damper.name, &damper);
+    for (const Friction& friction : model.frictions) frictions_.emplace(friction.name, &friction);
+    for (const Constraint& constraint : model.constraints) constraints_.emplace(constraint.name, &constraint);
+    for (const ModeGroup& group : model.modes) add(group.modes, Named::Kind::mode);
     const auto add_parts = [&](const auto& items, Part::Kind kind) {
         for (const auto& item : items) parts_.emplace(item.name, Part{kind, &item});
     };
@@ -97,6 +101,16 @@ const Body* Names::find_body(std::string_view name) const {
 const Damper* Names::find_damper(std::string_view name) const {
     const auto found = dampers_.find(name);
     return found == dampers_.end() ? nullptr : found->second;
+}
+
+const Constraint* Names::find_constraint(std::string_view name) const {
+    const auto found = constraints_.find(name);
+    return found == constraints_.end() ? nullptr : found->second;
+}
+
+const Friction* Names::find_friction(std::string_view name) const {
+    const auto found = frictions_.find(name);
+    return found == frictions_.end() ? nullptr : found->second;
 }
 
 const Part* Names::find_part(std::string_view name) const {
@@ -149,6 +163,7 @@ unsigned dependence(const Expression& e, const Names& names, std::map<const Defi
             case Named::Kind::coordinate: return on_coordinates;
             case Named::Kind::input: return on_inputs;
             case Named::Kind::state: return on_states;
+            case Named::Kind::mode: return on_modes;
             case Named::Kind::output: return on_outputs;
             case Named::Kind::definition: break;
         }

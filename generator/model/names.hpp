@@ -12,7 +12,7 @@ namespace dalembert {
 
 /// A name that expressions may use, and the item that defines it.
 struct Named {
-    enum class Kind { size, parameter, definition, coordinate, input, state, output };
+    enum class Kind { size, parameter, definition, coordinate, input, state, output, mode };
     Kind kind;
     const Item* item;
 
@@ -42,6 +42,8 @@ public:
     const Named* find(std::string_view name) const;
     const Body* find_body(std::string_view name) const;
     const Damper* find_damper(std::string_view name) const;
+    const Constraint* find_constraint(std::string_view name) const;
+    const Friction* find_friction(std::string_view name) const;
     const Part* find_part(std::string_view name) const;
     /// The names of the parts of these kinds.
     std::vector<std::string> parts(const std::vector<Part::Kind>& kinds) const;
@@ -52,6 +54,8 @@ private:
     std::map<std::string, Named, std::less<>> table_;
     std::map<std::string, const Body*, std::less<>> bodies_;
     std::map<std::string, const Damper*, std::less<>> dampers_;
+    std::map<std::string, const Constraint*, std::less<>> constraints_;
+    std::map<std::string, const Friction*, std::less<>> frictions_;
     std::map<std::string, Part, std::less<>> parts_;
 };
 

@@ -24,9 +24,9 @@ const std::vector<LawKeys<Flow::Law>>& flow_laws() {
     using L = Flow::Law;
     static const std::vector<LawKeys<L>> laws{
         {"hydraulic_orifice", L::hydraulic_orifice, {"area", "coefficient"}, {"width"}},
-        {"pneumatic_orifice", L::pneumatic_orifice, {"area", "coefficient"}, {"width"}},
+        {"pneumatic_orifice", L::pneumatic_orifice, {"area", "coefficient"}, {"width", "switches"}},
         {"laminar", L::laminar, {"conductance"}, {}},
-        {"check_valve", L::check_valve, {}, {"conductance", "area", "coefficient", "width", "cracking_pressure"}},
+        {"check_valve", L::check_valve, {}, {"conductance", "area", "coefficient", "width", "cracking_pressure", "switches"}},
         {"pump", L::pump, {}, {"volume_flow", "displacement", "speed"}},
         {"pipe", L::pipe, {"velocity", "area", "length"}, {"loss"}},
     };
@@ -139,12 +139,13 @@ void read(const Entry& e, Flow& flow) {
     flow.width = e.expression("width");
     flow.conductance = e.expression("conductance");
     flow.cracking_pressure = e.expression("cracking_pressure");
+    flow.switches = e.boolean("switches");
     flow.displacement = e.expression("displacement");
     flow.speed = e.expression("speed");
     flow.velocity = e.expression("velocity");
     flow.length = e.expression("length");
     flow.loss = e.law("loss");
-    const std::vector<const char*> keys{"mass_flow", "volume_flow", "area", "coefficient", "width", "conductance", "cracking_pressure", "displacement", "speed", "velocity", "length", "loss"};
+    const std::vector<const char*> keys{"mass_flow", "volume_flow", "area", "coefficient", "width", "conductance", "cracking_pressure", "switches", "displacement", "speed", "velocity", "length", "loss"};
     const auto either = [&](bool first, bool second, const char* sentence) {
         if (first == second) e.error(first ? Id::doubly_determined : Id::missing_key, e.span(), fmt::format("flow '{}' {}", e.name(), sentence));
     };
@@ -159,6 +160,8 @@ void read(const Entry& e, Flow& flow) {
     const auto* law = find_law(e, "flow", flow_laws(), keys);
     if (law == nullptr) return;
     flow.law = law->law;
+    if (flow.switches && e.has("for")) e.error(Id::not_allowed_here, e.span_of("switches"), fmt::format("flow '{}' is a family, whose members cannot have modes of their own", e.name()));
+    if (flow.switches && e.has("width")) e.error(Id::doubly_defined, e.span_of("switches"), fmt::format("flow '{}' is smooth, and has no modes then", e.name()), {{e.span_of("width"), "its width stands here"}});
     if (flow.law == Flow::Law::check_valve) {
         either(e.has("conductance"), e.has("area"), "is a check valve and needs either a conductance or an area with its coefficient");
         if (e.has("area") != e.has("coefficient")) e.error(Id::missing_key, e.span(), fmt::format("check valve '{}' needs area and coefficient together", e.name()));

@@ -7,6 +7,7 @@
 #include "model/entry.hpp"
 #include "model/read_fluids.hpp"
 #include "model/read_heat.hpp"
+#include "model/read_switching.hpp"
 #include "model/verdict.hpp"
 #include "text/files.hpp"
 #include "text/nearest.hpp"
@@ -238,6 +239,14 @@ public:
         collection("rods", model_.rods);
         collection("blocks", model_.blocks);
         collection("enclosures", model_.enclosures);
+        collection("frictions", model_.frictions);
+        collection("stops", model_.stops);
+        collection("contacts", model_.contacts);
+        collection("saturations", model_.saturations);
+        collection("modes", model_.modes);
+        collection("constraints", model_.constraints);
+        collection("events", model_.events);
+        expand_switching(model_);
         collection("effects", model_.effects);
         scenes();
         collection("printed", model_.printed);
@@ -333,6 +342,8 @@ Model read_model(const SourcePtr& source, Diagnostics& diagnostics) {
     check_references(model, diagnostics);
     check_balances(model, diagnostics);
     check_expressions(model, diagnostics);
+    diagnostics.stop_on_errors();
+    check_switching(model, diagnostics);
     diagnostics.stop_on_errors();
     check_units(model, diagnostics);
     diagnostics.stop_on_errors();

@@ -41,9 +41,19 @@ std::size_t Scene::state_count() const {
 
 bool Scene::holds(const std::optional<Condition>& when) const {
     if (!when) return true;
-    std::set<std::string> effects;
-    for (const Effect* effect : effects_in) effects.insert(effect->name);
-    return when->holds(effects);
+    if (mode) return holds(when, *mode);
+    for (std::size_t i = 0; i < modes.size(); ++i)
+        if (holds(when, i)) return true;
+    return modes.empty() && holds(when, 0);
+}
+
+bool Scene::holds(const std::optional<Condition>& when, std::size_t in_mode) const {
+    if (!when) return true;
+    std::set<std::string> present;
+    for (const Effect* effect : effects_in) present.insert(effect->name);
+    if (in_mode < modes.size())
+        for (const Mode* part : modes[in_mode].parts) present.insert(part->name);
+    return when->holds(present);
 }
 
 std::string Scene::sized_name() const {

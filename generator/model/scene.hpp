@@ -32,6 +32,13 @@ struct Field {
 /// The value of the index of a family or sum, by name.
 using Indices = std::map<std::string, int, std::less<>>;
 
+/// A mode of the whole machine: one of each group.
+struct SceneMode {
+    std::string name;  ///< "brake_sticks_and_rope_slack"
+    std::vector<const Mode*> parts;
+    bool is_in(const std::string& part) const;
+};
+
 struct Scene {
     const Model* model;
     std::string name;
@@ -66,11 +73,22 @@ struct Scene {
     std::vector<Member<Rod>> rods;
     std::vector<Member<Block>> blocks;
     std::vector<Member<Enclosure>> enclosures;
+    std::vector<Member<Constraint>> constraints;  ///< of all modes, as the next one
+    std::vector<Member<Event>> events;
+    std::vector<const ModeGroup*> mode_groups;
+    std::vector<SceneMode> modes;                 ///< none: the machine does not switch
+    std::optional<std::size_t> mode;              ///< the one that this scene is about; else it has what any of them has
     std::vector<Field> fields;
     std::set<std::string> thermal_media;  ///< whose temperature varies, so that it matters
 
-    /// Whether the condition of an item holds.
+    /// Whether the condition of an item holds, in the mode of the scene or else in any.
     bool holds(const std::optional<Condition>& when) const;
+    bool holds(const std::optional<Condition>& when, std::size_t in_mode) const;
+    /// The modes that an event leads to, in order of preference; where the scene has none of them, the one that it comes from.
+    std::vector<std::size_t> modes_after(const std::vector<Condition>& next, std::size_t from) const;
+    /// Further modes that it may lead to, because what it resets drives other parts of the machine out of theirs: an impact turns a velocity
+    /// round, so that friction acts the other way. None for an event that resets nothing.
+    std::vector<std::size_t> modes_beside(const Event& event, std::size_t from) const;
     /// Whether a volume has a temperature state in this scene.
     bool has_temperature(const Volume& volume, const Names& names) const;
     /// Whether a node stores heat in this scene.
@@ -92,6 +110,9 @@ std::string resolve_scene(const Model& model, const std::string& wanted);
 
 /// Throws Failure (scene-contradiction, unknown-size, value-out-of-range, needs-absent, nothing-left, too-large).
 Scene select_scene(const Model& model, const Names& names, const std::string& scene, const std::map<std::string, int>& sizes);
+
+/// The scene in one of its modes.
+Scene in_mode(const Scene& scene, std::size_t mode);
 
 /// A whole number made of sizes and indices. Throws Failure (index-out-of-range) when it is none.
 int index_value(const Expression& expression, const Scene& scene, const Indices& indices);

@@ -172,6 +172,7 @@ constexpr std::array flow_keys{
             "of an orifice, a pressure: instead of the root of dp, whose slope is infinite at zero, dp/(dp^2 + width^2)^(1/4); 16 % low at dp = width, 0.25 % at 10 widths"},
     KeySpec{"conductance", T::expression, false, "of a laminar leak or check valve: volume flow over pressure difference"},
     KeySpec{"cracking_pressure", T::expression, false, "of a check valve: the pressure difference at which it opens; 0 if left out"},
+    KeySpec{"switches", T::boolean, false, "true: what switches is a mode of the machine, else an edge that is located: of a check valve NAME_shut and NAME_open; of a pneumatic orifice NAME_subsonic, NAME_choked, NAME_subsonic_back, NAME_choked_back"},
     KeySpec{"displacement", T::expression, false, "of a pump: volume for each radian"},
     KeySpec{"speed", T::expression, false, "of a pump: its angular velocity; where it contains velocities the shaft acts on the mechanics"},
     KeySpec{"velocity", T::expression, false, "of a pipe: the state that is its velocity"},
@@ -253,6 +254,53 @@ constexpr std::array enclosure_keys{
             "factors follow from crossed strings; which corners the strings touch is decided at the default parameters, and holds for others while no "
             "string takes another course"},
     KeySpec{"height", T::expression, false, "with polygon: the length of the prism along its axis"},
+    doc_key, when_key,
+};
+constexpr std::array friction_keys{
+    KeySpec{"rate", T::expression, true, "the velocity that slides, linear in the velocities"},
+    KeySpec{"normal_force", T::expression, true, "what presses the surfaces together; may depend on states and inputs"},
+    KeySpec{"coefficient", T::expression, true, "of sliding friction: the force is coefficient*normal_force"},
+    KeySpec{"static_coefficient", T::expression, false, "of what holds at rest, not below the other; the same, if left out"},
+    doc_key, when_key,
+};
+constexpr std::array stop_keys{
+    KeySpec{"gap", T::expression, true, "the distance, positive where the stop is not touched"},
+    KeySpec{"restitution", T::expression, false, "the part of its speed with which the gap opens again after an impact; 0, if left out"},
+    doc_key, when_key,
+};
+constexpr std::array contact_keys{
+    KeySpec{"elongation", T::expression, true, "how far it is stretched or pressed; negative where it is slack"},
+    KeySpec{"stiffness", T::expression, true, "force = stiffness*elongation where that is positive"},
+    KeySpec{"damping", T::expression, false, "of a damper beside the spring; the two together never pull back"},
+    KeySpec{"play", T::expression, false, "it acts on both sides, beyond play/2 and below -play/2: a backlash. Brings also NAME_taut_back, with damping NAME_released_back"},
+    doc_key, when_key,
+};
+constexpr std::array saturation_keys{
+    KeySpec{"value", T::expression, true, "what is limited"},
+    KeySpec{"low", T::expression, true, "the lower limit"},
+    KeySpec{"high", T::expression, true, "the upper limit"},
+    doc_key, when_key,
+};
+constexpr std::array mode_keys{
+    KeySpec{"modes", T::effects, true, "their names; conditions may name them, and in expressions each is 1 where it holds, else 0"},
+    KeySpec{"final", T::effects, false, "those of them that nothing has to leave"},
+    doc_key, when_key,
+};
+constexpr std::array constraint_keys{
+    KeySpec{"rate", T::expression, false, "the rate that is held at zero, linear in the velocities"},
+    KeySpec{"position", T::expression, false, "instead: the position that is held at zero, and its rate with it"},
+    doc_key, when_key,
+};
+constexpr std::array event_keys{
+    KeySpec{"guard", T::expression, true, "happens where this goes through zero; may use ddot(q) and constraint_force[NAME]"},
+    KeySpec{"direction", T::choice, false, "\"falling\" (default) or \"rising\""},
+    KeySpec{"next", T::modes, false, "the mode afterwards: the first in the list that can go on from there; as before, if left out, where it resets something"},
+    KeySpec{"reset", T::expressions_by_name, false, "new values of states, coordinates and velocities, made of those before: { \"dot(h)\" = \"-e*dot(h)\" }"},
+    KeySpec{"meets", T::part, false, "a constraint whose rate is struck: velocities change by the smallest impulse that reverses it"},
+    KeySpec{"restitution", T::expression, false, "with meets: the part of the rate that is left, reversed; 0, if left out: then the constraint holds exactly"},
+    KeySpec{"rest", T::modes, false, "the mode after it has happened infinitely often at shrinking intervals; else a run stops there"},
+    KeySpec{"rest_reset", T::expressions_by_name, false, "with rest: new values there"},
+    KeySpec{"ends", T::boolean, false, "true: the run ends there"},
     doc_key, when_key,
 };
 constexpr std::array effect_keys{
@@ -352,6 +400,21 @@ constexpr std::array table{
                 "[enclosures.furnace]\nsurfaces     = [\"floor\", \"wall\", \"roof\"]\nareas        = [\"A\", \"A\", \"A\"]\n"
                 "emissivities = [\"eps\", 0.8, 1]\nview_factors = [[0, \"?\", \"?\"], [\"?\", 0, \"?\"], [\"?\", \"?\", 0]]",
                 enclosure_keys, ""},
+    SectionSpec{"frictions", true,
+                "Dry friction with stiction (2.95)-(2.99). NAME brings the modes NAME_sticks, NAME_slides_forwards, NAME_slides_backwards; constraint_force[NAME] is its force along the rate.",
+                "[frictions.floor]\nrate               = \"dot(x)\"\nnormal_force       = \"m*g\"\ncoefficient        = \"mu\"\nstatic_coefficient = \"mu_0\"", friction_keys, ""},
+    SectionSpec{"stops", true, "End stops that are struck, and hold where the machine leans on them. NAME brings the modes NAME_open and NAME_closed; constraint_force[NAME] is the force that opens the gap.",
+                "[stops.floor]\ngap         = \"h\"\nrestitution = \"e\"", stop_keys, ""},
+    SectionSpec{"contacts", true, "Springs that act on one side only: ropes, contacts, the flanks of a backlash. NAME brings the modes NAME_slack and NAME_taut, with damping also NAME_released: stretched, but without force.",
+                "[contacts.rope]\nelongation = \"x - l\"\nstiffness  = \"c\"", contact_keys, ""},
+    SectionSpec{"saturations", true, "Values within limits. NAME is what is left of the value, and brings the modes NAME_within, NAME_below, NAME_above.",
+                "[saturations.drive]\nvalue = \"k*(x_d - x)\"\nlow   = \"-f_max\"\nhigh  = \"f_max\"", saturation_keys, ""},
+    SectionSpec{"modes", true, "Ways in which a part of the machine can be, one at any time. The first that fits the start values is the start.",
+                "[modes]\npump = [\"pump_on\", \"pump_off\"]", mode_keys, "modes"},
+    SectionSpec{"constraints", true, "Rates or positions that are held at zero, in some mode. constraint_force[NAME] is what holds them: the force along the rate, on the machine.",
+                "[constraints.clutch]\nrate = \"dot(phi_1) - dot(phi_2)\"\nwhen = \"engaged\"", constraint_keys, ""},
+    SectionSpec{"events", true, "What happens where a guard goes through zero, in the modes that `when` names.",
+                "[events.full]\nguard = \"h_max - h\"\nwhen  = \"pump_on\"\nnext  = \"pump_off\"", event_keys, ""},
     SectionSpec{"effects", true, "Effects that a scene may call for or leave out.",
                 "[effects]\nviscous_friction = { doc = \"friction of the cart, proportional to its speed\" }", effect_keys, ""},
     SectionSpec{"scenes", true,
@@ -411,7 +474,8 @@ const char* describe(ValueType type) {
         case T::equations: return "list of equations";
         case T::family: return "\"k = 1..N\"";
         case T::condition: return "condition";
-        case T::effects: return "list of effects";
+        case T::effects: return "list of names";
+        case T::modes: return "mode or list of modes";
         case T::body: return "body";
         case T::part: return "name";
         case T::parts: return "list of names";

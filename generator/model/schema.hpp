@@ -29,6 +29,7 @@ enum class ValueType {
     family,
     condition,
     effects,
+    modes,       ///< conditions, one or a list
     body,
     part,        ///< a volume, reservoir, medium, node, rod or block
     parts,

@@ -7,6 +7,7 @@
 
 #include "model/choose_effects.hpp"
 #include "model/choose_fields.hpp"
+#include "model/choose_modes.hpp"
 #include "model/vocabulary.hpp"
 #include "text/nearest.hpp"
 
@@ -56,6 +57,7 @@ public:
     }
 
     Scene take() {
+        choose_modes(scene_);
         choose(model_.coordinates, scene_.coordinates);
         choose(model_.outputs, scene_.outputs);
         choose(model_.bodies, scene_.bodies);
@@ -74,6 +76,9 @@ public:
         choose(model_.rods, scene_.rods);
         choose(model_.blocks, scene_.blocks);
         choose(model_.enclosures, scene_.enclosures);
+        choose(model_.constraints, scene_.constraints);
+        choose(model_.events, scene_.events);
+        complete_modes(scene_);
         const bool any_mass = std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [](const auto& body) { return body.item->mass != nullptr; });
         if (model_.gravity && any_mass && scene_.holds(model_.gravity->when)) scene_.gravity = &*model_.gravity;
 
@@ -83,7 +88,7 @@ public:
                 visit(*member.item, [&](const Site& site) { use(site); });
             }
         };
-        fields_.find_all(names_);
+        if (scene_.modes.empty()) fields_.find_all(names_);
         for (const auto& member : scene_.coordinates) used_.insert(member.item->name);
         use_all(scene_.coordinates, "coordinate");
         use_all(scene_.bodies, "body");
@@ -110,6 +115,8 @@ public:
         use_all(scene_.enclosures, "enclosure");
         for (const auto& member : scene_.enclosures)
             for (const Reference& surface : member.item->surfaces) needs_part(surface, fmt::format("enclosure '{}'", member.item->name));
+        use_all(scene_.constraints, "constraint");
+        use_all(scene_.events, "event");
         use_all(scene_.outputs, "output");
         use_media();
         if (scene_.gravity != nullptr) {

@@ -296,6 +296,24 @@ void visit(const Enclosure& item, const SiteVisitor& visitor) {
     each(item.height, constant_only, "height");
 }
 
+void visit(const Constraint& item, const SiteVisitor& visitor) {
+    const Visit each(item, "constraint", visitor);
+    each(item.rate, on_motion, "rate");
+    each(item.position, on_configuration, "position");
+    each(item.elsewhere, on_state_and_inputs, "force");
+}
+
+void visit(const Event& item, const SiteVisitor& visitor) {
+    const Visit each(item, "event", visitor);
+    each(item.guard, on_anything & ~on_outputs, "guard");
+    each(item.restitution, constant_only, "restitution");
+    for (const auto* entries : {&item.reset, &item.rest_reset})
+        for (const RunEntry& entry : *entries) {
+            each(entry.variable, on_coordinates | on_velocities | on_states, "reset");
+            each(entry.value, on_state_and_inputs, "reset");
+        }
+}
+
 void visit(const PrintedEquation& item, const SiteVisitor& visitor) {
     Visit each(item, "printed equation", visitor);
     for (const PrintedLetter& letter : item.letters) each.bound_.push_back(letter.name);
@@ -356,6 +374,8 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.rods);
     all(model.blocks);
     all(model.enclosures);
+    all(model.constraints);
+    all(model.events);
     all(model.printed);
     all(model.runs);
 }

@@ -22,12 +22,13 @@ enum Dependence : unsigned {
     on_outputs = 256,
     on_properties = 512,    ///< of media in volumes and reservoirs, and of nodes: density[chamber], temperature[plate] and the like
     on_losses = 1024,       ///< dissipated_power
+    on_modes = 2048,
 
     nothing = 0,
     constant_only = on_parameters,
     on_configuration = on_parameters | on_coordinates | on_time,
     on_motion = on_configuration | on_velocities,
-    on_plain_states_and_inputs = on_motion | on_inputs | on_states,
+    on_plain_states_and_inputs = on_motion | on_inputs | on_states | on_modes,
     on_state_and_inputs = on_plain_states_and_inputs | on_properties,
     on_anything = on_state_and_inputs | on_accelerations | on_quantities | on_outputs | on_losses,
 };
@@ -73,6 +74,8 @@ void visit(const Link& item, const SiteVisitor& visitor);
 void visit(const Rod& item, const SiteVisitor& visitor);
 void visit(const Block& item, const SiteVisitor& visitor);
 void visit(const Enclosure& item, const SiteVisitor& visitor);
+void visit(const Constraint& item, const SiteVisitor& visitor);
+void visit(const Event& item, const SiteVisitor& visitor);
 void visit(const PrintedEquation& item, const SiteVisitor& visitor);
 void visit(const Run& item, const SiteVisitor& visitor);
 

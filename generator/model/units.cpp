@@ -133,7 +133,8 @@ Measure Units::name(const Expression& e, const Bound& bound) {
     const Named* named = names_.find(e.name);
     if (named == nullptr) return {};  // an index of a family
     switch (named->kind) {
-        case Named::Kind::size: return {};
+        case Named::Kind::size:
+        case Named::Kind::mode: return {};
         case Named::Kind::parameter:
         case Named::Kind::coordinate:
         case Named::Kind::input:
@@ -156,6 +157,11 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
     }
     const auto coordinate = [&](std::size_t i) { return of_coordinate(e.children[i]->name); };
     const Dimension energy = Dimension::energy();
+    if (e.name == "constraint_force") {
+        const Constraint& constraint = *names_.find_constraint(e.children[0]->name);
+        if (constraint.rate) return {Dimension::power() / of(*constraint.rate, {}).dimension};
+        return {energy / of(*constraint.position, {}).dimension};
+    }
     if (e.name == "position") return {Dimension::length()};
     if (e.name == "velocity") return {Dimension::speed()};
     if (e.name == "generalised_force" || e.name == "nonpotential_force" || e.name == "bias") return {energy / coordinate(0)};

@@ -64,6 +64,7 @@ constexpr std::array quantity_table{
     QuantitySpec{"potential_energy", S::nothing, "potential energy of gravity, springs and potentials"},
     QuantitySpec{"supplied_power", S::nothing, "power of forces and torques"},
     QuantitySpec{"dissipated_power", S::optional_damper, "power of all that is dissipated, or of one damper; not negative for laws that resist"},
+    QuantitySpec{"constraint_force", S::constraint, "force of a constraint along its rate, on the machine; of dry friction also where it slides"},
     QuantitySpec{"prescribed_power", S::nothing, "power of what moves the machine in a prescribed way"},
     QuantitySpec{"position", S::body_and_axis, "position of a body: position[ball, 1] is x"},
     QuantitySpec{"velocity", S::body_and_axis, "velocity of a body"},
@@ -148,6 +149,8 @@ constexpr auto header_names = std::to_array<std::string_view>({
     "input_count", "output_count", "parameter_count", "start_values", "state_quantities", "input_quantities", "output_quantities",
     "parameter_quantities", "jacobian_x_pattern", "jacobian_u_pattern", "jacobian_p_pattern", "detail", "pow", "rhs", "rhs_and_jacobian", "jacobian_x",
     "jacobian_u", "jacobian_p", "jacobian_t", "update", "parameters", "start_state", "mode", "mass_factors", "Guard", "Guards", "guards", "guard", "guard_count", "guard_list",
+    "Mode", "Modes", "Event", "Events", "Kinks", "kinks", "guard_rates", "holds", "reset", "settle", "is_watched", "next_modes", "after_accumulation", "mode_table",
+    "event_table", "event", "event_count", "mode_count",
 });
 
 template <class Table>

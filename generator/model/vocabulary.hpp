@@ -43,6 +43,7 @@ enum class Subscript {
     coordinate,
     two_coordinates,
     optional_damper,
+    constraint,
     surface,          ///< an enclosure and the number of a surface
     two_surfaces,     ///< an enclosure and the numbers of two surfaces
     fluid,            ///< a volume or reservoir

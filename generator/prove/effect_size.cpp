@@ -60,7 +60,9 @@ std::vector<EffectSize> sizes_of_effects_out(const System& system, const std::ma
     for (const Effect* effect : scene.effects_out) {
         std::string text;
         try {
-            const auto with = derive(system.names, select_scene(*scene.model, system.names, scene.wish + "+" + effect->name, sizes));
+            Scene chosen = select_scene(*scene.model, system.names, scene.wish + "+" + effect->name, sizes);
+            if (!chosen.modes.empty()) chosen = in_mode(chosen, 0);
+            const auto with = derive(system.names, std::move(chosen));
             text = difference(system, *with);
         } catch (const Failure& failure) {
             const bool is_contradiction = !failure.diagnostics().empty() && failure.diagnostics().front().id == Id::scene_contradiction;

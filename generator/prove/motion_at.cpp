@@ -12,7 +12,8 @@ using GiNaC::ex;
 MotionAt::MotionAt(const System& system, const Values& values, int digits) : system_(system), digits_(digits), point_(values.substitution()) {
     const Symbols& symbols = system.symbols;
     add_steps(point_, symbols, digits + 20);
-    const std::size_t n = symbols.degrees();
+    const Motion& motion = system.motion;
+    const std::size_t n = motion.free.size();
     std::vector<std::vector<cln::cl_R>> m(n, std::vector<cln::cl_R>(n + 1));
     const auto entry = [&](const ex& e) {
         const auto v = value_at(e, point_, digits);
@@ -20,20 +21,21 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
         return *v;
     };
     for (std::size_t j = 0; j < n; ++j) {
-        for (std::size_t l = 0; l < n; ++l) m[j][l] = entry(system.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)));
-        m[j][n] = entry(system.supplied[j] - system.bias[j]);
+        for (std::size_t l = 0; l < n; ++l) m[j][l] = entry(motion.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)));
+        m[j][n] = entry(motion.force[j]);
     }
     for (std::size_t k = 0; k < n; ++k) {
         if (cln::zerop(m[k][k]))
-            throw Failure(Diagnostic{Id::singular_mass, symbols.all(SymbolKind::coordinate)[k].declared->span,
-                                     fmt::format("the mass matrix is singular at this point: the acceleration of '{}' is not determined", symbols.all(SymbolKind::coordinate)[k].name)});
+            throw Failure(Diagnostic{Id::singular_mass, symbols.all(SymbolKind::coordinate)[motion.free[k]].declared->span,
+                                     fmt::format("the mass matrix is singular at this point: the acceleration of '{}' is not determined", symbols.all(SymbolKind::coordinate)[motion.free[k]].name)});
         for (std::size_t j = 0; j < n; ++j) {
             if (j == k) continue;
             const cln::cl_R factor = m[j][k] / m[k][k];
             for (std::size_t l = k; l <= n; ++l) m[j][l] = m[j][l] - factor * m[k][l];
         }
     }
-    for (std::size_t j = 0; j < n; ++j) point_[symbols.get(SymbolKind::acceleration, j)] = GiNaC::numeric(m[j][n] / m[j][j]);
+    for (std::size_t j = 0; j < n; ++j) point_[symbols.get(SymbolKind::acceleration, motion.free[j])] = GiNaC::numeric(m[j][n] / m[j][j]);
+    for (const auto& [coordinate, acceleration] : motion.accelerations) point_[symbols.get(SymbolKind::acceleration, coordinate)] = GiNaC::numeric(entry(acceleration));
     for (std::size_t i = 0; i < system.state_rates.size(); ++i) point_[symbols.get(SymbolKind::state_rate, i)] = GiNaC::numeric(entry(system.state_rates[i]));
 }
 

@@ -62,7 +62,7 @@ std::optional<std::string> unit_problem(const System& system, const PrintedEquat
 /// One pair of sides on the motion of the system, at the point that the entry names, if any.
 class PairCheck {
 public:
-    PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), n_(system.symbols.degrees()) {}
+    PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), held_(system.held_motion()), n_(system.motion.free.size()) {}
 
     PrintedResult run(const ex& left_side, const ex& right_side) {
         const ex left = prepared(left_side);
@@ -90,29 +90,34 @@ public:
 
 private:
     bool contains_acceleration(const ex& e) const {
-        for (const Variable& a : system_.symbols.all(SymbolKind::acceleration))
-            if (e.has(a.symbol)) return true;
+        for (std::size_t k = 0; k < n_; ++k)
+            if (e.has(acceleration(k))) return true;
         return false;
     }
-    ex prepared(const ex& e) const { return at_point(system_.with_rates(e)); }
+    /// That is solved for; others follow from constraints.
+    const ex& acceleration(std::size_t k) const { return system_.symbols.get(SymbolKind::acceleration, system_.motion.free[k]); }
+    ex prepared(const ex& e) const {
+        const ex on_constraints = held_.empty() ? e : e.subs(held_, GiNaC::subs_options::no_pattern);
+        return at_point(system_.with_rates(on_constraints));
+    }
     /// A point may set a parameter that definitions are made of.
     ex at_point(const ex& e) const { return at_.empty() ? e : system_.symbols.without_definitions(e).subs(at_, GiNaC::subs_options::no_pattern); }
     ex mass(std::size_t j, std::size_t l) const {
-        return at_point(system_.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)));
+        return at_point(system_.motion.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)));
     }
     /// M qdd = force on the motion.
-    ex force(std::size_t j) const { return prepared(system_.supplied[j] - system_.bias[j]); }
+    ex force(std::size_t j) const { return prepared(system_.motion.force[j]); }
 
     /// Whether a.qdd + b vanishes when M qdd = force. Where it is a multiple of one row, the difference from that row is kept.
     bool holds_on_motion(const ex& rest, std::optional<ex>& difference) {
         if (!at_.empty() && !has_inverse()) return false;
         std::vector<ex> a;
         GiNaC::exmap without;
-        for (const Variable& variable : system_.symbols.all(SymbolKind::acceleration)) {
-            a.push_back(partial(rest, variable.symbol));
-            without[variable.symbol] = 0;
-            for (const Variable& other : system_.symbols.all(SymbolKind::acceleration))
-                if (!partial(a.back(), other.symbol).is_zero()) return false;  // not linear: left to numbers
+        for (std::size_t k = 0; k < n_; ++k) {
+            a.push_back(partial(rest, acceleration(k)));
+            without[acceleration(k)] = 0;
+            for (std::size_t l = 0; l < n_; ++l)
+                if (!partial(a.back(), acceleration(l)).is_zero()) return false;  // not linear: left to numbers
         }
         const ex b = rest.subs(without, GiNaC::subs_options::no_pattern);
         for (std::size_t j = 0; j < n_; ++j) {
@@ -181,9 +186,9 @@ private:
     bool needed(const ex& e, const ex& letter) const {
         if (e.has(letter)) return true;
         for (std::size_t j = 0; j < n_; ++j) {
-            if (!e.has(system_.symbols.get(SymbolKind::acceleration, j))) continue;
+            if (!e.has(acceleration(j))) continue;
             for (std::size_t i = 0; i < n_; ++i)
-                if (system_.symbols.without_definitions(system_.residual[i]).has(letter)) return true;
+                if (system_.symbols.without_definitions(system_.motion.residual[i]).has(letter)) return true;
         }
         return false;
     }
@@ -211,14 +216,15 @@ private:
             }
         }
         GiNaC::exmap solved;
-        for (std::size_t j = 0; j < n_; ++j) solved[system_.symbols.get(SymbolKind::acceleration, j)] = GiNaC::numeric(m[j][n_] / m[j][j]);
+        for (std::size_t j = 0; j < n_; ++j) solved[acceleration(j)] = GiNaC::numeric(m[j][n_] / m[j][j]);
         return value_at(e.subs(solved, GiNaC::subs_options::no_pattern), system_.symbols, point, digits);
     }
 
     const System& system_;
     Prover prover_;
     GiNaC::exmap at_;
-    std::size_t n_;
+    GiNaC::exmap held_;
+    std::size_t n_;  ///< accelerations that are solved for
 };
 
 PrintedResult check_equation(const System& system, const PrintedEquation& printed, const Equation& equation, const Indices& indices) {

@@ -80,6 +80,7 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
         add(SymbolKind::coordinate, member.name(), stays_positive(item, names), {item.name, member.index, is_member, item.unit.si(), item.doc, &item});
         add(SymbolKind::velocity, "dot(" + member.name() + ")", false, {item.name, member.index, is_member, rate_unit, "time derivative of " + member.name()});
         add(SymbolKind::acceleration, "ddot(" + member.name() + ")", false, {item.name, member.index, is_member, "", ""});
+        if (!scene.modes.empty()) add(SymbolKind::jerk, "dot(ddot(" + member.name() + "))", false, {item.name, member.index, is_member, "", ""});
     }
     for (const auto& member : scene.states) {
         const State& item = *member.item;
@@ -220,6 +221,7 @@ ex Symbols::time_derivative(const ex& e) const {
             case SymbolKind::coordinate: return get(SymbolKind::velocity, variable->position);
             case SymbolKind::velocity: return get(SymbolKind::acceleration, variable->position);
             case SymbolKind::state: return get(SymbolKind::state_rate, variable->position);
+            case SymbolKind::acceleration: return count(SymbolKind::jerk) == 0 ? ex(0) : get(SymbolKind::jerk, variable->position);
             default: return 0;
         }
     });

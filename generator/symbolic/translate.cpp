@@ -68,6 +68,9 @@ ex Translator::power(const Expression& e, const ex& base, const ex& exponent) co
             if (is_negative(value) && !n.is_integer()) fail(Id::division_by_zero, e, fmt::format("'{}' is not a real number", e.written()));
         }
     }
+    // Of a state that is integrated as its root: that root, which is not negative where the model holds.
+    const bool is_root = exponent.is_equal(numeric(1, 2)) && GiNaC::is_exactly_a<GiNaC::power>(base) && base.op(1).is_equal(2) && GiNaC::is_a<GiNaC::symbol>(base.op(0));
+    if (const Variable* root = is_root ? symbols_.find(base.op(0)) : nullptr; root != nullptr && root->is_root) return base.op(0);
     return GiNaC::pow(base, exponent);
 }
 
@@ -97,7 +100,8 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
     }
     const int index = member_index(e, *named->item, indices);
     static constexpr SymbolKind kinds[]{SymbolKind::letter, SymbolKind::parameter, SymbolKind::definition, SymbolKind::coordinate,
-                                        SymbolKind::input,  SymbolKind::state,     SymbolKind::letter};
+                                        SymbolKind::input,  SymbolKind::state,     SymbolKind::letter,     SymbolKind::letter};
+    if (named->kind == Named::Kind::mode) return is_in_mode(e);
     if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index))
         return variable->is_root ? GiNaC::pow(variable->symbol, 2) : variable->symbol;
     if (named->kind == Named::Kind::definition || named->kind == Named::Kind::output) {
@@ -112,6 +116,12 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
         return inserted_[key] = visit(*value, inner, {});
     }
     fail(Id::needs_absent, e, fmt::format("'{}' is not part of scene '{}'", e.written(), scene_.name), {{named->item->span, "it is defined here"}});
+}
+
+/// 1 in the mode, else 0.
+ex Translator::is_in_mode(const Expression& e) const {
+    if (!scene_.mode) fail(Id::not_allowed_here, e, fmt::format("'{}' is a mode, which is known in a machine that moves only", e.written()));
+    return scene_.modes[*scene_.mode].is_in(e.name) ? 1 : 0;
 }
 
 ex Translator::sum(const Expression& e, const Indices& indices, const Letters& letters) const {

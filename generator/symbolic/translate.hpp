@@ -53,6 +53,7 @@ public:
 private:
     GiNaC::ex visit(const Expression& e, const Indices& indices, const Letters& letters) const;
     GiNaC::ex name(const Expression& e, const Indices& indices, const Letters& letters) const;
+    GiNaC::ex is_in_mode(const Expression& e) const;
     GiNaC::ex rate(const Expression& e, const GiNaC::ex& value) const;
     GiNaC::ex call(const Expression& e, const Indices& indices, const Letters& letters) const;
     GiNaC::ex sum(const Expression& e, const Indices& indices, const Letters& letters) const;

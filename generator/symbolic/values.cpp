@@ -104,7 +104,8 @@ void Values::set(const Expression& variable, const Expression& value, unsigned a
             if (candidate.base != named.name) continue;
             if (candidate.is_member && !named.children.empty() && index_value(*named.children[0], scene_, indices) != candidate.index) continue;
             if (!candidate.is_member && !named.children.empty()) continue;
-            assign(candidate, number, value.span);
+            // Parameters are numbers: what one is made of has the values that are set by now.
+            assign(candidate, kind == SymbolKind::parameter ? ex(number.subs(substitution(), GiNaC::subs_options::no_pattern)) : number, value.span);
             found = true;
         }
     if (found) return;

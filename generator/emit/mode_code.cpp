@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/mode_code.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "emit/notation.hpp"
+#include "emit/safe_text.hpp"
+#include "emit/template.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// Of two lists of arguments that differ in which of them are commented out.
+std::string used_in_either(const std::string& a, const std::string& b) {
+    std::string result;
+    for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+        const std::size_t i_end = std::min(a.find(", ", i), a.size());
+        const std::size_t j_end = std::min(b.find(", ", j), b.size());
+        const std::string one = a.substr(i, i_end - i), other = b.substr(j, j_end - j);
+        result += (result.empty() ? "" : ", ") + (one.find("/*") == std::string::npos ? one : other);
+        i = std::min(i_end + 2, a.size());
+        j = std::min(j_end + 2, b.size());
+    }
+    return result;
+}
+
+}  // namespace
+
+CppBody by_mode(const Scene& scene, const std::vector<CppBody>& bodies) {
+    CppBody result;
+    for (std::size_t i = 0; i < bodies.size(); ++i) result.arguments = i == 0 ? bodies[0].arguments : used_in_either(result.arguments, bodies[i].arguments);
+    const bool same = std::all_of(bodies.begin(), bodies.end(), [&](const CppBody& b) { return b.statements == bodies[0].statements; });
+    if (same) {
+        result.statements = bodies[0].statements;
+    } else {
+        const bool returns = bodies[0].statements.find("return ") != std::string::npos;
+        // Modes with the same body stand together; the last ones are also what a compiler takes for a number that is no mode.
+        std::vector<std::pair<std::string, const std::string*>> cases;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const auto known = std::find_if(cases.begin(), cases.end(), [&](const auto& c) { return *c.second == bodies[i].statements; });
+            const std::string label = fmt::format("            case Mode::{}:", scene.modes[i].name);
+            if (known != cases.end()) known->first += "\n" + label;
+            else cases.emplace_back(label, &bodies[i].statements);
+        }
+        cases.back().first += "\n            default:";
+        result.statements = "        switch (mode) {\n";
+        for (const auto& [labels, statements] : cases)
+            result.statements += labels + " {\n" + shifted(shifted(*statements)) + (returns ? "" : "                break;\n") + "            }\n";
+        result.statements += "        }\n";
+    }
+    const bool is_used = !same || result.statements.find("(mode, ") != std::string::npos;
+    result.arguments = (is_used ? "Mode mode, " : "Mode /*mode*/, ") + result.arguments;
+    return result;
+}
+
+std::string mode_tables(const std::vector<const Code*>& machine) {
+    const System& system = machine.front()->system;
+    const Scene& scene = system.scene;
+    std::vector<std::string> modes, mode_names, indices, names;
+    for (const SceneMode& mode : scene.modes) {
+        modes.push_back(mode.name);
+        mode_names.push_back(cpp_string(mode.name));
+    }
+    for (std::size_t e = 0; e < system.events.size(); ++e) {
+        indices.push_back(fmt::format("{} = {}", system.events[e].item != nullptr ? system.events[e].name : fmt::format("limit_{}_", e), e));
+        names.push_back(cpp_string(system.events[e].name));
+    }
+    std::size_t most = 1;
+    std::string rows;
+    for (std::size_t e = 0; e < system.events.size(); ++e) {
+        rows += fmt::format("    std::array<Transition, mode_count>{{{{  // {}\n", system.events[e].name);
+        for (std::size_t m = 0; m < machine.size(); ++m) {
+            const EventEquation& event = machine[m]->system.events[e];
+            const auto list = [&](const std::vector<std::size_t>& to) {
+                most = std::max(most, to.size());
+                std::vector<std::string> parts;
+                for (const std::size_t i : to) parts.push_back("Mode::" + scene.modes[i].name);
+                return parts.empty() ? std::string("{}") : fmt::format("{{{{{{{}}}}}, {}}}", fmt::join(parts, ", "), to.size());
+            };
+            const bool leads = event.is_watched && !event.ends;
+            rows += fmt::format("        {{{}, {}, {}, {}}},\n", event.is_watched, leads ? list(scene.modes_after(event.item->next, m)) : "{}", leads ? list(scene.modes_beside(*event.item, m)) : "{}",
+                                leads && !event.item->rest.empty() ? list(scene.modes_after(event.item->rest, m)) : "{}");
+        }
+        rows += "    }},\n";
+    }
+    const std::string list_of_indices = indices.empty() ? "" : fmt::format(" enum : std::size_t {{ {} }}; ", fmt::join(indices, ", "));
+    return fill_template(embedded_file("mode_tables.hpp.in"), {{"MODES", fmt::format("{}", fmt::join(modes, ", "))},
+                                                                           {"MODE_COUNT", std::to_string(modes.size())},
+                                                                           {"MODE_NAMES", fmt::format("{}", fmt::join(mode_names, ", "))},
+                                                                           {"EVENT_INDICES", list_of_indices},
+                                                                           {"EVENT_COUNT", std::to_string(names.size())},
+                                                                           {"EVENT_NAMES", fmt::format("{}", fmt::join(names, ", "))},
+                                                                           {"MOST_MODES", std::to_string(most)},
+                                                                           {"TRANSITIONS", rows.empty() ? "" : "{\n" + rows + "}"}});
+}
+
+std::vector<std::string> event_equations(const std::vector<const Code*>& machine) {
+    std::vector<std::string> result;
+    for (std::size_t e = 0; e < machine.front()->system.events.size(); ++e)
+        for (const Code* code : machine) {
+            const EventEquation& event = code->system.events[e];
+            if (!event.is_watched) continue;
+            result.push_back(fmt::format("{}: {} in the mode {}", event.name, Notation(code->system.symbols, Style::text)(event.guard), code->system.scene.modes[*code->system.scene.mode].name));
+            break;
+        }
+    return result;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What constraints leave of the motion: M qdd + bias = Q + A' lambda with A qd + b = 0 is solved for coordinates that A leaves free.
+#pragma once
+
+#include "form/system.hpp"
+
+namespace dalembert {
+
+/// Sets constraints and motion, and adds the power of constraints that drive. Where no mode holds any, the motion is that of the equations.
+/// The velocity of one coordinate for each constraint follows from the others: one with a factor in the rate that is a number, or else one
+/// whose factor has parameters alone. Throws Failure (not-affine, undetermined: no such factor, doubly-determined: constraints that repeat
+/// each other).
+void constrain(System& system);
+
+/// The last coordinate in which a position is linear with a number as its factor, and its value where the position is zero.
+std::optional<std::pair<std::size_t, GiNaC::ex>> coordinate_at_zero(const GiNaC::ex& position, const Symbols& symbols);
+
+}  // namespace dalembert

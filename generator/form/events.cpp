@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "form/events.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "form/constrained_motion.hpp"
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+class EventMaker {
+public:
+    explicit EventMaker(System& system) : system_(system), symbols_(system.symbols), n_(symbols_.degrees()) {}
+
+    EventEquation make(const Event& item) const {
+        EventEquation event{&item, item.name, item.doc, item.ends, system_.scene.holds(item.when), 0, 0, {}, {}};
+        if (!event.is_watched) return event;
+        const ex guard = system_.with_rates(system_.translate(item.guard, {}));
+        event.guard = item.rises ? ex(-guard) : guard;
+        event.rate = guard_rate(system_, event.guard);
+        if (item.meets) {
+            meet(event.reset, item.meets->name, item.restitution ? system_.translate(item.restitution, {}) : ex(0));
+            if (!item.rest.empty()) meet(event.rest, item.meets->name, 0);
+        }
+        values(event.reset, item.reset);
+        values(event.rest, item.rest_reset);
+        return event;
+    }
+
+private:
+    const ex& velocity(std::size_t j) const { return symbols_.get(SymbolKind::velocity, j); }
+
+    void values(Reset& reset, const std::vector<RunEntry>& entries) const {
+        for (const RunEntry& entry : entries) {
+            const Expression& variable = *entry.variable;
+            const bool is_rate = variable.kind == Expression::Kind::call;
+            const Expression& named = is_rate ? *variable.children[0] : variable;
+            const int index = named.children.empty() ? 0 : index_value(*named.children[0], system_.scene, {});
+            ex value = system_.translate(entry.value, {});
+            if (const Variable* q = symbols_.find(SymbolKind::coordinate, named.name, index)) {
+                set(reset, (is_rate ? n_ : 0) + q->position, value);
+            } else if (const Variable* z = symbols_.find(SymbolKind::state, named.name, index)) {
+                set(reset, 2 * n_ + z->position, z->is_root ? ex(GiNaC::sqrt(value)) : value);
+            } else {
+                throw Failure(Diagnostic{Id::index_out_of_range, entry.span, fmt::format("scene '{}' has no '{}'", system_.scene.name, variable.written())});
+            }
+        }
+    }
+
+    static void set(Reset& reset, std::size_t place, const ex& value) {
+        std::erase_if(reset.values, [&](const auto& v) { return v.first == place; });
+        reset.values.emplace_back(place, value);
+    }
+
+    /// The velocities after an impact on a constraint, and the position exactly on it.
+    void meet(Reset& reset, const std::string& name, const ex& restitution) const {
+        const auto constraint = std::find_if(system_.constraints.begin(), system_.constraints.end(), [&](const ConstraintEquation& c) { return c.item->name == name; });
+        if (constraint == system_.constraints.end()) throw Failure(Diagnostic{Id::needs_absent, system_.scene.model->name_span, fmt::format("scene '{}' has no constraint '{}'", system_.scene.name, name)});
+        // Else the position is as near to zero as roundings allow.
+        if (constraint->position)
+            if (const auto at_zero = coordinate_at_zero(*constraint->position, symbols_)) set(reset, at_zero->first, at_zero->second);
+        const Motion& motion = system_.motion;
+        Impact impact{{}, constraint->rate.drift, restitution, std::nullopt};
+        // Other constraints that hold go on holding.
+        for (std::size_t i = 0; i < motion.free.size(); ++i) {
+            ex factor = constraint->rate.jacobian[motion.free[i]];
+            for (const auto& [coordinate, rate] : motion.velocities) factor += constraint->rate.jacobian[coordinate] * rate.jacobian[i];
+            impact.direction.push_back(factor.expand());
+        }
+        // What other constraints hold already cannot be struck.
+        if (std::all_of(impact.direction.begin(), impact.direction.end(), [](const ex& factor) { return factor.is_zero(); })) return;
+        for (const auto& [coordinate, rate] : motion.velocities) impact.drift += constraint->rate.jacobian[coordinate] * rate.drift;
+        if (restitution.is_zero()) {
+            for (std::size_t i = 0; i < motion.free.size(); ++i)
+                if (GiNaC::is_a<GiNaC::numeric>(impact.direction[i]) && !impact.direction[i].is_zero()) impact.pivot = i;
+        }
+        if (const auto alone = single_direction(impact)) {
+            const std::size_t k = motion.free[*alone];
+            const ex& factor = impact.direction[*alone];
+            const ex after = restitution.is_zero() ? ex(-impact.drift / factor) : ex((velocity(k) - (1 + restitution) * (velocity(k) + impact.drift / factor)).expand());
+            set(reset, n_ + k, after);
+            for (const auto& [coordinate, rate] : motion.velocities) {
+                ex value = rate.drift;
+                for (std::size_t i = 0; i < motion.free.size(); ++i) value += rate.jacobian[i] * (i == *alone ? after : velocity(motion.free[i]));
+                set(reset, n_ + coordinate, value);
+            }
+            return;
+        }
+        reset.impact = std::move(impact);
+    }
+
+    /// The free coordinate that alone is struck: the only one in the direction, whose inertia is not coupled with others.
+    std::optional<std::size_t> single_direction(const Impact& impact) const {
+        std::optional<std::size_t> found;
+        for (std::size_t i = 0; i < impact.direction.size(); ++i) {
+            if (impact.direction[i].is_zero()) continue;
+            if (found) return std::nullopt;
+            found = i;
+        }
+        for (std::size_t l = 0; found && l < impact.direction.size(); ++l)
+            if (l != *found && !system_.motion.mass(static_cast<unsigned>(*found), static_cast<unsigned>(l)).is_zero()) return std::nullopt;
+        return found;
+    }
+
+    System& system_;
+    const Symbols& symbols_;
+    std::size_t n_;
+};
+
+}  // namespace
+
+ex guard_rate(const System& system, const ex& guard) { return system.with_rates(system.symbols.time_derivative(guard)); }
+
+void events(System& system) {
+    const EventMaker maker(system);
+    for (const auto& member : system.scene.events) system.events.push_back(maker.make(*member.item));
+    if (system.scene.modes.empty()) return;
+    for (const Guard& guard : system.fluids.guards)
+        if (guard.ends) system.events.push_back({nullptr, guard.name, guard.doc, true, true, guard.value, guard_rate(system, guard.value), {}, {}});
+}
+
+}  // namespace dalembert

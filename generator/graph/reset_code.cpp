@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/reset_code.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "graph/roots.hpp"
+
+namespace dalembert {
+
+namespace {
+
+class ResetMaker {
+public:
+    ResetMaker(Code& code, const LoweredSystem& lowered, const FactorsOfMass& factors)
+        : code_(code), system_(code.system), lowered_(lowered), factors_(factors), n_(code.solve.n), degrees_(code.system.symbols.degrees()) {}
+
+    void run() {
+        FunctionCode& f = code_[Function::resets];
+        const Solve& s = code_.solve;
+        ProgramBuilder builder(code_.atoms, code_.cache, ParameterParts::if_cached, f.program);
+        Roots roots;
+        const auto is_struck = [](const LoweredSystem::Reset& reset) { return !reset.direction.empty(); };
+        const bool any_impact = std::any_of(lowered_.resets.begin(), lowered_.resets.end(), is_struck) || std::any_of(lowered_.rests.begin(), lowered_.rests.end(), is_struck);
+        const std::size_t mass = any_impact && !s.is_constant ? roots.add(lowered_.solve_mass) : 0;
+        const std::size_t held_drift = any_impact ? roots.add(lowered_.held_drift) : 0;
+        const std::size_t held_factors = any_impact ? roots.add(lowered_.held_factors) : 0;
+        std::vector<std::size_t> firsts;
+        for (const auto* all : {&lowered_.resets, &lowered_.rests})
+            for (const LoweredSystem::Reset& reset : *all) {
+                firsts.push_back(roots.add(reset.values));
+                roots.add(reset.direction);
+                if (is_struck(reset)) roots.add({reset.drift, reset.restitution});
+            }
+        builder.prepare(roots.polynomials());
+        if (any_impact) {
+            for (std::size_t i = 0; !s.is_constant && i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(mass + i));
+            f.factors = factors_(f.program, f.mass);
+            f.right.rows = n_;
+            f.solved.rows = n_;
+        }
+        std::size_t at = 0;
+        const auto make = [&](const std::vector<LoweredSystem::Reset>& lowered, const auto& of_event, std::vector<ResetCode>& codes) {
+            for (std::size_t e = 0; e < lowered.size(); ++e, ++at) {
+                const Reset& reset = of_event(system_.events[e]);
+                ResetCode code{{}, f.results.size(), {}};
+                for (std::size_t i = 0; i < lowered[e].values.size(); ++i) {
+                    code.places.push_back(reset.values[i].first);
+                    f.results.push_back(builder.root(firsts[at] + i));
+                }
+                if (is_struck(lowered[e])) impact(f, builder, code, *reset.impact, firsts[at] + lowered[e].values.size(), held_drift, held_factors);
+                codes.push_back(std::move(code));
+            }
+        };
+        make(lowered_.resets, [](const EventEquation& event) -> const Reset& { return event.reset; }, code_.resets);
+        make(lowered_.rests, [](const EventEquation& event) -> const Reset& { return event.rest; }, code_.rests);
+    }
+
+private:
+    /// With s = M^-1*a and the rate w = a*v + b: v+ = v - s*(1 + e)*w/(a*s). `first` is the root of a, behind it stand b and e.
+    void impact(FunctionCode& f, ProgramBuilder& builder, ResetCode& code, const Impact& impact, std::size_t first, std::size_t held_drift, std::size_t held_factors) {
+        Program& p = f.program;
+        std::vector<NodeId> direction, velocity;
+        for (std::size_t i = 0; i < n_; ++i) {
+            direction.push_back(builder.root(first + i));
+            velocity.push_back(p.symbol(code_.atoms.symbol(system_.symbols.all(SymbolKind::velocity)[system_.motion.free[i]])));
+        }
+        const NodeId drift = builder.root(first + n_);
+        const NodeId restitution = builder.root(first + n_ + 1);
+        const auto product = [&](const std::vector<NodeId>& a, const std::vector<NodeId>& b, std::optional<std::size_t> without = {}) {
+            std::vector<std::pair<bool, NodeId>> terms;
+            for (std::size_t i = 0; i < n_; ++i)
+                if (i != without) terms.emplace_back(false, p.product({a[i], b[i]}));
+            return terms;
+        };
+        code.impact = f.solved.columns++;
+        ++f.right.columns;
+        const std::vector<NodeId> solved = solve(p, n_, f.factors, direction);
+        f.right.entries.insert(f.right.entries.end(), direction.begin(), direction.end());
+        f.solved.entries.insert(f.solved.entries.end(), solved.begin(), solved.end());
+        auto rate = product(direction, velocity);
+        rate.emplace_back(false, drift);
+        const NodeId impulse = p.product({p.sum({{false, p.constant(1)}, {false, restitution}}), p.sum(std::move(rate)), p.reciprocal(p.sum(product(direction, solved)))});
+        std::vector<NodeId> after;
+        for (std::size_t i = 0; i < n_; ++i) after.push_back(p.difference(velocity[i], p.product({solved[i], impulse})));
+        if (impact.pivot) {
+            auto others = product(direction, after, impact.pivot);
+            others.emplace_back(false, drift);
+            after[*impact.pivot] = p.negated(p.product({p.sum(std::move(others)), p.reciprocal(direction[*impact.pivot])}));
+        }
+        const auto set = [&](std::size_t coordinate, NodeId value) {
+            code.places.push_back(degrees_ + coordinate);
+            f.results.push_back(value);
+        };
+        for (std::size_t i = 0; i < n_; ++i) set(system_.motion.free[i], after[i]);
+        for (std::size_t h = 0; h < system_.motion.velocities.size(); ++h) {
+            std::vector<std::pair<bool, NodeId>> terms{{false, builder.root(held_drift + h)}};
+            for (std::size_t i = 0; i < n_; ++i) terms.emplace_back(false, p.product({builder.root(held_factors + h * n_ + i), after[i]}));
+            set(system_.motion.velocities[h].first, p.sum(std::move(terms)));
+        }
+    }
+
+    Code& code_;
+    const System& system_;
+    const LoweredSystem& lowered_;
+    const FactorsOfMass& factors_;
+    std::size_t n_;        ///< accelerations that are solved for
+    std::size_t degrees_;
+};
+
+}  // namespace
+
+void make_resets(Code& code, const LoweredSystem& lowered, const FactorsOfMass& factors) { ResetMaker(code, lowered, factors).run(); }
+
+}  // namespace dalembert
