@@ -20,7 +20,9 @@ block 'file: lift.toml' >lift.toml
 block 'run: dalembert check lift.toml' | tail -n +2 >lift.expected
 block 'file: bar.toml' >bar.toml
 block 'run: dalembert check bar.toml' | tail -n +2 >bar.expected
-for file in crane.toml main.cpp check.expected main.expected lift.toml lift.expected bar.toml bar.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
+block 'file: block.toml' >block.toml
+block 'run: dalembert simulate block.toml' | tail -n +2 >block.expected
+for file in block.toml block.expected crane.toml main.cpp check.expected main.expected lift.toml lift.expected bar.toml bar.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
 
 "$PROGRAM" check crane.toml >check.txt
 diff check.expected check.txt
@@ -32,6 +34,10 @@ diff bar.expected bar.txt
 [ "$(wc -c <bar_N10000_full.hpp)" -lt 50000 ] || { echo "the header of 10000 cells is large"; exit 1; }
 "$PROGRAM" derive lift.toml >lift.derived
 grep '^  dot(p) = ' "$readme" | while IFS= read -r line; do grep -qF -- "$line" lift.derived || { echo "not derived: $line"; exit 1; }; done
+"$PROGRAM" simulate block.toml --no-plot >block.txt
+# Energy errors are roundings.
+diff <(sed 's/ = [0-9.e-]*$//' block.expected) <(sed 's/ = [0-9.e-]*$//' block.txt)
+grep -q '^2.3544,floor_breaks_forwards,floor_sticks,floor_slides_forwards$' block_exact_events.csv
 "$PROGRAM" derive crane.toml >/dev/null
 "$PROGRAM" generate crane.toml >/dev/null
 g++ -std=c++17 -O2 -Wall -Wextra -Wconversion -I. -I"$SOURCE/runtime" -isystem /usr/include/eigen3 main.cpp -o main

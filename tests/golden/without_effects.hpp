@@ -41,17 +41,26 @@ public:
 
     std::string without(const std::string& scene) const {
         const std::set<std::string> effects = effects_of(scene);
+        // Modes of groups that are left out are no modes any more.
+        no_modes_.clear();
+        for (const Item& item : items_) {
+            const std::string when = value(item.text, "when");
+            if (item.section != "modes" || when.empty() || left_of(when, effects) != "no") continue;
+            for (const std::string& mode : strings(item.text, "modes")) no_modes_.insert(mode);
+        }
         std::vector<Item> kept;
         std::set<std::string> gone;
         for (Item item : items_) {
             if (item.section == "effects" || item.section == "scenes" || item.section == "printed") continue;
             const std::string when = value(item.text, "when");
             const bool is_other_run = item.section == "runs" && !value(item.text, "scene").empty() && value(item.text, "scene") != scene;
-            if (is_other_run || (!when.empty() && !holds(when, effects))) {
+            const std::string left = when.empty() ? "yes" : left_of(when, effects);
+            if (is_other_run || left == "no") {
                 gone.insert(item.name);
                 continue;
             }
-            remove_key(item.text, "when");
+            if (left == "yes") remove_key(item.text, "when");
+            else item.text.replace(item.text.find('"' + when + '"'), when.size() + 2, '"' + left + '"');
             if (item.section == "runs") remove_key(item.text, "scene");
             kept.push_back(std::move(item));
         }
@@ -86,7 +95,7 @@ private:
     };
 
     static bool is_list(const std::string& section) {
-        static const std::set<std::string> lists{"sizes", "parameters", "definitions", "coordinates", "inputs", "states", "outputs", "nodes", "links", "effects", "scenes", "springs", "dampers", "forces", "torques", "kinetic", "potentials", "generalised_forces", "flows", "reservoirs", "volumes"};
+        static const std::set<std::string> lists{"sizes", "parameters", "definitions", "coordinates", "inputs", "states", "outputs", "nodes", "links", "effects", "scenes", "springs", "dampers", "forces", "torques", "kinetic", "potentials", "generalised_forces", "flows", "reservoirs", "volumes", "frictions", "stops", "contacts", "saturations", "modes", "constraints", "events"};
         return lists.contains(section);
     }
 
@@ -210,8 +219,8 @@ private:
         text.replace(begin, end - begin, inside);
     }
 
-    /// "a and not b or (c)": or binds least.
-    static bool holds(const std::string& condition, const std::set<std::string>& effects) {
+    /// What is left of a condition when effects are there or not: "yes", "no", or words about modes.
+    std::string left_of(const std::string& condition, const std::set<std::string>& effects) const {
         std::string spaced;
         for (const char c : condition) spaced += c == '(' || c == ')' ? std::string(" ") + c + " " : std::string(1, c);
         std::istringstream words(spaced);
@@ -220,28 +229,38 @@ private:
         std::size_t at = 0;
         return any(list, at, effects);
     }
-    static bool any(const std::vector<std::string>& w, std::size_t& at, const std::set<std::string>& effects) {
-        bool result = all(w, at, effects);
-        while (at < w.size() && w[at] == "or") result = all(w, ++at, effects) || result;
+    /// "a and not b or (c)": or binds least.
+    std::string any(const std::vector<std::string>& w, std::size_t& at, const std::set<std::string>& effects) const {
+        std::string result = all(w, at, effects);
+        while (at < w.size() && w[at] == "or") result = joined(result, "or", all(w, ++at, effects), "no", "yes");
         return result;
     }
-    static bool all(const std::vector<std::string>& w, std::size_t& at, const std::set<std::string>& effects) {
-        bool result = one(w, at, effects);
-        while (at < w.size() && w[at] == "and") result = one(w, ++at, effects) && result;
+    std::string all(const std::vector<std::string>& w, std::size_t& at, const std::set<std::string>& effects) const {
+        std::string result = one(w, at, effects);
+        while (at < w.size() && w[at] == "and") result = joined(result, "and", one(w, ++at, effects), "yes", "no");
         return result;
     }
-    static bool one(const std::vector<std::string>& w, std::size_t& at, const std::set<std::string>& effects) {
+    std::string one(const std::vector<std::string>& w, std::size_t& at, const std::set<std::string>& effects) const {
         const std::string word = w.at(at++);
-        if (word == "not") return !one(w, at, effects);
-        if (word != "(") return effects.contains(word);
-        const bool result = any(w, at, effects);
+        if (word == "not") {
+            const std::string inside = one(w, at, effects);
+            return inside == "yes" ? "no" : inside == "no" ? "yes" : "not (" + inside + ")";
+        }
+        if (word != "(") return effects.contains(word) ? "yes" : implies_.contains(word) || no_modes_.contains(word) ? "no" : word;
+        const std::string result = any(w, at, effects);
         ++at;
         return result;
+    }
+    static std::string joined(const std::string& a, const std::string& word, const std::string& b, const std::string& neutral, const std::string& deciding) {
+        if (a == deciding || b == deciding) return deciding;
+        if (a == neutral) return b;
+        return b == neutral ? a : "(" + a + ") " + word + " (" + b + ")";
     }
 
     std::string section_, name_;
     bool is_table_ = false;
     std::vector<Item> items_;
+    mutable std::set<std::string> no_modes_;
     std::map<std::string, std::vector<std::string>> implies_, scenes_;
 };
 

@@ -69,11 +69,11 @@ double column_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const F&
     return worst;
 }
 
+/// The Jacobians are derivatives, whatever the machine is.
 template <template <class> class System, template <class> class Parameters>
-void laws() {
+void derivative_laws() {
     using Real = System<double>;
     using Twin = System<Digits50>;
-    constexpr std::size_t n = Real::degrees;
     const Digits50 share("1e-17");  // of central differences: their error is its square
     const Real system;
     const Twin twin;
@@ -105,6 +105,84 @@ void laws() {
         return result;
     };
 
+    std::mt19937 engine(20130402);
+    for (int repetition = 0; repetition < 10; ++repetition) {
+        const auto point = random_point(system, engine);
+        CAPTURE(repetition);
+        typename Real::State dxdt;
+        system.rhs(point.x, point.u, point.t, dxdt);
+
+        {
+            INFO("the Jacobians are the derivatives of the right-hand side");
+            const auto at_time = [&](const auto& z, const auto& v, const Digits50& t) {
+                typename Twin::State dzdt;
+                twin.rhs(z, v, t, dzdt);
+                return dzdt;
+            };
+            const auto rhs = [&](const auto& z, const auto& v) { return at_time(z, v, point.t); };
+            const auto [A, B] = derivatives(rhs, point);
+            CHECK(column_error(dalembert::jacobian_x(system, point.x, point.u, point.t), A, dxdt, point.x) <= 1e-12);
+            CHECK(column_error(dalembert::jacobian_u(system, point.x, point.u, point.t), B, dxdt, point.u) <= 1e-12);
+            typename Real::State again;
+            typename Real::JacobianX J;
+            system.rhs_and_jacobian(point.x, point.u, point.t, again, J);
+            for (std::size_t i = 0; i < states; ++i) CHECK(again[i] == doctest::Approx(dxdt[i]).epsilon(1e-12));
+
+            typename Real::JacobianT Jt;
+            system.jacobian_t(point.x, point.u, point.t, Jt);
+            const auto x = converted<typename Twin::State>(point.x);
+            const auto u = converted<typename Twin::Input>(point.u);
+            const auto by_time = column([&](const auto& t) { return at_time(x, u, t[0]); }, std::array<Digits50, 1>{point.t}, 0);
+            CHECK(column_error(Eigen::Map<const Eigen::VectorXd>(Jt.data(), static_cast<Eigen::Index>(states)), by_time, dxdt, std::array<double, 1>{point.t}) <= 1e-12);
+        }
+
+        {
+            INFO("the Jacobian by parameters");
+            constexpr std::size_t count = Real::parameter_table().size();
+            static_assert(sizeof(Parameters<Digits50>) == count * sizeof(Digits50), "parameters are stored one after the other");
+            Eigen::MatrixXd P(states, count);
+            const auto x = converted<typename Twin::State>(point.x);
+            const auto u = converted<typename Twin::Input>(point.u);
+            std::array<Digits50, count> defaults;
+            for (std::size_t c = 0; c < count; ++c) defaults[c] = reinterpret_cast<const Digits50*>(&twin.parameters())[c];
+            const auto with = [&](const auto& values) {
+                Parameters<Digits50> parameters;
+                for (std::size_t c = 0; c < count; ++c) reinterpret_cast<Digits50*>(&parameters)[c] = values[c];
+                typename Twin::State dzdt;
+                Twin(parameters).rhs(x, u, point.t, dzdt);
+                return dzdt;
+            };
+            for (std::size_t c = 0; c < count; ++c) P.col(static_cast<Eigen::Index>(c)) = column(with, defaults, c);
+            CHECK(column_error(dalembert::jacobian_p(system, point.x, point.u, point.t), P, dxdt, defaults) <= 1e-12);
+        }
+
+        {
+            INFO("the Jacobians of the outputs");
+            const auto output = [&](const auto& z, const auto& v) {
+                typename Twin::Output y;
+                twin.output(z, v, point.t, y);
+                return y;
+            };
+            const auto [C, D] = derivatives(output, point);
+            typename Real::Output y;
+            system.output(point.x, point.u, point.t, y);
+            CHECK(column_error(dalembert::output_jacobian_x(system, point.x, point.u, point.t), C, y, point.x) <= 1e-12);
+            CHECK(column_error(dalembert::output_jacobian_u(system, point.x, point.u, point.t), D, y, point.u) <= 1e-12);
+        }
+    }
+}
+
+template <template <class> class System, template <class> class Parameters>
+void laws() {
+    using Real = System<double>;
+    using Twin = System<Digits50>;
+    constexpr std::size_t n = Real::degrees;
+    const Digits50 share("1e-17");  // of central differences: their error is its square
+    const Real system;
+    const Twin twin;
+    constexpr std::size_t states = std::tuple_size<typename Real::State>::value;
+
+    const auto step = [&](const Digits50& value) { return Digits50(share * (abs(value) > 0 ? Digits50(abs(value)) : Digits50(1))); };
     std::mt19937 engine(20130402);
     for (int repetition = 0; repetition < 10; ++repetition) {
         const auto point = random_point(system, engine);
@@ -175,62 +253,6 @@ void laws() {
             CHECK(dissipated >= 0);
         }
 
-        {
-            INFO("the Jacobians are the derivatives of the right-hand side");
-            const auto at_time = [&](const auto& z, const auto& v, const Digits50& t) {
-                typename Twin::State dzdt;
-                twin.rhs(z, v, t, dzdt);
-                return dzdt;
-            };
-            const auto rhs = [&](const auto& z, const auto& v) { return at_time(z, v, point.t); };
-            const auto [A, B] = derivatives(rhs, point);
-            CHECK(column_error(dalembert::jacobian_x(system, point.x, point.u, point.t), A, dxdt, point.x) <= 1e-12);
-            CHECK(column_error(dalembert::jacobian_u(system, point.x, point.u, point.t), B, dxdt, point.u) <= 1e-12);
-            typename Real::State again;
-            typename Real::JacobianX J;
-            system.rhs_and_jacobian(point.x, point.u, point.t, again, J);
-            for (std::size_t i = 0; i < states; ++i) CHECK(again[i] == doctest::Approx(dxdt[i]).epsilon(1e-12));
-
-            typename Real::JacobianT Jt;
-            system.jacobian_t(point.x, point.u, point.t, Jt);
-            const auto x = converted<typename Twin::State>(point.x);
-            const auto u = converted<typename Twin::Input>(point.u);
-            const auto by_time = column([&](const auto& t) { return at_time(x, u, t[0]); }, std::array<Digits50, 1>{point.t}, 0);
-            CHECK(column_error(Eigen::Map<const Eigen::VectorXd>(Jt.data(), static_cast<Eigen::Index>(states)), by_time, dxdt, std::array<double, 1>{point.t}) <= 1e-12);
-        }
-
-        {
-            INFO("the Jacobian by parameters");
-            constexpr std::size_t count = Real::parameter_table().size();
-            static_assert(sizeof(Parameters<Digits50>) == count * sizeof(Digits50), "parameters are stored one after the other");
-            Eigen::MatrixXd P(states, count);
-            const auto x = converted<typename Twin::State>(point.x);
-            const auto u = converted<typename Twin::Input>(point.u);
-            std::array<Digits50, count> defaults;
-            for (std::size_t c = 0; c < count; ++c) defaults[c] = reinterpret_cast<const Digits50*>(&twin.parameters())[c];
-            const auto with = [&](const auto& values) {
-                Parameters<Digits50> parameters;
-                for (std::size_t c = 0; c < count; ++c) reinterpret_cast<Digits50*>(&parameters)[c] = values[c];
-                typename Twin::State dzdt;
-                Twin(parameters).rhs(x, u, point.t, dzdt);
-                return dzdt;
-            };
-            for (std::size_t c = 0; c < count; ++c) P.col(static_cast<Eigen::Index>(c)) = column(with, defaults, c);
-            CHECK(column_error(dalembert::jacobian_p(system, point.x, point.u, point.t), P, dxdt, defaults) <= 1e-12);
-        }
-
-        {
-            INFO("the Jacobians of the outputs");
-            const auto output = [&](const auto& z, const auto& v) {
-                typename Twin::Output y;
-                twin.output(z, v, point.t, y);
-                return y;
-            };
-            const auto [C, D] = derivatives(output, point);
-            typename Real::Output y;
-            system.output(point.x, point.u, point.t, y);
-            CHECK(column_error(dalembert::output_jacobian_x(system, point.x, point.u, point.t), C, y, point.x) <= 1e-12);
-            CHECK(column_error(dalembert::output_jacobian_u(system, point.x, point.u, point.t), D, y, point.u) <= 1e-12);
-        }
     }
+    derivative_laws<System, Parameters>();
 }

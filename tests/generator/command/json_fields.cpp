@@ -70,14 +70,20 @@ TEST_CASE("the JSON fields are the documented ones") {
                              "[coordinates]\nq = { unit = \"m\", start_rate = 1 }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n"
                              "[dampers.weak]\nrate = \"dot(q)\"\ncoefficient = \"d\"\nwhen = \"weak\"\n[dampers.strong]\nrate = \"dot(q)\"\ncoefficient = \"2*d\"\nwhen = \"strong\"\n"
                              "[effects]\nweak = { doc = \"a brake\" }\nstrong = { doc = \"another\", implies = [\"weak\"] }\n[runs.reference]\nuntil = 1\n";
+    // A machine that switches, with a state, so that every field of modes occurs.
+    const std::string sliding = folder / "sliding.toml";
+    std::ofstream(sliding) << "[model]\nformat = 1\nname = \"sliding\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\nf = { value = 2, unit = \"N\" }\n"
+                              "[coordinates]\nq = { unit = \"m\", start_rate = 1 }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n"
+                              "[states]\nway = { unit = \"m\", derivative = \"abs(dot(q))\" }\n"
+                              "[frictions.floor]\nrate = \"dot(q)\"\nnormal_force = \"f\"\ncoefficient = \"1/2\"\n";
     const std::map<std::string, std::vector<std::vector<std::string>>> calls{
-        {"derive", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/tests/golden/capacitor.toml"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50"}}},
+        {"derive", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/tests/golden/capacitor.toml"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50"}, {sliding}}},
         {"generate", {{SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50", "-o", folder}, {systems + "cart_pendulum.toml", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
         {"effects", {{systems + "projectile.toml", "-o", folder, "--no-plot"}, {braked, "-o", folder, "--no-plot"}}},
         {"check", {{systems + "coupled_springs.toml"}, {systems + "cart_pendulum.toml"}}},
-        {"evaluate", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}}},
-        {"simulate", {{systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--no-plot", "-o", folder}, {SOURCE_DIR "/systems/heat/voltage_regulator.toml", "--until", "1", "--no-plot", "-o", folder}}},
-        {"equilibrium", {{model}}},
+        {"evaluate", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {sliding, "--mode", "floor_sticks"}}},
+        {"simulate", {{sliding, "--until", "1", "--no-plot", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--no-plot", "-o", folder}, {SOURCE_DIR "/systems/heat/voltage_regulator.toml", "--until", "1", "--no-plot", "-o", folder}}},
+        {"equilibrium", {{model}, {sliding, "--mode", "floor_sticks"}}},
         {"survey", {{systems + "pulley.toml", "--no-plot", "-o", folder}}},
         {"scenes", {{systems + "cart_pendulum.toml"}}},
     };

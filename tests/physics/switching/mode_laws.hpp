@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What must hold for every generated system that switches: derivatives in each of its modes, the rates of guards along the motion, and
+// runs from random start values, over which energy minus supplied work never rises.
+#pragma once
+
+#include "dalembert/one_mode.hpp"
+#include "dalembert/simulate_switching.hpp"
+#include "physics/laws.hpp"
+
+/// dg/dt in the header against differences of the guards along the motion, in 50 digits. With inputs held.
+template <template <class> class System>
+void guard_laws() {
+    using Real = System<double>;
+    using Twin = System<Digits50>;
+    const Real system;
+    const Twin twin;
+    const Digits50 share("1e-17");
+    std::mt19937 engine(1743);
+    for (std::size_t m = 0; m < Real::mode_table().size(); ++m) {
+        const auto mode = static_cast<typename Real::Mode>(m);
+        for (int repetition = 0; repetition < 10; ++repetition) {
+            const auto point = random_point(system, engine);
+            INFO(Real::mode_table()[m], ", repetition ", repetition);
+            typename Real::Events rates{};
+            system.guard_rates(mode, point.x, point.u, point.t, rates);
+            const auto x = converted<typename Twin::State>(point.x);
+            const auto u = converted<typename Twin::Input>(point.u);
+            const Digits50 t = point.t;
+            typename Twin::State dxdt;
+            twin.rhs(mode, x, u, t, dxdt);
+            const auto at = [&](const Digits50& h) {
+                auto moved = x;
+                for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += h * dxdt[i];
+                typename Twin::Events g{};
+                twin.guards(mode, moved, u, t + h, g);
+                return g;
+            };
+            const auto ahead = at(share), behind = at(-share), here = at(0);
+            for (std::size_t e = 0; e < rates.size(); ++e) {
+                if (!Real::is_watched(mode, e)) continue;
+                const auto rate = static_cast<double>(Digits50((ahead[e] - behind[e]) / (2 * share)));
+                // What is made of parts that cancel is as good as its parts, whose size is that of the guard itself at least.
+                const double size = std::abs(rate) + std::abs(static_cast<double>(here[e])) + 1e-30;
+                INFO(Real::event_table()[e]);
+                CHECK(std::abs(rates[e] - rate) <= 1e-11 * size);
+            }
+        }
+    }
+}
+
+/// Runs from random start values with random constant inputs. A run may end by an event that ends it, or at the limit of a model; that it
+/// is stopped by something else is a defect. `fewest`: of how many runs at least a mode must accept the start.
+template <template <class> class System>
+void energy_laws(double until, int runs, int fewest) {
+    using Real = System<double>;
+    const Real system;
+    std::mt19937 engine(2013);
+    int accepted = 0;
+    for (int run = 0; run < runs; ++run) {
+        const auto point = random_point(system, engine);
+        dalembert::SwitchingSimulationOptions<Real> options;
+        options.tolerance = 1e-9;
+        options.intervals = 50;
+        options.max_step = until / 50;
+        options.max_steps = 200'000;
+        auto x = point.x;
+        double largest_power = 0, least_dissipated = 0;
+        const auto inputs = [&](const typename Real::State&, double) { return point.u; };
+        const auto result = dalembert::simulate_switching(
+            system, inputs, x, 0.0, until, options,
+            [&](const auto& sample) {
+                const double dissipated = system.dissipated_power(sample.mode, sample.x, sample.u, sample.t);
+                largest_power = std::max(largest_power, std::abs(dissipated));
+                least_dissipated = std::min(least_dissipated, dissipated);
+            },
+            [](auto&&...) {});
+        if (result.outcome.status == dalembert::Status::no_start_mode) continue;
+        ++accepted;
+        INFO("run ", run, ": ", dalembert::message(system, result.outcome, Real::state_table()));
+        const bool is_good = result.outcome.status == dalembert::Status::success || result.outcome.status == dalembert::Status::event;
+        CHECK(is_good);
+        CHECK(result.energy.relative_error() <= 1e-6);
+        CHECK(result.energy.largest_gain <= 1e-9 * result.energy.largest_energy + 1e-300);
+        CHECK(least_dissipated >= -1e-9 * largest_power);
+    }
+    CHECK(accepted >= fewest);
+}
