@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
-#include <optional>
 
 #include "emit/notation.hpp"
 #include "form/fluid_validity.hpp"
 #include "form/heat_validity.hpp"
+#include "form/mode_systems.hpp"
 #include "model/checks.hpp"
 #include "model/reader.hpp"
 #include "model/verdict.hpp"
@@ -105,62 +104,20 @@ std::shared_ptr<const LoadedModel> load(const std::filesystem::path& path, Diagn
 
 namespace {
 
-/// Derives and proves the scene, which is in one of its modes if it has any.
-void derive_and_prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, Scene scene, Stopwatch& watch) {
-    const std::string mode = scene.modes.size() > 1 ? fmt::format("mode {}: ", scene.modes[*scene.mode].name) : "";
-    machine.system = derive(loaded->names, std::move(scene));
-    watch.lap("derive", fmt::format("{}{} bodies, {} potentials, {} resistances, {} supplies", mode, machine.system->bodies.size(), machine.system->potentials.size(),
-                                    machine.system->resistances.size(), machine.system->supplies.size()));
+/// Proves what was derived of a machine, in one of its modes if it has any.
+void prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, std::unique_ptr<System> system) {
+    machine.loaded = loaded;
+    machine.system = std::move(system);
     check_fluid_values(*machine.system);
     check_heat_values(*machine.system);
     machine.audit = audit(*machine.system);
     stop_on_failed_audit(*machine.system, machine.audit);
-    watch.lap("prove", mode + (machine.audit.all_proven() ? "everything proven" : "something only numerically equal"));
     const Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
     check_switching_values(*machine.system, defaults);
-    machine.loaded = loaded;
 }
 
-/// Modes of which the constraints repeat each other are left out: two stops on two sides are not closed at once, and what a body bears that
-/// sticks and leans on a stop is anybody's guess. A mode of a group that is there no more is an error.
-void leave_out_overdetermined(Scene& scene, const Names& names) {
-    std::optional<Failure> first;
-    std::vector<SceneMode> kept;
-    for (std::size_t mode = 0; mode < scene.modes.size(); ++mode) {
-        const auto count = std::count_if(scene.constraints.begin(), scene.constraints.end(), [&](const auto& c) { return scene.holds(c.item->when, mode); });
-        try {
-            if (count > 1) derive(names, in_mode(scene, mode));
-            kept.push_back(scene.modes[mode]);
-        } catch (const Failure& failure) {
-            if (failure.diagnostics().front().id != Id::doubly_determined) throw;
-            if (!first) first = failure;
-        }
-    }
-    for (const ModeGroup* group : scene.mode_groups)
-        for (const Mode& part : group->modes)
-            if (first && std::none_of(kept.begin(), kept.end(), [&](const SceneMode& mode) { return mode.is_in(part.name); })) throw *first;
-    scene.modes = std::move(kept);
-}
-
-/// A volume may have a limit in some modes only: where flows reach it. Each mode gets a place for all of them.
-void align_events(Machine& machine) {
-    std::vector<System*> modes{machine.system.get()};
-    for (Machine& other : machine.other_modes) modes.push_back(other.system.get());
-    std::vector<EventEquation> limits;
-    const auto is_same = [](const EventEquation& a) { return [&a](const EventEquation& b) { return a.item == b.item && a.name == b.name && a.doc == b.doc; }; };
-    for (const System* system : modes)
-        for (const EventEquation& event : system->events)
-            if (event.item == nullptr && std::none_of(limits.begin(), limits.end(), is_same(event))) limits.push_back(event);
-    for (System* system : modes) {
-        std::vector<EventEquation> aligned;
-        std::copy_if(system->events.begin(), system->events.end(), std::back_inserter(aligned), [](const EventEquation& e) { return e.item != nullptr; });
-        for (const EventEquation& limit : limits) {
-            const auto own = std::find_if(system->events.begin(), system->events.end(), is_same(limit));
-            if (own != system->events.end()) aligned.push_back(*own);
-            else aligned.push_back({nullptr, limit.name, limit.doc, true, false, 0, 0, {}, {}});
-        }
-        system->events = std::move(aligned);
-    }
+bool all_derivations_proven(const Machine& machine) {
+    return machine.audit.all_proven() && std::all_of(machine.other_modes.begin(), machine.other_modes.end(), all_derivations_proven);
 }
 
 void make_and_prove_code(Machine& machine, Stopwatch& watch) {
@@ -186,15 +143,15 @@ Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::str
         Stopwatch watch(machine.stages);
         Scene scene = select_scene(model, loaded->names, resolve_scene(model, scene_name), sizes);
         check_size(scene);
-        leave_out_overdetermined(scene, loaded->names);
         watch.lap("scene", fmt::format("{} coordinates, {} states, {} inputs, {} parameters{}", scene.coordinates.size(), scene.states.size(), scene.inputs.size(), scene.parameters.size(),
                                        scene.modes.empty() ? "" : fmt::format(", {} modes, {} events", scene.modes.size(), scene.events.size())));
-        for (std::size_t mode = 1; mode < scene.modes.size(); ++mode) {
-            machine.other_modes.emplace_back();
-            derive_and_prove(machine.other_modes.back(), loaded, in_mode(scene, mode), watch);
-        }
-        derive_and_prove(machine, loaded, scene.modes.empty() ? std::move(scene) : in_mode(scene, 0), watch);
-        align_events(machine);
+        auto modes = derive_modes(loaded->names, scene);
+        const System& first = *modes.front();
+        watch.lap("derive", fmt::format("{} bodies, {} potentials, {} resistances, {} supplies{}", first.bodies.size(), first.potentials.size(), first.resistances.size(), first.supplies.size(),
+                                        modes.size() == 1 ? "" : fmt::format(" in the first of {} modes", modes.size())));
+        prove(machine, loaded, std::move(modes.front()));
+        for (std::size_t i = 1; i < modes.size(); ++i) prove(machine.other_modes.emplace_back(), loaded, std::move(modes[i]));
+        watch.lap("prove", all_derivations_proven(machine) ? "everything proven" : "something only numerically equal");
         return machine;
     });
 }

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "form/mode_systems.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Systems = std::vector<std::unique_ptr<System>>;
+
+bool is_same_limit(const EventEquation& a, const EventEquation& b) { return a.name == b.name && a.doc == b.doc; }
+
+/// A volume may have a limit in some modes only: where flows reach it. Each mode gets a place for all of them, behind the events of the model.
+void align_limits(const Systems& modes) {
+    std::vector<EventEquation> limits;
+    const auto find = [](std::vector<EventEquation>& events, const EventEquation& limit) {
+        return std::find_if(events.begin(), events.end(), [&](const EventEquation& e) { return e.item == nullptr && is_same_limit(e, limit); });
+    };
+    for (const auto& system : modes)
+        for (const EventEquation& event : system->events)
+            if (event.item == nullptr && find(limits, event) == limits.end()) limits.push_back(event);
+    for (const auto& system : modes) {
+        std::vector<EventEquation> aligned;
+        std::copy_if(system->events.begin(), system->events.end(), std::back_inserter(aligned), [](const EventEquation& e) { return e.item != nullptr; });
+        for (const EventEquation& limit : limits) {
+            const auto own = find(system->events, limit);
+            aligned.push_back(own != system->events.end() ? *own : EventEquation{nullptr, limit.name, limit.doc, true, false, 0, 0, {}, {}});
+        }
+        system->events = std::move(aligned);
+    }
+}
+
+/// What is left of the modes, in all systems.
+void renumber(const Systems& modes) {
+    std::vector<SceneMode> kept;
+    for (const auto& system : modes) kept.push_back(system->scene.modes[*system->scene.mode]);
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        modes[i]->scene.modes = kept;
+        modes[i]->scene.mode = i;
+    }
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<System>> derive_modes(const Names& names, const Scene& scene) {
+    Systems modes;
+    if (scene.modes.empty()) {
+        modes.push_back(derive(names, scene));
+        return modes;
+    }
+    std::optional<Failure> overdetermined;
+    for (std::size_t mode = 0; mode < scene.modes.size(); ++mode) {
+        try {
+            modes.push_back(derive(names, in_mode(scene, mode)));
+        } catch (const Failure& failure) {
+            if (failure.diagnostics().front().id != Id::doubly_determined) throw;
+            if (!overdetermined) overdetermined = failure;
+        }
+    }
+    if (overdetermined) {
+        const auto is_left = [&](const Mode& part) { return std::any_of(modes.begin(), modes.end(), [&](const auto& system) { return system->scene.modes[*system->scene.mode].is_in(part.name); }); };
+        for (const ModeGroup* group : scene.mode_groups)
+            if (!std::all_of(group->modes.begin(), group->modes.end(), is_left)) throw *overdetermined;
+        renumber(modes);
+    }
+    align_limits(modes);
+    return modes;
+}
+
+}  // namespace dalembert
