@@ -8,27 +8,26 @@
 // Scene full
 // Effects in: none
 // Effects out: none
-// Modes: heating_and_above_half, heating_and_below_half, boiling_and_above_half, boiling_and_below_half, dry_and_above_half,
-//     dry_and_below_half
+// Modes: above_half_and_water_liquid, above_half_and_water_boiling, below_half_and_water_liquid, below_half_and_water_boiling
 //
 // Proven as identities:
-//     balances of mass and energy: 6 of 6 balances
+//     balances of mass and energy: 4 of 4 balances
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
-//     this code = the derivation: 118 of 118 functions
+//     this code = the derivation: 78 of 78 functions
 //
 // Of each function, in the mode that needs most:
 // Operations          +,-      *     /  sin,cos  other
-//   update                 6     15     9        0      1
-//   rhs                    3      4     0        0      0
-//   rhs_and_jacobian       4      5     0        0      0
-//   jacobian_u             1      0     0        0      0
-//   jacobian_p            16     69     7        0      0
-//   output                 2      4     0        0      0
-//   output_jacobian_x      2      2     0        0      0
+//   update                 5     10     9        0      1
+//   rhs                    2      3     1        0      0
+//   rhs_and_jacobian       4      4     1        0      0
+//   jacobian_u             0      1     1        0      0
+//   jacobian_p             9     26     6        0      0
+//   output                 3      4     0        0      0
+//   output_jacobian_x      3      4     0        0      0
 //   internal_energy        0      2     0        0      0
-//   exchanged_power        2      3     1        0      0
-//   events                 2      1     0        0      0
-//   event_rates            2      3     0        0      0
+//   exchanged_power        3      8     2        0      0
+//   events                 3      3     0        0      0
+//   event_rates            3     13     2        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -73,11 +72,11 @@ struct Quantity {
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
-    Quantity{"T", "K", "temperature of the water; when none is left, that of the last", 250, 400},
-    Quantity{"m", "kg", "water that is left; there is no component for a change of phase", 0, 100},
+    Quantity{"T", "K", "temperature of the water", 250, 400},
+    Quantity{"m", "kg", "water that is left", 0, 100},
 };
 inline constexpr std::array<Quantity, input_count> input_quantities{
-    Quantity{"P", "W", "power of the heater while it is covered with water", 0, 5000},
+    Quantity{"P", "W", "power of the heater", 0, 5000},
 };
 inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"power", "W", "power of the heater"},
@@ -110,14 +109,14 @@ struct Guard {
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// The ways in which the machine can be.
-enum class Mode : unsigned { heating_and_above_half, heating_and_below_half, boiling_and_above_half, boiling_and_below_half, dry_and_above_half, dry_and_below_half };
-inline constexpr std::size_t mode_count = 6;
-inline constexpr std::array<const char*, mode_count> mode_names{"heating_and_above_half", "heating_and_below_half", "boiling_and_above_half", "boiling_and_below_half", "dry_and_above_half", "dry_and_below_half"};
+enum class Mode : unsigned { above_half_and_water_liquid, above_half_and_water_boiling, below_half_and_water_liquid, below_half_and_water_boiling };
+inline constexpr std::size_t mode_count = 4;
+inline constexpr std::array<const char*, mode_count> mode_names{"above_half_and_water_liquid", "above_half_and_water_boiling", "below_half_and_water_liquid", "below_half_and_water_boiling"};
 
 /// What happens where a guard falls through zero, and changes the mode or the state.
-struct event { enum : std::size_t { boils = 0, half = 1, runs_dry = 2 }; };
-inline constexpr std::size_t event_count = 3;
-inline constexpr std::array<const char*, event_count> event_names{"boils", "half", "runs_dry"};
+struct event { enum : std::size_t { half = 0, water_boils = 1, water_cools = 2, water_runs_dry = 3 }; };
+inline constexpr std::size_t event_count = 4;
+inline constexpr std::array<const char*, event_count> event_names{"half", "water_boils", "water_cools", "water_runs_dry"};
 
 /// Modes in order of preference.
 struct Modes {
@@ -134,29 +133,29 @@ struct Transition {
     Modes next, beside, rest;
 };
 inline constexpr std::array<std::array<Transition, mode_count>, event_count> transitions{{
-    std::array<Transition, mode_count>{{  // boils
-        {true, {{{Mode::boiling_and_above_half}}, 1}, {{{Mode::boiling_and_below_half}}, 1}, {}},
-        {true, {{{Mode::boiling_and_below_half}}, 1}, {{{Mode::boiling_and_above_half}}, 1}, {}},
-        {false, {}, {}, {}},
-        {false, {}, {}, {}},
-        {false, {}, {}, {}},
-        {false, {}, {}, {}},
-    }},
     std::array<Transition, mode_count>{{  // half
-        {true, {{{Mode::heating_and_below_half}}, 1}, {}, {}},
+        {true, {{{Mode::below_half_and_water_liquid}}, 1}, {}, {}},
+        {true, {{{Mode::below_half_and_water_boiling}}, 1}, {}, {}},
         {false, {}, {}, {}},
-        {true, {{{Mode::boiling_and_below_half}}, 1}, {}, {}},
-        {false, {}, {}, {}},
-        {true, {{{Mode::dry_and_below_half}}, 1}, {}, {}},
         {false, {}, {}, {}},
     }},
-    std::array<Transition, mode_count>{{  // runs_dry
+    std::array<Transition, mode_count>{{  // water_boils
+        {true, {{{Mode::above_half_and_water_boiling}}, 1}, {{{Mode::below_half_and_water_boiling}}, 1}, {}},
         {false, {}, {}, {}},
+        {true, {{{Mode::below_half_and_water_boiling}}, 1}, {{{Mode::above_half_and_water_boiling}}, 1}, {}},
         {false, {}, {}, {}},
-        {true, {{{Mode::dry_and_above_half}}, 1}, {{{Mode::dry_and_below_half}}, 1}, {}},
-        {true, {{{Mode::dry_and_below_half}}, 1}, {{{Mode::dry_and_above_half}}, 1}, {}},
+    }},
+    std::array<Transition, mode_count>{{  // water_cools
         {false, {}, {}, {}},
+        {true, {{{Mode::above_half_and_water_liquid}}, 1}, {}, {}},
         {false, {}, {}, {}},
+        {true, {{{Mode::below_half_and_water_liquid}}, 1}, {}, {}},
+    }},
+    std::array<Transition, mode_count>{{  // water_runs_dry
+        {false, {}, {}, {}},
+        {true, {}, {}, {}},
+        {false, {}, {}, {}},
+        {true, {}, {}, {}},
     }},
 }};
 
@@ -243,34 +242,28 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: heating_and_above_half: 6 + or -, 12 *, 8 /, 1 other functions; heating_and_below_half: 6 + or -, 12 *, 8 /, 1 other functions; boiling_and_above_half: 6 + or -, 15 *, 9 /, 1 other functions; boiling_and_below_half: 6 + or -, 15 *, 9 /, 1 other functions; ...
+    /// Operations: above_half_and_water_liquid: 5 + or -, 9 *, 8 /, 1 other functions; above_half_and_water_boiling: 5 + or -, 10 *, 9 /, 1 other functions; below_half_and_water_liquid: 5 + or -, 9 *, 8 /, 1 other functions; below_half_and_water_boiling: 5 + or -, 10 *, 9 /, 1 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         {
             using std::exp;
             c_.k = Scalar(1) / (p_.L / p_.lambda + Scalar(1) / p_.alpha_i + Scalar(1) / p_.alpha_a);
-            const Scalar e1 = p_.A * c_.k;
-            const Scalar e2 = p_.T_s * e1;
-            const Scalar e3 = p_.T_inf * e1;
-            c_.Q_s = e2 - e3;
-            const Scalar inverse_4 = Scalar(1) / p_.m_0;
-            const Scalar e5 = inverse_4 / p_.c_p;
-            const Scalar exp_6 = exp(p_.t_s * e1 * e5);
-            c_.E_s = Scalar(1) / exp_6;
-            c_.P_s = -(c_.E_s * e3 - e2) / (Scalar(1) - c_.E_s) - e3;
-            c_.k0 = e5;
-            const Scalar e7 = inverse_4 * e1;
-            c_.k1 = e5 * e7;
-            c_.k2 = e7;
-            c_.k3 = inverse_4 * e3;
+            const Scalar inverse_1 = Scalar(1) / p_.c_p;
+            const Scalar e2 = p_.A * c_.k;
+            const Scalar e3 = e2 / p_.m_0;
+            const Scalar e4 = inverse_1 * e3;
+            const Scalar exp_5 = exp(p_.t_s * e4);
+            c_.E_s = Scalar(1) / exp_5;
+            const Scalar e6 = p_.T_inf * e2;
+            c_.P_s = (p_.T_s * e2 - c_.E_s * e6) / (Scalar(1) - c_.E_s) - e6;
+            c_.k0 = inverse_1;
+            c_.k1 = e4;
+            c_.k2 = e3;
         }
         {
-            const Scalar inverse_1 = Scalar(1) / p_.m_0;
-            const Scalar e2 = c_.Q_s * inverse_1;
-            c_.k4 = inverse_1 / p_.c_p * e2;
-            const Scalar inverse_3 = Scalar(1) / p_.h_v;
-            c_.k5 = inverse_3;
-            c_.k6 = inverse_3 * e2;
+            const Scalar inverse_1 = Scalar(1) / p_.h_v;
+            c_.k3 = inverse_1;
+            c_.k4 = inverse_1 * (p_.A * c_.k / p_.m_0);
         }
     }
 
@@ -285,50 +278,38 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: heating_and_above_half: 2 + or -, 3 *; heating_and_below_half: 2 + or -, 3 *; boiling_and_above_half: 3 + or -, 4 *; boiling_and_below_half: 3 + or -, 4 *; dry_and_above_half: none; dry_and_below_half: none
-    ///     In the mode heating_and_above_half:
-    ///     dot(T) = P/(m_0*c_p) + A*k*m*(T_inf - T)/(m_0^2*c_p)
+    /// Operations: above_half_and_water_liquid: 2 + or -, 3 *, 1 /; above_half_and_water_boiling: 2 + or -, 3 *; below_half_and_water_liquid: 2 + or -, 3 *, 1 /; below_half_and_water_boiling: 2 + or -, 3 *
+    ///     In the mode above_half_and_water_liquid:
+    ///     dot(T) = P/(c_p*m) + A*k*(T_inf - T)/(m_0*c_p)
     ///     dot(m) = 0
-    ///     In the mode heating_and_below_half:
-    ///     dot(T) = P/(m_0*c_p) + A*k*m*(T_inf - T)/(m_0^2*c_p)
-    ///     dot(m) = 0
-    ///     In the mode boiling_and_above_half:
-    ///     dot(T) = Q_s*m/(m_0^2*c_p) + A*k*m*(T_inf - T)/(m_0^2*c_p)
-    ///     dot(m) = -P/h_v + Q_s*m/(m_0*h_v)
-    ///     In the mode boiling_and_below_half:
-    ///     dot(T) = Q_s*m/(m_0^2*c_p) + A*k*m*(T_inf - T)/(m_0^2*c_p)
-    ///     dot(m) = -P/h_v + Q_s*m/(m_0*h_v)
-    ///     In the mode dry_and_above_half:
+    ///     In the mode above_half_and_water_boiling:
     ///     dot(T) = 0
+    ///     dot(m) = -P/h_v - A*k*m*(T_inf - T)/(m_0*h_v)
+    ///     In the mode below_half_and_water_liquid:
+    ///     dot(T) = P/(c_p*m) + A*k*(T_inf - T)/(m_0*c_p)
     ///     dot(m) = 0
-    ///     In the mode dry_and_below_half:
+    ///     In the mode below_half_and_water_boiling:
     ///     dot(T) = 0
-    ///     dot(m) = 0
+    ///     dot(m) = -P/h_v - A*k*m*(T_inf - T)/(m_0*h_v)
     void rhs(Mode mode, const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         switch (mode) {
-            case Mode::heating_and_above_half:
-            case Mode::heating_and_below_half: {
+            case Mode::above_half_and_water_liquid:
+            case Mode::below_half_and_water_liquid: {
                 const Scalar P = u[0];
                 const Scalar m = x[1];
                 const Scalar T = x[0];
-                dxdt[0] = c_.k0 * P + c_.k1 * m * (p_.T_inf - T);
+                dxdt[0] = c_.k0 * P / m + c_.k1 * (p_.T_inf - T);
                 dxdt[1] = Scalar(0);
                 break;
             }
-            case Mode::boiling_and_above_half:
-            case Mode::boiling_and_below_half: {
-                const Scalar m = x[1];
-                const Scalar T = x[0];
-                const Scalar P = u[0];
-                dxdt[0] = m * (c_.k4 + c_.k1 * (p_.T_inf - T));
-                dxdt[1] = c_.k6 * m - c_.k5 * P;
-                break;
-            }
-            case Mode::dry_and_above_half:
-            case Mode::dry_and_below_half:
+            case Mode::above_half_and_water_boiling:
+            case Mode::below_half_and_water_boiling:
             default: {
+                const Scalar P = u[0];
+                const Scalar m = x[1];
+                const Scalar T = x[0];
                 dxdt[0] = Scalar(0);
-                dxdt[1] = Scalar(0);
+                dxdt[1] = -c_.k3 * P - c_.k4 * m * (p_.T_inf - T);
                 break;
             }
         }
@@ -336,47 +317,38 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: heating_and_above_half: 3 + or -, 4 *; heating_and_below_half: 3 + or -, 4 *; boiling_and_above_half: 4 + or -, 5 *; boiling_and_below_half: 4 + or -, 5 *; dry_and_above_half: none; dry_and_below_half: none
+    /// Operations: above_half_and_water_liquid: 4 + or -, 4 *, 1 /; above_half_and_water_boiling: 3 + or -, 4 *; below_half_and_water_liquid: 4 + or -, 4 *, 1 /; below_half_and_water_boiling: 3 + or -, 4 *
     void rhs_and_jacobian(Mode mode, const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         switch (mode) {
-            case Mode::heating_and_above_half:
-            case Mode::heating_and_below_half: {
+            case Mode::above_half_and_water_liquid:
+            case Mode::below_half_and_water_liquid: {
+                const Scalar T = x[0];
+                const Scalar m = x[1];
+                const Scalar inverse_1 = Scalar(1) / m;
+                const Scalar P = u[0];
+                const Scalar e2 = inverse_1 * (c_.k0 * P);
+                dxdt[0] = c_.k1 * (p_.T_inf - T) + e2;
+                dxdt[1] = Scalar(0);
+                J[0] = -c_.k1;
+                J[1] = Scalar(0);
+                J[2] = -inverse_1 * e2;
+                J[3] = Scalar(0);
+                break;
+            }
+            case Mode::above_half_and_water_boiling:
+            case Mode::below_half_and_water_boiling:
+            default: {
                 const Scalar P = u[0];
                 const Scalar T = x[0];
                 const Scalar e1 = p_.T_inf - T;
                 const Scalar m = x[1];
-                const Scalar e2 = c_.k1 * m;
-                dxdt[0] = c_.k0 * P + e1 * e2;
-                dxdt[1] = Scalar(0);
-                J[0] = -e2;
-                J[1] = Scalar(0);
-                J[2] = c_.k1 * e1;
-                J[3] = Scalar(0);
-                break;
-            }
-            case Mode::boiling_and_above_half:
-            case Mode::boiling_and_below_half: {
-                const Scalar m = x[1];
-                const Scalar T = x[0];
-                const Scalar e1 = c_.k4 + c_.k1 * (p_.T_inf - T);
-                const Scalar P = u[0];
-                dxdt[0] = m * e1;
-                dxdt[1] = c_.k6 * m - c_.k5 * P;
-                J[0] = -c_.k1 * m;
-                J[1] = Scalar(0);
-                J[2] = e1;
-                J[3] = c_.k6;
-                break;
-            }
-            case Mode::dry_and_above_half:
-            case Mode::dry_and_below_half:
-            default: {
+                const Scalar e2 = c_.k4 * m;
                 dxdt[0] = Scalar(0);
-                dxdt[1] = Scalar(0);
+                dxdt[1] = -c_.k3 * P - e1 * e2;
                 J[0] = Scalar(0);
-                J[1] = Scalar(0);
+                J[1] = e2;
                 J[2] = Scalar(0);
-                J[3] = Scalar(0);
+                J[3] = -c_.k4 * e1;
                 break;
             }
         }
@@ -389,46 +361,41 @@ public:
     }
 
     /// J = df/du. 2 x 1, entry (i, j) at J[2*j + i].
-    /// Operations: heating_and_above_half: none; heating_and_below_half: none; boiling_and_above_half: 1 + or -; boiling_and_below_half: 1 + or -; dry_and_above_half: none; dry_and_below_half: none
-    void jacobian_u(Mode mode, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
+    /// Operations: above_half_and_water_liquid: 1 *, 1 /; above_half_and_water_boiling: 1 + or -; below_half_and_water_liquid: 1 *, 1 /; below_half_and_water_boiling: 1 + or -
+    void jacobian_u(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
         switch (mode) {
-            case Mode::heating_and_above_half:
-            case Mode::heating_and_below_half: {
-                J[0] = c_.k0;
+            case Mode::above_half_and_water_liquid:
+            case Mode::below_half_and_water_liquid: {
+                const Scalar m = x[1];
+                J[0] = c_.k0 / m;
                 J[1] = Scalar(0);
                 break;
             }
-            case Mode::boiling_and_above_half:
-            case Mode::boiling_and_below_half: {
-                J[0] = Scalar(0);
-                J[1] = -c_.k5;
-                break;
-            }
-            case Mode::dry_and_above_half:
-            case Mode::dry_and_below_half:
+            case Mode::above_half_and_water_boiling:
+            case Mode::below_half_and_water_boiling:
             default: {
                 J[0] = Scalar(0);
-                J[1] = Scalar(0);
+                J[1] = -c_.k3;
                 break;
             }
         }
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 11, entry (i, j) at J[2*j + i].
-    /// Operations: heating_and_above_half: 6 + or -, 31 *, 6 /; heating_and_below_half: 6 + or -, 31 *, 6 /; boiling_and_above_half: 16 + or -, 69 *, 7 /; boiling_and_below_half: 16 + or -, 69 *, 7 /; dry_and_above_half: none; dry_and_below_half: none
+    /// Operations: above_half_and_water_liquid: 6 + or -, 25 *, 7 /; above_half_and_water_boiling: 9 + or -, 26 *, 6 /; below_half_and_water_liquid: 6 + or -, 25 *, 7 /; below_half_and_water_boiling: 9 + or -, 26 *, 6 /
     void jacobian_p(Mode mode, const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         switch (mode) {
-            case Mode::heating_and_above_half:
-            case Mode::heating_and_below_half: {
-                const Scalar P = u[0];
-                const Scalar inverse_1 = Scalar(1) / p_.m_0;
-                const Scalar inverse_2 = Scalar(1) / p_.c_p;
-                const Scalar e3 = inverse_1 * inverse_2;
-                const Scalar e4 = inverse_1 * e3;
-                const Scalar e5 = p_.A * e4;
-                const Scalar m = x[1];
+            case Mode::above_half_and_water_liquid:
+            case Mode::below_half_and_water_liquid: {
                 const Scalar T = x[0];
-                const Scalar e6 = m * (p_.T_inf - T);
+                const Scalar e1 = p_.T_inf - T;
+                const Scalar inverse_2 = Scalar(1) / p_.m_0;
+                const Scalar inverse_3 = Scalar(1) / p_.c_p;
+                const Scalar e4 = inverse_2 * inverse_3;
+                const Scalar e5 = p_.A * e4;
+                const Scalar e6 = c_.k * e5;
+                const Scalar P = u[0];
+                const Scalar m = x[1];
                 const Scalar inverse_7 = Scalar(1) / p_.lambda;
                 const Scalar inverse_8 = Scalar(1) / p_.alpha_i;
                 const Scalar inverse_9 = Scalar(1) / p_.alpha_a;
@@ -436,114 +403,69 @@ public:
                 const Scalar inverse_11 = Scalar(1) / (inverse_8 + inverse_9 + e10);
                 const Scalar e12 = e5 * (inverse_11 * inverse_11);
                 const Scalar e13 = inverse_7 * e12;
-                J[0] = -P * e4 - Scalar(2) * c_.k * inverse_1 * e5 * e6;
+                J[0] = -e1 * (inverse_2 * e6);
                 J[1] = Scalar(0);
-                J[2] = -P * (inverse_2 * e3) - p_.A * c_.k * e3 * e3 * e6;
+                J[2] = -P * (inverse_3 * inverse_3) / m - e1 * (inverse_3 * e6);
                 J[3] = Scalar(0);
                 J[4] = Scalar(0);
                 J[5] = Scalar(0);
                 J[6] = Scalar(0);
                 J[7] = Scalar(0);
-                J[8] = c_.k1 * m;
+                J[8] = c_.k1;
                 J[9] = Scalar(0);
-                J[10] = c_.k * e4 * e6;
+                J[10] = e1 * (c_.k * e4);
                 J[11] = Scalar(0);
-                J[12] = -e13 * e6;
+                J[12] = -e1 * e13;
                 J[13] = Scalar(0);
-                J[14] = e10 * e13 * e6;
+                J[14] = e1 * (e10 * e13);
                 J[15] = Scalar(0);
-                J[16] = inverse_8 * inverse_8 * e12 * e6;
+                J[16] = e1 * (inverse_8 * inverse_8 * e12);
                 J[17] = Scalar(0);
-                J[18] = inverse_9 * inverse_9 * e12 * e6;
+                J[18] = e1 * (inverse_9 * inverse_9 * e12);
                 J[19] = Scalar(0);
                 J[20] = Scalar(0);
                 J[21] = Scalar(0);
                 break;
             }
-            case Mode::boiling_and_above_half:
-            case Mode::boiling_and_below_half: {
-                const Scalar m = x[1];
-                const Scalar inverse_1 = Scalar(1) / p_.m_0;
-                const Scalar inverse_2 = Scalar(1) / p_.c_p;
-                const Scalar inverse_1_squared = inverse_1 * inverse_1;
-                const Scalar e3 = inverse_2 * inverse_1_squared;
-                const Scalar e4 = c_.Q_s * e3;
-                const Scalar e5 = c_.k * e3;
-                const Scalar e6 = p_.A * e5;
-                const Scalar T = x[0];
-                const Scalar e7 = m * (p_.T_inf - T);
-                const Scalar inverse_8 = Scalar(1) / p_.h_v;
-                const Scalar e9 = c_.Q_s * inverse_8;
-                const Scalar P = u[0];
-                const Scalar e10 = inverse_1 * inverse_8;
-                const Scalar inverse_11 = Scalar(1) / p_.alpha_i;
-                const Scalar inverse_12 = Scalar(1) / p_.alpha_a;
-                const Scalar inverse_13 = Scalar(1) / p_.lambda;
-                const Scalar e14 = p_.L * inverse_13;
-                const Scalar inverse_15 = Scalar(1) / (inverse_11 + inverse_12 + e14);
-                const Scalar e16 = p_.A * inverse_15;
-                const Scalar e17 = e3 * e16;
-                const Scalar e18 = m * (e16 * e10);
-                const Scalar e19 = p_.T_s - p_.T_inf;
-                const Scalar e20 = inverse_15 * e19;
-                const Scalar e21 = inverse_15 * e16;
-                const Scalar e22 = e19 * e21;
-                const Scalar e23 = inverse_13 * e3;
-                const Scalar e24 = e22 * e23;
-                const Scalar e25 = e21 * e23;
-                const Scalar e26 = e22 * e10;
-                const Scalar e27 = inverse_13 * e26;
-                const Scalar inverse_11_squared = inverse_11 * inverse_11;
-                const Scalar e28 = e3 * e22;
-                const Scalar e29 = e3 * e21;
-                const Scalar inverse_12_squared = inverse_12 * inverse_12;
-                J[0] = -m * (Scalar(2) * inverse_1 * e4) - Scalar(2) * inverse_1 * e6 * e7;
-                J[1] = -m * (inverse_1_squared * e9);
-                J[2] = -m * (inverse_2 * e4) - inverse_2 * e6 * e7;
-                J[3] = Scalar(0);
-                J[4] = Scalar(0);
-                J[5] = P * (inverse_8 * inverse_8) - m * (e10 * e9);
-                J[6] = m * e17;
-                J[7] = e18;
-                J[8] = m * (e6 - e17);
-                J[9] = -e18;
-                J[10] = m * (e3 * e20) + e5 * e7;
-                J[11] = m * (e10 * e20);
-                J[12] = -m * e24 - e25 * e7;
-                J[13] = -m * e27;
-                J[14] = m * (e14 * e24) + e14 * e25 * e7;
-                J[15] = m * (e14 * e27);
-                J[16] = m * (inverse_11_squared * e28) + inverse_11_squared * e29 * e7;
-                J[17] = m * (e26 * inverse_11_squared);
-                J[18] = m * (inverse_12_squared * e28) + inverse_12_squared * e29 * e7;
-                J[19] = m * (e26 * inverse_12_squared);
-                J[20] = Scalar(0);
-                J[21] = Scalar(0);
-                break;
-            }
-            case Mode::dry_and_above_half:
-            case Mode::dry_and_below_half:
+            case Mode::above_half_and_water_boiling:
+            case Mode::below_half_and_water_boiling:
             default: {
+                const Scalar inverse_1 = Scalar(1) / p_.m_0;
+                const Scalar inverse_2 = Scalar(1) / p_.h_v;
+                const Scalar e3 = inverse_1 * inverse_2;
+                const Scalar e4 = p_.A * e3;
+                const Scalar e5 = c_.k * e4;
+                const Scalar m = x[1];
+                const Scalar T = x[0];
+                const Scalar e6 = m * (p_.T_inf - T);
+                const Scalar P = u[0];
+                const Scalar inverse_7 = Scalar(1) / p_.lambda;
+                const Scalar inverse_8 = Scalar(1) / p_.alpha_i;
+                const Scalar inverse_9 = Scalar(1) / p_.alpha_a;
+                const Scalar e10 = p_.L * inverse_7;
+                const Scalar inverse_11 = Scalar(1) / (inverse_8 + inverse_9 + e10);
+                const Scalar e12 = e4 * (inverse_11 * inverse_11);
+                const Scalar e13 = inverse_7 * e12;
                 J[0] = Scalar(0);
-                J[1] = Scalar(0);
+                J[1] = inverse_1 * e5 * e6;
                 J[2] = Scalar(0);
                 J[3] = Scalar(0);
                 J[4] = Scalar(0);
-                J[5] = Scalar(0);
+                J[5] = P * (inverse_2 * inverse_2) + inverse_2 * e5 * e6;
                 J[6] = Scalar(0);
                 J[7] = Scalar(0);
                 J[8] = Scalar(0);
-                J[9] = Scalar(0);
+                J[9] = -c_.k4 * m;
                 J[10] = Scalar(0);
-                J[11] = Scalar(0);
+                J[11] = -c_.k * e3 * e6;
                 J[12] = Scalar(0);
-                J[13] = Scalar(0);
+                J[13] = e13 * e6;
                 J[14] = Scalar(0);
-                J[15] = Scalar(0);
+                J[15] = -e10 * e13 * e6;
                 J[16] = Scalar(0);
-                J[17] = Scalar(0);
+                J[17] = -inverse_8 * inverse_8 * e12 * e6;
                 J[18] = Scalar(0);
-                J[19] = Scalar(0);
+                J[19] = -inverse_9 * inverse_9 * e12 * e6;
                 J[20] = Scalar(0);
                 J[21] = Scalar(0);
                 break;
@@ -574,79 +496,46 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: heating_and_above_half: 1 + or -, 2 *; heating_and_below_half: 1 + or -, 2 *; boiling_and_above_half: 2 + or -, 4 *; boiling_and_below_half: 2 + or -, 4 *; dry_and_above_half: none; dry_and_below_half: none
-    ///     In the mode heating_and_above_half:
+    /// Operations: above_half_and_water_liquid: 2 + or -, 2 *; above_half_and_water_boiling: 3 + or -, 4 *; below_half_and_water_liquid: 2 + or -, 2 *; below_half_and_water_boiling: 3 + or -, 4 *
     ///     power = P
-    ///     loss = A*k*T*m/m_0 - T_inf*A*k*m/m_0
+    ///     loss = -A*k*m*(T_inf - T)/m_0
     ///     boils_at = T_s
-    ///     steam = 0
-    ///     In the mode heating_and_below_half:
-    ///     power = P
-    ///     loss = A*k*T*m/m_0 - T_inf*A*k*m/m_0
-    ///     boils_at = T_s
-    ///     steam = 0
-    ///     In the mode boiling_and_above_half:
-    ///     power = P
-    ///     loss = A*k*T*m/m_0 - T_inf*A*k*m/m_0
-    ///     boils_at = T_s
-    ///     steam = P/h_v - Q_s*m/(m_0*h_v)
-    ///     In the mode boiling_and_below_half:
-    ///     power = P
-    ///     loss = A*k*T*m/m_0 - T_inf*A*k*m/m_0
-    ///     boils_at = T_s
-    ///     steam = P/h_v - Q_s*m/(m_0*h_v)
-    ///     In the mode dry_and_above_half:
-    ///     power = 0
-    ///     loss = 0
-    ///     boils_at = T_s
-    ///     steam = 0
-    ///     In the mode dry_and_below_half:
-    ///     power = 0
-    ///     loss = 0
-    ///     boils_at = T_s
-    ///     steam = 0
+    ///     steam = -dot(m)
     void output(Mode mode, const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         switch (mode) {
-            case Mode::heating_and_above_half:
-            case Mode::heating_and_below_half: {
+            case Mode::above_half_and_water_liquid:
+            case Mode::below_half_and_water_liquid: {
                 const Scalar P = u[0];
                 const Scalar m = x[1];
                 const Scalar T = x[0];
                 y[0] = P;
-                y[1] = m * (c_.k2 * T - c_.k3);
+                y[1] = -c_.k2 * m * (p_.T_inf - T);
                 y[2] = p_.T_s;
                 y[3] = Scalar(0);
                 break;
             }
-            case Mode::boiling_and_above_half:
-            case Mode::boiling_and_below_half: {
-                const Scalar P = u[0];
-                const Scalar m = x[1];
-                const Scalar T = x[0];
-                y[0] = P;
-                y[1] = m * (c_.k2 * T - c_.k3);
-                y[2] = p_.T_s;
-                y[3] = c_.k5 * P - c_.k6 * m;
-                break;
-            }
-            case Mode::dry_and_above_half:
-            case Mode::dry_and_below_half:
+            case Mode::above_half_and_water_boiling:
+            case Mode::below_half_and_water_boiling:
             default: {
-                y[0] = Scalar(0);
-                y[1] = Scalar(0);
+                const Scalar P = u[0];
+                const Scalar m = x[1];
+                const Scalar T = x[0];
+                const Scalar e1 = m * (p_.T_inf - T);
+                y[0] = P;
+                y[1] = -c_.k2 * e1;
                 y[2] = p_.T_s;
-                y[3] = Scalar(0);
+                y[3] = c_.k3 * P + c_.k4 * e1;
                 break;
             }
         }
     }
 
     /// C = dh/dx.
-    /// Operations: heating_and_above_half: 1 + or -, 2 *; heating_and_below_half: 1 + or -, 2 *; boiling_and_above_half: 2 + or -, 2 *; boiling_and_below_half: 2 + or -, 2 *; dry_and_above_half: none; dry_and_below_half: none
+    /// Operations: above_half_and_water_liquid: 2 + or -, 2 *; above_half_and_water_boiling: 3 + or -, 4 *; below_half_and_water_liquid: 2 + or -, 2 *; below_half_and_water_boiling: 3 + or -, 4 *
     void output_jacobian_x(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         switch (mode) {
-            case Mode::heating_and_above_half:
-            case Mode::heating_and_below_half: {
+            case Mode::above_half_and_water_liquid:
+            case Mode::below_half_and_water_liquid: {
                 const Scalar m = x[1];
                 const Scalar T = x[0];
                 C[0] = Scalar(0);
@@ -654,36 +543,25 @@ public:
                 C[2] = Scalar(0);
                 C[3] = Scalar(0);
                 C[4] = Scalar(0);
-                C[5] = c_.k2 * T - c_.k3;
+                C[5] = -c_.k2 * (p_.T_inf - T);
                 C[6] = Scalar(0);
                 C[7] = Scalar(0);
                 break;
             }
-            case Mode::boiling_and_above_half:
-            case Mode::boiling_and_below_half: {
-                const Scalar m = x[1];
-                const Scalar T = x[0];
-                C[0] = Scalar(0);
-                C[1] = c_.k2 * m;
-                C[2] = Scalar(0);
-                C[3] = Scalar(0);
-                C[4] = Scalar(0);
-                C[5] = c_.k2 * T - c_.k3;
-                C[6] = Scalar(0);
-                C[7] = -c_.k6;
-                break;
-            }
-            case Mode::dry_and_above_half:
-            case Mode::dry_and_below_half:
+            case Mode::above_half_and_water_boiling:
+            case Mode::below_half_and_water_boiling:
             default: {
+                const Scalar m = x[1];
+                const Scalar T = x[0];
+                const Scalar e1 = p_.T_inf - T;
                 C[0] = Scalar(0);
-                C[1] = Scalar(0);
+                C[1] = c_.k2 * m;
                 C[2] = Scalar(0);
-                C[3] = Scalar(0);
+                C[3] = -c_.k4 * m;
                 C[4] = Scalar(0);
-                C[5] = Scalar(0);
+                C[5] = -c_.k2 * e1;
                 C[6] = Scalar(0);
-                C[7] = Scalar(0);
+                C[7] = c_.k4 * e1;
                 break;
             }
         }
@@ -693,29 +571,21 @@ public:
     /// Operations: none
     void output_jacobian_u(Mode mode, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         switch (mode) {
-            case Mode::heating_and_above_half:
-            case Mode::heating_and_below_half: {
+            case Mode::above_half_and_water_liquid:
+            case Mode::below_half_and_water_liquid: {
                 D[0] = Scalar(1);
                 D[1] = Scalar(0);
                 D[2] = Scalar(0);
                 D[3] = Scalar(0);
                 break;
             }
-            case Mode::boiling_and_above_half:
-            case Mode::boiling_and_below_half: {
-                D[0] = Scalar(1);
-                D[1] = Scalar(0);
-                D[2] = Scalar(0);
-                D[3] = c_.k5;
-                break;
-            }
-            case Mode::dry_and_above_half:
-            case Mode::dry_and_below_half:
+            case Mode::above_half_and_water_boiling:
+            case Mode::below_half_and_water_boiling:
             default: {
-                D[0] = Scalar(0);
+                D[0] = Scalar(1);
                 D[1] = Scalar(0);
                 D[2] = Scalar(0);
-                D[3] = Scalar(0);
+                D[3] = c_.k3;
                 break;
             }
         }
@@ -757,118 +627,121 @@ public:
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 2 *
-    ///     E = m_0*c_p*T
+    ///     E = c_p*T*m
     Scalar internal_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
         const Scalar T = x[0];
-        return T * (p_.m_0 * p_.c_p);
+        const Scalar m = x[1];
+        return p_.c_p * T * m;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: heating_and_above_half: 2 + or -, 2 *; heating_and_below_half: 2 + or -, 2 *; boiling_and_above_half: 2 + or -, 3 *, 1 /; boiling_and_below_half: 2 + or -, 3 *, 1 /; dry_and_above_half: none; dry_and_below_half: none
+    /// Operations: above_half_and_water_liquid: 2 + or -, 2 *; above_half_and_water_boiling: 3 + or -, 8 *, 2 /; below_half_and_water_liquid: 2 + or -, 2 *; below_half_and_water_boiling: 3 + or -, 8 *, 2 /
     Scalar exchanged_power(Mode mode, const State& x, const Input& u, Scalar /*t*/) const noexcept {
         switch (mode) {
-            case Mode::heating_and_above_half:
-            case Mode::heating_and_below_half: {
+            case Mode::above_half_and_water_liquid:
+            case Mode::below_half_and_water_liquid: {
                 const Scalar P = u[0];
                 const Scalar m = x[1];
                 const Scalar T = x[0];
                 return P + c_.k2 * m * (p_.T_inf - T);
             }
-            case Mode::boiling_and_above_half:
-            case Mode::boiling_and_below_half: {
-                const Scalar m = x[1];
-                const Scalar T = x[0];
-                return m * (c_.Q_s / p_.m_0 + c_.k2 * (p_.T_inf - T));
-            }
-            case Mode::dry_and_above_half:
-            case Mode::dry_and_below_half:
+            case Mode::above_half_and_water_boiling:
+            case Mode::below_half_and_water_boiling:
             default: {
-                return Scalar(0);
+                const Scalar T = x[0];
+                const Scalar P = u[0];
+                const Scalar e1 = p_.c_p / p_.h_v;
+                const Scalar m = x[1];
+                return -T * (P * e1 + m * (p_.T_inf - T) * (p_.A * c_.k * e1 / p_.m_0));
             }
         }
     }
 
     /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
-    /// Operations: heating_and_above_half: 2 + or -, 1 *; heating_and_below_half: 1 + or -; boiling_and_above_half: 1 + or -, 1 *; boiling_and_below_half: none; dry_and_above_half: 1 + or -, 1 *; dry_and_below_half: none
-    ///     boils: T_s - T in the mode heating_and_above_half
-    ///     half: -m_0/2 + m in the mode heating_and_above_half
-    ///     runs_dry: m in the mode boiling_and_above_half
-    void guards(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, Events& g) const noexcept {
+    /// Operations: above_half_and_water_liquid: 2 + or -, 1 *; above_half_and_water_boiling: 3 + or -, 3 *; below_half_and_water_liquid: 1 + or -; below_half_and_water_boiling: 2 + or -, 2 *
+    ///     half: -m_0/2 + m in the mode above_half_and_water_liquid
+    ///     water_boils: T_s - T in the mode above_half_and_water_liquid
+    ///     water_cools: P + A*k*m*(T_inf - T)/m_0 in the mode above_half_and_water_boiling
+    ///     water_runs_dry: m in the mode above_half_and_water_boiling
+    void guards(Mode mode, const State& x, const Input& u, Scalar /*t*/, Events& g) const noexcept {
         switch (mode) {
-            case Mode::heating_and_above_half: {
+            case Mode::above_half_and_water_liquid: {
+                const Scalar m = x[1];
+                g[0] = m - (Scalar(1) / Scalar(2)) * p_.m_0;
                 const Scalar T = x[0];
-                g[0] = p_.T_s - T;
-                const Scalar m = x[1];
-                g[1] = m - (Scalar(1) / Scalar(2)) * p_.m_0;
+                g[1] = p_.T_s - T;
                 break;
             }
-            case Mode::heating_and_below_half: {
+            case Mode::above_half_and_water_boiling: {
+                const Scalar m = x[1];
+                g[0] = m - (Scalar(1) / Scalar(2)) * p_.m_0;
+                const Scalar P = u[0];
                 const Scalar T = x[0];
-                g[0] = p_.T_s - T;
+                g[2] = P + c_.k2 * m * (p_.T_inf - T);
+                g[3] = m;
                 break;
             }
-            case Mode::boiling_and_above_half: {
-                const Scalar m = x[1];
-                g[1] = m - (Scalar(1) / Scalar(2)) * p_.m_0;
-                g[2] = m;
+            case Mode::below_half_and_water_liquid: {
+                const Scalar T = x[0];
+                g[1] = p_.T_s - T;
                 break;
             }
-            case Mode::boiling_and_below_half: {
-                const Scalar m = x[1];
-                g[2] = m;
-                break;
-            }
-            case Mode::dry_and_above_half: {
-                const Scalar m = x[1];
-                g[1] = m - (Scalar(1) / Scalar(2)) * p_.m_0;
-                break;
-            }
-            case Mode::dry_and_below_half:
+            case Mode::below_half_and_water_boiling:
             default: {
+                const Scalar P = u[0];
+                const Scalar m = x[1];
+                const Scalar T = x[0];
+                g[2] = P + c_.k2 * m * (p_.T_inf - T);
+                g[3] = m;
                 break;
             }
         }
     }
 
     /// dg/dt along the motion in the mode, with inputs held.
-    /// Operations: heating_and_above_half: 2 + or -, 3 *; heating_and_below_half: 2 + or -, 3 *; boiling_and_above_half: 1 + or -, 2 *; boiling_and_below_half: 1 + or -, 2 *; dry_and_above_half: none; dry_and_below_half: none
+    /// Operations: above_half_and_water_liquid: 2 + or -, 3 *, 1 /; above_half_and_water_boiling: 3 + or -, 13 *, 2 /; below_half_and_water_liquid: 2 + or -, 3 *, 1 /; below_half_and_water_boiling: 4 + or -, 12 *, 2 /
     void guard_rates(Mode mode, const State& x, const Input& u, Scalar /*t*/, Events& rates) const noexcept {
         switch (mode) {
-            case Mode::heating_and_above_half: {
+            case Mode::above_half_and_water_liquid: {
+                rates[0] = Scalar(0);
                 const Scalar P = u[0];
                 const Scalar m = x[1];
                 const Scalar T = x[0];
-                rates[0] = -c_.k0 * P - c_.k1 * m * (p_.T_inf - T);
-                rates[1] = Scalar(0);
+                rates[1] = -c_.k0 * P / m - c_.k1 * (p_.T_inf - T);
                 break;
             }
-            case Mode::heating_and_below_half: {
+            case Mode::above_half_and_water_boiling: {
                 const Scalar P = u[0];
                 const Scalar m = x[1];
                 const Scalar T = x[0];
-                rates[0] = -c_.k0 * P - c_.k1 * m * (p_.T_inf - T);
+                const Scalar e1 = p_.T_inf - T;
+                const Scalar e2 = c_.k4 * e1;
+                const Scalar e3 = -c_.k3 * P - m * e2;
+                rates[0] = e3;
+                const Scalar inverse_4 = Scalar(1) / p_.m_0;
+                const Scalar e5 = m * e1 * e1 * (p_.A * p_.A * c_.k * c_.k * inverse_4 * inverse_4 / p_.h_v);
+                rates[2] = -e5 - P * e2;
+                rates[3] = e3;
                 break;
             }
-            case Mode::boiling_and_above_half: {
-                const Scalar m = x[1];
+            case Mode::below_half_and_water_liquid: {
                 const Scalar P = u[0];
-                const Scalar e1 = c_.k6 * m - c_.k5 * P;
-                rates[1] = e1;
-                rates[2] = e1;
-                break;
-            }
-            case Mode::boiling_and_below_half: {
                 const Scalar m = x[1];
-                const Scalar P = u[0];
-                rates[2] = c_.k6 * m - c_.k5 * P;
+                const Scalar T = x[0];
+                rates[1] = -c_.k0 * P / m - c_.k1 * (p_.T_inf - T);
                 break;
             }
-            case Mode::dry_and_above_half: {
-                rates[1] = Scalar(0);
-                break;
-            }
-            case Mode::dry_and_below_half:
+            case Mode::below_half_and_water_boiling:
             default: {
+                const Scalar T = x[0];
+                const Scalar e1 = p_.T_inf - T;
+                const Scalar P = u[0];
+                const Scalar inverse_2 = Scalar(1) / p_.m_0;
+                const Scalar m = x[1];
+                const Scalar e3 = m * e1;
+                const Scalar e4 = c_.k4 * P + p_.A * p_.A * c_.k * c_.k * inverse_2 * inverse_2 / p_.h_v * e3;
+                rates[2] = -e1 * e4;
+                rates[3] = -c_.k3 * P - c_.k4 * e3;
                 break;
             }
         }
@@ -883,22 +756,15 @@ public:
     /// What the event changes where it happens.
     void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
-            case Mode::heating_and_above_half:
-            case Mode::heating_and_below_half: {
-                if (event_number == event::boils) {
+            case Mode::above_half_and_water_liquid:
+            case Mode::below_half_and_water_liquid: {
+                if (event_number == event::water_boils) {
                     x[0] = p_.T_s;
                 }
                 break;
             }
-            case Mode::boiling_and_above_half:
-            case Mode::boiling_and_below_half: {
-                if (event_number == event::runs_dry) {
-                    x[1] = Scalar(0);
-                }
-                break;
-            }
-            case Mode::dry_and_above_half:
-            case Mode::dry_and_below_half:
+            case Mode::above_half_and_water_boiling:
+            case Mode::below_half_and_water_boiling:
             default: {
                 break;
             }
@@ -920,16 +786,13 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar k;  ///< 1/(L/lambda + 1/alpha_i + 1/alpha_a)
-        Scalar Q_s;  ///< A*k*(T_s - T_inf)
         Scalar E_s;  ///< 1/exp(A*t_s*k/(m_0*c_p))
         Scalar P_s;  ///< A*k*(T_s/(1 - E_s) - T_inf - T_inf*E_s/(1 - E_s))
-        Scalar k0;  ///< 1/(m_0*c_p)
-        Scalar k1;  ///< A*k/(m_0^2*c_p)
+        Scalar k0;  ///< 1/c_p
+        Scalar k1;  ///< A*k/(m_0*c_p)
         Scalar k2;  ///< A*k/m_0
-        Scalar k3;  ///< T_inf*A*k/m_0
-        Scalar k4;  ///< Q_s/(m_0^2*c_p)
-        Scalar k5;  ///< 1/h_v
-        Scalar k6;  ///< Q_s/(m_0*h_v)
+        Scalar k3;  ///< 1/h_v
+        Scalar k4;  ///< A*k/(m_0*h_v)
     };
     Cached c_{};
 };

@@ -9,27 +9,25 @@
 // Effects in: none
 // Effects out, and what each would do to the rates at the start values:
 //     switched (a float switch opens an inflow where the level is low, and shuts it where it is high): changes nothing
-// Modes: flowing, empty
+// Modes: tank_filled, tank_empty
 //
 // Proven as identities:
 //     balances of mass and energy: 4 of 4 balances
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
-//     this code = the derivation: 35 of 35 functions
+//     this code = the derivation: 34 of 34 functions
 //
 // Of each function, in the mode that needs most:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0     12     4        0      4
-//   rhs                    1      0     0        0      0
-//   rhs_and_jacobian       1      0     0        0      0
-//   jacobian_p             2      9     2        0      2
-//   output                 1      5     0        0      1
-//   output_jacobian_x      0      1     0        0      0
+//   rhs                    1      1     0        0      1
+//   rhs_and_jacobian       1      1     0        0      1
+//   jacobian_p             2     12     2        0      3
+//   output                 1      6     0        0      2
+//   output_jacobian_x      0      2     0        0      1
 //   internal_energy        0      7     0        0      0
-//   exchanged_power        3     10     1        0      4
-//   guards                 0      2     0        0      0
+//   exchanged_power        3     11     1        0      5
 //   start_state            0      0     0        0      1
-//   events                 0      2     0        0      0
-//   event_rates            2      1     0        0      0
+//   event_rates            1      1     0        0      1
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -55,10 +53,10 @@ inline constexpr std::size_t state_count = 1;
 inline constexpr std::size_t input_count = 0;
 inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 6;
-inline constexpr std::size_t guard_count = 0;
+inline constexpr std::size_t guard_count = 1;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
-struct state { enum : std::size_t { w = 0 }; };
+struct state { enum : std::size_t { h_root = 0 }; };
 struct input {};
 struct output { enum : std::size_t { level = 0, q_a = 1, h_s = 2, t_1 = 3 }; };
 struct parameter { enum : std::size_t { A_1 = 0, A_2 = 1, h_0 = 2, g = 3, rho = 4, p_0 = 5 }; };
@@ -73,7 +71,7 @@ struct Quantity {
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
-    Quantity{"w", "m^(1/2)", "root of the level; the outflow goes like it, so that it falls at a steady rate to exactly zero", 0, 3},
+    Quantity{"sqrt(h)", "m^(1/2)", "root of: level of the water; its root is the state, which falls at a steady rate to exactly zero", 0, 3.1622776601683795},
 };
 inline constexpr std::array<Quantity, input_count> input_quantities{};
 inline constexpr std::array<Quantity, output_count> output_quantities{
@@ -99,17 +97,19 @@ struct Guard {
     bool ends;
 };
 
-inline constexpr std::array<Guard, guard_count> guard_list{};
+inline constexpr std::array<Guard, guard_count> guard_list{
+    Guard{"opening", "flow opening ends, h is zero", false},
+};
 
 /// The ways in which the machine can be.
-enum class Mode : unsigned { flowing, empty };
+enum class Mode : unsigned { tank_filled, tank_empty };
 inline constexpr std::size_t mode_count = 2;
-inline constexpr std::array<const char*, mode_count> mode_names{"flowing", "empty"};
+inline constexpr std::array<const char*, mode_count> mode_names{"tank_filled", "tank_empty"};
 
 /// What happens where a guard falls through zero, and changes the mode or the state.
-struct event { enum : std::size_t { empties = 0, limit_1_ = 1 }; };
-inline constexpr std::size_t event_count = 2;
-inline constexpr std::array<const char*, event_count> event_names{"empties", "tank"};
+struct event { enum : std::size_t { tank_runs_empty = 0 }; };
+inline constexpr std::size_t event_count = 1;
+inline constexpr std::array<const char*, event_count> event_names{"tank_runs_empty"};
 
 /// Modes in order of preference.
 struct Modes {
@@ -126,13 +126,9 @@ struct Transition {
     Modes next, beside, rest;
 };
 inline constexpr std::array<std::array<Transition, mode_count>, event_count> transitions{{
-    std::array<Transition, mode_count>{{  // empties
-        {true, {{{Mode::empty}}, 1}, {}, {}},
+    std::array<Transition, mode_count>{{  // tank_runs_empty
+        {true, {{{Mode::tank_empty}}, 1}, {}, {}},
         {false, {}, {}, {}},
-    }},
-    std::array<Transition, mode_count>{{  // tank
-        {true, {}, {}, {}},
-        {true, {}, {}, {}},
     }},
 }};
 
@@ -159,6 +155,12 @@ namespace detail {
 template <class Scalar>
 Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
     return condition ? a : b;
+}
+
+/// 0 below zero, 1/2 at zero, 1 above
+template <class Scalar>
+Scalar step(const Scalar& x) noexcept {
+    return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
 }
 
 /// The smaller one; not a number if one is not.
@@ -232,7 +234,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: flowing: 12 *, 4 /, 4 other functions; empty: 9 *, 4 /, 3 other functions
+    /// Operations: tank_filled: 12 *, 4 /, 4 other functions; tank_empty: 9 *, 4 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         {
@@ -263,21 +265,23 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: flowing: 1 + or -; empty: none
-    ///     In the mode flowing:
+    /// Operations: tank_filled: 1 + or -, 1 *, 1 other functions; tank_empty: none
+    ///     In the mode tank_filled:
     ///     specific_enthalpy[ambient] = p_0/rho
-    ///     specific_enthalpy[tank] = p_0/rho + g*w^2
-    ///     mass_flow[opening_until_empty] = A_2*rho*sqrt(2)*sqrt(g)*w
-    ///     dot(w) = -mass_flow[opening_until_empty]/(2*A_1*rho*w)
-    ///     In the mode empty:
-    ///     dot(w) = 0
-    void rhs(Mode mode, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
+    ///     specific_enthalpy[tank] = p_0/rho + g*sqrt(h)^2
+    ///     mass_flow[opening] = A_2*rho*sqrt(2)*sqrt(g)*sqrt(h)*step(sqrt(h))
+    ///     dot(sqrt(h)) = -mass_flow[opening]/(2*A_1*rho*sqrt(h))
+    ///     In the mode tank_empty:
+    ///     dot(sqrt(h)) = 0
+    void rhs(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         switch (mode) {
-            case Mode::flowing: {
-                dxdt[0] = -c_.k0;
+            case Mode::tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                dxdt[0] = -c_.k0 * step_h_root;
                 break;
             }
-            case Mode::empty:
+            case Mode::tank_empty:
             default: {
                 dxdt[0] = Scalar(0);
                 break;
@@ -287,15 +291,17 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: flowing: 1 + or -; empty: none
-    void rhs_and_jacobian(Mode mode, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
+    /// Operations: tank_filled: 1 + or -, 1 *, 1 other functions; tank_empty: none
+    void rhs_and_jacobian(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         switch (mode) {
-            case Mode::flowing: {
-                dxdt[0] = -c_.k0;
+            case Mode::tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                dxdt[0] = -c_.k0 * step_h_root;
                 J[0] = Scalar(0);
                 break;
             }
-            case Mode::empty:
+            case Mode::tank_empty:
             default: {
                 dxdt[0] = Scalar(0);
                 J[0] = Scalar(0);
@@ -316,25 +322,27 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 6, entry (i, j) at J[1*j + i].
-    /// Operations: flowing: 2 + or -, 9 *, 2 /, 2 other functions; empty: none
-    void jacobian_p(Mode mode, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
+    /// Operations: tank_filled: 2 + or -, 12 *, 2 /, 3 other functions; tank_empty: none
+    void jacobian_p(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         switch (mode) {
-            case Mode::flowing: {
+            case Mode::tank_filled: {
                 using std::sqrt;
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
                 const Scalar inverse_1 = Scalar(1) / p_.A_1;
                 const Scalar sqrt_g = sqrt(p_.g);
                 const Scalar sqrt_2 = sqrt(Scalar(2));
                 const Scalar e3 = sqrt_2 * inverse_1;
                 const Scalar e4 = sqrt_g * e3;
-                J[0] = (Scalar(1) / Scalar(2)) * p_.A_2 * inverse_1 * e4;
-                J[1] = -(Scalar(1) / Scalar(2)) * e4;
+                J[0] = step_h_root * ((Scalar(1) / Scalar(2)) * p_.A_2 * inverse_1 * e4);
+                J[1] = -step_h_root * ((Scalar(1) / Scalar(2)) * e4);
                 J[2] = Scalar(0);
-                J[3] = -(Scalar(1) / Scalar(4)) * p_.A_2 * e3 / sqrt_g;
+                J[3] = -step_h_root * ((Scalar(1) / Scalar(4)) * p_.A_2 * e3 / sqrt_g);
                 J[4] = Scalar(0);
                 J[5] = Scalar(0);
                 break;
             }
-            case Mode::empty:
+            case Mode::tank_empty:
             default: {
                 J[0] = Scalar(0);
                 J[1] = Scalar(0);
@@ -369,33 +377,34 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: flowing: 1 + or -, 5 *, 1 other functions; empty: 1 + or -, 4 *, 1 other functions
-    ///     In the mode flowing:
-    ///     level = w^2
-    ///     q_a = A_2*sqrt(2)*sqrt(g)*w
+    /// Operations: tank_filled: 1 + or -, 6 *, 2 other functions; tank_empty: 1 + or -, 4 *, 1 other functions
+    ///     In the mode tank_filled:
+    ///     level = sqrt(h)^2
+    ///     q_a = A_2*sqrt(2)*sqrt(g)*sqrt(h)*step(sqrt(h))
     ///     h_s = h_0*max(0, 1 - A_2*sqrt(2)*sqrt(g/h_0)*t/(2*A_1))^2
     ///     t_1 = A_1*sqrt(2)*sqrt(h_0/g)/A_2
-    ///     In the mode empty:
-    ///     level = w^2
+    ///     In the mode tank_empty:
+    ///     level = sqrt(h)^2
     ///     q_a = 0
     ///     h_s = h_0*max(0, 1 - A_2*sqrt(2)*sqrt(g/h_0)*t/(2*A_1))^2
     ///     t_1 = A_1*sqrt(2)*sqrt(h_0/g)/A_2
     void output(Mode mode, const State& x, const Input& /*u*/, Scalar t, Output& y) const noexcept {
         switch (mode) {
-            case Mode::flowing: {
-                const Scalar w = x[0];
+            case Mode::tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
                 const Scalar max_1 = detail::max<Scalar>(Scalar(0), Scalar(1) - c_.k3 * t);
-                y[0] = w * w;
-                y[1] = c_.k1 * w;
+                y[0] = h_root * h_root;
+                y[1] = c_.k1 * h_root * step_h_root;
                 y[2] = p_.h_0 * max_1 * max_1;
                 y[3] = c_.k2;
                 break;
             }
-            case Mode::empty:
+            case Mode::tank_empty:
             default: {
-                const Scalar w = x[0];
+                const Scalar h_root = x[0];
                 const Scalar max_1 = detail::max<Scalar>(Scalar(0), Scalar(1) - c_.k3 * t);
-                y[0] = w * w;
+                y[0] = h_root * h_root;
                 y[1] = Scalar(0);
                 y[2] = p_.h_0 * max_1 * max_1;
                 y[3] = c_.k2;
@@ -405,21 +414,22 @@ public:
     }
 
     /// C = dh/dx.
-    /// Operations: 1 *
+    /// Operations: tank_filled: 2 *, 1 other functions; tank_empty: 1 *
     void output_jacobian_x(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         switch (mode) {
-            case Mode::flowing: {
-                const Scalar w = x[0];
-                C[0] = Scalar(2) * w;
-                C[1] = c_.k1;
+            case Mode::tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                C[0] = Scalar(2) * h_root;
+                C[1] = c_.k1 * step_h_root;
                 C[2] = Scalar(0);
                 C[3] = Scalar(0);
                 break;
             }
-            case Mode::empty:
+            case Mode::tank_empty:
             default: {
-                const Scalar w = x[0];
-                C[0] = Scalar(2) * w;
+                const Scalar h_root = x[0];
+                C[0] = Scalar(2) * h_root;
                 C[1] = Scalar(0);
                 C[2] = Scalar(0);
                 C[3] = Scalar(0);
@@ -469,28 +479,30 @@ public:
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 7 *
-    ///     E = A_1*g*rho*w^4/2
+    ///     E = A_1*g*rho*sqrt(h)^4/2
     Scalar internal_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
-        const Scalar w = x[0];
-        return w * w * w * w * ((Scalar(1) / Scalar(2)) * p_.A_1 * p_.g * p_.rho);
+        const Scalar h_root = x[0];
+        return h_root * h_root * h_root * h_root * ((Scalar(1) / Scalar(2)) * p_.A_1 * p_.g * p_.rho);
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: flowing: 3 + or -, 10 *, 1 /, 4 other functions; empty: none
+    /// Operations: tank_filled: 3 + or -, 11 *, 1 /, 5 other functions; tank_empty: none
     Scalar exchanged_power(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
-            case Mode::flowing: {
+            case Mode::tank_filled: {
                 using std::sqrt;
-                const Scalar w = x[0];
                 const Scalar sqrt_g = sqrt(p_.g);
                 const Scalar sqrt_1 = sqrt(Scalar(2));
                 const Scalar e2 = sqrt_g * (p_.A_2 * sqrt_1);
-                const Scalar e3 = w * (p_.rho * e2);
-                const Scalar max_4 = detail::max<Scalar>(Scalar(0), e3);
-                const Scalar min_5 = detail::min<Scalar>(Scalar(0), e3);
-                return w * (p_.p_0 * e2) - (p_.g * w * w + p_.p_0 / p_.rho) * (max_4 + min_5);
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                const Scalar e3 = h_root * step_h_root;
+                const Scalar e4 = p_.rho * e2 * e3;
+                const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
+                const Scalar min_6 = detail::min<Scalar>(Scalar(0), e4);
+                return p_.p_0 * e2 * e3 - (p_.g * h_root * h_root + p_.p_0 / p_.rho) * (max_5 + min_6);
             }
-            case Mode::empty:
+            case Mode::tank_empty:
             default: {
                 return Scalar(0);
             }
@@ -498,39 +510,34 @@ public:
     }
 
     /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
-    /// Operations: 2 *
-    ///     empties: w in the mode flowing
-    ///     tank: A_1*w^2 in the mode flowing
+    /// Operations: none
+    ///     tank_runs_empty: sqrt(h) in the mode tank_filled
     void guards(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, Events& g) const noexcept {
         switch (mode) {
-            case Mode::flowing: {
-                const Scalar w = x[0];
-                g[0] = w;
-                g[1] = p_.A_1 * w * w;
+            case Mode::tank_filled: {
+                const Scalar h_root = x[0];
+                g[0] = h_root;
                 break;
             }
-            case Mode::empty:
+            case Mode::tank_empty:
             default: {
-                const Scalar w = x[0];
-                g[1] = p_.A_1 * w * w;
                 break;
             }
         }
     }
 
     /// dg/dt along the motion in the mode, with inputs held.
-    /// Operations: flowing: 2 + or -, 1 *; empty: none
+    /// Operations: tank_filled: 1 + or -, 1 *, 1 other functions; tank_empty: none
     void guard_rates(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, Events& rates) const noexcept {
         switch (mode) {
-            case Mode::flowing: {
-                rates[0] = -c_.k0;
-                const Scalar w = x[0];
-                rates[1] = -c_.k1 * w;
+            case Mode::tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                rates[0] = -c_.k0 * step_h_root;
                 break;
             }
-            case Mode::empty:
+            case Mode::tank_empty:
             default: {
-                rates[1] = Scalar(0);
                 break;
             }
         }
@@ -545,13 +552,13 @@ public:
     /// What the event changes where it happens.
     void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
-            case Mode::flowing: {
-                if (event_number == event::empties) {
+            case Mode::tank_filled: {
+                if (event_number == event::tank_runs_empty) {
                     x[0] = Scalar(0);
                 }
                 break;
             }
-            case Mode::empty:
+            case Mode::tank_empty:
             default: {
                 break;
             }
@@ -564,8 +571,20 @@ public:
     }
 
     /// Functions where the right-hand side of a mode has a kink or jump that changes no mode, in the order of guard_table().
-    /// Operations: 2 *
-    void kinks(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Kinks& /*k*/) const noexcept {
+    /// Operations: none
+    void kinks(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, Kinks& k) const noexcept {
+        switch (mode) {
+            case Mode::tank_filled: {
+                const Scalar h_root = x[0];
+                k[0] = h_root;
+                break;
+            }
+            case Mode::tank_empty:
+            default: {
+                k[0] = Scalar(1);
+                break;
+            }
+        }
     }
 
 private:

@@ -8,27 +8,26 @@
 // Scene switched: the level stays between two marks
 // Effects in: switched (a float switch opens an inflow where the level is low, and shuts it where it is high)
 // Effects out: none
-// Modes: shut, filling
+// Modes: shut_and_tank_filled, shut_and_tank_empty, filling_and_tank_filled, filling_and_tank_empty
 //
 // Proven as identities:
-//     balances of mass and energy: 4 of 4 balances
+//     balances of mass and energy: 8 of 8 balances
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
-//     this code = the derivation: 34 of 34 functions
+//     this code = the derivation: 68 of 68 functions
 //
 // Of each function, in the mode that needs most:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      6     1        0      2
-//   rhs                    1      1     1        0      0
-//   rhs_and_jacobian       2      2     1        0      0
-//   jacobian_p             3     15     3        0      2
-//   output                 0      2     0        0      0
-//   output_jacobian_x      0      1     0        0      0
+//   rhs                    1      2     1        0      1
+//   rhs_and_jacobian       2      3     1        0      1
+//   jacobian_p             3     18     3        0      3
+//   output                 0      3     0        0      1
+//   output_jacobian_x      0      2     0        0      1
 //   internal_energy        0      7     0        0      0
-//   exchanged_power        7     15     1        0      6
-//   guards                 0      2     0        0      0
+//   exchanged_power        7     16     1        0      7
 //   start_state            0      0     0        0      1
-//   events                 1      2     0        0      0
-//   event_rates            2      6     1        0      2
+//   events                 2      2     0        0      0
+//   event_rates            2      8     2        0      3
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -54,10 +53,10 @@ inline constexpr std::size_t state_count = 1;
 inline constexpr std::size_t input_count = 0;
 inline constexpr std::size_t output_count = 5;
 inline constexpr std::size_t parameter_count = 9;
-inline constexpr std::size_t guard_count = 0;
+inline constexpr std::size_t guard_count = 1;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
-struct state { enum : std::size_t { w = 0 }; };
+struct state { enum : std::size_t { h_root = 0 }; };
 struct input {};
 struct output { enum : std::size_t { level = 0, q_a = 1, q_z = 2, low_mark = 3, high_mark = 4 }; };
 struct parameter { enum : std::size_t { A_1 = 0, A_2 = 1, h_0 = 2, h_l = 3, h_h = 4, q_i = 5, g = 6, rho = 7, p_0 = 8 }; };
@@ -72,7 +71,7 @@ struct Quantity {
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
-    Quantity{"w", "m^(1/2)", "root of the level; the outflow goes like it, so that it falls at a steady rate to exactly zero", 0, 3},
+    Quantity{"sqrt(h)", "m^(1/2)", "root of: level of the water; its root is the state, which falls at a steady rate to exactly zero", 0, 3.1622776601683795},
 };
 inline constexpr std::array<Quantity, input_count> input_quantities{};
 inline constexpr std::array<Quantity, output_count> output_quantities{
@@ -102,17 +101,19 @@ struct Guard {
     bool ends;
 };
 
-inline constexpr std::array<Guard, guard_count> guard_list{};
+inline constexpr std::array<Guard, guard_count> guard_list{
+    Guard{"opening", "flow opening ends, h is zero", false},
+};
 
 /// The ways in which the machine can be.
-enum class Mode : unsigned { shut, filling };
-inline constexpr std::size_t mode_count = 2;
-inline constexpr std::array<const char*, mode_count> mode_names{"shut", "filling"};
+enum class Mode : unsigned { shut_and_tank_filled, shut_and_tank_empty, filling_and_tank_filled, filling_and_tank_empty };
+inline constexpr std::size_t mode_count = 4;
+inline constexpr std::array<const char*, mode_count> mode_names{"shut_and_tank_filled", "shut_and_tank_empty", "filling_and_tank_filled", "filling_and_tank_empty"};
 
 /// What happens where a guard falls through zero, and changes the mode or the state.
-struct event { enum : std::size_t { low = 0, high = 1, limit_2_ = 2 }; };
-inline constexpr std::size_t event_count = 3;
-inline constexpr std::array<const char*, event_count> event_names{"low", "high", "tank"};
+struct event { enum : std::size_t { low = 0, high = 1, tank_runs_empty = 2, tank_fills = 3 }; };
+inline constexpr std::size_t event_count = 4;
+inline constexpr std::array<const char*, event_count> event_names{"low", "high", "tank_runs_empty", "tank_fills"};
 
 /// Modes in order of preference.
 struct Modes {
@@ -130,15 +131,27 @@ struct Transition {
 };
 inline constexpr std::array<std::array<Transition, mode_count>, event_count> transitions{{
     std::array<Transition, mode_count>{{  // low
-        {true, {{{Mode::filling}}, 1}, {}, {}},
+        {true, {{{Mode::filling_and_tank_filled}}, 1}, {}, {}},
+        {true, {{{Mode::filling_and_tank_empty}}, 1}, {}, {}},
+        {false, {}, {}, {}},
         {false, {}, {}, {}},
     }},
     std::array<Transition, mode_count>{{  // high
         {false, {}, {}, {}},
-        {true, {{{Mode::shut}}, 1}, {}, {}},
+        {false, {}, {}, {}},
+        {true, {{{Mode::shut_and_tank_filled}}, 1}, {}, {}},
+        {true, {{{Mode::shut_and_tank_empty}}, 1}, {}, {}},
     }},
-    std::array<Transition, mode_count>{{  // tank
-        {true, {}, {}, {}},
+    std::array<Transition, mode_count>{{  // tank_runs_empty
+        {true, {{{Mode::shut_and_tank_empty}}, 1}, {{{Mode::filling_and_tank_empty}}, 1}, {}},
+        {false, {}, {}, {}},
+        {true, {{{Mode::filling_and_tank_empty}}, 1}, {{{Mode::shut_and_tank_empty}}, 1}, {}},
+        {false, {}, {}, {}},
+    }},
+    std::array<Transition, mode_count>{{  // tank_fills
+        {false, {}, {}, {}},
+        {false, {}, {}, {}},
+        {false, {}, {}, {}},
         {true, {}, {}, {}},
     }},
 }};
@@ -166,6 +179,12 @@ namespace detail {
 template <class Scalar>
 Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
     return condition ? a : b;
+}
+
+/// 0 below zero, 1/2 at zero, 1 above
+template <class Scalar>
+Scalar step(const Scalar& x) noexcept {
+    return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
 }
 
 /// The smaller one; not a number if one is not.
@@ -242,7 +261,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: shut: 4 *, 1 /, 2 other functions; filling: 6 *, 1 /, 2 other functions
+    /// Operations: shut_and_tank_filled: 4 *, 1 /, 2 other functions; shut_and_tank_empty: none; filling_and_tank_filled: 6 *, 1 /, 2 other functions; filling_and_tank_empty: 2 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         {
@@ -270,29 +289,48 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: shut: 1 + or -; filling: 1 + or -, 1 *, 1 /
-    ///     In the mode shut:
+    /// Operations: shut_and_tank_filled: 1 + or -, 1 *, 1 other functions; shut_and_tank_empty: none; filling_and_tank_filled: 1 + or -, 2 *, 1 /, 1 other functions; filling_and_tank_empty: 1 *, 1 /
+    ///     In the mode shut_and_tank_filled:
     ///     specific_enthalpy[ambient] = p_0/rho
-    ///     specific_enthalpy[tank] = p_0/rho + g*w^2
-    ///     mass_flow[opening] = A_2*rho*sqrt(2)*sqrt(g)*w
-    ///     dot(w) = -mass_flow[opening]/(2*A_1*rho*w)
-    ///     In the mode filling:
+    ///     specific_enthalpy[tank] = p_0/rho + g*sqrt(h)^2
+    ///     mass_flow[opening] = A_2*rho*sqrt(2)*sqrt(g)*sqrt(h)*step(sqrt(h))
+    ///     dot(sqrt(h)) = -mass_flow[opening]/(2*A_1*rho*sqrt(h))
+    ///     In the mode shut_and_tank_empty:
+    ///     dot(sqrt(h)) = 0
+    ///     In the mode filling_and_tank_filled:
     ///     specific_enthalpy[source] = p_0/rho
     ///     specific_enthalpy[ambient] = p_0/rho
-    ///     specific_enthalpy[tank] = p_0/rho + g*w^2
-    ///     mass_flow[opening] = A_2*rho*sqrt(2)*sqrt(g)*w
+    ///     specific_enthalpy[tank] = p_0/rho + g*sqrt(h)^2
+    ///     mass_flow[opening] = A_2*rho*sqrt(2)*sqrt(g)*sqrt(h)*step(sqrt(h))
     ///     mass_flow[inflow] = q_i*rho
-    ///     dot(w) = -mass_flow[opening]/(2*A_1*rho*w) + mass_flow[inflow]/(2*A_1*rho*w)
+    ///     dot(sqrt(h)) = -mass_flow[opening]/(2*A_1*rho*sqrt(h)) + mass_flow[inflow]/(2*A_1*rho*sqrt(h))
+    ///     In the mode filling_and_tank_empty:
+    ///     specific_enthalpy[source] = p_0/rho
+    ///     specific_enthalpy[tank] = p_0/rho + g*sqrt(h)^2
+    ///     mass_flow[inflow] = q_i*rho
+    ///     dot(sqrt(h)) = mass_flow[inflow]/(2*A_1*rho*sqrt(h))
     void rhs(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         switch (mode) {
-            case Mode::shut: {
-                dxdt[0] = -c_.k0;
+            case Mode::shut_and_tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                dxdt[0] = -c_.k0 * step_h_root;
                 break;
             }
-            case Mode::filling:
+            case Mode::shut_and_tank_empty: {
+                dxdt[0] = Scalar(0);
+                break;
+            }
+            case Mode::filling_and_tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                dxdt[0] = c_.k2 / h_root - c_.k0 * step_h_root;
+                break;
+            }
+            case Mode::filling_and_tank_empty:
             default: {
-                const Scalar w = x[0];
-                dxdt[0] = c_.k2 / w - c_.k0;
+                const Scalar h_root = x[0];
+                dxdt[0] = c_.k2 / h_root;
                 break;
             }
         }
@@ -300,20 +338,36 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: shut: 1 + or -; filling: 2 + or -, 2 *, 1 /
+    /// Operations: shut_and_tank_filled: 1 + or -, 1 *, 1 other functions; shut_and_tank_empty: none; filling_and_tank_filled: 2 + or -, 3 *, 1 /, 1 other functions; filling_and_tank_empty: 1 + or -, 2 *, 1 /
     void rhs_and_jacobian(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         switch (mode) {
-            case Mode::shut: {
-                dxdt[0] = -c_.k0;
+            case Mode::shut_and_tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                dxdt[0] = -c_.k0 * step_h_root;
                 J[0] = Scalar(0);
                 break;
             }
-            case Mode::filling:
-            default: {
-                const Scalar w = x[0];
-                const Scalar inverse_1 = Scalar(1) / w;
+            case Mode::shut_and_tank_empty: {
+                dxdt[0] = Scalar(0);
+                J[0] = Scalar(0);
+                break;
+            }
+            case Mode::filling_and_tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar inverse_1 = Scalar(1) / h_root;
                 const Scalar e2 = c_.k2 * inverse_1;
-                dxdt[0] = e2 - c_.k0;
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                dxdt[0] = e2 - c_.k0 * step_h_root;
+                J[0] = -inverse_1 * e2;
+                break;
+            }
+            case Mode::filling_and_tank_empty:
+            default: {
+                const Scalar h_root = x[0];
+                const Scalar inverse_1 = Scalar(1) / h_root;
+                const Scalar e2 = c_.k2 * inverse_1;
+                dxdt[0] = e2;
                 J[0] = -inverse_1 * e2;
                 break;
             }
@@ -332,45 +386,75 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 9, entry (i, j) at J[1*j + i].
-    /// Operations: shut: 2 + or -, 9 *, 2 /, 2 other functions; filling: 3 + or -, 15 *, 3 /, 2 other functions
+    /// Operations: shut_and_tank_filled: 2 + or -, 12 *, 2 /, 3 other functions; shut_and_tank_empty: none; filling_and_tank_filled: 3 + or -, 18 *, 3 /, 3 other functions; filling_and_tank_empty: 1 + or -, 6 *, 2 /
     void jacobian_p(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         switch (mode) {
-            case Mode::shut: {
+            case Mode::shut_and_tank_filled: {
                 using std::sqrt;
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
                 const Scalar inverse_1 = Scalar(1) / p_.A_1;
                 const Scalar sqrt_g = sqrt(p_.g);
                 const Scalar sqrt_2 = sqrt(Scalar(2));
                 const Scalar e3 = sqrt_2 * inverse_1;
                 const Scalar e4 = sqrt_g * e3;
-                J[0] = (Scalar(1) / Scalar(2)) * p_.A_2 * inverse_1 * e4;
-                J[1] = -(Scalar(1) / Scalar(2)) * e4;
+                J[0] = step_h_root * ((Scalar(1) / Scalar(2)) * p_.A_2 * inverse_1 * e4);
+                J[1] = -step_h_root * ((Scalar(1) / Scalar(2)) * e4);
                 J[2] = Scalar(0);
                 J[3] = Scalar(0);
                 J[4] = Scalar(0);
                 J[5] = Scalar(0);
-                J[6] = -(Scalar(1) / Scalar(4)) * p_.A_2 * e3 / sqrt_g;
+                J[6] = -step_h_root * ((Scalar(1) / Scalar(4)) * p_.A_2 * e3 / sqrt_g);
                 J[7] = Scalar(0);
                 J[8] = Scalar(0);
                 break;
             }
-            case Mode::filling:
-            default: {
+            case Mode::shut_and_tank_empty: {
+                J[0] = Scalar(0);
+                J[1] = Scalar(0);
+                J[2] = Scalar(0);
+                J[3] = Scalar(0);
+                J[4] = Scalar(0);
+                J[5] = Scalar(0);
+                J[6] = Scalar(0);
+                J[7] = Scalar(0);
+                J[8] = Scalar(0);
+                break;
+            }
+            case Mode::filling_and_tank_filled: {
                 using std::sqrt;
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
                 const Scalar inverse_1 = Scalar(1) / p_.A_1;
                 const Scalar sqrt_g = sqrt(p_.g);
                 const Scalar sqrt_2 = sqrt(Scalar(2));
                 const Scalar e3 = sqrt_2 * inverse_1;
                 const Scalar e4 = sqrt_g * e3;
-                const Scalar w = x[0];
-                const Scalar inverse_5 = Scalar(1) / w;
-                J[0] = (Scalar(1) / Scalar(2)) * p_.A_2 * inverse_1 * e4 - inverse_5
+                const Scalar inverse_5 = Scalar(1) / h_root;
+                J[0] = step_h_root * ((Scalar(1) / Scalar(2)) * p_.A_2 * inverse_1 * e4) - inverse_5
                     * ((Scalar(1) / Scalar(2)) * p_.q_i * inverse_1 * inverse_1);
-                J[1] = -(Scalar(1) / Scalar(2)) * e4;
+                J[1] = -step_h_root * ((Scalar(1) / Scalar(2)) * e4);
                 J[2] = Scalar(0);
                 J[3] = Scalar(0);
                 J[4] = Scalar(0);
                 J[5] = inverse_5 * ((Scalar(1) / Scalar(2)) * inverse_1);
-                J[6] = -(Scalar(1) / Scalar(4)) * p_.A_2 * e3 / sqrt_g;
+                J[6] = -step_h_root * ((Scalar(1) / Scalar(4)) * p_.A_2 * e3 / sqrt_g);
+                J[7] = Scalar(0);
+                J[8] = Scalar(0);
+                break;
+            }
+            case Mode::filling_and_tank_empty:
+            default: {
+                const Scalar h_root = x[0];
+                const Scalar inverse_1 = Scalar(1) / h_root;
+                const Scalar inverse_2 = Scalar(1) / p_.A_1;
+                J[0] = -inverse_1 * ((Scalar(1) / Scalar(2)) * p_.q_i * inverse_2 * inverse_2);
+                J[1] = Scalar(0);
+                J[2] = Scalar(0);
+                J[3] = Scalar(0);
+                J[4] = Scalar(0);
+                J[5] = inverse_1 * ((Scalar(1) / Scalar(2)) * inverse_2);
+                J[6] = Scalar(0);
                 J[7] = Scalar(0);
                 J[8] = Scalar(0);
                 break;
@@ -400,35 +484,67 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 2 *
-    ///     In the mode shut:
-    ///     level = w^2
-    ///     q_a = A_2*sqrt(2)*sqrt(g)*w
+    /// Operations: shut_and_tank_filled: 3 *, 1 other functions; shut_and_tank_empty: 1 *; filling_and_tank_filled: 3 *, 1 other functions; filling_and_tank_empty: 1 *
+    ///     In the mode shut_and_tank_filled:
+    ///     level = sqrt(h)^2
+    ///     q_a = A_2*sqrt(2)*sqrt(g)*sqrt(h)*step(sqrt(h))
     ///     q_z = 0
     ///     low_mark = h_l
     ///     high_mark = h_h
-    ///     In the mode filling:
-    ///     level = w^2
-    ///     q_a = A_2*sqrt(2)*sqrt(g)*w
+    ///     In the mode shut_and_tank_empty:
+    ///     level = sqrt(h)^2
+    ///     q_a = 0
+    ///     q_z = 0
+    ///     low_mark = h_l
+    ///     high_mark = h_h
+    ///     In the mode filling_and_tank_filled:
+    ///     level = sqrt(h)^2
+    ///     q_a = A_2*sqrt(2)*sqrt(g)*sqrt(h)*step(sqrt(h))
+    ///     q_z = q_i
+    ///     low_mark = h_l
+    ///     high_mark = h_h
+    ///     In the mode filling_and_tank_empty:
+    ///     level = sqrt(h)^2
+    ///     q_a = 0
     ///     q_z = q_i
     ///     low_mark = h_l
     ///     high_mark = h_h
     void output(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         switch (mode) {
-            case Mode::shut: {
-                const Scalar w = x[0];
-                y[0] = w * w;
-                y[1] = c_.k1 * w;
+            case Mode::shut_and_tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                y[0] = h_root * h_root;
+                y[1] = c_.k1 * h_root * step_h_root;
                 y[2] = Scalar(0);
                 y[3] = p_.h_l;
                 y[4] = p_.h_h;
                 break;
             }
-            case Mode::filling:
+            case Mode::shut_and_tank_empty: {
+                const Scalar h_root = x[0];
+                y[0] = h_root * h_root;
+                y[1] = Scalar(0);
+                y[2] = Scalar(0);
+                y[3] = p_.h_l;
+                y[4] = p_.h_h;
+                break;
+            }
+            case Mode::filling_and_tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                y[0] = h_root * h_root;
+                y[1] = c_.k1 * h_root * step_h_root;
+                y[2] = p_.q_i;
+                y[3] = p_.h_l;
+                y[4] = p_.h_h;
+                break;
+            }
+            case Mode::filling_and_tank_empty:
             default: {
-                const Scalar w = x[0];
-                y[0] = w * w;
-                y[1] = c_.k1 * w;
+                const Scalar h_root = x[0];
+                y[0] = h_root * h_root;
+                y[1] = Scalar(0);
                 y[2] = p_.q_i;
                 y[3] = p_.h_l;
                 y[4] = p_.h_h;
@@ -438,14 +554,32 @@ public:
     }
 
     /// C = dh/dx.
-    /// Operations: 1 *
-    void output_jacobian_x(Mode /*mode*/, const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        const Scalar w = x[0];
-        C[0] = Scalar(2) * w;
-        C[1] = c_.k1;
-        C[2] = Scalar(0);
-        C[3] = Scalar(0);
-        C[4] = Scalar(0);
+    /// Operations: shut_and_tank_filled: 2 *, 1 other functions; shut_and_tank_empty: 1 *; filling_and_tank_filled: 2 *, 1 other functions; filling_and_tank_empty: 1 *
+    void output_jacobian_x(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
+        switch (mode) {
+            case Mode::shut_and_tank_filled:
+            case Mode::filling_and_tank_filled: {
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                C[0] = Scalar(2) * h_root;
+                C[1] = c_.k1 * step_h_root;
+                C[2] = Scalar(0);
+                C[3] = Scalar(0);
+                C[4] = Scalar(0);
+                break;
+            }
+            case Mode::shut_and_tank_empty:
+            case Mode::filling_and_tank_empty:
+            default: {
+                const Scalar h_root = x[0];
+                C[0] = Scalar(2) * h_root;
+                C[1] = Scalar(0);
+                C[2] = Scalar(0);
+                C[3] = Scalar(0);
+                C[4] = Scalar(0);
+                break;
+            }
+        }
     }
 
     /// D = dh/du.
@@ -489,96 +623,132 @@ public:
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 7 *
-    ///     E = A_1*g*rho*w^4/2
+    ///     E = A_1*g*rho*sqrt(h)^4/2
     Scalar internal_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
-        const Scalar w = x[0];
-        return w * w * w * w * ((Scalar(1) / Scalar(2)) * p_.A_1 * p_.g * p_.rho);
+        const Scalar h_root = x[0];
+        return h_root * h_root * h_root * h_root * ((Scalar(1) / Scalar(2)) * p_.A_1 * p_.g * p_.rho);
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: shut: 3 + or -, 10 *, 1 /, 4 other functions; filling: 7 + or -, 15 *, 1 /, 6 other functions
+    /// Operations: shut_and_tank_filled: 3 + or -, 11 *, 1 /, 5 other functions; shut_and_tank_empty: none; filling_and_tank_filled: 7 + or -, 16 *, 1 /, 7 other functions; filling_and_tank_empty: 3 + or -, 6 *, 1 /, 2 other functions
     Scalar exchanged_power(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
-            case Mode::shut: {
+            case Mode::shut_and_tank_filled: {
                 using std::sqrt;
-                const Scalar w = x[0];
                 const Scalar sqrt_g = sqrt(p_.g);
                 const Scalar sqrt_1 = sqrt(Scalar(2));
                 const Scalar e2 = sqrt_g * (p_.A_2 * sqrt_1);
-                const Scalar e3 = w * (p_.rho * e2);
-                const Scalar max_4 = detail::max<Scalar>(Scalar(0), e3);
-                const Scalar min_5 = detail::min<Scalar>(Scalar(0), e3);
-                return w * (p_.p_0 * e2) - (p_.g * w * w + p_.p_0 / p_.rho) * (max_4 + min_5);
-            }
-            case Mode::filling:
-            default: {
-                using std::sqrt;
-                const Scalar w = x[0];
-                const Scalar sqrt_g = sqrt(p_.g);
-                const Scalar sqrt_1 = sqrt(Scalar(2));
-                const Scalar e2 = sqrt_g * (p_.A_2 * sqrt_1);
-                const Scalar e3 = p_.p_0 / p_.rho;
-                const Scalar w_squared = w * w;
-                const Scalar e4 = w * (p_.rho * e2);
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                const Scalar e3 = h_root * step_h_root;
+                const Scalar e4 = p_.rho * e2 * e3;
                 const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
                 const Scalar min_6 = detail::min<Scalar>(Scalar(0), e4);
-                const Scalar e7 = p_.q_i * p_.rho;
-                const Scalar max_8 = detail::max<Scalar>(Scalar(0), e7);
-                const Scalar min_9 = detail::min<Scalar>(Scalar(0), e7);
-                const Scalar e10 = max_8 + min_9;
-                return w * (p_.p_0 * e2) - (e3 + p_.g * w_squared) * (max_5 + min_6) - (p_.q_i * p_.p_0 - e10 * e3) + p_.g * e10
-                    * w_squared;
+                return p_.p_0 * e2 * e3 - (p_.g * h_root * h_root + p_.p_0 / p_.rho) * (max_5 + min_6);
+            }
+            case Mode::shut_and_tank_empty: {
+                return Scalar(0);
+            }
+            case Mode::filling_and_tank_filled: {
+                using std::sqrt;
+                const Scalar e1 = p_.q_i * p_.rho;
+                const Scalar max_2 = detail::max<Scalar>(Scalar(0), e1);
+                const Scalar min_3 = detail::min<Scalar>(Scalar(0), e1);
+                const Scalar e4 = max_2 + min_3;
+                const Scalar h_root = x[0];
+                const Scalar h_root_squared = h_root * h_root;
+                const Scalar e5 = p_.p_0 / p_.rho;
+                const Scalar sqrt_g = sqrt(p_.g);
+                const Scalar sqrt_6 = sqrt(Scalar(2));
+                const Scalar e7 = sqrt_g * (p_.A_2 * sqrt_6);
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
+                const Scalar e8 = h_root * step_h_root;
+                const Scalar e9 = p_.rho * e7 * e8;
+                const Scalar max_10 = detail::max<Scalar>(Scalar(0), e9);
+                const Scalar min_11 = detail::min<Scalar>(Scalar(0), e9);
+                return p_.g * e4 * h_root_squared - (e5 + p_.g * h_root_squared) * (max_10 + min_11) - (p_.q_i * p_.p_0 - e4 * e5)
+                    + p_.p_0 * e7 * e8;
+            }
+            case Mode::filling_and_tank_empty:
+            default: {
+                const Scalar h_root = x[0];
+                const Scalar e1 = p_.q_i * p_.rho;
+                const Scalar max_2 = detail::max<Scalar>(Scalar(0), e1);
+                const Scalar min_3 = detail::min<Scalar>(Scalar(0), e1);
+                const Scalar e4 = max_2 + min_3;
+                return h_root * h_root * (p_.g * e4) - p_.p_0 * (p_.q_i - e4 / p_.rho);
             }
         }
     }
 
     /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
-    /// Operations: 1 + or -, 2 *
-    ///     low: -h_l + w^2 in the mode shut
-    ///     high: h_h - w^2 in the mode filling
-    ///     tank: A_1*w^2 in the mode shut
+    /// Operations: shut_and_tank_filled: 1 + or -, 1 *; shut_and_tank_empty: 1 + or -, 1 *; filling_and_tank_filled: 1 + or -, 1 *; filling_and_tank_empty: 2 + or -, 2 *
+    ///     low: -h_l + sqrt(h)^2 in the mode shut_and_tank_filled
+    ///     high: h_h - sqrt(h)^2 in the mode filling_and_tank_filled
+    ///     tank_runs_empty: sqrt(h) in the mode shut_and_tank_filled
+    ///     tank_fills: -q_i*rho in the mode filling_and_tank_empty
     void guards(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, Events& g) const noexcept {
         switch (mode) {
-            case Mode::shut: {
-                const Scalar w = x[0];
-                const Scalar w_squared = w * w;
-                g[0] = w_squared - p_.h_l;
-                g[2] = p_.A_1 * w_squared;
+            case Mode::shut_and_tank_filled: {
+                const Scalar h_root = x[0];
+                g[0] = h_root * h_root - p_.h_l;
+                g[2] = h_root;
                 break;
             }
-            case Mode::filling:
+            case Mode::shut_and_tank_empty: {
+                const Scalar h_root = x[0];
+                g[0] = h_root * h_root - p_.h_l;
+                break;
+            }
+            case Mode::filling_and_tank_filled: {
+                const Scalar h_root = x[0];
+                g[1] = p_.h_h - h_root * h_root;
+                g[2] = h_root;
+                break;
+            }
+            case Mode::filling_and_tank_empty:
             default: {
-                const Scalar w = x[0];
-                const Scalar w_squared = w * w;
-                g[1] = p_.h_h - w_squared;
-                g[2] = p_.A_1 * w_squared;
+                const Scalar h_root = x[0];
+                g[1] = p_.h_h - h_root * h_root;
+                g[3] = -p_.q_i * p_.rho;
                 break;
             }
         }
     }
 
     /// dg/dt along the motion in the mode, with inputs held.
-    /// Operations: shut: 2 + or -, 5 *, 1 /, 2 other functions; filling: 2 + or -, 6 *, 1 /, 2 other functions
+    /// Operations: shut_and_tank_filled: 2 + or -, 6 *, 1 /, 3 other functions; shut_and_tank_empty: none; filling_and_tank_filled: 2 + or -, 8 *, 2 /, 3 other functions; filling_and_tank_empty: 1 + or -, 1 *, 1 /
     void guard_rates(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, Events& rates) const noexcept {
         switch (mode) {
-            case Mode::shut: {
+            case Mode::shut_and_tank_filled: {
                 using std::sqrt;
-                const Scalar w = x[0];
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
                 const Scalar sqrt_1 = sqrt(Scalar(2));
                 const Scalar sqrt_g = sqrt(p_.g);
-                rates[0] = -w * (p_.A_2 * sqrt_1 * sqrt_g / p_.A_1);
-                rates[2] = -c_.k1 * w;
+                rates[0] = -h_root * step_h_root * (p_.A_2 * sqrt_1 * sqrt_g / p_.A_1);
+                rates[2] = -c_.k0 * step_h_root;
                 break;
             }
-            case Mode::filling:
-            default: {
+            case Mode::shut_and_tank_empty: {
+                rates[0] = Scalar(0);
+                break;
+            }
+            case Mode::filling_and_tank_filled: {
                 using std::sqrt;
-                const Scalar w = x[0];
+                const Scalar h_root = x[0];
+                const Scalar step_h_root = detail::step<Scalar>(h_root);
                 const Scalar sqrt_1 = sqrt(Scalar(2));
                 const Scalar sqrt_g = sqrt(p_.g);
                 const Scalar inverse_2 = Scalar(1) / p_.A_1;
-                rates[1] = w * (p_.A_2 * sqrt_1 * sqrt_g * inverse_2) - p_.q_i * inverse_2;
-                rates[2] = p_.q_i - c_.k1 * w;
+                rates[1] = h_root * step_h_root * (p_.A_2 * sqrt_1 * sqrt_g * inverse_2) - p_.q_i * inverse_2;
+                rates[2] = c_.k2 / h_root - c_.k0 * step_h_root;
+                break;
+            }
+            case Mode::filling_and_tank_empty:
+            default: {
+                rates[1] = -p_.q_i / p_.A_1;
+                rates[3] = Scalar(0);
                 break;
             }
         }
@@ -591,8 +761,21 @@ public:
     }
 
     /// What the event changes where it happens.
-    void reset(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
-        (void)event_number;
+    void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        switch (mode) {
+            case Mode::shut_and_tank_filled:
+            case Mode::filling_and_tank_filled: {
+                if (event_number == event::tank_runs_empty) {
+                    x[0] = Scalar(0);
+                }
+                break;
+            }
+            case Mode::shut_and_tank_empty:
+            case Mode::filling_and_tank_empty:
+            default: {
+                break;
+            }
+        }
     }
 
     /// What changes where the event has happened infinitely often.
@@ -601,8 +784,22 @@ public:
     }
 
     /// Functions where the right-hand side of a mode has a kink or jump that changes no mode, in the order of guard_table().
-    /// Operations: 2 *
-    void kinks(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Kinks& /*k*/) const noexcept {
+    /// Operations: none
+    void kinks(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, Kinks& k) const noexcept {
+        switch (mode) {
+            case Mode::shut_and_tank_filled:
+            case Mode::filling_and_tank_filled: {
+                const Scalar h_root = x[0];
+                k[0] = h_root;
+                break;
+            }
+            case Mode::shut_and_tank_empty:
+            case Mode::filling_and_tank_empty:
+            default: {
+                k[0] = Scalar(1);
+                break;
+            }
+        }
     }
 
 private:

@@ -8,7 +8,7 @@
 // Scene full
 // Effects in: none
 // Effects out: none
-// Modes: waiting, speeding_up, cruising, braking, standing
+// Modes: drive_waiting, drive_speeding_up, drive_cruising, drive_braking, drive_standing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 5 of 5 equations
@@ -97,14 +97,14 @@ struct Guard {
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// The ways in which the machine can be.
-enum class Mode : unsigned { waiting, speeding_up, cruising, braking, standing };
+enum class Mode : unsigned { drive_waiting, drive_speeding_up, drive_cruising, drive_braking, drive_standing };
 inline constexpr std::size_t mode_count = 5;
-inline constexpr std::array<const char*, mode_count> mode_names{"waiting", "speeding_up", "cruising", "braking", "standing"};
+inline constexpr std::array<const char*, mode_count> mode_names{"drive_waiting", "drive_speeding_up", "drive_cruising", "drive_braking", "drive_standing"};
 
 /// What happens where a guard falls through zero, and changes the mode or the state.
-struct event { enum : std::size_t { starts = 0, cruise = 1, brake = 2, stops = 3 }; };
+struct event { enum : std::size_t { drive_starts_speeding_up = 0, drive_starts_cruising = 1, drive_starts_braking = 2, drive_starts_standing = 3 }; };
 inline constexpr std::size_t event_count = 4;
-inline constexpr std::array<const char*, event_count> event_names{"starts", "cruise", "brake", "stops"};
+inline constexpr std::array<const char*, event_count> event_names{"drive_starts_speeding_up", "drive_starts_cruising", "drive_starts_braking", "drive_starts_standing"};
 
 /// Modes in order of preference.
 struct Modes {
@@ -121,32 +121,32 @@ struct Transition {
     Modes next, beside, rest;
 };
 inline constexpr std::array<std::array<Transition, mode_count>, event_count> transitions{{
-    std::array<Transition, mode_count>{{  // starts
-        {true, {{{Mode::speeding_up}}, 1}, {}, {}},
+    std::array<Transition, mode_count>{{  // drive_starts_speeding_up
+        {true, {{{Mode::drive_speeding_up}}, 1}, {}, {}},
         {false, {}, {}, {}},
         {false, {}, {}, {}},
         {false, {}, {}, {}},
         {false, {}, {}, {}},
     }},
-    std::array<Transition, mode_count>{{  // cruise
+    std::array<Transition, mode_count>{{  // drive_starts_cruising
         {false, {}, {}, {}},
-        {true, {{{Mode::cruising}}, 1}, {}, {}},
+        {true, {{{Mode::drive_cruising}}, 1}, {}, {}},
         {false, {}, {}, {}},
         {false, {}, {}, {}},
         {false, {}, {}, {}},
     }},
-    std::array<Transition, mode_count>{{  // brake
+    std::array<Transition, mode_count>{{  // drive_starts_braking
         {false, {}, {}, {}},
         {false, {}, {}, {}},
-        {true, {{{Mode::braking}}, 1}, {}, {}},
+        {true, {{{Mode::drive_braking}}, 1}, {}, {}},
         {false, {}, {}, {}},
         {false, {}, {}, {}},
     }},
-    std::array<Transition, mode_count>{{  // stops
+    std::array<Transition, mode_count>{{  // drive_starts_standing
         {false, {}, {}, {}},
         {false, {}, {}, {}},
         {false, {}, {}, {}},
-        {true, {{{Mode::standing}}, 1}, {}, {}},
+        {true, {{{Mode::drive_standing}}, 1}, {}, {}},
         {false, {}, {}, {}},
     }},
 }};
@@ -238,7 +238,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: waiting: 6 + or -, 12 *, 2 /; speeding_up: 6 + or -, 13 *, 3 /; cruising: 6 + or -, 12 *, 3 /; braking: 6 + or -, 13 *, 3 /; standing: 6 + or -, 12 *, 2 /
+    /// Operations: drive_waiting: 6 + or -, 12 *, 2 /; drive_speeding_up: 6 + or -, 13 *, 3 /; drive_cruising: 6 + or -, 12 *, 3 /; drive_braking: 6 + or -, 13 *, 3 /; drive_standing: 6 + or -, 12 *, 2 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         {
@@ -266,33 +266,33 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: waiting: none; speeding_up: 1 *; cruising: none; braking: 1 *; standing: none
-    ///     In the mode waiting:
+    /// Operations: drive_waiting: none; drive_speeding_up: 1 *; drive_cruising: none; drive_braking: 1 *; drive_standing: none
+    ///     In the mode drive_waiting:
     ///     ddot(x) = 0
-    ///     In the mode speeding_up:
+    ///     In the mode drive_speeding_up:
     ///     m*ddot(x) = m*a_max
-    ///     In the mode cruising:
+    ///     In the mode drive_cruising:
     ///     m*ddot(x) = 0
-    ///     In the mode braking:
+    ///     In the mode drive_braking:
     ///     m*ddot(x) = m*a_min
-    ///     In the mode standing:
+    ///     In the mode drive_standing:
     ///     ddot(x) = 0
     void rhs(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         switch (mode) {
-            case Mode::waiting:
-            case Mode::cruising:
-            case Mode::standing: {
+            case Mode::drive_waiting:
+            case Mode::drive_cruising:
+            case Mode::drive_standing: {
                 dxdt[0] = x[1];
                 dxdt[1] = Scalar(0);
                 break;
             }
-            case Mode::speeding_up: {
+            case Mode::drive_speeding_up: {
                 const Scalar x_ddot = c_.k1 * c_.k0;
                 dxdt[0] = x[1];
                 dxdt[1] = x_ddot;
                 break;
             }
-            case Mode::braking:
+            case Mode::drive_braking:
             default: {
                 const Scalar x_ddot = c_.k2 * c_.k0;
                 dxdt[0] = x[1];
@@ -304,12 +304,12 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: waiting: none; speeding_up: 1 *; cruising: none; braking: 1 *; standing: none
+    /// Operations: drive_waiting: none; drive_speeding_up: 1 *; drive_cruising: none; drive_braking: 1 *; drive_standing: none
     void rhs_and_jacobian(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         switch (mode) {
-            case Mode::waiting:
-            case Mode::cruising:
-            case Mode::standing: {
+            case Mode::drive_waiting:
+            case Mode::drive_cruising:
+            case Mode::drive_standing: {
                 dxdt[0] = x[1];
                 dxdt[1] = Scalar(0);
                 J[0] = Scalar(0);
@@ -318,7 +318,7 @@ public:
                 J[3] = Scalar(0);
                 break;
             }
-            case Mode::speeding_up: {
+            case Mode::drive_speeding_up: {
                 const Scalar x_ddot = c_.k1 * c_.k0;
                 dxdt[0] = x[1];
                 dxdt[1] = x_ddot;
@@ -328,7 +328,7 @@ public:
                 J[3] = Scalar(0);
                 break;
             }
-            case Mode::braking:
+            case Mode::drive_braking:
             default: {
                 const Scalar x_ddot = c_.k2 * c_.k0;
                 dxdt[0] = x[1];
@@ -354,11 +354,11 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 6, entry (i, j) at J[2*j + i].
-    /// Operations: waiting: none; speeding_up: 1 + or -, 2 *; cruising: 1 + or -, 1 *; braking: 13 + or -, 34 *, 1 /; standing: none
+    /// Operations: drive_waiting: none; drive_speeding_up: 1 + or -, 2 *; drive_cruising: 1 + or -, 1 *; drive_braking: 13 + or -, 34 *, 1 /; drive_standing: none
     void jacobian_p(Mode mode, const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         switch (mode) {
-            case Mode::waiting:
-            case Mode::standing: {
+            case Mode::drive_waiting:
+            case Mode::drive_standing: {
                 J[0] = Scalar(0);
                 J[1] = Scalar(0);
                 J[2] = Scalar(0);
@@ -373,7 +373,7 @@ public:
                 J[11] = Scalar(0);
                 break;
             }
-            case Mode::speeding_up: {
+            case Mode::drive_speeding_up: {
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
                 J[0] = Scalar(0);
@@ -390,7 +390,7 @@ public:
                 J[11] = Scalar(0);
                 break;
             }
-            case Mode::cruising: {
+            case Mode::drive_cruising: {
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
                 J[0] = Scalar(0);
@@ -407,7 +407,7 @@ public:
                 J[11] = Scalar(0);
                 break;
             }
-            case Mode::braking:
+            case Mode::drive_braking:
             default: {
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
@@ -463,29 +463,29 @@ public:
 
     /// Q in M qdd + bias = Q: forces, torques and inputs.
     /// Operations: none
-    ///     In the mode waiting:
+    ///     In the mode drive_waiting:
     ///     Q[x] = 0
-    ///     In the mode speeding_up:
+    ///     In the mode drive_speeding_up:
     ///     Q[x] = m*a_max
-    ///     In the mode cruising:
+    ///     In the mode drive_cruising:
     ///     Q[x] = 0
-    ///     In the mode braking:
+    ///     In the mode drive_braking:
     ///     Q[x] = m*a_min
-    ///     In the mode standing:
+    ///     In the mode drive_standing:
     ///     Q[x] = 0
     void generalised_force(Mode mode, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Generalised& Q) const noexcept {
         switch (mode) {
-            case Mode::waiting:
-            case Mode::cruising:
-            case Mode::standing: {
+            case Mode::drive_waiting:
+            case Mode::drive_cruising:
+            case Mode::drive_standing: {
                 Q[0] = Scalar(0);
                 break;
             }
-            case Mode::speeding_up: {
+            case Mode::drive_speeding_up: {
                 Q[0] = c_.k1;
                 break;
             }
-            case Mode::braking:
+            case Mode::drive_braking:
             default: {
                 Q[0] = c_.k2;
                 break;
@@ -495,36 +495,36 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: none
-    ///     In the mode waiting:
+    ///     In the mode drive_waiting:
     ///     a = ddot(x)
     ///     target = x_d
     ///     end = t_3
     ///     f = 0
-    ///     In the mode speeding_up:
+    ///     In the mode drive_speeding_up:
     ///     a = ddot(x)
     ///     target = x_d
     ///     end = t_3
     ///     f = m*a_max
-    ///     In the mode cruising:
+    ///     In the mode drive_cruising:
     ///     a = ddot(x)
     ///     target = x_d
     ///     end = t_3
     ///     f = 0
-    ///     In the mode braking:
+    ///     In the mode drive_braking:
     ///     a = ddot(x)
     ///     target = x_d
     ///     end = t_3
     ///     f = m*a_min
-    ///     In the mode standing:
+    ///     In the mode drive_standing:
     ///     a = ddot(x)
     ///     target = x_d
     ///     end = t_3
     ///     f = 0
     void output(Mode mode, const State& x, const Input& u, Scalar t, Output& y) const noexcept {
         switch (mode) {
-            case Mode::waiting:
-            case Mode::cruising:
-            case Mode::standing: {
+            case Mode::drive_waiting:
+            case Mode::drive_cruising:
+            case Mode::drive_standing: {
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
                 y[0] = dxdt[1];
@@ -533,7 +533,7 @@ public:
                 y[3] = Scalar(0);
                 break;
             }
-            case Mode::speeding_up: {
+            case Mode::drive_speeding_up: {
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
                 y[0] = dxdt[1];
@@ -542,7 +542,7 @@ public:
                 y[3] = c_.k1;
                 break;
             }
-            case Mode::braking:
+            case Mode::drive_braking:
             default: {
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
@@ -592,29 +592,29 @@ public:
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
-    /// Operations: waiting: none; speeding_up: 1 *; cruising: none; braking: 1 *; standing: none
-    ///     In the mode waiting:
+    /// Operations: drive_waiting: none; drive_speeding_up: 1 *; drive_cruising: none; drive_braking: 1 *; drive_standing: none
+    ///     In the mode drive_waiting:
     ///     supplied = 0
-    ///     In the mode speeding_up:
+    ///     In the mode drive_speeding_up:
     ///     supplied = m*a_max*dot(x)
-    ///     In the mode cruising:
+    ///     In the mode drive_cruising:
     ///     supplied = 0
-    ///     In the mode braking:
+    ///     In the mode drive_braking:
     ///     supplied = m*a_min*dot(x)
-    ///     In the mode standing:
+    ///     In the mode drive_standing:
     ///     supplied = 0
     Scalar supplied_power(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
-            case Mode::waiting:
-            case Mode::cruising:
-            case Mode::standing: {
+            case Mode::drive_waiting:
+            case Mode::drive_cruising:
+            case Mode::drive_standing: {
                 return Scalar(0);
             }
-            case Mode::speeding_up: {
+            case Mode::drive_speeding_up: {
                 const Scalar x_dot = x[1];
                 return c_.k1 * x_dot;
             }
-            case Mode::braking:
+            case Mode::drive_braking:
             default: {
                 const Scalar x_dot = x[1];
                 return c_.k2 * x_dot;
@@ -649,31 +649,30 @@ public:
     }
 
     /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
-    /// Operations: waiting: 1 + or -; speeding_up: 1 + or -; cruising: 1 + or -; braking: none; standing: none
-    ///     starts: t_0 - t in the mode waiting
-    ///     cruise: t_1 - t in the mode speeding_up
-    ///     brake: t_2 - t in the mode cruising
-    ///     stops: dot(x) in the mode braking
-    void guards(Mode mode, const State& x, const Input& /*u*/, Scalar t, Events& g) const noexcept {
+    /// Operations: drive_waiting: 1 + or -; drive_speeding_up: 1 + or -; drive_cruising: 1 + or -; drive_braking: 1 + or -; drive_standing: none
+    ///     drive_starts_speeding_up: t_0 - t in the mode drive_waiting
+    ///     drive_starts_cruising: t_1 - t in the mode drive_speeding_up
+    ///     drive_starts_braking: t_2 - t in the mode drive_cruising
+    ///     drive_starts_standing: t_3 - t in the mode drive_braking
+    void guards(Mode mode, const State& /*x*/, const Input& /*u*/, Scalar t, Events& g) const noexcept {
         switch (mode) {
-            case Mode::waiting: {
+            case Mode::drive_waiting: {
                 g[0] = p_.t_0 - t;
                 break;
             }
-            case Mode::speeding_up: {
+            case Mode::drive_speeding_up: {
                 g[1] = p_.t_1 - t;
                 break;
             }
-            case Mode::cruising: {
+            case Mode::drive_cruising: {
                 g[2] = p_.t_2 - t;
                 break;
             }
-            case Mode::braking: {
-                const Scalar x_dot = x[1];
-                g[3] = x_dot;
+            case Mode::drive_braking: {
+                g[3] = c_.t_3 - t;
                 break;
             }
-            case Mode::standing:
+            case Mode::drive_standing:
             default: {
                 break;
             }
@@ -682,27 +681,25 @@ public:
 
     /// dg/dt along the motion in the mode, with inputs held.
     /// Operations: none
-    void guard_rates(Mode mode, const State& x, const Input& u, Scalar t, Events& rates) const noexcept {
+    void guard_rates(Mode mode, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Events& rates) const noexcept {
         switch (mode) {
-            case Mode::waiting: {
+            case Mode::drive_waiting: {
                 rates[0] = -Scalar(1);
                 break;
             }
-            case Mode::speeding_up: {
+            case Mode::drive_speeding_up: {
                 rates[1] = -Scalar(1);
                 break;
             }
-            case Mode::cruising: {
+            case Mode::drive_cruising: {
                 rates[2] = -Scalar(1);
                 break;
             }
-            case Mode::braking: {
-                State dxdt;
-                rhs(mode, x, u, t, dxdt);
-                rates[3] = dxdt[1];
+            case Mode::drive_braking: {
+                rates[3] = -Scalar(1);
                 break;
             }
-            case Mode::standing:
+            case Mode::drive_standing:
             default: {
                 break;
             }
@@ -713,13 +710,13 @@ public:
     /// Operations: none
     bool holds(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
-            case Mode::waiting:
-            case Mode::standing: {
+            case Mode::drive_waiting:
+            case Mode::drive_standing: {
                 return detail::is_near<Scalar>(x[1], Scalar(0), Scalar(0));
             }
-            case Mode::speeding_up:
-            case Mode::cruising:
-            case Mode::braking:
+            case Mode::drive_speeding_up:
+            case Mode::drive_cruising:
+            case Mode::drive_braking:
             default: {
                 return true;
             }
@@ -729,15 +726,15 @@ public:
     /// What the event changes where it happens.
     void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
-            case Mode::waiting:
-            case Mode::speeding_up:
-            case Mode::cruising:
-            case Mode::standing: {
+            case Mode::drive_waiting:
+            case Mode::drive_speeding_up:
+            case Mode::drive_cruising:
+            case Mode::drive_standing: {
                 break;
             }
-            case Mode::braking:
+            case Mode::drive_braking:
             default: {
-                if (event_number == event::stops) {
+                if (event_number == event::drive_starts_standing) {
                     x[1] = Scalar(0);
                 }
                 break;

@@ -18,6 +18,7 @@ using Primary = ControlVolume::Primary;
 struct Ports {
     GiNaC::exvector inflow;
     ex excess;
+    bool has_inflow = false, has_outflow = false;
 };
 
 Ports ports_of(const ControlVolume& volume, const std::vector<FlowState>& flows) {
@@ -25,10 +26,12 @@ Ports ports_of(const ControlVolume& volume, const std::vector<FlowState>& flows)
     for (const FlowState& f : flows) {
         if (f.from_volume == &volume) {
             ports.inflow.push_back(-f.mass_flow);
+            ports.has_outflow = ports.has_outflow || !f.mass_flow.is_zero();
             ports.excess += f.excess_at_from();
         }
         if (f.to_volume == &volume) {
             ports.inflow.push_back(f.mass_flow);
+            ports.has_inflow = ports.has_inflow || !f.mass_flow.is_zero();
             ports.excess += f.excess_at_to();
         }
     }
@@ -71,6 +74,12 @@ VolumeBalance with_filling(const ControlVolume& v, const Ports& ports, const Sym
     const ex thermal_density = v.medium->is_compressible() ? -m.pressure_by_temperature / m.pressure_by_density : ex(0);  // drho/dT at constant p
     const ex isobaric_heat = m.isochoric_heat - m.temperature * m.pressure_by_temperature * thermal_density / pow(m.density, 2);
     b.heat = v.heat;
+    // What flows in flows out again; where nothing would take it the volume fills at once, and is never in this mode.
+    if (v.is_empty && (ports.has_outflow || !ports.has_inflow)) {
+        b.inflow = 0;
+        b.heat = -ports.excess - v.shaft_power;
+        return b;
+    }
     if (v.is_thermal()) b.temperature_rate = (ports.excess + v.heat + v.shaft_power) / (v.mass() * isobaric_heat);
     else b.heat = -ports.excess - v.shaft_power;
     const ex slope = partial(v.size, symbols.get(SymbolKind::state, v.state));
@@ -94,6 +103,7 @@ void guard_volume(const ControlVolume& v, const ex& smallest, const std::vector<
             const bool is_forced = law == Flow::Law::given_mass || law == Flow::Law::given_volume || law == Flow::Law::pump || law == Flow::Law::pipe;
             return is_forced || !(f.from->pressure - f.to->pressure).subs(filling == 0, GiNaC::subs_options::no_pattern).expand().is_zero();
         });
+        if (v.member.item->empties && !v.member.item->smallest) return;
         if (is_drained || v.medium->is_compressible() || v.member.item->smallest) guards.push_back({name, "volume " + name + " is empty", true, v.size - smallest});
         return;
     }

@@ -62,6 +62,7 @@ private:
                     : item.density   ? ControlVolume::Primary::density
                                      : ControlVolume::Primary::mass;
         v.state = state(named, indices);
+        v.is_empty = item.empties && scene_.modes[*scene_.mode].is_in(item.name + "_empty");
         v.size = translate_(item.volume, indices);
         if (v.size.expand().is_zero())
             throw Failure(Diagnostic{Id::value_out_of_range, item.volume->span, fmt::format("the size of volume '{}' is zero whatever the parameters are", v.member.name())});

@@ -36,6 +36,7 @@ struct ControlVolume {
     Primary primary;
     std::size_t state;                            ///< the state that `primary` names, among the states
     std::optional<std::size_t> temperature_state;
+    bool is_empty = false;                        ///< in this mode: the filling is zero and stays so
     GiNaC::ex size;                               ///< V, m^3
     GiNaC::ex surface_pressure;                   ///< pressure of the medium itself, which moves the walls
     MediumState medium_state;

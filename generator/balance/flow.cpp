@@ -216,10 +216,55 @@ ex FlowState::arriving() const { return carried(*this) - unit_step(mass_flow) * 
 ex FlowState::excess_at_from() const { return -minimum(mass_flow, 0) * (to->carried() - from->carried()) - unit_step(-mass_flow) * kept(*this); }
 ex FlowState::excess_at_to() const { return maximum(mass_flow, 0) * (from->carried() - to->carried()) - unit_step(mass_flow) * kept(*this); }
 
+namespace {
+
+void share_inflow(std::vector<FlowState>& flows, const ControlVolume& volume, const Symbols& symbols) {
+    const ex& filling = symbols.get(SymbolKind::state, volume.state);
+    ex inflow = 0, demand = 0;
+    for (FlowState& f : flows) {
+        if (f.to_volume == &volume) inflow += f.mass_flow;
+        if (f.from_volume != &volume) continue;
+        f.demand = f.mass_flow.subs(filling == 0, GiNaC::subs_options::no_pattern);
+        demand += f.demand;
+    }
+    for (FlowState& f : flows) {
+        if (f.from_volume != &volume) continue;
+        const ex part = demand.is_zero() ? ex(0) : inflow / demand;
+        f.mass_flow = f.demand * part;
+        f.shaft_power *= part;
+        f.outside_power *= part;
+        for (ex& torque : f.torque) torque *= part;
+        f.edges.clear();
+    }
+}
+
+/// A volume comes after those that feed it.
+void share_inflows(std::vector<FlowState>& flows, const Scene& scene, const Symbols& symbols, const Containers& containers) {
+    std::vector<const ControlVolume*> pending;
+    for (const ControlVolume& volume : containers.volumes)
+        if (volume.is_empty) pending.push_back(&volume);
+    const auto is_pending = [&](const ControlVolume* volume) { return std::find(pending.begin(), pending.end(), volume) != pending.end(); };
+    while (!pending.empty()) {
+        const auto next = std::find_if(pending.begin(), pending.end(), [&](const ControlVolume* volume) {
+            return std::none_of(flows.begin(), flows.end(), [&](const FlowState& f) { return f.to_volume == volume && is_pending(f.from_volume); });
+        });
+        if (next == pending.end()) {
+            const Volume& one = *pending.front()->member.item;
+            throw Failure(Diagnostic{Id::undetermined, one.span, fmt::format("in mode '{}' volume '{}' and volumes that feed it in a ring are all empty, so that nothing determines what flows", scene.modes[*scene.mode].name, one.name)});
+        }
+        share_inflow(flows, **next, symbols);
+        pending.erase(next);
+    }
+}
+
+}  // namespace
+
 std::vector<FlowState> make_flows(const Scene& scene, const Translator& translate, Symbols& symbols, const Containers& containers) {
     FlowMaking make(scene, translate, symbols, containers);
     std::vector<FlowState> flows;
     for (const auto& member : scene.flows) flows.push_back(make(member));
+    for (FlowState& flow : flows) flow.demand = flow.mass_flow;
+    share_inflows(flows, scene, symbols, containers);
     return flows;
 }
 

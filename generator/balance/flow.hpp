@@ -32,6 +32,7 @@ struct FlowState {
     std::vector<GiNaC::ex> torque;     ///< generalised force of a pump's shaft on the mechanics, an entry a coordinate
     GiNaC::ex outside_power;           ///< part of the shaft power that comes from outside of the mechanics
     std::vector<Guard> edges;
+    GiNaC::ex demand = 0;              ///< kg/s; what the mass flow would be if the volume it comes from were not empty
 
     /// What leaves `from` and what arrives at `to`: the enthalpy and potential of the upstream side; what a shaft adds and a stream
     /// stores changes it on the downstream side.
@@ -43,7 +44,8 @@ struct FlowState {
     GiNaC::ex excess_at_to() const;
 };
 
-/// Throws Failure (not-affine: the speed of a pump; index-out-of-range).
+/// Out of a volume that is empty flows what flows into it, shared by what each of its outflows would take.
+/// Throws Failure (not-affine: the speed of a pump; index-out-of-range; undetermined: empty volumes that feed each other).
 std::vector<FlowState> make_flows(const Scene& scene, const Translator& translate, Symbols& symbols, const Containers& containers);
 
 }  // namespace dalembert

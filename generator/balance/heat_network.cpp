@@ -101,6 +101,19 @@ private:
     Indices indices_;
 };
 
+BoilingState boiling_of(const HeatNode& item, const NodeState& node, const Scene& scene, const Translator& translate, const Symbols& symbols) {
+    const Expression& named = *item.boiling->mass;
+    const Variable* mass = symbols.find(SymbolKind::state, named.name, 0);
+    if (mass == nullptr) throw Failure(Diagnostic{Id::needs_absent, named.span, fmt::format("scene '{}' has no state '{}'", scene.name, named.written())});
+    for (const Variable& state : symbols.all(SymbolKind::state)) {
+        const bool may_depend = state.position == mass->position || (state.position == *node.state && !item.capacity->variables.empty());
+        if (!may_depend && node.capacity.has(state.symbol))
+            throw Failure(Diagnostic{Id::not_allowed_here, item.capacity->span, fmt::format("the capacity of node '{}' may depend on its mass '{}' and on no other state, but it depends on '{}'{}", item.name, mass->name, state.name,
+                                                                                            state.position == *node.state ? "; of the temperature it is a law, \"T -> ...\"" : "")});
+    }
+    return {mass->position, translate(item.boiling->enthalpy, {}), scene.modes[*scene.mode].is_in(item.name + "_boiling")};
+}
+
 NodeState node_of(const Member<HeatNode>& member, const Scene& scene, const Translator& translate, Symbols& symbols) {
     const HeatNode& item = *member.item;
     const Indices indices = Translator::indices_of(member);
@@ -114,6 +127,7 @@ NodeState node_of(const Member<HeatNode>& member, const Scene& scene, const Tran
     if (state == nullptr) throw Failure(Diagnostic{Id::index_out_of_range, named.span, fmt::format("the scene has no state '{}'", named.written())});
     node.state = state->position;
     store(node, *item.capacity, 1, translate, symbols, indices);
+    if (item.boiling) node.boiling = boiling_of(item, node, scene, translate, symbols);
     return node;
 }
 
@@ -202,11 +216,18 @@ ex HeatNetwork::heat_into(const ControlVolume& volume) const {
     return GiNaC::add(terms);
 }
 
+ex HeatNetwork::steam_power(const NodeState& node, const Symbols& symbols) const {
+    if (!node.boiling) return 0;
+    return steam(node) * (node.boiling->enthalpy + partial(node.stored_energy, symbols.get(SymbolKind::state, node.boiling->mass)));
+}
+
 /// What is held takes and gives as it must. Volumes are outside of the network: the heat into them counts with theirs.
-ex HeatNetwork::power_over_border() const {
+ex HeatNetwork::power_over_border(const Symbols& symbols) const {
     GiNaC::exvector terms;
-    for (const NodeState& node : nodes)
+    for (const NodeState& node : nodes) {
         if (node.kind != NodeState::Kind::held) terms.push_back(node.source);
+        terms.push_back(-steam_power(node, symbols));
+    }
     const auto is_outside = [](const LinkEnd& end) { return end.node != nullptr ? end.node->kind == NodeState::Kind::held : true; };
     for (const LinkState& link : links) {
         if (is_outside(link.from)) terms.push_back(link.heat);
@@ -248,6 +269,8 @@ HeatNetwork make_nodes(const Scene& scene, const Translator& translate, Symbols&
     HeatNetwork network;
     for (const auto& member : scene.nodes) {
         const bool is_sought = !member.item->is_held() && !scene.has_capacity(*member.item, translate.names());
+        if (is_sought && member.item->boiling)
+            throw Failure(Diagnostic{Id::needs_absent, member.item->span, fmt::format("node '{}' boils, but scene '{}' leaves out the state that is its temperature", member.item->name, scene.name)});
         if (is_sought) add_sought(network, member.name(), *member.item, member.item->span, symbols);
         else network.nodes.push_back(node_of(member, scene, translate, symbols));
     }
@@ -268,7 +291,7 @@ void complete_heat(HeatNetwork& network, const Scene& scene, const Translator& t
     for (BorderState& border : network.borders) border.heat = border.heat.subs(network.solved, GiNaC::subs_options::no_pattern);
     for (const NodeState& node : network.nodes)
         if (!node.is_tapped) network.stored_energy += node.stored_energy;
-    network.exchanged_power = network.power_over_border();
+    network.exchanged_power = network.power_over_border(symbols);
 }
 
 }  // namespace dalembert

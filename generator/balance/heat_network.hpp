@@ -18,6 +18,13 @@ struct Warmth {
     bool is_sought = false;
 };
 
+/// Of what boils: heat makes steam, which takes its enthalpy along.
+struct BoilingState {
+    std::size_t mass;      ///< the state that is left
+    GiNaC::ex enthalpy;    ///< J/kg, of evaporation
+    bool boils;            ///< in this mode
+};
+
 /// A node of [nodes], or a cell or surface of a rod or block.
 struct NodeState {
     enum class Kind { storing, held, sought };
@@ -33,6 +40,7 @@ struct NodeState {
     GiNaC::ex letter = 0;              ///< of a sought temperature, before it was found
     GiNaC::ex fourth_letter = 0;       ///< of its fourth power
     GiNaC::ex balance = 0;             ///< W into it, in the letters of sought temperatures; zero of one that is held
+    std::optional<BoilingState> boiling = {};
     bool is_tapped = false;            ///< a cell of a field, of which only what comes from elsewhere is balanced here
     bool radiates = false;             ///< to what surrounds it, as part of the source
     bool is_surface = false;           ///< of a rod or block: stores nothing, and is drawn towards the temperature of what surrounds it
@@ -94,9 +102,13 @@ struct HeatNetwork {
     /// W, along links and from outside.
     GiNaC::ex heat_into(const NodeState& node) const;
     GiNaC::ex heat_into(const ControlVolume& volume) const;
-    /// dT/dt of a node that stores.
-    GiNaC::ex rate(const NodeState& node) const { return heat_into(node) / node.capacity; }
-    GiNaC::ex power_over_border() const;
+    /// dT/dt of a node that stores: none while it boils.
+    GiNaC::ex rate(const NodeState& node) const { return node.boiling && node.boiling->boils ? GiNaC::ex(0) : heat_into(node) / node.capacity; }
+    /// kg/s that evaporate, of one that boils, in any of its modes.
+    GiNaC::ex steam(const NodeState& node) const { return node.boiling->boils ? heat_into(node) / node.boiling->enthalpy : GiNaC::ex(0); }
+    /// W that the steam takes along: its enthalpy of evaporation, and what was stored in it; zero of what does not boil.
+    GiNaC::ex steam_power(const NodeState& node, const Symbols& symbols) const;
+    GiNaC::ex power_over_border(const Symbols& symbols) const;
     /// Parts of the network that no link joins to a temperature that is held, and that nothing outside cools or warms towards its own:
     /// the states of their nodes.
     std::vector<std::vector<std::size_t>> floating_parts() const;

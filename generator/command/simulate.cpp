@@ -40,7 +40,7 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         if (report.ended) streams.out << report.message << "\n";
         for (const auto& [path, content] : report.files) streams.out << path.string() << "\n";
     }
-    if (report.status != "success" && !report.ended) {
+    if (!report.is_good()) {
         if (report.lost && report.guard.empty() && report.culprit.empty()) {
             streams.err << fmt::format("dalembert: the run stopped: {}\n", report.message);
             return ExitCode::run_stopped;

@@ -257,6 +257,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
         const std::size_t event = std::stoul(result.at("guard"));
         report.ended = report.status == "event" && event < events.size() && events[event].item != nullptr && !events[event].item->is_limit;
         report.guard = event < events.size() && !report.ended && report.status == "event" ? events[event].doc : "";
+        if (report.ended && !events[event].doc.empty()) report.message += ": " + events[event].doc;
     }
     if (report.status == "not finite") {
         report.culprit = name_of_state(*prepared.machine.system, std::stoul(result.at("state")));

@@ -33,6 +33,7 @@ struct SimulationReport {
     std::string message;               ///< of what switches: how the run ended, for people
     std::string mode;                  ///< of what switches: in which it ended
     bool ended = false;                ///< by an event that the model says ends a run
+    bool is_good() const { return status == "success" || ended; }
     bool drawn = false;
     FileContents files;      ///< to be written: header, CSV, plots
 };

@@ -77,7 +77,7 @@ std::string table(const std::vector<SurveyRow>& rows) {
     for (const SurveyRow& row : rows)
         text += line(row.name, width, row.degrees, row.operations, fmt::format("{:.1f}", 1000 * row.generation_seconds), row.all_proven ? "proven" : "partly",
                      fmt::format("{}/{}", row.as_expected, row.equations), row.misprints,
-                     row.report.status == "success" ? fmt::format("{:.1e}", row.report.energy_error) : row.report.status);
+                     row.report.is_good() ? fmt::format("{:.1e}", row.report.energy_error) : row.report.status);
     return text;
 }
 
@@ -112,7 +112,7 @@ ExitCode survey_command(const Options& options, Streams streams) {
     nlohmann::ordered_json json{{"schema", "dalembert/survey"}, {"version", json_version}, {"systems", nlohmann::ordered_json::array()}};
     for (const SurveyRow& row : rows) {
         failed = failed || row.as_expected != row.equations;
-        stopped = stopped || row.report.status != "success";
+        stopped = stopped || !row.report.is_good();
         json["systems"].push_back({{"model", row.simulation.machine.system->scene.model->name},
                                    {"scene", row.simulation.machine.system->scene.name},
                                    {"degrees_of_freedom", row.degrees},

@@ -21,7 +21,7 @@ public:
     EventEquation make(const Event& item) const {
         EventEquation event{&item, item.name, item.doc, item.ends, system_.scene.holds(item.when), 0, 0, {}, {}};
         if (!event.is_watched) return event;
-        const ex guard = system_.with_rates(system_.translate(item.guard, {}));
+        const ex guard = through_zero(system_.with_rates(system_.translate(item.guard, {})));
         event.guard = item.rises ? ex(-guard) : guard;
         event.rate = guard_rate(system_, event.guard);
         if (item.meets) {
@@ -35,6 +35,18 @@ public:
 
 private:
     const ex& velocity(std::size_t j) const { return symbols_.get(SymbolKind::velocity, j); }
+
+    /// What is integrated as its root w falls to zero as w^2, and not through it. The root itself does, at the same time.
+    ex through_zero(const ex& guard) const {
+        if (GiNaC::is_a<GiNaC::mul>(guard)) {
+            ex product = 1;
+            for (const ex& factor : guard) product *= through_zero(factor);
+            return product;
+        }
+        if (!GiNaC::is_a<GiNaC::power>(guard) || !guard.op(1).is_equal(2)) return guard;
+        const Variable* root = symbols_.find(guard.op(0));
+        return root != nullptr && root->is_root ? guard.op(0) : guard;
+    }
 
     void values(Reset& reset, const std::vector<RunEntry>& entries) const {
         for (const RunEntry& entry : entries) {

@@ -117,6 +117,11 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
         for (const FlowState& f : fluids.flows) sum += (f.to == &fluid ? f.mass_flow : ex(0)) - (f.from == &fluid ? f.mass_flow : ex(0));
         return sum;
     }
+    if (e.name == "surplus") {
+        ex sum = 0;
+        for (const FlowState& f : fluids.flows) sum += (f.to_volume == volume ? f.mass_flow : ex(0)) - (f.from_volume == volume ? f.demand : ex(0));
+        return sum;
+    }
     const VolumeBalance* balance = nullptr;
     for (std::size_t i = 0; i < fluids.balances.size(); ++i)
         if (&fluids.containers.volumes[i] == volume) balance = &fluids.balances[i];

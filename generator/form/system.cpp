@@ -104,7 +104,10 @@ void balances(System& system) {
     for (const FlowState& flow : fluids.flows)
         if (flow.velocity_state) system.state_rates[*flow.velocity_state] = flow.acceleration;
     for (const NodeState& node : system.heat.nodes)
-        if (node.state) system.state_rates[*node.state] = system.heat.rate(node);
+        if (node.state) {
+            system.state_rates[*node.state] = system.heat.rate(node);
+            if (node.boiling) system.state_rates[node.boiling->mass] = -system.heat.steam(node);
+        }
 }
 
 void equations(System& system) {

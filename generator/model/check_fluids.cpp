@@ -53,6 +53,12 @@ private:
                                {{medium->span, fmt::format("medium '{}' is defined here", medium->name)}});
         if (volume.polytropic && medium->law != Medium::Law::ideal_gas)
             wrong(volume.polytropic->span, fmt::format("volume '{}' follows a polytropic course, which is one of ideal gases, but holds '{}'", volume.name, medium->name), *medium);
+        if (volume.empties && volume.temperature)
+            diagnostics_.error(Id::not_allowed_here, volume.temperature->span, fmt::format("volume '{}' may run empty, and nothing has no temperature; leave the temperature out, or empties", volume.name));
+        if (volume.empties)
+            for (const Flow& flow : model_.flows)
+                if (flow.law == Flow::Law::pipe && flow.from.name == volume.name)
+                    diagnostics_.error(Id::not_allowed_here, flow.from.span, fmt::format("volume '{}' may run empty, but pipe '{}', whose flow has inertia, leaves it and would have to run empty, too", volume.name, flow.name), {{volume.span, fmt::format("'{}' is defined here", volume.name)}});
         if (volume.head && medium->law != Medium::Law::incompressible)
             wrong(volume.head->span, fmt::format("volume '{}' has a head, which needs an incompressible medium, but holds '{}'", volume.name, medium->name), *medium);
         if ((volume.density || volume.mass) && medium->law == Medium::Law::given && !medium->pressure)

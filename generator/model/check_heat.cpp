@@ -13,8 +13,15 @@ public:
     HeatCheck(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics) : model_(model), names_(names), claims_(claims), diagnostics_(diagnostics) {}
 
     void run() {
-        for (const HeatNode& node : model_.nodes)
-            if (node.capacity && node.temperature) temperature(node.temperature->name, node.temperature->span, fmt::format("node '{}'", node.name));
+        for (const HeatNode& node : model_.nodes) {
+            const std::string what = fmt::format("node '{}'", node.name);
+            if (node.capacity && node.temperature) temperature(node.temperature->name, node.temperature->span, what);
+            if (node.boiling && node.boiling->mass) {
+                const State* mass = claims_.claim(node.boiling->mass->name, node.boiling->mass->span, "mass", what);
+                if (mass != nullptr && (mass->root || mass->family))
+                    diagnostics_.error(Id::not_allowed_here, node.boiling->mass->span, fmt::format("the mass of {} must be a plain state, neither a family nor integrated as its root", what));
+            }
+        }
         for (const Link& link : model_.links) check(link);
         for (const Enclosure& enclosure : model_.enclosures) check(enclosure);
         for (const Rod& rod : model_.rods) temperatures(rod.temperature, fmt::format("rod '{}'", rod.name));

@@ -24,6 +24,7 @@ public:
             range(parameter, "parameter");
         }
         for (const Definition& definition : model_.definitions) {
+            if (definition.is_made) continue;
             if (definition.unit) expect(definition.value, definition.unit->dimension, "the value", "definition", definition);
             else units_.of(*definition.value, {});
         }
@@ -50,8 +51,12 @@ public:
             if (model_.gravity->reference) vector(*model_.gravity->reference, Dimension::length(), "the reference of gravity");
         }
         for (const Body& body : model_.bodies) check(body);
-        for (const Spring& spring : model_.springs) check(spring);
-        for (const Damper& damper : model_.dampers) check(damper);
+        const auto written = [this](const auto& items) {
+            for (const auto& item : items)
+                if (!item.is_made) check(item);
+        };
+        written(model_.springs);
+        written(model_.dampers);
         for (const Force& force : model_.forces) {
             vector(force.force, Dimension::force(), fmt::format("force '{}'", force.name));
             if (force.at) vector(*force.at, Dimension::length(), fmt::format("the point of force '{}'", force.name));
@@ -67,10 +72,13 @@ public:
             for (const CoordinateEntry& entry : term.reference)
                 si_value(entry.value, units_.of_coordinate(entry.coordinate), "the reference", "potential", term);
         }
-        for (const Constraint& constraint : model_.constraints)
-            for (const ExpressionPtr& held : {constraint.rate, constraint.position})
-                if (held) units_.of(*held, {});
-        for (const Event& event : model_.events) check(event);
+        written(model_.constraints);
+        written(model_.events);
+        written(model_.frictions);
+        written(model_.stops);
+        written(model_.contacts);
+        written(model_.saturations);
+        written(model_.profiles);
         for (const GeneralisedForce& force : model_.generalised_forces) force_on(force.coordinate, "generalised force", force);
         for (const Medium& medium : model_.media) check(medium);
         for (const Reservoir& reservoir : model_.reservoirs) {
@@ -146,12 +154,62 @@ private:
         law(damper.force, rate, Dimension::power() / rate, "the force law", "damper", damper);
     }
 
+    void check(const Constraint& constraint) {
+        for (const ExpressionPtr& held : {constraint.rate, constraint.position})
+            if (held) units_.of(*held, {});
+    }
+
     void check(const Event& event) {
         units_.of(*event.guard, {});
         expect(event.restitution, Dimension::none(), "the restitution", "event", event);
-        for (const auto* entries : {&event.reset, &event.rest_reset})
-            for (const RunEntry& entry : *entries)
-                expect(entry.value, units_.of(*entry.variable, {}).dimension, fmt::format("the new value of '{}'", entry.variable->written()).c_str(), "event", event);
+        reset(event.reset, "event", event);
+        reset(event.rest_reset, "event", event);
+    }
+
+    void reset(const std::vector<RunEntry>& entries, const char* kind, const Item& item) {
+        for (const RunEntry& entry : entries) expect(entry.value, units_.of(*entry.variable, {}).dimension, fmt::format("the new value of '{}'", entry.variable->written()).c_str(), kind, item);
+    }
+
+    void check(const Friction& friction) {
+        const Dimension force = Dimension::power() / units_.of(*friction.rate, {}).dimension;
+        const Measure normal = units_.of(*friction.normal_force, {});
+        const Measure sliding = units_.of(*friction.coefficient, {});
+        if (!normal.fits_all && !sliding.fits_all && normal.dimension * sliding.dimension != force)
+            diagnostics_.error(Id::unit_mismatch, friction.coefficient->span,
+                               fmt::format("along its rate, friction '{}' acts with its coefficient times its normal force, which must be in '{}', but is in '{}'", friction.name, force.described(),
+                                           (normal.dimension * sliding.dimension).described()),
+                               {{friction.normal_force->span, fmt::format("the normal force is in '{}'", normal.dimension.described())}});
+        if (!sliding.fits_all) expect(friction.static_coefficient, sliding.dimension, "the static coefficient", "friction", friction);
+    }
+
+    void check(const Stop& stop) {
+        units_.of(*stop.gap, {});
+        expect(stop.restitution, Dimension::none(), "the restitution", "stop", stop);
+    }
+
+    void check(const Contact& contact) {
+        const Dimension elongation = units_.of(*contact.elongation, {}).dimension;
+        const Dimension rate = elongation / Dimension::time();
+        expect(contact.stiffness, Dimension::energy() / elongation / elongation, "the stiffness", "contact", contact);
+        expect(contact.damping, Dimension::power() / rate / rate, "the damping", "contact", contact);
+        expect(contact.play, elongation, "the play", "contact", contact);
+    }
+
+    void check(const Saturation& saturation) {
+        const Measure value = units_.of(*saturation.value, {});
+        if (value.fits_all) return;
+        expect(saturation.low, value.dimension, "the lower limit", "saturation", saturation);
+        expect(saturation.high, value.dimension, "the upper limit", "saturation", saturation);
+    }
+
+    void check(const Profile& profile) {
+        Measure value{Dimension::none(), true};
+        for (const Phase& phase : profile.phases) {
+            if (value.fits_all) value = units_.of(*phase.value, {});
+            else expect(phase.value, value.dimension, fmt::format("the value in phase '{}', as in those before,", phase.name).c_str(), "profile", profile);
+            expect(phase.until, Dimension::time(), fmt::format("the end of phase '{}'", phase.name).c_str(), "profile", profile);
+            reset(phase.reset, "profile", profile);
+        }
     }
 
     void check(const Medium& medium) {
@@ -214,6 +272,10 @@ private:
         expect(node.temperature, Dimension::temperature(), "the temperature", "node", node);
         dependent(node.capacity, Dimension::temperature(), Dimension::energy() / Dimension::temperature(), "the capacity", "node", node);
         expect(node.heat, Dimension::power(), "the heat", "node", node);
+        if (!node.boiling) return;
+        expect(node.boiling->temperature, Dimension::temperature(), "the boiling temperature", "node", node);
+        expect(node.boiling->enthalpy, specific_energy, "the enthalpy of evaporation", "node", node);
+        expect(node.boiling->mass, Dimension::mass(), "the mass", "node", node);
     }
 
     void check(const Link& link) {

@@ -20,6 +20,20 @@ bool leads_to(const std::vector<Condition>& next, const std::string& mode) {
 
 bool leads_to(const Event& event, const std::string& mode) { return leads_to(event.next, mode) || leads_to(event.rest, mode); }
 
+bool asks_for_force(const Expression& guard) {
+    bool result = false;
+    for_each(guard, [&](const Expression& e) { result = result || (e.kind == Expression::Kind::name && e.name == "constraint_force"); });
+    return result;
+}
+
+bool holds_a_rate(const Scene& scene, const ModeGroup& group) {
+    return std::any_of(scene.constraints.begin(), scene.constraints.end(), [&](const auto& c) {
+        std::vector<std::pair<std::string, Span>> named;
+        if (c.item->rate && c.item->when) c.item->when->collect(named);
+        return std::any_of(named.begin(), named.end(), [&](const auto& n) { return std::any_of(group.modes.begin(), group.modes.end(), [&](const Mode& mode) { return mode.name == n.first; }); });
+    });
+}
+
 /// The first mode of a group may be where a run starts. A mode that is not final is left by some event that is watched in it.
 void check_group(const Scene& scene, const ModeGroup& group) {
     for (const Mode& mode : group.modes) {
@@ -94,7 +108,9 @@ std::vector<std::size_t> Scene::modes_after(const std::vector<Condition>& next, 
 }
 
 std::vector<std::size_t> Scene::modes_beside(const Event& event, std::size_t from) const {
-    if (!event.meets && event.reset.empty()) return {};
+    // What changes no velocity needs no other part of the machine to change; but where friction lets go, another one on the same rate may hold.
+    const bool changes_velocities = event.meets || !event.reset.empty();
+    if (!changes_velocities && !asks_for_force(*event.guard)) return {};
     const std::vector<std::size_t> direct = modes_after(event.next, from);
     std::vector<std::size_t> result;
     for (const std::size_t to : direct)
@@ -103,7 +119,8 @@ std::vector<std::size_t> Scene::modes_beside(const Event& event, std::size_t fro
             bool is_beside = true;
             for (std::size_t group = 0; group < modes[i].parts.size(); ++group) {
                 const bool is_of_event = std::any_of(direct.begin(), direct.end(), [&](std::size_t d) { return modes[d].parts[group] != modes[from].parts[group]; });
-                is_beside = is_beside && (!is_of_event || modes[i].parts[group] == modes[to].parts[group]);
+                const bool may_differ = !is_of_event && (changes_velocities || holds_a_rate(*this, *mode_groups[group]));
+                is_beside = is_beside && (may_differ || modes[i].parts[group] == modes[to].parts[group]);
             }
             const auto is_in = [&](const std::vector<std::size_t>& list) { return std::find(list.begin(), list.end(), i) != list.end(); };
             if (is_beside && !is_in(direct) && !is_in(result)) result.push_back(i);

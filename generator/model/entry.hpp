@@ -57,6 +57,15 @@ public:
     std::optional<CoordinateEntry> coordinate(std::string_view key) const;
     std::vector<RunEntry> by_name(std::string_view key) const;
     std::vector<Plot> plots(std::string_view key) const;
+    /// Calls read(part, is_last) for each of a list of tables, an Entry by a schema of its own.
+    template <class Read>
+    void each(std::string_view key, const SectionSpec& section, Read read) const {
+        const auto nodes = list(find(key, ValueType::tables), ValueType::tables);
+        for (const DocumentNode* node : nodes) {
+            const DocumentNode::Member part{section.name, node->span, *node};
+            read(Entry(part, section, diagnostics_), node == nodes.back());
+        }
+    }
 
     /// name, span, doc, for, when
     void fill(Item& item) const;

@@ -49,6 +49,7 @@ struct Volume : Item {
     ExpressionPtr heat;
     ExpressionPtr shaft_power;
     ExpressionPtr smallest;
+    bool empties = false;  ///< being filled or empty is a mode
 };
 
 /// What goes from one volume or reservoir to another.

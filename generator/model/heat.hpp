@@ -8,11 +8,19 @@
 
 namespace dalembert {
 
+/// Of a liquid: at a temperature, heat makes steam of it, which leaves.
+struct Boiling {
+    ExpressionPtr temperature;
+    ExpressionPtr enthalpy;  ///< J/kg, of evaporation
+    ExpressionPtr mass;      ///< the state that is what is left
+};
+
 /// A place with one temperature. With a capacity the temperature is a state, which a scene may leave out; without one it is held at
 /// an expression, or, where none is given, follows from the balance of what flows in.
 struct HeatNode : Item {
     ExpressionPtr temperature;
     std::optional<Property> capacity;  ///< J/K, or a law "T -> ..."
+    std::optional<Boiling> boiling;
     ExpressionPtr heat;                ///< W into it, from outside
 
     bool is_held() const { return temperature && !capacity; }

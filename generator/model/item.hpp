@@ -19,6 +19,7 @@ struct Item {
     std::string doc;
     std::optional<Family> family;
     std::optional<Condition> when;
+    bool is_made = false;  ///< by an element that switches, whose own entries are what is checked
 };
 
 /// Bounds in SI, constant expressions. A bound that is not there is infinite.

@@ -207,6 +207,7 @@ struct Model {
     std::vector<Stop> stops;
     std::vector<Contact> contacts;
     std::vector<Saturation> saturations;
+    std::vector<Profile> profiles;
     std::vector<ModeGroup> modes;           ///< with those of the elements above, as the next two
     std::vector<Constraint> constraints;
     std::vector<Event> events;

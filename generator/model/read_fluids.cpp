@@ -126,6 +126,9 @@ void read(const Entry& e, Volume& volume) {
                     {{e.span_of(chosen[0]), fmt::format("the {} stands here", chosen[0])}});
     }
     if (e.has("head") != e.has("gravity")) e.error(Id::missing_key, e.span(), fmt::format("volume '{}' needs head and gravity together, or neither", e.name()));
+    volume.empties = e.boolean("empties");
+    if (volume.empties && !e.has("filling")) e.error(Id::missing_key, e.span_of("empties"), fmt::format("volume '{}' has no filling that could run out", e.name()));
+    if (volume.empties && e.has("for")) e.error(Id::not_allowed_here, e.span_of("empties"), fmt::format("volume '{}' is a family, whose members cannot have modes of their own", e.name()));
     if (e.has("head") && !e.has("filling")) e.error(Id::missing_key, e.span_of("head"), fmt::format("volume '{}' has a head, but no filling that it depends on", e.name()));
 }
 

@@ -67,6 +67,19 @@ std::optional<Boundary> boundary(const Entry& e, const char* key, const char* wh
     return end;
 }
 
+Boiling boiling(const Entry& e) {
+    Boiling boiling;
+    for (const RunEntry& entry : e.by_name("boiling")) {
+        const std::string& name = entry.variable->name;
+        ExpressionPtr* part = name == "temperature" ? &boiling.temperature : name == "enthalpy" ? &boiling.enthalpy : name == "mass" ? &boiling.mass : nullptr;
+        if (part == nullptr) e.error(Id::unknown_key, entry.span, fmt::format("the boiling of node '{}' has a temperature, an enthalpy and a mass, but no '{}'", e.name(), entry.variable->written()));
+        else *part = entry.value;
+    }
+    for (const auto& [part, name] : {std::pair(&boiling.temperature, "temperature"), std::pair(&boiling.enthalpy, "enthalpy"), std::pair(&boiling.mass, "mass")})
+        if (!*part) e.error(Id::missing_key, e.span_of("boiling"), fmt::format("the boiling of node '{}' needs the {}", e.name(), name));
+    return boiling;
+}
+
 /// Cells take all members, so an index has no place.
 void whole_family(const Entry& e, const char* what, const Reference& temperature) {
     if (temperature.index) e.error(Id::not_indexed, temperature.span, fmt::format("{} '{}' takes a whole family of states; name it without an index", what, e.name()));
@@ -92,6 +105,11 @@ void read(const Entry& e, HeatNode& node) {
     node.temperature = e.expression("temperature");
     node.capacity = dependent(e, "capacity");
     node.heat = e.expression("heat");
+    if (e.has("boiling")) {
+        needs(e, "node", "capacity", ", because it boils");
+        if (e.has("for")) e.error(Id::not_allowed_here, e.span_of("boiling"), fmt::format("node '{}' is a family, whose members cannot have modes of their own", e.name()));
+        node.boiling = boiling(e);
+    }
     if (e.has("capacity")) needs(e, "node", "temperature", ": the state that its capacity belongs to");
     if (node.is_held() && e.has("heat"))
         e.error(Id::doubly_determined, e.span_of("heat"), fmt::format("node '{}' is held at a temperature, so that heat into it changes nothing; give it a capacity, or leave its temperature out", e.name()));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/checks.hpp"
+#include "model/expand_switching.hpp"
 #include "model/entry.hpp"
 #include "model/read_fluids.hpp"
 #include "model/read_heat.hpp"
@@ -243,10 +244,13 @@ public:
         collection("stops", model_.stops);
         collection("contacts", model_.contacts);
         collection("saturations", model_.saturations);
+        collection("profiles", model_.profiles);
         collection("modes", model_.modes);
         collection("constraints", model_.constraints);
         collection("events", model_.events);
-        expand_switching(model_);
+        expand_contacts(model_);
+        expand_signals(model_);
+        expand_balances(model_);
         collection("effects", model_.effects);
         scenes();
         collection("printed", model_.printed);

@@ -157,6 +157,7 @@ constexpr std::array volume_keys{
     KeySpec{"heat", T::expression, false, "heat flow into it from outside; counts where its temperature is a state of the scene, else heat is what holds the temperature"},
     KeySpec{"shaft_power", T::expression, false, "power of a shaft into it from outside"},
     KeySpec{"smallest", T::expression, false, "the volume at which a run stops; 0 if left out"},
+    KeySpec{"empties", T::boolean, false, "true, with filling: at filling = 0 it is empty: what flows in flows out again, shared by what each outflow would take, until more flows in. Brings the modes NAME_filled and NAME_empty"},
     doc_key, for_key, when_key,
 };
 constexpr std::array flow_keys{
@@ -184,6 +185,8 @@ constexpr std::array node_keys{
     KeySpec{"temperature", T::expression, false,
             "with a capacity: the state that is its temperature; where a scene leaves it out, nothing is stored. Without: the temperature at which it is held. Left out: it follows from the balance"},
     KeySpec{"capacity", T::dependent, false, "its heat capacity; \"T -> ...\" where it depends on the temperature"},
+    KeySpec{"boiling", T::expressions_by_name, false,
+            "{ temperature, enthalpy, mass }: at that temperature heat evaporates what is left, a state, with an enthalpy of evaporation. The capacity may depend on that state. Brings the modes NAME_liquid, NAME_boiling, and NAME_dry where the capacity is not gone with the mass; else the run ends then"},
     KeySpec{"heat", T::expression, false, "heat flow into it from outside, or from dissipation as \"dissipated_power[friction]\""},
     doc_key, for_key, when_key,
 };
@@ -281,6 +284,17 @@ constexpr std::array saturation_keys{
     KeySpec{"high", T::expression, true, "the upper limit"},
     doc_key, when_key,
 };
+constexpr std::array profile_keys{
+    KeySpec{"phases", T::tables, true, "one after the other: { name, value, until }; until is the time at which the next one begins, which the last one has not. With reset = { \"dot(x)\" = 0 }: new values at its end"},
+    doc_key, when_key,
+};
+constexpr std::array phase_keys{
+    KeySpec{"name", T::text, true, "of the phase; the mode is NAME_PHASE"},
+    KeySpec{"value", T::expression, true, "of the profile in this phase"},
+    KeySpec{"until", T::expression, false, "the time at which it ends; the last one has none"},
+    KeySpec{"reset", T::expressions_by_name, false, "new values of states, coordinates and velocities at its end"},
+};
+constexpr SectionSpec phase_spec{"phases", false, "", "", phase_keys, ""};
 constexpr std::array mode_keys{
     KeySpec{"modes", T::effects, true, "their names; conditions may name them, and in expressions each is 1 where it holds, else 0"},
     KeySpec{"final", T::effects, false, "those of them that nothing has to leave"},
@@ -409,6 +423,8 @@ constexpr std::array table{
                 "[contacts.rope]\nelongation = \"x - l\"\nstiffness  = \"c\"", contact_keys, ""},
     SectionSpec{"saturations", true, "Values within limits. NAME is what is left of the value, and brings the modes NAME_within, NAME_below, NAME_above.",
                 "[saturations.drive]\nvalue = \"k*(x_d - x)\"\nlow   = \"-f_max\"\nhigh  = \"f_max\"", saturation_keys, ""},
+    SectionSpec{"profiles", true, "Values that go through phases of time. NAME is the value, and each phase is a mode NAME_PHASE.",
+                "[profiles.drive]\nphases = [{ name = \"runs\", value = \"a\", until = \"t_1\" }, { name = \"stands\", value = 0 }]", profile_keys, ""},
     SectionSpec{"modes", true, "Ways in which a part of the machine can be, one at any time. The first that fits the start values is the start.",
                 "[modes]\npump = [\"pump_on\", \"pump_off\"]", mode_keys, "modes"},
     SectionSpec{"constraints", true, "Rates or positions that are held at zero, in some mode. constraint_force[NAME] is what holds them: the force along the rate, on the machine.",
@@ -444,6 +460,7 @@ std::string section_reference(const SectionSpec& section) {
 }  // namespace
 
 std::span<const SectionSpec> sections() { return table; }
+const SectionSpec& phase_section() { return phase_spec; }
 
 const SectionSpec* find_section(std::string_view name) {
     const auto found = std::find_if(table.begin(), table.end(), [&](const SectionSpec& s) { return name == s.name; });
@@ -488,6 +505,7 @@ const char* describe(ValueType type) {
         case T::expressions_by_name: return "{ NAME = expression }";
         case T::choice: return "one of";
         case T::plots: return "list of plots";
+        case T::tables: return "list of { KEY = ... }";
         case T::boolean: break;
     }
     return "true or false";

@@ -42,6 +42,7 @@ enum class ValueType {
     expressions_by_name,
     choice,
     plots,
+    tables,      ///< each with keys of its own
     boolean,
 };
 
@@ -62,6 +63,8 @@ struct SectionSpec {
 };
 
 std::span<const SectionSpec> sections();
+/// Of the phases of a profile.
+const SectionSpec& phase_section();
 const SectionSpec* find_section(std::string_view name);
 const KeySpec* find_key(const SectionSpec& section, std::string_view name);
 const char* describe(ValueType type);

@@ -286,8 +286,11 @@ private:
                 claim(state, member);
         }
         for (const auto& member : scene_.flows) claim(member.item->velocity, member);
-        for (const auto& member : scene_.nodes)
-            if (scene_.has_capacity(*member.item, names_)) claim(member.item->temperature, member);
+        for (const auto& member : scene_.nodes) {
+            if (!scene_.has_capacity(*member.item, names_)) continue;
+            claim(member.item->temperature, member);
+            if (member.item->boiling) claim(member.item->boiling->mass, member);
+        }
         const auto claim_cells = [&](const auto& members) {
             for (const auto& member : members)
                 for (const auto& state : scene_.states) {

@@ -232,8 +232,12 @@ void visit(const HeatNode& item, const SiteVisitor& visitor) {
     const Visit each(item, "node", visitor);
     if (item.temperature && item.capacity) visitor({item.temperature.get(), on_states, "the temperature of " + each.owner_, each.bound_, false, true});
     else each(item.temperature, on_plain_states_and_inputs, "temperature");
-    each(item.capacity, constant_only, "capacity");
+    each(item.capacity, item.boiling ? constant_only | on_states : constant_only, "capacity");
     each(item.heat, on_state_and_inputs | on_losses, "heat");
+    if (!item.boiling) return;
+    each(item.boiling->temperature, constant_only, "boiling temperature");
+    each(item.boiling->enthalpy, constant_only, "enthalpy of evaporation");
+    each(item.boiling->mass, on_parameters | on_states, "mass");
 }
 
 void visit(const Link& item, const SiteVisitor& visitor) {
@@ -314,6 +318,47 @@ void visit(const Event& item, const SiteVisitor& visitor) {
         }
 }
 
+void visit(const Friction& item, const SiteVisitor& visitor) {
+    const Visit each(item, "friction", visitor);
+    each(item.rate, on_motion, "rate");
+    each(item.normal_force, on_state_and_inputs, "normal force");
+    each(item.coefficient, on_state_and_inputs, "coefficient");
+    each(item.static_coefficient, on_state_and_inputs, "static coefficient");
+}
+
+void visit(const Stop& item, const SiteVisitor& visitor) {
+    const Visit each(item, "stop", visitor);
+    each(item.gap, on_configuration, "gap");
+    each(item.restitution, constant_only, "restitution");
+}
+
+void visit(const Contact& item, const SiteVisitor& visitor) {
+    const Visit each(item, "contact", visitor);
+    each(item.elongation, on_configuration, "elongation");
+    each(item.stiffness, constant_only, "stiffness");
+    each(item.damping, on_state_and_inputs, "damping");
+    each(item.play, constant_only, "play");
+}
+
+void visit(const Saturation& item, const SiteVisitor& visitor) {
+    const Visit each(item, "saturation", visitor);
+    each(item.value, on_state_and_inputs, "value");
+    each(item.low, on_state_and_inputs, "lower limit");
+    each(item.high, on_state_and_inputs, "upper limit");
+}
+
+void visit(const Profile& item, const SiteVisitor& visitor) {
+    const Visit each(item, "profile", visitor);
+    for (const Phase& phase : item.phases) {
+        each(phase.value, on_state_and_inputs, "values");
+        each(phase.until, on_state_and_inputs, "times");
+        for (const RunEntry& entry : phase.reset) {
+            each(entry.variable, on_coordinates | on_velocities | on_states, "reset");
+            each(entry.value, on_state_and_inputs, "reset");
+        }
+    }
+}
+
 void visit(const PrintedEquation& item, const SiteVisitor& visitor) {
     Visit each(item, "printed equation", visitor);
     for (const PrintedLetter& letter : item.letters) each.bound_.push_back(letter.name);
@@ -347,7 +392,11 @@ void visit(const Run& item, const SiteVisitor& visitor) {
 
 void visit(const Model& model, const SiteVisitor& visitor) {
     const auto all = [&](const auto& items) {
-        for (const auto& item : items) visit(item, visitor);
+        for (const auto& item : items) {
+            if constexpr (requires { item.is_made; })
+                if (item.is_made) continue;
+            visit(item, visitor);
+        }
     };
     all(model.sizes);
     all(model.parameters);
@@ -374,6 +423,11 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.rods);
     all(model.blocks);
     all(model.enclosures);
+    all(model.frictions);
+    all(model.stops);
+    all(model.contacts);
+    all(model.saturations);
+    all(model.profiles);
     all(model.constraints);
     all(model.events);
     all(model.printed);

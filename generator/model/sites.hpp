@@ -76,10 +76,15 @@ void visit(const Block& item, const SiteVisitor& visitor);
 void visit(const Enclosure& item, const SiteVisitor& visitor);
 void visit(const Constraint& item, const SiteVisitor& visitor);
 void visit(const Event& item, const SiteVisitor& visitor);
+void visit(const Friction& item, const SiteVisitor& visitor);
+void visit(const Stop& item, const SiteVisitor& visitor);
+void visit(const Contact& item, const SiteVisitor& visitor);
+void visit(const Saturation& item, const SiteVisitor& visitor);
+void visit(const Profile& item, const SiteVisitor& visitor);
 void visit(const PrintedEquation& item, const SiteVisitor& visitor);
 void visit(const Run& item, const SiteVisitor& visitor);
 
-/// All sites of a model, in the order of its sections.
+/// All sites of a model, in the order of its sections; of elements that switch those that were written, and not what they stand for.
 void visit(const Model& model, const SiteVisitor& visitor);
 
 }  // namespace dalembert

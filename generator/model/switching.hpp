@@ -64,4 +64,18 @@ struct Saturation : Item {
     ExpressionPtr value, low, high;
 };
 
+/// What a profile is until a time, and values that are reset then.
+struct Phase {
+    std::string name;
+    Span span;
+    ExpressionPtr value;
+    ExpressionPtr until;  ///< null: for ever
+    std::vector<RunEntry> reset;
+};
+
+/// A definition that goes through phases, one after the other.
+struct Profile : Item {
+    std::vector<Phase> phases;
+};
+
 }  // namespace dalembert

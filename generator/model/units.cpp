@@ -145,7 +145,9 @@ Measure Units::name(const Expression& e, const Bound& bound) {
     const Definition& definition = named->definition();
     if (const auto known = definitions_.find(&definition); known != definitions_.end()) return known->second;
     definitions_[&definition] = anything;
-    const Measure measure = definition.unit ? Measure{definition.unit->dimension} : of(*definition.value, {});
+    // Disagreements within an element that switches are told of its entries.
+    Diagnostics silent;
+    const Measure measure = definition.unit ? Measure{definition.unit->dimension} : definition.is_made ? Units(names_, silent).of(*definition.value, {}) : of(*definition.value, {});
     return definitions_[&definition] = measure;
 }
 

@@ -87,6 +87,7 @@ constexpr std::array quantity_table{
     QuantitySpec{"mass_flow", S::flow, "mass flow, positive from `from` to `to`"},
     QuantitySpec{"volume_flow", S::flow, "mass flow over the density of the side that it comes from"},
     QuantitySpec{"inflow", S::fluid, "sum of the mass flows into a volume or reservoir"},
+    QuantitySpec{"surplus", S::volume, "mass flow into a volume less what flows out of it, or would if it were not empty"},
     QuantitySpec{"heat", S::heated, "heat flow along a link; into a node; into a volume: given, or what holds its temperature or its course; through a border into a rod, heat[bar.first], or a block, heat[plate.left]"},
     QuantitySpec{"shaft_power", S::flow, "power that the shaft of a pump puts into what flows"},
     QuantitySpec{"view_factor", S::two_surfaces, "of an enclosure: view_factor[furnace, 1, 2] (4.44)"},

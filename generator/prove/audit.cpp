@@ -88,7 +88,7 @@ std::vector<AuditEntry> compare_balances(const System& system, Prover& prover) {
         const ex change = system.with_rates(symbols.time_derivative(node.stored_energy));
         // Where the temperature is defined by a balance, that is the balance of this node.
         const auto defined = system.heat.defined.find(&node);
-        entries.push_back({"balance of heat, " + node.name, prover.equal(defined == system.heat.defined.end() ? change : defined->second, system.heat.heat_into(node))});
+        entries.push_back({"balance of heat, " + node.name, prover.equal(defined == system.heat.defined.end() ? change : defined->second, system.heat.heat_into(node) - system.heat.steam_power(node, symbols))});
     }
     for (const FlowState& f : fluids.flows)
         if (f.velocity_state) entries.push_back({"balance of energy, " + f.member.name(), prover.equal(system.with_rates(symbols.time_derivative(f.stored_energy)), f.leaving() - f.arriving() + f.shaft_power)});

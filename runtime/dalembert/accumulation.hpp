@@ -54,8 +54,10 @@ public:
         return is_stalled() || (is_steady() && remaining() <= sqrt(std::numeric_limits<Scalar>::epsilon()) * (time(0) - begin_));
     }
 
-    /// Whether the last two are no further apart than `interval`.
-    bool is_repeated(Scalar interval) const { return count_ > 1 && time(0) - time(1) <= interval; }
+    /// Between the last two.
+    Scalar interval() const { return time(0) - time(1); }
+    /// Whether the last two are no further apart than `most`.
+    bool is_repeated(Scalar most) const { return count_ > 1 && interval() <= most; }
 
     /// Too close together to be told apart, or beyond the sum that they had while they shrank steadily.
     bool is_stalled() const { return stalls_ >= enough_stalls || (has_sum_ && !is_steady() && time(0) >= sum_); }

@@ -149,7 +149,8 @@ SwitchingResult<System> simulate_switching(const System& system, const Inputs& i
     };
     const auto note = [&](const auto& change) {
         const auto before = Whole::plain(change.before), after = Whole::plain(change.after);
-        const Scalar loss = energy(change.from, before, change.t) - energy(change.to, after, change.t);
+        // An event may be passed an instant later, in which work is done.
+        const Scalar loss = energy(change.from, before, change.t) - energy(change.to, after, change.t) + (change.after[n] - change.before[n]);
         lost += loss;
         result.energy.largest_gain = std::max(result.energy.largest_gain, static_cast<double>(-loss));
         on_change(change.t, change.event, change.from, change.to, before, after);

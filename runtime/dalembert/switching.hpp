@@ -104,7 +104,10 @@ std::string message(const System&, const SwitchingOutcome<typename System::Mode>
     Outcome plain = outcome;
     plain.guard = Outcome::none;
     std::string text = message(plain, names);
-    if (outcome.status == Status::no_start_mode) return text + ": no mode accepts the start values";
+    if (outcome.status == Status::no_start_mode) {
+        text += ": no mode accepts the start values";
+        return outcome.last.event == Outcome::none ? text : text + ", since event '" + System::event_table()[outcome.last.event] + "' has happened already";
+    }
     if (outcome.last.event == Outcome::none) return text;
     if (outcome.status == Status::event) text += ": " + happened(outcome.last);
     if (outcome.status == Status::no_mode) text += ": no mode can go on after " + happened(outcome.last);

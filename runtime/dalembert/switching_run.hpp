@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 #include "dalembert/accumulation.hpp"
@@ -29,7 +30,10 @@ public:
         if (!control_.are_options_good()) return end(Status::bad_options);
         if (!is_finite()) return end(Status::not_finite);
         std::size_t event = none;
-        if (!start(is_given, given, event)) return end(Status::no_start_mode);
+        if (!start(is_given, given, event)) {
+            result_.last.event = happened_before();
+            return end(Status::no_start_mode);
+        }
         observe_output(t_, x_);
         while (true) {
             if (event == none) {
@@ -63,6 +67,21 @@ private:
         return choose(all, event);
     }
 
+    /// An event that has happened before the start, whatever the mode, or none.
+    std::size_t happened_before() const {
+        std::array<bool, events> in_all{};
+        in_all.fill(true);
+        for (std::size_t i = 0; i < mode_count; ++i) {
+            const Mode mode = static_cast<Mode>(i);
+            typename System::Events g{};
+            system_.guards(mode, x_, inputs_(x_, t_), t_, g);
+            for (std::size_t e = 0; e < events; ++e) in_all[e] = in_all[e] && System::is_watched(mode, e) && g[e] < Scalar(0);
+        }
+        for (std::size_t e = 0; e < events; ++e)
+            if (in_all[e]) return e;
+        return none;
+    }
+
     /// The event happens now. Leaves the next one there, if that happens at once.
     Status pass(std::size_t& event) {
         if (!count(event)) return Status::event_storm;
@@ -72,7 +91,7 @@ private:
             return Status::event;
         }
         const std::size_t happened = event;
-        if (is_too_soon(happened)) {
+        if (is_too_soon(happened) || is_too_low(happened)) {
             accumulations_[happened].stall();
             event = none;
             return pass_accumulation(happened, event);
@@ -86,6 +105,7 @@ private:
     bool count(std::size_t event) {
         stalled_ = result_.last.event != none && !(t_ - last_time_ > Scalar(2) * control_.tiny(t_)) ? stalled_ + 1 : 0;
         last_time_ = t_;
+        is_circle_ = stalled_ > 1 && result_.before_last.event == event && result_.before_last.mode == here_.mode;
         result_.guard = event;
         result_.before_last = result_.last;
         result_.last = {event, here_.mode};
@@ -101,6 +121,26 @@ private:
         return rates[event] > Scalar(0);
     }
 
+    /// The guard has risen no higher than its roundings: what the event is about was at rest all the time.
+    bool is_too_low(std::size_t event) const {
+        using std::abs;
+        if (!goes_on_after(event) || !(departures_[event] > Scalar(0)) || !accumulations_[event].is_repeated(to_)) return false;
+        const Input u = inputs_(x_, t_);
+        const auto guard = [&](const State& x) {
+            typename System::Events g{};
+            system_.guards(here_.mode, x, u, t_, g);
+            return g[event];
+        };
+        const Scalar here = guard(x_);
+        Scalar roundings = Scalar(0);
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            State x = x_;
+            x[i] += std::numeric_limits<Scalar>::epsilon() * x[i];
+            roundings += abs(guard(x) - here);
+        }
+        return departures_[event] * accumulations_[event].interval() <= Scalar(4) * roundings;
+    }
+
     template <class Modes, class Reset>
     Status change(std::size_t event, const Modes& candidates, const Reset& reset, bool is_accumulation, std::size_t& next) {
         const State before = x_;
@@ -108,13 +148,20 @@ private:
         reset(x_, inputs_(x_, t_));
         bool is_found = is_finite() && choose(candidates, next);
         if (result_.state == x_.size() && (!is_found || next != none)) is_found = change_behind(before, from, candidates, reset, next) || is_found;
-        if constexpr (has_modes_beside<System>)
+        if constexpr (has_modes_beside<System>) {
+            // Two frictions on one rate: where one lets go, the other holds.
+            if (is_found && next != none && is_circle_) change_ahead(System::modes_beside(event, from), next);
             if (!is_found && !is_accumulation && is_finite()) is_found = choose(System::modes_beside(event, from), next);
+        }
+        if (!is_found && is_finite()) is_found = change_ahead(candidates, next);
         if (!is_found) {
             x_ = before;
             return result_.state < x_.size() ? Status::not_finite : Status::no_mode;
         }
         on_change_(Change{t_, event, from, here_.mode, is_accumulation, before, x_});
+        typename System::Events rates{};
+        system_.guard_rates(here_.mode, x_, inputs_(x_, t_), t_, rates);
+        departures_[event] = System::is_watched(here_.mode, event) ? rates[event] : Scalar(0);
         return Status::success;
     }
 
@@ -140,6 +187,36 @@ private:
         here_.mode = to;
         x_ = after;
         t_ = t;
+        return false;
+    }
+
+    /// A guard that is zero but for a rounding, on the wrong side, and rises: a mode accepts it an instant later, or a few, where the guard
+    /// rises from a rate that is zero itself. False, and nothing has changed, if none does without further events.
+    template <class Modes>
+    bool change_ahead(const Modes& modes, std::size_t& event) {
+        constexpr int most_tries = 7;  // the last one is 2^18 instants
+        const State here = x_;
+        const Scalar t = t_;
+        const Mode as_before = here_.mode;
+        Scalar instant = control_.tiny(t);
+        for (int tries = 0; tries < most_tries; ++tries, instant *= Scalar(8))
+            for (const Mode mode : modes) {
+                std::size_t next = none;
+                here_.mode = mode;
+                t_ = t + instant / Scalar(2);
+                State dxdt;
+                here_.rhs(here, inputs_(here, t_), t_, dxdt);
+                t_ = t + instant;
+                for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = here[i] + (t_ - t) * dxdt[i];
+                if (t_ > t && t_ <= to_ && is_finite() && choose(std::array<Mode, 1>{mode}, next) && next == none) {
+                    event = none;
+                    return true;
+                }
+            }
+        here_.mode = as_before;
+        x_ = here;
+        t_ = t;
+        result_.state = x_.size();
         return false;
     }
 
@@ -201,8 +278,10 @@ private:
 
     OnChange& on_change_;
     std::array<Accumulation<Scalar>, events> accumulations_{};
+    std::array<Scalar, events> departures_{};  ///< how fast the guards rose after their last events
     Scalar last_time_ = Scalar(0);
     std::size_t stalled_ = 0;  ///< events in a row without progress in time
+    bool is_circle_ = false;   ///< the last of them are two that lead to each other
 };
 
 }  // namespace detail

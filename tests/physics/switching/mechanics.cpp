@@ -256,9 +256,9 @@ TEST_CASE("motion profile: phase after phase, to the printed time and place") {
     CHECK(r.x == r.events[3].after);
     CHECK(r.x[1] == 0.0);
     for (const auto& point : r.points) {
-        if (point.mode == Mode::waiting) CHECK(point.x == System::State{0, 0});
-        if (point.mode == Mode::standing) CHECK(point.x[1] == 0.0);
-        if (point.mode == Mode::cruising) CHECK(point.x[1] == doctest::Approx(3).epsilon(1e-14));
+        if (point.mode == Mode::drive_waiting) CHECK(point.x == System::State{0, 0});
+        if (point.mode == Mode::drive_standing) CHECK(point.x[1] == 0.0);
+        if (point.mode == Mode::drive_cruising) CHECK(point.x[1] == doctest::Approx(3).epsilon(1e-14));
     }
 }
 

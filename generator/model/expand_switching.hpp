@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Elements that switch are written out as modes, events and what holds in them. What is missing from an element was reported where it
+// was read; such an element is passed over.
+#pragma once
+
+#include "model/model.hpp"
+
+namespace dalembert {
+
+/// Frictions, stops and contacts: modes, constraints, events, springs and dampers.
+void expand_contacts(Model& model);
+/// Saturations and profiles: modes, events, and a definition that is their value.
+void expand_signals(Model& model);
+/// Check valves and orifices that switch, volumes that run empty, nodes that boil: modes and events.
+void expand_balances(Model& model);
+
+}  // namespace dalembert
