@@ -7,13 +7,13 @@ namespace dalembert {
 
 namespace {
 
-constexpr auto common = std::to_array<JsonField>({
+constexpr auto of_common = std::to_array<JsonField>({
     {"schema", "dalembert/VERB"},
     {"version", "of the schema; fields may join without a new version, none is renamed or removed"},
     {"model", "name of the model; in a survey each system has its own"},
 });
 
-constexpr auto derive = std::to_array<JsonField>({
+constexpr auto of_derive = std::to_array<JsonField>({
     {"scene", "the scene"},
     {"sizes.<NAME>", "sizes of families"},
     {"definitions.<NAME>", "expressions of the definitions"},
@@ -61,7 +61,7 @@ constexpr auto derive = std::to_array<JsonField>({
     {"modes[].events[].next[]", "modes afterwards, in order of preference"},
 });
 
-constexpr auto generate = std::to_array<JsonField>({
+constexpr auto of_generate = std::to_array<JsonField>({
     {"scene", "the scene; with --every-scene the result is an array of such objects"},
     {"sizes.<NAME>", "sizes of families"},
     {"header", "path of the header"},
@@ -80,7 +80,7 @@ constexpr auto generate = std::to_array<JsonField>({
     {"seconds.<STAGE>", "time of each stage"},
 });
 
-constexpr auto check = std::to_array<JsonField>({
+constexpr auto of_check = std::to_array<JsonField>({
     {"scenes[].scene", "a scene that was derived"},
     {"scenes[].proofs[].name", "what was proven of the derivation and of the emitted code"},
     {"scenes[].proofs[].verdict", "proven, proven under assumption, numerically equal or wrong"},
@@ -102,7 +102,7 @@ constexpr auto check = std::to_array<JsonField>({
     {"passed", "everything is as expected; exit code 0"},
 });
 
-constexpr auto evaluate = std::to_array<JsonField>({
+constexpr auto of_evaluate = std::to_array<JsonField>({
     {"scene", "the scene"},
     {"sizes.<NAME>", "sizes of families"},
     {"mode", "of a machine that switches"},
@@ -121,7 +121,7 @@ constexpr auto evaluate = std::to_array<JsonField>({
     {"exchanged_power", "W; likewise"},
 });
 
-constexpr auto simulate = std::to_array<JsonField>({
+constexpr auto of_simulate = std::to_array<JsonField>({
     {"scene", "the scene"},
     {"sizes.<NAME>", "sizes of families"},
     {"status", "success, or why the run stopped; exit code 4 then"},
@@ -139,7 +139,7 @@ constexpr auto simulate = std::to_array<JsonField>({
     {"files[]", "what was written"},
 });
 
-constexpr auto equilibrium = std::to_array<JsonField>({
+constexpr auto of_equilibrium = std::to_array<JsonField>({
     {"scene", "the scene"},
     {"sizes.<NAME>", "sizes of families"},
     {"mode", "of a machine that switches"},
@@ -158,7 +158,7 @@ constexpr auto equilibrium = std::to_array<JsonField>({
     {"eigenvalues[].imaginary", ""},
 });
 
-constexpr auto survey = std::to_array<JsonField>({
+constexpr auto of_survey = std::to_array<JsonField>({
     {"systems[].model", "name of the model"},
     {"systems[].scene", "the scene that was run"},
     {"systems[].degrees_of_freedom", ""},
@@ -173,7 +173,7 @@ constexpr auto survey = std::to_array<JsonField>({
     {"systems[].energy_error", "as in simulate"},
 });
 
-constexpr auto effects = std::to_array<JsonField>({
+constexpr auto of_effects = std::to_array<JsonField>({
     {"against", "the scene that the others are compared with"},
     {"scenes[].scene", "name of the scene; NAME-EFFECT and NAME+EFFECT are scenes with one effect left out or added"},
     {"scenes[].named", "whether it is a scene of the model"},
@@ -194,7 +194,7 @@ constexpr auto effects = std::to_array<JsonField>({
     {"files[]", "what was written"},
 });
 
-constexpr auto scenes = std::to_array<JsonField>({
+constexpr auto of_scenes = std::to_array<JsonField>({
     {"default", "the default scene; empty without one"},
     {"scenes[].scene", "name of the scene"},
     {"scenes[].doc", "description"},
@@ -209,13 +209,13 @@ constexpr auto scenes = std::to_array<JsonField>({
 });
 
 constexpr auto schemas = std::to_array<JsonSchema>({
-    {"derive", derive},           {"generate", generate}, {"check", check},   {"evaluate", evaluate}, {"simulate", simulate},
-    {"equilibrium", equilibrium}, {"survey", survey},     {"effects", effects},   {"scenes", scenes},
+    {"derive", of_derive},           {"generate", of_generate}, {"check", of_check},   {"evaluate", of_evaluate}, {"simulate", of_simulate},
+    {"equilibrium", of_equilibrium}, {"survey", of_survey},     {"effects", of_effects},   {"scenes", of_scenes},
 });
 
 }  // namespace
 
-std::span<const JsonField> common_json_fields() { return common; }
+std::span<const JsonField> common_json_fields() { return of_common; }
 std::span<const JsonSchema> json_schemas() { return schemas; }
 
 }  // namespace dalembert

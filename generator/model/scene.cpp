@@ -14,10 +14,6 @@ namespace {
 
 using Kind = Expression::Kind;
 
-[[noreturn]] void fail(Id id, const Span& span, std::string message, std::vector<Note> notes = {}) {
-    throw Failure(Diagnostic{id, span, std::move(message), std::move(notes)});
-}
-
 }  // namespace
 
 bool Scene::has_temperature(const Volume& volume, const Names& names) const {

@@ -17,10 +17,6 @@ namespace {
 
 using Kind = Expression::Kind;
 
-[[noreturn]] void fail(Id id, const Span& span, std::string message, std::vector<Note> notes = {}) {
-    throw Failure(Diagnostic{id, span, std::move(message), std::move(notes)});
-}
-
 class Selection {
 public:
     Selection(const Model& model, const Names& names, const std::string& name) : model_(model), names_(names), fields_(scene_) {

@@ -8,9 +8,10 @@ using GiNaC::ex_to;
 using GiNaC::is_exactly_a;
 using GiNaC::numeric;
 
-namespace {
-
 bool is_real_number(const ex& x) { return is_exactly_a<numeric>(x) && ex_to<numeric>(x).is_real(); }
+bool is_number_not_negative(const ex& x) { return is_real_number(x) && !ex_to<numeric>(x).is_negative(); }
+
+namespace {
 
 /// -1, 0 or 1
 int sign_of_number(const ex& x) {

@@ -7,6 +7,10 @@
 
 namespace dalembert {
 
+/// Whether it is a number, and not complex.
+bool is_real_number(const GiNaC::ex& x);
+bool is_number_not_negative(const GiNaC::ex& x);
+
 DECLARE_FUNCTION_1P(magnitude)  ///< |x|, derivative sign_of(x)
 DECLARE_FUNCTION_1P(sign_of)    ///< -1, 0, 1, derivative 0
 DECLARE_FUNCTION_1P(unit_step)     ///< 0 below zero, 1/2 at zero, 1 above; derivative 0

@@ -11,9 +11,7 @@ using GiNaC::numeric;
 
 namespace {
 
-bool is_real(const ex& x) { return is_exactly_a<numeric>(x) && ex_to<numeric>(x).is_real(); }
-bool is_positive(const ex& x) { return is_real(x) && ex_to<numeric>(x).is_positive(); }
-bool is_not_negative(const ex& x) { return is_real(x) && !ex_to<numeric>(x).is_negative(); }
+bool is_positive(const ex& x) { return is_real_number(x) && ex_to<numeric>(x).is_positive(); }
 
 numeric decimal(const ex& x) { return ex_to<numeric>(x.evalf()); }
 
@@ -34,10 +32,10 @@ numeric moment(int n, const numeric& z) {
 }
 
 ex decay_mean_eval(const ex& z) { return z.is_zero() ? ex(1) : decay_mean(z).hold(); }
-ex decay_mean_evalf(const ex& z) { return is_real(z) ? ex(moment(0, decimal(z))) : decay_mean(z).hold(); }
+ex decay_mean_evalf(const ex& z) { return is_real_number(z) ? ex(moment(0, decimal(z))) : decay_mean(z).hold(); }
 
 ex decay_mean_slope_eval(const ex& z) { return z.is_zero() ? ex(numeric(-1, 2)) : decay_mean_slope(z).hold(); }
-ex decay_mean_slope_evalf(const ex& z) { return is_real(z) ? ex(-moment(1, decimal(z))) : decay_mean_slope(z).hold(); }
+ex decay_mean_slope_evalf(const ex& z) { return is_real_number(z) ? ex(-moment(1, decimal(z))) : decay_mean_slope(z).hold(); }
 
 bool have_ratio(const ex& a, const ex& b) { return is_positive(a) && is_positive(b); }
 numeric logarithm_of_ratio(const ex& a, const ex& b) { return GiNaC::log(decimal(a / b)); }
@@ -59,7 +57,7 @@ ex log_mean_slope_evalf(const ex& a, const ex& b) {
 
 ex root_excess_eval(const ex& c, const ex& s) { return s.is_zero() ? ex(magnitude(c) - c) : root_excess(c, s).hold(); }
 ex root_excess_evalf(const ex& c, const ex& s) {
-    if (!is_real(c) || !is_not_negative(s)) return root_excess(c, s).hold();
+    if (!is_real_number(c) || !is_number_not_negative(s)) return root_excess(c, s).hold();
     const ex root = GiNaC::sqrt(decimal(c * c + s));
     return is_positive(c) ? (s / (root + c)).evalf() : (root - c).evalf();
 }
@@ -73,7 +71,7 @@ ex sum_of_three_evalf(const ex& a, const ex& b, const ex& c) { return (a + b + c
 ex radiant_temperature_eval(const ex& a, const ex& b) { return a.is_zero() || b.is_zero() ? b : radiant_temperature(a, b).hold(); }
 /// By Newton's steps from above, each of which doubles the digits.
 ex radiant_temperature_evalf(const ex& a, const ex& b) {
-    if (!is_not_negative(a) || !is_not_negative(b)) return radiant_temperature(a, b).hold();
+    if (!is_number_not_negative(a) || !is_number_not_negative(b)) return radiant_temperature(a, b).hold();
     if (a.is_zero() || b.is_zero()) return b.evalf();
     const numeric A = decimal(a);
     const numeric B = decimal(b);

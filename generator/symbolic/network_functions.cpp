@@ -19,7 +19,6 @@ namespace {
 using Numbers = std::vector<numeric>;
 using NumberTable = std::vector<Numbers>;
 
-bool is_not_negative(const ex& x) { return GiNaC::is_exactly_a<numeric>(x) && ex_to<numeric>(x).is_real() && !ex_to<numeric>(x).is_negative(); }
 
 /// Values may have been made decimals.
 std::size_t index_of(const ex& number) { return static_cast<std::size_t>(std::lround(ex_to<numeric>(number).to_double())); }
@@ -59,7 +58,7 @@ private:
 };
 
 ex network_inverse_evalf(const ex& i, const ex& j, const ex& list) {
-    if (!GiNaC::is_a<GiNaC::exprseq>(list) || !std::all_of(list.begin(), list.end(), is_not_negative)) return network_inverse(i, j, list).hold();
+    if (!GiNaC::is_a<GiNaC::exprseq>(list) || !std::all_of(list.begin(), list.end(), is_number_not_negative)) return network_inverse(i, j, list).hold();
     const std::size_t n = network_order(list);
     NumberTable flow(n, Numbers(n));
     for (std::size_t k = 0; k < n * n; ++k) flow[k / n][k % n] = ex_to<numeric>(list.op(k).evalf());
@@ -132,8 +131,7 @@ struct LatestNetwork {
 thread_local LatestNetwork latest;
 
 ex balanced_temperature_evalf(const ex& i, const ex& list) {
-    const auto is_real = [](const ex& x) { return GiNaC::is_exactly_a<numeric>(x) && ex_to<numeric>(x).is_real(); };
-    if (!GiNaC::is_a<GiNaC::exprseq>(list) || !std::all_of(list.begin(), list.end(), is_real)) return balanced_temperature(i, list).hold();
+    if (!GiNaC::is_a<GiNaC::exprseq>(list) || !std::all_of(list.begin(), list.end(), is_real_number)) return balanced_temperature(i, list).hold();
     const std::size_t at = index_of(i);
     if (latest.digits == GiNaC::Digits && latest.list.is_equal(list)) return latest.temperatures[at];
     const NetworkData data(list);
