@@ -229,7 +229,9 @@ void share_inflow(std::vector<FlowState>& flows, const ControlVolume& volume, co
     }
     for (FlowState& f : flows) {
         if (f.from_volume != &volume) continue;
-        const ex part = demand.is_zero() ? ex(0) : inflow / demand;
+        // Where nothing is asked for nothing flows in either, and the quotient is not to be asked for.
+        const bool is_alone = demand.is_equal(f.demand);
+        const ex part = demand.is_zero() ? ex(0) : is_alone ? ex(inflow / demand) : inflow * demand * pow(inverse_norm(pow(demand, 2)), 2);
         f.mass_flow = f.demand * part;
         f.shaft_power *= part;
         f.outside_power *= part;

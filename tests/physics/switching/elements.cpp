@@ -54,7 +54,7 @@ TEST_CASE("an empty tank hands on what flows in, also from one that is empty its
     using System = model::System<double>;
     using Mode = System::Mode;
     const auto inflow = [](double t) { return t < 20 ? 0.0 : (t - 20) * 1e-3; };
-    const auto r = run(System(), [&](const auto&, double t) { return System::Input{inflow(t)}; }, 40, 1e-12);
+    const auto r = run(System(), [&](const auto&, double t) { return System::Input{inflow(t), 0.02, 0.01}; }, 40, 1e-12);
     REQUIRE(r.events.size() == 3);
     CHECK(r.events[0].name == "lower_runs_empty");
     CHECK(r.events[1].name == "upper_runs_empty");
@@ -71,6 +71,14 @@ TEST_CASE("an empty tank hands on what flows in, also from one that is empty its
     }
     CHECK(r.points.back().mode == Mode::lower_empty_and_upper_filled);
     is_near(r.x[model::state::h_up], Digits(5) / 100);
+
+    // Where both lower pumps stop, nothing is shared, and the lower tank keeps what flows in.
+    const auto stopped = run(System(), [&](const auto&, double t) { return System::Input{inflow(t), t < 15 ? 0.02 : 0, t < 15 ? 0.01 : 0}; }, 40, 1e-12);
+    REQUIRE(stopped.events.size() == 4);
+    CHECK(stopped.events[2].name == "lower_fills");
+    is_near(stopped.events[2].t, 20);
+    is_near(stopped.events[3].t, 30);
+    is_near(stopped.x[model::state::h_low], Digits(15) / 100);
 }
 
 TEST_CASE("a block between two pads stays where it is, whichever of them holds it") {
