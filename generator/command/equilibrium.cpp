@@ -10,6 +10,7 @@
 #include "command/settings.hpp"
 #include "command/shared.hpp"
 #include "emit/runner.hpp"
+#include "form/constrained_motion.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -45,6 +46,27 @@ void mark(const std::vector<std::string>& names, const std::vector<const Variabl
             found = true;
         }
         if (!found) throw Failure(Diagnostic{Id::unknown_name, {}, fmt::format("--{}: there is no '{}'{}; there are {}", option, name, did_you_mean(name, known), quoted_list(known))});
+    }
+}
+
+/// What constraints hold: coordinates at their place, which rates alone do not know, and velocities at zero.
+void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Values& values, std::vector<bool>& free_states) {
+    const GiNaC::exmap at = values.substitution();
+    for (const ConstraintEquation& constraint : system.constraints) {
+        if (!constraint.holds || !constraint.position) continue;
+        const auto held = coordinate_at_zero(*constraint.position, system.symbols);
+        const GiNaC::ex place = held ? system.symbols.without_definitions(held->second) : GiNaC::ex(0);
+        const auto& coordinates = system.symbols.all(SymbolKind::coordinate);
+        const bool is_one = held && std::none_of(coordinates.begin(), coordinates.end(), [&](const Variable& q) { return place.has(q.symbol); });
+        if (!is_one)
+            throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
+                                     fmt::format("constraint '{}' holds a position that is made of several coordinates, or not linear in one; equilibria there are not found yet", constraint.item->name)});
+        x[held->first] = place.subs(at, GiNaC::subs_options::no_pattern).evalf();
+        free_states[held->first] = false;
+    }
+    for (const auto& [coordinate, rate] : system.motion.velocities) {
+        x[system.symbols.degrees() + coordinate] = 0;
+        free_states[system.symbols.degrees() + coordinate] = false;
     }
 }
 
@@ -87,8 +109,10 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
                                  fmt::format("no link leads from {} to a temperature that is given, so that heat that flows in has nowhere to go and their level is arbitrary; hold one with --hold {}, or link them", quoted_list(names), names[0])});
     }
 
+    auto start = values.state();
+    hold_positions(system, start, values, free_states);
     const ScratchFolder scratch;
-    const auto result = run_with_header(scratch, header, equilibrium_source(*chosen.code, header, values, free_states, free_inputs), {}, "-O0");  // compiling takes longer than running
+    const auto result = run_with_header(scratch, header, equilibrium_source(*chosen.code, header, values, start, free_states, free_inputs), {}, "-O0");  // compiling takes longer than running
     const bool found = result.at("status") == "success";
     const auto x = numbers(result.at("x"), ',');
     const auto u = numbers(result.at("u"), ',');

@@ -148,14 +148,14 @@ std::string cost_source(Code& code, const Header& header, const Values& values, 
                                                         {"INPUTS", input_statements(code, settings.inputs)}});
 }
 
-std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<bool>& free_states, const std::vector<bool>& free_inputs) {
+std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<bool>& free_states, const std::vector<bool>& free_inputs) {
     const Scene& scene = code.system.scene;
     const std::string in_mode = scene.mode ? fmt::format("dalembert::OneMode<{0}::System<double>, {0}::Mode::{1}>", header.name_space, scene.modes[*scene.mode].name) : header.name_space + "::System<double>";
     return fill_template(embedded_file("equilibrium.cpp.in"), {{"NAMESPACE", header.name_space},
                                                                {"SYSTEM", in_mode},
                                                                {"HEADER", header.file_name},
                                                                {"PARAMETERS", parameter_statements(code.system.symbols, values)},
-                                                               {"START", joined(values.state())},
+                                                               {"START", joined(x)},
                                                                {"INPUTS", joined(values.inputs())},
                                                                {"FREE_STATES", flags(free_states)},
                                                                {"FREE_INPUTS", flags(free_inputs)}});

@@ -23,8 +23,8 @@ std::string simulation_source(Code& code, const Header& header, const Values& va
 /// The source of a program that measures one call of the right-hand side at the start, and the bytes of its code.
 std::string cost_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
 
-/// The source of a search for an equilibrium; flags say which states and inputs are free.
-std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<bool>& free_states,
+/// The source of a search for an equilibrium from x; flags say which states and inputs are free.
+std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<bool>& free_states,
                                const std::vector<bool>& free_inputs);
 
 }  // namespace dalembert

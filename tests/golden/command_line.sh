@@ -56,4 +56,22 @@ expect 4 "not finite; state 'dot(x)'" "$PROGRAM" simulate "$SOURCE/tests/golden/
 [ -s "$here/blow_up/blow_up_full.csv" ] || { echo "FAILED: what was computed before the stop is not kept"; failures=$((failures + 1)); }
 expect 2 'value-out-of-range' "$PROGRAM" simulate "$SOURCE/systems/mechanics/spherical_pendulum.toml" --scene free --state theta=4 --until 1 --no-plot -o "$here/pole"
 expect 0 'isolated' "$PROGRAM" equilibrium "$model"
+# A stop holds the piston at its stroke, wherever it starts.
+expect 0 's_k *0\.1 m' "$PROGRAM" equilibrium "$SOURCE/systems/hydraulics/cylinder_stops.toml" --mode inner_open_and_outer_closed
+cat >"$here/bumper.toml" <<'MODEL'
+[model]
+format = 1
+name   = "bumper"
+[parameters]
+m = { value = 1, unit = "kg" }
+[coordinates]
+x = { unit = "m" }
+y = { unit = "m" }
+[bodies]
+a = { mass = "m", position = ["x", 0, 0] }
+b = { mass = "m", position = ["y", 0, 0] }
+[stops.bumper]
+gap = "y - x"
+MODEL
+expect 2 'made of several coordinates' "$PROGRAM" equilibrium "$here/bumper.toml" --mode bumper_closed
 exit "$((failures > 0))"
