@@ -13,6 +13,9 @@ struct Guard {
     std::string doc;   ///< "chamber_1 is about to vanish"
     bool ends;         ///< the model holds only where it is not negative; else the right-hand side has an edge where its sign changes
     GiNaC::ex value;
+
+    /// Whether it is about the same as one of another mode.
+    bool is_same(const Guard& other) const { return name == other.name && doc == other.doc && ends == other.ends; }
 };
 
 /// A flow with its two ends. Energies are per second and positive from `from` to `to`.

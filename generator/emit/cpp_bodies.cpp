@@ -7,8 +7,6 @@
 #include <algorithm>
 
 #include "emit/helpers.hpp"
-#include "emit/notation.hpp"
-#include "graph/raise.hpp"
 
 namespace dalembert {
 
@@ -17,43 +15,7 @@ namespace {
 const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State"};
 const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g", "rates", "by_time", "k"};
 
-constexpr const char* indent = "        ";
-
 }  // namespace
-
-SharedMembers::SharedMembers(std::vector<const Code*> modes) : modes_(std::move(modes)) {
-    const Symbols& first = modes_.front()->system.symbols;
-    for (std::size_t i = first.model_definitions(); i < first.count(SymbolKind::definition); ++i) only_in_update_.insert(i);
-    std::map<std::string, std::size_t> numbers;
-    std::size_t count = 0;
-    for (const Code* code : modes_) {
-        std::set<std::uint32_t> used;
-        for (const FunctionCode& f : code->functions)
-            for (const NodeId id : f.program.in_order(f.roots())) {
-                const Node& node = f.program[id];
-                if (node.kind == Node::Kind::cached) used.insert(node.index);
-                const Variable* variable = node.kind == Node::Kind::symbol ? code->atoms[node.index].variable : nullptr;
-                const bool is_definition = variable != nullptr && variable->kind == SymbolKind::definition;
-                if (is_definition && &f != &(*code)[Function::update]) only_in_update_.erase(variable->position);
-            }
-        const Notation write(code->system.symbols, Style::text);
-        const CachedMeaning meaning = cached_meaning(*code);
-        for (const std::uint32_t index : used) {
-            if (modes_.size() == 1) {
-                cached_[code].emplace(index, count++);
-                continue;
-            }
-            const auto [known, is_new] = numbers.emplace(write(meaning(index)), count);
-            if (is_new) ++count;
-            cached_[code].emplace(index, known->second);
-        }
-        cached_[code];
-    }
-    layouts_.emplace_back(modes_, Function::rhs_and_jacobian, By::state);
-    layouts_.emplace_back(modes_, Function::jacobian_u, By::input);
-    layouts_.emplace_back(modes_, Function::jacobian_p, By::parameter);
-    layouts_.emplace_back(modes_, Function::jacobian_t, By::time);
-}
 
 CppBodies::CppBodies(const Code& code, const SharedMembers& shared)
     : code_(code), shared_(shared), n_(code.system.symbols.degrees()), m_(code.system.symbols.states()), cached_(shared.cached(code)), mode_(shared.has_modes() ? "mode, " : ""), arguments_(argument_names) {
@@ -68,20 +30,28 @@ std::string CppBodies::assigned(CppFunction& cpp, const std::string& target, Nod
     return statements + wrapped(fmt::format("{} = {};", target, text), 8);
 }
 
-/// Puts the functions that are called into scope and comments out the names of arguments that are not used.
-CppBody CppBodies::finish(const CppFunction& cpp, std::string statements, const std::string& result, Uses uses) {
-    std::string scope;
-    for (const std::string& name : cpp.called()) {
+/// Puts the functions that are called into scope.
+std::string CppBodies::scope(const std::set<std::string>& called) {
+    std::string text;
+    for (const std::string& name : called) {
         if (is_helper(name)) helpers_.insert(name);
-        else scope += fmt::format("{}using std::{};\n", indent, name);
+        else text += fmt::format("{}using std::{};\n", indent, name);
     }
-    const auto argument = [](const char* type, const char* name, bool used) { return used ? fmt::format("{} {}", type, name) : fmt::format("{} /*{}*/", type, name); };
+    return text;
+}
+
+/// The name of one that is not used is commented out.
+std::string CppBodies::argument(const char* type, const char* name, bool is_used) {
+    return is_used ? fmt::format("{} {}", type, name) : fmt::format("{} /*{}*/", type, name);
+}
+
+CppBody CppBodies::finish(const CppFunction& cpp, std::string statements, const std::string& result, Uses uses) {
     CppBody body;
     body.arguments = argument("const State&", "x", cpp.uses_state() || uses.state || uses.everything);
     if (uses.has_input) body.arguments += ", " + argument("const Input&", "u", cpp.uses_input() || uses.everything);
     body.arguments += ", " + argument("Scalar", "t", cpp.uses_time() || uses.everything);
     if (!result.empty()) body.arguments += ", " + result;
-    body.statements = scope + std::move(statements);
+    body.statements = scope(cpp.called()) + std::move(statements);
     return body;
 }
 
@@ -312,106 +282,6 @@ CppBody CppBodies::scalar(Function function) {
     statements += before + wrapped(fmt::format("return {};", text), 8);
     const bool is_energy = function == Function::kinetic_energy || function == Function::potential_energy || function == Function::internal_energy;
     return finish(cpp, std::move(statements), "", {.everything = f.uses_accelerations, .has_input = !is_energy});
-}
-
-/// Rates of the accelerations that occur, by the chain rule along the motion, with inputs held.
-std::string CppBodies::jerks(const FunctionCode& f) {
-    std::string statements = fmt::format("{0}State dxdt;\n{0}JacobianX J;\n{0}rhs_and_jacobian(mode, x, u, t, dxdt, J);\n{0}JacobianT by_time;\n{0}jacobian_t(mode, x, u, t, by_time);\n", indent);
-    for (const NodeId id : f.program.in_order(f.roots())) {
-        const Node& node = f.program[id];
-        const Variable* variable = node.kind == Node::Kind::symbol ? code_.atoms[node.index].variable : nullptr;
-        if (variable == nullptr || variable->kind != SymbolKind::jerk) continue;
-        const std::size_t row = n_ + variable->position;
-        std::string sum = fmt::format("by_time[{}]", row);
-        for (std::size_t c = 0; c < layout(By::state).columns(); ++c)
-            if (const auto place = layout(By::state).place(row, c)) sum += fmt::format(" + J[{}] * dxdt[{}]", *place, c);
-        statements += wrapped(fmt::format("const Scalar {} = {};", cpp_name(*variable), sum), 8);
-    }
-    return statements;
-}
-
-CppBody CppBodies::guards(Function function, const char* type, const char* result) {
-    FunctionCode f = code_[function];
-    std::vector<std::size_t> watched;
-    for (std::size_t e = 0; e < code_.system.events.size(); ++e)
-        if (code_.system.events[e].is_watched) watched.push_back(e);
-    CppFunction cpp(code_, f, cached_texts_, arguments_);
-    std::string statements;
-    if (f.uses_jerks) statements += jerks(f);
-    else if (f.uses_accelerations) statements += accelerations_by_rhs(cpp);
-    cpp.bind_accelerations("dxdt", n_);
-    for (const std::size_t e : watched) {
-        statements += cpp.compute({f.results[e]});
-        statements += assigned(cpp, fmt::format("{}[{}]", result, e), f.results[e]);
-    }
-    return finish(cpp, std::move(statements), watched.empty() ? fmt::format("{}& /*{}*/", type, result) : fmt::format("{}& {}", type, result), {.everything = f.uses_accelerations || f.uses_jerks});
-}
-
-CppBody CppBodies::conditions() {
-    const FunctionCode& f = code_[Function::conditions];
-    CppFunction cpp(code_, f, cached_texts_, arguments_);
-    std::string statements = cpp.compute(f.results);
-    std::string all;
-    const std::size_t count = code_.condition_places.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::string value = cpp.value(f.results[i], statements);
-        const std::string size = cpp.value(f.results[count + i], statements);
-        all += fmt::format("{}detail::is_near<Scalar>(x[{}], {}, {})", i == 0 ? "" : " && ", code_.condition_places[i], value, size);
-    }
-    if (!f.results.empty()) helpers_.insert("is_near");
-    statements += fmt::format("{}return {};\n", indent, f.results.empty() ? "true" : all);
-    return finish(cpp, std::move(statements), "", {.state = !f.results.empty()});
-}
-
-CppBody CppBodies::resets(const std::vector<ResetCode>& resets) {
-    const FunctionCode& f = code_[Function::resets];
-    std::string statements;
-    bool uses_input = false, uses_time = false;
-    std::set<std::string> called;
-    for (std::size_t e = 0; e < resets.size(); ++e) {
-        if (resets[e].places.empty()) continue;
-        FunctionCode one = f;
-        one.solved = one.right = {};
-        const auto first = f.results.begin() + static_cast<std::ptrdiff_t>(resets[e].first);
-        one.results.assign(first, first + static_cast<std::ptrdiff_t>(resets[e].places.size()));
-        CppFunction cpp(code_, one, cached_texts_, arguments_);
-        // Everything is read before anything is written.
-        std::string body = cpp.compute(one.results);
-        std::vector<std::string> values;
-        for (const NodeId result : one.results) values.push_back(cpp.value(result, body));
-        const bool at_once = values.size() > 1;
-        for (std::size_t i = 0; at_once && i < values.size(); ++i) body += wrapped(fmt::format("const Scalar new_{}_ = {};", i, values[i]), 8);
-        for (std::size_t i = 0; i < values.size(); ++i) body += wrapped(fmt::format("x[{}] = {};", resets[e].places[i], at_once ? fmt::format("new_{}_", i) : values[i]), 8);
-        statements += fmt::format("{0}if (event_number == event::{1}) {{\n{2}{0}}}\n", indent, cpp_name(code_.system.events[e].name, 0, false), shifted(body));
-        uses_input = uses_input || cpp.uses_input();
-        uses_time = uses_time || cpp.uses_time();
-        called.insert(cpp.called().begin(), cpp.called().end());
-    }
-    std::string scope;
-    for (const std::string& name : called) {
-        if (is_helper(name)) helpers_.insert(name);
-        else scope += fmt::format("{}using std::{};\n", indent, name);
-    }
-    const auto argument = [](const char* type, const char* name, bool used) { return used ? fmt::format("{} {}", type, name) : fmt::format("{} /*{}*/", type, name); };
-    return {argument("State&", "x", !statements.empty()) + ", " + argument("const Input&", "u", uses_input) + ", " + argument("Scalar", "t", uses_time), scope + statements};
-}
-
-CppBody CppBodies::kinks(const std::vector<std::string>& names) {
-    const FunctionCode& f = code_[Function::guards];
-    CppFunction cpp(code_, f, cached_texts_, arguments_);
-    std::string statements;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        const auto& guards = code_.system.fluids.guards;
-        const auto found = std::find_if(guards.begin(), guards.end(), [&](const Guard& g) { return !g.ends && g.name + g.doc == names[k]; });
-        if (found == guards.end()) {
-            statements += fmt::format("{}k[{}] = Scalar(1);\n", indent, k);
-            continue;
-        }
-        const NodeId result = f.results[static_cast<std::size_t>(found - guards.begin())];
-        statements += cpp.compute({result});
-        statements += assigned(cpp, fmt::format("k[{}]", k), result);
-    }
-    return finish(cpp, std::move(statements), names.empty() ? "Kinks& /*k*/" : "Kinks& k", {.everything = f.uses_accelerations});
 }
 
 std::string shifted(const std::string& text) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "emit/cpp_function.hpp"
-#include "emit/jacobian_layout.hpp"
+#include "emit/shared_members.hpp"
 
 namespace dalembert {
 
@@ -12,25 +12,8 @@ struct CppBody {
     std::string statements;
 };
 
-/// What the modes of one machine share in its header: members for what depends on parameters alone, and patterns of Jacobians.
-class SharedMembers {
-public:
-    explicit SharedMembers(std::vector<const Code*> modes);
-
-    const JacobianLayout& layout(By by) const { return layouts_[static_cast<std::size_t>(by)]; }
-    /// Whether a definition is a member of the header: those of the model, and the steps that some function but update() uses.
-    bool is_kept(std::size_t definition) const { return !only_in_update_.contains(definition); }
-    const std::set<std::size_t>& only_in_update() const { return only_in_update_; }
-    /// The number of a cached value of a mode, or nothing where no function uses it. Equal values have one number.
-    const std::map<std::uint32_t, std::size_t>& cached(const Code& mode) const { return cached_.at(&mode); }
-    bool has_modes() const { return modes_.size() > 1 || !modes_.front()->system.scene.modes.empty(); }
-
-private:
-    std::vector<const Code*> modes_;
-    std::vector<JacobianLayout> layouts_;
-    std::set<std::size_t> only_in_update_;
-    std::map<const Code*, std::map<std::uint32_t, std::size_t>> cached_;
-};
+/// Of statements in a member function.
+inline constexpr const char* indent = "        ";
 
 /// Every line by four blanks.
 std::string shifted(const std::string& text);
@@ -55,8 +38,8 @@ public:
     CppBody conditions();
     /// What events change, by `resets`: a switch over the event.
     CppBody resets(const std::vector<ResetCode>& resets);
-    /// Guards that end nothing, each at its place in `names`, a list for all modes.
-    CppBody kinks(const std::vector<std::string>& names);
+    /// Guards that end nothing, each at its place in a list for all modes.
+    CppBody kinks(const std::vector<Guard>& kinks);
 
     /// The header's own functions that its code calls: "ldlt", "sign", ...
     const std::set<std::string>& helpers() const { return helpers_; }
@@ -75,6 +58,8 @@ private:
     std::string factored_mass(CppFunction& cpp, const FunctionCode& f);
     std::string mass_name() const;
     std::string assigned(CppFunction& cpp, const std::string& target, NodeId value);
+    std::string scope(const std::set<std::string>& called);
+    static std::string argument(const char* type, const char* name, bool is_used);
     CppBody finish(const CppFunction& cpp, std::string statements, const std::string& result, Uses uses);
     std::string accelerations_by_rhs(CppFunction& cpp);
 

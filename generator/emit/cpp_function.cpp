@@ -14,13 +14,13 @@ constexpr std::size_t longest_line = 128;
 
 }  // namespace
 
-std::string wrapped(const std::string& statement, std::size_t indent) {
-    const std::string blanks(indent, ' ');
+std::string wrapped(const std::string& statement, std::size_t column) {
+    const std::string blanks(column, ' ');
     std::string result;
     std::string rest = statement;
     bool first = true;
     while (true) {
-        const std::size_t room = longest_line - indent - (first ? 0 : 4);
+        const std::size_t room = longest_line - column - (first ? 0 : 4);
         if (rest.size() <= room) break;
         // The last operator at the shallowest depth that still fits.
         std::size_t best = std::string::npos;

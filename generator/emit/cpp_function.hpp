@@ -78,8 +78,7 @@ private:
     int temporaries_ = 0;
 };
 
-
 /// Breaks a long statement at its operators.
-std::string wrapped(const std::string& statement, std::size_t indent);
+std::string wrapped(const std::string& statement, std::size_t column);
 
 }  // namespace dalembert

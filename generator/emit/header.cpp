@@ -11,8 +11,9 @@
 #include "emit/banner.hpp"
 #include "emit/cpp_bodies.hpp"
 #include "emit/cpp_constant.hpp"
-#include "emit/equations.hpp"
 #include "emit/field_header.hpp"
+#include "emit/header_equations.hpp"
+#include "emit/header_tables.hpp"
 #include "emit/helpers.hpp"
 #include "emit/mode_code.hpp"
 #include "emit/notation.hpp"
@@ -26,8 +27,6 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 
 namespace {
-
-constexpr std::size_t longest_equations = 8000;
 
 std::string upper(std::string text) {
     for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -48,8 +47,8 @@ public:
         values("MODE_ARGUMENT", switches_ ? "Mode mode, " : "");
         values("MODE_CALL", switches_ ? "mode, " : "");
         functions();
-        tables();
-        equations();
+        for (auto& [name, text] : header_tables(system_, switches_ ? kinks_ : system_.fluids.guards)) values(name, std::move(text));
+        for (auto& [name, text] : header_equations(modes_)) values(name, std::move(text));
         values("API_VERSION", std::to_string(header_api_version));
         values("NAME", cpp_string(system_.scene.model->name));
         values("SCENE", cpp_string(system_.scene.name));
@@ -124,10 +123,7 @@ private:
         }
         for (const Code* code : modes_)
             for (const Guard& guard : code->system.fluids.guards)
-                if (!guard.ends && std::find(kink_names_.begin(), kink_names_.end(), guard.name + guard.doc) == kink_names_.end()) {
-                    kink_names_.push_back(guard.name + guard.doc);
-                    kinks_.push_back(guard);
-                }
+                if (!guard.ends && std::none_of(kinks_.begin(), kinks_.end(), [&](const Guard& known) { return known.is_same(guard); })) kinks_.push_back(guard);
         std::map<std::string, std::string> v;
         const auto add = [&](const std::string& name, const CppBody& body, std::optional<Function> counted = {}) {
             v[name] = body.statements;
@@ -146,9 +142,9 @@ private:
         resets("RESTS", &Code::rests);
         for (const char* name : {"RESETS", "RESTS"})
             if (v[name].empty()) v[name] = "        (void)event_number;\n";
-        add("KINKS", merged(each([&](CppBodies& b) { return b.kinks(kink_names_); })));
+        add("KINKS", merged(each([&](CppBodies& b) { return b.kinks(kinks_); })));
         v["COUNT_GUARDS"] = count_text(Function::guards);
-        v["EVENT_EQUATIONS"] = lines(event_equations(modes_));
+        v["EVENT_EQUATIONS"] = comment_lines(event_equations(modes_));
         values("GUARD_FUNCTIONS", fill_template(embedded_file("mode_functions.hpp.in"), v));
         values("MODE_TABLES", mode_tables(modes_));
         values("MODE_TYPES", fill_template(embedded_file("mode_types.hpp.in"), {{"NAMESPACE", placeholders_.at("NAMESPACE")}}));
@@ -210,83 +206,6 @@ private:
         return text;
     }
 
-    static std::string quantity_row(const std::string& name, const std::string& unit, const std::string& doc, const std::string& range = "") {
-        return fmt::format("    Quantity{{{}, {}, {}{}}},\n", cpp_string(name), cpp_string(unit), cpp_string(doc), range);
-    }
-
-    /// ", low, high", as far as they are declared.
-    std::string range_text(const Variable& variable) const {
-        if (variable.declared == nullptr || !variable.declared->range || variable.kind == SymbolKind::velocity) return {};
-        const auto bound = [&](const ExpressionPtr& e) {
-            const ex value = system_.translate(*e, {});
-            return double_text(variable.is_root ? ex(GiNaC::sqrt(value)) : value);
-        };
-        const Range& range = *variable.declared->range;
-        std::string text = range.low ? ", " + bound(range.low) : ", -std::numeric_limits<double>::infinity()";
-        if (range.high) text += ", " + bound(range.high);
-        return text;
-    }
-
-    void table(const char* name, const std::vector<const Variable*>& variables) {
-        std::string indices;
-        std::string rows;
-        for (std::size_t i = 0; i < variables.size(); ++i) {
-            indices += fmt::format("{}{} = {}", i == 0 ? "" : ", ", cpp_name(*variables[i]), i);
-            rows += quantity_row(variables[i]->name, variables[i]->unit, variables[i]->doc, range_text(*variables[i]));
-        }
-        add_table(name, indices, rows);
-    }
-
-    void add_table(const std::string& name, const std::string& indices, const std::string& rows) {
-        std::string text = wrapped("enum : std::size_t { " + indices + " };", 0);
-        text.pop_back();
-        // A long list of indices is broken at its commas.
-        for (std::size_t at = 100, last = 0; at < text.size(); at = last + 110) {
-            const std::size_t comma = text.find(", ", at);
-            if (comma == std::string::npos) break;
-            text.replace(comma, 2, ",\n    ");
-            last = comma;
-        }
-        values(name + "_INDICES", indices.empty() ? "" : " " + text + " ");
-        values(name + "_TABLE", rows.empty() ? "" : "\n" + rows);
-    }
-
-    void tables() {
-        const auto pointers = [&](std::initializer_list<SymbolKind> kinds) {
-            std::vector<const Variable*> result;
-            for (const SymbolKind kind : kinds)
-                for (const Variable& variable : symbols_.all(kind)) result.push_back(&variable);
-            return result;
-        };
-        const auto states = pointers({SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state});
-        table("STATE", states);
-        table("INPUT", pointers({SymbolKind::input}));
-        table("PARAMETER", pointers({SymbolKind::parameter}));
-        std::string indices;
-        std::string rows;
-        for (std::size_t i = 0; i < system_.outputs.size(); ++i) {
-            const OutputEquation& output = system_.outputs[i];
-            indices += fmt::format("{}{} = {}", i == 0 ? "" : ", ", cpp_name(output.base, output.index, output.is_member), i);
-            rows += quantity_row(output.name, output.unit, output.doc);
-        }
-        add_table("OUTPUT", indices, rows);
-        std::string guards;
-        const std::vector<Guard>& listed = switches_ ? kinks_ : system_.fluids.guards;
-        for (const Guard& guard : listed) guards += fmt::format("    Guard{{{}, {}, {}}},\n", cpp_string(guard.name), cpp_string(guard.doc), guard.ends);
-        values("GUARD_TABLE", guards.empty() ? "" : "\n" + guards);
-        values("GUARDS_COUNT", std::to_string(listed.size()));
-
-        values("DEGREES", std::to_string(symbols_.degrees()));
-        values("PLAIN_STATES", std::to_string(symbols_.states()));
-        values("STATES", std::to_string(states.size()));
-        values("INPUTS", std::to_string(symbols_.count(SymbolKind::input)));
-        values("OUTPUTS", std::to_string(system_.outputs.size()));
-        values("PARAMETERS", std::to_string(symbols_.count(SymbolKind::parameter)));
-        std::vector<std::string> starts;
-        for (const ex& value : values_.state()) starts.push_back(double_text(value));
-        values("START_VALUES", fmt::format("{}", fmt::join(starts, ", ")));
-    }
-
     std::string parameter_members() {
         std::string text;
         const auto& parameters = symbols_.all(SymbolKind::parameter);
@@ -334,77 +253,6 @@ private:
         return helper_source(needed);
     }
 
-    /// Comment lines, or a hint where they would drown the code.
-    static std::string lines(const std::vector<std::string>& equations) {
-        std::size_t length = 0;
-        for (const std::string& e : equations) length += e.size();
-        if (length > longest_equations) return "    /// (Too long to be printed here; `dalembert derive` prints the equations.)\n";
-        std::string text;
-        for (const std::string& e : equations) text += cpp_comment("    " + e, 4);
-        return text;
-    }
-
-    /// Equations as they are in the modes.
-    template <class Make>
-    std::string in_modes(const Make& make) const {
-        std::vector<std::vector<std::string>> of_mode;
-        for (const Code* code : modes_) of_mode.push_back(make(code->system, Notation(code->system.symbols, Style::text)));
-        const bool same = std::all_of(of_mode.begin(), of_mode.end(), [&](const auto& l) { return l == of_mode.front(); });
-        if (same) return lines(of_mode.front());
-        std::vector<std::string> all;
-        for (std::size_t m = 0; m < of_mode.size(); ++m) {
-            all.push_back(fmt::format("In the mode {}:", system_.scene.modes[m].name));
-            all.insert(all.end(), of_mode[m].begin(), of_mode[m].end());
-        }
-        return lines(all);
-    }
-
-    void equations() {
-        const std::size_t n = symbols_.degrees();
-        const bool is_large = n > 8;
-        const std::vector<std::string> too_long{std::string(longest_equations + 1, ' ')};
-        const auto of_coordinates = [&](const char* name, const auto& row) {
-            values(name, is_large ? lines(too_long) : in_modes([&](const System& s, const Notation& write) {
-                std::vector<std::string> result;
-                for (std::size_t j = 0; j < n; ++j) row(s, write, j, result);
-                return result;
-            }));
-        };
-        values("EQUATIONS", is_large ? lines(too_long) : in_modes(written_motion));
-        of_coordinates("MASS_EQUATIONS", [](const System& s, const Notation& write, std::size_t j, auto& result) {
-            const auto& q = s.symbols.all(SymbolKind::coordinate);
-            for (std::size_t l = 0; l <= j; ++l) result.push_back(fmt::format("M[{}, {}] = {}", q[l].name, q[j].name, write(s.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)))));
-        });
-        of_coordinates("BIAS_EQUATIONS", [](const System& s, const Notation& write, std::size_t j, auto& result) {
-            result.push_back(fmt::format("bias[{}] = {}", s.symbols.all(SymbolKind::coordinate)[j].name, write(s.bias[j])));
-        });
-        of_coordinates("FORCE_EQUATIONS", [](const System& s, const Notation& write, std::size_t j, auto& result) {
-            result.push_back(fmt::format("Q[{}] = {}", s.symbols.all(SymbolKind::coordinate)[j].name, write(s.supplied[j])));
-        });
-        values("OUTPUT_EQUATIONS", in_modes([](const System& s, const Notation& write) {
-            std::vector<std::string> result;
-            for (const OutputEquation& o : s.outputs) result.push_back(fmt::format("{} = {}", o.name, write(o.value)));
-            return result;
-        }));
-        const auto scalar = [&](const char* name, const char* letter, const auto& value) {
-            values(name, is_large ? lines(too_long) : in_modes([&](const System& s, const Notation& write) { return std::vector<std::string>{fmt::format("{} = {}", letter, write(value(s)))}; }));
-        };
-        scalar("KINETIC_ENERGY_EQUATIONS", "T", [](const System& s) { return s.kinetic_energy; });
-        scalar("POTENTIAL_ENERGY_EQUATIONS", "V", [](const System& s) { return s.potential_energy; });
-        scalar("INTERNAL_ENERGY_EQUATIONS", "E", [](const System& s) { return s.named.internal_energy; });
-        scalar("SUPPLIED_POWER_EQUATIONS", "supplied", [](const System& s) { return s.supplied_power; });
-        scalar("DISSIPATED_POWER_EQUATIONS", "dissipated", [](const System& s) { return s.dissipated_power; });
-    }
-
-    static std::vector<std::string> written_motion(const System& s, const Notation& write) {
-        std::vector<std::string> motion;
-        for (const auto& [letter, value] : s.named.names) motion.push_back(fmt::format("{} = {}", write(letter), write(value)));
-        for (const auto& [left, right] : motion_equations(s)) motion.push_back(fmt::format("{} = {}", write(left), write(right)));
-        for (std::size_t i = 0; i < s.state_rates.size(); ++i)
-            motion.push_back(fmt::format("dot({}) = {}", s.symbols.all(SymbolKind::state)[i].name, write(s.named.state_rates[i])));
-        return motion;
-    }
-
     const std::vector<const Code*>& modes_;
     const SharedMembers shared_;
     const Code& code_;  ///< of the first mode
@@ -414,7 +262,6 @@ private:
     Notation write_;
     Values values_;
     bool switches_;
-    std::vector<std::string> kink_names_;
     std::vector<Guard> kinks_;
     std::map<std::string, std::string> placeholders_;
     std::string patterns_;

@@ -57,6 +57,12 @@ public:
         part(boundary->ambient, "ambient");
         (*this)(boundary->node);
     }
+    void operator()(const std::vector<RunEntry>& resets) const {
+        for (const RunEntry& entry : resets) {
+            (*this)(entry.variable, on_coordinates | on_velocities | on_states, "reset");
+            (*this)(entry.value, on_state_and_inputs, "reset");
+        }
+    }
     void operator()(const std::optional<Range>& range) const {
         if (!range) return;
         (*this)(range->low, nothing, "range");
@@ -311,11 +317,8 @@ void visit(const Event& item, const SiteVisitor& visitor) {
     const Visit each(item, "event", visitor);
     each(item.guard, on_anything & ~on_outputs, "guard");
     each(item.restitution, constant_only, "restitution");
-    for (const auto* entries : {&item.reset, &item.rest_reset})
-        for (const RunEntry& entry : *entries) {
-            each(entry.variable, on_coordinates | on_velocities | on_states, "reset");
-            each(entry.value, on_state_and_inputs, "reset");
-        }
+    each(item.reset);
+    each(item.rest_reset);
 }
 
 void visit(const Friction& item, const SiteVisitor& visitor) {
@@ -352,10 +355,7 @@ void visit(const Profile& item, const SiteVisitor& visitor) {
     for (const Phase& phase : item.phases) {
         each(phase.value, on_state_and_inputs, "values");
         each(phase.until, on_state_and_inputs, "times");
-        for (const RunEntry& entry : phase.reset) {
-            each(entry.variable, on_coordinates | on_velocities | on_states, "reset");
-            each(entry.value, on_state_and_inputs, "reset");
-        }
+        each(phase.reset);
     }
 }
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/read_mechanics.hpp"
+
+#include <fmt/format.h>
+
+namespace dalembert {
+
+namespace {
+
+std::vector<CoordinateEntry> coordinates(const Entry& e, std::string_view key) {
+    std::vector<CoordinateEntry> result;
+    for (const RunEntry& entry : e.by_name(key)) {
+        const Expression& name = *entry.variable;
+        if (name.kind == Expression::Kind::name && name.children.size() <= 1)
+            result.push_back({name.name, name.children.empty() ? nullptr : name.children[0], entry.value, entry.span});
+        else
+            e.error(Id::wrong_type, entry.span, fmt::format("'{}' is not the name of a coordinate", name.written()));
+    }
+    return result;
+}
+
+}  // namespace
+
+void read(const Entry& e, Body& body) {
+    body.mass = e.expression("mass");
+    body.position = e.vector("position");
+    body.rotation = e.expression("rotation");
+    body.angular_velocity = e.expression("angular_velocity");
+    body.inertia = e.expression("inertia");
+    body.on = e.body("on");
+    if (e.has("mass") && !e.has("position")) e.error(Id::missing_key, e.span(), fmt::format("body '{}' has a mass but no position", e.name()));
+    if (!e.has("mass") && !e.has("inertia"))
+        e.error(Id::missing_key, e.span(), fmt::format("body '{}' has neither mass nor inertia; without either it is no body", e.name()));
+    if (e.has("rotation") && e.has("angular_velocity"))
+        e.error(Id::doubly_defined, e.span_of("angular_velocity"),
+                fmt::format("body '{}' has a rotation and an angular_velocity; the velocity follows from the rotation", e.name()),
+                {{e.span_of("rotation"), "the rotation stands here"}});
+    if (e.has("inertia") && !e.has("rotation") && !e.has("angular_velocity"))
+        e.error(Id::missing_key, e.span_of("inertia"),
+                fmt::format("body '{}' has an inertia but neither rotation nor angular_velocity", e.name()));
+}
+
+void read(const Entry& e, Spring& spring) {
+    spring.elongation = e.expression("elongation");
+    spring.stiffness = e.expression("stiffness");
+    spring.force = e.law("force");
+    spring.energy = e.law("energy");
+    if (e.has("stiffness") == e.has("force"))
+        e.error(Id::missing_key, e.span(), fmt::format("spring '{}' needs either a stiffness or a force law, and not both", e.name()));
+    if (e.has("energy") && !e.has("force"))
+        e.error(Id::missing_key, e.span_of("energy"), fmt::format("spring '{}' has an energy but no force law that it belongs to", e.name()));
+}
+
+void read(const Entry& e, Damper& damper) {
+    damper.rate = e.expression("rate");
+    damper.on = e.body("on");
+    damper.coefficient = e.expression("coefficient");
+    damper.force = e.law("force");
+    if (e.has("rate") == e.has("on"))
+        e.error(Id::missing_key, e.span(), fmt::format("damper '{}' needs either a rate or the body that it acts on", e.name()));
+    if (e.has("coefficient") == e.has("force"))
+        e.error(Id::missing_key, e.span(), fmt::format("damper '{}' needs either a coefficient or a force law", e.name()));
+}
+
+void read(const Entry& e, Force& force) {
+    if (auto vector = e.vector("force")) force.force = *vector;
+    force.on = e.body("on");
+    force.at = e.vector("at");
+    if (e.has("on") == e.has("at"))
+        e.error(Id::missing_key, e.span(), fmt::format("force '{}' needs either the body that it acts on or the point at which it acts", e.name()));
+}
+
+void read(const Entry& e, Torque& torque) {
+    torque.torque = e.expression("torque");
+    torque.on = e.body("on");
+    torque.against = e.body("against");
+    torque.rate = e.expression("rate");
+    if (e.has("on") == e.has("rate"))
+        e.error(Id::missing_key, e.span(), fmt::format("torque '{}' needs either the body that it turns or a rate", e.name()));
+}
+
+void read(const Entry& e, KineticTerm& term) { term.energy = e.expression("energy"); }
+
+void read(const Entry& e, PotentialTerm& term) {
+    term.energy = e.expression("energy");
+    term.forces = coordinates(e, "forces");
+    term.reference = coordinates(e, "reference");
+    if (e.has("energy") == e.has("forces"))
+        e.error(Id::missing_key, e.span(), fmt::format("potential '{}' needs either an energy or its forces", e.name()));
+    if (e.has("reference") && !e.has("forces"))
+        e.error(Id::missing_key, e.span_of("reference"), fmt::format("potential '{}' has a reference but no forces", e.name()));
+}
+
+void read(const Entry& e, GeneralisedForce& force) {
+    if (auto coordinate = e.coordinate("coordinate")) force.coordinate = *coordinate;
+    force.coordinate.value = e.expression("force");
+    const std::string power = e.text("power");
+    force.dissipated = power == "dissipated";
+    if (!power.empty() && power != "dissipated" && power != "supplied")
+        e.error(Id::wrong_type, e.span_of("power"), fmt::format("the power is 'supplied' or 'dissipated', not '{}'", power));
+}
+
+}  // namespace dalembert
