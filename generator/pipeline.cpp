@@ -13,6 +13,7 @@
 #include "model/checks.hpp"
 #include "model/reader.hpp"
 #include "model/verdict.hpp"
+#include "prove/constraint_validity.hpp"
 #include "prove/switching_validity.hpp"
 
 namespace dalembert {
@@ -112,8 +113,9 @@ void prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, s
     check_heat_values(*machine.system);
     machine.audit = audit(*machine.system);
     stop_on_failed_audit(*machine.system, machine.audit);
-    const Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
+    Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
     check_switching_values(*machine.system, defaults);
+    meet_constraints(*machine.system, defaults);
 }
 
 bool all_derivations_proven(const Machine& machine) {
@@ -164,6 +166,7 @@ Proofs proofs_of(const Machine& machine) {
         add(proofs.derivation.potentials, other.audit.potentials);
         add(proofs.derivation.media, other.audit.media);
         add(proofs.derivation.balances, other.audit.balances);
+        add(proofs.derivation.constraints, other.audit.constraints);
         add(proofs.emitted, other.emitted);
         if (is_worse(other.audit.power_balance.result.verdict, proofs.derivation.power_balance.result.verdict)) proofs.derivation.power_balance = other.audit.power_balance;
     }

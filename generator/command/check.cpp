@@ -36,6 +36,7 @@ private:
 
     void check_scene(const std::string& name) {
         Machine machine = derive_machine(model_, name, options_.choice.sizes);
+        show_warnings(machine, streams_);
         generate(machine);
         const System& system = *machine.system;
         const Proofs proofs = proofs_of(machine);
@@ -54,6 +55,7 @@ private:
         group("force = -d(energy)/dq", pointers(proofs.derivation.potentials));
         group("media: (3.11), (3.21), (3.31), (3.41), (3.43)", pointers(proofs.derivation.media));
         group("balances of mass and energy", pointers(proofs.derivation.balances));
+        group("forces of constraints do no virtual work", pointers(proofs.derivation.constraints));
         group(Audit::power_balance_name(system), {&proofs.derivation.power_balance});
         group("passive network: eigenvalues real, not positive", pointers(proofs.derivation.eigenvalues));
         group("emitted code = derivation", pointers(proofs.emitted));

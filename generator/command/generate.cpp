@@ -92,6 +92,7 @@ ExitCode generate_command(const Options& options, Streams streams) {
     std::string text;
     for (const std::string& scene : scenes) {
         Machine machine = derive_machine(model, scene, options.choice.sizes);
+        show_warnings(machine, streams);
         const Header header = generate(machine);
         if (!options.dump.empty()) {
             streams.out << dumped(machine, options.dump, header);

@@ -19,7 +19,14 @@ std::shared_ptr<const LoadedModel> loaded(const Options& options, Streams stream
 }
 
 Machine derived(const Options& options, Streams streams) {
-    return derive_machine(loaded(options, streams), options.choice.scene, options.choice.sizes);
+    Machine machine = derive_machine(loaded(options, streams), options.choice.scene, options.choice.sizes);
+    show_warnings(machine, streams);
+    return machine;
+}
+
+void show_warnings(const Machine& machine, Streams streams) {
+    for (const Diagnostic& warning : machine.system->warnings) streams.err << render(warning);
+    for (const Machine& other : machine.other_modes) show_warnings(other, streams);
 }
 
 const Machine& in_chosen_mode(const Machine& machine, const Options& options) {

@@ -11,6 +11,8 @@ std::shared_ptr<const LoadedModel> loaded(const Options& options, Streams stream
 
 /// The machine of the command line, derived and proven.
 Machine derived(const Options& options, Streams streams);
+/// Those of the derivation.
+void show_warnings(const Machine& machine, Streams streams);
 
 /// The machine in the mode of the command line. Throws Failure (unknown-name).
 const Machine& in_chosen_mode(const Machine& machine, const Options& options);

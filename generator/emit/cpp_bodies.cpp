@@ -145,6 +145,7 @@ std::string CppBodies::motion(CppFunction& cpp, const FunctionCode& f) {
         statements += fmt::format("{}detail::ldlt_solve<Scalar, {}>({}, dxdt.data() + {});\n", indent, n_, mass_name(), n_);
     } else {
         for (std::size_t j = 0; j < n_; ++j) cpp.name_node(f.accelerations[j], cpp_name(code_.system.symbols.all(SymbolKind::acceleration)[j]));
+        name_multipliers(cpp, f.accelerations);
         statements += cpp.compute(f.accelerations);
     }
     statements += cpp.compute(f.results);
@@ -199,6 +200,11 @@ std::string CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, 
     return statements;
 }
 
+void CppBodies::name_multipliers(CppFunction& cpp, const std::vector<NodeId>& solved_for) const {
+    const std::vector<std::size_t>& multipliers = code_.system.motion.multipliers;
+    for (std::size_t i = 0; !solved_for.empty() && i < multipliers.size(); ++i) cpp.name_node(solved_for[n_ + i], cpp_name(code_.system.symbols.all(SymbolKind::multiplier)[multipliers[i]]));
+}
+
 /// Accelerations for functions that need them but do not solve for them.
 std::string CppBodies::accelerations_by_rhs(CppFunction& cpp) {
     cpp.bind_accelerations("dxdt", n_);
@@ -226,14 +232,25 @@ CppBody CppBodies::mass_matrix() {
     return finish(cpp, std::move(statements), n_ == 0 ? "MassMatrix& /*M*/" : "MassMatrix& M", {.has_input = false});
 }
 
-CppBody CppBodies::values(Function function, const char* type, const char* result) {
+CppBody CppBodies::values(Function function, const char* type, const char* result, bool has_input) {
     const FunctionCode& f = code_[function];
     CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements;
     if (f.uses_accelerations) statements += accelerations_by_rhs(cpp);
+    name_multipliers(cpp, f.solved_for);
     statements += cpp.compute(f.results);
     for (std::size_t i = 0; i < f.results.size(); ++i) statements += assigned(cpp, fmt::format("{}[{}]", result, i), f.results[i]);
-    return finish(cpp, std::move(statements), f.results.empty() ? fmt::format("{}& /*{}*/", type, result) : fmt::format("{}& {}", type, result), {.everything = f.uses_accelerations});
+    return finish(cpp, std::move(statements), f.results.empty() ? fmt::format("{}& /*{}*/", type, result) : fmt::format("{}& {}", type, result), {.everything = f.uses_accelerations, .has_input = has_input});
+}
+
+CppBody CppBodies::constraint_jacobian() {
+    const FunctionCode& f = code_[Function::constraint_jacobian];
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
+    std::string statements = cpp.compute(f.results);
+    const std::size_t rows = code_.system.constraints.size();
+    for (std::size_t j = 0; j < n_; ++j)
+        for (std::size_t i = 0; i < rows && !f.results.empty(); ++i) statements += assigned(cpp, fmt::format("A[{}]", j * rows + i), f.results[i * n_ + j]);
+    return finish(cpp, std::move(statements), "ConstraintJacobian& A", {.has_input = false});
 }
 
 /// dh/dx at fixed accelerations, and through the accelerations where outputs contain them.
@@ -241,6 +258,7 @@ CppBody CppBodies::output_jacobian(Function function, By by) {
     const FunctionCode& f = code_[function];
     CppFunction cpp(code_, f, cached_texts_, arguments_);
     const std::size_t rows = f.by_output.rows;
+    if (!f.whole_output.entries.empty()) return whole_output_jacobian(cpp, f, by);
     const bool through = std::any_of(f.by_acceleration.entries.begin(), f.by_acceleration.entries.end(), [&](NodeId id) { return !f.is_zero(id); });
     const bool is_empty = rows == 0 || f.by_output.columns == 0;
     std::string statements;
@@ -269,6 +287,25 @@ CppBody CppBodies::output_jacobian(Function function, By by) {
     const char* type = by == By::state ? "OutputJacobianX" : "OutputJacobianU";
     const bool needs_all = (through && !is_empty) || f.uses_accelerations;
     return finish(cpp, std::move(statements), is_empty ? fmt::format("{}& /*{}*/", type, name) : fmt::format("{}& {}", type, name), {.everything = needs_all});
+}
+
+/// Where outputs contain multipliers: everything is solved for on the way.
+CppBody CppBodies::whole_output_jacobian(CppFunction& cpp, const FunctionCode& f, By by) {
+    const char* name = by == By::state ? "C" : "D";
+    name_multipliers(cpp, f.solved_for);
+    std::string statements = cpp.compute(f.whole_output.entries);
+    for (std::size_t i = 0; i < f.whole_output.entries.size(); ++i) statements += assigned(cpp, fmt::format("{}[{}]", name, i), f.whole_output.entries[i]);
+    return finish(cpp, std::move(statements), fmt::format("{}& {}", by == By::state ? "OutputJacobianX" : "OutputJacobianU", name), {});
+}
+
+CppBody CppBodies::correction() {
+    const FunctionCode& f = code_[Function::correction];
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
+    std::string statements = cpp.compute(f.results);
+    for (std::size_t j = 0; j < f.results.size(); ++j) statements += assigned(cpp, fmt::format("step[{}]", j), f.results[j]);
+    const bool is_needed = std::any_of(f.results.begin(), f.results.end(), [&](NodeId id) { return !f.is_zero(id); });
+    if (f.results.empty()) statements = fmt::format("{}step.fill(Scalar(0));\n", indent);  // nothing has to be held in this mode
+    return finish(cpp, std::move(statements), !is_needed ? "const Constraints& /*residual*/, Generalised& step" : "const Constraints& residual, Generalised& step", {.has_input = false});
 }
 
 CppBody CppBodies::scalar(Function function) {

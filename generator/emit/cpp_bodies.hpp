@@ -30,9 +30,12 @@ public:
     CppBody jacobian(Function function, By by);
     CppBody mass_matrix();
     /// A function that fills an array with one value a row.
-    CppBody values(Function function, const char* type, const char* result);
+    CppBody values(Function function, const char* type, const char* result, bool has_input = true);
+    CppBody constraint_jacobian();
     CppBody output_jacobian(Function function, By by);
     CppBody scalar(Function function);
+    /// What brings a state back to constraints, from the residuals of their positions or rates.
+    CppBody correction();
     /// Of a machine that switches: guards of events that are watched, or their rates.
     CppBody guards(Function function, const char* type, const char* result);
     CppBody conditions();
@@ -60,6 +63,8 @@ private:
     std::string assigned(CppFunction& cpp, const std::string& target, NodeId value);
     std::string scope(const std::set<std::string>& called);
     static std::string argument(const char* type, const char* name, bool is_used);
+    CppBody whole_output_jacobian(CppFunction& cpp, const FunctionCode& f, By by);
+    void name_multipliers(CppFunction& cpp, const std::vector<NodeId>& solved_for) const;
     CppBody finish(const CppFunction& cpp, std::string statements, const std::string& result, Uses uses);
     std::string accelerations_by_rhs(CppFunction& cpp);
 

@@ -169,6 +169,7 @@ CppFunction::Text CppFunction::symbol(NodeId id, std::string& statements) {
         case SymbolKind::state: uses_state_ = true; return local(state_, 2 * n + variable.position);
         case SymbolKind::acceleration: return {fmt::format("{}[{}]", accelerations_, first_acceleration_ + variable.position), 3};
         case SymbolKind::jerk: return {cpp_name(variable), 3};  // computed before
+        case SymbolKind::residual: return {fmt::format("residual[{}]", variable.position), 3};
         case SymbolKind::grid:
         case SymbolKind::letter: return {variable.base.substr(0, variable.base.find('[')), 3};  // of a cell in a loop
         default: throw std::logic_error("a symbol that has no place in the header: " + variable.name);

@@ -20,6 +20,7 @@ std::string cpp_name(const Variable& variable) {
     if (variable.kind == SymbolKind::velocity || variable.kind == SymbolKind::state_rate) return name + "_dot";
     if (variable.kind == SymbolKind::acceleration) return name + "_ddot";
     if (variable.kind == SymbolKind::jerk) return name + "_jerk";
+    if (variable.kind == SymbolKind::multiplier_rate) return name + "_dot";
     return name;
 }
 

@@ -106,6 +106,7 @@ private:
         for (const Function f : {Function::kinetic_energy, Function::potential_energy, Function::supplied_power, Function::dissipated_power, Function::prescribed_power, Function::internal_energy, Function::exchanged_power})
             body(f, [f](CppBodies& b) { return b.scalar(f); });
         guards();
+        constraints();
         layout(By::state, "X");
         layout(By::input, "U");
         layout(By::parameter, "P");
@@ -148,6 +149,42 @@ private:
         values("GUARD_FUNCTIONS", fill_template(embedded_file("mode_functions.hpp.in"), v));
         values("MODE_TABLES", mode_tables(modes_));
         values("MODE_TYPES", fill_template(embedded_file("mode_types.hpp.in"), {{"NAMESPACE", placeholders_.at("NAMESPACE")}}));
+    }
+
+    /// Nothing where integration keeps exactly what constraints hold. Of a mode that needs no projection the values are zero.
+    void constraints() {
+        for (const char* name : {"CONSTRAINT_TABLES", "CONSTRAINT_TYPES", "CONSTRAINT_FUNCTIONS"}) values(name, "");
+        if (std::none_of(modes_.begin(), modes_.end(), [](const Code* code) { return code->system.needs_projection(); })) return;
+        std::map<std::string, std::string> v = constraint_tables(system_);
+        const auto add = [&](Function function, const std::vector<CppBody>& bodies) {
+            const std::string name = upper(name_of(function));
+            const CppBody body = merged(bodies);
+            v[name] = body.statements;
+            v[name + "_ARGUMENTS"] = body.arguments;
+            v["COUNT_" + name] = count_text(function);
+        };
+        add(Function::constraint_positions, each([](CppBodies& b) { return b.values(Function::constraint_positions, "Constraints", "f", false); }));
+        add(Function::constraint_rates, each([](CppBodies& b) { return b.values(Function::constraint_rates, "Constraints", "w", false); }));
+        add(Function::constraint_jacobian, each([](CppBodies& b) { return b.constraint_jacobian(); }));
+        add(Function::constraint_forces, each([](CppBodies& b) { return b.values(Function::constraint_forces, "Constraints", "force"); }));
+        add(Function::correction, each([](CppBodies& b) { return b.correction(); }));
+        std::vector<std::string> positions, rates;
+        for (const ConstraintEquation& c : system_.constraints) {
+            if (c.position) positions.push_back(fmt::format("{}: {} = 0", c.item->name, write_(*c.position)));
+            rates.push_back(fmt::format("{}: {} = 0", c.item->name, write_(c.whole_rate)));
+        }
+        v["POSITION_EQUATIONS"] = comment_lines(positions);
+        v["RATE_EQUATIONS"] = comment_lines(rates);
+        values("CONSTRAINT_TABLES", fill_template(embedded_file("constraint_tables.hpp.in"), pick(v, {"CONSTRAINTS", "CONSTRAINT_INDICES", "CONSTRAINT_TABLE"})));
+        values("CONSTRAINT_TYPES", std::string(embedded_file("constraint_types.hpp.in")));
+        for (const char* name : {"CONSTRAINT_INDICES", "CONSTRAINT_TABLE"}) v.erase(name);
+        values("CONSTRAINT_FUNCTIONS", fill_template(embedded_file("constraint_functions.hpp.in"), v));
+    }
+
+    static std::map<std::string, std::string> pick(const std::map<std::string, std::string>& all, std::initializer_list<const char*> names) {
+        std::map<std::string, std::string> result;
+        for (const char* name : names) result[name] = all.at(name);
+        return result;
     }
 
     void layout(By by, const char* letter) {

@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "emit/cpp_constant.hpp"
 #include "emit/cpp_function.hpp"
 #include "emit/cpp_names.hpp"
 #include "emit/safe_text.hpp"
+#include "model/units.hpp"
+#include "prove/constraint_validity.hpp"
 
 namespace dalembert {
 
@@ -50,8 +54,25 @@ public:
         values("OUTPUTS", std::to_string(system_.outputs.size()));
         values("PARAMETERS", std::to_string(symbols_.count(SymbolKind::parameter)));
         std::vector<std::string> starts;
-        for (const ex& value : Values(system_.scene, system_.translate).state()) starts.push_back(double_text(value));
+        Values defaults(system_.scene, system_.translate);
+        meet_constraints(system_, defaults);
+        for (const ex& value : defaults.state()) starts.push_back(double_text(value));
         values("START_VALUES", fmt::format("{}", fmt::join(starts, ", ")));
+        return std::move(result_);
+    }
+
+    std::map<std::string, std::string> of_constraints() {
+        std::string indices, rows;
+        Diagnostics diagnostics;
+        Units units(system_.names, diagnostics);
+        for (const ConstraintEquation& c : system_.constraints) {
+            const Constraint& item = *c.item;
+            indices += fmt::format("{}{} = {}", indices.empty() ? "" : ", ", item.name, indices.empty() ? 0 : std::count(indices.begin(), indices.end(), '='));
+            const std::string unit = units.of(item.position ? *item.position : *item.rate, {}).dimension.in_base_units();
+            rows += fmt::format("    Constraint{{{}, {}, {}, {}}},\n", cpp_string(item.name), cpp_string(unit), cpp_string(item.doc), item.position != nullptr);
+        }
+        add_table("CONSTRAINT", indices, rows);
+        values("CONSTRAINTS", std::to_string(system_.constraints.size()));
         return std::move(result_);
     }
 
@@ -107,5 +128,7 @@ private:
 }  // namespace
 
 std::map<std::string, std::string> header_tables(const System& system, const std::vector<Guard>& guards) { return Tables(system).run(guards); }
+
+std::map<std::string, std::string> constraint_tables(const System& system) { return Tables(system).of_constraints(); }
 
 }  // namespace dalembert

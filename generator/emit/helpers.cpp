@@ -30,6 +30,7 @@ const std::vector<Helper>& helpers() {
         {"max", scalars, {"select"}},
         {"inverse_norm", scalars, {"select"}},
         {"is_near", scalars, {}},
+        {"independent_inverse", scalars, {"select"}},
         {"pi", scalars, {}},
         {"exponential_remainder", fluids, {}},
         {"compression", fluids, {"select", "exponential_remainder"}},

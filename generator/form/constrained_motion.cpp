@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "balance/steps.hpp"
+#include "form/on_constraints.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -16,7 +17,7 @@ namespace {
 
 std::string in_which_mode(const Scene& scene) { return scene.mode ? fmt::format(" in mode '{}'", scene.modes[*scene.mode].name) : std::string(); }
 
-/// Rows of A qd + b = 0, eliminated until each gives the velocity of a coordinate that no other mentions.
+/// Rows of A qd + b = 0, eliminated until each gives the velocity of a coordinate that no other mentions; and rows from which none follows.
 class Elimination {
 public:
     explicit Elimination(System& system) : system_(system), symbols_(system.symbols), n_(symbols_.degrees()) {}
@@ -24,12 +25,13 @@ public:
     void run() {
         for (std::size_t i = 0; i < system_.constraints.size(); ++i)
             if (system_.constraints[i].holds) add(i);
+        leave_out_redundant();
         Motion& motion = system_.motion;
         for (std::size_t j = 0; j < n_; ++j)
             if (std::none_of(rows_.begin(), rows_.end(), [&](const Row& row) { return row.pivot == j; })) motion.free.push_back(j);
-        if (rows_.empty()) return whole();
+        for (const Row& row : kept_) motion.multipliers.push_back(row.constraint);
         dependent();
-        reduced();
+        rows_.empty() ? whole() : reduced();
         forces();
     }
 
@@ -39,6 +41,7 @@ private:
         ex drift;
         std::vector<ex> made_of;  ///< factors of the constraints
         std::size_t pivot = 0;
+        std::size_t constraint = 0;
         const Constraint* item = nullptr;
     };
 
@@ -56,52 +59,84 @@ private:
 
     void add(std::size_t constraint) {
         const ConstraintEquation& c = system_.constraints[constraint];
-        Row row{c.rate.jacobian, c.rate.drift, std::vector<ex>(system_.constraints.size(), 0), 0, c.item};
+        Row row{c.rate.jacobian, c.rate.drift, std::vector<ex>(system_.constraints.size(), 0), 0, constraint, c.item};
         for (ex& factor : row.factors) factor = factor.expand();
         row.made_of[constraint] = 1;
         for (const Row& other : rows_) subtract(row, other);
-        choose_pivot(row);
+        check_rate(row);
+        if (!choose_pivot(row)) {
+            kept_.push_back(std::move(row));
+            return;
+        }
         const ex scale = row.factors[row.pivot];
         const auto divide = [&](ex& e) { e = (e / scale).expand(); };
         std::for_each(row.factors.begin(), row.factors.end(), divide);
         std::for_each(row.made_of.begin(), row.made_of.end(), divide);
         divide(row.drift);
-        for (Row& other : rows_) subtract(other, row);
+        for (auto* others : {&rows_, &kept_})
+            for (Row& other : *others) subtract(other, row);
+        for (const Row& other : kept_) check_rate(other);
         rows_.push_back(std::move(row));
     }
 
-    /// The last coordinate with a number as its factor, else with parameters that have a sign, else with parameters alone.
-    void choose_pivot(Row& row) const {
-        const auto is_good = [&](const ex& factor, int demand) {
-            if (demand == 2) return GiNaC::is_a<GiNaC::numeric>(factor);
-            const bool has_sign = factor.info(GiNaC::info_flags::positive) || ex(-factor).info(GiNaC::info_flags::positive);
-            return is_of_parameters(factor, symbols_) && (demand == 0 || has_sign);
-        };
+    /// What follows from others wherever they hold cannot be told from these by its force. Neither elimination nor letters show it, but numbers do.
+    void leave_out_redundant() {
+        if (kept_.empty()) return;
+        std::vector<std::size_t> order;
+        for (const auto* rows : {&rows_, &kept_})
+            for (const Row& row : *rows) order.push_back(row.constraint);
+        if (order.size() < 2) return;
+        const Values defaults(system_.scene, system_.translate);
+        for (const std::size_t constraint : ConstraintPoints(system_, order, defaults).redundant()) {
+            if (std::erase_if(kept_, [&](const Row& row) { return row.constraint == constraint; }) == 0) continue;
+            ConstraintEquation& c = system_.constraints[constraint];
+            c.is_redundant = true;
+            std::vector<Note> notes;
+            for (const std::size_t other : order)
+                if (other != constraint && !system_.constraints[other].is_redundant) notes.push_back({system_.constraints[other].item->span, "it holds, too"});
+            system_.warnings.push_back({Id::doubly_determined, c.item->span,
+                                        fmt::format("constraint '{}'{} follows from the others wherever they hold: the motion is determined without it, but what each of them bears is not. Its force is given as zero, and the others bear everything", c.item->name, in_which_mode(system_.scene)),
+                                        std::move(notes), Severity::warning});
+        }
+    }
+
+    /// Whether anything is left of a rate.
+    void check_rate(const Row& row) const {
+        if (!std::all_of(row.factors.begin(), row.factors.end(), [](const ex& f) { return f.is_zero(); })) return;
+        if (rows_.empty() && kept_.empty()) throw Failure(Diagnostic{Id::undetermined, row.item->span, fmt::format("constraint '{}' holds a rate that no velocity changes", row.item->name)});
+        std::vector<Note> notes;
+        for (const auto* others : {&rows_, &kept_})
+            for (const Row& other : *others)
+                if (other.item != row.item) notes.push_back({other.item->span, fmt::format("'{}' holds, too", other.item->name)});
+        throw Failure(Diagnostic{Id::doubly_determined, row.item->span,
+                                 fmt::format("constraint '{}'{} follows from others, so that what each of them bears is not determined", row.item->name, in_which_mode(system_.scene)), std::move(notes)});
+    }
+
+    bool has_sign(const ex& factor) const { return factor.info(GiNaC::info_flags::positive) || ex(-factor).info(GiNaC::info_flags::positive); }
+
+    /// The coordinate that is asked for; else the last one with a number as its factor, or with parameters that have a sign, or with parameters
+    /// alone. False if there is none.
+    bool choose_pivot(Row& row) const {
+        if (row.item->multiplier) return false;
+        if (row.item->eliminates) {
+            const Reference& wanted = *row.item->eliminates;
+            row.pivot = system_.translate.coordinate(wanted.name, wanted.index.get(), wanted.span, {});
+            const ex& factor = row.factors[row.pivot];
+            if (!factor.is_zero() && is_of_parameters(factor, symbols_)) return true;
+            throw Failure(Diagnostic{Id::undetermined, wanted.span,
+                                     factor.is_zero() ? fmt::format("constraint '{}'{} does not give '{}': its rate does not contain that velocity{}", row.item->name, in_which_mode(system_.scene), symbols_.all(SymbolKind::velocity)[row.pivot].name, rows_.empty() ? "" : " any more, when other constraints are put in")
+                                                      : fmt::format("constraint '{}'{} does not give '{}' everywhere: its factor in the rate moves, and may become zero; leave out 'eliminates'", row.item->name, in_which_mode(system_.scene), symbols_.all(SymbolKind::velocity)[row.pivot].name),
+                                     {{row.item->span, "the constraint"}}});
+        }
         for (const int demand : {2, 1, 0})
             for (std::size_t j = n_; j-- > 0;) {
                 const ex& factor = row.factors[j];
-                if (factor.is_zero() || !is_good(factor, demand)) continue;
+                if (factor.is_zero()) continue;
+                if (demand == 2 ? !GiNaC::is_a<GiNaC::numeric>(factor) : !is_of_parameters(factor, symbols_) || (demand == 1 && !has_sign(factor))) continue;
                 row.pivot = j;
-                return;
+                return true;
             }
-        const bool is_empty = std::all_of(row.factors.begin(), row.factors.end(), [](const ex& f) { return f.is_zero(); });
-        const bool is_alone = rows_.empty();
-        if (is_empty && is_alone) throw Failure(Diagnostic{Id::undetermined, row.item->span, fmt::format("constraint '{}' holds a rate that no velocity changes", row.item->name)});
-        if (is_empty) {
-            std::vector<Note> notes;
-            for (const Row& other : rows_) notes.push_back({other.item->span, fmt::format("'{}' holds, too", other.item->name)});
-            throw Failure(Diagnostic{Id::doubly_determined, row.item->span,
-                                     fmt::format("constraint '{}'{} follows from others, so that what each of them bears is not determined", row.item->name, in_which_mode(system_.scene)), std::move(notes)});
-        }
-        throw Failure(Diagnostic{Id::undetermined, row.item->span,
-                                 fmt::format("constraint '{}'{} cannot be solved for a velocity{}: this version needs one whose factor in the rate does not move", row.item->name, in_which_mode(system_.scene), is_alone ? "" : " that others leave free")});
-    }
-
-    void whole() {
-        Motion& motion = system_.motion;
-        motion.mass = system_.mass;
-        for (std::size_t j = 0; j < n_; ++j) motion.force.push_back(system_.supplied[j] - system_.bias[j]);
-        motion.residual = system_.residual;
+        return false;
     }
 
     void dependent() {
@@ -120,47 +155,95 @@ private:
         }
     }
 
-    /// N' R with R = M qdd + bias - Q and N the motions that A leaves: R[k] - sum over rows of factor[k]*R[pivot].
+    /// R - J' lambda of the multipliers.
+    ex remainder(std::size_t j) const {
+        GiNaC::exvector terms{system_.residual[j]};
+        for (const Row& row : kept_) terms.push_back(-system_.constraints[row.constraint].rate.jacobian[j] * symbols_.get(SymbolKind::multiplier, row.constraint));
+        return GiNaC::add(terms);
+    }
+
+    /// -(J qdd - gamma), of free accelerations.
+    ex held_rate(const Row& row) const {
+        GiNaC::exvector terms{row.drift};
+        for (const std::size_t k : system_.motion.free) terms.push_back(row.factors[k] * velocity(k));
+        return -system_.with_rates(symbols_.time_derivative(GiNaC::add(terms))).subs(accelerations_, GiNaC::subs_options::no_pattern);
+    }
+
+    /// Nothing is eliminated: the rows are those of the equations of motion as they stand.
+    void whole() {
+        Motion& motion = system_.motion;
+        const auto n = static_cast<unsigned>(n_), size = static_cast<unsigned>(motion.unknowns());
+        motion.matrix = GiNaC::matrix(size, size);
+        for (unsigned i = 0; i < n; ++i)
+            for (unsigned j = 0; j < n; ++j) motion.matrix(i, j) = system_.mass(i, j);
+        for (std::size_t j = 0; j < n_; ++j) {
+            motion.force.push_back(system_.supplied[j] - system_.bias[j]);
+            motion.residual.push_back(kept_.empty() ? system_.residual[j] : remainder(j));
+        }
+        GiNaC::exmap at_rest;
+        for (std::size_t k = 0; k < n_; ++k) at_rest[acceleration(k)] = 0;
+        for (unsigned i = 0; i < kept_.size(); ++i) {
+            for (unsigned j = 0; j < n; ++j) motion.matrix(n + i, j) = motion.matrix(j, n + i) = -kept_[i].factors[j];
+            const ex residual = held_rate(kept_[i]);
+            motion.residual.push_back(residual);
+            motion.force.push_back(-residual.subs(at_rest, GiNaC::subs_options::no_pattern));
+        }
+    }
+
+    /// N' R with R = M qdd + bias - Q - J' lambda and N the motions that the eliminated rows leave: R[k] - sum over rows of
+    /// factor[k]*R[pivot].
     void reduced() {
         Motion& motion = system_.motion;
-        const std::size_t free = motion.free.size();
-        motion.mass = GiNaC::matrix(static_cast<unsigned>(free), static_cast<unsigned>(free));
+        const std::vector<ex> unknowns = system_.unknowns();
+        const auto size = static_cast<unsigned>(unknowns.size());
+        motion.matrix = GiNaC::matrix(size, size);
         GiNaC::exmap at_rest;
-        for (const std::size_t k : motion.free) at_rest[acceleration(k)] = 0;
-        for (std::size_t i = 0; i < free; ++i) {
-            GiNaC::exvector terms{along(motion.free[i])};
-            for (const Row& row : rows_) terms.push_back(-row.factors[motion.free[i]] * along(row.pivot));
+        for (const ex& unknown : unknowns) at_rest[unknown] = 0;
+        for (unsigned i = 0; i < size; ++i) {
+            GiNaC::exvector terms;
+            if (i < motion.free.size()) {
+                terms.push_back(along(motion.free[i]));
+                for (const Row& row : rows_) terms.push_back(-row.factors[motion.free[i]] * along(row.pivot));
+            } else {
+                terms.push_back(held_rate(kept_[i - motion.free.size()]));
+            }
             const ex residual = ex(GiNaC::add(terms)).expand();
             const ex force = -residual.subs(at_rest, GiNaC::subs_options::no_pattern);
             GiNaC::exvector rebuilt{-force};
-            for (std::size_t l = 0; l < free; ++l) {
-                const ex factor = partial(residual, acceleration(motion.free[l]));
-                motion.mass(static_cast<unsigned>(i), static_cast<unsigned>(l)) = factor;
-                rebuilt.push_back(factor * acceleration(motion.free[l]));
+            for (unsigned l = 0; l < size; ++l) {
+                motion.matrix(i, l) = partial(residual, unknowns[l]);
+                rebuilt.push_back(motion.matrix(i, l) * unknowns[l]);
             }
             motion.force.push_back(force);
             motion.residual.push_back(GiNaC::add(rebuilt));
         }
     }
 
-    /// The residual of a coordinate, made of free accelerations.
-    ex along(std::size_t j) const { return system_.residual[j].subs(accelerations_, GiNaC::subs_options::no_pattern); }
+    /// What is left of a coordinate's residual, made of unknowns.
+    ex along(std::size_t j) const { return remainder(j).subs(accelerations_, GiNaC::subs_options::no_pattern); }
 
-    /// R = A' lambda, and the rows bear mu = R[pivot].
+    /// R = A' lambda, and the eliminated rows bear mu = R[pivot].
     void forces() {
         for (std::size_t i = 0; i < system_.constraints.size(); ++i) {
-            if (!system_.constraints[i].holds) continue;
-            GiNaC::exvector terms;
-            for (const Row& row : rows_) terms.push_back(row.made_of[i] * along(row.pivot));
-            system_.constraints[i].force = ex(GiNaC::add(terms)).expand();
-            system_.prescribed_power -= system_.constraints[i].force * system_.constraints[i].rate.drift;
+            ConstraintEquation& constraint = system_.constraints[i];
+            if (!constraint.holds || constraint.is_redundant) continue;
+            constraint.has_multiplier = std::any_of(kept_.begin(), kept_.end(), [&](const Row& row) { return row.constraint == i; });
+            if (constraint.has_multiplier) {
+                constraint.force = symbols_.get(SymbolKind::multiplier, i);
+            } else {
+                GiNaC::exvector terms;
+                for (const Row& row : rows_) terms.push_back(row.made_of[i] * along(row.pivot));
+                constraint.force = ex(GiNaC::add(terms)).expand();
+            }
+            system_.prescribed_power -= constraint.force * constraint.rate.drift;
         }
     }
 
     System& system_;
     const Symbols& symbols_;
     std::size_t n_;
-    std::vector<Row> rows_;
+    std::vector<Row> rows_;  ///< eliminated
+    std::vector<Row> kept_;  ///< with multipliers
     GiNaC::exmap accelerations_;
 };
 
@@ -179,7 +262,7 @@ std::optional<std::pair<std::size_t, ex>> coordinate_at_zero(const ex& position,
 void constrain(System& system) {
     for (const auto& member : system.scene.constraints) {
         const Constraint& item = *member.item;
-        ConstraintEquation c{&item, system.scene.holds(item.when), {}, std::nullopt, 0, 0};
+        ConstraintEquation c{&item, system.scene.holds(item.when), false, false, {}, std::nullopt, 0, 0};
         if (item.position) c.position = system.translate(item.position, {});
         c.whole_rate = item.rate ? system.translate(item.rate, {}) : system.symbols.time_derivative(*c.position);
         c.rate = affine_rate(c.whole_rate, system.symbols, item.span, fmt::format("the rate of constraint '{}'", item.name));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What constraints leave of the motion: M qdd + bias = Q + A' lambda with A qd + b = 0 is solved for coordinates that A leaves free.
+// What constraints leave of the motion: M qdd + bias = Q + A' lambda with A qd + b = 0 (2.196)-(2.202) is solved for coordinates that
+// elimination leaves free, and for the multipliers of the constraints from which nothing can be eliminated.
 #pragma once
 
 #include "form/system.hpp"

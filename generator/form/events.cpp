@@ -116,7 +116,9 @@ private:
             found = i;
         }
         for (std::size_t l = 0; found && l < impact.direction.size(); ++l)
-            if (l != *found && !system_.motion.mass(static_cast<unsigned>(*found), static_cast<unsigned>(l)).is_zero()) return std::nullopt;
+            if (l != *found && !system_.motion.matrix(static_cast<unsigned>(*found), static_cast<unsigned>(l)).is_zero()) return std::nullopt;
+        for (std::size_t l = impact.direction.size(); found && l < system_.motion.unknowns(); ++l)
+            if (!system_.motion.matrix(static_cast<unsigned>(l), static_cast<unsigned>(*found)).is_zero()) return std::nullopt;
         return found;
     }
 

@@ -55,11 +55,13 @@ Partials partials(const System& system, By by) {
 std::vector<std::vector<ex>> output_by_acceleration(const System& system) {
     const std::vector<ex> outputs = output_values(system);
     std::vector<std::vector<ex>> result;
-    for (const Variable& a : system.symbols.all(SymbolKind::acceleration)) {
+    const auto add = [&](const ex& letter) {
         std::vector<ex> column;
-        for (const ex& output : outputs) column.push_back(partial(output, a.symbol));
+        for (const ex& output : outputs) column.push_back(partial(output, letter));
         result.push_back(std::move(column));
-    }
+    };
+    for (const Variable& a : system.symbols.all(SymbolKind::acceleration)) add(a.symbol);
+    for (const std::size_t constraint : system.motion.multipliers) add(system.symbols.get(SymbolKind::multiplier, constraint));
     return result;
 }
 

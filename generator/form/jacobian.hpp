@@ -20,7 +20,7 @@ struct Partials {
 std::size_t column_count(const Symbols& symbols, By by);
 Partials partials(const System& system, By by);
 
-/// d(output)/d(qdd): [coordinate][output]; not zero for outputs such as a measured acceleration.
+/// d(output)/d(qdd), and by the multipliers behind them: [coordinate][output]; not zero for outputs such as a measured acceleration.
 std::vector<std::vector<GiNaC::ex>> output_by_acceleration(const System& system);
 
 }  // namespace dalembert

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "balance/steps.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -158,6 +159,26 @@ ex System::with_rates(const ex& e) const {
     GiNaC::exmap rates;
     for (std::size_t i = 0; i < state_rates.size(); ++i) rates[symbols.get(SymbolKind::state_rate, i)] = state_rates[i];
     return e.subs(rates, GiNaC::subs_options::no_pattern);
+}
+
+bool System::needs_projection() const {
+    return std::any_of(constraints.begin(), constraints.end(), [&](const ConstraintEquation& c) {
+        const auto moves = [&](const ex& factor) { return !is_of_parameters(factor, symbols); };
+        return c.holds && (c.has_multiplier || c.is_redundant || std::any_of(c.rate.jacobian.begin(), c.rate.jacobian.end(), moves));
+    });
+}
+
+std::vector<ex> System::unknowns() const {
+    std::vector<ex> letters;
+    for (const std::size_t k : motion.free) letters.push_back(symbols.get(SymbolKind::acceleration, k));
+    for (const std::size_t constraint : motion.multipliers) letters.push_back(symbols.get(SymbolKind::multiplier, constraint));
+    return letters;
+}
+
+std::vector<std::size_t> System::unknown_places() const {
+    std::vector<std::size_t> places = motion.free;
+    for (std::size_t i = 0; i < motion.multipliers.size(); ++i) places.push_back(symbols.degrees() + i);
+    return places;
 }
 
 GiNaC::exmap System::held_motion() const {

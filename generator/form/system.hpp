@@ -12,6 +12,7 @@
 #include "mechanics/forces.hpp"
 #include "symbolic/affine_rate.hpp"
 #include "symbolic/values.hpp"
+#include "text/diagnostic.hpp"
 
 namespace dalembert {
 
@@ -41,18 +42,24 @@ struct NamedBalances {
 struct ConstraintEquation {
     const Constraint* item;
     bool holds;
+    bool has_multiplier;                 ///< its force is an unknown; else a velocity follows from it
+    bool is_redundant;                   ///< it follows from others wherever they hold: nothing is solved for, and no force counted
     AffineRate rate;                     ///< zero where it holds
     std::optional<GiNaC::ex> position;   ///< zero with it
-    GiNaC::ex force;                     ///< along the rate, on the machine; may contain accelerations
+    GiNaC::ex force;                     ///< along the rate, on the machine; may contain accelerations, or be a multiplier
     /// The rate, written out.
     GiNaC::ex whole_rate;
 };
 
-/// What is solved for: the accelerations that constraints leave free, mass*qdd = force. Without constraints all of them.
+/// What is solved for: the accelerations of coordinates that constraints leave free, all of them where nothing is eliminated; and behind
+/// them multipliers, the forces of constraints from which no velocity follows: matrix*unknowns = force. With M of the free coordinates and
+/// J of those constraints the matrix is [M, -J'; -J, 0]; the rows of constraints say -(J qdd - gamma) = 0.
 struct Motion {
     std::vector<std::size_t> free;                                      ///< coordinates
-    GiNaC::matrix mass;
-    std::vector<GiNaC::ex> force, residual;                             ///< residual = mass*qdd - force
+    std::vector<std::size_t> multipliers;                               ///< constraints, by place in the system
+    GiNaC::matrix matrix;
+    std::vector<GiNaC::ex> force, residual;                             ///< residual = matrix*unknowns - force
+    std::size_t unknowns() const { return free.size() + multipliers.size(); }
     std::vector<std::pair<std::size_t, AffineRate>> velocities;         ///< of the other coordinates, by those of the free ones
     std::vector<std::pair<std::size_t, GiNaC::ex>> accelerations;       ///< of the other coordinates
     std::vector<std::pair<std::size_t, GiNaC::ex>> positions;           ///< coordinates that lie on a constraint, by the others
@@ -131,6 +138,13 @@ struct System {
 
     std::vector<ConstraintEquation> constraints;
     Motion motion;
+    std::vector<Diagnostic> warnings;
+    /// Whether runs have to be brought back to constraints: to those with a multiplier, and to eliminated ones whose rate has factors that
+    /// move. What others say integration keeps exactly.
+    bool needs_projection() const;
+    /// The letters of what is solved for, and where each stands in a list of all accelerations, with the multipliers behind them.
+    std::vector<GiNaC::ex> unknowns() const;
+    std::vector<std::size_t> unknown_places() const;
     std::vector<EventEquation> events;
     /// Velocities and accelerations that constraints determine, by the others.
     GiNaC::exmap held_motion() const;

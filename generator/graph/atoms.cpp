@@ -13,7 +13,7 @@ namespace {
 /// The order in which symbols are numbered.
 constexpr std::array symbol_order{SymbolKind::parameter, SymbolKind::definition, SymbolKind::time,        SymbolKind::input, SymbolKind::coordinate,
                                   SymbolKind::velocity,  SymbolKind::state,      SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::grid, SymbolKind::letter,
-                                  SymbolKind::jerk};
+                                  SymbolKind::jerk,      SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual};
 
 bool is_parameter(SymbolKind kind) { return kind == SymbolKind::parameter || kind == SymbolKind::definition || kind == SymbolKind::grid; }
 
@@ -35,7 +35,7 @@ const char* name_of(Op op) {
                                          "cosh",   "tanh", "exp",  "log",  "sqrt", "inverse_norm", "abs", "sign", "step", "min",  "max",   "expm1",
                                          "log1p", "compression", "signed_root", "inverse_root", "forward_root", "outflow_factor", "outflow_factor_slope",
                                          "outflow_factor_by_exponent", "decay_mean", "decay_mean_slope", "log_ratio", "log_mean", "log_mean_slope", "root_excess",
-                                         "sum_of_three", "radiant_temperature", "network_inverse", "balanced_temperature", "element", "power"};
+                                         "sum_of_three", "radiant_temperature", "network_inverse", "balanced_temperature", "element", "independent_inverse", "power"};
     return names[static_cast<std::size_t>(op)];
 }
 

@@ -22,6 +22,7 @@ enum class Op {
     decay_mean, decay_mean_slope, log_ratio, log_mean, log_mean_slope, root_excess, sum_of_three, radiant_temperature,
     network_inverse, balanced_temperature,  ///< arguments: which element of the array, then what the array is made of
     element,                                ///< of an array; in programs only
+    independent_inverse,                    ///< 1/x, or zero where x is next to nothing beside the second argument; in programs only
     power,  ///< arguments: base, exponent
 };
 

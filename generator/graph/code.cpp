@@ -15,7 +15,7 @@ namespace {
 class CodeMaker {
 public:
     explicit CodeMaker(const System& system)
-        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms)), n_(system.motion.free.size()), degrees_(system.symbols.degrees()) {}
+        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms)), n_(system.motion.unknowns()), degrees_(system.symbols.degrees()), places_(system.unknown_places()), multipliers_(system.motion.multipliers.size()) {}
 
     std::unique_ptr<Code> run() {
         order_definitions();
@@ -37,6 +37,7 @@ public:
         for (std::size_t i = 0; i < scalars.size(); ++i) values(scalars[i], {lowered_.scalars[i]}, ParameterParts::if_cached);
         values(Function::start_state, lowered_.start, ParameterParts::in_place);
         switching();
+        projection();
         update();
         return std::move(code_);
     }
@@ -67,25 +68,26 @@ private:
     void choose_solve() {
         Solve& s = code_->solve;
         s.n = n_;
+        s.multipliers = multipliers_;
         s.is_constant = true;
         for (const Polynomial& p : lowered_.solve_mass) {
             s.is_zero.push_back(p.is_zero());
             s.is_constant = s.is_constant && !code_->atoms.is_dynamic(p);
         }
-        s.unrolled = should_unroll(n_, s.is_zero) || !lowered_.held.empty() || !system_.scene.modes.empty();
+        s.unrolled = should_unroll(n_, s.is_zero) || !lowered_.held.empty() || multipliers_ > 0 || !system_.scene.modes.empty();
         if (s.unrolled && s.is_constant) s.first_cached = code_->cache.reserve(lowered_.solve_mass.size());
     }
 
     /// Factors of M in a function: computed there, or taken from the cache.
     std::vector<NodeId> factors(Program& program, const std::vector<NodeId>& mass) {
         const Solve& s = code_->solve;
-        if (!s.is_constant) return factorise(program, n_, mass, [&](NodeId pivot) { return reciprocal(program, pivot); });
+        if (!s.is_constant) return factorise(program, n_, multipliers_, mass, [&](NodeId pivot) { return reciprocal(program, pivot); });
         // What the factors are is decided in update(); zero factors are known from the pattern there as here.
         std::vector<NodeId> result;
         Program pattern;
         std::vector<NodeId> symbolic;
         for (std::size_t i = 0; i < s.is_zero.size(); ++i) symbolic.push_back(s.is_zero[i] ? pattern.constant(0) : pattern.cached(static_cast<std::uint32_t>(i)));
-        const std::vector<NodeId> computed = factorise(pattern, n_, symbolic);
+        const std::vector<NodeId> computed = factorise(pattern, n_, multipliers_, symbolic);
         for (std::size_t i = 0; i < computed.size(); ++i)
             result.push_back(pattern.is_constant(computed[i], 0) ? program.constant(0) : program.cached(s.first_cached + static_cast<std::uint32_t>(i)));
         return result;
@@ -108,9 +110,45 @@ private:
         return program.cached(code_->cache.add(inverse));
     }
 
-    /// Of a free coordinate, or of one that constraints determine.
-    Letter free_acceleration(std::size_t i) const { return acceleration_letter(system_.motion.free[i]); }
-    Letter acceleration_letter(std::size_t j) const { return code_->atoms.symbol(system_.symbols.all(SymbolKind::acceleration)[j]); }
+    Letter letter(SymbolKind kind, std::size_t position) const { return code_->atoms.symbol(system_.symbols.all(kind)[position]); }
+    Letter acceleration_letter(std::size_t j) const { return letter(SymbolKind::acceleration, j); }
+    /// The letter of what is solved for, or of its rate.
+    Letter unknown(std::size_t i, bool is_rate = false) const {
+        const Motion& motion = system_.motion;
+        if (i < motion.free.size()) return letter(is_rate ? SymbolKind::jerk : SymbolKind::acceleration, motion.free[i]);
+        return letter(is_rate ? SymbolKind::multiplier_rate : SymbolKind::multiplier, motion.multipliers[i - motion.free.size()]);
+    }
+
+    /// Where the parts of the equations of motion begin among the roots.
+    struct MotionRoots {
+        std::size_t mass = 0, force = 0, held = 0;
+    };
+
+    MotionRoots add_motion(Roots& roots) const {
+        MotionRoots parts;
+        if (!code_->solve.is_constant) parts.mass = roots.add(lowered_.solve_mass);
+        parts.force = roots.add(lowered_.force);
+        parts.held = roots.add(lowered_.held);
+        return parts;
+    }
+
+    /// Solves for accelerations and multipliers, whose letters have values from then on. All of them, each at its place.
+    std::vector<NodeId> solve_motion(FunctionCode& f, ProgramBuilder& builder, const MotionRoots& parts) {
+        const bool needs_mass = !code_->solve.is_constant;
+        for (std::size_t i = 0; needs_mass && i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(parts.mass + i));
+        for (std::size_t j = 0; j < n_; ++j) f.force.push_back(builder.root(parts.force + j));
+        f.factors = factors(f.program, f.mass);
+        const std::vector<NodeId> solved = solve(f.program, n_, f.factors, f.force);
+        std::vector<NodeId> all(degrees_ + multipliers_);
+        for (std::size_t i = 0; i < n_; ++i) all[places_[i]] = solved[i];
+        for (std::size_t i = 0; i < n_; ++i) builder.define(unknown(i), solved[i]);
+        for (std::size_t i = 0; i < lowered_.held.size(); ++i) {
+            const std::size_t j = system_.motion.accelerations[i].first;
+            all[j] = builder.root(parts.held + i);
+            builder.define(acceleration_letter(j), all[j]);
+        }
+        return all;
+    }
 
     /// rhs, alone or together with its Jacobian.
     void motion_function(Function which, const LoweredSystem::Columns* columns) {
@@ -119,29 +157,17 @@ private:
         f.by_loops = !s.unrolled;
         ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program);
         Roots roots;
-        const bool needs_mass = !s.is_constant;
-        const std::size_t mass = needs_mass ? roots.add(lowered_.solve_mass) : 0;
-        const std::size_t force = roots.add(lowered_.force);
+        const MotionRoots motion = add_motion(roots);
         const std::size_t rates = roots.add(lowered_.state_rate);
-        const std::size_t held = roots.add(lowered_.held);
         const ColumnRoots parts = columns != nullptr ? add_columns(roots, *columns) : ColumnRoots{};
         builder.prepare(roots.polynomials());
 
-        for (std::size_t i = 0; needs_mass && i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(mass + i));
-        for (std::size_t j = 0; j < n_; ++j) f.force.push_back(builder.root(force + j));
-        f.accelerations.resize(degrees_);
         if (s.unrolled) {
-            f.factors = factors(f.program, f.mass);
-            const std::vector<NodeId> solved = solve(f.program, n_, f.factors, f.force);
-            for (std::size_t i = 0; i < n_; ++i) f.accelerations[system_.motion.free[i]] = solved[i];
-            for (std::size_t i = 0; i < n_; ++i) builder.define(free_acceleration(i), solved[i]);
-            for (std::size_t i = 0; i < lowered_.held.size(); ++i) {
-                const std::size_t j = system_.motion.accelerations[i].first;
-                f.accelerations[j] = builder.root(held + i);
-                builder.define(acceleration_letter(j), f.accelerations[j]);
-            }
+            f.accelerations = solve_motion(f, builder, motion);
         } else {
-            for (std::size_t j = 0; j < degrees_; ++j) f.accelerations[j] = f.program.symbol(acceleration_letter(j));
+            for (std::size_t i = 0; !s.is_constant && i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(motion.mass + i));
+            for (std::size_t j = 0; j < n_; ++j) f.force.push_back(builder.root(motion.force + j));
+            for (std::size_t j = 0; j < degrees_; ++j) f.accelerations.push_back(f.program.symbol(acceleration_letter(j)));
         }
         for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
         if (columns != nullptr) take_columns(f, builder, *columns, parts);
@@ -167,7 +193,7 @@ private:
         const std::size_t held = lowered_.held.size();
         f.by_loops = !code_->solve.unrolled;
         f.right = {n_, columns.residual.size(), {}};
-        f.solved = {degrees_, f.by_loops ? 0 : columns.residual.size(), {}};
+        f.solved = {degrees_ + multipliers_, f.by_loops ? 0 : columns.residual.size(), {}};
         f.below = {m, columns.residual.size(), {}};
         for (std::size_t c = 0; c < columns.residual.size(); ++c) {
             std::vector<NodeId> right;
@@ -175,11 +201,12 @@ private:
             f.right.entries.insert(f.right.entries.end(), right.begin(), right.end());
             if (!f.by_loops) {
                 const std::vector<NodeId> solved = solve(f.program, n_, f.factors, right);
-                std::vector<NodeId> column(degrees_);
-                for (std::size_t i = 0; i < n_; ++i) column[system_.motion.free[i]] = solved[i];
+                std::vector<NodeId> column(degrees_ + multipliers_);
+                const std::size_t free = system_.motion.free.size();
+                for (std::size_t i = 0; i < n_; ++i) column[places_[i]] = solved[i];
                 for (std::size_t i = 0; i < held; ++i) {
                     std::vector<std::pair<bool, NodeId>> terms{{false, builder.root(parts.held + c * held + i)}};
-                    for (std::size_t k = 0; k < n_; ++k) terms.emplace_back(false, f.program.product({builder.root(parts.held_by_free + i * n_ + k), solved[k]}));
+                    for (std::size_t k = 0; k < free; ++k) terms.emplace_back(false, f.program.product({builder.root(parts.held_by_free + i * free + k), solved[k]}));
                     column[system_.motion.accelerations[i].first] = f.program.sum(std::move(terms));
                 }
                 f.solved.entries.insert(f.solved.entries.end(), column.begin(), column.end());
@@ -188,43 +215,117 @@ private:
         }
     }
 
+    /// With multipliers the motion is solved for first, since their values are known nowhere else.
     void jacobian(Function which, By by, ParameterParts kind) {
         FunctionCode& f = (*code_)[which];
         const Solve& s = code_->solve;
         const LoweredSystem::Columns& columns = lowered_.partial(by);
         ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program);
         Roots roots;
-        const std::size_t mass = s.is_constant ? 0 : roots.add(lowered_.solve_mass);
+        const bool has_multipliers = multipliers_ > 0;
+        const MotionRoots motion = has_multipliers ? add_motion(roots) : MotionRoots{s.is_constant ? 0 : roots.add(lowered_.solve_mass), 0, 0};
         const ColumnRoots parts = add_columns(roots, columns);
         builder.prepare(roots.polynomials());
-        for (std::size_t i = 0; !s.is_constant && i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(mass + i));
-        if (s.unrolled) f.factors = factors(f.program, f.mass);
+        if (has_multipliers) {
+            f.solved_for = solve_motion(f, builder, motion);
+        } else {
+            for (std::size_t i = 0; !s.is_constant && i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(motion.mass + i));
+            if (s.unrolled) f.factors = factors(f.program, f.mass);
+        }
         take_columns(f, builder, columns, parts);
         note_accelerations(f);
     }
 
+    /// Values that contain multipliers, or their rates, bring the solve for them along.
     void values(Function which, const std::vector<Polynomial>& polynomials, ParameterParts parts) {
         FunctionCode& f = (*code_)[which];
         ProgramBuilder builder(code_->atoms, code_->cache, parts, f.program);
-        builder.prepare(polynomials);
-        for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(i));
+        Roots roots;
+        const std::size_t first = roots.add(polynomials);
+        const bool has_multipliers = contain(polynomials, SymbolKind::multiplier), has_rates = contain(polynomials, SymbolKind::multiplier_rate);
+        const bool has_motion = has_multipliers || has_rates;
+        const MotionRoots motion = has_motion ? add_motion(roots) : MotionRoots{};
+        const std::size_t rates = has_rates ? roots.add(lowered_.motion_rate) : 0;
+        const std::size_t jerks = has_rates ? roots.add(lowered_.held_jerks) : 0;
+        builder.prepare(roots.polynomials());
+        if (has_motion) f.solved_for = solve_motion(f, builder, motion);
+        if (has_rates) {
+            f.right = {n_, 1, {}};
+            for (std::size_t i = 0; i < n_; ++i) f.right.entries.push_back(builder.root(rates + i));
+            f.rates_solved_for = solve(f.program, n_, f.factors, f.right.entries);
+            for (std::size_t i = 0; i < n_; ++i) builder.define(unknown(i, true), f.rates_solved_for[i]);
+            for (std::size_t i = 0; i < lowered_.held_jerks.size(); ++i) builder.define(letter(SymbolKind::jerk, system_.motion.accelerations[i].first), builder.root(jerks + i));
+        }
+        for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(first + i));
         note_accelerations(f);
+    }
+
+    bool contain(const std::vector<Polynomial>& polynomials, SymbolKind kind) const {
+        const auto is_there = [&](const auto& self, const Polynomial& p) -> bool {
+            for (const auto& [monomial, coefficient] : p.terms())
+                for (const LetterPower& power : monomial) {
+                    const Atom& atom = code_->atoms[power.letter];
+                    if (atom.variable != nullptr && atom.variable->kind == kind) return true;
+                    if (std::any_of(atom.arguments.begin(), atom.arguments.end(), [&](const Polynomial& argument) { return self(self, argument); })) return true;
+                }
+            return false;
+        };
+        return multipliers_ > 0 && std::any_of(polynomials.begin(), polynomials.end(), [&](const Polynomial& p) { return is_there(is_there, p); });
     }
 
     void output_jacobian(Function which, By by) {
         FunctionCode& f = (*code_)[which];
         ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program);
         const auto& columns = lowered_.partial(by).output;
+        const std::size_t outputs = lowered_.output.size();
+        const bool has_multipliers = contain(lowered_.output, SymbolKind::multiplier);
         Roots roots;
         const std::size_t first = roots.add(columns);
         const std::size_t second = roots.add(lowered_.output_by_acceleration);
+        const MotionRoots motion = has_multipliers ? add_motion(roots) : MotionRoots{};
+        const ColumnRoots parts = has_multipliers ? add_columns(roots, lowered_.partial(by)) : ColumnRoots{};
         builder.prepare(roots.polynomials());
-        const std::size_t outputs = lowered_.output.size();
         f.by_output = {outputs, columns.size(), {}};
+        f.by_acceleration = {outputs, degrees_ + multipliers_, {}};
+        if (has_multipliers) {
+            f.solved_for = solve_motion(f, builder, motion);
+            take_columns(f, builder, lowered_.partial(by), parts);
+        }
         for (std::size_t i = 0; i < columns.size() * outputs; ++i) f.by_output.entries.push_back(builder.root(first + i));
-        f.by_acceleration = {outputs, degrees_, {}};
-        for (std::size_t i = 0; i < degrees_ * outputs; ++i) f.by_acceleration.entries.push_back(builder.root(second + i));
+        for (std::size_t i = 0; i < (degrees_ + multipliers_) * outputs; ++i) f.by_acceleration.entries.push_back(builder.root(second + i));
+        if (has_multipliers) chain_outputs(f);
         note_accelerations(f);
+    }
+
+    /// Multipliers are no part of dx/dt, through which other outputs get their slopes: the whole slope is made here.
+    void chain_outputs(FunctionCode& f) {
+        f.whole_output = f.by_output;
+        for (std::size_t c = 0; c < f.by_output.columns; ++c)
+            for (std::size_t r = 0; r < f.by_output.rows; ++r) {
+                std::vector<std::pair<bool, NodeId>> terms{{false, f.by_output.at(r, c)}};
+                for (std::size_t k = 0; k < f.solved.rows; ++k) terms.emplace_back(false, f.program.product({f.by_acceleration.at(r, k), f.solved.at(k, c)}));
+                f.whole_output.entries[c * f.by_output.rows + r] = f.program.sum(std::move(terms));
+            }
+    }
+
+    /// What brings runs back to constraints.
+    void projection() {
+        const LoweredSystem::Projection& p = lowered_.projection;
+        values(Function::constraint_positions, p.position, ParameterParts::if_cached);
+        values(Function::constraint_rates, p.rate, ParameterParts::if_cached);
+        values(Function::constraint_forces, p.force, ParameterParts::if_cached);
+        values(Function::constraint_jacobian, p.jacobian, ParameterParts::if_cached);
+        if (p.bordered.empty()) return;
+        FunctionCode& f = (*code_)[Function::correction];
+        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::if_cached, f.program);
+        builder.prepare(p.bordered);
+        for (std::size_t i = 0; i < p.bordered.size(); ++i) f.mass.push_back(builder.root(i));
+        const std::size_t constraints = p.holding.size(), size = degrees_ + constraints;
+        f.factors = factorise(f.program, size, constraints, f.mass);
+        f.force.assign(degrees_, f.program.constant(0));
+        for (const std::size_t i : p.holding) f.force.push_back(f.program.negated(f.program.symbol(letter(SymbolKind::residual, i))));
+        f.solved_for = solve(f.program, size, f.factors, f.force);
+        f.results.assign(f.solved_for.begin(), f.solved_for.begin() + static_cast<std::ptrdiff_t>(degrees_));
     }
 
     /// Guards of events, their rates, what a mode asks for, and what events reset. The rates of guards are for the moments in which a mode
@@ -264,15 +365,17 @@ private:
         if (!s.is_constant) return;
         for (std::size_t i = 0; i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(mass + i));
         if (f.by_loops) return;
-        const std::vector<NodeId> lower = factorise(f.program, n_, f.mass);
+        const std::vector<NodeId> lower = factorise(f.program, n_, multipliers_, f.mass);
         for (std::size_t i = 0; i < lower.size(); ++i) f.results[code_->definition_order.size() + s.first_cached + i] = lower[i];
     }
 
     std::unique_ptr<Code> code_;
     const System& system_;
     LoweredSystem lowered_;
-    std::size_t n_;        ///< accelerations that are solved for
+    std::size_t n_;                    ///< accelerations and multipliers that are solved for
     std::size_t degrees_;
+    std::vector<std::size_t> places_;  ///< of what is solved for among all accelerations and multipliers
+    std::size_t multipliers_;
 };
 
 }  // namespace
@@ -283,7 +386,7 @@ const char* name_of(Function function) {
         "mass_matrix",       "bias",         "generalised_force", "output",            "output_jacobian_x", "output_jacobian_u",
         "kinetic_energy",    "potential_energy", "supplied_power", "dissipated_power", "prescribed_power", "internal_energy",
         "exchanged_power",   "guards",       "start_state",       "events",            "event_rates",    "conditions",
-        "resets"};
+        "resets",            "constraint_positions", "constraint_rates", "constraint_forces", "constraint_jacobian", "correction"};
     return names[static_cast<std::size_t>(function)];
 }
 
@@ -294,11 +397,13 @@ std::vector<NodeId> FunctionCode::roots() const {
         take(mass);
         take(force);
         take(right.entries);
-    } else {
+    } else if (whole_output.entries.empty()) {
         take(accelerations);
         take(solved.entries);
     }
     take(results);
+    take(whole_output.entries);
+    if (!whole_output.entries.empty()) return all;
     take(below.entries);
     take(by_output.entries);
     take(by_acceleration.entries);

@@ -25,13 +25,16 @@ struct FunctionCode {
     std::vector<NodeId> mass = {};          ///< lower triangle of M, row by row
     std::vector<NodeId> factors = {};       ///< L below the diagonal and 1/D on it, where the solve is written out
     std::vector<NodeId> force = {};         ///< Q - bias
-    std::vector<NodeId> accelerations = {}; ///< qdd: solved for where the solve is written out, else symbols; those that constraints determine with them
+    std::vector<NodeId> accelerations = {}; ///< qdd: solved for where the solve is written out, else symbols; those that constraints determine with them, and multipliers behind them
+    std::vector<NodeId> solved_for = {};    ///< accelerations and multipliers that results need on the way, in functions that are about something else
     std::vector<NodeId> results = {};       ///< of rhs: the rates of plain states
     CodeMatrix right = {};                  ///< -dR/d(column), the right sides of M*X
     CodeMatrix solved = {};                 ///< X = d(qdd)/d(column) where the solve is written out
     CodeMatrix below = {};                  ///< d(zd)/d(column)
     CodeMatrix by_output = {};              ///< d(y)/d(column) at fixed accelerations
-    CodeMatrix by_acceleration = {};        ///< d(y)/d(qdd)
+    CodeMatrix by_acceleration = {};        ///< d(y)/d(qdd), and by the multipliers behind them
+    CodeMatrix whole_output = {};           ///< d(y)/d(column), where outputs contain multipliers
+    std::vector<NodeId> rates_solved_for = {};  ///< rates of accelerations and multipliers, where results contain those of multipliers; of the one column in `right`
     bool uses_accelerations = false;        ///< the symbols of qdd occur: they are to be computed first
     bool uses_jerks = false;                ///< those of their rates occur
 
@@ -66,8 +69,13 @@ enum class Function {
     event_rates,
     conditions,
     resets,
+    constraint_positions,
+    constraint_rates,
+    constraint_forces,
+    constraint_jacobian,
+    correction,
 };
-inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::resets) + 1;
+inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::correction) + 1;
 const char* name_of(Function function);
 
 /// What an event sets: these places in x, to results of Function::resets from `first` on.

@@ -32,7 +32,7 @@ bool should_unroll(std::size_t n, const std::vector<bool>& is_zero) {
     return entries <= most_entries_per_row * n && n <= 32;
 }
 
-std::vector<NodeId> factorise(Program& program, std::size_t n, const std::vector<NodeId>& mass, const Reciprocal& reciprocal) {
+std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multipliers, const std::vector<NodeId>& mass, const Reciprocal& reciprocal) {
     std::vector<NodeId> factors(mass.size(), program.constant(0));
     std::vector<NodeId> v(n, program.constant(0));  // L_ij*D_j of the current row
     for (std::size_t i = 0; i < n; ++i) {
@@ -42,12 +42,15 @@ std::vector<NodeId> factorise(Program& program, std::size_t n, const std::vector
             v[j] = minus_products(program, mass[lower_index(i, j)], products);
         }
         std::vector<std::pair<NodeId, NodeId>> products;
+        NodeId alone{};  // what the pivot of a constraint would be without those before it
         for (std::size_t j = 0; j < i; ++j) {
+            if (j + multipliers == n) alone = minus_products(program, mass[lower_index(i, i)], products);
             factors[lower_index(i, j)] = program.product({v[j], factors[lower_index(j, j)]});
             products.emplace_back(v[j], factors[lower_index(i, j)]);
         }
         const NodeId pivot = minus_products(program, mass[lower_index(i, i)], products);
-        factors[lower_index(i, i)] = reciprocal ? reciprocal(pivot) : program.reciprocal(pivot);
+        if (i + multipliers < n) factors[lower_index(i, i)] = reciprocal ? reciprocal(pivot) : program.reciprocal(pivot);
+        else factors[lower_index(i, i)] = program.function(Op::independent_inverse, {pivot, i + multipliers == n ? pivot : alone});
     }
     return factors;
 }

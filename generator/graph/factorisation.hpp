@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Solving with the mass matrix: M = L D L' without pivoting, which a positive definite matrix does not need. Written out where
 // that is short, zeros of M skipped; else done by loops whose code does not grow.
+//
+// note [multipliers]: Constraints border M: [M, -J'; -J, 0]. That is L D L', too, with negative D in the rows of constraints, and needs no
+// pivoting either, as long as M is positive definite: D of a constraint is minus what is left of J M^-1 J' of it when the constraints before
+// it have been taken out. Where next to nothing is left, because the constraint follows from those before it or its rate vanishes, 1/D is
+// set to zero, and that drops the constraint: its force is zero, and the others see nothing of it. Where its equation agrees with the
+// others, the motion is determined all the same, and is found.
 #pragma once
 
 #include <functional>
@@ -11,6 +17,7 @@ namespace dalembert {
 
 struct Solve {
     std::size_t n = 0;
+    std::size_t multipliers = 0;        ///< the last rows of M, that belong to constraints
     bool unrolled = true;
     bool is_constant = false;           ///< M depends on parameters alone: factored when they are set
     std::vector<bool> is_zero;          ///< lower triangle of M, row by row: zero for every motion
@@ -25,8 +32,9 @@ bool should_unroll(std::size_t n, const std::vector<bool>& is_zero);
 /// How 1/x is made; the caller may know a cheaper way than a division.
 using Reciprocal = std::function<NodeId(NodeId)>;
 
-/// Reciprocal pivots 1/D and the unit lower triangle L. L[lower_index(i,i)] is the reciprocal pivot of row i.
-std::vector<NodeId> factorise(Program& program, std::size_t n, const std::vector<NodeId>& mass, const Reciprocal& reciprocal = nullptr);
+/// Reciprocal pivots 1/D and the unit lower triangle L. L[lower_index(i,i)] is the reciprocal pivot of row i; of the last `multipliers` rows
+/// it is zero where the constraint is dropped, see note [multipliers].
+std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multipliers, const std::vector<NodeId>& mass, const Reciprocal& reciprocal = nullptr);
 
 /// x with M x = b.
 std::vector<NodeId> solve(Program& program, std::size_t n, const std::vector<NodeId>& factors, std::vector<NodeId> b);

@@ -23,6 +23,7 @@ public:
             for (unsigned j = 0; j <= i; ++j) l.mass.push_back(one(system_.mass(i, j)));
         l.force = all(system_.motion.force);
         constrained(l);
+        projected(l);
         switching(l);
         l.bias = all(system_.bias);
         l.generalised_force = all(system_.supplied);
@@ -51,9 +52,9 @@ public:
 private:
     void constrained(LoweredSystem& l) {
         const Motion& motion = system_.motion;
-        const std::size_t free = motion.free.size();
-        for (unsigned i = 0; i < free; ++i)
-            for (unsigned j = 0; j <= i; ++j) l.solve_mass.push_back(motion.accelerations.empty() ? l.mass[l.solve_mass.size()] : one(motion.mass(i, j)));
+        const std::size_t n = system_.symbols.degrees();
+        for (unsigned i = 0; i < motion.unknowns(); ++i)
+            for (unsigned j = 0; j <= i; ++j) l.solve_mass.push_back(motion.accelerations.empty() && i < n ? l.mass[l.solve_mass.size()] : one(motion.matrix(i, j)));
         for (const auto& [coordinate, acceleration] : motion.accelerations) {
             l.held.push_back(one(acceleration));
             for (const std::size_t k : motion.free) l.held_by_free.push_back(one(partial(acceleration, system_.symbols.get(SymbolKind::acceleration, k))));
@@ -61,6 +62,27 @@ private:
         for (const auto& [coordinate, rate] : motion.velocities) {
             l.held_drift.push_back(one(rate.drift));
             for (const ex& factor : rate.jacobian) l.held_factors.push_back(one(factor));
+        }
+    }
+
+    void projected(LoweredSystem& l) {
+        if (!system_.motion.multipliers.empty() && !system_.scene.modes.empty()) {
+            l.motion_rate = all(motion_rates(system_));
+            l.held_jerks = all(held_jerks(system_));
+        }
+        if (!system_.needs_projection()) return;
+        LoweredSystem::Projection& p = l.projection;
+        p.position = all(constraint_positions(system_));
+        p.rate = all(constraint_rates(system_));
+        p.force = all(constraint_forces(system_));
+        p.jacobian = all(constraint_jacobian(system_));
+        p.bordered = l.mass;
+        const std::size_t n = system_.symbols.degrees();
+        for (std::size_t i = 0; i < system_.constraints.size(); ++i) {
+            if (!system_.constraints[i].holds) continue;
+            for (std::size_t j = 0; j < n; ++j) p.bordered.push_back(Polynomial(p.jacobian[i * n + j]) *= Rational(-1));
+            p.holding.push_back(i);
+            p.bordered.resize(p.bordered.size() + p.holding.size());
         }
     }
 
@@ -95,7 +117,7 @@ private:
     template <class Visit>
     static void each(LoweredSystem& l, const Visit& visit) {
         const auto list = [&](std::vector<Polynomial>& polynomials) { std::for_each(polynomials.begin(), polynomials.end(), visit); };
-        for (auto* part : {&l.mass, &l.force, &l.bias, &l.generalised_force, &l.state_rate, &l.output, &l.definitions, &l.start, &l.guards, &l.scalars, &l.solve_mass, &l.held, &l.held_by_free, &l.held_drift, &l.held_factors, &l.events, &l.event_rates, &l.conditions}) list(*part);
+        for (auto* part : {&l.mass, &l.force, &l.bias, &l.generalised_force, &l.state_rate, &l.output, &l.definitions, &l.start, &l.guards, &l.scalars, &l.solve_mass, &l.motion_rate, &l.held_jerks, &l.projection.position, &l.projection.rate, &l.projection.force, &l.projection.jacobian, &l.projection.bordered, &l.held, &l.held_by_free, &l.held_drift, &l.held_factors, &l.events, &l.event_rates, &l.conditions}) list(*part);
         for (auto* resets : {&l.resets, &l.rests})
             for (LoweredSystem::Reset& reset : *resets) {
                 list(reset.values);
@@ -139,6 +161,55 @@ std::vector<ex> condition_values(const System& system) {
     }
     values.insert(values.end(), sizes.begin(), sizes.end());
     return values;
+}
+
+namespace {
+
+template <class Value>
+std::vector<ex> of_constraints(const System& system, const Value& value) {
+    std::vector<ex> result;
+    for (const ConstraintEquation& c : system.constraints) result.push_back(c.holds ? ex(value(c)) : ex(0));
+    return result;
+}
+
+}  // namespace
+
+std::vector<ex> constraint_positions(const System& system) {
+    return of_constraints(system, [](const ConstraintEquation& c) { return c.position.value_or(0); });
+}
+std::vector<ex> constraint_rates(const System& system) {
+    return of_constraints(system, [](const ConstraintEquation& c) { return c.whole_rate; });
+}
+std::vector<ex> constraint_forces(const System& system) {
+    return of_constraints(system, [](const ConstraintEquation& c) { return c.force; });
+}
+std::vector<ex> constraint_jacobian(const System& system) {
+    std::vector<ex> result;
+    for (const ConstraintEquation& c : system.constraints)
+        for (const ex& factor : c.rate.jacobian) result.push_back(c.holds ? factor : ex(0));
+    return result;
+}
+
+std::vector<ex> motion_rates(const System& system) {
+    GiNaC::exmap at_rest;
+    for (const SymbolKind kind : {SymbolKind::jerk, SymbolKind::multiplier_rate})
+        for (const Variable& rate : system.symbols.all(kind)) at_rest[rate.symbol] = 0;
+    // Of accelerations that constraints determine the rates stay, without what free ones contribute to them.
+    const std::vector<ex> jerks = held_jerks(system);
+    GiNaC::exmap held;
+    for (std::size_t i = 0; i < jerks.size(); ++i) held[system.symbols.get(SymbolKind::jerk, system.motion.accelerations[i].first)] = jerks[i];
+    std::vector<ex> result;
+    for (const ex& residual : system.motion.residual) {
+        const ex rate = system.with_rates(system.symbols.time_derivative(residual));
+        result.push_back(-rate.subs(held, GiNaC::subs_options::no_pattern).subs(at_rest, GiNaC::subs_options::no_pattern));
+    }
+    return result;
+}
+
+std::vector<ex> held_jerks(const System& system) {
+    std::vector<ex> result;
+    for (const auto& [coordinate, acceleration] : system.motion.accelerations) result.push_back(system.with_rates(system.symbols.time_derivative(acceleration)));
+    return result;
 }
 
 std::vector<ex> start_values(const System& system) {

@@ -11,6 +11,16 @@ namespace dalembert {
 struct LoweredSystem {
     std::vector<Polynomial> mass, force, bias, generalised_force, state_rate, output, definitions, start, guards;
     std::vector<Polynomial> solve_mass;         ///< of what is solved for: mass, but for constraints
+    std::vector<Polynomial> motion_rate;        ///< right sides for the rates of what is solved for; with multipliers in machines that switch
+    std::vector<Polynomial> held_jerks;         ///< rates of accelerations that constraints determine, there, too
+    /// Of all constraints of the scene, where runs are brought back to them; zero for those that do not hold.
+    struct Projection {
+        std::vector<Polynomial> position, rate, force;
+        std::vector<Polynomial> jacobian;       ///< of the rates by the velocities, row by row
+        std::vector<std::size_t> holding;       ///< those that hold
+        std::vector<Polynomial> bordered;       ///< lower triangle of [M, -J'; -J, 0] with these, row by row
+    };
+    Projection projection;
     std::vector<Polynomial> held;               ///< accelerations that constraints determine
     std::vector<Polynomial> events, event_rates, conditions;
     struct Reset {
@@ -39,6 +49,17 @@ std::vector<GiNaC::ex> start_values(const System& system);
 std::vector<std::pair<std::size_t, GiNaC::ex>> conditions(const System& system);
 /// The values, and behind them the sums of the magnitudes of their terms, against which roundings are measured.
 std::vector<GiNaC::ex> condition_values(const System& system);
+
+/// Positions, rates and forces of all constraints of the scene, and d(rate)/d(velocity) row by row; zero for those that do not hold.
+std::vector<GiNaC::ex> constraint_positions(const System& system);
+std::vector<GiNaC::ex> constraint_rates(const System& system);
+std::vector<GiNaC::ex> constraint_forces(const System& system);
+std::vector<GiNaC::ex> constraint_jacobian(const System& system);
+
+/// Right sides for the rates of what is solved for: matrix*d(unknowns)/dt = motion_rates; and rates of the accelerations that constraints
+/// determine, which may contain those of the free ones.
+std::vector<GiNaC::ex> motion_rates(const System& system);
+std::vector<GiNaC::ex> held_jerks(const System& system);
 
 /// Lowers everything, and brings the atoms into the order of declaration.
 LoweredSystem lower_system(const System& system, Atoms& atoms);

@@ -121,6 +121,10 @@ OperationCount Program::count(const std::vector<NodeId>& roots, const std::vecto
             case Node::Kind::reciprocal: result.divisions += 1; break;
             case Node::Kind::function: {
                 if (node.op == Op::element) break;
+                if (node.op == Op::independent_inverse) {
+                    result.divisions += 1;
+                    break;
+                }
                 const bool is_trigonometric = node.op == Op::sin || node.op == Op::cos || node.op == Op::tan;
                 (is_trigonometric ? result.trigonometric : result.other) += 1;
                 break;

@@ -29,6 +29,7 @@ ex apply(Op op, const std::vector<ex>& a) {
         case Op::abs: return magnitude(a[0]);
         case Op::sign: return sign_of(a[0]);
         case Op::step: return unit_step(a[0]);
+        case Op::independent_inverse: return 1 / a[0];  // of constraints that are independent
         case Op::min: return minimum(a[0], a[1]);
         case Op::max: return maximum(a[0], a[1]);
         case Op::expm1: return exp_minus_one(a[0]);

@@ -13,7 +13,7 @@ namespace {
 class ResetMaker {
 public:
     ResetMaker(Code& code, const LoweredSystem& lowered, const FactorsOfMass& factors)
-        : code_(code), system_(code.system), lowered_(lowered), factors_(factors), n_(code.solve.n), degrees_(code.system.symbols.degrees()) {}
+        : code_(code), system_(code.system), lowered_(lowered), factors_(factors), n_(code.solve.n), free_(code.system.motion.free.size()), degrees_(code.system.symbols.degrees()) {}
 
     void run() {
         FunctionCode& f = code_[Function::resets];
@@ -57,32 +57,35 @@ public:
     }
 
 private:
-    /// With s = M^-1*a and the rate w = a*v + b: v+ = v - s*(1 + e)*w/(a*s). `first` is the root of a, behind it stand b and e.
+    /// With s = M^-1*a and the rate w = a*v + b: v+ = v - s*(1 + e)*w/(a*s). `first` is the root of a, behind it stand b and e. Multipliers go
+    /// on holding their rates, by impulses of their own.
     void impact(FunctionCode& f, ProgramBuilder& builder, ResetCode& code, const Impact& impact, std::size_t first, std::size_t held_drift, std::size_t held_factors) {
         Program& p = f.program;
         std::vector<NodeId> direction, velocity;
-        for (std::size_t i = 0; i < n_; ++i) {
+        for (std::size_t i = 0; i < free_; ++i) {
             direction.push_back(builder.root(first + i));
             velocity.push_back(p.symbol(code_.atoms.symbol(system_.symbols.all(SymbolKind::velocity)[system_.motion.free[i]])));
         }
-        const NodeId drift = builder.root(first + n_);
-        const NodeId restitution = builder.root(first + n_ + 1);
+        const NodeId drift = builder.root(first + free_);
+        const NodeId restitution = builder.root(first + free_ + 1);
         const auto product = [&](const std::vector<NodeId>& a, const std::vector<NodeId>& b, std::optional<std::size_t> without = {}) {
             std::vector<std::pair<bool, NodeId>> terms;
-            for (std::size_t i = 0; i < n_; ++i)
+            for (std::size_t i = 0; i < free_; ++i)
                 if (i != without) terms.emplace_back(false, p.product({a[i], b[i]}));
             return terms;
         };
         code.impact = f.solved.columns++;
         ++f.right.columns;
-        const std::vector<NodeId> solved = solve(p, n_, f.factors, direction);
-        f.right.entries.insert(f.right.entries.end(), direction.begin(), direction.end());
+        std::vector<NodeId> right = direction;
+        right.resize(n_, p.constant(0));
+        const std::vector<NodeId> solved = solve(p, n_, f.factors, right);
+        f.right.entries.insert(f.right.entries.end(), right.begin(), right.end());
         f.solved.entries.insert(f.solved.entries.end(), solved.begin(), solved.end());
         auto rate = product(direction, velocity);
         rate.emplace_back(false, drift);
         const NodeId impulse = p.product({p.sum({{false, p.constant(1)}, {false, restitution}}), p.sum(std::move(rate)), p.reciprocal(p.sum(product(direction, solved)))});
         std::vector<NodeId> after;
-        for (std::size_t i = 0; i < n_; ++i) after.push_back(p.difference(velocity[i], p.product({solved[i], impulse})));
+        for (std::size_t i = 0; i < free_; ++i) after.push_back(p.difference(velocity[i], p.product({solved[i], impulse})));
         if (impact.pivot) {
             auto others = product(direction, after, impact.pivot);
             others.emplace_back(false, drift);
@@ -92,10 +95,10 @@ private:
             code.places.push_back(degrees_ + coordinate);
             f.results.push_back(value);
         };
-        for (std::size_t i = 0; i < n_; ++i) set(system_.motion.free[i], after[i]);
+        for (std::size_t i = 0; i < free_; ++i) set(system_.motion.free[i], after[i]);
         for (std::size_t h = 0; h < system_.motion.velocities.size(); ++h) {
             std::vector<std::pair<bool, NodeId>> terms{{false, builder.root(held_drift + h)}};
-            for (std::size_t i = 0; i < n_; ++i) terms.emplace_back(false, p.product({builder.root(held_factors + h * n_ + i), after[i]}));
+            for (std::size_t i = 0; i < free_; ++i) terms.emplace_back(false, p.product({builder.root(held_factors + h * free_ + i), after[i]}));
             set(system_.motion.velocities[h].first, p.sum(std::move(terms)));
         }
     }
@@ -104,7 +107,8 @@ private:
     const System& system_;
     const LoweredSystem& lowered_;
     const FactorsOfMass& factors_;
-    std::size_t n_;        ///< accelerations that are solved for
+    std::size_t n_;        ///< accelerations and multipliers that are solved for
+    std::size_t free_;     ///< of them, accelerations
     std::size_t degrees_;
 };
 

@@ -44,10 +44,12 @@ public:
         switching();
         definitions();
         values(Function::start_state, start_values(system_));
+        projection();
         if (code_.solve.unrolled && code_.solve.n > 0) {
-            solve_is_right();
+            solve_is_right("emitted solve: M*x = b", code_.solve.n, code_.solve.multipliers, code_.solve.is_zero);
             if (code_.solve.is_constant) cached_factors();
-            for (const Function f : {Function::rhs, Function::rhs_and_jacobian, Function::jacobian_u, Function::jacobian_p, Function::jacobian_t, Function::resets}) solve_is_that_one(f);
+            for (std::size_t f = 0; f < function_count; ++f)
+                if (static_cast<Function>(f) != Function::correction) solve_is_that_one(static_cast<Function>(f));
         }
         return std::move(entries_);
     }
@@ -83,18 +85,37 @@ private:
 
     const ex& acceleration(std::size_t j) const { return system_.symbols.get(SymbolKind::acceleration, j); }
 
+    /// What a function has solved for, all accelerations with the multipliers behind them; nothing, if it has not.
+    static const std::vector<NodeId>& solved_for(const FunctionCode& f) { return f.solved_for.empty() ? f.accelerations : f.solved_for; }
+
+    GiNaC::exmap solutions(const FunctionCode& f, Raiser& raise) const {
+        GiNaC::exmap map;
+        const std::vector<ex> unknowns = system_.unknowns();
+        const std::vector<std::size_t> places = system_.unknown_places();
+        for (std::size_t i = 0; !solved_for(f).empty() && i < unknowns.size(); ++i) map[unknowns[i]] = raise(solved_for(f)[places[i]]);
+        return map;
+    }
+
+    /// M and the right sides, the accelerations that follow from what is solved for, and rates of states.
     void motion(Function function) {
         const FunctionCode& f = code_[function];
+        solved_motion(function);
         Raiser raise(f.program, code_.atoms, cached_);
-        const std::vector<ex> derived_mass = lower_triangle(system_.motion.mass);
+        for (std::size_t i = 0; i < f.results.size(); ++i) compare(function, raise(f.results[i]), system_.state_rates[i]);
+    }
+
+    void solved_motion(Function function) {
+        const FunctionCode& f = code_[function];
+        if (solved_for(f).empty()) return;
+        Raiser raise(f.program, code_.atoms, cached_);
+        const std::vector<ex> derived_mass = lower_triangle(system_.motion.matrix);
         const FunctionCode& m = code_.solve.is_constant ? code_[Function::update] : f;
         Raiser raise_mass(m.program, code_.atoms, cached_);
         for (std::size_t i = 0; i < derived_mass.size(); ++i) compare(function, raise_mass(m.mass[i]), derived_mass[i]);
         for (std::size_t j = 0; j < code_.solve.n; ++j) compare(function, raise(f.force[j]), system_.motion.force[j]);
-        GiNaC::exmap solutions;
-        for (const std::size_t k : system_.motion.free) solutions[acceleration(k)] = raise(f.accelerations[k]);
-        for (const auto& [j, derived] : system_.motion.accelerations) compare(function, raise(f.accelerations[j]), derived.subs(solutions, GiNaC::subs_options::no_pattern));
-        for (std::size_t i = 0; i < f.results.size(); ++i) compare(function, raise(f.results[i]), system_.state_rates[i]);
+        if (system_.motion.accelerations.empty()) return;
+        const GiNaC::exmap known = solutions(f, raise);
+        for (const auto& [j, derived] : system_.motion.accelerations) compare(function, raise(solved_for(f)[j]), derived.subs(known, GiNaC::subs_options::no_pattern));
     }
 
     /// In the code of the joint function accelerations are solutions; for the comparison they are letters again. Where the same
@@ -103,13 +124,13 @@ private:
         const FunctionCode& f = code_[function];
         Raiser with_letters(f.program, code_.atoms, cached_);
         Raiser with_solutions(f.program, code_.atoms, cached_);
-        const std::vector<std::size_t>& free = f.accelerations.empty() ? std::vector<std::size_t>() : system_.motion.free;
-        for (const std::size_t j : free) with_letters.define(f.accelerations[j], acceleration(j));
+        if (function != Function::rhs_and_jacobian) solved_motion(function);
+        const std::vector<ex> unknowns = system_.unknowns();
+        const std::vector<std::size_t> places = system_.unknown_places();
+        for (std::size_t i = 0; !solved_for(f).empty() && i < unknowns.size(); ++i) with_letters.define(solved_for(f)[places[i]], unknowns[i]);
         const auto check = [&](NodeId node, const ex& derived) {
             if (prover_.proven_equal(with_letters(node), derived)) return compare(function, derived, derived);
-            GiNaC::exmap solutions;
-            for (const std::size_t j : free) solutions[acceleration(j)] = with_solutions(f.accelerations[j]);
-            compare(function, with_solutions(node), derived.subs(solutions, GiNaC::subs_options::no_pattern));
+            compare(function, with_solutions(node), derived.subs(solutions(f, with_solutions), GiNaC::subs_options::no_pattern));
         };
         const Partials p = partials(system_, by);
         for (std::size_t c = 0; c < p.residual.size(); ++c) {
@@ -124,15 +145,41 @@ private:
         const Motion& motion = system_.motion;
         if (motion.accelerations.empty()) return;
         Raiser raise(f.program, code_.atoms, cached_);
-        const auto solution = [&](std::size_t j) { return f.accelerations.empty() ? acceleration(j) : raise(f.accelerations[j]); };
-        GiNaC::exmap solutions;
-        for (const std::size_t k : motion.free) solutions[acceleration(k)] = solution(k);
+        const GiNaC::exmap known = solutions(f, raise);
         for (std::size_t i = 0; i < motion.accelerations.size(); ++i) {
             const auto& [j, derived] = motion.accelerations[i];
             ex slope = at_fixed[i];
             for (const std::size_t k : motion.free) slope += partial(derived, acceleration(k)) * raise(f.solved.at(k, c));
-            compare(function, raise(f.solved.at(j, c)), slope.subs(solutions, GiNaC::subs_options::no_pattern));
+            compare(function, raise(f.solved.at(j, c)), slope.subs(known, GiNaC::subs_options::no_pattern));
         }
+    }
+
+    /// Positions, rates and forces of constraints, and the correction that brings a run back to them.
+    void projection() {
+        if (!system_.needs_projection()) return;
+        values(Function::constraint_positions, constraint_positions(system_));
+        values(Function::constraint_rates, constraint_rates(system_));
+        values(Function::constraint_forces, constraint_forces(system_));
+        values(Function::constraint_jacobian, constraint_jacobian(system_));
+        const FunctionCode& f = code_[Function::correction];
+        Raiser raise(f.program, code_.atoms, cached_);
+        std::vector<std::size_t> holding;
+        for (std::size_t i = 0; i < system_.constraints.size(); ++i)
+            if (system_.constraints[i].holds) holding.push_back(i);
+        const std::size_t n = system_.symbols.degrees(), constraints = holding.size();
+        const std::vector<ex> mass = lower_triangle(system_.mass), jacobian = constraint_jacobian(system_);
+        std::vector<bool> is_zero;
+        for (std::size_t i = 0; i < n + constraints; ++i)
+            for (std::size_t j = 0; j <= i; ++j) {
+                const NodeId node = f.mass[lower_index(i, j)];
+                is_zero.push_back(f.is_zero(node));
+                compare(Function::correction, raise(node), i < n ? mass[lower_index(i, j)] : j < n ? ex(-jacobian[holding[i - n] * n + j]) : ex(0));
+            }
+        for (std::size_t i = 0; i < n + constraints; ++i) compare(Function::correction, raise(f.force[i]), i < n ? ex(0) : ex(-system_.symbols.get(SymbolKind::residual, holding[i - n])));
+        solve_is_right("emitted solve of constraints: M*x = b", n + constraints, constraints, is_zero);
+        Program program = f.program;
+        const bool is_that_one = factorise(program, n + constraints, constraints, f.mass) == f.factors && solve(program, n + constraints, f.factors, f.force) == f.solved_for;
+        if (!is_that_one) entry("emitted solve of constraints: M*x = b").result = {Verdict::wrong};
     }
 
     void switching() {
@@ -186,10 +233,51 @@ private:
         }
     }
 
+    /// Values may contain what was solved for on the way, and its rates; these are letters in the comparison.
     void values(Function function, const std::vector<ex>& derived) {
         const FunctionCode& f = code_[function];
+        solved_motion(function);
         Raiser raise(f.program, code_.atoms, cached_);
-        for (std::size_t i = 0; i < derived.size(); ++i) compare(function, raise(f.results[i]), derived[i]);
+        Raiser plain(f.program, code_.atoms, cached_);
+        define_solutions(f, raise);
+        GiNaC::exmap held;
+        if (!f.solved_for.empty())
+            for (const auto& [j, acceleration] : system_.motion.accelerations) held[this->acceleration(j)] = acceleration;
+        if (!f.rates_solved_for.empty()) {
+            const std::vector<ex> rates = motion_rates(system_), jerks = held_jerks(system_);
+            for (std::size_t i = 0; i < rates.size(); ++i) compare(function, plain(f.right.at(i, 0)), rates[i].subs(held, GiNaC::subs_options::no_pattern).subs(solutions(f, plain), GiNaC::subs_options::no_pattern));
+            for (std::size_t i = 0; i < jerks.size(); ++i) held[system_.symbols.get(SymbolKind::jerk, system_.motion.accelerations[i].first)] = jerks[i].subs(held, GiNaC::subs_options::no_pattern);
+        }
+        for (std::size_t i = 0; i < derived.size(); ++i) {
+            const ex expected = held.empty() ? derived[i] : derived[i].subs(held, GiNaC::subs_options::no_pattern);
+            if (f.solved_for.empty() || prover_.proven_equal(raise(f.results[i]), expected)) compare(function, raise(f.results[i]), expected);
+            else compare(function, plain(f.results[i]), expected.subs(rate_solutions(f, plain), GiNaC::subs_options::no_pattern).subs(solutions(f, plain), GiNaC::subs_options::no_pattern));
+        }
+    }
+
+    std::vector<ex> rates_of_unknowns() const {
+        std::vector<ex> letters;
+        for (const std::size_t k : system_.motion.free) letters.push_back(system_.symbols.get(SymbolKind::jerk, k));
+        for (const std::size_t constraint : system_.motion.multipliers) letters.push_back(system_.symbols.get(SymbolKind::multiplier_rate, constraint));
+        return letters;
+    }
+
+    GiNaC::exmap rate_solutions(const FunctionCode& f, Raiser& raise) const {
+        GiNaC::exmap map;
+        if (f.rates_solved_for.empty()) return map;
+        const std::vector<ex> letters = rates_of_unknowns();
+        for (std::size_t i = 0; i < letters.size(); ++i) map[letters[i]] = raise(f.rates_solved_for[i]);
+        return map;
+    }
+
+    /// What was solved for on the way becomes letters again.
+    void define_solutions(const FunctionCode& f, Raiser& raise) const {
+        if (f.solved_for.empty()) return;
+        const std::vector<ex> unknowns = system_.unknowns();
+        const std::vector<std::size_t> places = system_.unknown_places();
+        for (std::size_t i = 0; i < unknowns.size(); ++i) raise.define(f.solved_for[places[i]], unknowns[i]);
+        const std::vector<ex> rates = f.rates_solved_for.empty() ? std::vector<ex>() : rates_of_unknowns();
+        for (std::size_t i = 0; i < rates.size(); ++i) raise.define(f.rates_solved_for[i], rates[i]);
     }
 
     void output_columns(Function function, By by) {
@@ -197,42 +285,64 @@ private:
         Raiser raise(f.program, code_.atoms, cached_);
         const Partials p = partials(system_, by);
         const auto by_acceleration = output_by_acceleration(system_);
+        solved_motion(function);
+        const GiNaC::exmap known = solutions(f, raise);
+        GiNaC::exmap held;
+        if (!f.solved_for.empty())
+            for (const auto& [j, acceleration] : system_.motion.accelerations) held[this->acceleration(j)] = acceleration;
+        const auto with = [&](const ex& e) { return known.empty() ? e : e.subs(held, GiNaC::subs_options::no_pattern).subs(known, GiNaC::subs_options::no_pattern); };
         for (std::size_t i = 0; i < system_.outputs.size(); ++i) {
-            for (std::size_t c = 0; c < p.output.size(); ++c) compare(function, raise(f.by_output.at(i, c)), p.output[c][i]);
-            for (std::size_t c = 0; c < by_acceleration.size(); ++c) compare(function, raise(f.by_acceleration.at(i, c)), by_acceleration[c][i]);
+            for (std::size_t c = 0; c < p.output.size(); ++c) compare(function, raise(f.by_output.at(i, c)), with(p.output[c][i]));
+            for (std::size_t c = 0; c < by_acceleration.size(); ++c) compare(function, raise(f.by_acceleration.at(i, c)), with(by_acceleration[c][i]));
         }
+        if (!f.whole_output.entries.empty()) whole_output(function, f, p);
+    }
+
+    /// The slopes of outputs are made of those that were compared, by the chain rule.
+    void whole_output(Function function, const FunctionCode& f, const Partials& p) {
+        for (std::size_t c = 0; c < p.residual.size(); ++c) {
+            Raiser raise(f.program, code_.atoms, cached_);
+            const GiNaC::exmap known = solutions(f, raise);
+            for (std::size_t j = 0; j < p.residual[c].size(); ++j) compare(function, raise(f.right.at(j, c)), (-p.residual[c][j]).subs(known, GiNaC::subs_options::no_pattern));
+        }
+        Program program = f.program;
+        for (std::size_t c = 0; c < f.whole_output.columns; ++c)
+            for (std::size_t r = 0; r < f.whole_output.rows; ++r) {
+                std::vector<std::pair<bool, NodeId>> terms{{false, f.by_output.at(r, c)}};
+                for (std::size_t k = 0; k < f.solved.rows; ++k) terms.emplace_back(false, program.product({f.by_acceleration.at(r, k), f.solved.at(k, c)}));
+                if (program.sum(std::move(terms)) != f.whole_output.at(r, c)) entry(std::string("emitted = derived, ") + name_of(function)).result = {Verdict::wrong};
+            }
     }
 
     /// The solve written out gives M*x = b for every M with a factorisation L*D*L' and the zeros of this one. The letters are D and
     /// V = L*D below the diagonal, from which M is made; they stand for any such M, and keep denominators down to letters.
-    void solve_is_right() {
-        const Solve& s = code_.solve;
+    void solve_is_right(const std::string& name, std::size_t n, std::size_t multipliers, const std::vector<bool>& zero) {
         int count = 0;
         const auto letter = [&] { return GiNaC::realsymbol("x" + std::to_string(count++)); };
-        std::vector<ex> v(s.is_zero.size(), 0);  // on the diagonal: D
-        std::vector<ex> m(s.is_zero.size(), 0);
-        for (std::size_t i = 0; i < s.n; ++i)
+        std::vector<ex> v(zero.size(), 0);  // on the diagonal: D
+        std::vector<ex> m(zero.size(), 0);
+        for (std::size_t i = 0; i < n; ++i)
             for (std::size_t j = 0; j <= i; ++j) {
                 ex fill = 0;
                 for (std::size_t k = 0; k < j; ++k) fill += v[lower_index(i, k)] * v[lower_index(j, k)] / v[lower_index(k, k)];
                 // Where M has a zero, V follows from the fill-in.
-                v[lower_index(i, j)] = s.is_zero[lower_index(i, j)] ? ex(-fill) : ex(letter());
+                v[lower_index(i, j)] = zero[lower_index(i, j)] ? ex(-fill) : ex(letter());
                 m[lower_index(i, j)] = v[lower_index(i, j)] + fill;
             }
         Program program;
         std::vector<NodeId> mass;
         std::vector<NodeId> right;
-        for (std::uint32_t i = 0; i < m.size(); ++i) mass.push_back(s.is_zero[i] ? program.constant(0) : program.cached(i));
-        for (std::size_t j = 0; j < s.n; ++j) {
+        for (std::uint32_t i = 0; i < m.size(); ++i) mass.push_back(zero[i] ? program.constant(0) : program.cached(i));
+        for (std::size_t j = 0; j < n; ++j) {
             right.push_back(program.cached(static_cast<std::uint32_t>(m.size())));
             m.emplace_back(letter());
         }
-        const std::vector<NodeId> x = solve(program, s.n, factorise(program, s.n, mass), right);
+        const std::vector<NodeId> x = solve(program, n, factorise(program, n, multipliers, mass), right);
         Raiser raise(program, code_.atoms, [&](std::uint32_t i) { return m[i]; });
-        AuditEntry& e = entry("emitted solve: M*x = b");
-        for (std::size_t i = 0; i < s.n; ++i) {
+        AuditEntry& e = entry(name);
+        for (std::size_t i = 0; i < n; ++i) {
             ex left = -raise(right[i]);
-            for (std::size_t j = 0; j < s.n; ++j) left += raise(mass[i >= j ? lower_index(i, j) : lower_index(j, i)]) * raise(x[j]);
+            for (std::size_t j = 0; j < n; ++j) left += raise(mass[i >= j ? lower_index(i, j) : lower_index(j, i)]) * raise(x[j]);
             Comparison result{Verdict::wrong};
             try {
                 if (NormalForm().is_zero(left)) continue;
@@ -251,7 +361,7 @@ private:
     void cached_factors() {
         const FunctionCode& update = code_[Function::update];
         Program program = update.program;
-        const std::vector<NodeId> expected = factorise(program, code_.solve.n, update.mass);
+        const std::vector<NodeId> expected = factorise(program, code_.solve.n, code_.solve.multipliers, update.mass);
         for (std::size_t i = 0; i < expected.size(); ++i)
             require(update.results[code_.definition_order.size() + code_.solve.first_cached + i] == expected[i]);
     }
@@ -280,22 +390,24 @@ private:
                 require(is_reciprocal || prover_.proven_equal(raise(emitted) * raise(pivot), 1));
                 return emitted;
             };
-            require(factorise(program, s.n, f.mass, reciprocal) == f.factors);
+            require(factorise(program, s.n, s.multipliers, f.mass, reciprocal) == f.factors);
         }
-        const auto free = [&](const auto& of) {
+        const std::vector<std::size_t> places = system_.unknown_places();
+        const auto solved = [&](const auto& of) {
             std::vector<NodeId> entries;
-            for (const std::size_t j : system_.motion.free) entries.push_back(of(j));
+            for (const std::size_t j : places) entries.push_back(of(j));
             return entries;
         };
-        if (!f.accelerations.empty()) require(solve(program, s.n, f.factors, f.force) == free([&](std::size_t j) { return f.accelerations[j]; }));
+        if (!solved_for(f).empty()) require(solve(program, s.n, f.factors, f.force) == solved([&](std::size_t j) { return solved_for(f)[j]; }));
+        if (!f.rates_solved_for.empty()) require(solve(program, s.n, f.factors, f.right.entries) == f.rates_solved_for);
         for (std::size_t c = 0; c < f.solved.columns; ++c) {
             const auto column = [&](const CodeMatrix& matrix) {
                 std::vector<NodeId> entries;
                 for (std::size_t j = 0; j < matrix.rows; ++j) entries.push_back(matrix.at(j, c));
                 return entries;
             };
-            const bool has_held = f.solved.rows != s.n;
-            require(solve(program, s.n, f.factors, column(f.right)) == (has_held ? free([&](std::size_t j) { return f.solved.at(j, c); }) : column(f.solved)));
+            const bool is_everything = f.solved.rows == s.n && function == Function::resets;
+            require(solve(program, s.n, f.factors, column(f.right)) == (is_everything ? column(f.solved) : solved([&](std::size_t j) { return f.solved.at(j, c); })));
         }
     }
 

@@ -33,6 +33,8 @@ public:
             for (const CoordinateEntry& entry : item.reference) coordinate(entry);
         }
         for (const GeneralisedForce& item : model_.generalised_forces) coordinate(item.coordinate);
+        for (const Constraint& item : model_.constraints)
+            if (item.eliminates) coordinate({item.eliminates->name, item.eliminates->index, nullptr, item.eliminates->span});
         effects();
     }
 

@@ -29,6 +29,7 @@ struct Definition : Item {
 struct Coordinate : Quantity {
     ExpressionPtr start;       ///< null: 0
     ExpressionPtr start_rate;  ///< null: 0
+    bool is_guess = false;     ///< the start is where constraints begin to look for it
 };
 
 struct Input : Quantity {};

@@ -38,6 +38,10 @@ void read(const Entry& e, Constraint& constraint) {
     constraint.rate = e.expression("rate");
     constraint.position = e.expression("position");
     needs_one(e, "constraint", "rate", "position");
+    if (const auto coordinate = e.coordinate("eliminates")) constraint.eliminates = Reference{coordinate->coordinate, coordinate->index, coordinate->span};
+    constraint.multiplier = e.boolean("multiplier");
+    if (constraint.eliminates && constraint.multiplier)
+        e.error(Id::unknown_key, e.span_of("eliminates"), fmt::format("constraint '{}' either eliminates a coordinate or has a multiplier, and not both", e.name()));
 }
 
 void read(const Entry& e, Event& event) {

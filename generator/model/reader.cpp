@@ -42,7 +42,9 @@ void read(const Entry& e, Definition& definition) {
 
 void read(const Entry& e, Coordinate& coordinate) {
     read_quantity(e, coordinate);
-    coordinate.start = e.constant("start", coordinate.unit);
+    coordinate.is_guess = e.has("guess");
+    coordinate.start = e.constant(coordinate.is_guess ? "guess" : "start", coordinate.unit);
+    if (coordinate.is_guess && e.has("start")) e.error(Id::unknown_key, e.span_of("guess"), fmt::format("coordinate '{}' has a start, so that there is nothing to be guessed", e.name()));
     Unit rate = coordinate.unit;
     rate.offset = 0;
     coordinate.start_rate = e.constant("start_rate", rate);

@@ -42,8 +42,9 @@ constexpr std::array definition_keys{
 };
 constexpr std::array coordinate_keys{
     unit_key,
-    KeySpec{"start", T::constant, false, "value at the start, in its unit; 0 if left out"},
-    KeySpec{"start_rate", T::constant, false, "velocity at the start, in its unit per second; 0 if left out"},
+    KeySpec{"start", T::constant, false, "value at the start, in its unit; if left out 0, or what constraints make of that"},
+    KeySpec{"guess", T::constant, false, "instead: near which value constraints find it at the start"},
+    KeySpec{"start_rate", T::constant, false, "velocity at the start, in its unit per second; if left out 0, or what constraints make of that"},
     range_key, doc_key, for_key, when_key,
 };
 constexpr std::array input_keys{unit_key, range_key, doc_key, for_key, when_key};
@@ -303,6 +304,8 @@ constexpr std::array mode_keys{
 constexpr std::array constraint_keys{
     KeySpec{"rate", T::expression, false, "the rate that is held at zero, linear in the velocities"},
     KeySpec{"position", T::expression, false, "instead: the position that is held at zero, and its rate with it"},
+    KeySpec{"eliminates", T::coordinate, false, "the coordinate whose velocity follows from the rate; its factor there must not move. If left out: the last one that can, else the force is an unknown of its own"},
+    KeySpec{"multiplier", T::boolean, false, "true: no velocity is eliminated; the force is an unknown of its own also where one could be"},
     doc_key, when_key,
 };
 constexpr std::array event_keys{

@@ -310,6 +310,7 @@ void visit(const Constraint& item, const SiteVisitor& visitor) {
     const Visit each(item, "constraint", visitor);
     each(item.rate, on_motion, "rate");
     each(item.position, on_configuration, "position");
+    each(item.eliminates);
     each(item.elsewhere, on_state_and_inputs, "force");
 }
 

@@ -20,6 +20,8 @@ struct ModeGroup : Item {
 struct Constraint : Item {
     ExpressionPtr rate;      ///< linear in the velocities; null with a position
     ExpressionPtr position;
+    std::optional<Reference> eliminates;  ///< the coordinate whose velocity is to follow from it
+    bool multiplier = false;              ///< nothing is to be eliminated
     ExpressionPtr elsewhere; ///< the force along the rate where it does not hold, for people only; null: zero
 };
 

@@ -41,7 +41,7 @@ std::vector<AuditEntry> compare_potentials(const System& system, Prover& prover)
 }
 
 /// d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged on every motion: the two sides differ by sum of residual times
-/// velocity, of what constraints leave free. E is that of the media, its change by the chain rule.
+/// velocity, of what constraints leave free, and by sum of multiplier times rate, of what constraints hold at zero. E is that of the media, its change by the chain rule.
 AuditEntry balance_power(const System& system, Prover& prover) {
     const Symbols& symbols = system.symbols;
     GiNaC::exvector change;
@@ -53,6 +53,7 @@ AuditEntry balance_power(const System& system, Prover& prover) {
         if (node.is_tapped) change.push_back(system.with_rates(symbols.time_derivative(node.stored_energy)));
     ex power = system.supplied_power - system.dissipated_power + system.prescribed_power + system.exchanged_power;
     for (std::size_t i = 0; i < system.motion.free.size(); ++i) power += system.motion.residual[i] * symbols.get(SymbolKind::velocity, system.motion.free[i]);
+    for (const std::size_t constraint : system.motion.multipliers) power += system.constraints[constraint].force * system.constraints[constraint].whole_rate;
     for (const auto& [node, heat] : system.heat.defined) power -= heat;
     const GiNaC::exmap held = system.held_motion();
     const auto in = [&](const ex& e) { return held.empty() ? e : e.subs(held, GiNaC::subs_options::no_pattern); };
@@ -109,6 +110,37 @@ std::vector<AuditEntry> compare_media(const System& system, Prover& prover) {
     return entries;
 }
 
+/// (2.200): in every virtual displacement, an increment of the coordinates at fixed time that the constraint allows, its force does no work.
+/// Of a position f the force in the equations of motion is along the gradient, lambda*df/dq, so that its work is lambda times the change of
+/// f, which is none. Of a rate A qd + b its power is lambda*A*qd: where the rate is zero, only the -lambda*b of a prescribed motion is left.
+std::vector<AuditEntry> compare_virtual_work(const System& system, Prover& prover) {
+    const Symbols& symbols = system.symbols;
+    const Motion& motion = system.motion;
+    const GiNaC::exmap held = system.held_motion();
+    GiNaC::exmap at_rest;
+    for (const std::size_t k : motion.free) at_rest[symbols.get(SymbolKind::velocity, k)] = 0;
+    std::vector<AuditEntry> entries;
+    for (const std::size_t constraint : motion.multipliers) {
+        const ConstraintEquation& c = system.constraints[constraint];
+        AuditEntry entry{fmt::format("no virtual work, {}", c.item->name), {Verdict::proven}};
+        const auto compare = [&](const ex& a, const ex& b) {
+            Comparison one = prover.equal(a, b);
+            if (is_worse(one.verdict, entry.result.verdict)) entry.result = std::move(one);
+        };
+        const ex& lambda = symbols.get(SymbolKind::multiplier, constraint);
+        ex power = 0;
+        for (std::size_t i = 0; i < motion.free.size(); ++i) {
+            const ex force = -partial(motion.residual[i], lambda) * lambda;
+            power += force * symbols.get(SymbolKind::velocity, motion.free[i]);
+            if (c.position && held.empty()) compare(force, lambda * partial(*c.position, symbols.get(SymbolKind::coordinate, motion.free[i])));
+        }
+        const ex rate = c.whole_rate.subs(held, GiNaC::subs_options::no_pattern);
+        compare(power, lambda * (rate - rate.subs(at_rest, GiNaC::subs_options::no_pattern)));
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
 /// A theorem where it holds; where it was not proven nothing is claimed.
 std::vector<AuditEntry> passive_network(const System& system, Prover& prover) {
     if (!is_passive(system, prover)) return {};
@@ -123,6 +155,7 @@ std::vector<const AuditEntry*> Audit::all() const {
     for (const AuditEntry& entry : potentials) result.push_back(&entry);
     for (const AuditEntry& entry : media) result.push_back(&entry);
     for (const AuditEntry& entry : balances) result.push_back(&entry);
+    for (const AuditEntry& entry : constraints) result.push_back(&entry);
     result.push_back(&power_balance);
     for (const AuditEntry& entry : eigenvalues) result.push_back(&entry);
     return result;
@@ -139,7 +172,7 @@ const char* Audit::power_balance_name(const System& system) {
 
 Audit audit(const System& system) {
     Prover prover(system);
-    return {compare_derivations(system, prover), compare_potentials(system, prover), compare_media(system, prover), compare_balances(system, prover), balance_power(system, prover), passive_network(system, prover)};
+    return {compare_derivations(system, prover), compare_potentials(system, prover), compare_media(system, prover), compare_balances(system, prover), compare_virtual_work(system, prover), balance_power(system, prover), passive_network(system, prover)};
 }
 
 std::optional<NotIntegrable> integrability(const System& system, const Generalised& force) {

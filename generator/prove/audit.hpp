@@ -17,6 +17,7 @@ struct Audit {
     std::vector<AuditEntry> potentials;   ///< one a potential
     std::vector<AuditEntry> media;        ///< integrability, (3.21) and (3.43), of each medium
     std::vector<AuditEntry> balances;     ///< mass and energy of each volume, and the changes of variable
+    std::vector<AuditEntry> constraints;  ///< those with a multiplier: that their forces do no virtual work
     AuditEntry power_balance;
     std::vector<AuditEntry> eigenvalues;  ///< of a passive network of heat: that they are real and not positive; else nothing
 

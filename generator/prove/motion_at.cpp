@@ -13,7 +13,8 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
     const Symbols& symbols = system.symbols;
     add_steps(point_, symbols, digits + 20);
     const Motion& motion = system.motion;
-    const std::size_t n = motion.free.size();
+    const std::vector<ex> unknowns = system.unknowns();
+    const std::size_t n = unknowns.size(), free = motion.free.size();
     std::vector<std::vector<cln::cl_R>> m(n, std::vector<cln::cl_R>(n + 1));
     const auto entry = [&](const ex& e) {
         const auto v = value_at(e, point_, digits);
@@ -21,10 +22,18 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
         return *v;
     };
     for (std::size_t j = 0; j < n; ++j) {
-        for (std::size_t l = 0; l < n; ++l) m[j][l] = entry(motion.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)));
+        for (std::size_t l = 0; l < n; ++l) m[j][l] = entry(motion.matrix(static_cast<unsigned>(j), static_cast<unsigned>(l)));
         m[j][n] = entry(motion.force[j]);
     }
+    // A constraint of which nothing is left when those before it are taken out follows from them, and bears nothing.
+    const cln::cl_RA nothing = cln::expt(cln::cl_RA(10), -digits / 2);
+    std::vector<cln::cl_R> sizes(n, 0);
+    std::vector<bool> dropped(n, false);
     for (std::size_t k = 0; k < n; ++k) {
+        if (k == free)
+            for (std::size_t j = k; j < n; ++j) sizes[j] = cln::abs(m[j][j]);
+        dropped[k] = k >= free && cln::abs(m[k][k]) <= nothing * sizes[k];
+        if (dropped[k]) continue;
         if (cln::zerop(m[k][k]))
             throw Failure(Diagnostic{Id::singular_mass, symbols.all(SymbolKind::coordinate)[motion.free[k]].declared->span,
                                      fmt::format("the mass matrix is singular at this point: the acceleration of '{}' is not determined", symbols.all(SymbolKind::coordinate)[motion.free[k]].name)});
@@ -34,7 +43,7 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
             for (std::size_t l = k; l <= n; ++l) m[j][l] = m[j][l] - factor * m[k][l];
         }
     }
-    for (std::size_t j = 0; j < n; ++j) point_[symbols.get(SymbolKind::acceleration, motion.free[j])] = GiNaC::numeric(m[j][n] / m[j][j]);
+    for (std::size_t j = 0; j < n; ++j) point_[unknowns[j]] = dropped[j] ? GiNaC::numeric(0) : GiNaC::numeric(m[j][n] / m[j][j]);
     for (const auto& [coordinate, acceleration] : motion.accelerations) point_[symbols.get(SymbolKind::acceleration, coordinate)] = GiNaC::numeric(entry(acceleration));
     for (std::size_t i = 0; i < system.state_rates.size(); ++i) point_[symbols.get(SymbolKind::state_rate, i)] = GiNaC::numeric(entry(system.state_rates[i]));
 }

@@ -62,7 +62,7 @@ std::optional<std::string> unit_problem(const System& system, const PrintedEquat
 /// One pair of sides on the motion of the system, at the point that the entry names, if any.
 class PairCheck {
 public:
-    PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), held_(system.held_motion()), n_(system.motion.free.size()) {}
+    PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), held_(system.held_motion()), unknowns_(system.unknowns()), n_(unknowns_.size()) {}
 
     PrintedResult run(const ex& left_side, const ex& right_side) {
         const ex left = prepared(left_side);
@@ -89,13 +89,11 @@ public:
     }
 
 private:
+    /// Or a multiplier: what is solved for.
     bool contains_acceleration(const ex& e) const {
-        for (std::size_t k = 0; k < n_; ++k)
-            if (e.has(acceleration(k))) return true;
-        return false;
+        return std::any_of(unknowns_.begin(), unknowns_.end(), [&](const ex& unknown) { return e.has(unknown); });
     }
-    /// That is solved for; others follow from constraints.
-    const ex& acceleration(std::size_t k) const { return system_.symbols.get(SymbolKind::acceleration, system_.motion.free[k]); }
+    const ex& acceleration(std::size_t k) const { return unknowns_[k]; }
     ex prepared(const ex& e) const {
         const ex on_constraints = held_.empty() ? e : e.subs(held_, GiNaC::subs_options::no_pattern);
         return at_point(system_.with_rates(on_constraints));
@@ -103,7 +101,7 @@ private:
     /// A point may set a parameter that definitions are made of.
     ex at_point(const ex& e) const { return at_.empty() ? e : system_.symbols.without_definitions(e).subs(at_, GiNaC::subs_options::no_pattern); }
     ex mass(std::size_t j, std::size_t l) const {
-        return at_point(system_.motion.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)));
+        return at_point(system_.motion.matrix(static_cast<unsigned>(j), static_cast<unsigned>(l)));
     }
     /// M qdd = force on the motion.
     ex force(std::size_t j) const { return prepared(system_.motion.force[j]); }
@@ -170,7 +168,7 @@ private:
         const ex written_out = system_.symbols.without_definitions(left - right);
         for (const auto& [letter, value] : point) {
             const Variable* variable = system_.symbols.find(letter);
-            if (variable == nullptr || variable->kind == SymbolKind::acceleration || variable->kind == SymbolKind::state_rate) continue;
+            if (variable == nullptr || variable->kind == SymbolKind::acceleration || variable->kind == SymbolKind::state_rate || variable->kind == SymbolKind::multiplier) continue;
             if (needed(written_out, letter)) result.values.emplace_back(variable->name, decimal(value, 6));
         }
         const auto number = [&](const ex& e) {
@@ -224,6 +222,7 @@ private:
     Prover prover_;
     GiNaC::exmap at_;
     GiNaC::exmap held_;
+    std::vector<ex> unknowns_;
     std::size_t n_;  ///< accelerations that are solved for
 };
 

@@ -11,8 +11,6 @@ using GiNaC::numeric;
 
 namespace {
 
-constexpr int guard_digits = 20;
-
 /// splitmix64
 std::uint64_t next_word(std::uint64_t& state) {
     std::uint64_t z = (state += 0x9E3779B97F4A7C15ULL);
@@ -28,21 +26,6 @@ std::optional<Rational> near(const ex& constant) {
 }
 
 }  // namespace
-
-std::optional<cln::cl_R> value_at(const ex& e, const GiNaC::exmap& constants, int digits) {
-    GiNaC::Digits = digits + guard_digits;
-    try {
-        GiNaC::exmap floats;
-        for (const auto& [letter, value] : constants) floats[letter] = value.evalf();
-        const ex value = e.subs(floats, GiNaC::subs_options::no_pattern).evalf();
-        if (!GiNaC::is_exactly_a<numeric>(value)) return std::nullopt;
-        const numeric& number = ex_to<numeric>(value);
-        if (!number.is_real()) return std::nullopt;
-        return cln::realpart(number.to_cl_N());
-    } catch (const std::exception&) {  // a pole, an overflow: the expression has no value there
-        return std::nullopt;
-    }
-}
 
 std::optional<cln::cl_R> value_at(const ex& e, const Symbols& symbols, const Point& point, int digits) {
     const cln::float_format_t precision = cln::float_format(static_cast<unsigned long>(digits + guard_digits));
@@ -61,7 +44,7 @@ RandomPoints::RandomPoints(const System& system) {
     const Values defaults(system.scene, system.translate);
     const GiNaC::exmap at_start = defaults.substitution();
     for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity,
-                                  SymbolKind::state, SymbolKind::acceleration, SymbolKind::state_rate}) {
+                                  SymbolKind::state, SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual}) {
         for (const Variable& variable : system.symbols.all(kind)) {
             // Without a declared range: around the default of a parameter, around zero for what moves. Coordinates go beyond pi,
             // so that asin(sin(phi)) is not taken for phi.

@@ -33,7 +33,4 @@ private:
 /// The value computed with so many digits; nothing where it does not exist or is not real.
 std::optional<cln::cl_R> value_at(const GiNaC::ex& e, const Symbols& symbols, const Point& point, int digits);
 
-/// The same with exact constants for everything, such as Values gives.
-std::optional<cln::cl_R> value_at(const GiNaC::ex& e, const GiNaC::exmap& constants, int digits);
-
 }  // namespace dalembert

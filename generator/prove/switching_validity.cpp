@@ -8,35 +8,12 @@
 
 namespace dalembert {
 
-namespace {
-
-/// Zero but for a billionth of the terms that it is made of.
-void is_met(const GiNaC::ex& e, const char* what, const Constraint& item, const GiNaC::exmap& at) {
-    const GiNaC::ex sum = e.expand();
-    cln::cl_R whole = 0, size = 0;
-    for (std::size_t i = 0; i < (GiNaC::is_exactly_a<GiNaC::add>(sum) ? sum.nops() : 1); ++i) {
-        const auto term = value_at((GiNaC::is_exactly_a<GiNaC::add>(sum) ? sum.op(i) : sum).subs(at, GiNaC::subs_options::no_pattern), {}, 40);
-        if (!term) return;
-        whole = whole + *term;
-        size = size + cln::abs(*term);
-    }
-    if (cln::abs(whole) <= size * cln::cl_RA(cln::cl_I(1)) / cln::expt_pos(cln::cl_I(10), 9)) return;
-    throw Failure(Diagnostic{Id::value_out_of_range, item.span, fmt::format("the start values do not meet constraint '{}': its {} is {:.6g} there, not zero", item.name, what, cln::double_approx(whole))});
-}
-
-}  // namespace
-
 void check_switching_values(const System& system, const Values& values) {
     const GiNaC::exmap at = values.substitution();
     const auto value = [&](const ExpressionPtr& e) -> std::optional<cln::cl_R> {
         if ((dependence(*e, system.names) & ~on_parameters) != 0) return std::nullopt;
         return value_at(system.symbols.without_definitions(system.translate(e, {})).subs(at, GiNaC::subs_options::no_pattern), {}, 40);
     };
-    for (const ConstraintEquation& c : system.constraints) {
-        if (!c.holds || !system.scene.modes.empty()) continue;
-        if (c.position) is_met(system.symbols.without_definitions(*c.position), "position", *c.item, at);
-        is_met(system.symbols.without_definitions(c.whole_rate), "rate", *c.item, at);
-    }
     const auto in_range = [&](const ExpressionPtr& e, const Item& item, const char* what, bool has_end) {
         const auto number = e ? value(e) : std::nullopt;
         if (!number || (!cln::minusp(*number) && (!has_end || *number <= cln::cl_R(1)))) return;

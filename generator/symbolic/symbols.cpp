@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/symbols.hpp"
 
+#include <fmt/format.h>
+
 #include <set>
 
 namespace dalembert {
@@ -90,6 +92,12 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
         add(SymbolKind::state, name, item.root || stays_positive(item, names),
             {item.name, member.index, is_member, unit, item.root && !item.doc.empty() ? "root of: " + item.doc : item.doc, &item, item.root});
         add(SymbolKind::state_rate, "dot(" + name + ")", false, {item.name, member.index, is_member, "", "", nullptr, item.root});
+    }
+    for (const auto& member : scene.constraints) {
+        const std::string name = fmt::format("constraint_force[{}]", member.item->name);
+        add(SymbolKind::multiplier, name, false, {"constraint_force_" + member.item->name});
+        if (!scene.modes.empty()) add(SymbolKind::multiplier_rate, "dot(" + name + ")", false, {"constraint_force_" + member.item->name});
+        add(SymbolKind::residual, fmt::format("residual[{}]", member.item->name), false, {"residual_" + member.item->name});
     }
 }
 
@@ -222,6 +230,7 @@ ex Symbols::time_derivative(const ex& e) const {
             case SymbolKind::velocity: return get(SymbolKind::acceleration, variable->position);
             case SymbolKind::state: return get(SymbolKind::state_rate, variable->position);
             case SymbolKind::acceleration: return count(SymbolKind::jerk) == 0 ? ex(0) : get(SymbolKind::jerk, variable->position);
+            case SymbolKind::multiplier: return count(SymbolKind::multiplier_rate) == 0 ? ex(0) : get(SymbolKind::multiplier_rate, variable->position);
             default: return 0;
         }
     });

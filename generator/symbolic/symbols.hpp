@@ -17,7 +17,7 @@
 
 namespace dalembert {
 
-enum class SymbolKind { parameter, definition, time, input, coordinate, velocity, state, acceleration, state_rate, grid, letter, jerk };
+enum class SymbolKind { parameter, definition, time, input, coordinate, velocity, state, acceleration, state_rate, grid, letter, jerk, multiplier, multiplier_rate, residual };
 
 /// One scalar of the scene. For a member of a family, base and index say which.
 struct Variable {
@@ -101,7 +101,8 @@ public:
     /// The steps in an expression and those that they need, each behind what it needs.
     std::vector<std::size_t> steps_in(const GiNaC::ex& e) const;
 
-    /// Total time derivative by the chain rule: q -> qd -> qdd, z -> zd, t -> 1; in a machine that switches also qdd -> its rate.
+    /// Total time derivative by the chain rule: q -> qd -> qdd, z -> zd, t -> 1; in a machine that switches also qdd and multipliers -> their
+    /// rates.
     GiNaC::ex time_derivative(const GiNaC::ex& e) const;
     /// Partial derivative by a parameter, definitions followed by the chain rule.
     GiNaC::ex derivative_by_parameter(const GiNaC::ex& e, std::size_t parameter) const;
@@ -122,7 +123,7 @@ private:
     double size_of(const GiNaC::ex& e, const std::vector<double>& sizes) const;
     std::optional<std::size_t> step_of(const GiNaC::ex& symbol) const;
 
-    static constexpr std::size_t kinds = static_cast<std::size_t>(SymbolKind::jerk) + 1;
+    static constexpr std::size_t kinds = static_cast<std::size_t>(SymbolKind::residual) + 1;
     std::array<std::vector<Variable>, kinds> variables_;
     std::unordered_map<std::string, std::pair<SymbolKind, std::size_t>> by_name_;  ///< names are unique in a scene
     std::vector<GiNaC::ex> definition_values_;

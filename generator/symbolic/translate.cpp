@@ -139,7 +139,7 @@ ex Translator::sum(const Expression& e, const Indices& indices, const Letters& l
 
 /// The time derivative of what the derivative of is known: not of accelerations, rates of plain states and inputs.
 ex Translator::rate(const Expression& e, const ex& value) const {
-    for (const auto& [kind, what] : {std::pair(SymbolKind::acceleration, "acceleration"), std::pair(SymbolKind::state_rate, "rate"), std::pair(SymbolKind::input, "input")})
+    for (const auto& [kind, what] : {std::pair(SymbolKind::acceleration, "acceleration"), std::pair(SymbolKind::state_rate, "rate"), std::pair(SymbolKind::input, "input"), std::pair(SymbolKind::multiplier, "force")})
         for (const Variable& variable : symbols_.all(kind))
             if (value.has(variable.symbol))
                 fail(Id::not_allowed_here, e, fmt::format("'{}' needs the time derivative of the {} '{}', which is not known", e.written(), what, variable.name));
@@ -155,7 +155,7 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
         if (!GiNaC::is_a<GiNaC::symbol>(variable)) fail(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that one can differentiate by", e.children[1]->written()));
         const Variable* known = symbols_.find(variable);
         const ex function = part(0);
-        for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::state_rate})
+        for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier})
             for (const Variable& rate : symbols_.all(kind))
                 if (function.has(rate.symbol) && (known == nullptr || known->kind != kind))
                     fail(Id::not_allowed_here, e, fmt::format("'{}' differentiates '{}', which depends on everything through the equations; write out what it is", e.written(), rate.name));

@@ -50,6 +50,8 @@ Values::Values(const Scene& scene, const Translator& translate) : scene_(scene),
         const Indices indices = Translator::indices_of(member);
         assign(symbols.all(SymbolKind::coordinate)[i], start(member.item->start, indices), member.item->span);
         assign(symbols.all(SymbolKind::velocity)[i], start(member.item->start_rate, indices), member.item->span);
+        if (member.item->start && !member.item->is_guess) written_.insert(key(SymbolKind::coordinate, i));
+        if (member.item->start_rate) written_.insert(key(SymbolKind::velocity, i));
     }
     for (std::size_t i = 0; i < scene.states.size(); ++i) {
         const auto& member = scene.states[i];
@@ -105,6 +107,7 @@ void Values::set(const Expression& variable, const Expression& value, unsigned a
             if (candidate.is_member && !named.children.empty() && index_value(*named.children[0], scene_, indices) != candidate.index) continue;
             if (!candidate.is_member && !named.children.empty()) continue;
             // Parameters are numbers: what one is made of has the values that are set by now.
+            written_.insert(key(kind, candidate.position));
             assign(candidate, kind == SymbolKind::parameter ? ex(number.subs(substitution(), GiNaC::subs_options::no_pattern)) : number, value.span);
             found = true;
         }
@@ -126,6 +129,21 @@ GiNaC::exmap Values::substitution(const ex& time) const {
         if (which.first != SymbolKind::parameter) map[symbols.get(which.first, which.second)] = value.subs(map, GiNaC::subs_options::no_pattern);
     map[symbols.time()] = time;
     return map;
+}
+
+std::optional<cln::cl_R> value_at(const ex& e, const GiNaC::exmap& constants, int digits) {
+    GiNaC::Digits = digits + guard_digits;
+    try {
+        GiNaC::exmap floats;
+        for (const auto& [letter, value] : constants) floats[letter] = value.evalf();
+        const ex value = e.subs(floats, GiNaC::subs_options::no_pattern).evalf();
+        if (!GiNaC::is_exactly_a<numeric>(value)) return std::nullopt;
+        const numeric& number = ex_to<numeric>(value);
+        if (!number.is_real()) return std::nullopt;
+        return cln::realpart(number.to_cl_N());
+    } catch (const std::exception&) {  // a pole, an overflow: the expression has no value there
+        return std::nullopt;
+    }
 }
 
 void add_steps(GiNaC::exmap& point, const Symbols& symbols, int digits) {

@@ -2,6 +2,11 @@
 // Numbers for the letters: defaults from the model, or what a run or the command line sets. All exact and in SI.
 #pragma once
 
+#include <cln/real.h>
+
+#include <optional>
+#include <set>
+
 #include "symbolic/translate.hpp"
 
 namespace dalembert {
@@ -16,6 +21,11 @@ public:
     /// A family name without index sets all members. Throws Failure when nothing in the scene has that name.
     /// Throws Failure (value-out-of-range, unknown-name).
     void set(const Expression& variable, const Expression& value, unsigned allowed, const Indices& indices = {});
+
+    /// Whether the model or a setting gives a start value, so that constraints must not find another.
+    bool is_written(SymbolKind kind, std::size_t i) const { return written_.contains(key(kind, i)); }
+    /// A coordinate or velocity that constraints determine.
+    void find(SymbolKind kind, std::size_t i, const GiNaC::ex& number) { values_[key(kind, i)] = number; }
 
     const GiNaC::ex& parameter(std::size_t i) const { return values_.at(key(SymbolKind::parameter, i)); }
     /// q, then qd, then z
@@ -32,7 +42,14 @@ private:
     const Scene& scene_;
     const Translator& translate_;
     std::map<std::pair<SymbolKind, std::size_t>, GiNaC::ex> values_;
+    std::set<std::pair<SymbolKind, std::size_t>> written_;
 };
+
+/// What values_at and the like compute with beyond the digits that are asked for.
+inline constexpr int guard_digits = 20;
+
+/// The value computed with so many digits, with numbers for every letter; nothing where it does not exist or is not real.
+std::optional<cln::cl_R> value_at(const GiNaC::ex& e, const GiNaC::exmap& constants, int digits);
 
 /// Adds the values of steps to a point, with so many digits. What has no value there is left out.
 void add_steps(GiNaC::exmap& point, const Symbols& symbols, int digits);

@@ -108,6 +108,7 @@ private:
             for (; next <= options_.intervals && control_.output_time(next) < c.end; ++next) {
                 State x;
                 stepper_->between(here(), c, control_.output_time(next), x);
+                this->project(x, control_.output_time(next));
                 observe_(control_.output_time(next), x);
             }
             accept(c);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "dalembert/constraints.hpp"
 #include "dalembert/events.hpp"
 #include "dalembert/integration_options.hpp"
 #include "dalembert/status.hpp"
@@ -101,8 +102,25 @@ protected:
         if (c.length > Scalar(0)) ++outcome_.steps;
         move(c.end, c.y);
         if constexpr (G > 0) events_.accept();
-        if (c.has_derivative || is_at_end()) dxdt_ = c.dydt;
+        if (is_at_end()) {
+            dxdt_ = c.dydt;
+            return;
+        }
+        const bool is_moved = project(x_, t_);
+        if (c.has_derivative && !is_moved) dxdt_ = c.dydt;
         else evaluate(x_, t_, dxdt_);
+    }
+
+    /// Back to what constraints hold; false where there are none. An event stays where it was found.
+    bool project(State& x, Scalar t) {
+        if constexpr (is_projected<Rhs, State>) {
+            if (is_cut()) return false;
+            rhs_.project(x, t);
+            return true;
+        } else {
+            (void)x, (void)t;
+            return false;
+        }
     }
 
     bool is_cut() const {

@@ -71,6 +71,16 @@ Scalar inverse_norm(const Scalar& x) noexcept {
 }
 // end inverse_norm
 
+// begin independent_inverse
+/// 1/x, and 0 where x is next to nothing beside the size of what it is the rest of: what is left then is rounding.
+template <class Scalar>
+Scalar independent_inverse(const Scalar& x, const Scalar& size) noexcept {
+    using std::abs;
+    const bool is_there = abs(x) > Scalar(10000) * std::numeric_limits<Scalar>::epsilon() * abs(size);
+    return select(is_there, Scalar(1) / select(is_there, x, Scalar(1)), Scalar(0));
+}
+// end independent_inverse
+
 // begin pi
 /// The number pi, to the digits of the type.
 template <class Scalar>

@@ -61,7 +61,7 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
         std::copy_n(extended.begin(), n, state.begin());
         return state;
     };
-    const auto rhs = [&](const Extended& extended, Scalar t, Extended& derivative) {
+    const auto plain_rhs = [&](const Extended& extended, Scalar t, Extended& derivative) {
         const auto state = plain(extended);
         const auto u = inputs(state, t);
         typename System::State dxdt;
@@ -70,6 +70,18 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
         derivative[n] = system.supplied_power(state, u, t) - system.dissipated_power(state, u, t) + system.prescribed_power(state, u, t) +
                         system.exchanged_power(state, u, t);
     };
+    const auto rhs = [&] {
+        if constexpr (detail::constraint_count<System> > 0) {
+            const auto back = [&](Extended& extended, Scalar t) {
+                auto state = plain(extended);
+                project(system, state, t);
+                std::copy_n(state.begin(), n, extended.begin());
+            };
+            return detail::ProjectedRhs{plain_rhs, back};
+        } else {
+            return plain_rhs;
+        }
+    }();
     using Guards = typename System::Guards;
     constexpr std::size_t guard_count = std::tuple_size<Guards>::value;
     const auto guards = [&](const Extended& extended, Scalar t, Guards& g) {

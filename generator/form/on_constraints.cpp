@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "form/on_constraints.hpp"
+
+#include <algorithm>
+
+namespace dalembert {
+
+using cln::cl_R;
+using GiNaC::ex;
+
+namespace {
+
+constexpr int digits = 40;
+constexpr int most_steps = 60;
+
+/// Beside which something counts as zero.
+cl_R tenth_to(int exponent) { return cln::recip(cl_R(cln::expt_pos(cln::cl_I(10), exponent))); }
+
+cl_R product(const std::vector<cl_R>& a, const std::vector<cl_R>& b) {
+    cl_R sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum = sum + a[i] * b[i];
+    return sum;
+}
+
+/// Rows made orthogonal one after the other, each with the right side that it gets on the way. Rows of which nothing is left are zero.
+struct Orthogonal {
+    std::vector<std::vector<cl_R>> rows;
+    std::vector<cl_R> right, squares;
+    std::vector<bool> is_dependent;
+
+    Orthogonal(std::vector<std::vector<cl_R>> factors, std::vector<cl_R> rest) {
+        const cl_R nothing = tenth_to(digits / 2);
+        for (std::size_t i = 0; i < factors.size(); ++i) {
+            std::vector<cl_R> row = factors[i];
+            const cl_R before = product(row, row);
+            cl_R value = rest[i];
+            for (int twice = 0; twice < 2; ++twice)
+                for (std::size_t k = 0; k < rows.size(); ++k) {
+                    if (is_dependent[k]) continue;
+                    const cl_R factor = product(row, rows[k]) / squares[k];
+                    for (std::size_t j = 0; j < row.size(); ++j) row[j] = row[j] - factor * rows[k][j];
+                    value = value - factor * right[k];
+                }
+            const cl_R left = product(row, row);
+            is_dependent.push_back(left <= nothing * nothing * before);
+            rows.push_back(std::move(row));
+            right.push_back(value);
+            squares.push_back(left);
+        }
+    }
+
+    /// The least x with rows*x = right, as far as they are independent.
+    std::vector<cl_R> least(std::size_t n) const {
+        std::vector<cl_R> x(n, 0);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (is_dependent[i]) continue;
+            const cl_R factor = right[i] / squares[i];
+            for (std::size_t j = 0; j < n; ++j) x[j] = x[j] + factor * rows[i][j];
+        }
+        return x;
+    }
+};
+
+}  // namespace
+
+ConstraintPoints::ConstraintPoints(const System& system, std::vector<std::size_t> order, const Values& values) : system_(system), order_(std::move(order)), values_(values), start_(values.substitution()) {
+    add_steps(start_, system.symbols, digits);
+    for (auto& [letter, value] : start_)
+        if (const auto number = value_at(value, {}, digits)) value = GiNaC::numeric(*number);
+}
+
+cl_R ConstraintPoints::value(const ex& e, const GiNaC::exmap& point) const { return value_at(e, point, digits).value_or(0); }
+
+/// Zero but for a billionth of the terms that it is made of.
+bool ConstraintPoints::is_met(const ex& e, const GiNaC::exmap& point) const {
+    const ex sum = system_.symbols.without_definitions(e).expand();
+    cl_R whole = 0, size = 0;
+    const bool is_sum = GiNaC::is_exactly_a<GiNaC::add>(sum);
+    for (std::size_t i = 0; i < (is_sum ? sum.nops() : 1); ++i) {
+        const auto term = value_at(is_sum ? sum.op(i) : sum, point, digits);
+        if (!term) return false;
+        whole = whole + *term;
+        size = size + cln::abs(*term);
+    }
+    return cln::abs(whole) <= size * tenth_to(9);
+}
+
+/// Positions and their derivatives by the coordinates, or rates and theirs by the velocities.
+std::optional<ConstraintPoints::Rows> ConstraintPoints::rows(const GiNaC::exmap& point, bool of_rates) const {
+    Rows result;
+    const std::size_t n = system_.symbols.degrees();
+    for (const std::size_t i : order_) {
+        const ConstraintEquation& c = system_.constraints[i];
+        if (!of_rates && !c.position) continue;
+        Row row;
+        for (std::size_t j = 0; j < n; ++j) {
+            const auto slope = value_at(of_rates ? c.rate.jacobian[j] : partial(*c.position, system_.symbols.get(SymbolKind::coordinate, j)), point, digits);
+            if (!slope) return std::nullopt;
+            row.push_back(*slope);
+        }
+        const auto rest = value_at(of_rates ? c.whole_rate : *c.position, point, digits);
+        if (!rest) return std::nullopt;
+        result.factors.push_back(std::move(row));
+        result.rest.push_back(*rest);
+    }
+    return result;
+}
+
+/// Newton's method with the least step of what is free, halved until it helps.
+void ConstraintPoints::meet_positions(GiNaC::exmap& point, const std::vector<bool>& is_free) const {
+    const std::size_t n = system_.symbols.degrees();
+    const auto size_of = [](const Rows& r) { return product(r.rest, r.rest); };
+    auto here = rows(point, false);
+    for (int step = 0; here && step < most_steps; ++step) {
+        const cl_R size = size_of(*here);
+        if (size <= tenth_to(2 * digits - 10)) return;
+        for (Row& row : here->factors)
+            for (std::size_t j = 0; j < n; ++j)
+                if (!is_free[j]) row[j] = 0;
+        const std::vector<cl_R> x = Orthogonal(here->factors, here->rest).least(n);
+        cl_R length = 1;
+        bool is_better = false;
+        for (int half = 0; half < 20 && !is_better; ++half, length = length / 2) {
+            GiNaC::exmap next = point;
+            for (std::size_t j = 0; j < n; ++j) {
+                const ex& q = system_.symbols.get(SymbolKind::coordinate, j);
+                next[q] = point.at(q) - GiNaC::numeric(length * x[j]);
+            }
+            auto there = rows(next, false);
+            is_better = there && size_of(*there) < size;
+            if (!is_better) continue;
+            point = std::move(next);
+            here = std::move(there);
+        }
+        if (!is_better) return;
+    }
+}
+
+void ConstraintPoints::meet_rates(GiNaC::exmap& point, const std::vector<bool>& is_free) const {
+    const std::size_t n = system_.symbols.degrees();
+    auto here = rows(point, true);
+    if (!here) return;
+    for (Row& row : here->factors)
+        for (std::size_t j = 0; j < n; ++j)
+            if (!is_free[j]) row[j] = 0;
+    const std::vector<cl_R> x = Orthogonal(here->factors, here->rest).least(n);
+    for (std::size_t j = 0; j < n; ++j) {
+        ex& v = point[system_.symbols.get(SymbolKind::velocity, j)];
+        v = v - GiNaC::numeric(x[j]);
+    }
+}
+
+ConstrainedPoint ConstraintPoints::find(GiNaC::exmap point, const std::vector<bool>& free_positions, const std::vector<bool>& free_velocities) const {
+    meet_positions(point, free_positions);
+    meet_rates(point, free_velocities);
+    ConstrainedPoint result;
+    for (const std::size_t i : order_) {
+        const ConstraintEquation& c = system_.constraints[i];
+        if (c.position && !is_met(*c.position, point)) result.broken.push_back(i);
+        if (!is_met(c.whole_rate, point)) result.broken_rates.push_back(i);
+    }
+    if (const auto r = rows(point, true)) {
+        const Orthogonal orthogonal(r->factors, r->rest);
+        for (std::size_t i = 0; i < order_.size(); ++i)
+            if (orthogonal.is_dependent[i]) result.dependent.push_back(order_[i]);
+    }
+    result.values = std::move(point);
+    return result;
+}
+
+ConstrainedPoint ConstraintPoints::near_start(bool keeps_written) const {
+    std::vector<bool> positions, velocities;
+    for (std::size_t j = 0; j < system_.symbols.degrees(); ++j) {
+        positions.push_back(!keeps_written || !values_.is_written(SymbolKind::coordinate, j));
+        velocities.push_back(!keeps_written || !values_.is_written(SymbolKind::velocity, j));
+    }
+    return find(start_, positions, velocities);
+}
+
+std::vector<std::size_t> ConstraintPoints::redundant() const {
+    constexpr int points = 4;
+    const std::vector<bool> all(system_.symbols.degrees(), true);
+    std::vector<std::size_t> result = order_;
+    int found = 0;
+    std::uint64_t seed = 88172645463325252ULL;
+    for (int i = 0; i < points; ++i) {
+        GiNaC::exmap near = start_;
+        for (const Variable& q : system_.symbols.all(SymbolKind::coordinate)) {
+            seed ^= seed << 13U, seed ^= seed >> 7U, seed ^= seed << 17U;  // xorshift
+            const GiNaC::numeric share(static_cast<long>(seed % 2001U) - 1000, 5000);
+            near[q.symbol] = near.at(q.symbol) + share * (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(near.at(q.symbol))) + GiNaC::numeric(1, 10));
+        }
+        const ConstrainedPoint point = find(std::move(near), all, all);
+        if (!point.broken.empty()) continue;
+        ++found;
+        std::erase_if(result, [&](std::size_t c) { return std::find(point.dependent.begin(), point.dependent.end(), c) == point.dependent.end(); });
+    }
+    return found >= 2 ? result : std::vector<std::size_t>();
+}
+
+}  // namespace dalembert

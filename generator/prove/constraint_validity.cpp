@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prove/constraint_validity.hpp"
+
+#include <fmt/format.h>
+
+#include "form/on_constraints.hpp"
+
+namespace dalembert {
+
+namespace {
+
+class ConstraintCheck {
+public:
+    ConstraintCheck(const System& system, Values& values) : system_(system), values_(values), points_(system, holding(system), values) {}
+
+    void run() {
+        const ConstrainedPoint start = points_.near_start(true);
+        if (!start.broken.empty() || !start.broken_rates.empty()) refuse(start);
+        for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity})
+            for (const Variable& variable : system_.symbols.all(kind))
+                if (!values_.is_written(kind, variable.position)) values_.find(kind, variable.position, start.values.at(variable.symbol));
+    }
+
+private:
+    static std::vector<std::size_t> holding(const System& system) {
+        std::vector<std::size_t> result;
+        for (std::size_t i = 0; i < system.constraints.size(); ++i)
+            if (system.constraints[i].holds) result.push_back(i);
+        return result;
+    }
+
+    [[noreturn]] void refuse(const ConstrainedPoint& start) const {
+        const ConstrainedPoint near = points_.near_start(false);
+        if (!near.broken.empty()) contradiction(near.broken.front(), near, "position");
+        if (!near.broken_rates.empty()) contradiction(near.broken_rates.front(), near, "rate");
+        const bool is_position = !start.broken.empty();
+        const ConstraintEquation& c = system_.constraints[is_position ? start.broken.front() : start.broken_rates.front()];
+        const GiNaC::ex& held = is_position ? *c.position : c.whole_rate;
+        throw Failure(Diagnostic{Id::value_out_of_range, c.item->span,
+                                 fmt::format("the start values do not meet constraint '{}': its {} is {:.6g} there, not zero. Leave out a {} that the constraint can determine, or correct it", c.item->name,
+                                             is_position ? "position" : "rate", cln::double_approx(points_.value(held, start.values)), is_position ? "start" : "start_rate"),
+                                 written(held, is_position)});
+    }
+
+    [[noreturn]] void contradiction(std::size_t constraint, const ConstrainedPoint& near, const char* what) const {
+        const ConstraintEquation& c = system_.constraints[constraint];
+        const double left = cln::double_approx(points_.value(near.broken.empty() ? c.whole_rate : *c.position, near.values));
+        std::vector<Note> notes;
+        for (const ConstraintEquation& other : system_.constraints)
+            if (other.holds && other.item != c.item) notes.push_back({other.item->span, fmt::format("'{}' holds, too", other.item->name)});
+        throw Failure(Diagnostic{Id::doubly_determined, c.item->span,
+                                 notes.empty() ? fmt::format("constraint '{}' cannot be met: near the start its {} comes no closer to zero than {:.6g}", c.item->name, what, left)
+                                               : fmt::format("constraint '{}' contradicts the others: where they come closest to being met together, its {} is {:.6g}", c.item->name, what, left),
+                                 std::move(notes)});
+    }
+
+    /// Where the start values stand that the constraint is about.
+    std::vector<Note> written(const GiNaC::ex& held, bool is_position) const {
+        std::vector<Note> notes;
+        for (std::size_t j = 0; j < system_.scene.coordinates.size(); ++j) {
+            const Coordinate& item = *system_.scene.coordinates[j].item;
+            const ExpressionPtr& start = is_position ? item.start : item.start_rate;
+            const SymbolKind kind = is_position ? SymbolKind::coordinate : SymbolKind::velocity;
+            if (start && values_.is_written(kind, j) && held.has(system_.symbols.get(kind, j))) notes.push_back({start->span, fmt::format("the {} of '{}' in the model", is_position ? "start" : "start_rate", item.name)});
+        }
+        return notes;
+    }
+
+    const System& system_;
+    Values& values_;
+    ConstraintPoints points_;
+};
+
+}  // namespace
+
+void meet_constraints(const System& system, Values& values) {
+    const bool any = std::any_of(system.constraints.begin(), system.constraints.end(), [](const ConstraintEquation& c) { return c.holds; });
+    if (any && system.scene.modes.empty()) ConstraintCheck(system, values).run();
+}
+
+}  // namespace dalembert

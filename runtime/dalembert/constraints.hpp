@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSL-1.0
+// Holds positions and rates of constraints: integration knows only their second derivatives, and drifts away from them.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// Of a generated system that has to be brought back to constraints; else none.
+template <class System, class = void>
+inline constexpr std::size_t constraint_count = 0;
+template <class System>
+inline constexpr std::size_t constraint_count<System, std::void_t<typename System::Constraints>> = std::tuple_size<typename System::Constraints>::value;
+
+template <class Values>
+typename Values::value_type largest(const Values& values) {
+    using std::abs;
+    typename Values::value_type result(0);
+    for (const auto& value : values)
+        if (!(abs(value) <= result)) result = abs(value);  // what is no number stays
+    return result;
+}
+
+/// Newton's method with residual(r), and step(r, d) that subtracts d. Stops where the residual shrinks no more; of a last step that made
+/// it larger nothing is left.
+template <class Part, class Constraints, class Generalised, class Residual, class Step>
+typename Constraints::value_type newton(Part* part, int most, const Residual& residual, const Step& step) {
+    using Scalar = typename Constraints::value_type;
+    Constraints r{};
+    residual(r);
+    Scalar size = largest(r);
+    for (int i = 0; i < most && size > Scalar(0); ++i) {
+        Generalised d{}, before{};
+        step(r, d);
+        for (std::size_t j = 0; j < d.size(); ++j) {
+            before[j] = part[j];
+            part[j] -= d[j];
+        }
+        residual(r);
+        const Scalar now = largest(r);
+        if (!(now < size)) {
+            for (std::size_t j = 0; j < d.size(); ++j) part[j] = before[j];
+            break;
+        }
+        const bool is_slow = now > size / Scalar(2);
+        size = now;
+        if (is_slow) break;
+    }
+    return size;
+}
+
+}  // namespace detail
+
+/// The largest residual of positions and of rates, each in its own unit.
+template <class Scalar>
+struct Residuals {
+    Scalar position = Scalar(0);
+    Scalar rate = Scalar(0);
+};
+
+/// Moves x to positions and velocities that the constraints of the system hold, by the least step in the metric of the mass matrix: what
+/// changes is M^-1 A' times something. Of a machine that switches the mode comes behind x and t. Near the constraints the positions take
+/// two or three steps of Newton's method; constraints that follow from others, or are met only far away, leave what is returned.
+template <class System, class... Mode>
+Residuals<typename System::scalar_type> project(const System& system, typename System::State& x, typename System::scalar_type t, Mode... mode) {
+    using Scalar = typename System::scalar_type;
+    using Constraints = typename System::Constraints;
+    using Generalised = typename System::Generalised;
+    constexpr std::size_t n = std::tuple_size<Generalised>::value;
+    const auto step = [&](const Constraints& r, Generalised& d) { system.correction(mode..., x, t, r, d); };
+    Residuals<Scalar> result;
+    result.position = detail::newton<Scalar, Constraints, Generalised>(x.data(), 10, [&](Constraints& f) { system.constraint_positions(mode..., x, t, f); }, step);
+    result.rate = detail::newton<Scalar, Constraints, Generalised>(x.data() + n, 3, [&](Constraints& w) { system.constraint_rates(mode..., x, t, w); }, step);
+    return result;
+}
+
+namespace detail {
+
+/// A right-hand side with the projection that belongs to it.
+template <class Rhs, class Project>
+struct ProjectedRhs {
+    Rhs rhs;
+    Project projection;
+    template <class State, class Scalar>
+    void operator()(const State& x, Scalar t, State& dxdt) const {
+        rhs(x, t, dxdt);
+    }
+    template <class State, class Scalar>
+    void project(State& x, Scalar t) const {
+        projection(x, t);
+    }
+};
+template <class Rhs, class Project>
+ProjectedRhs(Rhs, Project) -> ProjectedRhs<Rhs, Project>;
+
+template <class Rhs, class State, class = void>
+inline constexpr bool is_projected = false;
+template <class Rhs, class State>
+inline constexpr bool is_projected<Rhs, State, std::void_t<decltype(std::declval<Rhs&>().project(std::declval<State&>(), std::declval<typename State::value_type>()))>> = true;
+
+}  // namespace detail
+
+}  // namespace v1
+}  // namespace dalembert
