@@ -127,6 +127,7 @@ constexpr auto of_simulate = std::to_array<JsonField>({
     {"status", "success, or why the run stopped; exit code 4 then"},
     {"t", "time that was reached, s"},
     {"state", "the state that stopped the run, else empty"},
+    {"constraint", "the constraint that could not be held any more, else empty"},
     {"guard", "what the run was about to pass when it ended, else empty"},
     {"events", "guards that changed their sign and were passed"},
     {"steps", "steps of the integrator"},

@@ -18,6 +18,7 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         json["status"] = report.status;
         json["t"] = report.t;
         json["state"] = report.culprit;
+        json["constraint"] = report.constraint;
         json["guard"] = report.guard;
         json["events"] = report.events;
         json["steps"] = report.steps;
@@ -41,12 +42,12 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         for (const auto& [path, content] : report.files) streams.out << path.string() << "\n";
     }
     if (!report.is_good()) {
-        if (report.lost && report.guard.empty() && report.culprit.empty()) {
+        if (report.lost && report.guard.empty() && report.culprit.empty() && report.constraint.empty()) {
             streams.err << fmt::format("dalembert: the run stopped: {}\n", report.message);
             return ExitCode::run_stopped;
         }
         streams.err << fmt::format("dalembert: the run stopped at t = {} s: {}{}\n", report.t, report.guard.empty() ? report.status : report.guard,
-                                   report.culprit.empty() ? "" : fmt::format("; state '{}' or its derivative is not finite", report.culprit));
+                                   report.culprit.empty() ? report.constraint.empty() ? "" : fmt::format("; '{}' cannot be held there", report.constraint) : fmt::format("; state '{}' or its derivative is not finite", report.culprit));
         return ExitCode::run_stopped;
     }
     if (prepared.draw && !report.drawn) {

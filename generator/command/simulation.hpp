@@ -21,6 +21,7 @@ struct PreparedSimulation {
 struct SimulationReport {
     std::string status;      ///< "success", or why it stopped
     double t = 0;            ///< s, where it ended
+    std::string constraint;  ///< the constraint that could not be held any more, if that was it
     std::string culprit;     ///< the state that is not finite, if that was it
     std::string guard;       ///< with an event: what is about to happen
     std::size_t events = 0;  ///< guards that changed their sign and were passed

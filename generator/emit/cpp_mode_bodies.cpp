@@ -50,7 +50,8 @@ CppBody CppBodies::conditions() {
     for (std::size_t i = 0; i < count; ++i) {
         const std::string value = cpp.value(f.results[i], statements);
         const std::string size = cpp.value(f.results[count + i], statements);
-        all += fmt::format("{}detail::is_near<Scalar>(x[{}], {}, {})", i == 0 ? "" : " && ", code_.condition_places[i], value, size);
+        const std::string entry = code_.condition_places[i] ? fmt::format("x[{}]", *code_.condition_places[i]) : "Scalar(0)";
+        all += fmt::format("{}detail::is_near<Scalar>({}, {}, {})", i == 0 ? "" : " && ", entry, value, size);
     }
     if (!f.results.empty()) helpers_.insert("is_near");
     statements += fmt::format("{}return {};\n", indent, f.results.empty() ? "true" : all);

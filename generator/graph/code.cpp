@@ -335,7 +335,7 @@ private:
         values(Function::event_rates, lowered_.event_rates, ParameterParts::if_cached);
         values(Function::conditions, lowered_.conditions, ParameterParts::if_cached);
         if (!lowered_.conditions.empty())
-            for (const auto& [place, value] : conditions(system_)) code_->condition_places.push_back(place);
+            for (const ModeCondition& condition : conditions(system_)) code_->condition_places.push_back(condition.place);
         make_resets(*code_, lowered_, [this](Program& program, const std::vector<NodeId>& mass) { return factors(program, mass); });
     }
 

@@ -96,7 +96,7 @@ struct Code {
     std::vector<std::size_t> definition_order;    ///< definitions, each behind those it needs
     std::array<FunctionCode, function_count> functions;
     std::vector<ResetCode> resets, rests;         ///< by event
-    std::vector<std::size_t> condition_places;    ///< of x, with the results of Function::conditions
+    std::vector<std::optional<std::size_t>> condition_places;  ///< of x, with the results of Function::conditions; nothing: they are to be zero
 
     FunctionCode& operator[](Function f) { return functions[static_cast<std::size_t>(f)]; }
     const FunctionCode& operator[](Function f) const { return functions[static_cast<std::size_t>(f)]; }

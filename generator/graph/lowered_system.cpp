@@ -136,20 +136,26 @@ private:
 
 }  // namespace
 
-std::vector<std::pair<std::size_t, ex>> conditions(const System& system) {
-    std::vector<std::pair<std::size_t, ex>> result = system.motion.positions;
+std::vector<ModeCondition> conditions(const System& system) {
+    std::vector<ModeCondition> result;
+    for (const auto& [place, value] : system.motion.positions) result.push_back({place, value, true});
     const std::size_t n = system.symbols.degrees();
     for (const auto& [coordinate, rate] : system.motion.velocities) {
         ex velocity = rate.drift;
         for (std::size_t i = 0; i < system.motion.free.size(); ++i) velocity += rate.jacobian[i] * system.symbols.get(SymbolKind::velocity, system.motion.free[i]);
-        result.emplace_back(n + coordinate, velocity);
+        result.push_back({n + coordinate, velocity, false});
+    }
+    for (const std::size_t constraint : system.motion.multipliers) {
+        const ConstraintEquation& c = system.constraints[constraint];
+        if (c.position) result.push_back({std::nullopt, *c.position, true});
+        result.push_back({std::nullopt, c.whole_rate, false});
     }
     return result;
 }
 
 std::vector<ex> condition_values(const System& system) {
     std::vector<ex> values, sizes;
-    for (const auto& [place, value] : conditions(system)) {
+    for (const auto& [place, value, is_position] : conditions(system)) {
         const ex sum = value.expand();
         values.push_back(sum);
         const bool is_sum = GiNaC::is_exactly_a<GiNaC::add>(sum);
@@ -157,7 +163,7 @@ std::vector<ex> condition_values(const System& system) {
         for (std::size_t i = 0; is_sum && i < sum.nops(); ++i) terms.push_back(magnitude(sum.op(i)));
         // A position is as good as the integration, whose error is larger than that of a rate.
         const ex size = is_sum ? ex(GiNaC::add(terms)) : magnitude(sum);
-        sizes.push_back(place < system.symbols.degrees() ? 64 * size : size);
+        sizes.push_back(is_position ? 64 * size : size);
     }
     values.insert(values.end(), sizes.begin(), sizes.end());
     return values;

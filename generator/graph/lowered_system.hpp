@@ -45,8 +45,13 @@ struct LoweredSystem {
 /// What the model gives as start of x = [q; v; z].
 std::vector<GiNaC::ex> start_values(const System& system);
 
-/// Entries of x, by place, that constraints determine, and their values: what a mode asks for that holds constraints.
-std::vector<std::pair<std::size_t, GiNaC::ex>> conditions(const System& system);
+/// What a mode asks for that holds constraints: entries of x, by place, that these determine, and their values; and what is to be zero itself.
+struct ModeCondition {
+    std::optional<std::size_t> place;
+    GiNaC::ex value;
+    bool is_position;
+};
+std::vector<ModeCondition> conditions(const System& system);
 /// The values, and behind them the sums of the magnitudes of their terms, against which roundings are measured.
 std::vector<GiNaC::ex> condition_values(const System& system);
 

@@ -317,6 +317,8 @@ private:
     /// The solve written out gives M*x = b for every M with a factorisation L*D*L' and the zeros of this one. The letters are D and
     /// V = L*D below the diagonal, from which M is made; they stand for any such M, and keep denominators down to letters.
     void solve_is_right(const std::string& name, std::size_t n, std::size_t multipliers, const std::vector<bool>& zero) {
+        // The empty corner of constraints stands for any.
+        const auto has_zero = [&](std::size_t i, std::size_t j) { return zero[lower_index(i, j)] && j + multipliers < n; };
         int count = 0;
         const auto letter = [&] { return GiNaC::realsymbol("x" + std::to_string(count++)); };
         std::vector<ex> v(zero.size(), 0);  // on the diagonal: D
@@ -326,13 +328,14 @@ private:
                 ex fill = 0;
                 for (std::size_t k = 0; k < j; ++k) fill += v[lower_index(i, k)] * v[lower_index(j, k)] / v[lower_index(k, k)];
                 // Where M has a zero, V follows from the fill-in.
-                v[lower_index(i, j)] = zero[lower_index(i, j)] ? ex(-fill) : ex(letter());
+                v[lower_index(i, j)] = has_zero(i, j) ? ex(-fill) : ex(letter());
                 m[lower_index(i, j)] = v[lower_index(i, j)] + fill;
             }
         Program program;
         std::vector<NodeId> mass;
         std::vector<NodeId> right;
-        for (std::uint32_t i = 0; i < m.size(); ++i) mass.push_back(zero[i] ? program.constant(0) : program.cached(i));
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j <= i; ++j) mass.push_back(has_zero(i, j) ? program.constant(0) : program.cached(static_cast<std::uint32_t>(lower_index(i, j))));
         for (std::size_t j = 0; j < n; ++j) {
             right.push_back(program.cached(static_cast<std::uint32_t>(m.size())));
             m.emplace_back(letter());

@@ -62,9 +62,40 @@ typename Constraints::value_type newton(Part* part, int most, const Residual& re
 /// The largest residual of positions and of rates, each in its own unit.
 template <class Scalar>
 struct Residuals {
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
     Scalar position = Scalar(0);
     Scalar rate = Scalar(0);
+    std::size_t broken = none;  ///< the first constraint that is not met, by a millionth of what its terms are made of
+    bool are_met() const { return broken == none; }
 };
+
+namespace detail {
+
+/// A constraint whose position or rate is not zero beside sum |A_ij q_j| or sum |A_ij v_j|, and beside half of the digits of a unit.
+template <class System, class... Mode>
+std::size_t broken_constraint(const System& system, const typename System::State& x, typename System::scalar_type t, Mode... mode) {
+    using std::abs;
+    using Scalar = typename System::scalar_type;
+    constexpr std::size_t m = constraint_count<System>, n = std::tuple_size<typename System::Generalised>::value;
+    typename System::Constraints f{}, w{};
+    typename System::ConstraintJacobian A{};
+    system.constraint_positions(mode..., x, t, f);
+    system.constraint_rates(mode..., x, t, w);
+    system.constraint_jacobian(mode..., x, t, A);
+    for (std::size_t i = 0; i < m; ++i) {
+        Scalar of_positions(0), of_rates(0);
+        for (std::size_t j = 0; j < n; ++j) {
+            of_positions += abs(A[j * m + i] * x[j]);
+            of_rates += abs(A[j * m + i] * x[n + j]);
+        }
+        constexpr double digits = std::numeric_limits<Scalar>::epsilon() > 1e-10 ? 1e-3 : 1e-6;
+        const auto is_met = [&](const Scalar& value, const Scalar& size) { return abs(value) <= Scalar(digits) * (size + Scalar(1) / Scalar(100)); };
+        if (!is_met(f[i], of_positions) || !is_met(w[i], of_rates)) return i;
+    }
+    return Residuals<Scalar>::none;
+}
+
+}  // namespace detail
 
 /// Moves x to positions and velocities that the constraints of the system hold, by the least step in the metric of the mass matrix: what
 /// changes is M^-1 A' times something. Of a machine that switches the mode comes behind x and t. Near the constraints the positions take
@@ -79,12 +110,14 @@ Residuals<typename System::scalar_type> project(const System& system, typename S
     Residuals<Scalar> result;
     result.position = detail::newton<Scalar, Constraints, Generalised>(x.data(), 10, [&](Constraints& f) { system.constraint_positions(mode..., x, t, f); }, step);
     result.rate = detail::newton<Scalar, Constraints, Generalised>(x.data() + n, 3, [&](Constraints& w) { system.constraint_rates(mode..., x, t, w); }, step);
+    constexpr double small = std::numeric_limits<Scalar>::epsilon() > 1e-10 ? 1e-5 : 1e-10;
+    if (!(result.position <= Scalar(small)) || !(result.rate <= Scalar(small))) result.broken = detail::broken_constraint(system, x, t, mode...);
     return result;
 }
 
 namespace detail {
 
-/// A right-hand side with the projection that belongs to it.
+/// A right-hand side with the projection that belongs to it: project(x, t) returns the constraint that is broken, or none.
 template <class Rhs, class Project>
 struct ProjectedRhs {
     Rhs rhs;
@@ -94,8 +127,8 @@ struct ProjectedRhs {
         rhs(x, t, dxdt);
     }
     template <class State, class Scalar>
-    void project(State& x, Scalar t) const {
-        projection(x, t);
+    std::size_t project(State& x, Scalar t) const {
+        return projection(x, t);
     }
 };
 template <class Rhs, class Project>

@@ -51,6 +51,8 @@ public:
     Outcome go(Stepper<State>& stepper, Steps steps) {
         stepper_ = &stepper;
         if (!control_.are_options_good()) return refuse();
+        this->project(x_, t_);
+        if (this->is_broken()) return end(Status::constraint_broken);
         evaluate(x_, t_, dxdt_);
         if (!are_finite(x_, dxdt_)) return end_not_finite(Scalar(0));
         observe(t_);

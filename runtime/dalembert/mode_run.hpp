@@ -50,7 +50,15 @@ protected:
 
     /// In the present mode up to `to`, or to an event.
     Status integrate_to(State& x, Scalar to, std::size_t& event) {
-        const auto rhs = [this](const State& at, Scalar t, State& dxdt) { here_.rhs(at, inputs_(at, t), t, dxdt); };
+        const auto plain_rhs = [this](const State& at, Scalar t, State& dxdt) { here_.rhs(at, inputs_(at, t), t, dxdt); };
+        const auto rhs = [&] {
+            if constexpr (constraint_count<System> > 0) {
+                const auto back = [this](State& at, Scalar t) { return project(system_, at, t, here_.mode).broken; };
+                return ProjectedRhs{plain_rhs, back};
+            } else {
+                return plain_rhs;
+            }
+        }();
         const auto guards = [this](const State& at, Scalar t, typename Here::Guards& g) { here_.guards(at, inputs_(at, t), t, g); };
         const auto observe = [this](Scalar t, const State& at) { observe_output(t, at); };
         std::array<bool, std::tuple_size<typename Here::Guards>::value> ends{};
@@ -72,6 +80,7 @@ protected:
         result_.events += part.events;
         result_.state = part.state;
         result_.guard = event = part.guard;
+        result_.constraint = part.constraint;
         return part.status;
     }
 

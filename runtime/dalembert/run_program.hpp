@@ -48,7 +48,7 @@ std::vector<double> row_of(const Sample& sample, std::initializer_list<double> s
 
 /// Returns the exit code of the program.
 inline int print_outcome(const Outcome& outcome, double energy_error, bool drawn) {
-    std::printf("status=%s\nt=%.17g\nstate=%zu\nevents=%zu\nguard=%zu\nsteps=%zu\nrejected=%zu\nrhs_calls=%zu\nenergy_error=%.3g\ndrawn=%d\n", to_string(outcome.status), outcome.t, outcome.state,
+    std::printf("status=%s\nt=%.17g\nstate=%zu\nconstraint=%zu\nevents=%zu\nguard=%zu\nsteps=%zu\nrejected=%zu\nrhs_calls=%zu\nenergy_error=%.3g\ndrawn=%d\n", to_string(outcome.status), outcome.t, outcome.state, outcome.constraint,
                 outcome.events, outcome.guard, outcome.steps, outcome.rejected, outcome.rhs_calls, energy_error, drawn ? 1 : 0);
     return outcome.status == Status::success ? 0 : 4;
 }

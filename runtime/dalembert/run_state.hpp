@@ -106,22 +106,23 @@ protected:
             dxdt_ = c.dydt;
             return;
         }
-        const bool is_moved = project(x_, t_);
+        const bool is_moved = is_cut() ? false : project(x_, t_);
         if (c.has_derivative && !is_moved) dxdt_ = c.dydt;
         else evaluate(x_, t_, dxdt_);
     }
 
-    /// Back to what constraints hold; false where there are none. An event stays where it was found.
+    /// Back to what constraints hold; false where there are none.
     bool project(State& x, Scalar t) {
         if constexpr (is_projected<Rhs, State>) {
-            if (is_cut()) return false;
-            rhs_.project(x, t);
+            outcome_.constraint = rhs_.project(x, t);
             return true;
         } else {
             (void)x, (void)t;
             return false;
         }
     }
+
+    bool is_broken() const { return outcome_.constraint != Outcome::none; }
 
     bool is_cut() const {
         if constexpr (G > 0) return events_.is_cut();
@@ -170,6 +171,7 @@ protected:
 
     /// At the end of a step that was cut for an event: ends the run there, or starts anew behind it.
     Status pass_event() {
+        if (is_broken()) return Status::constraint_broken;
         if constexpr (G > 0) {
             is_anew_ = false;
             if (!is_cut()) return Status::success;

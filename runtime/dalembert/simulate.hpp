@@ -45,7 +45,8 @@ struct SimulationResult {
 };
 
 /// Integrates a system together with the work that is done on it, and calls observe(sample) at the output points.
-/// `inputs` is called as inputs(x, t). The guards of the system are located: see integrate. How the work is weighed against its
+/// `inputs` is called as inputs(x, t). Where the system has constraints to be brought back to, the state is projected at the start, after every
+/// step and at every output point: see project; a start that they are far from is Status::constraint_broken. The guards of the system are located: see integrate. How the work is weighed against its
 /// tolerance, the last entry of options.scale, is up to the caller; a sensible size is that of the energy. Method::rodas5p takes the
 /// Jacobian of the system, and finds what `inputs` adds to it by calling it near the state and within the step; it integrates the work
 /// along the steps that the states allow, so that its scale does not matter.
@@ -74,8 +75,9 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
         if constexpr (detail::constraint_count<System> > 0) {
             const auto back = [&](Extended& extended, Scalar t) {
                 auto state = plain(extended);
-                project(system, state, t);
+                const std::size_t broken = project(system, state, t).broken;
                 std::copy_n(state.begin(), n, extended.begin());
+                return broken;
             };
             return detail::ProjectedRhs{plain_rhs, back};
         } else {

@@ -21,6 +21,7 @@ enum class Status {
     no_start_mode,  ///< no mode accepts the start values, or not the one that was asked for
     no_mode,        ///< an event after which no mode can go on
     accumulation,   ///< an event that happens again and again at ever shorter intervals, and nothing is said of what comes after
+    constraint_broken,  ///< a constraint that the start does not meet, or that cannot be held any more
 };
 
 inline const char* to_string(Status status) noexcept {
@@ -36,6 +37,7 @@ inline const char* to_string(Status status) noexcept {
         case Status::no_start_mode: return "no start mode";
         case Status::no_mode: return "no mode";
         case Status::accumulation: return "accumulation";
+        case Status::constraint_broken: return "constraint broken";
     }
     return "unknown";
 }
@@ -47,6 +49,7 @@ struct Outcome {
     double t = 0;                 ///< s, where it ended
     std::size_t state = 0;        ///< with not_finite: the state that is to blame
     std::size_t guard = none;     ///< with event and event_storm: the guard; with not_finite: one that is not a number, if no state is to blame
+    std::size_t constraint = none;  ///< with constraint_broken: which one, in the order of constraint_table()
     std::size_t events = 0;       ///< guards that changed their sign and were passed
     std::size_t steps = 0;        ///< accepted
     std::size_t rejected = 0;
@@ -62,6 +65,7 @@ std::string message(const Outcome& outcome, const Table& names, const Guards& gu
     if (outcome.status == Status::not_finite && outcome.state < names.size())
         text += ": state '" + std::string(names[outcome.state].name) + "' or its derivative is not finite";
     if (outcome.status == Status::step_too_small) text += ": the tolerance cannot be met";
+    if (outcome.status == Status::constraint_broken) text += ": constraint number " + std::to_string(outcome.constraint) + " is not met, and cannot be by a small step";
     if (outcome.guard >= guards.size()) return text;
     const auto& guard = guards[outcome.guard];
     if (outcome.status == Status::event) text += ": " + std::string(guard.doc);
