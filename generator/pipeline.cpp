@@ -75,7 +75,7 @@ void stop_on_failed_audit(const System& system, const Audit& audit) {
         Prover prover(system);
         for (std::size_t j = 0; j < system.symbols.degrees(); ++j) {
             const Variable& q = system.symbols.all(SymbolKind::coordinate)[j];
-            const GiNaC::ex slope = -partial(potential.energy, q.symbol);
+            const GiNaC::ex slope = -system.symbols.along(potential.energy, j);
             if (prover.equal(potential.force[j], slope).verdict != Verdict::wrong) continue;
             throw Failure(Diagnostic{Id::wrong_integral, potential.span,
                                      fmt::format("the energy of {} gives the force '{}' on '{}', but its law gives '{}'", potential.name, write(slope), q.name, write(potential.force[j]))});

@@ -148,7 +148,7 @@ void complete_fluids(Fluids& fluids, const Scene& scene, const Translator& trans
         if (v.is_thermal()) v.heat += heat.heat_into(v);
         if (v.member.item->shaft_power) v.shaft_power = translate(v.member.item->shaft_power, indices);
         const bool fills = v.primary == Primary::filling;
-        for (std::size_t j = 0; j < symbols.degrees(); ++j) fluids.force[j] += v.surface_pressure * partial(v.size, symbols.get(SymbolKind::coordinate, j));
+        for (std::size_t j = 0; j < symbols.degrees(); ++j) fluids.force[j] += v.surface_pressure * symbols.along(v.size, j);
         fluids.internal_energy += v.stored_energy();
         if (!fills) fluids.prescribed_power -= v.surface_pressure * partial(v.size, symbols.time());
         const ex smallest = v.member.item->smallest ? translate(v.member.item->smallest, indices) : ex(0);

@@ -61,12 +61,13 @@ void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Value
         if (!is_one)
             throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
                                      fmt::format("constraint '{}' holds a position that is made of several coordinates, or not linear in one; equilibria there are not found yet", constraint.item->name)});
-        x[held->first] = place.subs(at, GiNaC::subs_options::no_pattern).evalf();
-        free_states[held->first] = false;
+        const std::size_t in_x = system.symbols.place(SymbolKind::coordinate, held->first);
+        x[in_x] = place.subs(at, GiNaC::subs_options::no_pattern).evalf();
+        free_states[in_x] = false;
     }
     for (const auto& [coordinate, rate] : system.motion.velocities) {
-        x[system.symbols.degrees() + coordinate] = 0;
-        free_states[system.symbols.degrees() + coordinate] = false;
+        x[system.symbols.place(SymbolKind::velocity, coordinate)] = 0;
+        free_states[system.symbols.place(SymbolKind::velocity, coordinate)] = false;
     }
 }
 
@@ -89,10 +90,8 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
         throw Failure(Diagnostic{Id::bad_option, system.scene.model->name_span,
                                  fmt::format("the equations of scene '{}' depend on the time, so that nothing stays at rest in them", system.scene.name)});
 
-    std::vector<const Variable*> states;
+    const std::vector<const Variable*> states = system.symbols.state_variables();
     std::vector<const Variable*> inputs;
-    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
-        for (const Variable& v : system.symbols.all(kind)) states.push_back(&v);
     for (const Variable& v : system.symbols.all(SymbolKind::input)) inputs.push_back(&v);
     std::vector<bool> free_states(states.size(), true);
     std::vector<bool> free_inputs(inputs.size(), false);
@@ -100,7 +99,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     mark(options.free, inputs, free_inputs, true, "free");
 
     // Each needs a temperature that is held, or its level is arbitrary and its heat has nowhere to go.
-    const std::size_t first_plain = 2 * system.symbols.degrees();
+    const std::size_t first_plain = system.symbols.positions() + system.symbols.degrees();
     for (const std::vector<std::size_t>& floating : system.heat.floating_parts()) {
         if (std::any_of(floating.begin(), floating.end(), [&](std::size_t state) { return !free_states[first_plain + state]; })) continue;
         std::vector<std::string> names;

@@ -55,7 +55,8 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
     const auto symbols_of = [&](std::initializer_list<SymbolKind> kinds) {
         std::vector<std::pair<std::string, ex>> entries;
         for (const SymbolKind kind : kinds)
-            for (const Variable& variable : system.symbols.all(kind)) entries.emplace_back(variable.name, variable.symbol);
+            for (const Variable& variable : system.symbols.all(kind))
+                if (kind != SymbolKind::coordinate || system.symbols.has_value(variable.position)) entries.emplace_back(variable.name, variable.symbol);
         return entries;
     };
     group("parameter", "parameters", symbols_of({SymbolKind::parameter}));

@@ -53,7 +53,7 @@ std::vector<std::string> recorded_names(const std::string& name, const System& s
     };
     for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::input})
         for (const Variable& variable : system.symbols.all(kind))
-            add(variable.recorded_name(), kind == SymbolKind::velocity ? "dot(" + variable.base + ")" : variable.base);
+            if (kind != SymbolKind::coordinate || system.symbols.has_value(variable.position)) add(variable.recorded_name(), kind == SymbolKind::velocity ? "dot(" + variable.base + ")" : variable.base);
     for (const OutputEquation& output : system.outputs) add(output.name, output.base);
     for (const char* energy : {"t", "kinetic_energy", "potential_energy", "internal_energy", "work"}) add(energy, energy);
     return names;
@@ -63,8 +63,7 @@ std::vector<std::string> recorded_names(const std::string& name, const System& s
 std::string name_of_state(const System& system, std::size_t place) {
     const StatePlaces places = place_states(system);
     std::vector<std::string> names;
-    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
-        for (const Variable& variable : system.symbols.all(kind)) names.push_back(variable.name);
+    for (const Variable* variable : system.symbols.state_variables()) names.push_back(variable->name);
     const auto found = std::find(places.positions.begin(), places.positions.end(), place);
     if (found != places.positions.end()) return names[static_cast<std::size_t>(found - places.positions.begin())];
     for (std::size_t f = 0; f < places.firsts.size(); ++f) {
@@ -188,7 +187,7 @@ private:
             if (result.size() < most) result.push_back({{}, {}, {name}, {}});
         };
         if (wanted.empty()) {
-            for (const Variable& q : system.symbols.all(SymbolKind::coordinate)) add(q.name);
+            for (const Variable& q : system.symbols.all(SymbolKind::coordinate)) add(system.symbols.has_value(q.position) ? q.name : "dot(" + q.name + ")");
             for (const Variable& z : system.symbols.all(SymbolKind::state)) add(z.recorded_name());
             for (const OutputEquation& output : system.outputs) add(output.name);
         }

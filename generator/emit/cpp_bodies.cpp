@@ -18,7 +18,7 @@ const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g",
 }  // namespace
 
 CppBodies::CppBodies(const Code& code, const SharedMembers& shared)
-    : code_(code), shared_(shared), n_(code.system.symbols.degrees()), m_(code.system.symbols.states()), cached_(shared.cached(code)), mode_(shared.has_modes() ? "mode, " : ""), arguments_(argument_names) {
+    : code_(code), shared_(shared), n_(code.system.symbols.degrees()), velocities_(code.system.symbols.positions()), states_(velocities_ + n_), m_(code.system.symbols.states()), cached_(shared.cached(code)), mode_(shared.has_modes() ? "mode, " : ""), arguments_(argument_names) {
     for (const auto& [index, number] : cached_) cached_texts_.emplace(index, "c_." + cached_name(code.system.symbols, number));
     if (!code.solve.unrolled) helpers_.insert("ldlt");
     if (shared.has_modes()) arguments_.insert(names_of_modes.begin(), names_of_modes.end());
@@ -134,24 +134,26 @@ std::string CppBodies::factored_mass(CppFunction& cpp, const FunctionCode& f) {
 
 /// dxdt, in the names of the function's program.
 std::string CppBodies::motion(CppFunction& cpp, const FunctionCode& f) {
-    cpp.bind_accelerations("dxdt", n_);
+    cpp.bind_accelerations("dxdt", velocities_);
     std::string statements;
     if (f.by_loops) {
         std::vector<NodeId> first = code_.solve.is_constant ? std::vector<NodeId>() : f.mass;
         first.insert(first.end(), f.force.begin(), f.force.end());
         statements += cpp.compute(first);
         statements += factored_mass(cpp, f);
-        for (std::size_t j = 0; j < n_; ++j) statements += assigned(cpp, fmt::format("dxdt[{}]", n_ + j), f.force[j]);
-        statements += fmt::format("{}detail::ldlt_solve<Scalar, {}>({}, dxdt.data() + {});\n", indent, n_, mass_name(), n_);
+        for (std::size_t j = 0; j < n_; ++j) statements += assigned(cpp, fmt::format("dxdt[{}]", velocities_ + j), f.force[j]);
+        statements += fmt::format("{}detail::ldlt_solve<Scalar, {}>({}, dxdt.data() + {});\n", indent, n_, mass_name(), velocities_);
     } else {
         for (std::size_t j = 0; j < n_; ++j) cpp.name_node(f.accelerations[j], cpp_name(code_.system.symbols.all(SymbolKind::acceleration)[j]));
         name_multipliers(cpp, f.accelerations);
         statements += cpp.compute(f.accelerations);
     }
     statements += cpp.compute(f.results);
-    for (std::size_t j = 0; j < n_; ++j) statements += fmt::format("{}dxdt[{}] = x[{}];\n", indent, j, n_ + j);
-    for (std::size_t j = 0; !f.by_loops && j < n_; ++j) statements += assigned(cpp, fmt::format("dxdt[{}]", n_ + j), f.accelerations[j]);
-    for (std::size_t i = 0; i < m_; ++i) statements += assigned(cpp, fmt::format("dxdt[{}]", 2 * n_ + i), f.results[i]);
+    const Symbols& symbols = code_.system.symbols;
+    for (std::size_t j = 0; j < n_; ++j)
+        if (symbols.has_value(j)) statements += fmt::format("{}dxdt[{}] = x[{}];\n", indent, symbols.place(SymbolKind::coordinate, j), velocities_ + j);
+    for (std::size_t j = 0; !f.by_loops && j < n_; ++j) statements += assigned(cpp, fmt::format("dxdt[{}]", velocities_ + j), f.accelerations[j]);
+    for (std::size_t i = 0; i < m_; ++i) statements += assigned(cpp, fmt::format("dxdt[{}]", states_ + i), f.results[i]);
     return statements;
 }
 
@@ -189,10 +191,11 @@ std::string CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, 
             statements += before;
             set(row, text);
         };
-        for (std::size_t j = 0; j < n_; ++j) set(j, by == By::state && c == n_ + j ? "Scalar(1)" : "Scalar(0)");
-        for (std::size_t j = 0; j < n_; ++j) set_node(n_ + j, accelerations.at(j, c));
-        for (std::size_t i = 0; i < m_; ++i) set_node(2 * n_ + i, f.below.at(i, c));
-        if (f.by_loops && layout.has_accelerations(c)) starts.push_back(*layout.place(n_, c));
+        for (std::size_t j = 0; j < n_; ++j)
+            if (code_.system.symbols.has_value(j)) set(code_.system.symbols.place(SymbolKind::coordinate, j), by == By::state && c == velocities_ + j ? "Scalar(1)" : "Scalar(0)");
+        for (std::size_t j = 0; j < n_; ++j) set_node(velocities_ + j, accelerations.at(j, c));
+        for (std::size_t i = 0; i < m_; ++i) set_node(states_ + i, f.below.at(i, c));
+        if (f.by_loops && layout.has_accelerations(c)) starts.push_back(*layout.place(velocities_, c));
     }
     if (starts.empty()) return statements;
     statements += wrapped(fmt::format("constexpr std::array<std::size_t, {}> starts{{{}}};", starts.size(), fmt::join(starts, ", ")), 8);
@@ -207,7 +210,7 @@ void CppBodies::name_multipliers(CppFunction& cpp, const std::vector<NodeId>& so
 
 /// Accelerations for functions that need them but do not solve for them.
 std::string CppBodies::accelerations_by_rhs(CppFunction& cpp) {
-    cpp.bind_accelerations("dxdt", n_);
+    cpp.bind_accelerations("dxdt", velocities_);
     return fmt::format("{0}State dxdt;\n{0}rhs({1}x, u, t, dxdt);\n", indent, mode_);
 }
 
@@ -263,7 +266,7 @@ CppBody CppBodies::output_jacobian(Function function, By by) {
     const bool is_empty = rows == 0 || f.by_output.columns == 0;
     std::string statements;
     if (through && !is_empty && by == By::state) {
-        cpp.bind_accelerations("dxdt", n_);
+        cpp.bind_accelerations("dxdt", velocities_);
         statements += fmt::format("{0}State dxdt;\n{0}JacobianX J;\n{0}rhs_and_jacobian({1}x, u, t, dxdt, J);\n", indent, mode_);
     } else if (through && !is_empty) {
         statements += fmt::format("{0}JacobianU J;\n{0}jacobian_u({1}x, u, t, J);\n", indent, mode_);
@@ -277,7 +280,7 @@ CppBody CppBodies::output_jacobian(Function function, By by) {
             std::string before;
             std::string text = cpp.value(f.by_output.at(r, c), before);
             for (std::size_t k = 0; k < n_; ++k) {
-                const auto place = layout(by).place(n_ + k, c);
+                const auto place = layout(by).place(velocities_ + k, c);
                 if (f.is_zero(f.by_acceleration.at(r, k)) || !place) continue;
                 const std::string factor = cpp.value(f.by_acceleration.at(r, k), before);
                 text += fmt::format(" + ({}) * J[{}]", factor, *place);

@@ -75,6 +75,7 @@ private:
     const Code& code_;
     const SharedMembers& shared_;
     std::size_t n_;
+    std::size_t velocities_, states_;  ///< where these begin in x
     std::size_t m_;
     const std::map<std::uint32_t, std::size_t>& cached_;
     CachedTexts cached_texts_;

@@ -148,7 +148,6 @@ CppFunction::Text CppFunction::symbol(NodeId id, std::string& statements) {
         return {"detail::pi<Scalar>()", 3};
     }
     const Variable& variable = *atom.variable;
-    const std::size_t n = code_.system.symbols.degrees();
     const auto local = [&](const std::string& array, std::size_t index) -> Text {
         const std::string name = cpp_name(variable);
         // A model may call something x or u; an argument of that name is in the way then.
@@ -164,9 +163,9 @@ CppFunction::Text CppFunction::symbol(NodeId id, std::string& statements) {
         case SymbolKind::definition: return {fmt::format("{}{}", local_definitions_.contains(variable.position) ? "" : "c_.", cpp_name(variable)), 3};
         case SymbolKind::time: uses_time_ = true; return {"t", 3};
         case SymbolKind::input: uses_input_ = true; return local(input_, variable.position);
-        case SymbolKind::coordinate: uses_state_ = true; return local(state_, variable.position);
-        case SymbolKind::velocity: uses_state_ = true; return local(state_, n + variable.position);
-        case SymbolKind::state: uses_state_ = true; return local(state_, 2 * n + variable.position);
+        case SymbolKind::coordinate:
+        case SymbolKind::velocity:
+        case SymbolKind::state: uses_state_ = true; return local(state_, code_.system.symbols.place(variable.kind, variable.position));
         case SymbolKind::acceleration: return {fmt::format("{}[{}]", accelerations_, first_acceleration_ + variable.position), 3};
         case SymbolKind::jerk: return {cpp_name(variable), 3};  // computed before
         case SymbolKind::residual: return {fmt::format("residual[{}]", variable.position), 3};

@@ -15,7 +15,7 @@ std::string CppBodies::jerks(const FunctionCode& f) {
         const Node& node = f.program[id];
         const Variable* variable = node.kind == Node::Kind::symbol ? code_.atoms[node.index].variable : nullptr;
         if (variable == nullptr || variable->kind != SymbolKind::jerk) continue;
-        const std::size_t row = n_ + variable->position;
+        const std::size_t row = velocities_ + variable->position;
         std::string sum = fmt::format("by_time[{}]", row);
         for (std::size_t c = 0; c < layout(By::state).columns(); ++c)
             if (const auto place = layout(By::state).place(row, c)) sum += fmt::format(" + J[{}] * dxdt[{}]", *place, c);
@@ -33,7 +33,7 @@ CppBody CppBodies::guards(Function function, const char* type, const char* resul
     std::string statements;
     if (f.uses_jerks) statements += jerks(f);
     else if (f.uses_accelerations) statements += accelerations_by_rhs(cpp);
-    cpp.bind_accelerations("dxdt", n_);
+    cpp.bind_accelerations("dxdt", velocities_);
     for (const std::size_t e : watched) {
         statements += cpp.compute({f.results[e]});
         statements += assigned(cpp, fmt::format("{}[{}]", result, e), f.results[e]);

@@ -247,8 +247,8 @@ private:
             if (seen.insert(name).second) indices += fmt::format("{}{} = {}", indices.empty() ? "" : ", ", name, at);
         };
         std::size_t i = 0;
-        for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
-            for (const Variable& variable : system_.symbols.all(kind)) {
+        for (const Variable* each : system_.symbols.state_variables()) {
+                const Variable& variable = *each;
                 const std::size_t at = places_.positions[i++];
                 const auto r = std::find_if(code_.fields.begin(), code_.fields.end(), [&](const FieldFunctions& f) { return variable.kind == SymbolKind::state && f.field->states->name == variable.base; });
                 if (r == code_.fields.end()) index(cpp_name(variable), at);
@@ -275,7 +275,7 @@ private:
         values["CELL_NAMES"] = names;
         values["CELL_QUANTITIES"] = quantities;
         values["STATES"] = std::to_string(places_.count);
-        values["PLAIN_STATES"] = std::to_string(places_.count - 2 * system_.symbols.degrees());
+        values["PLAIN_STATES"] = std::to_string(places_.count - system_.symbols.positions() - system_.symbols.degrees());
     }
 
     std::string equations() const {

@@ -30,7 +30,7 @@ public:
                 for (const Variable& variable : symbols_.all(kind)) result.push_back(&variable);
             return result;
         };
-        const auto states = pointers({SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state});
+        const auto states = symbols_.state_variables();
         table("STATE", states);
         table("INPUT", pointers({SymbolKind::input}));
         table("PARAMETER", pointers({SymbolKind::parameter}));

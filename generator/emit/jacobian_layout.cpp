@@ -13,7 +13,8 @@ JacobianLayout::JacobianLayout(const std::vector<const Code*>& modes, Function f
     const System& system = modes.front()->system;
     const std::size_t n = system.symbols.degrees();
     const std::size_t m = system.symbols.states();
-    rows_ = 2 * n + m;
+    const std::size_t velocities = system.symbols.positions(), states = velocities + n;
+    rows_ = states + m;
     columns_ = (*modes.front())[function].right.columns;
     const bool is_core = !system.heat.fields.empty();  // of a header with loops, where the pattern decides what is a band
     is_sparse_ = (rows_ > largest_dense || is_core) && by != By::time;
@@ -28,10 +29,10 @@ JacobianLayout::JacobianLayout(const std::vector<const Code*>& modes, Function f
             return false;
         });
         has_accelerations_.push_back(any);
-        if (by == By::state && c >= n && c < 2 * n) row_indices_.push_back(c - n);
-        for (std::size_t j = 0; any && j < n; ++j) row_indices_.push_back(n + j);
+        if (by == By::state && c >= velocities && c < states && system.symbols.has_value(c - velocities)) row_indices_.push_back(system.symbols.place(SymbolKind::coordinate, c - velocities));
+        for (std::size_t j = 0; any && j < n; ++j) row_indices_.push_back(velocities + j);
         for (std::size_t i = 0; i < m; ++i)
-            if (in_any([&](const FunctionCode& f) { return !f.is_zero(f.below.at(i, c)); })) row_indices_.push_back(2 * n + i);
+            if (in_any([&](const FunctionCode& f) { return !f.is_zero(f.below.at(i, c)); })) row_indices_.push_back(states + i);
         column_starts_.push_back(row_indices_.size());
     }
 }

@@ -78,8 +78,8 @@ std::pair<std::string, std::string> recorded_states(const System& system) {
     const StatePlaces places = place_states(system);
     std::vector<std::string> columns;
     std::vector<std::string> values;
-    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
-        for (const Variable& variable : symbols.all(kind)) {
+    for (const Variable* each : symbols.state_variables()) {
+            const Variable& variable = *each;
             const std::string x = fmt::format("x[{}]", places.positions[values.size()]);
             const bool is_root = variable.is_root;
             columns.push_back(fmt::format("{{{}, {}}}", cpp_string(is_root ? variable.recorded_name() : variable.name), cpp_string(is_root ? variable.declared->unit.si() : variable.unit)));

@@ -251,6 +251,7 @@ private:
 
 std::optional<std::pair<std::size_t, ex>> coordinate_at_zero(const ex& position, const Symbols& symbols) {
     for (std::size_t j = symbols.degrees(); j-- > 0;) {
+        if (!symbols.has_value(j)) continue;
         const ex& q = symbols.get(SymbolKind::coordinate, j);
         const ex factor = partial(position, q).expand();
         if (!GiNaC::is_a<GiNaC::numeric>(factor) || factor.is_zero()) continue;

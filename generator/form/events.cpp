@@ -56,9 +56,9 @@ private:
             const int index = named.children.empty() ? 0 : index_value(*named.children[0], system_.scene, {});
             ex value = system_.translate(entry.value, {});
             if (const Variable* q = symbols_.find(SymbolKind::coordinate, named.name, index)) {
-                set(reset, (is_rate ? n_ : 0) + q->position, value);
+                set(reset, symbols_.place(is_rate ? SymbolKind::velocity : SymbolKind::coordinate, q->position), value);
             } else if (const Variable* z = symbols_.find(SymbolKind::state, named.name, index)) {
-                set(reset, 2 * n_ + z->position, z->is_root ? ex(GiNaC::sqrt(value)) : value);
+                set(reset, symbols_.place(SymbolKind::state, z->position), z->is_root ? ex(GiNaC::sqrt(value)) : value);
             } else {
                 throw Failure(Diagnostic{Id::index_out_of_range, entry.span, fmt::format("scene '{}' has no '{}'", system_.scene.name, variable.written())});
             }
@@ -76,7 +76,7 @@ private:
         if (constraint == system_.constraints.end()) throw Failure(Diagnostic{Id::needs_absent, system_.scene.model->name_span, fmt::format("scene '{}' has no constraint '{}'", system_.scene.name, name)});
         // Else the position is as near to zero as roundings allow.
         if (constraint->position)
-            if (const auto at_zero = coordinate_at_zero(*constraint->position, symbols_)) set(reset, at_zero->first, at_zero->second);
+            if (const auto at_zero = coordinate_at_zero(*constraint->position, symbols_)) set(reset, symbols_.place(SymbolKind::coordinate, at_zero->first), at_zero->second);
         const Motion& motion = system_.motion;
         Impact impact{{}, constraint->rate.drift, restitution, std::nullopt};
         // Other constraints that hold go on holding.
@@ -96,11 +96,11 @@ private:
             const std::size_t k = motion.free[*alone];
             const ex& factor = impact.direction[*alone];
             const ex after = restitution.is_zero() ? ex(-impact.drift / factor) : ex((velocity(k) - (1 + restitution) * (velocity(k) + impact.drift / factor)).expand());
-            set(reset, n_ + k, after);
+            set(reset, symbols_.place(SymbolKind::velocity, k), after);
             for (const auto& [coordinate, rate] : motion.velocities) {
                 ex value = rate.drift;
                 for (std::size_t i = 0; i < motion.free.size(); ++i) value += rate.jacobian[i] * (i == *alone ? after : velocity(motion.free[i]));
-                set(reset, n_ + coordinate, value);
+                set(reset, symbols_.place(SymbolKind::velocity, coordinate), value);
             }
             return;
         }

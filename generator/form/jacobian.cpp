@@ -15,16 +15,9 @@ std::vector<ex> output_values(const System& system) {
 }
 
 std::vector<const Variable*> columns(const Symbols& symbols, By by) {
-    std::vector<SymbolKind> kinds;
-    switch (by) {
-        case By::state: kinds = {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state}; break;
-        case By::input: kinds = {SymbolKind::input}; break;
-        case By::parameter: kinds = {SymbolKind::parameter}; break;
-        case By::time: kinds = {SymbolKind::time}; break;
-    }
+    if (by == By::state) return symbols.state_variables();
     std::vector<const Variable*> result;
-    for (const SymbolKind kind : kinds)
-        for (const Variable& variable : symbols.all(kind)) result.push_back(&variable);
+    for (const Variable& variable : symbols.all(by == By::input ? SymbolKind::input : by == By::parameter ? SymbolKind::parameter : SymbolKind::time)) result.push_back(&variable);
     return result;
 }
 

@@ -94,7 +94,7 @@ std::optional<ConstraintPoints::Rows> ConstraintPoints::rows(const GiNaC::exmap&
         if (!of_rates && !c.position) continue;
         Row row;
         for (std::size_t j = 0; j < n; ++j) {
-            const auto slope = value_at(of_rates ? c.rate.jacobian[j] : partial(*c.position, system_.symbols.get(SymbolKind::coordinate, j)), point, digits);
+            const auto slope = value_at(of_rates ? c.rate.jacobian[j] : system_.symbols.along(*c.position, j), point, digits);
             if (!slope) return std::nullopt;
             row.push_back(*slope);
         }
@@ -104,6 +104,27 @@ std::optional<ConstraintPoints::Rows> ConstraintPoints::rows(const GiNaC::exmap&
         result.rest.push_back(*rest);
     }
     return result;
+}
+
+/// Of an attitude: turned a little, with the norm kept.
+void ConstraintPoints::displace(GiNaC::exmap& point, std::size_t coordinate, const cl_R& step) const {
+    const Symbols& symbols = system_.symbols;
+    if (symbols.has_value(coordinate)) {
+        ex& q = point[symbols.get(SymbolKind::coordinate, coordinate)];
+        q = q + GiNaC::numeric(step);
+        return;
+    }
+    for (const Symbols::AttitudeSymbols& attitude : symbols.attitudes())
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (attitude.coordinates[axis] != coordinate) continue;
+            std::array<ex, 4> turned;
+            ex square = 0;
+            for (std::size_t part = 0; part < 4; ++part) {
+                turned[part] = point.at(symbols.get(SymbolKind::state, attitude.parts[part])) + symbols.quaternion_slope(attitude, part, axis).subs(point, GiNaC::subs_options::no_pattern) * GiNaC::numeric(step);
+                square += GiNaC::pow(turned[part], 2);
+            }
+            for (std::size_t part = 0; part < 4; ++part) point[symbols.get(SymbolKind::state, attitude.parts[part])] = (turned[part] / GiNaC::sqrt(square)).evalf();
+        }
 }
 
 /// Newton's method with the least step of what is free, halved until it helps.
@@ -122,10 +143,7 @@ void ConstraintPoints::meet_positions(GiNaC::exmap& point, const std::vector<boo
         bool is_better = false;
         for (int half = 0; half < 20 && !is_better; ++half, length = length / 2) {
             GiNaC::exmap next = point;
-            for (std::size_t j = 0; j < n; ++j) {
-                const ex& q = system_.symbols.get(SymbolKind::coordinate, j);
-                next[q] = point.at(q) - GiNaC::numeric(length * x[j]);
-            }
+            for (std::size_t j = 0; j < n; ++j) displace(next, j, -length * x[j]);
             auto there = rows(next, false);
             is_better = there && size_of(*there) < size;
             if (!is_better) continue;
@@ -171,7 +189,8 @@ ConstrainedPoint ConstraintPoints::find(GiNaC::exmap point, const std::vector<bo
 ConstrainedPoint ConstraintPoints::near_start(bool keeps_written) const {
     std::vector<bool> positions, velocities;
     for (std::size_t j = 0; j < system_.symbols.degrees(); ++j) {
-        positions.push_back(!keeps_written || !values_.is_written(SymbolKind::coordinate, j));
+        // The start of an attitude is always given.
+        positions.push_back(!keeps_written || (system_.symbols.has_value(j) && !values_.is_written(SymbolKind::coordinate, j)));
         velocities.push_back(!keeps_written || !values_.is_written(SymbolKind::velocity, j));
     }
     return find(start_, positions, velocities);
@@ -186,6 +205,7 @@ std::vector<std::size_t> ConstraintPoints::redundant() const {
     for (int i = 0; i < points; ++i) {
         GiNaC::exmap near = start_;
         for (const Variable& q : system_.symbols.all(SymbolKind::coordinate)) {
+            if (!system_.symbols.has_value(q.position)) continue;
             seed ^= seed << 13U, seed ^= seed >> 7U, seed ^= seed << 17U;  // xorshift
             const GiNaC::numeric share(static_cast<long>(seed % 2001U) - 1000, 5000);
             near[q.symbol] = near.at(q.symbol) + share * (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(near.at(q.symbol))) + GiNaC::numeric(1, 10));

@@ -37,6 +37,7 @@ private:
     void meet_positions(GiNaC::exmap& point, const std::vector<bool>& is_free) const;
     void meet_rates(GiNaC::exmap& point, const std::vector<bool>& is_free) const;
     std::optional<Rows> rows(const GiNaC::exmap& point, bool of_rates) const;
+    void displace(GiNaC::exmap& point, std::size_t coordinate, const cln::cl_R& step) const;
     bool is_met(const GiNaC::ex& e, const GiNaC::exmap& point) const;
 
     const System& system_;

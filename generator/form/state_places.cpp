@@ -9,7 +9,7 @@ StatePlaces place_states(const System& system) {
     const auto& fields = system.heat.fields;
     const auto& states = system.scene.states;
     StatePlaces places{{}, std::vector<std::size_t>(fields.size(), 0), 0};
-    for (std::size_t i = 0; i < 2 * system.symbols.degrees(); ++i) places.positions.push_back(places.count++);
+    for (std::size_t i = 0; i < system.symbols.positions() + system.symbols.degrees(); ++i) places.positions.push_back(places.count++);
     for (std::size_t i = 0; i < states.size(); ++i) {
         const State* item = states[i].item;
         const auto field = std::find_if(fields.begin(), fields.end(), [&](const RodField& f) { return f.states == item; });

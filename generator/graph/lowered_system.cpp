@@ -138,12 +138,12 @@ private:
 
 std::vector<ModeCondition> conditions(const System& system) {
     std::vector<ModeCondition> result;
-    for (const auto& [place, value] : system.motion.positions) result.push_back({place, value, true});
-    const std::size_t n = system.symbols.degrees();
+    const auto place = [&](SymbolKind kind, std::size_t position) { return system.symbols.place(kind, position); };
+    for (const auto& [coordinate, value] : system.motion.positions) result.push_back({place(SymbolKind::coordinate, coordinate), value, true});
     for (const auto& [coordinate, rate] : system.motion.velocities) {
         ex velocity = rate.drift;
         for (std::size_t i = 0; i < system.motion.free.size(); ++i) velocity += rate.jacobian[i] * system.symbols.get(SymbolKind::velocity, system.motion.free[i]);
-        result.push_back({n + coordinate, velocity, false});
+        result.push_back({place(SymbolKind::velocity, coordinate), velocity, false});
     }
     for (const std::size_t constraint : system.motion.multipliers) {
         const ConstraintEquation& c = system.constraints[constraint];
@@ -221,7 +221,8 @@ std::vector<ex> held_jerks(const System& system) {
 std::vector<ex> start_values(const System& system) {
     std::vector<ex> values;
     const auto add = [&](const ExpressionPtr& e, const Indices& indices) { values.push_back(e ? system.translate(e, indices) : ex(0)); };
-    for (const auto& member : system.scene.coordinates) add(member.item->start, Translator::indices_of(member));
+    for (const auto& member : system.scene.coordinates)
+        if (!member.item->quasi_axis) add(member.item->start, Translator::indices_of(member));
     for (const auto& member : system.scene.coordinates) add(member.item->start_rate, Translator::indices_of(member));
     for (const auto& member : system.scene.states) {
         add(member.item->start, Translator::indices_of(member));

@@ -92,7 +92,7 @@ private:
             after[*impact.pivot] = p.negated(p.product({p.sum(std::move(others)), p.reciprocal(direction[*impact.pivot])}));
         }
         const auto set = [&](std::size_t coordinate, NodeId value) {
-            code.places.push_back(degrees_ + coordinate);
+            code.places.push_back(system_.symbols.place(SymbolKind::velocity, coordinate));
             f.results.push_back(value);
         };
         for (std::size_t i = 0; i < free_; ++i) set(system_.motion.free[i], after[i]);

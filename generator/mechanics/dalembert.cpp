@@ -14,15 +14,36 @@ struct Inertia {
     ex weight;
     std::vector<SpaceVector> jacobian;  ///< J_j, one for each coordinate
     SpaceVector drift;                  ///< velocity at fixed coordinates
-    /// The remainder of the acceleration as a sum of vectors times scalars.
+    /// The remainder of the acceleration as a sum of vectors times scalars; of a tensor, that of d(momentum)/dt.
     std::vector<std::pair<SpaceVector, ex>> remainder;
+    const SpaceMatrix* tensor = nullptr;
+    /// The momentum that belongs to a velocity, but for the weight.
+    SpaceVector image(const SpaceVector& v) const { return tensor == nullptr ? v : *tensor * v; }
 };
 
-bool is_zero(const SpaceVector& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
+/// From the velocity itself, in axes that turn with omega: J_j = dv/dqd_j, and of the acceleration dv/dt + omega x v what does not contain qdd.
+Inertia moving(const ex& weight, const SpaceVector& velocity, const SpaceVector& omega, const SpaceMatrix* tensor, const Symbols& symbols) {
+    Inertia result{weight, {}, velocity, {}, tensor};
+    GiNaC::exmap still, unaccelerated;
+    for (std::size_t j = 0; j < symbols.degrees(); ++j) {
+        const ex& qd = symbols.get(SymbolKind::velocity, j);
+        result.jacobian.push_back(partial(velocity, qd));
+        still[qd] = 0;
+        unaccelerated[symbols.get(SymbolKind::acceleration, j)] = 0;
+    }
+    SpaceVector rate = time_derivative(velocity, symbols);
+    for (std::size_t i = 0; i < 3; ++i) {
+        result.drift[i] = velocity[i].subs(still, GiNaC::subs_options::no_pattern);
+        rate[i] = rate[i].subs(unaccelerated, GiNaC::subs_options::no_pattern);
+    }
+    const SpaceVector remainder = result.image(rate) + cross(omega, result.image(velocity));
+    if (!is_zero(remainder)) result.remainder.emplace_back(remainder, 1);
+    return result;
+}
 
 /// a* = sum_kl d2r/dq_k dq_l qd_k qd_l + 2 sum_k d2r/dq_k dt qd_k + d2r/dt2
 Inertia translation(const BodyMotion& body, const Symbols& symbols) {
-    Inertia result{body.mass, {}, partial(body.position, symbols.time()), {}};
+    Inertia result{body.mass, {}, partial(body.position, symbols.time()), {}, nullptr};
     const auto q = [&](std::size_t j) { return symbols.get(SymbolKind::coordinate, j); };
     const auto qd = [&](std::size_t j) { return symbols.get(SymbolKind::velocity, j); };
     const auto add = [&](const SpaceVector& vector, const ex& factor) {
@@ -43,7 +64,7 @@ Inertia translation(const BodyMotion& body, const Symbols& symbols) {
 /// alpha* = d(omega)/dt - sum_j d(omega)/dqd_j qdd_j
 Inertia rotation(const BodyMotion& body, const Symbols& symbols) {
     const ex& omega = body.angular_velocity;
-    Inertia result{body.inertia, {}, {}, {}};
+    Inertia result{body.inertia, {}, {}, {}, nullptr};
     GiNaC::exmap at_rest;
     ex remainder = partial(omega, symbols.time());
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
@@ -92,14 +113,17 @@ InertialForces dalembert(const std::vector<BodyMotion>& bodies, const Symbols& s
     const std::size_t n = symbols.degrees();
     std::vector<Inertia> inertias;
     for (const BodyMotion& body : bodies) {
-        if (!body.mass.is_zero()) inertias.push_back(translation(body, symbols));
+        const SpaceVector still{0, 0, 0};
+        const bool is_plain = body.is_seen_from_ground && symbols.attitudes().empty();
+        if (!body.mass.is_zero()) inertias.push_back(is_plain ? translation(body, symbols) : moving(body.mass, body.used_velocity(), body.is_seen_from_ground ? still : body.frame->angular_velocity, nullptr, symbols));
+        if (body.has_tensor()) inertias.push_back(moving(1, body.frame->angular_velocity, body.frame->angular_velocity, &body.tensor, symbols));
         if (!body.inertia.is_zero()) inertias.push_back(rotation(body, symbols));
     }
     InertialForces result{GiNaC::matrix(static_cast<unsigned>(n), static_cast<unsigned>(n)), std::vector<ex>(n, 0), 0};
     for (std::size_t j = 0; j < n; ++j) {
         for (std::size_t l = 0; l <= j; ++l) {
             WeightedProducts products;
-            for (const Inertia& i : inertias) products.add(i.jacobian[j], i.jacobian[l], i.weight);
+            for (const Inertia& i : inertias) products.add(i.jacobian[j], i.image(i.jacobian[l]), i.weight);
             result.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)) = products.sum();
             result.mass(static_cast<unsigned>(l), static_cast<unsigned>(j)) = result.mass(static_cast<unsigned>(j), static_cast<unsigned>(l));
         }
@@ -115,7 +139,7 @@ InertialForces dalembert(const std::vector<BodyMotion>& bodies, const Symbols& s
         const auto accumulate = [&](const SpaceVector& vector, const ex& factor) {
             for (std::size_t axis = 0; axis < 3; ++axis) acceleration[axis] += vector[axis] * factor;
         };
-        for (std::size_t j = 0; j < n; ++j) accumulate(i.jacobian[j], symbols.get(SymbolKind::acceleration, j));
+        for (std::size_t j = 0; j < n; ++j) accumulate(i.image(i.jacobian[j]), symbols.get(SymbolKind::acceleration, j));
         for (const auto& [vector, factor] : i.remainder) accumulate(vector, factor);
         result.prescribed_power += i.weight * dot(acceleration, i.drift);
     }

@@ -25,6 +25,63 @@ void place_on(BodyMotion& body, const BodyMotion& base) {
     if (body.has_rotation && base.has_rotation) body.rotation += base.rotation;
 }
 
+/// The axes of a body that turns in the plane.
+std::shared_ptr<const Frame> frame_of(const BodyMotion& base, const Symbols& symbols) {
+    if (base.frame) return base.frame;
+    return placed(nullptr, by_turns({{2, base.rotation}}, symbols), base.has_position ? base.position : SpaceVector{0, 0, 0}, symbols);
+}
+
+SpaceMatrix tensor_of(const Body& item, const Translator& translate, const Indices& indices) {
+    SpaceMatrix tensor{SpaceVector{0, 0, 0}, SpaceVector{0, 0, 0}, SpaceVector{0, 0, 0}};
+    for (std::size_t i = 0; i < 3 && !item.tensor.empty(); ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+            if (item.tensor.size() == 3) tensor[i][j] = translate(item.tensor[i][j], indices);
+            else if (i == j) tensor[i][i] = translate(item.tensor[0][i], indices);
+        }
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (!(tensor[i][j] - tensor[j][i]).expand().is_zero())
+                throw Failure(Diagnostic{Id::wrong_inertia, item.tensor[i][j]->span, fmt::format("the inertia of body '{}' is not symmetric: there is '{}' in row {}, but '{}' in row {}", item.name, item.tensor[i][j]->written(), i + 1, item.tensor[j][i]->written(), j + 1)});
+    return tensor;
+}
+
+Orientation orientation_of(const Body& item, const Translator& translate, const Indices& indices) {
+    const Symbols& symbols = translate.symbols();
+    if (item.attitude) {
+        for (const Symbols::AttitudeSymbols& attitude : symbols.attitudes()) {
+            const std::string& part = symbols.all(SymbolKind::state)[attitude.parts[0]].base;
+            if (part.substr(0, part.size() - 2) == item.attitude->name) return by_attitude(attitude, symbols);
+        }
+        throw Failure(Diagnostic{Id::needs_absent, item.attitude->span, fmt::format("scene '{}' has no attitude '{}'", translate.scene().name, item.attitude->name)});
+    }
+    std::vector<std::pair<std::size_t, ex>> turns;
+    for (const Turn& turn : item.turns) turns.emplace_back(turn.axis, translate(turn.angle, indices));
+    if (item.rotation) turns.emplace_back(2, translate(item.rotation, indices));
+    return by_turns(turns, symbols);
+}
+
+/// The velocity of the centre of mass in own axes: that of the origin and what turning and moving about it adds.
+void move_in_space(BodyMotion& body, const BodyMotion* base, const Translator& translate) {
+    const Body& item = *body.member.item;
+    const Indices indices = Translator::indices_of(body.member);
+    const Symbols& symbols = translate.symbols();
+    if (item.inertia || item.angular_velocity)
+        throw Failure(Diagnostic{Id::not_allowed_here, (item.inertia ? item.inertia : item.angular_velocity)->span,
+                                 fmt::format("body '{}' is placed on '{}', which turns in space: its inertia is [Jx, Jy, Jz] or three rows, and its orientation is given by 'turns'", item.name, item.on->name), {{item.on->span, "it is placed here"}}});
+    const auto vector = [&](const std::optional<VectorExpression>& v) { return v ? translate(*v, indices) : SpaceVector{0, 0, 0}; };
+    if (item.mass) body.mass = translate(item.mass, indices);
+    body.tensor = tensor_of(item, translate, indices);
+    body.turns = true;
+    body.has_position = true;
+    const SpaceVector centre = vector(item.centre);
+    const SpaceVector origin = vector(item.position ? item.position : item.origin);
+    body.frame = placed(base != nullptr ? frame_of(*base, symbols) : nullptr, orientation_of(item, translate, indices), origin, symbols);
+    body.own_velocity = body.frame->velocity + cross(body.frame->angular_velocity, centre) + time_derivative(centre, symbols);
+    body.position = body.frame->point_to_ground(centre);
+    body.velocity = time_derivative(body.position, symbols);
+    body.is_seen_from_ground = base == nullptr && is_zero(centre);
+}
+
 }  // namespace
 
 const BodyMotion* find_motion(const std::vector<BodyMotion>& motions, const Reference& reference, const Scene& scene, const Indices& indices) {
@@ -54,6 +111,11 @@ std::vector<BodyMotion> body_motions(const Scene& scene, const Translator& trans
                 }
             }
             BodyMotion body{member};
+            if (item.has_axes() || (base != nullptr && base->frame)) {
+                move_in_space(body, base, translate);
+                motions.push_back(std::move(body));
+                continue;
+            }
             if (item.mass) body.mass = translate(item.mass, indices);
             if (item.position) {
                 body.has_position = true;

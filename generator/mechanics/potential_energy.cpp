@@ -18,7 +18,9 @@ Potential gravity_on(const BodyMotion& body, const SpaceVector& acceleration, co
     SpaceVector from_reference = body.position;
     for (std::size_t i = 0; i < 3; ++i) from_reference[i] -= reference[i];
     result.energy = -body.mass * dot(acceleration, from_reference);
-    for (const Variable& q : symbols.all(SymbolKind::coordinate)) result.force.push_back(body.mass * dot(acceleration, partial(body.position, q.symbol)));
+    const SpaceVector pull = body.in_used_axes(acceleration);
+    for (std::size_t j = 0; j < symbols.degrees(); ++j)
+        result.force.push_back(body.mass * (body.frame ? dot(pull, partial(body.used_velocity(), symbols.get(SymbolKind::velocity, j))) : dot(acceleration, body.along(j, symbols))));
     return result;
 }
 
@@ -52,7 +54,7 @@ Potential spring_potential(const Member<Spring>& member, const Translator& trans
         if (spring.energy) result.origin = Potential::Origin::given_energy;
         if (spring.energy) result.span = spring.energy->span;
     }
-    for (const Variable& q : symbols.all(SymbolKind::coordinate)) result.force.push_back(-force * partial(elongation, q.symbol));
+    for (std::size_t j = 0; j < symbols.degrees(); ++j) result.force.push_back(-force * symbols.along(elongation, j));
     return result;
 }
 
@@ -89,7 +91,7 @@ Potential plain_potential(const Member<PotentialTerm>& member, const Translator&
     Potential result{fmt::format("potential '{}'", member.name()), Potential::Origin::plain, term.span, Generalised(symbols.degrees(), 0), 0};
     if (term.energy) {
         result.energy = translate(term.energy, indices);
-        for (std::size_t j = 0; j < symbols.degrees(); ++j) result.force[j] = -partial(result.energy, symbols.get(SymbolKind::coordinate, j));
+        for (std::size_t j = 0; j < symbols.degrees(); ++j) result.force[j] = -symbols.along(result.energy, j);
         return result;
     }
     result.origin = Potential::Origin::forces;

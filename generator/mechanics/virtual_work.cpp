@@ -29,18 +29,18 @@ void resist_body(Resistance& resistance, const Damper& damper, const BodyMotion&
     const std::string what = fmt::format("the velocity of body '{}'", body.member.name());
     if (damper.coefficient) {
         const ex coefficient = translate(damper.coefficient, indices);
-        for (const ex& component : body.velocity)
+        for (const ex& component : body.used_velocity())
             resist(resistance, affine_rate(component, symbols, damper.span, what), coefficient * component, component);
         return;
     }
-    const ex square = dot(body.velocity, body.velocity).expand();
+    const ex square = dot(body.used_velocity(), body.used_velocity()).expand();
     const ex letter = symbols.letter(damper.force->variable);
     const ex law = translate(*damper.force->body, indices, {{damper.force->variable, letter}});
     const ex quotient = (law / letter).expand();
     // Where the quotient has a value and a slope at rest, the force and its derivatives have one too.
     const bool is_smooth = quotient.is_polynomial(letter);
     const ex force_per_speed = quotient.subs(letter == (is_smooth ? ex(norm(square)) : ex(GiNaC::sqrt(square))));
-    for (const ex& component : body.velocity)
+    for (const ex& component : body.used_velocity())
         resist(resistance, affine_rate(component, symbols, damper.span, what), force_per_speed * component, component);
 }
 
@@ -49,10 +49,29 @@ Supply force_at(std::string name, const SpaceVector& force, const SpaceVector& p
     Supply result{std::move(name), {}, 0, 0};
     SpaceVector velocity;
     for (std::size_t i = 0; i < 3; ++i) velocity[i] = symbols.time_derivative(point[i]);
-    for (const Variable& q : symbols.all(SymbolKind::coordinate)) result.force.push_back(dot(force, partial(point, q.symbol)));
+    for (std::size_t j = 0; j < symbols.degrees(); ++j) result.force.push_back(dot(force, {symbols.along(point[0], j), symbols.along(point[1], j), symbols.along(point[2], j)}));
     result.power = dot(force, velocity);
     result.prescribed = -dot(force, partial(point, symbols.time()));
     return result;
+}
+
+/// Q_j = F.dv/dqd_j with F and v in the same axes: a force with the velocity of its point, or a torque with an angular velocity.
+Supply along_velocity(std::string name, const SpaceVector& force, const SpaceVector& velocity, const Symbols& symbols) {
+    Supply result{std::move(name), {}, dot(force, velocity), 0};
+    GiNaC::exmap still;
+    for (std::size_t j = 0; j < symbols.degrees(); ++j) {
+        const ex& qd = symbols.get(SymbolKind::velocity, j);
+        result.force.push_back(dot(force, partial(velocity, qd)));
+        still[qd] = 0;
+    }
+    result.prescribed = -result.power.subs(still, GiNaC::subs_options::no_pattern);
+    return result;
+}
+
+void add(Supply& to, const Supply& other, int sign) {
+    for (std::size_t j = 0; j < to.force.size(); ++j) to.force[j] += sign * other.force[j];
+    to.power += sign * other.power;
+    to.prescribed += sign * other.prescribed;
 }
 
 const BodyMotion& body_of(const Reference& reference, const std::vector<BodyMotion>& bodies, const Scene& scene, const Indices& indices) {
@@ -60,9 +79,31 @@ const BodyMotion& body_of(const Reference& reference, const std::vector<BodyMoti
     throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("there is no body '{}'", std::string(reference.span.text()))});
 }
 
+/// On bodies that turn in space. The reaction is the same vector, taken into the axes of the other body.
+Supply torque_in_space(const Member<Torque>& member, const Translator& translate, const std::vector<BodyMotion>& bodies) {
+    const Torque& torque = *member.item;
+    const Indices indices = Translator::indices_of(member);
+    const std::string name = fmt::format("torque {}", member.name());
+    const auto in_space = [&](const Reference& reference) -> const BodyMotion& {
+        const BodyMotion& body = body_of(reference, bodies, translate.scene(), indices);
+        if (body.frame) return body;
+        throw Failure(Diagnostic{Id::wrong_type, torque.span, fmt::format("torque '{}' is a vector, but body '{}' does not turn in space; give it as one expression", member.name(), body.member.name())});
+    };
+    const BodyMotion& body = in_space(*torque.on);
+    const SpaceVector given = translate(*torque.vector, indices);
+    const SpaceVector own = torque.in_axes ? given : body.frame->from_ground(given);
+    Supply result = along_velocity(name, own, body.frame->angular_velocity, translate.symbols());
+    if (torque.against) {
+        const BodyMotion& other = in_space(*torque.against);
+        add(result, along_velocity(name, other.frame->from_ground(torque.in_axes ? body.frame->to_ground(given) : given), other.frame->angular_velocity, translate.symbols()), -1);
+    }
+    return result;
+}
+
 Supply torque_on(const Member<Torque>& member, const Translator& translate, const std::vector<BodyMotion>& bodies) {
     const Torque& torque = *member.item;
     const Indices indices = Translator::indices_of(member);
+    if (torque.vector) return torque_in_space(member, translate, bodies);
     ex rate;
     if (torque.rate) {
         rate = translate(torque.rate, indices);
@@ -114,6 +155,15 @@ std::vector<Supply> supplies(const Scene& scene, const Translator& translate, co
     for (const auto& member : scene.forces) {
         const Force& force = *member.item;
         const Indices indices = Translator::indices_of(member);
+        const BodyMotion* body = force.on ? &body_of(*force.on, bodies, scene, indices) : nullptr;
+        if (force.in_axes && !body->frame)
+            throw Failure(Diagnostic{Id::not_allowed_here, force.span, fmt::format("force '{}' is given in the axes of body '{}', which has none: it has no 'turns', 'attitude' or 'origin'", member.name(), body->member.name())});
+        if (body != nullptr && body->frame) {
+            const SpaceVector given = translate(force.force, indices);
+            const SpaceVector own = !force.in_axes ? body->in_used_axes(given) : body->is_seen_from_ground ? body->frame->to_ground(given) : given;
+            result.push_back(along_velocity(fmt::format("force {}", member.name()), own, body->used_velocity(), symbols));
+            continue;
+        }
         const SpaceVector point = force.at ? translate(*force.at, indices) : body_of(*force.on, bodies, scene, indices).position;
         result.push_back(force_at(fmt::format("force {}", member.name()), translate(force.force, indices), point, symbols));
     }

@@ -74,6 +74,7 @@ public:
         part(model_.rods);
         part(model_.blocks);
         part(model_.enclosures);
+        distinct(model_.attitudes, "attitudes");
         distinct(model_.modes, "groups of modes");
         distinct(model_.constraints, "constraints");
         distinct(model_.events, "events");

@@ -20,9 +20,10 @@ public:
         for (const Body& item : model_.bodies) {
             body(item.on, false, false);
             placement(item);
+            attitude(item);
         }
         for (const Damper& item : model_.dampers) body(item.on, true, false);
-        for (const Force& item : model_.forces) body(item.on, true, false);
+        for (const Force& item : model_.forces) body(item.on, !item.in_axes, false);
         for (const Torque& item : model_.torques) {
             body(item.on, false, true);
             body(item.against, false, true);
@@ -51,10 +52,20 @@ private:
         if (found->family.has_value() != (reference->index != nullptr))
             diagnostics_.error(found->family ? Id::index_missing : Id::not_indexed, reference->span,
                                fmt::format("body '{}' is {} family", reference->name, found->family ? "a" : "not a"), {{found->span, "it is defined here"}});
-        if (needs_position && !found->position)
+        if (needs_position && !found->position && !found->has_axes())
             diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' has no position", reference->name), {{found->span, "it is defined here"}});
-        if (needs_rotation && !found->rotation && !found->angular_velocity)
+        if (needs_rotation && !found->rotation && !found->angular_velocity && !found->has_axes())
             diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' does not turn", reference->name), {{found->span, "it is defined here"}});
+    }
+
+    void attitude(const Body& item) {
+        if (!item.attitude) return;
+        std::vector<std::string> known;
+        for (const Attitude& attitude : model_.attitudes) known.push_back(attitude.name);
+        if (std::find(known.begin(), known.end(), item.attitude->name) == known.end())
+            diagnostics_.error(Id::unknown_name, item.attitude->span, fmt::format("there is no attitude '{}'{}", item.attitude->name, did_you_mean(item.attitude->name, known)));
+        else if (item.attitude->index)
+            diagnostics_.error(Id::not_indexed, item.attitude->span, fmt::format("attitude '{}' has no index", item.attitude->name));
     }
 
     /// A body that turns by its angular velocity alone points nobody knows where.
@@ -143,6 +154,7 @@ private:
         all(model_.rods);
         all(model_.blocks);
         all(model_.enclosures);
+        all(model_.attitudes);
         all(model_.modes);
         all(model_.constraints);
         all(model_.events);

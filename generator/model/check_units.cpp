@@ -50,6 +50,10 @@ public:
             vector(model_.gravity->acceleration, Dimension::acceleration(), "the acceleration of gravity");
             if (model_.gravity->reference) vector(*model_.gravity->reference, Dimension::length(), "the reference of gravity");
         }
+        for (const Attitude& attitude : model_.attitudes) {
+            for (const ExpressionPtr& part : attitude.start) si_value(part, Dimension::none(), "the start", "attitude", attitude);
+            for (const ExpressionPtr& rate : attitude.start_rate) si_value(rate, Dimension::none() / Dimension::time(), "the start rate", "attitude", attitude);
+        }
         for (const Body& body : model_.bodies) check(body);
         const auto written = [this](const auto& items) {
             for (const auto& item : items)
@@ -63,6 +67,7 @@ public:
         }
         for (const Torque& torque : model_.torques) {
             expect(torque.torque, Dimension::energy(), "the value", "torque", torque);
+            if (torque.vector) vector(*torque.vector, Dimension::energy(), fmt::format("torque '{}'", torque.name));
             expect(torque.rate, Dimension::none() / Dimension::time(), "the rate", "torque", torque);
         }
         for (const KineticTerm& term : model_.kinetic) expect(term.energy, Dimension::energy(), "the energy", "kinetic term", term);
@@ -139,6 +144,11 @@ private:
         expect(body.rotation, Dimension::none(), "the rotation", "body", body);
         expect(body.angular_velocity, Dimension::none() / Dimension::time(), "the angular velocity", "body", body);
         expect(body.inertia, Dimension::inertia(), "the inertia", "body", body);
+        for (const auto& row : body.tensor)
+            for (const ExpressionPtr& moment : row) expect(moment, Dimension::inertia(), "the inertia", "body", body);
+        for (const Turn& turn : body.turns) expect(turn.angle, Dimension::none(), "a turn", "body", body);
+        if (body.origin) vector(*body.origin, Dimension::length(), fmt::format("the origin of body '{}'", body.name));
+        if (body.centre) vector(*body.centre, Dimension::length(), fmt::format("the centre of body '{}'", body.name));
     }
 
     void check(const Spring& spring) {

@@ -184,16 +184,57 @@ std::optional<Range> Entry::range(std::string_view key, const Unit& unit) const 
     return Range{bound(node->elements[0], unit), bound(node->elements[1], unit), node->span};
 }
 
+/// The type of the key where it may be given in several ways, of which this is one.
+ValueType Entry::alternative(std::string_view key, ValueType type) const {
+    const KeySpec* spec = find_key(section_, key);
+    return spec != nullptr && spec->type == ValueType::torque ? ValueType::torque : type;
+}
+
 ExpressionPtr Entry::expression(std::string_view key) const {
-    const DocumentNode* node = find(key, ValueType::expression);
+    const DocumentNode* node = find(key, alternative(key, ValueType::expression));
     return node == nullptr ? nullptr : expression(*node, ValueType::expression);
 }
 
+bool Entry::is_list(std::string_view key) const {
+    const DocumentNode* node = find(key);
+    return node != nullptr && node->kind == NodeKind::array;
+}
+
+std::vector<Turn> Entry::turns(std::string_view key) const {
+    std::vector<Turn> result;
+    for (const DocumentNode* turn : list(find(key, ValueType::turns), ValueType::turns)) {
+        const bool is_pair = turn->kind == NodeKind::array && turn->elements.size() == 2 && turn->elements[0].kind == NodeKind::string;
+        const std::string axis = is_pair ? turn->elements[0].string.text : "";
+        if (axis != "x" && axis != "y" && axis != "z") wrong_type(*turn, ValueType::turns);
+        else result.push_back({static_cast<std::size_t>(axis[0] - 'x'), expression(turn->elements[1], ValueType::expression)});
+    }
+    return result;
+}
+
+std::vector<std::vector<ExpressionPtr>> Entry::tensor(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::tensor);
+    if (node == nullptr) return {};
+    if (node->kind != NodeKind::array) return {{expression(*node, ValueType::tensor)}};
+    const bool has_rows = std::any_of(node->elements.begin(), node->elements.end(), [](const DocumentNode& e) { return e.kind == NodeKind::array; });
+    std::vector<std::vector<ExpressionPtr>> result;
+    const auto row = [&](const DocumentNode& from) {
+        result.emplace_back();
+        for (const DocumentNode* element : list(&from, ValueType::tensor)) result.back().push_back(expression(*element, ValueType::expression));
+    };
+    if (!has_rows) row(*node);
+    for (std::size_t i = 0; has_rows && i < node->elements.size(); ++i) row(node->elements[i]);
+    const bool is_whole = (result.size() == 1 || result.size() == 3) && std::all_of(result.begin(), result.end(), [](const auto& r) { return r.size() == 3; });
+    if (is_whole) return result;
+    wrong_type(*node, ValueType::tensor);
+    return {};
+}
+
 std::optional<VectorExpression> Entry::vector(std::string_view key) const {
-    const DocumentNode* node = find(key, ValueType::vector);
+    const ValueType type = alternative(key, ValueType::vector);
+    const DocumentNode* node = find(key, type);
     if (node == nullptr) return std::nullopt;
     if (node->kind != NodeKind::array || node->elements.size() < 2 || node->elements.size() > 3) {
-        wrong_type(*node, ValueType::vector);
+        wrong_type(*node, type);
         return std::nullopt;
     }
     VectorExpression vector{nullptr, nullptr, make_number(0, node->span)};

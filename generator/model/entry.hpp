@@ -34,6 +34,10 @@ public:
     std::optional<Range> range(std::string_view key, const Unit& unit) const;
     ExpressionPtr expression(std::string_view key) const;
     std::optional<VectorExpression> vector(std::string_view key) const;
+    bool is_list(std::string_view key) const;
+    std::vector<Turn> turns(std::string_view key) const;
+    /// An expression alone, a row of three, or three rows of three.
+    std::vector<std::vector<ExpressionPtr>> tensor(std::string_view key) const;
     std::optional<Law> law(std::string_view key) const;
     std::optional<Property> property(std::string_view key) const;
     std::vector<Equation> equations(std::string_view key) const;
@@ -78,6 +82,7 @@ private:
     std::optional<Reference> reference(const DocumentNode& node, ValueType type, const char* what) const;
     std::optional<Reference> reference(std::string_view key, ValueType type, const char* what) const;
     /// The elements of a list; none, with an error, where it is no list.
+    ValueType alternative(std::string_view key, ValueType type) const;
     std::vector<const DocumentNode*> list(const DocumentNode* node, ValueType type) const;
     ExpressionPtr constant(const DocumentNode& node, const Unit& unit) const;
     ExpressionPtr bound(const DocumentNode& node, const Unit& unit) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements that switch are written out as modes, events and what holds in them. What is missing from an element was reported where it
+// Elements are written out: those that switch as modes, events and what holds in them. What is missing from an element was reported where it
 // was read; such an element is passed over.
 #pragma once
 
@@ -7,6 +7,8 @@
 
 namespace dalembert {
 
+/// Attitudes: quaternions as states, and coordinates that have a rate but no value.
+void expand_attitudes(Model& model);
 /// Frictions, stops and contacts: modes, constraints, events, springs and dampers.
 void expand_contacts(Model& model);
 /// Saturations and profiles: modes, events, and a definition that is their value.

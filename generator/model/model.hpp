@@ -30,6 +30,8 @@ struct Coordinate : Quantity {
     ExpressionPtr start;       ///< null: 0
     ExpressionPtr start_rate;  ///< null: 0
     bool is_guess = false;     ///< the start is where constraints begin to look for it
+    /// Of an attitude: it has a rate, an angular velocity about the axis 0, 1 or 2 of what turns, but no value.
+    std::optional<int> quasi_axis = {};
 };
 
 struct Input : Quantity {};
@@ -39,6 +41,7 @@ struct State : Quantity {
     ExpressionPtr start;
     ExpressionPtr derivative;
     bool root = false;  ///< integrated as its square root
+    std::optional<int> quaternion_part = {};  ///< of an attitude: 0 the scalar, 1 to 3 the vector
 };
 
 struct Output : Item {
@@ -48,15 +51,33 @@ struct Output : Item {
 
 using VectorExpression = std::array<ExpressionPtr, 3>;
 
+/// A turn about an axis (0, 1, 2) of the frame that the turns before it have reached.
+struct Turn {
+    std::size_t axis = 0;
+    ExpressionPtr angle;
+};
+
+/// Start values of an orientation given by a unit quaternion, and of the angular velocity in the axes of what turns.
+struct Attitude : Item {
+    std::vector<ExpressionPtr> start, start_rate;  ///< four and three, or none
+};
+
 /// A point mass (mass, position), a planar rigid body (also rotation or angular_velocity, inertia about the centre of mass),
-/// or a body that only turns (no mass).
+/// a body that only turns (no mass); or a body in space, that turns by turns or an attitude.
 struct Body : Item {
     ExpressionPtr mass;
     std::optional<VectorExpression> position;
     ExpressionPtr rotation;
     ExpressionPtr angular_velocity;
     ExpressionPtr inertia;
+    std::vector<std::vector<ExpressionPtr>> tensor;  ///< of a body in space, in its axes: three principal moments in one row, or three rows
+    std::vector<Turn> turns;
+    std::optional<Reference> attitude;
+    std::optional<VectorExpression> origin;          ///< of its axes, in those of the body that it is placed on
+    std::optional<VectorExpression> centre;          ///< of mass, in its axes
     std::optional<Reference> on;
+
+    bool has_axes() const { return !tensor.empty() || !turns.empty() || attitude || origin || centre; }
 };
 
 struct Gravity {
@@ -83,12 +104,15 @@ struct Damper : Item {
 
 struct Force : Item {
     VectorExpression force;
+    bool in_axes = false;          ///< of the body
     std::optional<Reference> on;
     std::optional<VectorExpression> at;
 };
 
 struct Torque : Item {
     ExpressionPtr torque;
+    std::optional<VectorExpression> vector;  ///< on a body in space
+    bool in_axes = false;                    ///< of that body
     std::optional<Reference> on;
     std::optional<Reference> against;
     ExpressionPtr rate;
@@ -187,6 +211,7 @@ struct Model {
     std::vector<State> states;
     std::vector<Output> outputs;
     std::optional<Gravity> gravity;
+    std::vector<Attitude> attitudes;
     std::vector<Body> bodies;
     std::vector<Spring> springs;
     std::vector<Damper> dampers;

@@ -19,15 +19,49 @@ std::vector<CoordinateEntry> coordinates(const Entry& e, std::string_view key) {
     return result;
 }
 
+/// What has axes of its own.
+void in_space(const Entry& e, const Body& body) {
+    const auto both = [&](const char* a, const char* b, const char* why) {
+        if (e.has(a) && e.has(b)) e.error(Id::doubly_defined, e.span_of(b), fmt::format("body '{}' has both '{}' and '{}'; {}", e.name(), a, b, why), {{e.span_of(a), "the first stands here"}});
+    };
+    both("turns", "attitude", "either orients it alone");
+    both("position", "origin", "the position is that of its centre of mass");
+    both("position", "centre", "the position is that of its centre of mass");
+    for (const char* planar : {"rotation", "angular_velocity"})
+        if (e.has(planar)) e.error(Id::not_allowed_here, e.span_of(planar), fmt::format("body '{}' turns in space; its orientation is given by 'turns' or by an 'attitude'", e.name()));
+    if (body.inertia) e.error(Id::wrong_type, e.span_of("inertia"), fmt::format("the inertia of body '{}', which turns in space, is [Jx, Jy, Jz] or three rows", e.name()));
+    const bool turns = e.has("turns") || e.has("attitude") || e.has("on");
+    if (!body.tensor.empty() && !turns) e.error(Id::missing_key, e.span_of("inertia"), fmt::format("body '{}' has an inertia but neither turns nor an attitude", e.name()));
+}
+
 }  // namespace
+
+void read(const Entry& e, Attitude& attitude) {
+    attitude.start = e.expressions("start");
+    attitude.start_rate = e.expressions("start_rate");
+    const auto has = [&](const std::vector<ExpressionPtr>& values, const char* key, std::size_t count, const char* what) {
+        if (!values.empty() && values.size() != count) e.error(Id::wrong_type, e.span_of(key), fmt::format("{} of attitude '{}' has {} numbers, not {}", what, e.name(), count, values.size()));
+    };
+    has(attitude.start, "start", 4, "the quaternion");
+    has(attitude.start_rate, "start_rate", 3, "the angular velocity");
+}
 
 void read(const Entry& e, Body& body) {
     body.mass = e.expression("mass");
     body.position = e.vector("position");
     body.rotation = e.expression("rotation");
     body.angular_velocity = e.expression("angular_velocity");
-    body.inertia = e.expression("inertia");
+    body.tensor = e.tensor("inertia");
+    if (body.tensor.size() == 1 && body.tensor[0].size() == 1) {
+        body.inertia = body.tensor[0][0];
+        body.tensor.clear();
+    }
+    body.turns = e.turns("turns");
+    body.attitude = e.part("attitude");
+    body.origin = e.vector("origin");
+    body.centre = e.vector("centre");
     body.on = e.body("on");
+    if (body.has_axes()) return in_space(e, body);
     if (e.has("mass") && !e.has("position")) e.error(Id::missing_key, e.span(), fmt::format("body '{}' has a mass but no position", e.name()));
     if (!e.has("mass") && !e.has("inertia"))
         e.error(Id::missing_key, e.span(), fmt::format("body '{}' has neither mass nor inertia; without either it is no body", e.name()));
@@ -66,17 +100,23 @@ void read(const Entry& e, Force& force) {
     if (auto vector = e.vector("force")) force.force = *vector;
     force.on = e.body("on");
     force.at = e.vector("at");
+    force.in_axes = e.boolean("in_axes");
+    if (force.in_axes && !force.on) e.error(Id::missing_key, e.span_of("in_axes"), fmt::format("force '{}' acts on no body whose axes could be meant", e.name()));
     if (e.has("on") == e.has("at"))
         e.error(Id::missing_key, e.span(), fmt::format("force '{}' needs either the body that it acts on or the point at which it acts", e.name()));
 }
 
 void read(const Entry& e, Torque& torque) {
-    torque.torque = e.expression("torque");
+    if (e.is_list("torque")) torque.vector = e.vector("torque");
+    else torque.torque = e.expression("torque");
+    torque.in_axes = e.boolean("in_axes");
     torque.on = e.body("on");
     torque.against = e.body("against");
     torque.rate = e.expression("rate");
     if (e.has("on") == e.has("rate"))
         e.error(Id::missing_key, e.span(), fmt::format("torque '{}' needs either the body that it turns or a rate", e.name()));
+    if (torque.vector && torque.rate) e.error(Id::wrong_type, e.span_of("torque"), fmt::format("torque '{}' works along a rate, so that it is no vector", e.name()));
+    if (torque.in_axes && !torque.vector) e.error(Id::not_allowed_here, e.span_of("in_axes"), fmt::format("torque '{}' is no vector, so that it is in no axes", e.name()));
 }
 
 void read(const Entry& e, KineticTerm& term) { term.energy = e.expression("energy"); }

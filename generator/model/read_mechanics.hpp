@@ -6,6 +6,7 @@
 
 namespace dalembert {
 
+void read(const Entry& e, Attitude& attitude);
 void read(const Entry& e, Body& body);
 void read(const Entry& e, Spring& spring);
 void read(const Entry& e, Damper& damper);

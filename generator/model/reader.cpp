@@ -135,6 +135,8 @@ public:
         collection("states", model_.states);
         collection("outputs", model_.outputs);
         gravity();
+        collection("attitudes", model_.attitudes);
+        expand_attitudes(model_);
         collection("bodies", model_.bodies);
         collection("springs", model_.springs);
         collection("dampers", model_.dampers);

@@ -72,10 +72,19 @@ constexpr std::array body_keys{
     KeySpec{"position", T::vector, false, "position of its centre of mass"},
     KeySpec{"rotation", T::expression, false, "its angle about the z axis, from x towards y"},
     KeySpec{"angular_velocity", T::expression, false, "instead of rotation: its angular velocity, linear in the velocities"},
-    KeySpec{"inertia", T::expression, false, "moment of inertia about the axis through its centre of mass"},
+    KeySpec{"inertia", T::tensor, false, "moment of inertia about the axis through its centre of mass; of a body in space the tensor in its own axes: [Jx, Jy, Jz], or three rows with products of inertia, as they stand in the matrix"},
+    KeySpec{"turns", T::turns, false, "of a body in space: turns about its own axes one after the other, as [[\"z\", \"psi\"], [\"x\", \"theta\"]]"},
+    KeySpec{"attitude", T::part, false, "instead of turns: an attitude, whose quaternion orients the body"},
+    KeySpec{"origin", T::vector, false, "instead of position: where its axes begin; [0, 0, 0] if left out"},
+    KeySpec{"centre", T::vector, false, "with origin: its centre of mass, in its own axes; [0, 0, 0] if left out"},
     KeySpec{"on", T::body, false,
-            "another body: position and rotation are then measured in its frame. Within a family, NAME[k-1] of the first is the ground"},
+            "another body: position or origin, and turns, are then measured in its frame. Within a family, NAME[k-1] of the first is the ground"},
     doc_key, for_key, when_key,
+};
+constexpr std::array attitude_keys{
+    KeySpec{"start", T::expressions, false, "the quaternion at the start, a unit one: [cos(a/2), sin(a/2)*axis]; [1, 0, 0, 0] if left out"},
+    KeySpec{"start_rate", T::expressions, false, "the angular velocity at the start, about the axes of the body, in rad/s; [0, 0, 0] if left out"},
+    doc_key, when_key,
 };
 constexpr std::array spring_keys{
     KeySpec{"elongation", T::expression, true, "how far it is stretched from rest; a length or an angle"},
@@ -93,12 +102,14 @@ constexpr std::array damper_keys{
 };
 constexpr std::array force_keys{
     KeySpec{"force", T::vector, true, "the force as a vector; its power counts as supplied"},
+    KeySpec{"in_axes", T::boolean, false, "true, with on: the vector is given in the axes of the body, else in those of the ground"},
     KeySpec{"on", T::body, false, "the body at whose position it acts"},
     KeySpec{"at", T::vector, false, "instead of a body: the point at which it acts"},
     doc_key, for_key, when_key,
 };
 constexpr std::array torque_keys{
-    KeySpec{"torque", T::expression, true, "the torque about the z axis; its power counts as supplied"},
+    KeySpec{"torque", T::torque, true, "the torque about the z axis, or on a body in space as a vector; its power counts as supplied"},
+    KeySpec{"in_axes", T::boolean, false, "true: the vector is given in the axes of the body, else in those of the ground"},
     KeySpec{"on", T::body, false, "the body that it turns"},
     KeySpec{"against", T::body, false, "the body that carries the reaction; the ground if left out"},
     KeySpec{"rate", T::expression, false, "instead of bodies: the angular velocity with which the torque works"},
@@ -375,6 +386,8 @@ constexpr std::array table{
                 "[bodies.rod]\nmass     = \"m_S\"\nposition = [\"s + l_S/2*sin(phi)\", \"-l_S/2*cos(phi)\", 0]\n"
                 "rotation = \"phi\"\ninertia  = \"m_S*(l_S^2 + b_S^2)/12\"",
                 body_keys, ""},
+    SectionSpec{"attitudes", true, "Orientations by unit quaternions. NAME brings the states NAME_0, NAME_1, NAME_2, NAME_3, and the velocities dot(NAME_x), dot(NAME_y), dot(NAME_z): the angular velocity about the axes of what turns. NAME_x, NAME_y and NAME_z have no values themselves.",
+                "[attitudes.e]\nstart_rate = [0.01, 2, 0]", attitude_keys, ""},
     SectionSpec{"springs", true, "Elastic forces with a potential energy.",
                 "[springs.wall]\nelongation = \"s - s_W0\"\nstiffness  = \"c_W\"", spring_keys, ""},
     SectionSpec{"dampers", true, "Resistances, whose power is dissipated.",
@@ -502,6 +515,9 @@ const char* describe(ValueType type) {
         case T::expressions: return "list of expressions";
         case T::matrix: return "list of rows";
         case T::points: return "list of [x, y]";
+        case T::turns: return "list of [\"x\", \"y\" or \"z\", angle]";
+        case T::tensor: return "expression, [Jx, Jy, Jz] or three rows";
+        case T::torque: return "expression or [x, y, z]";
         case T::pieces: return "list of [length, cells]";
         case T::table: return "expression or list of lists";
         case T::coordinate: return "coordinate";

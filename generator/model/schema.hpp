@@ -36,6 +36,9 @@ enum class ValueType {
     expressions,
     matrix,      ///< of expressions, or "?" for what is left out
     points,      ///< in the plane
+    turns,       ///< about axes, by angles
+    tensor,      ///< an expression, a list of three, or three rows
+    torque,      ///< an expression, or a vector
     pieces,      ///< of a length, each with the number of its cells
     table,       ///< of expressions, or one for all
     coordinate,

@@ -118,6 +118,12 @@ void visit(const Gravity& item, const SiteVisitor& visitor) {
     each(item.reference, constant_only, "reference");
 }
 
+void visit(const Attitude& item, const SiteVisitor& visitor) {
+    const Visit each(item, "attitude", visitor);
+    for (const ExpressionPtr& part : item.start) each(part, constant_only, "start");
+    for (const ExpressionPtr& rate : item.start_rate) each(rate, constant_only, "start rate");
+}
+
 void visit(const Body& item, const SiteVisitor& visitor) {
     const Visit each(item, "body", visitor);
     each(item.mass, constant_only, "mass");
@@ -125,6 +131,11 @@ void visit(const Body& item, const SiteVisitor& visitor) {
     each(item.rotation, on_configuration, "rotation");
     each(item.angular_velocity, on_motion, "angular velocity");
     each(item.inertia, constant_only, "inertia");
+    for (const auto& row : item.tensor)
+        for (const ExpressionPtr& moment : row) each(moment, constant_only, "inertia");
+    for (const Turn& turn : item.turns) each(turn.angle, on_configuration, "turns");
+    each(item.origin, on_configuration, "origin");
+    each(item.centre, on_configuration, "centre");
     each(item.on);
 }
 
@@ -154,6 +165,7 @@ void visit(const Force& item, const SiteVisitor& visitor) {
 void visit(const Torque& item, const SiteVisitor& visitor) {
     const Visit each(item, "torque", visitor);
     each(item.torque, on_state_and_inputs, "value");
+    each(item.vector, on_state_and_inputs, "value");
     each(item.on);
     each(item.against);
     each(item.rate, on_motion, "rate");
@@ -407,6 +419,7 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.states);
     all(model.outputs);
     if (model.gravity) visit(*model.gravity, visitor);
+    all(model.attitudes);
     all(model.bodies);
     all(model.springs);
     all(model.dampers);

@@ -21,7 +21,7 @@ std::vector<AuditEntry> compare_derivations(const System& system, Prover& prover
     const std::vector<ex> lagrange = euler_lagrange(system.kinetic, symbols);
     std::vector<AuditEntry> entries;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
-        const ex other = lagrange[j] + partial(system.potential_energy, symbols.get(SymbolKind::coordinate, j)) - system.dissipative[j] - system.supplied[j] - system.fluids.force[j];
+        const ex other = lagrange[j] + symbols.along(system.potential_energy, j) - system.dissipative[j] - system.supplied[j] - system.fluids.force[j];
         entries.push_back({fmt::format("d'Alembert = Euler-Lagrange, {}", symbols.all(SymbolKind::coordinate)[j].name), prover.equal(system.residual[j], other)});
     }
     return entries;
@@ -32,7 +32,7 @@ std::vector<AuditEntry> compare_potentials(const System& system, Prover& prover)
     for (const Potential& p : system.potentials) {
         AuditEntry entry{fmt::format("force = -d(energy)/dq, {}", p.name), {Verdict::proven}};
         for (std::size_t j = 0; j < system.symbols.degrees(); ++j) {
-            Comparison one = prover.equal(p.force[j], -partial(p.energy, system.symbols.get(SymbolKind::coordinate, j)));
+            Comparison one = prover.equal(p.force[j], -system.symbols.along(p.energy, j));
             if (is_worse(one.verdict, entry.result.verdict)) entry.result = std::move(one);
         }
         entries.push_back(std::move(entry));
@@ -132,7 +132,7 @@ std::vector<AuditEntry> compare_virtual_work(const System& system, Prover& prove
         for (std::size_t i = 0; i < motion.free.size(); ++i) {
             const ex force = -partial(motion.residual[i], lambda) * lambda;
             power += force * symbols.get(SymbolKind::velocity, motion.free[i]);
-            if (c.position && held.empty()) compare(force, lambda * partial(*c.position, symbols.get(SymbolKind::coordinate, motion.free[i])));
+            if (c.position && held.empty()) compare(force, lambda * symbols.along(*c.position, motion.free[i]));
         }
         const ex rate = c.whole_rate.subs(held, GiNaC::subs_options::no_pattern);
         compare(power, lambda * (rate - rate.subs(at_rest, GiNaC::subs_options::no_pattern)));

@@ -18,7 +18,7 @@ public:
         if (!start.broken.empty() || !start.broken_rates.empty()) refuse(start);
         for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity})
             for (const Variable& variable : system_.symbols.all(kind))
-                if (!values_.is_written(kind, variable.position)) values_.find(kind, variable.position, start.values.at(variable.symbol));
+                if (!values_.is_written(kind, variable.position) && (kind == SymbolKind::velocity || system_.symbols.has_value(variable.position))) values_.find(kind, variable.position, start.values.at(variable.symbol));
     }
 
 private:

@@ -80,7 +80,7 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
         const bool is_member = item.family.has_value();
         const std::string rate_unit = per_second(item.unit);
         add(SymbolKind::coordinate, member.name(), stays_positive(item, names), {item.name, member.index, is_member, item.unit.si(), item.doc, &item});
-        add(SymbolKind::velocity, "dot(" + member.name() + ")", false, {item.name, member.index, is_member, rate_unit, "time derivative of " + member.name()});
+        add(SymbolKind::velocity, "dot(" + member.name() + ")", false, {item.name, member.index, is_member, rate_unit, item.quasi_axis ? std::string("angular velocity about the own ") + "xyz"[*item.quasi_axis] + " axis" : "time derivative of " + member.name()});
         add(SymbolKind::acceleration, "ddot(" + member.name() + ")", false, {item.name, member.index, is_member, "", ""});
         if (!scene.modes.empty()) add(SymbolKind::jerk, "dot(ddot(" + member.name() + "))", false, {item.name, member.index, is_member, "", ""});
     }
@@ -93,12 +93,66 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
             {item.name, member.index, is_member, unit, item.root && !item.doc.empty() ? "root of: " + item.doc : item.doc, &item, item.root});
         add(SymbolKind::state_rate, "dot(" + name + ")", false, {item.name, member.index, is_member, "", "", nullptr, item.root});
     }
+    find_attitudes(scene);
     for (const auto& member : scene.constraints) {
         const std::string name = fmt::format("constraint_force[{}]", member.item->name);
         add(SymbolKind::multiplier, name, false, {"constraint_force_" + member.item->name});
         if (!scene.modes.empty()) add(SymbolKind::multiplier_rate, "dot(" + name + ")", false, {"constraint_force_" + member.item->name});
         add(SymbolKind::residual, fmt::format("residual[{}]", member.item->name), false, {"residual_" + member.item->name});
     }
+}
+
+void Symbols::find_attitudes(const Scene& scene) {
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
+        const Coordinate& item = *scene.coordinates[i].item;
+        places_.push_back(item.quasi_axis ? std::nullopt : std::optional(next++));
+        if (item.quasi_axis != 0) continue;
+        AttitudeSymbols attitude{{i, i + 1, i + 2}, {}};  // made one after the other
+        const std::string first = item.name.substr(0, item.name.size() - 1) + "0";
+        for (std::size_t part = 0; part < 4; ++part) attitude.parts[part] = find(SymbolKind::state, first, 0)->position + part;
+        attitudes_.push_back(attitude);
+    }
+}
+
+std::size_t Symbols::place(SymbolKind kind, std::size_t position) const {
+    if (kind == SymbolKind::coordinate) return places_[position].value();
+    return kind == SymbolKind::velocity ? positions() + position : positions() + degrees() + position;
+}
+
+std::vector<const Variable*> Symbols::state_variables() const {
+    std::vector<const Variable*> result;
+    for (const Variable& q : all(SymbolKind::coordinate))
+        if (has_value(q.position)) result.push_back(&q);
+    for (const SymbolKind kind : {SymbolKind::velocity, SymbolKind::state})
+        for (const Variable& variable : all(kind)) result.push_back(&variable);
+    return result;
+}
+
+/// de = e*(0, axis)/2
+ex Symbols::quaternion_slope(const AttitudeSymbols& attitude, std::size_t part, std::size_t axis) const {
+    const auto e = [&](std::size_t i) { return get(SymbolKind::state, attitude.parts[i]); };
+    const std::size_t w = axis + 1;
+    if (part == 0) return -e(w) / 2;
+    if (part == w) return e(0) / 2;
+    const bool follows = part % 3 + 1 == w;  // (part, w, other) is cyclic
+    const std::size_t other = 6 - part - w;
+    return follows ? -e(other) / 2 : e(other) / 2;
+}
+
+ex Symbols::along(const ex& e, std::size_t coordinate) const {
+    if (has_value(coordinate)) return partial(e, get(SymbolKind::coordinate, coordinate));
+    for (const AttitudeSymbols& attitude : attitudes_)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (attitude.coordinates[axis] != coordinate) continue;
+            GiNaC::exvector terms;
+            for (std::size_t part = 0; part < 4; ++part) {
+                const ex slope = partial(e, get(SymbolKind::state, attitude.parts[part]));
+                if (!slope.is_zero()) terms.push_back(slope * quaternion_slope(attitude, part, axis));
+            }
+            return GiNaC::add(terms);
+        }
+    return 0;
 }
 
 void Symbols::add(SymbolKind kind, const std::string& name, bool positive, Origin origin) {
@@ -228,7 +282,15 @@ ex Symbols::time_derivative(const ex& e) const {
             case SymbolKind::time: return 1;
             case SymbolKind::coordinate: return get(SymbolKind::velocity, variable->position);
             case SymbolKind::velocity: return get(SymbolKind::acceleration, variable->position);
-            case SymbolKind::state: return get(SymbolKind::state_rate, variable->position);
+            case SymbolKind::state: {
+                for (const AttitudeSymbols& attitude : attitudes_) {
+                    if (variable->position < attitude.parts[0] || variable->position > attitude.parts[3]) continue;
+                    ex rate = 0;
+                    for (std::size_t axis = 0; axis < 3; ++axis) rate += quaternion_slope(attitude, variable->position - attitude.parts[0], axis) * get(SymbolKind::velocity, attitude.coordinates[axis]);
+                    return rate;
+                }
+                return get(SymbolKind::state_rate, variable->position);
+            }
             case SymbolKind::acceleration: return count(SymbolKind::jerk) == 0 ? ex(0) : get(SymbolKind::jerk, variable->position);
             case SymbolKind::multiplier: return count(SymbolKind::multiplier_rate) == 0 ? ex(0) : get(SymbolKind::multiplier_rate, variable->position);
             default: return 0;

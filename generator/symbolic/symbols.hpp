@@ -75,6 +75,26 @@ public:
     /// Degrees of freedom and number of plain states.
     std::size_t degrees() const { return count(SymbolKind::coordinate); }
     std::size_t states() const { return count(SymbolKind::state); }
+    /// Coordinates that have a value: all but those of attitudes, of which there is only the rate.
+    std::size_t positions() const { return degrees() - 3 * attitudes_.size(); }
+    bool has_value(std::size_t coordinate) const { return places_[coordinate].has_value(); }
+    /// Where a coordinate that has a value, a velocity or a plain state stands in x = [q; v; z].
+    std::size_t place(SymbolKind kind, std::size_t position) const;
+    /// The variables of x, in its order.
+    std::vector<const Variable*> state_variables() const;
+    std::size_t state_count() const { return positions() + degrees() + states(); }
+
+    /// The derivative along a coordinate at fixed others: by the coordinate, or for one of an attitude in the direction in which the
+    /// quaternion moves when the body turns about that axis.
+    GiNaC::ex along(const GiNaC::ex& e, std::size_t coordinate) const;
+    /// By position: the coordinates about x, y and z, and the quaternion among the plain states.
+    struct AttitudeSymbols {
+        std::array<std::size_t, 3> coordinates;
+        std::array<std::size_t, 4> parts;
+    };
+    const std::vector<AttitudeSymbols>& attitudes() const { return attitudes_; }
+    /// d(part of the quaternion)/d(angle turned about an axis): linear in the quaternion.
+    GiNaC::ex quaternion_slope(const AttitudeSymbols& attitude, std::size_t part, std::size_t axis) const;
 
     /// Null when the scene has no such variable.
     const Variable* find(SymbolKind kind, const std::string& base, int index) const;
@@ -118,6 +138,7 @@ private:
         bool is_root = false;
     };
     void add(SymbolKind kind, const std::string& name, bool positive, Origin origin);
+    void find_attitudes(const Scene& scene);
     GiNaC::ex slope(std::size_t step, std::size_t parameter) const;
     GiNaC::ex written_out(std::size_t step, Depth depth) const;
     double size_of(const GiNaC::ex& e, const std::vector<double>& sizes) const;
@@ -126,6 +147,8 @@ private:
     static constexpr std::size_t kinds = static_cast<std::size_t>(SymbolKind::residual) + 1;
     std::array<std::vector<Variable>, kinds> variables_;
     std::unordered_map<std::string, std::pair<SymbolKind, std::size_t>> by_name_;  ///< names are unique in a scene
+    std::vector<AttitudeSymbols> attitudes_;
+    std::vector<std::optional<std::size_t>> places_;  ///< of coordinates in q
     std::vector<GiNaC::ex> definition_values_;
     std::vector<GiNaC::ex> expanded_definitions_;
     std::vector<Step> steps_;

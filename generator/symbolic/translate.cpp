@@ -102,6 +102,8 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
     static constexpr SymbolKind kinds[]{SymbolKind::letter, SymbolKind::parameter, SymbolKind::definition, SymbolKind::coordinate,
                                         SymbolKind::input,  SymbolKind::state,     SymbolKind::letter,     SymbolKind::letter};
     if (named->kind == Named::Kind::mode) return is_in_mode(e);
+    if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index); variable != nullptr && variable->kind == SymbolKind::coordinate && !symbols_.has_value(variable->position))
+        fail(Id::not_allowed_here, e, fmt::format("'{0}' has no value: turns about different axes do not add up to angles. There is dot({0}), the angular velocity about that axis of the body", e.written()), {{named->item->span, "the attitude is defined here"}});
     if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index))
         return variable->is_root ? GiNaC::pow(variable->symbol, 2) : variable->symbol;
     if (named->kind == Named::Kind::definition || named->kind == Named::Kind::output) {
@@ -148,6 +150,10 @@ ex Translator::rate(const Expression& e, const ex& value) const {
 
 ex Translator::call(const Expression& e, const Indices& indices, const Letters& letters) const {
     const auto part = [&](std::size_t i) { return visit(*e.children[i], indices, letters); };
+    if (e.name == "dot" && e.children[0]->kind == Kind::name)
+        if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0); q != nullptr && !symbols_.has_value(q->position)) return symbols_.get(SymbolKind::velocity, q->position);
+    if (e.name == "ddot" && e.children[0]->kind == Kind::name)
+        if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0); q != nullptr && !symbols_.has_value(q->position)) return symbols_.get(SymbolKind::acceleration, q->position);
     if (e.name == "dot") return rate(e, part(0));
     if (e.name == "ddot") return rate(e, rate(e, part(0)));
     if (e.name == "diff") {

@@ -161,9 +161,7 @@ void add_steps(GiNaC::exmap& point, const Symbols& symbols, int digits) {
 std::vector<ex> Values::state() const {
     std::vector<ex> result;
     const GiNaC::exmap map = substitution();
-    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
-        for (std::size_t i = 0; i < translate_.symbols().count(kind); ++i)
-            result.push_back(values_.at(key(kind, i)).subs(map, GiNaC::subs_options::no_pattern));
+    for (const Variable* variable : translate_.symbols().state_variables()) result.push_back(values_.at(key(variable->kind, variable->position)).subs(map, GiNaC::subs_options::no_pattern));
     return result;
 }
 

@@ -54,6 +54,7 @@ constexpr std::array kinds{
     DiagnosticKind{Id::inconsistent_medium, "inconsistent-medium", "a medium whose laws contradict each other"},
     DiagnosticKind{Id::wrong_medium, "wrong-medium", "a flow or volume whose law does not fit the medium"},
     DiagnosticKind{Id::wrong_enclosure, "wrong-enclosure", "surfaces that cannot see each other as the model says"},
+    DiagnosticKind{Id::wrong_inertia, "wrong-inertia", "an inertia that no body can have"},
     DiagnosticKind{Id::wrong_modes, "wrong-modes", "modes and events that cannot work together"},
     DiagnosticKind{Id::undetermined, "undetermined", "a state or volume that nothing determines"},
     DiagnosticKind{Id::doubly_determined, "doubly-determined", "two things that fix the same quantity"},

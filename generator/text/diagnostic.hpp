@@ -56,6 +56,7 @@ enum class Id {
     inconsistent_medium,
     wrong_medium,
     wrong_enclosure,
+    wrong_inertia,
     wrong_modes,
     undetermined,
     doubly_determined,
