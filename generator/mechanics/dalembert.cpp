@@ -22,12 +22,13 @@ struct Inertia {
 };
 
 /// From the velocity itself, in axes that turn with omega: J_j = dv/dqd_j, and of the acceleration dv/dt + omega x v what does not contain qdd.
-Inertia moving(const ex& weight, const SpaceVector& velocity, const SpaceVector& omega, const SpaceMatrix* tensor, const Symbols& symbols) {
+Inertia moving(const ex& weight, const SpaceVector& velocity, const SpaceVector& omega, const SpaceMatrix* tensor, bool is_in_chain, const Symbols& symbols) {
     Inertia result{weight, {}, velocity, {}, tensor};
+    const auto as_letters = [&](const SpaceVector& v) { return is_in_chain ? kept(v) : v; };
     GiNaC::exmap still, unaccelerated;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
         const ex& qd = symbols.get(SymbolKind::velocity, j);
-        result.jacobian.push_back(partial(velocity, qd));
+        result.jacobian.push_back(as_letters(partial(velocity, qd)));
         still[qd] = 0;
         unaccelerated[symbols.get(SymbolKind::acceleration, j)] = 0;
     }
@@ -36,8 +37,8 @@ Inertia moving(const ex& weight, const SpaceVector& velocity, const SpaceVector&
         result.drift[i] = velocity[i].subs(still, GiNaC::subs_options::no_pattern);
         rate[i] = rate[i].subs(unaccelerated, GiNaC::subs_options::no_pattern);
     }
-    const SpaceVector remainder = result.image(rate) + cross(omega, result.image(velocity));
-    if (!is_zero(remainder)) result.remainder.emplace_back(remainder, 1);
+    const SpaceVector remainder = result.image(as_letters(rate)) + cross(as_letters(omega), result.image(as_letters(velocity)));
+    if (!is_zero(remainder)) result.remainder.emplace_back(as_letters(remainder), 1);
     return result;
 }
 
@@ -115,8 +116,8 @@ InertialForces dalembert(const std::vector<BodyMotion>& bodies, const Symbols& s
     for (const BodyMotion& body : bodies) {
         const SpaceVector still{0, 0, 0};
         const bool is_plain = body.is_seen_from_ground && symbols.attitudes().empty();
-        if (!body.mass.is_zero()) inertias.push_back(is_plain ? translation(body, symbols) : moving(body.mass, body.used_velocity(), body.is_seen_from_ground ? still : body.frame->angular_velocity, nullptr, symbols));
-        if (body.has_tensor()) inertias.push_back(moving(1, body.frame->angular_velocity, body.frame->angular_velocity, &body.tensor, symbols));
+        if (!body.mass.is_zero()) inertias.push_back(is_plain ? translation(body, symbols) : moving(body.mass, body.used_velocity(), body.is_seen_from_ground ? still : body.frame->angular_velocity, nullptr, body.frame && body.frame->base, symbols));
+        if (body.has_tensor()) inertias.push_back(moving(1, body.frame->angular_velocity, body.frame->angular_velocity, &body.tensor, body.frame->base != nullptr, symbols));
         if (!body.inertia.is_zero()) inertias.push_back(rotation(body, symbols));
     }
     InertialForces result{GiNaC::matrix(static_cast<unsigned>(n), static_cast<unsigned>(n)), std::vector<ex>(n, 0), 0};

@@ -9,10 +9,6 @@ using GiNaC::ex;
 
 namespace {
 
-/// A sum that stays one letter in everything that is made of it.
-ex kept(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) ? ex(whole(e)) : e; }
-SpaceVector kept(const SpaceVector& v) { return {kept(v[0]), kept(v[1]), kept(v[2])}; }
-
 SpaceMatrix product(const SpaceMatrix& a, const SpaceMatrix& b) {
     SpaceMatrix result;
     for (std::size_t i = 0; i < 3; ++i)
@@ -28,6 +24,11 @@ SpaceMatrix turned_about(std::size_t axis, const ex& angle) {
 }
 
 }  // namespace
+
+SpaceVector kept(const SpaceVector& v) {
+    const auto one = [](const ex& e) { return GiNaC::is_a<GiNaC::add>(e) ? ex(whole(e)) : e; };
+    return {one(v[0]), one(v[1]), one(v[2])};
+}
 
 SpaceVector operator+(const SpaceVector& a, const SpaceVector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 SpaceVector operator*(const SpaceMatrix& m, const SpaceVector& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }

@@ -18,6 +18,8 @@ SpaceVector cross(const SpaceVector& a, const SpaceVector& b);
 SpaceMatrix transposed(const SpaceMatrix& m);
 SpaceVector time_derivative(const SpaceVector& v, const Symbols& symbols);
 bool is_zero(const SpaceVector& v);
+/// Sums that stay letters in everything that is made of them: along a chain, products of sums of products would grow without end.
+SpaceVector kept(const SpaceVector& v);
 
 struct Frame {
     std::shared_ptr<const Frame> base;   ///< null: the ground
