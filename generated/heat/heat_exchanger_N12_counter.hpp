@@ -16,14 +16,14 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 4     32     8        0      0
+//   update                 4     30     8        0      0
 //   rhs                   50     74     0        0      0
 //   rhs_and_jacobian      52     74     0        0      0
 //   jacobian_u            24     28     0        0      0
 //   jacobian_p           184    375     5        0      0
 //   output                27     16     4        0      3
 //   output_jacobian_x      3      5     2        0      1
-//   output_jacobian_u     39     48     4        0      6
+//   output_jacobian_u     40     49     4        0      6
 //   internal_energy       23      6     0        0      0
 //   exchanged_power        3      4     0        0      0
 //
@@ -302,7 +302,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 4 + or -, 32 *, 8 /
+    /// Operations: 4 + or -, 30 *, 8 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.k = Scalar(1) / (Scalar(1) / p_.alpha_h + Scalar(1) / p_.alpha_c);
@@ -327,16 +327,12 @@ public:
         const Scalar e11 = c_.k * e3;
         c_.k8 = e11;
         const Scalar e11_squared = e11 * e11;
-        const Scalar e12 = p_.c_h * e11_squared;
-        c_.k9 = e11 * e12;
-        c_.k10 = e12;
-        c_.k11 = (Scalar(1) / Scalar(12)) * p_.c_h * e5;
-        c_.k12 = (Scalar(1) / Scalar(12)) * p_.c_h * e8;
-        const Scalar e13 = p_.c_c * e11_squared;
-        c_.k13 = e11 * e13;
-        c_.k14 = e13;
-        c_.k15 = (Scalar(1) / Scalar(12)) * p_.c_c * e5;
-        c_.k16 = (Scalar(1) / Scalar(12)) * p_.c_c * e8;
+        c_.k9 = p_.c_h * e11_squared;
+        c_.k10 = (Scalar(1) / Scalar(12)) * p_.c_h * e5;
+        c_.k11 = (Scalar(1) / Scalar(12)) * p_.c_h * e8;
+        c_.k12 = p_.c_c * e11_squared;
+        c_.k13 = (Scalar(1) / Scalar(12)) * p_.c_c * e5;
+        c_.k14 = (Scalar(1) / Scalar(12)) * p_.c_c * e8;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -1207,39 +1203,38 @@ public:
     }
 
     /// D = dh/du.
-    /// Operations: 39 + or -, 48 *, 4 /, 6 other functions
+    /// Operations: 40 + or -, 49 *, 4 /, 6 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         const Scalar m_h = u[0];
         const Scalar e1 = p_.c_h * m_h;
         const Scalar m_c = u[1];
         const Scalar e2 = p_.c_c * m_c;
-        const Scalar e3 = e1 - e2;
-        const Scalar step_4 = detail::step<Scalar>(e3);
+        const Scalar min_3 = detail::min<Scalar>(e1, e2);
+        const Scalar max_4 = detail::max<Scalar>(e1, e2);
+        const Scalar inverse_5 = Scalar(1) / max_4;
+        const Scalar inverse_6 = Scalar(1) / min_3;
+        const Scalar e7 = (Scalar(1) - min_3 * inverse_5) * inverse_6;
+        const Scalar e8 = c_.k8 * e7;
+        const Scalar decay_mean_9 = detail::decay_mean<Scalar>(e8);
+        const Scalar e10 = c_.k8 * inverse_5;
+        const Scalar inverse_11 = Scalar(1) / (Scalar(1) + decay_mean_9 * e10);
         const Scalar T_hi = u[2];
         const Scalar T_ci = u[3];
-        const Scalar e5 = T_hi - T_ci;
-        const Scalar min_6 = detail::min<Scalar>(e1, e2);
-        const Scalar max_7 = detail::max<Scalar>(e1, e2);
-        const Scalar inverse_8 = Scalar(1) / max_7;
-        const Scalar inverse_9 = Scalar(1) / min_6;
-        const Scalar e10 = (Scalar(1) - min_6 * inverse_8) * inverse_9;
-        const Scalar e11 = c_.k8 * e10;
-        const Scalar decay_mean_12 = detail::decay_mean<Scalar>(e11);
-        const Scalar inverse_13 = Scalar(1) / (Scalar(1) + c_.k8 * decay_mean_12 * inverse_8);
-        const Scalar e14 = decay_mean_12 * inverse_13;
-        const Scalar inverse_8_squared = inverse_8 * inverse_8;
-        const Scalar e15 = e5 * e14 * (e14 * inverse_8_squared);
-        const Scalar e16 = inverse_8 * e14;
-        const Scalar decay_mean_slope_17 = detail::decay_mean_slope<Scalar>(e11);
-        const Scalar e18 = e5 * (decay_mean_slope_17 * inverse_13);
-        const Scalar e19 = step_4 * e18;
-        const Scalar e20 = inverse_9 * (inverse_8 + e10);
-        const Scalar step_21 = detail::step<Scalar>(-e3);
-        const Scalar e22 = step_21 * e18;
-        const Scalar inverse_23 = Scalar(1) / e5;
-        const Scalar e24 = inverse_9 * inverse_23;
-        const Scalar e25 = inverse_9 * e24;
-        const Scalar e26 = step_21 * e25;
+        const Scalar e12 = T_hi - T_ci;
+        const Scalar e13 = inverse_11 * e12;
+        const Scalar e14 = e1 - e2;
+        const Scalar step_15 = detail::step<Scalar>(-e14);
+        const Scalar step_16 = detail::step<Scalar>(e14);
+        const Scalar inverse_5_squared = inverse_5 * inverse_5;
+        const Scalar e17 = step_16 * inverse_5_squared;
+        const Scalar decay_mean_slope_18 = detail::decay_mean_slope<Scalar>(e8);
+        const Scalar e19 = decay_mean_slope_18 * inverse_6;
+        const Scalar e20 = (step_15 * inverse_5 - min_3 * e17 + step_15 * e7) * e19;
+        const Scalar e21 = decay_mean_9 * inverse_11;
+        const Scalar inverse_22 = Scalar(1) / e12;
+        const Scalar e23 = inverse_6 * inverse_22;
+        const Scalar e24 = inverse_6 * e23;
+        const Scalar e25 = step_15 * e24;
         const Scalar T_c_9 = x[20];
         const Scalar T_c_10 = x[21];
         const Scalar T_c_11 = x[22];
@@ -1252,7 +1247,7 @@ public:
         const Scalar T_c_6 = x[17];
         const Scalar T_c_7 = x[18];
         const Scalar T_c_8 = x[19];
-        const Scalar e27 = T_c_9 + T_c_10 + (T_c_11 + T_c_12)
+        const Scalar e26 = T_c_9 + T_c_10 + (T_c_11 + T_c_12)
             + (T_c_1 + T_c_2 + (T_c_3 + T_c_4) + (T_c_5 + T_c_6 + (T_c_7 + T_c_8)));
         const Scalar T_h_9 = x[8];
         const Scalar T_h_10 = x[9];
@@ -1266,32 +1261,34 @@ public:
         const Scalar T_h_6 = x[5];
         const Scalar T_h_7 = x[6];
         const Scalar T_h_8 = x[7];
-        const Scalar e28 = T_h_9 + T_h_10 + (T_h_11 + T_h_12)
+        const Scalar e27 = T_h_9 + T_h_10 + (T_h_11 + T_h_12)
             + (T_h_1 + T_h_2 + (T_h_3 + T_h_4) + (T_h_5 + T_h_6 + (T_h_7 + T_h_8)));
-        const Scalar e29 = step_4 * e25;
-        const Scalar e30 = c_.k8 * e14;
-        const Scalar e31 = inverse_23 * e24;
-        const Scalar e32 = c_.k6 * e31 * e28 - c_.k7 * e31 * e27;
+        const Scalar e28 = step_15 * inverse_5_squared;
+        const Scalar e29 = (step_16 * inverse_5 - min_3 * e28 + step_16 * e7) * e19;
+        const Scalar e30 = step_16 * e24;
+        const Scalar e31 = c_.k8 * e21;
+        const Scalar e32 = inverse_22 * e23;
+        const Scalar e33 = c_.k6 * e32 * e27 - c_.k7 * e32 * e26;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = c_.k10 * step_4 * e15 - (c_.k9 * e16 - c_.k10) * (inverse_8_squared * e19 - e20 * e22);
-        D[4] = c_.k12 * e26 * e27 - c_.k11 * e26 * e28;
+        D[3] = c_.k9 * e13 * ((e10 * e20 + decay_mean_9 * e17) * e21 - e20);
+        D[4] = c_.k11 * e25 * e26 - c_.k10 * e25 * e27;
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
-        D[8] = (c_.k13 * e16 - c_.k14) * (e20 * e19 - inverse_8_squared * e22) + c_.k14 * step_21 * e15;
-        D[9] = c_.k16 * e29 * e27 - c_.k15 * e29 * e28;
+        D[8] = c_.k12 * e13 * ((e10 * e29 + decay_mean_9 * e28) * e21 - e29);
+        D[9] = c_.k14 * e30 * e26 - c_.k13 * e30 * e27;
         D[10] = Scalar(0);
         D[11] = Scalar(0);
         D[12] = Scalar(0);
-        D[13] = e30;
-        D[14] = -e32;
+        D[13] = e31;
+        D[14] = -e33;
         D[15] = Scalar(0);
         D[16] = Scalar(0);
         D[17] = Scalar(0);
-        D[18] = -e30;
-        D[19] = e32;
+        D[18] = -e31;
+        D[19] = e33;
     }
 
     /// T in joules.
@@ -1396,14 +1393,12 @@ private:
         Scalar k6;  ///< L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))/12
         Scalar k7;  ///< L*b*alpha_h*alpha_c/(12*(alpha_h + alpha_c))
         Scalar k8;  ///< L*b*k
-        Scalar k9;  ///< L^3*b^3*c_h*k^3
-        Scalar k10;  ///< L^2*b^2*c_h*k^2
-        Scalar k11;  ///< L*b*alpha_h*c_h*(1 - alpha_h/(alpha_h + alpha_c))/12
-        Scalar k12;  ///< L*b*alpha_h*alpha_c*c_h/(12*(alpha_h + alpha_c))
-        Scalar k13;  ///< L^3*b^3*c_c*k^3
-        Scalar k14;  ///< L^2*b^2*c_c*k^2
-        Scalar k15;  ///< L*b*alpha_h*c_c*(1 - alpha_h/(alpha_h + alpha_c))/12
-        Scalar k16;  ///< L*b*alpha_h*alpha_c*c_c/(12*(alpha_h + alpha_c))
+        Scalar k9;  ///< L^2*b^2*c_h*k^2
+        Scalar k10;  ///< L*b*alpha_h*c_h*(1 - alpha_h/(alpha_h + alpha_c))/12
+        Scalar k11;  ///< L*b*alpha_h*alpha_c*c_h/(12*(alpha_h + alpha_c))
+        Scalar k12;  ///< L^2*b^2*c_c*k^2
+        Scalar k13;  ///< L*b*alpha_h*c_c*(1 - alpha_h/(alpha_h + alpha_c))/12
+        Scalar k14;  ///< L*b*alpha_h*alpha_c*c_c/(12*(alpha_h + alpha_c))
     };
     Cached c_{};
 };

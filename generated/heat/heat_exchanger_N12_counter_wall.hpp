@@ -15,14 +15,14 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     23     9        0      0
+//   update                 2     21     9        0      0
 //   rhs                   84     76     0        0      0
 //   rhs_and_jacobian      87     76     0        0      0
 //   jacobian_u            24     28     0        0      0
 //   jacobian_p           192    303     6        0      0
 //   output                26     13     4        0      3
 //   output_jacobian_x      3      4     2        0      1
-//   output_jacobian_u     39     41     4        0      6
+//   output_jacobian_u     40     42     4        0      6
 //   internal_energy       35      9     0        0      0
 //   exchanged_power        3      4     0        0      0
 //
@@ -324,7 +324,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 23 *, 9 /
+    /// Operations: 2 + or -, 21 *, 9 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.k = Scalar(1) / (Scalar(1) / p_.alpha_h + Scalar(1) / p_.alpha_c);
@@ -347,14 +347,10 @@ public:
         const Scalar e9 = c_.k * e2;
         c_.k8 = e9;
         const Scalar e9_squared = e9 * e9;
-        const Scalar e10 = p_.c_h * e9_squared;
-        c_.k9 = e9 * e10;
-        c_.k10 = e10;
-        c_.k11 = (Scalar(1) / Scalar(12)) * p_.c_h * e3;
-        const Scalar e11 = p_.c_c * e9_squared;
-        c_.k12 = e9 * e11;
-        c_.k13 = e11;
-        c_.k14 = (Scalar(1) / Scalar(12)) * p_.c_c * e3;
+        c_.k9 = p_.c_h * e9_squared;
+        c_.k10 = (Scalar(1) / Scalar(12)) * p_.c_h * e3;
+        c_.k11 = p_.c_c * e9_squared;
+        c_.k12 = (Scalar(1) / Scalar(12)) * p_.c_c * e3;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -1535,37 +1531,36 @@ public:
     }
 
     /// D = dh/du.
-    /// Operations: 39 + or -, 41 *, 4 /, 6 other functions
+    /// Operations: 40 + or -, 42 *, 4 /, 6 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         const Scalar m_h = u[0];
         const Scalar e1 = p_.c_h * m_h;
         const Scalar m_c = u[1];
         const Scalar e2 = p_.c_c * m_c;
-        const Scalar e3 = e1 - e2;
-        const Scalar step_4 = detail::step<Scalar>(e3);
+        const Scalar min_3 = detail::min<Scalar>(e1, e2);
+        const Scalar max_4 = detail::max<Scalar>(e1, e2);
+        const Scalar inverse_5 = Scalar(1) / max_4;
+        const Scalar inverse_6 = Scalar(1) / min_3;
+        const Scalar e7 = (Scalar(1) - min_3 * inverse_5) * inverse_6;
+        const Scalar e8 = c_.k8 * e7;
+        const Scalar decay_mean_9 = detail::decay_mean<Scalar>(e8);
+        const Scalar e10 = c_.k8 * inverse_5;
+        const Scalar inverse_11 = Scalar(1) / (Scalar(1) + decay_mean_9 * e10);
         const Scalar T_hi = u[2];
         const Scalar T_ci = u[3];
-        const Scalar e5 = T_hi - T_ci;
-        const Scalar min_6 = detail::min<Scalar>(e1, e2);
-        const Scalar max_7 = detail::max<Scalar>(e1, e2);
-        const Scalar inverse_8 = Scalar(1) / max_7;
-        const Scalar inverse_9 = Scalar(1) / min_6;
-        const Scalar e10 = (Scalar(1) - min_6 * inverse_8) * inverse_9;
-        const Scalar e11 = c_.k8 * e10;
-        const Scalar decay_mean_12 = detail::decay_mean<Scalar>(e11);
-        const Scalar inverse_13 = Scalar(1) / (Scalar(1) + c_.k8 * decay_mean_12 * inverse_8);
-        const Scalar e14 = decay_mean_12 * inverse_13;
-        const Scalar inverse_8_squared = inverse_8 * inverse_8;
-        const Scalar e15 = e5 * e14 * (e14 * inverse_8_squared);
-        const Scalar e16 = inverse_8 * e14;
-        const Scalar decay_mean_slope_17 = detail::decay_mean_slope<Scalar>(e11);
-        const Scalar e18 = e5 * (decay_mean_slope_17 * inverse_13);
-        const Scalar e19 = step_4 * e18;
-        const Scalar e20 = inverse_9 * (inverse_8 + e10);
-        const Scalar step_21 = detail::step<Scalar>(-e3);
-        const Scalar e22 = step_21 * e18;
-        const Scalar inverse_23 = Scalar(1) / e5;
-        const Scalar e24 = inverse_9 * inverse_23;
+        const Scalar e12 = T_hi - T_ci;
+        const Scalar e13 = inverse_11 * e12;
+        const Scalar e14 = e1 - e2;
+        const Scalar step_15 = detail::step<Scalar>(-e14);
+        const Scalar step_16 = detail::step<Scalar>(e14);
+        const Scalar inverse_5_squared = inverse_5 * inverse_5;
+        const Scalar e17 = step_16 * inverse_5_squared;
+        const Scalar decay_mean_slope_18 = detail::decay_mean_slope<Scalar>(e8);
+        const Scalar e19 = decay_mean_slope_18 * inverse_6;
+        const Scalar e20 = (step_15 * inverse_5 - min_3 * e17 + step_15 * e7) * e19;
+        const Scalar e21 = decay_mean_9 * inverse_11;
+        const Scalar inverse_22 = Scalar(1) / e12;
+        const Scalar e23 = inverse_6 * inverse_22;
         const Scalar T_h_9 = x[8];
         const Scalar T_w_9 = x[32];
         const Scalar T_h_10 = x[9];
@@ -1590,33 +1585,35 @@ public:
         const Scalar T_w_7 = x[30];
         const Scalar T_h_8 = x[7];
         const Scalar T_w_8 = x[31];
-        const Scalar e25 = T_h_9 - T_w_9 + (T_h_10 - T_w_10) + (T_h_11 - T_w_11 + (T_h_12 - T_w_12));
-        const Scalar e26 = T_h_1 - T_w_1 + (T_h_2 - T_w_2) + (T_h_3 - T_w_3 + (T_h_4 - T_w_4))
+        const Scalar e24 = T_h_9 - T_w_9 + (T_h_10 - T_w_10) + (T_h_11 - T_w_11 + (T_h_12 - T_w_12));
+        const Scalar e25 = T_h_1 - T_w_1 + (T_h_2 - T_w_2) + (T_h_3 - T_w_3 + (T_h_4 - T_w_4))
             + (T_h_5 - T_w_5 + (T_h_6 - T_w_6) + (T_h_7 - T_w_7 + (T_h_8 - T_w_8)));
-        const Scalar e27 = e25 + e26;
-        const Scalar e28 = inverse_9 * e24 * e27;
-        const Scalar e29 = c_.k8 * e14;
-        const Scalar e30 = e24 * (c_.k7 * inverse_23) * e27;
+        const Scalar e26 = e24 + e25;
+        const Scalar e27 = inverse_6 * e23 * e26;
+        const Scalar e28 = step_15 * inverse_5_squared;
+        const Scalar e29 = (step_16 * inverse_5 - min_3 * e28 + step_16 * e7) * e19;
+        const Scalar e30 = c_.k8 * e21;
+        const Scalar e31 = e23 * (c_.k7 * inverse_22) * e26;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = c_.k10 * step_4 * e15 - (c_.k9 * e16 - c_.k10) * (inverse_8_squared * e19 - e20 * e22);
-        D[4] = -c_.k11 * step_21 * e28;
+        D[3] = c_.k9 * e13 * ((e10 * e20 + decay_mean_9 * e17) * e21 - e20);
+        D[4] = -c_.k10 * step_15 * e27;
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
-        D[8] = (c_.k12 * e16 - c_.k13) * (e20 * e19 - inverse_8_squared * e22) + c_.k13 * step_21 * e15;
-        D[9] = -c_.k14 * step_4 * e28;
+        D[8] = c_.k11 * e13 * ((e10 * e29 + decay_mean_9 * e28) * e21 - e29);
+        D[9] = -c_.k12 * step_16 * e27;
         D[10] = Scalar(0);
         D[11] = Scalar(0);
         D[12] = Scalar(0);
-        D[13] = e29;
-        D[14] = -e30;
+        D[13] = e30;
+        D[14] = -e31;
         D[15] = Scalar(0);
         D[16] = Scalar(0);
         D[17] = Scalar(0);
-        D[18] = -e29;
-        D[19] = e30;
+        D[18] = -e30;
+        D[19] = e31;
     }
 
     /// T in joules.
@@ -1737,12 +1734,10 @@ private:
         Scalar k6;  ///< L*b*(alpha_h + alpha_c)/(M_w*c_w)
         Scalar k7;  ///< L*b*alpha_h/12
         Scalar k8;  ///< L*b*k
-        Scalar k9;  ///< L^3*b^3*c_h*k^3
-        Scalar k10;  ///< L^2*b^2*c_h*k^2
-        Scalar k11;  ///< L*b*alpha_h*c_h/12
-        Scalar k12;  ///< L^3*b^3*c_c*k^3
-        Scalar k13;  ///< L^2*b^2*c_c*k^2
-        Scalar k14;  ///< L*b*alpha_h*c_c/12
+        Scalar k9;  ///< L^2*b^2*c_h*k^2
+        Scalar k10;  ///< L*b*alpha_h*c_h/12
+        Scalar k11;  ///< L^2*b^2*c_c*k^2
+        Scalar k12;  ///< L*b*alpha_h*c_c/12
     };
     Cached c_{};
 };

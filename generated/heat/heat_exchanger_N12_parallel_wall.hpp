@@ -23,7 +23,7 @@
 //   jacobian_p           192    303     6        0      0
 //   output                28     18     5        0      4
 //   output_jacobian_x      3      4     2        0      1
-//   output_jacobian_u     45     49     5        0      8
+//   output_jacobian_u     44     50     5        0      8
 //   internal_energy       35      9     0        0      0
 //   exchanged_power        3      4     0        0      0
 //
@@ -1624,30 +1624,31 @@ public:
     }
 
     /// D = dh/du.
-    /// Operations: 45 + or -, 49 *, 5 /, 8 other functions
+    /// Operations: 44 + or -, 50 *, 5 /, 8 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
-        const Scalar m_h = u[0];
-        const Scalar e1 = p_.c_h * m_h;
-        const Scalar m_c = u[1];
-        const Scalar e2 = p_.c_c * m_c;
-        const Scalar min_3 = detail::min<Scalar>(e1, e2);
-        const Scalar max_4 = detail::max<Scalar>(e1, e2);
-        const Scalar inverse_5 = Scalar(1) / max_4;
-        const Scalar inverse_6 = Scalar(1) / min_3;
-        const Scalar e7 = (Scalar(1) + min_3 * inverse_5) * inverse_6;
-        const Scalar e8 = c_.k8 * e7;
-        const Scalar decay_mean_slope_9 = detail::decay_mean_slope<Scalar>(e8);
         const Scalar T_hi = u[2];
         const Scalar T_ci = u[3];
-        const Scalar e10 = T_hi - T_ci;
-        const Scalar e11 = decay_mean_slope_9 * e10;
-        const Scalar e12 = e1 - e2;
-        const Scalar step_13 = detail::step<Scalar>(e12);
-        const Scalar inverse_5_squared = inverse_5 * inverse_5;
-        const Scalar step_14 = detail::step<Scalar>(-e12);
-        const Scalar e15 = inverse_6 * (e7 - inverse_5);
-        const Scalar inverse_16 = Scalar(1) / e10;
-        const Scalar e17 = inverse_6 * inverse_16;
+        const Scalar e1 = T_hi - T_ci;
+        const Scalar m_h = u[0];
+        const Scalar e2 = p_.c_h * m_h;
+        const Scalar m_c = u[1];
+        const Scalar e3 = p_.c_c * m_c;
+        const Scalar min_4 = detail::min<Scalar>(e2, e3);
+        const Scalar max_5 = detail::max<Scalar>(e2, e3);
+        const Scalar inverse_6 = Scalar(1) / max_5;
+        const Scalar e7 = min_4 * inverse_6;
+        const Scalar inverse_8 = Scalar(1) / min_4;
+        const Scalar e9 = (Scalar(1) + e7) * inverse_8;
+        const Scalar e10 = c_.k8 * e9;
+        const Scalar decay_mean_slope_11 = detail::decay_mean_slope<Scalar>(e10);
+        const Scalar e12 = e1 * (decay_mean_slope_11 * inverse_8);
+        const Scalar e13 = e2 - e3;
+        const Scalar step_14 = detail::step<Scalar>(-e13);
+        const Scalar e15 = step_14 * inverse_6;
+        const Scalar step_16 = detail::step<Scalar>(e13);
+        const Scalar e17 = step_16 * inverse_6;
+        const Scalar inverse_18 = Scalar(1) / e1;
+        const Scalar e19 = inverse_8 * inverse_18;
         const Scalar T_h_9 = x[8];
         const Scalar T_w_9 = x[32];
         const Scalar T_h_10 = x[9];
@@ -1672,66 +1673,66 @@ public:
         const Scalar T_w_7 = x[30];
         const Scalar T_h_8 = x[7];
         const Scalar T_w_8 = x[31];
-        const Scalar e18 = T_h_9 - T_w_9 + (T_h_10 - T_w_10) + (T_h_11 - T_w_11 + (T_h_12 - T_w_12));
-        const Scalar e19 = T_h_1 - T_w_1 + (T_h_2 - T_w_2) + (T_h_3 - T_w_3 + (T_h_4 - T_w_4))
+        const Scalar e20 = T_h_9 - T_w_9 + (T_h_10 - T_w_10) + (T_h_11 - T_w_11 + (T_h_12 - T_w_12));
+        const Scalar e21 = T_h_1 - T_w_1 + (T_h_2 - T_w_2) + (T_h_3 - T_w_3 + (T_h_4 - T_w_4))
             + (T_h_5 - T_w_5 + (T_h_6 - T_w_6) + (T_h_7 - T_w_7 + (T_h_8 - T_w_8)));
-        const Scalar e20 = e18 + e19;
-        const Scalar e21 = inverse_6 * e17 * e20;
+        const Scalar e22 = e20 + e21;
+        const Scalar e23 = inverse_8 * e19 * e22;
         const Scalar x_value = u[4];
-        const Scalar inverse_22 = Scalar(1) / m_h;
-        const Scalar e23 = x_value * inverse_22;
-        const Scalar inverse_24 = Scalar(1) / m_c;
+        const Scalar inverse_24 = Scalar(1) / m_h;
         const Scalar e25 = x_value * inverse_24;
-        const Scalar e26 = c_.k9 * e23 + c_.k10 * e25;
-        const Scalar decay_mean_slope_27 = detail::decay_mean_slope<Scalar>(e26);
-        const Scalar e28 = decay_mean_slope_27 * e23;
-        const Scalar decay_mean_29 = detail::decay_mean<Scalar>(e26);
-        const Scalar e30 = c_.k9 * decay_mean_29;
-        const Scalar e31 = (c_.k13 * e28 + e30) * (inverse_22 * e10);
-        const Scalar e32 = inverse_24 * e10;
-        const Scalar e33 = e28 * (c_.k14 * e32);
-        const Scalar e34 = c_.k10 * decay_mean_29;
-        const Scalar e35 = (c_.k17 * decay_mean_slope_27 * e25 + e34) * e32;
-        const Scalar decay_mean_36 = detail::decay_mean<Scalar>(e8);
-        const Scalar e37 = c_.k8 * decay_mean_36;
-        const Scalar e38 = e17 * (c_.k7 * inverse_16) * e20;
-        const Scalar e39 = e23 * e30;
-        const Scalar e40 = e25 * e34;
+        const Scalar inverse_26 = Scalar(1) / m_c;
+        const Scalar e27 = x_value * inverse_26;
+        const Scalar e28 = c_.k9 * e25 + c_.k10 * e27;
+        const Scalar decay_mean_slope_29 = detail::decay_mean_slope<Scalar>(e28);
+        const Scalar e30 = decay_mean_slope_29 * e25;
+        const Scalar decay_mean_31 = detail::decay_mean<Scalar>(e28);
+        const Scalar e32 = c_.k9 * decay_mean_31;
+        const Scalar e33 = (c_.k13 * e30 + e32) * (inverse_24 * e1);
+        const Scalar e34 = inverse_26 * e1;
+        const Scalar e35 = e30 * (c_.k14 * e34);
+        const Scalar e36 = c_.k10 * decay_mean_31;
+        const Scalar e37 = (c_.k17 * decay_mean_slope_29 * e27 + e36) * e34;
+        const Scalar decay_mean_38 = detail::decay_mean<Scalar>(e10);
+        const Scalar e39 = c_.k8 * decay_mean_38;
+        const Scalar e40 = e19 * (c_.k7 * inverse_18) * e22;
+        const Scalar e41 = e25 * e32;
+        const Scalar e42 = e27 * e36;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = -c_.k11 * e11 * (step_13 * inverse_5_squared + step_14 * e15);
-        D[4] = -c_.k12 * step_14 * e21;
-        D[5] = e23 * e31;
-        D[6] = -e23 * e33;
+        D[3] = c_.k11 * e12 * (e15 - e7 * e17 - step_14 * e9);
+        D[4] = -c_.k12 * step_14 * e23;
+        D[5] = e25 * e33;
+        D[6] = -e25 * e35;
         D[7] = Scalar(0);
         D[8] = Scalar(0);
         D[9] = Scalar(0);
-        D[10] = -c_.k15 * e11 * (step_14 * inverse_5_squared + step_13 * e15);
-        D[11] = -c_.k16 * step_13 * e21;
-        D[12] = e25 * e33;
-        D[13] = -e25 * e35;
+        D[10] = c_.k15 * e12 * (e17 - e7 * e15 - step_16 * e9);
+        D[11] = -c_.k16 * step_16 * e23;
+        D[12] = e27 * e35;
+        D[13] = -e27 * e37;
         D[14] = Scalar(0);
         D[15] = Scalar(0);
         D[16] = Scalar(0);
-        D[17] = e37;
-        D[18] = -e38;
-        D[19] = Scalar(1) - e39;
-        D[20] = e40;
+        D[17] = e39;
+        D[18] = -e40;
+        D[19] = Scalar(1) - e41;
+        D[20] = e42;
         D[21] = Scalar(0);
         D[22] = Scalar(0);
         D[23] = Scalar(0);
-        D[24] = -e37;
-        D[25] = e38;
-        D[26] = e39;
-        D[27] = Scalar(1) - e40;
+        D[24] = -e39;
+        D[25] = e40;
+        D[26] = e41;
+        D[27] = Scalar(1) - e42;
         D[28] = Scalar(0);
         D[29] = Scalar(0);
         D[30] = Scalar(0);
         D[31] = Scalar(0);
         D[32] = Scalar(0);
-        D[33] = -e33 - e31;
-        D[34] = e33 + e35;
+        D[33] = -e35 - e33;
+        D[34] = e35 + e37;
     }
 
     /// T in joules.

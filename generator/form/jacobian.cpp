@@ -34,7 +34,7 @@ Partials partials(const System& system, By by) {
         const auto derivatives = [&](const std::vector<ex>& rows) {
             std::vector<ex> column;
             for (const ex& row : rows)
-                column.push_back(by == By::parameter ? system.symbols.derivative_by_parameter(row, variable->position) : partial(row, variable->symbol));
+                column.push_back(by == By::parameter ? system.symbols.derivative_by_parameter(row, variable->position) : partial_of_kept(row, variable->symbol));
             return column;
         };
         result.residual.push_back(derivatives(system.motion.residual));

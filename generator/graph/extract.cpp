@@ -145,7 +145,6 @@ class Extraction {
 public:
     explicit Extraction(Network& network) : network_(network), members_(network.functions.size()) {
         for (std::size_t f = 0; f < network.functions.size(); ++f) {
-            // The pairs of a sum grow with the square of its length; in a very long one only products are looked for.
             const bool in_sums = network.functions[f].size() <= longest_sum;
             for (const Cube& cube : network.functions[f]) add_cube(f, cube, in_sums);
         }
@@ -185,7 +184,8 @@ private:
         const auto id = static_cast<CubeId>(cubes_.size());
         const std::uint32_t coefficient = coefficients_.number(cube.coefficient);
         cubes_.push_back({std::move(cube), coefficient, function});
-        if (in_sums)
+        // The pairs of a sum grow with the square of its length; in a very long one only products are looked for.
+        if (in_sums && members_[function].size() <= longest_sum)
             for (const CubeId other : members_[function]) note_sum(other, id);
         members_[function].push_back(id);
         const Letters& letters = cubes_[id].cube.letters;

@@ -65,12 +65,12 @@ std::pair<ex, ex> slopes(const ex& f) {
 }
 
 template <class Rate>
-ex derivative(const ex& e, const Rate& rate) {
+ex derivative(const ex& e, const Rate& rate, bool keeps = false) {
     if (GiNaC::is_a<GiNaC::symbol>(e)) return rate(e);
     if (GiNaC::is_a<GiNaC::add>(e)) {
         GiNaC::exvector terms;
         for (std::size_t i = 0; i < e.nops(); ++i) {
-            const ex one = derivative(e.op(i), rate);
+            const ex one = derivative(e.op(i), rate, keeps);
             if (!one.is_zero()) terms.push_back(one);
         }
         return GiNaC::add(terms);
@@ -78,7 +78,7 @@ ex derivative(const ex& e, const Rate& rate) {
     if (GiNaC::is_a<GiNaC::mul>(e)) {
         GiNaC::exvector terms;
         for (std::size_t i = 0; i < e.nops(); ++i) {
-            const ex one = derivative(e.op(i), rate);
+            const ex one = derivative(e.op(i), rate, keeps);
             if (one.is_zero()) continue;
             GiNaC::exvector factors;
             for (std::size_t k = 0; k < e.nops(); ++k) factors.push_back(k == i ? one : e.op(k));
@@ -89,16 +89,17 @@ ex derivative(const ex& e, const Rate& rate) {
     if (GiNaC::is_a<GiNaC::power>(e)) {
         const ex &base = e.op(0), &exponent = e.op(1);
         ex result = 0;
-        if (const ex inner = derivative(base, rate); !inner.is_zero()) result += exponent * pow(base, exponent - 1) * inner;
-        if (const ex inner = derivative(exponent, rate); !inner.is_zero()) result += e * GiNaC::log(base) * inner;
+        if (const ex inner = derivative(base, rate, keeps); !inner.is_zero()) result += exponent * pow(base, exponent - 1) * inner;
+        if (const ex inner = derivative(exponent, rate, keeps); !inner.is_zero()) result += e * GiNaC::log(base) * inner;
         return result;
     }
     if (!GiNaC::is_a<GiNaC::function>(e)) return 0;
-    if (is_network_function(e)) return derivative_of_network(e, [&](const ex& part) { return derivative(part, rate); });
-    const ex first = derivative(e.op(0), rate);
+    if (is_network_function(e)) return derivative_of_network(e, [&](const ex& part) { return derivative(part, rate, keeps); });
+    const ex first = derivative(e.op(0), rate, keeps);
+    if (keeps && is_ex_the_function(e, whole)) return whole(first);
     if (e.nops() == 1) return first.is_zero() ? ex(0) : slope(e) * first;
-    const ex second = derivative(e.op(1), rate);
-    if (is_ex_the_function(e, sum_of_three)) return first + second + derivative(e.op(2), rate);
+    const ex second = derivative(e.op(1), rate, keeps);
+    if (is_ex_the_function(e, sum_of_three)) return first + second + derivative(e.op(2), rate, keeps);
     if (first.is_zero() && second.is_zero()) return 0;
     const auto [by_first, by_second] = slopes(e);
     return by_first * first + by_second * second;
@@ -110,6 +111,10 @@ ex directional_derivative(const ex& e, const Direction& direction) { return deri
 
 ex partial(const ex& e, const ex& symbol) {
     return derivative(e, [&](const ex& s) { return s.is_equal(symbol) ? ex(1) : ex(0); });
+}
+
+ex partial_of_kept(const ex& e, const ex& symbol) {
+    return derivative(e, [&](const ex& s) { return s.is_equal(symbol) ? ex(1) : ex(0); }, true);
 }
 
 }  // namespace dalembert
