@@ -13,6 +13,7 @@
 #include "model/checks.hpp"
 #include "model/reader.hpp"
 #include "model/verdict.hpp"
+#include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/switching_validity.hpp"
 
@@ -115,6 +116,7 @@ void prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, s
     stop_on_failed_audit(*machine.system, machine.audit);
     Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
     check_switching_values(*machine.system, defaults);
+    check_body_values(*machine.system, defaults);
     meet_constraints(*machine.system, defaults);
 }
 

@@ -12,6 +12,7 @@
 #include "form/state_places.hpp"
 #include "model/choose_effects.hpp"
 #include "model/parser.hpp"
+#include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/switching_validity.hpp"
 #include "text/nearest.hpp"
@@ -214,6 +215,7 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
     check_switching_values(system, values);
+    check_body_values(system, values);
     meet_constraints(system, values);
     const SimulationSettings settings = preparation.make_settings(values, system);
     prepared.draw = settings.draw;

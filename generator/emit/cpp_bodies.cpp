@@ -301,6 +301,19 @@ CppBody CppBodies::whole_output_jacobian(CppFunction& cpp, const FunctionCode& f
     return finish(cpp, std::move(statements), fmt::format("{}& {}", by == By::state ? "OutputJacobianX" : "OutputJacobianU", name), {});
 }
 
+CppBody CppBodies::move_back() {
+    const Symbols& symbols = code_.system.symbols;
+    std::string statements;
+    for (std::size_t j = 0; j < n_; ++j)
+        if (symbols.has_value(j)) statements += fmt::format("{}x[{}] -= step[{}];\n", indent, symbols.place(SymbolKind::coordinate, j), j);
+    for (const Symbols::AttitudeSymbols& attitude : symbols.attitudes()) {
+        helpers_.insert("turn_back");
+        const auto& [a, b, c] = attitude.coordinates;
+        statements += fmt::format("{}detail::turn_back<Scalar>(x.data() + {}, step[{}], step[{}], step[{}]);\n", indent, symbols.place(SymbolKind::state, attitude.parts[0]), a, b, c);
+    }
+    return {"State& x, const Generalised& step", statements};
+}
+
 CppBody CppBodies::correction() {
     const FunctionCode& f = code_[Function::correction];
     CppFunction cpp(code_, f, cached_texts_, arguments_);

@@ -36,6 +36,7 @@ public:
     CppBody scalar(Function function);
     /// What brings a state back to constraints, from the residuals of their positions or rates.
     CppBody correction();
+    CppBody move_back();
     /// Of a machine that switches: guards of events that are watched, or their rates.
     CppBody guards(Function function, const char* type, const char* result);
     CppBody conditions();

@@ -154,7 +154,7 @@ private:
     /// Nothing where integration keeps exactly what constraints hold. Of a mode that needs no projection the values are zero.
     void constraints() {
         for (const char* name : {"CONSTRAINT_TABLES", "CONSTRAINT_TYPES", "CONSTRAINT_FUNCTIONS"}) values(name, "");
-        if (std::none_of(modes_.begin(), modes_.end(), [](const Code* code) { return code->system.needs_projection(); })) return;
+        if (symbols_.attitudes().empty() && std::none_of(modes_.begin(), modes_.end(), [](const Code* code) { return code->system.needs_projection(); })) return;
         std::map<std::string, std::string> v = constraint_tables(system_);
         const auto add = [&](Function function, const std::vector<CppBody>& bodies) {
             const std::string name = upper(name_of(function));
@@ -168,6 +168,9 @@ private:
         add(Function::constraint_jacobian, each([](CppBodies& b) { return b.constraint_jacobian(); }));
         add(Function::constraint_forces, each([](CppBodies& b) { return b.values(Function::constraint_forces, "Constraints", "force"); }));
         add(Function::correction, each([](CppBodies& b) { return b.correction(); }));
+        const CppBody moved = bodies_.front().move_back();
+        v["MOVE_BACK"] = moved.statements;
+        v["MOVE_BACK_ARGUMENTS"] = moved.arguments;
         std::vector<std::string> positions, rates;
         for (const ConstraintEquation& c : system_.constraints) {
             if (c.position) positions.push_back(fmt::format("{}: {} = 0", c.item->name, write_(*c.position)));

@@ -31,6 +31,7 @@ const std::vector<Helper>& helpers() {
         {"inverse_norm", scalars, {"select"}},
         {"is_near", scalars, {}},
         {"independent_inverse", scalars, {"select"}},
+        {"turn_back", scalars, {}},
         {"pi", scalars, {}},
         {"exponential_remainder", fluids, {}},
         {"compression", fluids, {"select", "exponential_remainder"}},

@@ -14,11 +14,11 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// Of a generated system that has to be brought back to constraints; else none.
+/// Whether a generated system has to be brought back to constraints, or quaternions of it to their norm.
 template <class System, class = void>
-inline constexpr std::size_t constraint_count = 0;
+inline constexpr bool needs_projection = false;
 template <class System>
-inline constexpr std::size_t constraint_count<System, std::void_t<typename System::Constraints>> = std::tuple_size<typename System::Constraints>::value;
+inline constexpr bool needs_projection<System, std::void_t<typename System::Constraints>> = true;
 
 template <class Values>
 typename Values::value_type largest(const Values& values) {
@@ -29,25 +29,21 @@ typename Values::value_type largest(const Values& values) {
     return result;
 }
 
-/// Newton's method with residual(r), and step(r, d) that subtracts d. Stops where the residual shrinks no more; of a last step that made
-/// it larger nothing is left.
-template <class Part, class Constraints, class Generalised, class Residual, class Step>
-typename Constraints::value_type newton(Part* part, int most, const Residual& residual, const Step& step) {
+/// Newton's method with residual(r), and step(r) that makes it smaller. Stops where it shrinks no more; of a last step that made it larger
+/// nothing is left.
+template <class Constraints, class State, class Residual, class Step>
+typename Constraints::value_type newton(State& x, int most, const Residual& residual, const Step& step) {
     using Scalar = typename Constraints::value_type;
     Constraints r{};
     residual(r);
     Scalar size = largest(r);
     for (int i = 0; i < most && size > Scalar(0); ++i) {
-        Generalised d{}, before{};
-        step(r, d);
-        for (std::size_t j = 0; j < d.size(); ++j) {
-            before[j] = part[j];
-            part[j] -= d[j];
-        }
+        const State before = x;
+        step(r);
         residual(r);
         const Scalar now = largest(r);
         if (!(now < size)) {
-            for (std::size_t j = 0; j < d.size(); ++j) part[j] = before[j];
+            x = before;
             break;
         }
         const bool is_slow = now > size / Scalar(2);
@@ -76,7 +72,8 @@ template <class System, class... Mode>
 std::size_t broken_constraint(const System& system, const typename System::State& x, typename System::scalar_type t, Mode... mode) {
     using std::abs;
     using Scalar = typename System::scalar_type;
-    constexpr std::size_t m = constraint_count<System>, n = std::tuple_size<typename System::Generalised>::value;
+    constexpr std::size_t m = std::tuple_size<typename System::Constraints>::value, n = std::tuple_size<typename System::Generalised>::value;
+    const std::size_t velocities = System::velocity_place;
     typename System::Constraints f{}, w{};
     typename System::ConstraintJacobian A{};
     system.constraint_positions(mode..., x, t, f);
@@ -85,8 +82,9 @@ std::size_t broken_constraint(const System& system, const typename System::State
     for (std::size_t i = 0; i < m; ++i) {
         Scalar of_positions(0), of_rates(0);
         for (std::size_t j = 0; j < n; ++j) {
-            of_positions += abs(A[j * m + i] * x[j]);
-            of_rates += abs(A[j * m + i] * x[n + j]);
+            of_rates += abs(A[j * m + i] * x[velocities + j]);
+            if (velocities == n) of_positions += abs(A[j * m + i] * x[j]);
+            else of_positions += abs(A[j * m + i]);  // turned angles have no value
         }
         constexpr double digits = std::numeric_limits<Scalar>::epsilon() > 1e-10 ? 1e-3 : 1e-6;
         const auto is_met = [&](const Scalar& value, const Scalar& size) { return abs(value) <= Scalar(digits) * (size + Scalar(1) / Scalar(100)); };
@@ -105,11 +103,23 @@ Residuals<typename System::scalar_type> project(const System& system, typename S
     using Scalar = typename System::scalar_type;
     using Constraints = typename System::Constraints;
     using Generalised = typename System::Generalised;
-    constexpr std::size_t n = std::tuple_size<Generalised>::value;
-    const auto step = [&](const Constraints& r, Generalised& d) { system.correction(mode..., x, t, r, d); };
+    constexpr std::size_t n = std::tuple_size<Generalised>::value, m = std::tuple_size<Constraints>::value;
     Residuals<Scalar> result;
-    result.position = detail::newton<Scalar, Constraints, Generalised>(x.data(), 10, [&](Constraints& f) { system.constraint_positions(mode..., x, t, f); }, step);
-    result.rate = detail::newton<Scalar, Constraints, Generalised>(x.data() + n, 3, [&](Constraints& w) { system.constraint_rates(mode..., x, t, w); }, step);
+    if constexpr (m == 0) {
+        system.move_back(x, Generalised{});
+        return result;
+    }
+    const auto step = [&](const Constraints& r) {
+        Generalised d{};
+        system.correction(mode..., x, t, r, d);
+        return d;
+    };
+    system.move_back(x, Generalised{});
+    result.position = detail::newton<Constraints>(x, 10, [&](Constraints& f) { system.constraint_positions(mode..., x, t, f); }, [&](const Constraints& r) { system.move_back(x, step(r)); });
+    result.rate = detail::newton<Constraints>(x, 3, [&](Constraints& w) { system.constraint_rates(mode..., x, t, w); }, [&](const Constraints& r) {
+        const Generalised d = step(r);
+        for (std::size_t j = 0; j < n; ++j) x[System::velocity_place + j] -= d[j];
+    });
     constexpr double small = std::numeric_limits<Scalar>::epsilon() > 1e-10 ? 1e-5 : 1e-10;
     if (!(result.position <= Scalar(small)) || !(result.rate <= Scalar(small))) result.broken = detail::broken_constraint(system, x, t, mode...);
     return result;

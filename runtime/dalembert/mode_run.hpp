@@ -52,7 +52,7 @@ protected:
     Status integrate_to(State& x, Scalar to, std::size_t& event) {
         const auto plain_rhs = [this](const State& at, Scalar t, State& dxdt) { here_.rhs(at, inputs_(at, t), t, dxdt); };
         const auto rhs = [&] {
-            if constexpr (constraint_count<System> > 0) {
+            if constexpr (needs_projection<System>) {
                 const auto back = [this](State& at, Scalar t) { return project(system_, at, t, here_.mode).broken; };
                 return ProjectedRhs{plain_rhs, back};
             } else {

@@ -81,6 +81,19 @@ Scalar independent_inverse(const Scalar& x, const Scalar& size) noexcept {
 }
 // end independent_inverse
 
+// begin turn_back
+/// A unit quaternion e of four numbers, turned by minus the small angles x, y, z about its own axes: e - e*(0, x, y, z)/2, with norm one.
+template <class Scalar>
+void turn_back(Scalar* e, const Scalar& x, const Scalar& y, const Scalar& z) noexcept {
+    using std::sqrt;
+    const Scalar half = Scalar(1) / Scalar(2);
+    const Scalar turned[4] = {e[0] + half * (e[1] * x + e[2] * y + e[3] * z), e[1] - half * (e[0] * x + e[2] * z - e[3] * y),
+                              e[2] - half * (e[0] * y + e[3] * x - e[1] * z), e[3] - half * (e[0] * z + e[1] * y - e[2] * x)};
+    const Scalar inverse = Scalar(1) / sqrt(turned[0] * turned[0] + turned[1] * turned[1] + turned[2] * turned[2] + turned[3] * turned[3]);
+    for (int i = 0; i < 4; ++i) e[i] = turned[i] * inverse;
+}
+// end turn_back
+
 // begin pi
 /// The number pi, to the digits of the type.
 template <class Scalar>

@@ -72,7 +72,7 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
                         system.exchanged_power(state, u, t);
     };
     const auto rhs = [&] {
-        if constexpr (detail::constraint_count<System> > 0) {
+        if constexpr (detail::needs_projection<System>) {
             const auto back = [&](Extended& extended, Scalar t) {
                 auto state = plain(extended);
                 const std::size_t broken = project(system, state, t).broken;

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prove/body_validity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dalembert {
+
+namespace {
+
+/// By Jacobi's rotations, from the smallest on.
+std::array<double, 3> eigenvalues(std::array<std::array<double, 3>, 3> m) {
+    for (int sweep = 0; sweep < 50; ++sweep)
+        for (std::size_t p = 0; p < 3; ++p)
+            for (std::size_t q = p + 1; q < 3; ++q) {
+                if (m[p][q] == 0) continue;
+                const double angle = 0.5 * std::atan2(2 * m[p][q], m[q][q] - m[p][p]), c = std::cos(angle), s = std::sin(angle);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const double a = m[k][p], b = m[k][q];
+                    m[k][p] = c * a - s * b;
+                    m[k][q] = s * a + c * b;
+                }
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const double a = m[p][k], b = m[q][k];
+                    m[p][k] = c * a - s * b;
+                    m[q][k] = s * a + c * b;
+                }
+            }
+    std::array<double, 3> result{m[0][0], m[1][1], m[2][2]};
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+void check_tensor(const BodyMotion& body, const System& system, const GiNaC::exmap& at) {
+    std::array<std::array<double, 3>, 3> tensor{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+            const auto value = value_at(system.symbols.without_definitions(body.tensor[i][j]), at, 20);
+            if (!value) return;
+            tensor[i][j] = cln::double_approx(*value);
+        }
+    const auto [small, middle, large] = eigenvalues(tensor);
+    const double rounding = 1e-9 * large;
+    const Body& item = *body.member.item;
+    const Span& place = item.tensor[0][0]->span;
+    if (small < -rounding)
+        throw Failure(Diagnostic{Id::wrong_inertia, place, fmt::format("the inertia of body '{}' has the principal moments {:.6g}, {:.6g} and {:.6g} kg*m^2; none can be negative", item.name, small, middle, large)});
+    if (large > small + middle + rounding)
+        throw Failure(Diagnostic{Id::wrong_inertia, place, fmt::format("the inertia of body '{}' has the principal moments {:.6g}, {:.6g} and {:.6g} kg*m^2; no mass is spread so that one is larger than the sum of the others", item.name, small, middle, large)});
+}
+
+}  // namespace
+
+void check_body_values(const System& system, const Values& values) {
+    const GiNaC::exmap at = values.substitution();
+    for (const BodyMotion& body : system.bodies)
+        if (body.has_tensor()) check_tensor(body, system, at);
+    for (const Symbols::AttitudeSymbols& attitude : system.symbols.attitudes()) {
+        cln::cl_R square = 0;
+        for (const std::size_t part : attitude.parts) {
+            const auto value = value_at(at.at(system.symbols.get(SymbolKind::state, part)), at, 20);
+            if (value) square = square + *value * *value;
+        }
+        const double norm = std::sqrt(cln::double_approx(square));
+        if (std::fabs(norm - 1) <= 1e-6) continue;
+        const State& item = *system.scene.states[attitude.parts[0]].item;
+        throw Failure(Diagnostic{Id::value_out_of_range, item.span, fmt::format("the quaternion '{}' has the norm {:.6g} at the start; that of an orientation has the norm 1", item.name.substr(0, item.name.size() - 2), norm)});
+    }
+}
+
+}  // namespace dalembert
