@@ -22,10 +22,17 @@ std::size_t coordinate(const System& system, const Expression& reference, const 
     return system.translate.coordinate(reference.name, reference.children.empty() ? nullptr : reference.children[0].get(), reference.span, indices);
 }
 
-const ex& component(const SpaceVector& vector, const System& system, const Expression& index, const Indices& indices) {
+ex component(const SpaceVector& vector, const System& system, const Expression& index, const Indices& indices) {
     const int i = index_value(index, system.scene, indices);
     if (i >= 1 && i <= 3) return vector[static_cast<std::size_t>(i - 1)];
     throw Failure(Diagnostic{Id::index_out_of_range, index.span, fmt::format("a vector has the components 1, 2 and 3, not {}", i)});
+}
+
+SpaceVector own_angular_velocity(const BodyMotion& body) { return body.frame ? body.frame->angular_velocity : SpaceVector{0, 0, body.angular_velocity}; }
+
+SpaceVector angular_momentum(const BodyMotion& body) {
+    if (body.frame) return body.frame->to_ground(body.tensor * body.frame->angular_velocity);
+    return {0, 0, body.inertia * body.angular_velocity};
 }
 
 /// (3.40)-(3.42), (3.31), (3.37) and the like at a pressure and a temperature.
@@ -174,6 +181,13 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
             if (constraint.item->name == child(0).name) return constraint.force;
         throw Failure(Diagnostic{Id::needs_absent, child(0).span, fmt::format("scene '{}' has no constraint '{}'", system.scene.name, child(0).written())});
     }
+    if (e.name == "cut_force") {
+        const Cut& cut = *system.names.find_cut(child(0).name);
+        if (system.scene.holds(cut.when)) return cut_force(system, cut);
+        throw Failure(Diagnostic{Id::needs_absent, child(0).span, fmt::format("scene '{}' has no cut '{}'", system.scene.name, cut.name)});
+    }
+    if (e.name == "angular_velocity") return component(own_angular_velocity(body(system, child(0), indices)), system, child(1), indices);
+    if (e.name == "angular_momentum") return component(angular_momentum(body(system, child(0), indices)), system, child(1), indices);
     if (e.name == "prescribed_power") return system.prescribed_power;
     if (e.name == "position") return component(body(system, child(0), indices).position, system, child(1), indices);
     if (e.name == "velocity") return component(body(system, child(0), indices).velocity, system, child(1), indices);

@@ -156,6 +156,10 @@ void set_rates(std::vector<GiNaC::ex>& state_rates, const ControlVolume& volume,
 /// Derives a scene by d'Alembert's principle; energies and powers on their own. Throws Failure.
 std::unique_ptr<System> derive(const Names& names, Scene scene);
 
+/// What everything but gravity and the forces and torques on them exerts on the bodies of a cut; contains accelerations. Throws Failure
+/// (needs-absent, index-out-of-range).
+GiNaC::ex cut_force(const System& system, const Cut& cut);
+
 /// The meaning of kinetic_energy[...], mass_matrix[...] and the like. `arguments` are the values of what stands in the brackets
 /// behind a medium: of the second and third.
 GiNaC::ex quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<GiNaC::ex>& arguments);

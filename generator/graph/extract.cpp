@@ -13,13 +13,13 @@ namespace dalembert {
 namespace {
 
 using Letter = std::uint32_t;
-using Letters = std::vector<Letter>;
+using LetterList = std::vector<Letter>;
 using CubeId = std::uint32_t;
 
 /// A sum a + ratio*b without a common letter; a before b.
 struct Divisor {
-    Letters a;
-    Letters b;
+    LetterList a;
+    LetterList b;
     Rational ratio;
     friend bool operator==(const Divisor&, const Divisor&) = default;
 };
@@ -122,21 +122,21 @@ private:
 
 constexpr std::size_t longest_sum = 150;
 
-int multiplications(const Letters& letters) { return letters.size() > 1 ? static_cast<int>(letters.size()) - 1 : 0; }
+int multiplications(const LetterList& letters) { return letters.size() > 1 ? static_cast<int>(letters.size()) - 1 : 0; }
 
-Letters common(const Letters& a, const Letters& b) {
-    Letters result;
+LetterList common(const LetterList& a, const LetterList& b) {
+    LetterList result;
     std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
     return result;
 }
 
-Letters difference(const Letters& a, const Letters& b) {
-    Letters result;
+LetterList difference(const LetterList& a, const LetterList& b) {
+    LetterList result;
     std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
     return result;
 }
 
-Letters with(Letters letters, Letter letter) {
+LetterList with(LetterList letters, Letter letter) {
     letters.insert(std::upper_bound(letters.begin(), letters.end(), letter), letter);
     return letters;
 }
@@ -188,7 +188,7 @@ private:
         if (in_sums && members_[function].size() <= longest_sum)
             for (const CubeId other : members_[function]) note_sum(other, id);
         members_[function].push_back(id);
-        const Letters& letters = cubes_[id].cube.letters;
+        const LetterList& letters = cubes_[id].cube.letters;
         for (std::size_t i = 0; in_products && i < letters.size(); ++i)
             for (std::size_t j = i + 1; j < letters.size(); ++j)
                 products_.note(static_cast<std::uint64_t>(letters[i]) << 32U | letters[j], id,  // no mere fingerprint, but the pair itself
@@ -202,7 +202,7 @@ private:
 
     /// Fingerprint of the divisor of two cubes in one pass over their letters. The part that has the smaller first letter is the a.
     void note_sum(CubeId id_x, CubeId id_y) {
-        const Letters &x = cubes_[id_x].cube.letters, &y = cubes_[id_y].cube.letters;
+        const LetterList &x = cubes_[id_x].cube.letters, &y = cubes_[id_y].cube.letters;
         std::uint64_t only_x = 1;
         std::uint64_t only_y = 1;
         int count_x = 0;
@@ -233,12 +233,12 @@ private:
 
     Divisor divisor_at(const Occurrence& o) const {
         const Cube &x = cubes_[o.first].cube, &y = cubes_[o.second].cube;
-        const Letters shared = common(x.letters, y.letters);
+        const LetterList shared = common(x.letters, y.letters);
         return {difference(x.letters, shared), difference(y.letters, shared), y.coefficient / x.coefficient};
     }
 
     int saved_by(const Occurrence& occurrence) const {
-        const Letters &x = cubes_[occurrence.first].cube.letters, &y = cubes_[occurrence.second].cube.letters;
+        const LetterList &x = cubes_[occurrence.first].cube.letters, &y = cubes_[occurrence.second].cube.letters;
         return multiplications(x) + multiplications(y) + 1 - static_cast<int>(common(x, y).size());
     }
 
@@ -282,7 +282,7 @@ private:
         }
     }
 
-    static int count(const Letters& letters, const Product& product) {
+    static int count(const LetterList& letters, const Product& product) {
         const auto times = [&](Letter l) { return static_cast<int>(std::count(letters.begin(), letters.end(), l)); };
         return product.first == product.second ? times(product.first) / 2 : std::min(times(product.first), times(product.second));
     }

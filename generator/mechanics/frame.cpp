@@ -31,6 +31,8 @@ SpaceVector kept(const SpaceVector& v) {
 }
 
 SpaceVector operator+(const SpaceVector& a, const SpaceVector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+SpaceVector operator-(const SpaceVector& a, const SpaceVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+SpaceVector operator*(const ex& factor, const SpaceVector& v) { return {factor * v[0], factor * v[1], factor * v[2]}; }
 SpaceVector operator*(const SpaceMatrix& m, const SpaceVector& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
 SpaceVector cross(const SpaceVector& a, const SpaceVector& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
 SpaceMatrix transposed(const SpaceMatrix& m) { return {SpaceVector{m[0][0], m[1][0], m[2][0]}, SpaceVector{m[0][1], m[1][1], m[2][1]}, SpaceVector{m[0][2], m[1][2], m[2][2]}}; }

@@ -13,6 +13,8 @@ namespace dalembert {
 using SpaceMatrix = std::array<SpaceVector, 3>;
 
 SpaceVector operator+(const SpaceVector& a, const SpaceVector& b);
+SpaceVector operator-(const SpaceVector& a, const SpaceVector& b);
+SpaceVector operator*(const GiNaC::ex& factor, const SpaceVector& v);
 SpaceVector operator*(const SpaceMatrix& m, const SpaceVector& v);
 SpaceVector cross(const SpaceVector& a, const SpaceVector& b);
 SpaceMatrix transposed(const SpaceMatrix& m);

@@ -28,6 +28,8 @@ public:
             body(item.on, false, true);
             body(item.against, false, true);
         }
+        for (const Cut& item : model_.cuts)
+            for (const Reference& freed : item.bodies) body(freed, !item.about, false);
         placement_cycles();
         for (const PotentialTerm& item : model_.potentials) {
             for (const CoordinateEntry& entry : item.forces) coordinate(entry);
@@ -155,6 +157,7 @@ private:
         all(model_.blocks);
         all(model_.enclosures);
         all(model_.attitudes);
+        all(model_.cuts);
         all(model_.modes);
         all(model_.constraints);
         all(model_.events);

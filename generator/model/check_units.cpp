@@ -55,6 +55,10 @@ public:
             for (const ExpressionPtr& rate : attitude.start_rate) si_value(rate, Dimension::none() / Dimension::time(), "the start rate", "attitude", attitude);
         }
         for (const Body& body : model_.bodies) check(body);
+        for (const Cut& cut : model_.cuts) {
+            vector(cut.direction, Dimension::none(), fmt::format("the direction of cut '{}'", cut.name));
+            if (cut.about) vector(*cut.about, Dimension::length(), fmt::format("the point of cut '{}'", cut.name));
+        }
         const auto written = [this](const auto& items) {
             for (const auto& item : items)
                 if (!item.is_made) check(item);

@@ -358,7 +358,7 @@ std::vector<const DocumentNode*> Entry::list(const DocumentNode* node, ValueType
 std::vector<Reference> Entry::parts(std::string_view key) const {
     std::vector<Reference> result;
     for (const DocumentNode* element : list(find(key, ValueType::parts), ValueType::parts))
-        if (auto part = reference(*element, ValueType::part, "a node or of a cell of a rod or block")) result.push_back(std::move(*part));
+        if (auto part = reference(*element, ValueType::part, "a node, of a cell of a rod or block, or of a body")) result.push_back(std::move(*part));
     return result;
 }
 

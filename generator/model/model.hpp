@@ -118,6 +118,14 @@ struct Torque : Item {
     ExpressionPtr rate;
 };
 
+/// Bodies cut free from everything but gravity and the forces and torques on them: what the rest exerts on them, along a direction; or about
+/// an axis in that direction through a point, its moment.
+struct Cut : Item {
+    std::vector<Reference> bodies;
+    VectorExpression direction;
+    std::optional<VectorExpression> about;
+};
+
 struct KineticTerm : Item {
     ExpressionPtr energy;
 };
@@ -217,6 +225,7 @@ struct Model {
     std::vector<Damper> dampers;
     std::vector<Force> forces;
     std::vector<Torque> torques;
+    std::vector<Cut> cuts;
     std::vector<KineticTerm> kinetic;
     std::vector<PotentialTerm> potentials;
     std::vector<GeneralisedForce> generalised_forces;

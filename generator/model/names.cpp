@@ -67,6 +67,7 @@ Names::Names(const Model& model) {
     for (const Damper& damper : model.dampers) dampers_.emplace(damper.name, &damper);
     for (const Friction& friction : model.frictions) frictions_.emplace(friction.name, &friction);
     for (const Constraint& constraint : model.constraints) constraints_.emplace(constraint.name, &constraint);
+    for (const Cut& cut : model.cuts) cuts_.emplace(cut.name, &cut);
     for (const ModeGroup& group : model.modes) add(group.modes, Named::Kind::mode);
     const auto add_parts = [&](const auto& items, Part::Kind kind) {
         for (const auto& item : items) parts_.emplace(item.name, Part{kind, &item});
@@ -101,6 +102,11 @@ const Body* Names::find_body(std::string_view name) const {
 const Damper* Names::find_damper(std::string_view name) const {
     const auto found = dampers_.find(name);
     return found == dampers_.end() ? nullptr : found->second;
+}
+
+const Cut* Names::find_cut(std::string_view name) const {
+    const auto found = cuts_.find(name);
+    return found == cuts_.end() ? nullptr : found->second;
 }
 
 const Constraint* Names::find_constraint(std::string_view name) const {

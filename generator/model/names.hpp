@@ -43,6 +43,7 @@ public:
     const Body* find_body(std::string_view name) const;
     const Damper* find_damper(std::string_view name) const;
     const Constraint* find_constraint(std::string_view name) const;
+    const Cut* find_cut(std::string_view name) const;
     const Friction* find_friction(std::string_view name) const;
     const Part* find_part(std::string_view name) const;
     /// The names of the parts of these kinds.
@@ -55,6 +56,7 @@ private:
     std::map<std::string, const Body*, std::less<>> bodies_;
     std::map<std::string, const Damper*, std::less<>> dampers_;
     std::map<std::string, const Constraint*, std::less<>> constraints_;
+    std::map<std::string, const Cut*, std::less<>> cuts_;
     std::map<std::string, const Friction*, std::less<>> frictions_;
     std::map<std::string, Part, std::less<>> parts_;
 };

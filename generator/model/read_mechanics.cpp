@@ -119,6 +119,13 @@ void read(const Entry& e, Torque& torque) {
     if (torque.in_axes && !torque.vector) e.error(Id::not_allowed_here, e.span_of("in_axes"), fmt::format("torque '{}' is no vector, so that it is in no axes", e.name()));
 }
 
+void read(const Entry& e, Cut& cut) {
+    cut.bodies = e.parts("bodies");
+    if (auto direction = e.vector("direction")) cut.direction = *direction;
+    cut.about = e.vector("about");
+    if (e.has("bodies") && cut.bodies.empty()) e.error(Id::missing_key, e.span_of("bodies"), fmt::format("cut '{}' frees no body", e.name()));
+}
+
 void read(const Entry& e, KineticTerm& term) { term.energy = e.expression("energy"); }
 
 void read(const Entry& e, PotentialTerm& term) {

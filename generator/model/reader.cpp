@@ -142,6 +142,7 @@ public:
         collection("dampers", model_.dampers);
         collection("forces", model_.forces);
         collection("torques", model_.torques);
+        collection("cuts", model_.cuts);
         collection("kinetic", model_.kinetic);
         collection("potentials", model_.potentials);
         collection("generalised_forces", model_.generalised_forces);

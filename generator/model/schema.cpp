@@ -115,6 +115,12 @@ constexpr std::array torque_keys{
     KeySpec{"rate", T::expression, false, "instead of bodies: the angular velocity with which the torque works"},
     doc_key, for_key, when_key,
 };
+constexpr std::array cut_keys{
+    KeySpec{"bodies", T::parts, true, "those that are cut free together"},
+    KeySpec{"direction", T::vector, true, "of length 1, in the axes of the ground: the force that everything else exerts on the bodies is put out along it"},
+    KeySpec{"about", T::vector, false, "a point: then the moment about the axis through it in the direction is put out"},
+    doc_key, when_key,
+};
 constexpr std::array kinetic_keys{
     KeySpec{"energy", T::expression, true, "a kinetic energy, quadratic in the velocities"},
     doc_key, for_key, when_key,
@@ -394,6 +400,8 @@ constexpr std::array table{
                 "[dampers.friction]\nrate        = \"dot(s)\"\ncoefficient = \"d_R\"\nwhen        = \"viscous_friction\"", damper_keys, ""},
     SectionSpec{"forces", true, "Forces at points.", "[forces.drive]\non    = \"cart\"\nforce = [\"f_e\", 0, 0]", force_keys, ""},
     SectionSpec{"torques", true, "Torques on bodies that turn.", "[torques.motor]\non     = \"rotor\"\ntorque = \"tau_m\"", torque_keys, ""},
+    SectionSpec{"cuts", true, "Forces of rods, ropes, bearings and surfaces without a constraint of their own. cut_force[NAME] is what is left of mass times acceleration of the bodies, when gravity and the [forces] and [torques] on them are taken off: what everything else exerts on them, springs and dampers included.",
+                "[cuts.rod]\nbodies    = [\"bob\"]\ndirection = [\"-sin(phi)\", \"cos(phi)\"]", cut_keys, ""},
     SectionSpec{"kinetic", true, "Kinetic energy for which there is no component.",
                 "[kinetic.gear]\nenergy = \"i_g^2*theta_m*dot(phi)^2/2\"", kinetic_keys, ""},
     SectionSpec{"potentials", true, "Potential energy for which there is no component, or generalised forces that have one.",

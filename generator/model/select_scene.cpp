@@ -86,6 +86,8 @@ public:
         };
         if (scene_.modes.empty()) fields_.find_all(names_);
         for (const auto& member : scene_.coordinates) used_.insert(member.item->name);
+        for (const State& state : model_.states)  // a quaternion is there as a whole
+            if (state.quaternion_part && scene_.holds(state.when)) use_name(state.name, state.span);
         use_all(scene_.coordinates, "coordinate");
         use_all(scene_.bodies, "body");
         use_all(scene_.springs, "spring");

@@ -139,6 +139,13 @@ void visit(const Body& item, const SiteVisitor& visitor) {
     each(item.on);
 }
 
+void visit(const Cut& item, const SiteVisitor& visitor) {
+    const Visit each(item, "cut", visitor);
+    for (const Reference& body : item.bodies) each(body);
+    each(item.direction, on_configuration, "direction");
+    each(item.about, on_configuration, "point");
+}
+
 void visit(const Spring& item, const SiteVisitor& visitor) {
     const Visit each(item, "spring", visitor);
     each(item.elongation, on_configuration, "elongation");
@@ -425,6 +432,7 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.dampers);
     all(model.forces);
     all(model.torques);
+    all(model.cuts);
     all(model.kinetic);
     all(model.potentials);
     all(model.generalised_forces);

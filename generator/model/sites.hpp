@@ -59,6 +59,7 @@ void visit(const Output& item, const SiteVisitor& visitor);
 void visit(const Gravity& item, const SiteVisitor& visitor);
 void visit(const Attitude& item, const SiteVisitor& visitor);
 void visit(const Body& item, const SiteVisitor& visitor);
+void visit(const Cut& item, const SiteVisitor& visitor);
 void visit(const Spring& item, const SiteVisitor& visitor);
 void visit(const Damper& item, const SiteVisitor& visitor);
 void visit(const Force& item, const SiteVisitor& visitor);

@@ -44,6 +44,7 @@ enum class Subscript {
     two_coordinates,
     optional_damper,
     constraint,
+    cut,
     surface,          ///< an enclosure and the number of a surface
     two_surfaces,     ///< an enclosure and the numbers of two surfaces
     fluid,            ///< a volume or reservoir
