@@ -253,7 +253,7 @@ CppBody CppBodies::constraint_jacobian() {
     const std::size_t rows = code_.system.constraints.size();
     for (std::size_t j = 0; j < n_; ++j)
         for (std::size_t i = 0; i < rows && !f.results.empty(); ++i) statements += assigned(cpp, fmt::format("A[{}]", j * rows + i), f.results[i * n_ + j]);
-    return finish(cpp, std::move(statements), "ConstraintJacobian& A", {.has_input = false});
+    return finish(cpp, std::move(statements), f.results.empty() || rows == 0 ? "ConstraintJacobian& /*A*/" : "ConstraintJacobian& A", {.has_input = false});
 }
 
 /// dh/dx at fixed accelerations, and through the accelerations where outputs contain them.

@@ -187,7 +187,7 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
         throw Failure(Diagnostic{Id::needs_absent, child(0).span, fmt::format("scene '{}' has no cut '{}'", system.scene.name, cut.name)});
     }
     if (e.name == "angular_velocity") return component(own_angular_velocity(body(system, child(0), indices)), system, child(1), indices);
-    if (e.name == "angular_momentum") return component(angular_momentum(body(system, child(0), indices)), system, child(1), indices);
+    if (e.name == "spin") return component(angular_momentum(body(system, child(0), indices)), system, child(1), indices);
     if (e.name == "prescribed_power") return system.prescribed_power;
     if (e.name == "position") return component(body(system, child(0), indices).position, system, child(1), indices);
     if (e.name == "velocity") return component(body(system, child(0), indices).velocity, system, child(1), indices);

@@ -166,7 +166,7 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
     }
     if (e.name == "cut_force") return {names_.find_cut(e.children[0]->name)->about ? energy : energy / Dimension::length()};
     if (e.name == "angular_velocity") return {Dimension::none() / Dimension::time()};
-    if (e.name == "angular_momentum") return {energy * Dimension::time()};
+    if (e.name == "spin") return {energy * Dimension::time()};
     if (e.name == "position") return {Dimension::length()};
     if (e.name == "velocity") return {Dimension::speed()};
     if (e.name == "generalised_force" || e.name == "nonpotential_force" || e.name == "bias") return {energy / coordinate(0)};

@@ -70,7 +70,7 @@ constexpr std::array quantity_table{
     QuantitySpec{"position", S::body_and_axis, "position of a body: position[ball, 1] is x"},
     QuantitySpec{"velocity", S::body_and_axis, "velocity of a body"},
     QuantitySpec{"angular_velocity", S::body_and_axis, "angular velocity of a body, about its own axes"},
-    QuantitySpec{"angular_momentum", S::body_and_axis, "angular momentum of a body about its centre of mass, in the axes of the ground"},
+    QuantitySpec{"spin", S::body_and_axis, "angular momentum of a body about its centre of mass, in the axes of the ground"},
     QuantitySpec{"generalised_force", S::coordinate, "all that acts on a coordinate, -d(potential energy)/dq included (2.214)"},
     QuantitySpec{"nonpotential_force", S::coordinate, "what acts on a coordinate without a potential (2.215)"},
     QuantitySpec{"mass_matrix", S::two_coordinates, "entry of the mass matrix M"},

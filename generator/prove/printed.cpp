@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/printed.hpp"
 
+#include "form/constrained_motion.hpp"
+
 #include <fmt/format.h>
 
 #include "model/units.hpp"
@@ -62,7 +64,7 @@ std::optional<std::string> unit_problem(const System& system, const PrintedEquat
 /// One pair of sides on the motion of the system, at the point that the entry names, if any.
 class PairCheck {
 public:
-    PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), held_(system.held_motion()), unknowns_(system.unknowns()), n_(unknowns_.size()) {}
+    PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), held_(system.held_motion()), unknowns_(system.unknowns()), n_(unknowns_.size()) { find_manifold(); }
 
     PrintedResult run(const ex& left_side, const ex& right_side) {
         const ex left = prepared(left_side);
@@ -94,14 +96,43 @@ private:
         return std::any_of(unknowns_.begin(), unknowns_.end(), [&](const ex& unknown) { return e.has(unknown); });
     }
     const ex& acceleration(std::size_t k) const { return unknowns_[k]; }
-    ex prepared(const ex& e) const {
-        const ex on_constraints = held_.empty() ? e : e.subs(held_, GiNaC::subs_options::no_pattern);
-        return at_point(system_.with_rates(on_constraints));
+    ex prepared(const ex& e) const { return at_point(system_.with_rates(on_constraints(e))); }
+
+    /// On what constraints hold: each with a multiplier gives a velocity, where its factor is not zero, and its position a coordinate that it is
+    /// linear in. What is equal there is so, by continuity, where a factor vanishes.
+    ex on_constraints(ex e) const {
+        for (const GiNaC::exmap* map : {&held_, &velocities_, &positions_})
+            if (!map->empty()) e = e.subs(*map, GiNaC::subs_options::no_pattern);
+        return e;
     }
+
+    void find_manifold() {
+        const Symbols& symbols = system_.symbols;
+        for (const std::size_t constraint : system_.motion.multipliers) {
+            const ConstraintEquation& c = system_.constraints[constraint];
+            const ex rate = c.whole_rate.subs(held_, GiNaC::subs_options::no_pattern).subs(velocities_, GiNaC::subs_options::no_pattern);
+            for (std::size_t j = symbols.degrees(); j-- > 0;) {
+                const ex& velocity = symbols.get(SymbolKind::velocity, j);
+                const ex factor = partial(rate, velocity);
+                if (prover_.proven_equal(factor, 0)) continue;
+                const ex value = -rate.subs(velocity == 0, GiNaC::subs_options::no_pattern) / factor;
+                for (auto& [known, other] : velocities_) other = other.subs(velocity == value, GiNaC::subs_options::no_pattern);
+                velocities_[velocity] = value;
+                break;
+            }
+            if (!c.position) continue;
+            if (const auto at_zero = coordinate_at_zero(c.position->subs(positions_, GiNaC::subs_options::no_pattern), symbols)) {
+                const ex& coordinate = symbols.get(SymbolKind::coordinate, at_zero->first);
+                for (auto& [known, other] : positions_) other = other.subs(coordinate == at_zero->second, GiNaC::subs_options::no_pattern);
+                positions_[coordinate] = at_zero->second;
+            }
+        }
+    }
+
     /// A point may set a parameter that definitions are made of.
     ex at_point(const ex& e) const { return at_.empty() ? e : system_.symbols.without_definitions(e).subs(at_, GiNaC::subs_options::no_pattern); }
     ex mass(std::size_t j, std::size_t l) const {
-        return at_point(system_.motion.matrix(static_cast<unsigned>(j), static_cast<unsigned>(l)));
+        return at_point(on_constraints(system_.motion.matrix(static_cast<unsigned>(j), static_cast<unsigned>(l))));
     }
     /// M qdd = force on the motion.
     ex force(std::size_t j) const { return prepared(system_.motion.force[j]); }
@@ -221,7 +252,7 @@ private:
     const System& system_;
     Prover prover_;
     GiNaC::exmap at_;
-    GiNaC::exmap held_;
+    GiNaC::exmap held_, velocities_, positions_;
     std::vector<ex> unknowns_;
     std::size_t n_;  ///< accelerations that are solved for
 };

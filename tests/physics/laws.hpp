@@ -9,10 +9,24 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <random>
 
+#include "dalembert/constraints.hpp"
 #include "dalembert/matrices.hpp"
 
 /// Without expression templates: compiled in half the time.
 using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+
+/// Where the velocities begin in x.
+template <class System>
+constexpr std::size_t first_velocity() {
+    if constexpr (dalembert::detail::needs_projection<System>) return System::velocity_place;
+    else return System::degrees;
+}
+
+/// Laws of motion hold where constraints do.
+template <class System>
+void put_on_constraints(const System& system, typename System::State& x, const typename System::scalar_type& t) {
+    if constexpr (dalembert::detail::needs_projection<System>) CHECK(dalembert::project(system, x, t).are_met());
+}
 
 /// Values in the declared ranges, else near the start state; numbers of float, so that every arithmetic has the same.
 template <class System>
@@ -42,6 +56,7 @@ RandomPoint<System> random_point(const System& system, std::mt19937& engine) {
     point.t = value(typename std::decay_t<decltype(System::state_table()[0])>{"t", "s", ""}, 1.0);
     for (std::size_t i = 0; i < point.x.size(); ++i) point.x[i] = value(System::state_table()[i], point.x[i]);
     for (std::size_t i = 0; i < point.u.size(); ++i) point.u[i] = value(System::input_table()[i], 0.0);
+    put_on_constraints(system, point.x, point.t);
     return point;
 }
 
@@ -176,7 +191,7 @@ template <template <class> class System, template <class> class Parameters>
 void laws() {
     using Real = System<double>;
     using Twin = System<Digits50>;
-    constexpr std::size_t n = Real::degrees;
+    constexpr std::size_t n = Real::degrees, v = first_velocity<Real>();
     const Digits50 share("1e-17");  // of central differences: their error is its square
     const Real system;
     const Twin twin;
@@ -191,20 +206,32 @@ void laws() {
         system.rhs(point.x, point.u, point.t, dxdt);
 
         {
-            INFO("dq/dt is the velocity, and M qdd + bias = Q");
+            INFO("dq/dt is the velocity, and M qdd + bias = Q + A' lambda");
             typename Real::MassMatrix M;
             typename Real::Generalised bias, Q;
             system.mass_matrix(point.x, point.t, M);
             system.bias(point.x, point.u, point.t, bias);
             system.generalised_force(point.x, point.u, point.t, Q);
+            std::array<double, n> held{}, held_size{};
+            if constexpr (dalembert::detail::needs_projection<Real>) {
+                typename Real::Constraints force{};
+                typename Real::ConstraintJacobian A{};
+                system.constraint_forces(point.x, point.u, point.t, force);
+                system.constraint_jacobian(point.x, point.t, A);
+                for (std::size_t j = 0; j < n; ++j)
+                    for (std::size_t i = 0; i < force.size(); ++i) {
+                        held[j] += A[j * force.size() + i] * force[i];
+                        held_size[j] += std::abs(A[j * force.size() + i] * force[i]);
+                    }
+            }
+            for (std::size_t i = 0; i < v; ++i) CHECK(dxdt[i] == point.x[v + i]);
             for (std::size_t i = 0; i < n; ++i) {
-                CHECK(dxdt[i] == point.x[n + i]);
-                double left = bias[i];
-                double size = std::abs(bias[i]) + std::abs(Q[i]);
+                double left = bias[i] - held[i];
+                double size = std::abs(bias[i]) + std::abs(Q[i]) + held_size[i];
                 for (std::size_t j = 0; j < n; ++j) {
                     CHECK(M[j * n + i] == M[i * n + j]);
-                    left += M[j * n + i] * dxdt[n + j];
-                    size += std::abs(M[j * n + i] * dxdt[n + j]);
+                    left += M[j * n + i] * dxdt[v + j];
+                    size += std::abs(M[j * n + i] * dxdt[v + j]);
                 }
                 CHECK(std::abs(left - Q[i]) <= 1e-12 * size);
             }
@@ -216,7 +243,7 @@ void laws() {
             system.mass_matrix(point.x, point.t, M);
             double energy = 0;
             for (std::size_t i = 0; i < n; ++i)
-                for (std::size_t j = 0; j < n; ++j) energy += M[j * n + i] * point.x[n + i] * point.x[n + j] / 2;
+                for (std::size_t j = 0; j < n; ++j) energy += M[j * n + i] * point.x[v + i] * point.x[v + j] / 2;
             CHECK(system.kinetic_energy(point.x, point.t) == doctest::Approx(energy).epsilon(1e-12));
             const Eigen::MatrixXd matrix =
                 Eigen::Map<const Eigen::MatrixXd>(M.data(), static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
@@ -225,7 +252,8 @@ void laws() {
 
         {
             INFO("d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged");
-            const auto x = converted<typename Twin::State>(point.x);
+            auto x = converted<typename Twin::State>(point.x);
+            put_on_constraints(twin, x, Digits50(point.t));
             const auto energy = [&](const auto& z, const Digits50& t) {
                 return Digits50(twin.kinetic_energy(z, t) + twin.potential_energy(z, t) + twin.internal_energy(z, t));
             };

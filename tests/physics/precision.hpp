@@ -91,9 +91,10 @@ void check_power_balance() {
     std::mt19937 engine(1758);
     for (int repetition = 0; repetition < 5; ++repetition) {
         const auto [start, drive, time] = random_point(System<double>(), engine);
-        const auto x = converted<typename System<Digits50>::State>(start);
+        auto x = converted<typename System<Digits50>::State>(start);
         const auto u = converted<typename System<Digits50>::Input>(drive);
         const Digits50 t = time;
+        put_on_constraints(system, x, t);
         typename System<Digits50>::State f;
         system.rhs(x, u, t, f);
         const auto energy = [&](const Digits50& h) {
