@@ -607,7 +607,7 @@ public:
 
     /// d(rate)/d(velocity), entry (i, j) at A[0*j + i].
     /// Operations: none
-    void constraint_jacobian(const State& /*x*/, Scalar /*t*/, ConstraintJacobian& A) const noexcept {
+    void constraint_jacobian(const State& /*x*/, Scalar /*t*/, ConstraintJacobian& /*A*/) const noexcept {
     }
 
     /// Forces of the constraints along their rates, on the machine; of one that follows from those before it, zero.

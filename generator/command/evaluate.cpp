@@ -6,6 +6,7 @@
 #include "command/json_output.hpp"
 #include "command/settings.hpp"
 #include "command/shared.hpp"
+#include "prove/constraint_validity.hpp"
 #include "prove/motion_at.hpp"
 
 namespace dalembert {
@@ -35,6 +36,7 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
     apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);
     apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
+    meet_constraints(system, values);
     const Evaluation at(system, values, options.digits);
 
     nlohmann::ordered_json json = json_result("evaluate", system.scene);

@@ -11,6 +11,7 @@ namespace dalembert {
 
 ExitCode simulate_command(const Options& options, Streams streams) {
     const PreparedSimulation prepared = prepare_simulation(loaded(options, streams), options.choice.scene, options);
+    show_warnings(prepared.machine, streams);
     const SimulationReport report = run_simulation(prepared, options.output);
     write_files(report.files);
     if (options.format == "json") {

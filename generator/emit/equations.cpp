@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "emit/safe_text.hpp"
@@ -12,6 +14,10 @@ namespace dalembert {
 using GiNaC::ex;
 
 namespace {
+
+bool is_constrained(const System& s) {
+    return std::any_of(s.constraints.begin(), s.constraints.end(), [](const ConstraintEquation& c) { return c.holds; });
+}
 
 struct NamedPart {
     const char* key;
@@ -55,12 +61,22 @@ std::vector<std::pair<const char*, ex>> scalars(const System& s) {
             {"prescribed_power", s.prescribed_power}};
 }
 
+nlohmann::ordered_json constraints_as_json(const System& s, const Notation& write) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const ConstraintEquation& c : s.constraints)
+        if (c.holds) json.push_back({{"name", c.item->name}, {"position", c.position ? write(*c.position) : ""}, {"rate", write(c.whole_rate)}, {"force", write(c.force)}});
+    return json;
+}
+
 /// What constraints hold and bear in this mode.
 std::string constrained(const System& s, const Notation& write) {
-    if (s.motion.accelerations.empty()) return {};
+    if (!is_constrained(s)) return {};
     std::string text = "\nconstraints, and their force along the rate\n";
-    for (const ConstraintEquation& c : s.constraints)
-        if (c.holds) text += fmt::format("  {}: {} = 0, force {}\n", c.item->name, write(c.position ? *c.position : c.whole_rate), write(c.force));
+    for (const ConstraintEquation& c : s.constraints) {
+        if (!c.holds) continue;
+        const std::string force = c.is_redundant ? "follows from the others" : c.has_multiplier ? "unknown" : write(c.force);
+        text += fmt::format("  {}: {} = 0, force {}\n", c.item->name, write(c.position ? *c.position : c.whole_rate), force);
+    }
     return text;
 }
 
@@ -99,7 +115,7 @@ std::string equations_as_text(const System& s) {
     if (!definitions.empty()) text += "\nwith\n";
     for (std::size_t i = 0; i < definitions.size(); ++i) text += fmt::format("  {} = {}\n", definitions[i].name, write(s.symbols.definition_values()[i]));
     if (!q.empty()) {
-        text += fmt::format("\nequations of motion  M*ddot(q) + bias = Q{}\n", s.motion.accelerations.empty() ? "" : " + forces of constraints");
+        text += fmt::format("\nequations of motion  M*ddot(q) + bias = Q{}\n", is_constrained(s) ? " + forces of constraints" : "");
         for (const auto& [left, right] : motion_equations(s)) text += fmt::format("  {} = {}\n", write(left), write(right));
         text += constrained(s, write);
         text += "\nmass matrix M\n";
@@ -152,6 +168,8 @@ std::string equations_as_latex(const System& s) {
     aligned(lines);
     lines.clear();
     for (const auto& [left, right] : motion_equations(s)) lines.push_back(fmt::format("{} &= {}", write(left), write(right)));
+    for (const ConstraintEquation& c : s.constraints)
+        if (c.has_multiplier) lines.push_back(fmt::format("0 &= {}", write(c.position ? *c.position : c.whole_rate)));
     for (const auto& [letter, value] : s.named.names) lines.push_back(fmt::format("{} &= {}", write(letter), write(value)));
     for (const auto& [letter, heat] : s.named.balanced) lines.push_back(fmt::format("0 &= {} \\quad ({})", write(heat), write(letter)));
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
@@ -177,6 +195,7 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     json["equations"] = nlohmann::ordered_json::array();
     for (std::size_t j = 0; j < q.size(); ++j)
         json["equations"].push_back({{"coordinate", q[j].name}, {"left", write(s.residual[j] + s.supplied[j])}, {"right", write(s.supplied[j])}});
+    json["constraints"] = constraints_as_json(s, write);
     json["mass_matrix"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < q.size(); ++i) {
         nlohmann::ordered_json row = nlohmann::ordered_json::array();
@@ -211,9 +230,7 @@ nlohmann::ordered_json mode_as_json(const System& s) {
     for (const auto& [left, right] : motion_equations(s)) json["equations"].push_back({{"left", write(left)}, {"right", write(right)}});
     json["state_rates"] = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < s.state_rates.size(); ++i) json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
-    json["constraints"] = nlohmann::ordered_json::array();
-    for (const ConstraintEquation& c : s.constraints)
-        if (c.holds) json["constraints"].push_back({{"name", c.item->name}, {"rate", write(c.whole_rate)}, {"force", write(c.force)}});
+    json["constraints"] = constraints_as_json(s, write);
     json["events"] = nlohmann::ordered_json::array();
     for (const EventEquation& event : s.events) {
         if (!event.is_watched) continue;

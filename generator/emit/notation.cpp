@@ -64,7 +64,7 @@ std::string latex_name(const std::string& name) {
 
 std::string Notation::symbol(const Variable& variable) const {
     if (style_ == Style::text) return variable.name;
-    std::string name = latex_name(variable.base);
+    std::string name = latex_name(variable.kind == SymbolKind::multiplier ? "lambda" + variable.base.substr(std::string("constraint_force").size()) : variable.base);
     const auto dotted = [&](const char* dots) {
         const std::size_t index = name.find('_');
         name = index == std::string::npos ? fmt::format("\\{}{{{}}}", dots, name) : fmt::format("\\{}{{{}}}{}", dots, name.substr(0, index), name.substr(index));

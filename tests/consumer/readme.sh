@@ -16,16 +16,20 @@ block 'file: crane.toml' >crane.toml
 block 'file: main.cpp' >main.cpp
 block 'run: dalembert check crane.toml' | tail -n +2 >check.expected
 block 'run: main' | tail -n +2 >main.expected
+block 'file: wheel.toml' >wheel.toml
+block 'run: dalembert check wheel.toml' | tail -n +2 >wheel.expected
 block 'file: lift.toml' >lift.toml
 block 'run: dalembert check lift.toml' | tail -n +2 >lift.expected
 block 'file: bar.toml' >bar.toml
 block 'run: dalembert check bar.toml' | tail -n +2 >bar.expected
 block 'file: block.toml' >block.toml
 block 'run: dalembert simulate block.toml' | tail -n +2 >block.expected
-for file in block.toml block.expected crane.toml main.cpp check.expected main.expected lift.toml lift.expected bar.toml bar.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
+for file in wheel.toml wheel.expected block.toml block.expected crane.toml main.cpp check.expected main.expected lift.toml lift.expected bar.toml bar.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
 
 "$PROGRAM" check crane.toml >check.txt
 diff check.expected check.txt
+"$PROGRAM" check wheel.toml >wheel.txt
+diff wheel.expected wheel.txt
 "$PROGRAM" check lift.toml >lift.txt
 diff lift.expected lift.txt
 "$PROGRAM" check bar.toml >bar.txt

@@ -44,7 +44,7 @@ TEST_CASE("a clutch that sticks: one acceleration for both, and the torque that 
     const System& sticks = *mode(machine, "clutch_sticks").system;
     const ex J = symbol(sticks, SymbolKind::parameter, "J"), K = symbol(sticks, SymbolKind::parameter, "K"), u = symbol(sticks, SymbolKind::input, "u");
     REQUIRE(sticks.motion.free == std::vector<std::size_t>{0});
-    CHECK((sticks.motion.mass(0, 0) - (J + K)).expand().is_zero());
+    CHECK((sticks.motion.matrix(0, 0) - (J + K)).expand().is_zero());
     CHECK((sticks.motion.force[0] - u).expand().is_zero());
     REQUIRE(sticks.motion.accelerations.size() == 1);
     CHECK(sticks.motion.accelerations[0].second.is_equal(symbol(sticks, SymbolKind::acceleration, "a")));
