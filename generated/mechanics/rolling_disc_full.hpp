@@ -127,7 +127,7 @@ inline constexpr std::array<Constraint, constraint_count> constraint_list{
 };
 
 /// Start values of the state in SI, for the default parameters.
-inline constexpr std::array<double, state_count> start_values{0, 0, 0, 1.4, 0, 2.9830032857099757, 0, 0.4, 0, -12};
+inline constexpr std::array<double, state_count> start_values{0, 0, 0, 1.2, 0, 2.9637642245523326, 0, 0.4, 0, -12};
 
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
@@ -241,7 +241,7 @@ public:
     /// Start values for the parameters that are set.
     State start_state() const noexcept {
         State x{};
-        x[3] = Scalar(7) / Scalar(5);
+        x[3] = Scalar(6) / Scalar(5);
         x[7] = Scalar(2) / Scalar(5);
         x[9] = -Scalar(12);
         return x;

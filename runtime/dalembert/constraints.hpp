@@ -86,7 +86,7 @@ std::size_t broken_constraint(const System& system, const typename System::State
             if (velocities == n) of_positions += abs(A[j * m + i] * x[j]);
             else of_positions += abs(A[j * m + i]);  // turned angles have no value
         }
-        constexpr double digits = std::numeric_limits<Scalar>::epsilon() > 1e-10 ? 1e-3 : 1e-6;
+        constexpr double digits = std::numeric_limits<Scalar>::digits10 < 10 ? 1e-3 : 1e-6;
         const auto is_met = [&](const Scalar& value, const Scalar& size) { return abs(value) <= Scalar(digits) * (size + Scalar(1) / Scalar(100)); };
         if (!is_met(f[i], of_positions) || !is_met(w[i], of_rates)) return i;
     }
@@ -120,7 +120,7 @@ Residuals<typename System::scalar_type> project(const System& system, typename S
         const Generalised d = step(r);
         for (std::size_t j = 0; j < n; ++j) x[System::velocity_place + j] -= d[j];
     });
-    constexpr double small = std::numeric_limits<Scalar>::epsilon() > 1e-10 ? 1e-5 : 1e-10;
+    constexpr double small = std::numeric_limits<Scalar>::digits10 < 10 ? 1e-5 : 1e-10;
     if (!(result.position <= Scalar(small)) || !(result.rate <= Scalar(small))) result.broken = detail::broken_constraint(system, x, t, mode...);
     return result;
 }
