@@ -57,6 +57,16 @@ void check_size(const Scene& scene) {
                                  fmt::format("scene '{}' has {} states; this version derives at most {}", scene.name, states, 2 * most)});
 }
 
+void stop_on_unbalanced_mass(const System& system) {
+    const auto mass = unbalanced_mass(system);
+    if (!mass) return;
+    const Notation write(system.symbols, Style::text);
+    const Body& item = *mass->body->member.item;
+    const std::string change = fmt::format("the mass of body '{}' changes by '{}'", mass->body->member.name(), write(mass->change));
+    throw Failure(Diagnostic{Id::mass_not_balanced, item.mass ? item.mass->span : item.span,
+                             mass->jets.empty() ? change + ", but no jet takes any away" : fmt::format("{}, but its jets take away '{}'", change, write(mass->lost)), mass->jets});
+}
+
 /// What must hold before anything is made of a derivation.
 void stop_on_failed_audit(const System& system, const Audit& audit) {
     const Notation write(system.symbols, Style::text);
@@ -112,6 +122,7 @@ void prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, s
     machine.system = std::move(system);
     check_fluid_values(*machine.system);
     check_heat_values(*machine.system);
+    stop_on_unbalanced_mass(*machine.system);
     machine.audit = audit(*machine.system);
     stop_on_failed_audit(*machine.system, machine.audit);
     Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges

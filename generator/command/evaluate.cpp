@@ -74,10 +74,8 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
                                                    {"supplied_power", system.supplied_power},
                                                    {"dissipated_power", system.dissipated_power},
                                                    {"prescribed_power", system.prescribed_power}};
-    if (system.has_balances()) {
-        powers.emplace_back("internal_energy", system.internal_energy);
-        powers.emplace_back("exchanged_power", system.exchanged_power);
-    }
+    if (system.has_balances()) powers.emplace_back("internal_energy", system.internal_energy);
+    if (system.has_exchange()) powers.emplace_back("exchanged_power", system.exchanged_power);
     for (const auto& [name, value] : powers) {
         const std::string number = at.number(value);
         json[name] = json_number(number);

@@ -49,6 +49,7 @@ std::string dumped(const Machine& machine, const std::string& stage, const Heade
     list("dampers", scene.dampers);
     list("forces", scene.forces);
     list("torques", scene.torques);
+    list("jets", scene.jets);
     list("kinetic", scene.kinetic);
     list("potentials", scene.potentials);
     list("generalised_forces", scene.generalised_forces);

@@ -144,7 +144,8 @@ std::string equations_as_text(const System& s) {
     }
     text += "\nenergies and powers\n";
     for (const auto& [name, value] : scalars(s)) text += fmt::format("  {} = {}\n", name, write(value));
-    if (s.has_balances()) text += fmt::format("  internal_energy = {}\n  exchanged_power = {}\n", write(s.named.internal_energy), write(s.named.exchanged_power));
+    if (s.has_balances()) text += fmt::format("  internal_energy = {}\n", write(s.named.internal_energy));
+    if (s.has_exchange()) text += fmt::format("  exchanged_power = {}\n", write(s.named.exchanged_power));
     if (!s.fluids.guards.empty()) text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
     for (const Guard& guard : s.fluids.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
     text += events(s, write);

@@ -40,6 +40,11 @@ Remainder remainder(const System& system, const BodyMotion& body) {
         const SpaceVector given = system.translate(member.item->force, indices);
         result.force = result.force - (member.item->in_axes ? body.frame->to_ground(given) : given);
     }
+    for (const Ejection& jet : system.ejections) {
+        if (jet.body != &body) continue;
+        const SpaceVector given = system.translate(jet.member.item->velocity, Translator::indices_of(jet.member));
+        result.force = result.force + jet.mass_flow * (jet.member.item->in_axes ? body.frame->to_ground(given) : given);
+    }
     for (const auto& member : scene.torques) {
         const Torque& torque = *member.item;
         const Indices indices = Translator::indices_of(member);

@@ -49,13 +49,15 @@ void forces(System& system) {
     const std::size_t n = system.symbols.degrees();
     system.potentials = potentials(system.scene, system.translate, system.symbols, system.bodies);
     system.supplies = supplies(system.scene, system.translate, system.bodies);
+    system.ejections = ejections(system.scene, system.translate, system.bodies);
+    for (const Ejection& ejection : system.ejections) system.supplies.push_back(ejection.supply);
 
     std::vector<Potential> gravity;
     std::vector<Potential> elastic;
     for (const Potential& p : system.potentials) {
         (p.origin == Potential::Origin::gravity ? gravity : elastic).push_back(p);
         system.potential_energy += p.energy;
-        system.prescribed_power += partial(p.energy, system.symbols.time());
+        system.prescribed_power += partial(p.energy, system.symbols.time()) + p.power;
     }
     for (const Resistance& r : system.resistances) system.prescribed_power += r.prescribed;
     for (const Supply& s : system.supplies) {
@@ -127,6 +129,15 @@ void equations(System& system) {
     balances(system);
 }
 
+void exchange_by_jets(System& system) {
+    if (system.ejections.empty()) return;
+    ex power = 0;
+    for (const Ejection& ejection : system.ejections) power -= ejection.leaving_power;
+    for (const BodyMotion& body : system.bodies) power += carried_spin_energy(body, system.rate());
+    system.exchanged_power += power;
+    system.named.exchanged_power += power;
+}
+
 void outputs(System& system) {
     for (const auto& member : system.scene.outputs) {
         const Output& item = *member.item;
@@ -159,6 +170,10 @@ ex System::with_rates(const ex& e) const {
     GiNaC::exmap rates;
     for (std::size_t i = 0; i < state_rates.size(); ++i) rates[symbols.get(SymbolKind::state_rate, i)] = state_rates[i];
     return e.subs(rates, GiNaC::subs_options::no_pattern);
+}
+
+Rate System::rate() const {
+    return [this](const ex& e) { return with_rates(symbols.time_derivative(e)); };
 }
 
 bool System::needs_projection() const {
@@ -215,6 +230,7 @@ std::unique_ptr<System> derive(const Names& names, Scene scene) {
     outputs(*system);
     events(*system);
     system->named = name_balances(*system, system->symbols);
+    exchange_by_jets(*system);
     return system;
 }
 

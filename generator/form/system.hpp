@@ -10,6 +10,7 @@
 #include "mechanics/dalembert.hpp"
 #include "mechanics/euler_lagrange.hpp"
 #include "mechanics/forces.hpp"
+#include "mechanics/jets.hpp"
 #include "symbolic/affine_rate.hpp"
 #include "symbolic/values.hpp"
 #include "text/diagnostic.hpp"
@@ -106,6 +107,7 @@ struct System {
     std::vector<Potential> potentials;
     std::vector<Resistance> resistances;
     std::vector<Supply> supplies;
+    std::vector<Ejection> ejections;
     Fluids fluids;
     HeatNetwork heat;
 
@@ -125,13 +127,17 @@ struct System {
     GiNaC::ex dissipated_power;
     GiNaC::ex prescribed_power;     ///< contains accelerations where kinematics depend on time
     GiNaC::ex internal_energy;      ///< of fluids and of what stores heat
-    GiNaC::ex exchanged_power;      ///< of enthalpy flows, heat and shafts over the border
-    /// Whether anything stores internal energy.
+    GiNaC::ex exchanged_power;      ///< of enthalpy flows, heat, shafts and jets over the border
+    /// Whether anything stores internal energy; whether anything crosses the border.
     bool has_balances() const { return !fluids.empty() || !heat.empty(); }
+    bool has_exchange() const { return has_balances() || !ejections.empty(); }
 
     std::vector<GiNaC::ex> state_rates;  ///< zd
     /// An expression with the rates of states replaced by what they are.
     GiNaC::ex with_rates(const GiNaC::ex& e) const;
+
+    /// The rate of what parameters and states determine.
+    Rate rate() const;
 
     NamedBalances named;
     std::vector<OutputEquation> outputs;

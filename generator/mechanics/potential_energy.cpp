@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mechanics/forces.hpp"
+#include "symbolic/affine_rate.hpp"
 #include "symbolic/integrate.hpp"
 #include "text/diagnostic.hpp"
 
@@ -85,13 +88,34 @@ ex energy_of_forces(const PotentialTerm& term, const Generalised& force, const T
     return energy;
 }
 
+/// (2.216) of sum_k p_k qd_k: sum_k (dp_j/dq_k - dp_k/dq_j) qd_k + dp_j/dt, a force that turns with the velocity as a magnetic one does.
+/// About the axes of an attitude the momentum itself turns with them, omega x p.
+void add_momentum(Potential& potential, Generalised momentum, const Symbols& symbols) {
+    const auto qd = [&](std::size_t j) { return symbols.get(SymbolKind::velocity, j); };
+    for (std::size_t j = 0; j < symbols.degrees(); ++j) {
+        const ex rate = partial(momentum[j], symbols.time());
+        potential.force[j] += rate;
+        potential.power += rate * qd(j);
+        for (std::size_t k = 0; k < symbols.degrees(); ++k)
+            if (k != j) potential.force[j] += (symbols.along(momentum[j], k) - symbols.along(momentum[k], j)) * qd(k);
+    }
+    for (const Symbols::AttitudeSymbols& attitude : symbols.attitudes())
+        for (std::size_t a = 0; a < 3; ++a) {
+            const std::size_t b = attitude.coordinates[(a + 1) % 3], c = attitude.coordinates[(a + 2) % 3];
+            potential.force[attitude.coordinates[a]] += momentum[c] * qd(b) - momentum[b] * qd(c);
+        }
+    potential.momentum = std::move(momentum);
+}
+
 Potential plain_potential(const Member<PotentialTerm>& member, const Translator& translate, const Symbols& symbols) {
     const PotentialTerm& term = *member.item;
     const Indices indices = Translator::indices_of(member);
     Potential result{fmt::format("potential '{}'", member.name()), Potential::Origin::plain, term.span, Generalised(symbols.degrees(), 0), 0};
     if (term.energy) {
-        result.energy = translate(term.energy, indices);
+        AffineRate energy = affine_rate(translate(term.energy, indices), symbols, term.energy->span, fmt::format("the energy of potential '{}'", term.name));
+        result.energy = energy.drift;
         for (std::size_t j = 0; j < symbols.degrees(); ++j) result.force[j] = -symbols.along(result.energy, j);
+        if (!std::all_of(energy.jacobian.begin(), energy.jacobian.end(), [](const ex& slope) { return slope.is_zero(); })) add_momentum(result, std::move(energy.jacobian), symbols);
         return result;
     }
     result.origin = Potential::Origin::forces;
@@ -102,6 +126,12 @@ Potential plain_potential(const Member<PotentialTerm>& member, const Translator&
 }
 
 }  // namespace
+
+ex Potential::moving_part(const Symbols& symbols) const {
+    ex sum = 0;
+    for (std::size_t j = 0; j < momentum.size(); ++j) sum += momentum[j] * symbols.get(SymbolKind::velocity, j);
+    return sum;
+}
 
 std::vector<Potential> potentials(const Scene& scene, const Translator& translate, Symbols& symbols, const std::vector<BodyMotion>& bodies) {
     std::vector<Potential> result;

@@ -9,6 +9,31 @@ namespace dalembert {
 
 using GiNaC::ex;
 
+Supply along_velocity(std::string name, const SpaceVector& force, const SpaceVector& velocity, const Symbols& symbols) {
+    Supply result{std::move(name), {}, dot(force, velocity), 0};
+    GiNaC::exmap still;
+    for (std::size_t j = 0; j < symbols.degrees(); ++j) {
+        const ex& qd = symbols.get(SymbolKind::velocity, j);
+        result.force.push_back(dot(force, partial(velocity, qd)));
+        still[qd] = 0;
+    }
+    result.prescribed = -result.power.subs(still, GiNaC::subs_options::no_pattern);
+    return result;
+}
+
+const BodyMotion& body_of(const Reference& reference, const std::vector<BodyMotion>& bodies, const Scene& scene, const Indices& indices) {
+    if (const BodyMotion* body = find_motion(bodies, reference, scene, indices)) return *body;
+    throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("there is no body '{}'", std::string(reference.span.text()))});
+}
+
+SpaceVector in_used_axes_of(const BodyMotion& body, const SpaceVector& given, bool in_axes, const Span& place, const std::string& what) {
+    if (in_axes && !body.frame)
+        throw Failure(Diagnostic{Id::not_allowed_here, place, fmt::format("{} is given in the axes of body '{}', which has none: it has no 'turns', 'attitude' or 'origin'", what, body.member.name())});
+    if (!body.frame) return given;
+    if (!in_axes) return body.in_used_axes(given);
+    return body.is_seen_from_ground ? body.frame->to_ground(given) : given;
+}
+
 namespace {
 
 /// A linear rate w = A qd + b resisted by f: Q = -A' f, dissipated f w; f b of that is put in by what moves in a prescribed way.
@@ -55,28 +80,10 @@ Supply force_at(std::string name, const SpaceVector& force, const SpaceVector& p
     return result;
 }
 
-/// Q_j = F.dv/dqd_j with F and v in the same axes: a force with the velocity of its point, or a torque with an angular velocity.
-Supply along_velocity(std::string name, const SpaceVector& force, const SpaceVector& velocity, const Symbols& symbols) {
-    Supply result{std::move(name), {}, dot(force, velocity), 0};
-    GiNaC::exmap still;
-    for (std::size_t j = 0; j < symbols.degrees(); ++j) {
-        const ex& qd = symbols.get(SymbolKind::velocity, j);
-        result.force.push_back(dot(force, partial(velocity, qd)));
-        still[qd] = 0;
-    }
-    result.prescribed = -result.power.subs(still, GiNaC::subs_options::no_pattern);
-    return result;
-}
-
 void add(Supply& to, const Supply& other, int sign) {
     for (std::size_t j = 0; j < to.force.size(); ++j) to.force[j] += sign * other.force[j];
     to.power += sign * other.power;
     to.prescribed += sign * other.prescribed;
-}
-
-const BodyMotion& body_of(const Reference& reference, const std::vector<BodyMotion>& bodies, const Scene& scene, const Indices& indices) {
-    if (const BodyMotion* body = find_motion(bodies, reference, scene, indices)) return *body;
-    throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("there is no body '{}'", std::string(reference.span.text()))});
 }
 
 /// On bodies that turn in space. The reaction is the same vector, taken into the axes of the other body.
@@ -156,11 +163,8 @@ std::vector<Supply> supplies(const Scene& scene, const Translator& translate, co
         const Force& force = *member.item;
         const Indices indices = Translator::indices_of(member);
         const BodyMotion* body = force.on ? &body_of(*force.on, bodies, scene, indices) : nullptr;
-        if (force.in_axes && !body->frame)
-            throw Failure(Diagnostic{Id::not_allowed_here, force.span, fmt::format("force '{}' is given in the axes of body '{}', which has none: it has no 'turns', 'attitude' or 'origin'", member.name(), body->member.name())});
-        if (body != nullptr && body->frame) {
-            const SpaceVector given = translate(force.force, indices);
-            const SpaceVector own = !force.in_axes ? body->in_used_axes(given) : body->is_seen_from_ground ? body->frame->to_ground(given) : given;
+        if (force.in_axes || (body != nullptr && body->frame)) {
+            const SpaceVector own = in_used_axes_of(*body, translate(force.force, indices), force.in_axes, force.span, fmt::format("force '{}'", member.name()));
             result.push_back(along_velocity(fmt::format("force {}", member.name()), own, body->used_velocity(), symbols));
             continue;
         }

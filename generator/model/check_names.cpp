@@ -52,6 +52,7 @@ public:
         each_separately(model_.dampers);
         each_separately(model_.forces);
         each_separately(model_.torques);
+        each_separately(model_.jets);
         each_separately(model_.cuts);
         each_separately(model_.kinetic);
         each_separately(model_.potentials);

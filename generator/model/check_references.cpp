@@ -24,6 +24,7 @@ public:
         }
         for (const Damper& item : model_.dampers) body(item.on, true, false);
         for (const Force& item : model_.forces) body(item.on, !item.in_axes, false);
+        for (const Jet& item : model_.jets) body(item.from, true, false);
         for (const Torque& item : model_.torques) {
             body(item.on, false, true);
             body(item.against, false, true);
@@ -144,6 +145,7 @@ private:
         all(model_.dampers);
         all(model_.forces);
         all(model_.torques);
+        all(model_.jets);
         all(model_.kinetic);
         all(model_.potentials);
         all(model_.generalised_forces);

@@ -74,6 +74,10 @@ public:
             if (torque.vector) vector(*torque.vector, Dimension::energy(), fmt::format("torque '{}'", torque.name));
             expect(torque.rate, Dimension::none() / Dimension::time(), "the rate", "torque", torque);
         }
+        for (const Jet& jet : model_.jets) {
+            expect(jet.mass_flow, Dimension::mass() / Dimension::time(), "the mass flow", "jet", jet);
+            vector(jet.velocity, Dimension::speed(), fmt::format("the velocity of jet '{}'", jet.name));
+        }
         for (const KineticTerm& term : model_.kinetic) expect(term.energy, Dimension::energy(), "the energy", "kinetic term", term);
         for (const PotentialTerm& term : model_.potentials) {
             expect(term.energy, Dimension::energy(), "the energy", "potential", term);

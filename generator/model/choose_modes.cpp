@@ -137,6 +137,7 @@ Scene in_mode(const Scene& scene, std::size_t mode) {
     keep(one.dampers);
     keep(one.forces);
     keep(one.torques);
+    keep(one.jets);
     keep(one.kinetic);
     keep(one.potentials);
     keep(one.generalised_forces);

@@ -109,6 +109,14 @@ struct Force : Item {
     std::optional<VectorExpression> at;
 };
 
+/// Mass that leaves a body with a velocity relative to it.
+struct Jet : Item {
+    Reference from;
+    ExpressionPtr mass_flow;
+    VectorExpression velocity;
+    bool in_axes = false;  ///< of the body
+};
+
 struct Torque : Item {
     ExpressionPtr torque;
     std::optional<VectorExpression> vector;  ///< on a body in space
@@ -225,6 +233,7 @@ struct Model {
     std::vector<Damper> dampers;
     std::vector<Force> forces;
     std::vector<Torque> torques;
+    std::vector<Jet> jets;
     std::vector<Cut> cuts;
     std::vector<KineticTerm> kinetic;
     std::vector<PotentialTerm> potentials;

@@ -119,6 +119,13 @@ void read(const Entry& e, Torque& torque) {
     if (torque.in_axes && !torque.vector) e.error(Id::not_allowed_here, e.span_of("in_axes"), fmt::format("torque '{}' is no vector, so that it is in no axes", e.name()));
 }
 
+void read(const Entry& e, Jet& jet) {
+    if (const auto from = e.body("from")) jet.from = *from;
+    jet.mass_flow = e.expression("mass_flow");
+    if (auto velocity = e.vector("velocity")) jet.velocity = *velocity;
+    jet.in_axes = e.boolean("in_axes");
+}
+
 void read(const Entry& e, Cut& cut) {
     cut.bodies = e.parts("bodies");
     if (auto direction = e.vector("direction")) cut.direction = *direction;

@@ -12,6 +12,7 @@ void read(const Entry& e, Spring& spring);
 void read(const Entry& e, Damper& damper);
 void read(const Entry& e, Force& force);
 void read(const Entry& e, Torque& torque);
+void read(const Entry& e, Jet& jet);
 void read(const Entry& e, Cut& cut);
 void read(const Entry& e, KineticTerm& term);
 void read(const Entry& e, PotentialTerm& term);

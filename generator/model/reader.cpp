@@ -142,6 +142,7 @@ public:
         collection("dampers", model_.dampers);
         collection("forces", model_.forces);
         collection("torques", model_.torques);
+        collection("jets", model_.jets);
         collection("cuts", model_.cuts);
         collection("kinetic", model_.kinetic);
         collection("potentials", model_.potentials);

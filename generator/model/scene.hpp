@@ -61,6 +61,7 @@ struct Scene {
     std::vector<Member<Damper>> dampers;
     std::vector<Member<Force>> forces;
     std::vector<Member<Torque>> torques;
+    std::vector<Member<Jet>> jets;
     std::vector<Member<KineticTerm>> kinetic;
     std::vector<Member<PotentialTerm>> potentials;
     std::vector<Member<GeneralisedForce>> generalised_forces;

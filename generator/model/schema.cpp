@@ -115,6 +115,13 @@ constexpr std::array torque_keys{
     KeySpec{"rate", T::expression, false, "instead of bodies: the angular velocity with which the torque works"},
     doc_key, for_key, when_key,
 };
+constexpr std::array jet_keys{
+    KeySpec{"from", T::body, true, "the body that loses mass; its mass contains a state whose rate is minus the mass flows"},
+    KeySpec{"mass_flow", T::expression, true, "what leaves, in kg/s; negative for mass that arrives"},
+    KeySpec{"velocity", T::vector, true, "of what leaves, or of what arrives, relative to the body: the thrust is minus mass flow times velocity (2.149)"},
+    KeySpec{"in_axes", T::boolean, false, "true: the velocity is given in the axes of the body, else in those of the ground"},
+    doc_key, for_key, when_key,
+};
 constexpr std::array cut_keys{
     KeySpec{"bodies", T::parts, true, "those that are cut free together"},
     KeySpec{"direction", T::vector, true, "of length 1, in the axes of the ground: the force that everything else exerts on the bodies is put out along it"},
@@ -126,7 +133,7 @@ constexpr std::array kinetic_keys{
     doc_key, for_key, when_key,
 };
 constexpr std::array potential_keys{
-    KeySpec{"energy", T::expression, false, "a potential energy"},
+    KeySpec{"energy", T::expression, false, "a potential energy; where velocities enter, linearly, a generalised potential (2.216), as of charges in magnetic fields"},
     KeySpec{"forces", T::expressions_by_name, false,
             "instead of the energy: the generalised force on each coordinate; must satisfy the integrability condition (2.81)"},
     KeySpec{"reference", T::expressions_by_name, false, "with forces: the point where the energy is zero; 0 for what is left out"},
@@ -400,6 +407,8 @@ constexpr std::array table{
                 "[dampers.friction]\nrate        = \"dot(s)\"\ncoefficient = \"d_R\"\nwhen        = \"viscous_friction\"", damper_keys, ""},
     SectionSpec{"forces", true, "Forces at points.", "[forces.drive]\non    = \"cart\"\nforce = [\"f_e\", 0, 0]", force_keys, ""},
     SectionSpec{"torques", true, "Torques on bodies that turn.", "[torques.motor]\non     = \"rotor\"\ntorque = \"tau_m\"", torque_keys, ""},
+    SectionSpec{"jets", true, "Mass that leaves a body, or arrives at it. Apart from its velocity relative to the body it takes along the momentum and the spin that it has as a part of the body. The power of ejecting it counts as supplied, what it takes over the border as exchanged.",
+                "[jets.engine]\nfrom      = \"rocket\"\nmass_flow = \"mu\"\nvelocity  = [0, 0, \"-w\"]", jet_keys, ""},
     SectionSpec{"cuts", true, "Forces of rods, ropes, bearings and surfaces without a constraint of their own. cut_force[NAME] is what is left of mass times acceleration of the bodies, when gravity and the [forces] and [torques] on them are taken off: what everything else exerts on them, springs and dampers included.",
                 "[cuts.rod]\nbodies    = [\"bob\"]\ndirection = [\"-sin(phi)\", \"cos(phi)\"]", cut_keys, ""},
     SectionSpec{"kinetic", true, "Kinetic energy for which there is no component.",

@@ -61,6 +61,7 @@ public:
         choose(model_.dampers, scene_.dampers);
         choose(model_.forces, scene_.forces);
         choose(model_.torques, scene_.torques);
+        choose(model_.jets, scene_.jets);
         choose(model_.kinetic, scene_.kinetic);
         choose(model_.potentials, scene_.potentials);
         choose(model_.generalised_forces, scene_.generalised_forces);
@@ -94,6 +95,7 @@ public:
         use_all(scene_.dampers, "damper");
         use_all(scene_.forces, "force");
         use_all(scene_.torques, "torque");
+        use_all(scene_.jets, "jet");
         use_all(scene_.kinetic, "kinetic term");
         use_all(scene_.potentials, "potential");
         use_all(scene_.generalised_forces, "generalised force");
@@ -351,6 +353,7 @@ private:
         for (const auto& member : scene_.bodies) check(member.item->on, member.item->name);
         for (const auto& member : scene_.dampers) check(member.item->on, member.item->name);
         for (const auto& member : scene_.forces) check(member.item->on, member.item->name);
+        for (const auto& member : scene_.jets) check(member.item->from, member.item->name);
         for (const auto& member : scene_.torques) {
             check(member.item->on, member.item->name);
             check(member.item->against, member.item->name);

@@ -126,13 +126,13 @@ void visit(const Attitude& item, const SiteVisitor& visitor) {
 
 void visit(const Body& item, const SiteVisitor& visitor) {
     const Visit each(item, "body", visitor);
-    each(item.mass, constant_only, "mass");
+    each(item.mass, on_parameters | on_states, "mass");
     each(item.position, on_configuration, "position");
     each(item.rotation, on_configuration, "rotation");
     each(item.angular_velocity, on_motion, "angular velocity");
-    each(item.inertia, constant_only, "inertia");
+    each(item.inertia, on_parameters | on_states, "inertia");
     for (const auto& row : item.tensor)
-        for (const ExpressionPtr& moment : row) each(moment, constant_only, "inertia");
+        for (const ExpressionPtr& moment : row) each(moment, on_parameters | on_states, "inertia");
     for (const Turn& turn : item.turns) each(turn.angle, on_configuration, "turns");
     each(item.origin, on_configuration, "origin");
     each(item.centre, on_configuration, "centre");
@@ -178,13 +178,20 @@ void visit(const Torque& item, const SiteVisitor& visitor) {
     each(item.rate, on_motion, "rate");
 }
 
+void visit(const Jet& item, const SiteVisitor& visitor) {
+    const Visit each(item, "jet", visitor);
+    each(item.from);
+    each(item.mass_flow, on_state_and_inputs, "mass flow");
+    each(std::optional(item.velocity), on_state_and_inputs, "velocity");
+}
+
 void visit(const KineticTerm& item, const SiteVisitor& visitor) {
     Visit(item, "kinetic term", visitor)(item.energy, on_parameters | on_coordinates | on_velocities, "energy");
 }
 
 void visit(const PotentialTerm& item, const SiteVisitor& visitor) {
     const Visit each(item, "potential", visitor);
-    each(item.energy, on_configuration, "energy");
+    each(item.energy, on_motion, "energy");
     for (const CoordinateEntry& entry : item.forces) each(entry, on_parameters | on_coordinates, "forces");
     for (const CoordinateEntry& entry : item.reference) each(entry, constant_only, "reference");
 }
@@ -432,6 +439,7 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.dampers);
     all(model.forces);
     all(model.torques);
+    all(model.jets);
     all(model.cuts);
     all(model.kinetic);
     all(model.potentials);

@@ -64,6 +64,7 @@ void visit(const Spring& item, const SiteVisitor& visitor);
 void visit(const Damper& item, const SiteVisitor& visitor);
 void visit(const Force& item, const SiteVisitor& visitor);
 void visit(const Torque& item, const SiteVisitor& visitor);
+void visit(const Jet& item, const SiteVisitor& visitor);
 void visit(const KineticTerm& item, const SiteVisitor& visitor);
 void visit(const PotentialTerm& item, const SiteVisitor& visitor);
 void visit(const GeneralisedForce& item, const SiteVisitor& visitor);

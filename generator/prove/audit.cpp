@@ -18,10 +18,21 @@ namespace {
 /// M qdd + bias - Q from d'Alembert against d/dt(dT/dqd) - dT/dq + dV/dq - Q from the energies.
 std::vector<AuditEntry> compare_derivations(const System& system, Prover& prover) {
     const Symbols& symbols = system.symbols;
-    const std::vector<ex> lagrange = euler_lagrange(system.kinetic, symbols);
+    std::vector<ex> moving = system.kinetic;
+    for (const Potential& p : system.potentials)
+        if (!p.momentum.empty()) moving.push_back(-p.moving_part(symbols));
+    const std::vector<ex> lagrange = euler_lagrange(moving, symbols);
+    // What a change of mass adds to d/dt(dT/dqd) leaves with the mass.
+    Generalised carried(symbols.degrees(), 0);
+    if (!system.ejections.empty())
+        for (const BodyMotion& body : system.bodies) {
+            const Generalised one = carried_momentum(body, symbols, system.rate());
+            for (std::size_t j = 0; j < symbols.degrees(); ++j) carried[j] += one[j];
+        }
     std::vector<AuditEntry> entries;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
-        const ex other = lagrange[j] + symbols.along(system.potential_energy, j) - system.dissipative[j] - system.supplied[j] - system.fluids.force[j];
+        const ex inertial = system.ejections.empty() ? lagrange[j] : system.with_rates(lagrange[j]);
+        const ex other = inertial + symbols.along(system.potential_energy, j) - system.dissipative[j] - system.supplied[j] - system.fluids.force[j] - carried[j];
         entries.push_back({fmt::format("d'Alembert = Euler-Lagrange, {}", symbols.all(SymbolKind::coordinate)[j].name), prover.equal(system.residual[j], other)});
     }
     return entries;
@@ -30,9 +41,11 @@ std::vector<AuditEntry> compare_derivations(const System& system, Prover& prover
 std::vector<AuditEntry> compare_potentials(const System& system, Prover& prover) {
     std::vector<AuditEntry> entries;
     for (const Potential& p : system.potentials) {
-        AuditEntry entry{fmt::format("force = -d(energy)/dq, {}", p.name), {Verdict::proven}};
+        const bool is_moving = !p.momentum.empty();
+        AuditEntry entry{fmt::format("force = {}-d(energy)/dq, {}", is_moving ? "d/dt d(energy)/dqd " : "", p.name), {Verdict::proven}};
+        const std::vector<ex> of_velocity = is_moving ? euler_lagrange({p.moving_part(system.symbols)}, system.symbols) : Generalised(system.symbols.degrees(), 0);
         for (std::size_t j = 0; j < system.symbols.degrees(); ++j) {
-            Comparison one = prover.equal(p.force[j], -system.symbols.along(p.energy, j));
+            Comparison one = prover.equal(p.force[j], of_velocity[j] - system.symbols.along(p.energy, j));
             if (is_worse(one.verdict, entry.result.verdict)) entry.result = std::move(one);
         }
         entries.push_back(std::move(entry));
@@ -57,7 +70,8 @@ AuditEntry balance_power(const System& system, Prover& prover) {
     for (const auto& [node, heat] : system.heat.defined) power -= heat;
     const GiNaC::exmap held = system.held_motion();
     const auto in = [&](const ex& e) { return held.empty() ? e : e.subs(held, GiNaC::subs_options::no_pattern); };
-    return {"power balance", prover.equal(in(GiNaC::add(change)), in(power))};
+    const ex total = GiNaC::add(change);
+    return {"power balance", prover.equal(in(system.ejections.empty() ? total : system.with_rates(total)), in(power))};
 }
 
 /// d(m)/dt = sum of the flows at the ports, and d(m*e)/dt = what the flows bring + heat + shaft - p*dV/dt, by the chain rule through
@@ -167,7 +181,7 @@ bool Audit::all_proven() const {
 }
 
 const char* Audit::power_balance_name(const System& system) {
-    return !system.has_balances() ? "d(T + V)/dt = supplied - dissipated" : "d(T + V + E)/dt = supplied - dissipated + exchanged";
+    return !system.has_exchange() ? "d(T + V)/dt = supplied - dissipated" : !system.has_balances() ? "d(T + V)/dt = supplied - dissipated + exchanged" : "d(T + V + E)/dt = supplied - dissipated + exchanged";
 }
 
 Audit audit(const System& system) {

@@ -53,6 +53,27 @@ void check_tensor(const BodyMotion& body, const System& system, const GiNaC::exm
 
 }  // namespace
 
+std::optional<UnbalancedMass> unbalanced_mass(const System& system) {
+    Prover prover(system);
+    for (const BodyMotion& body : system.bodies) {
+        const Body& item = *body.member.item;
+        UnbalancedMass one{&body, system.rate()(body.mass), 0, {}};
+        for (const Ejection& ejection : system.ejections) {
+            if (ejection.body != &body) continue;
+            one.lost += ejection.mass_flow;
+            one.jets.push_back({ejection.member.item->span, "a jet stands here"});
+        }
+        const auto check_moment = [&](const ExpressionPtr& moment) {
+            if (one.jets.empty() && moment && (dependence(*moment, system.names) & on_states) != 0)
+                throw Failure(Diagnostic{Id::mass_not_balanced, moment->span, fmt::format("the inertia of body '{}' changes with a state, but no jet takes mass away; what moves inside it is a body of its own", item.name)});
+        };
+        check_moment(item.inertia);
+        for (const auto& row : item.tensor) std::for_each(row.begin(), row.end(), check_moment);
+        if (!prover.proven_equal(one.change, -one.lost)) return one;
+    }
+    return std::nullopt;
+}
+
 void check_body_values(const System& system, const Values& values) {
     const GiNaC::exmap at = values.substitution();
     for (const BodyMotion& body : system.bodies)

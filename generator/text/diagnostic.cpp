@@ -55,6 +55,7 @@ constexpr std::array kinds{
     DiagnosticKind{Id::wrong_medium, "wrong-medium", "a flow or volume whose law does not fit the medium"},
     DiagnosticKind{Id::wrong_enclosure, "wrong-enclosure", "surfaces that cannot see each other as the model says"},
     DiagnosticKind{Id::wrong_inertia, "wrong-inertia", "an inertia that no body can have"},
+    DiagnosticKind{Id::mass_not_balanced, "mass-not-balanced", "a mass that changes otherwise than its jets say"},
     DiagnosticKind{Id::wrong_modes, "wrong-modes", "modes and events that cannot work together"},
     DiagnosticKind{Id::undetermined, "undetermined", "a state or volume that nothing determines"},
     DiagnosticKind{Id::doubly_determined, "doubly-determined", "two things that fix the same quantity"},

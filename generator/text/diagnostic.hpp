@@ -57,6 +57,7 @@ enum class Id {
     wrong_medium,
     wrong_enclosure,
     wrong_inertia,
+    mass_not_balanced,
     wrong_modes,
     undetermined,
     doubly_determined,
