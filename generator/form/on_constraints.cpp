@@ -12,6 +12,7 @@ namespace {
 
 constexpr int digits = 40;
 constexpr int most_steps = 60;
+constexpr int met_digits = digits - 5;  ///< where Newton's steps end
 
 /// Beside which something counts as zero.
 cl_R tenth_to(int exponent) { return cln::recip(cl_R(cln::expt_pos(cln::cl_I(10), exponent))); }
@@ -71,7 +72,7 @@ ConstraintPoints::ConstraintPoints(const System& system, std::vector<std::size_t
 
 cl_R ConstraintPoints::value(const ex& e, const GiNaC::exmap& point) const { return value_at(e, point, digits).value_or(0); }
 
-/// Zero but for a billionth of the terms that it is made of.
+/// Zero but for a billionth of the terms that it is made of, all of which may be zero, or as far as Newton's steps go.
 bool ConstraintPoints::is_met(const ex& e, const GiNaC::exmap& point) const {
     const ex sum = system_.symbols.without_definitions(e).expand();
     cl_R whole = 0, size = 0;
@@ -82,7 +83,7 @@ bool ConstraintPoints::is_met(const ex& e, const GiNaC::exmap& point) const {
         whole = whole + *term;
         size = size + cln::abs(*term);
     }
-    return cln::abs(whole) <= size * tenth_to(9);
+    return cln::abs(whole) <= size * tenth_to(9) + tenth_to(met_digits);
 }
 
 /// Positions and their derivatives by the coordinates, or rates and theirs by the velocities.
@@ -134,7 +135,7 @@ void ConstraintPoints::meet_positions(GiNaC::exmap& point, const std::vector<boo
     auto here = rows(point, false);
     for (int step = 0; here && step < most_steps; ++step) {
         const cl_R size = size_of(*here);
-        if (size <= tenth_to(2 * digits - 10)) return;
+        if (size <= tenth_to(2 * met_digits)) return;
         for (Row& row : here->factors)
             for (std::size_t j = 0; j < n; ++j)
                 if (!is_free[j]) row[j] = 0;

@@ -28,6 +28,18 @@ ex component(const SpaceVector& vector, const System& system, const Expression& 
     throw Failure(Diagnostic{Id::index_out_of_range, index.span, fmt::format("a vector has the components 1, 2 and 3, not {}", i)});
 }
 
+/// A component in the axes of the ground of a body's own axis.
+ex axis(const System& system, const Expression& e, const Indices& indices) {
+    const BodyMotion& of = body(system, *e.children[0], indices);
+    SpaceMatrix axes{SpaceVector{GiNaC::cos(of.rotation), GiNaC::sin(of.rotation), 0}, SpaceVector{-GiNaC::sin(of.rotation), GiNaC::cos(of.rotation), 0}, SpaceVector{0, 0, 1}};
+    if (of.frame) axes = {of.frame->to_ground({1, 0, 0}), of.frame->to_ground({0, 1, 0}), of.frame->to_ground({0, 0, 1})};
+    else if (of.turns && !of.has_rotation)
+        throw Failure(Diagnostic{Id::needs_absent, e.span, fmt::format("body '{}' has an angular velocity but no rotation, so that its axes are not known", of.member.name())});
+    const int number = index_value(*e.children[1], system.scene, indices);
+    if (number < 1 || number > 3) throw Failure(Diagnostic{Id::index_out_of_range, e.children[1]->span, fmt::format("a body has the axes 1, 2 and 3, not {}", number)});
+    return component(axes[static_cast<std::size_t>(number - 1)], system, *e.children[2], indices);
+}
+
 SpaceVector own_angular_velocity(const BodyMotion& body) { return body.frame ? body.frame->angular_velocity : SpaceVector{0, 0, body.angular_velocity}; }
 
 SpaceVector angular_momentum(const BodyMotion& body) {
@@ -188,6 +200,7 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
     }
     if (e.name == "angular_velocity") return component(own_angular_velocity(body(system, child(0), indices)), system, child(1), indices);
     if (e.name == "spin") return component(angular_momentum(body(system, child(0), indices)), system, child(1), indices);
+    if (e.name == "axis") return axis(system, e, indices);
     if (e.name == "prescribed_power") return system.prescribed_power;
     if (e.name == "position") return component(body(system, child(0), indices).position, system, child(1), indices);
     if (e.name == "velocity") return component(body(system, child(0), indices).velocity, system, child(1), indices);

@@ -55,12 +55,17 @@ std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multi
     return factors;
 }
 
-std::vector<NodeId> solve(Program& program, std::size_t n, const std::vector<NodeId>& factors, std::vector<NodeId> b) {
+std::vector<NodeId> solve_lower(Program& program, std::size_t n, const std::vector<NodeId>& factors, std::vector<NodeId> b) {
     for (std::size_t i = 0; i < n; ++i) {
         std::vector<std::pair<NodeId, NodeId>> products;
         for (std::size_t k = 0; k < i; ++k) products.emplace_back(factors[lower_index(i, k)], b[k]);
         b[i] = minus_products(program, b[i], products);
     }
+    return b;
+}
+
+std::vector<NodeId> solve(Program& program, std::size_t n, const std::vector<NodeId>& factors, std::vector<NodeId> b) {
+    b = solve_lower(program, n, factors, std::move(b));
     for (std::size_t i = n; i-- > 0;) {
         std::vector<std::pair<NodeId, NodeId>> products;
         for (std::size_t k = i + 1; k < n; ++k) products.emplace_back(factors[lower_index(k, i)], b[k]);

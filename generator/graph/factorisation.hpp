@@ -36,6 +36,9 @@ using Reciprocal = std::function<NodeId(NodeId)>;
 /// it is zero where the constraint is dropped, see note [multipliers].
 std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multipliers, const std::vector<NodeId>& mass, const Reciprocal& reciprocal = nullptr);
 
+/// D L' x where M x = b, the first half of the solve.
+std::vector<NodeId> solve_lower(Program& program, std::size_t n, const std::vector<NodeId>& factors, std::vector<NodeId> b);
+
 /// x with M x = b.
 std::vector<NodeId> solve(Program& program, std::size_t n, const std::vector<NodeId>& factors, std::vector<NodeId> b);
 

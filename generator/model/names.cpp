@@ -139,12 +139,13 @@ std::vector<std::string> Names::all() const {
 
 unsigned dependence(const QuantitySpec& quantity) {
     if (quantity.is_property) return on_properties;
+    if (quantity.is_place) return on_places;
     return quantity.subscript == Subscript::optional_damper ? on_losses : on_quantities;
 }
 
 unsigned derivative_dependence(unsigned depends) {
     unsigned result = depends;
-    if ((depends & on_coordinates) != 0) result |= on_velocities;
+    if ((depends & (on_coordinates | on_places)) != 0) result |= on_velocities;
     if ((depends & (on_velocities | on_states | on_properties | on_losses | on_quantities | on_outputs)) != 0) result |= on_accelerations;
     return result;
 }

@@ -142,13 +142,13 @@ void visit(const Body& item, const SiteVisitor& visitor) {
 void visit(const Cut& item, const SiteVisitor& visitor) {
     const Visit each(item, "cut", visitor);
     for (const Reference& body : item.bodies) each(body);
-    each(item.direction, on_configuration, "direction");
-    each(item.about, on_configuration, "point");
+    each(item.direction, on_configuration | on_places, "direction");
+    each(item.about, on_configuration | on_places, "point");
 }
 
 void visit(const Spring& item, const SiteVisitor& visitor) {
     const Visit each(item, "spring", visitor);
-    each(item.elongation, on_configuration, "elongation");
+    each(item.elongation, on_configuration | on_places, "elongation");
     each(item.stiffness, constant_only, "stiffness");
     each(item.force, constant_only, "force law");
     each(item.energy, constant_only, "energy law");
@@ -156,7 +156,7 @@ void visit(const Spring& item, const SiteVisitor& visitor) {
 
 void visit(const Damper& item, const SiteVisitor& visitor) {
     const Visit each(item, "damper", visitor);
-    each(item.rate, on_motion, "rate");
+    each(item.rate, on_motion | on_places, "rate");
     each(item.on);
     each(item.coefficient, on_state_and_inputs, "coefficient");
     each(item.force, on_state_and_inputs, "force law");
@@ -164,25 +164,25 @@ void visit(const Damper& item, const SiteVisitor& visitor) {
 
 void visit(const Force& item, const SiteVisitor& visitor) {
     const Visit each(item, "force", visitor);
-    each(std::optional(item.force), on_state_and_inputs, "vector");
+    each(std::optional(item.force), on_state_and_inputs | on_places, "vector");
     each(item.on);
-    each(item.at, on_configuration, "point");
+    each(item.at, on_configuration | on_places, "point");
 }
 
 void visit(const Torque& item, const SiteVisitor& visitor) {
     const Visit each(item, "torque", visitor);
-    each(item.torque, on_state_and_inputs, "value");
-    each(item.vector, on_state_and_inputs, "value");
+    each(item.torque, on_state_and_inputs | on_places, "value");
+    each(item.vector, on_state_and_inputs | on_places, "value");
     each(item.on);
     each(item.against);
-    each(item.rate, on_motion, "rate");
+    each(item.rate, on_motion | on_places, "rate");
 }
 
 void visit(const Jet& item, const SiteVisitor& visitor) {
     const Visit each(item, "jet", visitor);
     each(item.from);
     each(item.mass_flow, on_state_and_inputs, "mass flow");
-    each(std::optional(item.velocity), on_state_and_inputs, "velocity");
+    each(std::optional(item.velocity), on_state_and_inputs | on_places, "velocity");
 }
 
 void visit(const KineticTerm& item, const SiteVisitor& visitor) {
@@ -334,8 +334,8 @@ void visit(const Enclosure& item, const SiteVisitor& visitor) {
 
 void visit(const Constraint& item, const SiteVisitor& visitor) {
     const Visit each(item, "constraint", visitor);
-    each(item.rate, on_motion, "rate");
-    each(item.position, on_configuration, "position");
+    each(item.rate, on_motion | on_places, "rate");
+    each(item.position, on_configuration | on_places, "position");
     each(item.eliminates);
     each(item.elsewhere, on_state_and_inputs, "force");
 }

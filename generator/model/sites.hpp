@@ -23,6 +23,7 @@ enum Dependence : unsigned {
     on_properties = 512,    ///< of media in volumes and reservoirs, and of nodes: density[chamber], temperature[plate] and the like
     on_losses = 1024,       ///< dissipated_power
     on_modes = 2048,
+    on_places = 4096,       ///< where bodies are and how their axes stand: known when the bodies are, so that forces and constraints may use them
 
     nothing = 0,
     constant_only = on_parameters,
@@ -30,7 +31,7 @@ enum Dependence : unsigned {
     on_motion = on_configuration | on_velocities,
     on_plain_states_and_inputs = on_motion | on_inputs | on_states | on_modes,
     on_state_and_inputs = on_plain_states_and_inputs | on_properties,
-    on_anything = on_state_and_inputs | on_accelerations | on_quantities | on_outputs | on_losses,
+    on_anything = on_state_and_inputs | on_accelerations | on_quantities | on_outputs | on_losses | on_places,
 };
 
 struct Site {

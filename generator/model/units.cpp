@@ -153,7 +153,7 @@ Measure Units::name(const Expression& e, const Bound& bound) {
 
 Measure Units::quantity(const Expression& e, const Bound& bound) {
     const Subscript subscript = find_quantity(e.name)->subscript;
-    if (e.children.size() == 3 && subscript != Subscript::two_surfaces) {  // a property of a medium at a pressure and a temperature
+    if (e.children.size() == 3 && subscript != Subscript::two_surfaces && subscript != Subscript::body_and_two_axes) {  // a property of a medium at a pressure and a temperature
         expect(*e.children[1], Dimension::pressure(), fmt::format("the pressure in '{}'", e.written()), bound);
         expect(*e.children[2], Dimension::temperature(), fmt::format("the temperature in '{}'", e.written()), bound);
     }
@@ -167,6 +167,7 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
     if (e.name == "cut_force") return {names_.find_cut(e.children[0]->name)->about ? energy : energy / Dimension::length()};
     if (e.name == "angular_velocity") return {Dimension::none() / Dimension::time()};
     if (e.name == "spin") return {energy * Dimension::time()};
+    if (e.name == "axis") return {Dimension::none()};
     if (e.name == "position") return {Dimension::length()};
     if (e.name == "velocity") return {Dimension::speed()};
     if (e.name == "generalised_force" || e.name == "nonpotential_force" || e.name == "bias") return {energy / coordinate(0)};

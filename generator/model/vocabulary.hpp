@@ -40,6 +40,7 @@ enum class Subscript {
     body,
     optional_body,
     body_and_axis,
+    body_and_two_axes,
     coordinate,
     two_coordinates,
     optional_damper,
@@ -62,6 +63,7 @@ struct QuantitySpec {
     Subscript subscript;
     const char* doc;
     bool is_property = false;  ///< known from the state: usable wherever states are
+    bool is_place = false;     ///< known when the bodies are: usable in forces and constraints
 };
 
 /// kinetic_energy, mass_matrix[q, p], ...: usable in outputs and printed equations, properties also elsewhere.

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "bricard.hpp"
 #include "dalembert/simulate.hpp"
+#include "jointed_top.hpp"
 #include "mechanics/double_pendulum_xy_full.hpp"
 #include "mechanics/four_bar_full.hpp"
 #include "mechanics/free_body_full.hpp"
@@ -164,6 +166,35 @@ TEST_CASE("a parallelogram with a third crank: one constraint follows from the o
     locked.e = 0.21;
     const auto refused = run(System(locked), System::State(parallelogram::full::start_values), 1, 1e-8);
     CHECK(refused.result.outcome.status == dalembert::Status::constraint_broken);
+}
+
+TEST_CASE("Bricard's linkage moves, though it has as many constraints as angles, and its angles keep to the closed form") {
+    using System = bricard::full::System<double>;
+    const System system;
+    const auto moved = run(system, System::State(bricard::full::start_values), 10, 1e-12);
+    REQUIRE(moved.result.outcome.status == dalembert::Status::success);
+    CHECK(moved.residual < 1e-10);
+    CHECK(moved.result.energy.relative_error() < 1e-10);
+    const auto& q = moved.x;
+    CHECK(q[2] == doctest::Approx(q[0]).epsilon(1e-9));
+    CHECK(q[4] == doctest::Approx(q[0]).epsilon(1e-9));
+    CHECK(q[3] == doctest::Approx(q[1]).epsilon(1e-9));
+    CHECK(std::abs(std::cos(q[0]) + std::cos(q[1]) + std::cos(q[0]) * std::cos(q[1])) < 1e-9);
+    CHECK(std::abs(q[0] - bricard::full::start_values[0]) > 0.1);
+}
+
+TEST_CASE("a body turning by its quaternion that a ball joint holds is the one placed on that point") {
+    using Jointed = jointed_top::full::System<double>;
+    using Placed = heavy_top::attitude::System<double>;
+    const auto jointed = run(Jointed(), Jointed::State(jointed_top::full::start_values), 3, 1e-12);
+    const auto placed = run(Placed(), Placed::State(heavy_top::attitude::start_values), 3, 1e-12);
+    REQUIRE(jointed.result.outcome.status == dalembert::Status::success);
+    CHECK(jointed.residual < 1e-10);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(jointed.x[6 + i] == doctest::Approx(placed.x[i]).epsilon(1e-9));
+    for (std::size_t i = 0; i < 4; ++i) CHECK(jointed.x[9 + i] == doctest::Approx(placed.x[3 + i]).epsilon(1e-9));
+    Placed::Output centre{};
+    Placed().output(placed.x, {}, 3, centre);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(jointed.x[i] == doctest::Approx(centre[i]).epsilon(1e-9));
 }
 
 TEST_CASE("a start that is off its constraints by little is put on them, one far away is refused") {
