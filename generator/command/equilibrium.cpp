@@ -52,15 +52,17 @@ void mark(const std::vector<std::string>& names, const std::vector<const Variabl
 /// What constraints hold: coordinates at their place, which rates alone do not know, and velocities at zero.
 void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Values& values, std::vector<bool>& free_states) {
     const GiNaC::exmap at = values.substitution();
+    const bool finds_positions = system.needs_projection() && system.symbols.attitudes().empty();
     for (const ConstraintEquation& constraint : system.constraints) {
         if (!constraint.holds || !constraint.position) continue;
         const auto held = coordinate_at_zero(*constraint.position, system.symbols);
         const GiNaC::ex place = held ? system.symbols.without_definitions(held->second) : GiNaC::ex(0);
         const auto& coordinates = system.symbols.all(SymbolKind::coordinate);
         const bool is_one = held && std::none_of(coordinates.begin(), coordinates.end(), [&](const Variable& q) { return place.has(q.symbol); });
+        if (!is_one && finds_positions) continue;  // with the equations of motion
         if (!is_one)
             throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
-                                     fmt::format("constraint '{}' holds a position that is made of several coordinates, or not linear in one; equilibria there are not found yet", constraint.item->name)});
+                                     fmt::format("constraint '{}' holds a position that is made of several coordinates, or not linear in one; equilibria are found there only where positions are projected and nothing turns by a quaternion", constraint.item->name)});
         const std::size_t in_x = system.symbols.place(SymbolKind::coordinate, held->first);
         x[in_x] = place.subs(at, GiNaC::subs_options::no_pattern).evalf();
         free_states[in_x] = false;

@@ -20,6 +20,13 @@ inline constexpr bool needs_projection = false;
 template <class System>
 inline constexpr bool needs_projection<System, std::void_t<typename System::Constraints>> = true;
 
+/// Whether positions are held of coordinates that all have values.
+template <class System>
+constexpr bool holds_positions() {
+    if constexpr (needs_projection<System>) return System::velocity_place == std::tuple_size<typename System::Generalised>::value && System::constraint_table().size() > 0;
+    else return false;
+}
+
 template <class Values>
 typename Values::value_type largest(const Values& values) {
     using std::abs;

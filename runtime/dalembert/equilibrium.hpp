@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "dalembert/constraints.hpp"
 #include "dalembert/matrices.hpp"
 #include "dalembert/status.hpp"
 
@@ -32,13 +33,13 @@ struct Equilibrium {
     std::size_t dimension = 0;  ///< of the family
     typename System::State x{};
     typename System::Input u{};
-    double residual = 0;        ///< largest |dx/dt| that is left
+    double residual = 0;        ///< largest |dx/dt| that is left, or distance from a constraint
     std::size_t iterations = 0;
 };
 
 namespace detail {
 
-/// f(z) = 0 for the states and inputs z that are free. States, inputs and their rates have units of any size, so what is judged
+/// f(z) = 0 for the states and inputs z that are free, with the positions that constraints hold behind the rates. States, inputs and their rates have units of any size, so what is judged
 /// is always a row relative to |df/dz| |z|, its size when nothing cancels, and a column relative to max(|z|, 1 SI unit).
 template <class System>
 class EquilibriumSearch {
@@ -48,7 +49,7 @@ class EquilibriumSearch {
 public:
     template <class FreeStates, class FreeInputs>
     EquilibriumSearch(const System& system, Equilibrium<System>& point, const FreeStates& free_states, const FreeInputs& free_inputs, Scalar t)
-        : system_(system), point_(point), t_(t), rows_(static_cast<Index>(point.x.size())) {
+        : system_(system), point_(point), t_(t), rows_(static_cast<Index>(point.x.size() + positions())) {
         for (std::size_t i = 0; i < point.x.size(); ++i)
             if (free_states[i]) add(point.x[i], free_state_columns_, i);
         for (std::size_t i = 0; i < point.u.size(); ++i)
@@ -80,17 +81,28 @@ private:
         which.push_back(static_cast<Index>(i));
     }
     Index columns() const { return static_cast<Index>(unknowns_.size()); }
+    static constexpr std::size_t positions() {
+        if constexpr (holds_positions<System>()) return System::constraint_table().size();
+        else return 0;
+    }
 
     bool take_residual() {
         typename System::State dxdt;
         system_.rhs(point_.x, point_.u, t_, dxdt);
-        f_ = Eigen::Map<const Vector<Scalar>>(dxdt.data(), rows_);
+        f_.resize(rows_);
+        f_.head(static_cast<Index>(dxdt.size())) = Eigen::Map<const Vector<Scalar>>(dxdt.data(), static_cast<Index>(dxdt.size()));
+        if constexpr (positions() > 0) f_.tail(static_cast<Index>(positions())) = constraint_positions(system_, point_.x, t_);
         return f_.allFinite();
     }
 
     bool take_jacobian() {
-        const Matrix<Scalar> A = jacobian_x(system_, point_.x, point_.u, t_);
-        const Matrix<Scalar> B = jacobian_u(system_, point_.x, point_.u, t_);
+        Matrix<Scalar> A = Matrix<Scalar>::Zero(rows_, static_cast<Index>(point_.x.size())), B = Matrix<Scalar>::Zero(rows_, static_cast<Index>(point_.u.size()));
+        A.topRows(A.cols()) = jacobian_x(system_, point_.x, point_.u, t_);
+        B.topRows(A.cols()) = jacobian_u(system_, point_.x, point_.u, t_);
+        if constexpr (positions() > 0) {
+            const Matrix<Scalar> J = constraint_position_jacobian(system_, point_.x, t_);
+            A.block(A.cols(), 0, J.rows(), J.cols()) = J;
+        }
         scaled_.resize(rows_, columns());
         Index c = 0;
         for (const Index i : free_state_columns_) scaled_.col(c++) = A.col(i);

@@ -38,6 +38,24 @@ struct Dense {
 
 }  // namespace detail
 
+/// The positions that constraints hold at zero, and their derivatives by the coordinates. Not of machines with quaternions, whose coordinates
+/// have no values.
+template <class System>
+Vector<typename System::scalar_type> constraint_positions(const System& system, const typename System::State& x, typename System::scalar_type t) {
+    typename System::Constraints f{};
+    system.constraint_positions(x, t, f);
+    return Eigen::Map<const Vector<typename System::scalar_type>>(f.data(), static_cast<Eigen::Index>(f.size()));
+}
+template <class System>
+auto constraint_position_jacobian(const System& system, const typename System::State& x, typename System::scalar_type t) {
+    typename System::ConstraintJacobian A{};
+    system.constraint_jacobian(x, t, A);
+    auto result = detail::expanded<detail::Dense>(A, System::constraint_table().size(), A.size() / System::constraint_table().size());
+    for (std::size_t i = 0; i < System::constraint_table().size(); ++i)
+        if (!System::constraint_table()[i].has_position) result.row(static_cast<Eigen::Index>(i)).setZero();
+    return result;
+}
+
 /// A = df/dx
 template <class System>
 auto jacobian_x(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {

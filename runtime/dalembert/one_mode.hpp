@@ -27,6 +27,11 @@ public:
     void output(const State& x, const Input& u, Scalar t, typename System::Output& y) const noexcept { System::output(mode, x, u, t, y); }
     void output_jacobian_x(const State& x, const Input& u, Scalar t, typename System::OutputJacobianX& C) const noexcept { System::output_jacobian_x(mode, x, u, t, C); }
     void output_jacobian_u(const State& x, const Input& u, Scalar t, typename System::OutputJacobianU& D) const noexcept { System::output_jacobian_u(mode, x, u, t, D); }
+    // Of headers that have them.
+    template <class Values>
+    void constraint_positions(const State& x, Scalar t, Values& f) const noexcept { System::constraint_positions(mode, x, t, f); }
+    template <class Values>
+    void constraint_jacobian(const State& x, Scalar t, Values& A) const noexcept { System::constraint_jacobian(mode, x, t, A); }
     Scalar kinetic_energy(const State& x, Scalar t) const noexcept { return System::kinetic_energy(mode, x, t); }
     Scalar potential_energy(const State& x, Scalar t) const noexcept { return System::potential_energy(mode, x, t); }
     Scalar internal_energy(const State& x, Scalar t) const noexcept { return System::internal_energy(mode, x, t); }

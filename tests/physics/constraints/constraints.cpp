@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "bricard.hpp"
+#include "dalembert/equilibrium.hpp"
+#include "dalembert/linearise.hpp"
 #include "dalembert/simulate.hpp"
 #include "jointed_top.hpp"
 #include "mechanics/double_pendulum_xy_full.hpp"
@@ -256,4 +258,38 @@ TEST_CASE("a heavy top: by angles and by a quaternion the same, and steady prece
     const auto steady = run(Angles(), {0, theta, 0, rate, 0, s}, 10, 1e-13);
     CHECK(steady.x[0] / 10 == doctest::Approx(rate).epsilon(1e-9));
     CHECK(steady.x[1] == doctest::Approx(theta).epsilon(1e-9));
+}
+
+TEST_CASE("an equilibrium on constraints, with the eigenvalues of what they allow") {
+    using System = double_pendulum_xy::full::System<double>;
+    const System system;
+    std::array<bool, 8> all{};
+    all.fill(true);
+    const auto hanging = dalembert::find_equilibrium(system, {0.1, -0.98, 0.05, -2.01, 0, 0, 0, 0}, {}, all, {});
+    REQUIRE(hanging.status == dalembert::Status::success);
+    CHECK(hanging.kind == dalembert::EquilibriumKind::isolated);
+    const double expected[] = {0, -1, 0, -2};
+    for (std::size_t i = 0; i < 4; ++i) CHECK(std::abs(hanging.x[i] - expected[i]) < 1e-12);
+    const auto linear = dalembert::linearise(system, hanging.x, {}, 0.0);
+    REQUIRE(linear.eigenvalues.size() == 4);
+    const double g = system.parameters().g, fast = std::sqrt(g * (2 + std::sqrt(2.0))), slow = std::sqrt(g * (2 - std::sqrt(2.0)));
+    for (const auto& value : linear.eigenvalues) {
+        const double frequency = std::abs(value.imag());
+        CHECK(std::min(std::abs(frequency - fast), std::abs(frequency - slow)) < 1e-9);
+        CHECK(std::abs(value.real()) < 1e-9);
+    }
+    // In a loop with an input: the crank stands anywhere, each place with its torque.
+    using Crank = slider_crank::full::System<double>;
+    std::array<bool, 6> states{};
+    states.fill(true);
+    states[0] = false;
+    Crank::State start(slider_crank::full::start_values);
+    for (std::size_t i = 3; i < 6; ++i) start[i] = 0;
+    const auto held = dalembert::find_equilibrium(Crank(), start, {0.0}, states, {true});
+    REQUIRE(held.status == dalembert::Status::success);
+    CHECK(held.kind == dalembert::EquilibriumKind::isolated);
+    CHECK(held.x[0] == start[0]);
+    Crank::Constraints f{};
+    Crank().constraint_positions(held.x, 0, f);
+    for (const double value : f) CHECK(std::abs(value) < 1e-12);
 }
