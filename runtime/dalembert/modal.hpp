@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "dalembert/definiteness.hpp"
+#include "dalembert/invariant_subspaces.hpp"
 #include "dalembert/matrices.hpp"
 
 namespace dalembert {
@@ -62,153 +63,6 @@ struct Modes {
 
 namespace detail {
 
-using Complex = std::complex<double>;
-
-/// A product that is compiled once, whatever expressions its factors are.
-inline Eigen::MatrixXcd multiply(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) { return A * B; }
-
-/// F X = X B, Y F = B Y, Y X = E with orthonormal X; conjugate to another subspace unless it is real.
-struct InvariantSubspace {
-    std::vector<Eigen::Index> members;  ///< places of eigenvalues in the Schur form; of pairs the first
-    bool is_real;
-    Eigen::MatrixXcd X, B, Y;
-    Eigen::VectorXcd eigenvalues;
-    double projector;  ///< |X Y|: what errors are multiplied by
-};
-
-/// Splits a real matrix into invariant subspaces as small as their projectors allow. Bavely, Stewart: An algorithm for computing reducing
-/// subspaces by block diagonalization (1979); on the complex Schur form, where eigenvalues change places by one rotation.
-class Splitting {
-    using Index = Eigen::Index;
-    static constexpr double largest_projector = 1e4;
-
-public:
-    std::vector<InvariantSubspace> parts;
-    double rounding = 0;  ///< errors of F, and so of eigenvalues whose projector is 1
-
-    /// False when eigenvalues are not found.
-    bool split(const Eigen::MatrixXd& F) {
-        F_ = F;
-        rounding = 10 * static_cast<double>(F.rows()) * std::numeric_limits<double>::epsilon() * F.norm();
-        if (!take_schur_form()) return false;
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            while (merge_nearest(i, rounding)) {}
-        for (InvariantSubspace& part : parts) complete(part);
-        const auto is_better = [](const auto& a, const auto& b) { return a.projector < b.projector; };
-        for (auto worst = std::max_element(parts.begin(), parts.end(), is_better); worst->projector > largest_projector;
-             worst = std::max_element(parts.begin(), parts.end(), is_better))
-            if (!merge_nearest(static_cast<std::size_t>(worst - parts.begin()), std::numeric_limits<double>::infinity(), true)) break;
-        for (InvariantSubspace& part : parts)
-            if (part.is_real) make_real(part);
-        return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.Y.allFinite() && part.B.allFinite(); });
-    }
-
-private:
-    /// F = U T U* with T triangular, by the real form, so that conjugate eigenvalues are that to the last bit.
-    bool take_schur_form() {
-        const Index N = F_.rows();
-        Eigen::MatrixXd mirror = Eigen::MatrixXd::Identity(N, N);
-        Eigen::RealSchur<Eigen::MatrixXd> schur(F_);
-        // With defective eigenvalues the iteration may be caught in a cycle; in another basis it is not.
-        for (int attempt = 1; schur.info() != Eigen::Success; ++attempt) {
-            if (attempt > 5) return false;
-            const Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(N, attempt, attempt * static_cast<double>(N)).array().cos().matrix().normalized();
-            mirror = Eigen::MatrixXd::Identity(N, N) - 2 * u * u.transpose();
-            schur.compute(mirror * F_ * mirror);
-        }
-        T_ = schur.matrixT().cast<Complex>();
-        U_ = (mirror * schur.matrixU()).cast<Complex>();
-        for (Index i = 0; i < N; ++i) {
-            parts.push_back({{i}, true, {}, {}, {}, {}, 0});
-            if (i + 1 == N || T_(i + 1, i) == 0.0) continue;
-            const double half = (T_(i, i).real() - T_(i + 1, i + 1).real()) / 2, square = half * half + T_(i, i + 1).real() * T_(i + 1, i).real();
-            const Complex root = std::sqrt(Complex(square)), first = T_(i + 1, i + 1) + half + root, second = T_(i + 1, i + 1) + half - root;
-            rotate(T_, U_, i, first - T_(i + 1, i + 1), T_(i + 1, i));
-            T_(i, i) = first;
-            T_(i + 1, i + 1) = second;
-            T_(i + 1, i) = 0;
-            parts.back().is_real = square >= 0;
-            if (++i; square >= 0) parts.push_back({{i}, true, {}, {}, {}, {}, 0});
-        }
-        return T_.allFinite();
-    }
-
-    /// Turns columns i and i + 1 so that (x, y) in their plane becomes the first.
-    static void rotate(Eigen::MatrixXcd& T, Eigen::MatrixXcd& U, Index i, Complex x, Complex y) {
-        Eigen::JacobiRotation<Complex> rotation;
-        rotation.makeGivens(x, y);
-        T.applyOnTheLeft(i, i + 1, rotation.adjoint());
-        T.applyOnTheRight(i, i + 1, rotation);
-        U.applyOnTheRight(i, i + 1, rotation);
-    }
-
-    /// Merges a part with the nearest other one, or with its own conjugate, if that is not farther than `most`.
-    bool merge_nearest(std::size_t which, double most, bool completes = false) {
-        const auto distance = [&](const InvariantSubspace& a, const InvariantSubspace& b, bool conjugate) {
-            double least = std::numeric_limits<double>::infinity();
-            for (const Index i : a.members)
-                for (const Index j : b.members) least = std::min(least, std::abs(T_(i, i) - (conjugate ? std::conj(T_(j, j)) : T_(j, j))));
-            return least;
-        };
-        InvariantSubspace& part = parts[which];
-        double least = part.is_real ? std::numeric_limits<double>::infinity() : distance(part, part, true);
-        std::size_t nearest = which;
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            if (const double d = i == which ? least : distance(part, parts[i], false); d < least) least = d, nearest = i;
-        if (!(least <= most) || (nearest == which && part.is_real)) return false;
-        part.is_real = part.is_real || nearest == which || parts[nearest].is_real;
-        if (nearest != which) part.members.insert(part.members.end(), parts[nearest].members.begin(), parts[nearest].members.end());
-        if (completes) complete(part);
-        if (nearest != which) parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(nearest));
-        return true;
-    }
-
-    /// Brings the eigenvalues to the front: T = [T1, T12; 0, T2] and T1 R - R T2 = T12 give X = U [E; 0], Y = [E, R] U*.
-    void complete(InvariantSubspace& part) const {
-        std::vector<Index> wanted = part.members;
-        if (part.is_real)
-            for (const Index i : part.members)
-                if (T_(i, i).imag() != 0) wanted.push_back(i + 1);
-        std::sort(wanted.begin(), wanted.end());
-        Eigen::MatrixXcd T = T_, U = U_;
-        for (std::size_t place = 0; place < wanted.size(); ++place)
-            for (Index i = wanted[place]; i > static_cast<Index>(place); --i) {
-                const Complex here = T(i, i), before = T(i - 1, i - 1);
-                rotate(T, U, i - 1, T(i - 1, i), here - before);
-                T(i - 1, i - 1) = here;
-                T(i, i) = before;
-                T(i, i - 1) = 0;
-            }
-        const Index N = T.rows(), k = static_cast<Index>(wanted.size());
-        part.B = T.topLeftCorner(k, k);
-        part.eigenvalues = part.B.diagonal();
-        Eigen::MatrixXcd rows = Eigen::MatrixXcd::Identity(k, N);
-        for (Index j = k; j < N; ++j) {
-            Eigen::VectorXcd right = T.col(j).head(k);
-            for (Index i = k; i < j; ++i) right += rows.col(i) * T(i, j);
-            for (Index i = k; i-- > 0;) {
-                Complex sum = right[i];
-                for (Index l = i + 1; l < k; ++l) sum -= T(i, l) * rows(l, j);
-                rows(i, j) = sum / (T(i, i) - T(j, j));
-            }
-        }
-        part.X = U.leftCols(k);
-        part.Y = multiply(rows, U.adjoint());
-        part.projector = rows.allFinite() ? rows.norm() / std::sqrt(static_cast<double>(k)) : std::numeric_limits<double>::infinity();
-    }
-
-    /// A subspace that is its own conjugate has a real basis: of the projection XX*, which is real.
-    void make_real(InvariantSubspace& part) const {
-        const Eigen::MatrixXcd turned = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(multiply(part.X, part.X.adjoint()).real()).eigenvectors().rightCols(part.X.cols()).cast<Complex>();
-        part.Y = multiply(multiply(turned.adjoint(), part.X), part.Y).real().cast<Complex>();
-        part.B = multiply(multiply(part.Y, F_.cast<Complex>()), turned);
-        part.X = turned;
-    }
-
-    Eigen::MatrixXd F_;
-    Eigen::MatrixXcd T_, U_;
-};
-
 /// Coordinates in which M is E and a symmetric C is diagonal: q = V y, with frequencies s that make y and ydd/s comparable.
 struct ModalFrame {
     const LinearSystem& system;
@@ -229,8 +83,11 @@ struct ModalFrame {
         is_symmetric = is_symmetric && dalembert::is_symmetric(system.D);
         W = V.transpose() * system.M;
         D = V.transpose() * system.D * V;
+        // Of what no spring holds the rate at which it is braked, so that this may be as slow as it likes.
         s = K.rowwise().norm().cwiseSqrt();
-        s = (s.array() > 0).select(s, s.isZero(0) ? 1 : s.maxCoeff()).eval();
+        const double fastest = std::max(s.maxCoeff(), D.cwiseAbs().maxCoeff()), slowest = 1e-10 * fastest;
+        for (Eigen::Index i = 0; i < n; ++i)
+            if (s[i] <= 0) s[i] = D(i, i) > slowest ? D(i, i) : D.row(i).norm() > slowest ? D.row(i).norm() : fastest > 0 ? fastest : 1;
     }
     /// d[S y; yd]/dt = F [S y; yd]
     Eigen::MatrixXd matrix() const {
@@ -455,8 +312,10 @@ struct RealModalForm {
         for (const ModalBlock& block : blocks) {
             Eigen::MatrixXd driven = Eigen::MatrixXd::Zero(block.size + 1, block.size + 1);
             driven.topRows(block.size) << A.block(block.first, block.first, block.size, block.size) * t, push.segment(block.first, block.size) * t;
+            const double size = std::max(driven.col(block.size).norm(), 1.0);  // large forces would need many squarings
+            driven.col(block.size) /= size;
             Eigen::VectorXd start(block.size + 1);
-            start << z.segment(block.first, block.size), 1;
+            start << z.segment(block.first, block.size), size;
             z.segment(block.first, block.size) = (detail::exponential(driven) * start).head(block.size);
         }
         return basis * z;
@@ -486,6 +345,35 @@ inline RealModalForm real_form(const Modes& modes) {
         at += k;
     }
     return form;
+}
+
+/// M, D, C and B of a generated system at a point: M as it is, the others from the Jacobian of the accelerations. Of what is not linear this is
+/// the linearisation there. Entries that are only rounding are zero, and pairs that differ by it are equal.
+template <class System>
+LinearSystem linear_system(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+    constexpr Eigen::Index n = static_cast<Eigen::Index>(System::degrees);
+    typename System::MassMatrix packed;
+    system.mass_matrix(x, t, packed);
+    LinearSystem result;
+    result.M = Eigen::MatrixXd::Zero(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+        for (Eigen::Index i = 0; i < n; ++i) result.M(i, j) = static_cast<double>(packed[static_cast<std::size_t>(j * n + i)]);
+    const double rounding = 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+    const auto of = [&](const Eigen::MatrixXd& accelerations, double sign) {
+        Eigen::MatrixXd A = sign * result.M * accelerations;
+        const Eigen::MatrixXd sizes = rounding * result.M.cwiseAbs() * accelerations.cwiseAbs();
+        for (Eigen::Index j = 0; j < A.cols(); ++j)
+            for (Eigen::Index i = 0; i < n; ++i) {
+                if (std::abs(A(i, j)) <= sizes(i, j)) A(i, j) = 0;
+                if (j < i && i < A.cols() && std::abs(A(i, j) - A(j, i)) <= sizes(i, j) + sizes(j, i)) A(j, i) = A(i, j) = (A(i, j) + A(j, i)) / 2;
+            }
+        return A;
+    };
+    const Eigen::MatrixXd by_x = jacobian_x(system, x, u, t).template cast<double>(), by_u = jacobian_u(system, x, u, t).template cast<double>();
+    result.C = of(by_x.block(n, 0, n, n), -1);
+    result.D = of(by_x.block(n, n, n, n), -1);
+    result.B = of(by_u.middleRows(n, n), 1);
+    return result;
 }
 
 }  // namespace v1
