@@ -39,7 +39,7 @@ void refuse_other_machines(const System& system) {
                 refuse(z.declared->span, fmt::format("the force on '{}' depends on the state '{}', which M*ddot(q) + D*dot(q) + C*q = B*u does not have; `dalembert equilibrium` has the eigenvalues", q[i].name, z.name));
 }
 
-struct Mode {
+struct PrintedMode {
     Complex eigenvalue, alpha;
     std::size_t block;  ///< counted from 1
     std::size_t size;   ///< of the block
@@ -54,14 +54,14 @@ std::vector<Complex> complex_row(const std::vector<double>& numbers) {
 }
 
 /// What the program printed.
-std::vector<Mode> modes_of(const std::map<std::string, std::string>& result) {
+std::vector<PrintedMode> modes_of(const std::map<std::string, std::string>& result) {
     const auto rows = [&](const char* name) {
         std::vector<std::vector<Complex>> complex;
         for (const auto& row : matrix(result.at(name))) complex.push_back(complex_row(row));
         return complex;
     };
     const auto eigenvalues = rows("eigenvalues"), alpha = rows("alpha"), vectors = rows("vectors"), matrix_rows = rows("matrix"), input = rows("input");
-    std::vector<Mode> modes;
+    std::vector<PrintedMode> modes;
     std::size_t number = 0;
     for (const auto& block : matrix(result.at("blocks"))) {
         ++number;
@@ -100,10 +100,10 @@ std::string matrix_text(const char* name, const Rows& rows, const std::string& d
     return text;
 }
 
-std::string modes_text(const std::vector<Mode>& modes, const System& system) {
+std::string modes_text(const std::vector<PrintedMode>& modes, const System& system) {
     std::string text = fmt::format("modes{:26} {:>12} {:>12}   alpha\n", "", "rad/s", "damping");
     for (std::size_t k = 0; k < modes.size(); ++k) {
-        const Mode& mode = modes[k];
+        const PrintedMode& mode = modes[k];
         const double frequency = std::abs(mode.eigenvalue);
         const bool is_pair = !mode.is_real;
         const std::string value = (is_pair ? fmt::format("{:.5g} +- {:.5g}i", std::abs(mode.eigenvalue.real()) < 1e-10 * frequency ? 0.0 : mode.eigenvalue.real(), mode.eigenvalue.imag()) : written(mode.eigenvalue, frequency));
@@ -118,7 +118,7 @@ std::string modes_text(const std::vector<Mode>& modes, const System& system) {
     text += "\n";
     for (std::size_t i = 0; i < 2 * system.symbols.degrees(); ++i) {
         text += fmt::format("  {:<12}", states[i]->name);
-        for (const Mode& mode : modes) text += fmt::format(" {:>22}", written(mode.vector[i], 1));
+        for (const PrintedMode& mode : modes) text += fmt::format(" {:>22}", written(mode.vector[i], 1));
         text += "\n";
     }
     for (std::size_t k = 0; k < modes.size(); k += modes[k].size) {
@@ -188,7 +188,7 @@ ExitCode modal_command(const Options& options, Streams streams) {
     json["modes"] = nlohmann::ordered_json::array();
     if (found) {
         const auto modes = modes_of(result);
-        for (const Mode& mode : modes) {
+        for (const PrintedMode& mode : modes) {
             const double frequency = std::abs(mode.eigenvalue);
             json["modes"].push_back({{"eigenvalue", as_json(mode.eigenvalue)}, {"angular_frequency", frequency}, {"damping_ratio", nullptr}, {"alpha", nullptr}, {"block", mode.block},
                                      {"vector", as_json(mode.vector)}, {"row", as_json(mode.row)}, {"input", as_json(mode.input)}});

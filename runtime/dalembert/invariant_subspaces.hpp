@@ -32,7 +32,7 @@ struct InvariantSubspace {
 /// subspaces by block diagonalization (1979); on the complex Schur form, where eigenvalues change places by one rotation.
 class Splitting {
     using Index = Eigen::Index;
-    static constexpr double largest_projector = 300;
+    static constexpr double largest_projector = 100;
 
 public:
     std::vector<InvariantSubspace> parts;
