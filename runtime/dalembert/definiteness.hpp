@@ -38,8 +38,11 @@ inline bool is_symmetric(const Eigen::MatrixXd& A) {
 inline Definiteness definiteness(const Eigen::MatrixXd& A) {
     if (!A.allFinite() || !is_symmetric(A)) return Definiteness::not_symmetric;
     if (A.isZero(0)) return Definiteness::zero;
-    const Eigen::VectorXd scale = (A.diagonal().array() != 0).select(A.diagonal().cwiseAbs().cwiseSqrt(), std::sqrt(A.cwiseAbs().maxCoeff())).cwiseInverse();
-    const Eigen::MatrixXd scaled = scale.asDiagonal() * (A + A.transpose()) / 2 * scale.asDiagonal();
+    const double largest = A.cwiseAbs().maxCoeff();
+    const auto scale = [&](Eigen::Index i) { return std::sqrt(A(i, i) != 0 ? std::abs(A(i, i)) : largest); };
+    Eigen::MatrixXd scaled = A;
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+        for (Eigen::Index j = 0; j < A.cols(); ++j) scaled(i, j) = (A(i, j) + A(j, i)) / 2 / scale(i) / scale(j);
     const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues();
     const double rounding = 100 * static_cast<double>(A.rows()) * std::numeric_limits<double>::epsilon() * values.cwiseAbs().maxCoeff();
     const bool any_positive = values.maxCoeff() > rounding, any_negative = values.minCoeff() < -rounding;

@@ -16,8 +16,9 @@ namespace detail {
 
 using Complex = std::complex<double>;
 
-/// A product that is compiled once, whatever expressions its factors are.
+/// Products that are compiled once, whatever expressions their factors are.
 inline Eigen::MatrixXcd multiply(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) { return A * B; }
+inline Eigen::MatrixXd multiply_real(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return A * B; }
 
 /// F X = X B, Y F = B Y, Y X = E with orthonormal X; conjugate to another subspace unless it is real.
 struct InvariantSubspace {
@@ -64,11 +65,11 @@ private:
         for (int attempt = 1; schur.info() != Eigen::Success; ++attempt) {
             if (attempt > 5) return false;
             const Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(N, attempt, attempt * static_cast<double>(N)).array().cos().matrix().normalized();
-            mirror = Eigen::MatrixXd::Identity(N, N) - 2 * u * u.transpose();
-            schur.compute(mirror * F_ * mirror);
+            mirror = Eigen::MatrixXd::Identity(N, N) - 2 * multiply_real(u, u.transpose());
+            schur.compute(multiply_real(mirror, multiply_real(F_, mirror)));
         }
         T_ = schur.matrixT().cast<Complex>();
-        U_ = (mirror * schur.matrixU()).cast<Complex>();
+        U_ = multiply_real(mirror, schur.matrixU()).cast<Complex>();
         for (Index i = 0; i < N; ++i) {
             parts.push_back({{i}, true, {}, {}, {}, {}, 0});
             if (i + 1 == N || T_(i + 1, i) == 0.0) continue;

@@ -72,30 +72,42 @@ struct ModalFrame {
 
     ModalFrame(const LinearSystem& of, const Eigen::MatrixXd& L) : system(of), is_symmetric(dalembert::is_symmetric(of.C)) {
         const Eigen::Index n = L.rows();
-        V = L.transpose().triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(n, n));
-        K = V.transpose() * system.C * V;
+        V = Eigen::MatrixXd::Identity(n, n);  // becomes (L')^-1
+        for (Eigen::Index i = n; i-- > 0;) {
+            for (Eigen::Index k = i + 1; k < n; ++k) V.row(i) -= L(k, i) * V.row(k);
+            V.row(i) /= L(i, i);
+        }
+        K = multiply_real(V.transpose(), multiply_real(system.C, V));
         if (is_symmetric) {
             const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes((K + K.transpose()) / 2);
             const double rounding = 10 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * modes.eigenvalues().cwiseAbs().maxCoeff();
-            V = V * modes.eigenvectors();
+            V = multiply_real(V, modes.eigenvectors());
             K = (modes.eigenvalues().array().abs() <= rounding).select(0, modes.eigenvalues()).asDiagonal();
         }
         is_symmetric = is_symmetric && dalembert::is_symmetric(system.D);
-        W = V.transpose() * system.M;
-        D = V.transpose() * system.D * V;
+        W = multiply_real(V.transpose(), system.M);
+        D = multiply_real(V.transpose(), multiply_real(system.D, V));
         // Of what no spring holds the rate at which it is braked, so that this may be as slow as it likes.
         s = K.rowwise().norm().cwiseSqrt();
         const double fastest = std::max(s.maxCoeff(), D.cwiseAbs().maxCoeff()), slowest = 1e-10 * fastest;
         for (Eigen::Index i = 0; i < n; ++i)
             if (s[i] <= 0) s[i] = D(i, i) > slowest ? D(i, i) : D.row(i).norm() > slowest ? D.row(i).norm() : fastest > 0 ? fastest : 1;
     }
+    /// y of S y.
+    Eigen::MatrixXcd unscaled(Eigen::MatrixXcd Sy) const {
+        for (Eigen::Index i = 0; i < s.size(); ++i) Sy.row(i) /= s[i];
+        return Sy;
+    }
     /// d[S y; yd]/dt = F [S y; yd]
     Eigen::MatrixXd matrix() const {
         const Eigen::Index n = s.size();
         Eigen::MatrixXd F = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-        F.topRightCorner(n, n) = s.asDiagonal();
-        F.bottomLeftCorner(n, n) = -K * s.cwiseInverse().asDiagonal();
-        F.bottomRightCorner(n, n) = -D;
+        for (Eigen::Index i = 0; i < n; ++i)
+            for (Eigen::Index j = 0; j < n; ++j) {
+                F(i, n + j) = i == j ? s[i] : 0;
+                F(n + i, j) = -K(i, j) / s[j];
+                F(n + i, n + j) = -D(i, j);
+            }
         return F;
     }
 };
@@ -114,8 +126,9 @@ inline Modes modal_block(const ModalFrame& frame, bool is_real, const Eigen::Vec
     Modes block;
     block.eigenvalues = eigenvalues;
     block.vectors.resize(2 * n, k);
-    const Eigen::MatrixXcd V = frame.V.cast<Complex>(), W = frame.W.cast<Complex>(), S = frame.s.cast<Complex>().asDiagonal();
-    block.vectors << multiply(V, frame.s.cast<Complex>().cwiseInverse().asDiagonal() * X.topRows(n)), multiply(V, X.bottomRows(n));
+    const Eigen::MatrixXcd V = frame.V.cast<Complex>(), W = frame.W.cast<Complex>(), S = frame.s.asDiagonal().toDenseMatrix().cast<Complex>();
+    block.vectors.topRows(n) = multiply(V, frame.unscaled(X.topRows(n)));
+    block.vectors.bottomRows(n) = multiply(V, X.bottomRows(n));
     const Complex turn = normalising(block.vectors.col(0));
     Eigen::VectorXcd factors(k);
     for (Eigen::Index i = 0; i < k; ++i) factors[i] = turn / std::abs(turn) / block.vectors.col(i).norm();
@@ -123,7 +136,8 @@ inline Modes modal_block(const ModalFrame& frame, bool is_real, const Eigen::Vec
     block.vectors = multiply(block.vectors, scale);
     block.matrix = multiply(unscale, multiply(B, scale));
     block.inverse.resize(k, 2 * n);
-    block.inverse << multiply(rows.leftCols(n), multiply(S, W)), multiply(rows.rightCols(n), W);
+    block.inverse.leftCols(n) = multiply(rows.leftCols(n), multiply(S, W));
+    block.inverse.rightCols(n) = multiply(rows.rightCols(n), W);
     block.input = multiply(rows.rightCols(n), multiply(V.transpose(), frame.system.B.cast<Complex>()));
     block.left = Eigen::MatrixXcd::Zero(n, k);
     block.alpha = Eigen::VectorXcd::Constant(k, std::numeric_limits<double>::quiet_NaN());
@@ -134,12 +148,10 @@ inline Modes modal_block(const ModalFrame& frame, bool is_real, const Eigen::Vec
 /// An eigenvalue with an eigenvector x of F and a left one l: (2.134) to (2.138). The eigenvalue gets its last digits from the quadratic form.
 inline Modes single_mode(const ModalFrame& frame, bool is_real, Complex lambda, const Eigen::VectorXcd& x, Eigen::VectorXcd l) {
     const Eigen::Index n = frame.s.size();
-    Eigen::VectorXcd r = x.tail(n) / lambda;
-    if (x.head(n).norm() >= x.tail(n).norm())
-        for (Eigen::Index i = 0; i < n; ++i) r[i] = x[i] / frame.s[i];
+    Eigen::VectorXcd r = x.head(n).norm() >= x.tail(n).norm() ? frame.unscaled(x.head(n)) : Eigen::MatrixXcd(x.tail(n) / lambda);
     if (frame.is_symmetric) l = r;
     const auto form = [&](const Eigen::MatrixXd& A) { return multiply(l.transpose(), multiply(A.cast<Complex>(), r))(0, 0); };
-    const auto size = [&](const Eigen::MatrixXd& A) { return l.cwiseAbs().dot(A.cwiseAbs() * r.cwiseAbs()); };
+    const auto size = [&](const Eigen::MatrixXd& A) { return multiply_real(l.cwiseAbs().transpose(), multiply_real(A.cwiseAbs(), r.cwiseAbs()))(0, 0); };
     const Eigen::MatrixXd E = Eigen::MatrixXd::Identity(n, n);
     const Complex of_E = form(E), of_D = form(frame.D), of_K = form(frame.K);
     for (int i = 0; i < 2; ++i) {
@@ -154,7 +166,8 @@ inline Modes single_mode(const ModalFrame& frame, bool is_real, Complex lambda, 
     const auto stacked = [&](const Eigen::VectorXcd& of) {
         Eigen::VectorXcd both(2 * n);
         const Eigen::VectorXcd q = multiply(frame.V.cast<Complex>(), of);
-        both << q, lambda * q;
+        both.head(n) = q;
+        both.tail(n) = lambda * q;
         return Eigen::VectorXcd(both * normalising(both));
     };
     const LinearSystem& system = frame.system;
@@ -165,7 +178,8 @@ inline Modes single_mode(const ModalFrame& frame, bool is_real, Complex lambda, 
     const Eigen::MatrixXcd phi = mode.left.transpose(), phi_M = multiply(phi, system.M.cast<Complex>()), phi_D = multiply(phi, system.D.cast<Complex>());
     mode.alpha = multiply(phi_D + 2.0 * lambda * phi_M, mode.vectors.topRows(n));
     mode.inverse.resize(1, 2 * n);
-    mode.inverse << phi_D + lambda * phi_M, phi_M;
+    mode.inverse.leftCols(n) = phi_D + lambda * phi_M;
+    mode.inverse.rightCols(n) = phi_M;
     mode.inverse /= mode.alpha[0];
     mode.input = multiply(phi, system.B.cast<Complex>()) / mode.alpha[0];
     mode.blocks = {{0, 1, is_real}};
@@ -196,7 +210,9 @@ inline Eigen::MatrixXcd diagonalising(const Eigen::MatrixXcd& G, bool is_real) {
     const Eigen::Index k = G.rows();
     if (is_real) return Solver(G.real()).eigenvectors().cast<Complex>();
     Eigen::MatrixXd both(2 * k, 2 * k);
-    both << G.real(), G.imag(), G.imag(), -G.real();
+    both.topLeftCorner(k, k) = G.real();
+    both.bottomRightCorner(k, k) = -G.real();
+    both.topRightCorner(k, k) = both.bottomLeftCorner(k, k) = G.imag();
     const Eigen::MatrixXd vectors = Solver(both).eigenvectors().rightCols(k);
     return vectors.topRows(k).cast<Complex>() - Complex(0, 1) * vectors.bottomRows(k);
 }
@@ -218,7 +234,7 @@ inline void append_blocks(const ModalFrame& frame, InvariantSubspace part, doubl
     Eigen::Index pairs = 0;
     Eigen::MatrixXcd basis = chain_basis(N, rounding, pairs);
     if (pairs == 0 && frame.is_symmetric) {
-        const Eigen::MatrixXcd a = frame.s.cast<Complex>().cwiseInverse().asDiagonal() * part.X.topRows(n), b = part.X.bottomRows(n);
+        const Eigen::MatrixXcd a = frame.unscaled(part.X.topRows(n)), b = part.X.bottomRows(n);
         const Eigen::MatrixXcd coupled = multiply(a.transpose(), b), damped = multiply(a.transpose(), multiply(frame.D.cast<Complex>(), a));
         basis = diagonalising(damped + coupled + coupled.transpose(), part.is_real);
     }
@@ -291,10 +307,10 @@ inline Eigen::MatrixXd exponential(Eigen::MatrixXd A) {
     A /= std::ldexp(1.0, squarings);
     Eigen::MatrixXd sum = Eigen::MatrixXd::Identity(A.rows(), A.cols()), term = sum;
     for (int i = 1; i <= 18; ++i) {  // 0.5^19/19! < 2e-23
-        term = term * A / i;
+        term = multiply_real(term, A / i);
         sum += term;
     }
-    for (int i = 0; i < squarings; ++i) sum = sum * sum;
+    for (int i = 0; i < squarings; ++i) sum = multiply_real(sum, sum);
     return sum;
 }
 
@@ -307,8 +323,8 @@ struct RealModalForm {
 
     /// x at time t from x0, both [q; qd], with constant forces f.
     Eigen::VectorXd motion(const Eigen::VectorXd& x0, const Eigen::VectorXd& f, double t) const {
-        Eigen::VectorXd z = inverse * x0;
-        const Eigen::VectorXd push = input * f;
+        Eigen::VectorXd z = detail::multiply_real(inverse, x0);
+        const Eigen::VectorXd push = detail::multiply_real(input, f);
         for (const ModalBlock& block : blocks) {
             Eigen::MatrixXd driven = Eigen::MatrixXd::Zero(block.size + 1, block.size + 1);
             driven.topRows(block.size) << A.block(block.first, block.first, block.size, block.size) * t, push.segment(block.first, block.size) * t;
@@ -316,9 +332,9 @@ struct RealModalForm {
             driven.col(block.size) /= size;
             Eigen::VectorXd start(block.size + 1);
             start << z.segment(block.first, block.size), size;
-            z.segment(block.first, block.size) = (detail::exponential(driven) * start).head(block.size);
+            z.segment(block.first, block.size) = detail::multiply_real(detail::exponential(driven), start).col(0).head(block.size);
         }
-        return basis * z;
+        return detail::multiply_real(basis, z);
     }
 };
 
@@ -360,8 +376,8 @@ LinearSystem linear_system(const System& system, const typename System::State& x
         for (Eigen::Index i = 0; i < n; ++i) result.M(i, j) = static_cast<double>(packed[static_cast<std::size_t>(j * n + i)]);
     const double rounding = 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
     const auto of = [&](const Eigen::MatrixXd& accelerations, double sign) {
-        Eigen::MatrixXd A = sign * result.M * accelerations;
-        const Eigen::MatrixXd sizes = rounding * result.M.cwiseAbs() * accelerations.cwiseAbs();
+        Eigen::MatrixXd A = sign * detail::multiply_real(result.M, accelerations);
+        const Eigen::MatrixXd sizes = rounding * detail::multiply_real(result.M.cwiseAbs(), accelerations.cwiseAbs());
         for (Eigen::Index j = 0; j < A.cols(); ++j)
             for (Eigen::Index i = 0; i < n; ++i) {
                 if (std::abs(A(i, j)) <= sizes(i, j)) A(i, j) = 0;
