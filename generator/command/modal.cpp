@@ -79,6 +79,7 @@ std::string written(const Complex& value, double size) {
     const auto clean = [&](double part) { return std::abs(part) < 1e-10 * size ? 0.0 : part; };  // what is only rounding
     const double re = clean(value.real()), im = clean(value.imag());
     if (im == 0) return fmt::format("{:.5g}", re);
+    if (re == 0) return fmt::format("{:.5g}i", im);
     return fmt::format("{:.5g} {} {:.5g}i", re, im < 0 ? '-' : '+', std::abs(im));
 }
 
@@ -105,8 +106,8 @@ std::string modes_text(const std::vector<PrintedMode>& modes, const System& syst
     for (std::size_t k = 0; k < modes.size(); ++k) {
         const PrintedMode& mode = modes[k];
         const double frequency = std::abs(mode.eigenvalue);
-        const bool is_pair = !mode.is_real;
-        const std::string value = (is_pair ? fmt::format("{:.5g} +- {:.5g}i", std::abs(mode.eigenvalue.real()) < 1e-10 * frequency ? 0.0 : mode.eigenvalue.real(), mode.eigenvalue.imag()) : written(mode.eigenvalue, frequency));
+        const std::string real = std::abs(mode.eigenvalue.real()) < 1e-10 * frequency ? "" : fmt::format("{:.5g} ", mode.eigenvalue.real());
+        const std::string value = mode.is_real ? written(mode.eigenvalue, frequency) : fmt::format("{}+- {:.5g}i", real, mode.eigenvalue.imag());
         const double ratio = -mode.eigenvalue.real() / frequency;
         text += fmt::format("  {:<3} {:<25} {:>12.5g} {:>12}   {}\n", k + 1, value, frequency, frequency > 0 ? fmt::format("{:.5g}", std::abs(ratio) < 1e-10 ? 0.0 : ratio) : "-",
                             mode.size > 1 ? fmt::format("coupled, block {}", mode.block) : written(mode.alpha, std::abs(mode.alpha)));
