@@ -36,7 +36,7 @@ void refuse_other_machines(const System& system) {
     for (std::size_t i = 0; i < q.size(); ++i)
         for (const Variable& z : system.symbols.all(SymbolKind::state))
             if (system.residual[i].has(z.symbol))
-                refuse(z.declared->span, fmt::format("the force on '{}' depends on the state '{}', which M*ddot(q) + D*dot(q) + C*q = B*u does not have; `dalembert equilibrium` has the eigenvalues", q[i].name, z.name));
+                refuse(z.declared != nullptr ? z.declared->span : scene.model->name_span, fmt::format("the force on '{}' depends on the state '{}', which M*ddot(q) + D*dot(q) + C*q = B*u does not have; `dalembert equilibrium` has the eigenvalues", q[i].name, z.name));
 }
 
 struct PrintedMode {

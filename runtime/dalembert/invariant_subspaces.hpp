@@ -106,7 +106,10 @@ private:
         double least = part.is_real ? std::numeric_limits<double>::infinity() : distance(part, part, true);
         std::size_t nearest = which;
         for (std::size_t i = 0; i < parts.size(); ++i)
-            if (const double d = i == which ? least : distance(part, parts[i], false); d < least) least = d, nearest = i;
+            if (const double d = i == which ? least : distance(part, parts[i], false); d < least) {
+                least = d;
+                nearest = i;
+            }
         if (!(least <= most) || (nearest == which && part.is_real)) return false;
         part.is_real = part.is_real || nearest == which || parts[nearest].is_real;
         if (nearest != which) part.members.insert(part.members.end(), parts[nearest].members.begin(), parts[nearest].members.end());

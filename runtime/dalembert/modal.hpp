@@ -51,7 +51,7 @@ struct Modes {
     ModalStatus status = ModalStatus::success;
     Eigen::VectorXcd eigenvalues;     ///< K, 1/s
     Eigen::MatrixXcd vectors;         ///< 2n x K: [psi_a; lambda psi_a], of length 1, its largest component real and positive
-    Eigen::MatrixXcd left;            ///< n x K: phi_a' (lambda^2 M + lambda D + C) = 0; psi_a where M, D, C are symmetric; 0 in larger blocks
+    Eigen::MatrixXcd left;            ///< n x K: phi_a' (lambda^2 M + lambda D + C) = 0; psi_a where M, D, C are symmetric and a block of the same lambda is not larger; 0 in larger blocks
     Eigen::VectorXcd alpha;           ///< K: phi_a' D psi_a + 2 lambda phi_a' M psi_a (2.134); NaN in larger blocks
     Eigen::MatrixXcd inverse;         ///< K x 2n, rows of Psi^-1
     Eigen::MatrixXcd matrix;          ///< K x K, diagonal but for larger blocks
@@ -146,10 +146,11 @@ inline Modes modal_block(const ModalFrame& frame, bool is_real, const Eigen::Vec
 }
 
 /// An eigenvalue with an eigenvector x of F and a left one l: (2.134) to (2.138). The eigenvalue gets its last digits from the quadratic form.
-inline Modes single_mode(const ModalFrame& frame, bool is_real, Complex lambda, const Eigen::VectorXcd& x, Eigen::VectorXcd l) {
+/// `is_orthogonal`: to all others, as in (2.130), so that l is known from x.
+inline Modes single_mode(const ModalFrame& frame, bool is_real, bool is_orthogonal, Complex lambda, const Eigen::VectorXcd& x, Eigen::VectorXcd l) {
     const Eigen::Index n = frame.s.size();
     Eigen::VectorXcd r = x.head(n).norm() >= x.tail(n).norm() ? frame.unscaled(x.head(n)) : Eigen::MatrixXcd(x.tail(n) / lambda);
-    if (frame.is_symmetric) l = r;
+    if (is_orthogonal) l = r;
     const auto form = [&](const Eigen::MatrixXd& A) { return multiply(l.transpose(), multiply(A.cast<Complex>(), r))(0, 0); };
     const auto size = [&](const Eigen::MatrixXd& A) { return multiply_real(l.cwiseAbs().transpose(), multiply_real(A.cwiseAbs(), r.cwiseAbs()))(0, 0); };
     const Eigen::MatrixXd E = Eigen::MatrixXd::Identity(n, n);
@@ -222,18 +223,22 @@ inline void append_blocks(const ModalFrame& frame, InvariantSubspace part, doubl
     const Eigen::Index n = frame.s.size(), k = part.X.cols();
     const Complex mean = part.is_real ? part.B.trace().real() / static_cast<double>(k) : part.B.trace() / static_cast<double>(k);
     Eigen::VectorXcd eigenvalues = part.eigenvalues;
-    if (k == 1) return result.push_back(single_mode(frame, part.is_real, eigenvalues[0], part.X, part.Y.rightCols(n).transpose()));
+    if (k == 1) return result.push_back(single_mode(frame, part.is_real, frame.is_symmetric, eigenvalues[0], part.X, part.Y.rightCols(n).transpose()));
     // The eigenvalues are equal but for rounding where N^j is zero but for it.
     rounding *= part.projector;
     const Eigen::MatrixXcd N = part.B - mean * Eigen::MatrixXcd::Identity(k, k);
     Eigen::MatrixXcd power = N;
     Eigen::Index j = 1;
-    for (double size = 1; j <= k && power.norm() > static_cast<double>(j) * rounding * size; ++j) power = multiply(power, N), size *= N.norm();
+    for (double size = 1; j <= k && power.norm() > static_cast<double>(j) * rounding * size; size *= N.norm()) {
+        power = multiply(power, N);
+        ++j;
+    }
     if (j <= k) eigenvalues.setConstant(std::abs(mean) <= rounding ? 0 : mean);
     if (j > 2) return result.push_back(modal_block(frame, part.is_real, eigenvalues, part.X, part.B, part.Y));
     Eigen::Index pairs = 0;
     Eigen::MatrixXcd basis = chain_basis(N, rounding, pairs);
-    if (pairs == 0 && frame.is_symmetric) {
+    const bool is_orthogonal = pairs == 0 && frame.is_symmetric;
+    if (is_orthogonal) {
         const Eigen::MatrixXcd a = frame.unscaled(part.X.topRows(n)), b = part.X.bottomRows(n);
         const Eigen::MatrixXcd coupled = multiply(a.transpose(), b), damped = multiply(a.transpose(), multiply(frame.D.cast<Complex>(), a));
         basis = diagonalising(damped + coupled + coupled.transpose(), part.is_real);
@@ -246,7 +251,7 @@ inline void append_blocks(const ModalFrame& frame, InvariantSubspace part, doubl
         chain << eigenvalues[0], part.B(2 * i, 2 * i + 1), 0, eigenvalues[0];
         result.push_back(modal_block(frame, part.is_real, eigenvalues.head(2), part.X.middleCols(2 * i, 2), chain, part.Y.middleRows(2 * i, 2)));
     }
-    for (Eigen::Index i = 2 * pairs; i < k; ++i) result.push_back(single_mode(frame, part.is_real, eigenvalues[0], part.X.col(i), part.Y.row(i).tail(n).transpose()));
+    for (Eigen::Index i = 2 * pairs; i < k; ++i) result.push_back(single_mode(frame, part.is_real, is_orthogonal, eigenvalues[0], part.X.col(i), part.Y.row(i).tail(n).transpose()));
 }
 
 }  // namespace detail

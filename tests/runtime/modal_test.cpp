@@ -27,14 +27,20 @@ namespace {
 MatrixXd diagonal(std::initializer_list<double> values) {
     MatrixXd A = MatrixXd::Zero(static_cast<Index>(values.size()), static_cast<Index>(values.size()));
     Index i = 0;
-    for (const double value : values) A(i, i) = value, ++i;
+    for (const double value : values) {
+        A(i, i) = value;
+        ++i;
+    }
     return A;
 }
 
 MatrixXd square(Index n, std::initializer_list<double> values) {
     MatrixXd A(n, n);
     Index i = 0;
-    for (const double value : values) A(i / n, i % n) = value, ++i;
+    for (const double value : values) {
+        A(i / n, i % n) = value;
+        ++i;
+    }
     return A;
 }
 
@@ -263,6 +269,10 @@ TEST_CASE("overdamped, damped without springs, and free") {
     CHECK(sizes(modes(free)) == std::vector<Index>{2, 2, 2});
     CHECK((modes(free).eigenvalues.array() == 0.0).all());
     check_laws(free);
+    // Both at once, one direction free and one braked: zero three times, with two eigenvectors.
+    const LinearSystem half = pushed(diagonal({1, 3}), square(2, {2, 2, 2, 2}), MatrixXd::Zero(2, 2));
+    CHECK(sizes(modes(half)).size() == 3);
+    check_laws(half);
     // Frequencies far apart.
     const Modes graded = modes(pushed(E, 0 * E, diagonal({1, 1e8, 1e-4})));
     CHECK(graded.eigenvalues[0].imag() == doctest::Approx(1e-2).epsilon(1e-12));
@@ -291,7 +301,10 @@ TEST_CASE("random systems up to twelve degrees of freedom") {
             const MatrixXd a = random(), b = random(), c = random();
             LinearSystem s{a * a.transpose() / static_cast<double>(n) + 0.2 * MatrixXd::Identity(n, n), 0.2 * b * b.transpose() / static_cast<double>(n), c * c.transpose(), random()};
             // Singular D and C; D, and C as well, that are not symmetric.
-            if (kind == 1) s.D = b.leftCols(n / 2) * b.leftCols(n / 2).transpose(), s.C = c.leftCols((n + 1) / 2) * c.leftCols((n + 1) / 2).transpose();
+            if (kind == 1) {
+                s.D = b.leftCols(n / 2) * b.leftCols(n / 2).transpose();
+                s.C = c.leftCols((n + 1) / 2) * c.leftCols((n + 1) / 2).transpose();
+            }
             if (kind >= 2) s.D = 0.3 * b;
             if (kind == 3) s.C = c;
             check_laws(s);
