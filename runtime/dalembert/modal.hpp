@@ -384,10 +384,11 @@ LinearSystem linear_system(const System& system, const typename System::State& x
         Eigen::MatrixXd A = sign * detail::multiply_real(result.M, accelerations);
         const Eigen::MatrixXd sizes = rounding * detail::multiply_real(result.M.cwiseAbs(), accelerations.cwiseAbs());
         for (Eigen::Index j = 0; j < A.cols(); ++j)
-            for (Eigen::Index i = 0; i < n; ++i) {
+            for (Eigen::Index i = 0; i < n; ++i)
                 if (std::abs(A(i, j)) <= sizes(i, j)) A(i, j) = 0;
-                if (j < i && i < A.cols() && std::abs(A(i, j) - A(j, i)) <= sizes(i, j) + sizes(j, i)) A(j, i) = A(i, j) = (A(i, j) + A(j, i)) / 2;
-            }
+        for (Eigen::Index j = 0; A.cols() == n && j < n; ++j)
+            for (Eigen::Index i = j + 1; i < n; ++i)
+                if (std::abs(A(i, j) - A(j, i)) <= sizes(i, j) + sizes(j, i)) A(j, i) = A(i, j) = (A(i, j) + A(j, i)) / 2;
         return A;
     };
     const Eigen::MatrixXd by_x = jacobian_x(system, x, u, t).template cast<double>(), by_u = jacobian_u(system, x, u, t).template cast<double>();

@@ -12,6 +12,7 @@
 #include "mechanics/coupled_springs_full.hpp"
 #include "mechanics/drive_train_damped.hpp"
 #include "mechanics/drive_train_undamped.hpp"
+#include "mechanics/n_pendulum_N5_full.hpp"
 #include "mechanics/spring_mass_damper_damped.hpp"
 
 using namespace dalembert;
@@ -288,6 +289,16 @@ TEST_CASE("matrices that are not symmetric: gyroscopes, circulatory forces, nega
     // M ydd + G yd = 0 with a regular G: turns on circles, lambda = +-3i, and rests anywhere.
     CHECK(modes(pushed(E, G, 0 * E)).is_decoupled());
     CHECK(modes(pushed(E, G, -2 * E)).eigenvalues.real().isZero(1e-14));  // held by its gyroscope alone
+}
+
+TEST_CASE("the linearisation of what is not linear: a hanging chain") {
+    const n_pendulum_N5::full::System<double> system;
+    const LinearSystem s = linear_system(system, {}, {}, 0.0);
+    CHECK(s.C.isDiagonal(0));  // without what is only rounding
+    CHECK(s.D.isZero(0));
+    CHECK(definiteness(s.C) == Definiteness::positive_definite);
+    check_laws({s.M, s.D, s.C, MatrixXd::Identity(5, 5)});
+    check_orthogonality({s.M, s.D, s.C, MatrixXd(5, 0)});
 }
 
 TEST_CASE("random systems up to twelve degrees of freedom") {
