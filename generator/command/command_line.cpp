@@ -78,6 +78,11 @@ public:
         format(equilibrium, "text or json", {"text", "json"});
         equilibrium->add_option("--hold", options_.hold, "states that keep their value, comma separated")->delimiter(',');
         equilibrium->add_option("--free", options_.free, "inputs that may change, comma separated")->delimiter(',');
+        CLI::App* modal = model_verb("modal", "eigenvalues, eigenvectors and modal form of a linear mechanical system, or of the linearisation at its start");
+        settings(modal);
+        mode(modal);
+        format(modal, "text or json", {"text", "json"});
+        modal->add_option("--run", options_.run, "the [runs.NAME] at whose start; `reference`, or the only one, if left out");
         CLI::App* survey = app_.add_subcommand("survey", "check, generate and simulate several models; print a table");
         survey->add_option("MODELS", options_.models, "model files")->required();
         survey->add_option("--size", sizes_, "size of a family, as N=5, where a model has it")->delimiter(',');
@@ -167,7 +172,7 @@ private:
 ExitCode dispatch(const Options& options, Streams streams) {
     static const std::map<std::string, ExitCode (*)(const Options&, Streams)> verbs{
         {"derive", derive_command},     {"generate", generate_command},       {"check", check_command},   {"evaluate", evaluate_command},
-        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"survey", survey_command}, {"effects", effects_command},
+        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"modal", modal_command}, {"survey", survey_command}, {"effects", effects_command},
         {"scenes", scenes_command},     {"help", help_command}};
     return verbs.at(options.verb)(options, streams);
 }

@@ -53,6 +53,7 @@ ExitCode check_command(const Options& options, Streams streams);
 ExitCode evaluate_command(const Options& options, Streams streams);
 ExitCode simulate_command(const Options& options, Streams streams);
 ExitCode equilibrium_command(const Options& options, Streams streams);
+ExitCode modal_command(const Options& options, Streams streams);
 ExitCode survey_command(const Options& options, Streams streams);
 ExitCode effects_command(const Options& options, Streams streams);
 ExitCode scenes_command(const Options& options, Streams streams);

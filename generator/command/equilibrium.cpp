@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <ostream>
-#include <sstream>
 
 #include "command/json_output.hpp"
+#include "command/number_lists.hpp"
 #include "command/run_header.hpp"
 #include "command/settings.hpp"
 #include "command/shared.hpp"
@@ -16,21 +16,6 @@
 namespace dalembert {
 
 namespace {
-
-std::vector<double> numbers(const std::string& text, char separator) {
-    std::vector<double> result;
-    std::istringstream parts(text);
-    for (std::string part; std::getline(parts, part, separator);) result.push_back(std::stod(part));
-    return result;
-}
-
-/// "1,2;3,4" as rows.
-std::vector<std::vector<double>> matrix(const std::string& text) {
-    std::vector<std::vector<double>> rows;
-    std::istringstream lines(text);
-    for (std::string row; std::getline(lines, row, ';');) rows.push_back(numbers(row, ','));
-    return rows;
-}
 
 /// Sets flags for names; a family stands for its members.
 void mark(const std::vector<std::string>& names, const std::vector<const Variable*>& variables, std::vector<bool>& flags, bool value, const char* option) {
@@ -115,8 +100,8 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     const ScratchFolder scratch;
     const auto result = run_with_header(scratch, header, equilibrium_source(*chosen.code, header, values, start, free_states, free_inputs), {}, "-O0");  // compiling takes longer than running
     const bool found = result.at("status") == "success";
-    const auto x = numbers(result.at("x"), ',');
-    const auto u = numbers(result.at("u"), ',');
+    const auto x = number_list(result.at("x"), ',');
+    const auto u = number_list(result.at("u"), ',');
 
     nlohmann::ordered_json json = json_result("equilibrium", system.scene);
     json["status"] = result.at("status");

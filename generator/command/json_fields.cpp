@@ -33,6 +33,13 @@ constexpr auto of_derive = std::to_array<JsonField>({
     {"fluid[]", "part of the bias: pressures and the shafts of pumps"},
     {"bias[]", "coriolis - gravity - elastic - dissipative - fluid"},
     {"generalised_force[]", "Q in M*ddot(q) + bias = Q"},
+    {"linear.D[][]", "of a linear system M*ddot(q) + D*dot(q) + C*q = k + B*u, row by row; missing in others"},
+    {"linear.C[][]", ""},
+    {"linear.B[][]", ""},
+    {"linear.k[]", "constant, or of the time"},
+    {"linear.definiteness.<MATRIX>.kind", "of M, D and C: positive definite, positive semidefinite, zero, indefinite, not symmetric, ..."},
+    {"linear.definiteness.<MATRIX>.proven", "for all parameters in their ranges; else at the values of the parameters"},
+    {"linear.definiteness.<MATRIX>.where[]", "of what is proven semidefinite: it is definite where none of these parameters is zero"},
     {"state_rates.<NAME>", "rates of the states"},
     {"rods[].name", "a rod whose cells are computed in loops; what state_rates says of its cells is added"},
     {"rods[].cells", "how many there are"},
@@ -164,6 +171,38 @@ constexpr auto of_equilibrium = std::to_array<JsonField>({
     {"eigenvalues[].imaginary", ""},
 });
 
+constexpr auto of_modal = std::to_array<JsonField>({
+    {"scene", "the scene"},
+    {"sizes.<NAME>", "sizes of families"},
+    {"mode", "of a machine that switches"},
+    {"status", "success, or why there is no modal form"},
+    {"linear", "whether the equations are linear; else what follows is of the linearisation at the start"},
+    {"reason", "what is not linear, else empty"},
+    {"coordinates[]", "names, in the order of rows and columns"},
+    {"state.<NAME>", "the start"},
+    {"input.<NAME>", "there"},
+    {"largest_acceleration", "at the start, in SI; zero in an equilibrium"},
+    {"M[][]", "M*ddot(q) + D*dot(q) + C*q = B*u, row by row"},
+    {"D[][]", ""},
+    {"C[][]", ""},
+    {"B[][]", ""},
+    {"definiteness.<MATRIX>", "of M, D and C: positive definite, positive semidefinite, zero, indefinite, not symmetric, ..."},
+    {"modes[].eigenvalue.real", "1/s; of conjugate pairs the one above the real axis"},
+    {"modes[].eigenvalue.imaginary", ""},
+    {"modes[].angular_frequency", "rad/s, |eigenvalue|"},
+    {"modes[].damping_ratio", "-real/|eigenvalue|; null where that is 0/0"},
+    {"modes[].alpha", "modal constant (2.134); null in a block of several"},
+    {"modes[].alpha.real", ""},
+    {"modes[].alpha.imaginary", ""},
+    {"modes[].block", "modes with the same number are coupled: a defective eigenvalue"},
+    {"modes[].vector[].real", "[psi_a; lambda*psi_a], of length 1, its largest component real and positive"},
+    {"modes[].vector[].imaginary", ""},
+    {"modes[].row[].real", "of the matrix of the modal form dot(y) = matrix*y + input*u (2.138)"},
+    {"modes[].row[].imaginary", ""},
+    {"modes[].input[].real", ""},
+    {"modes[].input[].imaginary", ""},
+});
+
 constexpr auto of_survey = std::to_array<JsonField>({
     {"systems[].model", "name of the model"},
     {"systems[].scene", "the scene that was run"},
@@ -216,7 +255,7 @@ constexpr auto of_scenes = std::to_array<JsonField>({
 
 constexpr auto schemas = std::to_array<JsonSchema>({
     {"derive", of_derive},           {"generate", of_generate}, {"check", of_check},   {"evaluate", of_evaluate}, {"simulate", of_simulate},
-    {"equilibrium", of_equilibrium}, {"survey", of_survey},     {"effects", of_effects},   {"scenes", of_scenes},
+    {"equilibrium", of_equilibrium}, {"modal", of_modal}, {"survey", of_survey},     {"effects", of_effects},   {"scenes", of_scenes},
 });
 
 }  // namespace

@@ -134,6 +134,13 @@ public:
         return settings;
     }
 
+    /// The inputs where a run begins.
+    std::vector<ex> inputs_at_start(const Values& values, const System& system) const {
+        std::vector<ex> result;
+        for (const ex& input : inputs(values, system)) result.push_back(GiNaC::numeric(number(system.symbols.without_definitions(input).subs(values.substitution(), GiNaC::subs_options::no_pattern), {})));
+        return result;
+    }
+
 private:
     /// A run may speak of what only some scenes have.
     static bool is_in_scene(const Expression& variable, const System& system) {
@@ -205,6 +212,16 @@ private:
 std::string scene_of_run(const Model& model, const std::string& run) {
     const Run* found = find_run(model, run);
     return found == nullptr ? "" : found->scene;
+}
+
+std::string scene_for_run(const Model& model, const Options& options) { return Preparation(model, options).scene(options.choice.scene); }
+
+std::pair<Values, std::vector<ex>> start_of_run(const System& system, const Options& options) {
+    const Preparation preparation(*system.scene.model, options);
+    Values values(system.scene, system.translate);
+    preparation.set_values(values, system);
+    check_body_values(system, values);
+    return {values, preparation.inputs_at_start(values, system)};
 }
 
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "command/command_line.hpp"
+#include "form/system.hpp"
 #include "text/files.hpp"
 #include "text/process.hpp"
 
@@ -41,6 +42,10 @@ struct SimulationReport {
 
 /// The scene that a run belongs to; empty when it belongs to none, or there is no run.
 std::string scene_of_run(const Model& model, const std::string& run);
+/// The scene of the command line, or else the one that its run belongs to. Throws Failure where the two differ.
+std::string scene_for_run(const Model& model, const Options& options);
+/// What run and command line say of the start: values, and inputs at t = 0.
+std::pair<Values, std::vector<GiNaC::ex>> start_of_run(const System& system, const Options& options);
 /// Derives, generates and writes the program of a run. Throws Failure.
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options);
 

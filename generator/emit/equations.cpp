@@ -7,6 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "form/linear_system.hpp"
+#include "prove/definiteness.hpp"
+
 #include "emit/safe_text.hpp"
 
 namespace dalembert {
@@ -80,6 +83,51 @@ std::string constrained(const System& s, const Notation& write) {
     return text;
 }
 
+/// D, C, B and k of a linear system, with what is known of M, D and C; nothing of others.
+std::string linear_as_text(const System& s, const Notation& write) {
+    const auto linear = linear_system(s).system;
+    if (!linear) return {};
+    const auto& q = s.symbols.all(SymbolKind::coordinate);
+    std::string text = "\nlinear: M*ddot(q) + D*dot(q) + C*q = k + B*u\n";
+    const auto matrix = [&](const char* name, const GiNaC::matrix& A, const std::vector<Variable>& columns) {
+        for (unsigned i = 0; i < A.rows(); ++i)
+            for (unsigned j = 0; j < A.cols(); ++j)
+                if (!A(i, j).is_zero()) text += fmt::format("    {}[{}, {}] = {}\n", name, q[i].name, columns[j].name, write(A(i, j)));
+    };
+    for (const auto& [name, A] : {std::pair{"M", &linear->M}, std::pair{"D", &linear->D}, std::pair{"C", &linear->C}}) {
+        text += fmt::format("  {} {}\n", name, definiteness(*A, s).sentence());
+        if (A != &linear->M) matrix(name, *A, q);
+    }
+    if (!s.symbols.all(SymbolKind::input).empty()) text += "  B\n";
+    matrix("B", linear->B, s.symbols.all(SymbolKind::input));
+    if (!all_zero(linear->k)) text += "  k\n";
+    for (std::size_t i = 0; i < q.size(); ++i)
+        if (!linear->k[i].is_zero()) text += fmt::format("    [{}] {}\n", q[i].name, write(linear->k[i]));
+    return text;
+}
+
+nlohmann::ordered_json matrix_as_json(const GiNaC::matrix& A, const Notation& write) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (unsigned i = 0; i < A.rows(); ++i) {
+        nlohmann::ordered_json row = nlohmann::ordered_json::array();
+        for (unsigned j = 0; j < A.cols(); ++j) row.push_back(write(A(i, j)));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+void add_linear(nlohmann::ordered_json& json, const System& s, const Notation& write) {
+    const auto linear = linear_system(s).system;
+    if (!linear) return;
+    nlohmann::ordered_json& result = json["linear"];
+    result = {{"D", matrix_as_json(linear->D, write)}, {"C", matrix_as_json(linear->C, write)}, {"B", matrix_as_json(linear->B, write)}, {"k", nlohmann::ordered_json::array()}};
+    for (const ex& value : linear->k) result["k"].push_back(write(value));
+    for (const auto& [name, A] : {std::pair{"M", &linear->M}, std::pair{"D", &linear->D}, std::pair{"C", &linear->C}}) {
+        const DefinitenessVerdict verdict = definiteness(*A, s);
+        result["definiteness"][name] = {{"kind", verdict.kind}, {"proven", verdict.is_proven}, {"where", verdict.where}};
+    }
+}
+
 /// Events that are watched in this mode, and where they lead.
 std::string events(const System& s, const Notation& write) {
     std::string text;
@@ -130,6 +178,7 @@ std::string equations_as_text(const System& s) {
             for (std::size_t j = 0; j < q.size(); ++j) text += fmt::format("  [{}] {}\n", q[j].name, write(part.values[j]));
         }
     }
+    text += linear_as_text(s, write);
     if (!s.named.names.empty()) text += "\nflows and media\n";
     for (const auto& [letter, value] : s.named.names) text += fmt::format("  {} = {}\n", write(letter), write(value));
     if (!s.named.balanced.empty()) text += "\ntemperatures that follow from balances\n";
@@ -197,16 +246,12 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     for (std::size_t j = 0; j < q.size(); ++j)
         json["equations"].push_back({{"coordinate", q[j].name}, {"left", write(s.residual[j] + s.supplied[j])}, {"right", write(s.supplied[j])}});
     json["constraints"] = constraints_as_json(s, write);
-    json["mass_matrix"] = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < q.size(); ++i) {
-        nlohmann::ordered_json row = nlohmann::ordered_json::array();
-        for (std::size_t j = 0; j < q.size(); ++j) row.push_back(write(s.mass(static_cast<unsigned>(i), static_cast<unsigned>(j))));
-        json["mass_matrix"].push_back(std::move(row));
-    }
+    json["mass_matrix"] = q.empty() ? nlohmann::ordered_json::array() : matrix_as_json(s.mass, write);
     for (const NamedPart& part : parts(s)) {
         json[part.key] = nlohmann::ordered_json::array();
         for (const ex& value : part.values) json[part.key].push_back(write(value));
     }
+    add_linear(json, s, write);
     json["state_rates"] = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < s.state_rates.size(); ++i) json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
     json["rods"] = nlohmann::ordered_json::array();

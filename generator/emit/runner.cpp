@@ -148,11 +148,28 @@ std::string cost_source(Code& code, const Header& header, const Values& values, 
                                                         {"INPUTS", input_statements(code, settings.inputs)}});
 }
 
-std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<bool>& free_states, const std::vector<bool>& free_inputs) {
+namespace {
+
+/// The type of the system, in its mode where it has some.
+std::string system_type(const Code& code, const Header& header) {
     const Scene& scene = code.system.scene;
-    const std::string in_mode = scene.mode ? fmt::format("dalembert::OneMode<{0}::System<double>, {0}::Mode::{1}>", header.name_space, scene.modes[*scene.mode].name) : header.name_space + "::System<double>";
+    return scene.mode ? fmt::format("dalembert::OneMode<{0}::System<double>, {0}::Mode::{1}>", header.name_space, scene.modes[*scene.mode].name) : header.name_space + "::System<double>";
+}
+
+}  // namespace
+
+std::string modal_source(const Code& code, const Header& header, const Values& values, const std::vector<ex>& x, const std::vector<ex>& inputs) {
+    return fill_template(embedded_file("modal.cpp.in"), {{"NAMESPACE", header.name_space},
+                                                         {"SYSTEM", system_type(code, header)},
+                                                         {"HEADER", header.file_name},
+                                                         {"PARAMETERS", parameter_statements(code.system.symbols, values)},
+                                                         {"START", joined(x)},
+                                                         {"INPUTS", joined(inputs)}});
+}
+
+std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<bool>& free_states, const std::vector<bool>& free_inputs) {
     return fill_template(embedded_file("equilibrium.cpp.in"), {{"NAMESPACE", header.name_space},
-                                                               {"SYSTEM", in_mode},
+                                                               {"SYSTEM", system_type(code, header)},
                                                                {"HEADER", header.file_name},
                                                                {"PARAMETERS", parameter_statements(code.system.symbols, values)},
                                                                {"START", joined(x)},

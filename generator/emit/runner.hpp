@@ -27,4 +27,7 @@ std::string cost_source(Code& code, const Header& header, const Values& values, 
 std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<bool>& free_states,
                                const std::vector<bool>& free_inputs);
 
+/// The program that prints the modal form at x (in the order of the model) with the inputs.
+std::string modal_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<GiNaC::ex>& inputs);
+
 }  // namespace dalembert

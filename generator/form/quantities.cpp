@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "form/system.hpp"
+#include "form/linear_system.hpp"
 #include "model/vocabulary.hpp"
 #include "text/diagnostic.hpp"
 
@@ -210,8 +210,12 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
         const ex nonpotential = system.supplied[j] + system.dissipative[j] + system.fluids.force[j];
         return e.name == "nonpotential_force" ? nonpotential : nonpotential + system.gravity[j] + system.elastic[j];
     }
-    if (e.name == "mass_matrix")
-        return system.mass(static_cast<unsigned>(coordinate(system, child(0), indices)), static_cast<unsigned>(coordinate(system, child(1), indices)));
+    if (subscript == Subscript::two_coordinates) {
+        const std::size_t i = coordinate(system, child(0), indices), j = coordinate(system, child(1), indices);
+        if (e.name == "damping_matrix") return damping_entry(system, i, j);
+        if (e.name == "stiffness_matrix") return stiffness_entry(system, i, j);
+        return system.mass(static_cast<unsigned>(i), static_cast<unsigned>(j));
+    }
     throw Failure(Diagnostic{Id::unknown_name, e.span, fmt::format("'{}' has no meaning here", e.written())});
 }
 

@@ -172,6 +172,8 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
     if (e.name == "velocity") return {Dimension::speed()};
     if (e.name == "generalised_force" || e.name == "nonpotential_force" || e.name == "bias") return {energy / coordinate(0)};
     if (e.name == "mass_matrix") return {energy * Dimension::time() * Dimension::time() / coordinate(0) / coordinate(1)};
+    if (e.name == "damping_matrix") return {energy * Dimension::time() / coordinate(0) / coordinate(1)};
+    if (e.name == "stiffness_matrix") return {energy / coordinate(0) / coordinate(1)};
     static const std::map<std::string, Dimension, std::less<>> fluid{
         {"pressure", Dimension::pressure()},
         {"bulk_modulus", Dimension::pressure()},

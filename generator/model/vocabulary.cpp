@@ -75,6 +75,8 @@ constexpr std::array quantity_table{
     QuantitySpec{"generalised_force", S::coordinate, "all that acts on a coordinate, -d(potential energy)/dq included (2.214)"},
     QuantitySpec{"nonpotential_force", S::coordinate, "what acts on a coordinate without a potential (2.215)"},
     QuantitySpec{"mass_matrix", S::two_coordinates, "entry of the mass matrix M"},
+    QuantitySpec{"damping_matrix", S::two_coordinates, "d(bias - Q)/d(dot(q)) at the present state and inputs: damping_matrix[s, phi] is a row s and a column phi of D in (2.117)"},
+    QuantitySpec{"stiffness_matrix", S::two_coordinates, "d(bias - Q)/dq at the present state and inputs: C in (2.117)"},
     QuantitySpec{"bias", S::coordinate, "entry of the bias in M*ddot(q) + bias = Q(u)"},
     QuantitySpec{"pressure", S::fluid, "pressure in a volume at its outlets, or of a reservoir", true},
     QuantitySpec{"temperature", S::warm, "temperature of a volume, reservoir, node or cell of a rod or block", true},

@@ -24,12 +24,15 @@ block 'file: bar.toml' >bar.toml
 block 'run: dalembert check bar.toml' | tail -n +2 >bar.expected
 block 'file: block.toml' >block.toml
 block 'run: dalembert simulate block.toml' | tail -n +2 >block.expected
-for file in wheel.toml wheel.expected block.toml block.expected crane.toml main.cpp check.expected main.expected lift.toml lift.expected bar.toml bar.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
+block 'run: dalembert modal systems/mechanics/drive_train.toml' | tail -n +2 >modal.expected
+for file in modal.expected wheel.toml wheel.expected block.toml block.expected crane.toml main.cpp check.expected main.expected lift.toml lift.expected bar.toml bar.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
 
 "$PROGRAM" check crane.toml >check.txt
 diff check.expected check.txt
 "$PROGRAM" check wheel.toml >wheel.txt
 diff wheel.expected wheel.txt
+"$PROGRAM" modal "$SOURCE/systems/mechanics/drive_train.toml" >modal.txt
+diff modal.expected modal.txt
 "$PROGRAM" check lift.toml >lift.txt
 diff lift.expected lift.txt
 "$PROGRAM" check bar.toml >bar.txt

@@ -31,6 +31,7 @@ TEST_CASE("outputs of the verbs") {
         {"derive_cart_pendulum.json", {"derive", model("cart_pendulum"), "--format", "json"}},
         {"derive_n_pendulum_N4.txt", {"derive", model("n_pendulum"), "--size", "N=4"}},
         {"derive_projectile.txt", {"derive", model("projectile")}},
+        {"derive_drive_train.txt", {"derive", model("drive_train")}},
         {"check_coupled_springs.json", {"check", model("coupled_springs"), "--format", "json"}},
         {"evaluate_cart_pendulum.txt",
          {"evaluate", model("cart_pendulum"), "--state", "s=0.55,phi=0.7,dot(s)=-0.3", "--input", "f_e=4.5", "--parameter", "m_W=1200 g"}},

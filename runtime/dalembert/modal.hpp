@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: BSL-1.0
+// The modal form of M qdd + D qd + C q = B f: (2.117) to (2.144) of Modellbildung 2013, and what those assume away: eigenvalues that are
+// repeated, zero or defective, and matrices D and C that are not symmetric.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <vector>
+
+#include "dalembert/definiteness.hpp"
+#include "dalembert/invariant_subspaces.hpp"
+#include "dalembert/matrices.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+
+enum class ModalStatus { success, wrong_shape, not_finite, mass_not_positive_definite, not_converged };
+
+inline const char* to_string(ModalStatus status) noexcept {
+    switch (status) {
+        case ModalStatus::success: return "success";
+        case ModalStatus::wrong_shape: return "wrong shape";
+        case ModalStatus::not_finite: return "not finite";
+        case ModalStatus::mass_not_positive_definite: return "mass matrix not positive definite";
+        case ModalStatus::not_converged: return "not converged";
+    }
+    return "unknown";
+}
+
+/// M, D, C are n x n, M symmetric and positive definite; B is n x m, m may be 0. In coherent units.
+struct LinearSystem {
+    Eigen::MatrixXd M, D, C, B;
+};
+
+/// Rows and columns of the modal form that belong together. Size 1: an eigenvalue with an eigenvector of its own. Size 2, as where a body
+/// moves freely or damping is critical: [lambda, c; 0, lambda], an eigenvector and one that feeds it. More: eigenvalues that are equal,
+/// or nearly, whose vectors would be parallel.
+struct ModalBlock {
+    Eigen::Index first, size;
+    bool is_real;  ///< else everything is there a second time, conjugate
+};
+
+/// dy/dt = matrix y + input f (2.138), x = [q; qd] = vectors y (2.139), y = inverse x; of conjugate pairs only those with Im(lambda) > 0, so
+/// that x = sum over real blocks + 2 Re(sum over others). K columns, sorted by |lambda|.
+struct Modes {
+    ModalStatus status = ModalStatus::success;
+    Eigen::VectorXcd eigenvalues;     ///< K, 1/s
+    Eigen::MatrixXcd vectors;         ///< 2n x K: [psi_a; lambda psi_a], of length 1, its largest component real and positive
+    Eigen::MatrixXcd left;            ///< n x K: phi_a' (lambda^2 M + lambda D + C) = 0; psi_a where M, D, C are symmetric and a block of the same lambda is not larger; 0 in larger blocks
+    Eigen::VectorXcd alpha;           ///< K: phi_a' D psi_a + 2 lambda phi_a' M psi_a (2.134); NaN in larger blocks
+    Eigen::MatrixXcd inverse;         ///< K x 2n, rows of Psi^-1
+    Eigen::MatrixXcd matrix;          ///< K x K, diagonal but for larger blocks
+    Eigen::MatrixXcd input;           ///< K x m: rows phi_a' B/alpha
+    std::vector<ModalBlock> blocks;
+    /// No block is larger than 1: the equations are as decoupled as (2.138) says.
+    bool is_decoupled() const { return std::all_of(blocks.begin(), blocks.end(), [](const ModalBlock& b) { return b.size == 1; }); }
+};
+
+namespace detail {
+
+/// Coordinates in which M is E and a symmetric C is diagonal: q = V y, with frequencies s that make y and ydd/s comparable.
+struct ModalFrame {
+    const LinearSystem& system;
+    bool is_symmetric;
+    Eigen::MatrixXd V, W, K, D;  ///< W = V^-1, K = V'CV, D = V'DV
+    Eigen::VectorXd s;
+
+    ModalFrame(const LinearSystem& of, const Eigen::MatrixXd& L) : system(of), is_symmetric(dalembert::is_symmetric(of.C)) {
+        const Eigen::Index n = L.rows();
+        V = Eigen::MatrixXd::Identity(n, n);  // becomes (L')^-1
+        for (Eigen::Index i = n; i-- > 0;) {
+            for (Eigen::Index k = i + 1; k < n; ++k) V.row(i) -= L(k, i) * V.row(k);
+            V.row(i) /= L(i, i);
+        }
+        K = multiply_real(V.transpose(), multiply_real(system.C, V));
+        if (is_symmetric) {
+            const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes((K + K.transpose()) / 2);
+            const double rounding = 10 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * modes.eigenvalues().cwiseAbs().maxCoeff();
+            V = multiply_real(V, modes.eigenvectors());
+            K = (modes.eigenvalues().array().abs() <= rounding).select(0, modes.eigenvalues()).asDiagonal();
+        }
+        is_symmetric = is_symmetric && dalembert::is_symmetric(system.D);
+        W = multiply_real(V.transpose(), system.M);
+        D = multiply_real(V.transpose(), multiply_real(system.D, V));
+        // Of what no spring holds the rate at which it is braked, so that this may be as slow as it likes.
+        s = K.rowwise().norm().cwiseSqrt();
+        const double fastest = std::max(s.maxCoeff(), D.cwiseAbs().maxCoeff()), slowest = 1e-10 * fastest;
+        for (Eigen::Index i = 0; i < n; ++i)
+            if (s[i] <= 0) s[i] = D(i, i) > slowest ? D(i, i) : D.row(i).norm() > slowest ? D.row(i).norm() : fastest > 0 ? fastest : 1;
+    }
+    /// y of S y.
+    Eigen::MatrixXcd unscaled(Eigen::MatrixXcd Sy) const {
+        for (Eigen::Index i = 0; i < s.size(); ++i) Sy.row(i) /= s[i];
+        return Sy;
+    }
+    /// d[S y; yd]/dt = F [S y; yd]
+    Eigen::MatrixXd matrix() const {
+        const Eigen::Index n = s.size();
+        Eigen::MatrixXd F = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+        for (Eigen::Index i = 0; i < n; ++i)
+            for (Eigen::Index j = 0; j < n; ++j) {
+                F(i, n + j) = i == j ? s[i] : 0;
+                F(n + i, j) = -K(i, j) / s[j];
+                F(n + i, n + j) = -D(i, j);
+            }
+        return F;
+    }
+};
+
+/// Length 1, and the largest component real and positive; the first of several.
+inline Complex normalising(const Eigen::VectorXcd& psi) {
+    const double largest = psi.cwiseAbs().maxCoeff();
+    Eigen::Index i = 0;
+    while (std::abs(psi[i]) < (1 - 1e-9) * largest) ++i;
+    return std::conj(psi[i]) / std::abs(psi[i]) / psi.norm();
+}
+
+/// A block of the modal form with its columns and rows.
+inline Modes modal_block(const ModalFrame& frame, bool is_real, const Eigen::VectorXcd& eigenvalues, const Eigen::MatrixXcd& X, const Eigen::MatrixXcd& B, const Eigen::MatrixXcd& Y) {
+    const Eigen::Index n = frame.s.size(), k = X.cols();
+    Modes block;
+    block.eigenvalues = eigenvalues;
+    block.vectors.resize(2 * n, k);
+    const Eigen::MatrixXcd V = frame.V.cast<Complex>(), W = frame.W.cast<Complex>(), S = frame.s.asDiagonal().toDenseMatrix().cast<Complex>();
+    block.vectors.topRows(n) = multiply(V, frame.unscaled(X.topRows(n)));
+    block.vectors.bottomRows(n) = multiply(V, X.bottomRows(n));
+    const Complex turn = normalising(block.vectors.col(0));
+    Eigen::VectorXcd factors(k);
+    for (Eigen::Index i = 0; i < k; ++i) factors[i] = turn / std::abs(turn) / block.vectors.col(i).norm();
+    const Eigen::MatrixXcd scale = factors.asDiagonal(), unscale = factors.cwiseInverse().asDiagonal(), rows = multiply(unscale, Y);
+    block.vectors = multiply(block.vectors, scale);
+    block.matrix = multiply(unscale, multiply(B, scale));
+    block.inverse.resize(k, 2 * n);
+    block.inverse.leftCols(n) = multiply(rows.leftCols(n), multiply(S, W));
+    block.inverse.rightCols(n) = multiply(rows.rightCols(n), W);
+    block.input = multiply(rows.rightCols(n), multiply(V.transpose(), frame.system.B.cast<Complex>()));
+    block.left = Eigen::MatrixXcd::Zero(n, k);
+    block.alpha = Eigen::VectorXcd::Constant(k, std::numeric_limits<double>::quiet_NaN());
+    block.blocks = {{0, k, is_real}};
+    return block;
+}
+
+/// An eigenvalue with an eigenvector x of F and a left one l: (2.134) to (2.138). The eigenvalue gets its last digits from the quadratic form.
+/// `is_orthogonal`: to all others, as in (2.130), so that l is known from x.
+inline Modes single_mode(const ModalFrame& frame, bool is_real, bool is_orthogonal, Complex lambda, const Eigen::VectorXcd& x, Eigen::VectorXcd l) {
+    const Eigen::Index n = frame.s.size();
+    Eigen::VectorXcd r = x.head(n).norm() >= x.tail(n).norm() ? frame.unscaled(x.head(n)) : Eigen::MatrixXcd(x.tail(n) / lambda);
+    if (is_orthogonal) l = r;
+    const auto form = [&](const Eigen::MatrixXd& A) { return multiply(l.transpose(), multiply(A.cast<Complex>(), r))(0, 0); };
+    const auto size = [&](const Eigen::MatrixXd& A) { return multiply_real(l.cwiseAbs().transpose(), multiply_real(A.cwiseAbs(), r.cwiseAbs()))(0, 0); };
+    const Eigen::MatrixXd E = Eigen::MatrixXd::Identity(n, n);
+    const Complex of_E = form(E), of_D = form(frame.D), of_K = form(frame.K);
+    for (int i = 0; i < 2; ++i) {
+        const Complex slope = 2.0 * lambda * of_E + of_D, step = (lambda * lambda * of_E + lambda * of_D + of_K) / slope;
+        const double sizes = std::norm(lambda) * size(E) + std::abs(lambda) * size(frame.D) + size(frame.K);
+        if (!(std::abs(step) <= 1e-4 * std::abs(lambda) + 1e-8 * frame.s.maxCoeff())) break;
+        lambda -= step;
+        if (std::abs(lambda) <= 4 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * sizes / std::abs(slope)) lambda = 0;
+    }
+    if (is_real) lambda = lambda.real();
+    else if (frame.is_symmetric && frame.D.isZero(0)) lambda = Complex(0, lambda.imag());
+    const auto stacked = [&](const Eigen::VectorXcd& of) {
+        Eigen::VectorXcd both(2 * n);
+        const Eigen::VectorXcd q = multiply(frame.V.cast<Complex>(), of);
+        both.head(n) = q;
+        both.tail(n) = lambda * q;
+        return Eigen::VectorXcd(both * normalising(both));
+    };
+    const LinearSystem& system = frame.system;
+    Modes mode;
+    mode.eigenvalues = mode.matrix = Eigen::MatrixXcd::Constant(1, 1, lambda);
+    mode.vectors = stacked(r);
+    mode.left = stacked(l).head(n);
+    const Eigen::MatrixXcd phi = mode.left.transpose(), phi_M = multiply(phi, system.M.cast<Complex>()), phi_D = multiply(phi, system.D.cast<Complex>());
+    mode.alpha = multiply(phi_D + 2.0 * lambda * phi_M, mode.vectors.topRows(n));
+    mode.inverse.resize(1, 2 * n);
+    mode.inverse.leftCols(n) = phi_D + lambda * phi_M;
+    mode.inverse.rightCols(n) = phi_M;
+    mode.inverse /= mode.alpha[0];
+    mode.input = multiply(phi, system.B.cast<Complex>()) / mode.alpha[0];
+    mode.blocks = {{0, 1, is_real}};
+    return mode;
+}
+
+/// A basis that makes a matrix N with N^2 = 0 decouple, N = U S V': columns U_1, V_1, U_2, V_2, ... and what is left. Orthonormal, since
+/// V'U = 0.
+inline Eigen::MatrixXcd chain_basis(const Eigen::MatrixXcd& N, double rounding, Eigen::Index& pairs) {
+    using Decomposition = Eigen::JacobiSVD<Eigen::MatrixXcd, Eigen::NoQRPreconditioner>;
+    const Eigen::Index k = N.rows();
+    const Decomposition svd(N, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    for (pairs = 0; 2 * pairs + 2 <= k && svd.singularValues()[pairs] > rounding;) ++pairs;
+    Eigen::MatrixXcd basis = Eigen::MatrixXcd::Identity(k, k), rest = basis;
+    if (pairs == 0) return basis;
+    for (Eigen::Index i = 0; i < pairs; ++i) {
+        basis.col(2 * i) = svd.matrixU().col(i);
+        basis.col(2 * i + 1) = svd.matrixV().col(i);
+    }
+    rest -= multiply(basis.leftCols(2 * pairs), basis.leftCols(2 * pairs).adjoint());
+    basis.rightCols(k - 2 * pairs) = Decomposition(rest, Eigen::ComputeFullU | Eigen::ComputeFullV).matrixU().leftCols(k - 2 * pairs);
+    return basis;
+}
+
+/// W'W* = E so that W'GW is diagonal, for a symmetric G, without conjugation: Takagi's factorisation.
+inline Eigen::MatrixXcd diagonalising(const Eigen::MatrixXcd& G, bool is_real) {
+    using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
+    const Eigen::Index k = G.rows();
+    if (is_real) return Solver(G.real()).eigenvectors().cast<Complex>();
+    Eigen::MatrixXd both(2 * k, 2 * k);
+    both.topLeftCorner(k, k) = G.real();
+    both.bottomRightCorner(k, k) = -G.real();
+    both.topRightCorner(k, k) = both.bottomLeftCorner(k, k) = G.imag();
+    const Eigen::MatrixXd vectors = Solver(both).eigenvectors().rightCols(k);
+    return vectors.topRows(k).cast<Complex>() - Complex(0, 1) * vectors.bottomRows(k);
+}
+
+/// The blocks of one invariant subspace.
+inline void append_blocks(const ModalFrame& frame, InvariantSubspace part, double rounding, std::vector<Modes>& result) {
+    const Eigen::Index n = frame.s.size(), k = part.X.cols();
+    const Complex mean = part.is_real ? part.B.trace().real() / static_cast<double>(k) : part.B.trace() / static_cast<double>(k);
+    Eigen::VectorXcd eigenvalues = part.eigenvalues;
+    if (k == 1) return result.push_back(single_mode(frame, part.is_real, frame.is_symmetric, eigenvalues[0], part.X, part.Y.rightCols(n).transpose()));
+    // The eigenvalues are equal but for rounding where N^j is zero but for it.
+    rounding *= part.projector;
+    const Eigen::MatrixXcd N = part.B - mean * Eigen::MatrixXcd::Identity(k, k);
+    Eigen::MatrixXcd power = N;
+    Eigen::Index j = 1;
+    for (double size = 1; j <= k && power.norm() > static_cast<double>(j) * rounding * size; size *= N.norm()) {
+        power = multiply(power, N);
+        ++j;
+    }
+    if (j <= k) eigenvalues.setConstant(std::abs(mean) <= rounding ? 0 : mean);
+    if (j > 2) return result.push_back(modal_block(frame, part.is_real, eigenvalues, part.X, part.B, part.Y));
+    Eigen::Index pairs = 0;
+    Eigen::MatrixXcd basis = chain_basis(N, rounding, pairs);
+    const bool is_orthogonal = pairs == 0 && frame.is_symmetric;
+    if (is_orthogonal) {
+        const Eigen::MatrixXcd a = frame.unscaled(part.X.topRows(n)), b = part.X.bottomRows(n);
+        const Eigen::MatrixXcd coupled = multiply(a.transpose(), b), damped = multiply(a.transpose(), multiply(frame.D.cast<Complex>(), a));
+        basis = diagonalising(damped + coupled + coupled.transpose(), part.is_real);
+    }
+    part.X = multiply(part.X, basis);
+    part.Y = multiply(basis.adjoint(), part.Y);
+    part.B = multiply(basis.adjoint(), multiply(part.B, basis));
+    for (Eigen::Index i = 0; i < pairs; ++i) {
+        Eigen::Matrix2cd chain;
+        chain << eigenvalues[0], part.B(2 * i, 2 * i + 1), 0, eigenvalues[0];
+        result.push_back(modal_block(frame, part.is_real, eigenvalues.head(2), part.X.middleCols(2 * i, 2), chain, part.Y.middleRows(2 * i, 2)));
+    }
+    for (Eigen::Index i = 2 * pairs; i < k; ++i) result.push_back(single_mode(frame, part.is_real, is_orthogonal, eigenvalues[0], part.X.col(i), part.Y.row(i).tail(n).transpose()));
+}
+
+}  // namespace detail
+
+/// The modal form. Eigenvalues closer than 20 n eps of the largest count as equal.
+inline Modes modes(const LinearSystem& system) {
+    Modes result;
+    const auto fail = [&](ModalStatus status) {
+        result = {};
+        result.status = status;
+        return result;
+    };
+    const Eigen::Index n = system.M.rows();
+    for (const Eigen::MatrixXd* A : {&system.M, &system.D, &system.C})
+        if (n == 0 || A->rows() != n || A->cols() != n) return fail(ModalStatus::wrong_shape);
+    if (system.B.rows() != n) return fail(ModalStatus::wrong_shape);
+    for (const Eigen::MatrixXd* A : {&system.M, &system.D, &system.C, &system.B})
+        if (!A->allFinite()) return fail(ModalStatus::not_finite);
+    const Eigen::LLT<Eigen::MatrixXd> cholesky((system.M + system.M.transpose()) / 2);
+    if (definiteness(system.M) != Definiteness::positive_definite || cholesky.info() != Eigen::Success) return fail(ModalStatus::mass_not_positive_definite);
+    const detail::ModalFrame frame(system, cholesky.matrixL());
+    if (!frame.matrix().allFinite()) return fail(ModalStatus::not_finite);
+    detail::Splitting splitting;
+    if (!splitting.split(frame.matrix())) return fail(ModalStatus::not_converged);
+    std::vector<Modes> blocks;
+    for (const auto& part : splitting.parts) detail::append_blocks(frame, part, splitting.rounding, blocks);
+    std::stable_sort(blocks.begin(), blocks.end(), [](const Modes& a, const Modes& b) { return std::abs(a.eigenvalues[0]) < std::abs(b.eigenvalues[0]); });
+
+    Eigen::Index K = 0, at = 0;
+    for (const Modes& block : blocks) K += block.eigenvalues.size();
+    result.eigenvalues.resize(K);
+    result.alpha.resize(K);
+    result.vectors.resize(2 * n, K);
+    result.left.resize(n, K);
+    result.inverse.resize(K, 2 * n);
+    result.input.resize(K, system.B.cols());
+    result.matrix.setZero(K, K);
+    for (const Modes& block : blocks) {
+        const Eigen::Index k = block.eigenvalues.size();
+        result.eigenvalues.segment(at, k) = block.eigenvalues;
+        result.alpha.segment(at, k) = block.alpha;
+        result.vectors.middleCols(at, k) = block.vectors;
+        result.left.middleCols(at, k) = block.left;
+        result.inverse.middleRows(at, k) = block.inverse;
+        result.input.middleRows(at, k) = block.input;
+        result.matrix.block(at, at, k, k) = block.matrix;
+        result.blocks.push_back({at, k, block.blocks[0].is_real});
+        at += k;
+    }
+    return result.vectors.allFinite() && result.inverse.allFinite() ? result : fail(ModalStatus::not_finite);
+}
+
+namespace detail {
+
+/// exp(A), by scaling, a Taylor series and squaring.
+inline Eigen::MatrixXd exponential(Eigen::MatrixXd A) {
+    const int squarings = std::max(0, std::ilogb(std::max(A.norm(), 1e-9)) + 2);
+    A /= std::ldexp(1.0, squarings);
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Identity(A.rows(), A.cols()), term = sum;
+    for (int i = 1; i <= 18; ++i) {  // 0.5^19/19! < 2e-23
+        term = multiply_real(term, A / i);
+        sum += term;
+    }
+    for (int i = 0; i < squarings; ++i) sum = multiply_real(sum, sum);
+    return sum;
+}
+
+}  // namespace detail
+
+/// The real form (2.144): x = basis z, z = inverse x, dz/dt = A z + input f, all real: for a pair [Re lambda, -Im lambda; Im lambda, Re lambda].
+struct RealModalForm {
+    Eigen::MatrixXd A, basis, inverse, input;
+    std::vector<ModalBlock> blocks;  ///< of A; those of pairs have twice the size
+
+    /// x at time t from x0, both [q; qd], with constant forces f.
+    Eigen::VectorXd motion(const Eigen::VectorXd& x0, const Eigen::VectorXd& f, double t) const {
+        Eigen::VectorXd z = detail::multiply_real(inverse, x0);
+        const Eigen::VectorXd push = detail::multiply_real(input, f);
+        for (const ModalBlock& block : blocks) {
+            Eigen::MatrixXd driven = Eigen::MatrixXd::Zero(block.size + 1, block.size + 1);
+            driven.topRows(block.size) << A.block(block.first, block.first, block.size, block.size) * t, push.segment(block.first, block.size) * t;
+            const double size = std::max(driven.col(block.size).norm(), 1.0);  // large forces would need many squarings
+            driven.col(block.size) /= size;
+            Eigen::VectorXd start(block.size + 1);
+            start << z.segment(block.first, block.size), size;
+            z.segment(block.first, block.size) = detail::multiply_real(detail::exponential(driven), start).col(0).head(block.size);
+        }
+        return detail::multiply_real(basis, z);
+    }
+};
+
+inline RealModalForm real_form(const Modes& modes) {
+    const Eigen::Index N = modes.vectors.rows();
+    RealModalForm form{Eigen::MatrixXd::Zero(N, N), Eigen::MatrixXd(N, N), Eigen::MatrixXd(N, N), Eigen::MatrixXd(N, modes.input.cols()), {}};
+    Eigen::Index at = 0;
+    for (const ModalBlock& block : modes.blocks) {
+        const Eigen::Index i = block.first, k = block.size;
+        const double share = block.is_real ? 1 : 2;
+        form.A.block(at, at, k, k) = modes.matrix.block(i, i, k, k).real();
+        form.basis.middleCols(at, k) = share * modes.vectors.middleCols(i, k).real();
+        form.inverse.middleRows(at, k) = modes.inverse.middleRows(i, k).real();
+        form.input.middleRows(at, k) = modes.input.middleRows(i, k).real();
+        form.blocks.push_back({at, block.is_real ? k : 2 * k, true});
+        at += k;
+        if (block.is_real) continue;
+        form.A.block(at, at, k, k) = modes.matrix.block(i, i, k, k).real();
+        form.A.block(at, at - k, k, k) = modes.matrix.block(i, i, k, k).imag();
+        form.A.block(at - k, at, k, k) = -modes.matrix.block(i, i, k, k).imag();
+        form.basis.middleCols(at, k) = -2 * modes.vectors.middleCols(i, k).imag();
+        form.inverse.middleRows(at, k) = modes.inverse.middleRows(i, k).imag();
+        form.input.middleRows(at, k) = modes.input.middleRows(i, k).imag();
+        at += k;
+    }
+    return form;
+}
+
+/// M, D, C and B of a generated system at a point: M as it is, the others from the Jacobian of the accelerations. Of what is not linear this is
+/// the linearisation there. Entries that are only rounding are zero, and pairs that differ by it are equal.
+template <class System>
+LinearSystem linear_system(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+    constexpr Eigen::Index n = static_cast<Eigen::Index>(System::degrees);
+    typename System::MassMatrix packed;
+    system.mass_matrix(x, t, packed);
+    LinearSystem result;
+    result.M = Eigen::MatrixXd::Zero(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+        for (Eigen::Index i = 0; i < n; ++i) result.M(i, j) = static_cast<double>(packed[static_cast<std::size_t>(j * n + i)]);
+    const double rounding = 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+    const auto of = [&](const Eigen::MatrixXd& accelerations, double sign) {
+        Eigen::MatrixXd A = sign * detail::multiply_real(result.M, accelerations);
+        const Eigen::MatrixXd sizes = rounding * detail::multiply_real(result.M.cwiseAbs(), accelerations.cwiseAbs());
+        for (Eigen::Index j = 0; j < A.cols(); ++j)
+            for (Eigen::Index i = 0; i < n; ++i)
+                if (std::abs(A(i, j)) <= sizes(i, j)) A(i, j) = 0;
+        for (Eigen::Index j = 0; A.cols() == n && j < n; ++j)
+            for (Eigen::Index i = j + 1; i < n; ++i)
+                if (std::abs(A(i, j) - A(j, i)) <= sizes(i, j) + sizes(j, i)) A(j, i) = A(i, j) = (A(i, j) + A(j, i)) / 2;
+        return A;
+    };
+    const Eigen::MatrixXd by_x = jacobian_x(system, x, u, t).template cast<double>(), by_u = jacobian_u(system, x, u, t).template cast<double>();
+    result.C = of(by_x.block(n, 0, n, n), -1);
+    result.D = of(by_x.block(n, n, n, n), -1);
+    result.B = of(by_u.middleRows(n, n), 1);
+    return result;
+}
+
+}  // namespace v1
+}  // namespace dalembert
