@@ -169,6 +169,11 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
     if (e.name == "spin") return {energy * Dimension::time()};
     if (e.name == "position") return {Dimension::length()};
     if (e.name == "velocity") return {Dimension::speed()};
+    if (e.name == "scale_factor") return {Dimension::length() / coordinate(1)};
+    if (e.name == "velocity_along") return {Dimension::speed()};
+    if (e.name == "acceleration_along") return {Dimension::speed() / Dimension::time()};
+    if (e.name == "christoffel") return {coordinate(1) / coordinate(2) / coordinate(3)};
+    if (e.name == "christoffel_first") return {Dimension::length() * Dimension::length() / coordinate(1) / coordinate(2) / coordinate(3)};
     if (e.name == "generalised_force" || e.name == "nonpotential_force" || e.name == "bias") return {energy / coordinate(0)};
     if (e.name == "mass_matrix") return {energy * Dimension::time() * Dimension::time() / coordinate(0) / coordinate(1)};
     static const std::map<std::string, Dimension, std::less<>> fluid{

@@ -45,6 +45,8 @@ enum class Subscript {
     optional_damper,
     constraint,
     cut,
+    body_and_line,         ///< a body and a coordinate that moves it
+    body_and_three_lines,
     surface,          ///< an enclosure and the number of a surface
     two_surfaces,     ///< an enclosure and the numbers of two surfaces
     fluid,            ///< a volume or reservoir
