@@ -149,20 +149,21 @@ Polynomial NormalForm::root(const Polynomial& whole, int degree) {
     return multiply(outside, Polynomial::letter(found->second));
 }
 
-/// Takes squares out of what stands under a square root, and gives their roots: of sines that are positive, sin^2 is written 1 - cos^2; and
-/// of of what is the square of another polynomial p, |p| = p*sign(p).
+/// Takes squares out of what stands under a square root, and gives their roots: of a sine, whose square is written 1 - cos^2, and of what is
+/// the square of another polynomial p: |p| = p*sign(p).
 Polynomial NormalForm::root_of_square(Polynomial& inside) {
+    constexpr std::size_t most_terms_of_square = 200;
     Polynomial outside(1);
-    for (const auto& [monomial, angle] : angles_) {
-        if (!positive_[angle.first]) continue;
+    if (inside == outside || inside.size() > most_terms_of_square) return outside;
+    for (const auto& [monomial, angle] : std::map(angles_)) {
+        const Polynomial sine = Polynomial::letter(angle.first);
         while (const auto quotient = exact_quotient(inside, relations_.at(angle.first).value)) {
             inside = *quotient;
-            outside = multiply(outside, Polynomial::letter(angle.first));
+            outside = multiply(outside, multiply(sine, sign_of(sine)));
         }
     }
-    constexpr std::size_t most_terms_of_square = 200;
     if (outside == Polynomial(1)) {
-        const auto whole = inside.size() > 1 && inside.size() <= most_terms_of_square ? exact_root(inside) : std::nullopt;
+        const auto whole = exact_root(inside);
         if (!whole) return outside;
         inside = Polynomial(1);
         return multiply(*whole, sign_of(*whole));
