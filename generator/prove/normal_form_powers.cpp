@@ -17,6 +17,8 @@ namespace {
 constexpr int largest_power = 64;
 constexpr int largest_root = 1000;
 
+Polynomial scaled(Polynomial p, const Rational& factor) { return p *= factor; }
+
 }  // namespace
 
 Polynomial NormalForm::power(const ex& base, const ex& exponent) {
@@ -163,10 +165,11 @@ Polynomial NormalForm::root_of_square(Polynomial& inside) {
         }
     }
     if (outside == Polynomial(1)) {
-        const auto whole = exact_root(inside);
+        const Rational factor = highest_coefficient(inside);
+        const auto whole = is_negative(factor) ? std::nullopt : exact_root(scaled(inside, Rational(1) / factor));
         if (!whole) return outside;
         inside = Polynomial(1);
-        return multiply(*whole, sign_of(*whole));
+        return multiply(multiply(*whole, sign_of(*whole)), root_of_number(factor, 2));
     }
     // What is left may have factors again that come out.
     const Polynomial rest = root(inside, 2);

@@ -52,8 +52,18 @@ Polynomial NormalForm::clear_by_squares(Polynomial& p, bool with_factor) {
 Polynomial NormalForm::take_radicands(Polynomial& p) {
     Polynomial outside(1);
     for (const auto& [radicand, letter] : std::map(roots_)) {
-        if (radicand.second != 2 || radicand.first.size() < 2) continue;
+        if (radicand.second != 2 || radicand.first.is_constant()) continue;
         int count = 0;
+        if (radicand.first.is_monomial()) {  // a letter, which may be in a denominator
+            const Letter base = radicand.first.terms().begin()->first.front().letter;
+            count = exponent_of(common_factor(p), base);
+            const int half = count >= 0 ? count / 2 : -((1 - count) / 2);
+            if (count == 0) continue;
+            p = p * Monomial{{base, -count}};
+            outside = multiply(outside, Polynomial::letter(base, half));
+            if (count != 2 * half) outside = multiply(outside, Polynomial::letter(letter));
+            continue;
+        }
         while (const auto quotient = exact_quotient(p, radicand.first)) {
             p = *quotient;
             ++count;

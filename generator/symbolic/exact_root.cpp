@@ -64,6 +64,8 @@ std::optional<Polynomial> exact_quotient(const Polynomial& a, const Polynomial& 
     return quotient * (common_a * raised(common_b, -1));
 }
 
+Rational highest_coefficient(const Polynomial& p) { return highest(p).second; }
+
 std::optional<Polynomial> exact_root(const Polynomial& p) {
     if (p.is_zero()) return Polynomial();
     const Monomial common = common_factor(p);

@@ -141,9 +141,14 @@ ex Squares::root(const ex& square) {
         if (odd != 0) inside.push_back({p.letter, odd});
     }
     ex result = back(outside);
-    auto rest = exact_root(f.rest);
-    if (rest && is_negative(leading(*rest))) *rest *= Rational(-1);
-    if (rest && is_positive(*rest)) return result * back(*rest) * GiNaC::sqrt(back(inside));
+    const Rational factor = highest_coefficient(f.rest);
+    if (!is_negative(factor)) {
+        Polynomial scaled_rest = f.rest;
+        scaled_rest *= Rational(1) / factor;
+        auto rest = exact_root(scaled_rest);
+        if (rest && is_negative(leading(*rest))) *rest *= Rational(-1);
+        if (rest && is_positive(*rest)) return result * back(*rest) * GiNaC::sqrt(numeric(factor) * back(inside));
+    }
     return result * GiNaC::sqrt(back(inside) * back(f.rest));
 }
 

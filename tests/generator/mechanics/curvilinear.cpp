@@ -35,9 +35,9 @@ bool holds(const std::string& text) {
 }  // namespace
 
 TEST_CASE("roots come out as far as the ranges allow") {
-    const std::string sphere = R"(["R*sin(a)*cos(b)", "R*sin(a)*sin(b)", "R*cos(a)"])";
+    const std::string sphere = R"x(["R*sin(a)*cos(b)", "R*sin(a)*sin(b)", "R*cos(a)"])x";
     const auto of_range = [&](const std::string& range, const std::string& expected) {
-        return holds(point("a = { unit = \"rad\"" + range + " }\nb = { unit = \"rad\" }", sphere, "found = { value = \"scale_factor[p, b]\", unit = \"m\" }\nexpected = { value = \"" + expected + "\", unit = \"m\" }"));
+        return holds(point("a = { unit = \"rad\", start = 1" + range + " }\nb = { unit = \"rad\" }", sphere, "found = { value = \"scale_factor[p, b]\", unit = \"m\" }\nexpected = { value = \"" + expected + "\", unit = \"m\" }"));
     };
     CHECK(of_range(", range = [0, \"pi\"]", "R*sin(a)"));
     CHECK(of_range(", range = [0.1, 3]", "R*sin(a)"));
@@ -46,8 +46,8 @@ TEST_CASE("roots come out as far as the ranges allow") {
     CHECK_FALSE(of_range("", "R*sin(a)"));
     CHECK(of_range("", "R*abs(sin(a))"));
     // Latitude instead of the angle from the pole.
-    const std::string globe = R"(["R*cos(a)*cos(b)", "R*cos(a)*sin(b)", "R*sin(a)"])";
-    CHECK(holds(point("a = { unit = \"rad\", range = [\"-pi/2\", \"pi/2\"] }\nb = { unit = \"rad\" }", globe, "found = { value = \"scale_factor[p, b]\", unit = \"m\" }\nexpected = { value = \"R*cos(a)\", unit = \"m\" }")));
+    const std::string globe = R"x(["R*cos(a)*cos(b)", "R*cos(a)*sin(b)", "R*sin(a)"])x";
+    CHECK(holds(point("a = { unit = \"rad\", start = 1, range = [\"-pi/2\", \"pi/2\"] }\nb = { unit = \"rad\" }", globe, "found = { value = \"scale_factor[p, b]\", unit = \"m\" }\nexpected = { value = \"R*cos(a)\", unit = \"m\" }")));
 }
 
 TEST_CASE("lines of other coordinates") {
@@ -55,16 +55,16 @@ TEST_CASE("lines of other coordinates") {
         return "found = { value = \"" + found + "\", unit = \"" + unit + "\" }\nexpected = { value = \"" + expected + "\", unit = \"" + unit + "\" }";
     };
     // Elliptic cylinder coordinates: both lines have the same scale.
-    const std::string angles = "u = { unit = \"rad\", range = [0.1, 3] }\nw = { unit = \"rad\" }";
-    const std::string ellipse = R"(["R*cosh(u)*cos(w)", "R*sinh(u)*sin(w)", 0])";
+    const std::string angles = "u = { unit = \"rad\", start = 1, range = [0.1, 3] }\nw = { unit = \"rad\" }";
+    const std::string ellipse = R"x(["R*cosh(u)*cos(w)", "R*sinh(u)*sin(w)", 0])x";
     CHECK(holds(point(angles, ellipse, pair("scale_factor[p, u]", "R*sqrt(sinh(u)^2 + sin(w)^2)", "m"))));
     CHECK(holds(point(angles, ellipse, pair("christoffel[p, u, u, u]", "sinh(u)*cosh(u)/(sinh(u)^2 + sin(w)^2)", "1"))));
     CHECK(holds(point(angles, ellipse, pair("christoffel[p, u, w, w]", "-sinh(u)*cosh(u)/(sinh(u)^2 + sin(w)^2)", "1"))));
     // A helix is one line: its acceleration along itself is that of its length.
-    CHECK(holds(point("s = { unit = \"m\" }", R"(["R*cos(s/R)", "R*sin(s/R)", "s"])", pair("acceleration_along[p, s]", "sqrt(2)*ddot(s)", "m/s^2"))));
+    CHECK(holds(point("s = { unit = \"m\" }", R"x(["R*cos(s/R)", "R*sin(s/R)", "s"])x", pair("acceleration_along[p, s]", "sqrt(2)*ddot(s)", "m/s^2"))));
     // Skew lines have Christoffel symbols, too: of x = q^2/(2 R) + p, y = p the second kind is the first over the metric.
-    const std::string skew = R"(["q^2/(2*R) + p", "p", 0])";
-    const std::string lengths = "q = { unit = \"m\", range = [1, 2] }\np = { unit = \"m\" }";
+    const std::string skew = R"x(["q^2/(2*R) + p", "p", 0])x";
+    const std::string lengths = "q = { unit = \"m\", start = 1, range = [1, 2] }\np = { unit = \"m\" }";
     CHECK(holds(point(lengths, skew, pair("christoffel[p, q, q, q]", "1/q", "1/m"))));
     CHECK(holds(point(lengths, skew, pair("christoffel[p, p, q, q]", "0/q", "1/m"))));
     CHECK(holds(point(lengths, skew, pair("christoffel_first[p, p, q, q]", "1/R", "1/m"))));
