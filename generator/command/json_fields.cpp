@@ -173,7 +173,7 @@ constexpr auto of_optimise = std::to_array<JsonField>({
     {"low", "from there"},
     {"high", "up to there"},
     {"value", "the best one"},
-    {"value_error", "by which it changes at ten times the tolerance of a step, and rounding"},
+    {"value_error", "by which it changes at ten times the tolerance and twice the largest step, and rounding"},
     {"at", "the parameter there"},
     {"at_error", "what the search resolves, or what that error makes of it; 0 at an end of the range"},
     {"place", "inside, low or high: an end of the range"},

@@ -93,7 +93,7 @@ ExitCode optimise_command(const Options& options, Streams streams) {
         const auto value = [&](double p) { return (largest ? 1 : -1) * run(*over.parameter, p).value; };
         found = find_maximum(value, low, high, static_cast<std::size_t>(options.points));
         end = run(*over.parameter, found.best.at);
-        coarser = run(*over.parameter, found.best.at, std::min(10 * run.tolerance(), 0.5));
+        coarser = run(*over.parameter, found.best.at, RepeatedRun::Care::coarse);
     } catch (const RunStopped& stopped) {
         streams.err << fmt::format("dalembert: {}, scene {}: {}\n", system.scene.sized_name(), system.scene.name, stopped.what());
         return ExitCode::run_stopped;
@@ -101,7 +101,9 @@ ExitCode optimise_command(const Options& options, Streams streams) {
     if (found.is_constant)
         throw Failure(Diagnostic{Id::bad_option, over.parameter->span, fmt::format("'{}' at the end of the run is {:.6g} for every '{}' of the scan, so that none is best", wanted, end.value, parameter.name)});
 
-    const double error = std::fabs(end.value - coarser.value) + std::numeric_limits<double>::epsilon() * std::fabs(end.value);
+    // Of every step a rounding, which do not all add up.
+    const double rounding = 4 * std::sqrt(end.steps) * std::numeric_limits<double>::epsilon() * std::fabs(end.value);
+    const double error = std::fabs(end.value - coarser.value) + rounding;
     std::optional<double> curvature, loses_a_percent;
     double accuracy = found.resolution;
     if (found.curvature && *found.curvature < 0) {

@@ -42,7 +42,7 @@ Values RepeatedRun::values() const {
     return result;
 }
 
-RepeatedRun::End RepeatedRun::operator()(const Expression& parameter, double value, double tolerance) const {
+RepeatedRun::End RepeatedRun::operator()(const Expression& parameter, double value, Care care) const {
     const System& system = *machine_.system;
     Values at = values();
     at.set(parameter, *make_number(cln::rational(cln::cl_DF(value)), parameter.span), on_parameters);
@@ -50,10 +50,15 @@ RepeatedRun::End RepeatedRun::operator()(const Expression& parameter, double val
     check_body_values(system, at);
     meet_constraints(system, at);
     SimulationSettings settings = preparation_.make_settings(at, system);
-    settings.tolerance = tolerance > 0 ? tolerance : tolerance_;
+    settings.tolerance = tolerance_;
+    if (care == Care::coarse) {
+        settings.tolerance = std::min(10 * tolerance_, 0.5);
+        settings.step *= 2;
+        settings.intervals = std::max(1, settings.intervals / 2);
+    }
     const auto result = run_compiled(folder_, repeated_arguments(system, at, settings));
     const std::string& status = result.at("status");
-    End end{0, std::stod(result.at("t")), ""};
+    End end{0, std::stod(result.at("t")), std::stod(result.at("steps")), ""};
     const std::size_t event = std::stoul(result.at("guard"));
     const bool ends = status == "event" && !system.scene.modes.empty() && event < system.events.size() && system.events[event].item != nullptr && !system.events[event].item->is_limit;
     if (ends) end.event = system.events[event].name;

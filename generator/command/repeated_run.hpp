@@ -24,14 +24,15 @@ public:
     struct End {
         double value;  ///< of what is wanted, in SI
         double t;      ///< s, where the run ended
+        double steps;
         std::string event;  ///< that ended it; empty: the end that the run names
     };
-    /// The end of the run with a parameter set to a number in SI; `tolerance` 0: the usual one. Throws RunStopped, Failure.
-    End operator()(const Expression& parameter, double value, double tolerance = 0) const;
+    /// How exactly a run is made: at ten times the tolerance and twice the largest step, it shows what both leave.
+    enum class Care { usual, coarse };
+    /// The end of the run with a parameter set to a number in SI. Throws RunStopped, Failure.
+    End operator()(const Expression& parameter, double value, Care care = Care::usual) const;
 
     const Machine& machine() const { return machine_; }
-    /// The usual tolerance of a step: that of the command line, else 1e-12 or what the run has, where that is finer.
-    double tolerance() const { return tolerance_; }
 
 private:
     Values values() const;
@@ -41,7 +42,7 @@ private:
     Machine machine_;
     Header header_;
     std::string source_;
-    double tolerance_ = 0;
+    double tolerance_ = 0;  ///< that of the command line, else 1e-12 or what the run has, where that is finer
     ScratchFolder folder_;
 };
 

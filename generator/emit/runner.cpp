@@ -158,8 +158,6 @@ std::string repeated_source(Code& code, const Header& header, const SimulationSe
                                                             {"STATE_VALUES", state_values},
                                                             {"INPUTS", input_statements(code, settings.inputs)},
                                                             {"METHOD", settings.method},
-                                                            {"STEP", double_literal(settings.step)},
-                                                            {"INTERVALS", std::to_string(settings.intervals)},
                                                             {"WANTED", cpp_string(wanted)}});
 }
 
@@ -167,8 +165,7 @@ std::vector<std::string> repeated_arguments(const System& system, const Values& 
     std::vector<std::string> arguments;
     for (std::size_t i = 0; i < system.symbols.count(SymbolKind::parameter); ++i) arguments.push_back(double_literal(values.parameter(i)));
     for (const ex& value : values.state()) arguments.push_back(double_literal(value));
-    arguments.push_back(double_literal(settings.until));
-    arguments.push_back(double_literal(settings.tolerance));
+    for (const double number : {settings.until, settings.tolerance, settings.step, static_cast<double>(settings.intervals)}) arguments.push_back(double_literal(number));
     return arguments;
 }
 
