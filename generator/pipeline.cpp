@@ -15,6 +15,7 @@
 #include "model/verdict.hpp"
 #include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
+#include "prove/right_angles.hpp"
 #include "prove/switching_validity.hpp"
 
 namespace dalembert {
@@ -125,6 +126,7 @@ void prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, s
     stop_on_unbalanced_mass(*machine.system);
     machine.audit = audit(*machine.system);
     stop_on_failed_audit(*machine.system, machine.audit);
+    check_right_angles(*machine.system);
     Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
     check_switching_values(*machine.system, defaults);
     check_body_values(*machine.system, defaults);

@@ -16,12 +16,13 @@
 //     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 0      3     1        0      0
+//   update                 0      5     1        0      0
 //   rhs                    1      2     0        1      0
 //   rhs_and_jacobian       2      4     0        2      0
 //   jacobian_p             3     13     0        1      0
 //   bias                   0      1     0        1      0
-//   output                 0      1     0        0      0
+//   output                 1      4     0        1      0
+//   output_jacobian_x      1      2     0        1      0
 //   kinetic_energy         0      5     0        0      0
 //   potential_energy       1      1     0        1      0
 //
@@ -47,14 +48,14 @@ inline constexpr std::size_t degrees_of_freedom = 1;
 inline constexpr std::size_t plain_state_count = 0;
 inline constexpr std::size_t state_count = 2;
 inline constexpr std::size_t input_count = 0;
-inline constexpr std::size_t output_count = 1;
+inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 3;
 inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi = 0, phi_dot = 1 }; };
 struct input {};
-struct output { enum : std::size_t { angular_momentum = 0 }; };
+struct output { enum : std::size_t { f_S = 0, angular_momentum = 1 }; };
 struct parameter { enum : std::size_t { m = 0, l = 1, g = 2 }; };
 
 /// Name in the model, SI unit, description, and the declared range in SI.
@@ -72,6 +73,7 @@ inline constexpr std::array<Quantity, state_count> state_quantities{
 };
 inline constexpr std::array<Quantity, input_count> input_quantities{};
 inline constexpr std::array<Quantity, output_count> output_quantities{
+    Quantity{"f_S", "N", "force along the rod, positive where it pulls"},
     Quantity{"angular_momentum", "kg*m^2/s", "about the suspension"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
@@ -154,7 +156,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 *, 1 /
+    /// Operations: 5 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.m * p_.l;
@@ -162,6 +164,9 @@ public:
         c_.k0 = Scalar(1) / e2;
         c_.k1 = p_.g * e1;
         c_.k2 = e2;
+        c_.k3 = e1;
+        c_.k4 = p_.m * p_.g;
+        c_.k5 = Scalar(2) * e1;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -263,18 +268,29 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 1 *
+    /// Operations: 1 + or -, 4 *, 1 sin or cos
+    ///     f_S = m*l*dot(phi)^2 + m*g*cos(phi)
     ///     angular_momentum = m*l^2*dot(phi)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
+        using std::cos;
         const Scalar phi_dot = x[1];
-        y[0] = c_.k2 * phi_dot;
+        const Scalar phi = x[0];
+        const Scalar cos_phi = cos(phi);
+        y[0] = c_.k3 * phi_dot * phi_dot + c_.k4 * cos_phi;
+        y[1] = c_.k2 * phi_dot;
     }
 
     /// C = dh/dx.
-    /// Operations: none
-    void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        C[0] = Scalar(0);
-        C[1] = c_.k2;
+    /// Operations: 1 + or -, 2 *, 1 sin or cos
+    void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
+        using std::sin;
+        const Scalar phi = x[0];
+        const Scalar sin_phi = sin(phi);
+        const Scalar phi_dot = x[1];
+        C[0] = -c_.k4 * sin_phi;
+        C[1] = Scalar(0);
+        C[2] = c_.k5 * phi_dot;
+        C[3] = c_.k2;
     }
 
     /// D = dh/du.
@@ -345,6 +361,9 @@ private:
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< m*l*g
         Scalar k2;  ///< m*l^2
+        Scalar k3;  ///< m*l
+        Scalar k4;  ///< m*g
+        Scalar k5;  ///< 2*m*l
     };
     Cached c_{};
 };

@@ -7,7 +7,8 @@
 //     dalembert generate projectile.toml --scene atmosphere
 // Scene atmosphere
 // Effects in: air (resistance of the air, proportional to the square of the speed (2.94))
-// Effects out: none
+// Effects out, and what each would do to the rates at the start values:
+//     ground (a run ends where the ball reaches the ground): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations

@@ -9,6 +9,7 @@
 // Effects in: none
 // Effects out, and what each would do to the rates at the start values:
 //     air (resistance of the air, proportional to the square of the speed (2.94)): changes ddot(x) by 100 %
+//     ground (a run ends where the ball reaches the ground): changes nothing
 //
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 2 of 2 equations

@@ -16,11 +16,13 @@
 //     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2      3     1        0      0
+//   update                 2      4     1        0      0
 //   rhs                    1      1     0        0      0
 //   rhs_and_jacobian       1      1     0        0      0
 //   jacobian_p             4      6     0        0      0
-//   output                 2      1     0        0      0
+//   output                 3      2     0        0      0
+//   output_jacobian_x      1      0     0        0      0
+//   output_jacobian_u      1      0     0        0      0
 //   kinetic_energy         1      4     0        0      0
 //   potential_energy       2      4     0        0      0
 //
@@ -46,14 +48,14 @@ inline constexpr std::size_t degrees_of_freedom = 1;
 inline constexpr std::size_t plain_state_count = 0;
 inline constexpr std::size_t state_count = 2;
 inline constexpr std::size_t input_count = 0;
-inline constexpr std::size_t output_count = 2;
+inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 5;
 inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { delta_z_2 = 0, delta_z_2_dot = 1 }; };
 struct input {};
-struct output { enum : std::size_t { z_1 = 0, z_2 = 1 }; };
+struct output { enum : std::size_t { f_S = 0, z_1 = 1, z_2 = 2 }; };
 struct parameter { enum : std::size_t { m_1 = 0, m_2 = 1, g = 2, z_10 = 3, z_20 = 4 }; };
 
 /// Name in the model, SI unit, description, and the declared range in SI.
@@ -71,6 +73,7 @@ inline constexpr std::array<Quantity, state_count> state_quantities{
 };
 inline constexpr std::array<Quantity, input_count> input_quantities{};
 inline constexpr std::array<Quantity, output_count> output_quantities{
+    Quantity{"f_S", "N", "force in the rope"},
     Quantity{"z_1", "m", "position of mass 1"},
     Quantity{"z_2", "m", "position of mass 2"},
 };
@@ -158,13 +161,15 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 3 *, 1 /
+    /// Operations: 2 + or -, 4 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = (Scalar(1) / Scalar(4)) * p_.m_1 + p_.m_2;
         c_.k0 = Scalar(1) / e1;
-        c_.k1 = p_.g * ((Scalar(1) / Scalar(2)) * p_.m_1 - p_.m_2);
+        const Scalar e2 = p_.m_2 * p_.g;
+        c_.k1 = (Scalar(1) / Scalar(2)) * p_.m_1 * p_.g - e2;
         c_.k2 = e1;
+        c_.k3 = e2;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -254,26 +259,35 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 2 + or -, 1 *
+    /// Operations: 3 + or -, 2 *
+    ///     f_S = -m_2*ddot(delta_z_2) + m_2*g
     ///     z_1 = z_10 - delta_z_2/2
     ///     z_2 = z_20 + delta_z_2
-    void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
+    void output(const State& x, const Input& u, Scalar t, Output& y) const noexcept {
+        State dxdt;
+        rhs(x, u, t, dxdt);
         const Scalar delta_z_2 = x[0];
-        y[0] = p_.z_10 - (Scalar(1) / Scalar(2)) * delta_z_2;
-        y[1] = p_.z_20 + delta_z_2;
+        y[0] = c_.k3 - p_.m_2 * dxdt[1];
+        y[1] = p_.z_10 - (Scalar(1) / Scalar(2)) * delta_z_2;
+        y[2] = p_.z_20 + delta_z_2;
     }
 
     /// C = dh/dx.
-    /// Operations: none
-    void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        C[0] = -Scalar(1) / Scalar(2);
-        C[1] = Scalar(1);
-        C[2] = Scalar(0);
-        C[3] = Scalar(0);
+    /// Operations: 1 + or -
+    void output_jacobian_x(const State& x, const Input& u, Scalar t, OutputJacobianX& C) const noexcept {
+        State dxdt;
+        JacobianX J;
+        rhs_and_jacobian(x, u, t, dxdt, J);
+        C[0] = Scalar(0) + (-p_.m_2) * J[1];
+        C[1] = -Scalar(1) / Scalar(2);
+        C[2] = Scalar(1);
+        C[3] = Scalar(0) + (-p_.m_2) * J[3];
+        C[4] = Scalar(0);
+        C[5] = Scalar(0);
     }
 
     /// D = dh/du.
-    /// Operations: none
+    /// Operations: 1 + or -
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
@@ -338,6 +352,7 @@ private:
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< g*(m_1/2 - m_2)
         Scalar k2;  ///< m_1/4 + m_2
+        Scalar k3;  ///< m_2*g
     };
     Cached c_{};
 };

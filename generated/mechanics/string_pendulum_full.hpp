@@ -13,14 +13,17 @@
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations
 //     force = -d(energy)/dq: 1 of 1 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 16 of 16 functions
+//     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 0      3     1        0      0
+//   update                 0      5     1        0      0
 //   rhs                    1      2     0        1      0
 //   rhs_and_jacobian       2      4     0        2      0
 //   jacobian_p             3     13     0        1      0
 //   bias                   0      1     0        1      0
+//   output                 3      7     0        2      0
+//   output_jacobian_x      3     10     0        2      0
+//   output_jacobian_u      0      2     0        2      0
 //   kinetic_energy         0      5     0        0      0
 //   potential_energy       1      1     0        1      0
 //
@@ -46,14 +49,14 @@ inline constexpr std::size_t degrees_of_freedom = 1;
 inline constexpr std::size_t plain_state_count = 0;
 inline constexpr std::size_t state_count = 2;
 inline constexpr std::size_t input_count = 0;
-inline constexpr std::size_t output_count = 0;
+inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 3;
 inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi = 0, phi_dot = 1 }; };
 struct input {};
-struct output {};
+struct output { enum : std::size_t { F_x = 0, F_y = 1 }; };
 struct parameter { enum : std::size_t { m = 0, l = 1, g = 2 }; };
 
 /// Name in the model, SI unit, description, and the declared range in SI.
@@ -70,7 +73,10 @@ inline constexpr std::array<Quantity, state_count> state_quantities{
     Quantity{"dot(phi)", "rad/s", "time derivative of phi"},
 };
 inline constexpr std::array<Quantity, input_count> input_quantities{};
-inline constexpr std::array<Quantity, output_count> output_quantities{};
+inline constexpr std::array<Quantity, output_count> output_quantities{
+    Quantity{"F_x", "N", "force of the string on the bob"},
+    Quantity{"F_y", "N", "likewise, upwards"},
+};
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"m", "kg", "mass", 0.01, 100},
     Quantity{"l", "m", "length of the string", 0.01, 100},
@@ -151,7 +157,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 *, 1 /
+    /// Operations: 5 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.m * p_.l;
@@ -159,6 +165,9 @@ public:
         c_.k0 = Scalar(1) / e2;
         c_.k1 = p_.g * e1;
         c_.k2 = e2;
+        c_.k3 = e1;
+        c_.k4 = p_.m * p_.g;
+        c_.k5 = Scalar(2) * e1;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -260,17 +269,48 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: none
-    void output(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Output& /*y*/) const noexcept {
+    /// Operations: 3 + or -, 7 *, 2 sin or cos
+    ///     F_x = m*l*cos(phi)*ddot(phi) - m*l*sin(phi)*dot(phi)^2
+    ///     F_y = m*l*sin(phi)*ddot(phi) + m*l*cos(phi)*dot(phi)^2 + m*g
+    void output(const State& x, const Input& u, Scalar t, Output& y) const noexcept {
+        using std::cos;
+        using std::sin;
+        State dxdt;
+        rhs(x, u, t, dxdt);
+        const Scalar phi = x[0];
+        const Scalar cos_phi = cos(phi);
+        const Scalar e1 = c_.k3 * dxdt[1];
+        const Scalar sin_phi = sin(phi);
+        const Scalar phi_dot = x[1];
+        const Scalar e2 = phi_dot * (c_.k3 * phi_dot);
+        y[0] = cos_phi * e1 - sin_phi * e2;
+        y[1] = c_.k4 + sin_phi * e1 + cos_phi * e2;
     }
 
     /// C = dh/dx.
-    /// Operations: none
-    void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& /*C*/) const noexcept {
+    /// Operations: 3 + or -, 10 *, 2 sin or cos
+    void output_jacobian_x(const State& x, const Input& u, Scalar t, OutputJacobianX& C) const noexcept {
+        using std::cos;
+        using std::sin;
+        State dxdt;
+        JacobianX J;
+        rhs_and_jacobian(x, u, t, dxdt, J);
+        const Scalar phi = x[0];
+        const Scalar sin_phi = sin(phi);
+        const Scalar e1 = c_.k3 * sin_phi;
+        const Scalar cos_phi = cos(phi);
+        const Scalar e2 = c_.k3 * cos_phi;
+        const Scalar phi_dot = x[1];
+        const Scalar phi_dot_squared = phi_dot * phi_dot;
+        const Scalar e3 = c_.k5 * phi_dot;
+        C[0] = -dxdt[1] * e1 - e2 * phi_dot_squared + (e2) * J[1];
+        C[1] = dxdt[1] * e2 - e1 * phi_dot_squared + (e1) * J[1];
+        C[2] = -sin_phi * e3 + (e2) * J[3];
+        C[3] = cos_phi * e3 + (e1) * J[3];
     }
 
     /// D = dh/du.
-    /// Operations: none
+    /// Operations: 2 *, 2 sin or cos
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
@@ -337,6 +377,9 @@ private:
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< m*l*g
         Scalar k2;  ///< m*l^2
+        Scalar k3;  ///< m*l
+        Scalar k4;  ///< m*g
+        Scalar k5;  ///< 2*m*l
     };
     Cached c_{};
 };

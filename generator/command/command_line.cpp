@@ -22,6 +22,7 @@ constexpr const char* examples = R"(Examples:
   dalembert check systems/mechanics/cart_pendulum.toml
   dalembert evaluate systems/mechanics/cart_pendulum.toml --state "s=0.55,phi=0.7,dot(s)=-0.3" --input f_e=4.5
   dalembert simulate systems/mechanics/cart_pendulum.toml --until 10 --tolerance 1e-9 -o out
+  dalembert optimise systems/mechanics/projectile.toml --run flight --maximise distance --over alpha=10deg:80deg
   dalembert help bodies
 
 Exit codes: 0 good, 1 a check failed, 2 bad input, 3 a tool or compiler is missing or failed, 4 a run stopped.)";
@@ -83,6 +84,15 @@ public:
         mode(modal);
         format(modal, "text or json", {"text", "json"});
         modal->add_option("--run", options_.run, "the [runs.NAME] at whose start; `reference`, or the only one, if left out");
+        CLI::App* optimise = model_verb("optimise", "find the parameter with which an output at the end of a run is largest or smallest");
+        auto* maximise = optimise->add_option("--maximise", options_.maximise, "the output, or state, that is to be as large as possible");
+        optimise->add_option("--minimise", options_.minimise, "the one that is to be as small as possible")->excludes(maximise);
+        optimise->add_option("--over", options_.over, "the parameter and where to look, as alpha=10deg:80deg")->required();
+        optimise->add_option("--points", options_.points, "values of the scan that finds where to look closer")->capture_default_str()->check(CLI::Range(3, 10000));
+        settings(optimise);
+        format(optimise, "text or json", {"text", "json"});
+        integration(optimise, false);
+        optimise->add_option("--until", options_.until, "end of the run in seconds, where no event ends it before");
         CLI::App* survey = app_.add_subcommand("survey", "check, generate and simulate several models; print a table");
         survey->add_option("MODELS", options_.models, "model files")->required();
         survey->add_option("--size", sizes_, "size of a family, as N=5, where a model has it")->delimiter(',');
@@ -149,14 +159,14 @@ private:
         verb->add_option("--state", options_.states, "as s=0.55,dot(s)=-0.3");
         verb->add_option("--input", options_.inputs, "as f_e=4.5; for simulate an expression of t and the states");
     }
-    void integration(CLI::App* verb) {
+    void integration(CLI::App* verb, bool draws = true) {
         verb->add_option("--run", options_.run, "the [runs.NAME] to take; `reference`, or the only one, if left out");
         verb->add_option("--tolerance", options_.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
         verb->add_option("--method", options_.method, "dopri5, rodas5p (for what is stiff), fehlberg78 or rk4")->check(CLI::IsMember({"dopri5", "rodas5p", "fehlberg78", "rk4"}));
         verb->add_option("--step", options_.step, "step of rk4 in seconds")->check(CLI::PositiveNumber);
         verb->add_option("--samples", options_.samples, "number of intervals at which results are written")->check(CLI::Range(1, 1000000));
         verb->add_option("--periods", options_.periods, "length of the run in periods, where the run names a period")->check(CLI::PositiveNumber);
-        verb->add_flag("--no-plot", options_.no_plot, "write the CSV only");
+        if (draws) verb->add_flag("--no-plot", options_.no_plot, "write the CSV only");
     }
     void explain(CLI::App* verb) {
         verb->add_flag("--explain", options_.explain, "time and result of each stage");
@@ -172,7 +182,7 @@ private:
 ExitCode dispatch(const Options& options, Streams streams) {
     static const std::map<std::string, ExitCode (*)(const Options&, Streams)> verbs{
         {"derive", derive_command},     {"generate", generate_command},       {"check", check_command},   {"evaluate", evaluate_command},
-        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"modal", modal_command}, {"survey", survey_command}, {"effects", effects_command},
+        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"modal", modal_command}, {"optimise", optimise_command}, {"survey", survey_command}, {"effects", effects_command},
         {"scenes", scenes_command},     {"help", help_command}};
     return verbs.at(options.verb)(options, streams);
 }

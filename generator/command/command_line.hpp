@@ -33,6 +33,9 @@ struct Options {
     bool no_plot = false;
     bool compares_scenes = false;         ///< a run counts for every scene
     std::string against;                  ///< the scene that others are compared with; the fullest, if empty
+    std::string maximise, minimise;       ///< what optimise looks for
+    std::string over;                     ///< "alpha=10deg:80deg"
+    int points = 33;                      ///< of its scan
     std::vector<std::string> hold;
     std::vector<std::string> free;
     bool explain = false;
@@ -55,6 +58,7 @@ ExitCode simulate_command(const Options& options, Streams streams);
 ExitCode equilibrium_command(const Options& options, Streams streams);
 ExitCode modal_command(const Options& options, Streams streams);
 ExitCode survey_command(const Options& options, Streams streams);
+ExitCode optimise_command(const Options& options, Streams streams);
 ExitCode effects_command(const Options& options, Streams streams);
 ExitCode scenes_command(const Options& options, Streams streams);
 ExitCode help_command(const Options& options, Streams streams);

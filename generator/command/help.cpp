@@ -32,14 +32,11 @@ std::string function_reference() {
 }
 
 std::string quantity_reference() {
-    static constexpr std::array subscripts{"",          "[body]", " or [body]",       "[body, 1..3]",   "[coordinate]",     "[coordinate, coordinate]",
-                                           " or [damper]", "[constraint]", "[cut]", "[enclosure, i]", "[enclosure, i, j]", "[X]", "[X] or [medium, p, T]", "[medium, p, T]", "[volume]", "[flow]", "[X], [node], [rod[k]], [block[k]]",
-                                           "[volume], [node], [link], [border]", " or [volume], [node]"};
     const auto rows = [](bool properties) {
         std::string text;
         for (const QuantitySpec& quantity : quantities())
             if (quantity.is_property == properties)
-                text += fmt::format("  {:<22}{:<34} {}\n", quantity.name, subscripts.at(static_cast<std::size_t>(quantity.subscript)), quantity.doc);
+                text += fmt::format("  {:<22}{:<34} {}\n", quantity.name, subscript(quantity.subscript).reference, quantity.doc);
         return text;
     };
     return "Derived quantities, for outputs and printed equations:\n" + rows(false) +

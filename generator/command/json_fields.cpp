@@ -203,6 +203,28 @@ constexpr auto of_modal = std::to_array<JsonField>({
     {"modes[].input[].imaginary", ""},
 });
 
+constexpr auto of_optimise = std::to_array<JsonField>({
+    {"scene", "the scene"},
+    {"sizes.<NAME>", "sizes of families"},
+    {"goal", "maximise or minimise"},
+    {"output", "what is looked for, at the end of a run"},
+    {"parameter", "what is varied"},
+    {"low", "from there"},
+    {"high", "up to there"},
+    {"value", "the best one"},
+    {"value_error", "by which it changes at ten times the tolerance and twice the largest step, and rounding"},
+    {"at", "the parameter there"},
+    {"at_error", "what the search resolves, or what that error makes of it; 0 at an end of the range"},
+    {"place", "inside, low or high: an end of the range"},
+    {"second_derivative", "of the output by the parameter; null at an end of the range"},
+    {"t", "where that run ends, s"},
+    {"event", "that ends it; empty: the end that the run names"},
+    {"evaluations", "runs that were made"},
+    {"others[].at", "further local optima that the scan saw"},
+    {"others[].value", ""},
+    {"others[].place", "as above"},
+});
+
 constexpr auto of_survey = std::to_array<JsonField>({
     {"systems[].model", "name of the model"},
     {"systems[].scene", "the scene that was run"},
@@ -255,7 +277,7 @@ constexpr auto of_scenes = std::to_array<JsonField>({
 
 constexpr auto schemas = std::to_array<JsonSchema>({
     {"derive", of_derive},           {"generate", of_generate}, {"check", of_check},   {"evaluate", of_evaluate}, {"simulate", of_simulate},
-    {"equilibrium", of_equilibrium}, {"modal", of_modal}, {"survey", of_survey},     {"effects", of_effects},   {"scenes", of_scenes},
+    {"equilibrium", of_equilibrium}, {"modal", of_modal}, {"optimise", of_optimise}, {"survey", of_survey},     {"effects", of_effects},   {"scenes", of_scenes},
 });
 
 }  // namespace

@@ -138,6 +138,37 @@ std::string simulation_source(Code& code, const Header& header, const Values& va
     return fill_template(embedded_file("simulation.cpp.in"), values_of);
 }
 
+std::string repeated_source(Code& code, const Header& header, const SimulationSettings& settings, const std::string& wanted) {
+    const System& system = code.system;
+    const auto [state_columns, state_values] = recorded_states(system);
+    std::string parameters, start;
+    std::map<std::string, std::size_t> position;
+    for (const Variable& p : system.symbols.all(SymbolKind::parameter)) parameters += fmt::format("    p_.{} = next();\n", p.is_member ? fmt::format("{}[{}]", p.base, position[p.base]++) : p.base);
+    for (const std::size_t place : place_states(system).positions) start += fmt::format("    start[{}] = next();\n", place);
+    const bool switches = !system.scene.modes.empty();
+    return fill_template(embedded_file("repeated.cpp.in"), {{"NAMESPACE", header.name_space},
+                                                            {"HEADER", header.file_name},
+                                                            {"SIMULATE", switches ? "simulate_switching" : "simulate"},
+                                                            {"OPTIONS", switches ? "SwitchingSimulationOptions" : "SimulationOptions"},
+                                                            {"MODE", switches ? "System::Mode{}, " : ""},
+                                                            {"ON_CHANGE", switches ? ", [](const auto&...) {}" : ""},
+                                                            {"PARAMETERS", parameters},
+                                                            {"START", start},
+                                                            {"STATE_COLUMNS", state_columns},
+                                                            {"STATE_VALUES", state_values},
+                                                            {"INPUTS", input_statements(code, settings.inputs)},
+                                                            {"METHOD", settings.method},
+                                                            {"WANTED", cpp_string(wanted)}});
+}
+
+std::vector<std::string> repeated_arguments(const System& system, const Values& values, const SimulationSettings& settings) {
+    std::vector<std::string> arguments;
+    for (std::size_t i = 0; i < system.symbols.count(SymbolKind::parameter); ++i) arguments.push_back(double_literal(values.parameter(i)));
+    for (const ex& value : values.state()) arguments.push_back(double_literal(value));
+    for (const double number : {settings.until, settings.tolerance, settings.step, static_cast<double>(settings.intervals)}) arguments.push_back(double_literal(number));
+    return arguments;
+}
+
 std::string cost_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings) {
     return fill_template(embedded_file("cost.cpp.in"), {{"NAMESPACE", header.name_space},
                                                         {"MODE_CALL", code.system.scene.modes.empty() ? "" : "static_cast<System::Mode>(mode), "},

@@ -20,6 +20,12 @@ struct SimulationSettings {
 /// The source of a simulation. Parameters and start are those of `values`.
 std::string simulation_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
 
+/// The source of a program that makes a run again and again. Its arguments are those of `repeated_arguments`; it prints what is recorded under
+/// `wanted` at the end of a run.
+std::string repeated_source(Code& code, const Header& header, const SimulationSettings& settings, const std::string& wanted);
+/// Parameters and start of `values`, and of the run its end, tolerance, step and number of samples.
+std::vector<std::string> repeated_arguments(const System& system, const Values& values, const SimulationSettings& settings);
+
 /// The source of a program that measures one call of the right-hand side at the start, and the bytes of its code.
 std::string cost_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
 

@@ -157,6 +157,11 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
     const Subscript subscript = find_quantity(e.name)->subscript;
     if (subscript == Subscript::surface || subscript == Subscript::two_surfaces) return surface_quantity(system, e, indices);
     const auto child = [&](std::size_t i) -> const Expression& { return *e.children[i]; };
+    if (subscript == Subscript::body_and_line || subscript == Subscript::body_and_three_lines) {
+        std::vector<std::size_t> lines;
+        for (std::size_t i = 1; i < e.children.size(); ++i) lines.push_back(coordinate(system, child(i), indices));
+        return curvilinear_quantity(system, e, body(system, child(0), indices), lines);
+    }
     if (e.name == "kinetic_energy") {
         if (e.children.empty()) return system.kinetic_energy;
         const BodyMotion& motion = body(system, child(0), indices);

@@ -166,6 +166,10 @@ std::unique_ptr<System> derive(const Names& names, Scene scene);
 /// (needs-absent, index-out-of-range).
 GiNaC::ex cut_force(const System& system, const Cut& cut);
 
+/// scale_factor, velocity_along, acceleration_along, christoffel and christoffel_first of a body and coordinates, by their places in q. That
+/// lines are at right angles is left to proofs. Throws Failure (not-allowed-here).
+GiNaC::ex curvilinear_quantity(const System& system, const Expression& e, const BodyMotion& body, const std::vector<std::size_t>& q);
+
 /// The meaning of kinetic_energy[...], mass_matrix[...] and the like. `arguments` are the values of what stands in the brackets
 /// behind a medium: of the second and third.
 GiNaC::ex quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<GiNaC::ex>& arguments);

@@ -222,27 +222,24 @@ private:
 
     unsigned quantity(const Expression& e) {
         const QuantitySpec& spec = *find_quantity(e.name);
-        static constexpr const char* shapes[]{"nothing", "a body", "nothing or a body", "a body and 1, 2 or 3", "a body, the number of one of its axes and 1, 2 or 3", "a coordinate", "two coordinates",
-                                              "nothing or a damper", "a constraint", "a cut", "an enclosure and the number of a surface", "an enclosure and the numbers of two surfaces", "a volume or reservoir", "a volume or reservoir, or a medium, a pressure and a temperature",
-                                              "a medium, a pressure and a temperature", "a volume", "a flow", "a volume, reservoir, node or cell of a rod or block",
-                                              "a volume, node or link, or an end of a rod or side of a block", "nothing, a volume or a node"};
         const std::size_t given = e.children.size();
-        const auto shape = static_cast<std::size_t>(spec.subscript);
-        const std::size_t expected = std::array<std::size_t, 20>{0, 1, 1, 2, 3, 1, 2, 1, 1, 1, 2, 3, 1, 1, 3, 1, 1, 1, 1, 1}[shape];
+        const SubscriptSpec& shape = subscript(spec.subscript);
         const bool is_optional = spec.subscript == Subscript::optional_body || spec.subscript == Subscript::optional_store || spec.subscript == Subscript::optional_damper;
-        if (given != expected && !(is_optional && given == 0) && !(spec.subscript == Subscript::fluid_or_medium && given == 3)) {
-            error(Id::wrong_arguments, e.span, fmt::format("'{}' takes {} in square brackets", e.name, shapes[shape]));
+        if (given != shape.count && !(is_optional && given == 0) && !(spec.subscript == Subscript::fluid_or_medium && given == 3)) {
+            error(Id::wrong_arguments, e.span, fmt::format("'{}' takes {} in square brackets", e.name, shape.words));
             return 0;
         }
         if (spec.subscript >= Subscript::fluid) return part_quantity(e, spec);
         if (spec.subscript == Subscript::surface || spec.subscript == Subscript::two_surfaces) return surface_quantity(e, spec);
         const bool bodies = spec.subscript == Subscript::body || spec.subscript == Subscript::optional_body || spec.subscript == Subscript::body_and_axis || spec.subscript == Subscript::body_and_two_axes;
+        const bool lines = spec.subscript == Subscript::body_and_line || spec.subscript == Subscript::body_and_three_lines;
         const bool dampers = spec.subscript == Subscript::optional_damper;
         for (std::size_t i = 0; i < given; ++i) {
             const Expression& child = *e.children[i];
             if (dampers) damper(child);
             else if (spec.subscript == Subscript::constraint) constraint(child);
             else if (spec.subscript == Subscript::cut) cut(child);
+            else if (lines) i == 0 ? body(child) : coordinate(child);
             else if (bodies && i >= 1) whole_number(child);
             else if (bodies) body(child);
             else coordinate(child);

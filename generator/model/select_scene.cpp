@@ -180,8 +180,8 @@ private:
             const bool bound = std::find(site.bound.begin(), site.bound.end(), e.name) != site.bound.end();
             if (e.kind != Kind::name || bound) return;
             fields_.tap(e);
-            const QuantitySpec* quantity = e.children.size() == 3 ? find_quantity(e.name) : nullptr;
-            if (quantity != nullptr && quantity->subscript != Subscript::two_surfaces && quantity->subscript != Subscript::body_and_two_axes) {  // a property of a medium, at any temperature
+            const QuantitySpec* quantity = find_quantity(e.name);
+            if (quantity != nullptr && quantity->is_of_medium(e.children.size())) {  // a property of a medium, at any temperature
                 media_.insert(e.children[0]->name);
                 scene_.thermal_media.insert(e.children[0]->name);
             }

@@ -152,8 +152,7 @@ Measure Units::name(const Expression& e, const Bound& bound) {
 }
 
 Measure Units::quantity(const Expression& e, const Bound& bound) {
-    const Subscript subscript = find_quantity(e.name)->subscript;
-    if (e.children.size() == 3 && subscript != Subscript::two_surfaces && subscript != Subscript::body_and_two_axes) {  // a property of a medium at a pressure and a temperature
+    if (find_quantity(e.name)->is_of_medium(e.children.size())) {  // a property of a medium at a pressure and a temperature
         expect(*e.children[1], Dimension::pressure(), fmt::format("the pressure in '{}'", e.written()), bound);
         expect(*e.children[2], Dimension::temperature(), fmt::format("the temperature in '{}'", e.written()), bound);
     }
@@ -170,6 +169,11 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
     if (e.name == "axis") return {Dimension::none()};
     if (e.name == "position") return {Dimension::length()};
     if (e.name == "velocity") return {Dimension::speed()};
+    if (e.name == "scale_factor") return {Dimension::length() / coordinate(1)};
+    if (e.name == "velocity_along") return {Dimension::speed()};
+    if (e.name == "acceleration_along") return {Dimension::speed() / Dimension::time()};
+    if (e.name == "christoffel") return {coordinate(1) / coordinate(2) / coordinate(3)};
+    if (e.name == "christoffel_first") return {Dimension::length() * Dimension::length() / coordinate(1) / coordinate(2) / coordinate(3)};
     if (e.name == "generalised_force" || e.name == "nonpotential_force" || e.name == "bias") return {energy / coordinate(0)};
     if (e.name == "mass_matrix") return {energy * Dimension::time() * Dimension::time() / coordinate(0) / coordinate(1)};
     if (e.name == "damping_matrix") return {energy * Dimension::time() / coordinate(0) / coordinate(1)};

@@ -57,6 +57,31 @@ constexpr std::array function_table{
 
 using S = Subscript;
 
+constexpr std::array subscript_table{
+    SubscriptSpec{S::nothing, 0, "", "nothing"},
+    SubscriptSpec{S::body, 1, "[body]", "a body"},
+    SubscriptSpec{S::optional_body, 1, " or [body]", "nothing or a body"},
+    SubscriptSpec{S::body_and_axis, 2, "[body, 1..3]", "a body and 1, 2 or 3"},
+    SubscriptSpec{S::body_and_two_axes, 3, "[body, 1..3, 1..3]", "a body, the number of one of its axes and 1, 2 or 3"},
+    SubscriptSpec{S::coordinate, 1, "[coordinate]", "a coordinate"},
+    SubscriptSpec{S::two_coordinates, 2, "[coordinate, coordinate]", "two coordinates"},
+    SubscriptSpec{S::optional_damper, 1, " or [damper]", "nothing or a damper"},
+    SubscriptSpec{S::constraint, 1, "[constraint]", "a constraint"},
+    SubscriptSpec{S::cut, 1, "[cut]", "a cut"},
+    SubscriptSpec{S::body_and_line, 2, "[body, coordinate]", "a body and a coordinate"},
+    SubscriptSpec{S::body_and_three_lines, 4, "[body, k, i, j]", "a body and three coordinates"},
+    SubscriptSpec{S::surface, 2, "[enclosure, i]", "an enclosure and the number of a surface"},
+    SubscriptSpec{S::two_surfaces, 3, "[enclosure, i, j]", "an enclosure and the numbers of two surfaces"},
+    SubscriptSpec{S::fluid, 1, "[X]", "a volume or reservoir"},
+    SubscriptSpec{S::fluid_or_medium, 1, "[X] or [medium, p, T]", "a volume or reservoir, or a medium, a pressure and a temperature"},
+    SubscriptSpec{S::medium, 3, "[medium, p, T]", "a medium, a pressure and a temperature"},
+    SubscriptSpec{S::volume, 1, "[volume]", "a volume"},
+    SubscriptSpec{S::flow, 1, "[flow]", "a flow"},
+    SubscriptSpec{S::warm, 1, "[X], [node], [rod[k]], [block[k]]", "a volume, reservoir, node or cell of a rod or block"},
+    SubscriptSpec{S::heated, 1, "[volume], [node], [link], [border]", "a volume, node or link, or an end of a rod or side of a block"},
+    SubscriptSpec{S::optional_store, 1, " or [volume], [node]", "nothing, a volume or a node"},
+};
+
 constexpr std::array quantity_table{
     QuantitySpec{"kinetic_energy", S::optional_body, "kinetic energy of everything, or of one body"},
     QuantitySpec{"translational_energy", S::body, "kinetic energy of a body's centre of mass"},
@@ -78,6 +103,11 @@ constexpr std::array quantity_table{
     QuantitySpec{"damping_matrix", S::two_coordinates, "d(bias - Q)/d(dot(q)) at the present state and inputs: damping_matrix[s, phi] is a row s and a column phi of D in (2.117)"},
     QuantitySpec{"stiffness_matrix", S::two_coordinates, "d(bias - Q)/dq at the present state and inputs: C in (2.117)"},
     QuantitySpec{"bias", S::coordinate, "entry of the bias in M*ddot(q) + bias = Q(u)"},
+    QuantitySpec{"scale_factor", S::body_and_line, "of a body's position r, |dr/dq| (2.18): length along the line of a coordinate by its change"},
+    QuantitySpec{"velocity_along", S::body_and_line, "component of a body's velocity along the line of a coordinate (2.19); the lines are at right angles"},
+    QuantitySpec{"acceleration_along", S::body_and_line, "component of a body's acceleration along the line of a coordinate (2.27), likewise"},
+    QuantitySpec{"christoffel", S::body_and_three_lines, "Christoffel symbol of the second kind of a body's position: christoffel[p, k, i, j] is the part of d2r/(dq_i dq_j) along dr/dq_k"},
+    QuantitySpec{"christoffel_first", S::body_and_three_lines, "of the first kind, dr/dq_k . d2r/(dq_i dq_j)"},
     QuantitySpec{"pressure", S::fluid, "pressure in a volume at its outlets, or of a reservoir", true},
     QuantitySpec{"temperature", S::warm, "temperature of a volume, reservoir, node or cell of a rod or block", true},
     QuantitySpec{"density", S::fluid_or_medium, "density in a volume or reservoir: density[tank], or of a medium at a state: density[oil, p, T]", true},
@@ -170,6 +200,12 @@ auto find_in(const Table& table, std::string_view name) -> decltype(table.data()
 
 std::span<const FunctionSpec> functions() { return function_table; }
 const FunctionSpec* find_function(std::string_view name) { return find_in(function_table, name); }
+const SubscriptSpec& subscript(Subscript which) {
+    for (const SubscriptSpec& spec : subscript_table)
+        if (spec.subscript == which) return spec;
+    return subscript_table.front();
+}
+
 std::span<const QuantitySpec> quantities() { return quantity_table; }
 const QuantitySpec* find_quantity(std::string_view name) { return find_in(quantity_table, name); }
 

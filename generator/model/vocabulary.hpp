@@ -46,6 +46,8 @@ enum class Subscript {
     optional_damper,
     constraint,
     cut,
+    body_and_line,         ///< a body and a coordinate that moves it
+    body_and_three_lines,
     surface,          ///< an enclosure and the number of a surface
     two_surfaces,     ///< an enclosure and the numbers of two surfaces
     fluid,            ///< a volume or reservoir
@@ -58,12 +60,24 @@ enum class Subscript {
     optional_store,   ///< a volume or node
 };
 
+struct SubscriptSpec {
+    Subscript subscript;
+    std::size_t count;      ///< of entries in the brackets, where they stand
+    const char* reference;  ///< as `dalembert help quantities` shows it
+    const char* words;      ///< as in "takes ... in square brackets"
+};
+
+const SubscriptSpec& subscript(Subscript which);
+
 struct QuantitySpec {
     const char* name;
     Subscript subscript;
     const char* doc;
     bool is_property = false;  ///< known from the state: usable wherever states are
     bool is_place = false;     ///< known when the bodies are: usable in forces and constraints
+
+    /// Of a medium at a pressure and a temperature, rather than of a volume or reservoir.
+    bool is_of_medium(std::size_t entries) const { return (subscript == Subscript::medium || subscript == Subscript::fluid_or_medium) && entries == 3; }
 };
 
 /// kinetic_energy, mass_matrix[q, p], ...: usable in outputs and printed equations, properties also elsewhere.

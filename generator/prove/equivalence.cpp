@@ -12,6 +12,21 @@ namespace {
 constexpr int needed_points = 30;
 constexpr int most_points = 300;
 
+bool is_square_root(const ex& e) {
+    return GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::rational) && !e.op(1).info(GiNaC::info_flags::integer);
+}
+
+/// Whether a root stands in a root, or over a fraction.
+bool has_nested_roots(const ex& e) {
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
+        if (!is_square_root(*part)) continue;
+        const ex inside = part->op(0);
+        for (auto inner = inside.preorder_begin(); inner != inside.preorder_end(); ++inner)
+            if (is_square_root(*inner) || (GiNaC::is_a<GiNaC::power>(*inner) && inner->op(1).info(GiNaC::info_flags::negint) && GiNaC::is_a<GiNaC::add>(inner->op(0)))) return true;
+    }
+    return false;
+}
+
 /// "x > 0, y > 0"
 std::string positive_names(const std::set<std::string>& names) {
     std::string text;
@@ -34,15 +49,11 @@ Sign sign_at(const ValueAt& value) {
     return shrinks ? Sign::zero : Sign::not_zero;
 }
 
-Prover::Prover(const System& system) : system_(system) {
-    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
-        for (const Variable& variable : system.symbols.all(kind))
-            if (variable.is_positive) ranged_.insert(variable.name);
-}
+Prover::Prover(const System& system) : system_(system), ranged_(system.translate) {}
 
 bool Prover::proven_equal(const ex& a, const ex& b) { return proven_equal(a, b, {}); }
 
-bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>& positive) {
+bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>& positive, bool joins_roots) {
     const ex difference = a - b;
     if (difference.is_zero()) return true;
     // First with functions of heat as letters. Steps of derivations are many: what is written out stays small at first.
@@ -63,7 +74,7 @@ bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>&
         if (depth && system_.symbols.has_steps() && is_somewhere_not_zero(difference)) return false;
         tried = written;
         try {
-            NormalForm form(positive, as_letters);
+            NormalForm form(positive, as_letters, joins_roots);
             if (!form.is_zero(written)) continue;
             // S^2 = 1, a positive root, I*den = 1: all of it is said of what is not zero. A zero that the form did not see proves nothing.
             const auto& claimed = form.must_not_vanish();
@@ -96,14 +107,35 @@ Comparison Prover::equal(const ex& a, const ex& b) {
     // Temperatures that nodes without capacities balance are known by that alone: one of their balances may be what a and b differ by.
     for (const auto& [node, heat] : system_.heat.defined)
         if (proven_equal(a - b, heat, {}) || proven_equal(b - a, heat, {})) return {Verdict::proven};
-    if (!ranged_.empty() && proven_equal(a, b, ranged_)) {
+    if (!ranged_.names.empty() && proven_equal(a, b, ranged_.names)) {
         std::set<std::string> needed;
         for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
             for (const Variable& variable : system_.symbols.all(kind))
-                if (ranged_.contains(variable.name) && (a.has(variable.symbol) || b.has(variable.symbol))) needed.insert(variable.name);
+                if (ranged_.names.contains(variable.name) && (a.has(variable.symbol) || b.has(variable.symbol))) needed.insert(variable.name);
         return {Verdict::proven_under_assumption, positive_names(needed)};
     }
+    if (has_nested_roots(a - b) && proven_equal(a, b, {}, true)) return {Verdict::proven};
+    if (const Comparison result = equal_under_waves(a, b); result.verdict == Verdict::proven_under_assumption) return result;
     return compare_at_points([&](const ex& e, const Point& point, int digits) { return value_at(e, system_.symbols, point, digits); }, a, b);
+}
+
+/// With the signs of sines and cosines of what keeps to a half turn, of as few of them as are needed.
+Comparison Prover::equal_under_waves(const ex& a, const ex& b) {
+    std::set<std::string> assumed;
+    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
+        for (const Variable& variable : system_.symbols.all(kind)) {
+            if (!a.has(variable.symbol) && !b.has(variable.symbol)) continue;
+            for (const char* wave : {"sin(", "cos("})
+                if (const std::string name = wave + variable.name + ")"; ranged_.waves.contains(name)) assumed.insert(name);
+        }
+    if (assumed.empty()) return {Verdict::not_checkable};
+    for (const std::string& name : ranged_.names) assumed.insert(name);
+    if (!proven_equal(a, b, assumed)) return {Verdict::not_checkable};
+    for (const std::string& name : std::set<std::string>(assumed)) {
+        assumed.erase(name);
+        if (!proven_equal(a, b, assumed)) assumed.insert(name);
+    }
+    return {Verdict::proven_under_assumption, positive_names(assumed)};
 }
 
 Comparison Prover::compare_at_points(const Evaluation& evaluate, const ex& a, const ex& b) const {

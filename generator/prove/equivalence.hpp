@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "prove/random_points.hpp"
+#include "symbolic/ranges.hpp"
 
 namespace dalembert {
 
@@ -37,7 +38,7 @@ public:
     Comparison compare_at_points(const Evaluation& evaluate, const GiNaC::ex& a, const GiNaC::ex& b) const;
 
 private:
-    bool proven_equal(const GiNaC::ex& a, const GiNaC::ex& b, const std::set<std::string>& positive);
+    bool proven_equal(const GiNaC::ex& a, const GiNaC::ex& b, const std::set<std::string>& positive, bool joins_roots = false);
 
     /// Whether an expression is not zero at one of a few random points at least, as far as it has values there.
     bool is_somewhere_not_zero(const GiNaC::ex& e);
@@ -45,7 +46,9 @@ private:
     const System& system_;
     std::vector<Point> points_;
     std::map<GiNaC::ex, bool, GiNaC::ex_is_less> somewhere_not_zero_;
-    std::set<std::string> ranged_;  ///< coordinates, states and inputs that their ranges keep positive
+    Comparison equal_under_waves(const GiNaC::ex& a, const GiNaC::ex& b);
+
+    PositiveByRange ranged_;  ///< what is positive by ranges
 };
 
 }  // namespace dalembert

@@ -29,6 +29,7 @@ bool NormalForm::is_zero(const ex& e) {
         forget();
         try {
             if (!functions_are_letters_) roots_first(e);
+            if (joins_roots_) simple_roots_first(e);
             return without_inverses(convert(e)).is_zero();
         } catch (const Restart&) {
         } catch (const TooManyTerms&) {
@@ -69,6 +70,14 @@ NormalForm::Letter NormalForm::symbol(const ex& symbol) {
     const std::string name = ex_to<GiNaC::symbol>(symbol).get_name();
     if (const auto known = symbols_.find(name); known != symbols_.end()) return known->second;
     return symbols_[name] = new_letter(symbol.info(GiNaC::info_flags::positive) || assumed_positive_.contains(name));
+}
+
+/// The name of the symbol that a monomial is, if it is one.
+std::string NormalForm::symbol_named(const Monomial& monomial) const {
+    if (monomial.size() != 1 || monomial[0].exponent != 1) return {};
+    for (const auto& [name, letter] : symbols_)
+        if (letter == monomial[0].letter) return name;
+    return {};
 }
 
 Polynomial NormalForm::convert(const ex& e) {
@@ -232,7 +241,11 @@ std::pair<Polynomial, Polynomial> NormalForm::sine_and_cosine(const Polynomial& 
         const int n = multiple(factor, monomial, angle_denominators_);
         auto found = angles_.find(monomial);
         if (found == angles_.end()) {
-            const Angle angle{new_letter(), new_letter()};
+            // Of part of an angle the sine is positive where that of the whole is; a cosine likewise.
+            const std::string name = symbol_named(monomial);
+            const bool sine_is_positive = assumed_positive_.contains("sin(" + name + ")"), cosine_is_positive = assumed_positive_.contains("cos(" + name + ")");
+            const Letter sine_letter = new_letter(sine_is_positive);
+            const Angle angle{sine_letter, new_letter(cosine_is_positive)};
             Polynomial one_minus_c2(1);
             one_minus_c2.add({{angle.second, 2}}, -1);
             relate(angle.first, 2, one_minus_c2);
@@ -269,8 +282,13 @@ Polynomial NormalForm::exponential(const Polynomial& argument) {
 }
 
 /// S with S^2 = 1, the same letter for x and, with the other sign, for -x. At x = 0 nothing is claimed.
-Polynomial NormalForm::sign_of(const Polynomial& argument) {
-    if (without_inverses(argument).is_zero()) return {};
+Polynomial NormalForm::sign_of(const Polynomial& whole) {
+    if (without_inverses(whole).is_zero()) return {};
+    Polynomial argument = whole;
+    if (joins_roots_) {
+        clear_by_squares(argument, false);
+        take_radicands(argument);
+    }
     const bool negative = is_negative(leading(argument));
     const auto has_that_sign = [&](const auto& term) {
         const auto& [monomial, coefficient] = term;

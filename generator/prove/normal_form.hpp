@@ -22,10 +22,11 @@ struct NoNormalForm : std::runtime_error {
 
 class NormalForm {
 public:
-    /// `positive` names further symbols that may be taken as positive.
+    /// `positive` names further symbols that may be taken as positive, and sines and cosines of symbols: "sin(theta)".
     /// `functions_are_letters` leaves functions of heat transfer what they are: quicker, and enough where both sides have the same.
-    explicit NormalForm(std::set<std::string> positive = {}, bool functions_are_letters = false)
-        : assumed_positive_(std::move(positive)), functions_are_letters_(functions_are_letters) {}
+    /// `joins_roots` brings roots of fractions and products together with those of their parts, which is seldom needed.
+    explicit NormalForm(std::set<std::string> positive = {}, bool functions_are_letters = false, bool joins_roots = false)
+        : assumed_positive_(std::move(positive)), functions_are_letters_(functions_are_letters), joins_roots_(joins_roots) {}
 
     /// Whether the expression has functions that may be left letters.
     static bool has_heat_functions(const GiNaC::ex& e);
@@ -59,6 +60,8 @@ private:
     Polynomial function(const GiNaC::ex& e);
     Polynomial power(const GiNaC::ex& base, const GiNaC::ex& exponent);
     Polynomial root(const Polynomial& base, int degree);
+    Polynomial root_of_square(Polynomial& inside);
+    std::string symbol_named(const Monomial& monomial) const;
     Polynomial root_of_number(const Rational& value, int degree);
     std::pair<Polynomial, Polynomial> sine_and_cosine(const Polynomial& argument);
     Polynomial exponential(const Polynomial& argument);
@@ -75,6 +78,9 @@ private:
     Polynomial radiant_temperature(const Polynomial& a, const Polynomial& b);
     Polynomial network(const std::string& name, const GiNaC::ex& e);
     void roots_first(const GiNaC::ex& e);
+    void simple_roots_first(const GiNaC::ex& e);
+    Polynomial clear_by_squares(Polynomial& p, bool with_factor);
+    Polynomial take_radicands(Polynomial& p);
     Polynomial atom(const std::string& name, const GiNaC::ex& e);
 
     Polynomial multiply(const Polynomial& a, const Polynomial& b);
@@ -94,6 +100,7 @@ private:
 
     std::set<std::string> assumed_positive_;
     bool functions_are_letters_;
+    bool joins_roots_;
     std::set<GiNaC::ex, GiNaC::ex_is_less> must_not_vanish_;
     std::map<std::string, Letter> symbols_;
     /// These survive a restart. Letters are numbered in the order in which they are met, which is the same after one.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "symbolic/exact_root.hpp"
+
 namespace dalembert {
 
 using GiNaC::ex;
@@ -14,6 +16,8 @@ namespace {
 
 constexpr int largest_power = 64;
 constexpr int largest_root = 1000;
+
+Polynomial scaled(Polynomial p, const Rational& factor) { return p *= factor; }
 
 }  // namespace
 
@@ -105,13 +109,18 @@ Monomial NormalForm::positive_factor(const Polynomial& p) const {
 }
 
 /// b^(1/q), q > 1, for b where that is real. Positive factors are taken out.
-Polynomial NormalForm::root(const Polynomial& base, int degree) {
-    if (base.is_zero()) return {};
+Polynomial NormalForm::root(const Polynomial& whole, int degree) {
+    if (whole.is_zero()) return {};
+    Polynomial base = whole, joined(1);
+    if (joins_roots_ && degree == 2) {
+        joined = clear_by_squares(base, true);
+        joined = multiply(joined, take_radicands(base));
+    }
     const Monomial common = positive_factor(base);
     Polynomial inside = base * raised(common, -1);
     Rational factor = leading(inside);
     if (is_negative(factor)) factor = -factor;
-    Polynomial outside = root_of_number(factor, degree);
+    Polynomial outside = multiply(joined, root_of_number(factor, degree));
     inside *= Rational(1) / factor;
     for (const LetterPower& p : common) {
         const bool is_exponential = std::any_of(exponentials_.begin(), exponentials_.end(), [&](const auto& known) { return known.second.first == p.letter; });
@@ -132,6 +141,7 @@ Polynomial NormalForm::root(const Polynomial& base, int degree) {
         }
         outside = multiply(outside, integer_power(Polynomial::letter(found->second), p.exponent));
     }
+    if (degree == 2) outside = multiply(outside, root_of_square(inside));
     if (inside == Polynomial(1)) return outside;
     const auto [found, is_new] = roots_.emplace(std::pair(inside, degree), 0);
     if (is_new) {
@@ -139,6 +149,32 @@ Polynomial NormalForm::root(const Polynomial& base, int degree) {
         relate(found->second, degree, inside);
     }
     return multiply(outside, Polynomial::letter(found->second));
+}
+
+/// Takes squares out of what stands under a square root, and gives their roots: of a sine, whose square is written 1 - cos^2, and of what is
+/// the square of another polynomial p: |p| = p*sign(p).
+Polynomial NormalForm::root_of_square(Polynomial& inside) {
+    constexpr std::size_t most_terms_of_square = 200;
+    Polynomial outside(1);
+    if (inside == outside || inside.size() > most_terms_of_square) return outside;
+    for (const auto& [monomial, angle] : std::map(angles_)) {
+        const Polynomial sine = Polynomial::letter(angle.first);
+        while (const auto quotient = exact_quotient(inside, relations_.at(angle.first).value)) {
+            inside = *quotient;
+            outside = multiply(outside, multiply(sine, sign_of(sine)));
+        }
+    }
+    if (outside == Polynomial(1)) {
+        const Rational factor = highest_coefficient(inside);
+        const auto whole = is_negative(factor) ? std::nullopt : exact_root(scaled(inside, Rational(1) / factor));
+        if (!whole) return outside;
+        inside = Polynomial(1);
+        return multiply(multiply(*whole, sign_of(*whole)), root_of_number(factor, 2));
+    }
+    // What is left may have factors again that come out.
+    const Polynomial rest = root(inside, 2);
+    inside = Polynomial(1);
+    return multiply(outside, rest);
 }
 
 /// The root of a positive number as a number times roots of primes (and of one cofactor without small primes).

@@ -7,6 +7,7 @@
 
 #include "model/units.hpp"
 #include "model/verdict.hpp"
+#include "prove/right_angles.hpp"
 
 namespace dalembert {
 
@@ -121,12 +122,28 @@ private:
                 break;
             }
             if (!c.position) continue;
-            if (const auto at_zero = coordinate_at_zero(c.position->subs(positions_, GiNaC::subs_options::no_pattern), symbols)) {
+            if (const auto at_zero = coordinate_on(c.position->subs(positions_, GiNaC::subs_options::no_pattern))) {
                 const ex& coordinate = symbols.get(SymbolKind::coordinate, at_zero->first);
                 for (auto& [known, other] : positions_) other = other.subs(coordinate == at_zero->second, GiNaC::subs_options::no_pattern);
                 positions_[coordinate] = at_zero->second;
             }
         }
+    }
+
+    /// A coordinate that a position is linear in, with a factor that does not move, and where it is when the position is zero.
+    std::optional<std::pair<std::size_t, ex>> coordinate_on(const ex& position) {
+        const Symbols& symbols = system_.symbols;
+        for (std::size_t j = symbols.degrees(); j-- > 0;) {
+            if (!symbols.has_value(j)) continue;
+            const ex& q = symbols.get(SymbolKind::coordinate, j);
+            const ex factor = partial(position, q).expand();
+            bool moves = factor.has(symbols.time());
+            for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state})
+                for (const Variable& variable : symbols.all(kind)) moves = moves || factor.has(variable.symbol);
+            if (moves || prover_.proven_equal(factor, 0)) continue;
+            return std::pair(j, -position.subs(q == 0, GiNaC::subs_options::no_pattern) / factor);
+        }
+        return std::nullopt;
     }
 
     /// A point may set a parameter that definitions are made of.
@@ -272,10 +289,12 @@ PrintedResult check_equation(const System& system, const PrintedEquation& printe
             throw Failure(Diagnostic{Id::not_allowed_here, point.variable->span, fmt::format("'{}' is not a variable that can be set", point.variable->written())});
         at[variable] = system.translate(*point.value, indices, letters);
     }
+    for (const PrintedLetter& letter : printed.letters) check_right_angles(system, *letter.value, indices);
     PairCheck check(system, std::move(at));
     for (std::size_t i = 0; i + 1 < equation.sides.size(); ++i) {
         const ex left = system.translate(*equation.sides[i], indices, letters);
         const ex right = system.translate(*equation.sides[i + 1], indices, letters);
+        for (const std::size_t side : {i, i + 1}) check_right_angles(system, *equation.sides[side], indices);
         PrintedResult result = check.run(left, right);
         if (!is_worse(result.comparison.verdict, worst.comparison.verdict)) continue;
         worst.comparison = std::move(result.comparison);

@@ -47,6 +47,7 @@ constexpr std::array kinds{
     DiagnosticKind{Id::division_by_zero, "division-by-zero", "a division or function value that does not exist"},
     DiagnosticKind{Id::singular_mass, "singular-mass", "a coordinate whose motion no mass resists"},
     DiagnosticKind{Id::not_affine, "not-affine", "a rate that is not linear in the velocities"},
+    DiagnosticKind{Id::not_orthogonal, "not-orthogonal", "components along lines that are not at right angles"},
     DiagnosticKind{Id::not_quadratic, "not-quadratic", "a kinetic energy that is not quadratic in the velocities"},
     DiagnosticKind{Id::not_integrable, "not-integrable", "forces given as a potential that have none"},
     DiagnosticKind{Id::cannot_integrate, "cannot-integrate", "a law whose integral must be given"},

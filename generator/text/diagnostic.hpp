@@ -49,6 +49,7 @@ enum class Id {
     division_by_zero,
     singular_mass,
     not_affine,
+    not_orthogonal,
     not_quadratic,
     not_integrable,
     cannot_integrate,

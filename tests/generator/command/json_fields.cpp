@@ -76,6 +76,11 @@ TEST_CASE("the JSON fields are the documented ones") {
                               "[coordinates]\nq = { unit = \"m\", start_rate = 1 }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n"
                               "[states]\nway = { unit = \"m\", derivative = \"abs(dot(q))\" }\n"
                               "[frictions.floor]\nrate = \"dot(q)\"\nnormal_force = \"f\"\ncoefficient = \"1/2\"\n";
+    // With more than one local optimum.
+    const std::string waves = folder / "waves.toml";
+    std::ofstream(waves) << "[model]\nformat = 1\nname = \"waves\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\nw = { value = 1, unit = \"1/s\" }\n"
+                            "[coordinates]\nq = { unit = \"m\", start_rate = 1 }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n"
+                            "[outputs]\ny = { value = \"q*sin(w*t)\", unit = \"m\" }\n[runs.reference]\nuntil = 1\n";
     const std::map<std::string, std::vector<std::vector<std::string>>> calls{
         {"derive", {{systems + "spring_mass_damper.toml"}, {systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/tests/golden/capacitor.toml"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50"}, {sliding}}},
         {"generate", {{SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50", "-o", folder}, {systems + "cart_pendulum.toml", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
@@ -85,6 +90,7 @@ TEST_CASE("the JSON fields are the documented ones") {
         {"simulate", {{sliding, "--until", "1", "--no-plot", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--no-plot", "-o", folder}, {SOURCE_DIR "/systems/heat/voltage_regulator.toml", "--until", "1", "--no-plot", "-o", folder}}},
         {"equilibrium", {{model}, {sliding, "--mode", "floor_sticks"}}},
         {"modal", {{systems + "drive_train.toml"}, {model}, {sliding, "--mode", "floor_slides_forwards"}}},
+        {"optimise", {{waves, "--maximise", "y", "--over", "w=1:15"}, {model, "--until", "1", "--minimise", "y", "--over", "c=1:2", "--state", "q[1]=1"}}},
         {"survey", {{systems + "pulley.toml", "--no-plot", "-o", folder}}},
         {"scenes", {{systems + "cart_pendulum.toml"}}},
     };

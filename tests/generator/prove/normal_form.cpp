@@ -50,6 +50,10 @@ TEST_CASE("identities are proven") {
         log(x + x) - log(2 * x),
         1 / (x / (y + z) + p / (y + z)) - (y + z) / (x + p),
         1 / (x / (y + z) + p / (y + z)) + x / (y + z) - (y + z) / (x + p) - x / (y + z),
+        sqrt(pow(x, 2)) - magnitude(x),
+        sqrt(pow(sin(x), 2)) - magnitude(sin(x)),
+        sqrt(pow(p * sin(x) * cos(y), 2) + pow(p * sin(x) * sin(y), 2)) - p * magnitude(sin(x)),
+        sqrt(pow(x * y - z, 2)) - magnitude(z - x * y),
         norm(pow(x, 2) + pow(y, 2)) * inverse_norm(pow(x, 2) + pow(y, 2)) - 1,
     };
     for (const ex& e : identities) {
@@ -67,6 +71,26 @@ TEST_CASE("what is no identity is not proven") {
         CAPTURE(e);
         CHECK_FALSE(zero(e));
     }
+}
+
+TEST_CASE("sines and cosines that a range keeps positive") {
+    const ex length = sqrt(pow(p * sin(x) * cos(y), 2) + pow(p * sin(x) * sin(y), 2));
+    CHECK(NormalForm({"sin(x)"}).is_zero(length - p * sin(x)));
+    CHECK_FALSE(NormalForm({"cos(x)"}).is_zero(length - p * sin(x)));
+    CHECK_FALSE(NormalForm({"x"}).is_zero(length - p * sin(x)));
+    CHECK_FALSE(zero(length - p * sin(x)));
+    CHECK(NormalForm({"sin(x)", "cos(x)"}).is_zero(sqrt(pow(sin(2 * x), 2)) - 2 * sin(x) * cos(x)));
+    CHECK(NormalForm({"cos(x)"}).is_zero(sqrt(1 - pow(sin(x), 2)) - cos(x)));
+    CHECK_FALSE(NormalForm({"sin(x)"}).is_zero(sqrt(1 - pow(sin(x), 2)) - cos(x)));
+}
+
+TEST_CASE("roots in roots") {
+    const auto joined = [](const ex& e) { return NormalForm({}, false, true).is_zero(e); };
+    CHECK(joined(sqrt(1 + pow(x, 2) / y) - sqrt(y + pow(x, 2)) / sqrt(y)));
+    CHECK_FALSE(joined(sqrt(1 + pow(x, 2) / y) - sqrt(y - pow(x, 2)) / sqrt(y)));
+    const ex d = pow(p, 2) + x;
+    CHECK(joined(sqrt(pow(p, 4) / (2 * p * p + x) + x) * sqrt(2 * p * p + x) * sqrt(d) - d * sqrt(d)));
+    CHECK_FALSE(joined(sqrt(pow(x, 2) * y) - x * sqrt(y)));
 }
 
 TEST_CASE("random polynomials in sines and cosines: the normal form agrees with GiNaC's expansion") {

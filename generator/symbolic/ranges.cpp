@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/ranges.hpp"
+
+#include "symbolic/values.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+PositiveByRange::PositiveByRange(const Translator& translate) {
+    const Symbols& symbols = translate.symbols();
+    constexpr int digits = 40;
+    const cln::cl_R rounding = cln::expt(cln::cl_RA(10), -30);
+    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
+        for (const Variable& variable : symbols.all(kind)) {
+            if (variable.is_positive && kind != SymbolKind::parameter) names.insert(variable.name);
+            const bool is_angle = variable.declared != nullptr && variable.declared->unit.dimension == Dimension::none() && !variable.is_root;
+            if (!is_angle || !variable.declared->range) continue;
+            const ExpressionPtr &low = variable.declared->range->low, &high = variable.declared->range->high;
+            if (!low || !high) continue;
+            // A bound that is made of parameters has no value of its own.
+            const auto from = value_at(translate(*low, {}), {}, digits), to = value_at(translate(*high, {}), {}, digits);
+            const auto half_turn = value_at(GiNaC::Pi, {}, digits);
+            if (!from || !to || *from >= *to) continue;
+            if (*from >= -rounding && *to <= *half_turn + rounding) waves.insert("sin(" + variable.name + ")");
+            if (*from >= -*half_turn / 2 - rounding && *to <= *half_turn / 2 + rounding) waves.insert("cos(" + variable.name + ")");
+        }
+}
+
+}  // namespace dalembert
