@@ -15,6 +15,7 @@
 #include "model/verdict.hpp"
 #include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
+#include "prove/statics_validity.hpp"
 #include "prove/switching_validity.hpp"
 
 namespace dalembert {
@@ -117,6 +118,7 @@ void prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, s
     Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
     check_switching_values(*machine.system, defaults);
     check_body_values(*machine.system, defaults);
+    check_solid_values(*machine.system, defaults);
     meet_constraints(*machine.system, defaults);
 }
 
@@ -169,6 +171,7 @@ Proofs proofs_of(const Machine& machine) {
         add(proofs.derivation.media, other.audit.media);
         add(proofs.derivation.balances, other.audit.balances);
         add(proofs.derivation.constraints, other.audit.constraints);
+        add(proofs.derivation.loads, other.audit.loads);
         add(proofs.emitted, other.emitted);
         if (is_worse(other.audit.power_balance.result.verdict, proofs.derivation.power_balance.result.verdict)) proofs.derivation.power_balance = other.audit.power_balance;
     }

@@ -33,7 +33,7 @@ std::string function_reference() {
 
 std::string quantity_reference() {
     static constexpr std::array subscripts{"",          "[body]", " or [body]",       "[body, 1..3]",   "[coordinate]",     "[coordinate, coordinate]",
-                                           " or [damper]", "[constraint]", "[cut]", "[enclosure, i]", "[enclosure, i, j]", "[X]", "[X] or [medium, p, T]", "[medium, p, T]", "[volume]", "[flow]", "[X], [node], [rod[k]], [block[k]]",
+                                           " or [damper]", "[constraint]", "[cut]", "[solid]", "[solid, 1..3]", "[solid, 1..3, 1..3]", "[load, 1..3]", "[load, unknown]", "[sticking]", "[enclosure, i]", "[enclosure, i, j]", "[X]", "[X] or [medium, p, T]", "[medium, p, T]", "[volume]", "[flow]", "[X], [node], [rod[k]], [block[k]]",
                                            "[volume], [node], [link], [border]", " or [volume], [node]"};
     const auto rows = [](bool properties) {
         std::string text;

@@ -223,12 +223,12 @@ private:
     unsigned quantity(const Expression& e) {
         const QuantitySpec& spec = *find_quantity(e.name);
         static constexpr const char* shapes[]{"nothing", "a body", "nothing or a body", "a body and 1, 2 or 3", "a coordinate", "two coordinates",
-                                              "nothing or a damper", "a constraint", "a cut", "an enclosure and the number of a surface", "an enclosure and the numbers of two surfaces", "a volume or reservoir", "a volume or reservoir, or a medium, a pressure and a temperature",
+                                              "nothing or a damper", "a constraint", "a cut", "a solid", "a solid and 1, 2 or 3", "a solid and two of 1, 2 and 3", "a load and 1, 2 or 3", "a load and one of its unknowns", "what may stick", "an enclosure and the number of a surface", "an enclosure and the numbers of two surfaces", "a volume or reservoir", "a volume or reservoir, or a medium, a pressure and a temperature",
                                               "a medium, a pressure and a temperature", "a volume", "a flow", "a volume, reservoir, node or cell of a rod or block",
                                               "a volume, node or link, or an end of a rod or side of a block", "nothing, a volume or a node"};
         const std::size_t given = e.children.size();
         const auto shape = static_cast<std::size_t>(spec.subscript);
-        const std::size_t expected = std::array<std::size_t, 19>{0, 1, 1, 2, 1, 2, 1, 1, 1, 2, 3, 1, 1, 3, 1, 1, 1, 1, 1}[shape];
+        const std::size_t expected = std::array<std::size_t, 25>{0, 1, 1, 2, 1, 2, 1, 1, 1, 1, 2, 3, 2, 2, 1, 2, 3, 1, 1, 3, 1, 1, 1, 1, 1}[shape];
         const bool is_optional = spec.subscript == Subscript::optional_body || spec.subscript == Subscript::optional_store || spec.subscript == Subscript::optional_damper;
         if (given != expected && !(is_optional && given == 0) && !(spec.subscript == Subscript::fluid_or_medium && given == 3)) {
             error(Id::wrong_arguments, e.span, fmt::format("'{}' takes {} in square brackets", e.name, shapes[shape]));
@@ -236,6 +236,7 @@ private:
         }
         if (spec.subscript >= Subscript::fluid) return part_quantity(e, spec);
         if (spec.subscript == Subscript::surface || spec.subscript == Subscript::two_surfaces) return surface_quantity(e, spec);
+        if (spec.subscript >= Subscript::solid && spec.subscript <= Subscript::sticking) return statics_quantity(e, spec);
         const bool bodies = spec.subscript == Subscript::body || spec.subscript == Subscript::optional_body || spec.subscript == Subscript::body_and_axis;
         const bool dampers = spec.subscript == Subscript::optional_damper;
         for (std::size_t i = 0; i < given; ++i) {
@@ -248,6 +249,39 @@ private:
             else coordinate(child);
         }
         return allow(e, dependence(spec), "a derived quantity");
+    }
+
+    /// A quantity of a solid, a load or of what may stick.
+    unsigned statics_quantity(const Expression& e, const QuantitySpec& spec) {
+        const Expression& named = *e.children[0];
+        const bool is_name = named.kind == Kind::name && named.children.empty();
+        const auto unknown = [&](const char* what, const std::vector<std::string>& known) {
+            error(Id::unknown_name, named.span, fmt::format("'{}' is not {}{}", named.written(), what, did_you_mean(named.name, known)));
+            return 0U;
+        };
+        if (spec.subscript == Subscript::sticking) {
+            if (!is_name || names_.find_sticking(named.name) == nullptr) return unknown("an entry of [sticking]", names_.stickings());
+            return allow(e, dependence(spec), "a derived quantity");
+        }
+        if (spec.subscript <= Subscript::solid_and_axes) {
+            if (!is_name || names_.find_solid(named.name) == nullptr) return unknown("a solid", names_.solids());
+            for (std::size_t i = 1; i < e.children.size(); ++i) whole_number(*e.children[i]);
+            return allow(e, on_parameters, "made of parameters");
+        }
+        const Load* load = is_name ? names_.find_load(named.name) : nullptr;
+        if (load == nullptr) return unknown("a load", names_.loads());
+        if (spec.subscript == Subscript::load_and_axis) {
+            whole_number(*e.children[1]);
+        } else {
+            const Expression& asked = *e.children[1];
+            if (std::none_of(load->unknowns.begin(), load->unknowns.end(), [&](const Unknown& u) { return asked.kind == Kind::name && asked.children.empty() && u.name == asked.name; })) {
+                std::vector<std::string> known;
+                for (const Unknown& u : load->unknowns) known.push_back(u.name);
+                error(Id::unknown_name, asked.span, fmt::format("'{}' is not an unknown of load '{}'{}", asked.written(), load->name, known.empty() ? "; it has none" : "; they are " + quoted_list(known)), {{load->span, "the load is defined here"}});
+                return 0;
+            }
+        }
+        return allow(e, dependence(*load, names_), "what follows from forces that depend on more");
     }
 
     unsigned surface_quantity(const Expression& e, const QuantitySpec& spec) {

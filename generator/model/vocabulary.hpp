@@ -45,6 +45,12 @@ enum class Subscript {
     optional_damper,
     constraint,
     cut,
+    solid,
+    solid_and_axis,
+    solid_and_axes,
+    load_and_axis,
+    load_and_unknown,
+    sticking,
     surface,          ///< an enclosure and the number of a surface
     two_surfaces,     ///< an enclosure and the numbers of two surfaces
     fluid,            ///< a volume or reservoir

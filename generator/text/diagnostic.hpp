@@ -59,6 +59,7 @@ enum class Id {
     wrong_inertia,
     wrong_modes,
     undetermined,
+    no_equilibrium,
     doubly_determined,
     can_vanish,
     not_equal,

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/quotient.hpp"
+
+#include <map>
+#include <string>
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::numeric;
+
+namespace {
+
+/// Whether a polynomial is negative where its letters, in the order of their names, have certain values.
+bool is_negative_somewhere_fixed(const ex& polynomial) {
+    std::map<std::string, ex> letters;
+    for (auto part = polynomial.preorder_begin(); part != polynomial.preorder_end(); ++part)
+        if (GiNaC::is_a<GiNaC::symbol>(*part)) letters[ex_to<GiNaC::symbol>(*part).get_name()] = *part;
+    GiNaC::exmap at;
+    int value = 3;
+    for (const auto& [name, letter] : letters) at[letter] = value += 4 + value % 5;
+    const ex number = polynomial.subs(at, GiNaC::subs_options::no_pattern);
+    return GiNaC::is_exactly_a<numeric>(number) && ex_to<numeric>(number).is_negative();
+}
+
+}  // namespace
+
+ex quotient(const ex& above, const ex& below) {
+    if (above.is_zero()) return 0;
+    if (!GiNaC::is_a<GiNaC::add>(below)) return (above / below).expand();
+    constexpr std::size_t most_terms = 60;
+    if (above.nops() > most_terms || below.nops() > most_terms) return above / below;
+    const GiNaC::possymbol pi("pi");
+    const auto with_letter = [&](const ex& e) { return e.subs(GiNaC::Pi == pi, GiNaC::subs_options::no_pattern); };
+    ex a = with_letter(above), b = with_letter(below);
+    if (!a.info(GiNaC::info_flags::rational_polynomial) || !b.info(GiNaC::info_flags::rational_polynomial)) return above / below;
+    GiNaC::gcd(a, b, &a, &b, false);
+    b = b.expand();
+    numeric unit = b.integer_content();
+    if (is_negative_somewhere_fixed(b)) unit = -unit;
+    const auto written = [&](const ex& e) { return (e / unit).expand().subs(pi == GiNaC::Pi, GiNaC::subs_options::no_pattern); };
+    const ex denominator = written(b);
+    return GiNaC::is_a<GiNaC::add>(denominator) ? written(a) / denominator : (written(a) / denominator).expand();
+}
+
+}  // namespace dalembert
