@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "form/system.hpp"
+#include "symbolic/quotient.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -60,6 +61,38 @@ private:
     std::vector<GiNaC::exmap> points_;
 };
 
+std::size_t terms(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) ? e.nops() : 1; }
+
+/// Squares of one of the functions sine and cosine by those of the other.
+struct SquaresReplaced : GiNaC::map_function {
+    explicit SquaresReplaced(bool sines) : sines_(sines) {}
+    ex operator()(const ex& e) override {
+        const bool is_power = GiNaC::is_a<GiNaC::power>(e) && GiNaC::is_a<GiNaC::function>(e.op(0)) && e.op(1).info(GiNaC::info_flags::posint);
+        if (!is_power) return GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e) ? e.map(*this) : e;
+        const std::string name = GiNaC::ex_to<GiNaC::function>(e.op(0)).get_name();
+        if (name != (sines_ ? "sin" : "cos")) return e;
+        const int n = GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int();
+        const ex& angle = e.op(0).op(0);
+        const ex other = sines_ ? GiNaC::cos(angle) : GiNaC::sin(angle);
+        return GiNaC::pow(e.op(0), n % 2) * GiNaC::pow(1 - GiNaC::pow(other, 2), n / 2);
+    }
+    bool sines_;
+};
+
+/// Written out, with sin^2 + cos^2 = 1 used in the way that leaves the fewest terms; as it is where that is long.
+ex shortest(const ex& e) {
+    constexpr std::size_t most_terms = 200;
+    const ex written = e.expand();
+    if (terms(written) > most_terms) return e;
+    ex best = written;
+    for (const bool sines : {false, true}) {
+        SquaresReplaced replace(sines);
+        const ex other = replace(written).expand();
+        if (terms(other) < terms(best)) best = other;
+    }
+    return best;
+}
+
 constexpr const char* balance_names[]{"force along x", "force along y", "force along z", "moment about x", "moment about y", "moment about z"};
 
 /// factors*unknowns + constant = 0
@@ -97,7 +130,7 @@ public:
         GiNaC::exmap solution;
         for (const Balance& balance : balances_)
             if (balance.pivot) {
-                result.unknowns[*balance.pivot] = -balance.constant / balance.factors[*balance.pivot];
+                result.unknowns[*balance.pivot] = divided(-balance.constant, balance.factors[*balance.pivot]);
                 solution[letters_[*balance.pivot]] = result.unknowns[*balance.pivot];
             }
         for (LoadShare& share : result.shares)
@@ -162,14 +195,25 @@ private:
         return best;
     }
 
-    /// Puts what the balance gives for its pivot into all others.
+    /// By what has one term, in each term.
+    static ex divided(const ex& above, const ex& below) {
+        if (terms(below.expand()) == 1) return shortest(above / below.expand());
+        return quotient(shortest(above), shortest(below));
+    }
+
+    /// Puts what the balance gives for its pivot into all others: by division where its factor is a number, or has one term and stands alone; else the
+    /// other balances are multiplied by the factor, so that no sums come into denominators.
     void substitute(const Balance& solved) {
         const std::size_t pivot = *solved.pivot;
+        const ex& factor = solved.factors[pivot];
+        const bool divides = GiNaC::is_a<GiNaC::numeric>(factor) || (solved.unknowns() == 1 && terms(factor.expand()) == 1);
         for (Balance& other : balances_) {
             if (&other == &solved || other.factors[pivot].is_zero()) continue;
-            const ex ratio = other.factors[pivot] / solved.factors[pivot];
-            for (std::size_t j = 0; j < letters_.size(); ++j) other.factors[j] = j == pivot ? ex(0) : other.factors[j] - ratio * solved.factors[j];
-            other.constant -= ratio * solved.constant;
+            const ex scale = divides ? ex(1) : factor;
+            const ex share = divides ? divided(other.factors[pivot], factor) : other.factors[pivot];
+            const auto reduced = [&](const ex& a, const ex& b) { return b.is_zero() && divides ? a : shortest(scale * a - share * b); };
+            for (std::size_t j = 0; j < letters_.size(); ++j) other.factors[j] = j == pivot ? ex(0) : reduced(other.factors[j], solved.factors[j]);
+            other.constant = reduced(other.constant, solved.constant);
             clean(other);
         }
     }

@@ -36,31 +36,34 @@ ex of_load(const System& system, const Expression& e, const Indices& indices) {
     throw Failure(Diagnostic{Id::unknown_name, e.span, fmt::format("'{}' has no meaning here", e.written())});
 }
 
-/// (2.96), (2.100) of a surface; (2.107) of a rope.
 ex of_sticking(const System& system, const Expression& e) {
     const Sticking& sticking = *system.names.find_sticking(e.children[0]->name);
     if (!system.scene.holds(sticking.when)) throw Failure(Diagnostic{Id::needs_absent, e.children[0]->span, fmt::format("scene '{}' has no '{}' that could stick", system.scene.name, sticking.name), {{sticking.span, "it is defined here"}}});
+    const StickingState state = sticking_state(system, sticking);
+    return e.name == "sticks" ? state.sticks : e.name == "sticking_margin" ? state.margin : state.needed;
+}
+
+}  // namespace
+
+StickingState sticking_state(const System& system, const Sticking& sticking) {
     const auto value = [&](const ExpressionPtr& expression) { return system.translate(expression, {}); };
     const ex coefficient = value(sticking.coefficient);
-    ex margin, needed;
+    StickingState result;
     if (sticking.normal) {
         const ex normal = value(sticking.normal);
         ex square = 0;
         for (const ExpressionPtr& force : sticking.tangential) square += GiNaC::pow(value(force), 2);
         const ex tangential = sticking.tangential.size() == 1 ? ex(magnitude(value(sticking.tangential[0]))) : ex(norm(square));
-        margin = coefficient * normal - tangential;
-        needed = tangential / normal;
+        result.margin = coefficient * normal - tangential;
+        result.needed = tangential / normal;
     } else {
         const ex first = value(sticking.tensions[0]), second = value(sticking.tensions[1]), angle = value(sticking.angle);
-        margin = minimum(first, second) * GiNaC::exp(coefficient * angle) - maximum(first, second);
-        needed = magnitude(GiNaC::log(first / second)) / angle;
+        result.margin = minimum(first, second) * GiNaC::exp(coefficient * angle) - maximum(first, second);
+        result.needed = magnitude(GiNaC::log(first / second)) / angle;
     }
-    if (e.name == "sticking_margin") return margin;
-    if (e.name == "needed_coefficient") return needed;
-    return 1 - maximum(sign_of(-margin), 0);  // also where nothing is missing and nothing left
+    result.sticks = 1 - maximum(sign_of(-result.margin), 0);  // also where nothing is missing and nothing left
+    return result;
 }
-
-}  // namespace
 
 std::optional<ex> statics_quantity(const System& system, const Expression& e, const Indices& indices) {
     const Subscript subscript = find_quantity(e.name)->subscript;

@@ -171,6 +171,14 @@ private:
 /// other; undetermined: statically indeterminate; no-equilibrium: a balance that no unknown can meet).
 LoadSolution solve_load(const System& system, const Load& load);
 
+/// Friction at rest: on a surface (2.96), (2.100), or of a rope around a cylinder (2.107).
+struct StickingState {
+    GiNaC::ex sticks;  ///< 1 or 0
+    GiNaC::ex margin;  ///< N, what is missing to slip
+    GiNaC::ex needed;  ///< the coefficient that would just hold
+};
+StickingState sticking_state(const System& system, const Sticking& sticking);
+
 /// Of a solid, a load, or what friction holds; nothing of anything else.
 std::optional<GiNaC::ex> statics_quantity(const System& system, const Expression& e, const Indices& indices);
 

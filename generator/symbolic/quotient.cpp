@@ -24,6 +24,20 @@ bool is_negative_somewhere_fixed(const ex& polynomial) {
     return GiNaC::is_exactly_a<numeric>(number) && ex_to<numeric>(number).is_negative();
 }
 
+/// Functions and constants as letters of their own.
+struct AsLetters : GiNaC::map_function {
+    ex operator()(const ex& e) override {
+        const bool is_letter = GiNaC::is_a<GiNaC::function>(e) || GiNaC::is_a<GiNaC::constant>(e) || (GiNaC::is_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer));
+        if (!is_letter) return GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e) || GiNaC::is_a<GiNaC::power>(e) ? e.map(*this) : e;
+        for (const auto& [letter, value] : values)
+            if (value.is_equal(e)) return letter;
+        const GiNaC::possymbol letter("function." + std::to_string(values.size()));
+        values[letter] = e;
+        return letter;
+    }
+    GiNaC::exmap values;
+};
+
 }  // namespace
 
 ex quotient(const ex& above, const ex& below) {
@@ -31,15 +45,14 @@ ex quotient(const ex& above, const ex& below) {
     if (!GiNaC::is_a<GiNaC::add>(below)) return (above / below).expand();
     constexpr std::size_t most_terms = 60;
     if (above.nops() > most_terms || below.nops() > most_terms) return above / below;
-    const GiNaC::possymbol pi("pi");
-    const auto with_letter = [&](const ex& e) { return e.subs(GiNaC::Pi == pi, GiNaC::subs_options::no_pattern); };
-    ex a = with_letter(above), b = with_letter(below);
+    AsLetters letters;
+    ex a = letters(above), b = letters(below);
     if (!a.info(GiNaC::info_flags::rational_polynomial) || !b.info(GiNaC::info_flags::rational_polynomial)) return above / below;
     GiNaC::gcd(a, b, &a, &b, false);
     b = b.expand();
     numeric unit = b.integer_content();
     if (is_negative_somewhere_fixed(b)) unit = -unit;
-    const auto written = [&](const ex& e) { return (e / unit).expand().subs(pi == GiNaC::Pi, GiNaC::subs_options::no_pattern); };
+    const auto written = [&](const ex& e) { return (e / unit).expand().subs(letters.values, GiNaC::subs_options::no_pattern); };
     const ex denominator = written(b);
     return GiNaC::is_a<GiNaC::add>(denominator) ? written(a) / denominator : (written(a) / denominator).expand();
 }
