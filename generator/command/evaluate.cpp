@@ -73,8 +73,7 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
         const LoadSolution& load = system.load(item->name, item->span);
         for (std::size_t k = 0; k < load.unknowns.size(); ++k) unknowns.emplace_back(item->unknowns[k].name, load.unknowns[k]);
     }
-    group("unknown", "unknowns of loads", unknowns);
-    json["sticking"] = nlohmann::ordered_json::object();
+    if (!unknowns.empty()) group("unknown", "unknowns of loads", unknowns);
     if (!system.scene.stickings.empty()) text += "friction at rest\n";
     for (const Sticking* item : system.scene.stickings) {
         const StickingState sticking = sticking_state(system, *item);

@@ -117,7 +117,7 @@ constexpr auto of_evaluate = std::to_array<JsonField>({
     {"input.<NAME>", ""},
     {"state_derivative.<NAME>", "dot(q), ddot(q) and the rates of plain states"},
     {"output.<NAME>", ""},
-    {"unknown.<NAME>", "of loads"},
+    {"unknown.<NAME>", "of loads; where there are any, as the next ones"},
     {"sticking.<NAME>.sticks", "whether friction at rest can hold"},
     {"sticking.<NAME>.margin", "N; the force that is missing to slip, negative where it slips"},
     {"sticking.<NAME>.needed_coefficient", "the coefficient that would just do"},
