@@ -61,7 +61,7 @@ private:
     std::vector<GiNaC::exmap> points_;
 };
 
-std::size_t terms(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) ? e.nops() : 1; }
+std::size_t term_count(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) ? e.nops() : 1; }
 
 /// Squares of one of the functions sine and cosine by those of the other.
 struct SquaresReplaced : GiNaC::map_function {
@@ -83,12 +83,12 @@ struct SquaresReplaced : GiNaC::map_function {
 ex shortest(const ex& e) {
     constexpr std::size_t most_terms = 200;
     const ex written = e.expand();
-    if (terms(written) > most_terms) return e;
+    if (term_count(written) > most_terms) return e;
     ex best = written;
     for (const bool sines : {false, true}) {
         SquaresReplaced replace(sines);
         const ex other = replace(written).expand();
-        if (terms(other) < terms(best)) best = other;
+        if (term_count(other) < term_count(best)) best = other;
     }
     return best;
 }
@@ -197,7 +197,7 @@ private:
 
     /// By what has one term, in each term.
     static ex divided(const ex& above, const ex& below) {
-        if (terms(below.expand()) == 1) return shortest(above / below.expand());
+        if (term_count(below.expand()) == 1) return shortest(above / below.expand());
         return quotient(shortest(above), shortest(below));
     }
 
@@ -206,7 +206,7 @@ private:
     void substitute(const Balance& solved) {
         const std::size_t pivot = *solved.pivot;
         const ex& factor = solved.factors[pivot];
-        const bool divides = GiNaC::is_a<GiNaC::numeric>(factor) || (solved.unknowns() == 1 && terms(factor.expand()) == 1);
+        const bool divides = GiNaC::is_a<GiNaC::numeric>(factor) || (solved.unknowns() == 1 && term_count(factor.expand()) == 1);
         for (Balance& other : balances_) {
             if (&other == &solved || other.factors[pivot].is_zero()) continue;
             const ex scale = divides ? ex(1) : factor;

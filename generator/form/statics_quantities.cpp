@@ -12,7 +12,7 @@ using GiNaC::ex;
 namespace {
 
 /// 1, 2 or 3 as a place in a vector.
-std::size_t axis(const System& system, const Expression& index, const Indices& indices) {
+std::size_t axis_place(const System& system, const Expression& index, const Indices& indices) {
     const int i = index_value(index, system.scene, indices);
     if (i >= 1 && i <= 3) return static_cast<std::size_t>(i - 1);
     throw Failure(Diagnostic{Id::index_out_of_range, index.span, fmt::format("there are the axes 1, 2 and 3, not {}", i)});
@@ -21,16 +21,16 @@ std::size_t axis(const System& system, const Expression& index, const Indices& i
 ex of_solid(const System& system, const Expression& e, const Indices& indices) {
     const SolidProperties& solid = system.solids.of(e.children[0]->name);
     if (e.name == "solid_mass") return solid.mass;
-    const std::size_t i = axis(system, *e.children[1], indices);
+    const std::size_t i = axis_place(system, *e.children[1], indices);
     if (e.name == "centre_of_mass") return solid.centre[i];
-    const std::size_t j = axis(system, *e.children[2], indices);
+    const std::size_t j = axis_place(system, *e.children[2], indices);
     return e.name == "inertia_about_centre" ? solid.about_centre[i][j] : solid.about_origin[i][j];
 }
 
 ex of_load(const System& system, const Expression& e, const Indices& indices) {
     const LoadSolution& load = system.load(e.children[0]->name, e.children[0]->span);
-    if (e.name == "resultant_force") return load.force()[axis(system, *e.children[1], indices)];
-    if (e.name == "resultant_moment") return load.moment()[axis(system, *e.children[1], indices)];
+    if (e.name == "resultant_force") return load.force()[axis_place(system, *e.children[1], indices)];
+    if (e.name == "resultant_moment") return load.moment()[axis_place(system, *e.children[1], indices)];
     for (std::size_t k = 0; k < load.unknowns.size(); ++k)
         if (load.load->unknowns[k].name == e.children[1]->name) return load.unknowns[k];
     throw Failure(Diagnostic{Id::unknown_name, e.span, fmt::format("'{}' has no meaning here", e.written())});

@@ -38,7 +38,7 @@ void read_composed(const Entry& e) {
         if (e.has(key)) e.error(Id::not_allowed_here, e.span_of(key), fmt::format("solid '{}' is put together of others, which have their own {}; it has none itself", e.name(), key));
 }
 
-void read_shape(const Entry& e, Solid& solid) {
+void read_solid_shape(const Entry& e, Solid& solid) {
     std::vector<std::string> known;
     for (const ShapeKeys& one : shapes()) known.emplace_back(one.name);
     const std::string wanted = e.text("shape");
@@ -85,7 +85,7 @@ void read(const Entry& e, Solid& solid) {
     solid.without = e.parts("without");
     if (e.has("shape") == e.has("of")) return e.error(Id::missing_key, e.span(), fmt::format("solid '{}' needs either a shape or a list of the solids that it is made of, and not both", e.name()));
     if (e.has("without") && !e.has("of")) e.error(Id::not_allowed_here, e.span_of("without"), fmt::format("solid '{}' has a shape, and nothing is taken away from it; put it into another one with 'of' and 'without'", e.name()));
-    if (e.has("shape")) read_shape(e, solid);
+    if (e.has("shape")) read_solid_shape(e, solid);
     else read_composed(e);
     if (e.has("of") && solid.of.empty()) e.error(Id::missing_key, e.span_of("of"), fmt::format("solid '{}' is made of nothing", e.name()));
 }
