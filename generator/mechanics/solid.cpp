@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "mechanics/solid_shape.hpp"
+#include "symbolic/functions.hpp"
 #include "symbolic/integrate.hpp"
 #include "symbolic/quotient.hpp"
 #include "text/diagnostic.hpp"
@@ -28,6 +29,12 @@ bool divides_by_sum(const ex& e) {
     for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
         if (GiNaC::is_a<GiNaC::power>(*part) && GiNaC::is_a<GiNaC::add>(part->op(0)) && part->op(1).info(GiNaC::info_flags::negative)) return true;
     return false;
+}
+
+/// Quotients by sums stay letters in what is made of them: products of them would be multiplied out without end.
+SpaceVector without_quotients(const SpaceVector& v) {
+    const auto one = [](const ex& e) { return divides_by_sum(e) ? ex(whole(e)) : e; };
+    return {one(v[0]), one(v[1]), one(v[2])};
 }
 
 template <class Entry>
@@ -183,6 +190,7 @@ SolidProperties composed(const Solid& solid, const std::function<const SolidProp
     result.mass = short_form(result.mass);
     SpaceVector centre;
     for (std::size_t i = 0; i < 3; ++i) centre[i] = quotient(first[i].expand(), result.mass.expand());
+    centre = without_quotients(centre);
     SpaceMatrix inertia = symmetric([](std::size_t, std::size_t) { return ex(0); });
     for (const auto& [sign, one] : parts) {
         const SpaceMatrix about = sum_of(one->about_centre, inertia_of_point(one->mass, kept(one->centre - centre)));
@@ -191,7 +199,7 @@ SolidProperties composed(const Solid& solid, const std::function<const SolidProp
     result.centre = origin + axes * centre;
     // Squares of distances from the centre stay such where that does not simplify: written out they would cancel.
     const bool is_simple = std::none_of(centre.begin(), centre.end(), divides_by_sum);
-    result.about_centre = turned(symmetric([&](std::size_t i, std::size_t j) { return is_simple ? short_form(inertia[i][j]) : inertia[i][j]; }), axes);
+    result.about_centre = turned(symmetric([&](std::size_t i, std::size_t j) { return is_simple ? short_form(inertia[i][j]) : without_quotients(inertia[i])[j]; }), axes);
     // The integrals are sums over the parts.
     SolidMoments sum{0, {0, 0, 0}, symmetric([](std::size_t, std::size_t) { return ex(0); })};
     for (const auto& [sign, one] : parts) {
@@ -229,7 +237,7 @@ SolidProperties solid_properties(const Solid& solid, const Translator& translate
     SolidProperties result = solid.shape == Solid::Shape::composed ? composed(solid, part, axes, origin)
                              : solid.shape == Solid::Shape::point  ? point_properties(solid, translate, origin)
                                                                    : ShapeIntegrals(solid, translate, axes, origin).take();
-    const SpaceMatrix moved = inertia_of_point(result.mass, result.centre);
+    const SpaceMatrix moved = inertia_of_point(result.mass, without_quotients(result.centre));
     const bool is_simple = std::none_of(result.centre.begin(), result.centre.end(), divides_by_sum);
     result.about_origin = symmetric([&](std::size_t i, std::size_t j) {
         const ex sum = result.about_centre[i][j] + moved[i][j];

@@ -12,15 +12,15 @@ using GiNaC::numeric;
 
 namespace {
 
-/// Whether a polynomial is negative where its letters, in the order of their names, have certain values.
+/// Whether an expression is negative where its letters, in the order of their names, have certain values.
 bool is_negative_somewhere_fixed(const ex& polynomial) {
     std::map<std::string, ex> letters;
     for (auto part = polynomial.preorder_begin(); part != polynomial.preorder_end(); ++part)
         if (GiNaC::is_a<GiNaC::symbol>(*part)) letters[ex_to<GiNaC::symbol>(*part).get_name()] = *part;
     GiNaC::exmap at;
     int value = 3;
-    for (const auto& [name, letter] : letters) at[letter] = value += 4 + value % 5;
-    const ex number = polynomial.subs(at, GiNaC::subs_options::no_pattern);
+    for (const auto& [name, letter] : letters) at[letter] = numeric(value += 4 + value % 5, 7);
+    const ex number = polynomial.subs(at, GiNaC::subs_options::no_pattern).evalf();
     return GiNaC::is_exactly_a<numeric>(number) && ex_to<numeric>(number).is_negative();
 }
 
@@ -51,7 +51,7 @@ ex quotient(const ex& above, const ex& below) {
     GiNaC::gcd(a, b, &a, &b, false);
     b = b.expand();
     numeric unit = b.integer_content();
-    if (is_negative_somewhere_fixed(b)) unit = -unit;
+    if (is_negative_somewhere_fixed(b.subs(letters.values, GiNaC::subs_options::no_pattern))) unit = -unit;  // functions may be met in any order
     const auto written = [&](const ex& e) { return (e / unit).expand().subs(letters.values, GiNaC::subs_options::no_pattern); };
     const ex denominator = written(b);
     return GiNaC::is_a<GiNaC::add>(denominator) ? written(a) / denominator : (written(a) / denominator).expand();
