@@ -16,6 +16,7 @@
 #include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/right_angles.hpp"
+#include "prove/statics_validity.hpp"
 #include "prove/switching_validity.hpp"
 
 namespace dalembert {
@@ -130,6 +131,7 @@ void prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, s
     Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
     check_switching_values(*machine.system, defaults);
     check_body_values(*machine.system, defaults);
+    check_solid_values(*machine.system, defaults);
     meet_constraints(*machine.system, defaults);
 }
 
@@ -182,6 +184,7 @@ Proofs proofs_of(const Machine& machine) {
         add(proofs.derivation.media, other.audit.media);
         add(proofs.derivation.balances, other.audit.balances);
         add(proofs.derivation.constraints, other.audit.constraints);
+        add(proofs.derivation.loads, other.audit.loads);
         add(proofs.emitted, other.emitted);
         if (is_worse(other.audit.power_balance.result.verdict, proofs.derivation.power_balance.result.verdict)) proofs.derivation.power_balance = other.audit.power_balance;
     }

@@ -12,6 +12,7 @@
 // Proven as identities:
 //     d'Alembert = Euler-Lagrange: 1 of 1 equations
 //     force = -d(energy)/dq: 1 of 1 potentials
+//     integrals over solids, and Steiner's theorem: 2 of 2
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
 //     this code = the derivation: 17 of 17 functions
 //

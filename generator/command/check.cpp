@@ -56,6 +56,8 @@ private:
         group("media: (3.11), (3.21), (3.31), (3.41), (3.43)", pointers(proofs.derivation.media));
         group("balances of mass and energy", pointers(proofs.derivation.balances));
         group("forces of constraints do no virtual work", pointers(proofs.derivation.constraints));
+        group("solids: integrals, and Steiner's theorem", pointers(proofs.derivation.solids));
+        group("loads: equilibrium with the solution inserted", pointers(proofs.derivation.loads));
         group(Audit::power_balance_name(system), {&proofs.derivation.power_balance});
         group("passive network: eigenvalues real, not positive", pointers(proofs.derivation.eigenvalues));
         group("emitted code = derivation", pointers(proofs.emitted));

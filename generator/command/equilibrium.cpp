@@ -66,6 +66,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     const Machine& chosen = in_chosen_mode(machine, options);
     const System& system = *chosen.system;
     refuse_fields(system, "equilibrium");
+    refuse_rest(system, "equilibrium");
     Values values(system.scene, system.translate);
     apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);

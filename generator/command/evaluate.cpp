@@ -68,6 +68,20 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
     std::vector<std::pair<std::string, ex>> outputs;
     for (const OutputEquation& output : system.outputs) outputs.emplace_back(output.name, output.value);
     group("output", "outputs y", outputs);
+    std::vector<std::pair<std::string, ex>> unknowns;
+    for (const Load* item : system.scene.loads) {
+        const LoadSolution& load = system.load(item->name, item->span);
+        for (std::size_t k = 0; k < load.unknowns.size(); ++k) unknowns.emplace_back(item->unknowns[k].name, load.unknowns[k]);
+    }
+    if (!unknowns.empty()) group("unknown", "unknowns of loads", unknowns);
+    if (!system.scene.stickings.empty()) text += "friction at rest\n";
+    for (const Sticking* item : system.scene.stickings) {
+        const StickingState sticking = sticking_state(system, *item);
+        const bool sticks = at.number(sticking.sticks) == "1";
+        const std::string margin = at.number(sticking.margin), needed = at.number(sticking.needed);
+        json["sticking"][item->name] = {{"sticks", sticks}, {"margin", json_number(margin)}, {"needed_coefficient", json_number(needed)}};
+        text += fmt::format("  {:<20} {}: margin {} N, needs a coefficient of {}\n", item->name, sticks ? "yes" : "no", margin, needed);
+    }
     text += "energies and powers\n";
     std::vector<std::pair<const char*, ex>> powers{{"kinetic_energy", system.kinetic_energy},
                                                    {"potential_energy", system.potential_energy},

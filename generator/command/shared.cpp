@@ -63,4 +63,10 @@ void refuse_fields(const System& system, const char* verb) {
         throw Failure(Diagnostic{Id::too_large, field.rod->span, fmt::format("the {} cells of rod '{}' are computed in a loop, and '{}' needs each by itself; choose fewer cells", field.geometry.cells(), field.rod->name, verb)});
 }
 
+void refuse_rest(const System& system, const char* verb) {
+    const Scene& scene = system.scene;
+    if (!scene.coordinates.empty() || !scene.states.empty()) return;
+    throw Failure(Diagnostic{Id::nothing_left, scene.model->name_span, fmt::format("scene '{}' has neither a coordinate nor a state, so that there is nothing for '{}'; 'evaluate' gives its outputs and what its loads bear", scene.name, verb)});
+}
+
 }  // namespace dalembert

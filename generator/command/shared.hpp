@@ -25,5 +25,7 @@ std::vector<const AuditEntry*> pointers(const std::vector<AuditEntry>& entries);
 
 /// Throws Failure (too-large) where cells of rods are computed in loops, so that they have no equations of their own.
 void refuse_fields(const System& system, const char* verb);
+/// Throws Failure (nothing-left) where nothing can move: statics alone.
+void refuse_rest(const System& system, const char* verb);
 
 }  // namespace dalembert

@@ -8,10 +8,12 @@
 
 #include "command/run_header.hpp"
 #include "command/run_preparation.hpp"
+#include "command/shared.hpp"
 #include "emit/runner.hpp"
 #include "form/state_places.hpp"
 #include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
+#include "prove/statics_validity.hpp"
 #include "prove/switching_validity.hpp"
 
 namespace dalembert {
@@ -54,12 +56,14 @@ std::pair<Values, std::vector<ex>> start_of_run(const System& system, const Opti
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
     const RunPreparation preparation(model->model, options);
     PreparedSimulation prepared{derive_machine(model, preparation.scene(scene), options.choice.sizes), {}, {}, {}, {}};
+    refuse_rest(*prepared.machine.system, "simulate");
     prepared.header = generate(prepared.machine);
     const System& system = *prepared.machine.system;
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
     check_switching_values(system, values);
     check_body_values(system, values);
+    check_solid_values(system, values);
     meet_constraints(system, values);
     const SimulationSettings settings = preparation.make_settings(values, system);
     prepared.draw = settings.draw;

@@ -60,18 +60,22 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
         text += cpp_comment(fmt::format("Modes: {}", fmt::join(names, ", ")), 0, "//");
     }
 
-    std::vector<const AuditEntry*> derivations, potentials, media, balances, constraints, emitted;
+    std::vector<const AuditEntry*> derivations, potentials, media, balances, constraints, solids, loads, emitted;
     for (const AuditEntry& e : proofs.derivation.derivations) derivations.push_back(&e);
     for (const AuditEntry& e : proofs.derivation.potentials) potentials.push_back(&e);
     for (const AuditEntry& e : proofs.derivation.media) media.push_back(&e);
     for (const AuditEntry& e : proofs.derivation.balances) balances.push_back(&e);
     for (const AuditEntry& e : proofs.derivation.constraints) constraints.push_back(&e);
+    for (const AuditEntry& e : proofs.derivation.solids) solids.push_back(&e);
+    for (const AuditEntry& e : proofs.derivation.loads) loads.push_back(&e);
     for (const AuditEntry& e : proofs.emitted) emitted.push_back(&e);
     text += "//\n// Proven as identities:\n";
     if (!derivations.empty()) text += fmt::format("//     d'Alembert = Euler-Lagrange: {} equations\n", verdicts(derivations));
     if (!potentials.empty()) text += fmt::format("//     force = -d(energy)/dq: {} potentials\n", verdicts(potentials));
     if (!media.empty()) text += fmt::format("//     media, entropy and energy: {} identities\n", verdicts(media));
     if (!constraints.empty()) text += fmt::format("//     forces of constraints do no virtual work: {}\n", verdicts(constraints));
+    if (!solids.empty()) text += fmt::format("//     integrals over solids, and Steiner's theorem: {}\n", verdicts(solids));
+    if (!loads.empty()) text += fmt::format("//     equilibrium of loads: {}\n", verdicts(loads));
     if (!balances.empty()) text += fmt::format("//     balances of mass and energy: {} balances\n", verdicts(balances));
     text += fmt::format("//     {} + prescribed: {}\n", Audit::power_balance_name(code.system), to_string(proofs.derivation.power_balance.result.verdict));
     text += fmt::format("//     this code = the derivation: {} functions\n", verdicts(emitted));

@@ -161,7 +161,7 @@ CppBody CppBodies::rhs() {
     const FunctionCode& f = code_[Function::rhs];
     CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements = motion(cpp, f);
-    return finish(cpp, std::move(statements), "State& dxdt", {.state = n_ > 0});
+    return finish(cpp, std::move(statements), n_ + m_ > 0 ? "State& dxdt" : "State& /*dxdt*/", {.state = n_ > 0});
 }
 
 CppBody CppBodies::rhs_and_jacobian() {
@@ -169,7 +169,7 @@ CppBody CppBodies::rhs_and_jacobian() {
     CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements = motion(cpp, f);
     statements += filled_jacobian(cpp, f, layout(By::state), By::state, true);
-    return finish(cpp, std::move(statements), "State& dxdt, JacobianX& J", {.state = n_ > 0});
+    return finish(cpp, std::move(statements), n_ + m_ > 0 ? "State& dxdt, JacobianX& J" : "State& /*dxdt*/, JacobianX& /*J*/", {.state = n_ > 0});
 }
 
 /// Everything in J. With loops the right sides are put where the solutions belong and solved there.

@@ -153,6 +153,7 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
 }  // namespace
 
 ex quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<ex>& arguments) {
+    if (const auto of_statics = statics_quantity(system, e, indices)) return *of_statics;
     if (const auto of_fluid = fluid_quantity(system, e, indices, arguments)) return *of_fluid;
     const Subscript subscript = find_quantity(e.name)->subscript;
     if (subscript == Subscript::surface || subscript == Subscript::two_surfaces) return surface_quantity(system, e, indices);

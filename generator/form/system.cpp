@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "balance/steps.hpp"
 #include "text/diagnostic.hpp"
@@ -28,10 +29,35 @@ Generalised total_force(const Parts& parts, std::size_t degrees) {
     return result;
 }
 
+/// The load that a definition is an unknown of.
+const std::string* load_of(const Definition& definition) {
+    return definition.is_made && definition.value->name == "reaction" ? &definition.value->children[0]->name : nullptr;
+}
+
+/// Unknowns of loads last: elimination asks whether something is zero, for which the others must be known, and those of loads that it needs.
 void definitions(System& system) {
+    const auto& members = system.scene.definitions;
+    const auto value_of = [&](const Member<Definition>& member) { return system.translate(member.item->value, Translator::indices_of(member)); };
     std::vector<ex> values;
-    for (const auto& member : system.scene.definitions) values.push_back(system.translate(member.item->value, Translator::indices_of(member)));
-    system.symbols.define(std::move(values));
+    std::set<std::string> waiting;
+    for (const auto& member : members) {
+        const std::string* load = load_of(*member.item);
+        values.push_back(load == nullptr ? value_of(member) : ex(0));
+        if (load != nullptr) waiting.insert(*load);
+    }
+    system.symbols.define(values);
+    while (!waiting.empty()) {
+        const auto is_ready = [&](const std::string& name) {
+            const std::set<std::string> needed = loads_needed(*system.names.find_load(name), system.names);
+            return std::none_of(needed.begin(), needed.end(), [&](const std::string& other) { return waiting.contains(other); });
+        };
+        const auto next = std::find_if(waiting.begin(), waiting.end(), is_ready);
+        const std::string name = next == waiting.end() ? *waiting.begin() : *next;
+        for (std::size_t i = 0; i < members.size(); ++i)
+            if (const std::string* load = load_of(*members[i].item); load != nullptr && *load == name) values[i] = value_of(members[i]);
+        system.symbols.define(values);
+        waiting.erase(name);
+    }
 }
 
 void inertia(System& system) {
@@ -162,7 +188,7 @@ void check_mass_rows(const System& system) {
 }  // namespace
 
 System::System(const Names& all_names, Scene chosen)
-    : names(all_names), scene(std::move(chosen)), symbols(scene, names), translate(scene, names, symbols) {
+    : names(all_names), scene(std::move(chosen)), symbols(scene, names), translate(scene, names, symbols), solids(translate) {
     translate.set_quantities([this](const Expression& e, const Indices& indices, const std::vector<ex>& arguments) { return quantity(*this, e, indices, arguments); });
 }
 

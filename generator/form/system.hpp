@@ -11,6 +11,8 @@
 #include "mechanics/euler_lagrange.hpp"
 #include "mechanics/forces.hpp"
 #include "mechanics/jets.hpp"
+#include "mechanics/load.hpp"
+#include "mechanics/solid.hpp"
 #include "symbolic/affine_rate.hpp"
 #include "symbolic/values.hpp"
 #include "text/diagnostic.hpp"
@@ -66,6 +68,15 @@ struct Motion {
     std::vector<std::pair<std::size_t, GiNaC::ex>> positions;           ///< coordinates that lie on a constraint, by the others
 };
 
+/// A load with what its unknowns are in equilibrium.
+struct LoadSolution {
+    const Load* load;
+    std::vector<LoadShare> shares;     ///< of its forces and moments, with the solution inserted
+    std::vector<GiNaC::ex> unknowns;   ///< values, in order of declaration
+    SpaceVector force() const;         ///< the resultant (2.28)
+    SpaceVector moment() const;        ///< about the point of reference (2.38)
+};
+
 /// A constraint that is struck: velocities of free coordinates change by mass^-1*direction*impulse, so that the rate becomes -restitution
 /// times what it was.
 struct Impact {
@@ -102,6 +113,9 @@ struct System {
     Scene scene;
     Symbols symbols;
     Translator translate;
+    Solids solids;
+    /// A load of the scene, solved when it is asked for first. Throws Failure (needs-absent, and what solve_load does).
+    const LoadSolution& load(const std::string& name, const Span& span) const;
 
     std::vector<BodyMotion> bodies;
     std::vector<Potential> potentials;
@@ -154,7 +168,25 @@ struct System {
     std::vector<EventEquation> events;
     /// Velocities and accelerations that constraints determine, by the others.
     GiNaC::exmap held_motion() const;
+
+private:
+    mutable std::map<std::string, LoadSolution> loads_;
 };
+
+/// Solves the balances of force and moment (2.39) of a load for its unknowns, exactly. Throws Failure (not-affine: unknowns multiply each
+/// other; undetermined: statically indeterminate; no-equilibrium: a balance that no unknown can meet).
+LoadSolution solve_load(const System& system, const Load& load);
+
+/// Friction at rest: on a surface (2.96), (2.100), or of a rope around a cylinder (2.107).
+struct StickingState {
+    GiNaC::ex sticks;  ///< 1 or 0
+    GiNaC::ex margin;  ///< N, what is missing to slip
+    GiNaC::ex needed;  ///< the coefficient that would just hold
+};
+StickingState sticking_state(const System& system, const Sticking& sticking);
+
+/// Of a solid, a load, or what friction holds; nothing of anything else.
+std::optional<GiNaC::ex> statics_quantity(const System& system, const Expression& e, const Indices& indices);
 
 /// Sets the rates of the states that a volume determines. Of a state that is integrated as its root w: dw/dt = d(w^2)/dt/(2w).
 void set_rates(std::vector<GiNaC::ex>& state_rates, const ControlVolume& volume, const VolumeBalance& balance, const Symbols& symbols);

@@ -231,6 +231,7 @@ private:
         }
         if (spec.subscript >= Subscript::fluid) return part_quantity(e, spec);
         if (spec.subscript == Subscript::surface || spec.subscript == Subscript::two_surfaces) return surface_quantity(e, spec);
+        if (spec.subscript >= Subscript::solid && spec.subscript <= Subscript::sticking) return statics_quantity(e, spec);
         const bool bodies = spec.subscript == Subscript::body || spec.subscript == Subscript::optional_body || spec.subscript == Subscript::body_and_axis || spec.subscript == Subscript::body_and_two_axes;
         const bool lines = spec.subscript == Subscript::body_and_line || spec.subscript == Subscript::body_and_three_lines;
         const bool dampers = spec.subscript == Subscript::optional_damper;
@@ -245,6 +246,39 @@ private:
             else coordinate(child);
         }
         return allow(e, dependence(spec), spec.is_place ? "a place of a body" : "a derived quantity");
+    }
+
+    /// A quantity of a solid, a load or of what may stick.
+    unsigned statics_quantity(const Expression& e, const QuantitySpec& spec) {
+        const Expression& named = *e.children[0];
+        const bool is_name = named.kind == Kind::name && named.children.empty();
+        const auto unknown = [&](const char* what, const std::vector<std::string>& known) {
+            error(Id::unknown_name, named.span, fmt::format("'{}' is not {}{}", named.written(), what, did_you_mean(named.name, known)));
+            return 0U;
+        };
+        if (spec.subscript == Subscript::sticking) {
+            if (!is_name || names_.find_sticking(named.name) == nullptr) return unknown("an entry of [sticking]", names_.stickings());
+            return allow(e, dependence(spec), "a derived quantity");
+        }
+        if (spec.subscript <= Subscript::solid_and_axes) {
+            if (!is_name || names_.find_solid(named.name) == nullptr) return unknown("a solid", names_.solids());
+            for (std::size_t i = 1; i < e.children.size(); ++i) whole_number(*e.children[i]);
+            return allow(e, on_parameters, "made of parameters");
+        }
+        const Load* load = is_name ? names_.find_load(named.name) : nullptr;
+        if (load == nullptr) return unknown("a load", names_.loads());
+        if (spec.subscript == Subscript::load_and_axis) {
+            whole_number(*e.children[1]);
+        } else {
+            const Expression& asked = *e.children[1];
+            if (std::none_of(load->unknowns.begin(), load->unknowns.end(), [&](const Unknown& u) { return asked.kind == Kind::name && asked.children.empty() && u.name == asked.name; })) {
+                std::vector<std::string> known;
+                for (const Unknown& u : load->unknowns) known.push_back(u.name);
+                error(Id::unknown_name, asked.span, fmt::format("'{}' is not an unknown of load '{}'{}", asked.written(), load->name, known.empty() ? "; it has none" : "; they are " + quoted_list(known)), {{load->span, "the load is defined here"}});
+                return 0;
+            }
+        }
+        return allow(e, dependence(*load, names_), "what follows from forces that depend on more");
     }
 
     unsigned surface_quantity(const Expression& e, const QuantitySpec& spec) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/checks.hpp"
+#include "model/sites.hpp"
 #include "model/vocabulary.hpp"
 
 namespace dalembert {
@@ -54,6 +57,10 @@ public:
         each_separately(model_.torques);
         each_separately(model_.jets);
         each_separately(model_.cuts);
+        each_separately(model_.solids);
+        each_separately(model_.loads);
+        for (const Load& load : model_.loads) each_separately(load.parts);
+        each_separately(model_.stickings);
         each_separately(model_.kinetic);
         each_separately(model_.potentials);
         each_separately(model_.generalised_forces);
@@ -146,31 +153,81 @@ private:
     Diagnostics& diagnostics_;
 };
 
-/// Reports definitions that need themselves; the others can be followed without end.
-void check_definition_cycles(const Model& model, const Names& names, Diagnostics& diagnostics) {
-    std::set<const Definition*> done;
-    std::vector<const Definition*> path;
-    const std::function<void(const Definition&)> follow = [&](const Definition& definition) {
-        if (const auto at = std::find(path.begin(), path.end(), &definition); at != path.end()) {
-            std::vector<Note> notes;
-            for (auto d = at + 1; d != path.end(); ++d) notes.push_back({(*d)->span, fmt::format("by way of '{}'", (*d)->name)});
-            diagnostics.error(Id::cyclic_definition, definition.span, fmt::format("the definition of '{}' needs '{}' itself", definition.name, definition.name), notes);
-            return;
-        }
-        if (!done.insert(&definition).second) return;
-        constexpr std::size_t deepest = 500;
-        if (path.size() >= deepest) {
-            diagnostics.error(Id::too_large, definition.span, fmt::format("'{}' stands behind more than {} definitions that need each other", definition.name, deepest));
-            return;
-        }
-        path.push_back(&definition);
-        for_each(*definition.value, [&](const Expression& e) {
-            const Named* named = e.kind == Kind::name ? names.find(e.name) : nullptr;
-            if (named != nullptr && named->kind == Named::Kind::definition) follow(named->definition());
+/// Reports definitions, solids and loads that need themselves; the others can be followed without end.
+class CycleCheck {
+public:
+    CycleCheck(const Names& names, Diagnostics& diagnostics) : names_(names), diagnostics_(diagnostics) {}
+
+    void follow(const Definition& definition) {
+        visit_once(definition, fmt::format("the definition of '{}' needs '{}' itself", definition.name, definition.name), [&] { names_in(*definition.value, {}); });
+    }
+    void follow(const Solid& solid) {
+        visit_once(solid, fmt::format("solid '{}' needs itself", solid.name), [&] {
+            visit(solid, [&](const Site& site) { names_in(*site.expression, site.bound); });
+            for (const auto* parts : {&solid.of, &solid.without})
+                for (const Reference& part : *parts)
+                    if (const Solid* other = names_.find_solid(part.name)) follow(*other);
         });
-        path.pop_back();
-    };
-    for (const Definition& definition : model.definitions) follow(definition);
+    }
+    void follow(const Load& load) {
+        visit_once(load, fmt::format("load '{}' needs what follows from it", load.name), [&] {
+            std::vector<std::string> own;
+            for (const Unknown& unknown : load.unknowns) own.push_back(unknown.name);
+            visit(load, [&](const Site& site) { names_in(*site.expression, own); });
+        });
+    }
+    void follow(const Sticking& sticking) {
+        visit_once(sticking, fmt::format("sticking '{}' needs what it says itself", sticking.name), [&] { visit(sticking, [&](const Site& site) { names_in(*site.expression, {}); }); });
+    }
+
+private:
+    /// What the names in an expression stand for, but for those that mean something else here.
+    void names_in(const Expression& e, const std::vector<std::string>& bound) {
+        if (e.kind == Kind::name && std::find(bound.begin(), bound.end(), e.name) != bound.end()) return;
+        const QuantitySpec* quantity = e.kind != Kind::name || e.children.empty() ? nullptr : find_quantity(e.name);
+        if (quantity != nullptr && quantity->subscript >= Subscript::solid && quantity->subscript <= Subscript::sticking) {
+            const std::string& name = e.children[0]->name;
+            if (const Solid* solid = names_.find_solid(name); solid != nullptr && quantity->subscript <= Subscript::solid_and_axes) follow(*solid);
+            else if (const Load* load = names_.find_load(name); load != nullptr && quantity->subscript <= Subscript::load_and_unknown) follow(*load);
+            else if (const Sticking* sticking = names_.find_sticking(name); sticking != nullptr && quantity->subscript == Subscript::sticking) follow(*sticking);
+            return;
+        }
+        const Named* named = e.kind == Kind::name ? names_.find(e.name) : nullptr;
+        if (named != nullptr && named->kind == Named::Kind::definition) follow(named->definition());
+        for (const ExpressionPtr& child : e.children) names_in(*child, bound);
+    }
+
+    template <class Visit>
+    void visit_once(const Item& item, const std::string& sentence, Visit visit) {
+        if (const auto at = std::find(path_.begin(), path_.end(), &item); at != path_.end()) {
+            std::vector<Note> notes;
+            for (auto between = at + 1; between != path_.end(); ++between) notes.push_back({(*between)->span, fmt::format("by way of '{}'", (*between)->name)});
+            diagnostics_.error(Id::cyclic_definition, item.span, sentence, notes);
+            return;
+        }
+        if (!done_.insert(&item).second) return;
+        constexpr std::size_t deepest = 500;
+        if (path_.size() >= deepest) {
+            diagnostics_.error(Id::too_large, item.span, fmt::format("'{}' stands behind more than {} definitions that need each other", item.name, deepest));
+            return;
+        }
+        path_.push_back(&item);
+        visit();
+        path_.pop_back();
+    }
+
+    const Names& names_;
+    Diagnostics& diagnostics_;
+    std::set<const Item*> done_;
+    std::vector<const Item*> path_;
+};
+
+void check_definition_cycles(const Model& model, const Names& names, Diagnostics& diagnostics) {
+    CycleCheck check(names, diagnostics);
+    for (const Definition& definition : model.definitions) check.follow(definition);
+    for (const Solid& solid : model.solids) check.follow(solid);
+    for (const Load& load : model.loads) check.follow(load);
+    for (const Sticking& sticking : model.stickings) check.follow(sticking);
 }
 
 }  // namespace

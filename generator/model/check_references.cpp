@@ -160,6 +160,8 @@ private:
         all(model_.enclosures);
         all(model_.attitudes);
         all(model_.cuts);
+        all(model_.loads);
+        all(model_.stickings);
         all(model_.modes);
         all(model_.constraints);
         all(model_.events);

@@ -54,7 +54,10 @@ public:
             for (const ExpressionPtr& part : attitude.start) si_value(part, Dimension::none(), "the start", "attitude", attitude);
             for (const ExpressionPtr& rate : attitude.start_rate) si_value(rate, Dimension::none() / Dimension::time(), "the start rate", "attitude", attitude);
         }
+        for (const Solid& solid : model_.solids) check(solid);
         for (const Body& body : model_.bodies) check(body);
+        for (const Load& load : model_.loads) check(load);
+        for (const Sticking& sticking : model_.stickings) check(sticking);
         for (const Cut& cut : model_.cuts) {
             vector(cut.direction, Dimension::none(), fmt::format("the direction of cut '{}'", cut.name));
             if (cut.about) vector(*cut.about, Dimension::length(), fmt::format("the point of cut '{}'", cut.name));
@@ -136,9 +139,9 @@ private:
         si_value(quantity.range->high, quantity.unit.dimension, "the range", kind, quantity);
     }
 
-    void vector(const VectorExpression& vector, const Dimension& expected, const std::string& what) {
+    void vector(const VectorExpression& vector, const Dimension& expected, const std::string& what, const Units::Bound& bound = {}) {
         static constexpr const char* axis[]{"x", "y", "z"};
-        for (std::size_t i = 0; i < 3; ++i) units_.expect(*vector[i], expected, fmt::format("the {} component of {}", axis[i], what));
+        for (std::size_t i = 0; i < 3; ++i) units_.expect(*vector[i], expected, fmt::format("the {} component of {}", axis[i], what), bound);
     }
 
     void force_on(const CoordinateEntry& entry, const char* kind, const Item& item) {
@@ -146,14 +149,55 @@ private:
                fmt::format("the force on '{}'", entry.coordinate).c_str(), kind, item);
     }
 
+    void check(const Solid& solid) {
+        const auto length = [&](const ExpressionPtr& e, const char* part) { expect(e, Dimension::length(), part, "solid", solid); };
+        if (solid.size) vector(*solid.size, Dimension::length(), fmt::format("the size of solid '{}'", solid.name));
+        length(solid.radius, "the radius");
+        length(solid.inner_radius, "the inner radius");
+        length(solid.top_radius, "the radius at the top");
+        length(solid.height, "the height");
+        const Units::Bound place{{"x", Dimension::length()}, {"y", Dimension::length()}, {"z", Dimension::length()}};
+        expect(solid.density, density, "the density", "solid", solid, place);
+        expect(solid.mass, Dimension::mass(), "the mass", "solid", solid);
+        if (solid.at) vector(*solid.at, Dimension::length(), fmt::format("the place of solid '{}'", solid.name));
+        for (const Turn& turn : solid.turns) expect(turn.angle, Dimension::none(), "a turn", "solid", solid);
+    }
+
+    void check(const Load& load) {
+        Units::Bound unknowns;
+        for (const Unknown& unknown : load.unknowns) unknowns[unknown.name] = unknown.unit.dimension;
+        if (load.about) vector(*load.about, Dimension::length(), fmt::format("the point of reference of load '{}'", load.name), unknowns);
+        for (const LoadPart& part : load.parts) {
+            const auto check_part = [&](const std::optional<VectorExpression>& e, const Dimension& expected, const char* what) {
+                if (e) vector(*e, expected, fmt::format("{} '{}' of load '{}'", what, part.name, load.name), unknowns);
+            };
+            check_part(part.at, Dimension::length(), "the point of force");
+            check_part(part.force, Dimension::force(), "force");
+            check_part(part.moment, Dimension::energy(), "moment");
+        }
+    }
+
+    void check(const Sticking& sticking) {
+        expect(sticking.coefficient, Dimension::none(), "the coefficient", "sticking", sticking);
+        expect(sticking.angle, Dimension::none(), "the angle", "sticking", sticking);
+        expect(sticking.normal, Dimension::force(), "the normal force", "sticking", sticking);
+        for (const auto* forces : {&sticking.tangential, &sticking.tensions})
+            for (const ExpressionPtr& force : *forces) expect(force, Dimension::force(), forces == &sticking.tensions ? "a tension" : "the tangential force", "sticking", sticking);
+    }
+
     void check(const Body& body) {
+        if (body.solid) return check_placement(body);  // what the solid brings has its units
         expect(body.mass, Dimension::mass(), "the mass", "body", body);
-        if (body.position) vector(*body.position, Dimension::length(), fmt::format("the position of body '{}'", body.name));
-        expect(body.rotation, Dimension::none(), "the rotation", "body", body);
-        expect(body.angular_velocity, Dimension::none() / Dimension::time(), "the angular velocity", "body", body);
         expect(body.inertia, Dimension::inertia(), "the inertia", "body", body);
         for (const auto& row : body.tensor)
             for (const ExpressionPtr& moment : row) expect(moment, Dimension::inertia(), "the inertia", "body", body);
+        check_placement(body);
+    }
+
+    void check_placement(const Body& body) {
+        if (body.position) vector(*body.position, Dimension::length(), fmt::format("the position of body '{}'", body.name));
+        expect(body.rotation, Dimension::none(), "the rotation", "body", body);
+        expect(body.angular_velocity, Dimension::none() / Dimension::time(), "the angular velocity", "body", body);
         for (const Turn& turn : body.turns) expect(turn.angle, Dimension::none(), "a turn", "body", body);
         if (body.origin) vector(*body.origin, Dimension::length(), fmt::format("the origin of body '{}'", body.name));
         if (body.centre) vector(*body.centre, Dimension::length(), fmt::format("the centre of body '{}'", body.name));

@@ -42,6 +42,9 @@ void warn_of_vanishing(const Model& model, Diagnostics& diagnostics);
 /// Bodies, coordinates, effects and scenes that items refer to by name.
 void check_references(const Model& model, Diagnostics& diagnostics);
 
+/// Solids that others are made of.
+void check_statics(const Model& model, Diagnostics& diagnostics);
+
 /// Modes, constraints and events: what they refer to, what a mode must not change, guards that never move.
 void check_switching(const Model& model, Diagnostics& diagnostics);
 

@@ -368,6 +368,23 @@ std::vector<ExpressionPtr> Entry::expressions(std::string_view key) const {
     return result;
 }
 
+std::vector<ExpressionPtr> Entry::one_or_two(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::one_or_two);
+    if (node == nullptr) return {};
+    if (node->kind != NodeKind::array) return {expression(*node, ValueType::one_or_two)};
+    std::vector<ExpressionPtr> result;
+    for (const DocumentNode& element : node->elements) result.push_back(expression(element, ValueType::expression));
+    if (result.size() != 1 && result.size() != 2) wrong_type(*node, ValueType::one_or_two);
+    return result;
+}
+
+const DocumentNode* Entry::table_of_tables(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::named_tables);
+    if (node == nullptr || node->kind == NodeKind::table) return node;
+    wrong_type(*node, ValueType::named_tables);
+    return nullptr;
+}
+
 std::vector<std::vector<ExpressionPtr>> Entry::matrix(std::string_view key) const {
     std::vector<std::vector<ExpressionPtr>> result;
     for (const DocumentNode* row : list(find(key, ValueType::matrix), ValueType::matrix)) {

@@ -51,6 +51,8 @@ public:
     std::optional<Reference> constraint(std::string_view key) const;
     std::vector<Reference> parts(std::string_view key) const;
     std::vector<ExpressionPtr> expressions(std::string_view key) const;
+    /// One or a list of two.
+    std::vector<ExpressionPtr> one_or_two(std::string_view key) const;
     /// Null for what is left out as "?".
     std::vector<std::vector<ExpressionPtr>> matrix(std::string_view key) const;
     /// One expression for all as a table of one.
@@ -71,6 +73,14 @@ public:
         }
     }
 
+    /// The same for a table of tables, each with its name.
+    template <class Read>
+    void each_named(std::string_view key, const SectionSpec& section, Read read) const {
+        const DocumentNode* node = table_of_tables(key);
+        if (node == nullptr) return;
+        for (const DocumentNode::Member& member : node->members) read(Entry(member, section, diagnostics_));
+    }
+
     /// name, span, doc, for, when
     void fill(Item& item) const;
 
@@ -83,6 +93,7 @@ private:
     std::optional<Reference> reference(std::string_view key, ValueType type, const char* what) const;
     /// The elements of a list; none, with an error, where it is no list.
     ValueType alternative(std::string_view key, ValueType type) const;
+    const DocumentNode* table_of_tables(std::string_view key) const;
     std::vector<const DocumentNode*> list(const DocumentNode* node, ValueType type) const;
     ExpressionPtr constant(const DocumentNode& node, const Unit& unit) const;
     ExpressionPtr bound(const DocumentNode& node, const Unit& unit) const;

@@ -2,6 +2,7 @@
 // What everything in a model has in common.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,14 @@ struct Range {
 struct Quantity : Item {
     Unit unit;
     std::optional<Range> range;
+};
+
+using VectorExpression = std::array<ExpressionPtr, 3>;
+
+/// A turn about an axis (0, 1, 2) of the frame that the turns before it have reached.
+struct Turn {
+    std::size_t axis = 0;
+    ExpressionPtr angle;
 };
 
 /// Another thing by its name, with an index where it is a family: a body, volume, reservoir or medium.

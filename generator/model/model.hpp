@@ -7,6 +7,7 @@
 
 #include "model/fluids.hpp"
 #include "model/heat.hpp"
+#include "model/statics.hpp"
 #include "model/switching.hpp"
 
 namespace dalembert {
@@ -49,14 +50,6 @@ struct Output : Item {
     std::optional<Unit> unit;
 };
 
-using VectorExpression = std::array<ExpressionPtr, 3>;
-
-/// A turn about an axis (0, 1, 2) of the frame that the turns before it have reached.
-struct Turn {
-    std::size_t axis = 0;
-    ExpressionPtr angle;
-};
-
 /// Start values of an orientation given by a unit quaternion, and of the angular velocity in the axes of what turns.
 struct Attitude : Item {
     std::vector<ExpressionPtr> start, start_rate;  ///< four and three, or none
@@ -76,6 +69,7 @@ struct Body : Item {
     std::optional<VectorExpression> origin;          ///< of its axes, in those of the body that it is placed on
     std::optional<VectorExpression> centre;          ///< of mass, in its axes
     std::optional<Reference> on;
+    std::optional<Reference> solid;                  ///< that mass, inertia and centre are taken from
 
     bool has_axes() const { return !tensor.empty() || !turns.empty() || attitude || origin || centre; }
 };
@@ -228,6 +222,7 @@ struct Model {
     std::vector<Output> outputs;
     std::optional<Gravity> gravity;
     std::vector<Attitude> attitudes;
+    std::vector<Solid> solids;
     std::vector<Body> bodies;
     std::vector<Spring> springs;
     std::vector<Damper> dampers;
@@ -235,6 +230,8 @@ struct Model {
     std::vector<Torque> torques;
     std::vector<Jet> jets;
     std::vector<Cut> cuts;
+    std::vector<Load> loads;
+    std::vector<Sticking> stickings;
     std::vector<KineticTerm> kinetic;
     std::vector<PotentialTerm> potentials;
     std::vector<GeneralisedForce> generalised_forces;

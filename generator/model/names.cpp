@@ -68,6 +68,9 @@ Names::Names(const Model& model) {
     for (const Friction& friction : model.frictions) frictions_.emplace(friction.name, &friction);
     for (const Constraint& constraint : model.constraints) constraints_.emplace(constraint.name, &constraint);
     for (const Cut& cut : model.cuts) cuts_.emplace(cut.name, &cut);
+    for (const Solid& solid : model.solids) solids_.emplace(solid.name, &solid);
+    for (const Load& load : model.loads) loads_.emplace(load.name, &load);
+    for (const Sticking& sticking : model.stickings) stickings_.emplace(sticking.name, &sticking);
     for (const ModeGroup& group : model.modes) add(group.modes, Named::Kind::mode);
     const auto add_parts = [&](const auto& items, Part::Kind kind) {
         for (const auto& item : items) parts_.emplace(item.name, Part{kind, &item});
@@ -114,6 +117,21 @@ const Constraint* Names::find_constraint(std::string_view name) const {
     return found == constraints_.end() ? nullptr : found->second;
 }
 
+const Solid* Names::find_solid(std::string_view name) const {
+    const auto found = solids_.find(name);
+    return found == solids_.end() ? nullptr : found->second;
+}
+
+const Load* Names::find_load(std::string_view name) const {
+    const auto found = loads_.find(name);
+    return found == loads_.end() ? nullptr : found->second;
+}
+
+const Sticking* Names::find_sticking(std::string_view name) const {
+    const auto found = stickings_.find(name);
+    return found == stickings_.end() ? nullptr : found->second;
+}
+
 const Friction* Names::find_friction(std::string_view name) const {
     const auto found = frictions_.find(name);
     return found == frictions_.end() ? nullptr : found->second;
@@ -131,6 +149,21 @@ std::vector<std::string> Names::parts(const std::vector<Part::Kind>& kinds) cons
     return names;
 }
 
+namespace {
+
+template <class Map>
+std::vector<std::string> keys_of(const Map& map) {
+    std::vector<std::string> names;
+    for (const auto& [name, item] : map) names.push_back(name);
+    return names;
+}
+
+}  // namespace
+
+std::vector<std::string> Names::solids() const { return keys_of(solids_); }
+std::vector<std::string> Names::loads() const { return keys_of(loads_); }
+std::vector<std::string> Names::stickings() const { return keys_of(stickings_); }
+
 std::vector<std::string> Names::all() const {
     std::vector<std::string> names;
     for (const auto& [name, entry] : table_) names.push_back(name);
@@ -140,6 +173,7 @@ std::vector<std::string> Names::all() const {
 unsigned dependence(const QuantitySpec& quantity) {
     if (quantity.is_property) return on_properties;
     if (quantity.is_place) return on_places;
+    if (quantity.subscript == Subscript::solid || quantity.subscript == Subscript::solid_and_axis || quantity.subscript == Subscript::solid_and_axes) return on_parameters;
     return quantity.subscript == Subscript::optional_damper ? on_losses : on_quantities;
 }
 
@@ -152,12 +186,19 @@ unsigned derivative_dependence(unsigned depends) {
 
 namespace {
 
+unsigned dependence(const Load& load, const Names& names, std::map<const Definition*, unsigned>& known);
+
 /// Definitions are followed once each: a chain of definitions may mention the same one exponentially often.
 unsigned dependence(const Expression& e, const Names& names, std::map<const Definition*, unsigned>& known) {
     using Kind = Expression::Kind;
     if (e.kind == Kind::name) {
         if (e.name == "t") return on_time;
         if (const QuantitySpec* quantity = find_quantity(e.name)) {
+            const bool is_of_load = quantity->subscript == Subscript::load_and_axis || quantity->subscript == Subscript::load_and_unknown;
+            if (is_of_load) {
+                const Load* load = e.children.empty() ? nullptr : names.find_load(e.children[0]->name);
+                return load == nullptr ? 0 : dependence(*load, names, known);
+            }
             unsigned result = dependence(*quantity);
             for (const ExpressionPtr& child : e.children) result |= dependence(*child, names, known);
             return result;
@@ -185,7 +226,41 @@ unsigned dependence(const Expression& e, const Names& names, std::map<const Defi
     return result;
 }
 
+unsigned dependence(const Load& load, const Names& names, std::map<const Definition*, unsigned>& known) {
+    // Its own unknowns are letters in it.
+    for (const Unknown& unknown : load.unknowns)
+        if (const Named* named = names.find(unknown.name); named != nullptr && named->kind == Named::Kind::definition) known[&named->definition()] = 0;
+    unsigned result = 0;
+    visit(load, [&](const Site& site) { result |= dependence(*site.expression, names, known); });
+    for (const Unknown& unknown : load.unknowns)
+        if (const Named* named = names.find(unknown.name); named != nullptr && named->kind == Named::Kind::definition) known[&named->definition()] = result;
+    return result;
+}
+
 }  // namespace
+
+std::set<std::string> loads_needed(const Load& load, const Names& names) {
+    std::set<std::string> loads;
+    std::set<const Definition*> seen;
+    for (const Unknown& unknown : load.unknowns)
+        if (const Named* named = names.find(unknown.name); named != nullptr && named->kind == Named::Kind::definition) seen.insert(&named->definition());
+    const std::function<void(const Expression&)> collect = [&](const Expression& expression) {
+        for_each(expression, [&](const Expression& e) {
+            if (e.kind != Expression::Kind::name) return;
+            const QuantitySpec* quantity = e.children.empty() ? nullptr : find_quantity(e.name);
+            if (quantity != nullptr && (quantity->subscript == Subscript::load_and_axis || quantity->subscript == Subscript::load_and_unknown)) loads.insert(e.children[0]->name);
+            const Named* named = names.find(e.name);
+            if (named != nullptr && named->kind == Named::Kind::definition && seen.insert(&named->definition()).second) collect(*named->definition().value);
+        });
+    };
+    visit(load, [&](const Site& site) { collect(*site.expression); });
+    return loads;
+}
+
+unsigned dependence(const Load& load, const Names& names) {
+    std::map<const Definition*, unsigned> known;
+    return dependence(load, names, known);
+}
 
 unsigned dependence(const Expression& e, const Names& names) {
     std::map<const Definition*, unsigned> known;

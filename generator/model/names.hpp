@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "model/model.hpp"
 #include "model/sites.hpp"
@@ -44,11 +45,17 @@ public:
     const Damper* find_damper(std::string_view name) const;
     const Constraint* find_constraint(std::string_view name) const;
     const Cut* find_cut(std::string_view name) const;
+    const Solid* find_solid(std::string_view name) const;
+    const Load* find_load(std::string_view name) const;
+    const Sticking* find_sticking(std::string_view name) const;
     const Friction* find_friction(std::string_view name) const;
     const Part* find_part(std::string_view name) const;
     /// The names of the parts of these kinds.
     std::vector<std::string> parts(const std::vector<Part::Kind>& kinds) const;
     std::vector<std::string> all() const;
+    std::vector<std::string> solids() const;
+    std::vector<std::string> loads() const;
+    std::vector<std::string> stickings() const;
     const std::map<std::string, Named, std::less<>>& table() const { return table_; }
 
 private:
@@ -58,14 +65,23 @@ private:
     std::map<std::string, const Constraint*, std::less<>> constraints_;
     std::map<std::string, const Cut*, std::less<>> cuts_;
     std::map<std::string, const Friction*, std::less<>> frictions_;
+    std::map<std::string, const Solid*, std::less<>> solids_;
+    std::map<std::string, const Load*, std::less<>> loads_;
+    std::map<std::string, const Sticking*, std::less<>> stickings_;
     std::map<std::string, Part, std::less<>> parts_;
 };
 
 /// What the time derivative of something depends on that depends on `depends` (bits of Dependence).
 unsigned derivative_dependence(unsigned depends);
 
-/// The bit of a derived quantity.
+/// The bit of a derived quantity that does not depend on what stands in its brackets.
 unsigned dependence(const QuantitySpec& quantity);
+
+/// The other loads whose unknowns or resultants a load needs, by way of definitions too.
+std::set<std::string> loads_needed(const Load& load, const Names& names);
+
+/// What a load depends on, its unknowns with it.
+unsigned dependence(const Load& load, const Names& names);
 
 /// What an expression depends on (bits of Dependence), definitions followed.
 unsigned dependence(const Expression& expression, const Names& names);

@@ -61,9 +61,13 @@ void read(const Entry& e, Body& body) {
     body.origin = e.vector("origin");
     body.centre = e.vector("centre");
     body.on = e.body("on");
+    body.solid = e.part("solid");
+    for (const char* key : {"mass", "inertia", "centre"})
+        if (body.solid && e.has(key))
+            e.error(Id::doubly_defined, e.span_of(key), fmt::format("body '{}' has a solid and a {}; the solid brings its {}", e.name(), key, key), {{e.span_of("solid"), "the solid stands here"}});
     if (body.has_axes()) return in_space(e, body);
     if (e.has("mass") && !e.has("position")) e.error(Id::missing_key, e.span(), fmt::format("body '{}' has a mass but no position", e.name()));
-    if (!e.has("mass") && !e.has("inertia"))
+    if (!e.has("mass") && !e.has("inertia") && !body.solid)
         e.error(Id::missing_key, e.span(), fmt::format("body '{}' has neither mass nor inertia; without either it is no body", e.name()));
     if (e.has("rotation") && e.has("angular_velocity"))
         e.error(Id::doubly_defined, e.span_of("angular_velocity"),

@@ -5,10 +5,12 @@
 
 #include "model/checks.hpp"
 #include "model/entry.hpp"
+#include "model/expand_statics.hpp"
 #include "model/expand_switching.hpp"
 #include "model/read_fluids.hpp"
 #include "model/read_heat.hpp"
 #include "model/read_mechanics.hpp"
+#include "model/read_statics.hpp"
 #include "model/read_switching.hpp"
 #include "model/verdict.hpp"
 #include "text/files.hpp"
@@ -137,13 +139,18 @@ public:
         gravity();
         collection("attitudes", model_.attitudes);
         expand_attitudes(model_);
+        collection("solids", model_.solids);
         collection("bodies", model_.bodies);
+        expand_solids(model_, diagnostics_);
         collection("springs", model_.springs);
         collection("dampers", model_.dampers);
         collection("forces", model_.forces);
         collection("torques", model_.torques);
         collection("jets", model_.jets);
         collection("cuts", model_.cuts);
+        collection("loads", model_.loads);
+        expand_loads(model_);
+        collection("sticking", model_.stickings);
         collection("kinetic", model_.kinetic);
         collection("potentials", model_.potentials);
         collection("generalised_forces", model_.generalised_forces);
@@ -260,6 +267,7 @@ Model read_model(const SourcePtr& source, Diagnostics& diagnostics) {
     check_names(model, diagnostics);
     diagnostics.stop_on_errors();
     check_references(model, diagnostics);
+    check_statics(model, diagnostics);
     check_balances(model, diagnostics);
     check_expressions(model, diagnostics);
     diagnostics.stop_on_errors();

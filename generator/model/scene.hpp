@@ -62,6 +62,9 @@ struct Scene {
     std::vector<Member<Force>> forces;
     std::vector<Member<Torque>> torques;
     std::vector<Member<Jet>> jets;
+    std::vector<const Solid*> solids;             ///< that anything uses, and what they are made of; in order of declaration
+    std::vector<const Load*> loads;
+    std::vector<const Sticking*> stickings;
     std::vector<Member<KineticTerm>> kinetic;
     std::vector<Member<PotentialTerm>> potentials;
     std::vector<Member<GeneralisedForce>> generalised_forces;

@@ -75,6 +75,7 @@ constexpr std::array body_keys{
     KeySpec{"inertia", T::tensor, false, "moment of inertia about the axis through its centre of mass; of a body in space the tensor in its own axes: [Jx, Jy, Jz], or three rows with products of inertia, as they stand in the matrix"},
     KeySpec{"turns", T::turns, false, "of a body in space: turns about its own axes one after the other, as [[\"z\", \"psi\"], [\"x\", \"theta\"]]"},
     KeySpec{"attitude", T::part, false, "instead of turns: an attitude, whose quaternion orients the body"},
+    KeySpec{"solid", T::part, false, "instead of mass, inertia and centre: a solid, in its axes, that they are taken from. Of a planar body its moment about z counts, and the position is that of its centre of mass"},
     KeySpec{"origin", T::vector, false, "instead of position: where its axes begin; [0, 0, 0] if left out"},
     KeySpec{"centre", T::vector, false, "with origin: its centre of mass, in its own axes; [0, 0, 0] if left out"},
     KeySpec{"on", T::body, false,
@@ -126,6 +127,43 @@ constexpr std::array cut_keys{
     KeySpec{"bodies", T::parts, true, "those that are cut free together"},
     KeySpec{"direction", T::vector, true, "of length 1, in the axes of the ground: the force that everything else exerts on the bodies is put out along it"},
     KeySpec{"about", T::vector, false, "a point: then the moment about the axis through it in the direction is put out"},
+    doc_key, when_key,
+};
+constexpr std::array solid_keys{
+    KeySpec{"shape", T::choice, false, "\"box\", \"cylinder\", \"cone\", \"sphere\", \"hemisphere\" or \"point\"; instead of `of`. The origin of its axes lies in the middle of a box, cylinder or sphere, and in the middle of the base of a cone or hemisphere; what is round is so about z, and stands towards +z"},
+    KeySpec{"size", T::vector, false, "of a box: its lengths along x, y and z"},
+    KeySpec{"radius", T::expression, false, "of what is round; of a cone that of its base"},
+    KeySpec{"inner_radius", T::expression, false, "of a hollow cylinder or sphere"},
+    KeySpec{"height", T::expression, false, "of a cylinder or cone, along z"},
+    KeySpec{"top_radius", T::expression, false, "of a frustum of a cone; 0 if left out: the cone ends in a point"},
+    KeySpec{"density", T::expression, false, "mass by volume; may depend on the place, as a polynomial in x, y and z along its own axes"},
+    KeySpec{"mass", T::expression, false, "instead: its mass, spread evenly"},
+    KeySpec{"of", T::parts, false, "instead of a shape: solids that are put together, placed in its axes"},
+    KeySpec{"without", T::parts, false, "with of: solids that are taken away, such as bores, with the density of what they are cut out of"},
+    KeySpec{"at", T::vector, false, "where the origin of its axes lies; [0, 0, 0] if left out"},
+    KeySpec{"turns", T::turns, false, "turns of its axes about themselves one after the other, as of bodies"},
+    doc_key,
+};
+constexpr std::array load_keys{
+    KeySpec{"forces", T::named_tables, true, "{ NAME = { at = [x, y, z], force = [x, y, z] } }, or { moment = [x, y, z] } for a pure couple; a force without `at` acts at the origin"},
+    KeySpec{"about", T::vector, false, "the point that moments are taken about; the origin if left out"},
+    KeySpec{"unknowns", T::named_tables, false, "{ NAME = \"N\" }: names with their units, that follow from the equilibrium. The forces may use them, and everything else; where a force acts, too, as long as the balances are linear in them"},
+    doc_key, when_key,
+};
+constexpr std::array load_part_keys{
+    KeySpec{"at", T::vector, false, "the point where it acts; [0, 0, 0] if left out"},
+    KeySpec{"force", T::vector, false, "the force"},
+    KeySpec{"moment", T::vector, false, "instead: a moment, the same about every point"},
+};
+constexpr SectionSpec load_part_spec{"forces", true, "", "", load_part_keys, ""};
+constexpr std::array unknown_keys{unit_key, doc_key};
+constexpr SectionSpec unknown_spec{"unknowns", true, "", "", unknown_keys, "unit"};
+constexpr std::array sticking_keys{
+    KeySpec{"normal", T::expression, false, "the force that presses the surfaces together"},
+    KeySpec{"tangential", T::one_or_two, false, "with normal: the force along the surface that friction has to bear, or its two components at right angles"},
+    KeySpec{"tensions", T::expressions, false, "instead: of a rope around a cylinder that stands, the forces at its two ends"},
+    KeySpec{"angle", T::expression, false, "with tensions: how far the rope goes around"},
+    KeySpec{"coefficient", T::expression, true, "of friction at rest"},
     doc_key, when_key,
 };
 constexpr std::array kinetic_keys{
@@ -399,6 +437,9 @@ constexpr std::array table{
                 "[bodies.rod]\nmass     = \"m_S\"\nposition = [\"s + l_S/2*sin(phi)\", \"-l_S/2*cos(phi)\", 0]\n"
                 "rotation = \"phi\"\ninertia  = \"m_S*(l_S^2 + b_S^2)/12\"",
                 body_keys, ""},
+    SectionSpec{"solids", true,
+                "Shapes of which mass, centre of mass (2.51)-(2.58) and tensor of inertia (2.167)-(2.173) are found by integration: solid_mass[NAME], centre_of_mass[NAME, i], inertia_about_centre[NAME, i, j], inertia_about_origin[NAME, i, j], in the axes that the solid is placed in.",
+                "[solids.rod]\nshape   = \"box\"\nsize    = [\"b_S\", \"l_S\", \"h_S\"]\nat      = [0, \"-l_S/2\", 0]\ndensity = \"rho_S\"", solid_keys, ""},
     SectionSpec{"attitudes", true, "Orientations by unit quaternions. NAME brings the states NAME_0, NAME_1, NAME_2, NAME_3, and the velocities dot(NAME_x), dot(NAME_y), dot(NAME_z): the angular velocity about the axes of what turns. NAME_x, NAME_y and NAME_z have no values themselves.",
                 "[attitudes.e]\nstart_rate = [0.01, 2, 0]", attitude_keys, ""},
     SectionSpec{"springs", true, "Elastic forces with a potential energy.",
@@ -411,6 +452,16 @@ constexpr std::array table{
                 "[jets.engine]\nfrom      = \"rocket\"\nmass_flow = \"mu\"\nvelocity  = [0, 0, \"-w\"]", jet_keys, ""},
     SectionSpec{"cuts", true, "Forces of rods, ropes, bearings and surfaces without a constraint of their own. cut_force[NAME] is what is left of mass times acceleration of the bodies, when gravity and the [forces] and [torques] on them are taken off: what everything else exerts on them, springs and dampers included.",
                 "[cuts.rod]\nbodies    = [\"bob\"]\ndirection = [\"-sin(phi)\", \"cos(phi)\"]", cut_keys, ""},
+    SectionSpec{"loads", true,
+                "Forces on a rigid body. resultant_force[NAME, i] and resultant_moment[NAME, i] are what they come to at a point (2.28)-(2.42). With unknowns the body is in equilibrium (2.39): the balances of force and moment are solved "
+                "for them, and the names of the unknowns stand for what follows.",
+                "[loads.cylinder]\nunknowns = { f_S = \"N\", f_N = \"N\" }\n"
+                "forces.rope   = { force = [\"-f_S*sin(alpha)\", 0, \"f_S*cos(alpha)\"] }\n"
+                "forces.wall   = { force = [\"f_N\", 0, 0] }\n"
+                "forces.weight = { force = [0, 0, \"-m*g\"] }", load_keys, ""},
+    SectionSpec{"sticking", true,
+                "Whether friction at rest can hold, by Coulomb's law (2.96), (2.107). sticks[NAME] is 1 or 0, sticking_margin[NAME] the force that is missing to slip, needed_coefficient[NAME] the coefficient that would just do (2.100).",
+                "[sticking.foot]\nnormal      = \"f_N\"\ntangential  = \"f_R\"\ncoefficient = \"mu_H\"", sticking_keys, ""},
     SectionSpec{"kinetic", true, "Kinetic energy for which there is no component.",
                 "[kinetic.gear]\nenergy = \"i_g^2*theta_m*dot(phi)^2/2\"", kinetic_keys, ""},
     SectionSpec{"potentials", true, "Potential energy for which there is no component, or generalised forces that have one.",
@@ -494,6 +545,8 @@ std::string section_reference(const SectionSpec& section) {
 
 std::span<const SectionSpec> sections() { return table; }
 const SectionSpec& phase_section() { return phase_spec; }
+const SectionSpec& load_part_section() { return load_part_spec; }
+const SectionSpec& unknown_section() { return unknown_spec; }
 
 const SectionSpec* find_section(std::string_view name) {
     const auto found = std::find_if(table.begin(), table.end(), [&](const SectionSpec& s) { return name == s.name; });
@@ -542,6 +595,8 @@ const char* describe(ValueType type) {
         case T::choice: return "one of";
         case T::plots: return "list of plots";
         case T::tables: return "list of { KEY = ... }";
+        case T::named_tables: return "{ NAME = { KEY = ... } }";
+        case T::one_or_two: return "expression or list of two";
         case T::boolean: break;
     }
     return "true or false";

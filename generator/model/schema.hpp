@@ -46,6 +46,8 @@ enum class ValueType {
     choice,
     plots,
     tables,      ///< each with keys of its own
+    named_tables,
+    one_or_two,  ///< expressions
     boolean,
 };
 
@@ -66,8 +68,10 @@ struct SectionSpec {
 };
 
 std::span<const SectionSpec> sections();
-/// Of the phases of a profile.
+/// Of the phases of a profile; of the forces and the unknowns of a load.
 const SectionSpec& phase_section();
+const SectionSpec& load_part_section();
+const SectionSpec& unknown_section();
 const SectionSpec* find_section(std::string_view name);
 const KeySpec* find_key(const SectionSpec& section, std::string_view name);
 const char* describe(ValueType type);

@@ -75,6 +75,10 @@ public:
         choose(model_.enclosures, scene_.enclosures);
         choose(model_.constraints, scene_.constraints);
         choose(model_.events, scene_.events);
+        for (const Load& load : model_.loads)
+            if (scene_.holds(load.when)) scene_.loads.push_back(&load);
+        for (const Sticking& sticking : model_.stickings)
+            if (scene_.holds(sticking.when)) scene_.stickings.push_back(&sticking);
         complete_modes(scene_);
         const bool any_mass = std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [](const auto& body) { return body.item->mass != nullptr; });
         if (model_.gravity && any_mass && scene_.holds(model_.gravity->when)) scene_.gravity = &*model_.gravity;
@@ -96,6 +100,11 @@ public:
         use_all(scene_.forces, "force");
         use_all(scene_.torques, "torque");
         use_all(scene_.jets, "jet");
+        for (const Load* load : scene_.loads) use_load(*load);
+        for (const Sticking* sticking : scene_.stickings) {
+            owner_ = fmt::format("sticking '{}'", sticking->name);
+            visit(*sticking, [&](const Site& site) { use(site); });
+        }
         use_all(scene_.kinetic, "kinetic term");
         use_all(scene_.potentials, "potential");
         use_all(scene_.generalised_forces, "generalised force");
@@ -135,9 +144,12 @@ public:
         for (const Definition& definition : model_.definitions)
             if (used_.contains(definition.name) && (dependence(*definition.value, names_) & ~on_parameters) == 0)
                 add_members(definition, scene_.definitions);
+        for (const Solid& solid : model_.solids)
+            if (solids_.contains(solid.name)) scene_.solids.push_back(&solid);
         check_referred_bodies();
         check_determined();
-        if (scene_.coordinates.empty() && scene_.states.empty())
+        const bool is_at_rest = !scene_.loads.empty() || !scene_.solids.empty() || !scene_.stickings.empty();  // statics need nothing that moves
+        if (scene_.coordinates.empty() && scene_.states.empty() && !is_at_rest)
             fail(Id::nothing_left, model_.name_span, fmt::format("scene '{}' has neither a coordinate nor a state that anything uses", scene_.name));
         return std::move(scene_);
     }
@@ -181,11 +193,29 @@ private:
             if (e.kind != Kind::name || bound) return;
             fields_.tap(e);
             const QuantitySpec* quantity = find_quantity(e.name);
+            if (quantity != nullptr && !e.children.empty() && quantity->subscript >= Subscript::solid && quantity->subscript <= Subscript::solid_and_axes) use_solid(e.children[0]->name);
             if (quantity != nullptr && quantity->is_of_medium(e.children.size())) {  // a property of a medium, at any temperature
                 media_.insert(e.children[0]->name);
                 scene_.thermal_media.insert(e.children[0]->name);
             }
             use_name(e.name, e.span);
+        });
+    }
+
+    void use_solid(const std::string& name) {
+        if (!solids_.insert(name).second) return;
+        const Solid& solid = *names_.find_solid(name);
+        visit(solid, [&](const Site& site) { use(site); });
+        for (const auto* parts : {&solid.of, &solid.without})
+            for (const Reference& part : *parts) use_solid(part.name);
+    }
+
+    /// Its unknowns are letters in it, and belong to the scene where something else uses them.
+    void use_load(const Load& load) {
+        owner_ = fmt::format("load '{}'", load.name);
+        visit(load, [&](Site site) {
+            for (const Unknown& unknown : load.unknowns) site.bound.push_back(unknown.name);
+            use(site);
         });
     }
 
@@ -366,6 +396,7 @@ private:
     FieldChoice fields_;
     std::set<std::string> effects_;
     std::set<std::string> used_;
+    std::set<std::string> solids_;
     std::set<std::string> media_;  ///< held by a volume or reservoir, or asked for
     std::string owner_;
 };

@@ -139,6 +139,41 @@ void visit(const Body& item, const SiteVisitor& visitor) {
     each(item.on);
 }
 
+void visit(const Solid& item, const SiteVisitor& visitor) {
+    const Visit each(item, "solid", visitor);
+    each(item.size, constant_only, "size");
+    each(item.radius, constant_only, "radius");
+    each(item.inner_radius, constant_only, "inner radius");
+    each(item.top_radius, constant_only, "radius at the top");
+    each(item.height, constant_only, "height");
+    if (item.density) visitor({item.density.get(), constant_only, "the density of " + each.owner_, {"x", "y", "z"}, false, false, true});
+    each(item.mass, constant_only, "mass");
+    each(item.at, constant_only, "place");
+    for (const Turn& turn : item.turns) each(turn.angle, constant_only, "turns");
+}
+
+void visit(const Load& item, const SiteVisitor& visitor) {
+    const Visit each(item, "load", visitor);
+    constexpr unsigned anything = on_anything & ~on_outputs;
+    each(item.about, anything, "point of reference");
+    for (const LoadPart& part : item.parts) {
+        const auto named = [&](const char* what) { return fmt::format("{} '{}'", what, part.name); };
+        each(part.at, anything, named("point of force").c_str());
+        each(part.force, anything, named("force").c_str());
+        each(part.moment, anything, named("moment").c_str());
+    }
+}
+
+void visit(const Sticking& item, const SiteVisitor& visitor) {
+    const Visit each(item, "sticking", visitor);
+    constexpr unsigned anything = on_anything & ~on_outputs;
+    each(item.normal, anything, "normal force");
+    for (const ExpressionPtr& force : item.tangential) each(force, anything, "tangential force");
+    for (const ExpressionPtr& force : item.tensions) each(force, anything, "tensions");
+    each(item.angle, anything, "angle");
+    each(item.coefficient, anything, "coefficient");
+}
+
 void visit(const Cut& item, const SiteVisitor& visitor) {
     const Visit each(item, "cut", visitor);
     for (const Reference& body : item.bodies) each(body);
@@ -434,6 +469,7 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.outputs);
     if (model.gravity) visit(*model.gravity, visitor);
     all(model.attitudes);
+    all(model.solids);
     all(model.bodies);
     all(model.springs);
     all(model.dampers);
@@ -441,6 +477,8 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.torques);
     all(model.jets);
     all(model.cuts);
+    all(model.loads);
+    all(model.stickings);
     all(model.kinetic);
     all(model.potentials);
     all(model.generalised_forces);

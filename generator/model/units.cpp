@@ -164,6 +164,21 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
         return {energy / of(*constraint.position, {}).dimension};
     }
     if (e.name == "cut_force") return {names_.find_cut(e.children[0]->name)->about ? energy : energy / Dimension::length()};
+    if (e.name == "solid_mass") return {Dimension::mass()};
+    if (e.name == "centre_of_mass") return {Dimension::length()};
+    if (e.name == "inertia_about_centre" || e.name == "inertia_about_origin") return {Dimension::inertia()};
+    if (e.name == "resultant_force") return {Dimension::force()};
+    if (e.name == "resultant_moment") return {energy};
+    if (e.name == "reaction") {
+        for (const Unknown& unknown : names_.find_load(e.children[0]->name)->unknowns)
+            if (unknown.name == e.children[1]->name) return {unknown.unit.dimension};
+        return anything;
+    }
+    if (e.name == "sticks" || e.name == "needed_coefficient") return {};
+    if (e.name == "sticking_margin") {
+        const Sticking& sticking = *names_.find_sticking(e.children[0]->name);
+        return of(sticking.normal ? *sticking.normal : *sticking.tensions[0], {});
+    }
     if (e.name == "angular_velocity") return {Dimension::none() / Dimension::time()};
     if (e.name == "spin") return {energy * Dimension::time()};
     if (e.name == "axis") return {Dimension::none()};

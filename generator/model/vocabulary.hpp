@@ -48,6 +48,12 @@ enum class Subscript {
     cut,
     body_and_line,         ///< a body and a coordinate that moves it
     body_and_three_lines,
+    solid,
+    solid_and_axis,
+    solid_and_axes,
+    load_and_axis,
+    load_and_unknown,
+    sticking,
     surface,          ///< an enclosure and the number of a surface
     two_surfaces,     ///< an enclosure and the numbers of two surfaces
     fluid,            ///< a volume or reservoir

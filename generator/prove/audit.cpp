@@ -8,6 +8,7 @@
 #include "model/verdict.hpp"
 #include "prove/media.hpp"
 #include "prove/passivity.hpp"
+#include "prove/statics_audit.hpp"
 
 namespace dalembert {
 
@@ -170,6 +171,8 @@ std::vector<const AuditEntry*> Audit::all() const {
     for (const AuditEntry& entry : media) result.push_back(&entry);
     for (const AuditEntry& entry : balances) result.push_back(&entry);
     for (const AuditEntry& entry : constraints) result.push_back(&entry);
+    for (const AuditEntry& entry : solids) result.push_back(&entry);
+    for (const AuditEntry& entry : loads) result.push_back(&entry);
     result.push_back(&power_balance);
     for (const AuditEntry& entry : eigenvalues) result.push_back(&entry);
     return result;
@@ -186,7 +189,7 @@ const char* Audit::power_balance_name(const System& system) {
 
 Audit audit(const System& system) {
     Prover prover(system);
-    return {compare_derivations(system, prover), compare_potentials(system, prover), compare_media(system, prover), compare_balances(system, prover), compare_virtual_work(system, prover), balance_power(system, prover), passive_network(system, prover)};
+    return {compare_derivations(system, prover), compare_potentials(system, prover), compare_media(system, prover), compare_balances(system, prover), compare_virtual_work(system, prover), compare_solids(system, prover), compare_loads(system, prover), balance_power(system, prover), passive_network(system, prover)};
 }
 
 std::optional<NotIntegrable> integrability(const System& system, const Generalised& force) {

@@ -18,6 +18,8 @@ struct Audit {
     std::vector<AuditEntry> media;        ///< integrability, (3.21) and (3.43), of each medium
     std::vector<AuditEntry> balances;     ///< mass and energy of each volume, and the changes of variable
     std::vector<AuditEntry> constraints;  ///< those with a multiplier: that their forces do no virtual work
+    std::vector<AuditEntry> solids;       ///< integrals and Steiner's theorem of each solid
+    std::vector<AuditEntry> loads;        ///< equilibrium of each load with unknowns
     AuditEntry power_balance;
     std::vector<AuditEntry> eigenvalues;  ///< of a passive network of heat: that they are real and not positive; else nothing
 

@@ -87,6 +87,41 @@ Found by_parts(const ex& polynomial, const ex& f, const symbol& x, int depth) {
     return rest ? Found(polynomial * *primitive - *rest) : std::nullopt;
 }
 
+/// sin(u)^a*cos(u)^b, with u of slope k: an odd power leaves a polynomial in the other function, even ones fall by two each time.
+ex integrate_powers_of_sine_and_cosine(const ex& u, const ex& k, int a, int b) {
+    const ex s = GiNaC::sin(u), c = GiNaC::cos(u);
+    if (a == 0 && b == 0) return u / k;
+    if (a == 1) return -GiNaC::pow(c, b + 1) / ((b + 1) * k);
+    if (b == 1) return GiNaC::pow(s, a + 1) / ((a + 1) * k);
+    if (a >= 2) return (-GiNaC::pow(s, a - 1) * GiNaC::pow(c, b + 1) / k + (a - 1) * integrate_powers_of_sine_and_cosine(u, k, a - 2, b)) / (a + b);
+    return (s * GiNaC::pow(c, b - 1) / k + (b - 1) * integrate_powers_of_sine_and_cosine(u, k, 0, b - 2)) / b;
+}
+
+/// The same of a product of such powers, all of one argument that is linear in x.
+Found integrate_sines_and_cosines(const ex& product, const symbol& x) {
+    constexpr int largest = 40;
+    ex u = 0;
+    int a = 0, b = 0;
+    bool fits = true;
+    const auto take = [&](const ex& factor) {
+        const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
+        const ex base = is_power ? factor.op(0) : factor;
+        const ex exponent = is_power ? factor.op(1) : ex(1);
+        const bool is_sine = is(base, "sin");
+        fits = fits && (is_sine || is(base, "cos")) && exponent.info(GiNaC::info_flags::posint) && exponent.info(GiNaC::info_flags::integer) && ex_to<numeric>(exponent) <= largest;
+        if (!fits) return;
+        fits = u.is_zero() || u.is_equal(base.op(0));
+        u = base.op(0);
+        (is_sine ? a : b) += ex_to<numeric>(exponent).to_int();
+    };
+    if (GiNaC::is_a<GiNaC::mul>(product))
+        for (const ex& factor : product) take(factor);
+    else
+        take(product);
+    const Found k = fits && a + b <= largest ? slope(u, x) : std::nullopt;
+    return k ? Found(integrate_powers_of_sine_and_cosine(u, *k, a, b)) : std::nullopt;
+}
+
 /// x^n*|x| and x^n*sign(x): on either side of zero a power.
 Found integrate_with_magnitude(const ex& rest, const ex& f, const symbol& x) {
     if (!f.op(0).is_equal(x)) return std::nullopt;
@@ -119,6 +154,7 @@ Found integrate_term(const ex& term, const symbol& x, int depth) {
 
     const auto scaled = [&](const Found& primitive) { return primitive ? Found(constant * *primitive) : std::nullopt; };
     if (variable.is_equal(x)) return constant * GiNaC::pow(x, 2) / 2;
+    if (const Found found = integrate_sines_and_cosines(variable, x)) return constant * *found;
     if (GiNaC::is_a<GiNaC::power>(variable)) return scaled(integrate_power(variable.op(0), variable.op(1), x));
     if (GiNaC::is_a<GiNaC::function>(variable)) return scaled(integrate_function(variable, x));
     if (!GiNaC::is_a<GiNaC::mul>(variable)) return std::nullopt;

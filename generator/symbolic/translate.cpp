@@ -95,7 +95,7 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
     if (named == nullptr) {
         if (!quantities_) fail(Id::not_allowed_here, e, fmt::format("'{}' has no meaning here", e.written()));
         std::vector<ex> arguments;
-        if (e.children.size() == 3) arguments = {0, visit(*e.children[1], indices, letters), visit(*e.children[2], indices, letters)};
+        if (find_quantity(e.name)->is_of_medium(e.children.size())) arguments = {0, visit(*e.children[1], indices, letters), visit(*e.children[2], indices, letters)};
         return quantities_(e, indices, arguments);
     }
     const int index = member_index(e, *named->item, indices);

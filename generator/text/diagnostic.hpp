@@ -61,6 +61,7 @@ enum class Id {
     mass_not_balanced,
     wrong_modes,
     undetermined,
+    no_equilibrium,
     doubly_determined,
     can_vanish,
     not_equal,

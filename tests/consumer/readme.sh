@@ -18,6 +18,8 @@ block 'run: dalembert check crane.toml' | tail -n +2 >check.expected
 block 'run: main' | tail -n +2 >main.expected
 block 'file: wheel.toml' >wheel.toml
 block 'run: dalembert check wheel.toml' | tail -n +2 >wheel.expected
+block 'file: ladder.toml' >ladder.toml
+block 'run: dalembert evaluate ladder.toml' | tail -n +2 >ladder.expected
 block 'file: lift.toml' >lift.toml
 block 'run: dalembert check lift.toml' | tail -n +2 >lift.expected
 block 'file: bar.toml' >bar.toml
@@ -25,7 +27,7 @@ block 'run: dalembert check bar.toml' | tail -n +2 >bar.expected
 block 'file: block.toml' >block.toml
 block 'run: dalembert simulate block.toml' | tail -n +2 >block.expected
 block 'run: dalembert modal systems/mechanics/drive_train.toml' | tail -n +2 >modal.expected
-for file in modal.expected wheel.toml wheel.expected block.toml block.expected crane.toml main.cpp check.expected main.expected lift.toml lift.expected bar.toml bar.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
+for file in modal.expected ladder.toml ladder.expected wheel.toml wheel.expected block.toml block.expected crane.toml main.cpp check.expected main.expected lift.toml lift.expected bar.toml bar.expected; do [ -s "$file" ] || { echo "README.md has no block for $file"; exit 1; }; done
 
 "$PROGRAM" check crane.toml >check.txt
 diff check.expected check.txt
@@ -33,6 +35,8 @@ diff check.expected check.txt
 diff wheel.expected wheel.txt
 "$PROGRAM" modal "$SOURCE/systems/mechanics/drive_train.toml" >modal.txt
 diff modal.expected modal.txt
+"$PROGRAM" evaluate ladder.toml >ladder.txt
+diff ladder.expected ladder.txt
 "$PROGRAM" check lift.toml >lift.txt
 diff lift.expected lift.txt
 "$PROGRAM" check bar.toml >bar.txt

@@ -24,6 +24,7 @@ namespace {
 const std::map<std::string, std::string> free_keys{
     {"sizes", "<NAME>"},     {"definitions", "<NAME>"},      {"state_rates", "<NAME>"}, {"outputs", "<NAME>"}, {"parameter", "<NAME>"},
     {"state", "<NAME>"},     {"input", "<NAME>"},            {"output", "<NAME>"},      {"values", "<NAME>"},  {"state_derivative", "<NAME>"},
+    {"unknown", "<NAME>"},   {"sticking", "<NAME>"},         {"operations", "<FUNCTION>"}, {"seconds", "<STAGE>"}};
     {"operations", "<FUNCTION>"}, {"definiteness", "<MATRIX>"}, {"seconds", "<STAGE>"}};
 
 void collect(const Json& value, const std::string& path, const std::string& key, std::set<std::string>& paths) {
@@ -86,7 +87,7 @@ TEST_CASE("the JSON fields are the documented ones") {
         {"generate", {{SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50", "-o", folder}, {systems + "cart_pendulum.toml", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
         {"effects", {{systems + "projectile.toml", "-o", folder, "--no-plot"}, {braked, "-o", folder, "--no-plot"}}},
         {"check", {{systems + "coupled_springs.toml"}, {systems + "cart_pendulum.toml"}}},
-        {"evaluate", {{systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {sliding, "--mode", "floor_sticks"}}},
+        {"evaluate", {{systems + "cart_pendulum.toml"}, {systems + "friction_limits.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {sliding, "--mode", "floor_sticks"}}},
         {"simulate", {{sliding, "--until", "1", "--no-plot", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--no-plot", "-o", folder}, {SOURCE_DIR "/systems/heat/voltage_regulator.toml", "--until", "1", "--no-plot", "-o", folder}}},
         {"equilibrium", {{model}, {sliding, "--mode", "floor_sticks"}}},
         {"modal", {{systems + "drive_train.toml"}, {model}, {sliding, "--mode", "floor_slides_forwards"}}},
