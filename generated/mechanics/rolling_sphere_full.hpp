@@ -16,14 +16,14 @@
 //     this code = the derivation: 20 of 20 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     11     3        2      0
+//   update                 1     12     4        2      0
 //   rhs                    0      1     0        0      0
 //   rhs_and_jacobian       0      1     0        0      0
 //   jacobian_p             2     16     0        2      0
 //   bias                   1      0     0        0      0
-//   output                 3      3     0        0      0
-//   output_jacobian_x      2      0     0        0      0
-//   output_jacobian_u      2      0     0        0      0
+//   output                 3      3     0        0      1
+//   output_jacobian_x      3      3     0        0      1
+//   output_jacobian_u      3      3     0        0      1
 //   kinetic_energy         1      5     0        0      0
 //   potential_energy       1      1     0        0      0
 //
@@ -117,6 +117,18 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// a where the condition holds, else b.
+template <class Scalar>
+Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
+    return condition ? a : b;
+}
+
+/// -1, 0 or 1; not a number stays what it is, here and below
+template <class Scalar>
+Scalar sign(const Scalar& x) noexcept {
+    return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(-1), x));
+}
+
 /// The number pi, to the digits of the type.
 template <class Scalar>
 Scalar pi() noexcept {
@@ -176,7 +188,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 11 *, 3 /, 2 sin or cos
+    /// Operations: 1 + or -, 12 *, 4 /, 2 sin or cos
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::cos;
@@ -187,19 +199,18 @@ public:
         const Scalar e3 = c_.J + e2;
         c_.k0 = Scalar(1) / e3;
         const Scalar sin_alpha = sin(p_.alpha);
-        const Scalar e4 = p_.m * p_.g;
-        const Scalar e5 = sin_alpha * e4;
-        c_.k1 = p_.R * e5;
+        c_.k1 = p_.g * sin_alpha * e1;
         c_.k2 = e3;
         const Scalar cos_alpha = cos(p_.alpha);
-        const Scalar e6 = cos_alpha * e4;
-        c_.k3 = e6;
-        c_.k4 = e5;
+        const Scalar e4 = p_.m * p_.g;
+        const Scalar e5 = cos_alpha * e4;
+        c_.k3 = e5;
+        c_.k4 = sin_alpha * e4;
         c_.k5 = e1;
-        const Scalar inverse_7 = Scalar(1) / cos_alpha;
-        c_.k6 = sin_alpha * inverse_7;
-        c_.k7 = p_.R * inverse_7 / p_.g;
-        c_.k8 = p_.mu_H * e6 - e5;
+        const Scalar e6 = Scalar(1) / p_.g / cos_alpha;
+        c_.k6 = e6 / p_.m;
+        c_.k7 = p_.mu_H * e5;
+        c_.k8 = p_.R * e6;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -295,45 +306,50 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 3 + or -, 3 *
+    /// Operations: 3 + or -, 3 *, 1 other functions
     ///     s = R*phi
     ///     f_N = m*g*cos(alpha)
     ///     f_r = -m*R*ddot(phi) + m*g*sin(alpha)
-    ///     mu_needed = -R*ddot(phi)/(g*cos(alpha)) + sin(alpha)/cos(alpha)
-    ///     reserve = m*R*ddot(phi) + m*g*(mu_H*cos(alpha) - sin(alpha))
+    ///     mu_needed = abs(m*R*ddot(phi) - m*g*sin(alpha))/(m*g*cos(alpha))
+    ///     reserve = m*mu_H*g*cos(alpha) - abs(m*R*ddot(phi) - m*g*sin(alpha))
     void output(const State& x, const Input& u, Scalar t, Output& y) const noexcept {
+        using std::abs;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar phi = x[0];
-        const Scalar e1 = c_.k5 * dxdt[1];
+        const Scalar e1 = c_.k4 - c_.k5 * dxdt[1];
+        const Scalar abs_2 = abs(-e1);
         y[0] = p_.R * phi;
         y[1] = c_.k3;
-        y[2] = c_.k4 - e1;
-        y[3] = c_.k6 - c_.k7 * dxdt[1];
-        y[4] = c_.k8 + e1;
+        y[2] = e1;
+        y[3] = c_.k6 * abs_2;
+        y[4] = c_.k7 - abs_2;
     }
 
     /// C = dh/dx.
-    /// Operations: 2 + or -
+    /// Operations: 3 + or -, 3 *, 1 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar t, OutputJacobianX& C) const noexcept {
         State dxdt;
         JacobianX J;
         rhs_and_jacobian(x, u, t, dxdt, J);
+        const Scalar sign_1 = detail::sign<Scalar>(c_.k5 * dxdt[1] - c_.k4);
         C[0] = p_.R;
         C[1] = Scalar(0);
         C[2] = Scalar(0) + (-c_.k5) * J[1];
-        C[3] = Scalar(0) + (-c_.k7) * J[1];
-        C[4] = Scalar(0) + (c_.k5) * J[1];
+        C[3] = Scalar(0) + (c_.k8 * sign_1) * J[1];
+        C[4] = Scalar(0) + (-c_.k5 * sign_1) * J[1];
         C[5] = Scalar(0);
         C[6] = Scalar(0);
         C[7] = Scalar(0) + (-c_.k5) * J[3];
-        C[8] = Scalar(0) + (-c_.k7) * J[3];
-        C[9] = Scalar(0) + (c_.k5) * J[3];
+        C[8] = Scalar(0) + (c_.k8 * sign_1) * J[3];
+        C[9] = Scalar(0) + (-c_.k5 * sign_1) * J[3];
     }
 
     /// D = dh/du.
-    /// Operations: 2 + or -
-    void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
+    /// Operations: 3 + or -, 3 *, 1 other functions
+    void output_jacobian_u(const State& x, const Input& u, Scalar t, OutputJacobianU& /*D*/) const noexcept {
+        State dxdt;
+        rhs(x, u, t, dxdt);
     }
 
     /// T in joules.
@@ -401,9 +417,9 @@ private:
         Scalar k3;  ///< m*g*cos(alpha)
         Scalar k4;  ///< m*g*sin(alpha)
         Scalar k5;  ///< m*R
-        Scalar k6;  ///< sin(alpha)/cos(alpha)
-        Scalar k7;  ///< R/(g*cos(alpha))
-        Scalar k8;  ///< m*g*(mu_H*cos(alpha) - sin(alpha))
+        Scalar k6;  ///< 1/(m*g*cos(alpha))
+        Scalar k7;  ///< m*mu_H*g*cos(alpha)
+        Scalar k8;  ///< R/(g*cos(alpha))
     };
     Cached c_{};
 };

@@ -84,6 +84,11 @@ public:
             result.difference.reset();
             return result;
         }
+        if (const auto solved = with_single_acceleration(left, right)) {
+            result.comparison = *solved;
+            result.difference.reset();
+            return result;
+        }
         result.comparison = prover_.compare_at_points(
             [this](const ex& e, const Point& point, int digits) { return value_on_motion(e, point, digits); }, left, right);
         if (result.comparison.verdict != Verdict::wrong) result.difference.reset();
@@ -184,6 +189,15 @@ private:
         }
         bordered(size - 1, size - 1) = -b;
         return prover_.proven_equal(bordered.determinant(GiNaC::determinant_algo::laplace), 0);
+    }
+
+    /// Of one acceleration that does not stand alone, as in a magnitude: with what it is.
+    std::optional<Comparison> with_single_acceleration(const ex& left, const ex& right) {
+        if (n_ != 1 || !has_inverse()) return std::nullopt;
+        const GiNaC::exmap solved{{acceleration(0), force(0) / mass(0, 0)}};
+        const Comparison comparison = prover_.equal(left.subs(solved, GiNaC::subs_options::no_pattern), right.subs(solved, GiNaC::subs_options::no_pattern));
+        const bool is_proven = comparison.verdict == Verdict::proven || comparison.verdict == Verdict::proven_under_assumption;
+        return is_proven ? std::optional(comparison) : std::nullopt;
     }
 
     /// Where M is singular at the point, no acceleration follows and nothing can be said of it.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The modal form of linear mechanical systems: the printed solution of Aufgabe 2.15, the laws (2.127) to (2.144), and motions against the
 // matrix exponential in long double, also where the book's formulas end.
-#include "dalembert/modal.hpp"
+#include "dalembert/modal_motion.hpp"
 
 #include <doctest/doctest.h>
 

@@ -24,7 +24,7 @@ namespace {
 const std::map<std::string, std::string> free_keys{
     {"sizes", "<NAME>"},     {"definitions", "<NAME>"},      {"state_rates", "<NAME>"}, {"outputs", "<NAME>"}, {"parameter", "<NAME>"},
     {"state", "<NAME>"},     {"input", "<NAME>"},            {"output", "<NAME>"},      {"values", "<NAME>"},  {"state_derivative", "<NAME>"},
-    {"unknown", "<NAME>"},   {"sticking", "<NAME>"},         {"operations", "<FUNCTION>"}, {"seconds", "<STAGE>"}};
+    {"unknown", "<NAME>"},   {"sticking", "<NAME>"},
     {"operations", "<FUNCTION>"}, {"definiteness", "<MATRIX>"}, {"seconds", "<STAGE>"}};
 
 void collect(const Json& value, const std::string& path, const std::string& key, std::set<std::string>& paths) {
