@@ -193,8 +193,9 @@ SolidProperties composed(const Solid& solid, const std::function<const SolidProp
     centre = without_quotients(centre);
     SpaceMatrix inertia = symmetric([](std::size_t, std::size_t) { return ex(0); });
     for (const auto& [sign, one] : parts) {
+        const ex factor = sign;
         const SpaceMatrix about = sum_of(one->about_centre, inertia_of_point(one->mass, kept(one->centre - centre)));
-        inertia = symmetric([&](std::size_t i, std::size_t j) { return inertia[i][j] + sign * about[i][j]; });
+        inertia = symmetric([&](std::size_t i, std::size_t j) { return inertia[i][j] + factor * about[i][j]; });
     }
     result.centre = origin + axes * centre;
     // Squares of distances from the centre stay such where that does not simplify: written out they would cancel.
@@ -203,9 +204,11 @@ SolidProperties composed(const Solid& solid, const std::function<const SolidProp
     // The integrals are sums over the parts.
     SolidMoments sum{0, {0, 0, 0}, symmetric([](std::size_t, std::size_t) { return ex(0); })};
     for (const auto& [sign, one] : parts) {
-        sum.mass += sign * one->direct.mass;
-        sum.first = sum.first + ex(sign) * one->direct.first;
-        sum.second = symmetric([&](std::size_t i, std::size_t j) { return sum.second[i][j] + sign * one->direct.second[i][j]; });
+        const SolidMoments& direct = one->direct;
+        const ex factor = sign;
+        sum.mass += factor * direct.mass;
+        sum.first = sum.first + factor * direct.first;
+        sum.second = symmetric([&](std::size_t i, std::size_t j) { return sum.second[i][j] + factor * direct.second[i][j]; });
     }
     const SpaceVector moved = axes * sum.first;
     result.direct.mass = sum.mass;

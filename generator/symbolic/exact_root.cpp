@@ -7,7 +7,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr std::size_t most_steps = 500;
+constexpr std::size_t most_root_steps = 500;
 
 /// Whether a stands behind b where monomials are ordered by the exponents of their letters, one after the other: an order that products
 /// keep, which the order of the terms in a polynomial is not.
@@ -53,7 +53,7 @@ std::optional<Polynomial> exact_quotient(const Polynomial& a, const Polynomial& 
     for (std::size_t step = 0; !rest.is_zero(); ++step) {
         const auto [m, c] = highest(rest);
         const Monomial ratio = m * raised(monomial, -1);
-        if (has_negative(ratio) || step == most_steps) return std::nullopt;
+        if (has_negative(ratio) || step == most_root_steps) return std::nullopt;
         Polynomial part;
         part.add(ratio, c / coefficient);
         quotient += part;
@@ -82,13 +82,13 @@ std::optional<Polynomial> exact_root(const Polynomial& p) {
         // p = (root + next + ...)^2: the highest term that is left is twice the first of the root times the next.
         const auto [m, c] = highest(rest);
         const Monomial next = m * raised(*first, -1);
-        if (has_negative(next) || !is_above(*first, next) || step == most_steps) return std::nullopt;
+        if (has_negative(next) || !is_above(*first, next) || step == most_root_steps) return std::nullopt;
         Polynomial part;
         part.add(next, c / (2 * *factor));
         Polynomial twice = root;
         twice *= Rational(2);
         twice += part;
-        rest = rest - Polynomial::product(twice, part, most_steps * most_steps);
+        rest = rest - Polynomial::product(twice, part, most_root_steps * most_steps);
         root += part;
     }
     return root * *outside;
