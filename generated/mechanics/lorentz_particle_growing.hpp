@@ -84,12 +84,12 @@ inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"rising_momentum", "kg*m^2/s", "canonical angular momentum about the axis, constant"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
-    Quantity{"m", "kg", "mass of the particle, here of an electron", 1e-31, 1e-20},
-    Quantity{"e", "C", "charge; an electron's is -e, which turns the other way", 1e-20, 1e-12},
-    Quantity{"B_0", "T", "magnetic flux density in the middle, along z", 0.0001, 10},
-    Quantity{"tau", "s", "time in which the rising field doubles", 1e-09, 1000},
-    Quantity{"v_x", "m/s", "velocity at the start", 0, 100000000},
-    Quantity{"v_z", "m/s", "velocity at the start, along the field", 0, 100000000},
+    Quantity{"m", "kg", "mass of the particle, here of a charged grain", 1e-12, 0.001},
+    Quantity{"e", "s*A", "charge; a negative one turns the other way", 1e-09, 1},
+    Quantity{"B_0", "T", "magnetic flux density in the middle, along z", 0.001, 10},
+    Quantity{"tau", "s", "time in which the rising field doubles", 0.0001, 1000},
+    Quantity{"v_x", "m/s", "velocity at the start", 0, 100},
+    Quantity{"v_z", "m/s", "velocity at the start, along the field", 0, 100},
 };
 
 /// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
@@ -103,7 +103,7 @@ struct Guard {
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
 /// Start values of the state in SI, for the default parameters.
-inline constexpr std::array<double, state_count> start_values{0, 0, 0, 4000000, 0, 2000000};
+inline constexpr std::array<double, state_count> start_values{0, 0, 0, 2, 0, 1};
 
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
@@ -126,12 +126,12 @@ namespace detail {
 /// Parameters in SI with their defaults.
 template <class Scalar>
 struct Parameters {
-    Scalar m = (Scalar(910900) + (Scalar(0) + (Scalar(0) + (Scalar(0) + Scalar(0) / Scalar(1000000000)) / Scalar(1000000000)) / Scalar(1000000000)) / Scalar(1000000000)) / Scalar(1000000000) / Scalar(1000000000) / Scalar(1000000000) / Scalar(1000000000);  ///< kg, mass of the particle, here of an electron
-    Scalar e = Scalar(801) / ((Scalar(5000) * Scalar(1000000000)) * Scalar(1000000000));  ///< C, charge; an electron's is -e, which turns the other way
-    Scalar B_0 = Scalar(1) / Scalar(100);  ///< T, magnetic flux density in the middle, along z
-    Scalar tau = Scalar(1) / Scalar(1000000);  ///< s, time in which the rising field doubles
-    Scalar v_x = Scalar(4000000);  ///< m/s, velocity at the start
-    Scalar v_z = Scalar(2000000);  ///< m/s, velocity at the start, along the field
+    Scalar m = Scalar(1) / Scalar(1000000);  ///< kg, mass of the particle, here of a charged grain
+    Scalar e = Scalar(1) / Scalar(1000);  ///< s*A, charge; a negative one turns the other way
+    Scalar B_0 = Scalar(1);  ///< T, magnetic flux density in the middle, along z
+    Scalar tau = Scalar(1) / Scalar(50);  ///< s, time in which the rising field doubles
+    Scalar v_x = Scalar(2);  ///< m/s, velocity at the start
+    Scalar v_z = Scalar(1);  ///< m/s, velocity at the start, along the field
 };
 
 /// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.

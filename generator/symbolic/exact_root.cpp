@@ -88,7 +88,7 @@ std::optional<Polynomial> exact_root(const Polynomial& p) {
         Polynomial twice = root;
         twice *= Rational(2);
         twice += part;
-        rest = rest - Polynomial::product(twice, part, most_root_steps * most_steps);
+        rest = rest - Polynomial::product(twice, part, most_root_steps * most_root_steps);
         root += part;
     }
     return root * *outside;
