@@ -6,6 +6,7 @@
 #include "command/json_output.hpp"
 #include "command/settings.hpp"
 #include "command/shared.hpp"
+#include "form/quantities.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/motion_at.hpp"
 

@@ -2,7 +2,7 @@
 // Numbers as C++ that means the same in every scalar type.
 #pragma once
 
-#include "prove/random_points.hpp"
+#include "form/random_points.hpp"
 
 namespace dalembert {
 

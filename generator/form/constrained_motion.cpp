@@ -249,12 +249,12 @@ private:
 
 }  // namespace
 
-std::optional<std::pair<std::size_t, ex>> coordinate_at_zero(const ex& position, const Symbols& symbols) {
+std::optional<std::pair<std::size_t, ex>> coordinate_at_zero(const ex& position, const Symbols& symbols, const std::function<bool(const ex&)>& may_divide_by) {
     for (std::size_t j = symbols.degrees(); j-- > 0;) {
         if (!symbols.has_value(j)) continue;
         const ex& q = symbols.get(SymbolKind::coordinate, j);
         const ex factor = partial(position, q).expand();
-        if (!GiNaC::is_a<GiNaC::numeric>(factor) || factor.is_zero()) continue;
+        if (factor.is_zero() || !(GiNaC::is_a<GiNaC::numeric>(factor) || (may_divide_by && may_divide_by(factor)))) continue;
         return std::pair(j, ex((-position.subs(GiNaC::ex(q) == 0, GiNaC::subs_options::no_pattern) / factor).expand()));
     }
     return std::nullopt;

@@ -3,6 +3,8 @@
 // elimination leaves free, and for the multipliers of the constraints from which nothing can be eliminated.
 #pragma once
 
+#include <functional>
+
 #include "form/system.hpp"
 
 namespace dalembert {
@@ -13,7 +15,8 @@ namespace dalembert {
 /// each other).
 void constrain(System& system);
 
-/// The last coordinate in which a position is linear with a number as its factor, and its value where the position is zero.
-std::optional<std::pair<std::size_t, GiNaC::ex>> coordinate_at_zero(const GiNaC::ex& position, const Symbols& symbols);
+/// The last coordinate in which a position is linear with a factor that may be divided by, a number if nothing else is said, and its value
+/// where the position is zero.
+std::optional<std::pair<std::size_t, GiNaC::ex>> coordinate_at_zero(const GiNaC::ex& position, const Symbols& symbols, const std::function<bool(const GiNaC::ex&)>& may_divide_by = nullptr);
 
 }  // namespace dalembert

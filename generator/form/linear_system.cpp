@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "form/random_points.hpp"
+
 namespace dalembert {
 
 using GiNaC::ex;
@@ -17,24 +19,10 @@ std::vector<const Variable*> movers(const Symbols& symbols) {
     return result;
 }
 
-/// Whether an expression is seen to have another value than zero, where every letter is a number of its own.
-bool is_seen_not_zero(const ex& e, const Symbols& symbols) {
-    GiNaC::exmap point;
-    int number = 7;
-    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-        if (GiNaC::is_a<GiNaC::symbol>(*part) && !point.contains(*part)) point[*part] = 0;
-    // By declaration, not by what GiNaC finds first.
-    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::input, SymbolKind::time})
-        for (const Variable& variable : symbols.all(kind))
-            if (point.contains(variable.symbol)) point[variable.symbol] = GiNaC::numeric(number += 2, 5);
-    const auto value = value_at(e, point, 30);
-    return value && cln::abs(*value) > cln::cl_RA(1) / cln::expt_pos(cln::cl_I(10), 15);
-}
-
 /// Reduces entries that look as if they moved, and do not, and tells of the first one that does.
 class Constants {
 public:
-    explicit Constants(const System& system) : symbols_(system.symbols), movers_(movers(system.symbols)) {
+    explicit Constants(const System& system) : symbols_(system.symbols), movers_(movers(system.symbols)), seems_zero_(system) {
         for (const Variable* mover : movers_) rest_[mover->symbol] = 0;
     }
 
@@ -45,7 +33,7 @@ public:
             if (!entry.has(mover->symbol)) continue;
             any = true;
             const ex slope = symbols_.without_definitions(partial(entry, mover->symbol));
-            if (is_seen_not_zero(slope, symbols_) || !slope.expand().is_zero()) {
+            if (!seems_zero_(slope) || !slope.expand().is_zero()) {
                 reason_ = fmt::format("{} depends on '{}'", name, mover->name);
                 return entry;
             }
@@ -63,6 +51,7 @@ public:
 private:
     const Symbols& symbols_;
     std::vector<const Variable*> movers_;
+    ZeroAtPoints seems_zero_;
     GiNaC::exmap rest_;
     std::string reason_;
 };

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "form/system.hpp"
+#include "form/random_points.hpp"
 #include "symbolic/quotient.hpp"
 #include "text/nearest.hpp"
 
@@ -12,54 +12,6 @@ namespace dalembert {
 using GiNaC::ex;
 
 namespace {
-
-/// Whether expressions are zero everywhere, by their values at some points. What is not zero at a point is proven not to be; what seems zero is
-/// proven when the solution is inserted.
-class ZeroAtPoints {
-public:
-    explicit ZeroAtPoints(const System& system) : symbols_(system.symbols) {
-        const Values defaults(system.scene, system.translate);
-        const GiNaC::exmap given = defaults.substitution();
-        std::uint32_t state = 2463534242U;
-        const auto share = [&] {  // between 0 and 1
-            state ^= state << 13U;
-            state ^= state >> 17U;
-            state ^= state << 5U;
-            return GiNaC::numeric(static_cast<long>(state % 1000U)) / 1000;
-        };
-        constexpr int count = 4;
-        for (int i = 0; i < count; ++i) {
-            GiNaC::exmap point;
-            for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::acceleration, SymbolKind::state_rate,
-                                          SymbolKind::multiplier})
-                for (const Variable& variable : symbols_.all(kind)) {
-                    const auto known = given.find(variable.symbol);
-                    const ex base = known == given.end() ? ex(0) : known->second;
-                    point[variable.symbol] = base.is_zero() ? ex(share() + GiNaC::numeric(1, 10)) : ex(base * (1 + (share() - GiNaC::numeric(1, 2)) / 4));
-                }
-            points_.push_back(std::move(point));
-        }
-    }
-
-    bool operator()(const ex& e) const {
-        if (e.is_zero()) return true;
-        const ex written = symbols_.without_definitions(e);
-        bool has_value = false;
-        for (const GiNaC::exmap& point : points_) {
-            const auto coarse = value_at(written, point, 60);
-            const auto fine = value_at(written, point, 120);
-            if (!coarse || !fine) continue;
-            has_value = true;
-            const cln::cl_RA shrinkage = cln::expt(cln::cl_RA(10), -30);  // rounding alone shrinks with the digits
-            if (!cln::zerop(*fine) && cln::abs(*fine) > shrinkage * cln::abs(*coarse)) return false;
-        }
-        return has_value;
-    }
-
-private:
-    const Symbols& symbols_;
-    std::vector<GiNaC::exmap> points_;
-};
 
 std::size_t term_count(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) ? e.nops() : 1; }
 
@@ -113,7 +65,7 @@ std::size_t weight(const ex& factor) {
 
 class LoadElimination {
 public:
-    LoadElimination(const System& system, const Load& load) : load_(load), is_zero_(system) {
+    LoadElimination(const System& system, const Load& load) : load_(load), seems_zero_(system) {
         for (const Unknown& unknown : load.unknowns) {
             letters_.push_back(GiNaC::realsymbol(unknown.name));
             named_[unknown.name] = letters_.back();
@@ -154,7 +106,7 @@ private:
                 balance.constant += rest;
             }
             clean(balance);
-            if (balance.unknowns() == 0 && is_zero_(balance.constant)) continue;  // says nothing, as three of them in a plane
+            if (balance.unknowns() == 0 && seems_zero_(balance.constant)) continue;  // says nothing, as three of them in a plane
             balances_.push_back(std::move(balance));
         }
     }
@@ -172,7 +124,7 @@ private:
     /// What is zero everywhere is a zero.
     void clean(Balance& balance) const {
         for (ex& factor : balance.factors)
-            if (is_zero_(factor)) factor = 0;
+            if (seems_zero_(factor)) factor = 0;
     }
 
     /// One that is not used yet, with as few unknowns as possible and the simplest factor.
@@ -220,7 +172,7 @@ private:
 
     void check_left_over() const {
         for (const Balance& balance : balances_)
-            if (!balance.pivot && !is_zero_(balance.constant))
+            if (!balance.pivot && !seems_zero_(balance.constant))
                 throw Failure(Diagnostic{Id::no_equilibrium, load_.span,
                                          fmt::format("load '{}' is a mechanism, which these forces set in motion: the balance of {} is left, and no unknown that could meet it", load_.name, balance_names[balance.which])});
     }
@@ -241,7 +193,7 @@ private:
     }
 
     const Load& load_;
-    ZeroAtPoints is_zero_;
+    mutable ZeroAtPoints seems_zero_;
     std::vector<ex> letters_;
     Letters named_;
     std::vector<LoadShare> shares_;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "form/linear_system.hpp"
+#include "form/quantities.hpp"
 #include "model/vocabulary.hpp"
 #include "text/diagnostic.hpp"
 
@@ -23,21 +24,17 @@ std::size_t coordinate(const System& system, const Expression& reference, const 
 }
 
 ex component(const SpaceVector& vector, const System& system, const Expression& index, const Indices& indices) {
-    const int i = index_value(index, system.scene, indices);
-    if (i >= 1 && i <= 3) return vector[static_cast<std::size_t>(i - 1)];
-    throw Failure(Diagnostic{Id::index_out_of_range, index.span, fmt::format("a vector has the components 1, 2 and 3, not {}", i)});
+    return vector[axis_place(system, index, indices)];
 }
 
 /// A component in the axes of the ground of a body's own axis.
 ex axis(const System& system, const Expression& e, const Indices& indices) {
     const BodyMotion& of = body(system, *e.children[0], indices);
-    SpaceMatrix axes{SpaceVector{GiNaC::cos(of.rotation), GiNaC::sin(of.rotation), 0}, SpaceVector{-GiNaC::sin(of.rotation), GiNaC::cos(of.rotation), 0}, SpaceVector{0, 0, 1}};
-    if (of.frame) axes = {of.frame->to_ground({1, 0, 0}), of.frame->to_ground({0, 1, 0}), of.frame->to_ground({0, 0, 1})};
-    else if (of.turns && !of.has_rotation)
+    if (!of.frame && of.turns && !of.has_rotation)
         throw Failure(Diagnostic{Id::needs_absent, e.span, fmt::format("body '{}' has an angular velocity but no rotation, so that its axes are not known", of.member.name())});
-    const int number = index_value(*e.children[1], system.scene, indices);
-    if (number < 1 || number > 3) throw Failure(Diagnostic{Id::index_out_of_range, e.children[1]->span, fmt::format("a body has the axes 1, 2 and 3, not {}", number)});
-    return component(axes[static_cast<std::size_t>(number - 1)], system, *e.children[2], indices);
+    SpaceVector own{0, 0, 0};
+    own[axis_place(system, *e.children[1], indices)] = 1;
+    return component(frame_of(of, system.symbols)->to_ground(own), system, *e.children[2], indices);
 }
 
 SpaceVector own_angular_velocity(const BodyMotion& body) { return body.frame ? body.frame->angular_velocity : SpaceVector{0, 0, body.angular_velocity}; }
@@ -151,6 +148,12 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
 }
 
 }  // namespace
+
+std::size_t axis_place(const System& system, const Expression& index, const Indices& indices) {
+    const int i = index_value(index, system.scene, indices);
+    if (i >= 1 && i <= 3) return static_cast<std::size_t>(i - 1);
+    throw Failure(Diagnostic{Id::index_out_of_range, index.span, fmt::format("there are the axes 1, 2 and 3, not {}", i)});
+}
 
 ex quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<ex>& arguments) {
     if (const auto of_statics = statics_quantity(system, e, indices)) return *of_statics;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "form/system.hpp"
+#include "form/quantities.hpp"
 #include "model/vocabulary.hpp"
 #include "symbolic/functions.hpp"
 
@@ -10,13 +10,6 @@ namespace dalembert {
 using GiNaC::ex;
 
 namespace {
-
-/// 1, 2 or 3 as a place in a vector.
-std::size_t axis_place(const System& system, const Expression& index, const Indices& indices) {
-    const int i = index_value(index, system.scene, indices);
-    if (i >= 1 && i <= 3) return static_cast<std::size_t>(i - 1);
-    throw Failure(Diagnostic{Id::index_out_of_range, index.span, fmt::format("there are the axes 1, 2 and 3, not {}", i)});
-}
 
 ex of_solid(const System& system, const Expression& e, const Indices& indices) {
     const SolidProperties& solid = system.solids.of(e.children[0]->name);

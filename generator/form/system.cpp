@@ -2,6 +2,7 @@
 #include "form/constrained_motion.hpp"
 #include "form/events.hpp"
 #include "form/named_balances.hpp"
+#include "form/quantities.hpp"
 
 #include <fmt/format.h>
 
@@ -156,7 +157,6 @@ void equations(System& system) {
 }
 
 void exchange_by_jets(System& system) {
-    if (system.ejections.empty()) return;
     ex power = 0;
     for (const Ejection& ejection : system.ejections) power -= ejection.leaving_power;
     for (const BodyMotion& body : system.bodies) power += carried_spin_energy(body, system.rate());

@@ -25,12 +25,6 @@ void place_on(BodyMotion& body, const BodyMotion& base) {
     if (body.has_rotation && base.has_rotation) body.rotation += base.rotation;
 }
 
-/// The axes of a body that turns in the plane.
-std::shared_ptr<const Frame> frame_of(const BodyMotion& base, const Symbols& symbols) {
-    if (base.frame) return base.frame;
-    return placed(nullptr, by_turns({{2, base.rotation}}, symbols), base.has_position ? base.position : SpaceVector{0, 0, 0}, symbols);
-}
-
 SpaceMatrix tensor_of(const Body& item, const Translator& translate, const Indices& indices) {
     SpaceMatrix tensor{SpaceVector{0, 0, 0}, SpaceVector{0, 0, 0}, SpaceVector{0, 0, 0}};
     for (std::size_t i = 0; i < 3 && !item.tensor.empty(); ++i)
@@ -83,6 +77,11 @@ void move_in_space(BodyMotion& body, const BodyMotion* base, const Translator& t
 }
 
 }  // namespace
+
+std::shared_ptr<const Frame> frame_of(const BodyMotion& base, const Symbols& symbols) {
+    if (base.frame) return base.frame;
+    return placed(nullptr, by_turns({{2, base.rotation}}, symbols), base.has_position ? base.position : SpaceVector{0, 0, 0}, symbols);
+}
 
 const BodyMotion* find_motion(const std::vector<BodyMotion>& motions, const Reference& reference, const Scene& scene, const Indices& indices) {
     const int index = reference.index ? index_value(*reference.index, scene, indices) : 0;

@@ -33,6 +33,9 @@ struct BodyMotion {
     SpaceVector in_used_axes(const SpaceVector& v) const { return is_seen_from_ground ? v : frame->from_ground(v); }
 };
 
+/// The axes of a body, also of one that turns in the plane.
+std::shared_ptr<const Frame> frame_of(const BodyMotion& body, const Symbols& symbols);
+
 /// Throws Failure (not-affine: an angular velocity that is not linear in the velocities; index-out-of-range).
 std::vector<BodyMotion> body_motions(const Scene& scene, const Translator& translate);
 

@@ -25,15 +25,13 @@ std::vector<AuditEntry> compare_derivations(const System& system, Prover& prover
     const std::vector<ex> lagrange = euler_lagrange(moving, symbols);
     // What a change of mass adds to d/dt(dT/dqd) leaves with the mass.
     Generalised carried(symbols.degrees(), 0);
-    if (!system.ejections.empty())
-        for (const BodyMotion& body : system.bodies) {
-            const Generalised one = carried_momentum(body, symbols, system.rate());
-            for (std::size_t j = 0; j < symbols.degrees(); ++j) carried[j] += one[j];
-        }
+    for (const BodyMotion& body : system.bodies) {
+        const Generalised one = carried_momentum(body, symbols, system.rate());
+        for (std::size_t j = 0; j < symbols.degrees(); ++j) carried[j] += one[j];
+    }
     std::vector<AuditEntry> entries;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
-        const ex inertial = system.ejections.empty() ? lagrange[j] : system.with_rates(lagrange[j]);
-        const ex other = inertial + symbols.along(system.potential_energy, j) - system.dissipative[j] - system.supplied[j] - system.fluids.force[j] - carried[j];
+        const ex other = system.with_rates(lagrange[j]) + symbols.along(system.potential_energy, j) - system.dissipative[j] - system.supplied[j] - system.fluids.force[j] - carried[j];
         entries.push_back({fmt::format("d'Alembert = Euler-Lagrange, {}", symbols.all(SymbolKind::coordinate)[j].name), prover.equal(system.residual[j], other)});
     }
     return entries;
@@ -61,18 +59,17 @@ AuditEntry balance_power(const System& system, Prover& prover) {
     GiNaC::exvector change;
     for (const ex& energy : system.kinetic) change.push_back(symbols.time_derivative(energy));
     for (const Potential& p : system.potentials) change.push_back(symbols.time_derivative(p.energy));
-    if (!system.internal_energy.is_zero()) change.push_back(system.with_rates(symbols.time_derivative(system.internal_energy)));
+    if (!system.internal_energy.is_zero()) change.push_back(symbols.time_derivative(system.internal_energy));
     // The energy of a cell of a field counts with the field; here the cell balances what comes to it from elsewhere.
     for (const NodeState& node : system.heat.nodes)
-        if (node.is_tapped) change.push_back(system.with_rates(symbols.time_derivative(node.stored_energy)));
+        if (node.is_tapped) change.push_back(symbols.time_derivative(node.stored_energy));
     ex power = system.supplied_power - system.dissipated_power + system.prescribed_power + system.exchanged_power;
     for (std::size_t i = 0; i < system.motion.free.size(); ++i) power += system.motion.residual[i] * symbols.get(SymbolKind::velocity, system.motion.free[i]);
     for (const std::size_t constraint : system.motion.multipliers) power += system.constraints[constraint].force * system.constraints[constraint].whole_rate;
     for (const auto& [node, heat] : system.heat.defined) power -= heat;
     const GiNaC::exmap held = system.held_motion();
     const auto in = [&](const ex& e) { return held.empty() ? e : e.subs(held, GiNaC::subs_options::no_pattern); };
-    const ex total = GiNaC::add(change);
-    return {"power balance", prover.equal(in(system.ejections.empty() ? total : system.with_rates(total)), in(power))};
+    return {"power balance", prover.equal(in(system.with_rates(GiNaC::add(change))), in(power))};
 }
 
 /// d(m)/dt = sum of the flows at the ports, and d(m*e)/dt = what the flows bring + heat + shaft - p*dV/dt, by the chain rule through

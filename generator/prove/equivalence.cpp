@@ -36,20 +36,7 @@ std::string positive_names(const std::set<std::string>& names) {
 
 }  // namespace
 
-Sign sign_at(const ValueAt& value) {
-    const auto coarse = value(60);
-    const auto fine = value(120);
-    const auto finest = value(180);
-    if (!coarse || !fine || !finest) return Sign::none;
-    if (cln::zerop(*finest)) return Sign::zero;
-    // A value that shrinks when more digits are used is nothing but rounding.
-    const cln::cl_R largest = cln::max(cln::abs(*coarse), cln::abs(*fine));
-    const cln::cl_RA shrinkage = cln::expt(cln::cl_RA(10), -30);
-    const bool shrinks = cln::zerop(largest) || cln::abs(*finest) <= shrinkage * largest;
-    return shrinks ? Sign::zero : Sign::not_zero;
-}
-
-Prover::Prover(const System& system) : system_(system), ranged_(system.translate) {}
+Prover::Prover(const System& system) : system_(system), seems_zero_(system), ranged_(system.translate) {}
 
 bool Prover::proven_equal(const ex& a, const ex& b) { return proven_equal(a, b, {}); }
 
@@ -71,35 +58,18 @@ bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>&
         const ex written = depth ? system_.symbols.without_definitions(difference, *depth) : difference;
         if (depth && written.is_equal(tried)) continue;
         // What differs somewhere is not worth the effort.
-        if (depth && system_.symbols.has_steps() && is_somewhere_not_zero(difference)) return false;
+        if (depth && system_.symbols.has_steps() && !seems_zero_(difference)) return false;
         tried = written;
         try {
             NormalForm form(positive, as_letters, joins_roots);
             if (!form.is_zero(written)) continue;
             // S^2 = 1, a positive root, I*den = 1: all of it is said of what is not zero. A zero that the form did not see proves nothing.
             const auto& claimed = form.must_not_vanish();
-            if (std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return is_somewhere_not_zero(e); })) return true;
+            if (std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return !seems_zero_(e); })) return true;
         } catch (const NoNormalForm&) {  // too large or outside what the method knows: not proven
         }
     }
     return false;
-}
-
-bool Prover::is_somewhere_not_zero(const ex& e) {
-    const auto [known, is_new] = somewhere_not_zero_.emplace(e, true);
-    if (!is_new) return known->second;
-    constexpr int tries = 3;
-    if (points_.empty()) {
-        RandomPoints random(system_);
-        for (int i = 0; i < tries; ++i) points_.push_back(random.next());
-    }
-    bool is_zero_somewhere = false;
-    for (const Point& point : points_) {
-        const Sign sign = sign_at([&](int digits) { return value_at(e, system_.symbols, point, digits); });
-        if (sign == Sign::not_zero) return true;
-        is_zero_somewhere = is_zero_somewhere || sign == Sign::zero;
-    }
-    return known->second = !is_zero_somewhere;
 }
 
 Comparison Prover::equal(const ex& a, const ex& b) {

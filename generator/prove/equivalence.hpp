@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "prove/random_points.hpp"
+#include "form/random_points.hpp"
 #include "symbolic/ranges.hpp"
 
 namespace dalembert {
@@ -14,14 +14,6 @@ struct Comparison {
     std::string reason = {};                   ///< why not checkable, or what is assumed
     std::optional<Point> counterexample = {};  ///< where the two differ
 };
-
-enum class Sign { none, zero, not_zero };
-
-/// A value computed with so many digits.
-using ValueAt = std::function<std::optional<cln::cl_R>(int)>;
-
-/// Whether a value is zero; none where it does not exist. Computed with 60, 120 and 180 digits.
-Sign sign_at(const ValueAt& value);
 
 /// Proofs are by normal form, first with definitions as letters, then written out. Where that decides nothing the two are compared
 /// at 30 random points with at least 60 digits. A difference is reported only when it was seen at a point.
@@ -39,15 +31,10 @@ public:
 
 private:
     bool proven_equal(const GiNaC::ex& a, const GiNaC::ex& b, const std::set<std::string>& positive, bool joins_roots = false);
-
-    /// Whether an expression is not zero at one of a few random points at least, as far as it has values there.
-    bool is_somewhere_not_zero(const GiNaC::ex& e);
-
-    const System& system_;
-    std::vector<Point> points_;
-    std::map<GiNaC::ex, bool, GiNaC::ex_is_less> somewhere_not_zero_;
     Comparison equal_under_waves(const GiNaC::ex& a, const GiNaC::ex& b);
 
+    const System& system_;
+    ZeroAtPoints seems_zero_;
     PositiveByRange ranged_;  ///< what is positive by ranges
 };
 

@@ -2,7 +2,7 @@
 // Numbers of a system at one point, from the symbolic derivation.
 #pragma once
 
-#include "prove/random_points.hpp"
+#include "form/random_points.hpp"
 
 namespace dalembert {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/printed.hpp"
 
+#include "balance/steps.hpp"
 #include "form/constrained_motion.hpp"
 
 #include <fmt/format.h>
@@ -137,18 +138,7 @@ private:
 
     /// A coordinate that a position is linear in, with a factor that does not move, and where it is when the position is zero.
     std::optional<std::pair<std::size_t, ex>> coordinate_on(const ex& position) {
-        const Symbols& symbols = system_.symbols;
-        for (std::size_t j = symbols.degrees(); j-- > 0;) {
-            if (!symbols.has_value(j)) continue;
-            const ex& q = symbols.get(SymbolKind::coordinate, j);
-            const ex factor = partial(position, q).expand();
-            bool moves = factor.has(symbols.time());
-            for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state})
-                for (const Variable& variable : symbols.all(kind)) moves = moves || factor.has(variable.symbol);
-            if (moves || prover_.proven_equal(factor, 0)) continue;
-            return std::pair(j, -position.subs(q == 0, GiNaC::subs_options::no_pattern) / factor);
-        }
-        return std::nullopt;
+        return coordinate_at_zero(position, system_.symbols, [&](const ex& factor) { return is_of_parameters(factor, system_.symbols) && !prover_.proven_equal(factor, 0); });
     }
 
     /// A point may set a parameter that definitions are made of.

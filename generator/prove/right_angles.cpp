@@ -18,7 +18,7 @@ using Kind = Expression::Kind;
 
 class RightAngles {
 public:
-    explicit RightAngles(const System& system) : system_(system), prover_(system) {}
+    explicit RightAngles(const System& system) : system_(system) {}
 
     void visit(const Expression& e, const Indices& indices) {
         if (e.kind == Kind::sum) {
@@ -36,6 +36,8 @@ public:
     }
 
 private:
+    Prover& prover() { return prover_ ? *prover_ : prover_.emplace(system_); }
+
     /// What a definition or output in it says.
     void definition(const Expression& e, const Indices& indices) {
         const Named* named = indices.contains(e.name) ? nullptr : system_.names.find(e.name);
@@ -60,14 +62,14 @@ private:
         const SpaceVector& v = body->velocity;
         const ex vector = dot(is_velocity ? v : time_derivative(v, system_.symbols), lines.tangent(q));
         const ex along = is_velocity ? lines.velocity_along(q) : lines.acceleration_along(q);
-        if (prover_.equal(along * lines.scale_factor(q), vector).verdict == Verdict::wrong)
+        if (prover().equal(along * lines.scale_factor(q), vector).verdict == Verdict::wrong)
             throw Failure(Diagnostic{Id::not_equal, e.span, fmt::format("'{}' is not the component of the vector. This is a defect of the program; please report it with the model", e.written())});
     }
 
     void at_right_angles(const Expression& e, const BodyMotion& body, const CurvilinearCoordinates& lines, std::size_t i, std::size_t j) {
-        if (!proven_.emplace(&body, std::pair(i, j)).second || prover_.proven_equal(lines.metric(i, j), 0)) return;
+        if (!proven_.emplace(&body, std::pair(i, j)).second || prover().proven_equal(lines.metric(i, j), 0)) return;
         const auto& coordinates = system_.symbols.all(SymbolKind::coordinate);
-        const bool is_seen = prover_.equal(lines.metric(i, j), 0).verdict == Verdict::wrong;
+        const bool is_seen = prover().equal(lines.metric(i, j), 0).verdict == Verdict::wrong;
         throw Failure(Diagnostic{Id::not_orthogonal, e.span,
                                  fmt::format("'{}' needs lines at right angles, but those of '{}' and '{}' through body '{}' are not{}: dr/d({}) . dr/d({}) is {}", e.written(), coordinates[i].name,
                                              coordinates[j].name, body.member.name(), is_seen ? "" : " proven to be", coordinates[i].name, coordinates[j].name, is_seen ? "not zero" : "not seen to be zero"),
@@ -75,7 +77,7 @@ private:
     }
 
     const System& system_;
-    Prover prover_;
+    std::optional<Prover> prover_;  ///< most ask for none
     std::set<std::pair<const Item*, Indices>> seen_;
     std::set<std::pair<const BodyMotion*, std::pair<std::size_t, std::size_t>>> proven_;
 };

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "prove/random_points.hpp"
+#include "form/random_points.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "prove/random_points.hpp"
+#include "form/random_points.hpp"
 
 #include <cln/float.h>
 
@@ -100,6 +100,37 @@ Point RandomPoints::next() {
         point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction);
     }
     return point;
+}
+
+Sign sign_at(const ValueAt& value) {
+    const auto coarse = value(60);
+    const auto fine = value(120);
+    const auto finest = value(180);
+    if (!coarse || !fine || !finest) return Sign::none;
+    if (cln::zerop(*finest)) return Sign::zero;
+    // A value that shrinks when more digits are used is nothing but rounding.
+    const cln::cl_R largest = cln::max(cln::abs(*coarse), cln::abs(*fine));
+    const cln::cl_RA shrinkage = cln::expt(cln::cl_RA(10), -30);
+    const bool shrinks = cln::zerop(largest) || cln::abs(*finest) <= shrinkage * largest;
+    return shrinks ? Sign::zero : Sign::not_zero;
+}
+
+bool ZeroAtPoints::operator()(const ex& e) {
+    if (e.is_zero()) return true;
+    const auto [known, is_new] = known_.emplace(e, false);
+    if (!is_new) return known->second;
+    constexpr int tries = 3;
+    if (points_.empty()) {
+        RandomPoints random(system_);
+        for (int i = 0; i < tries; ++i) points_.push_back(random.next());
+    }
+    bool is_zero_somewhere = false;
+    for (const Point& point : points_) {
+        const Sign sign = sign_at([&](int digits) { return value_at(e, system_.symbols, point, digits); });
+        if (sign == Sign::not_zero) return false;
+        is_zero_somewhere = is_zero_somewhere || sign == Sign::zero;
+    }
+    return known->second = is_zero_somewhere;
 }
 
 }  // namespace dalembert

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Seeded points in the declared ranges, values of expressions there with as many digits as wanted, and whether they are zero.
+#pragma once
+
+#include <cln/real.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "form/system.hpp"
+
+namespace dalembert {
+
+/// An exact value for every letter of the system but the definitions, which follow from the parameters.
+using Point = std::vector<std::pair<GiNaC::ex, Rational>>;
+
+class RandomPoints {
+public:
+    explicit RandomPoints(const System& system);
+    /// The next point. The sequence is the same on every run and machine.
+    Point next();
+
+private:
+    struct Interval {
+        GiNaC::ex letter;
+        Rational low;
+        Rational high;
+    };
+    std::vector<Interval> intervals_;
+    std::uint64_t state_ = 0x9E3779B97F4A7C15ULL;
+};
+
+/// The value computed with so many digits; nothing where it does not exist or is not real.
+std::optional<cln::cl_R> value_at(const GiNaC::ex& e, const Symbols& symbols, const Point& point, int digits);
+
+enum class Sign { none, zero, not_zero };
+
+/// A value computed with so many digits.
+using ValueAt = std::function<std::optional<cln::cl_R>(int)>;
+
+/// Whether a value is zero; none where it does not exist. Computed with 60, 120 and 180 digits.
+Sign sign_at(const ValueAt& value);
+
+/// Whether an expression is zero wherever it has a value, as far as a few points tell: what is not zero at one of them is proven not to be, what
+/// seems zero is to be proven otherwise. Without a value anywhere nothing seems zero.
+class ZeroAtPoints {
+public:
+    explicit ZeroAtPoints(const System& system) : system_(system) {}
+    bool operator()(const GiNaC::ex& e);
+
+private:
+    const System& system_;
+    std::vector<Point> points_;
+    std::map<GiNaC::ex, bool, GiNaC::ex_is_less> known_;
+};
+
+}  // namespace dalembert
