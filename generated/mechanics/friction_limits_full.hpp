@@ -10,7 +10,7 @@
 // Effects out: none
 //
 // Proven as identities:
-//     equilibrium of loads: 7 of 7
+//     equilibrium of loads: 8 of 8
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
 //     this code = the derivation: 17 of 17 functions
 //
@@ -43,7 +43,7 @@ inline constexpr std::size_t plain_state_count = 1;
 inline constexpr std::size_t state_count = 1;
 inline constexpr std::size_t input_count = 3;
 inline constexpr std::size_t output_count = 13;
-inline constexpr std::size_t parameter_count = 15;
+inline constexpr std::size_t parameter_count = 18;
 inline constexpr std::size_t guard_count = 0;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
@@ -52,7 +52,7 @@ struct input { enum : std::size_t { f_e = 0, f_S = 1, v = 2 }; };
 struct output { enum : std::size_t { rolling = 0, pull = 1, friction = 2, block_margin = 3, incline_holds = 4, incline_needs = 5,
     incline_most = 6, ladder_holds = 7, ladder_margin = 8, climbed = 9, steps = 10, rope_margin = 11, turns = 12 }; };
 struct parameter { enum : std::size_t { m = 0, g = 1, mu_H = 2, alpha = 3, beta = 4, m_P = 5, l = 6, h = 7, mu_L = 8, m_R = 9,
-    f_H = 10, f_V = 11, r_w = 12, l_mu = 13, tau_A = 14 }; };
+    f_H = 10, f_V = 11, r_w = 12, l_mu = 13, f_T = 14, df_T = 15, dphi = 16, tau_A = 17 }; };
 
 /// Name in the model, SI unit, description, and the declared range in SI.
 struct Quantity {
@@ -101,6 +101,9 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"f_V", "N", "load of a wheel", 1, 100000},
     Quantity{"r_w", "m", "radius of the wheel", 0.01, 2},
     Quantity{"l_mu", "m", "how far in front of its axle the ground bears the wheel, because both yield", 1e-06, 0.05},
+    Quantity{"f_T", "N", "tension of the rope at one end of a short piece of it", 1, 10000},
+    Quantity{"df_T", "N", "by how much it is larger at the other end", 0, 10},
+    Quantity{"dphi", "rad", "angle of the cylinder that the piece covers", 0.0001, 0.1},
     Quantity{"tau_A", "N*m", "torque that drives the other wheel", 0, 10000},
 };
 
@@ -188,6 +191,9 @@ struct Parameters {
     Scalar f_V = Scalar(500);  ///< N, load of a wheel
     Scalar r_w = Scalar(3) / Scalar(10);  ///< m, radius of the wheel
     Scalar l_mu = Scalar(1) / Scalar(2000);  ///< m, how far in front of its axle the ground bears the wheel, because both yield
+    Scalar f_T = Scalar(100);  ///< N, tension of the rope at one end of a short piece of it
+    Scalar df_T = Scalar(1);  ///< N, by how much it is larger at the other end
+    Scalar dphi = Scalar(1) / Scalar(50);  ///< rad, angle of the cylinder that the piece covers
     Scalar tau_A = Scalar(20);  ///< N*m, torque that drives the other wheel
 };
 
@@ -205,7 +211,7 @@ public:
     using Guards = std::array<Scalar, guard_count>;
     using JacobianX = std::array<Scalar, 1>;
     using JacobianU = std::array<Scalar, 3>;
-    using JacobianP = std::array<Scalar, 15>;
+    using JacobianP = std::array<Scalar, 18>;
     using JacobianT = std::array<Scalar, state_count>;
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
@@ -319,7 +325,7 @@ public:
         J[2] = Scalar(1);
     }
 
-    /// J = df/dp, parameters in the order of the table. 1 x 15, entry (i, j) at J[1*j + i].
+    /// J = df/dp, parameters in the order of the table. 1 x 18, entry (i, j) at J[1*j + i].
     /// Operations: none
     void jacobian_p(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         J[0] = Scalar(0);
@@ -337,6 +343,9 @@ public:
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
+        J[15] = Scalar(0);
+        J[16] = Scalar(0);
+        J[17] = Scalar(0);
     }
 
     /// J = df/dt at fixed x and u.
