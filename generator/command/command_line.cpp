@@ -162,7 +162,7 @@ private:
     void integration(CLI::App* verb, bool draws = true) {
         verb->add_option("--run", options_.run, "the [runs.NAME] to take; `reference`, or the only one, if left out");
         verb->add_option("--tolerance", options_.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
-        verb->add_option("--method", options_.method, "dopri5, rodas5p (for what is stiff), fehlberg78 or rk4")->check(CLI::IsMember({"dopri5", "rodas5p", "fehlberg78", "rk4"}));
+        verb->add_option("--method", options_.method, "dopri5, dop853 (for tight tolerances), rodas5p (for what is stiff), fehlberg78 or rk4")->check(CLI::IsMember({"dopri5", "dop853", "rodas5p", "fehlberg78", "rk4"}));
         verb->add_option("--step", options_.step, "step of rk4 in seconds")->check(CLI::PositiveNumber);
         verb->add_option("--samples", options_.samples, "number of intervals at which results are written")->check(CLI::Range(1, 1000000));
         verb->add_option("--periods", options_.periods, "length of the run in periods, where the run names a period")->check(CLI::PositiveNumber);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The explicit steppers of Boost.Odeint on fixed-size states, as the driver wants them. Step control is our own, because odeint's
-// controlled steppers take a step whose error is NaN for a success and go on.
+// The explicit steppers: those of Boost.Odeint on fixed-size states, as the driver wants them, and which method takes which. Step control
+// is our own, because odeint's controlled steppers take a step whose error is NaN for a success and go on.
 #pragma once
 
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
@@ -8,6 +8,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
+#include "dalembert/dop853.hpp"
 #include "dalembert/integration_options.hpp"
 #include "dalembert/status.hpp"
 #include "dalembert/stepper.hpp"
@@ -109,6 +110,7 @@ Outcome run_explicit(Run& run, Method method) {
         case Method::rk4: return run_explicit<RungeKutta4>(run, Steps::fixed);
         case Method::dopri5: return run_explicit<DormandPrince5>(run, Steps::dense);
         case Method::dopri5_controlled: return run_explicit<DormandPrince5>(run, Steps::to_outputs);
+        case Method::dop853: return run_explicit<DormandPrince853>(run, Steps::dense);
         case Method::fehlberg78: return run_explicit<Fehlberg78>(run, Steps::to_outputs);
         case Method::rodas5p: break;
     }

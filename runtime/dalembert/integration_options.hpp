@@ -11,6 +11,7 @@ enum class Method {
     rk4,                ///< classical Runge-Kutta, fixed step
     dopri5,             ///< Dormand-Prince 5(4), controlled, output points by its dense output
     dopri5_controlled,  ///< the same, but steps end on output points
+    dop853,             ///< Dormand-Prince 8(5,3), the same with dense output of order 7: for smooth motion at tight tolerances
     /// Fehlberg 7(8), controlled, steps end on output points; for smooth motion at tight tolerances. The difference of the pair
     /// vanishes for dx/dt = f(t): it does not see what depends on time alone, such as an input that jumps. Take dopri5 there.
     fehlberg78,

@@ -72,7 +72,9 @@ TEST_CASE("a relay that sticks rests, and event storms stop") {
         // A relay without anything that slows it: both sides lead back to the zero, where it rests.
         Two x{1, 0};
         const auto relay = [](const Two& at, double, Two& dxdt) { dxdt = {at[0] < 0 ? 1.0 : -1.0, 0}; };
-        const Outcome stuck = integrate(relay, x, 0.0, 3.0, with<Two>(method, 1e-9), nobody, first_state, passes);
+        // Its steps are as long as an estimate of errors allows that sees nothing but the jump: of dop853 two tolerances, of dopri5 twenty-eight.
+        const double tolerance = method == Method::dop853 ? 1e-6 : 1e-9;
+        const Outcome stuck = integrate(relay, x, 0.0, 3.0, with<Two>(method, tolerance), nobody, first_state, passes);
         CHECK(stuck.status == Status::success);
         CHECK(std::abs(x[0]) < (method == Method::rk4 ? 0.2 : 1e-6));
         CHECK(stuck.events < 1000);
@@ -187,7 +189,8 @@ TEST_CASE("guards without a guard, and guards that never change, change nothing"
         CHECK(x == y);
         CHECK(x == z);
         CHECK(plain.rhs_calls == none.rhs_calls);
-        CHECK(plain.rhs_calls == quiet.rhs_calls);
+        // To look within a step is free but for dop853.
+        CHECK(plain.rhs_calls + (method == Method::dop853 ? 3 * plain.steps : 0) == quiet.rhs_calls);
     }
 }
 

@@ -83,7 +83,7 @@ TEST_CASE("a right-hand side with a jump or a kink keeps its order where the cha
         double order;
         int steps;
     };
-    for (const Row& row : {Row{Method::rk4, 4, 40}, Row{Method::dopri5, 5, 40}, Row{Method::dopri5_controlled, 5, 40}, Row{Method::fehlberg78, 8, 16}}) {
+    for (const Row& row : {Row{Method::rk4, 4, 40}, Row{Method::dopri5, 5, 40}, Row{Method::dopri5_controlled, 5, 40}, Row{Method::dop853, 8, 8}, Row{Method::fehlberg78, 8, 16}}) {
         CAPTURE(static_cast<int>(row.method));
         CHECK(order(row.method, jump, jump_period, row.steps, true) > row.order - 0.3);
         CHECK(order(row.method, kink, kink_period, row.steps, true) > row.order - 0.3);
@@ -95,7 +95,7 @@ TEST_CASE("a right-hand side with a jump or a kink keeps its order where the cha
 TEST_CASE("the error follows the tolerance across jumps, at less cost than without their location") {
     const auto jump = [](const Two& x, double, Two& dxdt) { dxdt = {x[1], -x[0] - (x[0] < 0 ? -0.5 : 0.5)}; };
     const double end = 12 * std::acos(1.0 / 3);
-    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78}) {
+    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78}) {
         for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
             CAPTURE(static_cast<int>(method));
             CAPTURE(tolerance);
@@ -137,7 +137,7 @@ TEST_CASE("a flow that stops: w' = -k*step(w) stays at zero") {
 TEST_CASE("a square root that begins behind the event, and one that ends in it") {
     // x' = 1 up to x = 0 at t = 1, then x' = 1 + sqrt(x): t = 1 + 2 (s - log(1 + s)) with s = sqrt(x).
     const auto root = [](const One& x, double, One& dxdt) { dxdt[0] = 1 + std::sqrt(std::max(x[0], 0.0)); };
-    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78}) {
+    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78}) {
         for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
             CAPTURE(static_cast<int>(method));
             CAPTURE(tolerance);

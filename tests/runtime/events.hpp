@@ -18,7 +18,7 @@ using One = std::array<double, 1>;
 using Two = std::array<double, 2>;
 inline constexpr std::array<bool, 1> ends{true};
 inline constexpr std::array<bool, 1> passes{false};
-inline constexpr std::initializer_list<Method> methods{Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::fehlberg78};
+inline constexpr std::initializer_list<Method> methods{Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78};
 inline const auto nobody = [](const auto&, const auto&) {};
 inline const auto first_state = [](const auto& x, const auto&, auto& g) { g[0] = x[0]; };
 inline const auto oscillator = [](const Two& x, double, Two& dxdt) { dxdt = {x[1], -x[0]}; };

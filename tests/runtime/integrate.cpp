@@ -96,7 +96,7 @@ TEST_CASE("dense output has order four or better, between steps that are longer 
 }
 
 TEST_CASE("the error follows the tolerance") {
-    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78}) {
+    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78}) {
         double last = 1;
         for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
             IntegrationOptions<State> options;
@@ -132,7 +132,7 @@ TEST_CASE("what is not finite is rejected, and the run stops before it") {
     const auto pole = [](const State& x, double, State& dxdt) {
         dxdt = {0, x[1] * x[1]};
     };
-    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78}) {
+    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78}) {
         IntegrationOptions<State> options;
         options.method = method;
         State x{0, 1};
@@ -148,7 +148,7 @@ TEST_CASE("what is not finite is rejected, and the run stops before it") {
         dxdt = {1, std::sqrt(1 - t) * x[0]};
     };
     const std::array<Name, 2> names{{{"position"}, {"charge"}}};
-    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78}) {
+    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78}) {
         IntegrationOptions<State> options;
         options.method = method;
         State x{0, 0};

@@ -79,7 +79,7 @@ TEST_CASE("a bounce that hardly loses anything, and a ball in other numbers") {
 
 TEST_CASE("the ball far from the origin of time, thrown at the table, at rest, and with nothing said of its rest") {
     const Ball<double> ball;
-    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78}) {
+    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78}) {
         CAPTURE(static_cast<int>(method));
         // A second after eleven days: roundings of the time are 1e-10 s.
         Ball<double>::State x{1, 0, 0};
@@ -130,7 +130,7 @@ TEST_CASE("the ball far from the origin of time, thrown at the table, at rest, a
 
 TEST_CASE("two balls, alike or not, each come to rest at their own time") {
     std::vector<Entry> events;
-    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78}) {
+    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78}) {
         for (const double second : {0.8, 0.9, 0.3, 1e-9}) {
             for (const double first : {second, 0.8, 1e-9}) {
                 for (const double height : {1.0, 1.0000001, 2.0}) {

@@ -15,7 +15,7 @@ namespace switching_tests {
 
 using namespace dalembert;
 
-inline constexpr std::initializer_list<Method> explicit_methods{Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::fehlberg78};
+inline constexpr std::initializer_list<Method> explicit_methods{Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78};
 inline const auto nobody = [](const auto&...) {};
 inline const double pi = std::acos(-1.0);
 

@@ -9,7 +9,7 @@ TEST_CASE("a block on a belt sticks and slips for a thousand cycles, each as the
     const Friction block;
     const double omega = std::sqrt(block.k / block.m), D = (block.mu0 - block.mu) * block.N / block.k;
     const double slip = (2 * pi - 2 * std::atan(D * omega / block.V)) / omega, stick = 2 * D / block.V, period = slip + stick;
-    for (const Method method : {Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::fehlberg78, Method::rodas5p}) {
+    for (const Method method : {Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78, Method::rodas5p}) {
         CAPTURE(static_cast<int>(method));
         // From the middle of sticking.
         Friction::State x{block.mu * block.N / block.k, block.V, 0};
@@ -49,7 +49,7 @@ TEST_CASE("friction that is the same at rest: the block leaves the belt with a r
     Friction block;
     block.mu0 = block.mu;
     const double omega = std::sqrt(block.k / block.m), middle = block.mu * block.N / block.k, leaves = middle / block.V;
-    for (const Method method : {Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::fehlberg78, Method::rodas5p}) {
+    for (const Method method : {Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78, Method::rodas5p}) {
         CAPTURE(static_cast<int>(method));
         Friction::State x{0, block.V, 0};
         std::vector<Entry> events;
@@ -82,7 +82,7 @@ TEST_CASE("each cycle of the belt costs the same number of steps") {
 }
 
 TEST_CASE("a block slides up an incline, stops, and stays or slides back as friction wants it") {
-    for (const Method method : {Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::fehlberg78, Method::rodas5p}) {
+    for (const Method method : {Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78, Method::rodas5p}) {
         for (const bool stays : {true, false}) {
             CAPTURE(static_cast<int>(method));
             CAPTURE(stays);
@@ -118,7 +118,7 @@ TEST_CASE("a block slides up an incline, stops, and stays or slides back as fric
 }
 
 TEST_CASE("an input that jumps makes an event, and is the reason for the next mode") {
-    for (const Method method : {Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::fehlberg78, Method::rodas5p}) {
+    for (const Method method : {Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78, Method::rodas5p}) {
         for (const double jump : {0.25, 0.3}) {
             CAPTURE(static_cast<int>(method));
             CAPTURE(jump);

@@ -23,7 +23,7 @@ namespace {
 using dalembert::Method;
 using dalembert::Status;
 
-const Method methods[] = {Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::fehlberg78};
+const Method methods[] = {Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78};
 
 template <class Plant>
 struct Run {

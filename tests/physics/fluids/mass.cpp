@@ -65,7 +65,7 @@ Result by_pressure(double q, double until, Method method, double tolerance) {
     return run(plant, q, until, method, tolerance, masses, [](const auto& x) { return x; });
 }
 
-const Method methods[] = {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78, Method::rk4};
+const Method methods[] = {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78, Method::rk4};
 
 }  // namespace
 

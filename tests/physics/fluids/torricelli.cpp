@@ -67,7 +67,7 @@ TEST_CASE("the basin is empty at (3.145), no earlier and no later") {
         p.h_0 = 500 * opening;  // and other times that no step hits
         const Plant plant(p);
         const double empty = time_to_empty(p);
-        for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78, Method::rk4})
+        for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78, Method::rk4})
             for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
                 CAPTURE(static_cast<int>(method));
                 CAPTURE(tolerance);
@@ -121,7 +121,7 @@ TEST_CASE("it stays empty, whatever the step") {
                 Options options = options_of(Method::rk4, 1e-9, until > 2 * empty ? step : aligned);
                 options.intervals = intervals;
                 check(options, until);
-                for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78}) {
+                for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78}) {
                     options.method = method;
                     options.max_step = options.step;
                     options.step = 0;
@@ -138,7 +138,7 @@ TEST_CASE("nearly empty and empty at the start") {
     const Plant plant;
     double worst = 0;
     for (const double h : {1e-3, 1e-6, 1e-12, 1e-20, 1e-30, 1e-200, 1e-310, 0.0})
-        for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78, Method::rk4})
+        for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78, Method::rk4})
             for (const double step : {0.01, 1.0, 300.0}) {
                 CAPTURE(h);
                 CAPTURE(static_cast<int>(method));

@@ -72,7 +72,7 @@ template <class Plant, class Known>
 void compare(const std::string& name, const Plant& plant, double p, typename Plant::Input u, const Known& known, double size, double until) {
     const auto inputs = [u](const auto&, double) { return u; };
     double largest = 0, latest = 0;
-    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::fehlberg78}) {
+    for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78}) {
         CAPTURE(name);
         CAPTURE(static_cast<int>(method));
         auto options = options_of<Plant>(method, 1e-12);

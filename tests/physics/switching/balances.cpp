@@ -22,7 +22,7 @@ using dalembert::Method;
 using dalembert::Status;
 using Exact = boost::multiprecision::cpp_dec_float_50;
 
-constexpr std::initializer_list<Method> methods{Method::dopri5, Method::fehlberg78};
+constexpr std::initializer_list<Method> methods{Method::dopri5, Method::dop853, Method::fehlberg78};
 
 template <class System>
 struct Change {
