@@ -27,10 +27,11 @@ Scalar dop853_error(const Scalar& fifth, const Scalar& third) {
     const Scalar a = abs(fifth);
     const Scalar b = abs(third) / Scalar(10);
     const Scalar largest = max(a, b);
-    if (!(largest > Scalar(0))) return a + b;  // zero, or no number
-    const Scalar p = a / largest;  // so that no square vanishes
-    const Scalar q = b / largest;
-    return a * (p / sqrt(p * p + q * q));
+    const Scalar unit = largest > Scalar(0) ? largest : Scalar(1);  // so that no square vanishes
+    const Scalar p = a / unit;
+    const Scalar q = b / unit;
+    const Scalar root = sqrt(p * p + q * q);
+    return a * p / (root < Scalar(1) ? Scalar(1) : root);  // less than one only where both are zero
 }
 
 /// The last stage of a step is the first of the next.
@@ -48,11 +49,16 @@ public:
         is_dense_ = false;
         k_[0] = from.dxdt;
         make_stages(from, c, std::make_index_sequence<11>{});
-        for (std::size_t i = 0; i < c.y.size(); ++i) {
+        const Scalar h = c.length;
+        State y = from.x, fifth, third;
+        for (std::size_t i = 0; i < y.size(); ++i) {
             const Scalar rate = sum<Table::result>(i);
-            c.y[i] = from.x[i] + c.length * rate;
-            c.error[i] = c.length * dop853_error(sum<Table::fifth>(i), Scalar(rate - sum<Table::third>(i)));
+            y[i] += h * rate;
+            fifth[i] = h * sum<Table::fifth>(i);
+            third[i] = h * (rate - sum<Table::third>(i));
         }
+        c.y = y;
+        for (std::size_t i = 0; i < y.size(); ++i) c.error[i] = dop853_error(fifth[i], third[i]);
         rhs_(c.y, c.dydt, c.end);
         c.has_derivative = true;
         c.finite = are_finite(c.y, c.error) && are_finite(c.dydt, c.dydt);
@@ -67,26 +73,27 @@ public:
             const Scalar change = c.y[i] - from.x[i];
             const Scalar begin = c.length * from.dxdt[i] - change;
             const Scalar end = change - c.length * c.dydt[i] - begin;
-            const Scalar higher = d_[0][i] + s * (d_[1][i] + r * (d_[2][i] + s * d_[3][i]));
+            const Scalar higher = c.length * (d_[0][i] + s * (d_[1][i] + r * (d_[2][i] + s * d_[3][i])));
             x[i] = from.x[i] + s * (change + r * (begin + s * (end + r * higher)));
         }
     }
 
 private:
-    /// The weighted sum of a row of the table.
+    /// The weighted sum of a row of the table, entry i. From the first stage to the last, so that nothing waits for that but the last addition.
     template <std::size_t row>
     Scalar sum(std::size_t i) const {
         constexpr std::size_t first = Table::begin(row);
         return [&]<std::size_t... j>(std::index_sequence<j...>) -> Scalar {
-            return ((numbers_.table.factors[first + j] * k_[Table::entries[first + j].stage - 1][i]) + ...);
+            return (... + (numbers_.table.factors[first + j] * k_[Table::entries[first + j].stage - 1][i]));
         }(std::make_index_sequence<Table::begin(row + 1) - first>{});
     }
 
     template <std::size_t row>
     void make_stage(const Point<State>& from, const Candidate<State>& c) {
-        State x;
-        for (std::size_t i = 0; i < x.size(); ++i) x[i] = from.x[i] + c.length * sum<row>(i);
-        rhs_(x, k_[row - 1], row == 12 ? c.end : from.t + numbers_.table.times[row - 1] * c.length);
+        const Scalar h = c.length;
+        State x = from.x;
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] += h * sum<row>(i);
+        rhs_(x, k_[row - 1], row == 12 ? c.end : from.t + numbers_.table.times[row - 1] * h);
     }
 
     template <std::size_t... i>
@@ -100,10 +107,10 @@ private:
         make_stage<15>(from, c);
         make_stage<16>(from, c);
         for (std::size_t i = 0; i < c.y.size(); ++i) {
-            d_[0][i] = c.length * sum<Table::dense>(i);
-            d_[1][i] = c.length * sum<Table::dense + 1>(i);
-            d_[2][i] = c.length * sum<Table::dense + 2>(i);
-            d_[3][i] = c.length * sum<Table::dense + 3>(i);
+            d_[0][i] = sum<Table::dense>(i);
+            d_[1][i] = sum<Table::dense + 1>(i);
+            d_[2][i] = sum<Table::dense + 2>(i);
+            d_[3][i] = sum<Table::dense + 3>(i);
         }
         // A good step keeps its cubic, whatever lies on the way of these stages.
         if (!std::all_of(d_.begin(), d_.end(), [](const State& term) { return are_finite(term, term); }))
