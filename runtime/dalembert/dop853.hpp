@@ -83,9 +83,11 @@ private:
     template <std::size_t row>
     Scalar sum(std::size_t i) const {
         constexpr std::size_t first = Table::begin(row);
-        return [&]<std::size_t... j>(std::index_sequence<j...>) -> Scalar {
-            return (... + (numbers_.table.factors[first + j] * k_[Table::entries[first + j].stage - 1][i]));
-        }(std::make_index_sequence<Table::begin(row + 1) - first>{});
+        return sum<first>(i, std::make_index_sequence<Table::begin(row + 1) - first>{});
+    }
+    template <std::size_t first, std::size_t... j>
+    Scalar sum(std::size_t i, std::index_sequence<j...>) const {
+        return (... + (numbers_.table.factors[first + j] * k_[Table::entries[first + j].stage - 1][i]));
     }
 
     template <std::size_t row>
@@ -119,7 +121,7 @@ private:
     }
 
     Rhs rhs_;
-    [[no_unique_address]] Dop853Numbers<Scalar> numbers_;
+    Dop853Numbers<Scalar> numbers_;
     std::array<State, Table::stages> k_{};  ///< the derivatives of the stages
     std::array<State, Table::dense_terms> d_{};
     bool is_dense_ = false;
