@@ -35,14 +35,16 @@ std::string file_name(const std::string& text) {
 }
 
 /// "N=5": sizes as they are given.
-void read_sizes(const std::vector<std::string>& texts, std::map<std::string, int>& sizes) {
+std::vector<std::pair<std::string, int>> read_sizes(const std::vector<std::string>& texts) {
+    std::vector<std::pair<std::string, int>> sizes;
     for (const std::string& text : texts) {
         const std::size_t equals = text.find('=');
         const auto value = equals == std::string::npos ? std::nullopt : read_decimal(text.substr(equals + 1));
         const auto whole = value ? to_int(*value) : std::nullopt;
         if (!whole) throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("'--size {}' is not of the form NAME=WHOLE_NUMBER", text)});
-        sizes[text.substr(0, equals)] = *whole;
+        sizes.emplace_back(text.substr(0, equals), *whole);
     }
+    return sizes;
 }
 
 class Parser {
@@ -107,6 +109,19 @@ public:
         format(effects, "text or json", {"text", "json"});
         integration(effects);
         effects->add_option("--until", options_.until, "end of the run in seconds");
+        CLI::App* cost = app_.add_subcommand("cost", "what accuracy costs in time: every method in every arithmetic, against a reference; writes CSV and plots");
+        cost->add_option("MODELS", options_.models, "model files")->required();
+        auto* scene = cost->add_option("--scene", options_.choice.scene, "one scene; all scenes of one model, if left out, and the usual one of several");
+        cost->add_flag("--every-scene", options_.every_scene, "all scenes, also of several models")->excludes(scene);
+        cost->add_option("--size", sizes_, "sizes of a family, each of which is measured, as N=10,N=20")->delimiter(',');
+        cost->add_option("--budget", options_.budget, "as '1 ms step, 20 us': instead, the most accurate way that makes such a step in this time");
+        cost->add_option("--limit", options_.limit, "seconds after which a run is given up; the reference has twelve times as many")->capture_default_str()->check(CLI::Range(1.0, 1e5));
+        settings(cost);
+        output(cost);
+        format(cost, "text or json", {"text", "json"});
+        cost->add_option("--run", options_.run, "the [runs.NAME] to take; `reference`, or the only one, if left out");
+        cost->add_option("--until", options_.until, "end of the run in seconds");
+        cost->add_flag("--no-plot", options_.no_plot, "write the CSV only");
         CLI::App* scenes = app_.add_subcommand("scenes", "list the scenes of a model and their effects");
         scenes->add_option("MODEL", model_, "model file")->required();
         format(scenes, "text or json", {"text", "json"});
@@ -136,7 +151,10 @@ public:
             throw Failure(Diagnostic{Id::bad_option, {}, "tolerance, step and periods are finite numbers"});
         options_.verb = app_.get_subcommands().front()->get_name();
         options_.choice.model = model_;
-        read_sizes(sizes_, options_.choice.sizes);
+        for (const auto& [name, value] : read_sizes(sizes_)) {
+            options_.choice.sizes[name] = value;
+            options_.size_lists[name].push_back(value);
+        }
         return options_;
     }
 
@@ -162,8 +180,8 @@ private:
     void integration(CLI::App* verb, bool draws = true) {
         verb->add_option("--run", options_.run, "the [runs.NAME] to take; `reference`, or the only one, if left out");
         verb->add_option("--tolerance", options_.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
-        verb->add_option("--method", options_.method, "dopri5, dop853 (for tight tolerances), rodas5p (for what is stiff), fehlberg78 or rk4")->check(CLI::IsMember({"dopri5", "dop853", "rodas5p", "fehlberg78", "rk4"}));
-        verb->add_option("--step", options_.step, "step of rk4 in seconds")->check(CLI::PositiveNumber);
+        verb->add_option("--method", options_.method, "dopri5, dop853 (for tight tolerances), rodas5p (for what is stiff), fehlberg78, or with a fixed step euler or rk4")->check(CLI::IsMember({"dopri5", "dop853", "rodas5p", "fehlberg78", "euler", "rk4"}));
+        verb->add_option("--step", options_.step, "step of euler and rk4 in seconds")->check(CLI::PositiveNumber);
         verb->add_option("--samples", options_.samples, "number of intervals at which results are written")->check(CLI::Range(1, 1000000));
         verb->add_option("--periods", options_.periods, "length of the run in periods, where the run names a period")->check(CLI::PositiveNumber);
         if (draws) verb->add_flag("--no-plot", options_.no_plot, "write the CSV only");
@@ -182,7 +200,7 @@ private:
 ExitCode dispatch(const Options& options, Streams streams) {
     static const std::map<std::string, ExitCode (*)(const Options&, Streams)> verbs{
         {"derive", derive_command},     {"generate", generate_command},       {"check", check_command},   {"evaluate", evaluate_command},
-        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"modal", modal_command}, {"optimise", optimise_command}, {"survey", survey_command}, {"effects", effects_command},
+        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"modal", modal_command}, {"optimise", optimise_command}, {"survey", survey_command}, {"effects", effects_command}, {"cost", cost_command},
         {"scenes", scenes_command},     {"help", help_command}};
     return verbs.at(options.verb)(options, streams);
 }

@@ -36,6 +36,9 @@ struct Options {
     std::string maximise, minimise;       ///< what optimise looks for
     std::string over;                     ///< "alpha=10deg:80deg"
     int points = 33;                      ///< of its scan
+    std::string budget;                   ///< "1 ms step, 20 us"
+    double limit = 5;                     ///< s, of one run that cost measures
+    std::map<std::string, std::vector<int>> size_lists;  ///< of cost: every size is measured
     std::vector<std::string> hold;
     std::vector<std::string> free;
     bool explain = false;
@@ -59,6 +62,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams);
 ExitCode modal_command(const Options& options, Streams streams);
 ExitCode survey_command(const Options& options, Streams streams);
 ExitCode optimise_command(const Options& options, Streams streams);
+ExitCode cost_command(const Options& options, Streams streams);
 ExitCode effects_command(const Options& options, Streams streams);
 ExitCode scenes_command(const Options& options, Streams streams);
 ExitCode help_command(const Options& options, Streams streams);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "command/cost_plot.hpp"
+#include "command/effects_plot.hpp"
 #include "command/json_output.hpp"
 #include "command/scene_comparison.hpp"
 #include "command/shared.hpp"
@@ -97,7 +97,7 @@ ExitCode effects_command(const Options& options, Streams streams) {
     const std::filesystem::path base = std::filesystem::path(options.output) / (scene.sized_name() + "_effects");
     FileContents files{{base.string() + ".csv", csv(comparison)}};
     if (!options.no_plot)
-        for (auto& [ending, picture] : cost_plot(comparison, model->model.title.empty() ? scene.sized_name() : model->model.title)) files.emplace_back(base.string() + ending, picture);
+        for (auto& [ending, picture] : effects_plot(comparison, model->model.title.empty() ? scene.sized_name() : model->model.title)) files.emplace_back(base.string() + ending, picture);
     write_files(files);
     if (options.format == "json") {
         nlohmann::ordered_json json = json_result("effects", model->model);

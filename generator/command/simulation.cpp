@@ -53,23 +53,32 @@ std::pair<Values, std::vector<ex>> start_of_run(const System& system, const Opti
     return {values, preparation.inputs_at_start(values, system)};
 }
 
-PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
+PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb) {
     const RunPreparation preparation(model->model, options);
-    PreparedSimulation prepared{derive_machine(model, preparation.scene(scene), options.choice.sizes), {}, {}, {}, {}};
-    refuse_rest(*prepared.machine.system, "simulate");
-    prepared.header = generate(prepared.machine);
-    const System& system = *prepared.machine.system;
+    Machine machine = derive_machine(model, preparation.scene(scene), options.choice.sizes);
+    const System& system = *machine.system;
+    refuse_rest(system, verb);
+    Header header = generate(machine);
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
     check_switching_values(system, values);
     check_body_values(system, values);
     check_solid_values(system, values);
     meet_constraints(system, values);
-    const SimulationSettings settings = preparation.make_settings(values, system);
-    prepared.draw = settings.draw;
-    prepared.source = simulation_source(*prepared.machine.code, prepared.header, values, settings);
-    if (options.compares_scenes) prepared.cost = cost_source(*prepared.machine.code, prepared.header, values, settings);
-    prepared.name = fmt::format("{}_{}", system.scene.sized_name(), system.scene.name);
+    SimulationSettings settings = preparation.make_settings(values, system);
+    std::string name = fmt::format("{}_{}", system.scene.sized_name(), system.scene.name);
+    return {std::move(machine), std::move(header), std::move(values), std::move(settings), std::move(name)};
+}
+
+PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
+    PreparedRun run = prepare_run(model, scene, options, "simulate");
+    PreparedSimulation prepared;
+    prepared.draw = run.settings.draw;
+    prepared.source = simulation_source(*run.machine.code, run.header, run.values, run.settings);
+    if (options.compares_scenes) prepared.cost = cost_source(*run.machine.code, run.header, run.values, run.settings);
+    prepared.machine = std::move(run.machine);
+    prepared.header = std::move(run.header);
+    prepared.name = std::move(run.name);
     return prepared;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "command/command_line.hpp"
+#include "emit/runner.hpp"
 #include "form/system.hpp"
 #include "text/files.hpp"
 #include "text/process.hpp"
@@ -17,6 +18,15 @@ struct PreparedSimulation {
     std::string cost;    ///< the source that measures the right-hand side; where costs are asked for
     std::string name;    ///< of result files, without ending
     bool draw = true;
+};
+
+/// A machine that was generated, and all that is to be known of its run.
+struct PreparedRun {
+    Machine machine;
+    Header header;
+    Values values;
+    SimulationSettings settings;
+    std::string name;    ///< of result files, without ending
 };
 
 struct SimulationReport {
@@ -46,7 +56,9 @@ std::string scene_of_run(const Model& model, const std::string& run);
 std::string scene_for_run(const Model& model, const Options& options);
 /// What run and command line say of the start: values, and inputs at t = 0.
 std::pair<Values, std::vector<GiNaC::ex>> start_of_run(const System& system, const Options& options);
-/// Derives, generates and writes the program of a run. Throws Failure.
+/// Derives and generates. `verb` is named where nothing moves. Throws Failure.
+PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb);
+/// The same with the program of a simulation.
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options);
 
 /// The time of a call of the right-hand side in ns, in several rounds, and the bytes of its code.

@@ -179,6 +179,30 @@ std::string cost_source(Code& code, const Header& header, const Values& values, 
                                                         {"INPUTS", input_statements(code, settings.inputs)}});
 }
 
+std::string work_precision_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings, Arithmetics arithmetics) {
+    std::vector<std::string> outputs;
+    for (std::size_t i = 0; i < code.system.outputs.size(); ++i) outputs.push_back(fmt::format("y[{}]", i));
+    const bool of_machine = arithmetics == Arithmetics::of_machine;
+    return fill_template(embedded_file("work_precision.cpp.in"),
+                         {{"NAMESPACE", header.name_space},
+                          {"HEADER", header.file_name},
+                          {"EXTRA_INCLUDES", of_machine ? "" : "#include <boost/multiprecision/cpp_bin_float.hpp>\n"},
+                          {"ARITHMETICS", of_machine ? "float, double, long double" : "double, long double, boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>"},
+                          {"PARAMETERS", parameter_statements(code.system.symbols, values)},
+                          {"START", start_statements(code.system, values)},
+                          {"INPUTS", input_statements(code, settings.inputs)},
+                          {"UNTIL", double_literal(settings.until)},
+                          {"VALUES", outputs.empty() ? recorded_states(code.system).second : fmt::format("{}", fmt::join(outputs, ", "))}});
+}
+
+std::vector<std::string> compared_columns(const System& system) {
+    std::vector<std::string> names;
+    for (const OutputEquation& output : system.outputs) names.push_back(output.name);
+    if (names.empty())
+        for (const Variable* state : system.symbols.state_variables()) names.push_back(state->recorded_name());
+    return names;
+}
+
 namespace {
 
 /// The type of the system, in its mode where it has some.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
+#include <boost/numeric/odeint/stepper/euler.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
@@ -44,11 +45,12 @@ protected:
     Rhs rhs_;
 };
 
-template <class State, class Rhs>
-class RungeKutta4 final : public CubicStepper<State, Rhs> {
+/// A stepper of odeint without an estimate of its error.
+template <class State, class Rhs, class OdeintMethod, int Order>
+class FixedStepper final : public CubicStepper<State, Rhs> {
 public:
     using CubicStepper<State, Rhs>::CubicStepper;
-    int order() const override { return 4; }
+    int order() const override { return Order; }
     void take(const Point<State>& from, Candidate<State>& c) override {
         c.error = State{};
         stepper_.do_step(this->rhs_, from.x, from.dxdt, from.t, c.y, c.length);
@@ -57,8 +59,13 @@ public:
     }
 
 private:
-    OdeintStepper<odeint::runge_kutta4, State> stepper_;
+    OdeintMethod stepper_;
 };
+
+template <class State, class Rhs>
+using Euler = FixedStepper<State, Rhs, odeint::euler<State, typename State::value_type, State, typename State::value_type, odeint::array_algebra>, 1>;
+template <class State, class Rhs>
+using RungeKutta4 = FixedStepper<State, Rhs, OdeintStepper<odeint::runge_kutta4, State>, 4>;
 
 template <class State, class Rhs>
 class Fehlberg78 final : public CubicStepper<State, Rhs> {
@@ -107,6 +114,7 @@ Outcome run_explicit(Run& run, Steps steps) {
 template <class Run>
 Outcome run_explicit(Run& run, Method method) {
     switch (method) {
+        case Method::euler: return run_explicit<Euler>(run, Steps::fixed);
         case Method::rk4: return run_explicit<RungeKutta4>(run, Steps::fixed);
         case Method::dopri5: return run_explicit<DormandPrince5>(run, Steps::dense);
         case Method::dopri5_controlled: return run_explicit<DormandPrince5>(run, Steps::to_outputs);

@@ -63,7 +63,7 @@ public:
         }
         if (to_ == from_) return end(Status::success);
         if constexpr (G > 0) this->leave_zero();
-        switch (steps) {
+        switch (options_.has_fixed_steps() ? Steps::fixed : steps) {
             case Steps::fixed: return fixed_steps();
             case Steps::to_outputs: return controlled_steps(false);
             case Steps::dense: return controlled_steps(true);

@@ -8,6 +8,7 @@ namespace dalembert {
 inline namespace v1 {
 
 enum class Method {
+    euler,              ///< explicit Euler, fixed step
     rk4,                ///< classical Runge-Kutta, fixed step
     dopri5,             ///< Dormand-Prince 5(4), controlled, output points by its dense output
     dopri5_controlled,  ///< the same, but steps end on output points
@@ -28,11 +29,14 @@ struct IntegrationOptions {
     Method method = Method::dopri5;
     Scalar tolerance = Scalar(1e-9);  ///< error of a step relative to max(|x_i|, scale_i)
     State scale = filled(Scalar(1));  ///< what counts as one, state by state, in SI
-    Scalar step = Scalar(0);          ///< s; of rk4, or the first of the others; 0: chosen
+    Scalar step = Scalar(0);          ///< s; of all steps that are fixed, or the first of the others; 0: chosen
+    bool is_fixed = false;            ///< no step is rejected, and all between two output points are as long as `step`, or a little shorter
     Scalar max_step = Scalar(0);      ///< s; the longest step, so that no short pulse is stepped over; 0: as long as the run
     std::size_t intervals = 1;        ///< the observer sees the two ends and the points that divide the run into so many parts
     std::size_t max_steps = 100000000;
     std::size_t max_events = 100000;  ///< guards that change their sign, before the run is stopped as an event storm
+
+    bool has_fixed_steps() const { return is_fixed || method == Method::rk4 || method == Method::euler; }
 
     static State filled(const Scalar& value) {
         State state{};

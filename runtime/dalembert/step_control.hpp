@@ -35,7 +35,7 @@ public:
         using std::isfinite;
         return to_ >= from_ && isfinite(from_) && isfinite(to_) && options_.intervals > 0 && options_.tolerance > Scalar(0) && options_.step >= Scalar(0) &&
                options_.max_step >= Scalar(0) && std::all_of(options_.scale.begin(), options_.scale.end(), [](const Scalar& scale) { return scale > Scalar(0); }) &&
-               (options_.method != Method::rk4 || options_.step > Scalar(0));
+               (!options_.has_fixed_steps() || options_.step > Scalar(0));
     }
 
     /// The last one is the end of the run, also where it is a part of a longer one that has `outputs`.

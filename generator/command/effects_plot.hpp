@@ -7,6 +7,6 @@
 namespace dalembert {
 
 /// The picture as ".svg" and ".png" through gnuplot; none where gnuplot is not there.
-std::vector<std::pair<std::string, std::string>> cost_plot(const SceneComparison& comparison, const std::string& title);
+std::vector<std::pair<std::string, std::string>> effects_plot(const SceneComparison& comparison, const std::string& title);
 
 }  // namespace dalembert

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was measured of accuracy and time: as CSV, which is also how a stopped measurement goes on, and as advice.
+#pragma once
+
+#include "command/work_precision.hpp"
+
+namespace dalembert {
+
+/// The titles of the columns, and one line of values.
+std::string csv_titles();
+std::string csv_line(const std::string& scene, const std::string& size, const WorkPoint& point);
+/// What csv_line wrote; nothing where the line is not whole.
+std::optional<WorkPoint> read_csv_line(const std::string& line);
+
+/// The point that takes least time for an error on the way that is not larger; null where there is none.
+const WorkPoint* cheapest(const std::vector<WorkPoint>& points, double error, const std::string& arithmetic = {}, const std::string& method = {});
+/// The least error that is reached.
+const WorkPoint* most_accurate(const std::vector<WorkPoint>& points, const std::string& arithmetic);
+
+/// "double, dopri5 at 3e-08", "float, rk4 with steps of 0.001 s"
+std::string name_of(const RunPlan& plan);
+
+/// Which method to take for which accuracy, for people.
+std::string advice(const WorkPrecision& work, const std::vector<WorkPoint>& points);
+
+inline constexpr std::array wanted_errors{1e-3, 1e-6, 1e-9};
+
+}  // namespace dalembert
