@@ -41,13 +41,14 @@ double read_time(const SourcePtr& source, std::size_t begin, std::size_t end) {
     return seconds;
 }
 
-std::vector<Candidate> measured(const Variant& variant, const Budget& budget, Streams streams) {
+std::vector<Candidate> measured(const Variant& variant, const Budget& budget, const Options& options, Streams streams) {
     const WorkPrecision& work = *variant.work;
     const double until = work.run().settings.until;
     std::vector<Candidate> all;
     constexpr int most_parts = 64;
     for (const char* arithmetic : {"float", "double"}) {
         for (const char* method : {"euler", "rk4", "dopri5", "dop853", "rodas5p"}) {
+            if (!is_wanted(options.arithmetics, arithmetic) || !is_wanted(options.methods, method)) continue;
             for (int parts = 1; parts <= most_parts; parts *= 2) {
                 const RunPlan plan{arithmetic, method, 0, budget.step / parts};
                 const WorkPoint point = work.measure(plan);
@@ -100,18 +101,21 @@ Budget read_budget(const std::string& text) {
     return {read_time(source, 0, step), read_time(source, comma + 1, text.size())};
 }
 
+void check_run(const PreparedRun& run, const Budget& budget) {
+    constexpr int least = 50;
+    if (run.settings.until < least * budget.step)
+        throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the run of {} takes {:g} s, which is less than {} steps of {:g} s: --until", run.name, run.settings.until, least, budget.step)});
+}
+
 ExitCode budget_command(const std::vector<Variant>& variants, const Budget& budget, const Options& options, Streams streams) {
     std::vector<Candidate> all;
     for (const Variant& v : variants) {
-        const double until = v.work->run().settings.until;
-        constexpr int least = 50;
-        if (until < least * budget.step) throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the run of {} takes {:g} s, which is less than {} steps of {:g} s: --until", v.name(), until, least, budget.step)});
-        const std::vector<Candidate> found = measured(v, budget, streams);
+        const std::vector<Candidate> found = measured(v, budget, options, streams);
         all.insert(all.end(), found.begin(), found.end());
     }
     const Candidate* best = best_of(all, budget);
     if (options.format == "json") {
-        nlohmann::ordered_json json = json_result("cost", variants.front().work->run().machine.system->scene.model ? *variants.front().work->run().machine.system->scene.model : Model{});
+        nlohmann::ordered_json json = json_result("cost", *variants.front().work->run().machine.system->scene.model);
         json["budget"] = {{"step", budget.step}, {"time", budget.time}};
         json["candidates"] = nlohmann::ordered_json::array();
         for (const Candidate& c : all) json["candidates"].push_back(as_json(c, budget));

@@ -15,6 +15,8 @@ struct Budget {
 /// Throws Failure (bad-option, unknown-unit, unit-mismatch).
 Budget read_budget(const std::string& text);
 
+/// Throws Failure (bad-option) where the run takes only few of the steps.
+void check_run(const PreparedRun& run, const Budget& budget);
 /// Measures scenes, arithmetics and fixed-step methods, and prints which fits and is most accurate. `check_failed` where none fits.
 ExitCode budget_command(const std::vector<Variant>& variants, const Budget& budget, const Options& options, Streams streams);
 

@@ -114,6 +114,8 @@ public:
         auto* scene = cost->add_option("--scene", options_.choice.scene, "one scene; all scenes of one model, if left out, and the usual one of several");
         cost->add_flag("--every-scene", options_.every_scene, "all scenes, also of several models")->excludes(scene);
         cost->add_option("--size", sizes_, "sizes of a family, each of which is measured, as N=10,N=20")->delimiter(',');
+        cost->add_option("--methods", options_.methods, "those that are measured, comma separated; all, if left out")->delimiter(',')->check(CLI::IsMember({"dopri5", "dop853", "rodas5p", "fehlberg78", "euler", "rk4"}));
+        cost->add_option("--arithmetics", options_.arithmetics, "float, double, long_double; all, if left out")->delimiter(',')->check(CLI::IsMember({"float", "double", "long_double"}));
         cost->add_option("--budget", options_.budget, "as '1 ms step, 20 us': instead, the most accurate way that makes such a step in this time");
         cost->add_option("--limit", options_.limit, "seconds after which a run is given up; the reference has twelve times as many")->capture_default_str()->check(CLI::Range(1.0, 1e5));
         settings(cost);

@@ -37,6 +37,8 @@ struct Options {
     std::string over;                     ///< "alpha=10deg:80deg"
     int points = 33;                      ///< of its scan
     std::string budget;                   ///< "1 ms step, 20 us"
+    std::vector<std::string> methods;     ///< that cost measures; all, if empty
+    std::vector<std::string> arithmetics;
     double limit = 5;                     ///< s, of one run that cost measures
     std::map<std::string, std::vector<int>> size_lists;  ///< of cost: every size is measured
     std::vector<std::string> hold;

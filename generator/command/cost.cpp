@@ -57,7 +57,7 @@ private:
 };
 
 /// All curves, from coarse to fine; progress goes to err.
-std::vector<WorkPoint> measure(const WorkPrecision& work, const Notes& notes, Streams streams) {
+std::vector<WorkPoint> measure(const WorkPrecision& work, const Notes& notes, const Options& options, Streams streams) {
     const std::string& name = work.run().name;
     if (notes.count() > 0) streams.err << fmt::format("  {}: goes on behind {} runs that were measured before\n", name, notes.count());
     std::vector<std::string> methods(controlled_methods.begin(), controlled_methods.end());
@@ -65,6 +65,7 @@ std::vector<WorkPoint> measure(const WorkPrecision& work, const Notes& notes, St
     std::vector<WorkPoint> points;
     for (const char* arithmetic : arithmetics) {
         for (const std::string& method : methods) {
+            if (!is_wanted(options.arithmetics, arithmetic) || !is_wanted(options.methods, method)) continue;
             std::vector<WorkPoint> curve;
             while (const auto plan = work.next(arithmetic, method, curve)) {
                 const WorkPoint* known = notes.find(*plan);
@@ -92,8 +93,8 @@ nlohmann::ordered_json as_json(const Measured& m) {
     for (const double error : wanted_errors)
         if (const WorkPoint* best = cheapest(m.points, error)) {
             const WorkPoint* usual = cheapest(m.points, error, "double", "dopri5");
-            nlohmann::ordered_json row{{"error", error}, {"arithmetic", best->plan.arithmetic}, {"method", best->plan.method}, {"tolerance", best->plan.tolerance}, {"step", best->plan.step}, {"microseconds", best->microseconds}};
-            if (usual != nullptr) row["share_of_dopri5"] = best->microseconds / usual->microseconds;
+            nlohmann::ordered_json row{{"error", error}, {"arithmetic", best->plan.arithmetic}, {"method", best->plan.method}, {"tolerance", best->plan.tolerance}, {"step", best->plan.step}, {"microseconds", best->fastest}};
+            if (usual != nullptr) row["share_of_dopri5"] = best->fastest / usual->fastest;
             json["cheapest"].push_back(std::move(row));
         }
     return json;
@@ -109,7 +110,7 @@ std::string summary_line(const Measured& m, std::size_t width) {
         std::string cell = "not reached";
         if (best != nullptr) cell = fmt::format("{} {}", best->plan.method, best->plan.arithmetic == "double" ? "" : best->plan.arithmetic);
         if (best != nullptr && best->plan.step <= 0) cell += fmt::format("{:.0e}", best->plan.tolerance);
-        if (best != nullptr) cell += usual != nullptr ? fmt::format(", {:.2f}", best->microseconds / usual->microseconds) : ", dopri5 never";
+        if (best != nullptr) cell += usual != nullptr ? fmt::format(", {:.2f}", best->fastest / usual->fastest) : ", dopri5 never";
         text += fmt::format("  {:<30}", cell);
     }
     return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
@@ -144,12 +145,14 @@ ExitCode cost_command(const Options& options, Streams streams) {
         const bool every = options.every_scene || (is_one && options.choice.scene.empty());
         const std::string bound = scene_of_run(model->model, options.run);
         const auto scenes = every ? scene_names(model->model) : std::vector<std::string>{is_one ? options.choice.scene : bound.empty() ? resolve_scene(model->model, "") : bound};
-        std::vector<Variant> variants = make_variants(model, scenes, every || !is_one, one, streams);
+        std::vector<Variant> variants = make_variants(model, scenes, every || !is_one, one, streams, [&](const PreparedRun& run) {
+            if (budget) check_run(run, *budget);
+        });
         if (budget && !variants.empty()) return budget_command(variants, *budget, one, streams);
         std::string csv = csv_titles();
         for (Variant& v : variants) {
             notes.emplace_back(folder / (v.name() + "_cost.unfinished"), v.work->fingerprint());
-            const std::vector<WorkPoint> points = measure(*v.work, notes.back(), streams);
+            const std::vector<WorkPoint> points = measure(*v.work, notes.back(), one, streams);
             for (const WorkPoint& p : points) csv += csv_line(v.scene, v.size, p);
             text += fmt::format("{}\n{}", v.name(), advice(*v.work, points));
             if (v.from_fullest > 0) text += fmt::format("off by {:.1e} from the fullest scene in the finest size, whatever the integrator\n", v.from_fullest);

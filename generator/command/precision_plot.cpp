@@ -24,7 +24,7 @@ std::vector<Curve> curves_of(const std::vector<WorkPoint>& measured, double unti
     for (const WorkPoint& p : measured) {
         if (!p.is_good) continue;
         if (curves.empty() || curves.back().method != p.plan.method || curves.back().arithmetic != p.plan.arithmetic) curves.push_back({p.plan.method, p.plan.arithmetic, {}});
-        curves.back().data += fmt::format("{:.6g} {} {:.6g} {:.6g}\n", p.microseconds / until, p.rhs_calls, std::max(p.error_at_end, floor), std::max(p.error, floor));
+        curves.back().data += fmt::format("{:.6g} {} {:.6g} {:.6g}\n", p.fastest / until, p.rhs_calls, std::max(p.error_at_end, floor), std::max(p.error, floor));
     }
     return curves;
 }

@@ -8,6 +8,8 @@
 
 namespace dalembert {
 
+bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) { return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end(); }
+
 std::string csv_titles() {
     return "scene,size,arithmetic,method,tolerance,step [s],status,end [s],steps,rejected,rhs_calls,time [us],time_lowest [us],time_highest [us],error_at_end,error_on_the_way,energy_error,constraint_error,good\n";
 }
@@ -32,7 +34,7 @@ const WorkPoint* cheapest(const std::vector<WorkPoint>& points, double error, co
     const WorkPoint* best = nullptr;
     for (const WorkPoint& p : points) {
         if (!p.is_good || !(p.error <= error) || (!arithmetic.empty() && p.plan.arithmetic != arithmetic) || (!method.empty() && p.plan.method != method)) continue;
-        if (best == nullptr || p.microseconds < best->microseconds) best = &p;
+        if (best == nullptr || p.fastest < best->fastest) best = &p;
     }
     return best;
 }
@@ -54,7 +56,7 @@ std::string advice(const WorkPrecision& work, const std::vector<WorkPoint>& poin
     const double until = work.run().settings.until;
     std::string text = fmt::format("reference: {}, its own error {:.1e}; a disturbance of the start grows {:.2g}-fold{}\n", name_of(reference.plan), reference.error, reference.growth,
                                    reference.is_sensitive() ? fmt::format(": errors are counted up to t = {:.4g} s, where it is not yet lost", reference.until()) : "");
-    const auto times = [&](const WorkPoint& p) { return fmt::format("{:.3g} us per simulated second ({:.3g} .. {:.3g}), {} right-hand sides", p.microseconds / until, p.fastest / until, p.slowest / until, p.rhs_calls); };
+    const auto times = [&](const WorkPoint& p) { return fmt::format("{:.3g} us per simulated second (up to {:.3g}), {} right-hand sides", p.fastest / until, p.slowest / until, p.rhs_calls); };
     for (const double error : wanted_errors) {
         const WorkPoint* best = cheapest(points, error);
         if (best == nullptr) {
@@ -63,7 +65,7 @@ std::string advice(const WorkPrecision& work, const std::vector<WorkPoint>& poin
         }
         text += fmt::format("{:.0e} in what is compared: {}: {}", error, name_of(best->plan), times(*best));
         const WorkPoint* usual = cheapest(points, error, "double", work.run().settings.method);
-        if (usual != nullptr && usual != best) text += fmt::format("; {} takes {:.2g} times as long", name_of(usual->plan), usual->microseconds / best->microseconds);
+        if (usual != nullptr && usual != best) text += fmt::format("; {} takes {:.2g} times as long", name_of(usual->plan), usual->fastest / best->fastest);
         text += "\n";
     }
     for (const char* arithmetic : arithmetics)

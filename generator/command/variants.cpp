@@ -39,7 +39,7 @@ std::vector<Sizes> combinations(const Model& model, const Options& options) {
     return result;
 }
 
-Variant make_variant(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Sizes& sizes, const Options& all, Streams streams) {
+Variant make_variant(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Sizes& sizes, const Options& all, Streams streams, const std::function<void(const PreparedRun&)>& check) {
     Options options = all;
     options.choice.sizes = sizes;
     options.compares_scenes = true;
@@ -47,7 +47,9 @@ Variant make_variant(const std::shared_ptr<const LoadedModel>& model, const std:
     limits.run = options.limit;
     limits.reference = 12 * options.limit;
     Variant variant;
-    variant.work = std::make_unique<WorkPrecision>(prepare_run(model, scene, options, "cost"), limits);
+    PreparedRun run = prepare_run(model, scene, options, "cost");
+    check(run);
+    variant.work = std::make_unique<WorkPrecision>(std::move(run), limits);
     const System& system = *variant.work->run().machine.system;
     variant.scene = system.scene.name;
     variant.size = size_text(system.scene);
@@ -77,13 +79,14 @@ double distance(const WorkPrecision& work, const WorkPrecision& fullest) {
 
 }  // namespace
 
-std::vector<Variant> make_variants(const std::shared_ptr<const LoadedModel>& model, const std::vector<std::string>& scenes, bool may_leave_out, const Options& options, Streams streams) {
+std::vector<Variant> make_variants(const std::shared_ptr<const LoadedModel>& model, const std::vector<std::string>& scenes, bool may_leave_out, const Options& options, Streams streams, const std::function<void(const PreparedRun&)>& check) {
     std::vector<Variant> variants;
     for (const std::string& scene : scenes) {
         try {
-            for (const Sizes& sizes : combinations(model->model, options)) variants.push_back(make_variant(model, scene, sizes, options, streams));
+            for (const Sizes& sizes : combinations(model->model, options)) variants.push_back(make_variant(model, scene, sizes, options, streams, check));
         } catch (const Failure& failure) {
-            if (!may_leave_out || failure.exit_code() == ExitCode::tool_missing) throw;
+            const bool is_last = &scene == &scenes.back() && variants.empty();
+            if (!may_leave_out || (is_last && options.models.size() == 1) || failure.exit_code() == ExitCode::tool_missing) throw;
             streams.err << fmt::format("  {}, scene '{}' is left out: {}\n", model->model.name, scene, failure.diagnostics().empty() ? failure.what() : failure.diagnostics().front().message);
         }
     }

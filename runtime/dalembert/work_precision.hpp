@@ -91,7 +91,7 @@ std::pair<Outcome, double> run_once(const RunRequest& request, Rows<typename Pro
     using Scalar = typename System::scalar_type;
     const System system = Problem::system();
     typename System::State x = Problem::start(system);
-    for (Scalar& value : x) value += Scalar(request.disturbance) * value;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += Scalar(i % 2 == 0 ? request.disturbance : -request.disturbance) * x[i];  // not all along the state
     const auto inputs = Problem::inputs(system);
     const auto observe = [&](const auto& sample) {
         rows.values.push_back(Problem::row(sample));
@@ -124,13 +124,15 @@ TimedRun timed_run(const RunRequest& request) {
         std::tie(result.outcome, result.energy_error) = run_once<Problem>(request, rows);
         result.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
         total += result.seconds.back();
-        if (!result.rows.empty()) continue;
-        result.constraint_error = rows.constraint_error;
-        for (const auto& row : rows.values) {
-            result.rows.emplace_back();
-            for (const Scalar& value : row) result.rows.back().push_back(static_cast<long double>(value));
+        if (result.rows.empty()) {
+            result.constraint_error = rows.constraint_error;
+            for (const auto& row : rows.values) {
+                result.rows.emplace_back();
+                for (const Scalar& value : row) result.rows.back().push_back(static_cast<long double>(value));
+            }
         }
-    } while (total < request.enough && result.seconds.size() < 1000);
+        // Three at least, so that one that was disturbed is seen; but of what takes long, one.
+    } while (request.enough > 0 && result.seconds.size() < 1000 && (total < request.enough || (result.seconds.size() < 3 && total < 50 * request.enough)));
     return result;
 }
 

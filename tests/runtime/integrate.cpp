@@ -66,9 +66,36 @@ TEST_CASE("a largest step does not step over a pulse, and bad options are refuse
 }
 
 TEST_CASE("measured order of the steppers") {
+    CHECK(measured_order(Method::euler, 1000) == doctest::Approx(1).epsilon(0.02));
     CHECK(measured_order(Method::rk4, 100) == doctest::Approx(4).epsilon(0.02));
     CHECK(measured_order(Method::dopri5_controlled, 100) == doctest::Approx(5).epsilon(0.02));
     CHECK(measured_order(Method::fehlberg78, 24) == doctest::Approx(8).epsilon(0.04));
+}
+
+TEST_CASE("with fixed steps nothing is rejected, whatever the method and its tolerance") {
+    for (const auto& [method, order] : {std::pair(Method::euler, 1), std::pair(Method::rk4, 4), std::pair(Method::dopri5, 5), std::pair(Method::dop853, 8)}) {
+        CAPTURE(order);
+        const auto error = [method = method](double step) {
+            IntegrationOptions<State> options;
+            options.method = method;
+            options.tolerance = 1e-15;
+            options.is_fixed = true;
+            options.step = step;
+            options.intervals = 3;
+            State x{1, 1};
+            const Outcome outcome = integrate(growth, x, 0.0, 3.0, options, [](double, const State&) {});
+            CHECK(outcome.status == Status::success);
+            CHECK(outcome.rejected == 0);
+            CHECK(outcome.steps == static_cast<std::size_t>(std::lround(3 / step)));
+            return std::abs(x[0] - std::exp(std::sin(3.0)));
+        };
+        const double step = order == 8 ? 0.25 : order == 1 ? 0.001 : 0.05;
+        CHECK(std::log2(error(step) / error(step / 2)) == doctest::Approx(order).epsilon(0.1));
+    }
+    IntegrationOptions<State> options;
+    options.is_fixed = true;
+    State x{1, 1};
+    CHECK(integrate(growth, x, 0.0, 3.0, options, [](double, const State&) {}).status == Status::bad_options);
 }
 
 TEST_CASE("dense output has order four or better, between steps that are longer than the output interval") {

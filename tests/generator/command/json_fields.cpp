@@ -92,6 +92,7 @@ TEST_CASE("the JSON fields are the documented ones") {
         {"equilibrium", {{model}, {sliding, "--mode", "floor_sticks"}}},
         {"modal", {{systems + "drive_train.toml"}, {model}, {sliding, "--mode", "floor_slides_forwards"}}},
         {"optimise", {{waves, "--maximise", "y", "--over", "w=1:15"}, {model, "--until", "1", "--minimise", "y", "--over", "c=1:2", "--state", "q[1]=1"}}},
+        {"cost", {{waves, "--methods", "rk4,dopri5", "--arithmetics", "double", "--limit", "2", "--no-plot", "-o", folder}, {waves, "--budget", "1 ms step, 1 s", "--methods", "rk4", "--arithmetics", "double", "--limit", "2"}}},
         {"survey", {{systems + "pulley.toml", "--no-plot", "-o", folder}}},
         {"scenes", {{systems + "cart_pendulum.toml"}}},
     };
