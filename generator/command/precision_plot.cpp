@@ -47,7 +47,7 @@ std::vector<std::pair<std::string, std::string>> precision_plot(const WorkPrecis
         return fmt::format("with linespoints lc rgb '{}' dt {} lw {} pt {} ps {}", method.empty() ? "#404040" : colours[colour], is_double ? "1" : is_float ? "'-'" : "'.'", is_double ? 1.6 : 1.0, is_double ? 7 : is_float ? 2 : 6, is_double ? 0.6 : 0.5);
     };
     const auto panel = [&](double left, double bottom, const char* x, const char* y, int column_x, int column_y) {
-        std::string text = fmt::format("set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at screen {}\n", left, left + 0.33, bottom, bottom + 0.36) +
+        std::string text = fmt::format("set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at screen {}\n", left, left + 0.31, bottom, bottom + 0.36) +
                            fmt::format("set xlabel {} noenhanced\nset ylabel {} noenhanced\n", gnuplot_quoted(x), gnuplot_quoted(y));
         std::string plots;
         for (std::size_t i = 0; i < curves.size(); ++i) plots += fmt::format("{}$points index {} using {}:{} {}", plots.empty() ? "plot " : ", ", i, column_x, column_y, look(curves[i].method, curves[i].arithmetic));
@@ -64,8 +64,8 @@ std::vector<std::pair<std::string, std::string>> precision_plot(const WorkPrecis
     key += "NaN notitle\n";
     const char* times = "time [us per simulated second]";
     const char* calls = "calls of the right-hand side";
-    const std::string draw = fmt::format("set multiplot title {} noenhanced\n", gnuplot_quoted(title)) + panel(0.08, 0.57, times, "largest error on the way", 1, 4) + panel(0.5, 0.57, calls, "largest error on the way", 2, 4) +
-                             panel(0.08, 0.09, times, "error at the end", 1, 3) + panel(0.5, 0.09, calls, "error at the end", 2, 3) + key + "unset multiplot\nset border\nset tics\nset grid\nset yrange [*:10]\nset xrange [*:*]\nset key off\n";
+    const std::string draw = fmt::format("set multiplot title {} noenhanced\n", gnuplot_quoted(title)) + panel(0.08, 0.57, times, "largest error on the way", 1, 4) + panel(0.47, 0.57, calls, "largest error on the way", 2, 4) +
+                             panel(0.08, 0.09, times, "error at the end", 1, 3) + panel(0.47, 0.09, calls, "error at the end", 2, 3) + key + "unset multiplot\nset border\nset tics\nset grid\nset yrange [*:10]\nset xrange [*:*]\nset key off\n";
     return gnuplot_pictures(script, draw, 1300, 900);
 }
 

@@ -51,10 +51,12 @@ std::string name_of(const RunPlan& plan) {
     return plan.step > 0 ? fmt::format("{}, {} with steps of {:.3g} s", arithmetic, plan.method, plan.step) : fmt::format("{}, {} at {:.0e}", arithmetic, plan.method, plan.tolerance);
 }
 
+std::string error_text(const ReferenceRun& reference) { return reference.error > 1e-18 ? fmt::format("{:.1e}", reference.error) : "below 1e-18"; }
+
 std::string advice(const WorkPrecision& work, const std::vector<WorkPoint>& points) {
     const ReferenceRun& reference = work.reference();
     const double until = work.run().settings.until;
-    std::string text = fmt::format("reference: {}, its own error {:.1e}; a disturbance of the start grows {:.2g}-fold{}\n", name_of(reference.plan), reference.error, reference.growth,
+    std::string text = fmt::format("reference: {}, its own error {}; a disturbance of the start grows {:.2g}-fold{}\n", name_of(reference.plan), error_text(reference), reference.growth,
                                    reference.is_sensitive() ? fmt::format(": errors are counted up to t = {:.4g} s, where it is not yet lost", reference.until()) : "");
     const auto times = [&](const WorkPoint& p) { return fmt::format("{:.3g} us per simulated second (up to {:.3g}), {} right-hand sides", p.fastest / until, p.slowest / until, p.rhs_calls); };
     for (const double error : wanted_errors) {

@@ -20,6 +20,9 @@ const WorkPoint* most_accurate(const std::vector<WorkPoint>& points, const std::
 /// "double, dopri5 at 3e-08", "float, rk4 with steps of 0.001 s"
 std::string name_of(const RunPlan& plan);
 
+/// That of a reference: "3.6e-15", or where it is beyond the digits that are kept "below 1e-18".
+std::string error_text(const ReferenceRun& reference);
+
 /// Which method to take for which accuracy, for people.
 std::string advice(const WorkPrecision& work, const std::vector<WorkPoint>& points);
 

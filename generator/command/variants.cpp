@@ -58,7 +58,7 @@ Variant make_variant(const std::shared_ptr<const LoadedModel>& model, const std:
     streams.err << fmt::format("  {}: compiled\n", variant.name());
     variant.work->find_reference();
     const ReferenceRun& reference = variant.work->reference();
-    streams.err << fmt::format("  {}: reference by {}, its own error {:.1e}\n", variant.name(), name_of(reference.plan), reference.error);
+    streams.err << fmt::format("  {}: reference by {}, its own error {}\n", variant.name(), name_of(reference.plan), error_text(reference));
     return variant;
 }
 
