@@ -108,9 +108,12 @@ std::string summary_line(const Measured& m, std::size_t width) {
         const WorkPoint* best = cheapest(m.points, error);
         const WorkPoint* usual = cheapest(m.points, error, "double", "dopri5");
         std::string cell = "not reached";
-        if (best != nullptr) cell = fmt::format("{} {}", best->plan.method, best->plan.arithmetic == "double" ? "" : best->plan.arithmetic);
-        if (best != nullptr && best->plan.step <= 0) cell += fmt::format("{:.0e}", best->plan.tolerance);
-        if (best != nullptr) cell += usual != nullptr ? fmt::format(", {:.2f}", best->fastest / usual->fastest) : ", dopri5 never";
+        if (best != nullptr) {
+            cell = best->plan.method;
+            if (best->plan.step <= 0) cell += fmt::format(" {:.0e}", best->plan.tolerance);
+            if (best->plan.arithmetic != "double") cell += " in " + best->plan.arithmetic;
+            if (usual != nullptr) cell += fmt::format(", {:.2f}", best->fastest / usual->fastest);
+        }
         text += fmt::format("  {:<30}", cell);
     }
     return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
@@ -123,7 +126,7 @@ std::string summary(const std::vector<Measured>& all) {
     for (const double error : wanted_errors) text += fmt::format("  {:<30}", fmt::format("cheapest for {:.0e}", error));
     text = text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
     for (const Measured& m : all) text += summary_line(m, width);
-    return text + "behind each method and tolerance: its time as a share of that of dopri5 in double for the same accuracy\n";
+    return text + "behind each method and tolerance: its time as a share of that of dopri5 in double for the same accuracy, where that was measured and reaches it\n";
 }
 
 }  // namespace
