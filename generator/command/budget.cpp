@@ -119,7 +119,7 @@ ExitCode budget_command(const std::vector<Variant>& variants, const Budget& budg
         json["budget"] = {{"step", budget.step}, {"time", budget.time}};
         json["candidates"] = nlohmann::ordered_json::array();
         for (const Candidate& c : all) json["candidates"].push_back(as_json(c, budget));
-        json["best"] = best != nullptr ? as_json(*best, budget) : nlohmann::ordered_json();
+        if (best != nullptr) json["best"] = as_json(*best, budget);
         streams.out << printed(json);
     } else {
         streams.out << fmt::format("steps of {:g} s in {:.3g} us on this machine; a controller that is slower by a factor needs so much more\n", budget.step, budget.time * 1e6);

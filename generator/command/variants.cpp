@@ -47,9 +47,12 @@ Variant make_variant(const std::shared_ptr<const LoadedModel>& model, const std:
     limits.run = options.limit;
     limits.reference = 12 * options.limit;
     Variant variant;
+    std::vector<std::string> measured;
+    for (const char* arithmetic : arithmetics)
+        if (is_wanted(options.arithmetics, arithmetic)) measured.emplace_back(arithmetic);
     PreparedRun run = prepare_run(model, scene, options, "cost");
     check(run);
-    variant.work = std::make_unique<WorkPrecision>(std::move(run), limits);
+    variant.work = std::make_unique<WorkPrecision>(std::move(run), limits, measured);
     const System& system = *variant.work->run().machine.system;
     variant.scene = system.scene.name;
     variant.size = size_text(system.scene);

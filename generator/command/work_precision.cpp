@@ -78,13 +78,13 @@ std::vector<double> scales_of(const Rows& rows, const Rows& worse) {
     return scales;
 }
 
-WorkPrecision::WorkPrecision(PreparedRun run, const Limits& limits) : run_(std::move(run)), limits_(limits) {
+WorkPrecision::WorkPrecision(PreparedRun run, const Limits& limits, const std::vector<std::string>& measured) : run_(std::move(run)), limits_(limits) {
     Code& code = *run_.machine.code;
-    source_ = work_precision_source(code, run_.header, run_.values, run_.settings, Arithmetics::of_machine);
-    reference_source_ = work_precision_source(code, run_.header, run_.values, run_.settings, Arithmetics::of_reference);
+    source_ = work_precision_source(code, run_.header, run_.values, run_.settings, measured);
+    reference_source_ = work_precision_source(code, run_.header, run_.values, run_.settings, {"double", "long_double", "digits50"});
     program_ = std::make_unique<ScratchFolder>();
     reference_program_ = std::make_unique<ScratchFolder>();
-    auto other = std::async(std::launch::async, [this] { compile_with_header(*reference_program_, run_.header, reference_source_, "-O2"); });
+    auto other = std::async(std::launch::async, [this] { compile_with_header(*reference_program_, run_.header, reference_source_, "-O1"); });
     compile_with_header(*program_, run_.header, source_, "-O2");
     other.get();
 }

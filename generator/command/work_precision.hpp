@@ -61,8 +61,8 @@ public:
         double reference = 60;  ///< s of the reference
         double repeat = 0.02;   ///< s that repetitions of one run take together
     };
-    /// Compiles; throws Failure (tool-failed).
-    WorkPrecision(PreparedRun run, const Limits& limits);
+    /// Compiles for the arithmetics that are to be measured; throws Failure (tool-failed).
+    WorkPrecision(PreparedRun run, const Limits& limits, const std::vector<std::string>& measured);
 
     const PreparedRun& run() const { return run_; }
     const ReferenceRun& reference() const { return reference_; }

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "emit/cpp_function.hpp"
 #include "emit/helpers.hpp"
 #include "emit/safe_text.hpp"
@@ -179,15 +181,18 @@ std::string cost_source(Code& code, const Header& header, const Values& values, 
                                                         {"INPUTS", input_statements(code, settings.inputs)}});
 }
 
-std::string work_precision_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings, Arithmetics arithmetics) {
+std::string work_precision_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings, const std::vector<std::string>& arithmetics) {
     std::vector<std::string> outputs;
     for (std::size_t i = 0; i < code.system.outputs.size(); ++i) outputs.push_back(fmt::format("y[{}]", i));
-    const bool of_machine = arithmetics == Arithmetics::of_machine;
+    std::vector<std::string> types;
+    for (const std::string& name : arithmetics)
+        types.push_back(name == "long_double" ? "long double" : name == "digits50" ? "boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>" : name);
+    const bool has_digits = std::find(arithmetics.begin(), arithmetics.end(), "digits50") != arithmetics.end();
     return fill_template(embedded_file("work_precision.cpp.in"),
                          {{"NAMESPACE", header.name_space},
                           {"HEADER", header.file_name},
-                          {"EXTRA_INCLUDES", of_machine ? "" : "#include <boost/multiprecision/cpp_bin_float.hpp>\n"},
-                          {"ARITHMETICS", of_machine ? "float, double, long double" : "double, long double, boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>"},
+                          {"EXTRA_INCLUDES", has_digits ? "#include <boost/multiprecision/cpp_bin_float.hpp>\n" : ""},
+                          {"ARITHMETICS", fmt::format("{}", fmt::join(types, ", "))},
                           {"PARAMETERS", parameter_statements(code.system.symbols, values)},
                           {"START", start_statements(code.system, values)},
                           {"INPUTS", input_statements(code, settings.inputs)},

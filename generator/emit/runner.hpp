@@ -29,10 +29,9 @@ std::vector<std::string> repeated_arguments(const System& system, const Values& 
 /// The source of a program that measures one call of the right-hand side at the start, and the bytes of its code.
 std::string cost_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
 
-/// The source of a program that makes the run with any method, tolerance and step, in one of the arithmetics, and times it; see
-/// dalembert/work_precision.hpp.
-enum class Arithmetics { of_machine, of_reference };
-std::string work_precision_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings, Arithmetics arithmetics);
+/// The source of a program that makes the run with any method, tolerance and step, in one of the arithmetics ("float", "double",
+/// "long_double", "digits50"), and times it; see dalembert/work_precision.hpp.
+std::string work_precision_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings, const std::vector<std::string>& arithmetics);
 /// What its rows have behind the time: the outputs, or the states where the model has none.
 std::vector<std::string> compared_columns(const System& system);
 

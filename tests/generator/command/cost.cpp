@@ -128,7 +128,7 @@ TEST_CASE("where a disturbance grows like exp(t), errors are counted as long as 
 TEST_CASE("a budget is kept, or refused with what would be needed") {
     const Place place;
     const std::string model = place.write("mass.toml", one_mass("1", "0", "10"));
-    const Told fits = cost({model, "--budget", "10 ms step, 1 ms", "--methods", "euler,rk4", "--limit", "2", "--format", "json"});
+    const Told fits = cost({model, "--budget", "10 ms step, 1 ms", "--methods", "euler,rk4", "--arithmetics", "double", "--limit", "2", "--format", "json"});
     REQUIRE(fits.code == 0);
     const nlohmann::json json = fits.json();
     CHECK(json["budget"]["step"] == 0.01);

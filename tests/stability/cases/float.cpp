@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Machines of controllers in float, and numbers that are hardly different from zero.
+#include "hydraulics/hydraulic_cylinder_real.hpp"
+#include "mechanics/ball_on_beam_full.hpp"
+#include "mechanics/cart_pendulum_lab.hpp"
+#include "mechanics/spherical_pendulum_forced.hpp"
+#include "physics/laws.hpp"
+#include "stability/cases/hard_case.hpp"
+
+namespace {
+
+/// Largest difference of float and double from the same start, seen at 100 points, relative to the largest magnitude of each state.
+template <template <class> class System>
+double float_error(double until, dalembert::Method method, double step) {
+    using Single = System<float>;
+    using Double = System<double>;
+    const auto options = [&](auto machine) {
+        auto made = with<decltype(machine)>(method, 1e-5);
+        made.is_fixed = true;
+        made.step = static_cast<typename decltype(machine)::scalar_type>(step);
+        return made;
+    };
+    std::vector<typename Single::State> single;
+    std::vector<typename Double::State> exact;
+    const Single controller;
+    hard_run<Single>(controller, controller.start_state(), until, options(controller), dalembert::ZeroInputs<Single>{}, [&](const auto& sample) { single.push_back(sample.x); });
+    const Double plant;
+    hard_run<Double>(plant, plant.start_state(), until, options(plant), dalembert::ZeroInputs<Double>{}, [&](const auto& sample) { exact.push_back(sample.x); });
+    double worst = single.size() == exact.size() ? 0 : INFINITY;
+    for (std::size_t i = 0; i < exact[0].size(); ++i) {
+        double size = 0, error = 0;
+        for (std::size_t k = 0; k < std::min(single.size(), exact.size()); ++k) {
+            size = std::max(size, std::fabs(exact[k][i]));
+            error = std::max(error, std::fabs(static_cast<double>(single[k][i]) - exact[k][i]));
+        }
+        if (size > 0) worst = std::max(worst, error / size);
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("float where a controller would use it") {
+    keeps("cart with pendulum, in float", "off double over 2 s by rk4 with steps of 1 ms, relative", 1e-4, float_error<cart_pendulum::lab::System>(2, dalembert::Method::rk4, 1e-3));
+    keeps("spherical pendulum, in float", "off double over 2 s by rk4 with steps of 1 ms, relative", 1e-4, float_error<spherical_pendulum::forced::System>(2, dalembert::Method::rk4, 1e-3));
+    keeps("ball on beam, in float", "off double over 1 s by rk4 with steps of 1 ms, relative", 1e-4, float_error<ball_on_beam::full::System>(1, dalembert::Method::rk4, 1e-3));
+}
+
+TEST_CASE("denormal numbers are as good as zero") {
+    using System = cart_pendulum::lab::System<double>;
+    const System system;
+    const double least = std::numeric_limits<double>::denorm_min();
+    System::State x{}, tiny{}, f, g;
+    for (double& value : tiny) value = least;
+    system.rhs(x, {}, 0, f);
+    system.rhs(tiny, {}, 0, g);
+    double worst = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) worst = std::max(worst, std::fabs(f[i] - g[i]));
+    keeps("cart with pendulum", "what states of 5e-324 change in the right-hand side", 1e-300, worst);
+}
