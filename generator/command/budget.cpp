@@ -10,6 +10,7 @@
 #include "command/precision_table.hpp"
 #include "model/dimension.hpp"
 #include "model/lexer.hpp"
+#include "model/methods.hpp"
 
 namespace dalembert {
 
@@ -47,7 +48,7 @@ std::vector<Candidate> measured(const Variant& variant, const Budget& budget, co
     std::vector<Candidate> all;
     constexpr int most_parts = 64;
     for (const char* arithmetic : {"float", "double"}) {
-        for (const char* method : {"euler", "rk4", "dopri5", "dop853", "rodas5p"}) {
+        for (const std::string& method : method_names()) {
             if (!is_wanted(options.arithmetics, arithmetic) || !is_wanted(options.methods, method)) continue;
             for (int parts = 1; parts <= most_parts; parts *= 2) {
                 const RunPlan plan{arithmetic, method, 0, budget.step / parts};

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <ostream>
 
+#include "model/methods.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -114,7 +115,7 @@ public:
         auto* scene = cost->add_option("--scene", options_.choice.scene, "one scene; all scenes of one model, if left out, and the usual one of several");
         cost->add_flag("--every-scene", options_.every_scene, "all scenes, also of several models")->excludes(scene);
         cost->add_option("--size", sizes_, "sizes of a family, each of which is measured, as N=10,N=20")->delimiter(',');
-        cost->add_option("--methods", options_.methods, "those that are measured, comma separated; all, if left out")->delimiter(',')->check(CLI::IsMember({"dopri5", "dop853", "rodas5p", "fehlberg78", "euler", "rk4"}));
+        cost->add_option("--methods", options_.methods, "those that are measured, comma separated; all, if left out")->delimiter(',')->check(CLI::IsMember(method_names()));
         cost->add_option("--arithmetics", options_.arithmetics, "float, double, long_double; all, if left out")->delimiter(',')->check(CLI::IsMember({"float", "double", "long_double"}));
         cost->add_option("--budget", options_.budget, "as '1 ms step, 20 us': instead, the most accurate way that makes such a step in this time");
         cost->add_option("--limit", options_.limit, "seconds after which a run is given up; the reference has twelve times as many")->capture_default_str()->check(CLI::Range(1.0, 1e5));
@@ -182,8 +183,8 @@ private:
     void integration(CLI::App* verb, bool draws = true) {
         verb->add_option("--run", options_.run, "the [runs.NAME] to take; `reference`, or the only one, if left out");
         verb->add_option("--tolerance", options_.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
-        verb->add_option("--method", options_.method, "dopri5, dop853 (for tight tolerances), rodas5p (for what is stiff), fehlberg78, or with a fixed step euler or rk4")->check(CLI::IsMember({"dopri5", "dop853", "rodas5p", "fehlberg78", "euler", "rk4"}));
-        verb->add_option("--step", options_.step, "step of euler and rk4 in seconds")->check(CLI::PositiveNumber);
+        verb->add_option("--method", options_.method, methods_text())->check(CLI::IsMember(method_names()));
+        verb->add_option("--step", options_.step, "step of methods with a fixed one, in seconds")->check(CLI::PositiveNumber);
         verb->add_option("--samples", options_.samples, "number of intervals at which results are written")->check(CLI::Range(1, 1000000));
         verb->add_option("--periods", options_.periods, "length of the run in periods, where the run names a period")->check(CLI::PositiveNumber);
         if (draws) verb->add_flag("--no-plot", options_.no_plot, "write the CSV only");

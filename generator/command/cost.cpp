@@ -11,6 +11,7 @@
 #include "command/precision_plot.hpp"
 #include "command/precision_table.hpp"
 #include "command/shared.hpp"
+#include "model/methods.hpp"
 
 namespace dalembert {
 
@@ -60,11 +61,9 @@ private:
 std::vector<WorkPoint> measure(const WorkPrecision& work, const Notes& notes, const Options& options, Streams streams) {
     const std::string& name = work.run().name;
     if (notes.count() > 0) streams.err << fmt::format("  {}: goes on behind {} runs that were measured before\n", name, notes.count());
-    std::vector<std::string> methods(controlled_methods.begin(), controlled_methods.end());
-    methods.insert(methods.end(), fixed_methods.begin(), fixed_methods.end());
     std::vector<WorkPoint> points;
     for (const char* arithmetic : arithmetics) {
-        for (const std::string& method : methods) {
+        for (const std::string& method : method_names()) {
             if (!is_wanted(options.arithmetics, arithmetic) || !is_wanted(options.methods, method)) continue;
             std::vector<WorkPoint> curve;
             while (const auto plan = work.next(arithmetic, method, curve)) {
@@ -84,7 +83,7 @@ nlohmann::ordered_json as_json(const Measured& m) {
     const Variant& v = m.variant;
     const ReferenceRun& reference = v.work->reference();
     nlohmann::ordered_json json{{"scene", v.scene}, {"size", v.size}, {"states", v.states}, {"from_fullest", v.from_fullest}};
-    json["reference"] = {{"arithmetic", reference.plan.arithmetic}, {"method", reference.plan.method}, {"tolerance", reference.plan.tolerance}, {"error", reference.error}, {"growth", reference.growth}, {"counted_until", reference.until()}};
+    json["reference"] = {{"arithmetic", reference.plan.arithmetic}, {"method", reference.plan.method}, {"tolerance", reference.plan.tolerance}, {"error", reference.error}, {"growth", reference.growth ? nlohmann::ordered_json(*reference.growth) : nlohmann::ordered_json()}, {"counted_until", reference.until()}};
     json["runs"] = nlohmann::ordered_json::array();
     for (const WorkPoint& p : m.points)
         json["runs"].push_back({{"arithmetic", p.plan.arithmetic}, {"method", p.plan.method}, {"tolerance", p.plan.tolerance}, {"step", p.plan.step}, {"status", p.status}, {"good", p.is_good}, {"steps", p.steps}, {"rejected", p.rejected}, {"rhs_calls", p.rhs_calls},
@@ -131,7 +130,7 @@ std::string summary(const std::vector<Measured>& all) {
 
 }  // namespace
 
-ExitCode cost_command(const Options& options, Streams streams) {
+ExitCode cost_command(const Options& options, Streams streams) try {
     const auto budget = options.budget.empty() ? std::nullopt : std::optional(read_budget(options.budget));
     const bool is_one = options.models.size() == 1;
     if (!is_one && !options.choice.scene.empty()) throw Failure(Diagnostic{Id::bad_option, {}, "of several models no scene can be chosen; --every-scene takes all"});
@@ -184,6 +183,9 @@ ExitCode cost_command(const Options& options, Streams streams) {
         for (const auto& [path, content] : files) streams.out << path.string() << "\n";
     }
     return all.empty() ? ExitCode::run_stopped : ExitCode::good;
+} catch (const RunStopped& stopped) {
+    streams.err << fmt::format("dalembert: {}\n", stopped.what());
+    return ExitCode::run_stopped;
 }
 
 }  // namespace dalembert

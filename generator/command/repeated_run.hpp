@@ -4,14 +4,10 @@
 
 #include "command/run_preparation.hpp"
 #include "command/settings.hpp"
+#include "command/simulation.hpp"
 #include "text/process.hpp"
 
 namespace dalembert {
-
-/// A run that did not come to its end, in words.
-struct RunStopped : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 class RepeatedRun {
 public:

@@ -7,6 +7,7 @@
 
 #include "command/settings.hpp"
 #include "model/choose_effects.hpp"
+#include "model/methods.hpp"
 #include "model/parser.hpp"
 #include "text/nearest.hpp"
 
@@ -133,7 +134,7 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     if (options_.samples > 0) settings.intervals = options_.samples;
     if (!(settings.until > 0))
         throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("how long to simulate '{}'? Give --until, or a [runs.reference] in the model", model_name_)});
-    if ((settings.method == "rk4" || settings.method == "euler") && !(settings.step > 0)) throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method {} needs a fixed step: --step", settings.method)});
+    if (needs_step(settings.method) && !(settings.step > 0)) throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method {} needs a fixed step: --step", settings.method)});
     settings.inputs = inputs(values, system);
     settings.plots = resolved_plots(settings.plots, system);
     return settings;

@@ -50,6 +50,11 @@ struct SimulationReport {
     FileContents files;      ///< to be written: header, CSV, plots
 };
 
+/// A run that did not come to its end, in words.
+struct RunStopped : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// The scene that a run belongs to; empty when it belongs to none, or there is no run.
 std::string scene_of_run(const Model& model, const std::string& run);
 /// The scene of the command line, or else the one that its run belongs to. Throws Failure where the two differ.

@@ -85,12 +85,16 @@ double distance(const WorkPrecision& work, const WorkPrecision& fullest) {
 std::vector<Variant> make_variants(const std::shared_ptr<const LoadedModel>& model, const std::vector<std::string>& scenes, bool may_leave_out, const Options& options, Streams streams, const std::function<void(const PreparedRun&)>& check) {
     std::vector<Variant> variants;
     for (const std::string& scene : scenes) {
+        const bool is_last = &scene == &scenes.back() && variants.empty() && options.models.size() == 1;
+        const auto leave_out = [&](const std::string& why) { streams.err << fmt::format("  {}, scene '{}' is left out: {}\n", model->model.name, scene, why); };
         try {
             for (const Sizes& sizes : combinations(model->model, options)) variants.push_back(make_variant(model, scene, sizes, options, streams, check));
         } catch (const Failure& failure) {
-            const bool is_last = &scene == &scenes.back() && variants.empty();
-            if (!may_leave_out || (is_last && options.models.size() == 1) || failure.exit_code() == ExitCode::tool_missing) throw;
-            streams.err << fmt::format("  {}, scene '{}' is left out: {}\n", model->model.name, scene, failure.diagnostics().empty() ? failure.what() : failure.diagnostics().front().message);
+            if (!may_leave_out || is_last || failure.exit_code() == ExitCode::tool_missing) throw;
+            leave_out(failure.diagnostics().empty() ? failure.what() : failure.diagnostics().front().message);
+        } catch (const RunStopped& stopped) {
+            if (!may_leave_out || is_last) throw;
+            leave_out(stopped.what());
         }
     }
     const auto fullest = std::max_element(variants.begin(), variants.end(), [](const Variant& a, const Variant& b) { return std::pair(a.effects, a.states) < std::pair(b.effects, b.states); });

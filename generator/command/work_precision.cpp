@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "command/run_header.hpp"
+#include "model/methods.hpp"
 
 namespace dalembert {
 
@@ -112,7 +113,7 @@ bool WorkPrecision::try_reference(const RunPlan& plan, double coarser) {
     const Made best = make(*reference_program_, plan, 0, limits_.reference, 0);
     if (best.said.at("status") != worse.said.at("status") || best.rows.empty()) return false;
     const std::vector<double> scales = scales_of(best.rows, worse.rows);
-    reference_ = {plan, best.rows, best.said.at("status"), 0, scales, 1, best.rows.size()};
+    reference_ = {plan, best.rows, best.said.at("status"), 0, scales, {}, best.rows.size()};
     find_growth();
     reference_.error = largest(differences(worse.rows, best.rows, scales), reference_.counted);
     return std::isfinite(reference_.error);
@@ -128,7 +129,7 @@ void WorkPrecision::find_growth() {
     constexpr double too_much = 1e8, still_good = 1e5;
     const std::vector<double> growth = differences(disturbed.rows, plain.rows, reference_.scales);
     reference_.growth = largest(growth, growth.size()) / tried_disturbance;
-    if (!(reference_.growth > too_much)) return;
+    if (!(*reference_.growth > too_much)) return;
     reference_.counted = 1;
     while (reference_.counted < growth.size() && growth[reference_.counted] < still_good * tried_disturbance) ++reference_.counted;
 }
@@ -145,7 +146,7 @@ void WorkPrecision::find_reference() {
     if (try_reference({"long_double", "rodas5p", 1e-14, 0}, 100)) return;
     if (try_reference({"double", "rodas5p", 1e-12, 0}, 100)) return;
     if (try_reference({"double", "dop853", 1e-13, 0}, 100)) return;
-    throw Failure(Diagnostic{Id::tool_failed, {}, fmt::format("{}: no method makes a reference of the run to t = {} s within {} s; the run may stop, or is too long: see `dalembert simulate`, --until and --limit", run_.name, run_.settings.until, limits_.reference)}, ExitCode::run_stopped);
+    throw RunStopped(fmt::format("{}: no method makes a reference of the run to t = {} s within {} s; the run may stop, or is too long: see `dalembert simulate`, --until and --limit", run_.name, run_.settings.until, limits_.reference));
 }
 
 WorkPoint WorkPrecision::measure(const RunPlan& plan) const {
@@ -176,9 +177,8 @@ WorkPoint WorkPrecision::measure(const RunPlan& plan) const {
 
 std::optional<RunPlan> WorkPrecision::next(const std::string& arithmetic, const std::string& method, const std::vector<WorkPoint>& before) const {
     if (!before.empty() && (before.back().status == "too slow" || before.back().status == "bad options")) return std::nullopt;
-    const bool is_fixed = std::find(fixed_methods.begin(), fixed_methods.end(), method) != fixed_methods.end();
     const double coarsest = 1e-2, finest = arithmetic == "float" ? 1e-7 : 1e-13;
-    if (!is_fixed) {
+    if (!needs_step(method)) {
         const double tolerance = coarsest * std::pow(10.0, -static_cast<double>(before.size()));
         // Two that could not be met: those behind cannot either.
         if (before.size() > 1 && !before.back().is_good && !before[before.size() - 2].is_good && before.front().is_good) return std::nullopt;

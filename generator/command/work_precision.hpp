@@ -40,7 +40,7 @@ struct ReferenceRun {
     std::string status;
     double error = 0;            ///< its own, from a second run with a hundredfold tolerance
     std::vector<double> scales;  ///< of the columns; 0: not compared, as it is zero but for errors
-    double growth = 1;           ///< of a small disturbance of the start, up to the end
+    std::optional<double> growth = {};  ///< of a small disturbance of the start, up to the end; nothing where a run of it takes too long
     std::size_t counted = 0;     ///< rows in which errors are counted: before a disturbance has grown too much
     bool is_sensitive() const { return counted < rows.size(); }
     double until() const { return rows.empty() ? 0 : static_cast<double>(rows[counted - 1][0]); }
@@ -66,7 +66,7 @@ public:
 
     const PreparedRun& run() const { return run_; }
     const ReferenceRun& reference() const { return reference_; }
-    /// Looks for a reference. Throws Failure (run-stopped) where no method comes to an end.
+    /// Looks for a reference. Throws RunStopped where no method comes to an end.
     void find_reference();
     WorkPoint measure(const RunPlan& plan) const;
     /// Those that are measured in one arithmetic, from coarse to fine: the next one, given those before; nothing at the end.
@@ -92,7 +92,5 @@ private:
 };
 
 inline constexpr std::array arithmetics{"float", "double", "long_double"};
-inline constexpr std::array controlled_methods{"dopri5", "dop853", "fehlberg78", "rodas5p"};
-inline constexpr std::array fixed_methods{"euler", "rk4"};
 
 }  // namespace dalembert

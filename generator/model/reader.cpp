@@ -7,6 +7,7 @@
 #include "model/entry.hpp"
 #include "model/expand_statics.hpp"
 #include "model/expand_switching.hpp"
+#include "model/methods.hpp"
 #include "model/read_fluids.hpp"
 #include "model/read_heat.hpp"
 #include "model/read_mechanics.hpp"
@@ -106,7 +107,7 @@ void read(const Entry& e, Run& run) {
     if (!cln::plusp(run.tolerance) || run.tolerance >= 1)
         e.error(Id::value_out_of_range, e.span_of("tolerance"), "the tolerance lies between 0 and 1");
     run.method = e.text("method");
-    const std::vector<std::string> methods{"dopri5", "dop853", "rodas5p", "fehlberg78", "euler", "rk4"};
+    const std::vector<std::string> methods = method_names();
     if (!run.method.empty() && std::find(methods.begin(), methods.end(), run.method) == methods.end())
         e.error(Id::wrong_type, e.span_of("method"), fmt::format("'{}' is not a method; the methods are {}", run.method, quoted_list(methods)));
     run.samples = e.whole_number("samples", run.samples);

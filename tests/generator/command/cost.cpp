@@ -1,50 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Accuracy against time: the errors that are told against integrations by hand and formulas, references, stopped measurements, budgets.
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "command/budget.hpp"
-#include "command/command_line.hpp"
 #include "command/precision_table.hpp"
+#include "generator/command/verb.hpp"
 
 using namespace dalembert;
 
 namespace {
 
-struct Told {
-    int code;
-    std::string out, err;
-    nlohmann::json json() const { return nlohmann::json::parse(out); }
-};
-
-Told cost(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "cost");
-    std::ostringstream out, err;
-    const int code = run_program(arguments, {out, err});
-    return {code, out.str(), err.str()};
-}
-
-class Place {
-public:
-    Place() : path_(std::filesystem::temp_directory_path() / ("dalembert_cost_" + std::to_string(::getpid()))) { std::filesystem::create_directories(path_); }
-    ~Place() { std::filesystem::remove_all(path_); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name) << text;
-        return path_ / name;
-    }
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
+Answer cost(const std::vector<std::string>& arguments) { return ask("cost", arguments); }
 
 /// q'' = c q/m from q = 1, q' = rate.
 std::string one_mass(const char* stiffness, const char* rate, const char* until) {
@@ -70,17 +41,17 @@ double error_of_rk4(std::size_t steps, double until) {
 }  // namespace
 
 TEST_CASE("errors of an oscillator are those of an integration by hand, and a stopped measurement goes on") {
-    const Place place;
+    const Folder place;
     const std::string model = place.write("mass.toml", one_mass("1", "0", "10"));
     const std::vector<std::string> call{model, "--methods", "rk4,dopri5", "--arithmetics", "float,double", "--limit", "2", "--no-plot", "--format", "json", "-o", place.path()};
     // Results cannot be written where a folder is in the way: what was measured stays.
     std::filesystem::create_directory(place.path() / "mass_cost.csv");
-    const Told stopped = cost(call);
+    const Answer stopped = cost(call);
     CHECK(stopped.code == 3);
     const std::filesystem::path unfinished = place.path() / "mass_full_cost.unfinished";
     REQUIRE(std::filesystem::exists(unfinished));
     std::filesystem::remove(place.path() / "mass_cost.csv");
-    const Told told = cost(call);
+    const Answer told = cost(call);
     REQUIRE(told.code == 0);
     CHECK(told.err.find("goes on behind") != std::string::npos);
     CHECK(!std::filesystem::exists(unfinished));
@@ -115,9 +86,9 @@ TEST_CASE("errors of an oscillator are those of an integration by hand, and a st
 }
 
 TEST_CASE("where a disturbance grows like exp(t), errors are counted as long as it is small") {
-    const Place place;
+    const Folder place;
     const std::string model = place.write("mass.toml", one_mass("-1", "-1", "25"));
-    const Told told = cost({model, "--methods", "dopri5", "--arithmetics", "double", "--limit", "2", "--no-plot", "--format", "json", "-o", place.path()});
+    const Answer told = cost({model, "--methods", "dopri5", "--arithmetics", "double", "--limit", "2", "--no-plot", "--format", "json", "-o", place.path()});
     REQUIRE(told.code == 0);
     const nlohmann::json reference = told.json()["machines"][0]["reference"];
     CHECK(reference["growth"] > 1e10);
@@ -126,9 +97,9 @@ TEST_CASE("where a disturbance grows like exp(t), errors are counted as long as 
 }
 
 TEST_CASE("a budget is kept, or refused with what would be needed") {
-    const Place place;
+    const Folder place;
     const std::string model = place.write("mass.toml", one_mass("1", "0", "10"));
-    const Told fits = cost({model, "--budget", "10 ms step, 1 ms", "--methods", "euler,rk4", "--arithmetics", "double", "--limit", "2", "--format", "json"});
+    const Answer fits = cost({model, "--budget", "10 ms step, 1 ms", "--methods", "euler,rk4", "--arithmetics", "double", "--limit", "2", "--format", "json"});
     REQUIRE(fits.code == 0);
     const nlohmann::json json = fits.json();
     CHECK(json["budget"]["step"] == 0.01);
@@ -137,17 +108,17 @@ TEST_CASE("a budget is kept, or refused with what would be needed") {
     CHECK(json["best"]["arithmetic"] == "double");
     for (const auto& candidate : json["candidates"])
         if (candidate["method"] == "rk4" && candidate["arithmetic"] == "double" && candidate["parts"] == 1) CHECK(candidate["error"] == doctest::Approx(error_of_rk4(1000, 10)).epsilon(1e-2));
-    const Told never = cost({model, "--budget", "10 ms step, 1e-6 us", "--methods", "euler,rk4", "--arithmetics", "double", "--limit", "2"});
+    const Answer never = cost({model, "--budget", "10 ms step, 1e-6 us", "--methods", "euler,rk4", "--arithmetics", "double", "--limit", "2"});
     CHECK(never.code == 1);
     CHECK(never.out.find("none fits: the fastest that comes to the end takes") != std::string::npos);
-    const Told coarse = cost({model, "--budget", "1 s step, 1 ms", "--methods", "rk4", "--limit", "2"});
+    const Answer coarse = cost({model, "--budget", "1 s step, 1 ms", "--methods", "rk4", "--limit", "2"});
     CHECK(coarse.code == 2);
     CHECK(coarse.err.find("takes 10 s, which is less than 50 steps of 1 s") != std::string::npos);
 }
 
 TEST_CASE("bad questions about cost") {
     const auto refused = [](const std::vector<std::string>& arguments, const std::string& sentence) {
-        const Told told = cost(arguments);
+        const Answer told = cost(arguments);
         CHECK(told.code == 2);
         CHECK_MESSAGE(told.err.find(sentence) != std::string::npos, told.err);
     };

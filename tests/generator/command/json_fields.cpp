@@ -4,8 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +12,7 @@
 #include <sstream>
 
 #include "command/command_line.hpp"
+#include "text/process.hpp"
 
 using namespace dalembert;
 using Json = nlohmann::ordered_json;
@@ -57,9 +56,9 @@ std::set<std::string> printed_paths(std::vector<std::string> arguments) {
 
 TEST_CASE("the JSON fields are the documented ones") {
     const std::string systems = SOURCE_DIR "/systems/mechanics/";
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("dalembert_json_" + std::to_string(::getpid()));
+    const ScratchFolder scratch;
+    const std::filesystem::path folder = scratch.path();
     // With a family and an input, so that every field occurs.
-    std::filesystem::create_directories(folder);
     const std::string model = folder / "driven.toml";
     std::ofstream(model) << "[model]\nformat = 1\nname = \"driven\"\n[sizes]\nN = { value = 1 }\n[parameters]\nm = { value = 1, unit = \"kg\" }\n"
                             "c = { value = 2, unit = \"N/m\" }\n[coordinates]\nq = { for = \"k = 1..N\", unit = \"m\" }\n[inputs]\nf = { unit = \"N\" }\n"
@@ -115,5 +114,4 @@ TEST_CASE("the JSON fields are the documented ones") {
         }
         for (const std::string& path : documented) CHECK_MESSAGE(printed.contains(path), path, " is documented but was not printed");
     }
-    std::filesystem::remove_all(folder);
 }

@@ -1,34 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The best parameter of a run: against the formulas of (2.64) and (2.65), against an integration by hand, and where there is none.
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "command/command_line.hpp"
 #include "command/optimum.hpp"
+#include "generator/command/verb.hpp"
 
 using namespace dalembert;
 
 namespace {
 
-struct Answer {
-    int code;
-    std::string out, err;
-    nlohmann::json json() const { return nlohmann::json::parse(out); }
-};
-
-Answer optimise(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "optimise");
-    std::ostringstream out, err;
-    const int code = run_program(arguments, {out, err});
-    return {code, out.str(), err.str()};
-}
+Answer optimise(const std::vector<std::string>& arguments) { return ask("optimise", arguments); }
 
 const std::string projectile = SOURCE_DIR "/systems/mechanics/projectile.toml";
 constexpr double g = 9.81, h = 1.8, v = 25, m = 0.145, drag = 0.47 * 42.5e-4 * 1.2 / 2;
@@ -58,19 +42,6 @@ double distance_with_drag(double alpha) {
     for (int i = 0; i < 20; ++i) left -= step(x, left)[1] / step(x, left)[3];
     return step(x, left)[0];
 }
-
-class Folder {
-public:
-    Folder() : path_(std::filesystem::temp_directory_path() / ("dalembert_optimise_" + std::to_string(::getpid()))) { std::filesystem::create_directories(path_); }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name) << text;
-        return path_ / name;
-    }
-
-private:
-    std::filesystem::path path_;
-};
 
 }  // namespace
 

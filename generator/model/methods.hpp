@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one table of methods of integration, as runs and the command line name them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dalembert {
+
+struct MethodSpec {
+    const char* name;
+    bool needs_step;  ///< a fixed one
+    const char* what;
+};
+
+inline constexpr std::array methods_of_integration{
+    MethodSpec{"dopri5", false, ""},
+    MethodSpec{"dop853", false, "for tight tolerances"},
+    MethodSpec{"rodas5p", false, "for what is stiff"},
+    MethodSpec{"fehlberg78", false, ""},
+    MethodSpec{"euler", true, ""},
+    MethodSpec{"rk4", true, ""},
+};
+
+inline std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const MethodSpec& method : methods_of_integration) names.emplace_back(method.name);
+    return names;
+}
+
+inline bool needs_step(std::string_view name) {
+    return std::any_of(methods_of_integration.begin(), methods_of_integration.end(), [&](const MethodSpec& method) { return method.name == name && method.needs_step; });
+}
+
+/// "dopri5, dop853 (for tight tolerances), ..., rk4 (fixed step)"
+inline std::string methods_text() {
+    std::string text;
+    for (const MethodSpec& method : methods_of_integration) {
+        const std::string what = method.what + std::string(method.needs_step ? (*method.what != '\0' ? "; fixed step" : "fixed step") : "");
+        text += (text.empty() ? "" : ", ") + std::string(method.name) + (what.empty() ? "" : " (" + what + ")");
+    }
+    return text;
+}
+
+}  // namespace dalembert
