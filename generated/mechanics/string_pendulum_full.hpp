@@ -144,6 +144,7 @@ public:
     // What generic code asks a system for.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
+    static constexpr bool is_separable = true;  // accelerations depend on coordinates alone
     using PatternX = jacobian_x_pattern;
     using PatternU = jacobian_u_pattern;
     using PatternP = jacobian_p_pattern;

@@ -10,7 +10,6 @@
 #include "command/precision_table.hpp"
 #include "model/dimension.hpp"
 #include "model/lexer.hpp"
-#include "model/methods.hpp"
 
 namespace dalembert {
 
@@ -48,8 +47,9 @@ std::vector<Candidate> measured(const Variant& variant, const Budget& budget, co
     std::vector<Candidate> all;
     constexpr int most_parts = 64;
     for (const char* arithmetic : {"float", "double"}) {
-        for (const std::string& method : method_names()) {
-            if (!is_wanted(options.arithmetics, arithmetic) || !is_wanted(options.methods, method)) continue;
+        if (!is_wanted(options.arithmetics, arithmetic)) continue;
+        for (const std::string& method : measured_methods(options.methods, *work.run().machine.system)) {
+            if (method == "automatic") continue;  // with fixed steps it is dopri5
             for (int parts = 1; parts <= most_parts; parts *= 2) {
                 const RunPlan plan{arithmetic, method, 0, budget.step / parts};
                 const WorkPoint point = work.measure(plan);

@@ -11,7 +11,6 @@
 #include "command/precision_plot.hpp"
 #include "command/precision_table.hpp"
 #include "command/shared.hpp"
-#include "model/methods.hpp"
 
 namespace dalembert {
 
@@ -63,8 +62,8 @@ std::vector<WorkPoint> measure(const WorkPrecision& work, const Notes& notes, co
     if (notes.count() > 0) streams.err << fmt::format("  {}: goes on behind {} runs that were measured before\n", name, notes.count());
     std::vector<WorkPoint> points;
     for (const char* arithmetic : arithmetics) {
-        for (const std::string& method : method_names()) {
-            if (!is_wanted(options.arithmetics, arithmetic) || !is_wanted(options.methods, method)) continue;
+        if (!is_wanted(options.arithmetics, arithmetic)) continue;
+        for (const std::string& method : measured_methods(options.methods, *work.run().machine.system)) {
             std::vector<WorkPoint> curve;
             while (const auto plan = work.next(arithmetic, method, curve)) {
                 const WorkPoint* known = notes.find(*plan);

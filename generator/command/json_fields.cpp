@@ -149,6 +149,8 @@ constexpr auto of_simulate = std::to_array<JsonField>({
     {"steps", "steps of the integrator"},
     {"rejected", "steps that were tried and thrown away"},
     {"rhs_calls", "evaluations of the right-hand side"},
+    {"methods[].name", "chosen by stiffness, with method automatic; empty with others"},
+    {"methods[].steps", ""},
     {"energy_error", "max |E - E0 - work| / max(T + |V|)"},
     {"euler_step", "s, largest step for which the explicit Euler method is stable at the start; of models with heat"},
     {"lost", "J, energy lost at events, as by impacts; of what switches, as the next one"},

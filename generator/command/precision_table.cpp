@@ -6,7 +6,17 @@
 #include <algorithm>
 #include <sstream>
 
+#include "graph/separable.hpp"
+#include "model/methods.hpp"
+
 namespace dalembert {
+
+std::vector<std::string> measured_methods(const std::vector<std::string>& wanted, const System& system) {
+    std::vector<std::string> methods;
+    for (const std::string& name : method_names())
+        if (is_wanted(wanted, name) && (name != "symplectic" || is_separable(system))) methods.push_back(name);
+    return methods;
+}
 
 bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) { return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end(); }
 

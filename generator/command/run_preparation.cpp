@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "command/settings.hpp"
+#include "graph/separable.hpp"
 #include "model/choose_effects.hpp"
 #include "model/methods.hpp"
 #include "model/parser.hpp"
@@ -135,6 +136,8 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     if (!(settings.until > 0))
         throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("how long to simulate '{}'? Give --until, or a [runs.reference] in the model", model_name_)});
     if (needs_step(settings.method) && !(settings.step > 0)) throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method {} needs a fixed step: --step", settings.method)});
+    if (settings.method == "symplectic" && !is_separable(system))
+        throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method symplectic is for accelerations that depend on coordinates alone, without inputs, modes and constraints; those of '{}' do not, see `dalembert derive`", model_name_)});
     settings.inputs = inputs(values, system);
     settings.plots = resolved_plots(settings.plots, system);
     return settings;

@@ -9,6 +9,18 @@
 
 namespace dalembert {
 
+namespace {
+
+/// "dop853", "dop853 for 20 steps, rodas5p for 100 (stiff)"
+std::string methods_text(const SimulationReport& report) {
+    if (report.methods.size() == 1 && report.methods[0].first != "rodas5p") return report.methods[0].first;
+    std::string text;
+    for (const auto& [method, steps] : report.methods) text += fmt::format("{}{} for {}{}{}", text.empty() ? "" : ", ", method, steps, text.empty() ? " steps" : "", method == "rodas5p" ? " (stiff)" : "");
+    return text;
+}
+
+}  // namespace
+
 ExitCode simulate_command(const Options& options, Streams streams) {
     const PreparedSimulation prepared = prepare_simulation(loaded(options, streams), options.choice.scene, options);
     show_warnings(prepared.machine, streams);
@@ -25,6 +37,8 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         json["steps"] = report.steps;
         json["rejected"] = report.rejected;
         json["rhs_calls"] = report.rhs_calls;
+        json["methods"] = nlohmann::ordered_json::array();
+        for (const auto& [method, steps] : report.methods) json["methods"].push_back({{"name", method}, {"steps", steps}});
         json["energy_error"] = report.energy_error;
         if (report.euler_step) json["euler_step"] = *report.euler_step;
         if (report.lost) json["lost"] = *report.lost;
@@ -35,6 +49,7 @@ ExitCode simulate_command(const Options& options, Streams streams) {
     } else {
         streams.out << fmt::format("{} steps ({} rejected), {} evaluations of the right-hand side{}\n", report.steps, report.rejected, report.rhs_calls,
                                    report.events > 0 ? fmt::format(", {} events passed", report.events) : "");
+        if (!report.methods.empty()) streams.out << fmt::format("method: {}\n", methods_text(report));
         const char* energy = prepared.machine.system->has_balances() ? "T + |V| + |internal energy|" : "T + |V|";
         streams.out << fmt::format("energy error: max |E - E(0) - work| / max({}) = {}\n", energy, report.energy_error);
         if (report.euler_step) streams.out << fmt::format("explicit Euler at the start: stable up to steps of {:.6g} s\n", *report.euler_step);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "command/run_header.hpp"
 #include "command/run_preparation.hpp"
@@ -103,6 +104,11 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     report.steps = std::stoul(result.at("steps"));
     report.rejected = std::stoul(result.at("rejected"));
     report.rhs_calls = std::stoul(result.at("rhs_calls"));
+    std::istringstream steps_by(result.at("steps_by"));
+    for (const char* method : {"dopri5", "dop853", "rodas5p"}) {
+        std::size_t steps = 0;
+        if (steps_by >> steps && steps > 0) report.methods.emplace_back(method, steps);
+    }
     report.energy_error = std::stod(result.at("energy_error"));
     if (const auto step = result.find("euler_step"); step != result.end()) {
         const double value = std::stod(step->second);

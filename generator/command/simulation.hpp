@@ -39,6 +39,7 @@ struct SimulationReport {
     std::size_t steps = 0;
     std::size_t rejected = 0;
     std::size_t rhs_calls = 0;
+    std::vector<std::pair<std::string, std::size_t>> methods;  ///< and their steps, where they were chosen by stiffness
     double energy_error = 0; ///< max |E - E(0) - work| / max(T + |V| + |internal energy|)
     std::optional<double> euler_step;  ///< s, of heat: up to which the explicit Euler method is stable at the start; nothing where it is not known
     std::optional<double> lost;        ///< J, of what switches: at events, as by impacts

@@ -10,6 +10,7 @@
 #include "emit/cpp_function.hpp"
 #include "emit/cpp_names.hpp"
 #include "emit/safe_text.hpp"
+#include "graph/separable.hpp"
 #include "model/units.hpp"
 #include "prove/constraint_validity.hpp"
 
@@ -47,6 +48,7 @@ public:
         values("GUARD_TABLE", guards.empty() ? "" : "\n" + guards);
         values("GUARDS_COUNT", std::to_string(listed.size()));
 
+        values("SEPARABLE", is_separable(system_) ? "    static constexpr bool is_separable = true;  // accelerations depend on coordinates alone\n" : "");
         values("DEGREES", std::to_string(symbols_.degrees()));
         values("PLAIN_STATES", std::to_string(symbols_.states()));
         values("STATES", std::to_string(states.size()));

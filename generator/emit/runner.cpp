@@ -150,10 +150,7 @@ std::string repeated_source(Code& code, const Header& header, const SimulationSe
     const bool switches = !system.scene.modes.empty();
     return fill_template(embedded_file("repeated.cpp.in"), {{"NAMESPACE", header.name_space},
                                                             {"HEADER", header.file_name},
-                                                            {"SIMULATE", switches ? "simulate_switching" : "simulate"},
-                                                            {"OPTIONS", switches ? "SwitchingSimulationOptions" : "SimulationOptions"},
                                                             {"MODE", switches ? "System::Mode{}, " : ""},
-                                                            {"ON_CHANGE", switches ? ", [](const auto&...) {}" : ""},
                                                             {"PARAMETERS", parameters},
                                                             {"START", start},
                                                             {"STATE_COLUMNS", state_columns},

@@ -10,7 +10,7 @@ struct SimulationSettings {
     double until = 0;      ///< s
     double tolerance = 1e-9;
     double step = 0;       ///< s; 0: chosen by the method
-    std::string method = "dopri5";
+    std::string method = "automatic";
     int intervals = 500;
     std::vector<GiNaC::ex> inputs;  ///< expressions of time and state, one an input
     std::vector<Plot> plots;        ///< names as the recording has them

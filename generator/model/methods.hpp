@@ -17,12 +17,15 @@ struct MethodSpec {
 };
 
 inline constexpr std::array methods_of_integration{
+    MethodSpec{"automatic", false, "the usual one: dopri5 or dop853, and rodas5p as long as they would be unstable with longer steps"},
     MethodSpec{"dopri5", false, ""},
     MethodSpec{"dop853", false, "for tight tolerances"},
     MethodSpec{"rodas5p", false, "for what is stiff"},
     MethodSpec{"fehlberg78", false, ""},
+    MethodSpec{"bulirsch_stoer", false, "for smooth motion"},
     MethodSpec{"euler", true, ""},
     MethodSpec{"rk4", true, ""},
+    MethodSpec{"symplectic", true, "where accelerations depend on coordinates alone"},
 };
 
 inline std::vector<std::string> method_names() {

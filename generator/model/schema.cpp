@@ -410,7 +410,7 @@ constexpr std::array run_keys{
     KeySpec{"inputs", T::expressions_by_name, false, "inputs as expressions of t and the states; 0 for what is left out"},
     KeySpec{"parameters", T::expressions_by_name, false, "parameters that differ, in SI"},
     KeySpec{"tolerance", T::number, false, "relative tolerance of a step; 1e-9 if left out"},
-    KeySpec{"method", T::choice, false, "\"dopri5\" (default), \"dop853\" for smooth motion at tight tolerances, \"rodas5p\" for what is stiff, \"fehlberg78\", or with a fixed step \"euler\" or \"rk4\""},
+    KeySpec{"method", T::choice, false, "\"automatic\" (default): \"dopri5\" or at 1e-6 and less \"dop853\", \"rodas5p\" as long as the problem is stiff; also \"fehlberg78\", \"bulirsch_stoer\", or with a fixed step \"euler\", \"rk4\" or, for separable machines, \"symplectic\""},
     KeySpec{"step", T::constant, false, "fixed step of euler and rk4 in seconds"},
     KeySpec{"samples", T::whole_number, false, "number of equal intervals at which results are written; 500 if left out"},
     KeySpec{"plots", T::plots, false, "lists of names over time: [[\"s\"], [\"phi\"]], or { x = \"x\", y = [\"z\"] }"},

@@ -106,8 +106,7 @@ private:
 
 template <template <class, class> class Method, class Run>
 Outcome run_explicit(Run& run, Steps steps) {
-    Method<typename Run::State, typename Run::RightHandSide> stepper(run.right_hand_side());
-    return run.go(stepper, steps);
+    return run_with<Method<typename Run::State, typename Run::RightHandSide>>(run, steps);
 }
 
 /// With one of the methods that need nothing but the right-hand side.
@@ -120,6 +119,9 @@ Outcome run_explicit(Run& run, Method method) {
         case Method::dopri5_controlled: return run_explicit<DormandPrince5>(run, Steps::to_outputs);
         case Method::dop853: return run_explicit<DormandPrince853>(run, Steps::dense);
         case Method::fehlberg78: return run_explicit<Fehlberg78>(run, Steps::to_outputs);
+        case Method::automatic:
+        case Method::bulirsch_stoer:
+        case Method::symplectic:
         case Method::rodas5p: break;
     }
     return run.refuse();

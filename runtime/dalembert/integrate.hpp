@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "dalembert/automatic.hpp"
 #include "dalembert/explicit_steppers.hpp"
 #include "dalembert/integration.hpp"
 #include "dalembert/rosenbrock.hpp"
@@ -31,7 +32,9 @@ template <class State, class Rhs, class Observer, class Guards, std::size_t G>
 Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options, Observer&& observe,
                   Guards&& guards, const std::array<bool, G>& ends) {
     detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>, G> run(rhs, x, from, to, options, observe, guards, ends);
-    return detail::run_explicit(run, options.method);
+    detail::NoDerivatives none;
+    detail::Choice<typename State::value_type, 0> choice;
+    return detail::run_by_method(run, none, options, choice);
 }
 
 /// The same without guards.
@@ -40,12 +43,14 @@ Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename
     return integrate(rhs, x, from, to, options, observe, detail::NoGuards{}, std::array<bool, 0>{});
 }
 
-/// The same with what Method::rodas5p needs besides; see Derivatives. The other methods do without it.
+/// The same with what Method::rodas5p needs besides, and Method::automatic where a problem is stiff; see Derivatives. The other methods do
+/// without it.
 template <class State, class Rhs, class Derivatives, class Observer, class Guards, std::size_t G>
 Outcome integrate(Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options,
                   Observer&& observe, Guards&& guards, const std::array<bool, G>& ends) {
     detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>, G> run(rhs, x, from, to, options, observe, guards, ends);
-    return options.method == Method::rodas5p ? detail::run_rodas5p(run, derivatives) : detail::run_explicit(run, options.method);
+    detail::Choice<typename State::value_type, detail::ChosenDerivatives<State, std::remove_reference_t<Derivatives>>::states> choice;
+    return detail::run_by_method(run, derivatives, options, choice);
 }
 
 /// And without guards.

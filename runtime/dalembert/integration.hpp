@@ -27,6 +27,7 @@ public:
 
     using Run::Run;
 
+    using GivenRhs = Rhs;
     /// The right-hand side as steppers call it.
     struct RightHandSide {
         Integration* run;
@@ -51,6 +52,8 @@ public:
     Outcome go(Stepper<State>& stepper, Steps steps) {
         stepper_ = &stepper;
         if (!control_.are_options_good()) return refuse();
+        // Before projection, which spreads what is no number over all states.
+        if (!are_finite(x_, x_)) return end_not_finite(Scalar(0));
         this->project(x_, t_);
         if (this->is_broken()) return end(Status::constraint_broken);
         evaluate(x_, t_, dxdt_);

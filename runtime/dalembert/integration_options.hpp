@@ -8,6 +8,9 @@ namespace dalembert {
 inline namespace v1 {
 
 enum class Method {
+    /// dopri5, or dop853 at tolerances of 1e-6 and less; rodas5p as long as the stability of these would limit the steps, if there is a
+    /// Jacobian. Outcome::steps_by tells. With fixed steps it is dopri5.
+    automatic,
     euler,              ///< explicit Euler, fixed step
     rk4,                ///< classical Runge-Kutta, fixed step
     dopri5,             ///< Dormand-Prince 5(4), controlled, output points by its dense output
@@ -18,6 +21,11 @@ enum class Method {
     /// Fehlberg 7(8), controlled, steps end on output points; for smooth motion at tight tolerances. The difference of the pair
     /// vanishes for dx/dt = f(t): it does not see what depends on time alone, such as an input that jumps. Take dopri5 there.
     fehlberg78,
+    /// Extrapolation of the midpoint rule, its order chosen from the tolerance, controlled, steps end on output points; for smooth motion.
+    bulirsch_stoer,
+    /// McLachlan's symplectic method of order 4, fixed step: for generated systems that are separable, `System::is_separable`; of others it is
+    /// refused. Over any time the energy swings about its value.
+    symplectic,
     /// Rosenbrock method 5(4) for stiff problems, controlled, output points by its dense output; needs the Jacobian, so it is there for
     /// `simulate`, and for `integrate` where that is given derivatives.
     rodas5p,
@@ -26,7 +34,7 @@ enum class Method {
 template <class State>
 struct IntegrationOptions {
     using Scalar = typename State::value_type;
-    Method method = Method::dopri5;
+    Method method = Method::automatic;
     Scalar tolerance = Scalar(1e-9);  ///< error of a step relative to max(|x_i|, scale_i)
     State scale = filled(Scalar(1));  ///< what counts as one, state by state, in SI
     Scalar step = Scalar(0);          ///< s; of all steps that are fixed, or the first of the others; 0: chosen
@@ -36,7 +44,7 @@ struct IntegrationOptions {
     std::size_t max_steps = 100000000;
     std::size_t max_events = 100000;  ///< guards that change their sign, before the run is stopped as an event storm
 
-    bool has_fixed_steps() const { return is_fixed || method == Method::rk4 || method == Method::euler; }
+    bool has_fixed_steps() const { return is_fixed || method == Method::rk4 || method == Method::euler || method == Method::symplectic; }
 
     static State filled(const Scalar& value) {
         State state{};

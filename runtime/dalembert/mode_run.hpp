@@ -71,12 +71,17 @@ protected:
             for (options.intervals = next_; outputs_.time(options.intervals) < to;) ++options.intervals;
         Integration<State, decltype(rhs), decltype(observe), decltype(guards), ends.size()> run(rhs, x, t_, to, options, observe, guards, ends);
         run.be_part(outputs_, next_);
+        const auto steps_before = choice_.steps;
         const Outcome part = integrate_by_method(run);
-        if (is_trial_) return part.status;
+        if (is_trial_) {
+            choice_.steps = steps_before;
+            return part.status;
+        }
         t_ = run.time();
         result_.steps += part.steps;
         result_.rejected += part.rejected;
         result_.rhs_calls += part.rhs_calls;
+        result_.steps_by = choice_.steps;
         result_.events += part.events;
         result_.state = part.state;
         result_.guard = event = part.guard;
@@ -86,9 +91,7 @@ protected:
 
     template <class Run>
     Outcome integrate_by_method(Run& run) {
-        if constexpr (has_derivatives<System>)
-            if (options_.method == Method::rodas5p) return run_rodas5p(run, derivatives_);
-        return run_explicit(run, options_.method);
+        return run_by_method(run, derivatives_, options_, choice_);
     }
 
     /// Integrations observe their ends too; of these only output points are passed on.
@@ -103,12 +106,12 @@ protected:
     }
 
     using Here = InMode<System>;
-    struct NoDerivatives {
-        NoDerivatives(const Here&, const Inputs&, const State&) {}
+    struct WithoutDerivatives : NoDerivatives {
+        WithoutDerivatives(const Here&, const Inputs&, const State&) {}
     };
     template <class S, bool>
     struct DerivativesOf {
-        using type = NoDerivatives;
+        using type = WithoutDerivatives;
     };
     template <class S>
     struct DerivativesOf<S, true> {
@@ -125,7 +128,9 @@ protected:
     std::size_t next_ = 0;  ///< output point
     Observer& observe_;
     Here here_;
-    typename DerivativesOf<Here, has_derivatives<System>>::type derivatives_;
+    using OwnDerivatives = typename DerivativesOf<Here, has_derivatives<System>>::type;
+    OwnDerivatives derivatives_;
+    Choice<Scalar, ChosenDerivatives<State, OwnDerivatives>::states> choice_;
     Result result_;
     Scalar observed_ = Scalar(0);  ///< s, when it was last
     bool is_trial_ = false;        ///< nobody looks, and nothing counts

@@ -204,8 +204,7 @@ template <class Run, class Derivatives>
 Outcome run_rodas5p(Run& run, Derivatives& derivatives) {
     using State = typename Run::State;
     if constexpr (SquareMatrix<typename State::value_type, typename Derivatives::Pattern, Derivatives::states>::fits) {
-        Rodas5p<State, typename Run::RightHandSide, Derivatives> stepper(run.right_hand_side(), derivatives);
-        return run.go(stepper, Steps::dense);
+        return run_with<Rodas5p<State, typename Run::RightHandSide, Derivatives>>(run, Steps::dense, derivatives);
     } else {
         return run.refuse();
     }

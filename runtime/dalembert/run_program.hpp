@@ -2,12 +2,14 @@
 // What the programs share that `dalembert simulate` writes: options, the table that is recorded, and the lines that the verb reads.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <initializer_list>
 #include <utility>
 #include <vector>
 
 #include "dalembert/recording.hpp"
+#include "dalembert/scales.hpp"
 #include "dalembert/status.hpp"
 
 namespace dalembert {
@@ -15,8 +17,10 @@ inline namespace v1 {
 namespace detail {
 
 /// The last state of a run is the work in J, which counts in units of the energy at the start.
-template <class Options>
-void set_run(Options& options, double tolerance, double step, std::size_t intervals, double until, double energy) {
+template <class System, class Inputs, class Options>
+void set_run(Options& options, const System& system, const Inputs& inputs, const typename System::State& start, double tolerance, double step, std::size_t intervals, double until, double energy) {
+    const auto scale = state_scales(system, inputs, start, until, intervals);
+    std::copy(scale.begin(), scale.end(), options.scale.begin());
     options.tolerance = tolerance;
     options.step = step;
     options.intervals = intervals;
@@ -48,8 +52,8 @@ std::vector<double> row_of(const Sample& sample, std::initializer_list<double> s
 
 /// Returns the exit code of the program.
 inline int print_outcome(const Outcome& outcome, double energy_error, bool drawn) {
-    std::printf("status=%s\nt=%.17g\nstate=%zu\nconstraint=%zu\nevents=%zu\nguard=%zu\nsteps=%zu\nrejected=%zu\nrhs_calls=%zu\nenergy_error=%.3g\ndrawn=%d\n", to_string(outcome.status), outcome.t, outcome.state, outcome.constraint,
-                outcome.events, outcome.guard, outcome.steps, outcome.rejected, outcome.rhs_calls, energy_error, drawn ? 1 : 0);
+    std::printf("status=%s\nt=%.17g\nstate=%zu\nconstraint=%zu\nevents=%zu\nguard=%zu\nsteps=%zu\nrejected=%zu\nrhs_calls=%zu\nsteps_by=%zu %zu %zu\nenergy_error=%.3g\ndrawn=%d\n", to_string(outcome.status), outcome.t, outcome.state, outcome.constraint,
+                outcome.events, outcome.guard, outcome.steps, outcome.rejected, outcome.rhs_calls, outcome.steps_by[0], outcome.steps_by[1], outcome.steps_by[2], energy_error, drawn ? 1 : 0);
     return outcome.status == Status::success ? 0 : 4;
 }
 

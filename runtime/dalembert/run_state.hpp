@@ -61,11 +61,15 @@ protected:
         State ahead = x_;
         State dxdt;
         evaluate(x_, t_, dxdt);
-        std::size_t i = std::min(first_not_finite(x_), first_not_finite(dxdt));
+        const auto to_blame = [](const State& x, const State& rate) {
+            const std::size_t itself = first_not_finite(x);
+            return itself < x.size() ? itself : first_not_finite(rate);
+        };
+        std::size_t i = to_blame(x_, dxdt);
         if (i == x_.size()) {
             for (std::size_t k = 0; k < x_.size(); ++k) ahead[k] += further * dxdt[k];
             evaluate(ahead, t_ + further, dxdt);
-            i = std::min(first_not_finite(ahead), first_not_finite(dxdt));
+            i = to_blame(ahead, dxdt);
         }
         if constexpr (G > 0) {
             const std::size_t here = events_.not_a_number(x_, t_);

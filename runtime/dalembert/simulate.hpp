@@ -80,6 +80,8 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
                 return broken;
             };
             return detail::ProjectedRhs{plain_rhs, back};
+        } else if constexpr (detail::is_separable<System>) {
+            return detail::separable_rhs<System::degrees>(plain_rhs);
         } else {
             return plain_rhs;
         }

@@ -54,6 +54,7 @@ struct Outcome {
     std::size_t steps = 0;        ///< accepted
     std::size_t rejected = 0;
     std::size_t rhs_calls = 0;
+    std::array<std::size_t, 3> steps_by{};  ///< of Method::automatic: steps of dopri5, dop853 and rodas5p
 };
 
 /// A sentence for people. `names` has a member .name for each state, `guards` .name and .doc for each guard, as the tables of

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dalembert/status.hpp"
+
 namespace dalembert {
 inline namespace v1 {
 namespace detail {
@@ -62,6 +64,13 @@ std::size_t first_not_finite(const State& x) noexcept {
 template <class State>
 bool are_finite(const State& a, const State& b) noexcept {
     return first_not_finite(a) == a.size() && first_not_finite(b) == b.size();
+}
+
+/// On a frame of its own: of long states those of all methods together would not fit the stack.
+template <class Stepper, class Run, class... Arguments>
+[[gnu::noinline]] Outcome run_with(Run& run, Steps steps, Arguments&&... arguments) {
+    Stepper stepper(run.right_hand_side(), arguments...);
+    return run.go(stepper, steps);
 }
 
 }  // namespace detail

@@ -18,8 +18,7 @@
 #include <vector>
 
 #include "dalembert/constraints.hpp"
-#include "dalembert/simulate.hpp"
-#include "dalembert/simulate_switching.hpp"
+#include "dalembert/scales.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -51,11 +50,6 @@ struct Rows {
     double constraint_error = 0;
 };
 
-template <class System, class = void>
-inline constexpr bool is_switching = false;
-template <class System>
-inline constexpr bool is_switching<System, std::void_t<typename System::Mode>> = true;
-
 template <class System, class Scalar>
 void note_constraints([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& x, [[maybe_unused]] Scalar t, [[maybe_unused]] double& error) {
     if constexpr (needs_projection<System> && !is_switching<System>) {
@@ -72,8 +66,8 @@ constexpr bool has_jumps() {
     else return std::tuple_size<typename System::Guards>::value > 0 || std::tuple_size<typename System::Input>::value > 0;
 }
 
-template <class Problem, class Options>
-void set_request(Options& options, const RunRequest& request) {
+template <class Problem, class Options, class Scales>
+void set_request(Options& options, const RunRequest& request, const Scales& scales) {
     using Scalar = typename Problem::System::scalar_type;
     options.method = request.method;
     options.tolerance = Scalar(request.tolerance);
@@ -81,35 +75,36 @@ void set_request(Options& options, const RunRequest& request) {
     options.is_fixed = request.step > 0;
     options.intervals = request.points;
     if (has_jumps<typename Problem::System>()) options.max_step = Scalar(Problem::until / static_cast<double>(request.points));
+    std::copy(scales.begin(), scales.end(), options.scale.begin());
     options.scale.back() = std::numeric_limits<Scalar>::max() / Scalar(1e10);  // the work is looked at, and shortens no step
 }
 
 /// One run. A Problem has the types of its system, system(), start(), inputs(system) and `until`; row(sample) is what is compared.
 template <class Problem>
-std::pair<Outcome, double> run_once(const RunRequest& request, Rows<typename Problem::System::scalar_type>& rows) {
+std::pair<Outcome, double> run_once(const RunRequest& request, const typename Problem::System::State& scales, Rows<typename Problem::System::scalar_type>& rows) {
     using System = typename Problem::System;
     using Scalar = typename System::scalar_type;
     const System system = Problem::system();
     typename System::State x = Problem::start(system);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += Scalar(i % 2 == 0 ? request.disturbance : -request.disturbance) * x[i];  // not all along the state
     const auto inputs = Problem::inputs(system);
-    const auto observe = [&](const auto& sample) {
+    const auto observe = [&](const typename Running<System>::Sample& sample) {
         rows.values.push_back(Problem::row(sample));
         rows.values.back().insert(rows.values.back().begin(), sample.t);
         note_constraints(system, sample.x, sample.t, rows.constraint_error);
     };
     const auto end = static_cast<Scalar>(Problem::until);
-    if constexpr (is_switching<System>) {
-        SwitchingSimulationOptions<System> options;
-        set_request<Problem>(options, request);
-        const auto result = simulate_switching(system, inputs, x, Scalar(0), end, options, observe, [](const auto&...) {});
-        return {result.outcome, result.energy.relative_error()};
-    } else {
-        SimulationOptions<System> options;
-        set_request<Problem>(options, request);
-        const auto result = simulate(system, inputs, x, Scalar(0), end, options, observe);
-        return {result.outcome, result.energy.relative_error()};
-    }
+    typename Running<System>::Options options;
+    set_request<Problem>(options, request, scales);
+    const auto result = Running<System>::run(system, inputs, x, end, options, observe);
+    return {result.outcome, result.energy.relative_error()};
+}
+
+/// Found by the user of a method once, and not a part of its time.
+template <class Problem>
+typename Problem::System::State scales_of(std::size_t points) {
+    const auto system = Problem::system();
+    return state_scales(system, Problem::inputs(system), Problem::start(system), static_cast<typename Problem::System::scalar_type>(Problem::until), points);
 }
 
 template <class Problem>
@@ -117,11 +112,12 @@ TimedRun timed_run(const RunRequest& request) {
     using Scalar = typename Problem::System::scalar_type;
     TimedRun result;
     double total = 0;
+    const auto scales = scales_of<Problem>(request.points);
     do {
         Rows<Scalar> rows;
         rows.values.reserve(request.points + 2);
         const auto begin = std::chrono::steady_clock::now();
-        std::tie(result.outcome, result.energy_error) = run_once<Problem>(request, rows);
+        std::tie(result.outcome, result.energy_error) = run_once<Problem>(request, scales, rows);
         result.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
         total += result.seconds.back();
         if (result.rows.empty()) {
@@ -141,8 +137,10 @@ struct NamedMethod {
     const char* name;
     Method method;
 };
-inline constexpr std::array named_methods{NamedMethod{"euler", Method::euler},           NamedMethod{"rk4", Method::rk4},       NamedMethod{"dopri5", Method::dopri5},
-                                          NamedMethod{"fehlberg78", Method::fehlberg78}, NamedMethod{"dop853", Method::dop853}, NamedMethod{"rodas5p", Method::rodas5p}};
+inline constexpr std::array named_methods{NamedMethod{"automatic", Method::automatic},
+                                          NamedMethod{"euler", Method::euler},           NamedMethod{"rk4", Method::rk4},       NamedMethod{"dopri5", Method::dopri5},
+                                          NamedMethod{"fehlberg78", Method::fehlberg78}, NamedMethod{"dop853", Method::dop853}, NamedMethod{"bulirsch_stoer", Method::bulirsch_stoer},
+                                          NamedMethod{"rodas5p", Method::rodas5p},       NamedMethod{"symplectic", Method::symplectic}};
 
 extern "C" inline void give_up(int) {
     constexpr char text[] = "status=too slow\n";

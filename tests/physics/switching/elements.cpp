@@ -63,6 +63,8 @@ TEST_CASE("an empty tank hands on what flows in, also from one that is empty its
     is_near(r.events[1].t, 10);
     is_near(r.events[2].t, 30);
     for (const auto& point : r.points) {
+        // The events lie on output points, but for roundings.
+        if (std::any_of(r.events.begin(), r.events.end(), [&](const auto& event) { return std::fabs(event.t - point.t) < 1e-9; })) continue;
         const double up = point.t <= 10 || point.t >= 30 ? 0.01 : inflow(point.t), down = point.t <= 5 ? 0.03 : up;
         CHECK(point.y[model::output::out_1] == doctest::Approx(up).epsilon(1e-12));
         CHECK(point.y[model::output::out_2] == doctest::Approx(down * 2 / 3).epsilon(1e-12));

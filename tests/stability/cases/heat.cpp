@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fourth powers that differ by twelve decades, steps at the limit of explicit methods, exponents near one, fins without end.
+// Fourth powers that differ by twelve decades, ten thousand cells, steps at the limit of explicit methods, exponents near one, fins without end.
 #include "dalembert/euler_step.hpp"
 #include "dalembert/heat_functions.hpp"
 #include "heat/fin_N10_convective.hpp"
@@ -8,6 +8,7 @@
 #include "physics/laws.hpp"
 #include "pneumatics/reservoir_discharge_full.hpp"
 #include "stability/cases/hard_case.hpp"
+#include "transient_bar_long.hpp"
 
 using dalembert::Method;
 using dalembert::Status;
@@ -37,6 +38,25 @@ TEST_CASE("radiation between 3000 K and 3 K") {
     CHECK(run.outcome.status == Status::success);
     keeps("plate in space, 3000 K to 3 K", "below the temperature of space over 30 years, in K", 1e-9, below);
     keeps("plate in space, 3000 K to 3 K", "energy over 30 years, relative", 1e-8, run.energy_error);
+}
+
+TEST_CASE("a rod of ten thousand cells") {
+    // The modes of (4.96) are sines, also of the cells: U = T_r + K (sin(pi k/N) exp(-(2 N/L)^2 a sin(pi/(2 N))^2 t) + 1 - (k/N)^2) exactly.
+    using namespace transient_bar_N10000::heated;
+    constexpr std::size_t N = 10000;
+    const auto system = std::make_unique<System<double>>();
+    const Parameters<double> p;
+    const double pi = std::acos(-1.0), a = p.lambda / (p.rho * p.c_p), rate = 4 * N * N / (p.L * p.L) * a * std::pow(std::sin(pi / (2 * N)), 2);
+    double worst = 0;
+    const auto run = hard_run<System<double>>(*system, system->start_state(), 2 / rate, with<System<double>>(Method::automatic, 1e-10, 10), [&](const auto&, double) { return System<double>::Input{0.5}; }, [&](const auto& sample) {
+        for (std::size_t k = 1; k < N; ++k) {
+            const double s = static_cast<double>(k) / N, exact = p.T_r + p.K * (std::sin(pi * s) * std::exp(-rate * sample.t) + 1 - s * s);
+            worst = std::max(worst, std::fabs(sample.x[k - 1] - exact) / exact);
+        }
+    });
+    CHECK(run.outcome.status == Status::success);
+    keeps("rod, N = 10,000", "temperature off the closed form over two time constants at 1e-10, relative", 1e-9, worst);
+    keeps("rod, N = 10,000", "steps that its stiffness of 4e7 leaves necessary", 200, static_cast<double>(run.outcome.steps));
 }
 
 TEST_CASE("explicit steps just below and just above the limit of the rod") {

@@ -50,6 +50,25 @@ TEST_CASE("a pendulum over many periods") {
     const auto run = hard_run<System>(System(), x, periods * 2.0, with<System>(Method::dop853, 1e-13, 1000));
     CHECK(run.outcome.status == Status::success);
     keeps("pendulum", is_full() ? "energy over 2e6 s by dop853 at 1e-13, relative" : "energy over 2e4 s by dop853 at 1e-13, relative", is_full() ? 1e-8 : 1e-10, run.energy_error);
+    // With forty steps a period, and as many right-hand sides: what a symplectic method makes wrong stays what it was, of Runge-Kutta it grows.
+    const auto drift = [&](Method method, double step) {
+        auto options = with<System>(method, 1, 1000);
+        options.step = step;
+        double first = 0, size = 0, early = 0, whole = 0;
+        const auto result = hard_run<System>(System(), x, periods * 2.0, options, dalembert::ZeroInputs<System>{}, [&](const auto& sample) {
+            const double energy = sample.kinetic_energy + sample.potential_energy;
+            if (sample.t == 0) first = energy, size = sample.kinetic_energy + std::fabs(sample.potential_energy);
+            whole = std::max(whole, std::fabs(energy - first) / size);
+            if (sample.t < periods * 0.02) early = whole;
+        });
+        CHECK(result.outcome.status == Status::success);
+        return std::pair(whole, whole / early);
+    };
+    const auto symplectic = drift(Method::symplectic, 0.05), plain = drift(Method::rk4, 0.05 * 4 / 6);
+    const std::string over = is_full() ? "1e6 periods" : "1e4 periods";
+    keeps("pendulum", "energy over " + over + ", symplectic with 40 steps a period, relative", 1e-5, symplectic.first);
+    keeps("pendulum", "growth of this error behind the first hundredth", 1.1, symplectic.second);
+    keeps("pendulum", "inverse of the growth by rk4", 0.2, 1 / plain.second);
 }
 
 TEST_CASE("masses in a ratio of 1e10") {

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSL-1.0
+// The method by default: explicit as long as accuracy decides how long a step may be, Rodas5P where stability would.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <variant>
+
+#include "dalembert/bulirsch_stoer.hpp"
+#include "dalembert/explicit_steppers.hpp"
+#include "dalembert/rosenbrock.hpp"
+#include "dalembert/symplectic.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// For right-hand sides without a Jacobian, and those whose Jacobian is too large to be factored.
+struct NoDerivatives {
+    static constexpr std::size_t states = 0;
+};
+
+/// The magnitude of the largest eigenvalue of a Jacobian by the power method. Its vector stays from one call to the next, as the
+/// Jacobian changes little in between.
+template <class Scalar, std::size_t n>
+class SpectralRadius {
+public:
+    /// `size` is what counts as one, state by state. NaN if the Jacobian is not finite.
+    template <class Derivatives, class Size>
+    Scalar operator()(const Derivatives& jacobian, const Size& size) {
+        using std::sqrt;
+        Scalar growth = Scalar(0);
+        // Of two complex conjugate eigenvalues the growth of one product swings about their magnitude; that of two does so less.
+        for (int k = is_begun_ ? 4 : 16; k > 0; k -= 2) {
+            if (!is_begun_) begin(size);
+            const Scalar one = multiply(jacobian, size);
+            const Scalar two = one == Scalar(0) ? one : multiply(jacobian, size);
+            growth = sqrt(one * two);
+            is_begun_ = growth > Scalar(0);  // false for NaN too: the next one begins anew
+            if (!is_begun_) break;
+        }
+        return growth;
+    }
+
+private:
+    using Vector = std::array<Scalar, n>;
+
+    template <class Size>
+    void begin(const Size& size) {
+        for (std::size_t i = 0; i < n; ++i) v_[i] = size[i] / Scalar(static_cast<double>(1 + i * 7 % 11)) * Scalar(i % 3 == 1 ? -1 : 1);
+        normalise(v_, size);
+        is_begun_ = true;
+    }
+
+    template <class Derivatives, class Size>
+    Scalar multiply(const Derivatives& jacobian, const Size& size) {
+        Vector product{};
+        jacobian.for_each_entry([&](std::size_t row, std::size_t column, const Scalar& value) { product[row] += value * v_[column]; });
+        v_ = product;
+        return normalise(v_, size);
+    }
+
+    template <class Size>
+    static Scalar normalise(Vector& v, const Size& size) {
+        using std::abs;
+        Scalar norm = Scalar(0);
+        for (std::size_t i = 0; i < n; ++i) {
+            const Scalar entry = abs(v[i]) / size[i];
+            if (!(entry <= norm)) norm = entry;
+        }
+        if (norm > Scalar(0))
+            for (Scalar& entry : v) entry /= norm;
+        return norm;
+    }
+
+    Vector v_{};
+    bool is_begun_ = false;
+};
+
+/// What was learnt in one part of a run, for the next one.
+template <class Scalar, std::size_t n>
+struct Choice {
+    enum Kind : std::size_t { dopri5, dop853, rodas5p };
+    Kind kind = dopri5;
+    bool is_smooth = true;  ///< in this part: dop853 has not had most of its steps rejected
+    std::size_t patience = 2;  ///< how often in succession stability is to be what limits steps
+    std::array<std::size_t, 3> steps{};
+    SpectralRadius<Scalar, n> radius;
+};
+
+template <class State, class Rhs, class Derivatives>
+class Automatic final : public Stepper<State> {
+    using Scalar = typename State::value_type;
+    static constexpr bool has_implicit = Derivatives::states > 0;
+
+public:
+    using Memory = Choice<Scalar, Derivatives::states>;
+
+    Automatic(Rhs rhs, Derivatives& derivatives, const IntegrationOptions<State>& options, Memory& memory) : rhs_(rhs), options_(options), derivatives_(derivatives), memory_(memory) {
+        // What was rejected before an event says little of what comes after it.
+        memory_.is_smooth = true;
+        take_up(memory_.kind == Memory::rodas5p ? memory_.kind : explicit_kind());
+    }
+
+    int order() const override { return now_->order(); }
+
+    void take(const Point<State>& from, Candidate<State>& c) override {
+        if (tried_ > 0 && from.number != number_) {
+            ++memory_.steps[memory_.kind];
+            ++accepted_;
+            ++good_;
+            longest_ = std::max(longest_, length_);
+        }
+        number_ = from.number;
+        if (tried_ == window) reconsider(from);
+        ++tried_;
+        ++all_;
+        length_ = c.length;
+        now_->take(from, c);
+    }
+
+    void between(const Point<State>& from, Candidate<State>& c, Scalar t, State& x) override { now_->between(from, c, t, x); }
+
+private:
+    static constexpr std::size_t window = 8, long_window = 32;
+
+    void take_up(typename Memory::Kind kind) {
+        memory_.kind = kind;
+        if (kind == Memory::dopri5) now_ = &stepper_.template emplace<Dopri5>(rhs_);
+        if (kind == Memory::dop853) now_ = &stepper_.template emplace<Dop853>(rhs_);
+        if constexpr (has_implicit)
+            if (kind == Memory::rodas5p) now_ = &stepper_.template emplace<Implicit>(rhs_, derivatives_);
+    }
+
+    /// From about 1e-6 on the higher order is worth its stages.
+    typename Memory::Kind explicit_kind() const { return memory_.is_smooth && options_.tolerance * Scalar(1000000) <= Scalar(1) ? Memory::dop853 : Memory::dopri5; }
+
+    /// h times the spectral radius up to which an explicit method is stable on the negative real axis, a little less.
+    Scalar limit() const { return explicit_kind() == Memory::dop853 ? Scalar(5) : Scalar(28) / Scalar(10); }
+
+    void reconsider(const Point<State>& from) {
+        if (all_ >= long_window) {
+            if (memory_.kind == Memory::dop853 && 2 * good_ < all_) {
+                // Its long steps meet kinks.
+                memory_.is_smooth = false;
+                take_up(Memory::dopri5);
+            }
+            all_ = good_ = 0;
+        }
+        if constexpr (has_implicit) {
+            if (accepted_ > 0) weigh(from);
+        }
+        tried_ = accepted_ = 0;
+        longest_ = Scalar(0);
+    }
+
+    void weigh(const Point<State>& from) {
+        using std::abs;
+        using std::max;
+        derivatives_.prepare(from.x, from.t);
+        State size = options_.scale;
+        for (std::size_t i = 0; i < size.size(); ++i) size[i] = max(size[i], Scalar(abs(from.x[i])));
+        const Scalar reach = longest_ * memory_.radius(derivatives_, size);
+        if (memory_.kind != Memory::rodas5p) {
+            often_ = reach > limit() ? often_ + 1 : 0;
+            if (often_ < memory_.patience) return;
+            take_up(Memory::rodas5p);
+            often_ = 0;
+        } else {
+            // An implicit step costs about as much as four explicit ones. Where it is not worth that, it is not tried again so soon.
+            often_ = reach > Scalar(4) * limit() ? 0 : often_ + 1;
+            if (often_ < 2) return;
+            if (reach > limit()) memory_.patience = std::min<std::size_t>(4 * memory_.patience, 1000);
+            take_up(explicit_kind());
+            often_ = 0;
+        }
+    }
+
+    using Dopri5 = DormandPrince5<State, Rhs>;
+    using Dop853 = DormandPrince853<State, Rhs>;
+    using Implicit = std::conditional_t<has_implicit, Rodas5p<State, Rhs, Derivatives>, std::monostate>;
+
+    Rhs rhs_;
+    const IntegrationOptions<State>& options_;
+    Derivatives& derivatives_;
+    std::variant<std::monostate, Dopri5, Dop853, Implicit> stepper_;  ///< one at a time: states may be long
+    Stepper<State>* now_ = nullptr;
+    Memory& memory_;
+    std::size_t number_ = 0;  ///< of the point that the last step was tried from
+    std::size_t tried_ = 0, accepted_ = 0;  ///< steps in the present window
+    std::size_t all_ = 0, good_ = 0;        ///< in the long one
+    std::size_t often_ = 0;                 ///< windows in succession that speak for another method
+    Scalar length_ = Scalar(0), longest_ = Scalar(0);  ///< s, of steps
+};
+
+/// Those with which a linear system can be solved.
+template <class State, class Derivatives, bool = (Derivatives::states > 0)>
+struct ChosenDerivatives {
+    static constexpr std::size_t states = 0;
+};
+template <class State, class Derivatives>
+struct ChosenDerivatives<State, Derivatives, true> {
+    static constexpr std::size_t states = SquareMatrix<typename State::value_type, typename Derivatives::Pattern, Derivatives::states>::fits ? Derivatives::states : 0;
+};
+
+template <class Run, class Derivatives, class Memory>
+Outcome run_automatic(Run& run, Derivatives& derivatives, const IntegrationOptions<typename Run::State>& options, Memory& memory) {
+    const auto before = memory.steps;
+    Outcome outcome = run_with<Automatic<typename Run::State, typename Run::RightHandSide, Derivatives>>(run, Steps::dense, derivatives, options, memory);
+    // Behind the last step there is no other that would show that it was taken.
+    std::size_t seen = 0;
+    for (std::size_t k = 0; k < before.size(); ++k) seen += memory.steps[k] - before[k];
+    memory.steps[memory.kind] += outcome.steps - std::min(outcome.steps, seen);
+    outcome.steps_by = memory.steps;
+    return outcome;
+}
+
+/// What the method of the options says; `choice` is remembered from part to part of a run.
+template <class Run, class Derivatives, class Choice>
+Outcome run_by_method(Run& run, Derivatives& derivatives, const IntegrationOptions<typename Run::State>& options, Choice& choice) {
+    if (options.method == Method::automatic && options.is_fixed) return run_explicit(run, Method::dopri5);
+    if (options.method == Method::automatic) {
+        if constexpr (ChosenDerivatives<typename Run::State, Derivatives>::states > 0) {
+            return run_automatic(run, derivatives, options, choice);
+        } else {
+            NoDerivatives none;
+            return run_automatic(run, none, options, choice);
+        }
+    }
+    if (options.method == Method::bulirsch_stoer) return run_with<BulirschStoer<typename Run::State, typename Run::RightHandSide>>(run, Steps::to_outputs, options.tolerance);
+    if constexpr (constexpr std::size_t n = separable_coordinates<typename Run::GivenRhs>; n > 0)
+        if (options.method == Method::symplectic) return run_with<Symplectic<typename Run::State, typename Run::RightHandSide, n>>(run, Steps::fixed);
+    if constexpr (Derivatives::states > 0)
+        if (options.method == Method::rodas5p) return run_rodas5p(run, derivatives);
+    return run_explicit(run, options.method);
+}
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSL-1.0
+// The sizes that errors of states are measured against, found by a rough run of the system itself.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+
+#include "dalembert/simulate.hpp"
+#include "dalembert/simulate_switching.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+template <class System, class = void>
+inline constexpr bool is_switching = false;
+template <class System>
+inline constexpr bool is_switching<System, std::void_t<typename System::Mode>> = true;
+
+/// What a run of a system with or without modes takes and calls. A rough run and the run that counts share their types, so that a method is
+/// compiled once.
+template <class System, bool = is_switching<System>>
+struct Running {
+    using Options = SimulationOptions<System>;
+    using Sample = dalembert::Sample<System>;
+    using Observe = std::function<void(const Sample&)>;
+    template <class Inputs, class Time>
+    static SimulationResult run(const System& system, const Inputs& inputs, typename System::State& x, Time until, const Options& options, const Observe& observe) {
+        return simulate(system, inputs, x, Time(0), until, options, observe);
+    }
+};
+template <class System>
+struct Running<System, true> {
+    using Options = SwitchingSimulationOptions<System>;
+    using Sample = SwitchingSample<System>;
+    using Observe = std::function<void(const Sample&)>;
+    using State = typename System::State;
+    using Mode = typename System::Mode;
+    using OnChange = std::function<void(typename System::scalar_type, std::size_t, Mode, Mode, const State&, const State&)>;
+    template <class Inputs, class Time>
+    static SwitchingResult<System> run(const System& system, const Inputs& inputs, State& x, Time until, const Options& options, const Observe& observe, const OnChange& on_change = [](const auto&...) {}) {
+        return simulate_switching(system, inputs, x, Time(0), until, options, observe, on_change);
+    }
+};
+
+}  // namespace detail
+
+/// Of a run from `start` at t = 0: what counts as one in each state, in SI. That is the largest magnitude that the state reaches, where this is
+/// less than one unit: integration measures errors against the larger one of this and of the present magnitude, so that a valve stroke of a
+/// tenth of a millimetre has as many digits as a way of metres. A state that rests at zero but for roundings counts in whole units.
+/// Where the rough run stops, the sizes are those up to there.
+template <class System, class Inputs>
+typename System::State state_scales(const System& system, const Inputs& inputs, const typename System::State& start, typename System::scalar_type until, std::size_t intervals) {
+    using Scalar = typename System::scalar_type;
+    using State = typename System::State;
+    using std::abs;
+    using std::isfinite;
+    using std::max;
+    using std::min;
+    const Scalar rest = Scalar(10000) * std::numeric_limits<Scalar>::epsilon();
+    State scale;
+    for (std::size_t i = 0; i < start.size(); ++i) scale[i] = abs(start[i]) > rest ? min(Scalar(1), Scalar(abs(start[i]))) : Scalar(1);
+    // Against sizes that are much too large a rough run says little about small states: it is repeated with what it found.
+    for (int again = 0; again < 5; ++again) {
+        typename detail::Running<System>::Options options;
+        options.tolerance = Scalar(1) / Scalar(1000);
+        options.intervals = intervals;
+        options.max_step = until / Scalar(static_cast<double>(intervals));
+        options.max_steps = 100000;
+        std::copy(scale.begin(), scale.end(), options.scale.begin());
+        options.scale.back() = std::numeric_limits<Scalar>::max() / Scalar(1e10);  // the work
+        State reach{};
+        for (std::size_t i = 0; i < reach.size(); ++i) reach[i] = abs(start[i]);
+        State x = start;
+        detail::Running<System>::run(system, inputs, x, until, options, [&](const auto& sample) {
+            for (std::size_t i = 0; i < reach.size(); ++i)
+                if (isfinite(sample.x[i])) reach[i] = max(reach[i], Scalar(abs(sample.x[i])));
+        });
+        bool is_good = true;
+        for (std::size_t i = 0; i < reach.size(); ++i) {
+            const Scalar found = reach[i] > rest ? min(Scalar(1), reach[i]) : Scalar(1);
+            is_good = is_good && found > scale[i] / Scalar(10);
+            scale[i] = found;
+        }
+        if (is_good) break;
+    }
+    return scale;
+}
+
+}  // namespace v1
+}  // namespace dalembert
