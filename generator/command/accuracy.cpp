@@ -77,8 +77,8 @@ ExitCode accuracy_command(const Options& options, Streams streams) {
         for (std::size_t i = 0; i < in_double.functions.size(); ++i) {
             const FunctionAccuracy& d = in_double.functions[i];
             nlohmann::ordered_json row{{"function", d.name}, {"mode", d.mode}, {"results", d.results}};
-            row["double"] = as_json(d, inputs);
-            row["float"] = as_json(in_float.functions[i], inputs);
+            row["errors"]["double"] = as_json(d, inputs);
+            row["errors"]["float"] = as_json(in_float.functions[i], inputs);
             json["functions"].push_back(std::move(row));
         }
         streams.out << printed(json);

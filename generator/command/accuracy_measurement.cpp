@@ -2,10 +2,9 @@
 #include "command/accuracy_measurement.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
-#include <limits>
 
+#include "command/accuracy_errors.hpp"
 #include "command/run_header.hpp"
 
 namespace dalembert {
@@ -16,12 +15,6 @@ struct AccuracyMeasurement::Drawn {
 };
 
 namespace {
-
-std::vector<Rational> all_exact(const std::vector<double>& values) {
-    std::vector<Rational> result;
-    for (const double value : values) result.push_back(exact(value));
-    return result;
-}
 
 /// Whether no guard says that the model does not hold, and the machine has rates.
 bool holds(const Code& code, ExactCode& at) {
@@ -37,85 +30,6 @@ bool holds(const Code& code, ExactCode& at) {
     const std::vector<MaybeExact> rates = at.rates();
     return std::all_of(rates.begin(), rates.end(), [](const MaybeExact& rate) { return rate.has_value(); });
 }
-
-/// The error of one number, as often as it takes to know the worst.
-class ErrorsSeen {
-public:
-    ErrorsSeen(const Code& code, const Arithmetic& arithmetic, FunctionAccuracy& total) : arithmetic_(arithmetic), total_(total), finer_(code, 2 * AccuracyMeasurement::digits) {}
-
-    void operator()(const MeasuredResult& result, const MaybeExact& expected, double computed, const EdgePoint& point) {
-        if (!expected) return;
-        const double value = cln::double_approx(expected->value);
-        if (!(std::fabs(value) <= arithmetic_.largest)) return;
-        const double difference = distance(computed, expected->value);
-        const bool is_constant = std::all_of(expected->slopes.begin(), expected->slopes.end(), [](double slope) { return slope == 0; });
-        if (is_constant && difference == 0) return;
-        ++total_.measured;
-        const double plain = difference / arithmetic_.ulp(value);
-        const double beyond = difference / (arithmetic_.ulp(value) + by_inputs(*expected, point.values));
-        plain_.push_back(plain);
-        beyond_.push_back(beyond);
-        total_.largest_plain = std::max(total_.largest_plain, plain);
-        if (!(beyond <= total_.largest())) consider(result, computed, point);
-    }
-
-    void finish() {
-        total_.typical_plain = median(plain_);
-        total_.typical = median(beyond_);
-    }
-
-private:
-    static double distance(double computed, const cln::cl_R& expected) {
-        if (!std::isfinite(computed)) return std::numeric_limits<double>::infinity();
-        return cln::double_approx(cln::abs(exact(computed) - expected));
-    }
-    static double median(std::vector<double>& values) {
-        if (values.empty()) return 0;
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::nth_element(values.begin(), middle, values.end());
-        return *middle;
-    }
-    double by_inputs(const ExactNumber& number, const std::vector<double>& inputs) const {
-        double sum = 0;
-        for (std::size_t i = 0; i < number.slopes.size(); ++i)
-            if (number.slopes[i] != 0) sum += std::fabs(number.slopes[i]) * arithmetic_.ulp(inputs[i]) / 2;
-        return sum;
-    }
-
-    /// One that seems the worst is looked at closely: with twice as many digits, and with inputs that are in fact half an ulp off, which matters
-    /// where slopes say little: at roots of zero, kinks and jumps.
-    void consider(const MeasuredResult& result, double computed, const EdgePoint& point) {
-        std::vector<Rational> inputs = all_exact(point.values);
-        const auto at = [&]() -> MaybeExact {
-            finer_.set(inputs);
-            return result.exact(finer_);
-        };
-        const MaybeExact here = at();
-        if (!here) return;
-        double spread = 0;
-        for (std::size_t i = 0; i < inputs.size(); ++i) {
-            const Rational value = inputs[i];
-            const Rational half = exact(arithmetic_.ulp(point.values[i])) / 2;
-            double one = 0;
-            for (const int side : {1, -1}) {
-                inputs[i] = value + side * half;
-                const MaybeExact there = at();
-                one = std::max(one, there ? cln::double_approx(cln::abs(there->value - here->value)) : std::numeric_limits<double>::infinity());
-            }
-            inputs[i] = value;
-            spread += one;
-        }
-        const double unit = arithmetic_.ulp(cln::double_approx(here->value)) + std::max(spread, by_inputs(*here, point.values));
-        const double difference = distance(computed, here->value);
-        const double error = std::isinf(unit) ? 0 : difference / unit;
-        if (error > total_.largest()) total_.worst = WorstInput{result.name, point.kind, point.values, computed, here->value, error};
-    }
-
-    const Arithmetic& arithmetic_;
-    FunctionAccuracy& total_;
-    ExactCode finer_;
-    std::vector<double> plain_, beyond_;
-};
 
 }  // namespace
 
@@ -169,26 +83,31 @@ AccuracyReport AccuracyMeasurement::measure(const Arithmetic& arithmetic, std::s
     for (const auto& mode : functions_)
         for (const MeasuredFunction& function : mode) row += function.results.size();
     if (computed.size() != row * drawn.size()) throw std::logic_error("the program gave too few results");
+    const std::vector<double> input_sizes = EdgePoints(modes_.front()->system, inputs_, arithmetic, seed).sizes();
     std::size_t offset = 0;
     for (std::size_t m = 0; m < modes_.size(); ++m) {
         const System& system = modes_[m]->system;
         ExactCode at(*modes_[m], digits);
         const std::size_t first = report.functions.size();
         for (const MeasuredFunction& function : functions_[m]) report.functions.push_back({system.scene.mode ? system.scene.modes[*system.scene.mode].name : "", function.name, function.results.size()});
-        std::vector<ErrorsSeen> comparisons;
-        for (std::size_t f = 0; f < functions_[m].size(); ++f) comparisons.emplace_back(*modes_[m], arithmetic, report.functions[first + f]);
+        std::vector<ErrorsSeen> errors;
+        for (std::size_t f = 0; f < functions_[m].size(); ++f) errors.emplace_back(*modes_[m], arithmetic, report.functions[first + f]);
         std::size_t after = offset;
         for (std::size_t k = 0; k < drawn.size(); ++k) {
             if (drawn[k].holds[m] == 0) continue;
             at.set(all_exact(drawn[k].point.values));
+            Roundings roundings(at, drawn[k].point.values, arithmetic);
             after = offset;
-            for (std::size_t f = 0; f < functions_[m].size(); ++f)
-                for (const MeasuredResult& result : functions_[m][f].results) {
-                    const double value = computed[k * row + after++];
-                    if (result.exact) comparisons[f](result, result.exact(at), value, drawn[k].point);
-                }
+            for (std::size_t f = 0; f < functions_[m].size(); ++f) {
+                const auto& results = functions_[m][f].results;
+                std::vector<MaybeExact> expected;
+                for (const MeasuredResult& result : results) expected.push_back(result.exact ? result.exact(at) : std::nullopt);
+                const std::vector<double> beside = row_norms(results, expected, at, input_sizes);
+                for (std::size_t i = 0; i < results.size(); ++i, ++after)
+                    if (expected[i]) errors[f](results[i], *expected[i], computed[k * row + after], beside[i], drawn[k].point, roundings);
+            }
         }
-        for (ErrorsSeen& comparison : comparisons) comparison.finish();
+        for (ErrorsSeen& seen : errors) seen.finish();
         offset = 0;
         for (std::size_t before = 0; before <= m; ++before)
             for (const MeasuredFunction& function : functions_[before]) offset += function.results.size();

@@ -89,7 +89,7 @@ private:
         for (std::size_t c = 0; c < layout.columns(); ++c)
             for (std::size_t r = 0; r < layout.rows(); ++r)
                 if (const auto place = layout.place(r, c))
-                    results[*place] = {fmt::format("d(d({})/dt)/d({})", states_[r], inputs[first + c]->name), [=](ExactCode& code) { return code.slope(function, r, c); }, r, first + c};
+                    results[*place] = {fmt::format("d(d({})/dt)/d({})", states_[r], inputs[first + c]->name), [=](ExactCode& code) { return code.slope(function, r, c); }, Function::rhs, function, c, r, first + c, true};
         add(name, call(name, type, "x, u, t"), std::move(results));
     }
 
@@ -105,16 +105,17 @@ private:
     void values(const char* name, const char* type, Function function, const char* arguments, const std::vector<std::string>& names) {
         const FunctionCode& f = code_[function];
         std::vector<MeasuredResult> results;
-        for (std::size_t i = 0; i < f.results.size(); ++i) results.push_back({names[i], node(function, f.results[i])});
+        for (std::size_t i = 0; i < f.results.size(); ++i) results.push_back({names[i], node(function, f.results[i]), function == Function::correction ? function : Function::rhs});
         add(name, call(name, type, arguments), std::move(results));
     }
 
     void output_jacobian(const char* name, const char* type, Function function, const std::vector<std::string>& outputs, std::size_t first) {
         std::vector<MeasuredResult> results;
         const std::vector<const Variable*> inputs = ExactCode::inputs(system_);
+        const Function solved_in = !code_[function].whole_output.entries.empty() ? function : function == Function::output_jacobian_x ? Function::rhs_and_jacobian : Function::jacobian_u;
         for (std::size_t c = 0; c < code_[function].by_output.columns; ++c)
             for (std::size_t r = 0; r < outputs.size(); ++r)
-                results.push_back({fmt::format("d({})/d({})", outputs[r], inputs[first + c]->name), [=](ExactCode& code) { return code.output_slope(function, r, c); }, r, first + c});
+                results.push_back({fmt::format("d({})/d({})", outputs[r], inputs[first + c]->name), [=](ExactCode& code) { return code.output_slope(function, r, c); }, Function::rhs, solved_in, c, r, first + c});
         add(name, call(name, type, "x, u, t"), std::move(results));
     }
 
@@ -132,6 +133,8 @@ private:
             const EventEquation& event = system_.events[e];
             guards.push_back({event.name, event.is_watched ? node(Function::events, code_[Function::events].results[e]) : nullptr});
             rates.push_back({fmt::format("d({})/dt", event.name), event.is_watched ? node(Function::event_rates, code_[Function::event_rates].results[e]) : nullptr});
+            if (!code_[Function::event_rates].rates_solved_for.empty()) rates.back().column_of = Function::event_rates;
+            else if (code_[Function::event_rates].uses_jerks) rates.back().column_of = Function::jacobian_t;
         }
         add("guards", call("guards", "Events", "x, u, t"), std::move(guards));
         add("guard_rates", call("guard_rates", "Events", "x, u, t"), std::move(rates));
@@ -145,7 +148,11 @@ private:
         if (code.places.empty()) return;
         std::vector<MeasuredResult> results(states_.size());
         for (std::size_t i = 0; i < states_.size(); ++i) results[i].name = states_[i];
-        for (std::size_t i = 0; i < code.places.size(); ++i) results[code.places[i]].exact = node(Function::resets, code_[Function::resets].results[code.first + i]);
+        for (std::size_t i = 0; i < code.places.size(); ++i) {
+            MeasuredResult& result = results[code.places[i]];
+            result.exact = node(Function::resets, code_[Function::resets].results[code.first + i]);
+            if (code.impact) result.column_of = Function::resets, result.column = *code.impact;
+        }
         add(fmt::format("{} {}", name, system_.events[event].name), fmt::format("typename System::State y = x;\nsystem.{}({}, {}y, u, t);\nput_all(y);\n", name, event, mode_), std::move(results));
     }
 

@@ -13,8 +13,12 @@ namespace dalembert {
 struct MeasuredResult {
     std::string name;
     std::function<MaybeExact(ExactCode&)> exact;
-    std::optional<std::size_t> row = {};     ///< in a Jacobian
-    std::optional<std::size_t> column = {};  ///< there: the input, as ExactCode numbers them
+    Function solves = Function::rhs;         ///< the function in which what it is made of is solved for
+    std::optional<Function> column_of = {};  ///< and of a Jacobian its columns,
+    std::size_t column = 0;                  ///< of which it is in this one
+    std::optional<std::size_t> row = {};     ///< of a Jacobian
+    std::size_t input = 0;                   ///< of its column, as ExactCode numbers them
+    bool is_of_rate = false;                 ///< the row belongs to a rate, else to an output
 };
 
 struct MeasuredFunction {

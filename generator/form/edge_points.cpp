@@ -75,6 +75,12 @@ EdgePoints::EdgePoints(const System& system, std::vector<const Variable*> variab
 
 double EdgePoints::Range::scale() const { return std::max(std::fabs(low), std::fabs(high)); }
 
+std::vector<double> EdgePoints::sizes() const {
+    std::vector<double> result;
+    for (const Range& range : ranges_) result.push_back(range.scale());
+    return result;
+}
+
 double EdgePoints::fraction() { return (static_cast<double>(next_word(state_) >> 11U) + 0.5) * 0x1p-53; }
 
 double EdgePoints::rounded(double value) const { return arithmetic_.digits == std::numeric_limits<float>::digits ? static_cast<double>(static_cast<float>(value)) : value; }

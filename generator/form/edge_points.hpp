@@ -36,6 +36,8 @@ public:
     EdgePoints(const System& system, std::vector<const Variable*> variables, const Arithmetic& arithmetic, std::uint64_t seed);
     /// The next point. The sequence is the same on every run and machine. In every other point parameters have their default values.
     EdgePoint next();
+    /// Of each variable the largest magnitude in its range.
+    std::vector<double> sizes() const;
 
 private:
     struct Range {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/exact_code.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace dalembert {
 
-ExactCode::ExactCode(const Code& code, int digits) : code_(code), arithmetic_(digits), inputs_(inputs(code.system)) {}
+ExactCode::ExactCode(const Code& code, int digits)
+    : code_(code), arithmetic_(digits), inputs_(inputs(code.system)), unknowns_(std::max(code.solve.n, code[Function::correction].force.size())) {}
 
 std::vector<const Variable*> ExactCode::inputs(const System& system) {
     std::vector<const Variable*> result;
@@ -20,9 +25,10 @@ std::vector<const Variable*> ExactCode::inputs(const System& system) {
 
 void ExactCode::set(const std::vector<Rational>& values) {
     memory_ = {};
+    equations_.clear();
     letters_.clear();
     cached_.clear();
-    for (std::size_t i = 0; i < inputs_.size(); ++i) letters_[code_.atoms.symbol(*inputs_[i])] = arithmetic_.input(values[i], i, inputs_.size());
+    for (std::size_t i = 0; i < inputs_.size(); ++i) letters_[code_.atoms.symbol(*inputs_[i])] = arithmetic_.input(values[i], i, slope_count());
     update();
 }
 
@@ -40,13 +46,17 @@ void ExactCode::update() {
 const MaybeExact& ExactCode::at(Function function, NodeId id) {
     Memory& memory = memory_[static_cast<std::size_t>(function)];
     const Program& program = code_[function].program;
-    memory.values.resize(program.size());
-    memory.is_known.resize(program.size());
+    if (memory.values.empty()) {
+        memory.values.resize(program.size());
+        memory.is_known.resize(program.size());
+        find_solved(function);
+    }
     if (memory.is_known[id]) return memory.values[id];
     for (const NodeId part : program.in_order({id})) {
         if (memory.is_known[part]) continue;
         memory.values[part] = compute(function, program, part);
         memory.is_known[part] = 1;
+        if (const auto solved = memory.solved.find(part); solved != memory.solved.end()) note_solved(memory.values[part], solved->second);
     }
     return memory.values[id];
 }
@@ -97,8 +107,106 @@ MaybeExact ExactCode::acceleration(std::size_t j) {
     const FunctionCode& f = code_[Function::rhs];
     if (!f.by_loops) return at(Function::rhs, f.accelerations[j]);
     std::vector<MaybeExact>& solved = memory_[static_cast<std::size_t>(Function::rhs)].columns[0];
-    if (solved.empty()) solved = solve(Function::rhs, nodes(Function::rhs, f.force));
+    if (solved.empty()) {
+        solved = solve(Function::rhs, nodes(Function::rhs, f.force));
+        for (std::size_t i = 0; i < solved.size(); ++i) note_solved(solved[i], i);
+    }
     return solved[j];
+}
+
+void ExactCode::note_solved(MaybeExact& value, std::size_t number) const {
+    if (!value) return;
+    value->slopes.resize(slope_count(), 0);
+    value->slopes[inputs_.size() + number] += 1;
+}
+
+/// What is solved for in a program that does so itself.
+void ExactCode::find_solved(Function function) {
+    const FunctionCode& f = code_[function];
+    if (f.by_loops) return;
+    Memory& memory = memory_[static_cast<std::size_t>(function)];
+    const auto note = [&](NodeId id, std::size_t number) {
+        if (f.program[id].kind != Node::Kind::constant) memory.solved.emplace(id, number);
+    };
+    const bool is_all = function == Function::correction || function == Function::resets;
+    const std::vector<std::size_t> places = code_.system.unknown_places();
+    const auto place = [&](std::size_t i) { return is_all ? i : places[i]; };
+    const std::vector<NodeId>& motion = f.accelerations.empty() ? f.solved_for : f.accelerations;
+    for (std::size_t i = 0; !motion.empty() && i < (is_all ? motion.size() : code_.solve.n); ++i) note(motion[place(i)], i);
+    for (std::size_t c = 0; c < f.solved.columns; ++c)
+        for (std::size_t i = 0; i < code_.solve.n; ++i) note(f.solved.at(place(i), c), unknowns_ + i);
+    for (std::size_t i = 0; i < f.rates_solved_for.size(); ++i) note(f.rates_solved_for[i], unknowns_ + i);
+}
+
+/// M as it is solved with, and its inverse; nothing where it is singular.
+const std::optional<ExactCode::Equations>& ExactCode::equations(Function function) {
+    if (function != Function::correction) function = code_.solve.is_constant ? Function::update : Function::rhs;
+    const auto [known, is_new] = equations_.try_emplace(function);
+    if (!is_new) return known->second;
+    const std::vector<MaybeExact> lower = nodes(function, code_[function].mass);
+    std::size_t n = 0;
+    while (lower_index(n, 0) < lower.size()) ++n;
+    Equations e{std::vector<std::vector<ExactNumber>>(n, std::vector<ExactNumber>(n)), {}};
+    std::vector<std::vector<cln::cl_R>> a(n, std::vector<cln::cl_R>(n, 0));
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j <= i; ++j) {
+            if (!lower[lower_index(i, j)]) return known->second;
+            e.matrix[i][j] = e.matrix[j][i] = *lower[lower_index(i, j)];
+            a[i][j] = a[j][i] = e.matrix[i][j].value;
+        }
+    e.inverse.assign(n, std::vector<cln::cl_R>(n, 0));
+    for (std::size_t i = 0; i < n; ++i) e.inverse[i][i] = 1;
+    for (std::size_t k = 0; k < n; ++k) {
+        std::size_t pivot = k;
+        for (std::size_t i = k; i < n; ++i)
+            if (cln::abs(a[i][k]) > cln::abs(a[pivot][k])) pivot = i;
+        if (cln::zerop(a[pivot][k])) return known->second;
+        std::swap(a[k], a[pivot]);
+        std::swap(e.inverse[k], e.inverse[pivot]);
+        const cln::cl_R scale = 1 / a[k][k];
+        for (std::size_t j = 0; j < n; ++j) {
+            a[k][j] = a[k][j] * scale;
+            e.inverse[k][j] = e.inverse[k][j] * scale;
+        }
+        for (std::size_t i = 0; i < n; ++i) {
+            if (i == k) continue;
+            const cln::cl_R factor = a[i][k];
+            for (std::size_t j = 0; j < n; ++j) {
+                a[i][j] = a[i][j] - factor * a[k][j];
+                e.inverse[i][j] = e.inverse[i][j] - factor * e.inverse[k][j];
+            }
+        }
+    }
+    known->second = std::move(e);
+    return known->second;
+}
+
+std::vector<double> ExactCode::rounding(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp, const std::function<double(const ExactNumber&)>& uncertainty) {
+    std::vector<double> result(unknowns_, 0);
+    const FunctionCode& f = code_[function];
+    std::vector<NodeId> right = column ? std::vector<NodeId>() : f.force;
+    for (std::size_t j = 0; column && j < f.right.rows; ++j) right.push_back(f.right.at(j, *column));
+    if (right.empty()) return result;
+    const std::optional<Equations>& e = equations(function);
+    const std::vector<MaybeExact> b = nodes(function, right);
+    const bool is_there = e && std::all_of(b.begin(), b.end(), [](const MaybeExact& value) { return value.has_value(); });
+    if (!is_there) return std::vector<double>(unknowns_, std::numeric_limits<double>::infinity());
+    const auto error = [&](const ExactNumber& entry) { return cln::zerop(entry.value) && entry.slopes.empty() ? 0 : ulp(cln::double_approx(entry.value)) / 2 + uncertainty(entry); };
+    const std::size_t n = b.size();
+    std::vector<double> errors;
+    for (std::size_t k = 0; k < n; ++k) errors.push_back(error(*b[k]));
+    for (std::size_t l = 0; l < n; ++l) {
+        cln::cl_R x = 0;
+        double left = 0;  // of an x that is zero exactly
+        for (std::size_t k = 0; k < n; ++k) {
+            x = x + e->inverse[l][k] * b[k]->value;
+            left += std::fabs(cln::double_approx(e->inverse[l][k])) * error(*b[k]);
+        }
+        for (std::size_t k = 0; k < n; ++k) errors[k] += error(e->matrix[k][l]) * (std::fabs(cln::double_approx(x)) + left);
+    }
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < n; ++k) result[i] += std::fabs(cln::double_approx(e->inverse[i][k])) * errors[k];
+    return result;
 }
 
 /// Along the motion, with inputs held.
@@ -180,6 +288,7 @@ MaybeExact ExactCode::slope(Function function, std::size_t row, std::size_t colu
             std::vector<NodeId> right;
             for (std::size_t j = 0; j < f.right.rows; ++j) right.push_back(f.right.at(j, column));
             solved = solve(function, nodes(function, right));
+            for (std::size_t i = 0; i < solved.size(); ++i) note_solved(solved[i], unknowns_ + i);
         }
         return solved[row - velocities];
     }
