@@ -125,6 +125,11 @@ public:
         cost->add_option("--run", options_.run, "the [runs.NAME] to take; `reference`, or the only one, if left out");
         cost->add_option("--until", options_.until, "end of the run in seconds");
         cost->add_flag("--no-plot", options_.no_plot, "write the CSV only");
+        CLI::App* accuracy = model_verb("accuracy", "how many digits the generated functions have, in float and double, against 100 digits at random and edge points");
+        accuracy->add_option("--points", options_.test_points, "points in each arithmetic")->capture_default_str()->check(CLI::Range(1, 1000000));
+        accuracy->add_option("--seed", options_.seed, "of the random numbers")->capture_default_str();
+        accuracy->add_option("--limit", options_.ulp_limit, "largest error in double that is good, in ulp beyond the condition")->capture_default_str()->check(CLI::PositiveNumber);
+        format(accuracy, "text or json", {"text", "json"});
         CLI::App* scenes = app_.add_subcommand("scenes", "list the scenes of a model and their effects");
         scenes->add_option("MODEL", model_, "model file")->required();
         format(scenes, "text or json", {"text", "json"});
@@ -203,7 +208,7 @@ private:
 ExitCode dispatch(const Options& options, Streams streams) {
     static const std::map<std::string, ExitCode (*)(const Options&, Streams)> verbs{
         {"derive", derive_command},     {"generate", generate_command},       {"check", check_command},   {"evaluate", evaluate_command},
-        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"modal", modal_command}, {"optimise", optimise_command}, {"survey", survey_command}, {"effects", effects_command}, {"cost", cost_command},
+        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"modal", modal_command}, {"optimise", optimise_command}, {"survey", survey_command}, {"effects", effects_command}, {"cost", cost_command}, {"accuracy", accuracy_command},
         {"scenes", scenes_command},     {"help", help_command}};
     return verbs.at(options.verb)(options, streams);
 }

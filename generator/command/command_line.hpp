@@ -46,6 +46,9 @@ struct Options {
     bool explain = false;
     std::string dump;
     std::string topic;                    ///< of help
+    int test_points = 2000;               ///< of accuracy, in each arithmetic
+    std::uint64_t seed = 1;
+    double ulp_limit = 8;                 ///< of errors in double
 };
 
 /// Where a verb writes.
@@ -65,6 +68,7 @@ ExitCode modal_command(const Options& options, Streams streams);
 ExitCode survey_command(const Options& options, Streams streams);
 ExitCode optimise_command(const Options& options, Streams streams);
 ExitCode cost_command(const Options& options, Streams streams);
+ExitCode accuracy_command(const Options& options, Streams streams);
 ExitCode effects_command(const Options& options, Streams streams);
 ExitCode scenes_command(const Options& options, Streams streams);
 ExitCode help_command(const Options& options, Streams streams);

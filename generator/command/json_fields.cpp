@@ -329,6 +329,30 @@ constexpr auto of_cost = std::to_array<JsonField>({
     {"best.fits", ""},
 });
 
+constexpr auto of_accuracy = std::to_array<JsonField>({
+    {"scene", "the scene"},
+    {"sizes.<NAME>", "sizes of families"},
+    {"seed", "of the random numbers"},
+    {"digits", "of the reference"},
+    {"limit", "largest error in double that is good, in ulp beyond the condition"},
+    {"within_limit", "no function is above it"},
+    {"points.<ARITHMETIC>.tried", "in float and double: points at which the model holds"},
+    {"points.<ARITHMETIC>.outside", "others that were drawn: a guard says that the model does not hold, or it has no rates"},
+    {"functions[].function", "name of a function of the header"},
+    {"functions[].mode", "of a machine that switches; else empty"},
+    {"functions[].results", "how many numbers it gives"},
+    {"functions[].errors.<ARITHMETIC>.measured", "numbers that were compared"},
+    {"functions[].errors.<ARITHMETIC>.largest", "error in ulp beyond the condition, as the next one; null where it is infinite"},
+    {"functions[].errors.<ARITHMETIC>.typical", "the median"},
+    {"functions[].errors.<ARITHMETIC>.largest_plain", "error in ulp of the exact value, as the next one"},
+    {"functions[].errors.<ARITHMETIC>.typical_plain", "the median"},
+    {"functions[].errors.<ARITHMETIC>.worst.result", "which number it is; missing where every number is exact"},
+    {"functions[].errors.<ARITHMETIC>.worst.kind", "of the point: random, tiny to huge, near zero, equal values, ends of ranges, signs of zero, quarter turns"},
+    {"functions[].errors.<ARITHMETIC>.worst.computed", "null where it is not finite"},
+    {"functions[].errors.<ARITHMETIC>.worst.exact", "25 digits, as a text"},
+    {"functions[].errors.<ARITHMETIC>.worst.at.<NAME>", "parameters, states, inputs and the time, in SI"},
+});
+
 constexpr auto of_scenes = std::to_array<JsonField>({
     {"default", "the default scene; empty without one"},
     {"scenes[].scene", "name of the scene"},
@@ -345,7 +369,7 @@ constexpr auto of_scenes = std::to_array<JsonField>({
 
 constexpr auto schemas = std::to_array<JsonSchema>({
     {"derive", of_derive},           {"generate", of_generate}, {"check", of_check},   {"evaluate", of_evaluate}, {"simulate", of_simulate},
-    {"equilibrium", of_equilibrium}, {"modal", of_modal}, {"optimise", of_optimise}, {"survey", of_survey},     {"effects", of_effects},   {"cost", of_cost}, {"scenes", of_scenes},
+    {"equilibrium", of_equilibrium}, {"modal", of_modal}, {"optimise", of_optimise}, {"survey", of_survey},     {"effects", of_effects},   {"cost", of_cost}, {"accuracy", of_accuracy}, {"scenes", of_scenes},
 });
 
 }  // namespace

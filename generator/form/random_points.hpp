@@ -22,12 +22,15 @@ public:
     /// The next point. The sequence is the same on every run and machine.
     Point next();
 
-private:
+    /// Where a letter is taken from: its declared range, or what goes for one.
     struct Interval {
         GiNaC::ex letter;
         Rational low;
         Rational high;
     };
+    const std::vector<Interval>& intervals() const { return intervals_; }
+
+private:
     std::vector<Interval> intervals_;
     std::uint64_t state_ = 0x9E3779B97F4A7C15ULL;
 };

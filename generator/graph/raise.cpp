@@ -8,9 +8,7 @@ namespace dalembert {
 
 using GiNaC::ex;
 
-namespace {
-
-ex apply(Op op, const std::vector<ex>& a) {
+ex applied(Op op, const std::vector<ex>& a) {
     switch (op) {
         case Op::sin: return GiNaC::sin(a[0]);
         case Op::cos: return GiNaC::cos(a[0]);
@@ -60,8 +58,6 @@ ex apply(Op op, const std::vector<ex>& a) {
     throw std::logic_error("an operation that is no function");
 }
 
-}  // namespace
-
 ex Raiser::operator()(NodeId id) {
     if (const auto known = known_.find(id); known != known_.end()) return known->second;
     for (const NodeId argument : program_[id].arguments) (*this)(argument);
@@ -95,7 +91,7 @@ ex Raiser::raise(const Node& node) {
         case Node::Kind::function: break;
     }
     if (node.op == Op::element) return element(node);
-    return apply(node.op, {parts.begin(), parts.end()});
+    return applied(node.op, {parts.begin(), parts.end()});
 }
 
 CachedMeaning cached_meaning(const Code& code) {

@@ -24,7 +24,7 @@ const std::map<std::string, std::string> free_keys{
     {"sizes", "<NAME>"},     {"definitions", "<NAME>"},      {"state_rates", "<NAME>"}, {"outputs", "<NAME>"}, {"parameter", "<NAME>"},
     {"state", "<NAME>"},     {"input", "<NAME>"},            {"output", "<NAME>"},      {"values", "<NAME>"},  {"state_derivative", "<NAME>"},
     {"unknown", "<NAME>"},   {"sticking", "<NAME>"},
-    {"operations", "<FUNCTION>"}, {"definiteness", "<MATRIX>"}, {"seconds", "<STAGE>"}};
+    {"operations", "<FUNCTION>"}, {"definiteness", "<MATRIX>"}, {"seconds", "<STAGE>"}, {"errors", "<ARITHMETIC>"}, {"points", "<ARITHMETIC>"}, {"at", "<NAME>"}};
 
 void collect(const Json& value, const std::string& path, const std::string& key, std::set<std::string>& paths) {
     if (value.is_object()) {
@@ -92,6 +92,7 @@ TEST_CASE("the JSON fields are the documented ones") {
         {"modal", {{systems + "drive_train.toml"}, {model}, {sliding, "--mode", "floor_slides_forwards"}}},
         {"optimise", {{waves, "--maximise", "y", "--over", "w=1:15"}, {model, "--until", "1", "--minimise", "y", "--over", "c=1:2", "--state", "q[1]=1"}}},
         {"cost", {{waves, "--methods", "rk4,dopri5", "--arithmetics", "double", "--limit", "2", "--no-plot", "-o", folder}, {waves, "--budget", "1 ms step, 1 s", "--methods", "rk4", "--arithmetics", "double", "--limit", "2"}}},
+        {"accuracy", {{model, "--points", "20"}, {waves, "--points", "20"}}},
         {"survey", {{systems + "pulley.toml", "--no-plot", "-o", folder}}},
         {"scenes", {{systems + "cart_pendulum.toml"}}},
     };

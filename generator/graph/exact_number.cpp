@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/exact_number.hpp"
+
+#include <cln/float.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "graph/raise.hpp"
+#include "symbolic/network_functions.hpp"
+#include "symbolic/values.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+
+namespace {
+
+std::optional<cln::cl_R> number_of(const ex& e) {
+    const ex value = e.evalf();
+    if (!GiNaC::is_exactly_a<numeric>(value) || !GiNaC::ex_to<numeric>(value).is_real()) return std::nullopt;
+    return cln::realpart(GiNaC::ex_to<numeric>(value).to_cl_N());
+}
+
+bool all_there(const std::vector<const MaybeExact*>& parts) {
+    return std::all_of(parts.begin(), parts.end(), [](const MaybeExact* part) { return part->has_value(); });
+}
+
+double approximate(const cln::cl_R& x) { return cln::double_approx(x); }
+
+}  // namespace
+
+void ExactNumber::add_slopes(const ExactNumber& other, double factor) {
+    if (other.slopes.empty() || factor == 0) return;
+    if (slopes.empty()) slopes.assign(other.slopes.size(), 0);
+    for (std::size_t i = 0; i < slopes.size(); ++i)
+        if (other.slopes[i] != 0) slopes[i] += factor * other.slopes[i];
+}
+
+ExactArithmetic::ExactArithmetic(int digits) : digits_(digits), format_(cln::float_format(static_cast<unsigned long>(digits + guard_digits))) {}
+
+MaybeExact ExactArithmetic::input(const Rational& value, std::size_t number, std::size_t count) const {
+    ExactNumber result{cln::cl_float(value, format_), std::vector<double>(count, 0)};
+    result.slopes[number] = 1;
+    return result;
+}
+
+MaybeExact ExactArithmetic::sum(const std::vector<const MaybeExact*>& terms, const std::vector<bool>& negative) {
+    if (!all_there(terms)) return std::nullopt;
+    ExactNumber result;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        const ExactNumber& term = **terms[i];
+        const bool subtract = !negative.empty() && negative[i];
+        result.value = subtract ? result.value - term.value : result.value + term.value;
+        result.add_slopes(term, subtract ? -1 : 1);
+    }
+    return result;
+}
+
+MaybeExact ExactArithmetic::product(const std::vector<const MaybeExact*>& factors) {
+    if (!all_there(factors)) return std::nullopt;
+    ExactNumber result = **factors.front();
+    for (std::size_t i = 1; i < factors.size(); ++i) {
+        const ExactNumber& factor = **factors[i];
+        ExactNumber next{result.value * factor.value, {}};
+        next.add_slopes(result, approximate(factor.value));
+        next.add_slopes(factor, approximate(result.value));
+        result = std::move(next);
+    }
+    return result;
+}
+
+MaybeExact ExactArithmetic::reciprocal(const MaybeExact& x) {
+    if (!x || cln::zerop(x->value)) return std::nullopt;
+    ExactNumber result{1 / x->value, {}};
+    result.add_slopes(*x, -approximate(cln::square(result.value)));
+    return result;
+}
+
+std::optional<cln::cl_R> ExactArithmetic::value(Op op, const Values& a) const {
+    switch (op) {
+        case Op::sin: return cln::sin(a[0]);
+        case Op::cos: return cln::cos(a[0]);
+        case Op::exp: return cln::exp(a[0]);
+        case Op::sqrt: return cln::minusp(a[0]) ? std::nullopt : std::optional<cln::cl_R>(cln::sqrt(a[0]));
+        case Op::independent_inverse: {
+            // What the emitted code takes for rounding is far more than what is left here.
+            const cln::cl_R least = cln::abs(a[1]) * cln::expt(cln::cl_RA(10), -digits_ / 2);
+            return cln::abs(a[0]) <= least ? cln::cl_R(0) : cln::cl_R(1 / a[0]);
+        }
+        default: break;
+    }
+    std::vector<ex> arguments;
+    for (const cln::cl_R& x : a) arguments.emplace_back(numeric(x));
+    return number_of(applied(op, arguments));
+}
+
+MaybeExact ExactArithmetic::by_differences(const At& at, const std::vector<const MaybeExact*>& arguments) const {
+    Values values;
+    for (const MaybeExact* argument : arguments) values.push_back((*argument)->value);
+    const auto guarded = [&]() -> std::optional<cln::cl_R> {
+        try {
+            return at(values);
+        } catch (const std::exception&) {  // a pole
+            return std::nullopt;
+        }
+    };
+    const auto here = guarded();
+    if (!here) return std::nullopt;
+    ExactNumber result{*here, {}};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if ((*arguments[i])->slopes.empty()) continue;
+        const cln::cl_R x = values[i];
+        const cln::cl_R step = cln::zerop(x) ? cln::cl_R(cln::cl_float(cln::expt(cln::cl_RA(10), -2 * digits_ / 3), format_)) : cln::cl_R(cln::abs(x) * cln::expt(cln::cl_RA(10), -digits_ / 3));
+        double slope = 0;
+        for (const int side : {1, -1}) {
+            values[i] = x + side * step;
+            const auto there = guarded();
+            if (!there) continue;
+            const double one = approximate((*there - *here) / (side * step));
+            if (std::fabs(one) > std::fabs(slope)) slope = one;
+        }
+        values[i] = x;
+        result.add_slopes(**arguments[i], slope);
+    }
+    return result;
+}
+
+MaybeExact ExactArithmetic::function(Op op, const std::vector<const MaybeExact*>& arguments) const {
+    if (!all_there(arguments)) return std::nullopt;
+    GiNaC::Digits = digits_ + guard_digits;
+    const ExactNumber& x = **arguments[0];
+    try {
+        const auto with_slope = [&](const std::optional<cln::cl_R>& result, const auto& slope) -> MaybeExact {
+            if (!result) return std::nullopt;
+            ExactNumber number{*result, {}};
+            if (!x.slopes.empty()) number.add_slopes(x, slope(*result));
+            return number;
+        };
+        switch (op) {
+            case Op::sin: return with_slope(value(op, {x.value}), [&](const cln::cl_R&) { return approximate(cln::cos(x.value)); });
+            case Op::cos: return with_slope(value(op, {x.value}), [&](const cln::cl_R&) { return -approximate(cln::sin(x.value)); });
+            case Op::exp: return with_slope(value(op, {x.value}), [&](const cln::cl_R& y) { return approximate(y); });
+            case Op::sqrt: return with_slope(value(op, {x.value}), [&](const cln::cl_R& y) { return cln::zerop(y) ? 0 : approximate(1 / (2 * y)); });
+            case Op::sign:
+            case Op::step: return with_slope(value(op, {x.value}), [](const cln::cl_R&) { return 0.0; });
+            case Op::min:
+            case Op::max: {
+                const ExactNumber& y = **arguments[1];
+                const int order = cln::compare(x.value, y.value);
+                ExactNumber result = (order < 0) == (op == Op::min) || order == 0 ? x : y;
+                if (order == 0) result.add_slopes(y, 1);
+                return result;
+            }
+            case Op::independent_inverse: {
+                const auto result = value(op, {x.value, (*arguments[1])->value});
+                return with_slope(result, [](const cln::cl_R& y) { return -approximate(cln::square(y)); });
+            }
+            default: return by_differences([&](const Values& values) { return value(op, values); }, arguments);
+        }
+    } catch (const std::exception&) {  // a pole
+        return std::nullopt;
+    }
+}
+
+MaybeExact ExactArithmetic::element(Op array, const std::vector<const MaybeExact*>& arguments, std::size_t k) const {
+    if (!all_there(arguments)) return std::nullopt;
+    GiNaC::Digits = digits_ + guard_digits;
+    const auto at = [&](const Values& values) {
+        GiNaC::exvector list;
+        for (const cln::cl_R& x : values) list.emplace_back(numeric(x));
+        const ex whole = GiNaC::exprseq(list.begin(), list.end());
+        if (array == Op::balanced_temperature) return number_of(balanced_temperature(static_cast<unsigned long>(k), whole));
+        const unsigned long n = network_order(whole);
+        return number_of(network_inverse(k / n, k % n, whole));
+    };
+    return by_differences(at, arguments);
+}
+
+}  // namespace dalembert
