@@ -126,6 +126,8 @@ inline constexpr std::array<double, state_count> start_values{293, 293, 293, 293
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 13> nonzero{0x83, 0x87, 0x10e, 0x21c, 0x438, 0x870, 0x1060, 0x183, 0x384, 0x708, 0xe10, 0x1c20, 0x1840};
 };
 
 /// df/du: all entries are stored.

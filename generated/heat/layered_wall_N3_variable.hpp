@@ -137,6 +137,8 @@ inline constexpr std::array<double, state_count> start_values{283, 283, 283, 283
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 7> nonzero{0x19, 0x32, 0x64, 0x9, 0x13, 0x26, 0x44};
 };
 
 /// df/du: all entries are stored.

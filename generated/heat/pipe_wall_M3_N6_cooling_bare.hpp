@@ -106,6 +106,8 @@ inline constexpr std::array<double, state_count> start_values{283, 283, 283, 363
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 4> nonzero{0xb, 0x7, 0x6, 0x9};
 };
 
 /// df/du: all entries are stored.

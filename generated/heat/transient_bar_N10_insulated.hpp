@@ -116,6 +116,8 @@ inline constexpr std::array<double, state_count> start_values{293, 293, 293, 293
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 10> nonzero{0x3, 0x7, 0xe, 0x1c, 0x38, 0x70, 0xe0, 0x1c0, 0x380, 0x300};
 };
 
 /// df/du: all entries are stored.

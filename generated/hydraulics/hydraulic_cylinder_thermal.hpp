@@ -136,6 +136,8 @@ inline constexpr std::array<double, state_count> start_values{0.25, 0, 3000000, 
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 6> nonzero{0x3c, 0x3d, 0x16, 0x2a, 0x14, 0x28};
 };
 
 /// df/du: all entries are stored.

@@ -133,6 +133,8 @@ inline constexpr std::array<double, state_count> start_values{0.1, -0.4, 0.3, 0.
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 12> nonzero{0x0, 0xfc0, 0xfc0, 0xfc0, 0xfc0, 0xfc0, 0xfc1, 0xfc2, 0xfc4, 0xfc8, 0xfd0, 0xfe0};
 };
 
 /// df/du: all entries are stored.

@@ -128,6 +128,8 @@ inline constexpr std::array<double, state_count> start_values{0.8414709848078965
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 8> nonzero{0xf0, 0xf0, 0xf0, 0xf0, 0xf1, 0xf2, 0xf4, 0xf8};
 };
 
 /// df/du: all entries are stored.

@@ -116,6 +116,8 @@ inline constexpr std::array<double, state_count> start_values{0.001, 2, 0, 1, 0,
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 7> nonzero{0x7f, 0x7f, 0x7f, 0x70, 0x68, 0x58, 0x38};
 };
 
 /// df/du: all entries are stored.

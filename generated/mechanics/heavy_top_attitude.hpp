@@ -119,6 +119,8 @@ inline constexpr std::array<double, state_count> start_values{0, 0, 150, 0.87758
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 7> nonzero{0x7f, 0x7f, 0x7f, 0x77, 0x6f, 0x5f, 0x3f};
 };
 
 /// df/du: all entries are stored.

@@ -107,6 +107,8 @@ inline constexpr std::array<double, state_count> start_values{1, 1, 0, 2, 1, 1};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 6> nonzero{0x38, 0x38, 0x0, 0x39, 0x3a, 0x4};
 };
 
 /// df/du: all entries are stored.

@@ -133,6 +133,8 @@ inline constexpr std::array<double, state_count> start_values{0, 1.8, 19.1511110
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 4> nonzero{0x0, 0x0, 0x1, 0x2};
 };
 
 /// df/du: all entries are stored.

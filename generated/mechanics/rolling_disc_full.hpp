@@ -132,6 +132,8 @@ inline constexpr std::array<double, state_count> start_values{0, 0, 0, 1.2, 0, 2
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 10> nonzero{0x0, 0x0, 0x3e0, 0x3e0, 0x0, 0x3e1, 0x3e2, 0x3e4, 0x3e8, 0x3f0};
 };
 
 /// df/du: all entries are stored.

@@ -101,6 +101,8 @@ inline constexpr std::array<double, state_count> start_values{1, 0, 0, 2};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 4> nonzero{0xc, 0x0, 0xd, 0xe};
 };
 
 /// df/du: all entries are stored.

@@ -127,6 +127,8 @@ inline constexpr std::array<double, state_count> start_values{200};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 1> nonzero{0x0};
 };
 
 /// df/du: all entries are stored.

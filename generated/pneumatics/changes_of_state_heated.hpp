@@ -122,6 +122,8 @@ inline constexpr std::array<double, state_count> start_values{0.5, 0, 101325, 29
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 4> nonzero{0xc, 0xf, 0xe, 0x8};
 };
 
 /// df/du: all entries are stored.

@@ -143,6 +143,8 @@ inline constexpr std::array<double, state_count> start_values{0.07, 0, 436000, 5
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
+    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    static constexpr std::array<unsigned, 4> nonzero{0xc, 0xf, 0x6, 0xa};
 };
 
 /// df/du: all entries are stored.

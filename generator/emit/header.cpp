@@ -201,6 +201,7 @@ private:
                                  l.is_sparse() ? "entries that are not zero for every motion, in compressed columns (CSC)." : "all entries are stored.", lower_letter,
                                  l.is_sparse());
         if (!l.is_sparse()) {
+            if (by == By::state) patterns_ += nonzero(l);
             patterns_ += "};\n\n";
             return;
         }
@@ -215,6 +216,18 @@ private:
         list("column_starts", l.column_starts());
         list("row_indices", l.row_indices());
         patterns_ += "};\n\n";
+    }
+
+    /// Which of the stored entries matter to who factors the matrix; nothing where all of them do.
+    static std::string nonzero(const JacobianLayout& l) {
+        if (l.row_indices().size() == l.rows() * l.columns()) return {};
+        std::vector<std::string> columns;
+        for (std::size_t j = 0; j < l.columns(); ++j) {
+            unsigned bits = 0;
+            for (std::size_t k = l.column_starts()[j]; k < l.column_starts()[j + 1]; ++k) bits |= 1U << l.row_indices()[k];
+            columns.push_back(fmt::format("{:#x}", bits));
+        }
+        return fmt::format("    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.\n    static constexpr std::array<unsigned, {}> nonzero{{{}}};\n", l.columns(), fmt::join(columns, ", "));
     }
 
     /// Of all modes, where they differ.

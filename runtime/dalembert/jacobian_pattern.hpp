@@ -6,18 +6,20 @@
 #include <type_traits>
 
 #include "dalembert/linear_solve.hpp"
+#include "dalembert/pattern_lu.hpp"
 
 namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// Calls take(row, value) for the stored entries of a column of flat values with `rows` rows.
+/// Calls take(row, value) for the stored entries of a column of flat values with `rows` rows, but for those that are always zero.
 template <class Pattern, class Values, class Take>
 void for_each_in_column(const Values& values, std::size_t rows, std::size_t column, Take take) {
     if constexpr (Pattern::is_sparse) {
         for (std::size_t k = Pattern::column_starts[column]; k < Pattern::column_starts[column + 1]; ++k) take(Pattern::row_indices[k], values[k]);
     } else {
-        for (std::size_t row = 0; row < rows; ++row) take(row, values[column * rows + row]);
+        for (std::size_t row = 0; row < rows; ++row)
+            if (may_be_nonzero<Pattern>(row, column)) take(row, values[column * rows + row]);
     }
 }
 
@@ -38,20 +40,35 @@ constexpr Bandwidth bandwidth(std::size_t n) noexcept {
                 if (row > column && row - column > band.lower) band.lower = row - column;
                 if (column > row && column - row > band.upper) band.upper = column - row;
             }
-    } else if (n > 0) {
-        band.lower = band.upper = n - 1;
+    } else {
+        for (std::size_t column = 0; column < n; ++column)
+            for (std::size_t row = 0; row < n; ++row) {
+                if (!may_be_nonzero<Pattern>(row, column)) continue;
+                if (row > column && row - column > band.lower) band.lower = row - column;
+                if (column > row && column - row > band.upper) band.upper = column - row;
+            }
     }
     return band;
 }
 
-/// A matrix with the pattern and the diagonal: a band where that takes at most half of the places of all entries.
+/// Straight-line code for a pattern is worth its bytes up to so many states and operations.
+template <class Pattern, std::size_t n>
+constexpr bool is_unrolled() noexcept {
+    constexpr std::size_t most_states = 24, most_updates = 500;
+    if constexpr (n == 0 || n > most_states) return false;
+    else return EliminationPlan<Pattern, n>::updates <= most_updates;
+}
+
+/// A matrix with the pattern and the diagonal: straight-line code where that is short, else a band where that takes at most half of the places
+/// of all entries.
 template <class Scalar, class Pattern, std::size_t n>
 struct SquareMatrix {
     static constexpr Bandwidth band = bandwidth<Pattern>(n);
     static constexpr bool is_band = 2 * band.height() <= n;
     /// So that everything stays well within the usual stack of 8 MB.
     static constexpr bool fits = (is_band ? band.height() : n) * n * sizeof(Scalar) <= std::size_t(2) << 20;
-    using type = std::conditional_t<is_band, BandLu<Scalar, n, is_band ? band.lower : 0, is_band ? band.upper : 0>, DenseLu<Scalar, is_band ? 0 : n>>;
+    using Looped = std::conditional_t<is_band, BandLu<Scalar, n, is_band ? band.lower : 0, is_band ? band.upper : 0>, DenseLu<Scalar, is_band ? 0 : n>>;
+    using type = std::conditional_t<is_unrolled<Pattern, n>(), PatternLu<Scalar, Pattern, n>, Looped>;
 };
 
 }  // namespace detail

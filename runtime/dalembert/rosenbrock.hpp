@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "dalembert/jacobian_pattern.hpp"
 #include "dalembert/rodas5p_coefficients.hpp"
@@ -87,16 +88,12 @@ public:
         derivatives_.time_derivative(from.x, from.t, c.length, dfdt_);
         c.y = from.x;
         c.dydt = from.dxdt;
-        for (std::size_t i = 0; i < Table::stages; ++i) {
-            if (i > 0) {
-                set_stage(i, from.x, c.y);
-                rhs_(c.y, c.dydt, Table::time[i] == 1 ? c.end : from.t + Scalar(Table::time[i]) * c.length);
-            }
-            solve_stage(i, c.length, c.dydt);
-        }
-        add(1, u_.back(), c.y);
+        make_stages(from, c, Scalar(1) / c.length, std::make_index_sequence<Table::stages>{});
         c.error.fill(Scalar(0));
-        add(1, u_.back(), c.error);
+        for (std::size_t r = 0; r < n; ++r) {
+            c.y[r] += u_.back()[r];
+            c.error[r] = u_.back()[r];
+        }
         if (!are_finite(c.y, c.error)) return;
         rhs_(c.y, c.dydt, c.end);
         if constexpr (integrals > 0) integrate_over(from, c);
@@ -111,11 +108,6 @@ public:
     }
 
 private:
-    static void add(double factor, const Increment& u, State& x) {
-        const Scalar f = Scalar(factor);
-        for (std::size_t r = 0; r < n; ++r) x[r] += f * u[r];
-    }
-
     /// Events repeat steps from one point: the Jacobian is computed there once.
     bool factor(const Point<State>& from, Scalar length) {
         if (!is_prepared_ || prepared_ != from.number) derivatives_.prepare(from.x, from.t);
@@ -128,22 +120,39 @@ private:
         return W_.factor();
     }
 
-    void set_stage(std::size_t i, const State& x, State& y) const {
-        if (i > 5) return add(1, u_[i - 1], y);
-        std::copy_n(x.begin(), n, y.begin());
-        for (std::size_t j = 0; j < i; ++j) add(Table::a[i][j], u_[j], y);
+    template <std::size_t... i>
+    void make_stages(const Point<State>& from, Candidate<State>& c, const Scalar& rate, std::index_sequence<i...>) {
+        (..., make_stage<i>(from, c, rate));
     }
 
-    void solve_stage(std::size_t i, Scalar length, const State& f) {
-        Increment& u = u_[i];
-        std::copy_n(f.begin(), n, u.begin());
-        for (std::size_t j = 0; j < i; ++j) {
-            const Scalar factor = Scalar(Table::c[i][j]) / length;
-            for (std::size_t r = 0; r < n; ++r) u[r] += factor * u_[j][r];
+    /// `rate` is 1/h. All of a row of the tables is known here, and sums need no memory between.
+    template <std::size_t i>
+    void make_stage(const Point<State>& from, Candidate<State>& c, const Scalar& rate) {
+        constexpr auto before = std::make_index_sequence<i>{};
+        if constexpr (i > 5) {
+            for (std::size_t r = 0; r < n; ++r) c.y[r] += u_[i - 1][r];
+        } else if constexpr (i > 0) {
+            for (std::size_t r = 0; r < n; ++r) c.y[r] = from.x[r] + state_sum<i>(r, before);
         }
-        if (const Scalar factor = Scalar(Table::gradient[i]) * length; factor != Scalar(0))
-            for (std::size_t r = 0; r < n; ++r) u[r] += factor * dfdt_[r];
+        if constexpr (i > 0) rhs_(c.y, c.dydt, Table::time[i] == 1 ? c.end : from.t + Scalar(Table::time[i]) * c.length);
+        Increment& u = u_[i];
+        std::copy_n(c.dydt.begin(), n, u.begin());
+        if constexpr (i > 0)
+            for (std::size_t r = 0; r < n; ++r) u[r] += rate * increment_sum<i>(r, before);
+        if constexpr (Table::gradient[i] != 0) {
+            const Scalar gradient = Scalar(Table::gradient[i]) * c.length;
+            for (std::size_t r = 0; r < n; ++r) u[r] += gradient * dfdt_[r];
+        }
         W_.solve(u);
+    }
+
+    template <std::size_t i, std::size_t... j>
+    Scalar state_sum(std::size_t r, std::index_sequence<j...>) const {
+        return (... + (Scalar(Table::a[i][j]) * u_[j][r]));
+    }
+    template <std::size_t i, std::size_t... j>
+    Scalar increment_sum(std::size_t r, std::index_sequence<j...>) const {
+        return (... + (Scalar(Table::c[i][j]) * u_[j][r]));
     }
 
     /// The dense output, s from 0 to 1.

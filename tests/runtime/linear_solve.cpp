@@ -194,9 +194,10 @@ TEST_CASE("the band of a pattern, and the matrix that suits it") {
     static_assert(bandwidth<Tridiagonal>(8).lower == 1 && bandwidth<Tridiagonal>(8).upper == 1);
     static_assert(bandwidth<Corner>(8).lower == 1 && bandwidth<Corner>(8).upper == 7);
     static_assert(bandwidth<Full>(8).lower == 7 && bandwidth<Full>(0).lower == 0);
-    static_assert(std::is_same_v<SquareMatrix<double, Tridiagonal, 8>::type, BandLu<double, 8, 1, 1>>);
-    static_assert(std::is_same_v<SquareMatrix<double, Corner, 8>::type, DenseLu<double, 8>>);
-    static_assert(std::is_same_v<SquareMatrix<double, Full, 8>::type, DenseLu<double, 8>>);
+    static_assert(std::is_same_v<SquareMatrix<double, Tridiagonal, 8>::Looped, BandLu<double, 8, 1, 1>>);
+    static_assert(std::is_same_v<SquareMatrix<double, Corner, 8>::Looped, DenseLu<double, 8>>);
+    static_assert(std::is_same_v<SquareMatrix<double, Full, 8>::type, PatternLu<double, Full, 8>>);
+    static_assert(std::is_same_v<SquareMatrix<double, Full, 20>::type, DenseLu<double, 20>>);  // too long without loops
     static_assert(SquareMatrix<double, Full, 512>::fits && !SquareMatrix<double, Full, 513>::fits);
     CHECK(bandwidth<Corner>(8).height() == 10);
 }
