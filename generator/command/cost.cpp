@@ -82,7 +82,7 @@ nlohmann::ordered_json as_json(const Measured& m) {
     const Variant& v = m.variant;
     const ReferenceRun& reference = v.work->reference();
     nlohmann::ordered_json json{{"scene", v.scene}, {"size", v.size}, {"states", v.states}, {"from_fullest", v.from_fullest}};
-    json["reference"] = {{"arithmetic", reference.plan.arithmetic}, {"method", reference.plan.method}, {"tolerance", reference.plan.tolerance}, {"error", reference.error}, {"growth", reference.growth ? nlohmann::ordered_json(*reference.growth) : nlohmann::ordered_json()}, {"counted_until", reference.until()}};
+    json["reference"] = {{"arithmetic", reference.plan.arithmetic}, {"method", reference.plan.method}, {"tolerance", reference.plan.tolerance}, {"error", reference.error}, {"closed_forms", reference.closed_forms}, {"growth", reference.growth ? nlohmann::ordered_json(*reference.growth) : nlohmann::ordered_json()}, {"counted_until", reference.until()}};
     json["runs"] = nlohmann::ordered_json::array();
     for (const WorkPoint& p : m.points)
         json["runs"].push_back({{"arithmetic", p.plan.arithmetic}, {"method", p.plan.method}, {"tolerance", p.plan.tolerance}, {"step", p.plan.step}, {"status", p.status}, {"good", p.is_good}, {"steps", p.steps}, {"rejected", p.rejected}, {"rhs_calls", p.rhs_calls},

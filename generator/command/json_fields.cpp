@@ -277,6 +277,7 @@ constexpr auto of_cost = std::to_array<JsonField>({
     {"machines[].reference.method", ""},
     {"machines[].reference.tolerance", ""},
     {"machines[].reference.error", "its own, relative, from a second run with a hundredfold tolerance"},
+    {"machines[].reference.closed_forms[]", "outputs and states that are not integrated, but from closed forms of the run"},
     {"machines[].reference.growth", "of a small disturbance of the start, in the run; null where that takes too long to be known"},
     {"machines[].reference.counted_until", "s; up to there errors are counted: the end, or where a disturbance has grown 1e5-fold in a run that makes it 1e8-fold"},
     {"machines[].runs[].arithmetic", ""},

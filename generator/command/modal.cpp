@@ -20,7 +20,7 @@ namespace dalembert {
 namespace {
 
 using Complex = std::complex<double>;
-using Rows = std::vector<std::vector<double>>;
+using MatrixRows = std::vector<std::vector<double>>;
 
 /// Modal forms are of machines whose coordinates are free and whose forces know no further states.
 void refuse_other_machines(const System& system) {
@@ -90,7 +90,7 @@ nlohmann::ordered_json as_json(const std::vector<Complex>& values) {
     return list;
 }
 
-std::string matrix_text(const char* name, const Rows& rows, const std::string& definiteness) {
+std::string matrix_text(const char* name, const MatrixRows& rows, const std::string& definiteness) {
     std::string text = fmt::format("{}{}\n", name, definiteness.empty() ? "" : ", " + definiteness);
     if (definiteness == "zero") return text;
     for (const auto& row : rows) {
@@ -179,7 +179,7 @@ ExitCode modal_command(const Options& options, Streams streams) {
     list("input", input_variables, inputs);
     json["largest_acceleration"] = largest;
     for (const char* name : {"M", "D", "C", "B"}) {
-        const Rows rows = matrix(result.at(name));
+        const MatrixRows rows = matrix(result.at(name));
         json[name] = rows;
         const auto kind = result.find(std::string("of_") + name);
         if (kind != result.end()) json["definiteness"][name] = kind->second;

@@ -2,6 +2,7 @@
 #include "command/precision_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -66,7 +67,7 @@ std::string error_text(const ReferenceRun& reference) { return reference.error >
 std::string advice(const WorkPrecision& work, const std::vector<WorkPoint>& points) {
     const ReferenceRun& reference = work.reference();
     const double until = work.run().settings.until;
-    std::string text = fmt::format("reference: {}, its own error {}; {}{}\n", name_of(reference.plan), error_text(reference), reference.growth ? fmt::format("a disturbance of the start grows {:.2g}-fold", *reference.growth) : "how a disturbance of the start grows is not known",
+    std::string text = fmt::format("reference: {}, its own error {}{}; {}{}\n", name_of(reference.plan), error_text(reference), reference.closed_forms.empty() ? "" : fmt::format("; of {} closed forms", fmt::join(reference.closed_forms, ", ")), reference.growth ? fmt::format("a disturbance of the start grows {:.2g}-fold", *reference.growth) : "how a disturbance of the start grows is not known",
                                    reference.is_sensitive() ? fmt::format(": errors are counted up to t = {:.4g} s, where it is not yet lost", reference.until()) : "");
     const auto times = [&](const WorkPoint& p) { return fmt::format("{:.3g} us per simulated second (up to {:.3g}), {} right-hand sides", p.fastest / until, p.slowest / until, p.rhs_calls); };
     for (const double error : wanted_errors) {

@@ -34,6 +34,12 @@ bool is_in_scene(const Expression& variable, const System& system) {
     return false;
 }
 
+/// What a point says of all letters but the time.
+GiNaC::exmap without_time(GiNaC::exmap point, const System& system) {
+    point.erase(system.symbols.time());
+    return point;
+}
+
 /// Plots with names of the recording; without any, one panel a coordinate or output.
 std::vector<Plot> resolved_plots(const std::vector<Plot>& wanted, const System& system) {
     std::vector<Plot> result;
@@ -139,6 +145,9 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     if (settings.method == "symplectic" && !is_separable(system))
         throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method symplectic is for accelerations that depend on coordinates alone, without inputs, modes and constraints; those of '{}' do not, see `dalembert derive`", model_name_)});
     settings.inputs = inputs(values, system);
+    if (run_ != nullptr && (run_->scene.empty() || run_->scene == system.scene.base))
+        for (const RunEntry& entry : run_->exact)
+            settings.exact.emplace_back(entry.variable->written(), system.symbols.without_definitions(system.translate(*entry.value, {})).subs(without_time(at_start, system), GiNaC::subs_options::no_pattern));
     settings.plots = resolved_plots(settings.plots, system);
     return settings;
 }

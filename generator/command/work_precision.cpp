@@ -8,6 +8,7 @@
 #include <future>
 #include <sstream>
 
+#include "command/closed_forms.hpp"
 #include "command/run_header.hpp"
 #include "model/methods.hpp"
 
@@ -113,7 +114,7 @@ bool WorkPrecision::try_reference(const RunPlan& plan, double coarser) {
     const Made best = make(*reference_program_, plan, 0, limits_.reference, 0);
     if (best.said.at("status") != worse.said.at("status") || best.rows.empty()) return false;
     const std::vector<double> scales = scales_of(best.rows, worse.rows);
-    reference_ = {plan, best.rows, best.said.at("status"), 0, scales, {}, best.rows.size()};
+    reference_ = {plan, best.rows, best.said.at("status"), 0, scales, {}, {}, best.rows.size()};
     find_growth();
     reference_.error = largest(differences(worse.rows, best.rows, scales), reference_.counted);
     return std::isfinite(reference_.error);
@@ -135,6 +136,11 @@ void WorkPrecision::find_growth() {
 }
 
 void WorkPrecision::find_reference() {
+    integrate_reference();
+    use_closed_forms(run_, reference_);
+}
+
+void WorkPrecision::integrate_reference() {
     // What 50 digits cost is known from a run in double: steps grow like the root of the order, and operations are so much slower.
     constexpr double slower = 400;
     const Made quick = make(*reference_program_, {"double", "dop853", 1e-9, 0}, 0, limits_.run, 0);

@@ -41,6 +41,7 @@ struct ReferenceRun {
     double error = 0;            ///< its own, from a second run with a hundredfold tolerance
     std::vector<double> scales;  ///< of the columns; 0: not compared, as it is zero but for errors
     std::optional<double> growth = {};  ///< of a small disturbance of the start, up to the end; nothing where a run of it takes too long
+    std::vector<std::string> closed_forms = {};  ///< columns that are not integrated, but from closed forms of the run
     std::size_t counted = 0;     ///< rows in which errors are counted: before a disturbance has grown too much
     bool is_sensitive() const { return counted < rows.size(); }
     double until() const { return rows.empty() ? 0 : static_cast<double>(rows[counted - 1][0]); }
@@ -66,7 +67,7 @@ public:
 
     const PreparedRun& run() const { return run_; }
     const ReferenceRun& reference() const { return reference_; }
-    /// Looks for a reference. Throws RunStopped where no method comes to an end.
+    /// Looks for a reference. Throws RunStopped where no method comes to an end; Failure (wrong-closed-form).
     void find_reference();
     WorkPoint measure(const RunPlan& plan) const;
     /// Those that are measured in one arithmetic, from coarse to fine: the next one, given those before; nothing at the end.
@@ -81,6 +82,7 @@ private:
         Rows rows;
     };
     Made make(const ScratchFolder& program, const RunPlan& plan, double disturbance, double limit, double repeat) const;
+    void integrate_reference();
     bool try_reference(const RunPlan& plan, double coarser);
     void find_growth();
 

@@ -13,6 +13,7 @@ struct SimulationSettings {
     std::string method = "automatic";
     int intervals = 500;
     std::vector<GiNaC::ex> inputs;  ///< expressions of time and state, one an input
+    std::vector<std::pair<std::string, GiNaC::ex>> exact;  ///< closed forms of what is recorded, of time alone
     std::vector<Plot> plots;        ///< names as the recording has them
     bool draw = true;
 };

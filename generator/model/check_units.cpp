@@ -418,7 +418,7 @@ private:
         seconds(run.until, "end");
         seconds(run.period, "period");
         seconds(run.step, "step");
-        for (const auto* entries : {&run.start, &run.inputs, &run.parameters})
+        for (const auto* entries : {&run.start, &run.inputs, &run.parameters, &run.exact})
             for (const RunEntry& entry : *entries) {
                 const Measure variable = units_.of(*entry.variable, {});
                 if (!variable.fits_all) units_.expect_si(*entry.value, variable.dimension, fmt::format("the value of '{}' in run '{}'", entry.variable->written(), run.name));

@@ -200,6 +200,7 @@ struct Run : Item {
     std::vector<RunEntry> start;
     std::vector<RunEntry> inputs;
     std::vector<RunEntry> parameters;
+    std::vector<RunEntry> exact;  ///< closed forms of outputs and states, of t and parameters
     Rational tolerance = Rational(1) / 1000000000;
     ExpressionPtr step;
     std::string method;

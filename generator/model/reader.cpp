@@ -103,6 +103,7 @@ void read(const Entry& e, Run& run) {
     run.start = e.by_name("start");
     run.inputs = e.by_name("inputs");
     run.parameters = e.by_name("parameters");
+    run.exact = e.by_name("exact");
     run.tolerance = e.number("tolerance").value_or(run.tolerance);
     if (!cln::plusp(run.tolerance) || run.tolerance >= 1)
         e.error(Id::value_out_of_range, e.span_of("tolerance"), "the tolerance lies between 0 and 1");

@@ -409,6 +409,7 @@ constexpr std::array run_keys{
     KeySpec{"start", T::expressions_by_name, false, "start values that differ: { s = 0.2, \"dot(s)\" = 0 }, in SI"},
     KeySpec{"inputs", T::expressions_by_name, false, "inputs as expressions of t and the states; 0 for what is left out"},
     KeySpec{"parameters", T::expressions_by_name, false, "parameters that differ, in SI"},
+    KeySpec{"exact", T::expressions_by_name, false, "closed forms of outputs and states, of t and parameters, where there are some: references of `cost`"},
     KeySpec{"tolerance", T::number, false, "relative tolerance of a step; 1e-9 if left out"},
     KeySpec{"method", T::choice, false, "\"automatic\" (default): \"dopri5\" or at 1e-6 and less \"dop853\", \"rodas5p\" as long as the problem is stiff; also \"fehlberg78\", \"bulirsch_stoer\", or with a fixed step \"euler\", \"rk4\" or, for separable machines, \"symplectic\""},
     KeySpec{"step", T::constant, false, "fixed step of euler and rk4 in seconds"},

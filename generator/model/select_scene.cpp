@@ -369,6 +369,7 @@ private:
                 for (const std::string& name : plot.y) fields_.tap_plotted(name);
             for (const RunEntry& entry : run.inputs)
                 if (used_.contains(entry.variable->name)) use_parameters(entry.value);
+            for (const RunEntry& entry : run.exact) use_parameters(entry.value);
         }
     }
 

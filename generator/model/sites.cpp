@@ -450,6 +450,10 @@ void visit(const Run& item, const SiteVisitor& visitor) {
         each(entry.variable, on_parameters, "parameters");
         each(entry.value, constant_only, "parameters");
     }
+    for (const RunEntry& entry : item.exact) {
+        each(entry.variable, on_coordinates | on_velocities | on_states | on_outputs, "closed forms");
+        each(entry.value, on_parameters | on_time, "closed forms");
+    }
 }
 
 void visit(const Model& model, const SiteVisitor& visitor) {

@@ -52,6 +52,7 @@ constexpr std::array kinds{
     DiagnosticKind{Id::not_integrable, "not-integrable", "forces given as a potential that have none"},
     DiagnosticKind{Id::cannot_integrate, "cannot-integrate", "a law whose integral must be given, or a density that is no polynomial"},
     DiagnosticKind{Id::wrong_integral, "wrong-integral", "an energy whose derivative is not the force"},
+    DiagnosticKind{Id::wrong_closed_form, "wrong-closed-form", "a closed form that is not what the run gives"},
     DiagnosticKind{Id::inconsistent_medium, "inconsistent-medium", "a medium whose laws contradict each other"},
     DiagnosticKind{Id::wrong_medium, "wrong-medium", "a flow or volume whose law does not fit the medium"},
     DiagnosticKind{Id::wrong_enclosure, "wrong-enclosure", "surfaces that cannot see each other as the model says"},

@@ -54,6 +54,7 @@ enum class Id {
     not_integrable,
     cannot_integrate,
     wrong_integral,
+    wrong_closed_form,
     inconsistent_medium,
     wrong_medium,
     wrong_enclosure,

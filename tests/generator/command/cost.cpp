@@ -19,7 +19,7 @@ Answer cost(const std::vector<std::string>& arguments) { return ask("cost", argu
 
 /// q'' = c q/m from q = 1, q' = rate.
 std::string one_mass(const char* stiffness, const char* rate, const char* until) {
-    return std::string("[model]\nformat = 1\nname = \"mass\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\nc = { value = ") + stiffness +
+    return std::string("[model]\nformat = 1\nname = \"mass\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\na = { value = 1, unit = \"m\" }\nc = { value = ") + stiffness +
            ", unit = \"N/m\" }\n[coordinates]\nq = { unit = \"m\", start = 1, start_rate = " + rate + " }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n[potentials.p]\nenergy = \"c*q^2/2\"\n[runs.reference]\nuntil = " + until + "\n";
 }
 
@@ -94,6 +94,20 @@ TEST_CASE("where a disturbance grows like exp(t), errors are counted as long as 
     CHECK(reference["growth"] > 1e10);
     CHECK(reference["growth"] < 1e11);
     CHECK(reference["counted_until"] == doctest::Approx(11.5).epsilon(0.05));  // exp(11.5) = 1e5
+}
+
+TEST_CASE("a closed form is the reference of what it gives, and one that is wrong is refused") {
+    const Folder place;
+    const std::string model = one_mass("1", "0", "10");
+    const auto with = [&](const std::string& form) { return cost({place.write("mass.toml", model + "exact = { q = \"" + form + "\" }\n"), "--methods", "rk4", "--arithmetics", "double", "--limit", "2", "--no-plot", "--format", "json", "-o", place.path()}); };
+    const Answer right = with("a*cos(sqrt(c/m)*t)");
+    REQUIRE(right.code == 0);
+    CHECK(right.json()["machines"][0]["reference"]["closed_forms"] == nlohmann::json{"q"});
+    for (const auto& run : right.json()["machines"][0]["runs"])
+        if (run["step"] == 0.1) CHECK(run["error_on_the_way"] == doctest::Approx(error_of_rk4(100, 10)).epsilon(1e-2));
+    const Answer wrong = with("a*cos(1.001*sqrt(c/m)*t)");
+    CHECK(wrong.code == 1);
+    CHECK(wrong.err.find("the closed form of 'q' is not what the run gives: at t = 0.2 s") != std::string::npos);
 }
 
 TEST_CASE("a budget is kept, or refused with what would be needed") {
