@@ -159,17 +159,18 @@ void make_and_prove_code(Machine& machine, Stopwatch& watch, bool with_series) {
 namespace {
 
 /// Series that are not there, or were not asked for at any price, are forgotten.
-void keep_series(const Machine& machine, const std::vector<Code*>& modes, SeriesWish wish) {
+void keep_series(Machine& machine, const std::vector<Code*>& modes, SeriesWish wish) {
     constexpr int most_operations = 1000;  // beyond, compiling takes minutes
     std::optional<Diagnostic> why;
     if (machine.fields) why = Diagnostic{Id::no_series, machine.loaded->model.name_span, "no series are made of rods whose cells are computed in loops; a smaller size has code for each of them"};
     for (const Code* code : modes) {
         if (why) break;
         if (const auto missing = missing_series(*code)) why = *missing;
-        else if (wish == SeriesWish::if_possible && code->count(Function::rhs).total() > most_operations) why = Diagnostic{Id::too_large, {}, ""};
+        else if (wish == SeriesWish::if_possible && code->count(Function::rhs).total() > most_operations) why = Diagnostic{Id::too_large, {}, fmt::format("its right-hand side has more than {} operations, and series of it would take long to compile", most_operations)};
     }
     if (!why) return;
     if (wish == SeriesWish::wanted) throw Failure(*why);
+    machine.no_series = why->message;
     for (Code* code : modes) code->series_of.reset();
 }
 

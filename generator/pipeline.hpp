@@ -40,6 +40,7 @@ struct Machine {
     std::unique_ptr<Code> code;          ///< after generate
     std::unique_ptr<FieldCode> fields;   ///< after generate, where cells of rods are computed in loops
     std::vector<AuditEntry> emitted;     ///< after generate
+    std::string no_series = {};          ///< after generate that would have made series where possible: why there are none
     std::vector<Machine> other_modes;    ///< of one that switches: the machine in its other modes; this one is in the first
     std::vector<StageReport> stages;
 };

@@ -19,6 +19,7 @@ struct InputSeries {
 };
 /// Of expressions of time and states. Throws Failure (no-series).
 InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs);
+bool have_series(Code& code, const std::vector<GiNaC::ex>& inputs);
 
 /// Of statements in a member function.
 inline constexpr const char* indent = "        ";

@@ -87,16 +87,26 @@ CppBody CppBodies::series() {
     return body;
 }
 
-InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs) {
+namespace {
+
+SeriesCode series_of(Code& code, const std::vector<GiNaC::ex>& inputs) {
     std::vector<Polynomial> polynomials;
     for (const GiNaC::ex& input : inputs) polynomials.push_back(lower(code.system.symbols.without_definitions(input), code.atoms));
     FunctionCode f;
     ProgramBuilder builder(code.atoms, code.cache, ParameterParts::in_place, f.program);
     builder.prepare(polynomials);
     for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(i));
-    SeriesCode made = make_series(code.atoms, f, {});
+    return make_series(code.atoms, f, {});
+}
+
+}  // namespace
+
+bool have_series(Code& code, const std::vector<GiNaC::ex>& inputs) { return !series_of(code, inputs).missing; }
+
+InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs) {
+    SeriesCode made = series_of(code, inputs);
     if (made.missing)
-        throw Failure(Diagnostic{Id::no_series, {}, fmt::format("the method taylor needs series, and of '{}', which the input '{}' contains, none is known; another method does without", name_of(made.missing->op), code.system.symbols.all(SymbolKind::input)[made.missing->index].name)});
+        throw Failure(Diagnostic{Id::no_series, {}, fmt::format("the input '{}' contains '{}', of which no Taylor series is known; another method does without", code.system.symbols.all(SymbolKind::input)[made.missing->index].name, name_of(made.missing->op))});
     const FunctionCode results = made.function;
     CppSeries::Use use;
     use.bind = [](CppFunction& cpp) { cpp.bind_state("x[0]"); };
@@ -119,9 +129,9 @@ InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs) {
     std::string head;
     for (const std::string& name : cpp.called())
         if (!is_helper(name)) head += fmt::format("        using std::{};\n", name);
-    std::string inner = "            Input u_now{};\n";
+    std::string inner;
     if (step.find("by_k") != std::string::npos) inner += "            const Scalar by_k = Scalar(1) / Scalar(k);\n";
-    return {series.rows(), head + statements, inner + begin_of_order(series, std::string(indent) + "    ") + step + "            return u_now;\n"};
+    return {series.rows(), head + statements, inner + begin_of_order(series, std::string(indent) + "    ") + step};
 }
 
 }  // namespace dalembert

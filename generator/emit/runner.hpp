@@ -13,6 +13,7 @@ struct SimulationSettings {
     std::string method = "automatic";
     int intervals = 500;
     std::vector<GiNaC::ex> inputs;  ///< expressions of time and state, one an input
+    bool series = false;            ///< of these, where the header has some of the motion
     std::vector<Plot> plots;        ///< names as the recording has them
     bool draw = true;
 };
