@@ -10,6 +10,7 @@
 #include "form/fluid_validity.hpp"
 #include "form/heat_validity.hpp"
 #include "form/mode_systems.hpp"
+#include "graph/series.hpp"
 #include "model/checks.hpp"
 #include "model/reader.hpp"
 #include "model/verdict.hpp"
@@ -139,8 +140,8 @@ bool all_derivations_proven(const Machine& machine) {
     return machine.audit.all_proven() && std::all_of(machine.other_modes.begin(), machine.other_modes.end(), all_derivations_proven);
 }
 
-void make_and_prove_code(Machine& machine, Stopwatch& watch) {
-    machine.code = make_code(*machine.system);
+void make_and_prove_code(Machine& machine, Stopwatch& watch, bool with_series) {
+    machine.code = make_code(*machine.system, {.series = with_series});
     const OperationCount count = machine.code->count(Function::rhs);
     watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
     machine.emitted = verify(*machine.code);
@@ -151,6 +152,26 @@ void make_and_prove_code(Machine& machine, Stopwatch& watch) {
     for (const AuditEntry& entry : machine.emitted)
         if (entry.result.verdict == Verdict::wrong)
             throw Failure(Diagnostic{Id::not_equal, machine.loaded->model.name_span, fmt::format("{} fails. This is a defect of the program; please report it with the model", entry.name)});
+}
+
+}  // namespace
+
+namespace {
+
+/// Series that are not there, or were not asked for at any price, are forgotten.
+void keep_series(Machine& machine, const std::vector<Code*>& modes, SeriesWish wish) {
+    constexpr int most_operations = 1000;  // beyond, compiling takes minutes
+    std::optional<Diagnostic> why;
+    if (machine.fields) why = Diagnostic{Id::no_series, machine.loaded->model.name_span, "no series are made of rods whose cells are computed in loops; a smaller size has code for each of them"};
+    for (const Code* code : modes) {
+        if (why) break;
+        if (const auto missing = missing_series(*code)) why = *missing;
+        else if (wish == SeriesWish::if_possible && code->count(Function::rhs).total() > most_operations) why = Diagnostic{Id::too_large, {}, fmt::format("its right-hand side has more than {} operations, and series of it would take long to compile", most_operations)};
+    }
+    if (!why) return;
+    if (wish == SeriesWish::wanted) throw Failure(*why);
+    machine.no_series = why->message;
+    for (Code* code : modes) code->series_of.reset();
 }
 
 }  // namespace
@@ -198,16 +219,21 @@ OperationCount operations(const Machine& machine, Function function) {
     return most;
 }
 
-Header generate(Machine& machine) {
+bool has_series(const Machine& machine) { return machine.code->series_of.has_value(); }
+
+Header generate(Machine& machine, SeriesWish wish) {
     return guarded(machine.loaded->model, [&] {
         Stopwatch watch(machine.stages);
         std::vector<const Code*> modes;
-        make_and_prove_code(machine, watch);
-        modes.push_back(machine.code.get());
+        std::vector<Code*> all;
+        make_and_prove_code(machine, watch, wish != SeriesWish::none);
+        all.push_back(machine.code.get());
         for (Machine& other : machine.other_modes) {
-            make_and_prove_code(other, watch);
-            modes.push_back(other.code.get());
+            make_and_prove_code(other, watch, wish != SeriesWish::none);
+            all.push_back(other.code.get());
         }
+        modes.assign(all.begin(), all.end());
+        if (wish != SeriesWish::none) keep_series(machine, all, wish);
         const Proofs proofs = proofs_of(machine);
         watch.lap("prove code", proofs.all_proven() ? "everything proven" : "something only numerically equal");
         const auto effects_out = sizes_of_effects_out(*machine.system, {machine.system->scene.sizes.begin(), machine.system->scene.sizes.end()});
@@ -223,6 +249,7 @@ std::string normalised_command(const Machine& machine) {
     const std::string file = std::filesystem::path(scene.model->source->name()).filename().string();
     std::string command = fmt::format("dalembert generate {} --scene {}", file, scene.wish);
     for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);
+    if (machine.code && has_series(machine)) command += " --taylor";
     return command;
 }
 

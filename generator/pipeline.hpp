@@ -40,6 +40,7 @@ struct Machine {
     std::unique_ptr<Code> code;          ///< after generate
     std::unique_ptr<FieldCode> fields;   ///< after generate, where cells of rods are computed in loops
     std::vector<AuditEntry> emitted;     ///< after generate
+    std::string no_series = {};          ///< after generate that would have made series where possible: why there are none
     std::vector<Machine> other_modes;    ///< of one that switches: the machine in its other modes; this one is in the first
     std::vector<StageReport> stages;
 };
@@ -50,8 +51,17 @@ std::shared_ptr<const LoadedModel> load(const std::filesystem::path& path, Diagn
 /// model -> symbolic -> mechanics -> form -> prove. Throws Failure.
 Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene, const std::map<std::string, int>& sizes);
 
+/// Whether a header has Taylor series.
+enum class SeriesWish {
+    none,
+    wanted,       ///< or Failure (no-series)
+    if_possible,  ///< and not too large to be compiled soon
+};
+
 /// graph -> prove -> emit. Throws Failure when the code cannot be proven equal to the derivation, not even by numbers.
-Header generate(Machine& machine);
+Header generate(Machine& machine, SeriesWish wish = SeriesWish::none);
+/// After generate.
+bool has_series(const Machine& machine);
 
 /// Of a function, in the mode that needs most. After generate.
 OperationCount operations(const Machine& machine, Function function);

@@ -48,7 +48,7 @@ std::vector<Candidate> measured(const Variant& variant, const Budget& budget, co
     constexpr int most_parts = 64;
     for (const char* arithmetic : {"float", "double"}) {
         if (!is_wanted(options.arithmetics, arithmetic)) continue;
-        for (const std::string& method : measured_methods(options.methods, *work.run().machine.system)) {
+        for (const std::string& method : measured_methods(options.methods, work.run())) {
             if (method == "automatic") continue;  // with fixed steps it is dopri5
             for (int parts = 1; parts <= most_parts; parts *= 2) {
                 const RunPlan plan{arithmetic, method, 0, budget.step / parts};

@@ -61,6 +61,7 @@ public:
         output(generate);
         auto* every = generate->add_flag("--every-scene", options_.every_scene, "the headers of all scenes");
         generate->add_option("--header", options_.header, "file name of the header instead of NAME_SCENE.hpp")->excludes(every)->check(file_name);
+        generate->add_flag("--taylor", options_.taylor, "with Taylor series of the motion, for the method taylor");
         format(generate, "text or json", {"text", "json"});
         explain(generate);
         CLI::App* check = model_verb("check", "prove the derivation and check the printed equations, in every scene unless one is chosen");

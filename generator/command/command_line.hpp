@@ -43,6 +43,7 @@ struct Options {
     std::map<std::string, std::vector<int>> size_lists;  ///< of cost: every size is measured
     std::vector<std::string> hold;
     std::vector<std::string> free;
+    bool taylor = false;                  ///< the header gets series
     bool explain = false;
     std::string dump;
     std::string topic;                    ///< of help

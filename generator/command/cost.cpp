@@ -61,9 +61,10 @@ std::vector<WorkPoint> measure(const WorkPrecision& work, const Notes& notes, co
     const std::string& name = work.run().name;
     if (notes.count() > 0) streams.err << fmt::format("  {}: goes on behind {} runs that were measured before\n", name, notes.count());
     std::vector<WorkPoint> points;
+    if (!work.run().settings.series && is_wanted(options.methods, "taylor")) streams.err << fmt::format("  {}: without taylor: {}\n", name, work.run().machine.no_series.empty() ? "an input has no series" : work.run().machine.no_series);
     for (const char* arithmetic : arithmetics) {
         if (!is_wanted(options.arithmetics, arithmetic)) continue;
-        for (const std::string& method : measured_methods(options.methods, *work.run().machine.system)) {
+        for (const std::string& method : measured_methods(options.methods, work.run())) {
             std::vector<WorkPoint> curve;
             while (const auto plan = work.next(arithmetic, method, curve)) {
                 const WorkPoint* known = notes.find(*plan);

@@ -94,7 +94,7 @@ ExitCode generate_command(const Options& options, Streams streams) {
     for (const std::string& scene : scenes) {
         Machine machine = derive_machine(model, scene, options.choice.sizes);
         show_warnings(machine, streams);
-        const Header header = generate(machine);
+        const Header header = generate(machine, options.taylor ? SeriesWish::wanted : SeriesWish::none);
         if (!options.dump.empty()) {
             streams.out << dumped(machine, options.dump, header);
             return ExitCode::good;

@@ -12,10 +12,10 @@
 
 namespace dalembert {
 
-std::vector<std::string> measured_methods(const std::vector<std::string>& wanted, const System& system) {
+std::vector<std::string> measured_methods(const std::vector<std::string>& wanted, const PreparedRun& run) {
     std::vector<std::string> methods;
     for (const std::string& name : method_names())
-        if (is_wanted(wanted, name) && (name != "symplectic" || is_separable(system))) methods.push_back(name);
+        if (is_wanted(wanted, name) && (name != "symplectic" || is_separable(*run.machine.system)) && (name != "taylor" || run.settings.series)) methods.push_back(name);
     return methods;
 }
 

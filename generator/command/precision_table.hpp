@@ -29,7 +29,7 @@ std::string advice(const WorkPrecision& work, const std::vector<WorkPoint>& poin
 /// What was asked for; everything, where nothing was said.
 bool is_wanted(const std::vector<std::string>& wanted, const std::string& name);
 /// The methods that are measured of a system: those that are wanted, and can integrate it.
-std::vector<std::string> measured_methods(const std::vector<std::string>& wanted, const System& system);
+std::vector<std::string> measured_methods(const std::vector<std::string>& wanted, const PreparedRun& run);
 
 inline constexpr std::array wanted_errors{1e-3, 1e-6, 1e-9};
 

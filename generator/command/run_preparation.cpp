@@ -101,6 +101,11 @@ std::string RunPreparation::scene(const std::string& wanted) const {
     return wish.base.empty() ? run_->scene + wanted : wanted;
 }
 
+std::string RunPreparation::method() const {
+    if (!options_.method.empty()) return options_.method;
+    return run_ != nullptr && !run_->method.empty() ? run_->method : SimulationSettings().method;
+}
+
 void RunPreparation::set_values(Values& values, const System& system) const {
     if (run_ != nullptr) {
         const auto set = [&](const std::vector<RunEntry>& entries, unsigned allowed) {
@@ -123,7 +128,6 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
         settings.until = seconds(run_->until);
         settings.tolerance = cln::double_approx(run_->tolerance);
         if (run_->step) settings.step = seconds(run_->step);
-        if (!run_->method.empty()) settings.method = run_->method;
         settings.intervals = run_->samples;
         settings.plots = run_->plots;
     }
@@ -136,7 +140,7 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
         if (!(settings.until > 0)) throw Failure(Diagnostic{Id::bad_option, until->span, "a run begins at t = 0 and must end later"});
     }
     if (options_.tolerance > 0) settings.tolerance = options_.tolerance;
-    if (!options_.method.empty()) settings.method = options_.method;
+    settings.method = method();
     if (options_.step > 0) settings.step = options_.step;
     if (options_.samples > 0) settings.intervals = options_.samples;
     if (!(settings.until > 0))

@@ -20,6 +20,8 @@ public:
 
     /// The scene: the one asked for, or the one that the run belongs to.
     std::string scene(const std::string& wanted) const;
+    /// The method of integration.
+    std::string method() const;
     /// Parameters and start values. Throws Failure (value-out-of-range, unknown-name, ...).
     void set_values(Values& values, const System& system) const;
     /// The inputs where the run begins.

@@ -10,6 +10,7 @@
 #include "command/run_header.hpp"
 #include "command/run_preparation.hpp"
 #include "command/shared.hpp"
+#include "emit/cpp_bodies.hpp"
 #include "emit/runner.hpp"
 #include "form/state_places.hpp"
 #include "prove/body_validity.hpp"
@@ -54,12 +55,13 @@ std::pair<Values, std::vector<ex>> start_of_run(const System& system, const Opti
     return {values, preparation.inputs_at_start(values, system)};
 }
 
-PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb) {
+PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb, bool tries_series) {
     const RunPreparation preparation(model->model, options);
     Machine machine = derive_machine(model, preparation.scene(scene), options.choice.sizes);
     const System& system = *machine.system;
     refuse_rest(system, verb);
-    Header header = generate(machine);
+    const SeriesWish wish = tries_series ? SeriesWish::if_possible : preparation.method() == "taylor" ? SeriesWish::wanted : SeriesWish::none;
+    Header header = generate(machine, wish);
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
     check_switching_values(system, values);
@@ -67,6 +69,7 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     check_solid_values(system, values);
     meet_constraints(system, values);
     SimulationSettings settings = preparation.make_settings(values, system);
+    settings.series = has_series(machine) && (!tries_series || have_series(*machine.code, settings.inputs));
     std::string name = fmt::format("{}_{}", system.scene.sized_name(), system.scene.name);
     return {std::move(machine), std::move(header), std::move(values), std::move(settings), std::move(name)};
 }

@@ -62,8 +62,9 @@ std::string scene_of_run(const Model& model, const std::string& run);
 std::string scene_for_run(const Model& model, const Options& options);
 /// What run and command line say of the start: values, and inputs at t = 0.
 std::pair<Values, std::vector<GiNaC::ex>> start_of_run(const System& system, const Options& options);
-/// Derives and generates. `verb` is named where nothing moves. Throws Failure.
-PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb);
+/// Derives and generates, with series of the motion where the method needs them, or where `tries_series` and that is possible. `verb` is
+/// named where nothing moves. Throws Failure.
+PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb, bool tries_series = false);
 /// The same with the program of a simulation.
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options);
 

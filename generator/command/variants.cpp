@@ -50,7 +50,7 @@ Variant make_variant(const std::shared_ptr<const LoadedModel>& model, const std:
     std::vector<std::string> measured;
     for (const char* arithmetic : arithmetics)
         if (is_wanted(options.arithmetics, arithmetic)) measured.emplace_back(arithmetic);
-    PreparedRun run = prepare_run(model, scene, options, "cost");
+    PreparedRun run = prepare_run(model, scene, options, "cost", is_wanted(options.methods, "taylor"));
     check(run);
     variant.work = std::make_unique<WorkPrecision>(std::move(run), limits, measured);
     const System& system = *variant.work->run().machine.system;

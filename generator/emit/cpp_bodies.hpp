@@ -12,6 +12,15 @@ struct CppBody {
     std::string statements;
 };
 
+/// Inputs as series: what computes their first coefficients, and those of order k.
+struct InputSeries {
+    std::size_t rows;  ///< of series that are multiplied
+    std::string start, step;
+};
+/// Of expressions of time and states. Throws Failure (no-series).
+InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs);
+bool have_series(Code& code, const std::vector<GiNaC::ex>& inputs);
+
 /// Of statements in a member function.
 inline constexpr const char* indent = "        ";
 
@@ -27,6 +36,9 @@ public:
     CppBody start_state();
     CppBody rhs();
     CppBody rhs_and_jacobian();
+    /// Taylor series of the motion. Afterwards series_rows() is known.
+    CppBody series();
+    std::size_t series_rows() const { return series_rows_; }
     CppBody jacobian(Function function, By by);
     CppBody mass_matrix();
     /// A function that fills an array with one value a row.
@@ -83,6 +95,7 @@ private:
     const char* mode_;  ///< the first argument of calls: "mode, ", or nothing
     std::set<std::string> arguments_;
     std::set<std::string> helpers_;
+    std::size_t series_rows_ = 0;
 };
 
 }  // namespace dalembert

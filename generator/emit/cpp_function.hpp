@@ -29,6 +29,11 @@ public:
     /// In update(): cached values are written, not read.
     void name_node(NodeId id, const std::string& name) { wanted_names_[id] = name; }
 
+    /// What is used again outside of these statements has a name.
+    void keep(NodeId id) { uses_[id] += 2; }
+    /// A name that nothing else has in this function.
+    std::string new_name(const std::string& wanted) { return names_.unique(wanted); }
+
     /// Statements that compute what the roots need and that is not there yet.
     std::string compute(const std::vector<NodeId>& roots);
     /// The value of a node whose parts were computed. May need further statements, which are appended.

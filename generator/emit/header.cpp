@@ -105,12 +105,23 @@ private:
         body(Function::output_jacobian_u, [](CppBodies& b) { return b.output_jacobian(Function::output_jacobian_u, By::input); });
         for (const Function f : {Function::kinetic_energy, Function::potential_energy, Function::supplied_power, Function::dissipated_power, Function::prescribed_power, Function::internal_energy, Function::exchanged_power})
             body(f, [f](CppBodies& b) { return b.scalar(f); });
+        series();
         guards();
         constraints();
         layout(By::state, "X");
         layout(By::input, "U");
         layout(By::parameter, "P");
         values("PATTERNS", patterns_);
+    }
+
+    /// Nothing where no series were asked for.
+    void series() {
+        values("SERIES", "");
+        if (!code_.series_of) return;
+        const CppBody body = merged(each([](CppBodies& b) { return b.series(); }));
+        std::size_t rows = 0;
+        for (const CppBodies& bodies : bodies_) rows = std::max(rows, bodies.series_rows());
+        values("SERIES", fill_template(embedded_file("series.hpp.in"), {{"SERIES_ROWS", std::to_string(rows)}, {"SERIES_ARGUMENTS", body.arguments}, {"SERIES", body.statements}}));
     }
 
     /// Guards of a machine that does not switch, or what one that does has instead.

@@ -54,6 +54,7 @@ const std::vector<Helper>& helpers() {
         {"network", networks, {}},
         {"network_inverse", networks, {"network"}},
         {"balanced_temperature", networks, {"network", "radiant_temperature"}},
+        {"series_sums", "series_functions.hpp", {}},
         {"ldlt", "ldlt.hpp", {}},
     };
     return table;

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "emit/cpp_function.hpp"
+#include "emit/cpp_bodies.hpp"
 #include "emit/helpers.hpp"
 #include "emit/safe_text.hpp"
 #include "emit/template.hpp"
@@ -74,6 +74,20 @@ std::string input_statements(Code& code, const std::vector<ex>& inputs) {
     return scope + statements;
 }
 
+/// What makes inputs of a function, given as a lambda, and series of them: texts that stand before and behind it.
+struct InputSeriesTexts {
+    std::string before, after;
+};
+InputSeriesTexts input_series_texts(Code& code, const SimulationSettings& settings, const std::string& captures, const std::string& scalar) {
+    if (!settings.series || settings.inputs.empty()) return {};
+    const InputSeries series = input_series(code, settings.inputs);
+    return {fmt::format("dalembert::with_series<{}>(", series.rows),
+            fmt::format(", [{0}]([[maybe_unused]] const auto* x, [[maybe_unused]] {1} t, typename System::Input& u, [[maybe_unused]] {1}* rows) {{\n"
+                        "        using Scalar = {1};\n        namespace detail = dalembert::detail;\n{2}        (void)u;\n"
+                        "        return [=]([[maybe_unused]] std::size_t k) {{\n            typename System::Input u_now{{}};\n{3}            return u_now;\n        }};\n    }})",
+                        captures, scalar, series.start, series.step)};
+}
+
 /// Columns and values of the states as the model calls them: what is integrated as its root is recorded as itself.
 std::pair<std::string, std::string> recorded_states(const System& system) {
     const Symbols& symbols = system.symbols;
@@ -115,6 +129,7 @@ std::string simulation_source(Code& code, const Header& header, const Values& va
     }
     const Scene& scene = code.system.scene;
     const auto [state_columns, state_values] = recorded_states(code.system);
+    const InputSeriesTexts series = input_series_texts(code, settings, "&", "double");
     const std::string title = scene.model->title.empty() ? scene.sized_name() : scene.model->title;
     std::map<std::string, std::string> values_of{{"NAMESPACE", header.name_space},
                                                  {"HEADER", header.file_name},
@@ -123,6 +138,8 @@ std::string simulation_source(Code& code, const Header& header, const Values& va
                                                  {"STATE_COLUMNS", state_columns},
                                                  {"STATE_VALUES", state_values},
                                                  {"INPUTS", input_statements(code, settings.inputs)},
+                                                 {"INPUTS_BEGIN", series.before},
+                                                 {"INPUTS_END", series.after},
                                                  {"METHOD", settings.method},
                                                  {"TOLERANCE", double_literal(settings.tolerance)},
                                                  {"STEP", double_literal(settings.step)},
@@ -148,6 +165,7 @@ std::string repeated_source(Code& code, const Header& header, const SimulationSe
     for (const Variable& p : system.symbols.all(SymbolKind::parameter)) parameters += fmt::format("    p_.{} = next();\n", p.is_member ? fmt::format("{}[{}]", p.base, position[p.base]++) : p.base);
     for (const std::size_t place : place_states(system).positions) start += fmt::format("    start[{}] = next();\n", place);
     const bool switches = !system.scene.modes.empty();
+    const InputSeriesTexts series = input_series_texts(code, settings, "&", "double");
     return fill_template(embedded_file("repeated.cpp.in"), {{"NAMESPACE", header.name_space},
                                                             {"HEADER", header.file_name},
                                                             {"MODE", switches ? "System::Mode{}, " : ""},
@@ -156,6 +174,8 @@ std::string repeated_source(Code& code, const Header& header, const SimulationSe
                                                             {"STATE_COLUMNS", state_columns},
                                                             {"STATE_VALUES", state_values},
                                                             {"INPUTS", input_statements(code, settings.inputs)},
+                                                            {"INPUTS_BEGIN", series.before},
+                                                            {"INPUTS_END", series.after},
                                                             {"METHOD", settings.method},
                                                             {"WANTED", cpp_string(wanted)}});
 }
@@ -184,6 +204,7 @@ std::string work_precision_source(Code& code, const Header& header, const Values
     std::vector<std::string> types;
     for (const std::string& name : arithmetics)
         types.push_back(name == "long_double" ? "long double" : name == "digits50" ? "boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>" : name);
+    const InputSeriesTexts series = input_series_texts(code, settings, "p_ = system.parameters()", "Number");
     const bool has_digits = std::find(arithmetics.begin(), arithmetics.end(), "digits50") != arithmetics.end();
     return fill_template(embedded_file("work_precision.cpp.in"),
                          {{"NAMESPACE", header.name_space},
@@ -193,6 +214,8 @@ std::string work_precision_source(Code& code, const Header& header, const Values
                           {"PARAMETERS", parameter_statements(code.system.symbols, values)},
                           {"START", start_statements(code.system, values)},
                           {"INPUTS", input_statements(code, settings.inputs)},
+                          {"INPUTS_BEGIN", series.before},
+                          {"INPUTS_END", series.after},
                           {"UNTIL", double_literal(settings.until)},
                           {"VALUES", outputs.empty() ? recorded_states(code.system).second : fmt::format("{}", fmt::join(outputs, ", "))}});
 }

@@ -13,13 +13,16 @@ SharedMembers::SharedMembers(std::vector<const Code*> modes) : modes_(std::move(
     std::size_t count = 0;
     for (const Code* code : modes_) {
         std::set<std::uint32_t> used;
-        for (const FunctionCode& f : code->functions)
-            for (const NodeId id : f.program.in_order(f.roots())) {
-                const Node& node = f.program[id];
+        std::vector<const FunctionCode*> functions;
+        for (const FunctionCode& f : code->functions) functions.push_back(&f);
+        if (code->series_of) functions.push_back(&*code->series_of);
+        for (const FunctionCode* f : functions)
+            for (const NodeId id : f->program.in_order(f->roots())) {
+                const Node& node = f->program[id];
                 if (node.kind == Node::Kind::cached) used.insert(node.index);
                 const Variable* variable = node.kind == Node::Kind::symbol ? code->atoms[node.index].variable : nullptr;
                 const bool is_definition = variable != nullptr && variable->kind == SymbolKind::definition;
-                if (is_definition && &f != &(*code)[Function::update]) only_in_update_.erase(variable->position);
+                if (is_definition && f != &(*code)[Function::update]) only_in_update_.erase(variable->position);
             }
         const Notation write(code->system.symbols, Style::text);
         const CachedMeaning meaning = cached_meaning(*code);

@@ -17,7 +17,7 @@ public:
     explicit CodeMaker(const System& system)
         : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms)), n_(system.motion.unknowns()), degrees_(system.symbols.degrees()), places_(system.unknown_places()), multipliers_(system.motion.multipliers.size()) {}
 
-    std::unique_ptr<Code> run() {
+    std::unique_ptr<Code> run(const CodeWish& wish) {
         order_definitions();
         choose_solve();
         motion_function(Function::rhs, nullptr);
@@ -38,6 +38,7 @@ public:
         values(Function::start_state, lowered_.start, ParameterParts::in_place);
         switching();
         projection();
+        if (wish.series) series();
         update();
         return std::move(code_);
     }
@@ -150,6 +151,33 @@ private:
         return all;
     }
 
+    /// What Taylor series are made of: dx/dt, and the power behind it.
+    void series() {
+        FunctionCode& f = code_->series_of.emplace();
+        f.by_loops = !code_->solve.unrolled;
+        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program);
+        Roots roots;
+        const MotionRoots motion = add_motion(roots);
+        const std::size_t rates = roots.add(lowered_.state_rate);
+        const std::size_t power = roots.add(lowered_.scalars);
+        builder.prepare(roots.polynomials());
+        take_motion(f, builder, motion);
+        for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
+        constexpr std::size_t supplied = 2, dissipated = 3, prescribed = 4, exchanged = 6;
+        f.results.push_back(f.program.sum({{false, builder.root(power + supplied)}, {true, builder.root(power + dissipated)}, {false, builder.root(power + prescribed)}, {false, builder.root(power + exchanged)}}));
+    }
+
+    /// Accelerations: solved for, or letters where that is done by loops.
+    void take_motion(FunctionCode& f, ProgramBuilder& builder, const MotionRoots& motion) {
+        if (code_->solve.unrolled) {
+            f.accelerations = solve_motion(f, builder, motion);
+            return;
+        }
+        for (std::size_t i = 0; !code_->solve.is_constant && i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(motion.mass + i));
+        for (std::size_t j = 0; j < n_; ++j) f.force.push_back(builder.root(motion.force + j));
+        for (std::size_t j = 0; j < degrees_; ++j) f.accelerations.push_back(f.program.symbol(acceleration_letter(j)));
+    }
+
     /// rhs, alone or together with its Jacobian.
     void motion_function(Function which, const LoweredSystem::Columns* columns) {
         FunctionCode& f = (*code_)[which];
@@ -162,13 +190,7 @@ private:
         const ColumnRoots parts = columns != nullptr ? add_columns(roots, *columns) : ColumnRoots{};
         builder.prepare(roots.polynomials());
 
-        if (s.unrolled) {
-            f.accelerations = solve_motion(f, builder, motion);
-        } else {
-            for (std::size_t i = 0; !s.is_constant && i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(motion.mass + i));
-            for (std::size_t j = 0; j < n_; ++j) f.force.push_back(builder.root(motion.force + j));
-            for (std::size_t j = 0; j < degrees_; ++j) f.accelerations.push_back(f.program.symbol(acceleration_letter(j)));
-        }
+        take_motion(f, builder, motion);
         for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
         if (columns != nullptr) take_columns(f, builder, *columns, parts);
     }
@@ -412,6 +434,6 @@ std::vector<NodeId> FunctionCode::roots() const {
 
 OperationCount Code::count(Function f) const { return (*this)[f].program.count((*this)[f].roots()); }
 
-std::unique_ptr<Code> make_code(const System& system) { return CodeMaker(system).run(); }
+std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish) { return CodeMaker(system).run(wish); }
 
 }  // namespace dalembert

@@ -85,6 +85,11 @@ struct ResetCode {
     std::optional<std::size_t> impact = {};  ///< the column of solved in which M^-1*direction stands
 };
 
+/// What is asked of code besides the functions that every header has.
+struct CodeWish {
+    bool series = false;  ///< of the motion
+};
+
 struct Code {
     explicit Code(const System& derived) : system(derived), atoms(derived.symbols) {}
     Code(const Code&) = delete;
@@ -95,6 +100,8 @@ struct Code {
     Solve solve;                                  ///< how M*x = b is solved
     std::vector<std::size_t> definition_order;    ///< definitions, each behind those it needs
     std::array<FunctionCode, function_count> functions;
+    /// Where series are asked for, what they are made of: the motion, and behind the rates of plain states the power that changes its energy.
+    std::optional<FunctionCode> series_of;
     std::vector<ResetCode> resets, rests;         ///< by event
     std::vector<std::optional<std::size_t>> condition_places;  ///< of x, with the results of Function::conditions; nothing: they are to be zero
 
@@ -104,6 +111,6 @@ struct Code {
 };
 
 /// All functions of a system as code.
-std::unique_ptr<Code> make_code(const System& system);
+std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish = {});
 
 }  // namespace dalembert

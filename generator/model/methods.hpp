@@ -21,6 +21,7 @@ inline constexpr std::array methods_of_integration{
     MethodSpec{"dopri5", false, ""},
     MethodSpec{"dop853", false, "for tight tolerances"},
     MethodSpec{"rodas5p", false, "for what is stiff"},
+    MethodSpec{"taylor", false, "series of the motion, for smooth motion at tight tolerances"},
     MethodSpec{"fehlberg78", false, ""},
     MethodSpec{"bulirsch_stoer", false, "for smooth motion"},
     MethodSpec{"euler", true, ""},

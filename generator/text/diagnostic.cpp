@@ -61,6 +61,7 @@ constexpr std::array kinds{
     DiagnosticKind{Id::wrong_modes, "wrong-modes", "modes and events that cannot work together"},
     DiagnosticKind{Id::undetermined, "undetermined", "a state, volume or unknown force that nothing determines"},
     DiagnosticKind{Id::no_equilibrium, "no-equilibrium", "forces that no unknown can hold in equilibrium"},
+    DiagnosticKind{Id::no_series, "no-series", "a function of which no Taylor series is known"},
     DiagnosticKind{Id::doubly_determined, "doubly-determined", "two things that fix the same quantity"},
     DiagnosticKind{Id::can_vanish, "can-vanish", "a volume that can become zero within the declared ranges"},
     DiagnosticKind{Id::not_equal, "not-equal", "two derivations that disagree: a defect of this program"},

@@ -63,6 +63,7 @@ enum class Id {
     wrong_modes,
     undetermined,
     no_equilibrium,
+    no_series,
     doubly_determined,
     can_vanish,
     not_equal,

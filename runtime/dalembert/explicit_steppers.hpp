@@ -123,6 +123,7 @@ Outcome run_explicit(Run& run, Method method) {
         case Method::bulirsch_stoer:
         case Method::symplectic:
         case Method::rodas5p: break;
+        case Method::taylor: return run.refuse(Status::no_series);
     }
     return run.refuse();
 }

@@ -10,6 +10,8 @@
 #include "dalembert/explicit_steppers.hpp"
 #include "dalembert/integration.hpp"
 #include "dalembert/rosenbrock.hpp"
+#include "dalembert/series.hpp"
+#include "dalembert/taylor.hpp"
 
 namespace dalembert {
 inline namespace v1 {

@@ -47,7 +47,9 @@ public:
     Scalar time() const { return t_; }
 
     /// For a method that cannot be used.
-    Outcome refuse() { return end(Status::bad_options); }
+    Outcome refuse(Status status = Status::bad_options) { return end(status); }
+
+    const IntegrationOptions<State>& options() const { return options_; }
 
     Outcome go(Stepper<State>& stepper, Steps steps) {
         stepper_ = &stepper;
@@ -132,6 +134,7 @@ private:
     Status acceptable_step(Scalar& h, Scalar target, Try& c) {
         const Scalar limit = target - t_;
         bool not_finite = false;
+        h = stepper_->suggested(here(), h);
         while (true) {
             if (outcome_.steps + outcome_.rejected >= options_.max_steps) return Status::too_many_steps;
             if (options_.max_step > Scalar(0) && h > options_.max_step) h = options_.max_step;
@@ -141,6 +144,7 @@ private:
             if (!(c.length > control_.smallest(t_)) && !clipped) return not_finite ? Status::not_finite : Status::step_too_small;
             try_step(c);
             clipped = clipped || is_cut();
+            if (c.finite && !is_cut()) stepper_->check(here(), c);
             const Scalar e = c.finite ? control_.error_norm(x_, c.y, c.error) : Scalar(0);
             if (!c.finite || !(e <= Scalar(1)) || !keeps_rest(c)) {
                 not_finite = not_finite || !c.finite;

@@ -29,6 +29,9 @@ enum class Method {
     /// Rosenbrock method 5(4) for stiff problems, controlled, output points by its dense output; needs the Jacobian, so it is there for
     /// `simulate`, and for `integrate` where that is given derivatives.
     rodas5p,
+    /// Taylor series of an order that the tolerance asks for, or `order`; controlled, output points by its polynomial. For smooth motion at tight
+    /// tolerances. It is there for systems whose header has series, with inputs that have some: else the run is Status::no_series.
+    taylor,
 };
 
 template <class State>
@@ -40,6 +43,7 @@ struct IntegrationOptions {
     Scalar step = Scalar(0);          ///< s; of all steps that are fixed, or the first of the others; 0: chosen
     bool is_fixed = false;            ///< no step is rejected, and all between two output points are as long as `step`, or a little shorter
     Scalar max_step = Scalar(0);      ///< s; the longest step, so that no short pulse is stepped over; 0: as long as the run
+    std::size_t order = 0;            ///< of Method::taylor; 0: from the tolerance
     std::size_t intervals = 1;        ///< the observer sees the two ends and the points that divide the run into so many parts
     std::size_t max_steps = 100000000;
     std::size_t max_events = 100000;  ///< guards that change their sign, before the run is stopped as an event storm

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "dalembert/series.hpp"
 #include "dalembert/status.hpp"
 #include "dalembert/system_derivatives.hpp"
 
@@ -48,7 +49,7 @@ struct DerivativeTypes<System, true> {
 
 /// A system with modes as one without: what it is in its present mode. Its guards are the events, and behind them the kinks.
 template <class System>
-class InMode : public DerivativeTypes<System, has_derivatives<System>> {
+class InMode : public DerivativeTypes<System, has_derivatives<System>>, public SeriesRows<System, has_series<System>> {
 public:
     using scalar_type = typename System::scalar_type;
     using State = typename System::State;
@@ -65,6 +66,10 @@ public:
     std::array<bool, events> is_ignored{};  ///< events that are not looked at
 
     void rhs(const State& x, const Input& u, scalar_type t, State& dxdt) const { system_.rhs(mode, x, u, t, dxdt); }
+    template <class StateOrMore, class Inputs>
+    void series(const Inputs& inputs, scalar_type t, std::size_t order, StateOrMore* x, scalar_type* rows) const {
+        system_.series(mode, inputs, t, order, x, rows);
+    }
     template <class Jacobian>
     void jacobian_x(const Differentiated& x, const Input& u, scalar_type t, Jacobian& J) const {
         system_.jacobian_x(mode, x, u, t, J);

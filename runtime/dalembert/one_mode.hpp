@@ -28,6 +28,8 @@ public:
     void output_jacobian_x(const State& x, const Input& u, Scalar t, typename System::OutputJacobianX& C) const noexcept { System::output_jacobian_x(mode, x, u, t, C); }
     void output_jacobian_u(const State& x, const Input& u, Scalar t, typename System::OutputJacobianU& D) const noexcept { System::output_jacobian_u(mode, x, u, t, D); }
     // Of headers that have them.
+    template <class StateOrMore, class Inputs>
+    void series(const Inputs& inputs, Scalar t, std::size_t order, StateOrMore* x, Scalar* rows) const noexcept { System::series(mode, inputs, t, order, x, rows); }
     template <class Values>
     void constraint_positions(const State& x, Scalar t, Values& f) const noexcept { System::constraint_positions(mode, x, t, f); }
     template <class Values>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dalembert/integrate.hpp"
+#include "dalembert/series.hpp"
 #include "dalembert/system_derivatives.hpp"
 
 namespace dalembert {
@@ -13,7 +14,7 @@ inline constexpr int supported_api = 1;
 
 /// No input moves.
 template <class System>
-struct ZeroInputs {
+struct ZeroInputs : detail::NoInputs {
     typename System::Input operator()(const typename System::State&, typename System::scalar_type) const { return {}; }
 };
 
@@ -118,6 +119,15 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
     Extended extended;
     std::copy_n(x.begin(), n, extended.begin());
     extended[n] = Scalar(0);
+    if constexpr (detail::can_make_series<System, Inputs>()) {
+        if (options.method == Method::taylor) {
+            const detail::SystemSeries<System, Inputs> series(system, inputs);
+            detail::Integration<Extended, decltype(rhs), decltype(watch), decltype(guards), guard_count> run(rhs, extended, from, to, options, watch, guards, ends);
+            result.outcome = detail::run_taylor(run, series);
+            x = plain(extended);
+            return result;
+        }
+    }
     if constexpr (detail::has_derivatives<System>) {
         detail::SystemDerivatives<System, Inputs> derivatives(system, inputs, options.scale);
         result.outcome = integrate(rhs, derivatives, extended, from, to, options, watch, guards, ends);

@@ -15,7 +15,7 @@ namespace detail {
 
 /// A system that switches, with the work done on it as its last state.
 template <class System>
-class WithWork : public DerivativeTypes<System, has_derivatives<System>> {
+class WithWork : public DerivativeTypes<System, has_derivatives<System>>, public SeriesRows<System, has_series<System>> {
 public:
     using scalar_type = typename System::scalar_type;
     using Plain = typename System::State;
@@ -59,6 +59,10 @@ public:
     void settle(std::size_t event, Mode mode, State& x, const Input& u, scalar_type t) const {
         change(x, [&](Plain& at) { system_.settle(event, mode, at, u, t); });
     }
+    template <class Inputs>
+    void series(Mode mode, const Inputs& inputs, scalar_type t, std::size_t order, State* x, scalar_type* rows) const {
+        system_.series(mode, inputs, t, order, x, rows);
+    }
     template <class Jacobian>
     void jacobian_x(Mode mode, const Plain& x, const Input& u, scalar_type t, Jacobian& J) const {
         system_.jacobian_x(mode, x, u, t, J);
@@ -81,6 +85,26 @@ private:
     }
 
     const System& system_;
+};
+
+/// Inputs of a state that may have more behind that of the system.
+template <class System, class Inputs>
+class InputsOfPlain : public SeriesRows<Inputs, has_series<Inputs>> {
+public:
+    explicit InputsOfPlain(const Inputs& inputs) : inputs_(inputs) {}
+    template <class State>
+    typename System::Input operator()(const State& at, typename System::scalar_type t) const {
+        typename System::State state;
+        std::copy_n(at.begin(), state.size(), state.begin());
+        return inputs_(state, t);
+    }
+    template <class State, class Scalar>
+    auto series(const State* x, Scalar t, typename System::Input& u, Scalar* work) const {
+        return inputs_.series(x, t, u, work);
+    }
+
+private:
+    const Inputs& inputs_;
 };
 
 }  // namespace detail
@@ -119,11 +143,7 @@ SwitchingResult<System> simulate_switching(const System& system, const Inputs& i
     constexpr std::size_t n = Whole::n;
     const Whole whole(system);
     // Derivatives ask with a state of the system, the run with one that ends with the work.
-    const auto inputs_of = [&](const auto& at, Scalar t) {
-        typename System::State state;
-        std::copy_n(at.begin(), n, state.begin());
-        return inputs(state, t);
-    };
+    const detail::InputsOfPlain<System, Inputs> inputs_of(inputs);
     SwitchingResult<System> result;
     Scalar first = Scalar(0);
     Scalar lost = Scalar(0);

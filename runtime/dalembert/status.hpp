@@ -21,6 +21,7 @@ enum class Status {
     no_start_mode,  ///< no mode accepts the start values, or not the one that was asked for
     no_mode,        ///< an event after which no mode can go on
     accumulation,   ///< an event that happens again and again at ever shorter intervals, and nothing is said of what comes after
+    no_series,       ///< the header of the system, or its inputs, have none
     constraint_broken,  ///< a constraint that the start does not meet, or that cannot be held any more
 };
 
@@ -37,6 +38,7 @@ inline const char* to_string(Status status) noexcept {
         case Status::no_start_mode: return "no start mode";
         case Status::no_mode: return "no mode";
         case Status::accumulation: return "accumulation";
+        case Status::no_series: return "no series";
         case Status::constraint_broken: return "constraint broken";
     }
     return "unknown";

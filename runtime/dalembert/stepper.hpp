@@ -45,6 +45,10 @@ public:
     virtual int order() const = 0;  ///< the error of a step shrinks like its length to this power
     /// Makes the step; c.finite says whether all of it is.
     virtual void take(const Point<State>& from, Candidate<State>& c) = 0;
+    /// The length of the next step from here, which the control of errors would make h.
+    virtual Scalar suggested(const Point<State>&, Scalar h) { return h; }
+    /// A second look at a step that is about to be accepted; may find larger errors.
+    virtual void check(const Point<State>&, Candidate<State>&) {}
     /// The state at t within the step that was made last.
     virtual void between(const Point<State>& from, Candidate<State>& c, Scalar t, State& x) = 0;
 

@@ -140,7 +140,7 @@ struct NamedMethod {
 inline constexpr std::array named_methods{NamedMethod{"automatic", Method::automatic},
                                           NamedMethod{"euler", Method::euler},           NamedMethod{"rk4", Method::rk4},       NamedMethod{"dopri5", Method::dopri5},
                                           NamedMethod{"fehlberg78", Method::fehlberg78}, NamedMethod{"dop853", Method::dop853}, NamedMethod{"bulirsch_stoer", Method::bulirsch_stoer},
-                                          NamedMethod{"rodas5p", Method::rodas5p},       NamedMethod{"symplectic", Method::symplectic}};
+                                          NamedMethod{"rodas5p", Method::rodas5p},       NamedMethod{"symplectic", Method::symplectic}, NamedMethod{"taylor", Method::taylor}};
 
 extern "C" inline void give_up(int) {
     constexpr char text[] = "status=too slow\n";
