@@ -139,11 +139,23 @@ bool all_derivations_proven(const Machine& machine) {
     return machine.audit.all_proven() && std::all_of(machine.other_modes.begin(), machine.other_modes.end(), all_derivations_proven);
 }
 
+/// Rewritten code has to be proven as well as code in the form of the derivation is; else it is not taken.
+void make_and_prove_rewritten(Machine& machine) {
+    machine.code = make_code(*machine.system, machine.rewrites);
+    machine.emitted = verify(*machine.code);
+    const auto is_proven = [](const AuditEntry& entry) { return entry.result.verdict == Verdict::proven; };
+    if (machine.code->rewritten.empty() || std::all_of(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
+    auto plain = make_code(*machine.system, false);
+    std::vector<AuditEntry> of_plain = verify(*plain);
+    if (std::count_if(of_plain.begin(), of_plain.end(), is_proven) <= std::count_if(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
+    machine.code = std::move(plain);
+    machine.emitted = std::move(of_plain);
+}
+
 void make_and_prove_code(Machine& machine, Stopwatch& watch) {
-    machine.code = make_code(*machine.system);
+    make_and_prove_rewritten(machine);
     const OperationCount count = machine.code->count(Function::rhs);
     watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
-    machine.emitted = verify(*machine.code);
     if (!machine.system->heat.fields.empty()) {
         machine.fields = make_field_code(*machine.system);
         for (AuditEntry& entry : verify_fields(*machine.fields)) machine.emitted.push_back(std::move(entry));
@@ -205,6 +217,7 @@ Header generate(Machine& machine) {
         make_and_prove_code(machine, watch);
         modes.push_back(machine.code.get());
         for (Machine& other : machine.other_modes) {
+            other.rewrites = machine.rewrites;
             make_and_prove_code(other, watch);
             modes.push_back(other.code.get());
         }
@@ -222,6 +235,7 @@ std::string normalised_command(const Machine& machine) {
     const Scene& scene = machine.system->scene;
     const std::string file = std::filesystem::path(scene.model->source->name()).filename().string();
     std::string command = fmt::format("dalembert generate {} --scene {}", file, scene.wish);
+    if (!machine.rewrites) command += " --no-rewrite";
     for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);
     return command;
 }

@@ -7,6 +7,7 @@
 #include "form/jacobian.hpp"
 #include "graph/build.hpp"
 #include "graph/factorisation.hpp"
+#include "graph/rewrite.hpp"
 
 namespace dalembert {
 
@@ -97,13 +98,14 @@ struct Code {
     std::array<FunctionCode, function_count> functions;
     std::vector<ResetCode> resets, rests;         ///< by event
     std::vector<std::optional<std::size_t>> condition_places;  ///< of x, with the results of Function::conditions; nothing: they are to be zero
+    std::vector<Rewriting> rewritten;             ///< what has another form than it was derived in
 
     FunctionCode& operator[](Function f) { return functions[static_cast<std::size_t>(f)]; }
     const FunctionCode& operator[](Function f) const { return functions[static_cast<std::size_t>(f)]; }
     OperationCount count(Function f) const;
 };
 
-/// All functions of a system as code.
-std::unique_ptr<Code> make_code(const System& system);
+/// All functions of a system as code; forms that lose digits are rewritten, unless nothing is to be.
+std::unique_ptr<Code> make_code(const System& system, bool rewrites = true);
 
 }  // namespace dalembert
