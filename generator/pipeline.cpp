@@ -140,9 +140,7 @@ bool all_derivations_proven(const Machine& machine) {
 }
 
 /// Rewritten code has to be proven as well as code in the form of the derivation is; else it is not taken.
-void make_and_prove_rewritten(Machine& machine) {
-    machine.code = make_code(*machine.system, machine.rewrites);
-    machine.emitted = verify(*machine.code);
+void keep_proofs(Machine& machine) {
     const auto is_proven = [](const AuditEntry& entry) { return entry.result.verdict == Verdict::proven; };
     if (machine.code->rewritten.empty() || std::all_of(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
     auto plain = make_code(*machine.system, false);
@@ -153,9 +151,11 @@ void make_and_prove_rewritten(Machine& machine) {
 }
 
 void make_and_prove_code(Machine& machine, Stopwatch& watch) {
-    make_and_prove_rewritten(machine);
+    machine.code = make_code(*machine.system, machine.rewrites);
     const OperationCount count = machine.code->count(Function::rhs);
     watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
+    machine.emitted = verify(*machine.code);
+    keep_proofs(machine);
     if (!machine.system->heat.fields.empty()) {
         machine.fields = make_field_code(*machine.system);
         for (AuditEntry& entry : verify_fields(*machine.fields)) machine.emitted.push_back(std::move(entry));

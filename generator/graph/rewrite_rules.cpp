@@ -37,22 +37,22 @@ std::vector<Letter> letters_of(const Polynomial& p, const Atoms& atoms, Op op) {
 /// k*T*f - k*T -> k*T*replacement, for all terms in which f is a factor once: `replace` says with what, from the exponent of f.
 template <class Replace>
 Forms without_one(const Polynomial& p, Letter f, const Replace& replace) {
-    Polynomial result = p;
-    bool changed = false;
+    std::optional<Polynomial> result;
     for (const auto& [monomial, coefficient] : p.terms()) {
         const int exponent = exponent_of(monomial, f);
         if (exponent == 0) continue;
         const Monomial rest = without(monomial, f);
-        const auto partner = result.terms().find(rest);
-        if (partner == result.terms().end() || partner->second != -coefficient) continue;
+        const Polynomial& now = result ? *result : p;
+        const auto partner = now.terms().find(rest);
+        if (partner == now.terms().end() || partner->second != -coefficient) continue;
         const std::optional<Polynomial> replacement = replace(exponent);
         if (!replacement) continue;
-        result.add(monomial, -coefficient);
-        result.add(rest, coefficient);
-        result += times(rest, coefficient, *replacement);
-        changed = true;
+        if (!result) result = p;
+        result->add(monomial, -coefficient);
+        result->add(rest, coefficient);
+        *result += times(rest, coefficient, *replacement);
     }
-    return changed ? Forms{result} : Forms{};
+    return result ? Forms{*result} : Forms{};
 }
 
 Forms cosines(const Polynomial& p, Atoms& atoms) {
@@ -204,6 +204,7 @@ Forms quotients(const Polynomial& p, Atoms& atoms) {
     Forms forms;
     for (const Letter sum : letters_of(p, atoms, Op::sum)) {
         const Polynomial inside = atoms[sum].arguments[0];
+        if (std::none_of(p.terms().begin(), p.terms().end(), [&](const auto& term) { return exponent_of(term.first, sum) == -1; })) continue;
         Polynomial over, others;
         for (const auto& [monomial, coefficient] : p.terms())
             if (exponent_of(monomial, sum) == -1) over.add(without(monomial, sum), coefficient);
