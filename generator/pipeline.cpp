@@ -140,11 +140,23 @@ bool all_derivations_proven(const Machine& machine) {
     return machine.audit.all_proven() && std::all_of(machine.other_modes.begin(), machine.other_modes.end(), all_derivations_proven);
 }
 
+/// Rewritten code has to be proven as well as code in the form of the derivation is; else it is not taken.
+void keep_proofs(Machine& machine, bool with_series) {
+    const auto is_proven = [](const AuditEntry& entry) { return entry.result.verdict == Verdict::proven; };
+    if (machine.code->rewritten.empty() || std::all_of(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
+    auto plain = make_code(*machine.system, {.rewrites = false, .series = with_series});
+    std::vector<AuditEntry> of_plain = verify(*plain);
+    if (std::count_if(of_plain.begin(), of_plain.end(), is_proven) <= std::count_if(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
+    machine.code = std::move(plain);
+    machine.emitted = std::move(of_plain);
+}
+
 void make_and_prove_code(Machine& machine, Stopwatch& watch, bool with_series) {
-    machine.code = make_code(*machine.system, {.series = with_series});
+    machine.code = make_code(*machine.system, {.rewrites = machine.rewrites, .series = with_series});
     const OperationCount count = machine.code->count(Function::rhs);
     watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
     machine.emitted = verify(*machine.code);
+    keep_proofs(machine, with_series);
     if (!machine.system->heat.fields.empty()) {
         machine.fields = make_field_code(*machine.system);
         for (AuditEntry& entry : verify_fields(*machine.fields)) machine.emitted.push_back(std::move(entry));
@@ -229,6 +241,7 @@ Header generate(Machine& machine, SeriesWish wish) {
         make_and_prove_code(machine, watch, wish != SeriesWish::none);
         all.push_back(machine.code.get());
         for (Machine& other : machine.other_modes) {
+            other.rewrites = machine.rewrites;
             make_and_prove_code(other, watch, wish != SeriesWish::none);
             all.push_back(other.code.get());
         }
@@ -248,6 +261,7 @@ std::string normalised_command(const Machine& machine) {
     const Scene& scene = machine.system->scene;
     const std::string file = std::filesystem::path(scene.model->source->name()).filename().string();
     std::string command = fmt::format("dalembert generate {} --scene {}", file, scene.wish);
+    if (!machine.rewrites) command += " --no-rewrite";
     for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);
     if (machine.code && has_series(machine)) command += " --taylor";
     return command;

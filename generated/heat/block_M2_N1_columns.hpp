@@ -17,13 +17,13 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                19     47    21        0      0
+//   update                18     44    21        0      0
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            64    196    11        0      0
+//   jacobian_p            65    192    11        0      0
 //   output                 3      3     0        0      0
 //   internal_energy        0      1     0        0      0
-//   exchanged_power        7     19    10        0      0
+//   exchanged_power        6     19    10        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -176,7 +176,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 19 + or -, 47 *, 21 /
+    /// Operations: 18 + or -, 44 *, 21 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.H = p_.H_b + p_.H_c;
@@ -187,38 +187,38 @@ public:
         const Scalar inverse_5 = Scalar(1) / p_.L_b;
         const Scalar e6 = p_.H_b * p_.lambda_b;
         const Scalar e7 = p_.H_c * p_.lambda_c;
-        const Scalar e8 = inverse_5 * (e6 + e7);
-        const Scalar e9 = inverse_2 / e8;
-        c_.R_low = inverse_1 * e4 + e9;
-        const Scalar e10 = p_.L_b * inverse_2;
-        const Scalar e11 = Scalar(1) / ((e4 + e10 / p_.lambda_b) / p_.H_b) + Scalar(1) / ((e4 + e10 / p_.lambda_c) / p_.H_c);
-        c_.R_up = Scalar(1) / e11;
-        const Scalar inverse_12 = Scalar(1) / p_.C;
-        const Scalar e13 = p_.lambda_a * c_.H / p_.L_a;
-        const Scalar e14 = p_.B * e13;
-        const Scalar inverse_15 = Scalar(1) / (e13 + e8);
-        const Scalar e16 = p_.B * c_.H * (p_.lambda_d / p_.L_d);
-        const Scalar e17 = e14 * (inverse_15 / (Scalar(1) / (inverse_2 * inverse_1 * e3 + e9) + e16));
-        const Scalar e18 = p_.T_0 * e17 * (e8 * e16);
-        c_.k0 = inverse_12 * e18;
-        c_.k1 = inverse_12;
-        const Scalar e19 = inverse_15 * e17;
-        const Scalar e20 = e19 * (inverse_5 * inverse_5);
-        const Scalar e21 = Scalar(1) - inverse_15 * e13;
-        const Scalar e22 = Scalar(2) * (e6 * e7 * e20 - (Scalar(1) / Scalar(2)) * e21) + (e6 * e6 + e7 * e7) * e20;
-        const Scalar e23 = inverse_12 * e14;
-        c_.k2 = -e22 * e23;
-        const Scalar e24 = e8 * e8 * e19 - e21;
-        c_.k3 = -e24 * e23;
-        c_.k4 = e18;
-        c_.k5 = -e22 * e14;
+        const Scalar e8 = e6 + e7;
+        const Scalar e9 = inverse_5 * e8;
+        const Scalar e10 = inverse_2 / e9;
+        c_.R_low = inverse_1 * e4 + e10;
+        const Scalar e11 = p_.L_b * inverse_2;
+        const Scalar e12 = Scalar(1) / ((e4 + e11 / p_.lambda_b) / p_.H_b) + Scalar(1) / ((e4 + e11 / p_.lambda_c) / p_.H_c);
+        c_.R_up = Scalar(1) / e12;
+        const Scalar inverse_13 = Scalar(1) / p_.C;
+        const Scalar e14 = p_.B * c_.H;
+        const Scalar e15 = e14 * (p_.lambda_d / p_.L_d);
+        const Scalar inverse_16 = Scalar(1) / (Scalar(1) / (inverse_2 * inverse_1 * e3 + e10) + e15);
+        const Scalar e17 = p_.lambda_a / p_.L_a;
+        const Scalar e18 = e17 * (e14 / (c_.H * e17 + e9));
+        const Scalar e19 = inverse_5 * e18;
+        const Scalar e20 = inverse_16 * e19;
+        const Scalar e21 = p_.T_0 * e8 * (e20 * e15);
+        c_.k0 = inverse_13 * e21;
+        c_.k1 = inverse_13;
+        const Scalar e22 = Scalar(2) * (e20 * e6 * e7 - (Scalar(1) / Scalar(2)) * e8) + (e6 * e6 + e7 * e7) * e20;
+        const Scalar e23 = e22 * e19;
+        c_.k2 = -inverse_13 * e23;
+        const Scalar e24 = (e9 * e9 * inverse_16 * e18 - e9) * e18;
+        c_.k3 = -inverse_13 * e24;
+        c_.k4 = e21;
+        c_.k5 = -e23;
         const Scalar inverse_25 = Scalar(1) / c_.R_low;
         c_.k6 = p_.T_0 * inverse_25;
         c_.k7 = inverse_25;
         const Scalar inverse_26 = Scalar(1) / c_.R_up;
         c_.k8 = p_.T_0 * inverse_26;
         c_.k9 = inverse_26;
-        c_.k10 = -e24 * e14;
+        c_.k10 = -e24;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -270,7 +270,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 12, entry (i, j) at J[1*j + i].
-    /// Operations: 64 + or -, 196 *, 11 /
+    /// Operations: 65 + or -, 192 *, 11 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.lambda_a;
         const Scalar inverse_2 = Scalar(1) / p_.L_b;
@@ -285,91 +285,88 @@ public:
         const Scalar e11 = p_.B * c_.H;
         const Scalar e12 = e10 * e11;
         const Scalar inverse_13 = Scalar(1) / (inverse_8 + e12);
-        const Scalar inverse_14 = Scalar(1) / p_.L_a;
-        const Scalar inverse_15 = Scalar(1) / p_.C;
-        const Scalar e16 = inverse_14 * inverse_15;
-        const Scalar e17 = inverse_2 * inverse_13;
-        const Scalar e18 = p_.B * e17;
-        const Scalar e19 = e16 * e18;
         const Scalar inverse_8_squared = inverse_8 * inverse_8;
-        const Scalar e20 = p_.lambda_a * inverse_14;
-        const Scalar inverse_21 = Scalar(1) / (c_.H * e20 + e6);
-        const Scalar e22 = c_.H * inverse_21;
-        const Scalar e23 = p_.T_0 * e10;
-        const Scalar e24 = e5 * e23;
-        const Scalar e25 = e22 * e24;
-        const Scalar e26 = inverse_8_squared * e25;
-        const Scalar e27 = p_.lambda_a * e16;
-        const Scalar e28 = e27 * e22;
-        const Scalar e29 = p_.B * e28;
-        const Scalar e30 = e17 * e29;
-        const Scalar e31 = p_.B * e30;
-        const Scalar e32 = c_.H * e31;
-        const Scalar e33 = e24 * e32;
-        const Scalar e34 = inverse_14 * e33;
-        const Scalar e35 = e22 * e20;
+        const Scalar e14 = inverse_13 * inverse_8_squared;
+        const Scalar e15 = p_.T_0 * e10;
+        const Scalar e16 = e5 * e15;
+        const Scalar inverse_17 = Scalar(1) / p_.L_a;
+        const Scalar inverse_18 = Scalar(1) / p_.C;
+        const Scalar e19 = inverse_17 * inverse_18;
+        const Scalar e20 = p_.lambda_a * inverse_17;
+        const Scalar e21 = c_.H * e20;
+        const Scalar inverse_22 = Scalar(1) / (e6 + e21);
+        const Scalar e23 = c_.H * inverse_22;
+        const Scalar e24 = p_.B * inverse_2;
+        const Scalar e25 = inverse_13 * e24;
+        const Scalar e26 = e23 * e25;
+        const Scalar e27 = e19 * e26;
+        const Scalar e28 = e16 * e27;
+        const Scalar e29 = p_.lambda_a * e19;
+        const Scalar e30 = e29 * e23;
+        const Scalar e31 = e30 * e25;
+        const Scalar e32 = e31 * e16;
+        const Scalar e33 = e11 * e32;
+        const Scalar e34 = inverse_17 * e33;
+        const Scalar e35 = e23 * e20;
         const Scalar T_P = x[0];
         const Scalar e3_squared = e3 * e3;
         const Scalar e4_squared = e4 * e4;
         const Scalar e36 = e3 * e4;
         const Scalar e37 = (Scalar(1) / Scalar(2)) * (e3_squared + e4_squared) + e36;
-        const Scalar e38 = inverse_2 * e37;
-        const Scalar e39 = inverse_21 * e18;
-        const Scalar e40 = Scalar(1) + Scalar(4) * e38 * e39;
-        const Scalar e41 = e29 * (Scalar(1) - (Scalar(1) / Scalar(2)) * e40 * e35);
-        const Scalar e42 = p_.B * e27 - Scalar(2) * e20 * e41;
-        const Scalar e43 = c_.H * inverse_14;
-        const Scalar e44 = inverse_2 * e35;
-        const Scalar e45 = inverse_14 * e31;
-        const Scalar e46 = inverse_21 * e37;
-        const Scalar e47 = e17 * e46;
-        const Scalar e48 = inverse_8_squared * e47;
-        const Scalar e49 = inverse_2 * e31;
-        const Scalar e50 = e22 * e38;
-        const Scalar e51 = inverse_7 * inverse_8_squared;
-        const Scalar e52 = inverse_13 * e51;
-        const Scalar e53 = p_.B - e52;
-        const Scalar e54 = e24 * (c_.H * e30);
-        const Scalar e55 = (p_.B - (Scalar(1) / Scalar(2)) * e52) * e30;
-        const Scalar e56 = (Scalar(1) / Scalar(3)) * (e3 * e3_squared + e4 * e4_squared) + e5 * e36;
-        const Scalar e57 = e56 * e44;
-        const Scalar e58 = e57 * (inverse_2 * inverse_21);
-        const Scalar e59 = inverse_9 * e32;
-        const Scalar e60 = e37 * e35 * (e18 * e59);
-        const Scalar e61 = inverse_9 * e33;
-        const Scalar e62 = inverse_13 * e61;
-        const Scalar e63 = inverse_8_squared + e20 * e11 * e12;
-        const Scalar e64 = inverse_15 * inverse_13;
-        const Scalar e65 = Scalar(2) * (e24 * (e31 - (Scalar(1) / Scalar(2)) * (e35 * e31 + e63 * e64 * e39)));
-        const Scalar e66 = e30 * e23;
-        const Scalar e67 = (p_.B * e22 * e6 - c_.H * e53) * e66;
-        const Scalar e68 = e63 * e17;
-        const Scalar e69 = (e27 * e68 * e39 - Scalar(2) * e20 * e49) * e46 + (Scalar(1) / Scalar(2)) * e42;
-        const Scalar e70 = (e5 * e55 - (Scalar(1) / Scalar(2)) * e40 * e29) * e44;
-        const Scalar e71 = c_.H * e28;
-        const Scalar e72 = e17 * e17 * (inverse_7 * e51);
-        const Scalar e73 = c_.H * e27;
+        const Scalar e38 = e37 * e31;
+        const Scalar e39 = inverse_2 * inverse_22;
+        const Scalar e40 = e24 * e38;
+        const Scalar e41 = e37 * e39;
+        const Scalar e42 = (Scalar(1) + Scalar(4) * e25 * e41) * e30;
+        const Scalar e43 = e35 * e42;
+        const Scalar e44 = e29 + e20 * e43;
+        const Scalar e45 = e30 * e20 - (Scalar(1) / Scalar(2)) * e44;
+        const Scalar e46 = inverse_17 * e11;
+        const Scalar e47 = inverse_2 * e15;
+        const Scalar e48 = e23 * e40;
+        const Scalar e49 = inverse_7 * e14;
+        const Scalar e50 = p_.B - e49;
+        const Scalar e51 = c_.H * e32;
+        const Scalar e52 = (Scalar(1) / Scalar(3)) * (e3 * e3_squared + e4 * e4_squared) + e5 * e36;
+        const Scalar e53 = e5 * e30;
+        const Scalar e54 = inverse_2 * e35;
+        const Scalar e55 = (e31 * e52 * e39 + (Scalar(1) / Scalar(6)) * e53) * e54;
+        const Scalar e56 = p_.B - (Scalar(1) / Scalar(2)) * e49;
+        const Scalar e57 = inverse_2 * e54;
+        const Scalar e58 = e38 * (e25 * e35);
+        const Scalar e59 = (c_.H * e50 - e5 * e23 * e24) * (e31 * e15);
+        const Scalar e60 = p_.B * e32;
+        const Scalar e61 = inverse_18 * e16;
+        const Scalar e62 = inverse_13 * (inverse_8_squared + e20 * e11 * e12);
+        const Scalar e63 = e25 * e62;
+        const Scalar e64 = Scalar(2) * (e60 - (Scalar(1) / Scalar(2)) * (e35 * e60 + inverse_22 * e61 * e63));
+        const Scalar e65 = p_.B * e45 - inverse_22 * e37 * (e29 * e39 * e63 - Scalar(2) * e24 * e31 * e20);
+        const Scalar e66 = (e56 * e31 * e6 - (Scalar(1) / Scalar(2)) * e24 * e42) * e35;
+        const Scalar e67 = inverse_2 * inverse_13;
+        const Scalar e68 = e30 * e67;
+        const Scalar e69 = e68 * (inverse_7 * e49);
+        const Scalar e70 = inverse_9 * e11;
+        const Scalar e71 = e5 * e31;
         const Scalar P = u[0];
-        const Scalar e74 = e42 * e43 - Scalar(4) * e37 * e44 * e45 + Scalar(2) * inverse_14 * e30 * e48;
-        J[0] = inverse_13 * e19 * e26 - e34 * (Scalar(1) - e35) + T_P * e74;
-        const Scalar e75 = T_P * (e44 * (e29 * e6 - Scalar(4) * e38 * e55) + Scalar(6) * e49 * e58);
-        J[1] = Scalar(2) * e23 * e49 * e50 - inverse_2 * e53 * e54 + e75;
-        J[2] = T_P * (Scalar(2) * e10 * e60) - (e61 - e12 * e62);
-        J[3] = e65 - p_.lambda_b * e67 - T_P * (Scalar(2) * (e69 - p_.lambda_b * e70));
-        J[4] = e65 - p_.lambda_c * e67 - T_P * (Scalar(2) * (e69 - p_.lambda_c * e70));
-        const Scalar e76 = e54 * (Scalar(3) - e35) - e25 * e64 * e68 - Scalar(2) * e66 * e50 - Scalar(2) * e37 * e23 * e71
-            * e72;
-        const Scalar e77 = e28 * (e5 * e44 + Scalar(2) * e68 * e47 + Scalar(3) * e57 * e72) - e71 * (e40 * e20)
-            * (Scalar(2) - e35) + e73 + Scalar(6) * e30 * e58;
-        J[5] = e76 - T_P * e77;
-        const Scalar e78 = e16 * e11 - Scalar(4) * e50 * e45 - Scalar(2) * e43 * e41 + Scalar(2) * e22 * e19 * e48;
-        J[6] = e11 * e25 * e19 - e22 * e34 - inverse_1 * e18 * e64 * e26 - T_P * e78;
-        J[7] = -p_.H_b * e67 - T_P * (-Scalar(2) * p_.H_b * e70);
-        J[8] = -p_.H_c * e67 - T_P * (-Scalar(2) * p_.H_c * e70);
-        J[9] = p_.T_0 * e5 * e59 - e11 * e62 - T_P * (Scalar(2) * e60);
-        J[10] = T_P * (inverse_15 * e27 * e11 - e29 * (Scalar(2) * e30 * e38 + e73)) - inverse_15 * e33 - P
-            * (inverse_15 * inverse_15);
-        J[11] = e5 * e10 * e32;
+        const Scalar e72 = inverse_17 * (Scalar(2) * e38 * e14 * e39 - Scalar(4) * e35 * e40) - Scalar(2) * e45 * e46;
+        J[0] = e14 * e28 - e34 * (Scalar(1) - e35) + T_P * e72;
+        J[1] = Scalar(2) * e47 * e48 - inverse_2 * e50 * e51 + T_P * (Scalar(6) * e24 * e55 - Scalar(4) * e56 * e38 * e57);
+        J[2] = T_P * (Scalar(2) * inverse_9 * e12 * e58) - inverse_9 * e33 * (Scalar(1) - inverse_13 * e12);
+        J[3] = p_.lambda_b * e59 + e64 - T_P * (Scalar(2) * (-e65 - p_.lambda_b * e66));
+        J[4] = p_.lambda_c * e59 + e64 - T_P * (Scalar(2) * (-e65 - p_.lambda_c * e66));
+        const Scalar e73 = e51 * (Scalar(3) - e35) - e23 * (Scalar(2) * e38 * e47 + e67 * e62 * e61) - Scalar(2) * c_.H * e37
+            * e47 * e69;
+        const Scalar e74 = c_.H * e44 + Scalar(2) * e62 * e41 * e68 - Scalar(2) * e42 * e21 + Scalar(6) * e55 + Scalar(3) * e52
+            * e57 * e69;
+        J[5] = e73 - T_P * e74;
+        const Scalar e75 = e19 * e11 - e46 * (Scalar(2) * e30 - e43) + Scalar(2) * e14 * e41 * e27 - Scalar(4) * inverse_17
+            * e48;
+        J[6] = e11 * e28 - inverse_1 * e14 * e26 * e61 - e23 * e34 - T_P * e75;
+        J[7] = -(-p_.H_b * e59) - T_P * (-Scalar(2) * p_.H_b * e66);
+        J[8] = -(-p_.H_c * e59) - T_P * (-Scalar(2) * p_.H_c * e66);
+        J[9] = -e70 * (inverse_13 * e33 - p_.T_0 * e71) - T_P * (Scalar(2) * e70 * e58);
+        J[10] = T_P * (inverse_18 * e24 * e53 - Scalar(2) * e30 * e40) - inverse_18 * e33 - P * (inverse_18 * inverse_18);
+        J[11] = e12 * e71;
     }
 
     /// J = df/dt at fixed x and u.
@@ -472,16 +469,16 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 7 + or -, 19 *, 10 /
+    /// Operations: 6 + or -, 19 *, 10 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar e1 = p_.B * p_.lambda_d * (c_.H / p_.L_d);
-        const Scalar e2 = (p_.H_b * p_.lambda_b + p_.H_c * p_.lambda_c) / p_.L_b;
-        const Scalar e3 = Scalar(1) / ((p_.L_a / p_.lambda_a / c_.H + Scalar(1) / e2) / p_.B) + e1;
-        const Scalar e4 = e1 / e3;
+        const Scalar e1 = (p_.H_b * p_.lambda_b + p_.H_c * p_.lambda_c) / p_.L_b;
+        const Scalar inverse_2 = Scalar(1) / ((p_.L_a / p_.lambda_a / c_.H + Scalar(1) / e1) / p_.B);
+        const Scalar e3 = p_.B * p_.lambda_d * (c_.H / p_.L_d);
+        const Scalar e4 = e3 / (inverse_2 + e3);
         const Scalar P = u[0];
         const Scalar T_P = x[0];
         const Scalar e5 = p_.lambda_a * c_.H / p_.L_a;
-        return p_.T_0 * e1 * (Scalar(1) - e4) + P - T_P * (p_.B * e2 * e4 * e5 / (e2 + e5));
+        return p_.T_0 * inverse_2 * e4 + P - T_P * (p_.B * e1 * e4 * e5 / (e1 + e5));
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -498,15 +495,15 @@ private:
         Scalar R_up;  ///< 1/(1/(L_a/(H_b*B*lambda_a) + L_b/(H_b*B*lambda_b) + L_d/(H_b*B*lambda_d)) + ...
         Scalar k0;  ///< B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*C*(lambda_a*H/L_a + ...
         Scalar k1;  ///< 1/C
-        Scalar k2;  ///< B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + ...
-        Scalar k3;  ///< B*lambda_a*H*(1 - B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b^2*(lambda_a*H/L_a + ...
+        Scalar k2;  ///< B*lambda_a*H*(-2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b*(lambda_a*H/L_a + ...
+        Scalar k3;  ///< B*lambda_a*H*(-B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b*(lambda_a*H/L_a + ...
         Scalar k4;  ///< B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*(lambda_a*H/L_a + ...
-        Scalar k5;  ///< B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + ...
+        Scalar k5;  ///< B*lambda_a*H*(-2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b*(lambda_a*H/L_a + ...
         Scalar k6;  ///< T_0/R_low
         Scalar k7;  ///< 1/R_low
         Scalar k8;  ///< T_0/R_up
         Scalar k9;  ///< 1/R_up
-        Scalar k10;  ///< B*lambda_a*H*(1 - B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b^2*(lambda_a*H/L_a + ...
+        Scalar k10;  ///< B*lambda_a*H*(-B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b*(lambda_a*H/L_a + ...
     };
     Cached c_{};
 };

@@ -17,13 +17,13 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                17     35    26        0      0
+//   update                12     33    26        0      0
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            49    114    12        0      0
+//   jacobian_p            47    114    12        0      0
 //   output                 3      3     0        0      0
 //   internal_energy        0      1     0        0      0
-//   exchanged_power       10      9     8        0      0
+//   exchanged_power        9      7     8        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -176,7 +176,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 17 + or -, 35 *, 26 /
+    /// Operations: 12 + or -, 33 *, 26 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.H = p_.H_b + p_.H_c;
@@ -201,22 +201,20 @@ public:
         c_.R_up = Scalar(1) / e11;
         const Scalar inverse_12 = Scalar(1) / p_.C;
         const Scalar inverse_13 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
-        const Scalar e14 = c_.G_ab / (c_.G_ab + inverse_13);
-        const Scalar inverse_15 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
-        const Scalar e16 = c_.G_ac / (c_.G_ac + inverse_15);
-        const Scalar e17 = p_.T_0 * (inverse_13 * e14 + inverse_15 * e16);
-        c_.k0 = inverse_12 * e17;
+        const Scalar inverse_14 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
+        const Scalar e15 = c_.G_ab * inverse_13 / (c_.G_ab + inverse_13) + c_.G_ac * inverse_14 / (c_.G_ac + inverse_14);
+        const Scalar e16 = inverse_12 * e15;
+        c_.k0 = p_.T_0 * e16;
         c_.k1 = inverse_12;
-        const Scalar e18 = c_.G_ab * e14 + c_.G_ac * e16 - (c_.G_ab + c_.G_ac);
-        c_.k2 = -inverse_12 * e18;
-        c_.k3 = e17;
-        c_.k4 = -e18;
-        const Scalar inverse_19 = Scalar(1) / c_.R_low;
-        c_.k5 = p_.T_0 * inverse_19;
-        c_.k6 = inverse_19;
-        const Scalar inverse_20 = Scalar(1) / c_.R_up;
-        c_.k7 = p_.T_0 * inverse_20;
-        c_.k8 = inverse_20;
+        c_.k2 = e16;
+        c_.k3 = p_.T_0 * e15;
+        c_.k4 = e15;
+        const Scalar inverse_17 = Scalar(1) / c_.R_low;
+        c_.k5 = p_.T_0 * inverse_17;
+        c_.k6 = inverse_17;
+        const Scalar inverse_18 = Scalar(1) / c_.R_up;
+        c_.k7 = p_.T_0 * inverse_18;
+        c_.k8 = inverse_18;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -261,7 +259,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 12, entry (i, j) at J[1*j + i].
-    /// Operations: 49 + or -, 114 *, 12 /
+    /// Operations: 47 + or -, 114 *, 12 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.C;
         const Scalar e2 = p_.B * inverse_1;
@@ -274,70 +272,66 @@ public:
         const Scalar inverse_9 = Scalar(1) / (inverse_7 + inverse_8);
         const Scalar inverse_10 = Scalar(1) / (c_.G_ab + inverse_9);
         const Scalar e11 = c_.G_ab * inverse_10;
-        const Scalar e12 = Scalar(1) - e11;
-        const Scalar e13 = inverse_9 * inverse_10;
-        const Scalar e14 = e12 * e13;
-        const Scalar inverse_15 = Scalar(1) / c_.G_c;
-        const Scalar inverse_16 = Scalar(1) / c_.G_dc;
-        const Scalar inverse_17 = Scalar(1) / (inverse_15 + inverse_16);
-        const Scalar inverse_18 = Scalar(1) / (c_.G_ac + inverse_17);
-        const Scalar e19 = c_.G_ac * inverse_18;
-        const Scalar e20 = Scalar(1) - e19;
-        const Scalar e21 = inverse_17 * inverse_18;
-        const Scalar e22 = e20 * e21;
-        const Scalar e23 = p_.H_b * e14 + p_.H_c * e22;
+        const Scalar e12 = inverse_9 * e11;
+        const Scalar e13 = p_.H_b * e12;
+        const Scalar inverse_14 = Scalar(1) / c_.G_c;
+        const Scalar inverse_15 = Scalar(1) / c_.G_dc;
+        const Scalar inverse_16 = Scalar(1) / (inverse_14 + inverse_15);
+        const Scalar inverse_17 = Scalar(1) / (c_.G_ac + inverse_16);
+        const Scalar e18 = c_.G_ac * inverse_17;
+        const Scalar e19 = inverse_16 * e18;
+        const Scalar e20 = p_.H_c * e19;
+        const Scalar e21 = inverse_9 * inverse_10;
+        const Scalar e22 = inverse_16 * inverse_17;
+        const Scalar e23 = inverse_10 * e13 + inverse_17 * e20 - (p_.H_b * e21 + p_.H_c * e22);
         const Scalar e24 = inverse_3 * e23;
         const Scalar T_P = x[0];
         const Scalar e25 = p_.H_b * e11;
-        const Scalar e26 = p_.H_c * e19;
-        const Scalar e27 = p_.H_b + p_.H_c + (e11 * e25 + e19 * e26 - Scalar(2) * (e25 + e26));
+        const Scalar e26 = p_.H_c * e18;
+        const Scalar e27 = p_.H_b + p_.H_c + (e11 * e25 + e18 * e26 - Scalar(2) * (e25 + e26));
         const Scalar e28 = inverse_3 * e27;
         const Scalar inverse_29 = Scalar(1) / p_.L_b;
         const Scalar e30 = inverse_29 * inverse_7;
         const Scalar e31 = p_.lambda_b * e30;
-        const Scalar e32 = inverse_9 * e11;
-        const Scalar e33 = p_.H_b * e32;
-        const Scalar e34 = e32 * e33;
-        const Scalar e35 = e34 * (e2 * e30);
-        const Scalar e36 = inverse_29 * inverse_15;
-        const Scalar e37 = p_.lambda_c * e36;
-        const Scalar e38 = inverse_17 * e19;
-        const Scalar e39 = p_.H_c * e38;
-        const Scalar e40 = e38 * e39;
-        const Scalar e41 = e40 * (e2 * e36);
-        const Scalar e42 = inverse_9 * (Scalar(1) - e13);
-        const Scalar e43 = e33 * e42;
-        const Scalar e44 = p_.T_0 * e2;
-        const Scalar e45 = e43 * (e44 * e30);
-        const Scalar e46 = inverse_17 * (Scalar(1) - e21);
-        const Scalar e47 = e39 * e46;
-        const Scalar e48 = e47 * (e44 * e36);
-        const Scalar inverse_49 = Scalar(1) / p_.L_d;
-        const Scalar e50 = p_.lambda_d * inverse_49;
+        const Scalar e32 = e12 * e13;
+        const Scalar e33 = e32 * (e2 * e30);
+        const Scalar e34 = inverse_29 * inverse_14;
+        const Scalar e35 = p_.lambda_c * e34;
+        const Scalar e36 = e19 * e20;
+        const Scalar e37 = e36 * (e2 * e34);
+        const Scalar e38 = inverse_9 * (Scalar(1) - e21);
+        const Scalar e39 = e13 * e38;
+        const Scalar e40 = p_.T_0 * e2;
+        const Scalar e41 = e39 * (e40 * e30);
+        const Scalar e42 = inverse_16 * (Scalar(1) - e22);
+        const Scalar e43 = e20 * e42;
+        const Scalar e44 = e43 * (e40 * e34);
+        const Scalar inverse_45 = Scalar(1) / p_.L_d;
+        const Scalar e46 = p_.lambda_d * inverse_45;
         const Scalar inverse_8_squared = inverse_8 * inverse_8;
-        const Scalar inverse_16_squared = inverse_16 * inverse_16;
-        const Scalar e51 = (e34 * inverse_8_squared + e40 * inverse_16_squared) * (inverse_49 * e2);
-        const Scalar e52 = e44 * (inverse_49 * (e43 * inverse_8_squared + e47 * inverse_16_squared));
-        const Scalar e53 = e50 * inverse_8_squared + inverse_7 * e31;
-        const Scalar e54 = e53 * e32;
-        const Scalar e55 = e50 * inverse_16_squared + inverse_15 * e37;
-        const Scalar e56 = e55 * e38;
-        const Scalar e57 = p_.T_0 * inverse_1;
+        const Scalar inverse_15_squared = inverse_15 * inverse_15;
+        const Scalar e47 = (e32 * inverse_8_squared + e36 * inverse_15_squared) * (inverse_45 * e2);
+        const Scalar e48 = e40 * (inverse_45 * (e39 * inverse_8_squared + e43 * inverse_15_squared));
+        const Scalar e49 = e46 * inverse_8_squared + inverse_7 * e31;
+        const Scalar e50 = e49 * e12;
+        const Scalar e51 = e46 * inverse_15_squared + inverse_14 * e35;
+        const Scalar e52 = e51 * e19;
+        const Scalar e53 = p_.T_0 * inverse_1;
+        const Scalar e54 = e12 + e19;
         const Scalar inverse_1_squared = inverse_1 * inverse_1;
-        const Scalar e58 = inverse_1 * (e32 + e38);
         const Scalar P = u[0];
-        J[0] = -e6 * e24 + T_P * (e5 * e28);
-        J[1] = T_P * (e31 * e35 + e37 * e41) - (e31 * e45 + e37 * e48);
-        J[2] = T_P * (e50 * e51) - e50 * e52;
-        J[3] = -(-e44 * e42 * e54 - e6 * e14) - T_P * (e5 - e11 * e5 * (Scalar(2) - e11) + e2 * e32 * e54);
-        J[4] = -(-e44 * e46 * e56 - e6 * e22) - T_P * (e5 - e19 * e5 * (Scalar(2) - e19) + e2 * e38 * e56);
-        J[5] = -(-e57 * (e23 * e4 + e53 * e43 + e55 * e47)) - T_P * (inverse_1 * (e4 * e27 + e53 * e34 + e55 * e40));
-        J[6] = -(-e44 * e24) - T_P * (e2 * e28);
-        J[7] = inverse_7 * e45 - T_P * (inverse_7 * e35);
-        J[8] = inverse_15 * e48 - T_P * (inverse_15 * e41);
-        J[9] = e52 - T_P * e51;
-        J[10] = T_P * (inverse_1_squared * (c_.G_ab * e12 + c_.G_ac * e20)) - e57 * e58 - P * inverse_1_squared;
-        J[11] = e58;
+        J[0] = e6 * e24 + T_P * (e5 * e28);
+        J[1] = T_P * (e31 * e33 + e35 * e37) - (e31 * e41 + e35 * e44);
+        J[2] = T_P * (e46 * e47) - e46 * e48;
+        J[3] = -(e6 * (inverse_10 * e12 - e21) - e40 * e38 * e50) - T_P * (e5 - e11 * e5 * (Scalar(2) - e11) + e2 * e12 * e50);
+        J[4] = -(e6 * (inverse_17 * e19 - e22) - e40 * e42 * e52) - T_P * (e5 - e18 * e5 * (Scalar(2) - e18) + e2 * e19 * e52);
+        J[5] = -e53 * (e4 * e23 - e49 * e39 - e51 * e43) - T_P * (inverse_1 * (e4 * e27 + e49 * e32 + e51 * e36));
+        J[6] = -e40 * e24 - T_P * (e2 * e28);
+        J[7] = inverse_7 * e41 - T_P * (inverse_7 * e33);
+        J[8] = inverse_14 * e44 - T_P * (inverse_14 * e37);
+        J[9] = e48 - T_P * e47;
+        J[10] = T_P * (e54 * inverse_1_squared) - inverse_1 * e54 * e53 - P * inverse_1_squared;
+        J[11] = c_.k2;
     }
 
     /// J = df/dt at fixed x and u.
@@ -433,16 +427,15 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 10 + or -, 9 *, 8 /
+    /// Operations: 9 + or -, 7 *, 8 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar P = u[0];
         const Scalar inverse_1 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
-        const Scalar e2 = inverse_1 / (c_.G_ab + inverse_1);
-        const Scalar inverse_3 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
-        const Scalar e4 = inverse_3 / (c_.G_ac + inverse_3);
+        const Scalar inverse_2 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
         const Scalar T_P = x[0];
-        const Scalar e5 = -p_.T_0 * inverse_1 * (Scalar(1) - e2) - p_.T_0 * inverse_3 * (Scalar(1) - e4);
-        return P - e5 - T_P * (c_.G_ab * e2 + c_.G_ac * e4);
+        const Scalar e3 = p_.T_0 * inverse_1 * (inverse_1 / (c_.G_ab + inverse_1) - Scalar(1)) + p_.T_0 * inverse_2
+            * (inverse_2 / (c_.G_ac + inverse_2) - Scalar(1));
+        return P - e3 - c_.k4 * T_P;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -465,9 +458,9 @@ private:
         Scalar R_up;  ///< 1/(1/(L_a/(H_b*B*lambda_a) + L_b/(H_b*B*lambda_b) + L_d/(H_b*B*lambda_d)) + ...
         Scalar k0;  ///< T_0*(G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + ...
         Scalar k1;  ///< 1/C
-        Scalar k2;  ///< (G_ab - G_ab^2/(G_ab + 1/(1/G_b + 1/G_db)) + G_ac - G_ac^2/(G_ac + 1/(1/G_c + 1/G_dc)))/C
+        Scalar k2;  ///< (G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c + ...
         Scalar k3;  ///< T_0*(G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + ...
-        Scalar k4;  ///< G_ab - G_ab^2/(G_ab + 1/(1/G_b + 1/G_db)) + G_ac - G_ac^2/(G_ac + 1/(1/G_c + 1/G_dc))
+        Scalar k4;  ///< G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c + ...
         Scalar k5;  ///< T_0/R_low
         Scalar k6;  ///< 1/R_low
         Scalar k7;  ///< T_0/R_up

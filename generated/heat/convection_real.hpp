@@ -16,15 +16,15 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 2     61     7        0      8
-//   rhs                    7      8     0        0      4
-//   rhs_and_jacobian       9     11     0        0      4
+//   rhs                    6     10     0        0      6
+//   rhs_and_jacobian       9     15     0        0      8
 //   jacobian_u             4      6     1        0      6
-//   jacobian_p            40    140     8        0     17
-//   output                 9     27     3        0     10
-//   output_jacobian_x      7     14     2        0      6
+//   jacobian_p            33    132     8        0     21
+//   output                 8     28     3        0     11
+//   output_jacobian_x      6     15     2        0      7
 //   output_jacobian_u     17     48     7        0     13
 //   internal_energy        0      1     0        0      0
-//   exchanged_power        7      7     0        0      4
+//   exchanged_power        6      8     0        0      5
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -169,6 +169,18 @@ Scalar pi() noexcept {
     }
 }
 
+/// log(a/b) for positive a and b, as close as the layers of a thin pipe (4.68). The argument of log1p is positive, so that it is as
+/// accurate as the difference. Needs select.
+template <class Scalar>
+Scalar log_ratio(const Scalar& a, const Scalar& b) noexcept {
+    using std::abs;
+    using std::log1p;
+    const Scalar difference = a - b;
+    const auto is_falling = difference < Scalar(0);
+    const Scalar size = log1p(Scalar(abs(difference) / select(is_falling, a, b)));
+    return select(is_falling, Scalar(-size), size);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -239,58 +251,56 @@ public:
         c_.phi_Pr = sqrt_Pr * power_3 / sqrt_4;
         const Scalar inverse_5 = Scalar(1) / p_.C;
         c_.k0 = inverse_5;
-        const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
+        const Scalar e6 = p_.eps * (p_.L * p_.b);
+        const Scalar e7 = inverse_5 * e6;
+        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e7;
         const Scalar power_Pr = pow(c_.Pr, Scalar(1) / Scalar(3));
-        const Scalar e6 = p_.lambda * power_Pr;
-        const Scalar e7 = p_.b * e6;
-        const Scalar e8 = inverse_5 * e7;
-        c_.k1 = (Scalar(37) / Scalar(1000)) * power_Re_c * e8;
-        const Scalar e9 = p_.L * p_.b;
-        const Scalar e10 = p_.eps * e9;
-        const Scalar e11 = inverse_5 * e10;
-        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e11;
-        c_.k3 = (Scalar(37) / Scalar(1000)) * e8;
-        const Scalar e12 = p_.lambda * c_.phi_Pr;
-        const Scalar e13 = p_.b * e12;
-        c_.k4 = Scalar(2) * inverse_5 * e13;
-        const Scalar inverse_14 = Scalar(1) / p_.nu;
-        c_.k5 = p_.L * inverse_14;
-        c_.k6 = p_.T_inf * p_.T_inf;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e11;
-        const Scalar e15 = inverse_14 * e12;
-        const Scalar e16 = inverse_5 * e9;
-        c_.k8 = e15 * e16;
-        const Scalar e17 = inverse_14 * e6;
-        c_.k9 = (Scalar(37) / Scalar(1250)) * e17 * e16;
-        const Scalar inverse_18 = Scalar(1) / p_.L;
-        const Scalar e19 = inverse_18 * e6;
-        c_.k10 = (Scalar(37) / Scalar(1000)) * power_Re_c * e19;
-        c_.k11 = (Scalar(37) / Scalar(1000)) * e19;
-        c_.k12 = Scalar(2) * inverse_18 * e12;
-        c_.k13 = (Scalar(37) / Scalar(1000)) * power_Re_c * e7;
-        c_.k14 = (Scalar(37) / Scalar(1000)) * e7;
-        c_.k15 = Scalar(2) * e13;
-        c_.k16 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e10;
-        c_.k17 = p_.nu * p_.Re_c;
+        const Scalar e8 = p_.b * p_.lambda;
+        const Scalar e9 = inverse_5 * e8;
+        const Scalar e10 = power_Pr * e9;
+        c_.k2 = (Scalar(37) / Scalar(1000)) * e10;
+        c_.k3 = Scalar(2) * c_.phi_Pr * e9;
+        const Scalar inverse_11 = Scalar(1) / p_.nu;
+        const Scalar e12 = p_.L * inverse_11;
+        c_.k4 = e12;
+        c_.k5 = p_.T_inf * p_.T_inf;
+        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e7;
+        const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
+        c_.k7 = (Scalar(37) / Scalar(1000)) * power_Re_c * e10;
+        const Scalar e13 = c_.phi_Pr * inverse_11;
+        const Scalar e14 = p_.L * e13;
+        c_.k8 = e9 * e14;
+        c_.k9 = (Scalar(37) / Scalar(1250)) * e12 * e10;
+        const Scalar inverse_15 = Scalar(1) / p_.L;
+        const Scalar e16 = p_.lambda * c_.phi_Pr;
+        c_.k10 = Scalar(2) * inverse_15 * e16;
+        const Scalar e17 = p_.lambda * power_Pr;
+        c_.k11 = (Scalar(37) / Scalar(1000)) * power_Re_c * inverse_15 * e17;
+        c_.k12 = Scalar(2) * c_.phi_Pr * e8;
+        const Scalar e18 = power_Pr * e8;
+        c_.k13 = (Scalar(37) / Scalar(1000)) * power_Re_c * e18;
+        c_.k14 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e6;
+        c_.k15 = p_.nu * p_.Re_c;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(1) / Scalar(3));
-        c_.k18 = Scalar(5) * power_Pr_2;
-        c_.k19 = e12;
-        c_.k20 = (Scalar(37) / Scalar(1250)) * e6;
-        c_.k21 = inverse_14;
-        c_.k22 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e10;
-        c_.k23 = e15;
-        c_.k24 = (Scalar(37) / Scalar(1250)) * e17;
-        c_.k25 = e9 * e15;
-        c_.k26 = (Scalar(37) / Scalar(1250)) * e9 * e17;
-        c_.k27 = (Scalar(5) / Scalar(2)) * p_.nu;
-        c_.k28 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
-        c_.k29 = (Scalar(37) / Scalar(500)) * inverse_14;
-        c_.k30 = (Scalar(1) / Scalar(2)) * e15;
-        c_.k31 = (Scalar(74) / Scalar(3125)) * e17;
-        const Scalar e20 = c_.phi_Pr * inverse_14;
-        c_.k32 = (Scalar(1) / Scalar(2)) * e20;
-        c_.k33 = (Scalar(1) / Scalar(2)) * p_.T_inf * e20;
-        c_.k34 = p_.T_inf * c_.phi_Pr;
+        c_.k16 = Scalar(5) * power_Pr_2;
+        c_.k17 = e16;
+        c_.k18 = (Scalar(37) / Scalar(1250)) * e17;
+        c_.k19 = inverse_11;
+        c_.k20 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e6;
+        const Scalar e19 = p_.lambda * e13;
+        c_.k21 = e19;
+        const Scalar e20 = inverse_11 * e17;
+        c_.k22 = (Scalar(37) / Scalar(1250)) * e20;
+        c_.k23 = e8 * e14;
+        c_.k24 = (Scalar(37) / Scalar(1250)) * e12 * e18;
+        c_.k25 = (Scalar(5) / Scalar(2)) * p_.nu;
+        c_.k26 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
+        c_.k27 = (Scalar(37) / Scalar(500)) * inverse_11;
+        c_.k28 = (Scalar(1) / Scalar(2)) * e19;
+        c_.k29 = (Scalar(74) / Scalar(3125)) * e20;
+        c_.k30 = (Scalar(1) / Scalar(2)) * e13;
+        c_.k31 = (Scalar(1) / Scalar(2)) * p_.T_inf * e13;
+        c_.k32 = p_.T_inf * c_.phi_Pr;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -303,45 +313,53 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 7 + or -, 8 *, 4 other functions
+    /// Operations: 6 + or -, 10 *, 6 other functions
     ///     dot(T_P) = P/C - 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)*(T_inf - T_P)/(1000*C) + stefan_boltzmann*L*b*eps*(T_inf -
     ///     T_P)*(T_inf + T_P)*(T_inf^2 + T_P^2)/C + 37*b*lambda*(Pr)^(1/3)*(T_inf - T_P)*(max(L*u/nu, Re_c))^(4/5)/(1000*C) +
     ///     2*b*lambda*phi_Pr*(T_inf - T_P)*sqrt(min(L*u/nu, Re_c))/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
+        using std::expm1;
         using std::pow;
         using std::sqrt;
-        const Scalar P = u[1];
         const Scalar T_P = x[0];
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k5 * u_value;
+        const Scalar e1 = c_.k4 * u_value;
         const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
         const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
-        const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_5 = sqrt(min_4);
-        const Scalar e6 = c_.k1 - c_.k2 * (p_.T_inf + T_P) * (c_.k6 + T_P * T_P) - c_.k3 * power_3 - c_.k4 * sqrt_5;
-        dxdt[0] = c_.k0 * P - (p_.T_inf - T_P) * e6;
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_2);
+        const Scalar expm1_4 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar min_5 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_6 = sqrt(min_5);
+        const Scalar P = u[1];
+        const Scalar e7 = c_.k1 * (p_.T_inf + T_P) * (c_.k5 + T_P * T_P) - c_.k2 * power_3 * expm1_4 + c_.k3 * sqrt_6;
+        dxdt[0] = (p_.T_inf - T_P) * e7 + c_.k0 * P;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 9 + or -, 11 *, 4 other functions
+    /// Operations: 9 + or -, 15 *, 8 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
+        using std::expm1;
         using std::pow;
         using std::sqrt;
         const Scalar P = u[1];
         const Scalar T_P = x[0];
         const Scalar e1 = p_.T_inf - T_P;
         const Scalar u_value = u[0];
-        const Scalar e2 = c_.k5 * u_value;
+        const Scalar e2 = c_.k4 * u_value;
         const Scalar max_3 = detail::max<Scalar>(e2, p_.Re_c);
         const Scalar power_4 = pow(max_3, Scalar(4) / Scalar(5));
-        const Scalar e5 = p_.T_inf + T_P;
-        const Scalar e6 = c_.k2 * (c_.k6 + T_P * T_P);
-        const Scalar min_7 = detail::min<Scalar>(e2, p_.Re_c);
-        const Scalar sqrt_8 = sqrt(min_7);
-        const Scalar e9 = c_.k3 * power_4 + e5 * e6 - (c_.k1 - c_.k4 * sqrt_8);
-        dxdt[0] = c_.k0 * P + e1 * e9;
-        J[0] = e1 * (c_.k7 * T_P * e5 + e6) - e9;
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_3);
+        const Scalar expm1_5 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar min_6 = detail::min<Scalar>(e2, p_.Re_c);
+        const Scalar sqrt_7 = sqrt(min_6);
+        const Scalar e8 = p_.T_inf + T_P;
+        const Scalar e9 = c_.k1 * (c_.k5 + T_P * T_P);
+        const Scalar e10 = c_.k3 * sqrt_7 + e8 * e9;
+        dxdt[0] = c_.k0 * P - e1 * (c_.k2 * power_4 * expm1_5 - e10);
+        const Scalar log_ratio_11 = detail::log_ratio<Scalar>(max_3, p_.Re_c);
+        const Scalar expm1_12 = expm1((Scalar(4) / Scalar(5)) * log_ratio_11);
+        J[0] = e1 * (c_.k6 * T_P * e8 + e9) - c_.k7 * expm1_12 - e10;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -357,7 +375,7 @@ public:
         using std::sqrt;
         const Scalar T_P = x[0];
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k5 * u_value;
+        const Scalar e1 = c_.k4 * u_value;
         const Scalar e2 = e1 - p_.Re_c;
         const Scalar step_3 = detail::step<Scalar>(-e2);
         const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
@@ -372,27 +390,28 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 40 + or -, 140 *, 8 /, 17 other functions
+    /// Operations: 33 + or -, 132 *, 8 /, 21 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::exp;
+        using std::expm1;
         using std::log;
         using std::pow;
         using std::sqrt;
         const Scalar inverse_1 = Scalar(1) / p_.C;
         const Scalar e2 = p_.b * inverse_1;
         const Scalar T_P = x[0];
-        const Scalar e3 = c_.k6 + T_P * T_P;
+        const Scalar e3 = c_.k5 + T_P * T_P;
         const Scalar e4 = p_.T_inf - T_P;
         const Scalar e5 = p_.T_inf + T_P;
         const Scalar e6 = e4 * e5;
         const Scalar e7 = e3 * e6;
         const Scalar inverse_8 = Scalar(1) / p_.nu;
         const Scalar e9 = p_.lambda * e2;
-        const Scalar e10 = c_.phi_Pr * e9;
-        const Scalar e11 = inverse_8 * e10;
+        const Scalar e10 = inverse_8 * e9;
+        const Scalar e11 = c_.phi_Pr * e10;
         const Scalar u_value = u[0];
         const Scalar e12 = u_value * e4;
-        const Scalar e13 = c_.k5 * u_value;
+        const Scalar e13 = c_.k4 * u_value;
         const Scalar e14 = e13 - p_.Re_c;
         const Scalar step_15 = detail::step<Scalar>(-e14);
         const Scalar min_16 = detail::min<Scalar>(e13, p_.Re_c);
@@ -400,78 +419,78 @@ public:
         const Scalar inverse_18 = Scalar(1) / sqrt_17;
         const Scalar e19 = e12 * (step_15 * inverse_18);
         const Scalar power_Pr = pow(c_.Pr, Scalar(1) / Scalar(3));
-        const Scalar e20 = power_Pr * e9;
-        const Scalar e21 = inverse_8 * e20;
-        const Scalar step_22 = detail::step<Scalar>(e14);
-        const Scalar max_23 = detail::max<Scalar>(e13, p_.Re_c);
-        const Scalar power_24 = pow(max_23, -Scalar(1) / Scalar(5));
-        const Scalar e25 = e12 * (step_22 * power_24);
-        const Scalar e26 = p_.lambda * inverse_1;
-        const Scalar e27 = power_Pr * e26;
-        const Scalar power_28 = pow(max_23, Scalar(4) / Scalar(5));
-        const Scalar e29 = e4 * power_28;
+        const Scalar e20 = power_Pr * e10;
+        const Scalar step_21 = detail::step<Scalar>(e14);
+        const Scalar max_22 = detail::max<Scalar>(e13, p_.Re_c);
+        const Scalar power_23 = pow(max_22, -Scalar(1) / Scalar(5));
+        const Scalar e24 = e12 * (step_21 * power_23);
+        const Scalar e25 = p_.lambda * inverse_1;
+        const Scalar e26 = e4 * sqrt_17;
         const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
-        const Scalar e30 = e4 * sqrt_17;
+        const Scalar e27 = power_Re_c * power_Pr;
+        const Scalar log_ratio_28 = detail::log_ratio<Scalar>(max_22, p_.Re_c);
+        const Scalar expm1_29 = expm1((Scalar(4) / Scalar(5)) * log_ratio_28);
+        const Scalar e30 = e4 * expm1_29;
         const Scalar e31 = p_.L * p_.eps;
         const Scalar e32 = inverse_1 * e31;
-        const Scalar e33 = inverse_1 * e20;
         const Scalar P = u[1];
+        const Scalar e33 = c_.phi_Pr * e9;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(2) / Scalar(3));
         const Scalar e34 = p_.rho * p_.c_p;
         const Scalar e35 = e2 * e34;
-        const Scalar e36 = power_Pr_2 * e35;
-        const Scalar sqrt_37 = sqrt(detail::pi<Scalar>());
-        const Scalar inverse_38 = Scalar(1) / sqrt_37;
-        const Scalar e39 = e34 / p_.lambda;
-        const Scalar e40 = p_.nu * e39;
-        const Scalar sqrt_41 = sqrt(e40);
-        const Scalar log_42 = log(e40);
-        const Scalar exp_43 = exp((Scalar(34) / Scalar(125)) * log_42);
-        const Scalar e44 = Scalar(1) + (Scalar(1973) / Scalar(1000)) * exp_43 + (Scalar(2129) / Scalar(100)) * e40;
-        const Scalar power_45 = pow(e44, -Scalar(7) / Scalar(6));
-        const Scalar e46 = sqrt_41 * power_45;
-        const Scalar power_47 = pow(e44, -Scalar(1) / Scalar(6));
-        const Scalar e48 = inverse_38 * (e46 - (Scalar(300) / Scalar(2129)) * power_47 / sqrt_41);
-        const Scalar e49 = e46 * (exp_43 * inverse_38);
-        const Scalar e50 = e9 * e49;
-        const Scalar e51 = p_.L * inverse_8;
-        const Scalar e52 = e2 * (power_Pr_2 * e40 - Scalar(3) * power_Pr);
-        const Scalar e53 = p_.nu * e2;
-        const Scalar e54 = e53 * e48;
-        const Scalar e55 = power_Pr_2 * e53;
-        const Scalar e56 = p_.c_p * e55;
-        const Scalar e57 = p_.rho * e55;
+        const Scalar e36 = e34 / p_.lambda;
+        const Scalar e37 = p_.nu * e36;
+        const Scalar sqrt_38 = sqrt(e37);
+        const Scalar log_39 = log(e37);
+        const Scalar exp_40 = exp((Scalar(34) / Scalar(125)) * log_39);
+        const Scalar e41 = Scalar(1) + (Scalar(1973) / Scalar(1000)) * exp_40 + (Scalar(2129) / Scalar(100)) * e37;
+        const Scalar power_42 = pow(e41, -Scalar(7) / Scalar(6));
+        const Scalar e43 = sqrt_38 * power_42;
+        const Scalar sqrt_44 = sqrt(detail::pi<Scalar>());
+        const Scalar inverse_45 = Scalar(1) / sqrt_44;
+        const Scalar e46 = e43 * (exp_40 * inverse_45);
+        const Scalar power_47 = pow(e41, -Scalar(1) / Scalar(6));
+        const Scalar e48 = inverse_45 * (e43 - (Scalar(300) / Scalar(2129)) * power_47 / sqrt_38);
+        const Scalar e49 = p_.L * inverse_8;
+        const Scalar e50 = p_.nu * e2;
+        const Scalar e51 = e50 * e48;
+        const Scalar e52 = power_Pr_2 * e50;
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_22);
+        const Scalar expm1_53 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar power_54 = pow(max_22, Scalar(4) / Scalar(5));
+        const Scalar e55 = expm1_53 * (e4 * power_54);
+        const Scalar e56 = e9 * e46;
+        const Scalar e57 = power_Pr * e9;
         const Scalar power_Re_c_2 = pow(p_.Re_c, -Scalar(1) / Scalar(5));
         const Scalar e58 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.eps * e2;
-        J[0] = e58 * e7 + e11 * e19 + (Scalar(37) / Scalar(1250)) * e21 * e25;
+        J[0] = e58 * e7 + e11 * e19 + (Scalar(37) / Scalar(1250)) * e20 * e24;
         const Scalar e59 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e32;
-        J[1] = (Scalar(37) / Scalar(1000)) * e27 * e29 - e4 * ((Scalar(37) / Scalar(1000)) * power_Re_c * e27) + Scalar(2)
-            * c_.phi_Pr * e26 * e30 + e59 * e7;
+        J[1] = Scalar(2) * c_.phi_Pr * e25 * e26 + (Scalar(37) / Scalar(1000)) * e27 * e25 * e30 + e59 * e7;
         const Scalar e60 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e2 * e32;
-        J[2] = e4 * ((Scalar(37) / Scalar(1000)) * power_Re_c * e33) - P * (inverse_1 * inverse_1)
-            - (Scalar(37) / Scalar(1000)) * e33 * e29 - Scalar(2) * inverse_1 * e10 * e30 - e60 * e7;
-        const Scalar e61 = (Scalar(2129) / Scalar(300)) * e48 * e35 + (Scalar(33541) / Scalar(187500)) * inverse_8 * e50;
-        J[3] = (Scalar(37) / Scalar(3000)) * e36 * e29 - e4 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e36) - e61 * e30
-            - e51 * e11 * e19 - (Scalar(37) / Scalar(1250)) * e51 * e21 * e25;
-        const Scalar e62 = -e2 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e49)
-            - (Scalar(2129) / Scalar(300)) * e39 * e54;
-        J[4] = e4 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e52) - (Scalar(37) / Scalar(3000)) * e52 * e29 - e62 * e30;
-        const Scalar e63 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e54 - (Scalar(33541) / Scalar(187500)) * e50 / p_.rho;
-        J[5] = (Scalar(37) / Scalar(3000)) * e56 * e29 - e4 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e56) + e63 * e30;
-        const Scalar e64 = -(Scalar(2129) / Scalar(300)) * p_.rho * e54 - (Scalar(33541) / Scalar(187500)) * e50 / p_.c_p;
-        J[6] = (Scalar(37) / Scalar(3000)) * e57 * e29 - e4 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e57) + e64 * e30;
-        const Scalar e65 = step_15 * power_24 * ((Scalar(37) / Scalar(1250)) * e20) + step_22 * inverse_18 * e10
-            - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e20;
+        J[2] = -P * (inverse_1 * inverse_1) - Scalar(2) * inverse_1 * e33 * e26 - (Scalar(37) / Scalar(1000)) * inverse_1 * e9
+            * e27 * e30 - e60 * e7;
+        const Scalar e61 = (Scalar(33541) / Scalar(187500)) * e10 * e46 + (Scalar(2129) / Scalar(300)) * e48 * e35;
+        J[3] = (Scalar(37) / Scalar(3000)) * power_Re_c * power_Pr_2 * e35 * e30 - e61 * e26 - e49 * e11 * e19
+            - (Scalar(37) / Scalar(1250)) * e49 * e20 * e24;
+        const Scalar e62 = -e2 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e46)
+            - (Scalar(2129) / Scalar(300)) * e36 * e51;
+        J[4] = (Scalar(37) / Scalar(1000)) * e2 * e27 * e30 - e62 * e26 + (Scalar(37) / Scalar(3000)) * e36 * e52 * e55;
+        const Scalar e63 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e51 - (Scalar(33541) / Scalar(187500)) * e56 / p_.rho;
+        J[5] = e63 * e26 + (Scalar(37) / Scalar(3000)) * p_.c_p * power_Re_c * e52 * e30;
+        const Scalar e64 = -(Scalar(2129) / Scalar(300)) * p_.rho * e51 - (Scalar(33541) / Scalar(187500)) * e56 / p_.c_p;
+        J[6] = e64 * e26 - (Scalar(37) / Scalar(3000)) * p_.rho * e52 * e55;
+        const Scalar e65 = step_15 * power_23 * ((Scalar(37) / Scalar(1250)) * e57) + step_21 * inverse_18 * e33
+            - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e57;
         J[7] = e4 * e65;
         const Scalar e66 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.L * e2;
         J[8] = e66 * e7;
         const Scalar e67 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
             * p_.T_inf * e2 * e31;
-        J[9] = c_.k2 * e3 * (e4 + e5) - c_.k1 + c_.k3 * power_28 + c_.k4 * sqrt_17 + e67 * e6;
+        J[9] = c_.k1 * e3 * (e4 + e5) + c_.k3 * sqrt_17 + c_.k7 * expm1_29 + e67 * e6;
     }
 
     /// J = df/dt at fixed x and u.
@@ -496,7 +515,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 9 + or -, 27 *, 3 /, 10 other functions
+    /// Operations: 8 + or -, 28 *, 3 /, 11 other functions
     ///     alpha = -37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L) + 37*lambda*(Pr)^(1/3)*(max(L*u/nu, Re_c))^(4/5)/(1000*L) +
     ///     2*lambda*phi_Pr*sqrt(min(L*u/nu, Re_c))/L
     ///     alpha_l = 2*lambda*phi_Pr*sqrt(L*u/nu)/L
@@ -513,65 +532,68 @@ public:
     ///     T_layer = T_inf + T_P/exp(phi_Pr*y*sqrt(u*x/nu)/x) - T_inf/exp(phi_Pr*y*sqrt(u*x/nu)/x)
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
+        using std::expm1;
         using std::pow;
         using std::sqrt;
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k5 * u_value;
-        const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
-        const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_5 = sqrt(min_4);
-        const Scalar sqrt_6 = sqrt(e1);
+        const Scalar e1 = c_.k4 * u_value;
+        const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_3 = sqrt(min_2);
+        const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
+        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
+        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
+        const Scalar sqrt_7 = sqrt(e1);
         const Scalar T_P = x[0];
-        const Scalar e7 = p_.T_inf - T_P;
-        const Scalar inverse_8 = Scalar(1) / u_value;
+        const Scalar e8 = p_.T_inf - T_P;
+        const Scalar inverse_9 = Scalar(1) / u_value;
         const Scalar x_value = u[2];
-        const Scalar sqrt_9 = sqrt(p_.nu * x_value * inverse_8);
-        const Scalar e10 = c_.k21 * u_value * x_value;
-        const Scalar power_11 = pow(e10, -Scalar(1) / Scalar(5));
-        const Scalar sqrt_12 = sqrt(e10);
-        const Scalar inverse_13 = Scalar(1) / x_value;
-        const Scalar e14 = sqrt_12 * inverse_13;
-        const Scalar power_15 = pow(e10, Scalar(4) / Scalar(5));
+        const Scalar sqrt_10 = sqrt(p_.nu * x_value * inverse_9);
+        const Scalar e11 = c_.k19 * u_value * x_value;
+        const Scalar power_12 = pow(e11, -Scalar(1) / Scalar(5));
+        const Scalar sqrt_13 = sqrt(e11);
+        const Scalar inverse_14 = Scalar(1) / x_value;
+        const Scalar e15 = sqrt_13 * inverse_14;
+        const Scalar power_16 = pow(e11, Scalar(4) / Scalar(5));
         const Scalar y_value = u[3];
-        const Scalar exp_16 = exp(c_.phi_Pr * y_value * e14);
-        y[0] = c_.k11 * power_3 - c_.k10 + c_.k12 * sqrt_5;
-        y[1] = c_.k12 * sqrt_6;
-        y[2] = e7 * (c_.k13 - c_.k14 * power_3 - c_.k15 * sqrt_5);
-        y[3] = -c_.k16 * e7 * (p_.T_inf + T_P) * (c_.k6 + T_P * T_P);
+        const Scalar exp_17 = exp(c_.phi_Pr * y_value * e15);
+        y[0] = c_.k10 * sqrt_3 + c_.k11 * expm1_6;
+        y[1] = c_.k10 * sqrt_7;
+        y[2] = -e8 * (c_.k12 * sqrt_3 + c_.k13 * expm1_6);
+        y[3] = -c_.k14 * e8 * (p_.T_inf + T_P) * (c_.k5 + T_P * T_P);
         y[4] = e1;
-        y[5] = c_.k17 * inverse_8;
-        y[6] = Scalar(5) * sqrt_9;
-        y[7] = c_.k18 * sqrt_9;
-        y[8] = (Scalar(37) / Scalar(100)) * x_value * power_11;
-        y[9] = c_.k19 * e14;
-        y[10] = c_.k20 * power_15 * inverse_13;
-        y[11] = p_.T_inf - e7 / exp_16;
+        y[5] = c_.k15 * inverse_9;
+        y[6] = Scalar(5) * sqrt_10;
+        y[7] = c_.k16 * sqrt_10;
+        y[8] = (Scalar(37) / Scalar(100)) * x_value * power_12;
+        y[9] = c_.k17 * e15;
+        y[10] = c_.k18 * power_16 * inverse_14;
+        y[11] = p_.T_inf - e8 / exp_17;
     }
 
     /// C = dh/dx.
-    /// Operations: 7 + or -, 14 *, 2 /, 6 other functions
+    /// Operations: 6 + or -, 15 *, 2 /, 7 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
-        using std::pow;
+        using std::expm1;
         using std::sqrt;
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k5 * u_value;
-        const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
-        const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_5 = sqrt(min_4);
+        const Scalar e1 = c_.k4 * u_value;
+        const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_3 = sqrt(min_2);
+        const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
+        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
+        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
         const Scalar T_P = x[0];
-        const Scalar e6 = p_.T_inf + T_P;
-        const Scalar e7 = c_.k16 * (c_.k6 + T_P * T_P);
+        const Scalar e7 = p_.T_inf + T_P;
+        const Scalar e8 = c_.k14 * (c_.k5 + T_P * T_P);
         const Scalar y_value = u[3];
         const Scalar x_value = u[2];
-        const Scalar sqrt_8 = sqrt(c_.k21 * u_value * x_value);
-        const Scalar exp_9 = exp(c_.phi_Pr * y_value * sqrt_8 / x_value);
+        const Scalar sqrt_9 = sqrt(c_.k19 * u_value * x_value);
+        const Scalar exp_10 = exp(c_.phi_Pr * y_value * sqrt_9 / x_value);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
-        C[2] = c_.k14 * power_3 - c_.k13 + c_.k15 * sqrt_5;
-        C[3] = e6 * e7 - (p_.T_inf - T_P) * (c_.k22 * T_P * e6 + e7);
+        C[2] = c_.k12 * sqrt_3 + c_.k13 * expm1_6;
+        C[3] = e7 * e8 - (p_.T_inf - T_P) * (c_.k20 * T_P * e7 + e8);
         C[4] = Scalar(0);
         C[5] = Scalar(0);
         C[6] = Scalar(0);
@@ -579,7 +601,7 @@ public:
         C[8] = Scalar(0);
         C[9] = Scalar(0);
         C[10] = Scalar(0);
-        C[11] = Scalar(1) / exp_9;
+        C[11] = Scalar(1) / exp_10;
     }
 
     /// D = dh/du.
@@ -589,7 +611,7 @@ public:
         using std::pow;
         using std::sqrt;
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k5 * u_value;
+        const Scalar e1 = c_.k4 * u_value;
         const Scalar e2 = e1 - p_.Re_c;
         const Scalar step_3 = detail::step<Scalar>(-e2);
         const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
@@ -606,33 +628,33 @@ public:
         const Scalar e13 = x_value * inverse_12;
         const Scalar sqrt_14 = sqrt(p_.nu * e13);
         const Scalar e15 = inverse_12 / sqrt_14;
-        const Scalar e16 = c_.k27 * e15;
-        const Scalar e17 = c_.k28 * e15;
-        const Scalar e18 = c_.k21 * u_value * x_value;
+        const Scalar e16 = c_.k25 * e15;
+        const Scalar e17 = c_.k26 * e15;
+        const Scalar e18 = c_.k19 * u_value * x_value;
         const Scalar power_19 = pow(e18, -Scalar(6) / Scalar(5));
-        const Scalar e20 = power_19 * (c_.k29 * x_value);
+        const Scalar e20 = power_19 * (c_.k27 * x_value);
         const Scalar sqrt_21 = sqrt(e18);
         const Scalar inverse_22 = Scalar(1) / sqrt_21;
-        const Scalar e23 = c_.k30 * inverse_22;
+        const Scalar e23 = c_.k28 * inverse_22;
         const Scalar power_24 = pow(e18, -Scalar(1) / Scalar(5));
-        const Scalar e25 = c_.k31 * power_24;
+        const Scalar e25 = c_.k29 * power_24;
         const Scalar y_value = u[3];
         const Scalar inverse_26 = Scalar(1) / x_value;
         const Scalar e27 = sqrt_21 * inverse_26;
         const Scalar exp_28 = exp(c_.phi_Pr * y_value * e27);
         const Scalar inverse_29 = Scalar(1) / exp_28;
         const Scalar e30 = y_value * inverse_29;
-        const Scalar e31 = e30 * (inverse_22 * (c_.k32 * T_P - c_.k33));
+        const Scalar e31 = e30 * (inverse_22 * (c_.k30 * T_P - c_.k31));
         const Scalar e32 = u_value * inverse_26;
         const Scalar e33 = inverse_26 * e27;
         const Scalar power_34 = pow(e18, Scalar(4) / Scalar(5));
-        const Scalar e35 = c_.k34 - c_.phi_Pr * T_P;
-        D[0] = c_.k23 * e6 + c_.k24 * e10;
-        D[1] = c_.k23 / sqrt_11;
-        D[2] = -(p_.T_inf - T_P) * (c_.k25 * e6 + c_.k26 * e10);
+        const Scalar e35 = c_.k32 - c_.phi_Pr * T_P;
+        D[0] = c_.k21 * e6 + c_.k22 * e10;
+        D[1] = c_.k21 / sqrt_11;
+        D[2] = -(p_.T_inf - T_P) * (c_.k23 * e6 + c_.k24 * e10);
         D[3] = Scalar(0);
-        D[4] = c_.k5;
-        D[5] = -c_.k17 * inverse_12 * inverse_12;
+        D[4] = c_.k4;
+        D[5] = -c_.k15 * inverse_12 * inverse_12;
         D[6] = -e13 * e16;
         D[7] = -e13 * e17;
         D[8] = -x_value * e20;
@@ -660,8 +682,8 @@ public:
         D[30] = e16;
         D[31] = e17;
         D[32] = (Scalar(37) / Scalar(100)) * power_24 - u_value * e20;
-        D[33] = e32 * e23 - c_.k19 * e33;
-        D[34] = e32 * e25 - c_.k20 * power_34 * inverse_26 * inverse_26;
+        D[33] = e32 * e23 - c_.k17 * e33;
+        D[34] = e32 * e25 - c_.k18 * power_34 * inverse_26 * inverse_26;
         D[35] = -e35 * e30 * e33 - e32 * e31;
         D[36] = Scalar(0);
         D[37] = Scalar(0);
@@ -720,20 +742,21 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 7 + or -, 7 *, 4 other functions
+    /// Operations: 6 + or -, 8 *, 5 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        using std::pow;
+        using std::expm1;
         using std::sqrt;
-        const Scalar P = u[1];
         const Scalar T_P = x[0];
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k5 * u_value;
-        const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
-        const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_5 = sqrt(min_4);
-        const Scalar e6 = c_.k13 - c_.k16 * (p_.T_inf + T_P) * (c_.k6 + T_P * T_P) - c_.k14 * power_3 - c_.k15 * sqrt_5;
-        return P - (p_.T_inf - T_P) * e6;
+        const Scalar e1 = c_.k4 * u_value;
+        const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_3 = sqrt(min_2);
+        const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
+        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
+        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
+        const Scalar P = u[1];
+        const Scalar e7 = c_.k14 * (p_.T_inf + T_P) * (c_.k5 + T_P * T_P) + c_.k12 * sqrt_3 + c_.k13 * expm1_6;
+        return (p_.T_inf - T_P) * e7 + P;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -749,40 +772,38 @@ private:
         Scalar Pr;  ///< nu/a
         Scalar phi_Pr;  ///< sqrt(Pr)*(1 + 2129*Pr/100 + 1973*exp(34*log(Pr)/125)/1000)^(-1/6)/sqrt(pi)
         Scalar k0;  ///< 1/C
-        Scalar k1;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*C)
-        Scalar k2;  ///< stefan_boltzmann*L*b*eps/C
-        Scalar k3;  ///< 37*b*lambda*(Pr)^(1/3)/(1000*C)
-        Scalar k4;  ///< 2*b*lambda*phi_Pr/C
-        Scalar k5;  ///< L/nu
-        Scalar k6;  ///< T_inf^2
-        Scalar k7;  ///< 2*stefan_boltzmann*L*b*eps/C
+        Scalar k1;  ///< stefan_boltzmann*L*b*eps/C
+        Scalar k2;  ///< 37*b*lambda*(Pr)^(1/3)/(1000*C)
+        Scalar k3;  ///< 2*b*lambda*phi_Pr/C
+        Scalar k4;  ///< L/nu
+        Scalar k5;  ///< T_inf^2
+        Scalar k6;  ///< 2*stefan_boltzmann*L*b*eps/C
+        Scalar k7;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*C)
         Scalar k8;  ///< L*b*lambda*phi_Pr/(C*nu)
         Scalar k9;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*C*nu)
-        Scalar k10;  ///< 37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L)
-        Scalar k11;  ///< 37*lambda*(Pr)^(1/3)/(1000*L)
-        Scalar k12;  ///< 2*lambda*phi_Pr/L
+        Scalar k10;  ///< 2*lambda*phi_Pr/L
+        Scalar k11;  ///< 37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L)
+        Scalar k12;  ///< 2*b*lambda*phi_Pr
         Scalar k13;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000
-        Scalar k14;  ///< 37*b*lambda*(Pr)^(1/3)/1000
-        Scalar k15;  ///< 2*b*lambda*phi_Pr
-        Scalar k16;  ///< stefan_boltzmann*L*b*eps
-        Scalar k17;  ///< nu*Re_c
-        Scalar k18;  ///< 5*(Pr)^(-1/3)
-        Scalar k19;  ///< lambda*phi_Pr
-        Scalar k20;  ///< 37*lambda*(Pr)^(1/3)/1250
-        Scalar k21;  ///< 1/nu
-        Scalar k22;  ///< 2*stefan_boltzmann*L*b*eps
-        Scalar k23;  ///< lambda*phi_Pr/nu
-        Scalar k24;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
-        Scalar k25;  ///< L*b*lambda*phi_Pr/nu
-        Scalar k26;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
-        Scalar k27;  ///< 5*nu/2
-        Scalar k28;  ///< 5*nu*(Pr)^(-1/3)/2
-        Scalar k29;  ///< 37/(500*nu)
-        Scalar k30;  ///< lambda*phi_Pr/(2*nu)
-        Scalar k31;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
-        Scalar k32;  ///< phi_Pr/(2*nu)
-        Scalar k33;  ///< T_inf*phi_Pr/(2*nu)
-        Scalar k34;  ///< T_inf*phi_Pr
+        Scalar k14;  ///< stefan_boltzmann*L*b*eps
+        Scalar k15;  ///< nu*Re_c
+        Scalar k16;  ///< 5*(Pr)^(-1/3)
+        Scalar k17;  ///< lambda*phi_Pr
+        Scalar k18;  ///< 37*lambda*(Pr)^(1/3)/1250
+        Scalar k19;  ///< 1/nu
+        Scalar k20;  ///< 2*stefan_boltzmann*L*b*eps
+        Scalar k21;  ///< lambda*phi_Pr/nu
+        Scalar k22;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
+        Scalar k23;  ///< L*b*lambda*phi_Pr/nu
+        Scalar k24;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
+        Scalar k25;  ///< 5*nu/2
+        Scalar k26;  ///< 5*nu*(Pr)^(-1/3)/2
+        Scalar k27;  ///< 37/(500*nu)
+        Scalar k28;  ///< lambda*phi_Pr/(2*nu)
+        Scalar k29;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
+        Scalar k30;  ///< phi_Pr/(2*nu)
+        Scalar k31;  ///< T_inf*phi_Pr/(2*nu)
+        Scalar k32;  ///< T_inf*phi_Pr
     };
     Cached c_{};
 };

@@ -16,16 +16,16 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     52     7        0      8
-//   rhs                    4      5     0        0      4
-//   rhs_and_jacobian       4      5     0        0      4
+//   update                 2     53     7        0      8
+//   rhs                    3      6     0        0      5
+//   rhs_and_jacobian       4      9     0        0      8
 //   jacobian_u             4      6     1        0      6
-//   jacobian_p            32    118     8        0     17
-//   output                 6     23     3        0     10
-//   output_jacobian_x      2      8     2        0      6
+//   jacobian_p            26    114     8        0     21
+//   output                 5     24     3        0     11
+//   output_jacobian_x      1      9     2        0      7
 //   output_jacobian_u     17     48     7        0     13
 //   internal_energy        0      1     0        0      0
-//   exchanged_power        4      4     0        0      4
+//   exchanged_power        3      5     0        0      5
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -168,6 +168,18 @@ Scalar pi() noexcept {
     }
 }
 
+/// log(a/b) for positive a and b, as close as the layers of a thin pipe (4.68). The argument of log1p is positive, so that it is as
+/// accurate as the difference. Needs select.
+template <class Scalar>
+Scalar log_ratio(const Scalar& a, const Scalar& b) noexcept {
+    using std::abs;
+    using std::log1p;
+    const Scalar difference = a - b;
+    const auto is_falling = difference < Scalar(0);
+    const Scalar size = log1p(Scalar(abs(difference) / select(is_falling, a, b)));
+    return select(is_falling, Scalar(-size), size);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -219,7 +231,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 52 *, 7 /, 8 other functions
+    /// Operations: 2 + or -, 53 *, 7 /, 8 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -237,51 +249,49 @@ public:
         c_.phi_Pr = sqrt_Pr * power_3 / sqrt_4;
         const Scalar inverse_5 = Scalar(1) / p_.C;
         c_.k0 = inverse_5;
+        const Scalar e6 = p_.b * p_.lambda;
+        const Scalar e7 = inverse_5 * e6;
+        c_.k1 = Scalar(2) * c_.phi_Pr * e7;
         const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
         const Scalar power_Pr = pow(c_.Pr, Scalar(1) / Scalar(3));
-        const Scalar e6 = p_.lambda * power_Pr;
-        const Scalar e7 = p_.b * e6;
-        const Scalar e8 = inverse_5 * e7;
-        c_.k1 = (Scalar(37) / Scalar(1000)) * power_Re_c * e8;
-        c_.k2 = (Scalar(37) / Scalar(1000)) * e8;
-        const Scalar e9 = p_.lambda * c_.phi_Pr;
-        const Scalar e10 = p_.b * e9;
-        const Scalar e11 = inverse_5 * e10;
-        c_.k3 = Scalar(2) * e11;
-        const Scalar inverse_12 = Scalar(1) / p_.nu;
-        const Scalar e13 = p_.L * inverse_12;
-        c_.k4 = e13;
-        c_.k5 = e13 * e11;
-        c_.k6 = (Scalar(37) / Scalar(1250)) * e13 * e8;
-        const Scalar inverse_14 = Scalar(1) / p_.L;
-        const Scalar e15 = inverse_14 * e6;
-        c_.k7 = (Scalar(37) / Scalar(1000)) * power_Re_c * e15;
-        c_.k8 = (Scalar(37) / Scalar(1000)) * e15;
-        c_.k9 = Scalar(2) * inverse_14 * e9;
-        c_.k10 = (Scalar(37) / Scalar(1000)) * power_Re_c * e7;
-        c_.k11 = (Scalar(37) / Scalar(1000)) * e7;
-        c_.k12 = Scalar(2) * e10;
-        c_.k13 = p_.nu * p_.Re_c;
+        const Scalar e8 = power_Pr * e7;
+        c_.k2 = (Scalar(37) / Scalar(1000)) * power_Re_c * e8;
+        const Scalar inverse_9 = Scalar(1) / p_.nu;
+        const Scalar e10 = p_.L * inverse_9;
+        c_.k3 = e10;
+        c_.k4 = (Scalar(37) / Scalar(1000)) * e8;
+        const Scalar e11 = c_.phi_Pr * inverse_9;
+        const Scalar e12 = p_.L * e11;
+        c_.k5 = e7 * e12;
+        c_.k6 = (Scalar(37) / Scalar(1250)) * e10 * e8;
+        const Scalar inverse_13 = Scalar(1) / p_.L;
+        const Scalar e14 = p_.lambda * c_.phi_Pr;
+        c_.k7 = Scalar(2) * inverse_13 * e14;
+        const Scalar e15 = p_.lambda * power_Pr;
+        c_.k8 = (Scalar(37) / Scalar(1000)) * power_Re_c * inverse_13 * e15;
+        c_.k9 = Scalar(2) * c_.phi_Pr * e6;
+        const Scalar e16 = power_Pr * e6;
+        c_.k10 = (Scalar(37) / Scalar(1000)) * power_Re_c * e16;
+        c_.k11 = p_.nu * p_.Re_c;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(1) / Scalar(3));
-        c_.k14 = Scalar(5) * power_Pr_2;
-        c_.k15 = e9;
-        c_.k16 = (Scalar(37) / Scalar(1250)) * e6;
-        c_.k17 = inverse_12;
-        const Scalar e16 = inverse_12 * e9;
-        c_.k18 = e16;
-        const Scalar e17 = inverse_12 * e6;
-        c_.k19 = (Scalar(37) / Scalar(1250)) * e17;
-        c_.k20 = e13 * e10;
-        c_.k21 = (Scalar(37) / Scalar(1250)) * e7 * e13;
-        c_.k22 = (Scalar(5) / Scalar(2)) * p_.nu;
-        c_.k23 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
-        c_.k24 = (Scalar(37) / Scalar(500)) * inverse_12;
-        c_.k25 = (Scalar(1) / Scalar(2)) * e16;
-        c_.k26 = (Scalar(74) / Scalar(3125)) * e17;
-        const Scalar e18 = c_.phi_Pr * inverse_12;
-        c_.k27 = (Scalar(1) / Scalar(2)) * e18;
-        c_.k28 = (Scalar(1) / Scalar(2)) * p_.T_inf * e18;
-        c_.k29 = p_.T_inf * c_.phi_Pr;
+        c_.k12 = Scalar(5) * power_Pr_2;
+        c_.k13 = e14;
+        c_.k14 = (Scalar(37) / Scalar(1250)) * e15;
+        c_.k15 = inverse_9;
+        const Scalar e17 = p_.lambda * e11;
+        c_.k16 = e17;
+        const Scalar e18 = inverse_9 * e15;
+        c_.k17 = (Scalar(37) / Scalar(1250)) * e18;
+        c_.k18 = e6 * e12;
+        c_.k19 = (Scalar(37) / Scalar(1250)) * e10 * e16;
+        c_.k20 = (Scalar(5) / Scalar(2)) * p_.nu;
+        c_.k21 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
+        c_.k22 = (Scalar(37) / Scalar(500)) * inverse_9;
+        c_.k23 = (Scalar(1) / Scalar(2)) * e17;
+        c_.k24 = (Scalar(74) / Scalar(3125)) * e18;
+        c_.k25 = (Scalar(1) / Scalar(2)) * e11;
+        c_.k26 = (Scalar(1) / Scalar(2)) * p_.T_inf * e11;
+        c_.k27 = p_.T_inf * c_.phi_Pr;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -294,40 +304,46 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 4 + or -, 5 *, 4 other functions
+    /// Operations: 3 + or -, 6 *, 5 other functions
     ///     dot(T_P) = P/C - 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)*(T_inf - T_P)/(1000*C) + 37*b*lambda*(Pr)^(1/3)*(T_inf -
     ///     T_P)*(max(L*u/nu, Re_c))^(4/5)/(1000*C) + 2*b*lambda*phi_Pr*(T_inf - T_P)*sqrt(min(L*u/nu, Re_c))/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::pow;
+        using std::expm1;
         using std::sqrt;
-        const Scalar P = u[1];
         const Scalar T_P = x[0];
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k4 * u_value;
-        const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
-        const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_5 = sqrt(min_4);
-        dxdt[0] = c_.k0 * P - (p_.T_inf - T_P) * (c_.k1 - c_.k2 * power_3 - c_.k3 * sqrt_5);
+        const Scalar e1 = c_.k3 * u_value;
+        const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_3 = sqrt(min_2);
+        const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
+        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
+        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
+        const Scalar P = u[1];
+        dxdt[0] = (p_.T_inf - T_P) * (c_.k1 * sqrt_3 + c_.k2 * expm1_6) + c_.k0 * P;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 4 + or -, 5 *, 4 other functions
+    /// Operations: 4 + or -, 9 *, 8 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
+        using std::expm1;
         using std::pow;
         using std::sqrt;
-        const Scalar P = u[1];
         const Scalar T_P = x[0];
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k4 * u_value;
+        const Scalar e1 = c_.k3 * u_value;
         const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
-        const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_5 = sqrt(min_4);
-        const Scalar e6 = c_.k1 - (c_.k2 * power_3 + c_.k3 * sqrt_5);
-        dxdt[0] = c_.k0 * P - (p_.T_inf - T_P) * e6;
-        J[0] = e6;
+        const Scalar log_ratio_3 = detail::log_ratio<Scalar>(max_2, p_.Re_c);
+        const Scalar expm1_4 = expm1((Scalar(4) / Scalar(5)) * log_ratio_3);
+        const Scalar min_5 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_6 = sqrt(min_5);
+        const Scalar e7 = c_.k1 * sqrt_6;
+        const Scalar P = u[1];
+        dxdt[0] = (p_.T_inf - T_P) * (c_.k2 * expm1_4 + e7) + c_.k0 * P;
+        const Scalar power_8 = pow(max_2, Scalar(4) / Scalar(5));
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_2);
+        const Scalar expm1_9 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        J[0] = c_.k4 * power_8 * expm1_9 - e7;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -343,7 +359,7 @@ public:
         using std::sqrt;
         const Scalar T_P = x[0];
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k4 * u_value;
+        const Scalar e1 = c_.k3 * u_value;
         const Scalar e2 = e1 - p_.Re_c;
         const Scalar step_3 = detail::step<Scalar>(-e2);
         const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
@@ -358,9 +374,10 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 9, entry (i, j) at J[1*j + i].
-    /// Operations: 32 + or -, 118 *, 8 /, 17 other functions
+    /// Operations: 26 + or -, 114 *, 8 /, 21 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::exp;
+        using std::expm1;
         using std::log;
         using std::pow;
         using std::sqrt;
@@ -368,13 +385,13 @@ public:
         const Scalar inverse_2 = Scalar(1) / p_.C;
         const Scalar e3 = p_.b * inverse_2;
         const Scalar e4 = p_.lambda * e3;
-        const Scalar e5 = c_.phi_Pr * e4;
-        const Scalar e6 = inverse_1 * e5;
+        const Scalar e5 = inverse_1 * e4;
+        const Scalar e6 = c_.phi_Pr * e5;
         const Scalar u_value = u[0];
         const Scalar T_P = x[0];
         const Scalar e7 = p_.T_inf - T_P;
         const Scalar e8 = u_value * e7;
-        const Scalar e9 = c_.k4 * u_value;
+        const Scalar e9 = c_.k3 * u_value;
         const Scalar e10 = e9 - p_.Re_c;
         const Scalar step_11 = detail::step<Scalar>(-e10);
         const Scalar min_12 = detail::min<Scalar>(e9, p_.Re_c);
@@ -382,65 +399,67 @@ public:
         const Scalar inverse_14 = Scalar(1) / sqrt_13;
         const Scalar e15 = e8 * (step_11 * inverse_14);
         const Scalar power_Pr = pow(c_.Pr, Scalar(1) / Scalar(3));
-        const Scalar e16 = power_Pr * e4;
-        const Scalar e17 = inverse_1 * e16;
-        const Scalar step_18 = detail::step<Scalar>(e10);
-        const Scalar max_19 = detail::max<Scalar>(e9, p_.Re_c);
-        const Scalar power_20 = pow(max_19, -Scalar(1) / Scalar(5));
-        const Scalar e21 = e8 * (step_18 * power_20);
-        const Scalar e22 = p_.lambda * inverse_2;
-        const Scalar e23 = power_Pr * e22;
-        const Scalar power_24 = pow(max_19, Scalar(4) / Scalar(5));
-        const Scalar e25 = e7 * power_24;
+        const Scalar e16 = power_Pr * e5;
+        const Scalar step_17 = detail::step<Scalar>(e10);
+        const Scalar max_18 = detail::max<Scalar>(e9, p_.Re_c);
+        const Scalar power_19 = pow(max_18, -Scalar(1) / Scalar(5));
+        const Scalar e20 = e8 * (step_17 * power_19);
+        const Scalar e21 = p_.lambda * inverse_2;
+        const Scalar e22 = e7 * sqrt_13;
         const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
-        const Scalar e26 = e7 * sqrt_13;
-        const Scalar e27 = inverse_2 * e16;
+        const Scalar e23 = power_Re_c * power_Pr;
+        const Scalar log_ratio_24 = detail::log_ratio<Scalar>(max_18, p_.Re_c);
+        const Scalar expm1_25 = expm1((Scalar(4) / Scalar(5)) * log_ratio_24);
+        const Scalar e26 = e7 * expm1_25;
         const Scalar P = u[1];
+        const Scalar e27 = c_.phi_Pr * e4;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(2) / Scalar(3));
         const Scalar e28 = p_.rho * p_.c_p;
         const Scalar e29 = e3 * e28;
-        const Scalar e30 = power_Pr_2 * e29;
-        const Scalar sqrt_31 = sqrt(detail::pi<Scalar>());
-        const Scalar inverse_32 = Scalar(1) / sqrt_31;
-        const Scalar e33 = e28 / p_.lambda;
-        const Scalar e34 = p_.nu * e33;
-        const Scalar sqrt_35 = sqrt(e34);
-        const Scalar log_36 = log(e34);
-        const Scalar exp_37 = exp((Scalar(34) / Scalar(125)) * log_36);
-        const Scalar e38 = Scalar(1) + (Scalar(1973) / Scalar(1000)) * exp_37 + (Scalar(2129) / Scalar(100)) * e34;
-        const Scalar power_39 = pow(e38, -Scalar(7) / Scalar(6));
-        const Scalar e40 = sqrt_35 * power_39;
-        const Scalar power_41 = pow(e38, -Scalar(1) / Scalar(6));
-        const Scalar e42 = inverse_32 * (e40 - (Scalar(300) / Scalar(2129)) * power_41 / sqrt_35);
-        const Scalar e43 = e40 * (exp_37 * inverse_32);
-        const Scalar e44 = e4 * e43;
-        const Scalar e45 = p_.L * inverse_1;
-        const Scalar e46 = e3 * (power_Pr_2 * e34 - Scalar(3) * power_Pr);
-        const Scalar e47 = p_.nu * e3;
-        const Scalar e48 = e47 * e42;
-        const Scalar e49 = power_Pr_2 * e47;
-        const Scalar e50 = p_.c_p * e49;
-        const Scalar e51 = p_.rho * e49;
+        const Scalar e30 = e28 / p_.lambda;
+        const Scalar e31 = p_.nu * e30;
+        const Scalar sqrt_32 = sqrt(e31);
+        const Scalar log_33 = log(e31);
+        const Scalar exp_34 = exp((Scalar(34) / Scalar(125)) * log_33);
+        const Scalar e35 = Scalar(1) + (Scalar(1973) / Scalar(1000)) * exp_34 + (Scalar(2129) / Scalar(100)) * e31;
+        const Scalar power_36 = pow(e35, -Scalar(7) / Scalar(6));
+        const Scalar e37 = sqrt_32 * power_36;
+        const Scalar sqrt_38 = sqrt(detail::pi<Scalar>());
+        const Scalar inverse_39 = Scalar(1) / sqrt_38;
+        const Scalar e40 = e37 * (exp_34 * inverse_39);
+        const Scalar power_41 = pow(e35, -Scalar(1) / Scalar(6));
+        const Scalar e42 = inverse_39 * (e37 - (Scalar(300) / Scalar(2129)) * power_41 / sqrt_32);
+        const Scalar e43 = p_.L * inverse_1;
+        const Scalar e44 = p_.nu * e3;
+        const Scalar e45 = power_Pr_2 * e44;
+        const Scalar e46 = power_Re_c * e45;
+        const Scalar e47 = e44 * e42;
+        const Scalar power_48 = pow(max_18, Scalar(4) / Scalar(5));
+        const Scalar e49 = e7 * power_48;
+        const Scalar e50 = e4 * e40;
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_18);
+        const Scalar expm1_51 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar e52 = power_Pr * e4;
         const Scalar power_Re_c_2 = pow(p_.Re_c, -Scalar(1) / Scalar(5));
-        J[0] = e6 * e15 + (Scalar(37) / Scalar(1250)) * e17 * e21;
-        J[1] = (Scalar(37) / Scalar(1000)) * e23 * e25 - e7 * ((Scalar(37) / Scalar(1000)) * power_Re_c * e23) + Scalar(2)
-            * c_.phi_Pr * e22 * e26;
-        J[2] = e7 * ((Scalar(37) / Scalar(1000)) * power_Re_c * e27) - P * (inverse_2 * inverse_2)
-            - (Scalar(37) / Scalar(1000)) * e27 * e25 - Scalar(2) * inverse_2 * e5 * e26;
-        const Scalar e52 = (Scalar(2129) / Scalar(300)) * e42 * e29 + (Scalar(33541) / Scalar(187500)) * inverse_1 * e44;
-        J[3] = (Scalar(37) / Scalar(3000)) * e30 * e25 - e7 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e30) - e52 * e26
-            - e45 * e6 * e15 - (Scalar(37) / Scalar(1250)) * e45 * e17 * e21;
-        const Scalar e53 = -e3 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e43)
-            - (Scalar(2129) / Scalar(300)) * e33 * e48;
-        J[4] = e7 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e46) - (Scalar(37) / Scalar(3000)) * e46 * e25 - e53 * e26;
-        const Scalar e54 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e48 - (Scalar(33541) / Scalar(187500)) * e44 / p_.rho;
-        J[5] = (Scalar(37) / Scalar(3000)) * e50 * e25 - e7 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e50) + e54 * e26;
-        const Scalar e55 = -(Scalar(2129) / Scalar(300)) * p_.rho * e48 - (Scalar(33541) / Scalar(187500)) * e44 / p_.c_p;
-        J[6] = (Scalar(37) / Scalar(3000)) * e51 * e25 - e7 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e51) + e55 * e26;
-        const Scalar e56 = step_11 * power_20 * ((Scalar(37) / Scalar(1250)) * e16) + step_18 * inverse_14 * e5
-            - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e16;
-        J[7] = e7 * e56;
-        J[8] = c_.k2 * power_24 - c_.k1 + c_.k3 * sqrt_13;
+        J[0] = e6 * e15 + (Scalar(37) / Scalar(1250)) * e16 * e20;
+        J[1] = Scalar(2) * c_.phi_Pr * e21 * e22 + (Scalar(37) / Scalar(1000)) * e23 * e21 * e26;
+        J[2] = -P * (inverse_2 * inverse_2) - Scalar(2) * inverse_2 * e27 * e22 - (Scalar(37) / Scalar(1000)) * inverse_2 * e4
+            * e23 * e26;
+        const Scalar e53 = (Scalar(33541) / Scalar(187500)) * e5 * e40 + (Scalar(2129) / Scalar(300)) * e42 * e29;
+        J[3] = (Scalar(37) / Scalar(3000)) * power_Re_c * power_Pr_2 * e29 * e26 - e53 * e22 - e43 * e6 * e15
+            - (Scalar(37) / Scalar(1250)) * e43 * e16 * e20;
+        const Scalar e54 = -e3 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e40)
+            - (Scalar(2129) / Scalar(300)) * e30 * e47;
+        J[4] = e7 * ((Scalar(37) / Scalar(3000)) * e30 * e46) - e54 * e22 + (Scalar(37) / Scalar(1000)) * e3 * e23 * e26
+            - (Scalar(37) / Scalar(3000)) * e30 * e45 * e49;
+        const Scalar e55 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e47 - (Scalar(33541) / Scalar(187500)) * e50 / p_.rho;
+        J[5] = e55 * e22 + (Scalar(37) / Scalar(3000)) * p_.c_p * e46 * e26;
+        const Scalar e56 = -(Scalar(2129) / Scalar(300)) * p_.rho * e47 - (Scalar(33541) / Scalar(187500)) * e50 / p_.c_p;
+        J[6] = e56 * e22 - expm1_51 * ((Scalar(37) / Scalar(3000)) * p_.rho * e45) * e49;
+        const Scalar e57 = step_11 * power_19 * ((Scalar(37) / Scalar(1250)) * e52) + step_17 * inverse_14 * e27
+            - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e52;
+        J[7] = e7 * e57;
+        J[8] = c_.k1 * sqrt_13 - c_.k4 * power_48 * expm1_51;
     }
 
     /// J = df/dt at fixed x and u.
@@ -465,7 +484,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 6 + or -, 23 *, 3 /, 10 other functions
+    /// Operations: 5 + or -, 24 *, 3 /, 11 other functions
     ///     alpha = -37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L) + 37*lambda*(Pr)^(1/3)*(max(L*u/nu, Re_c))^(4/5)/(1000*L) +
     ///     2*lambda*phi_Pr*sqrt(min(L*u/nu, Re_c))/L
     ///     alpha_l = 2*lambda*phi_Pr*sqrt(L*u/nu)/L
@@ -481,60 +500,63 @@ public:
     ///     T_layer = T_inf + T_P/exp(phi_Pr*y*sqrt(u*x/nu)/x) - T_inf/exp(phi_Pr*y*sqrt(u*x/nu)/x)
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
+        using std::expm1;
         using std::pow;
         using std::sqrt;
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k4 * u_value;
-        const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
-        const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_5 = sqrt(min_4);
-        const Scalar sqrt_6 = sqrt(e1);
+        const Scalar e1 = c_.k3 * u_value;
+        const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_3 = sqrt(min_2);
+        const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
+        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
+        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
+        const Scalar sqrt_7 = sqrt(e1);
         const Scalar T_P = x[0];
-        const Scalar e7 = p_.T_inf - T_P;
-        const Scalar inverse_8 = Scalar(1) / u_value;
+        const Scalar e8 = p_.T_inf - T_P;
+        const Scalar inverse_9 = Scalar(1) / u_value;
         const Scalar x_value = u[2];
-        const Scalar sqrt_9 = sqrt(p_.nu * x_value * inverse_8);
-        const Scalar e10 = c_.k17 * u_value * x_value;
-        const Scalar power_11 = pow(e10, -Scalar(1) / Scalar(5));
-        const Scalar sqrt_12 = sqrt(e10);
-        const Scalar inverse_13 = Scalar(1) / x_value;
-        const Scalar e14 = sqrt_12 * inverse_13;
-        const Scalar power_15 = pow(e10, Scalar(4) / Scalar(5));
+        const Scalar sqrt_10 = sqrt(p_.nu * x_value * inverse_9);
+        const Scalar e11 = c_.k15 * u_value * x_value;
+        const Scalar power_12 = pow(e11, -Scalar(1) / Scalar(5));
+        const Scalar sqrt_13 = sqrt(e11);
+        const Scalar inverse_14 = Scalar(1) / x_value;
+        const Scalar e15 = sqrt_13 * inverse_14;
+        const Scalar power_16 = pow(e11, Scalar(4) / Scalar(5));
         const Scalar y_value = u[3];
-        const Scalar exp_16 = exp(c_.phi_Pr * y_value * e14);
-        y[0] = c_.k8 * power_3 - c_.k7 + c_.k9 * sqrt_5;
-        y[1] = c_.k9 * sqrt_6;
-        y[2] = e7 * (c_.k10 - c_.k11 * power_3 - c_.k12 * sqrt_5);
+        const Scalar exp_17 = exp(c_.phi_Pr * y_value * e15);
+        y[0] = c_.k7 * sqrt_3 + c_.k8 * expm1_6;
+        y[1] = c_.k7 * sqrt_7;
+        y[2] = -e8 * (c_.k9 * sqrt_3 + c_.k10 * expm1_6);
         y[3] = e1;
-        y[4] = c_.k13 * inverse_8;
-        y[5] = Scalar(5) * sqrt_9;
-        y[6] = c_.k14 * sqrt_9;
-        y[7] = (Scalar(37) / Scalar(100)) * x_value * power_11;
-        y[8] = c_.k15 * e14;
-        y[9] = c_.k16 * power_15 * inverse_13;
-        y[10] = p_.T_inf - e7 / exp_16;
+        y[4] = c_.k11 * inverse_9;
+        y[5] = Scalar(5) * sqrt_10;
+        y[6] = c_.k12 * sqrt_10;
+        y[7] = (Scalar(37) / Scalar(100)) * x_value * power_12;
+        y[8] = c_.k13 * e15;
+        y[9] = c_.k14 * power_16 * inverse_14;
+        y[10] = p_.T_inf - e8 / exp_17;
     }
 
     /// C = dh/dx.
-    /// Operations: 2 + or -, 8 *, 2 /, 6 other functions
+    /// Operations: 1 + or -, 9 *, 2 /, 7 other functions
     void output_jacobian_x(const State& /*x*/, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
-        using std::pow;
+        using std::expm1;
         using std::sqrt;
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k4 * u_value;
-        const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
-        const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_5 = sqrt(min_4);
+        const Scalar e1 = c_.k3 * u_value;
+        const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_3 = sqrt(min_2);
+        const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
+        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
+        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
         const Scalar y_value = u[3];
         const Scalar x_value = u[2];
-        const Scalar sqrt_6 = sqrt(c_.k17 * u_value * x_value);
-        const Scalar exp_7 = exp(c_.phi_Pr * y_value * sqrt_6 / x_value);
+        const Scalar sqrt_7 = sqrt(c_.k15 * u_value * x_value);
+        const Scalar exp_8 = exp(c_.phi_Pr * y_value * sqrt_7 / x_value);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
-        C[2] = c_.k11 * power_3 - c_.k10 + c_.k12 * sqrt_5;
+        C[2] = c_.k9 * sqrt_3 + c_.k10 * expm1_6;
         C[3] = Scalar(0);
         C[4] = Scalar(0);
         C[5] = Scalar(0);
@@ -542,7 +564,7 @@ public:
         C[7] = Scalar(0);
         C[8] = Scalar(0);
         C[9] = Scalar(0);
-        C[10] = Scalar(1) / exp_7;
+        C[10] = Scalar(1) / exp_8;
     }
 
     /// D = dh/du.
@@ -552,7 +574,7 @@ public:
         using std::pow;
         using std::sqrt;
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k4 * u_value;
+        const Scalar e1 = c_.k3 * u_value;
         const Scalar e2 = e1 - p_.Re_c;
         const Scalar step_3 = detail::step<Scalar>(-e2);
         const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
@@ -569,32 +591,32 @@ public:
         const Scalar e13 = x_value * inverse_12;
         const Scalar sqrt_14 = sqrt(p_.nu * e13);
         const Scalar e15 = inverse_12 / sqrt_14;
-        const Scalar e16 = c_.k22 * e15;
-        const Scalar e17 = c_.k23 * e15;
-        const Scalar e18 = c_.k17 * u_value * x_value;
+        const Scalar e16 = c_.k20 * e15;
+        const Scalar e17 = c_.k21 * e15;
+        const Scalar e18 = c_.k15 * u_value * x_value;
         const Scalar power_19 = pow(e18, -Scalar(6) / Scalar(5));
-        const Scalar e20 = power_19 * (c_.k24 * x_value);
+        const Scalar e20 = power_19 * (c_.k22 * x_value);
         const Scalar sqrt_21 = sqrt(e18);
         const Scalar inverse_22 = Scalar(1) / sqrt_21;
-        const Scalar e23 = c_.k25 * inverse_22;
+        const Scalar e23 = c_.k23 * inverse_22;
         const Scalar power_24 = pow(e18, -Scalar(1) / Scalar(5));
-        const Scalar e25 = c_.k26 * power_24;
+        const Scalar e25 = c_.k24 * power_24;
         const Scalar y_value = u[3];
         const Scalar inverse_26 = Scalar(1) / x_value;
         const Scalar e27 = sqrt_21 * inverse_26;
         const Scalar exp_28 = exp(c_.phi_Pr * y_value * e27);
         const Scalar inverse_29 = Scalar(1) / exp_28;
         const Scalar e30 = y_value * inverse_29;
-        const Scalar e31 = e30 * (inverse_22 * (c_.k27 * T_P - c_.k28));
+        const Scalar e31 = e30 * (inverse_22 * (c_.k25 * T_P - c_.k26));
         const Scalar e32 = u_value * inverse_26;
         const Scalar e33 = inverse_26 * e27;
         const Scalar power_34 = pow(e18, Scalar(4) / Scalar(5));
-        const Scalar e35 = c_.k29 - c_.phi_Pr * T_P;
-        D[0] = c_.k18 * e6 + c_.k19 * e10;
-        D[1] = c_.k18 / sqrt_11;
-        D[2] = -(p_.T_inf - T_P) * (c_.k20 * e6 + c_.k21 * e10);
-        D[3] = c_.k4;
-        D[4] = -c_.k13 * inverse_12 * inverse_12;
+        const Scalar e35 = c_.k27 - c_.phi_Pr * T_P;
+        D[0] = c_.k16 * e6 + c_.k17 * e10;
+        D[1] = c_.k16 / sqrt_11;
+        D[2] = -(p_.T_inf - T_P) * (c_.k18 * e6 + c_.k19 * e10);
+        D[3] = c_.k3;
+        D[4] = -c_.k11 * inverse_12 * inverse_12;
         D[5] = -e13 * e16;
         D[6] = -e13 * e17;
         D[7] = -x_value * e20;
@@ -620,8 +642,8 @@ public:
         D[27] = e16;
         D[28] = e17;
         D[29] = (Scalar(37) / Scalar(100)) * power_24 - u_value * e20;
-        D[30] = e32 * e23 - c_.k15 * e33;
-        D[31] = e32 * e25 - c_.k16 * power_34 * inverse_26 * inverse_26;
+        D[30] = e32 * e23 - c_.k13 * e33;
+        D[31] = e32 * e25 - c_.k14 * power_34 * inverse_26 * inverse_26;
         D[32] = -e35 * e30 * e33 - e32 * e31;
         D[33] = Scalar(0);
         D[34] = Scalar(0);
@@ -679,19 +701,20 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 4 + or -, 4 *, 4 other functions
+    /// Operations: 3 + or -, 5 *, 5 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        using std::pow;
+        using std::expm1;
         using std::sqrt;
-        const Scalar P = u[1];
         const Scalar T_P = x[0];
         const Scalar u_value = u[0];
-        const Scalar e1 = c_.k4 * u_value;
-        const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
-        const Scalar min_4 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_5 = sqrt(min_4);
-        return P - (p_.T_inf - T_P) * (c_.k10 - c_.k11 * power_3 - c_.k12 * sqrt_5);
+        const Scalar e1 = c_.k3 * u_value;
+        const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_3 = sqrt(min_2);
+        const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
+        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
+        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
+        const Scalar P = u[1];
+        return (p_.T_inf - T_P) * (c_.k9 * sqrt_3 + c_.k10 * expm1_6) + P;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -707,35 +730,33 @@ private:
         Scalar Pr;  ///< nu/a
         Scalar phi_Pr;  ///< sqrt(Pr)*(1 + 2129*Pr/100 + 1973*exp(34*log(Pr)/125)/1000)^(-1/6)/sqrt(pi)
         Scalar k0;  ///< 1/C
-        Scalar k1;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*C)
-        Scalar k2;  ///< 37*b*lambda*(Pr)^(1/3)/(1000*C)
-        Scalar k3;  ///< 2*b*lambda*phi_Pr/C
-        Scalar k4;  ///< L/nu
+        Scalar k1;  ///< 2*b*lambda*phi_Pr/C
+        Scalar k2;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*C)
+        Scalar k3;  ///< L/nu
+        Scalar k4;  ///< 37*b*lambda*(Pr)^(1/3)/(1000*C)
         Scalar k5;  ///< L*b*lambda*phi_Pr/(C*nu)
         Scalar k6;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*C*nu)
-        Scalar k7;  ///< 37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L)
-        Scalar k8;  ///< 37*lambda*(Pr)^(1/3)/(1000*L)
-        Scalar k9;  ///< 2*lambda*phi_Pr/L
+        Scalar k7;  ///< 2*lambda*phi_Pr/L
+        Scalar k8;  ///< 37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L)
+        Scalar k9;  ///< 2*b*lambda*phi_Pr
         Scalar k10;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000
-        Scalar k11;  ///< 37*b*lambda*(Pr)^(1/3)/1000
-        Scalar k12;  ///< 2*b*lambda*phi_Pr
-        Scalar k13;  ///< nu*Re_c
-        Scalar k14;  ///< 5*(Pr)^(-1/3)
-        Scalar k15;  ///< lambda*phi_Pr
-        Scalar k16;  ///< 37*lambda*(Pr)^(1/3)/1250
-        Scalar k17;  ///< 1/nu
-        Scalar k18;  ///< lambda*phi_Pr/nu
-        Scalar k19;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
-        Scalar k20;  ///< L*b*lambda*phi_Pr/nu
-        Scalar k21;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
-        Scalar k22;  ///< 5*nu/2
-        Scalar k23;  ///< 5*nu*(Pr)^(-1/3)/2
-        Scalar k24;  ///< 37/(500*nu)
-        Scalar k25;  ///< lambda*phi_Pr/(2*nu)
-        Scalar k26;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
-        Scalar k27;  ///< phi_Pr/(2*nu)
-        Scalar k28;  ///< T_inf*phi_Pr/(2*nu)
-        Scalar k29;  ///< T_inf*phi_Pr
+        Scalar k11;  ///< nu*Re_c
+        Scalar k12;  ///< 5*(Pr)^(-1/3)
+        Scalar k13;  ///< lambda*phi_Pr
+        Scalar k14;  ///< 37*lambda*(Pr)^(1/3)/1250
+        Scalar k15;  ///< 1/nu
+        Scalar k16;  ///< lambda*phi_Pr/nu
+        Scalar k17;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
+        Scalar k18;  ///< L*b*lambda*phi_Pr/nu
+        Scalar k19;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
+        Scalar k20;  ///< 5*nu/2
+        Scalar k21;  ///< 5*nu*(Pr)^(-1/3)/2
+        Scalar k22;  ///< 37/(500*nu)
+        Scalar k23;  ///< lambda*phi_Pr/(2*nu)
+        Scalar k24;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
+        Scalar k25;  ///< phi_Pr/(2*nu)
+        Scalar k26;  ///< T_inf*phi_Pr/(2*nu)
+        Scalar k27;  ///< T_inf*phi_Pr
     };
     Cached c_{};
 };

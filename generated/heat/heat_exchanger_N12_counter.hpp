@@ -16,14 +16,14 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 4     30     8        0      0
-//   rhs                   50     74     0        0      0
-//   rhs_and_jacobian      52     74     0        0      0
+//   update                 4     26     8        0      0
+//   rhs                   51     74     0        0      0
+//   rhs_and_jacobian      53     74     0        0      0
 //   jacobian_u            24     28     0        0      0
-//   jacobian_p           184    375     5        0      0
-//   output                27     16     4        0      3
-//   output_jacobian_x      3      5     2        0      1
-//   output_jacobian_u     40     49     4        0      6
+//   jacobian_p           186    354     5        0      0
+//   output                28     13     4        0      3
+//   output_jacobian_x      3      4     2        0      1
+//   output_jacobian_u     40     45     4        0      6
 //   internal_energy       23      6     0        0      0
 //   exchanged_power        3      4     0        0      0
 //
@@ -302,37 +302,32 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 4 + or -, 30 *, 8 /
+    /// Operations: 4 + or -, 26 *, 8 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.k = Scalar(1) / (Scalar(1) / p_.alpha_h + Scalar(1) / p_.alpha_c);
         const Scalar inverse_1 = Scalar(1) / p_.M_h;
         c_.k0 = Scalar(12) * inverse_1;
-        const Scalar inverse_2 = Scalar(1) / (p_.alpha_h + p_.alpha_c);
-        const Scalar e3 = p_.L * p_.b;
-        const Scalar e4 = p_.alpha_h * e3;
-        const Scalar e5 = (Scalar(1) - p_.alpha_h * inverse_2) * e4;
-        const Scalar e6 = inverse_1 / p_.c_h;
-        c_.k1 = e5 * e6;
-        const Scalar e7 = p_.alpha_c * inverse_2;
-        const Scalar e8 = e4 * e7;
-        c_.k2 = e8 * e6;
-        const Scalar inverse_9 = Scalar(1) / p_.M_c;
-        c_.k3 = Scalar(12) * inverse_9;
-        const Scalar e10 = inverse_9 / p_.c_c;
-        c_.k4 = e8 * e10;
-        c_.k5 = e10 * (p_.alpha_c * e3) * (Scalar(1) - e7);
-        c_.k6 = (Scalar(1) / Scalar(12)) * e5;
-        c_.k7 = (Scalar(1) / Scalar(12)) * e8;
-        const Scalar e11 = c_.k * e3;
-        c_.k8 = e11;
-        const Scalar e11_squared = e11 * e11;
-        c_.k9 = p_.c_h * e11_squared;
-        c_.k10 = (Scalar(1) / Scalar(12)) * p_.c_h * e5;
-        c_.k11 = (Scalar(1) / Scalar(12)) * p_.c_h * e8;
-        c_.k12 = p_.c_c * e11_squared;
-        c_.k13 = (Scalar(1) / Scalar(12)) * p_.c_c * e5;
-        c_.k14 = (Scalar(1) / Scalar(12)) * p_.c_c * e8;
+        const Scalar e2 = p_.L * p_.b;
+        const Scalar e3 = p_.alpha_h * e2;
+        const Scalar inverse_4 = Scalar(1) / (p_.alpha_h + p_.alpha_c);
+        const Scalar e5 = p_.alpha_c * inverse_4;
+        const Scalar e6 = e3 * e5;
+        c_.k1 = inverse_1 * e6 / p_.c_h;
+        const Scalar inverse_7 = Scalar(1) / p_.M_c;
+        c_.k2 = Scalar(12) * inverse_7;
+        const Scalar e8 = inverse_7 / p_.c_c;
+        c_.k3 = e6 * e8;
+        c_.k4 = e8 * (p_.alpha_c * e2) * (Scalar(1) - e5);
+        c_.k5 = (Scalar(1) / Scalar(12)) * e6;
+        const Scalar e9 = c_.k * e2;
+        c_.k6 = e9;
+        const Scalar e9_squared = e9 * e9;
+        c_.k7 = p_.c_h * e9_squared;
+        c_.k8 = (Scalar(1) / Scalar(12)) * p_.c_h * e6;
+        c_.k9 = p_.c_c * e9_squared;
+        c_.k10 = (Scalar(1) / Scalar(12)) * (p_.c_c * e3 * (Scalar(1) - p_.alpha_h * inverse_4));
+        c_.k11 = (Scalar(1) / Scalar(12)) * p_.c_c * e6;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -368,7 +363,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 50 + or -, 74 *
+    /// Operations: 51 + or -, 74 *
     ///     dot(T_h[1]) = 12*m_h*T_hi/M_h - 12*m_h*T_h[1]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[1]/(c_h*M_h) +
     ///     L*b*alpha_h*alpha_c*T_c[1]/(c_h*M_h*(alpha_h + alpha_c))
     ///     dot(T_h[2]) = 12*m_h*T_h[1]/M_h - 12*m_h*T_h[2]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[2]/(c_h*M_h) +
@@ -447,38 +442,38 @@ public:
         const Scalar T_c_12 = x[23];
         const Scalar T_h_12 = x[11];
         const Scalar m_c = u[1];
-        const Scalar e3 = c_.k3 * m_c;
-        const Scalar e4 = c_.k5 + e3;
+        const Scalar e3 = c_.k2 * m_c;
+        const Scalar e4 = c_.k3 + e3;
         const Scalar T_ci = u[3];
-        dxdt[0] = c_.k2 * T_c_1 - T_h_1 * e2 + T_hi * e1;
-        dxdt[1] = c_.k2 * T_c_2 - T_h_2 * e2 + T_h_1 * e1;
-        dxdt[2] = c_.k2 * T_c_3 - T_h_3 * e2 + T_h_2 * e1;
-        dxdt[3] = c_.k2 * T_c_4 - T_h_4 * e2 + T_h_3 * e1;
-        dxdt[4] = c_.k2 * T_c_5 - T_h_5 * e2 + T_h_4 * e1;
-        dxdt[5] = c_.k2 * T_c_6 - T_h_6 * e2 + T_h_5 * e1;
-        dxdt[6] = c_.k2 * T_c_7 - T_h_7 * e2 + T_h_6 * e1;
-        dxdt[7] = c_.k2 * T_c_8 - T_h_8 * e2 + T_h_7 * e1;
-        dxdt[8] = c_.k2 * T_c_9 - T_h_9 * e2 + T_h_8 * e1;
-        dxdt[9] = c_.k2 * T_c_10 - T_h_10 * e2 + T_h_9 * e1;
-        dxdt[10] = c_.k2 * T_c_11 - T_h_11 * e2 + T_h_10 * e1;
-        dxdt[11] = c_.k2 * T_c_12 - T_h_12 * e2 + T_h_11 * e1;
-        dxdt[12] = c_.k4 * T_h_1 - T_c_1 * e4 + T_c_2 * e3;
-        dxdt[13] = c_.k4 * T_h_2 - T_c_2 * e4 + T_c_3 * e3;
-        dxdt[14] = c_.k4 * T_h_3 - T_c_3 * e4 + T_c_4 * e3;
-        dxdt[15] = c_.k4 * T_h_4 - T_c_4 * e4 + T_c_5 * e3;
-        dxdt[16] = c_.k4 * T_h_5 - T_c_5 * e4 + T_c_6 * e3;
-        dxdt[17] = c_.k4 * T_h_6 - T_c_6 * e4 + T_c_7 * e3;
-        dxdt[18] = c_.k4 * T_h_7 - T_c_7 * e4 + T_c_8 * e3;
-        dxdt[19] = c_.k4 * T_h_8 - T_c_8 * e4 + T_c_9 * e3;
-        dxdt[20] = c_.k4 * T_h_9 - T_c_9 * e4 + T_c_10 * e3;
-        dxdt[21] = c_.k4 * T_h_10 - T_c_10 * e4 + T_c_11 * e3;
-        dxdt[22] = c_.k4 * T_h_11 - T_c_11 * e4 + T_c_12 * e3;
-        dxdt[23] = c_.k4 * T_h_12 - T_c_12 * e4 + T_ci * e3;
+        dxdt[0] = c_.k1 * T_c_1 - T_h_1 * e2 + T_hi * e1;
+        dxdt[1] = c_.k1 * T_c_2 - T_h_2 * e2 + T_h_1 * e1;
+        dxdt[2] = c_.k1 * T_c_3 - T_h_3 * e2 + T_h_2 * e1;
+        dxdt[3] = c_.k1 * T_c_4 - T_h_4 * e2 + T_h_3 * e1;
+        dxdt[4] = c_.k1 * T_c_5 - T_h_5 * e2 + T_h_4 * e1;
+        dxdt[5] = c_.k1 * T_c_6 - T_h_6 * e2 + T_h_5 * e1;
+        dxdt[6] = c_.k1 * T_c_7 - T_h_7 * e2 + T_h_6 * e1;
+        dxdt[7] = c_.k1 * T_c_8 - T_h_8 * e2 + T_h_7 * e1;
+        dxdt[8] = c_.k1 * T_c_9 - T_h_9 * e2 + T_h_8 * e1;
+        dxdt[9] = c_.k1 * T_c_10 - T_h_10 * e2 + T_h_9 * e1;
+        dxdt[10] = c_.k1 * T_c_11 - T_h_11 * e2 + T_h_10 * e1;
+        dxdt[11] = c_.k1 * T_c_12 - T_h_12 * e2 + T_h_11 * e1;
+        dxdt[12] = c_.k3 * T_h_1 - T_c_1 * (c_.k4 + e3) + T_c_2 * e3;
+        dxdt[13] = c_.k3 * T_h_2 - T_c_2 * e4 + T_c_3 * e3;
+        dxdt[14] = c_.k3 * T_h_3 - T_c_3 * e4 + T_c_4 * e3;
+        dxdt[15] = c_.k3 * T_h_4 - T_c_4 * e4 + T_c_5 * e3;
+        dxdt[16] = c_.k3 * T_h_5 - T_c_5 * e4 + T_c_6 * e3;
+        dxdt[17] = c_.k3 * T_h_6 - T_c_6 * e4 + T_c_7 * e3;
+        dxdt[18] = c_.k3 * T_h_7 - T_c_7 * e4 + T_c_8 * e3;
+        dxdt[19] = c_.k3 * T_h_8 - T_c_8 * e4 + T_c_9 * e3;
+        dxdt[20] = c_.k3 * T_h_9 - T_c_9 * e4 + T_c_10 * e3;
+        dxdt[21] = c_.k3 * T_h_10 - T_c_10 * e4 + T_c_11 * e3;
+        dxdt[22] = c_.k3 * T_h_11 - T_c_11 * e4 + T_c_12 * e3;
+        dxdt[23] = c_.k3 * T_h_12 - T_c_12 * e4 + T_ci * e3;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// The entries of jacobian_x_pattern in its order.
-    /// Operations: 52 + or -, 74 *
+    /// Operations: 53 + or -, 74 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_c_1 = x[12];
         const Scalar T_h_1 = x[0];
@@ -509,103 +504,103 @@ public:
         const Scalar T_c_12 = x[23];
         const Scalar T_h_12 = x[11];
         const Scalar m_c = u[1];
-        const Scalar e3 = c_.k3 * m_c;
-        const Scalar e4 = c_.k5 + e3;
+        const Scalar e3 = c_.k2 * m_c;
+        const Scalar e4 = c_.k3 + e3;
         const Scalar T_ci = u[3];
-        dxdt[0] = c_.k2 * T_c_1 - T_h_1 * e2 + T_hi * e1;
-        dxdt[1] = c_.k2 * T_c_2 - T_h_2 * e2 + T_h_1 * e1;
-        dxdt[2] = c_.k2 * T_c_3 - T_h_3 * e2 + T_h_2 * e1;
-        dxdt[3] = c_.k2 * T_c_4 - T_h_4 * e2 + T_h_3 * e1;
-        dxdt[4] = c_.k2 * T_c_5 - T_h_5 * e2 + T_h_4 * e1;
-        dxdt[5] = c_.k2 * T_c_6 - T_h_6 * e2 + T_h_5 * e1;
-        dxdt[6] = c_.k2 * T_c_7 - T_h_7 * e2 + T_h_6 * e1;
-        dxdt[7] = c_.k2 * T_c_8 - T_h_8 * e2 + T_h_7 * e1;
-        dxdt[8] = c_.k2 * T_c_9 - T_h_9 * e2 + T_h_8 * e1;
-        dxdt[9] = c_.k2 * T_c_10 - T_h_10 * e2 + T_h_9 * e1;
-        dxdt[10] = c_.k2 * T_c_11 - T_h_11 * e2 + T_h_10 * e1;
-        dxdt[11] = c_.k2 * T_c_12 - T_h_12 * e2 + T_h_11 * e1;
-        dxdt[12] = c_.k4 * T_h_1 - T_c_1 * e4 + T_c_2 * e3;
-        dxdt[13] = c_.k4 * T_h_2 - T_c_2 * e4 + T_c_3 * e3;
-        dxdt[14] = c_.k4 * T_h_3 - T_c_3 * e4 + T_c_4 * e3;
-        dxdt[15] = c_.k4 * T_h_4 - T_c_4 * e4 + T_c_5 * e3;
-        dxdt[16] = c_.k4 * T_h_5 - T_c_5 * e4 + T_c_6 * e3;
-        dxdt[17] = c_.k4 * T_h_6 - T_c_6 * e4 + T_c_7 * e3;
-        dxdt[18] = c_.k4 * T_h_7 - T_c_7 * e4 + T_c_8 * e3;
-        dxdt[19] = c_.k4 * T_h_8 - T_c_8 * e4 + T_c_9 * e3;
-        dxdt[20] = c_.k4 * T_h_9 - T_c_9 * e4 + T_c_10 * e3;
-        dxdt[21] = c_.k4 * T_h_10 - T_c_10 * e4 + T_c_11 * e3;
-        dxdt[22] = c_.k4 * T_h_11 - T_c_11 * e4 + T_c_12 * e3;
-        dxdt[23] = c_.k4 * T_h_12 - T_c_12 * e4 + T_ci * e3;
+        dxdt[0] = c_.k1 * T_c_1 - T_h_1 * e2 + T_hi * e1;
+        dxdt[1] = c_.k1 * T_c_2 - T_h_2 * e2 + T_h_1 * e1;
+        dxdt[2] = c_.k1 * T_c_3 - T_h_3 * e2 + T_h_2 * e1;
+        dxdt[3] = c_.k1 * T_c_4 - T_h_4 * e2 + T_h_3 * e1;
+        dxdt[4] = c_.k1 * T_c_5 - T_h_5 * e2 + T_h_4 * e1;
+        dxdt[5] = c_.k1 * T_c_6 - T_h_6 * e2 + T_h_5 * e1;
+        dxdt[6] = c_.k1 * T_c_7 - T_h_7 * e2 + T_h_6 * e1;
+        dxdt[7] = c_.k1 * T_c_8 - T_h_8 * e2 + T_h_7 * e1;
+        dxdt[8] = c_.k1 * T_c_9 - T_h_9 * e2 + T_h_8 * e1;
+        dxdt[9] = c_.k1 * T_c_10 - T_h_10 * e2 + T_h_9 * e1;
+        dxdt[10] = c_.k1 * T_c_11 - T_h_11 * e2 + T_h_10 * e1;
+        dxdt[11] = c_.k1 * T_c_12 - T_h_12 * e2 + T_h_11 * e1;
+        dxdt[12] = c_.k3 * T_h_1 - T_c_1 * (c_.k4 + e3) + T_c_2 * e3;
+        dxdt[13] = c_.k3 * T_h_2 - T_c_2 * e4 + T_c_3 * e3;
+        dxdt[14] = c_.k3 * T_h_3 - T_c_3 * e4 + T_c_4 * e3;
+        dxdt[15] = c_.k3 * T_h_4 - T_c_4 * e4 + T_c_5 * e3;
+        dxdt[16] = c_.k3 * T_h_5 - T_c_5 * e4 + T_c_6 * e3;
+        dxdt[17] = c_.k3 * T_h_6 - T_c_6 * e4 + T_c_7 * e3;
+        dxdt[18] = c_.k3 * T_h_7 - T_c_7 * e4 + T_c_8 * e3;
+        dxdt[19] = c_.k3 * T_h_8 - T_c_8 * e4 + T_c_9 * e3;
+        dxdt[20] = c_.k3 * T_h_9 - T_c_9 * e4 + T_c_10 * e3;
+        dxdt[21] = c_.k3 * T_h_10 - T_c_10 * e4 + T_c_11 * e3;
+        dxdt[22] = c_.k3 * T_h_11 - T_c_11 * e4 + T_c_12 * e3;
+        dxdt[23] = c_.k3 * T_h_12 - T_c_12 * e4 + T_ci * e3;
         const Scalar e5 = -e2;
         const Scalar e6 = -e4;
         J[0] = e5;
         J[1] = e1;
-        J[2] = c_.k4;
+        J[2] = c_.k3;
         J[3] = e5;
         J[4] = e1;
-        J[5] = c_.k4;
+        J[5] = c_.k3;
         J[6] = e5;
         J[7] = e1;
-        J[8] = c_.k4;
+        J[8] = c_.k3;
         J[9] = e5;
         J[10] = e1;
-        J[11] = c_.k4;
+        J[11] = c_.k3;
         J[12] = e5;
         J[13] = e1;
-        J[14] = c_.k4;
+        J[14] = c_.k3;
         J[15] = e5;
         J[16] = e1;
-        J[17] = c_.k4;
+        J[17] = c_.k3;
         J[18] = e5;
         J[19] = e1;
-        J[20] = c_.k4;
+        J[20] = c_.k3;
         J[21] = e5;
         J[22] = e1;
-        J[23] = c_.k4;
+        J[23] = c_.k3;
         J[24] = e5;
         J[25] = e1;
-        J[26] = c_.k4;
+        J[26] = c_.k3;
         J[27] = e5;
         J[28] = e1;
-        J[29] = c_.k4;
+        J[29] = c_.k3;
         J[30] = e5;
         J[31] = e1;
-        J[32] = c_.k4;
+        J[32] = c_.k3;
         J[33] = e5;
-        J[34] = c_.k4;
-        J[35] = c_.k2;
+        J[34] = c_.k3;
+        J[35] = c_.k1;
         J[36] = e6;
-        J[37] = c_.k2;
+        J[37] = c_.k1;
         J[38] = e3;
         J[39] = e6;
-        J[40] = c_.k2;
+        J[40] = c_.k1;
         J[41] = e3;
         J[42] = e6;
-        J[43] = c_.k2;
+        J[43] = c_.k1;
         J[44] = e3;
         J[45] = e6;
-        J[46] = c_.k2;
+        J[46] = c_.k1;
         J[47] = e3;
         J[48] = e6;
-        J[49] = c_.k2;
+        J[49] = c_.k1;
         J[50] = e3;
         J[51] = e6;
-        J[52] = c_.k2;
+        J[52] = c_.k1;
         J[53] = e3;
         J[54] = e6;
-        J[55] = c_.k2;
+        J[55] = c_.k1;
         J[56] = e3;
         J[57] = e6;
-        J[58] = c_.k2;
+        J[58] = c_.k1;
         J[59] = e3;
         J[60] = e6;
-        J[61] = c_.k2;
+        J[61] = c_.k1;
         J[62] = e3;
         J[63] = e6;
-        J[64] = c_.k2;
+        J[64] = c_.k1;
         J[65] = e3;
         J[66] = e6;
-        J[67] = c_.k2;
+        J[67] = c_.k1;
         J[68] = e3;
         J[69] = e6;
     }
@@ -644,28 +639,28 @@ public:
         const Scalar e11 = c_.k0 * T_h_11;
         const Scalar T_h_12 = x[11];
         const Scalar T_c_2 = x[13];
-        const Scalar e12 = c_.k3 * T_c_2;
+        const Scalar e12 = c_.k2 * T_c_2;
         const Scalar T_c_1 = x[12];
         const Scalar T_c_3 = x[14];
-        const Scalar e13 = c_.k3 * T_c_3;
+        const Scalar e13 = c_.k2 * T_c_3;
         const Scalar T_c_4 = x[15];
-        const Scalar e14 = c_.k3 * T_c_4;
+        const Scalar e14 = c_.k2 * T_c_4;
         const Scalar T_c_5 = x[16];
-        const Scalar e15 = c_.k3 * T_c_5;
+        const Scalar e15 = c_.k2 * T_c_5;
         const Scalar T_c_6 = x[17];
-        const Scalar e16 = c_.k3 * T_c_6;
+        const Scalar e16 = c_.k2 * T_c_6;
         const Scalar T_c_7 = x[18];
-        const Scalar e17 = c_.k3 * T_c_7;
+        const Scalar e17 = c_.k2 * T_c_7;
         const Scalar T_c_8 = x[19];
-        const Scalar e18 = c_.k3 * T_c_8;
+        const Scalar e18 = c_.k2 * T_c_8;
         const Scalar T_c_9 = x[20];
-        const Scalar e19 = c_.k3 * T_c_9;
+        const Scalar e19 = c_.k2 * T_c_9;
         const Scalar T_c_10 = x[21];
-        const Scalar e20 = c_.k3 * T_c_10;
+        const Scalar e20 = c_.k2 * T_c_10;
         const Scalar T_c_11 = x[22];
-        const Scalar e21 = c_.k3 * T_c_11;
+        const Scalar e21 = c_.k2 * T_c_11;
         const Scalar T_c_12 = x[23];
-        const Scalar e22 = c_.k3 * T_c_12;
+        const Scalar e22 = c_.k2 * T_c_12;
         const Scalar T_ci = u[3];
         const Scalar m_h = u[0];
         const Scalar m_c = u[1];
@@ -681,7 +676,7 @@ public:
         J[9] = e9 - e10;
         J[10] = e10 - e11;
         J[11] = e11 - c_.k0 * T_h_12;
-        J[12] = e12 - c_.k3 * T_c_1;
+        J[12] = e12 - c_.k2 * T_c_1;
         J[13] = e13 - e12;
         J[14] = e14 - e13;
         J[15] = e15 - e14;
@@ -692,28 +687,29 @@ public:
         J[20] = e20 - e19;
         J[21] = e21 - e20;
         J[22] = e22 - e21;
-        J[23] = c_.k3 * T_ci - e22;
+        J[23] = c_.k2 * T_ci - e22;
         J[24] = c_.k0 * m_h;
-        J[25] = c_.k3 * m_c;
+        J[25] = c_.k2 * m_c;
     }
 
     /// J = df/dp, parameters in the order of the table. The entries of jacobian_p_pattern in its order.
-    /// Operations: 184 + or -, 375 *, 5 /
+    /// Operations: 186 + or -, 354 *, 5 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_c_1 = x[12];
-        const Scalar e1 = p_.alpha_h + p_.alpha_c;
-        const Scalar inverse_2 = Scalar(1) / e1;
-        const Scalar e3 = Scalar(1) - (Scalar(1) / Scalar(2)) * inverse_2 * e1;
-        const Scalar e4 = p_.alpha_h * inverse_2;
-        const Scalar e5 = e3 * e4;
-        const Scalar inverse_6 = Scalar(1) / p_.c_h;
-        const Scalar inverse_7 = Scalar(1) / p_.M_h;
-        const Scalar e8 = inverse_6 * inverse_7;
-        const Scalar e9 = e5 * (p_.alpha_c * e8);
-        const Scalar e10 = Scalar(2) * p_.b * e9;
+        const Scalar inverse_1 = Scalar(1) / p_.c_h;
+        const Scalar inverse_2 = Scalar(1) / p_.M_h;
+        const Scalar e3 = inverse_1 * inverse_2;
+        const Scalar e4 = p_.alpha_h + p_.alpha_c;
+        const Scalar inverse_5 = Scalar(1) / e4;
+        const Scalar e6 = p_.b * inverse_5;
+        const Scalar e7 = p_.alpha_h * e6;
+        const Scalar e8 = e3 * e7;
+        const Scalar e9 = Scalar(1) - (Scalar(1) / Scalar(2)) * inverse_5 * e4;
+        const Scalar e10 = p_.alpha_c * e9;
+        const Scalar e11 = Scalar(2) * e8 * e10;
         const Scalar T_h_1 = x[0];
-        const Scalar e11 = (Scalar(1) - Scalar(2) * e5) * (p_.alpha_h * e8);
-        const Scalar e12 = p_.b * e11;
+        const Scalar e12 = p_.alpha_h * e9;
+        const Scalar e13 = p_.b * p_.alpha_h * e3 - Scalar(2) * e8 * e12;
         const Scalar T_c_2 = x[13];
         const Scalar T_h_2 = x[1];
         const Scalar T_c_3 = x[14];
@@ -736,67 +732,75 @@ public:
         const Scalar T_h_11 = x[10];
         const Scalar T_c_12 = x[23];
         const Scalar T_h_12 = x[11];
-        const Scalar inverse_13 = Scalar(1) / p_.c_c;
-        const Scalar inverse_14 = Scalar(1) / p_.M_c;
-        const Scalar e15 = inverse_13 * inverse_14;
-        const Scalar e16 = p_.alpha_c * e15;
-        const Scalar e17 = p_.b * e16;
-        const Scalar e18 = Scalar(2) * e5 * e17;
-        const Scalar e19 = p_.alpha_c * inverse_2;
-        const Scalar e20 = Scalar(1) - Scalar(2) * e3 * e19;
-        const Scalar e21 = e20 * e17;
-        const Scalar e22 = Scalar(2) * p_.L * e9;
-        const Scalar e23 = p_.L * e11;
-        const Scalar e24 = p_.L * e16;
-        const Scalar e25 = Scalar(2) * e5 * e24;
-        const Scalar e26 = e20 * e24;
-        const Scalar e27 = p_.L * p_.b;
-        const Scalar e28 = e27 * e8;
-        const Scalar e29 = e4 * e28;
-        const Scalar e30 = e4 * e29;
-        const Scalar e31 = Scalar(2) * e29 - e28 - e30;
-        const Scalar e32 = Scalar(1) - e4;
-        const Scalar e33 = e32 * e28;
-        const Scalar e34 = -e19 * e33;
-        const Scalar e35 = e27 * e16;
-        const Scalar e36 = inverse_2 * e35;
-        const Scalar e37 = -e32 * e36;
-        const Scalar e38 = e19 * e36;
-        const Scalar e39 = Scalar(1) - e19;
-        const Scalar e40 = -e39 * e29;
-        const Scalar e41 = e27 * e15;
-        const Scalar e42 = Scalar(2) * e36 - e41 - e38;
-        const Scalar e43 = -e39 * e4 * e41;
-        const Scalar e44 = p_.alpha_h * e33;
-        const Scalar e45 = inverse_6 * e44;
-        const Scalar e46 = p_.alpha_c * e29;
-        const Scalar e47 = inverse_6 * e46;
-        const Scalar e48 = e39 * e35;
-        const Scalar e49 = inverse_13 * e48;
-        const Scalar e50 = e4 * e35;
-        const Scalar e51 = inverse_13 * e50;
+        const Scalar inverse_14 = Scalar(1) / p_.c_c;
+        const Scalar inverse_15 = Scalar(1) / p_.M_c;
+        const Scalar e16 = inverse_14 * inverse_15;
+        const Scalar e17 = e16 * e7;
+        const Scalar e18 = Scalar(2) * e10 * e17;
+        const Scalar e19 = p_.b * e16;
+        const Scalar e20 = p_.alpha_c * e6;
+        const Scalar e21 = p_.alpha_c * e19 - Scalar(2) * e16 * e10 * e20;
+        const Scalar e22 = p_.alpha_h * inverse_5;
+        const Scalar e23 = p_.L * p_.alpha_c;
+        const Scalar e24 = e23 * e3;
+        const Scalar e25 = Scalar(2) * e9 * e22 * e24;
+        const Scalar e26 = p_.L * e3;
+        const Scalar e27 = e26 * (p_.alpha_h - Scalar(2) * e22 * e12);
+        const Scalar e28 = e23 * e16;
+        const Scalar e29 = inverse_5 * e28;
+        const Scalar e30 = Scalar(2) * e29 * e12;
+        const Scalar e31 = e28 - Scalar(2) * e29 * e10;
+        const Scalar e32 = p_.L * e8;
+        const Scalar e33 = e22 * e32;
+        const Scalar e34 = Scalar(2) * e32 - p_.b * e26 - e33;
+        const Scalar e35 = e23 * e8;
+        const Scalar e36 = inverse_5 * e35;
+        const Scalar e37 = e36 - e6 * e24;
+        const Scalar e38 = e7 * e29;
+        const Scalar e39 = e6 * e28;
+        const Scalar e40 = e38 - e39;
+        const Scalar e41 = e29 * e20;
+        const Scalar e42 = e36 - e32;
+        const Scalar e43 = Scalar(2) * e39 - p_.L * e19 - e41;
+        const Scalar e44 = e38 - p_.L * e17;
+        const Scalar e45 = inverse_1 * e35;
+        const Scalar e46 = T_h_1 - T_c_1;
+        const Scalar e47 = T_h_2 - T_c_2;
+        const Scalar e48 = T_h_3 - T_c_3;
+        const Scalar e49 = T_h_4 - T_c_4;
+        const Scalar e50 = T_h_5 - T_c_5;
+        const Scalar e51 = T_h_6 - T_c_6;
+        const Scalar e52 = T_h_7 - T_c_7;
+        const Scalar e53 = T_h_8 - T_c_8;
+        const Scalar e54 = T_h_9 - T_c_9;
+        const Scalar e55 = T_h_10 - T_c_10;
+        const Scalar e56 = T_h_11 - T_c_11;
+        const Scalar e57 = T_h_12 - T_c_12;
+        const Scalar e58 = inverse_14 * e7 * e28;
+        const Scalar e59 = inverse_2 * e35;
         const Scalar m_h = u[0];
-        const Scalar e52 = m_h * (Scalar(12) * inverse_7 * inverse_7);
-        const Scalar e53 = inverse_7 * e44 + e52;
-        const Scalar e54 = inverse_7 * e46;
+        const Scalar e60 = m_h * (Scalar(12) * inverse_2 * inverse_2);
+        const Scalar e61 = e59 + e60;
         const Scalar T_hi = u[2];
+        const Scalar e62 = inverse_15 * e28;
+        const Scalar e63 = e7 * e62;
         const Scalar m_c = u[1];
-        const Scalar e55 = m_c * (Scalar(12) * inverse_14 * inverse_14);
-        const Scalar e56 = inverse_14 * e48 + e55;
-        const Scalar e57 = inverse_14 * e50;
+        const Scalar e64 = m_c * (Scalar(12) * inverse_15 * inverse_15);
+        const Scalar e65 = e63 + e64;
+        const Scalar e66 = e62 * (p_.b - e20) + e64;
         const Scalar T_ci = u[3];
-        J[0] = T_c_1 * e10 - T_h_1 * e12;
-        J[1] = T_c_2 * e10 - T_h_2 * e12;
-        J[2] = T_c_3 * e10 - T_h_3 * e12;
-        J[3] = T_c_4 * e10 - T_h_4 * e12;
-        J[4] = T_c_5 * e10 - T_h_5 * e12;
-        J[5] = T_c_6 * e10 - T_h_6 * e12;
-        J[6] = T_c_7 * e10 - T_h_7 * e12;
-        J[7] = T_c_8 * e10 - T_h_8 * e12;
-        J[8] = T_c_9 * e10 - T_h_9 * e12;
-        J[9] = T_c_10 * e10 - T_h_10 * e12;
-        J[10] = T_c_11 * e10 - T_h_11 * e12;
-        J[11] = T_c_12 * e10 - T_h_12 * e12;
+        J[0] = T_c_1 * e11 - T_h_1 * e13;
+        J[1] = T_c_2 * e11 - T_h_2 * e13;
+        J[2] = T_c_3 * e11 - T_h_3 * e13;
+        J[3] = T_c_4 * e11 - T_h_4 * e13;
+        J[4] = T_c_5 * e11 - T_h_5 * e13;
+        J[5] = T_c_6 * e11 - T_h_6 * e13;
+        J[6] = T_c_7 * e11 - T_h_7 * e13;
+        J[7] = T_c_8 * e11 - T_h_8 * e13;
+        J[8] = T_c_9 * e11 - T_h_9 * e13;
+        J[9] = T_c_10 * e11 - T_h_10 * e13;
+        J[10] = T_c_11 * e11 - T_h_11 * e13;
+        J[11] = T_c_12 * e11 - T_h_12 * e13;
         J[12] = T_h_1 * e18 - T_c_1 * e21;
         J[13] = T_h_2 * e18 - T_c_2 * e21;
         J[14] = T_h_3 * e18 - T_c_3 * e21;
@@ -809,126 +813,126 @@ public:
         J[21] = T_h_10 * e18 - T_c_10 * e21;
         J[22] = T_h_11 * e18 - T_c_11 * e21;
         J[23] = T_h_12 * e18 - T_c_12 * e21;
-        J[24] = T_c_1 * e22 - T_h_1 * e23;
-        J[25] = T_c_2 * e22 - T_h_2 * e23;
-        J[26] = T_c_3 * e22 - T_h_3 * e23;
-        J[27] = T_c_4 * e22 - T_h_4 * e23;
-        J[28] = T_c_5 * e22 - T_h_5 * e23;
-        J[29] = T_c_6 * e22 - T_h_6 * e23;
-        J[30] = T_c_7 * e22 - T_h_7 * e23;
-        J[31] = T_c_8 * e22 - T_h_8 * e23;
-        J[32] = T_c_9 * e22 - T_h_9 * e23;
-        J[33] = T_c_10 * e22 - T_h_10 * e23;
-        J[34] = T_c_11 * e22 - T_h_11 * e23;
-        J[35] = T_c_12 * e22 - T_h_12 * e23;
-        J[36] = T_h_1 * e25 - T_c_1 * e26;
-        J[37] = T_h_2 * e25 - T_c_2 * e26;
-        J[38] = T_h_3 * e25 - T_c_3 * e26;
-        J[39] = T_h_4 * e25 - T_c_4 * e26;
-        J[40] = T_h_5 * e25 - T_c_5 * e26;
-        J[41] = T_h_6 * e25 - T_c_6 * e26;
-        J[42] = T_h_7 * e25 - T_c_7 * e26;
-        J[43] = T_h_8 * e25 - T_c_8 * e26;
-        J[44] = T_h_9 * e25 - T_c_9 * e26;
-        J[45] = T_h_10 * e25 - T_c_10 * e26;
-        J[46] = T_h_11 * e25 - T_c_11 * e26;
-        J[47] = T_h_12 * e25 - T_c_12 * e26;
-        J[48] = T_h_1 * e31 - T_c_1 * e34;
-        J[49] = T_h_2 * e31 - T_c_2 * e34;
-        J[50] = T_h_3 * e31 - T_c_3 * e34;
-        J[51] = T_h_4 * e31 - T_c_4 * e34;
-        J[52] = T_h_5 * e31 - T_c_5 * e34;
-        J[53] = T_h_6 * e31 - T_c_6 * e34;
-        J[54] = T_h_7 * e31 - T_c_7 * e34;
-        J[55] = T_h_8 * e31 - T_c_8 * e34;
-        J[56] = T_h_9 * e31 - T_c_9 * e34;
-        J[57] = T_h_10 * e31 - T_c_10 * e34;
-        J[58] = T_h_11 * e31 - T_c_11 * e34;
-        J[59] = T_h_12 * e31 - T_c_12 * e34;
-        J[60] = -T_h_1 * e37 - T_c_1 * e38;
-        J[61] = -T_h_2 * e37 - T_c_2 * e38;
-        J[62] = -T_h_3 * e37 - T_c_3 * e38;
-        J[63] = -T_h_4 * e37 - T_c_4 * e38;
-        J[64] = -T_h_5 * e37 - T_c_5 * e38;
-        J[65] = -T_h_6 * e37 - T_c_6 * e38;
-        J[66] = -T_h_7 * e37 - T_c_7 * e38;
-        J[67] = -T_h_8 * e37 - T_c_8 * e38;
-        J[68] = -T_h_9 * e37 - T_c_9 * e38;
-        J[69] = -T_h_10 * e37 - T_c_10 * e38;
-        J[70] = -T_h_11 * e37 - T_c_11 * e38;
-        J[71] = -T_h_12 * e37 - T_c_12 * e38;
-        J[72] = -T_h_1 * e30 - T_c_1 * e40;
-        J[73] = -T_h_2 * e30 - T_c_2 * e40;
-        J[74] = -T_h_3 * e30 - T_c_3 * e40;
-        J[75] = -T_h_4 * e30 - T_c_4 * e40;
-        J[76] = -T_h_5 * e30 - T_c_5 * e40;
-        J[77] = -T_h_6 * e30 - T_c_6 * e40;
-        J[78] = -T_h_7 * e30 - T_c_7 * e40;
-        J[79] = -T_h_8 * e30 - T_c_8 * e40;
-        J[80] = -T_h_9 * e30 - T_c_9 * e40;
-        J[81] = -T_h_10 * e30 - T_c_10 * e40;
-        J[82] = -T_h_11 * e30 - T_c_11 * e40;
-        J[83] = -T_h_12 * e30 - T_c_12 * e40;
-        J[84] = T_c_1 * e42 - T_h_1 * e43;
-        J[85] = T_c_2 * e42 - T_h_2 * e43;
-        J[86] = T_c_3 * e42 - T_h_3 * e43;
-        J[87] = T_c_4 * e42 - T_h_4 * e43;
-        J[88] = T_c_5 * e42 - T_h_5 * e43;
-        J[89] = T_c_6 * e42 - T_h_6 * e43;
-        J[90] = T_c_7 * e42 - T_h_7 * e43;
-        J[91] = T_c_8 * e42 - T_h_8 * e43;
-        J[92] = T_c_9 * e42 - T_h_9 * e43;
-        J[93] = T_c_10 * e42 - T_h_10 * e43;
-        J[94] = T_c_11 * e42 - T_h_11 * e43;
-        J[95] = T_c_12 * e42 - T_h_12 * e43;
-        J[96] = T_h_1 * e45 - T_c_1 * e47;
-        J[97] = T_h_2 * e45 - T_c_2 * e47;
-        J[98] = T_h_3 * e45 - T_c_3 * e47;
-        J[99] = T_h_4 * e45 - T_c_4 * e47;
-        J[100] = T_h_5 * e45 - T_c_5 * e47;
-        J[101] = T_h_6 * e45 - T_c_6 * e47;
-        J[102] = T_h_7 * e45 - T_c_7 * e47;
-        J[103] = T_h_8 * e45 - T_c_8 * e47;
-        J[104] = T_h_9 * e45 - T_c_9 * e47;
-        J[105] = T_h_10 * e45 - T_c_10 * e47;
-        J[106] = T_h_11 * e45 - T_c_11 * e47;
-        J[107] = T_h_12 * e45 - T_c_12 * e47;
-        J[108] = T_c_1 * e49 - T_h_1 * e51;
-        J[109] = T_c_2 * e49 - T_h_2 * e51;
-        J[110] = T_c_3 * e49 - T_h_3 * e51;
-        J[111] = T_c_4 * e49 - T_h_4 * e51;
-        J[112] = T_c_5 * e49 - T_h_5 * e51;
-        J[113] = T_c_6 * e49 - T_h_6 * e51;
-        J[114] = T_c_7 * e49 - T_h_7 * e51;
-        J[115] = T_c_8 * e49 - T_h_8 * e51;
-        J[116] = T_c_9 * e49 - T_h_9 * e51;
-        J[117] = T_c_10 * e49 - T_h_10 * e51;
-        J[118] = T_c_11 * e49 - T_h_11 * e51;
-        J[119] = T_c_12 * e49 - T_h_12 * e51;
-        J[120] = T_h_1 * e53 - T_c_1 * e54 - T_hi * e52;
-        J[121] = T_h_2 * e53 - T_c_2 * e54 - T_h_1 * e52;
-        J[122] = T_h_3 * e53 - T_c_3 * e54 - T_h_2 * e52;
-        J[123] = T_h_4 * e53 - T_c_4 * e54 - T_h_3 * e52;
-        J[124] = T_h_5 * e53 - T_c_5 * e54 - T_h_4 * e52;
-        J[125] = T_h_6 * e53 - T_c_6 * e54 - T_h_5 * e52;
-        J[126] = T_h_7 * e53 - T_c_7 * e54 - T_h_6 * e52;
-        J[127] = T_h_8 * e53 - T_c_8 * e54 - T_h_7 * e52;
-        J[128] = T_h_9 * e53 - T_c_9 * e54 - T_h_8 * e52;
-        J[129] = T_h_10 * e53 - T_c_10 * e54 - T_h_9 * e52;
-        J[130] = T_h_11 * e53 - T_c_11 * e54 - T_h_10 * e52;
-        J[131] = T_h_12 * e53 - T_c_12 * e54 - T_h_11 * e52;
-        J[132] = T_c_1 * e56 - T_h_1 * e57 - T_c_2 * e55;
-        J[133] = T_c_2 * e56 - T_h_2 * e57 - T_c_3 * e55;
-        J[134] = T_c_3 * e56 - T_h_3 * e57 - T_c_4 * e55;
-        J[135] = T_c_4 * e56 - T_h_4 * e57 - T_c_5 * e55;
-        J[136] = T_c_5 * e56 - T_h_5 * e57 - T_c_6 * e55;
-        J[137] = T_c_6 * e56 - T_h_6 * e57 - T_c_7 * e55;
-        J[138] = T_c_7 * e56 - T_h_7 * e57 - T_c_8 * e55;
-        J[139] = T_c_8 * e56 - T_h_8 * e57 - T_c_9 * e55;
-        J[140] = T_c_9 * e56 - T_h_9 * e57 - T_c_10 * e55;
-        J[141] = T_c_10 * e56 - T_h_10 * e57 - T_c_11 * e55;
-        J[142] = T_c_11 * e56 - T_h_11 * e57 - T_c_12 * e55;
-        J[143] = T_c_12 * e56 - T_h_12 * e57 - T_ci * e55;
+        J[24] = T_c_1 * e25 - T_h_1 * e27;
+        J[25] = T_c_2 * e25 - T_h_2 * e27;
+        J[26] = T_c_3 * e25 - T_h_3 * e27;
+        J[27] = T_c_4 * e25 - T_h_4 * e27;
+        J[28] = T_c_5 * e25 - T_h_5 * e27;
+        J[29] = T_c_6 * e25 - T_h_6 * e27;
+        J[30] = T_c_7 * e25 - T_h_7 * e27;
+        J[31] = T_c_8 * e25 - T_h_8 * e27;
+        J[32] = T_c_9 * e25 - T_h_9 * e27;
+        J[33] = T_c_10 * e25 - T_h_10 * e27;
+        J[34] = T_c_11 * e25 - T_h_11 * e27;
+        J[35] = T_c_12 * e25 - T_h_12 * e27;
+        J[36] = T_h_1 * e30 - T_c_1 * e31;
+        J[37] = T_h_2 * e30 - T_c_2 * e31;
+        J[38] = T_h_3 * e30 - T_c_3 * e31;
+        J[39] = T_h_4 * e30 - T_c_4 * e31;
+        J[40] = T_h_5 * e30 - T_c_5 * e31;
+        J[41] = T_h_6 * e30 - T_c_6 * e31;
+        J[42] = T_h_7 * e30 - T_c_7 * e31;
+        J[43] = T_h_8 * e30 - T_c_8 * e31;
+        J[44] = T_h_9 * e30 - T_c_9 * e31;
+        J[45] = T_h_10 * e30 - T_c_10 * e31;
+        J[46] = T_h_11 * e30 - T_c_11 * e31;
+        J[47] = T_h_12 * e30 - T_c_12 * e31;
+        J[48] = T_h_1 * e34 - T_c_1 * e37;
+        J[49] = T_h_2 * e34 - T_c_2 * e37;
+        J[50] = T_h_3 * e34 - T_c_3 * e37;
+        J[51] = T_h_4 * e34 - T_c_4 * e37;
+        J[52] = T_h_5 * e34 - T_c_5 * e37;
+        J[53] = T_h_6 * e34 - T_c_6 * e37;
+        J[54] = T_h_7 * e34 - T_c_7 * e37;
+        J[55] = T_h_8 * e34 - T_c_8 * e37;
+        J[56] = T_h_9 * e34 - T_c_9 * e37;
+        J[57] = T_h_10 * e34 - T_c_10 * e37;
+        J[58] = T_h_11 * e34 - T_c_11 * e37;
+        J[59] = T_h_12 * e34 - T_c_12 * e37;
+        J[60] = -T_h_1 * e40 - T_c_1 * e41;
+        J[61] = -T_h_2 * e40 - T_c_2 * e41;
+        J[62] = -T_h_3 * e40 - T_c_3 * e41;
+        J[63] = -T_h_4 * e40 - T_c_4 * e41;
+        J[64] = -T_h_5 * e40 - T_c_5 * e41;
+        J[65] = -T_h_6 * e40 - T_c_6 * e41;
+        J[66] = -T_h_7 * e40 - T_c_7 * e41;
+        J[67] = -T_h_8 * e40 - T_c_8 * e41;
+        J[68] = -T_h_9 * e40 - T_c_9 * e41;
+        J[69] = -T_h_10 * e40 - T_c_10 * e41;
+        J[70] = -T_h_11 * e40 - T_c_11 * e41;
+        J[71] = -T_h_12 * e40 - T_c_12 * e41;
+        J[72] = -T_h_1 * e33 - T_c_1 * e42;
+        J[73] = -T_h_2 * e33 - T_c_2 * e42;
+        J[74] = -T_h_3 * e33 - T_c_3 * e42;
+        J[75] = -T_h_4 * e33 - T_c_4 * e42;
+        J[76] = -T_h_5 * e33 - T_c_5 * e42;
+        J[77] = -T_h_6 * e33 - T_c_6 * e42;
+        J[78] = -T_h_7 * e33 - T_c_7 * e42;
+        J[79] = -T_h_8 * e33 - T_c_8 * e42;
+        J[80] = -T_h_9 * e33 - T_c_9 * e42;
+        J[81] = -T_h_10 * e33 - T_c_10 * e42;
+        J[82] = -T_h_11 * e33 - T_c_11 * e42;
+        J[83] = -T_h_12 * e33 - T_c_12 * e42;
+        J[84] = T_c_1 * e43 - T_h_1 * e44;
+        J[85] = T_c_2 * e43 - T_h_2 * e44;
+        J[86] = T_c_3 * e43 - T_h_3 * e44;
+        J[87] = T_c_4 * e43 - T_h_4 * e44;
+        J[88] = T_c_5 * e43 - T_h_5 * e44;
+        J[89] = T_c_6 * e43 - T_h_6 * e44;
+        J[90] = T_c_7 * e43 - T_h_7 * e44;
+        J[91] = T_c_8 * e43 - T_h_8 * e44;
+        J[92] = T_c_9 * e43 - T_h_9 * e44;
+        J[93] = T_c_10 * e43 - T_h_10 * e44;
+        J[94] = T_c_11 * e43 - T_h_11 * e44;
+        J[95] = T_c_12 * e43 - T_h_12 * e44;
+        J[96] = e45 * e46;
+        J[97] = e45 * e47;
+        J[98] = e45 * e48;
+        J[99] = e45 * e49;
+        J[100] = e45 * e50;
+        J[101] = e45 * e51;
+        J[102] = e45 * e52;
+        J[103] = e45 * e53;
+        J[104] = e45 * e54;
+        J[105] = e45 * e55;
+        J[106] = e45 * e56;
+        J[107] = e45 * e57;
+        J[108] = -e58 * e46;
+        J[109] = -e58 * e47;
+        J[110] = -e58 * e48;
+        J[111] = -e58 * e49;
+        J[112] = -e58 * e50;
+        J[113] = -e58 * e51;
+        J[114] = -e58 * e52;
+        J[115] = -e58 * e53;
+        J[116] = -e58 * e54;
+        J[117] = -e58 * e55;
+        J[118] = -e58 * e56;
+        J[119] = -e58 * e57;
+        J[120] = T_h_1 * e61 - T_c_1 * e59 - T_hi * e60;
+        J[121] = T_h_2 * e61 - T_c_2 * e59 - T_h_1 * e60;
+        J[122] = T_h_3 * e61 - T_c_3 * e59 - T_h_2 * e60;
+        J[123] = T_h_4 * e61 - T_c_4 * e59 - T_h_3 * e60;
+        J[124] = T_h_5 * e61 - T_c_5 * e59 - T_h_4 * e60;
+        J[125] = T_h_6 * e61 - T_c_6 * e59 - T_h_5 * e60;
+        J[126] = T_h_7 * e61 - T_c_7 * e59 - T_h_6 * e60;
+        J[127] = T_h_8 * e61 - T_c_8 * e59 - T_h_7 * e60;
+        J[128] = T_h_9 * e61 - T_c_9 * e59 - T_h_8 * e60;
+        J[129] = T_h_10 * e61 - T_c_10 * e59 - T_h_9 * e60;
+        J[130] = T_h_11 * e61 - T_c_11 * e59 - T_h_10 * e60;
+        J[131] = T_h_12 * e61 - T_c_12 * e59 - T_h_11 * e60;
+        J[132] = T_c_1 * e65 - T_h_1 * e63 - T_c_2 * e64;
+        J[133] = T_c_2 * e66 - T_h_2 * e63 - T_c_3 * e64;
+        J[134] = T_c_3 * e65 - T_h_3 * e63 - T_c_4 * e64;
+        J[135] = T_c_4 * e66 - T_h_4 * e63 - T_c_5 * e64;
+        J[136] = T_c_5 * e66 - T_h_5 * e63 - T_c_6 * e64;
+        J[137] = T_c_6 * e66 - T_h_6 * e63 - T_c_7 * e64;
+        J[138] = T_c_7 * e65 - T_h_7 * e63 - T_c_8 * e64;
+        J[139] = T_c_8 * e65 - T_h_8 * e63 - T_c_9 * e64;
+        J[140] = T_c_9 * e65 - T_h_9 * e63 - T_c_10 * e64;
+        J[141] = T_c_10 * e65 - T_h_10 * e63 - T_c_11 * e64;
+        J[142] = T_c_11 * e65 - T_h_11 * e63 - T_c_12 * e64;
+        J[143] = T_c_12 * e65 - T_h_12 * e63 - T_ci * e64;
     }
 
     /// J = df/dt at fixed x and u.
@@ -976,7 +980,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 27 + or -, 16 *, 4 /, 3 other functions
+    /// Operations: 28 + or -, 13 *, 4 /, 3 other functions
     ///     T_h_out = T_h[12]
     ///     T_c_back = T_c[1]
     ///     Q = L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[1]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[2]/12 +
@@ -1021,9 +1025,14 @@ public:
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         const Scalar T_h_12 = x[11];
         const Scalar T_c_1 = x[12];
-        const Scalar T_h_9 = x[8];
-        const Scalar T_h_10 = x[9];
-        const Scalar T_h_11 = x[10];
+        const Scalar T_c_5 = x[16];
+        const Scalar T_c_6 = x[17];
+        const Scalar T_c_7 = x[18];
+        const Scalar T_c_8 = x[19];
+        const Scalar T_c_9 = x[20];
+        const Scalar T_c_10 = x[21];
+        const Scalar T_c_11 = x[22];
+        const Scalar T_c_12 = x[23];
         const Scalar T_h_1 = x[0];
         const Scalar T_h_2 = x[1];
         const Scalar T_h_3 = x[2];
@@ -1032,21 +1041,15 @@ public:
         const Scalar T_h_6 = x[5];
         const Scalar T_h_7 = x[6];
         const Scalar T_h_8 = x[7];
-        const Scalar e1 = T_h_9 + T_h_10 + (T_h_11 + T_h_12)
-            + (T_h_1 + T_h_2 + (T_h_3 + T_h_4) + (T_h_5 + T_h_6 + (T_h_7 + T_h_8)));
-        const Scalar T_c_9 = x[20];
-        const Scalar T_c_10 = x[21];
-        const Scalar T_c_11 = x[22];
-        const Scalar T_c_12 = x[23];
+        const Scalar T_h_9 = x[8];
+        const Scalar T_h_10 = x[9];
+        const Scalar T_h_11 = x[10];
         const Scalar T_c_2 = x[13];
         const Scalar T_c_3 = x[14];
         const Scalar T_c_4 = x[15];
-        const Scalar T_c_5 = x[16];
-        const Scalar T_c_6 = x[17];
-        const Scalar T_c_7 = x[18];
-        const Scalar T_c_8 = x[19];
-        const Scalar e2 = T_c_9 + T_c_10 + (T_c_11 + T_c_12)
-            + (T_c_1 + T_c_2 + (T_c_3 + T_c_4) + (T_c_5 + T_c_6 + (T_c_7 + T_c_8)));
+        const Scalar e1 = T_h_1 + T_h_2 + (T_h_3 + T_h_4) + (T_h_5 + T_h_6 + (T_h_7 + T_h_8))
+            + (T_h_9 + T_h_10 + (T_h_11 + T_h_12) - (T_c_1 + T_c_2 + (T_c_3 + T_c_4)));
+        const Scalar e2 = T_c_5 + T_c_6 + (T_c_7 + T_c_8) + (T_c_9 + T_c_10 + (T_c_11 + T_c_12)) - e1;
         const Scalar m_h = u[0];
         const Scalar e3 = p_.c_h * m_h;
         const Scalar m_c = u[1];
@@ -1055,155 +1058,153 @@ public:
         const Scalar inverse_6 = Scalar(1) / max_5;
         const Scalar min_7 = detail::min<Scalar>(e3, e4);
         const Scalar inverse_8 = Scalar(1) / min_7;
-        const Scalar decay_mean_9 = detail::decay_mean<Scalar>(c_.k8 * (Scalar(1) - min_7 * inverse_6) * inverse_8);
-        const Scalar e10 = c_.k8 * decay_mean_9;
+        const Scalar decay_mean_9 = detail::decay_mean<Scalar>(c_.k6 * (Scalar(1) - min_7 * inverse_6) * inverse_8);
+        const Scalar e10 = c_.k6 * decay_mean_9;
         const Scalar T_hi = u[2];
         const Scalar T_ci = u[3];
         const Scalar e11 = T_hi - T_ci;
-        const Scalar e12 = inverse_8 / e11;
         y[0] = T_h_12;
         y[1] = T_c_1;
-        y[2] = c_.k6 * e1 - c_.k7 * e2;
+        y[2] = -c_.k5 * e2;
         y[3] = e11 * e10 / (Scalar(1) + inverse_6 * e10);
-        y[4] = c_.k6 * e12 * e1 - c_.k7 * e12 * e2;
+        y[4] = -c_.k5 * inverse_8 / e11 * e2;
     }
 
     /// C = dh/dx.
-    /// Operations: 3 + or -, 5 *, 2 /, 1 other functions
+    /// Operations: 3 + or -, 4 *, 2 /, 1 other functions
     void output_jacobian_x(const State& /*x*/, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
+        const Scalar T_hi = u[2];
+        const Scalar T_ci = u[3];
         const Scalar m_h = u[0];
         const Scalar m_c = u[1];
         const Scalar min_1 = detail::min<Scalar>(p_.c_h * m_h, p_.c_c * m_c);
-        const Scalar T_hi = u[2];
-        const Scalar T_ci = u[3];
-        const Scalar e2 = Scalar(1) / min_1 / (T_hi - T_ci);
-        const Scalar e3 = c_.k6 * e2;
-        const Scalar e4 = -c_.k7;
-        const Scalar e5 = -c_.k7 * e2;
+        const Scalar e2 = c_.k5 / min_1 / (T_hi - T_ci);
+        const Scalar e3 = -c_.k5;
+        const Scalar e4 = -e2;
         C[0] = Scalar(0);
         C[1] = Scalar(0);
-        C[2] = c_.k6;
+        C[2] = c_.k5;
         C[3] = Scalar(0);
-        C[4] = e3;
+        C[4] = e2;
         C[5] = Scalar(0);
         C[6] = Scalar(0);
-        C[7] = c_.k6;
+        C[7] = c_.k5;
         C[8] = Scalar(0);
-        C[9] = e3;
+        C[9] = e2;
         C[10] = Scalar(0);
         C[11] = Scalar(0);
-        C[12] = c_.k6;
+        C[12] = c_.k5;
         C[13] = Scalar(0);
-        C[14] = e3;
+        C[14] = e2;
         C[15] = Scalar(0);
         C[16] = Scalar(0);
-        C[17] = c_.k6;
+        C[17] = c_.k5;
         C[18] = Scalar(0);
-        C[19] = e3;
+        C[19] = e2;
         C[20] = Scalar(0);
         C[21] = Scalar(0);
-        C[22] = c_.k6;
+        C[22] = c_.k5;
         C[23] = Scalar(0);
-        C[24] = e3;
+        C[24] = e2;
         C[25] = Scalar(0);
         C[26] = Scalar(0);
-        C[27] = c_.k6;
+        C[27] = c_.k5;
         C[28] = Scalar(0);
-        C[29] = e3;
+        C[29] = e2;
         C[30] = Scalar(0);
         C[31] = Scalar(0);
-        C[32] = c_.k6;
+        C[32] = c_.k5;
         C[33] = Scalar(0);
-        C[34] = e3;
+        C[34] = e2;
         C[35] = Scalar(0);
         C[36] = Scalar(0);
-        C[37] = c_.k6;
+        C[37] = c_.k5;
         C[38] = Scalar(0);
-        C[39] = e3;
+        C[39] = e2;
         C[40] = Scalar(0);
         C[41] = Scalar(0);
-        C[42] = c_.k6;
+        C[42] = c_.k5;
         C[43] = Scalar(0);
-        C[44] = e3;
+        C[44] = e2;
         C[45] = Scalar(0);
         C[46] = Scalar(0);
-        C[47] = c_.k6;
+        C[47] = c_.k5;
         C[48] = Scalar(0);
-        C[49] = e3;
+        C[49] = e2;
         C[50] = Scalar(0);
         C[51] = Scalar(0);
-        C[52] = c_.k6;
+        C[52] = c_.k5;
         C[53] = Scalar(0);
-        C[54] = e3;
+        C[54] = e2;
         C[55] = Scalar(1);
         C[56] = Scalar(0);
-        C[57] = c_.k6;
+        C[57] = c_.k5;
         C[58] = Scalar(0);
-        C[59] = e3;
+        C[59] = e2;
         C[60] = Scalar(0);
         C[61] = Scalar(1);
-        C[62] = e4;
+        C[62] = e3;
         C[63] = Scalar(0);
-        C[64] = e5;
+        C[64] = e4;
         C[65] = Scalar(0);
         C[66] = Scalar(0);
-        C[67] = e4;
+        C[67] = e3;
         C[68] = Scalar(0);
-        C[69] = e5;
+        C[69] = e4;
         C[70] = Scalar(0);
         C[71] = Scalar(0);
-        C[72] = e4;
+        C[72] = e3;
         C[73] = Scalar(0);
-        C[74] = e5;
+        C[74] = e4;
         C[75] = Scalar(0);
         C[76] = Scalar(0);
-        C[77] = e4;
+        C[77] = e3;
         C[78] = Scalar(0);
-        C[79] = e5;
+        C[79] = e4;
         C[80] = Scalar(0);
         C[81] = Scalar(0);
-        C[82] = e4;
+        C[82] = e3;
         C[83] = Scalar(0);
-        C[84] = e5;
+        C[84] = e4;
         C[85] = Scalar(0);
         C[86] = Scalar(0);
-        C[87] = e4;
+        C[87] = e3;
         C[88] = Scalar(0);
-        C[89] = e5;
+        C[89] = e4;
         C[90] = Scalar(0);
         C[91] = Scalar(0);
-        C[92] = e4;
+        C[92] = e3;
         C[93] = Scalar(0);
-        C[94] = e5;
+        C[94] = e4;
         C[95] = Scalar(0);
         C[96] = Scalar(0);
-        C[97] = e4;
+        C[97] = e3;
         C[98] = Scalar(0);
-        C[99] = e5;
+        C[99] = e4;
         C[100] = Scalar(0);
         C[101] = Scalar(0);
-        C[102] = e4;
+        C[102] = e3;
         C[103] = Scalar(0);
-        C[104] = e5;
+        C[104] = e4;
         C[105] = Scalar(0);
         C[106] = Scalar(0);
-        C[107] = e4;
+        C[107] = e3;
         C[108] = Scalar(0);
-        C[109] = e5;
+        C[109] = e4;
         C[110] = Scalar(0);
         C[111] = Scalar(0);
-        C[112] = e4;
+        C[112] = e3;
         C[113] = Scalar(0);
-        C[114] = e5;
+        C[114] = e4;
         C[115] = Scalar(0);
         C[116] = Scalar(0);
-        C[117] = e4;
+        C[117] = e3;
         C[118] = Scalar(0);
-        C[119] = e5;
+        C[119] = e4;
     }
 
     /// D = dh/du.
-    /// Operations: 40 + or -, 49 *, 4 /, 6 other functions
+    /// Operations: 40 + or -, 45 *, 4 /, 6 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         const Scalar m_h = u[0];
         const Scalar e1 = p_.c_h * m_h;
@@ -1214,9 +1215,9 @@ public:
         const Scalar inverse_5 = Scalar(1) / max_4;
         const Scalar inverse_6 = Scalar(1) / min_3;
         const Scalar e7 = (Scalar(1) - min_3 * inverse_5) * inverse_6;
-        const Scalar e8 = c_.k8 * e7;
+        const Scalar e8 = c_.k6 * e7;
         const Scalar decay_mean_9 = detail::decay_mean<Scalar>(e8);
-        const Scalar e10 = c_.k8 * inverse_5;
+        const Scalar e10 = c_.k6 * inverse_5;
         const Scalar inverse_11 = Scalar(1) / (Scalar(1) + decay_mean_9 * e10);
         const Scalar T_hi = u[2];
         const Scalar T_ci = u[3];
@@ -1234,7 +1235,20 @@ public:
         const Scalar inverse_22 = Scalar(1) / e12;
         const Scalar e23 = inverse_6 * inverse_22;
         const Scalar e24 = inverse_6 * e23;
-        const Scalar e25 = step_15 * e24;
+        const Scalar T_h_9 = x[8];
+        const Scalar T_h_10 = x[9];
+        const Scalar T_h_11 = x[10];
+        const Scalar T_h_12 = x[11];
+        const Scalar T_h_1 = x[0];
+        const Scalar T_h_2 = x[1];
+        const Scalar T_h_3 = x[2];
+        const Scalar T_h_4 = x[3];
+        const Scalar T_h_5 = x[4];
+        const Scalar T_h_6 = x[5];
+        const Scalar T_h_7 = x[6];
+        const Scalar T_h_8 = x[7];
+        const Scalar e25 = T_h_9 + T_h_10 + (T_h_11 + T_h_12)
+            + (T_h_1 + T_h_2 + (T_h_3 + T_h_4) + (T_h_5 + T_h_6 + (T_h_7 + T_h_8)));
         const Scalar T_c_9 = x[20];
         const Scalar T_c_10 = x[21];
         const Scalar T_c_11 = x[22];
@@ -1249,46 +1263,32 @@ public:
         const Scalar T_c_8 = x[19];
         const Scalar e26 = T_c_9 + T_c_10 + (T_c_11 + T_c_12)
             + (T_c_1 + T_c_2 + (T_c_3 + T_c_4) + (T_c_5 + T_c_6 + (T_c_7 + T_c_8)));
-        const Scalar T_h_9 = x[8];
-        const Scalar T_h_10 = x[9];
-        const Scalar T_h_11 = x[10];
-        const Scalar T_h_12 = x[11];
-        const Scalar T_h_1 = x[0];
-        const Scalar T_h_2 = x[1];
-        const Scalar T_h_3 = x[2];
-        const Scalar T_h_4 = x[3];
-        const Scalar T_h_5 = x[4];
-        const Scalar T_h_6 = x[5];
-        const Scalar T_h_7 = x[6];
-        const Scalar T_h_8 = x[7];
-        const Scalar e27 = T_h_9 + T_h_10 + (T_h_11 + T_h_12)
-            + (T_h_1 + T_h_2 + (T_h_3 + T_h_4) + (T_h_5 + T_h_6 + (T_h_7 + T_h_8)));
+        const Scalar e27 = e25 - e26;
         const Scalar e28 = step_15 * inverse_5_squared;
         const Scalar e29 = (step_16 * inverse_5 - min_3 * e28 + step_16 * e7) * e19;
         const Scalar e30 = step_16 * e24;
-        const Scalar e31 = c_.k8 * e21;
-        const Scalar e32 = inverse_22 * e23;
-        const Scalar e33 = c_.k6 * e32 * e27 - c_.k7 * e32 * e26;
+        const Scalar e31 = c_.k6 * e21;
+        const Scalar e32 = e23 * (c_.k5 * inverse_22) * e27;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = c_.k9 * e13 * ((e10 * e20 + decay_mean_9 * e17) * e21 - e20);
-        D[4] = c_.k11 * e25 * e26 - c_.k10 * e25 * e27;
+        D[3] = c_.k7 * e13 * ((e10 * e20 + decay_mean_9 * e17) * e21 - e20);
+        D[4] = -e24 * (c_.k8 * step_15) * e27;
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
-        D[8] = c_.k12 * e13 * ((e10 * e29 + decay_mean_9 * e28) * e21 - e29);
-        D[9] = c_.k14 * e30 * e26 - c_.k13 * e30 * e27;
+        D[8] = c_.k9 * e13 * ((e10 * e29 + decay_mean_9 * e28) * e21 - e29);
+        D[9] = c_.k11 * e30 * e26 - c_.k10 * e30 * e25;
         D[10] = Scalar(0);
         D[11] = Scalar(0);
         D[12] = Scalar(0);
         D[13] = e31;
-        D[14] = -e33;
+        D[14] = -e32;
         D[15] = Scalar(0);
         D[16] = Scalar(0);
         D[17] = Scalar(0);
         D[18] = -e31;
-        D[19] = e33;
+        D[19] = e32;
     }
 
     /// T in joules.
@@ -1385,20 +1385,17 @@ private:
     struct Cached {
         Scalar k;  ///< 1/(1/alpha_h + 1/alpha_c)
         Scalar k0;  ///< 12/M_h
-        Scalar k1;  ///< L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))/(c_h*M_h)
-        Scalar k2;  ///< L*b*alpha_h*alpha_c/(c_h*M_h*(alpha_h + alpha_c))
-        Scalar k3;  ///< 12/M_c
-        Scalar k4;  ///< L*b*alpha_h*alpha_c/(c_c*M_c*(alpha_h + alpha_c))
-        Scalar k5;  ///< L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))/(c_c*M_c)
-        Scalar k6;  ///< L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))/12
-        Scalar k7;  ///< L*b*alpha_h*alpha_c/(12*(alpha_h + alpha_c))
-        Scalar k8;  ///< L*b*k
-        Scalar k9;  ///< L^2*b^2*c_h*k^2
-        Scalar k10;  ///< L*b*alpha_h*c_h*(1 - alpha_h/(alpha_h + alpha_c))/12
-        Scalar k11;  ///< L*b*alpha_h*alpha_c*c_h/(12*(alpha_h + alpha_c))
-        Scalar k12;  ///< L^2*b^2*c_c*k^2
-        Scalar k13;  ///< L*b*alpha_h*c_c*(1 - alpha_h/(alpha_h + alpha_c))/12
-        Scalar k14;  ///< L*b*alpha_h*alpha_c*c_c/(12*(alpha_h + alpha_c))
+        Scalar k1;  ///< L*b*alpha_h*alpha_c/(c_h*M_h*(alpha_h + alpha_c))
+        Scalar k2;  ///< 12/M_c
+        Scalar k3;  ///< L*b*alpha_h*alpha_c/(c_c*M_c*(alpha_h + alpha_c))
+        Scalar k4;  ///< L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))/(c_c*M_c)
+        Scalar k5;  ///< L*b*alpha_h*alpha_c/(12*(alpha_h + alpha_c))
+        Scalar k6;  ///< L*b*k
+        Scalar k7;  ///< L^2*b^2*c_h*k^2
+        Scalar k8;  ///< L*b*alpha_h*alpha_c*c_h/(12*(alpha_h + alpha_c))
+        Scalar k9;  ///< L^2*b^2*c_c*k^2
+        Scalar k10;  ///< L*b*alpha_h*c_c*(1 - alpha_h/(alpha_h + alpha_c))/12
+        Scalar k11;  ///< L*b*alpha_h*alpha_c*c_c/(12*(alpha_h + alpha_c))
     };
     Cached c_{};
 };

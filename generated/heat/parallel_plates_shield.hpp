@@ -15,11 +15,11 @@
 //     this code = the derivation: 15 of 15 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                10     41     8        0      0
+//   update                 8     30     8        0      0
 //   rhs                    2      8     0        0      0
-//   rhs_and_jacobian       4     14     0        0      0
-//   jacobian_p            48    161     6        0      0
-//   output                 2      8     0        0      1
+//   rhs_and_jacobian       4     12     0        0      0
+//   jacobian_p            47    146     6        0      0
+//   output                 2      7     0        0      1
 //   output_jacobian_x      2     14     0        0      1
 //   internal_energy        1      4     0        0      0
 //
@@ -168,7 +168,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 10 + or -, 41 *, 8 /
+    /// Operations: 8 + or -, 30 *, 8 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.first_gap_reflectivity_1 = Scalar(1) - p_.eps_1;
@@ -186,34 +186,20 @@ public:
         c_.second_gap_reach_2_2 = p_.A * e3 / second_gap_leaving_2;
         c_.second_gap_reach_1_2 = p_.A + c_.second_gap_reflectivity_2 * c_.second_gap_reach_2_2;
         c_.second_gap_exchange_factor_1_2 = p_.eps_2 * p_.eps_s * c_.second_gap_reach_1_2;
-        const Scalar e4 = Scalar(1) / p_.m_1 / p_.c_1;
-        const Scalar inverse_5 = Scalar(1) / (c_.first_gap_exchange_factor_1_2 + c_.second_gap_exchange_factor_1_2);
-        const Scalar e6 = c_.first_gap_exchange_factor_1_2 * inverse_5;
-        const Scalar e7 = c_.first_gap_exchange_factor_1_2 * (Scalar(1) - e6);
-        const Scalar e8 = e4 * e7;
-        c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e8;
-        const Scalar e9 = c_.second_gap_exchange_factor_1_2 * inverse_5;
-        const Scalar e10 = c_.first_gap_exchange_factor_1_2 * e9;
-        const Scalar e11 = e10 * e4;
-        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e11;
-        const Scalar e12 = Scalar(1) / p_.m_2 / p_.c_2;
-        const Scalar e13 = e10 * e12;
-        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e13;
-        const Scalar e14 = e12 * (c_.second_gap_exchange_factor_1_2 * (Scalar(1) - e9));
-        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e14;
-        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e8;
-        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e13;
-        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e11;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e14;
-        const Scalar inverse_15 = Scalar(1) / p_.A;
-        const Scalar e16 = inverse_15 * e7;
-        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e16;
-        const Scalar e17 = inverse_15 * e10;
-        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e17;
-        c_.k10 = e6;
-        c_.k11 = e9;
-        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e16;
-        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e17;
+        const Scalar inverse_4 = Scalar(1) / (c_.first_gap_exchange_factor_1_2 + c_.second_gap_exchange_factor_1_2);
+        const Scalar e5 = c_.first_gap_exchange_factor_1_2 * inverse_4;
+        const Scalar e6 = c_.second_gap_exchange_factor_1_2 * e5;
+        const Scalar e7 = e6 * (Scalar(1) / p_.m_1 / p_.c_1);
+        c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e7;
+        const Scalar e8 = e6 * (Scalar(1) / p_.m_2 / p_.c_2);
+        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e8;
+        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e7;
+        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e8;
+        const Scalar e9 = e6 / p_.A;
+        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e9;
+        c_.k5 = e5;
+        c_.k6 = c_.second_gap_exchange_factor_1_2 * inverse_4;
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e9;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -237,34 +223,30 @@ public:
     ///     stefan_boltzmann*exchange_factor[second_gap, 1, 2]*(1 - exchange_factor[second_gap, 1, 2]/(exchange_factor[first_gap, 1,
     ///     2] + exchange_factor[second_gap, 1, 2]))*T_2^4/(m_2*c_2)
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        const Scalar T_2 = x[1];
-        const Scalar T_2_squared = T_2 * T_2;
-        const Scalar T_2_squared_squared = T_2_squared * T_2_squared;
         const Scalar T_1 = x[0];
-        const Scalar T_1_squared = T_1 * T_1;
-        const Scalar T_1_squared_squared = T_1_squared * T_1_squared;
-        dxdt[0] = c_.k1 * T_2_squared_squared - c_.k0 * T_1_squared_squared;
-        dxdt[1] = c_.k2 * T_1_squared_squared - c_.k3 * T_2_squared_squared;
+        const Scalar T_2 = x[1];
+        const Scalar e1 = T_1 * T_1 * T_1 * T_1 - T_2 * T_2 * T_2 * T_2;
+        dxdt[0] = -c_.k0 * e1;
+        dxdt[1] = c_.k1 * e1;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: 4 + or -, 14 *
+    /// Operations: 4 + or -, 12 *
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        const Scalar T_2 = x[1];
-        const Scalar T_2_squared = T_2 * T_2;
-        const Scalar T_2_squared_squared = T_2_squared * T_2_squared;
         const Scalar T_1 = x[0];
         const Scalar T_1_squared = T_1 * T_1;
-        const Scalar T_1_squared_squared = T_1_squared * T_1_squared;
-        dxdt[0] = c_.k1 * T_2_squared_squared - c_.k0 * T_1_squared_squared;
-        dxdt[1] = c_.k2 * T_1_squared_squared - c_.k3 * T_2_squared_squared;
-        const Scalar e1 = T_1 * T_1_squared;
-        const Scalar e2 = T_2 * T_2_squared;
-        J[0] = -c_.k4 * e1;
-        J[1] = c_.k5 * e1;
-        J[2] = c_.k6 * e2;
-        J[3] = -c_.k7 * e2;
+        const Scalar T_2 = x[1];
+        const Scalar T_2_squared = T_2 * T_2;
+        const Scalar e1 = T_1_squared * T_1_squared - T_2_squared * T_2_squared;
+        dxdt[0] = -c_.k0 * e1;
+        dxdt[1] = c_.k1 * e1;
+        const Scalar e2 = T_1 * T_1_squared;
+        const Scalar e3 = T_2 * T_2_squared;
+        J[0] = -c_.k2 * e2;
+        J[1] = c_.k3 * e2;
+        J[2] = c_.k2 * e3;
+        J[3] = -c_.k3 * e3;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].
@@ -279,7 +261,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 10, entry (i, j) at J[2*j + i].
-    /// Operations: 48 + or -, 161 *, 6 /
+    /// Operations: 47 + or -, 146 *, 6 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.m_1;
         const Scalar inverse_2 = Scalar(1) / p_.c_1;
@@ -326,7 +308,7 @@ public:
         const Scalar e35 = c_.first_gap_reach_1_2 * e6;
         const Scalar e36 = e35 * e26;
         const Scalar e37 = e21 * e35;
-        const Scalar e38 = e13 * e3;
+        const Scalar e38 = e13 * e37;
         const Scalar e39 = e31 * e34;
         const Scalar e40 = e21 * e37;
         const Scalar e41 = c_.second_gap_reach_1_2 * e15;
@@ -337,75 +319,65 @@ public:
         const Scalar e46 = c_.first_gap_reach_1_2 * c_.first_gap_reach_1_2 * e45 * e14 + c_.second_gap_reach_1_2
             * c_.second_gap_reach_1_2 * e44 * e23;
         const Scalar e47 = e46 * (inverse_5 * inverse_4);
-        const Scalar e48 = c_.first_gap_exchange_factor_1_2 * e38;
-        const Scalar e49 = c_.second_gap_exchange_factor_1_2 * e27;
-        const Scalar e50 = c_.second_gap_exchange_factor_1_2 * e31;
-        const Scalar e51 = e22 * e50;
-        const Scalar e52 = e12 * e50;
-        const Scalar e53 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e48 = c_.second_gap_exchange_factor_1_2 * e27;
+        const Scalar e49 = T_1_squared_squared - T_2_squared_squared;
+        const Scalar e50 = e31 * (c_.second_gap_exchange_factor_1_2 * e12);
+        const Scalar e51 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.eps_s * e3 * e24;
-        const Scalar e54 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e52 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * (-p_.eps_s * (e11 * e26 + e20 * e28));
-        J[0] = (-e53) * T_2_squared_squared - e54 * T_1_squared_squared;
-        const Scalar e55 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[0] = (-e51) * T_2_squared_squared - e52 * T_1_squared_squared;
+        const Scalar e53 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e32 * e24;
-        const Scalar e56 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e54 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * (e32 * (e21 * e21 * e11 + e33 * e20));
-        J[1] = (-e55) * T_1_squared_squared + e56 * T_2_squared_squared;
-        const Scalar e57 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[1] = (-e53) * T_1_squared_squared + e54 * T_2_squared_squared;
+        const Scalar e55 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e34 * e36;
+        const Scalar e56 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e3 * e34 * e38;
+        J[2] = -e55 * T_1_squared_squared - (-e56) * T_2_squared_squared;
+        const Scalar e57 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e39 * e38;
         const Scalar e58 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e34 * e37 * e38;
-        J[2] = -e57 * T_1_squared_squared - (-e58) * T_2_squared_squared;
-        const Scalar e59 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e13 * e39 * e37;
-        const Scalar e60 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e39 * e40;
-        J[3] = -(-e59) * T_1_squared_squared - e60 * T_2_squared_squared;
-        const Scalar e61 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[3] = -(-e57) * T_1_squared_squared - e58 * T_2_squared_squared;
+        const Scalar e59 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e28 * e42;
-        const Scalar e62 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e60 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e22 * e27 * e42;
-        J[4] = -e61 * T_1_squared_squared - (-e62) * T_2_squared_squared;
-        const Scalar e63 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[4] = -e59 * T_1_squared_squared - (-e60) * T_2_squared_squared;
+        const Scalar e61 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e22 * e12 * e41 * e39;
-        const Scalar e64 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e62 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e39 * e43;
-        J[5] = -(-e63) * T_1_squared_squared - e64 * T_2_squared_squared;
-        const Scalar e65 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[5] = -(-e61) * T_1_squared_squared - e62 * T_2_squared_squared;
+        const Scalar e63 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * (e41 * e44 * e28 + e45 * e36);
-        const Scalar e66 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e64 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e3 * e47;
-        J[6] = -e65 * T_1_squared_squared - (-e66) * T_2_squared_squared;
-        const Scalar e67 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[6] = -e63 * T_1_squared_squared - (-e64) * T_2_squared_squared;
+        const Scalar e65 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e31 * e47;
-        const Scalar e68 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e66 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * (e31 * (e44 * e43 + e45 * e40));
-        J[7] = -(-e67) * T_1_squared_squared - e68 * T_2_squared_squared;
-        const Scalar e69 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[7] = -(-e65) * T_1_squared_squared - e66 * T_2_squared_squared;
+        const Scalar e67 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * inverse_1 * e48;
-        const Scalar e70 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_1 * e49;
-        J[8] = e69 * T_1_squared_squared - e70 * T_2_squared_squared;
+        J[8] = e67 * e49;
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        const Scalar e71 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_29 * e51;
-        const Scalar e72 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_29 * e52;
-        J[11] = e71 * T_2_squared_squared - e72 * T_1_squared_squared;
-        const Scalar e73 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e68 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_29 * e50;
+        J[11] = -e68 * e49;
+        const Scalar e69 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * inverse_2 * e48;
-        const Scalar e74 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_2 * e49;
-        J[12] = e73 * T_1_squared_squared - e74 * T_2_squared_squared;
+        J[12] = e69 * e49;
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        const Scalar e75 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_30 * e51;
-        const Scalar e76 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_30 * e52;
-        J[15] = e75 * T_2_squared_squared - e76 * T_1_squared_squared;
+        const Scalar e70 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_30 * e50;
+        J[15] = -e70 * e49;
         J[16] = Scalar(0);
         J[17] = Scalar(0);
         J[18] = Scalar(0);
@@ -435,7 +407,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 2 + or -, 8 *, 1 other functions
+    /// Operations: 2 + or -, 7 *, 1 other functions
     ///     q_1 = -m_1*c_1*dot(T_1)/A
     ///     T_s = (exchange_factor[first_gap, 1, 2]*T_1^4/(exchange_factor[first_gap, 1, 2] + exchange_factor[second_gap, 1, 2]) +
     ///     exchange_factor[second_gap, 1, 2]*T_2^4/(exchange_factor[first_gap, 1, 2] + exchange_factor[second_gap, 1, 2]))^(1/4)
@@ -447,8 +419,8 @@ public:
         const Scalar T_2 = x[1];
         const Scalar T_2_squared = T_2 * T_2;
         const Scalar T_2_squared_squared = T_2_squared * T_2_squared;
-        const Scalar power_1 = pow(c_.k10 * T_1_squared_squared + c_.k11 * T_2_squared_squared, Scalar(1) / Scalar(4));
-        y[0] = c_.k8 * T_1_squared_squared - c_.k9 * T_2_squared_squared;
+        const Scalar power_1 = pow(c_.k5 * T_1_squared_squared + c_.k6 * T_2_squared_squared, Scalar(1) / Scalar(4));
+        y[0] = c_.k4 * (T_1_squared_squared - T_2_squared_squared);
         y[1] = power_1;
     }
 
@@ -461,13 +433,13 @@ public:
         const Scalar e1 = T_1 * T_1_squared;
         const Scalar T_2 = x[1];
         const Scalar T_2_squared = T_2 * T_2;
-        const Scalar e2 = c_.k10 * T_1_squared * T_1_squared + c_.k11 * T_2_squared * T_2_squared;
-        const Scalar power_3 = pow(e2, -Scalar(3) / Scalar(4));
-        const Scalar e4 = T_2 * T_2_squared;
-        C[0] = c_.k12 * e1;
-        C[1] = c_.k10 * power_3 * e1;
-        C[2] = -c_.k13 * e4;
-        C[3] = c_.k11 * power_3 * e4;
+        const Scalar power_2 = pow(c_.k5 * T_1_squared * T_1_squared + c_.k6 * T_2_squared * T_2_squared, -Scalar(3)
+            / Scalar(4));
+        const Scalar e3 = T_2 * T_2_squared;
+        C[0] = c_.k7 * e1;
+        C[1] = c_.k5 * power_2 * e1;
+        C[2] = -c_.k7 * e3;
+        C[3] = c_.k6 * power_2 * e3;
     }
 
     /// D = dh/du.
@@ -543,20 +515,14 @@ private:
         Scalar second_gap_reach_2_2;  ///< A^2*reflectivity[second_gap, 1]/leaving[second_gap, 2]
         Scalar second_gap_reach_1_2;  ///< A + reflectivity[second_gap, 2]*reach[second_gap, 2, 2]
         Scalar second_gap_exchange_factor_1_2;  ///< eps_2*eps_s*reach[second_gap, 1, 2]
-        Scalar k0;  ///< stefan_boltzmann*exchange_factor[first_gap, 1, 2]*(1 - exchange_factor[first_gap, 1, ...
+        Scalar k0;  ///< stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1, ...
         Scalar k1;  ///< stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1, ...
-        Scalar k2;  ///< stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1, ...
-        Scalar k3;  ///< stefan_boltzmann*exchange_factor[second_gap, 1, 2]*(1 - exchange_factor[second_gap, 1, ...
-        Scalar k4;  ///< 4*stefan_boltzmann*exchange_factor[first_gap, 1, 2]*(1 - exchange_factor[first_gap, 1, ...
-        Scalar k5;  ///< 4*stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1, ...
-        Scalar k6;  ///< 4*stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1, ...
-        Scalar k7;  ///< 4*stefan_boltzmann*exchange_factor[second_gap, 1, 2]*(1 - exchange_factor[second_gap, 1, ...
-        Scalar k8;  ///< stefan_boltzmann*exchange_factor[first_gap, 1, 2]*(1 - exchange_factor[first_gap, 1, ...
-        Scalar k9;  ///< stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1, ...
-        Scalar k10;  ///< exchange_factor[first_gap, 1, 2]/(exchange_factor[first_gap, 1, 2] + exchange_factor[second_gap, ...
-        Scalar k11;  ///< exchange_factor[second_gap, 1, 2]/(exchange_factor[first_gap, 1, 2] + ...
-        Scalar k12;  ///< 4*stefan_boltzmann*exchange_factor[first_gap, 1, 2]*(1 - exchange_factor[first_gap, 1, ...
-        Scalar k13;  ///< 4*stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1, ...
+        Scalar k2;  ///< 4*stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1, ...
+        Scalar k3;  ///< 4*stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1, ...
+        Scalar k4;  ///< stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1, ...
+        Scalar k5;  ///< exchange_factor[first_gap, 1, 2]/(exchange_factor[first_gap, 1, 2] + exchange_factor[second_gap, ...
+        Scalar k6;  ///< exchange_factor[second_gap, 1, 2]/(exchange_factor[first_gap, 1, 2] + ...
+        Scalar k7;  ///< 4*stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1, ...
     };
     Cached c_{};
 };

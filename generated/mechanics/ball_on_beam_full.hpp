@@ -24,7 +24,7 @@
 //   mass_matrix            2      2     0        0      0
 //   bias                   3      9     0        2      0
 //   kinetic_energy         6     15     1        0      0
-//   potential_energy       2      3     0        2      0
+//   potential_energy       1      3     0        1      1
 //   supplied_power         0      1     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -116,6 +116,14 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// 1 - cos(x) = 2 sin(x/2)^2, which keeps its digits around zero.
+template <class Scalar>
+Scalar one_minus_cos(const Scalar& x) noexcept {
+    using std::sin;
+    const Scalar sine = sin(Scalar(x / Scalar(2)));
+    return Scalar(2) * sine * sine;
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -426,16 +434,15 @@ public:
     }
 
     /// V in joules.
-    /// Operations: 2 + or -, 3 *, 2 sin or cos
+    /// Operations: 1 + or -, 3 *, 1 sin or cos, 1 other functions
     ///     V = -m_K*r_K*g + m_K*g*r*sin(phi_1) + m_K*r_K*g*cos(phi_1)
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
         using std::sin;
         const Scalar r = x[1];
         const Scalar phi_1 = x[0];
         const Scalar sin_phi_1 = sin(phi_1);
-        const Scalar cos_phi_1 = cos(phi_1);
-        return c_.k4 * r * sin_phi_1 - c_.k5 * (Scalar(1) - cos_phi_1);
+        const Scalar one_minus_cos_phi_1 = detail::one_minus_cos<Scalar>(phi_1);
+        return c_.k4 * r * sin_phi_1 - c_.k5 * one_minus_cos_phi_1;
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.

@@ -26,7 +26,7 @@
 //   output                 1      1     0        1      0
 //   output_jacobian_x      0      1     0        1      0
 //   kinetic_energy         1      8     0        1      0
-//   potential_energy       1      1     0        1      0
+//   potential_energy       0      1     0        0      1
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -116,6 +116,14 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// 1 - cos(x) = 2 sin(x/2)^2, which keeps its digits around zero.
+template <class Scalar>
+Scalar one_minus_cos(const Scalar& x) noexcept {
+    using std::sin;
+    const Scalar sine = sin(Scalar(x / Scalar(2)));
+    return Scalar(2) * sine * sine;
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -384,13 +392,12 @@ public:
     }
 
     /// V in joules.
-    /// Operations: 1 + or -, 1 *, 1 sin or cos
+    /// Operations: 1 *, 1 other functions
     ///     V = m*l*g - m*l*g*cos(theta)
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
         const Scalar theta = x[0];
-        const Scalar cos_theta = cos(theta);
-        return c_.k1 * (Scalar(1) - cos_theta);
+        const Scalar one_minus_cos_theta = detail::one_minus_cos<Scalar>(theta);
+        return c_.k1 * one_minus_cos_theta;
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.

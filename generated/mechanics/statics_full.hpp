@@ -15,12 +15,12 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 4     15     5        9      1
+//   update                 4     15     5        9      2
 //   rhs                    0      1     0        0      0
 //   rhs_and_jacobian       0      1     0        0      0
-//   output                11     15     0        0      0
+//   output                12     15     0        0      0
 //   output_jacobian_x      1      0     0        0      0
-//   output_jacobian_u      6      0     0        0      0
+//   output_jacobian_u      7      0     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -142,6 +142,14 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// 1 - cos(x) = 2 sin(x/2)^2, which keeps its digits around zero.
+template <class Scalar>
+Scalar one_minus_cos(const Scalar& x) noexcept {
+    using std::sin;
+    const Scalar sine = sin(Scalar(x / Scalar(2)));
+    return Scalar(2) * sine * sine;
+}
+
 /// The number pi, to the digits of the type.
 template <class Scalar>
 Scalar pi() noexcept {
@@ -209,7 +217,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 4 + or -, 15 *, 5 /, 9 sin or cos, 1 other functions
+    /// Operations: 4 + or -, 15 *, 5 /, 9 sin or cos, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::asin;
@@ -235,12 +243,11 @@ public:
         c_.k4 = (Scalar(1) / Scalar(2)) * p_.a_x;
         const Scalar cos_delta = cos(p_.delta);
         const Scalar sin_delta = sin(p_.delta);
-        const Scalar e4 = Scalar(1) + sin_delta;
-        const Scalar inverse_5 = Scalar(1) / (cos_delta + e4);
-        c_.k5 = Scalar(2) * inverse_5;
-        const Scalar e6 = cos_delta * inverse_5;
-        c_.k6 = Scalar(2) * e6;
-        c_.k7 = e6 - inverse_5 * e4;
+        const Scalar inverse_4 = Scalar(1) / (Scalar(1) + cos_delta + sin_delta);
+        c_.k5 = Scalar(2) * inverse_4;
+        c_.k6 = Scalar(2) * cos_delta * inverse_4;
+        const Scalar one_minus_cos_delta = detail::one_minus_cos<Scalar>(p_.delta);
+        c_.k7 = inverse_4 * (one_minus_cos_delta + sin_delta);
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -332,7 +339,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 11 + or -, 15 *
+    /// Operations: 12 + or -, 15 *
     ///     rope = f_S
     ///     wall = f_N
     ///     rope_1 = cos(gamma_3)*f_S3/(2*cos(alpha)*cos(beta))
@@ -366,7 +373,7 @@ public:
         y[7] = -c_.k4 * (f_Ay + f_By) - c_.k3 * f_Bx - p_.a_x * f_Cy;
         y[8] = c_.k5 * f_ext;
         y[9] = -c_.k6 * f_ext;
-        y[10] = c_.k7 * f_ext;
+        y[10] = -c_.k7 * f_ext;
     }
 
     /// C = dh/dx.
@@ -386,7 +393,7 @@ public:
     }
 
     /// D = dh/du.
-    /// Operations: 6 + or -
+    /// Operations: 7 + or -
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         const Scalar e1 = -c_.k4;
         D[0] = Scalar(0);
@@ -410,7 +417,7 @@ public:
         D[18] = Scalar(0);
         D[19] = c_.k5;
         D[20] = -c_.k6;
-        D[21] = c_.k7;
+        D[21] = -c_.k7;
         D[22] = Scalar(0);
         D[23] = Scalar(0);
         D[24] = Scalar(0);
@@ -578,7 +585,7 @@ private:
         Scalar k4;  ///< a_x/2
         Scalar k5;  ///< 2/(1 + cos(delta) + sin(delta))
         Scalar k6;  ///< 2*cos(delta)/(1 + cos(delta) + sin(delta))
-        Scalar k7;  ///< (-1 + cos(delta) - sin(delta))/(1 + cos(delta) + sin(delta))
+        Scalar k7;  ///< (one_minus_cos(delta) + sin(delta))/(1 + cos(delta) + sin(delta))
     };
     Cached c_{};
 };

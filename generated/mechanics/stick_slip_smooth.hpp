@@ -20,7 +20,7 @@
 //   update                 1      9     3        0      0
 //   rhs                    3      8     1        0      2
 //   rhs_and_jacobian       7     16     1        0      2
-//   jacobian_p            10     40     3        0      2
+//   jacobian_p            10     41     3        0      3
 //   jacobian_t             0      1     0        0      0
 //   bias                   3      7     1        0      2
 //   output                 3      8     1        0      2
@@ -250,9 +250,10 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 8, entry (i, j) at J[2*j + i].
-    /// Operations: 10 + or -, 40 *, 3 /, 2 other functions
+    /// Operations: 10 + or -, 41 *, 3 /, 3 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
+        using std::expm1;
         using std::tanh;
         State dxdt;
         rhs(x, u, t, dxdt);
@@ -260,34 +261,35 @@ public:
         const Scalar x_dot = x[1];
         const Scalar tanh_2 = tanh(c_.k4 * x_dot);
         const Scalar x_dot_squared = x_dot * x_dot;
-        const Scalar exp_3 = exp(c_.k5 * x_dot_squared);
-        const Scalar inverse_4 = Scalar(1) / exp_3;
-        const Scalar e5 = tanh_2 * inverse_4;
+        const Scalar e3 = c_.k5 * x_dot_squared;
+        const Scalar exp_4 = exp(e3);
+        const Scalar inverse_5 = Scalar(1) / exp_4;
+        const Scalar e6 = tanh_2 * inverse_5;
         const Scalar x_value = x[0];
-        const Scalar e6 = p_.m * p_.g;
-        const Scalar e7 = e6 * e5;
-        const Scalar inverse_8 = Scalar(1) / p_.w_s;
-        const Scalar inverse_8_squared = inverse_8 * inverse_8;
-        const Scalar e9 = e1 * e6;
-        const Scalar inverse_10 = Scalar(1) / p_.v_s;
+        const Scalar expm1_7 = expm1(-e3);
+        const Scalar e8 = p_.m * p_.g;
+        const Scalar inverse_9 = Scalar(1) / p_.w_s;
+        const Scalar inverse_9_squared = inverse_9 * inverse_9;
+        const Scalar e10 = e1 * e8;
+        const Scalar inverse_11 = Scalar(1) / p_.v_s;
         J[0] = Scalar(0);
-        J[1] = (p_.g * e1 * e5 - dxdt[1] - tanh_2 * (p_.g * p_.mu_C)) * c_.k0;
+        J[1] = (p_.g * e1 * e6 - dxdt[1] - tanh_2 * (p_.g * p_.mu_C)) * c_.k0;
         J[2] = Scalar(0);
-        J[3] = (p_.m * e1 * e5 - tanh_2 * (p_.m * p_.mu_C)) * c_.k0;
+        J[3] = (p_.m * e1 * e6 - tanh_2 * (p_.m * p_.mu_C)) * c_.k0;
         J[4] = Scalar(0);
         J[5] = (p_.v_0 * t - x_value) * c_.k0;
         J[6] = Scalar(0);
         J[7] = p_.c * t * c_.k0;
         J[8] = Scalar(0);
-        J[9] = (e7 - tanh_2 * e6) * c_.k0;
+        J[9] = expm1_7 * tanh_2 * e8 * c_.k0;
         J[10] = Scalar(0);
-        J[11] = (-e7) * c_.k0;
+        J[11] = (-e8 * e6) * c_.k0;
         J[12] = Scalar(0);
-        const Scalar e11 = inverse_4 * (inverse_8_squared * e9) - p_.mu_C * e6 * inverse_8_squared;
-        J[13] = (-x_dot * e11 * (Scalar(1) - tanh_2 * tanh_2)) * c_.k0;
+        const Scalar e12 = inverse_5 * (inverse_9_squared * e10) - p_.mu_C * e8 * inverse_9_squared;
+        J[13] = (-x_dot * e12 * (Scalar(1) - tanh_2 * tanh_2)) * c_.k0;
         J[14] = Scalar(0);
-        const Scalar e12 = Scalar(2) * inverse_10 * inverse_10 * inverse_10 * e9 * e5 * x_dot_squared;
-        J[15] = e12 * c_.k0;
+        const Scalar e13 = Scalar(2) * inverse_11 * inverse_11 * inverse_11 * e10 * e6 * x_dot_squared;
+        J[15] = e13 * c_.k0;
     }
 
     /// J = df/dt at fixed x and u.

@@ -48,6 +48,7 @@ ExitCode accuracy_command(const Options& options, Streams streams) {
     Machine machine = derived(options, streams);
     const System& system = *machine.system;
     refuse_fields(system, "accuracy");
+    machine.rewrites = !options.no_rewrite;
     const Header header = generate(machine);
     const AccuracyMeasurement measurement(machine, header);
     std::vector<AccuracyReport> reports;
@@ -91,6 +92,7 @@ ExitCode accuracy_command(const Options& options, Streams streams) {
     text += rows;
     if (!is_good) text += fmt::format("above {} ulp:\n{}", written(options.ulp_limit), above);
     else if (worst != nullptr && worst->worst) text += "worst input:\n" + worst_text(inputs, *worst, *in_double.arithmetic);
+    if (options.explain) text += rewritten_text(machine);
     streams.out << text;
     return is_good ? ExitCode::good : ExitCode::check_failed;
 }

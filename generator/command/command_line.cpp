@@ -64,6 +64,7 @@ public:
         generate->add_flag("--taylor", options_.taylor, "with Taylor series of the motion, for the method taylor");
         format(generate, "text or json", {"text", "json"});
         explain(generate);
+        rewriting(generate);
         CLI::App* check = model_verb("check", "prove the derivation and check the printed equations, in every scene unless one is chosen");
         format(check, "text or json", {"text", "json"});
         CLI::App* evaluate = model_verb("evaluate", "state derivative, outputs and energies at one point");
@@ -131,6 +132,8 @@ public:
         accuracy->add_option("--seed", options_.seed, "of the random numbers")->capture_default_str();
         accuracy->add_option("--limit", options_.ulp_limit, "largest error in double that is good, in ulp beyond the condition")->capture_default_str()->check(CLI::PositiveNumber);
         format(accuracy, "text or json", {"text", "json"});
+        accuracy->add_flag("--explain", options_.explain, "what was rewritten to keep digits");
+        rewriting(accuracy);
         CLI::App* scenes = app_.add_subcommand("scenes", "list the scenes of a model and their effects");
         scenes->add_option("MODEL", model_, "model file")->required();
         format(scenes, "text or json", {"text", "json"});
@@ -195,8 +198,9 @@ private:
         verb->add_option("--periods", options_.periods, "length of the run in periods, where the run names a period")->check(CLI::PositiveNumber);
         if (draws) verb->add_flag("--no-plot", options_.no_plot, "write the CSV only");
     }
+    void rewriting(CLI::App* verb) { verb->add_flag("--no-rewrite", options_.no_rewrite, "leave forms that lose digits as they are derived"); }
     void explain(CLI::App* verb) {
-        verb->add_flag("--explain", options_.explain, "time and result of each stage");
+        verb->add_flag("--explain", options_.explain, "time and result of each stage, and what was rewritten to keep digits");
         verb->add_option("--dump", options_.dump, "print a stage instead: scene, equations, atoms or code")->check(CLI::IsMember({"scene", "equations", "atoms", "code"}));
     }
 

@@ -49,6 +49,7 @@ struct Options {
     std::string topic;                    ///< of help
     int test_points = 2000;               ///< of accuracy, in each arithmetic
     std::uint64_t seed = 1;
+    bool no_rewrite = false;              ///< forms that lose digits stay as they are
     double ulp_limit = 8;                 ///< of errors in double
 };
 

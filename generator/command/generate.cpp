@@ -94,6 +94,7 @@ ExitCode generate_command(const Options& options, Streams streams) {
     for (const std::string& scene : scenes) {
         Machine machine = derive_machine(model, scene, options.choice.sizes);
         show_warnings(machine, streams);
+        machine.rewrites = !options.no_rewrite;
         const Header header = generate(machine, options.taylor ? SeriesWish::wanted : SeriesWish::none);
         if (!options.dump.empty()) {
             streams.out << dumped(machine, options.dump, header);
@@ -110,7 +111,7 @@ ExitCode generate_command(const Options& options, Streams streams) {
         }
         text += fmt::format("{}: {} degrees of freedom, {} operations in the right-hand side{}, {}\n", path.string(), machine.system->symbols.degrees(),
                             operations(machine, Function::rhs).total(), cells, all_proven ? "everything proven" : "some of it numerically equal only");
-        if (options.explain) text += stage_table(machine.stages);
+        if (options.explain) text += stage_table(machine.stages) + rewritten_text(machine);
     }
     write_files(files);
     if (options.format == "json") streams.out << printed(options.every_scene ? all : all.front());

@@ -44,6 +44,17 @@ std::string title_of(const Scene& scene) {
     return fmt::format("{}, scene {}{}", scene.sized_name(), scene.name, scene.mode ? ", mode " + scene.modes[*scene.mode].name : "");
 }
 
+std::string rewritten_text(const Machine& machine) {
+    std::string text;
+    const auto add = [&](const Machine& one) {
+        for (const Rewriting& r : one.code->rewritten)
+            text += fmt::format("  rewritten   {}: {} in {} place{}{}, from {:.3g} to {:.3g} ulp beyond the condition\n", r.rule, r.where, r.places, r.places == 1 ? "" : "s", one.system->scene.mode ? " of " + one.system->scene.modes[*one.system->scene.mode].name : "", r.before, r.after);
+    };
+    add(machine);
+    for (const Machine& other : machine.other_modes) add(other);
+    return text;
+}
+
 std::string summary(const std::vector<const AuditEntry*>& entries) {
     std::map<Verdict, int> counts;
     for (const AuditEntry* entry : entries) ++counts[entry->result.verdict];

@@ -19,6 +19,9 @@ const Machine& in_chosen_mode(const Machine& machine, const Options& options);
 /// "NAME, scene S", with the mode where there are some.
 std::string title_of(const Scene& scene);
 
+/// What was rewritten to keep digits, a line each; nothing where nothing was.
+std::string rewritten_text(const Machine& machine);
+
 /// "proven", or "12 proven, 1 numerically equal".
 std::string summary(const std::vector<const AuditEntry*>& entries);
 std::vector<const AuditEntry*> pointers(const std::vector<AuditEntry>& entries);

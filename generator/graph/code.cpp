@@ -14,8 +14,8 @@ namespace {
 
 class CodeMaker {
 public:
-    explicit CodeMaker(const System& system)
-        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms)), n_(system.motion.unknowns()), degrees_(system.symbols.degrees()), places_(system.unknown_places()), multipliers_(system.motion.multipliers.size()) {}
+    CodeMaker(const System& system, bool rewrites)
+        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms, rewrites)), n_(system.motion.unknowns()), degrees_(system.symbols.degrees()), places_(system.unknown_places()), multipliers_(system.motion.multipliers.size()) {}
 
     std::unique_ptr<Code> run(const CodeWish& wish) {
         order_definitions();
@@ -40,6 +40,7 @@ public:
         projection();
         if (wish.series) series();
         update();
+        code_->rewritten = std::move(lowered_.rewritten);
         return std::move(code_);
     }
 
@@ -434,6 +435,6 @@ std::vector<NodeId> FunctionCode::roots() const {
 
 OperationCount Code::count(Function f) const { return (*this)[f].program.count((*this)[f].roots()); }
 
-std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish) { return CodeMaker(system).run(wish); }
+std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish) { return CodeMaker(system, wish.rewrites).run(wish); }
 
 }  // namespace dalembert

@@ -7,6 +7,7 @@
 #include "form/jacobian.hpp"
 #include "graph/build.hpp"
 #include "graph/factorisation.hpp"
+#include "graph/rewrite.hpp"
 
 namespace dalembert {
 
@@ -87,7 +88,8 @@ struct ResetCode {
 
 /// What is asked of code besides the functions that every header has.
 struct CodeWish {
-    bool series = false;  ///< of the motion
+    bool rewrites = true;  ///< of forms that lose digits
+    bool series = false;   ///< of the motion
 };
 
 struct Code {
@@ -104,6 +106,7 @@ struct Code {
     std::optional<FunctionCode> series_of;
     std::vector<ResetCode> resets, rests;         ///< by event
     std::vector<std::optional<std::size_t>> condition_places;  ///< of x, with the results of Function::conditions; nothing: they are to be zero
+    std::vector<Rewriting> rewritten;             ///< what has another form than it was derived in
 
     FunctionCode& operator[](Function f) { return functions[static_cast<std::size_t>(f)]; }
     const FunctionCode& operator[](Function f) const { return functions[static_cast<std::size_t>(f)]; }

@@ -32,7 +32,8 @@ const std::vector<FunctionOp>& function_ops() {
         {magnitude_SERIAL::serial, Op::abs, 1},     {sign_of_SERIAL::serial, Op::sign, -1},     {unit_step_SERIAL::serial, Op::step, 0},
         {norm_SERIAL::serial, Op::sqrt, 0},         {inverse_norm_SERIAL::serial, Op::inverse_norm, 0},
         {minimum_SERIAL::serial, Op::min, 0},       {maximum_SERIAL::serial, Op::max, 0},
-        {exp_minus_one_SERIAL::serial, Op::expm1, 0}, {log_one_plus_SERIAL::serial, Op::log1p, 0}, {compression_SERIAL::serial, Op::compression, 0},
+        {exp_minus_one_SERIAL::serial, Op::expm1, 0}, {one_minus_cos_SERIAL::serial, Op::one_minus_cos, 1}, {sinc_SERIAL::serial, Op::sinc, 1}, {cosc_SERIAL::serial, Op::cosc, 1},
+        {growth_mean_SERIAL::serial, Op::growth_mean, 0}, {logc_SERIAL::serial, Op::logc, 0}, {log_one_plus_SERIAL::serial, Op::log1p, 0}, {compression_SERIAL::serial, Op::compression, 0},
         {signed_root_SERIAL::serial, Op::signed_root, -1}, {inverse_root_SERIAL::serial, Op::inverse_root, 1}, {forward_root_SERIAL::serial, Op::forward_root, 0},
         {outflow_factor_SERIAL::serial, Op::outflow_factor, 0}, {outflow_factor_slope_SERIAL::serial, Op::outflow_factor_slope, 0},
         {outflow_factor_by_exponent_SERIAL::serial, Op::outflow_factor_by_exponent, 0},
@@ -47,6 +48,29 @@ const std::vector<FunctionOp>& function_ops() {
 Polynomial negated(Polynomial p) {
     p *= Rational(-1);
     return p;
+}
+
+/// content * common monomial * rest, rest with whole coprime coefficients and a positive leading term.
+std::tuple<Rational, Monomial, Polynomial> primitive(const Polynomial& p, const Atoms& atoms) {
+    cln::cl_I numerators = 0;
+    cln::cl_I denominators = 1;
+    for (const auto& [monomial, coefficient] : p.terms()) {
+        numerators = cln::gcd(numerators, cln::numerator(coefficient));
+        denominators = cln::lcm(denominators, cln::denominator(coefficient));
+    }
+    Rational content = Rational(numerators) / denominators;
+    Monomial common = p.terms().begin()->first;
+    for (const auto& [monomial, coefficient] : p.terms()) {
+        Monomial shared;
+        for (const LetterPower& power : common)
+            if (const int other = exponent_of(monomial, power.letter); other > 0 && power.exponent > 0)
+                shared.push_back({power.letter, std::min(power.exponent, other)});
+        common = std::move(shared);
+    }
+    if (atoms.leading_sign(p) < 0) content = -content;
+    Polynomial rest;
+    for (const auto& [monomial, coefficient] : p.terms()) rest.add(monomial * raised(common, -1), coefficient / content);
+    return {content, common, rest};
 }
 
 class Lowering {
@@ -80,44 +104,6 @@ public:
     }
 
 private:
-    /// A polynomial kept whole, its sign and content taken out: returns factor*letter.
-    Polynomial kept_whole(const Polynomial& p, int exponent) {
-        if (p.is_monomial()) {
-            const auto& [monomial, coefficient] = *p.terms().begin();
-            Polynomial result;
-            result.add(raised(monomial, exponent), cln::expt(coefficient, cln::cl_I(exponent)));
-            return result;
-        }
-        const auto [content, common, rest] = primitive(p);
-        Polynomial result;
-        Monomial m = raised(common, exponent) * Monomial{{atoms_.letter(Op::sum, {rest}), exponent}};
-        result.add(m, cln::expt(content, cln::cl_I(exponent)));
-        return result;
-    }
-
-    /// content * common monomial * rest, rest with whole coprime coefficients and a positive leading term.
-    std::tuple<Rational, Monomial, Polynomial> primitive(const Polynomial& p) {
-        cln::cl_I numerators = 0;
-        cln::cl_I denominators = 1;
-        for (const auto& [monomial, coefficient] : p.terms()) {
-            numerators = cln::gcd(numerators, cln::numerator(coefficient));
-            denominators = cln::lcm(denominators, cln::denominator(coefficient));
-        }
-        Rational content = Rational(numerators) / denominators;
-        Monomial common = p.terms().begin()->first;
-        for (const auto& [monomial, coefficient] : p.terms()) {
-            Monomial shared;
-            for (const LetterPower& power : common)
-                if (const int other = exponent_of(monomial, power.letter); other > 0 && power.exponent > 0)
-                    shared.push_back({power.letter, std::min(power.exponent, other)});
-            common = std::move(shared);
-        }
-        if (atoms_.leading_sign(p) < 0) content = -content;
-        Polynomial rest;
-        for (const auto& [monomial, coefficient] : p.terms()) rest.add(monomial * raised(common, -1), coefficient / content);
-        return {content, common, rest};
-    }
-
     bool has_angles(const Polynomial& p) const {
         for (const auto& [monomial, coefficient] : p.terms())
             for (const LetterPower& power : monomial)
@@ -126,7 +112,7 @@ private:
     }
 
     Polynomial multiply(const Polynomial& a, const Polynomial& b) {
-        if (a.size() > 1 && b.size() > 1 && a.size() * b.size() > most_terms) return multiply(kept_whole(a, 1), kept_whole(b, 1));
+        if (a.size() > 1 && b.size() > 1 && a.size() * b.size() > most_terms) return multiply(kept_whole(a, 1, atoms_), kept_whole(b, 1, atoms_));
         return Polynomial::product(a, b, SIZE_MAX);
     }
 
@@ -139,7 +125,7 @@ private:
         if (const auto n = to_int(value)) {
             // Expanded, (x - a)^n loses its digits near a. Only squares with angles are: what becomes 1 in them is worth more.
             if (*n == 2 && has_angles(base)) return multiply(base, base);
-            return kept_whole(base, *n);
+            return kept_whole(base, *n, atoms_);
         }
         const auto numerator = to_int(cln::numerator(value));
         if (numerator && cln::denominator(value) == 2) return Polynomial::letter(atoms_.letter(Op::sqrt, {base}), *numerator);
@@ -150,7 +136,7 @@ private:
         const unsigned serial = ex_to<GiNaC::function>(e).get_serial();
         if (serial == whole_SERIAL::serial) {
             const Polynomial inside = folded((*this)(e.op(0)), atoms_);
-            return inside.is_zero() ? inside : kept_whole(inside, 1);
+            return inside.is_zero() ? inside : kept_whole(inside, 1, atoms_);
         }
         if (is_network_function(e)) return network(e);
         if (serial == GiNaC::exp_SERIAL::serial) return exponential(folded((*this)(e.op(0)), atoms_));
@@ -184,7 +170,7 @@ private:
     /// is to cancel must look alike.
     Polynomial exponential(Polynomial argument) {
         if (argument.is_zero()) return Polynomial(1);
-        const auto content = std::get<0>(primitive(argument));
+        const auto content = std::get<0>(primitive(argument, atoms_));
         const auto n = cln::denominator(content) == 1 ? to_int(content) : std::optional<int>(is_negative(content) ? -1 : 1);
         const int exponent = n.value_or(1);
         argument *= Rational(1) / exponent;
@@ -231,6 +217,20 @@ Polynomial folded(Polynomial p, const Atoms& atoms) {
         }
     }
     return p;
+}
+
+Polynomial kept_whole(const Polynomial& p, int exponent, Atoms& atoms) {
+    if (p.is_monomial()) {
+        const auto& [monomial, coefficient] = *p.terms().begin();
+        Polynomial result;
+        result.add(raised(monomial, exponent), cln::expt(coefficient, cln::cl_I(exponent)));
+        return result;
+    }
+    const auto [content, common, rest] = primitive(p, atoms);
+    Polynomial result;
+    Monomial m = raised(common, exponent) * Monomial{{atoms.letter(Op::sum, {rest}), exponent}};
+    result.add(m, cln::expt(content, cln::cl_I(exponent)));
+    return result;
 }
 
 Polynomial lower(const ex& e, Atoms& atoms) { return folded(Lowering(atoms)(e), atoms); }

@@ -11,6 +11,9 @@ namespace dalembert {
 /// The expression multiplied out, as far as that stays small, with sin^2 + cos^2 folded. Exact: no rule that needs an assumption.
 Polynomial lower(const GiNaC::ex& e, Atoms& atoms);
 
+/// A sum kept whole, to a power, with its sign, content and common factors taken out.
+Polynomial kept_whole(const Polynomial& p, int exponent, Atoms& atoms);
+
 /// Replaces k*T*sin^2 + k*T*cos^2 by k*T wherever both stand in the polynomial.
 Polynomial folded(Polynomial p, const Atoms& atoms);
 

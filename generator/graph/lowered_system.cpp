@@ -16,7 +16,7 @@ class Lowerer {
 public:
     Lowerer(const System& system, Atoms& atoms) : system_(system), atoms_(atoms) {}
 
-    LoweredSystem run() {
+    LoweredSystem run(bool rewrites) {
         LoweredSystem l;
         const std::size_t n = system_.symbols.degrees();
         for (unsigned i = 0; i < n; ++i)
@@ -43,8 +43,9 @@ public:
         for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
         l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power, system_.prescribed_power, system_.internal_energy, system_.exchanged_power});
 
+        if (rewrites) rewrite(l);
         std::vector<Polynomial*> everything;
-        each(l, [&](Polynomial& p) { everything.push_back(&p); });
+        each(l, [&](Polynomial& p, const char*) { everything.push_back(&p); });
         atoms_.canonicalise(everything);
         return l;
     }
@@ -114,17 +115,40 @@ private:
         return result;
     }
 
+    void rewrite(LoweredSystem& l) {
+        Rewriter rewriter(system_, atoms_, l.definitions, l.guards);
+        each(l, [&](Polynomial& p, const char* where) { p = rewriter(p, where); });
+        l.rewritten = rewriter.log();
+    }
+
+    /// Every polynomial, with the name of what it belongs to.
     template <class Visit>
     static void each(LoweredSystem& l, const Visit& visit) {
-        const auto list = [&](std::vector<Polynomial>& polynomials) { std::for_each(polynomials.begin(), polynomials.end(), visit); };
-        for (auto* part : {&l.mass, &l.force, &l.bias, &l.generalised_force, &l.state_rate, &l.output, &l.definitions, &l.start, &l.guards, &l.scalars, &l.solve_mass, &l.motion_rate, &l.held_jerks, &l.projection.position, &l.projection.rate, &l.projection.force, &l.projection.jacobian, &l.projection.bordered, &l.held, &l.held_by_free, &l.held_drift, &l.held_factors, &l.events, &l.event_rates, &l.conditions}) list(*part);
+        const char* where = "";
+        const auto one = [&](Polynomial& p) { visit(p, where); };
+        const auto list = [&](std::vector<Polynomial>& polynomials) { std::for_each(polynomials.begin(), polynomials.end(), one); };
+        const std::vector<std::pair<const char*, std::vector<std::vector<Polynomial>*>>> parts{
+            {"motion", {&l.mass, &l.force, &l.bias, &l.generalised_force, &l.solve_mass, &l.motion_rate, &l.held_jerks, &l.held, &l.held_by_free, &l.held_drift, &l.held_factors}},
+            {"rates of states", {&l.state_rate}},
+            {"outputs", {&l.output}},
+            {"definitions", {&l.definitions}},
+            {"start", {&l.start}},
+            {"guards and events", {&l.guards, &l.events, &l.event_rates, &l.conditions}},
+            {"energies and powers", {&l.scalars}},
+            {"constraints", {&l.projection.position, &l.projection.rate, &l.projection.force, &l.projection.jacobian, &l.projection.bordered}}};
+        for (const auto& [name, of] : parts) {
+            where = name;
+            for (auto* part : of) list(*part);
+        }
+        where = "resets";
         for (auto* resets : {&l.resets, &l.rests})
             for (LoweredSystem::Reset& reset : *resets) {
                 list(reset.values);
                 list(reset.direction);
-                visit(reset.drift);
-                visit(reset.restitution);
+                one(reset.drift);
+                one(reset.restitution);
             }
+        where = "Jacobians";
         for (auto& columns : l.by)
             for (auto* part : {&columns.residual, &columns.state_rate, &columns.output, &columns.held}) std::for_each(part->begin(), part->end(), list);
         std::for_each(l.output_by_acceleration.begin(), l.output_by_acceleration.end(), list);
@@ -231,6 +255,6 @@ std::vector<ex> start_values(const System& system) {
     return values;
 }
 
-LoweredSystem lower_system(const System& system, Atoms& atoms) { return Lowerer(system, atoms).run(); }
+LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites) { return Lowerer(system, atoms).run(rewrites); }
 
 }  // namespace dalembert

@@ -4,6 +4,7 @@
 
 #include "form/jacobian.hpp"
 #include "graph/atoms.hpp"
+#include "graph/rewrite.hpp"
 
 namespace dalembert {
 
@@ -38,6 +39,7 @@ struct LoweredSystem {
     std::vector<std::vector<Polynomial>> output_by_acceleration;
     std::vector<Polynomial> held_by_free;       ///< d(held)/d(free acceleration), row by row
     std::vector<Polynomial> scalars;  ///< energies and powers
+    std::vector<Rewriting> rewritten; ///< what has another form than it was derived in
 
     const Columns& partial(By which) const { return by[static_cast<std::size_t>(which)]; }
 };
@@ -66,7 +68,7 @@ std::vector<GiNaC::ex> constraint_jacobian(const System& system);
 std::vector<GiNaC::ex> motion_rates(const System& system);
 std::vector<GiNaC::ex> held_jerks(const System& system);
 
-/// Lowers everything, and brings the atoms into the order of declaration.
-LoweredSystem lower_system(const System& system, Atoms& atoms);
+/// Lowers everything, rewrites what loses digits if that is wanted, and brings the atoms into the order of declaration.
+LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites);
 
 }  // namespace dalembert

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/normal_form.hpp"
 
+#include "symbolic/functions.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -146,6 +148,11 @@ Polynomial NormalForm::function(const ex& e) {
     if (name == "whole") return convert(e.op(0));
     if (name == "sum_of_three") return convert(e.op(0) + e.op(1) + e.op(2));
     if (name == "exp_minus_one") return exponential(convert(e.op(0))) - Polynomial(1);
+    if (name == "one_minus_cos") return Polynomial(1) - sine_and_cosine(convert(e.op(0))).second;
+    if (name == "sinc" || name == "cosc" || name == "growth_mean" || name == "logc") {
+        note_argument(e.op(0));
+        return convert(in_elementary_functions(e));
+    }
     if (name == "compression") {
         const Polynomial x = convert(e.op(0));
         Polynomial more = x;

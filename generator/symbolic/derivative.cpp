@@ -31,6 +31,11 @@ ex slope(const ex& f) {
     if (is_ex_the_function(f, norm)) return inverse_norm(u) / 2;
     if (is_ex_the_function(f, whole)) return 1;
     if (is_ex_the_function(f, exp_minus_one)) return GiNaC::exp(u);
+    if (is_ex_the_function(f, one_minus_cos)) return GiNaC::sin(u);
+    if (is_ex_the_function(f, sinc)) return (GiNaC::cos(u) - f) / u;  // at u = 0 it is 0, as the next one; then 1/2 and -1/2
+    if (is_ex_the_function(f, cosc)) return (sinc(u) - 2 * f) / u;
+    if (is_ex_the_function(f, growth_mean)) return (GiNaC::exp(u) - f) / u;
+    if (is_ex_the_function(f, logc)) return (pow(1 + u, -1) - f) / u;
     if (is_ex_the_function(f, log_one_plus)) return pow(1 + u, -1);
     if (is_ex_the_function(f, compression)) return u * GiNaC::exp(-u);
     if (is_ex_the_function(f, signed_root)) return inverse_root(u) / 2;

@@ -75,6 +75,21 @@ ex exp_minus_one_evalf(const ex& x) { return (GiNaC::exp(x) - 1).evalf(); }
 ex log_one_plus_eval(const ex& x) { return x.is_zero() ? ex(0) : log_one_plus(x).hold(); }
 ex log_one_plus_evalf(const ex& x) { return GiNaC::log(1 + x).evalf(); }
 
+ex one_minus_cos_eval(const ex& x) { return x.is_zero() ? ex(0) : one_minus_cos(x).hold(); }
+ex one_minus_cos_evalf(const ex& x) { return (2 * GiNaC::pow(GiNaC::sin(x / 2), 2)).evalf(); }
+
+ex sinc_eval(const ex& x) { return x.is_zero() ? ex(1) : sinc(x).hold(); }
+ex sinc_evalf(const ex& x) { return x.is_zero() ? ex(1) : (GiNaC::sin(x) / x).evalf(); }
+
+ex cosc_eval(const ex& x) { return x.is_zero() ? ex(numeric(1, 2)) : cosc(x).hold(); }
+ex cosc_evalf(const ex& x) { return x.is_zero() ? ex(numeric(1, 2)) : (GiNaC::pow(GiNaC::sin(x / 2) / (x / 2), 2) / 2).evalf(); }
+
+ex growth_mean_eval(const ex& x) { return x.is_zero() ? ex(1) : growth_mean(x).hold(); }
+ex growth_mean_evalf(const ex& x) { return x.is_zero() ? ex(1) : ((GiNaC::exp(x) - 1) / x).evalf(); }
+
+ex logc_eval(const ex& x) { return x.is_zero() ? ex(1) : logc(x).hold(); }
+ex logc_evalf(const ex& x) { return x.is_zero() ? ex(1) : (GiNaC::log(1 + x) / x).evalf(); }
+
 ex compression_eval(const ex& x) { return x.is_zero() ? ex(0) : compression(x).hold(); }
 ex compression_evalf(const ex& x) { return (1 - (1 + x) * GiNaC::exp(-x)).evalf(); }
 
@@ -138,6 +153,12 @@ struct Elementary : GiNaC::map_function {
         if (is_ex_the_function(e, whole)) return (*this)(e.op(0));
         if (is_ex_the_function(e, exp_minus_one)) return GiNaC::exp((*this)(e.op(0))) - 1;
         if (is_ex_the_function(e, log_one_plus)) return GiNaC::log(1 + (*this)(e.op(0)));
+        const auto of = [&] { return (*this)(e.op(0)); };
+        if (is_ex_the_function(e, one_minus_cos)) return 1 - GiNaC::cos(of());
+        if (is_ex_the_function(e, sinc)) return GiNaC::sin(of()) / of();
+        if (is_ex_the_function(e, cosc)) return (1 - GiNaC::cos(of())) / GiNaC::pow(of(), 2);
+        if (is_ex_the_function(e, growth_mean)) return (GiNaC::exp(of()) - 1) / of();
+        if (is_ex_the_function(e, logc)) return GiNaC::log(1 + of()) / of();
         if (is_ex_the_function(e, compression)) {
             const ex x = (*this)(e.op(0));
             return 1 - (1 + x) * GiNaC::exp(-x);
@@ -163,6 +184,11 @@ REGISTER_FUNCTION(maximum, eval_func(maximum_eval).evalf_func(maximum_evalf))
 REGISTER_FUNCTION(whole, eval_func(whole_eval).evalf_func(whole_evalf))
 REGISTER_FUNCTION(exp_minus_one, eval_func(exp_minus_one_eval).evalf_func(exp_minus_one_evalf))
 REGISTER_FUNCTION(log_one_plus, eval_func(log_one_plus_eval).evalf_func(log_one_plus_evalf))
+REGISTER_FUNCTION(one_minus_cos, eval_func(one_minus_cos_eval).evalf_func(one_minus_cos_evalf))
+REGISTER_FUNCTION(sinc, eval_func(sinc_eval).evalf_func(sinc_evalf))
+REGISTER_FUNCTION(cosc, eval_func(cosc_eval).evalf_func(cosc_evalf))
+REGISTER_FUNCTION(growth_mean, eval_func(growth_mean_eval).evalf_func(growth_mean_evalf))
+REGISTER_FUNCTION(logc, eval_func(logc_eval).evalf_func(logc_evalf))
 REGISTER_FUNCTION(compression, eval_func(compression_eval).evalf_func(compression_evalf))
 REGISTER_FUNCTION(signed_root, eval_func(signed_root_eval).evalf_func(signed_root_evalf))
 REGISTER_FUNCTION(inverse_root, eval_func(inverse_root_eval).evalf_func(inverse_root_evalf))

@@ -81,6 +81,58 @@ Scalar independent_inverse(const Scalar& x, const Scalar& size) noexcept {
 }
 // end independent_inverse
 
+// begin one_minus_cos
+/// 1 - cos(x) = 2 sin(x/2)^2, which keeps its digits around zero.
+template <class Scalar>
+Scalar one_minus_cos(const Scalar& x) noexcept {
+    using std::sin;
+    const Scalar sine = sin(Scalar(x / Scalar(2)));
+    return Scalar(2) * sine * sine;
+}
+// end one_minus_cos
+
+// begin sinc
+/// sin(x)/x, 1 at zero
+template <class Scalar>
+Scalar sinc(const Scalar& x) noexcept {
+    using std::sin;
+    const bool is_zero = x == Scalar(0);
+    const Scalar divisor = select(is_zero, Scalar(1), x);
+    return select(is_zero, Scalar(1), Scalar(sin(divisor) / divisor));
+}
+// end sinc
+
+// begin cosc
+/// (1 - cos(x))/x^2, 1/2 at zero
+template <class Scalar>
+Scalar cosc(const Scalar& x) noexcept {
+    const Scalar half = sinc(Scalar(x / Scalar(2)));
+    return half * half / Scalar(2);
+}
+// end cosc
+
+// begin growth_mean
+/// (exp(x) - 1)/x, 1 at zero
+template <class Scalar>
+Scalar growth_mean(const Scalar& x) noexcept {
+    using std::expm1;
+    const bool is_zero = x == Scalar(0);
+    const Scalar divisor = select(is_zero, Scalar(1), x);
+    return select(is_zero, Scalar(1), Scalar(expm1(divisor) / divisor));
+}
+// end growth_mean
+
+// begin logc
+/// log(1 + x)/x, 1 at zero
+template <class Scalar>
+Scalar logc(const Scalar& x) noexcept {
+    using std::log1p;
+    const bool is_zero = x == Scalar(0);
+    const Scalar divisor = select(is_zero, Scalar(1), x);
+    return select(is_zero, Scalar(1), Scalar(log1p(divisor) / divisor));
+}
+// end logc
+
 // begin turn_back
 /// A unit quaternion e of four numbers, turned by minus the small angles x, y, z about its own axes: e - e*(0, x, y, z)/2, with norm one.
 template <class Scalar>

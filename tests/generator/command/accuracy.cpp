@@ -41,7 +41,7 @@ Answer accuracy(const std::string& text, const std::vector<std::string>& more = 
 }  // namespace
 
 TEST_CASE("1 - cos(x) loses 1/x^2, and that is above the limit") {
-    const Answer told = accuracy(model_with("1 - cos(x)"));
+    const Answer told = accuracy(model_with("1 - cos(x)"), {"--no-rewrite"});
     CHECK(told.code == 1);
     for (const char* arithmetic : {"float", "double"}) {
         CAPTURE(arithmetic);
@@ -57,6 +57,18 @@ TEST_CASE("1 - cos(x) loses 1/x^2, and that is above the limit") {
         const double expected = std::stod(worst["worst"]["exact"].get<std::string>());
         CHECK(std::fabs(expected / (2 * std::pow(std::sin(x / 2), 2)) - 1) < 1e-14);
     }
+}
+
+TEST_CASE("rewritten, 1 - cos(x) and sin(x)/x keep their digits") {
+    const Answer wave = accuracy(model_with("1 - cos(x)"));
+    CHECK(wave.code == 0);
+    CHECK(function(wave.json(), "output")["double"]["largest"].get<double>() < 2);
+    CHECK(function(wave.json(), "output")["float"]["largest"].get<double>() < 2);
+    const Answer quotient = accuracy(model_with("sin(x)/x", "[-1, 1]"));
+    CHECK(function(quotient.json(), "output")["double"]["largest"].get<double>() < 2);
+    const Folder place;
+    const Answer told = ask("accuracy", {place.write("digits.toml", model_with("1 - cos(x)")), "--points", "10", "--explain"});
+    CHECK(told.out.find("1 - cos(x): outputs in 1 place") != std::string::npos);
 }
 
 TEST_CASE("a difference of squares loses digits of equal values, but no more than its inputs do") {

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/rewrite.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dalembert {
+
+namespace {
+
+constexpr int digits = 100;
+constexpr int point_count = 140;
+constexpr int most_steps = 8;
+constexpr double good_enough = 4;  ///< ulp beyond the condition: what loses no more is left as it is
+constexpr double least_gain = 2;
+
+}  // namespace
+
+Rewriter::Rewriter(const System& system, Atoms& atoms, const std::vector<Polynomial>& definitions, const std::vector<Polynomial>& guards)
+    : system_(system), atoms_(atoms), definitions_(definitions), guards_(guards) {}
+
+/// Points at which the model holds, with the definitions there, which are inputs of what is made of them.
+void Rewriter::draw(const std::vector<Polynomial>& guards) {
+    std::vector<const Variable*> variables;
+    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::acceleration, SymbolKind::state_rate,
+                                  SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual})
+        for (const Variable& variable : system_.symbols.all(kind)) variables.push_back(&variable);
+    EdgePoints edges(system_, variables, double_arithmetic(), 1);
+    const std::vector<Variable>& definitions = system_.symbols.all(SymbolKind::definition);
+    const std::size_t count = variables.size() + definitions.size();
+    for (int tries = 0; points_.size() < static_cast<std::size_t>(point_count) && tries < 10 * point_count; ++tries) {
+        std::vector<double> values = edges.next().values;
+        values.resize(count, 0);
+        std::map<Letter, RoundedPolynomials::Input> inputs;
+        for (std::size_t i = 0; i < variables.size(); ++i) inputs[atoms_.symbol(*variables[i])] = {values[i], i};
+        RoundedPolynomials at(atoms_, digits, count);
+        // One after the other, as often as it takes: each is made of parameters and of others.
+        bool changed = true;
+        while (changed) {
+            changed = false;
+            at.set(inputs);
+            for (std::size_t i = 0; i < definitions.size(); ++i) {
+                const Letter letter = atoms_.symbol(definitions[i]);
+                if (inputs.contains(letter)) continue;
+                const MaybeExact value = at.exact(definitions_[i]);
+                if (!value) continue;
+                values[variables.size() + i] = cln::double_approx(value->value);
+                if (!std::isfinite(values[variables.size() + i])) continue;
+                inputs[letter] = {values[variables.size() + i], variables.size() + i};
+                changed = true;
+            }
+        }
+        const auto& list = system_.fluids.guards;
+        const bool holds = std::all_of(list.begin(), list.end(), [&](const Guard& guard) {
+            if (!guard.ends) return true;
+            const MaybeExact value = at.exact(guards[static_cast<std::size_t>(&guard - list.data())]);
+            return value && !cln::minusp(value->value);
+        });
+        if (holds) points_.emplace_back(std::move(at), std::move(values));
+    }
+}
+
+double Rewriter::largest_error(const Polynomial& exact_form, const Polynomial& computed_form) {
+    const Arithmetic& arithmetic = double_arithmetic();
+    double largest = 0;
+    for (auto& [at, values] : points_) {
+        const MaybeExact expected = at.exact(exact_form);
+        if (!expected) continue;
+        const double value = cln::double_approx(expected->value);
+        if (!(std::fabs(value) <= arithmetic.largest)) continue;
+        double unit = arithmetic.ulp(value);
+        for (std::size_t i = 0; i < expected->slopes.size(); ++i)
+            if (expected->slopes[i] != 0) unit += std::fabs(expected->slopes[i]) * arithmetic.ulp(values[i]) / 2;
+        const double computed = at.rounded(computed_form);
+        if (!std::isfinite(computed)) return std::numeric_limits<double>::infinity();
+        const double error = cln::double_approx(cln::abs(exact(computed) - expected->value)) / unit;
+        largest = std::max(largest, error);
+    }
+    return largest;
+}
+
+std::size_t Rewriter::points_with_value(const Polynomial& exact_form) {
+    std::size_t count = 0;
+    for (auto& [at, values] : points_) count += at.exact(exact_form) ? 1 : 0;
+    return count;
+}
+
+Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
+    const auto [known, is_new] = known_.try_emplace(p, p);
+    if (!is_new) return known->second;
+    if (other_forms(p, atoms_, forms_).empty()) return p;
+    if (points_.empty()) draw(guards_);
+    Polynomial best = p;
+    double error = largest_error(p, p);
+    // A form that has a value where p is 0/0 is what p should be.
+    Polynomial reference = p;
+    for (const OtherForm& form : other_forms(p, atoms_, forms_))
+        if (form.fills_gaps && points_with_value(form.form) > points_with_value(reference)) {
+            reference = form.form;
+            error = std::numeric_limits<double>::infinity();
+        }
+    for (int step = 0; step < most_steps && error > good_enough; ++step) {
+        const OtherForm* better = nullptr;
+        double least = error / least_gain;
+        const std::vector<OtherForm>& forms = other_forms(best, atoms_, forms_);
+        for (const OtherForm& form : forms)
+            if (const double one = largest_error(reference, form.form); one < least) {
+                least = one;
+                better = &form;
+            }
+        if (better == nullptr) break;
+        auto noted = std::find_if(log_.begin(), log_.end(), [&](const Rewriting& r) { return r.rule == better->rule && r.where == where; });
+        if (noted == log_.end()) noted = log_.insert(noted, {better->rule, where});
+        ++noted->places;
+        noted->before = std::max(noted->before, error);
+        noted->after = std::max(noted->after, least);
+        best = better->form;
+        error = least;
+    }
+    return known_.at(p) = best;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Forms that lose digits get other ones before code is made of them. A rule is applied where it helps, and nowhere else: what a sum loses at random
+// and edge points of the declared ranges is measured with every operation rounded to double, before and after.
+#pragma once
+
+#include "form/edge_points.hpp"
+#include "graph/rewrite_rules.hpp"
+#include "graph/rounded_polynomial.hpp"
+
+namespace dalembert {
+
+/// What was written in another form.
+struct Rewriting {
+    std::string rule, where;      ///< "1 - cos(x)", "outputs"
+    int places = 0;
+    double before = 0, after = 0; ///< the largest error of the sum, in ulp beyond its condition
+};
+
+class Rewriter {
+public:
+    /// Definitions and guards as they are lowered; they are referred to.
+    Rewriter(const System& system, Atoms& atoms, const std::vector<Polynomial>& definitions, const std::vector<Polynomial>& guards);
+
+    /// The best form of a sum.
+    Polynomial operator()(const Polynomial& p, const char* where);
+    const std::vector<Rewriting>& log() const { return log_; }
+
+private:
+    void draw(const std::vector<Polynomial>& guards);
+    double largest_error(const Polynomial& exact, const Polynomial& computed);
+    std::size_t points_with_value(const Polynomial& exact);
+
+    const System& system_;
+    Atoms& atoms_;
+    const std::vector<Polynomial> definitions_, guards_;
+    std::vector<std::pair<RoundedPolynomials, std::vector<double>>> points_;
+    std::map<Polynomial, Polynomial> known_;
+    FormMemory forms_;
+    std::vector<Rewriting> log_;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/rewrite_rules.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+
+#include "graph/lower.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Forms = std::vector<Polynomial>;
+
+Polynomial times(const Monomial& m, const Rational& coefficient, const Polynomial& p) {
+    Polynomial result = p * m;
+    return result *= coefficient;
+}
+
+Polynomial single(const Monomial& m, const Rational& coefficient) {
+    Polynomial p;
+    p.add(m, coefficient);
+    return p;
+}
+
+/// The letters of an operation that occur in the terms themselves, in order.
+std::vector<Letter> letters_of(const Polynomial& p, const Atoms& atoms, Op op) {
+    std::set<Letter> found;
+    for (const auto& [monomial, coefficient] : p.terms())
+        for (const LetterPower& power : monomial)
+            if (atoms[power.letter].op == op) found.insert(power.letter);
+    return {found.begin(), found.end()};
+}
+
+/// k*T*f - k*T -> k*T*replacement, for all terms in which f is a factor once: `replace` says with what, from the exponent of f.
+template <class Replace>
+Forms without_one(const Polynomial& p, Letter f, const Replace& replace) {
+    std::optional<Polynomial> result;
+    for (const auto& [monomial, coefficient] : p.terms()) {
+        const int exponent = exponent_of(monomial, f);
+        if (exponent == 0) continue;
+        const Monomial rest = without(monomial, f);
+        const Polynomial& now = result ? *result : p;
+        const auto partner = now.terms().find(rest);
+        if (partner == now.terms().end() || partner->second != -coefficient) continue;
+        const std::optional<Polynomial> replacement = replace(exponent);
+        if (!replacement) continue;
+        if (!result) result = p;
+        result->add(monomial, -coefficient);
+        result->add(rest, coefficient);
+        *result += times(rest, coefficient, *replacement);
+    }
+    return result ? Forms{*result} : Forms{};
+}
+
+Forms cosines(const Polynomial& p, Atoms& atoms) {
+    Forms forms;
+    for (const Letter cosine : letters_of(p, atoms, Op::cos)) {
+        const std::vector<Polynomial> argument = atoms[cosine].arguments;
+        const auto more = without_one(p, cosine, [&](int exponent) {
+            return exponent == 1 ? std::optional(-Polynomial::letter(atoms.letter(Op::one_minus_cos, argument))) : std::nullopt;
+        });
+        forms.insert(forms.end(), more.begin(), more.end());
+    }
+    return forms;
+}
+
+Forms exponentials(const Polynomial& p, Atoms& atoms) {
+    Forms forms;
+    for (const Letter exponential : letters_of(p, atoms, Op::exp)) {
+        const Polynomial argument = atoms[exponential].arguments[0];
+        const auto more = without_one(p, exponential, [&](int exponent) {
+            Polynomial whole = argument;
+            whole *= Rational(exponent);
+            return std::optional(Polynomial::letter(atoms.letter(Op::expm1, {whole})));
+        });
+        forms.insert(forms.end(), more.begin(), more.end());
+    }
+    return forms;
+}
+
+Forms logarithms(const Polynomial& p, Atoms& atoms) {
+    Forms forms;
+    for (const Letter logarithm : letters_of(p, atoms, Op::log)) {
+        // The argument is a sum of its own, or one kept whole.
+        Polynomial inside = atoms[logarithm].arguments[0];
+        if (inside.is_monomial() && inside.terms().begin()->second == 1) {
+            const Monomial& m = inside.terms().begin()->first;
+            if (m.size() == 1 && m[0].exponent == 1 && atoms[m[0].letter].op == Op::sum) inside = atoms[m[0].letter].arguments[0];
+        }
+        const auto one = inside.terms().find(Monomial{});
+        if (inside.size() < 2 || one == inside.terms().end() || one->second != 1) continue;
+        inside.add({}, -1);
+        const Letter better = atoms.letter(Op::log1p, {inside});
+        Polynomial result;
+        for (const auto& [monomial, coefficient] : p.terms()) {
+            const int exponent = exponent_of(monomial, logarithm);
+            result.add(without(monomial, logarithm) * (exponent == 0 ? Monomial{} : Monomial{{better, exponent}}), coefficient);
+        }
+        forms.push_back(std::move(result));
+    }
+    return forms;
+}
+
+/// Pairs of terms c*m*a, -c'*m*b with one of the letters in the first, whose quotient is -y: c*m*(a - y).
+template <class Visit>
+void each_difference(const Polynomial& p, Letter letter, int exponent, const Visit& visit) {
+    for (const auto& [monomial, coefficient] : p.terms()) {
+        if (exponent_of(monomial, letter) != exponent) continue;
+        const Monomial rest = without(monomial, letter);
+        for (const auto& [other, other_coefficient] : p.terms()) {
+            if (other == monomial || is_negative(other_coefficient) == is_negative(coefficient)) continue;
+            visit(monomial, coefficient, other, other_coefficient, rest, single(other * raised(rest, -1), -other_coefficient / coefficient));
+        }
+    }
+}
+
+/// S^2 - y^2 and S^4 - y^4 of a sum S, where S - y is shorter than S.
+Forms powers(const Polynomial& p, Atoms& atoms) {
+    Forms forms;
+    for (const Letter sum : letters_of(p, atoms, Op::sum)) {
+        const Polynomial inside = atoms[sum].arguments[0];
+        for (const int n : {2, 4})
+            each_difference(p, sum, n, [&](const Monomial& m, const Rational& c, const Monomial& other, const Rational& c_other, const Monomial& rest, const Polynomial& power) {
+                const auto& [y_n, c_n] = *power.terms().begin();
+                if (c_n != 1) return;
+                Monomial y = y_n;
+                for (LetterPower& each : y) {
+                    if (each.exponent % n != 0) return;
+                    each.exponent /= n;
+                }
+                const Polynomial root = single(y, 1), difference = inside - root;
+                if (difference.size() >= inside.size()) return;
+                Polynomial result = p;
+                result.add(m, -c);
+                result.add(other, -c_other);
+                Polynomial total = inside;
+                total += root;
+                Polynomial product = Polynomial::product(kept_whole(difference, 1, atoms), kept_whole(total, 1, atoms), SIZE_MAX);
+                if (n == 4) {
+                    Polynomial squares = Polynomial::letter(sum, 2);
+                    squares += single(raised(y, 2), 1);
+                    product = Polynomial::product(product, kept_whole(squares, 1, atoms), SIZE_MAX);
+                }
+                result += times(rest, c, product);
+                forms.push_back(std::move(result));
+            });
+    }
+    return forms;
+}
+
+/// sqrt(A) - y, where A - y^2 is shorter than A.
+Forms roots(const Polynomial& p, Atoms& atoms) {
+    Forms forms;
+    for (const Letter root : letters_of(p, atoms, Op::sqrt)) {
+        const Polynomial inside = atoms[root].arguments[0];
+        each_difference(p, root, 1, [&](const Monomial& m, const Rational& c, const Monomial& other, const Rational& c_other, const Monomial& rest, const Polynomial& y) {
+            // The square of y, in which roots are no roots.
+            Polynomial square(1);
+            const auto& [y_monomial, y_coefficient] = *y.terms().begin();
+            square *= y_coefficient * y_coefficient;
+            for (const LetterPower& each : y_monomial) {
+                const bool is_root = atoms[each.letter].op == Op::sqrt && each.exponent == 1;
+                square = Polynomial::product(square, is_root ? atoms[each.letter].arguments[0] : Polynomial::letter(each.letter, 2 * each.exponent), SIZE_MAX);
+            }
+            const Polynomial difference = inside - square;
+            if (difference.is_zero() || difference.size() >= inside.size() + (square.size() > 1 ? square.size() - 1 : 0)) return;
+            Polynomial result = p, total = Polynomial::letter(root);
+            result.add(m, -c);
+            result.add(other, -c_other);
+            total += y;
+            result += times(rest, c, Polynomial::product(kept_whole(difference, 1, atoms), kept_whole(total, -1, atoms), SIZE_MAX));
+            forms.push_back(std::move(result));
+        });
+    }
+    return forms;
+}
+
+/// a^e - b^e of positive a and b
+Forms real_powers(const Polynomial& p, Atoms& atoms) {
+    Forms forms;
+    for (const Letter power : letters_of(p, atoms, Op::power)) {
+        const std::vector<Polynomial> of = atoms[power].arguments;
+        each_difference(p, power, 1, [&](const Monomial& m, const Rational& c, const Monomial& other, const Rational& c_other, const Monomial& rest, const Polynomial& y) {
+            const auto& [y_monomial, y_coefficient] = *y.terms().begin();
+            if (y_coefficient != 1 || y_monomial.size() != 1 || y_monomial[0].exponent != 1 || atoms[y_monomial[0].letter].op != Op::power) return;
+            const std::vector<Polynomial> by = atoms[y_monomial[0].letter].arguments;
+            if (!(by[1] == of[1])) return;
+            const Polynomial growth = Polynomial::product(of[1], Polynomial::letter(atoms.letter(Op::log_ratio, {of[0], by[0]})), SIZE_MAX);
+            Polynomial result = p;
+            result.add(m, -c);
+            result.add(other, -c_other);
+            result += times(rest * y_monomial, c, Polynomial::letter(atoms.letter(Op::expm1, {growth})));
+            forms.push_back(std::move(result));
+        });
+    }
+    return forms;
+}
+
+/// a - n/S, where terms of a*S cancel with those of n: a weighted mean and what it is the mean of.
+Forms quotients(const Polynomial& p, Atoms& atoms) {
+    Forms forms;
+    for (const Letter sum : letters_of(p, atoms, Op::sum)) {
+        const Polynomial inside = atoms[sum].arguments[0];
+        if (std::none_of(p.terms().begin(), p.terms().end(), [&](const auto& term) { return exponent_of(term.first, sum) == -1; })) continue;
+        Polynomial over, others;
+        for (const auto& [monomial, coefficient] : p.terms())
+            if (exponent_of(monomial, sum) == -1) over.add(without(monomial, sum), coefficient);
+            else others.add(monomial, coefficient);
+        if (over.is_zero() || others.is_zero()) continue;
+        Polynomial numerator = over, rest = others;
+        for (const auto& [monomial, coefficient] : others.terms()) {
+            if (exponent_of(monomial, sum) != 0) continue;
+            const Polynomial multiplied = times(monomial, coefficient, inside);
+            const bool cancels = std::any_of(multiplied.terms().begin(), multiplied.terms().end(), [&](const auto& term) {
+                const auto there = over.terms().find(term.first);
+                return there != over.terms().end() && there->second == -term.second;
+            });
+            if (!cancels) continue;
+            numerator += multiplied;
+            rest.add(monomial, -coefficient);
+        }
+        if (rest.size() == others.size()) continue;
+        Polynomial result = rest;
+        result += numerator * Monomial{{sum, -1}};
+        forms.push_back(std::move(result));
+    }
+    return forms;
+}
+
+/// sin(x)/x, (1 - cos(x))/x^2, (exp(x) - 1)/x and log(1 + x)/x, which have values at zero.
+Forms removable(const Polynomial& p, Atoms& atoms) {
+    static constexpr std::array<std::tuple<Op, Op, int>, 4> pairs{{{Op::sin, Op::sinc, 1}, {Op::one_minus_cos, Op::cosc, 2}, {Op::expm1, Op::growth_mean, 1}, {Op::log1p, Op::logc, 1}}};
+    Forms forms;
+    for (const auto& [op, quotient, power] : pairs)
+        for (const Letter letter : letters_of(p, atoms, op)) {
+            const std::vector<Polynomial> argument = atoms[letter].arguments;
+            if (!argument[0].is_monomial()) continue;
+            const auto& [x, factor] = *argument[0].terms().begin();
+            Polynomial result;
+            bool changed = false;
+            for (const auto& [monomial, coefficient] : p.terms()) {
+                const bool is_divided = exponent_of(monomial, letter) == 1 && std::all_of(x.begin(), x.end(), [&, n = power](const LetterPower& each) { return exponent_of(monomial, each.letter) <= -n * each.exponent; });
+                changed = changed || is_divided;
+                if (!is_divided) result.add(monomial, coefficient);
+                else result.add(without(monomial, letter) * raised(x, power) * Monomial{{atoms.letter(quotient, argument), 1}}, coefficient * cln::expt(factor, cln::cl_I(power)));
+            }
+            if (changed) forms.push_back(std::move(result));
+        }
+    return forms;
+}
+
+}  // namespace
+
+const std::vector<RewriteRule>& rewrite_rules() {
+    static const std::vector<RewriteRule> rules{
+        {"1 - cos(x)", "1 - cos(x) = 2*sin(x/2)^2", cosines},
+        {"exp(x) - 1", "exp(x) - 1 = expm1(x)", exponentials},
+        {"log(1 + x)", "log(1 + x) = log1p(x)", logarithms},
+        {"differences of powers of sums", "s^2 - y^2 = (s - y)*(s + y), s^4 - y^4 = (s - y)*(s + y)*(s^2 + y^2)", powers},
+        {"differences of roots", "sqrt(a) - y = (a - y^2)/(sqrt(a) + y)", roots},
+        {"differences of real powers", "a^e - b^e = b^e*expm1(e*log(a/b))", real_powers},
+        {"a quotient that cancels", "a - n/s = (a*s - n)/s", quotients},
+        {"removable 0/0", "sin(x)/x, (1 - cos(x))/x^2, (exp(x) - 1)/x and log(1 + x)/x have values at 0", removable},
+    };
+    return rules;
+}
+
+const std::vector<OtherForm>& other_forms(const Polynomial& p, Atoms& atoms, FormMemory& known) {
+    if (const auto found = known.find(p); found != known.end()) return found->second;
+    std::vector<OtherForm> result;
+    for (const RewriteRule& rule : rewrite_rules())
+        for (Polynomial& form : rule.forms(p, atoms)) result.push_back({rule.name, folded(std::move(form), atoms), rule.forms == removable});
+    std::set<Letter> letters;
+    for (const auto& [monomial, coefficient] : p.terms())
+        for (const LetterPower& power : monomial)
+            if (!atoms[power.letter].arguments.empty() && !is_array(atoms[power.letter].op)) letters.insert(power.letter);
+    for (const Letter letter : letters) {
+        const Op op = atoms[letter].op;
+        const std::vector<Polynomial> arguments = atoms[letter].arguments;
+        for (std::size_t i = 0; i < arguments.size(); ++i)
+            for (const OtherForm& inner : other_forms(arguments[i], atoms, known)) {
+                Polynomial form;
+                for (const auto& [monomial, coefficient] : p.terms()) {
+                    const int exponent = exponent_of(monomial, letter);
+                    if (exponent == 0) {
+                        form.add(monomial, coefficient);
+                        continue;
+                    }
+                    std::vector<Polynomial> replaced = arguments;
+                    replaced[i] = inner.form;
+                    const Polynomial power = op == Op::sum ? kept_whole(replaced[0], exponent, atoms) : Polynomial::letter(atoms.letter(op, std::move(replaced)), exponent);
+                    form += times(without(monomial, letter), coefficient, power);
+                }
+                result.push_back({inner.rule, std::move(form), inner.fills_gaps});
+            }
+    }
+    return known[p] = std::move(result);
+}
+
+}  // namespace dalembert

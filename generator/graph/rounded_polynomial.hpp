@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is left of a polynomial over atoms when it is computed in double: its value with every operation rounded, beside the exact one.
+#pragma once
+
+#include <functional>
+
+#include "graph/atoms.hpp"
+#include "graph/exact_number.hpp"
+
+namespace dalembert {
+
+class RoundedPolynomials {
+public:
+    RoundedPolynomials(const Atoms& atoms, int digits, std::size_t slope_count) : atoms_(atoms), arithmetic_(digits), slope_count_(slope_count) {}
+
+    /// A point: values of symbols, each with the number of its slope, below `slope_count`; nothing for those that have none there.
+    struct Input {
+        double value;
+        std::size_t number;
+    };
+    void set(std::map<Letter, Input> inputs);
+
+    MaybeExact exact(const Polynomial& p);
+    /// With every product, sum and function rounded to double, in the order of terms. Not a number where there is no value.
+    double rounded(const Polynomial& p);
+
+private:
+    const MaybeExact& exact_letter(Letter letter);
+    double rounded_letter(Letter letter);
+
+    const Atoms& atoms_;
+    ExactArithmetic arithmetic_;
+    std::size_t slope_count_;
+    std::map<Letter, Input> inputs_;
+    std::map<Letter, MaybeExact> exact_;
+    std::map<Letter, double> rounded_;
+};
+
+}  // namespace dalembert
