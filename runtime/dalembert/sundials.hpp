@@ -35,8 +35,8 @@ enum class SundialsMethod {
     erk5,   ///< ARKODE, explicit: Dormand-Prince 5(4)
     erk6,   ///< ARKODE, explicit: Verner 6(5)
     erk8,   ///< ARKODE, explicit: Fehlberg 8(7)
-    dirk4,  ///< ARKODE, diagonally implicit, L-stable: QESDIRK 4(3) with 6 stages, with the Jacobian; its default is no more accurate and takes ten times the steps where it is stiff
-    dirk5,  ///< ARKODE, diagonally implicit, L-stable: ESDIRK 5(4) with 7 stages, with the Jacobian; its default estimates the error of an oscillator far too small
+    dirk4,  ///< ARKODE, diagonally implicit, L-stable: QESDIRK 4(3) with 6 stages, with the Jacobian; its default, SDIRK 4(3), takes many times the steps where it is stiff
+    dirk5,  ///< ARKODE, diagonally implicit, L-stable: ESDIRK 5(4) with 7 stages, with the Jacobian; its default, ARK5(4)8L[2]SA, loses the motion of an undamped oscillator
 };
 
 namespace detail {
