@@ -43,10 +43,9 @@ public:
         for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
         l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power, system_.prescribed_power, system_.internal_energy, system_.exchanged_power});
 
-        if (rewrites) rewrite(l);
-        std::vector<Polynomial*> everything;
-        each(l, [&](Polynomial& p, const char*) { everything.push_back(&p); });
-        atoms_.canonicalise(everything);
+        canonicalise(l);
+        // Rewriting measures sums in the order of their letters, so that these have to be numbered before it, and the new ones behind it.
+        if (rewrites && rewrite(l)) canonicalise(l);
         return l;
     }
 
@@ -115,10 +114,18 @@ private:
         return result;
     }
 
-    void rewrite(LoweredSystem& l) {
+    void canonicalise(LoweredSystem& l) {
+        std::vector<Polynomial*> everything;
+        each(l, [&](Polynomial& p, const char*) { everything.push_back(&p); });
+        atoms_.canonicalise(everything);
+    }
+
+    /// Whether anything has another form now.
+    bool rewrite(LoweredSystem& l) {
         Rewriter rewriter(system_, atoms_, l.definitions, l.guards);
         each(l, [&](Polynomial& p, const char* where) { p = rewriter(p, where); });
         l.rewritten = rewriter.log();
+        return !l.rewritten.empty();
     }
 
     /// Every polynomial, with the name of what it belongs to.

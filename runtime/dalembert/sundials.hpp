@@ -35,8 +35,8 @@ enum class SundialsMethod {
     erk5,   ///< ARKODE, explicit: Dormand-Prince 5(4)
     erk6,   ///< ARKODE, explicit: Verner 6(5)
     erk8,   ///< ARKODE, explicit: Fehlberg 8(7)
-    dirk4,  ///< ARKODE, diagonally implicit, L-stable: SDIRK 4(3), its default of order 4, with the Jacobian
-    dirk5,  ///< ARKODE, diagonally implicit, L-stable: ARK5(4)8L[2]SA, its default of order 5, with the Jacobian
+    dirk4,  ///< ARKODE, diagonally implicit, L-stable: QESDIRK 4(3) with 6 stages, with the Jacobian; its default, SDIRK 4(3), takes many times the steps where it is stiff
+    dirk5,  ///< ARKODE, diagonally implicit, L-stable: ESDIRK 5(4) with 7 stages, with the Jacobian; its default, ARK5(4)8L[2]SA, loses the motion of an undamped oscillator
 };
 
 namespace detail {
@@ -110,6 +110,7 @@ public:
         observe(from_, at);
         for (std::size_t i = 1; to_ > from_ && i <= options_.intervals; ++i) {
             realtype t = from_;
+            culprit_ = n;
             const realtype target = control.output_time(i);
             const std::size_t taken = outcome.steps + outcome.rejected;
             int flag = taken < options_.max_steps ? advance(target, t, static_cast<long>(std::min(options_.max_steps - taken, std::size_t(1000000000)))) : CV_TOO_MUCH_WORK;
@@ -118,10 +119,9 @@ public:
             outcome.status = status_of_sundials(flag);
             outcome.t = flag >= 0 ? target : t;
             if (outcome.status == Status::success && !are_finite(at, at)) outcome.status = Status::not_finite;
-            if (outcome.status != Status::success) {
-                if (outcome.status == Status::not_finite) outcome.state = culprit_;
-                break;
-            }
+            if (outcome.status != Status::success && outcome.status != Status::too_many_steps && culprit_ != n) outcome.status = Status::not_finite;  // whatever it led to
+            if (outcome.status == Status::not_finite) outcome.state = culprit_;
+            if (outcome.status != Status::success) break;
             observe(target, at);
             start_ = at;
         }
@@ -145,8 +145,8 @@ private:
             case SundialsMethod::erk5: return prepare_erk(ARKODE_DORMAND_PRINCE_7_4_5);
             case SundialsMethod::erk6: return prepare_erk(ARKODE_VERNER_8_5_6);
             case SundialsMethod::erk8: return prepare_erk(ARKODE_FEHLBERG_13_7_8);
-            case SundialsMethod::dirk4: return prepare_ark(ARKODE_SDIRK_5_3_4);
-            case SundialsMethod::dirk5: return prepare_ark(ARKODE_ARK548L2SA_DIRK_8_4_5);
+            case SundialsMethod::dirk4: return prepare_ark(ARKODE_QESDIRK436L2SA_6_3_4);
+            case SundialsMethod::dirk5: return prepare_ark(ARKODE_ESDIRK547L2SA_7_4_5);
         }
         return false;
     }
@@ -173,22 +173,23 @@ private:
             nonlinear = SUNNonlinSol_FixedPoint(x, 0, context);
             if (nonlinear == nullptr || CVodeSetNonlinearSolver(cvode, nonlinear) != 0) return false;
         }
-        return CVodeSetInitStep(cvode, options_.step) == 0 && CVodeSetMaxStep(cvode, options_.max_step) == 0 && CVodeSetStopTime(cvode, to_) == 0;
+        return CVodeSetInitStep(cvode, options_.step) == 0 && CVodeSetMaxStep(cvode, options_.max_step) == 0 && CVodeSetMinStep(cvode, least_) == 0 && CVodeSetStopTime(cvode, to_) == 0;
     }
 
     bool prepare_erk(ARKODE_ERKTableID table) {
         erk = ERKStepCreate(rhs, from_, x, context);
         if (erk == nullptr || ERKStepSetErrHandlerFn(erk, say_nothing_of_sundials, nullptr) != 0) return false;
         return ERKStepSVtolerances(erk, options_.tolerance, tolerances) == 0 && ERKStepSetUserData(erk, this) == 0 && ERKStepSetTableNum(erk, table) == 0 &&
-               ERKStepSetInitStep(erk, options_.step) == 0 && ERKStepSetMaxStep(erk, options_.max_step) == 0 && ERKStepSetStopTime(erk, to_) == 0;
+               ERKStepSetInitStep(erk, options_.step) == 0 && ERKStepSetMaxStep(erk, options_.max_step) == 0 && ERKStepSetMinStep(erk, least_) == 0 && ERKStepSetStopTime(erk, to_) == 0;
     }
 
     bool prepare_ark(ARKODE_DIRKTableID table) {
         ark = ARKStepCreate(nullptr, rhs, from_, x, context);
         if (ark == nullptr || ARKStepSetErrHandlerFn(ark, say_nothing_of_sundials, nullptr) != 0) return false;
-        return ARKStepSVtolerances(ark, options_.tolerance, tolerances) == 0 && ARKStepSetUserData(ark, this) == 0 && ARKStepSetTableNum(ark, table, ARKODE_ERK_NONE) == 0 &&
+        // Polynomials through derivatives would carry errors of fast parts into the outputs.
+        return ARKStepSetInterpolantType(ark, ARK_INTERP_LAGRANGE) == 0 && ARKStepSVtolerances(ark, options_.tolerance, tolerances) == 0 && ARKStepSetUserData(ark, this) == 0 && ARKStepSetTableNum(ark, table, ARKODE_ERK_NONE) == 0 &&
                ARKStepSetLinearSolver(ark, linear, matrix) == 0 && ARKStepSetJacFn(ark, jacobian) == 0 && ARKStepSetInitStep(ark, options_.step) == 0 &&
-               ARKStepSetMaxStep(ark, options_.max_step) == 0 && ARKStepSetStopTime(ark, to_) == 0;
+               ARKStepSetMaxStep(ark, options_.max_step) == 0 && ARKStepSetMinStep(ark, least_) == 0 && ARKStepSetStopTime(ark, to_) == 0;
     }
 
     /// Up to an output point, by the dense output of the formulas.
@@ -246,6 +247,7 @@ private:
     State& start_;
     realtype from_, to_;
     const IntegrationOptions<State>& options_;
+    realtype least_ = StepControl<State>(options_, from_, to_).smallest(to_);  ///< s; shorter steps make no progress, however many there are
     std::size_t culprit_ = n;  ///< the state whose derivative was not finite last
 };
 
@@ -253,8 +255,8 @@ private:
 
 /// As `integrate` without guards, with what SUNDIALS takes: rhs(x, t, dxdt), derivatives as of Method::rodas5p, of the options the tolerance
 /// with its scales (of state i the allowed error is tolerance (|x_i| + scale_i), in the mean square of all states), output points, the
-/// first and the longest step, and the number of steps. `x` is afterwards the state at the last output point that was reached. No step
-/// reaches beyond `to`.
+/// first and the longest step, and the number of steps. `x` is afterwards the state at the last output point that was reached; the time of
+/// an outcome that is no success is that of the step that failed, or of a stage of it. No step reaches beyond `to`.
 template <class State, class Rhs, class Derivatives, class Observer>
 Outcome integrate_with_sundials(SundialsMethod method, Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options,
                                 Observer&& observe) {

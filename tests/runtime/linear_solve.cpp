@@ -13,6 +13,7 @@
 using dalembert::detail::BandLu;
 using dalembert::detail::bandwidth;
 using dalembert::detail::DenseLu;
+using dalembert::detail::PatternLu;
 using dalembert::detail::SquareMatrix;
 
 namespace {
