@@ -43,10 +43,11 @@ public:
         for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
         l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power, system_.prescribed_power, system_.internal_energy, system_.exchanged_power});
 
-        if (rewrites) rewrite(l);
-        std::vector<Polynomial*> everything;
-        each(l, [&](Polynomial& p, const char*) { everything.push_back(&p); });
-        atoms_.canonicalise(everything);
+        canonicalise(l);
+        if (!rewrites) return l;
+        // Behind it, because what is computed in double depends on the order of terms, and GiNaC's is another one on every run.
+        rewrite(l);
+        canonicalise(l);
         return l;
     }
 
@@ -113,6 +114,12 @@ private:
         std::vector<Polynomial> result;
         for (const ex& e : expressions) result.push_back(one(e));
         return result;
+    }
+
+    void canonicalise(LoweredSystem& l) {
+        std::vector<Polynomial*> everything;
+        each(l, [&](Polynomial& p, const char*) { everything.push_back(&p); });
+        atoms_.canonicalise(everything);
     }
 
     void rewrite(LoweredSystem& l) {
