@@ -17,7 +17,7 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                18     44    21        0      0
+//   update                17     51    21        0      0
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
 //   jacobian_p            65    192    11        0      0
@@ -176,7 +176,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 18 + or -, 44 *, 21 /
+    /// Operations: 17 + or -, 51 *, 21 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.H = p_.H_b + p_.H_c;
@@ -187,38 +187,39 @@ public:
         const Scalar inverse_5 = Scalar(1) / p_.L_b;
         const Scalar e6 = p_.H_b * p_.lambda_b;
         const Scalar e7 = p_.H_c * p_.lambda_c;
-        const Scalar e8 = e6 + e7;
-        const Scalar e9 = inverse_5 * e8;
-        const Scalar e10 = inverse_2 / e9;
-        c_.R_low = inverse_1 * e4 + e10;
-        const Scalar e11 = p_.L_b * inverse_2;
-        const Scalar e12 = Scalar(1) / ((e4 + e11 / p_.lambda_b) / p_.H_b) + Scalar(1) / ((e4 + e11 / p_.lambda_c) / p_.H_c);
-        c_.R_up = Scalar(1) / e12;
-        const Scalar inverse_13 = Scalar(1) / p_.C;
-        const Scalar e14 = p_.B * c_.H;
-        const Scalar e15 = e14 * (p_.lambda_d / p_.L_d);
-        const Scalar inverse_16 = Scalar(1) / (Scalar(1) / (inverse_2 * inverse_1 * e3 + e10) + e15);
-        const Scalar e17 = p_.lambda_a / p_.L_a;
-        const Scalar e18 = e17 * (e14 / (c_.H * e17 + e9));
-        const Scalar e19 = inverse_5 * e18;
-        const Scalar e20 = inverse_16 * e19;
-        const Scalar e21 = p_.T_0 * e8 * (e20 * e15);
-        c_.k0 = inverse_13 * e21;
-        c_.k1 = inverse_13;
-        const Scalar e22 = Scalar(2) * (e20 * e6 * e7 - (Scalar(1) / Scalar(2)) * e8) + (e6 * e6 + e7 * e7) * e20;
-        const Scalar e23 = e22 * e19;
-        c_.k2 = -inverse_13 * e23;
-        const Scalar e24 = (e9 * e9 * inverse_16 * e18 - e9) * e18;
-        c_.k3 = -inverse_13 * e24;
-        c_.k4 = e21;
-        c_.k5 = -e23;
-        const Scalar inverse_25 = Scalar(1) / c_.R_low;
-        c_.k6 = p_.T_0 * inverse_25;
-        c_.k7 = inverse_25;
-        const Scalar inverse_26 = Scalar(1) / c_.R_up;
-        c_.k8 = p_.T_0 * inverse_26;
-        c_.k9 = inverse_26;
-        c_.k10 = -e24;
+        const Scalar e8 = inverse_5 * (e6 + e7);
+        const Scalar e9 = inverse_2 / e8;
+        c_.R_low = inverse_1 * e4 + e9;
+        const Scalar e10 = p_.L_b * inverse_2;
+        const Scalar e11 = Scalar(1) / ((e4 + e10 / p_.lambda_b) / p_.H_b) + Scalar(1) / ((e4 + e10 / p_.lambda_c) / p_.H_c);
+        c_.R_up = Scalar(1) / e11;
+        const Scalar inverse_12 = Scalar(1) / p_.C;
+        const Scalar e13 = p_.lambda_a * c_.H / p_.L_a;
+        const Scalar e14 = p_.B * e13;
+        const Scalar e15 = inverse_12 * e14;
+        const Scalar inverse_16 = Scalar(1) / (e13 + e8);
+        const Scalar e17 = p_.lambda_d * c_.H / p_.L_d;
+        const Scalar e18 = inverse_16 / (Scalar(1) / (inverse_2 * inverse_1 * e3 + e9) + p_.B * e17);
+        const Scalar e19 = p_.B * e18;
+        const Scalar e20 = p_.T_0 * e8 * (e19 * e17);
+        c_.k0 = e15 * e20;
+        c_.k1 = inverse_12;
+        const Scalar e21 = e19 * (inverse_5 * inverse_5);
+        const Scalar e22 = inverse_16 * (Scalar(1) + Scalar(2) * e6 * e7 * e21 + (e6 * e6 + e7 * e7) * e21) * e13;
+        const Scalar e23 = Scalar(1) - e22;
+        c_.k2 = e23 * e15;
+        const Scalar e24 = inverse_16 * e14;
+        const Scalar e25 = e8 * e8 * (e18 * e24);
+        c_.k3 = e15 * (inverse_16 * e8 - e25);
+        c_.k4 = e14 * e20;
+        c_.k5 = e23 * e14;
+        const Scalar inverse_26 = Scalar(1) / c_.R_low;
+        c_.k6 = p_.T_0 * inverse_26;
+        c_.k7 = inverse_26;
+        const Scalar inverse_27 = Scalar(1) / c_.R_up;
+        c_.k8 = p_.T_0 * inverse_27;
+        c_.k9 = inverse_27;
+        c_.k10 = e14 * (Scalar(1) - e25) - e13 * e24;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -495,15 +496,15 @@ private:
         Scalar R_up;  ///< 1/(1/(L_a/(H_b*B*lambda_a) + L_b/(H_b*B*lambda_b) + L_d/(H_b*B*lambda_d)) + ...
         Scalar k0;  ///< B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*C*(lambda_a*H/L_a + ...
         Scalar k1;  ///< 1/C
-        Scalar k2;  ///< B*lambda_a*H*(-2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b*(lambda_a*H/L_a + ...
+        Scalar k2;  ///< B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + ...
         Scalar k3;  ///< B*lambda_a*H*(-B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b*(lambda_a*H/L_a + ...
         Scalar k4;  ///< B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*(lambda_a*H/L_a + ...
-        Scalar k5;  ///< B*lambda_a*H*(-2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b*(lambda_a*H/L_a + ...
+        Scalar k5;  ///< B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + ...
         Scalar k6;  ///< T_0/R_low
         Scalar k7;  ///< 1/R_low
         Scalar k8;  ///< T_0/R_up
         Scalar k9;  ///< 1/R_up
-        Scalar k10;  ///< B*lambda_a*H*(-B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b*(lambda_a*H/L_a + ...
+        Scalar k10;  ///< B*lambda_a*H*(1 - B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b^2*(lambda_a*H/L_a + ...
     };
     Cached c_{};
 };

@@ -18,7 +18,7 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                25     54    30        0      0
+//   update                26     49    30        0      0
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
 //   jacobian_p            92    217    19        0      0
@@ -177,7 +177,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 25 + or -, 54 *, 30 /
+    /// Operations: 26 + or -, 49 *, 30 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.H = p_.H_b + p_.H_c;
@@ -209,30 +209,26 @@ public:
         const Scalar inverse_17 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
         const Scalar inverse_18 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
         const Scalar e19 = c_.G_ab + inverse_18;
-        const Scalar e20 = inverse_17 + Scalar(1) / (Scalar(1) / c_.G_l + Scalar(1) / e19);
-        const Scalar inverse_21 = Scalar(1) / (c_.G_ac + e20);
-        const Scalar e22 = c_.G_ac * inverse_21;
-        const Scalar inverse_23 = Scalar(1) / (c_.G_l + e19);
-        const Scalar e24 = c_.G_l * inverse_21;
-        const Scalar e25 = c_.G_ab * (Scalar(1) + c_.G_l * inverse_23 * e24);
-        const Scalar e26 = inverse_23 * ((c_.G_ab * inverse_17 + c_.G_ac * inverse_18) * e24 + inverse_18 * e25);
-        const Scalar e27 = p_.T_0 * (inverse_17 * e22 + e26);
-        c_.k0 = inverse_16 * e27;
+        const Scalar e20 = c_.G_ac + inverse_17 + Scalar(1) / (Scalar(1) / c_.G_l + Scalar(1) / e19);
+        const Scalar inverse_21 = Scalar(1) / e20;
+        const Scalar inverse_22 = Scalar(1) / (c_.G_l + e19);
+        const Scalar e23 = c_.G_ab * inverse_22;
+        const Scalar e24 = c_.G_l * e23;
+        const Scalar e25 = inverse_21 * (c_.G_ac + e24) * (c_.G_l * inverse_18 * inverse_22 + inverse_17);
+        const Scalar e26 = p_.T_0 * (e25 + inverse_18 * e23);
+        c_.k0 = inverse_16 * e26;
         c_.k1 = inverse_16;
-        const Scalar e28 = c_.G_ab * (Scalar(1) - inverse_23 * (Scalar(2) * c_.G_l * e22 + e25));
-        const Scalar e29 = c_.G_ac + (e28 - c_.G_ac * e22);
-        c_.k2 = inverse_16 * e29;
-        const Scalar e30 = e22 * e20 + e28;
-        c_.k3 = inverse_16 * e30;
-        c_.k4 = e27;
-        c_.k5 = e29;
-        const Scalar inverse_31 = Scalar(1) / c_.R_low;
-        c_.k6 = p_.T_0 * inverse_31;
-        c_.k7 = inverse_31;
-        const Scalar inverse_32 = Scalar(1) / c_.R_up;
-        c_.k8 = p_.T_0 * inverse_32;
-        c_.k9 = inverse_32;
-        c_.k10 = e30;
+        const Scalar e27 = c_.G_ac * c_.G_ac * inverse_21 + (c_.G_ab + c_.G_l * inverse_21 * (Scalar(2) * c_.G_ac + e24)) * e23;
+        const Scalar e28 = e27 - (c_.G_ab + c_.G_ac);
+        c_.k2 = -inverse_16 * e28;
+        c_.k3 = e26;
+        c_.k4 = -e28;
+        const Scalar inverse_29 = Scalar(1) / c_.R_low;
+        c_.k5 = p_.T_0 * inverse_29;
+        c_.k6 = inverse_29;
+        const Scalar inverse_30 = Scalar(1) / c_.R_up;
+        c_.k7 = p_.T_0 * inverse_30;
+        c_.k8 = inverse_30;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -268,7 +264,7 @@ public:
         const Scalar P = u[0];
         const Scalar T_P = x[0];
         dxdt[0] = c_.k0 + c_.k1 * P - c_.k2 * T_P;
-        J[0] = -c_.k3;
+        J[0] = -c_.k2;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -458,17 +454,17 @@ public:
     ///     Q_least = -T_0/R_up + T_P/R_up
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         const Scalar T_P = x[0];
-        y[0] = c_.k5 * T_P - c_.k4;
-        y[1] = c_.k7 * T_P - c_.k6;
-        y[2] = c_.k9 * T_P - c_.k8;
+        y[0] = c_.k4 * T_P - c_.k3;
+        y[1] = c_.k6 * T_P - c_.k5;
+        y[2] = c_.k8 * T_P - c_.k7;
     }
 
     /// C = dh/dx.
     /// Operations: none
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        C[0] = c_.k10;
-        C[1] = c_.k7;
-        C[2] = c_.k9;
+        C[0] = c_.k4;
+        C[1] = c_.k6;
+        C[2] = c_.k8;
     }
 
     /// D = dh/du.
@@ -563,14 +559,12 @@ private:
         Scalar k0;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) ...
         Scalar k1;  ///< 1/C
         Scalar k2;  ///< (G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l ...
-        Scalar k3;  ///< (G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l ...
-        Scalar k4;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) ...
-        Scalar k5;  ///< G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l ...
-        Scalar k6;  ///< T_0/R_low
-        Scalar k7;  ///< 1/R_low
-        Scalar k8;  ///< T_0/R_up
-        Scalar k9;  ///< 1/R_up
-        Scalar k10;  ///< G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l ...
+        Scalar k3;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) ...
+        Scalar k4;  ///< G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l ...
+        Scalar k5;  ///< T_0/R_low
+        Scalar k6;  ///< 1/R_low
+        Scalar k7;  ///< T_0/R_up
+        Scalar k8;  ///< 1/R_up
     };
     Cached c_{};
 };

@@ -15,16 +15,16 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     61     7        0      8
+//   update                 2     62     7        0      8
 //   rhs                    6     10     0        0      6
 //   rhs_and_jacobian       9     15     0        0      8
 //   jacobian_u             4      6     1        0      6
-//   jacobian_p            33    132     8        0     21
-//   output                 8     28     3        0     11
+//   jacobian_p            33    129     8        0     21
+//   output                 7     30     3        0     14
 //   output_jacobian_x      6     15     2        0      7
 //   output_jacobian_u     17     48     7        0     13
 //   internal_energy        0      1     0        0      0
-//   exchanged_power        6      8     0        0      5
+//   exchanged_power        6      9     0        0      6
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -233,7 +233,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 61 *, 7 /, 8 other functions
+    /// Operations: 2 + or -, 62 *, 7 /, 8 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -256,51 +256,52 @@ public:
         c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e7;
         const Scalar power_Pr = pow(c_.Pr, Scalar(1) / Scalar(3));
         const Scalar e8 = p_.b * p_.lambda;
-        const Scalar e9 = inverse_5 * e8;
-        const Scalar e10 = power_Pr * e9;
+        const Scalar e9 = power_Pr * e8;
+        const Scalar e10 = inverse_5 * e9;
         c_.k2 = (Scalar(37) / Scalar(1000)) * e10;
-        c_.k3 = Scalar(2) * c_.phi_Pr * e9;
-        const Scalar inverse_11 = Scalar(1) / p_.nu;
-        const Scalar e12 = p_.L * inverse_11;
-        c_.k4 = e12;
+        const Scalar e11 = inverse_5 * e8;
+        c_.k3 = Scalar(2) * c_.phi_Pr * e11;
+        const Scalar inverse_12 = Scalar(1) / p_.nu;
+        const Scalar e13 = p_.L * inverse_12;
+        c_.k4 = e13;
         c_.k5 = p_.T_inf * p_.T_inf;
         c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e7;
         const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
         c_.k7 = (Scalar(37) / Scalar(1000)) * power_Re_c * e10;
-        const Scalar e13 = c_.phi_Pr * inverse_11;
-        const Scalar e14 = p_.L * e13;
-        c_.k8 = e9 * e14;
-        c_.k9 = (Scalar(37) / Scalar(1250)) * e12 * e10;
-        const Scalar inverse_15 = Scalar(1) / p_.L;
-        const Scalar e16 = p_.lambda * c_.phi_Pr;
-        c_.k10 = Scalar(2) * inverse_15 * e16;
-        const Scalar e17 = p_.lambda * power_Pr;
-        c_.k11 = (Scalar(37) / Scalar(1000)) * power_Re_c * inverse_15 * e17;
-        c_.k12 = Scalar(2) * c_.phi_Pr * e8;
-        const Scalar e18 = power_Pr * e8;
-        c_.k13 = (Scalar(37) / Scalar(1000)) * power_Re_c * e18;
+        const Scalar e14 = c_.phi_Pr * inverse_12;
+        const Scalar e15 = p_.L * e14;
+        c_.k8 = e11 * e15;
+        c_.k9 = (Scalar(37) / Scalar(1250)) * e13 * e10;
+        const Scalar inverse_16 = Scalar(1) / p_.L;
+        const Scalar e17 = p_.lambda * c_.phi_Pr;
+        c_.k10 = Scalar(2) * inverse_16 * e17;
+        const Scalar e18 = p_.lambda * power_Pr;
+        c_.k11 = (Scalar(37) / Scalar(1000)) * power_Re_c * inverse_16 * e18;
+        c_.k12 = (Scalar(37) / Scalar(1000)) * e9;
+        c_.k13 = Scalar(2) * c_.phi_Pr * e8;
         c_.k14 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e6;
         c_.k15 = p_.nu * p_.Re_c;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(1) / Scalar(3));
         c_.k16 = Scalar(5) * power_Pr_2;
-        c_.k17 = e16;
-        c_.k18 = (Scalar(37) / Scalar(1250)) * e17;
-        c_.k19 = inverse_11;
-        c_.k20 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e6;
-        const Scalar e19 = p_.lambda * e13;
-        c_.k21 = e19;
-        const Scalar e20 = inverse_11 * e17;
-        c_.k22 = (Scalar(37) / Scalar(1250)) * e20;
-        c_.k23 = e8 * e14;
-        c_.k24 = (Scalar(37) / Scalar(1250)) * e12 * e18;
-        c_.k25 = (Scalar(5) / Scalar(2)) * p_.nu;
-        c_.k26 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
-        c_.k27 = (Scalar(37) / Scalar(500)) * inverse_11;
-        c_.k28 = (Scalar(1) / Scalar(2)) * e19;
-        c_.k29 = (Scalar(74) / Scalar(3125)) * e20;
-        c_.k30 = (Scalar(1) / Scalar(2)) * e13;
-        c_.k31 = (Scalar(1) / Scalar(2)) * p_.T_inf * e13;
-        c_.k32 = p_.T_inf * c_.phi_Pr;
+        c_.k17 = e17;
+        c_.k18 = (Scalar(37) / Scalar(1250)) * e18;
+        c_.k19 = inverse_12;
+        c_.k20 = (Scalar(37) / Scalar(1000)) * power_Re_c * e9;
+        c_.k21 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e6;
+        const Scalar e19 = p_.lambda * e14;
+        c_.k22 = e19;
+        const Scalar e20 = inverse_12 * e18;
+        c_.k23 = (Scalar(37) / Scalar(1250)) * e20;
+        c_.k24 = e8 * e15;
+        c_.k25 = (Scalar(37) / Scalar(1250)) * e9 * e13;
+        c_.k26 = (Scalar(5) / Scalar(2)) * p_.nu;
+        c_.k27 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
+        c_.k28 = (Scalar(37) / Scalar(500)) * inverse_12;
+        c_.k29 = (Scalar(1) / Scalar(2)) * e19;
+        c_.k30 = (Scalar(74) / Scalar(3125)) * e20;
+        c_.k31 = (Scalar(1) / Scalar(2)) * e14;
+        c_.k32 = (Scalar(1) / Scalar(2)) * p_.T_inf * e14;
+        c_.k33 = p_.T_inf * c_.phi_Pr;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -390,7 +391,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 33 + or -, 132 *, 8 /, 21 other functions
+    /// Operations: 33 + or -, 129 *, 8 /, 21 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::exp;
         using std::expm1;
@@ -426,71 +427,71 @@ public:
         const Scalar e24 = e12 * (step_21 * power_23);
         const Scalar e25 = p_.lambda * inverse_1;
         const Scalar e26 = e4 * sqrt_17;
+        const Scalar e27 = p_.L * p_.eps;
+        const Scalar e28 = inverse_1 * e27;
         const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
-        const Scalar e27 = power_Re_c * power_Pr;
-        const Scalar log_ratio_28 = detail::log_ratio<Scalar>(max_22, p_.Re_c);
-        const Scalar expm1_29 = expm1((Scalar(4) / Scalar(5)) * log_ratio_28);
-        const Scalar e30 = e4 * expm1_29;
-        const Scalar e31 = p_.L * p_.eps;
-        const Scalar e32 = inverse_1 * e31;
+        const Scalar log_ratio_29 = detail::log_ratio<Scalar>(max_22, p_.Re_c);
+        const Scalar expm1_30 = expm1((Scalar(4) / Scalar(5)) * log_ratio_29);
+        const Scalar e31 = e4 * expm1_30;
         const Scalar P = u[1];
-        const Scalar e33 = c_.phi_Pr * e9;
-        const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(2) / Scalar(3));
+        const Scalar e32 = c_.phi_Pr * e9;
+        const Scalar e33 = power_Pr * e9;
         const Scalar e34 = p_.rho * p_.c_p;
-        const Scalar e35 = e2 * e34;
-        const Scalar e36 = e34 / p_.lambda;
-        const Scalar e37 = p_.nu * e36;
-        const Scalar sqrt_38 = sqrt(e37);
-        const Scalar log_39 = log(e37);
-        const Scalar exp_40 = exp((Scalar(34) / Scalar(125)) * log_39);
-        const Scalar e41 = Scalar(1) + (Scalar(1973) / Scalar(1000)) * exp_40 + (Scalar(2129) / Scalar(100)) * e37;
-        const Scalar power_42 = pow(e41, -Scalar(7) / Scalar(6));
-        const Scalar e43 = sqrt_38 * power_42;
-        const Scalar sqrt_44 = sqrt(detail::pi<Scalar>());
-        const Scalar inverse_45 = Scalar(1) / sqrt_44;
-        const Scalar e46 = e43 * (exp_40 * inverse_45);
-        const Scalar power_47 = pow(e41, -Scalar(1) / Scalar(6));
-        const Scalar e48 = inverse_45 * (e43 - (Scalar(300) / Scalar(2129)) * power_47 / sqrt_38);
-        const Scalar e49 = p_.L * inverse_8;
-        const Scalar e50 = p_.nu * e2;
-        const Scalar e51 = e50 * e48;
-        const Scalar e52 = power_Pr_2 * e50;
+        const Scalar e35 = e34 / p_.lambda;
+        const Scalar e36 = p_.nu * e35;
+        const Scalar sqrt_37 = sqrt(e36);
+        const Scalar log_38 = log(e36);
+        const Scalar exp_39 = exp((Scalar(34) / Scalar(125)) * log_38);
+        const Scalar e40 = Scalar(1) + (Scalar(1973) / Scalar(1000)) * exp_39 + (Scalar(2129) / Scalar(100)) * e36;
+        const Scalar power_41 = pow(e40, -Scalar(7) / Scalar(6));
+        const Scalar e42 = sqrt_37 * power_41;
+        const Scalar sqrt_43 = sqrt(detail::pi<Scalar>());
+        const Scalar inverse_44 = Scalar(1) / sqrt_43;
+        const Scalar e45 = e42 * (exp_39 * inverse_44);
+        const Scalar power_46 = pow(e40, -Scalar(1) / Scalar(6));
+        const Scalar e47 = inverse_44 * (e42 - (Scalar(300) / Scalar(2129)) * power_46 / sqrt_37);
+        const Scalar e48 = e2 * e34;
+        const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(2) / Scalar(3));
         const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_22);
-        const Scalar expm1_53 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
-        const Scalar power_54 = pow(max_22, Scalar(4) / Scalar(5));
-        const Scalar e55 = expm1_53 * (e4 * power_54);
-        const Scalar e56 = e9 * e46;
-        const Scalar e57 = power_Pr * e9;
+        const Scalar expm1_49 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar power_50 = pow(max_22, Scalar(4) / Scalar(5));
+        const Scalar e51 = expm1_49 * (e4 * power_50);
+        const Scalar e52 = p_.L * inverse_8;
+        const Scalar e53 = p_.nu * e2;
+        const Scalar e54 = power_Pr_2 * e53;
+        const Scalar e55 = e53 * e47;
+        const Scalar e56 = e9 * e45;
         const Scalar power_Re_c_2 = pow(p_.Re_c, -Scalar(1) / Scalar(5));
-        const Scalar e58 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e57 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.eps * e2;
-        J[0] = e58 * e7 + e11 * e19 + (Scalar(37) / Scalar(1250)) * e20 * e24;
+        J[0] = e57 * e7 + e11 * e19 + (Scalar(37) / Scalar(1250)) * e20 * e24;
+        const Scalar e58 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e28;
+        J[1] = Scalar(2) * c_.phi_Pr * e25 * e26 + e58 * e7 + (Scalar(37) / Scalar(1000)) * power_Re_c * power_Pr * e25 * e31;
         const Scalar e59 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e32;
-        J[1] = Scalar(2) * c_.phi_Pr * e25 * e26 + (Scalar(37) / Scalar(1000)) * e27 * e25 * e30 + e59 * e7;
-        const Scalar e60 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e32;
-        J[2] = -P * (inverse_1 * inverse_1) - Scalar(2) * inverse_1 * e33 * e26 - (Scalar(37) / Scalar(1000)) * inverse_1 * e9
-            * e27 * e30 - e60 * e7;
-        const Scalar e61 = (Scalar(33541) / Scalar(187500)) * e10 * e46 + (Scalar(2129) / Scalar(300)) * e48 * e35;
-        J[3] = (Scalar(37) / Scalar(3000)) * power_Re_c * power_Pr_2 * e35 * e30 - e61 * e26 - e49 * e11 * e19
-            - (Scalar(37) / Scalar(1250)) * e49 * e20 * e24;
-        const Scalar e62 = -e2 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e46)
-            - (Scalar(2129) / Scalar(300)) * e36 * e51;
-        J[4] = (Scalar(37) / Scalar(1000)) * e2 * e27 * e30 - e62 * e26 + (Scalar(37) / Scalar(3000)) * e36 * e52 * e55;
-        const Scalar e63 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e51 - (Scalar(33541) / Scalar(187500)) * e56 / p_.rho;
-        J[5] = e63 * e26 + (Scalar(37) / Scalar(3000)) * p_.c_p * power_Re_c * e52 * e30;
-        const Scalar e64 = -(Scalar(2129) / Scalar(300)) * p_.rho * e51 - (Scalar(33541) / Scalar(187500)) * e56 / p_.c_p;
-        J[6] = e64 * e26 - (Scalar(37) / Scalar(3000)) * p_.rho * e52 * e55;
-        const Scalar e65 = step_15 * power_23 * ((Scalar(37) / Scalar(1250)) * e57) + step_21 * inverse_18 * e33
-            - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e57;
+            * e2 * e28;
+        J[2] = -P * (inverse_1 * inverse_1) - Scalar(2) * inverse_1 * e32 * e26 - e59 * e7 - (Scalar(37) / Scalar(1000))
+            * power_Re_c * inverse_1 * e33 * e31;
+        const Scalar e60 = (Scalar(33541) / Scalar(187500)) * e10 * e45 + (Scalar(2129) / Scalar(300)) * e47 * e48;
+        J[3] = -e60 * e26 - (Scalar(37) / Scalar(3000)) * power_Pr_2 * e48 * e51 - e52 * e11 * e19
+            - (Scalar(37) / Scalar(1250)) * e52 * e20 * e24;
+        const Scalar e61 = (Scalar(37) / Scalar(3000)) * e35 * e54 - (Scalar(37) / Scalar(1000)) * power_Pr * e2;
+        const Scalar e62 = -e2 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e45)
+            - (Scalar(2129) / Scalar(300)) * e35 * e55;
+        J[4] = e61 * e51 - e62 * e26;
+        const Scalar e63 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e55 - (Scalar(33541) / Scalar(187500)) * e56 / p_.rho;
+        J[5] = e63 * e26 - (Scalar(37) / Scalar(3000)) * p_.c_p * e54 * e51;
+        const Scalar e64 = -(Scalar(2129) / Scalar(300)) * p_.rho * e55 - (Scalar(33541) / Scalar(187500)) * e56 / p_.c_p;
+        J[6] = e64 * e26 - (Scalar(37) / Scalar(3000)) * p_.rho * e54 * e51;
+        const Scalar e65 = step_15 * power_23 * ((Scalar(37) / Scalar(1250)) * e33) + step_21 * inverse_18 * e32
+            - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e33;
         J[7] = e4 * e65;
         const Scalar e66 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.L * e2;
         J[8] = e66 * e7;
         const Scalar e67 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.T_inf * e2 * e31;
-        J[9] = c_.k1 * e3 * (e4 + e5) + c_.k3 * sqrt_17 + c_.k7 * expm1_29 + e67 * e6;
+            * p_.T_inf * e2 * e27;
+        J[9] = c_.k1 * e3 * (e4 + e5) + c_.k3 * sqrt_17 + c_.k7 * expm1_30 + e67 * e6;
     }
 
     /// J = df/dt at fixed x and u.
@@ -515,7 +516,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 8 + or -, 28 *, 3 /, 11 other functions
+    /// Operations: 7 + or -, 30 *, 3 /, 14 other functions
     ///     alpha = -37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L) + 37*lambda*(Pr)^(1/3)*(max(L*u/nu, Re_c))^(4/5)/(1000*L) +
     ///     2*lambda*phi_Pr*sqrt(min(L*u/nu, Re_c))/L
     ///     alpha_l = 2*lambda*phi_Pr*sqrt(L*u/nu)/L
@@ -545,29 +546,32 @@ public:
         const Scalar sqrt_7 = sqrt(e1);
         const Scalar T_P = x[0];
         const Scalar e8 = p_.T_inf - T_P;
-        const Scalar inverse_9 = Scalar(1) / u_value;
+        const Scalar power_9 = pow(max_4, Scalar(4) / Scalar(5));
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_4);
+        const Scalar expm1_10 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar inverse_11 = Scalar(1) / u_value;
         const Scalar x_value = u[2];
-        const Scalar sqrt_10 = sqrt(p_.nu * x_value * inverse_9);
-        const Scalar e11 = c_.k19 * u_value * x_value;
-        const Scalar power_12 = pow(e11, -Scalar(1) / Scalar(5));
-        const Scalar sqrt_13 = sqrt(e11);
-        const Scalar inverse_14 = Scalar(1) / x_value;
-        const Scalar e15 = sqrt_13 * inverse_14;
-        const Scalar power_16 = pow(e11, Scalar(4) / Scalar(5));
+        const Scalar sqrt_12 = sqrt(p_.nu * x_value * inverse_11);
+        const Scalar e13 = c_.k19 * u_value * x_value;
+        const Scalar power_14 = pow(e13, -Scalar(1) / Scalar(5));
+        const Scalar sqrt_15 = sqrt(e13);
+        const Scalar inverse_16 = Scalar(1) / x_value;
+        const Scalar e17 = sqrt_15 * inverse_16;
+        const Scalar power_18 = pow(e13, Scalar(4) / Scalar(5));
         const Scalar y_value = u[3];
-        const Scalar exp_17 = exp(c_.phi_Pr * y_value * e15);
+        const Scalar exp_19 = exp(c_.phi_Pr * y_value * e17);
         y[0] = c_.k10 * sqrt_3 + c_.k11 * expm1_6;
         y[1] = c_.k10 * sqrt_7;
-        y[2] = -e8 * (c_.k12 * sqrt_3 + c_.k13 * expm1_6);
+        y[2] = e8 * (c_.k12 * power_9 * expm1_10 - c_.k13 * sqrt_3);
         y[3] = -c_.k14 * e8 * (p_.T_inf + T_P) * (c_.k5 + T_P * T_P);
         y[4] = e1;
-        y[5] = c_.k15 * inverse_9;
-        y[6] = Scalar(5) * sqrt_10;
-        y[7] = c_.k16 * sqrt_10;
-        y[8] = (Scalar(37) / Scalar(100)) * x_value * power_12;
-        y[9] = c_.k17 * e15;
-        y[10] = c_.k18 * power_16 * inverse_14;
-        y[11] = p_.T_inf - e8 / exp_17;
+        y[5] = c_.k15 * inverse_11;
+        y[6] = Scalar(5) * sqrt_12;
+        y[7] = c_.k16 * sqrt_12;
+        y[8] = (Scalar(37) / Scalar(100)) * x_value * power_14;
+        y[9] = c_.k17 * e17;
+        y[10] = c_.k18 * power_18 * inverse_16;
+        y[11] = p_.T_inf - e8 / exp_19;
     }
 
     /// C = dh/dx.
@@ -592,8 +596,8 @@ public:
         const Scalar exp_10 = exp(c_.phi_Pr * y_value * sqrt_9 / x_value);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
-        C[2] = c_.k12 * sqrt_3 + c_.k13 * expm1_6;
-        C[3] = e7 * e8 - (p_.T_inf - T_P) * (c_.k20 * T_P * e7 + e8);
+        C[2] = c_.k13 * sqrt_3 + c_.k20 * expm1_6;
+        C[3] = e7 * e8 - (p_.T_inf - T_P) * (c_.k21 * T_P * e7 + e8);
         C[4] = Scalar(0);
         C[5] = Scalar(0);
         C[6] = Scalar(0);
@@ -628,30 +632,30 @@ public:
         const Scalar e13 = x_value * inverse_12;
         const Scalar sqrt_14 = sqrt(p_.nu * e13);
         const Scalar e15 = inverse_12 / sqrt_14;
-        const Scalar e16 = c_.k25 * e15;
-        const Scalar e17 = c_.k26 * e15;
+        const Scalar e16 = c_.k26 * e15;
+        const Scalar e17 = c_.k27 * e15;
         const Scalar e18 = c_.k19 * u_value * x_value;
         const Scalar power_19 = pow(e18, -Scalar(6) / Scalar(5));
-        const Scalar e20 = power_19 * (c_.k27 * x_value);
+        const Scalar e20 = power_19 * (c_.k28 * x_value);
         const Scalar sqrt_21 = sqrt(e18);
         const Scalar inverse_22 = Scalar(1) / sqrt_21;
-        const Scalar e23 = c_.k28 * inverse_22;
+        const Scalar e23 = c_.k29 * inverse_22;
         const Scalar power_24 = pow(e18, -Scalar(1) / Scalar(5));
-        const Scalar e25 = c_.k29 * power_24;
+        const Scalar e25 = c_.k30 * power_24;
         const Scalar y_value = u[3];
         const Scalar inverse_26 = Scalar(1) / x_value;
         const Scalar e27 = sqrt_21 * inverse_26;
         const Scalar exp_28 = exp(c_.phi_Pr * y_value * e27);
         const Scalar inverse_29 = Scalar(1) / exp_28;
         const Scalar e30 = y_value * inverse_29;
-        const Scalar e31 = e30 * (inverse_22 * (c_.k30 * T_P - c_.k31));
+        const Scalar e31 = e30 * (inverse_22 * (c_.k31 * T_P - c_.k32));
         const Scalar e32 = u_value * inverse_26;
         const Scalar e33 = inverse_26 * e27;
         const Scalar power_34 = pow(e18, Scalar(4) / Scalar(5));
-        const Scalar e35 = c_.k32 - c_.phi_Pr * T_P;
-        D[0] = c_.k21 * e6 + c_.k22 * e10;
-        D[1] = c_.k21 / sqrt_11;
-        D[2] = -(p_.T_inf - T_P) * (c_.k23 * e6 + c_.k24 * e10);
+        const Scalar e35 = c_.k33 - c_.phi_Pr * T_P;
+        D[0] = c_.k22 * e6 + c_.k23 * e10;
+        D[1] = c_.k22 / sqrt_11;
+        D[2] = -(p_.T_inf - T_P) * (c_.k24 * e6 + c_.k25 * e10);
         D[3] = Scalar(0);
         D[4] = c_.k4;
         D[5] = -c_.k15 * inverse_12 * inverse_12;
@@ -742,20 +746,22 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 6 + or -, 8 *, 5 other functions
+    /// Operations: 6 + or -, 9 *, 6 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::expm1;
+        using std::pow;
         using std::sqrt;
         const Scalar T_P = x[0];
         const Scalar u_value = u[0];
         const Scalar e1 = c_.k4 * u_value;
-        const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_3 = sqrt(min_2);
-        const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
-        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
+        const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
+        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_2);
+        const Scalar expm1_4 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar min_5 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_6 = sqrt(min_5);
         const Scalar P = u[1];
-        const Scalar e7 = c_.k14 * (p_.T_inf + T_P) * (c_.k5 + T_P * T_P) + c_.k12 * sqrt_3 + c_.k13 * expm1_6;
+        const Scalar e7 = c_.k14 * (p_.T_inf + T_P) * (c_.k5 + T_P * T_P) - c_.k12 * power_3 * expm1_4 + c_.k13 * sqrt_6;
         return (p_.T_inf - T_P) * e7 + P;
     }
 
@@ -783,27 +789,28 @@ private:
         Scalar k9;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*C*nu)
         Scalar k10;  ///< 2*lambda*phi_Pr/L
         Scalar k11;  ///< 37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L)
-        Scalar k12;  ///< 2*b*lambda*phi_Pr
-        Scalar k13;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000
+        Scalar k12;  ///< 37*b*lambda*(Pr)^(1/3)/1000
+        Scalar k13;  ///< 2*b*lambda*phi_Pr
         Scalar k14;  ///< stefan_boltzmann*L*b*eps
         Scalar k15;  ///< nu*Re_c
         Scalar k16;  ///< 5*(Pr)^(-1/3)
         Scalar k17;  ///< lambda*phi_Pr
         Scalar k18;  ///< 37*lambda*(Pr)^(1/3)/1250
         Scalar k19;  ///< 1/nu
-        Scalar k20;  ///< 2*stefan_boltzmann*L*b*eps
-        Scalar k21;  ///< lambda*phi_Pr/nu
-        Scalar k22;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
-        Scalar k23;  ///< L*b*lambda*phi_Pr/nu
-        Scalar k24;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
-        Scalar k25;  ///< 5*nu/2
-        Scalar k26;  ///< 5*nu*(Pr)^(-1/3)/2
-        Scalar k27;  ///< 37/(500*nu)
-        Scalar k28;  ///< lambda*phi_Pr/(2*nu)
-        Scalar k29;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
-        Scalar k30;  ///< phi_Pr/(2*nu)
-        Scalar k31;  ///< T_inf*phi_Pr/(2*nu)
-        Scalar k32;  ///< T_inf*phi_Pr
+        Scalar k20;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000
+        Scalar k21;  ///< 2*stefan_boltzmann*L*b*eps
+        Scalar k22;  ///< lambda*phi_Pr/nu
+        Scalar k23;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
+        Scalar k24;  ///< L*b*lambda*phi_Pr/nu
+        Scalar k25;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
+        Scalar k26;  ///< 5*nu/2
+        Scalar k27;  ///< 5*nu*(Pr)^(-1/3)/2
+        Scalar k28;  ///< 37/(500*nu)
+        Scalar k29;  ///< lambda*phi_Pr/(2*nu)
+        Scalar k30;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
+        Scalar k31;  ///< phi_Pr/(2*nu)
+        Scalar k32;  ///< T_inf*phi_Pr/(2*nu)
+        Scalar k33;  ///< T_inf*phi_Pr
     };
     Cached c_{};
 };

@@ -16,12 +16,12 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     53     7        0      8
+//   update                 2     52     7        0      8
 //   rhs                    3      6     0        0      5
 //   rhs_and_jacobian       4      9     0        0      8
 //   jacobian_u             4      6     1        0      6
-//   jacobian_p            26    114     8        0     21
-//   output                 5     24     3        0     11
+//   jacobian_p            27    109     8        0     19
+//   output                 5     26     3        0     14
 //   output_jacobian_x      1      9     2        0      7
 //   output_jacobian_u     17     48     7        0     13
 //   internal_energy        0      1     0        0      0
@@ -231,7 +231,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 53 *, 7 /, 8 other functions
+    /// Operations: 2 + or -, 52 *, 7 /, 8 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -265,22 +265,22 @@ public:
         c_.k5 = e7 * e12;
         c_.k6 = (Scalar(37) / Scalar(1250)) * e10 * e8;
         const Scalar inverse_13 = Scalar(1) / p_.L;
-        const Scalar e14 = p_.lambda * c_.phi_Pr;
-        c_.k7 = Scalar(2) * inverse_13 * e14;
-        const Scalar e15 = p_.lambda * power_Pr;
-        c_.k8 = (Scalar(37) / Scalar(1000)) * power_Re_c * inverse_13 * e15;
+        const Scalar e14 = p_.lambda * power_Pr;
+        c_.k7 = (Scalar(37) / Scalar(1000)) * inverse_13 * e14;
+        const Scalar e15 = p_.lambda * c_.phi_Pr;
+        c_.k8 = Scalar(2) * inverse_13 * e15;
         c_.k9 = Scalar(2) * c_.phi_Pr * e6;
         const Scalar e16 = power_Pr * e6;
         c_.k10 = (Scalar(37) / Scalar(1000)) * power_Re_c * e16;
         c_.k11 = p_.nu * p_.Re_c;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(1) / Scalar(3));
         c_.k12 = Scalar(5) * power_Pr_2;
-        c_.k13 = e14;
-        c_.k14 = (Scalar(37) / Scalar(1250)) * e15;
+        c_.k13 = e15;
+        c_.k14 = (Scalar(37) / Scalar(1250)) * e14;
         c_.k15 = inverse_9;
         const Scalar e17 = p_.lambda * e11;
         c_.k16 = e17;
-        const Scalar e18 = inverse_9 * e15;
+        const Scalar e18 = inverse_9 * e14;
         c_.k17 = (Scalar(37) / Scalar(1250)) * e18;
         c_.k18 = e6 * e12;
         c_.k19 = (Scalar(37) / Scalar(1250)) * e10 * e16;
@@ -374,7 +374,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 9, entry (i, j) at J[1*j + i].
-    /// Operations: 26 + or -, 114 *, 8 /, 21 other functions
+    /// Operations: 27 + or -, 109 *, 8 /, 19 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::exp;
         using std::expm1;
@@ -385,8 +385,8 @@ public:
         const Scalar inverse_2 = Scalar(1) / p_.C;
         const Scalar e3 = p_.b * inverse_2;
         const Scalar e4 = p_.lambda * e3;
-        const Scalar e5 = inverse_1 * e4;
-        const Scalar e6 = c_.phi_Pr * e5;
+        const Scalar e5 = c_.phi_Pr * e4;
+        const Scalar e6 = inverse_1 * e5;
         const Scalar u_value = u[0];
         const Scalar T_P = x[0];
         const Scalar e7 = p_.T_inf - T_P;
@@ -399,24 +399,24 @@ public:
         const Scalar inverse_14 = Scalar(1) / sqrt_13;
         const Scalar e15 = e8 * (step_11 * inverse_14);
         const Scalar power_Pr = pow(c_.Pr, Scalar(1) / Scalar(3));
-        const Scalar e16 = power_Pr * e5;
-        const Scalar step_17 = detail::step<Scalar>(e10);
-        const Scalar max_18 = detail::max<Scalar>(e9, p_.Re_c);
-        const Scalar power_19 = pow(max_18, -Scalar(1) / Scalar(5));
-        const Scalar e20 = e8 * (step_17 * power_19);
-        const Scalar e21 = p_.lambda * inverse_2;
-        const Scalar e22 = e7 * sqrt_13;
+        const Scalar e16 = power_Pr * e4;
+        const Scalar e17 = inverse_1 * e16;
+        const Scalar step_18 = detail::step<Scalar>(e10);
+        const Scalar max_19 = detail::max<Scalar>(e9, p_.Re_c);
+        const Scalar power_20 = pow(max_19, -Scalar(1) / Scalar(5));
+        const Scalar e21 = e8 * (step_18 * power_20);
+        const Scalar e22 = p_.lambda * inverse_2;
+        const Scalar e23 = e7 * sqrt_13;
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_19);
+        const Scalar expm1_24 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar power_25 = pow(max_19, Scalar(4) / Scalar(5));
+        const Scalar e26 = e7 * power_25;
+        const Scalar e27 = expm1_24 * e26;
         const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
-        const Scalar e23 = power_Re_c * power_Pr;
-        const Scalar log_ratio_24 = detail::log_ratio<Scalar>(max_18, p_.Re_c);
-        const Scalar expm1_25 = expm1((Scalar(4) / Scalar(5)) * log_ratio_24);
-        const Scalar e26 = e7 * expm1_25;
+        const Scalar e28 = inverse_2 * e16;
         const Scalar P = u[1];
-        const Scalar e27 = c_.phi_Pr * e4;
-        const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(2) / Scalar(3));
-        const Scalar e28 = p_.rho * p_.c_p;
-        const Scalar e29 = e3 * e28;
-        const Scalar e30 = e28 / p_.lambda;
+        const Scalar e29 = p_.rho * p_.c_p;
+        const Scalar e30 = e29 / p_.lambda;
         const Scalar e31 = p_.nu * e30;
         const Scalar sqrt_32 = sqrt(e31);
         const Scalar log_33 = log(e31);
@@ -427,39 +427,35 @@ public:
         const Scalar sqrt_38 = sqrt(detail::pi<Scalar>());
         const Scalar inverse_39 = Scalar(1) / sqrt_38;
         const Scalar e40 = e37 * (exp_34 * inverse_39);
-        const Scalar power_41 = pow(e35, -Scalar(1) / Scalar(6));
-        const Scalar e42 = inverse_39 * (e37 - (Scalar(300) / Scalar(2129)) * power_41 / sqrt_32);
-        const Scalar e43 = p_.L * inverse_1;
-        const Scalar e44 = p_.nu * e3;
-        const Scalar e45 = power_Pr_2 * e44;
-        const Scalar e46 = power_Re_c * e45;
-        const Scalar e47 = e44 * e42;
-        const Scalar power_48 = pow(max_18, Scalar(4) / Scalar(5));
-        const Scalar e49 = e7 * power_48;
-        const Scalar e50 = e4 * e40;
-        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_18);
-        const Scalar expm1_51 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
-        const Scalar e52 = power_Pr * e4;
+        const Scalar e41 = e4 * e40;
+        const Scalar power_42 = pow(e35, -Scalar(1) / Scalar(6));
+        const Scalar e43 = inverse_39 * (e37 - (Scalar(300) / Scalar(2129)) * power_42 / sqrt_32);
+        const Scalar e44 = e3 * e29;
+        const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(2) / Scalar(3));
+        const Scalar e45 = p_.L * inverse_1;
+        const Scalar e46 = e3 * (power_Pr_2 * e31 - Scalar(3) * power_Pr);
+        const Scalar e47 = p_.nu * e3;
+        const Scalar e48 = e47 * e43;
+        const Scalar e49 = power_Pr_2 * e47;
         const Scalar power_Re_c_2 = pow(p_.Re_c, -Scalar(1) / Scalar(5));
-        J[0] = e6 * e15 + (Scalar(37) / Scalar(1250)) * e16 * e20;
-        J[1] = Scalar(2) * c_.phi_Pr * e21 * e22 + (Scalar(37) / Scalar(1000)) * e23 * e21 * e26;
-        J[2] = -P * (inverse_2 * inverse_2) - Scalar(2) * inverse_2 * e27 * e22 - (Scalar(37) / Scalar(1000)) * inverse_2 * e4
-            * e23 * e26;
-        const Scalar e53 = (Scalar(33541) / Scalar(187500)) * e5 * e40 + (Scalar(2129) / Scalar(300)) * e42 * e29;
-        J[3] = (Scalar(37) / Scalar(3000)) * power_Re_c * power_Pr_2 * e29 * e26 - e53 * e22 - e43 * e6 * e15
-            - (Scalar(37) / Scalar(1250)) * e43 * e16 * e20;
-        const Scalar e54 = -e3 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e40)
-            - (Scalar(2129) / Scalar(300)) * e30 * e47;
-        J[4] = e7 * ((Scalar(37) / Scalar(3000)) * e30 * e46) - e54 * e22 + (Scalar(37) / Scalar(1000)) * e3 * e23 * e26
-            - (Scalar(37) / Scalar(3000)) * e30 * e45 * e49;
-        const Scalar e55 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e47 - (Scalar(33541) / Scalar(187500)) * e50 / p_.rho;
-        J[5] = e55 * e22 + (Scalar(37) / Scalar(3000)) * p_.c_p * e46 * e26;
-        const Scalar e56 = -(Scalar(2129) / Scalar(300)) * p_.rho * e47 - (Scalar(33541) / Scalar(187500)) * e50 / p_.c_p;
-        J[6] = e56 * e22 - expm1_51 * ((Scalar(37) / Scalar(3000)) * p_.rho * e45) * e49;
-        const Scalar e57 = step_11 * power_19 * ((Scalar(37) / Scalar(1250)) * e52) + step_17 * inverse_14 * e27
-            - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e52;
-        J[7] = e7 * e57;
-        J[8] = c_.k1 * sqrt_13 - c_.k4 * power_48 * expm1_51;
+        J[0] = e6 * e15 + (Scalar(37) / Scalar(1250)) * e17 * e21;
+        J[1] = Scalar(2) * c_.phi_Pr * e22 * e23 - (Scalar(37) / Scalar(1000)) * power_Pr * e22 * e27;
+        J[2] = e7 * ((Scalar(37) / Scalar(1000)) * power_Re_c * e28) - P * (inverse_2 * inverse_2)
+            - (Scalar(37) / Scalar(1000)) * e28 * e26 - Scalar(2) * inverse_2 * e5 * e23;
+        const Scalar e50 = (Scalar(33541) / Scalar(187500)) * inverse_1 * e41 + (Scalar(2129) / Scalar(300)) * e43 * e44;
+        J[3] = -e50 * e23 - (Scalar(37) / Scalar(3000)) * power_Pr_2 * e44 * e27 - e45 * e6 * e15 - (Scalar(37) / Scalar(1250))
+            * e45 * e17 * e21;
+        const Scalar e51 = -e3 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e40)
+            - (Scalar(2129) / Scalar(300)) * e30 * e48;
+        J[4] = e7 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e46) - (Scalar(37) / Scalar(3000)) * e46 * e26 - e51 * e23;
+        const Scalar e52 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e48 - (Scalar(33541) / Scalar(187500)) * e41 / p_.rho;
+        J[5] = e52 * e23 - (Scalar(37) / Scalar(3000)) * p_.c_p * e49 * e27;
+        const Scalar e53 = -(Scalar(2129) / Scalar(300)) * p_.rho * e48 - (Scalar(33541) / Scalar(187500)) * e41 / p_.c_p;
+        J[6] = e53 * e23 - (Scalar(37) / Scalar(3000)) * p_.rho * e49 * e27;
+        const Scalar e54 = step_11 * power_20 * ((Scalar(37) / Scalar(1250)) * e16) + step_18 * inverse_14 * e5
+            - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e16;
+        J[7] = e7 * e54;
+        J[8] = c_.k1 * sqrt_13 - c_.k4 * power_25 * expm1_24;
     }
 
     /// J = df/dt at fixed x and u.
@@ -484,7 +480,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 5 + or -, 24 *, 3 /, 11 other functions
+    /// Operations: 5 + or -, 26 *, 3 /, 14 other functions
     ///     alpha = -37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L) + 37*lambda*(Pr)^(1/3)*(max(L*u/nu, Re_c))^(4/5)/(1000*L) +
     ///     2*lambda*phi_Pr*sqrt(min(L*u/nu, Re_c))/L
     ///     alpha_l = 2*lambda*phi_Pr*sqrt(L*u/nu)/L
@@ -508,33 +504,36 @@ public:
         const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
         const Scalar sqrt_3 = sqrt(min_2);
         const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
-        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
+        const Scalar power_5 = pow(max_4, Scalar(4) / Scalar(5));
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_4);
+        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
         const Scalar sqrt_7 = sqrt(e1);
         const Scalar T_P = x[0];
         const Scalar e8 = p_.T_inf - T_P;
-        const Scalar inverse_9 = Scalar(1) / u_value;
+        const Scalar log_ratio_9 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
+        const Scalar expm1_10 = expm1((Scalar(4) / Scalar(5)) * log_ratio_9);
+        const Scalar inverse_11 = Scalar(1) / u_value;
         const Scalar x_value = u[2];
-        const Scalar sqrt_10 = sqrt(p_.nu * x_value * inverse_9);
-        const Scalar e11 = c_.k15 * u_value * x_value;
-        const Scalar power_12 = pow(e11, -Scalar(1) / Scalar(5));
-        const Scalar sqrt_13 = sqrt(e11);
-        const Scalar inverse_14 = Scalar(1) / x_value;
-        const Scalar e15 = sqrt_13 * inverse_14;
-        const Scalar power_16 = pow(e11, Scalar(4) / Scalar(5));
+        const Scalar sqrt_12 = sqrt(p_.nu * x_value * inverse_11);
+        const Scalar e13 = c_.k15 * u_value * x_value;
+        const Scalar power_14 = pow(e13, -Scalar(1) / Scalar(5));
+        const Scalar sqrt_15 = sqrt(e13);
+        const Scalar inverse_16 = Scalar(1) / x_value;
+        const Scalar e17 = sqrt_15 * inverse_16;
+        const Scalar power_18 = pow(e13, Scalar(4) / Scalar(5));
         const Scalar y_value = u[3];
-        const Scalar exp_17 = exp(c_.phi_Pr * y_value * e15);
-        y[0] = c_.k7 * sqrt_3 + c_.k8 * expm1_6;
-        y[1] = c_.k7 * sqrt_7;
-        y[2] = -e8 * (c_.k9 * sqrt_3 + c_.k10 * expm1_6);
+        const Scalar exp_19 = exp(c_.phi_Pr * y_value * e17);
+        y[0] = c_.k8 * sqrt_3 - c_.k7 * power_5 * expm1_6;
+        y[1] = c_.k8 * sqrt_7;
+        y[2] = -e8 * (c_.k9 * sqrt_3 + c_.k10 * expm1_10);
         y[3] = e1;
-        y[4] = c_.k11 * inverse_9;
-        y[5] = Scalar(5) * sqrt_10;
-        y[6] = c_.k12 * sqrt_10;
-        y[7] = (Scalar(37) / Scalar(100)) * x_value * power_12;
-        y[8] = c_.k13 * e15;
-        y[9] = c_.k14 * power_16 * inverse_14;
-        y[10] = p_.T_inf - e8 / exp_17;
+        y[4] = c_.k11 * inverse_11;
+        y[5] = Scalar(5) * sqrt_12;
+        y[6] = c_.k12 * sqrt_12;
+        y[7] = (Scalar(37) / Scalar(100)) * x_value * power_14;
+        y[8] = c_.k13 * e17;
+        y[9] = c_.k14 * power_18 * inverse_16;
+        y[10] = p_.T_inf - e8 / exp_19;
     }
 
     /// C = dh/dx.
@@ -736,8 +735,8 @@ private:
         Scalar k4;  ///< 37*b*lambda*(Pr)^(1/3)/(1000*C)
         Scalar k5;  ///< L*b*lambda*phi_Pr/(C*nu)
         Scalar k6;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*C*nu)
-        Scalar k7;  ///< 2*lambda*phi_Pr/L
-        Scalar k8;  ///< 37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L)
+        Scalar k7;  ///< 37*lambda*(Pr)^(1/3)/(1000*L)
+        Scalar k8;  ///< 2*lambda*phi_Pr/L
         Scalar k9;  ///< 2*b*lambda*phi_Pr
         Scalar k10;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000
         Scalar k11;  ///< nu*Re_c

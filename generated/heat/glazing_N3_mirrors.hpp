@@ -16,10 +16,10 @@
 //     this code = the derivation: 16 of 16 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                13     41    10        0      0
+//   update                15     44    10        0      0
 //   rhs                    5      4     0        0      0
 //   rhs_and_jacobian       6      4     0        0      0
-//   jacobian_p            99    238    10        0      0
+//   jacobian_p            99    239    10        0      0
 //   output                 6      6     0        0      0
 //   output_jacobian_u      1      0     0        0      0
 //   internal_energy        0      1     0        0      0
@@ -172,51 +172,51 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 13 + or -, 41 *, 10 /
+    /// Operations: 15 + or -, 44 *, 10 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.C;
         const Scalar e2 = p_.k / p_.d;
-        const Scalar e3 = p_.A * e2;
-        const Scalar inverse_4 = Scalar(1) / (p_.a_i + e2);
-        const Scalar e5 = p_.a_i * inverse_4;
-        const Scalar e6 = e3 * e5;
-        const Scalar e7 = inverse_1 * e6;
-        const Scalar e8 = p_.A * p_.a_e;
-        const Scalar inverse_9 = Scalar(1) / p_.A;
-        const Scalar e10 = inverse_9 / p_.a_i;
-        const Scalar e11 = p_.d * inverse_9 / p_.k;
-        const Scalar inverse_12 = Scalar(1) / (Scalar(1) / (e10 + Scalar(2) * e11) + e8);
-        const Scalar e13 = e3 / (Scalar(1) / (e10 + e11) + e3);
-        const Scalar e14 = inverse_12 * e13;
-        const Scalar e15 = p_.T_e * e14;
-        const Scalar e16 = e8 * e15;
-        c_.k0 = e7 * e16;
+        const Scalar inverse_3 = Scalar(1) / (p_.a_i + e2);
+        const Scalar e4 = p_.A * p_.a_i;
+        const Scalar e5 = inverse_3 * e4;
+        const Scalar e6 = p_.a_e * p_.T_e;
+        const Scalar e7 = p_.A * e2;
+        const Scalar inverse_8 = Scalar(1) / p_.A;
+        const Scalar e9 = inverse_8 / p_.a_i;
+        const Scalar e10 = p_.d * inverse_8 / p_.k;
+        const Scalar inverse_11 = Scalar(1) / (p_.A * p_.a_e + Scalar(1) / (e9 + Scalar(2) * e10));
+        const Scalar inverse_12 = Scalar(1) / (Scalar(1) / (e9 + e10) + e7);
+        const Scalar e13 = inverse_12 * e7;
+        const Scalar e14 = inverse_11 * e13;
+        const Scalar e15 = e7 * e14;
+        const Scalar e16 = e6 * e15;
+        const Scalar e17 = e5 * e16;
+        c_.k0 = inverse_1 * e17;
         c_.k1 = inverse_1;
-        const Scalar e17 = p_.A * p_.share;
-        const Scalar e18 = Scalar(1) + e3 * e14;
-        const Scalar e19 = e18 * e5;
-        const Scalar e20 = inverse_4 * e2;
-        const Scalar e21 = Scalar(1) + (Scalar(1) + e20) * e13;
-        const Scalar e22 = e21 * e17;
-        const Scalar e23 = e19 * e22;
-        c_.k2 = inverse_1 * (p_.A - Scalar(3) * e17 + e23);
-        const Scalar e24 = e13 * e19;
-        const Scalar e25 = Scalar(1) - e24;
-        const Scalar e26 = e25 * e7;
-        c_.k3 = e26;
-        const Scalar e27 = inverse_1 * (p_.U_w * p_.A_w);
-        c_.k4 = e27;
-        c_.k5 = e26 + e27;
-        c_.k6 = e6 * e16;
-        c_.k7 = e23;
-        c_.k8 = e25 * e6;
-        c_.k9 = p_.a_e * inverse_4 * e3 * e15;
-        c_.k10 = p_.share * inverse_4 * e18 * e21;
-        c_.k11 = e5 + e20 * e24;
-        c_.k12 = p_.T_e * inverse_12 * e8;
-        c_.k13 = inverse_12 * e22;
-        c_.k14 = e6 * e14;
+        const Scalar e18 = p_.share * (Scalar(1) + (Scalar(1) + inverse_3 * e2) * e13);
+        const Scalar e19 = Scalar(1) + e15;
+        const Scalar e20 = e19 * e5;
+        const Scalar e21 = e18 * e20;
+        c_.k2 = p_.A * inverse_1 * (Scalar(1) - Scalar(3) * p_.share) + inverse_1 * e21;
+        const Scalar e22 = inverse_3 * e19;
+        const Scalar e23 = p_.a_i * (Scalar(1) + e2 * e13 * e22);
+        const Scalar e24 = inverse_1 * (e5 * e23 - e4);
+        c_.k3 = -e24;
+        const Scalar e25 = inverse_1 * (p_.U_w * p_.A_w);
+        c_.k4 = e25;
+        c_.k5 = e25 - e24;
+        c_.k6 = e17;
+        c_.k7 = e21;
+        const Scalar e26 = e2 * e5;
+        c_.k8 = e26 * (Scalar(1) - inverse_12 * e2 * e20);
+        c_.k9 = inverse_3 * e16;
+        c_.k10 = e18 * e22;
+        c_.k11 = inverse_3 * e23;
+        const Scalar e27 = p_.A * inverse_11;
+        c_.k12 = e6 * e27;
+        c_.k13 = e18 * e27;
+        c_.k14 = e14 * e26;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -270,131 +270,130 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 99 + or -, 238 *, 10 /
+    /// Operations: 99 + or -, 239 *, 10 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T = x[0];
-        const Scalar inverse_1 = Scalar(1) / p_.d;
-        const Scalar e2 = p_.k * inverse_1;
-        const Scalar inverse_3 = Scalar(1) / p_.A;
-        const Scalar inverse_4 = Scalar(1) / p_.a_i;
-        const Scalar e5 = inverse_3 * inverse_4;
-        const Scalar inverse_6 = Scalar(1) / p_.k;
-        const Scalar e7 = inverse_6 * (p_.d * inverse_3);
-        const Scalar inverse_8 = Scalar(1) / (e5 + e7);
-        const Scalar e9 = p_.A * e2;
-        const Scalar inverse_10 = Scalar(1) / (inverse_8 + e9);
-        const Scalar inverse_11 = Scalar(1) / p_.C;
-        const Scalar e12 = p_.a_i + e2;
-        const Scalar inverse_13 = Scalar(1) / e12;
-        const Scalar e14 = inverse_11 * inverse_13;
-        const Scalar e15 = p_.A * e14;
-        const Scalar e16 = inverse_10 * e15;
-        const Scalar e17 = e2 * e16;
-        const Scalar e18 = p_.a_i * e17;
-        const Scalar e19 = p_.a_i * inverse_13;
-        const Scalar e20 = e18 * e19;
-        const Scalar inverse_21 = Scalar(1) / (e5 + Scalar(2) * e7);
-        const Scalar inverse_22 = Scalar(1) / (p_.A * p_.a_e + inverse_21);
-        const Scalar e23 = inverse_22 * e2;
-        const Scalar e24 = p_.A * e23;
-        const Scalar e25 = inverse_10 * e24;
-        const Scalar e26 = e9 * e25;
-        const Scalar e27 = Scalar(1) + e26;
-        const Scalar e28 = inverse_13 * e2;
-        const Scalar e29 = e27 * e28;
-        const Scalar e30 = inverse_10 * e19;
-        const Scalar e31 = p_.A * e18;
-        const Scalar e32 = e31 * e24;
-        const Scalar e33 = p_.a_e * e32;
-        const Scalar e34 = e2 * e32;
-        const Scalar e35 = Scalar(1) + Scalar(2) * e26;
-        const Scalar inverse_8_squared = inverse_8 * inverse_8;
-        const Scalar e36 = inverse_8_squared + e9 * e9;
-        const Scalar e37 = (p_.a_i * e36 + e2 * inverse_8_squared) * (inverse_10 * e14);
-        const Scalar e38 = p_.a_i * e14;
-        const Scalar e39 = e31 * e23;
-        const Scalar inverse_21_squared = inverse_21 * inverse_21;
-        const Scalar e40 = e23 * inverse_21_squared;
-        const Scalar e41 = inverse_10 * e28;
-        const Scalar e42 = e12 * e19;
-        const Scalar e43 = p_.a_e * p_.T_e;
-        const Scalar e44 = inverse_22 * e43;
-        const Scalar e45 = inverse_13 * e43;
-        const Scalar e46 = e17 * e23;
-        const Scalar e47 = inverse_10 * inverse_8_squared;
-        const Scalar e48 = inverse_22 * inverse_21_squared;
-        const Scalar e49 = e43 * (e47 + e48);
-        const Scalar e50 = (Scalar(1) / Scalar(2)) * inverse_10 * e36 + e48;
-        const Scalar e51 = e50 * e44;
+        const Scalar inverse_1 = Scalar(1) / p_.C;
+        const Scalar inverse_2 = Scalar(1) / p_.d;
+        const Scalar e3 = p_.k * inverse_2;
+        const Scalar e4 = p_.a_i + e3;
+        const Scalar inverse_5 = Scalar(1) / e4;
+        const Scalar e6 = inverse_1 * inverse_5;
+        const Scalar e7 = p_.a_i * e6;
+        const Scalar e8 = p_.a_i * inverse_5;
+        const Scalar e9 = e4 * e8;
+        const Scalar inverse_10 = Scalar(1) / p_.A;
+        const Scalar inverse_11 = Scalar(1) / p_.a_i;
+        const Scalar e12 = inverse_10 * inverse_11;
+        const Scalar inverse_13 = Scalar(1) / p_.k;
+        const Scalar e14 = inverse_13 * (p_.d * inverse_10);
+        const Scalar inverse_15 = Scalar(1) / (e12 + e14);
+        const Scalar e16 = p_.A * e3;
+        const Scalar inverse_17 = Scalar(1) / (inverse_15 + e16);
+        const Scalar e18 = inverse_17 * e8;
+        const Scalar inverse_19 = Scalar(1) / (e12 + Scalar(2) * e14);
+        const Scalar inverse_20 = Scalar(1) / (p_.A * p_.a_e + inverse_19);
+        const Scalar e21 = inverse_20 * e3;
+        const Scalar e22 = p_.A * e21;
+        const Scalar e23 = p_.A * e6;
+        const Scalar e24 = inverse_17 * e23;
+        const Scalar e25 = e3 * e24;
+        const Scalar e26 = p_.a_i * e25;
+        const Scalar e27 = p_.A * e26;
+        const Scalar e28 = e27 * e22;
+        const Scalar e29 = p_.a_e * e28;
+        const Scalar e30 = e3 * e28;
+        const Scalar e31 = inverse_17 * e22;
+        const Scalar e32 = e16 * e31;
+        const Scalar e33 = Scalar(1) + Scalar(2) * e32;
+        const Scalar inverse_15_squared = inverse_15 * inverse_15;
+        const Scalar e34 = inverse_15_squared + e16 * e16;
+        const Scalar e35 = (p_.a_i * e34 + e3 * inverse_15_squared) * (inverse_17 * e6);
+        const Scalar e36 = e26 * e8;
+        const Scalar e37 = Scalar(1) + e32;
+        const Scalar e38 = inverse_5 * e3;
+        const Scalar e39 = e37 * e38;
+        const Scalar e40 = e27 * e21;
+        const Scalar inverse_19_squared = inverse_19 * inverse_19;
+        const Scalar e41 = e21 * inverse_19_squared;
+        const Scalar e42 = inverse_17 * e38;
+        const Scalar e43 = p_.a_i * inverse_1;
+        const Scalar e44 = p_.a_e * p_.T_e;
+        const Scalar e45 = inverse_20 * e44;
+        const Scalar e46 = inverse_5 * e44;
+        const Scalar e47 = e25 * e21;
+        const Scalar e48 = inverse_17 * inverse_15_squared;
+        const Scalar e49 = inverse_20 * inverse_19_squared;
+        const Scalar e50 = e44 * (e48 + e49);
+        const Scalar e51 = (Scalar(1) / Scalar(2)) * inverse_17 * e34 + e49;
+        const Scalar e52 = e51 * e45;
         const Scalar sun = u[1];
-        const Scalar e52 = p_.share * e27;
-        const Scalar e53 = Scalar(1) + e28;
-        const Scalar e54 = inverse_13 * e52;
-        const Scalar e55 = Scalar(1) + inverse_10 * e53 * e9;
-        const Scalar e56 = e55 * e48;
-        const Scalar e57 = e47 + Scalar(2) * e56;
-        const Scalar e58 = p_.share * inverse_22;
-        const Scalar e59 = p_.share * inverse_10;
-        const Scalar e60 = p_.share * (e47 + e56);
-        const Scalar e61 = inverse_11 * (Scalar(1) - Scalar(3) * p_.share);
-        const Scalar e62 = e53 * e59;
-        const Scalar e63 = e35 * e62;
-        const Scalar e64 = p_.a_i * e15;
-        const Scalar e65 = e27 * e64;
-        const Scalar e66 = inverse_11 * e64;
-        const Scalar e67 = e43 * e32;
+        const Scalar e53 = p_.share * e37;
+        const Scalar e54 = Scalar(1) + e38;
+        const Scalar e55 = inverse_5 * e53;
+        const Scalar e56 = Scalar(1) + inverse_17 * e54 * e16;
+        const Scalar e57 = e56 * e49;
+        const Scalar e58 = e48 + Scalar(2) * e57;
+        const Scalar e59 = p_.share * inverse_20;
+        const Scalar e60 = p_.share * inverse_17;
+        const Scalar e61 = p_.share * (e48 + e57);
+        const Scalar e62 = inverse_1 * (Scalar(1) - Scalar(3) * p_.share);
+        const Scalar e63 = e54 * e60;
+        const Scalar e64 = e33 * e63;
+        const Scalar e65 = p_.a_i * e23;
+        const Scalar e66 = p_.A * inverse_1;
+        const Scalar e67 = e37 * e65;
+        const Scalar e68 = e44 * e28;
         const Scalar P = u[0];
-        const Scalar e68 = e55 * e52;
-        const Scalar e69 = p_.A * inverse_11;
+        const Scalar e69 = e56 * e53;
         const Scalar e70 = p_.T_e - T;
-        const Scalar e71 = p_.U_w * inverse_11;
-        const Scalar e72 = p_.A_w * inverse_11;
-        const Scalar e73 = inverse_1 * e31;
-        const Scalar e74 = e24 * e73;
-        const Scalar e75 = p_.share * (inverse_22 * e57 - e35);
-        const Scalar e76 = e15 * e19;
-        const Scalar e77 = p_.share * (p_.A * e74 * e41 - (Scalar(1) / Scalar(3)) * inverse_1 * e27 * e76);
-        const Scalar e78 = e73 * (p_.share - Scalar(2) * e28 * e52);
-        const Scalar e79 = inverse_1 * e35;
-        const Scalar e80 = p_.a_i * e16;
-        const Scalar e81 = e36 * e80;
-        const Scalar e82 = e30 * e79;
-        const Scalar e83 = e30 * e74;
-        const Scalar e84 = e35 * e73 - (Scalar(1) / Scalar(2)) * (inverse_1 * e64 + Scalar(2) * e73 * e29);
-        const Scalar e85 = e19 * e84;
-        const Scalar e86 = p_.A * inverse_22;
+        const Scalar e71 = p_.U_w * inverse_1;
+        const Scalar e72 = p_.A_w * inverse_1;
+        const Scalar e73 = inverse_2 * e27;
+        const Scalar e74 = e22 * e73;
+        const Scalar e75 = p_.share * (inverse_20 * e58 - e33);
+        const Scalar e76 = e23 * e8;
+        const Scalar e77 = p_.share * (p_.A * e74 * e42 - (Scalar(1) / Scalar(3)) * inverse_2 * e37 * e76);
+        const Scalar e78 = e73 * (p_.share - Scalar(2) * e38 * e53);
+        const Scalar e79 = inverse_2 * e33;
+        const Scalar e80 = p_.a_i * e24;
+        const Scalar e81 = e34 * e80;
+        const Scalar e82 = e18 * e79;
+        const Scalar e83 = e18 * e74;
+        const Scalar e84 = e33 * e73 - (Scalar(1) / Scalar(2)) * (inverse_2 * e65 + Scalar(2) * e73 * e39);
+        const Scalar e85 = e8 * e84;
+        const Scalar e86 = p_.A * inverse_20;
         const Scalar e87 = e73 * e86;
-        const Scalar e88 = inverse_1 * e80;
-        const Scalar e89 = e17 * e24;
-        const Scalar e90 = inverse_4 * e89;
-        const Scalar e91 = Scalar(2) * (e31 * e29);
-        const Scalar e92 = e20 * (Scalar(4) * e2 - Scalar(2) * e12 * e29) - e2 * e30
-            * (e24 * e33 - Scalar(6) * e34 + e35 * e37) - p_.a_i * (inverse_11 - Scalar(2) * e38) - e39 * e40
-            * (Scalar(2) * e30 + e41) - e38 * e42;
-        const Scalar e93 = e33 * e44 - e39 * (Scalar(4) * e43 - e12 * e45) + e46 * e49 + Scalar(2) * e18 * e51;
-        const Scalar e94 = e18 * (Scalar(3) * p_.share * e53 - Scalar(2) * e12 * e28 * e54 - e57 * e58);
-        const Scalar e95 = e52 * (e20 + e14 * e42) - e94 - e59 * e34 * (Scalar(4) + Scalar(5) * e28) - Scalar(2) * p_.share
-            * e35 * e38 + e55 * e33 * e58 + e46 * e60 - e61 + e63 * e37;
+        const Scalar e88 = inverse_2 * e80;
+        const Scalar e89 = e25 * e22;
+        const Scalar e90 = inverse_11 * e89;
+        const Scalar e91 = Scalar(2) * (e27 * e39);
+        const Scalar e92 = e7 * (Scalar(2) * p_.a_i - e9) - e3 * e18 * (e22 * e29 - Scalar(6) * e30 + e33 * e35) + e36
+            * (Scalar(4) * e3 - Scalar(2) * e4 * e39) - e40 * e41 * (Scalar(2) * e18 + e42) - e43;
+        const Scalar e93 = e29 * e45 - e40 * (Scalar(4) * e44 - e4 * e46) + e47 * e50 + Scalar(2) * e26 * e52;
+        const Scalar e94 = e26 * (Scalar(3) * p_.share * e54 - Scalar(2) * e4 * e38 * e55 - e58 * e59);
+        const Scalar e95 = e53 * (e36 + e6 * e9) - e94 - e60 * e30 * (Scalar(4) + Scalar(5) * e38) - Scalar(2) * p_.share * e33
+            * e7 + e56 * e29 * e59 + e47 * e61 - e62 + e64 * e35;
         J[0] = T * e92 - e93 - sun * e95;
-        J[1] = T * (-e2 * (e18 * e65 - e66)) - inverse_11 * e67 - P * (inverse_11 * inverse_11) - sun * (e68 * e66 + e69 * e61)
-            - e70 * (e71 * e72);
+        J[1] = T * (-e43 * (e65 - e66) - e3 * e26 * e67) - inverse_1 * e68 - P * (inverse_1 * inverse_1) - sun
+            * (inverse_1 * e65 * e69 + e66 * e62) - e70 * (e71 * e72);
         J[2] = e70 * e72;
         J[3] = e70 * e71;
-        const Scalar e96 = e73 * e75 - Scalar(2) * p_.share * e74 - Scalar(3) * e2 * e77 - e28 * e78 + e79 * e62 * e81;
-        J[4] = Scalar(2) * e73 * e51 - e43 * e74 * (Scalar(2) - e28) + sun * e96 + T
-            * (e36 * e18 * e82 + Scalar(2) * e40 * e83 - Scalar(2) * e2 * e85);
-        const Scalar e97 = p_.A * (e73 * e63 + e75 * e88) - p_.share * (Scalar(2) * e87 - e16 * inverse_8_squared * e82) + e59
-            * (inverse_6 * inverse_8_squared * e80 + Scalar(2) * e47 * e87) - Scalar(3) * e77 - inverse_13 * e78;
-        J[5] = -(e74 * e45 - e43 * (Scalar(2) * (e87 - e50 * e86 * e88))) - sun * e97 - T
-            * (Scalar(2) * e48 * e83 - Scalar(2) * e85 + e82 * e81);
-        const Scalar e98 = e31 * e54 * (Scalar(1) + Scalar(2) * e28) + inverse_4 * e17 * inverse_8_squared * e63 + e52 * e76
-            - e15 * e68 + e60 * e90;
-        const Scalar e99 = e19 * (e64 + e91) + e28 * (e35 * e17 * e47 + inverse_21_squared * e89 * e25) - Scalar(2) * e64 + e69
+        const Scalar e96 = e73 * e75 - Scalar(2) * p_.share * e74 - Scalar(3) * e3 * e77 - e38 * e78 + e79 * e63 * e81;
+        J[4] = Scalar(2) * e73 * e52 - e44 * e74 * (Scalar(2) - e38) + sun * e96 + T
+            * (e34 * e26 * e82 + Scalar(2) * e41 * e83 - Scalar(2) * e3 * e85);
+        const Scalar e97 = p_.A * (e73 * e64 + e75 * e88) - p_.share * (Scalar(2) * e87 - e24 * inverse_15_squared * e82) + e60
+            * (inverse_13 * inverse_15_squared * e80 + Scalar(2) * e48 * e87) - Scalar(3) * e77 - inverse_5 * e78;
+        J[5] = -(e74 * e46 - e44 * (Scalar(2) * (e87 - e51 * e86 * e88))) - sun * e97 - T
+            * (Scalar(2) * e49 * e83 - Scalar(2) * e85 + e82 * e81);
+        const Scalar e98 = e27 * e55 * (Scalar(1) + Scalar(2) * e38) + inverse_11 * e25 * inverse_15_squared * e64 + e53 * e76
+            - e23 * e69 + e61 * e90;
+        const Scalar e99 = e8 * (e65 + e91) + e38 * (e33 * e25 * e48 + inverse_19_squared * e89 * e31) - Scalar(2) * e65 + e66
             - e91;
-        J[6] = -(e32 * e45 - p_.A * e43 * e89 + e49 * e90) - sun * e98 - T * e99;
-        J[7] = p_.T_e * e32 - e86 * e67 - sun * (p_.share * e55 * e32 * e86) - T * (e24 * e32 * e30 * e9);
-        J[8] = e33 + p_.A_w * e71;
-        J[9] = -sun * (Scalar(3) * e69 - e55 * e65);
+        J[6] = -(e28 * e46 - p_.A * e44 * e89 + e50 * e90) - sun * e98 - T * e99;
+        J[7] = p_.T_e * e28 - e86 * e68 - sun * (p_.share * e56 * e28 * e86) - T * (e22 * e28 * e18 * e16);
+        J[8] = e29 + p_.A_w * e71;
+        J[9] = -sun * (Scalar(3) * e66 - e56 * e67);
     }
 
     /// J = df/dt at fixed x and u.
@@ -538,9 +537,9 @@ private:
         Scalar k0;  ///< A^3*k^2*a_i*a_e*T_e/(C*d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
         Scalar k1;  ///< 1/C
         Scalar k2;  ///< A*(1 + A*k^2*a_i*share/(d^2*(k/d + a_i)^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + ...
-        Scalar k3;  ///< A*k*a_i*(1 - A*k*a_i/(d*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) - A^3*k^3*a_i/(d^3*(k/d + ...
+        Scalar k3;  ///< A*a_i*(1 - A*k^2*a_i/(d^2*(k/d + a_i)^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) - ...
         Scalar k4;  ///< U_w*A_w/C
-        Scalar k5;  ///< (A*k*a_i/(d*(k/d + a_i)) - A^2*k^2*a_i^2/(d^2*(k/d + a_i)^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) - ...
+        Scalar k5;  ///< (-A^2*k^2*a_i^2/(d^2*(k/d + a_i)^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) - A^4*k^4*a_i^2/(d^4*(k/d ...
         Scalar k6;  ///< A^3*k^2*a_i*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
         Scalar k7;  ///< A*a_i*share*(1 + A*k^2/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A^3*k^4/(d^4*(k/d + ...
         Scalar k8;  ///< A*k*a_i*(1 - A*k*a_i/(d*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) - A^3*k^3*a_i/(d^3*(k/d + ...

@@ -22,10 +22,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                12     59    14        0      8
+//   update                12     60    14        0      8
 //   rhs                   22     15     0        0      0
 //   rhs_and_jacobian      30     15     0        0      0
-//   jacobian_p            68    213    13        0      8
+//   jacobian_p            68    215    13        0      8
 //   output                 1      2     0        0      0
 //   output_jacobian_u      1      1     0        0      0
 //   internal_energy        7     21     0        0      0
@@ -213,7 +213,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 12 + or -, 59 *, 14 /, 8 other functions
+    /// Operations: 12 + or -, 60 *, 14 /, 8 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = Scalar(1) / p_.rho / p_.c_p;
@@ -261,10 +261,11 @@ public:
         const Scalar log_ratio_R = detail::log_ratio<Scalar>(p_.R, e25);
         const Scalar inverse_28 = Scalar(1) / log_ratio_R;
         const Scalar e29 = p_.lambda * inverse_28;
-        const Scalar e30 = inverse_28 / (p_.R * p_.alpha + e29);
-        const Scalar e31 = e30 * (p_.alpha * e7);
-        c_.k14 = e3 + (Scalar(128) / Scalar(15)) * p_.T_inf * e31;
-        c_.k15 = (Scalar(128) / Scalar(15)) * e31;
+        const Scalar inverse_30 = Scalar(1) / (p_.R * p_.alpha + e29);
+        const Scalar e31 = (Scalar(128) / Scalar(15)) * p_.alpha * p_.T_inf * inverse_28 * inverse_30 * e7;
+        c_.k14 = e31 + e3;
+        const Scalar e32 = (Scalar(1) - inverse_30 * e29) * (inverse_28 * e8);
+        c_.k15 = (Scalar(128) / Scalar(15)) * e32;
         c_.k16 = (Scalar(128) / Scalar(15)) * e27;
         c_.k17 = (Scalar(128) / Scalar(3)) * (e12 + e9);
         c_.k18 = (Scalar(128) / Scalar(5)) * (e12 + e15);
@@ -272,12 +273,12 @@ public:
         c_.k20 = (Scalar(128) / Scalar(9)) * (e18 + e21);
         c_.k21 = (Scalar(128) / Scalar(11)) * (e21 + e24);
         c_.k22 = (Scalar(128) / Scalar(13)) * (e24 + e27);
-        c_.k23 = (Scalar(128) / Scalar(15)) * (e8 * (inverse_28 - e30 * e29) + e27);
-        const Scalar e32 = p_.g / p_.lambda;
-        const Scalar e33 = (Scalar(1) / Scalar(2)) * p_.g / p_.alpha + (Scalar(1) / Scalar(4)) * p_.R * e32;
-        c_.k24 = p_.R * e33 + p_.T_inf;
-        c_.k25 = (Scalar(1) / Scalar(4)) * e32;
-        c_.k26 = (Scalar(1) / Scalar(2)) * e32;
+        c_.k23 = (Scalar(128) / Scalar(15)) * (e27 + e32);
+        const Scalar e33 = p_.g / p_.lambda;
+        const Scalar e34 = (Scalar(1) / Scalar(2)) * p_.g / p_.alpha + (Scalar(1) / Scalar(4)) * p_.R * e33;
+        c_.k24 = p_.R * e34 + p_.T_inf;
+        c_.k25 = (Scalar(1) / Scalar(4)) * e33;
+        c_.k26 = (Scalar(1) / Scalar(2)) * e33;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -454,7 +455,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 8 x 8, entry (i, j) at J[8*j + i].
-    /// Operations: 68 + or -, 213 *, 13 /, 8 other functions
+    /// Operations: 68 + or -, 215 *, 13 /, 8 other functions
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -512,18 +513,18 @@ public:
         const Scalar inverse_45 = Scalar(1) / (p_.R * p_.alpha + p_.lambda * inverse_44);
         const Scalar e46 = inverse_44 * inverse_45;
         const Scalar e47 = e11 * e46;
-        const Scalar e48 = p_.lambda * e46;
-        const Scalar e49 = p_.alpha * e48;
-        const Scalar e50 = p_.alpha * p_.T_inf;
-        const Scalar e51 = inverse_45 * e49;
+        const Scalar e48 = p_.alpha * p_.T_inf;
+        const Scalar e49 = p_.lambda * e46;
+        const Scalar e50 = p_.alpha * e49;
+        const Scalar e51 = inverse_45 * e50;
         const Scalar e52 = p_.T_inf * e9;
         const Scalar e53 = p_.alpha * e52;
-        const Scalar inverse_54 = Scalar(1) / p_.H;
-        const Scalar e55 = Scalar(1) - e48;
-        const Scalar e56 = e49 * e52;
-        const Scalar e57 = e8 * e51;
-        const Scalar e58 = inverse_44 * e55;
-        const Scalar e59 = e9 * e49;
+        const Scalar e54 = Scalar(1) - e49;
+        const Scalar e55 = inverse_44 * e54;
+        const Scalar inverse_56 = Scalar(1) / p_.H;
+        const Scalar e57 = e50 * e52;
+        const Scalar e58 = e8 * e51;
+        const Scalar e59 = e9 * e50;
         const Scalar e60 = inverse_4 * e10;
         const Scalar e61 = inverse_17 * e10;
         const Scalar e62 = inverse_22 * e10;
@@ -541,7 +542,7 @@ public:
         const Scalar e74 = inverse_32 * e67;
         const Scalar e75 = inverse_37 * e67;
         const Scalar e76 = inverse_42 * e67;
-        const Scalar e77 = e69 + (Scalar(128) / Scalar(15)) * e56;
+        const Scalar e77 = e69 + (Scalar(128) / Scalar(15)) * e57;
         const Scalar e78 = inverse_7 * e11;
         const Scalar e79 = inverse_4 * e78;
         const Scalar e80 = inverse_7 * e69;
@@ -558,9 +559,8 @@ public:
         J[4] = e29 * ((Scalar(256) / Scalar(9)) * e33) - e24 * ((Scalar(256) / Scalar(9)) * e28);
         J[5] = e34 * ((Scalar(256) / Scalar(11)) * e38) - e29 * ((Scalar(256) / Scalar(11)) * e33);
         J[6] = e39 * ((Scalar(256) / Scalar(13)) * e43) - e34 * ((Scalar(256) / Scalar(13)) * e38);
-        const Scalar e87 = (Scalar(256) / Scalar(15)) * p_.alpha - (Scalar(128) / Scalar(15)) * e49;
-        J[7] = T_8 * (e47 * e87) - (Scalar(128) / Scalar(15)) * (e47 * e50 + e51 * e53) - e39
-            * ((Scalar(256) / Scalar(15)) * e43);
+        const Scalar e87 = (Scalar(128) / Scalar(15)) * e50 * e47 - (Scalar(256) / Scalar(15)) * e12 * e55;
+        J[7] = -(Scalar(128) / Scalar(15)) * (e47 * e48 + e51 * e53) - T_8 * e87 - e39 * ((Scalar(256) / Scalar(15)) * e43);
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
@@ -568,8 +568,8 @@ public:
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        const Scalar e88 = T_8 * ((Scalar(128) / Scalar(15)) * (-inverse_54 * e48 * (e11 * e58 - e59)));
-        J[15] = (Scalar(128) / Scalar(15)) * (inverse_54 * (e55 * e56 - e50 * e57)) - e88;
+        const Scalar e88 = T_8 * ((Scalar(128) / Scalar(15)) * (-inverse_56 * e49 * (e11 * e55 - e59)));
+        J[15] = (Scalar(128) / Scalar(15)) * (inverse_56 * (e54 * e57 - e48 * e58)) - e88;
         J[16] = -e1 * (Scalar(128) * e60);
         J[17] = e1 * ((Scalar(128) / Scalar(3)) * e60) - e14 * ((Scalar(128) / Scalar(3)) * e61);
         J[18] = e14 * ((Scalar(128) / Scalar(5)) * e61) - e19 * ((Scalar(128) / Scalar(5)) * e62);
@@ -577,8 +577,8 @@ public:
         J[20] = e24 * ((Scalar(128) / Scalar(9)) * e63) - e29 * ((Scalar(128) / Scalar(9)) * e64);
         J[21] = e29 * ((Scalar(128) / Scalar(11)) * e64) - e34 * ((Scalar(128) / Scalar(11)) * e65);
         J[22] = e34 * ((Scalar(128) / Scalar(13)) * e65) - e39 * ((Scalar(128) / Scalar(13)) * e66);
-        const Scalar e89 = inverse_44 * e47 * (Scalar(256) / Scalar(15) - (Scalar(128) / Scalar(15)) * e48);
-        J[23] = T_8 * (e89 - (Scalar(128) / Scalar(15)) * inverse_44 * e10) - (-(Scalar(128) / Scalar(15)) * e55 * e46 * e53)
+        const Scalar e89 = inverse_44 * e47 * (Scalar(256) / Scalar(15) - (Scalar(128) / Scalar(15)) * e49);
+        J[23] = T_8 * (e89 - (Scalar(128) / Scalar(15)) * inverse_44 * e10) - (-(Scalar(128) / Scalar(15)) * e54 * e46 * e53)
             + e39 * ((Scalar(128) / Scalar(15)) * e66);
         J[24] = e1 * (Scalar(128) * e68) - e70;
         J[25] = e14 * ((Scalar(128) / Scalar(3)) * e71) - e70 - e1 * ((Scalar(128) / Scalar(3)) * e68);
@@ -587,8 +587,7 @@ public:
         J[28] = e29 * ((Scalar(128) / Scalar(9)) * e74) - e70 - e24 * ((Scalar(128) / Scalar(9)) * e73);
         J[29] = e34 * ((Scalar(128) / Scalar(11)) * e75) - e70 - e29 * ((Scalar(128) / Scalar(11)) * e74);
         J[30] = e39 * ((Scalar(128) / Scalar(13)) * e76) - e70 - e34 * ((Scalar(128) / Scalar(13)) * e75);
-        J[31] = T_8 * ((Scalar(128) / Scalar(15)) * inverse_6 * e59) - inverse_6 * e77 - e39
-            * ((Scalar(128) / Scalar(15)) * e76);
+        J[31] = T_8 * ((Scalar(128) / Scalar(15)) * e67 * e55) - inverse_6 * e77 - e39 * ((Scalar(128) / Scalar(15)) * e76);
         J[32] = e1 * (Scalar(128) * e79) - e80;
         J[33] = e14 * ((Scalar(128) / Scalar(3)) * e81) - e80 - e1 * ((Scalar(128) / Scalar(3)) * e79);
         J[34] = e19 * ((Scalar(128) / Scalar(5)) * e82) - e80 - e14 * ((Scalar(128) / Scalar(5)) * e81);
@@ -596,7 +595,7 @@ public:
         J[36] = e29 * ((Scalar(128) / Scalar(9)) * e84) - e80 - e24 * ((Scalar(128) / Scalar(9)) * e83);
         J[37] = e34 * ((Scalar(128) / Scalar(11)) * e85) - e80 - e29 * ((Scalar(128) / Scalar(11)) * e84);
         J[38] = e39 * ((Scalar(128) / Scalar(13)) * e86) - e80 - e34 * ((Scalar(128) / Scalar(13)) * e85);
-        J[39] = T_8 * ((Scalar(128) / Scalar(15)) * e78 * e58) - inverse_7 * e77 - e39 * ((Scalar(128) / Scalar(15)) * e86);
+        J[39] = T_8 * ((Scalar(128) / Scalar(15)) * e78 * e55) - inverse_7 * e77 - e39 * ((Scalar(128) / Scalar(15)) * e86);
         J[40] = e8;
         J[41] = e8;
         J[42] = e8;
@@ -612,7 +611,7 @@ public:
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = Scalar(0);
-        J[55] = (Scalar(128) / Scalar(15)) * (e48 * e52 - p_.T_inf * e57) - T_8 * ((Scalar(128) / Scalar(15)) * e9 * e48 * e48);
+        J[55] = (Scalar(128) / Scalar(15)) * (e49 * e52 - p_.T_inf * e58) - T_8 * ((Scalar(128) / Scalar(15)) * e9 * e49 * e49);
         J[56] = Scalar(0);
         J[57] = Scalar(0);
         J[58] = Scalar(0);
@@ -620,7 +619,7 @@ public:
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = Scalar(0);
-        J[63] = c_.k15;
+        J[63] = (Scalar(128) / Scalar(15)) * e59;
     }
 
     /// J = df/dt at fixed x and u.
@@ -804,7 +803,7 @@ private:
         Scalar k12;  ///< 128*lambda/(13*R^2*rho*c_p*log_ratio(13*R/16, 11*R/16))
         Scalar k13;  ///< 128*lambda/(13*R^2*rho*c_p*log_ratio(15*R/16, 13*R/16))
         Scalar k14;  ///< (128*lambda*alpha*T_inf/(15*R*log_ratio(R, 15*R/16)*(R*alpha + lambda/log_ratio(R, 15*R/16))) + ...
-        Scalar k15;  ///< 128*lambda*alpha/(15*R*rho*c_p*log_ratio(R, 15*R/16)*(R*alpha + lambda/log_ratio(R, 15*R/16)))
+        Scalar k15;  ///< 128*lambda*(1 - lambda/(log_ratio(R, 15*R/16)*(R*alpha + lambda/log_ratio(R, ...
         Scalar k16;  ///< 128*lambda/(15*R^2*rho*c_p*log_ratio(15*R/16, 13*R/16))
         Scalar k17;  ///< 128*lambda*(1/log_ratio(3*R/16, R/16) + 1/log_ratio(5*R/16, 3*R/16))/(3*R^2*rho*c_p)
         Scalar k18;  ///< 128*lambda*(1/log_ratio(5*R/16, 3*R/16) + 1/log_ratio(7*R/16, 5*R/16))/(5*R^2*rho*c_p)

@@ -15,12 +15,12 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                17     43    12        0      2
+//   update                18     41    12        0      2
 //   rhs                    1      2     0        0      0
 //   rhs_and_jacobian       1      2     0        0      0
 //   jacobian_u             1      0     0        0      0
 //   jacobian_p             7     28     6        0      0
-//   output                 0      1     0        0      0
+//   output                 1      1     0        0      0
 //   output_jacobian_x      1      1     1        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -175,7 +175,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 17 + or -, 43 *, 12 /, 2 other functions
+    /// Operations: 18 + or -, 41 *, 12 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -194,26 +194,28 @@ public:
         c_.k0 = inverse_9;
         const Scalar e10 = p_.T_s - p_.T_inf;
         c_.k1 = inverse_9 * e10 * e3;
-        const Scalar e11 = p_.lambda / p_.L;
-        const Scalar e12 = p_.alpha_i + e11;
-        const Scalar inverse_13 = Scalar(1) / (inverse_1 * e12);
-        const Scalar e14 = p_.alpha_i * inverse_1 * (inverse_13 * e11);
-        const Scalar e15 = p_.T_inf * p_.alpha_a;
-        const Scalar e16 = p_.T_s * e14 + e15;
-        const Scalar inverse_17 = Scalar(1) / (inverse_1 * (p_.alpha_a + e14));
-        const Scalar e18 = inverse_1 * inverse_17;
-        const Scalar e19 = e16 * e18;
-        c_.k2 = e19;
-        const Scalar e20 = p_.alpha_a * e18;
-        const Scalar e21 = e2 * e20;
-        const Scalar e22 = e14 * e21;
-        c_.k3 = e10 * e22;
+        const Scalar e11 = p_.T_inf * p_.alpha_a;
+        const Scalar e12 = p_.lambda / p_.L;
+        const Scalar e13 = p_.alpha_i + e12;
+        const Scalar inverse_14 = Scalar(1) / (inverse_1 * e13);
+        const Scalar e15 = p_.alpha_i * inverse_1 * (inverse_14 * e12);
+        const Scalar e16 = p_.T_s * e15;
+        const Scalar e17 = e11 + e16;
+        const Scalar inverse_18 = Scalar(1) / (inverse_1 * (p_.alpha_a + e15));
+        const Scalar e19 = inverse_1 * inverse_18;
+        const Scalar e20 = e17 * e19;
+        c_.k2 = e20;
+        const Scalar e21 = p_.alpha_a * e2;
+        const Scalar e22 = p_.T_inf * e21;
+        const Scalar e23 = e19 * e21;
+        c_.k3 = e22 - e17 * e23;
         c_.k4 = e10 * e6;
         c_.k5 = (Scalar(1) / Scalar(2)) * p_.m_0;
-        const Scalar e23 = (p_.T_s - e19) * e14;
-        const Scalar e24 = inverse_1 * (p_.alpha_a * inverse_17 * e16 + inverse_13 * e12 * e23);
-        c_.k6 = p_.T_inf * e20 - e18 * (e24 - Scalar(2) * e23);
-        c_.k7 = e2 * e15 - e21 * (Scalar(2) * e15 - e24) - e22 * (Scalar(3) * p_.T_s - Scalar(2) * e19);
+        const Scalar e24 = (p_.T_s - e20) * e15;
+        const Scalar e25 = inverse_1 * (p_.alpha_a * inverse_18 * e17 + inverse_14 * e13 * e24);
+        c_.k6 = e19 * (e11 - e25 + Scalar(2) * e24);
+        const Scalar e26 = e23 * (Scalar(2) * e11 - Scalar(2) * e15 * e20 - e25 + Scalar(3) * e16);
+        c_.k7 = e22 - e26;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -311,7 +313,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 1 *
+    /// Operations: 1 + or -, 1 *
     ///     T_outer = (T_s*lambda*alpha_i/(m_0*L*(lambda/(m_0*L) + alpha_i/m_0)) +
     ///     T_inf*alpha_a)/(m_0*(lambda*alpha_i/(m_0^2*L*(lambda/(m_0*L) + alpha_i/m_0)) + alpha_a/m_0))
     ///     wet_loss = -A*alpha_a*(-T_s*lambda*alpha_i/(m_0^2*L*(lambda/(m_0*L) +
@@ -324,7 +326,7 @@ public:
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         const Scalar m = x[0];
         y[0] = c_.k2;
-        y[1] = c_.k3 * m;
+        y[1] = -c_.k3 * m;
         y[2] = p_.T_s;
         y[3] = c_.P_s;
         y[4] = c_.k4;
@@ -415,7 +417,7 @@ private:
         Scalar k0;  ///< 1/h_v
         Scalar k1;  ///< A*k*(T_s - T_inf)/(m_0*h_v)
         Scalar k2;  ///< (T_s*lambda*alpha_i/(L*(lambda/L + alpha_i)) + T_inf*alpha_a)/(lambda*alpha_i/(L*(lambda/L + ...
-        Scalar k3;  ///< A*lambda*alpha_i*alpha_a*(T_s - T_inf)/(m_0*L*(lambda/L + alpha_i)*(lambda*alpha_i/(L*(lambda/L ...
+        Scalar k3;  ///< -A*alpha_a*(T_s*lambda*alpha_i/(L*(lambda/L + alpha_i)*(lambda*alpha_i/(L*(lambda/L + alpha_i)) ...
         Scalar k4;  ///< A*k*(T_s - T_inf)
         Scalar k5;  ///< m_0/2
         Scalar k6;  ///< -(T_s*lambda*alpha_i*alpha_a/(L*(lambda/L + alpha_i)*(lambda*alpha_i/(L*(lambda/L + alpha_i)) + ...

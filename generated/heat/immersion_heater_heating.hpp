@@ -16,10 +16,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                12     30    14        0      2
+//   update                11     28    14        0      2
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            36     92     9        0      0
+//   jacobian_p            34     91     9        0      0
 //   output                 4      4     0        0      1
 //   internal_energy        0      2     0        0      0
 //   exchanged_power        2      1     0        0      0
@@ -174,46 +174,41 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 12 + or -, 30 *, 14 /, 2 other functions
+    /// Operations: 11 + or -, 28 *, 14 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
         using std::expm1;
         const Scalar e1 = p_.L / p_.lambda + Scalar(1) / p_.alpha_i;
         c_.k = Scalar(1) / (Scalar(1) / p_.alpha_a + e1);
-        const Scalar e2 = Scalar(1) / p_.m_0 / p_.c_p;
-        const Scalar e3 = p_.A * e2;
-        const Scalar e4 = c_.k * e3;
+        const Scalar e2 = p_.A * c_.k;
+        const Scalar e3 = Scalar(1) / p_.m_0 / p_.c_p;
+        const Scalar e4 = e2 * e3;
         const Scalar e5 = p_.t_s * e4;
         const Scalar expm1_6 = expm1(-e5);
         const Scalar exp_7 = exp(e5);
-        const Scalar e8 = p_.T_inf * p_.A;
-        const Scalar e9 = c_.k * e8;
-        const Scalar e10 = p_.T_s * (p_.A * c_.k);
-        c_.P_s = (e9 / exp_7 - e10) / expm1_6 - e9;
-        const Scalar e11 = p_.lambda / p_.L;
-        const Scalar e12 = p_.alpha_i / (p_.alpha_i + e11);
-        const Scalar e13 = e11 * e12;
-        const Scalar e14 = e3 * e13;
+        const Scalar e8 = p_.T_inf * e2;
+        const Scalar e9 = p_.T_s * e2;
+        c_.P_s = (e8 / exp_7 - e9) / expm1_6 - e8;
+        const Scalar e10 = p_.A * p_.alpha_a;
+        const Scalar e11 = p_.T_inf * e10;
+        const Scalar e12 = p_.lambda / p_.L;
+        const Scalar e13 = p_.A * p_.alpha_i;
+        const Scalar e14 = e13 / (p_.alpha_i + e12);
         const Scalar inverse_15 = Scalar(1) / p_.A;
-        const Scalar e16 = p_.A * p_.alpha_a;
-        const Scalar inverse_17 = Scalar(1) / (Scalar(1) / (inverse_15 * e1) + e16);
-        const Scalar e18 = p_.alpha_a * e8;
-        const Scalar e19 = inverse_17 * e18;
-        c_.k0 = e14 * e19;
-        c_.k1 = e2;
-        const Scalar e20 = p_.A * inverse_17;
-        const Scalar e21 = e13 * e20;
-        const Scalar e22 = e14 * e21;
-        c_.k2 = e14 - e22;
-        c_.k3 = p_.alpha_i * e3 * (Scalar(1) - e12) - e22;
-        c_.k4 = e19;
-        c_.k5 = e21;
-        c_.k6 = e18 * (Scalar(1) - p_.alpha_a * e20);
-        c_.k7 = e21 * e16;
-        c_.k8 = c_.P_s * inverse_15 / c_.k;
-        c_.k9 = e10 - e9;
-        c_.k10 = e4;
+        const Scalar inverse_16 = Scalar(1) / (Scalar(1) / (inverse_15 * e1) + e10);
+        const Scalar e17 = e14 * (inverse_16 * e12);
+        c_.k0 = e3 * e11 * e17;
+        c_.k1 = e3;
+        c_.k2 = e3 * e13 - e3 * e14 * (p_.alpha_i + e12 * e17);
+        const Scalar e18 = inverse_16 * e11;
+        c_.k3 = e18;
+        c_.k4 = e17;
+        c_.k5 = e11 - e10 * e18;
+        c_.k6 = e10 * e17;
+        c_.k7 = c_.P_s * inverse_15 / c_.k;
+        c_.k8 = e9 - e8;
+        c_.k9 = e4;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -243,7 +238,7 @@ public:
         const Scalar P = u[0];
         const Scalar T = x[0];
         dxdt[0] = c_.k0 + c_.k1 * P - c_.k2 * T;
-        J[0] = -c_.k3;
+        J[0] = -c_.k2;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -259,62 +254,61 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 36 + or -, 92 *, 9 /
+    /// Operations: 34 + or -, 91 *, 9 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.m_0;
-        const Scalar inverse_2 = Scalar(1) / p_.L;
-        const Scalar e3 = p_.lambda * inverse_2;
-        const Scalar e4 = p_.alpha_i + e3;
-        const Scalar inverse_5 = Scalar(1) / e4;
-        const Scalar inverse_6 = Scalar(1) / p_.c_p;
-        const Scalar e7 = inverse_1 * inverse_6;
-        const Scalar e8 = inverse_5 * e7;
-        const Scalar e9 = p_.A * e8;
-        const Scalar e10 = p_.alpha_i * e9;
-        const Scalar e11 = p_.A * e7;
+        const Scalar inverse_2 = Scalar(1) / p_.c_p;
+        const Scalar e3 = inverse_1 * inverse_2;
+        const Scalar e4 = p_.A * e3;
+        const Scalar inverse_5 = Scalar(1) / p_.L;
+        const Scalar e6 = p_.lambda * inverse_5;
+        const Scalar e7 = p_.alpha_i + e6;
+        const Scalar inverse_8 = Scalar(1) / e7;
+        const Scalar e9 = inverse_8 * e3;
+        const Scalar e10 = p_.A * e9;
+        const Scalar e11 = p_.alpha_i * e10;
         const Scalar inverse_12 = Scalar(1) / p_.lambda;
         const Scalar inverse_13 = Scalar(1) / p_.alpha_i;
         const Scalar inverse_14 = Scalar(1) / ((p_.L * inverse_12 + inverse_13) / p_.A);
         const Scalar inverse_15 = Scalar(1) / (p_.A * p_.alpha_a + inverse_14);
-        const Scalar e16 = inverse_15 * e3;
-        const Scalar e17 = e10 * e16;
-        const Scalar e18 = p_.A * e17;
-        const Scalar e19 = p_.alpha_i * inverse_5;
-        const Scalar e20 = e18 * e19;
-        const Scalar e21 = p_.T_inf * p_.alpha_a;
-        const Scalar e22 = e18 * e21;
+        const Scalar e16 = inverse_5 * inverse_15;
+        const Scalar e17 = p_.lambda * e16;
+        const Scalar e18 = e11 * e17;
+        const Scalar e19 = p_.A * e18;
+        const Scalar e20 = inverse_8 * e6;
+        const Scalar e21 = e11 + e19 * e20;
+        const Scalar e22 = p_.alpha_i * (e4 - e21);
+        const Scalar e23 = p_.T_inf * p_.alpha_a;
+        const Scalar e24 = e19 * e23;
         const Scalar P = u[0];
-        const Scalar e23 = p_.alpha_a * e18;
+        const Scalar e25 = p_.alpha_a * e19;
         const Scalar inverse_14_squared = inverse_14 * inverse_14;
-        const Scalar e24 = inverse_15 * inverse_14_squared;
-        const Scalar e25 = e4 * e8;
-        const Scalar e26 = e24 * e25 + e23;
-        const Scalar e27 = inverse_5 * e3;
-        const Scalar e28 = p_.A * e16;
-        const Scalar e29 = Scalar(1) + Scalar(2) * e27 * e28;
-        const Scalar e30 = p_.alpha_i * e29;
-        const Scalar e31 = e21 * e24;
-        const Scalar e32 = inverse_15 * e10;
-        const Scalar e33 = inverse_2 * e32;
-        const Scalar e34 = inverse_2 * e22;
-        const Scalar e35 = e29 * e10;
-        const Scalar e36 = inverse_2 * e19;
-        const Scalar e37 = (e35 - Scalar(2) * e18) * e36;
-        const Scalar e38 = e24 * e36;
-        const Scalar e39 = e9 * e16;
-        J[0] = T * (-p_.alpha_i * inverse_1 * (e10 - e11) - inverse_1 * e3 * e20) - inverse_1 * e22 - P * (inverse_1 * e7);
-        J[1] = T * (inverse_6 * e3 * (e10 - e20)) - inverse_6 * e22 - P * (inverse_6 * e7);
+        const Scalar e26 = inverse_15 * inverse_14_squared;
+        const Scalar e27 = e7 * e9;
+        const Scalar e28 = e26 * e27 + e25;
+        const Scalar e29 = p_.A * e17;
+        const Scalar e30 = Scalar(1) + Scalar(2) * e29 * e20;
+        const Scalar e31 = p_.alpha_i * e30;
+        const Scalar e32 = p_.alpha_i * inverse_8;
+        const Scalar e33 = e11 * e16;
+        const Scalar e34 = e23 * e26;
+        const Scalar e35 = inverse_5 * e24;
+        const Scalar e36 = e30 * e11;
+        const Scalar e37 = e32 * (inverse_5 * (e36 - Scalar(2) * e19));
+        const Scalar e38 = e10 * e17;
+        J[0] = T * (inverse_1 * e22) - inverse_1 * e24 - P * (inverse_1 * e3);
+        J[1] = T * (inverse_2 * e22) - inverse_2 * e24 - P * (inverse_2 * e3);
         J[2] = Scalar(0);
-        J[3] = e23;
-        const Scalar e40 = -p_.alpha_i * (e7 - Scalar(2) * e8 * e30) - e19 * (e16 * e26 + e30 * e25);
-        J[4] = e17 * e21 * (Scalar(3) - inverse_5 * e4) - inverse_15 * e21 * e26 + T * e40;
-        J[5] = e31 * e33 - e34 * (Scalar(1) - e27) + T * (e3 * e37 + e17 * e38);
-        J[6] = -(inverse_5 * e34 + inverse_12 * e32 * e31 - p_.A * e21 * e33) - T * (e37 + e32 * e38);
-        const Scalar e41 = e11 - Scalar(2) * e10 - Scalar(2) * e18 * e27 + e19 * e35 + inverse_5 * e16 * inverse_14_squared
-            * e39;
-        J[7] = -(inverse_5 * e22 - e9 * e21 * e28 + inverse_13 * e31 * e39) - T * e41;
-        J[8] = p_.T_inf * e18 - p_.A * inverse_15 * e22 - T * (e28 * e20);
+        J[3] = e25;
+        const Scalar e39 = -p_.alpha_i * (e3 - Scalar(2) * e9 * e31) - e32 * (e17 * e28 + e31 * e27);
+        J[4] = e18 * e23 * (Scalar(3) - inverse_8 * e7) - inverse_15 * e23 * e28 + T * e39;
+        J[5] = e33 * e34 - e35 * (Scalar(1) - e20) + T * (e16 * e18 * e32 * inverse_14_squared + e6 * e37);
+        const Scalar e40 = inverse_8 * e35 - p_.A * e23 * e33 + inverse_12 * inverse_15 * e11 * e34;
+        J[6] = -e40 - T * (e32 * e26 * e33 + e37);
+        const Scalar e41 = e4 - Scalar(2) * e21 + e32 * e36 + inverse_8 * e17 * inverse_14_squared * e38;
+        J[7] = -(inverse_8 * e24 - e10 * e23 * e29 + inverse_13 * e34 * e38) - T * e41;
+        J[8] = p_.T_inf * e19 - p_.A * inverse_15 * e24 - T * (e19 * e32 * e29);
         J[9] = Scalar(0);
     }
 
@@ -352,20 +346,20 @@ public:
     void output(const State& x, const Input& /*u*/, Scalar t, Output& y) const noexcept {
         using std::expm1;
         const Scalar T = x[0];
-        const Scalar expm1_1 = expm1(-c_.k10 * t);
-        y[0] = c_.k4 + c_.k5 * T;
-        y[1] = c_.k7 * T - c_.k6;
-        y[2] = p_.T_inf - c_.k8 * expm1_1;
+        const Scalar expm1_1 = expm1(-c_.k9 * t);
+        y[0] = c_.k3 + c_.k4 * T;
+        y[1] = c_.k6 * T - c_.k5;
+        y[2] = p_.T_inf - c_.k7 * expm1_1;
         y[3] = p_.T_s;
         y[4] = c_.P_s;
-        y[5] = c_.k9;
+        y[5] = c_.k8;
     }
 
     /// C = dh/dx.
     /// Operations: none
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        C[0] = c_.k5;
-        C[1] = c_.k7;
+        C[0] = c_.k4;
+        C[1] = c_.k6;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
@@ -430,7 +424,7 @@ public:
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar P = u[0];
         const Scalar T = x[0];
-        return c_.k6 + P - c_.k7 * T;
+        return c_.k5 + P - c_.k6 * T;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -446,15 +440,14 @@ private:
         Scalar P_s;  ///< A*k*(T_s/(1 - 1/exp(A*t_s*k/(m_0*c_p))) - T_inf - T_inf/(exp(A*t_s*k/(m_0*c_p))*(1 - ...
         Scalar k0;  ///< T_inf*A*lambda*alpha_i*alpha_a/(m_0*c_p*L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
         Scalar k1;  ///< 1/(m_0*c_p)
-        Scalar k2;  ///< A*lambda*alpha_i*(1 - lambda*alpha_i/(L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + ...
-        Scalar k3;  ///< -A*alpha_i*(-1 + lambda^2*alpha_i/(L^2*(lambda/L + alpha_i)^2*(alpha_a + 1/(L/lambda + ...
-        Scalar k4;  ///< T_inf*alpha_a/(alpha_a + 1/(L/lambda + 1/alpha_i))
-        Scalar k5;  ///< lambda*alpha_i/(L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
-        Scalar k6;  ///< T_inf*A*alpha_a*(1 - alpha_a/(alpha_a + 1/(L/lambda + 1/alpha_i)))
-        Scalar k7;  ///< A*lambda*alpha_i*alpha_a/(L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
-        Scalar k8;  ///< P_s/(A*k)
-        Scalar k9;  ///< A*k*(T_s - T_inf)
-        Scalar k10;  ///< A*k/(m_0*c_p)
+        Scalar k2;  ///< -A*alpha_i*(-1 + lambda^2*alpha_i/(L^2*(lambda/L + alpha_i)^2*(alpha_a + 1/(L/lambda + ...
+        Scalar k3;  ///< T_inf*alpha_a/(alpha_a + 1/(L/lambda + 1/alpha_i))
+        Scalar k4;  ///< lambda*alpha_i/(L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
+        Scalar k5;  ///< T_inf*A*alpha_a*(1 - alpha_a/(alpha_a + 1/(L/lambda + 1/alpha_i)))
+        Scalar k6;  ///< A*lambda*alpha_i*alpha_a/(L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
+        Scalar k7;  ///< P_s/(A*k)
+        Scalar k8;  ///< A*k*(T_s - T_inf)
+        Scalar k9;  ///< A*k/(m_0*c_p)
     };
     Cached c_{};
 };

@@ -20,7 +20,7 @@
 //   update                22     87    25        0      0
 //   rhs                   10     10     0        0      0
 //   rhs_and_jacobian      13     10     0        0      0
-//   jacobian_p           172    528    21        0      0
+//   jacobian_p           172    526    21        0      0
 //   output                12     14     0        0      6
 //   output_jacobian_x      1      0     0        0      0
 //   output_jacobian_u     13     10     0        0     12
@@ -378,7 +378,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 18, entry (i, j) at J[3*j + i].
-    /// Operations: 172 + or -, 528 *, 21 /
+    /// Operations: 172 + or -, 526 *, 21 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.L[0];
@@ -515,126 +515,123 @@ public:
         const Scalar e125 = e2 * e29;
         const Scalar e126 = e91 * e95;
         const Scalar e127 = inverse_73 * e99;
-        const Scalar e128 = inverse_114 * e127;
-        const Scalar e129 = e128 - Scalar(2) * e119;
-        const Scalar e130 = p_.alpha_L * inverse_73;
-        const Scalar e131 = e7 - (Scalar(1) / Scalar(2)) * e33;
-        const Scalar e132 = p_.g * e5;
-        const Scalar e133 = e7 * e39;
-        const Scalar e134 = e52 - e57 * e85;
-        const Scalar e135 = p_.g * e50;
-        const Scalar e136 = e74 * e118 - Scalar(2) * e101;
-        const Scalar e137 = p_.g * e99;
-        const Scalar e138 = p_.alpha_L * e115;
-        const Scalar e139 = p_.a_s * e115;
-        const Scalar e140 = Scalar(1) - e39;
-        const Scalar e141 = inverse_11 * e140;
-        const Scalar e142 = inverse_11 * e9;
-        const Scalar e143 = p_.alpha_c * e23;
-        const Scalar e144 = e22 * e142;
-        const Scalar e145 = e23 * (Scalar(1) - inverse_10 * e9);
-        const Scalar e146 = e43 * e144;
-        const Scalar e147 = inverse_68 * e67;
-        const Scalar e148 = inverse_68 * e57;
-        const Scalar e149 = inverse_11 * e148;
-        const Scalar e150 = e148 * (p_.alpha_c * e78);
-        const Scalar e151 = e52 * e77;
-        const Scalar e152 = inverse_11 * e67;
-        const Scalar e153 = e74 * e78;
-        const Scalar e154 = e94 * e151;
-        const Scalar e155 = Scalar(1) - (Scalar(1) / Scalar(2)) * e147;
-        const Scalar e156 = inverse_11 * (e115 - e113 * e119);
-        const Scalar e157 = e74 * e105;
-        const Scalar e158 = e77 * inverse_72_squared;
-        const Scalar e159 = e105 * e158;
-        const Scalar e160 = e22 * (p_.A - Scalar(2) * inverse_12 * e43);
+        const Scalar e128 = inverse_73 * (inverse_114 * e127 - Scalar(2) * e119);
+        const Scalar e129 = e7 - (Scalar(1) / Scalar(2)) * e33;
+        const Scalar e130 = p_.g * e5;
+        const Scalar e131 = e7 * e39;
+        const Scalar e132 = e52 - e57 * e85;
+        const Scalar e133 = p_.g * e50;
+        const Scalar e134 = e74 * e118 - Scalar(2) * e101;
+        const Scalar e135 = p_.g * e99;
+        const Scalar e136 = p_.alpha_L * e115;
+        const Scalar e137 = p_.a_s * e115;
+        const Scalar e138 = Scalar(1) - e39;
+        const Scalar e139 = inverse_11 * e138;
+        const Scalar e140 = inverse_11 * e9;
+        const Scalar e141 = p_.alpha_c * e23;
+        const Scalar e142 = e22 * e140;
+        const Scalar e143 = e23 * (Scalar(1) - inverse_10 * e9);
+        const Scalar e144 = e43 * e142;
+        const Scalar e145 = inverse_68 * e67;
+        const Scalar e146 = inverse_68 * e57;
+        const Scalar e147 = inverse_11 * e146;
+        const Scalar e148 = e146 * (p_.alpha_c * e78);
+        const Scalar e149 = e52 * e77;
+        const Scalar e150 = inverse_11 * e67;
+        const Scalar e151 = e74 * e78;
+        const Scalar e152 = e94 * e149;
+        const Scalar e153 = Scalar(1) - (Scalar(1) / Scalar(2)) * e145;
+        const Scalar e154 = inverse_11 * (e115 - e113 * e119);
+        const Scalar e155 = e74 * e105;
+        const Scalar e156 = e77 * inverse_72_squared;
+        const Scalar e157 = e105 * e156;
+        const Scalar e158 = e22 * (p_.A - Scalar(2) * inverse_12 * e43);
         const Scalar inverse_12_squared = inverse_12 * inverse_12;
-        const Scalar e161 = e8 * (Scalar(8) + e25) - Scalar(6) * inverse_1 * e33 + Scalar(8) * e2 * e38;
-        const Scalar e162 = e19 * (Scalar(2) * e42 * e44 + Scalar(4) * e32 * e45) - Scalar(4) * inverse_1 * e47;
-        J[0] = T_1 * e161 - T_i * (Scalar(4) * (e40 - inverse_1 * e41)) + T_2 * e162;
-        const Scalar e163 = T_1 * (Scalar(4) * e2 * e56 - inverse_1 * (Scalar(2) * (e54 - e52 * e44)));
-        J[1] = e163 + T_2 * (Scalar(2) * e60);
+        const Scalar e159 = e8 * (Scalar(8) + e25) - Scalar(6) * inverse_1 * e33 + Scalar(8) * e2 * e38;
+        const Scalar e160 = e19 * (Scalar(2) * e42 * e44 + Scalar(4) * e32 * e45) - Scalar(4) * inverse_1 * e47;
+        J[0] = T_1 * e159 - T_i * (Scalar(4) * (e40 - inverse_1 * e41)) + T_2 * e160;
+        const Scalar e161 = T_1 * (Scalar(4) * e2 * e56 - inverse_1 * (Scalar(2) * (e54 - e52 * e44)));
+        J[1] = e161 + T_2 * (Scalar(2) * e60);
         J[2] = Scalar(0);
         J[3] = T_1 * (Scalar(2) * e51 * e62) - T_2 * (Scalar(2) * (e51 * e63 - e47 * e65));
-        const Scalar e164 = e66 * (Scalar(8) + e80) + Scalar(2) * e51 * e57 * e84 - Scalar(12) * e85 * e86;
-        const Scalar e165 = T_3 * (Scalar(4) * e89 * e90 + Scalar(2) * e92 * e95 - Scalar(4) * e96);
-        J[4] = T_2 * e164 - T_1 * (Scalar(4) * e87 - Scalar(2) * e54 * e65) + e165;
-        const Scalar e166 = Scalar(4) * e103 * e90 - Scalar(2) * e51 * e104 + Scalar(2) * inverse_18 * e106;
-        J[5] = T_2 * e166 + T_3 * (Scalar(2) * e108);
+        const Scalar e162 = e66 * (Scalar(8) + e80) + Scalar(2) * e51 * e57 * e84 - Scalar(12) * e85 * e86;
+        const Scalar e163 = T_3 * (Scalar(4) * e89 * e90 + Scalar(2) * e92 * e95 - Scalar(4) * e96);
+        J[4] = T_2 * e162 - T_1 * (Scalar(4) * e87 - Scalar(2) * e54 * e65) + e163;
+        const Scalar e164 = Scalar(4) * e103 * e90 - Scalar(2) * e51 * e104 + Scalar(2) * inverse_18 * e106;
+        J[5] = T_2 * e164 + T_3 * (Scalar(2) * e108);
         J[6] = Scalar(0);
         J[7] = T_2 * (Scalar(2) * e100 * e110) - T_3 * (Scalar(2) * (e100 * e88 - e93 * e112));
-        const Scalar e167 = Scalar(8) * inverse_73 * e101 - Scalar(6) * e100 * e118 + Scalar(8) * e74 * e120 + Scalar(2) * e111
+        const Scalar e165 = Scalar(8) * inverse_73 * e101 - Scalar(6) * e100 * e118 + Scalar(8) * e74 * e120 + Scalar(2) * e111
             * e121;
-        J[8] = T_3 * e167 - T_a * (Scalar(4) * p_.alpha_L * e122) - sun * (Scalar(4) * p_.a_s * e122) - T_2
+        J[8] = T_3 * e165 - T_a * (Scalar(4) * p_.alpha_L * e122) - sun * (Scalar(4) * p_.a_s * e122) - T_2
             * (Scalar(4) * inverse_73 * e103 - Scalar(2) * e100 * e102 * e117);
-        const Scalar e168 = e42 * (Scalar(4) + e25) - e8 * (Scalar(8) * inverse_10 + Scalar(4) * e31) + Scalar(8) * e38;
-        J[9] = T_i * (Scalar(2) * e39 * e42 - Scalar(4) * inverse_27 * e40) - T_1 * e168 - T_2
+        const Scalar e166 = e42 * (Scalar(4) + e25) - e8 * (Scalar(8) * inverse_10 + Scalar(4) * e31) + Scalar(8) * e38;
+        J[9] = T_i * (Scalar(2) * e39 * e42 - Scalar(4) * inverse_27 * e40) - T_1 * e166 - T_2
             * (Scalar(4) * e47 * e55 - Scalar(2) * e123 * e124);
         J[10] = T_1 * (Scalar(2) * e52 * e123 - Scalar(4) * e56) - T_2 * (Scalar(2) * e15 * e60);
         J[11] = Scalar(0);
         J[12] = T_2 * (Scalar(2) * (e63 * (inverse_18 - e65))) - T_1 * (Scalar(2) * inverse_18 * e62);
-        const Scalar e169 = e92 * (Scalar(4) + e80) - Scalar(8) * e85 * e66 + Scalar(2) * e84 * e86;
-        const Scalar e170 = Scalar(4) * inverse_68 * e96 - Scalar(2) * e74 * e81 * e92 + Scalar(2) * inverse_69 * e126;
-        J[13] = T_1 * (Scalar(2) * (e92 * e125 - e64 * e87)) - T_2 * e169 - T_3 * e170;
-        const Scalar e171 = e104 * (Scalar(2) * inverse_18 - Scalar(4) * e90) - Scalar(2) * inverse_69 * e106;
-        J[14] = T_2 * e171 - T_3 * (Scalar(2) * e70 * e108);
+        const Scalar e167 = e92 * (Scalar(4) + e80) - Scalar(8) * e85 * e66 + Scalar(2) * e84 * e86;
+        const Scalar e168 = Scalar(4) * inverse_68 * e96 - Scalar(2) * e74 * e81 * e92 + Scalar(2) * inverse_69 * e126;
+        J[13] = T_1 * (Scalar(2) * (e92 * e125 - e64 * e87)) - T_2 * e167 - T_3 * e168;
+        const Scalar e169 = e104 * (Scalar(2) * inverse_18 - Scalar(4) * e90) - Scalar(2) * inverse_69 * e106;
+        J[14] = T_2 * e169 - T_3 * (Scalar(2) * e70 * e108);
         J[15] = Scalar(0);
         J[16] = T_3 * (Scalar(2) * (inverse_73 * e88 - inverse_76 * e112)) - T_2 * (Scalar(2) * inverse_73 * e110);
-        const Scalar e172 = Scalar(8) * e120 - e117 * (Scalar(4) * inverse_73 - Scalar(2) * inverse_76 * e111) + Scalar(4)
-            * e130 * e128;
-        J[17] = T_a * (Scalar(2) * e129 * e130) + sun * (Scalar(2) * p_.a_s * inverse_73 * e129) + T_2
-            * (Scalar(2) * (-inverse_73 * e102 * (e117 - e127))) - T_3 * e172;
-        J[18] = T_1 * (Scalar(4) * inverse_3 * e131) - inverse_3 * e132 - T_i * (Scalar(2) * inverse_3 * e133) - T_2
+        const Scalar e170 = Scalar(2) * inverse_76 * e117 * e111 - inverse_73 * (Scalar(4) * (e118 - e127)) + Scalar(8) * e120;
+        J[17] = T_a * (Scalar(2) * p_.alpha_L * e128) + sun * (Scalar(2) * p_.a_s * e128) + T_2
+            * (Scalar(2) * (-inverse_73 * e102 * (e117 - e127))) - T_3 * e170;
+        J[18] = T_1 * (Scalar(4) * inverse_3 * e129) - inverse_3 * e130 - T_i * (Scalar(2) * inverse_3 * e131) - T_2
             * (Scalar(2) * inverse_3 * e47);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (Scalar(4) * inverse_48 * e134) - inverse_48 * e135 - T_1 * (Scalar(2) * inverse_48 * e54) - T_3
+        J[22] = T_2 * (Scalar(4) * inverse_48 * e132) - inverse_48 * e133 - T_1 * (Scalar(2) * inverse_48 * e54) - T_3
             * (Scalar(2) * inverse_48 * e89);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (-Scalar(2) * inverse_97 * e136) - inverse_97 * e137 - T_a * (Scalar(2) * inverse_97 * e138) - sun
-            * (Scalar(2) * inverse_97 * e139) - T_2 * (Scalar(2) * inverse_97 * e103);
-        J[27] = T_1 * (Scalar(4) * inverse_4 * e131) - inverse_4 * e132 - T_i * (Scalar(2) * inverse_4 * e133) - T_2
+        J[26] = T_3 * (-Scalar(2) * inverse_97 * e134) - inverse_97 * e135 - T_a * (Scalar(2) * inverse_97 * e136) - sun
+            * (Scalar(2) * inverse_97 * e137) - T_2 * (Scalar(2) * inverse_97 * e103);
+        J[27] = T_1 * (Scalar(4) * inverse_4 * e129) - inverse_4 * e130 - T_i * (Scalar(2) * inverse_4 * e131) - T_2
             * (Scalar(2) * inverse_4 * e47);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (Scalar(4) * inverse_49 * e134) - inverse_49 * e135 - T_1 * (Scalar(2) * inverse_49 * e54) - T_3
+        J[31] = T_2 * (Scalar(4) * inverse_49 * e132) - inverse_49 * e133 - T_1 * (Scalar(2) * inverse_49 * e54) - T_3
             * (Scalar(2) * inverse_49 * e89);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (-Scalar(2) * inverse_98 * e136) - inverse_98 * e137 - T_a * (Scalar(2) * inverse_98 * e138) - sun
-            * (Scalar(2) * inverse_98 * e139) - T_2 * (Scalar(2) * inverse_98 * e103);
-        const Scalar e173 = e36 * (Scalar(8) * (e142 + e9 * e143)) - inverse_11 * (Scalar(4) * e32 - Scalar(8) * e2 * e35)
-            + Scalar(2) * e19 * e23 * e61 + Scalar(4) * e7 * e24 * e144 - Scalar(6) * e32 * e143 - Scalar(4) * e34 * e141;
-        const Scalar e174 = Scalar(2) * inverse_21 * e19 * e47 - Scalar(4) * e46 * e145 + Scalar(4) * e124 * e146;
-        J[36] = T_i * (Scalar(2) * e133 * e141 - Scalar(4) * inverse_11 * e41) - T_1 * e173 - T_2 * e174;
-        const Scalar e175 = Scalar(2) * e58 * e125 - Scalar(4) * e53 * e145 + Scalar(4) * e52 * e146;
-        const Scalar e176 = e147 * (Scalar(4) * (e149 + e150)) - e58 * (Scalar(2) * (Scalar(1) - e19 * e64)) + Scalar(2) * e79
-            * e151 * e152 + Scalar(2) * e109 * e153 + Scalar(2) * e59 * e16 - Scalar(4) * e149 - Scalar(6) * e150;
-        const Scalar e177 = inverse_11 * (Scalar(4) * e154 + Scalar(2) * e126) + Scalar(2) * e93 * e89 - Scalar(4) * e52 * e155
-            * e153;
-        J[37] = -T_1 * e175 - T_2 * e176 - T_3 * e177;
-        const Scalar e178 = Scalar(2) * e102 * e157 - Scalar(4) * e19 * e101 * e78 * e155 + Scalar(2) * e152 * e159;
-        const Scalar e179 = Scalar(2) * e107 * e71 - e74 * (Scalar(4) * e156 - Scalar(2) * e121) - Scalar(2) * e157;
-        J[38] = T_a * (Scalar(2) * p_.alpha_L * e156) - sun * (-Scalar(2) * p_.a_s * e156) - T_2 * e178 - T_3 * e179;
-        J[39] = -T_i * (-Scalar(2) * inverse_27 * e7 * e140) - T_1 * (Scalar(4) * e35);
+        J[35] = T_3 * (-Scalar(2) * inverse_98 * e134) - inverse_98 * e135 - T_a * (Scalar(2) * inverse_98 * e136) - sun
+            * (Scalar(2) * inverse_98 * e137) - T_2 * (Scalar(2) * inverse_98 * e103);
+        const Scalar e171 = e36 * (Scalar(8) * (e140 + e9 * e141)) - inverse_11 * (Scalar(4) * e32 - Scalar(8) * e2 * e35)
+            + Scalar(2) * e19 * e23 * e61 + Scalar(4) * e7 * e24 * e142 - Scalar(6) * e32 * e141 - Scalar(4) * e34 * e139;
+        const Scalar e172 = Scalar(2) * inverse_21 * e19 * e47 - Scalar(4) * e46 * e143 + Scalar(4) * e124 * e144;
+        J[36] = T_i * (Scalar(2) * e131 * e139 - Scalar(4) * inverse_11 * e41) - T_1 * e171 - T_2 * e172;
+        const Scalar e173 = Scalar(2) * e58 * e125 - Scalar(4) * e53 * e143 + Scalar(4) * e52 * e144;
+        const Scalar e174 = e145 * (Scalar(4) * (e147 + e148)) - e58 * (Scalar(2) * (Scalar(1) - e19 * e64)) + Scalar(2) * e79
+            * e149 * e150 + Scalar(2) * e109 * e151 + Scalar(2) * e59 * e16 - Scalar(4) * e147 - Scalar(6) * e148;
+        const Scalar e175 = inverse_11 * (Scalar(4) * e152 + Scalar(2) * e126) + Scalar(2) * e93 * e89 - Scalar(4) * e52 * e153
+            * e151;
+        J[37] = -T_1 * e173 - T_2 * e174 - T_3 * e175;
+        const Scalar e176 = Scalar(2) * e102 * e155 - Scalar(4) * e19 * e101 * e78 * e153 + Scalar(2) * e150 * e157;
+        const Scalar e177 = Scalar(2) * e107 * e71 - e74 * (Scalar(4) * e154 - Scalar(2) * e121) - Scalar(2) * e155;
+        J[38] = T_a * (Scalar(2) * p_.alpha_L * e154) - sun * (-Scalar(2) * p_.a_s * e154) - T_2 * e176 - T_3 * e177;
+        J[39] = -T_i * (-Scalar(2) * inverse_27 * e7 * e138) - T_1 * (Scalar(4) * e35);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = -T_a * (Scalar(2) * (p_.alpha_L * e119 - e115)) - sun * (Scalar(2) * p_.a_s * e119) - T_3
             * (Scalar(4) * e74 * e119);
-        const Scalar e180 = T_1 * (Scalar(4) * (e29 * e32 - e22 * e22 * e26 * inverse_17_squared - e37));
-        J[45] = e180 - T_2 * (Scalar(2) * (inverse_10 * e47 - e46 * e160));
-        const Scalar e181 = Scalar(4) * (e148 * (e81 - e83) - e77 * e57 * e158 - e59 * inverse_12_squared);
-        const Scalar e182 = Scalar(2) * inverse_68 * e89 - Scalar(2) * e151 * e75 + Scalar(4) * inverse_12 * e154;
-        J[46] = T_2 * e181 - T_1 * (Scalar(2) * (inverse_10 * e54 - e53 * e160)) - T_3 * e182;
-        const Scalar e183 = Scalar(2) * inverse_68 * e103 - Scalar(2) * e101 * e77 * e20 + Scalar(4) * inverse_12 * e19 * e159;
-        J[47] = -T_2 * e183 - T_3 * (Scalar(4) * e107 * inverse_12_squared);
+        const Scalar e178 = T_1 * (Scalar(4) * (e29 * e32 - e22 * e22 * e26 * inverse_17_squared - e37));
+        J[45] = e178 - T_2 * (Scalar(2) * (inverse_10 * e47 - e46 * e158));
+        const Scalar e179 = Scalar(4) * (e146 * (e81 - e83) - e77 * e57 * e156 - e59 * inverse_12_squared);
+        const Scalar e180 = Scalar(2) * inverse_68 * e89 - Scalar(2) * e149 * e75 + Scalar(4) * inverse_12 * e152;
+        J[46] = T_2 * e179 - T_1 * (Scalar(2) * (inverse_10 * e54 - e53 * e158)) - T_3 * e180;
+        const Scalar e181 = Scalar(2) * inverse_68 * e103 - Scalar(2) * e101 * e77 * e20 + Scalar(4) * inverse_12 * e19 * e157;
+        J[47] = -T_2 * e181 - T_3 * (Scalar(4) * e107 * inverse_12_squared);
         J[48] = Scalar(0);
         J[49] = Scalar(0);
         J[50] = sun * e116;

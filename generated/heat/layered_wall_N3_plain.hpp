@@ -22,7 +22,7 @@
 //   update                16     63    19        0      0
 //   rhs                   10     10     0        0      0
 //   rhs_and_jacobian      13     10     0        0      0
-//   jacobian_p           117    343    14        0      0
+//   jacobian_p           112    338    14        0      0
 //   output                12     14     0        0      6
 //   output_jacobian_x      1      0     0        0      0
 //   output_jacobian_u     13     10     0        0     12
@@ -364,176 +364,168 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 17, entry (i, j) at J[3*j + i].
-    /// Operations: 117 + or -, 343 *, 14 /
+    /// Operations: 112 + or -, 338 *, 14 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.L[0];
-        const Scalar inverse_2 = Scalar(1) / p_.rho[0];
-        const Scalar inverse_3 = Scalar(1) / p_.c_p[0];
-        const Scalar e4 = inverse_2 * inverse_3;
-        const Scalar e5 = p_.lambda[0] * inverse_1;
+        const Scalar e2 = p_.lambda[0] * inverse_1;
+        const Scalar inverse_3 = Scalar(1) / p_.rho[0];
+        const Scalar inverse_4 = Scalar(1) / p_.c_p[0];
+        const Scalar e5 = inverse_3 * inverse_4;
         const Scalar e6 = inverse_1 * e5;
-        const Scalar e7 = e4 * e6;
-        const Scalar e8 = p_.alpha_0 + Scalar(2) * e5;
-        const Scalar inverse_9 = Scalar(1) / e8;
-        const Scalar e10 = inverse_9 * e7;
-        const Scalar inverse_11 = Scalar(1) / p_.L[1];
-        const Scalar e12 = p_.lambda[1] * inverse_11;
-        const Scalar inverse_13 = Scalar(1) / (e12 + e5);
-        const Scalar e14 = inverse_13 * e7;
-        const Scalar e15 = e10 + (Scalar(1) / Scalar(2)) * e14;
-        const Scalar e16 = inverse_9 * e10;
-        const Scalar e17 = e6 * (inverse_13 * e14 + Scalar(4) * e16);
+        const Scalar e7 = e2 * e6;
+        const Scalar inverse_8 = Scalar(1) / p_.L[1];
+        const Scalar e9 = p_.lambda[1] * inverse_8;
+        const Scalar inverse_10 = Scalar(1) / (e9 + e2);
+        const Scalar e11 = inverse_10 * e2;
+        const Scalar e12 = e7 * e11;
+        const Scalar e13 = p_.alpha_0 + Scalar(2) * e2;
+        const Scalar inverse_14 = Scalar(1) / e13;
+        const Scalar e15 = inverse_14 * e7;
+        const Scalar e16 = e2 * e15;
+        const Scalar e17 = (Scalar(1) / Scalar(2)) * e12 + e16;
+        const Scalar e18 = inverse_1 * inverse_14;
+        const Scalar e19 = inverse_1 * e12;
         const Scalar T_i = u[0];
-        const Scalar e18 = p_.alpha_0 * e10;
-        const Scalar e19 = inverse_9 * e18;
+        const Scalar e20 = p_.alpha_0 * e15;
+        const Scalar e21 = inverse_1 * (Scalar(1) - inverse_14 * e2);
         const Scalar T_2 = x[1];
-        const Scalar e20 = inverse_1 * e14;
-        const Scalar e21 = inverse_13 * e12;
-        const Scalar inverse_22 = Scalar(1) / p_.rho[1];
-        const Scalar inverse_23 = Scalar(1) / p_.c_p[1];
-        const Scalar e24 = inverse_22 * inverse_23;
-        const Scalar e25 = inverse_11 * e12;
-        const Scalar e26 = e24 * e25;
-        const Scalar e27 = inverse_13 * e26;
-        const Scalar e28 = e6 * e27;
-        const Scalar e29 = inverse_13 * e5;
-        const Scalar e30 = e25 * e14;
-        const Scalar e31 = Scalar(1) - e21;
-        const Scalar inverse_32 = Scalar(1) / p_.L[2];
-        const Scalar e33 = p_.lambda[2] * inverse_32;
-        const Scalar e34 = e12 + e33;
-        const Scalar inverse_35 = Scalar(1) / e34;
-        const Scalar e36 = inverse_35 * e26;
-        const Scalar e37 = e36 + e27;
-        const Scalar e38 = e25 * e27;
-        const Scalar e39 = inverse_35 * e36;
-        const Scalar e40 = e25 * e39;
-        const Scalar e41 = e5 * e27;
+        const Scalar e22 = inverse_10 * e9;
+        const Scalar e23 = inverse_1 * e22;
+        const Scalar e24 = inverse_8 * e9;
+        const Scalar inverse_25 = Scalar(1) / p_.rho[1];
+        const Scalar inverse_26 = Scalar(1) / p_.c_p[1];
+        const Scalar e27 = inverse_25 * inverse_26;
+        const Scalar e28 = e24 * e27;
+        const Scalar e29 = e28 * e11;
+        const Scalar e30 = Scalar(1) - e11;
+        const Scalar e31 = inverse_1 * e30;
+        const Scalar e32 = inverse_10 * e24;
+        const Scalar e33 = e7 * e32;
+        const Scalar e34 = e7 * e22;
+        const Scalar inverse_35 = Scalar(1) / p_.L[2];
+        const Scalar e36 = p_.lambda[2] * inverse_35;
+        const Scalar e37 = e9 + e36;
+        const Scalar inverse_38 = Scalar(1) / e37;
+        const Scalar e39 = inverse_38 * e28;
+        const Scalar e40 = e28 * e22;
+        const Scalar e41 = inverse_38 * e39;
+        const Scalar e42 = e24 * e41;
+        const Scalar e43 = inverse_8 - (Scalar(1) / Scalar(2)) * e32;
         const Scalar T_3 = x[2];
-        const Scalar e42 = inverse_11 * e36 - (Scalar(1) / Scalar(2)) * e40;
-        const Scalar inverse_43 = Scalar(1) / p_.rho[2];
-        const Scalar inverse_44 = Scalar(1) / p_.c_p[2];
-        const Scalar e45 = inverse_43 * inverse_44;
-        const Scalar e46 = inverse_32 * e33;
-        const Scalar e47 = e45 * e46;
-        const Scalar e48 = inverse_35 * e47;
-        const Scalar e49 = inverse_35 * e48;
-        const Scalar e50 = e25 * e49;
-        const Scalar e51 = e46 * e39;
-        const Scalar e52 = p_.alpha_L + Scalar(2) * e33;
-        const Scalar inverse_53 = Scalar(1) / e52;
-        const Scalar e54 = inverse_53 * e47;
-        const Scalar e55 = e54 + (Scalar(1) / Scalar(2)) * e48;
-        const Scalar e56 = inverse_53 * e54;
-        const Scalar e57 = e46 * ((Scalar(1) / Scalar(4)) * e49 + e56);
+        const Scalar e44 = inverse_8 * e39 - (Scalar(1) / Scalar(2)) * e42;
+        const Scalar inverse_45 = Scalar(1) / p_.rho[2];
+        const Scalar inverse_46 = Scalar(1) / p_.c_p[2];
+        const Scalar e47 = inverse_45 * inverse_46;
+        const Scalar e48 = inverse_35 * e36;
+        const Scalar e49 = e47 * e48;
+        const Scalar e50 = inverse_38 * e49;
+        const Scalar e51 = inverse_38 * e50;
+        const Scalar e52 = e24 * e51;
+        const Scalar e53 = e48 * e41;
+        const Scalar e54 = p_.alpha_L + Scalar(2) * e36;
+        const Scalar inverse_55 = Scalar(1) / e54;
+        const Scalar e56 = inverse_55 * e49;
+        const Scalar e57 = e56 + (Scalar(1) / Scalar(2)) * e50;
+        const Scalar e58 = inverse_55 * e56;
+        const Scalar e59 = e48 * ((Scalar(1) / Scalar(4)) * e51 + e58);
         const Scalar T_a = u[1];
-        const Scalar e58 = inverse_32 - inverse_53 * e46;
-        const Scalar e59 = p_.alpha_L * e54;
+        const Scalar e60 = inverse_35 - inverse_55 * e48;
+        const Scalar e61 = p_.alpha_L * e56;
         const Scalar sun = u[2];
-        const Scalar e60 = p_.a_s * e54;
-        const Scalar e61 = inverse_32 * e12;
-        const Scalar e62 = e4 * (inverse_1 * inverse_1);
-        const Scalar e63 = e62 * (p_.alpha_0 * inverse_9);
-        const Scalar e64 = inverse_1 * e27;
-        const Scalar e65 = inverse_11 * e14;
-        const Scalar e66 = e24 * (inverse_11 * inverse_11);
-        const Scalar e67 = e31 * e66;
-        const Scalar e68 = inverse_11 * e33;
-        const Scalar e69 = inverse_32 * e45;
-        const Scalar e70 = Scalar(2) * e54;
-        const Scalar e71 = inverse_32 * (e69 - e70);
-        const Scalar e72 = inverse_53 * e71;
-        const Scalar e73 = e5 * e15 - e7;
-        const Scalar e74 = p_.g * e4;
-        const Scalar e75 = e12 * e14;
-        const Scalar e76 = e12 * e37 - Scalar(2) * e26;
-        const Scalar e77 = p_.g * e24;
-        const Scalar e78 = e33 * e36;
-        const Scalar e79 = e33 * e55 - e47;
-        const Scalar e80 = p_.g * e45;
-        const Scalar e81 = e12 * e48;
-        const Scalar inverse_82 = Scalar(1) / p_.A;
-        const Scalar e83 = Scalar(1) - inverse_9 * e8;
-        const Scalar e84 = e29 - e31;
-        const Scalar e85 = e84 * e14;
-        const Scalar e86 = inverse_82 * e12;
-        const Scalar e87 = Scalar(1) - inverse_35 * e34;
-        const Scalar e88 = e36 * e87;
-        const Scalar e89 = inverse_82 * e33;
-        const Scalar e90 = Scalar(1) - inverse_53 * e52;
-        const Scalar e91 = inverse_82 * e90;
-        const Scalar e92 = e48 * e87;
-        const Scalar e93 = Scalar(8) * inverse_1 * e7 - Scalar(12) * e6 * e15 + Scalar(2) * e5 * e17;
-        J[0] = T_1 * e93 - T_i * (Scalar(4) * (inverse_1 * e18 - e6 * e19)) - T_2
-            * (Scalar(4) * e12 * e20 - Scalar(2) * e6 * e14 * e21);
-        J[1] = T_2 * (Scalar(2) * e21 * e28) - T_1 * (Scalar(2) * (e28 * (Scalar(1) - e29)));
+        const Scalar e62 = p_.a_s * e56;
+        const Scalar e63 = inverse_35 * e9;
+        const Scalar e64 = inverse_10 * e28;
+        const Scalar e65 = inverse_8 * inverse_10;
+        const Scalar e66 = e27 * (inverse_8 * inverse_8);
+        const Scalar e67 = inverse_8 * e36;
+        const Scalar e68 = inverse_35 * e47;
+        const Scalar e69 = Scalar(2) * e56;
+        const Scalar e70 = inverse_35 * (e68 - e69);
+        const Scalar e71 = inverse_55 * e70;
+        const Scalar e72 = e7 - e17;
+        const Scalar e73 = p_.g * e5;
+        const Scalar e74 = e9 * e39;
+        const Scalar e75 = e28 - (Scalar(1) / Scalar(2)) * (e40 + e74);
+        const Scalar e76 = p_.g * e27;
+        const Scalar e77 = e36 * e39;
+        const Scalar e78 = e36 * e57 - e49;
+        const Scalar e79 = p_.g * e47;
+        const Scalar e80 = e9 * e50;
+        const Scalar inverse_81 = Scalar(1) / p_.A;
+        const Scalar e82 = inverse_81 * (Scalar(1) - inverse_14 * e13);
+        const Scalar e83 = inverse_81 * (e22 - e30);
+        const Scalar e84 = inverse_81 * (Scalar(1) - inverse_38 * e37);
+        const Scalar e85 = inverse_81 * (Scalar(1) - inverse_55 * e54);
+        const Scalar e86 = inverse_1 * (Scalar(8) * e7 - Scalar(12) * e17) + Scalar(8) * e2 * e16 * e18 + Scalar(2) * e11 * e19;
+        J[0] = T_1 * e86 - T_i * (Scalar(4) * e20 * e21) - T_2 * (e23 * (Scalar(4) * e7 - Scalar(2) * e12));
+        J[1] = T_2 * (Scalar(2) * e29 * e23) - T_1 * (Scalar(2) * e29 * e31);
         J[2] = Scalar(0);
-        J[3] = T_1 * (Scalar(2) * e29 * e30) - T_2 * (Scalar(2) * e31 * e30);
-        const Scalar e94 = Scalar(8) * inverse_11 * e26 - Scalar(6) * e25 * e37 + Scalar(2) * e21 * e38 + Scalar(2) * e12 * e40;
-        J[4] = T_2 * e94 - T_1 * (Scalar(4) * inverse_11 * e41 - Scalar(2) * e29 * e38) - T_3 * (Scalar(4) * e33 * e42);
-        J[5] = T_3 * (Scalar(2) * e33 * e50) - T_2 * (Scalar(2) * (e25 * e48 - e12 * e50));
+        J[3] = T_1 * (Scalar(2) * e32 * e12) - T_2 * (Scalar(2) * (e33 - e32 * e34));
+        const Scalar e87 = e28 * (Scalar(8) * inverse_8 - Scalar(6) * e32) - Scalar(6) * e24 * e39 + Scalar(2) * e32 * e40
+            + Scalar(2) * e9 * e42;
+        J[4] = T_2 * e87 - T_1 * (Scalar(4) * e29 * e43) - T_3 * (Scalar(4) * e36 * e44);
+        J[5] = T_3 * (Scalar(2) * e36 * e52) - T_2 * (Scalar(2) * (e24 * e50 - e9 * e52));
         J[6] = Scalar(0);
-        J[7] = T_2 * (Scalar(2) * e12 * e51) - T_3 * (Scalar(2) * (e46 * e36 - e33 * e51));
-        const Scalar e95 = Scalar(8) * inverse_32 * e47 - Scalar(12) * e46 * e55 + Scalar(8) * e33 * e57;
-        J[8] = T_3 * e95 - T_a * (Scalar(4) * e58 * e59) - sun * (Scalar(4) * e58 * e60) - T_2
-            * (Scalar(4) * e48 * e61 - Scalar(2) * e12 * e46 * e49);
-        J[9] = T_i * (Scalar(2) * e63 - Scalar(4) * inverse_1 * e19) - T_1
-            * (Scalar(2) * e17 - Scalar(4) * e20 + Scalar(4) * e63) + T_2 * (Scalar(2) * (-e21 * (e20 - e62)));
-        J[10] = T_1 * (Scalar(2) * (e64 - inverse_13 * e28)) - T_2 * (Scalar(2) * e21 * e64);
+        J[7] = T_2 * (Scalar(2) * e9 * e53) - T_3 * (Scalar(2) * (e48 * e39 - e36 * e53));
+        const Scalar e88 = Scalar(8) * inverse_35 * e49 - Scalar(12) * e48 * e57 + Scalar(8) * e36 * e59;
+        J[8] = T_3 * e88 - T_a * (Scalar(4) * e60 * e61) - sun * (Scalar(4) * e60 * e62) - T_2
+            * (Scalar(4) * e50 * e63 - Scalar(2) * e9 * e48 * e51);
+        const Scalar e89 = Scalar(4) * e6 * e31 + Scalar(2) * inverse_10 * e19 - Scalar(8) * e15 * e21;
+        J[9] = T_i * (e18 * (Scalar(2) * p_.alpha_0 * e6 - Scalar(4) * e20)) - T_1 * e89 + T_2 * (Scalar(2) * e30 * e6 * e23);
+        J[10] = T_1 * (Scalar(2) * e31 * e64) - T_2 * (Scalar(2) * e23 * e64);
         J[11] = Scalar(0);
-        J[12] = T_2 * (Scalar(2) * e31 * e65) - T_1 * (Scalar(2) * e29 * e65);
-        const Scalar e96 = T_2 * (Scalar(2) * inverse_13 * e38 - Scalar(4) * e42 + Scalar(4) * e67);
-        J[13] = T_1 * (Scalar(2) * e29 * e67) - e96 + T_3 * (Scalar(2) * (inverse_35 * e33 * e66 - e39 * e68));
-        J[14] = T_2 * (Scalar(2) * (inverse_11 * e48 - e50)) - T_3 * (Scalar(2) * e49 * e68);
+        J[12] = T_2 * (Scalar(2) * (e7 * e65 - inverse_10 * e33)) - T_1 * (Scalar(2) * e12 * e65);
+        J[13] = T_1 * (Scalar(2) * (e11 * e66 - e29 * e65)) - T_2 * (Scalar(4) * (e66 - e44 - e43 * e64)) + T_3
+            * (Scalar(2) * (inverse_38 * e36 * e66 - e41 * e67));
+        J[14] = T_2 * (Scalar(2) * (inverse_8 * e50 - e52)) - T_3 * (Scalar(2) * e51 * e67);
         J[15] = Scalar(0);
-        J[16] = T_3 * (Scalar(2) * (inverse_32 * e36 - e51)) - T_2 * (Scalar(2) * e39 * e61);
-        const Scalar e97 = T_3 * (Scalar(4) * e71 - Scalar(4) * inverse_32 * e48 + Scalar(8) * e57);
-        J[17] = T_a * (Scalar(2) * p_.alpha_L * e72) + sun * (Scalar(2) * p_.a_s * e72) + T_2
-            * (Scalar(2) * (-e61 * (e49 - inverse_35 * e69))) - e97;
-        J[18] = T_1 * (-Scalar(4) * inverse_2 * e73) - inverse_2 * e74 - T_i * (Scalar(2) * inverse_2 * e18) - T_2
-            * (Scalar(2) * inverse_2 * e75);
+        J[16] = T_3 * (Scalar(2) * (inverse_35 * e39 - e53)) - T_2 * (Scalar(2) * e41 * e63);
+        const Scalar e90 = T_3 * (Scalar(4) * e70 - Scalar(4) * inverse_35 * e50 + Scalar(8) * e59);
+        J[17] = T_a * (Scalar(2) * p_.alpha_L * e71) + sun * (Scalar(2) * p_.a_s * e71) + T_2
+            * (Scalar(2) * (-e63 * (e51 - inverse_38 * e68))) - e90;
+        J[18] = T_1 * (Scalar(4) * inverse_3 * e72) - inverse_3 * e73 - T_i * (Scalar(2) * inverse_3 * e20) - T_2
+            * (Scalar(2) * inverse_3 * e34);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (-Scalar(2) * inverse_22 * e76) - inverse_22 * e77 - T_1 * (Scalar(2) * inverse_22 * e41) - T_3
-            * (Scalar(2) * inverse_22 * e78);
+        J[22] = T_2 * (Scalar(4) * inverse_25 * e75) - inverse_25 * e76 - T_1 * (Scalar(2) * inverse_25 * e29) - T_3
+            * (Scalar(2) * inverse_25 * e77);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (-Scalar(4) * inverse_43 * e79) - inverse_43 * e80 - T_a * (Scalar(2) * inverse_43 * e59) - sun
-            * (Scalar(2) * inverse_43 * e60) - T_2 * (Scalar(2) * inverse_43 * e81);
-        J[27] = T_1 * (-Scalar(4) * inverse_3 * e73) - inverse_3 * e74 - T_i * (Scalar(2) * inverse_3 * e18) - T_2
-            * (Scalar(2) * inverse_3 * e75);
+        J[26] = T_3 * (-Scalar(4) * inverse_45 * e78) - inverse_45 * e79 - T_a * (Scalar(2) * inverse_45 * e61) - sun
+            * (Scalar(2) * inverse_45 * e62) - T_2 * (Scalar(2) * inverse_45 * e80);
+        J[27] = T_1 * (Scalar(4) * inverse_4 * e72) - inverse_4 * e73 - T_i * (Scalar(2) * inverse_4 * e20) - T_2
+            * (Scalar(2) * inverse_4 * e34);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (-Scalar(2) * inverse_23 * e76) - inverse_23 * e77 - T_1 * (Scalar(2) * inverse_23 * e41) - T_3
-            * (Scalar(2) * inverse_23 * e78);
+        J[31] = T_2 * (Scalar(4) * inverse_26 * e75) - inverse_26 * e76 - T_1 * (Scalar(2) * inverse_26 * e29) - T_3
+            * (Scalar(2) * inverse_26 * e77);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (-Scalar(4) * inverse_44 * e79) - inverse_44 * e80 - T_a * (Scalar(2) * inverse_44 * e59) - sun
-            * (Scalar(2) * inverse_44 * e60) - T_2 * (Scalar(2) * inverse_44 * e81);
-        J[36] = T_i * (Scalar(2) * inverse_82 * e18 * e83) - T_1
-            * (-inverse_82 * e5 * (Scalar(4) * e10 * e83 - Scalar(2) * e85)) + T_2 * (-Scalar(2) * e86 * e85);
-        J[37] = T_1 * (-Scalar(2) * inverse_82 * e84 * e41) - T_2 * (Scalar(2) * (e86 * (e84 * e27 - e88))) + T_3
-            * (Scalar(2) * e89 * e88);
-        J[38] = T_a * (Scalar(2) * e59 * e91) - sun * (-Scalar(2) * e60 * e91) + T_2 * (Scalar(2) * e86 * e92) - T_3
-            * (-e89 * (Scalar(4) * e54 * e90 + Scalar(2) * e92));
-        J[39] = -T_i * (Scalar(2) * (e19 - e10)) - T_1 * (Scalar(4) * e5 * e16);
+        J[35] = T_3 * (-Scalar(4) * inverse_46 * e78) - inverse_46 * e79 - T_a * (Scalar(2) * inverse_46 * e61) - sun
+            * (Scalar(2) * inverse_46 * e62) - T_2 * (Scalar(2) * inverse_46 * e80);
+        J[36] = T_i * (Scalar(2) * e20 * e82) - T_1 * (Scalar(2) * e12 * e83 - Scalar(4) * e16 * e82) + T_2
+            * (-Scalar(2) * e83 * e34);
+        J[37] = T_1 * (-Scalar(2) * e29 * e83) - T_2 * (Scalar(2) * (e83 * e40 - e84 * e74)) + T_3 * (Scalar(2) * e84 * e77);
+        J[38] = T_a * (Scalar(2) * e61 * e85) - sun * (-Scalar(2) * e62 * e85) + T_2 * (Scalar(2) * e84 * e80) - T_3
+            * (-e36 * (Scalar(2) * e50 * e84 + Scalar(4) * e56 * e85));
+        J[39] = -T_i * (Scalar(2) * (inverse_14 * e20 - e15)) - T_1 * (Scalar(4) * inverse_14 * e16);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        J[44] = -T_a * (Scalar(2) * (inverse_53 * e59 - e54)) - sun * (Scalar(2) * inverse_53 * e60) - T_3
-            * (Scalar(4) * e33 * e56);
+        J[44] = -T_a * (Scalar(2) * (inverse_55 * e61 - e56)) - sun * (Scalar(2) * inverse_55 * e62) - T_3
+            * (Scalar(4) * e36 * e58);
         J[45] = Scalar(0);
         J[46] = Scalar(0);
-        J[47] = sun * e70;
-        J[48] = e4;
-        J[49] = e24;
-        J[50] = e45;
+        J[47] = sun * e69;
+        J[48] = e5;
+        J[49] = e27;
+        J[50] = e47;
     }
 
     /// J = df/dt at fixed x and u.

@@ -44,8 +44,10 @@ public:
         l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power, system_.prescribed_power, system_.internal_energy, system_.exchanged_power});
 
         canonicalise(l);
-        // Rewriting measures sums in the order of their letters, so that these have to be numbered before it, and the new ones behind it.
-        if (rewrites && rewrite(l)) canonicalise(l);
+        if (!rewrites) return l;
+        // Behind it, because what is computed in double depends on the order of terms, and GiNaC's is another one on every run.
+        rewrite(l);
+        canonicalise(l);
         return l;
     }
 
@@ -120,12 +122,10 @@ private:
         atoms_.canonicalise(everything);
     }
 
-    /// Whether anything has another form now.
-    bool rewrite(LoweredSystem& l) {
+    void rewrite(LoweredSystem& l) {
         Rewriter rewriter(system_, atoms_, l.definitions, l.guards);
         each(l, [&](Polynomial& p, const char* where) { p = rewriter(p, where); });
         l.rewritten = rewriter.log();
-        return !l.rewritten.empty();
     }
 
     /// Every polynomial, with the name of what it belongs to.

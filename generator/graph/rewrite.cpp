@@ -13,7 +13,8 @@ constexpr int digits = 100;
 constexpr int point_count = 140;
 constexpr int most_steps = 8;
 constexpr double good_enough = 4;  ///< ulp beyond the condition: what loses no more is left as it is
-constexpr double least_gain = 2;
+constexpr double least_gain = 2;       ///< of one step,
+constexpr double least_whole_gain = 6; ///< and of all together: what gains less is not seen in compiled code, where terms come in another order
 
 }  // namespace
 
@@ -86,6 +87,18 @@ std::size_t Rewriter::points_with_value(const Polynomial& exact_form) {
     return count;
 }
 
+/// Those of one rule in one part are told together.
+void Rewriter::note(const Rewriting& one) {
+    const auto same = std::find_if(log_.begin(), log_.end(), [&](const Rewriting& r) { return r.rule == one.rule && r.where == one.where; });
+    if (same == log_.end()) {
+        log_.push_back(one);
+        return;
+    }
+    same->places += one.places;
+    same->before = std::max(same->before, one.before);
+    same->after = std::max(same->after, one.after);
+}
+
 Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
     const auto [known, is_new] = known_.try_emplace(p, p);
     if (!is_new) return known->second;
@@ -100,6 +113,8 @@ Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
             reference = form.form;
             error = std::numeric_limits<double>::infinity();
         }
+    const double before = error;
+    std::vector<Rewriting> noted;
     for (int step = 0; step < most_steps && error > good_enough; ++step) {
         const OtherForm* better = nullptr;
         double least = error / least_gain;
@@ -110,14 +125,12 @@ Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
                 better = &form;
             }
         if (better == nullptr) break;
-        auto noted = std::find_if(log_.begin(), log_.end(), [&](const Rewriting& r) { return r.rule == better->rule && r.where == where; });
-        if (noted == log_.end()) noted = log_.insert(noted, {better->rule, where});
-        ++noted->places;
-        noted->before = std::max(noted->before, error);
-        noted->after = std::max(noted->after, least);
+        noted.push_back({better->rule, where, 1, error, least});
         best = better->form;
         error = least;
     }
+    if (noted.empty() || !(error * least_whole_gain <= before)) return p;
+    for (const Rewriting& one : noted) note(one);
     return known_.at(p) = best;
 }
 

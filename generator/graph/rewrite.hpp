@@ -29,6 +29,7 @@ private:
     void draw(const std::vector<Polynomial>& guards);
     double largest_error(const Polynomial& exact, const Polynomial& computed);
     std::size_t points_with_value(const Polynomial& exact);
+    void note(const Rewriting& one);
 
     const System& system_;
     Atoms& atoms_;
