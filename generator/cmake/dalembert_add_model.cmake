@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSL-1.0
-# dalembert_add_model(TARGET MODEL file.toml [SCENE scene] [SIZES N=5 ...])
+# dalembert_add_model(TARGET MODEL file.toml [SCENE scene] [SIZES N=5 ...] [TAYLOR])
 #
 # Generates the header of one scene of a model at build time, as TARGET.hpp, and makes an interface library TARGET for those who
-# include it. The header is generated again when the model file or the generator changes.
+# include it. With TAYLOR it has Taylor series of the motion. The header is generated again when the model file or the generator changes.
 function(dalembert_add_model target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "MODEL;SCENE" "SIZES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "TAYLOR" "MODEL;SCENE" "SIZES")
   if(NOT arg_MODEL)
     message(FATAL_ERROR "dalembert_add_model(${target}): MODEL is missing")
   endif()
@@ -19,6 +19,9 @@ function(dalembert_add_model target)
   foreach(size IN LISTS arg_SIZES)
     list(APPEND options --size ${size})
   endforeach()
+  if(arg_TAYLOR)
+    list(APPEND options --taylor)
+  endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}.generated)
   set(header ${folder}/${target}.hpp)
   if(TARGET dalembert::dalembert)

@@ -140,6 +140,7 @@ private:
                 const NodeId logarithm = function(Op::log_ratio, of);
                 return divided({{one, {}, program_.difference(a, of[1])}, {minus, z, logarithm}}, logarithm);
             }
+            case Op::root_excess: return divided({{half, {}, of[1]}, {minus, z, a}}, program_.sum({{false, z}, {false, a}}));
             case Op::sum_of_three: return rule({{one, {}, a}, {one, {}, of[1]}, {one, {}, of[2]}});
             case Op::radiant_temperature: return radiant_temperature(z, a, of[1]);
             case Op::outflow_factor: return outflow_factor(z, a, of[1]);

@@ -411,7 +411,7 @@ constexpr std::array run_keys{
     KeySpec{"parameters", T::expressions_by_name, false, "parameters that differ, in SI"},
     KeySpec{"exact", T::expressions_by_name, false, "closed forms of outputs and states, of t and parameters, where there are some: references of `cost`"},
     KeySpec{"tolerance", T::number, false, "relative tolerance of a step; 1e-9 if left out"},
-    KeySpec{"method", T::choice, false, "\"automatic\" (default): \"dopri5\" or at 1e-6 and less \"dop853\", \"rodas5p\" as long as the problem is stiff; also \"fehlberg78\", \"bulirsch_stoer\", or with a fixed step \"euler\", \"rk4\" or, for separable machines, \"symplectic\""},
+    KeySpec{"method", T::choice, false, "\"automatic\" (default): \"dopri5\" or at 1e-6 and less \"dop853\", \"rodas5p\" as long as the problem is stiff; also \"taylor\" for smooth motion at tight tolerances, \"fehlberg78\", \"bulirsch_stoer\", or with a fixed step \"euler\", \"rk4\" or, for separable machines, \"symplectic\""},
     KeySpec{"step", T::constant, false, "fixed step of euler and rk4 in seconds"},
     KeySpec{"samples", T::whole_number, false, "number of equal intervals at which results are written; 500 if left out"},
     KeySpec{"plots", T::plots, false, "lists of names over time: [[\"s\"], [\"phi\"]], or { x = \"x\", y = [\"z\"] }"},

@@ -58,7 +58,7 @@ public:
         using std::abs;
         using std::pow;
         c.y = at(c.length);
-        const Scalar last = pow(c.length, static_cast<int>(order_));
+        const Scalar last = Scalar(pow(c.length, static_cast<int>(order_)));
         for (std::size_t i = 0; i < c.y.size(); ++i) c.error[i] = abs(x_[order_][i]) * last;
         c.has_derivative = false;
         c.finite = are_finite(c.y, c.error);
@@ -168,8 +168,7 @@ private:
 
 template <class Run, class Series>
 Outcome run_taylor(Run& run, const Series& series) {
-    Taylor<typename Run::State, typename Run::RightHandSide, Series> stepper(run.right_hand_side(), series, run.options());
-    return run.go(stepper, Steps::dense);
+    return run_with<Taylor<typename Run::State, typename Run::RightHandSide, Series>>(run, Steps::dense, series, run.options());
 }
 
 }  // namespace detail
