@@ -16,16 +16,16 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     52     7        0      8
-//   rhs                    3      6     0        0      5
-//   rhs_and_jacobian       4      9     0        0      8
+//   update                 2     51     7        0      8
+//   rhs                    3      7     0        0      6
+//   rhs_and_jacobian       3      7     0        0      6
 //   jacobian_u             4      6     1        0      6
-//   jacobian_p            27    109     8        0     19
-//   output                 5     26     3        0     14
+//   jacobian_p            26    107     8        0     19
+//   output                 5     25     3        0     12
 //   output_jacobian_x      1      9     2        0      7
 //   output_jacobian_u     17     48     7        0     13
 //   internal_energy        0      1     0        0      0
-//   exchanged_power        3      5     0        0      5
+//   exchanged_power        3      6     0        0      6
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -231,7 +231,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 52 *, 7 /, 8 other functions
+    /// Operations: 2 + or -, 51 *, 7 /, 8 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -249,48 +249,48 @@ public:
         c_.phi_Pr = sqrt_Pr * power_3 / sqrt_4;
         const Scalar inverse_5 = Scalar(1) / p_.C;
         c_.k0 = inverse_5;
-        const Scalar e6 = p_.b * p_.lambda;
-        const Scalar e7 = inverse_5 * e6;
-        c_.k1 = Scalar(2) * c_.phi_Pr * e7;
-        const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
         const Scalar power_Pr = pow(c_.Pr, Scalar(1) / Scalar(3));
-        const Scalar e8 = power_Pr * e7;
-        c_.k2 = (Scalar(37) / Scalar(1000)) * power_Re_c * e8;
-        const Scalar inverse_9 = Scalar(1) / p_.nu;
-        const Scalar e10 = p_.L * inverse_9;
-        c_.k3 = e10;
-        c_.k4 = (Scalar(37) / Scalar(1000)) * e8;
-        const Scalar e11 = c_.phi_Pr * inverse_9;
-        const Scalar e12 = p_.L * e11;
-        c_.k5 = e7 * e12;
-        c_.k6 = (Scalar(37) / Scalar(1250)) * e10 * e8;
-        const Scalar inverse_13 = Scalar(1) / p_.L;
-        const Scalar e14 = p_.lambda * power_Pr;
-        c_.k7 = (Scalar(37) / Scalar(1000)) * inverse_13 * e14;
-        const Scalar e15 = p_.lambda * c_.phi_Pr;
-        c_.k8 = Scalar(2) * inverse_13 * e15;
+        const Scalar e6 = p_.b * p_.lambda;
+        const Scalar e7 = power_Pr * e6;
+        const Scalar e8 = inverse_5 * e7;
+        c_.k1 = (Scalar(37) / Scalar(1000)) * e8;
+        const Scalar e9 = inverse_5 * e6;
+        c_.k2 = Scalar(2) * c_.phi_Pr * e9;
+        const Scalar inverse_10 = Scalar(1) / p_.nu;
+        const Scalar e11 = p_.L * inverse_10;
+        c_.k3 = e11;
+        const Scalar e12 = c_.phi_Pr * inverse_10;
+        const Scalar e13 = p_.L * e12;
+        c_.k4 = e9 * e13;
+        c_.k5 = (Scalar(37) / Scalar(1250)) * e11 * e8;
+        const Scalar inverse_14 = Scalar(1) / p_.L;
+        const Scalar e15 = p_.lambda * power_Pr;
+        c_.k6 = (Scalar(37) / Scalar(1000)) * inverse_14 * e15;
+        const Scalar e16 = p_.lambda * c_.phi_Pr;
+        c_.k7 = Scalar(2) * inverse_14 * e16;
+        c_.k8 = (Scalar(37) / Scalar(1000)) * e7;
         c_.k9 = Scalar(2) * c_.phi_Pr * e6;
-        const Scalar e16 = power_Pr * e6;
-        c_.k10 = (Scalar(37) / Scalar(1000)) * power_Re_c * e16;
-        c_.k11 = p_.nu * p_.Re_c;
+        c_.k10 = p_.nu * p_.Re_c;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(1) / Scalar(3));
-        c_.k12 = Scalar(5) * power_Pr_2;
-        c_.k13 = e15;
-        c_.k14 = (Scalar(37) / Scalar(1250)) * e14;
-        c_.k15 = inverse_9;
-        const Scalar e17 = p_.lambda * e11;
+        c_.k11 = Scalar(5) * power_Pr_2;
+        c_.k12 = e16;
+        c_.k13 = (Scalar(37) / Scalar(1250)) * e15;
+        c_.k14 = inverse_10;
+        const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
+        c_.k15 = (Scalar(37) / Scalar(1000)) * power_Re_c * e7;
+        const Scalar e17 = p_.lambda * e12;
         c_.k16 = e17;
-        const Scalar e18 = inverse_9 * e14;
+        const Scalar e18 = inverse_10 * e15;
         c_.k17 = (Scalar(37) / Scalar(1250)) * e18;
-        c_.k18 = e6 * e12;
-        c_.k19 = (Scalar(37) / Scalar(1250)) * e10 * e16;
+        c_.k18 = e6 * e13;
+        c_.k19 = (Scalar(37) / Scalar(1250)) * e7 * e11;
         c_.k20 = (Scalar(5) / Scalar(2)) * p_.nu;
         c_.k21 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
-        c_.k22 = (Scalar(37) / Scalar(500)) * inverse_9;
+        c_.k22 = (Scalar(37) / Scalar(500)) * inverse_10;
         c_.k23 = (Scalar(1) / Scalar(2)) * e17;
         c_.k24 = (Scalar(74) / Scalar(3125)) * e18;
-        c_.k25 = (Scalar(1) / Scalar(2)) * e11;
-        c_.k26 = (Scalar(1) / Scalar(2)) * p_.T_inf * e11;
+        c_.k25 = (Scalar(1) / Scalar(2)) * e12;
+        c_.k26 = (Scalar(1) / Scalar(2)) * p_.T_inf * e12;
         c_.k27 = p_.T_inf * c_.phi_Pr;
     }
 
@@ -304,46 +304,46 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 3 + or -, 6 *, 5 other functions
+    /// Operations: 3 + or -, 7 *, 6 other functions
     ///     dot(T_P) = P/C - 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)*(T_inf - T_P)/(1000*C) + 37*b*lambda*(Pr)^(1/3)*(T_inf -
     ///     T_P)*(max(L*u/nu, Re_c))^(4/5)/(1000*C) + 2*b*lambda*phi_Pr*(T_inf - T_P)*sqrt(min(L*u/nu, Re_c))/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::expm1;
-        using std::sqrt;
-        const Scalar T_P = x[0];
-        const Scalar u_value = u[0];
-        const Scalar e1 = c_.k3 * u_value;
-        const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_3 = sqrt(min_2);
-        const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
-        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
-        const Scalar P = u[1];
-        dxdt[0] = (p_.T_inf - T_P) * (c_.k1 * sqrt_3 + c_.k2 * expm1_6) + c_.k0 * P;
-    }
-
-    /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
-    /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 4 + or -, 9 *, 8 other functions
-    void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::expm1;
         using std::pow;
         using std::sqrt;
+        const Scalar P = u[1];
         const Scalar T_P = x[0];
         const Scalar u_value = u[0];
         const Scalar e1 = c_.k3 * u_value;
         const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar log_ratio_3 = detail::log_ratio<Scalar>(max_2, p_.Re_c);
-        const Scalar expm1_4 = expm1((Scalar(4) / Scalar(5)) * log_ratio_3);
+        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_2);
+        const Scalar expm1_4 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
         const Scalar min_5 = detail::min<Scalar>(e1, p_.Re_c);
         const Scalar sqrt_6 = sqrt(min_5);
-        const Scalar e7 = c_.k1 * sqrt_6;
+        dxdt[0] = c_.k0 * P - (p_.T_inf - T_P) * (c_.k1 * power_3 * expm1_4 - c_.k2 * sqrt_6);
+    }
+
+    /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
+    /// 1 x 1, entry (i, j) at J[1*j + i].
+    /// Operations: 3 + or -, 7 *, 6 other functions
+    void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
+        using std::expm1;
+        using std::pow;
+        using std::sqrt;
         const Scalar P = u[1];
-        dxdt[0] = (p_.T_inf - T_P) * (c_.k2 * expm1_4 + e7) + c_.k0 * P;
-        const Scalar power_8 = pow(max_2, Scalar(4) / Scalar(5));
+        const Scalar T_P = x[0];
+        const Scalar u_value = u[0];
+        const Scalar e1 = c_.k3 * u_value;
+        const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
+        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
         const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_2);
-        const Scalar expm1_9 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
-        J[0] = c_.k4 * power_8 * expm1_9 - e7;
+        const Scalar expm1_4 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar min_5 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_6 = sqrt(min_5);
+        const Scalar e7 = c_.k1 * power_3 * expm1_4 - c_.k2 * sqrt_6;
+        dxdt[0] = c_.k0 * P - (p_.T_inf - T_P) * e7;
+        J[0] = e7;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -367,14 +367,14 @@ public:
         const Scalar step_6 = detail::step<Scalar>(e2);
         const Scalar max_7 = detail::max<Scalar>(e1, p_.Re_c);
         const Scalar power_8 = pow(max_7, -Scalar(1) / Scalar(5));
-        J[0] = (p_.T_inf - T_P) * (c_.k5 * step_3 / sqrt_5 + c_.k6 * step_6 * power_8);
+        J[0] = (p_.T_inf - T_P) * (c_.k4 * step_3 / sqrt_5 + c_.k5 * step_6 * power_8);
         J[1] = c_.k0;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 9, entry (i, j) at J[1*j + i].
-    /// Operations: 27 + or -, 109 *, 8 /, 19 other functions
+    /// Operations: 26 + or -, 107 *, 8 /, 19 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::exp;
         using std::expm1;
@@ -385,8 +385,8 @@ public:
         const Scalar inverse_2 = Scalar(1) / p_.C;
         const Scalar e3 = p_.b * inverse_2;
         const Scalar e4 = p_.lambda * e3;
-        const Scalar e5 = c_.phi_Pr * e4;
-        const Scalar e6 = inverse_1 * e5;
+        const Scalar e5 = inverse_1 * e4;
+        const Scalar e6 = c_.phi_Pr * e5;
         const Scalar u_value = u[0];
         const Scalar T_P = x[0];
         const Scalar e7 = p_.T_inf - T_P;
@@ -399,22 +399,21 @@ public:
         const Scalar inverse_14 = Scalar(1) / sqrt_13;
         const Scalar e15 = e8 * (step_11 * inverse_14);
         const Scalar power_Pr = pow(c_.Pr, Scalar(1) / Scalar(3));
-        const Scalar e16 = power_Pr * e4;
-        const Scalar e17 = inverse_1 * e16;
-        const Scalar step_18 = detail::step<Scalar>(e10);
-        const Scalar max_19 = detail::max<Scalar>(e9, p_.Re_c);
-        const Scalar power_20 = pow(max_19, -Scalar(1) / Scalar(5));
-        const Scalar e21 = e8 * (step_18 * power_20);
-        const Scalar e22 = p_.lambda * inverse_2;
-        const Scalar e23 = e7 * sqrt_13;
-        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_19);
-        const Scalar expm1_24 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
-        const Scalar power_25 = pow(max_19, Scalar(4) / Scalar(5));
-        const Scalar e26 = e7 * power_25;
-        const Scalar e27 = expm1_24 * e26;
-        const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
-        const Scalar e28 = inverse_2 * e16;
+        const Scalar e16 = power_Pr * e5;
+        const Scalar step_17 = detail::step<Scalar>(e10);
+        const Scalar max_18 = detail::max<Scalar>(e9, p_.Re_c);
+        const Scalar power_19 = pow(max_18, -Scalar(1) / Scalar(5));
+        const Scalar e20 = e8 * (step_17 * power_19);
+        const Scalar e21 = p_.lambda * inverse_2;
+        const Scalar e22 = e7 * sqrt_13;
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_18);
+        const Scalar expm1_23 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar power_24 = pow(max_18, Scalar(4) / Scalar(5));
+        const Scalar e25 = e7 * power_24;
+        const Scalar e26 = expm1_23 * e25;
+        const Scalar e27 = power_Pr * e4;
         const Scalar P = u[1];
+        const Scalar e28 = c_.phi_Pr * e4;
         const Scalar e29 = p_.rho * p_.c_p;
         const Scalar e30 = e29 / p_.lambda;
         const Scalar e31 = p_.nu * e30;
@@ -427,35 +426,36 @@ public:
         const Scalar sqrt_38 = sqrt(detail::pi<Scalar>());
         const Scalar inverse_39 = Scalar(1) / sqrt_38;
         const Scalar e40 = e37 * (exp_34 * inverse_39);
-        const Scalar e41 = e4 * e40;
-        const Scalar power_42 = pow(e35, -Scalar(1) / Scalar(6));
-        const Scalar e43 = inverse_39 * (e37 - (Scalar(300) / Scalar(2129)) * power_42 / sqrt_32);
-        const Scalar e44 = e3 * e29;
+        const Scalar power_41 = pow(e35, -Scalar(1) / Scalar(6));
+        const Scalar e42 = inverse_39 * (e37 - (Scalar(300) / Scalar(2129)) * power_41 / sqrt_32);
+        const Scalar e43 = e3 * e29;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(2) / Scalar(3));
-        const Scalar e45 = p_.L * inverse_1;
-        const Scalar e46 = e3 * (power_Pr_2 * e31 - Scalar(3) * power_Pr);
-        const Scalar e47 = p_.nu * e3;
-        const Scalar e48 = e47 * e43;
-        const Scalar e49 = power_Pr_2 * e47;
+        const Scalar e44 = p_.L * inverse_1;
+        const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
+        const Scalar e45 = e3 * (power_Pr_2 * e31 - Scalar(3) * power_Pr);
+        const Scalar e46 = p_.nu * e3;
+        const Scalar e47 = e46 * e42;
+        const Scalar e48 = e4 * e40;
+        const Scalar e49 = power_Pr_2 * e46;
         const Scalar power_Re_c_2 = pow(p_.Re_c, -Scalar(1) / Scalar(5));
-        J[0] = e6 * e15 + (Scalar(37) / Scalar(1250)) * e17 * e21;
-        J[1] = Scalar(2) * c_.phi_Pr * e22 * e23 - (Scalar(37) / Scalar(1000)) * power_Pr * e22 * e27;
-        J[2] = e7 * ((Scalar(37) / Scalar(1000)) * power_Re_c * e28) - P * (inverse_2 * inverse_2)
-            - (Scalar(37) / Scalar(1000)) * e28 * e26 - Scalar(2) * inverse_2 * e5 * e23;
-        const Scalar e50 = (Scalar(33541) / Scalar(187500)) * inverse_1 * e41 + (Scalar(2129) / Scalar(300)) * e43 * e44;
-        J[3] = -e50 * e23 - (Scalar(37) / Scalar(3000)) * power_Pr_2 * e44 * e27 - e45 * e6 * e15 - (Scalar(37) / Scalar(1250))
-            * e45 * e17 * e21;
+        J[0] = e6 * e15 + (Scalar(37) / Scalar(1250)) * e16 * e20;
+        J[1] = Scalar(2) * c_.phi_Pr * e21 * e22 - (Scalar(37) / Scalar(1000)) * power_Pr * e21 * e26;
+        J[2] = (Scalar(37) / Scalar(1000)) * inverse_2 * e27 * e26 - P * (inverse_2 * inverse_2) - Scalar(2) * inverse_2 * e28
+            * e22;
+        const Scalar e50 = (Scalar(33541) / Scalar(187500)) * e5 * e40 + (Scalar(2129) / Scalar(300)) * e42 * e43;
+        J[3] = -e50 * e22 - (Scalar(37) / Scalar(3000)) * power_Pr_2 * e43 * e26 - e44 * e6 * e15 - (Scalar(37) / Scalar(1250))
+            * e44 * e16 * e20;
         const Scalar e51 = -e3 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e40)
-            - (Scalar(2129) / Scalar(300)) * e30 * e48;
-        J[4] = e7 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e46) - (Scalar(37) / Scalar(3000)) * e46 * e26 - e51 * e23;
-        const Scalar e52 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e48 - (Scalar(33541) / Scalar(187500)) * e41 / p_.rho;
-        J[5] = e52 * e23 - (Scalar(37) / Scalar(3000)) * p_.c_p * e49 * e27;
-        const Scalar e53 = -(Scalar(2129) / Scalar(300)) * p_.rho * e48 - (Scalar(33541) / Scalar(187500)) * e41 / p_.c_p;
-        J[6] = e53 * e23 - (Scalar(37) / Scalar(3000)) * p_.rho * e49 * e27;
-        const Scalar e54 = step_11 * power_20 * ((Scalar(37) / Scalar(1250)) * e16) + step_18 * inverse_14 * e5
-            - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e16;
+            - (Scalar(2129) / Scalar(300)) * e30 * e47;
+        J[4] = e7 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e45) - (Scalar(37) / Scalar(3000)) * e45 * e25 - e51 * e22;
+        const Scalar e52 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e47 - (Scalar(33541) / Scalar(187500)) * e48 / p_.rho;
+        J[5] = e52 * e22 - (Scalar(37) / Scalar(3000)) * p_.c_p * e49 * e26;
+        const Scalar e53 = -(Scalar(2129) / Scalar(300)) * p_.rho * e47 - (Scalar(33541) / Scalar(187500)) * e48 / p_.c_p;
+        J[6] = e53 * e22 - (Scalar(37) / Scalar(3000)) * p_.rho * e49 * e26;
+        const Scalar e54 = step_11 * power_19 * ((Scalar(37) / Scalar(1250)) * e27) + step_17 * inverse_14 * e28
+            - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e27;
         J[7] = e7 * e54;
-        J[8] = c_.k1 * sqrt_13 - c_.k4 * power_25 * expm1_24;
+        J[8] = c_.k2 * sqrt_13 - c_.k1 * power_24 * expm1_23;
     }
 
     /// J = df/dt at fixed x and u.
@@ -480,7 +480,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 5 + or -, 26 *, 3 /, 14 other functions
+    /// Operations: 5 + or -, 25 *, 3 /, 12 other functions
     ///     alpha = -37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L) + 37*lambda*(Pr)^(1/3)*(max(L*u/nu, Re_c))^(4/5)/(1000*L) +
     ///     2*lambda*phi_Pr*sqrt(min(L*u/nu, Re_c))/L
     ///     alpha_l = 2*lambda*phi_Pr*sqrt(L*u/nu)/L
@@ -507,33 +507,32 @@ public:
         const Scalar power_5 = pow(max_4, Scalar(4) / Scalar(5));
         const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_4);
         const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
-        const Scalar sqrt_7 = sqrt(e1);
+        const Scalar e7 = power_5 * expm1_6;
+        const Scalar sqrt_8 = sqrt(e1);
         const Scalar T_P = x[0];
-        const Scalar e8 = p_.T_inf - T_P;
-        const Scalar log_ratio_9 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
-        const Scalar expm1_10 = expm1((Scalar(4) / Scalar(5)) * log_ratio_9);
-        const Scalar inverse_11 = Scalar(1) / u_value;
+        const Scalar e9 = p_.T_inf - T_P;
+        const Scalar inverse_10 = Scalar(1) / u_value;
         const Scalar x_value = u[2];
-        const Scalar sqrt_12 = sqrt(p_.nu * x_value * inverse_11);
-        const Scalar e13 = c_.k15 * u_value * x_value;
-        const Scalar power_14 = pow(e13, -Scalar(1) / Scalar(5));
-        const Scalar sqrt_15 = sqrt(e13);
-        const Scalar inverse_16 = Scalar(1) / x_value;
-        const Scalar e17 = sqrt_15 * inverse_16;
-        const Scalar power_18 = pow(e13, Scalar(4) / Scalar(5));
+        const Scalar sqrt_11 = sqrt(p_.nu * x_value * inverse_10);
+        const Scalar e12 = c_.k14 * u_value * x_value;
+        const Scalar power_13 = pow(e12, -Scalar(1) / Scalar(5));
+        const Scalar sqrt_14 = sqrt(e12);
+        const Scalar inverse_15 = Scalar(1) / x_value;
+        const Scalar e16 = sqrt_14 * inverse_15;
+        const Scalar power_17 = pow(e12, Scalar(4) / Scalar(5));
         const Scalar y_value = u[3];
-        const Scalar exp_19 = exp(c_.phi_Pr * y_value * e17);
-        y[0] = c_.k8 * sqrt_3 - c_.k7 * power_5 * expm1_6;
-        y[1] = c_.k8 * sqrt_7;
-        y[2] = -e8 * (c_.k9 * sqrt_3 + c_.k10 * expm1_10);
+        const Scalar exp_18 = exp(c_.phi_Pr * y_value * e16);
+        y[0] = c_.k7 * sqrt_3 - c_.k6 * e7;
+        y[1] = c_.k7 * sqrt_8;
+        y[2] = -e9 * (c_.k9 * sqrt_3 - c_.k8 * e7);
         y[3] = e1;
-        y[4] = c_.k11 * inverse_11;
-        y[5] = Scalar(5) * sqrt_12;
-        y[6] = c_.k12 * sqrt_12;
-        y[7] = (Scalar(37) / Scalar(100)) * x_value * power_14;
-        y[8] = c_.k13 * e17;
-        y[9] = c_.k14 * power_18 * inverse_16;
-        y[10] = p_.T_inf - e8 / exp_19;
+        y[4] = c_.k10 * inverse_10;
+        y[5] = Scalar(5) * sqrt_11;
+        y[6] = c_.k11 * sqrt_11;
+        y[7] = (Scalar(37) / Scalar(100)) * x_value * power_13;
+        y[8] = c_.k12 * e16;
+        y[9] = c_.k13 * power_17 * inverse_15;
+        y[10] = p_.T_inf - e9 / exp_18;
     }
 
     /// C = dh/dx.
@@ -551,11 +550,11 @@ public:
         const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
         const Scalar y_value = u[3];
         const Scalar x_value = u[2];
-        const Scalar sqrt_7 = sqrt(c_.k15 * u_value * x_value);
+        const Scalar sqrt_7 = sqrt(c_.k14 * u_value * x_value);
         const Scalar exp_8 = exp(c_.phi_Pr * y_value * sqrt_7 / x_value);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
-        C[2] = c_.k9 * sqrt_3 + c_.k10 * expm1_6;
+        C[2] = c_.k9 * sqrt_3 + c_.k15 * expm1_6;
         C[3] = Scalar(0);
         C[4] = Scalar(0);
         C[5] = Scalar(0);
@@ -592,7 +591,7 @@ public:
         const Scalar e15 = inverse_12 / sqrt_14;
         const Scalar e16 = c_.k20 * e15;
         const Scalar e17 = c_.k21 * e15;
-        const Scalar e18 = c_.k15 * u_value * x_value;
+        const Scalar e18 = c_.k14 * u_value * x_value;
         const Scalar power_19 = pow(e18, -Scalar(6) / Scalar(5));
         const Scalar e20 = power_19 * (c_.k22 * x_value);
         const Scalar sqrt_21 = sqrt(e18);
@@ -615,7 +614,7 @@ public:
         D[1] = c_.k16 / sqrt_11;
         D[2] = -(p_.T_inf - T_P) * (c_.k18 * e6 + c_.k19 * e10);
         D[3] = c_.k3;
-        D[4] = -c_.k11 * inverse_12 * inverse_12;
+        D[4] = -c_.k10 * inverse_12 * inverse_12;
         D[5] = -e13 * e16;
         D[6] = -e13 * e17;
         D[7] = -x_value * e20;
@@ -641,8 +640,8 @@ public:
         D[27] = e16;
         D[28] = e17;
         D[29] = (Scalar(37) / Scalar(100)) * power_24 - u_value * e20;
-        D[30] = e32 * e23 - c_.k13 * e33;
-        D[31] = e32 * e25 - c_.k14 * power_34 * inverse_26 * inverse_26;
+        D[30] = e32 * e23 - c_.k12 * e33;
+        D[31] = e32 * e25 - c_.k13 * power_34 * inverse_26 * inverse_26;
         D[32] = -e35 * e30 * e33 - e32 * e31;
         D[33] = Scalar(0);
         D[34] = Scalar(0);
@@ -700,20 +699,22 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 3 + or -, 5 *, 5 other functions
+    /// Operations: 3 + or -, 6 *, 6 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::expm1;
+        using std::pow;
         using std::sqrt;
+        const Scalar P = u[1];
         const Scalar T_P = x[0];
         const Scalar u_value = u[0];
         const Scalar e1 = c_.k3 * u_value;
-        const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
-        const Scalar sqrt_3 = sqrt(min_2);
-        const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
-        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
-        const Scalar P = u[1];
-        return (p_.T_inf - T_P) * (c_.k9 * sqrt_3 + c_.k10 * expm1_6) + P;
+        const Scalar max_2 = detail::max<Scalar>(e1, p_.Re_c);
+        const Scalar power_3 = pow(max_2, Scalar(4) / Scalar(5));
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_2);
+        const Scalar expm1_4 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar min_5 = detail::min<Scalar>(e1, p_.Re_c);
+        const Scalar sqrt_6 = sqrt(min_5);
+        return P - (p_.T_inf - T_P) * (c_.k8 * power_3 * expm1_4 - c_.k9 * sqrt_6);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -729,21 +730,21 @@ private:
         Scalar Pr;  ///< nu/a
         Scalar phi_Pr;  ///< sqrt(Pr)*(1 + 2129*Pr/100 + 1973*exp(34*log(Pr)/125)/1000)^(-1/6)/sqrt(pi)
         Scalar k0;  ///< 1/C
-        Scalar k1;  ///< 2*b*lambda*phi_Pr/C
-        Scalar k2;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*C)
+        Scalar k1;  ///< 37*b*lambda*(Pr)^(1/3)/(1000*C)
+        Scalar k2;  ///< 2*b*lambda*phi_Pr/C
         Scalar k3;  ///< L/nu
-        Scalar k4;  ///< 37*b*lambda*(Pr)^(1/3)/(1000*C)
-        Scalar k5;  ///< L*b*lambda*phi_Pr/(C*nu)
-        Scalar k6;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*C*nu)
-        Scalar k7;  ///< 37*lambda*(Pr)^(1/3)/(1000*L)
-        Scalar k8;  ///< 2*lambda*phi_Pr/L
+        Scalar k4;  ///< L*b*lambda*phi_Pr/(C*nu)
+        Scalar k5;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*C*nu)
+        Scalar k6;  ///< 37*lambda*(Pr)^(1/3)/(1000*L)
+        Scalar k7;  ///< 2*lambda*phi_Pr/L
+        Scalar k8;  ///< 37*b*lambda*(Pr)^(1/3)/1000
         Scalar k9;  ///< 2*b*lambda*phi_Pr
-        Scalar k10;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000
-        Scalar k11;  ///< nu*Re_c
-        Scalar k12;  ///< 5*(Pr)^(-1/3)
-        Scalar k13;  ///< lambda*phi_Pr
-        Scalar k14;  ///< 37*lambda*(Pr)^(1/3)/1250
-        Scalar k15;  ///< 1/nu
+        Scalar k10;  ///< nu*Re_c
+        Scalar k11;  ///< 5*(Pr)^(-1/3)
+        Scalar k12;  ///< lambda*phi_Pr
+        Scalar k13;  ///< 37*lambda*(Pr)^(1/3)/1250
+        Scalar k14;  ///< 1/nu
+        Scalar k15;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000
         Scalar k16;  ///< lambda*phi_Pr/nu
         Scalar k17;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
         Scalar k18;  ///< L*b*lambda*phi_Pr/nu

@@ -145,8 +145,8 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar independent_inverse(const Scalar& x, const Scalar& size) noexcept {
     using std::abs;
-    const bool is_there = abs(x) > Scalar(10000) * std::numeric_limits<Scalar>::epsilon() * abs(size);
-    return select(is_there, Scalar(1) / select(is_there, x, Scalar(1)), Scalar(0));
+    const bool is_rest = abs(x) <= Scalar(10000) * std::numeric_limits<Scalar>::epsilon() * abs(size);  // what is no number is none
+    return select(is_rest, Scalar(0), Scalar(1) / select(is_rest, Scalar(1), x));
 }
 
 }  // namespace detail
