@@ -71,7 +71,8 @@ CppBody CppBodies::series() {
     const std::string step = series.step();
     const bool by_k = step.find("by_k") != std::string::npos;
     if (by_k) statements += std::string(indent) + "Scalar by_k(1);\n";
-    statements += fmt::format("{0}for (std::size_t k = 1; k < order; ++k) {{\n{1}const Scalar by_next = Scalar(1) / Scalar(k + 1);\n", indent, blanks);
+    statements += fmt::format("{}for (std::size_t k = 1; k < order; ++k) {{\n", indent);
+    if (by_k || step.find("by_next") != std::string::npos) statements += blanks + "const Scalar by_next = Scalar(1) / Scalar(k + 1);\n";
     const bool uses_inputs = cpp.uses_input();
     if (uses_inputs) statements += blanks + "const Input u_now = next_inputs(k);\n";
     statements += begin_of_order(series, blanks) + step;

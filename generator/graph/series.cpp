@@ -141,6 +141,11 @@ private:
                 return divided({{one, {}, program_.difference(a, of[1])}, {minus, z, logarithm}}, logarithm);
             }
             case Op::root_excess: return divided({{half, {}, of[1]}, {minus, z, a}}, program_.sum({{false, z}, {false, a}}));
+            case Op::one_minus_cos: return rule({{one, function(Op::sin, of), a}});
+            case Op::sinc: return divided({{one, program_.difference(function(Op::cos, of), z), a}}, a);
+            case Op::cosc: return divided({{one, program_.difference(function(Op::sinc, of), product({number(2), z})), a}}, a);
+            case Op::growth_mean: return divided({{one, program_.difference(function(Op::exp, of), z), a}}, a);
+            case Op::logc: return divided({{one, program_.difference(program_.reciprocal(one_plus(a)), z), a}}, a);
             case Op::sum_of_three: return rule({{one, {}, a}, {one, {}, of[1]}, {one, {}, of[2]}});
             case Op::radiant_temperature: return radiant_temperature(z, a, of[1]);
             case Op::outflow_factor: return outflow_factor(z, a, of[1]);
@@ -216,7 +221,7 @@ private:
             }
             for (const SeriesRule::Term& term : found->second.terms) {
                 visit_parts(term.a, where, order, companions);
-                if (term.v) companions.push_back(*term.v);
+                if (term.v && moves(term.a)) companions.push_back(*term.v);
             }
             if (found->second.w) companions.push_back(*found->second.w);
         } else if (node.kind == Node::Kind::product && result_.is_quotient(node)) {

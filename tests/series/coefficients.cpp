@@ -6,6 +6,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "arm_6r_series.hpp"
@@ -46,7 +47,7 @@ struct Inputs {
     }
 };
 
-/// The largest difference of the slope of the polynomial and the right-hand side at t + s, relative to that; the work is one more state.
+/// The largest difference of the slope of the polynomial and the right-hand side at t + s, relative to the slope at t; the work is one more state.
 template <class System, class Series, class... Mode>
 double residual(const System& system, const Series& c, const Number& t, const Number& s, Mode... mode) {
     constexpr std::size_t n = std::tuple_size<typename System::State>::value;
@@ -64,7 +65,7 @@ double residual(const System& system, const Series& c, const Number& t, const Nu
     Number worst = 0;
     for (std::size_t i = 0; i <= n; ++i) {
         const Number value = i < n ? dxdt[i] : power;
-        const Number error = abs(value - slope[i]) / (abs(value) + Number(1e-30));
+        const Number error = abs(value - slope[i]) / (abs(c[1][i]) + Number(1e-30));
         if (!(error <= worst)) worst = error;
     }
     return static_cast<double>(worst);
@@ -72,7 +73,7 @@ double residual(const System& system, const Series& c, const Number& t, const Nu
 
 /// At random points near the start; `step` in s is well within the radius of convergence.
 template <class System, class... Mode>
-void check_order(const char* what, double step, const typename System::State* from, Mode... mode) {
+void check_order(const std::string& what, double step, const typename System::State* from, Mode... mode) {
     CAPTURE(what);
     constexpr std::size_t order = 8, n = std::tuple_size<typename System::State>::value;
     const System system;
@@ -90,7 +91,6 @@ void check_order(const char* what, double step, const typename System::State* fr
         CAPTURE(coarse);
         CAPTURE(fine);
         CHECK(coarse < 1e-3);
-        CHECK(coarse > 1e-40);
         // 2^8 = 256; the next term makes it a little more or less.
         CHECK(coarse / fine > 230);
         CHECK(coarse / fine < 290);
@@ -102,15 +102,16 @@ void check_order(const char* what, double step, const typename System::State* fr
 TEST_CASE("series of every function") { check_order<series_functions::full::System<Number>>("functions", 1e-3, nullptr); }
 
 TEST_CASE("series of machines whose accelerations are solved for") {
-    check_order<n_pendulum_N3::full::System<Number>>("three links, M moves", 1e-3, nullptr);
-    check_order<four_bar::full::System<Number>>("four bars, with multipliers", 1e-4, nullptr);
-    check_order<heavy_top::attitude::System<Number>>("a quaternion", 1e-4, nullptr);
-    check_order<arm_6r::plain::System<Number>>("M by loops", 1e-4, nullptr);
+    check_order<n_pendulum_N3::full::System<Number>>("three links, M moves", 1e-4, nullptr);
+    check_order<four_bar::full::System<Number>>("four bars, with multipliers", 1e-5, nullptr);
+    check_order<heavy_top::attitude::System<Number>>("a quaternion", 1e-5, nullptr);
+    check_order<arm_6r::plain::System<Number>>("M by loops", 1e-5, nullptr);
 }
 
 TEST_CASE("series of fluids, gases and of what switches") {
     check_order<valve_cylinder::exact::System<Number>>("orifices", 1e-7, nullptr);
-    check_order<reservoir_discharge::full::System<Number>>("a gas that flows out", 1e-3, nullptr);
+    using Reservoir = reservoir_discharge::full::System<Number>;
+    check_order<Reservoir>("a gas that flows out", 1e-3, nullptr, Reservoir::Mode{});
     using Cylinder = cylinder_stops::full::System<Number>;
     check_order<Cylinder>("between stops", 1e-7, nullptr, Cylinder::Mode::inner_open_and_outer_open);
 }

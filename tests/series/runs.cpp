@@ -42,27 +42,28 @@ double distance(const State& a, const State& b) {
 
 }  // namespace
 
-TEST_CASE("steps of a fixed length: the error shrinks like the power that the order says") {
+TEST_CASE("one step: its error shrinks like the power behind the order") {
     using Digits = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
     using System = pendulum::full::System<Digits>;
     const System system;
-    const auto at_end = [&](std::size_t order, double step) {
+    const auto after = [&](std::size_t order, double step) {
         auto x = system.start_state();
-        x[0] = Digits(1);
-        const auto result = run(system, x, Digits(1), 1e-9, [&](auto& options) {
+        x = {Digits(1), Digits(3)};
+        const auto result = run(system, x, Digits(step), 1e-9, [&](auto& options) {
             options.order = order;
             options.is_fixed = true;
             options.step = Digits(step);
         });
         REQUIRE(result.outcome.status == Status::success);
+        REQUIRE(result.outcome.steps == 1);
         return x;
     };
-    const auto exact = at_end(60, 1.0 / 32);
+    const double step = 1.0 / 256;
+    const auto exact = after(60, step), exact_half = after(60, step / 2);
     for (const std::size_t order : {4, 5, 6, 8, 10, 12, 15, 20, 25, 30}) {
         CAPTURE(order);
-        const double coarse = distance(at_end(order, 1.0 / 16), exact), fine = distance(at_end(order, 1.0 / 32), exact);
-        CHECK(std::log2(coarse / fine) > static_cast<double>(order) - 0.7);
-        CHECK(std::log2(coarse / fine) < static_cast<double>(order) + 1.7);
+        const double whole = distance(after(order, step), exact), half = distance(after(order, step / 2), exact_half);
+        CHECK(std::log2(whole / half) == doctest::Approx(static_cast<double>(order + 1)).epsilon(0.02));
     }
 }
 
