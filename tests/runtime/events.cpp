@@ -231,8 +231,11 @@ TEST_CASE("an event that ends the run on an output point or at the end is observ
             const auto guards = [at](const One&, double t, One& g) { g[0] = t > at ? -1.0 : 1.0; };  // jumps itself; at its time it is still good
             const Outcome outcome = integrate(clock_rate, x, 0.0, 2.0, options, [&](double t, const One&) { times.push_back(t); }, guards, ends);
             CHECK(outcome.status == Status::event);
-            CHECK(outcome.t == at);
-            CHECK(times == (at == 0.5 ? std::vector<double>{0, 0.5} : std::vector<double>{0, 0.5, 1}));
+            // The last time but roundings at which the guard is good; a rounding before the output point it is not that point.
+            CHECK(std::fabs(outcome.t - at) <= std::numeric_limits<double>::epsilon());
+            REQUIRE(times.size() == (at == 0.5 ? 2 : 3));
+            CHECK(times[1] == (at == 0.5 ? outcome.t : 0.5));
+            CHECK(times.back() == outcome.t);
             // At the very end of the run nothing has become negative yet.
             x = {0};
             CHECK(integrate(clock_rate, x, 0.0, at, options, nobody, guards, ends).status == Status::success);
