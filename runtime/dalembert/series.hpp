@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "dalembert/series_functions.hpp"
+
 namespace dalembert {
 inline namespace v1 {
 
