@@ -26,14 +26,16 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// With steps of 1/e^2 of the radius of convergence, the cheapest ones, the error is as large as the tolerance: 1 - ln(tolerance)/2.
+/// With steps of 1/e^2 of the radius of convergence, the cheapest ones where coefficients are all that costs, the error is as large as the
+/// tolerance at the order 1 - ln(tolerance)/2. See also note [trust]: the right-hand side once a step, and the polynomial at output points, make
+/// some four orders more the cheapest.
 template <class Scalar>
 std::size_t order_of_series(const Scalar& tolerance) {
     using std::ceil;
     using std::log;
     const Scalar least = std::numeric_limits<Scalar>::epsilon();
-    const Scalar order = ceil(Scalar(1) - log(tolerance < least ? least : tolerance) / Scalar(2));
-    return order < Scalar(4) ? 4 : static_cast<std::size_t>(order);
+    const Scalar order = ceil(Scalar(5) - log(tolerance < least ? least : tolerance) / Scalar(2));
+    return order < Scalar(8) ? 8 : static_cast<std::size_t>(order);
 }
 
 /// `series(t, order, x, work)` sets x[1] to x[order]; see SystemSeries.

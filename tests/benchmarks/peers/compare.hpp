@@ -59,7 +59,16 @@ public:
         dalembert::detail::SystemDerivatives<System, Inputs> derivatives(system_, inputs_, options.scale);
         State x = start_;
         rows.count = 0;
-        return dalembert::integrate([this](const State& at, Scalar t, State& dxdt) { system_.rhs(at, inputs_(at, t), t, dxdt); }, derivatives, x, Scalar(0), Scalar(Problem::until), chosen, observer(rows));
+        const auto rhs = [this](const State& at, Scalar t, State& dxdt) { system_.rhs(at, inputs_(at, t), t, dxdt); };
+        const auto observe = observer(rows);
+        if constexpr (has_taylor)
+            if (method == Method::taylor) {
+                const dalembert::detail::SystemSeries<System, Inputs> series(system_, inputs_);
+                dalembert::detail::NoGuards none;
+                dalembert::detail::Integration<State, decltype(rhs), decltype(observe), dalembert::detail::NoGuards, 0> run(rhs, x, Scalar(0), Scalar(Problem::until), chosen, observe, none, {});
+                return dalembert::detail::run_taylor(run, series);
+            }
+        return dalembert::integrate(rhs, derivatives, x, Scalar(0), Scalar(Problem::until), chosen, observe);
     }
 
     Outcome theirs(SundialsMethod method, double tolerance, Rows& rows, double until = Problem::until) const {
@@ -82,6 +91,7 @@ public:
 
 private:
     using Inputs = decltype(Problem::inputs(std::declval<const System&>()));
+    static constexpr bool has_taylor = dalembert::detail::can_make_series<System, Inputs>();
 
     dalembert::IntegrationOptions<State> options_for(double tolerance, std::size_t limit) const {
         dalembert::IntegrationOptions<State> options;

@@ -39,7 +39,7 @@ std::string write_problem(const fs::path& folder, const std::string& path) {
     try {
         const auto model = loaded(options, streams);
         const std::string bound = scene_of_run(model->model, "");
-        PreparedRun run = prepare_run(model, bound.empty() ? resolve_scene(model->model, "") : bound, options, "cost");
+        PreparedRun run = prepare_run(model, bound.empty() ? resolve_scene(model->model, "") : bound, options, "cost", true);
         const Scene& scene = run.machine.system->scene;
         if (!scene.modes.empty()) return leave_out("it switches");
         if (scene.state_count() == 0) return leave_out("it has no states");
