@@ -10,6 +10,7 @@
 #include <random>
 
 #include "dalembert/constraints.hpp"
+#include "dalembert/jacobian_pattern.hpp"
 #include "dalembert/matrices.hpp"
 
 /// Without expression templates: compiled in half the time.
@@ -85,6 +86,16 @@ double column_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const F&
 }
 
 /// The Jacobians are derivatives, whatever the machine is.
+/// A square matrix with zeros in place of what a header stores of it and does not say to be zero.
+template <class Pattern>
+Eigen::MatrixXd outside_pattern(Eigen::MatrixXd A) {
+    const auto n = static_cast<std::size_t>(A.cols());
+    const std::vector<double> values(n * n);
+    for (std::size_t c = 0; c < n; ++c)
+        dalembert::detail::for_each_in_column<Pattern>(values, n, c, [&](std::size_t row, double) { A(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(c)) = 0; });
+    return A;
+}
+
 template <template <class> class System, template <class> class Parameters>
 void derivative_laws() {
     using Real = System<double>;
@@ -138,6 +149,8 @@ void derivative_laws() {
             const auto [A, B] = derivatives(rhs, point);
             CHECK(column_error(dalembert::jacobian_x(system, point.x, point.u, point.t), A, dxdt, point.x) <= 1e-12);
             CHECK(column_error(dalembert::jacobian_u(system, point.x, point.u, point.t), B, dxdt, point.u) <= 1e-12);
+            const Eigen::MatrixXd outside = outside_pattern<typename Real::PatternX>(A);
+            CHECK(outside.norm() <= 1e-25 * A.norm());
             typename Real::State again;
             typename Real::JacobianX J;
             system.rhs_and_jacobian(point.x, point.u, point.t, again, J);
