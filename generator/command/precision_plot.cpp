@@ -12,7 +12,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr std::array colours{"#0060a8", "#c03028", "#2a8a3a", "#8a5a00", "#7a3a9a", "#00858a", "#c06a90", "#606060"};
+constexpr std::array colours{"#0060a8", "#c03028", "#2a8a3a", "#8a5a00", "#7a3a9a", "#00858a", "#c06a90", "#606060", "#b09a00", "#30c8c8"};
 
 struct Curve {
     std::string method, arithmetic, data;
