@@ -34,9 +34,12 @@ ex applied(Op op, const std::vector<ex>& a) {
         case Op::log1p: return log_one_plus(a[0]);
         case Op::one_minus_cos: return one_minus_cos(a[0]);
         case Op::sinc: return sinc(a[0]);
+        case Op::sinc_slope: return sinc_slope(a[0]);
         case Op::cosc: return cosc(a[0]);
+        case Op::cosc_slope: return cosc_slope(a[0]);
         case Op::growth_mean: return growth_mean(a[0]);
         case Op::logc: return logc(a[0]);
+        case Op::logc_slope: return logc_slope(a[0]);
         case Op::compression: return compression(a[0]);
         case Op::signed_root: return signed_root(a[0]);
         case Op::inverse_root: return inverse_root(a[0]);

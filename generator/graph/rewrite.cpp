@@ -63,6 +63,7 @@ void Rewriter::draw(const std::vector<Polynomial>& guards) {
 }
 
 double Rewriter::largest_error(const Polynomial& exact_form, const Polynomial& computed_form) {
+    if (points_.empty()) draw(guards_);
     const Arithmetic& arithmetic = double_arithmetic();
     double largest = 0;
     for (auto& [at, values] : points_) {
@@ -103,7 +104,6 @@ Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
     const auto [known, is_new] = known_.try_emplace(p, p);
     if (!is_new) return known->second;
     if (other_forms(p, atoms_, forms_).empty()) return p;
-    if (points_.empty()) draw(guards_);
     Polynomial best = p;
     double error = largest_error(p, p);
     // A form that has a value where p is 0/0 is what p should be.

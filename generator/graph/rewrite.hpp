@@ -24,10 +24,11 @@ public:
     /// The best form of a sum.
     Polynomial operator()(const Polynomial& p, const char* where);
     const std::vector<Rewriting>& log() const { return log_; }
+    /// What a sum loses in another form of it, in ulp beyond its condition.
+    double largest_error(const Polynomial& exact, const Polynomial& computed);
 
 private:
     void draw(const std::vector<Polynomial>& guards);
-    double largest_error(const Polynomial& exact, const Polynomial& computed);
     std::size_t points_with_value(const Polynomial& exact);
     void note(const Rewriting& one);
 
