@@ -6,6 +6,7 @@
 #include "form/edge_points.hpp"
 #include "graph/rewrite_rules.hpp"
 #include "graph/rounded_polynomial.hpp"
+#include "prove/equivalence.hpp"
 
 namespace dalembert {
 
@@ -29,6 +30,7 @@ public:
 
 private:
     void draw(const std::vector<Polynomial>& guards);
+    bool seems_zero(const Polynomial& p);
     std::size_t points_with_value(const Polynomial& exact);
     void note(const Rewriting& one);
 
@@ -38,6 +40,7 @@ private:
     std::vector<std::pair<RoundedPolynomials, std::vector<double>>> points_;
     std::map<Polynomial, Polynomial> known_;
     FormMemory forms_;
+    Prover prover_;
     std::vector<Rewriting> log_;
 };
 

@@ -168,34 +168,49 @@ Forms real_powers(const Polynomial& p, Atoms& atoms) {
     return forms;
 }
 
-/// a - n/S, where terms of a*S cancel with those of n: a weighted mean and what it is the mean of.
+/// The part of a term that terms of its product with S take away from n: 1 where it is equal and opposite to one of them, nothing where it is
+/// too small for that.
+Rational cancelling_part(const Polynomial& over, const Polynomial& multiplied) {
+    Rational largest = 0;
+    for (const auto& [monomial, coefficient] : multiplied.terms()) {
+        const auto there = over.terms().find(monomial);
+        if (there == over.terms().end()) continue;
+        const Rational part = -there->second / coefficient;
+        if (part <= 1) largest = cln::max(largest, part);
+    }
+    return largest;
+}
+
+/// a - n/S, where terms of a*S, or of a part of it, cancel with those of n: a weighted mean and what it is the mean of.
+std::optional<Polynomial> cancelled(const Polynomial& p, Letter sum, const Atoms& atoms) {
+    Polynomial over, others;
+    for (const auto& [monomial, coefficient] : p.terms())
+        if (exponent_of(monomial, sum) == -1) over.add(without(monomial, sum), coefficient);
+        else others.add(monomial, coefficient);
+    if (over.is_zero() || others.is_zero()) return std::nullopt;
+    Polynomial numerator = over, rest = others;
+    for (const auto& [monomial, coefficient] : others.terms()) {
+        if (exponent_of(monomial, sum) != 0) continue;
+        const Polynomial multiplied = times(monomial, coefficient, atoms[sum].arguments[0]);
+        const Rational part = cancelling_part(over, multiplied);
+        if (is_zero(part)) continue;
+        numerator += times({}, part, multiplied);
+        rest.add(monomial, -part * coefficient);
+    }
+    if (rest == others) return std::nullopt;
+    rest += numerator * Monomial{{sum, -1}};
+    return rest;
+}
+
+/// With one sum, and with all of them one after the other: 4 - 2*a/(a + b) - 2*c/(c + d) is small where both quotients are near one only.
 Forms quotients(const Polynomial& p, Atoms& atoms) {
     Forms forms;
+    Polynomial all = p;
     for (const Letter sum : letters_of(p, atoms, Op::sum)) {
-        const Polynomial inside = atoms[sum].arguments[0];
-        if (std::none_of(p.terms().begin(), p.terms().end(), [&](const auto& term) { return exponent_of(term.first, sum) == -1; })) continue;
-        Polynomial over, others;
-        for (const auto& [monomial, coefficient] : p.terms())
-            if (exponent_of(monomial, sum) == -1) over.add(without(monomial, sum), coefficient);
-            else others.add(monomial, coefficient);
-        if (over.is_zero() || others.is_zero()) continue;
-        Polynomial numerator = over, rest = others;
-        for (const auto& [monomial, coefficient] : others.terms()) {
-            if (exponent_of(monomial, sum) != 0) continue;
-            const Polynomial multiplied = times(monomial, coefficient, inside);
-            const bool cancels = std::any_of(multiplied.terms().begin(), multiplied.terms().end(), [&](const auto& term) {
-                const auto there = over.terms().find(term.first);
-                return there != over.terms().end() && there->second == -term.second;
-            });
-            if (!cancels) continue;
-            numerator += multiplied;
-            rest.add(monomial, -coefficient);
-        }
-        if (rest.size() == others.size()) continue;
-        Polynomial result = rest;
-        result += numerator * Monomial{{sum, -1}};
-        forms.push_back(std::move(result));
+        if (std::optional<Polynomial> one = cancelled(p, sum, atoms)) forms.push_back(std::move(*one));
+        if (std::optional<Polynomial> next = cancelled(all, sum, atoms)) all = std::move(*next);
     }
+    if (forms.size() > 1) forms.push_back(std::move(all));
     return forms;
 }
 
@@ -209,7 +224,7 @@ const std::vector<RewriteRule>& rewrite_rules() {
         {"differences of powers of sums", "s^2 - y^2 = (s - y)*(s + y), s^4 - y^4 = (s - y)*(s + y)*(s^2 + y^2)", powers},
         {"differences of roots", "sqrt(a) - y = (a - y^2)/(sqrt(a) + y)", roots},
         {"differences of real powers", "a^e - b^e = b^e*expm1(e*log(a/b))", real_powers},
-        {"a quotient that cancels", "a - n/s = (a*s - n)/s", quotients},
+        {"a quotient that cancels", "a - n/s = (a*s - n)/s, also with several quotients at once", quotients},
         {"removable 0/0", "sin(x)/x, (1 - cos(x))/x^2, (exp(x) - 1)/x and log(1 + x)/x have values at 0", removable},
         {"slopes of removable 0/0", "(x*cos(x) - sin(x))/x^2, (x*sin(x) - 2*(1 - cos(x)))/x^3, (x*exp(x) - exp(x) + 1)/x^2 and (x/(1 + x) - log(1 + x))/x^2 have values at 0", removable_slopes},
     };

@@ -27,22 +27,6 @@ const Rewriting* find(const Code& code, const std::string& rule, const std::stri
     return found == code.rewritten.end() ? nullptr : &*found;
 }
 
-GiNaC::ex raised(const Polynomial& p, const Atoms& atoms) {
-    GiNaC::ex sum = 0;
-    for (const auto& [monomial, coefficient] : p.terms()) {
-        GiNaC::ex term = GiNaC::numeric(coefficient);
-        for (const LetterPower& power : monomial) {
-            const Atom& atom = atoms[power.letter];
-            std::vector<GiNaC::ex> arguments;
-            for (const Polynomial& argument : atom.arguments) arguments.push_back(raised(argument, atoms));
-            const GiNaC::ex letter = atom.op == Op::symbol ? GiNaC::ex(atom.variable->symbol) : atom.op == Op::sum ? arguments[0] : applied(atom.op, arguments);
-            term *= GiNaC::pow(letter, power.exponent);
-        }
-        sum += term;
-    }
-    return sum;
-}
-
 }  // namespace
 
 TEST_CASE("the identity of each rule is proven for letters, also of two rules one after the other") {
