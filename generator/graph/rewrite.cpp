@@ -64,22 +64,34 @@ void Rewriter::draw(const std::vector<Polynomial>& guards) {
     }
 }
 
-double Rewriter::largest_error(const Polynomial& exact_form, const Polynomial& computed_form) {
+const std::vector<std::optional<Rewriter::Expected>>& Rewriter::expected(const Polynomial& exact_form) {
     if (points_.empty()) draw(guards_);
+    auto& [of, list] = expected_;
+    if (!list.empty() && of == exact_form) return list;
+    of = exact_form;
+    list.clear();
     const Arithmetic& arithmetic = double_arithmetic();
-    double largest = 0;
     for (auto& [at, values] : points_) {
-        const MaybeExact expected = at.exact(exact_form);
-        if (!expected) continue;
-        const double value = cln::double_approx(expected->value);
-        if (!(std::fabs(value) <= arithmetic.largest)) continue;
+        list.emplace_back();
+        const MaybeExact number = at.exact(exact_form);
+        const double value = number ? cln::double_approx(number->value) : 0;
+        if (!number || !(std::fabs(value) <= arithmetic.largest)) continue;
         double unit = arithmetic.ulp(value);
-        for (std::size_t i = 0; i < expected->slopes.size(); ++i)
-            if (expected->slopes[i] != 0) unit += std::fabs(expected->slopes[i]) * arithmetic.ulp(values[i]) / 2;
-        const double computed = at.rounded(computed_form);
+        for (std::size_t i = 0; i < number->slopes.size(); ++i)
+            if (number->slopes[i] != 0) unit += std::fabs(number->slopes[i]) * arithmetic.ulp(values[i]) / 2;
+        list.back() = Expected{number->value, unit};
+    }
+    return list;
+}
+
+double Rewriter::largest_error(const Polynomial& exact_form, const Polynomial& computed_form) {
+    const auto& list = expected(exact_form);
+    double largest = 0;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        if (!list[k]) continue;
+        const double computed = points_[k].first.rounded(computed_form);
         if (!std::isfinite(computed)) return std::numeric_limits<double>::infinity();
-        const double error = cln::double_approx(cln::abs(exact(computed) - expected->value)) / unit;
-        largest = std::max(largest, error);
+        largest = std::max(largest, cln::double_approx(cln::abs(exact(computed) - list[k]->value)) / list[k]->unit);
     }
     return largest;
 }

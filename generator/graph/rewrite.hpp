@@ -33,11 +33,18 @@ private:
     bool seems_zero(const Polynomial& p);
     std::size_t points_with_value(const Polynomial& exact);
     void note(const Rewriting& one);
+    /// What a sum is at a point, and how large an error is that its inputs and its own rounding allow.
+    struct Expected {
+        cln::cl_R value;
+        double unit;
+    };
+    const std::vector<std::optional<Expected>>& expected(const Polynomial& exact);
 
     const System& system_;
     Atoms& atoms_;
     const std::vector<Polynomial> definitions_, guards_;
     std::vector<std::pair<RoundedPolynomials, std::vector<double>>> points_;
+    std::pair<Polynomial, std::vector<std::optional<Expected>>> expected_;  ///< of the sum that was asked for last
     std::map<Polynomial, Polynomial> known_;
     FormMemory forms_;
     Prover prover_;

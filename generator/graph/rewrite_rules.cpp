@@ -181,24 +181,25 @@ Rational cancelling_part(const Polynomial& over, const Polynomial& multiplied) {
     return largest;
 }
 
-/// a - n/S, where terms of a*S, or of a part of it, cancel with those of n: a weighted mean and what it is the mean of.
-std::optional<Polynomial> cancelled(const Polynomial& p, Letter sum, const Atoms& atoms) {
-    Polynomial over, others;
+/// a*S^(e + 1) + n*S^e, e < 0, where terms of a*S, or of a part of it, cancel with those of n: a weighted mean and what it is the mean of, and
+/// derivatives of such.
+std::optional<Polynomial> cancelled(const Polynomial& p, Letter sum, int exponent, const Atoms& atoms) {
+    Polynomial over, rest;
     for (const auto& [monomial, coefficient] : p.terms())
-        if (exponent_of(monomial, sum) == -1) over.add(without(monomial, sum), coefficient);
-        else others.add(monomial, coefficient);
-    if (over.is_zero() || others.is_zero()) return std::nullopt;
-    Polynomial numerator = over, rest = others;
+        if (exponent_of(monomial, sum) == exponent) over.add(without(monomial, sum), coefficient);
+        else rest.add(monomial, coefficient);
+    Polynomial numerator = over;
+    const Polynomial others = rest;
     for (const auto& [monomial, coefficient] : others.terms()) {
-        if (exponent_of(monomial, sum) != 0) continue;
-        const Polynomial multiplied = times(monomial, coefficient, atoms[sum].arguments[0]);
+        if (exponent_of(monomial, sum) != exponent + 1) continue;
+        const Polynomial multiplied = times(without(monomial, sum), coefficient, atoms[sum].arguments[0]);
         const Rational part = cancelling_part(over, multiplied);
         if (is_zero(part)) continue;
         numerator += times({}, part, multiplied);
         rest.add(monomial, -part * coefficient);
     }
     if (rest == others) return std::nullopt;
-    rest += numerator * Monomial{{sum, -1}};
+    rest += numerator * Monomial{{sum, exponent}};
     return rest;
 }
 
@@ -207,8 +208,12 @@ Forms quotients(const Polynomial& p, Atoms& atoms) {
     Forms forms;
     Polynomial all = p;
     for (const Letter sum : letters_of(p, atoms, Op::sum)) {
-        if (std::optional<Polynomial> one = cancelled(p, sum, atoms)) forms.push_back(std::move(*one));
-        if (std::optional<Polynomial> next = cancelled(all, sum, atoms)) all = std::move(*next);
+        int lowest = 0;
+        for (const auto& [monomial, coefficient] : p.terms()) lowest = std::min(lowest, exponent_of(monomial, sum));
+        for (int exponent = lowest; exponent < 0; ++exponent) {
+            if (std::optional<Polynomial> one = cancelled(p, sum, exponent, atoms)) forms.push_back(std::move(*one));
+            if (std::optional<Polynomial> next = cancelled(all, sum, exponent, atoms)) all = std::move(*next);
+        }
     }
     if (forms.size() > 1) forms.push_back(std::move(all));
     return forms;
