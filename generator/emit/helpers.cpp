@@ -52,7 +52,7 @@ const std::vector<Helper>& helpers() {
         {"outflow_factor_by_exponent", fluids, {"exponential_remainder", "outflow_factor"}},
         {"decay_mean", heat, {"select"}},
         {"decay_mean_slope", heat, {"select", "exponential_remainder", "compression"}},
-        {"logc_slope", heat, {"logc", "decay_mean_slope"}},
+        {"logc_slope", heat, {"select", "logc", "decay_mean_slope"}},
         {"log_ratio", heat, {"select"}},
         {"log_mean", heat, {"select", "log_ratio"}},
         {"log_mean_slope", heat, {"select", "exponential_remainder", "log_ratio"}},

