@@ -84,19 +84,16 @@ const std::vector<std::optional<Rewriter::Expected>>& Rewriter::expected(const P
     return list;
 }
 
-double Rewriter::Loss::largest() const { return without_value > 0 ? std::numeric_limits<double>::infinity() : error; }
-
-Rewriter::Loss Rewriter::loss(const Polynomial& exact_form, const Polynomial& computed_form) {
+double Rewriter::largest_error(const Polynomial& exact_form, const Polynomial& computed_form) {
     const auto& list = expected(exact_form);
-    Loss result;
+    double largest = 0;
     for (std::size_t k = 0; k < list.size(); ++k) {
         if (!list[k]) continue;
         const double computed = points_[k].first.rounded(computed_form);
-        const bool vanishes = computed == 0 && std::fabs(cln::double_approx(list[k]->value)) >= std::numeric_limits<double>::min();
-        if (vanishes || !std::isfinite(computed)) ++result.without_value;
-        else result.error = std::max(result.error, cln::double_approx(cln::abs(exact(computed) - list[k]->value)) / list[k]->unit);
+        if (!std::isfinite(computed)) return std::numeric_limits<double>::infinity();
+        largest = std::max(largest, cln::double_approx(cln::abs(exact(computed) - list[k]->value)) / list[k]->unit);
     }
-    return result;
+    return largest;
 }
 
 /// Whether terms that are not zero cancel to the last digit, at a few points.
@@ -144,30 +141,31 @@ Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
     }
     if (other_forms(p, atoms_, forms_).empty()) return p;
     Polynomial best = p;
+    double error = largest_error(p, p);
     // A form that has a value where p is 0/0 is what p should be.
     Polynomial reference = p;
     for (const OtherForm& form : other_forms(p, atoms_, forms_))
-        if (form.fills_gaps && points_with_value(form.form) > points_with_value(reference)) reference = form.form;
-    const Loss before = loss(reference, p);
-    Loss now = before;
-    std::vector<Rewriting> noted;
-    for (int step = 0; step < most_steps && now.largest() > good_enough; ++step) {
-        const OtherForm* better = nullptr;
-        Loss least = now;
-        least.error /= least_gain;
-        for (const OtherForm& form : other_forms(best, atoms_, forms_)) {
-            const Loss one = loss(reference, form.form);
-            const bool fills = one.without_value < least.without_value && one.error <= std::max(now.error, good_enough);
-            if (!fills && !(one.without_value <= least.without_value && one.error < least.error)) continue;
-            least = one;
-            better = &form;
+        if (form.fills_gaps && points_with_value(form.form) > points_with_value(reference)) {
+            reference = form.form;
+            error = std::numeric_limits<double>::infinity();
         }
+    const double before = error;
+    std::vector<Rewriting> noted;
+    for (int step = 0; step < most_steps && error > good_enough; ++step) {
+        const OtherForm* better = nullptr;
+        double least = error / least_gain;
+        const std::vector<OtherForm>& forms = other_forms(best, atoms_, forms_);
+        for (const OtherForm& form : forms)
+            if (const double one = largest_error(reference, form.form); one < least) {
+                least = one;
+                better = &form;
+            }
         if (better == nullptr) break;
-        noted.push_back({better->rule, where, 1, least.without_value < now.without_value ? std::numeric_limits<double>::infinity() : now.error, least.error});
+        noted.push_back({better->rule, where, 1, error, least});
         best = better->form;
-        now = least;
+        error = least;
     }
-    if (noted.empty() || !(now.without_value < before.without_value || now.error * least_whole_gain <= before.error)) return p;
+    if (noted.empty() || !(error * least_whole_gain <= before)) return p;
     for (const Rewriting& one : noted) note(one);
     return known_.at(p) = best;
 }

@@ -57,31 +57,6 @@ Forms exponentials(const Polynomial& p, Atoms& atoms) {
     return forms;
 }
 
-/// 1/(exp(x) - 1), which is zero, not nothing, where exp(x) overflows, also with exp(x) above it.
-Forms reciprocal_exponentials(const Polynomial& p, Atoms& atoms) {
-    Forms forms;
-    std::vector<std::pair<Letter, Polynomial>> found;  // c*(exp(x) - 1)
-    for (const Letter letter : letters_of(p, atoms, Op::expm1)) found.emplace_back(letter, atoms[letter].arguments[0]);
-    for (const Letter sum : letters_of(p, atoms, Op::sum)) {
-        const Polynomial inside = atoms[sum].arguments[0];
-        const std::vector<Letter> exponentials = letters_of(inside, atoms, Op::exp);
-        if (exponentials.size() == 1 && inside == Polynomial::letter(exponentials[0]) - Polynomial(1)) found.emplace_back(sum, atoms[exponentials[0]].arguments[0]);
-    }
-    for (const auto& [letter, x] : found) {
-        const Letter falls = atoms.letter(Op::expm1, {-x}), grows = atoms.letter(Op::exp, {x});
-        Polynomial result;
-        bool changed = false;
-        for (const auto& [monomial, coefficient] : p.terms()) {
-            const int n = exponent_of(monomial, letter);
-            changed = changed || n < 0;
-            if (n >= 0) result.add(monomial, coefficient);
-            else result.add(without(monomial, letter) * Monomial{{grows, n}} * Monomial{{falls, n}}, n % 2 == 0 ? coefficient : -coefficient);
-        }
-        if (changed) forms.push_back(std::move(result));
-    }
-    return forms;
-}
-
 Forms logarithms(const Polynomial& p, Atoms& atoms) {
     Forms forms;
     for (const Letter logarithm : letters_of(p, atoms, Op::log)) {
@@ -250,7 +225,6 @@ const std::vector<RewriteRule>& rewrite_rules() {
     static const std::vector<RewriteRule> rules{
         {"1 - cos(x)", "1 - cos(x) = 2*sin(x/2)^2", cosines},
         {"exp(x) - 1", "exp(x) - 1 = expm1(x)", exponentials},
-        {"1/(exp(x) - 1)", "1/(exp(x) - 1) = -1/(exp(x)*expm1(-x))", reciprocal_exponentials},
         {"log(1 + x)", "log(1 + x) = log1p(x)", logarithms},
         {"differences of powers of sums", "s^2 - y^2 = (s - y)*(s + y), s^4 - y^4 = (s - y)*(s + y)*(s^2 + y^2)", powers},
         {"differences of roots", "sqrt(a) - y = (a - y^2)/(sqrt(a) + y)", roots},

@@ -57,7 +57,6 @@ double RoundedPolynomials::rounded(const Polynomial& p) {
             const double letter = rounded_letter(power.letter);
             const double factor = power.exponent > 0 ? letter : 1 / letter;
             for (int i = std::abs(power.exponent); i > 0; --i) term *= factor;
-            if (std::fabs(term) < std::numeric_limits<double>::min()) term = 0;  // what has lost digits by being small says nothing about the form
         }
         sum += term;
     }

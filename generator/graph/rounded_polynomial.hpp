@@ -21,8 +21,7 @@ public:
     void set(std::map<Letter, Input> inputs);
 
     MaybeExact exact(const Polynomial& p);
-    /// With every product, sum and function rounded to double, in the order of terms; products below the smallest normal number are zero. Not a
-    /// number where there is no value.
+    /// With every product, sum and function rounded to double, in the order of terms. Not a number where there is no value.
     double rounded(const Polynomial& p);
 
 private:
