@@ -17,10 +17,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                17     51    21        0      0
+//   update                17     48    21        0      0
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            65    192    11        0      0
+//   jacobian_p            59    183    11        0      0
 //   output                 3      3     0        0      0
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        6     19    10        0      0
@@ -176,7 +176,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 17 + or -, 51 *, 21 /
+    /// Operations: 17 + or -, 48 *, 21 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.H = p_.H_b + p_.H_c;
@@ -194,32 +194,30 @@ public:
         const Scalar e11 = Scalar(1) / ((e4 + e10 / p_.lambda_b) / p_.H_b) + Scalar(1) / ((e4 + e10 / p_.lambda_c) / p_.H_c);
         c_.R_up = Scalar(1) / e11;
         const Scalar inverse_12 = Scalar(1) / p_.C;
-        const Scalar e13 = p_.lambda_a * c_.H / p_.L_a;
-        const Scalar e14 = p_.B * e13;
-        const Scalar e15 = inverse_12 * e14;
-        const Scalar inverse_16 = Scalar(1) / (e13 + e8);
-        const Scalar e17 = p_.lambda_d * c_.H / p_.L_d;
-        const Scalar e18 = inverse_16 / (Scalar(1) / (inverse_2 * inverse_1 * e3 + e9) + p_.B * e17);
-        const Scalar e19 = p_.B * e18;
-        const Scalar e20 = p_.T_0 * e8 * (e19 * e17);
-        c_.k0 = e15 * e20;
+        const Scalar e13 = p_.lambda_d * c_.H / p_.L_d;
+        const Scalar e14 = p_.lambda_a * c_.H / p_.L_a;
+        const Scalar inverse_15 = Scalar(1) / (e14 + e8);
+        const Scalar e16 = p_.B * inverse_15;
+        const Scalar e17 = e16 / (Scalar(1) / (inverse_2 * inverse_1 * e3 + e9) + p_.B * e13);
+        const Scalar e18 = p_.B * e14;
+        const Scalar e19 = e17 * e18 * (e13 * (p_.T_0 * e8));
+        c_.k0 = inverse_12 * e19;
         c_.k1 = inverse_12;
-        const Scalar e21 = e19 * (inverse_5 * inverse_5);
-        const Scalar e22 = inverse_16 * (Scalar(1) + Scalar(2) * e6 * e7 * e21 + (e6 * e6 + e7 * e7) * e21) * e13;
-        const Scalar e23 = Scalar(1) - e22;
-        c_.k2 = e23 * e15;
-        const Scalar e24 = inverse_16 * e14;
-        const Scalar e25 = e8 * e8 * (e18 * e24);
-        c_.k3 = e15 * (inverse_16 * e8 - e25);
-        c_.k4 = e14 * e20;
-        c_.k5 = e23 * e14;
-        const Scalar inverse_26 = Scalar(1) / c_.R_low;
-        c_.k6 = p_.T_0 * inverse_26;
-        c_.k7 = inverse_26;
-        const Scalar inverse_27 = Scalar(1) / c_.R_up;
-        c_.k8 = p_.T_0 * inverse_27;
-        c_.k9 = inverse_27;
-        c_.k10 = e14 * (Scalar(1) - e25) - e13 * e24;
+        const Scalar e20 = e17 * (inverse_5 * inverse_5);
+        const Scalar e21 = inverse_15 * (Scalar(1) + Scalar(2) * e6 * e7 * e20 + (e6 * e6 + e7 * e7) * e20) * e14;
+        const Scalar e22 = (Scalar(1) - e21) * e18;
+        c_.k2 = inverse_12 * e22;
+        const Scalar e23 = e16 * ((e8 * e8 * e14 * e17 - e8) * e14);
+        c_.k3 = -inverse_12 * e23;
+        c_.k4 = e19;
+        c_.k5 = e22;
+        const Scalar inverse_24 = Scalar(1) / c_.R_low;
+        c_.k6 = p_.T_0 * inverse_24;
+        c_.k7 = inverse_24;
+        const Scalar inverse_25 = Scalar(1) / c_.R_up;
+        c_.k8 = p_.T_0 * inverse_25;
+        c_.k9 = inverse_25;
+        c_.k10 = -e23;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -271,103 +269,99 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 12, entry (i, j) at J[1*j + i].
-    /// Operations: 65 + or -, 192 *, 11 /
+    /// Operations: 59 + or -, 183 *, 11 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / p_.lambda_a;
-        const Scalar inverse_2 = Scalar(1) / p_.L_b;
-        const Scalar e3 = p_.H_b * p_.lambda_b;
-        const Scalar e4 = p_.H_c * p_.lambda_c;
-        const Scalar e5 = e3 + e4;
-        const Scalar e6 = inverse_2 * e5;
-        const Scalar inverse_7 = Scalar(1) / e6;
-        const Scalar inverse_8 = Scalar(1) / ((p_.L_a * inverse_1 / c_.H + inverse_7) / p_.B);
-        const Scalar inverse_9 = Scalar(1) / p_.L_d;
-        const Scalar e10 = p_.lambda_d * inverse_9;
-        const Scalar e11 = p_.B * c_.H;
-        const Scalar e12 = e10 * e11;
-        const Scalar inverse_13 = Scalar(1) / (inverse_8 + e12);
-        const Scalar inverse_8_squared = inverse_8 * inverse_8;
-        const Scalar e14 = inverse_13 * inverse_8_squared;
-        const Scalar e15 = p_.T_0 * e10;
-        const Scalar e16 = e5 * e15;
-        const Scalar inverse_17 = Scalar(1) / p_.L_a;
-        const Scalar inverse_18 = Scalar(1) / p_.C;
-        const Scalar e19 = inverse_17 * inverse_18;
-        const Scalar e20 = p_.lambda_a * inverse_17;
-        const Scalar e21 = c_.H * e20;
-        const Scalar inverse_22 = Scalar(1) / (e6 + e21);
-        const Scalar e23 = c_.H * inverse_22;
-        const Scalar e24 = p_.B * inverse_2;
-        const Scalar e25 = inverse_13 * e24;
-        const Scalar e26 = e23 * e25;
-        const Scalar e27 = e19 * e26;
-        const Scalar e28 = e16 * e27;
-        const Scalar e29 = p_.lambda_a * e19;
-        const Scalar e30 = e29 * e23;
-        const Scalar e31 = e30 * e25;
-        const Scalar e32 = e31 * e16;
-        const Scalar e33 = e11 * e32;
-        const Scalar e34 = inverse_17 * e33;
-        const Scalar e35 = e23 * e20;
+        const Scalar inverse_1 = Scalar(1) / p_.L_a;
+        const Scalar inverse_2 = Scalar(1) / p_.L_d;
+        const Scalar e3 = p_.lambda_d * inverse_2;
+        const Scalar e4 = p_.T_0 * e3;
+        const Scalar e5 = c_.H * e4;
+        const Scalar e6 = p_.H_b * p_.lambda_b;
+        const Scalar e7 = p_.H_c * p_.lambda_c;
+        const Scalar e8 = e6 + e7;
+        const Scalar inverse_9 = Scalar(1) / p_.L_b;
+        const Scalar inverse_10 = Scalar(1) / p_.C;
+        const Scalar e11 = p_.lambda_a * inverse_1;
+        const Scalar e12 = c_.H * e11;
+        const Scalar e13 = inverse_9 * e8;
+        const Scalar inverse_14 = Scalar(1) / (e12 + e13);
+        const Scalar e15 = inverse_10 * inverse_14;
+        const Scalar e16 = inverse_9 * e15;
+        const Scalar e17 = p_.B * e16;
+        const Scalar inverse_18 = Scalar(1) / p_.lambda_a;
+        const Scalar inverse_19 = Scalar(1) / e13;
+        const Scalar inverse_20 = Scalar(1) / ((p_.L_a * inverse_18 / c_.H + inverse_19) / p_.B);
+        const Scalar e21 = p_.B * e3;
+        const Scalar inverse_22 = Scalar(1) / (inverse_20 + c_.H * e21);
+        const Scalar e23 = inverse_20 * inverse_22;
+        const Scalar e23_squared = e23 * e23;
+        const Scalar e24 = e17 * e23_squared;
+        const Scalar e25 = e17 * e12;
+        const Scalar e26 = inverse_22 * e25;
+        const Scalar e27 = p_.B * e26;
+        const Scalar e6_squared = e6 * e6;
+        const Scalar e7_squared = e7 * e7;
+        const Scalar e28 = e6 * e7;
+        const Scalar e29 = (Scalar(1) / Scalar(2)) * (e6_squared + e7_squared) + e28;
+        const Scalar e30 = inverse_9 * inverse_14;
+        const Scalar e31 = e29 * e30;
+        const Scalar e32 = e8 * e24 - Scalar(2) * e27 * e31;
         const Scalar T_P = x[0];
-        const Scalar e3_squared = e3 * e3;
-        const Scalar e4_squared = e4 * e4;
-        const Scalar e36 = e3 * e4;
-        const Scalar e37 = (Scalar(1) / Scalar(2)) * (e3_squared + e4_squared) + e36;
-        const Scalar e38 = e37 * e31;
-        const Scalar e39 = inverse_2 * inverse_22;
-        const Scalar e40 = e24 * e38;
-        const Scalar e41 = e37 * e39;
-        const Scalar e42 = (Scalar(1) + Scalar(4) * e25 * e41) * e30;
-        const Scalar e43 = e35 * e42;
-        const Scalar e44 = e29 + e20 * e43;
-        const Scalar e45 = e30 * e20 - (Scalar(1) / Scalar(2)) * e44;
-        const Scalar e46 = inverse_17 * e11;
-        const Scalar e47 = inverse_2 * e15;
-        const Scalar e48 = e23 * e40;
-        const Scalar e49 = inverse_7 * e14;
-        const Scalar e50 = p_.B - e49;
-        const Scalar e51 = c_.H * e32;
-        const Scalar e52 = (Scalar(1) / Scalar(3)) * (e3 * e3_squared + e4 * e4_squared) + e5 * e36;
-        const Scalar e53 = e5 * e30;
-        const Scalar e54 = inverse_2 * e35;
-        const Scalar e55 = (e31 * e52 * e39 + (Scalar(1) / Scalar(6)) * e53) * e54;
-        const Scalar e56 = p_.B - (Scalar(1) / Scalar(2)) * e49;
-        const Scalar e57 = inverse_2 * e54;
-        const Scalar e58 = e38 * (e25 * e35);
-        const Scalar e59 = (c_.H * e50 - e5 * e23 * e24) * (e31 * e15);
-        const Scalar e60 = p_.B * e32;
-        const Scalar e61 = inverse_18 * e16;
-        const Scalar e62 = inverse_13 * (inverse_8_squared + e20 * e11 * e12);
-        const Scalar e63 = e25 * e62;
-        const Scalar e64 = Scalar(2) * (e60 - (Scalar(1) / Scalar(2)) * (e35 * e60 + inverse_22 * e61 * e63));
-        const Scalar e65 = p_.B * e45 - inverse_22 * e37 * (e29 * e39 * e63 - Scalar(2) * e24 * e31 * e20);
-        const Scalar e66 = (e56 * e31 * e6 - (Scalar(1) / Scalar(2)) * e24 * e42) * e35;
-        const Scalar e67 = inverse_2 * inverse_13;
-        const Scalar e68 = e30 * e67;
-        const Scalar e69 = e68 * (inverse_7 * e49);
-        const Scalar e70 = inverse_9 * e11;
-        const Scalar e71 = e5 * e31;
+        const Scalar e33 = inverse_1 * e31;
+        const Scalar e34 = e23 * (inverse_20 * e26);
+        const Scalar e35 = e12 * e30;
+        const Scalar e36 = e27 * e35;
+        const Scalar e37 = (Scalar(1) / Scalar(3)) * (e6 * e6_squared + e7 * e7_squared) + e8 * e28;
+        const Scalar e38 = e37 * e30;
+        const Scalar e39 = e36 * e38;
+        const Scalar e40 = inverse_19 * e34;
+        const Scalar e41 = e40 - e27;
+        const Scalar e42 = e8 * e5;
+        const Scalar e43 = e5 * e31;
+        const Scalar e44 = e8 * e25;
+        const Scalar e45 = e29 * e36;
+        const Scalar e46 = e29 * e35;
+        const Scalar e47 = c_.H * inverse_22;
+        const Scalar e48 = e47 * e45;
+        const Scalar e49 = inverse_2 * e48;
+        const Scalar e50 = e27 * e42;
+        const Scalar e51 = inverse_2 * e23;
+        const Scalar e52 = inverse_14 * e12;
+        const Scalar e53 = e5 * (e27 * e52 - e40);
+        const Scalar e54 = e8 * e27;
+        const Scalar e55 = e4 * (e23 * e54 - e32);
+        const Scalar e56 = e30 * (e29 * e24 - Scalar(3) * e27 * e38);
+        const Scalar e57 = inverse_22 * e45 * e21 - (Scalar(1) / Scalar(2)) * inverse_14 * e11 * e44;
+        const Scalar e58 = e11 * (e8 * e17 + Scalar(2) * e56) + Scalar(2) * e57;
+        const Scalar e59 = e8 * e36;
+        const Scalar e60 = inverse_14 * e25 + e8 * e30 * e40;
+        const Scalar e61 = e12 * (inverse_14 * e59 - (Scalar(1) / Scalar(2)) * e60);
+        const Scalar e62 = e16 * e23_squared;
+        const Scalar e63 = inverse_19 * e12 * (e62 * (inverse_9 * inverse_19));
+        const Scalar e64 = e17 * e33;
+        const Scalar e65 = e5 * e41 + e30 * e50;
+        const Scalar e66 = e36 * e31 - (Scalar(1) / Scalar(2)) * (e59 - (Scalar(1) / Scalar(2)) * e12 * e60);
+        const Scalar e67 = c_.H * e54;
         const Scalar P = u[0];
-        const Scalar e72 = inverse_17 * (Scalar(2) * e38 * e14 * e39 - Scalar(4) * e35 * e40) - Scalar(2) * e45 * e46;
-        J[0] = e14 * e28 - e34 * (Scalar(1) - e35) + T_P * e72;
-        J[1] = Scalar(2) * e47 * e48 - inverse_2 * e50 * e51 + T_P * (Scalar(6) * e24 * e55 - Scalar(4) * e56 * e38 * e57);
-        J[2] = T_P * (Scalar(2) * inverse_9 * e12 * e58) - inverse_9 * e33 * (Scalar(1) - inverse_13 * e12);
-        J[3] = p_.lambda_b * e59 + e64 - T_P * (Scalar(2) * (-e65 - p_.lambda_b * e66));
-        J[4] = p_.lambda_c * e59 + e64 - T_P * (Scalar(2) * (-e65 - p_.lambda_c * e66));
-        const Scalar e73 = e51 * (Scalar(3) - e35) - e23 * (Scalar(2) * e38 * e47 + e67 * e62 * e61) - Scalar(2) * c_.H * e37
-            * e47 * e69;
-        const Scalar e74 = c_.H * e44 + Scalar(2) * e62 * e41 * e68 - Scalar(2) * e42 * e21 + Scalar(6) * e55 + Scalar(3) * e52
-            * e57 * e69;
-        J[5] = e73 - T_P * e74;
-        const Scalar e75 = e19 * e11 - e46 * (Scalar(2) * e30 - e43) + Scalar(2) * e14 * e41 * e27 - Scalar(4) * inverse_17
-            * e48;
-        J[6] = e11 * e28 - inverse_1 * e14 * e26 * e61 - e23 * e34 - T_P * e75;
-        J[7] = -(-p_.H_b * e59) - T_P * (-Scalar(2) * p_.H_b * e66);
-        J[8] = -(-p_.H_c * e59) - T_P * (-Scalar(2) * p_.H_c * e66);
-        J[9] = -e70 * (inverse_13 * e33 - p_.T_0 * e71) - T_P * (Scalar(2) * e70 * e58);
-        J[10] = T_P * (inverse_18 * e24 * e53 - Scalar(2) * e30 * e40) - inverse_18 * e33 - P * (inverse_18 * inverse_18);
-        J[11] = e12 * e71;
+        J[0] = inverse_1 * e5 * e32 + T_P * (e33 * (Scalar(2) * (e25 + e34)) - Scalar(6) * inverse_1 * e39);
+        const Scalar e68 = inverse_9 * (Scalar(4) * e45 - Scalar(2) * e40 * e46 - Scalar(6) * e39);
+        J[1] = inverse_9 * (e41 * e42 + Scalar(2) * e27 * e43) + T_P * (e35 * e44 - e68);
+        J[2] = T_P * (Scalar(2) * e21 * e49) - e50 * e51;
+        J[3] = p_.lambda_b * e53 + e55 - T_P * (e58 - Scalar(2) * p_.lambda_b * e61);
+        J[4] = p_.lambda_c * e53 + e55 - T_P * (e58 - Scalar(2) * p_.lambda_c * e61);
+        const Scalar e69 = e26 * e42 * (Scalar(3) - e52) - e3 * e47 * e50 - e42 * e62 - Scalar(2) * e26 * e43 - Scalar(2) * e29
+            * e5 * e63;
+        const Scalar e70 = ((Scalar(1) / Scalar(4)) * e15 * e12 * e12 + e26 * e46) * (Scalar(8) - Scalar(4) * e52);
+        const Scalar e71 = e12 * (inverse_10 + e8 * e16 * e52) + e35 * (Scalar(6) * e26 * e38 + Scalar(3) * e37 * e63) - e70
+            + Scalar(2) * e62 * e46 + Scalar(2) * e3 * e48;
+        J[5] = e69 - T_P * e71;
+        J[6] = Scalar(2) * p_.B * e5 * e47 * e64 - inverse_18 * e42 * e24 - T_P
+            * (Scalar(2) * (c_.H * (inverse_1 * e56 + e64)));
+        J[7] = -p_.H_b * e65 - T_P * (Scalar(4) * p_.H_b * e66);
+        J[8] = -p_.H_c * e65 - T_P * (Scalar(4) * p_.H_c * e66);
+        J[9] = p_.T_0 * e51 * e67 - T_P * (Scalar(2) * p_.B * e49);
+        J[10] = T_P * (inverse_10 * e44 - Scalar(2) * e29 * e25 * e26) - inverse_10 * e50 - P * (inverse_10 * inverse_10);
+        J[11] = e3 * e67;
     }
 
     /// J = df/dt at fixed x and u.
@@ -504,7 +498,7 @@ private:
         Scalar k7;  ///< 1/R_low
         Scalar k8;  ///< T_0/R_up
         Scalar k9;  ///< 1/R_up
-        Scalar k10;  ///< B*lambda_a*H*(1 - B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b^2*(lambda_a*H/L_a + ...
+        Scalar k10;  ///< B*lambda_a*H*(-B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b*(lambda_a*H/L_a + ...
     };
     Cached c_{};
 };

@@ -20,10 +20,10 @@
 //   update                12     33    26        0      0
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            47    114    12        0      0
+//   jacobian_p            35     94    12        0      0
 //   output                 3      3     0        0      0
 //   internal_energy        0      1     0        0      0
-//   exchanged_power        9      7     8        0      0
+//   exchanged_power        2      1     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -259,78 +259,74 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 12, entry (i, j) at J[1*j + i].
-    /// Operations: 47 + or -, 114 *, 12 /
+    /// Operations: 35 + or -, 94 *, 12 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / p_.C;
-        const Scalar e2 = p_.B * inverse_1;
-        const Scalar inverse_3 = Scalar(1) / p_.L_a;
-        const Scalar e4 = p_.lambda_a * inverse_3;
-        const Scalar e5 = e2 * e4;
-        const Scalar e6 = p_.T_0 * e5;
+        const Scalar T_P = x[0];
+        const Scalar inverse_1 = Scalar(1) / p_.L_a;
+        const Scalar inverse_2 = Scalar(1) / c_.G_c;
+        const Scalar inverse_3 = Scalar(1) / c_.G_dc;
+        const Scalar inverse_4 = Scalar(1) / (inverse_2 + inverse_3);
+        const Scalar inverse_5 = Scalar(1) / (c_.G_ac + inverse_4);
+        const Scalar e6 = inverse_4 * inverse_5;
+        const Scalar e6_squared = e6 * e6;
         const Scalar inverse_7 = Scalar(1) / c_.G_b;
         const Scalar inverse_8 = Scalar(1) / c_.G_db;
         const Scalar inverse_9 = Scalar(1) / (inverse_7 + inverse_8);
         const Scalar inverse_10 = Scalar(1) / (c_.G_ab + inverse_9);
-        const Scalar e11 = c_.G_ab * inverse_10;
-        const Scalar e12 = inverse_9 * e11;
-        const Scalar e13 = p_.H_b * e12;
-        const Scalar inverse_14 = Scalar(1) / c_.G_c;
-        const Scalar inverse_15 = Scalar(1) / c_.G_dc;
-        const Scalar inverse_16 = Scalar(1) / (inverse_14 + inverse_15);
-        const Scalar inverse_17 = Scalar(1) / (c_.G_ac + inverse_16);
-        const Scalar e18 = c_.G_ac * inverse_17;
-        const Scalar e19 = inverse_16 * e18;
-        const Scalar e20 = p_.H_c * e19;
-        const Scalar e21 = inverse_9 * inverse_10;
-        const Scalar e22 = inverse_16 * inverse_17;
-        const Scalar e23 = inverse_10 * e13 + inverse_17 * e20 - (p_.H_b * e21 + p_.H_c * e22);
-        const Scalar e24 = inverse_3 * e23;
-        const Scalar T_P = x[0];
-        const Scalar e25 = p_.H_b * e11;
-        const Scalar e26 = p_.H_c * e18;
-        const Scalar e27 = p_.H_b + p_.H_c + (e11 * e25 + e18 * e26 - Scalar(2) * (e25 + e26));
-        const Scalar e28 = inverse_3 * e27;
-        const Scalar inverse_29 = Scalar(1) / p_.L_b;
-        const Scalar e30 = inverse_29 * inverse_7;
-        const Scalar e31 = p_.lambda_b * e30;
-        const Scalar e32 = e12 * e13;
-        const Scalar e33 = e32 * (e2 * e30);
-        const Scalar e34 = inverse_29 * inverse_14;
-        const Scalar e35 = p_.lambda_c * e34;
-        const Scalar e36 = e19 * e20;
-        const Scalar e37 = e36 * (e2 * e34);
-        const Scalar e38 = inverse_9 * (Scalar(1) - e21);
-        const Scalar e39 = e13 * e38;
-        const Scalar e40 = p_.T_0 * e2;
-        const Scalar e41 = e39 * (e40 * e30);
-        const Scalar e42 = inverse_16 * (Scalar(1) - e22);
-        const Scalar e43 = e20 * e42;
-        const Scalar e44 = e43 * (e40 * e34);
-        const Scalar inverse_45 = Scalar(1) / p_.L_d;
-        const Scalar e46 = p_.lambda_d * inverse_45;
+        const Scalar e11 = inverse_9 * inverse_10;
+        const Scalar e12 = p_.H_b * e11;
+        const Scalar e13 = p_.H_c * e6_squared + e11 * e12;
+        const Scalar e14 = inverse_1 * e13;
+        const Scalar inverse_15 = Scalar(1) / p_.C;
+        const Scalar e16 = p_.B * inverse_15;
+        const Scalar e17 = p_.lambda_a * inverse_1;
+        const Scalar e18 = e16 * e17;
+        const Scalar e19 = p_.T_0 * e16;
+        const Scalar e20 = e17 * e19;
+        const Scalar inverse_21 = Scalar(1) / p_.L_b;
+        const Scalar inverse_2_squared = inverse_2 * inverse_2;
+        const Scalar e22 = c_.G_ac * e6;
+        const Scalar e22_squared = e22 * e22;
+        const Scalar e23 = p_.H_c * e22_squared;
+        const Scalar e24 = inverse_2_squared * e23;
+        const Scalar inverse_7_squared = inverse_7 * inverse_7;
+        const Scalar e25 = c_.G_ab * e11;
+        const Scalar e26 = p_.H_b * e25;
+        const Scalar e27 = e25 * e26;
+        const Scalar e28 = inverse_7_squared * e27;
+        const Scalar e29 = inverse_21 * (p_.lambda_c * e24 + p_.lambda_b * e28);
+        const Scalar e30 = inverse_21 * e16;
+        const Scalar e31 = inverse_21 * e19;
+        const Scalar inverse_32 = Scalar(1) / p_.L_d;
+        const Scalar e33 = p_.lambda_d * inverse_32;
         const Scalar inverse_8_squared = inverse_8 * inverse_8;
+        const Scalar inverse_3_squared = inverse_3 * inverse_3;
+        const Scalar e34 = e27 * inverse_8_squared + e23 * inverse_3_squared;
+        const Scalar e35 = inverse_32 * e34;
+        const Scalar e36 = e16 * e35;
+        const Scalar e37 = e19 * e35;
+        const Scalar e38 = inverse_9 * (p_.lambda_b * inverse_21 * inverse_7_squared + e33 * inverse_8_squared);
+        const Scalar e39 = e17 + inverse_9 * e38;
+        const Scalar e40 = c_.G_ab * inverse_10;
+        const Scalar e41 = (p_.lambda_c * inverse_21 * inverse_2_squared + e33 * inverse_3_squared) * e22_squared;
+        const Scalar e42 = inverse_5 * e22 - e6;
+        const Scalar e43 = inverse_15 * e17;
+        const Scalar e44 = inverse_15 * (e34 * e33 + e29);
         const Scalar inverse_15_squared = inverse_15 * inverse_15;
-        const Scalar e47 = (e32 * inverse_8_squared + e36 * inverse_15_squared) * (inverse_45 * e2);
-        const Scalar e48 = e40 * (inverse_45 * (e39 * inverse_8_squared + e43 * inverse_15_squared));
-        const Scalar e49 = e46 * inverse_8_squared + inverse_7 * e31;
-        const Scalar e50 = e49 * e12;
-        const Scalar e51 = e46 * inverse_15_squared + inverse_14 * e35;
-        const Scalar e52 = e51 * e19;
-        const Scalar e53 = p_.T_0 * inverse_1;
-        const Scalar e54 = e12 + e19;
-        const Scalar inverse_1_squared = inverse_1 * inverse_1;
+        const Scalar e45 = (e22 + e25) * inverse_15_squared;
         const Scalar P = u[0];
-        J[0] = e6 * e24 + T_P * (e5 * e28);
-        J[1] = T_P * (e31 * e33 + e35 * e37) - (e31 * e41 + e35 * e44);
-        J[2] = T_P * (e46 * e47) - e46 * e48;
-        J[3] = -(e6 * (inverse_10 * e12 - e21) - e40 * e38 * e50) - T_P * (e5 - e11 * e5 * (Scalar(2) - e11) + e2 * e12 * e50);
-        J[4] = -(e6 * (inverse_17 * e19 - e22) - e40 * e42 * e52) - T_P * (e5 - e18 * e5 * (Scalar(2) - e18) + e2 * e19 * e52);
-        J[5] = -e53 * (e4 * e23 - e49 * e39 - e51 * e43) - T_P * (inverse_1 * (e4 * e27 + e49 * e32 + e51 * e36));
-        J[6] = -e40 * e24 - T_P * (e2 * e28);
-        J[7] = inverse_7 * e41 - T_P * (inverse_7 * e33);
-        J[8] = inverse_14 * e44 - T_P * (inverse_14 * e37);
-        J[9] = e48 - T_P * e47;
-        J[10] = T_P * (e54 * inverse_1_squared) - inverse_1 * e54 * e53 - P * inverse_1_squared;
+        J[0] = T_P * (e14 * e18) - e14 * e20;
+        J[1] = T_P * (e29 * e30) - e29 * e31;
+        J[2] = T_P * (e33 * e36) - e33 * e37;
+        J[3] = -(e19 * e25 * (inverse_10 * e39 - e38) - e11 * e20) - T_P
+            * (e18 * (Scalar(1) - Scalar(2) * e40) + e16 * e39 * e40 * e40);
+        J[4] = e20 * e6_squared + e19 * e41 + T_P * (e42 * e18 - e16 * e41);
+        J[5] = p_.T_0 * (e13 * e43 + e44) + T_P * (e43 * (p_.H_c * e42 + inverse_10 * e26 - e12) - e44);
+        J[6] = e19 * e14 - T_P * (e16 * e14);
+        J[7] = e31 * e28 - T_P * (e30 * e28);
+        J[8] = e31 * e24 - T_P * (e30 * e24);
+        J[9] = e37 - T_P * e36;
+        J[10] = T_P * e45 - p_.T_0 * e45 - P * inverse_15_squared;
         J[11] = c_.k2;
     }
 
@@ -427,15 +423,11 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 9 + or -, 7 *, 8 /
+    /// Operations: 2 + or -, 1 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar P = u[0];
-        const Scalar inverse_1 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
-        const Scalar inverse_2 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
         const Scalar T_P = x[0];
-        const Scalar e3 = p_.T_0 * inverse_1 * (inverse_1 / (c_.G_ab + inverse_1) - Scalar(1)) + p_.T_0 * inverse_2
-            * (inverse_2 / (c_.G_ac + inverse_2) - Scalar(1));
-        return P - e3 - c_.k4 * T_P;
+        return c_.k3 + P - c_.k4 * T_P;
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -18,11 +18,12 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                26     49    30        0      0
+//   update                29     54    30        0      0
 //   rhs                    2      2     0        0      0
-//   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            92    217    19        0      0
+//   rhs_and_jacobian       2      2     0        0      0
+//   jacobian_p           120    285    19        0      0
 //   output                 3      3     0        0      0
+//   output_jacobian_x      1      0     0        0      0
 //   internal_energy        0      1     0        0      0
 //   exchanged_power       17     16    11        0      0
 //
@@ -177,7 +178,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 26 + or -, 49 *, 30 /
+    /// Operations: 29 + or -, 54 *, 30 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.H = p_.H_b + p_.H_c;
@@ -206,29 +207,31 @@ public:
         const Scalar e15 = Scalar(1) / ((e13 + inverse_9 * e14) / p_.H_b) + Scalar(1) / ((e13 + inverse_10 * e14) / p_.H_c);
         c_.R_up = Scalar(1) / e15;
         const Scalar inverse_16 = Scalar(1) / p_.C;
-        const Scalar inverse_17 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
-        const Scalar inverse_18 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
-        const Scalar e19 = c_.G_ab + inverse_18;
-        const Scalar e20 = c_.G_ac + inverse_17 + Scalar(1) / (Scalar(1) / c_.G_l + Scalar(1) / e19);
-        const Scalar inverse_21 = Scalar(1) / e20;
-        const Scalar inverse_22 = Scalar(1) / (c_.G_l + e19);
-        const Scalar e23 = c_.G_ab * inverse_22;
-        const Scalar e24 = c_.G_l * e23;
-        const Scalar e25 = inverse_21 * (c_.G_ac + e24) * (c_.G_l * inverse_18 * inverse_22 + inverse_17);
-        const Scalar e26 = p_.T_0 * (e25 + inverse_18 * e23);
+        const Scalar inverse_17 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
+        const Scalar e18 = c_.G_l + inverse_17;
+        const Scalar inverse_19 = Scalar(1) / (c_.G_ab + e18);
+        const Scalar e20 = c_.G_ab * inverse_19;
+        const Scalar inverse_21 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
+        const Scalar e22 = inverse_21 + Scalar(1) / (Scalar(1) / c_.G_l + Scalar(1) / (c_.G_ab + inverse_17));
+        const Scalar inverse_23 = Scalar(1) / (c_.G_ac + e22);
+        const Scalar e24 = c_.G_l * e20;
+        const Scalar e25 = inverse_23 * (c_.G_ac + e24) * (c_.G_l * inverse_17 * inverse_19 + inverse_21);
+        const Scalar e26 = p_.T_0 * (inverse_17 * e20 + e25);
         c_.k0 = inverse_16 * e26;
         c_.k1 = inverse_16;
-        const Scalar e27 = c_.G_ac * c_.G_ac * inverse_21 + (c_.G_ab + c_.G_l * inverse_21 * (Scalar(2) * c_.G_ac + e24)) * e23;
-        const Scalar e28 = e27 - (c_.G_ab + c_.G_ac);
-        c_.k2 = -inverse_16 * e28;
-        c_.k3 = e26;
-        c_.k4 = -e28;
-        const Scalar inverse_29 = Scalar(1) / c_.R_low;
-        c_.k5 = p_.T_0 * inverse_29;
-        c_.k6 = inverse_29;
-        const Scalar inverse_30 = Scalar(1) / c_.R_up;
-        c_.k7 = p_.T_0 * inverse_30;
-        c_.k8 = inverse_30;
+        const Scalar e27 = inverse_16 * inverse_23;
+        const Scalar e28 = (Scalar(2) * c_.G_ac + e24) * e24;
+        c_.k2 = c_.G_ac * (inverse_16 - c_.G_ac * e27) + c_.G_ab * inverse_16 * (Scalar(1) - e20) - e27 * e28;
+        const Scalar e29 = inverse_23 * (c_.G_ac * e22 - e28) + e20 * e18;
+        c_.k3 = -inverse_16 * e29;
+        c_.k4 = e26;
+        c_.k5 = -e29;
+        const Scalar inverse_30 = Scalar(1) / c_.R_low;
+        c_.k6 = p_.T_0 * inverse_30;
+        c_.k7 = inverse_30;
+        const Scalar inverse_31 = Scalar(1) / c_.R_up;
+        c_.k8 = p_.T_0 * inverse_31;
+        c_.k9 = inverse_31;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -259,12 +262,12 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 3 + or -, 2 *
+    /// Operations: 2 + or -, 2 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar P = u[0];
         const Scalar T_P = x[0];
         dxdt[0] = c_.k0 + c_.k1 * P - c_.k2 * T_P;
-        J[0] = -c_.k2;
+        J[0] = c_.k3;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -280,142 +283,169 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 12, entry (i, j) at J[1*j + i].
-    /// Operations: 92 + or -, 217 *, 19 /
+    /// Operations: 120 + or -, 285 *, 19 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / p_.C;
-        const Scalar e2 = p_.B * inverse_1;
-        const Scalar e3 = p_.T_0 * e2;
-        const Scalar inverse_4 = Scalar(1) / p_.L_a;
-        const Scalar e5 = p_.lambda_a * inverse_4;
-        const Scalar e6 = e3 * e5;
-        const Scalar inverse_7 = Scalar(1) / c_.G_b;
-        const Scalar inverse_8 = Scalar(1) / c_.G_db;
-        const Scalar inverse_9 = Scalar(1) / (inverse_7 + inverse_8);
-        const Scalar e10 = c_.G_ab + inverse_9;
-        const Scalar inverse_11 = Scalar(1) / (c_.G_l + e10);
-        const Scalar e12 = c_.G_ab * inverse_11;
-        const Scalar e13 = c_.G_l * e12;
-        const Scalar e14 = c_.G_ac + e13;
-        const Scalar inverse_15 = Scalar(1) / c_.G_c;
-        const Scalar inverse_16 = Scalar(1) / c_.G_dc;
-        const Scalar inverse_17 = Scalar(1) / (inverse_15 + inverse_16);
-        const Scalar e18 = c_.G_l * inverse_11;
-        const Scalar e19 = inverse_17 + inverse_9 * e18;
-        const Scalar inverse_20 = Scalar(1) / e10;
-        const Scalar inverse_20_squared = inverse_20 * inverse_20;
-        const Scalar inverse_21 = Scalar(1) / c_.G_l;
-        const Scalar inverse_22 = Scalar(1) / (inverse_21 + inverse_20);
-        const Scalar inverse_23 = Scalar(1) / (c_.G_ac + inverse_17 + inverse_22);
-        const Scalar e24 = inverse_22 * inverse_23;
-        const Scalar e24_squared = e24 * e24;
-        const Scalar e25 = inverse_9 * e12;
-        const Scalar e26 = inverse_11 * e25;
-        const Scalar e27 = c_.G_ab * inverse_17 + c_.G_ac * inverse_9;
-        const Scalar e28 = (Scalar(1) / Scalar(2)) * e27 + inverse_9 * e13;
-        const Scalar e29 = inverse_11 * inverse_23;
-        const Scalar e30 = (Scalar(1) / Scalar(2)) * (e14 * e19 * inverse_20_squared * e24_squared + e26);
-        const Scalar e31 = e30 + e28 * e18 * e29;
-        const Scalar e32 = inverse_23 * e19;
-        const Scalar e33 = inverse_11 * (inverse_9 + c_.G_l * e32);
-        const Scalar e34 = inverse_23 * e14;
-        const Scalar e35 = (Scalar(1) - e34) * e32;
-        const Scalar e36 = p_.H_b * e31 - (Scalar(1) / Scalar(2)) * (p_.H_b * e33 + p_.H_c * e35);
-        const Scalar e37 = inverse_4 * e36;
-        const Scalar e38 = Scalar(1) + e24_squared;
-        const Scalar e39 = inverse_17 * inverse_23;
-        const Scalar e40 = inverse_21 * e24;
-        const Scalar e41 = c_.G_ac * e40;
-        const Scalar e42 = inverse_22 * e41;
-        const Scalar e43 = Scalar(1) - e18;
-        const Scalar e44 = e38 * e26 + inverse_21 * e39 * e42 + (inverse_22 * e27 * e40 - Scalar(2) * e43 * e28) * e29;
-        const Scalar e45 = e44 * e3;
-        const Scalar e46 = p_.H_b + p_.H_c;
-        const Scalar inverse_47 = Scalar(1) / e46;
-        const Scalar e48 = p_.lambda_a * inverse_47;
+        const Scalar inverse_1 = Scalar(1) / (p_.H_b + p_.H_c);
+        const Scalar e2 = p_.lambda_a * inverse_1;
+        const Scalar inverse_3 = Scalar(1) / p_.C;
+        const Scalar inverse_4 = Scalar(1) / c_.G_c;
+        const Scalar inverse_5 = Scalar(1) / c_.G_dc;
+        const Scalar inverse_6 = Scalar(1) / (inverse_4 + inverse_5);
+        const Scalar inverse_7 = Scalar(1) / c_.G_l;
+        const Scalar inverse_8 = Scalar(1) / c_.G_b;
+        const Scalar inverse_9 = Scalar(1) / c_.G_db;
+        const Scalar inverse_10 = Scalar(1) / (inverse_8 + inverse_9);
+        const Scalar inverse_11 = Scalar(1) / (c_.G_ab + inverse_10);
+        const Scalar inverse_12 = Scalar(1) / (inverse_7 + inverse_11);
+        const Scalar e13 = inverse_6 + inverse_12;
+        const Scalar inverse_14 = Scalar(1) / (c_.G_ac + e13);
+        const Scalar e15 = inverse_3 * inverse_14;
+        const Scalar e16 = p_.B * e15;
+        const Scalar e17 = p_.T_0 * e16;
+        const Scalar e18 = c_.G_l + inverse_10;
+        const Scalar inverse_19 = Scalar(1) / (c_.G_ab + e18);
+        const Scalar inverse_19_squared = inverse_19 * inverse_19;
+        const Scalar e20 = inverse_10 * inverse_19_squared;
+        const Scalar e21 = c_.G_ab * c_.G_l;
+        const Scalar e22 = inverse_19 * e21;
+        const Scalar e23 = e22 - (Scalar(1) / Scalar(2)) * inverse_12;
+        const Scalar e24 = (Scalar(1) / Scalar(2)) * c_.G_ac + e22;
+        const Scalar e25 = c_.G_ab * inverse_19_squared;
+        const Scalar e26 = c_.G_ab * e25;
+        const Scalar e27 = inverse_12 * (inverse_12 * inverse_14);
+        const Scalar e28 = c_.G_ab * inverse_19;
+        const Scalar e29 = c_.G_ac * inverse_7;
+        const Scalar e30 = inverse_10 * inverse_19;
+        const Scalar e31 = e27 * ((e28 + e29) * (inverse_7 * inverse_6 + e30));
+        const Scalar e32 = e20 * (c_.G_ab * e23 + inverse_10 * e24) + (Scalar(1) / Scalar(2)) * (inverse_6 * e26 - e31);
+        const Scalar e33 = e17 * e32;
+        const Scalar e34 = p_.H_b * inverse_10;
+        const Scalar e35 = e20 * e34;
+        const Scalar e36 = p_.B * p_.T_0;
+        const Scalar e37 = inverse_3 * e36;
+        const Scalar e38 = c_.G_l * e20;
+        const Scalar e39 = c_.G_l * inverse_19_squared;
+        const Scalar e40 = e27 * (inverse_11 * inverse_11);
+        const Scalar e41 = c_.G_ac + e22;
+        const Scalar e42 = c_.G_l * e30;
+        const Scalar e43 = inverse_6 + e42;
+        const Scalar e44 = e41 * e43;
+        const Scalar e45 = (e23 - (Scalar(1) / Scalar(2)) * (c_.G_l + Scalar(2) * inverse_6)) * e38;
+        const Scalar e46 = e45 - (Scalar(1) / Scalar(2)) * (c_.G_l * inverse_6 * e39 - e40 * e44);
+        const Scalar e47 = (e22 - e13) * (inverse_14 * e43);
+        const Scalar e48 = p_.H_b * e46 + (Scalar(1) / Scalar(2)) * p_.H_c * e47;
+        const Scalar e49 = e35 * e37 - Scalar(2) * e17 * e48;
+        const Scalar inverse_50 = Scalar(1) / p_.L_a;
+        const Scalar e51 = p_.lambda_a * inverse_50;
+        const Scalar e52 = inverse_50 * e51;
         const Scalar T_P = x[0];
-        const Scalar e12_squared = e12 * e12;
-        const Scalar e49 = (Scalar(1) / Scalar(2)) * (e41 * e41 + e38 * e12_squared) + inverse_23 * (e42 - e14 * e43) * e12;
-        const Scalar e50 = e2 * e49;
-        const Scalar e51 = e2 * e5;
-        const Scalar e52 = inverse_11 * (c_.G_ab + c_.G_l * e34);
-        const Scalar e53 = (Scalar(1) / Scalar(2)) * (c_.G_ac * c_.G_ac + e13 * e13) + c_.G_ac * e13;
-        const Scalar e54 = Scalar(2) * inverse_23 * (inverse_11 * e14 * e13 + inverse_22 * e53 * e24 * inverse_20_squared);
-        const Scalar e55 = e54 + e12_squared;
-        const Scalar e56 = e52 - (Scalar(1) / Scalar(2)) * e55;
-        const Scalar e57 = inverse_23 * e53;
-        const Scalar e58 = inverse_23 * (e57 - e14);
-        const Scalar e59 = p_.H_b * e56 - p_.H_c * e58 - (Scalar(1) / Scalar(2)) * e46;
-        const Scalar e60 = inverse_4 * e59;
-        const Scalar inverse_61 = Scalar(1) / p_.lambda_b;
-        const Scalar e62 = p_.H_b * inverse_61;
-        const Scalar inverse_63 = Scalar(1) / p_.lambda_c;
-        const Scalar e64 = p_.H_c * inverse_63;
-        const Scalar inverse_65 = Scalar(1) / (e62 + e64);
-        const Scalar e66 = (Scalar(1) - e32) * (inverse_17 * e14);
-        const Scalar e67 = e3 * e66;
-        const Scalar e68 = p_.H_c * e39;
-        const Scalar inverse_69 = Scalar(1) / p_.L_b;
-        const Scalar e70 = inverse_69 * inverse_15;
-        const Scalar e71 = e68 * e70;
-        const Scalar e72 = p_.lambda_c * e70;
-        const Scalar e73 = e71 * e72;
-        const Scalar e74 = inverse_69 * inverse_7;
-        const Scalar e75 = p_.lambda_b * e74;
-        const Scalar e76 = Scalar(2) * e31;
-        const Scalar e77 = e52 - e76;
+        const Scalar e53 = c_.G_ab * inverse_3;
+        const Scalar e54 = p_.B * e53;
+        const Scalar e55 = e41 * e16;
+        const Scalar e56 = ((Scalar(1) / Scalar(2)) * (e29 * e29 + e26) + e28 * e29) * e27;
+        const Scalar e57 = e41 * e26 - e56;
+        const Scalar e58 = c_.G_ab * (inverse_19_squared * e54 - Scalar(2) * e20 * e55) - Scalar(2) * e16 * e57;
+        const Scalar e59 = Scalar(2) * c_.G_l * e55 + e54;
+        const Scalar e60 = e20 + e39;
+        const Scalar e61 = inverse_19_squared * e21;
+        const Scalar e62 = e21 * e61;
+        const Scalar e63 = Scalar(2) * c_.G_ac * e24 + e62;
+        const Scalar e64 = e63 * e16;
+        const Scalar e65 = e18 * (inverse_3 * inverse_19);
+        const Scalar e66 = e59 * e60 - (e40 * e64 + p_.B * e65);
+        const Scalar e67 = inverse_14 * (e62 - Scalar(2) * e24 * e13) + e13;
+        const Scalar e68 = p_.H_b * e66 - p_.H_c * e16 * e67;
+        const Scalar e69 = inverse_10 * e40;
+        const Scalar e70 = c_.G_ab * e20;
+        const Scalar e71 = e64 * e69 + e59 * e70;
+        const Scalar e72 = e71 * e34;
+        const Scalar inverse_73 = Scalar(1) / p_.L_b;
+        const Scalar e74 = inverse_73 * inverse_8;
+        const Scalar e75 = e74 * (p_.lambda_b * e74);
+        const Scalar inverse_76 = Scalar(1) / p_.lambda_c;
+        const Scalar e77 = p_.H_c * inverse_76;
+        const Scalar inverse_78 = Scalar(1) / p_.lambda_b;
+        const Scalar e79 = p_.H_b * inverse_78;
+        const Scalar inverse_80 = Scalar(1) / (e77 + e79);
+        const Scalar inverse_6_squared = inverse_6 * inverse_6;
+        const Scalar e81 = inverse_14 * inverse_6_squared;
+        const Scalar e82 = p_.H_c * e81;
+        const Scalar e83 = e82 * e64;
+        const Scalar e84 = inverse_73 * inverse_4;
+        const Scalar e85 = e84 * (p_.lambda_c * e84);
+        const Scalar e86 = e21 * e38 - e69 * e44 + (c_.G_ab * inverse_12 + c_.G_ac * c_.G_l) * e38;
+        const Scalar e87 = c_.G_ac - e42;
+        const Scalar e88 = e53 * e36;
+        const Scalar e89 = e17 * e86 + (Scalar(2) * c_.G_l * e87 * e17 + e88) * e70;
+        const Scalar e90 = e89 * e34;
+        const Scalar e91 = inverse_12 + e87;
+        const Scalar e92 = e41 * e17;
+        const Scalar e93 = e91 * e92;
+        const Scalar e94 = e82 * e93;
+        const Scalar inverse_95 = Scalar(1) / p_.L_d;
+        const Scalar e96 = p_.lambda_d * inverse_95;
+        const Scalar inverse_5_squared = inverse_5 * inverse_5;
         const Scalar inverse_9_squared = inverse_9 * inverse_9;
-        const Scalar e78 = p_.H_b * inverse_9_squared;
-        const Scalar e79 = e77 * e78;
-        const Scalar e80 = e79 * (e3 * e74);
-        const Scalar e81 = e53 * e39;
-        const Scalar e82 = e2 * e81;
-        const Scalar e83 = e55 * e78;
-        const Scalar e84 = e83 * (e2 * e74);
-        const Scalar inverse_85 = Scalar(1) / p_.L_d;
-        const Scalar e86 = p_.lambda_d * inverse_85;
-        const Scalar inverse_8_squared = inverse_8 * inverse_8;
-        const Scalar inverse_16_squared = inverse_16 * inverse_16;
-        const Scalar e87 = e68 * inverse_16_squared;
-        const Scalar e88 = (e79 * inverse_8_squared + e66 * e87) * (inverse_85 * e3);
-        const Scalar e89 = (e83 * inverse_8_squared + Scalar(2) * e81 * e87) * (inverse_85 * e2);
-        const Scalar e90 = p_.L_b * inverse_65;
-        const Scalar e91 = inverse_65 * e90;
-        const Scalar e92 = inverse_61 * e91;
-        const Scalar e93 = p_.L_a * inverse_47;
-        const Scalar e94 = e48 * e93;
-        const Scalar e95 = e92 + e94;
-        const Scalar e96 = e86 * inverse_8_squared + inverse_7 * e75;
-        const Scalar e97 = e96 * inverse_9_squared;
-        const Scalar e98 = inverse_63 * e91;
-        const Scalar e99 = e98 + e94;
-        const Scalar e100 = e86 * inverse_16_squared + inverse_15 * e72;
-        const Scalar e101 = e100 * e39;
-        const Scalar e102 = e90 + p_.L_a * e48;
-        const Scalar e103 = e100 * e68;
-        const Scalar e104 = e62 * e92;
-        const Scalar e105 = inverse_15 * e71;
-        const Scalar e106 = e64 * e98;
-        const Scalar inverse_1_squared = inverse_1 * inverse_1;
-        const Scalar e107 = e14 * e32 + e25;
+        const Scalar e97 = inverse_95 * (inverse_5_squared * e83 + inverse_9_squared * e72);
+        const Scalar e98 = inverse_95 * (inverse_9_squared * e90 + inverse_5_squared * e94);
+        const Scalar e99 = p_.L_b * inverse_80;
+        const Scalar e100 = inverse_80 * e99;
+        const Scalar e101 = inverse_78 * e100;
+        const Scalar e102 = p_.L_a * inverse_1;
+        const Scalar e103 = e2 * e102;
+        const Scalar e104 = e101 + e103;
+        const Scalar e105 = inverse_8 * e74;
+        const Scalar e106 = p_.lambda_b * e105 + e96 * inverse_9_squared;
+        const Scalar e107 = inverse_10 * e106;
+        const Scalar e108 = e17 * e51;
+        const Scalar e109 = inverse_76 * e100;
+        const Scalar e110 = e109 + e103;
+        const Scalar e111 = inverse_4 * e84;
+        const Scalar e112 = p_.lambda_c * e111 + e96 * inverse_5_squared;
+        const Scalar e113 = e112 * e81;
+        const Scalar e114 = e51 * e67 + e63 * e113;
+        const Scalar e115 = e99 + p_.L_a * e2;
+        const Scalar e116 = e106 * e34;
+        const Scalar e117 = e106 * e35;
+        const Scalar e118 = e21 * e117;
+        const Scalar e119 = p_.T_0 * inverse_3;
+        const Scalar e120 = e117 * (c_.G_ab * e53);
+        const Scalar e121 = p_.H_b * e51;
+        const Scalar e122 = e63 * e15;
+        const Scalar e123 = e41 * e15;
+        const Scalar e124 = e60 * e121;
+        const Scalar e125 = e24 * e17;
+        const Scalar e126 = Scalar(2) * c_.G_l * e125 + e88;
+        const Scalar e127 = inverse_6 * e17;
+        const Scalar e128 = e34 * e105;
+        const Scalar e129 = e43 * e92;
+        const Scalar e130 = e17 * (inverse_6 * e61 + e31) - (e28 * e127 - e20 * e126);
+        const Scalar e131 = e101 * e79;
+        const Scalar e132 = e59 * e25 - Scalar(2) * e16 * (e41 * e28 - e56);
+        const Scalar e133 = e77 * e109;
+        const Scalar e134 = e53 * e30 + e43 * e123;
         const Scalar P = u[0];
-        J[0] = Scalar(2) * e6 * e37 - e45 * e48 + T_P * (Scalar(2) * (-e50 * e48 - e51 * e60));
-        const Scalar e108 = T_P * (Scalar(2) * e82 * e73 - Scalar(2) * inverse_65 * e50 + e75 * e84);
-        J[1] = -inverse_65 * e45 - e67 * e73 - e75 * e80 + e108;
-        J[2] = -e86 * e88 + T_P * (e86 * e89);
-        const Scalar e109 = e51 * (Scalar(1) - Scalar(2) * e56) - Scalar(2) * e95 * e50 + e2 * e55 * e97;
-        J[3] = -(e6 * (e76 - e33) - e95 * e45 - e77 * e3 * e97) - T_P * e109;
-        const Scalar e110 = e51 * (Scalar(1) + Scalar(2) * e58) - Scalar(2) * e99 * e50 + Scalar(2) * e82 * e101;
-        J[4] = -(-e99 * e45 - e67 * e101 - e6 * e35) - T_P * e110;
-        const Scalar e111 = p_.T_0 * inverse_1 * (Scalar(2) * e5 * e36 + e44 * e102 - e96 * e79 - e66 * e103);
-        const Scalar e112 = Scalar(2) * e49 * e102 - Scalar(2) * e5 * e59 + e96 * e83 + Scalar(2) * e81 * e103;
-        J[5] = -e111 - T_P * (inverse_1 * e112);
-        J[6] = -(e45 * e93 + Scalar(2) * e3 * e37) - T_P * (Scalar(2) * (e50 * e93 - e2 * e60));
-        J[7] = -(e45 * e104 - inverse_7 * e80) - T_P * (Scalar(2) * e50 * e104 + inverse_7 * e84);
-        J[8] = e67 * e105 - e45 * e106 - T_P * (Scalar(2) * (e82 * e105 + e50 * e106));
-        J[9] = -(-e88) - T_P * e89;
-        const Scalar e113 = inverse_1_squared * (c_.G_ac - Scalar(2) * e57) + c_.G_ab * inverse_1_squared * (Scalar(1) - e12);
-        J[10] = T_P * e113 - p_.T_0 * e107 * inverse_1_squared - P * inverse_1_squared;
-        J[11] = inverse_1 * e107;
+        J[0] = Scalar(2) * e2 * e33 - e49 * e52 + T_P * (-e58 * e2 - e68 * e52);
+        J[1] = T_P * (e72 * e75 - inverse_80 * e58 + e83 * e85) - (e90 * e75 - Scalar(2) * inverse_80 * e33 + e94 * e85);
+        J[2] = T_P * (e96 * e97) - e96 * e98;
+        const Scalar e135 = Scalar(2) * e104 * e33 - e89 * e107 + Scalar(2) * e46 * e108 - inverse_10 * e20 * e51 * e37;
+        J[3] = -e135 - T_P * (e71 * e107 - e104 * e58 - e51 * e66);
+        J[4] = T_P * (e110 * e58 - e16 * e114) - (Scalar(2) * e110 * e33 - e93 * e113 + e108 * e47);
+        const Scalar e136 = Scalar(2) * e115 * e32 - Scalar(2) * e51 * e48 + e41 * e91 * e112 * e82 + e86 * e116 + Scalar(2)
+            * e87 * e118;
+        const Scalar e137 = e121 * (e65 + e40 * e122) - e115 * (Scalar(2) * e15 * e57 - e53 * e25 + Scalar(2) * e123 * e70)
+            - e123 * (Scalar(2) * (c_.G_l * e124 - e118)) + p_.H_c * e15 * e114 + e69 * e122 * e116 - e53 * e124 + e120;
+        J[5] = -(-p_.T_0 * e15 * e136 - e51 * e35 * e119 - p_.T_0 * e120) - T_P * e137;
+        J[6] = -(-inverse_50 * e49 - Scalar(2) * e33 * e102) - T_P * (e58 * e102 - inverse_50 * e68);
+        const Scalar e138 = e35 * e105 * (inverse_10 * e126 + e21 * e127) - e128 * (e92 * e42 + e30 * e88 - e69 * e129)
+            - Scalar(2) * inverse_78 * inverse_19 * e34 * e101 * e125 + e130 * e131;
+        J[7] = -e138 - T_P * (e71 * e128 + e132 * e131);
+        const Scalar e139 = e111 * (p_.H_c * inverse_6_squared * e92 - e82 * e129) - e133 * (e130 - Scalar(2) * e30 * e125);
+        J[8] = e139 - T_P * (e111 * e83 + e132 * e133);
+        J[9] = e98 - T_P * e97;
+        const Scalar e140 = e53 * (c_.G_l * e15 * e61 - e65) - e15 * (c_.G_ac * inverse_3) * (inverse_6 - Scalar(2) * e23);
+        J[10] = -e134 * e119 - P * (inverse_3 * inverse_3) - T_P * e140;
+        J[11] = e134;
     }
 
     /// J = df/dt at fixed x and u.
@@ -454,17 +484,17 @@ public:
     ///     Q_least = -T_0/R_up + T_P/R_up
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         const Scalar T_P = x[0];
-        y[0] = c_.k4 * T_P - c_.k3;
-        y[1] = c_.k6 * T_P - c_.k5;
-        y[2] = c_.k8 * T_P - c_.k7;
+        y[0] = -c_.k4 - c_.k5 * T_P;
+        y[1] = c_.k7 * T_P - c_.k6;
+        y[2] = c_.k9 * T_P - c_.k8;
     }
 
     /// C = dh/dx.
-    /// Operations: none
+    /// Operations: 1 + or -
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        C[0] = c_.k4;
-        C[1] = c_.k6;
-        C[2] = c_.k8;
+        C[0] = -c_.k5;
+        C[1] = c_.k7;
+        C[2] = c_.k9;
     }
 
     /// D = dh/du.
@@ -559,12 +589,13 @@ private:
         Scalar k0;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) ...
         Scalar k1;  ///< 1/C
         Scalar k2;  ///< (G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l ...
-        Scalar k3;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) ...
-        Scalar k4;  ///< G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l ...
-        Scalar k5;  ///< T_0/R_low
-        Scalar k6;  ///< 1/R_low
-        Scalar k7;  ///< T_0/R_up
-        Scalar k8;  ///< 1/R_up
+        Scalar k3;  ///< (2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + ...
+        Scalar k4;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) ...
+        Scalar k5;  ///< 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + ...
+        Scalar k6;  ///< T_0/R_low
+        Scalar k7;  ///< 1/R_low
+        Scalar k8;  ///< T_0/R_up
+        Scalar k9;  ///< 1/R_up
     };
     Cached c_{};
 };

@@ -15,13 +15,13 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     60     7        0      8
+//   update                 2     61     7        0      8
 //   rhs                    6      9     0        0      5
-//   rhs_and_jacobian       8     12     0        0      5
+//   rhs_and_jacobian       9     15     0        0      8
 //   jacobian_u             4      6     1        0      6
-//   jacobian_p            33    129     8        0     21
-//   output                 8     28     3        0     11
-//   output_jacobian_x      6     15     2        0      7
+//   jacobian_p            33    130     8        0     21
+//   output                 8     30     3        0     14
+//   output_jacobian_x      6     16     2        0      8
 //   output_jacobian_u     17     48     7        0     13
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        6      8     0        0      5
@@ -233,7 +233,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 60 *, 7 /, 8 other functions
+    /// Operations: 2 + or -, 61 *, 7 /, 8 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -259,47 +259,49 @@ public:
         c_.k2 = Scalar(2) * c_.phi_Pr * e9;
         const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
         const Scalar power_Pr = pow(c_.Pr, Scalar(1) / Scalar(3));
-        const Scalar e10 = power_Re_c * power_Pr;
-        c_.k3 = (Scalar(37) / Scalar(1000)) * e9 * e10;
-        const Scalar inverse_11 = Scalar(1) / p_.nu;
-        const Scalar e12 = p_.L * inverse_11;
-        c_.k4 = e12;
+        const Scalar e10 = power_Pr * e8;
+        const Scalar e11 = inverse_5 * e10;
+        c_.k3 = (Scalar(37) / Scalar(1000)) * power_Re_c * e11;
+        const Scalar inverse_12 = Scalar(1) / p_.nu;
+        const Scalar e13 = p_.L * inverse_12;
+        c_.k4 = e13;
         c_.k5 = p_.T_inf * p_.T_inf;
         c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e7;
-        const Scalar e13 = c_.phi_Pr * inverse_11;
-        const Scalar e14 = p_.L * e13;
-        c_.k7 = e9 * e14;
-        const Scalar e15 = power_Pr * e12;
-        c_.k8 = (Scalar(37) / Scalar(1250)) * e9 * e15;
+        c_.k7 = (Scalar(37) / Scalar(1000)) * e11;
+        const Scalar e14 = c_.phi_Pr * inverse_12;
+        const Scalar e15 = p_.L * e14;
+        c_.k8 = e9 * e15;
+        c_.k9 = (Scalar(37) / Scalar(1250)) * e13 * e11;
         const Scalar inverse_16 = Scalar(1) / p_.L;
-        const Scalar e17 = p_.lambda * c_.phi_Pr;
-        c_.k9 = Scalar(2) * inverse_16 * e17;
-        const Scalar e18 = p_.lambda * power_Pr;
-        c_.k10 = (Scalar(37) / Scalar(1000)) * power_Re_c * inverse_16 * e18;
-        c_.k11 = Scalar(2) * c_.phi_Pr * e8;
-        c_.k12 = (Scalar(37) / Scalar(1000)) * e8 * e10;
-        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e6;
-        c_.k14 = p_.nu * p_.Re_c;
+        const Scalar e17 = p_.lambda * power_Pr;
+        c_.k10 = (Scalar(37) / Scalar(1000)) * inverse_16 * e17;
+        const Scalar e18 = p_.lambda * c_.phi_Pr;
+        c_.k11 = Scalar(2) * inverse_16 * e18;
+        c_.k12 = Scalar(2) * c_.phi_Pr * e8;
+        c_.k13 = (Scalar(37) / Scalar(1000)) * power_Re_c * e10;
+        c_.k14 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e6;
+        c_.k15 = p_.nu * p_.Re_c;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(1) / Scalar(3));
-        c_.k15 = Scalar(5) * power_Pr_2;
-        c_.k16 = e17;
-        c_.k17 = (Scalar(37) / Scalar(1250)) * e18;
-        c_.k18 = inverse_11;
-        c_.k19 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e6;
-        const Scalar e19 = p_.lambda * e13;
-        c_.k20 = e19;
-        const Scalar e20 = inverse_11 * e18;
-        c_.k21 = (Scalar(37) / Scalar(1250)) * e20;
-        c_.k22 = e8 * e14;
-        c_.k23 = (Scalar(37) / Scalar(1250)) * e8 * e15;
-        c_.k24 = (Scalar(5) / Scalar(2)) * p_.nu;
-        c_.k25 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
-        c_.k26 = (Scalar(37) / Scalar(500)) * inverse_11;
-        c_.k27 = (Scalar(1) / Scalar(2)) * e19;
-        c_.k28 = (Scalar(74) / Scalar(3125)) * e20;
-        c_.k29 = (Scalar(1) / Scalar(2)) * e13;
-        c_.k30 = (Scalar(1) / Scalar(2)) * p_.T_inf * e13;
-        c_.k31 = p_.T_inf * c_.phi_Pr;
+        c_.k16 = Scalar(5) * power_Pr_2;
+        c_.k17 = e18;
+        c_.k18 = (Scalar(37) / Scalar(1250)) * e17;
+        c_.k19 = inverse_12;
+        c_.k20 = (Scalar(37) / Scalar(1000)) * e10;
+        c_.k21 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e6;
+        const Scalar e19 = p_.lambda * e14;
+        c_.k22 = e19;
+        const Scalar e20 = inverse_12 * e17;
+        c_.k23 = (Scalar(37) / Scalar(1250)) * e20;
+        c_.k24 = e8 * e15;
+        c_.k25 = (Scalar(37) / Scalar(1250)) * e10 * e13;
+        c_.k26 = (Scalar(5) / Scalar(2)) * p_.nu;
+        c_.k27 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
+        c_.k28 = (Scalar(37) / Scalar(500)) * inverse_12;
+        c_.k29 = (Scalar(1) / Scalar(2)) * e19;
+        c_.k30 = (Scalar(74) / Scalar(3125)) * e20;
+        c_.k31 = (Scalar(1) / Scalar(2)) * e14;
+        c_.k32 = (Scalar(1) / Scalar(2)) * p_.T_inf * e14;
+        c_.k33 = p_.T_inf * c_.phi_Pr;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -334,11 +336,11 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 8 + or -, 12 *, 5 other functions
+    /// Operations: 9 + or -, 15 *, 8 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::expm1;
+        using std::pow;
         using std::sqrt;
-        const Scalar P = u[1];
         const Scalar T_P = x[0];
         const Scalar e1 = p_.T_inf - T_P;
         const Scalar u_value = u[0];
@@ -350,9 +352,13 @@ public:
         const Scalar sqrt_7 = sqrt(min_6);
         const Scalar e8 = p_.T_inf + T_P;
         const Scalar e9 = c_.k1 * (c_.k5 + T_P * T_P);
-        const Scalar e10 = c_.k3 * expm1_5 + (c_.k2 * sqrt_7 + e8 * e9);
-        dxdt[0] = c_.k0 * P + e1 * e10;
-        J[0] = e1 * (c_.k6 * T_P * e8 + e9) - e10;
+        const Scalar e10 = c_.k2 * sqrt_7 + e8 * e9;
+        const Scalar P = u[1];
+        dxdt[0] = e1 * (c_.k3 * expm1_5 + e10) + c_.k0 * P;
+        const Scalar power_11 = pow(max_3, Scalar(4) / Scalar(5));
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_3);
+        const Scalar expm1_12 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        J[0] = e1 * (c_.k6 * T_P * e8 + e9) + c_.k7 * power_11 * expm1_12 - e10;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -376,14 +382,14 @@ public:
         const Scalar step_6 = detail::step<Scalar>(e2);
         const Scalar max_7 = detail::max<Scalar>(e1, p_.Re_c);
         const Scalar power_8 = pow(max_7, -Scalar(1) / Scalar(5));
-        J[0] = (p_.T_inf - T_P) * (c_.k7 * step_3 / sqrt_5 + c_.k8 * step_6 * power_8);
+        J[0] = (p_.T_inf - T_P) * (c_.k8 * step_3 / sqrt_5 + c_.k9 * step_6 * power_8);
         J[1] = c_.k0;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 33 + or -, 129 *, 8 /, 21 other functions
+    /// Operations: 33 + or -, 130 *, 8 /, 21 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::exp;
         using std::expm1;
@@ -419,12 +425,12 @@ public:
         const Scalar e24 = e12 * (step_21 * power_23);
         const Scalar e25 = p_.lambda * inverse_1;
         const Scalar e26 = e4 * sqrt_17;
-        const Scalar e27 = p_.L * p_.eps;
-        const Scalar e28 = inverse_1 * e27;
         const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
-        const Scalar log_ratio_29 = detail::log_ratio<Scalar>(max_22, p_.Re_c);
-        const Scalar expm1_30 = expm1((Scalar(4) / Scalar(5)) * log_ratio_29);
-        const Scalar e31 = e4 * expm1_30;
+        const Scalar log_ratio_27 = detail::log_ratio<Scalar>(max_22, p_.Re_c);
+        const Scalar expm1_28 = expm1((Scalar(4) / Scalar(5)) * log_ratio_27);
+        const Scalar e29 = e4 * expm1_28;
+        const Scalar e30 = p_.L * p_.eps;
+        const Scalar e31 = inverse_1 * e30;
         const Scalar P = u[1];
         const Scalar e32 = c_.phi_Pr * e9;
         const Scalar e33 = power_Pr * e9;
@@ -444,46 +450,48 @@ public:
         const Scalar e47 = inverse_44 * (e42 - (Scalar(300) / Scalar(2129)) * power_46 / sqrt_37);
         const Scalar e48 = e2 * e34;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(2) / Scalar(3));
+        const Scalar power_49 = pow(max_22, Scalar(4) / Scalar(5));
         const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_22);
-        const Scalar expm1_49 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
-        const Scalar power_50 = pow(max_22, Scalar(4) / Scalar(5));
-        const Scalar e51 = expm1_49 * (e4 * power_50);
-        const Scalar e52 = p_.L * inverse_8;
-        const Scalar e53 = p_.nu * e2;
-        const Scalar e54 = power_Pr_2 * e53;
-        const Scalar e55 = e53 * e47;
-        const Scalar e56 = e9 * e45;
+        const Scalar expm1_50 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar e51 = power_49 * expm1_50;
+        const Scalar e52 = e4 * e51;
+        const Scalar e53 = p_.L * inverse_8;
+        const Scalar e54 = p_.nu * e2;
+        const Scalar e55 = power_Pr_2 * e54;
+        const Scalar e56 = e54 * e47;
+        const Scalar e57 = e9 * e45;
+        const Scalar e58 = power_Re_c * e55;
         const Scalar power_Re_c_2 = pow(p_.Re_c, -Scalar(1) / Scalar(5));
-        const Scalar e57 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.eps * e2;
-        J[0] = e57 * e7 + e11 * e19 + (Scalar(37) / Scalar(1250)) * e20 * e24;
-        const Scalar e58 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e28;
-        J[1] = Scalar(2) * c_.phi_Pr * e25 * e26 + e58 * e7 + (Scalar(37) / Scalar(1000)) * power_Re_c * power_Pr * e25 * e31;
         const Scalar e59 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e28;
-        J[2] = -P * (inverse_1 * inverse_1) - Scalar(2) * inverse_1 * e32 * e26 - e59 * e7 - (Scalar(37) / Scalar(1000))
-            * power_Re_c * inverse_1 * e33 * e31;
-        const Scalar e60 = (Scalar(33541) / Scalar(187500)) * e10 * e45 + (Scalar(2129) / Scalar(300)) * e47 * e48;
-        J[3] = -e60 * e26 - (Scalar(37) / Scalar(3000)) * power_Pr_2 * e48 * e51 - e52 * e11 * e19
-            - (Scalar(37) / Scalar(1250)) * e52 * e20 * e24;
-        const Scalar e61 = (Scalar(37) / Scalar(3000)) * e35 * e54 - (Scalar(37) / Scalar(1000)) * power_Pr * e2;
-        const Scalar e62 = -e2 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e45)
-            - (Scalar(2129) / Scalar(300)) * e35 * e55;
-        J[4] = e61 * e51 - e62 * e26;
-        const Scalar e63 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e55 - (Scalar(33541) / Scalar(187500)) * e56 / p_.rho;
-        J[5] = e63 * e26 - (Scalar(37) / Scalar(3000)) * p_.c_p * e54 * e51;
-        const Scalar e64 = -(Scalar(2129) / Scalar(300)) * p_.rho * e55 - (Scalar(33541) / Scalar(187500)) * e56 / p_.c_p;
-        J[6] = e64 * e26 - (Scalar(37) / Scalar(3000)) * p_.rho * e54 * e51;
-        const Scalar e65 = step_15 * power_23 * ((Scalar(37) / Scalar(1250)) * e33) + step_21 * inverse_18 * e32
+            * p_.eps * e2;
+        J[0] = e59 * e7 + e11 * e19 + (Scalar(37) / Scalar(1250)) * e20 * e24;
+        const Scalar e60 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e31;
+        J[1] = Scalar(2) * c_.phi_Pr * e25 * e26 + (Scalar(37) / Scalar(1000)) * power_Re_c * power_Pr * e25 * e29 + e60 * e7;
+        const Scalar e61 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e2 * e31;
+        J[2] = -P * (inverse_1 * inverse_1) - Scalar(2) * inverse_1 * e32 * e26 - (Scalar(37) / Scalar(1000)) * power_Re_c
+            * inverse_1 * e33 * e29 - e61 * e7;
+        const Scalar e62 = (Scalar(33541) / Scalar(187500)) * e10 * e45 + (Scalar(2129) / Scalar(300)) * e47 * e48;
+        J[3] = -e62 * e26 - (Scalar(37) / Scalar(3000)) * power_Pr_2 * e48 * e52 - e53 * e11 * e19
+            - (Scalar(37) / Scalar(1250)) * e53 * e20 * e24;
+        const Scalar e63 = (Scalar(37) / Scalar(3000)) * e35 * e55 - (Scalar(37) / Scalar(1000)) * power_Pr * e2;
+        const Scalar e64 = -e2 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e45)
+            - (Scalar(2129) / Scalar(300)) * e35 * e56;
+        J[4] = e63 * e52 - e64 * e26;
+        const Scalar e65 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e56 - (Scalar(33541) / Scalar(187500)) * e57 / p_.rho;
+        J[5] = e65 * e26 + (Scalar(37) / Scalar(3000)) * p_.c_p * e58 * e29;
+        const Scalar e66 = -(Scalar(2129) / Scalar(300)) * p_.rho * e56 - (Scalar(33541) / Scalar(187500)) * e57 / p_.c_p;
+        J[6] = e66 * e26 + (Scalar(37) / Scalar(3000)) * p_.rho * e58 * e29;
+        const Scalar e67 = step_15 * power_23 * ((Scalar(37) / Scalar(1250)) * e33) + step_21 * inverse_18 * e32
             - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e33;
-        J[7] = e4 * e65;
-        const Scalar e66 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[7] = e4 * e67;
+        const Scalar e68 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.L * e2;
-        J[8] = e66 * e7;
-        const Scalar e67 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.T_inf * e2 * e27;
-        J[9] = c_.k1 * e3 * (e4 + e5) + c_.k2 * sqrt_17 + c_.k3 * expm1_30 + e67 * e6;
+        J[8] = e68 * e7;
+        const Scalar e69 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * p_.T_inf * e2 * e30;
+        J[9] = c_.k1 * e3 * (e4 + e5) + c_.k2 * sqrt_17 + e69 * e6 - c_.k7 * e51;
     }
 
     /// J = df/dt at fixed x and u.
@@ -508,7 +516,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 8 + or -, 28 *, 3 /, 11 other functions
+    /// Operations: 8 + or -, 30 *, 3 /, 14 other functions
     ///     alpha = -37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L) + 37*lambda*(Pr)^(1/3)*(max(L*u/nu, Re_c))^(4/5)/(1000*L) +
     ///     2*lambda*phi_Pr*sqrt(min(L*u/nu, Re_c))/L
     ///     alpha_l = 2*lambda*phi_Pr*sqrt(L*u/nu)/L
@@ -533,60 +541,65 @@ public:
         const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
         const Scalar sqrt_3 = sqrt(min_2);
         const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
-        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
+        const Scalar power_5 = pow(max_4, Scalar(4) / Scalar(5));
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_4);
+        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
         const Scalar sqrt_7 = sqrt(e1);
         const Scalar T_P = x[0];
         const Scalar e8 = p_.T_inf - T_P;
-        const Scalar inverse_9 = Scalar(1) / u_value;
+        const Scalar log_ratio_9 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
+        const Scalar expm1_10 = expm1((Scalar(4) / Scalar(5)) * log_ratio_9);
+        const Scalar inverse_11 = Scalar(1) / u_value;
         const Scalar x_value = u[2];
-        const Scalar sqrt_10 = sqrt(p_.nu * x_value * inverse_9);
-        const Scalar e11 = c_.k18 * u_value * x_value;
-        const Scalar power_12 = pow(e11, -Scalar(1) / Scalar(5));
-        const Scalar sqrt_13 = sqrt(e11);
-        const Scalar inverse_14 = Scalar(1) / x_value;
-        const Scalar e15 = sqrt_13 * inverse_14;
-        const Scalar power_16 = pow(e11, Scalar(4) / Scalar(5));
+        const Scalar sqrt_12 = sqrt(p_.nu * x_value * inverse_11);
+        const Scalar e13 = c_.k19 * u_value * x_value;
+        const Scalar power_14 = pow(e13, -Scalar(1) / Scalar(5));
+        const Scalar sqrt_15 = sqrt(e13);
+        const Scalar inverse_16 = Scalar(1) / x_value;
+        const Scalar e17 = sqrt_15 * inverse_16;
+        const Scalar power_18 = pow(e13, Scalar(4) / Scalar(5));
         const Scalar y_value = u[3];
-        const Scalar exp_17 = exp(c_.phi_Pr * y_value * e15);
-        y[0] = c_.k9 * sqrt_3 + c_.k10 * expm1_6;
-        y[1] = c_.k9 * sqrt_7;
-        y[2] = -e8 * (c_.k11 * sqrt_3 + c_.k12 * expm1_6);
-        y[3] = -c_.k13 * e8 * (p_.T_inf + T_P) * (c_.k5 + T_P * T_P);
+        const Scalar exp_19 = exp(c_.phi_Pr * y_value * e17);
+        y[0] = c_.k11 * sqrt_3 - c_.k10 * power_5 * expm1_6;
+        y[1] = c_.k11 * sqrt_7;
+        y[2] = -e8 * (c_.k12 * sqrt_3 + c_.k13 * expm1_10);
+        y[3] = -c_.k14 * e8 * (p_.T_inf + T_P) * (c_.k5 + T_P * T_P);
         y[4] = e1;
-        y[5] = c_.k14 * inverse_9;
-        y[6] = Scalar(5) * sqrt_10;
-        y[7] = c_.k15 * sqrt_10;
-        y[8] = (Scalar(37) / Scalar(100)) * x_value * power_12;
-        y[9] = c_.k16 * e15;
-        y[10] = c_.k17 * power_16 * inverse_14;
-        y[11] = p_.T_inf - e8 / exp_17;
+        y[5] = c_.k15 * inverse_11;
+        y[6] = Scalar(5) * sqrt_12;
+        y[7] = c_.k16 * sqrt_12;
+        y[8] = (Scalar(37) / Scalar(100)) * x_value * power_14;
+        y[9] = c_.k17 * e17;
+        y[10] = c_.k18 * power_18 * inverse_16;
+        y[11] = p_.T_inf - e8 / exp_19;
     }
 
     /// C = dh/dx.
-    /// Operations: 6 + or -, 15 *, 2 /, 7 other functions
+    /// Operations: 6 + or -, 16 *, 2 /, 8 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
         using std::expm1;
+        using std::pow;
         using std::sqrt;
         const Scalar u_value = u[0];
         const Scalar e1 = c_.k4 * u_value;
         const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
         const Scalar sqrt_3 = sqrt(min_2);
         const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
-        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
+        const Scalar power_5 = pow(max_4, Scalar(4) / Scalar(5));
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_4);
+        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
         const Scalar T_P = x[0];
         const Scalar e7 = p_.T_inf + T_P;
-        const Scalar e8 = c_.k13 * (c_.k5 + T_P * T_P);
+        const Scalar e8 = c_.k14 * (c_.k5 + T_P * T_P);
         const Scalar y_value = u[3];
         const Scalar x_value = u[2];
-        const Scalar sqrt_9 = sqrt(c_.k18 * u_value * x_value);
+        const Scalar sqrt_9 = sqrt(c_.k19 * u_value * x_value);
         const Scalar exp_10 = exp(c_.phi_Pr * y_value * sqrt_9 / x_value);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
-        C[2] = c_.k11 * sqrt_3 + c_.k12 * expm1_6;
-        C[3] = e7 * e8 - (p_.T_inf - T_P) * (c_.k19 * T_P * e7 + e8);
+        C[2] = c_.k12 * sqrt_3 - c_.k20 * power_5 * expm1_6;
+        C[3] = e7 * e8 - (p_.T_inf - T_P) * (c_.k21 * T_P * e7 + e8);
         C[4] = Scalar(0);
         C[5] = Scalar(0);
         C[6] = Scalar(0);
@@ -621,33 +634,33 @@ public:
         const Scalar e13 = x_value * inverse_12;
         const Scalar sqrt_14 = sqrt(p_.nu * e13);
         const Scalar e15 = inverse_12 / sqrt_14;
-        const Scalar e16 = c_.k24 * e15;
-        const Scalar e17 = c_.k25 * e15;
-        const Scalar e18 = c_.k18 * u_value * x_value;
+        const Scalar e16 = c_.k26 * e15;
+        const Scalar e17 = c_.k27 * e15;
+        const Scalar e18 = c_.k19 * u_value * x_value;
         const Scalar power_19 = pow(e18, -Scalar(6) / Scalar(5));
-        const Scalar e20 = power_19 * (c_.k26 * x_value);
+        const Scalar e20 = power_19 * (c_.k28 * x_value);
         const Scalar sqrt_21 = sqrt(e18);
         const Scalar inverse_22 = Scalar(1) / sqrt_21;
-        const Scalar e23 = c_.k27 * inverse_22;
+        const Scalar e23 = c_.k29 * inverse_22;
         const Scalar power_24 = pow(e18, -Scalar(1) / Scalar(5));
-        const Scalar e25 = c_.k28 * power_24;
+        const Scalar e25 = c_.k30 * power_24;
         const Scalar y_value = u[3];
         const Scalar inverse_26 = Scalar(1) / x_value;
         const Scalar e27 = sqrt_21 * inverse_26;
         const Scalar exp_28 = exp(c_.phi_Pr * y_value * e27);
         const Scalar inverse_29 = Scalar(1) / exp_28;
         const Scalar e30 = y_value * inverse_29;
-        const Scalar e31 = e30 * (inverse_22 * (c_.k29 * T_P - c_.k30));
+        const Scalar e31 = e30 * (inverse_22 * (c_.k31 * T_P - c_.k32));
         const Scalar e32 = u_value * inverse_26;
         const Scalar e33 = inverse_26 * e27;
         const Scalar power_34 = pow(e18, Scalar(4) / Scalar(5));
-        const Scalar e35 = c_.k31 - c_.phi_Pr * T_P;
-        D[0] = c_.k20 * e6 + c_.k21 * e10;
-        D[1] = c_.k20 / sqrt_11;
-        D[2] = -(p_.T_inf - T_P) * (c_.k22 * e6 + c_.k23 * e10);
+        const Scalar e35 = c_.k33 - c_.phi_Pr * T_P;
+        D[0] = c_.k22 * e6 + c_.k23 * e10;
+        D[1] = c_.k22 / sqrt_11;
+        D[2] = -(p_.T_inf - T_P) * (c_.k24 * e6 + c_.k25 * e10);
         D[3] = Scalar(0);
         D[4] = c_.k4;
-        D[5] = -c_.k14 * inverse_12 * inverse_12;
+        D[5] = -c_.k15 * inverse_12 * inverse_12;
         D[6] = -e13 * e16;
         D[7] = -e13 * e17;
         D[8] = -x_value * e20;
@@ -675,8 +688,8 @@ public:
         D[30] = e16;
         D[31] = e17;
         D[32] = (Scalar(37) / Scalar(100)) * power_24 - u_value * e20;
-        D[33] = e32 * e23 - c_.k16 * e33;
-        D[34] = e32 * e25 - c_.k17 * power_34 * inverse_26 * inverse_26;
+        D[33] = e32 * e23 - c_.k17 * e33;
+        D[34] = e32 * e25 - c_.k18 * power_34 * inverse_26 * inverse_26;
         D[35] = -e35 * e30 * e33 - e32 * e31;
         D[36] = Scalar(0);
         D[37] = Scalar(0);
@@ -748,7 +761,7 @@ public:
         const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
         const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
         const Scalar P = u[1];
-        const Scalar e7 = c_.k13 * (p_.T_inf + T_P) * (c_.k5 + T_P * T_P) + c_.k11 * sqrt_3 + c_.k12 * expm1_6;
+        const Scalar e7 = c_.k14 * (p_.T_inf + T_P) * (c_.k5 + T_P * T_P) + c_.k12 * sqrt_3 + c_.k13 * expm1_6;
         return (p_.T_inf - T_P) * e7 + P;
     }
 
@@ -771,31 +784,33 @@ private:
         Scalar k4;  ///< L/nu
         Scalar k5;  ///< T_inf^2
         Scalar k6;  ///< 2*stefan_boltzmann*L*b*eps/C
-        Scalar k7;  ///< L*b*lambda*phi_Pr/(C*nu)
-        Scalar k8;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*C*nu)
-        Scalar k9;  ///< 2*lambda*phi_Pr/L
-        Scalar k10;  ///< 37*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/(1000*L)
-        Scalar k11;  ///< 2*b*lambda*phi_Pr
-        Scalar k12;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000
-        Scalar k13;  ///< stefan_boltzmann*L*b*eps
-        Scalar k14;  ///< nu*Re_c
-        Scalar k15;  ///< 5*(Pr)^(-1/3)
-        Scalar k16;  ///< lambda*phi_Pr
-        Scalar k17;  ///< 37*lambda*(Pr)^(1/3)/1250
-        Scalar k18;  ///< 1/nu
-        Scalar k19;  ///< 2*stefan_boltzmann*L*b*eps
-        Scalar k20;  ///< lambda*phi_Pr/nu
-        Scalar k21;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
-        Scalar k22;  ///< L*b*lambda*phi_Pr/nu
-        Scalar k23;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
-        Scalar k24;  ///< 5*nu/2
-        Scalar k25;  ///< 5*nu*(Pr)^(-1/3)/2
-        Scalar k26;  ///< 37/(500*nu)
-        Scalar k27;  ///< lambda*phi_Pr/(2*nu)
-        Scalar k28;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
-        Scalar k29;  ///< phi_Pr/(2*nu)
-        Scalar k30;  ///< T_inf*phi_Pr/(2*nu)
-        Scalar k31;  ///< T_inf*phi_Pr
+        Scalar k7;  ///< 37*b*lambda*(Pr)^(1/3)/(1000*C)
+        Scalar k8;  ///< L*b*lambda*phi_Pr/(C*nu)
+        Scalar k9;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*C*nu)
+        Scalar k10;  ///< 37*lambda*(Pr)^(1/3)/(1000*L)
+        Scalar k11;  ///< 2*lambda*phi_Pr/L
+        Scalar k12;  ///< 2*b*lambda*phi_Pr
+        Scalar k13;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000
+        Scalar k14;  ///< stefan_boltzmann*L*b*eps
+        Scalar k15;  ///< nu*Re_c
+        Scalar k16;  ///< 5*(Pr)^(-1/3)
+        Scalar k17;  ///< lambda*phi_Pr
+        Scalar k18;  ///< 37*lambda*(Pr)^(1/3)/1250
+        Scalar k19;  ///< 1/nu
+        Scalar k20;  ///< 37*b*lambda*(Pr)^(1/3)/1000
+        Scalar k21;  ///< 2*stefan_boltzmann*L*b*eps
+        Scalar k22;  ///< lambda*phi_Pr/nu
+        Scalar k23;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
+        Scalar k24;  ///< L*b*lambda*phi_Pr/nu
+        Scalar k25;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
+        Scalar k26;  ///< 5*nu/2
+        Scalar k27;  ///< 5*nu*(Pr)^(-1/3)/2
+        Scalar k28;  ///< 37/(500*nu)
+        Scalar k29;  ///< lambda*phi_Pr/(2*nu)
+        Scalar k30;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
+        Scalar k31;  ///< phi_Pr/(2*nu)
+        Scalar k32;  ///< T_inf*phi_Pr/(2*nu)
+        Scalar k33;  ///< T_inf*phi_Pr
     };
     Cached c_{};
 };

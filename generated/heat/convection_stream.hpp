@@ -16,13 +16,13 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     51     7        0      8
+//   update                 2     49     7        0      7
 //   rhs                    3      7     0        0      6
 //   rhs_and_jacobian       3      7     0        0      6
 //   jacobian_u             4      6     1        0      6
 //   jacobian_p            26    107     8        0     19
 //   output                 5     25     3        0     12
-//   output_jacobian_x      1      9     2        0      7
+//   output_jacobian_x      1     10     2        0      8
 //   output_jacobian_u     17     48     7        0     13
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        3      6     0        0      6
@@ -231,7 +231,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 51 *, 7 /, 8 other functions
+    /// Operations: 2 + or -, 49 *, 7 /, 7 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -251,47 +251,45 @@ public:
         c_.k0 = inverse_5;
         const Scalar power_Pr = pow(c_.Pr, Scalar(1) / Scalar(3));
         const Scalar e6 = p_.b * p_.lambda;
-        const Scalar e7 = power_Pr * e6;
-        const Scalar e8 = inverse_5 * e7;
+        const Scalar e7 = inverse_5 * e6;
+        const Scalar e8 = power_Pr * e7;
         c_.k1 = (Scalar(37) / Scalar(1000)) * e8;
-        const Scalar e9 = inverse_5 * e6;
-        c_.k2 = Scalar(2) * c_.phi_Pr * e9;
-        const Scalar inverse_10 = Scalar(1) / p_.nu;
-        const Scalar e11 = p_.L * inverse_10;
-        c_.k3 = e11;
-        const Scalar e12 = c_.phi_Pr * inverse_10;
-        const Scalar e13 = p_.L * e12;
-        c_.k4 = e9 * e13;
-        c_.k5 = (Scalar(37) / Scalar(1250)) * e11 * e8;
-        const Scalar inverse_14 = Scalar(1) / p_.L;
-        const Scalar e15 = p_.lambda * power_Pr;
-        c_.k6 = (Scalar(37) / Scalar(1000)) * inverse_14 * e15;
-        const Scalar e16 = p_.lambda * c_.phi_Pr;
-        c_.k7 = Scalar(2) * inverse_14 * e16;
-        c_.k8 = (Scalar(37) / Scalar(1000)) * e7;
+        c_.k2 = Scalar(2) * c_.phi_Pr * e7;
+        const Scalar inverse_9 = Scalar(1) / p_.nu;
+        const Scalar e10 = p_.L * inverse_9;
+        c_.k3 = e10;
+        const Scalar e11 = c_.phi_Pr * inverse_9;
+        const Scalar e12 = p_.L * e11;
+        c_.k4 = e7 * e12;
+        c_.k5 = (Scalar(37) / Scalar(1250)) * e10 * e8;
+        const Scalar inverse_13 = Scalar(1) / p_.L;
+        const Scalar e14 = p_.lambda * power_Pr;
+        c_.k6 = (Scalar(37) / Scalar(1000)) * inverse_13 * e14;
+        const Scalar e15 = p_.lambda * c_.phi_Pr;
+        c_.k7 = Scalar(2) * inverse_13 * e15;
+        const Scalar e16 = power_Pr * e6;
+        c_.k8 = (Scalar(37) / Scalar(1000)) * e16;
         c_.k9 = Scalar(2) * c_.phi_Pr * e6;
         c_.k10 = p_.nu * p_.Re_c;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(1) / Scalar(3));
         c_.k11 = Scalar(5) * power_Pr_2;
-        c_.k12 = e16;
-        c_.k13 = (Scalar(37) / Scalar(1250)) * e15;
-        c_.k14 = inverse_10;
-        const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
-        c_.k15 = (Scalar(37) / Scalar(1000)) * power_Re_c * e7;
-        const Scalar e17 = p_.lambda * e12;
-        c_.k16 = e17;
-        const Scalar e18 = inverse_10 * e15;
-        c_.k17 = (Scalar(37) / Scalar(1250)) * e18;
-        c_.k18 = e6 * e13;
-        c_.k19 = (Scalar(37) / Scalar(1250)) * e7 * e11;
-        c_.k20 = (Scalar(5) / Scalar(2)) * p_.nu;
-        c_.k21 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
-        c_.k22 = (Scalar(37) / Scalar(500)) * inverse_10;
-        c_.k23 = (Scalar(1) / Scalar(2)) * e17;
-        c_.k24 = (Scalar(74) / Scalar(3125)) * e18;
-        c_.k25 = (Scalar(1) / Scalar(2)) * e12;
-        c_.k26 = (Scalar(1) / Scalar(2)) * p_.T_inf * e12;
-        c_.k27 = p_.T_inf * c_.phi_Pr;
+        c_.k12 = e15;
+        c_.k13 = (Scalar(37) / Scalar(1250)) * e14;
+        c_.k14 = inverse_9;
+        const Scalar e17 = p_.lambda * e11;
+        c_.k15 = e17;
+        const Scalar e18 = inverse_9 * e14;
+        c_.k16 = (Scalar(37) / Scalar(1250)) * e18;
+        c_.k17 = e6 * e12;
+        c_.k18 = (Scalar(37) / Scalar(1250)) * e10 * e16;
+        c_.k19 = (Scalar(5) / Scalar(2)) * p_.nu;
+        c_.k20 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
+        c_.k21 = (Scalar(37) / Scalar(500)) * inverse_9;
+        c_.k22 = (Scalar(1) / Scalar(2)) * e17;
+        c_.k23 = (Scalar(74) / Scalar(3125)) * e18;
+        c_.k24 = (Scalar(1) / Scalar(2)) * e11;
+        c_.k25 = (Scalar(1) / Scalar(2)) * p_.T_inf * e11;
+        c_.k26 = p_.T_inf * c_.phi_Pr;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -536,25 +534,27 @@ public:
     }
 
     /// C = dh/dx.
-    /// Operations: 1 + or -, 9 *, 2 /, 7 other functions
+    /// Operations: 1 + or -, 10 *, 2 /, 8 other functions
     void output_jacobian_x(const State& /*x*/, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
         using std::expm1;
+        using std::pow;
         using std::sqrt;
         const Scalar u_value = u[0];
         const Scalar e1 = c_.k3 * u_value;
         const Scalar min_2 = detail::min<Scalar>(e1, p_.Re_c);
         const Scalar sqrt_3 = sqrt(min_2);
         const Scalar max_4 = detail::max<Scalar>(e1, p_.Re_c);
-        const Scalar log_ratio_5 = detail::log_ratio<Scalar>(max_4, p_.Re_c);
-        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_5);
+        const Scalar power_5 = pow(max_4, Scalar(4) / Scalar(5));
+        const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_4);
+        const Scalar expm1_6 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
         const Scalar y_value = u[3];
         const Scalar x_value = u[2];
         const Scalar sqrt_7 = sqrt(c_.k14 * u_value * x_value);
         const Scalar exp_8 = exp(c_.phi_Pr * y_value * sqrt_7 / x_value);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
-        C[2] = c_.k9 * sqrt_3 + c_.k15 * expm1_6;
+        C[2] = c_.k9 * sqrt_3 - c_.k8 * power_5 * expm1_6;
         C[3] = Scalar(0);
         C[4] = Scalar(0);
         C[5] = Scalar(0);
@@ -589,30 +589,30 @@ public:
         const Scalar e13 = x_value * inverse_12;
         const Scalar sqrt_14 = sqrt(p_.nu * e13);
         const Scalar e15 = inverse_12 / sqrt_14;
-        const Scalar e16 = c_.k20 * e15;
-        const Scalar e17 = c_.k21 * e15;
+        const Scalar e16 = c_.k19 * e15;
+        const Scalar e17 = c_.k20 * e15;
         const Scalar e18 = c_.k14 * u_value * x_value;
         const Scalar power_19 = pow(e18, -Scalar(6) / Scalar(5));
-        const Scalar e20 = power_19 * (c_.k22 * x_value);
+        const Scalar e20 = power_19 * (c_.k21 * x_value);
         const Scalar sqrt_21 = sqrt(e18);
         const Scalar inverse_22 = Scalar(1) / sqrt_21;
-        const Scalar e23 = c_.k23 * inverse_22;
+        const Scalar e23 = c_.k22 * inverse_22;
         const Scalar power_24 = pow(e18, -Scalar(1) / Scalar(5));
-        const Scalar e25 = c_.k24 * power_24;
+        const Scalar e25 = c_.k23 * power_24;
         const Scalar y_value = u[3];
         const Scalar inverse_26 = Scalar(1) / x_value;
         const Scalar e27 = sqrt_21 * inverse_26;
         const Scalar exp_28 = exp(c_.phi_Pr * y_value * e27);
         const Scalar inverse_29 = Scalar(1) / exp_28;
         const Scalar e30 = y_value * inverse_29;
-        const Scalar e31 = e30 * (inverse_22 * (c_.k25 * T_P - c_.k26));
+        const Scalar e31 = e30 * (inverse_22 * (c_.k24 * T_P - c_.k25));
         const Scalar e32 = u_value * inverse_26;
         const Scalar e33 = inverse_26 * e27;
         const Scalar power_34 = pow(e18, Scalar(4) / Scalar(5));
-        const Scalar e35 = c_.k27 - c_.phi_Pr * T_P;
-        D[0] = c_.k16 * e6 + c_.k17 * e10;
-        D[1] = c_.k16 / sqrt_11;
-        D[2] = -(p_.T_inf - T_P) * (c_.k18 * e6 + c_.k19 * e10);
+        const Scalar e35 = c_.k26 - c_.phi_Pr * T_P;
+        D[0] = c_.k15 * e6 + c_.k16 * e10;
+        D[1] = c_.k15 / sqrt_11;
+        D[2] = -(p_.T_inf - T_P) * (c_.k17 * e6 + c_.k18 * e10);
         D[3] = c_.k3;
         D[4] = -c_.k10 * inverse_12 * inverse_12;
         D[5] = -e13 * e16;
@@ -744,19 +744,18 @@ private:
         Scalar k12;  ///< lambda*phi_Pr
         Scalar k13;  ///< 37*lambda*(Pr)^(1/3)/1250
         Scalar k14;  ///< 1/nu
-        Scalar k15;  ///< 37*b*lambda*(Re_c)^(4/5)*(Pr)^(1/3)/1000
-        Scalar k16;  ///< lambda*phi_Pr/nu
-        Scalar k17;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
-        Scalar k18;  ///< L*b*lambda*phi_Pr/nu
-        Scalar k19;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
-        Scalar k20;  ///< 5*nu/2
-        Scalar k21;  ///< 5*nu*(Pr)^(-1/3)/2
-        Scalar k22;  ///< 37/(500*nu)
-        Scalar k23;  ///< lambda*phi_Pr/(2*nu)
-        Scalar k24;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
-        Scalar k25;  ///< phi_Pr/(2*nu)
-        Scalar k26;  ///< T_inf*phi_Pr/(2*nu)
-        Scalar k27;  ///< T_inf*phi_Pr
+        Scalar k15;  ///< lambda*phi_Pr/nu
+        Scalar k16;  ///< 37*lambda*(Pr)^(1/3)/(1250*nu)
+        Scalar k17;  ///< L*b*lambda*phi_Pr/nu
+        Scalar k18;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
+        Scalar k19;  ///< 5*nu/2
+        Scalar k20;  ///< 5*nu*(Pr)^(-1/3)/2
+        Scalar k21;  ///< 37/(500*nu)
+        Scalar k22;  ///< lambda*phi_Pr/(2*nu)
+        Scalar k23;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
+        Scalar k24;  ///< phi_Pr/(2*nu)
+        Scalar k25;  ///< T_inf*phi_Pr/(2*nu)
+        Scalar k26;  ///< T_inf*phi_Pr
     };
     Cached c_{};
 };

@@ -15,14 +15,14 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                30     83     9        0      2
+//   update                29     82     9        0      2
 //   rhs                    6      7     0        0      0
 //   rhs_and_jacobian       9     11     0        0      0
-//   jacobian_p           166    363     9        0      2
+//   jacobian_p           169    360     9        0      2
 //   output                 6      7     0        0      1
 //   output_jacobian_x      7     12     0        0      1
 //   internal_energy        0      1     0        0      0
-//   exchanged_power        6      6     0        0      0
+//   exchanged_power        8     11     1        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -170,7 +170,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 30 + or -, 83 *, 9 /, 2 other functions
+    /// Operations: 29 + or -, 82 *, 9 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
@@ -222,33 +222,33 @@ public:
         c_.furnace_exchange_factor_1_2 = p_.eps_C * p_.eps_R * c_.furnace_reach_1_2;
         c_.furnace_exchange_factor_1_3 = p_.eps_C * p_.eps_W * c_.furnace_reach_1_3;
         c_.furnace_exchange_factor_2_3 = p_.eps_R * p_.eps_W * c_.furnace_reach_2_3;
-        const Scalar inverse_22 = Scalar(1) / p_.C_R;
-        const Scalar inverse_23 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
-        const Scalar e24 = c_.furnace_exchange_factor_2_3 * inverse_23;
-        const Scalar e25 = p_.T_M * p_.T_M;
+        const Scalar e22 = p_.T_M * p_.T_M;
+        const Scalar e22_squared = e22 * e22;
+        const Scalar inverse_23 = Scalar(1) / p_.C_R;
+        const Scalar inverse_24 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
+        const Scalar e25 = c_.furnace_exchange_factor_2_3 * inverse_24;
         const Scalar e26 = c_.furnace_exchange_factor_1_3 * e25;
-        const Scalar e27 = e25 * e26;
-        c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * inverse_22
-            * e24 * e27;
-        c_.k1 = inverse_22;
-        const Scalar e28 = (Scalar(1) - e24) * (c_.furnace_exchange_factor_2_3 * inverse_22);
-        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e28;
-        const Scalar e29 = c_.furnace_exchange_factor_1_2 * inverse_22;
-        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e29;
-        c_.k4 = e25;
-        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e29;
-        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e28;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e27 - inverse_23 * e26 * e26);
-        const Scalar e30 = c_.furnace_exchange_factor_1_3 * e24;
-        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e30;
+        const Scalar e27 = inverse_23 * e26;
+        c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e22_squared
+            * e27;
+        c_.k1 = inverse_23;
+        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e27;
+        const Scalar e28 = c_.furnace_exchange_factor_1_2 * inverse_23;
+        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e28;
+        c_.k4 = e22;
+        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e28;
+        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * (c_.furnace_exchange_factor_2_3 * inverse_23 * (Scalar(1) - e25));
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26
+            * e22_squared;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26;
         c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * c_.furnace_exchange_factor_1_2;
-        c_.k10 = inverse_23 * e27;
-        c_.k11 = e24;
+        c_.k10 = c_.furnace_exchange_factor_1_3 * inverse_24 * e22_squared;
+        c_.k11 = e25;
         c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
             * c_.furnace_exchange_factor_1_2;
-        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e30;
+        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e26;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -303,7 +303,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 166 + or -, 363 *, 9 /, 2 other functions
+    /// Operations: 169 + or -, 360 *, 9 /, 2 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::sqrt;
         const Scalar inverse_1 = Scalar(1) / p_.H;
@@ -329,10 +329,10 @@ public:
         const Scalar e20 = e19 * inverse_11_squared;
         const Scalar e21 = inverse_11 * e17 + e18 * e20;
         const Scalar e22 = e10 * e21;
-        const Scalar e23 = c_.furnace_reach_1_2 * inverse_1;
-        const Scalar inverse_24 = Scalar(1) / p_.b;
-        const Scalar e25 = c_.furnace_reflectivity_1 * inverse_24;
-        const Scalar e26 = e23 * e25;
+        const Scalar inverse_23 = Scalar(1) / p_.b;
+        const Scalar e24 = c_.furnace_reflectivity_1 * inverse_23;
+        const Scalar e25 = c_.furnace_reach_1_2 * inverse_1;
+        const Scalar e26 = e24 * e25;
         const Scalar e27 = -(e5 - e26);
         const Scalar e28 = p_.b * e18;
         const Scalar e29 = c_.furnace_distance_2_3 + e12;
@@ -340,249 +340,231 @@ public:
         const Scalar e31 = c_.furnace_distance_2_3 * inverse_11;
         const Scalar e32 = inverse_11 * (e12 + e28) - (e28 * e30 - e31);
         const Scalar e33 = e27 * e32;
-        const Scalar inverse_34 = Scalar(1) / p_.C_R;
-        const Scalar e35 = p_.eps_C * p_.eps_R;
-        const Scalar e36 = inverse_34 * e35;
-        const Scalar e37 = c_.furnace_reach_1_2 * e3;
-        const Scalar e38 = e36 * e37;
+        const Scalar e34 = p_.eps_R * c_.furnace_reach_1_2;
+        const Scalar inverse_35 = Scalar(1) / p_.C_R;
+        const Scalar e36 = p_.eps_C * inverse_35;
+        const Scalar e37 = e34 * e36;
+        const Scalar e38 = e3 * e37;
         const Scalar e39 = e26 - e9;
         const Scalar e40 = p_.x_R + c_.furnace_distance_1_3;
         const Scalar e41 = e40 * inverse_11_squared;
         const Scalar e42 = c_.furnace_distance_1_3 * inverse_11 - (e28 * e41 - p_.x_R * inverse_11);
         const Scalar e43 = e39 * e42;
-        const Scalar e44 = p_.H + c_.furnace_reach_1_1 * e25;
-        const Scalar e45 = c_.furnace_reach_1_3 * inverse_1;
-        const Scalar e46 = inverse_24 * e23;
-        const Scalar e47 = p_.eps_W * inverse_24 * e45 + p_.eps_R * e46;
-        const Scalar e48 = c_.furnace_reach_1_2 * e25;
-        const Scalar e49 = c_.furnace_reach_1_3 * e36;
-        const Scalar e50 = e7 * e49;
-        const Scalar e51 = inverse_2 * e23;
-        const Scalar e52 = p_.eps_W * inverse_2 * e8 + p_.eps_C * e51;
-        const Scalar e53 = e52 * e38;
-        const Scalar e54 = e16 * e53;
+        const Scalar e44 = p_.H + c_.furnace_reach_1_1 * e24;
+        const Scalar e45 = p_.eps_R * e36;
+        const Scalar e46 = e7 * e45;
+        const Scalar e47 = c_.furnace_reach_1_3 * e46;
+        const Scalar e48 = inverse_1 * e34;
+        const Scalar e49 = c_.furnace_reach_1_3 * inverse_1;
+        const Scalar e50 = inverse_23 * e49;
+        const Scalar e51 = inverse_23 * e48 + p_.eps_W * e50;
+        const Scalar e52 = e51 * e37;
+        const Scalar e53 = inverse_2 * e8;
+        const Scalar e54 = inverse_2 * e25;
+        const Scalar e55 = p_.eps_W * e53 + p_.eps_C * e54;
+        const Scalar e56 = e55 * e38;
+        const Scalar e57 = e16 * e56;
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        const Scalar e55 = c_.k4 + T_R_squared;
-        const Scalar e56 = p_.T_M - T_R;
-        const Scalar e57 = p_.T_M + T_R;
-        const Scalar e58 = e56 * e57;
-        const Scalar e59 = e55 * e58;
-        const Scalar e60 = Scalar(1) + c_.furnace_reach_3_3 * inverse_1 * e7;
-        const Scalar e61 = e3 * e8;
-        const Scalar e62 = -(e60 - e61);
-        const Scalar e63 = e62 * e21;
-        const Scalar e64 = e25 * e45;
-        const Scalar e65 = -(e60 - e64);
-        const Scalar e66 = e65 * e42;
-        const Scalar e67 = e63 - e66;
-        const Scalar inverse_68 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
-        const Scalar e69 = Scalar(1) - c_.furnace_exchange_factor_1_3 * inverse_68;
-        const Scalar e70 = p_.eps_C * c_.furnace_exchange_factor_2_3;
-        const Scalar e71 = e69 * e70;
-        const Scalar e72 = c_.furnace_exchange_factor_2_3 * inverse_68;
-        const Scalar e73 = Scalar(1) - e72;
-        const Scalar e74 = c_.furnace_exchange_factor_1_3 * e73;
-        const Scalar e75 = p_.eps_R * e74;
-        const Scalar e76 = c_.furnace_reach_1_3 * e71 + c_.furnace_reach_2_3 * e75;
-        const Scalar e77 = p_.eps_W * inverse_34;
-        const Scalar e78 = inverse_68 * e77;
-        const Scalar e79 = p_.T_M * p_.T_M;
-        const Scalar e79_squared = e79 * e79;
-        const Scalar e80 = e78 * e79_squared;
-        const Scalar e81 = e76 * e80;
-        const Scalar e82 = e7 * e81;
-        const Scalar e83 = e64 - e61;
-        const Scalar e84 = e83 * e32;
-        const Scalar e85 = e63 + e84;
-        const Scalar e86 = p_.H + e4;
-        const Scalar e87 = (e37 * e71 + e86 * e75) * e80;
-        const Scalar e88 = -e66 - e84;
-        const Scalar e89 = e88 * e44;
-        const Scalar e90 = e80 * e71;
-        const Scalar e91 = e71 * e51 - e52 * e74;
-        const Scalar e92 = p_.eps_R * e80;
-        const Scalar e93 = e91 * e92;
-        const Scalar e94 = c_.furnace_reach_2_3 * e3;
-        const Scalar e95 = e16 * e94;
-        const Scalar e96 = e93 * e95;
-        const Scalar e97 = e74 * e92;
-        const Scalar e98 = e88 * e48;
-        const Scalar e99 = c_.furnace_exchange_factor_2_3 * e47;
-        const Scalar e100 = (e75 * e46 - e69 * e99) * e80;
-        const Scalar e101 = e25 * (p_.eps_C * c_.furnace_reach_1_3);
-        const Scalar e102 = e70 * e72;
-        const Scalar e103 = e78 * e102;
-        const Scalar e104 = e72 - (Scalar(1) / Scalar(2)) * (Scalar(1) + e72 * e72);
-        const Scalar e105 = p_.eps_R * e77;
-        const Scalar e106 = e104 * e105;
-        const Scalar e107 = e37 * e103 - Scalar(2) * e86 * e106;
-        const Scalar e108 = inverse_68 * e102;
-        const Scalar e109 = c_.furnace_reach_1_3 * e108 - Scalar(2) * p_.eps_R * c_.furnace_reach_2_3 * e104;
-        const Scalar e110 = e77 * e7;
-        const Scalar e111 = e109 * e110;
-        const Scalar e112 = Scalar(2) * e52 * e104 + e51 * e108;
-        const Scalar e113 = e112 * e105;
-        const Scalar e114 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e113 * e95);
-        const Scalar e115 = e106 * e46 + (Scalar(1) / Scalar(2)) * e78 * e72 * e99;
+        const Scalar e58 = c_.k4 + T_R_squared;
+        const Scalar e59 = p_.T_M - T_R;
+        const Scalar e60 = p_.T_M + T_R;
+        const Scalar e61 = e59 * e60;
+        const Scalar e62 = e58 * e61;
+        const Scalar e63 = Scalar(1) + c_.furnace_reach_3_3 * inverse_1 * e7;
+        const Scalar e64 = e3 * e8;
+        const Scalar e65 = -(e63 - e64);
+        const Scalar e66 = e65 * e21;
+        const Scalar e67 = e49 * e24;
+        const Scalar e68 = -(e63 - e67);
+        const Scalar e69 = e68 * e42;
+        const Scalar e70 = (e66 - e69) * e7;
+        const Scalar e71 = p_.eps_R * c_.furnace_reach_2_3;
+        const Scalar inverse_72 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
+        const Scalar e73 = c_.furnace_exchange_factor_2_3 * inverse_72;
+        const Scalar e74 = c_.furnace_exchange_factor_1_3 * (Scalar(1) - e73);
+        const Scalar e75 = Scalar(1) - c_.furnace_exchange_factor_1_3 * inverse_72;
+        const Scalar e76 = p_.eps_C * c_.furnace_exchange_factor_2_3;
+        const Scalar e77 = e75 * e76;
+        const Scalar e78 = e71 * e74 + c_.furnace_reach_1_3 * e77;
+        const Scalar e79 = p_.eps_W * inverse_35;
+        const Scalar e80 = inverse_72 * e79;
+        const Scalar e81 = p_.T_M * p_.T_M;
+        const Scalar e81_squared = e81 * e81;
+        const Scalar e82 = e80 * e81_squared;
+        const Scalar e83 = e78 * e82;
+        const Scalar e84 = e67 - e64;
+        const Scalar e85 = e84 * e32;
+        const Scalar e86 = e66 + e85;
+        const Scalar e87 = p_.eps_R * (p_.H + e4);
+        const Scalar e88 = c_.furnace_reach_1_2 * e3;
+        const Scalar e89 = e82 * (e74 * e87 + e77 * e88);
+        const Scalar e90 = -e69 - e85;
+        const Scalar e91 = c_.furnace_reach_1_3 * e51;
+        const Scalar e92 = e90 * e44 + e24 * e91;
+        const Scalar e93 = e82 * e77;
+        const Scalar e94 = e82 * e74;
+        const Scalar e95 = p_.eps_C * e49;
+        const Scalar e96 = inverse_23 * e95;
+        const Scalar e97 = e24 * (e34 * (e96 - e90));
+        const Scalar e98 = e3 * e16;
+        const Scalar e99 = c_.furnace_reach_2_3 * (p_.eps_R * e55 * e74 - inverse_2 * e77 * e48) * (e82 * e98);
+        const Scalar e100 = inverse_72 * e80;
+        const Scalar e101 = c_.furnace_exchange_factor_2_3 * e76;
+        const Scalar e102 = e100 * e101;
+        const Scalar e103 = Scalar(1) - Scalar(2) * (Scalar(1) - (Scalar(1) / Scalar(2)) * e73) * e73;
+        const Scalar e104 = e79 * e103;
+        const Scalar e105 = e102 * e88;
+        const Scalar e106 = e104 * e87 + e105;
+        const Scalar e107 = e71 * e104;
+        const Scalar e108 = c_.furnace_reach_1_3 * e102 + e107;
+        const Scalar e109 = e102 * e53;
+        const Scalar e110 = (e34 * e109 - e55 * e107) * e98;
         const Scalar T_R_squared_squared = T_R_squared * T_R_squared;
-        const Scalar sqrt_116 = sqrt(p_.x_R * p_.x_R + e13);
-        const Scalar inverse_117 = Scalar(1) / sqrt_116;
-        const Scalar e118 = p_.x_R * inverse_117;
-        const Scalar e119 = e118 - e16;
-        const Scalar e120 = inverse_11 + (inverse_11 * e118 - e119 * e41);
-        const Scalar e121 = p_.b * e65;
-        const Scalar e122 = inverse_11 * (e12 - e17) - (e118 * e31 - e119 * e20);
-        const Scalar e123 = e62 * e122;
-        const Scalar e124 = inverse_6 * e8;
-        const Scalar e125 = p_.eps_C * e45;
-        const Scalar e126 = p_.eps_R * e124 + inverse_6 * e125;
-        const Scalar e127 = e120 * e121 - e123 + e126 * e118;
-        const Scalar e128 = inverse_11 * e18 + e119 * e30;
-        const Scalar e129 = p_.b * e83;
-        const Scalar e130 = e128 * e129 - e123;
-        const Scalar e131 = e65 * e120 - e83 * e128;
-        const Scalar e132 = c_.furnace_reflectivity_1 * c_.furnace_reach_1_1;
-        const Scalar e133 = p_.b * p_.H + e132;
-        const Scalar e134 = c_.furnace_reflectivity_1 * c_.furnace_reach_1_2;
-        const Scalar e135 = e80 * (e133 * e71 + e75 * e134);
-        const Scalar e136 = e106 * e134 - (Scalar(1) / Scalar(2)) * e133 * e103;
-        const Scalar e137 = p_.b * e39;
-        const Scalar e138 = e10 * e122;
-        const Scalar e139 = p_.b * e27;
-        const Scalar e140 = e133 * e36;
-        const Scalar e141 = e35 * e110;
-        const Scalar e142 = e141 * (c_.furnace_reach_1_3 * e124);
-        const Scalar e143 = inverse_117 + inverse_15;
-        const Scalar e144 = inverse_11 * inverse_15;
-        const Scalar e145 = (Scalar(1) / Scalar(2)) * (inverse_117 * e31 - e143 * e20 + c_.furnace_distance_1_3 * e144);
-        const Scalar e146 = inverse_11 + e145;
-        const Scalar e147 = Scalar(2) * (e62 * e146);
-        const Scalar e148 = e143 * e41 - inverse_117 * inverse_11;
-        const Scalar e149 = p_.h * (e126 * inverse_117 + (e147 - e148 * e121));
-        const Scalar e150 = e143 * e30 - e144;
-        const Scalar e151 = p_.h * (e150 * e129 + e147);
-        const Scalar e152 = p_.h * (-e83 * e150 - e65 * e148);
-        const Scalar e153 = p_.h * inverse_15;
-        const Scalar e154 = e94 * e153;
-        const Scalar e155 = Scalar(2) * (e10 * e146);
-        const Scalar e156 = p_.b * inverse_11;
-        const Scalar e157 = e65 * e40;
-        const Scalar e158 = e19 * inverse_11;
-        const Scalar e159 = e62 * e158;
-        const Scalar e160 = inverse_1 * (c_.furnace_reflectivity_3 * e126 + (e156 * e157 + e159) * e7);
-        const Scalar e161 = c_.furnace_reflectivity_2 * e8;
-        const Scalar e162 = e83 * e29;
-        const Scalar e163 = inverse_11 * (e157 + e162);
-        const Scalar e164 = e156 * e162 - e159;
-        const Scalar e165 = c_.furnace_reflectivity_1 * e163 * e23 - e164 * e5;
-        const Scalar e166 = p_.b + inverse_1 * e132;
-        const Scalar e167 = e163 * e166 - e164 * e3 * e23;
-        const Scalar e168 = c_.furnace_reflectivity_1 * e125;
-        const Scalar e169 = e27 * e29;
-        const Scalar e170 = e39 * e40;
-        const Scalar e171 = e10 * e158;
-        const Scalar e172 = c_.furnace_reach_1_2 * inverse_34;
-        const Scalar e173 = e126 * inverse_34;
-        const Scalar inverse_34_squared = inverse_34 * inverse_34;
-        const Scalar e174 = c_.furnace_exchange_factor_1_3 * e72;
+        const Scalar sqrt_111 = sqrt(p_.x_R * p_.x_R + e13);
+        const Scalar inverse_112 = Scalar(1) / sqrt_111;
+        const Scalar e113 = p_.x_R * inverse_112;
+        const Scalar e114 = e113 - e16;
+        const Scalar e115 = inverse_11 + (inverse_11 * e113 - e114 * e41);
+        const Scalar e116 = p_.b * e68;
+        const Scalar e117 = inverse_11 * (e12 - e17) - (e113 * e31 - e114 * e20);
+        const Scalar e118 = e65 * e117;
+        const Scalar e119 = inverse_1 * e71;
+        const Scalar e120 = inverse_6 * (e95 + e119);
+        const Scalar e121 = e7 * (e115 * e116 - e118 + e120 * e113);
+        const Scalar e122 = inverse_11 * e18 + e114 * e30;
+        const Scalar e123 = p_.b * e84;
+        const Scalar e124 = e122 * e123 - e118;
+        const Scalar e125 = e68 * e115 - e84 * e122;
+        const Scalar e126 = p_.b * p_.H + c_.furnace_reflectivity_1 * c_.furnace_reach_1_1;
+        const Scalar e127 = e125 * e126;
+        const Scalar e128 = c_.furnace_reflectivity_1 * e34;
+        const Scalar e129 = e125 * e128;
+        const Scalar e130 = p_.b * e39;
+        const Scalar e131 = e10 * e117;
+        const Scalar e132 = p_.b * e27;
+        const Scalar e133 = e126 * e45;
+        const Scalar e134 = inverse_6 * e71;
+        const Scalar e135 = e95 * (e79 * e7);
+        const Scalar e136 = e134 * e135;
+        const Scalar e137 = inverse_112 + inverse_15;
+        const Scalar e138 = inverse_11 * inverse_15;
+        const Scalar e139 = e137 * e30 - e138;
+        const Scalar e140 = e137 * e41 - inverse_112 * inverse_11;
+        const Scalar e141 = -e84 * e139 - e68 * e140;
+        const Scalar e142 = (Scalar(1) / Scalar(2)) * (inverse_112 * e31 - e137 * e20 + c_.furnace_distance_1_3 * e138);
+        const Scalar e143 = inverse_11 + e142;
+        const Scalar e144 = Scalar(2) * (e65 * e143);
+        const Scalar e145 = e139 * e123 + e144;
+        const Scalar e146 = c_.furnace_exchange_factor_1_3 * c_.furnace_exchange_factor_1_3;
+        const Scalar e147 = c_.furnace_reach_1_3 * e101;
+        const Scalar e148 = e71 * e146 + e147;
+        const Scalar e149 = e148 * e7;
+        const Scalar e150 = e101 * e54 - e55 * e146;
+        const Scalar e151 = e100 * (e120 * inverse_112 * e149 - inverse_15 * e150 * e3 * e71)
+            - (e145 * e105 - (e144 - e140 * e116) * e100 * e149);
+        const Scalar e152 = p_.h * (e141 * e126 * e102 + e100 * (e141 * e128 + e145 * e87) * e146 - e151);
+        const Scalar e153 = Scalar(2) * (e10 * e143);
+        const Scalar e154 = e68 * e40;
+        const Scalar e155 = e84 * e29;
+        const Scalar e156 = inverse_11 * (e154 + e155);
+        const Scalar e157 = c_.furnace_reflectivity_1 * inverse_1;
+        const Scalar e158 = p_.b + c_.furnace_reach_1_1 * e157;
+        const Scalar e159 = p_.b * inverse_11;
+        const Scalar e160 = e19 * inverse_11;
+        const Scalar e161 = e65 * e160;
+        const Scalar e162 = e159 * e155 - e161;
+        const Scalar e163 = e156 * e158 - (c_.furnace_reflectivity_1 * e51 * e49 + e162 * e3 * e25);
+        const Scalar e164 = e102 * e163;
+        const Scalar e165 = e100 * e81_squared;
+        const Scalar e166 = c_.furnace_reflectivity_3 * e120 + (e159 * e154 + e161) * e7;
+        const Scalar e167 = p_.eps_R * e162 * e5 - inverse_1 * (e156 + e96) * e128;
+        const Scalar e168 = e150 * e165;
+        const Scalar e169 = e80 * e74;
+        const Scalar e170 = c_.furnace_reflectivity_2 * e55;
+        const Scalar e171 = e27 * e29;
+        const Scalar e172 = e39 * e40;
+        const Scalar e173 = e10 * e160;
+        const Scalar e174 = c_.furnace_exchange_factor_2_3 * e91;
+        const Scalar e175 = e34 * e50;
+        const Scalar e176 = e120 * inverse_35;
+        const Scalar e177 = inverse_72 * e176;
+        const Scalar inverse_35_squared = inverse_35 * inverse_35;
+        const Scalar e178 = c_.furnace_exchange_factor_1_3 * e73;
+        const Scalar e179 = inverse_35_squared * e178;
         const Scalar P = u[0];
-        const Scalar e175 = p_.T_M * inverse_34;
-        const Scalar e176 = (e22 + e33) * e38 - e36 * ((e43 + e33) * e44 - e47 * e48) - (e22 - e43) * e50 + e54;
-        const Scalar e177 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e176;
-        const Scalar e178 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e67 * e82 - e85 * e87 - e89 * e90 + e96 - e97 * e98 + e100 * e101);
-        const Scalar e179 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e85 * e107;
-        const Scalar e180 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e67 * e111;
-        const Scalar e181 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e103 * e89;
-        const Scalar e182 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e106 * e98;
-        const Scalar e183 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e115 * e101;
-        J[0] = e177 * e59 - e178 - (e179 - e180 + e181 - e114 - e182 + e183) * T_R_squared_squared;
+        const Scalar e180 = p_.T_M * inverse_35;
+        const Scalar e181 = (e22 + e33) * e38 - (e43 + e33) * e44 * e45 - (e22 - e43) * e47 + e24 * e52 + e57;
+        const Scalar e182 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e181;
+        const Scalar e183 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e70 * e83 - e86 * e89 - e92 * e93 + e94 * e97 - e99);
         const Scalar e184 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e127 * e82 - e130 * e87 - e131 * e135 + e96);
+            * (e102 * e92 + e86 * e106 - e108 * e70 - e110 - e104 * e97);
+        J[0] = e182 * e62 - e183 - e184 * T_R_squared_squared;
         const Scalar e185 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e130 * e107;
-        const Scalar e186 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e131 * e136;
-        const Scalar e187 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e127 * e111;
-        const Scalar e188 = (e120 * e137 - e138) * e50 - (e128 * e139 - e138) * e38 + (e27 * e128 - e39 * e120) * e140 - e54
-            - e118 * e142;
+            * (e121 * e83 - e124 * e89 - e127 * e93 - e94 * e129 - e99);
+        const Scalar e186 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e124 * e106 + e102 * e127 - e108 * e121 + e104 * e129 - e110);
+        const Scalar e187 = (e115 * e130 - e131) * e47 - (e122 * e132 - e131) * e38 + (e27 * e122 - e39 * e115) * e133 - e57
+            - e113 * e136;
+        const Scalar e188 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e187;
+        J[1] = e185 + e186 * T_R_squared_squared + e188 * e62;
         const Scalar e189 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e188;
-        J[1] = e184 + (e185 - e186 - e187 - e114) * T_R_squared_squared + e189 * e59;
+            * e152;
         const Scalar e190 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e82 * e149 - e87 * e151 - e152 * e135 - e93 * e154);
-        const Scalar e191 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e107 * e151;
-        const Scalar e192 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e136 * e152;
-        const Scalar e193 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e111 * e149;
+            * e81_squared * e152;
+        const Scalar e191 = (e139 * e132 + e153) * e38 - inverse_15 * e56 - (e153 - e140 * e130) * e47
+            - (e27 * e139 + e39 * e140) * e133 + inverse_112 * e136;
+        const Scalar e192 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (-p_.h * e191);
+        J[2] = e189 * T_R_squared_squared - e190 + e192 * e62;
+        const Scalar e193 = e81_squared * e164 - e165 * (inverse_1 * e148 * e166 + e167 * e146) + c_.furnace_reflectivity_2
+            * e119 * e168;
         const Scalar e194 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e113 * e154;
-        const Scalar e195 = (e150 * e139 + e155) * e38 - (e155 - e148 * e137) * e50 - (e27 * e150 + e39 * e148) * e140
-            + inverse_117 * e142;
+            * e193;
+        const Scalar e195 = e102 * (e166 * e49 - e48 * e64) + e119 * e169 * (e166 + e170) + e167 * e169 - e164;
         const Scalar e196 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e153 * e53 - p_.h * e195);
-        J[2] = e190 + (e191 - e192 - e193 + e194) * T_R_squared_squared + e196 * e59;
-        const Scalar e197 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e81 * e160 - e93 * e161 - e165 * e97 - e167 * e90 - e100 * e168);
+            * e195;
+        const Scalar e197 = inverse_11 * (e171 + e172) * e158 * e45 - inverse_1 * ((e159 * e171 - e173) * e38 + e37 * e170)
+            - (e159 * e172 + e173) * e49 * e46 + e119 * e135 - e157 * e52;
         const Scalar e198 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e167 * e103;
-        const Scalar e199 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e165 * e106;
+            * e197;
+        J[3] = -e194 - e196 * T_R_squared_squared - e198 * e62;
+        const Scalar e199 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e75 * e82 * e174 - e94 * e175);
         const Scalar e200 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e113 * e161;
+            * (e104 * e175 - c_.furnace_exchange_factor_2_3 * e100 * e174);
         const Scalar e201 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e77 * e109 * e160;
-        const Scalar e202 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e115 * e168;
-        const Scalar e203 = e36 * (inverse_11 * (e169 + e170) * e166 - (e156 * e170 + e171) * e7 * e45);
-        const Scalar e204 = c_.furnace_reflectivity_1 * e47 + c_.furnace_reflectivity_2 * e52 + (e156 * e169 - e171) * e3;
+            * e51 * inverse_35 * e34;
+        J[4] = e199 + e200 * T_R_squared_squared + e201 * e62;
+        const Scalar e202 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (c_.furnace_reach_1_2 * e109 - c_.furnace_reach_2_3 * e55 * e169);
+        const Scalar e203 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * c_.furnace_reach_2_3 * e168;
+        const Scalar e204 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * c_.furnace_reach_1_2 * e55 * e36;
+        J[5] = e202 * T_R_squared_squared - e203 + e204 * e62;
         const Scalar e205 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e203 - e36 * e23 * e204 + e8 * e45 * e141);
-        J[3] = e197 + (e198 - e199 + e200 - e201 - e202) * T_R_squared_squared - e205 * e59;
+            * e78 * e81_squared * e177;
         const Scalar e206 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_reach_1_3 * e100;
-        const Scalar e207 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * c_.furnace_reach_1_3 * e115;
+            * (e103 * e71 * e176 + inverse_72 * e147 * e177);
+        const Scalar e207 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e36 * e49 * e134;
+        J[6] = -(-e205) - e206 * T_R_squared_squared - e207 * e62;
         const Scalar e208 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.eps_R * e47 * e172;
-        J[4] = -e206 + (-e207) * T_R_squared_squared + e208 * e59;
+            * e179;
         const Scalar e209 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_reach_2_3 * e91 * e80;
+            * e81_squared * e179;
         const Scalar e210 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_reach_2_3 * e77 * e112;
-        const Scalar e211 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.eps_C * e52 * e172;
-        J[5] = -e209 + e210 * T_R_squared_squared + e211 * e59;
-        const Scalar e212 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_68 * e76 * e79_squared * e173;
-        const Scalar e213 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e109 * e173;
-        const Scalar e214 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e49 * e124;
-        J[6] = -(-e212) - e213 * T_R_squared_squared - e214 * e59;
-        const Scalar e215 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_exchange_factor_2_3 * e73 * inverse_34_squared;
-        const Scalar e216 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e79_squared * inverse_34_squared * e174;
-        const Scalar e217 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_exchange_factor_1_2 * inverse_34_squared;
-        J[7] = e215 * T_R_squared_squared - e216 - P * inverse_34_squared - e217 * e59;
-        const Scalar e218 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e79 * e175 * e174;
-        const Scalar e219 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * c_.furnace_exchange_factor_1_2 * e175;
-        J[8] = c_.k3 * e55 * (e56 + e57) + e218 + e219 * e58;
+            * c_.furnace_exchange_factor_1_2 * inverse_35_squared;
+        J[7] = e208 * T_R_squared_squared - e209 - P * inverse_35_squared - e210 * e62;
+        const Scalar e211 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e81 * e178 * e180;
+        const Scalar e212 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * c_.furnace_exchange_factor_1_2 * e180;
+        J[8] = c_.k3 * e58 * (e59 + e60) + e211 + e212 * e61;
         J[9] = Scalar(0);
     }
 
@@ -689,12 +671,17 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 6 + or -, 6 *
+    /// Operations: 8 + or -, 11 *, 1 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
+        const Scalar e1 = p_.T_M * p_.T_M;
+        const Scalar e2 = c_.furnace_exchange_factor_1_3 * e1;
         const Scalar P = u[0];
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        return c_.k7 + P + c_.k9 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared) - c_.k8 * T_R_squared * T_R_squared;
+        const Scalar e3 = e1 - e2 / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
+        const Scalar e4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e2 * e3);
+        return e4 + P + c_.k9 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared) - c_.k8 * T_R_squared * T_R_squared;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -722,12 +709,12 @@ private:
         Scalar furnace_exchange_factor_2_3;  ///< eps_R*eps_W*reach[furnace, 2, 3]
         Scalar k0;  ///< stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
         Scalar k1;  ///< 1/C_R
-        Scalar k2;  ///< stefan_boltzmann*exchange_factor[furnace, 2, 3]*(1 - exchange_factor[furnace, 2, ...
+        Scalar k2;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
         Scalar k3;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2]/C_R
         Scalar k4;  ///< T_M^2
         Scalar k5;  ///< 2*stefan_boltzmann*exchange_factor[furnace, 1, 2]/C_R
         Scalar k6;  ///< 4*stefan_boltzmann*exchange_factor[furnace, 2, 3]*(1 - exchange_factor[furnace, 2, ...
-        Scalar k7;  ///< stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*(1 - exchange_factor[furnace, 1, ...
+        Scalar k7;  ///< stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
         Scalar k8;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
         Scalar k9;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2]
         Scalar k10;  ///< T_M^4*exchange_factor[furnace, 1, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, ...

@@ -16,10 +16,10 @@
 //     this code = the derivation: 16 of 16 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                15     44    10        0      0
+//   update                19     58    10        0      0
 //   rhs                    5      4     0        0      0
 //   rhs_and_jacobian       6      4     0        0      0
-//   jacobian_p            99    239    10        0      0
+//   jacobian_p           108    256    10        0      0
 //   output                 6      6     0        0      0
 //   output_jacobian_u      1      0     0        0      0
 //   internal_energy        0      1     0        0      0
@@ -172,51 +172,53 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 15 + or -, 44 *, 10 /
+    /// Operations: 19 + or -, 58 *, 10 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.C;
-        const Scalar e2 = p_.k / p_.d;
-        const Scalar inverse_3 = Scalar(1) / (p_.a_i + e2);
-        const Scalar e4 = p_.A * p_.a_i;
-        const Scalar e5 = inverse_3 * e4;
-        const Scalar e6 = p_.a_e * p_.T_e;
-        const Scalar e7 = p_.A * e2;
+        const Scalar e2 = p_.A * inverse_1;
+        const Scalar e3 = p_.a_e * p_.T_e;
+        const Scalar e4 = p_.k / p_.d;
+        const Scalar inverse_5 = Scalar(1) / (p_.a_i + e4);
+        const Scalar e6 = p_.A * inverse_5;
+        const Scalar e7 = p_.a_i * e6;
         const Scalar inverse_8 = Scalar(1) / p_.A;
         const Scalar e9 = inverse_8 / p_.a_i;
         const Scalar e10 = p_.d * inverse_8 / p_.k;
-        const Scalar inverse_11 = Scalar(1) / (p_.A * p_.a_e + Scalar(1) / (e9 + Scalar(2) * e10));
-        const Scalar inverse_12 = Scalar(1) / (Scalar(1) / (e9 + e10) + e7);
-        const Scalar e13 = inverse_12 * e7;
-        const Scalar e14 = inverse_11 * e13;
+        const Scalar e11 = p_.A / (p_.A * p_.a_e + Scalar(1) / (e9 + Scalar(2) * e10));
+        const Scalar e12 = e4 / (Scalar(1) / (e9 + e10) + p_.A * e4);
+        const Scalar e13 = e4 * e12;
+        const Scalar e14 = e11 * e13;
         const Scalar e15 = e7 * e14;
-        const Scalar e16 = e6 * e15;
-        const Scalar e17 = e5 * e16;
-        c_.k0 = inverse_1 * e17;
+        const Scalar e16 = e3 * e15;
+        c_.k0 = e2 * e16;
         c_.k1 = inverse_1;
-        const Scalar e18 = p_.share * (Scalar(1) + (Scalar(1) + inverse_3 * e2) * e13);
-        const Scalar e19 = Scalar(1) + e15;
-        const Scalar e20 = e19 * e5;
-        const Scalar e21 = e18 * e20;
-        c_.k2 = p_.A * inverse_1 * (Scalar(1) - Scalar(3) * p_.share) + inverse_1 * e21;
-        const Scalar e22 = inverse_3 * e19;
-        const Scalar e23 = p_.a_i * (Scalar(1) + e2 * e13 * e22);
-        const Scalar e24 = inverse_1 * (e5 * e23 - e4);
-        c_.k3 = -e24;
-        const Scalar e25 = inverse_1 * (p_.U_w * p_.A_w);
-        c_.k4 = e25;
-        c_.k5 = e25 - e24;
-        c_.k6 = e17;
-        c_.k7 = e21;
-        const Scalar e26 = e2 * e5;
-        c_.k8 = e26 * (Scalar(1) - inverse_12 * e2 * e20);
-        c_.k9 = inverse_3 * e16;
-        c_.k10 = e18 * e22;
-        c_.k11 = inverse_3 * e23;
-        const Scalar e27 = p_.A * inverse_11;
-        c_.k12 = e6 * e27;
-        c_.k13 = e18 * e27;
-        c_.k14 = e14 * e26;
+        const Scalar e17 = Scalar(1) + inverse_5 * e4;
+        const Scalar e18 = Scalar(1) + p_.A * e14;
+        const Scalar e19 = p_.share * e18;
+        const Scalar e20 = e7 * e12;
+        const Scalar e21 = p_.share * e2;
+        c_.k2 = e2 * (Scalar(1) + e17 * e19 * e20) - e21 * (Scalar(2) - e15) - p_.share * inverse_1 * e4 * e6;
+        const Scalar e22 = inverse_1 * e7;
+        const Scalar e23 = (Scalar(1) - e18 * e20) * e4;
+        c_.k3 = e22 * e23;
+        const Scalar e24 = inverse_1 * (p_.U_w * p_.A_w);
+        c_.k4 = e24;
+        const Scalar e25 = p_.a_i * (Scalar(1) + e18 * e6 * e13);
+        c_.k5 = p_.a_i * e2 - e25 * e22 + e24;
+        const Scalar e26 = Scalar(1) + p_.A * e17 * e12;
+        const Scalar e27 = e26 * e19;
+        c_.k6 = e2 - Scalar(3) * e21 + e22 * e27;
+        c_.k7 = p_.A * e16;
+        c_.k8 = e7 * e27;
+        c_.k9 = p_.A * p_.a_i - e7 * e25;
+        c_.k10 = e6 * e14 * e3;
+        c_.k11 = inverse_5 * e27;
+        c_.k12 = inverse_5 * e25;
+        c_.k13 = e11 * e3;
+        c_.k14 = p_.share * e26 * e11;
+        c_.k15 = e15;
+        c_.k16 = e7 * e23;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -266,134 +268,144 @@ public:
     /// Operations: none
     void jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
         J[0] = c_.k1;
-        J[1] = c_.k2;
+        J[1] = c_.k6;
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 99 + or -, 239 *, 10 /
+    /// Operations: 108 + or -, 256 *, 10 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T = x[0];
-        const Scalar inverse_1 = Scalar(1) / p_.C;
-        const Scalar inverse_2 = Scalar(1) / p_.d;
-        const Scalar e3 = p_.k * inverse_2;
-        const Scalar e4 = p_.a_i + e3;
-        const Scalar inverse_5 = Scalar(1) / e4;
-        const Scalar e6 = inverse_1 * inverse_5;
+        const Scalar inverse_1 = Scalar(1) / p_.d;
+        const Scalar e2 = p_.k * inverse_1;
+        const Scalar e3 = p_.a_i + e2;
+        const Scalar inverse_4 = Scalar(1) / e3;
+        const Scalar e5 = p_.k * inverse_4;
+        const Scalar e6 = inverse_1 * e5;
         const Scalar e7 = p_.a_i * e6;
-        const Scalar e8 = p_.a_i * inverse_5;
-        const Scalar e9 = e4 * e8;
-        const Scalar inverse_10 = Scalar(1) / p_.A;
-        const Scalar inverse_11 = Scalar(1) / p_.a_i;
-        const Scalar e12 = inverse_10 * inverse_11;
-        const Scalar inverse_13 = Scalar(1) / p_.k;
-        const Scalar e14 = inverse_13 * (p_.d * inverse_10);
-        const Scalar inverse_15 = Scalar(1) / (e12 + e14);
-        const Scalar e16 = p_.A * e3;
-        const Scalar inverse_17 = Scalar(1) / (inverse_15 + e16);
-        const Scalar e18 = inverse_17 * e8;
-        const Scalar inverse_19 = Scalar(1) / (e12 + Scalar(2) * e14);
-        const Scalar inverse_20 = Scalar(1) / (p_.A * p_.a_e + inverse_19);
-        const Scalar e21 = inverse_20 * e3;
-        const Scalar e22 = p_.A * e21;
-        const Scalar e23 = p_.A * e6;
-        const Scalar e24 = inverse_17 * e23;
-        const Scalar e25 = e3 * e24;
-        const Scalar e26 = p_.a_i * e25;
-        const Scalar e27 = p_.A * e26;
-        const Scalar e28 = e27 * e22;
-        const Scalar e29 = p_.a_e * e28;
-        const Scalar e30 = e3 * e28;
-        const Scalar e31 = inverse_17 * e22;
-        const Scalar e32 = e16 * e31;
-        const Scalar e33 = Scalar(1) + Scalar(2) * e32;
-        const Scalar inverse_15_squared = inverse_15 * inverse_15;
-        const Scalar e34 = inverse_15_squared + e16 * e16;
-        const Scalar e35 = (p_.a_i * e34 + e3 * inverse_15_squared) * (inverse_17 * e6);
-        const Scalar e36 = e26 * e8;
-        const Scalar e37 = Scalar(1) + e32;
-        const Scalar e38 = inverse_5 * e3;
-        const Scalar e39 = e37 * e38;
-        const Scalar e40 = e27 * e21;
-        const Scalar inverse_19_squared = inverse_19 * inverse_19;
-        const Scalar e41 = e21 * inverse_19_squared;
-        const Scalar e42 = inverse_17 * e38;
-        const Scalar e43 = p_.a_i * inverse_1;
-        const Scalar e44 = p_.a_e * p_.T_e;
-        const Scalar e45 = inverse_20 * e44;
-        const Scalar e46 = inverse_5 * e44;
-        const Scalar e47 = e25 * e21;
-        const Scalar e48 = inverse_17 * inverse_15_squared;
-        const Scalar e49 = inverse_20 * inverse_19_squared;
-        const Scalar e50 = e44 * (e48 + e49);
-        const Scalar e51 = (Scalar(1) / Scalar(2)) * inverse_17 * e34 + e49;
-        const Scalar e52 = e51 * e45;
+        const Scalar inverse_8 = Scalar(1) / p_.A;
+        const Scalar inverse_9 = Scalar(1) / p_.a_i;
+        const Scalar e10 = inverse_8 * inverse_9;
+        const Scalar inverse_11 = Scalar(1) / p_.k;
+        const Scalar e12 = inverse_11 * (p_.d * inverse_8);
+        const Scalar inverse_13 = Scalar(1) / (e10 + e12);
+        const Scalar e14 = p_.A * inverse_1;
+        const Scalar e15 = p_.k * e14;
+        const Scalar inverse_16 = Scalar(1) / (inverse_13 + e15);
+        const Scalar inverse_17 = Scalar(1) / p_.C;
+        const Scalar e18 = inverse_17 * inverse_4;
+        const Scalar e19 = e18 * e14;
+        const Scalar e20 = inverse_16 * e19;
+        const Scalar e21 = p_.k * e20;
+        const Scalar e22 = p_.a_i * e21;
+        const Scalar inverse_23 = Scalar(1) / (e10 + Scalar(2) * e12);
+        const Scalar inverse_24 = Scalar(1) / (p_.A * p_.a_e + inverse_23);
+        const Scalar e25 = inverse_16 * inverse_24;
+        const Scalar e26 = e14 * e22;
+        const Scalar e27 = p_.k * e26;
+        const Scalar e28 = e14 * e27;
+        const Scalar e29 = e25 * e28;
+        const Scalar e30 = p_.k * e29;
+        const Scalar inverse_13_squared = inverse_13 * inverse_13;
+        const Scalar e31 = inverse_16 * inverse_13_squared;
+        const Scalar e32 = e25 * e15;
+        const Scalar e33 = e15 * e32;
+        const Scalar e34 = Scalar(1) + Scalar(2) * e33;
+        const Scalar e35 = inverse_16 * e34;
+        const Scalar e36 = (e27 + e18 * e3 * e31) * e35;
+        const Scalar e37 = inverse_23 * inverse_24;
+        const Scalar e38 = inverse_23 * e37;
+        const Scalar e39 = e25 * e38;
+        const Scalar e40 = p_.a_i * e18;
+        const Scalar e41 = p_.a_i * inverse_4;
+        const Scalar e42 = e3 * e41;
+        const Scalar e43 = Scalar(1) + e33;
+        const Scalar e44 = e43 * e22;
+        const Scalar e45 = p_.a_i * inverse_17;
+        const Scalar e46 = inverse_1 * e27;
+        const Scalar e47 = p_.k * e6;
+        const Scalar e48 = p_.a_e * inverse_24;
+        const Scalar e49 = p_.a_i * e5;
+        const Scalar e50 = e15 * e29;
+        const Scalar e51 = e49 * e50;
+        const Scalar e52 = p_.a_e * p_.T_e;
+        const Scalar e37_squared = e37 * e37;
+        const Scalar e53 = inverse_24 * e27;
+        const Scalar e54 = p_.A * e53;
+        const Scalar e55 = e22 * e37_squared + (Scalar(1) / Scalar(2)) * (e21 * e37_squared * e2 + e54 * e48);
+        const Scalar e56 = e3 * e21;
+        const Scalar e57 = e25 * inverse_13_squared;
+        const Scalar e58 = e52 * e57;
         const Scalar sun = u[1];
-        const Scalar e53 = p_.share * e37;
-        const Scalar e54 = Scalar(1) + e38;
-        const Scalar e55 = inverse_5 * e53;
-        const Scalar e56 = Scalar(1) + inverse_17 * e54 * e16;
-        const Scalar e57 = e56 * e49;
-        const Scalar e58 = e48 + Scalar(2) * e57;
-        const Scalar e59 = p_.share * inverse_20;
-        const Scalar e60 = p_.share * inverse_17;
-        const Scalar e61 = p_.share * (e48 + e57);
-        const Scalar e62 = inverse_1 * (Scalar(1) - Scalar(3) * p_.share);
-        const Scalar e63 = e54 * e60;
-        const Scalar e64 = e33 * e63;
-        const Scalar e65 = p_.a_i * e23;
-        const Scalar e66 = p_.A * inverse_1;
-        const Scalar e67 = e37 * e65;
-        const Scalar e68 = e44 * e28;
+        const Scalar e59 = p_.share * e43;
+        const Scalar e60 = inverse_4 * e6;
+        const Scalar e61 = p_.share * e29;
+        const Scalar e62 = Scalar(1) + e6;
+        const Scalar e63 = p_.share * e62;
+        const Scalar e64 = inverse_16 * e15;
+        const Scalar e65 = Scalar(1) + e62 * e64;
+        const Scalar e66 = p_.share * e65;
+        const Scalar e67 = p_.share * inverse_17;
+        const Scalar e68 = p_.share * e34;
+        const Scalar e69 = p_.share * e57;
+        const Scalar e70 = p_.k * e19;
         const Scalar P = u[0];
-        const Scalar e69 = e56 * e53;
-        const Scalar e70 = p_.T_e - T;
-        const Scalar e71 = p_.U_w * inverse_1;
-        const Scalar e72 = p_.A_w * inverse_1;
-        const Scalar e73 = inverse_2 * e27;
-        const Scalar e74 = e22 * e73;
-        const Scalar e75 = p_.share * (inverse_20 * e58 - e33);
-        const Scalar e76 = e23 * e8;
-        const Scalar e77 = p_.share * (p_.A * e74 * e42 - (Scalar(1) / Scalar(3)) * inverse_2 * e37 * e76);
-        const Scalar e78 = e73 * (p_.share - Scalar(2) * e38 * e53);
-        const Scalar e79 = inverse_2 * e33;
-        const Scalar e80 = p_.a_i * e24;
-        const Scalar e81 = e34 * e80;
-        const Scalar e82 = e18 * e79;
-        const Scalar e83 = e18 * e74;
-        const Scalar e84 = e33 * e73 - (Scalar(1) / Scalar(2)) * (inverse_2 * e65 + Scalar(2) * e73 * e39);
-        const Scalar e85 = e8 * e84;
-        const Scalar e86 = p_.A * inverse_20;
-        const Scalar e87 = e73 * e86;
-        const Scalar e88 = inverse_2 * e80;
-        const Scalar e89 = e25 * e22;
-        const Scalar e90 = inverse_11 * e89;
-        const Scalar e91 = Scalar(2) * (e27 * e39);
-        const Scalar e92 = e7 * (Scalar(2) * p_.a_i - e9) - e3 * e18 * (e22 * e29 - Scalar(6) * e30 + e33 * e35) + e36
-            * (Scalar(4) * e3 - Scalar(2) * e4 * e39) - e40 * e41 * (Scalar(2) * e18 + e42) - e43;
-        const Scalar e93 = e29 * e45 - e40 * (Scalar(4) * e44 - e4 * e46) + e47 * e50 + Scalar(2) * e26 * e52;
-        const Scalar e94 = e26 * (Scalar(3) * p_.share * e54 - Scalar(2) * e4 * e38 * e55 - e58 * e59);
-        const Scalar e95 = e53 * (e36 + e6 * e9) - e94 - e60 * e30 * (Scalar(4) + Scalar(5) * e38) - Scalar(2) * p_.share * e33
-            * e7 + e56 * e29 * e59 + e47 * e61 - e62 + e64 * e35;
-        J[0] = T * e92 - e93 - sun * e95;
-        J[1] = T * (-e43 * (e65 - e66) - e3 * e26 * e67) - inverse_1 * e68 - P * (inverse_1 * inverse_1) - sun
-            * (inverse_1 * e65 * e69 + e66 * e62) - e70 * (e71 * e72);
-        J[2] = e70 * e72;
-        J[3] = e70 * e71;
-        const Scalar e96 = e73 * e75 - Scalar(2) * p_.share * e74 - Scalar(3) * e3 * e77 - e38 * e78 + e79 * e63 * e81;
-        J[4] = Scalar(2) * e73 * e52 - e44 * e74 * (Scalar(2) - e38) + sun * e96 + T
-            * (e34 * e26 * e82 + Scalar(2) * e41 * e83 - Scalar(2) * e3 * e85);
-        const Scalar e97 = p_.A * (e73 * e64 + e75 * e88) - p_.share * (Scalar(2) * e87 - e24 * inverse_15_squared * e82) + e60
-            * (inverse_13 * inverse_15_squared * e80 + Scalar(2) * e48 * e87) - Scalar(3) * e77 - inverse_5 * e78;
-        J[5] = -(e74 * e46 - e44 * (Scalar(2) * (e87 - e51 * e86 * e88))) - sun * e97 - T
-            * (Scalar(2) * e49 * e83 - Scalar(2) * e85 + e82 * e81);
-        const Scalar e98 = e27 * e55 * (Scalar(1) + Scalar(2) * e38) + inverse_11 * e25 * inverse_15_squared * e64 + e53 * e76
-            - e23 * e69 + e61 * e90;
-        const Scalar e99 = e8 * (e65 + e91) + e38 * (e33 * e25 * e48 + inverse_19_squared * e89 * e31) - Scalar(2) * e65 + e66
-            - e91;
-        J[6] = -(e28 * e46 - p_.A * e44 * e89 + e50 * e90) - sun * e98 - T * e99;
-        J[7] = p_.T_e * e28 - e86 * e68 - sun * (p_.share * e56 * e28 * e86) - T * (e22 * e28 * e18 * e16);
-        J[8] = e29 + p_.A_w * e71;
-        J[9] = -sun * (Scalar(3) * e66 - e56 * e67);
+        const Scalar inverse_17_squared = inverse_17 * inverse_17;
+        const Scalar e71 = p_.A * p_.share;
+        const Scalar e72 = p_.T_e - T;
+        const Scalar e73 = p_.U_w * inverse_17;
+        const Scalar e74 = inverse_24 * e52;
+        const Scalar e75 = e26 * e57;
+        const Scalar e76 = inverse_24 * e28 - (Scalar(1) / Scalar(2)) * e75;
+        const Scalar e77 = e52 * e37_squared;
+        const Scalar e78 = p_.a_i * e20;
+        const Scalar e79 = inverse_13_squared * e35;
+        const Scalar e80 = e28 * e35;
+        const Scalar e81 = e37_squared * e66;
+        const Scalar e82 = e19 * e59;
+        const Scalar e83 = p_.share * inverse_4;
+        const Scalar e84 = e46 * e83;
+        const Scalar e85 = p_.a_i * e19 + Scalar(2) * e29 * e38;
+        const Scalar e86 = e43 * e41;
+        const Scalar e87 = e41 * e79;
+        const Scalar e88 = inverse_24 * e26;
+        const Scalar e89 = e57 * e78 - e41 * e88;
+        const Scalar e90 = e37_squared * e78;
+        const Scalar e91 = e14 * e5;
+        const Scalar e92 = inverse_13 * inverse_16;
+        const Scalar e93 = e65 * e71;
+        const Scalar e94 = e21 * e15;
+        const Scalar e95 = e21 * e79;
+        const Scalar e96 = inverse_9 * e94;
+        const Scalar e97 = e7 * (Scalar(4) * e22 + Scalar(6) * e30 - e36 - Scalar(2) * e27 * e39) + e40
+            * (Scalar(2) * p_.a_i - e42) - Scalar(2) * e6 * e44 * e42 - e45 - e46 * e47 * e39 - e48 * e51;
+        const Scalar e98 = e52 * (Scalar(2) * e55 + e30) - e52 * e53 * (Scalar(4) - inverse_4 * e3) + e56 * e58;
+        const Scalar e99 = e22 * e59 * (e41 + Scalar(2) * e3 * e60) - e61 * (Scalar(4) * p_.k + Scalar(5) * e47) - e63
+            * (Scalar(3) * e22 - e36) - inverse_17 + Scalar(2) * e55 * e66 + e18 * e59 * e42 + Scalar(3) * e67 - Scalar(2)
+            * e40 * e68 + e56 * e69;
+        J[0] = T * e97 - e98 - sun * e99;
+        const Scalar e100 = inverse_17_squared * (p_.A - Scalar(2) * e71) + inverse_17 * e71 * (e53 + e62 * e44) - e70 * e67;
+        J[1] = T * (-e70 * (p_.a_i * e44 - e45)) - inverse_17 * e52 * e54 - P * inverse_17_squared - sun * e100 - e72
+            * (p_.U_w * p_.A_w * inverse_17_squared);
+        J[2] = e72 * (p_.A_w * inverse_17);
+        J[3] = e72 * e73;
+        const Scalar e101 = e63 * (e78 * e79 + e80) - e26 * (e68 - Scalar(2) * e81) - Scalar(2) * p_.share * e76 - Scalar(3)
+            * e6 * e15 * e61 + Scalar(2) * e59 * e46 * e60 + e7 * e82 - e84;
+        const Scalar e102 = e7 * (e85 + e80) - e46 * (Scalar(2) * (e34 * e41 - e6 * e86)) + inverse_1 * e22 * e87;
+        J[4] = e6 * e28 * e74 - e52 * (Scalar(2) * e76 - e50) + Scalar(2) * e26 * e77 + sun * e101 + T * e102;
+        const Scalar e103 = e71 * (e89 - inverse_13 * e35 * e78 - e88) - e91 * e61
+            * (Scalar(1) + Scalar(2) * e41 - Scalar(2) * e64) + p_.share * (e19 * e41 + e20 * e87) + inverse_16 * e71
+            * (inverse_11 * e40 * e31 + Scalar(2) * e75) - e26 * e83 * e92 + Scalar(2) * e93 * e90 + Scalar(2) * inverse_4
+            * e84;
+        const Scalar e104 = e41 * (inverse_16 * e28 + e85 - Scalar(2) * e26 * e86) + e78 * e87 - Scalar(2) * p_.a_i * e29 * e91
+            * e92;
+        J[5] = -(-p_.A * e52 * (inverse_13 * e26 * e25 - e89 - Scalar(2) * e90)) - sun * e103 - T * e104;
+        const Scalar e105 = e19 * e49 - e6 * (e94 * e38 * e32 + e95) - e70 + Scalar(2) * e43 * e27 * e60;
+        const Scalar e106 = e59 * (Scalar(2) * (inverse_4 * inverse_4 * e27 - e21 * e91)) + e96 * (e69 + e81) - e5 * e82
+            + inverse_9 * e63 * e95;
+        J[6] = T * e105 - (e96 * (e77 + e58) - e91 * e94 * e74) - sun * e106;
+        J[7] = p_.T_e * e37 * e54 - sun * (inverse_24 * e54 * e93) - T * (p_.A * inverse_24 * e51);
+        J[8] = p_.a_e * e54 + p_.A_w * e73;
+        J[9] = -sun * (p_.A * (Scalar(3) * inverse_17 - e43 * e65 * e40));
     }
 
     /// J = df/dt at fixed x and u.
@@ -438,17 +450,17 @@ public:
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         const Scalar T = x[0];
         const Scalar sun = u[1];
-        y[0] = c_.k8 * T - c_.k6 - c_.k7 * sun;
-        y[1] = c_.k9 + c_.k10 * sun + c_.k11 * T;
-        y[2] = c_.k12 + c_.k13 * sun + c_.k14 * T;
+        y[0] = c_.k9 * T - c_.k7 - c_.k8 * sun;
+        y[1] = c_.k10 + c_.k11 * sun + c_.k12 * T;
+        y[2] = c_.k13 + c_.k14 * sun + c_.k15 * T;
     }
 
     /// C = dh/dx.
     /// Operations: none
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        C[0] = c_.k8;
-        C[1] = c_.k11;
-        C[2] = c_.k14;
+        C[0] = c_.k16;
+        C[1] = c_.k12;
+        C[2] = c_.k15;
     }
 
     /// D = dh/du.
@@ -457,9 +469,9 @@ public:
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = -c_.k7;
-        D[4] = c_.k10;
-        D[5] = c_.k13;
+        D[3] = -c_.k8;
+        D[4] = c_.k11;
+        D[5] = c_.k14;
     }
 
     /// T in joules.
@@ -537,18 +549,20 @@ private:
         Scalar k0;  ///< A^3*k^2*a_i*a_e*T_e/(C*d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
         Scalar k1;  ///< 1/C
         Scalar k2;  ///< A*(1 + A*k^2*a_i*share/(d^2*(k/d + a_i)^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + ...
-        Scalar k3;  ///< A*a_i*(1 - A*k^2*a_i/(d^2*(k/d + a_i)^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) - ...
+        Scalar k3;  ///< A*k*a_i*(1 - A*k*a_i/(d*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) - A^3*k^3*a_i/(d^3*(k/d + ...
         Scalar k4;  ///< U_w*A_w/C
         Scalar k5;  ///< (-A^2*k^2*a_i^2/(d^2*(k/d + a_i)^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) - A^4*k^4*a_i^2/(d^4*(k/d ...
-        Scalar k6;  ///< A^3*k^2*a_i*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
-        Scalar k7;  ///< A*a_i*share*(1 + A*k^2/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A^3*k^4/(d^4*(k/d + ...
-        Scalar k8;  ///< A*k*a_i*(1 - A*k*a_i/(d*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) - A^3*k^3*a_i/(d^3*(k/d + ...
-        Scalar k9;  ///< A^2*k^2*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
-        Scalar k10;  ///< share*(1 + A*k^2/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A^3*k^4/(d^4*(k/d + ...
-        Scalar k11;  ///< a_i*(1 + A*k^2/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A^3*k^4/(d^4*(k/d + ...
-        Scalar k12;  ///< A*a_e*T_e/(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))
-        Scalar k13;  ///< A*share*(1 + A*k^2/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A*k/(d*(A*k/d + ...
-        Scalar k14;  ///< A^2*k^2*a_i/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
+        Scalar k6;  ///< A*(1 + A*k^2*a_i*share/(d^2*(k/d + a_i)^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + ...
+        Scalar k7;  ///< A^3*k^2*a_i*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
+        Scalar k8;  ///< A*a_i*share*(1 + A*k^2/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A^3*k^4/(d^4*(k/d + ...
+        Scalar k9;  ///< A*a_i*(1 - A*k^2*a_i/(d^2*(k/d + a_i)^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) - ...
+        Scalar k10;  ///< A^2*k^2*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
+        Scalar k11;  ///< share*(1 + A*k^2/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A^3*k^4/(d^4*(k/d + ...
+        Scalar k12;  ///< a_i*(1 + A*k^2/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A^3*k^4/(d^4*(k/d + ...
+        Scalar k13;  ///< A*a_e*T_e/(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))
+        Scalar k14;  ///< A*share*(1 + A*k^2/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A*k/(d*(A*k/d + ...
+        Scalar k15;  ///< A^2*k^2*a_i/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
+        Scalar k16;  ///< A*k*a_i*(1 - A*k*a_i/(d*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) - A^3*k^3*a_i/(d^3*(k/d + ...
     };
     Cached c_{};
 };

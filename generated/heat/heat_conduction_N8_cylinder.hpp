@@ -25,7 +25,7 @@
 //   update                12     60    14        0      8
 //   rhs                   22     15     0        0      0
 //   rhs_and_jacobian      30     15     0        0      0
-//   jacobian_p            68    215    13        0      8
+//   jacobian_p            63    204    12        0      8
 //   output                 1      2     0        0      0
 //   output_jacobian_u      1      1     0        0      0
 //   internal_energy        7     21     0        0      0
@@ -455,7 +455,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 8 x 8, entry (i, j) at J[8*j + i].
-    /// Operations: 68 + or -, 215 *, 13 /, 8 other functions
+    /// Operations: 63 + or -, 204 *, 12 /, 8 other functions
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -508,50 +508,45 @@ public:
         const Scalar log_ratio_41 = detail::log_ratio<Scalar>(e40, e35);
         const Scalar inverse_42 = Scalar(1) / log_ratio_41;
         const Scalar e43 = inverse_42 * e12;
+        const Scalar e44 = p_.alpha * p_.T_inf;
         const Scalar log_ratio_R = detail::log_ratio<Scalar>(p_.R, e40);
-        const Scalar inverse_44 = Scalar(1) / log_ratio_R;
-        const Scalar inverse_45 = Scalar(1) / (p_.R * p_.alpha + p_.lambda * inverse_44);
-        const Scalar e46 = inverse_44 * inverse_45;
-        const Scalar e47 = e11 * e46;
-        const Scalar e48 = p_.alpha * p_.T_inf;
-        const Scalar e49 = p_.lambda * e46;
-        const Scalar e50 = p_.alpha * e49;
-        const Scalar e51 = inverse_45 * e50;
-        const Scalar e52 = p_.T_inf * e9;
-        const Scalar e53 = p_.alpha * e52;
-        const Scalar e54 = Scalar(1) - e49;
-        const Scalar e55 = inverse_44 * e54;
-        const Scalar inverse_56 = Scalar(1) / p_.H;
-        const Scalar e57 = e50 * e52;
-        const Scalar e58 = e8 * e51;
-        const Scalar e59 = e9 * e50;
-        const Scalar e60 = inverse_4 * e10;
-        const Scalar e61 = inverse_17 * e10;
-        const Scalar e62 = inverse_22 * e10;
-        const Scalar e63 = inverse_27 * e10;
-        const Scalar e64 = inverse_32 * e10;
-        const Scalar e65 = inverse_37 * e10;
-        const Scalar e66 = inverse_42 * e10;
-        const Scalar e67 = inverse_6 * e11;
-        const Scalar e68 = inverse_4 * e67;
-        const Scalar e69 = p_.g * e8;
-        const Scalar e70 = inverse_6 * e69;
-        const Scalar e71 = inverse_17 * e67;
-        const Scalar e72 = inverse_22 * e67;
-        const Scalar e73 = inverse_27 * e67;
-        const Scalar e74 = inverse_32 * e67;
-        const Scalar e75 = inverse_37 * e67;
-        const Scalar e76 = inverse_42 * e67;
-        const Scalar e77 = e69 + (Scalar(128) / Scalar(15)) * e57;
-        const Scalar e78 = inverse_7 * e11;
-        const Scalar e79 = inverse_4 * e78;
-        const Scalar e80 = inverse_7 * e69;
-        const Scalar e81 = inverse_17 * e78;
-        const Scalar e82 = inverse_22 * e78;
-        const Scalar e83 = inverse_27 * e78;
-        const Scalar e84 = inverse_32 * e78;
-        const Scalar e85 = inverse_37 * e78;
-        const Scalar e86 = inverse_42 * e78;
+        const Scalar inverse_45 = Scalar(1) / log_ratio_R;
+        const Scalar inverse_46 = Scalar(1) / (p_.R * p_.alpha + p_.lambda * inverse_45);
+        const Scalar e47 = inverse_45 * inverse_46;
+        const Scalar e48 = e11 * e47;
+        const Scalar e49 = p_.lambda * e47;
+        const Scalar e50 = e9 * e49;
+        const Scalar e51 = p_.alpha * e50;
+        const Scalar e52 = Scalar(1) - e49;
+        const Scalar e53 = inverse_45 * e52;
+        const Scalar e54 = inverse_4 * e10;
+        const Scalar e55 = inverse_17 * e10;
+        const Scalar e56 = inverse_22 * e10;
+        const Scalar e57 = inverse_27 * e10;
+        const Scalar e58 = inverse_32 * e10;
+        const Scalar e59 = inverse_37 * e10;
+        const Scalar e60 = inverse_42 * e10;
+        const Scalar e61 = inverse_6 * e11;
+        const Scalar e62 = inverse_4 * e61;
+        const Scalar e63 = p_.g * e8;
+        const Scalar e64 = inverse_6 * e63;
+        const Scalar e65 = inverse_17 * e61;
+        const Scalar e66 = inverse_22 * e61;
+        const Scalar e67 = inverse_27 * e61;
+        const Scalar e68 = inverse_32 * e61;
+        const Scalar e69 = inverse_37 * e61;
+        const Scalar e70 = inverse_42 * e61;
+        const Scalar e71 = e50 * e44 + (Scalar(15) / Scalar(128)) * e63;
+        const Scalar e72 = inverse_7 * e11;
+        const Scalar e73 = inverse_4 * e72;
+        const Scalar e74 = inverse_7 * e63;
+        const Scalar e75 = inverse_17 * e72;
+        const Scalar e76 = inverse_22 * e72;
+        const Scalar e77 = inverse_27 * e72;
+        const Scalar e78 = inverse_32 * e72;
+        const Scalar e79 = inverse_37 * e72;
+        const Scalar e80 = inverse_42 * e72;
+        const Scalar e81 = e49 * e50;
         J[0] = e1 * (Scalar(256) * e13);
         J[1] = e14 * ((Scalar(256) / Scalar(3)) * e18) - e1 * ((Scalar(256) / Scalar(3)) * e13);
         J[2] = e19 * ((Scalar(256) / Scalar(5)) * e23) - e14 * ((Scalar(256) / Scalar(5)) * e18);
@@ -559,8 +554,9 @@ public:
         J[4] = e29 * ((Scalar(256) / Scalar(9)) * e33) - e24 * ((Scalar(256) / Scalar(9)) * e28);
         J[5] = e34 * ((Scalar(256) / Scalar(11)) * e38) - e29 * ((Scalar(256) / Scalar(11)) * e33);
         J[6] = e39 * ((Scalar(256) / Scalar(13)) * e43) - e34 * ((Scalar(256) / Scalar(13)) * e38);
-        const Scalar e87 = (Scalar(128) / Scalar(15)) * e50 * e47 - (Scalar(256) / Scalar(15)) * e12 * e55;
-        J[7] = -(Scalar(128) / Scalar(15)) * (e47 * e48 + e51 * e53) - T_8 * e87 - e39 * ((Scalar(256) / Scalar(15)) * e43);
+        const Scalar e82 = (Scalar(128) / Scalar(15)) * p_.alpha * e49 * e48 - (Scalar(256) / Scalar(15)) * e12 * e53;
+        J[7] = -(Scalar(128) / Scalar(15)) * (e44 * (e48 + inverse_46 * e51)) - T_8 * e82 - e39
+            * ((Scalar(256) / Scalar(15)) * e43);
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
@@ -568,34 +564,35 @@ public:
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        const Scalar e88 = T_8 * ((Scalar(128) / Scalar(15)) * (-inverse_56 * e49 * (e11 * e55 - e59)));
-        J[15] = (Scalar(128) / Scalar(15)) * (inverse_56 * (e54 * e57 - e48 * e58)) - e88;
-        J[16] = -e1 * (Scalar(128) * e60);
-        J[17] = e1 * ((Scalar(128) / Scalar(3)) * e60) - e14 * ((Scalar(128) / Scalar(3)) * e61);
-        J[18] = e14 * ((Scalar(128) / Scalar(5)) * e61) - e19 * ((Scalar(128) / Scalar(5)) * e62);
-        J[19] = e19 * ((Scalar(128) / Scalar(7)) * e62) - e24 * ((Scalar(128) / Scalar(7)) * e63);
-        J[20] = e24 * ((Scalar(128) / Scalar(9)) * e63) - e29 * ((Scalar(128) / Scalar(9)) * e64);
-        J[21] = e29 * ((Scalar(128) / Scalar(11)) * e64) - e34 * ((Scalar(128) / Scalar(11)) * e65);
-        J[22] = e34 * ((Scalar(128) / Scalar(13)) * e65) - e39 * ((Scalar(128) / Scalar(13)) * e66);
-        const Scalar e89 = inverse_44 * e47 * (Scalar(256) / Scalar(15) - (Scalar(128) / Scalar(15)) * e49);
-        J[23] = T_8 * (e89 - (Scalar(128) / Scalar(15)) * inverse_44 * e10) - (-(Scalar(128) / Scalar(15)) * e54 * e46 * e53)
-            + e39 * ((Scalar(128) / Scalar(15)) * e66);
-        J[24] = e1 * (Scalar(128) * e68) - e70;
-        J[25] = e14 * ((Scalar(128) / Scalar(3)) * e71) - e70 - e1 * ((Scalar(128) / Scalar(3)) * e68);
-        J[26] = e19 * ((Scalar(128) / Scalar(5)) * e72) - e70 - e14 * ((Scalar(128) / Scalar(5)) * e71);
-        J[27] = e24 * ((Scalar(128) / Scalar(7)) * e73) - e70 - e19 * ((Scalar(128) / Scalar(7)) * e72);
-        J[28] = e29 * ((Scalar(128) / Scalar(9)) * e74) - e70 - e24 * ((Scalar(128) / Scalar(9)) * e73);
-        J[29] = e34 * ((Scalar(128) / Scalar(11)) * e75) - e70 - e29 * ((Scalar(128) / Scalar(11)) * e74);
-        J[30] = e39 * ((Scalar(128) / Scalar(13)) * e76) - e70 - e34 * ((Scalar(128) / Scalar(13)) * e75);
-        J[31] = T_8 * ((Scalar(128) / Scalar(15)) * e67 * e55) - inverse_6 * e77 - e39 * ((Scalar(128) / Scalar(15)) * e76);
-        J[32] = e1 * (Scalar(128) * e79) - e80;
-        J[33] = e14 * ((Scalar(128) / Scalar(3)) * e81) - e80 - e1 * ((Scalar(128) / Scalar(3)) * e79);
-        J[34] = e19 * ((Scalar(128) / Scalar(5)) * e82) - e80 - e14 * ((Scalar(128) / Scalar(5)) * e81);
-        J[35] = e24 * ((Scalar(128) / Scalar(7)) * e83) - e80 - e19 * ((Scalar(128) / Scalar(7)) * e82);
-        J[36] = e29 * ((Scalar(128) / Scalar(9)) * e84) - e80 - e24 * ((Scalar(128) / Scalar(9)) * e83);
-        J[37] = e34 * ((Scalar(128) / Scalar(11)) * e85) - e80 - e29 * ((Scalar(128) / Scalar(11)) * e84);
-        J[38] = e39 * ((Scalar(128) / Scalar(13)) * e86) - e80 - e34 * ((Scalar(128) / Scalar(13)) * e85);
-        J[39] = T_8 * ((Scalar(128) / Scalar(15)) * e78 * e55) - inverse_7 * e77 - e39 * ((Scalar(128) / Scalar(15)) * e86);
+        J[15] = Scalar(0);
+        J[16] = -e1 * (Scalar(128) * e54);
+        J[17] = e1 * ((Scalar(128) / Scalar(3)) * e54) - e14 * ((Scalar(128) / Scalar(3)) * e55);
+        J[18] = e14 * ((Scalar(128) / Scalar(5)) * e55) - e19 * ((Scalar(128) / Scalar(5)) * e56);
+        J[19] = e19 * ((Scalar(128) / Scalar(7)) * e56) - e24 * ((Scalar(128) / Scalar(7)) * e57);
+        J[20] = e24 * ((Scalar(128) / Scalar(9)) * e57) - e29 * ((Scalar(128) / Scalar(9)) * e58);
+        J[21] = e29 * ((Scalar(128) / Scalar(11)) * e58) - e34 * ((Scalar(128) / Scalar(11)) * e59);
+        J[22] = e34 * ((Scalar(128) / Scalar(13)) * e59) - e39 * ((Scalar(128) / Scalar(13)) * e60);
+        const Scalar e83 = inverse_45 * e48 * (Scalar(256) / Scalar(15) - (Scalar(128) / Scalar(15)) * e49);
+        J[23] = T_8 * (e83 - (Scalar(128) / Scalar(15)) * inverse_45 * e10)
+            - (-(Scalar(128) / Scalar(15)) * e9 * e52 * e47 * e44) + e39 * ((Scalar(128) / Scalar(15)) * e60);
+        J[24] = e1 * (Scalar(128) * e62) - e64;
+        J[25] = e14 * ((Scalar(128) / Scalar(3)) * e65) - e64 - e1 * ((Scalar(128) / Scalar(3)) * e62);
+        J[26] = e19 * ((Scalar(128) / Scalar(5)) * e66) - e64 - e14 * ((Scalar(128) / Scalar(5)) * e65);
+        J[27] = e24 * ((Scalar(128) / Scalar(7)) * e67) - e64 - e19 * ((Scalar(128) / Scalar(7)) * e66);
+        J[28] = e29 * ((Scalar(128) / Scalar(9)) * e68) - e64 - e24 * ((Scalar(128) / Scalar(9)) * e67);
+        J[29] = e34 * ((Scalar(128) / Scalar(11)) * e69) - e64 - e29 * ((Scalar(128) / Scalar(11)) * e68);
+        J[30] = e39 * ((Scalar(128) / Scalar(13)) * e70) - e64 - e34 * ((Scalar(128) / Scalar(13)) * e69);
+        J[31] = T_8 * ((Scalar(128) / Scalar(15)) * e61 * e53) - (Scalar(128) / Scalar(15)) * inverse_6 * e71 - e39
+            * ((Scalar(128) / Scalar(15)) * e70);
+        J[32] = e1 * (Scalar(128) * e73) - e74;
+        J[33] = e14 * ((Scalar(128) / Scalar(3)) * e75) - e74 - e1 * ((Scalar(128) / Scalar(3)) * e73);
+        J[34] = e19 * ((Scalar(128) / Scalar(5)) * e76) - e74 - e14 * ((Scalar(128) / Scalar(5)) * e75);
+        J[35] = e24 * ((Scalar(128) / Scalar(7)) * e77) - e74 - e19 * ((Scalar(128) / Scalar(7)) * e76);
+        J[36] = e29 * ((Scalar(128) / Scalar(9)) * e78) - e74 - e24 * ((Scalar(128) / Scalar(9)) * e77);
+        J[37] = e34 * ((Scalar(128) / Scalar(11)) * e79) - e74 - e29 * ((Scalar(128) / Scalar(11)) * e78);
+        J[38] = e39 * ((Scalar(128) / Scalar(13)) * e80) - e74 - e34 * ((Scalar(128) / Scalar(13)) * e79);
+        J[39] = T_8 * ((Scalar(128) / Scalar(15)) * e72 * e53) - (Scalar(128) / Scalar(15)) * inverse_7 * e71 - e39
+            * ((Scalar(128) / Scalar(15)) * e80);
         J[40] = e8;
         J[41] = e8;
         J[42] = e8;
@@ -611,7 +608,7 @@ public:
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = Scalar(0);
-        J[55] = (Scalar(128) / Scalar(15)) * (e49 * e52 - p_.T_inf * e58) - T_8 * ((Scalar(128) / Scalar(15)) * e9 * e49 * e49);
+        J[55] = (Scalar(128) / Scalar(15)) * p_.T_inf * e81 - T_8 * ((Scalar(128) / Scalar(15)) * e81);
         J[56] = Scalar(0);
         J[57] = Scalar(0);
         J[58] = Scalar(0);
@@ -619,7 +616,7 @@ public:
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = Scalar(0);
-        J[63] = (Scalar(128) / Scalar(15)) * e59;
+        J[63] = (Scalar(128) / Scalar(15)) * e51;
     }
 
     /// J = df/dt at fixed x and u.

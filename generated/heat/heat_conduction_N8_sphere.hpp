@@ -25,7 +25,7 @@
 //   update                 6     44     6        0      0
 //   rhs                   22     15     0        0      0
 //   rhs_and_jacobian      30     15     0        0      0
-//   jacobian_p            65    170     4        0      0
+//   jacobian_p            64    166     4        0      0
 //   output                 1      2     0        0      0
 //   output_jacobian_u      1      1     0        0      0
 //   internal_energy        7     21     0        0      0
@@ -402,7 +402,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 8 x 7, entry (i, j) at J[8*j + i].
-    /// Operations: 65 + or -, 170 *, 4 /
+    /// Operations: 64 + or -, 166 *, 4 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -430,20 +430,20 @@ public:
         const Scalar inverse_16 = Scalar(1) / (p_.R * p_.alpha + Scalar(15) * p_.lambda);
         const Scalar e17 = p_.lambda * inverse_16;
         const Scalar e18 = p_.alpha * e17;
-        const Scalar e19 = e6 * e18;
-        const Scalar e20 = p_.T_inf * inverse_16;
-        const Scalar e21 = p_.alpha * e20;
-        const Scalar e22 = e18 * e20;
-        const Scalar e23 = Scalar(1) - (Scalar(15) / Scalar(2)) * e17;
-        const Scalar e24 = inverse_16 * e8;
+        const Scalar e19 = inverse_16 * e8;
+        const Scalar e20 = e18 * e19;
+        const Scalar e21 = p_.T_inf * e6;
+        const Scalar e22 = inverse_16 * e21;
+        const Scalar e23 = p_.alpha * e22;
+        const Scalar e17_squared = e17 * e17;
+        const Scalar e24 = Scalar(1) - (Scalar(15) / Scalar(2)) * e17;
         const Scalar e25 = inverse_3 * e8;
         const Scalar e26 = p_.g * e5;
         const Scalar e27 = inverse_3 * e26;
-        const Scalar e28 = Scalar(1) - Scalar(15) * e17;
-        const Scalar e29 = (Scalar(23040) / Scalar(169)) * p_.T_inf * e19 + e26;
-        const Scalar e30 = inverse_4 * e8;
-        const Scalar e31 = inverse_4 * e26;
-        const Scalar e32 = e6 * e17;
+        const Scalar e28 = (Scalar(23040) / Scalar(169)) * e18 * e21 + e26;
+        const Scalar e29 = inverse_4 * e8;
+        const Scalar e30 = inverse_4 * e26;
+        const Scalar e31 = e6 * e18;
         J[0] = e1 * (Scalar(288) * e9);
         J[1] = e10 * ((Scalar(1440) / Scalar(7)) * e9) - e1 * ((Scalar(288) / Scalar(7)) * e9);
         J[2] = e11 * ((Scalar(3360) / Scalar(19)) * e9) - e10 * ((Scalar(1440) / Scalar(19)) * e9);
@@ -451,9 +451,9 @@ public:
         J[4] = e13 * ((Scalar(9504) / Scalar(61)) * e9) - e12 * ((Scalar(6048) / Scalar(61)) * e9);
         J[5] = e14 * ((Scalar(1056) / Scalar(7)) * e9) - e13 * ((Scalar(9504) / Scalar(91)) * e9);
         J[6] = e15 * ((Scalar(18720) / Scalar(127)) * e9) - e14 * ((Scalar(13728) / Scalar(127)) * e9);
-        const Scalar e33 = (Scalar(46080) / Scalar(169)) * e19 * e21 + (Scalar(345600) / Scalar(169)) * e8 * e22;
-        const Scalar e34 = (Scalar(5184000) / Scalar(169)) * e17 * e17 - (Scalar(46080) / Scalar(169)) * e23;
-        J[7] = -e33 - T_8 * (e9 * e34 + (Scalar(691200) / Scalar(169)) * e18 * e24) - e15 * ((Scalar(1440) / Scalar(13)) * e9);
+        const Scalar e32 = (Scalar(345600) / Scalar(169)) * p_.T_inf * e20 + (Scalar(46080) / Scalar(169)) * e18 * e23;
+        const Scalar e33 = (Scalar(5184000) / Scalar(169)) * e17_squared - (Scalar(46080) / Scalar(169)) * e24;
+        J[7] = -e32 - T_8 * (e9 * e33 + (Scalar(691200) / Scalar(169)) * e20) - e15 * ((Scalar(1440) / Scalar(13)) * e9);
         J[8] = -e1 * (Scalar(144) * e7);
         J[9] = e1 * ((Scalar(144) / Scalar(7)) * e7) - e10 * ((Scalar(720) / Scalar(7)) * e7);
         J[10] = e10 * ((Scalar(720) / Scalar(19)) * e7) - e11 * ((Scalar(1680) / Scalar(19)) * e7);
@@ -461,9 +461,9 @@ public:
         J[12] = e12 * ((Scalar(3024) / Scalar(61)) * e7) - e13 * ((Scalar(4752) / Scalar(61)) * e7);
         J[13] = e13 * ((Scalar(4752) / Scalar(91)) * e7) - e14 * ((Scalar(528) / Scalar(7)) * e7);
         J[14] = e14 * ((Scalar(6864) / Scalar(127)) * e7) - e15 * ((Scalar(9360) / Scalar(127)) * e7);
-        const Scalar e35 = (Scalar(691200) / Scalar(169)) * e23 * e24 - (Scalar(23040) / Scalar(169)) * e7;
-        const Scalar e36 = (Scalar(345600) / Scalar(169)) * e20 * e19 - (Scalar(23040) / Scalar(169)) * e6 * e21;
-        J[15] = T_8 * e35 - e36 + e15 * ((Scalar(720) / Scalar(13)) * e7);
+        const Scalar e34 = (Scalar(691200) / Scalar(169)) * e19 * e24 - (Scalar(23040) / Scalar(169)) * e7;
+        const Scalar e35 = (Scalar(345600) / Scalar(169)) * e18 * e22 - (Scalar(23040) / Scalar(169)) * e23;
+        J[15] = T_8 * e34 - e35 + e15 * ((Scalar(720) / Scalar(13)) * e7);
         J[16] = e1 * (Scalar(144) * e25) - e27;
         J[17] = e10 * ((Scalar(720) / Scalar(7)) * e25) - e27 - e1 * ((Scalar(144) / Scalar(7)) * e25);
         J[18] = e11 * ((Scalar(1680) / Scalar(19)) * e25) - e27 - e10 * ((Scalar(720) / Scalar(19)) * e25);
@@ -471,15 +471,17 @@ public:
         J[20] = e13 * ((Scalar(4752) / Scalar(61)) * e25) - e27 - e12 * ((Scalar(3024) / Scalar(61)) * e25);
         J[21] = e14 * ((Scalar(528) / Scalar(7)) * e25) - e27 - e13 * ((Scalar(4752) / Scalar(91)) * e25);
         J[22] = e15 * ((Scalar(9360) / Scalar(127)) * e25) - e27 - e14 * ((Scalar(6864) / Scalar(127)) * e25);
-        J[23] = T_8 * ((Scalar(23040) / Scalar(169)) * e25 * e28) - inverse_3 * e29 - e15 * ((Scalar(720) / Scalar(13)) * e25);
-        J[24] = e1 * (Scalar(144) * e30) - e31;
-        J[25] = e10 * ((Scalar(720) / Scalar(7)) * e30) - e31 - e1 * ((Scalar(144) / Scalar(7)) * e30);
-        J[26] = e11 * ((Scalar(1680) / Scalar(19)) * e30) - e31 - e10 * ((Scalar(720) / Scalar(19)) * e30);
-        J[27] = e12 * ((Scalar(3024) / Scalar(37)) * e30) - e31 - e11 * ((Scalar(1680) / Scalar(37)) * e30);
-        J[28] = e13 * ((Scalar(4752) / Scalar(61)) * e30) - e31 - e12 * ((Scalar(3024) / Scalar(61)) * e30);
-        J[29] = e14 * ((Scalar(528) / Scalar(7)) * e30) - e31 - e13 * ((Scalar(4752) / Scalar(91)) * e30);
-        J[30] = e15 * ((Scalar(9360) / Scalar(127)) * e30) - e31 - e14 * ((Scalar(6864) / Scalar(127)) * e30);
-        J[31] = T_8 * ((Scalar(23040) / Scalar(169)) * e30 * e28) - inverse_4 * e29 - e15 * ((Scalar(720) / Scalar(13)) * e30);
+        const Scalar e36 = e25 * (Scalar(23040) / Scalar(169) - (Scalar(345600) / Scalar(169)) * e17);
+        J[23] = T_8 * e36 - inverse_3 * e28 - e15 * ((Scalar(720) / Scalar(13)) * e25);
+        J[24] = e1 * (Scalar(144) * e29) - e30;
+        J[25] = e10 * ((Scalar(720) / Scalar(7)) * e29) - e30 - e1 * ((Scalar(144) / Scalar(7)) * e29);
+        J[26] = e11 * ((Scalar(1680) / Scalar(19)) * e29) - e30 - e10 * ((Scalar(720) / Scalar(19)) * e29);
+        J[27] = e12 * ((Scalar(3024) / Scalar(37)) * e29) - e30 - e11 * ((Scalar(1680) / Scalar(37)) * e29);
+        J[28] = e13 * ((Scalar(4752) / Scalar(61)) * e29) - e30 - e12 * ((Scalar(3024) / Scalar(61)) * e29);
+        J[29] = e14 * ((Scalar(528) / Scalar(7)) * e29) - e30 - e13 * ((Scalar(4752) / Scalar(91)) * e29);
+        J[30] = e15 * ((Scalar(9360) / Scalar(127)) * e29) - e30 - e14 * ((Scalar(6864) / Scalar(127)) * e29);
+        J[31] = T_8 * ((Scalar(23040) / Scalar(169)) * inverse_4 * e31) - inverse_4 * e28 - e15
+            * ((Scalar(720) / Scalar(13)) * e29);
         J[32] = e5;
         J[33] = e5;
         J[34] = e5;
@@ -495,8 +497,7 @@ public:
         J[44] = Scalar(0);
         J[45] = Scalar(0);
         J[46] = Scalar(0);
-        J[47] = (Scalar(23040) / Scalar(169)) * (p_.T_inf * e32 - e5 * e22) - T_8
-            * ((Scalar(345600) / Scalar(169)) * e17 * e32);
+        J[47] = (Scalar(345600) / Scalar(169)) * e21 * e17_squared - T_8 * ((Scalar(345600) / Scalar(169)) * e6 * e17_squared);
         J[48] = Scalar(0);
         J[49] = Scalar(0);
         J[50] = Scalar(0);
@@ -504,7 +505,7 @@ public:
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = Scalar(0);
-        J[55] = (Scalar(23040) / Scalar(169)) * e19;
+        J[55] = (Scalar(23040) / Scalar(169)) * e31;
     }
 
     /// J = df/dt at fixed x and u.

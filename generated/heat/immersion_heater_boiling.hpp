@@ -15,13 +15,12 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                18     41    12        0      2
+//   update                 9     26    12        0      2
 //   rhs                    1      2     0        0      0
 //   rhs_and_jacobian       1      2     0        0      0
 //   jacobian_u             1      0     0        0      0
 //   jacobian_p             7     28     6        0      0
-//   output                 1      1     0        0      0
-//   output_jacobian_x      1      1     1        0      0
+//   output                 0      1     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -175,47 +174,34 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 18 + or -, 41 *, 12 /, 2 other functions
+    /// Operations: 9 + or -, 26 *, 12 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
         using std::expm1;
         c_.k = Scalar(1) / (p_.L / p_.lambda + Scalar(1) / p_.alpha_i + Scalar(1) / p_.alpha_a);
         const Scalar inverse_1 = Scalar(1) / p_.m_0;
-        const Scalar e2 = p_.A * inverse_1;
-        const Scalar e3 = c_.k * e2;
+        const Scalar e2 = p_.A * c_.k;
+        const Scalar e3 = inverse_1 * e2;
         const Scalar e4 = e3 * (p_.t_s / p_.c_p);
         const Scalar expm1_5 = expm1(-e4);
-        const Scalar e6 = p_.A * c_.k;
-        const Scalar exp_7 = exp(e4);
-        const Scalar e8 = p_.T_inf * e6;
-        c_.P_s = -(p_.T_s * e6 - e8 / exp_7) / expm1_5 - e8;
-        const Scalar inverse_9 = Scalar(1) / p_.h_v;
-        c_.k0 = inverse_9;
-        const Scalar e10 = p_.T_s - p_.T_inf;
-        c_.k1 = inverse_9 * e10 * e3;
-        const Scalar e11 = p_.T_inf * p_.alpha_a;
-        const Scalar e12 = p_.lambda / p_.L;
-        const Scalar e13 = p_.alpha_i + e12;
-        const Scalar inverse_14 = Scalar(1) / (inverse_1 * e13);
-        const Scalar e15 = p_.alpha_i * inverse_1 * (inverse_14 * e12);
-        const Scalar e16 = p_.T_s * e15;
-        const Scalar e17 = e11 + e16;
-        const Scalar inverse_18 = Scalar(1) / (inverse_1 * (p_.alpha_a + e15));
-        const Scalar e19 = inverse_1 * inverse_18;
-        const Scalar e20 = e17 * e19;
-        c_.k2 = e20;
-        const Scalar e21 = p_.alpha_a * e2;
-        const Scalar e22 = p_.T_inf * e21;
-        const Scalar e23 = e19 * e21;
-        c_.k3 = e22 - e17 * e23;
-        c_.k4 = e10 * e6;
+        const Scalar exp_6 = exp(e4);
+        const Scalar e7 = p_.T_inf * e2;
+        c_.P_s = -(p_.T_s * e2 - e7 / exp_6) / expm1_5 - e7;
+        const Scalar inverse_8 = Scalar(1) / p_.h_v;
+        c_.k0 = inverse_8;
+        const Scalar e9 = p_.T_s - p_.T_inf;
+        c_.k1 = inverse_8 * e9 * e3;
+        const Scalar e10 = p_.alpha_a * inverse_1;
+        const Scalar e11 = p_.lambda * inverse_1 / p_.L;
+        const Scalar e12 = p_.alpha_i * inverse_1;
+        const Scalar e13 = e11 * (e12 / (e12 + e11));
+        const Scalar inverse_14 = Scalar(1) / (e10 + e13);
+        const Scalar e15 = inverse_14 * e10;
+        c_.k2 = p_.T_s * inverse_14 * e13 + p_.T_inf * e15;
+        c_.k3 = p_.A * e9 * e13 * e15;
+        c_.k4 = e9 * e2;
         c_.k5 = (Scalar(1) / Scalar(2)) * p_.m_0;
-        const Scalar e24 = (p_.T_s - e20) * e15;
-        const Scalar e25 = inverse_1 * (p_.alpha_a * inverse_18 * e17 + inverse_14 * e13 * e24);
-        c_.k6 = e19 * (e11 - e25 + Scalar(2) * e24);
-        const Scalar e26 = e23 * (Scalar(2) * e11 - Scalar(2) * e15 * e20 - e25 + Scalar(3) * e16);
-        c_.k7 = e22 - e26;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -313,7 +299,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 1 + or -, 1 *
+    /// Operations: 1 *
     ///     T_outer = (T_s*lambda*alpha_i/(m_0*L*(lambda/(m_0*L) + alpha_i/m_0)) +
     ///     T_inf*alpha_a)/(m_0*(lambda*alpha_i/(m_0^2*L*(lambda/(m_0*L) + alpha_i/m_0)) + alpha_a/m_0))
     ///     wet_loss = -A*alpha_a*(-T_s*lambda*alpha_i/(m_0^2*L*(lambda/(m_0*L) +
@@ -326,7 +312,7 @@ public:
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         const Scalar m = x[0];
         y[0] = c_.k2;
-        y[1] = -c_.k3 * m;
+        y[1] = c_.k3 * m;
         y[2] = p_.T_s;
         y[3] = c_.P_s;
         y[4] = c_.k4;
@@ -334,11 +320,10 @@ public:
     }
 
     /// C = dh/dx.
-    /// Operations: 1 + or -, 1 *, 1 /
-    void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        const Scalar m = x[0];
-        C[0] = c_.k6 / m;
-        C[1] = -c_.k7;
+    /// Operations: none
+    void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
+        C[0] = Scalar(0);
+        C[1] = c_.k3;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
@@ -416,12 +401,10 @@ private:
         Scalar P_s;  ///< A*k*(T_s/(1 - 1/exp(A*t_s*k/(m_0*c_p))) - T_inf - T_inf/(exp(A*t_s*k/(m_0*c_p))*(1 - ...
         Scalar k0;  ///< 1/h_v
         Scalar k1;  ///< A*k*(T_s - T_inf)/(m_0*h_v)
-        Scalar k2;  ///< (T_s*lambda*alpha_i/(L*(lambda/L + alpha_i)) + T_inf*alpha_a)/(lambda*alpha_i/(L*(lambda/L + ...
-        Scalar k3;  ///< -A*alpha_a*(T_s*lambda*alpha_i/(L*(lambda/L + alpha_i)*(lambda*alpha_i/(L*(lambda/L + alpha_i)) ...
+        Scalar k2;  ///< (T_s*lambda*alpha_i/(m_0*L*(lambda/(m_0*L) + alpha_i/m_0)) + ...
+        Scalar k3;  ///< A*lambda*alpha_i*alpha_a*(T_s - T_inf)/(m_0^3*L*(lambda/(m_0*L) + ...
         Scalar k4;  ///< A*k*(T_s - T_inf)
         Scalar k5;  ///< m_0/2
-        Scalar k6;  ///< -(T_s*lambda*alpha_i*alpha_a/(L*(lambda/L + alpha_i)*(lambda*alpha_i/(L*(lambda/L + alpha_i)) + ...
-        Scalar k7;  ///< -A*alpha_a*(-T_s*lambda*alpha_i*alpha_a/(L*(lambda/L + alpha_i)*(lambda*alpha_i/(L*(lambda/L + ...
     };
     Cached c_{};
 };

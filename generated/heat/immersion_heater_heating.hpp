@@ -16,10 +16,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                11     28    14        0      2
+//   update                10     27    14        0      2
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            34     91     9        0      0
+//   jacobian_p            33     91     9        0      0
 //   output                 4      4     0        0      1
 //   internal_energy        0      2     0        0      0
 //   exchanged_power        2      1     0        0      0
@@ -174,7 +174,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 11 + or -, 28 *, 14 /, 2 other functions
+    /// Operations: 10 + or -, 27 *, 14 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -190,23 +190,26 @@ public:
         const Scalar e8 = p_.T_inf * e2;
         const Scalar e9 = p_.T_s * e2;
         c_.P_s = (e8 / exp_7 - e9) / expm1_6 - e8;
-        const Scalar e10 = p_.A * p_.alpha_a;
-        const Scalar e11 = p_.T_inf * e10;
-        const Scalar e12 = p_.lambda / p_.L;
-        const Scalar e13 = p_.A * p_.alpha_i;
-        const Scalar e14 = e13 / (p_.alpha_i + e12);
-        const Scalar inverse_15 = Scalar(1) / p_.A;
-        const Scalar inverse_16 = Scalar(1) / (Scalar(1) / (inverse_15 * e1) + e10);
-        const Scalar e17 = e14 * (inverse_16 * e12);
-        c_.k0 = e3 * e11 * e17;
+        const Scalar inverse_10 = Scalar(1) / p_.A;
+        const Scalar inverse_11 = Scalar(1) / (inverse_10 * e1);
+        const Scalar e12 = p_.A * p_.alpha_a;
+        const Scalar inverse_13 = Scalar(1) / (inverse_11 + e12);
+        const Scalar e14 = inverse_13 * e12;
+        const Scalar e15 = p_.T_inf * e14;
+        const Scalar e16 = p_.lambda / p_.L;
+        const Scalar e17 = p_.A * p_.alpha_i;
+        const Scalar e18 = e17 / (p_.alpha_i + e16);
+        const Scalar e19 = e16 * e18;
+        const Scalar e20 = e3 * e19;
+        c_.k0 = e15 * e20;
         c_.k1 = e3;
-        c_.k2 = e3 * e13 - e3 * e14 * (p_.alpha_i + e12 * e17);
-        const Scalar e18 = inverse_16 * e11;
-        c_.k3 = e18;
-        c_.k4 = e17;
-        c_.k5 = e11 - e10 * e18;
-        c_.k6 = e10 * e17;
-        c_.k7 = c_.P_s * inverse_15 / c_.k;
+        const Scalar e21 = inverse_13 * e19;
+        c_.k2 = e3 * (e17 - p_.alpha_i * e18) - e21 * e20;
+        c_.k3 = e15;
+        c_.k4 = e21;
+        c_.k5 = inverse_11 * e15;
+        c_.k6 = e14 * e19;
+        c_.k7 = c_.P_s * inverse_10 / c_.k;
         c_.k8 = e9 - e8;
         c_.k9 = e4;
     }
@@ -254,7 +257,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 34 + or -, 91 *, 9 /
+    /// Operations: 33 + or -, 91 *, 9 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.m_0;
@@ -308,7 +311,7 @@ public:
         J[6] = -e40 - T * (e32 * e26 * e33 + e37);
         const Scalar e41 = e4 - Scalar(2) * e21 + e32 * e36 + inverse_8 * e17 * inverse_14_squared * e38;
         J[7] = -(inverse_8 * e24 - e10 * e23 * e29 + inverse_13 * e34 * e38) - T * e41;
-        J[8] = p_.T_inf * e19 - p_.A * inverse_15 * e24 - T * (e19 * e32 * e29);
+        J[8] = p_.T_inf * inverse_14 * inverse_15 * e19 - T * (e19 * e32 * e29);
         J[9] = Scalar(0);
     }
 
@@ -443,7 +446,7 @@ private:
         Scalar k2;  ///< -A*alpha_i*(-1 + lambda^2*alpha_i/(L^2*(lambda/L + alpha_i)^2*(alpha_a + 1/(L/lambda + ...
         Scalar k3;  ///< T_inf*alpha_a/(alpha_a + 1/(L/lambda + 1/alpha_i))
         Scalar k4;  ///< lambda*alpha_i/(L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
-        Scalar k5;  ///< T_inf*A*alpha_a*(1 - alpha_a/(alpha_a + 1/(L/lambda + 1/alpha_i)))
+        Scalar k5;  ///< T_inf*A*alpha_a/((L/lambda + 1/alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
         Scalar k6;  ///< A*lambda*alpha_i*alpha_a/(L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
         Scalar k7;  ///< P_s/(A*k)
         Scalar k8;  ///< A*k*(T_s - T_inf)

@@ -17,15 +17,15 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                22     87    25        0      0
+//   update                20     81    25        0      0
 //   rhs                   10     10     0        0      0
 //   rhs_and_jacobian      13     10     0        0      0
-//   jacobian_p           172    526    21        0      0
+//   jacobian_p           114    399    21        0      0
 //   output                12     14     0        0      6
 //   output_jacobian_x      1      0     0        0      0
 //   output_jacobian_u     13     10     0        0     12
 //   internal_energy        2     12     0        0      0
-//   exchanged_power       10     16     2        0      0
+//   exchanged_power        8     13     2        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -217,7 +217,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 22 + or -, 87 *, 25 /
+    /// Operations: 20 + or -, 81 *, 25 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.lambda[2];
@@ -235,56 +235,61 @@ public:
         const Scalar e11 = Scalar(2) * e9;
         const Scalar inverse_12 = Scalar(1) / (p_.alpha_0 + e11);
         const Scalar e13 = p_.alpha_0 * inverse_12;
-        c_.k1 = Scalar(2) * e10 * e13;
-        const Scalar inverse_14 = Scalar(1) / (p_.alpha_c + e11);
-        const Scalar e15 = e9 * e10;
+        const Scalar e14 = e10 * e13;
+        c_.k1 = Scalar(2) * e14;
+        const Scalar inverse_15 = Scalar(1) / (p_.alpha_c + e11);
         const Scalar e16 = p_.A * p_.alpha_c;
         const Scalar inverse_17 = Scalar(1) / p_.A;
         const Scalar e18 = Scalar(2) * (inverse_17 / p_.alpha_c);
-        const Scalar inverse_19 = Scalar(1) / p_.L[1];
-        const Scalar e20 = p_.lambda[1] * inverse_19;
-        const Scalar e21 = p_.A * e20;
-        const Scalar inverse_22 = Scalar(1) / (Scalar(1) / (e18 + inverse_17 * e4) + e21);
-        const Scalar e23 = e16 * (inverse_14 * inverse_22);
-        c_.k2 = Scalar(4) * e10 - inverse_14 * e15 * (Scalar(4) + Scalar(2) * p_.alpha_c * e23) - Scalar(4) * inverse_12 * e15;
-        c_.k3 = Scalar(2) * e20 * e10 * e23;
-        const Scalar e24 = Scalar(1) / p_.rho[1] / p_.c_p[1];
-        c_.k4 = p_.g * e24;
-        const Scalar e25 = e24 * (inverse_19 * e20);
-        c_.k5 = Scalar(2) * e9 * e25 * e23;
-        const Scalar inverse_26 = Scalar(1) / (p_.alpha_c + Scalar(2) * e20);
-        const Scalar inverse_27 = Scalar(1) / p_.L[2];
-        const Scalar e28 = p_.lambda[2] * inverse_27;
-        const Scalar e29 = p_.A * e28;
-        const Scalar inverse_30 = Scalar(1) / (Scalar(1) / (e18 + inverse_17 * e6) + e29);
-        const Scalar e31 = e16 * (inverse_26 * inverse_30);
-        const Scalar e32 = e20 * (inverse_26 * (Scalar(1) + (Scalar(1) / Scalar(2)) * p_.alpha_c * e31));
-        c_.k6 = e25 * (Scalar(4) - Scalar(2) * inverse_22 * e21 - Scalar(4) * e32);
-        const Scalar e33 = e28 * e31;
-        c_.k7 = Scalar(2) * e25 * e33;
-        const Scalar e34 = Scalar(1) / p_.rho[2] / p_.c_p[2];
-        c_.k8 = p_.g * e34;
-        const Scalar inverse_35 = Scalar(1) / (p_.alpha_L + Scalar(2) * e28);
-        const Scalar e36 = e34 * (inverse_27 * e28);
-        const Scalar e37 = inverse_35 * e36;
-        c_.k9 = Scalar(2) * p_.alpha_L * e37;
-        c_.k10 = Scalar(2) * p_.a_s * e37;
-        c_.k11 = Scalar(2) * e20 * e36 * e31;
-        c_.k12 = e36 * (Scalar(4) - Scalar(2) * inverse_30 * e29) - Scalar(4) * e28 * e37;
+        const Scalar inverse_19 = Scalar(1) / (e18 + inverse_17 * e4);
+        const Scalar inverse_20 = Scalar(1) / p_.L[1];
+        const Scalar e21 = p_.lambda[1] * inverse_20;
+        const Scalar inverse_22 = Scalar(1) / (inverse_19 + p_.A * e21);
+        const Scalar e23 = e16 * (inverse_15 * inverse_22);
+        const Scalar e24 = e9 * e23;
+        c_.k2 = Scalar(2) * (e10 * (p_.alpha_c * inverse_15) * (Scalar(1) - e24) + e14);
+        c_.k3 = Scalar(2) * e21 * e10 * e23;
+        const Scalar e25 = Scalar(1) / p_.rho[1] / p_.c_p[1];
+        c_.k4 = p_.g * e25;
+        const Scalar e26 = inverse_20 * e25;
+        const Scalar e27 = e21 * e26;
+        c_.k5 = Scalar(2) * e27 * e24;
+        const Scalar inverse_28 = Scalar(1) / (p_.alpha_c + Scalar(2) * e21);
+        const Scalar e29 = inverse_28 * e21;
+        const Scalar inverse_30 = Scalar(1) / (e18 + inverse_17 * e6);
+        const Scalar inverse_31 = Scalar(1) / p_.L[2];
+        const Scalar e32 = p_.lambda[2] * inverse_31;
+        const Scalar inverse_33 = Scalar(1) / (inverse_30 + p_.A * e32);
+        const Scalar e34 = inverse_33 * e16;
+        const Scalar e35 = e29 * e34;
+        const Scalar e36 = e26 * e35;
+        c_.k6 = Scalar(2) * (p_.alpha_c * e29 * (e26 - e36) + inverse_19 * inverse_22 * e27);
+        c_.k7 = Scalar(2) * e32 * e36;
+        const Scalar e37 = Scalar(1) / p_.rho[2] / p_.c_p[2];
+        c_.k8 = p_.g * e37;
+        const Scalar e38 = e37 * (inverse_31 * e32);
+        const Scalar inverse_39 = Scalar(1) / (p_.alpha_L + Scalar(2) * e32);
+        const Scalar e40 = p_.alpha_L * inverse_39;
+        const Scalar e41 = e38 * e40;
+        c_.k9 = Scalar(2) * e41;
+        const Scalar e42 = p_.a_s * inverse_39;
+        c_.k10 = Scalar(2) * e38 * e42;
+        c_.k11 = Scalar(2) * e38 * e35;
+        c_.k12 = Scalar(2) * (inverse_30 * inverse_33 * e38 + e41);
         c_.k13 = e13;
         c_.k14 = Scalar(2) * inverse_12 * e9;
-        c_.k15 = Scalar(2) * e32;
-        c_.k16 = e33;
-        c_.k17 = p_.alpha_L * inverse_35;
-        c_.k18 = p_.a_s * inverse_35;
-        c_.k19 = Scalar(2) * inverse_35 * e28;
+        c_.k15 = Scalar(2) * e29 + p_.alpha_c * inverse_28 * e35;
+        c_.k16 = inverse_28 * e32 * e34;
+        c_.k17 = e40;
+        c_.k18 = e42;
+        c_.k19 = Scalar(2) * inverse_39 * e32;
         c_.k20 = Scalar(2) * p_.A * e9 * e13;
-        const Scalar e38 = c_.k * inverse_2;
-        c_.k21 = Scalar(1) - e38;
+        const Scalar e43 = c_.k * inverse_2;
+        c_.k21 = Scalar(1) - e43;
         c_.k22 = c_.k * inverse_3;
         c_.k23 = c_.k * inverse_5;
         c_.k24 = c_.k * inverse_1;
-        c_.k25 = e38;
+        c_.k25 = e43;
         c_.k26 = p_.L[0] + p_.L[1];
     }
 
@@ -378,7 +383,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 18, entry (i, j) at J[3*j + i].
-    /// Operations: 172 + or -, 526 *, 21 /
+    /// Operations: 114 + or -, 399 *, 21 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.L[0];
@@ -388,256 +393,200 @@ public:
         const Scalar e5 = inverse_3 * inverse_4;
         const Scalar e6 = inverse_1 * e5;
         const Scalar e7 = e2 * e6;
-        const Scalar e8 = inverse_1 * e7;
-        const Scalar e9 = (Scalar(1) / Scalar(2)) * p_.alpha_c + e2;
-        const Scalar inverse_10 = Scalar(1) / (Scalar(2) * e9);
-        const Scalar inverse_11 = Scalar(1) / p_.A;
-        const Scalar inverse_12 = Scalar(1) / p_.alpha_c;
-        const Scalar e13 = Scalar(2) * inverse_12;
-        const Scalar inverse_14 = Scalar(1) / p_.lambda[0];
-        const Scalar e15 = p_.L[0] * inverse_14;
-        const Scalar e16 = inverse_11 * (e13 + e15);
-        const Scalar inverse_17 = Scalar(1) / e16;
-        const Scalar inverse_18 = Scalar(1) / p_.L[1];
-        const Scalar e19 = p_.lambda[1] * inverse_18;
-        const Scalar e20 = p_.A * e19;
-        const Scalar inverse_21 = Scalar(1) / (inverse_17 + e20);
-        const Scalar e22 = inverse_10 * inverse_21;
-        const Scalar e23 = p_.alpha_c * e22;
-        const Scalar inverse_17_squared = inverse_17 * inverse_17;
-        const Scalar e24 = inverse_17_squared * e23;
-        const Scalar e25 = Scalar(2) * (e23 * e24);
-        const Scalar e26 = e2 * e7;
-        const Scalar inverse_27 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e2);
-        const Scalar e28 = p_.A * p_.alpha_c;
-        const Scalar e29 = e28 * e22;
-        const Scalar e30 = p_.alpha_c * e29;
-        const Scalar e31 = Scalar(2) * inverse_27 + inverse_10 * e30;
-        const Scalar e32 = inverse_10 * e26;
-        const Scalar e33 = e26 * e31 + Scalar(2) * e32;
-        const Scalar e34 = inverse_27 * e26;
-        const Scalar e35 = inverse_27 * e34;
-        const Scalar e36 = inverse_10 * e32;
-        const Scalar e37 = (Scalar(1) + e30) * e36;
-        const Scalar e38 = inverse_1 * (e35 + e37);
+        const Scalar e8 = Scalar(2) * e2;
+        const Scalar inverse_9 = Scalar(1) / (p_.alpha_c + e8);
+        const Scalar e10 = p_.alpha_c * inverse_9;
+        const Scalar inverse_11 = Scalar(1) / (p_.alpha_0 + e8);
+        const Scalar e12 = p_.alpha_0 * inverse_11;
+        const Scalar e13 = e10 + e12;
+        const Scalar inverse_14 = Scalar(1) / p_.A;
+        const Scalar inverse_15 = Scalar(1) / p_.lambda[0];
+        const Scalar e16 = p_.L[0] * inverse_15;
+        const Scalar inverse_17 = Scalar(1) / p_.alpha_c;
+        const Scalar e18 = Scalar(2) * (inverse_14 * inverse_17);
+        const Scalar inverse_19 = Scalar(1) / (inverse_14 * e16 + e18);
+        const Scalar inverse_20 = Scalar(1) / p_.L[1];
+        const Scalar e21 = p_.lambda[1] * inverse_20;
+        const Scalar e22 = p_.A * e21;
+        const Scalar inverse_23 = Scalar(1) / (inverse_19 + e22);
+        const Scalar e24 = inverse_9 * inverse_23;
+        const Scalar e25 = inverse_19 * e24;
+        const Scalar e26 = p_.alpha_c * e25;
+        const Scalar e26_squared = e26 * e26;
+        const Scalar e27 = p_.A * p_.alpha_c;
+        const Scalar e28 = e27 * e24;
+        const Scalar e29 = e7 * e28;
+        const Scalar e30 = inverse_1 * e10;
+        const Scalar e31 = e7 * e12;
+        const Scalar e32 = e29 * e10;
+        const Scalar e33 = Scalar(4) * (inverse_1 * (inverse_11 * e31 + e10 * e32));
+        const Scalar e34 = inverse_9 * e2;
+        const Scalar e35 = e7 * e34;
         const Scalar T_i = u[0];
-        const Scalar e39 = p_.alpha_0 * inverse_27;
-        const Scalar e40 = e39 * e8;
-        const Scalar e41 = e39 * e34;
         const Scalar T_2 = x[1];
-        const Scalar e42 = inverse_1 * e6;
-        const Scalar e43 = inverse_21 * inverse_17_squared;
-        const Scalar e44 = e23 * e43;
-        const Scalar e45 = inverse_1 * e29;
-        const Scalar e46 = e19 * e7;
-        const Scalar e47 = e29 * e46;
-        const Scalar inverse_48 = Scalar(1) / p_.rho[1];
-        const Scalar inverse_49 = Scalar(1) / p_.c_p[1];
-        const Scalar e50 = inverse_48 * inverse_49;
-        const Scalar e51 = inverse_18 * e19;
-        const Scalar e52 = e50 * e51;
-        const Scalar e53 = e2 * e52;
-        const Scalar e54 = e29 * e53;
-        const Scalar e55 = inverse_1 * inverse_10;
-        const Scalar e56 = e54 * e55;
-        const Scalar e57 = e19 * e52;
-        const Scalar e58 = inverse_21 * e57;
-        const Scalar e59 = e43 * e58;
-        const Scalar e60 = inverse_14 * e59;
-        const Scalar e61 = e29 * e26;
-        const Scalar e62 = e29 * e61;
-        const Scalar e63 = e7 * e29;
-        const Scalar e64 = p_.A * inverse_21;
-        const Scalar e65 = e51 * e64;
-        const Scalar e66 = inverse_18 * e52;
-        const Scalar e67 = p_.alpha_c + Scalar(2) * e19;
-        const Scalar inverse_68 = Scalar(1) / e67;
-        const Scalar inverse_69 = Scalar(1) / p_.lambda[1];
-        const Scalar e70 = p_.L[1] * inverse_69;
-        const Scalar e71 = inverse_11 * (e13 + e70);
-        const Scalar inverse_72 = Scalar(1) / e71;
-        const Scalar inverse_73 = Scalar(1) / p_.L[2];
-        const Scalar e74 = p_.lambda[2] * inverse_73;
-        const Scalar e75 = p_.A * e74;
-        const Scalar inverse_76 = Scalar(1) / (inverse_72 + e75);
-        const Scalar e77 = inverse_68 * inverse_76;
-        const Scalar e78 = p_.alpha_c * e77;
-        const Scalar inverse_72_squared = inverse_72 * inverse_72;
-        const Scalar e79 = inverse_72_squared * e78;
-        const Scalar e80 = Scalar(2) * (e78 * e79);
-        const Scalar e81 = e28 * e77;
-        const Scalar e82 = p_.alpha_c * e81;
-        const Scalar e83 = inverse_68 * (Scalar(1) + e82);
-        const Scalar e84 = e64 * e64 + Scalar(4) * inverse_68 * e83;
-        const Scalar e85 = inverse_68 + (Scalar(1) / Scalar(2)) * (e64 + inverse_68 * e82);
-        const Scalar e86 = e51 * e52;
-        const Scalar e87 = inverse_18 * e54;
+        const Scalar e36 = inverse_1 * e6;
+        const Scalar e37 = inverse_19 * inverse_23;
+        const Scalar e38 = e21 * e37;
+        const Scalar e39 = e38 * e26;
+        const Scalar e40 = e21 * e29;
+        const Scalar inverse_41 = Scalar(1) / p_.rho[1];
+        const Scalar inverse_42 = Scalar(1) / p_.c_p[1];
+        const Scalar e43 = inverse_41 * inverse_42;
+        const Scalar e44 = inverse_20 * e43;
+        const Scalar e45 = e21 * e44;
+        const Scalar e46 = e45 * e37;
+        const Scalar e47 = e2 * e28;
+        const Scalar e48 = e45 * e47;
+        const Scalar e49 = inverse_15 * e46;
+        const Scalar e50 = e38 * e49;
+        const Scalar e51 = inverse_20 * e29;
+        const Scalar e52 = p_.alpha_c * inverse_20;
+        const Scalar inverse_53 = Scalar(1) / (p_.alpha_c + Scalar(2) * e21);
+        const Scalar e54 = inverse_53 * e45;
+        const Scalar e55 = e52 * e54;
+        const Scalar inverse_56 = Scalar(1) / p_.lambda[1];
+        const Scalar e57 = p_.L[1] * inverse_56;
+        const Scalar inverse_58 = Scalar(1) / (inverse_14 * e57 + e18);
+        const Scalar inverse_59 = Scalar(1) / p_.L[2];
+        const Scalar e60 = p_.lambda[2] * inverse_59;
+        const Scalar e61 = p_.A * e60;
+        const Scalar inverse_62 = Scalar(1) / (inverse_58 + e61);
+        const Scalar e63 = inverse_53 * inverse_62;
+        const Scalar e64 = e27 * e63;
+        const Scalar e65 = e21 * e64;
+        const Scalar e66 = inverse_20 * e46;
+        const Scalar e67 = inverse_58 * e63;
+        const Scalar e68 = e45 * (inverse_53 * inverse_53 * e65 - (Scalar(1) / Scalar(2)) * e67 * e67);
+        const Scalar e69 = inverse_53 * e52;
+        const Scalar e70 = e21 * e54;
+        const Scalar e71 = inverse_23 * e66;
         const Scalar T_3 = x[2];
-        const Scalar e88 = e52 * e81;
-        const Scalar e89 = e74 * e88;
-        const Scalar e90 = inverse_68 * e51;
-        const Scalar e91 = inverse_18 * e50;
-        const Scalar e92 = inverse_18 * e91;
-        const Scalar e93 = inverse_76 * e74;
-        const Scalar e94 = inverse_72_squared * e93;
-        const Scalar e95 = e78 * e94;
-        const Scalar e96 = inverse_18 * e89;
-        const Scalar inverse_97 = Scalar(1) / p_.rho[2];
-        const Scalar inverse_98 = Scalar(1) / p_.c_p[2];
-        const Scalar e99 = inverse_97 * inverse_98;
-        const Scalar e100 = inverse_73 * e74;
-        const Scalar e101 = e99 * e100;
-        const Scalar e102 = e19 * e81;
-        const Scalar e103 = e101 * e102;
-        const Scalar e104 = e101 * e81;
-        const Scalar e105 = inverse_76 * e101;
-        const Scalar e106 = e105 * e79;
-        const Scalar e107 = e105 * e94;
-        const Scalar e108 = inverse_69 * e107;
-        const Scalar e109 = e81 * e57;
-        const Scalar e110 = e81 * e109;
-        const Scalar e111 = p_.A * e100;
-        const Scalar e112 = e88 * e111;
-        const Scalar e113 = p_.alpha_L + Scalar(2) * e74;
-        const Scalar inverse_114 = Scalar(1) / e113;
-        const Scalar e115 = inverse_114 * e101;
-        const Scalar e116 = Scalar(2) * e115;
-        const Scalar e117 = p_.A * e105;
-        const Scalar e118 = e116 + e117;
-        const Scalar e119 = inverse_114 * e115;
-        const Scalar e120 = e100 * e119;
-        const Scalar e121 = e93 * e117;
+        const Scalar e72 = inverse_58 * inverse_62;
+        const Scalar e73 = e60 * e72;
+        const Scalar e74 = e52 * e67;
+        const Scalar e75 = e60 * e64;
+        const Scalar e76 = e45 * e75;
+        const Scalar inverse_77 = Scalar(1) / p_.rho[2];
+        const Scalar inverse_78 = Scalar(1) / p_.c_p[2];
+        const Scalar e79 = inverse_77 * inverse_78;
+        const Scalar e80 = inverse_59 * e79;
+        const Scalar e81 = e60 * e80;
+        const Scalar e82 = e81 * e72;
+        const Scalar e83 = e81 * e65;
+        const Scalar e84 = inverse_56 * e82;
+        const Scalar e85 = e73 * e84;
+        const Scalar e86 = inverse_59 * e65;
+        const Scalar e87 = inverse_59 * e72;
+        const Scalar inverse_88 = Scalar(1) / (p_.alpha_L + Scalar(2) * e60);
+        const Scalar e89 = inverse_88 * e81;
+        const Scalar e90 = p_.alpha_L * e89;
+        const Scalar e91 = e82 + e90;
+        const Scalar e92 = inverse_59 * inverse_88;
+        const Scalar e93 = e90 * e92;
         const Scalar T_a = u[1];
-        const Scalar e122 = inverse_73 * e115 - e120;
+        const Scalar e94 = p_.alpha_L * e92;
         const Scalar sun = u[2];
-        const Scalar e123 = e45 - inverse_14 * e44;
-        const Scalar e124 = e19 * e6;
-        const Scalar e125 = e2 * e29;
-        const Scalar e126 = e91 * e95;
-        const Scalar e127 = inverse_73 * e99;
-        const Scalar e128 = inverse_73 * (inverse_114 * e127 - Scalar(2) * e119);
-        const Scalar e129 = e7 - (Scalar(1) / Scalar(2)) * e33;
-        const Scalar e130 = p_.g * e5;
-        const Scalar e131 = e7 * e39;
-        const Scalar e132 = e52 - e57 * e85;
-        const Scalar e133 = p_.g * e50;
-        const Scalar e134 = e74 * e118 - Scalar(2) * e101;
-        const Scalar e135 = p_.g * e99;
-        const Scalar e136 = p_.alpha_L * e115;
-        const Scalar e137 = p_.a_s * e115;
-        const Scalar e138 = Scalar(1) - e39;
-        const Scalar e139 = inverse_11 * e138;
-        const Scalar e140 = inverse_11 * e9;
-        const Scalar e141 = p_.alpha_c * e23;
-        const Scalar e142 = e22 * e140;
-        const Scalar e143 = e23 * (Scalar(1) - inverse_10 * e9);
-        const Scalar e144 = e43 * e142;
-        const Scalar e145 = inverse_68 * e67;
-        const Scalar e146 = inverse_68 * e57;
-        const Scalar e147 = inverse_11 * e146;
-        const Scalar e148 = e146 * (p_.alpha_c * e78);
-        const Scalar e149 = e52 * e77;
-        const Scalar e150 = inverse_11 * e67;
-        const Scalar e151 = e74 * e78;
-        const Scalar e152 = e94 * e149;
-        const Scalar e153 = Scalar(1) - (Scalar(1) / Scalar(2)) * e145;
-        const Scalar e154 = inverse_11 * (e115 - e113 * e119);
-        const Scalar e155 = e74 * e105;
-        const Scalar e156 = e77 * inverse_72_squared;
-        const Scalar e157 = e105 * e156;
-        const Scalar e158 = e22 * (p_.A - Scalar(2) * inverse_12 * e43);
-        const Scalar inverse_12_squared = inverse_12 * inverse_12;
-        const Scalar e159 = e8 * (Scalar(8) + e25) - Scalar(6) * inverse_1 * e33 + Scalar(8) * e2 * e38;
-        const Scalar e160 = e19 * (Scalar(2) * e42 * e44 + Scalar(4) * e32 * e45) - Scalar(4) * inverse_1 * e47;
-        J[0] = T_1 * e159 - T_i * (Scalar(4) * (e40 - inverse_1 * e41)) + T_2 * e160;
-        const Scalar e161 = T_1 * (Scalar(4) * e2 * e56 - inverse_1 * (Scalar(2) * (e54 - e52 * e44)));
-        J[1] = e161 + T_2 * (Scalar(2) * e60);
+        const Scalar e95 = p_.a_s * e89;
+        const Scalar e96 = e12 * e36;
+        const Scalar e97 = e6 * e30;
+        const Scalar e98 = inverse_20 * e37;
+        const Scalar e99 = e44 * e98;
+        const Scalar e100 = p_.alpha_c * e44;
+        const Scalar e101 = p_.alpha_c * e54;
+        const Scalar e102 = e67 * e100;
+        const Scalar e103 = inverse_53 * e83;
+        const Scalar e104 = e45 * e64;
+        const Scalar e105 = e94 * (inverse_88 * e80);
+        const Scalar e106 = p_.alpha_L * e105;
+        const Scalar e107 = e80 * e87;
+        const Scalar e108 = e2 * e32 - e7 * e13;
+        const Scalar e109 = p_.g * e5;
+        const Scalar e110 = e46 + (Scalar(1) - e65) * e101;
+        const Scalar e111 = p_.g * e43;
+        const Scalar e112 = p_.g * e79;
+        const Scalar e113 = e2 * e7;
+        const Scalar e114 = inverse_17 * e25;
+        const Scalar inverse_17_squared = inverse_17 * inverse_17;
+        const Scalar e115 = inverse_17 * e67;
+        const Scalar e116 = inverse_1 * e7 * (Scalar(4) * e13 + Scalar(2) * e26_squared) - e2 * (Scalar(2) * e29 * e30 + e33)
+            - Scalar(4) * e30 * e35;
+        J[0] = T_1 * e116 - T_i * (Scalar(2) * (inverse_1 * e31 * (Scalar(1) + e12))) + T_2
+            * (Scalar(2) * (e36 * e39 - e40 * (inverse_1 + e30)));
+        J[1] = T_1 * (Scalar(2) * (inverse_1 * e46 * e26 - e30 * e48)) + T_2 * (Scalar(2) * e50);
         J[2] = Scalar(0);
-        J[3] = T_1 * (Scalar(2) * e51 * e62) - T_2 * (Scalar(2) * (e51 * e63 - e47 * e65));
-        const Scalar e162 = e66 * (Scalar(8) + e80) + Scalar(2) * e51 * e57 * e84 - Scalar(12) * e85 * e86;
-        const Scalar e163 = T_3 * (Scalar(4) * e89 * e90 + Scalar(2) * e92 * e95 - Scalar(4) * e96);
-        J[4] = T_2 * e162 - T_1 * (Scalar(4) * e87 - Scalar(2) * e54 * e65) + e163;
-        const Scalar e164 = Scalar(4) * e103 * e90 - Scalar(2) * e51 * e104 + Scalar(2) * inverse_18 * e106;
-        J[5] = T_2 * e164 + T_3 * (Scalar(2) * e108);
+        J[3] = T_1 * (Scalar(2) * inverse_20 * e47 * e40) - T_2 * (Scalar(2) * e38 * e51);
+        const Scalar e117 = e55 * (Scalar(4) - Scalar(2) * e65) + Scalar(4) * e66 - Scalar(4) * p_.alpha_c * e52 * e68
+            - Scalar(4) * e69 * e70 - Scalar(2) * e22 * e71;
+        J[4] = T_2 * e117 - T_1 * (Scalar(2) * (inverse_20 * e48 + e47 * e66)) + T_3
+            * (Scalar(2) * (e44 * e73 * e74 - inverse_20 * e76 - e75 * e55));
+        J[5] = T_2 * (Scalar(2) * (e82 * e74 - e83 * e69)) + T_3 * (Scalar(2) * e85);
         J[6] = Scalar(0);
-        J[7] = T_2 * (Scalar(2) * e100 * e110) - T_3 * (Scalar(2) * (e100 * e88 - e93 * e112));
-        const Scalar e165 = Scalar(8) * inverse_73 * e101 - Scalar(6) * e100 * e118 + Scalar(8) * e74 * e120 + Scalar(2) * e111
-            * e121;
-        J[8] = T_3 * e165 - T_a * (Scalar(4) * p_.alpha_L * e122) - sun * (Scalar(4) * p_.a_s * e122) - T_2
-            * (Scalar(4) * inverse_73 * e103 - Scalar(2) * e100 * e102 * e117);
-        const Scalar e166 = e42 * (Scalar(4) + e25) - e8 * (Scalar(8) * inverse_10 + Scalar(4) * e31) + Scalar(8) * e38;
-        J[9] = T_i * (Scalar(2) * e39 * e42 - Scalar(4) * inverse_27 * e40) - T_1 * e166 - T_2
-            * (Scalar(4) * e47 * e55 - Scalar(2) * e123 * e124);
-        J[10] = T_1 * (Scalar(2) * e52 * e123 - Scalar(4) * e56) - T_2 * (Scalar(2) * e15 * e60);
+        J[7] = T_2 * (Scalar(2) * e76 * e86) - T_3 * (Scalar(2) * e76 * e87);
+        const Scalar e118 = inverse_59 * (Scalar(4) * e91 - Scalar(2) * inverse_62 * e82 * e61) - Scalar(4) * e60 * e93;
+        J[8] = T_3 * e118 - T_a * (Scalar(2) * (e90 * (inverse_59 + e94))) - sun
+            * (Scalar(2) * (inverse_59 * e95 + p_.a_s * e93)) - T_2 * (Scalar(2) * (inverse_59 * e83 + e82 * e86));
+        const Scalar e119 = Scalar(2) * e10 * e97 - e33 + Scalar(2) * e36 * e26_squared + Scalar(2) * e96;
+        J[9] = T_i * (Scalar(2) * e12 * e96) - T_1 * e119 - T_2 * (Scalar(2) * (inverse_15 * e6 * e39 - e21 * e28 * e97));
+        J[10] = T_1 * (Scalar(2) * (e45 * e28 * e30 - e26 * e49)) - T_2 * (Scalar(2) * e16 * e50);
         J[11] = Scalar(0);
-        J[12] = T_2 * (Scalar(2) * (e63 * (inverse_18 - e65))) - T_1 * (Scalar(2) * inverse_18 * e62);
-        const Scalar e167 = e92 * (Scalar(4) + e80) - Scalar(8) * e85 * e66 + Scalar(2) * e84 * e86;
-        const Scalar e168 = Scalar(4) * inverse_68 * e96 - Scalar(2) * e74 * e81 * e92 + Scalar(2) * inverse_69 * e126;
-        J[13] = T_1 * (Scalar(2) * (e92 * e125 - e64 * e87)) - T_2 * e167 - T_3 * e168;
-        const Scalar e169 = e104 * (Scalar(2) * inverse_18 - Scalar(4) * e90) - Scalar(2) * inverse_69 * e106;
-        J[14] = T_2 * e169 - T_3 * (Scalar(2) * e70 * e108);
+        J[12] = T_2 * (Scalar(2) * e29 * e98) - T_1 * (Scalar(2) * e47 * e51);
+        const Scalar e120 = e69 * (Scalar(2) * inverse_53 * e100 - Scalar(4) * e64 * e101) - Scalar(2) * p_.A * e71 + Scalar(2)
+            * e74 * e102 + Scalar(2) * e99;
+        J[13] = T_1 * (Scalar(2) * e47 * e99) - T_2 * e120 - T_3 * (Scalar(2) * (inverse_56 * e73 * e102 - e44 * e75 * e69));
+        const Scalar e121 = inverse_20 * (Scalar(2) * e81 * e64 - Scalar(4) * e103) - Scalar(2) * p_.alpha_c * e67 * e84;
+        J[14] = T_2 * e121 - T_3 * (Scalar(2) * e57 * e85);
         J[15] = Scalar(0);
-        J[16] = T_3 * (Scalar(2) * (inverse_73 * e88 - inverse_76 * e112)) - T_2 * (Scalar(2) * inverse_73 * e110);
-        const Scalar e170 = Scalar(2) * inverse_76 * e117 * e111 - inverse_73 * (Scalar(4) * (e118 - e127)) + Scalar(8) * e120;
-        J[17] = T_a * (Scalar(2) * p_.alpha_L * e128) + sun * (Scalar(2) * p_.a_s * e128) + T_2
-            * (Scalar(2) * (-inverse_73 * e102 * (e117 - e127))) - T_3 * e170;
-        J[18] = T_1 * (Scalar(4) * inverse_3 * e129) - inverse_3 * e130 - T_i * (Scalar(2) * inverse_3 * e131) - T_2
-            * (Scalar(2) * inverse_3 * e47);
+        J[16] = T_3 * (Scalar(2) * e87 * e104) - T_2 * (Scalar(2) * e86 * e104);
+        J[17] = T_a * (Scalar(2) * e106) + sun * (Scalar(2) * p_.a_s * e105) + T_2 * (Scalar(2) * e65 * e107) - T_3
+            * (Scalar(2) * (e72 * e107 + e106));
+        J[18] = T_1 * (-Scalar(2) * inverse_3 * e108) - inverse_3 * e109 - T_i * (Scalar(2) * inverse_3 * e31) - T_2
+            * (Scalar(2) * inverse_3 * e40);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (Scalar(4) * inverse_48 * e132) - inverse_48 * e133 - T_1 * (Scalar(2) * inverse_48 * e54) - T_3
-            * (Scalar(2) * inverse_48 * e89);
+        J[22] = T_2 * (Scalar(2) * inverse_41 * e110) - inverse_41 * e111 - T_1 * (Scalar(2) * inverse_41 * e48) - T_3
+            * (Scalar(2) * inverse_41 * e76);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (-Scalar(2) * inverse_97 * e134) - inverse_97 * e135 - T_a * (Scalar(2) * inverse_97 * e136) - sun
-            * (Scalar(2) * inverse_97 * e137) - T_2 * (Scalar(2) * inverse_97 * e103);
-        J[27] = T_1 * (Scalar(4) * inverse_4 * e129) - inverse_4 * e130 - T_i * (Scalar(2) * inverse_4 * e131) - T_2
-            * (Scalar(2) * inverse_4 * e47);
+        J[26] = T_3 * (Scalar(2) * inverse_77 * e91) - inverse_77 * e112 - T_a * (Scalar(2) * inverse_77 * e90) - sun
+            * (Scalar(2) * inverse_77 * e95) - T_2 * (Scalar(2) * inverse_77 * e83);
+        J[27] = T_1 * (-Scalar(2) * inverse_4 * e108) - inverse_4 * e109 - T_i * (Scalar(2) * inverse_4 * e31) - T_2
+            * (Scalar(2) * inverse_4 * e40);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (Scalar(4) * inverse_49 * e132) - inverse_49 * e133 - T_1 * (Scalar(2) * inverse_49 * e54) - T_3
-            * (Scalar(2) * inverse_49 * e89);
+        J[31] = T_2 * (Scalar(2) * inverse_42 * e110) - inverse_42 * e111 - T_1 * (Scalar(2) * inverse_42 * e48) - T_3
+            * (Scalar(2) * inverse_42 * e76);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (-Scalar(2) * inverse_98 * e134) - inverse_98 * e135 - T_a * (Scalar(2) * inverse_98 * e136) - sun
-            * (Scalar(2) * inverse_98 * e137) - T_2 * (Scalar(2) * inverse_98 * e103);
-        const Scalar e171 = e36 * (Scalar(8) * (e140 + e9 * e141)) - inverse_11 * (Scalar(4) * e32 - Scalar(8) * e2 * e35)
-            + Scalar(2) * e19 * e23 * e61 + Scalar(4) * e7 * e24 * e142 - Scalar(6) * e32 * e141 - Scalar(4) * e34 * e139;
-        const Scalar e172 = Scalar(2) * inverse_21 * e19 * e47 - Scalar(4) * e46 * e143 + Scalar(4) * e124 * e144;
-        J[36] = T_i * (Scalar(2) * e131 * e139 - Scalar(4) * inverse_11 * e41) - T_1 * e171 - T_2 * e172;
-        const Scalar e173 = Scalar(2) * e58 * e125 - Scalar(4) * e53 * e143 + Scalar(4) * e52 * e144;
-        const Scalar e174 = e145 * (Scalar(4) * (e147 + e148)) - e58 * (Scalar(2) * (Scalar(1) - e19 * e64)) + Scalar(2) * e79
-            * e149 * e150 + Scalar(2) * e109 * e151 + Scalar(2) * e59 * e16 - Scalar(4) * e147 - Scalar(6) * e148;
-        const Scalar e175 = inverse_11 * (Scalar(4) * e152 + Scalar(2) * e126) + Scalar(2) * e93 * e89 - Scalar(4) * e52 * e153
-            * e151;
-        J[37] = -T_1 * e173 - T_2 * e174 - T_3 * e175;
-        const Scalar e176 = Scalar(2) * e102 * e155 - Scalar(4) * e19 * e101 * e78 * e153 + Scalar(2) * e150 * e157;
-        const Scalar e177 = Scalar(2) * e107 * e71 - e74 * (Scalar(4) * e154 - Scalar(2) * e121) - Scalar(2) * e155;
-        J[38] = T_a * (Scalar(2) * p_.alpha_L * e154) - sun * (-Scalar(2) * p_.a_s * e154) - T_2 * e176 - T_3 * e177;
-        J[39] = -T_i * (-Scalar(2) * inverse_27 * e7 * e138) - T_1 * (Scalar(4) * e35);
+        J[35] = T_3 * (Scalar(2) * inverse_78 * e91) - inverse_78 * e112 - T_a * (Scalar(2) * inverse_78 * e90) - sun
+            * (Scalar(2) * inverse_78 * e95) - T_2 * (Scalar(2) * inverse_78 * e83);
+        J[36] = Scalar(0);
+        J[37] = Scalar(0);
+        J[38] = Scalar(0);
+        J[39] = Scalar(4) * inverse_11 * inverse_11 * e113 * (T_i - T_1);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        J[44] = -T_a * (Scalar(2) * (p_.alpha_L * e119 - e115)) - sun * (Scalar(2) * p_.a_s * e119) - T_3
-            * (Scalar(4) * e74 * e119);
-        const Scalar e178 = T_1 * (Scalar(4) * (e29 * e32 - e22 * e22 * e26 * inverse_17_squared - e37));
-        J[45] = e178 - T_2 * (Scalar(2) * (inverse_10 * e47 - e46 * e158));
-        const Scalar e179 = Scalar(4) * (e146 * (e81 - e83) - e77 * e57 * e156 - e59 * inverse_12_squared);
-        const Scalar e180 = Scalar(2) * inverse_68 * e89 - Scalar(2) * e149 * e75 + Scalar(4) * inverse_12 * e152;
-        J[46] = T_2 * e179 - T_1 * (Scalar(2) * (inverse_10 * e54 - e53 * e158)) - T_3 * e180;
-        const Scalar e181 = Scalar(2) * inverse_68 * e103 - Scalar(2) * e101 * e77 * e20 + Scalar(4) * inverse_12 * e19 * e157;
-        J[47] = -T_2 * e181 - T_3 * (Scalar(4) * e107 * inverse_12_squared);
+        J[44] = Scalar(4) * inverse_88 * e60 * e89 * (T_a - T_3) - sun * (Scalar(2) * inverse_88 * e95);
+        const Scalar e122 = T_1 * (Scalar(4) * (e34 * (e29 - e32) - e25 * e25 * e113 - inverse_9 * e35));
+        const Scalar e123 = Scalar(2) * inverse_9 * e40 - e7 * (Scalar(2) * e24 * e22 - Scalar(4) * e38 * e114);
+        J[45] = e122 - T_2 * e123;
+        const Scalar e124 = Scalar(2) * inverse_9 * e48 - e2 * (Scalar(2) * p_.A * e45 * e24 - Scalar(4) * e46 * e114);
+        const Scalar e125 = Scalar(4) * e46 * e38 * inverse_17_squared - Scalar(8) * e21 * e68 + Scalar(4) * inverse_53 * e70;
+        const Scalar e126 = Scalar(2) * e54 * e75 - e45 * (Scalar(2) * e63 * e61 - Scalar(4) * e73 * e115);
+        J[46] = -T_1 * e124 - T_2 * e125 - T_3 * e126;
+        const Scalar e127 = Scalar(4) * e21 * e82 * e115 - Scalar(2) * e63 * e81 * e22 + Scalar(2) * e103;
+        J[47] = -T_2 * e127 - T_3 * (Scalar(4) * e82 * e73 * inverse_17_squared);
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = sun * e116;
+        J[50] = sun * (Scalar(2) * e89);
         J[51] = e5;
-        J[52] = e50;
-        J[53] = e99;
+        J[52] = e43;
+        J[53] = e79;
     }
 
     /// J = df/dt at fixed x and u.
@@ -816,19 +765,17 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 10 + or -, 16 *, 2 /
+    /// Operations: 8 + or -, 13 *, 2 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
-        const Scalar T_a = u[1];
         const Scalar e1 = p_.lambda[2] / p_.L[2];
-        const Scalar inverse_2 = Scalar(1) / (p_.alpha_L + Scalar(2) * e1);
-        const Scalar e3 = Scalar(1) - p_.alpha_L * inverse_2;
-        const Scalar e4 = p_.A * p_.alpha_L;
-        const Scalar sun = u[2];
+        const Scalar e2 = e1 * (p_.A / (p_.alpha_L + Scalar(2) * e1));
+        const Scalar T_a = u[1];
         const Scalar T_3 = x[2];
-        return c_.k20 * (T_i - T_1) + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) + T_a * (e3 * e4) - sun
-            * (-p_.A * p_.a_s * e3) - T_3 * (Scalar(2) * inverse_2 * e4 * e1);
+        const Scalar sun = u[2];
+        return c_.k20 * (T_i - T_1) + Scalar(2) * p_.alpha_L * e2 * (T_a - T_3) + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2])
+            + sun * (Scalar(2) * p_.a_s * e2);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -843,17 +790,17 @@ private:
         Scalar k;  ///< 1/(L[1]/lambda[1] + L[2]/lambda[2] + L[3]/lambda[3] + 1/alpha_0 + 1/alpha_L)
         Scalar k0;  ///< g/(rho[1]*c_p[1])
         Scalar k1;  ///< 2*lambda[1]*alpha_0/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k2;  ///< lambda[1]*(4 - 2*lambda[1]*A*alpha_c^2/(L[1]*(2*lambda[1]/L[1] + alpha_c)^2*(lambda[2]*A/L[2] + ...
+        Scalar k2;  ///< 2*lambda[1]*(-lambda[1]*A*alpha_c^2/(L[1]*(2*lambda[1]/L[1] + alpha_c)^2*(lambda[2]*A/L[2] + ...
         Scalar k3;  ///< 2*lambda[1]*lambda[2]*A*alpha_c/(L[1]^2*L[2]*rho[1]*c_p[1]*(2*lambda[1]/L[1] + ...
         Scalar k4;  ///< g/(rho[2]*c_p[2])
         Scalar k5;  ///< 2*lambda[1]*lambda[2]*A*alpha_c/(L[1]*L[2]^2*rho[2]*c_p[2]*(2*lambda[1]/L[1] + ...
-        Scalar k6;  ///< lambda[2]*(4 - 2*lambda[2]*A*alpha_c^2/(L[2]*(2*lambda[2]/L[2] + alpha_c)^2*(lambda[3]*A/L[3] + ...
+        Scalar k6;  ///< 2*lambda[2]*(-lambda[2]*A*alpha_c^2/(L[2]*(2*lambda[2]/L[2] + alpha_c)^2*(lambda[3]*A/L[3] + ...
         Scalar k7;  ///< 2*lambda[2]*lambda[3]*A*alpha_c/(L[2]^2*L[3]*rho[2]*c_p[2]*(2*lambda[2]/L[2] + ...
         Scalar k8;  ///< g/(rho[3]*c_p[3])
         Scalar k9;  ///< 2*lambda[3]*alpha_L/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
         Scalar k10;  ///< 2*lambda[3]*a_s/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
         Scalar k11;  ///< 2*lambda[2]*lambda[3]*A*alpha_c/(L[2]*L[3]^2*rho[3]*c_p[3]*(2*lambda[2]/L[2] + ...
-        Scalar k12;  ///< lambda[3]*(4 - 2*lambda[3]*A/(L[3]*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c)))) ...
+        Scalar k12;  ///< 2*lambda[3]*(alpha_L/(2*lambda[3]/L[3] + alpha_L) + 1/((L[2]/(lambda[2]*A) + ...
         Scalar k13;  ///< alpha_0/(2*lambda[1]/L[1] + alpha_0)
         Scalar k14;  ///< 2*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
         Scalar k15;  ///< lambda[2]*(2 + A*alpha_c^2/((2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + ...

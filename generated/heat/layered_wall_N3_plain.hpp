@@ -19,15 +19,15 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                16     63    19        0      0
+//   update                13     55    19        0      0
 //   rhs                   10     10     0        0      0
 //   rhs_and_jacobian      13     10     0        0      0
-//   jacobian_p           112    338    14        0      0
+//   jacobian_p            65    230    13        0      0
 //   output                12     14     0        0      6
 //   output_jacobian_x      1      0     0        0      0
 //   output_jacobian_u     13     10     0        0     12
 //   internal_energy        2     12     0        0      0
-//   exchanged_power       12     22     4        0      0
+//   exchanged_power        8     13     2        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -216,7 +216,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 16 + or -, 63 *, 19 /
+    /// Operations: 13 + or -, 55 *, 19 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.lambda[0];
@@ -229,52 +229,55 @@ public:
         c_.k0 = p_.g * e6;
         const Scalar inverse_7 = Scalar(1) / p_.L[0];
         const Scalar e8 = p_.lambda[0] * inverse_7;
-        const Scalar e9 = e6 * (inverse_7 * e8);
-        const Scalar inverse_10 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e8);
-        const Scalar e11 = p_.alpha_0 * inverse_10;
-        c_.k1 = Scalar(2) * e9 * e11;
-        const Scalar inverse_12 = Scalar(1) / p_.L[1];
-        const Scalar e13 = p_.lambda[1] * inverse_12;
-        const Scalar inverse_14 = Scalar(1) / (e8 + e13);
-        const Scalar e15 = inverse_14 * e8;
-        const Scalar e16 = inverse_10 * e8;
-        c_.k2 = e9 * (Scalar(4) - Scalar(2) * e15 - Scalar(4) * e16);
-        const Scalar e17 = inverse_14 * e13;
-        c_.k3 = Scalar(2) * e9 * e17;
-        const Scalar e18 = Scalar(1) / p_.rho[1] / p_.c_p[1];
-        c_.k4 = p_.g * e18;
-        const Scalar e19 = e18 * (inverse_12 * e13);
-        c_.k5 = Scalar(2) * e19 * e15;
+        const Scalar inverse_9 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e8);
+        const Scalar e10 = p_.alpha_0 * inverse_9;
+        const Scalar e11 = e6 * (inverse_7 * e8);
+        const Scalar e12 = e10 * e11;
+        c_.k1 = Scalar(2) * e12;
+        const Scalar inverse_13 = Scalar(1) / p_.L[1];
+        const Scalar e14 = p_.lambda[1] * inverse_13;
+        const Scalar e15 = e14 / (e14 + e8);
+        const Scalar e16 = e15 * e11;
+        c_.k2 = Scalar(2) * (e12 + e16);
+        c_.k3 = Scalar(2) * e16;
+        const Scalar e17 = Scalar(1) / p_.rho[1] / p_.c_p[1];
+        c_.k4 = p_.g * e17;
+        const Scalar e18 = inverse_13 * e17;
+        const Scalar e19 = e18 * (e8 * e15);
+        c_.k5 = Scalar(2) * e19;
         const Scalar inverse_20 = Scalar(1) / p_.L[2];
         const Scalar e21 = p_.lambda[2] * inverse_20;
-        const Scalar inverse_22 = Scalar(1) / (e21 + e13);
-        const Scalar e23 = inverse_22 * e13;
-        c_.k6 = e19 * (Scalar(4) - Scalar(2) * e23 - Scalar(2) * e17);
-        const Scalar e24 = inverse_22 * e21;
-        c_.k7 = Scalar(2) * e19 * e24;
+        const Scalar inverse_22 = Scalar(1) / (e14 + e21);
+        const Scalar e23 = inverse_22 * e14;
+        const Scalar e24 = e18 * (e21 * e23);
+        c_.k6 = Scalar(2) * (e24 + e19);
+        c_.k7 = Scalar(2) * e24;
         const Scalar e25 = Scalar(1) / p_.rho[2] / p_.c_p[2];
         c_.k8 = p_.g * e25;
-        const Scalar inverse_26 = Scalar(1) / (p_.alpha_L + Scalar(2) * e21);
-        const Scalar e27 = e25 * (inverse_20 * e21);
-        const Scalar e28 = inverse_26 * e27;
-        c_.k9 = Scalar(2) * p_.alpha_L * e28;
-        c_.k10 = Scalar(2) * p_.a_s * e28;
-        c_.k11 = Scalar(2) * e27 * e23;
-        c_.k12 = e27 * (Scalar(4) - Scalar(2) * e24) - Scalar(4) * e21 * e28;
-        c_.k13 = e11;
-        c_.k14 = Scalar(2) * e16;
+        const Scalar e26 = e25 * (inverse_20 * e21);
+        const Scalar inverse_27 = Scalar(1) / (p_.alpha_L + Scalar(2) * e21);
+        const Scalar e28 = p_.alpha_L * inverse_27;
+        const Scalar e29 = e26 * e28;
+        c_.k9 = Scalar(2) * e29;
+        const Scalar e30 = p_.a_s * inverse_27;
+        c_.k10 = Scalar(2) * e26 * e30;
+        const Scalar e31 = e23 * e26;
+        c_.k11 = Scalar(2) * e31;
+        c_.k12 = Scalar(2) * (e31 + e29);
+        c_.k13 = e10;
+        c_.k14 = Scalar(2) * inverse_9 * e8;
         c_.k15 = e23;
-        c_.k16 = e24;
-        c_.k17 = p_.alpha_L * inverse_26;
-        c_.k18 = p_.a_s * inverse_26;
-        c_.k19 = Scalar(2) * inverse_26 * e21;
-        c_.k20 = Scalar(2) * p_.A * e8 * e11;
-        const Scalar e29 = c_.k * inverse_4;
-        c_.k21 = Scalar(1) - e29;
+        c_.k16 = inverse_22 * e21;
+        c_.k17 = e28;
+        c_.k18 = e30;
+        c_.k19 = Scalar(2) * inverse_27 * e21;
+        c_.k20 = Scalar(2) * p_.A * e8 * e10;
+        const Scalar e32 = c_.k * inverse_4;
+        c_.k21 = Scalar(1) - e32;
         c_.k22 = c_.k * inverse_1;
         c_.k23 = c_.k * inverse_2;
         c_.k24 = c_.k * inverse_3;
-        c_.k25 = e29;
+        c_.k25 = e32;
         c_.k26 = p_.L[0] + p_.L[1];
     }
 
@@ -364,7 +367,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 17, entry (i, j) at J[3*j + i].
-    /// Operations: 112 + or -, 338 *, 14 /
+    /// Operations: 65 + or -, 230 *, 13 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.L[0];
@@ -374,158 +377,138 @@ public:
         const Scalar e5 = inverse_3 * inverse_4;
         const Scalar e6 = inverse_1 * e5;
         const Scalar e7 = e2 * e6;
-        const Scalar inverse_8 = Scalar(1) / p_.L[1];
-        const Scalar e9 = p_.lambda[1] * inverse_8;
-        const Scalar inverse_10 = Scalar(1) / (e9 + e2);
-        const Scalar e11 = inverse_10 * e2;
-        const Scalar e12 = e7 * e11;
-        const Scalar e13 = p_.alpha_0 + Scalar(2) * e2;
-        const Scalar inverse_14 = Scalar(1) / e13;
-        const Scalar e15 = inverse_14 * e7;
-        const Scalar e16 = e2 * e15;
-        const Scalar e17 = (Scalar(1) / Scalar(2)) * e12 + e16;
-        const Scalar e18 = inverse_1 * inverse_14;
-        const Scalar e19 = inverse_1 * e12;
+        const Scalar e8 = inverse_1 * e7;
+        const Scalar inverse_9 = Scalar(1) / p_.L[1];
+        const Scalar e10 = p_.lambda[1] * inverse_9;
+        const Scalar inverse_11 = Scalar(1) / (e10 + e2);
+        const Scalar e12 = inverse_11 * e10;
+        const Scalar inverse_13 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e2);
+        const Scalar e14 = p_.alpha_0 * inverse_13;
+        const Scalar e15 = e12 + e14;
+        const Scalar e16 = e2 * e12;
+        const Scalar e17 = inverse_13 * e2;
+        const Scalar e18 = e14 * e8;
         const Scalar T_i = u[0];
-        const Scalar e20 = p_.alpha_0 * e15;
-        const Scalar e21 = inverse_1 * (Scalar(1) - inverse_14 * e2);
+        const Scalar e14_squared = e14 * e14;
         const Scalar T_2 = x[1];
-        const Scalar e22 = inverse_10 * e9;
+        const Scalar e12_squared = e12 * e12;
+        const Scalar inverse_19 = Scalar(1) / p_.rho[1];
+        const Scalar inverse_20 = Scalar(1) / p_.c_p[1];
+        const Scalar e21 = inverse_19 * inverse_20;
+        const Scalar e22 = inverse_9 * e21;
         const Scalar e23 = inverse_1 * e22;
-        const Scalar e24 = inverse_8 * e9;
-        const Scalar inverse_25 = Scalar(1) / p_.rho[1];
-        const Scalar inverse_26 = Scalar(1) / p_.c_p[1];
-        const Scalar e27 = inverse_25 * inverse_26;
-        const Scalar e28 = e24 * e27;
-        const Scalar e29 = e28 * e11;
-        const Scalar e30 = Scalar(1) - e11;
-        const Scalar e31 = inverse_1 * e30;
-        const Scalar e32 = inverse_10 * e24;
-        const Scalar e33 = e7 * e32;
-        const Scalar e34 = e7 * e22;
-        const Scalar inverse_35 = Scalar(1) / p_.L[2];
-        const Scalar e36 = p_.lambda[2] * inverse_35;
-        const Scalar e37 = e9 + e36;
-        const Scalar inverse_38 = Scalar(1) / e37;
-        const Scalar e39 = inverse_38 * e28;
-        const Scalar e40 = e28 * e22;
-        const Scalar e41 = inverse_38 * e39;
-        const Scalar e42 = e24 * e41;
-        const Scalar e43 = inverse_8 - (Scalar(1) / Scalar(2)) * e32;
+        const Scalar e24 = T_1 - T_2;
+        const Scalar e25 = e7 * (inverse_9 * inverse_11);
+        const Scalar inverse_26 = Scalar(1) / p_.L[2];
+        const Scalar e27 = p_.lambda[2] * inverse_26;
+        const Scalar inverse_28 = Scalar(1) / (e10 + e27);
+        const Scalar e29 = inverse_28 * e10;
+        const Scalar e30 = e27 * e29;
+        const Scalar e31 = e16 + e30;
+        const Scalar e32 = inverse_9 * e22;
+        const Scalar e33 = e32 * e16;
+        const Scalar e34 = e32 * e30;
+        const Scalar e35 = inverse_11 * e2;
         const Scalar T_3 = x[2];
-        const Scalar e44 = inverse_8 * e39 - (Scalar(1) / Scalar(2)) * e42;
-        const Scalar inverse_45 = Scalar(1) / p_.rho[2];
-        const Scalar inverse_46 = Scalar(1) / p_.c_p[2];
-        const Scalar e47 = inverse_45 * inverse_46;
-        const Scalar e48 = inverse_35 * e36;
-        const Scalar e49 = e47 * e48;
-        const Scalar e50 = inverse_38 * e49;
-        const Scalar e51 = inverse_38 * e50;
-        const Scalar e52 = e24 * e51;
-        const Scalar e53 = e48 * e41;
-        const Scalar e54 = p_.alpha_L + Scalar(2) * e36;
-        const Scalar inverse_55 = Scalar(1) / e54;
-        const Scalar e56 = inverse_55 * e49;
-        const Scalar e57 = e56 + (Scalar(1) / Scalar(2)) * e50;
-        const Scalar e58 = inverse_55 * e56;
-        const Scalar e59 = e48 * ((Scalar(1) / Scalar(4)) * e51 + e58);
+        const Scalar e36 = inverse_28 * e27;
+        const Scalar inverse_37 = Scalar(1) / p_.rho[2];
+        const Scalar inverse_38 = Scalar(1) / p_.c_p[2];
+        const Scalar e39 = inverse_37 * inverse_38;
+        const Scalar e40 = inverse_26 * e39;
+        const Scalar e41 = e27 * e40;
+        const Scalar e42 = inverse_28 * e41;
+        const Scalar e43 = e30 * e42;
+        const Scalar e44 = T_2 - T_3;
+        const Scalar e45 = inverse_26 * e29;
+        const Scalar e46 = e41 * e29;
+        const Scalar inverse_47 = Scalar(1) / (p_.alpha_L + Scalar(2) * e27);
+        const Scalar e48 = inverse_47 * e41;
+        const Scalar e49 = p_.alpha_L * e48;
+        const Scalar e50 = e46 + e49;
+        const Scalar e51 = p_.alpha_L * inverse_26;
+        const Scalar e52 = inverse_47 * e51;
+        const Scalar e53 = e27 * e48;
         const Scalar T_a = u[1];
-        const Scalar e60 = inverse_35 - inverse_55 * e48;
-        const Scalar e61 = p_.alpha_L * e56;
+        const Scalar e54 = p_.alpha_L * inverse_47;
+        const Scalar e55 = Scalar(1) + e54;
         const Scalar sun = u[2];
-        const Scalar e62 = p_.a_s * e56;
-        const Scalar e63 = inverse_35 * e9;
-        const Scalar e64 = inverse_10 * e28;
-        const Scalar e65 = inverse_8 * inverse_10;
-        const Scalar e66 = e27 * (inverse_8 * inverse_8);
-        const Scalar e67 = inverse_8 * e36;
-        const Scalar e68 = inverse_35 * e47;
-        const Scalar e69 = Scalar(2) * e56;
-        const Scalar e70 = inverse_35 * (e68 - e69);
-        const Scalar e71 = inverse_55 * e70;
-        const Scalar e72 = e7 - e17;
-        const Scalar e73 = p_.g * e5;
-        const Scalar e74 = e9 * e39;
-        const Scalar e75 = e28 - (Scalar(1) / Scalar(2)) * (e40 + e74);
-        const Scalar e76 = p_.g * e27;
-        const Scalar e77 = e36 * e39;
-        const Scalar e78 = e36 * e57 - e49;
-        const Scalar e79 = p_.g * e47;
-        const Scalar e80 = e9 * e50;
-        const Scalar inverse_81 = Scalar(1) / p_.A;
-        const Scalar e82 = inverse_81 * (Scalar(1) - inverse_14 * e13);
-        const Scalar e83 = inverse_81 * (e22 - e30);
-        const Scalar e84 = inverse_81 * (Scalar(1) - inverse_38 * e37);
-        const Scalar e85 = inverse_81 * (Scalar(1) - inverse_55 * e54);
-        const Scalar e86 = inverse_1 * (Scalar(8) * e7 - Scalar(12) * e17) + Scalar(8) * e2 * e16 * e18 + Scalar(2) * e11 * e19;
-        J[0] = T_1 * e86 - T_i * (Scalar(4) * e20 * e21) - T_2 * (e23 * (Scalar(4) * e7 - Scalar(2) * e12));
-        J[1] = T_2 * (Scalar(2) * e29 * e23) - T_1 * (Scalar(2) * e29 * e31);
+        const Scalar e56 = p_.a_s * e48;
+        const Scalar e57 = inverse_1 * e6;
+        const Scalar e58 = e57 * e14_squared;
+        const Scalar e59 = e57 * e12_squared;
+        const Scalar e60 = e35 * (e32 * e35);
+        const Scalar e61 = e36 * (e32 * e36);
+        const Scalar e62 = e29 * e45;
+        const Scalar e63 = e40 * e52;
+        const Scalar e64 = e54 * e63;
+        const Scalar e65 = e40 * e62;
+        const Scalar e66 = inverse_3 * e7;
+        const Scalar e67 = p_.g * e5;
+        const Scalar e68 = inverse_19 * e22;
+        const Scalar e69 = p_.g * e21;
+        const Scalar e70 = p_.g * e39;
+        const Scalar e71 = inverse_4 * e7;
+        const Scalar e72 = inverse_20 * e22;
+        const Scalar e73 = e8 * (Scalar(4) * e15 - Scalar(2) * inverse_11 * e16) - Scalar(4) * e17 * e18;
+        J[0] = T_1 * e73 - T_i * (Scalar(2) * (e8 * e14_squared + e18)) - T_2 * (Scalar(2) * (e8 * (e12 + e12_squared)));
+        J[1] = -Scalar(2) * e12 * e16 * e23 * e24;
         J[2] = Scalar(0);
-        J[3] = T_1 * (Scalar(2) * e32 * e12) - T_2 * (Scalar(2) * (e33 - e32 * e34));
-        const Scalar e87 = e28 * (Scalar(8) * inverse_8 - Scalar(6) * e32) - Scalar(6) * e24 * e39 + Scalar(2) * e32 * e40
-            + Scalar(2) * e9 * e42;
-        J[4] = T_2 * e87 - T_1 * (Scalar(4) * e29 * e43) - T_3 * (Scalar(4) * e36 * e44);
-        J[5] = T_3 * (Scalar(2) * e36 * e52) - T_2 * (Scalar(2) * (e24 * e50 - e9 * e52));
+        J[3] = Scalar(2) * e16 * e25 * e24;
+        const Scalar e74 = T_2 * (Scalar(4) * e31 * e32 - Scalar(2) * e12 * e33 - Scalar(2) * e29 * e34);
+        J[4] = e74 - T_1 * (Scalar(2) * (e33 * (Scalar(1) + e35))) - T_3 * (Scalar(2) * (e34 * (Scalar(1) + e36)));
+        J[5] = -Scalar(2) * inverse_9 * e43 * e44;
         J[6] = Scalar(0);
-        J[7] = T_2 * (Scalar(2) * e9 * e53) - T_3 * (Scalar(2) * (e48 * e39 - e36 * e53));
-        const Scalar e88 = Scalar(8) * inverse_35 * e49 - Scalar(12) * e48 * e57 + Scalar(8) * e36 * e59;
-        J[8] = T_3 * e88 - T_a * (Scalar(4) * e60 * e61) - sun * (Scalar(4) * e60 * e62) - T_2
-            * (Scalar(4) * e50 * e63 - Scalar(2) * e9 * e48 * e51);
-        const Scalar e89 = Scalar(4) * e6 * e31 + Scalar(2) * inverse_10 * e19 - Scalar(8) * e15 * e21;
-        J[9] = T_i * (e18 * (Scalar(2) * p_.alpha_0 * e6 - Scalar(4) * e20)) - T_1 * e89 + T_2 * (Scalar(2) * e30 * e6 * e23);
-        J[10] = T_1 * (Scalar(2) * e31 * e64) - T_2 * (Scalar(2) * e23 * e64);
+        J[7] = Scalar(2) * e22 * e30 * e45 * e44;
+        const Scalar e75 = inverse_26 * (Scalar(4) * e50 - Scalar(2) * e43) - Scalar(4) * e52 * e53;
+        J[8] = T_3 * e75 - T_a * (Scalar(2) * e48 * e55 * e51) - sun * (Scalar(2) * inverse_26 * e55 * e56) - T_2
+            * (Scalar(2) * (e45 * (e41 + e46)));
+        J[9] = T_i * (Scalar(2) * e58) - T_1 * (Scalar(2) * (e59 + e58)) + T_2 * (Scalar(2) * e59);
+        J[10] = Scalar(2) * e12_squared * e23 * e24;
         J[11] = Scalar(0);
-        J[12] = T_2 * (Scalar(2) * (e7 * e65 - inverse_10 * e33)) - T_1 * (Scalar(2) * e12 * e65);
-        J[13] = T_1 * (Scalar(2) * (e11 * e66 - e29 * e65)) - T_2 * (Scalar(4) * (e66 - e44 - e43 * e64)) + T_3
-            * (Scalar(2) * (inverse_38 * e36 * e66 - e41 * e67));
-        J[14] = T_2 * (Scalar(2) * (inverse_8 * e50 - e52)) - T_3 * (Scalar(2) * e51 * e67);
+        J[12] = -Scalar(2) * e35 * e25 * e24;
+        J[13] = T_1 * (Scalar(2) * e60) - T_2 * (Scalar(2) * (e61 + e60)) + T_3 * (Scalar(2) * e61);
+        J[14] = Scalar(2) * inverse_9 * e36 * e42 * e44;
         J[15] = Scalar(0);
-        J[16] = T_3 * (Scalar(2) * (inverse_35 * e39 - e53)) - T_2 * (Scalar(2) * e41 * e63);
-        const Scalar e90 = T_3 * (Scalar(4) * e70 - Scalar(4) * inverse_35 * e50 + Scalar(8) * e59);
-        J[17] = T_a * (Scalar(2) * p_.alpha_L * e71) + sun * (Scalar(2) * p_.a_s * e71) + T_2
-            * (Scalar(2) * (-e63 * (e51 - inverse_38 * e68))) - e90;
-        J[18] = T_1 * (Scalar(4) * inverse_3 * e72) - inverse_3 * e73 - T_i * (Scalar(2) * inverse_3 * e20) - T_2
-            * (Scalar(2) * inverse_3 * e34);
+        J[16] = -Scalar(2) * e22 * e62 * e44;
+        J[17] = T_a * (Scalar(2) * e64) + sun * (Scalar(2) * p_.a_s * inverse_47 * e63) + T_2 * (Scalar(2) * e65) - T_3
+            * (Scalar(2) * (e65 + e64));
+        J[18] = T_1 * (Scalar(2) * e15 * e66) - inverse_3 * e67 - T_i * (Scalar(2) * e14 * e66) - T_2 * (Scalar(2) * e12 * e66);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (Scalar(4) * inverse_25 * e75) - inverse_25 * e76 - T_1 * (Scalar(2) * inverse_25 * e29) - T_3
-            * (Scalar(2) * inverse_25 * e77);
+        J[22] = T_2 * (Scalar(2) * e31 * e68) - inverse_19 * e69 - T_1 * (Scalar(2) * e16 * e68) - T_3
+            * (Scalar(2) * e30 * e68);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (-Scalar(4) * inverse_45 * e78) - inverse_45 * e79 - T_a * (Scalar(2) * inverse_45 * e61) - sun
-            * (Scalar(2) * inverse_45 * e62) - T_2 * (Scalar(2) * inverse_45 * e80);
-        J[27] = T_1 * (Scalar(4) * inverse_4 * e72) - inverse_4 * e73 - T_i * (Scalar(2) * inverse_4 * e20) - T_2
-            * (Scalar(2) * inverse_4 * e34);
+        J[26] = T_3 * (Scalar(2) * inverse_37 * e50) - inverse_37 * e70 - T_a * (Scalar(2) * inverse_37 * e49) - sun
+            * (Scalar(2) * inverse_37 * e56) - T_2 * (Scalar(2) * inverse_37 * e46);
+        J[27] = T_1 * (Scalar(2) * e15 * e71) - inverse_4 * e67 - T_i * (Scalar(2) * e14 * e71) - T_2 * (Scalar(2) * e12 * e71);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (Scalar(4) * inverse_26 * e75) - inverse_26 * e76 - T_1 * (Scalar(2) * inverse_26 * e29) - T_3
-            * (Scalar(2) * inverse_26 * e77);
+        J[31] = T_2 * (Scalar(2) * e31 * e72) - inverse_20 * e69 - T_1 * (Scalar(2) * e16 * e72) - T_3
+            * (Scalar(2) * e30 * e72);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (-Scalar(4) * inverse_46 * e78) - inverse_46 * e79 - T_a * (Scalar(2) * inverse_46 * e61) - sun
-            * (Scalar(2) * inverse_46 * e62) - T_2 * (Scalar(2) * inverse_46 * e80);
-        J[36] = T_i * (Scalar(2) * e20 * e82) - T_1 * (Scalar(2) * e12 * e83 - Scalar(4) * e16 * e82) + T_2
-            * (-Scalar(2) * e83 * e34);
-        J[37] = T_1 * (-Scalar(2) * e29 * e83) - T_2 * (Scalar(2) * (e83 * e40 - e84 * e74)) + T_3 * (Scalar(2) * e84 * e77);
-        J[38] = T_a * (Scalar(2) * e61 * e85) - sun * (-Scalar(2) * e62 * e85) + T_2 * (Scalar(2) * e84 * e80) - T_3
-            * (-e36 * (Scalar(2) * e50 * e84 + Scalar(4) * e56 * e85));
-        J[39] = -T_i * (Scalar(2) * (inverse_14 * e20 - e15)) - T_1 * (Scalar(4) * inverse_14 * e16);
+        J[35] = T_3 * (Scalar(2) * inverse_38 * e50) - inverse_38 * e70 - T_a * (Scalar(2) * inverse_38 * e49) - sun
+            * (Scalar(2) * inverse_38 * e56) - T_2 * (Scalar(2) * inverse_38 * e46);
+        J[36] = Scalar(0);
+        J[37] = Scalar(0);
+        J[38] = Scalar(0);
+        J[39] = Scalar(4) * inverse_13 * e7 * e17 * (T_i - T_1);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        J[44] = -T_a * (Scalar(2) * (inverse_55 * e61 - e56)) - sun * (Scalar(2) * inverse_55 * e62) - T_3
-            * (Scalar(4) * e36 * e58);
+        J[44] = Scalar(4) * inverse_47 * e53 * (T_a - T_3) - sun * (Scalar(2) * inverse_47 * e56);
         J[45] = Scalar(0);
         J[46] = Scalar(0);
-        J[47] = sun * e69;
+        J[47] = sun * (Scalar(2) * e48);
         J[48] = e5;
-        J[49] = e27;
-        J[50] = e47;
+        J[49] = e21;
+        J[50] = e39;
     }
 
     /// J = df/dt at fixed x and u.
@@ -703,20 +686,17 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 12 + or -, 22 *, 4 /
+    /// Operations: 8 + or -, 13 *, 2 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_i = u[0];
-        const Scalar T_a = u[1];
-        const Scalar e1 = p_.lambda[2] / p_.L[2];
-        const Scalar inverse_2 = Scalar(1) / (p_.alpha_L + Scalar(2) * e1);
-        const Scalar e3 = Scalar(1) - p_.alpha_L * inverse_2;
-        const Scalar e4 = p_.A * p_.alpha_L;
-        const Scalar sun = u[2];
         const Scalar T_1 = x[0];
+        const Scalar e1 = p_.lambda[2] / p_.L[2];
+        const Scalar e2 = e1 * (p_.A / (p_.alpha_L + Scalar(2) * e1));
+        const Scalar T_a = u[1];
         const Scalar T_3 = x[2];
-        const Scalar e5 = Scalar(1) - p_.alpha_0 / (Scalar(2) * p_.lambda[0] / p_.L[0] + p_.alpha_0);
-        return p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) + T_i * (p_.A * p_.alpha_0 * e5) + T_a * (e3 * e4) - sun
-            * (-p_.A * p_.a_s * e3) - c_.k20 * T_1 - T_3 * (Scalar(2) * inverse_2 * e4 * e1);
+        const Scalar sun = u[2];
+        return c_.k20 * (T_i - T_1) + Scalar(2) * p_.alpha_L * e2 * (T_a - T_3) + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2])
+            + sun * (Scalar(2) * p_.a_s * e2);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -731,17 +711,17 @@ private:
         Scalar k;  ///< 1/(L[1]/lambda[1] + L[2]/lambda[2] + L[3]/lambda[3] + 1/alpha_0 + 1/alpha_L)
         Scalar k0;  ///< g/(rho[1]*c_p[1])
         Scalar k1;  ///< 2*lambda[1]*alpha_0/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k2;  ///< lambda[1]*(4 - 2*lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) - ...
+        Scalar k2;  ///< 2*lambda[1]*(lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) + alpha_0/(2*lambda[1]/L[1] + ...
         Scalar k3;  ///< 2*lambda[1]*lambda[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(lambda[1]/L[1] + lambda[2]/L[2]))
         Scalar k4;  ///< g/(rho[2]*c_p[2])
         Scalar k5;  ///< 2*lambda[1]*lambda[2]/(L[1]*L[2]^2*rho[2]*c_p[2]*(lambda[1]/L[1] + lambda[2]/L[2]))
-        Scalar k6;  ///< lambda[2]*(4 - 2*lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) - ...
+        Scalar k6;  ///< 2*lambda[2]*(lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) + ...
         Scalar k7;  ///< 2*lambda[2]*lambda[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(lambda[2]/L[2] + lambda[3]/L[3]))
         Scalar k8;  ///< g/(rho[3]*c_p[3])
         Scalar k9;  ///< 2*lambda[3]*alpha_L/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
         Scalar k10;  ///< 2*lambda[3]*a_s/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
         Scalar k11;  ///< 2*lambda[2]*lambda[3]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
-        Scalar k12;  ///< lambda[3]*(4 - 2*lambda[3]/(L[3]*(lambda[2]/L[2] + lambda[3]/L[3])) - ...
+        Scalar k12;  ///< 2*lambda[3]*(lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3])) + alpha_L/(2*lambda[3]/L[3] + ...
         Scalar k13;  ///< alpha_0/(2*lambda[1]/L[1] + alpha_0)
         Scalar k14;  ///< 2*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
         Scalar k15;  ///< lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3]))

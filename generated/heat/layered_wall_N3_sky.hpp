@@ -18,16 +18,16 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                16     74    19        0      0
+//   update                13     68    19        0      0
 //   rhs                   12     16     0        0      1
 //   rhs_and_jacobian      16     20     1        0      1
 //   jacobian_u             4     14     1        0      1
-//   jacobian_p           121    365    15        0      1
-//   output                13     19     0        0      7
+//   jacobian_p            75    257    14        0      1
+//   output                13     18     0        0      7
 //   output_jacobian_x      5     11     1        0      1
 //   output_jacobian_u     17     24     1        0     13
 //   internal_energy        2     12     0        0      0
-//   exchanged_power       12     21     0        0      1
+//   exchanged_power       14     26     2        0      1
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -235,7 +235,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 16 + or -, 74 *, 19 /
+    /// Operations: 13 + or -, 68 *, 19 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.lambda[0];
@@ -248,66 +248,66 @@ public:
         c_.k0 = p_.g * e6;
         const Scalar inverse_7 = Scalar(1) / p_.L[0];
         const Scalar e8 = p_.lambda[0] * inverse_7;
-        const Scalar e9 = e6 * (inverse_7 * e8);
-        const Scalar inverse_10 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e8);
-        const Scalar e11 = p_.alpha_0 * inverse_10;
-        c_.k1 = Scalar(2) * e9 * e11;
-        const Scalar inverse_12 = Scalar(1) / p_.L[1];
-        const Scalar e13 = p_.lambda[1] * inverse_12;
-        const Scalar inverse_14 = Scalar(1) / (e8 + e13);
-        const Scalar e15 = inverse_14 * e8;
-        const Scalar e16 = inverse_10 * e8;
-        c_.k2 = e9 * (Scalar(4) - Scalar(2) * e15 - Scalar(4) * e16);
-        const Scalar e17 = inverse_14 * e13;
-        c_.k3 = Scalar(2) * e9 * e17;
-        const Scalar e18 = Scalar(1) / p_.rho[1] / p_.c_p[1];
-        c_.k4 = p_.g * e18;
-        const Scalar e19 = e18 * (inverse_12 * e13);
-        c_.k5 = Scalar(2) * e19 * e15;
+        const Scalar inverse_9 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e8);
+        const Scalar e10 = p_.alpha_0 * inverse_9;
+        const Scalar e11 = e6 * (inverse_7 * e8);
+        const Scalar e12 = e10 * e11;
+        c_.k1 = Scalar(2) * e12;
+        const Scalar inverse_13 = Scalar(1) / p_.L[1];
+        const Scalar e14 = p_.lambda[1] * inverse_13;
+        const Scalar inverse_15 = Scalar(1) / (e8 + e14);
+        const Scalar e16 = e11 * (inverse_15 * e14);
+        c_.k2 = Scalar(2) * (e12 + e16);
+        c_.k3 = Scalar(2) * e16;
+        const Scalar e17 = Scalar(1) / p_.rho[1] / p_.c_p[1];
+        c_.k4 = p_.g * e17;
+        const Scalar e18 = e17 * (inverse_13 * e14);
+        const Scalar e19 = e18 * (inverse_15 * e8);
+        c_.k5 = Scalar(2) * e19;
         const Scalar inverse_20 = Scalar(1) / p_.L[2];
         const Scalar e21 = p_.lambda[2] * inverse_20;
-        const Scalar inverse_22 = Scalar(1) / (e21 + e13);
-        const Scalar e23 = inverse_22 * e13;
-        c_.k6 = e19 * (Scalar(4) - Scalar(2) * e23 - Scalar(2) * e17);
-        const Scalar e24 = inverse_22 * e21;
-        c_.k7 = Scalar(2) * e19 * e24;
+        const Scalar inverse_22 = Scalar(1) / (e21 + e14);
+        const Scalar e23 = inverse_22 * e21;
+        const Scalar e24 = e23 * e18;
+        c_.k6 = Scalar(2) * (e24 + e19);
+        c_.k7 = Scalar(2) * e24;
         const Scalar e25 = Scalar(1) / p_.rho[2] / p_.c_p[2];
         c_.k8 = p_.g * e25;
         const Scalar e26 = e25 * (inverse_20 * e21);
-        c_.k9 = Scalar(2) * e26 * e23;
-        c_.k10 = e26 * (Scalar(4) - Scalar(2) * e24);
+        const Scalar e27 = inverse_22 * e14;
+        c_.k9 = Scalar(2) * e26 * e27;
+        c_.k10 = e26 * (Scalar(4) - Scalar(2) * e23);
         c_.k11 = Scalar(2) * e26;
-        const Scalar inverse_27 = Scalar(1) / (p_.alpha_L + Scalar(2) * e21);
-        const Scalar e28 = p_.eps * inverse_27;
-        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e28;
-        const Scalar e29 = p_.alpha_L * inverse_27;
-        c_.k13 = e29;
-        const Scalar e30 = p_.a_s * inverse_27;
-        c_.k14 = e30;
-        const Scalar e31 = inverse_27 * e21;
-        c_.k15 = Scalar(2) * e31;
-        const Scalar e32 = inverse_27 * e26;
-        c_.k16 = ((Scalar(100000000) * Scalar(1000000000))) * e21 * e32;
-        c_.k17 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * e28;
-        c_.k18 = ((Scalar(50000000) * Scalar(1000000000))) * p_.alpha_L * e32;
-        c_.k19 = ((Scalar(11) * Scalar(1000000000) + Scalar(340748838))) * p_.eps * e32;
-        c_.k20 = ((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e32;
-        c_.k21 = e11;
-        c_.k22 = Scalar(2) * e16;
-        c_.k23 = e23;
-        c_.k24 = e24;
-        c_.k25 = p_.A * p_.alpha_0 * (Scalar(1) - e11);
-        c_.k26 = Scalar(2) * p_.A * e8 * e11;
-        const Scalar e33 = c_.k * inverse_4;
-        c_.k27 = Scalar(1) - e33;
-        c_.k28 = c_.k * inverse_1;
-        c_.k29 = c_.k * inverse_2;
-        c_.k30 = c_.k * inverse_3;
-        c_.k31 = e33;
-        c_.k32 = p_.L[0] + p_.L[1];
-        c_.k33 = ((Scalar(50000000) * Scalar(1000000000))) * e31;
-        c_.k34 = ((Scalar(25000000) * Scalar(1000000000))) * e29;
-        c_.k35 = ((Scalar(25000000) * Scalar(1000000000))) * e30;
+        const Scalar inverse_28 = Scalar(1) / (p_.alpha_L + Scalar(2) * e21);
+        const Scalar e29 = p_.eps * inverse_28;
+        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e29;
+        const Scalar e30 = p_.alpha_L * inverse_28;
+        c_.k13 = e30;
+        const Scalar e31 = p_.a_s * inverse_28;
+        c_.k14 = e31;
+        const Scalar e32 = inverse_28 * e21;
+        c_.k15 = Scalar(2) * e32;
+        const Scalar e33 = inverse_28 * e26;
+        c_.k16 = ((Scalar(100000000) * Scalar(1000000000))) * e21 * e33;
+        c_.k17 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * e29;
+        c_.k18 = ((Scalar(50000000) * Scalar(1000000000))) * p_.alpha_L * e33;
+        c_.k19 = ((Scalar(11) * Scalar(1000000000) + Scalar(340748838))) * p_.eps * e33;
+        c_.k20 = ((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e33;
+        c_.k21 = e10;
+        c_.k22 = Scalar(2) * inverse_9 * e8;
+        c_.k23 = e27;
+        c_.k24 = e23;
+        c_.k25 = Scalar(2) * p_.A * e8 * e10;
+        const Scalar e34 = c_.k * inverse_4;
+        c_.k26 = Scalar(1) - e34;
+        c_.k27 = c_.k * inverse_1;
+        c_.k28 = c_.k * inverse_2;
+        c_.k29 = c_.k * inverse_3;
+        c_.k30 = e34;
+        c_.k31 = p_.L[0] + p_.L[1];
+        c_.k32 = ((Scalar(50000000) * Scalar(1000000000))) * e32;
+        c_.k33 = ((Scalar(25000000) * Scalar(1000000000))) * e30;
+        c_.k34 = ((Scalar(25000000) * Scalar(1000000000))) * e31;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -416,7 +416,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 18, entry (i, j) at J[3*j + i].
-    /// Operations: 121 + or -, 365 *, 15 /, 1 other functions
+    /// Operations: 75 + or -, 257 *, 14 /, 1 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.L[0];
@@ -426,183 +426,162 @@ public:
         const Scalar e5 = inverse_3 * inverse_4;
         const Scalar e6 = inverse_1 * e5;
         const Scalar e7 = e2 * e6;
-        const Scalar inverse_8 = Scalar(1) / p_.L[1];
-        const Scalar e9 = p_.lambda[1] * inverse_8;
-        const Scalar inverse_10 = Scalar(1) / (e9 + e2);
-        const Scalar e11 = inverse_10 * e2;
-        const Scalar e12 = e7 * e11;
-        const Scalar e13 = p_.alpha_0 + Scalar(2) * e2;
-        const Scalar inverse_14 = Scalar(1) / e13;
-        const Scalar e15 = inverse_14 * e7;
-        const Scalar e16 = e2 * e15;
-        const Scalar e17 = (Scalar(1) / Scalar(2)) * e12 + e16;
-        const Scalar e18 = inverse_1 * inverse_14;
-        const Scalar e19 = inverse_1 * e12;
+        const Scalar e8 = inverse_1 * e7;
+        const Scalar inverse_9 = Scalar(1) / p_.L[1];
+        const Scalar e10 = p_.lambda[1] * inverse_9;
+        const Scalar inverse_11 = Scalar(1) / (e10 + e2);
+        const Scalar e12 = inverse_11 * e10;
+        const Scalar inverse_13 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e2);
+        const Scalar e14 = p_.alpha_0 * inverse_13;
+        const Scalar e15 = e12 + e14;
+        const Scalar e16 = e2 * e12;
+        const Scalar e17 = inverse_13 * e2;
+        const Scalar e18 = e14 * e8;
         const Scalar T_i = u[0];
-        const Scalar e20 = p_.alpha_0 * e15;
-        const Scalar e21 = inverse_1 * (Scalar(1) - inverse_14 * e2);
+        const Scalar e14_squared = e14 * e14;
         const Scalar T_2 = x[1];
-        const Scalar e22 = inverse_10 * e9;
+        const Scalar e12_squared = e12 * e12;
+        const Scalar inverse_19 = Scalar(1) / p_.rho[1];
+        const Scalar inverse_20 = Scalar(1) / p_.c_p[1];
+        const Scalar e21 = inverse_19 * inverse_20;
+        const Scalar e22 = inverse_9 * e21;
         const Scalar e23 = inverse_1 * e22;
-        const Scalar e24 = inverse_8 * e9;
-        const Scalar inverse_25 = Scalar(1) / p_.rho[1];
-        const Scalar inverse_26 = Scalar(1) / p_.c_p[1];
-        const Scalar e27 = inverse_25 * inverse_26;
-        const Scalar e28 = e24 * e27;
-        const Scalar e29 = e28 * e11;
-        const Scalar e30 = Scalar(1) - e11;
-        const Scalar e31 = inverse_1 * e30;
-        const Scalar e32 = inverse_10 * e24;
-        const Scalar e33 = e7 * e32;
-        const Scalar e34 = e7 * e22;
-        const Scalar inverse_35 = Scalar(1) / p_.L[2];
-        const Scalar e36 = p_.lambda[2] * inverse_35;
-        const Scalar e37 = e9 + e36;
-        const Scalar inverse_38 = Scalar(1) / e37;
-        const Scalar e39 = inverse_38 * e28;
-        const Scalar e40 = inverse_38 * e39;
-        const Scalar e41 = e9 * e40;
-        const Scalar e42 = e28 * e22;
-        const Scalar e43 = inverse_8 - (Scalar(1) / Scalar(2)) * e32;
+        const Scalar e24 = T_1 - T_2;
+        const Scalar e25 = e7 * (inverse_9 * inverse_11);
+        const Scalar inverse_26 = Scalar(1) / p_.L[2];
+        const Scalar e27 = p_.lambda[2] * inverse_26;
+        const Scalar inverse_28 = Scalar(1) / (e27 + e10);
+        const Scalar e29 = inverse_28 * e27;
+        const Scalar e30 = e10 * e29;
+        const Scalar e31 = e16 + e30;
+        const Scalar e32 = inverse_9 * e22;
+        const Scalar e33 = e32 * e16;
+        const Scalar e34 = inverse_28 * e10;
+        const Scalar e35 = e32 * e30;
+        const Scalar e36 = inverse_11 * e2;
         const Scalar T_3 = x[2];
-        const Scalar e44 = inverse_8 * e39 - (Scalar(1) / Scalar(2)) * e24 * e40;
-        const Scalar inverse_45 = Scalar(1) / p_.rho[2];
-        const Scalar inverse_46 = Scalar(1) / p_.c_p[2];
-        const Scalar e47 = inverse_45 * inverse_46;
-        const Scalar e48 = inverse_35 * e36;
-        const Scalar e49 = e47 * e48;
-        const Scalar e50 = inverse_38 * e49;
-        const Scalar e51 = inverse_38 * e50;
-        const Scalar e52 = e36 * e51;
-        const Scalar e53 = e9 * e51;
-        const Scalar e54 = e36 * e40;
-        const Scalar e55 = inverse_35 * e49;
-        const Scalar e56 = inverse_35 * e50 - (Scalar(1) / Scalar(2)) * e48 * e51;
+        const Scalar inverse_37 = Scalar(1) / p_.rho[2];
+        const Scalar inverse_38 = Scalar(1) / p_.c_p[2];
+        const Scalar e39 = inverse_37 * inverse_38;
+        const Scalar e40 = inverse_26 * e39;
+        const Scalar e41 = e27 * e40;
+        const Scalar e42 = e29 * (inverse_9 * e41);
+        const Scalar e43 = T_2 - T_3;
+        const Scalar e44 = inverse_26 * e22;
+        const Scalar e45 = inverse_26 * e41;
+        const Scalar e29_squared = e29 * e29;
+        const Scalar e46 = Scalar(1) - (Scalar(1) / Scalar(2)) * e29;
         const Scalar T_a = u[1];
         const Scalar sun = u[3];
         const Scalar T_h = u[2];
         const Scalar T_h_squared = T_h * T_h;
         const Scalar T_h_squared_squared = T_h_squared * T_h_squared;
-        const Scalar e57 = c_.k13 * T_a + c_.k14 * sun + c_.k15 * T_3 + c_.k12 * T_h_squared_squared;
-        const Scalar radiant_temperature_58 = detail::radiant_temperature<Scalar>(c_.k12, e57);
-        const Scalar e59 = p_.alpha_L + Scalar(2) * e36;
-        const Scalar inverse_60 = Scalar(1) / e59;
-        const Scalar e61 = inverse_60 * e49;
-        const Scalar e62 = inverse_60 * e61;
-        const Scalar e63 = e48 * e62;
-        const Scalar radiant_temperature_58_squared = radiant_temperature_58 * radiant_temperature_58;
-        const Scalar e64 = (Scalar(25000000) * Scalar(1000000000)) + c_.k17 * radiant_temperature_58
-            * radiant_temperature_58_squared;
-        const Scalar inverse_65 = Scalar(1) / e64;
-        const Scalar e66 = sun * inverse_65;
-        const Scalar e67 = T_h_squared_squared - radiant_temperature_58_squared * radiant_temperature_58_squared;
-        const Scalar e68 = inverse_65 * e67;
-        const Scalar e69 = T_a * inverse_65;
-        const Scalar e70 = T_3 * inverse_65;
-        const Scalar e71 = inverse_10 * e28;
-        const Scalar e72 = inverse_8 * inverse_10;
-        const Scalar e73 = e27 * (inverse_8 * inverse_8);
-        const Scalar e74 = e47 * (inverse_35 * inverse_35);
-        const Scalar e75 = inverse_35 * e62;
-        const Scalar e76 = e7 - e17;
-        const Scalar e77 = p_.g * e5;
-        const Scalar e78 = e9 * e39;
-        const Scalar e79 = e28 - (Scalar(1) / Scalar(2)) * (e42 + e78);
-        const Scalar e80 = p_.g * e27;
-        const Scalar e81 = e36 * e39;
-        const Scalar e82 = e36 * e50;
-        const Scalar e83 = e82 - Scalar(2) * e49;
-        const Scalar e84 = p_.g * e47;
-        const Scalar e85 = e9 * e50;
-        const Scalar inverse_86 = Scalar(1) / p_.A;
-        const Scalar e87 = inverse_86 * (Scalar(1) - inverse_14 * e13);
-        const Scalar e88 = inverse_86 * (e22 - e30);
-        const Scalar e89 = inverse_86 * (Scalar(1) - inverse_38 * e37);
-        const Scalar e90 = inverse_86 * (e61 - e59 * e62);
-        const Scalar e91 = inverse_1 * (Scalar(8) * e7 - Scalar(12) * e17) + Scalar(8) * e2 * e16 * e18 + Scalar(2) * e11 * e19;
-        J[0] = T_1 * e91 - T_i * (Scalar(4) * e20 * e21) - T_2 * (e23 * (Scalar(4) * e7 - Scalar(2) * e12));
-        J[1] = T_2 * (Scalar(2) * e29 * e23) - T_1 * (Scalar(2) * e29 * e31);
+        const Scalar e47 = c_.k13 * T_a + c_.k14 * sun + c_.k15 * T_3 + c_.k12 * T_h_squared_squared;
+        const Scalar radiant_temperature_48 = detail::radiant_temperature<Scalar>(c_.k12, e47);
+        const Scalar inverse_49 = Scalar(1) / (p_.alpha_L + Scalar(2) * e27);
+        const Scalar inverse_49_squared = inverse_49 * inverse_49;
+        const Scalar e50 = e45 * inverse_49_squared;
+        const Scalar e51 = e27 * e50;
+        const Scalar radiant_temperature_48_squared = radiant_temperature_48 * radiant_temperature_48;
+        const Scalar e52 = (Scalar(25000000) * Scalar(1000000000)) + c_.k17 * radiant_temperature_48
+            * radiant_temperature_48_squared;
+        const Scalar inverse_53 = Scalar(1) / e52;
+        const Scalar e54 = sun * inverse_53;
+        const Scalar e55 = T_h_squared_squared - radiant_temperature_48_squared * radiant_temperature_48_squared;
+        const Scalar e56 = inverse_53 * e55;
+        const Scalar e57 = T_a * inverse_53;
+        const Scalar e58 = inverse_49 * e45 - Scalar(2) * e51;
+        const Scalar e59 = T_3 * inverse_53;
+        const Scalar e60 = inverse_1 * e6;
+        const Scalar e61 = e60 * e14_squared;
+        const Scalar e62 = e60 * e12_squared;
+        const Scalar e63 = e36 * (e32 * e36);
+        const Scalar e64 = e32 * e29_squared;
+        const Scalar e34_squared = e34 * e34;
+        const Scalar e65 = inverse_26 * e40;
+        const Scalar e66 = inverse_3 * e7;
+        const Scalar e67 = p_.g * e5;
+        const Scalar e68 = inverse_19 * e22;
+        const Scalar e69 = p_.g * e21;
+        const Scalar e70 = inverse_37 * e41;
+        const Scalar e71 = p_.g * e39;
+        const Scalar e72 = inverse_4 * e7;
+        const Scalar e73 = inverse_20 * e22;
+        const Scalar e74 = inverse_38 * e41;
+        const Scalar e75 = e41 * inverse_49_squared;
+        const Scalar e76 = inverse_49 * e41;
+        const Scalar e77 = e8 * (Scalar(4) * e15 - Scalar(2) * inverse_11 * e16) - Scalar(4) * e17 * e18;
+        J[0] = T_1 * e77 - T_i * (Scalar(2) * (e8 * e14_squared + e18)) - T_2 * (Scalar(2) * (e8 * (e12 + e12_squared)));
+        J[1] = -Scalar(2) * e12 * e16 * e23 * e24;
         J[2] = Scalar(0);
-        J[3] = T_1 * (Scalar(2) * e32 * e12) - T_2 * (Scalar(2) * (e33 - e32 * e34));
-        const Scalar e92 = e28 * (Scalar(8) * inverse_8 - Scalar(6) * e32) - e24 * (Scalar(6) * e39 - Scalar(2) * e41)
-            + Scalar(2) * e32 * e42;
-        J[4] = T_2 * e92 - T_1 * (Scalar(4) * e29 * e43) - T_3 * (Scalar(4) * e36 * e44);
-        J[5] = T_3 * (Scalar(2) * e24 * e52) - T_2 * (Scalar(2) * (e24 * (e50 - e53)));
+        J[3] = Scalar(2) * e16 * e25 * e24;
+        const Scalar e78 = T_2 * (Scalar(4) * e31 * e32 - Scalar(2) * e12 * e33 - Scalar(2) * e34 * e35);
+        J[4] = e78 - T_1 * (Scalar(2) * (e33 * (Scalar(1) + e36))) - T_3 * (Scalar(2) * (e35 * (e29 + Scalar(1))));
+        J[5] = -Scalar(2) * e34 * e42 * e43;
         J[6] = Scalar(0);
-        J[7] = T_2 * (Scalar(2) * e48 * e41) - T_3 * (Scalar(2) * (e48 * (e39 - e54)));
-        const Scalar e93 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e63 * e68;
-        const Scalar e94 = ((Scalar(100000000) * Scalar(1000000000))) * e48 * e61 - ((Scalar(200000000) * Scalar(1000000000)))
-            * e36 * e63;
-        J[8] = T_3 * (Scalar(8) * e55 - e48 * (Scalar(6) * e50 - Scalar(2) * e52)) - T_2 * (Scalar(4) * e9 * e56)
-            - radiant_temperature_58 * (Scalar(4) * e55) + ((Scalar(100000000) * Scalar(1000000000))) * p_.a_s * e63 * e66
-            + e93 + ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e63 * e69 - e94 * e70;
-        const Scalar e95 = Scalar(4) * e6 * e31 + Scalar(2) * inverse_10 * e19 - Scalar(8) * e15 * e21;
-        J[9] = T_i * (e18 * (Scalar(2) * p_.alpha_0 * e6 - Scalar(4) * e20)) - T_1 * e95 + T_2 * (Scalar(2) * e30 * e6 * e23);
-        J[10] = T_1 * (Scalar(2) * e31 * e71) - T_2 * (Scalar(2) * e23 * e71);
+        J[7] = Scalar(2) * e34 * e30 * e44 * e43;
+        const Scalar e79 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e51 * e56;
+        J[8] = T_3 * (e45 * (Scalar(8) - Scalar(6) * e29 + Scalar(2) * e29_squared)) - T_2 * (Scalar(4) * e45 * e34 * e46)
+            - radiant_temperature_48 * (Scalar(4) * e45) + ((Scalar(100000000) * Scalar(1000000000))) * p_.a_s * e51 * e54
+            + e79 + ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e51 * e57
+            - ((Scalar(100000000) * Scalar(1000000000))) * e27 * e58 * e59;
+        J[9] = T_i * (Scalar(2) * e61) - T_1 * (Scalar(2) * (e62 + e61)) + T_2 * (Scalar(2) * e62);
+        J[10] = Scalar(2) * e12_squared * e23 * e24;
         J[11] = Scalar(0);
-        J[12] = T_2 * (Scalar(2) * (e7 * e72 - inverse_10 * e33)) - T_1 * (Scalar(2) * e12 * e72);
-        J[13] = T_1 * (Scalar(2) * (e11 * e73 - e29 * e72)) - T_2 * (Scalar(4) * (e73 - e44 - e43 * e71)) + T_3
-            * (Scalar(2) * (inverse_38 * e36 * e73 - inverse_8 * e54));
-        J[14] = T_2 * (Scalar(2) * (inverse_8 * e50 - e24 * e51)) - T_3 * (Scalar(2) * inverse_8 * e52);
+        J[12] = -Scalar(2) * e36 * e25 * e24;
+        J[13] = T_1 * (Scalar(2) * e63) - T_2 * (Scalar(2) * (e64 + e63)) + T_3 * (Scalar(2) * e64);
+        J[14] = Scalar(2) * inverse_28 * e42 * e43;
         J[15] = Scalar(0);
-        J[16] = T_3 * (Scalar(2) * (inverse_35 * e39 - e48 * e40)) - T_2 * (Scalar(2) * inverse_35 * e41);
-        const Scalar e96 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e75 * e68;
-        const Scalar e97 = ((Scalar(100000000) * Scalar(1000000000))) * inverse_35 * e61
-            - ((Scalar(200000000) * Scalar(1000000000))) * e63;
-        J[17] = T_2 * (Scalar(2) * (inverse_38 * e9 * e74 - inverse_35 * e53)) - T_3 * (Scalar(4) * (e74 - e56))
-            + radiant_temperature_58 * (Scalar(2) * e74) - ((Scalar(100000000) * Scalar(1000000000))) * p_.a_s * e75 * e66
-            - e96 - ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e75 * e69 + e97 * e70;
-        J[18] = T_1 * (Scalar(4) * inverse_3 * e76) - inverse_3 * e77 - T_i * (Scalar(2) * inverse_3 * e20) - T_2
-            * (Scalar(2) * inverse_3 * e34);
+        J[16] = -Scalar(2) * e44 * e34_squared * e43;
+        const Scalar e80 = T_3 * (inverse_28 * e45 * (Scalar(2) * (Scalar(1) + e34)) - Scalar(4) * e65);
+        const Scalar e81 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e50 * e56;
+        J[17] = T_2 * (Scalar(2) * e65 * e34_squared) + e80 + radiant_temperature_48 * (Scalar(2) * e65)
+            - ((Scalar(100000000) * Scalar(1000000000))) * p_.a_s * e50 * e54 - e81
+            - ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e50 * e57 + ((Scalar(100000000) * Scalar(1000000000)))
+            * e58 * e59;
+        J[18] = T_1 * (Scalar(2) * e15 * e66) - inverse_3 * e67 - T_i * (Scalar(2) * e14 * e66) - T_2 * (Scalar(2) * e12 * e66);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (Scalar(4) * inverse_25 * e79) - inverse_25 * e80 - T_1 * (Scalar(2) * inverse_25 * e29) - T_3
-            * (Scalar(2) * inverse_25 * e81);
+        J[22] = T_2 * (Scalar(2) * e31 * e68) - inverse_19 * e69 - T_1 * (Scalar(2) * e16 * e68) - T_3
+            * (Scalar(2) * e30 * e68);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (-Scalar(2) * inverse_45 * e83) - inverse_45 * e84 - T_2 * (Scalar(2) * inverse_45 * e85)
-            - radiant_temperature_58 * (Scalar(2) * inverse_45 * e49);
-        J[27] = T_1 * (Scalar(4) * inverse_4 * e76) - inverse_4 * e77 - T_i * (Scalar(2) * inverse_4 * e20) - T_2
-            * (Scalar(2) * inverse_4 * e34);
+        J[26] = T_3 * (Scalar(4) * e46 * e70) - inverse_37 * e71 - T_2 * (Scalar(2) * e34 * e70) - radiant_temperature_48
+            * (Scalar(2) * e70);
+        J[27] = T_1 * (Scalar(2) * e15 * e72) - inverse_4 * e67 - T_i * (Scalar(2) * e14 * e72) - T_2 * (Scalar(2) * e12 * e72);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (Scalar(4) * inverse_26 * e79) - inverse_26 * e80 - T_1 * (Scalar(2) * inverse_26 * e29) - T_3
-            * (Scalar(2) * inverse_26 * e81);
+        J[31] = T_2 * (Scalar(2) * e31 * e73) - inverse_20 * e69 - T_1 * (Scalar(2) * e16 * e73) - T_3
+            * (Scalar(2) * e30 * e73);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (-Scalar(2) * inverse_46 * e83) - inverse_46 * e84 - T_2 * (Scalar(2) * inverse_46 * e85)
-            - radiant_temperature_58 * (Scalar(2) * inverse_46 * e49);
-        J[36] = T_i * (Scalar(2) * e20 * e87) - T_1 * (Scalar(2) * e12 * e88 - Scalar(4) * e16 * e87) + T_2
-            * (-Scalar(2) * e88 * e34);
-        J[37] = T_1 * (-Scalar(2) * e29 * e88) - T_2 * (Scalar(2) * (e88 * e42 - e89 * e78)) + T_3 * (Scalar(2) * e89 * e81);
-        const Scalar e98 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * p_.eps * e90;
-        J[38] = T_2 * (Scalar(2) * e89 * e85) - T_3 * (-Scalar(2) * e89 * e82)
-            - (-((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e90) * e66 - (-e98) * e68
-            + ((Scalar(50000000) * Scalar(1000000000))) * p_.alpha_L * e90 * e69
-            - (-((Scalar(100000000) * Scalar(1000000000))) * e36 * e90) * e70;
-        J[39] = -T_i * (Scalar(2) * (inverse_14 * e20 - e15)) - T_1 * (Scalar(4) * inverse_14 * e16);
+        J[35] = T_3 * (Scalar(4) * e46 * e74) - inverse_38 * e71 - T_2 * (Scalar(2) * e34 * e74) - radiant_temperature_48
+            * (Scalar(2) * e74);
+        J[36] = Scalar(0);
+        J[37] = Scalar(0);
+        J[38] = Scalar(0);
+        J[39] = Scalar(4) * inverse_13 * e7 * e17 * (T_i - T_1);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        const Scalar e99 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * p_.eps * e62;
-        const Scalar e100 = ((Scalar(50000000) * Scalar(1000000000))) * (p_.alpha_L * e62 - e61) * e69;
-        J[44] = -((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e62 * e66 - e99 * e68 - e100
-            - ((Scalar(100000000) * Scalar(1000000000))) * e36 * e62 * e70;
+        const Scalar e82 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * p_.eps * e75;
+        J[44] = ((Scalar(100000000) * Scalar(1000000000))) * e27 * e75 * (e57 - e59)
+            - ((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e75 * e54 - e82 * e56;
         J[45] = Scalar(0);
         J[46] = Scalar(0);
-        const Scalar e101 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * e61;
-        J[47] = e101 * e68;
+        const Scalar e83 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * e76;
+        J[47] = e83 * e56;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = ((Scalar(50000000) * Scalar(1000000000))) * e61 * e66;
+        J[50] = ((Scalar(50000000) * Scalar(1000000000))) * e76 * e54;
         J[51] = e5;
-        J[52] = e27;
-        J[53] = e47;
+        J[52] = e21;
+        J[53] = e39;
     }
 
     /// J = df/dt at fixed x and u.
@@ -629,7 +608,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 13 + or -, 19 *, 7 other functions
+    /// Operations: 13 + or -, 18 *, 7 other functions
     ///     T_inside = alpha_0*T_i/(2*lambda[1]/L[1] + alpha_0) + 2*lambda[1]*T[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
     ///     T_between = lambda[2]*T[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3])) + lambda[3]*T[3]/(L[3]*(lambda[2]/L[2] +
     ///     lambda[3]/L[3]))
@@ -657,14 +636,14 @@ public:
         const Scalar min_L_1 = detail::min<Scalar>(p_.L[0], max_3);
         const Scalar max_4 = detail::max<Scalar>(Scalar(0), x_value - p_.L[0]);
         const Scalar min_L_2 = detail::min<Scalar>(p_.L[1], max_4);
-        const Scalar max_5 = detail::max<Scalar>(Scalar(0), x_value - c_.k32);
+        const Scalar max_5 = detail::max<Scalar>(Scalar(0), x_value - c_.k31);
         const Scalar min_L_3 = detail::min<Scalar>(p_.L[2], max_5);
         y[0] = c_.k21 * T_i + c_.k22 * T_1;
         y[1] = c_.k23 * T_2 + c_.k24 * T_3;
         y[2] = radiant_temperature_2;
-        y[3] = c_.k25 * T_i - c_.k26 * T_1;
+        y[3] = c_.k25 * (T_i - T_1);
         y[4] = c_.k;
-        y[5] = c_.k27 * T_i - (T_i - T_a) * (c_.k28 * min_L_1 + c_.k29 * min_L_2 + c_.k30 * min_L_3) + c_.k31 * T_a;
+        y[5] = c_.k26 * T_i - (T_i - T_a) * (c_.k27 * min_L_1 + c_.k28 * min_L_2 + c_.k29 * min_L_3) + c_.k30 * T_a;
     }
 
     /// C = dh/dx.
@@ -679,7 +658,7 @@ public:
         C[0] = c_.k22;
         C[1] = Scalar(0);
         C[2] = Scalar(0);
-        C[3] = -c_.k26;
+        C[3] = -c_.k25;
         C[4] = Scalar(0);
         C[5] = Scalar(0);
         C[6] = Scalar(0);
@@ -691,7 +670,7 @@ public:
         C[12] = Scalar(0);
         C[13] = c_.k24;
         const Scalar e3 = c_.k17 * radiant_temperature_2 * radiant_temperature_2 * radiant_temperature_2;
-        C[14] = c_.k33 / ((Scalar(25000000) * Scalar(1000000000)) + e3);
+        C[14] = c_.k32 / ((Scalar(25000000) * Scalar(1000000000)) + e3);
         C[15] = Scalar(0);
         C[16] = Scalar(0);
         C[17] = Scalar(0);
@@ -701,7 +680,7 @@ public:
     /// Operations: 17 + or -, 24 *, 1 /, 13 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         const Scalar x_value = u[4];
-        const Scalar e1 = x_value - c_.k32;
+        const Scalar e1 = x_value - c_.k31;
         const Scalar max_2 = detail::max<Scalar>(Scalar(0), e1);
         const Scalar min_L_3 = detail::min<Scalar>(p_.L[2], max_2);
         const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value);
@@ -709,7 +688,7 @@ public:
         const Scalar e4 = x_value - p_.L[0];
         const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
         const Scalar min_L_2 = detail::min<Scalar>(p_.L[1], max_5);
-        const Scalar e6 = c_.k30 * min_L_3 + (c_.k28 * min_L_1 + c_.k29 * min_L_2);
+        const Scalar e6 = c_.k29 * min_L_3 + (c_.k27 * min_L_1 + c_.k28 * min_L_2);
         const Scalar T_a = u[1];
         const Scalar sun = u[3];
         const Scalar T_3 = x[2];
@@ -731,13 +710,13 @@ public:
         D[2] = Scalar(0);
         D[3] = c_.k25;
         D[4] = Scalar(0);
-        D[5] = c_.k27 - e6;
+        D[5] = c_.k26 - e6;
         D[6] = Scalar(0);
         D[7] = Scalar(0);
-        D[8] = c_.k34 * inverse_10;
+        D[8] = c_.k33 * inverse_10;
         D[9] = Scalar(0);
         D[10] = Scalar(0);
-        D[11] = c_.k31 + e6;
+        D[11] = c_.k30 + e6;
         D[12] = Scalar(0);
         D[13] = Scalar(0);
         D[14] = c_.k17 * T_h * inverse_10 * T_h_squared;
@@ -746,7 +725,7 @@ public:
         D[17] = Scalar(0);
         D[18] = Scalar(0);
         D[19] = Scalar(0);
-        D[20] = c_.k35 * inverse_10;
+        D[20] = c_.k34 * inverse_10;
         D[21] = Scalar(0);
         D[22] = Scalar(0);
         D[23] = Scalar(0);
@@ -755,7 +734,7 @@ public:
         D[26] = Scalar(0);
         D[27] = Scalar(0);
         D[28] = Scalar(0);
-        const Scalar e16 = c_.k30 * step_11 * step_12 + c_.k29 * step_13 * step_14 + c_.k28 * step_x * step_15;
+        const Scalar e16 = c_.k29 * step_11 * step_12 + c_.k28 * step_13 * step_14 + c_.k27 * step_x * step_15;
         D[29] = -(T_i - T_a) * e16;
     }
 
@@ -805,7 +784,7 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 12 + or -, 21 *, 1 other functions
+    /// Operations: 14 + or -, 26 *, 2 /, 1 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_a = u[1];
         const Scalar sun = u[3];
@@ -821,8 +800,9 @@ public:
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
         const Scalar e5 = radiant_temperature_2 * radiant_temperature_2 * radiant_temperature_2 * e4;
-        return p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) - radiant_temperature_2 * (e3 + e5) + c_.k25 * T_i + T_a * e3 + sun
-            * (p_.A * p_.a_s) - c_.k26 * T_1 + e4 * T_h_squared_squared;
+        const Scalar e6 = Scalar(1) - p_.alpha_0 / (Scalar(2) * p_.lambda[0] / p_.L[0] + p_.alpha_0);
+        return p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) - radiant_temperature_2 * (e3 + e5) + T_i * (p_.A * p_.alpha_0 * e6)
+            + T_a * e3 + sun * (p_.A * p_.a_s) - c_.k25 * T_1 + e4 * T_h_squared_squared;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -837,11 +817,11 @@ private:
         Scalar k;  ///< 1/(L[1]/lambda[1] + L[2]/lambda[2] + L[3]/lambda[3] + 1/alpha_0 + 1/alpha_L)
         Scalar k0;  ///< g/(rho[1]*c_p[1])
         Scalar k1;  ///< 2*lambda[1]*alpha_0/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k2;  ///< lambda[1]*(4 - 2*lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) - ...
+        Scalar k2;  ///< 2*lambda[1]*(lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) + alpha_0/(2*lambda[1]/L[1] + ...
         Scalar k3;  ///< 2*lambda[1]*lambda[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(lambda[1]/L[1] + lambda[2]/L[2]))
         Scalar k4;  ///< g/(rho[2]*c_p[2])
         Scalar k5;  ///< 2*lambda[1]*lambda[2]/(L[1]*L[2]^2*rho[2]*c_p[2]*(lambda[1]/L[1] + lambda[2]/L[2]))
-        Scalar k6;  ///< lambda[2]*(4 - 2*lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) - ...
+        Scalar k6;  ///< 2*lambda[2]*(lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) + ...
         Scalar k7;  ///< 2*lambda[2]*lambda[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(lambda[2]/L[2] + lambda[3]/L[3]))
         Scalar k8;  ///< g/(rho[3]*c_p[3])
         Scalar k9;  ///< 2*lambda[2]*lambda[3]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
@@ -860,17 +840,16 @@ private:
         Scalar k22;  ///< 2*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
         Scalar k23;  ///< lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3]))
         Scalar k24;  ///< lambda[3]/(L[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
-        Scalar k25;  ///< A*alpha_0*(1 - alpha_0/(2*lambda[1]/L[1] + alpha_0))
-        Scalar k26;  ///< 2*lambda[1]*A*alpha_0/(L[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k27;  ///< 1 - k/alpha_0
-        Scalar k28;  ///< k/lambda[1]
-        Scalar k29;  ///< k/lambda[2]
-        Scalar k30;  ///< k/lambda[3]
-        Scalar k31;  ///< k/alpha_0
-        Scalar k32;  ///< L[1] + L[2]
-        Scalar k33;  ///< 50000000000000000*lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
-        Scalar k34;  ///< 25000000000000000*alpha_L/(2*lambda[3]/L[3] + alpha_L)
-        Scalar k35;  ///< 25000000000000000*a_s/(2*lambda[3]/L[3] + alpha_L)
+        Scalar k25;  ///< 2*lambda[1]*A*alpha_0/(L[1]*(2*lambda[1]/L[1] + alpha_0))
+        Scalar k26;  ///< 1 - k/alpha_0
+        Scalar k27;  ///< k/lambda[1]
+        Scalar k28;  ///< k/lambda[2]
+        Scalar k29;  ///< k/lambda[3]
+        Scalar k30;  ///< k/alpha_0
+        Scalar k31;  ///< L[1] + L[2]
+        Scalar k32;  ///< 50000000000000000*lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
+        Scalar k33;  ///< 25000000000000000*alpha_L/(2*lambda[3]/L[3] + alpha_L)
+        Scalar k34;  ///< 25000000000000000*a_s/(2*lambda[3]/L[3] + alpha_L)
     };
     Cached c_{};
 };

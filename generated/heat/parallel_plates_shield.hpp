@@ -18,7 +18,7 @@
 //   update                 8     30     8        0      0
 //   rhs                    2      8     0        0      0
 //   rhs_and_jacobian       4     12     0        0      0
-//   jacobian_p            47    146     6        0      0
+//   jacobian_p            44    136     6        0      0
 //   output                 2      7     0        0      1
 //   output_jacobian_x      2     14     0        0      1
 //   internal_energy        1      4     0        0      0
@@ -261,7 +261,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 10, entry (i, j) at J[2*j + i].
-    /// Operations: 47 + or -, 146 *, 6 /
+    /// Operations: 44 + or -, 136 *, 6 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.m_1;
         const Scalar inverse_2 = Scalar(1) / p_.c_1;
@@ -304,24 +304,25 @@ public:
         const Scalar e31 = inverse_29 * inverse_30;
         const Scalar e32 = p_.eps_s * e31;
         const Scalar e33 = Scalar(1) - Scalar(2) * (Scalar(1) - (Scalar(1) / Scalar(2)) * e21) * e21;
+        const Scalar e21_squared = e21 * e21;
         const Scalar e34 = p_.eps_s * p_.eps_s;
         const Scalar e35 = c_.first_gap_reach_1_2 * e6;
-        const Scalar e36 = e35 * e26;
-        const Scalar e37 = e21 * e35;
-        const Scalar e38 = e13 * e37;
-        const Scalar e39 = e31 * e34;
-        const Scalar e40 = e21 * e37;
-        const Scalar e41 = c_.second_gap_reach_1_2 * e15;
-        const Scalar e42 = e34 * e41;
-        const Scalar e43 = e33 * e41;
-        const Scalar e44 = p_.eps_2 * p_.eps_2;
-        const Scalar e45 = p_.eps_1 * p_.eps_1;
-        const Scalar e46 = c_.first_gap_reach_1_2 * c_.first_gap_reach_1_2 * e45 * e14 + c_.second_gap_reach_1_2
-            * c_.second_gap_reach_1_2 * e44 * e23;
-        const Scalar e47 = e46 * (inverse_5 * inverse_4);
-        const Scalar e48 = c_.second_gap_exchange_factor_1_2 * e27;
-        const Scalar e49 = T_1_squared_squared - T_2_squared_squared;
-        const Scalar e50 = e31 * (c_.second_gap_exchange_factor_1_2 * e12);
+        const Scalar e36 = e34 * e35;
+        const Scalar e37 = e31 * e21_squared;
+        const Scalar e38 = T_1_squared_squared - T_2_squared_squared;
+        const Scalar e39 = c_.second_gap_reach_1_2 * e15;
+        const Scalar e40 = e34 * e39;
+        const Scalar e41 = e12 * e31;
+        const Scalar e42 = e33 * e31;
+        const Scalar e43 = p_.eps_1 * p_.eps_1;
+        const Scalar e44 = e35 * e43;
+        const Scalar e45 = p_.eps_2 * p_.eps_2;
+        const Scalar e46 = e39 * e45;
+        const Scalar e47 = c_.first_gap_reach_1_2 * c_.first_gap_reach_1_2 * e43 * e14 + c_.second_gap_reach_1_2
+            * c_.second_gap_reach_1_2 * e45 * e23;
+        const Scalar e48 = e47 * (inverse_5 * inverse_4);
+        const Scalar e49 = c_.second_gap_exchange_factor_1_2 * e27;
+        const Scalar e50 = c_.second_gap_exchange_factor_1_2 * e41;
         const Scalar e51 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.eps_s * e3 * e24;
         const Scalar e52 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
@@ -330,54 +331,50 @@ public:
         const Scalar e53 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e32 * e24;
         const Scalar e54 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e32 * (e21 * e21 * e11 + e33 * e20));
+            * (e32 * (e33 * e20 + e11 * e21_squared));
         J[1] = (-e53) * T_1_squared_squared + e54 * T_2_squared_squared;
         const Scalar e55 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e34 * e36;
+            * e26 * e36;
         const Scalar e56 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3 * e34 * e38;
+            * e13 * e3 * e21 * e36;
         J[2] = -e55 * T_1_squared_squared - (-e56) * T_2_squared_squared;
         const Scalar e57 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e39 * e38;
+            * e36 * e37;
+        J[3] = e57 * e38;
         const Scalar e58 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e39 * e40;
-        J[3] = -(-e57) * T_1_squared_squared - e58 * T_2_squared_squared;
+            * e28 * e40;
+        J[4] = -e58 * e38;
         const Scalar e59 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e28 * e42;
+            * e22 * e41 * e40;
         const Scalar e60 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e22 * e27 * e42;
-        J[4] = -e59 * T_1_squared_squared - (-e60) * T_2_squared_squared;
+            * e40 * e42;
+        J[5] = -(-e59) * T_1_squared_squared - e60 * T_2_squared_squared;
         const Scalar e61 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e22 * e12 * e41 * e39;
+            * (e26 * e44 + e28 * e46);
         const Scalar e62 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e39 * e43;
-        J[5] = -(-e61) * T_1_squared_squared - e62 * T_2_squared_squared;
+            * e3 * e48;
+        J[6] = -e61 * T_1_squared_squared - (-e62) * T_2_squared_squared;
         const Scalar e63 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e41 * e44 * e28 + e45 * e36);
+            * e31 * e48;
         const Scalar e64 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3 * e47;
-        J[6] = -e63 * T_1_squared_squared - (-e64) * T_2_squared_squared;
+            * (e42 * e46 + e44 * e37);
+        J[7] = -(-e63) * T_1_squared_squared - e64 * T_2_squared_squared;
         const Scalar e65 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e31 * e47;
-        const Scalar e66 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e31 * (e44 * e43 + e45 * e40));
-        J[7] = -(-e65) * T_1_squared_squared - e66 * T_2_squared_squared;
-        const Scalar e67 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_1 * e48;
-        J[8] = e67 * e49;
+            * inverse_1 * e49;
+        J[8] = e65 * e38;
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        const Scalar e68 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e66 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * inverse_29 * e50;
-        J[11] = -e68 * e49;
-        const Scalar e69 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_2 * e48;
-        J[12] = e69 * e49;
+        J[11] = -e66 * e38;
+        const Scalar e67 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_2 * e49;
+        J[12] = e67 * e38;
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        const Scalar e70 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e68 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * inverse_30 * e50;
-        J[15] = -e70 * e49;
+        J[15] = -e68 * e38;
         J[16] = Scalar(0);
         J[17] = Scalar(0);
         J[18] = Scalar(0);

@@ -22,7 +22,7 @@
 //   rhs_and_jacobian       9     10     0        0      0
 //   jacobian_u             5      7     0        0      0
 //   jacobian_p             9     26     1        0      0
-//   output                 1     17     4        0      1
+//   output                 4     17     4        0      1
 //   output_jacobian_x      3     20     4        0      1
 //   output_jacobian_u      5     17     4        0      1
 //   internal_energy        0      1     0        0      0
@@ -330,24 +330,24 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 1 + or -, 17 *, 4 /, 1 other functions
+    /// Operations: 4 + or -, 17 *, 4 /, 1 other functions
     ///     spectral = -2*h*c_0^2*pi/(l^5*(1 - exp(h*c_0/(k*l*T))))
     ///     coating = -2*h*c_0^2*eps*pi/(l^5*(1 + l^2/l_0^2)*(1 - exp(h*c_0/(k*l*T))))
     ///     l_max = 1250251421346000*h*c_0/(6207642188737199*k*T)
     ///     glass = (1 - rho_g - tau_g)*sun
     ///     total = stefan_boltzmann*T^4
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
-        using std::expm1;
+        using std::exp;
         const Scalar l = u[3];
         const Scalar inverse_1 = Scalar(1) / l;
         const Scalar T = x[0];
         const Scalar inverse_2 = Scalar(1) / T;
-        const Scalar expm1_3 = expm1(c_.k9 * inverse_1 * inverse_2);
+        const Scalar exp_3 = exp(c_.k9 * inverse_1 * inverse_2);
         const Scalar inverse_1_squared = inverse_1 * inverse_1;
-        const Scalar e4 = inverse_1 / expm1_3 * (inverse_1_squared * inverse_1_squared);
+        const Scalar e4 = inverse_1 / (Scalar(1) - exp_3) * (inverse_1_squared * inverse_1_squared);
         const Scalar sun = u[2];
-        y[0] = c_.k4 * e4;
-        y[1] = c_.k5 * e4 / (Scalar(1) + c_.k8 * l * l);
+        y[0] = -c_.k4 * e4;
+        y[1] = -c_.k5 * e4 / (Scalar(1) + c_.k8 * l * l);
         y[2] = c_.k6 * inverse_2;
         y[3] = c_.k7 * sun;
         y[4] = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * T * T * T

@@ -21,7 +21,7 @@
 //   rhs                   16     18     2        0      4
 //   rhs_and_jacobian      28     44     4        0      4
 //   jacobian_u             1      3     2        0      0
-//   jacobian_p            31     64     7        0      4
+//   jacobian_p            26     53     7        0      4
 //   bias                   7      5     0        0      2
 //   generalised_force      1      0     0        0      0
 //   output                 9      8     0        0      4
@@ -421,7 +421,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 14, entry (i, j) at J[4*j + i].
-    /// Operations: 31 + or -, 64 *, 7 /, 4 other functions
+    /// Operations: 26 + or -, 53 *, 7 /, 4 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::log1p;
         State dxdt;
@@ -434,66 +434,59 @@ public:
         const Scalar e4 = p_.rho_0 - rho_2;
         const Scalar e5 = c_.k10 * e4;
         const Scalar log1p_6 = log1p(-e5);
-        const Scalar inverse_7 = Scalar(1) / (Scalar(1) - e5);
-        const Scalar inverse_8 = Scalar(1) / (Scalar(1) - e2);
-        const Scalar inverse_9 = Scalar(1) / p_.rho_0;
-        const Scalar e10 = inverse_9 * (p_.beta * inverse_9);
-        const Scalar e11 = e1 * inverse_8;
-        const Scalar e12 = e4 * inverse_7;
+        const Scalar inverse_7 = Scalar(1) / p_.rho_0;
+        const Scalar e8 = inverse_7 * (p_.beta * inverse_7);
         const Scalar s_dot = x[1];
-        const Scalar inverse_13 = Scalar(1) / p_.A_1;
-        const Scalar e14 = p_.k_l * inverse_13;
-        const Scalar e15 = p_.beta * inverse_13;
+        const Scalar inverse_9 = Scalar(1) / p_.A_1;
+        const Scalar e10 = p_.beta * inverse_9;
+        const Scalar e11 = p_.k_l * inverse_9;
         const Scalar s = x[0];
-        const Scalar inverse_16 = Scalar(1) / s;
-        const Scalar e17 = log1p_3 - log1p_6;
-        const Scalar e18 = c_.k9 * e17;
-        const Scalar step_19 = detail::step<Scalar>(e18);
-        const Scalar step_20 = detail::step<Scalar>(-e18);
-        const Scalar e21 = rho_1 * step_19 + rho_2 * step_20;
-        const Scalar e22 = e17 * e21;
-        const Scalar e23 = inverse_16 * e22;
+        const Scalar inverse_12 = Scalar(1) / s;
+        const Scalar e13 = log1p_3 - log1p_6;
+        const Scalar e14 = c_.k9 * e13;
+        const Scalar step_15 = detail::step<Scalar>(e14);
+        const Scalar step_16 = detail::step<Scalar>(-e14);
+        const Scalar e17 = rho_1 * step_15 + rho_2 * step_16;
+        const Scalar e18 = e13 * e17;
+        const Scalar e19 = inverse_12 * e18;
         const Scalar m_1 = u[0];
         const Scalar m_2 = u[1];
-        const Scalar inverse_24 = Scalar(1) / (c_.k8 - s);
-        const Scalar inverse_25 = Scalar(1) / p_.A_2;
-        const Scalar e26 = p_.k_l * inverse_25;
-        const Scalar e27 = p_.beta * inverse_25;
-        const Scalar e28 = inverse_24 * e22;
-        const Scalar e29 = (s_dot * rho_2 + (c_.k6 * m_2 + c_.k7 * e22)) * (inverse_24 * inverse_24);
-        const Scalar e30 = inverse_16 * e21;
-        const Scalar e31 = e11 - e12;
-        const Scalar e32 = inverse_8 - inverse_7;
-        const Scalar e33 = inverse_24 * e21;
+        const Scalar inverse_20 = Scalar(1) / (c_.k8 - s);
+        const Scalar inverse_21 = Scalar(1) / p_.A_2;
+        const Scalar e22 = p_.beta * inverse_21;
+        const Scalar e23 = p_.k_l * inverse_21;
+        const Scalar e24 = inverse_20 * e18;
+        const Scalar e25 = (s_dot * rho_2 + (c_.k6 * m_2 + c_.k7 * e18)) * (inverse_20 * inverse_20);
+        const Scalar e26 = e17 * e13;
         J[0] = Scalar(0);
         J[1] = (p_.p_0 + p_.beta * log1p_3) * c_.k0;
-        J[2] = e14 * e15 * e23 - m_1 * inverse_16 * (inverse_13 * inverse_13);
+        J[2] = e10 * e11 * e19 - m_1 * inverse_12 * (inverse_9 * inverse_9);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = (-p_.p_0 - p_.beta * log1p_6) * c_.k0;
         J[6] = Scalar(0);
-        J[7] = -m_2 * inverse_24 * (inverse_25 * inverse_25) - e26 * e27 * e28;
+        J[7] = -m_2 * inverse_20 * (inverse_21 * inverse_21) - e22 * e23 * e24;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = -e29;
+        J[11] = -e25;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e29;
+        J[15] = e25;
         J[16] = Scalar(0);
         J[17] = (-dxdt[1]) * c_.k0;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        const Scalar e34 = c_.k12 * inverse_7 - c_.k11 * inverse_8 + p_.A_1 * e10 * e11 - p_.A_2 * e10 * e12;
-        J[21] = e34 * c_.k0;
-        J[22] = -e30 * (e10 * e14 * e31 - c_.k13 * e32);
-        J[23] = e33 * (e10 * e26 * e31 - c_.k14 * e32);
+        const Scalar e27 = (e1 * (p_.A_1 * e8) - c_.k11) / (Scalar(1) - e2) - (e4 * (p_.A_2 * e8) - c_.k12) / (Scalar(1) - e5);
+        J[21] = e27 * c_.k0;
+        J[22] = Scalar(0);
+        J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = (p_.A_1 * log1p_3 - p_.A_2 * log1p_6) * c_.k0;
-        J[26] = -e14 * e17 * e30;
-        J[27] = e26 * e17 * e33;
+        J[26] = -inverse_12 * e11 * e26;
+        J[27] = inverse_20 * e23 * e26;
         J[28] = Scalar(0);
         J[29] = (p_.A_1 - p_.A_2) * c_.k0;
         J[30] = Scalar(0);
@@ -516,8 +509,8 @@ public:
         J[47] = Scalar(0);
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = -e15 * e23;
-        J[51] = e27 * e28;
+        J[50] = -e10 * e19;
+        J[51] = e22 * e24;
         J[52] = Scalar(0);
         J[53] = (-s_dot) * c_.k0;
         J[54] = Scalar(0);

@@ -20,7 +20,7 @@
 //   update                 3     16     6        0      1
 //   rhs                    3      5     1        0      0
 //   rhs_and_jacobian       5      5     1        0      0
-//   jacobian_p             9     20     3        0      0
+//   jacobian_p             7     14     3        0      0
 //   jacobian_t             1      6     1        0      0
 //   output                 2      3     0        0      0
 //   output_jacobian_x      1      1     0        0      0
@@ -254,7 +254,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 8, entry (i, j) at J[2*j + i].
-    /// Operations: 9 + or -, 20 *, 3 /
+    /// Operations: 7 + or -, 14 *, 3 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar t, JacobianP& J) const noexcept {
         const Scalar p_value = x[0];
         const Scalar inverse_1 = Scalar(1) / (Scalar(1) + c_.k2 * t);
@@ -262,12 +262,7 @@ public:
         const Scalar T = x[1];
         const Scalar e3 = T * inverse_1;
         const Scalar inverse_4 = Scalar(1) / p_.c_v;
-        const Scalar inverse_5 = Scalar(1) / p_.t_e;
-        const Scalar e6 = inverse_4 * inverse_5;
-        const Scalar e7 = Scalar(1) + c_.R_s * inverse_4;
-        const Scalar e8 = e6 * (p_.kappa - e7);
-        const Scalar inverse_5_squared = inverse_5 * inverse_5;
-        const Scalar e9 = t * inverse_1;
+        const Scalar e5 = inverse_4 / p_.t_e * (p_.kappa - c_.R_s * inverse_4 - Scalar(1));
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -280,10 +275,10 @@ public:
         J[9] = -c_.k2 * e3;
         J[10] = Scalar(0);
         J[11] = Scalar(0);
-        J[12] = -e8 * e2;
-        J[13] = -e8 * e3;
-        J[14] = e2 * (c_.k3 - inverse_5 * e7 * inverse_5_squared * e9);
-        J[15] = e3 * (c_.k4 - c_.R_s * e6 * inverse_5_squared * e9);
+        J[12] = -e5 * e2;
+        J[13] = -e5 * e3;
+        J[14] = c_.k3 * inverse_1 * e2;
+        J[15] = c_.k4 * inverse_1 * e3;
     }
 
     /// J = df/dt at fixed x and u.

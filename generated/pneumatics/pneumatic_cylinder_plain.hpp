@@ -25,7 +25,7 @@
 //   rhs                   23     52     8        0     30
 //   rhs_and_jacobian      61    157     8        0     44
 //   jacobian_u            17     43     8        0     30
-//   jacobian_p            97    253    14        0     53
+//   jacobian_p            96    255    14        0     53
 //   bias                   2      3     0        0      0
 //   generalised_force      1      0     0        0      0
 //   output                24     47     6        0     32
@@ -754,7 +754,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 15, entry (i, j) at J[4*j + i].
-    /// Operations: 97 + or -, 253 *, 14 /, 53 other functions
+    /// Operations: 96 + or -, 255 *, 14 /, 53 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::abs;
         using std::log;
@@ -896,47 +896,48 @@ public:
         const Scalar e121 = power_68 * e120;
         const Scalar e122 = p_2 * inverse_71;
         const Scalar e123 = s_dot * e122;
-        const Scalar e124 = inverse_22 * (c_.k3 * e54 - (c_.k2 * e118 - c_.k4 * e62));
-        const Scalar e125 = inverse_71 * e98;
-        const Scalar e126 = inverse_55 * e15;
-        const Scalar e127 = inverse_71 * e104;
-        const Scalar e128 = inverse_71 * (c_.k3 * e98 + (c_.k4 * e104 + c_.k5 * e123));
-        const Scalar e129 = inverse_71 * e123;
-        const Scalar inverse_root_130 = detail::inverse_root<Scalar>(e42);
-        const Scalar e131 = c_.k17 * e23;
-        const Scalar e132 = c_.k16 * e24;
-        const Scalar sign_133 = detail::sign<Scalar>(e35);
-        const Scalar outflow_factor_slope_134 = detail::outflow_factor_slope<Scalar>(e38, c_.k6);
-        const Scalar e135 = c_.k4 * e23;
-        const Scalar e136 = c_.k3 * e24;
-        const Scalar inverse_root_137 = detail::inverse_root<Scalar>(e80);
-        const Scalar e138 = c_.k17 * e72;
-        const Scalar e139 = c_.k16 * e73;
-        const Scalar sign_140 = detail::sign<Scalar>(e74);
-        const Scalar outflow_factor_slope_141 = detail::outflow_factor_slope<Scalar>(e77, c_.k6);
-        const Scalar e142 = c_.k4 * e72;
-        const Scalar e143 = c_.k3 * e73;
-        const Scalar e144 = -c_.k21;
-        const Scalar power_145 = pow(e18, e144);
-        const Scalar inverse_146 = Scalar(1) / p_.p_r;
-        const Scalar e147 = (e14 - e15) * (inverse_146 * inverse_146);
-        const Scalar e148 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e147;
-        const Scalar e149 = -e147;
-        const Scalar e150 = -inverse_55 * e147;
-        const Scalar power_151 = pow(e67, e144);
-        const Scalar inverse_root_152 = detail::inverse_root<Scalar>(e31);
-        const Scalar sign_153 = detail::sign<Scalar>(e1);
-        const Scalar outflow_factor_slope_154 = detail::outflow_factor_slope<Scalar>(e27, c_.k6);
-        const Scalar inverse_root_155 = detail::inverse_root<Scalar>(e89);
-        const Scalar sign_156 = detail::sign<Scalar>(e3);
-        const Scalar outflow_factor_slope_157 = detail::outflow_factor_slope<Scalar>(e86, c_.k6);
-        const Scalar e158 = e48 * (p_.R_s * e11);
-        const Scalar e159 = inverse_55 * ((Scalar(1) / Scalar(2)) * inverse_55 * e126 - e158);
-        const Scalar e160 = p_.n * e13;
-        const Scalar e161 = p_.alpha_d * e160;
-        const Scalar e162 = inverse_55 * e161;
-        const Scalar e163 = p_.A_v * e160;
-        const Scalar e164 = inverse_55 * e163;
+        const Scalar e124 = inverse_22 * (c_.k3 * e54 + c_.k4 * e62);
+        const Scalar e125 = inverse_22 * e118;
+        const Scalar e126 = inverse_71 * e98;
+        const Scalar e127 = inverse_55 * e15;
+        const Scalar e128 = inverse_71 * e104;
+        const Scalar e129 = inverse_71 * (c_.k3 * e98 + (c_.k4 * e104 + c_.k5 * e123));
+        const Scalar e130 = inverse_71 * e123;
+        const Scalar inverse_root_131 = detail::inverse_root<Scalar>(e42);
+        const Scalar e132 = c_.k17 * e23;
+        const Scalar e133 = c_.k16 * e24;
+        const Scalar sign_134 = detail::sign<Scalar>(e35);
+        const Scalar outflow_factor_slope_135 = detail::outflow_factor_slope<Scalar>(e38, c_.k6);
+        const Scalar e136 = c_.k4 * e23;
+        const Scalar e137 = c_.k3 * e24;
+        const Scalar inverse_root_138 = detail::inverse_root<Scalar>(e80);
+        const Scalar e139 = c_.k17 * e72;
+        const Scalar e140 = c_.k16 * e73;
+        const Scalar sign_141 = detail::sign<Scalar>(e74);
+        const Scalar outflow_factor_slope_142 = detail::outflow_factor_slope<Scalar>(e77, c_.k6);
+        const Scalar e143 = c_.k4 * e72;
+        const Scalar e144 = c_.k3 * e73;
+        const Scalar e145 = -c_.k21;
+        const Scalar power_146 = pow(e18, e145);
+        const Scalar inverse_147 = Scalar(1) / p_.p_r;
+        const Scalar e148 = (e14 - e15) * (inverse_147 * inverse_147);
+        const Scalar e149 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e148;
+        const Scalar e150 = -e148;
+        const Scalar e151 = -inverse_55 * e148;
+        const Scalar power_152 = pow(e67, e145);
+        const Scalar inverse_root_153 = detail::inverse_root<Scalar>(e31);
+        const Scalar sign_154 = detail::sign<Scalar>(e1);
+        const Scalar outflow_factor_slope_155 = detail::outflow_factor_slope<Scalar>(e27, c_.k6);
+        const Scalar inverse_root_156 = detail::inverse_root<Scalar>(e89);
+        const Scalar sign_157 = detail::sign<Scalar>(e3);
+        const Scalar outflow_factor_slope_158 = detail::outflow_factor_slope<Scalar>(e86, c_.k6);
+        const Scalar e159 = e48 * (p_.R_s * e11);
+        const Scalar e160 = inverse_55 * ((Scalar(1) / Scalar(2)) * inverse_55 * e127 - e159);
+        const Scalar e161 = p_.n * e13;
+        const Scalar e162 = p_.alpha_d * e161;
+        const Scalar e163 = inverse_55 * e162;
+        const Scalar e164 = p_.A_v * e161;
+        const Scalar e165 = inverse_55 * e164;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = e17 * e47 - e50 * e54 - e56 * e62 + e64 * e66;
@@ -951,20 +952,20 @@ public:
         J[11] = log_119 * (e111 * e98 + e112 * e104 - e113 * e121) + e14 * e98 + e116 * e104 + p_.A_2 * e123;
         J[12] = Scalar(0);
         J[13] = e2 * c_.k0;
-        J[14] = -p_.n * e118 - s * e124;
+        J[14] = -s * e124 - p_.n * p_.V_d * e125;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = e3 * c_.k0;
         J[18] = Scalar(0);
-        J[19] = p_.n * e123 - p_.l * e15 * e125 - p_.l * e126 * e127 + s * e128 - p_.n * p_.A_2 * p_.l * e129;
+        J[19] = p_.n * e123 - p_.l * e15 * e126 - p_.l * e127 * e128 + s * e129 - p_.n * p_.A_2 * p_.l * e130;
         J[20] = Scalar(0);
         J[21] = Scalar(0);
         J[22] = Scalar(0);
-        J[23] = -c_.k14 * e125 - c_.k15 * e127 - c_.k13 * e129;
+        J[23] = -c_.k14 * e126 - c_.k15 * e128 - c_.k13 * e130;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = -e124;
-        J[27] = -e128;
+        J[26] = c_.k2 * e125 - e124;
+        J[27] = -e129;
         J[28] = Scalar(0);
         J[29] = (-dxdt[1]) * c_.k0;
         J[30] = Scalar(0);
@@ -975,36 +976,36 @@ public:
         J[35] = Scalar(0);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        const Scalar e165 = max_41 * outflow_factor_52 * (inverse_root_130 * (max_p_S + step_59 * e35));
-        const Scalar e166 = (step_59 * e38 - sign_133) * (outflow_factor_slope_134 * inverse_37) * (e60 * e135 + e45 * e136);
-        J[38] = e165 * (step_59 * e131 + step_40 * e132) - e166;
-        const Scalar e167 = max_30 * outflow_factor_95 * (inverse_root_137 * (max_p_S_2 + step_99 * e74));
-        const Scalar e168 = (step_99 * e77 - sign_140) * (outflow_factor_slope_141 * inverse_76) * (e100 * e142 + e83 * e143);
-        J[39] = e167 * (step_99 * e138 + step_79 * e139) - e168;
+        const Scalar e166 = max_41 * outflow_factor_52 * (inverse_root_131 * (max_p_S + step_59 * e35));
+        const Scalar e167 = (step_59 * e38 - sign_134) * (outflow_factor_slope_135 * inverse_37) * (e60 * e136 + e45 * e137);
+        J[38] = e166 * (step_59 * e132 + step_40 * e133) - e167;
+        const Scalar e168 = max_30 * outflow_factor_95 * (inverse_root_138 * (max_p_S_2 + step_99 * e74));
+        const Scalar e169 = (step_99 * e77 - sign_141) * (outflow_factor_slope_142 * inverse_76) * (e100 * e143 + e83 * e144);
+        J[39] = e168 * (step_99 * e139 + step_79 * e140) - e169;
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        J[42] = p_1 * power_145 * e148 * e114 - power_145 * e117 * (inverse_21 * e149 * e53 + e150 * e61);
-        J[43] = p_2 * power_151 * e148 * e120 - power_151 * e122 * (inverse_70 * e149 * e97 + e150 * e103);
+        J[42] = p_1 * power_146 * e149 * e114 - power_146 * e117 * (inverse_21 * e150 * e53 + e151 * e61);
+        J[43] = p_2 * power_152 * e149 * e120 - power_152 * e122 * (inverse_70 * e150 * e97 + e151 * e103);
         J[44] = Scalar(0);
         J[45] = (-(p_.A_1 - p_.A_2)) * c_.k0;
-        const Scalar e169 = max_30 * outflow_factor_51 * (inverse_root_152 * (max_p_0 + step_57 * e1));
-        const Scalar e170 = (step_57 * e27 - sign_153) * (outflow_factor_slope_154 * inverse_26) * (e58 * e135 + e34 * e136);
-        J[46] = e169 * (step_57 * e131 + step_29 * e132) - e170;
-        const Scalar e171 = max_41 * outflow_factor_96 * (inverse_root_155 * (max_p_0_2 + step_101 * e3));
-        const Scalar e172 = (step_101 * e86 - sign_156) * (outflow_factor_slope_157 * inverse_85) * (e102 * e142 + e92 * e143);
-        J[47] = e171 * (step_101 * e138 + step_88 * e139) - e172;
+        const Scalar e170 = max_30 * outflow_factor_51 * (inverse_root_153 * (max_p_0 + step_57 * e1));
+        const Scalar e171 = (step_57 * e27 - sign_154) * (outflow_factor_slope_155 * inverse_26) * (e58 * e136 + e34 * e137);
+        J[46] = e170 * (step_57 * e132 + step_29 * e133) - e171;
+        const Scalar e172 = max_41 * outflow_factor_96 * (inverse_root_156 * (max_p_0_2 + step_101 * e3));
+        const Scalar e173 = (step_101 * e86 - sign_157) * (outflow_factor_slope_158 * inverse_85) * (e102 * e143 + e92 * e144);
+        J[47] = e172 * (step_101 * e139 + step_88 * e140) - e173;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = e158 * e54 - e159 * e62 - c_.k16 * e115;
-        J[51] = e158 * e98 - e159 * e104 - c_.k16 * e121;
+        J[50] = e159 * e54 - e160 * e62 - c_.k16 * e115;
+        J[51] = e159 * e98 - e160 * e104 - c_.k16 * e121;
         J[52] = Scalar(0);
         J[53] = Scalar(0);
-        J[54] = e161 * e54 + e162 * e62;
-        J[55] = e161 * e98 + e162 * e104;
+        J[54] = e162 * e54 + e163 * e62;
+        J[55] = e162 * e98 + e163 * e104;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
-        J[58] = e163 * e54 + e164 * e62;
-        J[59] = e163 * e98 + e164 * e104;
+        J[58] = e164 * e54 + e165 * e62;
+        J[59] = e164 * e98 + e165 * e104;
     }
 
     /// J = df/dt at fixed x and u.

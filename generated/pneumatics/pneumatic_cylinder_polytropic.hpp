@@ -24,7 +24,7 @@
 //   rhs                   24     54     8        0     31
 //   rhs_and_jacobian      62    161     8        0     45
 //   jacobian_u            17     43     8        0     30
-//   jacobian_p            99    261    15        0     54
+//   jacobian_p            96    260    15        0     54
 //   bias                   3      5     0        0      1
 //   generalised_force      1      0     0        0      0
 //   output                24     47     6        0     32
@@ -768,7 +768,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 17, entry (i, j) at J[4*j + i].
-    /// Operations: 99 + or -, 261 *, 15 /, 54 other functions
+    /// Operations: 96 + or -, 260 *, 15 /, 54 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::abs;
         using std::log;
@@ -913,47 +913,49 @@ public:
         const Scalar e123 = power_70 * e122;
         const Scalar e124 = p_2 * inverse_73;
         const Scalar e125 = s_dot * e124;
-        const Scalar e126 = inverse_24 * (c_.k3 * e56 - (c_.k2 * e120 - c_.k4 * e64));
-        const Scalar e127 = inverse_73 * e100;
-        const Scalar e128 = inverse_57 * e17;
-        const Scalar e129 = inverse_73 * e106;
-        const Scalar e130 = inverse_73 * (c_.k3 * e100 + (c_.k4 * e106 + c_.k5 * e125));
-        const Scalar e131 = inverse_73 * e125;
-        const Scalar inverse_root_132 = detail::inverse_root<Scalar>(e44);
-        const Scalar e133 = c_.k20 * e25;
-        const Scalar e134 = c_.k19 * e26;
-        const Scalar sign_135 = detail::sign<Scalar>(e37);
-        const Scalar outflow_factor_slope_136 = detail::outflow_factor_slope<Scalar>(e40, c_.k6);
-        const Scalar e137 = c_.k4 * e25;
-        const Scalar e138 = c_.k3 * e26;
-        const Scalar inverse_root_139 = detail::inverse_root<Scalar>(e82);
-        const Scalar e140 = c_.k20 * e74;
-        const Scalar e141 = c_.k19 * e75;
-        const Scalar sign_142 = detail::sign<Scalar>(e76);
-        const Scalar outflow_factor_slope_143 = detail::outflow_factor_slope<Scalar>(e79, c_.k6);
-        const Scalar e144 = c_.k4 * e74;
-        const Scalar e145 = c_.k3 * e75;
-        const Scalar e146 = -c_.k24;
-        const Scalar power_147 = pow(e20, e146);
-        const Scalar inverse_148 = Scalar(1) / p_.p_r;
-        const Scalar e149 = (e16 - e17) * (inverse_148 * inverse_148);
-        const Scalar e150 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e149;
-        const Scalar e151 = -e149;
-        const Scalar e152 = -inverse_57 * e149;
-        const Scalar power_153 = pow(e69, e146);
-        const Scalar inverse_root_154 = detail::inverse_root<Scalar>(e33);
-        const Scalar sign_155 = detail::sign<Scalar>(e1);
-        const Scalar outflow_factor_slope_156 = detail::outflow_factor_slope<Scalar>(e29, c_.k6);
-        const Scalar inverse_root_157 = detail::inverse_root<Scalar>(e91);
-        const Scalar sign_158 = detail::sign<Scalar>(e3);
-        const Scalar outflow_factor_slope_159 = detail::outflow_factor_slope<Scalar>(e88, c_.k6);
-        const Scalar e160 = e50 * (p_.R_s * e13);
-        const Scalar e161 = inverse_57 * ((Scalar(1) / Scalar(2)) * inverse_57 * e128 - e160);
-        const Scalar e162 = p_.n * e15;
-        const Scalar e163 = p_.alpha_d * e162;
-        const Scalar e164 = inverse_57 * e163;
-        const Scalar e165 = p_.A_v * e162;
+        const Scalar e126 = inverse_24 * (c_.k3 * e56 + c_.k4 * e64);
+        const Scalar e127 = p_.n * p_.V_d;
+        const Scalar e128 = inverse_24 * e120;
+        const Scalar e129 = inverse_73 * e125;
+        const Scalar e130 = inverse_73 * e100;
+        const Scalar e131 = inverse_57 * e17;
+        const Scalar e132 = inverse_73 * e106;
+        const Scalar e133 = inverse_73 * (c_.k3 * e100 + c_.k4 * e106);
+        const Scalar inverse_root_134 = detail::inverse_root<Scalar>(e44);
+        const Scalar e135 = c_.k20 * e25;
+        const Scalar e136 = c_.k19 * e26;
+        const Scalar sign_137 = detail::sign<Scalar>(e37);
+        const Scalar outflow_factor_slope_138 = detail::outflow_factor_slope<Scalar>(e40, c_.k6);
+        const Scalar e139 = c_.k4 * e25;
+        const Scalar e140 = c_.k3 * e26;
+        const Scalar inverse_root_141 = detail::inverse_root<Scalar>(e82);
+        const Scalar e142 = c_.k20 * e74;
+        const Scalar e143 = c_.k19 * e75;
+        const Scalar sign_144 = detail::sign<Scalar>(e76);
+        const Scalar outflow_factor_slope_145 = detail::outflow_factor_slope<Scalar>(e79, c_.k6);
+        const Scalar e146 = c_.k4 * e74;
+        const Scalar e147 = c_.k3 * e75;
+        const Scalar e148 = -c_.k24;
+        const Scalar power_149 = pow(e20, e148);
+        const Scalar inverse_150 = Scalar(1) / p_.p_r;
+        const Scalar e151 = (e16 - e17) * (inverse_150 * inverse_150);
+        const Scalar e152 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e151;
+        const Scalar e153 = -e151;
+        const Scalar e154 = -inverse_57 * e151;
+        const Scalar power_155 = pow(e69, e148);
+        const Scalar inverse_root_156 = detail::inverse_root<Scalar>(e33);
+        const Scalar sign_157 = detail::sign<Scalar>(e1);
+        const Scalar outflow_factor_slope_158 = detail::outflow_factor_slope<Scalar>(e29, c_.k6);
+        const Scalar inverse_root_159 = detail::inverse_root<Scalar>(e91);
+        const Scalar sign_160 = detail::sign<Scalar>(e3);
+        const Scalar outflow_factor_slope_161 = detail::outflow_factor_slope<Scalar>(e88, c_.k6);
+        const Scalar e162 = e50 * (p_.R_s * e13);
+        const Scalar e163 = inverse_57 * ((Scalar(1) / Scalar(2)) * inverse_57 * e131 - e162);
+        const Scalar e164 = p_.n * e15;
+        const Scalar e165 = p_.alpha_d * e164;
         const Scalar e166 = inverse_57 * e165;
+        const Scalar e167 = p_.A_v * e164;
+        const Scalar e168 = inverse_57 * e167;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = e19 * e49 - e52 * e56 - e58 * e64 + e66 * e68;
@@ -968,20 +970,20 @@ public:
         J[11] = log_121 * (e113 * e100 + e114 * e106 - e115 * e123) + e16 * e100 + e118 * e106 + p_.A_2 * e125;
         J[12] = Scalar(0);
         J[13] = e2 * c_.k0;
-        J[14] = -p_.n * e120 - s * e126;
+        J[14] = -s * e126 - e127 * e128;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = e3 * c_.k0;
         J[18] = Scalar(0);
-        J[19] = p_.n * e125 - p_.l * e17 * e127 - p_.l * e128 * e129 + s * e130 - p_.n * p_.A_2 * p_.l * e131;
+        J[19] = e127 * e129 - p_.l * e17 * e130 - p_.l * e131 * e132 + s * e133;
         J[20] = Scalar(0);
         J[21] = Scalar(0);
         J[22] = Scalar(0);
-        J[23] = -c_.k17 * e127 - c_.k18 * e129 - c_.k16 * e131;
+        J[23] = -c_.k16 * e129 - c_.k17 * e130 - c_.k18 * e132;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = -e126;
-        J[27] = -e130;
+        J[26] = c_.k2 * e128 - e126;
+        J[27] = -c_.k5 * e129 - e133;
         J[28] = Scalar(0);
         J[29] = (-dxdt[1]) * c_.k0;
         J[30] = Scalar(0);
@@ -995,42 +997,42 @@ public:
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
-        const Scalar e167 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
-        J[41] = e167 * c_.k0;
+        const Scalar e169 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
+        J[41] = e169 * c_.k0;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = Scalar(0);
         J[45] = Scalar(0);
-        const Scalar e168 = max_43 * outflow_factor_54 * (inverse_root_132 * (max_p_S + step_61 * e37));
-        const Scalar e169 = (step_61 * e40 - sign_135) * (outflow_factor_slope_136 * inverse_39) * (e62 * e137 + e47 * e138);
-        J[46] = e168 * (step_61 * e133 + step_42 * e134) - e169;
-        const Scalar e170 = max_32 * outflow_factor_97 * (inverse_root_139 * (max_p_S_2 + step_101 * e76));
-        const Scalar e171 = (step_101 * e79 - sign_142) * (outflow_factor_slope_143 * inverse_78) * (e102 * e144 + e85 * e145);
-        J[47] = e170 * (step_101 * e140 + step_81 * e141) - e171;
+        const Scalar e170 = max_43 * outflow_factor_54 * (inverse_root_134 * (max_p_S + step_61 * e37));
+        const Scalar e171 = (step_61 * e40 - sign_137) * (outflow_factor_slope_138 * inverse_39) * (e62 * e139 + e47 * e140);
+        J[46] = e170 * (step_61 * e135 + step_42 * e136) - e171;
+        const Scalar e172 = max_32 * outflow_factor_97 * (inverse_root_141 * (max_p_S_2 + step_101 * e76));
+        const Scalar e173 = (step_101 * e79 - sign_144) * (outflow_factor_slope_145 * inverse_78) * (e102 * e146 + e85 * e147);
+        J[47] = e172 * (step_101 * e142 + step_81 * e143) - e173;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = p_1 * power_147 * e150 * e116 - power_147 * e119 * (inverse_23 * e151 * e55 + e152 * e63);
-        J[51] = p_2 * power_153 * e150 * e122 - power_153 * e124 * (inverse_72 * e151 * e99 + e152 * e105);
+        J[50] = p_1 * power_149 * e152 * e116 - power_149 * e119 * (inverse_23 * e153 * e55 + e154 * e63);
+        J[51] = p_2 * power_155 * e152 * e122 - power_155 * e124 * (inverse_72 * e153 * e99 + e154 * e105);
         J[52] = Scalar(0);
         J[53] = (-(p_.A_1 - p_.A_2)) * c_.k0;
-        const Scalar e172 = max_32 * outflow_factor_53 * (inverse_root_154 * (max_p_0 + step_59 * e1));
-        const Scalar e173 = (step_59 * e29 - sign_155) * (outflow_factor_slope_156 * inverse_28) * (e60 * e137 + e36 * e138);
-        J[54] = e172 * (step_59 * e133 + step_31 * e134) - e173;
-        const Scalar e174 = max_43 * outflow_factor_98 * (inverse_root_157 * (max_p_0_2 + step_103 * e3));
-        const Scalar e175 = (step_103 * e88 - sign_158) * (outflow_factor_slope_159 * inverse_87) * (e104 * e144 + e94 * e145);
-        J[55] = e174 * (step_103 * e140 + step_90 * e141) - e175;
+        const Scalar e174 = max_32 * outflow_factor_53 * (inverse_root_156 * (max_p_0 + step_59 * e1));
+        const Scalar e175 = (step_59 * e29 - sign_157) * (outflow_factor_slope_158 * inverse_28) * (e60 * e139 + e36 * e140);
+        J[54] = e174 * (step_59 * e135 + step_31 * e136) - e175;
+        const Scalar e176 = max_43 * outflow_factor_98 * (inverse_root_159 * (max_p_0_2 + step_103 * e3));
+        const Scalar e177 = (step_103 * e88 - sign_160) * (outflow_factor_slope_161 * inverse_87) * (e104 * e146 + e94 * e147);
+        J[55] = e176 * (step_103 * e142 + step_90 * e143) - e177;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
-        J[58] = e160 * e56 - e161 * e64 - c_.k19 * e117;
-        J[59] = e160 * e100 - e161 * e106 - c_.k19 * e123;
+        J[58] = e162 * e56 - e163 * e64 - c_.k19 * e117;
+        J[59] = e162 * e100 - e163 * e106 - c_.k19 * e123;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = e163 * e56 + e164 * e64;
-        J[63] = e163 * e100 + e164 * e106;
+        J[62] = e165 * e56 + e166 * e64;
+        J[63] = e165 * e100 + e166 * e106;
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = e165 * e56 + e166 * e64;
-        J[67] = e165 * e100 + e166 * e106;
+        J[66] = e167 * e56 + e168 * e64;
+        J[67] = e167 * e100 + e168 * e106;
     }
 
     /// J = df/dt at fixed x and u.

@@ -23,7 +23,7 @@
 //   rhs                   28     62     8        0     35
 //   rhs_and_jacobian      70    183    12        0     49
 //   jacobian_u            21     51     8        0     34
-//   jacobian_p           113    321    19        0     58
+//   jacobian_p           110    320    19        0     58
 //   bias                   3      5     0        0      1
 //   generalised_force      1      0     0        0      0
 //   output                28     55     6        0     36
@@ -781,7 +781,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 18, entry (i, j) at J[4*j + i].
-    /// Operations: 113 + or -, 321 *, 19 /, 58 other functions
+    /// Operations: 110 + or -, 320 *, 19 /, 58 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::abs;
         using std::log;
@@ -936,54 +936,56 @@ public:
         const Scalar e132 = power_74 * e131;
         const Scalar e133 = p_2 * inverse_77;
         const Scalar e134 = s_dot * e133;
-        const Scalar e135 = inverse_22 * (c_.k3 * e61 - (c_.k2 * e129 - c_.k4 * e69));
-        const Scalar e136 = inverse_77 * e111;
-        const Scalar e137 = inverse_77 * e117;
-        const Scalar e138 = inverse_77 * (c_.k3 * e111 + (c_.k4 * e117 + c_.k5 * e134));
-        const Scalar e139 = inverse_77 * e134;
-        const Scalar power_140 = pow(e44, -Scalar(5) / Scalar(4));
-        const Scalar e141 = c_.k22 * e23;
-        const Scalar e142 = c_.k21 * e24;
-        const Scalar outflow_factor_slope_143 = detail::outflow_factor_slope<Scalar>(e42, c_.k6);
-        const Scalar e144 = c_.k3 * inverse_21;
-        const Scalar e145 = e23 * (c_.k4 * step_66 + step_39 * e144);
-        const Scalar sign_146 = detail::sign<Scalar>(e38);
-        const Scalar power_147 = pow(e86, -Scalar(5) / Scalar(4));
-        const Scalar e148 = c_.k22 * e78;
-        const Scalar e149 = c_.k21 * e79;
-        const Scalar outflow_factor_slope_150 = detail::outflow_factor_slope<Scalar>(e84, c_.k6);
-        const Scalar e151 = c_.k3 * inverse_76;
-        const Scalar e152 = e78 * (c_.k4 * step_112 + step_81 * e151);
-        const Scalar sign_153 = detail::sign<Scalar>(e80);
-        const Scalar e154 = -c_.k25;
-        const Scalar power_155 = pow(e18, e154);
-        const Scalar inverse_156 = Scalar(1) / p_.p_r;
-        const Scalar e157 = (e12 - e13) * (inverse_156 * inverse_156);
-        const Scalar e158 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e157;
-        const Scalar e159 = -e157;
-        const Scalar e160 = -inverse_62 * e157;
-        const Scalar power_161 = pow(e73, e154);
-        const Scalar power_162 = pow(e30, -Scalar(5) / Scalar(4));
-        const Scalar outflow_factor_slope_163 = detail::outflow_factor_slope<Scalar>(e28, c_.k6);
-        const Scalar e164 = e23 * (c_.k4 * step_64 + step_25 * e144);
-        const Scalar sign_165 = detail::sign<Scalar>(e1);
-        const Scalar power_166 = pow(e98, -Scalar(5) / Scalar(4));
-        const Scalar outflow_factor_slope_167 = detail::outflow_factor_slope<Scalar>(e96, c_.k6);
-        const Scalar e168 = e78 * (c_.k4 * step_114 + step_93 * e151);
-        const Scalar sign_169 = detail::sign<Scalar>(e3);
-        const Scalar e170 = e53 * (p_.R_s * e9);
-        const Scalar e171 = inverse_62 * ((Scalar(1) / Scalar(2)) * inverse_62 * e70 - e170);
-        const Scalar e172 = p_.n * e11;
-        const Scalar e173 = p_.alpha_d * e172;
-        const Scalar e174 = inverse_62 * e173;
-        const Scalar e175 = p_.A_v * e172;
+        const Scalar e135 = inverse_22 * (c_.k3 * e61 + c_.k4 * e69);
+        const Scalar e136 = p_.n * p_.V_d;
+        const Scalar e137 = inverse_22 * e129;
+        const Scalar e138 = inverse_77 * e134;
+        const Scalar e139 = inverse_77 * e111;
+        const Scalar e140 = inverse_77 * e117;
+        const Scalar e141 = inverse_77 * (c_.k3 * e111 + c_.k4 * e117);
+        const Scalar power_142 = pow(e44, -Scalar(5) / Scalar(4));
+        const Scalar e143 = c_.k22 * e23;
+        const Scalar e144 = c_.k21 * e24;
+        const Scalar outflow_factor_slope_145 = detail::outflow_factor_slope<Scalar>(e42, c_.k6);
+        const Scalar e146 = c_.k3 * inverse_21;
+        const Scalar e147 = e23 * (c_.k4 * step_66 + step_39 * e146);
+        const Scalar sign_148 = detail::sign<Scalar>(e38);
+        const Scalar power_149 = pow(e86, -Scalar(5) / Scalar(4));
+        const Scalar e150 = c_.k22 * e78;
+        const Scalar e151 = c_.k21 * e79;
+        const Scalar outflow_factor_slope_152 = detail::outflow_factor_slope<Scalar>(e84, c_.k6);
+        const Scalar e153 = c_.k3 * inverse_76;
+        const Scalar e154 = e78 * (c_.k4 * step_112 + step_81 * e153);
+        const Scalar sign_155 = detail::sign<Scalar>(e80);
+        const Scalar e156 = -c_.k25;
+        const Scalar power_157 = pow(e18, e156);
+        const Scalar inverse_158 = Scalar(1) / p_.p_r;
+        const Scalar e159 = (e12 - e13) * (inverse_158 * inverse_158);
+        const Scalar e160 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e159;
+        const Scalar e161 = -e159;
+        const Scalar e162 = -inverse_62 * e159;
+        const Scalar power_163 = pow(e73, e156);
+        const Scalar power_164 = pow(e30, -Scalar(5) / Scalar(4));
+        const Scalar outflow_factor_slope_165 = detail::outflow_factor_slope<Scalar>(e28, c_.k6);
+        const Scalar e166 = e23 * (c_.k4 * step_64 + step_25 * e146);
+        const Scalar sign_167 = detail::sign<Scalar>(e1);
+        const Scalar power_168 = pow(e98, -Scalar(5) / Scalar(4));
+        const Scalar outflow_factor_slope_169 = detail::outflow_factor_slope<Scalar>(e96, c_.k6);
+        const Scalar e170 = e78 * (c_.k4 * step_114 + step_93 * e153);
+        const Scalar sign_171 = detail::sign<Scalar>(e3);
+        const Scalar e172 = e53 * (p_.R_s * e9);
+        const Scalar e173 = inverse_62 * ((Scalar(1) / Scalar(2)) * inverse_62 * e70 - e172);
+        const Scalar e174 = p_.n * e11;
+        const Scalar e175 = p_.alpha_d * e174;
         const Scalar e176 = inverse_62 * e175;
-        const Scalar e177 = (Scalar(1) / Scalar(2)) * p_.width * e70;
-        const Scalar e178 = power_162 * e35;
-        const Scalar e179 = power_140 * e49;
-        const Scalar e180 = (Scalar(1) / Scalar(2)) * p_.width * e13;
-        const Scalar e181 = power_147 * e90;
-        const Scalar e182 = power_166 * e102;
+        const Scalar e177 = p_.A_v * e174;
+        const Scalar e178 = inverse_62 * e177;
+        const Scalar e179 = (Scalar(1) / Scalar(2)) * p_.width * e70;
+        const Scalar e180 = power_164 * e35;
+        const Scalar e181 = power_142 * e49;
+        const Scalar e182 = (Scalar(1) / Scalar(2)) * p_.width * e13;
+        const Scalar e183 = power_149 * e90;
+        const Scalar e184 = power_168 * e102;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = e17 * e52 - e55 * e61 - e63 * e69 + e71 * e72;
@@ -998,20 +1000,20 @@ public:
         J[11] = log_130 * (e122 * e111 + e123 * e117 - e124 * e132) + e12 * e111 + e127 * e117 + p_.A_2 * e134;
         J[12] = Scalar(0);
         J[13] = e2 * c_.k0;
-        J[14] = -p_.n * e129 - s * e135;
+        J[14] = -s * e135 - e136 * e137;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = e3 * c_.k0;
         J[18] = Scalar(0);
-        J[19] = p_.n * e134 - p_.l * e13 * e136 - p_.l * e70 * e137 + s * e138 - p_.n * p_.A_2 * p_.l * e139;
+        J[19] = e136 * e138 - p_.l * e13 * e139 - p_.l * e70 * e140 + s * e141;
         J[20] = Scalar(0);
         J[21] = Scalar(0);
         J[22] = Scalar(0);
-        J[23] = -c_.k18 * e136 - c_.k19 * e137 - c_.k17 * e139;
+        J[23] = -c_.k17 * e138 - c_.k18 * e139 - c_.k19 * e140;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = -e135;
-        J[27] = -e138;
+        J[26] = c_.k2 * e137 - e135;
+        J[27] = -c_.k5 * e138 - e141;
         J[28] = Scalar(0);
         J[29] = (-dxdt[1]) * c_.k0;
         J[30] = Scalar(0);
@@ -1025,46 +1027,46 @@ public:
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
-        const Scalar e183 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
-        J[41] = e183 * c_.k0;
+        const Scalar e185 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
+        J[41] = e185 * c_.k0;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = Scalar(0);
         J[45] = Scalar(0);
-        const Scalar e184 = (step_66 * power_45 / sqrt_46 - e38 * power_140 * sqrt_46) * e48 * (e67 * e141 + e59 * e142);
-        const Scalar e185 = outflow_factor_slope_143 * inverse_41 * (e50 * e145) * (sign_146 - step_66 * e42);
-        J[46] = e184 + e185 + max_47 * power_45 * sqrt_46 * outflow_factor_58 * e145;
-        const Scalar e186 = (step_112 * power_87 / sqrt_88 - e80 * power_147 * sqrt_88) * e89 * (e113 * e148 + e107 * e149);
-        const Scalar e187 = outflow_factor_slope_150 * inverse_83 * (e91 * e152) * (sign_153 - step_112 * e84);
-        J[47] = e186 + e187 + max_33 * power_87 * sqrt_88 * outflow_factor_106 * e152;
+        const Scalar e186 = (step_66 * power_45 / sqrt_46 - e38 * power_142 * sqrt_46) * e48 * (e67 * e143 + e59 * e144);
+        const Scalar e187 = outflow_factor_slope_145 * inverse_41 * (e50 * e147) * (sign_148 - step_66 * e42);
+        J[46] = e186 + e187 + max_47 * power_45 * sqrt_46 * outflow_factor_58 * e147;
+        const Scalar e188 = (step_112 * power_87 / sqrt_88 - e80 * power_149 * sqrt_88) * e89 * (e113 * e150 + e107 * e151);
+        const Scalar e189 = outflow_factor_slope_152 * inverse_83 * (e91 * e154) * (sign_155 - step_112 * e84);
+        J[47] = e188 + e189 + max_33 * power_87 * sqrt_88 * outflow_factor_106 * e154;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = p_1 * power_155 * e158 * e125 - power_155 * e128 * (inverse_21 * e159 * e60 + e160 * e68);
-        J[51] = p_2 * power_161 * e158 * e131 - power_161 * e133 * (inverse_76 * e159 * e110 + e160 * e116);
+        J[50] = p_1 * power_157 * e160 * e125 - power_157 * e128 * (inverse_21 * e161 * e60 + e162 * e68);
+        J[51] = p_2 * power_163 * e160 * e131 - power_163 * e133 * (inverse_76 * e161 * e110 + e162 * e116);
         J[52] = Scalar(0);
         J[53] = (-(p_.A_1 - p_.A_2)) * c_.k0;
-        const Scalar e188 = (step_64 * power_31 / sqrt_32 - e1 * power_162 * sqrt_32) * e34 * (e65 * e141 + e57 * e142);
-        const Scalar e189 = outflow_factor_slope_163 * inverse_27 * (e36 * e164) * (sign_165 - step_64 * e28);
-        J[54] = e188 + e189 + max_33 * power_31 * sqrt_32 * outflow_factor_56 * e164;
-        const Scalar e190 = (step_114 * power_99 / sqrt_100 - e3 * power_166 * sqrt_100) * e101 * (e115 * e148 + e109 * e149);
-        const Scalar e191 = outflow_factor_slope_167 * inverse_95 * (e103 * e168) * (sign_169 - step_114 * e96);
-        J[55] = e190 + e191 + max_47 * power_99 * sqrt_100 * outflow_factor_108 * e168;
+        const Scalar e190 = (step_64 * power_31 / sqrt_32 - e1 * power_164 * sqrt_32) * e34 * (e65 * e143 + e57 * e144);
+        const Scalar e191 = outflow_factor_slope_165 * inverse_27 * (e36 * e166) * (sign_167 - step_64 * e28);
+        J[54] = e190 + e191 + max_33 * power_31 * sqrt_32 * outflow_factor_56 * e166;
+        const Scalar e192 = (step_114 * power_99 / sqrt_100 - e3 * power_168 * sqrt_100) * e101 * (e115 * e150 + e109 * e151);
+        const Scalar e193 = outflow_factor_slope_169 * inverse_95 * (e103 * e170) * (sign_171 - step_114 * e96);
+        J[55] = e192 + e193 + max_47 * power_99 * sqrt_100 * outflow_factor_108 * e170;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
-        J[58] = e170 * e61 - e171 * e69 - c_.k21 * e126;
-        J[59] = e170 * e111 - e171 * e117 - c_.k21 * e132;
+        J[58] = e172 * e61 - e173 * e69 - c_.k21 * e126;
+        J[59] = e172 * e111 - e173 * e117 - c_.k21 * e132;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = e173 * e61 + e174 * e69;
-        J[63] = e173 * e111 + e174 * e117;
+        J[62] = e175 * e61 + e176 * e69;
+        J[63] = e175 * e111 + e176 * e117;
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = e175 * e61 + e176 * e69;
-        J[67] = e175 * e111 + e176 * e117;
+        J[66] = e177 * e61 + e178 * e69;
+        J[67] = e177 * e111 + e178 * e117;
         J[68] = Scalar(0);
         J[69] = Scalar(0);
-        J[70] = -e177 * e23 * (e65 * e178 + e67 * e179) - e180 * e24 * (e57 * e178 + e59 * e179);
-        J[71] = -e177 * e78 * (e113 * e181 + e115 * e182) - e180 * e79 * (e107 * e181 + e109 * e182);
+        J[70] = -e179 * e23 * (e65 * e180 + e67 * e181) - e182 * e24 * (e57 * e180 + e59 * e181);
+        J[71] = -e179 * e78 * (e113 * e183 + e115 * e184) - e182 * e79 * (e107 * e183 + e109 * e184);
     }
 
     /// J = df/dt at fixed x and u.

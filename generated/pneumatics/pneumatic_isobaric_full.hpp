@@ -20,7 +20,7 @@
 //   rhs                    0      6     2        0      0
 //   rhs_and_jacobian       2      8     2        0      0
 //   jacobian_u             0      4     2        0      0
-//   jacobian_p            20     38     7        0      0
+//   jacobian_p            19     37     7        0      0
 //   output                 0      2     1        0      0
 //   output_jacobian_x      1      2     1        0      0
 //   internal_energy        2      7     1        0      0
@@ -285,57 +285,55 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 8, entry (i, j) at J[4*j + i].
-    /// Operations: 20 + or -, 38 *, 7 /
+    /// Operations: 19 + or -, 37 *, 7 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar Q_value = u[0];
         const Scalar inverse_1 = Scalar(1) / (p_.R_s + p_.c_v);
         const Scalar inverse_2 = Scalar(1) / p_.A;
-        const Scalar e3 = p_.m_K * inverse_2;
-        const Scalar inverse_4 = Scalar(1) / (p_.p_0 + p_.g * e3);
-        const Scalar e5 = inverse_4 * (inverse_2 * inverse_1);
-        const Scalar e6 = p_.R_s * e5;
-        const Scalar e7 = inverse_1 * e6;
-        const Scalar e8 = e7 - e5;
+        const Scalar inverse_3 = Scalar(1) / (p_.m_K * p_.g * inverse_2 + p_.p_0);
+        const Scalar e4 = inverse_3 * (inverse_2 * inverse_1);
+        const Scalar e5 = p_.R_s * e4;
+        const Scalar e6 = inverse_1 * e5;
+        const Scalar e7 = e6 - e4;
         const Scalar h = x[0];
         const Scalar T = x[1];
-        const Scalar e9 = Q_value * T / h;
-        const Scalar inverse_10 = Scalar(1) / p_.c_v;
-        const Scalar inverse_11 = Scalar(1) / p_.V;
-        const Scalar e12 = inverse_10 * inverse_11;
+        const Scalar e8 = Q_value * T / h;
+        const Scalar inverse_9 = Scalar(1) / p_.c_v;
+        const Scalar inverse_10 = Scalar(1) / p_.V;
+        const Scalar e11 = inverse_9 * inverse_10;
         const Scalar p_V = x[2];
         const Scalar T_V = x[3];
-        const Scalar e13 = Q_value * T_V / p_V;
-        const Scalar e14 = p_.R_s * e12;
-        const Scalar e15 = inverse_10 * e14;
-        const Scalar e16 = inverse_2 * e6;
-        const Scalar e17 = inverse_4 * e16;
-        const Scalar e18 = p_.g * e17;
-        const Scalar e19 = e16 - e3 * e18;
-        const Scalar e20 = p_.m_K * e17;
-        const Scalar e21 = inverse_4 * e6;
-        const Scalar e22 = inverse_11 * e14;
-        J[0] = -Q_value * e8;
-        J[1] = -e8 * e9;
-        J[2] = Q_value * e12;
-        J[3] = e12 * e13;
-        J[4] = -Q_value * e7;
-        J[5] = -e7 * e9;
-        J[6] = -Q_value * e15;
-        J[7] = -e15 * e13;
-        J[8] = -Q_value * e19;
-        J[9] = -e19 * e9;
+        const Scalar e12 = Q_value * T_V / p_V;
+        const Scalar e13 = p_.R_s * e11;
+        const Scalar e14 = inverse_9 * e13;
+        const Scalar e15 = inverse_3 * e5;
+        const Scalar e16 = inverse_2 * e15;
+        const Scalar e17 = p_.p_0 * e16;
+        const Scalar e18 = p_.g * e16;
+        const Scalar e19 = p_.m_K * e16;
+        const Scalar e20 = inverse_10 * e13;
+        J[0] = -Q_value * e7;
+        J[1] = -e7 * e8;
+        J[2] = Q_value * e11;
+        J[3] = e11 * e12;
+        J[4] = -Q_value * e6;
+        J[5] = -e6 * e8;
+        J[6] = -Q_value * e14;
+        J[7] = -e14 * e12;
+        J[8] = -Q_value * e17;
+        J[9] = -e17 * e8;
         J[10] = Scalar(0);
         J[11] = Scalar(0);
         J[12] = -Q_value * e18;
-        J[13] = -e18 * e9;
+        J[13] = -e18 * e8;
         J[14] = Scalar(0);
         J[15] = Scalar(0);
-        J[16] = -Q_value * e20;
-        J[17] = -e20 * e9;
+        J[16] = -Q_value * e19;
+        J[17] = -e19 * e8;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
-        J[20] = -Q_value * e21;
-        J[21] = -e21 * e9;
+        J[20] = -Q_value * e15;
+        J[21] = -e15 * e8;
         J[22] = Scalar(0);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
@@ -344,8 +342,8 @@ public:
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = -Q_value * e22;
-        J[31] = -e22 * e13;
+        J[30] = -Q_value * e20;
+        J[31] = -e20 * e12;
     }
 
     /// J = df/dt at fixed x and u.

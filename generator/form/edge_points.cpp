@@ -20,6 +20,18 @@ std::uint64_t next_word(std::uint64_t& state) {
     return z ^ (z >> 31U);
 }
 
+// In place of log2 and exp2, whose last bit is not the same in every library: exact at powers of two, straight between them.
+double steps_of_two(double size) {
+    int exponent = 0;
+    const double mantissa = std::frexp(size, &exponent);
+    return exponent - 1 + (2 * mantissa - 1);
+}
+
+double power_of_two(double steps) {
+    const double whole = std::floor(steps);
+    return std::ldexp(1 + (steps - whole), static_cast<int>(whole));
+}
+
 }  // namespace
 
 Rational exact(double value) {
@@ -31,12 +43,12 @@ Rational exact(double value) {
 }
 
 const Arithmetic& float_arithmetic() {
-    static constexpr Arithmetic arithmetic{"float", 24, -149, std::numeric_limits<float>::max(), 6};
+    static constexpr Arithmetic arithmetic{"float", 24, -149, std::numeric_limits<float>::max(), 20};
     return arithmetic;
 }
 
 const Arithmetic& double_arithmetic() {
-    static constexpr Arithmetic arithmetic{"double", 53, -1074, std::numeric_limits<double>::max(), 14};
+    static constexpr Arithmetic arithmetic{"double", 53, -1074, std::numeric_limits<double>::max(), 47};
     return arithmetic;
 }
 
@@ -96,14 +108,14 @@ double EdgePoints::uniform(const Range& range) {
 }
 
 double EdgePoints::small(double scale) {
-    const double size = scale * std::pow(10.0, -fraction() * arithmetic_.decades);
+    const double size = scale * power_of_two(-fraction() * arithmetic_.halvings);
     return chance() ? size : -size;
 }
 
 double EdgePoints::tiny_to_huge(const Range& range) {
     // Of ranges that do not reach zero, the decades that they have.
     const double least = std::min(std::fabs(range.low), std::fabs(range.high));
-    if (!range.may_be_zero()) return within(range, std::copysign(least * std::pow(range.scale() / least, fraction()), range.low));
+    if (!range.may_be_zero()) return within(range, std::copysign(least * power_of_two(fraction() * steps_of_two(range.scale() / least)), range.low));
     const double value = small(range.scale());
     return within(range, range.holds(value) ? value : -value);
 }

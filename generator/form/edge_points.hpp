@@ -16,7 +16,7 @@ struct Arithmetic {
     int digits;        ///< binary ones of a number
     int least;         ///< the exponent of its smallest number above zero
     double largest;
-    int decades;       ///< below the ends of ranges that are tried: products of a few such numbers are still numbers
+    int halvings;      ///< how far below the ends of ranges is tried: products of a few such numbers are still numbers
 
     double nearest(const Rational& value) const;
     double next(double value, double towards) const;

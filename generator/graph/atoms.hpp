@@ -24,7 +24,7 @@ enum class Op {
     element,                                ///< of an array; in programs only
     independent_inverse,                    ///< 1/x, or zero where x is next to nothing beside the second argument; in programs only
     power,  ///< arguments: base, exponent
-    one_minus_cos, sinc, cosc, growth_mean, logc,  ///< what forms that lose digits are rewritten into
+    one_minus_cos, sinc, cosc, growth_mean, logc, sinc_slope, cosc_slope, logc_slope,  ///< what forms that lose digits are rewritten into
 };
 
 const char* name_of(Op op);

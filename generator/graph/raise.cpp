@@ -34,9 +34,12 @@ ex applied(Op op, const std::vector<ex>& a) {
         case Op::log1p: return log_one_plus(a[0]);
         case Op::one_minus_cos: return one_minus_cos(a[0]);
         case Op::sinc: return sinc(a[0]);
+        case Op::sinc_slope: return sinc_slope(a[0]);
         case Op::cosc: return cosc(a[0]);
+        case Op::cosc_slope: return cosc_slope(a[0]);
         case Op::growth_mean: return growth_mean(a[0]);
         case Op::logc: return logc(a[0]);
+        case Op::logc_slope: return logc_slope(a[0]);
         case Op::compression: return compression(a[0]);
         case Op::signed_root: return signed_root(a[0]);
         case Op::inverse_root: return inverse_root(a[0]);
@@ -63,6 +66,38 @@ ex applied(Op op, const std::vector<ex>& a) {
     throw std::logic_error("an operation that is no function");
 }
 
+namespace {
+
+ex element_of(Op array, const ex& which, const ex& list) {
+    if (array == Op::balanced_temperature) return balanced_temperature(which, list);
+    const auto n = network_order(list);
+    const auto k = static_cast<unsigned long>(GiNaC::ex_to<GiNaC::numeric>(which).to_long());
+    return network_inverse(k / n, k % n, list);
+}
+
+ex raised_letter(Letter letter, const Atoms& atoms) {
+    const Atom& atom = atoms[letter];
+    if (atom.op == Op::symbol) return atom.variable->symbol;
+    if (atom.op == Op::pi) return GiNaC::Pi;
+    std::vector<ex> arguments;
+    for (const Polynomial& argument : atom.arguments) arguments.push_back(raised(argument, atoms));
+    if (atom.op == Op::sum) return arguments[0];
+    if (is_array(atom.op)) return element_of(atom.op, arguments[0], GiNaC::exprseq(arguments.begin() + 1, arguments.end()));
+    return applied(atom.op, arguments);
+}
+
+}  // namespace
+
+ex raised(const Polynomial& p, const Atoms& atoms) {
+    GiNaC::exvector terms;
+    for (const auto& [monomial, coefficient] : p.terms()) {
+        GiNaC::exvector factors{GiNaC::numeric(coefficient)};
+        for (const LetterPower& power : monomial) factors.push_back(GiNaC::pow(raised_letter(power.letter, atoms), power.exponent));
+        terms.push_back(GiNaC::mul(factors));
+    }
+    return GiNaC::add(terms);
+}
+
 ex Raiser::operator()(NodeId id) {
     if (const auto known = known_.find(id); known != known_.end()) return known->second;
     for (const NodeId argument : program_[id].arguments) (*this)(argument);
@@ -71,12 +106,7 @@ ex Raiser::operator()(NodeId id) {
 
 /// Of an array its list of arguments was raised.
 ex Raiser::element(const Node& node) const {
-    const ex& list = known_.at(node.arguments[0]);
-    const ex& which = known_.at(node.arguments[1]);
-    if (program_[node.arguments[0]].op == Op::balanced_temperature) return balanced_temperature(which, list);
-    const auto n = network_order(list);
-    const auto k = static_cast<unsigned long>(GiNaC::ex_to<GiNaC::numeric>(which).to_long());
-    return network_inverse(k / n, k % n, list);
+    return element_of(program_[node.arguments[0]].op, known_.at(node.arguments[1]), known_.at(node.arguments[0]));
 }
 
 ex Raiser::raise(const Node& node) {

@@ -6,6 +6,7 @@
 #include "form/edge_points.hpp"
 #include "graph/rewrite_rules.hpp"
 #include "graph/rounded_polynomial.hpp"
+#include "prove/equivalence.hpp"
 
 namespace dalembert {
 
@@ -24,19 +25,29 @@ public:
     /// The best form of a sum.
     Polynomial operator()(const Polynomial& p, const char* where);
     const std::vector<Rewriting>& log() const { return log_; }
+    /// What a sum loses in another form of it, in ulp beyond its condition.
+    double largest_error(const Polynomial& exact, const Polynomial& computed);
 
 private:
     void draw(const std::vector<Polynomial>& guards);
-    double largest_error(const Polynomial& exact, const Polynomial& computed);
+    bool seems_zero(const Polynomial& p);
     std::size_t points_with_value(const Polynomial& exact);
     void note(const Rewriting& one);
+    /// What a sum is at a point, and how large an error is that its inputs and its own rounding allow.
+    struct Expected {
+        cln::cl_R value;
+        double unit;
+    };
+    const std::vector<std::optional<Expected>>& expected(const Polynomial& exact);
 
     const System& system_;
     Atoms& atoms_;
     const std::vector<Polynomial> definitions_, guards_;
     std::vector<std::pair<RoundedPolynomials, std::vector<double>>> points_;
+    std::pair<Polynomial, std::vector<std::optional<Expected>>> expected_;  ///< of the sum that was asked for last
     std::map<Polynomial, Polynomial> known_;
     FormMemory forms_;
+    Prover prover_;
     std::vector<Rewriting> log_;
 };
 

@@ -2,37 +2,13 @@
 #include "graph/rewrite_rules.hpp"
 
 #include <algorithm>
-#include <array>
-#include <optional>
-#include <set>
 
 #include "graph/lower.hpp"
+#include "graph/rewrite_terms.hpp"
 
 namespace dalembert {
 
 namespace {
-
-using Forms = std::vector<Polynomial>;
-
-Polynomial times(const Monomial& m, const Rational& coefficient, const Polynomial& p) {
-    Polynomial result = p * m;
-    return result *= coefficient;
-}
-
-Polynomial single(const Monomial& m, const Rational& coefficient) {
-    Polynomial p;
-    p.add(m, coefficient);
-    return p;
-}
-
-/// The letters of an operation that occur in the terms themselves, in order.
-std::vector<Letter> letters_of(const Polynomial& p, const Atoms& atoms, Op op) {
-    std::set<Letter> found;
-    for (const auto& [monomial, coefficient] : p.terms())
-        for (const LetterPower& power : monomial)
-            if (atoms[power.letter].op == op) found.insert(power.letter);
-    return {found.begin(), found.end()};
-}
 
 /// k*T*f - k*T -> k*T*replacement, for all terms in which f is a factor once: `replace` says with what, from the exponent of f.
 template <class Replace>
@@ -84,16 +60,9 @@ Forms exponentials(const Polynomial& p, Atoms& atoms) {
 Forms logarithms(const Polynomial& p, Atoms& atoms) {
     Forms forms;
     for (const Letter logarithm : letters_of(p, atoms, Op::log)) {
-        // The argument is a sum of its own, or one kept whole.
-        Polynomial inside = atoms[logarithm].arguments[0];
-        if (inside.is_monomial() && inside.terms().begin()->second == 1) {
-            const Monomial& m = inside.terms().begin()->first;
-            if (m.size() == 1 && m[0].exponent == 1 && atoms[m[0].letter].op == Op::sum) inside = atoms[m[0].letter].arguments[0];
-        }
-        const auto one = inside.terms().find(Monomial{});
-        if (inside.size() < 2 || one == inside.terms().end() || one->second != 1) continue;
-        inside.add({}, -1);
-        const Letter better = atoms.letter(Op::log1p, {inside});
+        const std::optional<Polynomial> inside = less_one(atoms[logarithm].arguments[0], true, atoms);
+        if (!inside) continue;
+        const Letter better = atoms.letter(Op::log1p, {*inside});
         Polynomial result;
         for (const auto& [monomial, coefficient] : p.terms()) {
             const int exponent = exponent_of(monomial, logarithm);
@@ -199,56 +168,54 @@ Forms real_powers(const Polynomial& p, Atoms& atoms) {
     return forms;
 }
 
-/// a - n/S, where terms of a*S cancel with those of n: a weighted mean and what it is the mean of.
-Forms quotients(const Polynomial& p, Atoms& atoms) {
-    Forms forms;
-    for (const Letter sum : letters_of(p, atoms, Op::sum)) {
-        const Polynomial inside = atoms[sum].arguments[0];
-        if (std::none_of(p.terms().begin(), p.terms().end(), [&](const auto& term) { return exponent_of(term.first, sum) == -1; })) continue;
-        Polynomial over, others;
-        for (const auto& [monomial, coefficient] : p.terms())
-            if (exponent_of(monomial, sum) == -1) over.add(without(monomial, sum), coefficient);
-            else others.add(monomial, coefficient);
-        if (over.is_zero() || others.is_zero()) continue;
-        Polynomial numerator = over, rest = others;
-        for (const auto& [monomial, coefficient] : others.terms()) {
-            if (exponent_of(monomial, sum) != 0) continue;
-            const Polynomial multiplied = times(monomial, coefficient, inside);
-            const bool cancels = std::any_of(multiplied.terms().begin(), multiplied.terms().end(), [&](const auto& term) {
-                const auto there = over.terms().find(term.first);
-                return there != over.terms().end() && there->second == -term.second;
-            });
-            if (!cancels) continue;
-            numerator += multiplied;
-            rest.add(monomial, -coefficient);
-        }
-        if (rest.size() == others.size()) continue;
-        Polynomial result = rest;
-        result += numerator * Monomial{{sum, -1}};
-        forms.push_back(std::move(result));
+/// The part of a term that terms of its product with S take away from n: 1 where it is equal and opposite to one of them, nothing where it is
+/// too small for that.
+Rational cancelling_part(const Polynomial& over, const Polynomial& multiplied) {
+    Rational largest = 0;
+    for (const auto& [monomial, coefficient] : multiplied.terms()) {
+        const auto there = over.terms().find(monomial);
+        if (there == over.terms().end()) continue;
+        const Rational part = -there->second / coefficient;
+        if (part <= 1) largest = cln::max(largest, part);
     }
-    return forms;
+    return largest;
 }
 
-/// sin(x)/x, (1 - cos(x))/x^2, (exp(x) - 1)/x and log(1 + x)/x, which have values at zero.
-Forms removable(const Polynomial& p, Atoms& atoms) {
-    static constexpr std::array<std::tuple<Op, Op, int>, 4> pairs{{{Op::sin, Op::sinc, 1}, {Op::one_minus_cos, Op::cosc, 2}, {Op::expm1, Op::growth_mean, 1}, {Op::log1p, Op::logc, 1}}};
+/// a*S^(e + 1) + n*S^e, e < 0, where terms of a*S, or of a part of it, cancel with those of n: a weighted mean and what it is the mean of, and
+/// derivatives of such.
+std::optional<Polynomial> cancelled(const Polynomial& p, Letter sum, int exponent, const Atoms& atoms) {
+    Polynomial over, rest;
+    for (const auto& [monomial, coefficient] : p.terms())
+        if (exponent_of(monomial, sum) == exponent) over.add(without(monomial, sum), coefficient);
+        else rest.add(monomial, coefficient);
+    Polynomial numerator = over;
+    const Polynomial others = rest;
+    for (const auto& [monomial, coefficient] : others.terms()) {
+        if (exponent_of(monomial, sum) != exponent + 1) continue;
+        const Polynomial multiplied = times(without(monomial, sum), coefficient, atoms[sum].arguments[0]);
+        const Rational part = cancelling_part(over, multiplied);
+        if (is_zero(part)) continue;
+        numerator += times({}, part, multiplied);
+        rest.add(monomial, -part * coefficient);
+    }
+    if (rest == others) return std::nullopt;
+    rest += numerator * Monomial{{sum, exponent}};
+    return rest;
+}
+
+/// With one sum, and with all of them one after the other: 4 - 2*a/(a + b) - 2*c/(c + d) is small where both quotients are near one only.
+Forms quotients(const Polynomial& p, Atoms& atoms) {
     Forms forms;
-    for (const auto& [op, quotient, power] : pairs)
-        for (const Letter letter : letters_of(p, atoms, op)) {
-            const std::vector<Polynomial> argument = atoms[letter].arguments;
-            if (!argument[0].is_monomial()) continue;
-            const auto& [x, factor] = *argument[0].terms().begin();
-            Polynomial result;
-            bool changed = false;
-            for (const auto& [monomial, coefficient] : p.terms()) {
-                const bool is_divided = exponent_of(monomial, letter) == 1 && std::all_of(x.begin(), x.end(), [&, n = power](const LetterPower& each) { return exponent_of(monomial, each.letter) <= -n * each.exponent; });
-                changed = changed || is_divided;
-                if (!is_divided) result.add(monomial, coefficient);
-                else result.add(without(monomial, letter) * raised(x, power) * Monomial{{atoms.letter(quotient, argument), 1}}, coefficient * cln::expt(factor, cln::cl_I(power)));
-            }
-            if (changed) forms.push_back(std::move(result));
+    Polynomial all = p;
+    for (const Letter sum : letters_of(p, atoms, Op::sum)) {
+        int lowest = 0;
+        for (const auto& [monomial, coefficient] : p.terms()) lowest = std::min(lowest, exponent_of(monomial, sum));
+        for (int exponent = lowest; exponent < 0; ++exponent) {
+            if (std::optional<Polynomial> one = cancelled(p, sum, exponent, atoms)) forms.push_back(std::move(*one));
+            if (std::optional<Polynomial> next = cancelled(all, sum, exponent, atoms)) all = std::move(*next);
         }
+    }
+    if (forms.size() > 1) forms.push_back(std::move(all));
     return forms;
 }
 
@@ -262,8 +229,9 @@ const std::vector<RewriteRule>& rewrite_rules() {
         {"differences of powers of sums", "s^2 - y^2 = (s - y)*(s + y), s^4 - y^4 = (s - y)*(s + y)*(s^2 + y^2)", powers},
         {"differences of roots", "sqrt(a) - y = (a - y^2)/(sqrt(a) + y)", roots},
         {"differences of real powers", "a^e - b^e = b^e*expm1(e*log(a/b))", real_powers},
-        {"a quotient that cancels", "a - n/s = (a*s - n)/s", quotients},
+        {"a quotient that cancels", "a - n/s = (a*s - n)/s, also with several quotients at once", quotients},
         {"removable 0/0", "sin(x)/x, (1 - cos(x))/x^2, (exp(x) - 1)/x and log(1 + x)/x have values at 0", removable},
+        {"slopes of removable 0/0", "(x*cos(x) - sin(x))/x^2, (x*sin(x) - 2*(1 - cos(x)))/x^3, (x*exp(x) - exp(x) + 1)/x^2 and (x/(1 + x) - log(1 + x))/x^2 have values at 0", removable_slopes},
     };
     return rules;
 }
@@ -272,7 +240,7 @@ const std::vector<OtherForm>& other_forms(const Polynomial& p, Atoms& atoms, For
     if (const auto found = known.find(p); found != known.end()) return found->second;
     std::vector<OtherForm> result;
     for (const RewriteRule& rule : rewrite_rules())
-        for (Polynomial& form : rule.forms(p, atoms)) result.push_back({rule.name, folded(std::move(form), atoms), rule.forms == removable});
+        for (Polynomial& form : rule.forms(p, atoms)) result.push_back({rule.name, folded(std::move(form), atoms), rule.forms == removable || rule.forms == removable_slopes});
     std::set<Letter> letters;
     for (const auto& [monomial, coefficient] : p.terms())
         for (const LetterPower& power : monomial)

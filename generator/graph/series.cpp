@@ -135,6 +135,7 @@ private:
             case Op::max: return smaller(a, of[1], of[1], a);
             case Op::compression: return rule({{one, product({a, function(Op::exp, {program_.negated(a)})}), a}});
             case Op::decay_mean: return divided({{one, program_.difference(function(Op::exp, {program_.negated(a)}), z), a}}, a);
+            case Op::decay_mean_slope: return divided({{minus, program_.sum({{false, function(Op::exp, {program_.negated(a)})}, {false, product({number(2), z})}}), a}}, a);
             case Op::log_ratio: return rule({{one, {}, function(Op::log, {a})}, {minus, {}, function(Op::log, {of[1]})}});
             case Op::log_mean: {
                 const NodeId logarithm = function(Op::log_ratio, of);
@@ -143,9 +144,12 @@ private:
             case Op::root_excess: return divided({{half, {}, of[1]}, {minus, z, a}}, program_.sum({{false, z}, {false, a}}));
             case Op::one_minus_cos: return rule({{one, function(Op::sin, of), a}});
             case Op::sinc: return divided({{one, program_.difference(function(Op::cos, of), z), a}}, a);
+            case Op::sinc_slope: return divided({{minus, program_.sum({{false, product({a, function(Op::sinc, of)})}, {false, product({number(2), z})}}), a}}, a);
             case Op::cosc: return divided({{one, program_.difference(function(Op::sinc, of), product({number(2), z})), a}}, a);
+            case Op::cosc_slope: return divided({{one, program_.difference(function(Op::sinc_slope, of), product({number(3), z})), a}}, a);
             case Op::growth_mean: return divided({{one, program_.difference(function(Op::exp, of), z), a}}, a);
             case Op::logc: return divided({{one, program_.difference(program_.reciprocal(one_plus(a)), z), a}}, a);
+            case Op::logc_slope: return divided({{minus, program_.sum({{false, square(program_.reciprocal(one_plus(a)))}, {false, product({number(2), z})}}), a}}, a);
             case Op::sum_of_three: return rule({{one, {}, a}, {one, {}, of[1]}, {one, {}, of[2]}});
             case Op::radiant_temperature: return radiant_temperature(z, a, of[1]);
             case Op::outflow_factor: return outflow_factor(z, a, of[1]);

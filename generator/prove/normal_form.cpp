@@ -149,7 +149,8 @@ Polynomial NormalForm::function(const ex& e) {
     if (name == "sum_of_three") return convert(e.op(0) + e.op(1) + e.op(2));
     if (name == "exp_minus_one") return exponential(convert(e.op(0))) - Polynomial(1);
     if (name == "one_minus_cos") return Polynomial(1) - sine_and_cosine(convert(e.op(0))).second;
-    if (name == "sinc" || name == "cosc" || name == "growth_mean" || name == "logc") {
+    static const std::set<std::string> with_value_at_zero{"sinc", "sinc_slope", "cosc", "cosc_slope", "growth_mean", "logc", "logc_slope"};
+    if (with_value_at_zero.contains(name)) {
         note_argument(e.op(0));
         return convert(in_elementary_functions(e));
     }

@@ -32,10 +32,14 @@ ex slope(const ex& f) {
     if (is_ex_the_function(f, whole)) return 1;
     if (is_ex_the_function(f, exp_minus_one)) return GiNaC::exp(u);
     if (is_ex_the_function(f, one_minus_cos)) return GiNaC::sin(u);
-    if (is_ex_the_function(f, sinc)) return (GiNaC::cos(u) - f) / u;  // at u = 0 it is 0, as the next one; then 1/2 and -1/2
-    if (is_ex_the_function(f, cosc)) return (sinc(u) - 2 * f) / u;
-    if (is_ex_the_function(f, growth_mean)) return (GiNaC::exp(u) - f) / u;
-    if (is_ex_the_function(f, logc)) return (pow(1 + u, -1) - f) / u;
+    if (is_ex_the_function(f, sinc)) return sinc_slope(u);
+    if (is_ex_the_function(f, cosc)) return cosc_slope(u);
+    if (is_ex_the_function(f, growth_mean)) return -decay_mean_slope(-u);
+    if (is_ex_the_function(f, logc)) return logc_slope(u);
+    // Second derivatives only; at u = 0 they are -1/3, -1/12 and 2/3.
+    if (is_ex_the_function(f, sinc_slope)) return -sinc(u) - 2 * f / u;
+    if (is_ex_the_function(f, cosc_slope)) return (sinc_slope(u) - 3 * f) / u;
+    if (is_ex_the_function(f, logc_slope)) return -(pow(1 + u, -2) + 2 * f) / u;
     if (is_ex_the_function(f, log_one_plus)) return pow(1 + u, -1);
     if (is_ex_the_function(f, compression)) return u * GiNaC::exp(-u);
     if (is_ex_the_function(f, signed_root)) return inverse_root(u) / 2;

@@ -81,14 +81,46 @@ ex one_minus_cos_evalf(const ex& x) { return (2 * GiNaC::pow(GiNaC::sin(x / 2), 
 ex sinc_eval(const ex& x) { return x.is_zero() ? ex(1) : sinc(x).hold(); }
 ex sinc_evalf(const ex& x) { return x.is_zero() ? ex(1) : (GiNaC::sin(x) / x).evalf(); }
 
+/// sum of a_k x^k for |x| < 1/4, with |a_k| <= 1
+template <class Coefficient>
+ex power_series(const numeric& x, const Coefficient& coefficient) {
+    const numeric least = GiNaC::pow(numeric(10), numeric(-static_cast<long>(GiNaC::Digits) - 10));
+    ex sum = ex_to<numeric>(ex(coefficient(0)).evalf());
+    numeric power = 1;
+    for (int k = 1; !x.is_zero(); ++k) {
+        power *= x;
+        if (GiNaC::abs(power) <= least) break;
+        sum += coefficient(k) * power;
+    }
+    return sum;
+}
+bool is_near_zero(const ex& x) { return is_real_number(x) && GiNaC::abs(ex_to<numeric>(x)) < numeric(1, 4); }
+
+ex sinc_slope_eval(const ex& x) { return x.is_zero() ? ex(0) : sinc_slope(x).hold(); }
+ex sinc_slope_evalf(const ex& x) {
+    if (!is_near_zero(x)) return ((GiNaC::cos(x) - GiNaC::sin(x) / x) / x).evalf();
+    const numeric number = ex_to<numeric>(x.evalf());
+    return number * power_series(number * number, [](int k) { return (k % 2 == 0 ? -1 : 1) * (2 * k + 2) / GiNaC::factorial(numeric(2 * k + 3)); });
+}
+
 ex cosc_eval(const ex& x) { return x.is_zero() ? ex(numeric(1, 2)) : cosc(x).hold(); }
 ex cosc_evalf(const ex& x) { return x.is_zero() ? ex(numeric(1, 2)) : (GiNaC::pow(GiNaC::sin(x / 2) / (x / 2), 2) / 2).evalf(); }
+
+/// cosc is sinc(x/2)^2/2.
+ex cosc_slope_eval(const ex& x) { return x.is_zero() ? ex(0) : cosc_slope(x).hold(); }
+ex cosc_slope_evalf(const ex& x) { return (sinc_evalf(x / 2) * sinc_slope_evalf((x / 2).evalf()) / 2).evalf(); }
 
 ex growth_mean_eval(const ex& x) { return x.is_zero() ? ex(1) : growth_mean(x).hold(); }
 ex growth_mean_evalf(const ex& x) { return x.is_zero() ? ex(1) : ((GiNaC::exp(x) - 1) / x).evalf(); }
 
 ex logc_eval(const ex& x) { return x.is_zero() ? ex(1) : logc(x).hold(); }
 ex logc_evalf(const ex& x) { return x.is_zero() ? ex(1) : (GiNaC::log(1 + x) / x).evalf(); }
+
+ex logc_slope_eval(const ex& x) { return x.is_zero() ? ex(numeric(-1, 2)) : logc_slope(x).hold(); }
+ex logc_slope_evalf(const ex& x) {
+    if (!is_near_zero(x)) return ((1 / (1 + x) - GiNaC::log(1 + x) / x) / x).evalf();
+    return power_series(ex_to<numeric>(x.evalf()), [](int k) { return numeric(k % 2 == 0 ? -k - 1 : k + 1, k + 2); });
+}
 
 ex compression_eval(const ex& x) { return x.is_zero() ? ex(0) : compression(x).hold(); }
 ex compression_evalf(const ex& x) { return (1 - (1 + x) * GiNaC::exp(-x)).evalf(); }
@@ -156,6 +188,9 @@ struct Elementary : GiNaC::map_function {
         const auto of = [&] { return (*this)(e.op(0)); };
         if (is_ex_the_function(e, one_minus_cos)) return 1 - GiNaC::cos(of());
         if (is_ex_the_function(e, sinc)) return GiNaC::sin(of()) / of();
+        if (is_ex_the_function(e, sinc_slope)) return GiNaC::cos(of()) / of() - GiNaC::sin(of()) / GiNaC::pow(of(), 2);
+        if (is_ex_the_function(e, cosc_slope)) return GiNaC::sin(of()) / GiNaC::pow(of(), 2) - 2 * (1 - GiNaC::cos(of())) / GiNaC::pow(of(), 3);
+        if (is_ex_the_function(e, logc_slope)) return 1 / (of() * (1 + of())) - GiNaC::log(1 + of()) / GiNaC::pow(of(), 2);
         if (is_ex_the_function(e, cosc)) return (1 - GiNaC::cos(of())) / GiNaC::pow(of(), 2);
         if (is_ex_the_function(e, growth_mean)) return (GiNaC::exp(of()) - 1) / of();
         if (is_ex_the_function(e, logc)) return GiNaC::log(1 + of()) / of();
@@ -189,6 +224,9 @@ REGISTER_FUNCTION(sinc, eval_func(sinc_eval).evalf_func(sinc_evalf))
 REGISTER_FUNCTION(cosc, eval_func(cosc_eval).evalf_func(cosc_evalf))
 REGISTER_FUNCTION(growth_mean, eval_func(growth_mean_eval).evalf_func(growth_mean_evalf))
 REGISTER_FUNCTION(logc, eval_func(logc_eval).evalf_func(logc_evalf))
+REGISTER_FUNCTION(sinc_slope, eval_func(sinc_slope_eval).evalf_func(sinc_slope_evalf))
+REGISTER_FUNCTION(cosc_slope, eval_func(cosc_slope_eval).evalf_func(cosc_slope_evalf))
+REGISTER_FUNCTION(logc_slope, eval_func(logc_slope_eval).evalf_func(logc_slope_evalf))
 REGISTER_FUNCTION(compression, eval_func(compression_eval).evalf_func(compression_evalf))
 REGISTER_FUNCTION(signed_root, eval_func(signed_root_eval).evalf_func(signed_root_evalf))
 REGISTER_FUNCTION(inverse_root, eval_func(inverse_root_eval).evalf_func(inverse_root_evalf))

@@ -25,9 +25,12 @@ DECLARE_FUNCTION_1P(log_one_plus)  ///< log(1 + x)
 // What code keeps digits with where forms with sin, cos, exp and log lose them.
 DECLARE_FUNCTION_1P(one_minus_cos) ///< 1 - cos(x) = 2*sin(x/2)^2
 DECLARE_FUNCTION_1P(sinc)          ///< sin(x)/x, 1 at 0
+DECLARE_FUNCTION_1P(sinc_slope)    ///< its derivative, 0 at 0
 DECLARE_FUNCTION_1P(cosc)          ///< (1 - cos(x))/x^2, 1/2 at 0
-DECLARE_FUNCTION_1P(growth_mean)   ///< (exp(x) - 1)/x, 1 at 0
+DECLARE_FUNCTION_1P(cosc_slope)    ///< its derivative, 0 at 0
+DECLARE_FUNCTION_1P(growth_mean)   ///< (exp(x) - 1)/x, 1 at 0; its derivative is -decay_mean_slope(-x)
 DECLARE_FUNCTION_1P(logc)          ///< log(1 + x)/x, 1 at 0
+DECLARE_FUNCTION_1P(logc_slope)    ///< its derivative, -1/2 at 0
 
 DECLARE_FUNCTION_1P(compression)   ///< 1 - (1 + x)*exp(-x), the energy of a liquid (3.79); derivative x*exp(-x)
 DECLARE_FUNCTION_1P(signed_root)   ///< sign(x)*sqrt(|x|), derivative inverse_root(x)/2

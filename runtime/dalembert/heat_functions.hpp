@@ -43,6 +43,23 @@ Scalar decay_mean_slope(const Scalar& z) noexcept {
 }
 // end decay_mean_slope
 
+// begin logc_slope
+/// The derivative of log(1 + x)/x, (x/(1 + x) - log(1 + x))/x^2, which is -1/2 at x = 0: with L = log(1 + x) that is the slope of
+/// L/(exp(L) - 1) by L, over 1 + x; far from zero, where exp(L) would make much of the rounding of L, the definition. Needs select, logc,
+/// decay_mean_slope.
+template <class Scalar>
+Scalar logc_slope(const Scalar& x) noexcept {
+    using std::log1p;
+    const auto is_outer = x > Scalar(4);
+    const Scalar inner = select(is_outer, Scalar(0), x);
+    const Scalar mean = logc(inner);
+    const Scalar by_logarithm = decay_mean_slope(Scalar(-log1p(inner))) * mean * mean / (Scalar(1) + inner);
+    const Scalar outer = select(is_outer, x, Scalar(4));
+    const Scalar by_definition = (outer / (Scalar(1) + outer) - log1p(outer)) / outer / outer;
+    return select(is_outer, by_definition, by_logarithm);
+}
+// end logc_slope
+
 // begin log_ratio
 /// log(a/b) for positive a and b, as close as the layers of a thin pipe (4.68). The argument of log1p is positive, so that it is as
 /// accurate as the difference. Needs select.

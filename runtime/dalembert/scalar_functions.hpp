@@ -102,6 +102,25 @@ Scalar sinc(const Scalar& x) noexcept {
 }
 // end sinc
 
+// begin sinc_slope
+/// The derivative of sinc, (x cos(x) - sin(x))/x^2, which is 0 at zero; around it the series -x/3 (1 - x^2/10 (1 - x^2/28 (...))).
+/// A type that does not tell its digits counts as long double.
+template <class Scalar>
+Scalar sinc_slope(const Scalar& x) noexcept {
+    using std::abs;
+    using std::cos;
+    using std::sin;
+    constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
+    const auto is_inner = abs(x) < Scalar(2);
+    const Scalar inner = select(is_inner, x, Scalar(0));
+    const Scalar outer = select(is_inner, Scalar(2), x);
+    const Scalar square = inner * inner;
+    Scalar sum(1);
+    for (int n = digits / 2 + 6; n >= 1; --n) sum = Scalar(1) - square / Scalar(2 * n * (2 * n + 3)) * sum;
+    return select(is_inner, Scalar(-inner / Scalar(3) * sum), Scalar((cos(outer) - sin(outer) / outer) / outer));
+}
+// end sinc_slope
+
 // begin cosc
 /// (1 - cos(x))/x^2, 1/2 at zero
 template <class Scalar>
@@ -110,6 +129,15 @@ Scalar cosc(const Scalar& x) noexcept {
     return half * half / Scalar(2);
 }
 // end cosc
+
+// begin cosc_slope
+/// The derivative of cosc, which is sinc(x/2)^2/2.
+template <class Scalar>
+Scalar cosc_slope(const Scalar& x) noexcept {
+    const Scalar half = x / Scalar(2);
+    return sinc(half) * sinc_slope(half) / Scalar(2);
+}
+// end cosc_slope
 
 // begin growth_mean
 /// (exp(x) - 1)/x, 1 at zero
