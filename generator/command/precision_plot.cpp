@@ -58,7 +58,8 @@ std::vector<std::pair<std::string, std::string>> precision_plot(const WorkPrecis
     // Curves are told by colour and by dashes; one key says both.
     std::string key = "set lmargin at screen 0.86\nset rmargin at screen 0.99\nset bmargin at screen 0.1\nset tmargin at screen 0.9\nunset border\nunset tics\nunset xlabel\nunset ylabel\nunset grid\nset key at screen 0.99,0.88 right top noenhanced samplen 2\nset yrange [1:2]\nset xrange [1:2]\nplot ";
     for (const std::string& method : methods) key += fmt::format("NaN {} title {}, ", look(method, "double"), gnuplot_quoted(method));
-    for (const auto& [arithmetic, name] : {std::pair("float", "in float"), std::pair("double", "in double"), std::pair("long_double", "in long double")}) key += fmt::format("NaN {} title {}, ", look("", arithmetic), gnuplot_quoted(name));
+    for (const auto& [arithmetic, name] : {std::pair("float", "in float"), std::pair("double", "in double"), std::pair("long_double", "in long double")})
+        if (std::any_of(curves.begin(), curves.end(), [&, &a = arithmetic](const auto& curve) { return curve.arithmetic == a; })) key += fmt::format("NaN {} title {}, ", look("", arithmetic), gnuplot_quoted(name));
     for (const Level& level : levels)
         if (level.error > floor) key += fmt::format("NaN with lines lc rgb '#909090' dt 4 lw 1 title {}, ", gnuplot_quoted(fmt::format("{}: {:.0e}", level.title, level.error)));
     key += "NaN notitle\n";
