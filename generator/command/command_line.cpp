@@ -65,7 +65,10 @@ public:
         format(generate, "text or json", {"text", "json"});
         explain(generate);
         rewriting(generate);
-        CLI::App* check = model_verb("check", "prove the derivation and check the printed equations, in every scene unless one is chosen");
+        CLI::App* check = app_.add_subcommand("check", "prove derivations and check printed equations: of models, in every scene unless one is chosen, and of catalogues of texts");
+        check->add_option("FILES", options_.models, "model files and catalogues")->required();
+        check->add_option("--scene", options_.choice.scene, "of models: the scene, if there are several");
+        check->add_option("--size", sizes_, "of models: size of a family, as N=5")->delimiter(',');
         format(check, "text or json", {"text", "json"});
         CLI::App* evaluate = model_verb("evaluate", "state derivative, outputs and energies at one point");
         settings(evaluate);

@@ -13,7 +13,7 @@ namespace dalembert {
 struct Options {
     std::string verb;
     Choice choice;
-    std::vector<std::string> models;      ///< of survey
+    std::vector<std::string> models;      ///< of survey, cost and check
     bool every_scene = false;
     std::string format = "text";
     std::string output;                   ///< folder

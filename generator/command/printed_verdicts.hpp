@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of the printed equations of a model after one or more of its scenes were checked.
+// What is said of printed equations after one or more scenes of a model were checked.
 #pragma once
 
 #include "command/command_line.hpp"
+#include "prove/suggestion.hpp"
 
 namespace dalembert {
 
@@ -16,6 +17,7 @@ struct PrintedRow {
     std::string reason = {};
     std::string difference = {};
     std::optional<CounterExample> counterexample = {};
+    std::optional<Suggestion> suggestion = {};
 
     Verdict verdict() const { return found.value_or(Verdict::not_checkable); }
     bool as_expected() const;
@@ -23,12 +25,16 @@ struct PrintedRow {
 
 class PrintedVerdicts {
 public:
-    /// Checks what the scene of a system contains.
+    /// Checks what the scene of a system contains of its model's printed equations.
     void add(const System& system);
+    /// Checks one entry in a system. `shown` is what rows refer to: the entry as it is written.
+    void add(const System& system, const PrintedEquation& entry, const PrintedEquation& shown);
+    /// An entry of which there is nothing to check.
+    void add_unchecked(const PrintedEquation& entry, const std::string& reason);
     const std::vector<PrintedRow>& rows() const { return rows_; }
 
 private:
-    PrintedRow& row_of(const Member<PrintedEquation>& member);
+    PrintedRow& row_of(const std::string& id, const PrintedEquation& entry);
     std::vector<PrintedRow> rows_;
 };
 

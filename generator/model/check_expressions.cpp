@@ -71,7 +71,7 @@ private:
             if (!e.children.empty()) error(Id::not_indexed, e.span, fmt::format("'{}' has no index", e.name));
             return 0;
         }
-        if (e.name == "pi" || e.name == "stefan_boltzmann") return 0;
+        if (e.name == "pi" || e.name == "stefan_boltzmann" || (e.name == "infinity" && derived_allowed(e))) return 0;
         if (find_quantity(e.name) != nullptr) return quantity(e);
         if (e.name == "t") {
             if (!e.children.empty()) error(Id::not_indexed, e.span, "'t' has no index");
@@ -158,6 +158,7 @@ private:
         if (e.name == "dot" || e.name == "ddot") return derivative(e);
         if (e.name == "diff") return partial(e);
         if (e.name == "integral") return integral(e);
+        if (e.name == "limit" || e.name == "at") return at_place(e);
         const FunctionSpec* function = find_function(e.name);
         unsigned result = 0;
         for (const ExpressionPtr& child : e.children) result |= visit(*child);
@@ -212,6 +213,15 @@ private:
         const unsigned result = limits | visit(*e.children[0]);
         if (inserted.second) bound_.erase(inserted.first);
         return result;
+    }
+
+    unsigned at_place(const Expression& e) {
+        if (!derived_allowed(e)) return 0;
+        if (e.children.size() != 3) {
+            error(Id::wrong_arguments, e.span, fmt::format("'{0}' takes an expression, its variable and a place, as in '{0}(sin(x)/x, x, 0)'", e.name));
+            return 0;
+        }
+        return visit(*e.children[0]) | visit(*e.children[1]) | visit(*e.children[2]);
     }
 
     bool derived_allowed(const Expression& e) {
@@ -358,6 +368,11 @@ void check_expressions(const Model& model, Diagnostics& diagnostics) {
     const Names names(model);
     ExpressionCheck check(names, diagnostics);
     visit(model, [&](const Site& site) { check.check(site); });
+}
+
+void check_expressions(const PrintedEquation& printed, const Names& names, Diagnostics& diagnostics) {
+    ExpressionCheck check(names, diagnostics);
+    visit(printed, [&](const Site& site) { check.check(site); });
 }
 
 }  // namespace dalembert

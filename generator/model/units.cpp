@@ -127,6 +127,7 @@ Measure Units::power(const Expression& e, const Bound& bound) {
 Measure Units::name(const Expression& e, const Bound& bound) {
     if (const auto found = bound.find(e.name); found != bound.end()) return {found->second};
     if (e.name == "pi") return {};
+    if (e.name == "infinity") return anything;
     if (e.name == "stefan_boltzmann") return {Dimension::power() / Dimension::length().raised({2, 1}) / Dimension::temperature().raised({4, 1})};
     if (e.name == "t") return {Dimension::time()};
     if (find_quantity(e.name) != nullptr) return quantity(e, bound);
@@ -238,6 +239,11 @@ Measure Units::call(const Expression& e, const Bound& bound) {
         inner[e.children[1]->name] = limit.dimension;
         const Measure function = of(*e.children[0], inner);
         return {function.dimension * limit.dimension, function.fits_all || limit.fits_all};
+    }
+    if (e.name == "limit" || e.name == "at") {
+        const Measure variable = part(1);
+        agreeing(e, *e.children[1], variable, *e.children[2], part(2));
+        return part(0);
     }
     return function(*find_function(e.name), e, bound);
 }

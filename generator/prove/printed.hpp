@@ -31,4 +31,7 @@ struct PrintedCheck {
 /// Whether accelerations occur or not, an equation is right when it holds on every motion of the derived system.
 PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& entry);
 
+/// Whether an entry holds at a few random points, units and all: quick, and true of all that is right.
+bool may_hold(const System& system, const Member<PrintedEquation>& entry);
+
 }  // namespace dalembert

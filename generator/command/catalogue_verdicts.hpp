@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The entries of a catalogue against the models that they are about, each of which is derived once, and by themselves.
+#pragma once
+
+#include "command/printed_verdicts.hpp"
+#include "model/catalogue.hpp"
+
+namespace dalembert {
+
+class CatalogueVerdicts {
+public:
+    explicit CatalogueVerdicts(const Catalogue& catalogue) : catalogue_(catalogue) {}
+
+    /// The rows of an entry: one, or of a family one for each member. Throws Failure where the entry is not about its model.
+    std::vector<PrintedRow> check(const CatalogueEntry& entry);
+
+private:
+    /// A scene of a model with letters added, in all its modes.
+    struct Derived {
+        std::shared_ptr<const LoadedModel> loaded;
+        std::vector<std::unique_ptr<System>> modes;
+    };
+    const Derived& derived(const CatalogueEntry& entry, const std::string& scene);
+    const PrintedEquation& printed_in_model(const CatalogueEntry& entry);
+    std::shared_ptr<const LoadedModel> loaded(const CatalogueEntry& entry);
+
+    const Catalogue& catalogue_;
+    std::map<std::string, std::shared_ptr<const LoadedModel>> models_;
+    std::map<std::string, Derived> derived_;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "model/checks.hpp"
+#include "model/matrices.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// The names in an entry that it does not explain itself, with those in the notation that it uses.
+class UsedNames {
+public:
+    UsedNames(const Catalogue& catalogue, const CatalogueEntry& entry) : catalogue_(catalogue) {
+        for (const PrintedLetter& letter : entry.letters) explained_.insert(letter.name);
+        if (!entry.solved.empty())
+            for (const Equation& equation : entry.equations) explained_.insert(equation.sides[0]->name);
+        visit(entry, [&](const Site& site) { use(*site.expression); });
+    }
+
+    const std::set<std::string>& names() const { return names_; }
+    const std::vector<PrintedLetter>& notation() const { return notation_; }
+
+private:
+    void use(const Expression& expression) {
+        for_each(expression, [&](const Expression& e) {
+            if (e.kind != Expression::Kind::name || explained_.contains(e.name) || !names_.insert(e.name).second) return;
+            for (const PrintedLetter& letter : catalogue_.notation) {
+                if (letter.name != e.name) continue;
+                explained_.insert(letter.name);
+                notation_.push_back(letter);
+                use(*letter.value);
+            }
+        });
+    }
+
+    const Catalogue& catalogue_;
+    std::set<std::string> explained_, names_;
+    std::vector<PrintedLetter> notation_;
+};
+
+ExpressionPtr quotient(int above, int below, const Span& span) { return make_number(Rational(above) / below, span); }
+
+/// A letter without a value of its own is a number like any other; what is positive is so by its range.
+void add(Model& model, const CatalogueLetter& letter, Diagnostics& diagnostics) {
+    Quantity quantity = letter;
+    if (letter.is_positive && !letter.range) quantity.range = Range{quotient(1, 2, letter.span), quotient(2, 1, letter.span), letter.span};
+    if (letter.is_positive && letter.range && letter.range->low && letter.range->low->kind == Expression::Kind::number && !cln::plusp(letter.range->low->value))
+        diagnostics.error(Id::value_out_of_range, letter.range->span, fmt::format("'{}' is positive, so that its range begins above zero", letter.name));
+    if (letter.moves) {
+        Coordinate coordinate;
+        static_cast<Quantity&>(coordinate) = quantity;
+        model.coordinates.push_back(std::move(coordinate));
+        return;
+    }
+    Parameter parameter;
+    static_cast<Quantity&>(parameter) = quantity;
+    const bool has_low = quantity.range && quantity.range->low;
+    parameter.values.push_back(letter.value ? letter.value : has_low ? quantity.range->low : make_number(0, letter.span));
+    model.parameters.push_back(std::move(parameter));
+}
+
+/// The letters that an entry uses, in order of declaration; its own come before those of the file.
+std::vector<const CatalogueLetter*> letters_of(const Catalogue& catalogue, const CatalogueEntry& entry, const UsedNames& used) {
+    std::vector<const CatalogueLetter*> result;
+    const auto is_new = [&](const CatalogueLetter& letter) { return std::none_of(result.begin(), result.end(), [&](const CatalogueLetter* other) { return other->name == letter.name; }); };
+    for (const auto* letters : {&entry.own, &catalogue.letters})
+        for (const CatalogueLetter& letter : *letters)
+            if (used.names().contains(letter.name) && is_new(letter)) result.push_back(&letter);
+    return result;
+}
+
+}  // namespace
+
+Model with_letters(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* base) {
+    Model model;
+    if (base != nullptr) model = *base;
+    else model = Model{.source = catalogue.source, .name = "letters", .name_span = entry.span, .title = {}, .reference = catalogue.title};
+    const UsedNames used(catalogue, entry);
+    Diagnostics diagnostics;
+    const Names known(base != nullptr ? *base : model);
+    for (const CatalogueLetter* letter : letters_of(catalogue, entry, used))
+        if (known.find(letter->name) == nullptr) add(model, *letter, diagnostics);
+    check_letter_names(model, diagnostics);
+    diagnostics.stop_on_errors();
+    return model;
+}
+
+PrintedEquation checked_entry(const Catalogue& catalogue, const CatalogueEntry& entry, const Model& model, Diagnostics& diagnostics) {
+    PrintedEquation result = entry;
+    const Names names(model);
+    const UsedNames used(catalogue, entry);
+    for (const PrintedLetter& letter : used.notation()) result.letters.push_back(letter);
+    for (const CatalogueLetter* letter : letters_of(catalogue, entry, used))
+        if (letter->value) result.at.push_back({make_name(letter->name, letter->span), letter->value});
+    result.shown = result.equations;
+    result.shown_letters = result.letters;
+    result.equations = without_matrices(result.shown, result.letters);
+    check_expressions(result, names, diagnostics);
+    return result;
+}
+
+}  // namespace dalembert
