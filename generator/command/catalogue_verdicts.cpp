@@ -49,7 +49,7 @@ const PrintedEquation& CatalogueVerdicts::printed_in_model(const CatalogueEntry&
 }
 
 std::vector<PrintedRow> CatalogueVerdicts::check(const CatalogueEntry& entry) {
-    PrintedVerdicts verdicts;
+    PrintedVerdicts verdicts(writes_derived_);
     if (!entry.not_checkable.empty()) {
         verdicts.add_unchecked(entry, entry.not_checkable);
         return verdicts.rows();

@@ -9,7 +9,7 @@ namespace dalembert {
 
 class CatalogueVerdicts {
 public:
-    explicit CatalogueVerdicts(const Catalogue& catalogue) : catalogue_(catalogue) {}
+    explicit CatalogueVerdicts(const Catalogue& catalogue, bool writes_derived = false) : catalogue_(catalogue), writes_derived_(writes_derived) {}
 
     /// The rows of an entry: one, or of a family one for each member. Throws Failure where the entry is not about its model.
     std::vector<PrintedRow> check(const CatalogueEntry& entry);
@@ -25,6 +25,7 @@ private:
     std::shared_ptr<const LoadedModel> loaded(const CatalogueEntry& entry);
 
     const Catalogue& catalogue_;
+    bool writes_derived_;
     std::map<std::string, std::shared_ptr<const LoadedModel>> models_;
     std::map<std::string, Derived> derived_;
 };

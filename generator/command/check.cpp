@@ -3,6 +3,7 @@
 
 #include <ostream>
 
+#include "command/book_page.hpp"
 #include "command/catalogue_verdicts.hpp"
 #include "command/json_output.hpp"
 #include "command/printed_report.hpp"
@@ -18,7 +19,7 @@ namespace {
 /// What was found of one file.
 struct FileResult {
     nlohmann::ordered_json json;
-    VerdictCounts counts;
+    BookPart part;
     bool failed = false;
 };
 
@@ -33,7 +34,7 @@ public:
             options_.choice.scene.empty() ? scene_names(model_->model) : std::vector<std::string>{resolve_scene(model_->model, options_.choice.scene)};
         for (const std::string& scene : scenes) check_scene(scene);
         report_printed();
-        return {std::move(json_), counts_, failed_};
+        return {std::move(json_), {model_->model.title, model_->model.reference, verdicts_.rows(), counts_, model_}, failed_};
     }
 
 private:
@@ -91,27 +92,29 @@ private:
     Streams streams_;
     std::shared_ptr<const LoadedModel> model_;
     nlohmann::ordered_json json_;
-    PrintedVerdicts verdicts_;
+    PrintedVerdicts verdicts_{!options_.pages.empty()};
     VerdictCounts counts_;
     bool failed_ = false;
 };
 
 FileResult check_catalogue(const SourcePtr& source, const Options& options, Streams streams) {
     Diagnostics diagnostics;
-    const Catalogue catalogue = read_catalogue(source, diagnostics);
+    const auto owner = std::make_shared<const Catalogue>(read_catalogue(source, diagnostics));
+    const Catalogue& catalogue = *owner;
     const bool as_text = options.format != "json";
-    FileResult result{{{"schema", "dalembert/check"}, {"version", json_version}, {"catalogue", catalogue.title}, {"edition", catalogue.edition}, {"printed", nlohmann::ordered_json::array()}}, {}};
+    FileResult result{{{"schema", "dalembert/check"}, {"version", json_version}, {"catalogue", catalogue.title}, {"edition", catalogue.edition}, {"printed", nlohmann::ordered_json::array()}}, {catalogue.title, catalogue.edition, {}, {}, owner}};
     if (as_text) streams.out << safe_line(catalogue.title) << "\n";
-    CatalogueVerdicts verdicts(catalogue);
+    CatalogueVerdicts verdicts(catalogue, !options.pages.empty());
     for (const CatalogueEntry& entry : catalogue.entries)
         for (const PrintedRow& row : verdicts.check(entry)) {
             result.failed = result.failed || !row.as_expected();
-            result.counts.add(row.verdict());
+            result.part.counts.add(row.verdict());
             result.json["printed"].push_back(report_json(row, catalogue.title));
             if (as_text) streams.out << report_text(row) << std::flush;
+            result.part.rows.push_back(row);
         }
-    if (as_text) streams.out << result.counts.line() << (result.failed ? "; not all as expected\n" : "\n");
-    result.json["summary"] = result.counts.json();
+    if (as_text) streams.out << result.part.counts.line() << (result.failed ? "; not all as expected\n" : "\n");
+    result.json["summary"] = result.part.counts.json();
     result.json["passed"] = !result.failed;
     return result;
 }
@@ -128,12 +131,15 @@ ExitCode check_command(const Options& options, Streams streams) {
     }
     VerdictCounts counts;
     bool failed = false;
+    std::vector<BookPart> parts;
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (FileResult& result : results) {
-        counts.add(result.counts);
+        counts.add(result.part.counts);
         failed = failed || result.failed;
         files.push_back(std::move(result.json));
+        parts.push_back(std::move(result.part));
     }
+    if (!options.pages.empty()) write_files(book_pages(parts, options.pages));
     if (options.format != "json") {
         if (results.size() > 1) streams.out << counts.line(fmt::format("printed equations in {} files", results.size()).c_str()) << (failed ? "; not all as expected\n" : "\n");
     } else if (results.size() == 1) {

@@ -67,6 +67,7 @@ public:
         rewriting(generate);
         CLI::App* check = app_.add_subcommand("check", "prove derivations and check printed equations: of models, in every scene unless one is chosen, and of catalogues of texts");
         check->add_option("FILES", options_.models, "model files and catalogues")->required();
+        check->add_option("-o,--output", options_.pages, "folder for book.html, every equation with its verdict, and errata.html; none are written, if left out");
         check->add_option("--scene", options_.choice.scene, "of models: the scene, if there are several");
         check->add_option("--size", sizes_, "of models: size of a family, as N=5")->delimiter(',');
         format(check, "text or json", {"text", "json"});

@@ -17,6 +17,7 @@ struct Options {
     bool every_scene = false;
     std::string format = "text";
     std::string output;                   ///< folder
+    std::string pages;                    ///< of check: folder of pages, or none
     std::string header;                   ///< file name of the header, if not the usual one
     std::vector<std::string> parameters;  ///< "m_W=1.2,g=9.81"
     std::vector<std::string> states;

@@ -15,6 +15,12 @@ int weight(Verdict verdict) {
     return weights[static_cast<std::size_t>(verdict)];
 }
 
+/// Beyond a few lines nobody reads on.
+std::string short_text(const std::string& text) {
+    constexpr std::size_t longest = 1500;
+    return text.size() <= longest ? text : std::string("too long to be shown");
+}
+
 }  // namespace
 
 bool PrintedRow::as_expected() const {
@@ -45,12 +51,14 @@ void PrintedVerdicts::add(const System& system, const PrintedEquation& entry, co
         const Verdict verdict = check.verdict();
         if (row.found && weight(*row.found) >= weight(verdict)) continue;
         row.found = verdict;
+        row.shown = entry.shown;
         for (const PrintedResult& result : check.equations) {
             if (result.comparison.verdict != verdict) continue;
             row.equation = result.written;
             row.reason = result.comparison.reason;
             row.difference = result.difference ? write(*result.difference) : "";
             row.counterexample = result.counterexample;
+            if (writes_derived_ && result.derived) row.derived = short_text(write(*result.derived)) + (result.is_motion ? " = 0" : "");
             break;
         }
         const bool is_wrong = verdict == Verdict::wrong || verdict == Verdict::dimensionally_wrong;

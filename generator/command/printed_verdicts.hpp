@@ -18,6 +18,8 @@ struct PrintedRow {
     std::string difference = {};
     std::optional<CounterExample> counterexample = {};
     std::optional<Suggestion> suggestion = {};
+    std::vector<Equation> shown = {};    ///< as they are written
+    std::string derived = {};            ///< what the derivation has instead of the first side, where it was asked for
 
     Verdict verdict() const { return found.value_or(Verdict::not_checkable); }
     bool as_expected() const;
@@ -25,6 +27,8 @@ struct PrintedRow {
 
 class PrintedVerdicts {
 public:
+    explicit PrintedVerdicts(bool writes_derived = false) : writes_derived_(writes_derived) {}
+
     /// Checks what the scene of a system contains of its model's printed equations.
     void add(const System& system);
     /// Checks one entry in a system. `shown` is what rows refer to: the entry as it is written.
@@ -35,6 +39,7 @@ public:
 
 private:
     PrintedRow& row_of(const std::string& id, const PrintedEquation& entry);
+    bool writes_derived_;
     std::vector<PrintedRow> rows_;
 };
 

@@ -81,10 +81,9 @@ public:
         for (std::size_t i = 0; i + 1 < equation.sides.size(); ++i) {
             for (const std::size_t side : {i, i + 1}) check_right_angles(system_, *equation.sides[side], indices_);
             PrintedResult result = pair(equation, i);
-            if (!is_worse(result.comparison.verdict, worst.comparison.verdict)) continue;
-            worst.comparison = std::move(result.comparison);
-            worst.difference = std::move(result.difference);
-            worst.counterexample = std::move(result.counterexample);
+            if (i > 0 && !is_worse(result.comparison.verdict, worst.comparison.verdict)) continue;
+            result.written = worst.written;
+            worst = std::move(result);
         }
         return worst;
     }

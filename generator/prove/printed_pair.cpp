@@ -22,13 +22,14 @@ PrintedResult PairCheck::run(const ex& left_side, const ex& right_side) {
     const ex rest = left - right;
     PrintedResult result;
     if (!contains_acceleration(rest)) {
+        result.derived = left;
         result.comparison = prover_.equal(left, right);
         if (result.comparison.verdict != Verdict::wrong) return result;
         result.difference = rest;
         result.counterexample = counterexample(left, right, *result.comparison.counterexample);
         return result;
     }
-    if (holds_on_motion(rest, result.difference)) {
+    if (holds_on_motion(rest, result)) {
         result.comparison = {Verdict::proven};
         result.difference.reset();
         return result;
@@ -95,7 +96,7 @@ ex PairCheck::mass(std::size_t j, std::size_t l) const {
     return at_point(on_constraints(system_.motion.matrix(static_cast<unsigned>(j), static_cast<unsigned>(l))));
 }
 
-bool PairCheck::holds_on_motion(const ex& rest, std::optional<ex>& difference) {
+bool PairCheck::holds_on_motion(const ex& rest, PrintedResult& result) {
     if (!at_.empty() && !has_inverse()) return false;
     std::vector<ex> a;
     GiNaC::exmap without;
@@ -110,8 +111,12 @@ bool PairCheck::holds_on_motion(const ex& rest, std::optional<ex>& difference) {
         const auto ratio = multiple_of_row(a, j);
         if (!ratio) continue;
         const ex row_difference = b + *ratio * force(j);
+        if (!result.difference) {
+            result.derived = *ratio * prepared(system_.motion.residual[j]);
+            result.is_motion = true;
+            result.difference = row_difference;
+        }
         if (prover_.proven_equal(row_difference, 0)) return true;
-        if (!difference) difference = row_difference;
     }
     if (n_ > most_determinant) return false;
     // det [M, force; a', -b] = -det(M) (a' M^-1 force + b)

@@ -34,7 +34,7 @@ private:
     /// M qdd = force on the motion.
     GiNaC::ex force(std::size_t j) const { return prepared(system_.motion.force[j]); }
     /// Whether a.qdd + b vanishes when M qdd = force. Where it is a multiple of one row, the difference from that row is kept.
-    bool holds_on_motion(const GiNaC::ex& rest, std::optional<GiNaC::ex>& difference);
+    bool holds_on_motion(const GiNaC::ex& rest, PrintedResult& result);
     /// Of one acceleration that does not stand alone, as in a magnitude: with what it is.
     std::optional<Comparison> with_single_acceleration(const GiNaC::ex& left, const GiNaC::ex& right);
     /// Where M is singular at the point, no acceleration follows and nothing can be said of it.
