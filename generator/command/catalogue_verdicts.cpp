@@ -48,19 +48,15 @@ const PrintedEquation& CatalogueVerdicts::printed_in_model(const CatalogueEntry&
     fail(Id::unknown_name, entry.span, fmt::format("entry '{}' has no equation, and model '{}' prints no '{}'{}", entry.name, model.name, name, did_you_mean(name, known)));
 }
 
-std::vector<PrintedRow> CatalogueVerdicts::check(const CatalogueEntry& entry) {
-    PrintedVerdicts verdicts(writes_derived_);
-    if (!entry.not_checkable.empty()) {
-        verdicts.add_unchecked(entry, entry.not_checkable);
-        return verdicts.rows();
-    }
+void CatalogueVerdicts::each(const CatalogueEntry& entry, const Visit& visit) {
+    if (!entry.not_checkable.empty()) return;
     Diagnostics diagnostics;
     if (entry.model.empty()) {
         const LoadedModel letters(with_letters(catalogue_, entry, nullptr));
         const PrintedEquation checked = checked_entry(catalogue_, entry, letters.model, diagnostics);
         diagnostics.stop_on_errors();
-        verdicts.add(*letters_alone(letters.names, letters.model), checked, entry);
-        return verdicts.rows();
+        visit(*letters_alone(letters.names, letters.model), checked);
+        return;
     }
     const PrintedEquation* printed = entry.equations.empty() ? &printed_in_model(entry) : nullptr;
     std::vector<std::string> scenes{entry.scene};
@@ -76,12 +72,18 @@ std::vector<PrintedRow> CatalogueVerdicts::check(const CatalogueEntry& entry) {
             if (system->scene.mode) known.push_back(system->scene.modes[*system->scene.mode].name);
             if (!entry.mode.empty() && (known.empty() || known.back() != entry.mode)) continue;
             is_mode = true;
-            verdicts.add(*system, checked, entry);
+            visit(*system, checked);
         }
     }
     if (!is_mode)
         fail(Id::unknown_name, entry.span, known.empty() ? fmt::format("the model of entry '{}' has no modes, and so no mode '{}'", entry.name, entry.mode)
                                                          : fmt::format("the model of entry '{}' has no mode '{}'; its modes are {}", entry.name, entry.mode, quoted_list(known)));
+}
+
+std::vector<PrintedRow> CatalogueVerdicts::check(const CatalogueEntry& entry) {
+    PrintedVerdicts verdicts(writes_derived_);
+    if (!entry.not_checkable.empty()) verdicts.add_unchecked(entry, entry.not_checkable);
+    each(entry, [&](const System& system, const PrintedEquation& checked) { verdicts.add(system, checked, entry); });
     return verdicts.rows();
 }
 

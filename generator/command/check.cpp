@@ -103,8 +103,9 @@ FileResult check_catalogue(const SourcePtr& source, const Options& options, Stre
     const Catalogue& catalogue = *owner;
     const bool as_text = options.format != "json";
     FileResult result{{{"schema", "dalembert/check"}, {"version", json_version}, {"catalogue", catalogue.title}, {"edition", catalogue.edition}, {"printed", nlohmann::ordered_json::array()}}, {catalogue.title, catalogue.edition, {}, {}, owner}};
-    if (as_text) streams.out << safe_line(catalogue.title) << "\n";
     CatalogueVerdicts verdicts(catalogue, !options.pages.empty());
+    for (const CatalogueEntry& entry : catalogue.entries) verdicts.each(entry, [](const System&, const PrintedEquation&) {});  // errors come before verdicts
+    if (as_text) streams.out << safe_line(catalogue.title) << std::endl;
     for (const CatalogueEntry& entry : catalogue.entries)
         for (const PrintedRow& row : verdicts.check(entry)) {
             result.failed = result.failed || !row.as_expected();
