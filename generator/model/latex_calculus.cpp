@@ -234,7 +234,7 @@ ExpressionPtr LatexParser::limit() {
     return call("limit", first, {std::move(inside), std::move(variable), std::move(value)});
 }
 
-bool LatexParser::is_evaluation_bar() const { return magnitudes_ == 0 && is("|") && token().side != Side::left && (token(1).is("_") || token(1).is("^")); }
+bool LatexParser::is_evaluation_bar() const { return magnitudes_ == 0 && is("|") && token().side == Side::neutral && (token(1).is("_") || token(1).is("^")); }
 
 /// Behind a bar or a bracket: the point, x=a, or what a partial derivative holds constant.
 ExpressionPtr LatexParser::evaluated(ExpressionPtr e, std::size_t first) {
@@ -249,7 +249,7 @@ ExpressionPtr LatexParser::evaluated(ExpressionPtr e, std::size_t first) {
         do {
             const std::size_t begin = at_;
             const ExpressionPtr item = in_braces ? expression() : braced("the point");
-            if (take("=")) {
+            if (in_braces && take("=")) {
                 variable = item;
                 const ExpressionPtr value = expression();
                 e = call("at", first, {e, item, value});

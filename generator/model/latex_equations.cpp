@@ -191,11 +191,13 @@ void LatexParser::drop_layout() {
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
         const LatexToken& t = tokens_[i];
         if (t.kind == LatexToken::Kind::begin) {
-            const bool layout = open.back() && braces.back() == 0 && is_layout(i);
+            const bool has_left = i > 0 && at(i - 1).side == Side::left;
+            const bool layout = open.back() && braces.back() == (has_left ? 1 : 0) && is_layout(i);
+            const bool is_braced = layout && has_left;
+            if (is_braced) --braces.back();
             open.push_back(layout);
             braces.push_back(0);
             dropped[i] = layout;
-            const bool is_braced = layout && i > 0 && at(i - 1).side == Side::left;
             has_brace.push_back(is_braced);
             if (is_braced || (layout && i > 0 && at(i - 1).is("\\{"))) dropped[i - 1] = true;
         } else if (t.kind == LatexToken::Kind::end_of) {
@@ -245,7 +247,7 @@ void LatexParser::skip_set() {
         if (!is_end()) next();
         return;
     }
-    while (!is_end() && !is(",") && !is(".") && !is("\\\\") && token().kind != LatexToken::Kind::upright) next();
+    while (!is_end() && !is(",") && !is_point() && !is("\\\\") && token().kind != LatexToken::Kind::upright) next();
 }
 
 /// "j = 1, \dots, n", "x \in [0, 1]" and "\forall ...": not equations, but said of one.
@@ -300,7 +302,7 @@ LatexEquation LatexParser::chain() {
         if (!sign) break;
         const LatexToken relation_sign = next();
         result.relations.push_back(*sign);
-        if (is_end() || is("\\\\") || is(",") || is(".") || relation()) wrong(place(relation_sign), fmt::format("there is nothing behind '{}'", shown(relation_sign)));
+        if (is_end() || is("\\\\") || is(",") || is_point() || relation()) wrong(place(relation_sign), fmt::format("there is nothing behind '{}'", shown(relation_sign)));
     }
     result.equation.span = from(first);
     return result;
@@ -308,7 +310,7 @@ LatexEquation LatexParser::chain() {
 
 std::vector<LatexEquation> LatexParser::equations() {
     std::vector<LatexEquation> all;
-    const auto is_between = [&] { return is(",") || is(".") || is(";") || is("\\\\") || is("&") || is("\\Rightarrow") || is("\\rightarrow"); };
+    const auto is_between = [&] { return is(",") || is_point() || is(";") || is("\\\\") || is("&") || is("\\Rightarrow") || is("\\rightarrow"); };
     const auto last = [&] { return all.empty() ? nullptr : &all.back(); };
     while (!is_end()) {
         const Word word = word_of(token());

@@ -166,7 +166,10 @@ ExpressionPtr LatexParser::bracket() {
 
 /// {...} only groups; one letter in it can still take an index.
 ExpressionPtr LatexParser::group() {
-    if (starts_letter(at_)) return letter_factor();
+    return starts_letter(at_) ? letter_factor() : grouped();
+}
+
+ExpressionPtr LatexParser::grouped() {
     const std::size_t first = at_;
     next();
     if (is("}")) wrong(from(first), "the group is empty");
@@ -272,7 +275,7 @@ ExpressionPtr LatexParser::under_brace() {
     const std::size_t first = at_;
     next();
     if (!is("{")) expected("'{'");
-    ExpressionPtr inside = group();
+    ExpressionPtr inside = grouped();
     while (is("_") || is("^")) {
         if (token(1).is("{") && closing_brace(at_ + 1) + 1 >= tokens_.size()) expected("'}'");
         at_ = std::min(behind_argument(at_ + 1), tokens_.size() - 1);

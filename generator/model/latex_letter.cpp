@@ -69,6 +69,11 @@ std::string script_name(const std::vector<LatexToken>& script) {
     return as_name(text);
 }
 
+bool can_be_script(const LatexToken& token) {
+    if (token.kind == LatexToken::Kind::command) return is_greek(token.text) || sign_names.contains(token.text);
+    return token.kind != LatexToken::Kind::begin && token.kind != LatexToken::Kind::end_of;
+}
+
 std::string LatexLetter::canonical() const {
     std::string text = is_upright ? "\\mathrm{" + base + "}" : base;
     for (const std::string& mark : marks) text = mark + "{" + text + "}";
@@ -96,6 +101,16 @@ std::string LatexLetter::plain_name() const {
         if (const std::string part = script_name(*script); !part.empty()) name += "_" + part;
     for (int i = 0; i < primes; ++i) name += "_prime";
     return name;
+}
+
+std::optional<std::string> LatexLetter::meant_by_dummy() const {
+    if (base == "\\tau" && marks.empty() && index.empty() && dots == 0) return "t";
+    LatexLetter meant = *this;
+    const auto is_dummy = [](const std::string& mark) { return mark == "\\tilde" || mark == "\\bar" || mark == "\\hat"; };
+    std::erase_if(meant.marks, is_dummy);
+    meant.primes = 0;
+    if (meant.marks.size() == marks.size() && primes == 0) return std::nullopt;
+    return meant.plain_name();
 }
 
 bool LatexLetter::is_vector() const { return std::any_of(marks.begin(), marks.end(), [](const std::string& mark) { return mark == "\\mathbf" || mark == "\\vec"; }); }

@@ -12,6 +12,8 @@
 //   m_i inside \sum_i            m[i]             (an index that is counted stands in brackets: F_{ij} is F[i, j], r_{S,i} is r_S[i])
 #pragma once
 
+#include <optional>
+
 #include "model/latex_lexer.hpp"
 
 namespace dalembert {
@@ -31,12 +33,16 @@ struct LatexLetter {
     /// note [names of letters], without dots.
     std::string plain_name() const;
     bool is_vector() const;
+    /// What a variable of integration stands for in f(...): t for \tau, x for \tilde{x}, \bar{x}, \hat{x} and x'.
+    std::optional<std::string> meant_by_dummy() const;
 };
 
 /// A script as it is spelled in a canonical letter: no blanks, no fonts.
 std::string canonical_script(const std::vector<LatexToken>& script);
 /// A script as part of a name: q_j of "q,j"; empty when nothing of it can stand in a name.
 std::string script_name(const std::vector<LatexToken>& script);
+/// Whether a token says something in a script: a letter, a digit, a word, *, \infty, ...
+bool can_be_script(const LatexToken& token);
 /// "phi" of "\\varphi".
 std::string greek_name(std::string_view command);
 /// Whether a command is a letter: Greek, \ell, \hbar.

@@ -106,14 +106,14 @@ bool LatexParser::read_marked(Read& read) {
     const bool braced = take("{");
     const std::size_t inside = at_;
     if (!read_nucleus(read)) return false;
+    if (const int dots = dots_of(mark); dots > 0) letter.dots += dots;
+    else letter.marks.push_back(mark);
     if (braced) {
         if (!read_scripts(read) || read.power_at != 0) return false;
         if (!is("}") && at_ == inside + 1 && at(inside).kind == LatexToken::Kind::letter)  // \mathbf{AB}
             while (token().kind == LatexToken::Kind::letter && token().space == Space::none) letter.base += next().text;
         if (!take("}")) return false;
     }
-    if (const int dots = dots_of(mark); dots > 0) letter.dots += dots;
-    else letter.marks.push_back(mark);
     return true;
 }
 
@@ -142,7 +142,7 @@ bool LatexParser::read_scripts(Read& read) {
             const Tokens script = script_tokens();
             if (script_name(script).empty()) wrong(place(script.front()), fmt::format("'{}' cannot be an index", shown(script.front())));
             for (const LatexToken& t : script)
-                if (t.kind == LatexToken::Kind::command && !is_greek(t.text) && script_name({t}) == t.text.substr(1) && !is_function(t))
+                if (!can_be_script(t))
                     wrong(place(t), fmt::format("'{}' cannot stand in an index", shown(t)));
             if (!letter.index.empty()) letter.index.push_back({LatexToken::Kind::sign, ",", script.front().begin, script.front().begin});
             letter.index.insert(letter.index.end(), script.begin(), script.end());
@@ -276,6 +276,13 @@ ExpressionPtr LatexParser::translate(const LatexLetter& letter, std::size_t firs
 
 ExpressionPtr LatexParser::letter_factor() {
     const std::size_t first = at_;
+    if (is("\\mathbf") || is("\\vec")) {  // the vector or matrix of zeros
+        const std::size_t digit = at_ + (token(1).is("{") ? 2 : 1);
+        if (at(digit).kind == LatexToken::Kind::number && at(digit).text == "0" && (digit == at_ + 1 || at(digit + 1).is("}"))) {
+            at_ = behind_argument(at_ + 1);
+            return number(0, first);
+        }
+    }
     if (at_differential()) return differential();
     if (is("\\delta") && notation_.find("\\delta") == nullptr && !token(1).is("_") && !token(1).is("^") && token(1).space < Space::thin && starts_letter(at_ + 1)) {
         next();
@@ -359,6 +366,7 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
     }
     // Without a word of the notation: letters and commas, each at most once.
     std::string spelled;
+    std::vector<std::pair<std::string, ExpressionPtr>> dummies;  // \tau for t, \tilde{x} for x
     std::size_t letters = 0;
     bool is_list = false;
     bool is_plain = true;
@@ -370,9 +378,14 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
         if (!is_plain) break;
         ++letters;
         const LatexLetter& argument = read->first.letter;
+        if (const auto meant = argument.meant_by_dummy()) {
+            at_ = read->second;
+            dummies.emplace_back(*meant, translate(argument, i));
+            at_ = bracket;
+        }
         is_instant = argument.base == "t" && !argument.index.empty() && argument.marks.empty();
         is_plain = argument.index.empty() || is_instant || letters > 1;
-        spelled += (spelled.empty() ? "" : ", ") + argument.canonical();
+        spelled += (spelled.empty() ? "" : ", ") + argument.meant_by_dummy().value_or(argument.plain_name());
         i = read->second;
         if (at(i).is(",")) {
             is_list = true;
@@ -399,8 +412,9 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
         return function;
     }
     if (is_plain && letters > 0) {
+        for (const auto& [argument, dummy] : dummies) value_at(argument, dummy);
         const auto [known, is_new] = applied_.emplace(letter.canonical(), spelled);
-        if (!is_new && known->second != spelled && !(is_letter && spelled == "t")) unclear(fmt::format("'{}' stands before '({})' here and before '({})' elsewhere", name, spelled, known->second).c_str());
+        if (!is_new && known->second != spelled && dummies.empty()) unclear(fmt::format("'{}' stands before '({})' here and before '({})' elsewhere", name, spelled, known->second).c_str());
         at_ = close + 1;
         return function;
     }

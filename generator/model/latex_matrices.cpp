@@ -57,7 +57,7 @@ ExpressionPtr LatexParser::cases(std::size_t first) {
     while (token().kind != LatexToken::Kind::end_of) {
         if (is_complete) expected("the end of the cases behind the one without a condition");
         parts.push_back(expression());
-        while (is(",") || is(".") || is(";")) next();
+        while (is(",") || is_point() || is(";")) next();
         const bool is_apart = take("&");
         Word word = word_of(token());
         if (word == Word::condition) next();
@@ -65,7 +65,7 @@ ExpressionPtr LatexParser::cases(std::size_t first) {
         const bool is_end_of_line = is("\\\\") || token().kind == LatexToken::Kind::end_of;
         if (word == Word::otherwise || (is_end_of_line && (is_apart || word == Word::none))) is_complete = true;
         else parts.push_back(condition());
-        while (is(",") || is(".") || is(";")) next();
+        while (is(",") || is_point() || is(";")) next();
         if (!is("\\\\") && token().kind != LatexToken::Kind::end_of) expected("'\\\\' or the end of the cases");
         take("\\\\");
     }

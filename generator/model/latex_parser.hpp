@@ -50,6 +50,7 @@ private:
     const LatexToken& at(std::size_t i) const { return tokens_[std::min(i, tokens_.size() - 1)]; }
     const LatexToken& next() { return tokens_[at_ + 1 < tokens_.size() ? at_++ : at_]; }
     bool is(std::string_view text) const { return token().is(text); }
+    bool is_point() const { return is(".") && token().side == Side::neutral; }  ///< and not \\left.
     bool take(std::string_view text);
     bool is_end() const { return token().kind == LatexToken::Kind::end; }
     Span place(const LatexToken& token) const { return excerpt_.span(token.begin, token.end); }
@@ -85,6 +86,7 @@ private:
     ExpressionPtr superscript(ExpressionPtr base, std::size_t first);
     ExpressionPtr bracket();
     ExpressionPtr group();
+    ExpressionPtr grouped();  ///< without an index behind it
     ExpressionPtr magnitude();
     ExpressionPtr number_factor();
     ExpressionPtr root();
