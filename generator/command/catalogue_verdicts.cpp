@@ -48,8 +48,9 @@ const PrintedEquation& CatalogueVerdicts::printed_in_model(const CatalogueEntry&
     fail(Id::unknown_name, entry.span, fmt::format("entry '{}' has no equation, and model '{}' prints no '{}'{}", entry.name, model.name, name, did_you_mean(name, known)));
 }
 
-void CatalogueVerdicts::each(const CatalogueEntry& entry, const Visit& visit) {
-    if (!entry.not_checkable.empty()) return;
+void CatalogueVerdicts::each(const CatalogueEntry& written, const Visit& visit) {
+    if (!written.not_checkable.empty()) return;
+    const CatalogueEntry entry = with_equations(catalogue_, written, written.model.empty() ? nullptr : &loaded(written)->model);
     Diagnostics diagnostics;
     if (entry.model.empty()) {
         const LoadedModel letters(with_letters(catalogue_, entry, nullptr));

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "model/expression_text.hpp"
 #include "model/parser.hpp"
 #include "model/vocabulary.hpp"
 
@@ -112,6 +113,7 @@ std::string call(const Expression& e) {
     if (e.name == "integral" && count == 4) return fmt::format("<msubsup><mo>∫</mo>{}{}</msubsup>{}<mi>d</mi>{}", row(part(2)), row(part(3)), factor(*e.children[0]), part(1));
     if (e.name == "limit" && count == 3) return fmt::format("<munder><mo>lim</mo>{}</munder>{}", row(part(1) + sign("→") + part(2)), factor(*e.children[0]));
     if (e.name == "at" && count == 3) return fmt::format("<msub>{}{}</msub>", row("<mo stretchy=\"false\">[</mo>" + part(0) + "<mo stretchy=\"false\">]</mo>"), row(part(1) + sign("=") + part(2)));
+    if (e.name == "quantity" && count == 2) return part(0) + "<mspace width=\"0.3em\"></mspace>" + fmt::format("<mtext>{}</mtext>", html_text(in_model_language(*e.children[1])));
     if (e.name == "transpose" && count == 1) return fmt::format("<msup>{}<mi>T</mi></msup>", row(factor(*e.children[0])));
     if (e.name == "inverse" && count == 1) return fmt::format("<msup>{}{}</msup>", row(factor(*e.children[0])), row("<mo>−</mo><mn>1</mn>"));
     if (e.name == "cross" && count == 2) return factor(*e.children[0]) + sign("×") + factor(*e.children[1]);

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "model/checks.hpp"
+#include "model/latex_reader.hpp"
+#include "model/latex_words.hpp"
 #include "model/matrices.hpp"
 
 namespace dalembert {
@@ -29,11 +31,11 @@ private:
     void use(const Expression& expression) {
         for_each(expression, [&](const Expression& e) {
             if (e.kind != Expression::Kind::name || explained_.contains(e.name) || !names_.insert(e.name).second) return;
-            for (const PrintedLetter& letter : catalogue_.notation) {
-                if (letter.name != e.name) continue;
-                explained_.insert(letter.name);
-                notation_.push_back(letter);
-                use(*letter.value);
+            for (const LatexMeaning& meaning : catalogue_.notation) {
+                if (meaning.letter.text != e.name) continue;
+                explained_.insert(e.name);
+                notation_.push_back({e.name, meaning.value, meaning.letter.whole()});
+                use(*meaning.value);
             }
         });
     }
@@ -75,6 +77,47 @@ std::vector<const CatalogueLetter*> letters_of(const Catalogue& catalogue, const
 }
 
 }  // namespace
+
+namespace {
+
+/// Names of the model and of letters are read as words, not as products.
+PrintedNotation notation_of(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
+    PrintedNotation notation;
+    for (const auto* letters : {&entry.own, &catalogue.letters})
+        for (const CatalogueLetter& letter : *letters) notation.add_word(letter.name);
+    for (const PrintedLetter& letter : entry.letters) notation.add_word(letter.name);
+    if (model != nullptr)
+        for (const std::string& name : Names(*model).all()) notation.add_word(name);
+    for (const auto* functions : {&catalogue.functions, &entry.functions})
+        for (const std::string& name : *functions) notation.define_function(name, {});
+    for (const auto* meanings : {&catalogue.notation, &entry.notation})
+        for (const LatexMeaning& meaning : *meanings) notation.define(meaning.letter, meaning.value);
+    return notation;
+}
+
+/// An entry that solves equations says what letters are.
+void check_solution(const CatalogueEntry& entry) {
+    for (const Equation& equation : entry.equations)
+        if (const Expression& left = *equation.sides[0]; left.kind != Expression::Kind::name || !left.children.empty())
+            fail(Id::wrong_type, left.span, fmt::format("'{}' is not a letter; an entry with 'solves' says what letters are, as in 'x = ...'", left.written()));
+}
+
+}  // namespace
+
+CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
+    CatalogueEntry result = entry;
+    if (entry.latex)
+        for (const LatexEquation& read : read_latex(*entry.latex, notation_of(catalogue, entry, model))) {
+            for (const Relation relation : read.relations)
+                if (relation != Relation::equal && relation != Relation::approximately)
+                    fail(Id::not_allowed_here, read.equation.span, fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(), sign_of(relation)));
+            if (read.relations.empty()) fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
+            result.equations.push_back(read.equation);
+            for (ExpressionPtr& side : result.equations.back().sides) side = in_model_words(side);
+        }
+    if (!entry.solved.empty()) check_solution(result);
+    return result;
+}
 
 Model with_letters(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* base) {
     Model model;

@@ -2,6 +2,7 @@
 // A catalogue: the equations that a text prints, each with what it is checked against.
 #pragma once
 
+#include "model/lexer.hpp"
 #include "model/model.hpp"
 
 namespace dalembert {
@@ -13,6 +14,12 @@ struct CatalogueLetter : Quantity {
     bool moves = false;
 };
 
+/// What a printed letter stands for: \varphi, T, m_{1}.
+struct LatexMeaning {
+    Excerpt letter;
+    ExpressionPtr value;
+};
+
 /// The name is the printed number: "2.218".
 struct CatalogueEntry : PrintedEquation {
     std::string model;         ///< path, relative to the catalogue; empty: an identity on its own letters
@@ -21,6 +28,9 @@ struct CatalogueEntry : PrintedEquation {
     std::string scene;
     std::string mode;
     std::vector<CatalogueLetter> own;
+    std::optional<Excerpt> latex;  ///< instead of equations
+    std::vector<LatexMeaning> notation;
+    std::vector<std::string> functions;
     std::string not_checkable; ///< why there is nothing to be checked; empty where there is
 };
 
@@ -29,7 +39,8 @@ struct Catalogue {
     std::string title;         ///< of the text
     std::string edition;
     std::vector<CatalogueLetter> letters;
-    std::vector<PrintedLetter> notation;
+    std::vector<LatexMeaning> notation;
+    std::vector<std::string> functions;  ///< letters that are functions: what stands in brackets behind them is left out
     std::vector<CatalogueEntry> entries;
 };
 
@@ -38,6 +49,9 @@ bool is_catalogue(const SourcePtr& source);
 
 /// Reads and checks a catalogue, but for what its entries say of models. Throws Failure with everything that is wrong.
 Catalogue read_catalogue(const SourcePtr& source, Diagnostics& diagnostics);
+
+/// The entry with its LaTeX read, if it has any. Throws Failure.
+CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model);
 
 /// A model with the letters of an entry and nothing else; with `base`, that model with those letters that it does not have.
 Model with_letters(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* base);

@@ -18,6 +18,7 @@ constexpr std::array catalogue_keys{
     KeySpec{"source", Type::text, true, "the text: author, title"},
     KeySpec{"edition", Type::text, false, "which edition, or where it was found"},
     KeySpec{"doc", Type::text, false, "which part of the text this file is about"},
+    KeySpec{"functions", Type::effects, false, "of entries in LaTeX: letters that are functions, so that what stands in brackets behind them is left out"},
 };
 constexpr std::array letter_keys{
     KeySpec{"unit", Type::unit, true, "its unit: \"kg\", \"N/m\", \"1\""},
@@ -33,6 +34,9 @@ constexpr std::array notation_keys{
 constexpr std::array entry_keys{
     KeySpec{"equation", Type::equation, false, "the printed equation in the model language: \"left = right\", also \"a = b = c\""},
     KeySpec{"equations", Type::equations, false, "several equations under one number"},
+    KeySpec{"latex", Type::text, false, "instead: the equation, or several, in LaTeX, as it is printed"},
+    KeySpec{"notation", Type::expressions_by_name, false, "with latex: what its letters stand for, where that is not in [notation]: { '\\varphi' = \"theta\" }"},
+    KeySpec{"functions", Type::effects, false, "with latex: letters that are functions, so that what stands in brackets behind them is left out"},
     KeySpec{"model", Type::text, false, "the model that it is checked against, relative to the catalogue; none: an identity on its own letters"},
     KeySpec{"printed", Type::text, false, "instead of an equation: the [printed] entry of the model that says it; the one of the same number, if left out"},
     KeySpec{"scene", Type::text, false, "the scene of the model; if left out its default, of a [printed] entry all that contain it"},
@@ -55,7 +59,7 @@ constexpr std::array catalogue_table{
                 "[catalogue]\nformat = 1\nsource = \"A. Author, Mechanics\"\nedition = \"second, 2020\"", catalogue_keys, ""},
     SectionSpec{"letters", true, "Letters of the text that may have any sign, with their units.", "[letters]\nx = \"m\"\nq = { unit = \"m\", of = \"t\" }", letter_keys, "unit"},
     SectionSpec{"positive", true, "Letters of the text that are positive.", "[positive]\nm = \"kg\"\ng = { unit = \"m/s^2\", value = 9.81 }", letter_keys, "unit"},
-    SectionSpec{"notation", true, "What letters of the text stand for in models.", "[notation]\nT = \"kinetic_energy\"", notation_keys, "value"},
+    SectionSpec{"notation", true, "What letters of the text stand for in models.", "[notation]\nT           = \"kinetic_energy\"\n'\\varphi_1' = \"phi_1\"", notation_keys, "value"},
     SectionSpec{"entries", true, "The equations, by their printed numbers.",
                 "[entries.\"2.219\"]\nmodel    = \"../mechanics/spherical_pendulum.toml\"\nequation = \"potential_energy = m*g*l*(1 - cos(theta))\"", entry_keys, ""},
 };

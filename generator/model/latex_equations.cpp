@@ -354,8 +354,8 @@ std::string LatexParser::whole_letter() {
     return read->letter.canonical();
 }
 
-std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const Notation& notation) { return LatexParser(excerpt, notation).equations(); }
-ExpressionPtr read_latex_expression(const Excerpt& excerpt, const Notation& notation) { return LatexParser(excerpt, notation).whole_expression(); }
-std::string canonical_letter(const Excerpt& excerpt, const Notation& notation) { return LatexParser(excerpt, notation).whole_letter(); }
+std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotation& notation) { return LatexParser(excerpt, notation).equations(); }
+ExpressionPtr read_latex_expression(const Excerpt& excerpt, const PrintedNotation& notation) { return LatexParser(excerpt, notation).whole_expression(); }
+std::string canonical_letter(const Excerpt& excerpt, const PrintedNotation& notation) { return LatexParser(excerpt, notation).whole_letter(); }
 
 }  // namespace dalembert

@@ -11,7 +11,7 @@ namespace {
 constexpr int deepest_latex = 100;
 }
 
-LatexParser::LatexParser(const Excerpt& excerpt, const Notation& notation) : excerpt_(excerpt), notation_(notation), tokens_(latex_tokens(excerpt, 0, excerpt.text.size())) { prepare(); }
+LatexParser::LatexParser(const Excerpt& excerpt, const PrintedNotation& notation) : excerpt_(excerpt), notation_(notation), tokens_(latex_tokens(excerpt, 0, excerpt.text.size())) { prepare(); }
 
 LatexParser::LatexParser(const LatexParser& whole, Tokens part) : excerpt_(whole.excerpt_), notation_(whole.notation_), tokens_(std::move(part)), depth_(whole.depth_), brackets_(1), counters_(whole.counters_) {
     const std::size_t end = tokens_.back().end;

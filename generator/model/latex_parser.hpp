@@ -20,7 +20,7 @@ namespace dalembert {
 
 class LatexParser {
 public:
-    LatexParser(const Excerpt& excerpt, const Notation& notation);
+    LatexParser(const Excerpt& excerpt, const PrintedNotation& notation);
 
     std::vector<LatexEquation> equations();
     ExpressionPtr whole_expression();
@@ -167,7 +167,7 @@ private:
     void skip_set();
 
     const Excerpt& excerpt_;
-    const Notation& notation_;
+    const PrintedNotation& notation_;
     Tokens tokens_;
     std::size_t at_ = 0;
     int depth_ = 0;

@@ -38,10 +38,10 @@ struct LatexEquation {
 };
 
 /// All equations of the text, in order. Throws Failure (syntax, too-deep, too-long, number-too-large) with a caret inside the text.
-std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const Notation& notation);
+std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotation& notation);
 /// The text is one expression without a relation. Throws the same.
-ExpressionPtr read_latex_expression(const Excerpt& excerpt, const Notation& notation);
+ExpressionPtr read_latex_expression(const Excerpt& excerpt, const PrintedNotation& notation);
 /// The canonical spelling of the one letter, or word that the notation knows, in the excerpt. Throws Failure (syntax).
-std::string canonical_letter(const Excerpt& excerpt, const Notation& notation);
+std::string canonical_letter(const Excerpt& excerpt, const PrintedNotation& notation);
 
 }  // namespace dalembert

@@ -164,6 +164,7 @@ private:
         const auto takes = [&](std::size_t count) {
             if (e->children.size() != count) fail(Id::wrong_arguments, e->span, fmt::format("'{}' takes {} argument{}, here it has {}", e->name, count, count == 1 ? "" : "s", e->children.size()));
         };
+        if (e->name == "quantity") return number(e);
         if (e->name == "matrix") return rows(*e);
         if (e->name == "vector") {
             MatrixExpression result{e->children.size(), 1, {}};

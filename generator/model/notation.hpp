@@ -11,7 +11,7 @@
 
 namespace dalembert {
 
-class Notation {
+class PrintedNotation {
 public:
     /// The letter (or word of letters) that stands in the excerpt means the expression. A later entry replaces an earlier one.
     /// Throws Failure (syntax) where the excerpt is not one letter.

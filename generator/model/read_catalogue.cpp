@@ -37,18 +37,14 @@ std::vector<PrintedLetter> read_with(const Entry& e, std::string_view key) {
     return letters;
 }
 
-/// "x = ..." gives the letter x.
-void check_solution(const Entry& e, const CatalogueEntry& entry) {
-    for (const Equation& equation : entry.equations)
-        if (const Expression& left = *equation.sides[0]; left.kind != Expression::Kind::name || !left.children.empty())
-            e.error(Id::wrong_type, left.span, fmt::format("'{}' is not a letter; an entry with 'solves' says what letters are, as in 'x = ...'", left.written()));
-}
-
 CatalogueEntry read_entry(const Entry& e) {
     CatalogueEntry entry;
     e.fill(entry);
     entry.source = e.text("source");
     entry.equations = e.has("equations") ? e.equations("equations") : e.equations("equation");
+    entry.latex = e.excerpt("latex");
+    for (auto& [letter, value] : e.by_text("notation")) entry.notation.push_back({letter, value});
+    for (const auto& [name, span] : e.names("functions")) entry.functions.push_back(name);
     entry.model = e.text("model");
     entry.model_span = e.span_of("model");
     entry.printed = e.text("printed");
@@ -62,11 +58,10 @@ CatalogueEntry read_entry(const Entry& e) {
     for (const bool is_positive : {false, true})
         e.each_named(is_positive ? "positive" : "letters", catalogue_section("letters"), [&](const Entry& letter) { entry.own.push_back(read_letter(letter, is_positive)); });
     const auto given = [&](std::initializer_list<const char*> keys) { return std::count_if(keys.begin(), keys.end(), [&](const char* key) { return e.has(key); }); };
-    if (const auto ways = given({"equation", "equations", "printed", "not_checkable"}); ways > 1 || (ways == 0 && entry.model.empty()))
-        e.error(Id::missing_key, e.span(), fmt::format("entry '{}' needs one of these: an equation, a list of equations, a model that has it printed, or a reason why it is not checkable", e.name()));
+    if (const auto ways = given({"equation", "equations", "latex", "printed", "not_checkable"}); ways > 1 || (ways == 0 && entry.model.empty()))
+        e.error(Id::missing_key, e.span(), fmt::format("entry '{}' needs one of these: an equation, a list of equations, LaTeX, a model that has it printed, or a reason why it is not checkable", e.name()));
     for (const char* key : {"printed", "scene", "mode"})
         if (e.has(key) && entry.model.empty()) e.error(Id::missing_key, e.span_of(key), fmt::format("entry '{}' has a {} but no model", e.name(), key));
-    if (!entry.solved.empty()) check_solution(e, entry);
     if (e.has("expect")) {
         entry.expected = read_verdict(e.text("expect"));
         if (!entry.expected)
@@ -89,7 +84,7 @@ public:
         for (const bool is_positive : {false, true})
             each(is_positive ? "positive" : "letters", [&](const Entry& e) { catalogue_.letters.push_back(read_letter(e, is_positive)); });
         each("notation", [&](const Entry& e) {
-            if (ExpressionPtr value = e.expression("value")) catalogue_.notation.push_back({e.name(), std::move(value), e.span()});
+            if (ExpressionPtr value = e.expression("value")) catalogue_.notation.push_back({e.name_excerpt(), std::move(value)});
         });
         each("entries", [&](const Entry& e) { catalogue_.entries.push_back(read_entry(e)); });
         distinct(catalogue_.letters);
@@ -104,6 +99,7 @@ private:
             throw Failure(Diagnostic{Id::unknown_format, entry.span_of("format"), fmt::format("the file has format {}, this program reads format {}", format, newest_catalogue)});
         catalogue_.title = entry.text("source");
         catalogue_.edition = entry.text("edition");
+        for (const auto& [name, span] : entry.names("functions")) catalogue_.functions.push_back(name);
     }
 
     template <class Read>

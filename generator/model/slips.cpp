@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "model/vocabulary.hpp"
-#include "model/written.hpp"
+#include "model/expression_text.hpp"
 
 namespace dalembert {
 
@@ -52,7 +52,7 @@ public:
         switch (e->kind) {
             case Kind::number: number(*e, add); return found;
             case Kind::name: name(e, add); return found;
-            case Kind::negate: add(SlipKind::sign, fmt::format("the sign of '{}'", text_of(*e->children[0])), e->children[0]); break;
+            case Kind::negate: add(SlipKind::sign, fmt::format("the sign of '{}'", in_model_language(*e->children[0])), e->children[0]); break;
             case Kind::add:
             case Kind::subtract: sum(*e, add); break;
             case Kind::multiply:
@@ -63,7 +63,7 @@ public:
         }
         for (std::size_t i = 0; i < e->children.size(); ++i) {
             if (e->kind == Kind::sum && i < 2) continue;
-            if (e->kind == Kind::call && (e->name == "diff" || e->name == "integral" || e->name == "limit" || e->name == "at") && i == 1) continue;
+            if (e->kind == Kind::call && (e->name == "diff" || e->name == "integral" || e->name == "limit" || e->name == "at" || e->name == "quantity") && i == 1) continue;
             for (Change& change : of(e->children[i], is_sum(*e) && !is_sum(*e->children[i]))) {
                 std::vector<ExpressionPtr> children = e->children;
                 children[i] = std::move(change.tree);
@@ -78,7 +78,7 @@ private:
     template <class Add>
     void term(const ExpressionPtr& e, Add add) {
         if (e->kind == Kind::number && is_zero(e->value)) return;
-        const std::string text = text_of(*e);
+        const std::string text = in_model_language(*e);
         if (e->kind != Kind::negate) add(SlipKind::sign, fmt::format("the sign of '{}'", text), node(Kind::negate, e->span, {e}));
         for (const int factor : {2, 3, 4}) {
             add(SlipKind::factor, fmt::format("'{}' lacks a factor {}", text, factor), node(Kind::multiply, e->span, {make_number(factor, e->span), e}));
@@ -90,10 +90,10 @@ private:
     void number(const Expression& e, Add add) {
         const auto other = [&](const Rational& value) { return make_number(value, e.span); };
         if (is_zero(e.value)) return;
-        add(SlipKind::factor, fmt::format("{} instead of {}", text_of(*other(e.value + 1)), text_of(e)), other(e.value + 1));
-        if (e.value != 1) add(SlipKind::factor, fmt::format("{} instead of {}", text_of(*other(e.value - 1)), text_of(e)), other(e.value - 1));
-        add(SlipKind::factor, fmt::format("{} instead of {}", text_of(*other(e.value * 2)), text_of(e)), other(e.value * 2));
-        add(SlipKind::factor, fmt::format("{} instead of {}", text_of(*other(e.value / 2)), text_of(e)), other(e.value / 2));
+        add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value + 1)), in_model_language(e)), other(e.value + 1));
+        if (e.value != 1) add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value - 1)), in_model_language(e)), other(e.value - 1));
+        add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value * 2)), in_model_language(e)), other(e.value * 2));
+        add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value / 2)), in_model_language(e)), other(e.value / 2));
     }
 
     template <class Add>
@@ -107,12 +107,12 @@ private:
             if (!has_unit && stem(letter.name) != stem(e->name)) continue;
             auto other = std::make_shared<Expression>(*e);
             other->name = letter.name;
-            add(SlipKind::index, fmt::format("'{}' instead of '{}'", letter.name, text_of(*e)), other);
+            add(SlipKind::index, fmt::format("'{}' instead of '{}'", letter.name, in_model_language(*e)), other);
         }
         indices(*e, 0, add);
         if (own == letters_.end()) return;
-        add(SlipKind::exponent, fmt::format("'{}' is to be squared", text_of(*e)), node(Kind::power, e->span, {e, make_number(2, e->span)}));
-        add(SlipKind::dot, fmt::format("a dot is missing on '{}'", text_of(*e)), call("dot", e));
+        add(SlipKind::exponent, fmt::format("'{}' is to be squared", in_model_language(*e)), node(Kind::power, e->span, {e, make_number(2, e->span)}));
+        add(SlipKind::dot, fmt::format("a dot is missing on '{}'", in_model_language(*e)), call("dot", e));
     }
 
     /// position[bob, 1]: another axis.
@@ -130,7 +130,7 @@ private:
                 std::vector<ExpressionPtr> children = e.children;
                 children[i] = make_number(e.children[i]->value + step, e.span);
                 const ExpressionPtr other = rebuilt(e, std::move(children));
-                add(SlipKind::index, fmt::format("'{}' instead of '{}'", text_of(*other), text_of(e)), other);
+                add(SlipKind::index, fmt::format("'{}' instead of '{}'", in_model_language(*other), in_model_language(e)), other);
             }
         }
     }
@@ -139,29 +139,29 @@ private:
     void sum(const Expression& e, Add add) {
         const bool plus = e.kind == Kind::add;
         const ExpressionPtr &a = e.children[0], &b = e.children[1];
-        add(SlipKind::sign, fmt::format("'{}' instead of '{}' before '{}'", plus ? '-' : '+', plus ? '+' : '-', text_of(*b)), node(plus ? Kind::subtract : Kind::add, e.span, {a, b}));
-        add(SlipKind::term, fmt::format("without '{}'", text_of(*b)), a);
-        add(SlipKind::term, fmt::format("without '{}'", text_of(*a)), plus ? b : node(Kind::negate, e.span, {b}));
+        add(SlipKind::sign, fmt::format("'{}' instead of '{}' before '{}'", plus ? '-' : '+', plus ? '+' : '-', in_model_language(*b)), node(plus ? Kind::subtract : Kind::add, e.span, {a, b}));
+        add(SlipKind::term, fmt::format("without '{}'", in_model_language(*b)), a);
+        add(SlipKind::term, fmt::format("without '{}'", in_model_language(*a)), plus ? b : node(Kind::negate, e.span, {b}));
         // a*b + c for a*(b + c), a/c + b for (a + b)/c, and the like.
         const auto sums = [&](const ExpressionPtr& x, const ExpressionPtr& y) { return node(e.kind, e.span, {x, y}); };
-        const auto bracket = [&](ExpressionPtr tree) { add(SlipKind::bracket, fmt::format("a bracket around '{}'", text_of(e)), std::move(tree)); };
+        const auto bracket = [&](ExpressionPtr tree) { add(SlipKind::bracket, fmt::format("a bracket around '{}'", in_model_language(e)), std::move(tree)); };
         if (a->kind == Kind::multiply) bracket(rebuilt(*a, {a->children[0], sums(a->children[1], b)}));
         if (b->kind == Kind::multiply) bracket(rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
         if (b->kind == Kind::divide) bracket(rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
         if (a->kind == Kind::divide) bracket(rebuilt(*a, {a->children[0], sums(a->children[1], b)}));
         if (a->kind == Kind::call && a->children.size() == 1) bracket(rebuilt(*a, {sums(a->children[0], b)}));
-        if (is_sum(*b)) add(SlipKind::bracket, fmt::format("no bracket around '{}'", text_of(*b)), rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
+        if (is_sum(*b)) add(SlipKind::bracket, fmt::format("no bracket around '{}'", in_model_language(*b)), rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
     }
 
     template <class Add>
     void product(const Expression& e, Add add) {
         const ExpressionPtr &a = e.children[0], &b = e.children[1];
         const bool times = e.kind == Kind::multiply;
-        if (times) add(SlipKind::exponent, fmt::format("'{}' belongs below", text_of(*b)), node(Kind::divide, e.span, {a, b}));
-        else add(SlipKind::exponent, fmt::format("'{}' belongs above", text_of(*b)), node(Kind::multiply, e.span, {a, b}));
-        if (!times) add(SlipKind::exponent, fmt::format("'{}' is upside down", text_of(e)), node(Kind::divide, e.span, {b, a}));
+        if (times) add(SlipKind::exponent, fmt::format("'{}' belongs below", in_model_language(*b)), node(Kind::divide, e.span, {a, b}));
+        else add(SlipKind::exponent, fmt::format("'{}' belongs above", in_model_language(*b)), node(Kind::multiply, e.span, {a, b}));
+        if (!times) add(SlipKind::exponent, fmt::format("'{}' is upside down", in_model_language(e)), node(Kind::divide, e.span, {b, a}));
         const auto opened = [&](const Expression& inner, const ExpressionPtr& first, const ExpressionPtr& second) {
-            add(SlipKind::bracket, fmt::format("no bracket around '{}'", text_of(inner)), node(inner.kind, e.span, {first, second}));
+            add(SlipKind::bracket, fmt::format("no bracket around '{}'", in_model_language(inner)), node(inner.kind, e.span, {first, second}));
         };
         if (is_sum(*b)) opened(*b, rebuilt(e, {a, b->children[0]}), b->children[1]);
         if (is_sum(*a)) opened(*a, a->children[0], rebuilt(e, {a->children[1], b}));
@@ -171,15 +171,15 @@ private:
     template <class Add>
     void power(const ExpressionPtr& e, Add add) {
         const ExpressionPtr &base = e->children[0], &exponent = e->children[1];
-        const auto other = [&](const Rational& value) { add(SlipKind::exponent, fmt::format("'{}' to the power {}", text_of(*base), text_of(*make_number(value, e->span))), value == 1 ? base : rebuilt(*e, {base, make_number(value, e->span)})); };
+        const auto other = [&](const Rational& value) { add(SlipKind::exponent, fmt::format("'{}' to the power {}", in_model_language(*base), in_model_language(*make_number(value, e->span))), value == 1 ? base : rebuilt(*e, {base, make_number(value, e->span)})); };
         if (exponent->kind == Kind::number) {
             other(exponent->value + 1);
             if (exponent->value != 1) other(exponent->value - 1);
             other(-exponent->value);
         } else {
-            add(SlipKind::exponent, fmt::format("the sign of the exponent of '{}'", text_of(*base)), rebuilt(*e, {base, node(Kind::negate, e->span, {exponent})}));
+            add(SlipKind::exponent, fmt::format("the sign of the exponent of '{}'", in_model_language(*base)), rebuilt(*e, {base, node(Kind::negate, e->span, {exponent})}));
         }
-        if (base->kind == Kind::multiply || base->kind == Kind::divide) add(SlipKind::bracket, fmt::format("no bracket around '{}'", text_of(*base)), rebuilt(*base, {base->children[0], rebuilt(*e, {base->children[1], exponent})}));
+        if (base->kind == Kind::multiply || base->kind == Kind::divide) add(SlipKind::bracket, fmt::format("no bracket around '{}'", in_model_language(*base)), rebuilt(*base, {base->children[0], rebuilt(*e, {base->children[1], exponent})}));
     }
 
     template <class Add>
@@ -191,18 +191,18 @@ private:
                 if (e->name != from) continue;
                 auto other = std::make_shared<Expression>(*e);
                 other->name = to;
-                add(SlipKind::function, fmt::format("{} instead of {} in '{}'", to, from, text_of(*e)), other);
+                add(SlipKind::function, fmt::format("{} instead of {} in '{}'", to, from, in_model_language(*e)), other);
             }
         if (e->name == "dot") {
-            add(SlipKind::dot, fmt::format("'{}' without its dot", text_of(*x)), x);
-            add(SlipKind::dot, fmt::format("a second dot is missing on '{}'", text_of(*x)), call("ddot", x));
+            add(SlipKind::dot, fmt::format("'{}' without its dot", in_model_language(*x)), x);
+            add(SlipKind::dot, fmt::format("a second dot is missing on '{}'", in_model_language(*x)), call("ddot", x));
         }
-        if (e->name == "ddot") add(SlipKind::dot, fmt::format("one dot on '{}'", text_of(*x)), call("dot", x));
-        if (e->name == "sqrt") add(SlipKind::exponent, fmt::format("no root of '{}'", text_of(*x)), x);
+        if (e->name == "ddot") add(SlipKind::dot, fmt::format("one dot on '{}'", in_model_language(*x)), call("dot", x));
+        if (e->name == "sqrt") add(SlipKind::exponent, fmt::format("no root of '{}'", in_model_language(*x)), x);
         const FunctionSpec* known = find_function(e->name);
         if (known == nullptr || e->children.size() != 1) return;
-        add(SlipKind::exponent, fmt::format("'{}' is to be squared", text_of(*e)), node(Kind::power, e->span, {e, make_number(2, e->span)}));
-        if (is_sum(*x)) add(SlipKind::bracket, fmt::format("'{}' does not belong into {}", text_of(*x->children[1]), e->name), rebuilt(*x, {rebuilt(*e, {x->children[0]}), x->children[1]}));
+        add(SlipKind::exponent, fmt::format("'{}' is to be squared", in_model_language(*e)), node(Kind::power, e->span, {e, make_number(2, e->span)}));
+        if (is_sum(*x)) add(SlipKind::bracket, fmt::format("'{}' does not belong into {}", in_model_language(*x->children[1]), e->name), rebuilt(*x, {rebuilt(*e, {x->children[0]}), x->children[1]}));
     }
 
     const std::vector<KnownLetter>& letters_;
@@ -217,7 +217,7 @@ std::vector<Slip> slips_of(const Equation& equation, const std::vector<KnownLett
         for (Change& change : slips.of(equation.sides[i], !is_sum(*equation.sides[i]))) {
             Equation other = equation;
             other.sides[i] = std::move(change.tree);
-            result.push_back({change.kind, std::move(change.words), std::move(other)});
+            result.push_back({change.kind, i, std::move(change.words), std::move(other)});
         }
     std::stable_sort(result.begin(), result.end(), [](const Slip& a, const Slip& b) { return a.kind < b.kind; });
     return result;

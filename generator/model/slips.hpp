@@ -12,6 +12,7 @@ enum class SlipKind { sign, index, exponent, factor, dot, function, bracket, ter
 
 struct Slip {
     SlipKind kind;
+    std::size_t side;       ///< that is different
     std::string words;      ///< what is different, "'+' instead of '-' before 'b*x'"
     Equation equation;
 };

@@ -240,6 +240,10 @@ Measure Units::call(const Expression& e, const Bound& bound) {
         const Measure function = of(*e.children[0], inner);
         return {function.dimension * limit.dimension, function.fits_all || limit.fits_all};
     }
+    if (e.name == "quantity") {
+        dimensionless(*e.children[0], "the number in front of a unit", bound);
+        return {evaluate_unit(*e.children[1]).dimension};
+    }
     if (e.name == "limit" || e.name == "at") {
         const Measure variable = part(1);
         agreeing(e, *e.children[1], variable, *e.children[2], part(2));

@@ -150,7 +150,7 @@ constexpr std::array quantity_table{
     QuantitySpec{"exchanged_power", S::nothing, "power of enthalpy flows, heat and shafts across the border of the model"},
 };
 
-constexpr auto special_forms = std::to_array<std::string_view>({"dot", "ddot", "sum", "diff", "integral", "limit", "at"});
+constexpr auto special_forms = std::to_array<std::string_view>({"dot", "ddot", "sum", "diff", "integral", "limit", "at", "quantity"});
 
 constexpr auto keywords = std::to_array<std::string_view>({
     "alignas",   "alignof",   "and",        "and_eq",       "asm",          "auto",      "bitand",    "bitor",        "bool",

@@ -90,7 +90,7 @@ struct QuantitySpec {
 std::span<const QuantitySpec> quantities();
 const QuantitySpec* find_quantity(std::string_view name);
 
-/// Forms with a grammar of their own: dot, ddot, sum, diff, integral, limit, at.
+/// Forms with a grammar of their own: dot, ddot, sum, diff, integral, limit, at, quantity.
 bool is_special_form(std::string_view name);
 
 /// Words that mean something in C++ and so cannot be members of a header.

@@ -38,6 +38,13 @@ std::vector<const PrintedLetter*> ordered_letters(const PrintedEquation& printed
     return ordered;
 }
 
+/// A side that is a number with a unit, its own or that of the entry.
+std::optional<PrintedNumber> number_in(const PrintedEquation& printed, const Expression& side) {
+    auto number = printed_number(side);
+    if (number && !number->unit) number->unit = printed.number_unit;
+    return number && number->unit ? number : std::nullopt;
+}
+
 /// The first disagreement of units in an equation, as a sentence.
 std::optional<std::string> unit_problem(const System& system, const PrintedEquation& printed, const Equation& equation) {
     Diagnostics diagnostics;
@@ -47,7 +54,8 @@ std::optional<std::string> unit_problem(const System& system, const PrintedEquat
     std::optional<Dimension> common;
     const Expression* first = nullptr;
     for (const ExpressionPtr& side : equation.sides) {
-        const Measure measure = printed.number_unit && printed_number(*side) ? Measure{printed.number_unit->dimension} : units.of(*side, letters);
+        const auto number = number_in(printed, *side);
+        const Measure measure = number ? Measure{number->unit->dimension} : units.of(*side, letters);
         if (diagnostics.has_errors()) return diagnostics.all().front().message;
         if (measure.fits_all) continue;
         if (common && measure.dimension != *common)
@@ -100,7 +108,7 @@ public:
 
 private:
     ex translate(const Expression& e) const { return system_.translate(e, indices_, letters_); }
-    std::optional<PrintedNumber> number(const Equation& equation, std::size_t side) const { return printed_.number_unit ? printed_number(*equation.sides[side]) : std::nullopt; }
+    std::optional<PrintedNumber> number(const Equation& equation, std::size_t side) const { return number_in(printed_, *equation.sides[side]); }
 
     /// Made when it is needed first: it looks for what constraints say.
     PairCheck& pairs() {
@@ -110,8 +118,8 @@ private:
 
     PrintedResult pair(const Equation& equation, std::size_t i) {
         const auto left = number(equation, i), right = number(equation, i + 1);
-        if (right) return pairs().run_number(translate(*equation.sides[i]), *right, *printed_.number_unit);
-        if (left) return pairs().run_number(translate(*equation.sides[i + 1]), *left, *printed_.number_unit);
+        if (right) return pairs().run_number(translate(*equation.sides[i]), *right);
+        if (left) return pairs().run_number(translate(*equation.sides[i + 1]), *left);
         const ex a = translate(*equation.sides[i]);
         return pairs().run(a, translate(*equation.sides[i + 1]));
     }

@@ -54,6 +54,11 @@ std::optional<PrintedNumber> printed_number(const Expression& e) {
         const Rational unit = power_of_ten(*exponent);
         return PrintedNumber{e.value, unit / 2, digits_of(e.value, unit)};
     }
+    if (e.kind == Kind::call && e.name == "quantity") {
+        auto inside = printed_number(*e.children[0]);
+        if (inside) inside->unit = evaluate_unit(*e.children[1]);
+        return inside;
+    }
     if (e.kind != Kind::multiply || e.children[1]->kind != Kind::power) return std::nullopt;
     const Expression& power = *e.children[1];
     const bool is_of_ten = power.children[0]->kind == Kind::number && power.children[0]->value == 10;
@@ -66,7 +71,8 @@ std::optional<PrintedNumber> printed_number(const Expression& e) {
     return PrintedNumber{mantissa->value * factor, mantissa->half_unit * factor, mantissa->digits};
 }
 
-Comparison compare_with_number(const ex& value, const PrintedNumber& number, const Unit& unit) {
+Comparison compare_with_number(const ex& value, const PrintedNumber& number) {
+    const Unit unit = number.unit.value_or(Unit{});
     const ex distance = GiNaC::abs(in_unit(value, unit) - GiNaC::numeric(number.value)) - GiNaC::numeric(number.half_unit);
     for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part)
         if (GiNaC::is_a<GiNaC::symbol>(*part)) return {Verdict::not_checkable, fmt::format("needs the value of '{}'", GiNaC::ex_to<GiNaC::symbol>(*part).get_name())};

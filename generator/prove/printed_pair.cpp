@@ -46,12 +46,12 @@ PrintedResult PairCheck::run(const ex& left_side, const ex& right_side) {
     return result;
 }
 
-PrintedResult PairCheck::run_number(const ex& value, const PrintedNumber& number, const Unit& unit) {
+PrintedResult PairCheck::run_number(const ex& value, const PrintedNumber& number) {
     PrintedResult result;
     const ex exact = at_point(value);
-    result.comparison = compare_with_number(exact, number, unit);
+    result.comparison = compare_with_number(exact, number);
     if (result.comparison.verdict != Verdict::wrong) return result;
-    result.counterexample = CounterExample{{}, number_text(exact, unit), decimal(number.value, 12)};
+    result.counterexample = CounterExample{{}, number_text(exact, number.unit.value_or(Unit{})), decimal(number.value, 12)};
     return result;
 }
 

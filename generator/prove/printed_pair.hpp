@@ -13,7 +13,7 @@ public:
     PairCheck(const System& system, GiNaC::exmap at);
     PrintedResult run(const GiNaC::ex& left_side, const GiNaC::ex& right_side);
     /// A value against the number that is printed for it.
-    PrintedResult run_number(const GiNaC::ex& value, const PrintedNumber& number, const Unit& unit);
+    PrintedResult run_number(const GiNaC::ex& value, const PrintedNumber& number);
     /// Whether the two sides are equal at a few random points: quick, and true of all that are equal.
     bool may_hold(const GiNaC::ex& left_side, const GiNaC::ex& right_side) const;
 

@@ -2,7 +2,7 @@
 #include "prove/suggestion.hpp"
 
 #include "model/matrices.hpp"
-#include "model/written.hpp"
+#include "model/expression_text.hpp"
 
 namespace dalembert {
 
@@ -46,22 +46,26 @@ PrintedEquation with_equation(const PrintedEquation& entry, std::size_t which, c
     return other;
 }
 
+std::vector<std::pair<std::size_t, Slip>> slips_in(const System& system, const PrintedEquation& entry) {
+    const std::vector<KnownLetter> letters = known_letters(system, entry);
+    std::vector<std::pair<std::size_t, Slip>> found;
+    for (std::size_t i = 0; i < entry.shown.size(); ++i)
+        for (Slip& slip : slips_of(entry.shown[i], letters))
+            if (entry.solved.empty() || slip.side != 0) found.emplace_back(i, std::move(slip));  // what is solved for is no slip
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second.kind < b.second.kind; });
+    return found;
+}
+
 std::optional<Suggestion> suggest(const System& system, const Member<PrintedEquation>& entry) {
-    const std::vector<KnownLetter> letters = known_letters(system, *entry.item);
-    const std::vector<Equation>& shown = entry.item->shown;
     std::size_t tried = 0;
-    std::vector<std::pair<std::size_t, Slip>> candidates;
-    for (std::size_t i = 0; i < shown.size(); ++i)
-        for (Slip& slip : slips_of(shown[i], letters)) candidates.emplace_back(i, std::move(slip));
-    std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.second.kind < b.second.kind; });
-    for (const auto& [which, slip] : candidates) {
+    for (const auto& [which, slip] : slips_in(system, *entry.item)) {
         if (++tried > most_candidates) break;
         const bool mends = without_failing([&] {
             const PrintedEquation mended = with_equation(*entry.item, which, slip.equation);
             const Member<PrintedEquation> member{&mended, entry.index};
             return may_hold(system, member) && is_proven(check_printed(system, member).verdict());
         });
-        if (mends) return Suggestion{slip.words, text_of(slip.equation)};
+        if (mends) return Suggestion{slip.words, in_model_language(slip.equation)};
     }
     return std::nullopt;
 }

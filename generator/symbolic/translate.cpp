@@ -95,7 +95,7 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
     if (const auto size = scene_.sizes.find(e.name); size != scene_.sizes.end()) return size->second;
     const Named* named = names_.find(e.name);
     if (named == nullptr) {
-        if (!quantities_) fail(Id::not_allowed_here, e, fmt::format("'{}' has no meaning here", e.written()));
+        if (!quantities_ || find_quantity(e.name) == nullptr) fail(Id::not_allowed_here, e, fmt::format("'{}' has no meaning here", e.written()));
         std::vector<ex> arguments;
         if (find_quantity(e.name)->is_of_medium(e.children.size())) arguments = {0, visit(*e.children[1], indices, letters), visit(*e.children[2], indices, letters)};
         return quantities_(e, indices, arguments);
@@ -205,6 +205,7 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
     if (e.name == "ddot") return rate(e, rate(e, part(0)));
     if (e.name == "diff") return slope(e, part(0), part(1));
     if (e.name == "integral") return integral(e, indices, letters);
+    if (e.name == "quantity") return visit(*to_si(e.children[0], evaluate_unit(*e.children[1])), indices, letters);
     if (e.name == "limit") return limit(e, part(0), part(1), *e.children[2], indices, letters);
     if (e.name == "at") return symbols_.without_definitions(part(0)).subs(variable_of(e, part(1)) == part(2), GiNaC::subs_options::no_pattern);
     std::vector<ex> arguments;

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "command/catalogue_verdicts.hpp"
-#include "model/written.hpp"
+#include "model/expression_text.hpp"
 #include "text/files.hpp"
 
 using namespace dalembert;
@@ -43,9 +43,7 @@ bool mutate(const System& system, const PrintedEquation& entry, std::mt19937& ra
     const Member<PrintedEquation> member{&entry, from};
     if (from > to || !system.scene.holds(entry.when) || !is_proven(check_printed(system, member).verdict())) return false;
     ++count.entries;
-    std::vector<std::pair<std::size_t, Slip>> slips;
-    for (std::size_t i = 0; i < entry.shown.size(); ++i)
-        for (Slip& slip : slips_of(entry.shown[i], known_letters(system, entry))) slips.emplace_back(i, std::move(slip));
+    auto slips = slips_in(system, entry);
     for (int made = 0; made < mutations_each && !slips.empty();) {
         const std::size_t at = random() % slips.size();
         const auto [which, slip] = slips[at];
