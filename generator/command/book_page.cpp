@@ -46,7 +46,7 @@ std::string entry(const PrintedRow& row) {
     if (is_wrong(row)) columns += column("difference, printed left minus right", math_element(mathml_of_text(row.difference)));
     if (row.suggestion) columns += column("perhaps meant", math_element(mathml_of_text(row.suggestion->equation)));
     text += "<div class=\"columns\">\n" + columns + "</div>\n";
-    if (verdict != Verdict::proven) text += paragraph(row.entry->doc);
+    if (verdict != Verdict::proven) text += paragraph(row.doc);
     if (!row.reason.empty() && verdict != Verdict::proven) text += paragraph((verdict == Verdict::proven_under_assumption ? "Assuming " : "Reason: ") + row.reason);
     if (row.suggestion) text += paragraph("Likely slip: " + row.suggestion->words);
     return text + example(row) + "</section>\n";

@@ -13,7 +13,6 @@ struct BookPart {
     std::string about;    ///< edition, or which part
     std::vector<PrintedRow> rows;
     VerdictCounts counts;
-    std::shared_ptr<const void> owner;  ///< of what rows refer to
 };
 
 /// book.html and errata.html in a folder.

@@ -48,6 +48,18 @@ const PrintedEquation& CatalogueVerdicts::printed_in_model(const CatalogueEntry&
     fail(Id::unknown_name, entry.span, fmt::format("entry '{}' has no equation, and model '{}' prints no '{}'{}", entry.name, model.name, name, did_you_mean(name, known)));
 }
 
+namespace {
+
+/// What the catalogue says of an equation goes before what the model says.
+void take_over(const CatalogueEntry& entry, PrintedEquation& printed) {
+    printed.name = entry.name;
+    if (!entry.source.empty()) printed.source = entry.source;
+    if (!entry.doc.empty()) printed.doc = entry.doc;
+    if (entry.expected) printed.expected = entry.expected;
+}
+
+}  // namespace
+
 void CatalogueVerdicts::each(const CatalogueEntry& written, const Visit& visit) {
     if (!written.not_checkable.empty()) return;
     const CatalogueEntry entry = with_equations(catalogue_, written, written.model.empty() ? nullptr : &loaded(written)->model);
@@ -68,7 +80,7 @@ void CatalogueVerdicts::each(const CatalogueEntry& written, const Visit& visit) 
         const Derived& machine = derived(entry, scene);
         PrintedEquation checked = printed != nullptr ? *printed : checked_entry(catalogue_, entry, machine.loaded->model, diagnostics);
         diagnostics.stop_on_errors();
-        checked.name = entry.name;
+        take_over(entry, checked);
         for (const auto& system : machine.modes) {
             if (system->scene.mode) known.push_back(system->scene.modes[*system->scene.mode].name);
             if (!entry.mode.empty() && (known.empty() || known.back() != entry.mode)) continue;
@@ -84,7 +96,7 @@ void CatalogueVerdicts::each(const CatalogueEntry& written, const Visit& visit) 
 std::vector<PrintedRow> CatalogueVerdicts::check(const CatalogueEntry& entry) {
     PrintedVerdicts verdicts(writes_derived_);
     if (!entry.not_checkable.empty()) verdicts.add_unchecked(entry, entry.not_checkable);
-    each(entry, [&](const System& system, const PrintedEquation& checked) { verdicts.add(system, checked, entry); });
+    each(entry, [&](const System& system, const PrintedEquation& checked) { verdicts.add(system, checked); });
     return verdicts.rows();
 }
 

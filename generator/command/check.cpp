@@ -34,7 +34,7 @@ public:
             options_.choice.scene.empty() ? scene_names(model_->model) : std::vector<std::string>{resolve_scene(model_->model, options_.choice.scene)};
         for (const std::string& scene : scenes) check_scene(scene);
         report_printed();
-        return {std::move(json_), {model_->model.title, model_->model.reference, verdicts_.rows(), counts_, model_}, failed_};
+        return {std::move(json_), {model_->model.title, model_->model.reference, verdicts_.rows(), counts_}, failed_};
     }
 
 private:
@@ -99,10 +99,9 @@ private:
 
 FileResult check_catalogue(const SourcePtr& source, const Options& options, Streams streams) {
     Diagnostics diagnostics;
-    const auto owner = std::make_shared<const Catalogue>(read_catalogue(source, diagnostics));
-    const Catalogue& catalogue = *owner;
+    const Catalogue catalogue = read_catalogue(source, diagnostics);
     const bool as_text = options.format != "json";
-    FileResult result{{{"schema", "dalembert/check"}, {"version", json_version}, {"catalogue", catalogue.title}, {"edition", catalogue.edition}, {"printed", nlohmann::ordered_json::array()}}, {catalogue.title, catalogue.edition, {}, {}, owner}};
+    FileResult result{{{"schema", "dalembert/check"}, {"version", json_version}, {"catalogue", catalogue.title}, {"edition", catalogue.edition}, {"printed", nlohmann::ordered_json::array()}}, {catalogue.title, catalogue.edition, {}, {}}};
     CatalogueVerdicts verdicts(catalogue, !options.pages.empty());
     for (const CatalogueEntry& entry : catalogue.entries) verdicts.each(entry, [](const System&, const PrintedEquation&) {});  // errors come before verdicts
     if (as_text) streams.out << safe_line(catalogue.title) << std::endl;

@@ -141,7 +141,7 @@ public:
         CLI::App* scenes = app_.add_subcommand("scenes", "list the scenes of a model and their effects");
         scenes->add_option("MODEL", model_, "model file")->required();
         format(scenes, "text or json", {"text", "json"});
-        CLI::App* help = app_.add_subcommand("help", "the model language: a section, a key, `functions`, `quantities`; also `errors` and `json`");
+        CLI::App* help = app_.add_subcommand("help", "the model language: a section, a key, `functions`, `quantities`; also `catalogue`, `errors` and `json`");
         help->add_option("TOPIC", options_.topic, "for example `bodies`, `bodies.mass` or `mass`");
     }
 

@@ -42,9 +42,9 @@ std::string report_text(const PrintedRow& row) {
     const Verdict verdict = row.verdict();
     const std::string reason = reason_of(row);
     std::string text = fmt::format("  {:<16} {}{}\n", safe_line(row.id), to_string(verdict),
-                                   row.entry->expected ? (row.as_expected() ? ", as expected" : fmt::format(", but '{}' was expected", to_string(*row.entry->expected))) : "");
+                                   row.expected ? (row.as_expected() ? ", as expected" : fmt::format(", but '{}' was expected", to_string(*row.expected))) : "");
     const bool is_notable = verdict != Verdict::proven;
-    if (is_notable && !row.entry->doc.empty()) text += fmt::format("      {}\n", safe_line(row.entry->doc));
+    if (is_notable && !row.doc.empty()) text += fmt::format("      {}\n", safe_line(row.doc));
     if (is_notable && !row.equation.empty()) text += fmt::format("      printed:    {}\n", safe_line(row.equation));
     if (is_notable && !reason.empty()) text += fmt::format("      {} {}\n", verdict == Verdict::proven_under_assumption ? "assuming:  " : "reason:    ", safe_line(reason));
     if (!row.difference.empty()) text += fmt::format("      difference: {}\n", row.difference);
@@ -62,8 +62,8 @@ nlohmann::ordered_json report_json(const PrintedRow& row, const std::string& sou
     const Verdict verdict = row.verdict();
     nlohmann::ordered_json assumptions = nlohmann::ordered_json::array();
     if (verdict == Verdict::proven_under_assumption) assumptions.push_back(row.reason);
-    nlohmann::ordered_json json{{"id", row.id},           {"source", row.entry->source.empty() ? source : row.entry->source},
-                                {"verdict", to_string(verdict)}, {"expected", row.entry->expected ? to_string(*row.entry->expected) : ""},
+    nlohmann::ordered_json json{{"id", row.id},           {"source", row.source.empty() ? source : row.source},
+                                {"verdict", to_string(verdict)}, {"expected", row.expected ? to_string(*row.expected) : ""},
                                 {"as_expected", row.as_expected()}, {"scenes", row.scenes},
                                 {"equation", row.equation}, {"reason", reason_of(row)},
                                 {"assumptions", assumptions}, {"difference", row.difference},

@@ -24,27 +24,27 @@ std::string short_text(const std::string& text) {
 }  // namespace
 
 bool PrintedRow::as_expected() const {
-    if (entry->expected) return verdict() == *entry->expected;
+    if (expected) return verdict() == *expected;
     return verdict() != Verdict::wrong && verdict() != Verdict::dimensionally_wrong;
 }
 
 PrintedRow& PrintedVerdicts::row_of(const std::string& id, const PrintedEquation& entry) {
     for (PrintedRow& row : rows_)
         if (row.id == id) return row;
-    rows_.push_back({id, &entry});
+    rows_.push_back({id, entry.source, entry.doc, entry.expected});
     return rows_.back();
 }
 
 void PrintedVerdicts::add(const System& system) {
-    for (const PrintedEquation& entry : system.scene.model->printed) add(system, entry, entry);
+    for (const PrintedEquation& entry : system.scene.model->printed) add(system, entry);
 }
 
-void PrintedVerdicts::add(const System& system, const PrintedEquation& entry, const PrintedEquation& shown) {
+void PrintedVerdicts::add(const System& system, const PrintedEquation& entry) {
     const Notation write(system.symbols, Style::text);
     const auto [from, to] = entry.family ? bounds(*entry.family, system.scene) : std::pair(0, 0);
     for (int k = from; k <= to; ++k) {
         const Member<PrintedEquation> member{&entry, k};
-        PrintedRow& row = row_of(member.name(), shown);
+        PrintedRow& row = row_of(member.name(), entry);
         if (!system.scene.holds(entry.when)) continue;
         const PrintedCheck check = check_printed(system, member);
         if (row.scenes.empty() || row.scenes.back() != system.scene.name) row.scenes.push_back(system.scene.name);

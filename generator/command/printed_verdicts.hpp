@@ -10,7 +10,8 @@ namespace dalembert {
 /// The verdict on one printed equation over all scenes that contain it.
 struct PrintedRow {
     std::string id;
-    const PrintedEquation* entry;
+    std::string source, doc;
+    std::optional<Verdict> expected = {};
     std::optional<Verdict> found = {};   ///< nothing: no scene contains it
     std::vector<std::string> scenes = {};  ///< in which it was checked
     std::string equation = {};           ///< the one that the verdict is about
@@ -31,8 +32,8 @@ public:
 
     /// Checks what the scene of a system contains of its model's printed equations.
     void add(const System& system);
-    /// Checks one entry in a system. `shown` is what rows refer to: the entry as it is written.
-    void add(const System& system, const PrintedEquation& entry, const PrintedEquation& shown);
+    /// Checks one entry in a system.
+    void add(const System& system, const PrintedEquation& entry);
     /// An entry of which there is nothing to check.
     void add_unchecked(const PrintedEquation& entry, const std::string& reason);
     const std::vector<PrintedRow>& rows() const { return rows_; }
