@@ -22,6 +22,11 @@ std::shared_ptr<const LoadedModel> CatalogueVerdicts::loaded(const CatalogueEntr
 /// Letters that the model does not have are parameters that nothing in it depends on.
 const CatalogueVerdicts::Derived& CatalogueVerdicts::derived(const CatalogueEntry& entry, const std::string& scene) {
     auto base = loaded(entry);
+    try {
+        resolve_scene(base->model, scene);
+    } catch (const Failure& failure) {
+        fail(failure.diagnostics().front().id, entry.scene_span, failure.diagnostics().front().message);
+    }
     Model extended = with_letters(catalogue_, entry, &base->model);
     const std::size_t first = base->model.parameters.size();
     std::string key = entry.model + "\n" + scene;

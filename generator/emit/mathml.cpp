@@ -56,7 +56,13 @@ std::string name_of(const Expression& e, const char* accent = nullptr) {
 bool is_sum(const Expression& e) { return e.kind == Kind::add || e.kind == Kind::subtract; }
 
 /// A factor: sums in brackets.
-std::string factor(const Expression& e) { return is_sum(e) || e.kind == Kind::negate ? bracketed(mathml(e)) : mathml(e); }
+std::string factor(const Expression& e) { return is_sum(e) || e.kind == Kind::negate || (e.kind == Kind::number && is_negative(e.value)) ? bracketed(mathml(e)) : mathml(e); }
+
+/// Whether it begins with a minus, as the first factor of "-m*l" does.
+bool is_negative_first(const Expression& e) {
+    if (e.kind == Kind::negate || (e.kind == Kind::number && is_negative(e.value))) return true;
+    return e.kind == Kind::multiply && is_negative_first(*e.children[0]);
+}
 
 std::string list(const Expression& e, std::size_t from = 0) {
     std::string text;
@@ -147,11 +153,11 @@ std::string mathml(const Expression& e) {
         case Kind::name: return name_of(e);
         case Kind::call: return call(e);
         case Kind::negate: return sign("−") + factor(*e.children[0]);
-        case Kind::add: return part(0) + sign("+") + part(1);
-        case Kind::subtract: return part(0) + sign("−") + (is_sum(*e.children[1]) ? bracketed(part(1)) : part(1));
+        case Kind::add: return part(0) + sign("+") + (is_negative_first(*e.children[1]) ? bracketed(part(1)) : part(1));
+        case Kind::subtract: return part(0) + sign("−") + (is_sum(*e.children[1]) || is_negative_first(*e.children[1]) ? bracketed(part(1)) : part(1));
         case Kind::multiply: {
             const bool are_numbers = e.children[1]->kind == Kind::number;
-            return factor(*e.children[0]) + (are_numbers ? sign("·") : sign("&#8290;")) + factor(*e.children[1]);
+            return (is_negative_first(*e.children[0]) ? part(0) : factor(*e.children[0])) + (are_numbers ? sign("·") : sign("&#8290;")) + factor(*e.children[1]);
         }
         case Kind::divide: return fraction(part(0), part(1));
         case Kind::power: return power(e);

@@ -26,6 +26,7 @@ struct CatalogueEntry : PrintedEquation {
     Span model_span;
     std::string printed;       ///< of an entry without equations: the name of the model's printed equation that it is
     std::string scene;
+    Span scene_span;
     std::string mode;
     std::vector<CatalogueLetter> own;
     std::optional<Excerpt> latex;  ///< instead of equations

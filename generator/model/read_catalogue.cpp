@@ -49,6 +49,7 @@ CatalogueEntry read_entry(const Entry& e) {
     entry.model_span = e.span_of("model");
     entry.printed = e.text("printed");
     entry.scene = e.text("scene");
+    entry.scene_span = e.has("scene") ? e.span_of("scene") : entry.model_span;
     entry.mode = e.text("mode");
     entry.letters = read_with(e, "with");
     entry.solved = e.equations("solves");

@@ -236,9 +236,11 @@ Measure Units::call(const Expression& e, const Bound& bound) {
         const Measure low = part(2);
         const Measure limit = agreeing(e, *e.children[2], low, *e.children[3], part(3));
         Bound inner = bound;
-        inner[e.children[1]->name] = limit.dimension;
+        // From zero to infinity says nothing of the unit; a letter of that name does.
+        const Dimension variable = limit.fits_all ? of(*e.children[1], bound).dimension : limit.dimension;
+        inner[e.children[1]->name] = variable;
         const Measure function = of(*e.children[0], inner);
-        return {function.dimension * limit.dimension, function.fits_all || limit.fits_all};
+        return {function.dimension * variable, function.fits_all};
     }
     if (e.name == "quantity") {
         dimensionless(*e.children[0], "the number in front of a unit", bound);

@@ -3,6 +3,7 @@
 
 #include "balance/steps.hpp"
 #include "form/constrained_motion.hpp"
+#include "symbolic/squares.hpp"
 
 namespace dalembert {
 
@@ -111,12 +112,13 @@ bool PairCheck::holds_on_motion(const ex& rest, PrintedResult& result) {
         const auto ratio = multiple_of_row(a, j);
         if (!ratio) continue;
         const ex row_difference = b + *ratio * force(j);
-        if (!result.difference) {
-            result.derived = *ratio * prepared(system_.motion.residual[j]);
+        const bool holds = prover_.proven_equal(row_difference, 0);
+        if (holds || !result.difference) {
             result.is_motion = true;
-            result.difference = row_difference;
+            result.derived = rest - (holds ? ex(0) : b + shortened(a, j) * force(j));
+            result.difference = b + (holds ? *ratio : shortened(a, j)) * force(j);
         }
-        if (prover_.proven_equal(row_difference, 0)) return true;
+        if (holds) return true;
     }
     if (n_ > most_determinant) return false;
     // det [M, force; a', -b] = -det(M) (a' M^-1 force + b)
@@ -137,6 +139,13 @@ std::optional<Comparison> PairCheck::with_single_acceleration(const ex& left, co
     const Comparison comparison = prover_.equal(left.subs(solved, GiNaC::subs_options::no_pattern), right.subs(solved, GiNaC::subs_options::no_pattern));
     const bool is_proven = comparison.verdict == Verdict::proven || comparison.verdict == Verdict::proven_under_assumption;
     return is_proven ? std::optional(comparison) : std::nullopt;
+}
+
+ex PairCheck::shortened(const std::vector<ex>& a, std::size_t j) const {
+    Squares squares{PositiveByRange(system_.translate)};
+    for (std::size_t l = 0; l < n_; ++l)
+        if (!a[l].is_zero() && !mass(j, l).is_zero()) return squares.shortened(system_.symbols.without_definitions(a[l])) / squares.shortened(system_.symbols.without_definitions(mass(j, l)));
+    return 0;
 }
 
 bool PairCheck::has_inverse() {

@@ -39,6 +39,8 @@ private:
     std::optional<Comparison> with_single_acceleration(const GiNaC::ex& left, const GiNaC::ex& right);
     /// Where M is singular at the point, no acceleration follows and nothing can be said of it.
     bool has_inverse();
+    /// The same as multiple_of_row finds, without squares of sines and cosines that add up to one: for people.
+    GiNaC::ex shortened(const std::vector<GiNaC::ex>& a, std::size_t j) const;
     /// c with a = c*(row j of M), if there is one.
     std::optional<GiNaC::ex> multiple_of_row(const std::vector<GiNaC::ex>& a, std::size_t j);
     /// The point with numbers of three digits, if the sides differ there too.

@@ -22,7 +22,7 @@ std::optional<ex> inserted(const ex& e, const ex& variable, const ex& place) {
 }
 
 /// The constant term of the series about h = 0; nothing where there is a pole, or where no series is known.
-std::optional<ex> constant_term(const ex& e, const GiNaC::symbol& h) {
+std::optional<ex> constant_term(const ex& e, const GiNaC::possymbol& h) {
     for (int terms = 2; terms <= most_terms; terms *= 2) {
         try {
             const ex series = e.series(h == 0, terms);
@@ -49,7 +49,7 @@ int sign_of_constant(const ex& e) {
 /// Functions of what grows beyond all bounds as h > 0 goes to zero, by what they go to.
 class AtInfinity : public GiNaC::map_function {
 public:
-    explicit AtInfinity(const GiNaC::symbol& h) : h_(h) {}
+    explicit AtInfinity(const GiNaC::possymbol& h) : h_(h) {}
 
     ex operator()(const ex& e) override {
         const ex inside = e.map(*this);
@@ -66,7 +66,7 @@ public:
     }
 
 private:
-    GiNaC::symbol h_;
+    const GiNaC::possymbol& h_;
 };
 
 }  // namespace

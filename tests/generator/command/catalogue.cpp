@@ -6,7 +6,7 @@
 
 namespace {
 
-const std::string head = R"([catalogue]
+const std::string head = R"toml([catalogue]
 format = 1
 source = "Any text"
 
@@ -14,6 +14,7 @@ source = "Any text"
 m = "kg"
 l = "m"
 a = "1/s"
+s = "s"
 R = "J/(kg*K)"
 T = "K"
 rho = "kg/m^3"
@@ -27,7 +28,7 @@ u = "1"
 v = "1"
 w = "1"
 
-)";
+)toml";
 
 /// The rows by id.
 std::map<std::string, nlohmann::json> verdicts(const std::string& entries, int code = 0) {
@@ -36,7 +37,8 @@ std::map<std::string, nlohmann::json> verdicts(const std::string& entries, int c
     CAPTURE(answer.err);
     CHECK(answer.code == code);
     std::map<std::string, nlohmann::json> rows;
-    for (const auto& row : answer.json()["printed"]) rows[row["id"]] = row;
+    const nlohmann::json json = answer.json();
+    for (const auto& row : json["printed"]) rows[row["id"]] = row;
     return rows;
 }
 
