@@ -45,17 +45,23 @@ private:
     std::vector<PrintedLetter> notation_;
 };
 
-ExpressionPtr quotient(int above, int below, const Span& span) { return make_number(Rational(above) / below, span); }
+/// From half to twice what a positive letter is, or one.
+Range range_about(const CatalogueLetter& letter) {
+    const ExpressionPtr middle = letter.value ? letter.value : make_number(1, letter.span);
+    const ExpressionPtr two = make_number(2, letter.span);
+    return {make_binary(Expression::Kind::divide, middle, two), make_binary(Expression::Kind::multiply, two, middle), letter.span};
+}
 
 /// A letter without a value of its own is a number like any other; what is positive is so by its range.
 void add(Model& model, const CatalogueLetter& letter, Diagnostics& diagnostics) {
     Quantity quantity = letter;
-    if (letter.is_positive && !letter.range) quantity.range = Range{quotient(1, 2, letter.span), quotient(2, 1, letter.span), letter.span};
+    if (letter.is_positive && !letter.range) quantity.range = range_about(letter);
     if (letter.is_positive && letter.range && letter.range->low && letter.range->low->kind == Expression::Kind::number && !cln::plusp(letter.range->low->value))
         diagnostics.error(Id::value_out_of_range, letter.range->span, fmt::format("'{}' is positive, so that its range begins above zero", letter.name));
     if (letter.moves) {
         Coordinate coordinate;
         static_cast<Quantity&>(coordinate) = quantity;
+        if (quantity.range) coordinate.start = quantity.range->low;
         model.coordinates.push_back(std::move(coordinate));
         return;
     }
@@ -138,8 +144,14 @@ PrintedEquation checked_entry(const Catalogue& catalogue, const CatalogueEntry& 
     const Names names(model);
     const UsedNames used(catalogue, entry);
     for (const PrintedLetter& letter : used.notation()) result.letters.push_back(letter);
+    // What the file says of a letter is not said of a parameter of the model that is called the same; what the entry says is.
+    const auto is_meant = [&](const CatalogueLetter& letter) {
+        const Named* named = names.find(letter.name);
+        const bool is_own = std::any_of(entry.own.begin(), entry.own.end(), [&](const CatalogueLetter& own) { return &own == &letter; });
+        return is_own || (named != nullptr && named->item->span.source == letter.span.source);
+    };
     for (const CatalogueLetter* letter : letters_of(catalogue, entry, used))
-        if (letter->value) result.at.push_back({make_name(letter->name, letter->span), letter->value});
+        if (letter->value && is_meant(*letter)) result.at.push_back({make_name(letter->name, letter->span), letter->value});
     result.shown = result.equations;
     result.shown_letters = result.letters;
     result.equations = without_matrices(result.shown, result.letters);

@@ -84,7 +84,7 @@ private:
         }
         const Named* named = names_.find(e.name);
         if (named == nullptr) {
-            const bool is_function = find_function(e.name) != nullptr || is_special_form(e.name);
+            const bool is_function = find_function(e.name) != nullptr || is_special_form(e.name) || is_printed_form(e.name);
             error(Id::unknown_name, e.span,
                   is_function ? fmt::format("'{}' is a function and needs its arguments in brackets", e.name)
                               : fmt::format("'{}' is not defined{}", e.name, did_you_mean(e.name, names_.all())));

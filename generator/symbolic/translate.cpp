@@ -177,11 +177,26 @@ int infinite(const Expression& e) {
 
 }  // namespace
 
+/// Where the variable is also a letter outside, what other letters and definitions say of that is said of the variable.
+ex Translator::integrand(const Expression& e, const ex& variable, const Indices& indices, const Letters& letters) const {
+    const Expression& written = *e.children[1];
+    const auto letter = letters.find(written.name);
+    const bool is_known = letter != letters.end() || names_.find(written.name) != nullptr || written.name == "t";
+    const ex outside = is_known ? visit(written, indices, letters) : variable;
+    if (outside.is_equal(variable) || !GiNaC::is_a<GiNaC::symbol>(outside)) {
+        Letters inner = letters;
+        inner[written.name] = variable;
+        return visit(*e.children[0], indices, inner);
+    }
+    const ex function = symbols_.without_definitions(visit(*e.children[0], indices, letters));
+    if (outside.is_equal(symbols_.time()) && !symbols_.time_derivative(function).is_equal(partial(function, outside)))
+        fail(Id::cannot_integrate, e, fmt::format("'{}' depends on time through what moves, so that it cannot be integrated", e.children[0]->written()));
+    return function.subs(outside == variable, GiNaC::subs_options::no_pattern);
+}
+
 ex Translator::integral(const Expression& e, const Indices& indices, const Letters& letters) const {
     const GiNaC::realsymbol variable(e.children[1]->name);
-    Letters inner = letters;
-    inner[e.children[1]->name] = variable;
-    const auto primitive = integrate(visit(*e.children[0], indices, inner), variable);
+    const auto primitive = integrate(integrand(e, variable, indices, letters), variable);
     if (!primitive) fail(Id::cannot_integrate, e, fmt::format("the integral of '{}' is not one that the program can find", e.children[0]->written()));
     const auto at = [&](const Expression& end) { return infinite(end) != 0 ? limit(e, *primitive, variable, end, indices, letters) : primitive->subs(variable == visit(end, indices, letters)); };
     return at(*e.children[3]) - at(*e.children[2]);
