@@ -16,7 +16,9 @@ bool is_small_sign(const LatexToken& t) { return t.is_letter("d") || t.is("\\dif
 /// dx: where a letter d is known it is that letter, but for what ends an integral.
 bool LatexParser::at_differential() {
     const LatexToken& t = token();
-    if (!is_small_sign(t) || token(1).space >= Space::thin || !starts_letter(at_ + 1)) return false;
+    if (!is_small_sign(t) || token(1).space >= Space::thin) return false;
+    if (integral_ == nullptr && has_differential_ && token(1).is("(") && notation_.find("d") == nullptr) return true;
+    if (!starts_letter(at_ + 1)) return false;
     if (t.is("\\differential")) return true;
     if (token(1).is_letter("d") && token(1).space == Space::none && starts_letter(at_ + 2)) return false;
     return integral_ != nullptr || notation_.find("d") == nullptr;
@@ -44,6 +46,7 @@ ExpressionPtr LatexParser::differential() {
     }
     ExpressionPtr variable = differential_variable();
     const bool is_quotient = is("/") || (first > 0 && at(first - 1).is("/"));
+    has_differential_ = has_differential_ || !is_partial;
     if (is_partial && !is_quotient) wrong(from(first), "'\\partial' stands alone; '\\frac{\\partial ...}{\\partial ...}' is expected");
     return call(is_partial ? "partial_differential" : "differential", first, {std::move(variable)});
 }

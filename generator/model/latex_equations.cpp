@@ -279,7 +279,7 @@ bool LatexParser::skip_range(LatexEquation* equation) {
                 }
                 break;
             }
-            has_dots = has_dots || t.is("\\dots");
+            has_dots = has_dots || (t.is("\\dots") && at(i - 1).is(","));
         }
     }
     at_ = first;
@@ -325,7 +325,7 @@ std::vector<LatexEquation> LatexParser::equations() {
         } else if (!skip_range(last())) {
             all.push_back(chain());
             LatexEquation& read = all.back();
-            if (is("\\in")) {
+            if (is("\\in") && !read.relations.empty()) {
                 const std::size_t first = at_;
                 skip_set();
                 read.ranges.push_back(from(first));

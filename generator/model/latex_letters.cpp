@@ -264,10 +264,13 @@ ExpressionPtr LatexParser::translate(const LatexLetter& letter, std::size_t firs
         result = with_span(**meaning, span);
     } else if (std::string name; auto indices = family_indices(still, name)) {
         result = std::make_shared<Expression>(Expression{Kind::name, span, 0, name, std::move(*indices)});
-    } else if (still.canonical() == "e" || still.canonical() == "\\mathrm{e}") {
-        result = is("^") ? make_name("euler_number", span) : std::make_shared<Expression>(Expression{Kind::call, span, 0, "exp", {make_number(1, span)}});
+    } else if (is("^") && (still.canonical() == "e" || still.canonical() == "\\mathrm{e}")) {
+        result = make_name("euler_number", span);
     } else {
         result = make_name(still.plain_name(), span);
+        const auto [known, is_new] = called_.emplace(result->name, still.canonical());
+        if (!is_new && known->second != still.canonical())
+            wrong(span, fmt::format("'{}' and '{}' would both be called '{}'; name one of them in the notation", known->second, still.canonical(), result->name));
     }
     remember(result);
     for (int left = letter.dots; left > 0; left -= 2) result = std::make_shared<Expression>(Expression{Kind::call, span, 0, left >= 2 ? "ddot" : "dot", {result}});
@@ -371,6 +374,7 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
     bool is_list = false;
     bool is_plain = true;
     bool is_instant = false;  // t_0
+    bool has_place = false;   // x_A beside a variable of integration
     std::size_t i = bracket + 1;
     while (i < close && is_plain) {
         const auto read = starts_letter(i) ? letter_at(i) : std::nullopt;
@@ -384,6 +388,7 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
             at_ = bracket;
         }
         is_instant = argument.base == "t" && !argument.index.empty() && argument.marks.empty();
+        has_place = has_place || std::any_of(argument.index.begin(), argument.index.end(), [](const LatexToken& t) { return t.kind == LatexToken::Kind::letter; });
         is_plain = argument.index.empty() || is_instant || letters > 1;
         spelled += (spelled.empty() ? "" : ", ") + argument.meant_by_dummy().value_or(argument.plain_name());
         i = read->second;
@@ -411,7 +416,7 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
         value_at("t", instant);
         return function;
     }
-    if (is_plain && letters > 0) {
+    if (is_plain && letters > 0 && (dummies.empty() || !has_place)) {
         for (const auto& [argument, dummy] : dummies) value_at(argument, dummy);
         const auto [known, is_new] = applied_.emplace(letter.canonical(), spelled);
         if (!is_new && known->second != spelled && dummies.empty()) unclear(fmt::format("'{}' stands before '({})' here and before '({})' elsewhere", name, spelled, known->second).c_str());

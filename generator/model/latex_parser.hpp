@@ -178,6 +178,8 @@ private:
     std::vector<std::string> counters_;  ///< of the sums around
     std::set<std::string, std::less<>> vectors_;  ///< names that are printed as vectors
     std::map<std::string, std::string, std::less<>> applied_;  ///< f -> "(x)" where the notation does not say what f depends on
+    std::map<std::string, std::string, std::less<>> called_;   ///< the letter that got each name
+    bool has_differential_ = false;  ///< there was a dx outside of integrals, so that d(x y) is one too
     std::set<std::size_t> not_a_letter_;  ///< groups that were tried
 };
 
