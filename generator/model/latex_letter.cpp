@@ -51,10 +51,11 @@ std::string canonical_script(const std::vector<LatexToken>& script) {
     std::string text;
     bool ends_in_command = false;
     for (const LatexToken& token : script) {
-        const std::string part = without_blanks(token.text);
+        const bool is_word = token.text == "\\max" || token.text == "\\min" || token.text == "\\lim" || token.text == "\\sup";
+        const std::string part = is_word ? token.text.substr(1) : without_blanks(token.text);
         if (ends_in_command && !part.empty() && is_alphanumeric(part[0])) text += ' ';
         text += part;
-        ends_in_command = token.kind == LatexToken::Kind::command;
+        ends_in_command = token.kind == LatexToken::Kind::command && !is_word;
     }
     return text;
 }

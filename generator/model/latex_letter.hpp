@@ -9,6 +9,7 @@
 //   \mathbf{r}, \vec{r}, \mathcal{V}, \bar{x}, \hat{x}, \tilde{x}, \overline{R}, \underline{R}
 //                                r_bold, r_vec, V_cal, x_bar, x_hat, x_tilde, R_over, R_under
 //   \Delta T, y'                 Delta_T, y_prime
+//   e^{x}                        exp(x)           (an e without a power is a letter)
 //   m_i inside \sum_i            m[i]             (an index that is counted stands in brackets: F_{ij} is F[i, j], r_{S,i} is r_S[i])
 #pragma once
 

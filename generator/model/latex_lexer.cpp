@@ -12,10 +12,6 @@ namespace dalembert {
 
 namespace {
 
-using Kind = LatexToken::Kind;
-using Space = LatexToken::Space;
-using Side = LatexToken::Side;
-
 constexpr std::size_t most_latex_words = 20'000;
 constexpr std::size_t deepest_latex_wrap = 100;
 
@@ -61,6 +57,10 @@ public:
     }
 
 private:
+    using Kind = LatexToken::Kind;
+    using Space = LatexToken::Space;
+    using Side = LatexToken::Side;
+
     [[noreturn]] void wrong(std::size_t begin, std::size_t end, std::string message) const { fail(Id::syntax, excerpt_.span(begin, end), std::move(message)); }
 
     void add(Kind kind, std::string text, std::size_t begin, std::size_t end, Side side = Side::neutral, std::size_t inside = 0) {

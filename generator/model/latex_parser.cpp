@@ -144,10 +144,12 @@ ExpressionPtr LatexParser::product() {
     const std::size_t first = at_;
     if (integral_ != nullptr && at_differential()) return make_number(1, place(token()));
     ExpressionPtr left = factor();
+    bool is_number = left->kind == Kind::number;
     while (starts_factor()) {
         const LatexToken& second = token();
-        if (second.kind == LatexToken::Kind::number && at(at_ - 1).kind == LatexToken::Kind::number) wrong(place(second), "there are two numbers beside each other; '\\cdot' or a unit is expected between them");
+        if (second.kind == LatexToken::Kind::number && is_number) wrong(place(second), "there are two numbers beside each other; '\\cdot' or a unit is expected between them");
         ExpressionPtr right = factor();
+        is_number = right->kind == Kind::number;
         left = node(Kind::multiply, first, {std::move(left), std::move(right)});
     }
     return left;
@@ -165,6 +167,8 @@ ExpressionPtr LatexParser::quotient(ExpressionPtr left, std::size_t first) {
         const bool is_partial = left->name == "partial_differential";
         return derived(left->children[0], {right->children[0]}, is_partial, first);
     }
+    for (const ExpressionPtr* part : {&left, &right})
+        if (is_small(**part) && (*part)->name == "partial_differential") wrong((*part)->span, "'\\partial' stands alone; '\\partial f/\\partial x' is expected");
     ExpressionPtr result = node(Kind::divide, first, {left, right});
     if (starts_factor()) {
         const bool is_function_behind = is_function(token()) && is_plain(*right);

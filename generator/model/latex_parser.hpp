@@ -113,10 +113,12 @@ private:
     ExpressionPtr letter_factor();
     ExpressionPtr translate(const LatexLetter& letter, std::size_t first);
     ExpressionPtr with_span(const Expression& meaning, const Span& span) const;
-    ExpressionPtr applied(ExpressionPtr function, const LatexLetter& letter, std::size_t first);
-    const std::vector<std::string>* arguments_of(const LatexLetter& letter) const;
     std::optional<std::vector<ExpressionPtr>> family_indices(const LatexLetter& letter, std::string& name);
     bool counts(const LatexToken& token) const;
+
+    // latex_arguments.cpp --------------------------------------------------------------------------------------------------------------
+    ExpressionPtr applied(ExpressionPtr function, const LatexLetter& letter, std::size_t first);
+    const std::vector<std::string>* arguments_of(const LatexLetter& letter) const;
     std::vector<ExpressionPtr> list_until_bracket(const LatexToken& open);
 
     // latex_functions.cpp --------------------------------------------------------------------------------------------------------------
@@ -139,6 +141,8 @@ private:
     ExpressionPtr derived(ExpressionPtr e, const std::vector<ExpressionPtr>& variables, bool is_partial, std::size_t first) const;
     ExpressionPtr operand(const char* what);
     int order();
+
+    // latex_integrals.cpp --------------------------------------------------------------------------------------------------------------
     ExpressionPtr integral();
     ExpressionPtr counted();
     ExpressionPtr limit();
@@ -178,6 +182,8 @@ private:
     std::vector<std::string> counters_;  ///< of the sums around
     std::set<std::string, std::less<>> vectors_;  ///< names that are printed as vectors
     std::map<std::string, std::string, std::less<>> applied_;  ///< f -> "(x)" where the notation does not say what f depends on
+    std::map<std::string, std::string, std::less<>> called_;   ///< the letter that got each name
+    bool has_differential_ = false;  ///< there was a dx outside of integrals, so that d(x y) is one too
     std::set<std::size_t> not_a_letter_;  ///< groups that were tried
 };
 

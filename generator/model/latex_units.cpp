@@ -91,7 +91,7 @@ private:
             at_ += is_celsius ? 1 : 0;
             word = is_celsius ? "degC" : "deg";
         } else {
-            while (token().kind == LatexToken::Kind::letter && (at_ == first || token().space == LatexToken::Space::none)) word += tokens_[at_++].text;
+            while (token().kind == LatexToken::Kind::letter && (at_ == first || word == "u" || token().space == LatexToken::Space::none)) word += tokens_[at_++].text;
         }
         return word.empty() ? nullptr : make_name(word, span(first));
     }
@@ -194,6 +194,8 @@ ExpressionPtr LatexParser::unit_behind() {
         }
         unit = node(divides ? Kind::divide : Kind::multiply, first, {std::move(unit), std::move(more)});
     }
+    if (!unit && word_of(token()) == Word::comment && token().space != Space::quad)
+        fail(Id::unknown_unit, place(token()), fmt::format("'{}' is not a unit; put '\\quad' before words that are none", token().text));
     if (unit && !is_known_unit(*unit)) fail(Id::unknown_unit, unit->span, fmt::format("'{}' is not a unit", unit->written()));
     return unit;
 }

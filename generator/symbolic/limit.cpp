@@ -10,7 +10,7 @@ using GiNaC::ex_to;
 
 namespace {
 
-constexpr int most_terms = 16;
+constexpr int most_series_terms = 16;
 
 /// Inserted, where that has a value.
 std::optional<ex> inserted(const ex& e, const ex& variable, const ex& place) {
@@ -23,7 +23,7 @@ std::optional<ex> inserted(const ex& e, const ex& variable, const ex& place) {
 
 /// The constant term of the series about h = 0; nothing where there is a pole, or where no series is known.
 std::optional<ex> constant_term(const ex& e, const GiNaC::possymbol& h) {
-    for (int terms = 2; terms <= most_terms; terms *= 2) {
+    for (int terms = 2; terms <= most_series_terms; terms *= 2) {
         try {
             const ex series = e.series(h == 0, terms);
             if (!GiNaC::is_a<GiNaC::pseries>(series)) return std::nullopt;
