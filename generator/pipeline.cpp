@@ -208,6 +208,20 @@ Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::str
     });
 }
 
+std::vector<std::unique_ptr<System>> derive_systems(const LoadedModel& loaded, const std::string& scene_name, std::size_t first_letter) {
+    const Model& model = loaded.model;
+    return guarded(model, [&] {
+        Scene scene = select_scene(model, loaded.names, resolve_scene(model, scene_name), {});
+        check_size(scene);
+        for (std::size_t i = first_letter; i < model.parameters.size(); ++i) {
+            const Parameter& letter = model.parameters[i];
+            const auto [from, to] = letter.family ? bounds(*letter.family, scene) : std::pair(0, 0);
+            for (int k = from; k <= to; ++k) scene.parameters.push_back({&letter, k});
+        }
+        return derive_modes(loaded.names, scene);
+    });
+}
+
 Proofs proofs_of(const Machine& machine) {
     Proofs proofs{machine.audit, machine.emitted};
     for (const Machine& other : machine.other_modes) {

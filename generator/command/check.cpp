@@ -1,32 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <ostream>
 
+#include "command/book_page.hpp"
+#include "command/catalogue_verdicts.hpp"
 #include "command/json_output.hpp"
-#include "command/printed_verdicts.hpp"
+#include "command/printed_report.hpp"
 #include "command/shared.hpp"
 #include "emit/safe_text.hpp"
 #include "model/verdict.hpp"
+#include "text/files.hpp"
 
 namespace dalembert {
 
 namespace {
 
+/// What was found of one file.
+struct FileResult {
+    nlohmann::ordered_json json;
+    BookPart part;
+    bool failed = false;
+};
+
 class Check {
 public:
     Check(const Options& options, Streams streams) : options_(options), streams_(streams), model_(loaded(options, streams)) {}
 
-    ExitCode run() {
+    FileResult run() {
         json_ = json_result("check", model_->model);
         json_["scenes"] = nlohmann::ordered_json::array();
         const std::vector<std::string> scenes =
             options_.choice.scene.empty() ? scene_names(model_->model) : std::vector<std::string>{resolve_scene(model_->model, options_.choice.scene)};
         for (const std::string& scene : scenes) check_scene(scene);
         report_printed();
-        if (options_.format == "json") streams_.out << printed(json_);
-        return failed_ ? ExitCode::check_failed : ExitCode::good;
+        return {std::move(json_), {model_->model.title, model_->model.reference, verdicts_.rows(), counts_}, failed_};
     }
 
 private:
@@ -69,60 +77,77 @@ private:
     void report_printed() {
         json_["printed"] = nlohmann::ordered_json::array();
         if (!verdicts_.rows().empty()) say("printed equations\n");
-        std::map<std::string, int> counts;
         for (const PrintedRow& row : verdicts_.rows()) {
-            const Verdict verdict = row.verdict();
-            const std::string reason = row.found ? row.reason : "no scene that was checked contains it";
-            ++counts[to_string(verdict)];
             const bool is_of_another_scene = !row.found && !options_.choice.scene.empty();  // what was not asked for does not fail
             failed_ = failed_ || (!row.as_expected() && !is_of_another_scene);
-            const std::string source = row.entry->source.empty() ? model_->model.reference : row.entry->source;
-            nlohmann::ordered_json assumptions = nlohmann::ordered_json::array();
-            if (verdict == Verdict::proven_under_assumption) assumptions.push_back(row.reason);
-            nlohmann::ordered_json json{{"id", row.id},           {"source", source},
-                                        {"verdict", to_string(verdict)}, {"expected", row.entry->expected ? to_string(*row.entry->expected) : ""},
-                                        {"as_expected", row.as_expected()}, {"scenes", row.scenes},
-                                        {"equation", row.equation}, {"reason", reason},
-                                        {"assumptions", assumptions}, {"difference", row.difference},
-                                        {"suggestion", ""},       {"counterexample", nullptr}};
-            std::string text = fmt::format("  {:<16} {}{}\n", safe_line(row.id), to_string(verdict),
-                                           row.entry->expected ? (row.as_expected() ? ", as expected" : fmt::format(", but '{}' was expected", to_string(*row.entry->expected))) : "");
-            const bool is_notable = verdict != Verdict::proven;
-            if (is_notable && !row.entry->doc.empty()) text += fmt::format("      {}\n", safe_line(row.entry->doc));
-            if (is_notable && !row.equation.empty()) text += fmt::format("      printed:    {}\n", safe_line(row.equation));
-            if (is_notable && !reason.empty()) text += fmt::format("      {} {}\n", verdict == Verdict::proven_under_assumption ? "assuming:  " : "reason:    ", safe_line(reason));
-            if (!row.difference.empty()) text += fmt::format("      difference: {}\n", row.difference);
-            if (row.counterexample) {
-                const CounterExample& c = *row.counterexample;
-                json["counterexample"] = {{"values", nlohmann::ordered_json::object()}, {"left", c.left}, {"right", c.right}};
-                std::vector<std::string> values;
-                for (const auto& [name, value] : c.values) {
-                    json["counterexample"]["values"][name] = value;
-                    values.push_back(fmt::format("{} = {}", name, value));
-                }
-                text += fmt::format("      example:    left {}, right {}{}{}\n", c.left, c.right, values.empty() ? "" : " at ", fmt::join(values, ", "));
-            }
-            json_["printed"].push_back(std::move(json));
-            say(text);
+            counts_.add(row.verdict());
+            json_["printed"].push_back(report_json(row, model_->model.reference));
+            say(report_text(row));
         }
         json_["passed"] = !failed_;
-        if (verdicts_.rows().empty()) return;
-        std::string line = fmt::format("{} printed equations:", verdicts_.rows().size());
-        for (const auto& [verdict, count] : counts) line += fmt::format(" {} {},", count, verdict);
-        line.pop_back();
-        say(line + (failed_ ? "; not all as expected\n" : "\n"));
+        if (!verdicts_.rows().empty()) say(counts_.line() + (failed_ ? "; not all as expected\n" : "\n"));
     }
 
     const Options& options_;
     Streams streams_;
     std::shared_ptr<const LoadedModel> model_;
     nlohmann::ordered_json json_;
-    PrintedVerdicts verdicts_;
+    PrintedVerdicts verdicts_{!options_.pages.empty()};
+    VerdictCounts counts_;
     bool failed_ = false;
 };
 
+FileResult check_catalogue(const SourcePtr& source, const Options& options, Streams streams) {
+    Diagnostics diagnostics;
+    const Catalogue catalogue = read_catalogue(source, diagnostics);
+    const bool as_text = options.format != "json";
+    FileResult result{{{"schema", "dalembert/check"}, {"version", json_version}, {"catalogue", catalogue.title}, {"edition", catalogue.edition}, {"printed", nlohmann::ordered_json::array()}}, {catalogue.title, catalogue.edition, {}, {}}};
+    CatalogueVerdicts verdicts(catalogue, !options.pages.empty());
+    for (const CatalogueEntry& entry : catalogue.entries) verdicts.each(entry, [](const System&, const PrintedEquation&) {});  // errors come before verdicts
+    if (as_text) streams.out << safe_line(catalogue.title) << std::endl;
+    for (const CatalogueEntry& entry : catalogue.entries)
+        for (const PrintedRow& row : verdicts.check(entry)) {
+            result.failed = result.failed || !row.as_expected();
+            result.part.counts.add(row.verdict());
+            result.json["printed"].push_back(report_json(row, catalogue.title));
+            if (as_text) streams.out << report_text(row) << std::flush;
+            result.part.rows.push_back(row);
+        }
+    if (as_text) streams.out << result.part.counts.line() << (result.failed ? "; not all as expected\n" : "\n");
+    result.json["summary"] = result.part.counts.json();
+    result.json["passed"] = !result.failed;
+    return result;
+}
+
 }  // namespace
 
-ExitCode check_command(const Options& options, Streams streams) { return Check(options, streams).run(); }
+ExitCode check_command(const Options& options, Streams streams) {
+    std::vector<FileResult> results;
+    for (const std::string& path : options.models) {
+        const SourcePtr source = read_text_file(path);
+        Options one = options;
+        one.choice.model = path;
+        results.push_back(is_catalogue(source) ? check_catalogue(source, one, streams) : Check(one, streams).run());
+    }
+    VerdictCounts counts;
+    bool failed = false;
+    std::vector<BookPart> parts;
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (FileResult& result : results) {
+        counts.add(result.part.counts);
+        failed = failed || result.failed;
+        files.push_back(std::move(result.json));
+        parts.push_back(std::move(result.part));
+    }
+    if (!options.pages.empty()) write_files(book_pages(parts, options.pages));
+    if (options.format != "json") {
+        if (results.size() > 1) streams.out << counts.line(fmt::format("printed equations in {} files", results.size()).c_str()) << (failed ? "; not all as expected\n" : "\n");
+    } else if (results.size() == 1) {
+        streams.out << printed(files[0]);
+    } else {
+        streams.out << printed({{"schema", "dalembert/check"}, {"version", json_version}, {"files", files}, {"summary", counts.json()}, {"passed", !failed}});
+    }
+    return failed ? ExitCode::check_failed : ExitCode::good;
+}
 
 }  // namespace dalembert

@@ -65,7 +65,11 @@ public:
         format(generate, "text or json", {"text", "json"});
         explain(generate);
         rewriting(generate);
-        CLI::App* check = model_verb("check", "prove the derivation and check the printed equations, in every scene unless one is chosen");
+        CLI::App* check = app_.add_subcommand("check", "prove derivations and check printed equations: of models, in every scene unless one is chosen, and of catalogues of texts");
+        check->add_option("FILES", options_.models, "model files and catalogues")->required();
+        check->add_option("-o,--output", options_.pages, "folder for book.html, every equation with its verdict, and errata.html; none are written, if left out");
+        check->add_option("--scene", options_.choice.scene, "of models: the scene, if there are several");
+        check->add_option("--size", sizes_, "of models: size of a family, as N=5")->delimiter(',');
         format(check, "text or json", {"text", "json"});
         CLI::App* evaluate = model_verb("evaluate", "state derivative, outputs and energies at one point");
         settings(evaluate);
@@ -137,7 +141,7 @@ public:
         CLI::App* scenes = app_.add_subcommand("scenes", "list the scenes of a model and their effects");
         scenes->add_option("MODEL", model_, "model file")->required();
         format(scenes, "text or json", {"text", "json"});
-        CLI::App* help = app_.add_subcommand("help", "the model language: a section, a key, `functions`, `quantities`; also `errors` and `json`");
+        CLI::App* help = app_.add_subcommand("help", "the model language: a section, a key, `functions`, `quantities`; also `catalogue`, `errors` and `json`");
         help->add_option("TOPIC", options_.topic, "for example `bodies`, `bodies.mass` or `mass`");
     }
 

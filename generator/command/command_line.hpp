@@ -13,10 +13,11 @@ namespace dalembert {
 struct Options {
     std::string verb;
     Choice choice;
-    std::vector<std::string> models;      ///< of survey
+    std::vector<std::string> models;      ///< of survey, cost and check
     bool every_scene = false;
     std::string format = "text";
     std::string output;                   ///< folder
+    std::string pages;                    ///< of check: folder of pages, or none
     std::string header;                   ///< file name of the header, if not the usual one
     std::vector<std::string> parameters;  ///< "m_W=1.2,g=9.81"
     std::vector<std::string> states;

@@ -7,6 +7,7 @@
 
 #include "command/command_line.hpp"
 #include "command/json_fields.hpp"
+#include "model/catalogue_schema.hpp"
 #include "model/schema.hpp"
 #include "model/vocabulary.hpp"
 #include "text/nearest.hpp"
@@ -27,7 +28,9 @@ std::string function_reference() {
         text += fmt::format("  {:<48} {}\n", fmt::format("{}({})", function.name, function.arguments), function.doc);
     return text +
            "Operations: + - * / ^, dot(x) and ddot(x) (total time derivatives), sum(k, 1, N, term)\n"
-           "In outputs and printed equations also: diff(expression, variable), integral(function, x, from, to)\n"
+           "In outputs and printed equations also: diff(expression, variable), integral(function, x, from, to), limit(expression, x, place), at(expression, x, place),\n"
+           "  quantity(9.81, m/s^2); limits and integrals may go to infinity\n"
+           "In printed equations also: vector(a, b, c), matrix(row(a, b), row(c, d)), transpose(A), det(A), inverse(A), cross(v, w); position[BODY] without an axis\n"
            "Names: t is the time, pi the number, stefan_boltzmann the constant of radiation (4.35), 5.670374419e-8 W/(m^2*K^4). Everything else is defined in the file.\n";
 }
 
@@ -41,6 +44,12 @@ std::string quantity_reference() {
     };
     return "Derived quantities, for outputs and printed equations:\n" + rows(false) +
            "Properties, usable wherever states are; X is a volume or reservoir:\n" + rows(true);
+}
+
+std::string catalogue_reference() {
+    std::string text = "A catalogue of printed equations:\n\n";
+    for (const SectionSpec& section : catalogue_sections()) text += section_reference(section) + "\n";
+    return text;
 }
 
 std::string json_reference() {
@@ -63,7 +72,7 @@ ExitCode help_command(const Options& options, Streams streams) {
         return ExitCode::good;
     }
     static const std::map<std::string, std::string (*)()> references{
-        {"errors", error_reference}, {"functions", function_reference}, {"quantities", quantity_reference}, {"json", json_reference}};
+        {"errors", error_reference}, {"functions", function_reference}, {"quantities", quantity_reference}, {"json", json_reference}, {"catalogue", catalogue_reference}};
     const auto reference = references.find(topic);
     const std::string text = reference != references.end() ? reference->second() : language_reference(topic);
     if (text.empty()) {

@@ -106,11 +106,16 @@ constexpr auto of_check = std::to_array<JsonField>({
     {"printed[].reason", "why it could not be checked"},
     {"printed[].assumptions[]", "under which it is proven"},
     {"printed[].difference", "printed minus derived"},
-    {"printed[].suggestion", "a form that would be right; empty so far"},
+    {"printed[].suggestion", "of what is wrong: the equation that a single slip was made of, where there is one; proven"},
+    {"printed[].slip", "what is different there, in words"},
     {"printed[].counterexample", "null, or numbers for which both sides differ"},
     {"printed[].counterexample.values.<NAME>", "of parameters, states and inputs"},
     {"printed[].counterexample.left", "value of the left side"},
     {"printed[].counterexample.right", "value of the right side"},
+    {"catalogue", "of a catalogue, instead of the model: the text that it is about"},
+    {"edition", "of that text"},
+    {"summary.<VERDICT>", "of catalogues: how many entries have it, with their number as `entries`"},
+    {"files[]", "of several files: the result of each, as above"},
     {"passed", "everything is as expected; exit code 0"},
 });
 

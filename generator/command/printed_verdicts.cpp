@@ -15,49 +15,61 @@ int weight(Verdict verdict) {
     return weights[static_cast<std::size_t>(verdict)];
 }
 
+/// Beyond a few lines nobody reads on.
+std::string short_text(const std::string& text) {
+    constexpr std::size_t longest = 1500;
+    return text.size() <= longest ? text : std::string("too long to be shown");
+}
+
 }  // namespace
 
 bool PrintedRow::as_expected() const {
-    if (entry->expected) return verdict() == *entry->expected;
+    if (expected) return verdict() == *expected;
     return verdict() != Verdict::wrong && verdict() != Verdict::dimensionally_wrong;
 }
 
-PrintedRow& PrintedVerdicts::row_of(const Member<PrintedEquation>& member) {
-    const std::string id = member.name();
+PrintedRow& PrintedVerdicts::row_of(const std::string& id, const PrintedEquation& entry) {
     for (PrintedRow& row : rows_)
         if (row.id == id) return row;
-    rows_.push_back({id, member.item});
+    rows_.push_back({id, entry.source, entry.doc, entry.expected});
     return rows_.back();
 }
 
 void PrintedVerdicts::add(const System& system) {
+    for (const PrintedEquation& entry : system.scene.model->printed) add(system, entry);
+}
+
+void PrintedVerdicts::add(const System& system, const PrintedEquation& entry) {
     const Notation write(system.symbols, Style::text);
-    for (const PrintedEquation& entry : system.scene.model->printed) {
-        std::vector<Member<PrintedEquation>> members;
-        if (entry.family) {
-            const auto [from, to] = bounds(*entry.family, system.scene);
-            for (int k = from; k <= to; ++k) members.push_back({&entry, k});
-        } else {
-            members.push_back({&entry});
+    const auto [from, to] = entry.family ? bounds(*entry.family, system.scene) : std::pair(0, 0);
+    for (int k = from; k <= to; ++k) {
+        const Member<PrintedEquation> member{&entry, k};
+        PrintedRow& row = row_of(member.name(), entry);
+        if (!system.scene.holds(entry.when)) continue;
+        const PrintedCheck check = check_printed(system, member);
+        if (row.scenes.empty() || row.scenes.back() != system.scene.name) row.scenes.push_back(system.scene.name);
+        const Verdict verdict = check.verdict();
+        if (row.found && weight(*row.found) >= weight(verdict)) continue;
+        row.found = verdict;
+        row.shown = entry.shown;
+        for (const PrintedResult& result : check.equations) {
+            if (result.comparison.verdict != verdict) continue;
+            row.equation = result.written;
+            row.reason = result.comparison.reason;
+            row.difference = result.difference ? write(*result.difference) : "";
+            row.counterexample = result.counterexample;
+            if (writes_derived_ && result.derived) row.derived = short_text(write(*result.derived)) + (result.is_motion ? " = 0" : "");
+            break;
         }
-        for (const auto& member : members) {
-            PrintedRow& row = row_of(member);
-            if (!system.scene.holds(entry.when)) continue;
-            const PrintedCheck check = check_printed(system, member);
-            if (row.scenes.empty() || row.scenes.back() != system.scene.name) row.scenes.push_back(system.scene.name);
-            const Verdict verdict = check.verdict();
-            if (row.found && weight(*row.found) >= weight(verdict)) continue;
-            row.found = verdict;
-            for (const PrintedResult& result : check.equations) {
-                if (result.comparison.verdict != verdict) continue;
-                row.equation = result.written;
-                row.reason = result.comparison.reason;
-                row.difference = result.difference ? write(*result.difference) : "";
-                row.counterexample = result.counterexample;
-                break;
-            }
-        }
+        const bool is_wrong = verdict == Verdict::wrong || verdict == Verdict::dimensionally_wrong;
+        row.suggestion = is_wrong ? suggest(system, member) : std::nullopt;
     }
+}
+
+void PrintedVerdicts::add_unchecked(const PrintedEquation& entry, const std::string& reason) {
+    PrintedRow& row = row_of(entry.name, entry);
+    row.found = Verdict::not_checkable;
+    row.reason = reason;
 }
 
 }  // namespace dalembert

@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of the printed equations of a model after one or more of its scenes were checked.
+// What is said of printed equations after one or more scenes of a model were checked.
 #pragma once
 
 #include "command/command_line.hpp"
+#include "prove/suggestion.hpp"
 
 namespace dalembert {
 
 /// The verdict on one printed equation over all scenes that contain it.
 struct PrintedRow {
     std::string id;
-    const PrintedEquation* entry;
+    std::string source, doc;
+    std::optional<Verdict> expected = {};
     std::optional<Verdict> found = {};   ///< nothing: no scene contains it
     std::vector<std::string> scenes = {};  ///< in which it was checked
     std::string equation = {};           ///< the one that the verdict is about
     std::string reason = {};
     std::string difference = {};
     std::optional<CounterExample> counterexample = {};
+    std::optional<Suggestion> suggestion = {};
+    std::vector<Equation> shown = {};    ///< as they are written
+    std::string derived = {};            ///< what the derivation has instead of the first side, where it was asked for
 
     Verdict verdict() const { return found.value_or(Verdict::not_checkable); }
     bool as_expected() const;
@@ -23,12 +28,19 @@ struct PrintedRow {
 
 class PrintedVerdicts {
 public:
-    /// Checks what the scene of a system contains.
+    explicit PrintedVerdicts(bool writes_derived = false) : writes_derived_(writes_derived) {}
+
+    /// Checks what the scene of a system contains of its model's printed equations.
     void add(const System& system);
+    /// Checks one entry in a system.
+    void add(const System& system, const PrintedEquation& entry);
+    /// An entry of which there is nothing to check.
+    void add_unchecked(const PrintedEquation& entry, const std::string& reason);
     const std::vector<PrintedRow>& rows() const { return rows_; }
 
 private:
-    PrintedRow& row_of(const Member<PrintedEquation>& member);
+    PrintedRow& row_of(const std::string& id, const PrintedEquation& entry);
+    bool writes_derived_;
     std::vector<PrintedRow> rows_;
 };
 

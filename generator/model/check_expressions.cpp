@@ -72,6 +72,10 @@ private:
             return 0;
         }
         if (e.name == "pi" || e.name == "stefan_boltzmann") return 0;
+        if (e.name == "infinity") {
+            error(Id::not_allowed_here, e.span, "'infinity' is not a number; limits and integrals may go there");
+            return 0;
+        }
         if (find_quantity(e.name) != nullptr) return quantity(e);
         if (e.name == "t") {
             if (!e.children.empty()) error(Id::not_indexed, e.span, "'t' has no index");
@@ -80,7 +84,7 @@ private:
         }
         const Named* named = names_.find(e.name);
         if (named == nullptr) {
-            const bool is_function = find_function(e.name) != nullptr || is_special_form(e.name);
+            const bool is_function = find_function(e.name) != nullptr || is_special_form(e.name) || is_printed_form(e.name);
             error(Id::unknown_name, e.span,
                   is_function ? fmt::format("'{}' is a function and needs its arguments in brackets", e.name)
                               : fmt::format("'{}' is not defined{}", e.name, did_you_mean(e.name, names_.all())));
@@ -158,6 +162,8 @@ private:
         if (e.name == "dot" || e.name == "ddot") return derivative(e);
         if (e.name == "diff") return partial(e);
         if (e.name == "integral") return integral(e);
+        if (e.name == "quantity") return quantity_in_unit(e);
+        if (e.name == "limit" || e.name == "at") return at_place(e);
         const FunctionSpec* function = find_function(e.name);
         unsigned result = 0;
         for (const ExpressionPtr& child : e.children) result |= visit(*child);
@@ -207,11 +213,44 @@ private:
             error(Id::wrong_arguments, e.span, "'integral' takes a function, its variable and two limits, as in 'integral(x^2, x, 0, l)'");
             return 0;
         }
-        const unsigned limits = visit(*e.children[2]) | visit(*e.children[3]);
+        const unsigned limits = end(*e.children[2], true) | end(*e.children[3], true);
         const auto inserted = bound_.insert(e.children[1]->name);
         const unsigned result = limits | visit(*e.children[0]);
         if (inserted.second) bound_.erase(inserted.first);
         return result;
+    }
+
+    /// quantity(9.81, m/s^2)
+    unsigned quantity_in_unit(const Expression& e) {
+        if (!derived_allowed(e)) return 0;
+        if (e.children.size() != 2) {
+            error(Id::wrong_arguments, e.span, "'quantity' takes a number and its unit, as in 'quantity(9.81, m/s^2)'");
+            return 0;
+        }
+        try {
+            evaluate_unit(*e.children[1]);
+        } catch (const Failure& failure) {
+            for (const Diagnostic& d : failure.diagnostics()) error(d.id, d.span, d.message);
+        }
+        return visit(*e.children[0]);
+    }
+
+    unsigned at_place(const Expression& e) {
+        if (!derived_allowed(e)) return 0;
+        if (e.children.size() != 3) {
+            error(Id::wrong_arguments, e.span, fmt::format("'{0}' takes an expression, its variable and a place, as in '{0}(sin(x)/x, x, 0)'", e.name));
+            return 0;
+        }
+        const Expression& variable = *e.children[1];
+        if (variable.kind != Kind::name && !(variable.kind == Kind::call && (variable.name == "dot" || variable.name == "ddot")))
+            error(Id::wrong_arguments, variable.span, fmt::format("'{}' is not a variable that '{}' could be about", variable.written(), e.name));
+        return visit(*e.children[0]) | visit(variable) | end(*e.children[2], e.name == "limit");
+    }
+
+    /// A place that may lie at infinity.
+    unsigned end(const Expression& e, bool may_be_infinite) {
+        const Expression& place = e.kind == Kind::negate ? *e.children[0] : e;
+        return may_be_infinite && place.kind == Kind::name && place.name == "infinity" ? 0 : visit(e);
     }
 
     bool derived_allowed(const Expression& e) {
@@ -358,6 +397,11 @@ void check_expressions(const Model& model, Diagnostics& diagnostics) {
     const Names names(model);
     ExpressionCheck check(names, diagnostics);
     visit(model, [&](const Site& site) { check.check(site); });
+}
+
+void check_expressions(const PrintedEquation& printed, const Names& names, Diagnostics& diagnostics) {
+    ExpressionCheck check(names, diagnostics);
+    visit(printed, [&](const Site& site) { check.check(site); });
 }
 
 }  // namespace dalembert

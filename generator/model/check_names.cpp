@@ -97,6 +97,13 @@ public:
                 diagnostics_.error(Id::bad_name, printed.span, "the name of a printed equation has 1 to 80 characters");
     }
 
+    void run_letters() {
+        is_header_ = false;
+        std::map<std::string, const Item*> used;
+        for (const Parameter& letter : model_.parameters) define(used, letter.name, letter);
+        for (const Coordinate& letter : model_.coordinates) define(used, letter.name, letter);
+    }
+
 private:
     bool well_formed(const std::string& name, const Span& span) {
         if (!is_identifier(name)) {
@@ -104,6 +111,7 @@ private:
                                fmt::format("'{}' is not a name; a name is a letter followed by at most 59 letters, digits and single underscores", name));
             return false;
         }
+        if (!is_header_) return true;
         const char* what = is_cpp_keyword(name) ? "a word of C++" : is_cpp_macro(name) ? "a macro of C++" : name == "std" ? "the namespace of C++" : nullptr;
         if (what != nullptr) diagnostics_.error(Id::reserved_name, span, fmt::format("'{}' is {} and cannot be a name in the header", name, what));
         return what == nullptr;
@@ -113,6 +121,7 @@ private:
         if (!well_formed(name, item.span)) return;
         const char* meaning = name == "t"                             ? "the time"
                               : name == "pi"                          ? "the number pi"
+                              : name == "infinity"                    ? "beyond all numbers"
                               : name == "stefan_boltzmann"            ? "the constant of radiation"
                               : find_function(name) != nullptr        ? "a function"
                               : find_quantity(name) != nullptr        ? "a derived quantity"
@@ -122,7 +131,7 @@ private:
             diagnostics_.error(Id::reserved_name, item.span, fmt::format("'{}' is {} in every model and cannot be defined again", name, meaning));
             return;
         }
-        if (is_header_name(name)) {
+        if (is_header_ && is_header_name(name)) {
             diagnostics_.error(Id::reserved_name, item.span, fmt::format("'{}' is a name that every header defines itself", name));
             return;
         }
@@ -151,6 +160,7 @@ private:
 
     const Model& model_;
     Diagnostics& diagnostics_;
+    bool is_header_ = true;
 };
 
 /// Reports definitions, solids and loads that need themselves; the others can be followed without end.
@@ -236,5 +246,7 @@ void check_names(const Model& model, Diagnostics& diagnostics) {
     NameCheck(model, diagnostics).run();
     check_definition_cycles(model, Names(model), diagnostics);
 }
+
+void check_letter_names(const Model& letters, Diagnostics& diagnostics) { NameCheck(letters, diagnostics).run_letters(); }
 
 }  // namespace dalembert

@@ -15,6 +15,11 @@ void check_names(const Model& model, Diagnostics& diagnostics);
 /// Every word of every expression: defined, with the right index and arguments, and nothing that its place must not depend on.
 void check_expressions(const Model& model, Diagnostics& diagnostics);
 
+/// The same of one printed equation.
+void check_expressions(const PrintedEquation& printed, const Names& names, Diagnostics& diagnostics);
+/// Of letters that are in no header, so that only words of the model language are taken.
+void check_letter_names(const Model& letters, Diagnostics& diagnostics);
+
 /// States that volumes, pipes, nodes, rods and blocks determine.
 class Claims {
 public:

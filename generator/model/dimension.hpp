@@ -70,6 +70,8 @@ struct Unit {
 
 /// Reads "kg*m/s^2", "N/m", "deg", "mm^2", "bar", "m^(1/2)", "1". Throws Failure (syntax, unknown-unit).
 Unit parse_unit(const Excerpt& excerpt);
+/// The unit that a tree of unit names means, such as N*m. Throws Failure (unknown-unit).
+Unit evaluate_unit(const Expression& expression);
 /// A constant written in a unit, in SI: (value + offset) * factor * pi^pi_power.
 ExpressionPtr to_si(ExpressionPtr value, const Unit& unit);
 

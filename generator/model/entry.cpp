@@ -442,6 +442,29 @@ std::optional<CoordinateEntry> Entry::coordinate(std::string_view key) const {
     return std::nullopt;
 }
 
+std::vector<std::pair<Excerpt, ExpressionPtr>> Entry::by_text(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::expressions_by_name);
+    std::vector<std::pair<Excerpt, ExpressionPtr>> result;
+    if (node == nullptr) return result;
+    if (node->kind != NodeKind::table) {
+        wrong_type(*node, ValueType::expressions_by_name);
+        return result;
+    }
+    for (const DocumentNode::Member& member : node->members)
+        if (ExpressionPtr value = expression(member.value, ValueType::expression)) result.emplace_back(key_excerpt(member.key_span), std::move(value));
+    return result;
+}
+
+Excerpt Entry::name_excerpt() const { return key_excerpt(span_); }
+
+std::optional<Excerpt> Entry::excerpt(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::text);
+    if (node == nullptr) return std::nullopt;
+    if (node->kind == NodeKind::string) return node->string;
+    wrong_type(*node, ValueType::text);
+    return std::nullopt;
+}
+
 std::vector<RunEntry> Entry::by_name(std::string_view key) const {
     const DocumentNode* node = find(key, ValueType::expressions_by_name);
     std::vector<RunEntry> result;

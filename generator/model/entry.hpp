@@ -61,6 +61,11 @@ public:
     std::vector<std::array<ExpressionPtr, 2>> points(std::string_view key) const;
     bool boolean(std::string_view key) const;
     std::optional<CoordinateEntry> coordinate(std::string_view key) const;
+    /// Of a table: the text of each key, and the expression.
+    std::vector<std::pair<Excerpt, ExpressionPtr>> by_text(std::string_view key) const;
+    Excerpt name_excerpt() const;
+    /// A text with the place of each of its characters.
+    std::optional<Excerpt> excerpt(std::string_view key) const;
     std::vector<RunEntry> by_name(std::string_view key) const;
     std::vector<Plot> plots(std::string_view key) const;
     /// Calls read(part, is_last) for each of a list of tables, an Entry by a schema of its own.

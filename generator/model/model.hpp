@@ -179,9 +179,13 @@ enum class Verdict { proven, proven_under_assumption, numerically_equal, wrong, 
 
 struct PrintedEquation : Item {
     std::string source;
-    std::vector<Equation> equations;
-    std::vector<PrintedLetter> letters;
+    std::vector<Equation> equations;    ///< of numbers: those of vectors and matrices are taken apart
+    std::vector<PrintedLetter> letters; ///< of numbers
+    std::vector<Equation> shown;        ///< the equations as they are written
+    std::vector<PrintedLetter> shown_letters;
     std::vector<AtPoint> at;
+    std::vector<Equation> solved;       ///< the equations give letters what they stand for, and these are what has to hold then
+    std::optional<Unit> number_unit;    ///< a side that is a number alone is a value in this unit, to the digits that are printed
     std::optional<Verdict> expected;
 };
 

@@ -7,6 +7,7 @@
 #include "model/entry.hpp"
 #include "model/expand_statics.hpp"
 #include "model/expand_switching.hpp"
+#include "model/matrices.hpp"
 #include "model/methods.hpp"
 #include "model/read_fluids.hpp"
 #include "model/read_heat.hpp"
@@ -83,6 +84,13 @@ void read(const Entry& e, PrintedEquation& printed) {
             e.error(Id::bad_name, letter.span, fmt::format("'{}' is not a letter", letter.variable->written()));
     }
     for (const RunEntry& entry : e.by_name("at")) printed.at.push_back({entry.variable, entry.value});
+    printed.shown = printed.equations;
+    printed.shown_letters = printed.letters;
+    try {
+        printed.equations = without_matrices(printed.shown, printed.letters);
+    } catch (const Failure& failure) {
+        for (const Diagnostic& d : failure.diagnostics()) e.error(d.id, d.span, d.message);
+    }
     if (e.has("equation") == e.has("equations"))
         e.error(Id::missing_key, e.span(), fmt::format("printed '{}' needs either an equation or a list of equations", e.name()));
     if (e.has("expect")) {

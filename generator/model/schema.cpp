@@ -532,6 +532,8 @@ std::string key_reference(const KeySpec& key) {
     return fmt::format("  {:<17} {:<23} {} {}\n", key.name, describe(key.type), key.required ? "required." : "optional.", key.doc);
 }
 
+}  // namespace
+
 std::string section_reference(const SectionSpec& section) {
     std::string example;
     for (const char* c = section.example; *c != '\0'; ++c) example += *c == '\n' ? std::string("\n    ") : std::string(1, *c);
@@ -541,8 +543,6 @@ std::string section_reference(const SectionSpec& section) {
         text += fmt::format("  A bare value stands for `{}`.\n", section.short_form);
     return text;
 }
-
-}  // namespace
 
 std::span<const SectionSpec> sections() { return table; }
 const SectionSpec& phase_section() { return phase_spec; }

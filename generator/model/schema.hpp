@@ -75,6 +75,8 @@ const SectionSpec& unknown_section();
 const SectionSpec* find_section(std::string_view name);
 const KeySpec* find_key(const SectionSpec& section, std::string_view name);
 const char* describe(ValueType type);
+/// The reference of one section: what it is for, an example, its keys.
+std::string section_reference(const SectionSpec& section);
 
 /// The reference of a section ("bodies"), of a key ("bodies.mass" or "mass" wherever it occurs), or of everything ("").
 /// Empty when the word is not in the table.

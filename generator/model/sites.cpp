@@ -424,9 +424,13 @@ void visit(const Profile& item, const SiteVisitor& visitor) {
 void visit(const PrintedEquation& item, const SiteVisitor& visitor) {
     Visit each(item, "printed equation", visitor);
     for (const PrintedLetter& letter : item.letters) each.bound_.push_back(letter.name);
+    if (!item.solved.empty())
+        for (const Equation& equation : item.equations) each.bound_.push_back(equation.sides[0]->name);
     for (const PrintedLetter& letter : item.letters) each(letter.value, on_anything, "letters");
     for (const Equation& equation : item.equations)
         for (const ExpressionPtr& side : equation.sides) each(side, on_anything, "sides");
+    for (const Equation& equation : item.solved)
+        for (const ExpressionPtr& side : equation.sides) each(side, on_anything, "equations to be solved");
     for (const AtPoint& at : item.at) {
         each(at.variable, on_anything, "point");
         each(at.value, on_anything, "point");

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "model/dimension.hpp"
+#include "model/expression_text.hpp"
 #include "model/parser.hpp"
 #include "text/nearest.hpp"
 
@@ -167,6 +168,13 @@ Unit parse_unit(const Excerpt& excerpt) {
         throw Failure(Diagnostic{Id::unknown_unit, excerpt.whole(), "the unit is empty; a quantity without dimension has the unit '1'"});
     Unit result = evaluate(*parse_expression(excerpt));
     std::erase(result.written = excerpt.text, ' ');
+    return result;
+}
+
+Unit evaluate_unit(const Expression& expression) {
+    Unit result = evaluate(expression);
+    result.written = in_model_language(expression);
+    std::erase(result.written, ' ');
     return result;
 }
 

@@ -127,6 +127,7 @@ Measure Units::power(const Expression& e, const Bound& bound) {
 Measure Units::name(const Expression& e, const Bound& bound) {
     if (const auto found = bound.find(e.name); found != bound.end()) return {found->second};
     if (e.name == "pi") return {};
+    if (e.name == "infinity") return anything;
     if (e.name == "stefan_boltzmann") return {Dimension::power() / Dimension::length().raised({2, 1}) / Dimension::temperature().raised({4, 1})};
     if (e.name == "t") return {Dimension::time()};
     if (find_quantity(e.name) != nullptr) return quantity(e, bound);
@@ -235,9 +236,20 @@ Measure Units::call(const Expression& e, const Bound& bound) {
         const Measure low = part(2);
         const Measure limit = agreeing(e, *e.children[2], low, *e.children[3], part(3));
         Bound inner = bound;
-        inner[e.children[1]->name] = limit.dimension;
+        // From zero to infinity says nothing of the unit; a letter of that name does.
+        const Dimension variable = limit.fits_all ? of(*e.children[1], bound).dimension : limit.dimension;
+        inner[e.children[1]->name] = variable;
         const Measure function = of(*e.children[0], inner);
-        return {function.dimension * limit.dimension, function.fits_all || limit.fits_all};
+        return {function.dimension * variable, function.fits_all};
+    }
+    if (e.name == "quantity") {
+        dimensionless(*e.children[0], "the number in front of a unit", bound);
+        return {evaluate_unit(*e.children[1]).dimension};
+    }
+    if (e.name == "limit" || e.name == "at") {
+        const Measure variable = part(1);
+        agreeing(e, *e.children[1], variable, *e.children[2], part(2));
+        return part(0);
     }
     return function(*find_function(e.name), e, bound);
 }

@@ -151,6 +151,7 @@ constexpr std::array quantity_table{
 };
 
 constexpr auto special_forms = std::to_array<std::string_view>({"dot", "ddot", "sum", "diff", "integral"});
+constexpr auto printed_forms = std::to_array<std::string_view>({"limit", "at", "quantity"});
 
 constexpr auto keywords = std::to_array<std::string_view>({
     "alignas",   "alignof",   "and",        "and_eq",       "asm",          "auto",      "bitand",    "bitor",        "bool",
@@ -228,6 +229,8 @@ const QuantitySpec* find_quantity(std::string_view name) { return find_in(quanti
 bool is_special_form(std::string_view name) {
     return std::find(special_forms.begin(), special_forms.end(), name) != special_forms.end();
 }
+
+bool is_printed_form(std::string_view name) { return std::find(printed_forms.begin(), printed_forms.end(), name) != printed_forms.end(); }
 
 bool is_cpp_keyword(std::string_view name) { return std::find(keywords.begin(), keywords.end(), name) != keywords.end(); }
 bool is_cpp_macro(std::string_view name) {

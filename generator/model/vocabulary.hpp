@@ -90,8 +90,10 @@ struct QuantitySpec {
 std::span<const QuantitySpec> quantities();
 const QuantitySpec* find_quantity(std::string_view name);
 
-/// Forms with a grammar of their own: dot, ddot, sum, diff, integral.
+/// Forms with a grammar of their own: dot, ddot, sum, diff, integral, limit, at, quantity.
 bool is_special_form(std::string_view name);
+/// Those of printed equations only, which models may use as names.
+bool is_printed_form(std::string_view name);
 
 /// Words that mean something in C++ and so cannot be members of a header.
 bool is_cpp_keyword(std::string_view name);

@@ -19,6 +19,8 @@ struct PrintedResult {
     Comparison comparison;                      ///< verdict also dimensionally_wrong
     std::optional<GiNaC::ex> difference = {};   ///< printed left minus right on the motion, where it is wrong and can be shown
     std::optional<CounterExample> counterexample = {};
+    std::optional<GiNaC::ex> derived = {};      ///< what the derivation has for the left side; with is_motion an equation of motion that is zero
+    bool is_motion = false;
 };
 
 struct PrintedCheck {
@@ -30,5 +32,8 @@ struct PrintedCheck {
 
 /// Whether accelerations occur or not, an equation is right when it holds on every motion of the derived system.
 PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& entry);
+
+/// Whether an entry holds at a few random points, units and all: quick, and true of all that is right.
+bool may_hold(const System& system, const Member<PrintedEquation>& entry);
 
 }  // namespace dalembert

@@ -6,6 +6,7 @@
 #include "symbolic/functions.hpp"
 #include "symbolic/heat_formulas.hpp"
 #include "symbolic/integrate.hpp"
+#include "symbolic/limit.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -90,10 +91,11 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
     if (e.name == "pi") return GiNaC::Pi;
     if (e.name == "stefan_boltzmann") return numeric(stefan_boltzmann());
     if (e.name == "t") return symbols_.time();
+    if (e.name == "infinity") fail(Id::not_allowed_here, e, "'infinity' is not a number; limits and integrals may go there");
     if (const auto size = scene_.sizes.find(e.name); size != scene_.sizes.end()) return size->second;
     const Named* named = names_.find(e.name);
     if (named == nullptr) {
-        if (!quantities_) fail(Id::not_allowed_here, e, fmt::format("'{}' has no meaning here", e.written()));
+        if (!quantities_ || find_quantity(e.name) == nullptr) fail(Id::not_allowed_here, e, fmt::format("'{}' has no meaning here", e.written()));
         std::vector<ex> arguments;
         if (find_quantity(e.name)->is_of_medium(e.children.size())) arguments = {0, visit(*e.children[1], indices, letters), visit(*e.children[2], indices, letters)};
         return quantities_(e, indices, arguments);
@@ -148,6 +150,66 @@ ex Translator::rate(const Expression& e, const ex& value) const {
     return symbols_.time_derivative(value);
 }
 
+/// What one can differentiate by, let go somewhere, or insert for.
+const ex& Translator::variable_of(const Expression& e, const ex& variable) const {
+    if (GiNaC::is_a<GiNaC::symbol>(variable)) return variable;
+    fail(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that '{}' could be about", e.children[1]->written(), e.name));
+}
+
+ex Translator::slope(const Expression& e, const ex& function, const ex& variable) const {
+    if (!GiNaC::is_a<GiNaC::symbol>(variable)) fail(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that one can differentiate by", e.children[1]->written()));
+    const Variable* known = symbols_.find(variable);
+    for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier})
+        for (const Variable& rate : symbols_.all(kind))
+            if (function.has(rate.symbol) && (known == nullptr || known->kind != kind))
+                fail(Id::not_allowed_here, e, fmt::format("'{}' differentiates '{}', which depends on everything through the equations; write out what it is", e.written(), rate.name));
+    const bool by_parameter = known != nullptr && known->kind == SymbolKind::parameter;
+    return by_parameter ? symbols_.derivative_by_parameter(function, known->position) : partial(function, variable);
+}
+
+namespace {
+
+/// 1, -1, or 0 for what is not infinite.
+int infinite(const Expression& e) {
+    if (e.kind == Kind::negate) return -infinite(*e.children[0]);
+    return e.kind == Kind::name && e.name == "infinity" ? 1 : 0;
+}
+
+}  // namespace
+
+/// Where the variable is also a letter outside, what other letters and definitions say of that is said of the variable.
+ex Translator::integrand(const Expression& e, const ex& variable, const Indices& indices, const Letters& letters) const {
+    const Expression& written = *e.children[1];
+    const auto letter = letters.find(written.name);
+    const bool is_known = letter != letters.end() || names_.find(written.name) != nullptr || written.name == "t";
+    const ex outside = is_known ? visit(written, indices, letters) : variable;
+    if (outside.is_equal(variable) || !GiNaC::is_a<GiNaC::symbol>(outside)) {
+        Letters inner = letters;
+        inner[written.name] = variable;
+        return visit(*e.children[0], indices, inner);
+    }
+    const ex function = symbols_.without_definitions(visit(*e.children[0], indices, letters));
+    if (outside.is_equal(symbols_.time()) && !symbols_.time_derivative(function).is_equal(partial(function, outside)))
+        fail(Id::cannot_integrate, e, fmt::format("'{}' depends on time through what moves, so that it cannot be integrated", e.children[0]->written()));
+    return function.subs(outside == variable, GiNaC::subs_options::no_pattern);
+}
+
+ex Translator::integral(const Expression& e, const Indices& indices, const Letters& letters) const {
+    const GiNaC::realsymbol variable(e.children[1]->name);
+    const auto primitive = integrate(integrand(e, variable, indices, letters), variable);
+    if (!primitive) fail(Id::cannot_integrate, e, fmt::format("the integral of '{}' is not one that the program can find", e.children[0]->written()));
+    const auto at = [&](const Expression& end) { return infinite(end) != 0 ? limit(e, *primitive, variable, end, indices, letters) : primitive->subs(variable == visit(end, indices, letters)); };
+    return at(*e.children[3]) - at(*e.children[2]);
+}
+
+ex Translator::limit(const Expression& e, const ex& function, const ex& variable, const Expression& place, const Indices& indices, const Letters& letters) const {
+    const ex written_out = symbols_.without_definitions(function);
+    const int sign = infinite(place);
+    const auto found = sign != 0 ? limit_at_infinity(written_out, variable_of(e, variable), sign) : limit_at(written_out, variable_of(e, variable), visit(place, indices, letters));
+    if (!found) fail(Id::cannot_integrate, e, fmt::format("the limit of '{}' is not one that the program can find", e.children[0]->written()));
+    return *found;
+}
+
 ex Translator::call(const Expression& e, const Indices& indices, const Letters& letters) const {
     const auto part = [&](std::size_t i) { return visit(*e.children[i], indices, letters); };
     if (e.name == "dot" && e.children[0]->kind == Kind::name)
@@ -156,27 +218,11 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
         if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0); q != nullptr && !symbols_.has_value(q->position)) return symbols_.get(SymbolKind::acceleration, q->position);
     if (e.name == "dot") return rate(e, part(0));
     if (e.name == "ddot") return rate(e, rate(e, part(0)));
-    if (e.name == "diff") {
-        const ex variable = part(1);
-        if (!GiNaC::is_a<GiNaC::symbol>(variable)) fail(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that one can differentiate by", e.children[1]->written()));
-        const Variable* known = symbols_.find(variable);
-        const ex function = part(0);
-        for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier})
-            for (const Variable& rate : symbols_.all(kind))
-                if (function.has(rate.symbol) && (known == nullptr || known->kind != kind))
-                    fail(Id::not_allowed_here, e, fmt::format("'{}' differentiates '{}', which depends on everything through the equations; write out what it is", e.written(), rate.name));
-        const bool by_parameter = known != nullptr && known->kind == SymbolKind::parameter;
-        return by_parameter ? symbols_.derivative_by_parameter(function, known->position) : partial(function, variable);
-    }
-    if (e.name == "integral") {
-        const GiNaC::realsymbol variable(e.children[1]->name);
-        Letters inner = letters;
-        inner[e.children[1]->name] = variable;
-        const ex function = visit(*e.children[0], indices, inner);
-        const auto primitive = integrate(function, variable);
-        if (!primitive) fail(Id::cannot_integrate, e, fmt::format("the integral of '{}' is not one that the program can find", e.children[0]->written()));
-        return primitive->subs(variable == part(3)) - primitive->subs(variable == part(2));
-    }
+    if (e.name == "diff") return slope(e, part(0), part(1));
+    if (e.name == "integral") return integral(e, indices, letters);
+    if (e.name == "quantity") return visit(*to_si(e.children[0], evaluate_unit(*e.children[1])), indices, letters);
+    if (e.name == "limit") return limit(e, part(0), part(1), *e.children[2], indices, letters);
+    if (e.name == "at") return symbols_.without_definitions(part(0)).subs(variable_of(e, part(1)) == part(2), GiNaC::subs_options::no_pattern);
     std::vector<ex> arguments;
     for (std::size_t i = 0; i < e.children.size(); ++i) arguments.push_back(part(i));
     const ex& x = arguments[0];

@@ -56,6 +56,11 @@ private:
     GiNaC::ex is_in_mode(const Expression& e) const;
     GiNaC::ex rate(const Expression& e, const GiNaC::ex& value) const;
     GiNaC::ex call(const Expression& e, const Indices& indices, const Letters& letters) const;
+    const GiNaC::ex& variable_of(const Expression& e, const GiNaC::ex& variable) const;
+    GiNaC::ex slope(const Expression& e, const GiNaC::ex& function, const GiNaC::ex& variable) const;
+    GiNaC::ex integrand(const Expression& e, const GiNaC::ex& variable, const Indices& indices, const Letters& letters) const;
+    GiNaC::ex integral(const Expression& e, const Indices& indices, const Letters& letters) const;
+    GiNaC::ex limit(const Expression& e, const GiNaC::ex& function, const GiNaC::ex& variable, const Expression& place, const Indices& indices, const Letters& letters) const;
     GiNaC::ex sum(const Expression& e, const Indices& indices, const Letters& letters) const;
     GiNaC::ex power(const Expression& e, const GiNaC::ex& base, const GiNaC::ex& exponent) const;
     int member_index(const Expression& e, const Item& item, const Indices& indices) const;

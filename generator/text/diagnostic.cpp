@@ -100,7 +100,7 @@ std::string excerpt(const Span& span) {
             return i < line.size() && (static_cast<unsigned char>(line[i]) & 0xC0U) == 0x80U;
         };
         std::size_t from = at > widest_line / 2 ? at - widest_line / 2 : 0;
-        while (is_inside_character(from)) ++from;
+        while (from < at && is_inside_character(from)) ++from;
         std::size_t to = std::min(from + widest_line, line.size());
         while (is_inside_character(to)) ++to;
         if (from > 0) before_mark = "... ";

@@ -16,16 +16,15 @@ const std::string path_plot = "mechanics/cart_pendulum_lab.svg";
 const std::string effects_plot = "hydraulics/hydraulic_cylinder_effects.svg";
 
 void generate_all(const fs::path& to) {
-    for (const auto& entry : fs::recursive_directory_iterator(source / "systems")) {
-        if (entry.path().extension() != ".toml") continue;
-        const fs::path folder = to / fs::relative(entry.path().parent_path(), source / "systems");
-        const std::vector<std::string> common{"generate", entry.path().string(), "--every-scene", "-o", folder.string()};
-        const auto sizes = kept_sizes.find(entry.path().stem().string());
+    for (const fs::path& path : system_models()) {
+        const fs::path folder = to / fs::relative(path.parent_path(), source / "systems");
+        const std::vector<std::string> common{"generate", path.string(), "--every-scene", "-o", folder.string()};
+        const auto sizes = kept_sizes.find(path.stem().string());
         for (const std::string& size : sizes == kept_sizes.end() ? std::vector<std::string>{""} : sizes->second) {
             std::vector<std::string> arguments = common;
             if (!size.empty()) arguments.insert(arguments.end(), {"--size", size});
             const Result result = run(arguments);
-            INFO(entry.path().string(), " ", size, ": ", result.err);
+            INFO(path.string(), " ", size, ": ", result.err);
             CHECK(result.exit_code == 0);
             CHECK(result.err.empty());
             CHECK(result.out.find("everything proven") != std::string::npos);

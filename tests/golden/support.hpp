@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -42,6 +43,14 @@ inline Result run(const std::vector<std::string>& arguments) {
     std::ostringstream out, err;
     const int exit_code = dalembert::run_program(arguments, {out, err});
     return {exit_code, out.str(), err.str()};
+}
+
+/// The models in systems/, sorted: what is there but the catalogues of printed equations.
+inline std::set<fs::path> system_models() {
+    std::set<fs::path> models;
+    for (const auto& entry : fs::recursive_directory_iterator(source / "systems"))
+        if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "book") models.insert(entry.path());
+    return models;
 }
 
 /// Compares with the file, or writes it.

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "model/checks.hpp"
+#include "model/latex_reader.hpp"
+#include "model/latex_words.hpp"
+#include "model/matrices.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// The names in an entry that it does not explain itself, with those in the notation that it uses.
+class UsedNames {
+public:
+    UsedNames(const Catalogue& catalogue, const CatalogueEntry& entry) : catalogue_(catalogue) {
+        for (const PrintedLetter& letter : entry.letters) explained_.insert(letter.name);
+        if (!entry.solved.empty())
+            for (const Equation& equation : entry.equations) explained_.insert(equation.sides[0]->name);
+        visit(entry, [&](const Site& site) { use(*site.expression); });
+    }
+
+    const std::set<std::string>& names() const { return names_; }
+    const std::vector<PrintedLetter>& notation() const { return notation_; }
+
+private:
+    void use(const Expression& expression) {
+        for_each(expression, [&](const Expression& e) {
+            if (e.kind != Expression::Kind::name || explained_.contains(e.name) || !names_.insert(e.name).second) return;
+            for (const LatexMeaning& meaning : catalogue_.notation) {
+                if (meaning.letter.text != e.name) continue;
+                explained_.insert(e.name);
+                notation_.push_back({e.name, meaning.value, meaning.letter.whole()});
+                use(*meaning.value);
+            }
+        });
+    }
+
+    const Catalogue& catalogue_;
+    std::set<std::string> explained_, names_;
+    std::vector<PrintedLetter> notation_;
+};
+
+/// From half to twice what a positive letter is, or one.
+Range range_about(const CatalogueLetter& letter) {
+    const ExpressionPtr middle = letter.value ? letter.value : make_number(1, letter.span);
+    const ExpressionPtr two = make_number(2, letter.span);
+    return {make_binary(Expression::Kind::divide, middle, two), make_binary(Expression::Kind::multiply, two, middle), letter.span};
+}
+
+/// A letter without a value of its own is a number like any other; what is positive is so by its range.
+void add(Model& model, const CatalogueLetter& letter, Diagnostics& diagnostics) {
+    Quantity quantity = letter;
+    if (letter.is_positive && !letter.range) quantity.range = range_about(letter);
+    if (letter.is_positive && letter.range && letter.range->low && letter.range->low->kind == Expression::Kind::number && !cln::plusp(letter.range->low->value))
+        diagnostics.error(Id::value_out_of_range, letter.range->span, fmt::format("'{}' is positive, so that its range begins above zero", letter.name));
+    if (letter.moves) {
+        Coordinate coordinate;
+        static_cast<Quantity&>(coordinate) = quantity;
+        if (quantity.range) coordinate.start = quantity.range->low;
+        model.coordinates.push_back(std::move(coordinate));
+        return;
+    }
+    Parameter parameter;
+    static_cast<Quantity&>(parameter) = quantity;
+    const bool has_low = quantity.range && quantity.range->low;
+    parameter.values.push_back(letter.value ? letter.value : has_low ? quantity.range->low : make_number(0, letter.span));
+    model.parameters.push_back(std::move(parameter));
+}
+
+/// The letters that an entry uses, in order of declaration; its own come before those of the file.
+std::vector<const CatalogueLetter*> letters_of(const Catalogue& catalogue, const CatalogueEntry& entry, const UsedNames& used) {
+    std::vector<const CatalogueLetter*> result;
+    const auto is_new = [&](const CatalogueLetter& letter) { return std::none_of(result.begin(), result.end(), [&](const CatalogueLetter* other) { return other->name == letter.name; }); };
+    for (const auto* letters : {&entry.own, &catalogue.letters})
+        for (const CatalogueLetter& letter : *letters)
+            if (used.names().contains(letter.name) && is_new(letter)) result.push_back(&letter);
+    return result;
+}
+
+}  // namespace
+
+namespace {
+
+/// Names of the model and of letters are read as words, not as products.
+PrintedNotation notation_of(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
+    PrintedNotation notation;
+    for (const auto* letters : {&entry.own, &catalogue.letters})
+        for (const CatalogueLetter& letter : *letters) notation.add_word(letter.name);
+    for (const PrintedLetter& letter : entry.letters) notation.add_word(letter.name);
+    if (model != nullptr)
+        for (const std::string& name : Names(*model).all()) notation.add_word(name);
+    for (const auto* functions : {&catalogue.functions, &entry.functions})
+        for (const std::string& name : *functions) notation.define_function(name, {});
+    for (const auto* meanings : {&catalogue.notation, &entry.notation})
+        for (const LatexMeaning& meaning : *meanings) notation.define(meaning.letter, meaning.value);
+    return notation;
+}
+
+/// An entry that solves equations says what letters are.
+void check_solution(const CatalogueEntry& entry) {
+    for (const Equation& equation : entry.equations)
+        if (const Expression& left = *equation.sides[0]; left.kind != Expression::Kind::name || !left.children.empty())
+            fail(Id::wrong_type, left.span, fmt::format("'{}' is not a letter; an entry with 'solves' says what letters are, as in 'x = ...'", left.written()));
+}
+
+}  // namespace
+
+CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
+    CatalogueEntry result = entry;
+    if (entry.latex)
+        for (const LatexEquation& read : read_latex(*entry.latex, notation_of(catalogue, entry, model))) {
+            for (const Relation relation : read.relations)
+                if (relation != Relation::equal && relation != Relation::approximately)
+                    fail(Id::not_allowed_here, read.equation.span, fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(), sign_of(relation)));
+            if (read.relations.empty()) fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
+            result.equations.push_back(read.equation);
+            for (ExpressionPtr& side : result.equations.back().sides) side = in_model_words(side);
+        }
+    if (!entry.solved.empty()) check_solution(result);
+    return result;
+}
+
+Model with_letters(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* base) {
+    Model model;
+    if (base != nullptr) model = *base;
+    else model = Model{.source = catalogue.source, .name = "letters", .name_span = entry.span, .title = {}, .reference = catalogue.title};
+    const UsedNames used(catalogue, entry);
+    Diagnostics diagnostics;
+    const Names known(base != nullptr ? *base : model);
+    for (const CatalogueLetter* letter : letters_of(catalogue, entry, used))
+        if (known.find(letter->name) == nullptr) add(model, *letter, diagnostics);
+    check_letter_names(model, diagnostics);
+    diagnostics.stop_on_errors();
+    return model;
+}
+
+PrintedEquation checked_entry(const Catalogue& catalogue, const CatalogueEntry& entry, const Model& model, Diagnostics& diagnostics) {
+    PrintedEquation result = entry;
+    const Names names(model);
+    const UsedNames used(catalogue, entry);
+    for (const PrintedLetter& letter : used.notation()) result.letters.push_back(letter);
+    // What the file says of a letter is not said of a parameter of the model that is called the same; what the entry says is.
+    const auto is_meant = [&](const CatalogueLetter& letter) {
+        const Named* named = names.find(letter.name);
+        const bool is_own = std::any_of(entry.own.begin(), entry.own.end(), [&](const CatalogueLetter& own) { return &own == &letter; });
+        return is_own || (named != nullptr && named->item->span.source == letter.span.source);
+    };
+    for (const CatalogueLetter* letter : letters_of(catalogue, entry, used))
+        if (letter->value && is_meant(*letter)) result.at.push_back({make_name(letter->name, letter->span), letter->value});
+    result.shown = result.equations;
+    result.shown_letters = result.letters;
+    result.equations = without_matrices(result.shown, result.letters);
+    check_expressions(result, names, diagnostics);
+    return result;
+}
+
+}  // namespace dalembert

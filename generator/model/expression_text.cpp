@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/expression_text.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// How strongly a kind binds; a child that binds less needs brackets.
+enum Binding : int { as_sum = 0, as_product = 1, as_negative = 2, as_power = 3, as_primary = 4 };
+
+/// "9.81", "981/7" where no decimal is exact.
+std::string number_text(const Rational& value) {
+    if (is_integer(value)) return to_string(value);
+    cln::cl_I denominator = cln::denominator(value);
+    int twos = 0;
+    int fives = 0;
+    for (; cln::zerop(cln::mod(denominator, 2)); ++twos) denominator = cln::floor1(denominator, 2);
+    for (; cln::zerop(cln::mod(denominator, 5)); ++fives) denominator = cln::floor1(denominator, 5);
+    if (denominator != 1) return to_string(value);
+    const auto places = static_cast<std::size_t>(std::max(twos, fives));
+    const Rational scaled = cln::abs(value) * cln::expt_pos(cln::cl_I(10), cln::cl_I(static_cast<unsigned long>(places)));
+    std::string digits = to_string(scaled);
+    if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+    return (is_negative(value) ? "-" : "") + digits.substr(0, digits.size() - places) + "." + digits.substr(digits.size() - places);
+}
+
+Binding binding(const Expression& e) {
+    using Kind = Expression::Kind;
+    switch (e.kind) {
+        case Kind::add:
+        case Kind::subtract: return as_sum;
+        case Kind::multiply:
+        case Kind::divide: return as_product;
+        case Kind::negate: return as_negative;
+        case Kind::power: return as_power;
+        case Kind::number: return is_negative(e.value) ? as_negative : number_text(e.value).find('/') != std::string::npos ? as_product : as_primary;
+        default: return as_primary;
+    }
+}
+
+std::string list(const std::vector<ExpressionPtr>& children, std::string text) {
+    for (const ExpressionPtr& child : children) text += (text.empty() ? "" : ", ") + in_model_language(*child);
+    return text;
+}
+
+}  // namespace
+
+std::string in_model_language(const Expression& e) {
+    using Kind = Expression::Kind;
+    const auto child = [&](std::size_t i, Binding least) {
+        const std::string text = in_model_language(*e.children[i]);
+        return binding(*e.children[i]) < least ? "(" + text + ")" : text;
+    };
+    switch (e.kind) {
+        case Kind::number: return number_text(e.value);
+        case Kind::name: return e.children.empty() ? e.name : e.name + "[" + list(e.children, {}) + "]";
+        case Kind::call: return e.name + "(" + list(e.children, {}) + ")";
+        case Kind::sum: return "sum(" + list(e.children, e.name) + ")";
+        case Kind::negate: return "-" + child(0, as_negative);
+        case Kind::add: return child(0, as_sum) + " + " + child(1, as_product);
+        case Kind::subtract: return child(0, as_sum) + " - " + child(1, as_product);
+        case Kind::multiply: return child(0, as_product) + "*" + child(1, as_negative);
+        case Kind::divide: return child(0, as_product) + "/" + child(1, as_negative);
+        case Kind::power: return child(0, as_primary) + "^" + child(1, as_negative);
+    }
+    return {};
+}
+
+std::string in_model_language(const Equation& equation) {
+    std::string text;
+    for (const ExpressionPtr& side : equation.sides) text += (text.empty() ? "" : " = ") + in_model_language(*side);
+    return text;
+}
+
+}  // namespace dalembert

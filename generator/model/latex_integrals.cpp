@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Integrals, sums, limits and values at a point.
+#include <fmt/format.h>
+
+#include "model/expression_text.hpp"
+#include "model/latex_parser.hpp"
+
+namespace dalembert {
+
+ExpressionPtr LatexParser::integral() {
+    const Depth depth(*this);
+    const std::size_t first = at_;
+    const Span sign = place(next());
+    ExpressionPtr lower;
+    ExpressionPtr upper;
+    while (is("_") || is("^")) {
+        const bool is_lower = next().text == "_";
+        const Inside brackets(*this);
+        const std::size_t begin = at_;
+        const bool is_border = is("\\partial") || (is("{") && token(1).is("\\partial"));
+        if (is_border) {
+            const bool in_braces = take("{");
+            next();
+            ExpressionPtr region = in_braces ? expression() : braced("a region");
+            if (in_braces) expect("}");
+            lower = call("border", begin, {std::move(region)});
+        } else {
+            (is_lower ? lower : upper) = braced(is_lower ? "the lower limit" : "the upper limit");
+        }
+    }
+    if (upper && !lower) wrong(sign, "the integral has an upper limit, but no lower one");
+    Integral here;
+    Integral* const outer = integral_;
+    integral_ = &here;
+    ExpressionPtr inside = expression();
+    if (!here.variable) {
+        if (!at_differential()) wrong(sign, "the integral has no differential such as 'dx'");
+        here.variable = differential_variable();
+    }
+    integral_ = outer;
+    if (here.variable->kind == Kind::name) integrated_ = here.variable->name;
+    std::vector<ExpressionPtr> parts{std::move(inside), here.variable};
+    for (ExpressionPtr* limit : {&lower, &upper})
+        if (*limit) parts.push_back(std::move(*limit));
+    return call("integral", first, std::move(parts));
+}
+
+/// \sum_{i=1}^{N} and \prod: the rest of the product belongs to it, and letters with the index i become members of a family.
+ExpressionPtr LatexParser::counted() {
+    const Depth depth(*this);
+    const std::size_t first = at_;
+    const LatexToken sign = next();
+    const std::string example = fmt::format("the limits of the {}, as in '{}_{{i=1}}^{{N}}',", sign.is("\\sum") ? "sum" : "product", sign.text);
+    ExpressionPtr lower;
+    ExpressionPtr upper;
+    std::string index;
+    while (is("_") || is("^")) {
+        const Inside brackets(*this);
+        if (next().text == "^") {
+            upper = braced("the last index");
+            continue;
+        }
+        if (!is("{")) expected(example);
+        next();
+        if (token().kind != LatexToken::Kind::letter) expected("the index");
+        index = next().text;
+        if (!is("=")) expected(example);
+        next();
+        lower = expression();
+        expect("}");
+    }
+    if (!lower || !upper) expected(example);
+    counters_.push_back(index);
+    ExpressionPtr inside = term();
+    counters_.pop_back();
+    if (sign.is("\\prod")) {
+        const ExpressionPtr counter = make_name(index, place(sign));
+        return call("product", first, {std::move(inside), counter, std::move(lower), std::move(upper)});
+    }
+    return node(Kind::sum, first, {std::move(lower), std::move(upper), std::move(inside)}, index);
+}
+
+ExpressionPtr LatexParser::limit() {
+    const Depth depth(*this);
+    const std::size_t first = at_;
+    next();
+    if (!is("_") || !token(1).is("{")) expected("what goes where, as in '\\lim_{x \\to 0}',");
+    at_ += 2;
+    const std::size_t begin = at_;
+    ExpressionPtr variable;
+    ExpressionPtr value;
+    {
+        const Inside brackets(*this);
+        const auto read = try_letter();
+        if (!read) expected("a letter");
+        variable = translate(read->letter, begin);
+        expect("\\rightarrow");
+        value = expression();
+        if (is("^") || is("+") || is("-")) expected("'}' (limits from one side are not read)");
+        expect("}");
+    }
+    ExpressionPtr inside = term();
+    return call("limit", first, {std::move(inside), std::move(variable), std::move(value)});
+}
+
+bool LatexParser::is_evaluation_bar() const { return magnitudes_ == 0 && is("|") && token().side == Side::neutral && (token(1).is("_") || token(1).is("^")); }
+
+/// Behind a bar or a bracket: the point, x=a, or what a partial derivative holds constant.
+ExpressionPtr LatexParser::evaluated(ExpressionPtr e, std::size_t first) {
+    take("|");
+    const ExpressionPtr inside = e;
+    ExpressionPtr variable;
+    if (!is("_")) expected("'_' with the point, as in '|_{x=0}',");
+    next();
+    {
+        const Inside brackets(*this);
+        const bool in_braces = take("{");
+        do {
+            const std::size_t begin = at_;
+            const ExpressionPtr item = in_braces ? expression() : braced("the point");
+            if (in_braces && take("=")) {
+                variable = item;
+                const ExpressionPtr value = expression();
+                e = call("at", first, {e, item, value});
+            } else if (e->kind == Kind::call && e->name == "partial" && (item->kind == Kind::name || (item->kind == Kind::call && item->name == "dot"))) {
+                auto held = std::make_shared<Expression>(*e);
+                held->span = from(first);
+                held->children.push_back(item);
+                e = held;
+            } else if (e->kind == Kind::call && (e->name == "partial" || e->name == "derivative")) {
+                variable = e->children[1];
+                e = call("at", first, {e, variable, item});
+            } else {
+                wrong(from(begin), fmt::format("it is not clear which letter is '{}' here; write the point as in '|_{{x=0}}'", in_model_language(*item)));
+            }
+        } while (in_braces && take(","));
+        if (in_braces) expect("}");
+    }
+    if (!is("^") || !variable) return e;
+    next();
+    const Inside brackets(*this);
+    const bool in_braces = take("{");
+    ExpressionPtr value = in_braces ? expression() : braced("the upper point");
+    if (in_braces && take("=")) value = expression();
+    if (in_braces) expect("}");
+    const ExpressionPtr upper = call("at", first, {inside, variable, value});
+    return node(Kind::subtract, first, {upper, e});
+}
+
+/// [F]_a^b: the letter stands in the limits, [F]_{x=a}^b, or is that of the integral before it.
+ExpressionPtr LatexParser::between(ExpressionPtr e, std::size_t first) {
+    ExpressionPtr lower;
+    ExpressionPtr upper;
+    ExpressionPtr variable;
+    while ((is("_") && !lower) || (is("^") && !upper)) {
+        const bool is_lower = next().text == "_";
+        const Inside brackets(*this);
+        ExpressionPtr value;
+        if (take("{")) {
+            value = expression();
+            if (take("=")) {
+                variable = value;
+                value = expression();
+            }
+            expect("}");
+        } else {
+            value = braced("the limit");
+        }
+        (is_lower ? lower : upper) = value;
+    }
+    if (!variable && !integrated_.empty()) variable = make_name(integrated_, from(first));
+    if (!variable) wrong(from(first), "it is not clear which letter runs between these limits; write '[F]_{x=a}^{b}'");
+    const ExpressionPtr high = call("at", first, {e, variable, upper});
+    const ExpressionPtr low = call("at", first, {e, variable, lower});
+    return node(Kind::subtract, first, {high, low});
+}
+
+}  // namespace dalembert

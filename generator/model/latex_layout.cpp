@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands around equations for their looks: numbers of equations, lines and columns, braces.
+#include <fmt/format.h>
+
+#include "model/latex_parser.hpp"
+
+namespace dalembert {
+
+namespace {
+
+const std::set<std::string, std::less<>> layouts{"aligned", "align", "alignat", "alignedat", "equation", "gather", "gathered", "split", "eqnarray", "multline", "flalign", "displaymath", "math", "subequations"};
+const std::set<std::string, std::less<>> may_be_layout{"array", "cases", "dcases", "matrix", "rcases"};
+
+bool is_operator(const LatexToken& t) { return t.is("+") || t.is("-") || t.is("\\cdot") || t.is("\\times") || t.is("*") || t.is("/"); }
+
+}  // namespace
+
+void LatexParser::prepare() {
+    Tokens split;
+    split.reserve(tokens_.size());
+    for (const LatexToken& t : tokens_) {
+        // TeX takes one digit for a script or argument without braces: x_12 is x_1 2, \frac12 a half.
+        const std::size_t n = split.size();
+        const bool is_argument = n > 0 && (split[n - 1].is("_") || split[n - 1].is("^") || split[n - 1].is("\\frac"));
+        const bool is_second = n > 1 && split[n - 2].is("\\frac") && split[n - 1].kind == LatexToken::Kind::number;
+        if (t.kind == LatexToken::Kind::number && (is_argument || is_second) && t.text.size() > 1 && t.text.find_first_not_of("0123456789") == std::string::npos) {
+            const bool is_fraction = !split.empty() && (split[n - 1].is("\\frac"));
+            LatexToken digit = t;
+            digit.text = t.text.substr(0, 1);
+            digit.end = t.begin + 1;
+            split.push_back(digit);
+            LatexToken rest = t;
+            rest.begin = digit.end;
+            rest.text = t.text.substr(1);
+            rest.space = Space::none;
+            if (is_fraction && rest.text.size() > 1) {
+                digit = rest;
+                digit.text = rest.text.substr(0, 1);
+                digit.end = rest.begin + 1;
+                split.push_back(digit);
+                rest.begin = digit.end;
+                rest.text = rest.text.substr(1);
+            }
+            split.push_back(rest);
+            continue;
+        }
+        split.push_back(t);
+        // y^{*T} is y^* ^T
+        const std::size_t m = split.size();
+        if (m >= 5 && split[m - 1].is("}") && split[m - 2].is_letter("T") && split[m - 3].is("*") && split[m - 4].is("{") && split[m - 5].is("^")) {
+            const LatexToken sign = split[m - 5];
+            const LatexToken turn = split[m - 2];
+            split[m - 4] = split[m - 3];
+            split[m - 3] = sign;
+            split[m - 2] = turn;
+            split.pop_back();
+        }
+    }
+    tokens_ = std::move(split);
+    drop_tags();
+    drop_layout();
+}
+
+/// "\quad (2.13a)" behind an equation.
+void LatexParser::drop_tags() {
+    Tokens kept;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        std::size_t k = i + 1;
+        const LatexToken& open = tokens_[i];
+        bool is_tag = open.is("(") && open.side == Side::neutral && i > 0 && open.space != Space::none;
+        if (is_tag && at(k).kind == LatexToken::Kind::letter && at(k).text[0] <= 'Z') ++k;  // of an appendix: (A.3)
+        const std::string& number = at(k).text;
+        is_tag = is_tag && at(k).kind == LatexToken::Kind::number && number.find('.') != std::string::npos && number.find_first_not_of("0123456789.") == std::string::npos;
+        if (is_tag) ++k;
+        if (is_tag && at(k).kind == LatexToken::Kind::letter && at(k).space == Space::none) ++k;
+        is_tag = is_tag && at(k).is(")");
+        const LatexToken& behind = at(k + 1);
+        is_tag = is_tag && (behind.kind == LatexToken::Kind::end || behind.is("\\\\") || behind.kind == LatexToken::Kind::end_of);
+        if (is_tag && open.space == Space::blank) {
+            const LatexToken& before = tokens_[i - 1];
+            is_tag = !is_operator(before) && !relation_of(before) && !is_function(before) && !before.is("{") && !before.is("(");
+        }
+        if (is_tag) i = k;
+        else kept.push_back(open);
+    }
+    tokens_ = std::move(kept);
+}
+
+/// Whether the environment that begins here holds equations rather than entries.
+bool LatexParser::is_layout(std::size_t begin) const {
+    if (layouts.contains(tokens_[begin].text)) return true;
+    if (!may_be_layout.contains(tokens_[begin].text)) return false;
+    if (begin > 0) {
+        const LatexToken& before = tokens_[begin - 1];
+        const bool is_start = before.is("\\\\") || before.is("&") || before.kind == LatexToken::Kind::begin || before.is(",") || (before.side == Side::left && (before.is(".") || before.is("\\{"))) || before.is("\\{");
+        if (!is_start) return false;
+        if (before.side == Side::left && begin > 1 && !at(begin - 2).is("\\\\") && !at(begin - 2).is("&") && !at(begin - 2).is(",") && at(begin - 2).kind != LatexToken::Kind::begin) return false;
+    }
+    int depth = 0;
+    for (std::size_t i = begin; i < tokens_.size(); ++i) {
+        const LatexToken& t = tokens_[i];
+        if (t.kind == LatexToken::Kind::begin || t.is("{")) ++depth;
+        if ((t.kind == LatexToken::Kind::end_of || t.is("}")) && --depth == 0) return false;
+        if (depth == 1 && t.is("=")) return true;
+    }
+    return false;
+}
+
+/// Whether what stands behind a line break belongs to the equation before it.
+bool LatexParser::continues(std::size_t line_break) const {
+    std::size_t i = line_break + 1;
+    int columns = 0;
+    for (; at(i).is("&"); ++i) ++columns;
+    std::size_t before = line_break;
+    while (before > 0 && at(before - 1).is("&")) --before;
+    if (before == 0) return true;
+    const LatexToken& last = at(before - 1);
+    const LatexToken& first = at(i);
+    if (relation_of(last) || is_operator(last) || relation_of(first)) return true;
+    if (is_operator(first) && !first.is("-")) return true;
+    if (!first.is("-")) return false;
+    int depth = 0;
+    bool has_relation = false;  // the equation so far
+    for (std::size_t k = line_break; k-- > 0 && !at(k).is("\\\\");) has_relation = has_relation || relation_of(at(k)).has_value();
+    if (!has_relation) return true;
+    for (; i < tokens_.size() && !(depth == 0 && at(i).is("\\\\")) && depth >= 0; ++i) {
+        if (at(i).is("{") || at(i).kind == LatexToken::Kind::begin) ++depth;
+        if (at(i).is("}") || at(i).kind == LatexToken::Kind::end_of) --depth;
+        if (depth == 0 && relation_of(at(i))) return false;
+    }
+    return columns > 0;
+}
+
+/// Lines and columns of aligned equations go; a line break stays where another equation begins.
+void LatexParser::drop_layout() {
+    std::vector<bool> dropped(tokens_.size(), false);
+    std::vector<bool> open{true};  // of each environment around us: whether it is layout
+    std::vector<int> braces{0};
+    std::vector<bool> has_brace{false};
+    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+        const LatexToken& t = tokens_[i];
+        if (t.kind == LatexToken::Kind::begin) {
+            const bool has_left = i > 0 && at(i - 1).side == Side::left;
+            const bool layout = open.back() && braces.back() == (has_left ? 1 : 0) && is_layout(i);
+            const bool is_braced = layout && has_left;
+            if (is_braced) --braces.back();
+            open.push_back(layout);
+            braces.push_back(0);
+            dropped[i] = layout;
+            has_brace.push_back(is_braced);
+            if (is_braced || (layout && i > 0 && at(i - 1).is("\\{"))) dropped[i - 1] = true;
+        } else if (t.kind == LatexToken::Kind::end_of) {
+            if (open.size() == 1) wrong(place(t), fmt::format("'{}' ends here, but was not begun", t.text));
+            dropped[i] = open.back();
+            if (has_brace.back() && at(i + 1).side == Side::right) dropped[i + 1] = true;
+            open.pop_back();
+            braces.pop_back();
+            has_brace.pop_back();
+        } else if (t.kind == LatexToken::Kind::sign) {
+            if (t.text == "{" || t.side == Side::left) ++braces.back();
+            else if ((t.text == "}" || t.side == Side::right) && !dropped[i]) --braces.back();
+            if (open.back() && braces.back() <= 0 && (t.text == "&" || (t.text == "\\\\" && continues(i)))) dropped[i] = true;
+            if (open.back() && braces.back() > 0 && t.text == "\\\\" && at(i + 1).is("&")) dropped[i] = true;
+        }
+    }
+    // {a = b}: braces around an equation.
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        if (!at(i).is("{") || (i > 0 && !dropped[i - 1] && !at(i - 1).is("\\\\") && !at(i - 1).is(","))) continue;
+        const std::size_t close = closing_brace(i);
+        int depth = 0;
+        bool has_equation = false;
+        for (std::size_t k = i; k < close; ++k) {
+            depth += at(k).is("{") || at(k).kind == LatexToken::Kind::begin ? 1 : at(k).is("}") || at(k).kind == LatexToken::Kind::end_of ? -1 : 0;
+            has_equation = has_equation || (depth == 1 && relation_of(at(k)));
+        }
+        if (has_equation && close + 1 < tokens_.size()) dropped[i] = dropped[close] = true;
+    }
+    Tokens kept;
+    Space space = Space::none;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        space = std::max(space, tokens_[i].space);
+        if (dropped[i]) continue;
+        kept.push_back(tokens_[i]);
+        kept.back().space = space;
+        space = Space::none;
+    }
+    tokens_ = std::move(kept);
+}
+
+}  // namespace dalembert

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/latex_lexer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace dalembert {
+
+namespace {
+
+constexpr std::size_t most_latex_words = 20'000;
+constexpr std::size_t deepest_latex_wrap = 100;
+
+using Words = std::set<std::string, std::less<>>;
+
+/// Nothing but their looks.
+const Words without_meaning{"\\displaystyle", "\\textstyle", "\\scriptstyle", "\\limits", "\\nolimits", "\\nonumber", "\\notag", "\\hfill", "\\noindent", "\\hline",
+                            "\\boxed", "\\fbox", "\\ensuremath", "\\mathstrut", "\\strut", "\\protect", "\\centering", "\\[", "\\]", "\\(", "\\)", "\\/", "\\mathord", "\\mathop",
+                            "\\mathbin", "\\mathrel", "\\mathinner", "\\unboldmath", "\\boldmath", "\\allowbreak", "\\nobreak", "\\newline", "\\relax"};
+/// With an argument that says nothing either.
+const Words with_idle_argument{"\\label", "\\tag", "\\hspace", "\\vspace", "\\phantom", "\\hphantom", "\\vphantom", "\\color", "\\footnote", "\\textcolor", "\\stackrel", "\\overset", "\\underset", "\\mathclap", "\\cite", "\\ref", "\\eqref"};
+const Words wraps_second_argument{"\\stackrel", "\\overset", "\\underset"};
+const Words thin_spaces{"\\,", "\\;", "\\:", "\\!", "\\ ", "\\>", "\\thinspace", "\\medspace", "\\thickspace", "\\enspace", "\\space"};
+const Words upright_commands{"\\mathrm", "\\text", "\\textrm", "\\textnormal", "\\textit", "\\mathit", "\\mathnormal", "\\textsf", "\\textup", "\\mbox", "\\hbox", "\\operatorname", "\\mathup", "\\unit", "\\si"};
+const Words sizes{"\\left", "\\right", "\\middle", "\\big", "\\Big", "\\bigg", "\\Bigg", "\\bigl", "\\Bigl", "\\biggl", "\\Biggl", "\\bigr", "\\Bigr", "\\biggr", "\\Biggr", "\\bigm", "\\Bigm"};
+
+const std::map<std::string, std::string, std::less<>> one_spelling{
+    {"\\dfrac", "\\frac"}, {"\\tfrac", "\\frac"}, {"\\cfrac", "\\frac"}, {"\\nicefrac", "\\frac"}, {"\\sfrac", "\\frac"}, {"\\leq", "\\le"}, {"\\leqslant", "\\le"}, {"\\geq", "\\ge"},
+    {"\\geqslant", "\\ge"}, {"\\ne", "\\neq"}, {"\\lt", "<"}, {"\\gt", ">"}, {"\\simeq", "\\approx"}, {"\\cong", "\\approx"}, {"\\to", "\\rightarrow"}, {"\\longrightarrow", "\\rightarrow"},
+    {"\\Longrightarrow", "\\Rightarrow"}, {"\\Leftrightarrow", "\\Rightarrow"}, {"\\Longleftrightarrow", "\\Rightarrow"}, {"\\iff", "\\Rightarrow"}, {"\\implies", "\\Rightarrow"},
+    {"\\ldots", "\\dots"}, {"\\cdots", "\\dots"}, {"\\dotsc", "\\dots"}, {"\\dotsb", "\\dots"}, {"\\dotsm", "\\dots"}, {"\\vdots", "\\dots"}, {"\\ddots", "\\dots"},
+    {"\\lbrace", "\\{"}, {"\\rbrace", "\\}"}, {"\\lbrack", "["}, {"\\rbrack", "]"}, {"\\vert", "|"}, {"\\lvert", "|"}, {"\\rvert", "|"}, {"\\mid", "|"},
+    {"\\Vert", "\\|"}, {"\\lVert", "\\|"}, {"\\rVert", "\\|"}, {"\\ast", "*"}, {"\\colon", ":"}, {"\\coloneqq", ":="}, {"\\colonequals", ":="}, {"\\bm", "\\mathbf"},
+    {"\\boldsymbol", "\\mathbf"}, {"\\textbf", "\\mathbf"}, {"\\pmb", "\\mathbf"}, {"\\mathscr", "\\mathcal"}, {"\\overrightarrow", "\\vec"}, {"\\widetilde", "\\tilde"},
+    {"\\widehat", "\\hat"}, {"\\lg", "\\log_{10}"}, {"\\dd", "\\differential"}, {"\\diff", "\\differential"}, {"\\oint", "\\int"}, {"\\top", "\\intercal"}, {"\\degree", "\\circ"}, {"\\textdegree", "\\circ"}, {"\\centerdot", "\\cdot"}};
+
+const std::map<std::string, std::string, std::less<>> spelt_out{{"·", "\\cdot"}, {"×", "\\times"}, {"−", "-"}, {"°", "°"}, {"≤", "\\le"}, {"≥", "\\ge"}, {"≈", "\\approx"}, {"∂", "\\partial"}, {"∞", "\\infty"}, {"≠", "\\neq"},
+    {"α", "\\alpha"}, {"β", "\\beta"}, {"γ", "\\gamma"}, {"δ", "\\delta"}, {"ε", "\\varepsilon"}, {"η", "\\eta"}, {"θ", "\\theta"}, {"κ", "\\kappa"}, {"λ", "\\lambda"}, {"μ", "\\mu"}, {"µ", "\\mu"},
+    {"ν", "\\nu"}, {"π", "\\pi"}, {"ρ", "\\rho"}, {"σ", "\\sigma"}, {"τ", "\\tau"}, {"φ", "\\varphi"}, {"ϕ", "\\phi"}, {"χ", "\\chi"}, {"ψ", "\\psi"}, {"ω", "\\omega"}, {"Δ", "\\Delta"}, {"Ω", "\\Omega"}, {"Φ", "\\Phi"}, {"Ψ", "\\Psi"}};
+
+bool is_latex_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_latin(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_latex_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+class LatexLexer {
+public:
+    LatexLexer(const Excerpt& excerpt, std::size_t from, std::size_t to) : excerpt_(excerpt), text_(excerpt.text), i_(from), to_(to) {}
+
+    std::vector<LatexToken> run() {
+        while (i_ < to_) word();
+        add(Kind::end, "", to_, to_);
+        return std::move(tokens_);
+    }
+
+private:
+    using Kind = LatexToken::Kind;
+    using Space = LatexToken::Space;
+    using Side = LatexToken::Side;
+
+    [[noreturn]] void wrong(std::size_t begin, std::size_t end, std::string message) const { fail(Id::syntax, excerpt_.span(begin, end), std::move(message)); }
+
+    void add(Kind kind, std::string text, std::size_t begin, std::size_t end, Side side = Side::neutral, std::size_t inside = 0) {
+        if (tokens_.size() == most_latex_words)
+            fail(Id::too_long, excerpt_.span(begin, end), fmt::format("the equation has more than {} words and signs; split it", most_latex_words));
+        tokens_.push_back({kind, std::move(text), begin, end, space_, side, inside});
+        space_ = Space::none;
+    }
+    void spaced(Space space) { space_ = std::max(space_, space); }
+    char at(std::size_t i) const { return i < to_ ? text_[i] : '\0'; }
+    void skip_blanks() {
+        while (i_ < to_ && is_latex_blank(text_[i_])) ++i_;
+    }
+
+    /// Where the brace that opens at i is closed.
+    std::size_t closing(std::size_t i) const {
+        int depth = 0;
+        for (std::size_t k = i; k < to_; ++k) {
+            if (text_[k] == '\\') ++k;
+            else if (text_[k] == '{') ++depth;
+            else if (text_[k] == '}' && --depth == 0) return k;
+        }
+        wrong(i, i + 1, "this '{' is never closed by '}'");
+    }
+
+    void word() {
+        if (!wraps_.empty() && i_ == wraps_.back()) {
+            wraps_.pop_back();
+            ++i_;
+            return;
+        }
+        const char c = text_[i_];
+        if (is_latex_blank(c)) {
+            spaced(Space::blank);
+            ++i_;
+        } else if (c == '~') {
+            spaced(Space::thin);
+            ++i_;
+        } else if (c == '$') {
+            ++i_;
+        } else if (c == '%') {
+            while (i_ < to_ && text_[i_] != '\n') ++i_;
+        } else if (is_latex_digit(c) || (c == '.' && is_latex_digit(at(i_ + 1)))) {
+            number();
+        } else if (is_latin(c)) {
+            add(Kind::letter, std::string(1, c), i_, i_ + 1);
+            ++i_;
+        } else if (c == '\\') {
+            command();
+        } else {
+            sign();
+        }
+    }
+
+    /// Digits, one decimal point or comma with a digit behind it, groups of three behind \, .
+    void number() {
+        const std::size_t begin = i_;
+        bool is_fraction = false;
+        const auto digits = [&] { while (is_latex_digit(at(i_))) ++i_; };
+        digits();
+        for (;;) {
+            const std::string_view rest = text_.substr(i_, to_ - i_);
+            const bool braced = rest.starts_with("{,}") || rest.starts_with("{.}");
+            const std::size_t width = braced ? 3 : 1;
+            const auto is_digit_at = [&](std::size_t k) { return is_latex_digit(at(i_ + k)); };
+            if (!is_fraction && (braced || rest.starts_with('.') || (rest.starts_with(',') && i_ > begin)) && is_digit_at(width)) {
+                is_fraction = true;
+                i_ += width;
+                digits();
+            } else if (rest.starts_with("\\,") && is_digit_at(2) && is_digit_at(3) && is_digit_at(4) && !is_digit_at(5)) {
+                i_ += 5;
+            } else {
+                break;
+            }
+        }
+        add(Kind::number, std::string(text_.substr(begin, i_ - begin)), begin, i_);
+    }
+
+    void sign() {
+        const std::string_view rest = text_.substr(i_, to_ - i_);
+        std::size_t length = 1;
+        if (rest.starts_with(":=")) length = 2;
+        else if (rest.starts_with("...")) length = 3;
+        else
+            while (i_ + length < to_ && (static_cast<unsigned char>(text_[i_ + length]) & 0xC0U) == 0x80U) ++length;
+        std::string text(rest.substr(0, length));
+        if (text == "...") text = "\\dots";
+        if (const auto known = spelt_out.find(text); known != spelt_out.end()) text = known->second;
+        add(text.starts_with('\\') ? Kind::command : Kind::sign, std::move(text), i_, i_ + length);
+        i_ += length;
+    }
+
+    /// The name of the command at i_, which moves behind it.
+    std::string command_name() {
+        const std::size_t begin = i_++;
+        if (is_latin(at(i_)))
+            while (is_latin(at(i_))) ++i_;
+        else if (i_ < to_) {
+            ++i_;
+            while (i_ < to_ && (static_cast<unsigned char>(text_[i_]) & 0xC0U) == 0x80U) ++i_;
+        }
+        std::string name(text_.substr(begin, i_ - begin));
+        if (name.size() == 2 && is_latex_blank(name[1])) name = "\\ ";
+        return name;
+    }
+
+    void command() {
+        const std::size_t begin = i_;
+        std::string name = command_name();
+        if (name == "\\") wrong(begin, i_, "a command such as '\\frac' is expected behind the backslash");
+        if (thin_spaces.contains(name)) return spaced(Space::thin);
+        if (name == "\\quad" || name == "\\qquad") return spaced(Space::quad);
+        if (name == "\\\\" || name == "\\cr" || name == "\\tabularnewline") return line_break(begin);
+        if (without_meaning.contains(name)) return;
+        if (with_idle_argument.contains(name)) return idle_argument(name, begin);
+        if (sizes.contains(name)) return bracket(name, begin);
+        if (name == "\\begin" || name == "\\end") return environment(name, begin);
+        if (upright_commands.contains(name)) return upright(name, begin);
+        if (name == "\\%") return add(Kind::sign, "%", begin, i_);
+        if (const auto known = one_spelling.find(name); known != one_spelling.end()) name = known->second;
+        if (name == "\\log_{10}") return add(Kind::command, "\\lg", begin, i_);
+        add(name.starts_with('\\') && name != "\\{" && name != "\\}" && name != "\\|" ? Kind::command : Kind::sign, name, begin, i_);
+    }
+
+    /// A line break swallows an extra distance, \\[2mm].
+    void line_break(std::size_t begin) {
+        if (at(i_) == '*') ++i_;
+        if (at(i_) == '[') {
+            std::size_t k = i_ + 1;
+            while (is_latex_digit(at(k)) || at(k) == '.' || at(k) == '-') ++k;
+            const std::size_t digits = k;
+            while (is_latin(at(k))) ++k;
+            if (digits > i_ + 1 && k == digits + 2 && at(k) == ']') i_ = k + 1;
+        }
+        add(Kind::sign, "\\\\", begin, i_);
+    }
+
+    void idle_argument(const std::string& name, std::size_t begin) {
+        if (at(i_) == '*') ++i_;
+        skip_blanks();
+        if (at(i_) != '{') wrong(begin, i_, fmt::format("'{{' is expected behind '{}'", name));
+        i_ = closing(i_) + 1;
+        if (!wraps_second_argument.contains(name)) return;
+        skip_blanks();
+        if (at(i_) != '{') return;
+        if (wraps_.size() == deepest_latex_wrap) fail(Id::too_deep, excerpt_.span(begin, i_), fmt::format("'{}' is nested more than {} levels deep", name, deepest_latex_wrap));
+        wraps_.push_back(closing(i_));
+        ++i_;
+    }
+
+    void bracket(const std::string& size, std::size_t begin) {
+        skip_blanks();
+        if (i_ >= to_) wrong(begin, i_, fmt::format("a bracket is expected behind '{}'", size));
+        std::string text;
+        if (at(i_) == '\\') {
+            text = command_name();
+            if (const auto known = one_spelling.find(text); known != one_spelling.end()) text = known->second;
+        } else {
+            text = std::string(1, text_[i_++]);
+        }
+        static const Words brackets{"(", ")", "[", "]", "\\{", "\\}", "|", "\\|", ".", "/"};
+        if (!brackets.contains(text)) wrong(begin, i_, fmt::format("a bracket is expected behind '{}'", size));
+        const bool left = size == "\\left" || size.back() == 'l';
+        const bool right = size == "\\right" || size.back() == 'r';
+        if (text == "." && !left && !right) return;
+        add(Kind::sign, text, begin, i_, left ? Side::left : right ? Side::right : Side::neutral);
+    }
+
+    void environment(const std::string& name, std::size_t begin) {
+        skip_blanks();
+        if (at(i_) != '{') wrong(begin, i_, fmt::format("'{{' is expected behind '{}'", name));
+        const std::size_t close = closing(i_);
+        std::string text(text_.substr(i_ + 1, close - i_ - 1));
+        if (text.ends_with('*')) text.pop_back();
+        i_ = close + 1;
+        const bool is_begin = name == "\\begin";
+        if (is_begin && at(i_) == '[') {  // where it is aligned
+            const std::size_t end = text_.substr(0, to_).find(']', i_);
+            if (end != std::string::npos && end - i_ == 2) i_ = end + 1;
+        }
+        if (is_begin && (text == "array" || text == "alignat" || text == "alignedat" || text == "tabular")) {
+            skip_blanks();
+            if (at(i_) == '{') i_ = closing(i_) + 1;
+        }
+        add(is_begin ? Kind::begin : Kind::end_of, std::move(text), begin, i_);
+    }
+
+    void upright(const std::string& name, std::size_t begin) {
+        if (at(i_) == '*') ++i_;
+        skip_blanks();
+        if (i_ >= to_) wrong(begin, i_, fmt::format("'{{' is expected behind '{}'", name));
+        if (at(i_) == '{') {
+            const std::size_t close = closing(i_);
+            const std::size_t inside = i_ + 1;
+            const std::string text(text_.substr(inside, close - inside));
+            i_ = close + 1;
+            if (text == "d") return add(Kind::command, "\\differential", begin, i_);
+            return add(Kind::upright, text, begin, i_, Side::neutral, inside);
+        }
+        if (!is_latin(at(i_))) wrong(begin, i_, fmt::format("'{{' is expected behind '{}'", name));
+        const std::size_t inside = i_++;
+        if (text_[inside] == 'd') return add(Kind::command, "\\differential", begin, i_);
+        add(Kind::upright, std::string(1, text_[inside]), begin, i_, Side::neutral, inside);
+    }
+
+    const Excerpt& excerpt_;
+    std::string_view text_;
+    std::size_t i_;
+    std::size_t to_;
+    Space space_ = Space::none;
+    std::vector<LatexToken> tokens_;
+    std::vector<std::size_t> wraps_;  ///< closing braces that are dropped, with their opening ones
+};
+
+}  // namespace
+
+std::vector<LatexToken> latex_tokens(const Excerpt& excerpt, std::size_t from, std::size_t to) { return LatexLexer(excerpt, from, to).run(); }
+
+}  // namespace dalembert

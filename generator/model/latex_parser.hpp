@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The grammar of printed equations: what the files latex_*.cpp share. Users include latex_reader.hpp.
+//
+// note [how a product is read]  Letters beside each other are a product, and so bind more strongly than a sign: a \cdot b c is a (b c).
+// "/" divides by one factor; what is ambiguous to a reader (a/b c) is refused. A function without brackets (\sin 2\theta x) takes numbers,
+// letters and fractions up to a space \, , a sign, a bracket, a dotted or bold letter or another function; a letter that is an angle by
+// custom (\alpha ... \theta, \varphi, \psi) ends it. \frac{d}{dt} and \nabla take the one factor behind them, \sum and \lim the rest of the product.
+// f(...) is a function where the notation says so, where the bracket holds letters and commas only, or one letter without index.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "model/latex_letter.hpp"
+#include "model/latex_reader.hpp"
+
+namespace dalembert {
+
+class LatexParser {
+public:
+    LatexParser(const Excerpt& excerpt, const PrintedNotation& notation);
+
+    std::vector<LatexEquation> equations();
+    ExpressionPtr whole_expression();
+    std::string whole_letter();
+
+private:
+    using Kind = Expression::Kind;
+    using Tokens = std::vector<LatexToken>;
+    using Space = LatexToken::Space;
+    using Side = LatexToken::Side;
+
+    /// For a part of the text: the tokens of an index.
+    LatexParser(const LatexParser& whole, Tokens part);
+
+    // latex_parser.cpp: where we are, and sums and products -------------------------------------------------------------------------
+    struct Depth {
+        explicit Depth(LatexParser& parser);
+        ~Depth() { --parser_.depth_; }
+        Depth(const Depth&) = delete;
+        Depth& operator=(const Depth&) = delete;
+        LatexParser& parser_;
+    };
+    /// What belongs to an integral or to the outermost level does not belong to what stands in its brackets.
+    struct Inside;
+
+    const LatexToken& token(std::size_t ahead = 0) const { return tokens_[std::min(at_ + ahead, tokens_.size() - 1)]; }
+    const LatexToken& at(std::size_t i) const { return tokens_[std::min(i, tokens_.size() - 1)]; }
+    const LatexToken& next() { return tokens_[at_ + 1 < tokens_.size() ? at_++ : at_]; }
+    bool is(std::string_view text) const { return token().is(text); }
+    bool is_point() const { return is(".") && token().side == Side::neutral; }  ///< and not \\left.
+    bool take(std::string_view text);
+    bool is_end() const { return token().kind == LatexToken::Kind::end; }
+    Span place(const LatexToken& token) const { return excerpt_.span(token.begin, token.end); }
+    Span from(std::size_t first) const;
+    std::string shown(const LatexToken& token) const;
+    [[noreturn]] void expected(std::string_view what) const;
+    [[noreturn]] void wrong(const Span& span, std::string message) const { fail(Id::syntax, span, std::move(message)); }
+    void expect(std::string_view text);
+    /// The index of the brace that closes the one at i; of any bracket. Behind the end without one.
+    std::size_t closing_brace(std::size_t i) const;
+    std::size_t closing_bracket(std::size_t i) const;
+    /// Behind the group or single token at i.
+    std::size_t behind_argument(std::size_t i) const;
+
+    ExpressionPtr node(Kind kind, std::size_t first, std::vector<ExpressionPtr> children, std::string name = {}) const;
+    ExpressionPtr call(std::string name, std::size_t first, std::vector<ExpressionPtr> children) const { return node(Kind::call, first, std::move(children), std::move(name)); }
+    ExpressionPtr number(Rational value, std::size_t first) const { return make_number(std::move(value), from(first)); }
+
+    ExpressionPtr expression();
+    ExpressionPtr signed_term();
+    ExpressionPtr term();
+    ExpressionPtr product();
+    ExpressionPtr quotient(ExpressionPtr left, std::size_t first);
+    bool starts_factor();
+    bool starts_factor_at(std::size_t i);
+    ExpressionPtr braced(const char* what);     ///< {expression} or one token
+    bool is_vector(const Expression& e) const;  ///< as printed: bold, with an arrow, or made of such
+
+    // latex_factors.cpp: brackets, powers, numbers ----------------------------------------------------------------------------------
+    ExpressionPtr factor();
+    ExpressionPtr primary();
+    ExpressionPtr postfix(ExpressionPtr base, std::size_t first);
+    ExpressionPtr superscript(ExpressionPtr base, std::size_t first);
+    ExpressionPtr bracket();
+    ExpressionPtr group();
+    ExpressionPtr grouped();  ///< without an index behind it
+    ExpressionPtr magnitude();
+    ExpressionPtr number_factor();
+    ExpressionPtr root();
+    ExpressionPtr under_brace();
+    bool closes(const LatexToken& open, const LatexToken& token) const;
+
+    // latex_units.cpp ------------------------------------------------------------------------------------------------------------------
+    ExpressionPtr unit_behind();  ///< nothing where no unit stands
+    ExpressionPtr unit_factor();
+
+    // latex_letters.cpp ----------------------------------------------------------------------------------------------------------------
+    struct Read {
+        LatexLetter letter;
+        std::size_t power_at = 0;  ///< of the power in q^2_j, which stands before the index
+    };
+    std::optional<Read> try_letter();
+    std::optional<std::pair<Read, std::size_t>> letter_at(std::size_t i);
+    bool read_nucleus(Read& read);
+    bool read_marked(Read& read);
+    bool read_scripts(Read& read);
+    bool read_superscript(Read& read);
+    Tokens script_tokens();  ///< of the group or single token behind _ or ^
+    bool starts_letter(std::size_t i);
+    ExpressionPtr letter_factor();
+    ExpressionPtr translate(const LatexLetter& letter, std::size_t first);
+    ExpressionPtr with_span(const Expression& meaning, const Span& span) const;
+    std::optional<std::vector<ExpressionPtr>> family_indices(const LatexLetter& letter, std::string& name);
+    bool counts(const LatexToken& token) const;
+
+    // latex_arguments.cpp --------------------------------------------------------------------------------------------------------------
+    ExpressionPtr applied(ExpressionPtr function, const LatexLetter& letter, std::size_t first);
+    const std::vector<std::string>* arguments_of(const LatexLetter& letter) const;
+    std::vector<ExpressionPtr> list_until_bracket(const LatexToken& open);
+
+    // latex_functions.cpp --------------------------------------------------------------------------------------------------------------
+    bool is_function(const LatexToken& token) const;
+    ExpressionPtr function();
+    ExpressionPtr function_argument(const std::string& name);
+    ExpressionPtr extremum(const std::string& name, std::size_t first);
+    ExpressionPtr nabla();
+
+    // latex_calculus.cpp ---------------------------------------------------------------------------------------------------------------
+    struct Integral {
+        ExpressionPtr variable;
+    };
+    bool at_differential();
+    ExpressionPtr differential_variable();
+    ExpressionPtr differential();
+    ExpressionPtr fraction();
+    bool is_derivative();
+    ExpressionPtr derivative();
+    ExpressionPtr derived(ExpressionPtr e, const std::vector<ExpressionPtr>& variables, bool is_partial, std::size_t first) const;
+    ExpressionPtr operand(const char* what);
+    int order();
+
+    // latex_integrals.cpp --------------------------------------------------------------------------------------------------------------
+    ExpressionPtr integral();
+    ExpressionPtr counted();
+    ExpressionPtr limit();
+    ExpressionPtr evaluated(ExpressionPtr e, std::size_t first);
+    ExpressionPtr between(ExpressionPtr e, std::size_t first);
+    bool is_evaluation_bar() const;
+
+    // latex_matrices.cpp ---------------------------------------------------------------------------------------------------------------
+    ExpressionPtr environment();
+    ExpressionPtr cases(std::size_t first);
+    ExpressionPtr condition();
+    ExpressionPtr single_condition();
+
+    // latex_equations.cpp --------------------------------------------------------------------------------------------------------------
+    void prepare();
+    void drop_tags();
+    void drop_layout();
+    bool is_layout(std::size_t begin) const;
+    bool continues(std::size_t line_break) const;
+    static std::optional<Relation> relation_of(const LatexToken& token);
+    std::optional<Relation> relation() const { return relation_of(token()); }
+    enum class Word { none, separator, condition, otherwise, constant, name, comment };
+    Word word_of(const LatexToken& token) const;
+    LatexEquation chain();
+    bool skip_range(LatexEquation* equation);
+    void skip_set();
+
+    const Excerpt& excerpt_;
+    const PrintedNotation& notation_;
+    Tokens tokens_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+    int magnitudes_ = 0;           ///< open bars: the next one closes
+    int brackets_ = 0;             ///< 0: the outermost level, where \quad and commas separate
+    Integral* integral_ = nullptr;  ///< the one whose differential may stand here
+    std::string integrated_;       ///< the variable of the last integral, for [F]_a^b
+    std::vector<std::string> counters_;  ///< of the sums around
+    std::set<std::string, std::less<>> vectors_;  ///< names that are printed as vectors
+    std::map<std::string, std::string, std::less<>> applied_;  ///< f -> "(x)" where the notation does not say what f depends on
+    std::map<std::string, std::string, std::less<>> called_;   ///< the letter that got each name
+    bool has_differential_ = false;  ///< there was a dx outside of integrals, so that d(x y) is one too
+    std::set<std::size_t> not_a_letter_;  ///< groups that were tried
+};
+
+struct LatexParser::Inside {
+    explicit Inside(LatexParser& parser) : parser_(parser), integral_(parser.integral_), magnitudes_(parser.magnitudes_) {
+        ++parser_.brackets_;
+        parser_.integral_ = nullptr;
+        parser_.magnitudes_ = 0;
+    }
+    ~Inside() {
+        --parser_.brackets_;
+        parser_.integral_ = integral_;
+        parser_.magnitudes_ = magnitudes_;
+    }
+    Inside(const Inside&) = delete;
+    Inside& operator=(const Inside&) = delete;
+    LatexParser& parser_;
+    Integral* integral_;
+    int magnitudes_;
+};
+
+}  // namespace dalembert

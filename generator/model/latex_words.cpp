@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/latex_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "model/vocabulary.hpp"
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Kind = Expression::Kind;
+
+ExpressionPtr call_of(const Span& span, const char* name, std::vector<ExpressionPtr> children) {
+    return std::make_shared<Expression>(Expression{Kind::call, span, 0, name, std::move(children)});
+}
+
+ExpressionPtr joined(Kind kind, const Span& span, ExpressionPtr a, ExpressionPtr b) {
+    return std::make_shared<Expression>(Expression{kind, span, 0, {}, {std::move(a), std::move(b)}});
+}
+
+/// The letters in an expression, in order; derivatives as one each.
+void letters_in(const ExpressionPtr& e, std::vector<ExpressionPtr>& letters, std::set<std::string>& seen) {
+    const bool is_rate = e->kind == Kind::call && (e->name == "dot" || e->name == "ddot") && e->children[0]->kind == Kind::name;
+    if (e->kind == Kind::name || is_rate) {
+        const std::string& name = is_rate ? e->children[0]->name : e->name;
+        if (name != "pi" && find_quantity(name) == nullptr && seen.insert((is_rate ? e->name : "") + name).second) letters.push_back(e);
+        return;
+    }
+    for (const ExpressionPtr& child : e->children) letters_in(child, letters, seen);
+}
+
+/// "d_x" of x, "d_dot_x" of dot(x).
+ExpressionPtr small_letter(const std::string& prefix, const Expression& e, const Span& span) {
+    if (e.kind == Kind::call) return make_name(prefix + e.name + "_" + e.children[0]->name, span);
+    auto result = std::make_shared<Expression>(e);
+    result->name = prefix + e.name;
+    result->span = span;
+    return result;
+}
+
+ExpressionPtr total_differential(const Expression& whole, const std::string& prefix) {
+    const ExpressionPtr& inside = whole.children[0];
+    if (inside->kind == Kind::name) return small_letter(prefix, *inside, whole.span);
+    std::vector<ExpressionPtr> letters;
+    std::set<std::string> seen;
+    letters_in(inside, letters, seen);
+    ExpressionPtr total;
+    for (const ExpressionPtr& letter : letters) {
+        ExpressionPtr term = joined(Kind::multiply, whole.span, call_of(whole.span, "diff", {inside, letter}), small_letter(prefix, *letter, whole.span));
+        total = total ? joined(Kind::add, whole.span, total, term) : term;
+    }
+    return total ? total : make_number(0, whole.span);
+}
+
+}  // namespace
+
+ExpressionPtr in_model_words(const ExpressionPtr& e) {
+    auto copy = std::make_shared<Expression>(*e);
+    for (std::size_t i = 0; i < copy->children.size(); ++i)
+        if (!(e->kind == Kind::call && e->name == "quantity" && i == 1)) copy->children[i] = in_model_words(e->children[i]);
+    if (e->kind == Kind::name && e->name == "constant") fail(Id::not_allowed_here, e->span, "'const.' is no value; say what the constant is, or that the derivative vanishes");
+    if (e->kind != Kind::call) return copy;
+    if (e->name == "partial" || e->name == "derivative") {
+        copy->name = "diff";
+        copy->children.resize(2);  // what is held constant is what the letters say
+        return copy;
+    }
+    if (e->name == "determinant") copy->name = "det";
+    if (e->name == "differential") return total_differential(*copy, "d_");
+    if (e->name == "variation") return total_differential(*copy, "delta_");
+    if (e->name == "inner") return joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[1]);
+    if (e->name == "norm") return call_of(e->span, "sqrt", {joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[0])});
+    static const std::set<std::string, std::less<>> without_meaning{"product", "trace", "diag", "gradient", "divergence", "curl", "cases", "equal", "not_equal", "less", "less_equal", "greater", "greater_equal", "both", "either"};
+    if (without_meaning.contains(e->name)) fail(Id::not_allowed_here, e->span, fmt::format("'{}' is read, but nothing is made of it yet; write out what it means", e->written()));
+    if (e->name == "integral" && e->children.size() != 4) fail(Id::not_allowed_here, e->span, fmt::format("'{}' has no limits that it could be computed for", e->written()));
+    return copy;
+}
+
+}  // namespace dalembert

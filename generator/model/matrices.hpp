@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vectors and matrices in printed equations, taken apart into equations of numbers before anything else is done with them.
+#pragma once
+
+#include "model/model.hpp"
+
+namespace dalembert {
+
+/// Rows of expressions. A number is a matrix of one row and one column.
+struct MatrixExpression {
+    std::size_t rows = 1, columns = 1;
+    std::vector<ExpressionPtr> entries;  ///< row by row
+
+    bool is_number() const { return rows == 1 && columns == 1; }
+    const ExpressionPtr& at(std::size_t row, std::size_t column) const { return entries[row * columns + column]; }
+};
+
+/// Takes equations apart: matrix(row(a, b), row(c, d)), vector(a, b, c), transpose, det, inverse, cross, sums and products; derivatives and
+/// integrals entry by entry, diff(v, q) by a vector q gives a column for each of its entries. A position[BODY] without its axis is a vector.
+/// Letters that stand for matrices are inserted and gone from `letters`. What has no matrices is left as it is.
+/// Throws Failure (wrong-arguments) where sizes do not fit.
+std::vector<Equation> without_matrices(const std::vector<Equation>& equations, std::vector<PrintedLetter>& letters);
+
+}  // namespace dalembert

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/notation.hpp"
+
+#include <algorithm>
+
+#include "model/latex_reader.hpp"
+#include "model/parser.hpp"
+
+namespace dalembert {
+
+namespace {
+Excerpt notation_text(const std::string& text) { return excerpt_of(std::make_shared<const Source>("notation", text)); }
+}  // namespace
+
+void PrintedNotation::add_word(std::string word) {
+    const bool is_latin = std::all_of(word.begin(), word.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
+    if (word.size() > 1 && is_latin) words_.insert(std::move(word));
+}
+
+void PrintedNotation::define(const Excerpt& letter, ExpressionPtr meaning) {
+    add_word(letter.text);
+    letters_[canonical_letter(letter, *this)] = std::move(meaning);
+}
+
+void PrintedNotation::define(const std::string& letter, const std::string& meaning) { define(notation_text(letter), parse_expression(notation_text(meaning))); }
+
+void PrintedNotation::define_function(const Excerpt& letter, std::vector<std::string> arguments) {
+    add_word(letter.text);
+    functions_[canonical_letter(letter, *this)] = std::move(arguments);
+}
+
+void PrintedNotation::define_function(const std::string& letter, std::vector<std::string> arguments) { define_function(notation_text(letter), std::move(arguments)); }
+
+const ExpressionPtr* PrintedNotation::find(std::string_view canonical) const {
+    const auto found = letters_.find(canonical);
+    return found == letters_.end() ? nullptr : &found->second;
+}
+
+const std::vector<std::string>* PrintedNotation::find_function(std::string_view canonical) const {
+    const auto found = functions_.find(canonical);
+    return found == functions_.end() ? nullptr : &found->second;
+}
+
+std::size_t PrintedNotation::word_length(std::string_view letters) const {
+    std::size_t longest = 0;
+    for (const std::string& word : words_)
+        if (letters.starts_with(word)) longest = std::max(longest, word.size());
+    return longest;
+}
+
+}  // namespace dalembert

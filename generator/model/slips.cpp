@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/slips.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/vocabulary.hpp"
+#include "model/expression_text.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Kind = Expression::Kind;
+
+struct Change {
+    SlipKind kind;
+    std::string words;
+    ExpressionPtr tree;
+};
+
+ExpressionPtr rebuilt(const Expression& e, std::vector<ExpressionPtr> children) {
+    auto copy = std::make_shared<Expression>(e);
+    copy->children = std::move(children);
+    return copy;
+}
+
+ExpressionPtr node(Kind kind, const Span& span, std::vector<ExpressionPtr> children, std::string name = {}) {
+    return std::make_shared<Expression>(Expression{kind, span, 0, std::move(name), std::move(children)});
+}
+
+ExpressionPtr call(const std::string& name, const ExpressionPtr& argument) { return node(Kind::call, argument->span, {argument}, name); }
+
+bool is_sum(const Expression& e) { return e.kind == Kind::add || e.kind == Kind::subtract; }
+
+/// "m_1" and "m_2" have the stem "m".
+std::string stem(const std::string& name) { return name.substr(0, name.find('_')); }
+
+/// The name of a function that another is mixed up with.
+constexpr std::pair<const char*, const char*> mixed_up[]{{"sin", "cos"}, {"sinh", "cosh"}, {"sin", "sinh"}, {"cos", "cosh"}, {"tan", "tanh"}, {"asin", "acos"}, {"tan", "atan"}, {"exp", "expm1"}, {"log", "log1p"}, {"min", "max"}};
+
+class Slips {
+public:
+    explicit Slips(const std::vector<KnownLetter>& letters) : letters_(letters) {}
+
+    /// Every change of a tree. `is_term` says that it stands alone or in a sum, so that it may have a sign and a factor of its own.
+    std::vector<Change> of(const ExpressionPtr& e, bool is_term) {
+        std::vector<Change> found;
+        const auto add = [&](SlipKind kind, std::string words, ExpressionPtr tree) { found.push_back({kind, std::move(words), std::move(tree)}); };
+        if (is_term) term(e, add);
+        switch (e->kind) {
+            case Kind::number: number(*e, add); return found;
+            case Kind::name: name(e, add); return found;
+            case Kind::negate: add(SlipKind::sign, fmt::format("the sign of '{}'", in_model_language(*e->children[0])), e->children[0]); break;
+            case Kind::add:
+            case Kind::subtract: sum(*e, add); break;
+            case Kind::multiply:
+            case Kind::divide: product(*e, add); break;
+            case Kind::power: power(e, add); break;
+            case Kind::call: function(e, add); break;
+            case Kind::sum: break;
+        }
+        for (std::size_t i = 0; i < e->children.size(); ++i) {
+            if (e->kind == Kind::sum && i < 2) continue;
+            if (e->kind == Kind::call && (e->name == "diff" || e->name == "integral" || e->name == "limit" || e->name == "at" || e->name == "quantity") && i == 1) continue;
+            for (Change& change : of(e->children[i], is_sum(*e) && !is_sum(*e->children[i]))) {
+                std::vector<ExpressionPtr> children = e->children;
+                children[i] = std::move(change.tree);
+                change.tree = rebuilt(*e, std::move(children));
+                found.push_back(std::move(change));
+            }
+        }
+        return found;
+    }
+
+private:
+    template <class Add>
+    void term(const ExpressionPtr& e, Add add) {
+        if (e->kind == Kind::number && is_zero(e->value)) return;
+        const std::string text = in_model_language(*e);
+        if (e->kind != Kind::negate) add(SlipKind::sign, fmt::format("the sign of '{}'", text), node(Kind::negate, e->span, {e}));
+        for (const int factor : {2, 3, 4}) {
+            add(SlipKind::factor, fmt::format("'{}' lacks a factor {}", text, factor), node(Kind::multiply, e->span, {make_number(factor, e->span), e}));
+            add(SlipKind::factor, fmt::format("'{}' is {} times too large", text, factor), node(Kind::divide, e->span, {e, make_number(factor, e->span)}));
+        }
+    }
+
+    template <class Add>
+    void number(const Expression& e, Add add) {
+        const auto other = [&](const Rational& value) { return make_number(value, e.span); };
+        if (is_zero(e.value)) return;
+        add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value + 1)), in_model_language(e)), other(e.value + 1));
+        if (e.value != 1) add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value - 1)), in_model_language(e)), other(e.value - 1));
+        add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value * 2)), in_model_language(e)), other(e.value * 2));
+        add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value / 2)), in_model_language(e)), other(e.value / 2));
+    }
+
+    template <class Add>
+    void name(const ExpressionPtr& e, Add add) {
+        if (find_quantity(e->name) != nullptr) return quantity(*e, add);
+        if (e->name == "pi" || e->name == "infinity") return;
+        const auto own = std::find_if(letters_.begin(), letters_.end(), [&](const KnownLetter& l) { return l.name == e->name; });
+        for (const KnownLetter& letter : letters_) {
+            if (letter.name == e->name) continue;
+            const bool has_unit = own != letters_.end() && own->unit == letter.unit;
+            if (!has_unit && stem(letter.name) != stem(e->name)) continue;
+            auto other = std::make_shared<Expression>(*e);
+            other->name = letter.name;
+            add(SlipKind::index, fmt::format("'{}' instead of '{}'", letter.name, in_model_language(*e)), other);
+        }
+        indices(*e, 0, add);
+        if (own == letters_.end()) return;
+        add(SlipKind::exponent, fmt::format("'{}' is to be squared", in_model_language(*e)), node(Kind::power, e->span, {e, make_number(2, e->span)}));
+        add(SlipKind::dot, fmt::format("a dot is missing on '{}'", in_model_language(*e)), call("dot", e));
+    }
+
+    /// position[bob, 1]: another axis.
+    template <class Add>
+    void quantity(const Expression& e, Add add) {
+        indices(e, 1, add);
+    }
+
+    template <class Add>
+    void indices(const Expression& e, std::size_t from, Add add) {
+        for (std::size_t i = from; i < e.children.size(); ++i) {
+            if (e.children[i]->kind != Kind::number) continue;
+            for (const int step : {1, -1}) {
+                if (e.children[i]->value + step < 1) continue;
+                std::vector<ExpressionPtr> children = e.children;
+                children[i] = make_number(e.children[i]->value + step, e.span);
+                const ExpressionPtr other = rebuilt(e, std::move(children));
+                add(SlipKind::index, fmt::format("'{}' instead of '{}'", in_model_language(*other), in_model_language(e)), other);
+            }
+        }
+    }
+
+    template <class Add>
+    void sum(const Expression& e, Add add) {
+        const bool plus = e.kind == Kind::add;
+        const ExpressionPtr &a = e.children[0], &b = e.children[1];
+        add(SlipKind::sign, fmt::format("'{}' instead of '{}' before '{}'", plus ? '-' : '+', plus ? '+' : '-', in_model_language(*b)), node(plus ? Kind::subtract : Kind::add, e.span, {a, b}));
+        add(SlipKind::term, fmt::format("without '{}'", in_model_language(*b)), a);
+        add(SlipKind::term, fmt::format("without '{}'", in_model_language(*a)), plus ? b : node(Kind::negate, e.span, {b}));
+        // a*b + c for a*(b + c), a/c + b for (a + b)/c, and the like.
+        const auto sums = [&](const ExpressionPtr& x, const ExpressionPtr& y) { return node(e.kind, e.span, {x, y}); };
+        const auto bracket = [&](ExpressionPtr tree) { add(SlipKind::bracket, fmt::format("a bracket around '{}'", in_model_language(e)), std::move(tree)); };
+        if (a->kind == Kind::multiply) bracket(rebuilt(*a, {a->children[0], sums(a->children[1], b)}));
+        if (b->kind == Kind::multiply) bracket(rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
+        if (b->kind == Kind::divide) bracket(rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
+        if (a->kind == Kind::divide) bracket(rebuilt(*a, {a->children[0], sums(a->children[1], b)}));
+        if (a->kind == Kind::call && a->children.size() == 1) bracket(rebuilt(*a, {sums(a->children[0], b)}));
+        if (is_sum(*b)) add(SlipKind::bracket, fmt::format("no bracket around '{}'", in_model_language(*b)), rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
+    }
+
+    template <class Add>
+    void product(const Expression& e, Add add) {
+        const ExpressionPtr &a = e.children[0], &b = e.children[1];
+        const bool times = e.kind == Kind::multiply;
+        if (times) add(SlipKind::exponent, fmt::format("'{}' belongs below", in_model_language(*b)), node(Kind::divide, e.span, {a, b}));
+        else add(SlipKind::exponent, fmt::format("'{}' belongs above", in_model_language(*b)), node(Kind::multiply, e.span, {a, b}));
+        if (!times) add(SlipKind::exponent, fmt::format("'{}' is upside down", in_model_language(e)), node(Kind::divide, e.span, {b, a}));
+        const auto opened = [&](const Expression& inner, const ExpressionPtr& first, const ExpressionPtr& second) {
+            add(SlipKind::bracket, fmt::format("no bracket around '{}'", in_model_language(inner)), node(inner.kind, e.span, {first, second}));
+        };
+        if (is_sum(*b)) opened(*b, rebuilt(e, {a, b->children[0]}), b->children[1]);
+        if (is_sum(*a)) opened(*a, a->children[0], rebuilt(e, {a->children[1], b}));
+        if (!times && b->kind == Kind::multiply) opened(*b, rebuilt(e, {a, b->children[0]}), b->children[1]);
+    }
+
+    template <class Add>
+    void power(const ExpressionPtr& e, Add add) {
+        const ExpressionPtr &base = e->children[0], &exponent = e->children[1];
+        const auto other = [&](const Rational& value) { add(SlipKind::exponent, fmt::format("'{}' to the power {}", in_model_language(*base), in_model_language(*make_number(value, e->span))), value == 1 ? base : rebuilt(*e, {base, make_number(value, e->span)})); };
+        if (exponent->kind == Kind::number) {
+            other(exponent->value + 1);
+            if (exponent->value != 1) other(exponent->value - 1);
+            other(-exponent->value);
+        } else {
+            add(SlipKind::exponent, fmt::format("the sign of the exponent of '{}'", in_model_language(*base)), rebuilt(*e, {base, node(Kind::negate, e->span, {exponent})}));
+        }
+        if (base->kind == Kind::multiply || base->kind == Kind::divide) add(SlipKind::bracket, fmt::format("no bracket around '{}'", in_model_language(*base)), rebuilt(*base, {base->children[0], rebuilt(*e, {base->children[1], exponent})}));
+    }
+
+    template <class Add>
+    void function(const ExpressionPtr& e, Add add) {
+        if (e->children.empty()) return;
+        const ExpressionPtr& x = e->children[0];
+        for (const auto& [one, another] : mixed_up)
+            for (const auto& [from, to] : {std::pair(one, another), std::pair(another, one)}) {
+                if (e->name != from) continue;
+                auto other = std::make_shared<Expression>(*e);
+                other->name = to;
+                add(SlipKind::function, fmt::format("{} instead of {} in '{}'", to, from, in_model_language(*e)), other);
+            }
+        if (e->name == "dot") {
+            add(SlipKind::dot, fmt::format("'{}' without its dot", in_model_language(*x)), x);
+            add(SlipKind::dot, fmt::format("a second dot is missing on '{}'", in_model_language(*x)), call("ddot", x));
+        }
+        if (e->name == "ddot") add(SlipKind::dot, fmt::format("one dot on '{}'", in_model_language(*x)), call("dot", x));
+        if (e->name == "sqrt") add(SlipKind::exponent, fmt::format("no root of '{}'", in_model_language(*x)), x);
+        const FunctionSpec* known = find_function(e->name);
+        if (known == nullptr || e->children.size() != 1) return;
+        add(SlipKind::exponent, fmt::format("'{}' is to be squared", in_model_language(*e)), node(Kind::power, e->span, {e, make_number(2, e->span)}));
+        if (is_sum(*x)) add(SlipKind::bracket, fmt::format("'{}' does not belong into {}", in_model_language(*x->children[1]), e->name), rebuilt(*x, {rebuilt(*e, {x->children[0]}), x->children[1]}));
+    }
+
+    const std::vector<KnownLetter>& letters_;
+};
+
+}  // namespace
+
+std::vector<Slip> slips_of(const Equation& equation, const std::vector<KnownLetter>& letters) {
+    Slips slips(letters);
+    std::vector<Slip> result;
+    for (std::size_t i = 0; i < equation.sides.size(); ++i)
+        for (Change& change : slips.of(equation.sides[i], !is_sum(*equation.sides[i]))) {
+            Equation other = equation;
+            other.sides[i] = std::move(change.tree);
+            result.push_back({change.kind, i, std::move(change.words), std::move(other)});
+        }
+    std::stable_sort(result.begin(), result.end(), [](const Slip& a, const Slip& b) { return a.kind < b.kind; });
+    return result;
+}
+
+}  // namespace dalembert

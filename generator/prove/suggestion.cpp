@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prove/suggestion.hpp"
+
+#include "model/matrices.hpp"
+#include "model/expression_text.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr std::size_t most_candidates = 2000;
+
+bool is_proven(Verdict verdict) { return verdict == Verdict::proven || verdict == Verdict::proven_under_assumption; }
+
+/// What does not make sense does not mend anything.
+template <class Work>
+bool without_failing(Work work) {
+    try {
+        return work();
+    } catch (const Failure&) {
+        return false;
+    } catch (const std::exception&) {  // GiNaC of numbers and poles
+        return false;
+    }
+}
+
+}  // namespace
+
+std::vector<KnownLetter> known_letters(const System& system, const PrintedEquation& entry) {
+    std::vector<KnownLetter> letters;
+    const auto add = [&](const std::string& name, const std::string& unit) {
+        if (std::none_of(letters.begin(), letters.end(), [&](const KnownLetter& known) { return known.name == name; })) letters.push_back({name, unit});
+    };
+    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
+        for (const Variable& variable : system.symbols.all(kind))
+            if (!variable.is_member) add(variable.name, variable.unit.empty() ? "?" + variable.name : variable.unit);
+    for (const PrintedLetter& letter : entry.shown_letters) add(letter.name, "?" + letter.name);  // the unit is not known before it is translated
+    return letters;
+}
+
+PrintedEquation with_equation(const PrintedEquation& entry, std::size_t which, const Equation& equation) {
+    PrintedEquation other = entry;
+    other.shown[which] = equation;
+    other.letters = other.shown_letters;
+    other.equations = without_matrices(other.shown, other.letters);
+    return other;
+}
+
+std::vector<std::pair<std::size_t, Slip>> slips_in(const System& system, const PrintedEquation& entry) {
+    const std::vector<KnownLetter> letters = known_letters(system, entry);
+    std::vector<std::pair<std::size_t, Slip>> found;
+    for (std::size_t i = 0; i < entry.shown.size(); ++i)
+        for (Slip& slip : slips_of(entry.shown[i], letters))
+            if (entry.solved.empty() || slip.side != 0) found.emplace_back(i, std::move(slip));  // what is solved for is no slip
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second.kind < b.second.kind; });
+    return found;
+}
+
+std::optional<Suggestion> suggest(const System& system, const Member<PrintedEquation>& entry) {
+    std::size_t tried = 0;
+    for (const auto& [which, slip] : slips_in(system, *entry.item)) {
+        if (++tried > most_candidates) break;
+        const bool mends = without_failing([&] {
+            const PrintedEquation mended = with_equation(*entry.item, which, slip.equation);
+            const Member<PrintedEquation> member{&mended, entry.index};
+            return may_hold(system, member) && is_proven(check_printed(system, member).verdict());
+        });
+        if (mends) return Suggestion{slip.words, in_model_language(slip.equation)};
+    }
+    return std::nullopt;
+}
+
+}  // namespace dalembert

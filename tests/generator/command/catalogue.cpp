@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Catalogues: verdicts of every kind of entry, what mends the wrong ones, and what the pages show.
+#include <doctest/doctest.h>
+
+#include "generator/command/verb.hpp"
+
+namespace {
+
+const std::string head = R"toml([catalogue]
+format = 1
+source = "Any text"
+
+[positive]
+m = "kg"
+l = "m"
+a = "1/s"
+s = "s"
+R = "J/(kg*K)"
+T = "K"
+rho = "kg/m^3"
+h = { unit = "m", value = 2 }
+g = { unit = "m/s^2", value = 9.81 }
+
+[letters]
+phi = { unit = "rad", of = "t" }
+x_0 = "m"
+u = "1"
+v = "1"
+w = "1"
+
+)toml";
+
+/// The rows by id.
+std::map<std::string, nlohmann::json> verdicts(const std::string& entries, int code = 0) {
+    const Folder folder;
+    const Answer answer = ask("check", {folder.write("text.toml", head + entries), "--format", "json"});
+    CAPTURE(answer.err);
+    CHECK(answer.code == code);
+    std::map<std::string, nlohmann::json> rows;
+    const nlohmann::json json = answer.json();
+    for (const auto& row : json["printed"]) rows[row["id"]] = row;
+    return rows;
+}
+
+nlohmann::json row(const std::string& entry, int code = 0) { return verdicts("[entries.one]\n" + entry, code).at("one"); }
+std::string verdict(const std::string& entry, int code = 0) { return row(entry, code)["verdict"]; }
+
+/// What a wrong equation is said to have been meant to be.
+std::string mended(const std::string& equation) { return row("equation = \"" + equation + "\"", 1)["suggestion"]; }
+
+std::string model(const char* name) { return "model = \"" + (std::filesystem::path(SOURCE_DIR) / "systems" / "mechanics" / name).string() + ".toml\"\n"; }
+
+}  // namespace
+
+TEST_CASE("identities on letters") {
+    CHECK(verdict("equation = \"sin(u + v) = sin(u)*cos(v) + cos(u)*sin(v)\"") == "proven");
+    CHECK(verdict("equation = \"sqrt(m^2) = m\"") == "proven");            // it is positive
+    CHECK(verdict("equation = \"sqrt(u^2) = u\"", 1) == "wrong");          // this one is not
+    CHECK(verdict("with = { p = \"rho*R*T\" }\nequation = \"diff(p, T)/p = 1/T\"") == "proven");
+    CHECK(verdict("with = { x = \"l*sin(phi)\", y = \"-l*cos(phi)\" }\nequation = \"m/2*(dot(x)^2 + dot(y)^2) = m*l^2*dot(phi)^2/2\"") == "proven");
+    CHECK(verdict("equation = \"ddot(phi) = dot(phi)*a\"", 1) == "wrong");  // nothing says how it moves
+    CHECK(verdict("equation = \"m = l\"", 1) == "dimensionally wrong");
+    CHECK(verdict("letters = { b = { unit = \"1\", for = \"k = 1..3\" } }\nequation = \"sum(k, 1, 3, b[k]) = b[1] + b[2] + b[3]\"") == "proven");
+}
+
+TEST_CASE("integrals, limits, and places") {
+    CHECK(verdict("equation = \"integral(r^2, r, 0, l) = l^3/3\"") == "proven");
+    CHECK(verdict("equation = \"integral(exp(-a*s), s, 0, infinity) = 1/a\"") == "proven");
+    CHECK(verdict("equation = \"limit(sin(u)/u, u, 0) = 1\"") == "proven");
+    CHECK(verdict("equation = \"limit((u^2 - 1)/(u - 1), u, 1) = 2\"") == "proven");
+    CHECK(verdict("equation = \"limit((1 - exp(-a*t))/a, a, 0) = t\"") == "proven");
+    CHECK(verdict("equation = \"limit(u/(1 + u), u, infinity) = 1\"") == "proven");
+    CHECK(verdict("equation = \"limit(1/u, u, 0) = 1\"") == "not checkable");
+    CHECK(verdict("equation = \"at(u^2 + v, u, 3) = 9 + v\"") == "proven");
+}
+
+TEST_CASE("what solves an equation is inserted there") {
+    const std::string decay = "solves = [\"dot(x) = -a*x\", \"at(x, t, 0) = x_0\"]\n";
+    CHECK(verdict(decay + "equation = \"x = x_0*exp(-a*t)\"") == "proven");
+    CHECK(row(decay + "equation = \"x = x_0*exp(a*t)\"", 1)["suggestion"] == "x = x_0/exp(a*t)");
+    CHECK(verdict(decay + "equation = \"x = 2*x_0*exp(-a*t)\"", 1) == "wrong");
+}
+
+TEST_CASE("numbers are right to the digits that are printed") {
+    const std::string speed = "unit = \"m/s\"\nequation = \"sqrt(2*g*h) = ";
+    CHECK(verdict(speed + "6.26\"") == "proven");
+    CHECK(verdict(speed + "6.264\"") == "proven");
+    CHECK(verdict(speed + "6\"") == "proven");
+    CHECK(verdict(speed + "6.27\"", 1) == "wrong");
+    CHECK(verdict(speed + "6.260\"", 1) == "wrong");
+    CHECK(verdict("unit = \"km/h\"\nequation = \"sqrt(2*g*h) = 22.55\"") == "proven");
+    CHECK(verdict("equation = \"sqrt(2*g*h) = quantity(626*10^(-2), m/s)\"") == "proven");
+    CHECK(verdict("unit = \"m\"\nequation = \"sqrt(2*g*h) = 6.26\"", 1) == "dimensionally wrong");
+    CHECK(verdict("unit = \"m\"\nequation = \"x_0 = 6.26\"") == "not checkable");  // it has no value
+}
+
+TEST_CASE("vectors and matrices") {
+    CHECK(verdict("equation = \"cross(vector(u, v, w), vector(v, w, u)) = vector(v*u - w^2, w*v - u^2, u*w - v^2)\"") == "proven");
+    CHECK(verdict("with = { A = \"matrix(row(u, v), row(v, w))\" }\nequation = \"A*inverse(A) = matrix(row(1, 0), row(0, 1))\"") == "proven");
+    CHECK(verdict("with = { A = \"matrix(row(u, v), row(v, w))\" }\nequation = \"det(A) = u*w - v^2\"") == "proven");
+    CHECK(verdict("with = { q = \"vector(u, v)\" }\nequation = \"diff(transpose(q)*q, q) = 2*transpose(q)\"") == "proven");
+    CHECK(verdict("equation = \"vector(u, v) - vector(u, v) = 0\"") == "proven");
+    CHECK(row("equation = \"cross(vector(u, v, w), vector(v, w, u)) = vector(v*u - w^2, w*v - u^2, u*w + v^2)\"", 1)["suggestion"].get<std::string>().find("u*w - v^2") != std::string::npos);
+    CHECK(verdict(model("spherical_pendulum") + "equation = \"position[bob] = vector(l*sin(theta)*cos(phi), -l*cos(theta), l*sin(theta)*sin(phi))\"") == "proven");
+}
+
+TEST_CASE("a single slip is found") {
+    CHECK(mended("sin(u + v) = sin(u)*cos(v) - cos(u)*sin(v)") != "");
+    CHECK(mended("sin(2*u) = sin(u)*cos(u)") != "");
+    CHECK(mended("cosh(u)^2 - sinh(u)^2 = sin(u)^2 + cosh(u)^2 + 1 - cosh(u)^2") != "");
+    CHECK(mended("(u + v)^2 = u^2 + u*v + v^2") == "(u + v)^2 = u^2 + 2*(u*v) + v^2");
+    CHECK(mended("2*w*(u + v) = u + 2*w*v") != "");
+    CHECK(mended("integral(r^2, r, 0, l) = l^2/3") == "integral(r^2, r, 0, l) = l^3/3");  // dimensionally wrong
+    CHECK(mended("u*v = u^3 + v^5 + 1").empty());                                          // no single one
+}
+
+TEST_CASE("against a model") {
+    CHECK(verdict(model("spherical_pendulum") + "equation = \"potential_energy = m*g*l*(1 - cos(theta))\"") == "proven");
+    const auto wrong = row(model("spherical_pendulum") + "equation = \"potential_energy = m*g*l*(1 - sin(theta))\"", 1);
+    CHECK(wrong["verdict"] == "wrong");
+    CHECK(wrong["suggestion"] == "potential_energy = m*g*l*(1 - cos(theta))");
+    CHECK(wrong["counterexample"]["values"].contains("theta"));
+    CHECK(verdict(model("spherical_pendulum") + "printed = \"2.222\"") == "proven");
+    CHECK(verdict(model("spherical_pendulum") + "letters = { delta = \"1\" }\nequation = \"(kinetic_energy - kinetic_energy)*delta = 0\"") == "proven");
+}
+
+TEST_CASE("LaTeX") {
+    CHECK(verdict("latex = '''\\sin(u + v) = \\sin u \\cos v + \\cos u \\sin v \\quad (1.1)'''") == "proven");
+    CHECK(verdict("latex = '''\\int_0^l r^2 dr = \\frac{l^3}{3}'''") == "proven");
+    CHECK(verdict(model("spherical_pendulum") + "notation = { V = \"potential_energy\" }\nlatex = '''V = mgl (1 - \\cos(\\theta)) . \\quad (2.219)'''") == "proven");
+    CHECK(verdict(model("spherical_pendulum") + "notation = { T = \"kinetic_energy\", '\\mathbf{r}' = \"position[bob]\" }\n"
+                  "latex = '''T = \\frac{1}{2} m \\dot{\\mathbf{r}}^T \\dot{\\mathbf{r}} = \\frac{1}{2} ml^2 (\\dot{\\theta}^2 + \\dot{\\varphi}^2 \\sin^2(\\theta)) . \\quad (2.218)'''") == "proven");
+}
+
+TEST_CASE("verdicts come from the derivation, not from what is expected") {
+    const std::string wrong = "equation = \"sin(2*u) = sin(u)*cos(u)\"\n";
+    CHECK(verdict(wrong, 1) == "wrong");
+    CHECK(verdict(wrong + "expect = \"wrong\"", 0) == "wrong");
+    CHECK(verdict("equation = \"u = u\"\nexpect = \"wrong\"", 1) == "proven");
+    CHECK(verdict("not_checkable = \"definition\"") == "not checkable");
+}
+
+TEST_CASE("several files, and pages") {
+    const Folder folder;
+    const std::string one = folder.write("one.toml", head + "[entries.\"1.1\"]\nequation = \"u = u\"\n");
+    const std::string two = folder.write("two.toml", head + "[entries.\"2.1\"]\ndoc = \"<b>\"\nequation = \"sin(2*u) = sin(u)*cos(u)\"\n");
+    const Answer answer = ask("check", {one, two, "--format", "json", "-o", folder.path() / "pages"});
+    CHECK(answer.code == 1);
+    CHECK(answer.json()["summary"]["entries"] == 2);
+    CHECK(answer.json()["summary"]["proven"] == 1);
+    CHECK(answer.json()["files"].size() == 2);
+    const auto text = [&](const char* name) {
+        std::ifstream in(folder.path() / "pages" / name);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    const std::string book = text("book.html"), errata = text("errata.html");
+    CHECK(book.find("1.1") != std::string::npos);
+    CHECK(book.find("<b>") == std::string::npos);
+    CHECK(book.find("<script") == std::string::npos);
+    CHECK(book.find("http") == std::string::npos);
+    CHECK(errata.find("2.1") != std::string::npos);
+    CHECK(errata.find(">1.1 ") == std::string::npos);
+}
