@@ -28,7 +28,8 @@ void letters_in(const ExpressionPtr& e, std::vector<ExpressionPtr>& letters, std
     const bool is_rate = e->kind == Kind::call && (e->name == "dot" || e->name == "ddot") && e->children[0]->kind == Kind::name;
     if (e->kind == Kind::name || is_rate) {
         const std::string& name = is_rate ? e->children[0]->name : e->name;
-        if (name != "pi" && find_quantity(name) == nullptr && seen.insert((is_rate ? e->name : "") + name).second) letters.push_back(e);
+        if (find_quantity(name) != nullptr) fail(Id::not_allowed_here, e->span, fmt::format("what '{}' depends on is not seen here, so that no small change of it can be made; write out its change", e->written()));
+        if (name != "pi" && seen.insert((is_rate ? e->name : "") + name).second) letters.push_back(e);
         return;
     }
     for (const ExpressionPtr& child : e->children) letters_in(child, letters, seen);

@@ -158,6 +158,9 @@ const ex& Translator::variable_of(const Expression& e, const ex& variable) const
 
 ex Translator::slope(const Expression& e, const ex& function, const ex& variable) const {
     if (!GiNaC::is_a<GiNaC::symbol>(variable)) fail(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that one can differentiate by", e.children[1]->written()));
+    // Of a place that depends on coordinates the slope by time alone is meant to be zero; that of a coordinate can only be meant to be its rate.
+    if (variable.is_equal(symbols_.time()) && GiNaC::is_a<GiNaC::symbol>(function) && !symbols_.time_derivative(function).is_zero())
+        fail(Id::cannot_integrate, e, fmt::format("'{0}' moves, and does not depend on time otherwise; its derivative is dot({0})", e.children[0]->written()));
     const Variable* known = symbols_.find(variable);
     for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier})
         for (const Variable& rate : symbols_.all(kind))

@@ -41,8 +41,8 @@ TEST_CASE("the header of a scene is that of a model without what the scene leave
 TEST_CASE("five models written by hand without what the scene leaves out") {
     for (const auto& entry : fs::directory_iterator(source / "tests/golden/by_hand")) {
         const TemporaryFolder folder;
-        const Result result = run({"generate", path.string(), "-o", folder.path().string()});
-        INFO(path.filename().string(), ": ", result.err);
+        const Result result = run({"generate", entry.path().string(), "-o", folder.path().string()});
+        INFO(entry.path().filename().string(), ": ", result.err);
         REQUIRE(result.exit_code == 0);
         const fs::path header = result.out.substr(0, result.out.find(".hpp") + 4);
         fs::path kept;
