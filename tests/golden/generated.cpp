@@ -14,6 +14,7 @@ const std::map<std::string, std::vector<std::string>> kept_sizes{{"n_pendulum", 
 /// The plots that README.md shows. Their last digits, and times, depend on the machine, so their bytes are not compared.
 const std::string path_plot = "mechanics/cart_pendulum_lab.svg";
 const std::string effects_plot = "hydraulics/hydraulic_cylinder_effects.svg";
+const std::string cost_plot = "hydraulics/hydraulic_cylinder_real_cost.svg";
 
 void generate_all(const fs::path& to) {
     for (const fs::path& path : system_models()) {
@@ -53,12 +54,16 @@ TEST_CASE("generated/ is what the program generates") {
         const Result effects = run({"effects", (source / "systems/hydraulics/hydraulic_cylinder.toml").string(), "-o", fresh.path().string()});
         CHECK(effects.exit_code == 0);
         fs::copy_file(fresh.path() / "hydraulic_cylinder_effects.svg", source / "generated" / effects_plot);
+        const Result cost = run({"cost", (source / "systems/hydraulics/hydraulic_cylinder.toml").string(), "--scene", "real", "--arithmetics", "float,double", "--limit", "1", "-o", fresh.path().string()});
+        CHECK(cost.exit_code == 0);
+        fs::copy_file(fresh.path() / "hydraulic_cylinder_real_cost.svg", source / "generated" / cost_plot);
         return;
     }
     generate_all(fresh.path());
     auto expected = files_below(source / "generated");
     CHECK(expected.erase(path_plot) == 1);
     CHECK(expected.erase(effects_plot) == 1);
+    CHECK(expected.erase(cost_plot) == 1);
     const auto made = files_below(fresh.path());
     CHECK(expected == made);
     for (const std::string& file : made) {

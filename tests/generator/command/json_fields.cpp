@@ -58,7 +58,7 @@ std::set<std::string> printed_paths(std::vector<std::string> arguments) {
 
 TEST_CASE("the JSON fields are the documented ones") {
     const std::string systems = SOURCE_DIR "/systems/mechanics/";
-    const std::string book = SOURCE_DIR "/systems/book/mechanics_lagrange.toml";
+    const std::string book = SOURCE_DIR "/systems/book/2_5_euler_lagrange.toml";
     const ScratchFolder scratch;
     const std::filesystem::path folder = scratch.path();
     // With a family and an input, so that every field occurs.
