@@ -90,7 +90,10 @@ namespace {
 PrintedNotation notation_of(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
     PrintedNotation notation;
     for (const auto* letters : {&entry.own, &catalogue.letters})
-        for (const CatalogueLetter& letter : *letters) notation.add_word(letter.name);
+        for (const CatalogueLetter& letter : *letters) {
+            notation.add_word(letter.name);
+            if (letter.name == "e") notation.define("e", "e");  // and not Euler's number
+        }
     for (const PrintedLetter& letter : entry.letters) notation.add_word(letter.name);
     if (model != nullptr)
         for (const std::string& name : Names(*model).all()) notation.add_word(name);
@@ -114,6 +117,9 @@ CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& 
     CatalogueEntry result = entry;
     if (entry.latex)
         for (const LatexEquation& read : read_latex(*entry.latex, notation_of(catalogue, entry, model))) {
+            // Said to be rounded: what stands without a unit is a number all the same.
+            const bool is_rounded = std::find(read.relations.begin(), read.relations.end(), Relation::approximately) != read.relations.end();
+            if (is_rounded && !result.number_unit) result.number_unit = Unit{};
             for (const Relation relation : read.relations)
                 if (relation != Relation::equal && relation != Relation::approximately)
                     fail(Id::not_allowed_here, read.equation.span, fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(), sign_of(relation)));

@@ -155,6 +155,9 @@ Result checkable(Result otherwise, Work work) {
         if (d.id != Id::needs_absent && d.id != Id::cannot_integrate) throw;
         if constexpr (std::is_same_v<Result, PrintedResult>) otherwise.comparison.reason = d.message;
         return otherwise;
+    } catch (const GiNaC::pole_error&) {
+        if constexpr (std::is_same_v<Result, PrintedResult>) otherwise.comparison.reason = "a side of it has no value: it divides by zero, or is infinite";
+        return otherwise;
     }
 }
 

@@ -11,6 +11,20 @@ namespace {
 
 using Kind = Expression::Kind;
 
+/// A number in LaTeX as it is typed elsewhere: without spaces, "1{,}12 \\times 10^{-4}" as "1,12e-4".
+std::string as_typed(std::string_view written) {
+    std::string text;
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        const auto is_here = [&](std::string_view word) { return written.substr(i, word.size()) == word; };
+        if (is_here("\\cdot") || is_here("\\times")) i += is_here("\\cdot") ? 4 : 5, text += 'e';
+        else if (is_here("\\,") || is_here("\\;") || is_here("\\!") || is_here("\\ ")) ++i;
+        else if (std::string_view(" ~{}^").find(written[i]) == std::string_view::npos) text += written[i];
+    }
+    const std::size_t power = text.find("e10");
+    if (power != std::string::npos && written.find('^') != std::string_view::npos) text.erase(power + 1, 2);
+    return text;
+}
+
 /// The exponent of a power of ten: of the last digit of a number as it is written, "2.35" -2, "1.2e5" 4. A comma is as good as a point.
 std::optional<int> last_digit(std::string_view written) {
     int behind = 0, exponent = 0;
@@ -49,7 +63,7 @@ std::optional<PrintedNumber> printed_number(const Expression& e) {
         return inside;
     }
     if (e.kind == Kind::number) {
-        const auto exponent = last_digit(e.span.text());
+        const auto exponent = last_digit(as_typed(e.span.text()));
         if (!exponent) return std::nullopt;
         const Rational unit = power_of_ten(*exponent);
         return PrintedNumber{e.value, unit / 2, digits_of(e.value, unit)};

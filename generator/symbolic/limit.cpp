@@ -69,10 +69,31 @@ private:
     const GiNaC::possymbol& h_;
 };
 
+/// Whether a sign, a magnitude or a root turns at the place: then the limits from both sides may differ. What is positive has one side at zero.
+bool turns(const ex& e, const ex& variable, const ex& place) {
+    if (variable.info(GiNaC::info_flags::positive)) return false;
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
+        const bool is_root = GiNaC::is_a<GiNaC::power>(*part) && part->op(1).info(GiNaC::info_flags::numeric) && !part->op(1).info(GiNaC::info_flags::integer);
+        if (!is_root && !is_ex_the_function(*part, magnitude) && !is_ex_the_function(*part, sign_of)) continue;
+        const auto inside = inserted(part->op(0), variable, place);
+        if (part->op(0).has(variable) && (!inside || inside->expand().is_zero())) return true;
+    }
+    return false;
+}
+
+/// Whether it is continuous although something turns: roots and magnitudes are, signs are not.
+bool jumps(const ex& e, const ex& variable, const ex& place) {
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+        if (is_ex_the_function(*part, sign_of) && part->op(0).has(variable) && turns(*part, variable, place)) return true;
+    return false;
+}
+
 }  // namespace
 
 std::optional<ex> limit_at(const ex& e, const ex& variable, const ex& place) {
+    if (jumps(e, variable, place)) return std::nullopt;
     if (const auto value = inserted(e, variable, place)) return value;
+    if (turns(e, variable, place)) return std::nullopt;
     const GiNaC::possymbol h("h");
     const auto shifted = inserted(e, variable, place + h);
     return shifted ? constant_term(*shifted, h) : std::nullopt;

@@ -74,6 +74,38 @@ TEST_CASE("integrals, limits, and places") {
     CHECK(verdict("equation = \"at(u^2 + v, u, 3) = 9 + v\"") == "proven");
 }
 
+TEST_CASE("what has no value is not proven to have one") {
+    for (const char* equation : {"integral(1/x^2, x, -1, 1) = -2", "integral(1/(x - 1)^2, x, 0, 2) = -2", "integral(1/x, x, -1, 1) = 0", "integral(1/x, x, 0, 1) = 1", "limit(abs(u)/u, u, 0) = 1",
+                                 "limit(sqrt(u^2)/u, u, 0) = 1", "limit(sign(u), u, 0) = 0", "dot(u) = 0", "at(phi, t, 0) = phi", "integral(phi, t, 0, s) = phi*s"}) {
+        INFO(equation);
+        const std::string entry = "equation = \"" + std::string(equation) + "\"";
+        CHECK(verdict(entry) == "not checkable");
+    }
+    CHECK(verdict("equation = \"integral(1/x^2, x, 1, 2) = 1/2\"") == "proven");
+    CHECK(verdict("equation = \"limit(sqrt(u^2), u, 0) = 0\"") == "proven");
+    CHECK(verdict("positive = { p = \"1\" }\nequation = \"limit(p/sqrt(p), p, 0) = 0\"") == "proven");
+}
+
+TEST_CASE("letters of other letters in integrals") {
+    CHECK(verdict("with = { W = \"u^2\" }\nequation = \"integral(W, u, 0, 1) = 1/3\"") == "proven");
+    CHECK(verdict("with = { W = \"V^2\", V = \"1 + u\" }\nequation = \"integral(W, u, 0, 1) = 7/3\"") == "proven");
+}
+
+TEST_CASE("numbers and letters as LaTeX has them") {
+    const auto latex = [](const std::string& text) { return "latex = '''" + text + "'''\n"; };
+    const std::string speed = R"(\sqrt{2 g h})";
+    for (const char* number : {R"(6.26\,\mathrm{m/s})", R"(6{,}264\,\mathrm{m}/\mathrm{s})", R"(62.6\times 10^{-1}\,\mathrm{m/s})", R"(0.0626\cdot 10^2\,\mathrm{m/s})"}) {
+        INFO(number);
+        const std::string printed = speed + " = " + number;
+        CHECK(verdict(latex(printed)) == "proven");
+    }
+    CHECK(verdict(latex(speed + R"( = 62.5\times 10^{-1}\,\mathrm{m/s})"), 1) == "wrong");
+    CHECK(verdict(latex(R"(\sqrt{2} \approx 1.414)")) == "proven");
+    CHECK(verdict(latex(R"(\sqrt{2} \approx 1.415)"), 1) == "wrong");
+    CHECK(verdict("letters = { e = \"1\" }\n" + latex("1 - e^2 = (1 - e)(1 + e)")) == "proven");
+    CHECK(verdict(latex("e^{u + v} = e^u e^v")) == "proven");
+}
+
 TEST_CASE("what solves an equation is inserted there") {
     const std::string decay = "solves = [\"dot(x) = -a*x\", \"at(x, t, 0) = x_0\"]\n";
     CHECK(verdict(decay + "equation = \"x = x_0*exp(-a*t)\"") == "proven");
