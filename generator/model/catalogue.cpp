@@ -82,10 +82,6 @@ std::vector<const CatalogueLetter*> letters_of(const Catalogue& catalogue, const
     return result;
 }
 
-}  // namespace
-
-namespace {
-
 /// Names of the model and of letters are read as words, not as products.
 PrintedNotation notation_of(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
     PrintedNotation notation;

@@ -4,17 +4,13 @@
 // zero, and another one is taken instead; all of them are listed.
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <iostream>
 #include <random>
-#include <set>
 
-#include "command/catalogue_verdicts.hpp"
+#include "book/catalogues.hpp"
 #include "model/expression_text.hpp"
-#include "text/files.hpp"
 
 using namespace dalembert;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -68,19 +64,12 @@ bool mutate(const System& system, const PrintedEquation& entry, std::mt19937& ra
 TEST_CASE("slips in proven entries are seen") {
     Count count;
     std::mt19937 random(1);
-    std::set<fs::path> files;
-    for (const auto& file : fs::directory_iterator(fs::path(SOURCE_DIR) / "systems" / "book")) files.insert(file.path());
-    for (const fs::path& file : files) {
-        Diagnostics diagnostics;
-        const Catalogue catalogue = read_catalogue(read_text_file(file), diagnostics);
-        CatalogueVerdicts verdicts(catalogue);
-        for (const CatalogueEntry& entry : catalogue.entries) {
-            bool is_done = false;  // in the first system that has it
-            verdicts.each(entry, [&](const System& system, const PrintedEquation& checked) {
-                if (!is_done) is_done = mutate(system, checked, random, count);
-            });
-        }
-    }
+    for_each_entry([&](CatalogueVerdicts& verdicts, const CatalogueEntry& entry) {
+        bool is_done = false;  // in the first system that has it
+        verdicts.each(entry, [&](const System& system, const PrintedEquation& checked) {
+            if (!is_done) is_done = mutate(system, checked, random, count);
+        });
+    });
     std::cout << count.entries << " entries, " << count.mutations << " mutations, " << count.caught << " caught\n";
     for (const std::string& survivor : count.survivors) std::cout << "  survived: " << survivor << "\n";
     for (const std::string& equal : count.equal) std::cout << "  no slip, because it is equal: " << equal << "\n";

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The catalogues of printed equations, in order.
+#pragma once
+
+#include <filesystem>
+#include <set>
+
+#include "command/catalogue_verdicts.hpp"
+#include "text/files.hpp"
+
+/// Calls visit(verdicts, entry) for all entries of systems/book.
+template <class Visit>
+void for_each_entry(Visit visit) {
+    using namespace dalembert;
+    std::set<std::filesystem::path> files;
+    for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(SOURCE_DIR) / "systems" / "book")) files.insert(file.path());
+    for (const std::filesystem::path& file : files) {
+        Diagnostics diagnostics;
+        const Catalogue catalogue = read_catalogue(read_text_file(file), diagnostics);
+        CatalogueVerdicts verdicts(catalogue);
+        for (const CatalogueEntry& entry : catalogue.entries) visit(verdicts, entry);
+    }
+}
