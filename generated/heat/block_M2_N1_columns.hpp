@@ -17,13 +17,13 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                17     48    21        0      0
+//   update                10     30    21        0      0
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            59    183    11        0      0
+//   jacobian_p            38    124    11        0      0
 //   output                 3      3     0        0      0
 //   internal_energy        0      1     0        0      0
-//   exchanged_power        6     19    10        0      0
+//   exchanged_power        5     13     8        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -176,7 +176,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 17 + or -, 48 *, 21 /
+    /// Operations: 10 + or -, 30 *, 21 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.H = p_.H_b + p_.H_c;
@@ -184,40 +184,30 @@ public:
         const Scalar inverse_2 = Scalar(1) / p_.B;
         const Scalar e3 = p_.L_a / p_.lambda_a;
         const Scalar e4 = inverse_2 * (p_.L_d / p_.lambda_d + e3);
-        const Scalar inverse_5 = Scalar(1) / p_.L_b;
-        const Scalar e6 = p_.H_b * p_.lambda_b;
-        const Scalar e7 = p_.H_c * p_.lambda_c;
-        const Scalar e8 = inverse_5 * (e6 + e7);
-        const Scalar e9 = inverse_2 / e8;
-        c_.R_low = inverse_1 * e4 + e9;
-        const Scalar e10 = p_.L_b * inverse_2;
-        const Scalar e11 = Scalar(1) / ((e4 + e10 / p_.lambda_b) / p_.H_b) + Scalar(1) / ((e4 + e10 / p_.lambda_c) / p_.H_c);
-        c_.R_up = Scalar(1) / e11;
-        const Scalar inverse_12 = Scalar(1) / p_.C;
-        const Scalar e13 = p_.lambda_d * c_.H / p_.L_d;
-        const Scalar e14 = p_.lambda_a * c_.H / p_.L_a;
-        const Scalar inverse_15 = Scalar(1) / (e14 + e8);
-        const Scalar e16 = p_.B * inverse_15;
-        const Scalar e17 = e16 / (Scalar(1) / (inverse_2 * inverse_1 * e3 + e9) + p_.B * e13);
-        const Scalar e18 = p_.B * e14;
-        const Scalar e19 = e17 * e18 * (e13 * (p_.T_0 * e8));
-        c_.k0 = inverse_12 * e19;
-        c_.k1 = inverse_12;
-        const Scalar e20 = e17 * (inverse_5 * inverse_5);
-        const Scalar e21 = inverse_15 * (Scalar(1) + Scalar(2) * e6 * e7 * e20 + (e6 * e6 + e7 * e7) * e20) * e14;
-        const Scalar e22 = (Scalar(1) - e21) * e18;
-        c_.k2 = inverse_12 * e22;
-        const Scalar e23 = e16 * ((e8 * e8 * e14 * e17 - e8) * e14);
-        c_.k3 = -inverse_12 * e23;
-        c_.k4 = e19;
-        c_.k5 = e22;
-        const Scalar inverse_24 = Scalar(1) / c_.R_low;
-        c_.k6 = p_.T_0 * inverse_24;
-        c_.k7 = inverse_24;
-        const Scalar inverse_25 = Scalar(1) / c_.R_up;
-        c_.k8 = p_.T_0 * inverse_25;
-        c_.k9 = inverse_25;
-        c_.k10 = -e23;
+        const Scalar e5 = (p_.H_b * p_.lambda_b + p_.H_c * p_.lambda_c) / p_.L_b;
+        const Scalar e6 = inverse_2 / e5;
+        c_.R_low = inverse_1 * e4 + e6;
+        const Scalar e7 = p_.L_b * inverse_2;
+        const Scalar e8 = Scalar(1) / ((e4 + e7 / p_.lambda_b) / p_.H_b) + Scalar(1) / ((e4 + e7 / p_.lambda_c) / p_.H_c);
+        c_.R_up = Scalar(1) / e8;
+        const Scalar inverse_9 = Scalar(1) / p_.C;
+        const Scalar e10 = p_.lambda_a / p_.L_a;
+        const Scalar e11 = p_.B * c_.H;
+        const Scalar e12 = e11 * (p_.lambda_d / p_.L_d);
+        const Scalar e13 = Scalar(1) / (e5 + c_.H * e10) / (Scalar(1) / (inverse_2 * inverse_1 * e3 + e6) + e12);
+        const Scalar e14 = e10 * e12 * (e13 * (e5 * e11));
+        const Scalar e15 = inverse_9 * e14;
+        c_.k0 = p_.T_0 * e15;
+        c_.k1 = inverse_9;
+        c_.k2 = e15;
+        c_.k3 = p_.T_0 * e14;
+        c_.k4 = e14;
+        const Scalar inverse_16 = Scalar(1) / c_.R_low;
+        c_.k5 = p_.T_0 * inverse_16;
+        c_.k6 = inverse_16;
+        const Scalar inverse_17 = Scalar(1) / c_.R_up;
+        c_.k7 = p_.T_0 * inverse_17;
+        c_.k8 = inverse_17;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -233,13 +223,8 @@ public:
     /// Operations: 2 + or -, 2 *
     ///     dot(T_P) = B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*C*(lambda_a*H/L_a + H_b*lambda_b/L_b
     ///     + H_c*lambda_c/L_b)*(B*lambda_d*H/L_d + 1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) + P/C -
-    ///     B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b +
-    ///     H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d + 1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) -
-    ///     H_b^2*B*lambda_a*lambda_b^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d +
-    ///     1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) -
-    ///     H_c^2*B*lambda_a*lambda_c^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d +
-    ///     1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) - lambda_a*H/(L_a*(lambda_a*H/L_a +
-    ///     H_b*lambda_b/L_b + H_c*lambda_c/L_b)))*T_P/(L_a*C)
+    ///     B^2*lambda_a*lambda_d*H^2*(H_b*lambda_b + H_c*lambda_c)*T_P/(L_a*L_b*L_d*C*(lambda_a*H/L_a + H_b*lambda_b/L_b +
+    ///     H_c*lambda_c/L_b)*(B*lambda_d*H/L_d + 1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b)))))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar T_P = x[0];
@@ -253,7 +238,7 @@ public:
         const Scalar P = u[0];
         const Scalar T_P = x[0];
         dxdt[0] = c_.k0 + c_.k1 * P - c_.k2 * T_P;
-        J[0] = -c_.k3;
+        J[0] = -c_.k2;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -269,99 +254,76 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 12, entry (i, j) at J[1*j + i].
-    /// Operations: 59 + or -, 183 *, 11 /
+    /// Operations: 38 + or -, 124 *, 11 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / p_.L_a;
-        const Scalar inverse_2 = Scalar(1) / p_.L_d;
-        const Scalar e3 = p_.lambda_d * inverse_2;
+        const Scalar e1 = p_.H_b * p_.lambda_b;
+        const Scalar e2 = p_.H_c * p_.lambda_c;
+        const Scalar e3 = e1 + e2;
         const Scalar e4 = p_.T_0 * e3;
-        const Scalar e5 = c_.H * e4;
-        const Scalar e6 = p_.H_b * p_.lambda_b;
-        const Scalar e7 = p_.H_c * p_.lambda_c;
-        const Scalar e8 = e6 + e7;
+        const Scalar inverse_5 = Scalar(1) / p_.L_a;
+        const Scalar e6 = p_.B * c_.H;
+        const Scalar e7 = inverse_5 * e6;
+        const Scalar inverse_8 = Scalar(1) / p_.lambda_a;
         const Scalar inverse_9 = Scalar(1) / p_.L_b;
-        const Scalar inverse_10 = Scalar(1) / p_.C;
-        const Scalar e11 = p_.lambda_a * inverse_1;
-        const Scalar e12 = c_.H * e11;
-        const Scalar e13 = inverse_9 * e8;
-        const Scalar inverse_14 = Scalar(1) / (e12 + e13);
-        const Scalar e15 = inverse_10 * inverse_14;
-        const Scalar e16 = inverse_9 * e15;
-        const Scalar e17 = p_.B * e16;
-        const Scalar inverse_18 = Scalar(1) / p_.lambda_a;
-        const Scalar inverse_19 = Scalar(1) / e13;
-        const Scalar inverse_20 = Scalar(1) / ((p_.L_a * inverse_18 / c_.H + inverse_19) / p_.B);
-        const Scalar e21 = p_.B * e3;
-        const Scalar inverse_22 = Scalar(1) / (inverse_20 + c_.H * e21);
-        const Scalar e23 = inverse_20 * inverse_22;
-        const Scalar e23_squared = e23 * e23;
-        const Scalar e24 = e17 * e23_squared;
-        const Scalar e25 = e17 * e12;
-        const Scalar e26 = inverse_22 * e25;
-        const Scalar e27 = p_.B * e26;
-        const Scalar e6_squared = e6 * e6;
-        const Scalar e7_squared = e7 * e7;
-        const Scalar e28 = e6 * e7;
-        const Scalar e29 = (Scalar(1) / Scalar(2)) * (e6_squared + e7_squared) + e28;
-        const Scalar e30 = inverse_9 * inverse_14;
-        const Scalar e31 = e29 * e30;
-        const Scalar e32 = e8 * e24 - Scalar(2) * e27 * e31;
+        const Scalar e10 = inverse_9 * e3;
+        const Scalar inverse_11 = Scalar(1) / e10;
+        const Scalar inverse_12 = Scalar(1) / ((p_.L_a * inverse_8 / c_.H + inverse_11) / p_.B);
+        const Scalar inverse_13 = Scalar(1) / p_.L_d;
+        const Scalar inverse_14 = Scalar(1) / (inverse_12 + p_.lambda_d * inverse_13 * e6);
+        const Scalar e15 = inverse_12 * inverse_14;
+        const Scalar e16 = inverse_12 * e15;
+        const Scalar e17 = inverse_5 * (p_.lambda_a * c_.H);
+        const Scalar inverse_18 = Scalar(1) / (e10 + e17);
+        const Scalar e19 = p_.lambda_a * e7;
+        const Scalar e20 = inverse_18 * e19;
+        const Scalar e21 = e16 + e17 * e20;
+        const Scalar e22 = inverse_9 * inverse_18;
+        const Scalar inverse_23 = Scalar(1) / p_.C;
+        const Scalar e24 = inverse_13 * inverse_14;
+        const Scalar e25 = e22 * (inverse_23 * e24);
+        const Scalar e26 = p_.lambda_d * e25;
+        const Scalar e27 = e26 * e19;
+        const Scalar e28 = e7 * (e21 * e26 - e27);
         const Scalar T_P = x[0];
-        const Scalar e33 = inverse_1 * e31;
-        const Scalar e34 = e23 * (inverse_20 * e26);
-        const Scalar e35 = e12 * e30;
-        const Scalar e36 = e27 * e35;
-        const Scalar e37 = (Scalar(1) / Scalar(3)) * (e6 * e6_squared + e7 * e7_squared) + e8 * e28;
-        const Scalar e38 = e37 * e30;
-        const Scalar e39 = e36 * e38;
-        const Scalar e40 = inverse_19 * e34;
-        const Scalar e41 = e40 - e27;
-        const Scalar e42 = e8 * e5;
-        const Scalar e43 = e5 * e31;
-        const Scalar e44 = e8 * e25;
-        const Scalar e45 = e29 * e36;
-        const Scalar e46 = e29 * e35;
-        const Scalar e47 = c_.H * inverse_22;
-        const Scalar e48 = e47 * e45;
-        const Scalar e49 = inverse_2 * e48;
-        const Scalar e50 = e27 * e42;
-        const Scalar e51 = inverse_2 * e23;
-        const Scalar e52 = inverse_14 * e12;
-        const Scalar e53 = e5 * (e27 * e52 - e40);
-        const Scalar e54 = e8 * e27;
-        const Scalar e55 = e4 * (e23 * e54 - e32);
-        const Scalar e56 = e30 * (e29 * e24 - Scalar(3) * e27 * e38);
-        const Scalar e57 = inverse_22 * e45 * e21 - (Scalar(1) / Scalar(2)) * inverse_14 * e11 * e44;
-        const Scalar e58 = e11 * (e8 * e17 + Scalar(2) * e56) + Scalar(2) * e57;
-        const Scalar e59 = e8 * e36;
-        const Scalar e60 = inverse_14 * e25 + e8 * e30 * e40;
-        const Scalar e61 = e12 * (inverse_14 * e59 - (Scalar(1) / Scalar(2)) * e60);
-        const Scalar e62 = e16 * e23_squared;
-        const Scalar e63 = inverse_19 * e12 * (e62 * (inverse_9 * inverse_19));
-        const Scalar e64 = e17 * e33;
-        const Scalar e65 = e5 * e41 + e30 * e50;
-        const Scalar e66 = e36 * e31 - (Scalar(1) / Scalar(2)) * (e59 - (Scalar(1) / Scalar(2)) * e12 * e60);
-        const Scalar e67 = c_.H * e54;
+        const Scalar e29 = (Scalar(1) / Scalar(2)) * (e1 * e1 + e2 * e2) + e1 * e2;
+        const Scalar e30 = inverse_9 * e29;
+        const Scalar inverse_11_squared = inverse_11 * inverse_11;
+        const Scalar e31 = inverse_9 * inverse_11_squared;
+        const Scalar e32 = c_.H * e27;
+        const Scalar e33 = (e16 * e30 * e31 - (Scalar(1) / Scalar(2)) * e3 * e22 * e19) * e32;
+        const Scalar e34 = inverse_12 * e24;
+        const Scalar e35 = e6 * e27;
+        const Scalar e36 = e3 * e35;
+        const Scalar e37 = e4 * e35;
+        const Scalar e38 = e29 * e22;
+        const Scalar e39 = p_.B * e27;
+        const Scalar e40 = p_.lambda_b * e32;
+        const Scalar e41 = e38 * e39 + (Scalar(1) / Scalar(2)) * e20 * e40;
+        const Scalar e42 = e39 - inverse_12 * (p_.B * e26 + e40 * e31);
+        const Scalar e43 = e4 * e15;
+        const Scalar e44 = e3 * e15;
+        const Scalar e45 = p_.B * inverse_18 + e16 * inverse_11_squared;
+        const Scalar e46 = (p_.B - e45 * e10) * e32;
+        const Scalar e47 = p_.T_0 * e46;
+        const Scalar e48 = e6 * e19;
+        const Scalar e49 = e21 + p_.lambda_d * e24 * e48;
+        const Scalar e50 = p_.B * (e49 * e26 - Scalar(2) * e27);
+        const Scalar e51 = ((Scalar(1) / Scalar(2)) * e3 * e49 + e45 * e17 * e30) * (c_.H * e26);
+        const Scalar e52 = (inverse_8 * e3 * e16 - Scalar(2) * e7 * e38) * (e26 * e6);
+        const Scalar e53 = e25 * e48;
         const Scalar P = u[0];
-        J[0] = inverse_1 * e5 * e32 + T_P * (e33 * (Scalar(2) * (e25 + e34)) - Scalar(6) * inverse_1 * e39);
-        const Scalar e68 = inverse_9 * (Scalar(4) * e45 - Scalar(2) * e40 * e46 - Scalar(6) * e39);
-        J[1] = inverse_9 * (e41 * e42 + Scalar(2) * e27 * e43) + T_P * (e35 * e44 - e68);
-        J[2] = T_P * (Scalar(2) * e21 * e49) - e50 * e51;
-        J[3] = p_.lambda_b * e53 + e55 - T_P * (e58 - Scalar(2) * p_.lambda_b * e61);
-        J[4] = p_.lambda_c * e53 + e55 - T_P * (e58 - Scalar(2) * p_.lambda_c * e61);
-        const Scalar e69 = e26 * e42 * (Scalar(3) - e52) - e3 * e47 * e50 - e42 * e62 - Scalar(2) * e26 * e43 - Scalar(2) * e29
-            * e5 * e63;
-        const Scalar e70 = ((Scalar(1) / Scalar(4)) * e15 * e12 * e12 + e26 * e46) * (Scalar(8) - Scalar(4) * e52);
-        const Scalar e71 = e12 * (inverse_10 + e8 * e16 * e52) + e35 * (Scalar(6) * e26 * e38 + Scalar(3) * e37 * e63) - e70
-            + Scalar(2) * e62 * e46 + Scalar(2) * e3 * e48;
-        J[5] = e69 - T_P * e71;
-        J[6] = Scalar(2) * p_.B * e5 * e47 * e64 - inverse_18 * e42 * e24 - T_P
-            * (Scalar(2) * (c_.H * (inverse_1 * e56 + e64)));
-        J[7] = -p_.H_b * e65 - T_P * (Scalar(4) * p_.H_b * e66);
-        J[8] = -p_.H_c * e65 - T_P * (Scalar(4) * p_.H_c * e66);
-        J[9] = p_.T_0 * e51 * e67 - T_P * (Scalar(2) * p_.B * e49);
-        J[10] = T_P * (inverse_10 * e44 - Scalar(2) * e29 * e25 * e26) - inverse_10 * e50 - P * (inverse_10 * inverse_10);
-        J[11] = e3 * e67;
+        J[0] = e4 * e28 - T_P * (e3 * e28);
+        J[1] = Scalar(2) * p_.T_0 * e33 - T_P * (Scalar(2) * e33);
+        J[2] = T_P * (e34 * e36) - e34 * e37;
+        J[3] = Scalar(2) * p_.T_0 * e41 + e42 * e43 - T_P * (Scalar(2) * e41 + e42 * e44);
+        J[4] = p_.lambda_c * e47 - e4 * e50 - T_P * (p_.lambda_c * e46 - e3 * e50);
+        J[5] = Scalar(3) * e32 * e4 - Scalar(2) * p_.T_0 * e51 - T_P * (Scalar(3) * e3 * e32 - Scalar(2) * e51);
+        J[6] = -p_.T_0 * e52 - T_P * (-e52);
+        J[7] = p_.H_b * e47 - T_P * (p_.H_b * e46);
+        J[8] = p_.H_c * e47 - T_P * (p_.H_c * e46);
+        J[9] = e43 * e53 - T_P * (e44 * e53);
+        J[10] = T_P * (inverse_23 * e36) - inverse_23 * e37 - P * (inverse_23 * inverse_23);
+        J[11] = c_.k2;
     }
 
     /// J = df/dt at fixed x and u.
@@ -389,28 +351,23 @@ public:
     /// Operations: 3 + or -, 3 *
     ///     Q_column = -B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*(lambda_a*H/L_a + H_b*lambda_b/L_b
     ///     + H_c*lambda_c/L_b)*(B*lambda_d*H/L_d + 1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) +
-    ///     B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b +
-    ///     H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d + 1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) -
-    ///     H_b^2*B*lambda_a*lambda_b^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d +
-    ///     1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) -
-    ///     H_c^2*B*lambda_a*lambda_c^2*H/(L_a*L_b^2*(lambda_a*H/L_a + H_b*lambda_b/L_b + H_c*lambda_c/L_b)^2*(B*lambda_d*H/L_d +
-    ///     1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b))))) - lambda_a*H/(L_a*(lambda_a*H/L_a +
-    ///     H_b*lambda_b/L_b + H_c*lambda_c/L_b)))*T_P/L_a
+    ///     B^2*lambda_a*lambda_d*H^2*(H_b*lambda_b + H_c*lambda_c)*T_P/(L_a*L_b*L_d*(lambda_a*H/L_a + H_b*lambda_b/L_b +
+    ///     H_c*lambda_c/L_b)*(B*lambda_d*H/L_d + 1/(L_a/(B*lambda_a*H) + 1/(B*(H_b*lambda_b/L_b + H_c*lambda_c/L_b)))))
     ///     Q_most = -T_0/R_low + T_P/R_low
     ///     Q_least = -T_0/R_up + T_P/R_up
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         const Scalar T_P = x[0];
-        y[0] = c_.k5 * T_P - c_.k4;
-        y[1] = c_.k7 * T_P - c_.k6;
-        y[2] = c_.k9 * T_P - c_.k8;
+        y[0] = c_.k4 * T_P - c_.k3;
+        y[1] = c_.k6 * T_P - c_.k5;
+        y[2] = c_.k8 * T_P - c_.k7;
     }
 
     /// C = dh/dx.
     /// Operations: none
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        C[0] = c_.k10;
-        C[1] = c_.k7;
-        C[2] = c_.k9;
+        C[0] = c_.k4;
+        C[1] = c_.k6;
+        C[2] = c_.k8;
     }
 
     /// D = dh/du.
@@ -464,16 +421,15 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 6 + or -, 19 *, 10 /
+    /// Operations: 5 + or -, 13 *, 8 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar e1 = (p_.H_b * p_.lambda_b + p_.H_c * p_.lambda_c) / p_.L_b;
-        const Scalar inverse_2 = Scalar(1) / ((p_.L_a / p_.lambda_a / c_.H + Scalar(1) / e1) / p_.B);
-        const Scalar e3 = p_.B * p_.lambda_d * (c_.H / p_.L_d);
-        const Scalar e4 = e3 / (inverse_2 + e3);
+        const Scalar e1 = p_.B * p_.lambda_d * (c_.H / p_.L_d);
+        const Scalar e2 = p_.L_a / p_.lambda_a / c_.H + Scalar(1) / ((p_.H_b * p_.lambda_b + p_.H_c * p_.lambda_c) / p_.L_b);
+        const Scalar inverse_3 = Scalar(1) / (e2 / p_.B);
+        const Scalar e4 = e1 * (inverse_3 / (inverse_3 + e1));
         const Scalar P = u[0];
         const Scalar T_P = x[0];
-        const Scalar e5 = p_.lambda_a * c_.H / p_.L_a;
-        return p_.T_0 * inverse_2 * e4 + P - T_P * (p_.B * e1 * e4 * e5 / (e1 + e5));
+        return p_.T_0 * e4 + P - T_P * e4;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -490,15 +446,13 @@ private:
         Scalar R_up;  ///< 1/(1/(L_a/(H_b*B*lambda_a) + L_b/(H_b*B*lambda_b) + L_d/(H_b*B*lambda_d)) + ...
         Scalar k0;  ///< B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*C*(lambda_a*H/L_a + ...
         Scalar k1;  ///< 1/C
-        Scalar k2;  ///< B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + ...
-        Scalar k3;  ///< B*lambda_a*H*(-B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b*(lambda_a*H/L_a + ...
-        Scalar k4;  ///< B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*(lambda_a*H/L_a + ...
-        Scalar k5;  ///< B*lambda_a*H*(1 - 2*H_b*H_c*B*lambda_a*lambda_b*lambda_c*H/(L_a*L_b^2*(lambda_a*H/L_a + ...
-        Scalar k6;  ///< T_0/R_low
-        Scalar k7;  ///< 1/R_low
-        Scalar k8;  ///< T_0/R_up
-        Scalar k9;  ///< 1/R_up
-        Scalar k10;  ///< B*lambda_a*H*(-B*lambda_a*H*(H_b*lambda_b + H_c*lambda_c)^2/(L_a*L_b*(lambda_a*H/L_a + ...
+        Scalar k2;  ///< B^2*lambda_a*lambda_d*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*C*(lambda_a*H/L_a + ...
+        Scalar k3;  ///< B^2*lambda_a*lambda_d*T_0*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*(lambda_a*H/L_a + ...
+        Scalar k4;  ///< B^2*lambda_a*lambda_d*H^2*(H_b*lambda_b + H_c*lambda_c)/(L_a*L_b*L_d*(lambda_a*H/L_a + ...
+        Scalar k5;  ///< T_0/R_low
+        Scalar k6;  ///< 1/R_low
+        Scalar k7;  ///< T_0/R_up
+        Scalar k8;  ///< 1/R_up
     };
     Cached c_{};
 };

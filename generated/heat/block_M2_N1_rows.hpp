@@ -20,7 +20,7 @@
 //   update                12     33    26        0      0
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            35     94    12        0      0
+//   jacobian_p            35     84    12        0      0
 //   output                 3      3     0        0      0
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        2      1     0        0      0
@@ -229,7 +229,8 @@ public:
     /// dx/dt = f(x, u, t).
     /// Operations: 2 + or -, 2 *
     ///     dot(T_P) = T_0*(G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c +
-    ///     1/G_dc))))/C + P/C - (G_ab - G_ab^2/(G_ab + 1/(1/G_b + 1/G_db)) + G_ac - G_ac^2/(G_ac + 1/(1/G_c + 1/G_dc)))*T_P/C
+    ///     1/G_dc))))/C + P/C - (G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c +
+    ///     1/G_dc))))*T_P/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar T_P = x[0];
@@ -259,74 +260,70 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 12, entry (i, j) at J[1*j + i].
-    /// Operations: 35 + or -, 94 *, 12 /
+    /// Operations: 35 + or -, 84 *, 12 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_P = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.L_a;
-        const Scalar inverse_2 = Scalar(1) / c_.G_c;
-        const Scalar inverse_3 = Scalar(1) / c_.G_dc;
-        const Scalar inverse_4 = Scalar(1) / (inverse_2 + inverse_3);
-        const Scalar inverse_5 = Scalar(1) / (c_.G_ac + inverse_4);
-        const Scalar e6 = inverse_4 * inverse_5;
-        const Scalar e6_squared = e6 * e6;
-        const Scalar inverse_7 = Scalar(1) / c_.G_b;
-        const Scalar inverse_8 = Scalar(1) / c_.G_db;
-        const Scalar inverse_9 = Scalar(1) / (inverse_7 + inverse_8);
-        const Scalar inverse_10 = Scalar(1) / (c_.G_ab + inverse_9);
-        const Scalar e11 = inverse_9 * inverse_10;
-        const Scalar e12 = p_.H_b * e11;
-        const Scalar e13 = p_.H_c * e6_squared + e11 * e12;
-        const Scalar e14 = inverse_1 * e13;
-        const Scalar inverse_15 = Scalar(1) / p_.C;
-        const Scalar e16 = p_.B * inverse_15;
-        const Scalar e17 = p_.lambda_a * inverse_1;
-        const Scalar e18 = e16 * e17;
-        const Scalar e19 = p_.T_0 * e16;
-        const Scalar e20 = e17 * e19;
+        const Scalar e2 = p_.lambda_a * inverse_1;
+        const Scalar inverse_3 = Scalar(1) / p_.C;
+        const Scalar e4 = p_.B * inverse_3;
+        const Scalar inverse_5 = Scalar(1) / c_.G_b;
+        const Scalar inverse_6 = Scalar(1) / c_.G_db;
+        const Scalar inverse_7 = Scalar(1) / (inverse_5 + inverse_6);
+        const Scalar inverse_8 = Scalar(1) / (c_.G_ab + inverse_7);
+        const Scalar e9 = inverse_7 * inverse_8;
+        const Scalar e10 = p_.H_b * e9;
+        const Scalar inverse_11 = Scalar(1) / c_.G_c;
+        const Scalar inverse_12 = Scalar(1) / c_.G_dc;
+        const Scalar inverse_13 = Scalar(1) / (inverse_11 + inverse_12);
+        const Scalar inverse_14 = Scalar(1) / (c_.G_ac + inverse_13);
+        const Scalar e15 = inverse_13 * inverse_14;
+        const Scalar e16 = p_.H_c * e15;
+        const Scalar e17 = inverse_1 * (e9 * e10 + e15 * e16);
+        const Scalar e18 = e4 * e17;
+        const Scalar e19 = p_.T_0 * e4;
+        const Scalar e20 = e19 * e17;
         const Scalar inverse_21 = Scalar(1) / p_.L_b;
-        const Scalar inverse_2_squared = inverse_2 * inverse_2;
-        const Scalar e22 = c_.G_ac * e6;
-        const Scalar e22_squared = e22 * e22;
-        const Scalar e23 = p_.H_c * e22_squared;
-        const Scalar e24 = inverse_2_squared * e23;
-        const Scalar inverse_7_squared = inverse_7 * inverse_7;
-        const Scalar e25 = c_.G_ab * e11;
-        const Scalar e26 = p_.H_b * e25;
-        const Scalar e27 = e25 * e26;
-        const Scalar e28 = inverse_7_squared * e27;
-        const Scalar e29 = inverse_21 * (p_.lambda_c * e24 + p_.lambda_b * e28);
-        const Scalar e30 = inverse_21 * e16;
-        const Scalar e31 = inverse_21 * e19;
-        const Scalar inverse_32 = Scalar(1) / p_.L_d;
-        const Scalar e33 = p_.lambda_d * inverse_32;
-        const Scalar inverse_8_squared = inverse_8 * inverse_8;
+        const Scalar e22 = inverse_21 * e4;
+        const Scalar inverse_5_squared = inverse_5 * inverse_5;
+        const Scalar e23 = c_.G_ab * e9;
+        const Scalar e24 = e23 * (c_.G_ab * e10);
+        const Scalar e25 = inverse_5_squared * e24;
+        const Scalar inverse_11_squared = inverse_11 * inverse_11;
+        const Scalar e26 = c_.G_ac * e15;
+        const Scalar e27 = e26 * (c_.G_ac * e16);
+        const Scalar e28 = inverse_11_squared * e27;
+        const Scalar e29 = inverse_21 * (p_.lambda_b * e25 + p_.lambda_c * e28);
+        const Scalar e30 = inverse_21 * e19;
+        const Scalar inverse_31 = Scalar(1) / p_.L_d;
+        const Scalar e32 = p_.lambda_d * inverse_31;
+        const Scalar inverse_6_squared = inverse_6 * inverse_6;
+        const Scalar inverse_12_squared = inverse_12 * inverse_12;
+        const Scalar e33 = inverse_31 * (e24 * inverse_6_squared + e27 * inverse_12_squared);
+        const Scalar e34 = e4 * e33;
+        const Scalar e35 = e19 * e33;
+        const Scalar e36 = inverse_7 * (p_.lambda_b * inverse_21 * inverse_5_squared + e32 * inverse_6_squared);
+        const Scalar e37 = c_.G_ab * (e36 - inverse_8 * (e2 + inverse_7 * e36)) + e2;
+        const Scalar e38 = e37 * e9;
+        const Scalar e39 = p_.lambda_c * inverse_21 * inverse_11_squared + e32 * inverse_12_squared;
+        const Scalar e40 = inverse_13 * e39;
+        const Scalar e41 = c_.G_ac * (e40 - inverse_14 * (e2 + inverse_13 * e40)) + e2;
+        const Scalar e42 = e41 * e15;
+        const Scalar e43 = inverse_3 * (e37 * e10 + e41 * e16);
         const Scalar inverse_3_squared = inverse_3 * inverse_3;
-        const Scalar e34 = e27 * inverse_8_squared + e23 * inverse_3_squared;
-        const Scalar e35 = inverse_32 * e34;
-        const Scalar e36 = e16 * e35;
-        const Scalar e37 = e19 * e35;
-        const Scalar e38 = inverse_9 * (p_.lambda_b * inverse_21 * inverse_7_squared + e33 * inverse_8_squared);
-        const Scalar e39 = e17 + inverse_9 * e38;
-        const Scalar e40 = c_.G_ab * inverse_10;
-        const Scalar e41 = (p_.lambda_c * inverse_21 * inverse_2_squared + e33 * inverse_3_squared) * e22_squared;
-        const Scalar e42 = inverse_5 * e22 - e6;
-        const Scalar e43 = inverse_15 * e17;
-        const Scalar e44 = inverse_15 * (e34 * e33 + e29);
-        const Scalar inverse_15_squared = inverse_15 * inverse_15;
-        const Scalar e45 = (e22 + e25) * inverse_15_squared;
+        const Scalar e44 = (e23 + e26) * inverse_3_squared;
         const Scalar P = u[0];
-        J[0] = T_P * (e14 * e18) - e14 * e20;
-        J[1] = T_P * (e29 * e30) - e29 * e31;
-        J[2] = T_P * (e33 * e36) - e33 * e37;
-        J[3] = -(e19 * e25 * (inverse_10 * e39 - e38) - e11 * e20) - T_P
-            * (e18 * (Scalar(1) - Scalar(2) * e40) + e16 * e39 * e40 * e40);
-        J[4] = e20 * e6_squared + e19 * e41 + T_P * (e42 * e18 - e16 * e41);
-        J[5] = p_.T_0 * (e13 * e43 + e44) + T_P * (e43 * (p_.H_c * e42 + inverse_10 * e26 - e12) - e44);
-        J[6] = e19 * e14 - T_P * (e16 * e14);
-        J[7] = e31 * e28 - T_P * (e30 * e28);
-        J[8] = e31 * e24 - T_P * (e30 * e24);
-        J[9] = e37 - T_P * e36;
-        J[10] = T_P * e45 - p_.T_0 * e45 - P * inverse_15_squared;
+        J[0] = T_P * (e2 * e18) - e2 * e20;
+        J[1] = T_P * (e22 * e29) - e30 * e29;
+        J[2] = T_P * (e32 * e34) - e32 * e35;
+        J[3] = T_P * (-e4 * e38) - (-e19 * e38);
+        J[4] = T_P * (-e4 * e42) - (-e19 * e42);
+        J[5] = T_P * (-e43) - (-p_.T_0 * e43);
+        J[6] = e20 - T_P * e18;
+        J[7] = e30 * e25 - T_P * (e22 * e25);
+        J[8] = e30 * e28 - T_P * (e22 * e28);
+        J[9] = e35 - T_P * e34;
+        J[10] = T_P * e44 - p_.T_0 * e44 - P * inverse_3_squared;
         J[11] = c_.k2;
     }
 
@@ -354,7 +351,8 @@ public:
     /// y = h(x, u, t).
     /// Operations: 3 + or -, 3 *
     ///     Q_chain = -T_0*(G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c +
-    ///     1/G_dc)))) + (G_ab - G_ab^2/(G_ab + 1/(1/G_b + 1/G_db)) + G_ac - G_ac^2/(G_ac + 1/(1/G_c + 1/G_dc)))*T_P
+    ///     1/G_dc)))) + (G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c +
+    ///     1/G_dc))))*T_P
     ///     Q_most = -T_0/R_low + T_P/R_low
     ///     Q_least = -T_0/R_up + T_P/R_up
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {

@@ -18,14 +18,13 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                29     54    30        0      0
+//   update                20     46    30        0      0
 //   rhs                    2      2     0        0      0
-//   rhs_and_jacobian       2      2     0        0      0
-//   jacobian_p           120    285    19        0      0
+//   rhs_and_jacobian       3      2     0        0      0
+//   jacobian_p            88    202    19        0      0
 //   output                 3      3     0        0      0
-//   output_jacobian_x      1      0     0        0      0
 //   internal_energy        0      1     0        0      0
-//   exchanged_power       17     16    11        0      0
+//   exchanged_power       12     10    11        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -178,7 +177,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 29 + or -, 54 *, 30 /
+    /// Operations: 20 + or -, 46 *, 30 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.H = p_.H_b + p_.H_c;
@@ -207,31 +206,29 @@ public:
         const Scalar e15 = Scalar(1) / ((e13 + inverse_9 * e14) / p_.H_b) + Scalar(1) / ((e13 + inverse_10 * e14) / p_.H_c);
         c_.R_up = Scalar(1) / e15;
         const Scalar inverse_16 = Scalar(1) / p_.C;
-        const Scalar inverse_17 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
-        const Scalar e18 = c_.G_l + inverse_17;
-        const Scalar inverse_19 = Scalar(1) / (c_.G_ab + e18);
-        const Scalar e20 = c_.G_ab * inverse_19;
-        const Scalar inverse_21 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
-        const Scalar e22 = inverse_21 + Scalar(1) / (Scalar(1) / c_.G_l + Scalar(1) / (c_.G_ab + inverse_17));
-        const Scalar inverse_23 = Scalar(1) / (c_.G_ac + e22);
-        const Scalar e24 = c_.G_l * e20;
-        const Scalar e25 = inverse_23 * (c_.G_ac + e24) * (c_.G_l * inverse_17 * inverse_19 + inverse_21);
-        const Scalar e26 = p_.T_0 * (inverse_17 * e20 + e25);
-        c_.k0 = inverse_16 * e26;
+        const Scalar inverse_17 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
+        const Scalar inverse_18 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
+        const Scalar e19 = c_.G_ab + inverse_18;
+        const Scalar inverse_20 = Scalar(1) / e19;
+        const Scalar inverse_21 = Scalar(1) / (Scalar(1) / c_.G_l + inverse_20);
+        const Scalar e22 = inverse_17 + inverse_21;
+        const Scalar e23 = c_.G_ab / (c_.G_l + e19);
+        const Scalar e24 = c_.G_ac + c_.G_l * e23;
+        const Scalar e25 = inverse_18 * (inverse_20 * inverse_21 * e24 + c_.G_ac * e23)
+            + (inverse_17 * e24 + inverse_18 * e22 * e23);
+        const Scalar e26 = e25 / (c_.G_ac + e22);
+        const Scalar e27 = inverse_16 * e26;
+        c_.k0 = p_.T_0 * e27;
         c_.k1 = inverse_16;
-        const Scalar e27 = inverse_16 * inverse_23;
-        const Scalar e28 = (Scalar(2) * c_.G_ac + e24) * e24;
-        c_.k2 = c_.G_ac * (inverse_16 - c_.G_ac * e27) + c_.G_ab * inverse_16 * (Scalar(1) - e20) - e27 * e28;
-        const Scalar e29 = inverse_23 * (c_.G_ac * e22 - e28) + e20 * e18;
-        c_.k3 = -inverse_16 * e29;
+        c_.k2 = e27;
+        c_.k3 = p_.T_0 * e26;
         c_.k4 = e26;
-        c_.k5 = -e29;
-        const Scalar inverse_30 = Scalar(1) / c_.R_low;
-        c_.k6 = p_.T_0 * inverse_30;
-        c_.k7 = inverse_30;
-        const Scalar inverse_31 = Scalar(1) / c_.R_up;
-        c_.k8 = p_.T_0 * inverse_31;
-        c_.k9 = inverse_31;
+        const Scalar inverse_28 = Scalar(1) / c_.R_low;
+        c_.k5 = p_.T_0 * inverse_28;
+        c_.k6 = inverse_28;
+        const Scalar inverse_29 = Scalar(1) / c_.R_up;
+        c_.k7 = p_.T_0 * inverse_29;
+        c_.k8 = inverse_29;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -245,15 +242,19 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 2 + or -, 2 *
-    ///     dot(T_P) = T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l +
-    ///     1/(G_ab + 1/(1/G_b + 1/G_db))))) + G_ab*G_l/((1/G_c + 1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c +
-    ///     1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db))))) + G_ab/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) +
-    ///     G_ac*G_l/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b
-    ///     + 1/G_db))))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db))))))/C + P/C
-    ///     - (G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b
-    ///     + 1/G_db))))) - G_ab^2*G_l^2/((G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab +
-    ///     1/(1/G_b + 1/G_db))))) - G_ab^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) + G_ac - G_ac^2/(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l
-    ///     + 1/(G_ab + 1/(1/G_b + 1/G_db)))))*T_P/C
+    ///     dot(T_P) = T_0*(G_ab*G_ac/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) + G_ab*G_l/((1/G_b + 1/G_db)*(G_ab + G_l
+    ///     + 1/(1/G_b + 1/G_db))*(G_ab + 1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) + G_ab*G_l/((1/G_c +
+    ///     1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) + G_ab/((1/G_b + 1/G_db)*(1/G_c + 1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db)))
+    ///     + G_ab/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) + G_ac/((1/G_b +
+    ///     1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) + G_ac/(1/G_c + 1/G_dc))/(C*(G_ac +
+    ///     1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db))))) + P/C - (G_ab*G_ac/((1/G_b + 1/G_db)*(G_ab + G_l +
+    ///     1/(1/G_b + 1/G_db))) - G_ab*G_ac/((G_ab + 1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) +
+    ///     G_ab*G_l/((1/G_c + 1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) - G_ab^2*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ab +
+    ///     1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) + G_ab*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(1/G_l +
+    ///     1/(G_ab + 1/(1/G_b + 1/G_db)))) + G_ab/((1/G_b + 1/G_db)*(1/G_c + 1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) +
+    ///     G_ab/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) + G_ac/(1/G_c +
+    ///     1/G_dc) + G_ac/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db))))*T_P/(C*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab +
+    ///     1/(1/G_b + 1/G_db)))))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar T_P = x[0];
@@ -262,12 +263,12 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 2 + or -, 2 *
+    /// Operations: 3 + or -, 2 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar P = u[0];
         const Scalar T_P = x[0];
         dxdt[0] = c_.k0 + c_.k1 * P - c_.k2 * T_P;
-        J[0] = c_.k3;
+        J[0] = -c_.k2;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -283,169 +284,135 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 12, entry (i, j) at J[1*j + i].
-    /// Operations: 120 + or -, 285 *, 19 /
+    /// Operations: 88 + or -, 202 *, 19 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / (p_.H_b + p_.H_c);
-        const Scalar e2 = p_.lambda_a * inverse_1;
-        const Scalar inverse_3 = Scalar(1) / p_.C;
-        const Scalar inverse_4 = Scalar(1) / c_.G_c;
-        const Scalar inverse_5 = Scalar(1) / c_.G_dc;
-        const Scalar inverse_6 = Scalar(1) / (inverse_4 + inverse_5);
-        const Scalar inverse_7 = Scalar(1) / c_.G_l;
-        const Scalar inverse_8 = Scalar(1) / c_.G_b;
-        const Scalar inverse_9 = Scalar(1) / c_.G_db;
-        const Scalar inverse_10 = Scalar(1) / (inverse_8 + inverse_9);
-        const Scalar inverse_11 = Scalar(1) / (c_.G_ab + inverse_10);
-        const Scalar inverse_12 = Scalar(1) / (inverse_7 + inverse_11);
-        const Scalar e13 = inverse_6 + inverse_12;
-        const Scalar inverse_14 = Scalar(1) / (c_.G_ac + e13);
-        const Scalar e15 = inverse_3 * inverse_14;
+        const Scalar inverse_1 = Scalar(1) / p_.C;
+        const Scalar inverse_2 = Scalar(1) / c_.G_l;
+        const Scalar inverse_3 = Scalar(1) / c_.G_b;
+        const Scalar inverse_4 = Scalar(1) / c_.G_db;
+        const Scalar inverse_5 = Scalar(1) / (inverse_3 + inverse_4);
+        const Scalar e6 = c_.G_ab + inverse_5;
+        const Scalar inverse_7 = Scalar(1) / e6;
+        const Scalar inverse_8 = Scalar(1) / (inverse_2 + inverse_7);
+        const Scalar inverse_9 = Scalar(1) / c_.G_c;
+        const Scalar inverse_10 = Scalar(1) / c_.G_dc;
+        const Scalar inverse_11 = Scalar(1) / (inverse_9 + inverse_10);
+        const Scalar e12 = c_.G_ac + inverse_11;
+        const Scalar e13 = inverse_8 + e12;
+        const Scalar inverse_14 = Scalar(1) / e13;
+        const Scalar e15 = inverse_1 * inverse_14;
         const Scalar e16 = p_.B * e15;
         const Scalar e17 = p_.T_0 * e16;
-        const Scalar e18 = c_.G_l + inverse_10;
-        const Scalar inverse_19 = Scalar(1) / (c_.G_ab + e18);
-        const Scalar inverse_19_squared = inverse_19 * inverse_19;
-        const Scalar e20 = inverse_10 * inverse_19_squared;
-        const Scalar e21 = c_.G_ab * c_.G_l;
-        const Scalar e22 = inverse_19 * e21;
-        const Scalar e23 = e22 - (Scalar(1) / Scalar(2)) * inverse_12;
-        const Scalar e24 = (Scalar(1) / Scalar(2)) * c_.G_ac + e22;
-        const Scalar e25 = c_.G_ab * inverse_19_squared;
-        const Scalar e26 = c_.G_ab * e25;
-        const Scalar e27 = inverse_12 * (inverse_12 * inverse_14);
-        const Scalar e28 = c_.G_ab * inverse_19;
-        const Scalar e29 = c_.G_ac * inverse_7;
-        const Scalar e30 = inverse_10 * inverse_19;
-        const Scalar e31 = e27 * ((e28 + e29) * (inverse_7 * inverse_6 + e30));
-        const Scalar e32 = e20 * (c_.G_ab * e23 + inverse_10 * e24) + (Scalar(1) / Scalar(2)) * (inverse_6 * e26 - e31);
-        const Scalar e33 = e17 * e32;
-        const Scalar e34 = p_.H_b * inverse_10;
-        const Scalar e35 = e20 * e34;
-        const Scalar e36 = p_.B * p_.T_0;
-        const Scalar e37 = inverse_3 * e36;
-        const Scalar e38 = c_.G_l * e20;
-        const Scalar e39 = c_.G_l * inverse_19_squared;
-        const Scalar e40 = e27 * (inverse_11 * inverse_11);
-        const Scalar e41 = c_.G_ac + e22;
-        const Scalar e42 = c_.G_l * e30;
-        const Scalar e43 = inverse_6 + e42;
-        const Scalar e44 = e41 * e43;
-        const Scalar e45 = (e23 - (Scalar(1) / Scalar(2)) * (c_.G_l + Scalar(2) * inverse_6)) * e38;
-        const Scalar e46 = e45 - (Scalar(1) / Scalar(2)) * (c_.G_l * inverse_6 * e39 - e40 * e44);
-        const Scalar e47 = (e22 - e13) * (inverse_14 * e43);
-        const Scalar e48 = p_.H_b * e46 + (Scalar(1) / Scalar(2)) * p_.H_c * e47;
-        const Scalar e49 = e35 * e37 - Scalar(2) * e17 * e48;
-        const Scalar inverse_50 = Scalar(1) / p_.L_a;
-        const Scalar e51 = p_.lambda_a * inverse_50;
-        const Scalar e52 = inverse_50 * e51;
+        const Scalar inverse_18 = Scalar(1) / (p_.H_b + p_.H_c);
+        const Scalar e19 = c_.G_ab * inverse_11 - c_.G_ac * inverse_5;
+        const Scalar inverse_20 = Scalar(1) / (c_.G_l + e6);
+        const Scalar e21 = c_.G_ab * inverse_20;
+        const Scalar e22 = inverse_20 * e21;
+        const Scalar e23 = inverse_5 * inverse_7 * e12 - inverse_11;
+        const Scalar e24 = c_.G_ac * inverse_2;
+        const Scalar e25 = inverse_8 * inverse_14 * (inverse_2 * (e21 + e24));
+        const Scalar e26 = e19 * e22 + inverse_8 * e23 * e25;
+        const Scalar inverse_27 = Scalar(1) / p_.L_a;
+        const Scalar e28 = inverse_7 * inverse_8;
+        const Scalar e28_squared = e28 * e28;
+        const Scalar e29 = Scalar(1) + c_.G_l * inverse_7;
+        const Scalar e30 = inverse_8 * e29 + e12;
+        const Scalar inverse_20_squared = inverse_20 * inverse_20;
+        const Scalar e31 = inverse_5 * inverse_20_squared;
+        const Scalar e32 = c_.G_ac + inverse_8;
+        const Scalar e33 = c_.G_l * inverse_20;
+        const Scalar e34 = inverse_14 * e28_squared;
+        const Scalar e35 = inverse_5 * e13;
+        const Scalar e36 = e34 * e35;
+        const Scalar e37 = inverse_5 * e28;
+        const Scalar e38 = inverse_11 + e37;
+        const Scalar e39 = inverse_20 * (inverse_5 * e32 * e33 - (c_.G_ab * e36 - c_.G_l * e38 * e33));
+        const Scalar e40 = inverse_5 * (e28_squared * e24 - e30 * e31) - e39;
+        const Scalar e41 = c_.G_l * e21;
+        const Scalar e42 = c_.G_ac + e41;
+        const Scalar e43 = inverse_14 * e42;
+        const Scalar e44 = e43 * e28_squared;
+        const Scalar e45 = c_.G_l * inverse_11 * e31 - (Scalar(1) / Scalar(2)) * e38 * e44;
+        const Scalar e46 = (inverse_8 - (e41 - inverse_11)) * (inverse_14 * e38);
+        const Scalar e47 = p_.H_b * e40 - Scalar(2) * (p_.H_b * e45 + (Scalar(1) / Scalar(2)) * p_.H_c * e46);
+        const Scalar e48 = inverse_27 * e47;
+        const Scalar e49 = p_.lambda_a * (inverse_18 * e26 + inverse_27 * e48);
         const Scalar T_P = x[0];
-        const Scalar e53 = c_.G_ab * inverse_3;
-        const Scalar e54 = p_.B * e53;
-        const Scalar e55 = e41 * e16;
-        const Scalar e56 = ((Scalar(1) / Scalar(2)) * (e29 * e29 + e26) + e28 * e29) * e27;
-        const Scalar e57 = e41 * e26 - e56;
-        const Scalar e58 = c_.G_ab * (inverse_19_squared * e54 - Scalar(2) * e20 * e55) - Scalar(2) * e16 * e57;
-        const Scalar e59 = Scalar(2) * c_.G_l * e55 + e54;
-        const Scalar e60 = e20 + e39;
-        const Scalar e61 = inverse_19_squared * e21;
-        const Scalar e62 = e21 * e61;
-        const Scalar e63 = Scalar(2) * c_.G_ac * e24 + e62;
-        const Scalar e64 = e63 * e16;
-        const Scalar e65 = e18 * (inverse_3 * inverse_19);
-        const Scalar e66 = e59 * e60 - (e40 * e64 + p_.B * e65);
-        const Scalar e67 = inverse_14 * (e62 - Scalar(2) * e24 * e13) + e13;
-        const Scalar e68 = p_.H_b * e66 - p_.H_c * e16 * e67;
-        const Scalar e69 = inverse_10 * e40;
-        const Scalar e70 = c_.G_ab * e20;
-        const Scalar e71 = e64 * e69 + e59 * e70;
-        const Scalar e72 = e71 * e34;
-        const Scalar inverse_73 = Scalar(1) / p_.L_b;
-        const Scalar e74 = inverse_73 * inverse_8;
-        const Scalar e75 = e74 * (p_.lambda_b * e74);
-        const Scalar inverse_76 = Scalar(1) / p_.lambda_c;
-        const Scalar e77 = p_.H_c * inverse_76;
-        const Scalar inverse_78 = Scalar(1) / p_.lambda_b;
-        const Scalar e79 = p_.H_b * inverse_78;
-        const Scalar inverse_80 = Scalar(1) / (e77 + e79);
-        const Scalar inverse_6_squared = inverse_6 * inverse_6;
-        const Scalar e81 = inverse_14 * inverse_6_squared;
-        const Scalar e82 = p_.H_c * e81;
-        const Scalar e83 = e82 * e64;
-        const Scalar e84 = inverse_73 * inverse_4;
-        const Scalar e85 = e84 * (p_.lambda_c * e84);
-        const Scalar e86 = e21 * e38 - e69 * e44 + (c_.G_ab * inverse_12 + c_.G_ac * c_.G_l) * e38;
-        const Scalar e87 = c_.G_ac - e42;
-        const Scalar e88 = e53 * e36;
-        const Scalar e89 = e17 * e86 + (Scalar(2) * c_.G_l * e87 * e17 + e88) * e70;
-        const Scalar e90 = e89 * e34;
-        const Scalar e91 = inverse_12 + e87;
-        const Scalar e92 = e41 * e17;
-        const Scalar e93 = e91 * e92;
-        const Scalar e94 = e82 * e93;
-        const Scalar inverse_95 = Scalar(1) / p_.L_d;
-        const Scalar e96 = p_.lambda_d * inverse_95;
+        const Scalar e50 = (c_.G_ab * e30 + c_.G_ac * c_.G_l) * inverse_20_squared;
+        const Scalar e51 = c_.G_ab * (inverse_7 * e42 * e28 + e50);
+        const Scalar e52 = e23 * e44 + e51;
+        const Scalar e53 = e16 * e52;
         const Scalar inverse_5_squared = inverse_5 * inverse_5;
-        const Scalar inverse_9_squared = inverse_9 * inverse_9;
-        const Scalar e97 = inverse_95 * (inverse_5_squared * e83 + inverse_9_squared * e72);
-        const Scalar e98 = inverse_95 * (inverse_9_squared * e90 + inverse_5_squared * e94);
-        const Scalar e99 = p_.L_b * inverse_80;
-        const Scalar e100 = inverse_80 * e99;
-        const Scalar e101 = inverse_78 * e100;
-        const Scalar e102 = p_.L_a * inverse_1;
-        const Scalar e103 = e2 * e102;
-        const Scalar e104 = e101 + e103;
-        const Scalar e105 = inverse_8 * e74;
-        const Scalar e106 = p_.lambda_b * e105 + e96 * inverse_9_squared;
-        const Scalar e107 = inverse_10 * e106;
-        const Scalar e108 = e17 * e51;
-        const Scalar e109 = inverse_76 * e100;
-        const Scalar e110 = e109 + e103;
-        const Scalar e111 = inverse_4 * e84;
-        const Scalar e112 = p_.lambda_c * e111 + e96 * inverse_5_squared;
-        const Scalar e113 = e112 * e81;
-        const Scalar e114 = e51 * e67 + e63 * e113;
-        const Scalar e115 = e99 + p_.L_a * e2;
-        const Scalar e116 = e106 * e34;
-        const Scalar e117 = e106 * e35;
-        const Scalar e118 = e21 * e117;
-        const Scalar e119 = p_.T_0 * inverse_3;
-        const Scalar e120 = e117 * (c_.G_ab * e53);
-        const Scalar e121 = p_.H_b * e51;
-        const Scalar e122 = e63 * e15;
-        const Scalar e123 = e41 * e15;
-        const Scalar e124 = e60 * e121;
-        const Scalar e125 = e24 * e17;
-        const Scalar e126 = Scalar(2) * c_.G_l * e125 + e88;
-        const Scalar e127 = inverse_6 * e17;
-        const Scalar e128 = e34 * e105;
-        const Scalar e129 = e43 * e92;
-        const Scalar e130 = e17 * (inverse_6 * e61 + e31) - (e28 * e127 - e20 * e126);
-        const Scalar e131 = e101 * e79;
-        const Scalar e132 = e59 * e25 - Scalar(2) * e16 * (e41 * e28 - e56);
-        const Scalar e133 = e77 * e109;
-        const Scalar e134 = e53 * e30 + e43 * e123;
+        const Scalar e54 = p_.H_b * inverse_5_squared;
+        const Scalar inverse_55 = Scalar(1) / p_.L_b;
+        const Scalar e56 = inverse_55 * inverse_3;
+        const Scalar e57 = e54 * e56;
+        const Scalar e58 = p_.lambda_b * e56;
+        const Scalar e59 = e57 * e58;
+        const Scalar inverse_60 = Scalar(1) / p_.lambda_c;
+        const Scalar inverse_61 = Scalar(1) / p_.lambda_b;
+        const Scalar e62 = p_.H_b * inverse_61;
+        const Scalar inverse_63 = Scalar(1) / (p_.H_c * inverse_60 + e62);
+        const Scalar e64 = e37 - e32;
+        const Scalar e65 = inverse_11 * e43;
+        const Scalar e66 = inverse_11 * e65;
+        const Scalar e67 = p_.H_c * e66;
+        const Scalar e68 = e64 * e67;
+        const Scalar e69 = inverse_55 * inverse_9;
+        const Scalar e70 = inverse_63 * e26 + p_.lambda_c * e68 * e69 * e69;
+        const Scalar e71 = c_.G_ac * inverse_7;
+        const Scalar e72 = inverse_8 * (c_.G_l * e29 * inverse_20_squared + inverse_7 * e71) + e50;
+        const Scalar e73 = inverse_5 * (e30 * e21 - e12 * e71) * e34 - (c_.G_ab * e72 - e28_squared * e65);
+        const Scalar e74 = e51 - inverse_7 * e19 * e44;
+        const Scalar inverse_75 = Scalar(1) / p_.L_d;
+        const Scalar e76 = p_.lambda_d * inverse_75;
+        const Scalar e77 = inverse_75 * e16;
+        const Scalar inverse_4_squared = inverse_4 * inverse_4;
+        const Scalar e78 = e54 * inverse_4_squared;
+        const Scalar e79 = e77 * e78;
+        const Scalar inverse_10_squared = inverse_10 * inverse_10;
+        const Scalar e80 = e76 * inverse_10_squared;
+        const Scalar e81 = c_.G_ac + c_.G_ab * e28;
+        const Scalar e82 = e80 * (e81 * e67);
+        const Scalar e83 = inverse_75 * e17;
+        const Scalar e84 = c_.G_ab * (inverse_20 * e36 - e72) + (e19 * e71 + e38 * e41) * e34;
+        const Scalar e85 = e83 * e78;
+        const Scalar e86 = p_.lambda_a * inverse_27;
+        const Scalar e87 = p_.L_b * inverse_63;
+        const Scalar e88 = inverse_63 * e87;
+        const Scalar e89 = inverse_61 * e88;
+        const Scalar e90 = p_.L_a * inverse_18;
+        const Scalar e91 = e90 * (p_.lambda_a * inverse_18);
+        const Scalar e92 = (e45 - (Scalar(1) / Scalar(2)) * e40) * e86 - (Scalar(1) / Scalar(2)) * e26 * (e89 + e91);
+        const Scalar e93 = e76 * inverse_4_squared + inverse_3 * e58;
+        const Scalar e94 = e93 * e73;
+        const Scalar e95 = inverse_60 * e88;
+        const Scalar e96 = inverse_9 * e69;
+        const Scalar e97 = e80 + p_.lambda_c * e96;
+        const Scalar e98 = e26 * (e95 + e91) - (e86 * e46 - e64 * e97 * e66);
+        const Scalar e99 = e26 * e90 - e48;
+        const Scalar e100 = p_.lambda_a * e99 + (e26 * e87 - e97 * e68);
+        const Scalar e101 = p_.T_0 * e15;
+        const Scalar e102 = inverse_3 * e57;
+        const Scalar e103 = e19 * (e22 - e28 * e25);
+        const Scalar e104 = e89 * (e62 * e103);
+        const Scalar e105 = p_.H_c * (inverse_60 * e103 * e95 + e81 * e66 * e96);
+        const Scalar e106 = inverse_10_squared * e68;
+        const Scalar e107 = inverse_1 * (e42 * e38 + e21 * e35);
         const Scalar P = u[0];
-        J[0] = Scalar(2) * e2 * e33 - e49 * e52 + T_P * (-e58 * e2 - e68 * e52);
-        J[1] = T_P * (e72 * e75 - inverse_80 * e58 + e83 * e85) - (e90 * e75 - Scalar(2) * inverse_80 * e33 + e94 * e85);
-        J[2] = T_P * (e96 * e97) - e96 * e98;
-        const Scalar e135 = Scalar(2) * e104 * e33 - e89 * e107 + Scalar(2) * e46 * e108 - inverse_10 * e20 * e51 * e37;
-        J[3] = -e135 - T_P * (e71 * e107 - e104 * e58 - e51 * e66);
-        J[4] = T_P * (e110 * e58 - e16 * e114) - (Scalar(2) * e110 * e33 - e93 * e113 + e108 * e47);
-        const Scalar e136 = Scalar(2) * e115 * e32 - Scalar(2) * e51 * e48 + e41 * e91 * e112 * e82 + e86 * e116 + Scalar(2)
-            * e87 * e118;
-        const Scalar e137 = e121 * (e65 + e40 * e122) - e115 * (Scalar(2) * e15 * e57 - e53 * e25 + Scalar(2) * e123 * e70)
-            - e123 * (Scalar(2) * (c_.G_l * e124 - e118)) + p_.H_c * e15 * e114 + e69 * e122 * e116 - e53 * e124 + e120;
-        J[5] = -(-p_.T_0 * e15 * e136 - e51 * e35 * e119 - p_.T_0 * e120) - T_P * e137;
-        J[6] = -(-inverse_50 * e49 - Scalar(2) * e33 * e102) - T_P * (e58 * e102 - inverse_50 * e68);
-        const Scalar e138 = e35 * e105 * (inverse_10 * e126 + e21 * e127) - e128 * (e92 * e42 + e30 * e88 - e69 * e129)
-            - Scalar(2) * inverse_78 * inverse_19 * e34 * e101 * e125 + e130 * e131;
-        J[7] = -e138 - T_P * (e71 * e128 + e132 * e131);
-        const Scalar e139 = e111 * (p_.H_c * inverse_6_squared * e92 - e82 * e129) - e133 * (e130 - Scalar(2) * e30 * e125);
-        J[8] = e139 - T_P * (e111 * e83 + e132 * e133);
-        J[9] = e98 - T_P * e97;
-        const Scalar e140 = e53 * (c_.G_l * e15 * e61 - e65) - e15 * (c_.G_ac * inverse_3) * (inverse_6 - Scalar(2) * e23);
-        J[10] = -e134 * e119 - P * (inverse_3 * inverse_3) - T_P * e140;
-        J[11] = e134;
+        J[0] = e17 * e49 - T_P * (e16 * e49);
+        J[1] = T_P * (e53 * e59 - e16 * e70) - (-e17 * (e70 + e73 * e59));
+        J[2] = T_P * (e74 * e76 * e79 + e77 * e82) - (e83 * e82 - e84 * e76 * e85);
+        J[3] = T_P * (-Scalar(2) * e16 * e92 - e93 * inverse_5_squared * e53)
+            - (-e17 * (Scalar(2) * e92 - inverse_5_squared * e94));
+        J[4] = T_P * (e16 * e98) - e17 * e98;
+        J[5] = T_P * (-e15 * (e93 * e52 * e54 + e100)) - (-e101 * (e100 - e54 * e94));
+        J[6] = T_P * (-e16 * e99) - (-e17 * e99);
+        J[7] = -e17 * (e84 * e102 - e104) - T_P * (e16 * (e74 * e102 + e104));
+        J[8] = e17 * e105 - T_P * (e16 * e105);
+        J[9] = -e83 * e106 - e73 * e85 - T_P * (e52 * e79 - e77 * e106);
+        J[10] = T_P * (e15 * e107) - e101 * e107 - P * (inverse_1 * inverse_1);
+        J[11] = c_.k2;
     }
 
     /// J = df/dt at fixed x and u.
@@ -471,30 +438,33 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: 3 + or -, 3 *
-    ///     Q_chain = -T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l +
-    ///     1/(G_ab + 1/(1/G_b + 1/G_db))))) + G_ab*G_l/((1/G_c + 1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c +
-    ///     1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db))))) + G_ab/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) +
-    ///     G_ac*G_l/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b
-    ///     + 1/G_db))))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))))) + (G_ab
-    ///     - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b +
-    ///     1/G_db))))) - G_ab^2*G_l^2/((G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab +
-    ///     1/(1/G_b + 1/G_db))))) - G_ab^2/(G_ab + G_l + 1/(1/G_b + 1/G_db)) + G_ac - G_ac^2/(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l
-    ///     + 1/(G_ab + 1/(1/G_b + 1/G_db)))))*T_P
+    ///     Q_chain = -T_0*(G_ab*G_ac/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) + G_ab*G_l/((1/G_b + 1/G_db)*(G_ab + G_l
+    ///     + 1/(1/G_b + 1/G_db))*(G_ab + 1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) + G_ab*G_l/((1/G_c +
+    ///     1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) + G_ab/((1/G_b + 1/G_db)*(1/G_c + 1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db)))
+    ///     + G_ab/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) + G_ac/((1/G_b +
+    ///     1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) + G_ac/(1/G_c + 1/G_dc))/(G_ac + 1/(1/G_c +
+    ///     1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) + (G_ab*G_ac/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) -
+    ///     G_ab*G_ac/((G_ab + 1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) + G_ab*G_l/((1/G_c + 1/G_dc)*(G_ab + G_l
+    ///     + 1/(1/G_b + 1/G_db))) - G_ab^2*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ab + 1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab +
+    ///     1/(1/G_b + 1/G_db)))) + G_ab*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) +
+    ///     G_ab/((1/G_b + 1/G_db)*(1/G_c + 1/G_dc)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) + G_ab/((1/G_b + 1/G_db)*(G_ab + G_l +
+    ///     1/(1/G_b + 1/G_db))*(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db)))) + G_ac/(1/G_c + 1/G_dc) + G_ac/(1/G_l + 1/(G_ab + 1/(1/G_b
+    ///     + 1/G_db))))*T_P/(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + 1/(G_ab + 1/(1/G_b + 1/G_db))))
     ///     Q_most = -T_0/R_low + T_P/R_low
     ///     Q_least = -T_0/R_up + T_P/R_up
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         const Scalar T_P = x[0];
-        y[0] = -c_.k4 - c_.k5 * T_P;
-        y[1] = c_.k7 * T_P - c_.k6;
-        y[2] = c_.k9 * T_P - c_.k8;
+        y[0] = c_.k4 * T_P - c_.k3;
+        y[1] = c_.k6 * T_P - c_.k5;
+        y[2] = c_.k8 * T_P - c_.k7;
     }
 
     /// C = dh/dx.
-    /// Operations: 1 + or -
+    /// Operations: none
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        C[0] = -c_.k5;
-        C[1] = c_.k7;
-        C[2] = c_.k9;
+        C[0] = c_.k4;
+        C[1] = c_.k6;
+        C[2] = c_.k8;
     }
 
     /// D = dh/du.
@@ -548,23 +518,20 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 17 + or -, 16 *, 11 /
+    /// Operations: 12 + or -, 10 *, 11 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar P = u[0];
         const Scalar inverse_1 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
         const Scalar e2 = c_.G_ab + inverse_1;
-        const Scalar inverse_3 = Scalar(1) / (c_.G_l + e2);
-        const Scalar e4 = c_.G_l * inverse_3;
+        const Scalar inverse_3 = Scalar(1) / e2;
+        const Scalar inverse_4 = Scalar(1) / (Scalar(1) / c_.G_l + inverse_3);
         const Scalar inverse_5 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
-        const Scalar e6 = c_.G_ac + inverse_5 + Scalar(1) / (Scalar(1) / c_.G_l + Scalar(1) / e2);
-        const Scalar inverse_7 = Scalar(1) / e6;
-        const Scalar e8 = inverse_5 * inverse_7;
-        const Scalar e9 = e4 * e8;
-        const Scalar e10 = inverse_7 * e4;
-        const Scalar e11 = (Scalar(1) + c_.G_l * e10) * (inverse_1 * inverse_3);
+        const Scalar e6 = inverse_4 + (c_.G_ac + inverse_5);
+        const Scalar e7 = c_.G_ab * inverse_3 * inverse_4 + c_.G_ac;
+        const Scalar e8 = inverse_1 * (c_.G_ab * e6 + c_.G_l * e7) / (c_.G_l + e2) + inverse_5 * e7;
+        const Scalar e9 = e8 / e6;
+        const Scalar P = u[0];
         const Scalar T_P = x[0];
-        const Scalar e12 = -p_.T_0 * inverse_1 * (Scalar(1) - Scalar(2) * e9 - e11) - p_.T_0 * inverse_5 * (Scalar(1) - e8);
-        return P - e12 - T_P * (c_.G_ab * (e9 + e11) + c_.G_ac * (e8 + inverse_1 * e10));
+        return p_.T_0 * e9 + P - T_P * e9;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -586,16 +553,15 @@ private:
         Scalar G_l;  ///< B*(L_a*lambda_a/H + L_b/(H_b/lambda_b + H_c/lambda_c))
         Scalar R_low;  ///< (L_a/(lambda_a*H) + L_d/(lambda_d*H) + 1/(H_b*lambda_b/L_b + H_c*lambda_c/L_b))/B
         Scalar R_up;  ///< 1/(1/(L_a/(H_b*B*lambda_a) + L_b/(H_b*B*lambda_b) + L_d/(H_b*B*lambda_d)) + ...
-        Scalar k0;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) ...
+        Scalar k0;  ///< T_0*(G_ab*G_ac/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) + G_ab*G_l/((1/G_b + ...
         Scalar k1;  ///< 1/C
-        Scalar k2;  ///< (G_ab - 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l ...
-        Scalar k3;  ///< (2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + ...
-        Scalar k4;  ///< T_0*(G_ab*G_l^2/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))^2*(G_ac + 1/(1/G_c + 1/G_dc) ...
-        Scalar k5;  ///< 2*G_ab*G_ac*G_l/((G_ab + G_l + 1/(1/G_b + 1/G_db))*(G_ac + 1/(1/G_c + 1/G_dc) + 1/(1/G_l + ...
-        Scalar k6;  ///< T_0/R_low
-        Scalar k7;  ///< 1/R_low
-        Scalar k8;  ///< T_0/R_up
-        Scalar k9;  ///< 1/R_up
+        Scalar k2;  ///< (G_ab*G_ac/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) + G_ab*G_l/((1/G_b + ...
+        Scalar k3;  ///< T_0*(G_ab*G_ac/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) + G_ab*G_l/((1/G_b + ...
+        Scalar k4;  ///< (G_ab*G_ac/((1/G_b + 1/G_db)*(G_ab + G_l + 1/(1/G_b + 1/G_db))) + G_ab*G_l/((1/G_b + ...
+        Scalar k5;  ///< T_0/R_low
+        Scalar k6;  ///< 1/R_low
+        Scalar k7;  ///< T_0/R_up
+        Scalar k8;  ///< 1/R_up
     };
     Cached c_{};
 };

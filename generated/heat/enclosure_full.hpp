@@ -15,14 +15,14 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                29     82     9        0      2
+//   update                28     80     9        0      2
 //   rhs                    6      7     0        0      0
 //   rhs_and_jacobian       9     11     0        0      0
-//   jacobian_p           169    360     9        0      2
+//   jacobian_p           150    292     9        0      2
 //   output                 6      7     0        0      1
 //   output_jacobian_x      7     12     0        0      1
 //   internal_energy        0      1     0        0      0
-//   exchanged_power        8     11     1        0      0
+//   exchanged_power        6      6     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -170,7 +170,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 29 + or -, 82 *, 9 /, 2 other functions
+    /// Operations: 28 + or -, 80 *, 9 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
@@ -222,33 +222,32 @@ public:
         c_.furnace_exchange_factor_1_2 = p_.eps_C * p_.eps_R * c_.furnace_reach_1_2;
         c_.furnace_exchange_factor_1_3 = p_.eps_C * p_.eps_W * c_.furnace_reach_1_3;
         c_.furnace_exchange_factor_2_3 = p_.eps_R * p_.eps_W * c_.furnace_reach_2_3;
-        const Scalar e22 = p_.T_M * p_.T_M;
-        const Scalar e22_squared = e22 * e22;
-        const Scalar inverse_23 = Scalar(1) / p_.C_R;
-        const Scalar inverse_24 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
-        const Scalar e25 = c_.furnace_exchange_factor_2_3 * inverse_24;
-        const Scalar e26 = c_.furnace_exchange_factor_1_3 * e25;
-        const Scalar e27 = inverse_23 * e26;
-        c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e22_squared
-            * e27;
-        c_.k1 = inverse_23;
-        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e27;
-        const Scalar e28 = c_.furnace_exchange_factor_1_2 * inverse_23;
+        const Scalar inverse_22 = Scalar(1) / p_.C_R;
+        const Scalar inverse_23 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
+        const Scalar e24 = c_.furnace_exchange_factor_1_3 * inverse_23;
+        const Scalar e25 = c_.furnace_exchange_factor_2_3 * e24;
+        const Scalar e26 = inverse_22 * e25;
+        const Scalar e27 = p_.T_M * p_.T_M;
+        const Scalar e27_squared = e27 * e27;
+        c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26
+            * e27_squared;
+        c_.k1 = inverse_22;
+        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26;
+        const Scalar e28 = c_.furnace_exchange_factor_1_2 * inverse_22;
         c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e28;
-        c_.k4 = e22;
+        c_.k4 = e27;
         c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e28;
-        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * (c_.furnace_exchange_factor_2_3 * inverse_23 * (Scalar(1) - e25));
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26
-            * e22_squared;
-        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26;
+        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e26;
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e25
+            * e27_squared;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e25;
         c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * c_.furnace_exchange_factor_1_2;
-        c_.k10 = c_.furnace_exchange_factor_1_3 * inverse_24 * e22_squared;
-        c_.k11 = e25;
+        c_.k10 = e24 * e27_squared;
+        c_.k11 = c_.furnace_exchange_factor_2_3 * inverse_23;
         c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
             * c_.furnace_exchange_factor_1_2;
-        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e26;
+        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e25;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -264,9 +263,9 @@ public:
     /// Operations: 6 + or -, 7 *
     ///     dot(T_R) = stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2,
     ///     3]/(C_R*(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3])) + P/C_R -
-    ///     stefan_boltzmann*exchange_factor[furnace, 2, 3]*(1 - exchange_factor[furnace, 2, 3]/(exchange_factor[furnace, 1, 3] +
-    ///     exchange_factor[furnace, 2, 3]))*T_R^4/C_R + stefan_boltzmann*exchange_factor[furnace, 1, 2]*(T_M - T_R)*(T_M +
-    ///     T_R)*(T_M^2 + T_R^2)/C_R
+    ///     stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, 3]*T_R^4/(C_R*(exchange_factor[furnace, 1,
+    ///     3] + exchange_factor[furnace, 2, 3])) + stefan_boltzmann*exchange_factor[furnace, 1, 2]*(T_M - T_R)*(T_M + T_R)*(T_M^2 +
+    ///     T_R^2)/C_R
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar T_R = x[0];
@@ -303,268 +302,228 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 169 + or -, 360 *, 9 /, 2 other functions
+    /// Operations: 150 + or -, 292 *, 9 /, 2 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::sqrt;
-        const Scalar inverse_1 = Scalar(1) / p_.H;
-        const Scalar inverse_2 = Scalar(1) / c_.furnace_distance_2_3;
-        const Scalar e3 = c_.furnace_reflectivity_2 * inverse_2;
-        const Scalar e4 = c_.furnace_reach_2_2 * e3;
-        const Scalar e5 = Scalar(1) + inverse_1 * e4;
-        const Scalar inverse_6 = Scalar(1) / c_.furnace_distance_1_3;
-        const Scalar e7 = c_.furnace_reflectivity_3 * inverse_6;
-        const Scalar e8 = c_.furnace_reach_2_3 * inverse_1;
-        const Scalar e9 = e7 * e8;
-        const Scalar e10 = e5 - e9;
-        const Scalar inverse_11 = Scalar(1) / (p_.b + c_.furnace_distance_2_3 + c_.furnace_distance_1_3);
-        const Scalar e12 = p_.b - p_.x_R;
-        const Scalar e13 = p_.h * p_.h;
-        const Scalar sqrt_14 = sqrt(e12 * e12 + e13);
-        const Scalar inverse_15 = Scalar(1) / sqrt_14;
-        const Scalar e16 = e12 * inverse_15;
-        const Scalar e17 = p_.x_R - c_.furnace_distance_1_3 * e16;
-        const Scalar e18 = Scalar(1) + e16;
-        const Scalar e19 = c_.furnace_distance_2_3 * c_.furnace_distance_1_3 - (p_.x_R * e12 - e13);
-        const Scalar inverse_11_squared = inverse_11 * inverse_11;
-        const Scalar e20 = e19 * inverse_11_squared;
-        const Scalar e21 = inverse_11 * e17 + e18 * e20;
-        const Scalar e22 = e10 * e21;
-        const Scalar inverse_23 = Scalar(1) / p_.b;
-        const Scalar e24 = c_.furnace_reflectivity_1 * inverse_23;
-        const Scalar e25 = c_.furnace_reach_1_2 * inverse_1;
-        const Scalar e26 = e24 * e25;
-        const Scalar e27 = -(e5 - e26);
-        const Scalar e28 = p_.b * e18;
-        const Scalar e29 = c_.furnace_distance_2_3 + e12;
-        const Scalar e30 = e29 * inverse_11_squared;
-        const Scalar e31 = c_.furnace_distance_2_3 * inverse_11;
-        const Scalar e32 = inverse_11 * (e12 + e28) - (e28 * e30 - e31);
-        const Scalar e33 = e27 * e32;
-        const Scalar e34 = p_.eps_R * c_.furnace_reach_1_2;
-        const Scalar inverse_35 = Scalar(1) / p_.C_R;
-        const Scalar e36 = p_.eps_C * inverse_35;
-        const Scalar e37 = e34 * e36;
-        const Scalar e38 = e3 * e37;
-        const Scalar e39 = e26 - e9;
-        const Scalar e40 = p_.x_R + c_.furnace_distance_1_3;
-        const Scalar e41 = e40 * inverse_11_squared;
-        const Scalar e42 = c_.furnace_distance_1_3 * inverse_11 - (e28 * e41 - p_.x_R * inverse_11);
-        const Scalar e43 = e39 * e42;
-        const Scalar e44 = p_.H + c_.furnace_reach_1_1 * e24;
-        const Scalar e45 = p_.eps_R * e36;
-        const Scalar e46 = e7 * e45;
-        const Scalar e47 = c_.furnace_reach_1_3 * e46;
-        const Scalar e48 = inverse_1 * e34;
-        const Scalar e49 = c_.furnace_reach_1_3 * inverse_1;
-        const Scalar e50 = inverse_23 * e49;
-        const Scalar e51 = inverse_23 * e48 + p_.eps_W * e50;
-        const Scalar e52 = e51 * e37;
-        const Scalar e53 = inverse_2 * e8;
-        const Scalar e54 = inverse_2 * e25;
-        const Scalar e55 = p_.eps_W * e53 + p_.eps_C * e54;
-        const Scalar e56 = e55 * e38;
-        const Scalar e57 = e16 * e56;
+        const Scalar inverse_1 = Scalar(1) / p_.C_R;
+        const Scalar inverse_2 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
+        const Scalar e3 = inverse_1 * inverse_2;
+        const Scalar e4 = p_.eps_W * e3;
+        const Scalar e5 = c_.furnace_exchange_factor_1_3 * (Scalar(1) - c_.furnace_exchange_factor_2_3 * inverse_2);
+        const Scalar e6 = p_.eps_R * e5;
+        const Scalar inverse_7 = Scalar(1) / p_.b;
+        const Scalar inverse_8 = Scalar(1) / p_.H;
+        const Scalar e9 = c_.furnace_reach_1_2 * inverse_8;
+        const Scalar e10 = inverse_7 * e9;
+        const Scalar e11 = c_.furnace_reach_1_3 * inverse_8;
+        const Scalar e12 = p_.eps_W * inverse_7 * e11 + p_.eps_R * e10;
+        const Scalar e13 = c_.furnace_exchange_factor_2_3 * (Scalar(1) - c_.furnace_exchange_factor_1_3 * inverse_2);
+        const Scalar e14 = e6 * e10 - e12 * e13;
+        const Scalar e15 = c_.furnace_reach_1_3 * e14;
+        const Scalar inverse_16 = Scalar(1) / c_.furnace_distance_1_3;
+        const Scalar e17 = c_.furnace_reflectivity_3 * inverse_16;
+        const Scalar e18 = Scalar(1) + c_.furnace_reach_3_3 * inverse_8 * e17;
+        const Scalar e19 = c_.furnace_reflectivity_1 * inverse_7;
+        const Scalar e20 = e19 * e11;
+        const Scalar e21 = -(e18 - e20);
+        const Scalar inverse_22 = Scalar(1) / (p_.b + c_.furnace_distance_2_3 + c_.furnace_distance_1_3);
+        const Scalar e23 = p_.b - p_.x_R;
+        const Scalar e24 = p_.h * p_.h;
+        const Scalar sqrt_25 = sqrt(e23 * e23 + e24);
+        const Scalar inverse_26 = Scalar(1) / sqrt_25;
+        const Scalar e27 = e23 * inverse_26;
+        const Scalar e28 = Scalar(1) + e27;
+        const Scalar e29 = p_.b * e28;
+        const Scalar e30 = p_.x_R + c_.furnace_distance_1_3;
+        const Scalar inverse_22_squared = inverse_22 * inverse_22;
+        const Scalar e31 = e30 * inverse_22_squared;
+        const Scalar e32 = c_.furnace_distance_1_3 * inverse_22 - (e29 * e31 - p_.x_R * inverse_22);
+        const Scalar e33 = e21 * e32;
+        const Scalar inverse_34 = Scalar(1) / c_.furnace_distance_2_3;
+        const Scalar e35 = c_.furnace_reflectivity_2 * inverse_34;
+        const Scalar e36 = c_.furnace_reach_2_3 * inverse_8;
+        const Scalar e37 = e35 * e36;
+        const Scalar e38 = e20 - e37;
+        const Scalar e39 = c_.furnace_distance_2_3 + e23;
+        const Scalar e40 = e39 * inverse_22_squared;
+        const Scalar e41 = c_.furnace_distance_2_3 * inverse_22;
+        const Scalar e42 = inverse_22 * (e23 + e29) - (e29 * e40 - e41);
+        const Scalar e43 = e38 * e42;
+        const Scalar e44 = -e33 - e43;
+        const Scalar e45 = p_.eps_C * e13;
+        const Scalar e46 = c_.furnace_reach_1_1 * e45 + c_.furnace_reach_1_2 * e6;
+        const Scalar e47 = -(e18 - e37);
+        const Scalar e48 = p_.x_R - c_.furnace_distance_1_3 * e27;
+        const Scalar e49 = c_.furnace_distance_2_3 * c_.furnace_distance_1_3 - (p_.x_R * e23 - e24);
+        const Scalar e50 = e49 * inverse_22_squared;
+        const Scalar e51 = inverse_22 * e48 + e28 * e50;
+        const Scalar e52 = e47 * e51;
+        const Scalar e53 = c_.furnace_reach_1_3 * e45 + c_.furnace_reach_2_3 * e6;
+        const Scalar e54 = e53 * e17;
+        const Scalar e55 = (c_.furnace_reach_1_2 * e45 + c_.furnace_reach_2_2 * e6) * e35;
+        const Scalar e56 = p_.H * e6 + e55;
+        const Scalar e57 = inverse_34 * e9;
+        const Scalar e58 = p_.eps_W * inverse_34 * e36 + p_.eps_C * e57;
+        const Scalar e59 = e45 * e57 - e58 * e5;
+        const Scalar e60 = c_.furnace_reach_2_3 * e59;
+        const Scalar e61 = e60 * (p_.eps_R * e35);
+        const Scalar e62 = e27 * e61;
+        const Scalar e63 = (p_.eps_C * e15 - e44 * e46) * e19 + (e52 - e33) * e54
+            - ((e52 + e43) * e56 + (p_.H * e44 * e45 - e62));
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        const Scalar e58 = c_.k4 + T_R_squared;
-        const Scalar e59 = p_.T_M - T_R;
-        const Scalar e60 = p_.T_M + T_R;
-        const Scalar e61 = e59 * e60;
-        const Scalar e62 = e58 * e61;
-        const Scalar e63 = Scalar(1) + c_.furnace_reach_3_3 * inverse_1 * e7;
-        const Scalar e64 = e3 * e8;
-        const Scalar e65 = -(e63 - e64);
-        const Scalar e66 = e65 * e21;
-        const Scalar e67 = e49 * e24;
-        const Scalar e68 = -(e63 - e67);
-        const Scalar e69 = e68 * e42;
-        const Scalar e70 = (e66 - e69) * e7;
-        const Scalar e71 = p_.eps_R * c_.furnace_reach_2_3;
-        const Scalar inverse_72 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
-        const Scalar e73 = c_.furnace_exchange_factor_2_3 * inverse_72;
-        const Scalar e74 = c_.furnace_exchange_factor_1_3 * (Scalar(1) - e73);
-        const Scalar e75 = Scalar(1) - c_.furnace_exchange_factor_1_3 * inverse_72;
-        const Scalar e76 = p_.eps_C * c_.furnace_exchange_factor_2_3;
-        const Scalar e77 = e75 * e76;
-        const Scalar e78 = e71 * e74 + c_.furnace_reach_1_3 * e77;
-        const Scalar e79 = p_.eps_W * inverse_35;
-        const Scalar e80 = inverse_72 * e79;
-        const Scalar e81 = p_.T_M * p_.T_M;
-        const Scalar e81_squared = e81 * e81;
-        const Scalar e82 = e80 * e81_squared;
-        const Scalar e83 = e78 * e82;
-        const Scalar e84 = e67 - e64;
-        const Scalar e85 = e84 * e32;
-        const Scalar e86 = e66 + e85;
-        const Scalar e87 = p_.eps_R * (p_.H + e4);
-        const Scalar e88 = c_.furnace_reach_1_2 * e3;
-        const Scalar e89 = e82 * (e74 * e87 + e77 * e88);
-        const Scalar e90 = -e69 - e85;
-        const Scalar e91 = c_.furnace_reach_1_3 * e51;
-        const Scalar e92 = e90 * e44 + e24 * e91;
-        const Scalar e93 = e82 * e77;
-        const Scalar e94 = e82 * e74;
-        const Scalar e95 = p_.eps_C * e49;
-        const Scalar e96 = inverse_23 * e95;
-        const Scalar e97 = e24 * (e34 * (e96 - e90));
-        const Scalar e98 = e3 * e16;
-        const Scalar e99 = c_.furnace_reach_2_3 * (p_.eps_R * e55 * e74 - inverse_2 * e77 * e48) * (e82 * e98);
-        const Scalar e100 = inverse_72 * e80;
-        const Scalar e101 = c_.furnace_exchange_factor_2_3 * e76;
-        const Scalar e102 = e100 * e101;
-        const Scalar e103 = Scalar(1) - Scalar(2) * (Scalar(1) - (Scalar(1) / Scalar(2)) * e73) * e73;
-        const Scalar e104 = e79 * e103;
-        const Scalar e105 = e102 * e88;
-        const Scalar e106 = e104 * e87 + e105;
-        const Scalar e107 = e71 * e104;
-        const Scalar e108 = c_.furnace_reach_1_3 * e102 + e107;
-        const Scalar e109 = e102 * e53;
-        const Scalar e110 = (e34 * e109 - e55 * e107) * e98;
         const Scalar T_R_squared_squared = T_R_squared * T_R_squared;
-        const Scalar sqrt_111 = sqrt(p_.x_R * p_.x_R + e13);
-        const Scalar inverse_112 = Scalar(1) / sqrt_111;
-        const Scalar e113 = p_.x_R * inverse_112;
-        const Scalar e114 = e113 - e16;
-        const Scalar e115 = inverse_11 + (inverse_11 * e113 - e114 * e41);
-        const Scalar e116 = p_.b * e68;
-        const Scalar e117 = inverse_11 * (e12 - e17) - (e113 * e31 - e114 * e20);
-        const Scalar e118 = e65 * e117;
-        const Scalar e119 = inverse_1 * e71;
-        const Scalar e120 = inverse_6 * (e95 + e119);
-        const Scalar e121 = e7 * (e115 * e116 - e118 + e120 * e113);
-        const Scalar e122 = inverse_11 * e18 + e114 * e30;
-        const Scalar e123 = p_.b * e84;
-        const Scalar e124 = e122 * e123 - e118;
-        const Scalar e125 = e68 * e115 - e84 * e122;
-        const Scalar e126 = p_.b * p_.H + c_.furnace_reflectivity_1 * c_.furnace_reach_1_1;
-        const Scalar e127 = e125 * e126;
-        const Scalar e128 = c_.furnace_reflectivity_1 * e34;
-        const Scalar e129 = e125 * e128;
-        const Scalar e130 = p_.b * e39;
-        const Scalar e131 = e10 * e117;
-        const Scalar e132 = p_.b * e27;
-        const Scalar e133 = e126 * e45;
-        const Scalar e134 = inverse_6 * e71;
-        const Scalar e135 = e95 * (e79 * e7);
-        const Scalar e136 = e134 * e135;
-        const Scalar e137 = inverse_112 + inverse_15;
-        const Scalar e138 = inverse_11 * inverse_15;
-        const Scalar e139 = e137 * e30 - e138;
-        const Scalar e140 = e137 * e41 - inverse_112 * inverse_11;
-        const Scalar e141 = -e84 * e139 - e68 * e140;
-        const Scalar e142 = (Scalar(1) / Scalar(2)) * (inverse_112 * e31 - e137 * e20 + c_.furnace_distance_1_3 * e138);
-        const Scalar e143 = inverse_11 + e142;
-        const Scalar e144 = Scalar(2) * (e65 * e143);
-        const Scalar e145 = e139 * e123 + e144;
-        const Scalar e146 = c_.furnace_exchange_factor_1_3 * c_.furnace_exchange_factor_1_3;
-        const Scalar e147 = c_.furnace_reach_1_3 * e101;
-        const Scalar e148 = e71 * e146 + e147;
-        const Scalar e149 = e148 * e7;
-        const Scalar e150 = e101 * e54 - e55 * e146;
-        const Scalar e151 = e100 * (e120 * inverse_112 * e149 - inverse_15 * e150 * e3 * e71)
-            - (e145 * e105 - (e144 - e140 * e116) * e100 * e149);
-        const Scalar e152 = p_.h * (e141 * e126 * e102 + e100 * (e141 * e128 + e145 * e87) * e146 - e151);
-        const Scalar e153 = Scalar(2) * (e10 * e143);
-        const Scalar e154 = e68 * e40;
-        const Scalar e155 = e84 * e29;
-        const Scalar e156 = inverse_11 * (e154 + e155);
-        const Scalar e157 = c_.furnace_reflectivity_1 * inverse_1;
-        const Scalar e158 = p_.b + c_.furnace_reach_1_1 * e157;
-        const Scalar e159 = p_.b * inverse_11;
-        const Scalar e160 = e19 * inverse_11;
-        const Scalar e161 = e65 * e160;
-        const Scalar e162 = e159 * e155 - e161;
-        const Scalar e163 = e156 * e158 - (c_.furnace_reflectivity_1 * e51 * e49 + e162 * e3 * e25);
-        const Scalar e164 = e102 * e163;
-        const Scalar e165 = e100 * e81_squared;
-        const Scalar e166 = c_.furnace_reflectivity_3 * e120 + (e159 * e154 + e161) * e7;
-        const Scalar e167 = p_.eps_R * e162 * e5 - inverse_1 * (e156 + e96) * e128;
-        const Scalar e168 = e150 * e165;
-        const Scalar e169 = e80 * e74;
-        const Scalar e170 = c_.furnace_reflectivity_2 * e55;
-        const Scalar e171 = e27 * e29;
-        const Scalar e172 = e39 * e40;
-        const Scalar e173 = e10 * e160;
-        const Scalar e174 = c_.furnace_exchange_factor_2_3 * e91;
-        const Scalar e175 = e34 * e50;
-        const Scalar e176 = e120 * inverse_35;
-        const Scalar e177 = inverse_72 * e176;
-        const Scalar inverse_35_squared = inverse_35 * inverse_35;
-        const Scalar e178 = c_.furnace_exchange_factor_1_3 * e73;
-        const Scalar e179 = inverse_35_squared * e178;
+        const Scalar e64 = p_.T_M * p_.T_M;
+        const Scalar e64_squared = e64 * e64;
+        const Scalar e65 = e4 * e64_squared;
+        const Scalar e66 = Scalar(1) + c_.furnace_reach_2_2 * inverse_8 * e35;
+        const Scalar e67 = e17 * e36;
+        const Scalar e68 = e66 - e67;
+        const Scalar e69 = e68 * e51;
+        const Scalar e70 = e19 * e9;
+        const Scalar e71 = -(e66 - e70);
+        const Scalar e72 = e71 * e42;
+        const Scalar e73 = p_.eps_C * inverse_1;
+        const Scalar e74 = p_.eps_R * e73;
+        const Scalar e75 = c_.furnace_reach_1_2 * e74;
+        const Scalar e76 = e35 * e75;
+        const Scalar e77 = e70 - e67;
+        const Scalar e78 = e77 * e32;
+        const Scalar e79 = (e78 + e72) * e74;
+        const Scalar e80 = e12 * e75;
+        const Scalar e81 = c_.furnace_reach_1_3 * e74;
+        const Scalar e82 = e17 * e81;
+        const Scalar e83 = e58 * e76;
+        const Scalar e84 = e27 * e83;
+        const Scalar e85 = c_.k4 + T_R_squared;
+        const Scalar e86 = p_.T_M - T_R;
+        const Scalar e87 = p_.T_M + T_R;
+        const Scalar e88 = e86 * e87;
+        const Scalar e89 = e85 * e88;
+        const Scalar sqrt_90 = sqrt(p_.x_R * p_.x_R + e24);
+        const Scalar inverse_91 = Scalar(1) / sqrt_90;
+        const Scalar e92 = p_.x_R * inverse_91;
+        const Scalar e93 = e92 - e27;
+        const Scalar e94 = inverse_22 + (inverse_22 * e92 - e93 * e31);
+        const Scalar e95 = p_.b * e21;
+        const Scalar e96 = inverse_22 * (e23 - e48) - (e92 * e41 - e93 * e50);
+        const Scalar e97 = e47 * e96;
+        const Scalar e98 = inverse_22 * e28 + e93 * e40;
+        const Scalar e99 = p_.b * e38;
+        const Scalar e100 = p_.b * p_.H;
+        const Scalar e101 = c_.furnace_reflectivity_1 * e46;
+        const Scalar e102 = e45 * e100 + e101;
+        const Scalar e103 = inverse_16 * e36;
+        const Scalar e104 = p_.eps_C * e11;
+        const Scalar e105 = p_.eps_R * e103 + inverse_16 * e104;
+        const Scalar e106 = e105 * e54;
+        const Scalar e107 = (e94 * e95 - e97) * e54 - (e98 * e99 - e97) * e56
+            - ((e21 * e94 - e38 * e98) * e102 - (e92 * e106 + e62));
+        const Scalar e108 = p_.b * e77;
+        const Scalar e109 = e68 * e96;
+        const Scalar e110 = p_.b * e71;
+        const Scalar e111 = e74 * (c_.furnace_reflectivity_1 * c_.furnace_reach_1_1 + e100);
+        const Scalar e112 = p_.eps_W * e82;
+        const Scalar e113 = e103 * e112;
+        const Scalar e114 = inverse_91 + inverse_26;
+        const Scalar e115 = inverse_22 * inverse_26;
+        const Scalar e116 = (Scalar(1) / Scalar(2)) * (inverse_91 * e41 - e114 * e50 + c_.furnace_distance_1_3 * e115);
+        const Scalar e117 = inverse_22 + e116;
+        const Scalar e118 = Scalar(2) * (e47 * e117);
+        const Scalar e119 = e114 * e31 - inverse_91 * inverse_22;
+        const Scalar e120 = e114 * e40 - e115;
+        const Scalar e121 = (-e38 * e120 - e21 * e119) * e102 + (inverse_26 * e61 - inverse_91 * e106);
+        const Scalar e122 = p_.h * ((e118 - e119 * e95) * e54 - (e120 * e99 + e118) * e56 - e121);
+        const Scalar e123 = Scalar(2) * (e68 * e117);
+        const Scalar e124 = p_.b * inverse_22;
+        const Scalar e125 = e38 * e39;
+        const Scalar e126 = e49 * inverse_22;
+        const Scalar e127 = e47 * e126;
+        const Scalar e128 = e124 * e125 - e127;
+        const Scalar e129 = e21 * e30;
+        const Scalar e130 = inverse_22 * (e129 + e125);
+        const Scalar e131 = e105 * e53;
+        const Scalar e132 = e130 * e101 - c_.furnace_reflectivity_3 * e131 - ((e124 * e129 + e127) * e54 + e128 * e55);
+        const Scalar e133 = inverse_8 * e132 + (p_.eps_R * c_.furnace_reflectivity_2 * e59 * e36 + p_.b * e130 * e45);
+        const Scalar e134 = c_.furnace_reflectivity_1 * e14 * e104 - e128 * e6 + e133;
+        const Scalar e135 = e71 * e39;
+        const Scalar e136 = e77 * e30;
+        const Scalar e137 = inverse_22 * (e135 + e136) * e74;
+        const Scalar e138 = e68 * e126;
+        const Scalar e139 = e3 * e131;
+        const Scalar e140 = e3 * (c_.furnace_exchange_factor_1_3 * c_.furnace_exchange_factor_2_3);
+        const Scalar e141 = inverse_1 * e140;
         const Scalar P = u[0];
-        const Scalar e180 = p_.T_M * inverse_35;
-        const Scalar e181 = (e22 + e33) * e38 - (e43 + e33) * e44 * e45 - (e22 - e43) * e47 + e24 * e52 + e57;
-        const Scalar e182 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e181;
-        const Scalar e183 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e70 * e83 - e86 * e89 - e92 * e93 + e94 * e97 - e99);
-        const Scalar e184 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e102 * e92 + e86 * e106 - e108 * e70 - e110 - e104 * e97);
-        J[0] = e182 * e62 - e183 - e184 * T_R_squared_squared;
-        const Scalar e185 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e121 * e83 - e124 * e89 - e127 * e93 - e94 * e129 - e99);
-        const Scalar e186 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e124 * e106 + e102 * e127 - e108 * e121 + e104 * e129 - e110);
-        const Scalar e187 = (e115 * e130 - e131) * e47 - (e122 * e132 - e131) * e38 + (e27 * e122 - e39 * e115) * e133 - e57
-            - e113 * e136;
-        const Scalar e188 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e187;
-        J[1] = e185 + e186 * T_R_squared_squared + e188 * e62;
-        const Scalar e189 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e152;
-        const Scalar e190 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e81_squared * e152;
-        const Scalar e191 = (e139 * e132 + e153) * e38 - inverse_15 * e56 - (e153 - e140 * e130) * e47
-            - (e27 * e139 + e39 * e140) * e133 + inverse_112 * e136;
-        const Scalar e192 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (-p_.h * e191);
-        J[2] = e189 * T_R_squared_squared - e190 + e192 * e62;
-        const Scalar e193 = e81_squared * e164 - e165 * (inverse_1 * e148 * e166 + e167 * e146) + c_.furnace_reflectivity_2
-            * e119 * e168;
-        const Scalar e194 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e193;
-        const Scalar e195 = e102 * (e166 * e49 - e48 * e64) + e119 * e169 * (e166 + e170) + e167 * e169 - e164;
-        const Scalar e196 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e195;
-        const Scalar e197 = inverse_11 * (e171 + e172) * e158 * e45 - inverse_1 * ((e159 * e171 - e173) * e38 + e37 * e170)
-            - (e159 * e172 + e173) * e49 * e46 + e119 * e135 - e157 * e52;
-        const Scalar e198 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e197;
-        J[3] = -e194 - e196 * T_R_squared_squared - e198 * e62;
-        const Scalar e199 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e75 * e82 * e174 - e94 * e175);
-        const Scalar e200 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e104 * e175 - c_.furnace_exchange_factor_2_3 * e100 * e174);
-        const Scalar e201 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e51 * inverse_35 * e34;
-        J[4] = e199 + e200 * T_R_squared_squared + e201 * e62;
-        const Scalar e202 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (c_.furnace_reach_1_2 * e109 - c_.furnace_reach_2_3 * e55 * e169);
-        const Scalar e203 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_reach_2_3 * e168;
-        const Scalar e204 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_reach_1_2 * e55 * e36;
-        J[5] = e202 * T_R_squared_squared - e203 + e204 * e62;
-        const Scalar e205 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e78 * e81_squared * e177;
-        const Scalar e206 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e103 * e71 * e176 + inverse_72 * e147 * e177);
-        const Scalar e207 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e36 * e49 * e134;
-        J[6] = -(-e205) - e206 * T_R_squared_squared - e207 * e62;
-        const Scalar e208 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e179;
-        const Scalar e209 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e81_squared * e179;
-        const Scalar e210 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * c_.furnace_exchange_factor_1_2 * inverse_35_squared;
-        J[7] = e208 * T_R_squared_squared - e209 - P * inverse_35_squared - e210 * e62;
-        const Scalar e211 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e81 * e178 * e180;
-        const Scalar e212 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * c_.furnace_exchange_factor_1_2 * e180;
-        J[8] = c_.k3 * e58 * (e59 + e60) + e211 + e212 * e61;
+        const Scalar inverse_1_squared = inverse_1 * inverse_1;
+        const Scalar e142 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e4 * e63;
+        const Scalar e143 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e65 * e63;
+        const Scalar e144 = (e69 + e72) * e76 - e19 * (c_.furnace_reach_1_1 * e79 - e80) - (e69 - e78) * e82 - p_.H * e79 + e84;
+        const Scalar e145 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e144;
+        J[0] = e142 * T_R_squared_squared - e143 + e145 * e89;
+        const Scalar e146 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e65 * e107;
+        const Scalar e147 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e4 * e107;
+        const Scalar e148 = (e94 * e108 - e109) * e82 - (e98 * e110 - e109) * e76 + (e71 * e98 - e77 * e94) * e111 - e84 - e92
+            * e113;
+        const Scalar e149 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e148;
+        J[1] = e146 - e147 * T_R_squared_squared + e149 * e89;
+        const Scalar e150 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e65 * e122;
+        const Scalar e151 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e4 * e122;
+        const Scalar e152 = (e120 * e110 + e123) * e76 - (e123 - e119 * e108) * e82 - inverse_26 * e83
+            - (e71 * e120 + e77 * e119) * e111 + inverse_91 * e113;
+        const Scalar e153 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (-p_.h * e152);
+        J[2] = e150 - e151 * T_R_squared_squared + e153 * e89;
+        const Scalar e154 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e65 * e134;
+        const Scalar e155 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e4 * e134;
+        const Scalar e156 = c_.furnace_reflectivity_1 * inverse_8 * (c_.furnace_reach_1_1 * e137 - e80);
+        const Scalar e157 = c_.furnace_reflectivity_2 * e58 * e75 + (e124 * e135 - e138) * e76 + (e124 * e136 + e138) * e82
+            - e36 * e112;
+        const Scalar e158 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e156 - inverse_8 * e157 + p_.b * e137);
+        J[3] = -e154 - (-e155) * T_R_squared_squared - e158 * e89;
+        const Scalar e159 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e65 * e15;
+        const Scalar e160 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e4 * e15;
+        const Scalar e161 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * p_.eps_R * c_.furnace_reach_1_2 * e12 * inverse_1;
+        J[4] = -e159 - (-e160) * T_R_squared_squared + e161 * e89;
+        const Scalar e162 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e65 * e60;
+        const Scalar e163 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e4 * e60;
+        const Scalar e164 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * c_.furnace_reach_1_2 * e58 * e73;
+        J[5] = -e162 - (-e163) * T_R_squared_squared + e164 * e89;
+        const Scalar e165 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e139;
+        const Scalar e166 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e64_squared * e139;
+        const Scalar e167 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e81 * e103;
+        J[6] = (-e165) * T_R_squared_squared - (-e166) - e167 * e89;
+        const Scalar e168 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e141;
+        const Scalar e169 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e64_squared * e141;
+        const Scalar e170 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * c_.furnace_exchange_factor_1_2 * inverse_1_squared;
+        J[7] = e168 * T_R_squared_squared - e169 - P * inverse_1_squared - e170 * e89;
+        const Scalar e171 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * p_.T_M * e64 * e140;
+        const Scalar e172 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * p_.T_M * c_.furnace_exchange_factor_1_2 * inverse_1;
+        J[8] = c_.k3 * e85 * (e86 + e87) + e171 + e172 * e88;
         J[9] = Scalar(0);
     }
 
@@ -593,10 +552,10 @@ public:
     /// Operations: 6 + or -, 7 *, 1 other functions
     ///     T_W = (T_M^4*exchange_factor[furnace, 1, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3]) +
     ///     exchange_factor[furnace, 2, 3]*T_R^4/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3]))^(1/4)
-    ///     Q_C = -stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*(1 - exchange_factor[furnace, 1,
-    ///     3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3])) + stefan_boltzmann*exchange_factor[furnace, 1,
-    ///     3]*exchange_factor[furnace, 2, 3]*T_R^4/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3]) -
-    ///     stefan_boltzmann*exchange_factor[furnace, 1, 2]*(T_M - T_R)*(T_M + T_R)*(T_M^2 + T_R^2)
+    ///     Q_C = -stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, 3]/(exchange_factor[furnace, 1,
+    ///     3] + exchange_factor[furnace, 2, 3]) + stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2,
+    ///     3]*T_R^4/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3]) - stefan_boltzmann*exchange_factor[furnace,
+    ///     1, 2]*(T_M - T_R)*(T_M + T_R)*(T_M^2 + T_R^2)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         using std::pow;
         const Scalar T_R = x[0];
@@ -671,17 +630,12 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 8 + or -, 11 *, 1 /
+    /// Operations: 6 + or -, 6 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar e1 = p_.T_M * p_.T_M;
-        const Scalar e2 = c_.furnace_exchange_factor_1_3 * e1;
         const Scalar P = u[0];
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        const Scalar e3 = e1 - e2 / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
-        const Scalar e4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e2 * e3);
-        return e4 + P + c_.k9 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared) - c_.k8 * T_R_squared * T_R_squared;
+        return c_.k7 + P + c_.k9 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared) - c_.k8 * T_R_squared * T_R_squared;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -713,7 +667,7 @@ private:
         Scalar k3;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2]/C_R
         Scalar k4;  ///< T_M^2
         Scalar k5;  ///< 2*stefan_boltzmann*exchange_factor[furnace, 1, 2]/C_R
-        Scalar k6;  ///< 4*stefan_boltzmann*exchange_factor[furnace, 2, 3]*(1 - exchange_factor[furnace, 2, ...
+        Scalar k6;  ///< 4*stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
         Scalar k7;  ///< stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
         Scalar k8;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
         Scalar k9;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2]

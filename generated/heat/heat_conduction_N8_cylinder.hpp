@@ -22,10 +22,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                12     60    14        0      8
+//   update                11     57    14        0      8
 //   rhs                   22     15     0        0      0
 //   rhs_and_jacobian      30     15     0        0      0
-//   jacobian_p            63    204    12        0      8
+//   jacobian_p            61    194    12        0      8
 //   output                 1      2     0        0      0
 //   output_jacobian_u      1      1     0        0      0
 //   internal_energy        7     21     0        0      0
@@ -213,7 +213,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 12 + or -, 60 *, 14 /, 8 other functions
+    /// Operations: 11 + or -, 57 *, 14 /, 8 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = Scalar(1) / p_.rho / p_.c_p;
@@ -260,12 +260,9 @@ public:
         c_.k13 = (Scalar(128) / Scalar(13)) * e27;
         const Scalar log_ratio_R = detail::log_ratio<Scalar>(p_.R, e25);
         const Scalar inverse_28 = Scalar(1) / log_ratio_R;
-        const Scalar e29 = p_.lambda * inverse_28;
-        const Scalar inverse_30 = Scalar(1) / (p_.R * p_.alpha + e29);
-        const Scalar e31 = (Scalar(128) / Scalar(15)) * p_.alpha * p_.T_inf * inverse_28 * inverse_30 * e7;
-        c_.k14 = e31 + e3;
-        const Scalar e32 = (Scalar(1) - inverse_30 * e29) * (inverse_28 * e8);
-        c_.k15 = (Scalar(128) / Scalar(15)) * e32;
+        const Scalar e29 = p_.alpha * inverse_28 * (e7 / (p_.R * p_.alpha + p_.lambda * inverse_28));
+        c_.k14 = (Scalar(128) / Scalar(15)) * p_.T_inf * e29 + e3;
+        c_.k15 = (Scalar(128) / Scalar(15)) * e29;
         c_.k16 = (Scalar(128) / Scalar(15)) * e27;
         c_.k17 = (Scalar(128) / Scalar(3)) * (e12 + e9);
         c_.k18 = (Scalar(128) / Scalar(5)) * (e12 + e15);
@@ -273,12 +270,12 @@ public:
         c_.k20 = (Scalar(128) / Scalar(9)) * (e18 + e21);
         c_.k21 = (Scalar(128) / Scalar(11)) * (e21 + e24);
         c_.k22 = (Scalar(128) / Scalar(13)) * (e24 + e27);
-        c_.k23 = (Scalar(128) / Scalar(15)) * (e27 + e32);
-        const Scalar e33 = p_.g / p_.lambda;
-        const Scalar e34 = (Scalar(1) / Scalar(2)) * p_.g / p_.alpha + (Scalar(1) / Scalar(4)) * p_.R * e33;
-        c_.k24 = p_.R * e34 + p_.T_inf;
-        c_.k25 = (Scalar(1) / Scalar(4)) * e33;
-        c_.k26 = (Scalar(1) / Scalar(2)) * e33;
+        c_.k23 = (Scalar(128) / Scalar(15)) * (e27 + e29);
+        const Scalar e30 = p_.g / p_.lambda;
+        const Scalar e31 = (Scalar(1) / Scalar(2)) * p_.g / p_.alpha + (Scalar(1) / Scalar(4)) * p_.R * e30;
+        c_.k24 = p_.R * e31 + p_.T_inf;
+        c_.k25 = (Scalar(1) / Scalar(4)) * e30;
+        c_.k26 = (Scalar(1) / Scalar(2)) * e30;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -313,9 +310,8 @@ public:
     ///     dot(T[7]) = g/(rho*c_p) + 128*lambda*(T[6] - T[7])/(13*R^2*rho*c_p*log_ratio(13*R/16, 11*R/16)) - 128*lambda*(T[7] -
     ///     T[8])/(13*R^2*rho*c_p*log_ratio(15*R/16, 13*R/16))
     ///     dot(T[8]) = (128*lambda*alpha*T_inf/(15*R*log_ratio(R, 15*R/16)*(R*alpha + lambda/log_ratio(R, 15*R/16))) + g)/(rho*c_p)
-    ///     - 128*lambda*(1 - lambda/(log_ratio(R, 15*R/16)*(R*alpha + lambda/log_ratio(R,
-    ///     15*R/16))))*T[8]/(15*R^2*rho*c_p*log_ratio(R, 15*R/16)) + 128*lambda*(T[7] - T[8])/(15*R^2*rho*c_p*log_ratio(15*R/16,
-    ///     13*R/16))
+    ///     - 128*lambda*alpha*T[8]/(15*R*rho*c_p*log_ratio(R, 15*R/16)*(R*alpha + lambda/log_ratio(R, 15*R/16))) + 128*lambda*(T[7]
+    ///     - T[8])/(15*R^2*rho*c_p*log_ratio(15*R/16, 13*R/16))
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -455,7 +451,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 8 x 8, entry (i, j) at J[8*j + i].
-    /// Operations: 63 + or -, 204 *, 12 /, 8 other functions
+    /// Operations: 61 + or -, 194 *, 12 /, 8 other functions
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -508,45 +504,43 @@ public:
         const Scalar log_ratio_41 = detail::log_ratio<Scalar>(e40, e35);
         const Scalar inverse_42 = Scalar(1) / log_ratio_41;
         const Scalar e43 = inverse_42 * e12;
-        const Scalar e44 = p_.alpha * p_.T_inf;
         const Scalar log_ratio_R = detail::log_ratio<Scalar>(p_.R, e40);
-        const Scalar inverse_45 = Scalar(1) / log_ratio_R;
-        const Scalar inverse_46 = Scalar(1) / (p_.R * p_.alpha + p_.lambda * inverse_45);
-        const Scalar e47 = inverse_45 * inverse_46;
-        const Scalar e48 = e11 * e47;
-        const Scalar e49 = p_.lambda * e47;
-        const Scalar e50 = e9 * e49;
-        const Scalar e51 = p_.alpha * e50;
-        const Scalar e52 = Scalar(1) - e49;
-        const Scalar e53 = inverse_45 * e52;
-        const Scalar e54 = inverse_4 * e10;
-        const Scalar e55 = inverse_17 * e10;
-        const Scalar e56 = inverse_22 * e10;
-        const Scalar e57 = inverse_27 * e10;
-        const Scalar e58 = inverse_32 * e10;
-        const Scalar e59 = inverse_37 * e10;
-        const Scalar e60 = inverse_42 * e10;
-        const Scalar e61 = inverse_6 * e11;
-        const Scalar e62 = inverse_4 * e61;
-        const Scalar e63 = p_.g * e8;
-        const Scalar e64 = inverse_6 * e63;
-        const Scalar e65 = inverse_17 * e61;
-        const Scalar e66 = inverse_22 * e61;
-        const Scalar e67 = inverse_27 * e61;
-        const Scalar e68 = inverse_32 * e61;
-        const Scalar e69 = inverse_37 * e61;
-        const Scalar e70 = inverse_42 * e61;
-        const Scalar e71 = e50 * e44 + (Scalar(15) / Scalar(128)) * e63;
-        const Scalar e72 = inverse_7 * e11;
-        const Scalar e73 = inverse_4 * e72;
-        const Scalar e74 = inverse_7 * e63;
-        const Scalar e75 = inverse_17 * e72;
-        const Scalar e76 = inverse_22 * e72;
-        const Scalar e77 = inverse_27 * e72;
-        const Scalar e78 = inverse_32 * e72;
-        const Scalar e79 = inverse_37 * e72;
-        const Scalar e80 = inverse_42 * e72;
-        const Scalar e81 = e49 * e50;
+        const Scalar inverse_44 = Scalar(1) / log_ratio_R;
+        const Scalar inverse_45 = Scalar(1) / (p_.R * p_.alpha + p_.lambda * inverse_44);
+        const Scalar e46 = inverse_44 * inverse_45;
+        const Scalar e47 = p_.alpha * e46;
+        const Scalar e48 = p_.lambda * e9;
+        const Scalar e49 = e47 * e48;
+        const Scalar e50 = p_.alpha * inverse_45 * e49 + e11 * e47;
+        const Scalar e51 = inverse_4 * e10;
+        const Scalar e52 = inverse_17 * e10;
+        const Scalar e53 = inverse_22 * e10;
+        const Scalar e54 = inverse_27 * e10;
+        const Scalar e55 = inverse_32 * e10;
+        const Scalar e56 = inverse_37 * e10;
+        const Scalar e57 = inverse_42 * e10;
+        const Scalar e58 = e9 * e47 - e46 * e49;
+        const Scalar e59 = inverse_6 * e11;
+        const Scalar e60 = inverse_4 * e59;
+        const Scalar e61 = p_.g * e8;
+        const Scalar e62 = inverse_6 * e61;
+        const Scalar e63 = inverse_17 * e59;
+        const Scalar e64 = inverse_22 * e59;
+        const Scalar e65 = inverse_27 * e59;
+        const Scalar e66 = inverse_32 * e59;
+        const Scalar e67 = inverse_37 * e59;
+        const Scalar e68 = inverse_42 * e59;
+        const Scalar e69 = (Scalar(128) / Scalar(15)) * p_.T_inf * e49 + e61;
+        const Scalar e70 = inverse_7 * e11;
+        const Scalar e71 = inverse_4 * e70;
+        const Scalar e72 = inverse_7 * e61;
+        const Scalar e73 = inverse_17 * e70;
+        const Scalar e74 = inverse_22 * e70;
+        const Scalar e75 = inverse_27 * e70;
+        const Scalar e76 = inverse_32 * e70;
+        const Scalar e77 = inverse_37 * e70;
+        const Scalar e78 = inverse_42 * e70;
+        const Scalar e79 = p_.lambda * e46 * (e46 * e48);
         J[0] = e1 * (Scalar(256) * e13);
         J[1] = e14 * ((Scalar(256) / Scalar(3)) * e18) - e1 * ((Scalar(256) / Scalar(3)) * e13);
         J[2] = e19 * ((Scalar(256) / Scalar(5)) * e23) - e14 * ((Scalar(256) / Scalar(5)) * e18);
@@ -554,8 +548,7 @@ public:
         J[4] = e29 * ((Scalar(256) / Scalar(9)) * e33) - e24 * ((Scalar(256) / Scalar(9)) * e28);
         J[5] = e34 * ((Scalar(256) / Scalar(11)) * e38) - e29 * ((Scalar(256) / Scalar(11)) * e33);
         J[6] = e39 * ((Scalar(256) / Scalar(13)) * e43) - e34 * ((Scalar(256) / Scalar(13)) * e38);
-        const Scalar e82 = (Scalar(128) / Scalar(15)) * p_.alpha * e49 * e48 - (Scalar(256) / Scalar(15)) * e12 * e53;
-        J[7] = -(Scalar(128) / Scalar(15)) * (e44 * (e48 + inverse_46 * e51)) - T_8 * e82 - e39
+        J[7] = T_8 * ((Scalar(128) / Scalar(15)) * e50) - (Scalar(128) / Scalar(15)) * p_.T_inf * e50 - e39
             * ((Scalar(256) / Scalar(15)) * e43);
         J[8] = Scalar(0);
         J[9] = Scalar(0);
@@ -565,34 +558,33 @@ public:
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
-        J[16] = -e1 * (Scalar(128) * e54);
-        J[17] = e1 * ((Scalar(128) / Scalar(3)) * e54) - e14 * ((Scalar(128) / Scalar(3)) * e55);
-        J[18] = e14 * ((Scalar(128) / Scalar(5)) * e55) - e19 * ((Scalar(128) / Scalar(5)) * e56);
-        J[19] = e19 * ((Scalar(128) / Scalar(7)) * e56) - e24 * ((Scalar(128) / Scalar(7)) * e57);
-        J[20] = e24 * ((Scalar(128) / Scalar(9)) * e57) - e29 * ((Scalar(128) / Scalar(9)) * e58);
-        J[21] = e29 * ((Scalar(128) / Scalar(11)) * e58) - e34 * ((Scalar(128) / Scalar(11)) * e59);
-        J[22] = e34 * ((Scalar(128) / Scalar(13)) * e59) - e39 * ((Scalar(128) / Scalar(13)) * e60);
-        const Scalar e83 = inverse_45 * e48 * (Scalar(256) / Scalar(15) - (Scalar(128) / Scalar(15)) * e49);
-        J[23] = T_8 * (e83 - (Scalar(128) / Scalar(15)) * inverse_45 * e10)
-            - (-(Scalar(128) / Scalar(15)) * e9 * e52 * e47 * e44) + e39 * ((Scalar(128) / Scalar(15)) * e60);
-        J[24] = e1 * (Scalar(128) * e62) - e64;
-        J[25] = e14 * ((Scalar(128) / Scalar(3)) * e65) - e64 - e1 * ((Scalar(128) / Scalar(3)) * e62);
-        J[26] = e19 * ((Scalar(128) / Scalar(5)) * e66) - e64 - e14 * ((Scalar(128) / Scalar(5)) * e65);
-        J[27] = e24 * ((Scalar(128) / Scalar(7)) * e67) - e64 - e19 * ((Scalar(128) / Scalar(7)) * e66);
-        J[28] = e29 * ((Scalar(128) / Scalar(9)) * e68) - e64 - e24 * ((Scalar(128) / Scalar(9)) * e67);
-        J[29] = e34 * ((Scalar(128) / Scalar(11)) * e69) - e64 - e29 * ((Scalar(128) / Scalar(11)) * e68);
-        J[30] = e39 * ((Scalar(128) / Scalar(13)) * e70) - e64 - e34 * ((Scalar(128) / Scalar(13)) * e69);
-        J[31] = T_8 * ((Scalar(128) / Scalar(15)) * e61 * e53) - (Scalar(128) / Scalar(15)) * inverse_6 * e71 - e39
-            * ((Scalar(128) / Scalar(15)) * e70);
-        J[32] = e1 * (Scalar(128) * e73) - e74;
-        J[33] = e14 * ((Scalar(128) / Scalar(3)) * e75) - e74 - e1 * ((Scalar(128) / Scalar(3)) * e73);
-        J[34] = e19 * ((Scalar(128) / Scalar(5)) * e76) - e74 - e14 * ((Scalar(128) / Scalar(5)) * e75);
-        J[35] = e24 * ((Scalar(128) / Scalar(7)) * e77) - e74 - e19 * ((Scalar(128) / Scalar(7)) * e76);
-        J[36] = e29 * ((Scalar(128) / Scalar(9)) * e78) - e74 - e24 * ((Scalar(128) / Scalar(9)) * e77);
-        J[37] = e34 * ((Scalar(128) / Scalar(11)) * e79) - e74 - e29 * ((Scalar(128) / Scalar(11)) * e78);
-        J[38] = e39 * ((Scalar(128) / Scalar(13)) * e80) - e74 - e34 * ((Scalar(128) / Scalar(13)) * e79);
-        J[39] = T_8 * ((Scalar(128) / Scalar(15)) * e72 * e53) - (Scalar(128) / Scalar(15)) * inverse_7 * e71 - e39
-            * ((Scalar(128) / Scalar(15)) * e80);
+        J[16] = -e1 * (Scalar(128) * e51);
+        J[17] = e1 * ((Scalar(128) / Scalar(3)) * e51) - e14 * ((Scalar(128) / Scalar(3)) * e52);
+        J[18] = e14 * ((Scalar(128) / Scalar(5)) * e52) - e19 * ((Scalar(128) / Scalar(5)) * e53);
+        J[19] = e19 * ((Scalar(128) / Scalar(7)) * e53) - e24 * ((Scalar(128) / Scalar(7)) * e54);
+        J[20] = e24 * ((Scalar(128) / Scalar(9)) * e54) - e29 * ((Scalar(128) / Scalar(9)) * e55);
+        J[21] = e29 * ((Scalar(128) / Scalar(11)) * e55) - e34 * ((Scalar(128) / Scalar(11)) * e56);
+        J[22] = e34 * ((Scalar(128) / Scalar(13)) * e56) - e39 * ((Scalar(128) / Scalar(13)) * e57);
+        J[23] = T_8 * (-(Scalar(128) / Scalar(15)) * e58) - (-(Scalar(128) / Scalar(15)) * p_.T_inf * e58) + e39
+            * ((Scalar(128) / Scalar(15)) * e57);
+        J[24] = e1 * (Scalar(128) * e60) - e62;
+        J[25] = e14 * ((Scalar(128) / Scalar(3)) * e63) - e62 - e1 * ((Scalar(128) / Scalar(3)) * e60);
+        J[26] = e19 * ((Scalar(128) / Scalar(5)) * e64) - e62 - e14 * ((Scalar(128) / Scalar(5)) * e63);
+        J[27] = e24 * ((Scalar(128) / Scalar(7)) * e65) - e62 - e19 * ((Scalar(128) / Scalar(7)) * e64);
+        J[28] = e29 * ((Scalar(128) / Scalar(9)) * e66) - e62 - e24 * ((Scalar(128) / Scalar(9)) * e65);
+        J[29] = e34 * ((Scalar(128) / Scalar(11)) * e67) - e62 - e29 * ((Scalar(128) / Scalar(11)) * e66);
+        J[30] = e39 * ((Scalar(128) / Scalar(13)) * e68) - e62 - e34 * ((Scalar(128) / Scalar(13)) * e67);
+        J[31] = T_8 * ((Scalar(128) / Scalar(15)) * inverse_6 * e49) - inverse_6 * e69 - e39
+            * ((Scalar(128) / Scalar(15)) * e68);
+        J[32] = e1 * (Scalar(128) * e71) - e72;
+        J[33] = e14 * ((Scalar(128) / Scalar(3)) * e73) - e72 - e1 * ((Scalar(128) / Scalar(3)) * e71);
+        J[34] = e19 * ((Scalar(128) / Scalar(5)) * e74) - e72 - e14 * ((Scalar(128) / Scalar(5)) * e73);
+        J[35] = e24 * ((Scalar(128) / Scalar(7)) * e75) - e72 - e19 * ((Scalar(128) / Scalar(7)) * e74);
+        J[36] = e29 * ((Scalar(128) / Scalar(9)) * e76) - e72 - e24 * ((Scalar(128) / Scalar(9)) * e75);
+        J[37] = e34 * ((Scalar(128) / Scalar(11)) * e77) - e72 - e29 * ((Scalar(128) / Scalar(11)) * e76);
+        J[38] = e39 * ((Scalar(128) / Scalar(13)) * e78) - e72 - e34 * ((Scalar(128) / Scalar(13)) * e77);
+        J[39] = T_8 * ((Scalar(128) / Scalar(15)) * inverse_7 * e49) - inverse_7 * e69 - e39
+            * ((Scalar(128) / Scalar(15)) * e78);
         J[40] = e8;
         J[41] = e8;
         J[42] = e8;
@@ -608,7 +600,7 @@ public:
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = Scalar(0);
-        J[55] = (Scalar(128) / Scalar(15)) * p_.T_inf * e81 - T_8 * ((Scalar(128) / Scalar(15)) * e81);
+        J[55] = (Scalar(128) / Scalar(15)) * p_.T_inf * e79 - T_8 * ((Scalar(128) / Scalar(15)) * e79);
         J[56] = Scalar(0);
         J[57] = Scalar(0);
         J[58] = Scalar(0);
@@ -616,7 +608,7 @@ public:
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = Scalar(0);
-        J[63] = (Scalar(128) / Scalar(15)) * e51;
+        J[63] = c_.k15;
     }
 
     /// J = df/dt at fixed x and u.
@@ -800,7 +792,7 @@ private:
         Scalar k12;  ///< 128*lambda/(13*R^2*rho*c_p*log_ratio(13*R/16, 11*R/16))
         Scalar k13;  ///< 128*lambda/(13*R^2*rho*c_p*log_ratio(15*R/16, 13*R/16))
         Scalar k14;  ///< (128*lambda*alpha*T_inf/(15*R*log_ratio(R, 15*R/16)*(R*alpha + lambda/log_ratio(R, 15*R/16))) + ...
-        Scalar k15;  ///< 128*lambda*(1 - lambda/(log_ratio(R, 15*R/16)*(R*alpha + lambda/log_ratio(R, ...
+        Scalar k15;  ///< 128*lambda*alpha/(15*R*rho*c_p*log_ratio(R, 15*R/16)*(R*alpha + lambda/log_ratio(R, 15*R/16)))
         Scalar k16;  ///< 128*lambda/(15*R^2*rho*c_p*log_ratio(15*R/16, 13*R/16))
         Scalar k17;  ///< 128*lambda*(1/log_ratio(3*R/16, R/16) + 1/log_ratio(5*R/16, 3*R/16))/(3*R^2*rho*c_p)
         Scalar k18;  ///< 128*lambda*(1/log_ratio(5*R/16, 3*R/16) + 1/log_ratio(7*R/16, 5*R/16))/(5*R^2*rho*c_p)
@@ -808,7 +800,7 @@ private:
         Scalar k20;  ///< 128*lambda*(1/log_ratio(11*R/16, 9*R/16) + 1/log_ratio(9*R/16, 7*R/16))/(9*R^2*rho*c_p)
         Scalar k21;  ///< 128*lambda*(1/log_ratio(11*R/16, 9*R/16) + 1/log_ratio(13*R/16, 11*R/16))/(11*R^2*rho*c_p)
         Scalar k22;  ///< 128*lambda*(1/log_ratio(13*R/16, 11*R/16) + 1/log_ratio(15*R/16, 13*R/16))/(13*R^2*rho*c_p)
-        Scalar k23;  ///< 128*lambda*(-lambda/(log_ratio(R, 15*R/16)^2*(R*alpha + lambda/log_ratio(R, 15*R/16))) + ...
+        Scalar k23;  ///< 128*lambda*(1/(R*log_ratio(15*R/16, 13*R/16)) + alpha/(log_ratio(R, 15*R/16)*(R*alpha + ...
         Scalar k24;  ///< R^2*g/(4*lambda) + R*g/(2*alpha) + T_inf
         Scalar k25;  ///< g/(4*lambda)
         Scalar k26;  ///< g/(2*lambda)

@@ -22,10 +22,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 6     44     6        0      0
+//   update                 5     40     6        0      0
 //   rhs                   22     15     0        0      0
 //   rhs_and_jacobian      30     15     0        0      0
-//   jacobian_p            64    166     4        0      0
+//   jacobian_p            61    159     4        0      0
 //   output                 1      2     0        0      0
 //   output_jacobian_u      1      1     0        0      0
 //   internal_energy        7     21     0        0      0
@@ -193,7 +193,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 6 + or -, 44 *, 6 /
+    /// Operations: 5 + or -, 40 *, 6 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = Scalar(1) / p_.rho / p_.c_p;
@@ -217,23 +217,24 @@ public:
         c_.k11 = (Scalar(528) / Scalar(7)) * e6;
         c_.k12 = (Scalar(6864) / Scalar(127)) * e6;
         c_.k13 = (Scalar(9360) / Scalar(127)) * e6;
-        const Scalar inverse_7 = Scalar(1) / (p_.R * p_.alpha + Scalar(15) * p_.lambda);
-        c_.k14 = (Scalar(23040) / Scalar(169)) * p_.alpha * p_.T_inf * inverse_7 * e5 + e3;
-        const Scalar e8 = (Scalar(345600) / Scalar(169)) * (e6 * (p_.lambda * inverse_7));
-        c_.k15 = (Scalar(23040) / Scalar(169)) * e6 - e8;
-        c_.k16 = (Scalar(720) / Scalar(13)) * e6;
+        const Scalar e7 = e5 * (p_.alpha / (p_.R * p_.alpha + Scalar(15) * p_.lambda));
+        c_.k14 = (Scalar(23040) / Scalar(169)) * p_.T_inf * e7 + e3;
+        const Scalar e8 = (Scalar(23040) / Scalar(169)) * e7;
+        c_.k15 = e8;
+        const Scalar e9 = (Scalar(720) / Scalar(13)) * e6;
+        c_.k16 = e9;
         c_.k17 = (Scalar(864) / Scalar(7)) * e6;
         c_.k18 = (Scalar(2400) / Scalar(19)) * e6;
         c_.k19 = (Scalar(4704) / Scalar(37)) * e6;
         c_.k20 = (Scalar(7776) / Scalar(61)) * e6;
         c_.k21 = (Scalar(11616) / Scalar(91)) * e6;
         c_.k22 = (Scalar(16224) / Scalar(127)) * e6;
-        c_.k23 = (Scalar(32400) / Scalar(169)) * e6 - e8;
-        const Scalar e9 = p_.g / p_.lambda;
-        const Scalar e10 = (Scalar(1) / Scalar(3)) * p_.g / p_.alpha + (Scalar(1) / Scalar(6)) * p_.R * e9;
-        c_.k24 = p_.R * e10 + p_.T_inf;
-        c_.k25 = (Scalar(1) / Scalar(6)) * e9;
-        c_.k26 = (Scalar(1) / Scalar(3)) * e9;
+        c_.k23 = e9 + e8;
+        const Scalar e10 = p_.g / p_.lambda;
+        const Scalar e11 = (Scalar(1) / Scalar(3)) * p_.g / p_.alpha + (Scalar(1) / Scalar(6)) * p_.R * e10;
+        c_.k24 = p_.R * e11 + p_.T_inf;
+        c_.k25 = (Scalar(1) / Scalar(6)) * e10;
+        c_.k26 = (Scalar(1) / Scalar(3)) * e10;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -261,8 +262,8 @@ public:
     ///     dot(T[5]) = g/(rho*c_p) + 3024*lambda*(T[4] - T[5])/(61*R^2*rho*c_p) - 4752*lambda*(T[5] - T[6])/(61*R^2*rho*c_p)
     ///     dot(T[6]) = g/(rho*c_p) + 4752*lambda*(T[5] - T[6])/(91*R^2*rho*c_p) - 528*lambda*(T[6] - T[7])/(7*R^2*rho*c_p)
     ///     dot(T[7]) = g/(rho*c_p) + 6864*lambda*(T[6] - T[7])/(127*R^2*rho*c_p) - 9360*lambda*(T[7] - T[8])/(127*R^2*rho*c_p)
-    ///     dot(T[8]) = (23040*lambda*alpha*T_inf/(169*R*(R*alpha + 15*lambda)) + g)/(rho*c_p) - lambda*(23040/169 -
-    ///     345600*lambda/(169*(R*alpha + 15*lambda)))*T[8]/(R^2*rho*c_p) + 720*lambda*(T[7] - T[8])/(13*R^2*rho*c_p)
+    ///     dot(T[8]) = (23040*lambda*alpha*T_inf/(169*R*(R*alpha + 15*lambda)) + g)/(rho*c_p) -
+    ///     23040*lambda*alpha*T[8]/(169*R*rho*c_p*(R*alpha + 15*lambda)) + 720*lambda*(T[7] - T[8])/(13*R^2*rho*c_p)
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -402,7 +403,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 8 x 7, entry (i, j) at J[8*j + i].
-    /// Operations: 64 + or -, 166 *, 4 /
+    /// Operations: 61 + or -, 159 *, 4 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -429,21 +430,18 @@ public:
         const Scalar e15 = T_7 - T_8;
         const Scalar inverse_16 = Scalar(1) / (p_.R * p_.alpha + Scalar(15) * p_.lambda);
         const Scalar e17 = p_.lambda * inverse_16;
-        const Scalar e18 = p_.alpha * e17;
-        const Scalar e19 = inverse_16 * e8;
-        const Scalar e20 = e18 * e19;
-        const Scalar e21 = p_.T_inf * e6;
-        const Scalar e22 = inverse_16 * e21;
-        const Scalar e23 = p_.alpha * e22;
-        const Scalar e17_squared = e17 * e17;
-        const Scalar e24 = Scalar(1) - (Scalar(15) / Scalar(2)) * e17;
-        const Scalar e25 = inverse_3 * e8;
-        const Scalar e26 = p_.g * e5;
-        const Scalar e27 = inverse_3 * e26;
-        const Scalar e28 = (Scalar(23040) / Scalar(169)) * e18 * e21 + e26;
-        const Scalar e29 = inverse_4 * e8;
-        const Scalar e30 = inverse_4 * e26;
-        const Scalar e31 = e6 * e18;
+        const Scalar e18 = p_.alpha * e6;
+        const Scalar e19 = ((Scalar(15) / Scalar(2)) * e8 + e18) * (p_.alpha * inverse_16);
+        const Scalar e20 = p_.T_inf * e17;
+        const Scalar e21 = (Scalar(1) - Scalar(15) * e17) * (inverse_16 * e18);
+        const Scalar e22 = inverse_3 * e8;
+        const Scalar e23 = p_.g * e5;
+        const Scalar e24 = inverse_3 * e23;
+        const Scalar e25 = e17 * e18;
+        const Scalar e26 = e23 + (Scalar(23040) / Scalar(169)) * e18 * e20;
+        const Scalar e27 = inverse_4 * e8;
+        const Scalar e28 = inverse_4 * e23;
+        const Scalar e29 = e6 * e17;
         J[0] = e1 * (Scalar(288) * e9);
         J[1] = e10 * ((Scalar(1440) / Scalar(7)) * e9) - e1 * ((Scalar(288) / Scalar(7)) * e9);
         J[2] = e11 * ((Scalar(3360) / Scalar(19)) * e9) - e10 * ((Scalar(1440) / Scalar(19)) * e9);
@@ -451,9 +449,8 @@ public:
         J[4] = e13 * ((Scalar(9504) / Scalar(61)) * e9) - e12 * ((Scalar(6048) / Scalar(61)) * e9);
         J[5] = e14 * ((Scalar(1056) / Scalar(7)) * e9) - e13 * ((Scalar(9504) / Scalar(91)) * e9);
         J[6] = e15 * ((Scalar(18720) / Scalar(127)) * e9) - e14 * ((Scalar(13728) / Scalar(127)) * e9);
-        const Scalar e32 = (Scalar(345600) / Scalar(169)) * p_.T_inf * e20 + (Scalar(46080) / Scalar(169)) * e18 * e23;
-        const Scalar e33 = (Scalar(5184000) / Scalar(169)) * e17_squared - (Scalar(46080) / Scalar(169)) * e24;
-        J[7] = -e32 - T_8 * (e9 * e33 + (Scalar(691200) / Scalar(169)) * e20) - e15 * ((Scalar(1440) / Scalar(13)) * e9);
+        J[7] = T_8 * ((Scalar(46080) / Scalar(169)) * e17 * e19) - (Scalar(46080) / Scalar(169)) * e20 * e19 - e15
+            * ((Scalar(1440) / Scalar(13)) * e9);
         J[8] = -e1 * (Scalar(144) * e7);
         J[9] = e1 * ((Scalar(144) / Scalar(7)) * e7) - e10 * ((Scalar(720) / Scalar(7)) * e7);
         J[10] = e10 * ((Scalar(720) / Scalar(19)) * e7) - e11 * ((Scalar(1680) / Scalar(19)) * e7);
@@ -461,27 +458,26 @@ public:
         J[12] = e12 * ((Scalar(3024) / Scalar(61)) * e7) - e13 * ((Scalar(4752) / Scalar(61)) * e7);
         J[13] = e13 * ((Scalar(4752) / Scalar(91)) * e7) - e14 * ((Scalar(528) / Scalar(7)) * e7);
         J[14] = e14 * ((Scalar(6864) / Scalar(127)) * e7) - e15 * ((Scalar(9360) / Scalar(127)) * e7);
-        const Scalar e34 = (Scalar(691200) / Scalar(169)) * e19 * e24 - (Scalar(23040) / Scalar(169)) * e7;
-        const Scalar e35 = (Scalar(345600) / Scalar(169)) * e18 * e22 - (Scalar(23040) / Scalar(169)) * e23;
-        J[15] = T_8 * e34 - e35 + e15 * ((Scalar(720) / Scalar(13)) * e7);
-        J[16] = e1 * (Scalar(144) * e25) - e27;
-        J[17] = e10 * ((Scalar(720) / Scalar(7)) * e25) - e27 - e1 * ((Scalar(144) / Scalar(7)) * e25);
-        J[18] = e11 * ((Scalar(1680) / Scalar(19)) * e25) - e27 - e10 * ((Scalar(720) / Scalar(19)) * e25);
-        J[19] = e12 * ((Scalar(3024) / Scalar(37)) * e25) - e27 - e11 * ((Scalar(1680) / Scalar(37)) * e25);
-        J[20] = e13 * ((Scalar(4752) / Scalar(61)) * e25) - e27 - e12 * ((Scalar(3024) / Scalar(61)) * e25);
-        J[21] = e14 * ((Scalar(528) / Scalar(7)) * e25) - e27 - e13 * ((Scalar(4752) / Scalar(91)) * e25);
-        J[22] = e15 * ((Scalar(9360) / Scalar(127)) * e25) - e27 - e14 * ((Scalar(6864) / Scalar(127)) * e25);
-        const Scalar e36 = e25 * (Scalar(23040) / Scalar(169) - (Scalar(345600) / Scalar(169)) * e17);
-        J[23] = T_8 * e36 - inverse_3 * e28 - e15 * ((Scalar(720) / Scalar(13)) * e25);
-        J[24] = e1 * (Scalar(144) * e29) - e30;
-        J[25] = e10 * ((Scalar(720) / Scalar(7)) * e29) - e30 - e1 * ((Scalar(144) / Scalar(7)) * e29);
-        J[26] = e11 * ((Scalar(1680) / Scalar(19)) * e29) - e30 - e10 * ((Scalar(720) / Scalar(19)) * e29);
-        J[27] = e12 * ((Scalar(3024) / Scalar(37)) * e29) - e30 - e11 * ((Scalar(1680) / Scalar(37)) * e29);
-        J[28] = e13 * ((Scalar(4752) / Scalar(61)) * e29) - e30 - e12 * ((Scalar(3024) / Scalar(61)) * e29);
-        J[29] = e14 * ((Scalar(528) / Scalar(7)) * e29) - e30 - e13 * ((Scalar(4752) / Scalar(91)) * e29);
-        J[30] = e15 * ((Scalar(9360) / Scalar(127)) * e29) - e30 - e14 * ((Scalar(6864) / Scalar(127)) * e29);
-        J[31] = T_8 * ((Scalar(23040) / Scalar(169)) * inverse_4 * e31) - inverse_4 * e28 - e15
-            * ((Scalar(720) / Scalar(13)) * e29);
+        J[15] = T_8 * (-(Scalar(23040) / Scalar(169)) * e21) - (-(Scalar(23040) / Scalar(169)) * p_.T_inf * e21) + e15
+            * ((Scalar(720) / Scalar(13)) * e7);
+        J[16] = e1 * (Scalar(144) * e22) - e24;
+        J[17] = e10 * ((Scalar(720) / Scalar(7)) * e22) - e24 - e1 * ((Scalar(144) / Scalar(7)) * e22);
+        J[18] = e11 * ((Scalar(1680) / Scalar(19)) * e22) - e24 - e10 * ((Scalar(720) / Scalar(19)) * e22);
+        J[19] = e12 * ((Scalar(3024) / Scalar(37)) * e22) - e24 - e11 * ((Scalar(1680) / Scalar(37)) * e22);
+        J[20] = e13 * ((Scalar(4752) / Scalar(61)) * e22) - e24 - e12 * ((Scalar(3024) / Scalar(61)) * e22);
+        J[21] = e14 * ((Scalar(528) / Scalar(7)) * e22) - e24 - e13 * ((Scalar(4752) / Scalar(91)) * e22);
+        J[22] = e15 * ((Scalar(9360) / Scalar(127)) * e22) - e24 - e14 * ((Scalar(6864) / Scalar(127)) * e22);
+        J[23] = T_8 * ((Scalar(23040) / Scalar(169)) * inverse_3 * e25) - inverse_3 * e26 - e15
+            * ((Scalar(720) / Scalar(13)) * e22);
+        J[24] = e1 * (Scalar(144) * e27) - e28;
+        J[25] = e10 * ((Scalar(720) / Scalar(7)) * e27) - e28 - e1 * ((Scalar(144) / Scalar(7)) * e27);
+        J[26] = e11 * ((Scalar(1680) / Scalar(19)) * e27) - e28 - e10 * ((Scalar(720) / Scalar(19)) * e27);
+        J[27] = e12 * ((Scalar(3024) / Scalar(37)) * e27) - e28 - e11 * ((Scalar(1680) / Scalar(37)) * e27);
+        J[28] = e13 * ((Scalar(4752) / Scalar(61)) * e27) - e28 - e12 * ((Scalar(3024) / Scalar(61)) * e27);
+        J[29] = e14 * ((Scalar(528) / Scalar(7)) * e27) - e28 - e13 * ((Scalar(4752) / Scalar(91)) * e27);
+        J[30] = e15 * ((Scalar(9360) / Scalar(127)) * e27) - e28 - e14 * ((Scalar(6864) / Scalar(127)) * e27);
+        J[31] = T_8 * ((Scalar(23040) / Scalar(169)) * inverse_4 * e25) - inverse_4 * e26 - e15
+            * ((Scalar(720) / Scalar(13)) * e27);
         J[32] = e5;
         J[33] = e5;
         J[34] = e5;
@@ -497,7 +493,7 @@ public:
         J[44] = Scalar(0);
         J[45] = Scalar(0);
         J[46] = Scalar(0);
-        J[47] = (Scalar(345600) / Scalar(169)) * e21 * e17_squared - T_8 * ((Scalar(345600) / Scalar(169)) * e6 * e17_squared);
+        J[47] = (Scalar(345600) / Scalar(169)) * e20 * e29 - T_8 * ((Scalar(345600) / Scalar(169)) * e17 * e29);
         J[48] = Scalar(0);
         J[49] = Scalar(0);
         J[50] = Scalar(0);
@@ -505,7 +501,7 @@ public:
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = Scalar(0);
-        J[55] = (Scalar(23040) / Scalar(169)) * e31;
+        J[55] = c_.k15;
     }
 
     /// J = df/dt at fixed x and u.
@@ -689,7 +685,7 @@ private:
         Scalar k12;  ///< 6864*lambda/(127*R^2*rho*c_p)
         Scalar k13;  ///< 9360*lambda/(127*R^2*rho*c_p)
         Scalar k14;  ///< (23040*lambda*alpha*T_inf/(169*R*(R*alpha + 15*lambda)) + g)/(rho*c_p)
-        Scalar k15;  ///< lambda*(23040/169 - 345600*lambda/(169*(R*alpha + 15*lambda)))/(R^2*rho*c_p)
+        Scalar k15;  ///< 23040*lambda*alpha/(169*R*rho*c_p*(R*alpha + 15*lambda))
         Scalar k16;  ///< 720*lambda/(13*R^2*rho*c_p)
         Scalar k17;  ///< 864*lambda/(7*R^2*rho*c_p)
         Scalar k18;  ///< 2400*lambda/(19*R^2*rho*c_p)
@@ -697,7 +693,7 @@ private:
         Scalar k20;  ///< 7776*lambda/(61*R^2*rho*c_p)
         Scalar k21;  ///< 11616*lambda/(91*R^2*rho*c_p)
         Scalar k22;  ///< 16224*lambda/(127*R^2*rho*c_p)
-        Scalar k23;  ///< lambda*(32400/169 - 345600*lambda/(169*(R*alpha + 15*lambda)))/(R^2*rho*c_p)
+        Scalar k23;  ///< lambda*(720/(13*R) + 23040*alpha/(169*(R*alpha + 15*lambda)))/(R*rho*c_p)
         Scalar k24;  ///< R^2*g/(6*lambda) + R*g/(3*alpha) + T_inf
         Scalar k25;  ///< g/(6*lambda)
         Scalar k26;  ///< g/(3*lambda)

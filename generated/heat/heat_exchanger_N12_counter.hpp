@@ -16,11 +16,11 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 3     21     8        0      0
-//   rhs                   51     74     0        0      0
-//   rhs_and_jacobian      53     74     0        0      0
+//   update                 2     19     8        0      0
+//   rhs                   50     74     0        0      0
+//   rhs_and_jacobian      52     74     0        0      0
 //   jacobian_u            24     28     0        0      0
-//   jacobian_p           158    303     5        0      0
+//   jacobian_p           124    233     5        0      0
 //   output                28     13     4        0      3
 //   output_jacobian_x      3      4     2        0      1
 //   output_jacobian_u     38     43     4        0      6
@@ -302,30 +302,26 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 + or -, 21 *, 8 /
+    /// Operations: 2 + or -, 19 *, 8 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.k = Scalar(1) / (Scalar(1) / p_.alpha_h + Scalar(1) / p_.alpha_c);
         const Scalar inverse_1 = Scalar(1) / p_.M_h;
         c_.k0 = Scalar(12) * inverse_1;
         const Scalar e2 = p_.L * p_.b;
-        const Scalar e3 = p_.alpha_c * e2;
-        const Scalar e4 = e3 / (p_.alpha_h + p_.alpha_c);
-        const Scalar e5 = p_.alpha_h * e4;
-        c_.k1 = inverse_1 * e5 / p_.c_h;
-        const Scalar inverse_6 = Scalar(1) / p_.M_c;
-        c_.k2 = Scalar(12) * inverse_6;
-        const Scalar e7 = inverse_6 / p_.c_c;
-        c_.k3 = e5 * e7;
-        c_.k4 = e7 * (e3 - p_.alpha_c * e4);
-        c_.k5 = (Scalar(1) / Scalar(12)) * e5;
-        const Scalar e8 = c_.k * e2;
-        c_.k6 = e8;
-        const Scalar e8_squared = e8 * e8;
-        c_.k7 = p_.c_h * e8_squared;
-        c_.k8 = (Scalar(1) / Scalar(12)) * p_.c_h * e5;
-        c_.k9 = p_.c_c * e8_squared;
-        c_.k10 = (Scalar(1) / Scalar(12)) * p_.c_c * e5;
+        const Scalar e3 = p_.alpha_h * p_.alpha_c * (e2 / (p_.alpha_h + p_.alpha_c));
+        c_.k1 = inverse_1 * e3 / p_.c_h;
+        const Scalar inverse_4 = Scalar(1) / p_.M_c;
+        c_.k2 = Scalar(12) * inverse_4;
+        c_.k3 = inverse_4 * e3 / p_.c_c;
+        c_.k4 = (Scalar(1) / Scalar(12)) * e3;
+        const Scalar e5 = c_.k * e2;
+        c_.k5 = e5;
+        const Scalar e5_squared = e5 * e5;
+        c_.k6 = p_.c_h * e5_squared;
+        c_.k7 = (Scalar(1) / Scalar(12)) * p_.c_h * e3;
+        c_.k8 = p_.c_c * e5_squared;
+        c_.k9 = (Scalar(1) / Scalar(12)) * p_.c_c * e3;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -361,55 +357,55 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 51 + or -, 74 *
-    ///     dot(T_h[1]) = 12*m_h*T_hi/M_h - 12*m_h*T_h[1]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[1]/(c_h*M_h) +
+    /// Operations: 50 + or -, 74 *
+    ///     dot(T_h[1]) = 12*m_h*T_hi/M_h - 12*m_h*T_h[1]/M_h - L*b*alpha_h*alpha_c*T_h[1]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[1]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[2]) = 12*m_h*T_h[1]/M_h - 12*m_h*T_h[2]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[2]/(c_h*M_h) +
+    ///     dot(T_h[2]) = 12*m_h*T_h[1]/M_h - 12*m_h*T_h[2]/M_h - L*b*alpha_h*alpha_c*T_h[2]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[2]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[3]) = 12*m_h*T_h[2]/M_h - 12*m_h*T_h[3]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[3]/(c_h*M_h) +
+    ///     dot(T_h[3]) = 12*m_h*T_h[2]/M_h - 12*m_h*T_h[3]/M_h - L*b*alpha_h*alpha_c*T_h[3]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[3]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[4]) = 12*m_h*T_h[3]/M_h - 12*m_h*T_h[4]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[4]/(c_h*M_h) +
+    ///     dot(T_h[4]) = 12*m_h*T_h[3]/M_h - 12*m_h*T_h[4]/M_h - L*b*alpha_h*alpha_c*T_h[4]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[4]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[5]) = 12*m_h*T_h[4]/M_h - 12*m_h*T_h[5]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[5]/(c_h*M_h) +
+    ///     dot(T_h[5]) = 12*m_h*T_h[4]/M_h - 12*m_h*T_h[5]/M_h - L*b*alpha_h*alpha_c*T_h[5]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[5]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[6]) = 12*m_h*T_h[5]/M_h - 12*m_h*T_h[6]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[6]/(c_h*M_h) +
+    ///     dot(T_h[6]) = 12*m_h*T_h[5]/M_h - 12*m_h*T_h[6]/M_h - L*b*alpha_h*alpha_c*T_h[6]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[6]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[7]) = 12*m_h*T_h[6]/M_h - 12*m_h*T_h[7]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[7]/(c_h*M_h) +
+    ///     dot(T_h[7]) = 12*m_h*T_h[6]/M_h - 12*m_h*T_h[7]/M_h - L*b*alpha_h*alpha_c*T_h[7]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[7]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[8]) = 12*m_h*T_h[7]/M_h - 12*m_h*T_h[8]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[8]/(c_h*M_h) +
+    ///     dot(T_h[8]) = 12*m_h*T_h[7]/M_h - 12*m_h*T_h[8]/M_h - L*b*alpha_h*alpha_c*T_h[8]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[8]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[9]) = 12*m_h*T_h[8]/M_h - 12*m_h*T_h[9]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[9]/(c_h*M_h) +
+    ///     dot(T_h[9]) = 12*m_h*T_h[8]/M_h - 12*m_h*T_h[9]/M_h - L*b*alpha_h*alpha_c*T_h[9]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[9]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[10]) = 12*m_h*T_h[9]/M_h - 12*m_h*T_h[10]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[10]/(c_h*M_h)
-    ///     + L*b*alpha_h*alpha_c*T_c[10]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[11]) = 12*m_h*T_h[10]/M_h - 12*m_h*T_h[11]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[11]/(c_h*M_h)
-    ///     + L*b*alpha_h*alpha_c*T_c[11]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[12]) = 12*m_h*T_h[11]/M_h - 12*m_h*T_h[12]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[12]/(c_h*M_h)
-    ///     + L*b*alpha_h*alpha_c*T_c[12]/(c_h*M_h*(alpha_h + alpha_c))
+    ///     dot(T_h[10]) = 12*m_h*T_h[9]/M_h - 12*m_h*T_h[10]/M_h - L*b*alpha_h*alpha_c*T_h[10]/(c_h*M_h*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_c[10]/(c_h*M_h*(alpha_h + alpha_c))
+    ///     dot(T_h[11]) = 12*m_h*T_h[10]/M_h - 12*m_h*T_h[11]/M_h - L*b*alpha_h*alpha_c*T_h[11]/(c_h*M_h*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_c[11]/(c_h*M_h*(alpha_h + alpha_c))
+    ///     dot(T_h[12]) = 12*m_h*T_h[11]/M_h - 12*m_h*T_h[12]/M_h - L*b*alpha_h*alpha_c*T_h[12]/(c_h*M_h*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_c[12]/(c_h*M_h*(alpha_h + alpha_c))
     ///     dot(T_c[1]) = -12*m_c*T_c[1]/M_c + 12*m_c*T_c[2]/M_c + L*b*alpha_h*alpha_c*T_h[1]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[1]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[1]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[2]) = -12*m_c*T_c[2]/M_c + 12*m_c*T_c[3]/M_c + L*b*alpha_h*alpha_c*T_h[2]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[2]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[2]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[3]) = -12*m_c*T_c[3]/M_c + 12*m_c*T_c[4]/M_c + L*b*alpha_h*alpha_c*T_h[3]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[3]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[3]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[4]) = -12*m_c*T_c[4]/M_c + 12*m_c*T_c[5]/M_c + L*b*alpha_h*alpha_c*T_h[4]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[4]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[4]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[5]) = -12*m_c*T_c[5]/M_c + 12*m_c*T_c[6]/M_c + L*b*alpha_h*alpha_c*T_h[5]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[5]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[5]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[6]) = -12*m_c*T_c[6]/M_c + 12*m_c*T_c[7]/M_c + L*b*alpha_h*alpha_c*T_h[6]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[6]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[6]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[7]) = -12*m_c*T_c[7]/M_c + 12*m_c*T_c[8]/M_c + L*b*alpha_h*alpha_c*T_h[7]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[7]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[7]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[8]) = -12*m_c*T_c[8]/M_c + 12*m_c*T_c[9]/M_c + L*b*alpha_h*alpha_c*T_h[8]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[8]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[8]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[9]) = -12*m_c*T_c[9]/M_c + 12*m_c*T_c[10]/M_c + L*b*alpha_h*alpha_c*T_h[9]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[9]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[9]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[10]) = -12*m_c*T_c[10]/M_c + 12*m_c*T_c[11]/M_c + L*b*alpha_h*alpha_c*T_h[10]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[10]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[10]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[11]) = -12*m_c*T_c[11]/M_c + 12*m_c*T_c[12]/M_c + L*b*alpha_h*alpha_c*T_h[11]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[11]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[11]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[12]) = 12*m_c*T_ci/M_c - 12*m_c*T_c[12]/M_c + L*b*alpha_h*alpha_c*T_h[12]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[12]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[12]/(c_c*M_c*(alpha_h + alpha_c))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_c_1 = x[12];
         const Scalar T_h_1 = x[0];
@@ -441,8 +437,7 @@ public:
         const Scalar T_h_12 = x[11];
         const Scalar m_c = u[1];
         const Scalar e3 = c_.k2 * m_c;
-        const Scalar e4 = c_.k4 + e3;
-        const Scalar e5 = c_.k3 + e3;
+        const Scalar e4 = c_.k3 + e3;
         const Scalar T_ci = u[3];
         dxdt[0] = c_.k1 * T_c_1 - T_h_1 * e2 + T_hi * e1;
         dxdt[1] = c_.k1 * T_c_2 - T_h_2 * e2 + T_h_1 * e1;
@@ -456,23 +451,23 @@ public:
         dxdt[9] = c_.k1 * T_c_10 - T_h_10 * e2 + T_h_9 * e1;
         dxdt[10] = c_.k1 * T_c_11 - T_h_11 * e2 + T_h_10 * e1;
         dxdt[11] = c_.k1 * T_c_12 - T_h_12 * e2 + T_h_11 * e1;
-        dxdt[12] = c_.k3 * T_h_1 + T_c_2 * e3 - T_c_1 * e4;
-        dxdt[13] = c_.k3 * T_h_2 - T_c_2 * e5 + T_c_3 * e3;
-        dxdt[14] = c_.k3 * T_h_3 - T_c_3 * e5 + T_c_4 * e3;
-        dxdt[15] = c_.k3 * T_h_4 - T_c_4 * e5 + T_c_5 * e3;
-        dxdt[16] = c_.k3 * T_h_5 - T_c_5 * e5 + T_c_6 * e3;
-        dxdt[17] = c_.k3 * T_h_6 - T_c_6 * e5 + T_c_7 * e3;
-        dxdt[18] = c_.k3 * T_h_7 - T_c_7 * e5 + T_c_8 * e3;
-        dxdt[19] = c_.k3 * T_h_8 + T_c_9 * e3 - T_c_8 * e4;
-        dxdt[20] = c_.k3 * T_h_9 + T_c_10 * e3 - T_c_9 * e4;
-        dxdt[21] = c_.k3 * T_h_10 - T_c_10 * e5 + T_c_11 * e3;
-        dxdt[22] = c_.k3 * T_h_11 - T_c_11 * e5 + T_c_12 * e3;
-        dxdt[23] = c_.k3 * T_h_12 - T_c_12 * e5 + T_ci * e3;
+        dxdt[12] = c_.k3 * T_h_1 - T_c_1 * e4 + T_c_2 * e3;
+        dxdt[13] = c_.k3 * T_h_2 - T_c_2 * e4 + T_c_3 * e3;
+        dxdt[14] = c_.k3 * T_h_3 - T_c_3 * e4 + T_c_4 * e3;
+        dxdt[15] = c_.k3 * T_h_4 - T_c_4 * e4 + T_c_5 * e3;
+        dxdt[16] = c_.k3 * T_h_5 - T_c_5 * e4 + T_c_6 * e3;
+        dxdt[17] = c_.k3 * T_h_6 - T_c_6 * e4 + T_c_7 * e3;
+        dxdt[18] = c_.k3 * T_h_7 - T_c_7 * e4 + T_c_8 * e3;
+        dxdt[19] = c_.k3 * T_h_8 - T_c_8 * e4 + T_c_9 * e3;
+        dxdt[20] = c_.k3 * T_h_9 - T_c_9 * e4 + T_c_10 * e3;
+        dxdt[21] = c_.k3 * T_h_10 - T_c_10 * e4 + T_c_11 * e3;
+        dxdt[22] = c_.k3 * T_h_11 - T_c_11 * e4 + T_c_12 * e3;
+        dxdt[23] = c_.k3 * T_h_12 - T_c_12 * e4 + T_ci * e3;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// The entries of jacobian_x_pattern in its order.
-    /// Operations: 53 + or -, 74 *
+    /// Operations: 52 + or -, 74 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_c_1 = x[12];
         const Scalar T_h_1 = x[0];
@@ -504,8 +499,7 @@ public:
         const Scalar T_h_12 = x[11];
         const Scalar m_c = u[1];
         const Scalar e3 = c_.k2 * m_c;
-        const Scalar e4 = c_.k4 + e3;
-        const Scalar e5 = c_.k3 + e3;
+        const Scalar e4 = c_.k3 + e3;
         const Scalar T_ci = u[3];
         dxdt[0] = c_.k1 * T_c_1 - T_h_1 * e2 + T_hi * e1;
         dxdt[1] = c_.k1 * T_c_2 - T_h_2 * e2 + T_h_1 * e1;
@@ -519,90 +513,90 @@ public:
         dxdt[9] = c_.k1 * T_c_10 - T_h_10 * e2 + T_h_9 * e1;
         dxdt[10] = c_.k1 * T_c_11 - T_h_11 * e2 + T_h_10 * e1;
         dxdt[11] = c_.k1 * T_c_12 - T_h_12 * e2 + T_h_11 * e1;
-        dxdt[12] = c_.k3 * T_h_1 + T_c_2 * e3 - T_c_1 * e4;
-        dxdt[13] = c_.k3 * T_h_2 - T_c_2 * e5 + T_c_3 * e3;
-        dxdt[14] = c_.k3 * T_h_3 - T_c_3 * e5 + T_c_4 * e3;
-        dxdt[15] = c_.k3 * T_h_4 - T_c_4 * e5 + T_c_5 * e3;
-        dxdt[16] = c_.k3 * T_h_5 - T_c_5 * e5 + T_c_6 * e3;
-        dxdt[17] = c_.k3 * T_h_6 - T_c_6 * e5 + T_c_7 * e3;
-        dxdt[18] = c_.k3 * T_h_7 - T_c_7 * e5 + T_c_8 * e3;
-        dxdt[19] = c_.k3 * T_h_8 + T_c_9 * e3 - T_c_8 * e4;
-        dxdt[20] = c_.k3 * T_h_9 + T_c_10 * e3 - T_c_9 * e4;
-        dxdt[21] = c_.k3 * T_h_10 - T_c_10 * e5 + T_c_11 * e3;
-        dxdt[22] = c_.k3 * T_h_11 - T_c_11 * e5 + T_c_12 * e3;
-        dxdt[23] = c_.k3 * T_h_12 - T_c_12 * e5 + T_ci * e3;
-        const Scalar e6 = -e2;
-        const Scalar e7 = -e5;
-        J[0] = e6;
+        dxdt[12] = c_.k3 * T_h_1 - T_c_1 * e4 + T_c_2 * e3;
+        dxdt[13] = c_.k3 * T_h_2 - T_c_2 * e4 + T_c_3 * e3;
+        dxdt[14] = c_.k3 * T_h_3 - T_c_3 * e4 + T_c_4 * e3;
+        dxdt[15] = c_.k3 * T_h_4 - T_c_4 * e4 + T_c_5 * e3;
+        dxdt[16] = c_.k3 * T_h_5 - T_c_5 * e4 + T_c_6 * e3;
+        dxdt[17] = c_.k3 * T_h_6 - T_c_6 * e4 + T_c_7 * e3;
+        dxdt[18] = c_.k3 * T_h_7 - T_c_7 * e4 + T_c_8 * e3;
+        dxdt[19] = c_.k3 * T_h_8 - T_c_8 * e4 + T_c_9 * e3;
+        dxdt[20] = c_.k3 * T_h_9 - T_c_9 * e4 + T_c_10 * e3;
+        dxdt[21] = c_.k3 * T_h_10 - T_c_10 * e4 + T_c_11 * e3;
+        dxdt[22] = c_.k3 * T_h_11 - T_c_11 * e4 + T_c_12 * e3;
+        dxdt[23] = c_.k3 * T_h_12 - T_c_12 * e4 + T_ci * e3;
+        const Scalar e5 = -e2;
+        const Scalar e6 = -e4;
+        J[0] = e5;
         J[1] = e1;
         J[2] = c_.k3;
-        J[3] = e6;
+        J[3] = e5;
         J[4] = e1;
         J[5] = c_.k3;
-        J[6] = e6;
+        J[6] = e5;
         J[7] = e1;
         J[8] = c_.k3;
-        J[9] = e6;
+        J[9] = e5;
         J[10] = e1;
         J[11] = c_.k3;
-        J[12] = e6;
+        J[12] = e5;
         J[13] = e1;
         J[14] = c_.k3;
-        J[15] = e6;
+        J[15] = e5;
         J[16] = e1;
         J[17] = c_.k3;
-        J[18] = e6;
+        J[18] = e5;
         J[19] = e1;
         J[20] = c_.k3;
-        J[21] = e6;
+        J[21] = e5;
         J[22] = e1;
         J[23] = c_.k3;
-        J[24] = e6;
+        J[24] = e5;
         J[25] = e1;
         J[26] = c_.k3;
-        J[27] = e6;
+        J[27] = e5;
         J[28] = e1;
         J[29] = c_.k3;
-        J[30] = e6;
+        J[30] = e5;
         J[31] = e1;
         J[32] = c_.k3;
-        J[33] = e6;
+        J[33] = e5;
         J[34] = c_.k3;
         J[35] = c_.k1;
-        J[36] = e7;
+        J[36] = e6;
         J[37] = c_.k1;
         J[38] = e3;
-        J[39] = e7;
+        J[39] = e6;
         J[40] = c_.k1;
         J[41] = e3;
-        J[42] = e7;
+        J[42] = e6;
         J[43] = c_.k1;
         J[44] = e3;
-        J[45] = e7;
+        J[45] = e6;
         J[46] = c_.k1;
         J[47] = e3;
-        J[48] = e7;
+        J[48] = e6;
         J[49] = c_.k1;
         J[50] = e3;
-        J[51] = e7;
+        J[51] = e6;
         J[52] = c_.k1;
         J[53] = e3;
-        J[54] = e7;
+        J[54] = e6;
         J[55] = c_.k1;
         J[56] = e3;
-        J[57] = e7;
+        J[57] = e6;
         J[58] = c_.k1;
         J[59] = e3;
-        J[60] = e7;
+        J[60] = e6;
         J[61] = c_.k1;
         J[62] = e3;
-        J[63] = e7;
+        J[63] = e6;
         J[64] = c_.k1;
         J[65] = e3;
-        J[66] = e7;
+        J[66] = e6;
         J[67] = c_.k1;
         J[68] = e3;
-        J[69] = e7;
+        J[69] = e6;
     }
 
     /// J = df/dx. The entries of jacobian_x_pattern in its order.
@@ -693,247 +687,231 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. The entries of jacobian_p_pattern in its order.
-    /// Operations: 158 + or -, 303 *, 5 /
+    /// Operations: 124 + or -, 233 *, 5 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / p_.c_h;
-        const Scalar inverse_2 = Scalar(1) / p_.M_h;
-        const Scalar e3 = inverse_1 * inverse_2;
-        const Scalar e4 = p_.alpha_h + p_.alpha_c;
-        const Scalar inverse_5 = Scalar(1) / e4;
-        const Scalar e6 = p_.b * inverse_5;
-        const Scalar e7 = p_.alpha_h * e6;
-        const Scalar e8 = e3 * e7;
-        const Scalar e9 = p_.alpha_c * e8;
+        const Scalar e1 = p_.alpha_h + p_.alpha_c;
+        const Scalar inverse_2 = Scalar(1) / e1;
+        const Scalar e3 = p_.b * inverse_2;
+        const Scalar inverse_4 = Scalar(1) / p_.c_h;
+        const Scalar inverse_5 = Scalar(1) / p_.M_h;
+        const Scalar e6 = inverse_4 * inverse_5;
+        const Scalar e7 = p_.alpha_h * p_.alpha_c;
+        const Scalar e8 = (Scalar(1) - (Scalar(1) / Scalar(2)) * inverse_2 * e1) * e7;
+        const Scalar e9 = e6 * e8;
+        const Scalar e10 = Scalar(2) * e3 * e9;
         const Scalar T_h_1 = x[0];
         const Scalar T_c_1 = x[12];
-        const Scalar e10 = T_h_1 - T_c_1;
+        const Scalar e11 = T_h_1 - T_c_1;
         const Scalar T_h_2 = x[1];
         const Scalar T_c_2 = x[13];
-        const Scalar e11 = T_h_2 - T_c_2;
+        const Scalar e12 = T_h_2 - T_c_2;
         const Scalar T_h_3 = x[2];
         const Scalar T_c_3 = x[14];
-        const Scalar e12 = T_h_3 - T_c_3;
+        const Scalar e13 = T_h_3 - T_c_3;
         const Scalar T_h_4 = x[3];
         const Scalar T_c_4 = x[15];
-        const Scalar e13 = T_h_4 - T_c_4;
+        const Scalar e14 = T_h_4 - T_c_4;
         const Scalar T_h_5 = x[4];
         const Scalar T_c_5 = x[16];
-        const Scalar e14 = T_h_5 - T_c_5;
+        const Scalar e15 = T_h_5 - T_c_5;
         const Scalar T_h_6 = x[5];
         const Scalar T_c_6 = x[17];
-        const Scalar e15 = T_h_6 - T_c_6;
-        const Scalar T_c_7 = x[18];
-        const Scalar e16 = Scalar(1) - (Scalar(1) / Scalar(2)) * inverse_5 * e4;
-        const Scalar e17 = p_.alpha_c * e16;
-        const Scalar e18 = Scalar(2) * e8 * e17;
+        const Scalar e16 = T_h_6 - T_c_6;
         const Scalar T_h_7 = x[6];
-        const Scalar e19 = p_.alpha_h * e3;
-        const Scalar e20 = p_.b * e19 - Scalar(2) * p_.alpha_h * e16 * e8;
+        const Scalar T_c_7 = x[18];
+        const Scalar e17 = T_h_7 - T_c_7;
         const Scalar T_h_8 = x[7];
         const Scalar T_c_8 = x[19];
-        const Scalar e21 = T_h_8 - T_c_8;
-        const Scalar T_c_9 = x[20];
+        const Scalar e18 = T_h_8 - T_c_8;
         const Scalar T_h_9 = x[8];
-        const Scalar T_c_10 = x[21];
+        const Scalar T_c_9 = x[20];
+        const Scalar e19 = T_h_9 - T_c_9;
         const Scalar T_h_10 = x[9];
+        const Scalar T_c_10 = x[21];
+        const Scalar e20 = T_h_10 - T_c_10;
         const Scalar T_h_11 = x[10];
         const Scalar T_c_11 = x[22];
-        const Scalar e22 = T_h_11 - T_c_11;
+        const Scalar e21 = T_h_11 - T_c_11;
         const Scalar T_h_12 = x[11];
         const Scalar T_c_12 = x[23];
-        const Scalar e23 = T_h_12 - T_c_12;
-        const Scalar inverse_24 = Scalar(1) / p_.c_c;
-        const Scalar inverse_25 = Scalar(1) / p_.M_c;
-        const Scalar e26 = inverse_24 * inverse_25;
-        const Scalar e27 = e26 * e7;
-        const Scalar e28 = Scalar(2) * e17 * e27;
-        const Scalar e29 = p_.alpha_c * e6;
-        const Scalar e30 = e26 * (p_.b * p_.alpha_c - Scalar(2) * e29 * e17);
-        const Scalar e31 = p_.alpha_c * e27;
-        const Scalar e32 = T_h_7 - T_c_7;
-        const Scalar e33 = T_h_10 - T_c_10;
-        const Scalar e34 = p_.alpha_h * inverse_5;
-        const Scalar e35 = p_.L * p_.alpha_c;
-        const Scalar e36 = e35 * e3;
-        const Scalar e37 = e34 * e36;
-        const Scalar e38 = e16 * e34;
-        const Scalar e39 = Scalar(2) * e36 * e38;
-        const Scalar e40 = p_.L * e34;
-        const Scalar e41 = e19 * (p_.L - Scalar(2) * e16 * e40);
-        const Scalar e42 = e26 * e35;
-        const Scalar e43 = e42 * e34;
-        const Scalar e44 = Scalar(2) * e42 * e38;
-        const Scalar e45 = inverse_5 * e42;
-        const Scalar e46 = e42 - Scalar(2) * e17 * e45;
-        const Scalar e47 = T_h_9 - T_c_9;
-        const Scalar e48 = inverse_5 * e29 * e36;
-        const Scalar e49 = p_.L * p_.b;
-        const Scalar e50 = e8 * e40;
-        const Scalar e51 = Scalar(2) * p_.L * e8 - e3 * e49 - e50;
-        const Scalar e52 = e35 * e8;
-        const Scalar e53 = inverse_5 * e52 - e6 * e36;
-        const Scalar e54 = e29 * e45;
-        const Scalar e55 = Scalar(2) * e6 * e42 - e26 * e49 - e54;
-        const Scalar e56 = e7 * e45 - p_.L * e27;
-        const Scalar e57 = e27 * e40;
-        const Scalar e58 = inverse_1 * e52;
-        const Scalar e59 = inverse_24 * e7 * e42;
-        const Scalar e60 = inverse_2 * e52;
+        const Scalar e22 = T_h_12 - T_c_12;
+        const Scalar inverse_23 = Scalar(1) / p_.c_c;
+        const Scalar inverse_24 = Scalar(1) / p_.M_c;
+        const Scalar e25 = inverse_23 * inverse_24;
+        const Scalar e26 = e25 * e8;
+        const Scalar e27 = Scalar(2) * e3 * e26;
+        const Scalar e28 = p_.L * inverse_2;
+        const Scalar e29 = Scalar(2) * e28 * e9;
+        const Scalar e30 = Scalar(2) * e28 * e26;
+        const Scalar e31 = p_.alpha_c * p_.alpha_c;
+        const Scalar e32 = p_.L * e3;
+        const Scalar e33 = inverse_2 * e32;
+        const Scalar e34 = e6 * e33;
+        const Scalar e35 = e31 * e34;
+        const Scalar e36 = e25 * e33;
+        const Scalar e37 = e31 * e36;
+        const Scalar e38 = p_.alpha_h * p_.alpha_h;
+        const Scalar e39 = e38 * e34;
+        const Scalar e40 = e38 * e36;
+        const Scalar e41 = e7 * e32;
+        const Scalar e42 = e6 * e41;
+        const Scalar e43 = inverse_4 * e42;
+        const Scalar e44 = e25 * e41;
+        const Scalar e45 = inverse_23 * e44;
+        const Scalar e46 = inverse_5 * e42;
         const Scalar m_h = u[0];
-        const Scalar e61 = m_h * (Scalar(12) * inverse_2 * inverse_2);
-        const Scalar e62 = e60 + e61;
+        const Scalar e47 = m_h * (Scalar(12) * inverse_5 * inverse_5);
+        const Scalar e48 = e46 + e47;
         const Scalar T_hi = u[2];
-        const Scalar e63 = inverse_25 * e42;
-        const Scalar e64 = e7 * e63;
+        const Scalar e49 = inverse_24 * e44;
         const Scalar m_c = u[1];
-        const Scalar e65 = m_c * (Scalar(12) * inverse_25 * inverse_25);
-        const Scalar e66 = e64 + e65;
-        const Scalar e67 = e63 * (p_.b - e29) + e65;
+        const Scalar e50 = m_c * (Scalar(12) * inverse_24 * inverse_24);
+        const Scalar e51 = e49 + e50;
         const Scalar T_ci = u[3];
-        J[0] = -e9 * e10;
-        J[1] = -e9 * e11;
-        J[2] = -e9 * e12;
-        J[3] = -e9 * e13;
-        J[4] = -e9 * e14;
-        J[5] = -e9 * e15;
-        J[6] = T_c_7 * e18 - T_h_7 * e20;
-        J[7] = -e9 * e21;
-        J[8] = T_c_9 * e18 - T_h_9 * e20;
-        J[9] = T_c_10 * e18 - T_h_10 * e20;
-        J[10] = -e9 * e22;
-        J[11] = -e9 * e23;
-        J[12] = T_h_1 * e28 - T_c_1 * e30;
-        J[13] = T_h_2 * e28 - T_c_2 * e30;
-        J[14] = T_h_3 * e28 - T_c_3 * e30;
-        J[15] = T_h_4 * e28 - T_c_4 * e30;
-        J[16] = T_h_5 * e28 - T_c_5 * e30;
-        J[17] = e31 * e15;
-        J[18] = e31 * e32;
-        J[19] = e31 * e21;
-        J[20] = T_h_9 * e28 - T_c_9 * e30;
-        J[21] = e31 * e33;
-        J[22] = T_h_11 * e28 - T_c_11 * e30;
-        J[23] = e31 * e23;
-        J[24] = -e37 * e10;
-        J[25] = T_c_2 * e39 - T_h_2 * e41;
-        J[26] = T_c_3 * e39 - T_h_3 * e41;
-        J[27] = -e37 * e13;
-        J[28] = T_c_5 * e39 - T_h_5 * e41;
-        J[29] = T_c_6 * e39 - T_h_6 * e41;
-        J[30] = -e37 * e32;
-        J[31] = T_c_8 * e39 - T_h_8 * e41;
-        J[32] = T_c_9 * e39 - T_h_9 * e41;
-        J[33] = -e37 * e33;
-        J[34] = T_c_11 * e39 - T_h_11 * e41;
-        J[35] = T_c_12 * e39 - T_h_12 * e41;
-        J[36] = e43 * e10;
-        J[37] = T_h_2 * e44 - T_c_2 * e46;
-        J[38] = T_h_3 * e44 - T_c_3 * e46;
-        J[39] = T_h_4 * e44 - T_c_4 * e46;
-        J[40] = T_h_5 * e44 - T_c_5 * e46;
-        J[41] = T_h_6 * e44 - T_c_6 * e46;
-        J[42] = T_h_7 * e44 - T_c_7 * e46;
-        J[43] = e43 * e21;
-        J[44] = e43 * e47;
-        J[45] = T_h_10 * e44 - T_c_10 * e46;
-        J[46] = T_h_11 * e44 - T_c_11 * e46;
-        J[47] = T_h_12 * e44 - T_c_12 * e46;
-        J[48] = -e48 * e10;
-        J[49] = -e48 * e11;
-        J[50] = -e48 * e12;
-        J[51] = T_h_4 * e51 - T_c_4 * e53;
-        J[52] = -e48 * e14;
-        J[53] = T_h_6 * e51 - T_c_6 * e53;
-        J[54] = T_h_7 * e51 - T_c_7 * e53;
-        J[55] = -e48 * e21;
-        J[56] = T_h_9 * e51 - T_c_9 * e53;
-        J[57] = -e48 * e33;
-        J[58] = T_h_11 * e51 - T_c_11 * e53;
-        J[59] = -e48 * e23;
-        J[60] = e54 * e10;
-        J[61] = e54 * e11;
-        J[62] = e54 * e12;
-        J[63] = e54 * e13;
-        J[64] = e54 * e14;
-        J[65] = e54 * e15;
-        J[66] = e54 * e32;
-        J[67] = e54 * e21;
-        J[68] = e54 * e47;
-        J[69] = e54 * e33;
-        J[70] = e54 * e22;
-        J[71] = e54 * e23;
-        J[72] = -e50 * e10;
-        J[73] = -e50 * e11;
-        J[74] = -e50 * e12;
-        J[75] = -e50 * e13;
-        J[76] = -e50 * e14;
-        J[77] = -e50 * e15;
-        J[78] = -e50 * e32;
-        J[79] = -e50 * e21;
-        J[80] = -e50 * e47;
-        J[81] = -e50 * e33;
-        J[82] = -e50 * e22;
-        J[83] = -e50 * e23;
-        J[84] = T_c_1 * e55 - T_h_1 * e56;
-        J[85] = e57 * e11;
-        J[86] = e57 * e12;
-        J[87] = e57 * e13;
-        J[88] = e57 * e14;
-        J[89] = e57 * e15;
-        J[90] = e57 * e32;
-        J[91] = T_c_8 * e55 - T_h_8 * e56;
-        J[92] = T_c_9 * e55 - T_h_9 * e56;
-        J[93] = T_c_10 * e55 - T_h_10 * e56;
-        J[94] = T_c_11 * e55 - T_h_11 * e56;
-        J[95] = T_c_12 * e55 - T_h_12 * e56;
-        J[96] = e58 * e10;
-        J[97] = e58 * e11;
-        J[98] = e58 * e12;
-        J[99] = e58 * e13;
-        J[100] = e58 * e14;
-        J[101] = e58 * e15;
-        J[102] = e58 * e32;
-        J[103] = e58 * e21;
-        J[104] = e58 * e47;
-        J[105] = e58 * e33;
-        J[106] = e58 * e22;
-        J[107] = e58 * e23;
-        J[108] = -e59 * e10;
-        J[109] = -e59 * e11;
-        J[110] = -e59 * e12;
-        J[111] = -e59 * e13;
-        J[112] = -e59 * e14;
-        J[113] = -e59 * e15;
-        J[114] = -e59 * e32;
-        J[115] = -e59 * e21;
-        J[116] = -e59 * e47;
-        J[117] = -e59 * e33;
-        J[118] = -e59 * e22;
-        J[119] = -e59 * e23;
-        J[120] = T_h_1 * e62 - T_c_1 * e60 - T_hi * e61;
-        J[121] = T_h_2 * e62 - T_c_2 * e60 - T_h_1 * e61;
-        J[122] = T_h_3 * e62 - T_c_3 * e60 - T_h_2 * e61;
-        J[123] = T_h_4 * e62 - T_c_4 * e60 - T_h_3 * e61;
-        J[124] = T_h_5 * e62 - T_c_5 * e60 - T_h_4 * e61;
-        J[125] = T_h_6 * e62 - T_c_6 * e60 - T_h_5 * e61;
-        J[126] = T_h_7 * e62 - T_c_7 * e60 - T_h_6 * e61;
-        J[127] = T_h_8 * e62 - T_c_8 * e60 - T_h_7 * e61;
-        J[128] = T_h_9 * e62 - T_c_9 * e60 - T_h_8 * e61;
-        J[129] = T_h_10 * e62 - T_c_10 * e60 - T_h_9 * e61;
-        J[130] = T_h_11 * e62 - T_c_11 * e60 - T_h_10 * e61;
-        J[131] = T_h_12 * e62 - T_c_12 * e60 - T_h_11 * e61;
-        J[132] = T_c_1 * e66 - T_h_1 * e64 - T_c_2 * e65;
-        J[133] = T_c_2 * e66 - T_h_2 * e64 - T_c_3 * e65;
-        J[134] = T_c_3 * e66 - T_h_3 * e64 - T_c_4 * e65;
-        J[135] = T_c_4 * e67 - T_h_4 * e64 - T_c_5 * e65;
-        J[136] = T_c_5 * e67 - T_h_5 * e64 - T_c_6 * e65;
-        J[137] = T_c_6 * e66 - T_h_6 * e64 - T_c_7 * e65;
-        J[138] = T_c_7 * e66 - T_h_7 * e64 - T_c_8 * e65;
-        J[139] = T_c_8 * e66 - T_h_8 * e64 - T_c_9 * e65;
-        J[140] = T_c_9 * e66 - T_h_9 * e64 - T_c_10 * e65;
-        J[141] = T_c_10 * e66 - T_h_10 * e64 - T_c_11 * e65;
-        J[142] = T_c_11 * e66 - T_h_11 * e64 - T_c_12 * e65;
-        J[143] = T_c_12 * e66 - T_h_12 * e64 - T_ci * e65;
+        J[0] = -e10 * e11;
+        J[1] = -e10 * e12;
+        J[2] = -e10 * e13;
+        J[3] = -e10 * e14;
+        J[4] = -e10 * e15;
+        J[5] = -e10 * e16;
+        J[6] = -e10 * e17;
+        J[7] = -e10 * e18;
+        J[8] = -e10 * e19;
+        J[9] = -e10 * e20;
+        J[10] = -e10 * e21;
+        J[11] = -e10 * e22;
+        J[12] = e27 * e11;
+        J[13] = e27 * e12;
+        J[14] = e27 * e13;
+        J[15] = e27 * e14;
+        J[16] = e27 * e15;
+        J[17] = e27 * e16;
+        J[18] = e27 * e17;
+        J[19] = e27 * e18;
+        J[20] = e27 * e19;
+        J[21] = e27 * e20;
+        J[22] = e27 * e21;
+        J[23] = e27 * e22;
+        J[24] = -e29 * e11;
+        J[25] = -e29 * e12;
+        J[26] = -e29 * e13;
+        J[27] = -e29 * e14;
+        J[28] = -e29 * e15;
+        J[29] = -e29 * e16;
+        J[30] = -e29 * e17;
+        J[31] = -e29 * e18;
+        J[32] = -e29 * e19;
+        J[33] = -e29 * e20;
+        J[34] = -e29 * e21;
+        J[35] = -e29 * e22;
+        J[36] = e30 * e11;
+        J[37] = e30 * e12;
+        J[38] = e30 * e13;
+        J[39] = e30 * e14;
+        J[40] = e30 * e15;
+        J[41] = e30 * e16;
+        J[42] = e30 * e17;
+        J[43] = e30 * e18;
+        J[44] = e30 * e19;
+        J[45] = e30 * e20;
+        J[46] = e30 * e21;
+        J[47] = e30 * e22;
+        J[48] = -e35 * e11;
+        J[49] = -e35 * e12;
+        J[50] = -e35 * e13;
+        J[51] = -e35 * e14;
+        J[52] = -e35 * e15;
+        J[53] = -e35 * e16;
+        J[54] = -e35 * e17;
+        J[55] = -e35 * e18;
+        J[56] = -e35 * e19;
+        J[57] = -e35 * e20;
+        J[58] = -e35 * e21;
+        J[59] = -e35 * e22;
+        J[60] = e37 * e11;
+        J[61] = e37 * e12;
+        J[62] = e37 * e13;
+        J[63] = e37 * e14;
+        J[64] = e37 * e15;
+        J[65] = e37 * e16;
+        J[66] = e37 * e17;
+        J[67] = e37 * e18;
+        J[68] = e37 * e19;
+        J[69] = e37 * e20;
+        J[70] = e37 * e21;
+        J[71] = e37 * e22;
+        J[72] = -e39 * e11;
+        J[73] = -e39 * e12;
+        J[74] = -e39 * e13;
+        J[75] = -e39 * e14;
+        J[76] = -e39 * e15;
+        J[77] = -e39 * e16;
+        J[78] = -e39 * e17;
+        J[79] = -e39 * e18;
+        J[80] = -e39 * e19;
+        J[81] = -e39 * e20;
+        J[82] = -e39 * e21;
+        J[83] = -e39 * e22;
+        J[84] = e40 * e11;
+        J[85] = e40 * e12;
+        J[86] = e40 * e13;
+        J[87] = e40 * e14;
+        J[88] = e40 * e15;
+        J[89] = e40 * e16;
+        J[90] = e40 * e17;
+        J[91] = e40 * e18;
+        J[92] = e40 * e19;
+        J[93] = e40 * e20;
+        J[94] = e40 * e21;
+        J[95] = e40 * e22;
+        J[96] = e43 * e11;
+        J[97] = e43 * e12;
+        J[98] = e43 * e13;
+        J[99] = e43 * e14;
+        J[100] = e43 * e15;
+        J[101] = e43 * e16;
+        J[102] = e43 * e17;
+        J[103] = e43 * e18;
+        J[104] = e43 * e19;
+        J[105] = e43 * e20;
+        J[106] = e43 * e21;
+        J[107] = e43 * e22;
+        J[108] = -e45 * e11;
+        J[109] = -e45 * e12;
+        J[110] = -e45 * e13;
+        J[111] = -e45 * e14;
+        J[112] = -e45 * e15;
+        J[113] = -e45 * e16;
+        J[114] = -e45 * e17;
+        J[115] = -e45 * e18;
+        J[116] = -e45 * e19;
+        J[117] = -e45 * e20;
+        J[118] = -e45 * e21;
+        J[119] = -e45 * e22;
+        J[120] = T_h_1 * e48 - T_c_1 * e46 - T_hi * e47;
+        J[121] = T_h_2 * e48 - T_c_2 * e46 - T_h_1 * e47;
+        J[122] = T_h_3 * e48 - T_c_3 * e46 - T_h_2 * e47;
+        J[123] = T_h_4 * e48 - T_c_4 * e46 - T_h_3 * e47;
+        J[124] = T_h_5 * e48 - T_c_5 * e46 - T_h_4 * e47;
+        J[125] = T_h_6 * e48 - T_c_6 * e46 - T_h_5 * e47;
+        J[126] = T_h_7 * e48 - T_c_7 * e46 - T_h_6 * e47;
+        J[127] = T_h_8 * e48 - T_c_8 * e46 - T_h_7 * e47;
+        J[128] = T_h_9 * e48 - T_c_9 * e46 - T_h_8 * e47;
+        J[129] = T_h_10 * e48 - T_c_10 * e46 - T_h_9 * e47;
+        J[130] = T_h_11 * e48 - T_c_11 * e46 - T_h_10 * e47;
+        J[131] = T_h_12 * e48 - T_c_12 * e46 - T_h_11 * e47;
+        J[132] = T_c_1 * e51 - T_h_1 * e49 - T_c_2 * e50;
+        J[133] = T_c_2 * e51 - T_h_2 * e49 - T_c_3 * e50;
+        J[134] = T_c_3 * e51 - T_h_3 * e49 - T_c_4 * e50;
+        J[135] = T_c_4 * e51 - T_h_4 * e49 - T_c_5 * e50;
+        J[136] = T_c_5 * e51 - T_h_5 * e49 - T_c_6 * e50;
+        J[137] = T_c_6 * e51 - T_h_6 * e49 - T_c_7 * e50;
+        J[138] = T_c_7 * e51 - T_h_7 * e49 - T_c_8 * e50;
+        J[139] = T_c_8 * e51 - T_h_8 * e49 - T_c_9 * e50;
+        J[140] = T_c_9 * e51 - T_h_9 * e49 - T_c_10 * e50;
+        J[141] = T_c_10 * e51 - T_h_10 * e49 - T_c_11 * e50;
+        J[142] = T_c_11 * e51 - T_h_11 * e49 - T_c_12 * e50;
+        J[143] = T_c_12 * e51 - T_h_12 * e49 - T_ci * e50;
     }
 
     /// J = df/dt at fixed x and u.
@@ -984,12 +962,12 @@ public:
     /// Operations: 28 + or -, 13 *, 4 /, 3 other functions
     ///     T_h_out = T_h[12]
     ///     T_c_back = T_c[1]
-    ///     Q = L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[1]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[2]/12 +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[3]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[4]/12 +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[5]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[6]/12 +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[7]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[8]/12 +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[9]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[10]/12 +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[11]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[12]/12 -
+    ///     Q = L*b*alpha_h*alpha_c*T_h[1]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[2]/(12*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_h[3]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[4]/(12*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_h[5]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[6]/(12*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_h[7]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[8]/(12*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_h[9]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[10]/(12*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_h[11]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[12]/(12*(alpha_h + alpha_c)) -
     ///     L*b*alpha_h*alpha_c*T_c[1]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[2]/(12*(alpha_h + alpha_c)) -
     ///     L*b*alpha_h*alpha_c*T_c[3]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[4]/(12*(alpha_h + alpha_c)) -
     ///     L*b*alpha_h*alpha_c*T_c[5]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[6]/(12*(alpha_h + alpha_c)) -
@@ -1000,20 +978,21 @@ public:
     ///     L*b*k*decay_mean(L*b*k*(1 - min(c_h*m_h, c_c*m_c)/max(c_h*m_h, c_c*m_c))/min(c_h*m_h, c_c*m_c))/max(c_h*m_h, c_c*m_c)) -
     ///     L*b*k*T_ci*decay_mean(L*b*k*(1 - min(c_h*m_h, c_c*m_c)/max(c_h*m_h, c_c*m_c))/min(c_h*m_h, c_c*m_c))/(1 +
     ///     L*b*k*decay_mean(L*b*k*(1 - min(c_h*m_h, c_c*m_c)/max(c_h*m_h, c_c*m_c))/min(c_h*m_h, c_c*m_c))/max(c_h*m_h, c_c*m_c))
-    ///     efficiency = L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[1]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[2]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 -
-    ///     alpha_h/(alpha_h + alpha_c))*T_h[3]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[4]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[5]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[6]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[7]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[8]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[9]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[10]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[11]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[12]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) - L*b*alpha_h*alpha_c*T_c[1]/(12*(alpha_h +
-    ///     alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) - L*b*alpha_h*alpha_c*T_c[2]/(12*(alpha_h + alpha_c)*min(c_h*m_h,
-    ///     c_c*m_c)*(T_hi - T_ci)) - L*b*alpha_h*alpha_c*T_c[3]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
+    ///     efficiency = L*b*alpha_h*alpha_c*T_h[1]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[2]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[3]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[4]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[5]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[6]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[7]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[8]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[9]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[10]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[11]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[12]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
+    ///     L*b*alpha_h*alpha_c*T_c[1]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
+    ///     L*b*alpha_h*alpha_c*T_c[2]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
+    ///     L*b*alpha_h*alpha_c*T_c[3]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
     ///     L*b*alpha_h*alpha_c*T_c[4]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
     ///     L*b*alpha_h*alpha_c*T_c[5]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
     ///     L*b*alpha_h*alpha_c*T_c[6]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
@@ -1059,16 +1038,16 @@ public:
         const Scalar inverse_6 = Scalar(1) / max_5;
         const Scalar min_7 = detail::min<Scalar>(e3, e4);
         const Scalar inverse_8 = Scalar(1) / min_7;
-        const Scalar decay_mean_9 = detail::decay_mean<Scalar>(c_.k6 * (Scalar(1) - min_7 * inverse_6) * inverse_8);
-        const Scalar e10 = c_.k6 * decay_mean_9;
+        const Scalar decay_mean_9 = detail::decay_mean<Scalar>(c_.k5 * (Scalar(1) - min_7 * inverse_6) * inverse_8);
+        const Scalar e10 = c_.k5 * decay_mean_9;
         const Scalar T_hi = u[2];
         const Scalar T_ci = u[3];
         const Scalar e11 = T_hi - T_ci;
         y[0] = T_h_12;
         y[1] = T_c_1;
-        y[2] = -c_.k5 * e2;
+        y[2] = -c_.k4 * e2;
         y[3] = e11 * e10 / (Scalar(1) + inverse_6 * e10);
-        y[4] = -c_.k5 * inverse_8 / e11 * e2;
+        y[4] = -c_.k4 * inverse_8 / e11 * e2;
     }
 
     /// C = dh/dx.
@@ -1079,67 +1058,67 @@ public:
         const Scalar m_h = u[0];
         const Scalar m_c = u[1];
         const Scalar min_1 = detail::min<Scalar>(p_.c_h * m_h, p_.c_c * m_c);
-        const Scalar e2 = c_.k5 / min_1 / (T_hi - T_ci);
-        const Scalar e3 = -c_.k5;
+        const Scalar e2 = c_.k4 / min_1 / (T_hi - T_ci);
+        const Scalar e3 = -c_.k4;
         const Scalar e4 = -e2;
         C[0] = Scalar(0);
         C[1] = Scalar(0);
-        C[2] = c_.k5;
+        C[2] = c_.k4;
         C[3] = Scalar(0);
         C[4] = e2;
         C[5] = Scalar(0);
         C[6] = Scalar(0);
-        C[7] = c_.k5;
+        C[7] = c_.k4;
         C[8] = Scalar(0);
         C[9] = e2;
         C[10] = Scalar(0);
         C[11] = Scalar(0);
-        C[12] = c_.k5;
+        C[12] = c_.k4;
         C[13] = Scalar(0);
         C[14] = e2;
         C[15] = Scalar(0);
         C[16] = Scalar(0);
-        C[17] = c_.k5;
+        C[17] = c_.k4;
         C[18] = Scalar(0);
         C[19] = e2;
         C[20] = Scalar(0);
         C[21] = Scalar(0);
-        C[22] = c_.k5;
+        C[22] = c_.k4;
         C[23] = Scalar(0);
         C[24] = e2;
         C[25] = Scalar(0);
         C[26] = Scalar(0);
-        C[27] = c_.k5;
+        C[27] = c_.k4;
         C[28] = Scalar(0);
         C[29] = e2;
         C[30] = Scalar(0);
         C[31] = Scalar(0);
-        C[32] = c_.k5;
+        C[32] = c_.k4;
         C[33] = Scalar(0);
         C[34] = e2;
         C[35] = Scalar(0);
         C[36] = Scalar(0);
-        C[37] = c_.k5;
+        C[37] = c_.k4;
         C[38] = Scalar(0);
         C[39] = e2;
         C[40] = Scalar(0);
         C[41] = Scalar(0);
-        C[42] = c_.k5;
+        C[42] = c_.k4;
         C[43] = Scalar(0);
         C[44] = e2;
         C[45] = Scalar(0);
         C[46] = Scalar(0);
-        C[47] = c_.k5;
+        C[47] = c_.k4;
         C[48] = Scalar(0);
         C[49] = e2;
         C[50] = Scalar(0);
         C[51] = Scalar(0);
-        C[52] = c_.k5;
+        C[52] = c_.k4;
         C[53] = Scalar(0);
         C[54] = e2;
         C[55] = Scalar(1);
         C[56] = Scalar(0);
-        C[57] = c_.k5;
+        C[57] = c_.k4;
         C[58] = Scalar(0);
         C[59] = e2;
         C[60] = Scalar(0);
@@ -1216,9 +1195,9 @@ public:
         const Scalar inverse_5 = Scalar(1) / max_4;
         const Scalar inverse_6 = Scalar(1) / min_3;
         const Scalar e7 = (Scalar(1) - min_3 * inverse_5) * inverse_6;
-        const Scalar e8 = c_.k6 * e7;
+        const Scalar e8 = c_.k5 * e7;
         const Scalar decay_mean_9 = detail::decay_mean<Scalar>(e8);
-        const Scalar e10 = c_.k6 * inverse_5;
+        const Scalar e10 = c_.k5 * inverse_5;
         const Scalar inverse_11 = Scalar(1) / (Scalar(1) + decay_mean_9 * e10);
         const Scalar T_hi = u[2];
         const Scalar T_ci = u[3];
@@ -1265,18 +1244,18 @@ public:
         const Scalar e26 = T_c_5 + T_c_6 + (T_c_7 + T_c_8) + (T_c_9 + T_c_10 + (T_c_11 + T_c_12)) - e25;
         const Scalar e27 = step_15 * inverse_5_squared;
         const Scalar e28 = (step_16 * inverse_5 - min_3 * e27 + step_16 * e7) * e19;
-        const Scalar e29 = c_.k6 * e21;
-        const Scalar e30 = e23 * (c_.k5 * inverse_22) * e26;
+        const Scalar e29 = c_.k5 * e21;
+        const Scalar e30 = e23 * (c_.k4 * inverse_22) * e26;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = c_.k7 * e13 * ((e10 * e20 + decay_mean_9 * e17) * e21 - e20);
-        D[4] = e24 * (c_.k8 * step_15) * e26;
+        D[3] = c_.k6 * e13 * ((e10 * e20 + decay_mean_9 * e17) * e21 - e20);
+        D[4] = e24 * (c_.k7 * step_15) * e26;
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
-        D[8] = c_.k9 * e13 * ((e10 * e28 + decay_mean_9 * e27) * e21 - e28);
-        D[9] = e24 * (c_.k10 * step_16) * e26;
+        D[8] = c_.k8 * e13 * ((e10 * e28 + decay_mean_9 * e27) * e21 - e28);
+        D[9] = e24 * (c_.k9 * step_16) * e26;
         D[10] = Scalar(0);
         D[11] = Scalar(0);
         D[12] = Scalar(0);
@@ -1386,13 +1365,12 @@ private:
         Scalar k1;  ///< L*b*alpha_h*alpha_c/(c_h*M_h*(alpha_h + alpha_c))
         Scalar k2;  ///< 12/M_c
         Scalar k3;  ///< L*b*alpha_h*alpha_c/(c_c*M_c*(alpha_h + alpha_c))
-        Scalar k4;  ///< L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))/(c_c*M_c)
-        Scalar k5;  ///< L*b*alpha_h*alpha_c/(12*(alpha_h + alpha_c))
-        Scalar k6;  ///< L*b*k
-        Scalar k7;  ///< L^2*b^2*c_h*k^2
-        Scalar k8;  ///< L*b*alpha_h*alpha_c*c_h/(12*(alpha_h + alpha_c))
-        Scalar k9;  ///< L^2*b^2*c_c*k^2
-        Scalar k10;  ///< L*b*alpha_h*alpha_c*c_c/(12*(alpha_h + alpha_c))
+        Scalar k4;  ///< L*b*alpha_h*alpha_c/(12*(alpha_h + alpha_c))
+        Scalar k5;  ///< L*b*k
+        Scalar k6;  ///< L^2*b^2*c_h*k^2
+        Scalar k7;  ///< L*b*alpha_h*alpha_c*c_h/(12*(alpha_h + alpha_c))
+        Scalar k8;  ///< L^2*b^2*c_c*k^2
+        Scalar k9;  ///< L*b*alpha_h*alpha_c*c_c/(12*(alpha_h + alpha_c))
     };
     Cached c_{};
 };

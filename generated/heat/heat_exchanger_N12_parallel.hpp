@@ -21,7 +21,7 @@
 //   rhs                   50     74     0        0      0
 //   rhs_and_jacobian      52     74     0        0      0
 //   jacobian_u            24     28     0        0      0
-//   jacobian_p           157    304     5        0      0
+//   jacobian_p           124    233     5        0      0
 //   output                30     18     5        0      4
 //   output_jacobian_x      3      4     2        0      1
 //   output_jacobian_u     42     51     5        0      8
@@ -372,54 +372,54 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 50 + or -, 74 *
-    ///     dot(T_h[1]) = 12*m_h*T_hi/M_h - 12*m_h*T_h[1]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[1]/(c_h*M_h) +
+    ///     dot(T_h[1]) = 12*m_h*T_hi/M_h - 12*m_h*T_h[1]/M_h - L*b*alpha_h*alpha_c*T_h[1]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[1]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[2]) = 12*m_h*T_h[1]/M_h - 12*m_h*T_h[2]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[2]/(c_h*M_h) +
+    ///     dot(T_h[2]) = 12*m_h*T_h[1]/M_h - 12*m_h*T_h[2]/M_h - L*b*alpha_h*alpha_c*T_h[2]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[2]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[3]) = 12*m_h*T_h[2]/M_h - 12*m_h*T_h[3]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[3]/(c_h*M_h) +
+    ///     dot(T_h[3]) = 12*m_h*T_h[2]/M_h - 12*m_h*T_h[3]/M_h - L*b*alpha_h*alpha_c*T_h[3]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[3]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[4]) = 12*m_h*T_h[3]/M_h - 12*m_h*T_h[4]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[4]/(c_h*M_h) +
+    ///     dot(T_h[4]) = 12*m_h*T_h[3]/M_h - 12*m_h*T_h[4]/M_h - L*b*alpha_h*alpha_c*T_h[4]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[4]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[5]) = 12*m_h*T_h[4]/M_h - 12*m_h*T_h[5]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[5]/(c_h*M_h) +
+    ///     dot(T_h[5]) = 12*m_h*T_h[4]/M_h - 12*m_h*T_h[5]/M_h - L*b*alpha_h*alpha_c*T_h[5]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[5]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[6]) = 12*m_h*T_h[5]/M_h - 12*m_h*T_h[6]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[6]/(c_h*M_h) +
+    ///     dot(T_h[6]) = 12*m_h*T_h[5]/M_h - 12*m_h*T_h[6]/M_h - L*b*alpha_h*alpha_c*T_h[6]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[6]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[7]) = 12*m_h*T_h[6]/M_h - 12*m_h*T_h[7]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[7]/(c_h*M_h) +
+    ///     dot(T_h[7]) = 12*m_h*T_h[6]/M_h - 12*m_h*T_h[7]/M_h - L*b*alpha_h*alpha_c*T_h[7]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[7]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[8]) = 12*m_h*T_h[7]/M_h - 12*m_h*T_h[8]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[8]/(c_h*M_h) +
+    ///     dot(T_h[8]) = 12*m_h*T_h[7]/M_h - 12*m_h*T_h[8]/M_h - L*b*alpha_h*alpha_c*T_h[8]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[8]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[9]) = 12*m_h*T_h[8]/M_h - 12*m_h*T_h[9]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[9]/(c_h*M_h) +
+    ///     dot(T_h[9]) = 12*m_h*T_h[8]/M_h - 12*m_h*T_h[9]/M_h - L*b*alpha_h*alpha_c*T_h[9]/(c_h*M_h*(alpha_h + alpha_c)) +
     ///     L*b*alpha_h*alpha_c*T_c[9]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[10]) = 12*m_h*T_h[9]/M_h - 12*m_h*T_h[10]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[10]/(c_h*M_h)
-    ///     + L*b*alpha_h*alpha_c*T_c[10]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[11]) = 12*m_h*T_h[10]/M_h - 12*m_h*T_h[11]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[11]/(c_h*M_h)
-    ///     + L*b*alpha_h*alpha_c*T_c[11]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[12]) = 12*m_h*T_h[11]/M_h - 12*m_h*T_h[12]/M_h - L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[12]/(c_h*M_h)
-    ///     + L*b*alpha_h*alpha_c*T_c[12]/(c_h*M_h*(alpha_h + alpha_c))
+    ///     dot(T_h[10]) = 12*m_h*T_h[9]/M_h - 12*m_h*T_h[10]/M_h - L*b*alpha_h*alpha_c*T_h[10]/(c_h*M_h*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_c[10]/(c_h*M_h*(alpha_h + alpha_c))
+    ///     dot(T_h[11]) = 12*m_h*T_h[10]/M_h - 12*m_h*T_h[11]/M_h - L*b*alpha_h*alpha_c*T_h[11]/(c_h*M_h*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_c[11]/(c_h*M_h*(alpha_h + alpha_c))
+    ///     dot(T_h[12]) = 12*m_h*T_h[11]/M_h - 12*m_h*T_h[12]/M_h - L*b*alpha_h*alpha_c*T_h[12]/(c_h*M_h*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_c[12]/(c_h*M_h*(alpha_h + alpha_c))
     ///     dot(T_c[1]) = 12*m_c*T_ci/M_c - 12*m_c*T_c[1]/M_c + L*b*alpha_h*alpha_c*T_h[1]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[1]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[1]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[2]) = 12*m_c*T_c[1]/M_c - 12*m_c*T_c[2]/M_c + L*b*alpha_h*alpha_c*T_h[2]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[2]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[2]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[3]) = 12*m_c*T_c[2]/M_c - 12*m_c*T_c[3]/M_c + L*b*alpha_h*alpha_c*T_h[3]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[3]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[3]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[4]) = 12*m_c*T_c[3]/M_c - 12*m_c*T_c[4]/M_c + L*b*alpha_h*alpha_c*T_h[4]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[4]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[4]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[5]) = 12*m_c*T_c[4]/M_c - 12*m_c*T_c[5]/M_c + L*b*alpha_h*alpha_c*T_h[5]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[5]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[5]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[6]) = 12*m_c*T_c[5]/M_c - 12*m_c*T_c[6]/M_c + L*b*alpha_h*alpha_c*T_h[6]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[6]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[6]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[7]) = 12*m_c*T_c[6]/M_c - 12*m_c*T_c[7]/M_c + L*b*alpha_h*alpha_c*T_h[7]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[7]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[7]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[8]) = 12*m_c*T_c[7]/M_c - 12*m_c*T_c[8]/M_c + L*b*alpha_h*alpha_c*T_h[8]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[8]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[8]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[9]) = 12*m_c*T_c[8]/M_c - 12*m_c*T_c[9]/M_c + L*b*alpha_h*alpha_c*T_h[9]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[9]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[9]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[10]) = 12*m_c*T_c[9]/M_c - 12*m_c*T_c[10]/M_c + L*b*alpha_h*alpha_c*T_h[10]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[10]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[10]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[11]) = 12*m_c*T_c[10]/M_c - 12*m_c*T_c[11]/M_c + L*b*alpha_h*alpha_c*T_h[11]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[11]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[11]/(c_c*M_c*(alpha_h + alpha_c))
     ///     dot(T_c[12]) = 12*m_c*T_c[11]/M_c - 12*m_c*T_c[12]/M_c + L*b*alpha_h*alpha_c*T_h[12]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_c*(1 - alpha_c/(alpha_h + alpha_c))*T_c[12]/(c_c*M_c)
+    ///     L*b*alpha_h*alpha_c*T_c[12]/(c_c*M_c*(alpha_h + alpha_c))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_c_1 = x[12];
         const Scalar T_h_1 = x[0];
@@ -701,248 +701,231 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. The entries of jacobian_p_pattern in its order.
-    /// Operations: 157 + or -, 304 *, 5 /
+    /// Operations: 124 + or -, 233 *, 5 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar T_c_1 = x[12];
         const Scalar e1 = p_.alpha_h + p_.alpha_c;
         const Scalar inverse_2 = Scalar(1) / e1;
-        const Scalar e3 = Scalar(1) - (Scalar(1) / Scalar(2)) * inverse_2 * e1;
-        const Scalar e4 = p_.b * inverse_2;
-        const Scalar e5 = p_.alpha_c * e4;
-        const Scalar inverse_6 = Scalar(1) / p_.c_h;
-        const Scalar inverse_7 = Scalar(1) / p_.M_h;
-        const Scalar e8 = inverse_6 * inverse_7;
-        const Scalar e9 = p_.alpha_h * e8;
-        const Scalar e10 = e5 * e9;
-        const Scalar e11 = Scalar(2) * e3 * e10;
+        const Scalar e3 = p_.b * inverse_2;
+        const Scalar inverse_4 = Scalar(1) / p_.c_h;
+        const Scalar inverse_5 = Scalar(1) / p_.M_h;
+        const Scalar e6 = inverse_4 * inverse_5;
+        const Scalar e7 = p_.alpha_h * p_.alpha_c;
+        const Scalar e8 = (Scalar(1) - (Scalar(1) / Scalar(2)) * inverse_2 * e1) * e7;
+        const Scalar e9 = e6 * e8;
+        const Scalar e10 = Scalar(2) * e3 * e9;
         const Scalar T_h_1 = x[0];
-        const Scalar e12 = p_.alpha_h * e3;
-        const Scalar e13 = e9 * (p_.b - Scalar(2) * e4 * e12);
-        const Scalar T_c_2 = x[13];
+        const Scalar T_c_1 = x[12];
+        const Scalar e11 = T_h_1 - T_c_1;
         const Scalar T_h_2 = x[1];
+        const Scalar T_c_2 = x[13];
+        const Scalar e12 = T_h_2 - T_c_2;
         const Scalar T_h_3 = x[2];
         const Scalar T_c_3 = x[14];
-        const Scalar e14 = T_h_3 - T_c_3;
+        const Scalar e13 = T_h_3 - T_c_3;
         const Scalar T_h_4 = x[3];
         const Scalar T_c_4 = x[15];
-        const Scalar e15 = T_h_4 - T_c_4;
-        const Scalar T_c_5 = x[16];
+        const Scalar e14 = T_h_4 - T_c_4;
         const Scalar T_h_5 = x[4];
-        const Scalar T_c_6 = x[17];
+        const Scalar T_c_5 = x[16];
+        const Scalar e15 = T_h_5 - T_c_5;
         const Scalar T_h_6 = x[5];
+        const Scalar T_c_6 = x[17];
+        const Scalar e16 = T_h_6 - T_c_6;
         const Scalar T_h_7 = x[6];
         const Scalar T_c_7 = x[18];
-        const Scalar e16 = T_h_7 - T_c_7;
-        const Scalar T_c_8 = x[19];
+        const Scalar e17 = T_h_7 - T_c_7;
         const Scalar T_h_8 = x[7];
-        const Scalar T_c_9 = x[20];
+        const Scalar T_c_8 = x[19];
+        const Scalar e18 = T_h_8 - T_c_8;
         const Scalar T_h_9 = x[8];
+        const Scalar T_c_9 = x[20];
+        const Scalar e19 = T_h_9 - T_c_9;
         const Scalar T_h_10 = x[9];
         const Scalar T_c_10 = x[21];
-        const Scalar e17 = T_h_10 - T_c_10;
-        const Scalar T_c_11 = x[22];
+        const Scalar e20 = T_h_10 - T_c_10;
         const Scalar T_h_11 = x[10];
+        const Scalar T_c_11 = x[22];
+        const Scalar e21 = T_h_11 - T_c_11;
         const Scalar T_h_12 = x[11];
         const Scalar T_c_12 = x[23];
-        const Scalar e18 = T_h_12 - T_c_12;
-        const Scalar inverse_19 = Scalar(1) / p_.c_c;
-        const Scalar inverse_20 = Scalar(1) / p_.M_c;
-        const Scalar e21 = inverse_19 * inverse_20;
-        const Scalar e22 = e21 * e5;
-        const Scalar e23 = Scalar(2) * e22 * e12;
-        const Scalar e24 = p_.alpha_c * e21;
-        const Scalar e25 = p_.b * e24 - Scalar(2) * p_.alpha_c * e3 * e22;
-        const Scalar e26 = p_.alpha_h * e22;
-        const Scalar e27 = T_h_5 - T_c_5;
-        const Scalar e28 = T_h_6 - T_c_6;
-        const Scalar e29 = T_h_8 - T_c_8;
-        const Scalar e30 = p_.alpha_c * inverse_2;
-        const Scalar e31 = p_.L * p_.alpha_h;
-        const Scalar e32 = e8 * e31;
-        const Scalar e33 = e3 * e32;
-        const Scalar e34 = Scalar(2) * e30 * e33;
-        const Scalar e35 = p_.alpha_h * inverse_2;
-        const Scalar e36 = e32 - Scalar(2) * e35 * e33;
-        const Scalar e37 = e32 * e30;
-        const Scalar e38 = T_h_2 - T_c_2;
-        const Scalar e39 = T_h_9 - T_c_9;
-        const Scalar e40 = e21 * e31;
-        const Scalar e41 = e30 * e40;
-        const Scalar e42 = T_h_1 - T_c_1;
-        const Scalar e43 = Scalar(2) * e3 * e41;
-        const Scalar e44 = p_.L * e30;
-        const Scalar e45 = e24 * (p_.L - Scalar(2) * e3 * e44);
-        const Scalar e46 = e8 * e5;
-        const Scalar e47 = e44 * e46;
-        const Scalar e48 = e4 * e32;
-        const Scalar e49 = p_.L * p_.b;
-        const Scalar e50 = e35 * e48;
-        const Scalar e51 = Scalar(2) * e48 - e8 * e49 - e50;
-        const Scalar e52 = e5 * e32;
-        const Scalar e53 = inverse_2 * e52 - p_.L * e46;
-        const Scalar e54 = e22 * e44;
-        const Scalar e55 = T_h_11 - T_c_11;
-        const Scalar e56 = e4 * e40;
-        const Scalar e57 = e35 * e56;
-        const Scalar e58 = Scalar(2) * p_.L * e22 - e21 * e49 - e54;
-        const Scalar e59 = e31 * e22;
-        const Scalar e60 = inverse_2 * e59 - e56;
-        const Scalar e61 = inverse_6 * e52;
-        const Scalar e62 = inverse_19 * e59;
-        const Scalar e63 = inverse_7 * e52;
+        const Scalar e22 = T_h_12 - T_c_12;
+        const Scalar inverse_23 = Scalar(1) / p_.c_c;
+        const Scalar inverse_24 = Scalar(1) / p_.M_c;
+        const Scalar e25 = inverse_23 * inverse_24;
+        const Scalar e26 = e25 * e8;
+        const Scalar e27 = Scalar(2) * e3 * e26;
+        const Scalar e28 = p_.L * inverse_2;
+        const Scalar e29 = Scalar(2) * e28 * e9;
+        const Scalar e30 = Scalar(2) * e28 * e26;
+        const Scalar e31 = p_.alpha_c * p_.alpha_c;
+        const Scalar e32 = p_.L * e3;
+        const Scalar e33 = inverse_2 * e32;
+        const Scalar e34 = e6 * e33;
+        const Scalar e35 = e31 * e34;
+        const Scalar e36 = e25 * e33;
+        const Scalar e37 = e31 * e36;
+        const Scalar e38 = p_.alpha_h * p_.alpha_h;
+        const Scalar e39 = e38 * e34;
+        const Scalar e40 = e38 * e36;
+        const Scalar e41 = e7 * e32;
+        const Scalar e42 = e6 * e41;
+        const Scalar e43 = inverse_4 * e42;
+        const Scalar e44 = e25 * e41;
+        const Scalar e45 = inverse_23 * e44;
+        const Scalar e46 = inverse_5 * e42;
         const Scalar m_h = u[0];
-        const Scalar e64 = m_h * (Scalar(12) * inverse_7 * inverse_7);
-        const Scalar e65 = e63 + e64;
+        const Scalar e47 = m_h * (Scalar(12) * inverse_5 * inverse_5);
+        const Scalar e48 = e46 + e47;
         const Scalar T_hi = u[2];
-        const Scalar e66 = inverse_20 * e59;
+        const Scalar e49 = inverse_24 * e44;
         const Scalar m_c = u[1];
-        const Scalar e67 = m_c * (Scalar(12) * inverse_20 * inverse_20);
-        const Scalar e68 = e66 + e67;
+        const Scalar e50 = m_c * (Scalar(12) * inverse_24 * inverse_24);
+        const Scalar e51 = e49 + e50;
         const Scalar T_ci = u[3];
-        J[0] = T_c_1 * e11 - T_h_1 * e13;
-        J[1] = T_c_2 * e11 - T_h_2 * e13;
-        J[2] = -e10 * e14;
-        J[3] = -e10 * e15;
-        J[4] = T_c_5 * e11 - T_h_5 * e13;
-        J[5] = T_c_6 * e11 - T_h_6 * e13;
-        J[6] = -e10 * e16;
-        J[7] = T_c_8 * e11 - T_h_8 * e13;
-        J[8] = T_c_9 * e11 - T_h_9 * e13;
-        J[9] = -e10 * e17;
-        J[10] = T_c_11 * e11 - T_h_11 * e13;
-        J[11] = -e10 * e18;
-        J[12] = T_h_1 * e23 - T_c_1 * e25;
-        J[13] = T_h_2 * e23 - T_c_2 * e25;
-        J[14] = T_h_3 * e23 - T_c_3 * e25;
-        J[15] = T_h_4 * e23 - T_c_4 * e25;
-        J[16] = e26 * e27;
-        J[17] = e26 * e28;
-        J[18] = e26 * e16;
-        J[19] = e26 * e29;
-        J[20] = T_h_9 * e23 - T_c_9 * e25;
-        J[21] = e26 * e17;
-        J[22] = T_h_11 * e23 - T_c_11 * e25;
-        J[23] = T_h_12 * e23 - T_c_12 * e25;
-        J[24] = T_c_1 * e34 - T_h_1 * e36;
-        J[25] = -e37 * e38;
-        J[26] = T_c_3 * e34 - T_h_3 * e36;
-        J[27] = T_c_4 * e34 - T_h_4 * e36;
-        J[28] = -e37 * e27;
-        J[29] = T_c_6 * e34 - T_h_6 * e36;
-        J[30] = T_c_7 * e34 - T_h_7 * e36;
-        J[31] = T_c_8 * e34 - T_h_8 * e36;
-        J[32] = -e37 * e39;
-        J[33] = T_c_10 * e34 - T_h_10 * e36;
-        J[34] = T_c_11 * e34 - T_h_11 * e36;
-        J[35] = T_c_12 * e34 - T_h_12 * e36;
-        J[36] = e41 * e42;
-        J[37] = e41 * e38;
-        J[38] = T_h_3 * e43 - T_c_3 * e45;
-        J[39] = T_h_4 * e43 - T_c_4 * e45;
-        J[40] = T_h_5 * e43 - T_c_5 * e45;
-        J[41] = e41 * e28;
-        J[42] = e41 * e16;
-        J[43] = T_h_8 * e43 - T_c_8 * e45;
-        J[44] = T_h_9 * e43 - T_c_9 * e45;
-        J[45] = T_h_10 * e43 - T_c_10 * e45;
-        J[46] = T_h_11 * e43 - T_c_11 * e45;
-        J[47] = e41 * e18;
-        J[48] = -e47 * e42;
-        J[49] = T_h_2 * e51 - T_c_2 * e53;
-        J[50] = -e47 * e14;
-        J[51] = T_h_4 * e51 - T_c_4 * e53;
-        J[52] = -e47 * e27;
-        J[53] = -e47 * e28;
-        J[54] = -e47 * e16;
-        J[55] = -e47 * e29;
-        J[56] = -e47 * e39;
-        J[57] = T_h_10 * e51 - T_c_10 * e53;
-        J[58] = T_h_11 * e51 - T_c_11 * e53;
-        J[59] = -e47 * e18;
-        J[60] = e54 * e42;
-        J[61] = e54 * e38;
-        J[62] = e54 * e14;
-        J[63] = e54 * e15;
-        J[64] = e54 * e27;
-        J[65] = e54 * e28;
-        J[66] = e54 * e16;
-        J[67] = e54 * e29;
-        J[68] = e54 * e39;
-        J[69] = e54 * e17;
-        J[70] = e54 * e55;
-        J[71] = e54 * e18;
-        J[72] = -e50 * e42;
-        J[73] = -e50 * e38;
-        J[74] = -e50 * e14;
-        J[75] = -e50 * e15;
-        J[76] = -e50 * e27;
-        J[77] = -e50 * e28;
-        J[78] = -e50 * e16;
-        J[79] = -e50 * e29;
-        J[80] = -e50 * e39;
-        J[81] = -e50 * e17;
-        J[82] = -e50 * e55;
-        J[83] = -e50 * e18;
-        J[84] = e57 * e42;
-        J[85] = T_c_2 * e58 - T_h_2 * e60;
-        J[86] = T_c_3 * e58 - T_h_3 * e60;
-        J[87] = T_c_4 * e58 - T_h_4 * e60;
-        J[88] = T_c_5 * e58 - T_h_5 * e60;
-        J[89] = e57 * e28;
-        J[90] = e57 * e16;
-        J[91] = T_c_8 * e58 - T_h_8 * e60;
-        J[92] = T_c_9 * e58 - T_h_9 * e60;
-        J[93] = T_c_10 * e58 - T_h_10 * e60;
-        J[94] = T_c_11 * e58 - T_h_11 * e60;
-        J[95] = T_c_12 * e58 - T_h_12 * e60;
-        J[96] = e61 * e42;
-        J[97] = e61 * e38;
-        J[98] = e61 * e14;
-        J[99] = e61 * e15;
-        J[100] = e61 * e27;
-        J[101] = e61 * e28;
-        J[102] = e61 * e16;
-        J[103] = e61 * e29;
-        J[104] = e61 * e39;
-        J[105] = e61 * e17;
-        J[106] = e61 * e55;
-        J[107] = e61 * e18;
-        J[108] = -e62 * e42;
-        J[109] = -e62 * e38;
-        J[110] = -e62 * e14;
-        J[111] = -e62 * e15;
-        J[112] = -e62 * e27;
-        J[113] = -e62 * e28;
-        J[114] = -e62 * e16;
-        J[115] = -e62 * e29;
-        J[116] = -e62 * e39;
-        J[117] = -e62 * e17;
-        J[118] = -e62 * e55;
-        J[119] = -e62 * e18;
-        J[120] = T_h_1 * e65 - T_c_1 * e63 - T_hi * e64;
-        J[121] = T_h_2 * e65 - T_c_2 * e63 - T_h_1 * e64;
-        J[122] = T_h_3 * e65 - T_c_3 * e63 - T_h_2 * e64;
-        J[123] = T_h_4 * e65 - T_c_4 * e63 - T_h_3 * e64;
-        J[124] = T_h_5 * e65 - T_c_5 * e63 - T_h_4 * e64;
-        J[125] = T_h_6 * e65 - T_c_6 * e63 - T_h_5 * e64;
-        J[126] = T_h_7 * e65 - T_c_7 * e63 - T_h_6 * e64;
-        J[127] = T_h_8 * e65 - T_c_8 * e63 - T_h_7 * e64;
-        J[128] = T_h_9 * e65 - T_c_9 * e63 - T_h_8 * e64;
-        J[129] = T_h_10 * e65 - T_c_10 * e63 - T_h_9 * e64;
-        J[130] = T_h_11 * e65 - T_c_11 * e63 - T_h_10 * e64;
-        J[131] = T_h_12 * e65 - T_c_12 * e63 - T_h_11 * e64;
-        J[132] = T_c_1 * e68 - T_h_1 * e66 - T_ci * e67;
-        J[133] = T_c_2 * e68 - T_h_2 * e66 - T_c_1 * e67;
-        J[134] = T_c_3 * e68 - T_h_3 * e66 - T_c_2 * e67;
-        J[135] = T_c_4 * e68 - T_h_4 * e66 - T_c_3 * e67;
-        J[136] = T_c_5 * e68 - T_h_5 * e66 - T_c_4 * e67;
-        J[137] = T_c_6 * e68 - T_h_6 * e66 - T_c_5 * e67;
-        J[138] = T_c_7 * e68 - T_h_7 * e66 - T_c_6 * e67;
-        J[139] = T_c_8 * e68 - T_h_8 * e66 - T_c_7 * e67;
-        J[140] = T_c_9 * e68 - T_h_9 * e66 - T_c_8 * e67;
-        J[141] = T_c_10 * e68 - T_h_10 * e66 - T_c_9 * e67;
-        J[142] = T_c_11 * e68 - T_h_11 * e66 - T_c_10 * e67;
-        J[143] = T_c_12 * e68 - T_h_12 * e66 - T_c_11 * e67;
+        J[0] = -e10 * e11;
+        J[1] = -e10 * e12;
+        J[2] = -e10 * e13;
+        J[3] = -e10 * e14;
+        J[4] = -e10 * e15;
+        J[5] = -e10 * e16;
+        J[6] = -e10 * e17;
+        J[7] = -e10 * e18;
+        J[8] = -e10 * e19;
+        J[9] = -e10 * e20;
+        J[10] = -e10 * e21;
+        J[11] = -e10 * e22;
+        J[12] = e27 * e11;
+        J[13] = e27 * e12;
+        J[14] = e27 * e13;
+        J[15] = e27 * e14;
+        J[16] = e27 * e15;
+        J[17] = e27 * e16;
+        J[18] = e27 * e17;
+        J[19] = e27 * e18;
+        J[20] = e27 * e19;
+        J[21] = e27 * e20;
+        J[22] = e27 * e21;
+        J[23] = e27 * e22;
+        J[24] = -e29 * e11;
+        J[25] = -e29 * e12;
+        J[26] = -e29 * e13;
+        J[27] = -e29 * e14;
+        J[28] = -e29 * e15;
+        J[29] = -e29 * e16;
+        J[30] = -e29 * e17;
+        J[31] = -e29 * e18;
+        J[32] = -e29 * e19;
+        J[33] = -e29 * e20;
+        J[34] = -e29 * e21;
+        J[35] = -e29 * e22;
+        J[36] = e30 * e11;
+        J[37] = e30 * e12;
+        J[38] = e30 * e13;
+        J[39] = e30 * e14;
+        J[40] = e30 * e15;
+        J[41] = e30 * e16;
+        J[42] = e30 * e17;
+        J[43] = e30 * e18;
+        J[44] = e30 * e19;
+        J[45] = e30 * e20;
+        J[46] = e30 * e21;
+        J[47] = e30 * e22;
+        J[48] = -e35 * e11;
+        J[49] = -e35 * e12;
+        J[50] = -e35 * e13;
+        J[51] = -e35 * e14;
+        J[52] = -e35 * e15;
+        J[53] = -e35 * e16;
+        J[54] = -e35 * e17;
+        J[55] = -e35 * e18;
+        J[56] = -e35 * e19;
+        J[57] = -e35 * e20;
+        J[58] = -e35 * e21;
+        J[59] = -e35 * e22;
+        J[60] = e37 * e11;
+        J[61] = e37 * e12;
+        J[62] = e37 * e13;
+        J[63] = e37 * e14;
+        J[64] = e37 * e15;
+        J[65] = e37 * e16;
+        J[66] = e37 * e17;
+        J[67] = e37 * e18;
+        J[68] = e37 * e19;
+        J[69] = e37 * e20;
+        J[70] = e37 * e21;
+        J[71] = e37 * e22;
+        J[72] = -e39 * e11;
+        J[73] = -e39 * e12;
+        J[74] = -e39 * e13;
+        J[75] = -e39 * e14;
+        J[76] = -e39 * e15;
+        J[77] = -e39 * e16;
+        J[78] = -e39 * e17;
+        J[79] = -e39 * e18;
+        J[80] = -e39 * e19;
+        J[81] = -e39 * e20;
+        J[82] = -e39 * e21;
+        J[83] = -e39 * e22;
+        J[84] = e40 * e11;
+        J[85] = e40 * e12;
+        J[86] = e40 * e13;
+        J[87] = e40 * e14;
+        J[88] = e40 * e15;
+        J[89] = e40 * e16;
+        J[90] = e40 * e17;
+        J[91] = e40 * e18;
+        J[92] = e40 * e19;
+        J[93] = e40 * e20;
+        J[94] = e40 * e21;
+        J[95] = e40 * e22;
+        J[96] = e43 * e11;
+        J[97] = e43 * e12;
+        J[98] = e43 * e13;
+        J[99] = e43 * e14;
+        J[100] = e43 * e15;
+        J[101] = e43 * e16;
+        J[102] = e43 * e17;
+        J[103] = e43 * e18;
+        J[104] = e43 * e19;
+        J[105] = e43 * e20;
+        J[106] = e43 * e21;
+        J[107] = e43 * e22;
+        J[108] = -e45 * e11;
+        J[109] = -e45 * e12;
+        J[110] = -e45 * e13;
+        J[111] = -e45 * e14;
+        J[112] = -e45 * e15;
+        J[113] = -e45 * e16;
+        J[114] = -e45 * e17;
+        J[115] = -e45 * e18;
+        J[116] = -e45 * e19;
+        J[117] = -e45 * e20;
+        J[118] = -e45 * e21;
+        J[119] = -e45 * e22;
+        J[120] = T_h_1 * e48 - T_c_1 * e46 - T_hi * e47;
+        J[121] = T_h_2 * e48 - T_c_2 * e46 - T_h_1 * e47;
+        J[122] = T_h_3 * e48 - T_c_3 * e46 - T_h_2 * e47;
+        J[123] = T_h_4 * e48 - T_c_4 * e46 - T_h_3 * e47;
+        J[124] = T_h_5 * e48 - T_c_5 * e46 - T_h_4 * e47;
+        J[125] = T_h_6 * e48 - T_c_6 * e46 - T_h_5 * e47;
+        J[126] = T_h_7 * e48 - T_c_7 * e46 - T_h_6 * e47;
+        J[127] = T_h_8 * e48 - T_c_8 * e46 - T_h_7 * e47;
+        J[128] = T_h_9 * e48 - T_c_9 * e46 - T_h_8 * e47;
+        J[129] = T_h_10 * e48 - T_c_10 * e46 - T_h_9 * e47;
+        J[130] = T_h_11 * e48 - T_c_11 * e46 - T_h_10 * e47;
+        J[131] = T_h_12 * e48 - T_c_12 * e46 - T_h_11 * e47;
+        J[132] = T_c_1 * e51 - T_h_1 * e49 - T_ci * e50;
+        J[133] = T_c_2 * e51 - T_h_2 * e49 - T_c_1 * e50;
+        J[134] = T_c_3 * e51 - T_h_3 * e49 - T_c_2 * e50;
+        J[135] = T_c_4 * e51 - T_h_4 * e49 - T_c_3 * e50;
+        J[136] = T_c_5 * e51 - T_h_5 * e49 - T_c_4 * e50;
+        J[137] = T_c_6 * e51 - T_h_6 * e49 - T_c_5 * e50;
+        J[138] = T_c_7 * e51 - T_h_7 * e49 - T_c_6 * e50;
+        J[139] = T_c_8 * e51 - T_h_8 * e49 - T_c_7 * e50;
+        J[140] = T_c_9 * e51 - T_h_9 * e49 - T_c_8 * e50;
+        J[141] = T_c_10 * e51 - T_h_10 * e49 - T_c_9 * e50;
+        J[142] = T_c_11 * e51 - T_h_11 * e49 - T_c_10 * e50;
+        J[143] = T_c_12 * e51 - T_h_12 * e49 - T_c_11 * e50;
     }
 
     /// J = df/dt at fixed x and u.
@@ -993,12 +976,12 @@ public:
     /// Operations: 30 + or -, 18 *, 5 /, 4 other functions
     ///     T_h_out = T_h[12]
     ///     T_c_out = T_c[12]
-    ///     Q = L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[1]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[2]/12 +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[3]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[4]/12 +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[5]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[6]/12 +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[7]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[8]/12 +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[9]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[10]/12 +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[11]/12 + L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[12]/12 -
+    ///     Q = L*b*alpha_h*alpha_c*T_h[1]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[2]/(12*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_h[3]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[4]/(12*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_h[5]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[6]/(12*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_h[7]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[8]/(12*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_h[9]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[10]/(12*(alpha_h + alpha_c)) +
+    ///     L*b*alpha_h*alpha_c*T_h[11]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[12]/(12*(alpha_h + alpha_c)) -
     ///     L*b*alpha_h*alpha_c*T_c[1]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[2]/(12*(alpha_h + alpha_c)) -
     ///     L*b*alpha_h*alpha_c*T_c[3]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[4]/(12*(alpha_h + alpha_c)) -
     ///     L*b*alpha_h*alpha_c*T_c[5]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[6]/(12*(alpha_h + alpha_c)) -
@@ -1007,20 +990,21 @@ public:
     ///     L*b*alpha_h*alpha_c*T_c[11]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[12]/(12*(alpha_h + alpha_c))
     ///     Q_parallel = L*b*k*T_hi*decay_mean(L*b*k*(1 + min(c_h*m_h, c_c*m_c)/max(c_h*m_h, c_c*m_c))/min(c_h*m_h, c_c*m_c)) -
     ///     L*b*k*T_ci*decay_mean(L*b*k*(1 + min(c_h*m_h, c_c*m_c)/max(c_h*m_h, c_c*m_c))/min(c_h*m_h, c_c*m_c))
-    ///     efficiency = L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[1]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*(1 - alpha_h/(alpha_h + alpha_c))*T_h[2]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 -
-    ///     alpha_h/(alpha_h + alpha_c))*T_h[3]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[4]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[5]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[6]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[7]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[8]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[9]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[10]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[11]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + L*b*alpha_h*(1 - alpha_h/(alpha_h +
-    ///     alpha_c))*T_h[12]/(12*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) - L*b*alpha_h*alpha_c*T_c[1]/(12*(alpha_h +
-    ///     alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) - L*b*alpha_h*alpha_c*T_c[2]/(12*(alpha_h + alpha_c)*min(c_h*m_h,
-    ///     c_c*m_c)*(T_hi - T_ci)) - L*b*alpha_h*alpha_c*T_c[3]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
+    ///     efficiency = L*b*alpha_h*alpha_c*T_h[1]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[2]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[3]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[4]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[5]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[6]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[7]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[8]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[9]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[10]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[11]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     L*b*alpha_h*alpha_c*T_h[12]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
+    ///     L*b*alpha_h*alpha_c*T_c[1]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
+    ///     L*b*alpha_h*alpha_c*T_c[2]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
+    ///     L*b*alpha_h*alpha_c*T_c[3]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
     ///     L*b*alpha_h*alpha_c*T_c[4]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
     ///     L*b*alpha_h*alpha_c*T_c[5]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
     ///     L*b*alpha_h*alpha_c*T_c[6]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -

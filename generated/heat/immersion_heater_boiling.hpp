@@ -15,7 +15,7 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 9     26    12        0      2
+//   update                13     33    12        0      2
 //   rhs                    1      2     0        0      0
 //   rhs_and_jacobian       1      2     0        0      0
 //   jacobian_u             1      0     0        0      0
@@ -174,34 +174,40 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 9 + or -, 26 *, 12 /, 2 other functions
+    /// Operations: 13 + or -, 33 *, 12 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
         using std::expm1;
         c_.k = Scalar(1) / (p_.L / p_.lambda + Scalar(1) / p_.alpha_i + Scalar(1) / p_.alpha_a);
         const Scalar inverse_1 = Scalar(1) / p_.m_0;
-        const Scalar e2 = p_.A * c_.k;
-        const Scalar e3 = inverse_1 * e2;
-        const Scalar e4 = e3 * (p_.t_s / p_.c_p);
-        const Scalar expm1_5 = expm1(-e4);
-        const Scalar exp_6 = exp(e4);
-        const Scalar e7 = p_.T_inf * e2;
-        c_.P_s = -(p_.T_s * e2 - e7 / exp_6) / expm1_5 - e7;
+        const Scalar e2 = p_.A * inverse_1;
+        const Scalar e3 = p_.t_s * c_.k * (e2 / p_.c_p);
+        const Scalar expm1_4 = expm1(-e3);
+        const Scalar e5 = p_.A * c_.k;
+        const Scalar exp_6 = exp(e3);
+        const Scalar e7 = p_.T_inf * e5;
+        c_.P_s = -(p_.T_s * e5 - e7 / exp_6) / expm1_4 - e7;
         const Scalar inverse_8 = Scalar(1) / p_.h_v;
         c_.k0 = inverse_8;
         const Scalar e9 = p_.T_s - p_.T_inf;
-        c_.k1 = inverse_8 * e9 * e3;
-        const Scalar e10 = p_.alpha_a * inverse_1;
-        const Scalar e11 = p_.lambda * inverse_1 / p_.L;
-        const Scalar e12 = p_.alpha_i * inverse_1;
-        const Scalar e13 = e11 * (e12 / (e12 + e11));
-        const Scalar inverse_14 = Scalar(1) / (e10 + e13);
-        const Scalar e15 = inverse_14 * e10;
-        c_.k2 = p_.T_s * inverse_14 * e13 + p_.T_inf * e15;
-        c_.k3 = p_.A * e9 * e13 * e15;
-        c_.k4 = e9 * e2;
+        const Scalar e10 = e9 * e2;
+        c_.k1 = c_.k * inverse_8 * e10;
+        const Scalar e11 = p_.lambda / p_.L;
+        const Scalar e12 = p_.alpha_i + e11;
+        const Scalar e13 = inverse_1 / (inverse_1 * e12);
+        const Scalar e14 = e13 * (e11 * (p_.alpha_i * inverse_1));
+        const Scalar inverse_15 = Scalar(1) / (p_.alpha_a * inverse_1 + e14);
+        const Scalar e16 = inverse_15 * e14;
+        const Scalar e17 = p_.alpha_a * inverse_15;
+        const Scalar e18 = inverse_1 * e17;
+        c_.k2 = p_.T_s * e16 + p_.T_inf * e18;
+        const Scalar e19 = e10 * (e14 * e17);
+        c_.k3 = e19;
+        c_.k4 = e9 * e5;
         c_.k5 = (Scalar(1) / Scalar(2)) * p_.m_0;
+        const Scalar e20 = e12 * e13;
+        c_.k6 = e19 * (Scalar(3) - e20 - e18) - e19 * e16 * (Scalar(2) - e20);
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -302,9 +308,8 @@ public:
     /// Operations: 1 *
     ///     T_outer = (T_s*lambda*alpha_i/(m_0*L*(lambda/(m_0*L) + alpha_i/m_0)) +
     ///     T_inf*alpha_a)/(m_0*(lambda*alpha_i/(m_0^2*L*(lambda/(m_0*L) + alpha_i/m_0)) + alpha_a/m_0))
-    ///     wet_loss = -A*alpha_a*(-T_s*lambda*alpha_i/(m_0^2*L*(lambda/(m_0*L) +
-    ///     alpha_i/m_0)*(lambda*alpha_i/(m_0^2*L*(lambda/(m_0*L) + alpha_i/m_0)) + alpha_a/m_0)) -
-    ///     T_inf*alpha_a/(m_0*(lambda*alpha_i/(m_0^2*L*(lambda/(m_0*L) + alpha_i/m_0)) + alpha_a/m_0)) + T_inf)*m/m_0
+    ///     wet_loss = A*lambda*alpha_i*alpha_a*(T_s - T_inf)*m/(m_0^3*L*(lambda/(m_0*L) +
+    ///     alpha_i/m_0)*(lambda*alpha_i/(m_0^2*L*(lambda/(m_0*L) + alpha_i/m_0)) + alpha_a/m_0))
     ///     boils = T_s
     ///     power = P_s
     ///     Q_0 = A*k*(T_s - T_inf)
@@ -323,7 +328,7 @@ public:
     /// Operations: none
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         C[0] = Scalar(0);
-        C[1] = c_.k3;
+        C[1] = c_.k6;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
@@ -401,10 +406,11 @@ private:
         Scalar P_s;  ///< A*k*(T_s/(1 - 1/exp(A*t_s*k/(m_0*c_p))) - T_inf - T_inf/(exp(A*t_s*k/(m_0*c_p))*(1 - ...
         Scalar k0;  ///< 1/h_v
         Scalar k1;  ///< A*k*(T_s - T_inf)/(m_0*h_v)
-        Scalar k2;  ///< (T_s*lambda*alpha_i/(m_0*L*(lambda/(m_0*L) + alpha_i/m_0)) + ...
-        Scalar k3;  ///< A*lambda*alpha_i*alpha_a*(T_s - T_inf)/(m_0^3*L*(lambda/(m_0*L) + ...
+        Scalar k2;  ///< (T_s*lambda*alpha_i/(L*(lambda/L + alpha_i)) + ...
+        Scalar k3;  ///< A*lambda*alpha_i*alpha_a*(T_s - T_inf)/(m_0^2*L*(lambda/L + ...
         Scalar k4;  ///< A*k*(T_s - T_inf)
         Scalar k5;  ///< m_0/2
+        Scalar k6;  ///< A*lambda*alpha_i*alpha_a*(-T_s*lambda*alpha_i/(m_0*L*(lambda/L + ...
     };
     Cached c_{};
 };

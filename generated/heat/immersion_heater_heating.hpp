@@ -16,10 +16,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                10     27    14        0      2
+//   update                 8     25    14        0      2
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            33     91     9        0      0
+//   jacobian_p            25     60     9        0      0
 //   output                 4      4     0        0      1
 //   internal_energy        0      2     0        0      0
 //   exchanged_power        2      1     0        0      0
@@ -174,7 +174,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 10 + or -, 27 *, 14 /, 2 other functions
+    /// Operations: 8 + or -, 25 *, 14 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -197,18 +197,14 @@ public:
         const Scalar e14 = inverse_13 * e12;
         const Scalar e15 = p_.T_inf * e14;
         const Scalar e16 = p_.lambda / p_.L;
-        const Scalar e17 = p_.A * p_.alpha_i;
-        const Scalar e18 = e17 / (p_.alpha_i + e16);
-        const Scalar e19 = e16 * e18;
-        const Scalar e20 = e3 * e19;
-        c_.k0 = e15 * e20;
+        const Scalar e17 = e3 / (p_.alpha_i + e16) * (e16 * (p_.A * p_.alpha_i));
+        c_.k0 = e15 * e17;
         c_.k1 = e3;
-        const Scalar e21 = inverse_13 * e19;
-        c_.k2 = e3 * (e17 - p_.alpha_i * e18) - e21 * e20;
+        c_.k2 = e14 * e17;
         c_.k3 = e15;
-        c_.k4 = e21;
+        c_.k4 = inverse_11 * inverse_13;
         c_.k5 = inverse_11 * e15;
-        c_.k6 = e14 * e19;
+        c_.k6 = inverse_11 * e14;
         c_.k7 = c_.P_s * inverse_10 / c_.k;
         c_.k8 = e9 - e8;
         c_.k9 = e4;
@@ -226,8 +222,8 @@ public:
     /// dx/dt = f(x, u, t).
     /// Operations: 2 + or -, 2 *
     ///     dot(T) = T_inf*A^2*lambda*alpha_i*alpha_a/(m_0*c_p*L*(lambda/L + alpha_i)*(A*alpha_a + 1/(L/(A*lambda) +
-    ///     1/(A*alpha_i)))) + P/(m_0*c_p) - A*alpha_i*(1 - A*lambda^2*alpha_i/(L^2*(lambda/L + alpha_i)^2*(A*alpha_a +
-    ///     1/(L/(A*lambda) + 1/(A*alpha_i)))) - alpha_i/(lambda/L + alpha_i))*T/(m_0*c_p)
+    ///     1/(A*alpha_i)))) + P/(m_0*c_p) - A^2*lambda*alpha_i*alpha_a*T/(m_0*c_p*L*(lambda/L + alpha_i)*(A*alpha_a +
+    ///     1/(L/(A*lambda) + 1/(A*alpha_i))))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar T = x[0];
@@ -257,61 +253,49 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 33 + or -, 91 *, 9 /
+    /// Operations: 25 + or -, 60 *, 9 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.m_0;
         const Scalar inverse_2 = Scalar(1) / p_.c_p;
         const Scalar e3 = inverse_1 * inverse_2;
-        const Scalar e4 = p_.A * e3;
-        const Scalar inverse_5 = Scalar(1) / p_.L;
-        const Scalar e6 = p_.lambda * inverse_5;
-        const Scalar e7 = p_.alpha_i + e6;
-        const Scalar inverse_8 = Scalar(1) / e7;
-        const Scalar e9 = inverse_8 * e3;
-        const Scalar e10 = p_.A * e9;
-        const Scalar e11 = p_.alpha_i * e10;
-        const Scalar inverse_12 = Scalar(1) / p_.lambda;
-        const Scalar inverse_13 = Scalar(1) / p_.alpha_i;
-        const Scalar inverse_14 = Scalar(1) / ((p_.L * inverse_12 + inverse_13) / p_.A);
-        const Scalar inverse_15 = Scalar(1) / (p_.A * p_.alpha_a + inverse_14);
-        const Scalar e16 = inverse_5 * inverse_15;
-        const Scalar e17 = p_.lambda * e16;
-        const Scalar e18 = e11 * e17;
-        const Scalar e19 = p_.A * e18;
-        const Scalar e20 = inverse_8 * e6;
-        const Scalar e21 = e11 + e19 * e20;
-        const Scalar e22 = p_.alpha_i * (e4 - e21);
-        const Scalar e23 = p_.T_inf * p_.alpha_a;
-        const Scalar e24 = e19 * e23;
+        const Scalar inverse_4 = Scalar(1) / p_.L;
+        const Scalar e5 = p_.lambda * inverse_4;
+        const Scalar inverse_6 = Scalar(1) / (p_.alpha_i + e5);
+        const Scalar inverse_7 = Scalar(1) / p_.lambda;
+        const Scalar inverse_8 = Scalar(1) / p_.alpha_i;
+        const Scalar inverse_9 = Scalar(1) / ((p_.L * inverse_7 + inverse_8) / p_.A);
+        const Scalar inverse_10 = Scalar(1) / (p_.A * p_.alpha_a + inverse_9);
+        const Scalar e11 = e3 * (inverse_6 * inverse_10);
+        const Scalar e12 = p_.alpha_a * e11;
+        const Scalar e13 = p_.alpha_i * e12;
+        const Scalar e14 = p_.A * inverse_4;
+        const Scalar e15 = p_.lambda * e14;
+        const Scalar e16 = e13 * e15;
+        const Scalar e17 = p_.A * e16;
+        const Scalar e18 = inverse_1 * e17;
         const Scalar P = u[0];
-        const Scalar e25 = p_.alpha_a * e19;
-        const Scalar inverse_14_squared = inverse_14 * inverse_14;
-        const Scalar e26 = inverse_15 * inverse_14_squared;
-        const Scalar e27 = e7 * e9;
-        const Scalar e28 = e26 * e27 + e25;
-        const Scalar e29 = p_.A * e17;
-        const Scalar e30 = Scalar(1) + Scalar(2) * e29 * e20;
-        const Scalar e31 = p_.alpha_i * e30;
-        const Scalar e32 = p_.alpha_i * inverse_8;
-        const Scalar e33 = e11 * e16;
-        const Scalar e34 = e23 * e26;
-        const Scalar e35 = inverse_5 * e24;
-        const Scalar e36 = e30 * e11;
-        const Scalar e37 = e32 * (inverse_5 * (e36 - Scalar(2) * e19));
-        const Scalar e38 = e10 * e17;
-        J[0] = T * (inverse_1 * e22) - inverse_1 * e24 - P * (inverse_1 * e3);
-        J[1] = T * (inverse_2 * e22) - inverse_2 * e24 - P * (inverse_2 * e3);
+        const Scalar e19 = inverse_2 * e17;
+        const Scalar e20 = p_.alpha_i * inverse_6;
+        const Scalar e21 = inverse_9 * inverse_10;
+        const Scalar e22 = inverse_9 * e21;
+        const Scalar e23 = (inverse_6 * e15 * e5 + e22) * e13;
+        const Scalar e24 = inverse_10 * (p_.alpha_a * e17 + inverse_9 * inverse_9 * e12 * e5) - Scalar(3) * e16;
+        const Scalar e25 = e16 * e20 + e23 + e24;
+        const Scalar e26 = e14 * (e23 - e16);
+        const Scalar e27 = e13 * (e14 * e20 - inverse_7 * e22);
+        const Scalar e28 = p_.T_inf * p_.A;
+        const Scalar e29 = inverse_6 * e17 - e12 * e15 * (p_.A - inverse_8 * e22);
+        const Scalar e30 = p_.alpha_i * e11 * (e15 * e21);
+        J[0] = T * e18 - p_.T_inf * e18 - P * (inverse_1 * e3);
+        J[1] = T * e19 - p_.T_inf * e19 - P * (inverse_2 * e3);
         J[2] = Scalar(0);
-        J[3] = e25;
-        const Scalar e39 = -p_.alpha_i * (e3 - Scalar(2) * e9 * e31) - e32 * (e17 * e28 + e31 * e27);
-        J[4] = e18 * e23 * (Scalar(3) - inverse_8 * e7) - inverse_15 * e23 * e28 + T * e39;
-        J[5] = e33 * e34 - e35 * (Scalar(1) - e20) + T * (e16 * e18 * e32 * inverse_14_squared + e6 * e37);
-        const Scalar e40 = inverse_8 * e35 - p_.A * e23 * e33 + inverse_12 * inverse_15 * e11 * e34;
-        J[6] = -e40 - T * (e32 * e26 * e33 + e37);
-        const Scalar e41 = e4 - Scalar(2) * e21 + e32 * e36 + inverse_8 * e17 * inverse_14_squared * e38;
-        J[7] = -(inverse_8 * e24 - e10 * e23 * e29 + inverse_13 * e34 * e38) - T * e41;
-        J[8] = p_.T_inf * inverse_14 * inverse_15 * e19 - T * (e19 * e32 * e29);
+        J[3] = c_.k2;
+        J[4] = -p_.T_inf * e25 - T * (-e25);
+        J[5] = p_.T_inf * e26 - T * e26;
+        J[6] = T * (-p_.A * e27) - (-e28 * e27);
+        J[7] = T * e29 - p_.T_inf * e29;
+        J[8] = e28 * e30 - T * (p_.A * e30);
         J[9] = Scalar(0);
     }
 
@@ -338,10 +322,10 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: 4 + or -, 4 *, 1 other functions
-    ///     T_outer = T_inf*A*alpha_a/(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i))) + A*lambda*alpha_i*T/(L*(lambda/L +
-    ///     alpha_i)*(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i))))
-    ///     loss = -T_inf*A*alpha_a*(1 - A*alpha_a/(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i)))) +
-    ///     A^2*lambda*alpha_i*alpha_a*T/(L*(lambda/L + alpha_i)*(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i))))
+    ///     T_outer = T_inf*A*alpha_a/(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i))) + T/((L/(A*lambda) + 1/(A*alpha_i))*(A*alpha_a
+    ///     + 1/(L/(A*lambda) + 1/(A*alpha_i))))
+    ///     loss = -T_inf*A*alpha_a/((L/(A*lambda) + 1/(A*alpha_i))*(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i)))) +
+    ///     A*alpha_a*T/((L/(A*lambda) + 1/(A*alpha_i))*(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i))))
     ///     exact = (T_inf + P_s/(A*k)) - P_s/(A*k*exp(A*k*t/(m_0*c_p)))
     ///     boils = T_s
     ///     power = P_s
@@ -443,11 +427,11 @@ private:
         Scalar P_s;  ///< A*k*(T_s/(1 - 1/exp(A*t_s*k/(m_0*c_p))) - T_inf - T_inf/(exp(A*t_s*k/(m_0*c_p))*(1 - ...
         Scalar k0;  ///< T_inf*A*lambda*alpha_i*alpha_a/(m_0*c_p*L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
         Scalar k1;  ///< 1/(m_0*c_p)
-        Scalar k2;  ///< -A*alpha_i*(-1 + lambda^2*alpha_i/(L^2*(lambda/L + alpha_i)^2*(alpha_a + 1/(L/lambda + ...
+        Scalar k2;  ///< A*lambda*alpha_i*alpha_a/(m_0*c_p*L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
         Scalar k3;  ///< T_inf*alpha_a/(alpha_a + 1/(L/lambda + 1/alpha_i))
-        Scalar k4;  ///< lambda*alpha_i/(L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
+        Scalar k4;  ///< 1/((L/lambda + 1/alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
         Scalar k5;  ///< T_inf*A*alpha_a/((L/lambda + 1/alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
-        Scalar k6;  ///< A*lambda*alpha_i*alpha_a/(L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
+        Scalar k6;  ///< A*alpha_a/((L/lambda + 1/alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
         Scalar k7;  ///< P_s/(A*k)
         Scalar k8;  ///< A*k*(T_s - T_inf)
         Scalar k9;  ///< A*k/(m_0*c_p)

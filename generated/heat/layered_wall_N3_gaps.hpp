@@ -17,15 +17,15 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                20     81    25        0      0
+//   update                18     72    25        0      0
 //   rhs                   10     10     0        0      0
 //   rhs_and_jacobian      13     10     0        0      0
-//   jacobian_p           114    399    21        0      0
+//   jacobian_p            80    277    21        0      0
 //   output                12     14     0        0      6
 //   output_jacobian_x      1      0     0        0      0
 //   output_jacobian_u     13     10     0        0     12
 //   internal_energy        2     12     0        0      0
-//   exchanged_power        8     13     2        0      0
+//   exchanged_power       10     12     2        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -217,7 +217,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 20 + or -, 81 *, 25 /
+    /// Operations: 18 + or -, 72 *, 25 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.lambda[2];
@@ -231,65 +231,64 @@ public:
         c_.k0 = p_.g * e7;
         const Scalar inverse_8 = Scalar(1) / p_.L[0];
         const Scalar e9 = p_.lambda[0] * inverse_8;
-        const Scalar e10 = e7 * (inverse_8 * e9);
-        const Scalar e11 = Scalar(2) * e9;
-        const Scalar inverse_12 = Scalar(1) / (p_.alpha_0 + e11);
-        const Scalar e13 = p_.alpha_0 * inverse_12;
-        const Scalar e14 = e10 * e13;
+        const Scalar e10 = Scalar(2) * e9;
+        const Scalar inverse_11 = Scalar(1) / (p_.alpha_0 + e10);
+        const Scalar e12 = p_.alpha_0 * inverse_11;
+        const Scalar e13 = e7 * (inverse_8 * e9);
+        const Scalar e14 = e12 * e13;
         c_.k1 = Scalar(2) * e14;
-        const Scalar inverse_15 = Scalar(1) / (p_.alpha_c + e11);
-        const Scalar e16 = p_.A * p_.alpha_c;
-        const Scalar inverse_17 = Scalar(1) / p_.A;
-        const Scalar e18 = Scalar(2) * (inverse_17 / p_.alpha_c);
-        const Scalar inverse_19 = Scalar(1) / (e18 + inverse_17 * e4);
-        const Scalar inverse_20 = Scalar(1) / p_.L[1];
-        const Scalar e21 = p_.lambda[1] * inverse_20;
-        const Scalar inverse_22 = Scalar(1) / (inverse_19 + p_.A * e21);
-        const Scalar e23 = e16 * (inverse_15 * inverse_22);
-        const Scalar e24 = e9 * e23;
-        c_.k2 = Scalar(2) * (e10 * (p_.alpha_c * inverse_15) * (Scalar(1) - e24) + e14);
-        c_.k3 = Scalar(2) * e21 * e10 * e23;
-        const Scalar e25 = Scalar(1) / p_.rho[1] / p_.c_p[1];
-        c_.k4 = p_.g * e25;
-        const Scalar e26 = inverse_20 * e25;
-        const Scalar e27 = e21 * e26;
-        c_.k5 = Scalar(2) * e27 * e24;
-        const Scalar inverse_28 = Scalar(1) / (p_.alpha_c + Scalar(2) * e21);
-        const Scalar e29 = inverse_28 * e21;
-        const Scalar inverse_30 = Scalar(1) / (e18 + inverse_17 * e6);
-        const Scalar inverse_31 = Scalar(1) / p_.L[2];
-        const Scalar e32 = p_.lambda[2] * inverse_31;
-        const Scalar inverse_33 = Scalar(1) / (inverse_30 + p_.A * e32);
-        const Scalar e34 = inverse_33 * e16;
-        const Scalar e35 = e29 * e34;
-        const Scalar e36 = e26 * e35;
-        c_.k6 = Scalar(2) * (p_.alpha_c * e29 * (e26 - e36) + inverse_19 * inverse_22 * e27);
-        c_.k7 = Scalar(2) * e32 * e36;
-        const Scalar e37 = Scalar(1) / p_.rho[2] / p_.c_p[2];
-        c_.k8 = p_.g * e37;
-        const Scalar e38 = e37 * (inverse_31 * e32);
-        const Scalar inverse_39 = Scalar(1) / (p_.alpha_L + Scalar(2) * e32);
-        const Scalar e40 = p_.alpha_L * inverse_39;
-        const Scalar e41 = e38 * e40;
-        c_.k9 = Scalar(2) * e41;
-        const Scalar e42 = p_.a_s * inverse_39;
-        c_.k10 = Scalar(2) * e38 * e42;
-        c_.k11 = Scalar(2) * e38 * e35;
-        c_.k12 = Scalar(2) * (inverse_30 * inverse_33 * e38 + e41);
-        c_.k13 = e13;
-        c_.k14 = Scalar(2) * inverse_12 * e9;
-        c_.k15 = Scalar(2) * e29 + p_.alpha_c * inverse_28 * e35;
-        c_.k16 = inverse_28 * e32 * e34;
-        c_.k17 = e40;
-        c_.k18 = e42;
-        c_.k19 = Scalar(2) * inverse_39 * e32;
-        c_.k20 = Scalar(2) * p_.A * e9 * e13;
-        const Scalar e43 = c_.k * inverse_2;
-        c_.k21 = Scalar(1) - e43;
+        const Scalar e15 = p_.A * p_.alpha_c;
+        const Scalar inverse_16 = Scalar(1) / p_.A;
+        const Scalar e17 = Scalar(2) * (inverse_16 / p_.alpha_c);
+        const Scalar inverse_18 = Scalar(1) / (e17 + inverse_16 * e4);
+        const Scalar inverse_19 = Scalar(1) / p_.L[1];
+        const Scalar e20 = p_.lambda[1] * inverse_19;
+        const Scalar e21 = e20 / (inverse_18 + p_.A * e20);
+        const Scalar e22 = e15 / (p_.alpha_c + e10) * (e21 * e13);
+        c_.k2 = Scalar(2) * (e14 + e22);
+        c_.k3 = Scalar(2) * e22;
+        const Scalar e23 = Scalar(1) / p_.rho[1] / p_.c_p[1];
+        c_.k4 = p_.g * e23;
+        const Scalar e24 = inverse_19 * e23;
+        const Scalar e25 = e24 * (inverse_18 * e21);
+        c_.k5 = Scalar(2) * e25;
+        const Scalar inverse_26 = Scalar(1) / (e17 + inverse_16 * e6);
+        const Scalar inverse_27 = Scalar(1) / p_.L[2];
+        const Scalar e28 = p_.lambda[2] * inverse_27;
+        const Scalar inverse_29 = Scalar(1) / (inverse_26 + p_.A * e28);
+        const Scalar e30 = inverse_29 * e28;
+        const Scalar e31 = e15 * e30;
+        const Scalar inverse_32 = Scalar(1) / (p_.alpha_c + Scalar(2) * e20);
+        const Scalar e33 = inverse_32 * e20;
+        const Scalar e34 = e31 * (e24 * e33);
+        c_.k6 = Scalar(2) * (e25 + e34);
+        c_.k7 = Scalar(2) * e34;
+        const Scalar e35 = Scalar(1) / p_.rho[2] / p_.c_p[2];
+        c_.k8 = p_.g * e35;
+        const Scalar e36 = inverse_27 * e35;
+        const Scalar inverse_37 = Scalar(1) / (p_.alpha_L + Scalar(2) * e28);
+        const Scalar e38 = inverse_37 * e28;
+        const Scalar e39 = e36 * e38;
+        const Scalar e40 = p_.alpha_L * e39;
+        c_.k9 = Scalar(2) * e40;
+        c_.k10 = Scalar(2) * p_.a_s * e39;
+        const Scalar e41 = e36 * (inverse_26 * e30);
+        c_.k11 = Scalar(2) * e41;
+        c_.k12 = Scalar(2) * (e40 + e41);
+        c_.k13 = e12;
+        c_.k14 = Scalar(2) * inverse_11 * e9;
+        c_.k15 = p_.alpha_c * inverse_32 * inverse_26 * inverse_29 + Scalar(2) * e33;
+        c_.k16 = inverse_32 * e31;
+        c_.k17 = p_.alpha_L * inverse_37;
+        c_.k18 = p_.a_s * inverse_37;
+        c_.k19 = Scalar(2) * e38;
+        c_.k20 = Scalar(2) * p_.A * e9 * e12;
+        const Scalar e42 = c_.k * inverse_2;
+        c_.k21 = Scalar(1) - e42;
         c_.k22 = c_.k * inverse_3;
         c_.k23 = c_.k * inverse_5;
         c_.k24 = c_.k * inverse_1;
-        c_.k25 = e43;
+        c_.k25 = e42;
         c_.k26 = p_.L[0] + p_.L[1];
     }
 
@@ -307,22 +306,21 @@ public:
     /// dx/dt = f(x, u, t).
     /// Operations: 10 + or -, 10 *
     ///     dot(T[1]) = g/(rho[1]*c_p[1]) + 2*lambda[1]*alpha_0*T_i/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0)) -
-    ///     lambda[1]*(4 - 2*lambda[1]*A*alpha_c^2/(L[1]*(2*lambda[1]/L[1] + alpha_c)^2*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) +
-    ///     2/(A*alpha_c)))) - 4*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0)) - 4*lambda[1]/(L[1]*(2*lambda[1]/L[1] +
-    ///     alpha_c)))*T[1]/(L[1]^2*rho[1]*c_p[1]) + 2*lambda[1]*lambda[2]*A*alpha_c*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(2*lambda[1]/L[1]
-    ///     + alpha_c)*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) + 2/(A*alpha_c))))
-    ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 2*lambda[1]*lambda[2]*A*alpha_c*T[1]/(L[1]*L[2]^2*rho[2]*c_p[2]*(2*lambda[1]/L[1] +
-    ///     alpha_c)*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) + 2/(A*alpha_c)))) - lambda[2]*(4 -
-    ///     2*lambda[2]*A*alpha_c^2/(L[2]*(2*lambda[2]/L[2] + alpha_c)^2*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) +
-    ///     2/(A*alpha_c)))) - 2*lambda[2]*A/(L[2]*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) + 2/(A*alpha_c)))) -
-    ///     4*lambda[2]/(L[2]*(2*lambda[2]/L[2] + alpha_c)))*T[2]/(L[2]^2*rho[2]*c_p[2]) +
-    ///     2*lambda[2]*lambda[3]*A*alpha_c*T[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] +
-    ///     1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c))))
+    ///     2*lambda[1]*(lambda[2]*A*alpha_c/(L[2]*(2*lambda[1]/L[1] + alpha_c)*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) +
+    ///     2/(A*alpha_c)))) + alpha_0/(2*lambda[1]/L[1] + alpha_0))*T[1]/(L[1]^2*rho[1]*c_p[1]) +
+    ///     2*lambda[1]*lambda[2]*A*alpha_c*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_c)*(lambda[2]*A/L[2] +
+    ///     1/(L[1]/(lambda[1]*A) + 2/(A*alpha_c))))
+    ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 2*lambda[2]*T[1]/(L[2]^2*rho[2]*c_p[2]*(L[1]/(lambda[1]*A) +
+    ///     2/(A*alpha_c))*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) + 2/(A*alpha_c)))) -
+    ///     2*lambda[2]*(lambda[3]*A*alpha_c/(L[3]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) +
+    ///     2/(A*alpha_c)))) + 1/((L[1]/(lambda[1]*A) + 2/(A*alpha_c))*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) +
+    ///     2/(A*alpha_c)))))*T[2]/(L[2]^2*rho[2]*c_p[2]) + 2*lambda[2]*lambda[3]*A*alpha_c*T[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(2*lambda[2]/L[2]
+    ///     + alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c))))
     ///     dot(T[3]) = g/(rho[3]*c_p[3]) + 2*lambda[3]*alpha_L*T_a/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L)) +
     ///     2*lambda[3]*a_s*sun/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L)) +
-    ///     2*lambda[2]*lambda[3]*A*alpha_c*T[2]/(L[2]*L[3]^2*rho[3]*c_p[3]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] +
-    ///     1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c)))) - lambda[3]*(4 - 2*lambda[3]*A/(L[3]*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A)
-    ///     + 2/(A*alpha_c)))) - 4*lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L)))*T[3]/(L[3]^2*rho[3]*c_p[3])
+    ///     2*lambda[3]*T[2]/(L[3]^2*rho[3]*c_p[3]*(L[2]/(lambda[2]*A) + 2/(A*alpha_c))*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) +
+    ///     2/(A*alpha_c)))) - 2*lambda[3]*(alpha_L/(2*lambda[3]/L[3] + alpha_L) + 1/((L[2]/(lambda[2]*A) +
+    ///     2/(A*alpha_c))*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c)))))*T[3]/(L[3]^2*rho[3]*c_p[3])
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
@@ -383,210 +381,179 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 18, entry (i, j) at J[3*j + i].
-    /// Operations: 114 + or -, 399 *, 21 /
+    /// Operations: 80 + or -, 277 *, 21 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar T_1 = x[0];
+        const Scalar T_2 = x[1];
         const Scalar inverse_1 = Scalar(1) / p_.L[0];
         const Scalar e2 = p_.lambda[0] * inverse_1;
-        const Scalar inverse_3 = Scalar(1) / p_.rho[0];
-        const Scalar inverse_4 = Scalar(1) / p_.c_p[0];
-        const Scalar e5 = inverse_3 * inverse_4;
-        const Scalar e6 = inverse_1 * e5;
-        const Scalar e7 = e2 * e6;
-        const Scalar e8 = Scalar(2) * e2;
-        const Scalar inverse_9 = Scalar(1) / (p_.alpha_c + e8);
-        const Scalar e10 = p_.alpha_c * inverse_9;
-        const Scalar inverse_11 = Scalar(1) / (p_.alpha_0 + e8);
-        const Scalar e12 = p_.alpha_0 * inverse_11;
-        const Scalar e13 = e10 + e12;
-        const Scalar inverse_14 = Scalar(1) / p_.A;
-        const Scalar inverse_15 = Scalar(1) / p_.lambda[0];
-        const Scalar e16 = p_.L[0] * inverse_15;
-        const Scalar inverse_17 = Scalar(1) / p_.alpha_c;
-        const Scalar e18 = Scalar(2) * (inverse_14 * inverse_17);
-        const Scalar inverse_19 = Scalar(1) / (inverse_14 * e16 + e18);
-        const Scalar inverse_20 = Scalar(1) / p_.L[1];
-        const Scalar e21 = p_.lambda[1] * inverse_20;
-        const Scalar e22 = p_.A * e21;
-        const Scalar inverse_23 = Scalar(1) / (inverse_19 + e22);
-        const Scalar e24 = inverse_9 * inverse_23;
-        const Scalar e25 = inverse_19 * e24;
-        const Scalar e26 = p_.alpha_c * e25;
-        const Scalar e26_squared = e26 * e26;
-        const Scalar e27 = p_.A * p_.alpha_c;
-        const Scalar e28 = e27 * e24;
-        const Scalar e29 = e7 * e28;
-        const Scalar e30 = inverse_1 * e10;
-        const Scalar e31 = e7 * e12;
-        const Scalar e32 = e29 * e10;
-        const Scalar e33 = Scalar(4) * (inverse_1 * (inverse_11 * e31 + e10 * e32));
-        const Scalar e34 = inverse_9 * e2;
-        const Scalar e35 = e7 * e34;
+        const Scalar e3 = Scalar(2) * e2;
+        const Scalar inverse_4 = Scalar(1) / (p_.alpha_c + e3);
+        const Scalar inverse_5 = Scalar(1) / p_.rho[0];
+        const Scalar inverse_6 = Scalar(1) / p_.c_p[0];
+        const Scalar e7 = inverse_5 * inverse_6;
+        const Scalar e8 = inverse_1 * e7;
+        const Scalar e9 = inverse_1 * e8;
+        const Scalar inverse_10 = Scalar(1) / p_.A;
+        const Scalar inverse_11 = Scalar(1) / p_.lambda[0];
+        const Scalar e12 = p_.L[0] * inverse_11;
+        const Scalar inverse_13 = Scalar(1) / p_.alpha_c;
+        const Scalar e14 = Scalar(2) * (inverse_10 * inverse_13);
+        const Scalar inverse_15 = Scalar(1) / (inverse_10 * e12 + e14);
+        const Scalar inverse_16 = Scalar(1) / p_.L[1];
+        const Scalar e17 = p_.lambda[1] * inverse_16;
+        const Scalar e18 = p_.A * e17;
+        const Scalar inverse_19 = Scalar(1) / (inverse_15 + e18);
+        const Scalar e20 = inverse_19 * e17;
+        const Scalar e21 = inverse_15 * e20;
+        const Scalar e22 = inverse_15 * inverse_19;
+        const Scalar e23 = e21 * e22;
+        const Scalar e24 = p_.lambda[0] * e9;
+        const Scalar e25 = inverse_1 * e24;
+        const Scalar e26 = p_.A * p_.alpha_c;
+        const Scalar e27 = inverse_4 * e26;
+        const Scalar e28 = e20 * e27;
+        const Scalar e29 = e25 * e28;
+        const Scalar e30 = inverse_4 * ((Scalar(1) / Scalar(2)) * p_.alpha_c * e9 * e23 + e2 * e29);
         const Scalar T_i = u[0];
-        const Scalar T_2 = x[1];
-        const Scalar e36 = inverse_1 * e6;
-        const Scalar e37 = inverse_19 * inverse_23;
-        const Scalar e38 = e21 * e37;
-        const Scalar e39 = e38 * e26;
-        const Scalar e40 = e21 * e29;
-        const Scalar inverse_41 = Scalar(1) / p_.rho[1];
-        const Scalar inverse_42 = Scalar(1) / p_.c_p[1];
-        const Scalar e43 = inverse_41 * inverse_42;
-        const Scalar e44 = inverse_20 * e43;
-        const Scalar e45 = e21 * e44;
-        const Scalar e46 = e45 * e37;
-        const Scalar e47 = e2 * e28;
-        const Scalar e48 = e45 * e47;
-        const Scalar e49 = inverse_15 * e46;
-        const Scalar e50 = e38 * e49;
-        const Scalar e51 = inverse_20 * e29;
-        const Scalar e52 = p_.alpha_c * inverse_20;
-        const Scalar inverse_53 = Scalar(1) / (p_.alpha_c + Scalar(2) * e21);
-        const Scalar e54 = inverse_53 * e45;
-        const Scalar e55 = e52 * e54;
-        const Scalar inverse_56 = Scalar(1) / p_.lambda[1];
-        const Scalar e57 = p_.L[1] * inverse_56;
-        const Scalar inverse_58 = Scalar(1) / (inverse_14 * e57 + e18);
-        const Scalar inverse_59 = Scalar(1) / p_.L[2];
-        const Scalar e60 = p_.lambda[2] * inverse_59;
-        const Scalar e61 = p_.A * e60;
-        const Scalar inverse_62 = Scalar(1) / (inverse_58 + e61);
-        const Scalar e63 = inverse_53 * inverse_62;
-        const Scalar e64 = e27 * e63;
-        const Scalar e65 = e21 * e64;
-        const Scalar e66 = inverse_20 * e46;
-        const Scalar e67 = inverse_58 * e63;
-        const Scalar e68 = e45 * (inverse_53 * inverse_53 * e65 - (Scalar(1) / Scalar(2)) * e67 * e67);
-        const Scalar e69 = inverse_53 * e52;
-        const Scalar e70 = e21 * e54;
-        const Scalar e71 = inverse_23 * e66;
+        const Scalar inverse_31 = Scalar(1) / (p_.alpha_0 + e3);
+        const Scalar e32 = p_.alpha_0 * inverse_31;
+        const Scalar e33 = inverse_31 * e25;
+        const Scalar e34 = e33 * (e32 * e2);
+        const Scalar T_1 = x[0];
+        const Scalar e35 = e32 + e28;
+        const Scalar inverse_36 = Scalar(1) / p_.rho[1];
+        const Scalar inverse_37 = Scalar(1) / p_.c_p[1];
+        const Scalar e38 = inverse_36 * inverse_37;
+        const Scalar e39 = inverse_16 * e38;
+        const Scalar e40 = e39 * e21;
+        const Scalar e41 = e21 * e40;
+        const Scalar e42 = inverse_11 * e41;
+        const Scalar e43 = T_1 - T_2;
+        const Scalar e44 = e27 * (inverse_19 * e24);
         const Scalar T_3 = x[2];
-        const Scalar e72 = inverse_58 * inverse_62;
-        const Scalar e73 = e60 * e72;
-        const Scalar e74 = e52 * e67;
-        const Scalar e75 = e60 * e64;
-        const Scalar e76 = e45 * e75;
-        const Scalar inverse_77 = Scalar(1) / p_.rho[2];
-        const Scalar inverse_78 = Scalar(1) / p_.c_p[2];
-        const Scalar e79 = inverse_77 * inverse_78;
-        const Scalar e80 = inverse_59 * e79;
-        const Scalar e81 = e60 * e80;
-        const Scalar e82 = e81 * e72;
-        const Scalar e83 = e81 * e65;
-        const Scalar e84 = inverse_56 * e82;
-        const Scalar e85 = e73 * e84;
-        const Scalar e86 = inverse_59 * e65;
-        const Scalar e87 = inverse_59 * e72;
-        const Scalar inverse_88 = Scalar(1) / (p_.alpha_L + Scalar(2) * e60);
-        const Scalar e89 = inverse_88 * e81;
-        const Scalar e90 = p_.alpha_L * e89;
-        const Scalar e91 = e82 + e90;
-        const Scalar e92 = inverse_59 * inverse_88;
-        const Scalar e93 = e90 * e92;
+        const Scalar inverse_45 = Scalar(1) / (p_.alpha_c + Scalar(2) * e17);
+        const Scalar inverse_46 = Scalar(1) / p_.lambda[1];
+        const Scalar e47 = p_.L[1] * inverse_46;
+        const Scalar inverse_48 = Scalar(1) / (inverse_10 * e47 + e14);
+        const Scalar inverse_49 = Scalar(1) / p_.L[2];
+        const Scalar e50 = p_.lambda[2] * inverse_49;
+        const Scalar inverse_51 = Scalar(1) / (inverse_48 + p_.A * e50);
+        const Scalar e52 = inverse_51 * e50;
+        const Scalar e53 = inverse_45 * e39;
+        const Scalar e54 = e52 * e53;
+        const Scalar e55 = e17 * e54;
+        const Scalar e56 = e26 * e55;
+        const Scalar e57 = p_.alpha_c * e54;
+        const Scalar e58 = inverse_48 * inverse_51;
+        const Scalar e59 = inverse_48 * e58;
+        const Scalar e60 = Scalar(2) * (inverse_16 * (Scalar(2) * inverse_45 * e17 * e56 + e57 * e59));
+        const Scalar e61 = inverse_16 * e40;
+        const Scalar e62 = p_.A * e20;
+        const Scalar e63 = Scalar(2) * (e62 * e61);
+        const Scalar e64 = e40 + e56;
+        const Scalar e65 = inverse_46 * inverse_48;
+        const Scalar inverse_66 = Scalar(1) / p_.rho[2];
+        const Scalar inverse_67 = Scalar(1) / p_.c_p[2];
+        const Scalar e68 = inverse_66 * inverse_67;
+        const Scalar e69 = inverse_49 * e68;
+        const Scalar e70 = inverse_48 * e69;
+        const Scalar e71 = e52 * e70;
+        const Scalar e72 = e52 * e71;
+        const Scalar e73 = e65 * e72;
+        const Scalar e74 = T_2 - T_3;
+        const Scalar e75 = inverse_49 * e58;
+        const Scalar inverse_76 = Scalar(1) / (p_.alpha_L + Scalar(2) * e50);
+        const Scalar e77 = inverse_76 * e69;
+        const Scalar e78 = e50 * e77;
+        const Scalar e79 = p_.alpha_L * e78;
+        const Scalar e80 = inverse_76 * e50;
+        const Scalar e81 = inverse_49 * (Scalar(1) - e80);
+        const Scalar e82 = e79 * e81;
+        const Scalar e83 = (Scalar(1) - (Scalar(1) / Scalar(2)) * p_.A * e52) * (inverse_49 * e71);
         const Scalar T_a = u[1];
-        const Scalar e94 = p_.alpha_L * e92;
         const Scalar sun = u[2];
-        const Scalar e95 = p_.a_s * e89;
-        const Scalar e96 = e12 * e36;
-        const Scalar e97 = e6 * e30;
-        const Scalar e98 = inverse_20 * e37;
-        const Scalar e99 = e44 * e98;
-        const Scalar e100 = p_.alpha_c * e44;
-        const Scalar e101 = p_.alpha_c * e54;
-        const Scalar e102 = e67 * e100;
-        const Scalar e103 = inverse_53 * e83;
-        const Scalar e104 = e45 * e64;
-        const Scalar e105 = e94 * (inverse_88 * e80);
-        const Scalar e106 = p_.alpha_L * e105;
-        const Scalar e107 = e80 * e87;
-        const Scalar e108 = e2 * e32 - e7 * e13;
-        const Scalar e109 = p_.g * e5;
-        const Scalar e110 = e46 + (Scalar(1) - e65) * e101;
-        const Scalar e111 = p_.g * e43;
-        const Scalar e112 = p_.g * e79;
-        const Scalar e113 = e2 * e7;
-        const Scalar e114 = inverse_17 * e25;
-        const Scalar inverse_17_squared = inverse_17 * inverse_17;
-        const Scalar e115 = inverse_17 * e67;
-        const Scalar e116 = inverse_1 * e7 * (Scalar(4) * e13 + Scalar(2) * e26_squared) - e2 * (Scalar(2) * e29 * e30 + e33)
-            - Scalar(4) * e30 * e35;
-        J[0] = T_1 * e116 - T_i * (Scalar(2) * (inverse_1 * e31 * (Scalar(1) + e12))) + T_2
-            * (Scalar(2) * (e36 * e39 - e40 * (inverse_1 + e30)));
-        J[1] = T_1 * (Scalar(2) * (inverse_1 * e46 * e26 - e30 * e48)) + T_2 * (Scalar(2) * e50);
+        const Scalar e84 = p_.a_s * e78;
+        const Scalar e85 = e32 * (e9 * e32);
+        const Scalar e86 = (inverse_11 * e8 * e23 - e9 * e28) * (p_.alpha_c * inverse_4);
+        const Scalar e87 = inverse_16 * e22;
+        const Scalar e88 = e87 * (e39 * e22);
+        const Scalar e89 = (inverse_16 * inverse_45 * e26 - e58 * e65) * e57;
+        const Scalar e90 = inverse_51 * e75;
+        const Scalar e91 = p_.alpha_L * inverse_49 * (inverse_76 * e77);
+        const Scalar e92 = p_.alpha_L * e91;
+        const Scalar e93 = e70 * e90;
+        const Scalar e94 = inverse_5 * e24;
+        const Scalar e95 = p_.g * e7;
+        const Scalar e96 = p_.g * e38;
+        const Scalar e97 = e71 + e79;
+        const Scalar e98 = p_.g * e68;
+        const Scalar e99 = inverse_6 * e24;
+        const Scalar inverse_13_squared = inverse_13 * inverse_13;
+        const Scalar e100 = e41 * inverse_13_squared;
+        const Scalar e101 = e55 * (inverse_45 * e18 - inverse_13 * e59);
+        J[0] = T_2 * (Scalar(4) * (e30 - e29)) - T_i * (Scalar(4) * (e32 * e25 - e34)) - T_1
+            * (Scalar(4) * (e30 - e35 * e25 + e34));
+        J[1] = -Scalar(2) * e42 * e43;
         J[2] = Scalar(0);
-        J[3] = T_1 * (Scalar(2) * inverse_20 * e47 * e40) - T_2 * (Scalar(2) * e38 * e51);
-        const Scalar e117 = e55 * (Scalar(4) - Scalar(2) * e65) + Scalar(4) * e66 - Scalar(4) * p_.alpha_c * e52 * e68
-            - Scalar(4) * e69 * e70 - Scalar(2) * e22 * e71;
-        J[4] = T_2 * e117 - T_1 * (Scalar(2) * (inverse_20 * e48 + e47 * e66)) + T_3
-            * (Scalar(2) * (e44 * e73 * e74 - inverse_20 * e76 - e75 * e55));
-        J[5] = T_2 * (Scalar(2) * (e82 * e74 - e83 * e69)) + T_3 * (Scalar(2) * e85);
+        J[3] = Scalar(2) * inverse_16 * e21 * e44 * e43;
+        J[4] = T_3 * (e60 - Scalar(4) * inverse_16 * e56) - T_1 * (Scalar(4) * e61 - e63) - T_2
+            * (e60 - Scalar(4) * inverse_16 * e64 + e63);
+        J[5] = -Scalar(2) * e73 * e74;
         J[6] = Scalar(0);
-        J[7] = T_2 * (Scalar(2) * e76 * e86) - T_3 * (Scalar(2) * e76 * e87);
-        const Scalar e118 = inverse_59 * (Scalar(4) * e91 - Scalar(2) * inverse_62 * e82 * e61) - Scalar(4) * e60 * e93;
-        J[8] = T_3 * e118 - T_a * (Scalar(2) * (e90 * (inverse_59 + e94))) - sun
-            * (Scalar(2) * (inverse_59 * e95 + p_.a_s * e93)) - T_2 * (Scalar(2) * (inverse_59 * e83 + e82 * e86));
-        const Scalar e119 = Scalar(2) * e10 * e97 - e33 + Scalar(2) * e36 * e26_squared + Scalar(2) * e96;
-        J[9] = T_i * (Scalar(2) * e12 * e96) - T_1 * e119 - T_2 * (Scalar(2) * (inverse_15 * e6 * e39 - e21 * e28 * e97));
-        J[10] = T_1 * (Scalar(2) * (e45 * e28 * e30 - e26 * e49)) - T_2 * (Scalar(2) * e16 * e50);
+        J[7] = Scalar(2) * e56 * e75 * e74;
+        J[8] = T_3 * (Scalar(4) * (e82 + e83)) - T_a * (Scalar(4) * e82) - sun * (Scalar(4) * e84 * e81) - T_2
+            * (Scalar(4) * e83);
+        J[9] = T_i * (Scalar(2) * e85) + T_1 * (Scalar(2) * (e86 - e85)) - T_2 * (Scalar(2) * e86);
+        J[10] = Scalar(2) * e12 * e42 * e43;
         J[11] = Scalar(0);
-        J[12] = T_2 * (Scalar(2) * e29 * e98) - T_1 * (Scalar(2) * e47 * e51);
-        const Scalar e120 = e69 * (Scalar(2) * inverse_53 * e100 - Scalar(4) * e64 * e101) - Scalar(2) * p_.A * e71 + Scalar(2)
-            * e74 * e102 + Scalar(2) * e99;
-        J[13] = T_1 * (Scalar(2) * e47 * e99) - T_2 * e120 - T_3 * (Scalar(2) * (inverse_56 * e73 * e102 - e44 * e75 * e69));
-        const Scalar e121 = inverse_20 * (Scalar(2) * e81 * e64 - Scalar(4) * e103) - Scalar(2) * p_.alpha_c * e67 * e84;
-        J[14] = T_2 * e121 - T_3 * (Scalar(2) * e57 * e85);
+        J[12] = -Scalar(2) * e87 * e44 * e43;
+        J[13] = T_1 * (Scalar(2) * e88) + T_2 * (Scalar(2) * (-e89 - e88)) - T_3 * (-Scalar(2) * e89);
+        J[14] = Scalar(2) * e47 * e73 * e74;
         J[15] = Scalar(0);
-        J[16] = T_3 * (Scalar(2) * e87 * e104) - T_2 * (Scalar(2) * e86 * e104);
-        J[17] = T_a * (Scalar(2) * e106) + sun * (Scalar(2) * p_.a_s * e105) + T_2 * (Scalar(2) * e65 * e107) - T_3
-            * (Scalar(2) * (e72 * e107 + e106));
-        J[18] = T_1 * (-Scalar(2) * inverse_3 * e108) - inverse_3 * e109 - T_i * (Scalar(2) * inverse_3 * e31) - T_2
-            * (Scalar(2) * inverse_3 * e40);
+        J[16] = -Scalar(2) * e17 * e26 * e53 * e90 * e74;
+        J[17] = T_a * (Scalar(2) * e92) + sun * (Scalar(2) * p_.a_s * e91) + T_2 * (Scalar(2) * e93) - T_3
+            * (Scalar(2) * (e93 + e92));
+        J[18] = T_1 * (Scalar(2) * e35 * e94) - inverse_5 * e95 - T_i * (Scalar(2) * e32 * e94) - T_2 * (Scalar(2) * e28 * e94);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (Scalar(2) * inverse_41 * e110) - inverse_41 * e111 - T_1 * (Scalar(2) * inverse_41 * e48) - T_3
-            * (Scalar(2) * inverse_41 * e76);
+        J[22] = T_2 * (Scalar(2) * inverse_36 * e64) - inverse_36 * e96 - T_1 * (Scalar(2) * inverse_36 * e40) - T_3
+            * (Scalar(2) * inverse_36 * e56);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (Scalar(2) * inverse_77 * e91) - inverse_77 * e112 - T_a * (Scalar(2) * inverse_77 * e90) - sun
-            * (Scalar(2) * inverse_77 * e95) - T_2 * (Scalar(2) * inverse_77 * e83);
-        J[27] = T_1 * (-Scalar(2) * inverse_4 * e108) - inverse_4 * e109 - T_i * (Scalar(2) * inverse_4 * e31) - T_2
-            * (Scalar(2) * inverse_4 * e40);
+        J[26] = T_3 * (Scalar(2) * inverse_66 * e97) - inverse_66 * e98 - T_a * (Scalar(2) * inverse_66 * e79) - sun
+            * (Scalar(2) * inverse_66 * e84) - T_2 * (Scalar(2) * inverse_66 * e71);
+        J[27] = T_1 * (Scalar(2) * e35 * e99) - inverse_6 * e95 - T_i * (Scalar(2) * e32 * e99) - T_2 * (Scalar(2) * e28 * e99);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (Scalar(2) * inverse_42 * e110) - inverse_42 * e111 - T_1 * (Scalar(2) * inverse_42 * e48) - T_3
-            * (Scalar(2) * inverse_42 * e76);
+        J[31] = T_2 * (Scalar(2) * inverse_37 * e64) - inverse_37 * e96 - T_1 * (Scalar(2) * inverse_37 * e40) - T_3
+            * (Scalar(2) * inverse_37 * e56);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (Scalar(2) * inverse_78 * e91) - inverse_78 * e112 - T_a * (Scalar(2) * inverse_78 * e90) - sun
-            * (Scalar(2) * inverse_78 * e95) - T_2 * (Scalar(2) * inverse_78 * e83);
+        J[35] = T_3 * (Scalar(2) * inverse_67 * e97) - inverse_67 * e98 - T_a * (Scalar(2) * inverse_67 * e79) - sun
+            * (Scalar(2) * inverse_67 * e84) - T_2 * (Scalar(2) * inverse_67 * e71);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
-        J[39] = Scalar(4) * inverse_11 * inverse_11 * e113 * (T_i - T_1);
+        J[39] = Scalar(4) * p_.lambda[0] * inverse_31 * e33 * (T_i - T_1);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        J[44] = Scalar(4) * inverse_88 * e60 * e89 * (T_a - T_3) - sun * (Scalar(2) * inverse_88 * e95);
-        const Scalar e122 = T_1 * (Scalar(4) * (e34 * (e29 - e32) - e25 * e25 * e113 - inverse_9 * e35));
-        const Scalar e123 = Scalar(2) * inverse_9 * e40 - e7 * (Scalar(2) * e24 * e22 - Scalar(4) * e38 * e114);
-        J[45] = e122 - T_2 * e123;
-        const Scalar e124 = Scalar(2) * inverse_9 * e48 - e2 * (Scalar(2) * p_.A * e45 * e24 - Scalar(4) * e46 * e114);
-        const Scalar e125 = Scalar(4) * e46 * e38 * inverse_17_squared - Scalar(8) * e21 * e68 + Scalar(4) * inverse_53 * e70;
-        const Scalar e126 = Scalar(2) * e54 * e75 - e45 * (Scalar(2) * e63 * e61 - Scalar(4) * e73 * e115);
-        J[46] = -T_1 * e124 - T_2 * e125 - T_3 * e126;
-        const Scalar e127 = Scalar(4) * e21 * e82 * e115 - Scalar(2) * e63 * e81 * e22 + Scalar(2) * e103;
-        J[47] = -T_2 * e127 - T_3 * (Scalar(4) * e82 * e73 * inverse_17_squared);
+        J[44] = Scalar(4) * e78 * e80 * (T_a - T_3) - sun * (Scalar(2) * inverse_76 * e84);
+        const Scalar e102 = inverse_4 * (p_.lambda[0] * inverse_4 * e25 * e62 - inverse_13 * e24 * e23);
+        J[45] = Scalar(4) * (-e102) * e43;
+        J[46] = T_1 * (Scalar(4) * e100) + T_2 * (Scalar(4) * (-e101 - e100)) - T_3 * (-Scalar(4) * e101);
+        J[47] = Scalar(4) * inverse_48 * inverse_13_squared * e72 * e74;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = sun * (Scalar(2) * e89);
-        J[51] = e5;
-        J[52] = e43;
-        J[53] = e79;
+        J[50] = sun * (Scalar(2) * e78);
+        J[51] = e7;
+        J[52] = e38;
+        J[53] = e68;
     }
 
     /// J = df/dt at fixed x and u.
@@ -615,13 +582,13 @@ public:
     /// y = h(x, u, t).
     /// Operations: 12 + or -, 14 *, 6 other functions
     ///     T_inside = alpha_0*T_i/(2*lambda[1]/L[1] + alpha_0) + 2*lambda[1]*T[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
-    ///     T_between = lambda[2]*(2 + A*alpha_c^2/((2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) +
-    ///     2/(A*alpha_c)))))*T[2]/(L[2]*(2*lambda[2]/L[2] + alpha_c)) + lambda[3]*A*alpha_c*T[3]/(L[3]*(2*lambda[2]/L[2] +
+    ///     T_between = (2*lambda[2]/L[2] + alpha_c/((L[2]/(lambda[2]*A) + 2/(A*alpha_c))*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A)
+    ///     + 2/(A*alpha_c)))))*T[2]/(2*lambda[2]/L[2] + alpha_c) + lambda[3]*A*alpha_c*T[3]/(L[3]*(2*lambda[2]/L[2] +
     ///     alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c))))
     ///     T_front = alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) + a_s*sun/(2*lambda[3]/L[3] + alpha_L) +
     ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
-    ///     Q_inside = A*alpha_0*(1 - alpha_0/(2*lambda[1]/L[1] + alpha_0))*T_i - 2*lambda[1]*A*alpha_0*T[1]/(L[1]*(2*lambda[1]/L[1]
-    ///     + alpha_0))
+    ///     Q_inside = 2*lambda[1]*A*alpha_0*T_i/(L[1]*(2*lambda[1]/L[1] + alpha_0)) -
+    ///     2*lambda[1]*A*alpha_0*T[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
     ///     U = k
     ///     T_steady = (1 - k/alpha_0)*T_i - k*T_i*min(L[1], max(0, x))/lambda[1] - k*T_i*min(L[2], max(0, -L[1] + x))/lambda[2] -
     ///     k*T_i*min(L[3], max(0, -L[1] - L[2] + x))/lambda[3] + k*T_a/alpha_0 + k*T_a*min(L[1], max(0, x))/lambda[1] +
@@ -765,17 +732,17 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 8 + or -, 13 *, 2 /
+    /// Operations: 10 + or -, 12 *, 2 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
         const Scalar e1 = p_.lambda[2] / p_.L[2];
-        const Scalar e2 = e1 * (p_.A / (p_.alpha_L + Scalar(2) * e1));
+        const Scalar e2 = p_.A * p_.alpha_L / (p_.alpha_L + Scalar(2) * e1);
         const Scalar T_a = u[1];
         const Scalar T_3 = x[2];
         const Scalar sun = u[2];
-        return c_.k20 * (T_i - T_1) + Scalar(2) * p_.alpha_L * e2 * (T_a - T_3) + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2])
-            + sun * (Scalar(2) * p_.a_s * e2);
+        return c_.k20 * (T_i - T_1) + Scalar(2) * e1 * e2 * (T_a - T_3) + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) - sun
+            * (-p_.a_s * (p_.A - e2));
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -790,20 +757,20 @@ private:
         Scalar k;  ///< 1/(L[1]/lambda[1] + L[2]/lambda[2] + L[3]/lambda[3] + 1/alpha_0 + 1/alpha_L)
         Scalar k0;  ///< g/(rho[1]*c_p[1])
         Scalar k1;  ///< 2*lambda[1]*alpha_0/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k2;  ///< 2*lambda[1]*(-lambda[1]*A*alpha_c^2/(L[1]*(2*lambda[1]/L[1] + alpha_c)^2*(lambda[2]*A/L[2] + ...
+        Scalar k2;  ///< 2*lambda[1]*(lambda[2]*A*alpha_c/(L[2]*(2*lambda[1]/L[1] + alpha_c)*(lambda[2]*A/L[2] + ...
         Scalar k3;  ///< 2*lambda[1]*lambda[2]*A*alpha_c/(L[1]^2*L[2]*rho[1]*c_p[1]*(2*lambda[1]/L[1] + ...
         Scalar k4;  ///< g/(rho[2]*c_p[2])
-        Scalar k5;  ///< 2*lambda[1]*lambda[2]*A*alpha_c/(L[1]*L[2]^2*rho[2]*c_p[2]*(2*lambda[1]/L[1] + ...
-        Scalar k6;  ///< 2*lambda[2]*(-lambda[2]*A*alpha_c^2/(L[2]*(2*lambda[2]/L[2] + alpha_c)^2*(lambda[3]*A/L[3] + ...
+        Scalar k5;  ///< 2*lambda[2]/(L[2]^2*rho[2]*c_p[2]*(L[1]/(lambda[1]*A) + 2/(A*alpha_c))*(lambda[2]*A/L[2] + ...
+        Scalar k6;  ///< 2*lambda[2]*(lambda[3]*A*alpha_c/(L[3]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + ...
         Scalar k7;  ///< 2*lambda[2]*lambda[3]*A*alpha_c/(L[2]^2*L[3]*rho[2]*c_p[2]*(2*lambda[2]/L[2] + ...
         Scalar k8;  ///< g/(rho[3]*c_p[3])
         Scalar k9;  ///< 2*lambda[3]*alpha_L/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
         Scalar k10;  ///< 2*lambda[3]*a_s/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
-        Scalar k11;  ///< 2*lambda[2]*lambda[3]*A*alpha_c/(L[2]*L[3]^2*rho[3]*c_p[3]*(2*lambda[2]/L[2] + ...
+        Scalar k11;  ///< 2*lambda[3]/(L[3]^2*rho[3]*c_p[3]*(L[2]/(lambda[2]*A) + 2/(A*alpha_c))*(lambda[3]*A/L[3] + ...
         Scalar k12;  ///< 2*lambda[3]*(alpha_L/(2*lambda[3]/L[3] + alpha_L) + 1/((L[2]/(lambda[2]*A) + ...
         Scalar k13;  ///< alpha_0/(2*lambda[1]/L[1] + alpha_0)
         Scalar k14;  ///< 2*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k15;  ///< lambda[2]*(2 + A*alpha_c^2/((2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + ...
+        Scalar k15;  ///< (2*lambda[2]/L[2] + alpha_c/((L[2]/(lambda[2]*A) + 2/(A*alpha_c))*(lambda[3]*A/L[3] + ...
         Scalar k16;  ///< lambda[3]*A*alpha_c/(L[3]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) ...
         Scalar k17;  ///< alpha_L/(2*lambda[3]/L[3] + alpha_L)
         Scalar k18;  ///< a_s/(2*lambda[3]/L[3] + alpha_L)

@@ -22,12 +22,12 @@
 //   update                13     55    19        0      0
 //   rhs                   10     10     0        0      0
 //   rhs_and_jacobian      13     10     0        0      0
-//   jacobian_p            65    230    13        0      0
+//   jacobian_p            65    224    13        0      0
 //   output                12     14     0        0      6
 //   output_jacobian_x      1      0     0        0      0
 //   output_jacobian_u     13     10     0        0     12
 //   internal_energy        2     12     0        0      0
-//   exchanged_power        8     13     2        0      0
+//   exchanged_power       10     12     2        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -295,18 +295,18 @@ public:
     /// dx/dt = f(x, u, t).
     /// Operations: 10 + or -, 10 *
     ///     dot(T[1]) = g/(rho[1]*c_p[1]) + 2*lambda[1]*alpha_0*T_i/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0)) -
-    ///     lambda[1]*(4 - 2*lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) - 4*lambda[1]/(L[1]*(2*lambda[1]/L[1] +
-    ///     alpha_0)))*T[1]/(L[1]^2*rho[1]*c_p[1]) + 2*lambda[1]*lambda[2]*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(lambda[1]/L[1] +
+    ///     2*lambda[1]*(lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) + alpha_0/(2*lambda[1]/L[1] +
+    ///     alpha_0))*T[1]/(L[1]^2*rho[1]*c_p[1]) + 2*lambda[1]*lambda[2]*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(lambda[1]/L[1] +
     ///     lambda[2]/L[2]))
     ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 2*lambda[1]*lambda[2]*T[1]/(L[1]*L[2]^2*rho[2]*c_p[2]*(lambda[1]/L[1] + lambda[2]/L[2]))
-    ///     - lambda[2]*(4 - 2*lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) - 2*lambda[2]/(L[2]*(lambda[2]/L[2] +
+    ///     - 2*lambda[2]*(lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) + lambda[3]/(L[3]*(lambda[2]/L[2] +
     ///     lambda[3]/L[3])))*T[2]/(L[2]^2*rho[2]*c_p[2]) + 2*lambda[2]*lambda[3]*T[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(lambda[2]/L[2] +
     ///     lambda[3]/L[3]))
     ///     dot(T[3]) = g/(rho[3]*c_p[3]) + 2*lambda[3]*alpha_L*T_a/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L)) +
     ///     2*lambda[3]*a_s*sun/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L)) +
-    ///     2*lambda[2]*lambda[3]*T[2]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3])) - lambda[3]*(4 -
-    ///     2*lambda[3]/(L[3]*(lambda[2]/L[2] + lambda[3]/L[3])) - 4*lambda[3]/(L[3]*(2*lambda[3]/L[3] +
-    ///     alpha_L)))*T[3]/(L[3]^2*rho[3]*c_p[3])
+    ///     2*lambda[2]*lambda[3]*T[2]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3])) -
+    ///     2*lambda[3]*(lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3])) + alpha_L/(2*lambda[3]/L[3] +
+    ///     alpha_L))*T[3]/(L[3]^2*rho[3]*c_p[3])
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
@@ -367,148 +367,149 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 17, entry (i, j) at J[3*j + i].
-    /// Operations: 65 + or -, 230 *, 13 /
+    /// Operations: 65 + or -, 224 *, 13 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
-        const Scalar inverse_1 = Scalar(1) / p_.L[0];
-        const Scalar e2 = p_.lambda[0] * inverse_1;
-        const Scalar inverse_3 = Scalar(1) / p_.rho[0];
-        const Scalar inverse_4 = Scalar(1) / p_.c_p[0];
-        const Scalar e5 = inverse_3 * inverse_4;
-        const Scalar e6 = inverse_1 * e5;
-        const Scalar e7 = e2 * e6;
-        const Scalar e8 = inverse_1 * e7;
-        const Scalar inverse_9 = Scalar(1) / p_.L[1];
-        const Scalar e10 = p_.lambda[1] * inverse_9;
-        const Scalar inverse_11 = Scalar(1) / (e10 + e2);
-        const Scalar e12 = inverse_11 * e10;
-        const Scalar inverse_13 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e2);
-        const Scalar e14 = p_.alpha_0 * inverse_13;
-        const Scalar e15 = e12 + e14;
-        const Scalar e16 = e2 * e12;
-        const Scalar e17 = inverse_13 * e2;
-        const Scalar e18 = e14 * e8;
+        const Scalar inverse_1 = Scalar(1) / p_.L[1];
+        const Scalar e2 = p_.lambda[1] * inverse_1;
+        const Scalar inverse_3 = Scalar(1) / p_.L[0];
+        const Scalar e4 = p_.lambda[0] * inverse_3;
+        const Scalar inverse_5 = Scalar(1) / (e2 + e4);
+        const Scalar e6 = inverse_5 * e2;
+        const Scalar inverse_7 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e4);
+        const Scalar e8 = p_.alpha_0 * inverse_7;
+        const Scalar e9 = e6 + e8;
+        const Scalar inverse_10 = Scalar(1) / p_.rho[0];
+        const Scalar inverse_11 = Scalar(1) / p_.c_p[0];
+        const Scalar e12 = inverse_10 * inverse_11;
+        const Scalar e13 = inverse_3 * e12;
+        const Scalar e14 = e4 * e13;
+        const Scalar e15 = inverse_3 * e14;
+        const Scalar e16 = e4 * e6;
+        const Scalar e17 = inverse_5 * e16;
+        const Scalar e18 = Scalar(2) * (e15 * e17);
+        const Scalar e19 = inverse_7 * e4;
+        const Scalar e20 = e8 * e15;
+        const Scalar e21 = e19 * e20;
         const Scalar T_i = u[0];
-        const Scalar e14_squared = e14 * e14;
         const Scalar T_2 = x[1];
-        const Scalar e12_squared = e12 * e12;
-        const Scalar inverse_19 = Scalar(1) / p_.rho[1];
-        const Scalar inverse_20 = Scalar(1) / p_.c_p[1];
-        const Scalar e21 = inverse_19 * inverse_20;
-        const Scalar e22 = inverse_9 * e21;
-        const Scalar e23 = inverse_1 * e22;
-        const Scalar e24 = T_1 - T_2;
-        const Scalar e25 = e7 * (inverse_9 * inverse_11);
-        const Scalar inverse_26 = Scalar(1) / p_.L[2];
-        const Scalar e27 = p_.lambda[2] * inverse_26;
-        const Scalar inverse_28 = Scalar(1) / (e10 + e27);
-        const Scalar e29 = inverse_28 * e10;
-        const Scalar e30 = e27 * e29;
-        const Scalar e31 = e16 + e30;
-        const Scalar e32 = inverse_9 * e22;
-        const Scalar e33 = e32 * e16;
-        const Scalar e34 = e32 * e30;
-        const Scalar e35 = inverse_11 * e2;
+        const Scalar e22 = e6 * e16;
+        const Scalar inverse_23 = Scalar(1) / p_.rho[1];
+        const Scalar inverse_24 = Scalar(1) / p_.c_p[1];
+        const Scalar e25 = inverse_23 * inverse_24;
+        const Scalar e26 = inverse_1 * e25;
+        const Scalar e27 = inverse_3 * e26;
+        const Scalar e28 = T_1 - T_2;
+        const Scalar e29 = inverse_1 * e14;
+        const Scalar inverse_30 = Scalar(1) / p_.L[2];
+        const Scalar e31 = p_.lambda[2] * inverse_30;
+        const Scalar inverse_32 = Scalar(1) / (e2 + e31);
+        const Scalar e33 = inverse_32 * e2;
+        const Scalar e34 = e31 * e33;
+        const Scalar e35 = e16 + e34;
+        const Scalar e36 = inverse_1 * e26;
+        const Scalar e37 = Scalar(2) * (e36 * e22);
+        const Scalar e38 = e36 * e34;
+        const Scalar e39 = Scalar(2) * (e33 * e38);
         const Scalar T_3 = x[2];
-        const Scalar e36 = inverse_28 * e27;
-        const Scalar inverse_37 = Scalar(1) / p_.rho[2];
-        const Scalar inverse_38 = Scalar(1) / p_.c_p[2];
-        const Scalar e39 = inverse_37 * inverse_38;
-        const Scalar e40 = inverse_26 * e39;
-        const Scalar e41 = e27 * e40;
-        const Scalar e42 = inverse_28 * e41;
-        const Scalar e43 = e30 * e42;
-        const Scalar e44 = T_2 - T_3;
-        const Scalar e45 = inverse_26 * e29;
-        const Scalar e46 = e41 * e29;
-        const Scalar inverse_47 = Scalar(1) / (p_.alpha_L + Scalar(2) * e27);
-        const Scalar e48 = inverse_47 * e41;
-        const Scalar e49 = p_.alpha_L * e48;
-        const Scalar e50 = e46 + e49;
-        const Scalar e51 = p_.alpha_L * inverse_26;
-        const Scalar e52 = inverse_47 * e51;
-        const Scalar e53 = e27 * e48;
+        const Scalar inverse_40 = Scalar(1) / p_.rho[2];
+        const Scalar inverse_41 = Scalar(1) / p_.c_p[2];
+        const Scalar e42 = inverse_40 * inverse_41;
+        const Scalar e43 = inverse_30 * e42;
+        const Scalar e44 = e31 * e43;
+        const Scalar e45 = inverse_1 * e44;
+        const Scalar e46 = inverse_32 * e34;
+        const Scalar e47 = T_2 - T_3;
+        const Scalar e48 = inverse_30 * e33;
+        const Scalar e49 = p_.alpha_L * inverse_30;
+        const Scalar inverse_50 = Scalar(1) / (p_.alpha_L + Scalar(2) * e31);
+        const Scalar e51 = inverse_50 * e44;
+        const Scalar e52 = inverse_50 * e31;
+        const Scalar e53 = Scalar(1) - e52;
+        const Scalar e54 = Scalar(4) * (e49 * (e51 * e53));
+        const Scalar e55 = Scalar(2) * ((e46 - Scalar(2) * e33) * (inverse_30 * e44));
         const Scalar T_a = u[1];
-        const Scalar e54 = p_.alpha_L * inverse_47;
-        const Scalar e55 = Scalar(1) + e54;
         const Scalar sun = u[2];
-        const Scalar e56 = p_.a_s * e48;
-        const Scalar e57 = inverse_1 * e6;
-        const Scalar e58 = e57 * e14_squared;
-        const Scalar e59 = e57 * e12_squared;
-        const Scalar e60 = e35 * (e32 * e35);
-        const Scalar e61 = e36 * (e32 * e36);
-        const Scalar e62 = e29 * e45;
-        const Scalar e63 = e40 * e52;
-        const Scalar e64 = e54 * e63;
-        const Scalar e65 = e40 * e62;
-        const Scalar e66 = inverse_3 * e7;
-        const Scalar e67 = p_.g * e5;
-        const Scalar e68 = inverse_19 * e22;
-        const Scalar e69 = p_.g * e21;
-        const Scalar e70 = p_.g * e39;
-        const Scalar e71 = inverse_4 * e7;
-        const Scalar e72 = inverse_20 * e22;
-        const Scalar e73 = e8 * (Scalar(4) * e15 - Scalar(2) * inverse_11 * e16) - Scalar(4) * e17 * e18;
-        J[0] = T_1 * e73 - T_i * (Scalar(2) * (e8 * e14_squared + e18)) - T_2 * (Scalar(2) * (e8 * (e12 + e12_squared)));
-        J[1] = -Scalar(2) * e12 * e16 * e23 * e24;
+        const Scalar e56 = p_.a_s * e51;
+        const Scalar e57 = inverse_3 * e13;
+        const Scalar e58 = e57 * (e8 * e8);
+        const Scalar e6_squared = e6 * e6;
+        const Scalar e59 = e57 * e6_squared;
+        const Scalar e60 = e4 * (inverse_5 * inverse_5);
+        const Scalar e61 = e60 * (e4 * e36);
+        const Scalar e62 = e31 * (inverse_32 * inverse_32);
+        const Scalar e63 = e62 * (e31 * e36);
+        const Scalar e64 = e33 * e48;
+        const Scalar e65 = inverse_50 * inverse_50 * (e43 * e49);
+        const Scalar e66 = p_.alpha_L * e65;
+        const Scalar e67 = e43 * e64;
+        const Scalar e68 = inverse_10 * e14;
+        const Scalar e69 = p_.g * e12;
+        const Scalar e70 = inverse_23 * e26;
+        const Scalar e71 = p_.g * e25;
+        const Scalar e72 = e44 * e33;
+        const Scalar e73 = p_.alpha_L * e51;
+        const Scalar e74 = e72 + e73;
+        const Scalar e75 = p_.g * e42;
+        const Scalar e76 = inverse_11 * e14;
+        const Scalar e77 = inverse_24 * e26;
+        J[0] = T_1 * (Scalar(4) * e9 * e15 - e18 - Scalar(4) * e21) - T_i * (Scalar(4) * (e20 - e21)) - T_2
+            * (Scalar(4) * e6 * e15 - e18);
+        J[1] = -Scalar(2) * e22 * e27 * e28;
         J[2] = Scalar(0);
-        J[3] = Scalar(2) * e16 * e25 * e24;
-        const Scalar e74 = T_2 * (Scalar(4) * e31 * e32 - Scalar(2) * e12 * e33 - Scalar(2) * e29 * e34);
-        J[4] = e74 - T_1 * (Scalar(2) * (e33 * (Scalar(1) + e35))) - T_3 * (Scalar(2) * (e34 * (Scalar(1) + e36)));
-        J[5] = -Scalar(2) * inverse_9 * e43 * e44;
+        J[3] = Scalar(2) * e17 * e29 * e28;
+        J[4] = T_2 * (Scalar(4) * e35 * e36 - e37 - e39) - T_1 * (Scalar(4) * e36 * e16 - e37) - T_3 * (Scalar(4) * e38 - e39);
+        J[5] = -Scalar(2) * e45 * e46 * e47;
         J[6] = Scalar(0);
-        J[7] = Scalar(2) * e22 * e30 * e45 * e44;
-        const Scalar e75 = inverse_26 * (Scalar(4) * e50 - Scalar(2) * e43) - Scalar(4) * e52 * e53;
-        J[8] = T_3 * e75 - T_a * (Scalar(2) * e48 * e55 * e51) - sun * (Scalar(2) * inverse_26 * e55 * e56) - T_2
-            * (Scalar(2) * (e45 * (e41 + e46)));
+        J[7] = Scalar(2) * e26 * e34 * e48 * e47;
+        J[8] = T_3 * (e54 - e55) - T_a * e54 - sun * (Scalar(4) * inverse_30 * e53 * e56) - T_2 * (-e55);
         J[9] = T_i * (Scalar(2) * e58) - T_1 * (Scalar(2) * (e59 + e58)) + T_2 * (Scalar(2) * e59);
-        J[10] = Scalar(2) * e12_squared * e23 * e24;
+        J[10] = Scalar(2) * e6_squared * e27 * e28;
         J[11] = Scalar(0);
-        J[12] = -Scalar(2) * e35 * e25 * e24;
-        J[13] = T_1 * (Scalar(2) * e60) - T_2 * (Scalar(2) * (e61 + e60)) + T_3 * (Scalar(2) * e61);
-        J[14] = Scalar(2) * inverse_9 * e36 * e42 * e44;
+        J[12] = -Scalar(2) * e60 * e29 * e28;
+        J[13] = T_1 * (Scalar(2) * e61) - T_2 * (Scalar(2) * (e63 + e61)) + T_3 * (Scalar(2) * e63);
+        J[14] = Scalar(2) * e62 * e45 * e47;
         J[15] = Scalar(0);
-        J[16] = -Scalar(2) * e22 * e62 * e44;
-        J[17] = T_a * (Scalar(2) * e64) + sun * (Scalar(2) * p_.a_s * inverse_47 * e63) + T_2 * (Scalar(2) * e65) - T_3
-            * (Scalar(2) * (e65 + e64));
-        J[18] = T_1 * (Scalar(2) * e15 * e66) - inverse_3 * e67 - T_i * (Scalar(2) * e14 * e66) - T_2 * (Scalar(2) * e12 * e66);
+        J[16] = -Scalar(2) * e26 * e64 * e47;
+        J[17] = T_a * (Scalar(2) * e66) + sun * (Scalar(2) * p_.a_s * e65) + T_2 * (Scalar(2) * e67) - T_3
+            * (Scalar(2) * (e67 + e66));
+        J[18] = T_1 * (Scalar(2) * e9 * e68) - inverse_10 * e69 - T_i * (Scalar(2) * e8 * e68) - T_2 * (Scalar(2) * e6 * e68);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (Scalar(2) * e31 * e68) - inverse_19 * e69 - T_1 * (Scalar(2) * e16 * e68) - T_3
-            * (Scalar(2) * e30 * e68);
+        J[22] = T_2 * (Scalar(2) * e35 * e70) - inverse_23 * e71 - T_1 * (Scalar(2) * e16 * e70) - T_3
+            * (Scalar(2) * e34 * e70);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (Scalar(2) * inverse_37 * e50) - inverse_37 * e70 - T_a * (Scalar(2) * inverse_37 * e49) - sun
-            * (Scalar(2) * inverse_37 * e56) - T_2 * (Scalar(2) * inverse_37 * e46);
-        J[27] = T_1 * (Scalar(2) * e15 * e71) - inverse_4 * e67 - T_i * (Scalar(2) * e14 * e71) - T_2 * (Scalar(2) * e12 * e71);
+        J[26] = T_3 * (Scalar(2) * inverse_40 * e74) - inverse_40 * e75 - T_a * (Scalar(2) * inverse_40 * e73) - sun
+            * (Scalar(2) * inverse_40 * e56) - T_2 * (Scalar(2) * inverse_40 * e72);
+        J[27] = T_1 * (Scalar(2) * e9 * e76) - inverse_11 * e69 - T_i * (Scalar(2) * e8 * e76) - T_2 * (Scalar(2) * e6 * e76);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (Scalar(2) * e31 * e72) - inverse_20 * e69 - T_1 * (Scalar(2) * e16 * e72) - T_3
-            * (Scalar(2) * e30 * e72);
+        J[31] = T_2 * (Scalar(2) * e35 * e77) - inverse_24 * e71 - T_1 * (Scalar(2) * e16 * e77) - T_3
+            * (Scalar(2) * e34 * e77);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (Scalar(2) * inverse_38 * e50) - inverse_38 * e70 - T_a * (Scalar(2) * inverse_38 * e49) - sun
-            * (Scalar(2) * inverse_38 * e56) - T_2 * (Scalar(2) * inverse_38 * e46);
+        J[35] = T_3 * (Scalar(2) * inverse_41 * e74) - inverse_41 * e75 - T_a * (Scalar(2) * inverse_41 * e73) - sun
+            * (Scalar(2) * inverse_41 * e56) - T_2 * (Scalar(2) * inverse_41 * e72);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
-        J[39] = Scalar(4) * inverse_13 * e7 * e17 * (T_i - T_1);
+        J[39] = Scalar(4) * inverse_7 * e14 * e19 * (T_i - T_1);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        J[44] = Scalar(4) * inverse_47 * e53 * (T_a - T_3) - sun * (Scalar(2) * inverse_47 * e56);
+        J[44] = Scalar(4) * e51 * e52 * (T_a - T_3) - sun * (Scalar(2) * inverse_50 * e56);
         J[45] = Scalar(0);
         J[46] = Scalar(0);
-        J[47] = sun * (Scalar(2) * e48);
-        J[48] = e5;
-        J[49] = e21;
-        J[50] = e39;
+        J[47] = sun * (Scalar(2) * e51);
+        J[48] = e12;
+        J[49] = e25;
+        J[50] = e42;
     }
 
     /// J = df/dt at fixed x and u.
@@ -541,8 +542,8 @@ public:
     ///     lambda[3]/L[3]))
     ///     T_front = alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) + a_s*sun/(2*lambda[3]/L[3] + alpha_L) +
     ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
-    ///     Q_inside = A*alpha_0*(1 - alpha_0/(2*lambda[1]/L[1] + alpha_0))*T_i - 2*lambda[1]*A*alpha_0*T[1]/(L[1]*(2*lambda[1]/L[1]
-    ///     + alpha_0))
+    ///     Q_inside = 2*lambda[1]*A*alpha_0*T_i/(L[1]*(2*lambda[1]/L[1] + alpha_0)) -
+    ///     2*lambda[1]*A*alpha_0*T[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
     ///     U = k
     ///     T_steady = (1 - k/alpha_0)*T_i - k*T_i*min(L[1], max(0, x))/lambda[1] - k*T_i*min(L[2], max(0, -L[1] + x))/lambda[2] -
     ///     k*T_i*min(L[3], max(0, -L[1] - L[2] + x))/lambda[3] + k*T_a/alpha_0 + k*T_a*min(L[1], max(0, x))/lambda[1] +
@@ -686,17 +687,17 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 8 + or -, 13 *, 2 /
+    /// Operations: 10 + or -, 12 *, 2 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
         const Scalar e1 = p_.lambda[2] / p_.L[2];
-        const Scalar e2 = e1 * (p_.A / (p_.alpha_L + Scalar(2) * e1));
+        const Scalar e2 = p_.A * p_.alpha_L / (p_.alpha_L + Scalar(2) * e1);
         const Scalar T_a = u[1];
         const Scalar T_3 = x[2];
         const Scalar sun = u[2];
-        return c_.k20 * (T_i - T_1) + Scalar(2) * p_.alpha_L * e2 * (T_a - T_3) + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2])
-            + sun * (Scalar(2) * p_.a_s * e2);
+        return c_.k20 * (T_i - T_1) + Scalar(2) * e1 * e2 * (T_a - T_3) + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) - sun
+            * (-p_.a_s * (p_.A - e2));
     }
 
     /// Functions whose sign matters, in the order of guard_table().

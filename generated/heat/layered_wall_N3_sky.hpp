@@ -18,16 +18,16 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                13     68    19        0      0
+//   update                13     67    19        0      0
 //   rhs                   12     16     0        0      1
 //   rhs_and_jacobian      16     20     1        0      1
 //   jacobian_u             4     14     1        0      1
-//   jacobian_p            75    257    14        0      1
+//   jacobian_p            75    255    14        0      1
 //   output                13     18     0        0      7
 //   output_jacobian_x      5     11     1        0      1
 //   output_jacobian_u     17     24     1        0     13
 //   internal_energy        2     12     0        0      0
-//   exchanged_power       14     26     2        0      1
+//   exchanged_power       12     20     0        0      1
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -235,7 +235,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 13 + or -, 68 *, 19 /
+    /// Operations: 13 + or -, 67 *, 19 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.lambda[0];
@@ -255,28 +255,28 @@ public:
         c_.k1 = Scalar(2) * e12;
         const Scalar inverse_13 = Scalar(1) / p_.L[1];
         const Scalar e14 = p_.lambda[1] * inverse_13;
-        const Scalar inverse_15 = Scalar(1) / (e8 + e14);
-        const Scalar e16 = e11 * (inverse_15 * e14);
+        const Scalar e15 = e14 / (e14 + e8);
+        const Scalar e16 = e15 * e11;
         c_.k2 = Scalar(2) * (e12 + e16);
         c_.k3 = Scalar(2) * e16;
         const Scalar e17 = Scalar(1) / p_.rho[1] / p_.c_p[1];
         c_.k4 = p_.g * e17;
-        const Scalar e18 = e17 * (inverse_13 * e14);
-        const Scalar e19 = e18 * (inverse_15 * e8);
+        const Scalar e18 = inverse_13 * e17;
+        const Scalar e19 = e18 * (e8 * e15);
         c_.k5 = Scalar(2) * e19;
         const Scalar inverse_20 = Scalar(1) / p_.L[2];
         const Scalar e21 = p_.lambda[2] * inverse_20;
         const Scalar inverse_22 = Scalar(1) / (e21 + e14);
-        const Scalar e23 = inverse_22 * e21;
-        const Scalar e24 = e23 * e18;
+        const Scalar e23 = inverse_22 * e14;
+        const Scalar e24 = e18 * (e21 * e23);
         c_.k6 = Scalar(2) * (e24 + e19);
         c_.k7 = Scalar(2) * e24;
         const Scalar e25 = Scalar(1) / p_.rho[2] / p_.c_p[2];
         c_.k8 = p_.g * e25;
         const Scalar e26 = e25 * (inverse_20 * e21);
-        const Scalar e27 = inverse_22 * e14;
-        c_.k9 = Scalar(2) * e26 * e27;
-        c_.k10 = e26 * (Scalar(4) - Scalar(2) * e23);
+        const Scalar e27 = e26 * e23;
+        c_.k9 = Scalar(2) * e27;
+        c_.k10 = Scalar(2) * (e26 + e27);
         c_.k11 = Scalar(2) * e26;
         const Scalar inverse_28 = Scalar(1) / (p_.alpha_L + Scalar(2) * e21);
         const Scalar e29 = p_.eps * inverse_28;
@@ -295,8 +295,8 @@ public:
         c_.k20 = ((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e33;
         c_.k21 = e10;
         c_.k22 = Scalar(2) * inverse_9 * e8;
-        c_.k23 = e27;
-        c_.k24 = e23;
+        c_.k23 = e23;
+        c_.k24 = inverse_22 * e21;
         c_.k25 = Scalar(2) * p_.A * e8 * e10;
         const Scalar e34 = c_.k * inverse_4;
         c_.k26 = Scalar(1) - e34;
@@ -327,15 +327,15 @@ public:
     ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L)) + alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) +
     ///     stefan_boltzmann*eps*T_h^4/(2*lambda[3]/L[3] + alpha_L) + a_s*sun/(2*lambda[3]/L[3] + alpha_L))
     ///     dot(T[1]) = g/(rho[1]*c_p[1]) + 2*lambda[1]*alpha_0*T_i/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0)) -
-    ///     lambda[1]*(4 - 2*lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) - 4*lambda[1]/(L[1]*(2*lambda[1]/L[1] +
-    ///     alpha_0)))*T[1]/(L[1]^2*rho[1]*c_p[1]) + 2*lambda[1]*lambda[2]*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(lambda[1]/L[1] +
+    ///     2*lambda[1]*(lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) + alpha_0/(2*lambda[1]/L[1] +
+    ///     alpha_0))*T[1]/(L[1]^2*rho[1]*c_p[1]) + 2*lambda[1]*lambda[2]*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(lambda[1]/L[1] +
     ///     lambda[2]/L[2]))
     ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 2*lambda[1]*lambda[2]*T[1]/(L[1]*L[2]^2*rho[2]*c_p[2]*(lambda[1]/L[1] + lambda[2]/L[2]))
-    ///     - lambda[2]*(4 - 2*lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) - 2*lambda[2]/(L[2]*(lambda[2]/L[2] +
+    ///     - 2*lambda[2]*(lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) + lambda[3]/(L[3]*(lambda[2]/L[2] +
     ///     lambda[3]/L[3])))*T[2]/(L[2]^2*rho[2]*c_p[2]) + 2*lambda[2]*lambda[3]*T[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(lambda[2]/L[2] +
     ///     lambda[3]/L[3]))
     ///     dot(T[3]) = g/(rho[3]*c_p[3]) + 2*lambda[2]*lambda[3]*T[2]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
-    ///     - lambda[3]*(4 - 2*lambda[3]/(L[3]*(lambda[2]/L[2] + lambda[3]/L[3])))*T[3]/(L[3]^2*rho[3]*c_p[3]) +
+    ///     - 2*lambda[3]*(1 + lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3])))*T[3]/(L[3]^2*rho[3]*c_p[3]) +
     ///     2*lambda[3]*temperature[front]/(L[3]^2*rho[3]*c_p[3])
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_i = u[0];
@@ -416,172 +416,176 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 18, entry (i, j) at J[3*j + i].
-    /// Operations: 75 + or -, 257 *, 14 /, 1 other functions
+    /// Operations: 75 + or -, 255 *, 14 /, 1 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
-        const Scalar inverse_1 = Scalar(1) / p_.L[0];
-        const Scalar e2 = p_.lambda[0] * inverse_1;
-        const Scalar inverse_3 = Scalar(1) / p_.rho[0];
-        const Scalar inverse_4 = Scalar(1) / p_.c_p[0];
-        const Scalar e5 = inverse_3 * inverse_4;
-        const Scalar e6 = inverse_1 * e5;
-        const Scalar e7 = e2 * e6;
-        const Scalar e8 = inverse_1 * e7;
-        const Scalar inverse_9 = Scalar(1) / p_.L[1];
-        const Scalar e10 = p_.lambda[1] * inverse_9;
-        const Scalar inverse_11 = Scalar(1) / (e10 + e2);
-        const Scalar e12 = inverse_11 * e10;
-        const Scalar inverse_13 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e2);
-        const Scalar e14 = p_.alpha_0 * inverse_13;
-        const Scalar e15 = e12 + e14;
-        const Scalar e16 = e2 * e12;
-        const Scalar e17 = inverse_13 * e2;
-        const Scalar e18 = e14 * e8;
+        const Scalar inverse_1 = Scalar(1) / p_.L[1];
+        const Scalar e2 = p_.lambda[1] * inverse_1;
+        const Scalar inverse_3 = Scalar(1) / p_.L[0];
+        const Scalar e4 = p_.lambda[0] * inverse_3;
+        const Scalar inverse_5 = Scalar(1) / (e2 + e4);
+        const Scalar e6 = inverse_5 * e2;
+        const Scalar inverse_7 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e4);
+        const Scalar e8 = p_.alpha_0 * inverse_7;
+        const Scalar e9 = e6 + e8;
+        const Scalar inverse_10 = Scalar(1) / p_.rho[0];
+        const Scalar inverse_11 = Scalar(1) / p_.c_p[0];
+        const Scalar e12 = inverse_10 * inverse_11;
+        const Scalar e13 = inverse_3 * e12;
+        const Scalar e14 = e4 * e13;
+        const Scalar e15 = inverse_3 * e14;
+        const Scalar e16 = e4 * e6;
+        const Scalar e17 = inverse_5 * e16;
+        const Scalar e18 = Scalar(2) * (e15 * e17);
+        const Scalar e19 = inverse_7 * e4;
+        const Scalar e20 = e8 * e15;
+        const Scalar e21 = e19 * e20;
         const Scalar T_i = u[0];
-        const Scalar e14_squared = e14 * e14;
         const Scalar T_2 = x[1];
-        const Scalar e12_squared = e12 * e12;
-        const Scalar inverse_19 = Scalar(1) / p_.rho[1];
-        const Scalar inverse_20 = Scalar(1) / p_.c_p[1];
-        const Scalar e21 = inverse_19 * inverse_20;
-        const Scalar e22 = inverse_9 * e21;
-        const Scalar e23 = inverse_1 * e22;
-        const Scalar e24 = T_1 - T_2;
-        const Scalar e25 = e7 * (inverse_9 * inverse_11);
-        const Scalar inverse_26 = Scalar(1) / p_.L[2];
-        const Scalar e27 = p_.lambda[2] * inverse_26;
-        const Scalar inverse_28 = Scalar(1) / (e27 + e10);
-        const Scalar e29 = inverse_28 * e27;
-        const Scalar e30 = e10 * e29;
-        const Scalar e31 = e16 + e30;
-        const Scalar e32 = inverse_9 * e22;
-        const Scalar e33 = e32 * e16;
-        const Scalar e34 = inverse_28 * e10;
-        const Scalar e35 = e32 * e30;
-        const Scalar e36 = inverse_11 * e2;
+        const Scalar e22 = e6 * e16;
+        const Scalar inverse_23 = Scalar(1) / p_.rho[1];
+        const Scalar inverse_24 = Scalar(1) / p_.c_p[1];
+        const Scalar e25 = inverse_23 * inverse_24;
+        const Scalar e26 = inverse_1 * e25;
+        const Scalar e27 = inverse_3 * e26;
+        const Scalar e28 = T_1 - T_2;
+        const Scalar e29 = inverse_1 * e14;
+        const Scalar inverse_30 = Scalar(1) / p_.L[2];
+        const Scalar e31 = p_.lambda[2] * inverse_30;
+        const Scalar inverse_32 = Scalar(1) / (e2 + e31);
+        const Scalar e33 = inverse_32 * e2;
+        const Scalar e34 = e31 * e33;
+        const Scalar e35 = e34 + e16;
+        const Scalar e36 = inverse_1 * e26;
+        const Scalar e37 = e33 * e34;
+        const Scalar e38 = Scalar(2) * (e36 * e37);
+        const Scalar e39 = Scalar(2) * (e36 * e22);
         const Scalar T_3 = x[2];
-        const Scalar inverse_37 = Scalar(1) / p_.rho[2];
-        const Scalar inverse_38 = Scalar(1) / p_.c_p[2];
-        const Scalar e39 = inverse_37 * inverse_38;
-        const Scalar e40 = inverse_26 * e39;
-        const Scalar e41 = e27 * e40;
-        const Scalar e42 = e29 * (inverse_9 * e41);
-        const Scalar e43 = T_2 - T_3;
-        const Scalar e44 = inverse_26 * e22;
-        const Scalar e45 = inverse_26 * e41;
-        const Scalar e29_squared = e29 * e29;
-        const Scalar e46 = Scalar(1) - (Scalar(1) / Scalar(2)) * e29;
+        const Scalar inverse_40 = Scalar(1) / p_.rho[2];
+        const Scalar inverse_41 = Scalar(1) / p_.c_p[2];
+        const Scalar e42 = inverse_40 * inverse_41;
+        const Scalar e43 = inverse_30 * e42;
+        const Scalar e44 = e31 * e43;
+        const Scalar e45 = inverse_1 * e44;
+        const Scalar e46 = T_2 - T_3;
+        const Scalar e47 = inverse_30 * e26;
+        const Scalar e48 = inverse_30 * e44;
+        const Scalar e49 = Scalar(1) + e33;
+        const Scalar e50 = inverse_32 * e48;
+        const Scalar e51 = Scalar(2) * (e34 * e50);
         const Scalar T_a = u[1];
         const Scalar sun = u[3];
         const Scalar T_h = u[2];
         const Scalar T_h_squared = T_h * T_h;
         const Scalar T_h_squared_squared = T_h_squared * T_h_squared;
-        const Scalar e47 = c_.k13 * T_a + c_.k14 * sun + c_.k15 * T_3 + c_.k12 * T_h_squared_squared;
-        const Scalar radiant_temperature_48 = detail::radiant_temperature<Scalar>(c_.k12, e47);
-        const Scalar inverse_49 = Scalar(1) / (p_.alpha_L + Scalar(2) * e27);
-        const Scalar inverse_49_squared = inverse_49 * inverse_49;
-        const Scalar e50 = e45 * inverse_49_squared;
-        const Scalar e51 = e27 * e50;
-        const Scalar radiant_temperature_48_squared = radiant_temperature_48 * radiant_temperature_48;
-        const Scalar e52 = (Scalar(25000000) * Scalar(1000000000)) + c_.k17 * radiant_temperature_48
-            * radiant_temperature_48_squared;
-        const Scalar inverse_53 = Scalar(1) / e52;
-        const Scalar e54 = sun * inverse_53;
-        const Scalar e55 = T_h_squared_squared - radiant_temperature_48_squared * radiant_temperature_48_squared;
-        const Scalar e56 = inverse_53 * e55;
-        const Scalar e57 = T_a * inverse_53;
-        const Scalar e58 = inverse_49 * e45 - Scalar(2) * e51;
-        const Scalar e59 = T_3 * inverse_53;
-        const Scalar e60 = inverse_1 * e6;
-        const Scalar e61 = e60 * e14_squared;
-        const Scalar e62 = e60 * e12_squared;
-        const Scalar e63 = e36 * (e32 * e36);
-        const Scalar e64 = e32 * e29_squared;
-        const Scalar e34_squared = e34 * e34;
-        const Scalar e65 = inverse_26 * e40;
-        const Scalar e66 = inverse_3 * e7;
-        const Scalar e67 = p_.g * e5;
-        const Scalar e68 = inverse_19 * e22;
-        const Scalar e69 = p_.g * e21;
-        const Scalar e70 = inverse_37 * e41;
-        const Scalar e71 = p_.g * e39;
-        const Scalar e72 = inverse_4 * e7;
-        const Scalar e73 = inverse_20 * e22;
-        const Scalar e74 = inverse_38 * e41;
-        const Scalar e75 = e41 * inverse_49_squared;
-        const Scalar e76 = inverse_49 * e41;
-        const Scalar e77 = e8 * (Scalar(4) * e15 - Scalar(2) * inverse_11 * e16) - Scalar(4) * e17 * e18;
-        J[0] = T_1 * e77 - T_i * (Scalar(2) * (e8 * e14_squared + e18)) - T_2 * (Scalar(2) * (e8 * (e12 + e12_squared)));
-        J[1] = -Scalar(2) * e12 * e16 * e23 * e24;
+        const Scalar e52 = c_.k13 * T_a + c_.k14 * sun + c_.k15 * T_3 + c_.k12 * T_h_squared_squared;
+        const Scalar radiant_temperature_53 = detail::radiant_temperature<Scalar>(c_.k12, e52);
+        const Scalar inverse_54 = Scalar(1) / (p_.alpha_L + Scalar(2) * e31);
+        const Scalar inverse_54_squared = inverse_54 * inverse_54;
+        const Scalar e55 = e48 * inverse_54_squared;
+        const Scalar e56 = e31 * e55;
+        const Scalar radiant_temperature_53_squared = radiant_temperature_53 * radiant_temperature_53;
+        const Scalar e57 = (Scalar(25000000) * Scalar(1000000000)) + c_.k17 * radiant_temperature_53
+            * radiant_temperature_53_squared;
+        const Scalar inverse_58 = Scalar(1) / e57;
+        const Scalar e59 = sun * inverse_58;
+        const Scalar e60 = T_h_squared_squared - radiant_temperature_53_squared * radiant_temperature_53_squared;
+        const Scalar e61 = inverse_58 * e60;
+        const Scalar e62 = T_a * inverse_58;
+        const Scalar e63 = inverse_54 * e48 - Scalar(2) * e56;
+        const Scalar e64 = T_3 * inverse_58;
+        const Scalar e65 = inverse_3 * e13;
+        const Scalar e66 = e65 * (e8 * e8);
+        const Scalar e6_squared = e6 * e6;
+        const Scalar e67 = e65 * e6_squared;
+        const Scalar e68 = e4 * (inverse_5 * inverse_5);
+        const Scalar e69 = e68 * (e4 * e36);
+        const Scalar e70 = e31 * (inverse_32 * inverse_32);
+        const Scalar e71 = e70 * (e31 * e36);
+        const Scalar e72 = inverse_30 * e43;
+        const Scalar e73 = e33 * e50;
+        const Scalar e74 = inverse_10 * e14;
+        const Scalar e75 = p_.g * e12;
+        const Scalar e76 = inverse_23 * e26;
+        const Scalar e77 = p_.g * e25;
+        const Scalar e78 = inverse_40 * e44;
+        const Scalar e79 = p_.g * e42;
+        const Scalar e80 = inverse_11 * e14;
+        const Scalar e81 = inverse_24 * e26;
+        const Scalar e82 = inverse_41 * e44;
+        const Scalar e83 = e44 * inverse_54_squared;
+        const Scalar e84 = inverse_54 * e44;
+        J[0] = T_1 * (Scalar(4) * e9 * e15 - e18 - Scalar(4) * e21) - T_i * (Scalar(4) * (e20 - e21)) - T_2
+            * (Scalar(4) * e6 * e15 - e18);
+        J[1] = -Scalar(2) * e22 * e27 * e28;
         J[2] = Scalar(0);
-        J[3] = Scalar(2) * e16 * e25 * e24;
-        const Scalar e78 = T_2 * (Scalar(4) * e31 * e32 - Scalar(2) * e12 * e33 - Scalar(2) * e34 * e35);
-        J[4] = e78 - T_1 * (Scalar(2) * (e33 * (Scalar(1) + e36))) - T_3 * (Scalar(2) * (e35 * (e29 + Scalar(1))));
-        J[5] = -Scalar(2) * e34 * e42 * e43;
+        J[3] = Scalar(2) * e17 * e29 * e28;
+        J[4] = T_2 * (Scalar(4) * e35 * e36 - e38 - e39) - T_1 * (Scalar(4) * e36 * e16 - e39) - T_3
+            * (Scalar(4) * e36 * e34 - e38);
+        J[5] = -Scalar(2) * inverse_32 * e34 * e45 * e46;
         J[6] = Scalar(0);
-        J[7] = Scalar(2) * e34 * e30 * e44 * e43;
-        const Scalar e79 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e51 * e56;
-        J[8] = T_3 * (e45 * (Scalar(8) - Scalar(6) * e29 + Scalar(2) * e29_squared)) - T_2 * (Scalar(4) * e45 * e34 * e46)
-            - radiant_temperature_48 * (Scalar(4) * e45) + ((Scalar(100000000) * Scalar(1000000000))) * p_.a_s * e51 * e54
-            + e79 + ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e51 * e57
-            - ((Scalar(100000000) * Scalar(1000000000))) * e27 * e58 * e59;
-        J[9] = T_i * (Scalar(2) * e61) - T_1 * (Scalar(2) * (e62 + e61)) + T_2 * (Scalar(2) * e62);
-        J[10] = Scalar(2) * e12_squared * e23 * e24;
+        J[7] = Scalar(2) * e37 * e47 * e46;
+        const Scalar e85 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e56 * e61;
+        J[8] = T_3 * (Scalar(4) * e48 * e49 - e51) - T_2 * (Scalar(4) * e33 * e48 - e51) - radiant_temperature_53
+            * (Scalar(4) * e48) + ((Scalar(100000000) * Scalar(1000000000))) * p_.a_s * e56 * e59 + e85
+            + ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e56 * e62 - ((Scalar(100000000) * Scalar(1000000000)))
+            * e31 * e63 * e64;
+        J[9] = T_i * (Scalar(2) * e66) - T_1 * (Scalar(2) * (e67 + e66)) + T_2 * (Scalar(2) * e67);
+        J[10] = Scalar(2) * e6_squared * e27 * e28;
         J[11] = Scalar(0);
-        J[12] = -Scalar(2) * e36 * e25 * e24;
-        J[13] = T_1 * (Scalar(2) * e63) - T_2 * (Scalar(2) * (e64 + e63)) + T_3 * (Scalar(2) * e64);
-        J[14] = Scalar(2) * inverse_28 * e42 * e43;
+        J[12] = -Scalar(2) * e68 * e29 * e28;
+        J[13] = T_1 * (Scalar(2) * e69) - T_2 * (Scalar(2) * (e71 + e69)) + T_3 * (Scalar(2) * e71);
+        J[14] = Scalar(2) * e70 * e45 * e46;
         J[15] = Scalar(0);
-        J[16] = -Scalar(2) * e44 * e34_squared * e43;
-        const Scalar e80 = T_3 * (inverse_28 * e45 * (Scalar(2) * (Scalar(1) + e34)) - Scalar(4) * e65);
-        const Scalar e81 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e50 * e56;
-        J[17] = T_2 * (Scalar(2) * e65 * e34_squared) + e80 + radiant_temperature_48 * (Scalar(2) * e65)
-            - ((Scalar(100000000) * Scalar(1000000000))) * p_.a_s * e50 * e54 - e81
-            - ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e50 * e57 + ((Scalar(100000000) * Scalar(1000000000)))
-            * e58 * e59;
-        J[18] = T_1 * (Scalar(2) * e15 * e66) - inverse_3 * e67 - T_i * (Scalar(2) * e14 * e66) - T_2 * (Scalar(2) * e12 * e66);
+        J[16] = -Scalar(2) * e33 * e33 * e47 * e46;
+        const Scalar e86 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e55 * e61;
+        J[17] = T_2 * (Scalar(2) * (e33 * e72 - e73)) - T_3 * (Scalar(2) * (e49 * e72 - e73)) + radiant_temperature_53
+            * (Scalar(2) * e72) - ((Scalar(100000000) * Scalar(1000000000))) * p_.a_s * e55 * e59 - e86
+            - ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e55 * e62 + ((Scalar(100000000) * Scalar(1000000000)))
+            * e63 * e64;
+        J[18] = T_1 * (Scalar(2) * e9 * e74) - inverse_10 * e75 - T_i * (Scalar(2) * e8 * e74) - T_2 * (Scalar(2) * e6 * e74);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (Scalar(2) * e31 * e68) - inverse_19 * e69 - T_1 * (Scalar(2) * e16 * e68) - T_3
-            * (Scalar(2) * e30 * e68);
+        J[22] = T_2 * (Scalar(2) * e35 * e76) - inverse_23 * e77 - T_1 * (Scalar(2) * e16 * e76) - T_3
+            * (Scalar(2) * e34 * e76);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (Scalar(4) * e46 * e70) - inverse_37 * e71 - T_2 * (Scalar(2) * e34 * e70) - radiant_temperature_48
-            * (Scalar(2) * e70);
-        J[27] = T_1 * (Scalar(2) * e15 * e72) - inverse_4 * e67 - T_i * (Scalar(2) * e14 * e72) - T_2 * (Scalar(2) * e12 * e72);
+        J[26] = T_3 * (Scalar(2) * e49 * e78) - inverse_40 * e79 - T_2 * (Scalar(2) * e33 * e78) - radiant_temperature_53
+            * (Scalar(2) * e78);
+        J[27] = T_1 * (Scalar(2) * e9 * e80) - inverse_11 * e75 - T_i * (Scalar(2) * e8 * e80) - T_2 * (Scalar(2) * e6 * e80);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (Scalar(2) * e31 * e73) - inverse_20 * e69 - T_1 * (Scalar(2) * e16 * e73) - T_3
-            * (Scalar(2) * e30 * e73);
+        J[31] = T_2 * (Scalar(2) * e35 * e81) - inverse_24 * e77 - T_1 * (Scalar(2) * e16 * e81) - T_3
+            * (Scalar(2) * e34 * e81);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (Scalar(4) * e46 * e74) - inverse_38 * e71 - T_2 * (Scalar(2) * e34 * e74) - radiant_temperature_48
-            * (Scalar(2) * e74);
+        J[35] = T_3 * (Scalar(2) * e49 * e82) - inverse_41 * e79 - T_2 * (Scalar(2) * e33 * e82) - radiant_temperature_53
+            * (Scalar(2) * e82);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
-        J[39] = Scalar(4) * inverse_13 * e7 * e17 * (T_i - T_1);
+        J[39] = Scalar(4) * inverse_7 * e14 * e19 * (T_i - T_1);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        const Scalar e82 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * p_.eps * e75;
-        J[44] = ((Scalar(100000000) * Scalar(1000000000))) * e27 * e75 * (e57 - e59)
-            - ((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e75 * e54 - e82 * e56;
+        const Scalar e87 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * p_.eps * e83;
+        J[44] = ((Scalar(100000000) * Scalar(1000000000))) * e31 * e83 * (e62 - e64)
+            - ((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e83 * e59 - e87 * e61;
         J[45] = Scalar(0);
         J[46] = Scalar(0);
-        const Scalar e83 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * e76;
-        J[47] = e83 * e56;
+        const Scalar e88 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * e84;
+        J[47] = e88 * e61;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = ((Scalar(50000000) * Scalar(1000000000))) * e76 * e54;
-        J[51] = e5;
-        J[52] = e21;
-        J[53] = e39;
+        J[50] = ((Scalar(50000000) * Scalar(1000000000))) * e84 * e59;
+        J[51] = e12;
+        J[52] = e25;
+        J[53] = e42;
     }
 
     /// J = df/dt at fixed x and u.
@@ -615,8 +619,8 @@ public:
     ///     T_front = radiant_temperature(stefan_boltzmann*eps/(2*lambda[3]/L[3] + alpha_L),
     ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L)) + alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) +
     ///     stefan_boltzmann*eps*T_h^4/(2*lambda[3]/L[3] + alpha_L) + a_s*sun/(2*lambda[3]/L[3] + alpha_L))
-    ///     Q_inside = A*alpha_0*(1 - alpha_0/(2*lambda[1]/L[1] + alpha_0))*T_i - 2*lambda[1]*A*alpha_0*T[1]/(L[1]*(2*lambda[1]/L[1]
-    ///     + alpha_0))
+    ///     Q_inside = 2*lambda[1]*A*alpha_0*T_i/(L[1]*(2*lambda[1]/L[1] + alpha_0)) -
+    ///     2*lambda[1]*A*alpha_0*T[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
     ///     U = k
     ///     T_steady = (1 - k/alpha_0)*T_i - k*T_i*min(L[1], max(0, x))/lambda[1] - k*T_i*min(L[2], max(0, -L[1] + x))/lambda[2] -
     ///     k*T_i*min(L[3], max(0, -L[1] - L[2] + x))/lambda[3] + k*T_a/alpha_0 + k*T_a*min(L[1], max(0, x))/lambda[1] +
@@ -784,8 +788,10 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 14 + or -, 26 *, 2 /, 1 other functions
+    /// Operations: 12 + or -, 20 *, 1 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
+        const Scalar T_i = u[0];
+        const Scalar T_1 = x[0];
         const Scalar T_a = u[1];
         const Scalar sun = u[3];
         const Scalar T_3 = x[2];
@@ -797,12 +803,9 @@ public:
         const Scalar e3 = p_.A * p_.alpha_L;
         const Scalar e4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.A * p_.eps;
-        const Scalar T_i = u[0];
-        const Scalar T_1 = x[0];
         const Scalar e5 = radiant_temperature_2 * radiant_temperature_2 * radiant_temperature_2 * e4;
-        const Scalar e6 = Scalar(1) - p_.alpha_0 / (Scalar(2) * p_.lambda[0] / p_.L[0] + p_.alpha_0);
-        return p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) - radiant_temperature_2 * (e3 + e5) + T_i * (p_.A * p_.alpha_0 * e6)
-            + T_a * e3 + sun * (p_.A * p_.a_s) - c_.k25 * T_1 + e4 * T_h_squared_squared;
+        return c_.k25 * (T_i - T_1) - radiant_temperature_2 * (e3 + e5) + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) + T_a
+            * e3 + sun * (p_.A * p_.a_s) + e4 * T_h_squared_squared;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -825,7 +828,7 @@ private:
         Scalar k7;  ///< 2*lambda[2]*lambda[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(lambda[2]/L[2] + lambda[3]/L[3]))
         Scalar k8;  ///< g/(rho[3]*c_p[3])
         Scalar k9;  ///< 2*lambda[2]*lambda[3]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
-        Scalar k10;  ///< lambda[3]*(4 - 2*lambda[3]/(L[3]*(lambda[2]/L[2] + lambda[3]/L[3])))/(L[3]^2*rho[3]*c_p[3])
+        Scalar k10;  ///< 2*lambda[3]*(1 + lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3])))/(L[3]^2*rho[3]*c_p[3])
         Scalar k11;  ///< 2*lambda[3]/(L[3]^2*rho[3]*c_p[3])
         Scalar k12;  ///< stefan_boltzmann*eps/(2*lambda[3]/L[3] + alpha_L)
         Scalar k13;  ///< alpha_L/(2*lambda[3]/L[3] + alpha_L)

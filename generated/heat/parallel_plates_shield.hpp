@@ -18,7 +18,7 @@
 //   update                 8     30     8        0      0
 //   rhs                    2      8     0        0      0
 //   rhs_and_jacobian       4     12     0        0      0
-//   jacobian_p            44    136     6        0      0
+//   jacobian_p            26     98     6        0      0
 //   output                 2      7     0        0      1
 //   output_jacobian_x      2     14     0        0      1
 //   internal_energy        1      4     0        0      0
@@ -214,14 +214,14 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 2 + or -, 8 *
-    ///     dot(T_1) = -stefan_boltzmann*exchange_factor[first_gap, 1, 2]*(1 - exchange_factor[first_gap, 1,
-    ///     2]/(exchange_factor[first_gap, 1, 2] + exchange_factor[second_gap, 1, 2]))*T_1^4/(m_1*c_1) +
+    ///     dot(T_1) = -stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1,
+    ///     2]*T_1^4/(m_1*c_1*(exchange_factor[first_gap, 1, 2] + exchange_factor[second_gap, 1, 2])) +
     ///     stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1,
     ///     2]*T_2^4/(m_1*c_1*(exchange_factor[first_gap, 1, 2] + exchange_factor[second_gap, 1, 2]))
     ///     dot(T_2) = stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1,
     ///     2]*T_1^4/(m_2*c_2*(exchange_factor[first_gap, 1, 2] + exchange_factor[second_gap, 1, 2])) -
-    ///     stefan_boltzmann*exchange_factor[second_gap, 1, 2]*(1 - exchange_factor[second_gap, 1, 2]/(exchange_factor[first_gap, 1,
-    ///     2] + exchange_factor[second_gap, 1, 2]))*T_2^4/(m_2*c_2)
+    ///     stefan_boltzmann*exchange_factor[first_gap, 1, 2]*exchange_factor[second_gap, 1,
+    ///     2]*T_2^4/(m_2*c_2*(exchange_factor[first_gap, 1, 2] + exchange_factor[second_gap, 1, 2]))
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -261,120 +261,88 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 10, entry (i, j) at J[2*j + i].
-    /// Operations: 44 + or -, 136 *, 6 /
+    /// Operations: 26 + or -, 98 *, 6 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.m_1;
         const Scalar inverse_2 = Scalar(1) / p_.c_1;
         const Scalar e3 = inverse_1 * inverse_2;
-        const Scalar inverse_4 = Scalar(1) / (c_.first_gap_exchange_factor_1_2 + c_.second_gap_exchange_factor_1_2);
-        const Scalar inverse_5 = Scalar(1) / p_.A;
-        const Scalar e6 = c_.first_gap_reach_1_2 * inverse_5;
-        const Scalar e7 = Scalar(1) + c_.first_gap_reflectivity_2 * c_.first_gap_reach_2_2 * inverse_5
-            - c_.first_gap_reflectivity_1 * e6;
-        const Scalar e8 = -e7;
-        const Scalar e9 = p_.eps_1 * c_.first_gap_reflectivity_2 + p_.eps_s * c_.first_gap_reflectivity_1;
-        const Scalar e10 = c_.first_gap_reflectivity_1 * c_.first_gap_reflectivity_2 * e8 - e9 * e6;
-        const Scalar e11 = p_.eps_1 * (e8 * (Scalar(1) - c_.first_gap_reflectivity_2 * e6) + e10 * e6);
-        const Scalar e12 = c_.first_gap_exchange_factor_1_2 * inverse_4;
-        const Scalar e13 = Scalar(1) - e12;
-        const Scalar e14 = c_.second_gap_exchange_factor_1_2 * e13;
-        const Scalar e15 = c_.second_gap_reach_1_2 * inverse_5;
-        const Scalar e16 = Scalar(1) + c_.second_gap_reflectivity_2 * c_.second_gap_reach_2_2 * inverse_5
-            - c_.second_gap_reflectivity_1 * e15;
-        const Scalar e17 = -e16;
-        const Scalar e18 = p_.eps_2 * c_.second_gap_reflectivity_1 + p_.eps_s * c_.second_gap_reflectivity_2;
-        const Scalar e19 = c_.second_gap_reflectivity_1 * c_.second_gap_reflectivity_2 * e17 - e18 * e15;
-        const Scalar e20 = p_.eps_2 * (e17 * (Scalar(1) - c_.second_gap_reflectivity_2 * e15) + e19 * e15);
-        const Scalar e21 = c_.second_gap_exchange_factor_1_2 * inverse_4;
-        const Scalar e22 = Scalar(1) - e21;
-        const Scalar e23 = c_.first_gap_exchange_factor_1_2 * e22;
-        const Scalar e24 = inverse_4 * (e11 * e14 + e20 * e23);
-        const Scalar T_2 = x[1];
-        const Scalar T_2_squared = T_2 * T_2;
-        const Scalar T_2_squared_squared = T_2_squared * T_2_squared;
-        const Scalar e25 = Scalar(1) - Scalar(2) * (Scalar(1) - (Scalar(1) / Scalar(2)) * e12) * e12;
-        const Scalar e26 = e25 * e3;
-        const Scalar e27 = e3 * e12;
-        const Scalar e28 = e12 * e27;
+        const Scalar inverse_4 = Scalar(1) / p_.A;
+        const Scalar inverse_5 = Scalar(1) / (c_.first_gap_exchange_factor_1_2 + c_.second_gap_exchange_factor_1_2);
+        const Scalar e6 = p_.eps_2 * c_.first_gap_exchange_factor_1_2;
+        const Scalar e7 = (Scalar(1) - c_.second_gap_exchange_factor_1_2 * inverse_5) * e6;
+        const Scalar e8 = c_.second_gap_reflectivity_1 * c_.second_gap_reach_1_2 - c_.second_gap_reflectivity_2
+            * c_.second_gap_reach_2_2;
+        const Scalar e9 = (-(Scalar(1) - inverse_4 * e8)) * e7;
+        const Scalar e10 = e9 * (c_.second_gap_reflectivity_2 * c_.second_gap_reach_1_2);
+        const Scalar e11 = c_.first_gap_exchange_factor_1_2 * inverse_5;
+        const Scalar e12 = p_.eps_1 * (Scalar(1) - e11);
+        const Scalar e13 = c_.first_gap_reflectivity_1 * c_.first_gap_reach_1_2 - c_.first_gap_reflectivity_2
+            * c_.first_gap_reach_2_2;
+        const Scalar e14 = (-(Scalar(1) - inverse_4 * e13)) * e12;
+        const Scalar e15 = c_.first_gap_reach_1_2 * c_.second_gap_exchange_factor_1_2;
+        const Scalar e16 = e14 * (c_.first_gap_reflectivity_2 * e15);
+        const Scalar e17 = c_.second_gap_reach_1_2 * c_.second_gap_reach_1_2;
+        const Scalar e18 = p_.eps_s * inverse_5;
+        const Scalar e19 = p_.eps_1 * c_.first_gap_reflectivity_2 + p_.eps_s * c_.first_gap_reflectivity_1;
+        const Scalar e20 = p_.eps_2 * c_.second_gap_reflectivity_1 + p_.eps_s * c_.second_gap_reflectivity_2;
+        const Scalar e21 = inverse_4 * (c_.first_gap_reach_1_2 * e19 * e15 * e12 + e20 * e17 * e7);
+        const Scalar e22 = e21 - (c_.second_gap_reflectivity_1 * e10 + c_.first_gap_reflectivity_1 * e16);
+        const Scalar e23 = inverse_4 * (e10 + e16 + e22) - (c_.second_gap_exchange_factor_1_2 * e14 + e9);
+        const Scalar e24 = e23 * e18;
         const Scalar T_1 = x[0];
-        const Scalar T_1_squared = T_1 * T_1;
-        const Scalar T_1_squared_squared = T_1_squared * T_1_squared;
-        const Scalar inverse_29 = Scalar(1) / p_.m_2;
-        const Scalar inverse_30 = Scalar(1) / p_.c_2;
-        const Scalar e31 = inverse_29 * inverse_30;
-        const Scalar e32 = p_.eps_s * e31;
-        const Scalar e33 = Scalar(1) - Scalar(2) * (Scalar(1) - (Scalar(1) / Scalar(2)) * e21) * e21;
-        const Scalar e21_squared = e21 * e21;
-        const Scalar e34 = p_.eps_s * p_.eps_s;
-        const Scalar e35 = c_.first_gap_reach_1_2 * e6;
-        const Scalar e36 = e34 * e35;
-        const Scalar e37 = e31 * e21_squared;
-        const Scalar e38 = T_1_squared_squared - T_2_squared_squared;
-        const Scalar e39 = c_.second_gap_reach_1_2 * e15;
-        const Scalar e40 = e34 * e39;
-        const Scalar e41 = e12 * e31;
-        const Scalar e42 = e33 * e31;
-        const Scalar e43 = p_.eps_1 * p_.eps_1;
-        const Scalar e44 = e35 * e43;
-        const Scalar e45 = p_.eps_2 * p_.eps_2;
-        const Scalar e46 = e39 * e45;
-        const Scalar e47 = c_.first_gap_reach_1_2 * c_.first_gap_reach_1_2 * e43 * e14 + c_.second_gap_reach_1_2
-            * c_.second_gap_reach_1_2 * e45 * e23;
-        const Scalar e48 = e47 * (inverse_5 * inverse_4);
-        const Scalar e49 = c_.second_gap_exchange_factor_1_2 * e27;
-        const Scalar e50 = c_.second_gap_exchange_factor_1_2 * e41;
-        const Scalar e51 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.eps_s * e3 * e24;
-        const Scalar e52 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (-p_.eps_s * (e11 * e26 + e20 * e28));
-        J[0] = (-e51) * T_2_squared_squared - e52 * T_1_squared_squared;
-        const Scalar e53 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e32 * e24;
-        const Scalar e54 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e32 * (e33 * e20 + e11 * e21_squared));
-        J[1] = (-e53) * T_1_squared_squared + e54 * T_2_squared_squared;
-        const Scalar e55 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e26 * e36;
-        const Scalar e56 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e13 * e3 * e21 * e36;
-        J[2] = -e55 * T_1_squared_squared - (-e56) * T_2_squared_squared;
-        const Scalar e57 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e36 * e37;
-        J[3] = e57 * e38;
-        const Scalar e58 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e28 * e40;
-        J[4] = -e58 * e38;
-        const Scalar e59 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e22 * e41 * e40;
-        const Scalar e60 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e40 * e42;
-        J[5] = -(-e59) * T_1_squared_squared - e60 * T_2_squared_squared;
-        const Scalar e61 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e26 * e44 + e28 * e46);
-        const Scalar e62 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e3 * e48;
-        J[6] = -e61 * T_1_squared_squared - (-e62) * T_2_squared_squared;
-        const Scalar e63 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e31 * e48;
-        const Scalar e64 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e42 * e46 + e44 * e37);
-        J[7] = -(-e63) * T_1_squared_squared - e64 * T_2_squared_squared;
-        const Scalar e65 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_1 * e49;
-        J[8] = e65 * e38;
+        const Scalar T_2 = x[1];
+        const Scalar e25 = T_1 * T_1 * T_1 * T_1 - T_2 * T_2 * T_2 * T_2;
+        const Scalar inverse_26 = Scalar(1) / p_.m_2;
+        const Scalar inverse_27 = Scalar(1) / p_.c_2;
+        const Scalar e28 = inverse_26 * inverse_27;
+        const Scalar e29 = p_.eps_s * inverse_4;
+        const Scalar e15_squared = e15 * e15;
+        const Scalar e30 = inverse_5 * e29 * (e18 * e15_squared);
+        const Scalar e31 = e11 * e29 * (e17 * (p_.eps_s * e11));
+        const Scalar e32 = inverse_4 * inverse_5 * (inverse_5 * (e6 * e6 * e17 + p_.eps_1 * p_.eps_1 * e15_squared));
+        const Scalar e33 = c_.second_gap_exchange_factor_1_2 * e11;
+        const Scalar e34 = e3 * e33;
+        const Scalar e35 = e28 * e33;
+        const Scalar e36 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e3 * e24;
+        J[0] = -e36 * e25;
+        const Scalar e37 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e28 * e24;
+        J[1] = e37 * e25;
+        const Scalar e38 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e3 * e30;
+        J[2] = -e38 * e25;
+        const Scalar e39 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e28 * e30;
+        J[3] = e39 * e25;
+        const Scalar e40 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e3 * e31;
+        J[4] = -e40 * e25;
+        const Scalar e41 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e28 * e31;
+        J[5] = e41 * e25;
+        const Scalar e42 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e3 * e32;
+        J[6] = -e42 * e25;
+        const Scalar e43 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e28 * e32;
+        J[7] = e43 * e25;
+        const Scalar e44 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_1 * e34;
+        J[8] = e44 * e25;
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        const Scalar e66 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_29 * e50;
-        J[11] = -e66 * e38;
-        const Scalar e67 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_2 * e49;
-        J[12] = e67 * e38;
+        const Scalar e45 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_26 * e35;
+        J[11] = -e45 * e25;
+        const Scalar e46 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_2 * e34;
+        J[12] = e46 * e25;
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        const Scalar e68 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_30 * e50;
-        J[15] = -e68 * e38;
+        const Scalar e47 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_27 * e35;
+        J[15] = -e47 * e25;
         J[16] = Scalar(0);
         J[17] = Scalar(0);
         J[18] = Scalar(0);

@@ -30,7 +30,7 @@
 //   kinetic_energy         0      3     0        0      0
 //   supplied_power         1      1     0        0      0
 //   internal_energy       10     18     1        0      4
-//   exchanged_power       19     18     3        0     12
+//   exchanged_power       24     35     3        0      6
 //   guards                 8      7     0        0      2
 //   start_state            2      5     3        0      2
 //
@@ -154,18 +154,6 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar step(const Scalar& x) noexcept {
     return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
-}
-
-/// The larger one; not a number if one is not.
-template <class Scalar>
-Scalar max(const Scalar& a, const Scalar& b) noexcept {
-    return select(a < b, b, select(b == b, a, b));
 }
 
 /// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
@@ -672,35 +660,38 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 19 + or -, 18 *, 3 /, 12 other functions
+    /// Operations: 24 + or -, 35 *, 3 /, 6 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::log1p;
-        const Scalar rho_2 = x[3];
-        const Scalar rho_1 = x[2];
-        const Scalar e1 = p_.rho_0 - rho_1;
-        const Scalar log1p_2 = log1p(-c_.k10 * e1);
-        const Scalar e3 = p_.rho_0 - rho_2;
-        const Scalar log1p_4 = log1p(-c_.k10 * e3);
-        const Scalar e5 = c_.k9 * (log1p_2 - log1p_4);
-        const Scalar step_6 = detail::step<Scalar>(e5);
-        const Scalar step_7 = detail::step<Scalar>(-e5);
-        const Scalar e8 = e5 * (rho_1 * step_6 + rho_2 * step_7);
-        const Scalar max_9 = detail::max<Scalar>(Scalar(0), e8);
-        const Scalar min_10 = detail::min<Scalar>(Scalar(0), e8);
-        const Scalar e11 = max_9 + min_10;
-        const Scalar m_2 = u[1];
-        const Scalar max_12 = detail::max<Scalar>(Scalar(0), m_2);
-        const Scalar min_13 = detail::min<Scalar>(Scalar(0), m_2);
-        const Scalar e14 = e11 + (max_12 + min_13);
-        const Scalar e15 = p_.p_0 / p_.rho_0;
         const Scalar m_1 = u[0];
-        const Scalar max_16 = detail::max<Scalar>(Scalar(0), m_1);
-        const Scalar min_17 = detail::min<Scalar>(Scalar(0), m_1);
-        const Scalar e18 = e11 - (max_16 + min_17);
-        const Scalar compression_19 = detail::compression<Scalar>(log1p_2);
-        const Scalar compression_20 = detail::compression<Scalar>(log1p_4);
-        return e14 / rho_2 * (p_.p_0 - e3 * e15 + p_.beta * log1p_4) - e18 / rho_1 * (p_.p_0 - e1 * e15 + p_.beta * log1p_2)
-            - c_.k15 * (compression_19 * e18 - compression_20 * e14);
+        const Scalar rho_1 = x[2];
+        const Scalar inverse_1 = Scalar(1) / rho_1;
+        const Scalar e2 = p_.rho_0 - rho_1;
+        const Scalar inverse_3 = Scalar(1) / p_.rho_0;
+        const Scalar e4 = p_.p_0 * inverse_3;
+        const Scalar log1p_5 = log1p(-c_.k10 * e2);
+        const Scalar m_2 = u[1];
+        const Scalar rho_2 = x[3];
+        const Scalar inverse_6 = Scalar(1) / rho_2;
+        const Scalar e7 = p_.rho_0 - rho_2;
+        const Scalar log1p_8 = log1p(-c_.k10 * e7);
+        const Scalar e9 = log1p_5 - log1p_8;
+        const Scalar e10 = c_.k9 * e9;
+        const Scalar step_11 = detail::step<Scalar>(e10);
+        const Scalar step_12 = detail::step<Scalar>(-e10);
+        const Scalar e13 = rho_2 * step_12;
+        const Scalar e14 = p_.beta * p_.k_l;
+        const Scalar e15 = e14 * e4;
+        const Scalar e16 = p_.beta * e14;
+        const Scalar e17 = p_.p_0 * e14;
+        const Scalar e18 = rho_1 * step_11;
+        const Scalar compression_19 = detail::compression<Scalar>(log1p_5);
+        const Scalar compression_20 = detail::compression<Scalar>(log1p_8);
+        const Scalar e21 = (e13 + e18) * (e9 * (inverse_3 * e16)) * (compression_19 - compression_20);
+        return m_1 * inverse_1 * (p_.p_0 - e2 * e4 + p_.beta * log1p_5) + m_2 * inverse_6
+            * (p_.p_0 - e7 * e4 + p_.beta * log1p_8) + e9 * (step_11 + inverse_1 * e13) * (e2 * e15 - log1p_5 * e16 - e17) - e9
+            * (step_12 + inverse_6 * e18) * (e7 * e15 - log1p_8 * e16 - e17) + c_.k15
+            * (m_1 * compression_19 + m_2 * compression_20) - e21;
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -31,7 +31,7 @@
 //   kinetic_energy         0      3     0        0      0
 //   supplied_power         1      1     0        0      0
 //   internal_energy       10     18     1        0      4
-//   exchanged_power       13     14     3        0      8
+//   exchanged_power       11     14     3        0      4
 //   guards                 8      7     0        0      2
 //   start_state            2      5     3        0      2
 //
@@ -147,18 +147,6 @@ namespace detail {
 template <class Scalar>
 Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
     return condition ? a : b;
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
-}
-
-/// The larger one; not a number if one is not.
-template <class Scalar>
-Scalar max(const Scalar& a, const Scalar& b) noexcept {
-    return select(a < b, b, select(b == b, a, b));
 }
 
 /// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
@@ -587,28 +575,22 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 13 + or -, 14 *, 3 /, 8 other functions
+    /// Operations: 11 + or -, 14 *, 3 /, 4 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::log1p;
-        const Scalar rho_1 = x[2];
         const Scalar m_1 = u[0];
-        const Scalar max_1 = detail::max<Scalar>(Scalar(0), m_1);
-        const Scalar min_2 = detail::min<Scalar>(Scalar(0), m_1);
-        const Scalar e3 = max_1 + min_2;
-        const Scalar e4 = p_.rho_0 - rho_1;
-        const Scalar e5 = p_.p_0 / p_.rho_0;
-        const Scalar log1p_6 = log1p(-c_.k7 * e4);
-        const Scalar rho_2 = x[3];
+        const Scalar rho_1 = x[2];
+        const Scalar e1 = p_.rho_0 - rho_1;
+        const Scalar e2 = p_.p_0 / p_.rho_0;
+        const Scalar log1p_3 = log1p(-c_.k7 * e1);
         const Scalar m_2 = u[1];
-        const Scalar max_7 = detail::max<Scalar>(Scalar(0), m_2);
-        const Scalar min_8 = detail::min<Scalar>(Scalar(0), m_2);
-        const Scalar e9 = max_7 + min_8;
-        const Scalar e10 = p_.rho_0 - rho_2;
-        const Scalar log1p_11 = log1p(-c_.k7 * e10);
-        const Scalar compression_12 = detail::compression<Scalar>(log1p_6);
-        const Scalar compression_13 = detail::compression<Scalar>(log1p_11);
-        return e3 / rho_1 * (p_.p_0 - e4 * e5 + p_.beta * log1p_6) + e9 / rho_2 * (p_.p_0 - e10 * e5 + p_.beta * log1p_11)
-            + c_.k10 * (compression_12 * e3 + compression_13 * e9);
+        const Scalar rho_2 = x[3];
+        const Scalar e4 = p_.rho_0 - rho_2;
+        const Scalar log1p_5 = log1p(-c_.k7 * e4);
+        const Scalar compression_6 = detail::compression<Scalar>(log1p_3);
+        const Scalar compression_7 = detail::compression<Scalar>(log1p_5);
+        return m_1 / rho_1 * (p_.p_0 - e1 * e2 + p_.beta * log1p_3) + m_2 / rho_2 * (p_.p_0 - e4 * e2 + p_.beta * log1p_5)
+            + c_.k10 * (m_1 * compression_6 + m_2 * compression_7);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -26,7 +26,6 @@
 //   jacobian_p             1      2     1        0      0
 //   output                 2      4     0        0      0
 //   output_jacobian_u      1      0     0        0      0
-//   exchanged_power        4      8     2        0      2
 //   guards                 0      1     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -124,24 +123,6 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
-/// a where the condition holds, else b.
-template <class Scalar>
-Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
-    return condition ? a : b;
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
-}
-
-/// The larger one; not a number if one is not.
-template <class Scalar>
-Scalar max(const Scalar& a, const Scalar& b) noexcept {
-    return select(a < b, b, select(b == b, a, b));
-}
-
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -354,15 +335,9 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 4 + or -, 8 *, 2 /, 2 other functions
-    Scalar exchanged_power(const State& /*x*/, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar f_l = u[1];
-        const Scalar e1 = Scalar(1) / p_.A_1 / p_.rho_0;
-        const Scalar q_1 = u[0];
-        const Scalar e2 = p_.rho_0 * q_1;
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), e2);
-        const Scalar min_4 = detail::min<Scalar>(Scalar(0), e2);
-        return (f_l * e1 + p_.A_2 * p_.p_t * e1) * (max_3 + min_4) - q_1 * (c_.k2 + c_.k0 * f_l);
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -35,7 +35,7 @@
 //   kinetic_energy         0      2     0        0      0
 //   supplied_power         1      1     0        0      0
 //   internal_energy        9     13     2        0      6
-//   exchanged_power       25     30     2        0     14
+//   exchanged_power       26     35     2        0      8
 //   guards                 1      2     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -831,44 +831,38 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 25 + or -, 30 *, 2 /, 14 other functions
+    /// Operations: 26 + or -, 35 *, 2 /, 8 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k6 * (p_.p_0 - p_1);
         const Scalar expm1_2 = expm1(e1);
-        const Scalar exp_3 = exp(e1);
-        const Scalar compression_4 = detail::compression<Scalar>(-e1);
         const Scalar q_1 = u[0];
-        const Scalar inverse_5 = Scalar(1) / exp_3;
-        const Scalar e6 = p_.rho_0 * q_1 * inverse_5;
-        const Scalar max_7 = detail::max<Scalar>(Scalar(0), e6);
-        const Scalar min_8 = detail::min<Scalar>(Scalar(0), e6);
+        const Scalar exp_3 = exp(e1);
+        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar e5 = q_1 * inverse_4;
         const Scalar p_2 = x[3];
-        const Scalar e9 = p_1 - p_2;
-        const Scalar e10 = p_.k_l * e9;
-        const Scalar step_11 = detail::step<Scalar>(e10);
-        const Scalar e12 = step_11 * inverse_5;
-        const Scalar step_13 = detail::step<Scalar>(-e10);
-        const Scalar e14 = c_.k6 * (p_.p_0 - p_2);
-        const Scalar exp_15 = exp(e14);
-        const Scalar inverse_16 = Scalar(1) / exp_15;
-        const Scalar e17 = step_13 * inverse_16;
-        const Scalar e18 = c_.k24 * e9 * (e12 + e17);
-        const Scalar max_19 = detail::max<Scalar>(Scalar(0), e18);
-        const Scalar min_20 = detail::min<Scalar>(Scalar(0), e18);
-        const Scalar e21 = max_19 + min_20;
-        const Scalar expm1_22 = expm1(e14);
-        const Scalar compression_23 = detail::compression<Scalar>(-e14);
+        const Scalar e6 = c_.k6 * (p_.p_0 - p_2);
+        const Scalar expm1_7 = expm1(e6);
         const Scalar q_2 = u[1];
-        const Scalar e24 = p_.rho_0 * q_2 * inverse_16;
-        const Scalar max_25 = detail::max<Scalar>(Scalar(0), e24);
-        const Scalar min_26 = detail::min<Scalar>(Scalar(0), e24);
+        const Scalar exp_8 = exp(e6);
+        const Scalar inverse_9 = Scalar(1) / exp_8;
+        const Scalar e10 = q_2 * inverse_9;
+        const Scalar compression_11 = detail::compression<Scalar>(-e1);
+        const Scalar compression_12 = detail::compression<Scalar>(-e6);
+        const Scalar e13 = p_1 - p_2;
+        const Scalar e14 = p_.k_l * e13;
+        const Scalar step_15 = detail::step<Scalar>(e14);
+        const Scalar e16 = e13 * step_15;
+        const Scalar step_17 = detail::step<Scalar>(-e14);
+        const Scalar e18 = e13 * step_17;
+        const Scalar e19 = e13 * (step_17 * inverse_9 + step_15 * inverse_4);
         const Scalar s_k_dot = x[1];
-        const Scalar e27 = (c_.k22 * expm1_2 + (c_.k19 * p_1 * exp_3 + c_.k21 * compression_4)) * (max_7 + min_8 - e21);
-        const Scalar e28 = (c_.k22 * expm1_22 + (c_.k19 * p_2 * exp_15 + c_.k21 * compression_23)) * (max_25 + min_26 + e21);
-        return e27 - c_.k20 * e9 * (step_13 - step_11 + exp_15 * e12 - exp_3 * e17) + e28 - c_.k17 * (q_1 + q_2) + s_k_dot
+        return c_.k41 * (expm1_2 * e5 + expm1_7 * e10) - c_.k17 * (q_1 + q_2) + p_.beta
+            * (compression_11 * e5 + compression_12 * e10) - (c_.k20 - p_.k_l * p_2) * (exp_8 * inverse_4 * e16 + e18)
+            + (c_.k20 - p_.k_l * p_1) * (e16 + exp_3 * inverse_9 * e18) - c_.k33 * e19 * (compression_11 - compression_12)
+            - c_.k34 * e19 * (expm1_2 - expm1_7) + q_1 * p_1 + q_2 * p_2 + s_k_dot
             * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
     }
 

@@ -22,7 +22,6 @@
 //   jacobian_p             6     19     4        0      3
 //   output                 1      4     0        0      1
 //   output_jacobian_u      0      4     0        0      1
-//   exchanged_power        2      8     1        0      3
 //   guards                 1      0     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -126,18 +125,6 @@ namespace detail {
 template <class Scalar>
 Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
     return condition ? a : b;
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
-}
-
-/// The larger one; not a number if one is not.
-template <class Scalar>
-Scalar max(const Scalar& a, const Scalar& b) noexcept {
-    return select(a < b, b, select(b == b, a, b));
 }
 
 /// sign(x) sqrt(|x|); its derivative is inverse_root(x)/2. Needs select.
@@ -392,15 +379,9 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 2 + or -, 8 *, 1 /, 3 other functions
-    Scalar exchanged_power(const State& /*x*/, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar dp = u[0];
-        const Scalar signed_root_1 = detail::signed_root<Scalar>(c_.k1 * dp);
-        const Scalar e2 = p_.A_d * c_.alpha;
-        const Scalar e3 = signed_root_1 * (p_.rho * e2);
-        const Scalar max_4 = detail::max<Scalar>(Scalar(0), e3);
-        const Scalar min_5 = detail::min<Scalar>(Scalar(0), e3);
-        return p_.p_2 / p_.rho * (max_4 + min_5) - signed_root_1 * (p_.p_2 * e2);
+    /// Operations: none
+    Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
+        return Scalar(0);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -25,7 +25,7 @@
 //   output                 1      6     0        0      2
 //   output_jacobian_x      0      2     0        0      1
 //   internal_energy        0      7     0        0      0
-//   exchanged_power        3     11     1        0      5
+//   exchanged_power        1      8     0        0      3
 //   start_state            0      0     0        0      1
 //   event_rates            1      1     0        0      1
 //
@@ -163,12 +163,6 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar step(const Scalar& x) noexcept {
     return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
 }
 
 /// The larger one; not a number if one is not.
@@ -488,21 +482,17 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: tank_filled: 3 + or -, 11 *, 1 /, 5 other functions; tank_empty: none
+    /// Operations: tank_filled: 1 + or -, 8 *, 3 other functions; tank_empty: none
     Scalar exchanged_power(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
             case Mode::tank_filled: {
                 using std::sqrt;
-                const Scalar sqrt_g = sqrt(p_.g);
-                const Scalar sqrt_1 = sqrt(Scalar(2));
-                const Scalar e2 = sqrt_g * (p_.A_2 * sqrt_1);
                 const Scalar h_root = x[0];
                 const Scalar step_h_root = detail::step<Scalar>(h_root);
-                const Scalar e3 = h_root * step_h_root;
-                const Scalar e4 = p_.rho * e2 * e3;
-                const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
-                const Scalar min_6 = detail::min<Scalar>(Scalar(0), e4);
-                return p_.p_0 * e2 * e3 - (p_.g * h_root * h_root + p_.p_0 / p_.rho) * (max_5 + min_6);
+                const Scalar sqrt_1 = sqrt(Scalar(2));
+                const Scalar sqrt_g = sqrt(p_.g);
+                const Scalar e2 = h_root * h_root * h_root * step_h_root * (p_.A_2 * p_.g * p_.rho * sqrt_1 * sqrt_g);
+                return -e2;
             }
             case Mode::tank_empty:
             default: {

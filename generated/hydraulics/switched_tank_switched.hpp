@@ -24,7 +24,7 @@
 //   output                 0      3     0        0      1
 //   output_jacobian_x      0      2     0        0      1
 //   internal_energy        0      7     0        0      0
-//   exchanged_power        7     16     1        0      7
+//   exchanged_power        1      9     0        0      3
 //   start_state            0      0     0        0      1
 //   events                 2      2     0        0      0
 //   event_rates            2      8     2        0      3
@@ -185,18 +185,6 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar step(const Scalar& x) noexcept {
     return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
-}
-
-/// The larger one; not a number if one is not.
-template <class Scalar>
-Scalar max(const Scalar& a, const Scalar& b) noexcept {
-    return select(a < b, b, select(b == b, a, b));
 }
 
 }  // namespace detail
@@ -630,53 +618,34 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: shut_and_tank_filled: 3 + or -, 11 *, 1 /, 5 other functions; shut_and_tank_empty: none; filling_and_tank_filled: 7 + or -, 16 *, 1 /, 7 other functions; filling_and_tank_empty: 3 + or -, 6 *, 1 /, 2 other functions
+    /// Operations: shut_and_tank_filled: 1 + or -, 8 *, 3 other functions; shut_and_tank_empty: none; filling_and_tank_filled: 1 + or -, 9 *, 3 other functions; filling_and_tank_empty: 4 *
     Scalar exchanged_power(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
             case Mode::shut_and_tank_filled: {
                 using std::sqrt;
-                const Scalar sqrt_g = sqrt(p_.g);
-                const Scalar sqrt_1 = sqrt(Scalar(2));
-                const Scalar e2 = sqrt_g * (p_.A_2 * sqrt_1);
                 const Scalar h_root = x[0];
                 const Scalar step_h_root = detail::step<Scalar>(h_root);
-                const Scalar e3 = h_root * step_h_root;
-                const Scalar e4 = p_.rho * e2 * e3;
-                const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
-                const Scalar min_6 = detail::min<Scalar>(Scalar(0), e4);
-                return p_.p_0 * e2 * e3 - (p_.g * h_root * h_root + p_.p_0 / p_.rho) * (max_5 + min_6);
+                const Scalar sqrt_1 = sqrt(Scalar(2));
+                const Scalar sqrt_g = sqrt(p_.g);
+                const Scalar e2 = h_root * h_root * h_root * step_h_root * (p_.A_2 * p_.g * p_.rho * sqrt_1 * sqrt_g);
+                return -e2;
             }
             case Mode::shut_and_tank_empty: {
                 return Scalar(0);
             }
             case Mode::filling_and_tank_filled: {
                 using std::sqrt;
-                const Scalar e1 = p_.q_i * p_.rho;
-                const Scalar max_2 = detail::max<Scalar>(Scalar(0), e1);
-                const Scalar min_3 = detail::min<Scalar>(Scalar(0), e1);
-                const Scalar e4 = max_2 + min_3;
                 const Scalar h_root = x[0];
-                const Scalar h_root_squared = h_root * h_root;
-                const Scalar e5 = p_.p_0 / p_.rho;
-                const Scalar sqrt_g = sqrt(p_.g);
-                const Scalar sqrt_6 = sqrt(Scalar(2));
-                const Scalar e7 = sqrt_g * (p_.A_2 * sqrt_6);
+                const Scalar e1 = p_.g * p_.rho;
                 const Scalar step_h_root = detail::step<Scalar>(h_root);
-                const Scalar e8 = h_root * step_h_root;
-                const Scalar e9 = p_.rho * e7 * e8;
-                const Scalar max_10 = detail::max<Scalar>(Scalar(0), e9);
-                const Scalar min_11 = detail::min<Scalar>(Scalar(0), e9);
-                return p_.g * e4 * h_root_squared - (e5 + p_.g * h_root_squared) * (max_10 + min_11) - (p_.q_i * p_.p_0 - e4 * e5)
-                    + p_.p_0 * e7 * e8;
+                const Scalar sqrt_2 = sqrt(Scalar(2));
+                const Scalar sqrt_g = sqrt(p_.g);
+                return h_root * h_root * (p_.q_i * e1 - h_root * step_h_root * (p_.A_2 * sqrt_2 * sqrt_g * e1));
             }
             case Mode::filling_and_tank_empty:
             default: {
                 const Scalar h_root = x[0];
-                const Scalar e1 = p_.q_i * p_.rho;
-                const Scalar max_2 = detail::max<Scalar>(Scalar(0), e1);
-                const Scalar min_3 = detail::min<Scalar>(Scalar(0), e1);
-                const Scalar e4 = max_2 + min_3;
-                return h_root * h_root * (p_.g * e4) - p_.p_0 * (p_.q_i - e4 / p_.rho);
+                return h_root * h_root * (p_.q_i * p_.g * p_.rho);
             }
         }
     }

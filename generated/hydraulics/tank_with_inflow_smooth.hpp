@@ -23,7 +23,7 @@
 //   output_jacobian_x      2      5     0        0      2
 //   output_jacobian_u      0      1     0        0      0
 //   internal_energy        0      5     0        0      0
-//   exchanged_power        7     16     1        0      7
+//   exchanged_power        2     13     0        0      3
 //   guards                 0      1     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -118,24 +118,6 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
-/// a where the condition holds, else b.
-template <class Scalar>
-Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
-    return condition ? a : b;
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
-}
-
-/// The larger one; not a number if one is not.
-template <class Scalar>
-Scalar max(const Scalar& a, const Scalar& b) noexcept {
-    return select(a < b, b, select(b == b, a, b));
-}
-
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -393,25 +375,18 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 7 + or -, 16 *, 1 /, 7 other functions
+    /// Operations: 2 + or -, 13 *, 3 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::pow;
         using std::sqrt;
-        const Scalar h = x[0];
-        const Scalar e1 = p_.p_0 / p_.rho;
         const Scalar q_z = u[0];
-        const Scalar e2 = p_.rho * q_z;
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), e2);
-        const Scalar min_4 = detail::min<Scalar>(Scalar(0), e2);
-        const Scalar sqrt_5 = sqrt(Scalar(2));
+        const Scalar h = x[0];
+        const Scalar h_squared = h * h;
+        const Scalar power_1 = pow(c_.k2 + c_.k3 * h_squared, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_2 = sqrt(Scalar(2));
         const Scalar sqrt_rho = sqrt(p_.rho);
-        const Scalar e6 = sqrt_5 * sqrt_rho * (p_.A_2 * sqrt_rho * (p_.g * sqrt_rho));
-        const Scalar power_7 = pow(c_.k2 + c_.k3 * h * h, -Scalar(1) / Scalar(4));
-        const Scalar e8 = h * power_7;
-        const Scalar e9 = e6 * e8;
-        const Scalar max_10 = detail::max<Scalar>(Scalar(0), e9);
-        const Scalar min_11 = detail::min<Scalar>(Scalar(0), e9);
-        return (p_.g * h + e1) * (max_3 + min_4 - max_10 - min_11) - p_.p_0 * q_z + e1 * e6 * e8;
+        const Scalar e3 = power_1 * (p_.A_2 * p_.g * p_.g * sqrt_2 * sqrt_rho * sqrt_rho * sqrt_rho) * h_squared;
+        return q_z * h * (p_.g * p_.rho) - e3;
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -23,7 +23,7 @@
 //   output                 2      6     0        0      2
 //   output_jacobian_x      0      2     0        0      1
 //   internal_energy        0      7     0        0      0
-//   exchanged_power        4     15     3        0      6
+//   exchanged_power        2     12     2        0      4
 //   start_state            0      0     0        0      1
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -130,12 +130,6 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar step(const Scalar& x) noexcept {
     return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
 }
 
 /// The larger one; not a number if one is not.
@@ -376,21 +370,17 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 4 + or -, 15 *, 3 /, 6 other functions
+    /// Operations: 2 + or -, 12 *, 2 /, 4 other functions
     Scalar exchanged_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         using std::sqrt;
+        const Scalar h_root = x[0];
+        const Scalar step_h_root = detail::step<Scalar>(h_root);
         const Scalar sqrt_1 = sqrt(Scalar(2));
         const Scalar sqrt_g = sqrt(p_.g);
         const Scalar inverse_2 = Scalar(1) / p_.A_1;
         const Scalar sqrt_3 = sqrt(Scalar(1) - p_.A_2 * p_.A_2 * inverse_2 * inverse_2);
-        const Scalar e4 = p_.A_2 * sqrt_1 * (sqrt_g / sqrt_3);
-        const Scalar h_root = x[0];
-        const Scalar step_h_root = detail::step<Scalar>(h_root);
-        const Scalar e5 = h_root * step_h_root;
-        const Scalar e6 = p_.rho * e4 * e5;
-        const Scalar max_7 = detail::max<Scalar>(Scalar(0), e6);
-        const Scalar min_8 = detail::min<Scalar>(Scalar(0), e6);
-        return p_.p_0 * e4 * e5 - (p_.g * h_root * h_root + p_.p_0 / p_.rho) * (max_7 + min_8);
+        const Scalar e4 = h_root * h_root * h_root * step_h_root * (p_.A_2 * p_.g * p_.rho * sqrt_1 * sqrt_g / sqrt_3);
+        return -e4;
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -32,7 +32,7 @@
 //   supplied_power         1      1     0        0      0
 //   dissipated_power       0      2     0        0      0
 //   internal_energy       10     19     2        0      6
-//   exchanged_power       40     51     7        0     32
+//   exchanged_power       49     81     9        0     24
 //   guards                 8      3     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -161,12 +161,6 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar step(const Scalar& x) noexcept {
     return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
 }
 
 /// The larger one; not a number if one is not.
@@ -1155,73 +1149,80 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 40 + or -, 51 *, 7 /, 32 other functions
+    /// Operations: 49 + or -, 81 *, 9 /, 24 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k13 * (p_.p_0 - p_1);
-        const Scalar expm1_2 = expm1(e1);
-        const Scalar inverse_3 = Scalar(1) / p_.rho_0;
-        const Scalar e4 = p_.p_0 * inverse_3;
-        const Scalar exp_5 = exp(e1);
-        const Scalar compression_6 = detail::compression<Scalar>(-e1);
-        const Scalar e7 = p_.beta * inverse_3;
-        const Scalar x_v = u[0];
-        const Scalar max_8 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e9 = p_.p_s - p_1;
+        const Scalar compression_2 = detail::compression<Scalar>(-e1);
+        const Scalar inverse_3 = Scalar(1) / p_.beta;
+        const Scalar exp_4 = exp((p_.p_0 - p_.p_t) * inverse_3);
+        const Scalar inverse_5 = Scalar(1) / exp_4;
+        const Scalar e6 = p_.w * p_.alpha_d;
+        const Scalar e7 = p_.beta * e6;
+        const Scalar e8 = inverse_5 * e7;
+        const Scalar e9 = p_.p_t - p_1;
         const Scalar step_10 = detail::step<Scalar>(e9);
-        const Scalar step_11 = detail::step<Scalar>(-e9);
-        const Scalar inverse_12 = Scalar(1) / exp_5;
-        const Scalar e13 = step_11 * inverse_12;
-        const Scalar signed_root_14 = detail::signed_root<Scalar>(c_.k9 * e9 / (c_.k11 * step_10 + e13));
-        const Scalar e15 = max_8 * signed_root_14 * (c_.k34 * step_10 + c_.k32 * e13);
-        const Scalar max_16 = detail::max<Scalar>(Scalar(0), e15);
-        const Scalar max_17 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e18 = p_.p_t - p_1;
-        const Scalar step_19 = detail::step<Scalar>(e18);
-        const Scalar step_20 = detail::step<Scalar>(-e18);
-        const Scalar e21 = step_20 * inverse_12;
-        const Scalar signed_root_22 = detail::signed_root<Scalar>(c_.k9 * e18 / (c_.k10 * step_19 + e21));
-        const Scalar e23 = -max_17 * signed_root_22 * (c_.k33 * step_19 + c_.k32 * e21);
-        const Scalar max_24 = detail::max<Scalar>(Scalar(0), e23);
-        const Scalar min_25 = detail::min<Scalar>(Scalar(0), e15);
-        const Scalar min_26 = detail::min<Scalar>(Scalar(0), e23);
+        const Scalar x_v = u[0];
+        const Scalar max_11 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar step_12 = detail::step<Scalar>(-e9);
+        const Scalar exp_13 = exp(e1);
+        const Scalar inverse_14 = Scalar(1) / exp_13;
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k9 * e9 / (step_12 * inverse_14 + c_.k10 * step_10));
+        const Scalar e16 = max_11 * signed_root_15;
+        const Scalar e17 = step_10 * e16;
+        const Scalar exp_18 = exp((p_.p_0 - p_.p_s) * inverse_3);
+        const Scalar inverse_19 = Scalar(1) / exp_18;
+        const Scalar e20 = inverse_19 * e7;
+        const Scalar e21 = p_.p_s - p_1;
+        const Scalar step_22 = detail::step<Scalar>(e21);
+        const Scalar max_23 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar step_24 = detail::step<Scalar>(-e21);
+        const Scalar signed_root_25 = detail::signed_root<Scalar>(c_.k9 * e21 / (step_24 * inverse_14 + c_.k11 * step_22));
+        const Scalar e26 = max_23 * signed_root_25;
+        const Scalar e27 = step_22 * e26;
+        const Scalar e28 = step_12 * e16 + step_24 * e26;
+        const Scalar e29 = inverse_14 * e28;
         const Scalar p_2 = x[3];
-        const Scalar e27 = p_1 - p_2;
-        const Scalar e28 = p_.k_l * e27;
-        const Scalar step_29 = detail::step<Scalar>(e28);
-        const Scalar step_30 = detail::step<Scalar>(-e28);
-        const Scalar e31 = c_.k13 * (p_.p_0 - p_2);
-        const Scalar exp_32 = exp(e31);
-        const Scalar inverse_33 = Scalar(1) / exp_32;
-        const Scalar e34 = c_.k35 * e27 * (step_29 * inverse_12 + step_30 * inverse_33);
-        const Scalar max_35 = detail::max<Scalar>(Scalar(0), e34);
-        const Scalar min_36 = detail::min<Scalar>(Scalar(0), e34);
-        const Scalar e37 = max_35 + min_36;
-        const Scalar expm1_38 = expm1(e31);
-        const Scalar compression_39 = detail::compression<Scalar>(-e31);
-        const Scalar e40 = p_.p_s - p_2;
-        const Scalar step_41 = detail::step<Scalar>(e40);
-        const Scalar step_42 = detail::step<Scalar>(-e40);
-        const Scalar e43 = step_42 * inverse_33;
-        const Scalar signed_root_44 = detail::signed_root<Scalar>(c_.k9 * e40 / (c_.k11 * step_41 + e43));
-        const Scalar e45 = max_17 * signed_root_44 * (c_.k34 * step_41 + c_.k32 * e43);
-        const Scalar max_46 = detail::max<Scalar>(Scalar(0), e45);
-        const Scalar e47 = p_.p_t - p_2;
-        const Scalar step_48 = detail::step<Scalar>(e47);
-        const Scalar step_49 = detail::step<Scalar>(-e47);
-        const Scalar e50 = step_49 * inverse_33;
-        const Scalar signed_root_51 = detail::signed_root<Scalar>(c_.k9 * e47 / (c_.k10 * step_48 + e50));
-        const Scalar e52 = -max_8 * signed_root_51 * (c_.k33 * step_48 + c_.k32 * e50);
-        const Scalar max_53 = detail::max<Scalar>(Scalar(0), e52);
-        const Scalar min_54 = detail::min<Scalar>(Scalar(0), e45);
-        const Scalar min_55 = detail::min<Scalar>(Scalar(0), e52);
-        const Scalar e56 = (expm1_2 * e4 - (p_1 * exp_5 * inverse_3 + compression_6 * e7))
-            * (max_16 - max_24 + min_25 - min_26 - e37);
-        const Scalar e57 = (expm1_38 * e4 - (p_2 * exp_32 * inverse_3 + compression_39 * e7))
-            * (max_46 - max_53 + min_54 - min_55 + e37);
-        return -e56 - e57;
+        const Scalar e30 = p_1 - p_2;
+        const Scalar e31 = p_.k_l * e30;
+        const Scalar step_32 = detail::step<Scalar>(e31);
+        const Scalar e33 = step_32 * inverse_14;
+        const Scalar step_34 = detail::step<Scalar>(-e31);
+        const Scalar e35 = c_.k13 * (p_.p_0 - p_2);
+        const Scalar exp_36 = exp(e35);
+        const Scalar inverse_37 = Scalar(1) / exp_36;
+        const Scalar e38 = step_34 * inverse_37;
+        const Scalar e39 = e30 * (e33 + e38);
+        const Scalar e40 = p_.beta * p_.k_l * e39;
+        const Scalar compression_41 = detail::compression<Scalar>(-e35);
+        const Scalar e42 = p_.p_s - p_2;
+        const Scalar step_43 = detail::step<Scalar>(e42);
+        const Scalar step_44 = detail::step<Scalar>(-e42);
+        const Scalar signed_root_45 = detail::signed_root<Scalar>(c_.k9 * e42 / (step_44 * inverse_37 + c_.k11 * step_43));
+        const Scalar e46 = max_11 * signed_root_45;
+        const Scalar e47 = step_43 * e46;
+        const Scalar e48 = p_.p_t - p_2;
+        const Scalar step_49 = detail::step<Scalar>(e48);
+        const Scalar step_50 = detail::step<Scalar>(-e48);
+        const Scalar signed_root_51 = detail::signed_root<Scalar>(c_.k9 * e48 / (step_50 * inverse_37 + c_.k10 * step_49));
+        const Scalar e52 = max_23 * signed_root_51;
+        const Scalar e53 = step_49 * e52;
+        const Scalar e54 = step_44 * e46 + step_50 * e52;
+        const Scalar e55 = inverse_37 * e54;
+        const Scalar expm1_56 = expm1(e1);
+        const Scalar e57 = p_.p_0 * e6;
+        const Scalar e58 = inverse_5 * e57;
+        const Scalar e59 = inverse_19 * e57;
+        const Scalar e60 = p_.p_0 * p_.k_l * e39;
+        const Scalar expm1_61 = expm1(e35);
+        const Scalar e62 = p_2 * exp_36;
+        const Scalar e63 = p_1 * exp_13;
+        return compression_2 * (e8 * e17 + e20 * e27 + e7 * e29 - e40) + compression_41
+            * (e20 * e47 + e8 * e53 + e7 * e55 + e40) - expm1_56 * (e58 * e17 + e59 * e27 + e57 * e29 - e60) - expm1_61
+            * (e59 * e47 + e58 * e53 + e57 * e55 + e60) - e31 * (p_1 * step_32 - p_2 * step_34 - e62 * e33 + e63 * e38)
+            + c_.k37 * (p_1 * e28 + p_2 * e54) + c_.k41 * (e63 * e17 + e62 * e53) + c_.k43 * (e63 * e27 + e62 * e47);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -33,7 +33,7 @@
 //   kinetic_energy         0      3     0        0      0
 //   supplied_power         1      1     0        0      0
 //   internal_energy       10     19     2        0      6
-//   exchanged_power       34     46     7        0     28
+//   exchanged_power       38     68     9        0     22
 //   guards                 8      3     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -160,12 +160,6 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar step(const Scalar& x) noexcept {
     return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
 }
 
 /// The larger one; not a number if one is not.
@@ -1088,65 +1082,70 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 34 + or -, 46 *, 7 /, 28 other functions
+    /// Operations: 38 + or -, 68 *, 9 /, 22 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k10 * (p_.p_0 - p_1);
-        const Scalar expm1_2 = expm1(e1);
-        const Scalar inverse_3 = Scalar(1) / p_.rho_0;
-        const Scalar e4 = p_.p_0 * inverse_3;
-        const Scalar exp_5 = exp(e1);
-        const Scalar compression_6 = detail::compression<Scalar>(-e1);
-        const Scalar e7 = p_.beta * inverse_3;
-        const Scalar x_v = u[0];
-        const Scalar max_8 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e9 = p_.p_s - p_1;
+        const Scalar compression_2 = detail::compression<Scalar>(-e1);
+        const Scalar inverse_3 = Scalar(1) / p_.beta;
+        const Scalar exp_4 = exp((p_.p_0 - p_.p_t) * inverse_3);
+        const Scalar inverse_5 = Scalar(1) / exp_4;
+        const Scalar e6 = p_.w * p_.alpha_d;
+        const Scalar e7 = p_.beta * e6;
+        const Scalar e8 = inverse_5 * e7;
+        const Scalar e9 = p_.p_t - p_1;
         const Scalar step_10 = detail::step<Scalar>(e9);
-        const Scalar step_11 = detail::step<Scalar>(-e9);
-        const Scalar inverse_12 = Scalar(1) / exp_5;
-        const Scalar e13 = step_11 * inverse_12;
-        const Scalar signed_root_14 = detail::signed_root<Scalar>(c_.k7 * e9 / (c_.k9 * step_10 + e13));
-        const Scalar e15 = max_8 * signed_root_14 * (c_.k30 * step_10 + c_.k28 * e13);
-        const Scalar max_16 = detail::max<Scalar>(Scalar(0), e15);
-        const Scalar max_17 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e18 = p_.p_t - p_1;
-        const Scalar step_19 = detail::step<Scalar>(e18);
-        const Scalar step_20 = detail::step<Scalar>(-e18);
-        const Scalar e21 = step_20 * inverse_12;
-        const Scalar signed_root_22 = detail::signed_root<Scalar>(c_.k7 * e18 / (c_.k8 * step_19 + e21));
-        const Scalar e23 = -max_17 * signed_root_22 * (c_.k29 * step_19 + c_.k28 * e21);
-        const Scalar max_24 = detail::max<Scalar>(Scalar(0), e23);
-        const Scalar min_25 = detail::min<Scalar>(Scalar(0), e15);
-        const Scalar min_26 = detail::min<Scalar>(Scalar(0), e23);
+        const Scalar x_v = u[0];
+        const Scalar max_11 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar step_12 = detail::step<Scalar>(-e9);
+        const Scalar exp_13 = exp(e1);
+        const Scalar inverse_14 = Scalar(1) / exp_13;
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k7 * e9 / (step_12 * inverse_14 + c_.k8 * step_10));
+        const Scalar e16 = max_11 * signed_root_15;
+        const Scalar e17 = step_10 * e16;
+        const Scalar exp_18 = exp((p_.p_0 - p_.p_s) * inverse_3);
+        const Scalar inverse_19 = Scalar(1) / exp_18;
+        const Scalar e20 = inverse_19 * e7;
+        const Scalar e21 = p_.p_s - p_1;
+        const Scalar step_22 = detail::step<Scalar>(e21);
+        const Scalar max_23 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar step_24 = detail::step<Scalar>(-e21);
+        const Scalar signed_root_25 = detail::signed_root<Scalar>(c_.k7 * e21 / (step_24 * inverse_14 + c_.k9 * step_22));
+        const Scalar e26 = max_23 * signed_root_25;
+        const Scalar e27 = step_22 * e26;
+        const Scalar e28 = step_12 * e16 + step_24 * e26;
+        const Scalar e29 = inverse_14 * e28;
         const Scalar p_2 = x[3];
-        const Scalar e27 = c_.k10 * (p_.p_0 - p_2);
-        const Scalar expm1_28 = expm1(e27);
-        const Scalar exp_29 = exp(e27);
-        const Scalar compression_30 = detail::compression<Scalar>(-e27);
-        const Scalar e31 = p_.p_s - p_2;
-        const Scalar step_32 = detail::step<Scalar>(e31);
-        const Scalar step_33 = detail::step<Scalar>(-e31);
-        const Scalar inverse_34 = Scalar(1) / exp_29;
-        const Scalar e35 = step_33 * inverse_34;
-        const Scalar signed_root_36 = detail::signed_root<Scalar>(c_.k7 * e31 / (c_.k9 * step_32 + e35));
-        const Scalar e37 = max_17 * signed_root_36 * (c_.k30 * step_32 + c_.k28 * e35);
-        const Scalar max_38 = detail::max<Scalar>(Scalar(0), e37);
-        const Scalar e39 = p_.p_t - p_2;
-        const Scalar step_40 = detail::step<Scalar>(e39);
-        const Scalar step_41 = detail::step<Scalar>(-e39);
-        const Scalar e42 = step_41 * inverse_34;
-        const Scalar signed_root_43 = detail::signed_root<Scalar>(c_.k7 * e39 / (c_.k8 * step_40 + e42));
-        const Scalar e44 = -max_8 * signed_root_43 * (c_.k29 * step_40 + c_.k28 * e42);
-        const Scalar max_45 = detail::max<Scalar>(Scalar(0), e44);
-        const Scalar min_46 = detail::min<Scalar>(Scalar(0), e37);
-        const Scalar min_47 = detail::min<Scalar>(Scalar(0), e44);
-        const Scalar e48 = (expm1_2 * e4 - (p_1 * exp_5 * inverse_3 + compression_6 * e7))
-            * (max_16 - max_24 + min_25 - min_26);
-        const Scalar e49 = (expm1_28 * e4 - (p_2 * exp_29 * inverse_3 + compression_30 * e7))
-            * (max_38 - max_45 + min_46 - min_47);
-        return -e48 - e49;
+        const Scalar e30 = c_.k10 * (p_.p_0 - p_2);
+        const Scalar compression_31 = detail::compression<Scalar>(-e30);
+        const Scalar e32 = p_.p_s - p_2;
+        const Scalar step_33 = detail::step<Scalar>(e32);
+        const Scalar step_34 = detail::step<Scalar>(-e32);
+        const Scalar exp_35 = exp(e30);
+        const Scalar inverse_36 = Scalar(1) / exp_35;
+        const Scalar signed_root_37 = detail::signed_root<Scalar>(c_.k7 * e32 / (step_34 * inverse_36 + c_.k9 * step_33));
+        const Scalar e38 = max_11 * signed_root_37;
+        const Scalar e39 = step_33 * e38;
+        const Scalar e40 = p_.p_t - p_2;
+        const Scalar step_41 = detail::step<Scalar>(e40);
+        const Scalar step_42 = detail::step<Scalar>(-e40);
+        const Scalar signed_root_43 = detail::signed_root<Scalar>(c_.k7 * e40 / (step_42 * inverse_36 + c_.k8 * step_41));
+        const Scalar e44 = max_23 * signed_root_43;
+        const Scalar e45 = step_41 * e44;
+        const Scalar e46 = step_34 * e38 + step_42 * e44;
+        const Scalar e47 = inverse_36 * e46;
+        const Scalar expm1_48 = expm1(e1);
+        const Scalar e49 = p_.p_0 * e6;
+        const Scalar e50 = inverse_5 * e49;
+        const Scalar e51 = inverse_19 * e49;
+        const Scalar expm1_52 = expm1(e30);
+        const Scalar e53 = p_1 * exp_13;
+        const Scalar e54 = p_2 * exp_35;
+        return compression_2 * (e8 * e17 + e20 * e27 + e7 * e29) + compression_31 * (e20 * e39 + e8 * e45 + e7 * e47)
+            - expm1_48 * (e50 * e17 + e51 * e27 + e49 * e29) - expm1_52 * (e51 * e39 + e50 * e45 + e49 * e47) + c_.k32
+            * (p_1 * e28 + p_2 * e46) + c_.k36 * (e17 * e53 + e45 * e54) + c_.k38 * (e27 * e53 + e39 * e54);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -32,7 +32,7 @@
 //   supplied_power         1      1     0        0      0
 //   dissipated_power       0      2     0        0      0
 //   internal_energy       10     19     2        0      6
-//   exchanged_power       40     47     3        0     36
+//   exchanged_power       39     58     3        0     27
 //   guards                 2      3     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -158,12 +158,6 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar step(const Scalar& x) noexcept {
     return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
 }
 
 /// The larger one; not a number if one is not.
@@ -1075,79 +1069,68 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 40 + or -, 47 *, 3 /, 36 other functions
+    /// Operations: 39 + or -, 58 *, 3 /, 27 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
         using std::pow;
         using std::sqrt;
-        const Scalar p_1 = x[2];
-        const Scalar e1 = c_.k9 * (p_.p_0 - p_1);
-        const Scalar expm1_2 = expm1(e1);
-        const Scalar inverse_3 = Scalar(1) / p_.rho_0;
-        const Scalar e4 = p_.p_0 * inverse_3;
-        const Scalar exp_5 = exp(e1);
-        const Scalar compression_6 = detail::compression<Scalar>(-e1);
-        const Scalar e7 = p_.beta * inverse_3;
-        const Scalar e8 = p_.p_t - p_1;
-        const Scalar power_9 = pow(c_.k6 + e8 * e8, -Scalar(1) / Scalar(4));
-        const Scalar step_10 = detail::step<Scalar>(e8);
-        const Scalar step_11 = detail::step<Scalar>(-e8);
-        const Scalar inverse_12 = Scalar(1) / exp_5;
-        const Scalar e13 = p_.rho_0 * inverse_12;
-        const Scalar sqrt_14 = sqrt(c_.k5 * step_10 + step_11 * e13);
         const Scalar x_v = u[0];
-        const Scalar max_15 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e16 = c_.k18 * max_15;
-        const Scalar e17 = -e8 * power_9 * sqrt_14 * e16;
-        const Scalar max_18 = detail::max<Scalar>(Scalar(0), e17);
-        const Scalar e19 = p_.p_s - p_1;
-        const Scalar power_20 = pow(c_.k6 + e19 * e19, -Scalar(1) / Scalar(4));
-        const Scalar step_21 = detail::step<Scalar>(e19);
-        const Scalar step_22 = detail::step<Scalar>(-e19);
-        const Scalar sqrt_23 = sqrt(c_.k7 * step_21 + step_22 * e13);
-        const Scalar max_24 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e25 = c_.k18 * max_24;
-        const Scalar e26 = e19 * power_20 * sqrt_23 * e25;
-        const Scalar max_27 = detail::max<Scalar>(Scalar(0), e26);
-        const Scalar min_28 = detail::min<Scalar>(Scalar(0), e17);
-        const Scalar min_29 = detail::min<Scalar>(Scalar(0), e26);
+        const Scalar max_1 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar p_1 = x[2];
+        const Scalar e2 = p_.p_t - p_1;
+        const Scalar power_3 = pow(c_.k6 + e2 * e2, -Scalar(1) / Scalar(4));
+        const Scalar step_4 = detail::step<Scalar>(e2);
+        const Scalar step_5 = detail::step<Scalar>(-e2);
+        const Scalar e6 = c_.k9 * (p_.p_0 - p_1);
+        const Scalar exp_7 = exp(e6);
+        const Scalar inverse_8 = Scalar(1) / exp_7;
+        const Scalar e9 = p_.rho_0 * inverse_8;
+        const Scalar sqrt_10 = sqrt(c_.k5 * step_4 + step_5 * e9);
+        const Scalar max_11 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e12 = p_.p_s - p_1;
+        const Scalar power_13 = pow(c_.k6 + e12 * e12, -Scalar(1) / Scalar(4));
+        const Scalar step_14 = detail::step<Scalar>(e12);
+        const Scalar step_15 = detail::step<Scalar>(-e12);
+        const Scalar sqrt_16 = sqrt(c_.k7 * step_14 + step_15 * e9);
+        const Scalar compression_17 = detail::compression<Scalar>(-e6);
+        const Scalar sqrt_18 = sqrt(Scalar(2));
+        const Scalar e19 = p_.w * p_.alpha_d * (sqrt_18 / p_.rho_0);
+        const Scalar e20 = p_.beta * e19;
+        const Scalar expm1_21 = expm1(e6);
+        const Scalar e22 = p_.p_0 * e19;
+        const Scalar e23 = p_1 * exp_7;
         const Scalar p_2 = x[3];
-        const Scalar e30 = p_1 - p_2;
-        const Scalar e31 = p_.k_l * e30;
-        const Scalar step_32 = detail::step<Scalar>(e31);
-        const Scalar step_33 = detail::step<Scalar>(-e31);
-        const Scalar e34 = c_.k9 * (p_.p_0 - p_2);
-        const Scalar exp_35 = exp(e34);
-        const Scalar inverse_36 = Scalar(1) / exp_35;
-        const Scalar e37 = c_.k19 * e30 * (step_32 * inverse_12 + step_33 * inverse_36);
-        const Scalar max_38 = detail::max<Scalar>(Scalar(0), e37);
-        const Scalar min_39 = detail::min<Scalar>(Scalar(0), e37);
-        const Scalar e40 = max_38 + min_39;
-        const Scalar expm1_41 = expm1(e34);
-        const Scalar compression_42 = detail::compression<Scalar>(-e34);
-        const Scalar e43 = p_.p_s - p_2;
-        const Scalar power_44 = pow(c_.k6 + e43 * e43, -Scalar(1) / Scalar(4));
-        const Scalar step_45 = detail::step<Scalar>(e43);
-        const Scalar step_46 = detail::step<Scalar>(-e43);
-        const Scalar e47 = p_.rho_0 * inverse_36;
-        const Scalar sqrt_48 = sqrt(c_.k7 * step_45 + step_46 * e47);
-        const Scalar e49 = e43 * power_44 * sqrt_48 * e16;
-        const Scalar max_50 = detail::max<Scalar>(Scalar(0), e49);
-        const Scalar e51 = p_.p_t - p_2;
-        const Scalar power_52 = pow(c_.k6 + e51 * e51, -Scalar(1) / Scalar(4));
-        const Scalar step_53 = detail::step<Scalar>(e51);
-        const Scalar step_54 = detail::step<Scalar>(-e51);
-        const Scalar sqrt_55 = sqrt(c_.k5 * step_53 + step_54 * e47);
-        const Scalar e56 = -e51 * power_52 * sqrt_55 * e25;
-        const Scalar max_57 = detail::max<Scalar>(Scalar(0), e56);
-        const Scalar min_58 = detail::min<Scalar>(Scalar(0), e49);
-        const Scalar min_59 = detail::min<Scalar>(Scalar(0), e56);
-        const Scalar e60 = (expm1_2 * e4 - (p_1 * exp_5 * inverse_3 + compression_6 * e7))
-            * (max_18 - max_27 + min_28 - min_29 + e40);
-        const Scalar e61 = (expm1_41 * e4 - (p_2 * exp_35 * inverse_3 + compression_42 * e7))
-            * (max_50 - max_57 + min_58 - min_59 + e40);
-        return e60 - e61;
+        const Scalar e24 = p_1 - p_2;
+        const Scalar e25 = p_.k_l * e24;
+        const Scalar step_26 = detail::step<Scalar>(e25);
+        const Scalar step_27 = detail::step<Scalar>(-e25);
+        const Scalar e28 = c_.k9 * (p_.p_0 - p_2);
+        const Scalar exp_29 = exp(e28);
+        const Scalar e30 = p_2 * exp_29;
+        const Scalar e31 = step_26 * inverse_8;
+        const Scalar inverse_32 = Scalar(1) / exp_29;
+        const Scalar e33 = step_27 * inverse_32;
+        const Scalar e34 = p_.p_s - p_2;
+        const Scalar power_35 = pow(c_.k6 + e34 * e34, -Scalar(1) / Scalar(4));
+        const Scalar step_36 = detail::step<Scalar>(e34);
+        const Scalar step_37 = detail::step<Scalar>(-e34);
+        const Scalar e38 = p_.rho_0 * inverse_32;
+        const Scalar sqrt_39 = sqrt(c_.k7 * step_36 + step_37 * e38);
+        const Scalar e40 = p_.p_t - p_2;
+        const Scalar power_41 = pow(c_.k6 + e40 * e40, -Scalar(1) / Scalar(4));
+        const Scalar step_42 = detail::step<Scalar>(e40);
+        const Scalar step_43 = detail::step<Scalar>(-e40);
+        const Scalar sqrt_44 = sqrt(c_.k5 * step_42 + step_43 * e38);
+        const Scalar compression_45 = detail::compression<Scalar>(-e28);
+        const Scalar expm1_46 = expm1(e28);
+        const Scalar e47 = e24 * (e31 + e33);
+        const Scalar e48 = (max_1 * e2 * power_3 * sqrt_10 + max_11 * e12 * power_13 * sqrt_16)
+            * (compression_17 * e20 - expm1_21 * e22 + e19 * e23);
+        const Scalar e49 = (max_1 * e34 * power_35 * sqrt_39 + max_11 * e40 * power_41 * sqrt_44)
+            * (compression_45 * e20 - expm1_46 * e22 + e19 * e30);
+        return e48 - e25 * (p_1 * step_26 - p_2 * step_27 - e30 * e31 + e23 * e33) + e49 - p_.beta * p_.k_l * e47
+            * (compression_17 - compression_45) + p_.p_0 * p_.k_l * e47 * (expm1_21 - expm1_46);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

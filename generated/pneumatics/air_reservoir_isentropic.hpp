@@ -26,7 +26,7 @@
 //   output_jacobian_x      6     10     1        0      4
 //   output_jacobian_u      4      5     0        0      3
 //   internal_energy        0      3     1        0      0
-//   exchanged_power        5      5     0        0      5
+//   exchanged_power        1      5     0        0      1
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -435,18 +435,14 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 5 + or -, 5 *, 5 other functions
+    /// Operations: 1 + or -, 5 *, 1 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::pow;
         const Scalar p_value = x[0];
         const Scalar power_1 = pow(c_.k1 * p_value, c_.k2);
         const Scalar charge = u[0];
-        const Scalar max_2 = detail::max<Scalar>(Scalar(0), charge);
         const Scalar consume = u[1];
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), consume);
-        const Scalar min_4 = detail::min<Scalar>(Scalar(0), charge);
-        const Scalar min_5 = detail::min<Scalar>(Scalar(0), consume);
-        return c_.k7 * power_1 * (max_2 - max_3 + min_4 - min_5) - c_.k6 * power_1 * (charge - consume);
+        return power_1 * (p_.c_v * p_.T_0 * c_.kappa) * (charge - consume);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

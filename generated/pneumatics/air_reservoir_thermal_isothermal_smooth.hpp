@@ -26,7 +26,7 @@
 //   output_jacobian_x     25     57     4        0     20
 //   output_jacobian_u     11     24     2        0     14
 //   internal_energy        0      3     1        0      0
-//   exchanged_power       15     29     4        0     19
+//   exchanged_power       10     29     5        0     16
 //   guards                 7      5     3        0      5
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -148,12 +148,6 @@ Scalar sign(const Scalar& x) noexcept {
 template <class Scalar>
 Scalar step(const Scalar& x) noexcept {
     return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
-}
-
-/// The smaller one; not a number if one is not.
-template <class Scalar>
-Scalar min(const Scalar& a, const Scalar& b) noexcept {
-    return select(b < a, b, select(b == b, a, b));
 }
 
 /// The larger one; not a number if one is not.
@@ -825,44 +819,41 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 15 + or -, 29 *, 4 /, 19 other functions
+    /// Operations: 10 + or -, 29 *, 5 /, 16 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
-        const Scalar e1 = p_.R_s + c_.c_v;
-        const Scalar mdot = u[2];
-        const Scalar max_2 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar min_3 = detail::min<Scalar>(Scalar(0), mdot);
         const Scalar p_value = x[0];
-        const Scalar e4 = p_.p_S - p_value;
-        const Scalar step_5 = detail::step<Scalar>(-e4);
-        const Scalar power_6 = pow(c_.k4 + e4 * e4, -Scalar(1) / Scalar(4));
+        const Scalar e1 = p_.p_S - p_value;
+        const Scalar power_2 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_7 = sqrt(max_p_S);
-        const Scalar abs_8 = abs(e4);
-        const Scalar outflow_factor_9 = detail::outflow_factor<Scalar>(abs_8 / max_p_S, c_.k3);
+        const Scalar sqrt_3 = sqrt(max_p_S);
+        const Scalar abs_4 = abs(e1);
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k3);
         const Scalar u_f = u[0];
-        const Scalar e10 = power_6 * sqrt_7 * (outflow_factor_9 * (u_f * e4));
-        const Scalar e11 = step_5 * e10;
-        const Scalar step_12 = detail::step<Scalar>(e4);
-        const Scalar e13 = step_12 * e10;
-        const Scalar e14 = c_.k11 * e11 + c_.k12 * e13;
-        const Scalar max_15 = detail::max<Scalar>(Scalar(0), e14);
-        const Scalar min_16 = detail::min<Scalar>(Scalar(0), e14);
-        const Scalar u_e = u[1];
-        const Scalar e17 = p_.p_0 - p_value;
-        const Scalar power_18 = pow(c_.k4 + e17 * e17, -Scalar(1) / Scalar(4));
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar sqrt_19 = sqrt(max_p_0);
-        const Scalar abs_20 = abs(e17);
-        const Scalar outflow_factor_21 = detail::outflow_factor<Scalar>(abs_20 / max_p_0, c_.k3);
-        const Scalar sqrt_22 = sqrt(Scalar(2));
-        const Scalar sqrt_R_s = sqrt(p_.R_s);
+        const Scalar step_6 = detail::step<Scalar>(-e1);
+        const Scalar e7 = p_.T_0 * c_.c_v;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar e23 = p_.A_d * p_.alpha_d * (sqrt_22 / sqrt_R_s) * (p_.R_s * p_.T_0 / sqrt_T_0 - sqrt_T_0 * e1);
-        return p_.T_0 * e1 * (max_2 + min_3 + max_15 + min_16) - u_e * e17 * power_18 * sqrt_19 * outflow_factor_21 * e23
-            - c_.k15 * mdot - c_.k13 * e11 - c_.k14 * e13;
+        const Scalar sqrt_8 = sqrt(Scalar(2));
+        const Scalar sqrt_R_s = sqrt(p_.R_s);
+        const Scalar e9 = p_.A_d * p_.alpha_d * (sqrt_8 / sqrt_R_s);
+        const Scalar e10 = e9 / sqrt_T_0;
+        const Scalar step_11 = detail::step<Scalar>(e1);
+        const Scalar sqrt_T_in = sqrt(p_.T_in);
+        const Scalar u_e = u[1];
+        const Scalar e12 = p_.p_0 - p_value;
+        const Scalar power_13 = pow(c_.k4 + e12 * e12, -Scalar(1) / Scalar(4));
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
+        const Scalar sqrt_14 = sqrt(max_p_0);
+        const Scalar abs_15 = abs(e12);
+        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_0, c_.k3);
+        const Scalar e17 = sqrt_T_0 * e9;
+        const Scalar mdot = u[2];
+        const Scalar e18 = power_2 * sqrt_3 * (outflow_factor_5 * (u_f * e1))
+            * (step_6 * (e7 * e10) + step_11 * (e9 * e7 / sqrt_T_in));
+        const Scalar e19 = u_e * e12 * power_13 * sqrt_14 * outflow_factor_16 * (p_.R_s * (p_.T_0 * e10 - e17) - c_.c_v * e17);
+        return e18 - e19 + mdot * e7;
     }
 
     /// Functions whose sign matters, in the order of guard_table().

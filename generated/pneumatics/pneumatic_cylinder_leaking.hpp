@@ -34,7 +34,7 @@
 //   supplied_power         2      1     0        0      0
 //   dissipated_power       1      4     0        0      1
 //   internal_energy        4     10     1        0      0
-//   exchanged_power       42     71     9        0     42
+//   exchanged_power       26     61    11        0     35
 //   guards                15      9     3        0      9
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -1594,91 +1594,69 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 42 + or -, 71 *, 9 /, 42 other functions
+    /// Operations: 26 + or -, 61 *, 11 /, 35 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
-        const Scalar p_2 = x[3];
-        const Scalar power_1 = pow(c_.k9 * p_2, c_.k10);
-        const Scalar e2 = p_.p_S - p_2;
-        const Scalar step_3 = detail::step<Scalar>(e2);
-        const Scalar abs_4 = abs(e2);
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k7);
+        const Scalar sqrt_T_0 = sqrt(p_.T_0);
+        const Scalar sqrt_R_s = sqrt(p_.R_s);
+        const Scalar e1 = p_.n * c_.c_v;
+        const Scalar sqrt_2 = sqrt(Scalar(2));
+        const Scalar e3 = e1 / sqrt_R_s * (p_.T_0 * p_.A_v * (p_.alpha_d * sqrt_2));
+        const Scalar p_1 = x[2];
+        const Scalar e4 = p_.p_0 - p_1;
+        const Scalar step_5 = detail::step<Scalar>(e4);
         const Scalar u_value = u[0];
         const Scalar max_6 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar signed_root_7 = detail::signed_root<Scalar>(max_p_S * e2);
-        const Scalar e8 = outflow_factor_5 * (max_6 * signed_root_7);
-        const Scalar e9 = step_3 * e8;
-        const Scalar step_10 = detail::step<Scalar>(-e2);
-        const Scalar sqrt_11 = sqrt(p_.T_0 * power_1);
-        const Scalar inverse_12 = Scalar(1) / sqrt_11;
-        const Scalar e13 = e8 * (step_10 * inverse_12);
-        const Scalar e14 = c_.k31 * e9 + c_.k30 * e13;
-        const Scalar max_15 = detail::max<Scalar>(Scalar(0), e14);
-        const Scalar e16 = p_.p_0 - p_2;
-        const Scalar step_17 = detail::step<Scalar>(e16);
-        const Scalar abs_18 = abs(e16);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar outflow_factor_19 = detail::outflow_factor<Scalar>(abs_18 / max_p_0, c_.k7);
-        const Scalar max_20 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar signed_root_21 = detail::signed_root<Scalar>(max_p_0 * e16);
-        const Scalar e22 = outflow_factor_19 * (max_20 * signed_root_21);
-        const Scalar e23 = step_17 * e22;
-        const Scalar step_24 = detail::step<Scalar>(-e16);
-        const Scalar e25 = e22 * (step_24 * inverse_12);
-        const Scalar e26 = -c_.k31 * e23 - c_.k30 * e25;
-        const Scalar max_27 = detail::max<Scalar>(Scalar(0), e26);
-        const Scalar min_28 = detail::min<Scalar>(Scalar(0), e14);
-        const Scalar min_29 = detail::min<Scalar>(Scalar(0), e26);
-        const Scalar p_1 = x[2];
-        const Scalar e30 = p_1 - p_2;
-        const Scalar e31 = p_.k_L * e30;
-        const Scalar step_32 = detail::step<Scalar>(e31);
-        const Scalar e33 = p_1 * step_32;
-        const Scalar step_34 = detail::step<Scalar>(-e31);
-        const Scalar e35 = p_2 * step_34;
-        const Scalar power_36 = pow(c_.k9 * p_1, c_.k10);
-        const Scalar e37 = e33 / power_36;
-        const Scalar e38 = e35 / power_1;
-        const Scalar e39 = p_.p_0 - p_1;
-        const Scalar step_40 = detail::step<Scalar>(e39);
-        const Scalar abs_41 = abs(e39);
-        const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar outflow_factor_42 = detail::outflow_factor<Scalar>(abs_41 / max_p_0_2, c_.k7);
-        const Scalar signed_root_43 = detail::signed_root<Scalar>(max_p_0_2 * e39);
-        const Scalar e44 = outflow_factor_42 * (max_6 * signed_root_43);
-        const Scalar e45 = step_40 * e44;
-        const Scalar step_46 = detail::step<Scalar>(-e39);
-        const Scalar sqrt_47 = sqrt(p_.T_0 * power_36);
-        const Scalar inverse_48 = Scalar(1) / sqrt_47;
-        const Scalar e49 = e44 * (step_46 * inverse_48);
-        const Scalar e50 = -c_.k31 * e45 - c_.k30 * e49;
-        const Scalar max_51 = detail::max<Scalar>(Scalar(0), e50);
-        const Scalar e52 = p_.p_S - p_1;
-        const Scalar step_53 = detail::step<Scalar>(e52);
-        const Scalar abs_54 = abs(e52);
+        const Scalar power_7 = pow(c_.k9 * p_1, c_.k10);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
+        const Scalar signed_root_8 = detail::signed_root<Scalar>(max_p_0 * e4);
+        const Scalar abs_9 = abs(e4);
+        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_0, c_.k7);
+        const Scalar e11 = max_6 * power_7 * (signed_root_8 * outflow_factor_10);
+        const Scalar p_2 = x[3];
+        const Scalar e12 = p_.p_S - p_2;
+        const Scalar step_13 = detail::step<Scalar>(e12);
+        const Scalar power_14 = pow(c_.k9 * p_2, c_.k10);
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_2);
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(max_p_S * e12);
+        const Scalar abs_16 = abs(e12);
+        const Scalar outflow_factor_17 = detail::outflow_factor<Scalar>(abs_16 / max_p_S, c_.k7);
+        const Scalar e18 = max_6 * power_14 * (signed_root_15 * outflow_factor_17);
+        const Scalar e19 = p_.p_S - p_1;
+        const Scalar step_20 = detail::step<Scalar>(e19);
+        const Scalar max_21 = detail::max<Scalar>(Scalar(0), u_value);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar outflow_factor_55 = detail::outflow_factor<Scalar>(abs_54 / max_p_S_2, c_.k7);
-        const Scalar signed_root_56 = detail::signed_root<Scalar>(max_p_S_2 * e52);
-        const Scalar e57 = outflow_factor_55 * (max_20 * signed_root_56);
-        const Scalar e58 = step_53 * e57;
-        const Scalar step_59 = detail::step<Scalar>(-e52);
-        const Scalar e60 = e57 * (step_59 * inverse_48);
-        const Scalar e61 = c_.k31 * e58 + c_.k30 * e60;
-        const Scalar max_62 = detail::max<Scalar>(Scalar(0), e61);
-        const Scalar min_63 = detail::min<Scalar>(Scalar(0), e50);
-        const Scalar min_64 = detail::min<Scalar>(Scalar(0), e61);
+        const Scalar signed_root_22 = detail::signed_root<Scalar>(max_p_S_2 * e19);
+        const Scalar abs_23 = abs(e19);
+        const Scalar outflow_factor_24 = detail::outflow_factor<Scalar>(abs_23 / max_p_S_2, c_.k7);
+        const Scalar e25 = max_21 * power_7 * (signed_root_22 * outflow_factor_24);
+        const Scalar e26 = p_.p_0 - p_2;
+        const Scalar step_27 = detail::step<Scalar>(e26);
+        const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
+        const Scalar signed_root_28 = detail::signed_root<Scalar>(max_p_0_2 * e26);
+        const Scalar abs_29 = abs(e26);
+        const Scalar outflow_factor_30 = detail::outflow_factor<Scalar>(abs_29 / max_p_0_2, c_.k7);
+        const Scalar e31 = max_21 * power_14 * (signed_root_28 * outflow_factor_30);
         const Scalar s_dot = x[1];
-        const Scalar e65 = c_.k29 * e30 * (e37 + e38);
-        const Scalar max_66 = detail::max<Scalar>(Scalar(0), e65);
-        const Scalar min_67 = detail::min<Scalar>(Scalar(0), e65);
-        const Scalar e68 = c_.k32 * p_1 - p_2 * (p_.A_2 * c_.c_v / p_.R_s * (p_.n - Scalar(1)) - p_.A_2);
-        return c_.k36 * power_1 * (max_15 - max_27 + min_28 - min_29) - c_.k33 * e30
-            * (e33 - e35 - power_1 * e37 + power_36 * e38) - c_.k36 * power_36 * (max_51 - max_62 + min_63 - min_64) - s_dot
-            * e68 - c_.k34 * power_36 * (e60 + e49) - c_.k35 * power_36 * (e45 + e58) - c_.k34 * power_1 * (e25 + e13) - c_.k35
-            * power_1 * (e9 + e23) - c_.k36 * (power_36 - power_1) * (max_66 + min_67);
+        const Scalar inverse_32 = Scalar(1) / p_.R_s;
+        const Scalar sqrt_33 = sqrt(p_.T_0 * power_7);
+        const Scalar step_34 = detail::step<Scalar>(-e4);
+        const Scalar step_35 = detail::step<Scalar>(-e19);
+        const Scalar sqrt_36 = sqrt(p_.T_0 * power_14);
+        const Scalar step_37 = detail::step<Scalar>(-e12);
+        const Scalar step_38 = detail::step<Scalar>(-e26);
+        const Scalar e39 = p_1 - p_2;
+        const Scalar e40 = e39 * (p_.k_L * inverse_32 * e1);
+        const Scalar e41 = p_.k_L * e39;
+        const Scalar step_42 = detail::step<Scalar>(e41);
+        const Scalar step_43 = detail::step<Scalar>(-e41);
+        const Scalar e44 = e3 / sqrt_T_0 * (step_5 * e11 + step_13 * e18 + step_20 * e25 + step_27 * e31);
+        const Scalar e45 = s_dot * (c_.k32 * p_1 - p_2 * (-p_.A_2 * inverse_32 * (c_.c_v - e1) - p_.A_2));
+        return e44 - e45 + e3 / sqrt_33 * (step_34 * e11 + step_35 * e25) + e3 / sqrt_36 * (step_37 * e18 + step_38 * e31)
+            + e40 * (p_1 * step_42) * (power_14 / power_7 - Scalar(1)) - e40 * (p_2 * step_43)
+            * (power_7 / power_14 - Scalar(1));
     }
 
     /// Functions whose sign matters, in the order of guard_table().

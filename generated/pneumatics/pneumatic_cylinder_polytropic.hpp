@@ -34,7 +34,7 @@
 //   supplied_power         2      1     0        0      0
 //   dissipated_power       1      4     0        0      1
 //   internal_energy        4     10     1        0      0
-//   exchanged_power       32     58     7        0     38
+//   exchanged_power       20     49     9        0     33
 //   guards                15      9     3        0      9
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -1469,79 +1469,61 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 32 + or -, 58 *, 7 /, 38 other functions
+    /// Operations: 20 + or -, 49 *, 9 /, 33 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
-        const Scalar p_2 = x[3];
-        const Scalar power_1 = pow(c_.k7 * p_2, c_.k8);
-        const Scalar e2 = p_.p_S - p_2;
-        const Scalar step_3 = detail::step<Scalar>(e2);
-        const Scalar abs_4 = abs(e2);
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k6);
+        const Scalar sqrt_T_0 = sqrt(p_.T_0);
+        const Scalar sqrt_R_s = sqrt(p_.R_s);
+        const Scalar e1 = p_.n * c_.c_v;
+        const Scalar sqrt_2 = sqrt(Scalar(2));
+        const Scalar e3 = e1 / sqrt_R_s * (p_.T_0 * p_.A_v * (p_.alpha_d * sqrt_2));
+        const Scalar p_1 = x[2];
+        const Scalar e4 = p_.p_0 - p_1;
+        const Scalar step_5 = detail::step<Scalar>(e4);
         const Scalar u_value = u[0];
         const Scalar max_6 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar signed_root_7 = detail::signed_root<Scalar>(max_p_S * e2);
-        const Scalar e8 = outflow_factor_5 * (max_6 * signed_root_7);
-        const Scalar e9 = step_3 * e8;
-        const Scalar step_10 = detail::step<Scalar>(-e2);
-        const Scalar sqrt_11 = sqrt(p_.T_0 * power_1);
-        const Scalar inverse_12 = Scalar(1) / sqrt_11;
-        const Scalar e13 = e8 * (step_10 * inverse_12);
-        const Scalar e14 = c_.k26 * e9 + c_.k25 * e13;
-        const Scalar max_15 = detail::max<Scalar>(Scalar(0), e14);
-        const Scalar e16 = p_.p_0 - p_2;
-        const Scalar step_17 = detail::step<Scalar>(e16);
-        const Scalar abs_18 = abs(e16);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar outflow_factor_19 = detail::outflow_factor<Scalar>(abs_18 / max_p_0, c_.k6);
-        const Scalar max_20 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar signed_root_21 = detail::signed_root<Scalar>(max_p_0 * e16);
-        const Scalar e22 = outflow_factor_19 * (max_20 * signed_root_21);
-        const Scalar e23 = step_17 * e22;
-        const Scalar step_24 = detail::step<Scalar>(-e16);
-        const Scalar e25 = e22 * (step_24 * inverse_12);
-        const Scalar e26 = -c_.k26 * e23 - c_.k25 * e25;
-        const Scalar max_27 = detail::max<Scalar>(Scalar(0), e26);
-        const Scalar min_28 = detail::min<Scalar>(Scalar(0), e14);
-        const Scalar min_29 = detail::min<Scalar>(Scalar(0), e26);
-        const Scalar p_1 = x[2];
-        const Scalar power_30 = pow(c_.k7 * p_1, c_.k8);
-        const Scalar e31 = p_.p_0 - p_1;
-        const Scalar step_32 = detail::step<Scalar>(e31);
-        const Scalar abs_33 = abs(e31);
-        const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(abs_33 / max_p_0_2, c_.k6);
-        const Scalar signed_root_35 = detail::signed_root<Scalar>(max_p_0_2 * e31);
-        const Scalar e36 = outflow_factor_34 * (max_6 * signed_root_35);
-        const Scalar e37 = step_32 * e36;
-        const Scalar step_38 = detail::step<Scalar>(-e31);
-        const Scalar sqrt_39 = sqrt(p_.T_0 * power_30);
-        const Scalar inverse_40 = Scalar(1) / sqrt_39;
-        const Scalar e41 = e36 * (step_38 * inverse_40);
-        const Scalar e42 = -c_.k26 * e37 - c_.k25 * e41;
-        const Scalar max_43 = detail::max<Scalar>(Scalar(0), e42);
-        const Scalar e44 = p_.p_S - p_1;
-        const Scalar step_45 = detail::step<Scalar>(e44);
-        const Scalar abs_46 = abs(e44);
+        const Scalar power_7 = pow(c_.k7 * p_1, c_.k8);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
+        const Scalar signed_root_8 = detail::signed_root<Scalar>(max_p_0 * e4);
+        const Scalar abs_9 = abs(e4);
+        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_0, c_.k6);
+        const Scalar e11 = max_6 * power_7 * (signed_root_8 * outflow_factor_10);
+        const Scalar p_2 = x[3];
+        const Scalar e12 = p_.p_S - p_2;
+        const Scalar step_13 = detail::step<Scalar>(e12);
+        const Scalar power_14 = pow(c_.k7 * p_2, c_.k8);
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_2);
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(max_p_S * e12);
+        const Scalar abs_16 = abs(e12);
+        const Scalar outflow_factor_17 = detail::outflow_factor<Scalar>(abs_16 / max_p_S, c_.k6);
+        const Scalar e18 = max_6 * power_14 * (signed_root_15 * outflow_factor_17);
+        const Scalar e19 = p_.p_S - p_1;
+        const Scalar step_20 = detail::step<Scalar>(e19);
+        const Scalar max_21 = detail::max<Scalar>(Scalar(0), u_value);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar outflow_factor_47 = detail::outflow_factor<Scalar>(abs_46 / max_p_S_2, c_.k6);
-        const Scalar signed_root_48 = detail::signed_root<Scalar>(max_p_S_2 * e44);
-        const Scalar e49 = outflow_factor_47 * (max_20 * signed_root_48);
-        const Scalar e50 = step_45 * e49;
-        const Scalar step_51 = detail::step<Scalar>(-e44);
-        const Scalar e52 = e49 * (step_51 * inverse_40);
-        const Scalar e53 = c_.k26 * e50 + c_.k25 * e52;
-        const Scalar max_54 = detail::max<Scalar>(Scalar(0), e53);
-        const Scalar min_55 = detail::min<Scalar>(Scalar(0), e42);
-        const Scalar min_56 = detail::min<Scalar>(Scalar(0), e53);
+        const Scalar signed_root_22 = detail::signed_root<Scalar>(max_p_S_2 * e19);
+        const Scalar abs_23 = abs(e19);
+        const Scalar outflow_factor_24 = detail::outflow_factor<Scalar>(abs_23 / max_p_S_2, c_.k6);
+        const Scalar e25 = max_21 * power_7 * (signed_root_22 * outflow_factor_24);
+        const Scalar e26 = p_.p_0 - p_2;
+        const Scalar step_27 = detail::step<Scalar>(e26);
+        const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
+        const Scalar signed_root_28 = detail::signed_root<Scalar>(max_p_0_2 * e26);
+        const Scalar abs_29 = abs(e26);
+        const Scalar outflow_factor_30 = detail::outflow_factor<Scalar>(abs_29 / max_p_0_2, c_.k6);
+        const Scalar e31 = max_21 * power_14 * (signed_root_28 * outflow_factor_30);
         const Scalar s_dot = x[1];
-        const Scalar e57 = c_.k27 * p_1 - p_2 * (p_.A_2 * c_.c_v / p_.R_s * (p_.n - Scalar(1)) - p_.A_2);
-        return c_.k30 * power_1 * (max_15 - max_27 + min_28 - min_29) - c_.k30 * power_30 * (max_43 - max_54 + min_55 - min_56)
-            - s_dot * e57 - c_.k28 * power_30 * (e52 + e41) - c_.k29 * power_30 * (e37 + e50) - c_.k28 * power_1 * (e25 + e13)
-            - c_.k29 * power_1 * (e9 + e23);
+        const Scalar sqrt_32 = sqrt(p_.T_0 * power_7);
+        const Scalar step_33 = detail::step<Scalar>(-e4);
+        const Scalar step_34 = detail::step<Scalar>(-e19);
+        const Scalar sqrt_35 = sqrt(p_.T_0 * power_14);
+        const Scalar step_36 = detail::step<Scalar>(-e12);
+        const Scalar step_37 = detail::step<Scalar>(-e26);
+        const Scalar e38 = e3 / sqrt_T_0 * (step_5 * e11 + step_13 * e18 + step_20 * e25 + step_27 * e31);
+        const Scalar e39 = s_dot * (c_.k27 * p_1 - p_2 * (-p_.A_2 / p_.R_s * (c_.c_v - e1) - p_.A_2));
+        return e38 - e39 + e3 / sqrt_32 * (step_33 * e11 + step_34 * e25) + e3 / sqrt_35 * (step_36 * e18 + step_37 * e31);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

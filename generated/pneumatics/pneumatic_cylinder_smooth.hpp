@@ -33,7 +33,7 @@
 //   supplied_power         2      1     0        0      0
 //   dissipated_power       1      4     0        0      1
 //   internal_energy        4     10     1        0      0
-//   exchanged_power       36     66     7        0     42
+//   exchanged_power       24     57     9        0     37
 //   guards                13      9     3        0      9
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -1531,83 +1531,65 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 36 + or -, 66 *, 7 /, 42 other functions
+    /// Operations: 24 + or -, 57 *, 9 /, 37 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
-        const Scalar p_2 = x[3];
-        const Scalar power_1 = pow(c_.k8 * p_2, c_.k9);
-        const Scalar e2 = p_.p_S - p_2;
-        const Scalar step_3 = detail::step<Scalar>(e2);
-        const Scalar power_4 = pow(c_.k7 + e2 * e2, -Scalar(1) / Scalar(4));
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar sqrt_5 = sqrt(max_p_S);
-        const Scalar abs_6 = abs(e2);
-        const Scalar outflow_factor_7 = detail::outflow_factor<Scalar>(abs_6 / max_p_S, c_.k6);
-        const Scalar u_value = u[0];
-        const Scalar max_8 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e9 = power_4 * sqrt_5 * (outflow_factor_7 * (max_8 * e2));
-        const Scalar e10 = step_3 * e9;
-        const Scalar step_11 = detail::step<Scalar>(-e2);
-        const Scalar sqrt_12 = sqrt(p_.T_0 * power_1);
-        const Scalar inverse_13 = Scalar(1) / sqrt_12;
-        const Scalar e14 = e9 * (step_11 * inverse_13);
-        const Scalar e15 = c_.k27 * e10 + c_.k26 * e14;
-        const Scalar max_16 = detail::max<Scalar>(Scalar(0), e15);
-        const Scalar e17 = p_.p_0 - p_2;
-        const Scalar step_18 = detail::step<Scalar>(e17);
-        const Scalar power_19 = pow(c_.k7 + e17 * e17, -Scalar(1) / Scalar(4));
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar sqrt_20 = sqrt(max_p_0);
-        const Scalar abs_21 = abs(e17);
-        const Scalar outflow_factor_22 = detail::outflow_factor<Scalar>(abs_21 / max_p_0, c_.k6);
-        const Scalar max_23 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e24 = power_19 * sqrt_20 * (outflow_factor_22 * (max_23 * e17));
-        const Scalar e25 = step_18 * e24;
-        const Scalar step_26 = detail::step<Scalar>(-e17);
-        const Scalar e27 = e24 * (step_26 * inverse_13);
-        const Scalar e28 = -c_.k27 * e25 - c_.k26 * e27;
-        const Scalar max_29 = detail::max<Scalar>(Scalar(0), e28);
-        const Scalar min_30 = detail::min<Scalar>(Scalar(0), e15);
-        const Scalar min_31 = detail::min<Scalar>(Scalar(0), e28);
+        const Scalar sqrt_T_0 = sqrt(p_.T_0);
+        const Scalar sqrt_R_s = sqrt(p_.R_s);
+        const Scalar e1 = p_.n * c_.c_v;
+        const Scalar sqrt_2 = sqrt(Scalar(2));
+        const Scalar e3 = e1 / sqrt_R_s * (p_.T_0 * p_.A_v * (p_.alpha_d * sqrt_2));
         const Scalar p_1 = x[2];
-        const Scalar power_32 = pow(c_.k8 * p_1, c_.k9);
-        const Scalar e33 = p_.p_0 - p_1;
-        const Scalar step_34 = detail::step<Scalar>(e33);
-        const Scalar power_35 = pow(c_.k7 + e33 * e33, -Scalar(1) / Scalar(4));
-        const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar sqrt_36 = sqrt(max_p_0_2);
-        const Scalar abs_37 = abs(e33);
-        const Scalar outflow_factor_38 = detail::outflow_factor<Scalar>(abs_37 / max_p_0_2, c_.k6);
-        const Scalar e39 = power_35 * sqrt_36 * (outflow_factor_38 * (max_8 * e33));
-        const Scalar e40 = step_34 * e39;
-        const Scalar step_41 = detail::step<Scalar>(-e33);
-        const Scalar sqrt_42 = sqrt(p_.T_0 * power_32);
-        const Scalar inverse_43 = Scalar(1) / sqrt_42;
-        const Scalar e44 = e39 * (step_41 * inverse_43);
-        const Scalar e45 = -c_.k27 * e40 - c_.k26 * e44;
-        const Scalar max_46 = detail::max<Scalar>(Scalar(0), e45);
-        const Scalar e47 = p_.p_S - p_1;
-        const Scalar step_48 = detail::step<Scalar>(e47);
-        const Scalar power_49 = pow(c_.k7 + e47 * e47, -Scalar(1) / Scalar(4));
+        const Scalar e4 = p_.p_0 - p_1;
+        const Scalar step_5 = detail::step<Scalar>(e4);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
+        const Scalar sqrt_6 = sqrt(max_p_0);
+        const Scalar abs_7 = abs(e4);
+        const Scalar outflow_factor_8 = detail::outflow_factor<Scalar>(abs_7 / max_p_0, c_.k6);
+        const Scalar u_value = u[0];
+        const Scalar max_9 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar power_10 = pow(c_.k8 * p_1, c_.k9);
+        const Scalar power_11 = pow(c_.k7 + e4 * e4, -Scalar(1) / Scalar(4));
+        const Scalar e12 = sqrt_6 * outflow_factor_8 * (max_9 * power_10 * (e4 * power_11));
+        const Scalar p_2 = x[3];
+        const Scalar e13 = p_.p_S - p_2;
+        const Scalar step_14 = detail::step<Scalar>(e13);
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_2);
+        const Scalar sqrt_15 = sqrt(max_p_S);
+        const Scalar abs_16 = abs(e13);
+        const Scalar outflow_factor_17 = detail::outflow_factor<Scalar>(abs_16 / max_p_S, c_.k6);
+        const Scalar power_18 = pow(c_.k8 * p_2, c_.k9);
+        const Scalar power_19 = pow(c_.k7 + e13 * e13, -Scalar(1) / Scalar(4));
+        const Scalar e20 = sqrt_15 * outflow_factor_17 * (max_9 * power_18 * (e13 * power_19));
+        const Scalar e21 = p_.p_S - p_1;
+        const Scalar step_22 = detail::step<Scalar>(e21);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar sqrt_50 = sqrt(max_p_S_2);
-        const Scalar abs_51 = abs(e47);
-        const Scalar outflow_factor_52 = detail::outflow_factor<Scalar>(abs_51 / max_p_S_2, c_.k6);
-        const Scalar e53 = power_49 * sqrt_50 * (outflow_factor_52 * (max_23 * e47));
-        const Scalar e54 = step_48 * e53;
-        const Scalar step_55 = detail::step<Scalar>(-e47);
-        const Scalar e56 = e53 * (step_55 * inverse_43);
-        const Scalar e57 = c_.k27 * e54 + c_.k26 * e56;
-        const Scalar max_58 = detail::max<Scalar>(Scalar(0), e57);
-        const Scalar min_59 = detail::min<Scalar>(Scalar(0), e45);
-        const Scalar min_60 = detail::min<Scalar>(Scalar(0), e57);
+        const Scalar sqrt_23 = sqrt(max_p_S_2);
+        const Scalar abs_24 = abs(e21);
+        const Scalar outflow_factor_25 = detail::outflow_factor<Scalar>(abs_24 / max_p_S_2, c_.k6);
+        const Scalar max_26 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar power_27 = pow(c_.k7 + e21 * e21, -Scalar(1) / Scalar(4));
+        const Scalar e28 = sqrt_23 * outflow_factor_25 * (max_26 * power_10 * (e21 * power_27));
+        const Scalar e29 = p_.p_0 - p_2;
+        const Scalar step_30 = detail::step<Scalar>(e29);
+        const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
+        const Scalar sqrt_31 = sqrt(max_p_0_2);
+        const Scalar abs_32 = abs(e29);
+        const Scalar outflow_factor_33 = detail::outflow_factor<Scalar>(abs_32 / max_p_0_2, c_.k6);
+        const Scalar power_34 = pow(c_.k7 + e29 * e29, -Scalar(1) / Scalar(4));
+        const Scalar e35 = sqrt_31 * outflow_factor_33 * (max_26 * power_18 * (e29 * power_34));
         const Scalar s_dot = x[1];
-        const Scalar e61 = c_.k28 * p_1 - p_2 * (p_.A_2 * c_.c_v / p_.R_s * (p_.n - Scalar(1)) - p_.A_2);
-        return c_.k31 * power_1 * (max_16 - max_29 + min_30 - min_31) - c_.k31 * power_32 * (max_46 - max_58 + min_59 - min_60)
-            - s_dot * e61 - c_.k29 * power_32 * (e56 + e44) - c_.k30 * power_32 * (e40 + e54) - c_.k29 * power_1 * (e27 + e14)
-            - c_.k30 * power_1 * (e10 + e25);
+        const Scalar sqrt_36 = sqrt(p_.T_0 * power_10);
+        const Scalar step_37 = detail::step<Scalar>(-e4);
+        const Scalar step_38 = detail::step<Scalar>(-e21);
+        const Scalar sqrt_39 = sqrt(p_.T_0 * power_18);
+        const Scalar step_40 = detail::step<Scalar>(-e13);
+        const Scalar step_41 = detail::step<Scalar>(-e29);
+        const Scalar e42 = e3 / sqrt_T_0 * (step_5 * e12 + step_14 * e20 + step_22 * e28 + step_30 * e35);
+        const Scalar e43 = s_dot * (c_.k28 * p_1 - p_2 * (-p_.A_2 / p_.R_s * (c_.c_v - e1) - p_.A_2));
+        return e42 - e43 + e3 / sqrt_36 * (step_37 * e12 + step_38 * e28) + e3 / sqrt_39 * (step_40 * e20 + step_41 * e35);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -52,6 +52,8 @@ public:
     void run() {
         for (const LinkState& link : network_.links) gather(link);
         for (std::size_t i = 0; i < rows_.size(); ++i) add(i, rows_[i].node->source);
+        for (NodeState& node : network_.nodes)
+            if (node.kind != NodeState::Kind::held) node.balance = network_.heat_into(node);  // with letters for what is sought
         while (eliminate_next()) continue;
         for (std::size_t i = 0; i < rows_.size(); ++i)
             if (!rows_[i].done) balance(connected_to(i));
@@ -172,11 +174,27 @@ private:
             Conductances& other = rows_[i].*kind;
             other.to_sought.erase(k);
             other.to_known += in_series(conductance, own.to_known);
-            rows_[i].source += conductance.is_equal(all) ? row.source : row.source * conductance / all;
+            // Over what is known, as in the conductance: so that the two are seen to belong together.
+            if (conductance.is_equal(all)) rows_[i].source += row.source;
+            else if (own.to_known.is_zero()) rows_[i].source += row.source * conductance / all;
+            else rows_[i].source += in_series(conductance, own.to_known) * (row.source / own.to_known).expand();
         }
         if (own.to_sought.size() == 2) join(kind, own.to_sought.begin()->first, own.to_sought.rbegin()->first, in_series(own.to_sought.begin()->second, own.to_sought.rbegin()->second));
         const ex value = heat / all;
+        put_into_heat(conducts ? row.T() : row.fourth(), heat, all);
         conducts ? settle(row, value, pow(value, 4)) : settle(row, pow(value, GiNaC::numeric(1, 4)), value);
+    }
+
+    /// Heat that is linear in a temperature heat/all, over the same denominator: g*(T - heat/all) = g*(T*all - heat)/all, in which what T has of its
+    /// own in `heat` cancels here, and not in numbers.
+    void put_into_heat(const ex& letter, const ex& heat, const ex& all) {
+        for (LinkState& link : network_.links) {
+            if (!link.heat.has(letter)) continue;
+            const ex slope = partial(link.heat, letter);
+            if (slope.has(letter)) continue;
+            const ex rest = link.heat.subs(letter == 0, no_pattern);
+            link.heat = (rest * all + slope * heat).expand() / all;
+        }
     }
 
     std::vector<std::size_t> connected_to(std::size_t first) const {
@@ -224,8 +242,6 @@ private:
     }
 
     void put_in() {
-        for (NodeState& node : network_.nodes)
-            if (node.kind != NodeState::Kind::held) node.balance = network_.heat_into(node);
         const auto in = [&](ex& e) { e = e.subs(network_.solved, no_pattern); };
         for (NodeState& node : network_.nodes) {
             in(node.warmth.temperature);

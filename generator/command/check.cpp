@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 
 #include "command/book_page.hpp"
@@ -21,7 +22,17 @@ struct FileResult {
     nlohmann::ordered_json json;
     BookPart part;
     bool failed = false;
+    std::vector<Diagnostic> unreadable = {};  ///< of entries that have no verdict for that
 };
+
+nlohmann::ordered_json as_json(const std::string& id, const Diagnostic& d) {
+    nlohmann::ordered_json json{{"id", id}, {"error", name_of(d.id)}, {"message", d.message}};
+    if (d.span) {
+        const Position place = d.span.source->position(d.span.begin);
+        json.update({{"file", d.span.source->name()}, {"line", place.line}, {"column", place.column}});
+    }
+    return json;
+}
 
 class Check {
 public:
@@ -77,12 +88,14 @@ private:
     void report_printed() {
         json_["printed"] = nlohmann::ordered_json::array();
         if (!verdicts_.rows().empty()) say("printed equations\n");
+        std::vector<std::string> names;
+        for (const PrintedRow& row : verdicts_.rows()) names.push_back(row.id);
         for (const PrintedRow& row : verdicts_.rows()) {
             const bool is_of_another_scene = !row.found && !options_.choice.scene.empty();  // what was not asked for does not fail
             failed_ = failed_ || (!row.as_expected() && !is_of_another_scene);
             counts_.add(row.verdict());
             json_["printed"].push_back(report_json(row, model_->model.reference));
-            say(report_text(row));
+            say(report_text(row, column_width(names)));
         }
         json_["passed"] = !failed_;
         if (!verdicts_.rows().empty()) say(counts_.line() + (failed_ ? "; not all as expected\n" : "\n"));
@@ -103,19 +116,37 @@ FileResult check_catalogue(const SourcePtr& source, const Options& options, Stre
     const bool as_text = options.format != "json";
     FileResult result{{{"schema", "dalembert/check"}, {"version", json_version}, {"catalogue", catalogue.title}, {"edition", catalogue.edition}, {"printed", nlohmann::ordered_json::array()}}, {catalogue.title, catalogue.edition, {}, {}}};
     CatalogueVerdicts verdicts(catalogue, !options.pages.empty());
-    for (const CatalogueEntry& entry : catalogue.entries) verdicts.each(entry, [](const System&, const PrintedEquation&) {});  // errors come before verdicts
     if (as_text) streams.out << safe_line(catalogue.title) << std::endl;
+    std::size_t unread = 0;
+    std::vector<std::string> names;
+    for (const CatalogueEntry& entry : catalogue.entries) names.push_back(entry.name);
+    const std::size_t width = column_width(names);
+    const auto check = [&](const CatalogueEntry& entry) -> std::vector<PrintedRow> {
+        try {
+            return verdicts.check(entry);
+        } catch (const Failure& failure) {
+            if (failure.exit_code() != ExitCode::bad_input) throw;
+            ++unread;
+            for (const Diagnostic& d : failure.diagnostics()) {
+                result.json["errors"].push_back(as_json(entry.name, d));
+                const auto is_same = [&](const Diagnostic& other) { return other.message == d.message && other.span.source == d.span.source && other.span.begin == d.span.begin; };
+                if (std::none_of(result.unreadable.begin(), result.unreadable.end(), is_same)) result.unreadable.push_back(d);
+            }
+            if (as_text) streams.out << fmt::format("  {:<{}} not read: {}\n", safe_line(entry.name), width, safe_line(failure.diagnostics().front().message)) << std::flush;
+            return {};
+        }
+    };
     for (const CatalogueEntry& entry : catalogue.entries)
-        for (const PrintedRow& row : verdicts.check(entry)) {
+        for (const PrintedRow& row : check(entry)) {
             result.failed = result.failed || !row.as_expected();
             result.part.counts.add(row.verdict());
             result.json["printed"].push_back(report_json(row, catalogue.title));
-            if (as_text) streams.out << report_text(row) << std::flush;
+            if (as_text) streams.out << report_text(row, width) << std::flush;
             result.part.rows.push_back(row);
         }
-    if (as_text) streams.out << result.part.counts.line() << (result.failed ? "; not all as expected\n" : "\n");
+    if (as_text) streams.out << result.part.counts.line() << (unread > 0 ? fmt::format("; {} more could not be read", unread) : "") << (result.failed ? "; not all as expected\n" : "\n");
     result.json["summary"] = result.part.counts.json();
-    result.json["passed"] = !result.failed;
+    result.json["passed"] = !result.failed && unread == 0;
     return result;
 }
 
@@ -132,21 +163,25 @@ ExitCode check_command(const Options& options, Streams streams) {
     VerdictCounts counts;
     bool failed = false;
     std::vector<BookPart> parts;
+    std::vector<Diagnostic> unreadable;
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (FileResult& result : results) {
         counts.add(result.part.counts);
         failed = failed || result.failed;
         files.push_back(std::move(result.json));
         parts.push_back(std::move(result.part));
+        unreadable.insert(unreadable.end(), result.unreadable.begin(), result.unreadable.end());
     }
-    if (!options.pages.empty()) write_files(book_pages(parts, options.pages));
+    const bool is_whole = unreadable.empty();
+    if (is_whole && !options.pages.empty()) write_files(book_pages(parts, options.pages));
     if (options.format != "json") {
         if (results.size() > 1) streams.out << counts.line(fmt::format("printed equations in {} files", results.size()).c_str()) << (failed ? "; not all as expected\n" : "\n");
     } else if (results.size() == 1) {
         streams.out << printed(files[0]);
     } else {
-        streams.out << printed({{"schema", "dalembert/check"}, {"version", json_version}, {"files", files}, {"summary", counts.json()}, {"passed", !failed}});
+        streams.out << printed({{"schema", "dalembert/check"}, {"version", json_version}, {"files", files}, {"summary", counts.json()}, {"passed", !failed && is_whole}});
     }
+    if (!is_whole) throw Failure(std::move(unreadable));
     return failed ? ExitCode::check_failed : ExitCode::good;
 }
 

@@ -6,6 +6,7 @@
 
 #include "emit/safe_text.hpp"
 #include "model/verdict.hpp"
+#include "text/source.hpp"
 
 namespace dalembert {
 
@@ -38,10 +39,17 @@ nlohmann::ordered_json VerdictCounts::json() const {
     return json;
 }
 
-std::string report_text(const PrintedRow& row) {
+std::size_t column_width(const std::vector<std::string>& names) {
+    constexpr std::size_t narrowest = 16, widest = 36;
+    std::size_t width = narrowest;
+    for (const std::string& name : names) width = std::max(width, character_count(name));
+    return std::min(width, widest);
+}
+
+std::string report_text(const PrintedRow& row, std::size_t width) {
     const Verdict verdict = row.verdict();
     const std::string reason = reason_of(row);
-    std::string text = fmt::format("  {:<16} {}{}\n", safe_line(row.id), to_string(verdict),
+    std::string text = fmt::format("  {:<{}} {}{}\n", safe_line(row.id), width, to_string(verdict),
                                    row.expected ? (row.as_expected() ? ", as expected" : fmt::format(", but '{}' was expected", to_string(*row.expected))) : "");
     const bool is_notable = verdict != Verdict::proven;
     if (is_notable && !row.doc.empty()) text += fmt::format("      {}\n", safe_line(row.doc));

@@ -21,7 +21,9 @@ struct VerdictCounts {
 };
 
 /// Lines of text: the verdict, and what has to be said where it is not `proven`.
-std::string report_text(const PrintedRow& row);
+std::string report_text(const PrintedRow& row, std::size_t width);
+/// How wide the column of these names is: as the longest, in limits.
+std::size_t column_width(const std::vector<std::string>& names);
 
 /// `source` is where it is printed if the entry does not say.
 nlohmann::ordered_json report_json(const PrintedRow& row, const std::string& source);

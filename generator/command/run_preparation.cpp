@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "command/settings.hpp"
+#include "form/input_kinks.hpp"
 #include "graph/separable.hpp"
 #include "model/choose_effects.hpp"
 #include "model/methods.hpp"
@@ -149,6 +150,7 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     if (settings.method == "symplectic" && !is_separable(system))
         throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method symplectic is for accelerations that depend on coordinates alone, without inputs, modes and constraints; those of '{}' do not, see `dalembert derive`", model_name_)});
     settings.inputs = inputs(values, system);
+    settings.kinks = input_kinks(system, settings.inputs, values, settings.until);
     if (run_ != nullptr && (run_->scene.empty() || run_->scene == system.scene.base))
         for (const RunEntry& entry : run_->exact)
             settings.exact.emplace_back(entry.variable->written(), system.symbols.without_definitions(system.translate(*entry.value, {})).subs(without_time(at_start, system), GiNaC::subs_options::no_pattern));

@@ -50,6 +50,12 @@ std::string joined(const std::vector<ex>& values) {
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+std::string joined(const std::vector<double>& values) {
+    std::vector<std::string> texts;
+    for (const double value : values) texts.push_back(double_literal(value));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 /// u[i] = ... for every input that is not zero.
 std::string input_statements(Code& code, const std::vector<ex>& inputs) {
     std::vector<Polynomial> polynomials;
@@ -145,6 +151,7 @@ std::string simulation_source(Code& code, const Header& header, const Values& va
                                                  {"STEP", double_literal(settings.step)},
                                                  {"INTERVALS", std::to_string(settings.intervals)},
                                                  {"UNTIL", double_literal(settings.until)},
+                                                 {"KINKS", settings.kinks.empty() ? "" : fmt::format("    options.kinks = {{{}}};\n", joined(settings.kinks))},
                                                  {"PANELS", panels},
                                                  {"DRAW", settings.draw ? "true" : "false"},
                                                  {"TITLE", cpp_string(fmt::format("{} ({})", title, scene.name))}};
@@ -217,6 +224,7 @@ std::string work_precision_source(Code& code, const Header& header, const Values
                           {"INPUTS_BEGIN", series.before},
                           {"INPUTS_END", series.after},
                           {"UNTIL", double_literal(settings.until)},
+                          {"KINKS", joined(settings.kinks)},
                           {"VALUES", outputs.empty() ? recorded_states(code.system).second : fmt::format("{}", fmt::join(outputs, ", "))}});
 }
 

@@ -46,9 +46,10 @@ RandomPoints::RandomPoints(const System& system) {
     for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity,
                                   SymbolKind::state, SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual}) {
         for (const Variable& variable : system.symbols.all(kind)) {
-            // Without a declared range: around the default of a parameter, around zero for what moves. Coordinates go beyond pi,
-            // so that asin(sin(phi)) is not taken for phi.
-            Rational high = kind == SymbolKind::coordinate || kind == SymbolKind::state ? Rational(4) : Rational(3) / 2;
+            // Without a declared range: around the default of a parameter, around zero for what moves or has none. Coordinates and letters
+            // go beyond pi, so that asin(sin(phi)) is not taken for phi.
+            const bool may_be_angle = kind == SymbolKind::coordinate || kind == SymbolKind::state || kind == SymbolKind::parameter;
+            Rational high = may_be_angle ? Rational(4) : Rational(3) / 2;
             Rational low = kind == SymbolKind::time || variable.is_root ? Rational(0) : -high;
             if (kind == SymbolKind::parameter) {
                 const auto value = near(at_start.at(variable.symbol));

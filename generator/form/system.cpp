@@ -2,6 +2,7 @@
 #include "form/constrained_motion.hpp"
 #include "form/events.hpp"
 #include "form/named_balances.hpp"
+#include "form/quadrature.hpp"
 #include "form/quantities.hpp"
 
 #include <fmt/format.h>
@@ -190,6 +191,7 @@ void check_mass_rows(const System& system) {
 System::System(const Names& all_names, Scene chosen)
     : names(all_names), scene(std::move(chosen)), symbols(scene, names), translate(scene, names, symbols), solids(translate) {
     translate.set_quantities([this](const Expression& e, const Indices& indices, const std::vector<ex>& arguments) { return quantity(*this, e, indices, arguments); });
+    translate.set_integral_check([this](const DefiniteIntegral& integral) { return agrees_with_quadrature(*this, integral); });
 }
 
 ex System::with_rates(const ex& e) const {

@@ -234,6 +234,36 @@ Polynomial kept_whole(const Polynomial& p, int exponent, Atoms& atoms) {
     return result;
 }
 
-Polynomial lower(const ex& e, Atoms& atoms) { return folded(Lowering(atoms)(e), atoms); }
+namespace {
+
+/// k*T*max(a, b) + k*T*min(a, b) -> k*T*(a + b): a flow that carries one thing forth and another back, of which both are the same here.
+Polynomial with_extrema_joined(Polynomial p, const Atoms& atoms) {
+    std::map<std::vector<Polynomial>, std::array<std::optional<Letter>, 2>> pairs;
+    for (const auto& [monomial, coefficient] : p.terms())
+        for (const LetterPower& power : monomial)
+            if (const Op op = atoms[power.letter].op; op == Op::max || op == Op::min) pairs[atoms[power.letter].arguments][op == Op::max ? 0 : 1] = power.letter;
+    for (const auto& [arguments, letters] : pairs) {
+        const auto [largest, smallest] = letters;
+        if (!largest || !smallest) continue;
+        const Polynomial given = p;
+        for (const auto& [monomial, coefficient] : given.terms()) {
+            if (exponent_of(monomial, *largest) != 1 || exponent_of(monomial, *smallest) != 0) continue;
+            const Monomial rest = monomial * Monomial{{*largest, -1}}, partner = rest * Monomial{{*smallest, 1}};
+            const auto other = given.terms().find(partner);
+            if (other == given.terms().end() || other->second != coefficient) continue;
+            p.add(monomial, -coefficient);
+            p.add(partner, -coefficient);
+            for (const Polynomial& argument : arguments) {
+                Polynomial part = argument * rest;
+                p += part *= coefficient;
+            }
+        }
+    }
+    return p;
+}
+
+}  // namespace
+
+Polynomial lower(const ex& e, Atoms& atoms) { return folded(with_extrema_joined(Lowering(atoms)(e), atoms), atoms); }
 
 }  // namespace dalembert

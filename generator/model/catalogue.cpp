@@ -129,8 +129,14 @@ CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& 
 
 Model with_letters(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* base) {
     Model model;
-    if (base != nullptr) model = *base;
-    else model = Model{.source = catalogue.source, .name = "letters", .name_span = entry.span, .title = {}, .reference = catalogue.title};
+    if (base != nullptr) {
+        model = *base;
+    } else {
+        model.source = catalogue.source;
+        model.name = "letters";
+        model.name_span = entry.span;
+        model.reference = catalogue.title;
+    }
     const UsedNames used(catalogue, entry);
     Diagnostics diagnostics;
     const Names known(base != nullptr ? *base : model);
@@ -156,7 +162,7 @@ PrintedEquation checked_entry(const Catalogue& catalogue, const CatalogueEntry& 
         if (letter->value && is_meant(*letter)) result.at.push_back({make_name(letter->name, letter->span), letter->value});
     result.shown = result.equations;
     result.shown_letters = result.letters;
-    result.equations = without_matrices(result.shown, result.letters);
+    take_matrices_apart(result);
     check_expressions(result, names, diagnostics);
     return result;
 }

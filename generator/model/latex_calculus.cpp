@@ -137,7 +137,11 @@ ExpressionPtr LatexParser::fraction() {
     ExpressionPtr above = is("{") && !token(1).is("}") ? group() : braced("the numerator");
     const Inside brackets(*this);
     ExpressionPtr below = braced("the denominator");
-    return node(Kind::divide, first, {std::move(above), std::move(below)});
+    const bool is_number = above->kind == Kind::number && below->kind == Kind::number;
+    ExpressionPtr result = node(Kind::divide, first, {std::move(above), std::move(below)});
+    if (!is_number) return result;
+    if (ExpressionPtr unit = unit_behind()) return call("quantity", first, {std::move(result), std::move(unit)});
+    return result;
 }
 
 }  // namespace dalembert

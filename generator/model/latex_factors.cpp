@@ -248,6 +248,7 @@ ExpressionPtr LatexParser::number_factor() {
         next();
         return call("quantity", first, {result, make_name("percent", from(at_ - 1))});
     }
+    if (!has_units_) return result;
     if (ExpressionPtr unit = unit_behind()) return call("quantity", first, {std::move(result), std::move(unit)});
     return result;
 }

@@ -114,7 +114,10 @@ ExpressionPtr LatexParser::function() {
         name = inverse->second;
         power = nullptr;
     }
+    const bool is_bracketed = token().kind == LatexToken::Kind::sign;
     ExpressionPtr argument = function_argument(printed);
+    if (!is_bracketed && is("/") && token(1).kind == LatexToken::Kind::number)
+        wrong(place(token()), fmt::format("it is not clear whether '/{}' belongs to the argument of '{}'; write '\\frac' or brackets", shown(token(1)), printed));
     if (name == "lg") {
         base = make_number(10, from(first));
         name = "log";

@@ -32,12 +32,14 @@ ExpressionPtr LatexParser::integral() {
     Integral here;
     Integral* const outer = integral_;
     integral_ = &here;
+    const bool is_differential_first = at_differential();
     ExpressionPtr inside = expression();
     if (!here.variable) {
         if (!at_differential()) wrong(sign, "the integral has no differential such as 'dx'");
         here.variable = differential_variable();
     }
     integral_ = outer;
+    if (is_differential_first && starts_factor()) wrong(place(token()), fmt::format("it is not clear whether '{}' is integrated; the differential stands behind what is", shown(token())));
     if (here.variable->kind == Kind::name) integrated_ = here.variable->name;
     std::vector<ExpressionPtr> parts{std::move(inside), here.variable};
     for (ExpressionPtr* limit : {&lower, &upper})

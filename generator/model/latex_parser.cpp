@@ -229,6 +229,12 @@ ExpressionPtr LatexParser::braced(const char* what) {
     if (is_end() || is("}") || is("&") || is("\\\\")) expected(what);
     const std::size_t first = at_;
     Read single;
+    if (token().kind == LatexToken::Kind::number) {  // a unit behind \frac23 is not that of the 3
+        has_units_ = false;
+        ExpressionPtr result = number_factor();
+        has_units_ = true;
+        return result;
+    }
     if (!starts_letter(first)) return primary();
     if (!read_nucleus(single)) expected(what);
     return translate(single.letter, first);

@@ -175,6 +175,7 @@ private:
     Tokens tokens_;
     std::size_t at_ = 0;
     int depth_ = 0;
+    bool has_units_ = true;        ///< behind a number
     int magnitudes_ = 0;           ///< open bars: the next one closes
     int brackets_ = 0;             ///< 0: the outermost level, where \quad and commas separate
     Integral* integral_ = nullptr;  ///< the one whose differential may stand here

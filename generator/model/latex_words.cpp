@@ -58,9 +58,52 @@ ExpressionPtr total_differential(const Expression& whole, const std::string& pre
     return total ? total : make_number(0, whole.span);
 }
 
+ExpressionPtr one_less(const ExpressionPtr& e) { return joined(Kind::subtract, e->span, make_number(1, e->span), e); }
+
+/// One where a condition holds and zero elsewhere, but for the border of what it says: (1 + sign(b - a))/2 of a < b.
+ExpressionPtr where_it_holds(const ExpressionPtr& condition) {
+    const Span& span = condition->span;
+    const auto part = [&](std::size_t i) { return where_it_holds(condition->children[i]); };
+    if (condition->name == "both") return joined(Kind::multiply, span, part(0), part(1));
+    if (condition->name == "either") return one_less(joined(Kind::multiply, span, one_less(part(0)), one_less(part(1))));
+    const bool is_less = condition->name == "less" || condition->name == "less_equal";
+    if (!is_less && condition->name != "greater" && condition->name != "greater_equal")
+        fail(Id::not_allowed_here, span, fmt::format("'{}' holds at single points or at all but such; make an entry of its own of what is said there", span.text()));
+    const ExpressionPtr a = in_model_words(condition->children[0]), b = in_model_words(condition->children[1]);
+    const ExpressionPtr sign = call_of(span, "sign", {is_less ? joined(Kind::subtract, span, b, a) : joined(Kind::subtract, span, a, b)});
+    return joined(Kind::divide, span, joined(Kind::add, span, make_number(1, span), sign), make_number(2, span));
+}
+
+/// Whether one of two comparisons holds wherever the other does not.
+bool is_opposite(const Expression& a, const Expression& b) {
+    const auto is = [](const Expression& e, std::string_view name) { return e.name.starts_with(name); };
+    if (a.children.size() != 2 || b.children.size() != 2 || is(a, "both") || is(a, "either")) return false;
+    const auto same = [&](std::size_t i, std::size_t k) { return a.children[i]->written() == b.children[k]->written(); };
+    const bool turned = (is(a, "less") && is(b, "greater")) || (is(a, "greater") && is(b, "less"));
+    return (turned && same(0, 0) && same(1, 1)) || (a.name.substr(0, 4) == b.name.substr(0, 4) && same(0, 1) && same(1, 0));
+}
+
+/// The sum of the values, each where its condition holds. Where none does there is no value: it is divided by how many do.
+ExpressionPtr of_cases(const Expression& e) {
+    const std::size_t pairs = e.children.size() / 2;
+    const bool is_complete = e.children.size() % 2 == 1 || (pairs == 2 && is_opposite(*e.children[1], *e.children[3]));
+    ExpressionPtr total, somewhere;
+    const auto add = [&](const ExpressionPtr& value, const ExpressionPtr& where) {
+        const ExpressionPtr term = joined(Kind::multiply, e.span, in_model_words(value), where);
+        total = total ? joined(Kind::add, e.span, total, term) : term;
+        somewhere = somewhere ? joined(Kind::add, e.span, somewhere, where) : where;
+    };
+    const std::size_t with_condition = e.children.size() % 2 == 1 ? pairs : is_complete ? pairs - 1 : pairs;
+    for (std::size_t i = 0; i < with_condition; ++i) add(e.children[2 * i], where_it_holds(e.children[2 * i + 1]));
+    if (is_complete) add(e.children[2 * with_condition], one_less(somewhere));
+    else total = joined(Kind::divide, e.span, total, somewhere);
+    return total;
+}
+
 }  // namespace
 
 ExpressionPtr in_model_words(const ExpressionPtr& e) {
+    if (e->kind == Kind::call && e->name == "cases") return of_cases(*e);
     auto copy = std::make_shared<Expression>(*e);
     for (std::size_t i = 0; i < copy->children.size(); ++i)
         if (!(e->kind == Kind::call && e->name == "quantity" && i == 1)) copy->children[i] = in_model_words(e->children[i]);
@@ -76,7 +119,7 @@ ExpressionPtr in_model_words(const ExpressionPtr& e) {
     if (e->name == "variation") return total_differential(*copy, "delta_");
     if (e->name == "inner") return joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[1]);
     if (e->name == "norm") return call_of(e->span, "sqrt", {joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[0])});
-    static const std::set<std::string, std::less<>> without_meaning{"product", "trace", "diag", "gradient", "divergence", "curl", "cases", "equal", "not_equal", "less", "less_equal", "greater", "greater_equal", "both", "either"};
+    static const std::set<std::string, std::less<>> without_meaning{"product", "gradient", "divergence", "curl", "equal", "not_equal", "less", "less_equal", "greater", "greater_equal", "both", "either"};
     if (without_meaning.contains(e->name)) fail(Id::not_allowed_here, e->span, fmt::format("'{}' is read, but nothing is made of it yet; write out what it means", e->written()));
     if (e->name == "integral" && e->children.size() != 4) fail(Id::not_allowed_here, e->span, fmt::format("'{}' has no limits that it could be computed for", e->written()));
     return copy;

@@ -45,7 +45,7 @@ public:
     bool is_needed(const Expression& e) {
         bool needed = false;
         for_each(e, [&](const Expression& part) {
-            const bool is_matrix = is_call(part, "matrix") || is_call(part, "vector") || is_call(part, "cross") || is_whole_vector(part);
+            const bool is_matrix = is_call(part, "matrix") || is_call(part, "vector") || is_call(part, "cross") || is_call(part, "diag") || is_whole_vector(part);
             needed = needed || is_matrix || (part.kind == Kind::name && stands_for_matrix(part.name));
         });
         return needed;
@@ -124,7 +124,7 @@ private:
         const auto is_zero_number = [](const MatrixExpression& m) { return m.is_number() && m.entries[0]->kind == Kind::number && is_zero(m.entries[0]->value); };
         if (is_zero_number(b)) return a;
         if (a.rows != b.rows || a.columns != b.columns)
-            fail(Id::wrong_arguments, e->span, fmt::format("'{}' is {} and '{}' is {}; the two must agree", e->children[0]->written(), size_text(a), e->children[1]->written(), size_text(b)));
+            fail(Id::size_mismatch, e->span, fmt::format("'{}' is {} and '{}' is {}; the two must agree", e->children[0]->written(), size_text(a), e->children[1]->written(), size_text(b)));
         MatrixExpression result{a.rows, a.columns, {}};
         for (std::size_t i = 0; i < a.entries.size(); ++i) result.entries.push_back(with_children(*e, {a.entries[i], b.entries[i]}));
         return result;
@@ -141,7 +141,7 @@ private:
         if (a.is_number()) return scaled(b, a.entries[0], true);
         if (b.is_number()) return scaled(a, b.entries[0], false);
         if (a.columns != b.rows)
-            fail(Id::wrong_arguments, e.span, fmt::format("'{}' is {} and '{}' is {}: the product needs as many rows of the second as the first has columns", e.children[0]->written(), size_text(a), e.children[1]->written(), size_text(b)));
+            fail(Id::size_mismatch, e.span, fmt::format("'{}' is {} and '{}' is {}: the product needs as many rows of the second as the first has columns", e.children[0]->written(), size_text(a), e.children[1]->written(), size_text(b)));
         MatrixExpression result{a.rows, b.columns, {}};
         for (std::size_t i = 0; i < a.rows; ++i)
             for (std::size_t j = 0; j < b.columns; ++j) {
@@ -173,6 +173,8 @@ private:
             return result;
         }
         if (e->name == "transpose") return takes(1), transposed(argument(0));
+        if (e->name == "trace") return takes(1), number(trace(*e, square(*e, argument(0))));
+        if (e->name == "diag") return diagonal(*e);
         if (e->name == "det") return takes(1), number(determinant(*e, square(*e, argument(0))));
         if (e->name == "inverse") return takes(1), inverse(*e, square(*e, argument(0)));
         if (e->name == "cross") return takes(2), cross(*e, argument(0), argument(1));
@@ -206,6 +208,23 @@ private:
         constexpr std::size_t largest = 5;
         if (m.rows != m.columns || m.rows > largest) fail(Id::wrong_arguments, e.span, fmt::format("'{}' takes a square matrix of at most {} rows, here it has one that is {}", e.name, largest, size_text(m)));
         return m;
+    }
+
+    static ExpressionPtr trace(const Expression& e, const MatrixExpression& m) {
+        ExpressionPtr total = m.at(0, 0);
+        for (std::size_t i = 1; i < m.rows; ++i) total = made(Kind::add, e.span, {total, m.at(i, i)});
+        return total;
+    }
+
+    /// diag(a, b, c), also with brackets that LaTeX reads as a row.
+    MatrixExpression diagonal(const Expression& e) {
+        const bool is_row = e.children.size() == 1 && is_call(*e.children[0], "row");
+        const std::vector<ExpressionPtr>& entries = is_row ? e.children[0]->children : e.children;
+        if (entries.empty() || entries.size() * entries.size() > most_entries) fail(Id::wrong_arguments, e.span, "a diagonal has entries, as in 'diag(a, b, c)'");
+        MatrixExpression result{entries.size(), entries.size(), {}};
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            for (std::size_t k = 0; k < entries.size(); ++k) result.entries.push_back(i == k ? scalar(entries[i]) : make_number(0, e.span));
+        return result;
     }
 
     static MatrixExpression minor(const MatrixExpression& m, std::size_t row, std::size_t column) {
@@ -271,7 +290,7 @@ void take_apart(const Equation& equation, const std::vector<MatrixExpression>& s
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const bool is_zero_number = sides[i].is_number() && sides[i].entries[0]->kind == Kind::number && is_zero(sides[i].entries[0]->value);
         if (!is_zero_number && (sides[i].rows != largest->rows || sides[i].columns != largest->columns))
-            fail(Id::wrong_arguments, equation.sides[i]->span, fmt::format("'{}' is {}, but another side of the equation is {}", equation.sides[i]->written(), size_text(sides[i]), size_text(*largest)));
+            fail(Id::size_mismatch, equation.sides[i]->span, fmt::format("'{}' is {}, but another side of the equation is {}", equation.sides[i]->written(), size_text(sides[i]), size_text(*largest)));
     }
     for (std::size_t k = 0; k < largest->entries.size(); ++k) {
         Equation one{{}, equation.span};
@@ -302,6 +321,18 @@ std::vector<Equation> without_matrices(const std::vector<Equation>& equations, s
         if (matrices.is_needed(*letter.value)) letters.back().value = matrices.value(letter.value).entries[0];
     }
     return result;
+}
+
+void take_matrices_apart(PrintedEquation& printed) {
+    printed.letters = printed.shown_letters;
+    try {
+        printed.equations = without_matrices(printed.shown, printed.letters);
+    } catch (const Failure& failure) {
+        if (failure.diagnostics().front().id != Id::size_mismatch) throw;
+        printed.sizes = failure.diagnostics().front().message;
+        printed.equations.clear();
+        printed.letters.clear();
+    }
 }
 
 }  // namespace dalembert

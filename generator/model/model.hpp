@@ -187,6 +187,7 @@ struct PrintedEquation : Item {
     std::vector<Equation> solved;       ///< the equations give letters what they stand for, and these are what has to hold then
     std::optional<Unit> number_unit;    ///< a side that is a number alone is a value in this unit, to the digits that are printed
     std::optional<Verdict> expected;
+    std::string sizes;                  ///< why nothing could be taken apart: sizes of matrices that do not fit
 };
 
 struct Plot {

@@ -87,7 +87,7 @@ void read(const Entry& e, PrintedEquation& printed) {
     printed.shown = printed.equations;
     printed.shown_letters = printed.letters;
     try {
-        printed.equations = without_matrices(printed.shown, printed.letters);
+        take_matrices_apart(printed);
     } catch (const Failure& failure) {
         for (const Diagnostic& d : failure.diagnostics()) e.error(d.id, d.span, d.message);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/equivalence.hpp"
 
+#include <fmt/format.h>
+
 #include "prove/normal_form.hpp"
 
 namespace dalembert {
@@ -110,18 +112,21 @@ Comparison Prover::equal_under_waves(const ex& a, const ex& b) {
 
 Comparison Prover::compare_at_points(const Evaluation& evaluate, const ex& a, const ex& b) const {
     RandomPoints points(system_);
-    int valid = 0;
+    int valid = 0, one_sided = 0;
     for (int i = 0; i < most_points && valid < needed_points; ++i) {
         const Point point = points.next();
         const auto sign = [&](const ex& e) { return sign_at([&](int digits) { return evaluate(e, point, digits); }); };
         const Sign left = sign(a);
         const Sign right = sign(b);
         const Sign difference = sign(a - b);
+        if ((left == Sign::none) != (right == Sign::none)) ++one_sided;
         if (left == Sign::none || right == Sign::none || difference == Sign::none) continue;
         if (difference == Sign::not_zero) return {Verdict::wrong, {}, point};
         if (left == Sign::not_zero || right == Sign::not_zero) ++valid;
     }
-    if (valid < needed_points) return {Verdict::not_checkable, "needs points at which a side is not zero"};
+    if (valid < needed_points && one_sided > 0) return {Verdict::not_checkable, fmt::format("at {} of {} random points one side has no real value and the other has: a range for the letters would say where it is meant", one_sided, most_points)};
+    if (valid < needed_points) return {Verdict::not_checkable, fmt::format("at {} random points, both sides have a real value that is not zero at {} only; {} are needed", most_points, valid, needed_points)};
+    if (one_sided > 0) return {Verdict::numerically_equal, fmt::format("where both sides are real; at {} more random points only one of them is", one_sided)};
     return {Verdict::numerically_equal};
 }
 

@@ -172,6 +172,10 @@ Verdict PrintedCheck::verdict() const {
 
 PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& entry) {
     PrintedCheck result{entry, {}};
+    if (!entry.item->sizes.empty()) {
+        result.equations.push_back({std::string(entry.item->shown.front().span.text()), {Verdict::dimensionally_wrong, entry.item->sizes}});
+        return result;
+    }
     const Indices indices = Translator::indices_of(entry);
     const PrintedEquation checked = with_solution_inserted(*entry.item);
     std::optional<EntryCheck> check;

@@ -24,6 +24,12 @@ bool without_failing(Work work) {
     }
 }
 
+/// a = a is right, but nobody meant it.
+bool says_nothing(const Equation& equation) {
+    const std::string first = in_model_language(*equation.sides[0]);
+    return std::any_of(equation.sides.begin() + 1, equation.sides.end(), [&](const ExpressionPtr& side) { return in_model_language(*side) == first; });
+}
+
 }  // namespace
 
 std::vector<KnownLetter> known_letters(const System& system, const PrintedEquation& entry) {
@@ -40,6 +46,7 @@ std::vector<KnownLetter> known_letters(const System& system, const PrintedEquati
 
 PrintedEquation with_equation(const PrintedEquation& entry, std::size_t which, const Equation& equation) {
     PrintedEquation other = entry;
+    other.sizes.clear();
     other.shown[which] = equation;
     other.letters = other.shown_letters;
     other.equations = without_matrices(other.shown, other.letters);
@@ -60,6 +67,7 @@ std::optional<Suggestion> suggest(const System& system, const Member<PrintedEqua
     std::size_t tried = 0;
     for (const auto& [which, slip] : slips_in(system, *entry.item)) {
         if (++tried > most_candidates) break;
+        if (says_nothing(slip.equation)) continue;
         const bool mends = without_failing([&] {
             const PrintedEquation mended = with_equation(*entry.item, which, slip.equation);
             const Member<PrintedEquation> member{&mended, entry.index};

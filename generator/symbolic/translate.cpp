@@ -200,41 +200,26 @@ ex Translator::integrand(const Expression& e, const ex& variable, const Indices&
     return function.subs(outside == variable, GiNaC::subs_options::no_pattern);
 }
 
-namespace {
-
-/// Whether the integrand surely has a pole between two places: the zero of a denominator that is linear in the variable lies between them.
-bool has_pole_between(const ex& integrand, const ex& variable, const ex& from, const ex& to) {
-    const auto is_negative = [](const ex& e) { return (-e).info(GiNaC::info_flags::positive) || e.info(GiNaC::info_flags::negative); };
-    for (auto part = integrand.preorder_begin(); part != integrand.preorder_end(); ++part) {
-        if (!GiNaC::is_a<GiNaC::power>(*part) || !part->op(0).has(variable) || !part->op(1).info(GiNaC::info_flags::numeric)) continue;
-        if (GiNaC::ex_to<numeric>(part->op(1)) > -1) continue;
-        const ex base = part->op(0).expand();
-        if (base.degree(variable) != 1 || base.coeff(variable, 1).has(variable)) continue;
-        const ex low = base.subs(variable == from).expand(), high = base.subs(variable == to).expand();
-        const bool rises = (is_negative(low) || low.is_zero()) && (high.info(GiNaC::info_flags::positive) || high.is_zero());
-        const bool falls = (is_negative(high) || high.is_zero()) && (low.info(GiNaC::info_flags::positive) || low.is_zero());
-        if (rises || falls) return true;
-    }
-    return false;
-}
-
-}  // namespace
-
 ex Translator::integral(const Expression& e, const Indices& indices, const Letters& letters) const {
     const GiNaC::realsymbol variable(e.children[1]->name);
     const ex function = integrand(e, variable, indices, letters);
-    if (infinite(*e.children[2]) == 0 && infinite(*e.children[3]) == 0 && has_pole_between(function, variable, visit(*e.children[2], indices, letters), visit(*e.children[3], indices, letters)))
-        fail(Id::cannot_integrate, e, fmt::format("'{}' has a pole between the limits, so that the integral has no value", e.children[0]->written()));
     const auto primitive = integrate(function, variable);
     if (!primitive) fail(Id::cannot_integrate, e, fmt::format("the integral of '{}' is not one that the program can find", e.children[0]->written()));
-    const auto at = [&](const Expression& end) { return infinite(end) != 0 ? limit(e, *primitive, variable, end, indices, letters) : primitive->subs(variable == visit(end, indices, letters)); };
-    return at(*e.children[3]) - at(*e.children[2]);
+    DefiniteIntegral found{function, variable, 0, 0, infinite(*e.children[2]), infinite(*e.children[3]), 0};
+    const auto at = [&](const Expression& end, int infinite, ex& place) {
+        if (infinite != 0) return limit(e, *primitive, variable, infinite, 0);
+        place = visit(end, indices, letters);
+        return primitive->subs(variable == place);
+    };
+    found.value = at(*e.children[3], found.infinite_to, found.to) - at(*e.children[2], found.infinite_from, found.from);
+    if (is_integral_ && !is_integral_(found))
+        fail(Id::cannot_integrate, e, fmt::format("'{}' has a pole between the limits, or its primitive jumps there, so that the integral has no value or another one", e.children[0]->written()));
+    return found.value;
 }
 
-ex Translator::limit(const Expression& e, const ex& function, const ex& variable, const Expression& place, const Indices& indices, const Letters& letters) const {
+ex Translator::limit(const Expression& e, const ex& function, const ex& variable, int infinite, const ex& place) const {
     const ex written_out = symbols_.without_definitions(function);
-    const int sign = infinite(place);
-    const auto found = sign != 0 ? limit_at_infinity(written_out, variable_of(e, variable), sign) : limit_at(written_out, variable_of(e, variable), visit(place, indices, letters));
+    const auto found = infinite != 0 ? limit_at_infinity(written_out, variable_of(e, variable), infinite) : limit_at(written_out, variable_of(e, variable), place);
     if (!found) fail(Id::cannot_integrate, e, fmt::format("the limit of '{}' is not one that the program can find", e.children[0]->written()));
     return *found;
 }
@@ -250,7 +235,10 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
     if (e.name == "diff") return slope(e, part(0), part(1));
     if (e.name == "integral") return integral(e, indices, letters);
     if (e.name == "quantity") return visit(*to_si(e.children[0], evaluate_unit(*e.children[1])), indices, letters);
-    if (e.name == "limit") return limit(e, part(0), part(1), *e.children[2], indices, letters);
+    if (e.name == "limit") {
+        const int sign = infinite(*e.children[2]);
+        return limit(e, part(0), part(1), sign, sign != 0 ? ex(0) : part(2));
+    }
     if (e.name == "at" && part(1).is_equal(symbols_.time()) && !symbols_.time_derivative(part(0)).is_equal(partial(part(0), part(1))))
         fail(Id::cannot_integrate, e, fmt::format("'{}' depends on time through what moves, so that its value at one time is not known", e.children[0]->written()));
     if (e.name == "at") return symbols_.without_definitions(part(0)).subs(variable_of(e, part(1)) == part(2), GiNaC::subs_options::no_pattern);

@@ -21,6 +21,15 @@ inline SpaceVector partial(const SpaceVector& v, const GiNaC::ex& symbol) {
     return {partial(v[0], symbol), partial(v[1], symbol), partial(v[2], symbol)};
 }
 
+/// What was found for one; an end may lie at infinity, 1 or -1, and is zero then.
+struct DefiniteIntegral {
+    GiNaC::ex function;
+    GiNaC::ex variable;
+    GiNaC::ex from, to;
+    int infinite_from, infinite_to;
+    GiNaC::ex value;
+};
+
 class Translator {
 public:
     /// Gives kinetic_energy, mass_matrix[...] and the like their meaning. Bodies and coordinates in it are resolved with `indices`.
@@ -32,6 +41,8 @@ public:
     /// Forgets definitions that were inserted before temperatures were found.
     void forget() const { inserted_.clear(); }
     void set_quantities(Quantities quantities) { quantities_ = std::move(quantities); }
+    /// Asked of every definite integral that an expression names, whether it has the value that its primitive gives.
+    void set_integral_check(std::function<bool(const DefiniteIntegral&)> check) { is_integral_ = std::move(check); }
 
     /// Throws Failure (index-out-of-range, division-by-zero, number-too-large, cannot-integrate).
     GiNaC::ex operator()(const Expression& e, const Indices& indices, const Letters& letters = {}) const;
@@ -60,7 +71,8 @@ private:
     GiNaC::ex slope(const Expression& e, const GiNaC::ex& function, const GiNaC::ex& variable) const;
     GiNaC::ex integrand(const Expression& e, const GiNaC::ex& variable, const Indices& indices, const Letters& letters) const;
     GiNaC::ex integral(const Expression& e, const Indices& indices, const Letters& letters) const;
-    GiNaC::ex limit(const Expression& e, const GiNaC::ex& function, const GiNaC::ex& variable, const Expression& place, const Indices& indices, const Letters& letters) const;
+    /// At infinity for 1 and -1, else at the place.
+    GiNaC::ex limit(const Expression& e, const GiNaC::ex& function, const GiNaC::ex& variable, int infinite, const GiNaC::ex& place) const;
     GiNaC::ex sum(const Expression& e, const Indices& indices, const Letters& letters) const;
     GiNaC::ex power(const Expression& e, const GiNaC::ex& base, const GiNaC::ex& exponent) const;
     int member_index(const Expression& e, const Item& item, const Indices& indices) const;
@@ -69,6 +81,7 @@ private:
     const Names& names_;
     const Symbols& symbols_;
     Quantities quantities_;
+    std::function<bool(const DefiniteIntegral&)> is_integral_;
     mutable std::map<std::pair<const Definition*, int>, GiNaC::ex> inserted_;
 };
 

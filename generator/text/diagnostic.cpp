@@ -35,6 +35,7 @@ constexpr std::array kinds{
     DiagnosticKind{Id::not_allowed_here, "not-allowed-here", "an expression that depends on what it must not depend on"},
     DiagnosticKind{Id::unknown_unit, "unknown-unit", "a unit that is not known"},
     DiagnosticKind{Id::unit_mismatch, "unit-mismatch", "two sides whose units do not agree"},
+    DiagnosticKind{Id::size_mismatch, "size-mismatch", "matrices whose sizes do not fit"},
     DiagnosticKind{Id::value_out_of_range, "value-out-of-range", "a value outside its declared range"},
     DiagnosticKind{Id::unknown_effect, "unknown-effect", "an effect that [effects] does not declare"},
     DiagnosticKind{Id::unknown_scene, "unknown-scene", "a scene that [scenes] does not name"},

@@ -37,6 +37,7 @@ enum class Id {
     not_allowed_here,
     unknown_unit,
     unit_mismatch,
+    size_mismatch,
     value_out_of_range,
     unknown_effect,
     unknown_scene,

@@ -141,6 +141,19 @@ private:
     /// h times the spectral radius up to which an explicit method is stable on the negative real axis, a little less.
     Scalar limit() const { return explicit_kind() == Memory::dop853 ? Scalar(5) : Scalar(28) / Scalar(10); }
 
+    /// How many explicit steps cost as much as an implicit one: four, or more where linear systems are what takes the time. Entries of a Jacobian
+    /// tell how long the right-hand side is: some eight operations each.
+    static constexpr double explicit_steps_for_one() {
+        if constexpr (has_implicit) {
+            constexpr double stages = 8, explicit_stages = 6, operations = 8;
+            constexpr std::size_t entries = entries_of<typename Derivatives::Pattern>(Derivatives::states);
+            const double systems = SquareMatrix<Scalar, typename Derivatives::Pattern, Derivatives::states>::multiplications(stages) / (operations * static_cast<double>(entries + 1));
+            return std::max(4.0, (2 * stages + systems) / explicit_stages);
+        } else {
+            return 4;
+        }
+    }
+
     void reconsider(const Point<State>& from) {
         if (all_ >= long_window) {
             if (memory_.kind == Memory::dop853 && 2 * good_ < all_) {
@@ -170,8 +183,8 @@ private:
             take_up(Memory::rodas5p);
             often_ = 0;
         } else {
-            // An implicit step costs about as much as four explicit ones. Where it is not worth that, it is not tried again so soon.
-            often_ = reach > Scalar(4) * limit() ? 0 : often_ + 1;
+            // Where an implicit step is not worth what it costs, it is not tried again so soon.
+            often_ = reach > Scalar(explicit_steps_for_one()) * limit() ? 0 : often_ + 1;
             if (often_ < 2) return;
             if (reach > limit()) memory_.patience = std::min<std::size_t>(4 * memory_.patience, 1000);
             take_up(explicit_kind());

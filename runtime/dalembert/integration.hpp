@@ -19,7 +19,7 @@ class Integration : RunState<StateOfRun, Rhs, Observer, Guards, G> {
     using Run = RunState<StateOfRun, Rhs, Observer, Guards, G>;
     using typename Run::Try;
     using Run::x_, Run::dxdt_, Run::t_, Run::from_, Run::to_, Run::options_, Run::control_, Run::outcome_, Run::events_, Run::observe_, Run::stepper_, Run::is_anew_;
-    using Run::evaluate, Run::end, Run::end_at, Run::end_not_finite, Run::stop, Run::observe, Run::here, Run::try_step, Run::accept, Run::is_cut, Run::keeps_rest, Run::pass_event;
+    using Run::evaluate, Run::end, Run::end_at, Run::end_not_finite, Run::stop, Run::observe, Run::here, Run::try_step, Run::accept, Run::is_cut, Run::keeps_rest, Run::pass_event, Run::pass_kink;
 
 public:
     using typename Run::State;
@@ -110,7 +110,8 @@ private:
         std::size_t next = next_;
         while (next <= options_.intervals) {
             Try c;
-            Status status = acceptable_step(h, dense ? to_ : control_.output_time(next), c);
+            const auto kink = control_.next_kink(t_);
+            Status status = acceptable_step(h, std::min(dense ? to_ : control_.output_time(next), kink.before), c);
             if (status != Status::success) return stop(status);
             for (; next <= options_.intervals && control_.output_time(next) < c.end; ++next) {
                 State x;
@@ -122,6 +123,10 @@ private:
             observe_up_to_now(next);
             status = pass_event();
             if (status != Status::success) return stop(status);
+            if (t_ == kink.before && t_ < to_) {
+                pass_kink(kink.behind);
+                observe_up_to_now(next);
+            }
             if (!are_finite(x_, dxdt_)) return end_not_finite(Scalar(0));
             if (!is_anew_) continue;
             h = control_.first(x_, dxdt_, stepper_->order());

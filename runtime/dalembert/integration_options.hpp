@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 namespace dalembert {
 inline namespace v1 {
@@ -43,6 +44,8 @@ struct IntegrationOptions {
     Scalar step = Scalar(0);          ///< s; of all steps that are fixed, or the first of the others; 0: chosen
     bool is_fixed = false;            ///< no step is rejected, and all between two output points are as long as `step`, or a little shorter
     Scalar max_step = Scalar(0);      ///< s; the longest step, so that no short pulse is stepped over; 0: as long as the run
+    /// s, rising; times at which the right-hand side is known to have a kink or jump, as an input may: no controlled step reaches across one.
+    std::vector<Scalar> kinks = {};
     std::size_t order = 0;            ///< of Method::taylor; 0: from the tolerance
     std::size_t intervals = 1;        ///< the observer sees the two ends and the points that divide the run into so many parts
     std::size_t max_steps = 100000000;

@@ -51,6 +51,18 @@ constexpr Bandwidth bandwidth(std::size_t n) noexcept {
     return band;
 }
 
+/// How many entries of a square pattern with n columns may be other than zero.
+template <class Pattern>
+constexpr std::size_t entries_of(std::size_t n) noexcept {
+    if constexpr (Pattern::is_sparse) {
+        return Pattern::column_starts[n];
+    } else {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < n * n; ++i) count += may_be_nonzero<Pattern>(i / n, i % n) ? 1 : 0;
+        return count;
+    }
+}
+
 /// Straight-line code for a pattern is worth its bytes up to so many states and operations.
 template <class Pattern, std::size_t n>
 constexpr bool is_unrolled() noexcept {
@@ -68,6 +80,13 @@ struct SquareMatrix {
     /// So that everything stays well within the usual stack of 8 MB.
     static constexpr bool fits = (is_band ? band.height() : n) * n * sizeof(Scalar) <= std::size_t(2) << 20;
     using Looped = std::conditional_t<is_band, BandLu<Scalar, n, is_band ? band.lower : 0, is_band ? band.upper : 0>, DenseLu<Scalar, is_band ? 0 : n>>;
+    /// Multiplications to factor it and to solve with it so many times.
+    static constexpr double multiplications(double solutions) noexcept {
+        constexpr double rows = static_cast<double>(n), below = static_cast<double>(band.lower), width = static_cast<double>(band.lower + band.upper);
+        if constexpr (is_unrolled<Pattern, n>()) return static_cast<double>(EliminationPlan<Pattern, n>::updates) + solutions * static_cast<double>(EliminationPlan<Pattern, n>::entries);
+        else if constexpr (is_band) return rows * (below * width + solutions * (below + width));
+        else return rows * rows * (rows / 3 + solutions);
+    }
     using type = std::conditional_t<is_unrolled<Pattern, n>(), PatternLu<Scalar, Pattern, n>, Looped>;
 };
 

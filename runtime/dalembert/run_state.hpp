@@ -173,6 +173,15 @@ protected:
         dxdt_ = dxdt;
     }
 
+    /// From just before a kink that is known to just behind it.
+    void pass_kink(Scalar behind) {
+        State x;
+        for (std::size_t i = 0; i < x_.size(); ++i) x[i] = x_[i] + (behind - t_) * dxdt_[i];
+        move(behind, x);
+        control_.forget();
+        evaluate(x_, t_, dxdt_);
+    }
+
     /// At the end of a step that was cut for an event: ends the run there, or starts anew behind it.
     Status pass_event() {
         if (is_broken()) return Status::constraint_broken;

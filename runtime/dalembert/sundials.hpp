@@ -108,13 +108,29 @@ public:
         if (outcome.status != Status::success) return outcome;
         State at = start_;
         observe(from_, at);
-        for (std::size_t i = 1; to_ > from_ && i <= options_.intervals; ++i) {
+        auto kink = control.next_kink(from_);
+        if (to_ > from_ && !stop_at(kink.before)) outcome.status = Status::bad_options;
+        Outcome before_kink;
+        for (std::size_t i = 1; to_ > from_ && outcome.status == Status::success && i <= options_.intervals; ++i) {
             realtype t = from_;
             culprit_ = n;
             const realtype target = control.output_time(i);
-            const std::size_t taken = outcome.steps + outcome.rejected;
-            int flag = taken < options_.max_steps ? advance(target, t, static_cast<long>(std::min(options_.max_steps - taken, std::size_t(1000000000)))) : CV_TOO_MUCH_WORK;
-            count(outcome);
+            const auto go_to = [&](realtype end) {
+                const std::size_t taken = outcome.steps + outcome.rejected;
+                const int flag = taken < options_.max_steps ? advance(end, t, static_cast<long>(std::min(options_.max_steps - taken, std::size_t(1000000000)))) : CV_TOO_MUCH_WORK;
+                count(outcome, before_kink);
+                return flag;
+            };
+            int flag = CV_SUCCESS;
+            while (flag >= 0 && kink.before < target && kink.before < to_) {
+                flag = go_to(kink.before);
+                if (flag < 0) break;
+                before_kink = outcome;
+                t = kink.behind;
+                kink = control.next_kink(t);
+                flag = restart(t) && stop_at(kink.before) ? CV_SUCCESS : CV_ILL_INPUT;
+            }
+            if (flag >= 0 && t < target) flag = go_to(target);
             std::copy_n(N_VGetArrayPointer(x), n, at.begin());
             outcome.status = status_of_sundials(flag);
             outcome.t = flag >= 0 ? target : t;
@@ -173,14 +189,14 @@ private:
             nonlinear = SUNNonlinSol_FixedPoint(x, 0, context);
             if (nonlinear == nullptr || CVodeSetNonlinearSolver(cvode, nonlinear) != 0) return false;
         }
-        return CVodeSetInitStep(cvode, options_.step) == 0 && CVodeSetMaxStep(cvode, options_.max_step) == 0 && CVodeSetMinStep(cvode, least_) == 0 && CVodeSetStopTime(cvode, to_) == 0;
+        return CVodeSetInitStep(cvode, options_.step) == 0 && CVodeSetMaxStep(cvode, options_.max_step) == 0 && CVodeSetMinStep(cvode, least_) == 0;
     }
 
     bool prepare_erk(ARKODE_ERKTableID table) {
         erk = ERKStepCreate(rhs, from_, x, context);
         if (erk == nullptr || ERKStepSetErrHandlerFn(erk, say_nothing_of_sundials, nullptr) != 0) return false;
         return ERKStepSVtolerances(erk, options_.tolerance, tolerances) == 0 && ERKStepSetUserData(erk, this) == 0 && ERKStepSetTableNum(erk, table) == 0 &&
-               ERKStepSetInitStep(erk, options_.step) == 0 && ERKStepSetMaxStep(erk, options_.max_step) == 0 && ERKStepSetMinStep(erk, least_) == 0 && ERKStepSetStopTime(erk, to_) == 0;
+               ERKStepSetInitStep(erk, options_.step) == 0 && ERKStepSetMaxStep(erk, options_.max_step) == 0 && ERKStepSetMinStep(erk, least_) == 0;
     }
 
     bool prepare_ark(ARKODE_DIRKTableID table) {
@@ -189,7 +205,7 @@ private:
         // Polynomials through derivatives would carry errors of fast parts into the outputs.
         return ARKStepSetInterpolantType(ark, ARK_INTERP_LAGRANGE) == 0 && ARKStepSVtolerances(ark, options_.tolerance, tolerances) == 0 && ARKStepSetUserData(ark, this) == 0 && ARKStepSetTableNum(ark, table, ARKODE_ERK_NONE) == 0 &&
                ARKStepSetLinearSolver(ark, linear, matrix) == 0 && ARKStepSetJacFn(ark, jacobian) == 0 && ARKStepSetInitStep(ark, options_.step) == 0 &&
-               ARKStepSetMaxStep(ark, options_.max_step) == 0 && ARKStepSetMinStep(ark, least_) == 0 && ARKStepSetStopTime(ark, to_) == 0;
+               ARKStepSetMaxStep(ark, options_.max_step) == 0 && ARKStepSetMinStep(ark, least_) == 0;
     }
 
     /// Up to an output point, by the dense output of the formulas.
@@ -199,14 +215,28 @@ private:
         return ARKStepSetMaxNumSteps(ark, most_steps) == 0 ? ARKStepEvolve(ark, target, x, &t, ARK_NORMAL) : ARK_ILL_INPUT;
     }
 
-    void count(Outcome& outcome) const {
+    /// Anew from where x is now. Formulas that remember several steps begin with the first order.
+    bool restart(realtype t) {
+        if (cvode != nullptr) return CVodeReInit(cvode, t, x) == 0;
+        if (erk != nullptr) return ERKStepReInit(erk, rhs, t, x) == 0;
+        return ARKStepReInit(ark, nullptr, rhs, t, x) == 0;
+    }
+    /// No step reaches beyond it.
+    bool stop_at(realtype t) {
+        if (cvode != nullptr) return CVodeSetStopTime(cvode, t) == 0;
+        if (erk != nullptr) return ERKStepSetStopTime(erk, t) == 0;
+        return ARKStepSetStopTime(ark, t) == 0;
+    }
+
+    /// Counts begin anew behind kinks.
+    void count(Outcome& outcome, const Outcome& before) const {
         long steps = 0, errors = 0, calls = 0, implicit_calls = 0;
         if (cvode != nullptr) CVodeGetNumSteps(cvode, &steps), CVodeGetNumErrTestFails(cvode, &errors), CVodeGetNumRhsEvals(cvode, &calls);
         if (erk != nullptr) ERKStepGetNumSteps(erk, &steps), ERKStepGetNumErrTestFails(erk, &errors), ERKStepGetNumRhsEvals(erk, &calls);
         if (ark != nullptr) ARKStepGetNumSteps(ark, &steps), ARKStepGetNumErrTestFails(ark, &errors), ARKStepGetNumRhsEvals(ark, &calls, &implicit_calls);
-        outcome.steps = static_cast<std::size_t>(steps);
-        outcome.rejected = static_cast<std::size_t>(errors);
-        outcome.rhs_calls = static_cast<std::size_t>(calls + implicit_calls);
+        outcome.steps = before.steps + static_cast<std::size_t>(steps);
+        outcome.rejected = before.rejected + static_cast<std::size_t>(errors);
+        outcome.rhs_calls = before.rhs_calls + static_cast<std::size_t>(calls + implicit_calls);
     }
 
     static State state_of(N_Vector vector) {
@@ -256,7 +286,7 @@ private:
 /// As `integrate` without guards, with what SUNDIALS takes: rhs(x, t, dxdt), derivatives as of Method::rodas5p, of the options the tolerance
 /// with its scales (of state i the allowed error is tolerance (|x_i| + scale_i), in the mean square of all states), output points, the
 /// first and the longest step, and the number of steps. `x` is afterwards the state at the last output point that was reached; the time of
-/// an outcome that is no success is that of the step that failed, or of a stage of it. No step reaches beyond `to`.
+/// an outcome that is no success is that of the step that failed, or of a stage of it. No step reaches beyond `to` or across a kink of the options.
 template <class State, class Rhs, class Derivatives, class Observer>
 Outcome integrate_with_sundials(SundialsMethod method, Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options,
                                 Observer&& observe) {

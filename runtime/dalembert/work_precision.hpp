@@ -74,6 +74,7 @@ void set_request(Options& options, const RunRequest& request, const Scales& scal
     options.step = Scalar(request.step);
     options.is_fixed = request.step > 0;
     options.intervals = request.points;
+    options.kinks = Problem::kinks();
     if (has_jumps<typename Problem::System>()) options.max_step = Scalar(Problem::until / static_cast<double>(request.points));
     std::copy(scales.begin(), scales.end(), options.scale.begin());
     options.scale.back() = std::numeric_limits<Scalar>::max() / Scalar(1e10);  // the work is looked at, and shortens no step

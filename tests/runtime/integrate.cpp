@@ -65,6 +65,47 @@ TEST_CASE("a largest step does not step over a pulse, and bad options are refuse
     CHECK(integrate(pulse, x, 0.0, 100.0, options, [](double, const One&) {}).status == Status::bad_options);
 }
 
+TEST_CASE("no controlled step reaches across a kink that is known, and output points on it are observed once") {
+    using One = std::array<double, 1>;
+    // A pulse of cos t from 0.3 to 0.7, where output points lie, and a corner at 0.55, where none lies.
+    const auto pulse = [](const One&, double t, One& dxdt) { dxdt[0] = (t > 0.3 && t < 0.7 ? std::cos(t) : 0.0) + std::max(t - 0.55, 0.0); };
+    const auto exact = [](double t) { return std::sin(std::clamp(t, 0.3, 0.7)) - std::sin(0.3) + (t > 0.55 ? (t - 0.55) * (t - 0.55) / 2 : 0.0); };
+    for (const Method method : {Method::automatic, Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78, Method::bulirsch_stoer}) {
+        CAPTURE(static_cast<int>(method));
+        std::size_t steps = 0;
+        for (const bool is_known : {false, true}) {
+            IntegrationOptions<One> options;
+            options.method = method;
+            options.tolerance = 1e-12;
+            options.intervals = 10;
+            options.max_step = 0.05;
+            if (is_known) options.kinks = {0.3, 0.55, 0.7};
+            One x{0};
+            std::vector<double> times;
+            double error = 0;
+            const Outcome outcome = integrate(pulse, x, 0.0, 1.0, options, [&](double t, const One& at) {
+                times.push_back(t);
+                error = std::max(error, std::abs(at[0] - exact(t)));
+            });
+            CHECK(outcome.status == Status::success);
+            REQUIRE(times.size() == 11);
+            CHECK(std::is_sorted(times.begin(), times.end()));
+            CHECK(times[3] == doctest::Approx(0.3).epsilon(1e-15));
+            if (is_known) {
+                CHECK(error < 1e-11);
+                CHECK(outcome.rejected <= 1);
+                CHECK(outcome.steps < steps);
+            }
+            steps = outcome.steps + outcome.rejected;
+        }
+    }
+    IntegrationOptions<One> outside;  // kinks at the ends and beyond change nothing
+    outside.kinks = {-1, 0, 1, 2};
+    One x{0};
+    CHECK(integrate(pulse, x, 0.0, 1.0, outside, [](double, const One&) {}).status == Status::success);
+    CHECK(x[0] == doctest::Approx(exact(1)).epsilon(1e-7));
+}
+
 TEST_CASE("measured order of the steppers") {
     CHECK(measured_order(Method::euler, 1000) == doctest::Approx(1).epsilon(0.02));
     CHECK(measured_order(Method::rk4, 100) == doctest::Approx(4).epsilon(0.02));

@@ -74,6 +74,32 @@ TEST_CASE("an oscillator keeps to the tolerance with every method, at fifty outp
     }
 }
 
+TEST_CASE("no step reaches across a kink that is known") {
+    using One = std::array<double, 1>;
+    const auto pulse = [](const One&, double t, One& dxdt) { dxdt[0] = t > 0.31 && t < 0.7 ? std::cos(t) : 0.0; };
+    const auto exact = [](double t) { return std::sin(std::clamp(t, 0.31, 0.7)) - std::sin(0.31); };
+    for (const SundialsMethod method : methods) {
+        CAPTURE(static_cast<int>(method));
+        auto derivatives = dalembert::derivatives<One>([](const One&, double, std::array<double, 1>& J) { J = {0}; }, [](const One&, double, One& dfdt) { dfdt.fill(0); });
+        IntegrationOptions<One> options;
+        options.tolerance = 1e-8;
+        options.intervals = 10;
+        options.max_step = 0.05;
+        options.kinks = {0.31, 0.7};
+        One x{0};
+        double error = 0;
+        std::size_t seen = 0;
+        const Outcome outcome = integrate_with_sundials(method, pulse, derivatives, x, 0.0, 1.0, options, [&](double t, const One& at) {
+            ++seen;
+            error = std::max(error, std::fabs(at[0] - exact(t)));
+        });
+        CHECK(outcome.status == Status::success);
+        CHECK(seen == 11);
+        CHECK(outcome.steps > 20);
+        CHECK(error < 1e-6);
+    }
+}
+
 TEST_CASE("a stiff linear system: the Jacobian is used, and steps are as long as the slow part allows") {
     // dx/dt = -1e6 (x - cos t) - sin t, dy/dt = -y: x = cos t, y = exp(-t).
     const auto rhs = [](const Two& x, double t, Two& dxdt) { dxdt = {-1e6 * (x[0] - std::cos(t)) - std::sin(t), -x[1]}; };

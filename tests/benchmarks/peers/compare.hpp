@@ -98,6 +98,7 @@ private:
         options.tolerance = Scalar(tolerance);
         options.scale = scale_;
         options.intervals = points;
+        options.kinks = Problem::kinks();
         options.max_steps = limit;
         return options;
     }

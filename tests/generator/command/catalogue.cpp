@@ -86,6 +86,81 @@ TEST_CASE("what has no value is not proven to have one") {
     CHECK(verdict("positive = { p = \"1\" }\nequation = \"limit(p/sqrt(p), p, 0) = 0\"") == "proven");
 }
 
+TEST_CASE("integrals are what quadrature says, too") {
+    for (const char* equation : {"integral(tan(x), x, 0, 2) = -log(abs(cos(2)))", "integral(1/x^3, x, -1, 2) = 3/8", "integral(1/cos(x)^2, x, 0, 3) = tan(3)", "integral(1/(x - l), x, 0*l, 3*l) = log(2)"}) {
+        INFO(equation);
+        const std::string entry = "equation = \"" + std::string(equation) + "\"";
+        CHECK(verdict(entry) == "not checkable");
+    }
+    for (const char* equation : {"integral(1/sqrt(x), x, 0, 1) = 2", "integral(tan(x), x, 0, 1) = -log(abs(cos(1)))", "integral(s*exp(-a*s), s, 0, infinity) = 1/a^2",
+                                 "integral(r^2, r, l, 0*l) = -l^3/3", "integral(integral(r*q, q, 0, 1), r, 0, l) = l^2/4"}) {
+        INFO(equation);
+        const std::string entry = "equation = \"" + std::string(equation) + "\"";
+        CHECK(verdict(entry) == "proven");
+    }
+}
+
+TEST_CASE("points at random reach beyond a quarter turn, and say where one side has no value") {
+    CHECK(verdict("equation = \"asin(sin(u)) = u\"", 1) == "wrong");
+    const auto logarithms = row("equation = \"log(u) + log(v) = log(u*v)\"");
+    CHECK(logarithms["verdict"] == "numerically equal");
+    CHECK(logarithms["reason"].get<std::string>().find("where both sides are real") == 0);
+}
+
+TEST_CASE("cases") {
+    const auto latex = [](const std::string& text) { return "latex = '''" + text + "'''\n"; };
+    const std::string falling = R"(|u| = \begin{cases} u & u \ge 0 \\ -u & u < 0 \end{cases})", otherwise = R"(|u - v| = \begin{cases} u - v & \text{if } u > v \\ v - u & \text{otherwise} \end{cases})",
+                      turned = R"(|u| = \begin{cases} u & u < 0 \\ -u & u \ge 0 \end{cases})", three = R"(\min\{\max\{u, -1\}, 1\} = \begin{cases} -1 & u < -1 \\ 1 & u > 1 \\ u & \text{sonst} \end{cases})",
+                      partly = R"(|u| = \begin{cases} u & 0 < u < 1 \\ -u & u < 0 \end{cases})", single = R"(v = \begin{cases} v & u = 0 \\ u & \text{otherwise} \end{cases})";
+    CHECK(verdict(latex(falling)) == "proven");
+    CHECK(verdict(latex(otherwise)) == "proven");
+    CHECK(verdict(latex(turned), 1) == "wrong");
+    CHECK(verdict(latex(three)) == "numerically equal");  // products of signs are not multiplied out
+    CHECK(verdict(latex(partly)) == "proven");  // it says nothing beyond one
+    CHECK(verdicts("[entries.one]\n" + latex(single), 2).empty());
+}
+
+TEST_CASE("sizes of matrices that do not fit are a verdict") {
+    const auto sizes = row("equation = \"vector(u, v) = vector(u, v, w)\"", 1);
+    CHECK(sizes["verdict"] == "dimensionally wrong");
+    CHECK(sizes["reason"].get<std::string>().find("'vector(u, v)' is 2 by 1, but another side") == 0);
+    CHECK(verdict("equation = \"matrix(row(u, v))*matrix(row(u, v)) = u^2 + v^2\"", 1) == "dimensionally wrong");
+    CHECK(verdict("equation = \"trace(matrix(row(u, v), row(w, u))) = 2*u\"") == "proven");
+    CHECK(verdict("equation = \"diag(u, v) = matrix(row(u, 0), row(0, v))\"") == "proven");
+    const std::string determinant = R"(\det\left(\operatorname{diag}(u, v, w)\right) = u v w)";
+    CHECK(verdict("latex = '''" + determinant + "'''") == "proven");
+}
+
+TEST_CASE("an entry that cannot be read does not stop the others") {
+    const Folder folder;
+    const std::string entries = R"([entries."1"]
+equation = "u = u"
+[entries."2"]
+latex = '''u = \pm v'''
+[entries."3"]
+equation = "u = unknown"
+[entries."4"]
+equation = "v = v"
+)";
+    const std::string path = folder.write("text.toml", head + entries);
+    const Answer text = ask("check", {path, "-o", folder.path() / "pages"});
+    CHECK(text.code == 2);
+    CHECK(text.out.find("  1                proven\n  2                not read: ") != std::string::npos);
+    CHECK(text.out.find("  4                proven\n2 printed equations: 2 proven; 2 more could not be read\n") != std::string::npos);
+    CHECK(text.err.find("'\\pm' stands for two equations") != std::string::npos);
+    CHECK(text.err.find("unknown") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "pages" / "book.html"));
+    const Answer answer = ask("check", {path, "--format", "json"});
+    CHECK(answer.code == 2);
+    const nlohmann::json json = answer.json();
+    CHECK(json["printed"].size() == 2);
+    REQUIRE(json["errors"].size() == 2);
+    CHECK(json["errors"][0]["id"] == "2");
+    CHECK(json["errors"][1]["error"] == "unknown-name");
+    CHECK(json["errors"][1]["line"].get<int>() > json["errors"][0]["line"].get<int>());
+    CHECK(json["passed"] == false);
+}
+
 TEST_CASE("letters of other letters in integrals") {
     CHECK(verdict("with = { W = \"u^2\" }\nequation = \"integral(W, u, 0, 1) = 1/3\"") == "proven");
     CHECK(verdict("with = { W = \"V^2\", V = \"1 + u\" }\nequation = \"integral(W, u, 0, 1) = 7/3\"") == "proven");
@@ -104,6 +179,8 @@ TEST_CASE("numbers and letters as LaTeX has them") {
     CHECK(verdict(latex(R"(\sqrt{2} \approx 1.415)"), 1) == "wrong");
     CHECK(verdict("letters = { e = \"1\" }\n" + latex("1 - e^2 = (1 - e)(1 + e)")) == "proven");
     CHECK(verdict(latex("e^{u + v} = e^u e^v")) == "proven");
+    CHECK(verdict(latex(R"(\frac{1}{2}\,\mathrm{km} = 500\,\mathrm{m})")) == "proven");
+    CHECK(verdict(latex(R"(\frac34\,\mathrm{km} = 75 \cdot 10\,\mathrm{m})")) == "proven");
 }
 
 TEST_CASE("what solves an equation is inserted there") {

@@ -5,8 +5,10 @@
 #include "graph/extract.hpp"
 #include "graph/lower.hpp"
 #include "graph/verify.hpp"
+#include "symbolic/functions.hpp"
 
 using namespace dalembert;
+using GiNaC::ex;
 
 namespace {
 
@@ -41,6 +43,18 @@ TEST_CASE("sine squared and cosine squared are folded, also through two angles")
 TEST_CASE("sine and cosine of an angle are computed once") {
     const Machine machine = machine_of("n_pendulum", "", {{"N", 4}});
     CHECK(make_code(*machine.system)->count(Function::rhs_and_jacobian).trigonometric == 8);
+}
+
+TEST_CASE("the larger and the smaller of two with one factor are their sum") {
+    const Machine machine = machine_from(block);
+    const ex x = machine.system->symbols.get(SymbolKind::coordinate, 0), m = machine.system->symbols.get(SymbolKind::parameter, 0), v = machine.system->symbols.get(SymbolKind::velocity, 0);
+    Atoms atoms(machine.system->symbols);
+    const auto same = [&](const ex& a, const ex& b) { return lower(a, atoms) == lower(b, atoms); };
+    CHECK(same(m * maximum(x, v) + m * minimum(x, v), m * (x + v)));
+    CHECK(same(2 * maximum(x, 0) * v + 2 * minimum(0, x) * v, 2 * x * v));
+    CHECK_FALSE(same(m * maximum(x, v) + minimum(x, v), m * (x + v)));
+    CHECK_FALSE(same(maximum(x, v) - minimum(x, v), x + v));
+    CHECK_FALSE(same(maximum(x, v) * minimum(x, v), x * v));  // it is, but of another rule
 }
 
 TEST_CASE("the sign of a difference in a denominator does not depend on how it is written") {

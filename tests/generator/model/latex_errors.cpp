@@ -49,6 +49,8 @@ const Wrong wrongs[]{
     {R"(a = \partial x)", 5, R"('\partial' stands alone)"},
     {R"(a = \mathrm{d} + 1)", 5, "a letter is expected behind"},
     {R"(a = \int_0^1 x)", 5, "the integral has no differential such as 'dx'"},
+    {R"(a = \int d x\, x)", 16, "it is not clear whether 'x' is integrated"},
+    {R"(a = \sin b/2)", 11, "it is not clear whether '/2' belongs to the argument of 'sin'"},
     {R"(a = \int^1 x dx)", 5, "the integral has an upper limit, but no lower one"},
     {R"(a = \sum x_i)", 10, R"(the limits of the sum, as in '\sum_{i=1}^{N}')"},
     {R"(a = \lim x)", 10, R"(as in '\lim_{x \to 0}')"},

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A definite integral against numbers: primitives know nothing of poles between the limits, and those that inverse functions stand in may jump there.
+#pragma once
+
+#include "form/system.hpp"
+
+namespace dalembert {
+
+/// Whether the value of an integral is the one that quadrature finds at random points. What has no numbers is left to others: letters that the
+/// system does not know, as those of integrals around this one, and an integrand that is not real.
+bool agrees_with_quadrature(const System& system, const DefiniteIntegral& integral);
+
+}  // namespace dalembert
