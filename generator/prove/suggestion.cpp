@@ -24,7 +24,7 @@ bool without_failing(Work work) {
     }
 }
 
-/// a = a is right, but nobody meant it.
+/// With another letter, a = a is right, but nobody meant it.
 bool says_nothing(const Equation& equation) {
     const std::string first = in_model_language(*equation.sides[0]);
     return std::any_of(equation.sides.begin() + 1, equation.sides.end(), [&](const ExpressionPtr& side) { return in_model_language(*side) == first; });
@@ -67,7 +67,7 @@ std::optional<Suggestion> suggest(const System& system, const Member<PrintedEqua
     std::size_t tried = 0;
     for (const auto& [which, slip] : slips_in(system, *entry.item)) {
         if (++tried > most_candidates) break;
-        if (says_nothing(slip.equation)) continue;
+        if (slip.kind == SlipKind::index && says_nothing(slip.equation)) continue;
         const bool mends = without_failing([&] {
             const PrintedEquation mended = with_equation(*entry.item, which, slip.equation);
             const Member<PrintedEquation> member{&mended, entry.index};

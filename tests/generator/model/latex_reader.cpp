@@ -72,7 +72,7 @@ const Row rows[]{
     {R"(W = \int_a^b f\,dx)", "W = integral(f, x, a, b)"},
     {R"(W = \int_{a}^{b} f(\tau) d\tau + c)", "W = integral(at(f, t, tau), tau, a, b) + c"},
     {R"(a = \int \frac{dx}{x} = \ln x)", "a = integral(1/x, x) = log(x)"},
-    {R"(a = \int_0^1 dx\, b = \int_0^1 x + 1 \,\mathrm{d}x)", "a = integral(1, x, 0, 1)*b = integral(x + 1, x, 0, 1)"},
+    {R"(a = b \int_0^1 dx = \int_0^1 x + 1 \,\mathrm{d}x)", "a = b*integral(1, x, 0, 1) = integral(x + 1, x, 0, 1)"},
     {R"(I = \int_0^l \int_0^b x y\, dx dy)", "I = integral(integral(x*y, x, 0, b), y, 0, l)"},
     {R"(m = \int_{\mathcal{V}} \rho d\mathcal{V} + \int_{\partial\mathcal{V}} q dA)", "m = integral(rho, V_cal, V_cal) + integral(q, A, border(V_cal))"},
     {R"(a = \int_0^\infty e^{-x}\,dx)", "a = integral(exp(-x), x, 0, infinity)"},
