@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/methods.hpp"
 #include "text/gnuplot.hpp"
 
 namespace dalembert {
@@ -13,6 +14,7 @@ namespace dalembert {
 namespace {
 
 constexpr std::array colours{"#0060a8", "#c03028", "#2a8a3a", "#8a5a00", "#7a3a9a", "#00858a", "#c06a90", "#606060", "#b09a00", "#30c8c8"};
+static_assert(colours.size() == methods_of_integration.size());
 
 struct Curve {
     std::string method, arithmetic, data;
@@ -41,8 +43,9 @@ std::vector<std::pair<std::string, std::string>> precision_plot(const WorkPrecis
     std::string script = "$points << EOD\n";
     for (const Curve& curve : curves) script += curve.data + "\n\n";
     script += "EOD\nset logscale xy\nset format xy '10^{%L}'\nset grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\nset yrange [*:10]\nset key off\n";
+    const std::vector<std::string> all = method_names();
     const auto look = [&](const std::string& method, const std::string& arithmetic) {
-        const auto colour = static_cast<std::size_t>(std::find(methods.begin(), methods.end(), method) - methods.begin()) % colours.size();
+        const auto colour = static_cast<std::size_t>(std::find(all.begin(), all.end(), method) - all.begin());  // the same in every diagram
         const bool is_double = arithmetic == "double", is_float = arithmetic == "float";
         return fmt::format("with linespoints lc rgb '{}' dt {} lw {} pt {} ps {}", method.empty() ? "#404040" : colours[colour], is_double ? "1" : is_float ? "'-'" : "'.'", is_double ? 1.6 : 1.0, is_double ? 7 : is_float ? 2 : 6, is_double ? 0.6 : 0.5);
     };

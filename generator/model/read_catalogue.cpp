@@ -60,7 +60,7 @@ CatalogueEntry read_entry(const Entry& e) {
         e.each_named(is_positive ? "positive" : "letters", catalogue_section("letters"), [&](const Entry& letter) { entry.own.push_back(read_letter(letter, is_positive)); });
     const auto given = [&](std::initializer_list<const char*> keys) { return std::count_if(keys.begin(), keys.end(), [&](const char* key) { return e.has(key); }); };
     if (const auto ways = given({"equation", "equations", "latex", "printed", "not_checkable"}); ways > 1 || (ways == 0 && entry.model.empty()))
-        e.error(Id::missing_key, e.span(), fmt::format("entry '{}' needs one of these: an equation, a list of equations, LaTeX, a model that has it printed, or a reason why it is not checkable", e.name()));
+        e.error(ways > 1 ? Id::doubly_defined : Id::missing_key, e.span(), fmt::format("entry '{}' {} of these: an equation, a list of equations, LaTeX, a model that has it printed, or a reason why it is not checkable", e.name(), ways > 1 ? "has several, and needs one" : "needs one"));
     for (const char* key : {"printed", "scene", "mode"})
         if (e.has(key) && entry.model.empty()) e.error(Id::missing_key, e.span_of(key), fmt::format("entry '{}' has a {} but no model", e.name(), key));
     if (e.has("expect")) {
