@@ -100,7 +100,10 @@ ExpressionPtr LatexParser::derivative() {
     next();
     if (variables.size() != static_cast<std::size_t>(above))
         wrong(from(denominator), fmt::format("the order is {} above and {} below", above, variables.size()));
-    if (!inside) inside = operand("what is differentiated");
+    if (!inside) {
+        inside = operand("what is differentiated");
+        if (starts_factor()) wrong(place(token()), fmt::format("it is not clear whether '{}' is differentiated as well; write brackets around what is", shown(token())));
+    }
     return derived(std::move(inside), variables, is_partial, first);
 }
 

@@ -59,10 +59,12 @@ ExpressionPtr LatexParser::cases(std::size_t first) {
         parts.push_back(expression());
         while (is(",") || is_point() || is(";")) next();
         const bool is_apart = take("&");
+        const Span text = place(token());
         Word word = word_of(token());
         if (word == Word::condition) next();
         if (word == Word::otherwise) next();
         const bool is_end_of_line = is("\\\\") || token().kind == LatexToken::Kind::end_of;
+        if (word == Word::condition && is_end_of_line) wrong(text, "a condition is expected behind the text; what stands in it is not read");
         if (word == Word::otherwise || (is_end_of_line && (is_apart || word == Word::none))) is_complete = true;
         else parts.push_back(condition());
         while (is(",") || is_point() || is(";")) next();

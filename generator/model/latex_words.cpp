@@ -83,19 +83,23 @@ bool is_opposite(const Expression& a, const Expression& b) {
     return (turned && same(0, 0) && same(1, 1)) || (a.name.substr(0, 4) == b.name.substr(0, 4) && same(0, 1) && same(1, 0));
 }
 
-/// The sum of the values, each where its condition holds. Where none does there is no value: it is divided by how many do.
+/// The sum of the values, each where its condition is the first that holds. Where none does there is no value: it is divided by how many do.
 ExpressionPtr of_cases(const Expression& e) {
     const std::size_t pairs = e.children.size() / 2;
-    const bool is_complete = e.children.size() % 2 == 1 || (pairs == 2 && is_opposite(*e.children[1], *e.children[3]));
-    ExpressionPtr total, somewhere;
+    const bool has_rest = e.children.size() % 2 == 1, is_complete = has_rest || (pairs == 2 && is_opposite(*e.children[1], *e.children[3]));
+    ExpressionPtr total, somewhere, before;  // `before`: no condition up to here holds
+    const auto joined_with = [&](Kind kind, const ExpressionPtr& a, const ExpressionPtr& b) { return a ? joined(kind, e.span, a, b) : b; };
     const auto add = [&](const ExpressionPtr& value, const ExpressionPtr& where) {
-        const ExpressionPtr term = joined(Kind::multiply, e.span, in_model_words(value), where);
-        total = total ? joined(Kind::add, e.span, total, term) : term;
-        somewhere = somewhere ? joined(Kind::add, e.span, somewhere, where) : where;
+        total = joined_with(Kind::add, total, joined(Kind::multiply, e.span, in_model_words(value), where));
+        somewhere = joined_with(Kind::add, somewhere, where);
     };
-    const std::size_t with_condition = e.children.size() % 2 == 1 ? pairs : is_complete ? pairs - 1 : pairs;
-    for (std::size_t i = 0; i < with_condition; ++i) add(e.children[2 * i], where_it_holds(e.children[2 * i + 1]));
-    if (is_complete) add(e.children[2 * with_condition], one_less(somewhere));
+    const std::size_t with_condition = is_complete && !has_rest ? pairs - 1 : pairs;
+    for (std::size_t i = 0; i < with_condition; ++i) {
+        const ExpressionPtr holds = where_it_holds(e.children[2 * i + 1]);
+        add(e.children[2 * i], joined_with(Kind::multiply, before, holds));
+        before = joined_with(Kind::multiply, before, one_less(holds));
+    }
+    if (is_complete) add(e.children[2 * with_condition], before);
     else total = joined(Kind::divide, e.span, total, somewhere);
     return total;
 }

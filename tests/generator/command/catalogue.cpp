@@ -116,6 +116,9 @@ TEST_CASE("cases") {
     CHECK(verdict(latex(otherwise)) == "proven");
     CHECK(verdict(latex(turned), 1) == "wrong");
     CHECK(verdict(latex(three)) == "numerically equal");  // products of signs are not multiplied out
+    const std::string doubly = R"(|u| = \begin{cases} u + 1 & u > 0 \\ u - 1 & u > 0 \\ -u & u < 0 \end{cases})", in_order = R"(\min\{1, \max\{-1, u\}\} = \begin{cases} -1 & u < -1 \\ u & u < 1 \\ 1 & \text{otherwise} \end{cases})";
+    CHECK(verdict(latex(doubly), 1) == "wrong");  // the first that holds counts
+    CHECK(verdict(latex(in_order)) == "numerically equal");
     CHECK(verdict(latex(partly)) == "proven");  // it says nothing beyond one
     CHECK(verdicts("[entries.one]\n" + latex(single), 2).empty());
 }

@@ -49,6 +49,8 @@ const Wrong wrongs[]{
     {R"(a = \partial x)", 5, R"('\partial' stands alone)"},
     {R"(a = \mathrm{d} + 1)", 5, "a letter is expected behind"},
     {R"(a = \int_0^1 x)", 5, "the integral has no differential such as 'dx'"},
+    {R"(a = \frac{d}{dx} b \sin x)", 20, R"(it is not clear whether '\sin' is differentiated as well)"},
+    {R"(a = \begin{cases} b & x < 0 \\ c & \text{if $x>0$} \end{cases})", 36, "a condition is expected behind the text"},
     {R"(a = \int d x\, x)", 16, "it is not clear whether 'x' is integrated"},
     {R"(a = \sin b/2)", 11, "it is not clear whether '/2' belongs to the argument of 'sin'"},
     {R"(a = \int^1 x dx)", 5, "the integral has an upper limit, but no lower one"},
