@@ -175,7 +175,7 @@ ExitCode check_command(const Options& options, Streams streams) {
     const bool is_whole = unreadable.empty();
     if (is_whole && !options.pages.empty()) write_files(book_pages(parts, options.pages));
     if (options.format != "json") {
-        if (results.size() > 1) streams.out << counts.line(fmt::format("printed equations in {} files", results.size()).c_str()) << (failed ? "; not all as expected\n" : "\n");
+        if (results.size() > 1) streams.out << counts.line(fmt::format("printed equations in {} files", results.size()).c_str()) << (is_whole ? "" : "; not all could be read") << (failed ? "; not all as expected\n" : "\n");
     } else if (results.size() == 1) {
         streams.out << printed(files[0]);
     } else {

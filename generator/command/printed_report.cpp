@@ -30,7 +30,7 @@ std::string VerdictCounts::line(const char* what) const {
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < of.size(); ++i)
         if (of[i] > 0) parts.push_back(fmt::format("{} {}", of[i], verdict_names[i]));
-    return fmt::format("{} {}: {}", entries, what, fmt::join(parts, ", "));
+    return fmt::format("{} {}{}{}", entries, what, parts.empty() ? "" : ": ", fmt::join(parts, ", "));
 }
 
 nlohmann::ordered_json VerdictCounts::json() const {

@@ -44,15 +44,10 @@ std::string parameter_statements(const Symbols& symbols, const Values& values) {
     return text;
 }
 
-std::string joined(const std::vector<ex>& values) {
+template <class Number>
+std::string joined(const std::vector<Number>& values) {
     std::vector<std::string> texts;
-    for (const ex& value : values) texts.push_back(double_literal(value));
-    return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-std::string joined(const std::vector<double>& values) {
-    std::vector<std::string> texts;
-    for (const double value : values) texts.push_back(double_literal(value));
+    for (const Number& value : values) texts.push_back(double_literal(value));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
