@@ -61,7 +61,7 @@ const std::vector<Helper>& helpers() {
         {"radiant_temperature", heat, {"select"}},
         {"network", networks, {}},
         {"network_inverse", networks, {"network"}},
-        {"balanced_temperature", networks, {"network", "radiant_temperature"}},
+        {"balanced_temperature", networks, {"select", "network"}},
         {"series_sums", "series_functions.hpp", {}},
         {"ldlt", "ldlt.hpp", {}},
     };
