@@ -57,6 +57,53 @@ Forms exponentials(const Polynomial& p, Atoms& atoms) {
     return forms;
 }
 
+/// c*m*exp(a)^i - c*m*exp(b)^j = c*m*exp(b)^j*expm1(i*a - j*b), for all terms with this quotient.
+Forms exponential_differences(const Polynomial& p, Atoms& atoms) {
+    if (letters_of(p, atoms, Op::exp).size() < 2) return {};
+    std::map<Monomial, Polynomial> by_quotient;
+    for (const auto& [monomial, coefficient] : p.terms())
+        for (const auto& [other, other_coefficient] : p.terms()) {
+            if (other_coefficient != -coefficient) continue;
+            const Monomial quotient = monomial * raised(other, -1);
+            if (quotient.size() < 2 || quotient[0].exponent < 0 || std::any_of(quotient.begin(), quotient.end(), [&](const LetterPower& each) { return atoms[each.letter].op != Op::exp; })) continue;
+            Polynomial& form = by_quotient.try_emplace(quotient, p).first->second;
+            if (!form.terms().contains(monomial) || !form.terms().contains(other)) continue;
+            Polynomial exponent;
+            for (const LetterPower& each : quotient) exponent += times({}, each.exponent, atoms[each.letter].arguments[0]);
+            form.add(monomial, -coefficient);
+            form.add(other, coefficient);
+            form += times(other, coefficient, Polynomial::letter(atoms.letter(Op::expm1, {exponent})));
+        }
+    Forms forms;
+    for (auto& [quotient, form] : by_quotient) forms.push_back(std::move(form));
+    return forms;
+}
+
+/// c*m*log(a/b) - c*m*log(d/b) = c*m*log(a/d), and c*m*log(a/b) - c*m*log(a/d) = c*m*log(d/b), for all such terms.
+Forms ratios(const Polynomial& p, Atoms& atoms) {
+    Forms forms;
+    const std::vector<Letter> letters = letters_of(p, atoms, Op::log_ratio);
+    for (const Letter first : letters)
+        for (const Letter second : letters) {
+            const std::vector<Polynomial> of = atoms[first].arguments, by = atoms[second].arguments;
+            if (second <= first || !(of[0] == by[0] || of[1] == by[1])) continue;
+            const std::vector<Polynomial> between = of[1] == by[1] ? std::vector{of[0], by[0]} : std::vector{by[1], of[1]};
+            std::optional<Polynomial> form;
+            for (const auto& [monomial, coefficient] : p.terms()) {
+                if (exponent_of(monomial, first) != 1) continue;
+                const Monomial rest = without(monomial, first), other = rest * Monomial{{second, 1}};
+                const auto partner = p.terms().find(other);
+                if (partner == p.terms().end() || partner->second != -coefficient) continue;
+                if (!form) form = p;
+                form->add(monomial, -coefficient);
+                form->add(other, coefficient);
+                *form += times(rest, coefficient, Polynomial::letter(atoms.letter(Op::log_ratio, between)));
+            }
+            if (form) forms.push_back(std::move(*form));
+        }
+    return forms;
+}
+
 Forms logarithms(const Polynomial& p, Atoms& atoms) {
     Forms forms;
     for (const Letter logarithm : letters_of(p, atoms, Op::log)) {
@@ -225,6 +272,8 @@ const std::vector<RewriteRule>& rewrite_rules() {
     static const std::vector<RewriteRule> rules{
         {"1 - cos(x)", "1 - cos(x) = 2*sin(x/2)^2", cosines},
         {"exp(x) - 1", "exp(x) - 1 = expm1(x)", exponentials},
+        {"differences of exponentials", "exp(a) - exp(b) = exp(b)*expm1(a - b)", exponential_differences},
+        {"differences of log(a/b)", "log(a/b) - log(d/b) = log(a/d), log(a/b) - log(a/d) = log(d/b)", ratios},
         {"log(1 + x)", "log(1 + x) = log1p(x)", logarithms},
         {"differences of powers of sums", "s^2 - y^2 = (s - y)*(s + y), s^4 - y^4 = (s - y)*(s + y)*(s^2 + y^2)", powers},
         {"differences of roots", "sqrt(a) - y = (a - y^2)/(sqrt(a) + y)", roots},
