@@ -17,6 +17,7 @@ constexpr int most_steps = 8;
 constexpr double good_enough = 4;  ///< ulp beyond the condition: what loses no more is left as it is
 constexpr double least_gain = 2;       ///< of one step,
 constexpr double least_whole_gain = 6; ///< and of all together: what gains less is not seen in compiled code, where terms come in another order
+constexpr double vanishing = 1e-100;   ///< what is smaller in any units has fewer digits, and a condition that overflows
 
 }  // namespace
 
@@ -84,16 +85,22 @@ const std::vector<std::optional<Rewriter::Expected>>& Rewriter::expected(const P
     return list;
 }
 
-double Rewriter::largest_error(const Polynomial& exact_form, const Polynomial& computed_form) {
+double Rewriter::Loss::largest() const { return without_value > 0 ? std::numeric_limits<double>::infinity() : error; }
+
+Rewriter::Loss Rewriter::loss(const Polynomial& exact_form, const Polynomial& computed_form) {
     const auto& list = expected(exact_form);
-    double largest = 0;
+    Loss result;
     for (std::size_t k = 0; k < list.size(); ++k) {
         if (!list[k]) continue;
         const double computed = points_[k].first.rounded(computed_form);
-        if (!std::isfinite(computed)) return std::numeric_limits<double>::infinity();
-        largest = std::max(largest, cln::double_approx(cln::abs(exact(computed) - list[k]->value)) / list[k]->unit);
+        if (!std::isfinite(computed)) {
+            ++result.without_value;
+            continue;
+        }
+        if (std::fabs(computed) < vanishing && cln::abs(list[k]->value) < exact(vanishing)) continue;
+        result.error = std::max(result.error, cln::double_approx(cln::abs(exact(computed) - list[k]->value)) / list[k]->unit);
     }
-    return largest;
+    return result;
 }
 
 /// Whether terms that are not zero cancel to the last digit, at a few points.
@@ -114,6 +121,7 @@ bool Rewriter::seems_zero(const Polynomial& p) {
 }
 
 std::size_t Rewriter::points_with_value(const Polynomial& exact_form) {
+    if (points_.empty()) draw(guards_);
     std::size_t count = 0;
     for (auto& [at, values] : points_) count += at.exact(exact_form) ? 1 : 0;
     return count;
@@ -141,31 +149,31 @@ Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
     }
     if (other_forms(p, atoms_, forms_).empty()) return p;
     Polynomial best = p;
-    double error = largest_error(p, p);
     // A form that has a value where p is 0/0 is what p should be.
     Polynomial reference = p;
     for (const OtherForm& form : other_forms(p, atoms_, forms_))
-        if (form.fills_gaps && points_with_value(form.form) > points_with_value(reference)) {
-            reference = form.form;
-            error = std::numeric_limits<double>::infinity();
-        }
-    const double before = error;
+        if (form.fills_gaps && points_with_value(form.form) > points_with_value(reference)) reference = form.form;
+    const Loss before = loss(reference, p);
+    Loss now = before;
     std::vector<Rewriting> noted;
-    for (int step = 0; step < most_steps && error > good_enough; ++step) {
+    for (int step = 0; step < most_steps && now.largest() > good_enough; ++step) {
         const OtherForm* better = nullptr;
-        double least = error / least_gain;
+        Loss least = now;
+        least.error /= least_gain;
         const std::vector<OtherForm>& forms = other_forms(best, atoms_, forms_);
-        for (const OtherForm& form : forms)
-            if (const double one = largest_error(reference, form.form); one < least) {
-                least = one;
-                better = &form;
-            }
+        for (const OtherForm& form : forms) {
+            const Loss one = loss(reference, form.form);
+            if (one.without_value > least.without_value || (one.without_value == least.without_value && !(one.error < least.error))) continue;
+            least = one;
+            better = &form;
+        }
         if (better == nullptr) break;
-        noted.push_back({better->rule, where, 1, error, least});
+        noted.push_back({better->rule, where, 1, now.largest(), least.largest()});
         best = better->form;
-        error = least;
+        now = least;
     }
-    if (noted.empty() || !(error * least_whole_gain <= before)) return p;
+    const bool has_more_values = now.without_value < before.without_value && now.error <= std::max(before.error, good_enough);
+    if (noted.empty() || !(has_more_values || now.error * least_whole_gain <= before.error)) return p;
     for (const Rewriting& one : noted) note(one);
     return known_.at(p) = best;
 }

@@ -26,9 +26,16 @@ public:
     Polynomial operator()(const Polynomial& p, const char* where);
     const std::vector<Rewriting>& log() const { return log_; }
     /// What a sum loses in another form of it, in ulp beyond its condition.
-    double largest_error(const Polynomial& exact, const Polynomial& computed);
+    double largest_error(const Polynomial& exact, const Polynomial& computed) { return loss(exact, computed).largest(); }
 
 private:
+    /// What a form of a sum loses.
+    struct Loss {
+        std::size_t without_value = 0;  ///< points where the sum has a value and the form has none, as where an exponential overflows
+        double error = 0;               ///< the largest at the others, in ulp beyond the condition
+        double largest() const;
+    };
+    Loss loss(const Polynomial& exact, const Polynomial& computed);
     void draw(const std::vector<Polynomial>& guards);
     bool seems_zero(const Polynomial& p);
     std::size_t points_with_value(const Polynomial& exact);

@@ -279,6 +279,7 @@ const std::vector<RewriteRule>& rewrite_rules() {
         {"differences of roots", "sqrt(a) - y = (a - y^2)/(sqrt(a) + y)", roots},
         {"differences of real powers", "a^e - b^e = b^e*expm1(e*log(a/b))", real_powers},
         {"a quotient that cancels", "a - n/s = (a*s - n)/s, also with several quotients at once", quotients},
+        {"quotients that overflow", "sinh(x)/sinh(y) = exp(x - y)*expm1(-2*x)/expm1(-2*y), 1/(exp(x) - 1) = exp(-x)/(1 - exp(-x))", overflowing_quotients},
         {"removable 0/0", "sin(x)/x, (1 - cos(x))/x^2, (exp(x) - 1)/x and log(1 + x)/x have values at 0", removable},
         {"slopes of removable 0/0", "(x*cos(x) - sin(x))/x^2, (x*sin(x) - 2*(1 - cos(x)))/x^3, (x*exp(x) - exp(x) + 1)/x^2 and (x/(1 + x) - log(1 + x))/x^2 have values at 0", removable_slopes},
     };

@@ -53,5 +53,7 @@ inline std::optional<Polynomial> less_one(Polynomial argument, bool has_one, con
 // Rules of a file of their own.
 Forms removable(const Polynomial& p, Atoms& atoms);
 Forms removable_slopes(const Polynomial& p, Atoms& atoms);
+/// 1/(exp(x) - 1), sinh(x)/sinh(y) and their like, each f as exp(y)*(f*exp(-y)), with all exponentials of a term in one.
+Forms overflowing_quotients(const Polynomial& p, Atoms& atoms);
 
 }  // namespace dalembert
