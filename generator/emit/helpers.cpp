@@ -59,11 +59,12 @@ const std::vector<Helper>& helpers() {
         {"root_excess", heat, {"select"}},
         {"sum_of_three", heat, {}},
         {"radiant_temperature", heat, {"select"}},
+        {"unroll", "unroll.hpp", {}},
         {"network", networks, {}},
         {"network_inverse", networks, {"network"}},
         {"balanced_temperature", networks, {"select", "network"}},
         {"series_sums", "series_functions.hpp", {}},
-        {"ldlt", "ldlt.hpp", {}},
+        {"ldlt", "ldlt.hpp", {"unroll"}},
     };
     return table;
 }

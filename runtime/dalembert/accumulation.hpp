@@ -57,7 +57,7 @@ public:
     /// Between the last two.
     Scalar interval() const { return time(0) - time(1); }
     /// Whether the last two are no further apart than `most`.
-    bool is_repeated(Scalar most) const { return count_ > 1 && interval() <= most; }
+    bool is_repeated(Scalar longest) const { return count_ > 1 && interval() <= longest; }
 
     /// Too close together to be told apart, or beyond the sum that they had while they shrank steadily.
     bool is_stalled() const { return stalls_ >= enough_stalls || (has_sum_ && !is_steady() && time(0) >= sum_); }

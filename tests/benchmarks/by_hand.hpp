@@ -86,6 +86,40 @@ private:
     double g_l_, per_ml_;
 };
 
+/// M = L D L' in loops: the lower triangle of M, row by row, becomes L with 1/D on its diagonal.
+template <std::size_t n>
+void factor(std::array<double, n * (n + 1) / 2>& m) {
+    for (std::size_t i = 0; i < n; ++i) {
+        double* const row = m.data() + i * (i + 1) / 2;
+        for (std::size_t j = 0; j < i; ++j) {
+            const double* const other = m.data() + j * (j + 1) / 2;
+            double v = row[j];
+            for (std::size_t k = 0; k < j; ++k) v -= row[k] * other[k];
+            row[j] = v;
+        }
+        double pivot = row[i];
+        for (std::size_t j = 0; j < i; ++j) {
+            const double l = row[j] * m[j * (j + 1) / 2 + j];
+            pivot -= row[j] * l;
+            row[j] = l;
+        }
+        row[i] = 1 / pivot;
+    }
+}
+
+/// Solves M x = b in place.
+template <std::size_t n>
+void substitute(const std::array<double, n * (n + 1) / 2>& m, double* b) {
+    for (std::size_t i = 1; i < n; ++i) {
+        double value = b[i];
+        for (std::size_t k = 0; k < i; ++k) value -= m[i * (i + 1) / 2 + k] * b[k];
+        b[i] = value;
+    }
+    for (std::size_t i = 0; i < n; ++i) b[i] *= m[i * (i + 1) / 2 + i];
+    for (std::size_t i = n; i-- > 1;)
+        for (std::size_t k = 0; k < i; ++k) b[k] -= m[i * (i + 1) / 2 + k] * b[i];
+}
+
 /// Chain of n links: M_ij = a_ij cos(phi_i - phi_j), bias_i = sum_j a_ij sin(phi_i - phi_j) w_j^2 + b_i sin(phi_i).
 template <std::size_t n>
 class Chain {
@@ -159,8 +193,8 @@ private:
             f[n + i] = r;
             for (std::size_t j = 0; j <= i; ++j) work.factor[i * (i + 1) / 2 + j] = work.acos[i * n + j];
         }
-        dalembert::detail::ldlt_factor<double, n>(work.factor);
-        dalembert::detail::ldlt_solve<double, n>(work.factor, f.data() + n);
+        factor<n>(work.factor);
+        substitute<n>(work.factor, f.data() + n);
     }
 
     std::array<double, n * n> a_{};

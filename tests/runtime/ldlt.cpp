@@ -52,6 +52,8 @@ TEST_CASE("L D L' solves what Eigen solves") {
     check_backward_error<1>(1);
     check_backward_error<2>(1);
     check_backward_error<7>(1);
+    check_backward_error<12>(1);
+    check_backward_error<13>(1);
     check_backward_error<20>(1);
 }
 
