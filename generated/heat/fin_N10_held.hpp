@@ -18,12 +18,12 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 3     17     6        0      2
+//   update                 4     19     6        0      2
 //   rhs                   37     19     0        0      0
 //   rhs_and_jacobian      38     19     0        0      0
 //   jacobian_p            64     99     4        0      0
-//   output                 3      3     0        0      2
-//   output_jacobian_u      2      3     0        0      2
+//   output                 5      6     2        0      4
+//   output_jacobian_u      5      6     4        0      4
 //   internal_energy        8      5     0        0      0
 //   exchanged_power       21      8     1        0      0
 //
@@ -183,10 +183,10 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 + or -, 17 *, 6 /, 2 other functions
+    /// Operations: 4 + or -, 19 *, 6 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        using std::sinh;
+        using std::expm1;
         using std::sqrt;
         const Scalar e1 = p_.P * p_.alpha / p_.A;
         const Scalar sqrt_2 = sqrt(e1 / p_.lambda);
@@ -201,15 +201,18 @@ public:
         const Scalar e7 = p_.T_0 - p_.T_inf;
         c_.k3 = (Scalar(1) / Scalar(20)) * e7;
         const Scalar e8 = p_.L * c_.m;
-        const Scalar sinh_9 = sinh(e8);
-        const Scalar inverse_10 = Scalar(1) / sinh_9;
-        c_.k4 = inverse_10 * e7;
-        const Scalar e11 = p_.T_inf - p_.T_L;
-        c_.k5 = inverse_10 * e11;
-        c_.k6 = e8;
-        const Scalar e12 = c_.m * inverse_10;
-        c_.k7 = e7 * e12;
-        c_.k8 = e11 * e12;
+        const Scalar e9 = Scalar(2) * e8;
+        const Scalar expm1_10 = expm1(-e9);
+        const Scalar inverse_11 = Scalar(1) / expm1_10;
+        const Scalar e12 = p_.T_inf - p_.T_L;
+        c_.k4 = inverse_11 * e12;
+        c_.k5 = inverse_11 * e7;
+        c_.k6 = e9;
+        c_.k7 = Scalar(2) * c_.m;
+        c_.k8 = e8;
+        const Scalar e13 = c_.m * inverse_11;
+        c_.k9 = e12 * e13;
+        c_.k10 = e7 * e13;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -590,17 +593,21 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 3 + or -, 3 *, 2 other functions
+    /// Operations: 5 + or -, 6 *, 2 /, 4 other functions
     ///     limit = (T_0 - T_inf)/20
     ///     U_x = T_inf + (T_0 - T_inf)*sinh(L*m - m*x)/sinh(L*m) - (T_inf - T_L)*sinh(m*x)/sinh(L*m)
     void output(const State& /*x*/, const Input& u, Scalar /*t*/, Output& y) const noexcept {
-        using std::sinh;
+        using std::exp;
+        using std::expm1;
         const Scalar x_value = u[0];
-        const Scalar e1 = c_.m * x_value;
-        const Scalar sinh_2 = sinh(c_.k6 - e1);
-        const Scalar sinh_3 = sinh(e1);
+        const Scalar e1 = c_.k7 * x_value;
+        const Scalar expm1_2 = expm1(-e1);
+        const Scalar e3 = c_.m * x_value;
+        const Scalar exp_4 = exp(c_.k8 - e3);
+        const Scalar expm1_5 = expm1(e1 - c_.k6);
+        const Scalar exp_6 = exp(e3);
         y[0] = c_.k3;
-        y[1] = p_.T_inf + c_.k4 * sinh_2 - c_.k5 * sinh_3;
+        y[1] = p_.T_inf - c_.k4 * expm1_2 / exp_4 + c_.k5 * expm1_5 / exp_6;
     }
 
     /// C = dh/dx.
@@ -627,15 +634,18 @@ public:
     }
 
     /// D = dh/du.
-    /// Operations: 2 + or -, 3 *, 2 other functions
+    /// Operations: 5 + or -, 6 *, 4 /, 4 other functions
     void output_jacobian_u(const State& /*x*/, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
-        using std::cosh;
+        using std::exp;
         const Scalar x_value = u[0];
-        const Scalar e1 = c_.m * x_value;
-        const Scalar cosh_2 = cosh(c_.k6 - e1);
-        const Scalar cosh_3 = cosh(e1);
+        const Scalar e1 = c_.k7 * x_value;
+        const Scalar exp_2 = exp(e1);
+        const Scalar e3 = c_.m * x_value;
+        const Scalar exp_4 = exp(c_.k8 - e3);
+        const Scalar exp_5 = exp(c_.k6 - e1);
+        const Scalar exp_6 = exp(e3);
         D[0] = Scalar(0);
-        D[1] = -c_.k7 * cosh_2 - c_.k8 * cosh_3;
+        D[1] = c_.k9 * (Scalar(1) + Scalar(1) / exp_2) / exp_4 + c_.k10 * (Scalar(1) + Scalar(1) / exp_5) / exp_6;
     }
 
     /// T in joules.
@@ -721,11 +731,13 @@ private:
         Scalar k1;  ///< P*alpha/(A*rho*c_p)
         Scalar k2;  ///< (200*lambda/L^2 + P*alpha/A)/(rho*c_p)
         Scalar k3;  ///< (T_0 - T_inf)/20
-        Scalar k4;  ///< (T_0 - T_inf)/sinh(L*m)
-        Scalar k5;  ///< (T_inf - T_L)/sinh(L*m)
-        Scalar k6;  ///< L*m
-        Scalar k7;  ///< m*(T_0 - T_inf)/sinh(L*m)
-        Scalar k8;  ///< m*(T_inf - T_L)/sinh(L*m)
+        Scalar k4;  ///< (T_inf - T_L)/expm1(-2*L*m)
+        Scalar k5;  ///< (T_0 - T_inf)/expm1(-2*L*m)
+        Scalar k6;  ///< 2*L*m
+        Scalar k7;  ///< 2*m
+        Scalar k8;  ///< L*m
+        Scalar k9;  ///< m*(T_inf - T_L)/expm1(-2*L*m)
+        Scalar k10;  ///< m*(T_0 - T_inf)/expm1(-2*L*m)
     };
     Cached c_{};
 };

@@ -132,22 +132,6 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
     return condition ? a : b;
 }
 
-/// The T >= 0 with a T^4 + T = b for a, b >= 0: what a surface takes that loses heat by convection and radiation. Newton's steps
-/// from min(b, (b/a)^(1/4)), which is above the root, fall to it monotonically. The first one leaves an error below 0.11, and the
-/// error of each is below the square of the one before. Needs select.
-template <class Scalar>
-Scalar radiant_temperature(const Scalar& a, const Scalar& b) noexcept {
-    using std::sqrt;
-    constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    const Scalar by_radiation = sqrt(Scalar(sqrt(b) / sqrt(a)));
-    Scalar T = select(by_radiation < b, by_radiation, b);
-    for (int reached = 1; reached < 2 * (digits + 4); reached *= 2) {
-        const Scalar slope = a * T * T * T;
-        T = T - ((T - b) + slope * T) / (Scalar(4) * slope + Scalar(1));
-    }
-    return T;
-}
-
 /// Eliminates the nodes of a network in place. `flow` holds in row i what flows to i for each unit at j, nothing negative, and on the
 /// diagonal what leaves j for good. Only sums, products and quotients of what is not negative occur (Grassmann, Taksar and Heyman,
 /// 1985), so that no digits are lost, however weak the link to outside is.
@@ -203,23 +187,33 @@ bool is_certain(const Condition&) noexcept {
 }
 inline bool is_certain(bool condition) noexcept { return condition; }
 
-/// The T >= 0 with g T + r T^4 = y. Needs select, radiant_temperature.
+/// The T >= 0 with g T + r T^4 = y, to a hundredth part, where Newton's steps begin: two of them from the least of what either loss alone
+/// would ask for, which is above T; radiant_temperature has their errors. Needs select.
 template <class Scalar>
 Scalar temperature_giving_off(const Scalar& g, const Scalar& r, const Scalar& y) noexcept {
     using std::sqrt;
     const auto only_radiates = g == Scalar(0);
-    const Scalar divisor = select(only_radiates, Scalar(1), g);
-    const Scalar mixed = radiant_temperature<Scalar>(Scalar(r / divisor), Scalar(y / divisor));
-    return select(only_radiates, Scalar(sqrt(Scalar(sqrt(Scalar(y / select(only_radiates, r, Scalar(1))))))), mixed);
+    const auto only_conducts = r == Scalar(0);
+    const Scalar by_conduction = y / select(only_radiates, Scalar(1), g);
+    const Scalar by_radiation = sqrt(Scalar(sqrt(Scalar(y / select(only_conducts, Scalar(1), r)))));
+    Scalar T = select(by_radiation < by_conduction, by_radiation, by_conduction);
+    T = select(only_radiates, by_radiation, select(only_conducts, by_conduction, T));
+    for (int step = 0; step < 2; ++step) {
+        const Scalar radiated = r * T * T * T;
+        const Scalar slope = g + Scalar(4) * radiated;
+        const auto is_flat = slope == Scalar(0);  // at T = 0 without conduction
+        T = T - select(is_flat, Scalar(0), Scalar(((g + radiated) * T - y) / select(is_flat, Scalar(1), slope)));
+    }
+    return T;
 }
 
 /// The temperatures of n nodes that give off g[i, j]*(T_i - T_j) + r[i, j]*(T_i^4 - T_j^4) to each other and g[i, i]*T_i + r[i, i]*T_i^4
-/// to outside, and take up b[i]; the arrays stand one behind the other in `data`, g and r symmetric and not negative. Newton's steps in
-/// what each node gives off, y_i = G_i*T_i + R_i*T_i^4, of which the shares to others have bounded slopes; heat between nodes is
-/// computed from differences, so that strong links do not hide weak ones. What changes y_i by an eighth at most is taken in
-/// T_i itself, which near the end is as good and needs no roots. Stops when a step changes less than half of the digits, one step later,
+/// to outside, and take up b[i]; the arrays stand one behind the other in `data`, g and r symmetric and not negative. Newton's steps;
+/// heat between nodes is computed from differences, so that strong links do not hide weak ones. What would change by more than an
+/// eighth what a node gives off, y_i = G_i*T_i + R_i*T_i^4, is taken in y_i, of which the shares to others have bounded slopes;
+/// smaller steps are as good in T_i itself and need no roots. Stops when a step changes less than half of the digits, one step later,
 /// and always after 40 steps; types whose comparisons are no bool take them all. Over coefficients that differ by eight powers of ten at
-/// most 30 were needed. Needs select, radiant_temperature, network.
+/// most 30 were needed. Needs select, network.
 template <class Scalar, std::size_t n>
 std::array<Scalar, n> balanced_temperature(const std::array<Scalar, 2 * n * n + n>& data) noexcept {
     using std::abs;
@@ -247,13 +241,12 @@ std::array<Scalar, n> balanced_temperature(const std::array<Scalar, 2 * n * n + 
     const Scalar half_the_digits = sqrt(std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::epsilon() : Scalar(1e-9));
     bool is_last = false;
     for (int step = 0; step < 40 && !is_last; ++step) {
-        std::array<Scalar, n * n> share;
+        std::array<Scalar, n * n> flow;
         std::array<Scalar, n> change;
         for (std::size_t i = 0; i < n; ++i) change[i] = b[i];
         for (std::size_t j = 0; j < n; ++j) {
             const Scalar cube = T[j] * T[j] * T[j];
-            const Scalar slope = all_g[j] + Scalar(4) * all_r[j] * cube;
-            for (std::size_t i = 0; i < n; ++i) share[i * n + j] = (g[i * n + j] + Scalar(4) * r[i * n + j] * cube) / slope;
+            for (std::size_t i = 0; i < n; ++i) flow[i * n + j] = g[i * n + j] + r[i * n + j] * (Scalar(4) * cube);
             change[j] -= (g[j * n + j] + r[j * n + j] * cube) * T[j];
             for (std::size_t i = 0; i < j; ++i) {
                 const Scalar heat = (T[j] - T[i]) * (g[i * n + j] + r[i * n + j] * (T[j] + T[i]) * (T[j] * T[j] + T[i] * T[i]));
@@ -261,15 +254,16 @@ std::array<Scalar, n> balanced_temperature(const std::array<Scalar, 2 * n * n + 
                 change[i] += heat;
             }
         }
-        network_factor<Scalar, n>(share);
-        network_solve<Scalar, n>(share, change.data());
+        network_factor<Scalar, n>(flow);
+        network_solve<Scalar, n>(flow, change.data());
         bool is_close = true;
         for (std::size_t j = 0; j < n; ++j) {
-            const Scalar cube = T[j] * T[j] * T[j];
-            const Scalar gives_off = (all_g[j] + all_r[j] * cube) * T[j];
-            Scalar next = T[j] + change[j] / (all_g[j] + Scalar(4) * all_r[j] * cube);
-            if (!is_certain(abs(change[j]) * Scalar(8) <= gives_off)) {
-                const Scalar y = gives_off + change[j];
+            const Scalar radiates = all_r[j] * T[j] * T[j] * T[j];
+            const Scalar gives_off = (all_g[j] + radiates) * T[j];
+            const Scalar more = (all_g[j] + Scalar(4) * radiates) * change[j];
+            Scalar next = T[j] + change[j];
+            if (!is_certain(abs(more) * Scalar(8) <= gives_off)) {
+                const Scalar y = gives_off + more;
                 const Scalar least = T[j] / Scalar(4);
                 const auto is_positive = y > Scalar(0);
                 next = select(is_positive, temperature_giving_off<Scalar>(all_g[j], all_r[j], select(is_positive, y, Scalar(1))), least);

@@ -22,9 +22,9 @@
 //   rhs_and_jacobian       9     10     0        0      0
 //   jacobian_u             5      7     0        0      0
 //   jacobian_p             9     26     1        0      0
-//   output                 4     17     4        0      1
-//   output_jacobian_x      3     20     4        0      1
-//   output_jacobian_u      5     17     4        0      1
+//   output                 1     17     4        0      1
+//   output_jacobian_x      3     19     5        0      2
+//   output_jacobian_u      5     18     5        0      2
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        6     11     0        0      0
 //
@@ -330,24 +330,24 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 4 + or -, 17 *, 4 /, 1 other functions
+    /// Operations: 1 + or -, 17 *, 4 /, 1 other functions
     ///     spectral = -2*h*c_0^2*pi/(l^5*(1 - exp(h*c_0/(k*l*T))))
     ///     coating = -2*h*c_0^2*eps*pi/(l^5*(1 + l^2/l_0^2)*(1 - exp(h*c_0/(k*l*T))))
     ///     l_max = 1250251421346000*h*c_0/(6207642188737199*k*T)
     ///     glass = (1 - rho_g - tau_g)*sun
     ///     total = stefan_boltzmann*T^4
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
-        using std::exp;
+        using std::expm1;
         const Scalar l = u[3];
         const Scalar inverse_1 = Scalar(1) / l;
         const Scalar T = x[0];
         const Scalar inverse_2 = Scalar(1) / T;
-        const Scalar exp_3 = exp(c_.k9 * inverse_1 * inverse_2);
+        const Scalar expm1_3 = expm1(c_.k9 * inverse_1 * inverse_2);
         const Scalar inverse_1_squared = inverse_1 * inverse_1;
-        const Scalar e4 = inverse_1 / (Scalar(1) - exp_3) * (inverse_1_squared * inverse_1_squared);
+        const Scalar e4 = inverse_1 / expm1_3 * (inverse_1_squared * inverse_1_squared);
         const Scalar sun = u[2];
-        y[0] = -c_.k4 * e4;
-        y[1] = -c_.k5 * e4 / (Scalar(1) + c_.k8 * l * l);
+        y[0] = c_.k4 * e4;
+        y[1] = c_.k5 * e4 / (Scalar(1) + c_.k8 * l * l);
         y[2] = c_.k6 * inverse_2;
         y[3] = c_.k7 * sun;
         y[4] = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * T * T * T
@@ -355,38 +355,46 @@ public:
     }
 
     /// C = dh/dx.
-    /// Operations: 3 + or -, 20 *, 4 /, 1 other functions
+    /// Operations: 3 + or -, 19 *, 5 /, 2 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
+        using std::expm1;
         const Scalar l = u[3];
         const Scalar inverse_1 = Scalar(1) / l;
+        const Scalar inverse_1_squared = inverse_1 * inverse_1;
         const Scalar T = x[0];
         const Scalar inverse_2 = Scalar(1) / T;
         const Scalar e3 = inverse_1 * inverse_2;
-        const Scalar exp_4 = exp(c_.k9 * e3);
-        const Scalar inverse_5 = Scalar(1) / (Scalar(1) - exp_4);
-        const Scalar e6 = inverse_1 * inverse_1 * (inverse_1 * inverse_5) * (inverse_5 * e3 * (e3 * (exp_4 * inverse_1)));
-        C[0] = c_.k10 * e6;
-        C[1] = c_.k11 * e6 / (Scalar(1) + c_.k8 * l * l);
+        const Scalar e4 = c_.k9 * e3;
+        const Scalar exp_5 = exp(e4);
+        const Scalar expm1_6 = expm1(-e4);
+        const Scalar inverse_7 = Scalar(1) / expm1_6;
+        const Scalar e8 = inverse_1_squared * (inverse_7 / exp_5) * (inverse_7 * e3 * (e3 * inverse_1_squared));
+        C[0] = c_.k10 * e8;
+        C[1] = c_.k11 * e8 / (Scalar(1) + c_.k8 * l * l);
         C[2] = -c_.k6 * inverse_2 * inverse_2;
         C[3] = Scalar(0);
         C[4] = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * T * T * T;
     }
 
     /// D = dh/du.
-    /// Operations: 5 + or -, 17 *, 4 /, 1 other functions
+    /// Operations: 5 + or -, 18 *, 5 /, 2 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
+        using std::expm1;
         const Scalar l = u[3];
         const Scalar inverse_1 = Scalar(1) / l;
         const Scalar inverse_1_squared = inverse_1 * inverse_1;
         const Scalar T = x[0];
         const Scalar e2 = inverse_1 / T;
-        const Scalar exp_3 = exp(c_.k9 * e2);
-        const Scalar e4 = inverse_1_squared / (Scalar(1) - exp_3);
-        const Scalar e5 = inverse_1_squared * e4;
-        const Scalar e6 = e2 * (exp_3 * e4);
-        const Scalar inverse_7 = Scalar(1) / (Scalar(1) + c_.k8 * l * l);
+        const Scalar e3 = c_.k9 * e2;
+        const Scalar exp_4 = exp(e3);
+        const Scalar expm1_5 = expm1(-e3);
+        const Scalar inverse_6 = Scalar(1) / expm1_5;
+        const Scalar e7 = inverse_6 / exp_4 * (inverse_1_squared * inverse_1_squared);
+        const Scalar e8 = inverse_1_squared * e7;
+        const Scalar e9 = inverse_6 * e2;
+        const Scalar inverse_10 = Scalar(1) / (Scalar(1) + c_.k8 * l * l);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
@@ -402,8 +410,8 @@ public:
         D[12] = Scalar(0);
         D[13] = c_.k7;
         D[14] = Scalar(0);
-        D[15] = e5 * (c_.k12 * inverse_1_squared + c_.k10 * e6);
-        D[16] = inverse_7 * e5 * (c_.k13 * inverse_1_squared + c_.k14 * inverse_7 + c_.k11 * e6);
+        D[15] = e8 * (c_.k12 + c_.k10 * e9);
+        D[16] = inverse_10 * e8 * (c_.k13 + c_.k11 * e9) + c_.k14 * inverse_10 * inverse_10 * e7;
         D[17] = Scalar(0);
         D[18] = Scalar(0);
         D[19] = Scalar(0);

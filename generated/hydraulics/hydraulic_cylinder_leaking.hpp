@@ -35,7 +35,7 @@
 //   kinetic_energy         0      2     0        0      0
 //   supplied_power         1      1     0        0      0
 //   internal_energy        9     13     2        0      6
-//   exchanged_power       26     35     2        0      8
+//   exchanged_power       26     33     2        0      9
 //   guards                 1      2     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -831,7 +831,7 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 26 + or -, 35 *, 2 /, 8 other functions
+    /// Operations: 26 + or -, 33 *, 2 /, 9 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
@@ -852,18 +852,18 @@ public:
         const Scalar compression_11 = detail::compression<Scalar>(-e1);
         const Scalar compression_12 = detail::compression<Scalar>(-e6);
         const Scalar e13 = p_1 - p_2;
-        const Scalar e14 = p_.k_l * e13;
-        const Scalar step_15 = detail::step<Scalar>(e14);
-        const Scalar e16 = e13 * step_15;
-        const Scalar step_17 = detail::step<Scalar>(-e14);
-        const Scalar e18 = e13 * step_17;
-        const Scalar e19 = e13 * (step_17 * inverse_9 + step_15 * inverse_4);
+        const Scalar expm1_14 = expm1(e1 - e6);
+        const Scalar e15 = p_.k_l * e13;
+        const Scalar step_16 = detail::step<Scalar>(-e15);
+        const Scalar step_17 = detail::step<Scalar>(e15);
+        const Scalar e18 = step_17 * inverse_4;
+        const Scalar e19 = step_16 * inverse_9;
+        const Scalar e20 = e13 * (e18 + e19);
         const Scalar s_k_dot = x[1];
         return c_.k41 * (expm1_2 * e5 + expm1_7 * e10) - c_.k17 * (q_1 + q_2) + p_.beta
-            * (compression_11 * e5 + compression_12 * e10) - (c_.k20 - p_.k_l * p_2) * (exp_8 * inverse_4 * e16 + e18)
-            + (c_.k20 - p_.k_l * p_1) * (e16 + exp_3 * inverse_9 * e18) - c_.k33 * e19 * (compression_11 - compression_12)
-            - c_.k34 * e19 * (expm1_2 - expm1_7) + q_1 * p_1 + q_2 * p_2 + s_k_dot
-            * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
+            * (compression_11 * e5 + compression_12 * e10) + e13 * (c_.k20 * expm1_14 + p_.k_l * p_2) * (step_16 + exp_8 * e18)
+            - p_1 * e15 * (step_17 + exp_3 * e19) - c_.k33 * e20 * (compression_11 - compression_12) - c_.k34 * e20
+            * (expm1_2 - expm1_7) + q_1 * p_1 + q_2 * p_2 + s_k_dot * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -41,6 +41,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 namespace arm_6r::plain {
 
@@ -148,42 +150,92 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
-/// Factors M = L D L' in place. `m` is the lower triangle row by row; afterwards it holds L below the diagonal and 1/D on it.
-/// M must be positive definite; otherwise the result is not finite or useless, and no error is reported.
+/// Calls step with 0, 1, ..., n - 1 as constants.
+template <class Step, std::size_t... i>
+void unroll(std::index_sequence<i...>, [[maybe_unused]] const Step& step) noexcept {
+    (step(std::integral_constant<std::size_t, i>{}), ...);
+}
+template <std::size_t n, class Step>
+void unroll(const Step& step) noexcept {
+    unroll(std::make_index_sequence<n>{}, step);
+}
+
+/// Up to this order systems of equations are solved without loops, in half of their time; longer code leaves the instruction cache.
+inline constexpr std::size_t most_unrolled = 12;
+
+/// Factors M = L D L' in place. `given` is the lower triangle row by row; afterwards it holds L below the diagonal and 1/D on it.
+/// M must be positive definite; otherwise the result is not finite or useless, and no error is reported. Needs unroll.
 template <class Scalar, std::size_t n>
-void ldlt_factor(std::array<Scalar, n * (n + 1) / 2>& m) noexcept {
-    for (std::size_t i = 0; i < n; ++i) {
-        Scalar* const row = m.data() + i * (i + 1) / 2;
-        for (std::size_t j = 0; j < i; ++j) {
-            const Scalar* const other = m.data() + j * (j + 1) / 2;
-            Scalar v = row[j];
-            for (std::size_t k = 0; k < j; ++k) v -= row[k] * other[k];
-            row[j] = v;
+void ldlt_factor(std::array<Scalar, n * (n + 1) / 2>& given) noexcept {
+    if constexpr (n <= most_unrolled) {
+        std::array<Scalar, n * (n + 1) / 2> m = given;  // which nothing else points to
+        unroll<n>([&](auto i) {
+            constexpr std::size_t row = i * (i + 1) / 2;
+            unroll<i>([&](auto j) {
+                constexpr std::size_t other = j * (j + 1) / 2;
+                Scalar v = m[row + j];
+                unroll<j>([&](auto k) { v -= m[row + k] * m[other + k]; });
+                m[row + j] = v;
+            });
+            Scalar pivot = m[row + i];
+            unroll<i>([&](auto j) {
+                const Scalar l = m[row + j] * m[j * (j + 1) / 2 + j];
+                pivot -= m[row + j] * l;
+                m[row + j] = l;
+            });
+            m[row + i] = Scalar(1) / pivot;
+        });
+        given = m;
+    } else {
+        for (std::size_t i = 0; i < n; ++i) {
+            Scalar* const row = given.data() + i * (i + 1) / 2;
+            for (std::size_t j = 0; j < i; ++j) {
+                const Scalar* const other = given.data() + j * (j + 1) / 2;
+                Scalar v = row[j];
+                for (std::size_t k = 0; k < j; ++k) v -= row[k] * other[k];
+                row[j] = v;
+            }
+            Scalar pivot = row[i];
+            for (std::size_t j = 0; j < i; ++j) {
+                const Scalar l = row[j] * given[j * (j + 1) / 2 + j];
+                pivot -= row[j] * l;
+                row[j] = l;
+            }
+            row[i] = Scalar(1) / pivot;
         }
-        Scalar pivot = row[i];
-        for (std::size_t j = 0; j < i; ++j) {
-            const Scalar l = row[j] * m[j * (j + 1) / 2 + j];
-            pivot -= row[j] * l;
-            row[j] = l;
-        }
-        row[i] = Scalar(1) / pivot;
     }
 }
 
 /// Solves M x = b in place, `m` as ldlt_factor leaves it. `b` points to n values.
 template <class Scalar, std::size_t n>
 void ldlt_solve(const std::array<Scalar, n * (n + 1) / 2>& m, Scalar* b) noexcept {
-    for (std::size_t i = 1; i < n; ++i) {
-        const Scalar* const row = m.data() + i * (i + 1) / 2;
-        Scalar value = b[i];
-        for (std::size_t k = 0; k < i; ++k) value -= row[k] * b[k];
-        b[i] = value;
-    }
-    for (std::size_t i = 0; i < n; ++i) b[i] *= m[i * (i + 1) / 2 + i];
-    for (std::size_t i = n; i-- > 1;) {
-        const Scalar* const row = m.data() + i * (i + 1) / 2;
-        const Scalar value = b[i];
-        for (std::size_t k = 0; k < i; ++k) b[k] -= row[k] * value;
+    if constexpr (n <= most_unrolled) {
+        std::array<Scalar, n> x;
+        for (std::size_t i = 0; i < n; ++i) x[i] = b[i];
+        unroll<n>([&](auto i) {
+            Scalar value = x[i];
+            unroll<i>([&](auto k) { value -= m[i * (i + 1) / 2 + k] * x[k]; });
+            x[i] = value;
+        });
+        unroll<n>([&](auto i) { x[i] *= m[i * (i + 1) / 2 + i]; });
+        unroll<n>([&](auto from_last) {
+            constexpr std::size_t i = n - 1 - from_last;
+            unroll<i>([&](auto k) { x[k] -= m[i * (i + 1) / 2 + k] * x[i]; });
+        });
+        for (std::size_t i = 0; i < n; ++i) b[i] = x[i];
+    } else {
+        for (std::size_t i = 1; i < n; ++i) {
+            const Scalar* const row = m.data() + i * (i + 1) / 2;
+            Scalar value = b[i];
+            for (std::size_t k = 0; k < i; ++k) value -= row[k] * b[k];
+            b[i] = value;
+        }
+        for (std::size_t i = 0; i < n; ++i) b[i] *= m[i * (i + 1) / 2 + i];
+        for (std::size_t i = n; i-- > 1;) {
+            const Scalar* const row = m.data() + i * (i + 1) / 2;
+            const Scalar value = b[i];
+            for (std::size_t k = 0; k < i; ++k) b[k] -= row[k] * value;
+        }
     }
 }
 
