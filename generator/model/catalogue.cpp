@@ -8,6 +8,7 @@
 #include "model/checks.hpp"
 #include "model/latex_reader.hpp"
 #include "model/latex_words.hpp"
+#include "model/letter_dependences.hpp"
 #include "model/matrices.hpp"
 
 namespace dalembert {
@@ -93,10 +94,11 @@ PrintedNotation notation_of(const Catalogue& catalogue, const CatalogueEntry& en
     for (const PrintedLetter& letter : entry.letters) notation.add_word(letter.name);
     if (model != nullptr)
         for (const std::string& name : Names(*model).all()) notation.add_word(name);
-    for (const auto* functions : {&catalogue.functions, &entry.functions})
-        for (const std::string& name : *functions) notation.define_function(name, {});
     for (const auto* meanings : {&catalogue.notation, &entry.notation})
         for (const LatexMeaning& meaning : *meanings) notation.define(meaning.letter, meaning.value);
+    for (const auto* functions : {&catalogue.functions, &entry.functions})
+        for (const Excerpt& function : *functions) notation.define_function(function);
+    add_dependences(notation, catalogue, entry, model);
     return notation;
 }
 
