@@ -50,7 +50,7 @@ private:
 Range range_about(const CatalogueLetter& letter) {
     const ExpressionPtr middle = letter.value ? letter.value : make_number(1, letter.span);
     const ExpressionPtr two = make_number(2, letter.span);
-    return {make_binary(Expression::Kind::divide, middle, two), make_binary(Expression::Kind::multiply, two, middle), letter.span};
+    return {make_binary(Expression::Kind::divide, middle, two), make_binary(Expression::Kind::multiply, two, middle), letter.span, letter.value == nullptr};
 }
 
 /// A letter without a value of its own is a number like any other; what is positive is so by its range.
