@@ -6,6 +6,7 @@
 #include <set>
 
 #include "model/checks.hpp"
+#include "model/latex_conditions.hpp"
 #include "model/latex_reader.hpp"
 #include "model/latex_words.hpp"
 #include "model/letter_dependences.hpp"
@@ -115,6 +116,9 @@ CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& 
     CatalogueEntry result = entry;
     if (entry.latex)
         for (const LatexEquation& read : read_latex(*entry.latex, notation_of(catalogue, entry, model))) {
+            const bool is_said_of_equations = is_condition(read) && !result.equations.empty();
+            if (is_said_of_equations || !read.conditions.empty()) check_conditions(read, catalogue, entry, model);
+            if (is_said_of_equations) continue;
             // Said to be rounded: what stands without a unit is a number all the same.
             const bool is_rounded = std::find(read.relations.begin(), read.relations.end(), Relation::approximately) != read.relations.end();
             if (is_rounded && !result.number_unit) result.number_unit = Unit{};

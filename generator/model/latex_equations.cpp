@@ -138,6 +138,7 @@ std::vector<LatexEquation> LatexParser::equations() {
     while (!is_end()) {
         const Word word = word_of(token());
         if (is_between() || word == Word::separator || word == Word::comment || word == Word::otherwise) {
+            if (word == Word::comment && token().text.find_first_of("<>=$") != std::string::npos) wrong(place(token()), "what stands in this text is not read; write a condition behind '\\text{for }'");
             next();
             continue;
         }

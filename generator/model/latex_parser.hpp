@@ -175,6 +175,8 @@ private:
     ExpressionPtr cases(std::size_t first);
     ExpressionPtr condition();
     ExpressionPtr single_condition();
+    bool starts_condition_group() const;
+    void skip_remark();
 
     // latex_equations.cpp --------------------------------------------------------------------------------------------------------------
     void prepare();
