@@ -8,6 +8,7 @@
 #include "model/checks.hpp"
 #include "model/latex_conditions.hpp"
 #include "model/latex_reader.hpp"
+#include "model/latex_rounded.hpp"
 #include "model/latex_words.hpp"
 #include "model/letter_dependences.hpp"
 #include "model/matrices.hpp"
@@ -126,8 +127,10 @@ CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& 
                 if (relation != Relation::equal && relation != Relation::approximately)
                     fail(Id::not_allowed_here, read.equation.span, fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(), sign_of(relation)));
             if (read.relations.empty()) fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
-            result.equations.push_back(read.equation);
-            for (ExpressionPtr& side : result.equations.back().sides) side = in_model_words(side);
+            for (Equation& equation : with_rounded_numbers(read)) {
+                for (ExpressionPtr& side : equation.sides) side = in_model_words(side);
+                result.equations.push_back(std::move(equation));
+            }
         }
     if (!entry.solved.empty()) check_solution(result);
     return result;
