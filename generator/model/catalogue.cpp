@@ -12,6 +12,7 @@
 #include "model/latex_words.hpp"
 #include "model/letter_dependences.hpp"
 #include "model/matrices.hpp"
+#include "text/nearest.hpp"
 
 namespace dalembert {
 
@@ -104,6 +105,21 @@ PrintedNotation notation_of(const Catalogue& catalogue, const CatalogueEntry& en
     return notation;
 }
 
+/// An unknown name counts as a number, so that sizes say nothing before it is told.
+void check_known(const PrintedEquation& entry, const Names& names, Diagnostics& diagnostics) {
+    std::set<std::string> running, told;  // t and the indices of sums and integrals are known
+    const auto visit = [&](const Expression& e) {
+        if (e.kind == Expression::Kind::sum) running.insert(e.name);
+        if (e.kind == Expression::Kind::call && e.children.size() > 1 && (e.name == "integral" || e.name == "limit" || e.name == "at")) running.insert(e.children[1]->name);
+        if (e.kind != Expression::Kind::name || !e.children.empty() || e.name == "t" || e.name == "pi" || e.name == "infinity" || running.contains(e.name)) return;
+        const bool is_letter = std::any_of(entry.shown_letters.begin(), entry.shown_letters.end(), [&](const PrintedLetter& letter) { return letter.name == e.name; });
+        if (is_letter || names.find(e.name) != nullptr || find_quantity(e.name) != nullptr || !told.insert(e.name).second) return;
+        diagnostics.error(Id::unknown_name, e.span, fmt::format("'{}' is not defined{}", e.name, did_you_mean(e.name, names.all())));
+    };
+    for (const Equation& equation : entry.shown)
+        for (const ExpressionPtr& side : equation.sides) for_each(*side, visit);
+}
+
 /// An entry that solves equations says what letters are.
 void check_solution(const CatalogueEntry& entry) {
     for (const Equation& equation : entry.equations)
@@ -172,6 +188,7 @@ PrintedEquation checked_entry(const Catalogue& catalogue, const CatalogueEntry& 
     result.shown = result.equations;
     result.shown_letters = result.letters;
     take_matrices_apart(result);
+    if (!result.sizes.empty()) check_known(result, names, diagnostics);
     check_expressions(result, names, diagnostics);
     return result;
 }

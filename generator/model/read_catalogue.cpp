@@ -18,6 +18,7 @@ constexpr int newest_catalogue = 1;
 CatalogueLetter read_letter(const Entry& e, bool is_positive) {
     CatalogueLetter letter;
     e.fill(letter);
+    if (e.name() == "t") e.error(Id::reserved_name, e.span(), "'t' is the time, which is known without being declared; leave it out");
     letter.unit = e.unit("unit").value_or(Unit{});
     letter.range = e.range("range", letter.unit);
     letter.value = e.constant("value", letter.unit);
