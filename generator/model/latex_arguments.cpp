@@ -11,6 +11,9 @@ const std::vector<std::string>* LatexParser::arguments_of(const LatexLetter& let
     LatexLetter plain = letter;
     plain.dots = 0;
     if (const auto* known = notation_.find_function(plain.canonical())) return known;
+    plain.primes = 0;
+    if (letter.primes > 0)
+        if (const auto* known = notation_.find_function(plain.canonical()); known != nullptr && known->size() == 1) return known;
     if (std::none_of(letter.index.begin(), letter.index.end(), [&](const LatexToken& t) { return counts(t); })) return nullptr;
     plain.index.clear();
     return notation_.find_function(plain.canonical());
@@ -60,8 +63,20 @@ LatexParser::Brackets LatexParser::brackets_at(std::size_t open, std::size_t clo
 
 /// What is known of the letter that a function is, or of the one under its dots.
 const LetterDependence* LatexParser::dependence_of(const Expression& function) const {
-    if (function.kind == Kind::call && (function.name == "dot" || function.name == "ddot")) return dependence_of(*function.children[0]);
+    if (function.kind == Kind::call && (function.name == "dot" || function.name == "ddot" || function.name == "derivative")) return dependence_of(*function.children[0]);
     return function.kind == Kind::name ? notation_.find_dependence(function.name) : nullptr;
+}
+
+/// f' of a function of one letter, where f' is no letter of its own; null otherwise.
+ExpressionPtr LatexParser::slope_by_primes(const LatexLetter& letter, std::size_t first) {
+    const std::string canonical = letter.canonical();
+    if (letter.primes == 0 || notation_.find(canonical) != nullptr || notation_.find_function(canonical) != nullptr || notation_.find_dependence(letter.plain_name()) != nullptr) return nullptr;
+    LatexLetter plain = letter;
+    plain.primes = 0;
+    const auto* arguments = notation_.find_function(plain.canonical());
+    if (arguments == nullptr || arguments->size() != 1) return nullptr;
+    const std::vector<ExpressionPtr> variables(static_cast<std::size_t>(letter.primes), make_name(arguments->front(), from(first)));
+    return derived(translate(plain, first), variables, false, first);
 }
 
 /// f(v) of a function of x. Where nothing says how f depends on x it has no value there.

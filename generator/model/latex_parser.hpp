@@ -5,7 +5,8 @@
 // "/" divides by one factor; what is ambiguous to a reader (a/b c) is refused. A function without brackets (\sin 2\theta x) takes numbers,
 // letters and fractions up to a space \, , a sign, a bracket, a dotted or bold letter or another function; a letter that is an angle by
 // custom (\alpha ... \theta, \varphi, \psi) ends it. \frac{d}{dt} and \nabla take the one factor behind them, \sum and \lim the rest of the product.
-// f(...) is a function where the notation says so, where the bracket holds letters and commas only, or one letter without index.
+// f(...) is a function where the notation says so, where the bracket holds letters and commas only, or one letter without index; where it is not
+// clear what it is a function of, and the expression of f says that it matters, it is refused.
 #pragma once
 
 #include <algorithm>
@@ -138,6 +139,7 @@ private:
     Brackets brackets_at(std::size_t open, std::size_t close);
     const LetterDependence* dependence_of(const Expression& function) const;
     bool is_called(const LatexLetter& letter);
+    ExpressionPtr slope_by_primes(const LatexLetter& letter, std::size_t first);
     const std::vector<std::string>* arguments_of(const LatexLetter& letter) const;
     std::vector<ExpressionPtr> list_until_bracket(const LatexToken& open);
 

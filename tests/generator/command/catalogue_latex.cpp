@@ -43,6 +43,8 @@ const Claim claims[]{
     {"with = { f = \"x - a\" }\nfunctions = [\"f(x, a)\"]", R"(f(b, c) = b - c)", "proven"},
     {"with = { f = \"x - a\" }\nfunctions = [\"f(x, a)\"]", R"(f(a, x) = a - x)", "'x' takes a value with 'a', which itself takes another one"},
     {"with = { f = \"a\" }\nfunctions = [\"f(x)\"]", R"(f(0) = f(x))", "proven"},
+    {"with = { f = \"x^3\" }\nfunctions = [\"f(x)\"]", R"(f'(x) = 3 x^2, f'' = 6 x, f'(a)^2 = 9 a^4, f''(2) = 12)", "proven"},
+    {"with = { h = \"v*t^2\" }\nfunctions = [\"h(t)\"]", R"(h''(T) = 2 v, h'(T) = 2 v T)", "proven"},
     {"functions = [\"b(x)\"]", R"(b(0) = b(x))", "nothing says what 'b' is at another place than 'x'"},
     // not said
     {"with = { f = \"x^2\" }", R"(f(x) = x^2)", "proven"},
