@@ -3,6 +3,8 @@
 
 #include <cln/float.h>
 
+#include <array>
+
 namespace dalembert {
 
 using GiNaC::ex;
@@ -51,9 +53,12 @@ RandomPoints::RandomPoints(const System& system) {
             const bool may_be_angle = kind == SymbolKind::coordinate || kind == SymbolKind::state || kind == SymbolKind::parameter;
             Rational high = may_be_angle ? Rational(4) : Rational(3) / 2;
             Rational low = kind == SymbolKind::time || variable.is_root ? Rational(0) : -high;
+            const bool may_be_large = may_be_angle || kind == SymbolKind::input || kind == SymbolKind::velocity;
+            bool is_free = may_be_large && !variable.is_root && (variable.declared == nullptr || !variable.declared->range);
             if (kind == SymbolKind::parameter) {
                 const auto value = near(at_start.at(variable.symbol));
                 if (value && !is_zero(*value)) {
+                    is_free = false;
                     low = *value / 2;
                     high = *value * 3 / 2;
                 }
@@ -78,7 +83,8 @@ RandomPoints::RandomPoints(const System& system) {
                     low = high - width;
                 }
             }
-            intervals_.push_back({variable.symbol, low, high});
+            is_free = is_free || (variable.declared != nullptr && variable.declared->range && variable.declared->range->is_guess && !variable.is_root);
+            intervals_.push_back({variable.symbol, low, high, is_free});
         }
     }
     // What the cells of rods in loops are made of: temperatures, and numbers on the grid in their order.
@@ -93,12 +99,28 @@ RandomPoints::RandomPoints(const System& system) {
     }
 }
 
+Rational RandomPoints::fraction() {
+    // Strictly inside: at the ends of a range an expression may have no value.
+    return Rational(cln::cl_I(static_cast<unsigned long>(next_word(state_) >> 40U)) + 1) / ((1UL << 24U) + 1);
+}
+
 Point RandomPoints::next() {
     Point point;
+    for (const Interval& interval : intervals_) point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction());
+    return point;
+}
+
+Point RandomPoints::next_wide() {
+    static const std::array<Rational, 3> sizes{Rational(1) / 50, Rational(30), Rational(1000)};
+    Point point;
     for (const Interval& interval : intervals_) {
-        // Strictly inside: at the ends of a range an expression may have no value.
-        const Rational fraction = Rational(cln::cl_I(static_cast<unsigned long>(next_word(state_) >> 40U)) + 1) / ((1UL << 24U) + 1);
-        point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction);
+        if (!interval.is_free) {
+            point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction());
+            continue;
+        }
+        const std::uint64_t word = next_word(state_);
+        const Rational size = sizes[(word >> 40U) % sizes.size()] * fraction();
+        point.emplace_back(interval.letter, cln::minusp(interval.low) && (word >> 63U) != 0 ? Rational(-size) : size);
     }
     return point;
 }

@@ -21,16 +21,21 @@ public:
     explicit RandomPoints(const System& system);
     /// The next point. The sequence is the same on every run and machine.
     Point next();
+    /// The same with letters of any size, from a thousandth to a thousand, where nothing says how large they are.
+    Point next_wide();
 
     /// Where a letter is taken from: its declared range, or what goes for one.
     struct Interval {
         GiNaC::ex letter;
         Rational low;
         Rational high;
+        bool is_free = false;  ///< nothing says how large it is; negative where `low` is
     };
     const std::vector<Interval>& intervals() const { return intervals_; }
 
 private:
+    Rational fraction();
+
     std::vector<Interval> intervals_;
     std::uint64_t state_ = 0x9E3779B97F4A7C15ULL;
 };

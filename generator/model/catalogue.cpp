@@ -6,9 +6,13 @@
 #include <set>
 
 #include "model/checks.hpp"
+#include "model/latex_conditions.hpp"
 #include "model/latex_reader.hpp"
+#include "model/latex_rounded.hpp"
 #include "model/latex_words.hpp"
+#include "model/letter_dependences.hpp"
 #include "model/matrices.hpp"
+#include "text/nearest.hpp"
 
 namespace dalembert {
 
@@ -49,7 +53,7 @@ private:
 Range range_about(const CatalogueLetter& letter) {
     const ExpressionPtr middle = letter.value ? letter.value : make_number(1, letter.span);
     const ExpressionPtr two = make_number(2, letter.span);
-    return {make_binary(Expression::Kind::divide, middle, two), make_binary(Expression::Kind::multiply, two, middle), letter.span};
+    return {make_binary(Expression::Kind::divide, middle, two), make_binary(Expression::Kind::multiply, two, middle), letter.span, letter.value == nullptr};
 }
 
 /// A letter without a value of its own is a number like any other; what is positive is so by its range.
@@ -93,11 +97,27 @@ PrintedNotation notation_of(const Catalogue& catalogue, const CatalogueEntry& en
     for (const PrintedLetter& letter : entry.letters) notation.add_word(letter.name);
     if (model != nullptr)
         for (const std::string& name : Names(*model).all()) notation.add_word(name);
-    for (const auto* functions : {&catalogue.functions, &entry.functions})
-        for (const std::string& name : *functions) notation.define_function(name, {});
     for (const auto* meanings : {&catalogue.notation, &entry.notation})
         for (const LatexMeaning& meaning : *meanings) notation.define(meaning.letter, meaning.value);
+    for (const auto* functions : {&catalogue.functions, &entry.functions})
+        for (const Excerpt& function : *functions) notation.define_function(function);
+    add_dependences(notation, catalogue, entry, model);
     return notation;
+}
+
+/// An unknown name counts as a number, so that sizes say nothing before it is told.
+void check_known(const PrintedEquation& entry, const Names& names, Diagnostics& diagnostics) {
+    std::set<std::string> running, told;  // t and the indices of sums and integrals are known
+    const auto visit = [&](const Expression& e) {
+        if (e.kind == Expression::Kind::sum) running.insert(e.name);
+        if (e.kind == Expression::Kind::call && e.children.size() > 1 && (e.name == "integral" || e.name == "limit" || e.name == "at")) running.insert(e.children[1]->name);
+        if (e.kind != Expression::Kind::name || !e.children.empty() || e.name == "t" || e.name == "pi" || e.name == "infinity" || running.contains(e.name)) return;
+        const bool is_letter = std::any_of(entry.shown_letters.begin(), entry.shown_letters.end(), [&](const PrintedLetter& letter) { return letter.name == e.name; });
+        if (is_letter || names.find(e.name) != nullptr || find_quantity(e.name) != nullptr || !told.insert(e.name).second) return;
+        diagnostics.error(Id::unknown_name, e.span, fmt::format("'{}' is not defined{}", e.name, did_you_mean(e.name, names.all())));
+    };
+    for (const Equation& equation : entry.shown)
+        for (const ExpressionPtr& side : equation.sides) for_each(*side, visit);
 }
 
 /// An entry that solves equations says what letters are.
@@ -113,6 +133,9 @@ CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& 
     CatalogueEntry result = entry;
     if (entry.latex)
         for (const LatexEquation& read : read_latex(*entry.latex, notation_of(catalogue, entry, model))) {
+            const bool is_said_of_equations = is_condition(read) && !result.equations.empty();
+            if (is_said_of_equations || !read.conditions.empty()) check_conditions(read, catalogue, entry, model);
+            if (is_said_of_equations) continue;
             // Said to be rounded: what stands without a unit is a number all the same.
             const bool is_rounded = std::find(read.relations.begin(), read.relations.end(), Relation::approximately) != read.relations.end();
             if (is_rounded && !result.number_unit) result.number_unit = Unit{};
@@ -120,8 +143,10 @@ CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& 
                 if (relation != Relation::equal && relation != Relation::approximately)
                     fail(Id::not_allowed_here, read.equation.span, fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(), sign_of(relation)));
             if (read.relations.empty()) fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
-            result.equations.push_back(read.equation);
-            for (ExpressionPtr& side : result.equations.back().sides) side = in_model_words(side);
+            for (Equation& equation : with_rounded_numbers(read)) {
+                for (ExpressionPtr& side : equation.sides) side = in_model_words(side);
+                result.equations.push_back(std::move(equation));
+            }
         }
     if (!entry.solved.empty()) check_solution(result);
     return result;
@@ -163,6 +188,7 @@ PrintedEquation checked_entry(const Catalogue& catalogue, const CatalogueEntry& 
     result.shown = result.equations;
     result.shown_letters = result.letters;
     take_matrices_apart(result);
+    if (!result.sizes.empty()) check_known(result, names, diagnostics);
     check_expressions(result, names, diagnostics);
     return result;
 }

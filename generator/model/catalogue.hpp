@@ -31,7 +31,7 @@ struct CatalogueEntry : PrintedEquation {
     std::vector<CatalogueLetter> own;
     std::optional<Excerpt> latex;  ///< instead of equations
     std::vector<LatexMeaning> notation;
-    std::vector<std::string> functions;
+    std::vector<Excerpt> functions;
     std::string not_checkable; ///< why there is nothing to be checked; empty where there is
 };
 
@@ -41,7 +41,7 @@ struct Catalogue {
     std::string edition;
     std::vector<CatalogueLetter> letters;
     std::vector<LatexMeaning> notation;
-    std::vector<std::string> functions;  ///< letters that are functions: what stands in brackets behind them is left out
+    std::vector<Excerpt> functions;  ///< letters that are functions: "T", or with what of, "T(x)"
     std::vector<CatalogueEntry> entries;
 };
 

@@ -18,7 +18,7 @@ constexpr std::array catalogue_keys{
     KeySpec{"source", Type::text, true, "the text: author, title"},
     KeySpec{"edition", Type::text, false, "which edition, or where it was found"},
     KeySpec{"doc", Type::text, false, "which part of the text this file is about"},
-    KeySpec{"functions", Type::effects, false, "of entries in LaTeX: letters that are functions, so that what stands in brackets behind them is left out"},
+    KeySpec{"functions", Type::effects, false, "of entries in LaTeX: letters that are functions, with what they are functions of: [\"f(x)\", \"L\"]"},
 };
 constexpr std::array letter_keys{
     KeySpec{"unit", Type::unit, true, "its unit: \"kg\", \"N/m\", \"1\""},
@@ -36,7 +36,7 @@ constexpr std::array entry_keys{
     KeySpec{"equations", Type::equations, false, "several equations under one number"},
     KeySpec{"latex", Type::text, false, "instead: the equation, or several, in LaTeX, as it is printed"},
     KeySpec{"notation", Type::expressions_by_name, false, "with latex: what its letters stand for, where that is not in [notation]: { '\\varphi' = \"theta\" }"},
-    KeySpec{"functions", Type::effects, false, "with latex: letters that are functions, so that what stands in brackets behind them is left out"},
+    KeySpec{"functions", Type::effects, false, "with latex: letters that are functions: \"f(x)\", so that f(a) is its value at a, or \"f\" for letters alone in brackets, and times"},
     KeySpec{"model", Type::text, false, "the model that it is checked against, relative to the catalogue; none: an identity on its own letters"},
     KeySpec{"printed", Type::text, false, "instead of an equation: the [printed] entry of the model that says it; the one of the same number, if left out"},
     KeySpec{"scene", Type::text, false, "the scene of the model; if left out its default, of a [printed] entry all that contain it"},

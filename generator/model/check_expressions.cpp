@@ -27,7 +27,7 @@ public:
         reported_ = false;
         for (const std::string& name : site.bound)
             if (!site.may_shadow && names_.find(name) != nullptr && shadowing_.insert(site.what + name).second)
-                error(Id::doubly_defined, site.expression->span, fmt::format("'{}' is defined in the model and again as an index or variable in {}", name, site.what));
+                error(Id::doubly_defined, site.expression->span, fmt::format("'{}' is defined already, and again as an index or variable in {}", name, site.what));
         visit(*site.expression);
     }
 

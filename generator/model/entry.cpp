@@ -455,6 +455,17 @@ std::vector<std::pair<Excerpt, ExpressionPtr>> Entry::by_text(std::string_view k
     return result;
 }
 
+std::vector<Excerpt> Entry::excerpts(std::string_view key) const {
+    std::vector<Excerpt> result;
+    const DocumentNode* node = find(key, ValueType::effects);
+    if (node == nullptr) return result;
+    for (const DocumentNode* element : list(node, ValueType::effects)) {
+        if (element->kind == NodeKind::string) result.push_back(element->string);
+        else wrong_type(*element, ValueType::text);
+    }
+    return result;
+}
+
 Excerpt Entry::name_excerpt() const { return key_excerpt(span_); }
 
 std::optional<Excerpt> Entry::excerpt(std::string_view key) const {

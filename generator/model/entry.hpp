@@ -66,6 +66,7 @@ public:
     Excerpt name_excerpt() const;
     /// A text with the place of each of its characters.
     std::optional<Excerpt> excerpt(std::string_view key) const;
+    std::vector<Excerpt> excerpts(std::string_view key) const;
     std::vector<RunEntry> by_name(std::string_view key) const;
     std::vector<Plot> plots(std::string_view key) const;
     /// Calls read(part, is_last) for each of a list of tables, an Entry by a schema of its own.

@@ -28,6 +28,7 @@ struct Range {
     ExpressionPtr low;
     ExpressionPtr high;
     Span span;
+    bool is_guess = false;  ///< of a letter that is said to be positive, and nothing else
 };
 
 struct Quantity : Item {

@@ -11,6 +11,9 @@ const std::vector<std::string>* LatexParser::arguments_of(const LatexLetter& let
     LatexLetter plain = letter;
     plain.dots = 0;
     if (const auto* known = notation_.find_function(plain.canonical())) return known;
+    plain.primes = 0;
+    if (letter.primes > 0)
+        if (const auto* known = notation_.find_function(plain.canonical()); known != nullptr && known->size() == 1) return known;
     if (std::none_of(letter.index.begin(), letter.index.end(), [&](const LatexToken& t) { return counts(t); })) return nullptr;
     plain.index.clear();
     return notation_.find_function(plain.canonical());
@@ -25,86 +28,158 @@ std::vector<ExpressionPtr> LatexParser::list_until_bracket(const LatexToken& ope
     return list;
 }
 
+/// Letters and commas in the brackets behind a letter, each with its name in the model language; a variable of integration with what it stands for.
+LatexParser::Brackets LatexParser::brackets_at(std::size_t open, std::size_t close) {
+    Brackets found;
+    const std::size_t here = at_;
+    for (std::size_t i = open + 1; i < close && found.is_plain;) {
+        const auto read = starts_letter(i) ? letter_at(i) : std::nullopt;
+        found.is_plain = read && read->first.power_at == 0 && (read->second == close || at(read->second).is(","));
+        if (!found.is_plain) break;
+        const LatexLetter& argument = read->first.letter;
+        const auto dummy_of = argument.meant_by_dummy();
+        const ExpressionPtr* meaning = notation_.find(argument.canonical());
+        found.names.push_back(dummy_of ? *dummy_of : meaning != nullptr && (*meaning)->kind == Kind::name ? (*meaning)->name : argument.plain_name());
+        if (dummy_of) {
+            at_ = read->second;
+            found.dummies.emplace_back(*dummy_of, translate(argument, i));
+            at_ = here;
+        }
+        found.is_instant = argument.base == "t" && !argument.index.empty() && argument.marks.empty();
+        found.has_place = found.has_place || std::any_of(argument.index.begin(), argument.index.end(), [](const LatexToken& t) { return t.kind == LatexToken::Kind::letter; });
+        found.has_index = found.has_index || (found.names.size() == 1 && !argument.index.empty() && !found.is_instant);
+        found.spelled += (found.spelled.empty() ? "" : ", ") + dummy_of.value_or(argument.plain_name());
+        i = read->second;
+        if (at(i).is(",")) found.is_plain = ++i < close;
+    }
+    found.is_plain = found.is_plain && !found.names.empty();
+    int depth = 0;
+    for (std::size_t k = open; k < close; ++k) {
+        depth += at(k).is("(") || at(k).is("[") || at(k).is("{") || at(k).is("\\{") ? 1 : at(k).is(")") || at(k).is("]") || at(k).is("}") || at(k).is("\\}") ? -1 : 0;
+        found.is_list = found.is_list || (depth == 1 && at(k).is(","));
+    }
+    return found;
+}
+
+/// What is known of the letter that a function is, or of the one under its dots.
+const LetterDependence* LatexParser::dependence_of(const Expression& function) const {
+    if (function.kind == Kind::call && (function.name == "dot" || function.name == "ddot" || function.name == "derivative")) return dependence_of(*function.children[0]);
+    return function.kind == Kind::name ? notation_.find_dependence(function.name) : nullptr;
+}
+
+/// f' of a function of one letter, where f' is no letter of its own; null otherwise.
+ExpressionPtr LatexParser::slope_by_primes(const LatexLetter& letter, std::size_t first) {
+    const std::string canonical = letter.canonical();
+    if (letter.primes == 0 || notation_.find(canonical) != nullptr || notation_.find_function(canonical) != nullptr || notation_.find_dependence(letter.plain_name()) != nullptr) return nullptr;
+    LatexLetter plain = letter;
+    plain.primes = 0;
+    const auto* arguments = notation_.find_function(plain.canonical());
+    if (arguments == nullptr || arguments->size() != 1) return nullptr;
+    const std::vector<ExpressionPtr> variables(static_cast<std::size_t>(letter.primes), make_name(arguments->front(), from(first)));
+    return derived(translate(plain, first), variables, false, first);
+}
+
+/// f(v) of a function of x. Where nothing says how f depends on x it has no value there.
+ExpressionPtr LatexParser::value_at(const ExpressionPtr& function, const std::string& argument, const ExpressionPtr& value, std::size_t first) {
+    if (value->kind == Kind::name && value->children.empty() && value->name == argument) return function;
+    const LetterDependence* known = dependence_of(*function);
+    if (known != nullptr && !known->of.contains(argument)) {
+        if (!known->has_expression) wrong(from(first), fmt::format("nothing says what '{}' is at another place than '{}'; give its expression under 'with'", function->written(), argument));
+        if (!known->of.empty() && known->of.contains("t")) wrong(from(first), fmt::format("'{}' depends on 't', and not on '{}'", function->written(), argument));
+        return function;
+    }
+    return call("at", first, {function, make_name(argument, value->span), value});
+}
+
+/// Whether the letter stands before letters in brackets somewhere in the text.
+bool LatexParser::is_called(const LatexLetter& letter) {
+    if (!called_with_letters_) {
+        called_with_letters_.emplace();
+        for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+            const auto read = starts_letter(i) ? letter_at(i) : std::nullopt;
+            if (!read || !at(read->second).is("(")) continue;
+            const std::size_t close = closing_bracket(read->second);
+            if (close + 1 < tokens_.size() && brackets_at(read->second, close).is_plain) called_with_letters_->insert(read->first.letter.canonical());
+        }
+    }
+    return called_with_letters_->contains(letter.canonical());
+}
+
 /// f(...): the function itself, or its value at what stands in the brackets; note [how a product is read]. Not moved where it is a product.
 ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& letter, std::size_t first) {
     const std::size_t bracket = at_;
     const std::size_t close = closing_bracket(bracket);
     if (close + 1 >= tokens_.size() || token().space == Space::quad) return function;
+    if (letter.base == "\\pi" && letter.index.empty()) return function;
     const LatexToken open = token();
     const std::string name = excerpt_.text.substr(at(first).begin, at(bracket - 1).end - at(first).begin);
-    const auto value_at = [&](const std::string& argument, const ExpressionPtr& value) {
-        if (value->kind == Kind::name && value->children.empty() && value->name == argument) return;
-        function = call("at", first, {function, make_name(argument, value->span), value});
-    };
-    if (const auto* arguments = arguments_of(letter)) {
+    const auto* arguments = arguments_of(letter);
+    if (arguments != nullptr && !arguments->empty()) {
         next();
         const auto values = list_until_bracket(open);
-        if (arguments->empty()) return function;
         if (values.size() != arguments->size())
             wrong(from(bracket), fmt::format("'{}' has {} arguments here, but the notation names {}", name, values.size(), arguments->size()));
-        for (std::size_t i = 0; i < values.size(); ++i) value_at((*arguments)[i], values[i]);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            for (std::size_t later = i + 1; later < values.size(); ++later)  // one is inserted after the other
+                for_each(*values[i], [&](const Expression& e) {
+                    const bool is_free = e.kind == Kind::name && e.name == (*arguments)[later];
+                    const bool stays = values[later]->kind == Kind::name && values[later]->name == (*arguments)[later];
+                    if (is_free && !stays) wrong(from(bracket), fmt::format("'{}' takes a value with '{}', which itself takes another one; this is not read", (*arguments)[i], (*arguments)[later]));
+                });
+            function = value_at(function, (*arguments)[i], values[i], first);
+        }
         return function;
     }
-    // Without a word of the notation: letters and commas, each at most once.
-    std::string spelled;
-    std::vector<std::pair<std::string, ExpressionPtr>> dummies;  // \tau for t, \tilde{x} for x
-    std::size_t letters = 0;
-    bool is_list = false;
-    bool is_plain = true;
-    bool is_instant = false;  // t_0
-    bool has_place = false;   // x_A beside a variable of integration
-    std::size_t i = bracket + 1;
-    while (i < close && is_plain) {
-        const auto read = starts_letter(i) ? letter_at(i) : std::nullopt;
-        is_plain = read && read->first.power_at == 0 && (read->second == close || at(read->second).is(","));
-        if (!is_plain) break;
-        ++letters;
-        const LatexLetter& argument = read->first.letter;
-        if (const auto meant = argument.meant_by_dummy()) {
-            at_ = read->second;
-            dummies.emplace_back(*meant, translate(argument, i));
-            at_ = bracket;
-        }
-        is_instant = argument.base == "t" && !argument.index.empty() && argument.marks.empty();
-        has_place = has_place || std::any_of(argument.index.begin(), argument.index.end(), [](const LatexToken& t) { return t.kind == LatexToken::Kind::letter; });
-        is_plain = argument.index.empty() || is_instant || letters > 1;
-        spelled += (spelled.empty() ? "" : ", ") + argument.meant_by_dummy().value_or(argument.plain_name());
-        i = read->second;
-        if (at(i).is(",")) {
-            is_list = true;
-            is_plain = ++i < close;
-        }
-    }
-    int depth = 0;
-    for (std::size_t k = bracket; k < close; ++k) {
-        depth += at(k).is("(") || at(k).is("[") || at(k).is("{") || at(k).is("\\{") ? 1 : at(k).is(")") || at(k).is("]") || at(k).is("}") || at(k).is("\\}") ? -1 : 0;
-        is_list = is_list || (depth == 1 && at(k).is(","));
-    }
+    const bool is_function = arguments != nullptr;
+    const Brackets found = brackets_at(bracket, close);
+    const LetterDependence* known = dependence_of(*function);
     const bool is_number = close == bracket + 2 && at(bracket + 1).kind == LatexToken::Kind::number;
-    const bool is_letter = is_plain && letters == 1;
-    const auto unclear = [&](const char* why) {
+    const auto unclear = [&](const std::string& why) {
         at_ = close + 1;
-        wrong(from(bracket), fmt::format("{}; say in the notation what '{}' is a function of", why, name));
+        wrong(from(bracket), fmt::format("{}; say what '{}' is a function of, as in functions = ['{}{}']{}", why, name, name, found.is_list ? excerpt_.text.substr(open.begin, at(close).end - open.begin) : "(x)", is_function || is_number || found.is_list ? "" : fmt::format(", or write '{} \\cdot' for a product", name)));
     };
-    if (letter.base == "\\pi" && letter.index.empty()) return function;
-    if (is_letter && is_instant) {
+    const auto at_time = [&] {
         next();
-        const ExpressionPtr instant = expression();
-        next();
-        value_at("t", instant);
-        return function;
-    }
-    if (is_plain && letters > 0 && (dummies.empty() || !has_place)) {
-        for (const auto& [argument, dummy] : dummies) value_at(argument, dummy);
-        const auto [known, is_new] = applied_.emplace(letter.canonical(), spelled);
-        if (!is_new && known->second != spelled && dummies.empty()) unclear(fmt::format("'{}' stands before '({})' here and before '({})' elsewhere", name, spelled, known->second).c_str());
-        at_ = close + 1;
-        return function;
-    }
-    if (is_list) unclear("a list in brackets stands behind a letter");
-    if (is_number) unclear("a number in brackets stands behind a letter");
+        const auto values = list_until_bracket(open);
+        return value_at(function, "t", values[0], first);
+    };
     if (close == bracket + 1) unclear("empty brackets stand behind a letter");
-    if (letters == 1 && i == close) unclear("a single letter with an index stands in brackets behind a letter");
+    const bool is_of_time = known != nullptr && known->of.contains("t");
+    const bool is_single = found.is_plain && found.names.size() == 1;
+    if (is_single && (found.is_instant || (is_of_time && found.dummies.empty() && !known->of.contains(found.names.front())))) return at_time();
+    const bool may_be_indexed = !is_single || (is_function && known != nullptr && known->has_expression);
+    if (found.is_plain && (found.dummies.empty() || !found.has_place) && (!found.has_index || may_be_indexed)) return of_letters(function, letter, found, {first, bracket, close}, unclear);
+    if (is_function || is_number) {
+        if (is_of_time && !found.is_list) return at_time();
+        if (is_function) unclear(fmt::format("it is not clear what '{}' is a function of", name));
+    }
+    if (found.is_list) unclear("a list in brackets stands behind a letter");
+    if (is_number) unclear("a number in brackets stands behind a letter");
+    if (found.is_plain) unclear("a single letter with an index stands in brackets behind a letter");
+    if (known != nullptr && (known->has_expression || known->moves) && is_called(letter)) unclear(fmt::format("'{}' stands before a letter in brackets elsewhere, so that this may be no product", name));
+    return function;
+}
+
+/// Letters alone in brackets are what the function is a function of, where that can be; or else the time at which it is taken.
+ExpressionPtr LatexParser::of_letters(ExpressionPtr function, const LatexLetter& letter, const Brackets& found, Place place, const std::function<void(const std::string&)>& unclear) {
+    const std::string name = excerpt_.text.substr(at(place.first).begin, at(place.bracket - 1).end - at(place.first).begin);
+    const LetterDependence* known = dependence_of(*function);
+    const auto moves = [&](const std::string& argument) {
+        const LetterDependence* of = notation_.find_dependence(argument);
+        return of != nullptr && of->moves;
+    };
+    const std::string& argument = found.names.front();
+    const bool is_single = found.names.size() == 1;
+    at_ = place.close + 1;
+    if (known != nullptr && known->has_expression && !known->of.empty()) {
+        const auto stray = std::find_if(found.names.begin(), found.names.end(), [&](const std::string& n) { return !known->of.contains(n); });
+        if (stray != found.names.end()) unclear(fmt::format("'{}' does not depend on '{}'", name, *stray));
+        if (is_single && argument != "t" && known->of.size() > 1 && !moves(argument)) unclear(fmt::format("'{}' may be the letter that '{}' is a function of, or where it is taken", argument, name));
+    }
+    for (const auto& [meant, dummy] : found.dummies) function = value_at(function, meant, dummy, place.first);
+    if (known != nullptr && known->has_expression) return function;
+    const auto [before, is_new] = applied_.emplace(letter.canonical(), found.spelled);
+    if (!is_new && before->second != found.spelled && found.dummies.empty()) unclear(fmt::format("'{}' stands before '({})' here and before '({})' elsewhere", name, found.spelled, before->second));
     return function;
 }
 

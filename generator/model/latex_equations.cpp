@@ -138,6 +138,7 @@ std::vector<LatexEquation> LatexParser::equations() {
     while (!is_end()) {
         const Word word = word_of(token());
         if (is_between() || word == Word::separator || word == Word::comment || word == Word::otherwise) {
+            if (word == Word::comment && token().text.find_first_of("<>=$") != std::string::npos) wrong(place(token()), "what stands in this text is not read; write a condition behind '\\text{for }'");
             next();
             continue;
         }
@@ -167,18 +168,40 @@ std::vector<LatexEquation> LatexParser::equations() {
 }
 
 std::string LatexParser::whole_letter() {
+    std::string result = named_letter();
+    if (!is_end()) expected("the end of the letter");
+    return result;
+}
+
+/// The letter that a notation names here.
+std::string LatexParser::named_letter() {
     auto read = starts_letter(at_) ? try_letter() : std::nullopt;
     if (!read) expected("a letter");
     if (is("^") && read->letter.label.empty()) {  // a notation may call anything a label
         next();
         read->letter.label = script_tokens();
     }
-    if (!is_end() || read->power_at != 0) expected("the end of the letter");
+    if (read->power_at != 0) expected("the end of the letter");
     return read->letter.canonical();
+}
+
+std::pair<std::string, std::vector<std::string>> LatexParser::whole_function() {
+    std::pair<std::string, std::vector<std::string>> result{named_letter(), {}};
+    if (is_end()) return result;
+    const LatexToken open = token();
+    if (!is("(")) expected("'(' with the letters that it is a function of, or the end,");
+    next();
+    for (const ExpressionPtr& argument : list_until_bracket(open)) {
+        if (argument->kind != Kind::name || !argument->children.empty()) wrong(argument->span, "a letter is expected that this is a function of");
+        result.second.push_back(argument->name);
+    }
+    if (!is_end()) expected("the end of the function");
+    return result;
 }
 
 std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotation& notation) { return LatexParser(excerpt, notation).equations(); }
 ExpressionPtr read_latex_expression(const Excerpt& excerpt, const PrintedNotation& notation) { return LatexParser(excerpt, notation).whole_expression(); }
 std::string canonical_letter(const Excerpt& excerpt, const PrintedNotation& notation) { return LatexParser(excerpt, notation).whole_letter(); }
+std::pair<std::string, std::vector<std::string>> function_with_arguments(const Excerpt& excerpt, const PrintedNotation& notation) { return LatexParser(excerpt, notation).whole_function(); }
 
 }  // namespace dalembert

@@ -132,6 +132,9 @@ ExpressionPtr LatexParser::evaluated(ExpressionPtr e, std::size_t first) {
             } else if (e->kind == Kind::call && (e->name == "partial" || e->name == "derivative")) {
                 variable = e->children[1];
                 e = call("at", first, {e, variable, item});
+            } else if (!integrated_.empty() && (is("^") || (in_braces && is("}") && token(1).is("^")))) {  // of the integral before it
+                variable = make_name(integrated_, from(begin));
+                e = call("at", first, {e, variable, item});
             } else {
                 wrong(from(begin), fmt::format("it is not clear which letter is '{}' here; write the point as in '|_{{x=0}}'", in_model_language(*item)));
             }

@@ -251,6 +251,7 @@ ExpressionPtr LatexParser::with_span(const Expression& meaning, const Span& span
 }
 
 ExpressionPtr LatexParser::translate(const LatexLetter& letter, std::size_t first) {
+    if (ExpressionPtr slope = slope_by_primes(letter, first)) return slope;
     const Span span = from(first);
     const auto remember = [&](const ExpressionPtr& e) {
         if (letter.is_vector() && e->kind == Kind::name) vectors_.insert(e->name);

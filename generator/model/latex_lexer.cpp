@@ -127,6 +127,7 @@ private:
             const std::size_t width = braced ? 3 : 1;
             const auto is_digit_at = [&](std::size_t k) { return is_latex_digit(at(i_ + k)); };
             if (!is_fraction && (braced || rest.starts_with('.') || (rest.starts_with(',') && i_ > begin)) && is_digit_at(width)) {
+                if (rest.starts_with("{.}") && is_digit_at(4) && is_digit_at(5) && !is_digit_at(6)) wrong(begin, i_ + 6, "it is not clear whether this point stands between thousands; write '1.234' or '1\\,234'");
                 is_fraction = true;
                 i_ += width;
                 digits();

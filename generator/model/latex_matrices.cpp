@@ -68,6 +68,7 @@ ExpressionPtr LatexParser::cases(std::size_t first) {
         if (word == Word::otherwise || (is_end_of_line && (is_apart || word == Word::none))) is_complete = true;
         else parts.push_back(condition());
         while (is(",") || is_point() || is(";")) next();
+        skip_remark();
         if (!is("\\\\") && token().kind != LatexToken::Kind::end_of) expected("'\\\\' or the end of the cases");
         take("\\\\");
     }
@@ -80,19 +81,53 @@ ExpressionPtr LatexParser::condition() {
     const Depth depth(*this);
     const std::size_t first = at_;
     ExpressionPtr left = single_condition();
+    std::string joined_by;
     for (;;) {
         const bool is_word = token().kind == LatexToken::Kind::upright && word_of(token()) == Word::separator;
         const bool is_or = is("\\vee") || is("\\lor") || (is_word && (token().text.find("od") != std::string::npos || token().text.find("or") != std::string::npos));
         if (!is_or && !is_word && !is("\\wedge") && !is("\\land") && !(is(",") && brackets_ > 0 && starts_factor_at(at_ + 1))) return left;
+        const std::string join = is_or ? "either" : "both";
+        if (!joined_by.empty() && joined_by != join) wrong(place(token()), "it is not clear which conditions belong together; write brackets around them");
+        joined_by = join;
         next();
         ExpressionPtr right = single_condition();
-        left = call(is_or ? "either" : "both", first, {std::move(left), std::move(right)});
+        left = call(join, first, {std::move(left), std::move(right)});
     }
+}
+
+/// "(sticking)" behind a condition; what is not in brackets may be another condition.
+void LatexParser::skip_remark() {
+    if (word_of(token()) != Word::comment) return;
+    std::string text = token().text;
+    std::erase(text, ' ');
+    if (!text.starts_with('(') || !text.ends_with(')') || text.find_first_of("$<>=") != std::string::npos) wrong(place(token()), "what stands in this text is not read; a remark stands in round brackets");
+    next();
+}
+
+/// Conditions in brackets, and not a bracket of numbers.
+bool LatexParser::starts_condition_group() const {
+    if (!is("(") && !is("[") && !is("\\{")) return false;
+    const std::size_t close = closing_bracket(at_);
+    for (std::size_t i = at_ + 1, depth = 0; i < close; ++i) {
+        if (at(i).is("{") || at(i).kind == LatexToken::Kind::begin) ++depth;
+        if ((at(i).is("}") || at(i).kind == LatexToken::Kind::end_of) && depth > 0) --depth;
+        if (depth == 0 && relation_of(at(i))) return true;
+    }
+    return false;
 }
 
 /// a < b, a < b \le c, or x \in [a, b).
 ExpressionPtr LatexParser::single_condition() {
+    const Depth depth(*this);
     const std::size_t first = at_;
+    if (starts_condition_group()) {
+        const LatexToken open = next();
+        const Inside brackets(*this);
+        ExpressionPtr inside = condition();
+        if (!closes(open, token())) expected("the end of the bracket around conditions");
+        next();
+        return inside;
+    }
     const auto compare = [&](Relation relation, const ExpressionPtr& a, const ExpressionPtr& b) {
         const char* name = relation == Relation::less             ? "less"
                            : relation == Relation::less_equal     ? "less_equal"

@@ -107,7 +107,7 @@ ExpressionPtr LatexParser::signed_term() {
         ExpressionPtr result;
         const Span span{innermost.span.source, place(at(first)).begin, innermost.span.end};
         const bool has_offset = innermost.kind == Kind::call && innermost.name == "quantity" && innermost.children[1]->name == "degC" && innermost.children[0]->kind == Kind::number;
-        if (has_offset) result = std::make_shared<Expression>(Expression{Kind::call, span, 0, "quantity", {make_number(-innermost.children[0]->value, span), innermost.children[1]}});
+        if (has_offset) result = std::make_shared<Expression>(Expression{Kind::call, span, 0, "quantity", {make_number(-innermost.children[0]->value, Span{span.source, span.begin, innermost.children[0]->span.end}), innermost.children[1]}});
         else result = std::make_shared<Expression>(Expression{Kind::negate, span, 0, {}, {std::make_shared<Expression>(innermost)}});
         for (std::size_t i = path.size() - 1; i-- > 0;) {
             Expression whole = *path[i];
@@ -148,7 +148,10 @@ ExpressionPtr LatexParser::product() {
     while (starts_factor()) {
         const LatexToken& second = token();
         if (second.kind == LatexToken::Kind::number && is_number) wrong(place(second), "there are two numbers beside each other; '\\cdot' or a unit is expected between them");
+        const bool is_fraction = second.is("\\frac") && second.space == Space::none;
         ExpressionPtr right = factor();
+        if (is_number && is_fraction && right->kind == Kind::divide && right->children[0]->kind == Kind::number && right->children[1]->kind == Kind::number)
+            wrong(from(first), "it is not clear whether this is a sum, as in one and a half, or a product; write '+' or '\\cdot'");
         is_number = right->kind == Kind::number;
         left = node(Kind::multiply, first, {std::move(left), std::move(right)});
     }

@@ -5,10 +5,12 @@
 // "/" divides by one factor; what is ambiguous to a reader (a/b c) is refused. A function without brackets (\sin 2\theta x) takes numbers,
 // letters and fractions up to a space \, , a sign, a bracket, a dotted or bold letter or another function; a letter that is an angle by
 // custom (\alpha ... \theta, \varphi, \psi) ends it. \frac{d}{dt} and \nabla take the one factor behind them, \sum and \lim the rest of the product.
-// f(...) is a function where the notation says so, where the bracket holds letters and commas only, or one letter without index.
+// f(...) is a function where the notation says so, where the bracket holds letters and commas only, or one letter without index; where it is not
+// clear what it is a function of, and the expression of f says that it matters, it is refused.
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -25,6 +27,7 @@ public:
     std::vector<LatexEquation> equations();
     ExpressionPtr whole_expression();
     std::string whole_letter();
+    std::pair<std::string, std::vector<std::string>> whole_function();
 
 private:
     using Kind = Expression::Kind;
@@ -117,7 +120,26 @@ private:
     bool counts(const LatexToken& token) const;
 
     // latex_arguments.cpp --------------------------------------------------------------------------------------------------------------
+    struct Brackets {
+        std::vector<std::string> names;  ///< of letters alone
+        std::vector<std::pair<std::string, ExpressionPtr>> dummies;  ///< \tau for t, \tilde{x} for x
+        std::string spelled;
+        bool is_plain = true;     ///< letters and commas
+        bool is_list = false;
+        bool is_instant = false;  ///< t_0
+        bool has_place = false;   ///< x_A
+        bool has_index = false;
+    };
+    struct Place {
+        std::size_t first, bracket, close;
+    };
     ExpressionPtr applied(ExpressionPtr function, const LatexLetter& letter, std::size_t first);
+    ExpressionPtr of_letters(ExpressionPtr function, const LatexLetter& letter, const Brackets& found, Place place, const std::function<void(const std::string&)>& unclear);
+    ExpressionPtr value_at(const ExpressionPtr& function, const std::string& argument, const ExpressionPtr& value, std::size_t first);
+    Brackets brackets_at(std::size_t open, std::size_t close);
+    const LetterDependence* dependence_of(const Expression& function) const;
+    bool is_called(const LatexLetter& letter);
+    ExpressionPtr slope_by_primes(const LatexLetter& letter, std::size_t first);
     const std::vector<std::string>* arguments_of(const LatexLetter& letter) const;
     std::vector<ExpressionPtr> list_until_bracket(const LatexToken& open);
 
@@ -155,6 +177,8 @@ private:
     ExpressionPtr cases(std::size_t first);
     ExpressionPtr condition();
     ExpressionPtr single_condition();
+    bool starts_condition_group() const;
+    void skip_remark();
 
     // latex_equations.cpp --------------------------------------------------------------------------------------------------------------
     void prepare();
@@ -167,6 +191,7 @@ private:
     enum class Word { none, separator, condition, otherwise, constant, name, comment };
     Word word_of(const LatexToken& token) const;
     LatexEquation chain();
+    std::string named_letter();
     bool skip_range(LatexEquation* equation);
     void skip_set();
 
@@ -183,6 +208,7 @@ private:
     std::vector<std::string> counters_;  ///< of the sums around
     std::set<std::string, std::less<>> vectors_;  ///< names that are printed as vectors
     std::map<std::string, std::string, std::less<>> applied_;  ///< f -> "(x)" where the notation does not say what f depends on
+    std::optional<std::set<std::string, std::less<>>> called_with_letters_;  ///< f(x): canonical letters, once it is asked for
     std::map<std::string, std::string, std::less<>> called_;   ///< the letter that got each name
     bool has_differential_ = false;  ///< there was a dx outside of integrals, so that d(x y) is one too
     std::set<std::size_t> not_a_letter_;  ///< groups that were tried

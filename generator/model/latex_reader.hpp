@@ -43,5 +43,7 @@ std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotat
 ExpressionPtr read_latex_expression(const Excerpt& excerpt, const PrintedNotation& notation);
 /// The canonical spelling of the one letter, or word that the notation knows, in the excerpt. Throws Failure (syntax).
 std::string canonical_letter(const Excerpt& excerpt, const PrintedNotation& notation);
+/// The same of "f", without arguments, or "f(x, t)", with the names of the model language that stand in its brackets. Throws the same.
+std::pair<std::string, std::vector<std::string>> function_with_arguments(const Excerpt& excerpt, const PrintedNotation& notation);
 
 }  // namespace dalembert

@@ -87,6 +87,7 @@ bool is_opposite(const Expression& a, const Expression& b) {
 ExpressionPtr of_cases(const Expression& e) {
     const std::size_t pairs = e.children.size() / 2;
     const bool has_rest = e.children.size() % 2 == 1, is_complete = has_rest || (pairs == 2 && is_opposite(*e.children[1], *e.children[3]));
+    if (pairs == 1 && !has_rest) fail(Id::not_allowed_here, e.span, "a single case says nothing beyond its condition; write its value alone, and declare letters so that the condition holds");
     ExpressionPtr total, somewhere, before;  // `before`: no condition up to here holds
     const auto joined_with = [&](Kind kind, const ExpressionPtr& a, const ExpressionPtr& b) { return a ? joined(kind, e.span, a, b) : b; };
     const auto add = [&](const ExpressionPtr& value, const ExpressionPtr& where) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "model/matrix_algebra.hpp"
 #include "model/vocabulary.hpp"
 #include "text/diagnostic.hpp"
 
@@ -16,18 +17,6 @@ namespace {
 using Kind = Expression::Kind;
 
 constexpr std::size_t most_entries = 400;
-
-ExpressionPtr with_children(const Expression& e, std::vector<ExpressionPtr> children) {
-    auto copy = std::make_shared<Expression>(e);
-    copy->children = std::move(children);
-    return copy;
-}
-
-ExpressionPtr made(Kind kind, const Span& span, std::vector<ExpressionPtr> children) {
-    return std::make_shared<Expression>(Expression{kind, span, 0, {}, std::move(children)});
-}
-
-std::string size_text(const MatrixExpression& m) { return fmt::format("{} by {}", m.rows, m.columns); }
 
 bool is_call(const Expression& e, std::string_view name) { return e.kind == Kind::call && e.name == name; }
 
@@ -71,13 +60,13 @@ public:
             case Kind::negate: return each(e, {0});
             case Kind::add:
             case Kind::subtract: return sum(e, value(e->children[0]), value(e->children[1]));
-            case Kind::multiply: return product(*e, value(e->children[0]), value(e->children[1]));
+            case Kind::multiply: return matrix_product(*e, value(e->children[0]), value(e->children[1]));
             case Kind::divide: return quotient(*e, value(e->children[0]), value(e->children[1]));
             case Kind::power: break;
         }
         const MatrixExpression base = value(e->children[0]);
-        if (base.is_number()) return number(with_children(*e, {base.entries[0], scalar(e->children[1])}));
-        fail(Id::wrong_arguments, e->span, fmt::format("'{}' is a power of a {} matrix; write the product", e->written(), size_text(base)));
+        if (base.is_number()) return number(with_parts(*e, {base.entries[0], scalar(e->children[1])}));
+        return power(*e, base);
     }
 
 private:
@@ -86,14 +75,14 @@ private:
     ExpressionPtr scalar(const ExpressionPtr& e) {
         const MatrixExpression m = value(e);
         if (m.is_number()) return m.entries[0];
-        fail(Id::wrong_arguments, e->span, fmt::format("'{}' is a {} matrix where a number is expected", e->written(), size_text(m)));
+        fail(Id::wrong_arguments, e->span, fmt::format("'{}' is a {} matrix where a number is expected", e->written(), size_of(m)));
     }
 
     MatrixExpression name(const ExpressionPtr& e) {
         if (stands_for_matrix(e->name)) return values_.at(e->name);
         if (!is_whole_vector(*e)) return number(e);
         MatrixExpression result{3, 1, {}};
-        for (int axis = 1; axis <= 3; ++axis) result.entries.push_back(with_children(*e, {e->children[0], make_number(axis, e->span)}));
+        for (int axis = 1; axis <= 3; ++axis) result.entries.push_back(with_parts(*e, {e->children[0], make_number(axis, e->span)}));
         return result;
     }
 
@@ -112,10 +101,10 @@ private:
             shape = part;
             varying = i;
         }
-        if (shape.is_number()) return number(with_children(*e, children));
+        if (shape.is_number()) return number(with_parts(*e, children));
         for (ExpressionPtr& entry : shape.entries) {
             children[varying] = entry;
-            entry = with_children(*e, children);
+            entry = with_parts(*e, children);
         }
         return shape;
     }
@@ -124,38 +113,28 @@ private:
         const auto is_zero_number = [](const MatrixExpression& m) { return m.is_number() && m.entries[0]->kind == Kind::number && is_zero(m.entries[0]->value); };
         if (is_zero_number(b)) return a;
         if (a.rows != b.rows || a.columns != b.columns)
-            fail(Id::size_mismatch, e->span, fmt::format("'{}' is {} and '{}' is {}; the two must agree", e->children[0]->written(), size_text(a), e->children[1]->written(), size_text(b)));
+            fail(Id::size_mismatch, e->span, fmt::format("'{}' is {} and '{}' is {}; the two must agree", e->children[0]->written(), size_of(a), e->children[1]->written(), size_of(b)));
         MatrixExpression result{a.rows, a.columns, {}};
-        for (std::size_t i = 0; i < a.entries.size(); ++i) result.entries.push_back(with_children(*e, {a.entries[i], b.entries[i]}));
+        for (std::size_t i = 0; i < a.entries.size(); ++i) result.entries.push_back(with_parts(*e, {a.entries[i], b.entries[i]}));
         return result;
     }
 
-    static ExpressionPtr times(const Span& span, const ExpressionPtr& a, const ExpressionPtr& b) { return made(Kind::multiply, span, {a, b}); }
-
-    MatrixExpression product(const Expression& e, const MatrixExpression& a, const MatrixExpression& b) {
-        const auto scaled = [&](const MatrixExpression& m, const ExpressionPtr& factor, bool before) {
-            MatrixExpression result = m;
-            for (ExpressionPtr& entry : result.entries) entry = before ? with_children(e, {factor, entry}) : with_children(e, {entry, factor});
-            return result;
-        };
-        if (a.is_number()) return scaled(b, a.entries[0], true);
-        if (b.is_number()) return scaled(a, b.entries[0], false);
-        if (a.columns != b.rows)
-            fail(Id::size_mismatch, e.span, fmt::format("'{}' is {} and '{}' is {}: the product needs as many rows of the second as the first has columns", e.children[0]->written(), size_text(a), e.children[1]->written(), size_text(b)));
-        MatrixExpression result{a.rows, b.columns, {}};
-        for (std::size_t i = 0; i < a.rows; ++i)
-            for (std::size_t j = 0; j < b.columns; ++j) {
-                ExpressionPtr total = times(e.span, a.at(i, 0), b.at(0, j));
-                for (std::size_t k = 1; k < a.columns; ++k) total = made(Kind::add, e.span, {total, times(e.span, a.at(i, k), b.at(k, j))});
-                result.entries.push_back(std::move(total));
-            }
-        return result;
+    /// Of a square matrix and a whole number, but zero.
+    static MatrixExpression power(const Expression& e, const MatrixExpression& base) {
+        constexpr int largest = 9;
+        const bool is_negative = e.children[1]->kind == Kind::negate;
+        const Expression& digits = is_negative ? *e.children[1]->children[0] : *e.children[1];
+        const auto exponent = digits.kind == Kind::number ? to_int(digits.value) : std::nullopt;
+        if (!exponent || *exponent == 0 || std::abs(*exponent) > largest || base.rows != base.columns)
+            fail(Id::wrong_arguments, e.span, fmt::format("'{}' is a power of a {} matrix; powers of square matrices from -{} to {} are read, but 0", e.written(), size_of(base), largest, largest));
+        const int signed_exponent = is_negative ? -*exponent : *exponent;
+        return matrix_power(e, signed_exponent < 0 ? square(e, base) : base, signed_exponent);
     }
 
     MatrixExpression quotient(const Expression& e, const MatrixExpression& a, const MatrixExpression& b) {
-        if (!b.is_number()) fail(Id::wrong_arguments, e.span, fmt::format("'{}' divides by a {} matrix; write its inverse", e.written(), size_text(b)));
+        if (!b.is_number()) fail(Id::wrong_arguments, e.span, fmt::format("'{}' divides by a {} matrix; write its inverse", e.written(), size_of(b)));
         MatrixExpression result = a;
-        for (ExpressionPtr& entry : result.entries) entry = with_children(e, {entry, b.entries[0]});
+        for (ExpressionPtr& entry : result.entries) entry = with_parts(e, {entry, b.entries[0]});
         return result;
     }
 
@@ -173,16 +152,24 @@ private:
             return result;
         }
         if (e->name == "transpose") return takes(1), transposed(argument(0));
-        if (e->name == "trace") return takes(1), number(trace(*e, square(*e, argument(0))));
+        if (e->name == "trace") return takes(1), number(trace_of(*e, square(*e, argument(0))));
         if (e->name == "diag") return diagonal(*e);
-        if (e->name == "det") return takes(1), number(determinant(*e, square(*e, argument(0))));
-        if (e->name == "inverse") return takes(1), inverse(*e, square(*e, argument(0)));
-        if (e->name == "cross") return takes(2), cross(*e, argument(0), argument(1));
+        if (e->name == "det") return takes(1), number(determinant_of(*e, square(*e, argument(0))));
+        if (e->name == "inverse") return takes(1), inverse_of(*e, square(*e, argument(0)));
+        if (e->name == "cross") return takes(2), cross_product(*e, argument(0), argument(1));
+        if (e->name == "abs" && e->children.size() == 1) return magnitude(*e, argument(0));
         if (e->name == "dot" || e->name == "ddot" || e->name == "integral" || e->name == "limit" || e->name == "at") return each(e, {0});
         if (e->name == "diff" && e->children.size() == 2) return slope(*e, argument(0), argument(1));
         std::vector<ExpressionPtr> children;
         for (const ExpressionPtr& child : e->children) children.push_back(scalar(child));
-        return number(with_children(*e, std::move(children)));
+        return number(with_parts(*e, std::move(children)));
+    }
+
+    /// |R| is the determinant of a matrix, and not the length of a column.
+    static MatrixExpression magnitude(const Expression& e, const MatrixExpression& m) {
+        if (m.is_number()) return number(with_parts(e, {m.entries[0]}));
+        if (m.columns == 1 || m.rows == 1) fail(Id::wrong_arguments, e.span, fmt::format("'{}' is the magnitude of a {} vector; write '\\|', or sqrt(transpose(v)*v)", e.written(), size_of(m)));
+        return number(determinant_of(e, square(e, m)));
     }
 
     MatrixExpression rows(const Expression& e) {
@@ -197,23 +184,10 @@ private:
         return result;
     }
 
-    static MatrixExpression transposed(const MatrixExpression& m) {
-        MatrixExpression result{m.columns, m.rows, {}};
-        for (std::size_t i = 0; i < m.columns; ++i)
-            for (std::size_t j = 0; j < m.rows; ++j) result.entries.push_back(m.at(j, i));
-        return result;
-    }
-
     static MatrixExpression square(const Expression& e, MatrixExpression m) {
         constexpr std::size_t largest = 5;
-        if (m.rows != m.columns || m.rows > largest) fail(Id::wrong_arguments, e.span, fmt::format("'{}' takes a square matrix of at most {} rows, here it has one that is {}", e.name, largest, size_text(m)));
+        if (m.rows != m.columns || m.rows > largest) fail(Id::wrong_arguments, e.span, fmt::format("'{}' takes a square matrix of at most {} rows, here it has one that is {}", e.name, largest, size_of(m)));
         return m;
-    }
-
-    static ExpressionPtr trace(const Expression& e, const MatrixExpression& m) {
-        ExpressionPtr total = m.at(0, 0);
-        for (std::size_t i = 1; i < m.rows; ++i) total = made(Kind::add, e.span, {total, m.at(i, i)});
-        return total;
     }
 
     /// diag(a, b, c), also with brackets that LaTeX reads as a row.
@@ -227,55 +201,12 @@ private:
         return result;
     }
 
-    static MatrixExpression minor(const MatrixExpression& m, std::size_t row, std::size_t column) {
-        MatrixExpression result{m.rows - 1, m.columns - 1, {}};
-        for (std::size_t i = 0; i < m.rows; ++i)
-            for (std::size_t j = 0; j < m.columns; ++j)
-                if (i != row && j != column) result.entries.push_back(m.at(i, j));
-        return result;
-    }
-
-    static ExpressionPtr determinant(const Expression& e, const MatrixExpression& m) {
-        if (m.is_number()) return m.entries[0];
-        ExpressionPtr total;
-        for (std::size_t j = 0; j < m.columns; ++j) {
-            ExpressionPtr term = times(e.span, m.at(0, j), determinant(e, minor(m, 0, j)));
-            total = !total ? std::move(term) : made(j % 2 == 0 ? Kind::add : Kind::subtract, e.span, {total, term});
-        }
-        return total;
-    }
-
-    /// The adjugate over the determinant.
-    static MatrixExpression inverse(const Expression& e, const MatrixExpression& m) {
-        const ExpressionPtr below = determinant(e, m);
-        if (m.is_number()) return number(made(Kind::divide, e.span, {make_number(1, e.span), below}));
-        MatrixExpression result{m.rows, m.columns, {}};
-        for (std::size_t i = 0; i < m.rows; ++i)
-            for (std::size_t j = 0; j < m.columns; ++j) {
-                ExpressionPtr cofactor = determinant(e, minor(m, j, i));
-                if ((i + j) % 2 == 1) cofactor = made(Kind::negate, e.span, {cofactor});
-                result.entries.push_back(made(Kind::divide, e.span, {cofactor, below}));
-            }
-        return result;
-    }
-
-    static MatrixExpression cross(const Expression& e, const MatrixExpression& a, const MatrixExpression& b) {
-        if (a.rows != 3 || b.rows != 3 || a.columns != 1 || b.columns != 1)
-            fail(Id::wrong_arguments, e.span, fmt::format("'cross' takes two columns of three, here they are {} and {}", size_text(a), size_text(b)));
-        MatrixExpression result{3, 1, {}};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-            result.entries.push_back(made(Kind::subtract, e.span, {times(e.span, a.entries[j], b.entries[k]), times(e.span, a.entries[k], b.entries[j])}));
-        }
-        return result;
-    }
-
     /// A number by a vector is a row, a column by a vector the matrix of its derivatives.
     static MatrixExpression slope(const Expression& e, const MatrixExpression& function, const MatrixExpression& by) {
-        if (function.columns != 1 && !by.is_number()) fail(Id::wrong_arguments, e.span, fmt::format("'{}' differentiates a {} matrix by a vector", e.written(), size_text(function)));
+        if (function.columns != 1 && !by.is_number()) fail(Id::wrong_arguments, e.span, fmt::format("'{}' differentiates a {} matrix by a vector", e.written(), size_of(function)));
         MatrixExpression result{function.rows, function.columns * by.entries.size(), {}};
         for (const ExpressionPtr& entry : function.entries)
-            for (const ExpressionPtr& variable : by.entries) result.entries.push_back(with_children(e, {entry, variable}));
+            for (const ExpressionPtr& variable : by.entries) result.entries.push_back(with_parts(e, {entry, variable}));
         return result;
     }
 
@@ -290,7 +221,7 @@ void take_apart(const Equation& equation, const std::vector<MatrixExpression>& s
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const bool is_zero_number = sides[i].is_number() && sides[i].entries[0]->kind == Kind::number && is_zero(sides[i].entries[0]->value);
         if (!is_zero_number && (sides[i].rows != largest->rows || sides[i].columns != largest->columns))
-            fail(Id::size_mismatch, equation.sides[i]->span, fmt::format("'{}' is {}, but another side of the equation is {}", equation.sides[i]->written(), size_text(sides[i]), size_text(*largest)));
+            fail(Id::size_mismatch, equation.sides[i]->span, fmt::format("'{}' is {}, but another side of the equation is {}", equation.sides[i]->written(), size_of(sides[i]), size_of(*largest)));
     }
     for (std::size_t k = 0; k < largest->entries.size(); ++k) {
         Equation one{{}, equation.span};

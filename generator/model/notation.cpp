@@ -24,12 +24,16 @@ void PrintedNotation::define(const Excerpt& letter, ExpressionPtr meaning) {
 
 void PrintedNotation::define(const std::string& letter, const std::string& meaning) { define(notation_text(letter), parse_expression(notation_text(meaning))); }
 
-void PrintedNotation::define_function(const Excerpt& letter, std::vector<std::string> arguments) {
-    add_word(letter.text);
-    functions_[canonical_letter(letter, *this)] = std::move(arguments);
+void PrintedNotation::define_function(const Excerpt& function) {
+    add_word(function.text.substr(0, function.text.find('(')));
+    auto [letter, arguments] = function_with_arguments(function, *this);
+    functions_[std::move(letter)] = std::move(arguments);
 }
 
-void PrintedNotation::define_function(const std::string& letter, std::vector<std::string> arguments) { define_function(notation_text(letter), std::move(arguments)); }
+void PrintedNotation::define_function(const std::string& letter, std::vector<std::string> arguments) {
+    add_word(letter);
+    functions_[canonical_letter(notation_text(letter), *this)] = std::move(arguments);
+}
 
 const ExpressionPtr* PrintedNotation::find(std::string_view canonical) const {
     const auto found = letters_.find(canonical);
@@ -39,6 +43,11 @@ const ExpressionPtr* PrintedNotation::find(std::string_view canonical) const {
 const std::vector<std::string>* PrintedNotation::find_function(std::string_view canonical) const {
     const auto found = functions_.find(canonical);
     return found == functions_.end() ? nullptr : &found->second;
+}
+
+const LetterDependence* PrintedNotation::find_dependence(std::string_view name) const {
+    const auto found = dependences_.find(name);
+    return found == dependences_.end() ? nullptr : &found->second;
 }
 
 std::size_t PrintedNotation::word_length(std::string_view letters) const {

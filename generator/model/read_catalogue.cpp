@@ -18,6 +18,7 @@ constexpr int newest_catalogue = 1;
 CatalogueLetter read_letter(const Entry& e, bool is_positive) {
     CatalogueLetter letter;
     e.fill(letter);
+    if (e.name() == "t") e.error(Id::reserved_name, e.span(), "'t' is the time, which is known without being declared; leave it out");
     letter.unit = e.unit("unit").value_or(Unit{});
     letter.range = e.range("range", letter.unit);
     letter.value = e.constant("value", letter.unit);
@@ -44,7 +45,7 @@ CatalogueEntry read_entry(const Entry& e) {
     entry.equations = e.has("equations") ? e.equations("equations") : e.equations("equation");
     entry.latex = e.excerpt("latex");
     for (auto& [letter, value] : e.by_text("notation")) entry.notation.push_back({letter, value});
-    for (const auto& [name, span] : e.names("functions")) entry.functions.push_back(name);
+    entry.functions = e.excerpts("functions");
     entry.model = e.text("model");
     entry.model_span = e.span_of("model");
     entry.printed = e.text("printed");
@@ -100,7 +101,7 @@ private:
             throw Failure(Diagnostic{Id::unknown_format, entry.span_of("format"), fmt::format("the file has format {}, this program reads format {}", format, newest_catalogue)});
         catalogue_.title = entry.text("source");
         catalogue_.edition = entry.text("edition");
-        for (const auto& [name, span] : entry.names("functions")) catalogue_.functions.push_back(name);
+        catalogue_.functions = entry.excerpts("functions");
     }
 
     template <class Read>

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prove/equivalence.hpp"
+
 namespace dalembert {
 
 namespace {

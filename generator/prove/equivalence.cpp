@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "prove/branches.hpp"
 #include "prove/normal_form.hpp"
 
 namespace dalembert {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int needed_points = 30;
 constexpr int most_points = 300;
+constexpr int wide_points = 60;
 
 bool is_square_root(const ex& e) {
     return GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::rational) && !e.op(1).info(GiNaC::info_flags::integer);
@@ -28,6 +30,21 @@ bool has_nested_roots(const ex& e) {
     }
     return false;
 }
+
+/// The signs of two sides and of their difference at a point.
+struct SidesAt {
+    SidesAt(const Prover::Evaluation& evaluate, const ex& a, const ex& b, const Point& point) {
+        const auto sign = [&](const ex& e) { return sign_at([&](int digits) { return evaluate(e, point, digits); }); };
+        left = sign(a);
+        right = sign(b);
+        difference = sign(a - b);
+    }
+    bool has_values() const { return left != Sign::none && right != Sign::none && difference != Sign::none; }
+    bool is_one_sided() const { return (left == Sign::none) != (right == Sign::none); }
+    bool differ() const { return has_values() && difference == Sign::not_zero; }
+    bool is_telling() const { return has_values() && (left == Sign::not_zero || right == Sign::not_zero); }
+    Sign left, right, difference;
+};
 
 /// "x > 0, y > 0"
 std::string positive_names(const std::set<std::string>& names) {
@@ -112,22 +129,28 @@ Comparison Prover::equal_under_waves(const ex& a, const ex& b) {
 
 Comparison Prover::compare_at_points(const Evaluation& evaluate, const ex& a, const ex& b) const {
     RandomPoints points(system_);
+    Branches branches(a - b, system_.symbols);
     int valid = 0, one_sided = 0;
     for (int i = 0; i < most_points && valid < needed_points; ++i) {
         const Point point = points.next();
-        const auto sign = [&](const ex& e) { return sign_at([&](int digits) { return evaluate(e, point, digits); }); };
-        const Sign left = sign(a);
-        const Sign right = sign(b);
-        const Sign difference = sign(a - b);
-        if ((left == Sign::none) != (right == Sign::none)) ++one_sided;
-        if (left == Sign::none || right == Sign::none || difference == Sign::none) continue;
-        if (difference == Sign::not_zero) return {Verdict::wrong, {}, point};
-        if (left == Sign::not_zero || right == Sign::not_zero) ++valid;
+        const SidesAt at(evaluate, a, b, point);
+        one_sided += at.is_one_sided() ? 1 : 0;
+        if (at.differ()) return {Verdict::wrong, {}, point};
+        valid += at.is_telling() ? 1 : 0;
+        if (at.is_telling()) branches.enter(evaluate, point);
+    }
+    // What is the same for letters of one size may not be so for others: |x - 10| = 10 - x.
+    for (int i = 0; i < wide_points; ++i) {
+        const Point point = points.next_wide();
+        const SidesAt at(evaluate, a, b, point);
+        if (at.differ()) return {Verdict::wrong, {}, point};
+        if (at.has_values()) branches.enter(evaluate, point);
     }
     if (valid < needed_points && one_sided > 0) return {Verdict::not_checkable, fmt::format("at {} of {} random points one side has no real value and the other has: a range for the letters would say where it is meant", one_sided, most_points)};
     if (valid < needed_points) return {Verdict::not_checkable, fmt::format("at {} random points, both sides have a real value that is not zero at {} only; {} are needed", most_points, valid, needed_points)};
-    if (one_sided > 0) return {Verdict::numerically_equal, fmt::format("where both sides are real; at {} more random points only one of them is", one_sided)};
-    return {Verdict::numerically_equal};
+    std::string reason = one_sided > 0 ? fmt::format("where both sides are real; at {} more random points only one of them is", one_sided) : "";
+    if (const std::string missed = branches.missed(); !missed.empty()) reason += (reason.empty() ? "" : "; ") + missed;
+    return {Verdict::numerically_equal, reason};
 }
 
 }  // namespace dalembert

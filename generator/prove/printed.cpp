@@ -118,10 +118,20 @@ private:
 
     PrintedResult pair(const Equation& equation, std::size_t i) {
         const auto left = number(equation, i), right = number(equation, i + 1);
+        if (left && right) return pairs().run_number(translate(*equation.sides[i]), rounded_like(*right, *left));
         if (right) return pairs().run_number(translate(*equation.sides[i]), *right);
         if (left) return pairs().run_number(translate(*equation.sides[i + 1]), *left);
         const ex a = translate(*equation.sides[i]);
         return pairs().run(a, translate(*equation.sides[i + 1]));
+    }
+
+    /// A number that is compared with another one, of which digits behind the point may be rounded, too.
+    static PrintedNumber rounded_like(PrintedNumber number, const PrintedNumber& other) {
+        if (other.half_unit * 2 >= 1) return number;
+        const Unit &unit = *number.unit, &of_other = *other.unit;
+        const auto ratio = value_at(GiNaC::numeric(of_other.factor / unit.factor) * GiNaC::pow(GiNaC::Pi, of_other.pi_power - unit.pi_power), {}, 60);
+        if (ratio) number.half_unit = number.half_unit + other.half_unit * cln::rational(*ratio);
+        return number;
     }
 
     const System& system_;

@@ -36,7 +36,7 @@ std::optional<int> last_digit(std::string_view written) {
         else if (c == 'e' || c == 'E') {
             exponent = std::atoi(std::string(written.substr(i + 1)).c_str());
             break;
-        } else if (c != '{' && c != '}' && c != '(' && c != ')' && c != ' ') return std::nullopt;
+        } else if (c != '-' && c != '{' && c != '}' && c != '(' && c != ')' && c != ' ') return std::nullopt;
     }
     return exponent - behind;
 }

@@ -107,6 +107,15 @@ TEST_CASE("points at random reach beyond a quarter turn, and say where one side 
     CHECK(logarithms["reason"].get<std::string>().find("where both sides are real") == 0);
 }
 
+TEST_CASE("points at random are small and large, and say what case none of them came into") {
+    CHECK(verdict("equation = \"abs(u - 10) = 10 - u\"", 1) == "wrong");
+    CHECK(verdict("positive = { p = \"1\" }\nequation = \"abs(p - 10) = 10 - p\"", 1) == "wrong");
+    CHECK(verdict("letters = { p = { unit = \"1\", range = [0, 9] } }\nequation = \"max(p, 10) = 10\"") == "numerically equal");
+    const auto far = row("equation = \"abs(u - 5000) + max(v, -1) = 5000 - u + max(v, -1)\"");
+    CHECK(far["verdict"] == "numerically equal");
+    CHECK(far["reason"] == "no point came into one of the cases that 'u' decides");
+}
+
 TEST_CASE("cases") {
     const auto latex = [](const std::string& text) { return "latex = '''" + text + "'''\n"; };
     const std::string falling = R"(|u| = \begin{cases} u & u \ge 0 \\ -u & u < 0 \end{cases})", otherwise = R"(|u - v| = \begin{cases} u - v & \text{if } u > v \\ v - u & \text{otherwise} \end{cases})",

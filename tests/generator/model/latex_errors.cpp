@@ -66,7 +66,7 @@ const Wrong wrongs[]{
     {R"(a = \begin{cases} b & c \end{cases})", 25, "a relation such as '<'"},
     {R"(\text{für } x > 0)", 1, "an equation before the condition"},
     {R"(a = |b)", 7, "'|' is expected"},
-    {R"(a = T(0))", 6, "say in the notation what 'T' is a function of"},
+    {R"(a = T(0))", 6, "say what 'T' is a function of, as in functions = ['T(x)']"},
     {R"(a = T(x) + T(y))", 13, "'T' stands before '(y)' here and before '(x)' elsewhere"},
     {R"(a = T(x, 2))", 6, "a list in brackets stands behind a letter"},
     {R"(\phi = \varphi)", 8, R"('\phi' and '\varphi' would both be called 'phi')"},

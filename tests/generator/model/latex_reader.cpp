@@ -202,7 +202,7 @@ TEST_CASE("the notation decides") {
     CHECK(in_rows(R"(\int_0^1 d\,x\,dx = \frac{d}{dt} x)", notation) == "integral(d*x, x, 0, 1) = dot(x)");
     CHECK(in_rows("mlg = m l", notation) == "ml*g = m*l");
     CHECK(in_rows("Q^1 = Q^2", notation) == "Q = Q^2");
-    CHECK(in_rows("V(a + b) = W(a + b)", notation) == "V = W*(a + b)");
+    CHECK(in_rows("V(a) = W(a + b)", notation) == "V = W*(a + b)");
     CHECK(in_rows(R"(u(x, t) = u(0, t) + u(x, \tau) + \dot{u}(L, t))", notation) == "u = at(u, x, 0) + at(u, t, tau) + at(dot(u), x, L)");
     CHECK(in_rows(R"(\dot{Q}(0) = \dot Q)", notation) == "at(dot(Q), x, 0) = dot(Q)");
     CHECK(in_rows("m_k = m_{k+1} a_{S,k}", notation) == "m[k] = m[k + 1]*a_S[k]");

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prove/branches.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "symbolic/functions.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+Branches::Branches(const ex& e, const Symbols& symbols) {
+    const ex written = symbols.without_definitions(e);
+    std::set<ex, GiNaC::ex_is_less> known;
+    for (auto part = written.preorder_begin(); part != written.preorder_end(); ++part) {
+        const bool is_of_one = is_ex_the_function(*part, magnitude) || is_ex_the_function(*part, sign_of) || is_ex_the_function(*part, unit_step);
+        const bool is_of_two = is_ex_the_function(*part, minimum) || is_ex_the_function(*part, maximum);
+        if (!is_of_one && !is_of_two) continue;
+        const ex by = is_of_one ? part->op(0) : part->op(0) - part->op(1);
+        if (!known.insert(by).second) continue;
+        std::set<std::string> letters;
+        for (auto inner = by.preorder_begin(); inner != by.preorder_end(); ++inner)
+            if (GiNaC::is_a<GiNaC::symbol>(*inner)) letters.insert(GiNaC::ex_to<GiNaC::symbol>(*inner).get_name());
+        Switch found{by, {}};
+        for (const std::string& letter : letters) found.letters += fmt::format("{}'{}'", found.letters.empty() ? "" : ", ", letter);
+        if (!letters.empty()) switches_.push_back(std::move(found));
+    }
+}
+
+void Branches::enter(const Prover::Evaluation& evaluate, const Point& point) {
+    constexpr int digits = 60;
+    for (Switch& one : switches_) {
+        if (one.was_positive && one.was_negative) continue;
+        const auto value = evaluate(one.by, point, digits);
+        if (!value) continue;
+        one.was_positive = one.was_positive || cln::plusp(*value);
+        one.was_negative = one.was_negative || cln::minusp(*value);
+    }
+}
+
+std::string Branches::missed() const {
+    std::set<std::string> letters;
+    for (const Switch& one : switches_)
+        if (!one.was_positive || !one.was_negative) letters.insert(one.letters);
+    std::string text;
+    for (const std::string& one : letters) text += (text.empty() ? "" : "; ") + fmt::format("no point came into one of the cases that {} decide{}", one, one.find(',') == std::string::npos ? "s" : "");
+    return text;
+}
+
+}  // namespace dalembert
