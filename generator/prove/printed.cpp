@@ -161,6 +161,15 @@ Result checkable(Result otherwise, Work work) {
     }
 }
 
+/// Of matrices: in which entry it is so.
+void name_entry(Comparison& comparison, const std::string& entry) {
+    const bool is_equal = comparison.verdict == Verdict::proven || comparison.verdict == Verdict::proven_under_assumption || comparison.verdict == Verdict::numerically_equal;
+    if (entry.empty() || is_equal) return;
+    const bool has_reason = !comparison.reason.empty();
+    if (!has_reason && comparison.verdict != Verdict::wrong) return;
+    comparison.reason = has_reason ? fmt::format("{}: {}", entry, comparison.reason) : fmt::format("the entries in {} differ", entry);
+}
+
 }  // namespace
 
 Verdict PrintedCheck::verdict() const {
@@ -184,6 +193,7 @@ PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& 
             if (!check) check.emplace(system, checked, indices);
             return check->run(equation);
         }));
+    for (std::size_t i = 0; i < checked.equations.size(); ++i) name_entry(result.equations[i].comparison, checked.equations[i].entry);
     return result;
 }
 

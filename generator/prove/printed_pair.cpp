@@ -172,18 +172,20 @@ CounterExample PairCheck::counterexample(const ex& left, const ex& right, const 
     const auto difference = [&](int digits) { return value_on_motion(left - right, point, digits); };
     if (sign_at(difference) != Sign::not_zero) point = found;
     CounterExample result;
-    const ex written_out = system_.symbols.without_definitions(left - right);
+    const ex written_out[]{system_.symbols.without_definitions(left), system_.symbols.without_definitions(right)};
     for (const auto& [letter, value] : point) {
         const Variable* variable = system_.symbols.find(letter);
         if (variable == nullptr || variable->kind == SymbolKind::acceleration || variable->kind == SymbolKind::state_rate || variable->kind == SymbolKind::multiplier) continue;
-        if (needed(written_out, letter)) result.values.emplace_back(variable->name, decimal(value, 6));
+        if (needed(written_out[0], letter) || needed(written_out[1], letter)) result.values.emplace_back(variable->name, decimal(value, 6));
     }
-    const auto number = [&](const ex& e) {
-        const auto value = value_on_motion(e, point, 30);
-        return value ? decimal(cln::rational(*value), 6) : std::string("none");
+    const auto number = [&](const ex& e, int digits) {
+        const auto value = value_on_motion(e, point, 60);
+        return value ? decimal(cln::rational(*value), digits) : std::string("none");
     };
-    result.left = number(left);
-    result.right = number(right);
+    for (int digits = 6; digits <= 48 && result.left == result.right; digits *= 2) {  // as many as show the difference
+        result.left = number(left, digits);
+        result.right = number(right, digits);
+    }
     return result;
 }
 
