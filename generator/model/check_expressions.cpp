@@ -167,7 +167,11 @@ private:
         const FunctionSpec* function = find_function(e.name);
         unsigned result = 0;
         for (const ExpressionPtr& child : e.children) result |= visit(*child);
-        if (function == nullptr) {
+        static const std::set<std::string, std::less<>> of_matrices{"transpose", "inverse", "det", "trace", "cross", "diag"};
+        if (function == nullptr && of_matrices.contains(e.name)) {
+            // What is known to be a matrix is gone by now, so that something in it is not.
+            if (!diagnostics_.has_errors()) error(Id::wrong_arguments, e.span, fmt::format("'{}' takes a matrix, and nothing says which one '{}' is; say it by 'with', as in A = \"matrix(row(a, b), row(c, d))\"", e.name, e.children.empty() ? e.written() : e.children[0]->written()));
+        } else if (function == nullptr) {
             std::vector<std::string> known{"dot", "ddot", "sum"};
             for (const FunctionSpec& f : functions()) known.emplace_back(f.name);
             error(Id::unknown_name, e.span, fmt::format("there is no function '{}'{}", e.name, did_you_mean(e.name, known)));

@@ -95,6 +95,9 @@ private:
 
     // latex_units.cpp ------------------------------------------------------------------------------------------------------------------
     ExpressionPtr unit_behind();  ///< nothing where no unit stands
+    ExpressionPtr unit_in_bracket();
+    ExpressionPtr unit_product();
+    void refuse_unit_behind_letters();
     ExpressionPtr unit_factor();
 
     // latex_letters.cpp ----------------------------------------------------------------------------------------------------------------
