@@ -148,6 +148,7 @@ private:
     // latex_integrals.cpp --------------------------------------------------------------------------------------------------------------
     ExpressionPtr integral();
     ExpressionPtr counted();
+    int take_side_of_limit();
     ExpressionPtr limit();
     ExpressionPtr evaluated(ExpressionPtr e, std::size_t first);
     ExpressionPtr between(ExpressionPtr e, std::size_t first);

@@ -70,6 +70,7 @@ std::optional<std::string> unit_problem(const System& system, const PrintedEquat
 class EntryCheck {
 public:
     EntryCheck(const System& system, const PrintedEquation& printed, const Indices& indices) : system_(system), printed_(printed), indices_(indices) {
+        system.translate.leave_integrals_open();
         for (const PrintedLetter* letter : ordered_letters(printed)) letters_[letter->name] = system.translate(*letter->value, indices, letters_);
         for (const AtPoint& point : printed.at) {
             const ex variable = translate(*point.variable);
@@ -79,6 +80,10 @@ public:
         }
         for (const PrintedLetter& letter : printed.letters) check_right_angles(system, *letter.value, indices);
     }
+
+    ~EntryCheck() { system_.translate.close_integrals(); }
+    EntryCheck(const EntryCheck&) = delete;
+    EntryCheck& operator=(const EntryCheck&) = delete;
 
     PrintedResult run(const Equation& equation) {
         PrintedResult worst{std::string(equation.span.text()), {Verdict::proven}};
@@ -98,6 +103,9 @@ public:
 
     bool may_hold(const Equation& equation) {
         if (unit_problem(system_, printed_, equation)) return false;
+        for (std::size_t i = 0; i < equation.sides.size(); ++i)
+            if (!number(equation, i)) translate(*equation.sides[i]);
+        if (!system_.translate.open_integrals().empty()) return false;  // by numbers at best
         for (std::size_t i = 0; i + 1 < equation.sides.size(); ++i) {
             const bool holds = number(equation, i) || number(equation, i + 1) ? pair(equation, i).comparison.verdict != Verdict::wrong
                                                                               : pairs().may_hold(translate(*equation.sides[i]), translate(*equation.sides[i + 1]));
