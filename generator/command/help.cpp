@@ -29,7 +29,7 @@ std::string function_reference() {
     return text +
            "Operations: + - * / ^, dot(x) and ddot(x) (total time derivatives), sum(k, 1, N, term)\n"
            "In outputs and printed equations also: diff(expression, variable), integral(function, x, from, to), limit(expression, x, place), at(expression, x, place),\n"
-           "  quantity(9.81, m/s^2); limits and integrals may go to infinity\n"
+           "  quantity(9.81, m/s^2); limits and integrals may go to infinity; limit(e, x, place, 1) is from above, with -1 from below\n"
            "In printed equations also: vector(a, b, c), matrix(row(a, b), row(c, d)), diag(a, b), transpose(A), det(A), trace(A), inverse(A), cross(v, w); position[BODY] without an axis\n"
            "Names: t is the time, pi the number, stefan_boltzmann the constant of radiation (4.35), 5.670374419e-8 W/(m^2*K^4). Everything else is defined in the file.\n";
 }

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "emit/notation.hpp"
+#include "command/difference_text.hpp"
+#include "model/cases.hpp"
 
 namespace dalembert {
 
@@ -19,6 +20,10 @@ int weight(Verdict verdict) {
 std::string short_text(const std::string& text) {
     constexpr std::size_t longest = 1500;
     return text.size() <= longest ? text : std::string("too long to be shown");
+}
+
+bool is_of_cases(const PrintedEquation& entry) {
+    return std::any_of(entry.shown.begin(), entry.shown.end(), [](const Equation& equation) { return std::any_of(equation.sides.begin(), equation.sides.end(), [](const ExpressionPtr& side) { return has_cases(*side); }); });
 }
 
 }  // namespace
@@ -56,7 +61,7 @@ void PrintedVerdicts::add(const System& system, const PrintedEquation& entry) {
             if (result.comparison.verdict != verdict) continue;
             row.equation = result.written;
             row.reason = result.comparison.reason;
-            row.difference = result.difference ? write(*result.difference) : "";
+            row.difference = result.difference ? difference_text(system, *result.difference, is_of_cases(entry)) : "";
             row.counterexample = result.counterexample;
             if (writes_derived_ && result.derived) row.derived = short_text(write(*result.derived)) + (result.is_motion ? " = 0" : "");
             break;

@@ -100,6 +100,22 @@ std::string table(const std::vector<const Expression*>& rows, bool are_rows) {
     return row("<mo>[</mo><mtable>" + text + "</mtable><mo>]</mo>");
 }
 
+std::string condition(const Expression& e) {
+    const auto part = [&](std::size_t i) { return condition(*e.children[i]); };
+    if (e.name == "both" || e.name == "either") return part(0) + fmt::format("<mtext> {} </mtext>", e.name == "both" ? "and" : "or") + part(1);
+    const char* text = e.name == "less" ? "&lt;" : e.name == "less_equal" ? "≤" : e.name == "greater" ? "&gt;" : "≥";
+    return mathml(*e.children[0]) + sign(text) + mathml(*e.children[1]);
+}
+
+std::string cases(const Expression& e) {
+    std::string rows;
+    for (std::size_t i = 0; i < e.children.size(); i += 2) {
+        const std::string where = i + 1 == e.children.size() ? "<mtext>otherwise</mtext>" : condition(*e.children[i + 1]);
+        rows += "<mtr><mtd>" + mathml(*e.children[i]) + "</mtd><mtd>" + where + "</mtd></mtr>";
+    }
+    return row("<mo>{</mo><mtable columnalign=\"left\">" + rows + "</mtable>");
+}
+
 std::string dots(const Expression& e) {
     const char* accent = e.name == "dot" ? "˙" : "¨";
     const Expression& of = *e.children[0];
@@ -117,12 +133,16 @@ std::string call(const Expression& e) {
     if (e.name == "exp" && count == 1) return fmt::format("<msup><mi>e</mi>{}</msup>", row(part(0)));
     if (e.name == "diff" && count == 2) return fraction("<mo>∂</mo>", "<mo>∂</mo>" + part(1)) + factor(*e.children[0]);
     if (e.name == "integral" && count == 4) return fmt::format("<msubsup><mo>∫</mo>{}{}</msubsup>{}<mi>d</mi>{}", row(part(2)), row(part(3)), factor(*e.children[0]), part(1));
-    if (e.name == "limit" && count == 3) return fmt::format("<munder><mo>lim</mo>{}</munder>{}", row(part(1) + sign("→") + part(2)), factor(*e.children[0]));
+    if (e.name == "limit" && count >= 3) {
+        const std::string place = count == 3 ? part(2) : fmt::format("<msup>{}{}</msup>", row(part(2)), sign(e.children[3]->kind == Kind::negate ? "−" : "+"));
+        return fmt::format("<munder><mo>lim</mo>{}</munder>{}", row(part(1) + sign("→") + place), factor(*e.children[0]));
+    }
     if (e.name == "at" && count == 3) return fmt::format("<msub>{}{}</msub>", row("<mo stretchy=\"false\">[</mo>" + part(0) + "<mo stretchy=\"false\">]</mo>"), row(part(1) + sign("=") + part(2)));
     if (e.name == "quantity" && count == 2) return part(0) + "<mspace width=\"0.3em\"></mspace>" + fmt::format("<mtext>{}</mtext>", html_text(in_model_language(*e.children[1])));
     if (e.name == "transpose" && count == 1) return fmt::format("<msup>{}<mi>T</mi></msup>", row(factor(*e.children[0])));
     if (e.name == "inverse" && count == 1) return fmt::format("<msup>{}{}</msup>", row(factor(*e.children[0])), row("<mo>−</mo><mn>1</mn>"));
     if (e.name == "cross" && count == 2) return factor(*e.children[0]) + sign("×") + factor(*e.children[1]);
+    if (e.name == "cases") return cases(e);
     if (e.name == "matrix" || e.name == "vector") {
         std::vector<const Expression*> rows;
         for (const ExpressionPtr& child : e.children) rows.push_back(child.get());

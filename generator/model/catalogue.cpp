@@ -120,6 +120,28 @@ void check_known(const PrintedEquation& entry, const Names& names, Diagnostics& 
         for (const ExpressionPtr& side : equation.sides) for_each(*side, visit);
 }
 
+/// In an equation with a limit a letter e that is nowhere declared is Euler's number.
+ExpressionPtr with_eulers_number(const ExpressionPtr& e) {
+    if (e->kind == Expression::Kind::name && e->name == "e" && e->children.empty())
+        return std::make_shared<Expression>(Expression{Expression::Kind::call, e->span, 0, "exp", {make_number(1, e->span)}});
+    auto copy = std::make_shared<Expression>(*e);
+    for (ExpressionPtr& child : copy->children) child = with_eulers_number(child);
+    return copy;
+}
+
+bool has_limit(const Equation& equation) {
+    bool has = false;
+    for (const ExpressionPtr& side : equation.sides) for_each(*side, [&](const Expression& e) { has = has || (e.kind == Expression::Kind::call && e.name == "limit"); });
+    return has;
+}
+
+bool declares_e(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
+    const auto is_e = [](const auto& letter) { return letter.name == "e"; };
+    const auto is_meant = [](const LatexMeaning& meaning) { return meaning.letter.text == "e"; };
+    return std::any_of(entry.own.begin(), entry.own.end(), is_e) || std::any_of(catalogue.letters.begin(), catalogue.letters.end(), is_e) || std::any_of(entry.letters.begin(), entry.letters.end(), is_e) ||
+           std::any_of(catalogue.notation.begin(), catalogue.notation.end(), is_meant) || std::any_of(entry.notation.begin(), entry.notation.end(), is_meant) || (model != nullptr && Names(*model).find("e") != nullptr);
+}
+
 /// An entry that solves equations says what letters are.
 void check_solution(const CatalogueEntry& entry) {
     for (const Equation& equation : entry.equations)
@@ -143,8 +165,12 @@ CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& 
                 if (relation != Relation::equal && relation != Relation::approximately)
                     fail(Id::not_allowed_here, read.equation.span, fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(), sign_of(relation)));
             if (read.relations.empty()) fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
+            const bool has_e = !declares_e(catalogue, entry, model) && has_limit(read.equation);  // of the whole chain
             for (Equation& equation : with_rounded_numbers(read)) {
-                for (ExpressionPtr& side : equation.sides) side = in_model_words(side);
+                for (ExpressionPtr& side : equation.sides) {
+                    side = in_model_words(side);
+                    if (has_e) side = with_eulers_number(side);
+                }
                 result.equations.push_back(std::move(equation));
             }
         }

@@ -167,7 +167,11 @@ private:
         const FunctionSpec* function = find_function(e.name);
         unsigned result = 0;
         for (const ExpressionPtr& child : e.children) result |= visit(*child);
-        if (function == nullptr) {
+        static const std::set<std::string, std::less<>> of_matrices{"transpose", "inverse", "det", "trace", "cross", "diag"};
+        if (function == nullptr && of_matrices.contains(e.name)) {
+            // What is known to be a matrix is gone by now, so that something in it is not.
+            if (!diagnostics_.has_errors()) error(Id::wrong_arguments, e.span, fmt::format("'{}' takes a matrix, and nothing says which one '{}' is; say it by 'with', as in A = \"matrix(row(a, b), row(c, d))\"", e.name, e.children.empty() ? e.written() : e.children[0]->written()));
+        } else if (function == nullptr) {
             std::vector<std::string> known{"dot", "ddot", "sum"};
             for (const FunctionSpec& f : functions()) known.emplace_back(f.name);
             error(Id::unknown_name, e.span, fmt::format("there is no function '{}'{}", e.name, did_you_mean(e.name, known)));
@@ -237,11 +241,15 @@ private:
 
     unsigned at_place(const Expression& e) {
         if (!derived_allowed(e)) return 0;
-        if (e.children.size() != 3) {
+        const bool has_side = e.name == "limit" && e.children.size() == 4;
+        if (e.children.size() != 3 && !has_side) {
             error(Id::wrong_arguments, e.span, fmt::format("'{0}' takes an expression, its variable and a place, as in '{0}(sin(x)/x, x, 0)'", e.name));
             return 0;
         }
         const Expression& variable = *e.children[1];
+        const Expression* side = has_side ? e.children[3].get() : nullptr;
+        if (side != nullptr && side->kind == Kind::negate) side = side->children[0].get();
+        if (side != nullptr && !(side->kind == Kind::number && side->value == 1)) error(Id::wrong_arguments, e.children[3]->span, "a limit is from above, 1, or from below, -1");
         if (variable.kind != Kind::name && !(variable.kind == Kind::call && (variable.name == "dot" || variable.name == "ddot")))
             error(Id::wrong_arguments, variable.span, fmt::format("'{}' is not a variable that '{}' could be about", variable.written(), e.name));
         return visit(*e.children[0]) | visit(variable) | end(*e.children[2], e.name == "limit");

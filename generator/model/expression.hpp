@@ -56,6 +56,7 @@ struct Property {
 struct Equation {
     std::vector<ExpressionPtr> sides;
     Span span;
+    std::string entry = {};  ///< of an equation of matrices that is taken apart, "row 1, column 2"
 };
 
 /// "k = 1..N": the members of a family.

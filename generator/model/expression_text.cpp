@@ -38,38 +38,70 @@ Binding binding(const Expression& e) {
     }
 }
 
-std::string list(const std::vector<ExpressionPtr>& children, std::string text) {
-    for (const ExpressionPtr& child : children) text += (text.empty() ? "" : ", ") + in_model_language(*child);
-    return text;
-}
+/// `readable` has cases as people write them.
+class Writer {
+public:
+    explicit Writer(bool readable) : readable_(readable) {}
+
+    std::string operator()(const Expression& e) const {
+        using Kind = Expression::Kind;
+        const auto child = [&](std::size_t i, Binding least) {
+            const std::string text = (*this)(*e.children[i]);
+            return binding(*e.children[i]) < least ? "(" + text + ")" : text;
+        };
+        switch (e.kind) {
+            case Kind::number: return number_text(e.value);
+            case Kind::name: return e.children.empty() ? e.name : e.name + "[" + list(e.children, {}) + "]";
+            case Kind::call: return readable_ && e.name == "cases" ? cases(e) : e.name + "(" + list(e.children, {}) + ")";
+            case Kind::sum: return "sum(" + list(e.children, e.name) + ")";
+            case Kind::negate: return "-" + child(0, as_negative);
+            case Kind::add: return child(0, as_sum) + " + " + child(1, as_product);
+            case Kind::subtract: return child(0, as_sum) + " - " + child(1, as_product);
+            case Kind::multiply: return child(0, as_product) + "*" + child(1, as_negative);
+            case Kind::divide: return child(0, as_product) + "/" + child(1, as_negative);
+            case Kind::power: return child(0, as_primary) + "^" + child(1, as_negative);
+        }
+        return {};
+    }
+
+    std::string operator()(const Equation& equation) const {
+        std::string text;
+        for (const ExpressionPtr& side : equation.sides) text += (text.empty() ? "" : " = ") + (*this)(*side);
+        return text;
+    }
+
+private:
+    std::string list(const std::vector<ExpressionPtr>& children, std::string text) const {
+        for (const ExpressionPtr& child : children) text += (text.empty() ? "" : ", ") + (*this)(*child);
+        return text;
+    }
+
+    /// "u < 1 and v > 0"
+    std::string condition(const Expression& e) const {
+        const auto part = [&](std::size_t i) { return condition(*e.children[i]); };
+        if (e.name == "both") return part(0) + " and " + part(1);
+        if (e.name == "either") return "(" + part(0) + " or " + part(1) + ")";
+        const char* sign = e.name == "less" ? " < " : e.name == "less_equal" ? " <= " : e.name == "greater" ? " > " : " >= ";
+        return (*this)(*e.children[0]) + sign + (*this)(*e.children[1]);
+    }
+
+    /// "(u where u > 0, -u elsewhere)"
+    std::string cases(const Expression& e) const {
+        std::string text;
+        for (std::size_t i = 0; i < e.children.size(); i += 2) {
+            const bool is_rest = i + 1 == e.children.size();
+            text += (i > 0 ? ", " : "") + (*this)(*e.children[i]) + (is_rest ? " elsewhere" : " where " + condition(*e.children[i + 1]));
+        }
+        return "(" + text + ")";
+    }
+
+    bool readable_;
+};
 
 }  // namespace
 
-std::string in_model_language(const Expression& e) {
-    using Kind = Expression::Kind;
-    const auto child = [&](std::size_t i, Binding least) {
-        const std::string text = in_model_language(*e.children[i]);
-        return binding(*e.children[i]) < least ? "(" + text + ")" : text;
-    };
-    switch (e.kind) {
-        case Kind::number: return number_text(e.value);
-        case Kind::name: return e.children.empty() ? e.name : e.name + "[" + list(e.children, {}) + "]";
-        case Kind::call: return e.name + "(" + list(e.children, {}) + ")";
-        case Kind::sum: return "sum(" + list(e.children, e.name) + ")";
-        case Kind::negate: return "-" + child(0, as_negative);
-        case Kind::add: return child(0, as_sum) + " + " + child(1, as_product);
-        case Kind::subtract: return child(0, as_sum) + " - " + child(1, as_product);
-        case Kind::multiply: return child(0, as_product) + "*" + child(1, as_negative);
-        case Kind::divide: return child(0, as_product) + "/" + child(1, as_negative);
-        case Kind::power: return child(0, as_primary) + "^" + child(1, as_negative);
-    }
-    return {};
-}
-
-std::string in_model_language(const Equation& equation) {
-    std::string text;
-    for (const ExpressionPtr& side : equation.sides) text += (text.empty() ? "" : " = ") + in_model_language(*side);
-    return text;
-}
+std::string in_model_language(const Expression& e) { return Writer(false)(e); }
+std::string in_model_language(const Equation& equation) { return Writer(false)(equation); }
+std::string readable(const Equation& equation) { return Writer(true)(equation); }
 
 }  // namespace dalembert

@@ -10,5 +10,7 @@ namespace dalembert {
 std::string in_model_language(const Expression& expression);
 /// "a = b = c"
 std::string in_model_language(const Equation& equation);
+/// The same for people, with cases as "(u where u > 0, -u elsewhere)", which no parser reads.
+std::string readable(const Equation& equation);
 
 }  // namespace dalembert

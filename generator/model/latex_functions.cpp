@@ -12,13 +12,24 @@ namespace {
 const std::map<std::string, std::string, std::less<>> function_names{{"sin", "sin"}, {"cos", "cos"}, {"tan", "tan"}, {"arcsin", "asin"}, {"arccos", "acos"}, {"arctan", "atan"}, {"asin", "asin"}, {"acos", "acos"}, {"atan", "atan"},
     {"sinh", "sinh"}, {"cosh", "cosh"}, {"tanh", "tanh"}, {"exp", "exp"}, {"ln", "log"}, {"log", "log"}, {"lg", "lg"}, {"cot", "1/tan"}, {"coth", "1/tanh"}, {"sec", "1/cos"}, {"csc", "1/sin"}, {"sign", "sign"},
     {"sgn", "sign"}, {"signum", "sign"}, {"det", "determinant"}, {"tr", "trace"}, {"trace", "trace"}, {"diag", "diag"}, {"grad", "gradient"}, {"div", "divergence"}, {"rot", "curl"}, {"curl", "curl"},
-    {"min", "min"}, {"max", "max"}, {"abs", "abs"}, {"sqrt", "sqrt"}, {"atan2", "atan2"}, {"arctan2", "atan2"}};
+    {"min", "min"}, {"max", "max"}, {"abs", "abs"}, {"sqrt", "sqrt"}, {"atan2", "atan2"}, {"arctan2", "atan2"}, {"artanh", "artanh"}, {"arsinh", "arsinh"}, {"arcosh", "arcosh"},
+    {"atanh", "artanh"}, {"asinh", "arsinh"}, {"acosh", "arcosh"}, {"arctanh", "artanh"}, {"arcsinh", "arsinh"}, {"arccosh", "arcosh"}};
 
 /// \sin^{-1}
-const std::map<std::string, std::string, std::less<>> inverse_names{{"sin", "asin"}, {"cos", "acos"}, {"tan", "atan"}};
+const std::map<std::string, std::string, std::less<>> inverse_names{{"sin", "asin"}, {"cos", "acos"}, {"tan", "atan"}, {"sinh", "arsinh"}, {"cosh", "arcosh"}, {"tanh", "artanh"}};
 
 /// Letters that are angles by custom and so end the argument of a function without brackets.
 const std::set<std::string, std::less<>> angles{"\\alpha", "\\beta", "\\gamma", "\\delta", "\\theta", "\\vartheta", "\\phi", "\\varphi", "\\psi", "\\chi"};
+
+/// The inverse of a hyperbolic function, by logarithms, where it is real.
+ExpressionPtr inverse_hyperbolic(const std::string& name, const ExpressionPtr& x, const Span& span) {
+    const auto joined = [&](Expression::Kind kind, ExpressionPtr a, ExpressionPtr b) { return std::make_shared<Expression>(Expression{kind, span, 0, {}, {std::move(a), std::move(b)}}); };
+    const auto of = [&](const char* function, ExpressionPtr a) { return std::make_shared<Expression>(Expression{Expression::Kind::call, span, 0, function, {std::move(a)}}); };
+    const ExpressionPtr one = make_number(1, span), two = make_number(2, span);
+    if (name == "artanh") return joined(Expression::Kind::divide, of("log", joined(Expression::Kind::divide, joined(Expression::Kind::add, one, x), joined(Expression::Kind::subtract, one, x))), two);
+    const ExpressionPtr square = joined(Expression::Kind::power, x, two);
+    return of("log", joined(Expression::Kind::add, x, of("sqrt", joined(name == "arsinh" ? Expression::Kind::add : Expression::Kind::subtract, square, one))));
+}
 
 std::string bare(const LatexToken& t) { return t.kind == LatexToken::Kind::command ? t.text.substr(1) : t.text; }
 
@@ -126,6 +137,8 @@ ExpressionPtr LatexParser::function() {
     if (name.starts_with("1/")) {
         const ExpressionPtr inside = call(name.substr(2), first, {std::move(argument)});
         result = node(Kind::divide, first, {make_number(1, from(first)), inside});
+    } else if (name == "artanh" || name == "arsinh" || name == "arcosh") {
+        result = inverse_hyperbolic(name, argument, from(first));
     } else {
         result = call(name, first, {std::move(argument)});
     }

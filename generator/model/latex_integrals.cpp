@@ -82,6 +82,25 @@ ExpressionPtr LatexParser::counted() {
     return node(Kind::sum, first, {std::move(lower), std::move(upper), std::move(inside)}, index);
 }
 
+/// 0^+, 0^{-} and 0+ at the end of a place: what is read is taken out of the tokens. 1 from above, -1 from below.
+int LatexParser::take_side_of_limit() {
+    std::size_t end = at_;
+    for (int depth = 0; end + 1 < tokens_.size() && !(depth == 0 && at(end).is("}")); ++end) depth += at(end).is("{") ? 1 : at(end).is("}") ? -1 : 0;
+    if (end < at_ + 2) return 0;
+    std::size_t first = end - 1;
+    const bool is_braced = at(first).is("}") && first >= at_ + 3;
+    const LatexToken sign = at(is_braced ? first - 1 : first);
+    if (!sign.is("+") && !sign.is("-")) return 0;
+    if (is_braced) {
+        first -= 2;
+        if (!at(first).is("{")) return 0;
+    }
+    if (at(first - 1).is("^")) --first;
+    else if (is_braced) return 0;
+    tokens_.erase(tokens_.begin() + static_cast<std::ptrdiff_t>(first), tokens_.begin() + static_cast<std::ptrdiff_t>(end));
+    return sign.is("+") ? 1 : -1;
+}
+
 ExpressionPtr LatexParser::limit() {
     const Depth depth(*this);
     const std::size_t first = at_;
@@ -91,18 +110,25 @@ ExpressionPtr LatexParser::limit() {
     const std::size_t begin = at_;
     ExpressionPtr variable;
     ExpressionPtr value;
+    int side = 0;  // 1: from above
     {
         const Inside brackets(*this);
         const auto read = try_letter();
         if (!read) expected("a letter");
         variable = translate(read->letter, begin);
-        expect("\\rightarrow");
+        if (is("\\downarrow") || is("\\searrow")) side = 1;
+        if (is("\\uparrow") || is("\\nearrow")) side = -1;
+        if (side != 0) next();
+        else expect("\\rightarrow");
+        if (side == 0) side = take_side_of_limit();
         value = expression();
-        if (is("^") || is("+") || is("-")) expected("'}' (limits from one side are not read)");
+        if (!is("}")) expected("'}' (a limit from one side is written 'x \\to 0^+' or 'x \\to 0^-')");
         expect("}");
     }
     ExpressionPtr inside = term();
-    return call("limit", first, {std::move(inside), std::move(variable), std::move(value)});
+    std::vector<ExpressionPtr> parts{std::move(inside), std::move(variable), std::move(value)};
+    if (side != 0) parts.push_back(side > 0 ? number(1, first) : node(Kind::negate, first, {number(1, first)}));
+    return call("limit", first, std::move(parts));
 }
 
 bool LatexParser::is_evaluation_bar() const { return magnitudes_ == 0 && is("|") && token().side == Side::neutral && (token(1).is("_") || token(1).is("^")); }

@@ -36,6 +36,8 @@ void LatexParser::expected(std::string_view what) const {
     const LatexToken& found = token();
     if (found.is("\\pm") || found.is("\\mp"))
         wrong(place(found), fmt::format("'{}' stands for two equations; write one entry with each sign", shown(found)));
+    for (const char* command : {"\\SI", "\\qty", "\\num", "\\unit", "\\si"})
+        if (found.is(command)) wrong(place(found), fmt::format("'{}' is not read; write the number with its unit behind it, as in '9.81\\,\\mathrm{{m/s^2}}'", shown(found)));
     if (found.is("\\dots")) wrong(place(found), "what the dots stand for must be written out");
     if (found.kind == LatexToken::Kind::command && !is_greek(found.text))
         wrong(place(found), fmt::format("'{}' cannot be read here; {} is expected", shown(found), what));
@@ -149,6 +151,7 @@ ExpressionPtr LatexParser::product() {
         const LatexToken& second = token();
         if (second.kind == LatexToken::Kind::number && is_number) wrong(place(second), "there are two numbers beside each other; '\\cdot' or a unit is expected between them");
         const bool is_fraction = second.is("\\frac") && second.space == Space::none;
+        if (!is_number) refuse_unit_behind_letters();
         ExpressionPtr right = factor();
         if (is_number && is_fraction && right->kind == Kind::divide && right->children[0]->kind == Kind::number && right->children[1]->kind == Kind::number)
             wrong(from(first), "it is not clear whether this is a sum, as in one and a half, or a product; write '+' or '\\cdot'");

@@ -98,6 +98,9 @@ private:
 
     // latex_units.cpp ------------------------------------------------------------------------------------------------------------------
     ExpressionPtr unit_behind();  ///< nothing where no unit stands
+    ExpressionPtr unit_in_bracket();
+    ExpressionPtr unit_product();
+    void refuse_unit_behind_letters();
     ExpressionPtr unit_factor();
 
     // latex_letters.cpp ----------------------------------------------------------------------------------------------------------------
@@ -167,6 +170,7 @@ private:
     // latex_integrals.cpp --------------------------------------------------------------------------------------------------------------
     ExpressionPtr integral();
     ExpressionPtr counted();
+    int take_side_of_limit();
     ExpressionPtr limit();
     ExpressionPtr evaluated(ExpressionPtr e, std::size_t first);
     ExpressionPtr between(ExpressionPtr e, std::size_t first);

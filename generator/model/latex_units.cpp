@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units behind numbers: 9.81\,\mathrm{m}/\mathrm{s}^2, \frac{\mathrm{kg}}{\mathrm{m}^3}, \mathrm{W\,m^{-2}\,K^{-1}}, ^\circ\text{C}, \%.
+// Units behind numbers: 9.81\,\mathrm{m}/\mathrm{s}^2, \frac{\mathrm{kg}}{\mathrm{m}^3}, \mathrm{W\,m^{-2}\,K^{-1}}, ^\circ\text{C}, \%, [\mathrm{N}].
 #include <fmt/format.h>
 
 #include "model/dimension.hpp"
@@ -33,7 +33,7 @@ private:
     ExpressionPtr product() {
         ExpressionPtr left = power();
         while (left && token().kind != LatexToken::Kind::end) {
-            if (token().is(")")) return left;
+            if (token().is(")") || token().is("}")) return left;
             const bool divides = token().is("/");
             if (divides || token().is("\\cdot") || token().is("*")) ++at_;
             left = joined(divides ? Kind::divide : Kind::multiply, left, power());
@@ -74,6 +74,13 @@ private:
             ++at_;
             return make_number(1, span(first));
         }
+        if (token().is("\\frac") && depth_ < 10) {
+            ++at_;
+            ++depth_;
+            const ExpressionPtr above = in_braces(), below = above ? in_braces() : nullptr;
+            --depth_;
+            return joined(Kind::divide, above, below);
+        }
         std::string word;
         if (token().is("\\mu")) {
             word = "u";
@@ -94,6 +101,15 @@ private:
             while (token().kind == LatexToken::Kind::letter && (at_ == first || word == "u" || token().space == LatexToken::Space::none)) word += tokens_[at_++].text;
         }
         return word.empty() ? nullptr : make_name(word, span(first));
+    }
+
+    ExpressionPtr in_braces() {
+        if (!token().is("{")) return nullptr;
+        ++at_;
+        ExpressionPtr inside = product();
+        if (!inside || !token().is("}")) return nullptr;
+        ++at_;
+        return inside;
     }
 
     const Excerpt& excerpt_;
@@ -152,17 +168,21 @@ ExpressionPtr LatexParser::unit_factor() {
         if (is_celsius) next();
         return make_name(is_celsius ? "degC" : "deg", from(first));
     }
+    const bool is_micro = is("\\mu") && token(1).kind == LatexToken::Kind::upright && token(1).space == Space::none;
+    if (is_micro) next();
     if (token().kind != LatexToken::Kind::upright) return nullptr;
     const LatexToken word = token();
     const std::size_t inside = word.inside;
-    if (word.text.find_first_of("$\"äöüÄÖÜ") != std::string::npos && word.text.find("°") == std::string::npos) return nullptr;
+    if (word.text.find_first_of("$\"äöüÄÖÜ") != std::string::npos && word.text.find("°") == std::string::npos) return give_up();
     ExpressionPtr unit;
     try {
         unit = UnitReader(excerpt_, latex_tokens(excerpt_, inside, inside + word.text.size())).run();
     } catch (const Failure&) {
-        return nullptr;
+        return give_up();
     }
-    if (!unit || !is_known_unit(*unit)) return nullptr;
+    if (is_micro && unit && unit->kind == Expression::Kind::name) unit = make_name("u" + unit->name, from(first));
+    else if (is_micro) return give_up();
+    if (!unit || !is_known_unit(*unit)) return give_up();
     next();
     if (is("^") && (token(1).kind == LatexToken::Kind::number || token(1).is("{"))) {
         std::size_t k = at_ + 1;
@@ -180,7 +200,30 @@ ExpressionPtr LatexParser::unit_factor() {
     return unit;
 }
 
-ExpressionPtr LatexParser::unit_behind() {
+/// [\mathrm{N}]; nothing (and nowhere moved) where that is no unit.
+ExpressionPtr LatexParser::unit_in_bracket() {
+    const std::size_t first = at_;
+    if (!is("[") || token(1).kind != LatexToken::Kind::upright) return nullptr;
+    next();
+    ExpressionPtr unit = unit_product();
+    if (unit && take("]")) return unit;
+    at_ = first;
+    return nullptr;
+}
+
+/// Behind letters and brackets there is no unit: theirs are declared, and \mathrm{m} would be taken for a letter m.
+void LatexParser::refuse_unit_behind_letters() {
+    const bool is_apart = token().kind == LatexToken::Kind::upright && token().space >= Space::thin;
+    if (!is_apart && !is("[")) return;
+    const std::size_t first = at_;
+    const ExpressionPtr unit = is("[") ? unit_in_bracket() : unit_product();
+    const bool ends = unit && (is_end() || relation() || is(",") || is_point() || is("\\\\"));
+    const Span span = from(first);
+    at_ = first;
+    if (ends) fail(Id::unknown_unit, span, fmt::format("'{}' looks like a unit behind an expression, whose letters have units of their own; leave it out, or write a number before it", span.text()));
+}
+
+ExpressionPtr LatexParser::unit_product() {
     const std::size_t first = at_;
     ExpressionPtr unit = unit_factor();
     while (unit) {
@@ -194,6 +237,11 @@ ExpressionPtr LatexParser::unit_behind() {
         }
         unit = node(divides ? Kind::divide : Kind::multiply, first, {std::move(unit), std::move(more)});
     }
+    return unit;
+}
+
+ExpressionPtr LatexParser::unit_behind() {
+    ExpressionPtr unit = is("[") ? unit_in_bracket() : unit_product();
     if (!unit && word_of(token()) == Word::comment && token().space != Space::quad)
         fail(Id::unknown_unit, place(token()), fmt::format("'{}' is not a unit; put '\\quad' before words that are none", token().text));
     if (unit && !is_known_unit(*unit)) fail(Id::unknown_unit, unit->span, fmt::format("'{}' is not a unit", unit->written()));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "model/cases.hpp"
 #include "model/matrix_algebra.hpp"
 #include "model/vocabulary.hpp"
 #include "text/diagnostic.hpp"
@@ -215,6 +216,13 @@ private:
     std::map<std::string, MatrixExpression> values_;
 };
 
+/// Where the entry k stands.
+std::string place_of(std::size_t k, const MatrixExpression& m) {
+    if (m.is_number()) return {};
+    if (m.columns == 1) return fmt::format("row {}", k + 1);
+    return m.rows == 1 ? fmt::format("column {}", k + 1) : fmt::format("row {}, column {}", k / m.columns + 1, k % m.columns + 1);
+}
+
 /// The equations of the entries. A number zero is a matrix of zeros.
 void take_apart(const Equation& equation, const std::vector<MatrixExpression>& sides, std::vector<Equation>& to) {
     const auto largest = std::max_element(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.entries.size() < b.entries.size(); });
@@ -224,7 +232,7 @@ void take_apart(const Equation& equation, const std::vector<MatrixExpression>& s
             fail(Id::size_mismatch, equation.sides[i]->span, fmt::format("'{}' is {}, but another side of the equation is {}", equation.sides[i]->written(), size_of(sides[i]), size_of(*largest)));
     }
     for (std::size_t k = 0; k < largest->entries.size(); ++k) {
-        Equation one{{}, equation.span};
+        Equation one{{}, equation.span, place_of(k, *largest)};
         for (const MatrixExpression& side : sides) one.sides.push_back(side.entries.size() == 1 ? side.entries[0] : side.entries[k]);
         to.push_back(std::move(one));
     }
@@ -232,7 +240,9 @@ void take_apart(const Equation& equation, const std::vector<MatrixExpression>& s
 
 }  // namespace
 
-std::vector<Equation> without_matrices(const std::vector<Equation>& equations, std::vector<PrintedLetter>& letters) {
+std::vector<Equation> without_matrices(std::vector<Equation> equations, std::vector<PrintedLetter>& letters) {
+    for (Equation& equation : equations)
+        for (ExpressionPtr& side : equation.sides) side = without_cases(side);
     const std::vector<PrintedLetter> all = letters;
     Matrices matrices(all);
     std::vector<Equation> result;

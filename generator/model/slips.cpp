@@ -34,6 +34,12 @@ ExpressionPtr call(const std::string& name, const ExpressionPtr& argument) { ret
 
 bool is_sum(const Expression& e) { return e.kind == Kind::add || e.kind == Kind::subtract; }
 
+/// Entries of matrices and values of cases are terms of their own.
+bool has_entries(const Expression& e) { return e.kind == Kind::call && (e.name == "row" || e.name == "vector" || e.name == "diag" || e.name == "cases"); }
+
+/// Where cases leave nothing out, another condition does not either; else it would only say less.
+bool is_condition(const Expression& e, std::size_t i) { return e.kind == Kind::call && e.name == "cases" && i % 2 == 1 && e.children.size() % 2 == 0; }
+
 /// "m_1" and "m_2" have the stem "m".
 std::string stem(const std::string& name) { return name.substr(0, name.find('_')); }
 
@@ -64,7 +70,9 @@ public:
         for (std::size_t i = 0; i < e->children.size(); ++i) {
             if (e->kind == Kind::sum && i < 2) continue;
             if (e->kind == Kind::call && (e->name == "diff" || e->name == "integral" || e->name == "limit" || e->name == "at" || e->name == "quantity") && i == 1) continue;
-            for (Change& change : of(e->children[i], is_sum(*e) && !is_sum(*e->children[i]))) {
+            if (e->kind == Kind::call && e->name == "limit" && i == 3) continue;  // its side
+            if (is_condition(*e, i)) continue;
+            for (Change& change : of(e->children[i], (is_sum(*e) || has_entries(*e)) && !is_sum(*e->children[i]))) {
                 std::vector<ExpressionPtr> children = e->children;
                 children[i] = std::move(change.tree);
                 change.tree = rebuilt(*e, std::move(children));
@@ -198,6 +206,16 @@ private:
             add(SlipKind::dot, fmt::format("a second dot is missing on '{}'", in_model_language(*x)), call("ddot", x));
         }
         if (e->name == "ddot") add(SlipKind::dot, fmt::format("one dot on '{}'", in_model_language(*x)), call("dot", x));
+        if (e->name == "cases" && e->children.size() > 2) {
+            std::vector<ExpressionPtr> children = e->children;
+            std::swap(children[0], children[2]);
+            add(SlipKind::sign, fmt::format("'{}' and '{}' change places", in_model_language(*x), in_model_language(*e->children[2])), rebuilt(*e, std::move(children)));
+        }
+        if (e->name == "less" || e->name == "greater" || e->name == "less_equal" || e->name == "greater_equal") {
+            auto other = std::make_shared<Expression>(*e);
+            other->name = e->name.starts_with("less") ? "greater" : "less";
+            add(SlipKind::sign, fmt::format("'{}' instead of '{}' between '{}' and '{}'", e->name.starts_with("less") ? '>' : '<', e->name.starts_with("less") ? '<' : '>', in_model_language(*x), in_model_language(*e->children[1])), other);
+        }
         if (e->name == "sqrt") add(SlipKind::exponent, fmt::format("no root of '{}'", in_model_language(*x)), x);
         const FunctionSpec* known = find_function(e->name);
         if (known == nullptr || e->children.size() != 1) return;

@@ -21,11 +21,16 @@ Branches::Branches(const ex& e, const Symbols& symbols) {
         const ex by = is_of_one ? part->op(0) : part->op(0) - part->op(1);
         if (!known.insert(by).second) continue;
         std::set<std::string> letters;
-        for (auto inner = by.preorder_begin(); inner != by.preorder_end(); ++inner)
-            if (GiNaC::is_a<GiNaC::symbol>(*inner)) letters.insert(GiNaC::ex_to<GiNaC::symbol>(*inner).get_name());
+        bool has_free = false;  // what has a range, or is positive, is drawn from all that it may be
+        for (auto inner = by.preorder_begin(); inner != by.preorder_end(); ++inner) {
+            if (!GiNaC::is_a<GiNaC::symbol>(*inner)) continue;
+            letters.insert(GiNaC::ex_to<GiNaC::symbol>(*inner).get_name());
+            const Variable* variable = symbols.find(*inner);
+            has_free = has_free || variable == nullptr || !(variable->is_positive || (variable->declared != nullptr && variable->declared->range));
+        }
         Switch found{by, {}};
         for (const std::string& letter : letters) found.letters += fmt::format("{}'{}'", found.letters.empty() ? "" : ", ", letter);
-        if (!letters.empty()) switches_.push_back(std::move(found));
+        if (has_free) switches_.push_back(std::move(found));
     }
 }
 

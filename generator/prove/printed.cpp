@@ -70,6 +70,7 @@ std::optional<std::string> unit_problem(const System& system, const PrintedEquat
 class EntryCheck {
 public:
     EntryCheck(const System& system, const PrintedEquation& printed, const Indices& indices) : system_(system), printed_(printed), indices_(indices) {
+        system.translate.leave_integrals_open();
         for (const PrintedLetter* letter : ordered_letters(printed)) letters_[letter->name] = system.translate(*letter->value, indices, letters_);
         for (const AtPoint& point : printed.at) {
             const ex variable = translate(*point.variable);
@@ -79,6 +80,10 @@ public:
         }
         for (const PrintedLetter& letter : printed.letters) check_right_angles(system, *letter.value, indices);
     }
+
+    ~EntryCheck() { system_.translate.close_integrals(); }
+    EntryCheck(const EntryCheck&) = delete;
+    EntryCheck& operator=(const EntryCheck&) = delete;
 
     PrintedResult run(const Equation& equation) {
         PrintedResult worst{std::string(equation.span.text()), {Verdict::proven}};
@@ -98,6 +103,9 @@ public:
 
     bool may_hold(const Equation& equation) {
         if (unit_problem(system_, printed_, equation)) return false;
+        for (std::size_t i = 0; i < equation.sides.size(); ++i)
+            if (!number(equation, i)) translate(*equation.sides[i]);
+        if (!system_.translate.open_integrals().empty()) return false;  // by numbers at best
         for (std::size_t i = 0; i + 1 < equation.sides.size(); ++i) {
             const bool holds = number(equation, i) || number(equation, i + 1) ? pair(equation, i).comparison.verdict != Verdict::wrong
                                                                               : pairs().may_hold(translate(*equation.sides[i]), translate(*equation.sides[i + 1]));
@@ -171,6 +179,15 @@ Result checkable(Result otherwise, Work work) {
     }
 }
 
+/// Of matrices: in which entry it is so.
+void name_entry(Comparison& comparison, const std::string& entry) {
+    const bool is_equal = comparison.verdict == Verdict::proven || comparison.verdict == Verdict::proven_under_assumption || comparison.verdict == Verdict::numerically_equal;
+    if (entry.empty() || is_equal) return;
+    const bool has_reason = !comparison.reason.empty();
+    if (!has_reason && comparison.verdict != Verdict::wrong) return;
+    comparison.reason = has_reason ? fmt::format("{}: {}", entry, comparison.reason) : fmt::format("the entries in {} differ", entry);
+}
+
 }  // namespace
 
 Verdict PrintedCheck::verdict() const {
@@ -194,6 +211,7 @@ PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& 
             if (!check) check.emplace(system, checked, indices);
             return check->run(equation);
         }));
+    for (std::size_t i = 0; i < checked.equations.size(); ++i) name_entry(result.equations[i].comparison, checked.equations[i].entry);
     return result;
 }
 

@@ -18,6 +18,12 @@ public:
     bool may_hold(const GiNaC::ex& left_side, const GiNaC::ex& right_side) const;
 
 private:
+    bool has_open_integral(const GiNaC::ex& e) const;
+    /// Where an integral has no primitive that is found: by numbers of a quadrature.
+    PrintedResult run_by_quadrature(const GiNaC::ex& left, const GiNaC::ex& right);
+    PrintedResult number_by_quadrature(const GiNaC::ex& value, const PrintedNumber& number);
+    /// The point with the integrals that occur; nothing where one has no value.
+    std::optional<Point> with_integrals(const Point& point);
     /// Or a multiplier: what is solved for.
     bool contains_acceleration(const GiNaC::ex& e) const;
     const GiNaC::ex& acceleration(std::size_t k) const { return unknowns_[k]; }
@@ -55,6 +61,7 @@ private:
     GiNaC::exmap at_;
     GiNaC::exmap held_, velocities_, positions_;
     std::vector<GiNaC::ex> unknowns_;
+    std::vector<std::optional<double>> fixed_integrals_;  ///< of the open ones those without letters
     std::size_t n_;  ///< accelerations that are solved for
 };
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/suggestion.hpp"
 
-#include "model/matrices.hpp"
+#include <set>
+
 #include "model/expression_text.hpp"
+#include "model/matrices.hpp"
+#include "model/vocabulary.hpp"
 
 namespace dalembert {
 
@@ -28,6 +31,39 @@ bool without_failing(Work work) {
 bool says_nothing(const Equation& equation) {
     const std::string first = in_model_language(*equation.sides[0]);
     return std::any_of(equation.sides.begin() + 1, equation.sides.end(), [&](const ExpressionPtr& side) { return in_model_language(*side) == first; });
+}
+
+/// A number, or what is made of such alone.
+bool is_constant(const System& system, const Named* named, const std::string& name) {
+    if (named == nullptr) return find_quantity(name) == nullptr && name != "t";
+    if (named->kind == Named::Kind::definition) return system.symbols.find(SymbolKind::definition, name, 0) != nullptr;
+    return named->kind == Named::Kind::parameter || named->kind == Named::Kind::size;
+}
+
+/// The letters of an entry that stand for something that moves, also by way of others.
+std::set<std::string> moving_letters(const System& system, const PrintedEquation& entry) {
+    std::set<std::string> moving;
+    const auto moves = [&](const Expression& e) {
+        return e.kind == Expression::Kind::name && (moving.contains(e.name) || !is_constant(system, system.names.find(e.name), e.name));
+    };
+    for (bool more = true; more;) {
+        more = false;
+        for (const PrintedLetter& letter : entry.shown_letters)
+            for_each(*letter.value, [&](const Expression& e) { more = (moves(e) && moving.insert(letter.name).second) || more; });
+    }
+    return moving;
+}
+
+/// The rate of what does not move is zero, which mends what has a term too many, but nobody meant it.
+bool puts_dot_on_constant(const System& system, const std::set<std::string>& moving, const Equation& equation) {
+    bool does = false;
+    for (const ExpressionPtr& side : equation.sides)
+        for_each(*side, [&](const Expression& e) {
+            if (e.kind != Expression::Kind::call || (e.name != "dot" && e.name != "ddot") || e.children[0]->kind != Expression::Kind::name) return;
+            const std::string& letter = e.children[0]->name;
+            does = does || (!moving.contains(letter) && is_constant(system, system.names.find(letter), letter));
+        });
+    return does;
 }
 
 }  // namespace
@@ -65,15 +101,17 @@ std::vector<std::pair<std::size_t, Slip>> slips_in(const System& system, const P
 
 std::optional<Suggestion> suggest(const System& system, const Member<PrintedEquation>& entry) {
     std::size_t tried = 0;
+    const std::set<std::string> moving = moving_letters(system, *entry.item);
     for (const auto& [which, slip] : slips_in(system, *entry.item)) {
         if (++tried > most_candidates) break;
         if (slip.kind == SlipKind::index && says_nothing(slip.equation)) continue;
+        if (slip.kind == SlipKind::dot && puts_dot_on_constant(system, moving, slip.equation)) continue;
         const bool mends = without_failing([&] {
             const PrintedEquation mended = with_equation(*entry.item, which, slip.equation);
             const Member<PrintedEquation> member{&mended, entry.index};
             return may_hold(system, member) && is_proven(check_printed(system, member).verdict());
         });
-        if (mends) return Suggestion{slip.words, in_model_language(slip.equation)};
+        if (mends) return Suggestion{slip.words, readable(slip.equation)};
     }
     return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include "symbolic/derivative.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/integrate_parts.hpp"
 
 namespace dalembert {
 
@@ -15,6 +16,13 @@ namespace {
 
 using Found = std::optional<ex>;
 
+struct Search {
+    Methods methods;
+    int depth = 0;  ///< of integrals in integrals
+
+    Search deeper() const { return {methods, depth + 1}; }
+};
+
 bool is(const ex& e, const char* function) { return GiNaC::is_a<GiNaC::function>(e) && ex_to<GiNaC::function>(e).get_name() == function; }
 
 /// The slope of an argument that is linear in x; nothing otherwise.
@@ -24,12 +32,25 @@ Found slope(const ex& argument, const symbol& x) {
     return derivative;
 }
 
+/// 1/cos(u)^2 and the like.
+Found integrate_inverse_square(const ex& f, const symbol& x) {
+    const ex u = f.op(0);
+    const Found a = slope(u, x);
+    if (!a) return std::nullopt;
+    if (is(f, "cos")) return GiNaC::tan(u) / *a;
+    if (is(f, "sin")) return -GiNaC::cos(u) / (GiNaC::sin(u) * *a);
+    if (is(f, "cosh")) return GiNaC::tanh(u) / *a;
+    if (is(f, "sinh")) return -GiNaC::cosh(u) / (GiNaC::sinh(u) * *a);
+    return std::nullopt;
+}
+
 Found integrate_power(const ex& base, const ex& exponent, const symbol& x) {
     if (exponent.has(x)) {
         if (base.has(x)) return std::nullopt;
         const Found a = slope(exponent, x);
         return a ? Found(GiNaC::pow(base, exponent) / (*a * GiNaC::log(base))) : std::nullopt;
     }
+    if (exponent.is_equal(-2) && GiNaC::is_a<GiNaC::function>(base)) return integrate_inverse_square(base, x);
     const Found a = slope(base, x);
     if (!a) return std::nullopt;
     if (exponent.is_equal(-1)) return GiNaC::log(magnitude(base)) / *a;
@@ -55,7 +76,7 @@ Found integrate_function(const ex& f, const symbol& x) {
     return std::nullopt;
 }
 
-Found integrate_term(const ex& term, const symbol& x, int depth);
+Found integrate_term(const ex& term, const symbol& x, Search search);
 
 /// Powers and products of exponentials as one exponential each.
 struct OneExponential : GiNaC::map_function {
@@ -73,17 +94,28 @@ struct OneExponential : GiNaC::map_function {
     }
 };
 
+/// exp(u)*sin(w) and exp(u)*cos(w).
+Found integrate_damped_wave(const ex& f, const symbol& x) {
+    if (!GiNaC::is_a<GiNaC::mul>(f) || f.nops() != 2) return std::nullopt;
+    const std::size_t first = is(f.op(0), "exp") ? 0 : 1;
+    const ex e = f.op(first), wave = f.op(1 - first);
+    if (!is(e, "exp") || !(is(wave, "sin") || is(wave, "cos"))) return std::nullopt;
+    const Found a = slope(e.op(0), x), b = slope(wave.op(0), x);
+    if (!a || !b) return std::nullopt;
+    const ex turned = is(wave, "sin") ? ex(-GiNaC::cos(wave.op(0))) : ex(GiNaC::sin(wave.op(0)));
+    return e * (*a * wave + *b * turned) / (GiNaC::pow(*a, 2) + GiNaC::pow(*b, 2));
+}
+
 /// Integration by parts of p(x)*f(x), p a polynomial: the degree of p falls each time.
-Found by_parts(const ex& polynomial, const ex& f, const symbol& x, int depth) {
-    if (depth > 20) return std::nullopt;
+Found by_parts(const ex& polynomial, const ex& f, const symbol& x, Search search) {
+    if (search.depth > 20) return std::nullopt;
     const bool repeats = is(f, "sin") || is(f, "cos") || is(f, "exp") ||
                          is(f, "sinh") || is(f, "cosh");
-    if (!repeats) return std::nullopt;
-    const Found primitive = integrate_function(f, x);
+    const Found primitive = repeats ? integrate_function(f, x) : integrate_damped_wave(f, x);
     if (!primitive) return std::nullopt;
     const ex derivative = partial(polynomial, x);
     if (derivative.is_zero()) return polynomial * *primitive;
-    const Found rest = integrate_term((derivative * *primitive).expand(), x, depth + 1);
+    const Found rest = integrate_term((derivative * *primitive).expand(), x, search.deeper());
     return rest ? Found(polynomial * *primitive - *rest) : std::nullopt;
 }
 
@@ -133,12 +165,53 @@ Found integrate_with_magnitude(const ex& rest, const ex& f, const symbol& x) {
     return std::nullopt;
 }
 
-Found integrate_term(const ex& term, const symbol& x, int depth) {
+/// With a part of the function as the variable: f(g)*g'.
+Found integrate_by_substitution(const ex& f, const symbol& x, Search search) {
+    constexpr int deepest = 2;
+    if (search.depth >= deepest) return std::nullopt;
+    std::vector<ex> parts;
+    for (auto part = f.preorder_begin(); part != f.preorder_end(); ++part) {
+        const bool is_sum_or_function = GiNaC::is_a<GiNaC::add>(*part) || GiNaC::is_a<GiNaC::function>(*part) || GiNaC::is_a<GiNaC::power>(*part) || GiNaC::is_a<GiNaC::mul>(*part);
+        if (is_sum_or_function && part->has(x) && !part->is_equal(f)) parts.push_back(*part);
+    }
+    for (const ex& part : parts) {
+        const ex derivative = partial(part, x);
+        if (derivative.is_zero()) continue;
+        const symbol y;
+        const ex inside = (f / derivative).normal().subs(part == y, GiNaC::subs_options::no_pattern);
+        if (inside.has(x)) continue;
+        if (const Found found = integrate_term(inside.expand(), y, search.deeper())) return found->subs(y == part, GiNaC::subs_options::no_pattern);
+    }
+    return std::nullopt;
+}
+
+/// The methods beyond the table, for a product without constant factors.
+Found integrate_otherwise(const ex& f, const symbol& x, Search search) {
+    if (const Found found = integrate_rational(f, x)) return found;
+    if (const Found found = integrate_root_of_quadratic(f, x)) return found;
+    if (const Found found = integrate_over_wave(f, x)) return found;
+    return integrate_by_substitution(f, x, search);
+}
+
+/// A function of the table, or a polynomial times one.
+Found integrate_by_table(const ex& f, const symbol& x, Search search) {
+    if (f.is_equal(x)) return GiNaC::pow(x, 2) / 2;
+    if (const Found found = integrate_sines_and_cosines(f, x)) return found;
+    if (GiNaC::is_a<GiNaC::power>(f)) return integrate_power(f.op(0), f.op(1), x);
+    if (GiNaC::is_a<GiNaC::function>(f)) return integrate_function(f, x);
+    if (!GiNaC::is_a<GiNaC::mul>(f)) return std::nullopt;
+    ex polynomial = 1, function = 1;
+    for (const ex& factor : f) (factor.is_polynomial(x) ? polynomial : function) *= factor;
+    if (is(function, "magnitude") || is(function, "sign_of")) return integrate_with_magnitude(polynomial.expand(), function, x);
+    return by_parts(polynomial, function, x, search);
+}
+
+Found integrate_term(const ex& term, const symbol& x, Search search) {
     if (!term.has(x)) return term * x;
     if (GiNaC::is_a<GiNaC::add>(term)) {
         ex result = 0;
         for (const ex& part : term) {
-            const Found one = integrate_term(part, x, depth);
+            const Found one = integrate_term(part, x, search);
             if (!one) return std::nullopt;
             result += *one;
         }
@@ -151,33 +224,21 @@ Found integrate_term(const ex& term, const symbol& x, int depth) {
         for (const ex& factor : term) take(factor);
     else
         take(term);
-
-    const auto scaled = [&](const Found& primitive) { return primitive ? Found(constant * *primitive) : std::nullopt; };
-    if (variable.is_equal(x)) return constant * GiNaC::pow(x, 2) / 2;
-    if (const Found found = integrate_sines_and_cosines(variable, x)) return constant * *found;
-    if (GiNaC::is_a<GiNaC::power>(variable)) return scaled(integrate_power(variable.op(0), variable.op(1), x));
-    if (GiNaC::is_a<GiNaC::function>(variable)) return scaled(integrate_function(variable, x));
-    if (!GiNaC::is_a<GiNaC::mul>(variable)) return std::nullopt;
-
-    // polynomial * function
-    ex polynomial = 1;
-    Found function;
-    for (const ex& factor : variable) {
-        if (factor.is_polynomial(x)) polynomial *= factor;
-        else if (!function) function = factor;
-        else return std::nullopt;
-    }
-    if (!function) return std::nullopt;
-    if (is(*function, "magnitude") || is(*function, "sign_of"))
-        return scaled(integrate_with_magnitude(polynomial.expand(), *function, x));
-    return scaled(by_parts(polynomial, *function, x, depth));
+    Found found = integrate_by_table(variable, x, search);
+    if (!found && search.methods == Methods::all) found = integrate_otherwise(variable, x, search);
+    return found ? Found(constant * *found) : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<ex> integrate(const ex& function, const symbol& variable) {
+std::optional<ex> integrate(const ex& function, const symbol& variable, Methods methods) {
     OneExponential one;
-    return integrate_term(one(function.expand()).expand(), variable, 0);
+    const ex terms = one(function.expand()).expand();
+    if (const Found found = integrate_term(terms, variable, {methods})) return found;
+    if (methods == Methods::table) return std::nullopt;
+    // Of sums whose terms have no primitives one by one, and of what has edges.
+    if (const Found found = integrate_otherwise(function, variable, {methods})) return found;
+    return integrate_pieces(function, variable);
 }
 
 }  // namespace dalembert

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Primitives of what laws are made of. GiNaC integrates powers only; this table goes as far as springs and media need.
+// Primitives of what laws and printed equations are made of. GiNaC integrates powers only.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -8,10 +8,14 @@
 
 namespace dalembert {
 
-/// A primitive of `function` with respect to `variable`, or nothing when the table has none.
-/// Sums are integrated term by term; of each term constant factors are taken out, and what remains must be a power, exponential,
-/// sine, cosine, hyperbolic function, a polynomial times one of the first four, or a product of powers of sine and cosine, of an argument linear
-/// in the variable.
-std::optional<GiNaC::ex> integrate(const GiNaC::ex& function, const GiNaC::symbol& variable);
+/// A table for laws of models: powers, exponentials, sines, cosines, hyperbolic functions of an argument linear in the variable, a polynomial
+/// times such or times exp*sin, products of powers of sine and cosine. Beyond it, for printed equations, which are compared with quadrature:
+/// partial fractions, roots of second degree, 1/(a + b*cos(x)), a part of the function as the variable, and pieces on either side of edges,
+/// where the primitive is continuous.
+enum class Methods { table, all };
+
+/// A primitive of `function` with respect to `variable`, or nothing when none is found. Sums are integrated term by term; of each term constant
+/// factors are taken out. It knows nothing of poles.
+std::optional<GiNaC::ex> integrate(const GiNaC::ex& function, const GiNaC::symbol& variable, Methods methods = Methods::table);
 
 }  // namespace dalembert

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/limit.hpp"
 
+#include <set>
+
 #include "symbolic/functions.hpp"
 
 namespace dalembert {
@@ -71,7 +73,7 @@ private:
 
 /// Whether a sign, a magnitude or a root turns at the place: then the limits from both sides may differ. What is positive has one side at zero.
 bool turns(const ex& e, const ex& variable, const ex& place) {
-    if (variable.info(GiNaC::info_flags::positive)) return false;
+    if (variable.info(GiNaC::info_flags::positive) && place.is_zero()) return false;
     for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
         const bool is_root = GiNaC::is_a<GiNaC::power>(*part) && part->op(1).info(GiNaC::info_flags::numeric) && !part->op(1).info(GiNaC::info_flags::integer);
         if (!is_root && !is_ex_the_function(*part, magnitude) && !is_ex_the_function(*part, sign_of)) continue;
@@ -83,14 +85,85 @@ bool turns(const ex& e, const ex& variable, const ex& place) {
 
 /// Whether it is continuous although something turns: roots and magnitudes are, signs are not.
 bool jumps(const ex& e, const ex& variable, const ex& place) {
+    // At zero itself a sign has the value that it has on no side.
+    if (variable.info(GiNaC::info_flags::positive)) {
+        for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+            if (is_ex_the_function(*part, sign_of) && part->op(0).has(variable)) {
+                const auto inside = inserted(part->op(0), variable, place);
+                if (!inside || inside->expand().is_zero()) return true;
+            }
+        return false;
+    }
     for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
         if (is_ex_the_function(*part, sign_of) && part->op(0).has(variable) && turns(*part, variable, place)) return true;
     return false;
 }
 
+/// Signs and magnitudes of what goes to zero with h > 0: as the first term of their series has it.
+struct SignsOnOneSide : GiNaC::map_function {
+    const GiNaC::possymbol& h;
+    explicit SignsOnOneSide(const GiNaC::possymbol& letter) : h(letter) {}
+
+    ex operator()(const ex& e) override {
+        const ex inside = e.map(*this);
+        const bool is_size = is_ex_the_function(inside, magnitude);
+        if (!is_size && !is_ex_the_function(inside, sign_of)) return inside;
+        const ex u = inside.op(0).expand();
+        if (!u.is_polynomial(h) || u.is_zero()) return inside;
+        const int sign = sign_of_constant(u.coeff(h, u.ldegree(h)).evalf());
+        return sign == 0 ? inside : is_size ? ex(sign * u) : ex(sign);
+    }
+};
+
+/// Powers of what has h in base and exponent as exponentials.
+struct PowersAsExponentials : GiNaC::map_function {
+    const GiNaC::possymbol& h;
+    explicit PowersAsExponentials(const GiNaC::possymbol& letter) : h(letter) {}
+
+    ex operator()(const ex& e) override {
+        const ex inside = e.map(*this);
+        return GiNaC::is_a<GiNaC::power>(inside) && inside.op(0).has(h) && inside.op(1).has(h) ? GiNaC::exp(inside.op(1) * GiNaC::log(inside.op(0))) : inside;
+    }
+};
+
+bool is_continuous(const std::string& name) {
+    static const std::set<std::string, std::less<>> names{"sin", "cos", "exp", "sinh", "cosh", "tanh", "atan", "magnitude"};
+    return names.contains(name);
+}
+
+/// The limit as h > 0 goes to zero: of sums, products and continuous functions that of what they are made of, if each has one.
+std::optional<ex> limit_at_zero(const ex& e, const GiNaC::possymbol& h) {
+    if (!e.has(h)) return e;
+    if (!jumps(e, h, 0)) {
+        if (const auto value = inserted(e, h, 0)) return value;
+        if (const auto value = constant_term(e, h)) return value;
+    }
+    if (GiNaC::is_a<GiNaC::function>(e) && e.nops() == 1 && is_continuous(ex_to<GiNaC::function>(e).get_name())) {
+        const auto inside = limit_at_zero(e.op(0), h);
+        return inside ? std::optional(ex(e.subs(e.op(0) == *inside, GiNaC::subs_options::no_pattern))) : std::nullopt;
+    }
+    const bool is_sum = GiNaC::is_a<GiNaC::add>(e);
+    if (!is_sum && !GiNaC::is_a<GiNaC::mul>(e)) return std::nullopt;
+    ex result = is_sum ? 0 : 1;
+    for (const ex& part : e) {
+        const auto one = limit_at_zero(part, h);
+        if (!one) return std::nullopt;
+        result = is_sum ? result + *one : result * *one;
+    }
+    return result;
+}
+
 }  // namespace
 
-std::optional<ex> limit_at(const ex& e, const ex& variable, const ex& place) {
+std::optional<ex> limit_at(const ex& e, const ex& variable, const ex& place, int side) {
+    if (side != 0) {
+        const GiNaC::possymbol h("h");
+        const auto shifted = inserted(e, variable, place + side * h);
+        if (!shifted) return std::nullopt;
+        SignsOnOneSide signs(h);
+        PowersAsExponentials exponentials(h);
+        return limit_at_zero(exponentials(signs(*shifted)), h);
+    }
     if (jumps(e, variable, place)) return std::nullopt;
     if (const auto value = inserted(e, variable, place)) return value;
     if (turns(e, variable, place)) return std::nullopt;
@@ -104,7 +177,10 @@ std::optional<ex> limit_at_infinity(const ex& e, const ex& variable, int sign) {
     const auto turned = inserted(e, variable, sign / h);
     if (!turned) return std::nullopt;
     AtInfinity settle(h);
-    return limit_at(settle(turned->expand()), h, 0);
+    const ex settled = settle(turned->expand());
+    if (const auto found = limit_at(settled, h, 0)) return found;
+    PowersAsExponentials exponentials(h);
+    return limit_at_zero(exponentials(settled), h);
 }
 
 }  // namespace dalembert

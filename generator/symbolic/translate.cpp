@@ -5,8 +5,6 @@
 
 #include "symbolic/functions.hpp"
 #include "symbolic/heat_formulas.hpp"
-#include "symbolic/integrate.hpp"
-#include "symbolic/limit.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -141,107 +139,14 @@ ex Translator::sum(const Expression& e, const Indices& indices, const Letters& l
     return GiNaC::add(terms);
 }
 
-/// The time derivative of what the derivative of is known: not of accelerations, rates of plain states and inputs.
-ex Translator::rate(const Expression& e, const ex& value) const {
-    for (const auto& [kind, what] : {std::pair(SymbolKind::acceleration, "acceleration"), std::pair(SymbolKind::state_rate, "rate"), std::pair(SymbolKind::input, "input"), std::pair(SymbolKind::multiplier, "force")})
-        for (const Variable& variable : symbols_.all(kind))
-            if (value.has(variable.symbol))
-                fail(Id::not_allowed_here, e, fmt::format("'{}' needs the time derivative of the {} '{}', which is not known", e.written(), what, variable.name));
-    const Expression& inside = *e.children[0];
-    if (const Variable* letter = inside.kind == Kind::name && find_quantity(inside.name) == nullptr && GiNaC::is_a<GiNaC::symbol>(value) ? symbols_.find(value) : nullptr; letter != nullptr && letter->kind == SymbolKind::parameter)
-        fail(Id::cannot_integrate, e, fmt::format("'{}' is the rate of '{}', which is a constant here", e.written(), letter->name));
-    return symbols_.time_derivative(value);
-}
-
-/// What one can differentiate by, let go somewhere, or insert for.
-const ex& Translator::variable_of(const Expression& e, const ex& variable) const {
-    if (GiNaC::is_a<GiNaC::symbol>(variable)) return variable;
-    fail(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that '{}' could be about", e.children[1]->written(), e.name));
-}
-
-ex Translator::slope(const Expression& e, const ex& function, const ex& variable) const {
-    if (!GiNaC::is_a<GiNaC::symbol>(variable)) fail(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that one can differentiate by", e.children[1]->written()));
-    // Of a place that depends on coordinates the slope by time alone is meant to be zero; that of a coordinate can only be meant to be its rate.
-    if (variable.is_equal(symbols_.time()) && GiNaC::is_a<GiNaC::symbol>(function) && !symbols_.time_derivative(function).is_zero())
-        fail(Id::cannot_integrate, e, fmt::format("'{0}' moves, and does not depend on time otherwise; its derivative is dot({0})", e.children[0]->written()));
-    const Variable* known = symbols_.find(variable);
-    for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier})
-        for (const Variable& rate : symbols_.all(kind))
-            if (function.has(rate.symbol) && (known == nullptr || known->kind != kind))
-                fail(Id::not_allowed_here, e, fmt::format("'{}' differentiates '{}', which depends on everything through the equations; write out what it is", e.written(), rate.name));
-    const bool by_parameter = known != nullptr && known->kind == SymbolKind::parameter;
-    return by_parameter ? symbols_.derivative_by_parameter(function, known->position) : partial(function, variable);
-}
-
-namespace {
-
-/// 1, -1, or 0 for what is not infinite.
-int infinite(const Expression& e) {
-    if (e.kind == Kind::negate) return -infinite(*e.children[0]);
-    return e.kind == Kind::name && e.name == "infinity" ? 1 : 0;
-}
-
-}  // namespace
-
-/// Where the variable is also a letter outside, what other letters and definitions say of that is said of the variable.
-ex Translator::integrand(const Expression& e, const ex& variable, const Indices& indices, const Letters& letters) const {
-    const Expression& written = *e.children[1];
-    const auto letter = letters.find(written.name);
-    const bool is_known = letter != letters.end() || names_.find(written.name) != nullptr || written.name == "t";
-    const ex outside = is_known ? visit(written, indices, letters) : variable;
-    if (outside.is_equal(variable) || !GiNaC::is_a<GiNaC::symbol>(outside)) {
-        Letters inner = letters;
-        inner[written.name] = variable;
-        return visit(*e.children[0], indices, inner);
-    }
-    const ex function = symbols_.without_definitions(visit(*e.children[0], indices, letters));
-    if (outside.is_equal(symbols_.time()) && !symbols_.time_derivative(function).is_equal(partial(function, outside)))
-        fail(Id::cannot_integrate, e, fmt::format("'{}' depends on time through what moves, so that it cannot be integrated", e.children[0]->written()));
-    return function.subs(outside == variable, GiNaC::subs_options::no_pattern);
-}
-
-ex Translator::integral(const Expression& e, const Indices& indices, const Letters& letters) const {
-    const GiNaC::realsymbol variable(e.children[1]->name);
-    const ex function = integrand(e, variable, indices, letters);
-    const auto primitive = integrate(function, variable);
-    if (!primitive) fail(Id::cannot_integrate, e, fmt::format("the integral of '{}' is not one that the program can find", e.children[0]->written()));
-    DefiniteIntegral found{function, variable, 0, 0, infinite(*e.children[2]), infinite(*e.children[3]), 0};
-    const auto at = [&](const Expression& end, int infinite, ex& place) {
-        if (infinite != 0) return limit(e, *primitive, variable, infinite, 0);
-        place = visit(end, indices, letters);
-        return primitive->subs(variable == place);
-    };
-    found.value = at(*e.children[3], found.infinite_to, found.to) - at(*e.children[2], found.infinite_from, found.from);
-    if (is_integral_ && !is_integral_(found))
-        fail(Id::cannot_integrate, e, fmt::format("'{}' has a pole between the limits, or its primitive jumps there, so that the integral has no value or another one", e.children[0]->written()));
-    return found.value;
-}
-
-ex Translator::limit(const Expression& e, const ex& function, const ex& variable, int infinite, const ex& place) const {
-    const ex written_out = symbols_.without_definitions(function);
-    const auto found = infinite != 0 ? limit_at_infinity(written_out, variable_of(e, variable), infinite) : limit_at(written_out, variable_of(e, variable), place);
-    if (!found) fail(Id::cannot_integrate, e, fmt::format("the limit of '{}' is not one that the program can find", e.children[0]->written()));
-    return *found;
-}
-
 ex Translator::call(const Expression& e, const Indices& indices, const Letters& letters) const {
     const auto part = [&](std::size_t i) { return visit(*e.children[i], indices, letters); };
     if (e.name == "dot" && e.children[0]->kind == Kind::name)
         if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0); q != nullptr && !symbols_.has_value(q->position)) return symbols_.get(SymbolKind::velocity, q->position);
     if (e.name == "ddot" && e.children[0]->kind == Kind::name)
         if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0); q != nullptr && !symbols_.has_value(q->position)) return symbols_.get(SymbolKind::acceleration, q->position);
-    if (e.name == "dot") return rate(e, part(0));
-    if (e.name == "ddot") return rate(e, rate(e, part(0)));
-    if (e.name == "diff") return slope(e, part(0), part(1));
-    if (e.name == "integral") return integral(e, indices, letters);
+    if (const auto found = calculus(e, indices, letters)) return *found;
     if (e.name == "quantity") return visit(*to_si(e.children[0], evaluate_unit(*e.children[1])), indices, letters);
-    if (e.name == "limit") {
-        const int sign = infinite(*e.children[2]);
-        return limit(e, part(0), part(1), sign, sign != 0 ? ex(0) : part(2));
-    }
-    if (e.name == "at" && part(1).is_equal(symbols_.time()) && !symbols_.time_derivative(part(0)).is_equal(partial(part(0), part(1))))
-        fail(Id::cannot_integrate, e, fmt::format("'{}' depends on time through what moves, so that its value at one time is not known", e.children[0]->written()));
-    if (e.name == "at") return symbols_.without_definitions(part(0)).subs(variable_of(e, part(1)) == part(2), GiNaC::subs_options::no_pattern);
     std::vector<ex> arguments;
     for (std::size_t i = 0; i < e.children.size(); ++i) arguments.push_back(part(i));
     const ex& x = arguments[0];

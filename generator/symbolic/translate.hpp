@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "symbolic/symbols.hpp"
 
@@ -44,6 +45,16 @@ public:
     /// Asked of every definite integral that an expression names, whether it has the value that its primitive gives.
     void set_integral_check(std::function<bool(const DefiniteIntegral&)> check) { is_integral_ = std::move(check); }
 
+    /// From now on an integral without a primitive is a letter, for numbers to be put in for it; nothing is differentiated or integrated that
+    /// has one.
+    void leave_integrals_open() const {
+        leaves_integrals_open_ = true;
+        open_.clear();
+    }
+    void close_integrals() const { leaves_integrals_open_ = false; }
+    /// Those that were met, each with its letter as the value.
+    const std::vector<DefiniteIntegral>& open_integrals() const { return open_; }
+
     /// Throws Failure (index-out-of-range, division-by-zero, number-too-large, cannot-integrate).
     GiNaC::ex operator()(const Expression& e, const Indices& indices, const Letters& letters = {}) const;
     GiNaC::ex operator()(const ExpressionPtr& e, const Indices& indices) const { return (*this)(*e, indices); }
@@ -71,8 +82,11 @@ private:
     GiNaC::ex slope(const Expression& e, const GiNaC::ex& function, const GiNaC::ex& variable) const;
     GiNaC::ex integrand(const Expression& e, const GiNaC::ex& variable, const Indices& indices, const Letters& letters) const;
     GiNaC::ex integral(const Expression& e, const Indices& indices, const Letters& letters) const;
-    /// At infinity for 1 and -1, else at the place.
-    GiNaC::ex limit(const Expression& e, const GiNaC::ex& function, const GiNaC::ex& variable, int infinite, const GiNaC::ex& place) const;
+    /// At infinity for 1 and -1, else at the place; from above (1), below (-1) or both sides.
+    GiNaC::ex limit(const Expression& e, const GiNaC::ex& function, const GiNaC::ex& variable, int infinite, const GiNaC::ex& place, int side = 0) const;
+    GiNaC::ex open_integral(const Expression& e, DefiniteIntegral& integral) const;
+    const GiNaC::ex& closed(const Expression& e, const GiNaC::ex& value) const;
+    std::optional<GiNaC::ex> calculus(const Expression& e, const Indices& indices, const Letters& letters) const;
     GiNaC::ex sum(const Expression& e, const Indices& indices, const Letters& letters) const;
     GiNaC::ex power(const Expression& e, const GiNaC::ex& base, const GiNaC::ex& exponent) const;
     int member_index(const Expression& e, const Item& item, const Indices& indices) const;
@@ -83,6 +97,8 @@ private:
     Quantities quantities_;
     std::function<bool(const DefiniteIntegral&)> is_integral_;
     mutable std::map<std::pair<const Definition*, int>, GiNaC::ex> inserted_;
+    mutable bool leaves_integrals_open_ = false;
+    mutable std::vector<DefiniteIntegral> open_;
 };
 
 }  // namespace dalembert

@@ -41,7 +41,7 @@ const Wrong wrongs[]{
     {R"(a = b + \dots + c)", 9, "what the dots stand for must be written out"},
     {R"(a = \sin)", 9, "the argument of 'sin'"},
     {R"(a = \sin \omega (t - b))", 17, "it is not clear whether this bracket belongs to the argument of 'sin'"},
-    {R"(a = \sinh^{-1} x)", 12, "the inverse of 'sinh' is not read"},
+    {R"(a = \exp^{-1} x)", 11, "the inverse of 'exp' is not read"},
     {R"(a = b/c d)", 6, "it is not clear whether 'd' is divided by as well"},
     {R"(a = \frac{d}{dt})", 17, "what is differentiated"},
     {R"(a = \frac{d^2 x}{dt})", 17, "the order is 2 above and 1 below"},

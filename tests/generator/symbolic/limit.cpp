@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "symbolic/functions.hpp"
+
 using namespace dalembert;
 using namespace GiNaC;
 
@@ -33,4 +35,26 @@ TEST_CASE("limits at infinity") {
     CHECK_FALSE(limit_at_infinity(x, x).has_value());
     CHECK_FALSE(limit_at_infinity(exp(a * x), x).has_value());
     CHECK_FALSE(limit_at_infinity(sin(x), x).has_value());
+}
+
+TEST_CASE("limits from one side") {
+    const realsymbol x("x");
+    const auto at = [&](const ex& e, const ex& place, int side) { return limit_at(e, x, place, side).value_or(realsymbol("none")); };
+    CHECK(at(magnitude(x) / x, 0, 1).is_equal(1));
+    CHECK(at(magnitude(x) / x, 0, -1).is_equal(-1));
+    CHECK(at(sign_of(x * x - 1), 1, -1).is_equal(-1));
+    CHECK(at(sqrt(x), 0, 1).is_equal(0));
+    CHECK(at(sin(x) / x, 0, -1).is_equal(1));
+    CHECK_FALSE(limit_at(1 / x, x, 0, 1).has_value());
+    CHECK_FALSE(limit_at(log(x), x, 0, 1).has_value());
+    CHECK_FALSE(limit_at(magnitude(x) / x, x, 0).has_value());
+}
+
+TEST_CASE("limits of powers") {
+    const realsymbol x("x");
+    const possymbol a("a");
+    CHECK(limit_at_infinity(pow(1 + 1 / x, x), x).value_or(0).is_equal(exp(1)));
+    CHECK(limit_at_infinity(pow(1 + a / x, x), x).value_or(0).is_equal(exp(a)));
+    CHECK(limit_at(pow(1 + x, 1 / x), x, 0, 1).value_or(0).is_equal(exp(1)));
+    CHECK_FALSE(limit_at_infinity(x * (pow(1 + 1 / x, x) - exp(1)), x).value_or(-exp(1) / 2).is_zero());  // -e/2, if anything
 }
