@@ -24,7 +24,9 @@ struct Piece {
     std::vector<int> signs;
     ex value;
     bool vanishes = false;
+    bool has_value = true;  ///< false where no case holds
 
+    bool differs(const Piece& other) const { return has_value != other.has_value || !value.is_equal(other.value); }
     bool fits(const Piece& other) const {
         for (std::size_t i = 0; i < signs.size(); ++i)
             if (signs[i] != 0 && signs[i] != other.signs[i]) return false;
@@ -50,6 +52,7 @@ public:
         std::vector<std::string> parts;
         bool is_zero_somewhere = false;
         for (const Piece& piece : found_) {
+            if (!piece.has_value) continue;
             if (piece.value.is_zero()) is_zero_somewhere = true;
             else parts.push_back(std::all_of(piece.signs.begin(), piece.signs.end(), [](int s) { return s == 0; }) ? write_(piece.value) : write_(piece.value) + " where " + condition(piece));
         }
@@ -75,12 +78,13 @@ private:
             return;
         }
         piece.vanishes = vanishes;
+        piece.has_value = difference.has_value();
         GiNaC::exmap known;
-        for (std::size_t i = 0; i < inside_.size(); ++i) {
+        for (std::size_t i = 0; piece.has_value && i < inside_.size(); ++i) {
             known[sign_of(inside_[i])] = piece.signs[i];
             for (const int turned : {1, -1}) known[magnitude((turned * inside_[i]).expand())] = piece.signs[i] * inside_[i];
         }
-        piece.value = difference_.subs(known, GiNaC::subs_options::no_pattern).expand();
+        if (piece.has_value) piece.value = difference_.subs(known, GiNaC::subs_options::no_pattern).expand();
         found_.push_back(std::move(piece));
     }
 
@@ -95,7 +99,7 @@ private:
             if (std::any_of(shortened.begin(), shortened.end(), [&](const Piece& known) { return known.fits(piece); })) continue;
             for (int& sign : piece.signs) {
                 const int kept = std::exchange(sign, 0);
-                const bool matters = std::any_of(all.begin(), all.end(), [&](const Piece& other) { return piece.fits(other) && !other.value.is_equal(piece.value); });
+                const bool matters = std::any_of(all.begin(), all.end(), [&](const Piece& other) { return piece.fits(other) && piece.differs(other); });
                 if (matters) sign = kept;
             }
             shortened.push_back(std::move(piece));

@@ -27,6 +27,9 @@ TEST_CASE("cases differ piece by piece") {
     CHECK(swapped["suggestion"].get<std::string>().find("sign") == std::string::npos);
     CHECK(wrong_latex(twice)["difference"].get<std::string>().find("-3*u where u < 0; 0 elsewhere") == 0);
     CHECK(wrong_latex(three)["difference"].get<std::string>().find(" where u > 1; 0 elsewhere") != std::string::npos);
+    // Between 1 and 2 no case holds: there is no value to differ.
+    const std::string gap = R"(u = \begin{cases} 2 & u > 2 \\ u & u < 1 \end{cases})";
+    CHECK(wrong_latex(gap)["difference"].get<std::string>()== "-(2 - u) where u > 2; 0 elsewhere");
     const std::string slip = R"(|u - v| = \begin{cases} u - v & \text{if } u < v \\ v - u & \text{otherwise} \end{cases})";
     CHECK(wrong_latex(slip)["suggestion"] != "");
 }
