@@ -127,7 +127,7 @@ private:
         const Expression& digits = is_negative ? *e.children[1]->children[0] : *e.children[1];
         const auto exponent = digits.kind == Kind::number ? to_int(digits.value) : std::nullopt;
         if (!exponent || *exponent == 0 || std::abs(*exponent) > largest || base.rows != base.columns)
-            fail(Id::wrong_arguments, e.span, fmt::format("'{}' is a power of a {} matrix; powers of square matrices from -{} to {} are read, but 0", e.written(), size_of(base), largest, largest));
+            fail(Id::wrong_arguments, e.span, fmt::format("'{}' is a power of a {} matrix; only square matrices have powers, from -{} to {} and not 0", e.written(), size_of(base), largest, largest));
         const int signed_exponent = is_negative ? -*exponent : *exponent;
         return matrix_power(e, signed_exponent < 0 ? square(e, base) : base, signed_exponent);
     }
