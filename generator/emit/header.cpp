@@ -344,9 +344,8 @@ Header make_header(const std::vector<const Code*>& modes, const FieldCode* field
     const std::string name_space = header_namespace(scene);
     const std::string content = fields == nullptr ? HeaderWriter(modes).run(name_space) : HeaderWriter(modes).run(name_space + "::core") + "\n" + field_content(*fields, name_space);
     const std::string guard = upper(scene.sized_name() + "_" + scene.name) + "_HPP";
-    const bool unrolls = content.find("std::index_sequence") != std::string::npos;
     return {header_name(scene), name_space,
-            fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner(modes, proofs, effects_out, command)}, {"GUARD", guard}, {"INCLUDES", unrolls ? "#include <type_traits>\n#include <utility>\n" : ""}, {"CONTENT", content}})};
+            fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner(modes, proofs, effects_out, command)}, {"GUARD", guard}, {"CONTENT", content}})};
 }
 
 }  // namespace dalembert

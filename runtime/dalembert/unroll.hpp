@@ -3,22 +3,25 @@
 #pragma once
 
 #include <cstddef>
-#include <type_traits>
-#include <utility>
 
 namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
 // begin unroll
-/// Calls step with 0, 1, ..., n - 1 as constants.
-template <class Step, std::size_t... i>
-void unroll(std::index_sequence<i...>, [[maybe_unused]] const Step& step) noexcept {
-    (step(std::integral_constant<std::size_t, i>{}), ...);
-}
-template <std::size_t n, class Step>
+/// A number that is known when code is compiled.
+template <std::size_t k>
+struct Known {
+    constexpr operator std::size_t() const noexcept { return k; }
+};
+
+/// Calls step with 0, 1, ..., n - 1, each as Known.
+template <std::size_t n, std::size_t first = 0, class Step>
 void unroll(const Step& step) noexcept {
-    unroll(std::make_index_sequence<n>{}, step);
+    if constexpr (first < n) {
+        step(Known<first>{});
+        unroll<n, first + 1>(step);
+    }
 }
 
 /// Up to this order systems of equations are solved without loops, in half of their time; longer code leaves the instruction cache.

@@ -91,7 +91,7 @@ const Claim others[]{
     {"", R"(a = \mathbf{E} + \begin{bmatrix} a & b \\ b & a \end{bmatrix})", "'E_bold' is not defined"},
     {"with = { R = \"matrix(row(cos(x), -sin(x)), row(sin(x), cos(x)))\" }\nfunctions = [\"R(x)\"]", R"(R(a) R(b) = R(a + b))", "proven"},
     {"with = { R = \"matrix(row(a, b), row(b, c))\" }", R"(R R^{-1} = \begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix}, R^2 = R R, |R| = a c - b^2)", "proven"},
-    {"with = { R = \"matrix(row(a, b), row(b, c))\" }", R"(R^a = R)", "'R^a' is a power of a 2 by 2 matrix; powers of square matrices from -9 to 9 are read"},
+    {"with = { R = \"matrix(row(a, b), row(b, c))\" }", R"(R^a = R)", "'R^a' is a power of a 2 by 2 matrix; only square matrices have powers, from -9 to 9 and not 0"},
     {"with = { q = \"vector(a, b)\" }", R"(|q| = a)", "'|q|' is the magnitude of a 2 by 1 vector"},
     // letters
     {"", R"(\int_0^1 x\,dx = \left. \frac{x^2}{2} \right|_0^1)", "proven"},
