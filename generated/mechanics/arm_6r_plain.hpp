@@ -154,92 +154,92 @@ struct Known {
     constexpr operator std::size_t() const noexcept { return k; }
 };
 
-/// Calls step with 0, 1, ..., n - 1, each as Known.
-template <std::size_t n, std::size_t first = 0, class Step>
-void unroll(const Step& step) noexcept {
-    if constexpr (first < n) {
-        step(Known<first>{});
-        unroll<n, first + 1>(step);
-    }
+template <std::size_t... i>
+struct Indices {};
+template <std::size_t n, std::size_t... i>
+struct IndicesBelow : IndicesBelow<n - 1, n - 1, i...> {};
+template <std::size_t... i>
+struct IndicesBelow<0, i...> {
+    using type = Indices<i...>;
+};
+
+template <class Step, std::size_t... i>
+void unroll(Indices<i...>, [[maybe_unused]] const Step& step) noexcept {
+    (step(Known<i>{}), ...);
+}
+template <std::size_t n, class Step, std::size_t... i>
+void unroll_down(Indices<i...>, [[maybe_unused]] const Step& step) noexcept {
+    (step(Known<n - 1 - i>{}), ...);
 }
 
-/// Up to this order systems of equations are solved without loops, in half of their time; longer code leaves the instruction cache.
-inline constexpr std::size_t most_unrolled = 12;
+/// Calls step with 0, 1, ..., n - 1: written out where n is Known, and so is what step gets; else in a loop.
+template <std::size_t n, class Step>
+void each(Known<n>, const Step& step) noexcept {
+    unroll(typename IndicesBelow<n>::type{}, step);
+}
+template <class Step>
+void each(std::size_t n, const Step& step) noexcept {
+    for (std::size_t i = 0; i < n; ++i) step(i);
+}
+
+/// The same with n - 1, ..., 1, 0.
+template <std::size_t n, class Step>
+void each_down(Known<n>, const Step& step) noexcept {
+    unroll_down<n>(typename IndicesBelow<n>::type{}, step);
+}
+template <class Step>
+void each_down(std::size_t n, const Step& step) noexcept {
+    for (std::size_t i = n; i-- > 0;) step(i);
+}
+
+/// The order of a system of equations: Known up to 12, where code without loops takes half of the time; longer code leaves the
+/// instruction cache.
+template <std::size_t n>
+constexpr auto order() noexcept {
+    if constexpr (n <= 12) return Known<n>{};
+    else return n;
+}
 
 /// Factors M = L D L' in place. `given` is the lower triangle row by row; afterwards it holds L below the diagonal and 1/D on it.
 /// M must be positive definite; otherwise the result is not finite or useless, and no error is reported. Needs unroll.
 template <class Scalar, std::size_t n>
 void ldlt_factor(std::array<Scalar, n * (n + 1) / 2>& given) noexcept {
-    if constexpr (n <= most_unrolled) {
-        std::array<Scalar, n * (n + 1) / 2> m = given;  // which nothing else points to
-        unroll<n>([&](auto i) {
-            constexpr std::size_t row = i * (i + 1) / 2;
-            unroll<i>([&](auto j) {
-                constexpr std::size_t other = j * (j + 1) / 2;
-                Scalar v = m[row + j];
-                unroll<j>([&](auto k) { v -= m[row + k] * m[other + k]; });
-                m[row + j] = v;
-            });
-            Scalar pivot = m[row + i];
-            unroll<i>([&](auto j) {
-                const Scalar l = m[row + j] * m[j * (j + 1) / 2 + j];
-                pivot -= m[row + j] * l;
-                m[row + j] = l;
-            });
-            m[row + i] = Scalar(1) / pivot;
+    std::array<Scalar, n * (n + 1) / 2> m = given;  // which nothing else points to
+    each(order<n>(), [&](auto i) {
+        const std::size_t row = i * (i + 1) / 2;
+        each(i, [&](auto j) {
+            const std::size_t other = j * (j + 1) / 2;
+            Scalar v = m[row + j];
+            each(j, [&](auto k) { v -= m[row + k] * m[other + k]; });
+            m[row + j] = v;
         });
-        given = m;
-    } else {
-        for (std::size_t i = 0; i < n; ++i) {
-            Scalar* const row = given.data() + i * (i + 1) / 2;
-            for (std::size_t j = 0; j < i; ++j) {
-                const Scalar* const other = given.data() + j * (j + 1) / 2;
-                Scalar v = row[j];
-                for (std::size_t k = 0; k < j; ++k) v -= row[k] * other[k];
-                row[j] = v;
-            }
-            Scalar pivot = row[i];
-            for (std::size_t j = 0; j < i; ++j) {
-                const Scalar l = row[j] * given[j * (j + 1) / 2 + j];
-                pivot -= row[j] * l;
-                row[j] = l;
-            }
-            row[i] = Scalar(1) / pivot;
-        }
-    }
+        Scalar pivot = m[row + i];
+        each(i, [&](auto j) {
+            const Scalar l = m[row + j] * m[j * (j + 1) / 2 + j];
+            pivot -= m[row + j] * l;
+            m[row + j] = l;
+        });
+        m[row + i] = Scalar(1) / pivot;
+    });
+    given = m;
 }
 
 /// Solves M x = b in place, `m` as ldlt_factor leaves it. `b` points to n values.
 template <class Scalar, std::size_t n>
 void ldlt_solve(const std::array<Scalar, n * (n + 1) / 2>& m, Scalar* b) noexcept {
-    if constexpr (n <= most_unrolled) {
-        std::array<Scalar, n> x;
-        for (std::size_t i = 0; i < n; ++i) x[i] = b[i];
-        unroll<n>([&](auto i) {
-            Scalar value = x[i];
-            unroll<i>([&](auto k) { value -= m[i * (i + 1) / 2 + k] * x[k]; });
-            x[i] = value;
-        });
-        unroll<n>([&](auto i) { x[i] *= m[i * (i + 1) / 2 + i]; });
-        unroll<n>([&](auto from_last) {
-            constexpr std::size_t i = n - 1 - from_last;
-            unroll<i>([&](auto k) { x[k] -= m[i * (i + 1) / 2 + k] * x[i]; });
-        });
-        for (std::size_t i = 0; i < n; ++i) b[i] = x[i];
-    } else {
-        for (std::size_t i = 1; i < n; ++i) {
-            const Scalar* const row = m.data() + i * (i + 1) / 2;
-            Scalar value = b[i];
-            for (std::size_t k = 0; k < i; ++k) value -= row[k] * b[k];
-            b[i] = value;
-        }
-        for (std::size_t i = 0; i < n; ++i) b[i] *= m[i * (i + 1) / 2 + i];
-        for (std::size_t i = n; i-- > 1;) {
-            const Scalar* const row = m.data() + i * (i + 1) / 2;
-            const Scalar value = b[i];
-            for (std::size_t k = 0; k < i; ++k) b[k] -= row[k] * value;
-        }
-    }
+    std::array<Scalar, n> x;
+    for (std::size_t i = 0; i < n; ++i) x[i] = b[i];
+    each(order<n>(), [&](auto i) {
+        Scalar value = x[i];
+        each(i, [&](auto k) { value -= m[i * (i + 1) / 2 + k] * x[k]; });
+        x[i] = value;
+    });
+    each(order<n>(), [&](auto i) { x[i] *= m[i * (i + 1) / 2 + i]; });
+    each_down(order<n>(), [&](auto i) {
+        const Scalar value = x[i];
+        each(i, [&](auto k) { x[k] -= m[i * (i + 1) / 2 + k] * value; });
+    });
+    for (std::size_t i = 0; i < n; ++i) b[i] = x[i];
 }
 
 /// Solves M x = b for every column of n values that begins at one of `starts` in `values`, in place. Several columns go side by side,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Loops that are written out by the compiler. The generator copies what stands between the marks into headers that need it.
+// Loops that are written out where their length is known and short. The generator copies what stands between the marks into headers that
+// need it.
 #pragma once
 
 #include <cstddef>
@@ -15,17 +16,51 @@ struct Known {
     constexpr operator std::size_t() const noexcept { return k; }
 };
 
-/// Calls step with 0, 1, ..., n - 1, each as Known.
-template <std::size_t n, std::size_t first = 0, class Step>
-void unroll(const Step& step) noexcept {
-    if constexpr (first < n) {
-        step(Known<first>{});
-        unroll<n, first + 1>(step);
-    }
+template <std::size_t... i>
+struct Indices {};
+template <std::size_t n, std::size_t... i>
+struct IndicesBelow : IndicesBelow<n - 1, n - 1, i...> {};
+template <std::size_t... i>
+struct IndicesBelow<0, i...> {
+    using type = Indices<i...>;
+};
+
+template <class Step, std::size_t... i>
+void unroll(Indices<i...>, [[maybe_unused]] const Step& step) noexcept {
+    (step(Known<i>{}), ...);
+}
+template <std::size_t n, class Step, std::size_t... i>
+void unroll_down(Indices<i...>, [[maybe_unused]] const Step& step) noexcept {
+    (step(Known<n - 1 - i>{}), ...);
 }
 
-/// Up to this order systems of equations are solved without loops, in half of their time; longer code leaves the instruction cache.
-inline constexpr std::size_t most_unrolled = 12;
+/// Calls step with 0, 1, ..., n - 1: written out where n is Known, and so is what step gets; else in a loop.
+template <std::size_t n, class Step>
+void each(Known<n>, const Step& step) noexcept {
+    unroll(typename IndicesBelow<n>::type{}, step);
+}
+template <class Step>
+void each(std::size_t n, const Step& step) noexcept {
+    for (std::size_t i = 0; i < n; ++i) step(i);
+}
+
+/// The same with n - 1, ..., 1, 0.
+template <std::size_t n, class Step>
+void each_down(Known<n>, const Step& step) noexcept {
+    unroll_down<n>(typename IndicesBelow<n>::type{}, step);
+}
+template <class Step>
+void each_down(std::size_t n, const Step& step) noexcept {
+    for (std::size_t i = n; i-- > 0;) step(i);
+}
+
+/// The order of a system of equations: Known up to 12, where code without loops takes half of the time; longer code leaves the
+/// instruction cache.
+template <std::size_t n>
+constexpr auto order() noexcept {
+    if constexpr (n <= 12) return Known<n>{};
+    else return n;
+}
 // end unroll
 
 }  // namespace detail
