@@ -35,7 +35,7 @@ std::string example(const PrintedRow& row) {
     const CounterExample& c = *row.counterexample;
     std::string text;
     for (const auto& [name, value] : c.values) text += fmt::format("{}<math>{}<mo>=</mo><mn>{}</mn></math>", text.empty() ? "" : ", ", mathml_of_text(name), html_text(value));
-    return fmt::format("<p>{}{}the left side is {}, the right side {}.</p>\n", text.empty() ? "" : "With ", text.empty() ? "" : text + " ", html_text(c.left), html_text(c.right));
+    return fmt::format("<p>{} left side is {}, the right side {}.</p>\n", text.empty() ? "The" : "With " + text + " the", html_text(c.left), html_text(c.right));
 }
 
 std::string entry(const PrintedRow& row) {
