@@ -103,8 +103,27 @@ private:
     std::vector<const DocumentNode*> list(const DocumentNode* node, ValueType type) const;
     ExpressionPtr constant(const DocumentNode& node, const Unit& unit) const;
     ExpressionPtr bound(const DocumentNode& node, const Unit& unit) const;
+    /// The text of a key, without its quotes.
+    static Excerpt key_excerpt(const Span& span);
+    /// What a text says in a small language of its own.
+    template <class Value>
+    std::optional<Value> parsed(std::string_view key, ValueType type, Value (*parse)(const Excerpt&)) const {
+        const DocumentNode* node = find(key, type);
+        if (node == nullptr) return std::nullopt;
+        if (node->kind == DocumentNode::Kind::string) return attempt([&] { return parse(node->string); });
+        wrong_type(*node, type);
+        return std::nullopt;
+    }
+    /// Nothing where it fails; the problems are collected.
     template <class Parse>
-    auto attempt(Parse parse) const -> std::optional<decltype(parse())>;
+    auto attempt(Parse parse) const -> std::optional<decltype(parse())> {
+        try {
+            return parse();
+        } catch (const Failure& failure) {
+            for (const Diagnostic& d : failure.diagnostics()) error(d.id, d.span, d.message, d.notes);
+            return std::nullopt;
+        }
+    }
 
     std::string name_;
     Span span_;
