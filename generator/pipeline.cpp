@@ -144,7 +144,7 @@ bool all_derivations_proven(const Machine& machine) {
 void keep_proofs(Machine& machine, bool with_series) {
     const auto is_proven = [](const AuditEntry& entry) { return entry.result.verdict == Verdict::proven; };
     if (machine.code->rewritten.empty() || std::all_of(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
-    auto plain = make_code(*machine.system, {.rewrites = false, .series = with_series});
+    auto plain = make_code(*machine.system, {.rewrites = false, .series = with_series, .chain = machine.chain});
     std::vector<AuditEntry> of_plain = verify(*plain);
     if (std::count_if(of_plain.begin(), of_plain.end(), is_proven) <= std::count_if(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
     machine.code = std::move(plain);
@@ -152,7 +152,7 @@ void keep_proofs(Machine& machine, bool with_series) {
 }
 
 void make_and_prove_code(Machine& machine, Stopwatch& watch, bool with_series) {
-    machine.code = make_code(*machine.system, {.rewrites = machine.rewrites, .series = with_series});
+    machine.code = make_code(*machine.system, {.rewrites = machine.rewrites, .series = with_series, .chain = machine.chain});
     const OperationCount count = machine.code->count(Function::rhs);
     watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
     machine.emitted = verify(*machine.code);
@@ -256,6 +256,7 @@ Header generate(Machine& machine, SeriesWish wish) {
         all.push_back(machine.code.get());
         for (Machine& other : machine.other_modes) {
             other.rewrites = machine.rewrites;
+            other.chain = machine.chain;
             make_and_prove_code(other, watch, wish != SeriesWish::none);
             all.push_back(other.code.get());
         }
@@ -276,6 +277,7 @@ std::string normalised_command(const Machine& machine) {
     const std::string file = std::filesystem::path(scene.model->source->name()).filename().string();
     std::string command = fmt::format("dalembert generate {} --scene {}", file, scene.wish);
     if (!machine.rewrites) command += " --no-rewrite";
+    if (machine.chain == ChainUse::never) command += " --no-chain";
     for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);
     if (machine.code && has_series(machine)) command += " --taylor";
     return command;

@@ -44,6 +44,7 @@ struct Machine {
     std::vector<Machine> other_modes;    ///< of one that switches: the machine in its other modes; this one is in the first
     std::vector<StageReport> stages;
     bool rewrites = true;                ///< generate rewrites forms that lose digits
+    ChainUse chain = ChainUse::where_shorter;
 };
 
 /// text -> model. Warnings go to diagnostics.

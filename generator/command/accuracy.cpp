@@ -49,6 +49,7 @@ ExitCode accuracy_command(const Options& options, Streams streams) {
     const System& system = *machine.system;
     refuse_fields(system, "accuracy");
     machine.rewrites = !options.no_rewrite;
+    if (options.no_chain) machine.chain = ChainUse::never;
     const Header header = generate(machine);
     const AccuracyMeasurement measurement(machine, header);
     std::vector<AccuracyReport> reports;

@@ -202,7 +202,10 @@ private:
         verb->add_option("--periods", options_.periods, "length of the run in periods, where the run names a period")->check(CLI::PositiveNumber);
         if (draws) verb->add_flag("--no-plot", options_.no_plot, "write the CSV only");
     }
-    void rewriting(CLI::App* verb) { verb->add_flag("--no-rewrite", options_.no_rewrite, "leave forms that lose digits as they are derived"); }
+    void rewriting(CLI::App* verb) {
+        verb->add_flag("--no-rewrite", options_.no_rewrite, "leave forms that lose digits as they are derived");
+        verb->add_flag("--no-chain", options_.no_chain, "solve with the mass matrix also where going from body to body is shorter");
+    }
     void explain(CLI::App* verb) {
         verb->add_flag("--explain", options_.explain, "time and result of each stage, and what was rewritten to keep digits");
         verb->add_option("--dump", options_.dump, "print a stage instead: scene, equations, atoms or code")->check(CLI::IsMember({"scene", "equations", "atoms", "code"}));

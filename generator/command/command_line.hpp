@@ -51,6 +51,7 @@ struct Options {
     int test_points = 2000;               ///< of accuracy, in each arithmetic
     std::uint64_t seed = 1;
     bool no_rewrite = false;              ///< forms that lose digits stay as they are
+    bool no_chain = false;                ///< solve with M also where bodies are placed on each other
     double ulp_limit = 8;                 ///< of errors in double
 };
 

@@ -95,6 +95,7 @@ ExitCode generate_command(const Options& options, Streams streams) {
         Machine machine = derive_machine(model, scene, options.choice.sizes);
         show_warnings(machine, streams);
         machine.rewrites = !options.no_rewrite;
+        if (options.no_chain) machine.chain = ChainUse::never;
         const Header header = generate(machine, options.taylor ? SeriesWish::wanted : SeriesWish::none);
         if (!options.dump.empty()) {
             streams.out << dumped(machine, options.dump, header);

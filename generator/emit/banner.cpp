@@ -91,7 +91,7 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
         if (c.total() == 0) continue;
         text += fmt::format("//   {:<18} {:>5} {:>6} {:>5} {:>8} {:>6}\n", name_of(function), c.additions, c.multiplications, c.divisions, c.trigonometric, c.other);
     }
-    if (!code.solve.unrolled) text += fmt::format("//   and solves with M ({} x {}) by loops, which are not counted\n", code.solve.n, code.solve.n);
+    if (std::any_of(code.functions.begin(), code.functions.end(), [](const FunctionCode& f) { return f.by_loops; })) text += fmt::format("//   and solves with M ({} x {}) by loops, which are not counted\n", code.solve.n, code.solve.n);
     if (const std::size_t nodes = largest_network(code)) text += fmt::format("//   and solves for the temperatures of networks of up to {} nodes, of which only the calls are counted\n", nodes);
     text += "//\n// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software\n"
             "// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.\n";

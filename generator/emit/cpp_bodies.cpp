@@ -12,7 +12,7 @@ namespace dalembert {
 
 namespace {
 
-const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State"};
+const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State", "c", "solved", "unit"};
 const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g", "rates", "by_time", "k"};
 
 }  // namespace
@@ -20,7 +20,6 @@ const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g",
 CppBodies::CppBodies(const Code& code, const SharedMembers& shared)
     : code_(code), shared_(shared), n_(code.system.symbols.degrees()), velocities_(code.system.symbols.positions()), states_(velocities_ + n_), m_(code.system.symbols.states()), cached_(shared.cached(code)), mode_(shared.has_modes() ? "mode, " : ""), arguments_(argument_names) {
     for (const auto& [index, number] : cached_) cached_texts_.emplace(index, "c_." + cached_name(code.system.symbols, number));
-    if (!code.solve.unrolled) helpers_.insert("ldlt");
     if (shared.has_modes()) arguments_.insert(names_of_modes.begin(), names_of_modes.end());
 }
 
@@ -105,6 +104,7 @@ CppBody CppBodies::update(std::set<std::string>& done) {
         statements += assigned(cpp, targets[i], f.results[i]);
     }
     if (f.by_loops && code_.solve.is_constant) {
+        helpers_.insert("ldlt");
         statements += cpp.compute(f.mass);
         for (std::size_t i = 0; i < f.mass.size(); ++i) statements += assigned(cpp, fmt::format("c_.mass_factors[{}]", i), f.mass[i]);
         statements += fmt::format("{}detail::ldlt_factor<Scalar, {}>(c_.mass_factors);\n", indent, n_);
@@ -126,6 +126,7 @@ std::string CppBodies::mass_name() const { return code_.solve.is_constant ? "c_.
 /// By loops: M of this motion, factored. A constant one was factored in update().
 std::string CppBodies::factored_mass(CppFunction& cpp, const FunctionCode& f) {
     if (code_.solve.is_constant) return {};
+    helpers_.insert("ldlt");
     std::string statements = cpp.compute(f.mass);
     statements += fmt::format("{}std::array<Scalar, {}> mass;\n", indent, f.mass.size());
     for (std::size_t i = 0; i < f.mass.size(); ++i) statements += assigned(cpp, fmt::format("mass[{}]", i), f.mass[i]);
@@ -142,6 +143,7 @@ std::string CppBodies::motion(CppFunction& cpp, const FunctionCode& f) {
         statements += cpp.compute(first);
         statements += factored_mass(cpp, f);
         for (std::size_t j = 0; j < n_; ++j) statements += assigned(cpp, fmt::format("dxdt[{}]", velocities_ + j), f.force[j]);
+        helpers_.insert("ldlt");
         statements += fmt::format("{}detail::ldlt_solve<Scalar, {}>({}, dxdt.data() + {});\n", indent, n_, mass_name(), velocities_);
     } else {
         for (std::size_t j = 0; j < n_; ++j) cpp.name_node(f.accelerations[j], cpp_name(code_.system.symbols.all(SymbolKind::acceleration)[j]));
@@ -172,10 +174,37 @@ CppBody CppBodies::rhs_and_jacobian() {
     return finish(cpp, std::move(statements), n_ + m_ > 0 ? "State& dxdt, JacobianX& J" : "State& /*dxdt*/, JacobianX& /*J*/", {.state = n_ > 0});
 }
 
+/// d(qdd)/d(column), all columns by the same statements: side by side where the machine can do that. What does not depend on the column
+/// comes before.
+std::string CppBodies::column_loop(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout) {
+    if (f.loop->columns.empty()) return {};
+    const std::vector<bool> varies = f.varying();
+    std::vector<NodeId> same;
+    for (const NodeId id : f.program.in_order(f.loop->results))
+        for (const NodeId argument : f.program[id].arguments)
+            if (varies[id] && !varies[argument] && f.program[id].op != Op::in_column) same.push_back(argument);
+    for (const NodeId id : same) cpp.keep(id);
+    std::string statements = cpp.compute(same);
+    const std::vector<std::size_t>& columns = f.loop->columns;
+    cpp.bind_columns(columns);
+    std::string body = cpp.compute(f.loop->results);
+    for (std::size_t j = 0; j < n_; ++j) body += assigned(cpp, fmt::format("solved[{}][c]", j), f.loop->results[j]);
+    std::vector<std::size_t> starts;
+    for (const std::size_t c : columns) starts.push_back(*layout.place(velocities_, c));
+    // Loaded and not compared: a compiler makes many ways through the statements out of a condition in them.
+    statements += fmt::format("{0}Scalar unit[{1}]{{}};  // one in its middle\n{0}unit[{2}] = Scalar(1);\n", indent, 2 * columns.size() - 1, columns.size() - 1);
+    statements += fmt::format("{}Scalar solved[{}][{}];\n", indent, n_, columns.size());
+    statements += fmt::format("{0}for (std::size_t c = 0; c < {1}; ++c) {{\n{2}{0}}}\n", indent, columns.size(), shifted(body));
+    statements += wrapped(fmt::format("constexpr std::array<std::size_t, {}> starts{{{}}};", starts.size(), fmt::join(starts, ", ")), 8);
+    statements += fmt::format("{0}for (std::size_t c = 0; c < {1}; ++c)\n{0}    for (std::size_t j = 0; j < {2}; ++j) J[starts[c] + j] = solved[j][c];\n", indent, columns.size(), n_);
+    return statements;
+}
+
 /// Everything in J. With loops the right sides are put where the solutions belong and solved there.
 std::string CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout, By by, bool has_mass) {
     std::string statements;
     const CodeMatrix& accelerations = f.by_loops ? f.right : f.solved;
+    if (f.loop) statements += column_loop(cpp, f, layout);
     statements += cpp.compute(accelerations.entries);
     statements += cpp.compute(f.below.entries);
     if (f.by_loops && !has_mass && layout.any_accelerations()) statements += factored_mass(cpp, f);
@@ -193,12 +222,14 @@ std::string CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, 
         };
         for (std::size_t j = 0; j < n_; ++j)
             if (code_.system.symbols.has_value(j)) set(code_.system.symbols.place(SymbolKind::coordinate, j), by == By::state && c == velocities_ + j ? "Scalar(1)" : "Scalar(0)");
-        for (std::size_t j = 0; j < n_; ++j) set_node(velocities_ + j, accelerations.at(j, c));
+        for (std::size_t j = 0; !f.loop && j < n_; ++j) set_node(velocities_ + j, accelerations.at(j, c));
+        for (std::size_t j = 0; f.loop && !layout.has_accelerations(c) && j < n_; ++j) set(velocities_ + j, "Scalar(0)");
         for (std::size_t i = 0; i < m_; ++i) set_node(states_ + i, f.below.at(i, c));
         if (f.by_loops && layout.has_accelerations(c)) starts.push_back(*layout.place(velocities_, c));
     }
     if (starts.empty()) return statements;
     statements += wrapped(fmt::format("constexpr std::array<std::size_t, {}> starts{{{}}};", starts.size(), fmt::join(starts, ", ")), 8);
+    helpers_.insert("ldlt");
     statements += fmt::format("{}detail::ldlt_solve_columns<Scalar, {}>({}, J.data(), starts);\n", indent, n_, mass_name());
     return statements;
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "emit/helpers.hpp"
 
 namespace dalembert {
@@ -92,6 +94,7 @@ void CppFunction::declare(NodeId id, const std::string& text, std::string& state
 std::string CppFunction::suggested_name(NodeId id) {
     if (const auto wanted = wanted_names_.find(id); wanted != wanted_names_.end()) return wanted->second;
     const Node& node = function_.program[id];
+    if (node.kind == Node::Kind::function && node.op == Op::in_column) return fmt::format("in_column_{}", to_string(function_.program[node.arguments[0]].value));
     if (node.kind == Node::Kind::function) {
         const Node& argument = function_.program[node.arguments[0]];
         const Variable* variable = argument.kind == Node::Kind::symbol ? code_.atoms[argument.index].variable : nullptr;
@@ -209,6 +212,11 @@ CppFunction::Text CppFunction::product(const Node& node, std::string& statements
 
 CppFunction::Text CppFunction::call(const Node& node, std::string& statements) {
     if (node.op == Op::element) return {fmt::format("{}[{}]", text_of(node.arguments[0], statements).text, to_string(function_.program[node.arguments[1]].value)), 3};
+    if (node.op == Op::in_column) {
+        const auto column = static_cast<std::size_t>(cln::cl_I_to_ulong(cln::numerator(function_.program[node.arguments[0]].value)));
+        const auto place = static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), column) - columns_.begin());
+        return {fmt::format("unit[c + {}]", columns_.size() - 1 - place), 3};
+    }
     std::string arguments;
     for (const NodeId argument : node.arguments) arguments += (arguments.empty() ? "" : ", ") + text_of(argument, statements).text;
     const std::string name = node.op == Op::power ? "pow" : name_of(node.op);

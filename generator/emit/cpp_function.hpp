@@ -26,6 +26,8 @@ public:
     void bind_accelerations(const std::string& array, std::size_t first) { accelerations_ = array; first_acceleration_ = first; }
     /// In update(): definitions that are variables of it, not members.
     void bind_locals(const std::set<std::size_t>& definitions) { local_definitions_ = definitions; }
+    /// In a loop over columns of a Jacobian: which of them the number of a round means.
+    void bind_columns(const std::vector<std::size_t>& columns) { columns_ = columns; }
     /// In update(): cached values are written, not read.
     void name_node(NodeId id, const std::string& name) { wanted_names_[id] = name; }
 
@@ -77,6 +79,7 @@ private:
     std::string accelerations_;
     std::size_t first_acceleration_ = 0;
     std::set<std::size_t> local_definitions_;
+    std::vector<std::size_t> columns_;
     bool uses_state_ = false;
     bool uses_input_ = false;
     bool uses_time_ = false;

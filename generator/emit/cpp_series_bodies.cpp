@@ -60,6 +60,7 @@ CppBody CppBodies::series() {
         std::string text = cpp.compute(first);
         text += factored_mass(cpp, f);
         for (std::size_t j = 0; j < n_; ++j) text += assigned(cpp, fmt::format("x[1][{}]", velocities_ + j), f.force[j]);
+        helpers_.insert("ldlt");
         return text + fmt::format("{}detail::ldlt_solve<Scalar, {}>({}, x[1].data() + {});\n", indent, n_, mass_name(), velocities_);
     });
     CppFunction& cpp = series.code_at_start();

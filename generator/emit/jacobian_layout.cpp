@@ -22,6 +22,7 @@ JacobianLayout::JacobianLayout(const std::vector<const Code*>& modes, Function f
     const auto in_any = [&](const auto& is_there) { return std::any_of(modes.begin(), modes.end(), [&](const Code* code) { return is_there((*code)[function]); }); };
     for (std::size_t c = 0; c < columns_; ++c) {
         const bool any = in_any([&](const FunctionCode& f) {
+            if (f.loop) return std::find(f.loop->columns.begin(), f.loop->columns.end(), c) != f.loop->columns.end();
             for (std::size_t j = 0; j < f.right.rows; ++j)
                 if (!f.is_zero(f.right.at(j, c))) return true;
             for (std::size_t j = 0; f.solved.rows != f.right.rows && j < f.solved.rows; ++j)

@@ -14,27 +14,30 @@ std::vector<ex> output_values(const System& system) {
     return values;
 }
 
-std::vector<const Variable*> columns(const Symbols& symbols, By by) {
+}  // namespace
+
+std::vector<const Variable*> column_variables(const Symbols& symbols, By by) {
     if (by == By::state) return symbols.state_variables();
     std::vector<const Variable*> result;
     for (const Variable& variable : symbols.all(by == By::input ? SymbolKind::input : by == By::parameter ? SymbolKind::parameter : SymbolKind::time)) result.push_back(&variable);
     return result;
 }
 
-}  // namespace
+std::size_t column_count(const Symbols& symbols, By by) { return column_variables(symbols, by).size(); }
 
-std::size_t column_count(const Symbols& symbols, By by) { return columns(symbols, by).size(); }
+ex by_column(const System& system, const ex& e, const Variable& column) {
+    return column.kind == SymbolKind::parameter ? system.symbols.derivative_by_parameter(e, column.position) : partial_of_kept(e, column.symbol);
+}
 
 Partials partials(const System& system, By by) {
     const std::vector<ex> outputs = output_values(system);
     std::vector<ex> held;
     for (const auto& [coordinate, acceleration] : system.motion.accelerations) held.push_back(acceleration);
     Partials result;
-    for (const Variable* variable : columns(system.symbols, by)) {
+    for (const Variable* variable : column_variables(system.symbols, by)) {
         const auto derivatives = [&](const std::vector<ex>& rows) {
             std::vector<ex> column;
-            for (const ex& row : rows)
-                column.push_back(by == By::parameter ? system.symbols.derivative_by_parameter(row, variable->position) : partial_of_kept(row, variable->symbol));
+            for (const ex& row : rows) column.push_back(by_column(system, row, *variable));
             return column;
         };
         result.residual.push_back(derivatives(system.motion.residual));

@@ -18,6 +18,10 @@ struct Partials {
 };
 
 std::size_t column_count(const Symbols& symbols, By by);
+/// The variables of the columns.
+std::vector<const Variable*> column_variables(const Symbols& symbols, By by);
+/// The derivative of what is emitted by one of them; definitions are followed to parameters.
+GiNaC::ex by_column(const System& system, const GiNaC::ex& e, const Variable& column);
 Partials partials(const System& system, By by);
 
 /// d(output)/d(qdd), and by the multipliers behind them: [coordinate][output]; not zero for outputs such as a measured acceleration.

@@ -173,6 +173,15 @@ void outputs(System& system) {
     }
 }
 
+/// Few coordinates are solved for at once.
+void chain(System& system) {
+    constexpr std::size_t fewest = 5;
+    const std::size_t n = system.symbols.degrees();
+    if (n < fewest || !system.scene.constraints.empty() || !system.scene.modes.empty()) return;
+    system.chain = find_chain(system.scene, system.translate, system.bodies, system.symbols);
+    for (std::size_t j = 0; system.chain && j < n; ++j) system.chain->rest.push_back(system.supplied[j] + system.elastic[j] + system.dissipative[j] + system.fluids.force[j]);
+}
+
 /// A coordinate whose row of M is zero moves without resistance, so its acceleration is not determined.
 void check_mass_rows(const System& system) {
     const auto n = static_cast<unsigned>(system.symbols.degrees());
@@ -254,6 +263,7 @@ std::unique_ptr<System> derive(const Names& names, Scene scene) {
     check_mass_rows(*system);
     forces(*system);
     equations(*system);
+    chain(*system);
     constrain(*system);
     outputs(*system);
     events(*system);

@@ -7,6 +7,7 @@
 
 #include "balance/balance_equation.hpp"
 #include "balance/rod.hpp"
+#include "mechanics/chain.hpp"
 #include "mechanics/dalembert.hpp"
 #include "mechanics/euler_lagrange.hpp"
 #include "mechanics/forces.hpp"
@@ -118,6 +119,7 @@ struct System {
     const LoadSolution& load(const std::string& name, const Span& span) const;
 
     std::vector<BodyMotion> bodies;
+    std::optional<Chain> chain;     ///< of many bodies that are placed on each other and free to move
     std::vector<Potential> potentials;
     std::vector<Resistance> resistances;
     std::vector<Supply> supplies;

@@ -23,6 +23,7 @@ enum class Op {
     network_inverse, balanced_temperature,  ///< arguments: which element of the array, then what the array is made of
     element,                                ///< of an array; in programs only
     independent_inverse,                    ///< 1/x, or zero where x is next to nothing beside the second argument; in programs only
+    in_column,                              ///< 1 in the column of a Jacobian that the argument names, else 0; in programs only
     power,  ///< arguments: base, exponent
     one_minus_cos, sinc, cosc, growth_mean, logc, sinc_slope, cosc_slope, logc_slope,  ///< what forms that lose digits are rewritten into
 };

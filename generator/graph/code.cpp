@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "graph/chain_code.hpp"
 #include "graph/lowered_system.hpp"
 #include "graph/reset_code.hpp"
 #include "graph/roots.hpp"
@@ -14,14 +15,15 @@ namespace {
 
 class CodeMaker {
 public:
-    CodeMaker(const System& system, bool rewrites)
-        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms, rewrites)), n_(system.motion.unknowns()), degrees_(system.symbols.degrees()), places_(system.unknown_places()), multipliers_(system.motion.multipliers.size()) {}
+    CodeMaker(const System& system, const CodeWish& wish)
+        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms, wish.rewrites, wish.chain)), n_(system.motion.unknowns()), degrees_(system.symbols.degrees()), places_(system.unknown_places()), multipliers_(system.motion.multipliers.size()) {}
 
     std::unique_ptr<Code> run(const CodeWish& wish) {
         order_definitions();
         choose_solve();
-        motion_function(Function::rhs, nullptr);
-        motion_function(Function::rhs_and_jacobian, &lowered_.partial(By::state));
+        code_->has_long_chain = lowered_.has_long_chain;
+        motion_function(Function::rhs, std::nullopt);
+        motion_function(Function::rhs_and_jacobian, By::state);
         jacobian(Function::jacobian_u, By::input, ParameterParts::cached);
         jacobian(Function::jacobian_t, By::time, ParameterParts::cached);
         jacobian(Function::jacobian_p, By::parameter, ParameterParts::if_cached);
@@ -179,9 +181,11 @@ private:
         for (std::size_t j = 0; j < degrees_; ++j) f.accelerations.push_back(f.program.symbol(acceleration_letter(j)));
     }
 
-    /// rhs, alone or together with its Jacobian.
-    void motion_function(Function which, const LoweredSystem::Columns* columns) {
+    /// rhs, alone or together with its Jacobian: in the way that takes fewer operations.
+    void motion_function(Function which, std::optional<By> by) {
         FunctionCode& f = (*code_)[which];
+        if (code_->has_long_chain) return chain_function(f, by, true, ParameterParts::cached);
+        const LoweredSystem::Columns* columns = by ? &lowered_.partial(*by) : nullptr;
         const Solve& s = code_->solve;
         f.by_loops = !s.unrolled;
         ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program);
@@ -194,6 +198,53 @@ private:
         take_motion(f, builder, motion);
         for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
         if (columns != nullptr) take_columns(f, builder, *columns, parts);
+        if (!lowered_.chain || s.is_constant) return;
+        FunctionCode from_body_to_body;
+        chain_function(from_body_to_body, by, true, ParameterParts::cached);
+        if (cost(from_body_to_body) < cost(f)) f = std::move(from_body_to_body);
+    }
+
+    /// Operations, with those of loops; of columns that are computed side by side four count as one.
+    int cost(const FunctionCode& f) const {
+        constexpr int side_by_side = 4;
+        int result = f.program.count(f.roots()).total();
+        const int n = static_cast<int>(n_);
+        if (f.loop) result += f.program.count(f.roots(), same_in_columns(f)).total() * (static_cast<int>(f.loop->columns.size()) / side_by_side - 1);
+        if (f.by_loops) result += n * n * n / 3 + 2 * n * n + static_cast<int>(f.right.columns) * 2 * n * n / side_by_side;
+        return result;
+    }
+
+    static std::vector<bool> same_in_columns(const FunctionCode& f) {
+        std::vector<bool> same = f.varying();
+        same.flip();
+        return same;
+    }
+
+    /// The motion, solved for or known to the caller, alone or together with a Jacobian, from body to body.
+    void chain_function(FunctionCode& f, std::optional<By> by, bool is_solved, ParameterParts kind) {
+        ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program);
+        Roots roots;
+        const ChainCode chain(system_, *lowered_.chain, by, roots);
+        const std::size_t rates = roots.add(lowered_.state_rate);
+        const std::size_t below = by ? roots.add(lowered_.partial(*by).state_rate) : 0;
+        builder.prepare(roots.polynomials());
+
+        f.chain = chain.nodes(builder, code_->atoms);
+        const Articulated solver(f.program, f.chain->links, [&](NodeId pivot) { return f.chain->inverses.emplace_back(reciprocal(f.program, pivot)); });
+        std::vector<NodeId> letters;
+        for (std::size_t j = 0; j < degrees_; ++j) letters.push_back(f.program.symbol(acceleration_letter(j)));
+        const ChainMotion motion = is_solved ? solver.solve(f.chain->loads) : solver.moved(f.chain->loads, letters);
+        for (std::size_t j = 0; is_solved && j < degrees_; ++j) builder.define(acceleration_letter(j), motion.accelerations[j]);
+        if (is_solved) f.accelerations = motion.accelerations;
+        for (std::size_t i = 0; is_solved && i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
+        if (!by) return;
+        f.loop = chain.column(builder, f.program, *f.chain, motion);
+        f.loop->results = solver.solve(f.loop->loads).accelerations;
+        const std::size_t count = lowered_.partial(*by).state_rate.size(), m = lowered_.state_rate.size();
+        f.right = {0, count, {}};
+        f.below = {m, count, {}};
+        for (std::size_t i = 0; i < count * m; ++i) f.below.entries.push_back(builder.root(below + i));
+        if (!is_solved) note_accelerations(f);
     }
 
     /// Where the parts of a Jacobian begin among the roots.
@@ -241,6 +292,7 @@ private:
     /// With multipliers the motion is solved for first, since their values are known nowhere else.
     void jacobian(Function which, By by, ParameterParts kind) {
         FunctionCode& f = (*code_)[which];
+        if (code_->has_long_chain) return chain_function(f, by, false, kind);
         const Solve& s = code_->solve;
         const LoweredSystem::Columns& columns = lowered_.partial(by);
         ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program);
@@ -380,12 +432,12 @@ private:
         Roots roots;
         const std::size_t definitions = roots.add(lowered_.definitions);
         const std::size_t cached = roots.add(code_->cache.values());
-        const std::size_t mass = s.is_constant ? roots.add(lowered_.solve_mass) : 0;
+        const std::size_t mass = s.is_constant && !code_->has_long_chain ? roots.add(lowered_.solve_mass) : 0;
         builder.prepare(roots.polynomials());
         for (const std::size_t i : code_->definition_order) f.results.push_back(builder.root(definitions + i));
         for (std::size_t i = 0; i < code_->cache.values().size(); ++i) f.results.push_back(builder.root(cached + i));
-        f.by_loops = !s.unrolled;
-        if (!s.is_constant) return;
+        f.by_loops = !s.unrolled && s.is_constant && !code_->has_long_chain;
+        if (!s.is_constant || code_->has_long_chain) return;
         for (std::size_t i = 0; i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(mass + i));
         if (f.by_loops) return;
         const std::vector<NodeId> lower = factorise(f.program, n_, multipliers_, f.mass);
@@ -425,6 +477,7 @@ std::vector<NodeId> FunctionCode::roots() const {
         take(solved.entries);
     }
     take(results);
+    if (loop) take(loop->results);
     take(whole_output.entries);
     if (!whole_output.entries.empty()) return all;
     take(below.entries);
@@ -433,8 +486,19 @@ std::vector<NodeId> FunctionCode::roots() const {
     return all;
 }
 
+std::vector<bool> FunctionCode::varying() const {
+    std::vector<bool> result(program.size(), false);
+    if (!loop) return result;
+    for (const NodeId id : program.in_order(loop->results)) {
+        const Node& node = program[id];
+        result[id] = node.kind == Node::Kind::function && node.op == Op::in_column;
+        for (const NodeId argument : node.arguments) result[id] = result[id] || result[argument];
+    }
+    return result;
+}
+
 OperationCount Code::count(Function f) const { return (*this)[f].program.count((*this)[f].roots()); }
 
-std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish) { return CodeMaker(system, wish.rewrites).run(wish); }
+std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish) { return CodeMaker(system, wish).run(wish); }
 
 }  // namespace dalembert

@@ -5,8 +5,9 @@
 #include <memory>
 
 #include "form/jacobian.hpp"
+#include "graph/articulated.hpp"
 #include "graph/build.hpp"
-#include "graph/factorisation.hpp"
+#include "graph/lowered_system.hpp"
 #include "graph/rewrite.hpp"
 
 namespace dalembert {
@@ -36,9 +37,13 @@ struct FunctionCode {
     CodeMatrix by_acceleration = {};        ///< d(y)/d(qdd), and by the multipliers behind them
     CodeMatrix whole_output = {};           ///< d(y)/d(column), where outputs contain multipliers
     std::vector<NodeId> rates_solved_for = {};  ///< rates of accelerations and multipliers, where results contain those of multipliers; of the one column in `right`
+    std::optional<ChainNodes> chain = {};   ///< where the motion is followed from body to body: what it is solved with, or would be
+    std::optional<ChainColumn> loop = {};   ///< d(qdd)/d(column), computed in a loop over the columns
     bool uses_accelerations = false;        ///< the symbols of qdd occur: they are to be computed first
     bool uses_jerks = false;                ///< those of their rates occur
 
+    /// Whether a node differs from column to column of the loop, by number.
+    std::vector<bool> varying() const;
     bool is_zero(NodeId id) const { return program.is_constant(id, 0); }
     /// What the emitted code has to compute.
     std::vector<NodeId> roots() const;
@@ -90,6 +95,7 @@ struct ResetCode {
 struct CodeWish {
     bool rewrites = true;  ///< of forms that lose digits
     bool series = false;   ///< of the motion
+    ChainUse chain = ChainUse::where_shorter;
 };
 
 struct Code {
@@ -100,6 +106,7 @@ struct Code {
     Atoms atoms;
     ParameterCache cache;
     Solve solve;                                  ///< how M*x = b is solved
+    bool has_long_chain = false;                  ///< the motion is solved for from body to body, and nothing with M
     std::vector<std::size_t> definition_order;    ///< definitions, each behind those it needs
     std::array<FunctionCode, function_count> functions;
     /// Where series are asked for, what they are made of: the motion, and behind the rates of plain states the power that changes its energy.

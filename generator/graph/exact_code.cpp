@@ -75,6 +75,7 @@ MaybeExact ExactCode::compute(Function function, const Program& program, NodeId 
         case Node::Kind::reciprocal: return arithmetic_.reciprocal(*arguments[0]);
         case Node::Kind::function: break;
     }
+    if (node.op == Op::in_column) return arithmetic_.constant(program[node.arguments[0]].value == static_cast<long>(column_) ? 1 : 0);
     if (is_array(node.op)) return std::nullopt;  // which its elements are asked for
     if (node.op != Op::element) return arithmetic_.function(node.op, arguments);
     const Node& array = program[node.arguments[0]];
@@ -140,10 +141,10 @@ void ExactCode::find_solved(Function function) {
 
 /// M as it is solved with, and its inverse; nothing where it is singular.
 const std::optional<ExactCode::Equations>& ExactCode::equations(Function function) {
-    if (function != Function::correction) function = code_.solve.is_constant ? Function::update : Function::rhs;
+    if (function != Function::correction) function = code_[Function::rhs].chain ? Function::mass_matrix : code_.solve.is_constant ? Function::update : Function::rhs;
     const auto [known, is_new] = equations_.try_emplace(function);
     if (!is_new) return known->second;
-    const std::vector<MaybeExact> lower = nodes(function, code_[function].mass);
+    const std::vector<MaybeExact> lower = nodes(function, function == Function::mass_matrix ? code_[function].results : code_[function].mass);
     std::size_t n = 0;
     while (lower_index(n, 0) < lower.size()) ++n;
     Equations e{std::vector<std::vector<ExactNumber>>(n, std::vector<ExactNumber>(n)), {}};
@@ -184,6 +185,7 @@ const std::optional<ExactCode::Equations>& ExactCode::equations(Function functio
 std::vector<double> ExactCode::rounding(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp, const std::function<double(const ExactNumber&)>& uncertainty) {
     std::vector<double> result(unknowns_, 0);
     const FunctionCode& f = code_[function];
+    if (f.chain) return rounding_of_chain(function, column, ulp, uncertainty);
     std::vector<NodeId> right = column ? std::vector<NodeId>() : f.force;
     for (std::size_t j = 0; column && j < f.right.rows; ++j) right.push_back(f.right.at(j, *column));
     if (right.empty()) return result;
@@ -207,6 +209,49 @@ std::vector<double> ExactCode::rounding(Function function, std::optional<std::si
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t k = 0; k < n; ++k) result[i] += std::fabs(cln::double_approx(e->inverse[i][k])) * errors[k];
     return result;
+}
+
+/// Where M is not solved with its entries are data all the same, and so are the moments and forces M*x.
+std::vector<double> ExactCode::rounding_of_chain(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp, const std::function<double(const ExactNumber&)>& uncertainty) {
+    const std::optional<Equations>& e = equations(function);
+    const FunctionCode& f = code_[function];
+    const std::vector<MaybeExact> x = column ? solved_in_loop(function, *column) : nodes(function, f.accelerations);
+    const bool is_there = e && std::all_of(x.begin(), x.end(), [](const MaybeExact& value) { return value.has_value(); });
+    if (!is_there) return std::vector<double>(unknowns_, std::numeric_limits<double>::infinity());
+    std::vector<double> result(unknowns_, 0);
+    const std::size_t n = x.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        cln::cl_R load = 0;
+        double error = 0;
+        for (std::size_t l = 0; l < n; ++l) {
+            const ExactNumber& entry = e->matrix[k][l];
+            load = load + entry.value * x[l]->value;
+            if (!cln::zerop(entry.value) || !entry.slopes.empty()) error += (ulp(cln::double_approx(entry.value)) / 2 + uncertainty(entry)) * std::fabs(cln::double_approx(x[l]->value));
+        }
+        error += ulp(cln::double_approx(load)) / 2;
+        for (std::size_t i = 0; i < n; ++i) result[i] += std::fabs(cln::double_approx(e->inverse[i][k])) * error;
+    }
+    return result;
+}
+
+const std::vector<MaybeExact>& ExactCode::solved_in_loop(Function function, std::size_t column) {
+    const FunctionCode& f = code_[function];
+    at(function, f.loop->results.front());  // what does not depend on the column is there from now on
+    Memory& memory = memory_[static_cast<std::size_t>(function)];
+    std::vector<MaybeExact>& solved = memory.columns[column + 1];
+    if (!solved.empty()) return solved;
+    const std::vector<bool> varies = f.varying();
+    column_ = column;
+    for (const NodeId id : f.program.in_order(f.loop->results)) {
+        if (!varies[id] && memory.is_known[id]) continue;
+        memory.values[id] = compute(function, f.program, id);
+        memory.is_known[id] = varies[id] ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < f.loop->results.size(); ++i) {
+        solved.push_back(memory.values[f.loop->results[i]]);
+        note_solved(solved.back(), unknowns_ + i);
+    }
+    return solved;
 }
 
 /// Along the motion, with inputs held.
@@ -281,6 +326,7 @@ MaybeExact ExactCode::slope(Function function, std::size_t row, std::size_t colu
     const std::size_t velocities = symbols.positions(), states = velocities + symbols.degrees();
     const FunctionCode& f = code_[function];
     if (row >= states) return at(function, f.below.at(row - states, column));
+    if (row >= velocities && f.loop) return solved_in_loop(function, column)[row - velocities];
     if (row >= velocities && !f.by_loops) return at(function, f.solved.at(row - velocities, column));
     if (row >= velocities) {
         std::vector<MaybeExact>& solved = memory_[static_cast<std::size_t>(function)].columns[column + 1];

@@ -52,6 +52,8 @@ private:
     const std::vector<MaybeExact>& factors(Function function);
     std::vector<MaybeExact> solve(Function function, std::vector<MaybeExact> b);
     std::vector<MaybeExact> nodes(Function function, const std::vector<NodeId>& ids);
+    const std::vector<MaybeExact>& solved_in_loop(Function function, std::size_t column);
+    std::vector<double> rounding_of_chain(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp, const std::function<double(const ExactNumber&)>& uncertainty);
     void note_solved(MaybeExact& value, std::size_t number) const;
     void find_solved(Function function);
     struct Equations {
@@ -68,6 +70,7 @@ private:
     std::map<Function, std::optional<Equations>> equations_;
     std::map<Letter, MaybeExact> letters_;
     std::vector<MaybeExact> cached_;
+    std::size_t column_ = 0;  ///< of a loop over columns
 };
 
 }  // namespace dalembert

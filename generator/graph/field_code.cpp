@@ -22,7 +22,7 @@ struct Wanted {
     ParameterParts parts;
 };
 
-ex by_column(const System& system, const ex& e, By by, std::size_t column) {
+ex column_of(const System& system, const ex& e, By by, std::size_t column) {
     const Symbols& symbols = system.symbols;
     if (by == By::parameter) return partial(e, symbols.get(SymbolKind::parameter, column));
     return partial(e, by == By::time ? symbols.time() : symbols.get(SymbolKind::input, column));
@@ -38,7 +38,7 @@ struct Cell {
 
 void add_columns(FieldFunctions& functions, const System& system, const Cell& cell, By by, std::size_t count) {
     for (std::size_t c = 0; c < count; ++c) {
-        const auto matters = [&](const ex& e) { return !by_column(system, e, by, c).is_zero(); };
+        const auto matters = [&](const ex& e) { return !column_of(system, e, by, c).is_zero(); };
         if (matters(cell.link) || matters(cell.source) || matters(cell.capacity)) functions.columns.push_back({by, c, {}, {}});
     }
 }
@@ -58,7 +58,7 @@ std::vector<Wanted> wanted(FieldFunctions& functions, const System& system) {
         {&functions.start, {cell.start}, parameters_as_they_are},
     };
     for (FieldColumn& column : functions.columns) {
-        const auto by = [&](const ex& e) { return by_column(system, e, column.by, column.column); };
+        const auto by = [&](const ex& e) { return column_of(system, e, column.by, column.column); };
         const auto parts = column.by == By::parameter ? parameters_as_they_are : ParameterParts::cached;
         if (!by(cell.link).is_zero()) result.push_back({&column.link, {by(cell.link)}, parts});
         result.push_back({&column.cell, {by(cell.source), by(cell.capacity), 1 / cell.capacity}, parts});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "graph/factorisation.hpp"
 #include "graph/lower.hpp"
 #include "symbolic/functions.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 class Lowerer {
 public:
-    Lowerer(const System& system, Atoms& atoms) : system_(system), atoms_(atoms) {}
+    Lowerer(const System& system, Atoms& atoms, ChainUse chain) : system_(system), atoms_(atoms), chain_(chain) {}
 
     LoweredSystem run(bool rewrites) {
         LoweredSystem l;
@@ -23,6 +24,7 @@ public:
             for (unsigned j = 0; j <= i; ++j) l.mass.push_back(one(system_.mass(i, j)));
         l.force = all(system_.motion.force);
         constrained(l);
+        l.has_long_chain = has_long_chain(l);
         projected(l);
         switching(l);
         l.bias = all(system_.bias);
@@ -35,13 +37,15 @@ public:
         for (const By by : {By::state, By::input, By::parameter, By::time}) {
             const Partials p = partials(system_, by);
             auto& columns = l.by[static_cast<std::size_t>(by)];
-            for (const auto& column : p.residual) columns.residual.push_back(all(column));
+            for (const auto& column : p.residual) columns.residual.push_back(l.has_long_chain ? std::vector<Polynomial>() : all(column));
             for (const auto& column : p.state_rate) columns.state_rate.push_back(all(column));
             for (const auto& column : p.output) columns.output.push_back(all(column));
             for (const auto& column : p.held) columns.held.push_back(all(column));
         }
         for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
         l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power, system_.prescribed_power, system_.internal_energy, system_.exchanged_power});
+
+        if (system_.chain && chain_ != ChainUse::never) l.chain = lower_chain(system_, atoms_);
 
         canonicalise(l);
         if (!rewrites) return l;
@@ -52,6 +56,21 @@ public:
     }
 
 private:
+    /// Up to this order and size of M code from body to body is compared with code that solves with M; beyond, it is shorter in any case.
+    static constexpr std::size_t most_compared = 8, most_terms_a_row = 200;
+
+    bool has_long_chain(const LoweredSystem& l) const {
+        std::vector<bool> is_zero;
+        if (!system_.chain || chain_ != ChainUse::where_shorter) return system_.chain && chain_ == ChainUse::wherever_possible;
+        std::size_t terms = 0;
+        for (const Polynomial& p : l.solve_mass) {
+            is_zero.push_back(p.is_zero());
+            terms += p.size();
+        }
+        const std::size_t n = system_.motion.unknowns();
+        return (n > most_compared && !should_unroll(n, is_zero)) || terms > most_terms_a_row * n;
+    }
+
     void constrained(LoweredSystem& l) {
         const Motion& motion = system_.motion;
         const std::size_t n = system_.symbols.degrees();
@@ -119,6 +138,7 @@ private:
     void canonicalise(LoweredSystem& l) {
         std::vector<Polynomial*> everything;
         each(l, [&](Polynomial& p, const char*) { everything.push_back(&p); });
+        if (l.chain) each_polynomial(*l.chain, [&](Polynomial& p) { everything.push_back(&p); });
         atoms_.canonicalise(everything);
     }
 
@@ -163,6 +183,7 @@ private:
 
     const System& system_;
     Atoms& atoms_;
+    ChainUse chain_;
 };
 
 }  // namespace
@@ -262,6 +283,6 @@ std::vector<ex> start_values(const System& system) {
     return values;
 }
 
-LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites) { return Lowerer(system, atoms).run(rewrites); }
+LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain) { return Lowerer(system, atoms, chain).run(rewrites); }
 
 }  // namespace dalembert

@@ -3,10 +3,13 @@
 #pragma once
 
 #include "form/jacobian.hpp"
-#include "graph/atoms.hpp"
+#include "graph/lowered_chain.hpp"
 #include "graph/rewrite.hpp"
 
 namespace dalembert {
+
+/// Where bodies are placed on each other: whether the motion is solved for from body to body.
+enum class ChainUse { where_shorter, wherever_possible, never };
 
 /// Everything that is emitted as polynomials over the same atoms.
 struct LoweredSystem {
@@ -39,6 +42,8 @@ struct LoweredSystem {
     std::vector<std::vector<Polynomial>> output_by_acceleration;
     std::vector<Polynomial> held_by_free;       ///< d(held)/d(free acceleration), row by row
     std::vector<Polynomial> scalars;  ///< energies and powers
+    std::optional<LoweredChain> chain;
+    bool has_long_chain = false;      ///< nothing is solved for by M, and slopes of the residual are left out
     std::vector<Rewriting> rewritten; ///< what has another form than it was derived in
 
     const Columns& partial(By which) const { return by[static_cast<std::size_t>(which)]; }
@@ -69,6 +74,6 @@ std::vector<GiNaC::ex> motion_rates(const System& system);
 std::vector<GiNaC::ex> held_jerks(const System& system);
 
 /// Lowers everything, rewrites what loses digits if that is wanted, and brings the atoms into the order of declaration.
-LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites);
+LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain);
 
 }  // namespace dalembert

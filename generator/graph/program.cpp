@@ -40,6 +40,13 @@ NodeId Program::constant(const Rational& value) { return intern({Node::Kind::con
 NodeId Program::symbol(Letter letter) { return intern({Node::Kind::symbol, 0, letter}); }
 NodeId Program::cached(std::uint32_t index) { return intern({Node::Kind::cached, 0, index}); }
 
+std::optional<NodeId> Program::find(Op op, const Rational& argument) const {
+    const auto number = known_.find({static_cast<int>(Node::Kind::constant), argument, 0, static_cast<int>(Op::symbol), {}, {}});
+    if (number == known_.end()) return std::nullopt;
+    const auto found = known_.find({static_cast<int>(Node::Kind::function), 0, 0, static_cast<int>(op), {number->second}, {}});
+    return found == known_.end() ? std::nullopt : std::optional(found->second);
+}
+
 bool Program::is_constant(NodeId id, int value) const { return nodes_[id].kind == Node::Kind::constant && nodes_[id].value == value; }
 
 NodeId Program::sum(std::vector<std::pair<bool, NodeId>> terms) {
@@ -120,7 +127,7 @@ OperationCount Program::count(const std::vector<NodeId>& roots, const std::vecto
             case Node::Kind::product: result.multiplications += arguments - 1; break;
             case Node::Kind::reciprocal: result.divisions += 1; break;
             case Node::Kind::function: {
-                if (node.op == Op::element) break;
+                if (node.op == Op::element || node.op == Op::in_column) break;
                 if (node.op == Op::independent_inverse) {
                     result.divisions += 1;
                     break;

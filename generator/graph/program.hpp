@@ -61,6 +61,8 @@ public:
     NodeId function(Op op, std::vector<NodeId> arguments);
 
     bool is_constant(NodeId id, int value) const;
+    /// A function of a number that is there.
+    std::optional<NodeId> find(Op op, const Rational& argument) const;
     /// Everything that the roots need, arguments before what uses them.
     std::vector<NodeId> in_order(const std::vector<NodeId>& roots) const;
     /// Operations needed for the roots when what is in `done` is there already.

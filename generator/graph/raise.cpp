@@ -61,6 +61,7 @@ ex applied(Op op, const std::vector<ex>& a) {
         case Op::symbol:
         case Op::pi:
         case Op::element:
+        case Op::in_column:
         case Op::sum: break;
     }
     throw std::logic_error("an operation that is no function");

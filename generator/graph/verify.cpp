@@ -3,6 +3,7 @@
 
 #include "graph/lowered_system.hpp"
 #include "graph/raise.hpp"
+#include "graph/verify_chain.hpp"
 #include "graph/verify_solve.hpp"
 #include "model/verdict.hpp"
 
@@ -51,6 +52,7 @@ public:
             for (std::size_t f = 0; f < function_count; ++f)
                 if (static_cast<Function>(f) != Function::correction) solve_is_that_one(static_cast<Function>(f));
         }
+        for (std::size_t f = 0; f < function_count; ++f) chain_is_solved(static_cast<Function>(f));
         return std::move(entries_);
     }
 
@@ -64,7 +66,7 @@ private:
 
     void compare(Function function, const ex& emitted, const ex& derived) {
         AuditEntry& e = entry(std::string("emitted = derived, ") + name_of(function));
-        if (prover_.proven_equal(emitted, derived)) return;
+        if (e.result.verdict == Verdict::wrong || prover_.proven_equal(emitted, derived)) return;  // it gets no worse
         Comparison result = prover_.equal(emitted, derived);
         if (is_worse(result.verdict, e.result.verdict)) e.result = std::move(result);
     }
@@ -108,6 +110,7 @@ private:
         const FunctionCode& f = code_[function];
         if (solved_for(f).empty()) return;
         Raiser raise(f.program, code_.atoms, cached_);
+        if (f.chain) return chain_motion(function, raise);
         const std::vector<ex> derived_mass = lower_triangle(system_.motion.matrix);
         const FunctionCode& m = code_.solve.is_constant ? code_[Function::update] : f;
         Raiser raise_mass(m.program, code_.atoms, cached_);
@@ -118,10 +121,59 @@ private:
         for (const auto& [j, derived] : system_.motion.accelerations) compare(function, raise(solved_for(f)[j]), derived.subs(known, GiNaC::subs_options::no_pattern));
     }
 
+    /// The equations of the links mean M and Q - bias; what solves them was proven to.
+    void chain_motion(Function function, Raiser& raise) {
+        const FunctionCode& f = code_[function];
+        const MeantMotion meant = meant_motion(f.chain->links, f.chain->loads, raise);
+        for (unsigned i = 0; i < meant.force.size(); ++i) {
+            for (unsigned j = 0; j < meant.force.size(); ++j) compare(function, meant.mass[i][j], system_.motion.matrix(i, j));
+            compare(function, meant.force[i], system_.motion.force[i]);
+        }
+    }
+
+    /// The loads of each column, in the same equations, are what the residual changes by.
+    void chain_columns(Function function, By by) {
+        const FunctionCode& f = code_[function];
+        const Partials p = partials(system_, by);
+        Raiser plain(f.program, code_.atoms, cached_), with_letters = plain;
+        for (std::size_t j = 0; j < f.accelerations.size(); ++j) with_letters.define(f.accelerations[j], acceleration(j));
+        // What is the same in all columns is raised once.
+        const std::vector<bool> varies = f.varying();
+        for (const NodeId id : f.program.in_order(f.loop->results))
+            for (const NodeId argument : f.program[id].arguments)
+                if (varies[id] && !varies[argument]) with_letters(argument);
+        const auto column_of = [&](std::size_t c, Raiser raise) {
+            for (const std::size_t k : f.loop->columns) raise.define(*f.program.find(Op::in_column, static_cast<long>(k)), k == c ? 1 : 0);
+            return meant_force(f.chain->links, f.loop->loads, raise);
+        };
+        const GiNaC::exmap known = solutions(f, plain);
+        for (std::size_t c = 0; c < p.residual.size(); ++c) {
+            const std::vector<ex> meant = column_of(c, with_letters);
+            for (std::size_t j = 0; j < meant.size(); ++j) {
+                if (entry(std::string("emitted = derived, ") + name_of(function)).result.verdict == Verdict::wrong) return;
+                if (prover_.proven_equal(meant[j], -p.residual[c][j])) compare(function, 0, 0);
+                else compare(function, column_of(c, plain)[j], (-p.residual[c][j]).subs(known, GiNaC::subs_options::no_pattern));
+            }
+            for (std::size_t i = 0; i < p.state_rate[c].size(); ++i) compare(function, plain(f.below.at(i, c)), p.state_rate[c][i].subs(known, GiNaC::subs_options::no_pattern));
+        }
+    }
+
+    void chain_is_solved(Function function) {
+        const FunctionCode& f = code_[function];
+        if (!f.chain) return;
+        AuditEntry& e = entry("emitted solve from body to body");
+        Comparison result = chain_solve_is_right(f, code_.atoms);
+        Raiser raise(f.program, code_.atoms, cached_);
+        const auto is_reciprocal = [&](NodeId reciprocal, NodeId pivot) { return pivot < f.program.size() && prover_.proven_equal(raise(reciprocal) * raise(pivot), 1); };
+        if (!chain_is_solved_so(f, is_reciprocal)) result = {Verdict::wrong};
+        if (is_worse(result.verdict, e.result.verdict)) e.result = std::move(result);
+    }
+
     /// In the code of the joint function accelerations are solutions; for the comparison they are letters again. Where the same
     /// operations happen to stand for an acceleration and for something else, the solutions are put into the derivation instead.
     void columns(Function function, By by) {
         const FunctionCode& f = code_[function];
+        if (f.loop) return chain_columns(function, by);
         Raiser with_letters(f.program, code_.atoms, cached_);
         Raiser with_solutions(f.program, code_.atoms, cached_);
         if (function != Function::rhs_and_jacobian) solved_motion(function);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/normal_form.hpp"
 
+#include "prove/angle_basis.hpp"
 #include "symbolic/functions.hpp"
 
 #include <algorithm>
@@ -26,13 +27,20 @@ Rational NormalForm::rational(const numeric& value) {
     return cln::the<cln::cl_RA>(value.to_cl_N());
 }
 
-bool NormalForm::is_zero(const ex& e) {
+bool NormalForm::is_zero(const ex& given) {
+    // Assumptions name angles.
+    const ShortAngles angles = assumed_positive_.empty() ? with_short_angles(given) : ShortAngles{given, {}};
+    const ex& e = angles.expression;
     for (int attempt = 0; attempt < most_restarts; ++attempt) {
         forget();
         try {
             if (!functions_are_letters_) roots_first(e);
             if (joins_roots_) simple_roots_first(e);
-            return without_inverses(convert(e)).is_zero();
+            const bool result = without_inverses(convert(e)).is_zero();
+            std::set<ex, GiNaC::ex_is_less> claimed;
+            for (const ex& claim : must_not_vanish_) claimed.insert(claim.subs(angles.meaning, GiNaC::subs_options::no_pattern));
+            must_not_vanish_ = std::move(claimed);
+            return result;
         } catch (const Restart&) {
         } catch (const TooManyTerms&) {
             throw NoNormalForm("too many terms");

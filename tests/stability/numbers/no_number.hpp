@@ -136,14 +136,14 @@ void functions() {
                 if (!std::isnan(value) || i >= All::states) return;
                 // What the state has an effect on is no number either.
                 typename System::State before{};
-                typename System::JacobianX J{};
+                typename System::JacobianX J{}, beside{};
                 plain.rhs_and_jacobian(mode..., start, arguments.u, arguments.t, before, J);
                 typename System::State moved = start, after{};
                 moved[i] += Scalar(0.01) * (Scalar(1) + std::fabs(moved[i]));
-                plain.rhs(mode..., moved, arguments.u, arguments.t, after);
+                plain.rhs_and_jacobian(mode..., moved, arguments.u, arguments.t, after, beside);  // a slope may be zero at rest
                 for (std::size_t r = 0; r < All::states; ++r) depends = depends || (std::isfinite(entry<System>(J, r, i)) && std::isfinite(before[r]) && std::isfinite(after[r]) && after[r] != before[r]);
                 for (std::size_t r = 0; r < All::states; ++r) {
-                    const Scalar effect = entry<System>(J, r, i);
+                    const Scalar at_start = entry<System>(J, r, i), effect = at_start == Scalar(0) ? entry<System>(beside, r, i) : at_start;
                     if (!std::isfinite(effect) || effect == Scalar(0) || !std::isfinite(before[r])) continue;
                     ++handed_on;
                     CHECK_MESSAGE(std::isnan(rate[r]), "state ", i, " is no number, the rate of ", r, " is ", rate[r]);

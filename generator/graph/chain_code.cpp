@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/chain_code.hpp"
+
+#include <set>
+
+namespace dalembert {
+
+namespace {
+
+/// ChainLink::parts, in a program.
+struct PartNodes {
+    SixBySix transfer, inertia;
+    std::vector<SixNodes> directions;
+    SixNodes remainder, force;
+
+    template <class NodeOf>
+    PartNodes(std::size_t coordinates, const NodeOf& node) : directions(coordinates) {
+        std::size_t next = 0;
+        const auto take = [&](SixNodes& six) {
+            for (NodeId& id : six) id = node(next++);
+        };
+        for (SixNodes& row : transfer) take(row);
+        for (SixNodes& direction : directions) take(direction);
+        take(remainder);
+        for (SixNodes& row : inertia) take(row);
+        take(force);
+    }
+};
+
+}  // namespace
+
+ChainCode::ChainCode(const System& system, const LoweredChain& chain, std::optional<By> by, Roots& roots) : chain_(*system.chain), lowered_(chain) {
+    const auto slopes = [&](const std::vector<LoweredLink::Slope>& of) {
+        std::vector<SlopeRoots> result;
+        for (const LoweredLink::Slope& slope : of) result.push_back({slope.of, roots.add(slope.letters), roots.add(slope.parts)});
+        return result;
+    };
+    for (const LoweredLink& link : chain.links) {
+        LinkRoots& r = links_.emplace_back(LinkRoots{roots.add(link.letters), roots.add(link.parts), {}, {}, {}});
+        if (!by) continue;
+        r.by_base = slopes(link.by_base);
+        r.by_own = slopes(link.by_own);
+        r.by_column = slopes(link.by[static_cast<std::size_t>(*by)]);
+    }
+    ground_ = roots.add(chain.ground);
+    rest_ = roots.add(chain.rest);
+    if (!by) return;
+    for (const LoweredChain::Column& column : chain.by[static_cast<std::size_t>(*by)]) columns_.push_back({column.of, roots.add(column.ground), roots.add(column.rest)});
+}
+
+ChainNodes ChainCode::nodes(ProgramBuilder& builder, const Atoms& atoms) const {
+    ChainNodes result;
+    for (std::size_t b = 0; b < links_.size(); ++b) {
+        const ChainLink& link = chain_.links[b];
+        for (std::size_t k = 0; k < link.letters.size(); ++k) {
+            const Variable* letter = atoms.symbols().find(link.letters[k].first);
+            builder.define(atoms.symbol(*letter), builder.root(links_[b].letters + k));
+        }
+        const PartNodes parts(link.coordinates.size(), [&](std::size_t i) { return builder.root(links_[b].parts + i); });
+        result.links.push_back({link.base, link.coordinates, parts.transfer, parts.inertia, parts.directions});
+        result.loads.remainder.push_back(parts.remainder);
+        result.loads.force.push_back(parts.force);
+    }
+    for (std::size_t r = 0; r < 6; ++r) result.loads.ground[r] = builder.root(ground_ + r);
+    for (std::size_t j = 0; j < chain_.rest.size(); ++j) result.loads.rest.push_back(builder.root(rest_ + j));
+    return result;
+}
+
+/// Of a = transfer*a_base + directions*qdd + remainder and f = inertia*a + force + sum of transfer'*f what changes with the column at fixed
+/// accelerations is a remainder and a force of the same equations; directions'*f = rest changes by its directions, too.
+ChainColumn ChainCode::column(ProgramBuilder& builder, Program& program, const ChainNodes& nodes, const ChainMotion& motion) const {
+    const NodeAlgebra of(program);
+    const std::size_t count = links_.size();
+    const NodeId zero = program.constant(0);
+    // The moment and force that each link needs.
+    std::vector<SixNodes> needed(count);
+    for (std::size_t b = 0; b < count; ++b) needed[b] = of.sum(of.times(nodes.links[b].inertia, motion.twists[b]), nodes.loads.force[b]);
+    for (std::size_t b = count; b-- > 0;)
+        if (nodes.links[b].base) needed[*nodes.links[b].base] = of.sum(needed[*nodes.links[b].base], of.times_transposed(nodes.links[b].transfer, needed[b]));
+
+    ChainColumn result{{}, {std::vector<SixNodes>(count, of.none()), std::vector<SixNodes>(count, of.none()), std::vector<NodeId>(chain_.rest.size(), zero), of.none()}, {}};
+    std::set<std::size_t> columns;
+    const auto in_column = [&](std::size_t c) {
+        columns.insert(c);
+        return program.function(Op::in_column, {program.constant(static_cast<long>(c))});
+    };
+    std::vector<std::vector<NodeId>> letters(count);  // how they change
+    for (std::size_t b = 0; b < count; ++b) {
+        const ChainLink& link = chain_.links[b];
+        letters[b].assign(link.letters.size(), zero);
+        const auto add = [&](const SlopeRoots& slope, NodeId change) {
+            if (program.is_constant(change, 0)) return;
+            for (std::size_t k = 0; k < letters[b].size(); ++k) letters[b][k] = of.plus(letters[b][k], {{builder.root(slope.letters + k), change}});
+        };
+        for (const SlopeRoots& slope : links_[b].by_base) add(slope, letters[*link.base][slope.of]);
+        for (const SlopeRoots& slope : links_[b].by_column) add(slope, in_column(slope.of));
+    }
+    for (std::size_t b = 0; b < count; ++b) {
+        const ChainLink& link = chain_.links[b];
+        const SixNodes& base_twist = link.base ? motion.twists[*link.base] : nodes.loads.ground;
+        const auto add = [&](const SlopeRoots& slope, NodeId change) {
+            if (program.is_constant(change, 0)) return;
+            const PartNodes parts(link.coordinates.size(), [&](std::size_t i) { return builder.root(slope.parts + i); });
+            SixNodes remainder = of.sum(parts.remainder, of.times(parts.transfer, base_twist));
+            for (std::size_t j = 0; j < link.coordinates.size(); ++j)
+                for (std::size_t r = 0; r < 6; ++r) remainder[r] = of.plus(remainder[r], {{parts.directions[j][r], motion.accelerations[link.coordinates[j]]}});
+            const SixNodes force = of.sum(parts.force, of.times(parts.inertia, motion.twists[b]));
+            const SixNodes to_base = of.times_transposed(parts.transfer, needed[b]);
+            ChainLoads& loads = result.loads;
+            for (std::size_t r = 0; r < 6; ++r) {
+                loads.remainder[b][r] = of.plus(loads.remainder[b][r], {{remainder[r], change}});
+                loads.force[b][r] = of.plus(loads.force[b][r], {{force[r], change}});
+                if (link.base) loads.force[*link.base][r] = of.plus(loads.force[*link.base][r], {{to_base[r], change}});
+            }
+            for (std::size_t j = 0; j < link.coordinates.size(); ++j) {
+                NodeId& rest = loads.rest[link.coordinates[j]];
+                rest = of.plus(rest, {{of.dot(parts.directions[j], needed[b]), change}}, true);
+            }
+        };
+        for (const SlopeRoots& slope : links_[b].by_base) add(slope, letters[*link.base][slope.of]);
+        for (const SlopeRoots& slope : links_[b].by_own) add(slope, letters[b][slope.of]);
+        for (const SlopeRoots& slope : links_[b].by_column) add(slope, in_column(slope.of));
+    }
+    for (const ColumnRoots& column : columns_) {
+        const NodeId change = in_column(column.of);
+        for (std::size_t r = 0; r < 6; ++r) result.loads.ground[r] = of.plus(result.loads.ground[r], {{builder.root(column.ground + r), change}});
+        for (std::size_t j = 0; j < chain_.rest.size(); ++j) result.loads.rest[j] = of.plus(result.loads.rest[j], {{builder.root(column.rest + j), change}});
+    }
+    result.columns.assign(columns.begin(), columns.end());
+    return result;
+}
+
+}  // namespace dalembert

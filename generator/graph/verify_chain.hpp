@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Proofs about code that goes from body to body.
+#pragma once
+
+#include "form/jacobian.hpp"
+#include "graph/raise.hpp"
+#include "prove/equivalence.hpp"
+
+namespace dalembert {
+
+/// M and Q - bias that the equations of the links stand for: with J of each link from recursion, M = sum of J'*inertia*J and
+/// Q - bias = rest - sum of J'*(inertia*(acceleration without qdd) + force).
+struct MeantMotion {
+    std::vector<std::vector<GiNaC::ex>> mass;
+    std::vector<GiNaC::ex> force;
+};
+MeantMotion meant_motion(const std::vector<LinkNodes>& links, const ChainLoads& loads, Raiser& raise);
+/// The same without M.
+std::vector<GiNaC::ex> meant_force(const std::vector<LinkNodes>& links, const ChainLoads& loads, Raiser& raise);
+
+/// Whether the steps of the solve, on links with such zeros, do what note [articulated] says; each step on letters for what is not known.
+Comparison chain_solve_is_right(const FunctionCode& f, const Atoms& atoms);
+
+/// Whether the operations of a function are those steps. Asks about reciprocals that are no reciprocal of the pivot by themselves.
+bool chain_is_solved_so(const FunctionCode& f, const std::function<bool(NodeId reciprocal, NodeId pivot)>& is_reciprocal);
+
+}  // namespace dalembert

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Motions that are solved for from body to body.
+#include <algorithm>
+
+#include "generator/machine.hpp"
+#include "graph/verify.hpp"
+#include "model/verdict.hpp"
+
+using namespace dalembert;
+
+namespace {
+
+Machine chain_of(const std::string& name, const std::map<std::string, int>& sizes = {}) {
+    Diagnostics diagnostics;
+    return derive_machine(load(std::string(SOURCE_DIR) + "/tests/physics/chains/" + name + ".toml", diagnostics), "", sizes);
+}
+
+std::unique_ptr<Code> body_to_body(const System& system) { return make_code(system, {.rewrites = false, .chain = ChainUse::wherever_possible}); }
+
+Verdict worst_of(const Code& code) {
+    Verdict worst = Verdict::proven;
+    for (const AuditEntry& entry : verify(code))
+        if (is_worse(entry.result.verdict, worst)) worst = entry.result.verdict;
+    return worst;
+}
+
+const std::string two_bodies =
+    "[parameters]\nm = { value = 1, unit = \"kg\" }\n[coordinates]\na = { for = \"k = 1..6\", unit = \"m\" }\n";
+
+}  // namespace
+
+TEST_CASE("operations of a chain grow with its links") {
+    const auto count = [](int n, Function function) {
+        const Machine machine = machine_of("n_pendulum", "", {{"N", n}});
+        return make_code(*machine.system)->count(function).total();
+    };
+    for (const Function function : {Function::rhs, Function::rhs_and_jacobian, Function::jacobian_p}) {
+        CAPTURE(name_of(function));
+        const int ten = count(10, function), fourteen = count(14, function), eighteen = count(18, function);
+        CHECK(eighteen - fourteen == fourteen - ten);
+    }
+}
+
+TEST_CASE("chains and trees in the plane and in space are proven") {
+    for (const auto& [name, sizes] : std::vector<std::pair<std::string, std::map<std::string, int>>>{{"rods", {{"N", 4}}}, {"two_arms", {}}}) {
+        CAPTURE(name);
+        const Machine machine = chain_of(name, sizes);
+        REQUIRE(machine.system->chain);
+        const auto code = body_to_body(*machine.system);
+        REQUIRE((*code)[Function::rhs].chain);
+        REQUIRE((*code)[Function::jacobian_p].loop);
+        CHECK(worst_of(*code) == Verdict::proven);
+    }
+}
+
+TEST_CASE("what is wrong in code from body to body is seen") {
+    const Machine machine = chain_of("two_arms");
+    const auto is_seen = [&](const auto& spoil) {
+        const auto code = body_to_body(*machine.system);
+        spoil(*code);
+        return worst_of(*code) == Verdict::wrong;
+    };
+    CHECK_FALSE(is_seen([](Code&) {}));
+    const auto doubled = [](FunctionCode& f, NodeId& id) { id = f.program.sum({{false, id}, {false, id}}); };
+    for (const Function function : {Function::rhs, Function::rhs_and_jacobian}) {
+        CAPTURE(name_of(function));
+        CHECK(is_seen([&](Code& code) { doubled(code[function], code[function].chain->links[2].inertia[3][3]); }));
+        CHECK(is_seen([&](Code& code) { doubled(code[function], code[function].chain->links[1].directions[0][2]); }));
+        CHECK(is_seen([&](Code& code) { doubled(code[function], code[function].chain->links[3].transfer[4][4]); }));
+        CHECK(is_seen([&](Code& code) { doubled(code[function], code[function].chain->loads.rest[1]); }));
+        CHECK(is_seen([&](Code& code) { doubled(code[function], code[function].chain->loads.ground[5]); }));
+        CHECK(is_seen([&](Code& code) { doubled(code[function], code[function].accelerations[4]); }));
+        CHECK(is_seen([&](Code& code) { doubled(code[function], code[function].chain->inverses[2]); }));
+    }
+    for (const Function function : {Function::rhs_and_jacobian, Function::jacobian_u, Function::jacobian_p}) {
+        CAPTURE(name_of(function));
+        CHECK(is_seen([&](Code& code) { doubled(code[function], code[function].loop->loads.rest[1]); }));
+        CHECK(is_seen([&](Code& code) { doubled(code[function], code[function].loop->results[0]); }));
+    }
+    CHECK(is_seen([&](Code& code) { doubled(code[Function::rhs_and_jacobian], code[Function::rhs_and_jacobian].loop->loads.remainder[3][0]); }));
+    CHECK(is_seen([&](Code& code) { doubled(code[Function::rhs_and_jacobian], code[Function::rhs_and_jacobian].loop->loads.force[2][1]); }));
+}
+
+TEST_CASE("bodies that are not placed on each other, or share a coordinate, are no chain") {
+    const auto has_chain = [](const std::string& bodies) { return machine_from(two_bodies + bodies).system->chain.has_value(); };
+    CHECK(has_chain("[bodies.block]\nfor = \"k = 1..6\"\non = \"block[k-1]\"\nmass = \"m\"\nposition = [\"a[k]\", 0, 0]\n"));
+    CHECK(has_chain("[bodies.block]\nfor = \"k = 1..6\"\nmass = \"m\"\nposition = [\"a[k]\", 0, 0]\n"));
+    CHECK_FALSE(has_chain("[bodies.block]\nfor = \"k = 1..6\"\nmass = \"m\"\nposition = [\"sum(j, 1, k, a[j])\", 0, 0]\n"));
+    CHECK_FALSE(machine_of("four_bar").system->chain);
+    CHECK_FALSE(machine_of("n_pendulum", "", {{"N", 3}}).system->chain);  // few coordinates are solved for at once
+}
+
+TEST_CASE("solving with M can be had instead") {
+    const Machine machine = machine_of("n_pendulum", "", {{"N", 9}});
+    CHECK((*make_code(*machine.system))[Function::rhs].chain);
+    const auto code = make_code(*machine.system, {.chain = ChainUse::never});
+    CHECK_FALSE((*code)[Function::rhs].chain);
+    CHECK(worst_of(*code) == Verdict::proven);
+}
