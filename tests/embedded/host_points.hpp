@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// On the desk: the points at which a system is evaluated. Parameters, states and inputs are numbers of float, so that the board and the
+// reference in long double have the same machine before them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <random>
+#include <type_traits>
+#include <vector>
+
+#include "dalembert/constraints.hpp"
+#include "points.hpp"
+
+inline constexpr std::size_t point_count = 16;
+
+/// The values in another arithmetic, exactly or rounded.
+template <class To, class From>
+To converted(const From& values) {
+    To result{};
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = static_cast<typename To::value_type>(values[i]);
+    return result;
+}
+
+template <class Scalar, template <class> class Parameters>
+Parameters<Scalar> float_parameters() {
+    const Parameters<float> rounded;
+    Parameters<Scalar> result;
+    constexpr std::size_t count = sizeof(Parameters<float>) / sizeof(float);
+    static_assert(sizeof(Parameters<Scalar>) == count * sizeof(Scalar), "parameters are stored one after the other");
+    for (std::size_t i = 0; i < count && !std::is_empty_v<Parameters<float>>; ++i) {
+        float value;
+        std::memcpy(&value, reinterpret_cast<const char*>(&rounded) + i * sizeof(float), sizeof value);
+        const auto wide = static_cast<Scalar>(value);
+        std::memcpy(reinterpret_cast<char*>(&result) + i * sizeof(Scalar), &wide, sizeof wide);
+    }
+    return result;
+}
+
+/// In the middle eight tenths of the declared range, else around the start value; angles over a whole turn, since sinf and cosf take the
+/// longer the farther from zero; on the constraints, where there are some.
+template <template <class> class System, template <class> class Parameters>
+std::vector<Point<System<float>>> points() {
+    const System<double> system(float_parameters<double, Parameters>());
+    std::minstd_rand engine(1743);  // the same numbers in every library
+    const auto value = [&engine](const auto& quantity, double start) {
+        const double share = static_cast<double>(engine()) / 2147483647.0 * 0.8 - 0.4;
+        if (std::isfinite(quantity.low) && std::isfinite(quantity.high)) return quantity.low + (quantity.high - quantity.low) * (0.5 + share);
+        if (!dalembert::detail::needs_projection<System<double>> && std::strcmp(quantity.unit, "rad") == 0) return start + 2.5 * 3.14159 * share;
+        return start + std::max(std::abs(start), 1.0) * share;
+    };
+    std::vector<Point<System<float>>> result(point_count);
+    unsigned next = 0;
+    for (auto& point : result) {
+        auto x = system.start_state();
+        typename System<double>::Input u{};
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = value(System<double>::state_table()[i], x[i]);
+        for (std::size_t i = 0; i < u.size(); ++i) u[i] = value(System<double>::input_table()[i], 0.0);
+        point.t = static_cast<float>(engine()) / 2147483647.0F;
+        if constexpr (dalembert::detail::needs_projection<System<double>>) {
+            if (!dalembert::project(system, x, static_cast<double>(point.t)).are_met()) std::fprintf(stderr, "a point is not on the constraints\n");
+        }
+        point.x = converted<typename System<float>::State>(x);
+        point.u = converted<typename System<float>::Input>(u);
+        point.mode = next++;
+        if constexpr (has_modes<System<float>>) point.mode %= System<float>::mode_table().size();
+    }
+    return result;
+}
+
+template <class Values>
+void print_values(const Values& values) {
+    std::printf("{");
+    for (const float value : values) std::printf("%aF,", static_cast<double>(value));
+    std::printf("}, ");
+}
+
+/// The points as C++, to be compiled for the board.
+template <template <class> class System, template <class> class Parameters>
+void print_points(const char* name_space) {
+    std::printf("constexpr Point<%s::System<float>> table[] = {\n", name_space);
+    for (const auto& point : points<System, Parameters>()) {
+        std::printf("    {%u, ", point.mode);
+        print_values(point.x);
+        print_values(point.u);
+        std::printf("%aF},\n", static_cast<double>(point.t));
+    }
+    std::printf("};\n");
+}
