@@ -13,6 +13,7 @@ check_header "$header"
 name=$(basename "$header" .hpp)
 work=${BUILD:-build}/embedded/$name
 mkdir -p "$work"
+rm -f "$work/host"
 
 # The row of a system: templates with its header and namespace.
 name_space=$(sed -n 's/^namespace \(.*::.*\) {$/\1/p' "$header" | head -1)
@@ -21,34 +22,45 @@ for file in functions measure host; do
   sed "s|@HEADER@|$(realpath "$header")|; s|@NAME_SPACE@|$name_space|g; s|@MODE@|$mode|" "$here/$file.cpp.in" >"$work/$file.cpp"
 done
 
-${CXX:-c++} -std=c++17 -O0 -I"$here" -I"$here/../../runtime" -isystem /usr/include/eigen3 "$work/host.cpp" -o "$work/host" || exit 3
-"$work/host" >"$work/table.hpp"
+# The table of points, and the judge of the answers: compiled when the first object files have passed.
+prepare_host() {
+  [ -x "$work/host" ] && return
+  ${CXX:-c++} -std=c++17 -O0 -I"$here" -I"$here/../../runtime" -isystem /usr/include/eigen3 "$work/host.cpp" -o "$work/host" || exit 3
+  "$work/host" >"$work/table.hpp"
+}
 
-failed=0
-for optimisation in "$@"; do
-  row="$name -$optimisation"
-  objects=()
+# instructions FUNCTION FILE: mean over the points.
+instructions() { awk -v what="$1" '$1 == what { sum += $3; count++ } END { printf "%.1f", sum/count }' "$2"; }
+
+# measure OPTIMISATION: a row, or 1 and what failed.
+measure() {
+  local row="$name -$1" function object elf=$work/measure.$1.elf answer=$work/answer.$1.txt objects=() stand_ins degrees stack stack_jacobian error limit error_jacobian pivots
   for function in rhs rhs_and_jacobian set_up; do
-    object=$work/$function.$optimisation.o
-    compile "-$optimisation" -DFUNCTION_"$function" -c "$work/functions.cpp" -o "$object" || { echo "$row: $function does not compile for the board" >&2; exit 1; }
-    check_object "$row: $function" "$object" || failed=1
+    object=$work/$function.$1.o
+    compile "-$1" -DFUNCTION_"$function" -c "$work/functions.cpp" -o "$object" || { echo "$row: $function does not compile for the board" >&2; return 1; }
+    check_object "$row: $function" "$object" || return 1
     objects+=("$object")
   done
-  check_divisions "$row" "$header" "${objects[0]}" || failed=1
-  elf=$work/measure.$optimisation.elf
-  compile "-$optimisation" -I"$work" "$work/measure.cpp" "$here/board/startup.cpp" "${objects[@]}" "${link[@]}" -o "$elf" || { echo "$row: does not link" >&2; exit 1; }
-  check_linked "$row" "$elf" || failed=1
-  run_board "$elf" >"$work/answer.$optimisation.txt" || { echo "$row: the board stopped: $(tail -1 "$work/answer.$optimisation.txt")" >&2; exit 1; }
-  read -r degrees rhs jacobian stack stack_jacobian error limit error_jacobian pivots < <("$work/host" "$work/answer.$optimisation.txt" "$row" || echo) || true
-  [ -n "$pivots" ] || { failed=1; continue; }
-  check_pivots "$row" "$header" "$pivots" || failed=1
+  check_divisions "$row" "$header" "${objects[0]}" || return 1
+
+  prepare_host
+  local program=("-$1" -I"$work" "$work/measure.cpp" "$board/startup.cpp" "${objects[@]}" "${link[@]}")
+  compile "${program[@]}" -o "$elf" || { echo "$row: does not link" >&2; return 1; }
+  check_linked "$row" "$elf" || return 1
+  run_board "$elf" >"$answer" || { echo "$row: the board stopped: $(tail -1 "$answer")" >&2; return 1; }
+  "$work/host" "$answer" "$row" >"$work/judgement" || return 1
+  read -r degrees stack stack_jacobian error limit error_jacobian pivots <"$work/judgement"
+  check_pivots "$row" "$header" "$pivots" || return 1
+
   # The same with functions of the library that only return: what is left is the generated code, whatever the angles are.
   mapfile -t stand_ins < <(arm-none-eabi-nm -u "${objects[@]}" | awk '$1 == "U" && $2 !~ /^mem/ { print "-Wl,--defsym=" $2 "=library_function" }' | sort -u)
-  compile "-$optimisation" -I"$work" "$work/measure.cpp" "$here/board/startup.cpp" "${objects[@]}" "${stand_ins[@]}" "${link[@]}" -o "$work/own.elf"
-  run_board "$work/own.elf" >"$work/own.txt" || true
-  own() { awk -v what="$1" '$1 == what { sum += $3; count++ } END { printf "%.1f", sum/count }' "$work/own.txt"; }
-  printf '%s ' "$name" "$optimisation" "$degrees" "$rhs" "$jacobian" "$(own rhs)" "$(own jacobian)" "$(own_bytes "${objects[0]}")" "$(own_bytes "${objects[1]}")" \
-    "$(own_bytes "${objects[2]}")" "$stack" "$stack_jacobian" "$error" "$limit" "$error_jacobian"
-  echo
-done
+  compile "${program[@]}" "${stand_ins[@]}" -o "$work/own.elf"
+  run_board "$work/own.elf" >"$work/own.txt" || { echo "$row: the board stopped without the library: $(tail -1 "$work/own.txt")" >&2; return 1; }
+
+  echo "$name" "$1" "$degrees" "$(instructions rhs "$answer")" "$(instructions jacobian "$answer")" "$(instructions rhs "$work/own.txt")" "$(instructions jacobian "$work/own.txt")" \
+    "$(own_bytes "${objects[0]}")" "$(own_bytes "${objects[1]}")" "$(own_bytes "${objects[2]}")" "$stack" "$stack_jacobian" "$error" "$limit" "$error_jacobian"
+}
+
+failed=0
+for optimisation in "$@"; do measure "$optimisation" || failed=1; done
 exit $failed

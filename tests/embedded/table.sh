@@ -13,7 +13,7 @@ mkdir -p "$rows"
 headers=("$@")
 if [ ${#headers[@]} -eq 0 ]; then
   # What is only statics has no states, and nothing to integrate.
-  mapfile -t headers < <(grep -L 'state_count = 0;' "$here"/../../generated/mechanics/*.hpp)
+  mapfile -t headers < <(grep -L 'size_t state_count = 0;' "$here"/../../generated/mechanics/*.hpp)
 fi
 
 one() { bash "$here/measure.sh" "$1" Os O2 >"$rows/$(basename "$1" .hpp).txt" || echo "$1 $?" >>"$rows/failed"; }

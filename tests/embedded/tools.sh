@@ -11,6 +11,7 @@ require_tools() {
   for tool in arm-none-eabi-g++ qemu-system-arm; do
     command -v "$tool" >/dev/null || { echo "$tool is missing (on Debian: gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm; ./dev test embedded installs them)" >&2; exit 3; }
   done
+  echo '#include <array>' | arm-none-eabi-g++ -x c++ -fsyntax-only - 2>/dev/null || { echo "arm-none-eabi-g++ has no C++ library (on Debian: libstdc++-arm-none-eabi-newlib)" >&2; exit 3; }
 }
 
 compile() { arm-none-eabi-g++ "${target[@]}" "${flags[@]}" -I"$board/.." "$@"; }
