@@ -44,7 +44,9 @@ measure() {
   check_divisions "$row" "$header" "${objects[0]}" || return 1
 
   prepare_host
-  local program=("-$1" -I"$work" "$work/measure.cpp" "$board/startup.cpp" "${objects[@]}" "${link[@]}")
+  compile "-$1" -I"$work" -c "$work/measure.cpp" -o "$work/measure.o"
+  compile "-$1" -c "$board/startup.cpp" -o "$work/startup.o"
+  local program=("$work/measure.o" "$work/startup.o" "${objects[@]}" "${link[@]}")
   compile "${program[@]}" -o "$elf" || { echo "$row: does not link" >&2; return 1; }
   check_linked "$row" "$elf" || return 1
   run_board "$elf" >"$answer" || { echo "$row: the board stopped: $(tail -1 "$answer")" >&2; return 1; }
