@@ -10,7 +10,7 @@ check_header() {
   grep -q '^namespace .*::.* {$' "$1" && grep -q 'void rhs_and_jacobian(' "$1" || { echo "$1 is not a header that dalembert generated" >&2; exit 2; }
   local numbers
   numbers=$(sed -n 's/.*using JacobianX = std::array<Scalar, \([0-9]*\)>.*/\1/p' "$1")
-  [ $((numbers * 4)) -le $data_bytes ] || { echo "$1: its Jacobian alone takes $((numbers * 4)) bytes in float, the board has $data_bytes for data" >&2; exit 2; }
+  [ $((${numbers:-0} * 4)) -le $data_bytes ] || { echo "$1: its Jacobian alone takes $((numbers * 4)) bytes in float, the board has $data_bytes for data" >&2; exit 2; }
 }
 
 # What generated code may call: functions of float of the C library, and what the compiler takes for copies.

@@ -39,6 +39,13 @@ Parameters<Scalar> float_parameters() {
     return result;
 }
 
+/// Puts a state on the constraints; whether that went well.
+template <class System>
+bool meets_constraints(const System& system, typename System::State& x, double t) {
+    if constexpr (dalembert::detail::needs_projection<System>) return dalembert::project(system, x, t).are_met();
+    else return true;
+}
+
 /// In the middle eight tenths of the declared range, else around the start value; angles over the whole turn about zero, since sinf and
 /// cosf take the longer the farther from there; on the constraints, where there are some. Each quantity comes once into each sixteenth of
 /// its interval, so that means do not depend on luck.
@@ -46,9 +53,10 @@ template <template <class> class System, template <class> class Parameters>
 std::vector<Point<System<float>>> points() {
     const System<double> system(float_parameters<double, Parameters>());
     std::minstd_rand engine(1743);  // the same numbers in every library
-    const auto value = [&engine](const auto& quantity, double start, std::size_t point, std::size_t number) {
+    double reach = 1;
+    const auto value = [&](const auto& quantity, double start, std::size_t point, std::size_t number) {
         const double place = static_cast<double>(point * (2 * number + 1) % point_count) + static_cast<double>(engine()) / 2147483647.0;
-        const double share = 0.8 * (place / static_cast<double>(point_count) - 0.5);
+        const double share = 0.8 * reach * (place / static_cast<double>(point_count) - 0.5);
         if (std::isfinite(quantity.low) && std::isfinite(quantity.high)) return quantity.low + (quantity.high - quantity.low) * (0.5 + share);
         if (!dalembert::detail::needs_projection<System<double>> && std::strcmp(quantity.unit, "rad") == 0) return 2.5 * 3.14159 * share;
         return start + std::max(std::abs(start), 1.0) * share;
@@ -58,11 +66,14 @@ std::vector<Point<System<float>>> points() {
         auto& point = result[k];
         auto x = system.start_state();
         typename System<double>::Input u{};
-        for (std::size_t i = 0; i < x.size(); ++i) x[i] = value(System<double>::state_table()[i], x[i], k, i);
-        for (std::size_t i = 0; i < u.size(); ++i) u[i] = value(System<double>::input_table()[i], 0.0, k, x.size() + i);
-        point.t = static_cast<float>(engine()) / 2147483647.0F;
-        if constexpr (dalembert::detail::needs_projection<System<double>>) {
-            if (!dalembert::project(system, x, static_cast<double>(point.t)).are_met()) std::fprintf(stderr, "a point is not on the constraints\n");
+        // Where constraints cannot be met, nearer to the start.
+        for (int attempt = 1; attempt <= 20; ++attempt) {
+            reach = 1.0 / attempt;
+            x = system.start_state();
+            for (std::size_t i = 0; i < x.size(); ++i) x[i] = value(System<double>::state_table()[i], x[i], k, i);
+            for (std::size_t i = 0; i < u.size(); ++i) u[i] = value(System<double>::input_table()[i], 0.0, k, x.size() + i);
+            point.t = static_cast<float>(engine()) / 2147483647.0F;
+            if (meets_constraints(system, x, static_cast<double>(point.t))) break;
         }
         point.x = converted<typename System<float>::State>(x);
         point.u = converted<typename System<float>::Input>(u);

@@ -127,8 +127,10 @@ int judge(const std::string& path, const std::string& name) {
         }
         // Accelerations beside the largest acceleration: rates of coordinates may be far larger, and are copied.
         const double error = std::max(relative_error(rates[k].values, dxdt, 0, coordinates), relative_error(rates[k].values, dxdt, coordinates, dxdt.size()));
-        worst_jacobian = std::max(worst_jacobian, relative_error(jacobians[k].values, J, 0, J.size()));
+        const double error_jacobian = relative_error(jacobians[k].values, J, 0, J.size());
+        worst_jacobian = std::max(worst_jacobian, error_jacobian);
         if (!(error <= limit)) gates.fail("rhs at point %zu: the relative error is %.1e, allowed are %.1e", k, error, limit);
+        if (!(error_jacobian <= limit)) gates.fail("Jacobian at point %zu: the relative error is %.1e, allowed are %.1e", k, error_jacobian, limit);
         if (worst < 0 || error * allowed > worst * limit) worst = error, allowed = limit;
     }
     if (gates.passed)

@@ -5,6 +5,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../../..
 source "$here/../tools.sh"
+source "$here/../gates.sh"
 require_tools
 work=${BUILD:-build}/embedded/example
 mkdir -p "$work"
@@ -15,6 +16,7 @@ host "$here/design.cpp" -o "$work/design"
 "$work/design" >"$work/gains.hpp"
 head -1 "$work/gains.hpp"
 compile -Os -I"$model" -I"$work" "$here/firmware.cpp" "$board/startup.cpp" "${link[@]}" -o "$work/balance.elf"
+check_linked "the example" "$work/balance.elf"
 arm-none-eabi-size "$work/balance.elf"
 run_board "$work/balance.elf" >"$work/balance.txt" || { echo "the board stopped: $(tail -1 "$work/balance.txt")" >&2; exit 1; }
 host "$here/check.cpp" -o "$work/check"
