@@ -11,10 +11,7 @@ rm -rf "$rows"
 mkdir -p "$rows"
 
 headers=("$@")
-if [ ${#headers[@]} -eq 0 ]; then
-  # What is only statics has no states, and nothing to integrate.
-  mapfile -t headers < <(grep -L 'size_t state_count = 0;' "$here"/../../generated/mechanics/*.hpp)
-fi
+[ ${#headers[@]} -gt 0 ] || headers=("$here"/../../generated/mechanics/*.hpp)
 
 one() { bash "$here/measure.sh" "$1" Os O2 >"$rows/$(basename "$1" .hpp).txt" || echo "$1 $?" >>"$rows/failed"; }
 export -f one
@@ -24,7 +21,7 @@ printf '%s\n' "${headers[@]}" | xargs -P "${JOBS:-$(nproc)}" -I{} bash -c 'one "
 awk '
   FILENAME ~ /goals.txt$/ { if ($1 !~ /^#/) for (i = 2; i <= 5; i++) goal[$1, i] = $i; next }
   BEGIN {
-    print "rhs, and rhs with Jacobian: mean instructions (own: without functions of the C library), own bytes, stack in bytes with the library\n"
+    print "rhs, and rhs with Jacobian: mean instructions (own: without functions of the C library), own bytes, stack in bytes with the library; errors of rates and Jacobian\n"
     printf "%-28s %-4s %3s %17s %17s %13s %6s %11s   %-23s %s\n", "system", "", "dof", "rhs (own)", "Jacobian (own)", "bytes", "set-up", "stack", "errors, limit", "goals: rhs; with Jacobian"
   }
   function beside(value, i) { return sprintf("%s%s", goal[$1, i], value > goal[$1, i] ? " missed" : " met") }
