@@ -12,20 +12,20 @@
 //     d'Alembert = Euler-Lagrange: 6 of 6 equations
 //     force = -d(energy)/dq: 10 of 10 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 19 of 19 functions
+//     this code = the derivation: 20 of 20 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                21    127     0        0      0
+//   update                29    142     1        0      0
 //   rhs                  368    537     0       10      0
-//   rhs_and_jacobian    2223   2641     0       10      0
+//   rhs_and_jacobian    1243   1476     5       10      0
 //   jacobian_u           135    207     0       10      0
-//   jacobian_p          1684   2073     0       10      0
+//   jacobian_p          1684   2071     0       10      0
 //   jacobian_t           135    207     0       10      0
 //   mass_matrix          135    207     0       10      0
 //   bias                 266    393     0       10      0
 //   output                15     22     0       12      0
 //   output_jacobian_x     41     73     0       12      0
-//   kinetic_energy        81    168     0       10      0
+//   kinetic_energy        80    164     0       10      0
 //   potential_energy      32     58     0       10      0
 //   supplied_power         5      6     0        0      0
 //   dissipated_power       5      8     0        0      0
@@ -334,96 +334,103 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 21 + or -, 127 *
+    /// Operations: 29 + or -, 142 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.a_2 * p_.m_2;
         const Scalar e2 = p_.a_2 * e1;
         const Scalar e3 = p_.d_3 * p_.m_2;
-        c_.k0 = p_.J_1 + (Scalar(1) / Scalar(100)) * e2 + (Scalar(1) / Scalar(4)) * p_.d_3 * e3;
-        const Scalar e4 = p_.d_4 * p_.d_4;
-        const Scalar e5 = p_.m_4 * e4;
-        c_.k1 = (Scalar(1) / Scalar(25)) * e5;
-        const Scalar e6 = Scalar(2) * p_.J_5;
-        c_.k2 = e6;
-        c_.k3 = (Scalar(181) / Scalar(900)) * e2;
-        const Scalar e7 = (Scalar(1) / Scalar(50)) * e5;
-        c_.k4 = e7;
+        const Scalar e4 = p_.d_3 * e3;
+        const Scalar e5 = (Scalar(1) / Scalar(100)) * (e2 + Scalar(25) * e4);
+        c_.k0 = p_.J_1 + e5;
+        const Scalar e6 = p_.d_4 * p_.d_4;
+        const Scalar e7 = p_.m_4 * e6;
+        c_.k1 = (Scalar(1) / Scalar(25)) * e7;
+        const Scalar e8 = Scalar(2) * p_.J_5;
+        c_.k2 = e8;
+        const Scalar e9 = (Scalar(181) / Scalar(900)) * e2;
+        c_.k3 = e9;
+        c_.k4 = (Scalar(1) / Scalar(50)) * e7;
         c_.k5 = (Scalar(1) / Scalar(36)) * p_.m_3;
         c_.k6 = (Scalar(1) / Scalar(25)) * p_.m_4;
-        const Scalar e8 = p_.d_3 * p_.m_3;
-        const Scalar e9 = p_.m_3 + p_.m_4;
-        const Scalar e10 = (Scalar(1) / Scalar(100)) * (e9 * e4);
-        c_.k7 = p_.d_3 * e8 + e10;
-        const Scalar e11 = p_.m_3 * e4;
-        const Scalar e12 = p_.d_3 * e9;
-        c_.k8 = (Scalar(1) / Scalar(12)) * e11 + p_.d_3 * e12;
-        const Scalar e13 = p_.d_3 * e1;
-        c_.k9 = (Scalar(1) / Scalar(6)) * e13;
-        c_.k10 = e12;
-        c_.k11 = (Scalar(1) / Scalar(6)) * e8;
-        const Scalar e14 = (Scalar(1) / Scalar(12)) * (e11 + Scalar(12) * (p_.J_5 + e7));
-        c_.k12 = (Scalar(19) / Scalar(90)) * e2 + e14;
-        c_.k13 = e9;
-        c_.k14 = (Scalar(4) / Scalar(25)) * p_.d_4 * p_.m_4;
-        c_.k15 = (Scalar(1) / Scalar(6)) * p_.d_4 * e8;
-        c_.k16 = p_.a_3 * e12;
-        c_.k17 = e14;
-        const Scalar e15 = p_.a_3 * e9;
-        c_.k18 = e15;
-        const Scalar e16 = p_.d_4 * p_.m_3;
-        c_.k19 = (Scalar(1) / Scalar(36)) * e16;
-        c_.k20 = p_.J_5 + (Scalar(33) / Scalar(50)) * e5 + (Scalar(1) / Scalar(9)) * e11 + p_.a_3 * e15;
-        const Scalar e17 = p_.m_6 * p_.c_z;
-        c_.k21 = e17;
-        const Scalar e18 = p_.m_6 * p_.c_x;
-        c_.k22 = e18;
-        const Scalar e19 = (Scalar(1) / Scalar(100)) * e5;
-        c_.k23 = e19;
-        c_.k24 = e6 + e19;
-        const Scalar e20 = p_.c_x * e18;
-        const Scalar e21 = p_.J_5 + e20;
-        const Scalar e22 = p_.c_z * e17;
-        const Scalar e23 = e21 + e22;
-        c_.k25 = e23;
-        c_.k26 = e6 + e22;
-        c_.k27 = e21;
-        c_.k28 = p_.c_x * e17;
+        const Scalar e10 = p_.d_3 * p_.m_3;
+        const Scalar e11 = p_.m_3 + p_.m_4;
+        const Scalar e12 = (Scalar(1) / Scalar(100)) * (e6 * e11);
+        c_.k7 = p_.d_3 * e10 + e12;
+        const Scalar e13 = p_.m_3 * e6;
+        const Scalar e14 = (Scalar(1) / Scalar(12)) * e13;
+        const Scalar e15 = p_.d_3 * e11;
+        c_.k8 = e14 + p_.d_3 * e15;
+        const Scalar e16 = p_.d_3 * e1;
+        c_.k9 = (Scalar(1) / Scalar(6)) * e16;
+        c_.k10 = e15;
+        c_.k11 = (Scalar(1) / Scalar(6)) * e10;
+        const Scalar e17 = (Scalar(19) / Scalar(90)) * e2;
+        const Scalar e18 = (Scalar(1) / Scalar(50)) * (e7 + Scalar(50) * (p_.J_5 + e14));
+        c_.k12 = e17 + e18;
+        c_.k13 = e11;
+        const Scalar e19 = p_.d_4 * p_.m_4;
+        c_.k14 = (Scalar(4) / Scalar(25)) * e19;
+        const Scalar e20 = p_.d_4 * p_.m_3;
+        c_.k15 = (Scalar(1) / Scalar(6)) * p_.d_3 * e20;
+        c_.k16 = p_.a_3 * e15;
+        c_.k17 = e18;
+        const Scalar e21 = p_.a_3 * e11;
+        c_.k18 = e21;
+        c_.k19 = (Scalar(1) / Scalar(36)) * e20;
+        const Scalar e22 = (Scalar(1) / Scalar(9)) * e13;
+        c_.k20 = p_.J_5 + e22 + (Scalar(33) / Scalar(50)) * e7 + p_.a_3 * e21;
+        const Scalar e23 = p_.m_6 * p_.c_z;
+        c_.k21 = e23;
+        const Scalar e24 = p_.m_6 * p_.c_x;
+        c_.k22 = e24;
+        const Scalar e25 = (Scalar(1) / Scalar(100)) * e7;
+        c_.k23 = e25;
+        c_.k24 = e8 + e25;
+        const Scalar e26 = p_.c_x * e24;
+        const Scalar e27 = p_.J_5 + e26;
+        const Scalar e28 = p_.c_z * e23;
+        c_.k25 = e27 + e28;
+        const Scalar e29 = Scalar(2) * (p_.J_5 + (Scalar(1) / Scalar(2)) * e28);
+        c_.k26 = e29;
+        c_.k27 = e27;
+        const Scalar e30 = p_.c_z * e24;
+        c_.k28 = e30;
         c_.k29 = (Scalar(9) / Scalar(50)) * e2;
         c_.k30 = (Scalar(1) / Scalar(18)) * e1;
-        c_.k31 = e10;
-        c_.k32 = (Scalar(1) / Scalar(300)) * e11;
-        const Scalar e24 = p_.m_6 * p_.g;
-        c_.k33 = p_.d_3 * e24;
-        c_.k34 = p_.a_3 * e24;
-        c_.k35 = p_.g * e18;
-        c_.k36 = p_.g * e17;
-        const Scalar e25 = p_.m_4 * p_.g;
-        c_.k37 = p_.d_3 * e25;
-        c_.k38 = p_.d_4 * e24;
-        c_.k39 = p_.a_2 * e24;
+        c_.k31 = e12;
+        c_.k32 = (Scalar(1) / Scalar(300)) * e13;
+        const Scalar e31 = p_.m_6 * p_.g;
+        c_.k33 = p_.d_3 * e31;
+        c_.k34 = p_.a_3 * e31;
+        c_.k35 = p_.g * e24;
+        c_.k36 = p_.g * e23;
+        const Scalar e32 = p_.d_3 * p_.m_4;
+        c_.k37 = p_.g * e32;
+        c_.k38 = p_.d_4 * e31;
+        c_.k39 = p_.a_2 * e31;
         c_.k40 = (Scalar(1) / Scalar(12)) * e3;
-        const Scalar e26 = p_.d_3 * p_.m_4;
-        c_.k41 = (Scalar(1) / Scalar(5)) * e26;
+        c_.k41 = (Scalar(1) / Scalar(5)) * e32;
         c_.k42 = (Scalar(2) / Scalar(5)) * p_.k_p;
-        c_.k43 = (Scalar(11) / Scalar(150)) * e11;
-        const Scalar e27 = p_.a_2 * p_.m_3;
-        c_.k44 = p_.g * ((Scalar(1) / Scalar(3)) * e1 + e27);
-        const Scalar e28 = p_.a_3 * p_.m_3;
-        c_.k45 = p_.g * e28;
-        c_.k46 = (Scalar(1) / Scalar(6)) * p_.g * e16;
-        c_.k47 = p_.a_2 * e25;
+        c_.k43 = (Scalar(11) / Scalar(150)) * e13;
+        const Scalar e33 = (Scalar(1) / Scalar(3)) * e1;
+        c_.k44 = p_.g * (e33 + p_.a_2 * p_.m_3);
+        const Scalar e34 = p_.a_3 * p_.m_3;
+        c_.k45 = p_.g * e34;
+        c_.k46 = (Scalar(1) / Scalar(6)) * p_.g * e20;
+        c_.k47 = p_.g * (p_.a_2 * p_.m_4);
         c_.k48 = (Scalar(1) / Scalar(6)) * p_.m_3;
         c_.k49 = (Scalar(1) / Scalar(5)) * p_.m_4;
-        c_.k50 = p_.a_3 * e25;
-        c_.k51 = (Scalar(4) / Scalar(5)) * p_.d_4 * e25;
+        const Scalar e35 = p_.a_3 * p_.m_4;
+        c_.k50 = p_.g * e35;
+        c_.k51 = (Scalar(4) / Scalar(5)) * p_.g * e19;
         c_.k52 = (Scalar(3) / Scalar(10)) * p_.k_p;
-        c_.k53 = (Scalar(1) / Scalar(6)) * e28;
-        c_.k54 = (Scalar(1) / Scalar(5)) * p_.a_3 * p_.m_4;
-        const Scalar e29 = p_.k_p * p_.k_w;
-        c_.k55 = e29;
+        c_.k53 = (Scalar(1) / Scalar(6)) * e34;
+        c_.k54 = (Scalar(1) / Scalar(5)) * e35;
+        const Scalar e36 = p_.k_p * p_.k_w;
+        c_.k55 = e36;
         c_.k56 = p_.k_d * p_.k_w;
-        c_.k57 = (Scalar(7) / Scalar(10)) * e29;
+        c_.k57 = (Scalar(7) / Scalar(10)) * e36;
         c_.k58 = Scalar(6) * p_.d_3;
         c_.k59 = Scalar(4) * p_.d_4;
         c_.k60 = Scalar(5) * p_.d_3;
@@ -433,43 +440,46 @@ public:
         c_.k64 = Scalar(2) * p_.a_2;
         c_.k65 = Scalar(6) * p_.a_3;
         c_.k66 = Scalar(6) * p_.a_2;
-        c_.k67 = (Scalar(181) / Scalar(450)) * e2;
-        c_.k68 = (Scalar(1) / Scalar(18)) * p_.m_3;
-        c_.k69 = (Scalar(2) / Scalar(25)) * p_.m_4;
-        c_.k70 = Scalar(2) * p_.m_6;
-        const Scalar e30 = (Scalar(11) / Scalar(75)) * e11;
-        c_.k71 = e30 - e7 + Scalar(2) * p_.d_3 * e26;
-        c_.k72 = Scalar(4) * p_.J_5;
-        const Scalar e31 = p_.a_2 * p_.m_4;
-        c_.k73 = (Scalar(1) / Scalar(5)) * e31;
-        c_.k74 = p_.a_2 * e8;
-        c_.k75 = p_.a_2 * e12;
-        const Scalar e32 = p_.a_2 * p_.m_6;
-        c_.k76 = e32;
-        c_.k77 = (Scalar(2) / Scalar(5)) * e31;
-        c_.k78 = (Scalar(1) / Scalar(3)) * e27;
-        c_.k79 = Scalar(2) * p_.a_2 * e9;
-        c_.k80 = Scalar(2) * e32;
-        c_.k81 = (Scalar(1) / Scalar(6)) * p_.a_2 * e16 - (Scalar(4) / Scalar(5)) * p_.d_4 * e31;
-        c_.k82 = p_.a_2 * e15;
-        c_.k83 = p_.a_2 * e17;
-        c_.k84 = p_.a_2 * e18;
-        c_.k85 = (Scalar(1) / Scalar(6)) * e27;
-        c_.k86 = Scalar(2) * e23;
-        c_.k87 = Scalar(2) * e18;
-        c_.k88 = e20;
-        c_.k89 = Scalar(2) * e17;
-        c_.k90 = Scalar(2) * e21;
-        c_.k91 = (Scalar(1) / Scalar(3)) * e13;
-        c_.k92 = (Scalar(1) / Scalar(3)) * e8;
-        c_.k93 = e30;
-        c_.k94 = (Scalar(1) / Scalar(3)) * p_.m_3;
-        c_.k95 = (Scalar(1) / Scalar(3)) * e28;
-        c_.k96 = (Scalar(1) / Scalar(18)) * e16;
-        c_.k97 = e30 - e19;
-        c_.k98 = e8;
-        c_.k99 = (Scalar(1) / Scalar(6)) * e16;
-        c_.k100 = p_.J_5 + e19;
+        c_.k67 = e5;
+        c_.k68 = (Scalar(1) / Scalar(2)) * e3;
+        const Scalar e37 = (Scalar(1) / Scalar(4)) * e4;
+        c_.k69 = e17 + e37;
+        c_.k70 = e33;
+        c_.k71 = e17;
+        c_.k72 = e37;
+        c_.k73 = e9 - e37;
+        c_.k74 = e22;
+        const Scalar e38 = p_.d_4 * e34;
+        c_.k75 = (Scalar(1) / Scalar(6)) * e38;
+        c_.k76 = (Scalar(1) / Scalar(6)) * e20;
+        const Scalar e39 = p_.a_3 * e34;
+        c_.k77 = (Scalar(1) / Scalar(100)) * e13 + e39;
+        c_.k78 = e34;
+        c_.k79 = e22 + e39;
+        const Scalar e40 = (Scalar(91) / Scalar(900)) * e13;
+        c_.k80 = e40;
+        c_.k81 = e39;
+        c_.k82 = e39 - e40;
+        c_.k83 = (Scalar(3) / Scalar(50)) * e7;
+        c_.k84 = (Scalar(1) / Scalar(5)) * e19;
+        c_.k85 = (Scalar(1) / Scalar(20)) * e7;
+        c_.k86 = p_.J_5 + e28;
+        c_.k87 = e26 + e29;
+        c_.k88 = e26 - e28;
+        c_.k89 = Scalar(1) / e27;
+        c_.k90 = (Scalar(1) / Scalar(18)) * p_.m_3;
+        c_.k91 = Scalar(2) * p_.m_6;
+        c_.k92 = Scalar(2) * e24;
+        c_.k93 = e26;
+        c_.k94 = Scalar(2) * e23;
+        c_.k95 = (Scalar(1) / Scalar(3)) * e16;
+        c_.k96 = (Scalar(1) / Scalar(3)) * p_.m_3;
+        c_.k97 = e10;
+        c_.k98 = (Scalar(1) / Scalar(3)) * e38;
+        c_.k99 = (Scalar(1) / Scalar(3)) * e20;
+        c_.k100 = Scalar(2) * e34;
+        c_.k101 = (Scalar(2) / Scalar(5)) * e19;
+        c_.k102 = Scalar(2) * e30;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -775,1452 +785,855 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 12 x 12, entry (i, j) at J[12*j + i].
-    /// Operations: 2223 + or -, 2641 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
+    /// Operations: 1243 + or -, 1476 *, 5 /, 10 sin or cos
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::cos;
         using std::sin;
+        const Scalar q_1 = x[0];
+        const Scalar tau_1 = u[0];
+        const Scalar q_1_dot = x[6];
         const Scalar q_2 = x[1];
-        const Scalar cos_q_2 = cos(q_2);
+        const Scalar sin_q_2 = sin(q_2);
         const Scalar q_3 = x[2];
         const Scalar cos_q_3 = cos(q_3);
-        const Scalar e1 = cos_q_2 * cos_q_3;
-        const Scalar sin_q_2 = sin(q_2);
+        const Scalar e1 = -q_1_dot * sin_q_2;
+        const Scalar cos_q_2 = cos(q_2);
+        const Scalar e2 = q_1_dot * cos_q_2;
+        const Scalar e3 = -e2;
         const Scalar sin_q_3 = sin(q_3);
-        const Scalar e2 = sin_q_2 * sin_q_3;
-        const Scalar e3 = e1 - e2;
-        const Scalar e4 = cos_q_2 * sin_q_3;
-        const Scalar e5 = cos_q_3 * sin_q_2;
-        const Scalar e6 = e4 + e5;
-        const Scalar q_6 = x[5];
-        const Scalar cos_q_6 = cos(q_6);
+        const Scalar e4 = e1 * cos_q_3 + e3 * sin_q_3;
+        const Scalar q_2_dot = x[7];
+        const Scalar e5 = p_.a_2 * q_2_dot - p_.d_3 * e1;
+        const Scalar e6 = p_.d_3 * e3;
+        const Scalar e7 = cos_q_3 * e5 - sin_q_3 * e6;
+        const Scalar e8 = e3 * cos_q_3 - e1 * sin_q_3;
+        const Scalar e9 = cos_q_3 * e6 + sin_q_3 * e5;
+        const Scalar e10 = e4 * e7 - e8 * e9;
+        const Scalar q_3_dot = x[8];
+        const Scalar e11 = q_3_dot + q_2_dot;
+        const Scalar e12 = c_.k75 * e4;
+        const Scalar e13 = e12 - c_.k80 * e8;
+        const Scalar e14 = -c_.k76 * e10 - e11 * e13;
         const Scalar q_4 = x[3];
         const Scalar cos_q_4 = cos(q_4);
+        const Scalar q_4_dot = x[9];
+        const Scalar e15 = q_4_dot + e8;
+        const Scalar e16 = p_.d_4 * e11 - e9;
+        const Scalar sin_q_4 = sin(q_4);
+        const Scalar e17 = -p_.a_2 * e3;
+        const Scalar e18 = e17 - (p_.a_3 * e8 - p_.d_4 * e4);
+        const Scalar e19 = cos_q_4 * e16 + sin_q_4 * e18;
+        const Scalar e20 = -e19;
+        const Scalar e21 = -e4 * sin_q_4 - e11 * cos_q_4;
+        const Scalar e22 = c_.k84 * e20 - c_.k85 * e21;
+        const Scalar e23 = e4 * cos_q_4 - e11 * sin_q_4;
+        const Scalar e24 = p_.a_3 * e11 + e7;
+        const Scalar e25 = c_.k84 * e24;
+        const Scalar e26 = e15 * e22 - e23 * e25;
         const Scalar q_5 = x[4];
         const Scalar cos_q_5 = cos(q_5);
-        const Scalar e7 = cos_q_4 * cos_q_5;
-        const Scalar sin_q_4 = sin(q_4);
-        const Scalar sin_q_6 = sin(q_6);
-        const Scalar e8 = sin_q_4 * sin_q_6;
-        const Scalar e9 = cos_q_6 * e7 - e8;
+        const Scalar q_6 = x[5];
+        const Scalar cos_q_6 = cos(q_6);
         const Scalar sin_q_5 = sin(q_5);
-        const Scalar e10 = cos_q_6 * sin_q_5;
-        const Scalar e11 = e6 * e9 + e3 * e10;
-        const Scalar e12 = p_.J_5 * e11;
-        const Scalar e13 = cos_q_5 * sin_q_6;
-        const Scalar e14 = cos_q_6 * sin_q_4;
-        const Scalar e15 = cos_q_4 * e13 + e14;
-        const Scalar e16 = sin_q_5 * sin_q_6;
-        const Scalar e17 = e6 * e15 + e3 * e16;
-        const Scalar e18 = c_.k2 * e17;
-        const Scalar e19 = cos_q_5 * sin_q_4;
-        const Scalar e20 = cos_q_4 * sin_q_6 + cos_q_6 * e19;
-        const Scalar e21 = p_.a_3 * e3;
-        const Scalar e22 = p_.d_4 * e6;
-        const Scalar e23 = e21 - e22;
-        const Scalar e24 = p_.a_2 * cos_q_2;
-        const Scalar e25 = e23 + e24;
-        const Scalar e26 = p_.d_3 * e3;
-        const Scalar e27 = p_.d_3 * e6;
-        const Scalar e28 = e20 * e25 - p_.c_z * e17 + e9 * e26 - e10 * e27;
-        const Scalar e29 = p_.m_6 * e28;
-        const Scalar e30 = cos_q_4 * cos_q_6 - sin_q_6 * e19;
-        const Scalar e31 = e6 * e16 - e3 * e15;
-        const Scalar e32 = e30 * e25 + (p_.d_3 * e31 - p_.c_z * e11);
-        const Scalar e33 = cos_q_5 * e3;
-        const Scalar e34 = cos_q_4 * sin_q_5;
-        const Scalar e35 = e6 * e34;
-        const Scalar e36 = e33 - e35;
-        const Scalar e37 = p_.c_x * e36;
-        const Scalar e38 = e32 + e37;
-        const Scalar e39 = p_.m_6 * e38;
-        const Scalar e40 = sin_q_4 * sin_q_5;
-        const Scalar e41 = cos_q_5 * e27;
-        const Scalar e42 = e40 * e25 - p_.c_x * e17 + e34 * e26 + e41;
-        const Scalar e43 = p_.m_6 * e42;
-        const Scalar e44 = e4 * e4 + e5 * e5;
-        const Scalar e45 = sin_q_4 * e2;
-        const Scalar e46 = sin_q_4 * e1;
-        const Scalar e47 = e6 * e7;
-        const Scalar e48 = sin_q_5 * e3 + e47;
-        const Scalar e49 = p_.J_5 * e48;
-        const Scalar e50 = c_.k62 * cos_q_4;
-        const Scalar e51 = c_.k60 * sin_q_4 - c_.k61 * cos_q_4;
-        const Scalar e52 = cos_q_4 * e6;
-        const Scalar e53 = c_.k59 * e52;
-        const Scalar e54 = cos_q_2 * e50 - e3 * e51 - e53;
-        const Scalar e55 = c_.k6 * e54;
-        const Scalar e56 = c_.k62 * sin_q_4;
-        const Scalar e57 = sin_q_4 * e6;
-        const Scalar e58 = sin_q_4 * e3;
-        const Scalar e59 = c_.k60 * cos_q_4;
-        const Scalar e60 = cos_q_2 * e56 - c_.k59 * e57 + c_.k61 * e58 + e3 * e59;
-        const Scalar e61 = c_.k6 * e60;
-        const Scalar e62 = c_.k2 * e36;
-        const Scalar e63 = c_.k66 * cos_q_2 + c_.k65 * e3 + e22;
-        const Scalar e64 = c_.k5 * e63;
-        const Scalar e65 = p_.J_5 * sin_q_4;
-        const Scalar e66 = sin_q_4 * e44;
-        const Scalar e67 = p_.a_2 * sin_q_3 - p_.d_4;
-        const Scalar e68 = p_.a_2 * cos_q_3 + p_.a_3;
-        const Scalar e69 = e15 * e67 + e16 * e68;
-        const Scalar e70 = p_.c_z * e20;
-        const Scalar e71 = p_.c_x * e40 + e70;
-        const Scalar e72 = e69 - e71;
-        const Scalar e73 = p_.c_z * e30;
-        const Scalar e74 = e9 * e67 + e10 * e68 - e73;
-        const Scalar e75 = cos_q_5 * e68;
-        const Scalar e76 = p_.c_x * e30;
-        const Scalar e77 = e75 - e34 * e67 + e76;
-        const Scalar e78 = c_.k62 * sin_q_3 - c_.k59;
-        const Scalar e79 = c_.k6 * e78;
-        const Scalar e80 = cos_q_4 * e60 - sin_q_4 * e54;
-        const Scalar e81 = p_.d_4 + c_.k66 * sin_q_3;
-        const Scalar e82 = c_.k11 * e3;
-        const Scalar e83 = c_.k10 * e68;
-        const Scalar e84 = c_.k9 * sin_q_2;
-        const Scalar e85 = p_.J_5 * e19;
-        const Scalar e86 = c_.k2 * e40;
-        const Scalar e87 = p_.J_5 * e20;
-        const Scalar e88 = c_.k2 * e30;
-        const Scalar e89 = e48 * e85 - e65 * e52 - (e36 * e86 - (e11 * e87 - e17 * e88));
-        const Scalar e90 = p_.m_6 * e74;
-        const Scalar e91 = p_.m_6 * e77;
-        const Scalar e92 = p_.m_6 * e72;
-        const Scalar e93 = p_.J_5 * e40;
-        const Scalar e94 = e20 * e87 + (e30 * e88 + e40 * e93);
-        const Scalar e95 = c_.k5 * e81;
-        const Scalar e96 = p_.a_3 * e10 - p_.d_4 * e9 - e73;
-        const Scalar e97 = p_.a_3 * e16 - p_.d_4 * e15;
-        const Scalar e98 = e97 - e71;
-        const Scalar e99 = p_.a_3 * cos_q_5 + p_.d_4 * e34;
-        const Scalar e100 = e76 + e99;
-        const Scalar e101 = p_.m_6 * e96;
-        const Scalar e102 = p_.m_6 * e100;
-        const Scalar e103 = p_.m_6 * e98;
-        const Scalar e104 = c_.k21 * e16;
-        const Scalar e105 = c_.k22 * e16;
-        const Scalar e106 = p_.c_x * cos_q_5 - p_.c_z * e10;
-        const Scalar e107 = p_.m_6 * e106;
-        const Scalar e108 = p_.J_5 * sin_q_5;
-        const Scalar e109 = e10 * e87 - (cos_q_5 * e93 + e16 * e88);
-        const Scalar e110 = c_.k21 * cos_q_6;
-        const Scalar e111 = c_.k21 * sin_q_6;
-        const Scalar e112 = c_.k22 * cos_q_6;
-        const Scalar e113 = e6 * e65;
-        const Scalar e114 = p_.J_5 * cos_q_4;
-        const Scalar e115 = e114 + (cos_q_6 * e88 + sin_q_6 * e87);
-        const Scalar e116 = c_.k25 * cos_q_6;
-        const Scalar e117 = p_.J_5 * e36;
-        const Scalar e118 = p_.J_5 * cos_q_5;
-        const Scalar e119 = e35 - e33;
-        const Scalar e120 = cos_q_5 * e119 - sin_q_5 * e48;
-        const Scalar q_4_dot = x[9];
-        const Scalar q_2_dot = x[7];
-        const Scalar q_3_dot = x[8];
-        const Scalar e121 = q_2_dot + q_3_dot;
-        const Scalar q_1_dot = x[6];
-        const Scalar e122 = e3 * e121;
-        const Scalar e123 = q_4_dot * e121 + q_1_dot * e122;
-        const Scalar e124 = q_1_dot * e6;
-        const Scalar e125 = q_4_dot * e124;
-        const Scalar e126 = sin_q_4 * e123 + cos_q_4 * e125;
-        const Scalar e127 = e126 * e65;
-        const Scalar e128 = cos_q_4 * e123;
-        const Scalar e129 = e128 - sin_q_4 * e125;
-        const Scalar e130 = sin_q_4 * e124;
-        const Scalar e131 = cos_q_4 * e121 - e130;
-        const Scalar e132 = q_1_dot * e3;
-        const Scalar e133 = e132 - q_4_dot;
-        const Scalar e134 = c_.k23 * (Scalar(2) * e129 + e131 * e133);
-        const Scalar e135 = c_.k38 * e57;
-        const Scalar e136 = c_.k35 * cos_q_6;
-        const Scalar e137 = e40 * e136;
-        const Scalar e138 = c_.k36 * e19;
-        const Scalar e139 = e137 + e138;
-        const Scalar e140 = e6 * e139;
-        const Scalar e141 = q_1_dot * cos_q_2;
-        const Scalar e142 = q_1_dot * sin_q_2;
-        const Scalar e143 = q_2_dot * sin_q_2;
-        const Scalar e144 = c_.k29 * e143;
-        const Scalar e145 = c_.k64 * q_2_dot;
-        const Scalar e146 = c_.k63 * e142;
-        const Scalar e147 = e145 + e146;
-        const Scalar e148 = c_.k64 * e143 + (c_.k63 * cos_q_2 * e141 + sin_q_2 * e147);
-        const Scalar e149 = c_.k30 * e148;
-        const Scalar q_1 = x[0];
-        const Scalar e150 = c_.k36 * e48;
-        const Scalar e151 = sin_q_4 * e121 + cos_q_4 * e124;
-        const Scalar e152 = c_.k23 * (Scalar(2) * e126 + e151 * e133);
-        const Scalar e153 = e6 * e3;
-        const Scalar e154 = c_.k36 * e40;
-        const Scalar e155 = e19 * e136;
-        const Scalar e156 = e154 - e155;
-        const Scalar tau_1 = u[0];
+        const Scalar e27 = e23 * cos_q_5 + e15 * sin_q_5;
         const Scalar q_5_dot = x[10];
-        const Scalar e157 = cos_q_5 * cos_q_6;
-        const Scalar e158 = q_5_dot * e157;
-        const Scalar e159 = cos_q_5 * e151 + sin_q_5 * e133;
+        const Scalar e28 = q_5_dot - e21;
+        const Scalar sin_q_6 = sin(q_6);
+        const Scalar e29 = e27 * cos_q_6 - e28 * sin_q_6;
+        const Scalar e30 = e20 * sin_q_5 - e24 * cos_q_5;
+        const Scalar e31 = -e30;
         const Scalar q_6_dot = x[11];
-        const Scalar e160 = q_6_dot * sin_q_6;
-        const Scalar e161 = q_5_dot + e131;
-        const Scalar e162 = q_6_dot * cos_q_6;
-        const Scalar e163 = e159 * e160 - e161 * e162;
-        const Scalar e164 = e6 * e121;
-        const Scalar e165 = q_5_dot * e151 + q_1_dot * e164;
-        const Scalar e166 = e133 * e158 - e20 * e125 - (e163 - (e9 * e123 - e10 * e165));
-        const Scalar e167 = cos_q_6 * e161 - sin_q_6 * e159;
-        const Scalar e168 = cos_q_5 * e133 - sin_q_5 * e151;
-        const Scalar e169 = q_6_dot - e168;
-        const Scalar e170 = e166 - e167 * e169;
-        const Scalar e171 = q_5_dot * e13;
-        const Scalar e172 = e159 * e162 + e161 * e160 + (e133 * e171 + (e15 * e123 - e16 * e165));
-        const Scalar e173 = e30 * e125 + e172;
-        const Scalar e174 = p_.c_x * e169;
-        const Scalar e175 = cos_q_6 * e159 + sin_q_6 * e161;
-        const Scalar e176 = e21 - e22 + e24;
-        const Scalar e177 = q_1_dot * cos_q_4;
-        const Scalar e178 = e176 * e177;
-        const Scalar e179 = p_.d_3 * q_1_dot;
-        const Scalar e180 = p_.a_2 * q_2_dot + sin_q_2 * e179;
-        const Scalar e181 = sin_q_3 * e180;
-        const Scalar e182 = e1 * e179 - e181;
-        const Scalar e183 = p_.d_4 * e121;
-        const Scalar e184 = e182 + e183;
-        const Scalar e185 = e178 - sin_q_4 * e184;
-        const Scalar e186 = q_1_dot * sin_q_4;
-        const Scalar e187 = e176 * e186;
-        const Scalar e188 = cos_q_4 * e184 + e187;
-        const Scalar e189 = cos_q_3 * e180;
-        const Scalar e190 = e4 * e179 + e189;
-        const Scalar e191 = p_.a_3 * e121;
-        const Scalar e192 = e190 + e191;
-        const Scalar e193 = cos_q_5 * e188 - sin_q_5 * e192;
-        const Scalar e194 = p_.c_z * e175 - (cos_q_6 * e185 - sin_q_6 * e193);
-        const Scalar e195 = e174 + e194;
-        const Scalar e196 = cos_q_5 * e192 + sin_q_5 * e188;
-        const Scalar e197 = p_.c_x * e167;
-        const Scalar e198 = e196 + e197;
-        const Scalar e199 = p_.d_4 * e3;
-        const Scalar e200 = p_.a_3 * e6 + e199;
-        const Scalar e201 = e121 * e200 + p_.a_2 * e143;
-        const Scalar e202 = q_1_dot * e201 + q_4_dot * e184;
-        const Scalar e203 = q_5_dot * e10;
-        const Scalar e204 = e9 * e190 + e10 * e182;
-        const Scalar e205 = q_2_dot * e179;
-        const Scalar e206 = q_4_dot * e176;
-        const Scalar e207 = e9 * e206;
-        const Scalar e208 = e20 * e202 - e185 * e162 + e193 * e160 + e192 * e158 + e188 * e203 + e125 * e73 + q_3_dot * e204
-            + p_.c_z * e172 + e11 * e205 - q_1_dot * e207;
-        const Scalar e209 = e167 * e198 - e208;
-        const Scalar e210 = -e169 * e195 - e209;
-        const Scalar e211 = p_.c_x * e34 + p_.c_z * e9;
-        const Scalar e212 = p_.c_x * sin_q_5 + p_.c_z * e157;
-        const Scalar e213 = q_5_dot * e212;
-        const Scalar e214 = q_3_dot * e182 + e3 * e205;
-        const Scalar e215 = q_5_dot * e188 + e214;
-        const Scalar e216 = q_3_dot * e190 + e6 * e205;
-        const Scalar e217 = q_1_dot * e206 - e216;
-        const Scalar e218 = e192 * e171 + e16 * e215 - (e193 * e162 + e30 * e202 + (e185 * e160 + e15 * e217));
-        const Scalar e219 = p_.c_z * e167;
-        const Scalar e220 = cos_q_6 * e193 + sin_q_6 * e185 + e219;
-        const Scalar e221 = e175 * e198 - e169 * e220;
-        const Scalar e222 = e165 * e106 + e123 * e211 - e71 * e125 - p_.c_z * e163 + e133 * e213 - e218;
-        const Scalar e223 = e222 + e221;
-        const Scalar e224 = q_5_dot * sin_q_5;
-        const Scalar e225 = e40 * e202 - e34 * e217 - cos_q_5 * e215 + e192 * e224 + e125 * e76 + p_.c_x * e172;
-        const Scalar e226 = e175 * e195 + e167 * e220 + e225;
-        const Scalar e227 = cos_q_4 * e57;
-        const Scalar e228 = e119 * e40;
-        const Scalar e229 = e48 * e19;
-        const Scalar e230 = e228 + e229;
-        const Scalar e231 = e227 - e230;
-        const Scalar e232 = c_.k39 * cos_q_2;
-        const Scalar e233 = c_.k34 * e3 + e232;
-        const Scalar e234 = q_5_dot * cos_q_5;
-        const Scalar e235 = e123 * e7 - sin_q_5 * e165 - e19 * e125 + e133 * e234;
-        const Scalar e236 = q_1_dot * e63;
-        const Scalar e237 = Scalar(6) * (e214 + (Scalar(1) / Scalar(6)) * e124 * e236);
-        const Scalar e238 = c_.k58 * q_1_dot * e1 - e183 - Scalar(6) * e181;
-        const Scalar e239 = e237 - e121 * e238;
-        const Scalar e240 = c_.k11 * e6;
-        const Scalar e241 = e183 - Scalar(5) * e184;
-        const Scalar e242 = cos_q_4 * e241 - p_.d_4 * e130 - Scalar(5) * e187;
-        const Scalar e243 = c_.k59 * e3 + c_.k61 * e6;
-        const Scalar e244 = e121 * e243 + c_.k62 * e143;
-        const Scalar e245 = p_.d_4 * e125 - Scalar(5) * q_3_dot * e189;
-        const Scalar e246 = c_.k60 * (q_2_dot * e6 + q_3_dot * e4) - Scalar(5) * e206;
-        const Scalar e247 = q_4_dot * cos_q_4;
-        const Scalar e248 = Scalar(5) * e151 * e192 - e133 * e242 + (e177 * e244 + sin_q_4 * e245 - e186 * e246 - e241 * e247);
-        const Scalar e249 = q_4_dot * sin_q_4;
-        const Scalar e250 = p_.d_4 * cos_q_4;
-        const Scalar e251 = sin_q_4 * e241 + e124 * e250 + Scalar(5) * e178;
-        const Scalar e252 = e186 * e244 - cos_q_4 * e245 + e177 * e246 - e241 * e249 - Scalar(5) * e131 * e192 - e133 * e251;
-        const Scalar e253 = c_.k35 * e119;
-        const Scalar e254 = e191 + e190;
-        const Scalar e255 = e216 - (Scalar(1) / Scalar(6)) * e132 * e236;
-        const Scalar e256 = Scalar(6) * (e121 * e254 - e255);
-        const Scalar e257 = Scalar(5) * e214 + e151 * e251 + e131 * e242;
-        const Scalar e258 = c_.k41 * e6;
-        const Scalar e259 = c_.k65 * e164 - p_.d_4 * e122 + c_.k66 * e143 + (e3 * e238 + Scalar(6) * e6 * e254);
-        const Scalar e260 = c_.k5 * e236;
-        const Scalar e261 = e123 * e34 + cos_q_5 * e165 - e40 * e125 + e133 * e224;
-        const Scalar e262 = e261 + e175 * e167;
-        const Scalar e263 = e261 + e262;
-        const Scalar e264 = e121 * e3;
-        const Scalar e265 = c_.k32 * (Scalar(25) * e122 + Scalar(22) * e264);
-        const Scalar e266 = c_.k31 * e164;
-        const Scalar e267 = e16 * e52 - e3 * e13;
-        const Scalar e268 = c_.k35 * e48;
-        const Scalar e269 = e146 - e147;
-        const Scalar e270 = c_.k40 * (c_.k64 * e141 * e141 - q_2_dot * e269);
-        const Scalar e271 = c_.k38 * e6;
-        const Scalar e272 = e48 * e7;
-        const Scalar e273 = e272 + e119 * e34;
-        const Scalar e274 = sin_q_4 * e57;
-        const Scalar e275 = e273 + e274;
-        const Scalar e276 = c_.k33 * e3;
-        const Scalar tau_2 = u[1];
-        const Scalar e277 = c_.k39 * sin_q_3;
-        const Scalar e278 = c_.k38 - e277;
-        const Scalar e279 = cos_q_4 * e252 - sin_q_4 * e248;
-        const Scalar e280 = c_.k49 * e68;
-        const Scalar e281 = c_.k48 * e68;
-        const Scalar e282 = c_.k39 * cos_q_3;
-        const Scalar e283 = e235 * e85 + (e261 * e93 + e30 * e253);
-        const Scalar e284 = c_.k43 * e124;
-        const Scalar e285 = c_.k35 * e16;
-        const Scalar e286 = c_.k36 * cos_q_4 + sin_q_4 * e285;
-        const Scalar e287 = e283 - (c_.k50 * e3 + e132 * e284) - (c_.k46 * e6 - c_.k51 * e6 + (c_.k45 * e3 - e262 * e93));
-        const Scalar e288 = e173 * e88 - e139 * e57 - (e48 * e286 + e170 * e87)
-            - (c_.k34 * e120 - e126 * e114 - (cos_q_4 * e152 - sin_q_4 * e134));
-        const Scalar e289 = e287 - e288;
-        const Scalar e290 = sin_q_3 * e6;
-        const Scalar e291 = c_.k47 * cos_q_3;
-        const Scalar e292 = c_.k3 * e141;
-        const Scalar tau_3 = u[2];
-        const Scalar tau_4 = u[3];
-        const Scalar e293 = c_.k2 * e16;
-        const Scalar e294 = p_.J_5 * e10;
-        const Scalar e295 = e119 * e285;
-        const Scalar e296 = c_.k35 * e13;
-        const Scalar e297 = e48 * e296;
-        const Scalar e298 = c_.k23 * q_1_dot;
-        const Scalar e299 = e6 * e156;
-        const Scalar tau_5 = u[4];
-        const Scalar e300 = c_.k2 * cos_q_6;
-        const Scalar e301 = p_.J_5 * sin_q_6;
-        const Scalar e302 = e119 * e136;
+        const Scalar e32 = e23 * sin_q_5 - e15 * cos_q_5;
+        const Scalar e33 = q_6_dot + (-e32);
+        const Scalar e34 = e20 * cos_q_5 + e24 * sin_q_5;
+        const Scalar e35 = sin_q_4 * e16 - cos_q_4 * e18;
+        const Scalar e36 = -e35;
+        const Scalar e37 = e34 * cos_q_6 - e36 * sin_q_6;
+        const Scalar e38 = e29 * e31 - e33 * e37;
+        const Scalar e39 = e27 * sin_q_6 + e28 * cos_q_6;
+        const Scalar e40 = -e39;
+        const Scalar e41 = c_.k28 * e29;
+        const Scalar e42 = c_.k86 * e33 + e41;
+        const Scalar e43 = c_.k21 * e38 - e40 * e42;
+        const Scalar e44 = c_.k28 * c_.k89;
         const Scalar tau_6 = u[5];
-        const Scalar e303 = c_.k35 * sin_q_6;
-        std::array<Scalar, 21> mass;
-        mass[0] = c_.k0 + c_.k3 * cos_q_2 * cos_q_2 + c_.k7 * e3 * e3 + c_.k8 * e6 * e6 + c_.k1 * e1 * e2 + e11 * e12 + e17
-            * e18 + e28 * e29 + e38 * e39 + e42 * e43 + c_.k4 * e44 + c_.k2 * e45 * e46 + e48 * e49 + e54 * e55 + e60 * e61
-            + e36 * e62 + e63 * e64 + e65 * e66;
-        mass[1] = e72 * e39 - e74 * e29 + e77 * e43 - e79 * e80 - e81 * e82 + e6 * e83 + e84 + e89;
-        mass[2] = c_.k12 + c_.k13 * e68 * e68 + e78 * e79 + e74 * e90 + e77 * e91 + e72 * e92 + e94 + e81 * e95;
-        mass[3] = c_.k16 * e6 - c_.k15 * e3 - e96 * e29 + e98 * e39 + e100 * e43 + c_.k14 * e80 + e89;
-        mass[4] = c_.k17 + c_.k18 * e68 - c_.k14 * e78 + c_.k19 * e81 + e96 * e90 + e100 * e91 + e98 * e92 + e94;
-        mass[5] = c_.k20 + e96 * e101 + e100 * e102 + e98 * e103 + e94;
-        mass[6] = e28 * e104 - c_.k23 * e3 + e42 * e105 - e10 * e12 - e16 * e18 - e38 * e107 - e48 * e108 - cos_q_5 * e62;
-        mass[7] = e77 * e105 - e74 * e104 - e72 * e107 - e109;
-        mass[8] = e100 * e105 - e96 * e104 - e98 * e107 - e109;
-        mass[9] = c_.k24 + c_.k25 * e16 * e16 + e106 * e107;
-        mass[10] = e28 * e110 - e38 * e111 + e42 * e112 + sin_q_6 * e12 - cos_q_6 * e18 - e113;
-        mass[11] = e77 * e112 - e72 * e111 - e74 * e110 + e115;
-        mass[12] = e100 * e112 - e98 * e111 - e96 * e110 + e115;
-        mass[13] = e106 * e111 + e16 * e116;
-        mass[14] = c_.k26 + c_.k27 * cos_q_6 * cos_q_6;
-        mass[15] = -c_.k22 * e38 - e117;
-        mass[16] = e93 - c_.k22 * e72;
-        mass[17] = e93 - c_.k22 * e98;
-        mass[18] = c_.k22 * e106 + e118;
-        mass[19] = c_.k28 * sin_q_6;
-        mass[20] = c_.k27;
-        detail::ldlt_factor<Scalar, 6>(mass);
-        dxdt[6] = e6 * (c_.k37 * e3 - c_.k33 * e120 - e127) - e52 * (e134 + e135 + e140) - e141 * (e142 * e84 - e144 - e149)
-            + p_.k_p * (Scalar(1) - q_1) + e57 * (e150 - e152) - e153 * (c_.k37 + e156) + tau_1 - p_.k_d * q_1_dot - e170 * e12
-            - e173 * e18 + e210 * e29 + e223 * e39 + e226 * e43 + e231 * e233 - e235 * e49 - e239 * e240 + e248 * e55 + e252
-            * e61 + e17 * e253 - e256 * e82 - e257 * e258 + e259 * e260 + e117 * e263 - e124 * e265 + e132 * e266 - e267 * e268
-            - cos_q_2 * e270 + e230 * e271 - e275 * e276;
-        dxdt[7] = tau_2 - c_.k42 - p_.k_p * q_2 - p_.k_d * q_2_dot + c_.k44 * cos_q_2 - e210 * e90 - e278 * e275 + e226 * e91
-            + e223 * e92 - e79 * e279 - e257 * e280 - e239 * e281 + e256 * e95 - e120 * e282 - e289 + c_.k47 * e290 + e3 * e291
-            - e142 * e292;
-        dxdt[8] = c_.k52 + tau_3 - p_.k_p * q_3 - p_.k_d * q_3_dot + c_.k19 * e256 - c_.k53 * e239 - c_.k54 * e257 - c_.k38
-            * e275 - e210 * e101 + e226 * e102 + e223 * e103 + c_.k14 * e279 - e289;
-        dxdt[9] = c_.k55 * (Scalar(1) - q_4) + tau_4 - c_.k56 * q_4_dot + e210 * e104 + e226 * e105 - e223 * e107 + e235 * e108
-            + e173 * e293 + e170 * e294 - e295 - e297 - e118 * e263 - e164 * e298 + e299;
-        dxdt[10] = c_.k57 + tau_5 - c_.k55 * q_5 - c_.k56 * q_5_dot + p_.J_5 * e126 - e223 * e111 + e210 * e110 + e226 * e112
-            + e173 * e300 - e170 * e301 - e150 - e302;
-        dxdt[11] = tau_6 - c_.k55 * (Scalar(1) + q_6) - c_.k56 * q_6_dot - p_.J_5 * e262 - c_.k22 * e223 - e57 * e136 - e48
-            * e303;
-        detail::ldlt_solve<Scalar, 6>(mass, dxdt.data() + 6);
+        const Scalar e45 = c_.k28 * e33;
+        const Scalar e46 = c_.k27 * e29 + e45;
+        const Scalar e47 = e40 * e46 - c_.k22 * e38;
+        const Scalar e48 = tau_6 - c_.k55 * (Scalar(1) + q_6) - c_.k56 * q_6_dot - e47;
+        const Scalar e49 = c_.k86 - c_.k28 * e44;
+        const Scalar e50 = q_6_dot * e39;
+        const Scalar e51 = c_.k22 * e44 - c_.k21;
+        const Scalar e52 = q_6_dot * e37;
+        const Scalar e53 = e43 - e44 * e48 + (-e49 * e50 - e51 * e52);
+        const Scalar e54 = c_.k88 * e33;
+        const Scalar e55 = e34 * sin_q_6 + e36 * cos_q_6;
+        const Scalar e56 = -e55;
+        const Scalar e57 = c_.k21 * e33;
+        const Scalar e58 = c_.k22 * e29;
+        const Scalar e59 = e57 + e58;
+        const Scalar e60 = c_.k21 * e31;
+        const Scalar e61 = c_.k22 * e37;
+        const Scalar e62 = e60 + e61;
+        const Scalar e63 = e29 * (e41 - e54) - e56 * e59 + e40 * e62 - e33 * e45;
+        const Scalar e64 = q_6_dot * e29;
+        const Scalar e65 = q_6_dot * e55;
+        const Scalar e66 = e63 + (-c_.k87 * e64 - c_.k21 * e65);
+        const Scalar e67 = c_.k87 * sin_q_6;
+        const Scalar e68 = e49 * cos_q_6;
+        const Scalar e69 = cos_q_6 * e67 - sin_q_6 * e68;
+        const Scalar e70 = p_.J_5 + (sin_q_6 * (e49 * sin_q_6) + cos_q_6 * (c_.k87 * cos_q_6));
+        const Scalar inverse_71 = Scalar(1) / e70;
+        const Scalar e72 = e69 * inverse_71;
+        const Scalar tau_5 = u[4];
+        const Scalar e73 = -sin_q_6 * e53 - cos_q_6 * e66;
+        const Scalar e74 = c_.k57 + tau_5 - c_.k55 * q_5 - c_.k56 * q_5_dot - e73;
+        const Scalar e75 = p_.J_5 + (cos_q_6 * e68 + sin_q_6 * e67) - e69 * e72;
+        const Scalar e76 = q_5_dot * e32;
+        const Scalar e77 = c_.k27 * e44 - c_.k28;
+        const Scalar e78 = sin_q_6 * e77;
+        const Scalar e79 = e77 * cos_q_6 + e78 * e72;
+        const Scalar e80 = q_5_dot * e27;
+        const Scalar e81 = c_.k21 * sin_q_6;
+        const Scalar e82 = e51 * cos_q_6;
+        const Scalar e83 = e51 * sin_q_6;
+        const Scalar e84 = c_.k21 * cos_q_6;
+        const Scalar e85 = sin_q_6 * e83 - cos_q_6 * e84;
+        const Scalar e86 = -cos_q_6 * e81 - sin_q_6 * e82 - e85 * e72;
+        const Scalar e87 = q_5_dot * e30;
+        const Scalar e88 = c_.k22 * cos_q_6;
+        const Scalar e89 = c_.k22 * sin_q_6 - e88 * e72;
+        const Scalar e90 = q_5_dot * e34;
+        const Scalar e91 = cos_q_6 * e53 - sin_q_6 * e66 + e72 * e74 + (-e75 * e76 - e79 * e80 - e86 * e87 - e89 * e90);
+        const Scalar e92 = c_.k27 * c_.k89;
+        const Scalar e93 = c_.k22 - c_.k22 * e92;
+        const Scalar e94 = e78 * inverse_71;
+        const Scalar e95 = p_.J_5 + (c_.k27 - c_.k27 * e92) - e78 * e94;
+        const Scalar e96 = e85 * e94 - sin_q_6 * e93;
+        const Scalar e97 = e88 * e94;
+        const Scalar e98 = e47 + e92 * e48 + (-e77 * e50 - e93 * e52) - e94 * e74
+            + (-e79 * e76 - e95 * e80 - e96 * e87 - e97 * e90);
+        const Scalar e99 = e79 * sin_q_5;
+        const Scalar e100 = e75 * cos_q_5 - e99;
+        const Scalar e101 = e79 * cos_q_5;
+        const Scalar e102 = e101 - e95 * sin_q_5;
+        const Scalar e103 = sin_q_5 * e100 + cos_q_5 * e102;
+        const Scalar e104 = c_.k23 + (sin_q_5 * (e75 * sin_q_5 + e101) + cos_q_5 * (e99 + e95 * cos_q_5));
+        const Scalar inverse_105 = Scalar(1) / e104;
+        const Scalar e106 = e103 * inverse_105;
+        const Scalar tau_4 = u[3];
+        const Scalar e107 = sin_q_5 * e91 + cos_q_5 * e98;
+        const Scalar e108 = c_.k55 * (Scalar(1) - q_4) + tau_4 - c_.k56 * q_4_dot - e107;
+        const Scalar e109 = e69 - e70 * e72;
+        const Scalar e110 = e70 * e94 - e78;
+        const Scalar e111 = -sin_q_5 * e109 - cos_q_5 * e110;
+        const Scalar e112 = -(e109 * cos_q_5 - e110 * sin_q_5) - e111 * e106;
+        const Scalar e113 = q_4_dot * sin_q_4;
+        const Scalar e114 = q_4_dot * cos_q_4;
+        const Scalar e115 = e11 * e113 - e4 * e114;
+        const Scalar e116 = c_.k83 + (cos_q_5 * e100 - sin_q_5 * e102) - e103 * e106;
+        const Scalar e117 = e4 * e113 + e11 * e114;
+        const Scalar e118 = e86 * cos_q_5 - e96 * sin_q_5;
+        const Scalar e119 = e89 * cos_q_5 - e97 * sin_q_5;
+        const Scalar e120 = e86 * sin_q_5 + e96 * cos_q_5;
+        const Scalar e121 = e89 * sin_q_5 + e97 * cos_q_5;
+        const Scalar e122 = cos_q_5 * e120 - sin_q_5 * e121;
+        const Scalar e123 = cos_q_5 * e118 - sin_q_5 * e119 - e122 * e106;
+        const Scalar e124 = e16 * e113 - e18 * e114;
+        const Scalar e125 = sin_q_6 * e84 + cos_q_6 * e83;
+        const Scalar e126 = sin_q_6 * e81 - cos_q_6 * e82 - e125 * e72;
+        const Scalar e127 = e125 * e94 - cos_q_6 * e93;
+        const Scalar e128 = e126 * sin_q_5 + e127 * cos_q_5;
+        const Scalar e129 = c_.k84 - (e126 * cos_q_5 - e127 * sin_q_5) + e128 * e106;
+        const Scalar e130 = e16 * e114 + e18 * e113;
+        const Scalar e131 = e26 + (cos_q_5 * e91 - sin_q_5 * e98) + e106 * e108
+            + (e112 * e115 - e116 * e117 + e123 * e124 + e129 * e130);
+        const Scalar e132 = c_.k84 * e35 + c_.k85 * e23;
+        const Scalar e133 = e15 * e132 - e21 * e25;
+        const Scalar e134 = e70 * inverse_71;
+        const Scalar e135 = e85 - e85 * e134;
+        const Scalar e136 = e88 - e88 * e134;
+        const Scalar e137 = e111 * inverse_105;
+        const Scalar e138 = c_.k83 + (e70 - e70 * e134) - e111 * e137;
+        const Scalar e139 = sin_q_5 * e136 - cos_q_5 * e135 - c_.k84 - e122 * e137;
+        const Scalar e140 = e125 - e125 * e134 + e128 * e137;
+        const Scalar e141 = e73 + e134 * e74 + (-e109 * e76 - e110 * e80 - e135 * e87 - e136 * e90);
+        const Scalar e142 = e133 - e141 + e137 * e108 + (e138 * e115 - e112 * e117 + e139 * e124 + e140 * e130);
+        const Scalar e143 = p_.d_4 * sin_q_4;
+        const Scalar e144 = p_.m_4 * e24;
+        const Scalar e145 = c_.k84 * e23;
+        const Scalar e146 = p_.m_4 * e35;
+        const Scalar e147 = e145 + e146;
+        const Scalar e148 = e21 * e144 - e15 * e147;
+        const Scalar e149 = c_.k21 * e29;
+        const Scalar e150 = c_.k22 * e33;
+        const Scalar e151 = p_.m_6 * e56;
+        const Scalar e152 = e150 + e151;
+        const Scalar e153 = e149 - e152;
+        const Scalar e154 = c_.k22 * e40;
+        const Scalar e155 = p_.m_6 * e31;
+        const Scalar e156 = e154 - e155;
+        const Scalar e157 = e33 * e153 - e40 * e156;
+        const Scalar e158 = e157 + (-c_.k21 * e64 - p_.m_6 * e65);
+        const Scalar e159 = e40 * e59 - p_.m_6 * e38;
+        const Scalar e160 = c_.k22 * c_.k89;
+        const Scalar e161 = p_.m_6 - c_.k22 * e160;
+        const Scalar e162 = e159 + e160 * e48 + (-e51 * e50 - e161 * e52);
+        const Scalar e163 = e85 * inverse_71;
+        const Scalar e164 = e88 * e163;
+        const Scalar e165 = p_.m_6 * cos_q_6;
+        const Scalar e166 = e161 * sin_q_6;
+        const Scalar e167 = cos_q_6 * e165 + sin_q_6 * e166 - e85 * e163;
+        const Scalar e168 = cos_q_6 * e158 - sin_q_6 * e162 + e163 * e74 + (e164 * e90 - e86 * e76 - e96 * e80 - e167 * e87);
+        const Scalar e169 = c_.k21 * e40;
+        const Scalar e170 = p_.m_6 * e37;
+        const Scalar e171 = e169 + e170;
+        const Scalar e172 = -e40 * e171 - e29 * e153;
+        const Scalar e173 = e88 * inverse_71;
+        const Scalar e174 = p_.m_6 - e88 * e173;
+        const Scalar e175 = e172 + c_.k22 * e64 + e173 * e74 + (e164 * e87 - e89 * e76 - e97 * e80 - e174 * e90);
+        const Scalar e176 = e122 * inverse_105;
+        const Scalar e177 = e164 * sin_q_5;
+        const Scalar e178 = e167 * cos_q_5 + e177;
+        const Scalar e179 = e164 * cos_q_5;
+        const Scalar e180 = -e179 - e174 * sin_q_5;
+        const Scalar e181 = p_.m_4 + (cos_q_5 * e178 - sin_q_5 * e180) - e122 * e176;
+        const Scalar e182 = cos_q_6 * e166 - sin_q_6 * e165 - e125 * e163;
+        const Scalar e183 = e125 * e173;
+        const Scalar e184 = e128 * e176 - (e182 * cos_q_5 + e183 * sin_q_5);
+        const Scalar e185 = e148 + (cos_q_5 * e168 - sin_q_5 * e175) + e176 * e108
+            + (e139 * e115 - e123 * e117 + e181 * e124 + e184 * e130);
+        const Scalar e186 = p_.d_4 * cos_q_4;
+        const Scalar e187 = c_.k84 * e21;
+        const Scalar e188 = p_.m_4 * e20;
+        const Scalar e189 = e187 - e188;
+        const Scalar e190 = -e15 * e189 - e23 * e144;
+        const Scalar e191 = e125 * inverse_71;
+        const Scalar e192 = e128 * inverse_105;
+        const Scalar e193 = sin_q_6 * (p_.m_6 * sin_q_6) + cos_q_6 * (e161 * cos_q_6) - e125 * e191;
+        const Scalar e194 = p_.m_4 + e193 - e128 * e192;
+        const Scalar e195 = -sin_q_6 * e158 - cos_q_6 * e162 + e191 * e74 + (e183 * e90 - e126 * e76 - e127 * e80 - e182 * e87);
+        const Scalar e196 = e190 - e195 - e192 * e108 + (e140 * e115 - e129 * e117 + e184 * e124 + e194 * e130);
+        const Scalar e197 = e184 * e143;
+        const Scalar e198 = e129 * cos_q_4 - e140 * sin_q_4 - e197 - e194 * e186;
+        const Scalar e199 = e112 * sin_q_4;
+        const Scalar e200 = e116 * cos_q_4 - e199 - e123 * e143 - e129 * e186;
+        const Scalar e201 = e112 * cos_q_4;
+        const Scalar e202 = e201 - e138 * sin_q_4 - e139 * e143 - e140 * e186;
+        const Scalar e203 = e184 * e186;
+        const Scalar e204 = e123 * cos_q_4 - e139 * sin_q_4 - e181 * e143 - e203;
+        const Scalar e205 = sin_q_5 * e120 + cos_q_5 * e121;
+        const Scalar e206 = sin_q_5 * e118 + cos_q_5 * e119 - e205 * e106;
+        const Scalar e207 = -sin_q_5 * e135 - cos_q_5 * e136 - e205 * e137;
+        const Scalar e208 = sin_q_5 * e178 + cos_q_5 * e180 - e205 * e176;
+        const Scalar e209 = cos_q_5 * e183 - sin_q_5 * e182 + e205 * e192;
+        const Scalar e210 = e206 * cos_q_4 - e207 * sin_q_4 - e208 * e143 - e209 * e186;
+        const Scalar e211 = e143 * e198 - sin_q_4 * e200 - cos_q_4 * e202 - e186 * e204 + p_.a_3 * e210;
+        const Scalar e212 = e194 * e143 - e129 * sin_q_4 - e140 * cos_q_4 - e203 + e209 * p_.a_3;
+        const Scalar e213 = e197 - e123 * sin_q_4 - e139 * cos_q_4 - e181 * e186 + e208 * p_.a_3;
+        const Scalar e214 = e205 * inverse_105;
+        const Scalar e215 = p_.m_4 + (sin_q_5 * (e167 * sin_q_5 - e179) + cos_q_5 * (e174 * cos_q_5 - e177));
+        const Scalar e216 = e215 - e205 * e214;
+        const Scalar e217 = e209 * e143 - e206 * sin_q_4 - e207 * cos_q_4 - e208 * e186 + e216 * p_.a_3;
+        const Scalar e218 = sin_q_4 * (e129 * e143 - e116 * sin_q_4 - e201 - e123 * e186 + e206 * p_.a_3);
+        const Scalar e219 = cos_q_4 * (e140 * e143 - e199 - e138 * cos_q_4 - e139 * e186 + e207 * p_.a_3);
+        const Scalar e220 = c_.k79 + (e143 * e212 - e218 - e219 - e186 * e213 + p_.a_3 * e217);
+        const Scalar inverse_221 = Scalar(1) / e220;
+        const Scalar e222 = e211 * inverse_221;
+        const Scalar tau_3 = u[2];
+        const Scalar e223 = c_.k82 * e8;
+        const Scalar e224 = c_.k76 * e8;
+        const Scalar e225 = c_.k78 * e4;
+        const Scalar e226 = e224 - e225;
+        const Scalar e227 = c_.k76 * e7;
+        const Scalar e228 = c_.k78 * e9;
+        const Scalar e229 = e227 - e228;
+        const Scalar e230 = c_.k75 * e8;
+        const Scalar e231 = e23 * e147 + e21 * e189;
+        const Scalar e232 = e231 + (sin_q_5 * e168 + cos_q_5 * e175) + e214 * e108
+            + (e207 * e115 - e206 * e117 + e208 * e124 + e209 * e130);
+        const Scalar e233 = e143 * e196 - sin_q_4 * e131 - cos_q_4 * e142 - e186 * e185 + p_.a_3 * e232;
+        const Scalar e234 = e4 * (e12 + e223) + e17 * e226 - e11 * e229 - e8 * e230 + e233;
+        const Scalar e235 = c_.k52 + tau_3 - p_.k_p * q_3 - p_.k_d * q_3_dot - e234;
+        const Scalar e236 = e103 - e104 * e106;
+        const Scalar e237 = e111 - e104 * e137;
+        const Scalar e238 = e104 * inverse_105;
+        const Scalar e239 = e122 - e122 * e238;
+        const Scalar e240 = e128 * e238 - e128;
+        const Scalar e241 = p_.a_3 * sin_q_4;
+        const Scalar e242 = p_.a_3 * cos_q_4;
+        const Scalar e243 = e240 + e184 * e241 + e194 * e242;
+        const Scalar e244 = e239 + e181 * e241 + e184 * e242;
+        const Scalar e245 = e205 - e205 * e238 + e208 * e241 + e209 * e242;
+        const Scalar e246 = e143 * e243 - sin_q_4 * (e236 + e123 * e241 + e129 * e242) - cos_q_4
+            * (e237 + e139 * e241 + e140 * e242) - e186 * e244 + p_.a_3 * e245;
+        const Scalar e247 = e236 * cos_q_4 - e237 * sin_q_4 - e239 * e143 - e240 * e186 + e241 * e204 + e242 * e198;
+        const Scalar e248 = c_.k75 + e247 - e246 * e222;
+        const Scalar e249 = q_3_dot * cos_q_3;
+        const Scalar e250 = q_3_dot * sin_q_3;
+        const Scalar e251 = -e1 * e249 - e3 * e250;
+        const Scalar e252 = c_.k74 + (cos_q_4 * e200 - sin_q_4 * e202 - e143 * e204 - e186 * e198) - e211 * e222;
+        const Scalar e253 = e1 * e250 - e3 * e249;
+        const Scalar e254 = c_.k76 + (cos_q_4 * e213 - sin_q_4 * e212);
+        const Scalar e255 = cos_q_4 * e204 - sin_q_4 * e198 - e254 * e222;
+        const Scalar e256 = e6 * e250 - e5 * e249;
+        const Scalar e257 = c_.k78 + e217;
+        const Scalar e258 = e210 - e257 * e222;
+        const Scalar e259 = -e6 * e249 - e5 * e250;
+        const Scalar e260 = e14 + (cos_q_4 * e131 - sin_q_4 * e142 - e143 * e185 - e186 * e196) + e222 * e235;
+        const Scalar e261 = e260 + (e248 * e251 - e252 * e253 - e255 * e256 + e258 * e259);
+        const Scalar e262 = e230 - c_.k81 * e4;
+        const Scalar e263 = e11 * e262 - c_.k78 * e10;
+        const Scalar e264 = e246 * inverse_221;
+        const Scalar e265 = e104 - e104 * e238 + e239 * e241 + e240 * e242 + e241 * e244 + e242 * e243;
+        const Scalar e266 = c_.k77 + e265 - e246 * e264;
+        const Scalar e267 = cos_q_4 * e244 - sin_q_4 * e243 - e254 * e264;
+        const Scalar e268 = e245 - e257 * e264;
+        const Scalar e269 = e107 + e238 * e108 + (e237 * e115 - e236 * e117 + e239 * e124 + e240 * e130);
+        const Scalar e270 = e263 + (e269 + e241 * e185 + e242 * e196) + e264 * e235
+            + (e266 * e251 - e248 * e253 - e267 * e256 + e268 * e259);
+        const Scalar e271 = p_.d_3 * sin_q_3;
+        const Scalar e272 = c_.k78 * e11;
+        const Scalar e273 = p_.m_3 * e7;
+        const Scalar e274 = e272 + e273;
+        const Scalar e275 = c_.k78 * e8;
+        const Scalar e276 = p_.m_3 * e17;
+        const Scalar e277 = e275 - e276;
+        const Scalar e278 = c_.k76 * e4;
+        const Scalar e279 = e277 + e278;
+        const Scalar e280 = -e11 * e274 - e8 * e279;
+        const Scalar e281 = e254 * inverse_221;
+        const Scalar e282 = e184 * sin_q_4;
+        const Scalar e283 = e181 * cos_q_4 - e282;
+        const Scalar e284 = e184 * cos_q_4;
+        const Scalar e285 = e284 - e194 * sin_q_4;
+        const Scalar e286 = p_.m_3 + (cos_q_4 * e283 - sin_q_4 * e285) - e254 * e281;
+        const Scalar e287 = e208 * cos_q_4 - e209 * sin_q_4 - e257 * e281;
+        const Scalar e288 = e280 + (cos_q_4 * e185 - sin_q_4 * e196) + e281 * e235
+            + (e267 * e251 - e255 * e253 - e286 * e256 + e287 * e259);
+        const Scalar e289 = p_.d_3 * cos_q_3;
+        const Scalar e290 = c_.k76 * e11;
+        const Scalar e291 = p_.m_3 * e9;
+        const Scalar e292 = e290 + e291;
+        const Scalar e293 = e11 * e292 + e4 * e279;
+        const Scalar e294 = e257 * inverse_221;
+        const Scalar e295 = p_.m_3 + e216 - e257 * e294;
+        const Scalar e296 = e293 + e232 + e294 * e235 + (e268 * e251 - e258 * e253 - e287 * e256 + e295 * e259);
+        const Scalar e297 = c_.k9 * e1;
+        const Scalar e298 = c_.k72 * q_2_dot + e297;
+        const Scalar e299 = e3 * e298;
+        const Scalar e300 = e211 - e220 * e222;
+        const Scalar e301 = e246 - e220 * e264;
+        const Scalar e302 = e220 * inverse_221;
+        const Scalar e303 = e254 - e254 * e302;
+        const Scalar e304 = e257 - e257 * e302;
+        const Scalar e305 = p_.a_2 * sin_q_3;
+        const Scalar e306 = e287 * e289;
+        const Scalar e307 = e255 * cos_q_3 - e267 * sin_q_3 - e286 * e271 - e306;
+        const Scalar e308 = p_.a_2 * cos_q_3;
+        const Scalar e309 = e287 * e271;
+        const Scalar e310 = e258 * cos_q_3 - e268 * sin_q_3 - e309 - e295 * e289;
+        const Scalar e311 = e300 * cos_q_3 - e301 * sin_q_3 - e303 * e271 - e304 * e289 + e305 * e307 + e308 * e310;
+        const Scalar e312 = e311 - c_.k9;
+        const Scalar e313 = e303 + e286 * e305 + e287 * e308;
+        const Scalar e314 = e304 + e287 * e305 + e295 * e308;
+        const Scalar e315 = e220 - e220 * e302 + e303 * e305 + e304 * e308 + e305 * e313 + e308 * e314;
+        const Scalar inverse_316 = Scalar(1) / (c_.k71 + e315);
+        const Scalar e317 = e312 * inverse_316;
+        const Scalar tau_2 = u[1];
+        const Scalar e318 = c_.k9 * q_2_dot;
+        const Scalar e319 = c_.k3 * e1 + e318;
+        const Scalar e320 = e234 + e302 * e235 + (e301 * e251 - e300 * e253 - e303 * e256 + e304 * e259);
+        const Scalar e321 = tau_2 - c_.k42 - p_.k_p * q_2 - p_.k_d * q_2_dot - (e3 * e319 + (e320 + e305 * e288 + e308 * e296));
+        const Scalar e322 = e248 * sin_q_3;
+        const Scalar e323 = e252 * cos_q_3 - e322 - e255 * e271 - e258 * e289;
+        const Scalar e324 = e248 * cos_q_3;
+        const Scalar e325 = e324 - e266 * sin_q_3 - e267 * e271 - e268 * e289;
+        const Scalar e326 = c_.k67 + (cos_q_3 * e323 - sin_q_3 * e325 - e271 * e307 - e289 * e310) - e312 * e317;
+        const Scalar e327 = q_2_dot * e2;
+        const Scalar e328 = -sin_q_4 * e213 - cos_q_4 * e212;
+        const Scalar e329 = -sin_q_4 * e204 - cos_q_4 * e198 - c_.k76 - e328 * e222;
+        const Scalar e330 = -sin_q_4 * e244 - cos_q_4 * e243 - c_.k78 - e328 * e264;
+        const Scalar e331 = -sin_q_4 * e283 - cos_q_4 * e285 - e328 * e281;
+        const Scalar e332 = -sin_q_4 * e208 - cos_q_4 * e209 - e328 * e294;
+        const Scalar e333 = e255 * sin_q_3 + e267 * cos_q_3 + e286 * e289 - e309 - e331 * p_.a_2;
+        const Scalar e334 = e258 * sin_q_3 + e268 * cos_q_3 + e306 - e295 * e271 - e332 * p_.a_2;
+        const Scalar e335 = e300 * sin_q_3 + e301 * cos_q_3 + e303 * e289 - e304 * e271 - (e328 - e328 * e302) * p_.a_2;
+        const Scalar e336 = e335 + e305 * e333 + e308 * e334;
+        const Scalar e337 = sin_q_3 * e323 + cos_q_3 * e325 + e289 * e307 - e271 * e310 - p_.a_2
+            * (e329 * cos_q_3 - e330 * sin_q_3 - e331 * e271 - e332 * e289);
+        const Scalar e338 = e337 - e336 * e317;
+        const Scalar e339 = q_2_dot * e1;
+        const Scalar e340 = c_.k73 * q_2_dot;
+        const Scalar e341 = e1 * (e297 - e340) - q_2_dot * e318;
+        const Scalar e342 = p_.m_3 * e10 - e11 * e226;
+        const Scalar e343 = e328 * inverse_221;
+        const Scalar e344 = e336 * inverse_316;
+        const Scalar e345 = sin_q_3 * (e252 * sin_q_3 + e324 + e255 * e289 - e258 * e271 - e329 * p_.a_2);
+        const Scalar e346 = cos_q_3 * (e322 + e266 * cos_q_3 + e267 * e289 - e268 * e271 - e330 * p_.a_2);
+        const Scalar e347 = -sin_q_4 * (-e181 * sin_q_4 - e284) - cos_q_4 * (-e282 - e194 * cos_q_4);
+        const Scalar e348 = e329 * sin_q_3 + e330 * cos_q_3 + e331 * e289 - e332 * e271 - (p_.m_3 + e347 - e328 * e343)
+            * p_.a_2;
+        const Scalar e349 = c_.k69 + (e345 + e346 + e289 * e333 - e271 * e334 - p_.a_2 * e348) - e336 * e344;
+        const Scalar e350 = -sin_q_2 * (-e326 * sin_q_2 - e338 * cos_q_2) - cos_q_2 * (-e338 * sin_q_2 - e349 * cos_q_2);
+        const Scalar inverse_351 = Scalar(1) / (p_.J_1 + e350);
+        const Scalar e352 = cos_q_3 * e313 - sin_q_3 * e314;
+        const Scalar e353 = cos_q_3 * e307 - sin_q_3 * e310 - e352 * e317;
+        const Scalar e354 = c_.k68 + (cos_q_3 * e333 - sin_q_3 * e334) - e352 * e344;
+        const Scalar e355 = c_.k70 + (sin_q_3 * e313 + cos_q_3 * e314);
+        const Scalar e356 = sin_q_3 * e307 + cos_q_3 * e310 - c_.k68 - e355 * e317;
+        const Scalar e357 = sin_q_3 * e333 + cos_q_3 * e334 - e355 * e344;
+        const Scalar e358 = cos_q_3 * e261 - sin_q_3 * e270 - e271 * e288 - e289 * e296 - e299 + e317 * e321;
+        const Scalar e359 = e342 + (-sin_q_4 * e185 - cos_q_4 * e196) + e343 * e235
+            + (e330 * e251 - e329 * e253 - e331 * e256 + e332 * e259);
+        const Scalar e360 = sin_q_3 * e261 + cos_q_3 * e270 + e289 * e288 - e271 * e296 - p_.a_2 * e359;
+        const Scalar e361 = -sin_q_2 * (e358 + (-e326 * e327 - e338 * e339)) - cos_q_2
+            * (e341 + e360 + e344 * e321 + (-e338 * e327 - e349 * e339));
+        const Scalar e362 = (p_.k_p * (Scalar(1) - q_1) + tau_1 - p_.k_d * q_1_dot - e361) * inverse_351;
+        const Scalar e363 = -sin_q_2 * (-e353 * sin_q_2 - e354 * cos_q_2) - cos_q_2 * (-e356 * sin_q_2 - e357 * cos_q_2);
+        const Scalar q_1_ddot = e362 - e363 * inverse_351 * p_.g;
+        const Scalar e364 = sin_q_2 * q_1_ddot;
+        const Scalar e365 = -e364 - e327;
+        const Scalar e366 = cos_q_2 * q_1_ddot;
+        const Scalar e367 = -e366 - e339;
+        const Scalar e368 = e352 * inverse_316;
+        const Scalar e369 = sin_q_2 * p_.g;
+        const Scalar e370 = e355 * inverse_316;
+        const Scalar e371 = cos_q_2 * p_.g;
+        const Scalar q_2_ddot = e321 * inverse_316 - e317 * e365 - e344 * e367 + e368 * e369 + e370 * e371;
+        const Scalar e372 = cos_q_3 * e365;
+        const Scalar e373 = sin_q_3 * e367;
+        const Scalar e374 = e372 + e373 - e253;
+        const Scalar e375 = cos_q_3 * e367 - sin_q_3 * e365;
+        const Scalar e376 = e375 + e251;
+        const Scalar e377 = e289 * e367;
+        const Scalar e378 = e271 * e365;
+        const Scalar e379 = e305 * q_2_ddot;
+        const Scalar e380 = cos_q_3 * e369;
+        const Scalar e381 = sin_q_3 * e371;
+        const Scalar e382 = e377 - e378 + e379 - e380 - e381 - e256;
+        const Scalar e383 = e308 * q_2_ddot - e289 * e365 - e271 * e367 + sin_q_3 * e369 - cos_q_3 * e371;
+        const Scalar e384 = e383 + e259;
+        const Scalar e385 = p_.a_2 * e367;
+        const Scalar q_3_ddot = e235 * inverse_221 - e222 * e374 - e264 * e376 - e302 * q_2_ddot - e281 * e382 - e294 * e384
+            + e343 * e385;
+        const Scalar e386 = cos_q_4 * e374;
+        const Scalar e387 = q_2_ddot + q_3_ddot;
+        const Scalar e388 = sin_q_4 * e387;
+        const Scalar e389 = e386 - e388 - e117;
+        const Scalar e390 = -sin_q_4 * e374 - cos_q_4 * e387;
+        const Scalar e391 = e390 + e115;
+        const Scalar e392 = e241 * e376;
+        const Scalar e393 = e143 * e374;
+        const Scalar e394 = e186 * e387;
+        const Scalar e395 = cos_q_4 * e382;
+        const Scalar e396 = sin_q_4 * e385;
+        const Scalar e397 = e392 - e393 - e394 + e395 + e396 + e124;
+        const Scalar e398 = e242 * e376 - e186 * e374 + e143 * e387 - sin_q_4 * e382 + cos_q_4 * e385;
+        const Scalar e399 = e398 + e130;
+        const Scalar e400 = p_.a_3 * e387 + e384;
+        const Scalar q_4_ddot = e108 * inverse_105 - e106 * e389 - e137 * e391 - e238 * e376 - e176 * e397 + e192 * e399 - e214
+            * e400;
+        const Scalar e401 = cos_q_5 * e389;
+        const Scalar e402 = e376 + q_4_ddot;
+        const Scalar e403 = sin_q_5 * e402;
+        const Scalar e404 = e401 + e403 - e76;
+        const Scalar e405 = cos_q_5 * e402 - sin_q_5 * e389 - e80;
+        const Scalar e406 = cos_q_5 * e397;
+        const Scalar e407 = sin_q_5 * e400;
+        const Scalar e408 = e406 + e407 - e87;
+        const Scalar e409 = cos_q_5 * e400 - sin_q_5 * e397 - e90;
+        const Scalar q_5_ddot = e74 * inverse_71 - e72 * e404 + e94 * e405 + e134 * e391 - e163 * e408 - e173 * e409 + e191
+            * e399;
+        const Scalar e410 = cos_q_6 * e404;
+        const Scalar e411 = q_5_ddot - e391;
+        const Scalar e412 = sin_q_6 * e411;
+        const Scalar e413 = e410 - e412 - e50;
+        const Scalar e414 = cos_q_6 * e399 - sin_q_6 * e408 - e52;
+        const Scalar q_6_ddot = e48 * c_.k89 + e44 * e413 - e92 * e405 - e160 * e414;
         dxdt[0] = x[6];
         dxdt[1] = x[7];
         dxdt[2] = x[8];
         dxdt[3] = x[9];
         dxdt[4] = x[10];
         dxdt[5] = x[11];
-        const Scalar e304 = e200 + p_.a_2 * sin_q_2;
-        const Scalar e305 = p_.d_3 * e36 + p_.c_x * e31;
-        const Scalar e306 = e40 * e304 - e305;
-        const Scalar e307 = p_.m_6 * dxdt[7];
-        const Scalar e308 = e77 * e307;
-        const Scalar e309 = p_.m_6 * e226;
-        const Scalar e310 = p_.m_6 * dxdt[8];
-        const Scalar e311 = e100 * e310;
-        const Scalar e312 = c_.k70 * dxdt[6];
-        const Scalar e313 = e42 * e312;
-        const Scalar e314 = e308 - e309 + e311 + e313 + dxdt[10] * e112 + dxdt[9] * e105;
-        const Scalar e315 = e6 * e106;
-        const Scalar e316 = e30 * e304 + e315;
-        const Scalar e317 = p_.d_3 * e17 - e3 * e211;
-        const Scalar e318 = e316 - e317;
-        const Scalar e319 = c_.k22 * dxdt[11];
-        const Scalar e320 = e72 * e307;
-        const Scalar e321 = dxdt[10] * e111;
-        const Scalar e322 = p_.m_6 * e223;
-        const Scalar e323 = e98 * e310;
-        const Scalar e324 = e38 * e312;
-        const Scalar e325 = e319 - e320 + e321 + e322 - e323 - e324 + dxdt[9] * e107;
-        const Scalar e326 = p_.d_3 * e11 - p_.c_z * e31;
-        const Scalar e327 = e20 * e304 + e326;
-        const Scalar e328 = e96 * e310;
-        const Scalar e329 = e74 * e307;
-        const Scalar e330 = p_.m_6 * e210;
-        const Scalar e331 = dxdt[10] * e110;
-        const Scalar e332 = e28 * e312;
-        const Scalar e333 = e328 + e329 + e330 - e331 - e332 - dxdt[9] * e104;
-        const Scalar e334 = c_.k60 * e52;
-        const Scalar e335 = sin_q_4 * e304;
-        const Scalar e336 = e334 + Scalar(5) * e335;
-        const Scalar e337 = e336 - p_.d_4 * e58;
-        const Scalar e338 = p_.d_4 * q_4_dot;
-        const Scalar e339 = q_2_dot * cos_q_2;
-        const Scalar e340 = cos_q_4 * e3;
-        const Scalar e341 = c_.k60 * e3;
-        const Scalar e342 = e6 * e242 - e133 * e337 + (e58 * e338 - e122 * e51 - q_4_dot * e336 + e339 * e50 - e121 * e53)
-            + Scalar(5) * e192 * e340 + e151 * e341;
-        const Scalar e343 = c_.k60 * e57;
-        const Scalar e344 = cos_q_4 * e304;
-        const Scalar e345 = e343 - Scalar(5) * e344;
-        const Scalar e346 = p_.d_4 * e340 + e345;
-        const Scalar e347 = c_.k59 * e164 - c_.k61 * e122;
-        const Scalar e348 = e339 * e56 - sin_q_4 * e347 - e340 * e338 - q_4_dot * e345 + e122 * e59;
-        const Scalar e349 = e133 * e346 - e6 * e251 - e348 - Scalar(5) * e192 * e58 + e131 * e341;
-        const Scalar e350 = c_.k65 * e6;
-        const Scalar e351 = e350 - e199;
-        const Scalar e352 = c_.k66 * sin_q_2 + e351;
-        const Scalar e353 = c_.k5 * e259;
-        const Scalar e354 = e121 * e6;
-        const Scalar e355 = e354 - e164;
-        const Scalar e356 = e63 * e132;
-        const Scalar e357 = e352 * e124 - c_.k58 * e355 - e356;
-        const Scalar e358 = e264 - e122;
-        const Scalar e359 = e63 * e124;
-        const Scalar e360 = c_.k58 * e358 - e352 * e132 - e359;
-        const Scalar e361 = c_.k62 * sin_q_2 + e243;
-        const Scalar e362 = cos_q_4 * e361 - e343;
-        const Scalar e363 = c_.k69 * dxdt[6];
-        const Scalar e364 = c_.k6 * e248 - e54 * e363;
-        const Scalar e365 = sin_q_4 * e361 + e334;
-        const Scalar e366 = c_.k6 * e252 - e60 * e363;
-        const Scalar e367 = e145 - e269;
-        const Scalar e368 = c_.k30 * cos_q_2;
-        const Scalar e369 = c_.k14 * dxdt[8];
-        const Scalar e370 = cos_q_4 * e365 - sin_q_4 * e362;
-        const Scalar e371 = dxdt[7] * e79;
-        const Scalar e372 = c_.k60 * e164 - e151 * e346 - e131 * e337 + e242 * e58 - e251 * e340;
-        const Scalar e373 = p_.d_3 * e52 + e335;
-        const Scalar e374 = cos_q_5 * e373 + sin_q_5 * e26;
-        const Scalar e375 = p_.d_3 * e57 - e344;
-        const Scalar e376 = e3 * e7 - sin_q_5 * e6;
-        const Scalar e377 = sin_q_6 * e376 + cos_q_6 * e58;
-        const Scalar e378 = cos_q_6 * e374 - sin_q_6 * e375 + p_.c_z * e377;
-        const Scalar e379 = p_.c_x * e377 - (cos_q_5 * e26 - sin_q_5 * e373);
-        const Scalar e380 = e3 * e171 - e121 * e31;
-        const Scalar e381 = e121 * e23;
-        const Scalar e382 = p_.a_2 * e339 - q_4_dot * e27 + e381;
-        const Scalar e383 = q_6_dot * e377 + e121 * e11;
-        const Scalar e384 = e121 * e37 - p_.c_z * e383;
-        const Scalar e385 = q_5_dot * e16;
-        const Scalar e386 = q_5_dot * e106;
-        const Scalar e387 = q_4_dot * e71;
-        const Scalar e388 = q_4_dot * e304;
-        const Scalar e389 = cos_q_5 * e6 + e3 * e34;
-        const Scalar e390 = cos_q_6 * e376 - sin_q_6 * e58;
-        const Scalar e391 = e389 * e220 - e390 * e198;
-        const Scalar e392 = e375 * e160 - e374 * e162 - p_.d_3 * e380 + e30 * e382 + e384 + e373 * e385 - e6 * e213 + e340
-            * e386 - e3 * e387 - e15 * e388;
-        const Scalar e393 = q_1_dot * (e169 * e378 - e175 * e379 + e392 - e391);
-        const Scalar e394 = c_.k65 * e122 + p_.d_4 * e164;
-        const Scalar e395 = Scalar(6) * (e3 * e254 - (Scalar(1) / Scalar(6)) * e6 * e238);
-        const Scalar e396 = p_.d_3 * e122 + e388;
-        const Scalar e397 = cos_q_5 * e164 + e3 * e224;
-        const Scalar e398 = e376 * e162 - e121 * e17;
-        const Scalar e399 = q_4_dot * e30 - (sin_q_4 * e160 + cos_q_4 * e385);
-        const Scalar e400 = e398 + (e3 * e399 - e6 * e171);
-        const Scalar e401 = p_.c_x * e389 + p_.c_z * e390;
-        const Scalar e402 = e401 - cos_q_6 * e375 - sin_q_6 * e374;
-        const Scalar e403 = e377 * e220 - e390 * e195;
-        const Scalar e404 = e373 * e234 + e40 * e382 + e34 * e396 + p_.d_3 * e397 + p_.c_x * e400 + e175 * e402 - e167 * e378
-            - e403;
-        const Scalar e405 = q_1_dot * e404;
-        const Scalar e406 = e3 * e158 - e10 * e164;
-        const Scalar e407 = e389 * e195 - e377 * e198;
-        const Scalar e408 = e20 * e382 - e375 * e162 - e374 * e160 - e373 * e203 + e9 * e396 + p_.d_3 * e406 + p_.c_z * e400;
-        const Scalar e409 = q_1_dot * (e167 * e379 - e169 * e402 + e408 - e407);
-        const Scalar e410 = c_.k67 * sin_q_2;
-        const Scalar e411 = dxdt[6] * cos_q_2;
-        const Scalar e412 = e256 * e240;
-        const Scalar e142_squared = e142 * e142;
-        const Scalar e413 = e45 * e150;
-        const Scalar e414 = e46 * e150;
-        const Scalar e415 = e389 * e40;
-        const Scalar e416 = e415 * e232;
-        const Scalar e417 = e376 * e19;
-        const Scalar e418 = e417 * e232;
-        const Scalar e419 = cos_q_4 * e1;
-        const Scalar e420 = e419 * e134;
-        const Scalar e421 = cos_q_4 * e2;
-        const Scalar e422 = e421 * e134;
-        const Scalar e423 = e45 * e152;
-        const Scalar e424 = e46 * e152;
-        const Scalar e425 = e3 * e9 - e6 * e10;
-        const Scalar e426 = p_.J_5 * e170;
-        const Scalar e427 = e425 * e426;
-        const Scalar e428 = e48 * e285;
-        const Scalar e429 = e419 * e428;
-        const Scalar e430 = e421 * e428;
-        const Scalar e431 = sin_q_4 * e4;
-        const Scalar e432 = c_.k36 * e376;
-        const Scalar e433 = e431 * e432;
-        const Scalar e434 = sin_q_4 * e5;
-        const Scalar e435 = e434 * e432;
-        const Scalar e436 = p_.J_5 * e389;
-        const Scalar e437 = dxdt[11] * e436;
-        const Scalar e438 = e261 * e436;
-        const Scalar e439 = e262 * e436;
-        const Scalar e440 = e389 * e136;
-        const Scalar e441 = e431 * e440;
-        const Scalar e442 = e434 * e440;
-        const Scalar e443 = e389 * e285;
-        const Scalar e444 = e1 * e443;
-        const Scalar e445 = e2 * e443;
-        const Scalar e446 = e376 * e296;
-        const Scalar e447 = e1 * e446;
-        const Scalar e448 = e2 * e446;
-        const Scalar e449 = e239 * e82;
-        const Scalar e450 = -e31;
-        const Scalar e451 = c_.k2 * e173;
-        const Scalar e452 = e450 * e451;
-        const Scalar e453 = e450 * e88;
-        const Scalar e454 = dxdt[7] * e453;
-        const Scalar e455 = dxdt[8] * e453;
-        const Scalar e456 = e419 * e135;
-        const Scalar e457 = e421 * e135;
-        const Scalar e458 = e1 * e127;
-        const Scalar e459 = e2 * e127;
-        const Scalar e460 = e45 * e302;
-        const Scalar e461 = e46 * e302;
-        const Scalar e462 = e4 * e295;
-        const Scalar e463 = e5 * e295;
-        const Scalar e464 = e4 * e297;
-        const Scalar e465 = e5 * e297;
-        const Scalar e466 = e132 * e265;
-        const Scalar e467 = e124 * e266;
-        const Scalar e468 = q_4_dot * e19 + q_5_dot * e34;
-        const Scalar e469 = q_1_dot * (sin_q_5 * e122 + e7 * e164 + e6 * e234 + e3 * e468);
-        const Scalar e470 = e49 * e469;
-        const Scalar e471 = q_1_dot * (-e400);
-        const Scalar e472 = e18 * e471;
-        const Scalar e473 = q_4_dot * e20;
-        const Scalar e474 = e389 * e167 + (e6 * e158 + e340 * e203 + e383 + e3 * e473) - e377 * e169;
-        const Scalar e475 = q_1_dot * e474;
-        const Scalar e476 = e12 * e475;
-        const Scalar e477 = e3 * e1;
-        const Scalar e478 = e154 * e477;
-        const Scalar e479 = e155 * e477;
-        const Scalar e480 = c_.k34 * e1;
-        const Scalar e481 = e415 * e480;
-        const Scalar e482 = e417 * e480;
-        const Scalar e483 = c_.k38 * e1;
-        const Scalar e484 = e228 * e483;
-        const Scalar e485 = e229 * e483;
-        const Scalar e486 = e3 * e2;
-        const Scalar e487 = e154 * e486;
-        const Scalar e488 = e155 * e486;
-        const Scalar e489 = c_.k34 * e2;
-        const Scalar e490 = e415 * e489;
-        const Scalar e491 = e417 * e489;
-        const Scalar e492 = c_.k38 * e2;
-        const Scalar e493 = e228 * e492;
-        const Scalar e494 = e229 * e492;
-        const Scalar e495 = e6 * e4;
-        const Scalar e496 = e154 * e495;
-        const Scalar e497 = e155 * e495;
-        const Scalar e498 = c_.k38 * e4;
-        const Scalar e499 = e415 * e498;
-        const Scalar e500 = e417 * e498;
-        const Scalar e501 = c_.k34 * e4;
-        const Scalar e502 = e228 * e501;
-        const Scalar e503 = e229 * e501;
-        const Scalar e504 = e6 * e5;
-        const Scalar e505 = e154 * e504;
-        const Scalar e506 = e155 * e504;
-        const Scalar e507 = c_.k38 * e5;
-        const Scalar e508 = e415 * e507;
-        const Scalar e509 = e417 * e507;
-        const Scalar e510 = c_.k34 * e5;
-        const Scalar e511 = e228 * e510;
-        const Scalar e512 = e229 * e510;
-        const Scalar e513 = c_.k33 * e57;
-        const Scalar e514 = e431 * e513;
-        const Scalar e515 = e434 * e513;
-        const Scalar e516 = cos_q_4 * e4;
-        const Scalar e517 = c_.k34 * e57;
-        const Scalar e518 = e516 * e517;
-        const Scalar e519 = cos_q_4 * e5;
-        const Scalar e520 = e519 * e517;
-        const Scalar e521 = dxdt[10] * e65;
-        const Scalar e522 = e1 * e521;
-        const Scalar e523 = e2 * e521;
-        const Scalar e524 = dxdt[7] * e65;
-        const Scalar e525 = e419 * e524;
-        const Scalar e526 = e421 * e524;
-        const Scalar e527 = dxdt[8] * e65;
-        const Scalar e528 = e419 * e527;
-        const Scalar e529 = e421 * e527;
-        const Scalar e530 = e425 * e87;
-        const Scalar e531 = dxdt[7] * e530;
-        const Scalar e532 = dxdt[8] * e530;
-        const Scalar e533 = c_.k38 * e58;
-        const Scalar e534 = e516 * e533;
-        const Scalar e535 = e519 * e533;
-        const Scalar e536 = c_.k34 * e58;
-        const Scalar e537 = e419 * e536;
-        const Scalar e538 = e421 * e536;
-        const Scalar e539 = c_.k33 * e58;
-        const Scalar e540 = e45 * e539;
-        const Scalar e541 = e46 * e539;
-        const Scalar e542 = e376 * e85;
-        const Scalar e543 = dxdt[7] * e542;
-        const Scalar e544 = dxdt[8] * e542;
-        const Scalar e545 = e376 * e285;
-        const Scalar e546 = e516 * e545;
-        const Scalar e547 = e519 * e545;
-        const Scalar e548 = e1 * e52;
-        const Scalar e549 = e137 * e548;
-        const Scalar e550 = e138 * e548;
-        const Scalar e551 = e2 * e52;
-        const Scalar e552 = e137 * e551;
-        const Scalar e553 = e138 * e551;
-        const Scalar e554 = q_4_dot * e40 - q_5_dot * e7;
-        const Scalar e555 = e121 * e36 - e3 * e554 - e6 * e224;
-        const Scalar e556 = q_1_dot * e117;
-        const Scalar e557 = e555 * e556;
-        const Scalar e558 = e555 - e377 * e175 + e390 * e167;
-        const Scalar e559 = e558 * e556;
-        const Scalar e560 = e4 * e340;
-        const Scalar e561 = e137 * e560;
-        const Scalar e562 = e138 * e560;
-        const Scalar e563 = e5 * e340;
-        const Scalar e564 = e137 * e563;
-        const Scalar e565 = e138 * e563;
-        const Scalar e566 = e119 * e296;
-        const Scalar e567 = e419 * e566;
-        const Scalar e568 = e421 * e566;
-        const Scalar e569 = e389 * e296;
-        const Scalar e570 = e516 * e569;
-        const Scalar e571 = e519 * e569;
-        const Scalar e572 = dxdt[9] * e108;
-        const Scalar e573 = e376 * e572;
-        const Scalar e574 = c_.k2 * dxdt[6];
-        const Scalar e575 = e574 * e45;
-        const Scalar e576 = e431 * e575;
-        const Scalar e577 = e434 * e575;
-        const Scalar e578 = e574 * e46;
-        const Scalar e579 = e431 * e578;
-        const Scalar e580 = e434 * e578;
-        const Scalar e581 = e389 * e86;
-        const Scalar e582 = dxdt[7] * e581;
-        const Scalar e583 = dxdt[8] * e581;
-        const Scalar e584 = c_.k33 * cos_q_5;
-        const Scalar e585 = e119 * e584;
-        const Scalar e586 = e1 * e585;
-        const Scalar e587 = e2 * e585;
-        const Scalar e588 = e389 * e584;
-        const Scalar e589 = e4 * e588;
-        const Scalar e590 = e5 * e588;
-        const Scalar e591 = c_.k33 * sin_q_5;
-        const Scalar e592 = e48 * e591;
-        const Scalar e593 = e1 * e592;
-        const Scalar e594 = e2 * e592;
-        const Scalar e595 = e376 * e591;
-        const Scalar e596 = e4 * e595;
-        const Scalar e597 = e5 * e595;
-        const Scalar e598 = c_.k1 * dxdt[6];
-        const Scalar e599 = e1 * e598;
-        const Scalar e600 = e4 * e599;
-        const Scalar e601 = e5 * e599;
-        const Scalar e602 = e2 * e598;
-        const Scalar e603 = e4 * e602;
-        const Scalar e604 = e5 * e602;
-        const Scalar e605 = c_.k33 * e34;
-        const Scalar e606 = e389 * e605;
-        const Scalar e607 = e1 * e606;
-        const Scalar e608 = e2 * e606;
-        const Scalar e609 = e119 * e605;
-        const Scalar e610 = e4 * e609;
-        const Scalar e611 = e5 * e609;
-        const Scalar e612 = c_.k33 * e7;
-        const Scalar e613 = e376 * e612;
-        const Scalar e614 = e1 * e613;
-        const Scalar e615 = e2 * e613;
-        const Scalar e616 = e48 * e612;
-        const Scalar e617 = e4 * e616;
-        const Scalar e618 = e5 * e616;
-        const Scalar e619 = q_4_dot * e58 + e121 * e52;
-        const Scalar e620 = c_.k23 * (e6 * e131 + Scalar(2) * e619 + e133 * e58);
-        const Scalar e621 = e177 * e620;
-        const Scalar e622 = e4 * e621;
-        const Scalar e623 = e5 * e621;
-        const Scalar e624 = q_4_dot * e340 - sin_q_4 * e164;
-        const Scalar e625 = -e624;
-        const Scalar e626 = q_1_dot * e625;
-        const Scalar e627 = e65 * e626;
-        const Scalar e628 = e4 * e627;
-        const Scalar e629 = e5 * e627;
-        const Scalar e630 = c_.k23 * (e133 * e340 - e6 * e151 - Scalar(2) * e625);
-        const Scalar e631 = e186 * e630;
-        const Scalar e632 = e4 * e631;
-        const Scalar e633 = e5 * e631;
-        const Scalar e634 = p_.J_5 * e235;
-        const Scalar e635 = e376 * e634;
-        const Scalar e636 = e48 * e574;
-        const Scalar e637 = e376 * e636;
-        const Scalar e638 = e11 * e574;
-        const Scalar e639 = e425 * e638;
-        const Scalar e640 = e81 * e240;
-        const Scalar e641 = dxdt[7] * e640;
-        const Scalar e642 = c_.k72 * dxdt[6];
-        const Scalar e643 = e17 * e642;
-        const Scalar e644 = e450 * e643;
-        const Scalar e645 = e36 * e642;
-        const Scalar e646 = e389 * e645;
-        const Scalar e647 = cos_q_5 * e389;
-        const Scalar e648 = e647 * (c_.k2 * dxdt[9]);
-        const Scalar e649 = e3 * (c_.k41 * e257);
-        const Scalar e650 = dxdt[8] * (c_.k16 * e3);
-        const Scalar e651 = dxdt[8] * (c_.k15 * e6);
-        const Scalar e652 = dxdt[9] * (c_.k23 * e6);
-        const Scalar e653 = e132 * (c_.k31 * e122);
-        const Scalar e654 = e124 * (c_.k32 * (Scalar(25) * e164 + Scalar(22) * e354));
-        const Scalar e655 = e63 * (c_.k68 * dxdt[6]);
-        const Scalar e656 = dxdt[6] * e6;
-        const Scalar e657 = e656 * (c_.k71 * e3);
-        const Scalar e658 = e83 * (dxdt[7] * e3);
-        const Scalar e659 = e294 * (dxdt[9] * e425);
-        const Scalar e660 = e293 * (dxdt[9] * e450);
-        const Scalar e661 = e300 * (dxdt[10] * e450);
-        const Scalar e662 = e301 * (dxdt[10] * e425);
-        const Scalar e663 = e232 * (cos_q_4 * e58);
-        const Scalar e664 = dxdt[6] * e370 - (e342 * e186 + e349 * e177);
-        const Scalar e665 = p_.m_6 * dxdt[6];
-        const Scalar e666 = e74 * e665;
-        const Scalar e667 = e77 * e665;
-        const Scalar e668 = e72 * e665;
-        const Scalar e669 = e647 - sin_q_5 * e376;
-        const Scalar e670 = dxdt[6] * e3;
-        const Scalar e671 = sin_q_4 * e58 + (e376 * e7 + e389 * e34);
-        const Scalar e672 = e669 * e282 + e83 * e670 + (e278 * e671 + dxdt[6] * e640);
-        const Scalar e673 = q_1_dot * (e555 + e558);
-        const Scalar e674 = p_.J_5 * dxdt[6];
-        const Scalar e675 = e674 * e58;
-        const Scalar e676 = c_.k35 * e30;
-        const Scalar e677 = e425 * e674;
-        const Scalar e678 = e186 * e620 + e85 * e469 - (c_.k51 * e3 + e93 * e673)
-            - (c_.k45 * e6 + c_.k50 * e6 - (c_.k46 * e3 - e139 * e58));
-        const Scalar e679 = c_.k34 * e669 + e376 * e286 - (c_.k43 * e132 * e132 + cos_q_4 * e675 - (e389 * e676 + e124 * e284));
-        const Scalar e680 = e88 * e471 + e20 * e677 - (dxdt[6] * e453 - e376 * e19 * e674)
-            + (p_.J_5 * e625 * e177 - e87 * e475 - (e177 * e630 - e389 * e40 * e574));
-        const Scalar e681 = e678 - (e679 + e680);
-        const Scalar e682 = p_.k_p - e681;
-        const Scalar e683 = q_1_dot * e357;
-        const Scalar e684 = q_1_dot * e372;
-        const Scalar e685 = q_1_dot * e360;
-        const Scalar e686 = e96 * e665;
-        const Scalar e687 = e100 * e665;
-        const Scalar e688 = c_.k15 * e656 + (c_.k38 * e671 + c_.k16 * e670);
-        const Scalar e689 = e318 * e665;
-        const Scalar e690 = dxdt[6] * e327 + e409;
-        const Scalar e691 = c_.k2 * e471 - e450 * e574;
-        const Scalar e692 = dxdt[6] * e306 + e405;
-        const Scalar e693 = p_.J_5 * e475 - e677;
-        const Scalar e694 = sin_q_5 * e674;
-        const Scalar e695 = e122 * e298 - e376 * e694 + (e574 * e647 + e118 * e673) + (e443 + e446);
-        const Scalar e696 = e108 * e469 - e3 * e156 + (c_.k23 * e656 + e10 * e693) + e695;
-        const Scalar e697 = dxdt[6] * e318 + e393;
-        const Scalar e698 = sin_q_6 * e693 - (p_.J_5 * e626 - e675) - (e432 + e440);
-        const Scalar e699 = c_.k35 * e377 + (p_.J_5 * q_1_dot * e558 + e389 * e674);
-        const Scalar e700 = e40 * e200 - e305;
-        const Scalar e701 = e30 * e200 + e315;
-        const Scalar e702 = e701 - e317;
-        const Scalar e703 = e20 * e200 + e326;
-        const Scalar e704 = cos_q_4 * e243 - e343;
-        const Scalar e705 = sin_q_4 * e243 + e334;
-        const Scalar e706 = cos_q_4 * e705 - sin_q_4 * e704;
-        const Scalar e707 = dxdt[7] * cos_q_3;
-        const Scalar e708 = q_1_dot * e377;
-        const Scalar e709 = cos_q_5 * e182;
-        const Scalar e710 = cos_q_4 * e190 + e200 * e186;
-        const Scalar e711 = p_.c_x * e708 - (e709 - sin_q_5 * e710);
-        const Scalar e712 = sin_q_4 * e190 - e200 * e177;
-        const Scalar e713 = -e712;
-        const Scalar e714 = cos_q_5 * e710 + sin_q_5 * e182;
-        const Scalar e715 = cos_q_6 * e713 - sin_q_6 * e714 + q_1_dot * e401;
-        const Scalar e716 = q_1_dot * e381 - q_4_dot * e190;
-        const Scalar e717 = q_1_dot * q_4_dot * e200 + e214;
-        const Scalar e718 = q_1_dot * e398 - (e124 * e171 - e399 * e132);
-        const Scalar e719 = e713 * e162 - e10 * e216 - e714 * e160 + e20 * e716 + e182 * e158 - e710 * e203 + e9 * e717
-            + p_.c_z * e718;
-        const Scalar e720 = e167 * e711 - e169 * e715 + e719 - q_1_dot * e407;
-        const Scalar e721 = cos_q_6 * e714 + sin_q_6 * e713 + p_.c_z * e708;
-        const Scalar e722 = e3 * e177;
-        const Scalar e723 = e16 * e216 - e714 * e162 - e713 * e160 - e182 * e171 + e30 * e716 - e15 * e717 + q_1_dot * e384
-            + e710 * e385 - e124 * e213 + e722 * e386 - e132 * e387;
-        const Scalar e724 = e169 * e721 - e175 * e711 + e723 - q_1_dot * e391;
-        const Scalar e725 = cos_q_5 * e216 + e40 * e716 + e34 * e717 + e182 * e224 + e710 * e234 + p_.c_x * e718;
-        const Scalar e726 = e725 + e175 * e715 - e167 * e721 - q_1_dot * e403;
-        const Scalar e727 = q_1_dot * e351;
-        const Scalar e728 = Scalar(6) * e121 * e190 - Scalar(6) * e255 - e124 * e727;
-        const Scalar e729 = q_1_dot * e58;
-        const Scalar e730 = p_.d_4 * e729 - Scalar(5) * e710;
-        const Scalar e731 = q_2_dot * e3 + q_3_dot * e1;
-        const Scalar e732 = c_.k60 * e186;
-        const Scalar e733 = q_3_dot * e181;
-        const Scalar e734 = e338 * e729 - e177 * e347 - Scalar(5) * q_4_dot * e710 - e731 * e732 + Scalar(5) * sin_q_4 * e733;
-        const Scalar e735 = Scalar(5) * e182 * e151 + e133 * e730 + e734 + e242 * e124 + Scalar(5) * e192 * e722;
-        const Scalar e736 = c_.k60 * e177;
-        const Scalar e737 = Scalar(5) * e712 + p_.d_4 * e722;
-        const Scalar e738 = e731 * e736 - e186 * e347 - Scalar(5) * q_4_dot * e712 - e338 * e722 - Scalar(5) * cos_q_4 * e733;
-        const Scalar e739 = e738 - Scalar(5) * e182 * e131 - e133 * e737 + e251 * e124 + Scalar(5) * e192 * e729;
-        const Scalar e740 = e237 - Scalar(6) * e121 * e182 + e132 * e727;
-        const Scalar e741 = e151 * e737 - Scalar(5) * e216 - e131 * e730 + e251 * e722 - e242 * e729;
-        const Scalar e742 = cos_q_3 * e34 + cos_q_5 * sin_q_3;
-        const Scalar e743 = c_.k76 * dxdt[7];
-        const Scalar e744 = e742 * e743;
-        const Scalar e745 = cos_q_3 * e9 - sin_q_3 * e10;
-        const Scalar e746 = e745 * e743;
-        const Scalar e747 = cos_q_3 * e15 - sin_q_3 * e16;
-        const Scalar e748 = e747 * e743;
-        const Scalar e749 = dxdt[7] * e77;
-        const Scalar e750 = dxdt[7] * e74;
-        const Scalar e751 = dxdt[7] * e747;
-        const Scalar e752 = c_.k76 * e747;
-        const Scalar e753 = c_.k73 * cos_q_3;
-        const Scalar e754 = dxdt[10] * sin_q_6;
-        const Scalar e755 = dxdt[8] * e96;
-        const Scalar e756 = dxdt[6] * e28 - e755;
-        const Scalar e757 = dxdt[8] * e100;
-        const Scalar e758 = e757 - e226;
-        const Scalar e759 = dxdt[6] * e42;
-        const Scalar e760 = e758 + e759;
-        const Scalar e761 = dxdt[9] * e16 + dxdt[10] * cos_q_6;
-        const Scalar e762 = c_.k83 * e745 + c_.k84 * e742;
-        const Scalar e763 = c_.k82 * sin_q_3 - (c_.k81 * cos_q_3 + e98 * e752);
-        const Scalar e764 = dxdt[6] * e706 + (cos_q_4 * e739 - sin_q_4 * e735);
-        const Scalar e765 = dxdt[9] * e106;
-        const Scalar e766 = e223 + e765;
-        const Scalar e767 = e702 * e665;
-        const Scalar e768 = dxdt[6] * e700 + e726;
-        const Scalar e769 = dxdt[6] * e703 + e720;
-        const Scalar e770 = dxdt[7] * e762 - e691;
-        const Scalar e771 = dxdt[6] * e702 + e724;
-        const Scalar e772 = dxdt[11] + e262;
-        const Scalar e773 = dxdt[9] * cos_q_5 + e772;
-        const Scalar e774 = dxdt[10] - e126;
-        const Scalar e775 = p_.d_4 * e30 + e211;
-        const Scalar e776 = e775 * e310;
-        const Scalar e777 = e30 * e67 - e211;
-        const Scalar e778 = e777 * e307;
-        const Scalar e779 = p_.c_x * e15;
-        const Scalar e780 = e40 * e67 - e779;
-        const Scalar e781 = e780 * e307;
-        const Scalar e782 = p_.d_4 * e40 + e779;
-        const Scalar e783 = e782 * e310;
-        const Scalar e784 = e6 * e30;
-        const Scalar e785 = dxdt[7] + dxdt[8];
-        const Scalar e786 = e785 * e88;
-        const Scalar e787 = e451 - e786 + e643;
-        const Scalar e788 = c_.k2 * e761;
-        const Scalar e789 = e6 * e20;
-        const Scalar e790 = e785 * e87;
-        const Scalar e791 = e426 + e790;
-        const Scalar e792 = e791 + e638;
-        const Scalar e793 = dxdt[9] * e10;
-        const Scalar e794 = e793 - e754;
-        const Scalar e795 = p_.J_5 * e794;
-        const Scalar e796 = e6 * e40;
-        const Scalar e797 = e785 * e93;
-        const Scalar e798 = p_.c_z * sin_q_6;
-        const Scalar e799 = e185 * e13;
-        const Scalar e800 = cos_q_6 * e188 + e131 * e212 - e151 * e798 + e799;
-        const Scalar e801 = e131 * e13;
-        const Scalar e802 = cos_q_6 * e151 + e801;
-        const Scalar e803 = p_.c_x * e802 - sin_q_5 * e185;
-        const Scalar e804 = e385 - cos_q_5 * e162;
-        const Scalar e805 = e131 * e804 + (e151 * e160 + e15 * e125);
-        const Scalar e806 = sin_q_5 * e131;
-        const Scalar e807 = e188 * e162 + e9 * e202 + e20 * e217 + e185 * e203 + e123 * e73 - p_.c_z * e805 + q_6_dot * e799;
-        const Scalar e808 = e169 * e800 - e802 * e198 - e167 * e803 - e807 + e195 * e806;
-        const Scalar e809 = e131 * e157 - sin_q_6 * e151;
-        const Scalar e810 = sin_q_6 * e188 - e185 * e157 + p_.c_z * e802;
-        const Scalar e811 = e151 * e162 + q_6_dot * e801;
-        const Scalar e812 = e123 * e71 + e15 * e202 + e188 * e160 - e30 * e217 + e211 * e125 + e185 * e804 + p_.c_z * e811
-            - e131 * e386;
-        const Scalar e813 = e175 * e803 - e809 * e198 - e169 * e810 + e812 + e220 * e806;
-        const Scalar e814 = e809 * e195 - e802 * e220 + e175 * e800 - e167 * e810
-            + (e34 * e202 + e40 * e217 - e185 * e234 + e123 * e76 - p_.c_x * e805);
-        const Scalar e815 = cos_q_4 * e52 - e272;
-        const Scalar e816 = e123 * e19 + e7 * e125 + e131 * e224;
-        const Scalar e817 = e40 * e123 + e34 * e125 - e131 * e234;
-        const Scalar e818 = e817 - e809 * e167 + e802 * e175;
-        const Scalar e819 = e817 + e818;
-        const Scalar e820 = e20 * e123 + e9 * e125 + e131 * e203 + e811 - e802 * e169 + e167 * e806;
-        const Scalar e821 = e9 * e785 - e820;
-        const Scalar e822 = e30 * e123 - e805;
-        const Scalar e823 = e15 * e785 + e822;
-        const Scalar e824 = e9 * e25 - e6 * e73 - e20 * e26;
-        const Scalar e825 = c_.k21 * e761;
-        const Scalar e826 = e825 - e330;
-        const Scalar e827 = e328 - e826;
-        const Scalar e828 = e332 - e329;
-        const Scalar e829 = e827 - e828;
-        const Scalar e830 = e34 * e25 - e40 * e26 - e6 * e76;
-        const Scalar e831 = c_.k22 * e761 - e309;
-        const Scalar e832 = e831 + e311;
-        const Scalar e833 = e832 + (e308 + e313);
-        const Scalar e834 = e15 * e25 - e6 * e71 + e30 * e26;
-        const Scalar e835 = e321 - e323;
-        const Scalar e836 = e320 - e835;
-        const Scalar e837 = p_.m_6 * e766 + e319;
-        const Scalar e838 = e836 + (e324 - e837);
-        const Scalar e839 = c_.k35 * e9 - c_.k36 * e34;
-        const Scalar e840 = e785 * e34;
-        const Scalar e841 = p_.c_z * e15;
-        const Scalar e842 = e20 * e67 - e841;
-        const Scalar e843 = e28 * e307;
-        const Scalar e844 = e10 * e52;
-        const Scalar e845 = p_.d_4 * e20 + e841;
-        const Scalar e846 = e845 * e310;
-        const Scalar e847 = e28 * e665;
-        const Scalar e848 = c_.k70 * e750 - e847;
-        const Scalar e849 = e848 + e827;
-        const Scalar e850 = e42 * e665;
-        const Scalar e851 = e832 + (c_.k70 * e749 + e850);
-        const Scalar e852 = e38 * e665;
-        const Scalar e853 = e852 - e837;
-        const Scalar e854 = e853 + (c_.k70 * dxdt[7] * e72 - e835);
-        const Scalar e855 = dxdt[9] * e118 - e36 * e574;
-        const Scalar e856 = dxdt[6] * e88;
-        const Scalar e857 = e11 * e674;
-        const Scalar e858 = c_.k2 * e20 * e785 + e857;
-        const Scalar e859 = e30 * e785;
-        const Scalar e860 = e17 * e574 + e451;
-        const Scalar e861 = c_.k72 * e859 - e860;
-        const Scalar e862 = e674 * (e789 * e20 + e40 * e796) + e65 * e774 - (e9 * e426 - e15 * e253);
-        const Scalar e863 = p_.J_5 * (e9 * e794 - e34 * e772) - cos_q_4 * e428
-            + (e15 * e788 - p_.J_5 * e261 * e34 - (e7 * e634 - e784 * e856));
-        const Scalar e864 = e822 * e88 - e86 * e840 + (e816 * e85 + e820 * e87)
-            - (e9 * e858 + e139 * e52 - (e15 * e861 + e674 * e815));
-        const Scalar e865 = sin_q_4 * e150 - e34 * e855 + (e129 * e114 + e93 * e819) + e862 + (e863 + e864);
-        const Scalar e866 = e834 * e665 - e778;
-        const Scalar e867 = e847 - e329;
-        const Scalar e868 = c_.k70 * e755 - e867;
-        const Scalar e869 = e826 - e868;
-        const Scalar e870 = c_.k70 * e757 + e850 + (e831 + e308);
-        const Scalar e871 = c_.k70 * dxdt[8] * e98 + e320 - (e321 - e853);
-        const Scalar e872 = e96 * e307;
-        const Scalar e873 = dxdt[6] * e830 + dxdt[7] * e780 - (dxdt[8] * e782 + e814);
-        const Scalar e874 = dxdt[6] * e824 + dxdt[7] * e842 - (dxdt[8] * e845 - e808);
-        const Scalar e875 = e789 * e674;
-        const Scalar e876 = e784 * e574;
-        const Scalar e877 = e674 * e796;
-        const Scalar e878 = dxdt[6] * e834 - dxdt[7] * e777 + (dxdt[8] * e775 - e813);
-        const Scalar e879 = sin_q_4 * e16;
-        const Scalar e880 = q_5_dot * e133 + e128;
-        const Scalar e881 = e168 * e162 - e13 * e165 - (e16 * e880 - e125 * e879);
-        const Scalar e882 = -e881;
-        const Scalar e883 = dxdt[9] * e13;
-        const Scalar e884 = e882 + e883;
-        const Scalar e885 = cos_q_6 * e40;
-        const Scalar e886 = p_.c_x * e19 - p_.c_z * e885;
-        const Scalar e887 = p_.a_3 * e13 - e886 + e16 * e250;
-        const Scalar e888 = e887 * e310;
-        const Scalar e889 = cos_q_4 * e16;
-        const Scalar e890 = e13 * e68 - e886 - e67 * e889;
-        const Scalar e891 = e890 * e307;
-        const Scalar e892 = p_.a_3 * sin_q_5 - p_.d_4 * e7;
-        const Scalar e893 = p_.c_x * e879;
-        const Scalar e894 = e892 - e893;
-        const Scalar e895 = c_.k22 * e883 - e894 * e310;
-        const Scalar e896 = sin_q_5 * e68;
-        const Scalar e897 = e7 * e67 + e896 - e893;
-        const Scalar e898 = e897 * e307;
-        const Scalar e899 = sin_q_6 * e168;
-        const Scalar e900 = cos_q_6 * e168;
-        const Scalar e901 = e235 - e175 * e899 + e167 * e900;
-        const Scalar e902 = p_.c_x * e899 - e193;
-        const Scalar e903 = p_.c_x * e159 - sin_q_6 * e196 + p_.c_z * e900;
-        const Scalar e904 = cos_q_4 * e216 - e177 * e206;
-        const Scalar e905 = e196 * e160 - e157 * e215 + e192 * e203 + e202 * e885 + e10 * e904 - p_.c_z * e881;
-        const Scalar e906 = e167 * e902 - e159 * e195 - e169 * e903 - e905 + e198 * e899;
-        const Scalar e907 = cos_q_6 * e196 + p_.c_z * e899;
-        const Scalar e908 = e168 * e160;
-        const Scalar e909 = e106 * e880 - e13 * e214 - e165 * e212 - e196 * e162 - e188 * e171 - e125 * e886 + e202 * e879
-            + e16 * e904 + e192 * e385 - p_.c_z * e908;
-        const Scalar e910 = e169 * e907 - e159 * e220 - e175 * e902 + e909 + e198 * e900;
-        const Scalar e911 = dxdt[9] * e212 - e910;
-        const Scalar e912 = e175 * e903 - e167 * e907 + (e19 * e202 - e7 * e217 + sin_q_5 * e215 + e192 * e234 + p_.c_x * e881)
-            - e220 * e899 + e195 * e900;
-        const Scalar e913 = e48 * e136;
-        const Scalar e914 = c_.k36 * e119 - e913;
-        const Scalar e915 = e169 * e899 - e159 * e167 - (e165 * e157 + e10 * e880 - e125 * e885 + e908);
-        const Scalar e916 = dxdt[9] * e157 - e915;
-        const Scalar e917 = c_.k21 * e883;
-        const Scalar e918 = p_.c_z * e879;
-        const Scalar e919 = p_.a_3 * e157 + e10 * e250 - e918;
-        const Scalar e920 = e917 - e919 * e310;
-        const Scalar e921 = e3 * e157 - e844;
-        const Scalar e922 = cos_q_4 * e10;
-        const Scalar e923 = e25 * e885 - p_.c_z * e267 + e157 * e27 + e26 * e922;
-        const Scalar e924 = sin_q_5 * e27;
-        const Scalar e925 = p_.c_x * e267 + e19 * e25 + e7 * e26 - e924;
-        const Scalar e926 = e25 * e879 - e3 * e212 - e106 * e52 + e13 * e27 + e26 * e889;
-        const Scalar e927 = e157 * e68 - e67 * e922 - e918;
-        const Scalar e928 = e785 * e85;
-        const Scalar e929 = sin_q_5 * e117;
-        const Scalar e930 = e16 * e65;
-        const Scalar e931 = e674 * (e36 * e19 - e48 * e40) - e88 * e884
-            - (e267 * e856 - cos_q_6 * e170 * e93 + (e20 * e674 * e921 + e761 * e930));
-        const Scalar e932 = e901 * e93 + e785 * e19 * e86 - (cos_q_4 * e914 + e57 * e156)
-            + (e85 * e773 + e861 * e879 - (e87 * e916 + e858 * e885));
-        const Scalar e933 = e931 - e932;
-        const Scalar e934 = e926 * e665 + e891;
-        const Scalar e935 = c_.k22 * e100;
-        const Scalar e936 = e750 - e756;
-        const Scalar e937 = c_.k22 * e760;
-        const Scalar e938 = c_.k21 * e936 + (c_.k21 * e210 - e937);
-        const Scalar e939 = c_.k22 * e749;
-        const Scalar e940 = e267 * e674 + e785 * e930;
-        const Scalar e941 = e48 * e674 + e928;
-        const Scalar e942 = dxdt[6] * e925 - dxdt[7] * e897 - (dxdt[8] * e894 + e912);
-        const Scalar e943 = dxdt[6] * e923 + dxdt[7] * e927 + (dxdt[8] * e919 + e906);
-        const Scalar e944 = c_.k86 * e16;
-        const Scalar e945 = dxdt[6] * e926 + dxdt[7] * e890 + (dxdt[8] * e887 + e911);
-        const Scalar e946 = e253 + e939;
-        const Scalar e947 = e38 - e32;
-        const Scalar e948 = e173 - e175 * e169;
-        const Scalar e949 = e948 + e859;
-        const Scalar e950 = e175 * e175 - e167 * e167;
-        const Scalar e951 = p_.c_z * e166 - e218 + e221 + e175 * e197;
-        const Scalar e952 = p_.c_x * e175;
-        const Scalar e953 = e175 * e952 - e169 * e194 - e209;
-        const Scalar e954 = e195 - e194;
-        const Scalar e955 = p_.c_x * e166 + e167 * e954;
-        const Scalar e956 = e6 * e19 * e303 - cos_q_5 * e913;
-        const Scalar e957 = c_.k22 * e20;
-        const Scalar e958 = e97 - e70;
-        const Scalar e959 = e98 - e958;
-        const Scalar e960 = e837 + c_.k21 * e793;
-        const Scalar e961 = e310 * e959 - e960;
-        const Scalar e962 = e69 - e70;
-        const Scalar e963 = e72 - e962;
-        const Scalar e964 = c_.k22 * e42;
-        const Scalar e965 = e426 - e857;
-        const Scalar e966 = e17 * e674 + e451;
-        const Scalar e967 = c_.k88 * e20 + e87;
-        const Scalar e968 = e48 * e137 - e761 * e967 + (e30 * e795 - e20 * e786 - (e950 * e93 + e285 * e274));
-        const Scalar e969 = e166 * e88 + e948 * e87 - (e30 * e965 + e20 * e966) - e968;
-        const Scalar e970 = dxdt[6] * e11;
-        const Scalar e971 = e970 - e794;
-        const Scalar e972 = c_.k22 * e77;
-        const Scalar e973 = c_.k87 * e20;
-        const Scalar e974 = e946 - e966;
-        const Scalar e975 = c_.k28 * dxdt[11] - c_.k88 * e970 - (e785 * e967 - e965);
-        const Scalar e976 = dxdt[6] * e947 + dxdt[7] * e963 + (dxdt[8] * e959 + e951);
-        const Scalar e977 = e10 * e116 - c_.k27 * sin_q_6 * e16;
-        const Scalar e978 = e133 * e57 - e3 * e131 - Scalar(2) * (cos_q_4 * e122 - q_4_dot * e57);
-        const Scalar e979 = q_4_dot * e52 + sin_q_4 * e122;
-        const Scalar e980 = e3 * e151 + Scalar(2) * e979 + e133 * e52;
-        const Scalar e981 = -c_.k63 * e355 - e356;
-        const Scalar e982 = c_.k63 * e358 - e359;
-        const Scalar e983 = cos_q_6 * e57 + sin_q_6 * e48;
-        const Scalar e984 = e9 * e122 - e57 * e162 - e48 * e160 - e52 * e203 + e406 - e6 * e473 - e119 * e167 + e983 * e169;
-        const Scalar e985 = e6 * e399 + e380;
-        const Scalar e986 = e48 * e162 + e985;
-        const Scalar e987 = sin_q_4 * e176;
-        const Scalar e988 = p_.d_3 * e340 + e987;
-        const Scalar e989 = p_.c_x * e983 - (sin_q_5 * e988 + e41);
-        const Scalar e990 = cos_q_4 * e176;
-        const Scalar e991 = p_.c_z * e48 + (p_.d_3 * e58 - e990);
-        const Scalar e992 = e924 - cos_q_5 * e988;
-        const Scalar e993 = p_.c_z * e57 + e992;
-        const Scalar e994 = p_.c_x * e119 + cos_q_6 * e991 - sin_q_6 * e993;
-        const Scalar e995 = e201 + q_4_dot * e26;
-        const Scalar e996 = p_.d_3 * e121;
-        const Scalar e997 = e162 * e991 - e992 * e160 + e988 * e203 + e20 * e995 + p_.c_z * e985 + e158 * e27 + e11 * e996
-            - e207;
-        const Scalar e998 = e983 * e198 - e119 * e195 + e167 * e989 - e169 * e994 + e997;
-        const Scalar e999 = cos_q_6 * e48 - sin_q_6 * e57;
-        const Scalar e1000 = sin_q_6 * e991 + cos_q_6 * e993;
-        const Scalar e1001 = e211 * e122 + e106 * e164 - e160 * e991 + e15 * e206 + e30 * e995 - e162 * e993 - e171 * e27
-            - e988 * e385 + e3 * e213 + e52 * e386 - e17 * e996 - e6 * e387;
-        const Scalar e1002 = e999 * e198 - e119 * e220 - e175 * e989 + e169 * e1000 + e1001;
-        const Scalar e1003 = e40 * e995 - e34 * e206 - e988 * e234 + e224 * e27 + p_.c_x * e986 - e36 * e996;
-        const Scalar e1004 = e999 * e195 - e983 * e220 + e1003 + e175 * e994 - e167 * e1000;
-        const Scalar e1005 = e7 * e122 - sin_q_5 * e164 + e3 * e234 - e6 * e468;
-        const Scalar e1006 = e34 * e122 - e6 * e554 + e397;
-        const Scalar e1007 = e1006 - e983 * e175 + e999 * e167;
-        const Scalar e1008 = e1006 + e1007;
-        const Scalar e1009 = p_.d_4 * e57 + c_.k60 * e340 + Scalar(5) * e987;
-        const Scalar e1010 = c_.k60 * e6;
-        const Scalar e1011 = cos_q_4 * e244 + Scalar(5) * sin_q_4 * e206 + e57 * e338 + c_.k60 * e624;
-        const Scalar e1012 = e133 * e1009 - e3 * e242 + e1011 + Scalar(5) * e192 * e52 + e151 * e1010;
-        const Scalar e1013 = c_.k60 * e58 - p_.d_4 * e52 - Scalar(5) * e990;
-        const Scalar e1014 = sin_q_4 * e244 - Scalar(5) * cos_q_4 * e206 - e52 * e338 + c_.k60 * e619;
-        const Scalar e1015 = e3 * e251 - e133 * e1013 - e1014 - Scalar(5) * e192 * e57 + e131 * e1010;
-        const Scalar e1016 = c_.k60 * e122 - e151 * e1013 - e131 * e1009 - e242 * e57 + e251 * e52;
-        const Scalar e1017 = cos_q_4 * e1015 + sin_q_4 * e1012;
-        const Scalar e1018 = e3 * e124;
-        const Scalar e1019 = c_.k23 * (cos_q_4 * e980 + sin_q_4 * e978) + (e986 * e88 + c_.k93 * e1018);
-        const Scalar e1020 = e1019 - (e1005 * e85 + e984 * e87 - (e979 * e114 - e93 * e1008));
-        const Scalar e1021 = e141 * e410;
-        const Scalar e1022 = p_.a_2 * q_3_dot;
-        const Scalar e1023 = q_1_dot * e40;
-        const Scalar e1024 = q_5_dot * e879 - q_6_dot * e20 + (q_1_dot * e31 - q_4_dot * e15);
-        const Scalar e1025 = p_.c_x * e1024;
-        const Scalar e1026 = e896 + e67 * e7;
-        const Scalar e1027 = e71 - sin_q_6 * e1026 - e67 * e14;
-        const Scalar e1028 = e73 - cos_q_6 * e1026 + e67 * e8;
-        const Scalar e1029 = e30 * e220 + e20 * e195;
-        const Scalar e1030 = e68 * e224 - e67 * e554 - e36 * e179 + e1022 * e742 + e304 * e1023 - e1025;
-        const Scalar e1031 = e1030 + e1027 * e175 + e1028 * e167 + e1029;
-        const Scalar e1032 = e76 - (e67 * e34 - e75);
-        const Scalar e1033 = cos_q_4 * e203 + sin_q_4 * e162;
-        const Scalar e1034 = q_1_dot * e20;
-        const Scalar e1035 = p_.c_z * e1024;
-        const Scalar e1036 = e30 * e198 + e195 * e40;
-        const Scalar e1037 = e68 * e158 - e67 * (e1033 + e473) - e1026 * e160 + e11 * e179 + e1022 * e745 + e304 * e1034
-            - e1035;
-        const Scalar e1038 = e1032 * e167 - e1037 + e1027 * e169 + e1036;
-        const Scalar e1039 = e132 + q_4_dot;
-        const Scalar e1040 = q_6_dot * e73 + (q_5_dot * e886 + e211 * e1039);
-        const Scalar e1041 = e20 * e198 - e220 * e40;
-        const Scalar e1042 = e1026 * e162 + e67 * e399 + e68 * e171 + e17 * e179 + e1022 * e747 - q_1_dot * e316 - e1040;
-        const Scalar e1043 = e1042 - e1032 * e175 + e1028 * e169 - e1041;
-        const Scalar e1044 = sin_q_3 * e1022 - e3 * e179;
-        const Scalar e1045 = Scalar(6) * e1044 - e121 * e81 + e238;
-        const Scalar e1046 = q_4_dot * e67 + (Scalar(1) / Scalar(5)) * e338;
-        const Scalar e1047 = q_3_dot * cos_q_3;
-        const Scalar e1048 = p_.d_4 + Scalar(5) * e67;
-        const Scalar e1049 = e1048 * e133;
-        const Scalar e1050 = Scalar(5) * (sin_q_4 * e192);
-        const Scalar e1051 = Scalar(5) * cos_q_4 * e1046 - e177 * e361 + e6 * e732 + e56 * e1047 - Scalar(5) * e68 * e151
-            + cos_q_4 * e1049 - e1050;
-        const Scalar e1052 = Scalar(5) * (cos_q_4 * e192);
-        const Scalar e1053 = Scalar(5) * e68 * e131 - (e186 * e361 - Scalar(5) * sin_q_4 * e1046 + e6 * e736 + e50 * e1047)
-            + e1052 + sin_q_4 * e1049;
-        const Scalar e1054 = cos_q_4 * e131 + sin_q_4 * e151;
-        const Scalar e1055 = cos_q_4 * e242 + sin_q_4 * e251;
-        const Scalar e1056 = e1048 * e1054 - Scalar(5) * e1044 + e1055;
-        const Scalar e1057 = e7 * e1039 - q_5_dot * e40 - sin_q_5 * e124;
-        const Scalar e1058 = e1039 * e65;
-        const Scalar e1059 = e30 * e169 - (q_6_dot * e30 + e9 * e1039 - q_5_dot * e885 - e10 * e124) + e167 * e40;
-        const Scalar e1060 = -e1024;
-        const Scalar e1061 = q_5_dot * e19 + e34 * e1039 + cos_q_5 * e124;
-        const Scalar e1062 = e1061 + e30 * e175 + e20 * e167;
-        const Scalar e1063 = e1061 + e1062;
-        const Scalar e1064 = e1057 * e49 + (c_.k23 * (Scalar(2) * e1039 + e133) * e6 + c_.k97 * e1018);
-        const Scalar e1065 = e1064 + (e57 * e1058 - e1059 * e12 + (e1060 * e18 - e117 * e1063));
-        const Scalar e1066 = e121 * e68 - (e6 * e179 + cos_q_3 * e1022) + e254;
-        const Scalar e1067 = c_.k98 * e3;
-        const Scalar e1068 = cos_q_4 * e1053 - sin_q_4 * e1051;
-        const Scalar e1069 = e1057 * e85 - e1059 * e87 + (e93 * e1063 - (e1060 * e88 + cos_q_4 * e1058));
-        const Scalar e1070 = p_.k_d + e1069;
-        const Scalar e1071 = c_.k48 * e81;
-        const Scalar e1072 = e1057 * e108 + e1060 * e293 - (e1059 * e294 + (c_.k23 * e124 + e118 * e1063));
-        const Scalar e1073 = e1059 * e301 + (e1060 * e300 + e1058);
-        const Scalar e1074 = p_.J_5 * e1062;
-        const Scalar e1075 = e71 - sin_q_6 * e892 + p_.d_4 * e14;
-        const Scalar e1076 = cos_q_6 * e892 - e73 + p_.d_4 * e8;
-        const Scalar e1077 = e190 * e34 - e709 + p_.d_4 * e554 + p_.a_3 * e224 + e200 * e1023 - e1025;
-        const Scalar e1078 = e1077 + e1075 * e175 - e1076 * e167 + e1029;
-        const Scalar e1079 = e99 + e76;
-        const Scalar e1080 = p_.a_3 * e158 - e892 * e160 + e20 * e338 + p_.d_4 * e1033 + e204 + e200 * e1034 - e1035;
-        const Scalar e1081 = e1075 * e169 - e1080 + e1079 * e167 + e1036;
-        const Scalar e1082 = p_.d_4 * e399 - e15 * e190 - e16 * e182 - e892 * e162 - p_.a_3 * e171 + q_1_dot * e701 + e1040;
-        const Scalar e1083 = -e1082 - e1076 * e169 - e1079 * e175 - e1041;
-        const Scalar e1084 = Scalar(6) * e182 - e238 + e183;
-        const Scalar e1085 = c_.k59 * e133;
-        const Scalar e1086 = e243 * e177 - Scalar(5) * sin_q_4 * e189 - e4 * e732 + c_.k59 * e247 + c_.k61 * e151 + cos_q_4
-            * e1085 + e1050;
-        const Scalar e1087 = c_.k61 * e131 - (e243 * e186 + Scalar(5) * cos_q_4 * e189 + e4 * e736 + c_.k59 * e249) - sin_q_4
-            * e1085 + e1052;
-        const Scalar e1088 = c_.k59 * e1054 - Scalar(5) * e182 - e1055;
-        const Scalar e1089 = e254 - e190 + e191;
-        const Scalar e1090 = cos_q_4 * e1087 + sin_q_4 * e1086;
-        const Scalar e1091 = q_6_dot * e16;
-        const Scalar e1092 = cos_q_5 * e167 - (e121 * e9 - e20 * e124 - e158 + e1091) + e169 * e16;
-        const Scalar e1093 = e131 - q_5_dot;
-        const Scalar e1094 = e171 + (q_6_dot * e10 - e121 * e15);
-        const Scalar e1095 = e30 * e124 - e1094;
-        const Scalar e1096 = q_1_dot * e176;
-        const Scalar e1097 = e198 + e197;
-        const Scalar e1098 = cos_q_5 * e195 + e106 * e169 - (e184 * e20 + e124 * e73 - p_.c_z * e1094 - e9 * e1096) + e16
-            * e1097;
-        const Scalar e1099 = e952 - p_.c_z * e169;
-        const Scalar e1100 = e184 * e30 + e121 * e211 - e124 * e71 - e213 + e15 * e1096 + p_.c_z * e1091;
-        const Scalar e1101 = e1100 - cos_q_5 * e220 - e198 * e10 + e16 * e1099;
-        const Scalar e1102 = e219 + e220;
-        const Scalar e1103 = e106 * e175 + (e184 * e40 + e124 * e76 - p_.c_x * e1094 - e34 * e1096) - e195 * e10 + e16 * e1102;
-        const Scalar e1104 = cos_q_6 * e167 - sin_q_6 * e175 - e1093;
-        const Scalar e1105 = sin_q_5 * e1104;
-        const Scalar e1106 = c_.k23 * e131;
-        const Scalar e1107 = c_.k100 * e151;
-        const Scalar e1108 = e1093 * e65 - e1092 * e87 + (sin_q_4 * e1106 - cos_q_4 * e1107 - (e1095 * e88 + e93 * e1105));
-        const Scalar e1109 = sin_q_6 * e198 + (e151 * e106 - e188 * e16 - e192 * e13 + e133 * e212 + p_.c_z * e162) + cos_q_6
-            * e1099;
-        const Scalar e1110 = e160 - (e151 * e16 - e133 * e13);
-        const Scalar e1111 = cos_q_6 * e1097 - (e188 * e10 + e192 * e157 + p_.c_z * e1110) + e169 * e798;
-        const Scalar e1112 = sin_q_6 * e195 + (p_.c_x * e1110 - e193) + cos_q_6 * e1102 + e175 * e798;
-        const Scalar e1113 = cos_q_6 * e175 + sin_q_6 * e167 + e159;
-        const Scalar e1114 = e159 + e1113;
-        const Scalar e1115 = q_6_dot + e168;
-        const Scalar e1116 = cos_q_6 * (e1115 - e169);
-        const Scalar e1117 = sin_q_6 * e1115;
-        const Scalar e1118 = e87 * e1116 - e88 * e1117 + (e168 * e85 + e93 * e1114);
-        const Scalar e1119 = e175 + e175;
-        const Scalar e1120 = e174 + e954;
-        const Scalar e1121 = e175 * e88;
-        const Scalar e1122 = c_.k88 * e1119;
+        dxdt[6] = q_1_ddot;
+        dxdt[7] = q_2_ddot;
+        dxdt[8] = q_3_ddot;
+        dxdt[9] = q_4_ddot;
+        dxdt[10] = q_5_ddot;
+        dxdt[11] = q_6_ddot;
+        const Scalar e415 = e405 + q_6_ddot;
+        const Scalar e416 = c_.k86 * e413 - c_.k28 * e415 - c_.k21 * e414 + e43;
+        const Scalar e417 = cos_q_6 * e416;
+        const Scalar e418 = -sin_q_6 * e404 - cos_q_6 * e411 - e64;
+        const Scalar e419 = cos_q_6 * e408;
+        const Scalar e420 = sin_q_6 * e399;
+        const Scalar e421 = e419 + e420 - e65;
+        const Scalar e422 = c_.k87 * e418 + c_.k21 * e421 - c_.k22 * e409 + e63;
+        const Scalar e423 = sin_q_6 * e422;
+        const Scalar e424 = p_.J_5 * e404 + (e417 - e423);
+        const Scalar e425 = p_.J_5 * e405 + (c_.k27 * e415 - c_.k28 * e413 + c_.k22 * e414 + e47);
+        const Scalar e426 = cos_q_5 * e424 - sin_q_5 * e425;
+        const Scalar e427 = c_.k83 * e389 + c_.k84 * e399 + e26 + e426;
+        const Scalar e428 = cos_q_4 * e427;
+        const Scalar e429 = -sin_q_6 * e416 - cos_q_6 * e422;
+        const Scalar e430 = c_.k83 * e391 - c_.k84 * e397 + e133 - (p_.J_5 * e411 + e429);
+        const Scalar e431 = sin_q_4 * e430;
+        const Scalar e432 = c_.k21 * e418 + p_.m_6 * e421 + e157;
+        const Scalar e433 = cos_q_6 * e432;
+        const Scalar e434 = c_.k22 * e415 - c_.k21 * e413 + p_.m_6 * e414 + e159;
+        const Scalar e435 = sin_q_6 * e434;
+        const Scalar e436 = e433 - e435;
+        const Scalar e437 = p_.m_6 * e409 - c_.k22 * e418 + e172;
+        const Scalar e438 = cos_q_5 * e436 - sin_q_5 * e437;
+        const Scalar e439 = p_.m_4 * e397 - c_.k84 * e391 + e148 + e438;
+        const Scalar e440 = e143 * e439;
+        const Scalar e441 = -sin_q_6 * e432 - cos_q_6 * e434;
+        const Scalar e442 = c_.k84 * e389 + p_.m_4 * e399 + e190 - e441;
+        const Scalar e443 = e186 * e442;
+        const Scalar e444 = c_.k74 * e374 + c_.k75 * e376 + c_.k76 * e385 + e14 + (e428 - e431 - e440 - e443);
+        const Scalar e445 = sin_q_3 * e444;
+        const Scalar e446 = sin_q_5 * e424;
+        const Scalar e447 = cos_q_5 * e425;
+        const Scalar e448 = c_.k75 * e374 + c_.k77 * e376 + c_.k78 * e385 + e263
+            + (c_.k23 * e402 + (e446 + e447) + e241 * e439 + e242 * e442);
+        const Scalar e449 = cos_q_3 * e448;
+        const Scalar e450 = cos_q_4 * e439;
+        const Scalar e451 = sin_q_4 * e442;
+        const Scalar e452 = c_.k76 * e387 + p_.m_3 * e382 + e280 + (e450 - e451);
+        const Scalar e453 = e289 * e452;
+        const Scalar e454 = sin_q_5 * e436;
+        const Scalar e455 = cos_q_5 * e437;
+        const Scalar e456 = c_.k78 * e387 + p_.m_3 * e384 + e293 + (p_.m_4 * e400 + e231 + (e454 + e455));
+        const Scalar e457 = e271 * e456;
+        const Scalar e458 = -sin_q_4 * e439 - cos_q_4 * e442;
+        const Scalar e459 = cos_q_3 * e444 - sin_q_3 * e448 - e271 * e452 - e289 * e456;
+        const Scalar e460 = p_.a_2 * (-c_.k76 * e374 - c_.k78 * e376 - p_.m_3 * e385 + e342 + e458);
+        const Scalar e461 = c_.k69 * e367 - c_.k68 * e369 + e341 + (e445 + e449 + e453 - e457 - e460);
+        const Scalar e462 = cos_q_2 * (c_.k67 * e365 - c_.k9 * q_2_ddot + c_.k68 * e371 - e299 + e459);
+        const Scalar e463 = sin_q_2 * e461 - e462;
+        const Scalar e464 = c_.k9 * e3;
+        const Scalar e465 = c_.k72 * e3;
+        const Scalar e466 = e457 - e445 - e449 - e453;
+        const Scalar e467 = c_.k75 * e11;
+        const Scalar e468 = -e467 - e227;
+        const Scalar e469 = c_.k80 * e11 + c_.k76 * e9;
+        const Scalar e470 = e143 * e442 - sin_q_4 * e427 - cos_q_4 * e430 - e186 * e439;
+        const Scalar e471 = c_.k85 * e15;
+        const Scalar e472 = c_.k84 * e15;
+        const Scalar e473 = -e446 - e447;
+        const Scalar e474 = c_.k28 * e40;
+        const Scalar e475 = e60 - e474;
+        const Scalar e476 = -c_.k86 * e40 - c_.k21 * e37;
+        const Scalar e477 = c_.k27 * e40 - c_.k22 * e31;
+        const Scalar e478 = e474 + e61;
+        const Scalar e479 = q_6_dot * sin_q_6;
+        const Scalar e480 = q_6_dot * cos_q_6;
+        const Scalar e481 = e65 + (-e419 - e420);
+        const Scalar e482 = c_.k102 * e29 - c_.k22 * e56 - e54;
+        const Scalar e483 = -c_.k88 * e29 - c_.k102 * e33 - c_.k21 * e56;
+        const Scalar e484 = e50 + (e412 - e410);
+        const Scalar e485 = e423 - e417;
+        const Scalar e486 = q_5_dot * cos_q_5;
+        const Scalar e487 = q_5_dot * sin_q_5;
+        const Scalar e488 = e76 + (-e401 - e403);
+        const Scalar e489 = e87 + (-e406 - e407);
+        const Scalar e490 = e115 + e390;
+        const Scalar e491 = e117 + (e388 - e386);
+        const Scalar e492 = p_.a_3 * e114;
+        const Scalar e493 = p_.d_4 * e114;
+        const Scalar e494 = p_.d_4 * e113;
+        const Scalar e495 = e130 + e398;
+        const Scalar e496 = p_.a_3 * e113;
+        const Scalar e497 = e393 - e392 + e394 - e395 - e396 - e124;
+        const Scalar e498 = p_.m_4 * e15;
+        const Scalar e499 = p_.m_4 * e21;
+        const Scalar e500 = -e454 - e455;
+        const Scalar e501 = e155 - c_.k92 * e40;
+        const Scalar e502 = e149 - c_.k92 * e33 - e151;
+        const Scalar e503 = p_.m_6 * e33;
+        const Scalar e504 = p_.m_6 * e40;
+        const Scalar e505 = p_.m_6 * e29;
+        const Scalar e506 = e152 - c_.k94 * e29;
+        const Scalar e507 = -c_.k94 * e40 - e170;
+        const Scalar e508 = p_.m_4 * e23;
+        const Scalar e509 = e435 - e433;
+        const Scalar e510 = c_.k98 * e4 - c_.k78 * e17 + e223;
+        const Scalar e511 = c_.k82 * e4 - c_.k98 * e8 + c_.k76 * e17;
+        const Scalar e512 = e431 - e428 + e440 + e443;
+        const Scalar e513 = c_.k101 * e23 + e146;
+        const Scalar e514 = c_.k101 * e21 - e188;
+        const Scalar e515 = e251 + e375;
+        const Scalar e516 = e253 + (-e372 - e373);
+        const Scalar e517 = p_.d_3 * e249;
+        const Scalar e518 = p_.d_3 * e250;
+        const Scalar e519 = p_.a_2 * e249;
+        const Scalar e520 = e259 + e383;
+        const Scalar e521 = p_.a_2 * e250;
+        const Scalar e522 = e256 + (e378 - e377 - e379 + e380 + e381);
+        const Scalar e523 = -c_.k81 * e11 - c_.k78 * e7;
+        const Scalar e524 = e467 + e228;
+        const Scalar e525 = e242 * e439 - e241 * e442;
+        const Scalar e526 = e276 - c_.k100 * e8 - e278;
+        const Scalar e527 = -c_.k100 * e11 - e273;
+        const Scalar e528 = p_.m_3 * e11;
+        const Scalar e529 = p_.m_3 * e8;
+        const Scalar e530 = c_.k99 * e4 + e277;
+        const Scalar e531 = c_.k99 * e11 + e291;
+        const Scalar e532 = p_.m_3 * e4;
+        const Scalar e533 = c_.k3 * e3;
+        const Scalar e534 = e308 * e452 - e305 * e456;
+        const Scalar e535 = -e339 - e366;
+        const Scalar e536 = q_2_dot * cos_q_2;
+        const Scalar e537 = q_2_dot * sin_q_2;
+        const Scalar e538 = e327 + e364;
+        const Scalar e539 = c_.k95 * e1 - e340;
+        const Scalar e540 = -c_.k73 * e1 - c_.k95 * q_2_dot;
+        const Scalar e541 = e451 - e450;
+        Scalar unit[23]{};  // one in its middle
+        unit[11] = Scalar(1);
+        Scalar solved[6][12];
+        for (std::size_t c = 0; c < 12; ++c) {
+            const Scalar in_column_0 = unit[c + 11];
+            const Scalar in_column_6 = unit[c + 5];
+            const Scalar in_column_1 = unit[c + 10];
+            const Scalar e542 = -sin_q_2 * in_column_6 - e2 * in_column_1;
+            const Scalar e543 = -cos_q_2 * in_column_6 - e1 * in_column_1;
+            const Scalar in_column_7 = unit[c + 4];
+            const Scalar in_column_2 = unit[c + 9];
+            const Scalar e544 = cos_q_3 * e542 + sin_q_3 * e543 + e8 * in_column_2;
+            const Scalar e545 = cos_q_3 * e543 - sin_q_3 * e542 - e4 * in_column_2;
+            const Scalar in_column_8 = unit[c + 3];
+            const Scalar e546 = in_column_7 + in_column_8;
+            const Scalar e547 = e289 * e543 - e271 * e542 + e305 * in_column_7 + e7 * in_column_2;
+            const Scalar e548 = -e289 * e542 - e271 * e543 + e308 * in_column_7 - e9 * in_column_2;
+            const Scalar in_column_3 = unit[c + 8];
+            const Scalar e549 = cos_q_4 * e544 - sin_q_4 * e546 + e21 * in_column_3;
+            const Scalar e550 = -sin_q_4 * e544 - cos_q_4 * e546 - e23 * in_column_3;
+            const Scalar in_column_9 = unit[c + 2];
+            const Scalar e551 = e545 + in_column_9;
+            const Scalar e552 = p_.a_2 * e543;
+            const Scalar e553 = e241 * e545 - e143 * e544 - e186 * e546 + cos_q_4 * e547 + sin_q_4 * e552;
+            const Scalar e554 = e553 + e35 * in_column_3;
+            const Scalar e555 = p_.a_3 * e546 + e548;
+            const Scalar in_column_4 = unit[c + 7];
+            const Scalar in_column_5 = unit[c + 6];
+            const Scalar e556 = cos_q_5 * e549 + sin_q_5 * e551 - e32 * in_column_4;
+            const Scalar in_column_10 = unit[c + 1];
+            const Scalar e557 = in_column_10 - e550;
+            const Scalar e558 = cos_q_6 * e556 - sin_q_6 * e557 - e39 * in_column_5;
+            const Scalar e559 = -sin_q_6 * e556 - cos_q_6 * e557 - e29 * in_column_5;
+            const Scalar in_column_11 = unit[c + 0];
+            const Scalar e560 = cos_q_5 * e551 - sin_q_5 * e549 - e27 * in_column_4 + in_column_11;
+            const Scalar e561 = cos_q_5 * e554 + sin_q_5 * e555 - e30 * in_column_4;
+            const Scalar e562 = e242 * e545 - e186 * e544 + e143 * e546 - sin_q_4 * e547 + cos_q_4 * e552;
+            const Scalar e563 = e562 + e19 * in_column_3;
+            const Scalar e564 = cos_q_6 * e561 + sin_q_6 * e563 - e55 * in_column_5;
+            const Scalar e565 = cos_q_5 * e555 - sin_q_5 * e554 - e34 * in_column_4;
+            const Scalar e566 = e477 * e558 + e46 * e559 + e478 * e560 + e150 * e564 - e58 * e565;
+            const Scalar e567 = -c_.k55 * in_column_5 - c_.k56 * in_column_11 - e566;
+            const Scalar e568 = -e479 * e556 - e480 * e557 + e418 * in_column_5 - e39 * in_column_11;
+            const Scalar e569 = -e480 * e561 - e479 * e563 + e481 * in_column_5 - e37 * in_column_11;
+            const Scalar e570 = e475 * e558 - e42 * e559 + e476 * e560 - e57 * e564 + e149 * e565 - e44 * e567;
+            const Scalar e571 = e570 + (e49 * e568 + e51 * e569);
+            const Scalar e572 = cos_q_6 * e563 - sin_q_6 * e561 - e37 * in_column_5;
+            const Scalar e573 = e479 * e557 - e480 * e556 + e484 * in_column_5 - e29 * in_column_11;
+            const Scalar e574 = e480 * e563 - e479 * e561 + e414 * in_column_5 - e55 * in_column_11;
+            const Scalar e575 = e482 * e558 + e62 * e559 + e483 * e560 + e154 * e564 - e59 * e572 + e169 * e565;
+            const Scalar e576 = e575 + (c_.k87 * e573 + c_.k21 * e574);
+            const Scalar e577 = e485 * in_column_5 + (-sin_q_6 * e571 - cos_q_6 * e576);
+            const Scalar e578 = -c_.k55 * in_column_4 - c_.k56 * in_column_10 - e577;
+            const Scalar e579 = e486 * e551 - e487 * e549 + e405 * in_column_4 - e32 * in_column_10;
+            const Scalar e580 = -e486 * e549 - e487 * e551 + e488 * in_column_4 - e27 * in_column_10;
+            const Scalar e581 = e486 * e555 - e487 * e554 + e409 * in_column_4 - e30 * in_column_10;
+            const Scalar e582 = -e486 * e554 - e487 * e555 + e489 * in_column_4 - e34 * in_column_10;
+            const Scalar e583 = e429 * in_column_5 + (cos_q_6 * e571 - sin_q_6 * e576) + e72 * e578
+                + (e75 * e579 + e79 * e580 + e86 * e581 + e89 * e582);
+            const Scalar e584 = e566 + e92 * e567 + (e77 * e568 + e93 * e569) - e94 * e578
+                + (e79 * e579 + e95 * e580 + e96 * e581 + e97 * e582);
+            const Scalar e585 = e426 * in_column_4 + (sin_q_5 * e583 + cos_q_5 * e584);
+            const Scalar e586 = -c_.k55 * in_column_3 - c_.k56 * in_column_9 - e585;
+            const Scalar e587 = -e113 * e544 - e114 * e546 + e490 * in_column_3 + e21 * in_column_9;
+            const Scalar e588 = e113 * e546 - e114 * e544 + e491 * in_column_3 - e23 * in_column_9;
+            const Scalar e589 = e492 * e545 - e493 * e544 + e494 * e546 - e113 * e547 + e114 * e552 + e495 * in_column_3;
+            const Scalar e590 = e589 + e35 * in_column_9;
+            const Scalar e591 = e494 * e544 - e496 * e545 + e493 * e546 - e114 * e547 - e113 * e552 + e497 * in_column_3;
+            const Scalar e592 = e591 + e19 * in_column_9;
+            const Scalar e593 = -e25 * e549 - e471 * e550 + e22 * e551 + e472 * e554 - e145 * e555 + e473 * in_column_4;
+            const Scalar e594 = e593 + (cos_q_5 * e583 - sin_q_5 * e584) + e106 * e586
+                + (e116 * e587 + e112 * e588 + e123 * e590 + e129 * e592);
+            const Scalar e595 = e577 + e134 * e578 + (e109 * e579 + e110 * e580 + e135 * e581 + e136 * e582);
+            const Scalar e596 = e471 * e549 - e25 * e550 + e132 * e551 + e472 * e563 - e187 * e555 - e595;
+            const Scalar e597 = e596 + e137 * e586 + (e112 * e587 + e138 * e588 + e139 * e590 + e140 * e592);
+            const Scalar e598 = e57 * e558 + e501 * e559 + e502 * e560 - e503 * e572 + e504 * e565
+                + (c_.k21 * e573 + p_.m_6 * e574);
+            const Scalar e599 = e156 * e558 + e59 * e559 + e171 * e560 + e503 * e564 - e505 * e565 + e160 * e567;
+            const Scalar e600 = e599 + (e51 * e568 + e161 * e569);
+            const Scalar e601 = e441 * in_column_5 + (cos_q_6 * e598 - sin_q_6 * e600) + e163 * e578
+                + (e86 * e579 + e96 * e580 + e167 * e581 - e164 * e582);
+            const Scalar e602 = e506 * e558 + e507 * e559 + e58 * e560 - e504 * e564 + e505 * e572 - c_.k22 * e573;
+            const Scalar e603 = e602 + e173 * e578 + (e89 * e579 + e97 * e580 - e164 * e581 + e174 * e582);
+            const Scalar e604 = e144 * e550 - e472 * e549 - e147 * e551 - e498 * e563 + e499 * e555 + e500 * in_column_4;
+            const Scalar e605 = e604 + (cos_q_5 * e601 - sin_q_5 * e603) + e176 * e586
+                + (e123 * e587 + e139 * e588 + e181 * e590 + e184 * e592);
+            const Scalar e606 = e509 * in_column_5 + (-sin_q_6 * e598 - cos_q_6 * e600) + e191 * e578
+                + (e126 * e579 + e127 * e580 + e182 * e581 - e183 * e582);
+            const Scalar e607 = -e144 * e549 - e472 * e550 - e189 * e551 + e498 * e554 - e508 * e555 - e606;
+            const Scalar e608 = e607 - e192 * e586 + (e129 * e587 + e140 * e588 + e184 * e590 + e194 * e592);
+            const Scalar e609 = e513 * e549 + e514 * e550 - e499 * e554 + e508 * e563 + e438 * in_column_4;
+            const Scalar e610 = e609 + (sin_q_5 * e601 + cos_q_5 * e603) + e214 * e586
+                + (e206 * e587 + e207 * e588 + e208 * e590 + e209 * e592);
+            const Scalar e611 = e510 * e544 + e511 * e545 - e229 * e546 + e272 * e547 - e290 * e548 - e226 * e552;
+            const Scalar e612 = e143 * e608 - sin_q_4 * e594 - cos_q_4 * e597 - e186 * e605 + p_.a_3 * e610;
+            const Scalar e613 = e611 + e512 * in_column_3 + e612;
+            const Scalar e614 = -p_.k_p * in_column_2 - p_.k_d * in_column_8 - e613;
+            const Scalar e615 = e249 * e543 - e250 * e542 + e515 * in_column_2 + e8 * in_column_8;
+            const Scalar e616 = -e249 * e542 - e250 * e543 + e516 * in_column_2 - e4 * in_column_8;
+            const Scalar e617 = -e517 * e542 - e518 * e543 + e519 * in_column_7 + e520 * in_column_2 + e7 * in_column_8;
+            const Scalar e618 = e518 * e542 - e517 * e543 - e521 * in_column_7 + e522 * in_column_2 - e9 * in_column_8;
+            const Scalar e619 = e468 * e544 + e469 * e545 - e13 * e546 + e224 * e547 - e278 * e548 + e470 * in_column_3;
+            const Scalar e620 = e619 + (cos_q_4 * e594 - sin_q_4 * e597 - e143 * e605 - e186 * e608) + e222 * e614;
+            const Scalar e621 = e620 + (e252 * e615 + e248 * e616 + e255 * e617 + e258 * e618);
+            const Scalar e622 = e523 * e544 + e524 * e545 + e262 * e546 + e275 * e547 - e225 * e548 + e525 * in_column_3;
+            const Scalar e623 = e585 + e238 * e586 + (e236 * e587 + e237 * e588 + e239 * e590 + e240 * e592);
+            const Scalar e624 = e622 + (e623 + e241 * e605 + e242 * e608) + e264 * e614
+                + (e248 * e615 + e266 * e616 + e267 * e617 + e268 * e618);
+            const Scalar e625 = e526 * e545 - e224 * e544 + e527 * e546 - e528 * e548 - e529 * e552 + e458 * in_column_3;
+            const Scalar e626 = e625 + (cos_q_4 * e605 - sin_q_4 * e608) + e281 * e614
+                + (e255 * e615 + e267 * e616 + e286 * e617 + e287 * e618);
+            const Scalar e627 = e530 * e544 + e225 * e545 + e531 * e546 + e528 * e547 + e532 * e552 + e610;
+            const Scalar e628 = e627 + e294 * e614 + (e258 * e615 + e268 * e616 + e287 * e617 + e295 * e618);
+            const Scalar e629 = e613 + e302 * e614 + (e300 * e615 + e301 * e616 + e303 * e617 + e304 * e618);
+            const Scalar e630 = e533 * e542 + e319 * e543 + e464 * in_column_7 + e534 * in_column_2
+                + (e629 + e305 * e626 + e308 * e628);
+            const Scalar e631 = -p_.k_p * in_column_1 - p_.k_d * in_column_7 - e630;
+            const Scalar e632 = e535 * in_column_1 - e536 * in_column_6 - e2 * in_column_7;
+            const Scalar e633 = e537 * in_column_6 + e538 * in_column_1 - e1 * in_column_7;
+            const Scalar e634 = e371 * in_column_1;
+            const Scalar e635 = e369 * in_column_1;
+            const Scalar e636 = -e464 * e542 - e298 * e543 - e465 * in_column_7 + e466 * in_column_2
+                + (cos_q_3 * e621 - sin_q_3 * e624 - e271 * e626 - e289 * e628);
+            const Scalar e637 = e636 + e317 * e631 + (e326 * e632 + e338 * e633 - e353 * e634 + e356 * e635);
+            const Scalar e638 = e274 * e544 - e292 * e545 - e226 * e546 - e529 * e547 + e532 * e548 + e541 * in_column_3;
+            const Scalar e639 = e638 + (-sin_q_4 * e605 - cos_q_4 * e608) + e343 * e614
+                + (e329 * e615 + e330 * e616 + e331 * e617 + e332 * e618);
+            const Scalar e640 = sin_q_3 * e621 + cos_q_3 * e624 + e289 * e626 - e271 * e628 - p_.a_2 * e639;
+            const Scalar e641 = e539 * e542 + e540 * in_column_7 + e459 * in_column_2 + e640 + e344 * e631;
+            const Scalar e642 = cos_q_2 * (e641 + (e338 * e632 + e349 * e633 - e354 * e634 + e357 * e635));
+            const Scalar e643 = -p_.k_p * in_column_0 - p_.k_d * in_column_6 - (e463 * in_column_1 + (-sin_q_2 * e637 - e642));
+            const Scalar e644 = e643 * inverse_351;
+            const Scalar e645 = e632 - sin_q_2 * e644;
+            const Scalar e646 = e633 - cos_q_2 * e644;
+            const Scalar e647 = e631 * inverse_316 - e317 * e645 - e344 * e646 + e368 * e634 - e370 * e635;
+            const Scalar e648 = cos_q_3 * e645 + sin_q_3 * e646 + e615;
+            const Scalar e649 = cos_q_3 * e646 - sin_q_3 * e645 + e616;
+            const Scalar e650 = e289 * e646 - e271 * e645 + e305 * e647 - cos_q_3 * e634 + sin_q_3 * e635;
+            const Scalar e651 = e650 + e617;
+            const Scalar e652 = e308 * e647 - e289 * e645 - e271 * e646 + sin_q_3 * e634 + cos_q_3 * e635;
+            const Scalar e653 = e652 + e618;
+            const Scalar e654 = p_.a_2 * e646;
+            const Scalar e655 = e614 * inverse_221 - e222 * e648 - e264 * e649 - e302 * e647 - e281 * e651 - e294 * e653 + e343
+                * e654;
+            const Scalar e656 = e647 + e655;
+            const Scalar e657 = cos_q_4 * e648 - sin_q_4 * e656 + e587;
+            const Scalar e658 = -sin_q_4 * e648 - cos_q_4 * e656 + e588;
+            const Scalar e659 = e241 * e649 - e143 * e648 - e186 * e656 + cos_q_4 * e651 + sin_q_4 * e654;
+            const Scalar e660 = e659 + e590;
+            const Scalar e661 = e242 * e649 - e186 * e648 + e143 * e656 - sin_q_4 * e651 + cos_q_4 * e654;
+            const Scalar e662 = e661 + e592;
+            const Scalar e663 = p_.a_3 * e656 + e653;
+            const Scalar e664 = e586 * inverse_105 - e106 * e657 - e137 * e658 - e238 * e649 - e176 * e660 + e192 * e662 - e214
+                * e663;
+            const Scalar e665 = e649 + e664;
+            const Scalar e666 = cos_q_5 * e657 + sin_q_5 * e665 + e579;
+            const Scalar e667 = cos_q_5 * e665 - sin_q_5 * e657 + e580;
+            const Scalar e668 = cos_q_5 * e660 + sin_q_5 * e663 + e581;
+            const Scalar e669 = e578 * inverse_71 - e72 * e666 + e94 * e667 + e134 * e658 - e163 * e668 - e173
+                * (cos_q_5 * e663 - sin_q_5 * e660 + e582) + e191 * e662;
+            solved[0][c] = e644;
+            solved[1][c] = e647;
+            solved[2][c] = e655;
+            solved[3][c] = e664;
+            solved[4][c] = e669;
+            solved[5][c] = e567 * c_.k89 + e44 * (cos_q_6 * e666 - sin_q_6 * (e669 - e658) + e568) - e92 * e667 - e160
+                * (cos_q_6 * e662 - sin_q_6 * e668 + e569);
+        }
+        constexpr std::array<std::size_t, 12> starts{6, 18, 30, 42, 54, 66, 78, 90, 102, 114, 126, 138};
+        for (std::size_t c = 0; c < 12; ++c)
+            for (std::size_t j = 0; j < 6; ++j) J[starts[c] + j] = solved[j][c];
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = -p_.k_p;
-        J[7] = Scalar(0);
-        J[8] = Scalar(0);
-        J[9] = Scalar(0);
-        J[10] = Scalar(0);
-        J[11] = Scalar(0);
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = Scalar(0);
-        J[18] = e306 * e314 - e318 * e325 - e327 * e333 + q_1_dot * (e342 * e55 - e349 * e61 - e352 * e353) + c_.k39 * sin_q_2
-            * (e228 + e229 - e227) + c_.k11 * (e357 * e124 - e360 * e132) - e362 * e364 - e365 * e366 + e141
-            * (c_.k29 * e339 + e367 * e368) - e142 * (e144 + e149) + e369 * e370 - e371 * e370 - c_.k9 * dxdt[7] * cos_q_2
-            + c_.k41 * e372 * e124 + e39 * e393 + (c_.k66 * e339 + e394 + e395) * e260 + e43 * e405 + e29 * e409 + e410 * e411
-            + sin_q_2 * e270 + e412 + e84 * e142_squared - e413 + e414 - e416 - e418 - e420 + e422 + e423 - e424 - e427 - e429
-            + e430 + e433 + e435 - e437 - e438 - e439 + e441 + e442 + e444 - e445 + e447 - e448 - e449 - e452 + e454 + e455
-            - e456 + e457 - e458 + e459 - e460 + e461 - e462 - e463 - e464 - e465 - e466 - e467 + e470 + e472 + e476 - e478
-            + e479 - e481 - e482 + e484 + e485 + e487 - e488 + e490 + e491 - e493 - e494 + e496 - e497 + e499 + e500 + e502
-            + e503 + e505 - e506 + e508 + e509 + e511 + e512 + e514 + e515 - e518 - e520 + e522 - e523 + e525 - e526 + e528
-            - e529 - e531 - e532 - e534 - e535 + e537 - e538 + e540 - e541 - e543 - e544 - e546 - e547 - e549 - e550 + e552
-            + e553 + e557 + e559 - e561 - e562 - e564 - e565 + e567 - e568 + e570 + e571 + e573 + e576 + e577 - e579 - e580
-            - e582 - e583 - e586 + e587 - e589 - e590 + e593 - e594 + e596 + e597 - e600 - e601 + e603 + e604 - e607 + e608
-            + e610 + e611 - e614 + e615 + e617 + e618 + e622 + e623 + e628 + e629 - e632 - e633 - e635 - e637 - e639 - e641
-            - e644 + e646 - e648 - e649 - e650 - e651 - e652 + e653 + e654 + e352 * e655 - e657 - e658 + e659 + e660 + e661
-            - e662 + e663;
-        J[19] = c_.k47 * sin_q_3 * e3 - c_.k44 * sin_q_2 - e79 * e664 + e92 * e393 - e327 * e666 + e91 * e405 - e90 * e409
-            + e306 * e667 + e318 * e668 - e672 - e682 - c_.k9 * e411 + e281 * e683 + e280 * e684 + e95 * e685 - e6 * e291
-            - e141 * e292 + c_.k3 * e142_squared;
-        J[20] = c_.k14 * e664 + e103 * e393 - e327 * e686 + e681 + e102 * e405 - e101 * e409 + e306 * e687 - e688 + c_.k53
-            * e683 + c_.k54 * e684 + c_.k19 * e685 + e98 * e689;
-        J[21] = e104 * e690 - e16 * e691 + e105 * e692 - e107 * e393 - e696 - e106 * e689;
-        J[22] = e110 * e690 - cos_q_6 * e691 - e111 * e697 + e112 * e692 + e698;
-        J[23] = -c_.k22 * e697 - e699;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = e700 * e314 - e702 * e325 - e703 * e333 - e704 * e364 - e705 * e366 + e369 * e706 - e371 * e706 + c_.k73 * e707
-            * e80 + e720 * e29 + e724 * e39 + e726 * e43 - e728 * e240 + e735 * e55 + e739 * e61 + e740 * e82 - e741 * e258
-            + c_.k74 * e3 * e707 + (e394 - Scalar(6) * e3 * e190 + Scalar(6) * e6 * e182 + e395) * e260 + c_.k75 * dxdt[7]
-            * e290 - e727 * e353 + e412 - e413 + e414 - e416 - e418 - e420 + e422 + e423 - e424 - e427 - e429 + e430 + e433
-            + e435 - e437 - e438 - e439 + e42 * e744 + e28 * e746 - e38 * e748 + e441 + e442 + e444 - e445 + e447 - e448 - e449
-            - e452 + e454 + e455 - e456 + e457 - e458 + e459 - e460 + e461 - e462 - e463 - e464 - e465 - e466 - e467 + e470
-            + e472 + e476 - e478 + e479 - e481 - e482 + e484 + e485 + e487 - e488 + e490 + e491 - e493 - e494 + e496 - e497
-            + e499 + e500 + e502 + e503 + e505 - e506 + e508 + e509 + e511 + e512 + e514 + e515 - e518 - e520 + e522 - e523
-            + e525 - e526 + e528 - e529 - e531 - e532 - e534 - e535 + e537 - e538 + e540 - e541 - e543 - e544 - e546 - e547
-            - e549 - e550 + e552 + e553 + e557 + e559 - e561 - e562 - e564 - e565 + e567 - e568 + e570 + e571 + e573 + e576
-            + e577 - e579 - e580 - e582 - e583 - e586 + e587 - e589 - e590 + e593 - e594 + e596 + e597 - e600 - e601 + e603
-            + e604 - e607 + e608 + e610 + e611 - e614 + e615 + e617 + e618 + e622 + e623 + e628 + e629 - e632 - e633 - e635
-            - e637 - e639 - e641 - e644 + e646 - e648 - e649 - e650 - e651 - e652 + e653 + e654 + e351 * e655 - e657 - e658
-            + e659 + e660 + e661 - e662 + e663;
-        const Scalar e1123 = sin_q_3 * (c_.k79 * dxdt[7] * e68 + c_.k85 * e239 + c_.k73 * e257 + c_.k75 * e656);
-        J[31] = e1123 + c_.k80 * (e742 * e749 - e745 * e750 - e72 * e751) - dxdt[6] * (e38 * e752 - e80 * e753) + cos_q_3
-            * (c_.k85 * e256 + c_.k74 * e670) + e747 * (c_.k84 * dxdt[11] + c_.k83 * e754) - e707
-            * (c_.k77 * e78 + c_.k78 * e81) - c_.k76 * e745 * (e210 - e756) + c_.k76 * e742 * e760 - e720 * e90 + e726 * e91
-            + e724 * e92 + e761 * e762 - e741 * e280 + dxdt[8] * e763 - e79 * e764 - e728 * e281 - e703 * e666 + e681 - e740
-            * e95 + e700 * e667 + e702 * e668 + e275 * e282 + e766 * e752 - e672 + e120 * e277 - e279 * e753;
-        J[32] = e726 * e102 - c_.k53 * e728 - c_.k19 * e740 - c_.k54 * e741 - e720 * e101 + e724 * e103 + dxdt[7] * e763
-            + c_.k14 * e764 - e703 * e686 + e700 * e687 - e688 - e682 + e98 * e767 + e100 * e744 - e96 * e746;
-        J[33] = e105 * e768 - e106 * (e767 - e748) - e724 * e107 + e104 * e769 + e16 * e770 - e696;
-        J[34] = e112 * e768 + e110 * e769 - e111 * e771 + cos_q_6 * e770 + c_.k83 * sin_q_6 * e751 + e698;
-        J[35] = c_.k84 * e751 - c_.k22 * e771 - e699;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        J[42] = e6 * (e93 * e773 + e283 + e19 * e636) - e52 * (c_.k38 * e52 - e150 - p_.J_5 * e774 + c_.k36 * e47) + cos_q_4
-            * (e52 * e233 - e574 * e66) + e38 * (e776 - e778) - e42 * (e781 - e783) - e784 * (e787 - e788) + e789
-            * (e792 - e795) - e273 * (e233 - e271) + e796 * (e797 - e645) - e808 * e29 - e813 * e39 + e814 * e43 + p_.J_5
-            * e785 * e815 + e816 * e49 - e117 * e819 - e12 * e821 - e18 * e823 - e419 * e45 * e642 + e57 * e428 + e824 * e829
-            - e830 * e833 + e834 * e838 + e839 * e153 + e840 * e62 - e129 * e113 - e842 * e843 - c_.k35 * e52 * e844 - e231
-            * e276 + e28 * e846;
-        J[43] = e808 * e90 - e278 * e231 + e814 * e91 - e813 * e92 + e824 * e666 + e842 * e849 - e780 * e851 - e777 * e854
-            - e830 * e667 + e834 * e668 + e72 * e776 + e865 + e77 * e783 - e74 * e846;
-        J[44] = e808 * e101 - c_.k38 * e231 + e814 * e102 - e813 * e103 + e98 * e866 + e824 * e686 + e845 * e869 + e782 * e870
-            + e775 * e871 - e830 * e687 + e842 * e872 + e865 - e100 * e781;
-        J[45] = e118 * (e819 - e840) - e106 * (e866 + e776) - c_.k55 + e813 * e107 - e816 * e108 + e294 * e821 + e293 * e823
-            - e6 * e839 - e105 * e873 - e104 * e874 - e10 * e875 + e16 * e876 + cos_q_5 * e877;
-        J[46] = p_.J_5 * e129 + e785 * e65 + e674 * e52 - e301 * e821 + e300 * e823 - e112 * e873 - e110 * e874 - e111 * e878
-            + e140 + sin_q_6 * e875 + cos_q_6 * e876;
-        J[47] = p_.J_5 * (e818 - e840) - c_.k22 * e878 - e6 * e676 + e877;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
         J[50] = Scalar(0);
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
-        J[54] = e18 * (e785 * e879 + e884) - e38 * (e888 + e891) - e42 * (e895 - e898) - e48 * (e855 + e797) - e267
-            * (p_.J_5 * e761 - e787) + e901 * e117 + e906 * e29 - e911 * e39 + e912 * e43 - e914 * e57 - e772 * e49 + e12
-            * e916 - e28 * e920 - e921 * e792 - e923 * e829 - e925 * e833 - e926 * e838 - e139 * e153 + e36 * e572 + cos_q_6
-            * e11 * e797 + e927 * e843 + e36 * e928 + e52 * e299 - dxdt[9] * e929;
-        J[55] = e912 * e91 - e906 * e90 - e911 * e92 - e77 * e895 + e74 * e920 - e923 * e666 - e927 * e849 + e897 * e851 - e890
-            * e854 - e925 * e667 - e926 * e668 - e72 * e888 + e933;
-        J[56] = e912 * e102 - e906 * e101 - e911 * e103 - e98 * e934 - e923 * e686 + e919 * e869 + e894 * e870 - e887 * e871
-            - e925 * e687 - e883 * e935 - e927 * e872 + e933 + e100 * e898 + e96 * e917;
-        J[57] = e13 * (e860 + e938 - dxdt[10] * e116 - e786 - e939) - e212 * (e836 - e319 - e322 - c_.k70 * e765 + e852) + e106
-            * (e934 + e888) + e157 * (e791 + e857) - e694 * (e36 - e36) - e901 * e118 - e910 * e107 + e772 * e108 - e882 * e293
-            + e915 * e294 - e16 * e940 - cos_q_5 * e941 - e105 * e942 + e104 * e943 + e140 - e883 * e944;
-        J[58] = e914 - c_.k55 - e882 * e300 - e915 * e301 - cos_q_6 * e940 - e112 * e942 + e110 * e943 + e111 * e945 - e883
-            * e116;
-        J[59] = sin_q_6 * e253 - p_.J_5 * e901 - e941 + c_.k22 * e945 + e572;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = Scalar(0);
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = e11 * (c_.k88 * e761 + c_.k22 * e758 + e946 + c_.k87 * e759) + e17 * (e426 + e795 - e790) + e947
-            * (e828 - e328) + e12 * (e761 + e949) - e32 * e826 + e57 * e52 * e285 - e11 * e860 - e950 * e117 - e166 * e18
-            + e951 * e29 - e953 * e39 + e955 * e43 - e3 * e956 + e42 * e785 * e957 + e28 * e961 + e38 * e825 + e963 * e843
-            - e794 * e964 - e844 * e268;
-        J[67] = e957 * (dxdt[8] * e77 + e760) - e963 * (e848 + e328) - e962 * e826 - e951 * e90 + e955 * e91 - e953 * e92 + e20
-            * e253 - e74 * e961 - e947 * e666 + e72 * e825 + e969 + e971 * e972 + e749 * e973;
-        J[68] = e957 * (dxdt[7] * e100 - e226 + e759) - e958 * e826 + e20 * e946 - e951 * e101 + e955 * e102 - e953 * e103
-            + e96 * e960 - e959 * e868 - e947 * e686 + e98 * e825 + e971 * e935 - e963 * e872 + e969 + e757 * e973;
-        J[69] = e10 * (e938 - e974) - e106 * (e867 - e328 + e331) - e16 * (e975 + c_.k89 * e765) - e104 * (e223 - e976) + e950
-            * e118 + e955 * e105 + e953 * e107 + e166 * e293 - e294 * e949 - dxdt[10] * e977 + e956 - e793 * e944;
-        J[70] = sin_q_6 * (e974 + e937) - cos_q_6 * (e975 - c_.k90 * e754) + e111 * (e953 - e210) - e110 * (e766 - e976) + e955
-            * e112 + e166 * e300 + e301 * e949 - dxdt[9] * e977;
-        J[71] = c_.k22 * (e953 + e936) - c_.k55 + p_.J_5 * e950 - c_.k28 * e761 + e57 * e303 - e913;
         J[72] = Scalar(1);
         J[73] = Scalar(0);
         J[74] = Scalar(0);
         J[75] = Scalar(0);
         J[76] = Scalar(0);
         J[77] = Scalar(0);
-        J[78] = c_.k23 * (e978 * e52 - e980 * e57) + c_.k92 * (e3 * e981 + e6 * e982) - p_.k_d - e984 * e12 - e986 * e18 + e998
-            * e29 + e1002 * e39 + e1004 * e43 - c_.k91 * e141 - e1005 * e49 + e117 * e1008 + e1012 * e55 - e1015 * e61 - e1016
-            * e258 - e6 * e265 + e3 * e266 - e979 * e113 + cos_q_2 * e144 + (c_.k58 * (e6 * e124 + e3 * e132) + e259) * e64
-            + (c_.k63 * q_1_dot + e148) * e368;
-        J[79] = c_.k94 * e68 * e982 - c_.k68 * e81 * e981 - e998 * e90 + e1004 * e91 + e1002 * e92 + e79 * e1017 - e1016 * e280
-            + e1020 - e1021;
-        J[80] = c_.k95 * e982 - c_.k96 * e981 - c_.k54 * e1016 - e998 * e101 + e1004 * e102 + e1002 * e103 - c_.k14 * e1017
-            + e1020;
-        J[81] = e998 * e104 - c_.k23 * e164 + e1004 * e105 - e1002 * e107 + e1005 * e108 + e986 * e293 + e984 * e294 - e118
-            * e1008;
-        J[82] = p_.J_5 * e979 - e1002 * e111 + e998 * e110 + e1004 * e112 + e986 * e300 - e984 * e301;
-        J[83] = -p_.J_5 * e1007 - c_.k22 * e1002;
         J[84] = Scalar(0);
         J[85] = Scalar(1);
         J[86] = Scalar(0);
         J[87] = Scalar(0);
         J[88] = Scalar(0);
         J[89] = Scalar(0);
-        J[90] = e1031 * e43 - c_.k40 * cos_q_2 * e367 - e1038 * e29 - e1043 * e39 + e1045 * e240 - e1051 * e55 - e1053 * e61
-            - e1056 * e258 + (Scalar(6) * e68 * e6 + e352 - e81 * e3) * e260 - e1065 - e1066 * e1067 + e1021;
-        J[91] = e1038 * e90 + e1031 * e91 - e1043 * e92 + e79 * e1068 - e1056 * e280 + e1045 * e281 - e1070 + e1066 * e1071;
-        J[92] = c_.k99 * e1066 + c_.k53 * e1045 - c_.k54 * e1056 + e1038 * e101 + e1031 * e102 - e1043 * e103 - c_.k14 * e1068
-            - e1069;
-        J[93] = e1031 * e105 - e1038 * e104 + e1043 * e107 + e1072;
-        J[94] = e1043 * e111 - e1038 * e110 + e1031 * e112 + e1073;
-        J[95] = c_.k22 * e1043 - e1074;
         J[96] = Scalar(0);
         J[97] = Scalar(0);
         J[98] = Scalar(1);
         J[99] = Scalar(0);
         J[100] = Scalar(0);
         J[101] = Scalar(0);
-        J[102] = e1078 * e43 - e1081 * e29 - e1083 * e39 - e1084 * e240 + e1086 * e55 - e1087 * e61 + e1088 * e258
-            + (e351 + e350 - e199) * e260 - e1065 - e1089 * e1067;
-        J[103] = e1081 * e90 + e1078 * e91 - e1083 * e92 + e79 * e1090 + e1088 * e280 - e1084 * e281 - e1069 + e1089 * e1071;
-        J[104] = c_.k99 * e1089 - c_.k53 * e1084 + c_.k54 * e1088 + e1081 * e101 + e1078 * e102 - e1083 * e103 - c_.k14 * e1090
-            - e1070;
-        J[105] = e1078 * e105 - e1081 * e104 + e1083 * e107 + e1072;
-        J[106] = e1083 * e111 - e1081 * e110 + e1078 * e112 + e1073;
-        J[107] = c_.k22 * e1083 - e1074;
         J[108] = Scalar(0);
         J[109] = Scalar(0);
         J[110] = Scalar(0);
         J[111] = Scalar(1);
         J[112] = Scalar(0);
         J[113] = Scalar(0);
-        J[114] = e1092 * e12 - e1093 * (e48 * e118 - e929) - e1095 * e18 - e1098 * e29 + e1101 * e39 + e1103 * e43 - e117
-            * e1105 - e52 * e1106 - e57 * e1107;
-        J[115] = e1098 * e90 + e1103 * e91 + e1101 * e92 - e1108;
-        J[116] = e1098 * e101 + e1103 * e102 + e1101 * e103 - e1108;
-        J[117] = e1103 * e105 - c_.k56 - e1098 * e104 - e1101 * e107 + e1095 * e293 - e1092 * e294 + e118 * e1105;
-        J[118] = p_.J_5 * e151 - e1101 * e111 - e1098 * e110 + e1103 * e112 + e1095 * e300 + e1092 * e301;
-        J[119] = e1104 * e108 - c_.k22 * e1101;
         J[120] = Scalar(0);
         J[121] = Scalar(0);
         J[122] = Scalar(0);
         J[123] = Scalar(0);
         J[124] = Scalar(1);
         J[125] = Scalar(0);
-        J[126] = e1109 * e39 - e1111 * e29 + e1112 * e43 - e168 * e49 + e117 * e1114 - e12 * e1116 - e18 * e1117;
-        J[127] = e1111 * e90 + e1112 * e91 + e1109 * e92 - e1118;
-        J[128] = e1111 * e101 + e1112 * e102 + e1109 * e103 - e1118;
-        J[129] = e1112 * e105 - e1111 * e104 - e1109 * e107 + e168 * e108 - e118 * e1114 + e294 * e1116 + e293 * e1117;
-        J[130] = e1112 * e112 - c_.k56 - e1109 * e111 - e1111 * e110 - e301 * e1116 + e300 * e1117;
-        J[131] = -p_.J_5 * e1113 - c_.k22 * e1109;
         J[132] = Scalar(0);
         J[133] = Scalar(0);
         J[134] = Scalar(0);
         J[135] = Scalar(0);
         J[136] = Scalar(0);
         J[137] = Scalar(1);
-        J[138] = e1119 * e964 - e175 * e18 - e1120 * e29;
-        J[139] = e1120 * e90 + e1119 * e972 + e1121;
-        J[140] = e1120 * e101 + e1119 * e935 + e1121;
-        J[141] = e175 * e293 - e1120 * e104 + e16 * e1122;
-        J[142] = e175 * e300 - e1120 * e110 + cos_q_6 * e1122;
-        J[143] = -c_.k56;
-        constexpr std::array<std::size_t, 12> starts{6, 18, 30, 42, 54, 66, 78, 90, 102, 114, 126, 138};
-        detail::ldlt_solve_columns<Scalar, 6>(mass, J.data(), starts);
     }
 
     /// J = df/dx. 12 x 12, entry (i, j) at J[12*j + i].
@@ -2424,7 +1837,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 12 x 16, entry (i, j) at J[12*j + i].
-    /// Operations: 1684 + or -, 2073 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
+    /// Operations: 1684 + or -, 2071 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::cos;
         using std::sin;
@@ -2587,7 +2000,7 @@ public:
         const Scalar e133 = e34 - e35;
         const Scalar e134 = e133 + e36;
         const Scalar e135 = p_.c_x * e130 - p_.d_3 * e97 - p_.c_z * e132 + e53 * e134;
-        const Scalar e136 = c_.k70 * dxdt[6];
+        const Scalar e136 = c_.k91 * dxdt[6];
         const Scalar e137 = e135 * e136;
         const Scalar e138 = cos_q_6 * e137;
         const Scalar e139 = e7 * e61;
@@ -2657,699 +2070,697 @@ public:
         const Scalar e201 = e156 * e164;
         const Scalar e202 = e161 * e151;
         const Scalar e203 = q_5_dot * e202;
-        const Scalar e204 = p_.d_3 * p_.m_2;
-        const Scalar e205 = (Scalar(1) / Scalar(6)) * e204;
-        const Scalar e206 = cos_q_4 * sin_q_3;
-        const Scalar e207 = sin_q_5 * e206;
-        const Scalar e208 = q_1_dot * cos_q_2;
-        const Scalar e209 = q_3_dot * e208;
-        const Scalar e210 = e28 * e70 - e73 * (e68 - e55 * e141) - e39 * e47 - cos_q_5 * e50 + e74 * e59 - p_.c_x * e99
-            + p_.d_3 * e207 * e209;
-        const Scalar e211 = e23 * e101 + e40 * e46 + e210;
-        const Scalar e212 = p_.m_6 * e74;
-        const Scalar e213 = e211 * e212;
-        const Scalar e214 = p_.d_4 * e73 + p_.c_x * e53;
-        const Scalar e215 = cos_q_5 * e120 - p_.a_2 * e207 + e214;
-        const Scalar e216 = dxdt[7] * e215;
-        const Scalar e217 = e212 * e216;
-        const Scalar e218 = p_.a_3 * cos_q_5 + e214;
-        const Scalar e219 = dxdt[8] * e218;
-        const Scalar e220 = e212 * e219;
-        const Scalar e221 = c_.k98 * e17;
-        const Scalar e222 = e17 * e221;
-        const Scalar e223 = c_.k66 * cos_q_2 + c_.k65 * e16 + e35;
-        const Scalar e224 = dxdt[6] * e223;
-        const Scalar e225 = c_.k94 * e224;
-        const Scalar e226 = q_4_dot * e73;
-        const Scalar e227 = e202 * e226;
+        const Scalar e204 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.m_2;
+        const Scalar e205 = cos_q_4 * sin_q_3;
+        const Scalar e206 = sin_q_5 * e205;
+        const Scalar e207 = q_1_dot * cos_q_2;
+        const Scalar e208 = q_3_dot * e207;
+        const Scalar e209 = e28 * e70 - e73 * (e68 - e55 * e141) - e39 * e47 - cos_q_5 * e50 + e74 * e59 - p_.c_x * e99
+            + p_.d_3 * e206 * e208;
+        const Scalar e210 = e23 * e101 + e40 * e46 + e209;
+        const Scalar e211 = p_.m_6 * e74;
+        const Scalar e212 = e210 * e211;
+        const Scalar e213 = p_.d_4 * e73 + p_.c_x * e53;
+        const Scalar e214 = cos_q_5 * e120 - p_.a_2 * e206 + e213;
+        const Scalar e215 = dxdt[7] * e214;
+        const Scalar e216 = e211 * e215;
+        const Scalar e217 = p_.a_3 * cos_q_5 + e213;
+        const Scalar e218 = dxdt[8] * e217;
+        const Scalar e219 = e211 * e218;
+        const Scalar e220 = c_.k97 * e17;
+        const Scalar e221 = e17 * e220;
+        const Scalar e222 = c_.k66 * cos_q_2 + c_.k65 * e16 + e35;
+        const Scalar e223 = dxdt[6] * e222;
+        const Scalar e224 = c_.k96 * e223;
+        const Scalar e225 = q_4_dot * e73;
+        const Scalar e226 = e202 * e225;
         const Scalar e10_squared = e10 * e10;
-        const Scalar e228 = c_.k98 * e10_squared;
-        const Scalar e229 = dxdt[10] * e2;
-        const Scalar e230 = e129 - e128;
-        const Scalar e231 = e230 * e4;
-        const Scalar e232 = c_.k22 * e49;
-        const Scalar e233 = dxdt[9] * e232;
-        const Scalar e234 = e161 * e136;
-        const Scalar e235 = e135 * e151;
-        const Scalar e236 = e23 * e235;
-        const Scalar e237 = e142 * e40;
-        const Scalar e238 = e151 * e237;
-        const Scalar e239 = q_5_dot * e153;
-        const Scalar e240 = e229 + e231 + e233 + e234 - e236 + e238 - e239;
-        const Scalar e241 = e142 * e92;
-        const Scalar e242 = q_2_dot * cos_q_3;
-        const Scalar e243 = e242 * e47;
-        const Scalar e244 = q_3_dot * e242;
-        const Scalar e245 = e60 * e244;
-        const Scalar e246 = q_2_dot * sin_q_3;
-        const Scalar e247 = sin_q_4 * e246;
-        const Scalar e248 = q_6_dot * e247;
-        const Scalar e249 = e42 * e247;
-        const Scalar e250 = q_4_dot * e246;
-        const Scalar e251 = e52 * e250;
-        const Scalar e252 = cos_q_5 * e206;
-        const Scalar e253 = e243 + e245 - e248 + e249 - e251 + dxdt[7] * e252;
-        const Scalar e254 = e135 * e104;
-        const Scalar e255 = cos_q_2 * sin_q_4;
-        const Scalar e256 = e206 * e209;
-        const Scalar e257 = p_.d_4 * e13 + Scalar(5) * e43;
-        const Scalar e258 = c_.k60 * (e55 * e166 + e256) - Scalar(5) * cos_q_4 * e68 + sin_q_4 * e146 - e13 * e147;
-        const Scalar e259 = e258 - Scalar(5) * e21 * e28 - e18 * e257;
-        const Scalar e260 = c_.k49 * e259;
-        const Scalar e261 = q_4_dot * e190;
-        const Scalar e262 = q_4_dot * e197;
-        const Scalar e263 = e235 * e51;
-        const Scalar e264 = c_.k61 * sin_q_4 * e16 + c_.k62 * e255 - c_.k59 * e8 + c_.k60 * e167;
-        const Scalar e265 = e264 * e170;
-        const Scalar e266 = e21 * e173;
-        const Scalar e267 = e142 * e104;
-        const Scalar e268 = q_2_dot * e206;
-        const Scalar e269 = q_4_dot * e268;
-        const Scalar e270 = sin_q_4 * e244;
-        const Scalar e271 = cos_q_5 * e268;
-        const Scalar e272 = q_6_dot * e271;
-        const Scalar e273 = e42 * e271;
-        const Scalar e274 = sin_q_3 * sin_q_4;
-        const Scalar e275 = dxdt[7] * e274;
-        const Scalar e276 = e269 + e270 + e272 - e273 + e275;
-        const Scalar e277 = e135 * e92;
-        const Scalar e278 = c_.k48 * e223;
-        const Scalar e279 = e10 * e278;
-        const Scalar e280 = c_.k49 * e264;
-        const Scalar e281 = e21 * e280;
-        const Scalar e282 = c_.k49 * e168;
-        const Scalar e283 = e13 * e282;
-        const Scalar e284 = c_.k98 * e11;
-        const Scalar e285 = e16 * e284;
-        const Scalar e286 = cos_q_4 * e280;
-        const Scalar e287 = sin_q_4 * e282;
-        const Scalar e288 = p_.m_6 * e73;
-        const Scalar e289 = e161 * e288;
-        const Scalar e290 = c_.k98 * e16;
-        const Scalar e291 = q_3_dot * e246;
-        const Scalar e292 = p_.m_6 * e49;
-        const Scalar e293 = e135 * e292;
-        const Scalar e294 = sin_q_5 * e92;
-        const Scalar e295 = e142 * e294;
-        const Scalar e296 = c_.k10 * e7;
-        const Scalar e297 = p_.m_6 * cos_q_5;
-        const Scalar e298 = e161 * e297;
-        const Scalar e299 = e293 - e295 + e296 + e298;
-        const Scalar e300 = dxdt[7] * cos_q_3;
-        const Scalar e301 = e17 * e278;
-        const Scalar e302 = e292 * e242;
-        const Scalar e303 = e142 * e42;
-        const Scalar e304 = q_6_dot * e142;
-        const Scalar e305 = e164 - e303 + e304;
-        const Scalar e306 = e242 * e294;
-        const Scalar e307 = e162 + q_6_dot * e135 - e135 * e42;
-        const Scalar e308 = p_.m_6 * sin_q_5;
-        const Scalar e309 = e308 * (q_5_dot * e242);
-        const Scalar e310 = e206 * e308;
-        const Scalar e311 = dxdt[7] * e310;
-        const Scalar e312 = dxdt[7] * sin_q_2;
-        const Scalar e313 = q_2_dot * sin_q_2;
-        const Scalar e314 = e52 * e313;
-        const Scalar e315 = q_4_dot * e60;
-        const Scalar e316 = cos_q_2 * e315;
-        const Scalar e317 = e314 - e316;
-        const Scalar e318 = e104 * e162;
-        const Scalar e319 = e92 * e164;
-        const Scalar e320 = e92 * e162 + e104 * e164;
-        const Scalar e321 = e268 * e308;
-        const Scalar e322 = e242 * e297;
-        const Scalar e323 = e321 - e322;
-        const Scalar e324 = q_5_dot * e268;
-        const Scalar e325 = q_4_dot * e208;
-        const Scalar e326 = e18 * e208;
-        const Scalar e327 = e325 + e326;
-        const Scalar e328 = e135 * e23;
-        const Scalar e329 = cos_q_4 * e313;
-        const Scalar e330 = e190 + e197;
-        const Scalar e331 = q_4_dot + e18;
-        const Scalar e332 = p_.a_2 * p_.m_2;
-        const Scalar e333 = e7 * e11;
-        const Scalar e334 = e16 * e11;
-        const Scalar e335 = c_.k58 * e30 - e29 - Scalar(6) * e31;
-        const Scalar e336 = c_.k66 * e313 + c_.k65 * e333 - p_.d_4 * e334 + e16 * e335 + Scalar(6) * e7 * e28;
-        const Scalar e337 = e74 * e202;
-        const Scalar e338 = p_.m_6 * e161;
-        const Scalar e339 = e47 * e268;
-        const Scalar e340 = e21 * e268;
-        const Scalar e341 = e206 * e280;
-        const Scalar e342 = dxdt[7] * sin_q_3;
-        const Scalar e343 = c_.k64 * q_2_dot + c_.k63 * e25;
-        const Scalar e344 = cos_q_2 * e208;
-        const Scalar e345 = (sin_q_2 * e343 + c_.k64 * e313 + c_.k63 * e344) * e208;
-        const Scalar e346 = e161 * e212;
-        const Scalar e347 = e208 * e313;
-        const Scalar e348 = (Scalar(181) / Scalar(450)) * e332;
-        const Scalar e349 = dxdt[6] * cos_q_2;
-        const Scalar e350 = cos_q_2 * e349;
-        const Scalar e351 = p_.m_4 * p_.g;
-        const Scalar e352 = e16 * e351;
-        const Scalar e353 = q_1_dot * e223;
-        const Scalar e354 = Scalar(6) * e50 - e11 * e335 + e10 * e353;
-        const Scalar e355 = c_.k48 * e354;
-        const Scalar e356 = Scalar(5) * e50 + e13 * e257 + e21 * e145;
-        const Scalar e357 = c_.k49 * e356;
-        const Scalar e358 = dxdt[11] * e232;
-        const Scalar e359 = e81 * e107;
-        const Scalar e360 = c_.k18 * dxdt[8];
-        const Scalar e361 = e294 * e115;
-        const Scalar e362 = e103 * e294;
-        const Scalar e363 = e211 * e297;
-        const Scalar e364 = e297 * e219;
-        const Scalar e365 = dxdt[6] * e7;
-        const Scalar e366 = c_.k10 * e365;
-        const Scalar e367 = p_.m_3 + p_.m_4;
-        const Scalar e368 = dxdt[7] * e120;
-        const Scalar e369 = Scalar(2) * e367 * e368;
-        const Scalar e370 = c_.k70 * e81;
-        const Scalar e371 = e126 * e370;
-        const Scalar e372 = c_.k70 * e123;
-        const Scalar e373 = e49 * e372;
-        const Scalar e374 = c_.k70 * e126;
-        const Scalar e375 = e125 * e92;
-        const Scalar e376 = e243 + e245 - e248 + e249 - e251 - dxdt[6] * e176;
-        const Scalar e377 = e215 * e23;
-        const Scalar e378 = e215 * e40;
-        const Scalar e379 = e125 * e104;
-        const Scalar e380 = e269 + e270 + e272 - e273 + dxdt[6] * e1;
-        const Scalar e381 = q_6_dot * e1;
-        const Scalar e382 = e42 * e1;
-        const Scalar e383 = dxdt[6] * e16;
-        const Scalar e384 = p_.d_4 * p_.m_4;
-        const Scalar e385 = p_.d_4 * p_.m_3;
-        const Scalar e386 = (Scalar(4) / Scalar(5)) * (e384 - (Scalar(5) / Scalar(24)) * e385);
-        const Scalar e387 = -e386;
-        const Scalar e388 = dxdt[8] * e387;
-        const Scalar e389 = e7 * e351;
-        const Scalar e390 = Scalar(6) * e11 * e28 - Scalar(6) * (e65 + e67) + e17 * e353;
-        const Scalar e391 = c_.k48 * e390;
-        const Scalar e392 = c_.k13 * e120;
-        const Scalar e393 = e122 * e292;
-        const Scalar e394 = e125 * e294;
-        const Scalar e395 = e392 + e393 + e394 + e215 * e297;
-        const Scalar e396 = e229 + e231 + e233 + c_.k70 * e216;
-        const Scalar e397 = e329 + q_6_dot * e176 - e42 * e176 + q_4_dot * e255;
-        const Scalar e398 = c_.k62 * sin_q_3 - c_.k59;
-        const Scalar e399 = c_.k49 * e398;
-        const Scalar e400 = dxdt[6] * e161;
-        const Scalar e401 = e125 * e40;
-        const Scalar e402 = e321 - e322 - e151 * e160;
-        const Scalar e403 = e122 * e23;
-        const Scalar e404 = e215 * e151;
-        const Scalar e405 = e122 * e306;
-        const Scalar e406 = e244 * e288;
-        const Scalar e407 = p_.d_4 + c_.k66 * sin_q_3;
-        const Scalar e408 = c_.k48 * e407;
-        const Scalar e409 = p_.m_3 * e120;
-        const Scalar e410 = e17 * e408 - e10 * e409;
-        const Scalar e411 = p_.m_4 * e120;
-        const Scalar e412 = e340 + e13 * e247;
-        const Scalar e413 = e180 + e181;
-        const Scalar e414 = e250 + e349;
-        const Scalar e415 = e241 - e254;
-        const Scalar e416 = cos_q_4 * e21 + sin_q_4 * e13;
-        const Scalar e417 = cos_q_4 * e13 - sin_q_4 * e21;
-        const Scalar e418 = p_.m_3 * p_.g;
-        const Scalar e419 = p_.m_6 * e215;
-        const Scalar e420 = dxdt[6] * sin_q_2;
-        const Scalar e421 = e11 * e408;
-        const Scalar e422 = e208 * e25;
-        const Scalar e423 = e125 * e42;
-        const Scalar e424 = e11 * e409;
-        const Scalar e425 = e114 * e40 + e110 * e23;
-        const Scalar e426 = e114 * e92;
-        const Scalar e427 = (Scalar(4) / Scalar(5)) * e384;
-        const Scalar e428 = e427 * e416;
-        const Scalar e429 = e297 * e425 - (e47 * e426 + e428);
-        const Scalar e430 = c_.k99 * e11;
-        const Scalar e431 = q_6_dot - e42;
-        const Scalar e432 = e218 * e40 + e110 * e431;
-        const Scalar e433 = e114 * e86 - e110 * e53;
-        const Scalar e434 = e244 + e342;
-        const Scalar e435 = e114 * e83 + e110 * e61;
-        const Scalar e436 = e218 * e23;
-        const Scalar e437 = e436 - e114 * e431;
-        const Scalar e438 = e61 * e246;
-        const Scalar e439 = p_.a_3 * p_.m_4;
-        const Scalar e440 = p_.a_3 * p_.m_3;
-        const Scalar e441 = c_.k99 * e17 - e440 * e10;
-        const Scalar e442 = e427 * e331 + e439 * e417;
-        const Scalar e443 = q_5_dot * e52 + (e23 * e53 - e40 * e86);
-        const Scalar e444 = e443 + e226;
-        const Scalar e445 = q_4_dot * e83;
-        const Scalar e446 = e53 * e431 + e445;
-        const Scalar e447 = q_5_dot * e152 - e40 * e151;
-        const Scalar e448 = e151 * e446 - e74 * e447;
-        const Scalar e449 = e218 * e151 * e444 - e114 * e448;
-        const Scalar e450 = q_4_dot * e61 + e86 * e431;
-        const Scalar e451 = e151 * (e450 - (sin_q_4 * e51 - e23 * e74));
-        const Scalar e452 = cos_q_2 * e451 - e104 * e243;
-        const Scalar e453 = e291 - e300;
-        const Scalar e454 = e453 + e324;
-        const Scalar e455 = e114 * e294 + e110 * e292;
-        const Scalar e456 = c_.k18 + e218 * e297;
-        const Scalar e457 = p_.m_6 * e218;
-        const Scalar e458 = e11 * e440;
-        const Scalar e459 = e218 * e74 - e433;
-        const Scalar e460 = e151 * e313;
-        const Scalar e461 = e40 * e83;
-        const Scalar e462 = e246 * e461 - e339;
-        const Scalar e463 = e117 * e292;
-        const Scalar e464 = e106 * e81;
-        const Scalar e465 = p_.m_6 * e117;
-        const Scalar e466 = e83 * e431;
-        const Scalar e467 = e61 * e434 + e246 * e466;
-        const Scalar e468 = e86 * e106 + e74 * e232;
-        const Scalar e469 = e56 - e414;
-        const Scalar e470 = q_5_dot * cos_q_6;
-        const Scalar e471 = e106 * (e470 - e40);
-        const Scalar e472 = e232 * e444 + e106 * e446;
-        const Scalar e473 = e74 * e471 - e472;
-        const Scalar e474 = e23 * e232;
-        const Scalar e475 = e431 * e106 + e474;
-        const Scalar e476 = e117 * e23;
-        const Scalar e477 = sin_q_5 * e2;
-        const Scalar e478 = c_.k21 * cos_q_5 + e477;
-        const Scalar e479 = e232 * e70 - e40 * e49 * e478;
-        const Scalar e480 = e117 * e431;
-        const Scalar e481 = e49 * e475 + e297 * e476 - (e479 + (cos_q_6 * e106 * e47 + e294 * e480));
-        const Scalar e482 = cos_q_5 * e232;
-        const Scalar e483 = e73 * e232;
-        const Scalar e484 = sin_q_5 * e268;
-        const Scalar e485 = e40 * e106;
-        const Scalar e486 = e83 * e106;
-        const Scalar e487 = c_.k21 * sin_q_5 - cos_q_5 * e2;
-        const Scalar e488 = c_.k21 * sin_q_6;
-        const Scalar e489 = cos_q_6 * e232;
-        const Scalar e490 = cos_q_5 * e488 + e489;
-        const Scalar e491 = q_5_dot - cos_q_6 * e40;
-        const Scalar e492 = e23 * e490 - e478 * e491;
-        const Scalar e493 = c_.k21 * e491;
-        const Scalar e494 = e23 * e106;
-        const Scalar e495 = c_.k21 * e431;
-        const Scalar e496 = q_4_dot * e478 + e495;
-        const Scalar e497 = e2 * e443;
-        const Scalar e498 = e74 * e493 - sin_q_4 * e494 - (cos_q_4 * e496 + e497);
-        const Scalar e499 = cos_q_4 * e478;
-        const Scalar e500 = e23 * e2;
-        const Scalar e501 = sin_q_4 * e478;
-        const Scalar e502 = c_.k22 * e23;
-        const Scalar e503 = c_.k22 * sin_q_6;
-        const Scalar e504 = e431 * e477 + e47 * e503;
-        const Scalar e505 = cos_q_5 * e502 - e504;
-        const Scalar e506 = q_5_dot * e232;
-        const Scalar e507 = c_.k22 * e450;
-        const Scalar e508 = e74 * e502 - sin_q_4 * e506 + e507;
-        const Scalar e509 = c_.k22 * e53;
-        const Scalar e510 = cos_q_4 * e14;
-        const Scalar e511 = sin_q_2 * e206;
-        const Scalar e512 = e52 * e14;
-        const Scalar e513 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - e193 - e194 - e195 + e196;
-        const Scalar e514 = e52 * e15;
-        const Scalar e515 = q_1_dot * e336;
-        const Scalar e516 = e213 - e217 - e220 - e222 - e225 - e228 + c_.k48 * e515;
-        const Scalar e517 = e191 - e192 + e198 - e199 + e200 + e201 - e203;
-        const Scalar e518 = cos_q_4 * e5;
-        const Scalar e519 = q_3_dot * e190;
-        const Scalar e520 = q_3_dot * e197;
-        const Scalar e521 = q_2_dot * e190;
-        const Scalar e522 = q_2_dot * e197;
-        const Scalar e523 = e519 + e520 + e521 + e522 + e55 * e282 + e282 * e62;
-        const Scalar e524 = e52 * e5;
-        const Scalar e525 = q_3_dot * e153;
-        const Scalar e526 = q_2_dot * e153;
-        const Scalar e527 = q_3_dot * e157;
-        const Scalar e528 = q_2_dot * e157;
-        const Scalar e529 = e525 + e526 - e527 - e528;
-        const Scalar e530 = e52 * e6;
-        const Scalar e531 = e229 + e231 + e233 + e234;
-        const Scalar e532 = e227 + e153 * e315 - e157 * e315;
-        const Scalar e533 = q_2_dot * e337;
-        const Scalar e534 = q_3_dot * e337;
-        const Scalar e535 = sin_q_4 * e14;
-        const Scalar e536 = e11 * e292;
-        const Scalar e537 = e11 * e294;
-        const Scalar e538 = e236 - e238 + e239;
-        const Scalar e539 = e279 - e285;
-        const Scalar e540 = sin_q_4 * e15;
-        const Scalar e541 = e268 * e208;
-        const Scalar e542 = cos_q_2 * e206;
-        const Scalar e543 = sin_q_4 * e5;
-        const Scalar e544 = e55 * e280 + e280 * e62;
-        const Scalar e545 = sin_q_4 * e6;
-        const Scalar e546 = q_4_dot * e17 + e18 * e17;
-        const Scalar e547 = e11 * e47;
-        const Scalar e548 = e11 * e297;
-        const Scalar e549 = e237 - e328;
-        const Scalar e550 = p_.m_6 * e11;
-        const Scalar e551 = e550 * e70;
-        const Scalar e552 = p_.m_6 * e383 - e151 * e333;
-        const Scalar e553 = e215 * e74 - e125 * e86;
-        const Scalar e554 = e444 * e404 - e125 * e448;
-        const Scalar e555 = e400 - e211;
-        const Scalar e556 = e555 + e219;
-        const Scalar e557 = e377 - e125 * e431;
-        const Scalar e558 = e104 * e547 - e16 * e451;
-        const Scalar e559 = e53 * e552 + e558;
-        const Scalar e560 = e122 * e431 + e378;
-        const Scalar e561 = c_.k70 * cos_q_5;
-        const Scalar e562 = e401 + e403;
-        const Scalar e563 = dxdt[6] * e135;
-        const Scalar e564 = e91 + e118;
-        const Scalar e565 = e563 - e564;
-        const Scalar e566 = dxdt[6] * e142 - e103;
-        const Scalar e567 = e231 + e233;
-        const Scalar e568 = e567 + e229;
-        const Scalar e569 = e359 + (e418 * e16 - e292 * e565) + (sin_q_5 * e413 + e294 * e566 - (cos_q_5 * e568 + e366));
-        const Scalar e570 = e352 - e355 - (e357 - e358) + e569;
-        const Scalar e571 = e11 * e416;
-        const Scalar e572 = e555 + e216;
-        const Scalar e573 = e294 * e126;
-        const Scalar e574 = c_.k13 * e368;
-        const Scalar e575 = e57 - e383;
-        const Scalar e576 = dxdt[7] + dxdt[8];
-        const Scalar e577 = e482 - e464;
-        const Scalar e578 = sin_q_5 * e152;
-        const Scalar e579 = e151 * e49;
-        const Scalar e580 = e352 - e355 - e357 + e358 + e359 - e360 - e361 - e362 + e363 - e573 - e364 - e574 - e49 * e137
-            + e81 * e143 - e297 * e216 - Scalar(2) * p_.d_3 * e367 * e365 - e162 * e578 + e303 * e579 - e304 * e579;
-        const Scalar e581 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - e191 + e192 - e193 - e194 - e195
+        const Scalar e227 = c_.k97 * e10_squared;
+        const Scalar e228 = dxdt[10] * e2;
+        const Scalar e229 = e129 - e128;
+        const Scalar e230 = e229 * e4;
+        const Scalar e231 = c_.k22 * e49;
+        const Scalar e232 = dxdt[9] * e231;
+        const Scalar e233 = e161 * e136;
+        const Scalar e234 = e135 * e151;
+        const Scalar e235 = e23 * e234;
+        const Scalar e236 = e142 * e40;
+        const Scalar e237 = e151 * e236;
+        const Scalar e238 = q_5_dot * e153;
+        const Scalar e239 = e228 + e230 + e232 + e233 - e235 + e237 - e238;
+        const Scalar e240 = e142 * e92;
+        const Scalar e241 = q_2_dot * cos_q_3;
+        const Scalar e242 = e241 * e47;
+        const Scalar e243 = q_3_dot * e241;
+        const Scalar e244 = e60 * e243;
+        const Scalar e245 = q_2_dot * sin_q_3;
+        const Scalar e246 = sin_q_4 * e245;
+        const Scalar e247 = q_6_dot * e246;
+        const Scalar e248 = e42 * e246;
+        const Scalar e249 = q_4_dot * e245;
+        const Scalar e250 = e52 * e249;
+        const Scalar e251 = cos_q_5 * e205;
+        const Scalar e252 = e242 + e244 - e247 + e248 - e250 + dxdt[7] * e251;
+        const Scalar e253 = e135 * e104;
+        const Scalar e254 = cos_q_2 * sin_q_4;
+        const Scalar e255 = e205 * e208;
+        const Scalar e256 = p_.d_4 * e13 + Scalar(5) * e43;
+        const Scalar e257 = c_.k60 * (e55 * e166 + e255) - Scalar(5) * cos_q_4 * e68 + sin_q_4 * e146 - e13 * e147;
+        const Scalar e258 = e257 - Scalar(5) * e21 * e28 - e18 * e256;
+        const Scalar e259 = c_.k49 * e258;
+        const Scalar e260 = q_4_dot * e190;
+        const Scalar e261 = q_4_dot * e197;
+        const Scalar e262 = e234 * e51;
+        const Scalar e263 = c_.k61 * sin_q_4 * e16 + c_.k62 * e254 - c_.k59 * e8 + c_.k60 * e167;
+        const Scalar e264 = e263 * e170;
+        const Scalar e265 = e21 * e173;
+        const Scalar e266 = e142 * e104;
+        const Scalar e267 = q_2_dot * e205;
+        const Scalar e268 = q_4_dot * e267;
+        const Scalar e269 = sin_q_4 * e243;
+        const Scalar e270 = cos_q_5 * e267;
+        const Scalar e271 = q_6_dot * e270;
+        const Scalar e272 = e42 * e270;
+        const Scalar e273 = sin_q_3 * sin_q_4;
+        const Scalar e274 = dxdt[7] * e273;
+        const Scalar e275 = e268 + e269 + e271 - e272 + e274;
+        const Scalar e276 = e135 * e92;
+        const Scalar e277 = c_.k48 * e222;
+        const Scalar e278 = e10 * e277;
+        const Scalar e279 = c_.k49 * e263;
+        const Scalar e280 = e21 * e279;
+        const Scalar e281 = c_.k49 * e168;
+        const Scalar e282 = e13 * e281;
+        const Scalar e283 = c_.k97 * e11;
+        const Scalar e284 = e16 * e283;
+        const Scalar e285 = cos_q_4 * e279;
+        const Scalar e286 = sin_q_4 * e281;
+        const Scalar e287 = p_.m_6 * e73;
+        const Scalar e288 = e161 * e287;
+        const Scalar e289 = c_.k97 * e16;
+        const Scalar e290 = q_3_dot * e245;
+        const Scalar e291 = p_.m_6 * e49;
+        const Scalar e292 = e135 * e291;
+        const Scalar e293 = sin_q_5 * e92;
+        const Scalar e294 = e142 * e293;
+        const Scalar e295 = c_.k10 * e7;
+        const Scalar e296 = p_.m_6 * cos_q_5;
+        const Scalar e297 = e161 * e296;
+        const Scalar e298 = e292 - e294 + e295 + e297;
+        const Scalar e299 = dxdt[7] * cos_q_3;
+        const Scalar e300 = e17 * e277;
+        const Scalar e301 = e291 * e241;
+        const Scalar e302 = e142 * e42;
+        const Scalar e303 = q_6_dot * e142;
+        const Scalar e304 = e164 - e302 + e303;
+        const Scalar e305 = e241 * e293;
+        const Scalar e306 = e162 + q_6_dot * e135 - e135 * e42;
+        const Scalar e307 = p_.m_6 * sin_q_5;
+        const Scalar e308 = e307 * (q_5_dot * e241);
+        const Scalar e309 = e205 * e307;
+        const Scalar e310 = dxdt[7] * e309;
+        const Scalar e311 = dxdt[7] * sin_q_2;
+        const Scalar e312 = q_2_dot * sin_q_2;
+        const Scalar e313 = e52 * e312;
+        const Scalar e314 = q_4_dot * e60;
+        const Scalar e315 = cos_q_2 * e314;
+        const Scalar e316 = e313 - e315;
+        const Scalar e317 = e104 * e162;
+        const Scalar e318 = e92 * e164;
+        const Scalar e319 = e92 * e162 + e104 * e164;
+        const Scalar e320 = e267 * e307;
+        const Scalar e321 = e241 * e296;
+        const Scalar e322 = e320 - e321;
+        const Scalar e323 = q_5_dot * e267;
+        const Scalar e324 = q_4_dot * e207;
+        const Scalar e325 = e18 * e207;
+        const Scalar e326 = e324 + e325;
+        const Scalar e327 = e135 * e23;
+        const Scalar e328 = cos_q_4 * e312;
+        const Scalar e329 = e190 + e197;
+        const Scalar e330 = q_4_dot + e18;
+        const Scalar e331 = p_.a_2 * p_.m_2;
+        const Scalar e332 = e7 * e11;
+        const Scalar e333 = e16 * e11;
+        const Scalar e334 = c_.k58 * e30 - e29 - Scalar(6) * e31;
+        const Scalar e335 = c_.k66 * e312 + c_.k65 * e332 - p_.d_4 * e333 + e16 * e334 + Scalar(6) * e7 * e28;
+        const Scalar e336 = e74 * e202;
+        const Scalar e337 = p_.m_6 * e161;
+        const Scalar e338 = e47 * e267;
+        const Scalar e339 = e21 * e267;
+        const Scalar e340 = e205 * e279;
+        const Scalar e341 = dxdt[7] * sin_q_3;
+        const Scalar e342 = c_.k64 * q_2_dot + c_.k63 * e25;
+        const Scalar e343 = cos_q_2 * e207;
+        const Scalar e344 = (sin_q_2 * e342 + c_.k64 * e312 + c_.k63 * e343) * e207;
+        const Scalar e345 = e161 * e211;
+        const Scalar e346 = e207 * e312;
+        const Scalar e347 = (Scalar(181) / Scalar(450)) * e331;
+        const Scalar e348 = dxdt[6] * cos_q_2;
+        const Scalar e349 = cos_q_2 * e348;
+        const Scalar e350 = p_.m_4 * p_.g;
+        const Scalar e351 = e16 * e350;
+        const Scalar e352 = q_1_dot * e222;
+        const Scalar e353 = Scalar(6) * e50 - e11 * e334 + e10 * e352;
+        const Scalar e354 = c_.k48 * e353;
+        const Scalar e355 = Scalar(5) * e50 + e13 * e256 + e21 * e145;
+        const Scalar e356 = c_.k49 * e355;
+        const Scalar e357 = dxdt[11] * e231;
+        const Scalar e358 = e81 * e107;
+        const Scalar e359 = c_.k18 * dxdt[8];
+        const Scalar e360 = e293 * e115;
+        const Scalar e361 = e103 * e293;
+        const Scalar e362 = e210 * e296;
+        const Scalar e363 = e296 * e218;
+        const Scalar e364 = dxdt[6] * e7;
+        const Scalar e365 = c_.k10 * e364;
+        const Scalar e366 = p_.m_3 + p_.m_4;
+        const Scalar e367 = dxdt[7] * e120;
+        const Scalar e368 = Scalar(2) * e366 * e367;
+        const Scalar e369 = c_.k91 * e81;
+        const Scalar e370 = e126 * e369;
+        const Scalar e371 = c_.k91 * e123;
+        const Scalar e372 = e49 * e371;
+        const Scalar e373 = c_.k91 * e126;
+        const Scalar e374 = e125 * e92;
+        const Scalar e375 = e242 + e244 - e247 + e248 - e250 - dxdt[6] * e176;
+        const Scalar e376 = e214 * e23;
+        const Scalar e377 = e214 * e40;
+        const Scalar e378 = e125 * e104;
+        const Scalar e379 = e268 + e269 + e271 - e272 + dxdt[6] * e1;
+        const Scalar e380 = q_6_dot * e1;
+        const Scalar e381 = e42 * e1;
+        const Scalar e382 = dxdt[6] * e16;
+        const Scalar e383 = p_.d_4 * p_.m_4;
+        const Scalar e384 = p_.d_4 * p_.m_3;
+        const Scalar e385 = (Scalar(4) / Scalar(5)) * (e383 - (Scalar(5) / Scalar(24)) * e384);
+        const Scalar e386 = -e385;
+        const Scalar e387 = dxdt[8] * e386;
+        const Scalar e388 = e7 * e350;
+        const Scalar e389 = Scalar(6) * e11 * e28 - Scalar(6) * (e65 + e67) + e17 * e352;
+        const Scalar e390 = c_.k48 * e389;
+        const Scalar e391 = c_.k13 * e120;
+        const Scalar e392 = e122 * e291;
+        const Scalar e393 = e125 * e293;
+        const Scalar e394 = e391 + e392 + e393 + e214 * e296;
+        const Scalar e395 = e228 + e230 + e232 + c_.k91 * e215;
+        const Scalar e396 = e328 + q_6_dot * e176 - e42 * e176 + q_4_dot * e254;
+        const Scalar e397 = c_.k62 * sin_q_3 - c_.k59;
+        const Scalar e398 = c_.k49 * e397;
+        const Scalar e399 = dxdt[6] * e161;
+        const Scalar e400 = e125 * e40;
+        const Scalar e401 = e320 - e321 - e151 * e160;
+        const Scalar e402 = e122 * e23;
+        const Scalar e403 = e214 * e151;
+        const Scalar e404 = e122 * e305;
+        const Scalar e405 = e243 * e287;
+        const Scalar e406 = p_.d_4 + c_.k66 * sin_q_3;
+        const Scalar e407 = c_.k48 * e406;
+        const Scalar e408 = p_.m_3 * e120;
+        const Scalar e409 = e17 * e407 - e10 * e408;
+        const Scalar e410 = p_.m_4 * e120;
+        const Scalar e411 = e339 + e13 * e246;
+        const Scalar e412 = e180 + e181;
+        const Scalar e413 = e249 + e348;
+        const Scalar e414 = e240 - e253;
+        const Scalar e415 = cos_q_4 * e21 + sin_q_4 * e13;
+        const Scalar e416 = cos_q_4 * e13 - sin_q_4 * e21;
+        const Scalar e417 = p_.m_3 * p_.g;
+        const Scalar e418 = p_.m_6 * e214;
+        const Scalar e419 = dxdt[6] * sin_q_2;
+        const Scalar e420 = e11 * e407;
+        const Scalar e421 = e207 * e25;
+        const Scalar e422 = e125 * e42;
+        const Scalar e423 = e11 * e408;
+        const Scalar e424 = e114 * e40 + e110 * e23;
+        const Scalar e425 = e114 * e92;
+        const Scalar e426 = (Scalar(4) / Scalar(5)) * e383;
+        const Scalar e427 = e426 * e415;
+        const Scalar e428 = e296 * e424 - (e47 * e425 + e427);
+        const Scalar e429 = c_.k76 * e11;
+        const Scalar e430 = q_6_dot - e42;
+        const Scalar e431 = e217 * e40 + e110 * e430;
+        const Scalar e432 = e114 * e86 - e110 * e53;
+        const Scalar e433 = e243 + e341;
+        const Scalar e434 = e114 * e83 + e110 * e61;
+        const Scalar e435 = e217 * e23;
+        const Scalar e436 = e435 - e114 * e430;
+        const Scalar e437 = e61 * e245;
+        const Scalar e438 = p_.a_3 * p_.m_4;
+        const Scalar e439 = c_.k76 * e17 - c_.k78 * e10;
+        const Scalar e440 = e426 * e330 + e438 * e416;
+        const Scalar e441 = q_5_dot * e52 + (e23 * e53 - e40 * e86);
+        const Scalar e442 = e441 + e225;
+        const Scalar e443 = q_4_dot * e83;
+        const Scalar e444 = e53 * e430 + e443;
+        const Scalar e445 = q_5_dot * e152 - e40 * e151;
+        const Scalar e446 = e151 * e444 - e74 * e445;
+        const Scalar e447 = e217 * e151 * e442 - e114 * e446;
+        const Scalar e448 = q_4_dot * e61 + e86 * e430;
+        const Scalar e449 = e151 * (e448 - (sin_q_4 * e51 - e23 * e74));
+        const Scalar e450 = cos_q_2 * e449 - e104 * e242;
+        const Scalar e451 = e290 - e299;
+        const Scalar e452 = e451 + e323;
+        const Scalar e453 = e114 * e293 + e110 * e291;
+        const Scalar e454 = c_.k18 + e217 * e296;
+        const Scalar e455 = p_.m_6 * e217;
+        const Scalar e456 = c_.k78 * e11;
+        const Scalar e457 = e217 * e74 - e432;
+        const Scalar e458 = e151 * e312;
+        const Scalar e459 = e40 * e83;
+        const Scalar e460 = e245 * e459 - e338;
+        const Scalar e461 = e117 * e291;
+        const Scalar e462 = e106 * e81;
+        const Scalar e463 = p_.m_6 * e117;
+        const Scalar e464 = e83 * e430;
+        const Scalar e465 = e61 * e433 + e245 * e464;
+        const Scalar e466 = e86 * e106 + e74 * e231;
+        const Scalar e467 = e56 - e413;
+        const Scalar e468 = q_5_dot * cos_q_6;
+        const Scalar e469 = e106 * (e468 - e40);
+        const Scalar e470 = e231 * e442 + e106 * e444;
+        const Scalar e471 = e74 * e469 - e470;
+        const Scalar e472 = e23 * e231;
+        const Scalar e473 = e430 * e106 + e472;
+        const Scalar e474 = e117 * e23;
+        const Scalar e475 = sin_q_5 * e2;
+        const Scalar e476 = c_.k21 * cos_q_5 + e475;
+        const Scalar e477 = e231 * e70 - e40 * e49 * e476;
+        const Scalar e478 = e117 * e430;
+        const Scalar e479 = e49 * e473 + e296 * e474 - (e477 + (cos_q_6 * e106 * e47 + e293 * e478));
+        const Scalar e480 = cos_q_5 * e231;
+        const Scalar e481 = e73 * e231;
+        const Scalar e482 = sin_q_5 * e267;
+        const Scalar e483 = e40 * e106;
+        const Scalar e484 = e83 * e106;
+        const Scalar e485 = c_.k21 * sin_q_5 - cos_q_5 * e2;
+        const Scalar e486 = c_.k21 * sin_q_6;
+        const Scalar e487 = cos_q_6 * e231;
+        const Scalar e488 = cos_q_5 * e486 + e487;
+        const Scalar e489 = q_5_dot - cos_q_6 * e40;
+        const Scalar e490 = e23 * e488 - e476 * e489;
+        const Scalar e491 = c_.k21 * e489;
+        const Scalar e492 = e23 * e106;
+        const Scalar e493 = c_.k21 * e430;
+        const Scalar e494 = q_4_dot * e476 + e493;
+        const Scalar e495 = e2 * e441;
+        const Scalar e496 = e74 * e491 - sin_q_4 * e492 - (cos_q_4 * e494 + e495);
+        const Scalar e497 = cos_q_4 * e476;
+        const Scalar e498 = e23 * e2;
+        const Scalar e499 = sin_q_4 * e476;
+        const Scalar e500 = c_.k22 * e23;
+        const Scalar e501 = c_.k22 * sin_q_6;
+        const Scalar e502 = e430 * e475 + e47 * e501;
+        const Scalar e503 = cos_q_5 * e500 - e502;
+        const Scalar e504 = q_5_dot * e231;
+        const Scalar e505 = c_.k22 * e448;
+        const Scalar e506 = e74 * e500 - sin_q_4 * e504 + e505;
+        const Scalar e507 = c_.k22 * e53;
+        const Scalar e508 = cos_q_4 * e14;
+        const Scalar e509 = sin_q_2 * e205;
+        const Scalar e510 = e52 * e14;
+        const Scalar e511 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - e193 - e194 - e195 + e196;
+        const Scalar e512 = e52 * e15;
+        const Scalar e513 = q_1_dot * e335;
+        const Scalar e514 = e212 - e216 - e219 - e221 - e224 - e227 + c_.k48 * e513;
+        const Scalar e515 = e191 - e192 + e198 - e199 + e200 + e201 - e203;
+        const Scalar e516 = cos_q_4 * e5;
+        const Scalar e517 = q_3_dot * e190;
+        const Scalar e518 = q_3_dot * e197;
+        const Scalar e519 = q_2_dot * e190;
+        const Scalar e520 = q_2_dot * e197;
+        const Scalar e521 = e517 + e518 + e519 + e520 + e55 * e281 + e281 * e62;
+        const Scalar e522 = e52 * e5;
+        const Scalar e523 = q_3_dot * e153;
+        const Scalar e524 = q_2_dot * e153;
+        const Scalar e525 = q_3_dot * e157;
+        const Scalar e526 = q_2_dot * e157;
+        const Scalar e527 = e523 + e524 - e525 - e526;
+        const Scalar e528 = e52 * e6;
+        const Scalar e529 = e228 + e230 + e232 + e233;
+        const Scalar e530 = e226 + e153 * e314 - e157 * e314;
+        const Scalar e531 = q_2_dot * e336;
+        const Scalar e532 = q_3_dot * e336;
+        const Scalar e533 = sin_q_4 * e14;
+        const Scalar e534 = e11 * e291;
+        const Scalar e535 = e11 * e293;
+        const Scalar e536 = e235 - e237 + e238;
+        const Scalar e537 = e278 - e284;
+        const Scalar e538 = sin_q_4 * e15;
+        const Scalar e539 = e267 * e207;
+        const Scalar e540 = cos_q_2 * e205;
+        const Scalar e541 = sin_q_4 * e5;
+        const Scalar e542 = e55 * e279 + e279 * e62;
+        const Scalar e543 = sin_q_4 * e6;
+        const Scalar e544 = q_4_dot * e17 + e18 * e17;
+        const Scalar e545 = e11 * e47;
+        const Scalar e546 = e11 * e296;
+        const Scalar e547 = e236 - e327;
+        const Scalar e548 = p_.m_6 * e11;
+        const Scalar e549 = e548 * e70;
+        const Scalar e550 = p_.m_6 * e382 - e151 * e332;
+        const Scalar e551 = e214 * e74 - e125 * e86;
+        const Scalar e552 = e442 * e403 - e125 * e446;
+        const Scalar e553 = e399 - e210;
+        const Scalar e554 = e553 + e218;
+        const Scalar e555 = e376 - e125 * e430;
+        const Scalar e556 = e104 * e545 - e16 * e449;
+        const Scalar e557 = e53 * e550 + e556;
+        const Scalar e558 = e122 * e430 + e377;
+        const Scalar e559 = c_.k91 * cos_q_5;
+        const Scalar e560 = e400 + e402;
+        const Scalar e561 = dxdt[6] * e135;
+        const Scalar e562 = e91 + e118;
+        const Scalar e563 = e561 - e562;
+        const Scalar e564 = dxdt[6] * e142 - e103;
+        const Scalar e565 = e230 + e232;
+        const Scalar e566 = e565 + e228;
+        const Scalar e567 = e358 + (e417 * e16 - e291 * e563) + (sin_q_5 * e412 + e293 * e564 - (cos_q_5 * e566 + e365));
+        const Scalar e568 = e351 - e354 - (e356 - e357) + e567;
+        const Scalar e569 = e11 * e415;
+        const Scalar e570 = e553 + e215;
+        const Scalar e571 = e293 * e126;
+        const Scalar e572 = c_.k13 * e367;
+        const Scalar e573 = e57 - e382;
+        const Scalar e574 = dxdt[7] + dxdt[8];
+        const Scalar e575 = e480 - e462;
+        const Scalar e576 = sin_q_5 * e152;
+        const Scalar e577 = e151 * e49;
+        const Scalar e578 = e351 - e354 - e356 + e357 + e358 - e359 - e360 - e361 + e362 - e571 - e363 - e572 - e49 * e137
+            + e81 * e143 - e296 * e215 - Scalar(2) * p_.d_3 * e366 * e364 - e162 * e576 + e302 * e577 - e303 * e577;
+        const Scalar e579 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - e191 + e192 - e193 - e194 - e195
             + e196 - e198 + e199 - e200 - e201;
-        const Scalar e582 = e47 * e202;
-        const Scalar e583 = Scalar(2) * p_.d_3 * p_.m_3 * e383;
-        const Scalar e584 = q_4_dot * e337;
-        const Scalar e585 = e10 * e284;
-        const Scalar e586 = e229 + e231 + e233 + e234 - e236 + e238;
-        const Scalar e587 = e5 * e221;
-        const Scalar e588 = e6 * e221;
-        const Scalar e589 = e5 * e202;
-        const Scalar e590 = e73 * e589;
-        const Scalar e591 = e5 * e60;
-        const Scalar e592 = sin_q_5 * e14;
-        const Scalar e593 = sin_q_5 * e15;
-        const Scalar e594 = cos_q_5 * e542;
-        const Scalar e595 = e535 * e280 - e540 * e280 - e511 * e282 + e510 * e282;
-        const Scalar e596 = e180 + e181 - e191 + e192;
-        const Scalar e597 = q_2_dot * e14 + q_3_dot * e14 - q_2_dot * e15 - q_3_dot * e15;
-        const Scalar e598 = e91 - e123 - e111 + e118;
-        const Scalar e599 = e5 * e47 + e6 * e47 + cos_q_2 * e271;
-        const Scalar e600 = e279 - e281 + e283;
-        const Scalar e601 = e211 - e216 - e219;
-        const Scalar e602 = (Scalar(1) / Scalar(6)) * e332;
-        const Scalar e603 = q_4_dot * e153 - q_4_dot * e157;
-        const Scalar e604 = e589 + e6 * e202;
-        const Scalar e605 = dxdt[7] * e14 - dxdt[7] * e15;
-        const Scalar e606 = cos_q_2 * (q_2_dot * e343 + c_.k64 * e208 * e208 - c_.k63 * e56);
-        const Scalar e607 = e16 * e151;
-        const Scalar e608 = q_4_dot * e53 + e466;
-        const Scalar e609 = e11 * e607;
-        const Scalar e610 = cos_q_4 * e607 * e51 + e292 * e365 - (e23 * e151 * e76 - e7 * e156 * e47);
-        const Scalar e611 = e49 * e609 - e61 * e552 + e610;
-        const Scalar e612 = e607 * e608 - e611;
-        const Scalar e613 = e294 * e365 + e578 * e334 - (e83 * e552 - e76 * e447);
-        const Scalar e614 = cos_q_4 * e47;
-        const Scalar e615 = e614 - e461;
-        const Scalar e616 = e7 * e151 * e70 - e552 * e73 - (e615 * e607 + (e297 * e365 + cos_q_5 * e609));
-        const Scalar e617 = e54 + e365;
-        const Scalar e618 = e7 * e578;
-        const Scalar e619 = e151 * e97;
-        const Scalar e620 = e17 * e416;
-        const Scalar e621 = q_4_dot * e607;
-        const Scalar e622 = e232 * e615;
-        const Scalar e623 = e483 + e486;
-        const Scalar e624 = e73 * e17;
-        const Scalar e625 = e2 * (e23 * e61 - e615);
-        const Scalar e626 = cos_q_4 * e17;
-        const Scalar e627 = c_.k22 * e61;
-        const Scalar e628 = q_4_dot * e21 + cos_q_4 * e54;
-        const Scalar e629 = (Scalar(1) / Scalar(25)) * e384;
-        const Scalar e630 = (Scalar(4) / Scalar(25)) * p_.m_4;
-        const Scalar e631 = (Scalar(1) / Scalar(50)) * e384;
-        const Scalar e632 = e18 * e631;
-        const Scalar e633 = (Scalar(8) / Scalar(25)) * p_.m_4;
-        const Scalar e634 = dxdt[6] * e633;
-        const Scalar e635 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e138 - e144 + e628 * e629 + e149
-            * e630 + e21 * e632 - e168 * e634;
-        const Scalar e636 = (Scalar(4) / Scalar(5)) * e172;
-        const Scalar e637 = e21 * e636;
-        const Scalar e638 = e13 * e636;
-        const Scalar e639 = e7 * e52;
-        const Scalar e640 = e168 * e630;
-        const Scalar e641 = e519 + e520 + e521 + e522 + e55 * e640 + e62 * e640;
-        const Scalar e642 = c_.k68 * e224;
-        const Scalar e643 = e11 * e60;
-        const Scalar e644 = e241 * e12 - e254 * e12 + e267 * e643 + e277 * e643;
-        const Scalar e645 = sin_q_4 * e640;
-        const Scalar e646 = e264 * e630;
-        const Scalar e647 = cos_q_4 * e646;
-        const Scalar e648 = c_.k11 * e16;
-        const Scalar e649 = e645 - e647 + e648 - e289;
-        const Scalar e650 = q_5_dot * e11;
-        const Scalar e651 = e73 * e650;
-        const Scalar e652 = dxdt[7] * e60;
-        const Scalar e653 = dxdt[8] * e60;
-        const Scalar e654 = e52 * e84;
-        const Scalar e655 = q_4_dot * e13 + sin_q_4 * e54;
-        const Scalar e656 = e655 * e629 + e259 * e630 + e13 * e632 - e264 * e634;
-        const Scalar e657 = cos_q_4 * e84;
-        const Scalar e658 = e657 + dxdt[7] * sin_q_4 + dxdt[8] * sin_q_4;
-        const Scalar e659 = e7 * e74;
-        const Scalar e660 = e7 * e365;
-        const Scalar e661 = e334 * e10;
-        const Scalar e662 = c_.k5 * e223;
-        const Scalar e663 = e17 * e662 + c_.k11 * (e11 * e7);
-        const Scalar e664 = e333 * e17;
-        const Scalar e665 = e16 * e383;
-        const Scalar e666 = e55 * e662 + e62 * e662;
-        const Scalar e667 = e55 * e646 + e62 * e646;
-        const Scalar e668 = e645 - e647;
-        const Scalar e669 = c_.k11 * e5 + c_.k11 * e6;
-        const Scalar e670 = e73 * e550;
-        const Scalar e671 = e5 * e5 + e6 * e6;
-        const Scalar e672 = e11 * e16;
-        const Scalar e673 = (Scalar(11) / Scalar(75)) * e385 * e10;
-        const Scalar e674 = e14 * e15;
-        const Scalar e675 = dxdt[6] * e674;
-        const Scalar e676 = e10 * e417 + e571;
-        const Scalar e677 = e11 * e11 + e10_squared;
-        const Scalar e678 = (Scalar(17) / Scalar(25)) * e384 + (Scalar(7) / Scalar(36)) * e385;
-        const Scalar e679 = c_.k5 * e407;
-        const Scalar e680 = e398 * e630;
-        const Scalar e681 = e84 + e365;
-        const Scalar e682 = p_.m_6 * e681 + e609;
-        const Scalar e683 = cos_q_4 * e264 - sin_q_4 * e168;
-        const Scalar e684 = dxdt[6] * e683 - (cos_q_4 * e259 - sin_q_4 * e149);
-        const Scalar e685 = e550 * e466 - (q_5_dot * cos_q_4 * e536 + e7 * e451);
-        const Scalar e686 = e53 * e682 + e685;
-        const Scalar e687 = p_.m_6 * e565 - e183;
-        const Scalar e688 = c_.k70 * dxdt[7] + p_.m_6 * dxdt[8];
-        const Scalar e689 = e122 * e688;
-        const Scalar e690 = e687 + (p_.m_6 * e111 + e689);
-        const Scalar e691 = p_.m_6 * e566 + e107;
-        const Scalar e692 = e691 - (p_.m_6 * e115 + e125 * e688);
-        const Scalar e693 = dxdt[7] * e398;
-        const Scalar e694 = e61 * e550;
-        const Scalar e695 = sin_q_4 * e8 + e179 * e60;
-        const Scalar e696 = cos_q_4 * e655;
-        const Scalar e697 = e696 - sin_q_4 * e628;
-        const Scalar e698 = e7 * ((Scalar(4) / Scalar(5)) * e351) - (Scalar(1) / Scalar(6)) * e418 * e7;
-        const Scalar e699 = c_.k11 * e383 + e629 * e697 + (e417 * e632 - (dxdt[10] * e499 - e17 * e673));
-        const Scalar e700 = e698 + (e4 * e695 + e73 * e567) - e699;
-        const Scalar e701 = dxdt[7] * e407;
-        const Scalar e702 = e215 * e688;
-        const Scalar e703 = e17 * e10;
-        const Scalar e704 = e615 * e550;
-        const Scalar e705 = e10 * e331;
-        const Scalar e706 = c_.k70 * dxdt[8] + p_.m_6 * dxdt[7];
-        const Scalar e707 = e701 - e390;
-        const Scalar e708 = e693 - e684;
-        const Scalar e709 = p_.m_6 * e126 - e691;
-        const Scalar e710 = p_.m_6 * e123 + e687;
-        const Scalar e711 = e681 + e54;
-        const Scalar e712 = dxdt[9] - e383;
-        const Scalar e713 = q_1_dot * e333 + e712;
-        const Scalar e714 = e87 - e576;
-        const Scalar e715 = cos_q_4 * e714 + sin_q_4 * e711;
-        const Scalar e716 = (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_3;
-        const Scalar e717 = p_.a_2 * p_.a_2;
-        const Scalar e718 = p_.d_3 * p_.d_3;
-        const Scalar e719 = (Scalar(181) / Scalar(900)) * e717;
-        const Scalar e720 = p_.a_2 * p_.g;
-        const Scalar e721 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.d_4;
-        const Scalar e722 = (Scalar(1) / Scalar(6)) * p_.d_3;
-        const Scalar e723 = p_.a_3 * p_.d_3;
-        const Scalar e724 = p_.d_4 * p_.d_4;
-        const Scalar e725 = (Scalar(1) / Scalar(100)) * e724;
-        const Scalar e726 = p_.d_3 * e7 * e368 + (dxdt[8] * e7 * e723 - e725 * e664);
-        const Scalar e727 = (Scalar(1) / Scalar(12)) * e724;
-        const Scalar e728 = (Scalar(11) / Scalar(150)) * e724 * e10;
-        const Scalar e729 = (Scalar(1) / Scalar(36)) * p_.d_4;
-        const Scalar e730 = p_.d_4 * p_.g;
-        const Scalar e731 = p_.a_3 * p_.g;
-        const Scalar e732 = e731 * e16;
-        const Scalar e733 = (Scalar(1) / Scalar(6)) * e730 * e7 + (e732 + e17 * e728);
-        const Scalar e734 = e120 * (e368 + (p_.a_3 * dxdt[8] + p_.d_3 * e365));
-        const Scalar e735 = p_.a_3 * p_.a_3;
-        const Scalar e736 = p_.a_3 * e368 + e723 * e365;
-        const Scalar e737 = p_.d_3 * p_.g;
-        const Scalar e738 = e737 * e7;
-        const Scalar e739 = (Scalar(1) / Scalar(50)) * e724;
-        const Scalar e740 = e655 * e8;
-        const Scalar e741 = e737 * e16;
-        const Scalar e742 = (Scalar(4) / Scalar(25)) * p_.d_4;
-        const Scalar e743 = dxdt[8] * e742;
-        const Scalar e744 = e168 * e168 + e264 * e264;
-        const Scalar e745 = e18 * e725;
-        const Scalar e746 = cos_q_3 * e720 + e731;
-        const Scalar e747 = e739 * e697 - (e7 * ((Scalar(4) / Scalar(5)) * e730) - e417 * e745);
-        const Scalar e748 = p_.c_z * sin_q_6;
-        const Scalar e749 = e123 + e111;
-        const Scalar e750 = e749 + e565;
-        const Scalar e751 = p_.c_x * dxdt[11] + dxdt[10] * e748 - e750;
-        const Scalar e752 = dxdt[10] * cos_q_6;
-        const Scalar e753 = dxdt[9] * e49;
-        const Scalar e754 = e752 + e753;
-        const Scalar e755 = e216 + e219;
-        const Scalar e756 = e555 + e755;
-        const Scalar e757 = p_.c_x * e754 + e756;
-        const Scalar e758 = e126 + e115;
-        const Scalar e759 = e566 - e758;
-        const Scalar e760 = p_.c_z * e754 + e759;
-        const Scalar e761 = p_.c_z * p_.g;
-        const Scalar e762 = e16 * e659 + e639 * e166;
-        const Scalar e763 = p_.c_x * p_.g;
-        const Scalar e764 = e230 * e763;
-        const Scalar e765 = e179 * e761;
-        const Scalar e766 = e230 * e720;
-        const Scalar e767 = e179 * e720;
-        const Scalar e768 = sin_q_5 * e179;
-        const Scalar e769 = e179 * e49 + cos_q_6 * e659;
-        const Scalar e770 = e763 * e769;
-        const Scalar e771 = e720 * e8;
-        const Scalar e772 = cos_q_5 * sin_q_6;
-        const Scalar e773 = cos_q_6 * e639;
-        const Scalar e774 = e763 * (e179 * e772 + e773);
-        const Scalar e775 = cos_q_5 * e230 - e768;
-        const Scalar e776 = e761 * e52 * e8 + e730 * e695
-            + (e53 * e764 + cos_q_4 * e765 + (e230 * e730 * e73 + sin_q_4 * e770));
-        const Scalar e777 = p_.c_z * p_.c_z;
-        const Scalar e778 = p_.c_x * p_.c_x;
-        const Scalar e779 = e777 + e778;
-        const Scalar e780 = p_.c_z * e759 + (p_.c_x * e756 + e764);
-        const Scalar e781 = sin_q_6 * (p_.c_x * p_.c_z);
-        const Scalar e782 = dxdt[11] + e72;
-        const Scalar e783 = p_.m_6 * e782 + dxdt[9] * e297;
-        const Scalar e784 = e19 * e104 - e22 * e92;
-        const Scalar e785 = q_4_dot * e151;
-        const Scalar e786 = e7 * e785;
-        const Scalar e787 = p_.m_6 * e576 - e786;
-        const Scalar e788 = e23 * e784 - e74 * e787;
-        const Scalar e789 = e104 * e80 + e92 * e88;
-        const Scalar e790 = dxdt[9] + e82;
-        const Scalar e791 = dxdt[10] * e92 + e292 * e790;
-        const Scalar e792 = e791 - (q_4_dot * e694 - e53 * e787);
-        const Scalar e793 = e16 * e292 + p_.m_6 * e139;
-        const Scalar e794 = p_.m_6 * e42;
-        const Scalar e795 = e564 - e749;
-        const Scalar e796 = dxdt[10] * e106 + e4 * e769;
-        const Scalar e797 = e413 * e772 + e4 * e773;
-        const Scalar e798 = e16 * e232;
-        const Scalar e799 = e135 * e550;
-        const Scalar e800 = e16 * e795;
-        const Scalar e801 = e49 * e552 + e53 * e786 + (e61 * e682 - e791);
-        const Scalar e802 = cos_q_5 * e552 - e73 * e682;
-        const Scalar e803 = e783 - (e802 + e659 * e785);
-        const Scalar e804 = e74 * e183 - e565 * e212 + (sin_q_4 * e796 + e53 * e568);
-        const Scalar e805 = p_.m_6 * e53;
-        const Scalar e806 = e53 * e706 - e801;
-        const Scalar e807 = e110 * e706;
-        const Scalar e808 = e61 * e711 + e53 * e714;
-        const Scalar e809 = e49 * e575 - e808;
+        const Scalar e580 = e47 * e202;
+        const Scalar e581 = Scalar(2) * p_.d_3 * p_.m_3 * e382;
+        const Scalar e582 = q_4_dot * e336;
+        const Scalar e583 = e10 * e283;
+        const Scalar e584 = e228 + e230 + e232 + e233 - e235 + e237;
+        const Scalar e585 = e5 * e220;
+        const Scalar e586 = e6 * e220;
+        const Scalar e587 = e5 * e202;
+        const Scalar e588 = e73 * e587;
+        const Scalar e589 = e5 * e60;
+        const Scalar e590 = sin_q_5 * e14;
+        const Scalar e591 = sin_q_5 * e15;
+        const Scalar e592 = cos_q_5 * e540;
+        const Scalar e593 = e533 * e279 - e538 * e279 - e509 * e281 + e508 * e281;
+        const Scalar e594 = e180 + e181 - e191 + e192;
+        const Scalar e595 = q_2_dot * e14 + q_3_dot * e14 - q_2_dot * e15 - q_3_dot * e15;
+        const Scalar e596 = e91 - e123 - e111 + e118;
+        const Scalar e597 = e5 * e47 + e6 * e47 + cos_q_2 * e270;
+        const Scalar e598 = e278 - e280 + e282;
+        const Scalar e599 = e210 - e215 - e218;
+        const Scalar e600 = (Scalar(1) / Scalar(6)) * e331;
+        const Scalar e601 = q_4_dot * e153 - q_4_dot * e157;
+        const Scalar e602 = e587 + e6 * e202;
+        const Scalar e603 = dxdt[7] * e14 - dxdt[7] * e15;
+        const Scalar e604 = cos_q_2 * (q_2_dot * e342 + c_.k64 * e207 * e207 - c_.k63 * e56);
+        const Scalar e605 = e16 * e151;
+        const Scalar e606 = q_4_dot * e53 + e464;
+        const Scalar e607 = e11 * e605;
+        const Scalar e608 = cos_q_4 * e605 * e51 + e291 * e364 - (e23 * e151 * e76 - e7 * e156 * e47);
+        const Scalar e609 = e49 * e607 - e61 * e550 + e608;
+        const Scalar e610 = e605 * e606 - e609;
+        const Scalar e611 = e293 * e364 + e576 * e333 - (e83 * e550 - e76 * e445);
+        const Scalar e612 = cos_q_4 * e47;
+        const Scalar e613 = e612 - e459;
+        const Scalar e614 = e7 * e151 * e70 - e550 * e73 - (e613 * e605 + (e296 * e364 + cos_q_5 * e607));
+        const Scalar e615 = e54 + e364;
+        const Scalar e616 = e7 * e576;
+        const Scalar e617 = e151 * e97;
+        const Scalar e618 = e17 * e415;
+        const Scalar e619 = q_4_dot * e605;
+        const Scalar e620 = e231 * e613;
+        const Scalar e621 = e481 + e484;
+        const Scalar e622 = e73 * e17;
+        const Scalar e623 = e2 * (e23 * e61 - e613);
+        const Scalar e624 = cos_q_4 * e17;
+        const Scalar e625 = c_.k22 * e61;
+        const Scalar e626 = q_4_dot * e21 + cos_q_4 * e54;
+        const Scalar e627 = (Scalar(1) / Scalar(25)) * e383;
+        const Scalar e628 = (Scalar(4) / Scalar(25)) * p_.m_4;
+        const Scalar e629 = (Scalar(1) / Scalar(50)) * e383;
+        const Scalar e630 = e18 * e629;
+        const Scalar e631 = (Scalar(8) / Scalar(25)) * p_.m_4;
+        const Scalar e632 = dxdt[6] * e631;
+        const Scalar e633 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e138 - e144 + e626 * e627 + e149
+            * e628 + e21 * e630 - e168 * e632;
+        const Scalar e634 = (Scalar(4) / Scalar(5)) * e172;
+        const Scalar e635 = e21 * e634;
+        const Scalar e636 = e13 * e634;
+        const Scalar e637 = e7 * e52;
+        const Scalar e638 = e168 * e628;
+        const Scalar e639 = e517 + e518 + e519 + e520 + e55 * e638 + e62 * e638;
+        const Scalar e640 = c_.k90 * e223;
+        const Scalar e641 = e11 * e60;
+        const Scalar e642 = e240 * e12 - e253 * e12 + e266 * e641 + e276 * e641;
+        const Scalar e643 = sin_q_4 * e638;
+        const Scalar e644 = e263 * e628;
+        const Scalar e645 = cos_q_4 * e644;
+        const Scalar e646 = c_.k11 * e16;
+        const Scalar e647 = e643 - e645 + e646 - e288;
+        const Scalar e648 = q_5_dot * e11;
+        const Scalar e649 = e73 * e648;
+        const Scalar e650 = dxdt[7] * e60;
+        const Scalar e651 = dxdt[8] * e60;
+        const Scalar e652 = e52 * e84;
+        const Scalar e653 = q_4_dot * e13 + sin_q_4 * e54;
+        const Scalar e654 = e653 * e627 + e258 * e628 + e13 * e630 - e263 * e632;
+        const Scalar e655 = cos_q_4 * e84;
+        const Scalar e656 = e655 + dxdt[7] * sin_q_4 + dxdt[8] * sin_q_4;
+        const Scalar e657 = e7 * e74;
+        const Scalar e658 = e7 * e364;
+        const Scalar e659 = e333 * e10;
+        const Scalar e660 = c_.k5 * e222;
+        const Scalar e661 = e17 * e660 + c_.k11 * (e11 * e7);
+        const Scalar e662 = e332 * e17;
+        const Scalar e663 = e16 * e382;
+        const Scalar e664 = e55 * e660 + e62 * e660;
+        const Scalar e665 = e55 * e644 + e62 * e644;
+        const Scalar e666 = e643 - e645;
+        const Scalar e667 = c_.k11 * e5 + c_.k11 * e6;
+        const Scalar e668 = e73 * e548;
+        const Scalar e669 = e5 * e5 + e6 * e6;
+        const Scalar e670 = e11 * e16;
+        const Scalar e671 = (Scalar(11) / Scalar(75)) * e384 * e10;
+        const Scalar e672 = e14 * e15;
+        const Scalar e673 = dxdt[6] * e672;
+        const Scalar e674 = e10 * e416 + e569;
+        const Scalar e675 = e11 * e11 + e10_squared;
+        const Scalar e676 = (Scalar(17) / Scalar(25)) * e383 + (Scalar(7) / Scalar(36)) * e384;
+        const Scalar e677 = c_.k5 * e406;
+        const Scalar e678 = e397 * e628;
+        const Scalar e679 = e84 + e364;
+        const Scalar e680 = p_.m_6 * e679 + e607;
+        const Scalar e681 = cos_q_4 * e263 - sin_q_4 * e168;
+        const Scalar e682 = dxdt[6] * e681 - (cos_q_4 * e258 - sin_q_4 * e149);
+        const Scalar e683 = e548 * e464 - (q_5_dot * cos_q_4 * e534 + e7 * e449);
+        const Scalar e684 = e53 * e680 + e683;
+        const Scalar e685 = p_.m_6 * e563 - e183;
+        const Scalar e686 = c_.k91 * dxdt[7] + p_.m_6 * dxdt[8];
+        const Scalar e687 = e122 * e686;
+        const Scalar e688 = e685 + (p_.m_6 * e111 + e687);
+        const Scalar e689 = p_.m_6 * e564 + e107;
+        const Scalar e690 = e689 - (p_.m_6 * e115 + e125 * e686);
+        const Scalar e691 = dxdt[7] * e397;
+        const Scalar e692 = e61 * e548;
+        const Scalar e693 = sin_q_4 * e8 + e179 * e60;
+        const Scalar e694 = cos_q_4 * e653;
+        const Scalar e695 = e694 - sin_q_4 * e626;
+        const Scalar e696 = e7 * ((Scalar(4) / Scalar(5)) * e350) - (Scalar(1) / Scalar(6)) * e417 * e7;
+        const Scalar e697 = c_.k11 * e382 + e627 * e695 + (e416 * e630 - (dxdt[10] * e497 - e17 * e671));
+        const Scalar e698 = e696 + (e4 * e693 + e73 * e565) - e697;
+        const Scalar e699 = dxdt[7] * e406;
+        const Scalar e700 = e214 * e686;
+        const Scalar e701 = e17 * e10;
+        const Scalar e702 = e613 * e548;
+        const Scalar e703 = e10 * e330;
+        const Scalar e704 = c_.k91 * dxdt[8] + p_.m_6 * dxdt[7];
+        const Scalar e705 = e699 - e389;
+        const Scalar e706 = e691 - e682;
+        const Scalar e707 = p_.m_6 * e126 - e689;
+        const Scalar e708 = p_.m_6 * e123 + e685;
+        const Scalar e709 = e679 + e54;
+        const Scalar e710 = dxdt[9] - e382;
+        const Scalar e711 = q_1_dot * e332 + e710;
+        const Scalar e712 = e87 - e574;
+        const Scalar e713 = cos_q_4 * e712 + sin_q_4 * e709;
+        const Scalar e714 = (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_3;
+        const Scalar e715 = p_.a_2 * p_.a_2;
+        const Scalar e716 = p_.d_3 * p_.d_3;
+        const Scalar e717 = (Scalar(181) / Scalar(900)) * e715;
+        const Scalar e718 = p_.a_2 * p_.g;
+        const Scalar e719 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.d_4;
+        const Scalar e720 = (Scalar(1) / Scalar(6)) * p_.d_3;
+        const Scalar e721 = p_.a_3 * p_.d_3;
+        const Scalar e722 = p_.d_4 * p_.d_4;
+        const Scalar e723 = (Scalar(1) / Scalar(100)) * e722;
+        const Scalar e724 = p_.d_3 * e7 * e367 + (dxdt[8] * e7 * e721 - e723 * e662);
+        const Scalar e725 = (Scalar(1) / Scalar(12)) * e722;
+        const Scalar e726 = (Scalar(11) / Scalar(150)) * e722 * e10;
+        const Scalar e727 = (Scalar(1) / Scalar(36)) * p_.d_4;
+        const Scalar e728 = p_.d_4 * p_.g;
+        const Scalar e729 = p_.a_3 * p_.g;
+        const Scalar e730 = e729 * e16;
+        const Scalar e731 = (Scalar(1) / Scalar(6)) * e728 * e7 + (e730 + e17 * e726);
+        const Scalar e732 = e120 * (e367 + (p_.a_3 * dxdt[8] + p_.d_3 * e364));
+        const Scalar e733 = p_.a_3 * p_.a_3;
+        const Scalar e734 = p_.a_3 * e367 + e721 * e364;
+        const Scalar e735 = p_.d_3 * p_.g;
+        const Scalar e736 = e735 * e7;
+        const Scalar e737 = (Scalar(1) / Scalar(50)) * e722;
+        const Scalar e738 = e653 * e8;
+        const Scalar e739 = e735 * e16;
+        const Scalar e740 = (Scalar(4) / Scalar(25)) * p_.d_4;
+        const Scalar e741 = dxdt[8] * e740;
+        const Scalar e742 = e168 * e168 + e263 * e263;
+        const Scalar e743 = e18 * e723;
+        const Scalar e744 = cos_q_3 * e718 + e729;
+        const Scalar e745 = e737 * e695 - (e7 * ((Scalar(4) / Scalar(5)) * e728) - e416 * e743);
+        const Scalar e746 = p_.c_z * sin_q_6;
+        const Scalar e747 = e123 + e111;
+        const Scalar e748 = e747 + e563;
+        const Scalar e749 = p_.c_x * dxdt[11] + dxdt[10] * e746 - e748;
+        const Scalar e750 = dxdt[10] * cos_q_6;
+        const Scalar e751 = dxdt[9] * e49;
+        const Scalar e752 = e750 + e751;
+        const Scalar e753 = e215 + e218;
+        const Scalar e754 = e553 + e753;
+        const Scalar e755 = p_.c_x * e752 + e754;
+        const Scalar e756 = e126 + e115;
+        const Scalar e757 = e564 - e756;
+        const Scalar e758 = p_.c_z * e752 + e757;
+        const Scalar e759 = p_.c_z * p_.g;
+        const Scalar e760 = e16 * e657 + e637 * e166;
+        const Scalar e761 = p_.c_x * p_.g;
+        const Scalar e762 = e229 * e761;
+        const Scalar e763 = e179 * e759;
+        const Scalar e764 = e229 * e718;
+        const Scalar e765 = e179 * e718;
+        const Scalar e766 = sin_q_5 * e179;
+        const Scalar e767 = e179 * e49 + cos_q_6 * e657;
+        const Scalar e768 = e761 * e767;
+        const Scalar e769 = e718 * e8;
+        const Scalar e770 = cos_q_5 * sin_q_6;
+        const Scalar e771 = cos_q_6 * e637;
+        const Scalar e772 = e761 * (e179 * e770 + e771);
+        const Scalar e773 = cos_q_5 * e229 - e766;
+        const Scalar e774 = e759 * e52 * e8 + e728 * e693
+            + (e53 * e762 + cos_q_4 * e763 + (e229 * e728 * e73 + sin_q_4 * e768));
+        const Scalar e775 = p_.c_z * p_.c_z;
+        const Scalar e776 = p_.c_x * p_.c_x;
+        const Scalar e777 = e775 + e776;
+        const Scalar e778 = p_.c_z * e757 + (p_.c_x * e754 + e762);
+        const Scalar e779 = sin_q_6 * (p_.c_x * p_.c_z);
+        const Scalar e780 = dxdt[11] + e72;
+        const Scalar e781 = p_.m_6 * e780 + dxdt[9] * e296;
+        const Scalar e782 = e19 * e104 - e22 * e92;
+        const Scalar e783 = q_4_dot * e151;
+        const Scalar e784 = e7 * e783;
+        const Scalar e785 = p_.m_6 * e574 - e784;
+        const Scalar e786 = e23 * e782 - e74 * e785;
+        const Scalar e787 = e104 * e80 + e92 * e88;
+        const Scalar e788 = dxdt[9] + e82;
+        const Scalar e789 = dxdt[10] * e92 + e291 * e788;
+        const Scalar e790 = e789 - (q_4_dot * e692 - e53 * e785);
+        const Scalar e791 = e16 * e291 + p_.m_6 * e139;
+        const Scalar e792 = p_.m_6 * e42;
+        const Scalar e793 = e562 - e747;
+        const Scalar e794 = dxdt[10] * e106 + e4 * e767;
+        const Scalar e795 = e412 * e770 + e4 * e771;
+        const Scalar e796 = e16 * e231;
+        const Scalar e797 = e135 * e548;
+        const Scalar e798 = e16 * e793;
+        const Scalar e799 = e49 * e550 + e53 * e784 + (e61 * e680 - e789);
+        const Scalar e800 = cos_q_5 * e550 - e73 * e680;
+        const Scalar e801 = e781 - (e800 + e657 * e783);
+        const Scalar e802 = e74 * e183 - e563 * e211 + (sin_q_4 * e794 + e53 * e566);
+        const Scalar e803 = p_.m_6 * e53;
+        const Scalar e804 = e53 * e704 - e799;
+        const Scalar e805 = e110 * e704;
+        const Scalar e806 = e61 * e709 + e53 * e712;
+        const Scalar e807 = e49 * e573 - e806;
         const Scalar e40_squared = e40 * e40;
-        const Scalar e810 = e42 * e42 + e40_squared;
-        const Scalar e811 = c_.k87 * e754 + e231;
-        const Scalar e812 = e749 + (e563 - e91);
-        const Scalar e813 = e23 * e40;
-        const Scalar e814 = dxdt[9] * cos_q_5;
-        const Scalar e815 = c_.k21 * cos_q_6;
-        const Scalar e816 = e19 * e503 - e22 * e2;
-        const Scalar e817 = e19 * e92 + e22 * e104;
-        const Scalar e818 = dxdt[10] * e104 + e92 * e79;
-        const Scalar e819 = e294 * e790 - e818;
-        const Scalar e820 = e86 * e787 - e431 * e784;
-        const Scalar e821 = cos_q_4 * e413 + e52 * e9;
-        const Scalar e822 = e294 * e383 - e578 * e333;
-        const Scalar e823 = e83 * e682;
-        const Scalar e824 = e819 - (e822 - (e86 * e786 - e823));
-        const Scalar e825 = c_.k22 * e83;
-        const Scalar e826 = c_.k22 * e86;
-        const Scalar e827 = dxdt[11] + e813;
-        const Scalar e828 = dxdt[6] * e130 - e78;
-        const Scalar e829 = e827 - Scalar(2) * e828;
-        const Scalar e830 = e178 + e177;
-        const Scalar e831 = e830 * e830 + (sin_q_4 * sin_q_4 * e671 + e132 * e132);
-        const Scalar e832 = e535 * e540;
-        const Scalar e833 = -e99;
-        const Scalar e834 = dxdt[6] * e140 + e833;
-        const Scalar e835 = e79 - e13 * e70 + e60 * e85 - e52 * e87 - sin_q_5 * e57;
-        const Scalar e836 = e89 - e40 * e42;
-        const Scalar e837 = e8 - sin_q_6 * e132;
-        const Scalar e838 = sin_q_5 * e830 + e132 * e81;
-        const Scalar e839 = e130 * e74 + e140 * e53;
-        const Scalar e840 = e830 * e52 - (sin_q_4 * e166 - e132 * e86);
-        const Scalar e841 = e839 - (Scalar(1) / Scalar(2)) * e840;
-        const Scalar e842 = e53 * e576;
-        const Scalar e843 = e86 * e86 + e74 * e74;
-        const Scalar e844 = cos_q_5 * e74 - e86 * e81;
-        const Scalar e845 = cos_q_4 + sin_q_6 * e86;
-        const Scalar e846 = e53 * (Scalar(2) * (e833 - e754 - e842)) - e74 * (Scalar(2) * e78 + e827) - e576
-            * (Scalar(1) + e843) - e835 * e52 - dxdt[9] * e844 - dxdt[10] * e845 - e86 * e836 + Scalar(2) * dxdt[6] * e841
-            + e696;
-        const Scalar e847 = e834 - ((Scalar(1) / Scalar(2)) * e754 + e842);
+        const Scalar e808 = e42 * e42 + e40_squared;
+        const Scalar e809 = c_.k92 * e752 + e230;
+        const Scalar e810 = e747 + (e561 - e91);
+        const Scalar e811 = e23 * e40;
+        const Scalar e812 = dxdt[9] * cos_q_5;
+        const Scalar e813 = c_.k21 * cos_q_6;
+        const Scalar e814 = e19 * e501 - e22 * e2;
+        const Scalar e815 = e19 * e92 + e22 * e104;
+        const Scalar e816 = dxdt[10] * e104 + e92 * e79;
+        const Scalar e817 = e293 * e788 - e816;
+        const Scalar e818 = e86 * e785 - e430 * e782;
+        const Scalar e819 = cos_q_4 * e412 + e52 * e9;
+        const Scalar e820 = e293 * e382 - e576 * e332;
+        const Scalar e821 = e83 * e680;
+        const Scalar e822 = e817 - (e820 - (e86 * e784 - e821));
+        const Scalar e823 = c_.k22 * e83;
+        const Scalar e824 = c_.k22 * e86;
+        const Scalar e825 = dxdt[11] + e811;
+        const Scalar e826 = dxdt[6] * e130 - e78;
+        const Scalar e827 = e825 - Scalar(2) * e826;
+        const Scalar e828 = e178 + e177;
+        const Scalar e829 = e828 * e828 + (sin_q_4 * sin_q_4 * e669 + e132 * e132);
+        const Scalar e830 = e533 * e538;
+        const Scalar e831 = -e99;
+        const Scalar e832 = dxdt[6] * e140 + e831;
+        const Scalar e833 = e79 - e13 * e70 + e60 * e85 - e52 * e87 - sin_q_5 * e57;
+        const Scalar e834 = e89 - e40 * e42;
+        const Scalar e835 = e8 - sin_q_6 * e132;
+        const Scalar e836 = sin_q_5 * e828 + e132 * e81;
+        const Scalar e837 = e130 * e74 + e140 * e53;
+        const Scalar e838 = e828 * e52 - (sin_q_4 * e166 - e132 * e86);
+        const Scalar e839 = e837 - (Scalar(1) / Scalar(2)) * e838;
+        const Scalar e840 = e53 * e574;
+        const Scalar e841 = e86 * e86 + e74 * e74;
+        const Scalar e842 = cos_q_5 * e74 - e86 * e81;
+        const Scalar e843 = cos_q_4 + sin_q_6 * e86;
+        const Scalar e844 = e53 * (Scalar(2) * (e831 - e752 - e840)) - e74 * (Scalar(2) * e78 + e825) - e574
+            * (Scalar(1) + e841) - e833 * e52 - dxdt[9] * e842 - dxdt[10] * e843 - e86 * e834 + Scalar(2) * dxdt[6] * e839
+            + e694;
+        const Scalar e845 = e832 - ((Scalar(1) / Scalar(2)) * e752 + e840);
         const Scalar q_1 = x[0];
-        const Scalar e848 = Scalar(1) - q_4;
-        const Scalar e849 = Scalar(1) + q_6;
-        const Scalar e850 = p_.m_6 + e367;
-        const Scalar e851 = p_.a_3 * e850 * e16 + (-p_.d_4 * p_.m_6 - e386) * e7 - (e16 * (c_.k21 * e73 - e825) + e7 * e478);
-        const Scalar e852 = p_.m_6 * e135;
-        const Scalar e853 = p_.m_6 * e142;
-        const Scalar e854 = c_.k2 * e140;
-        const Scalar e855 = c_.k2 * e130;
-        const Scalar e856 = c_.k2 * e839 - p_.J_5 * e840;
-        const Scalar e857 = c_.k6 * e398;
-        const Scalar e858 = c_.k2 * e53;
-        const Scalar e859 = p_.J_5 * e843 + e53 * e858;
-        const Scalar e860 = p_.m_6 * e125;
-        const Scalar e861 = p_.m_6 * e122;
-        const Scalar e862 = p_.J_5 * e844 + e49 * e858;
-        const Scalar e863 = c_.k25 * e49;
-        const Scalar e864 = p_.J_5 * e845 + cos_q_6 * e858;
-        const Scalar e865 = p_.J_5 * e74;
+        const Scalar e846 = Scalar(1) - q_4;
+        const Scalar e847 = Scalar(1) + q_6;
+        const Scalar e848 = p_.m_6 + e366;
+        const Scalar e849 = p_.a_3 * e848 * e16 + (-p_.d_4 * p_.m_6 - e385) * e7 - (e16 * (c_.k21 * e73 - e823) + e7 * e476);
+        const Scalar e850 = p_.m_6 * e135;
+        const Scalar e851 = p_.m_6 * e142;
+        const Scalar e852 = c_.k2 * e140;
+        const Scalar e853 = c_.k2 * e130;
+        const Scalar e854 = c_.k2 * e837 - p_.J_5 * e838;
+        const Scalar e855 = c_.k6 * e397;
+        const Scalar e856 = c_.k2 * e53;
+        const Scalar e857 = p_.J_5 * e841 + e53 * e856;
+        const Scalar e858 = p_.m_6 * e125;
+        const Scalar e859 = p_.m_6 * e122;
+        const Scalar e860 = p_.J_5 * e842 + e49 * e856;
+        const Scalar e861 = c_.k25 * e49;
+        const Scalar e862 = p_.J_5 * e843 + cos_q_6 * e856;
+        const Scalar e863 = p_.J_5 * e74;
         std::array<Scalar, 21> mass;
-        mass[0] = c_.k0 + c_.k3 * cos_q_2 * cos_q_2 + c_.k7 * e16 * e16 + c_.k8 * e7 * e7 + c_.k4 * e671 + e223 * e662 + c_.k6
-            * e744 + p_.J_5 * e831 + e161 * e338 + e135 * e852 + e142 * e853 + e140 * e854 + c_.k1 * e674 + e130 * e855 + c_.k2
-            * e832;
-        mass[1] = c_.k9 * sin_q_2 + e120 * e296 - e856 + e215 * e338 + e122 * e852 - e125 * e853 - e407 * e648 - e683 * e857;
-        mass[2] = c_.k12 + e859 + e120 * e392 + e215 * e419 + e407 * e679 + e398 * e857 + e125 * e860 + e122 * e861;
-        mass[3] = c_.k16 * e7 - c_.k15 * e16 + c_.k14 * e683 - e856 + e218 * e338 + e110 * e852 - e114 * e853;
-        mass[4] = c_.k17 + c_.k18 * e120 - c_.k14 * e398 + c_.k19 * e407 + e859 + e218 * e419 + e114 * e860 + e110 * e861;
-        mass[5] = p_.m_6 * (e114 * e114 + e110 * e110) + c_.k20 + e859 + e218 * e457;
-        mass[6] = e161 * e232 - c_.k23 * e16 + e142 * e106 - p_.J_5 * e838 - e135 * e465 - e49 * e854 - cos_q_5 * e855;
-        mass[7] = e215 * e232 - e125 * e106 - e122 * e465 + e862;
-        mass[8] = e218 * e232 - e114 * e106 - e110 * e465 + e862;
-        mass[9] = c_.k24 + e117 * e465 + e49 * e863;
-        mass[10] = e161 * e2 - p_.J_5 * e837 - e135 * e488 + e142 * e815 - cos_q_6 * e854;
-        mass[11] = e215 * e2 - e122 * e488 + e864 - e125 * e815;
-        mass[12] = e218 * e2 - e110 * e488 + e864 - e114 * e815;
-        mass[13] = e117 * e488 + cos_q_6 * e863;
+        mass[0] = c_.k0 + c_.k3 * cos_q_2 * cos_q_2 + c_.k7 * e16 * e16 + c_.k8 * e7 * e7 + c_.k4 * e669 + e222 * e660 + c_.k6
+            * e742 + p_.J_5 * e829 + e161 * e337 + e135 * e850 + e142 * e851 + e140 * e852 + c_.k1 * e672 + e130 * e853 + c_.k2
+            * e830;
+        mass[1] = c_.k9 * sin_q_2 + e120 * e295 - e854 + e214 * e337 + e122 * e850 - e125 * e851 - e406 * e646 - e681 * e855;
+        mass[2] = c_.k12 + e857 + e120 * e391 + e214 * e418 + e406 * e677 + e397 * e855 + e125 * e858 + e122 * e859;
+        mass[3] = c_.k16 * e7 - c_.k15 * e16 + c_.k14 * e681 - e854 + e217 * e337 + e110 * e850 - e114 * e851;
+        mass[4] = c_.k17 + c_.k18 * e120 - c_.k14 * e397 + c_.k19 * e406 + e857 + e217 * e418 + e114 * e858 + e110 * e859;
+        mass[5] = p_.m_6 * (e114 * e114 + e110 * e110) + c_.k20 + e857 + e217 * e455;
+        mass[6] = e161 * e231 - c_.k23 * e16 + e142 * e106 - p_.J_5 * e836 - e135 * e463 - e49 * e852 - cos_q_5 * e853;
+        mass[7] = e214 * e231 - e125 * e106 - e122 * e463 + e860;
+        mass[8] = e217 * e231 - e114 * e106 - e110 * e463 + e860;
+        mass[9] = c_.k24 + e117 * e463 + e49 * e861;
+        mass[10] = e161 * e2 - p_.J_5 * e835 - e135 * e486 + e142 * e813 - cos_q_6 * e852;
+        mass[11] = e214 * e2 - e122 * e486 + e862 - e125 * e813;
+        mass[12] = e217 * e2 - e110 * e486 + e862 - e114 * e813;
+        mass[13] = e117 * e486 + cos_q_6 * e861;
         mass[14] = c_.k26 + c_.k27 * cos_q_6 * cos_q_6;
         mass[15] = -c_.k22 * e135 - p_.J_5 * e130;
-        mass[16] = e865 - c_.k22 * e122;
-        mass[17] = e865 - c_.k22 * e110;
+        mass[16] = e863 - c_.k22 * e122;
+        mass[17] = e863 - c_.k22 * e110;
         mass[18] = p_.J_5 * cos_q_5 + c_.k22 * e117;
         mass[19] = c_.k28 * sin_q_6;
         mass[20] = c_.k27;
@@ -3360,136 +2771,136 @@ public:
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        const Scalar e866 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - e191 + e192 - e193 - e194 - e195
+        const Scalar e864 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - e191 + e192 - e193 - e194 - e195
             + e196 - e198 + e199 - e200 - e201 + e203;
-        const Scalar e867 = q_2_dot * q_2_dot * e205 - e213 + e217 + e220 + e222 + e225 + e227 + e228;
-        J[6] = e1 * e175 - e176 * e866 - cos_q_2 * e867 - e160 * e240 + e241 * e253 - e254 * e253 + e255
-            * (e260 + e261 + e262 - e263 - e265 + e266) - e267 * e276 - e277 * e276 + e242 * (e279 - e281 + e283 - e285) - e282
-            * (e18 * e268 - cos_q_4 * e56 + e269 + e275) + e244 * (e286 - e287 + e289 + e290) + e291 * e299 - e300 * e299
-            - e246 * (e13 * e172 * e8 + e7 * e284 + e301) - e302 * e305 - e306 * e307 + e161 * (e309 + e311) - e205
-            * (q_1_dot * e208 + e312) + e153 * e317 - e157 * e317 + e247 * (e318 - e319) - e271 * e320 + e237 * e323 + e56
-            * (sin_q_4 * e280 + e278) + e324 * (e293 - e295) - e286 * e327 + e287 * e327 - e328 * e323 + e329 * e330 - e280
-            * e247 * e331 - dxdt[6] * ((Scalar(1) / Scalar(50)) * e332) + c_.k48 * e336 * e208 + e313 * e337 + e338 * e339 - e7
-            * e172 * e340 + dxdt[7] * e341 + e342 * e290 + (Scalar(1) / Scalar(18)) * p_.m_2 * e345 - e250 * e346
-            + (Scalar(131) / Scalar(225)) * e332 * e347 - e348 * e350;
-        const Scalar e868 = e352 - e355 - e357 + e358 + e359 - e360 - e361 - e362 + e363 - e364 - e366 - e369 - e371 - e373;
-        const Scalar e869 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 + e150 - cos_q_6 * e372 + sin_q_6 * e374;
-        const Scalar e870 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - sin_q_6 * e372 - cos_q_6 * e374;
-        J[7] = cos_q_3 * e868 + e274 * e869 + e252 * e870 - e375 * e376 - e122 * e104 * e376 - e377
-            * (e152 * e1 - e156 * e176 + e92 * e247 + e104 * e271 + e302) + e378
-            * (e156 * e1 + e152 * e176 + e104 * e247 - e92 * e271 - e306) + e379 * e380 - e122 * e92 * e380 - e125 * e152
-            * (q_5_dot * e160 + e314 - e316 - e381 + e382) + sin_q_3 * (c_.k98 * e383 - e388 + e389 + e391) + e291 * e395
-            + e207 * e396 - cos_q_3 * cos_q_5 * e396 + e122 * e152 * e397 - e125 * e156 * e397 - e122 * e156
-            * (e314 - e316 - e381 + e382) - e399 * (e244 - e325 - e326) - e310 * (e211 - e219 - e400) - e401 * e402 - e403
-            * e402 - e404 * (q_5_dot * e176 - e74 * e313 + cos_q_2 * e226) - dxdt[6] * cos_q_3 * (e293 - e295 + e298) + cos_q_3
-            * e292 * (e91 - e111 + e118) - dxdt[6] * e274 * (e282 + e267 + e277) + q_6_dot * (e125 * e302 - e405) + e215
-            * (e309 + e406) + e208 * e410 - e411 * e412 + e324 * (e393 + e394) - e342 * (e398 * e169 + c_.k94 * e407) + cos_q_3
-            * sin_q_5 * e413 - e215 * e212 * e414 + dxdt[6] * e252 * e415 + e242 * e399 * e416 - e208 * e411 * e417 - dxdt[7]
-            * ((Scalar(19) / Scalar(45)) * e332) + cos_q_2 * ((Scalar(1) / Scalar(3)) * p_.m_2 * p_.g + e418) - e122 * e151
-            * e51 * e255 - e244 * e408 - e206 * e260 + e339 * e419 - e205 * e420 + dxdt[6] * e341 + e242 * e421 - e348 * e422
-            - e302 * e423 + e42 * e405 - e246 * e424;
-        J[8] = e242 * (e429 + e430) - p_.m_6 * (e83 * e246 * e432 - e414 * e433 + e434 * e435 + e437 * e438) - e218
-            * (e414 * e212 - e309 - e406 - e311) - e439 * e412 + e208 * (e441 - e442) - e387 * e434 - cos_q_2 * e449 + e110
-            * e452 - e437 * e302 - e432 * e306 + e454 * e455 - e425 * e321 + e453 * e456 + e339 * e457 - e246 * e458 + e459
-            * e460;
-        J[9] = e232 * (dxdt[7] * e207 - e462) - e117 * (e452 + e53 * e460) - e454 * (e463 + e464) + e465 * (e53 * e414 + e467)
-            + e468 * e469 + e208 * e473 - e242 * e481 + e321 * e476 - e475 * e438 + e453 * e482 + e244 * e483 + e484 * e485
-            + e434 * e486;
-        J[10] = dxdt[7] * e478 * e206 - e453 * e487 - e242 * e492 - e2 * e462 + e208 * e498 - e247 * e495 + e268 * e494 - e484
-            * e493 + e244 * e499 - e500 * e438 + e469 * e501;
-        J[11] = c_.k22 * e467 - e232 * e454 - e242 * e505 - e208 * e508 + e502 * e484 - e469 * e509;
+        const Scalar e865 = q_2_dot * q_2_dot * e204 - e212 + e216 + e219 + e221 + e224 + e226 + e227;
+        J[6] = e1 * e175 - e176 * e864 - cos_q_2 * e865 - e160 * e239 + e240 * e252 - e253 * e252 + e254
+            * (e259 + e260 + e261 - e262 - e264 + e265) - e266 * e275 - e276 * e275 + e241 * (e278 - e280 + e282 - e284) - e281
+            * (e18 * e267 - cos_q_4 * e56 + e268 + e274) + e243 * (e285 - e286 + e288 + e289) + e290 * e298 - e299 * e298
+            - e245 * (e13 * e172 * e8 + e7 * e283 + e300) - e301 * e304 - e305 * e306 + e161 * (e308 + e310) - e204
+            * (q_1_dot * e207 + e311) + e153 * e316 - e157 * e316 + e246 * (e317 - e318) - e270 * e319 + e236 * e322 + e56
+            * (sin_q_4 * e279 + e277) + e323 * (e292 - e294) - e285 * e326 + e286 * e326 - e327 * e322 + e328 * e329 - e279
+            * e246 * e330 - dxdt[6] * ((Scalar(1) / Scalar(50)) * e331) + c_.k48 * e335 * e207 + e312 * e336 + e337 * e338 - e7
+            * e172 * e339 + dxdt[7] * e340 + e341 * e289 + (Scalar(1) / Scalar(18)) * p_.m_2 * e344 - e249 * e345
+            + (Scalar(131) / Scalar(225)) * e331 * e346 - e347 * e349;
+        const Scalar e866 = e351 - e354 - e356 + e357 + e358 - e359 - e360 - e361 + e362 - e363 - e365 - e368 - e370 - e372;
+        const Scalar e867 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 + e150 - cos_q_6 * e371 + sin_q_6 * e373;
+        const Scalar e868 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - sin_q_6 * e371 - cos_q_6 * e373;
+        J[7] = cos_q_3 * e866 + e273 * e867 + e251 * e868 - e374 * e375 - e122 * e104 * e375 - e376
+            * (e152 * e1 - e156 * e176 + e92 * e246 + e104 * e270 + e301) + e377
+            * (e156 * e1 + e152 * e176 + e104 * e246 - e92 * e270 - e305) + e378 * e379 - e122 * e92 * e379 - e125 * e152
+            * (q_5_dot * e160 + e313 - e315 - e380 + e381) + sin_q_3 * (c_.k97 * e382 - e387 + e388 + e390) + e290 * e394
+            + e206 * e395 - cos_q_3 * cos_q_5 * e395 + e122 * e152 * e396 - e125 * e156 * e396 - e122 * e156
+            * (e313 - e315 - e380 + e381) - e398 * (e243 - e324 - e325) - e309 * (e210 - e218 - e399) - e400 * e401 - e402
+            * e401 - e403 * (q_5_dot * e176 - e74 * e312 + cos_q_2 * e225) - dxdt[6] * cos_q_3 * (e292 - e294 + e297) + cos_q_3
+            * e291 * (e91 - e111 + e118) - dxdt[6] * e273 * (e281 + e266 + e276) + q_6_dot * (e125 * e301 - e404) + e214
+            * (e308 + e405) + e207 * e409 - e410 * e411 + e323 * (e392 + e393) - e341 * (e397 * e169 + c_.k96 * e406) + cos_q_3
+            * sin_q_5 * e412 - e214 * e211 * e413 + dxdt[6] * e251 * e414 + e241 * e398 * e415 - e207 * e410 * e416 - dxdt[7]
+            * ((Scalar(19) / Scalar(45)) * e331) + cos_q_2 * ((Scalar(1) / Scalar(3)) * p_.m_2 * p_.g + e417) - e122 * e151
+            * e51 * e254 - e243 * e407 - e205 * e259 + e338 * e418 - e204 * e419 + dxdt[6] * e340 + e241 * e420 - e347 * e421
+            - e301 * e422 + e42 * e404 - e245 * e423;
+        J[8] = e241 * (e428 + e429) - p_.m_6 * (e83 * e245 * e431 - e413 * e432 + e433 * e434 + e436 * e437) - e217
+            * (e413 * e211 - e308 - e405 - e310) - e438 * e411 + e207 * (e439 - e440) - e386 * e433 - cos_q_2 * e447 + e110
+            * e450 - e436 * e301 - e431 * e305 + e452 * e453 - e424 * e320 + e451 * e454 + e338 * e455 - e245 * e456 + e457
+            * e458;
+        J[9] = e231 * (dxdt[7] * e206 - e460) - e117 * (e450 + e53 * e458) - e452 * (e461 + e462) + e463 * (e53 * e413 + e465)
+            + e466 * e467 + e207 * e471 - e241 * e479 + e320 * e474 - e473 * e437 + e451 * e480 + e243 * e481 + e482 * e483
+            + e433 * e484;
+        J[10] = dxdt[7] * e476 * e205 - e451 * e485 - e241 * e490 - e2 * e460 + e207 * e496 - e246 * e493 + e267 * e492 - e482
+            * e491 + e243 * e497 - e498 * e437 + e467 * e499;
+        J[11] = c_.k22 * e465 - e231 * e452 - e241 * e503 - e207 * e506 + e500 * e482 - e467 * e507;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = Scalar(0);
-        const Scalar e871 = e3 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e138 - e144 + e150 - e171;
-        const Scalar e872 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e138 - e144 + e150 - e171;
-        J[18] = e510 * e871 - e511 * e872 - e512 * e513 + e514 * e513 + e14 * e516 - e15 * e516 - e167
-            * (e154 - e155 - e158 + e159 - e163 + e165 + e174) + e16 * e52 * e517 + e518 * e523 - dxdt[7] * e299 - dxdt[8]
-            * e299 + e524 * e529 + e530 * e529 + sin_q_4 * e16 * (e261 + e262 - e263 + e266) - e74 * e14 * e531 + e74 * e15
-            * e531 - e16 * e532 + e6 * (e55 * e278 + e533 + e534) + e535 * (e4 * e166 + e260 - e265) - e536 * e305 - e537
-            * e307 + e16 * e74 * e538 + q_2_dot * e539 + q_3_dot * e539 - e11 * (e281 - e283) + e5 * (e533 + e534) - e540
-            * (e260 - e265) + e282 * (e541 + e256) + e542 * (e519 + e520) + e543 * e544 + e545 * e544 - e286 * e546 + e287
-            * e546 + e547 * e415 - e548 * e549 + cos_q_2 * e268 * e330 + e5 * e278 * (e55 + e62) + e161 * e551 + e278 * e63;
-        J[19] = e17 * (e331 * e399 - e417 * e411) - dxdt[8] * e395 + e17 * e410 - e292 * e111 - e552 * e553 - e16 * e554 - e297
-            * e556 - e557 * e536 - e122 * e559 - e560 * e537 - e360 - e375 * e547 - e361 - e216 * e561 + e562 * e548 + e215
-            * e551 + e11 * e421 + e570 + e399 * e571 - e369 - e371 - e373;
-        J[20] = e17 * e441 - dxdt[7] * (e455 + e456) - dxdt[8] * (Scalar(2) * p_.a_3 * e367) - e292 * e123 - c_.k70 * e49
-            * e111 - e110 * e558 - e552 * e459 - e16 * e449 - e297 * e572 - e17 * e442 - e437 * e536 + e11 * e429 - e432 * e537
-            - e115 * e370 - e219 * e561 + e11 * e430 - e573 + e218 * e551 - e574 + e570;
-        J[21] = e575 * e468 - e576 * (e577 - e463) + e17 * e473 + e117 * e559 - e11 * e481;
-        J[22] = e576 * e487 - e11 * e492 + e17 * e498 + e575 * e501;
-        J[23] = e576 * e232 - e11 * e505 - e17 * e508 - e575 * e509;
+        const Scalar e869 = e3 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e138 - e144 + e150 - e171;
+        const Scalar e870 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e138 - e144 + e150 - e171;
+        J[18] = e508 * e869 - e509 * e870 - e510 * e511 + e512 * e511 + e14 * e514 - e15 * e514 - e167
+            * (e154 - e155 - e158 + e159 - e163 + e165 + e174) + e16 * e52 * e515 + e516 * e521 - dxdt[7] * e298 - dxdt[8]
+            * e298 + e522 * e527 + e528 * e527 + sin_q_4 * e16 * (e260 + e261 - e262 + e265) - e74 * e14 * e529 + e74 * e15
+            * e529 - e16 * e530 + e6 * (e55 * e277 + e531 + e532) + e533 * (e4 * e166 + e259 - e264) - e534 * e304 - e535
+            * e306 + e16 * e74 * e536 + q_2_dot * e537 + q_3_dot * e537 - e11 * (e280 - e282) + e5 * (e531 + e532) - e538
+            * (e259 - e264) + e281 * (e539 + e255) + e540 * (e517 + e518) + e541 * e542 + e543 * e542 - e285 * e544 + e286
+            * e544 + e545 * e414 - e546 * e547 + cos_q_2 * e267 * e329 + e5 * e277 * (e55 + e62) + e161 * e549 + e277 * e63;
+        J[19] = e17 * (e330 * e398 - e416 * e410) - dxdt[8] * e394 + e17 * e409 - e291 * e111 - e550 * e551 - e16 * e552 - e296
+            * e554 - e555 * e534 - e122 * e557 - e558 * e535 - e359 - e374 * e545 - e360 - e215 * e559 + e560 * e546 + e214
+            * e549 + e11 * e420 + e568 + e398 * e569 - e368 - e370 - e372;
+        J[20] = e17 * e439 - dxdt[7] * (e453 + e454) - dxdt[8] * (Scalar(2) * p_.a_3 * e366) - e291 * e123 - c_.k91 * e49
+            * e111 - e110 * e556 - e550 * e457 - e16 * e447 - e296 * e570 - e17 * e440 - e436 * e534 + e11 * e428 - e431 * e535
+            - e115 * e369 - e218 * e559 + e11 * e429 - e571 + e217 * e549 - e572 + e568;
+        J[21] = e573 * e466 - e574 * (e575 - e461) + e17 * e471 + e117 * e557 - e11 * e479;
+        J[22] = e574 * e485 - e11 * e490 + e17 * e496 + e573 * e499;
+        J[23] = e574 * e231 - e11 * e503 - e17 * e506 - e573 * e507;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = e540 * e175 - e535 * e175 + e5 * e580 + e6 * e580 + cos_q_5 * e511 * e581 - e14 * e60 * e581 - e511
-            * (e153 * e70 + e260 + e261 + e262 - e263 - e265 + e266 - e582) - e15
-            * (e388 - e389 - e391 + q_1_dot * e301 - e583 + e584 + e585) + e510
-            * (e260 + e261 + e262 - e263 - e265 + e266 - e582) - e14 * e73 * e240 + e14
-            * (e388 - e389 - e391 - e583 + e584 + e585) - e543 * e523 - e545 * e523 - cos_q_5 * e5 * e586 - cos_q_5 * e6 * e586
-            + sin_q_5 * e511 * e586 + q_3_dot * (sin_q_5 * e202 * e542 + e587 + e588 + e590) + e525
-            * (e591 + e592 - e593 + e594) + e66 * e595 + q_1_dot * e18 * e595 + sin_q_5 * e5 * e596 + sin_q_5 * e6 * e596
-            - c_.k10 * e10 * e597 + e5 * e292 * e598 + e6 * e292 * e598 - cos_q_5 * e202 * e597 - e49 * e235 * e597 + q_2_dot
-            * (e587 + e588 + e590) + e153 * e599 - e157 * e599 + e526 * (e591 + e592 - e593) + e24 * e600 + q_1_dot * e5 * e600
-            - e511 * e308 * e601 + e14 * e288 * e601 - e11 * (e587 + e588) - e602 * (e312 - e208 * e344) + e518 * e544 + e512
-            * e603 - e514 * e603 + e70 * e604 + e399 * e605 + e408 * e605 - e527 * (e591 + e594) - e23 * e49 * e604 - dxdt[6]
-            * ((Scalar(1) / Scalar(2)) * e204) - e528 * e591 + cos_q_2 * e202 * e484 + e209 * e341 + e30 * e301
-            - (Scalar(1) / Scalar(12)) * p_.m_2 * e606 + e280 * e541;
-        J[31] = e10 * (e416 * e399 + e421) - e575 * (e399 + e408) + e122 * e612 - e125 * e613 + e215 * e616 - e617 * e392
-            - e602 * e420 - e560 * e618 + e557 * e619 + e411 * e620 + e553 * e621 + e17 * e424;
-        J[32] = e10 * (e430 - e428) - e110 * (e611 - e607 * e466) - e387 * e575 - c_.k18 * e617 - e114 * e613 + e218 * e616
-            - e432 * e618 + e17 * e458 + e437 * e619 + e439 * e620 + e459 * e621;
-        J[33] = e17 * (q_4_dot * e468 - e622) + q_1_dot * e97 * e475 + e10 * e479 + e575 * e623 - e617 * e577 - e117 * e612
-            + e106 * e77 * e470 + e618 * e480 - e485 * e624;
-        J[34] = e17 * (sin_q_4 * e496 + e625) + e617 * e487 - e10 * e492 + e575 * e499 - e494 * e626 + e493 * e624;
-        J[35] = e232 * e617 + e10 * e504 - c_.k22 * e17 * e608 - e502 * e77 + e575 * e627 + e506 * e626;
+        J[30] = e538 * e175 - e533 * e175 + e5 * e578 + e6 * e578 + cos_q_5 * e509 * e579 - e14 * e60 * e579 - e509
+            * (e153 * e70 + e259 + e260 + e261 - e262 - e264 + e265 - e580) - e15
+            * (e387 - e388 - e390 + q_1_dot * e300 - e581 + e582 + e583) + e508
+            * (e259 + e260 + e261 - e262 - e264 + e265 - e580) - e14 * e73 * e239 + e14
+            * (e387 - e388 - e390 - e581 + e582 + e583) - e541 * e521 - e543 * e521 - cos_q_5 * e5 * e584 - cos_q_5 * e6 * e584
+            + sin_q_5 * e509 * e584 + q_3_dot * (sin_q_5 * e202 * e540 + e585 + e586 + e588) + e523
+            * (e589 + e590 - e591 + e592) + e66 * e593 + q_1_dot * e18 * e593 + sin_q_5 * e5 * e594 + sin_q_5 * e6 * e594
+            - c_.k10 * e10 * e595 + e5 * e291 * e596 + e6 * e291 * e596 - cos_q_5 * e202 * e595 - e49 * e234 * e595 + q_2_dot
+            * (e585 + e586 + e588) + e153 * e597 - e157 * e597 + e524 * (e589 + e590 - e591) + e24 * e598 + q_1_dot * e5 * e598
+            - e509 * e307 * e599 + e14 * e287 * e599 - e11 * (e585 + e586) - e600 * (e311 - e207 * e343) + e516 * e542 + e510
+            * e601 - e512 * e601 + e70 * e602 + e398 * e603 + e407 * e603 - e525 * (e589 + e592) - e23 * e49 * e602 - c_.k68
+            * dxdt[6] - e526 * e589 + cos_q_2 * e202 * e482 + e208 * e340 + e30 * e300 - (Scalar(1) / Scalar(12)) * p_.m_2
+            * e604 + e279 * e539;
+        J[31] = e10 * (e415 * e398 + e420) - e573 * (e398 + e407) + e122 * e610 - e125 * e611 + e214 * e614 - e615 * e391
+            - e600 * e419 - e558 * e616 + e555 * e617 + e410 * e618 + e551 * e619 + e17 * e423;
+        J[32] = e10 * (e429 - e427) - e110 * (e609 - e605 * e464) - e386 * e573 - c_.k18 * e615 - e114 * e611 + e217 * e614
+            - e431 * e616 + e17 * e456 + e436 * e617 + e438 * e618 + e457 * e619;
+        J[33] = e17 * (q_4_dot * e466 - e620) + q_1_dot * e97 * e473 + e10 * e477 + e573 * e621 - e615 * e575 - e117 * e610
+            + e106 * e77 * e468 + e616 * e478 - e483 * e622;
+        J[34] = e17 * (sin_q_4 * e494 + e623) + e615 * e485 - e10 * e490 + e573 * e497 - e492 * e624 + e491 * e622;
+        J[35] = e231 * e615 + e10 * e502 - c_.k22 * e17 * e606 - e500 * e77 + e573 * e625 + e504 * e624;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        const Scalar e873 = e166 * (e154 - e155 - e158 + e159 - e163 + e165 + e11 * e637 + e10 * e638);
-        J[42] = e524 * e513 - e518 * e635 - e542 * e635 + e530 * e513 + e873 - e639 * e517 - e511 * e641 + e510 * e641 - e5
-            * (e213 - e217 - e220 - c_.k5 * e515 + e642) - e8 * (e261 + e262 - e263 + e10 * e637 - e11 * e638) + q_6_dot * e644
-            + dxdt[7] * e649 + dxdt[8] * e649 - e42 * e644 - e6 * (e213 - e217 - e220 + e642) + e512 * e529 - e514 * e529
-            + e241 * (e651 - e652 - e653 + e654) - e543 * e656 - e545 * e656 + e337 * e597 + e74 * e5 * e531 + e74 * e6 * e531
-            + e7 * e532 + e254 * (e652 + e653 - e654) + e267 * e658 + e277 * e658 - e659 * e538 + e12
-            * (e18 * e646 - e318 + e319) - c_.k99 * (e660 + e661) - q_2_dot * e663 - q_3_dot * e663 + (Scalar(1) / Scalar(50))
-            * p_.d_4 * e367 * (e664 - e665) - e14 * e666 + e15 * e666 + e535 * e667 - e540 * e667 + e84
-            * (sin_q_4 * e646 + e346) + e640 * (e657 + e18 * e20) - e87 * e668 + e643 * e320 - e10_squared * e669 - e670 * e549
-            - dxdt[6] * e629 * e671 - e18 * e10 * e668 - e17 * e17 * e669 + dxdt[9] * e16 * e631 + c_.k5 * e336 * e24 - cos_q_4
-            * e293 * e650 - e672 * e673 - e161 * e550 * e614 - (Scalar(2) / Scalar(25)) * e384 * e675;
-        J[43] = e120 * ((Scalar(4) / Scalar(5)) * p_.m_4 * e676 - c_.k48 * e677) - dxdt[8] * (e678 + e679 - e680) - dxdt[7]
-            * (e629 + (Scalar(1) / Scalar(6)) * e385) + c_.k5 * e390 + e682 * e553 - e630 * e684 + e7 * e554 - e288 * e556
-            + e122 * e686 + e562 * e670 + e61 * e690 - e83 * e692 + e633 * e693 + e557 * e694 - e375 * e651 - e700 - c_.k68
-            * e701 - e73 * e702 + e679 * e703 - e215 * e704 - e680 * e705;
-        const Scalar e874 = dxdt[8] * ((Scalar(33) / Scalar(25)) * e384 + (Scalar(2) / Scalar(9)) * e385);
-        J[44] = e682 * e459 - e218 * (e73 * e706 + e704) - dxdt[7] * e678 - e874 - c_.k5 * e707 + e7 * e449 + e110 * e685
-            + e630 * e708 + e706 * e435 + (Scalar(4) / Scalar(5)) * e439 * e676 - c_.k53 * e677 - e288 * e572 + e83 * e709
-            + e61 * e710 + e425 * e670 + e437 * e694 - e700 - e651 * e426 + c_.k19 * e703 + (Scalar(16) / Scalar(25)) * e384
-            * e705;
-        J[45] = e11 * (e61 * e475 - e622) - e576 * (e61 * e465 + e623) + e711 * e468 + e10 * e472 - e117 * e686 - e631 * e713
-            - e670 * e476 + e75 * e471;
-        J[46] = e478 * e715 + e13 * e495 - e21 * e494 + e75 * e493 + e10 * e497 + e11 * e625;
-        J[47] = e21 * e506 - e75 * e502 - c_.k22 * e11 * e466 - e711 * e509 - e576 * e627 + e10 * e507;
+        const Scalar e871 = e166 * (e154 - e155 - e158 + e159 - e163 + e165 + e11 * e635 + e10 * e636);
+        J[42] = e522 * e511 - e516 * e633 - e540 * e633 + e528 * e511 + e871 - e637 * e515 - e509 * e639 + e508 * e639 - e5
+            * (e212 - e216 - e219 - c_.k5 * e513 + e640) - e8 * (e260 + e261 - e262 + e10 * e635 - e11 * e636) + q_6_dot * e642
+            + dxdt[7] * e647 + dxdt[8] * e647 - e42 * e642 - e6 * (e212 - e216 - e219 + e640) + e510 * e527 - e512 * e527
+            + e240 * (e649 - e650 - e651 + e652) - e541 * e654 - e543 * e654 + e336 * e595 + e74 * e5 * e529 + e74 * e6 * e529
+            + e7 * e530 + e253 * (e650 + e651 - e652) + e266 * e656 + e276 * e656 - e657 * e536 + e12
+            * (e18 * e644 - e317 + e318) - c_.k76 * (e658 + e659) - q_2_dot * e661 - q_3_dot * e661 + (Scalar(1) / Scalar(50))
+            * p_.d_4 * e366 * (e662 - e663) - e14 * e664 + e15 * e664 + e533 * e665 - e538 * e665 + e84
+            * (sin_q_4 * e644 + e345) + e638 * (e655 + e18 * e20) - e87 * e666 + e641 * e319 - e10_squared * e667 - e668 * e547
+            - dxdt[6] * e627 * e669 - e18 * e10 * e666 - e17 * e17 * e667 + dxdt[9] * e16 * e629 + c_.k5 * e335 * e24 - cos_q_4
+            * e292 * e648 - e670 * e671 - e161 * e548 * e612 - (Scalar(2) / Scalar(25)) * e383 * e673;
+        J[43] = e120 * ((Scalar(4) / Scalar(5)) * p_.m_4 * e674 - c_.k48 * e675) - dxdt[8] * (e676 + e677 - e678) - dxdt[7]
+            * (e627 + (Scalar(1) / Scalar(6)) * e384) + c_.k5 * e389 + e680 * e551 - e628 * e682 + e7 * e552 - e287 * e554
+            + e122 * e684 + e560 * e668 + e61 * e688 - e83 * e690 + e631 * e691 + e555 * e692 - e374 * e649 - e698 - c_.k90
+            * e699 - e73 * e700 + e677 * e701 - e214 * e702 - e678 * e703;
+        const Scalar e872 = dxdt[8] * ((Scalar(33) / Scalar(25)) * e383 + (Scalar(2) / Scalar(9)) * e384);
+        J[44] = e680 * e457 - e217 * (e73 * e704 + e702) - dxdt[7] * e676 - e872 - c_.k5 * e705 + e7 * e447 + e110 * e683
+            + e628 * e706 + e704 * e434 + (Scalar(4) / Scalar(5)) * e438 * e674 - c_.k53 * e675 - e287 * e570 + e83 * e707
+            + e61 * e708 + e424 * e668 + e436 * e692 - e698 - e649 * e425 + c_.k19 * e701 + (Scalar(16) / Scalar(25)) * e383
+            * e703;
+        J[45] = e11 * (e61 * e473 - e620) - e574 * (e61 * e463 + e621) + e709 * e466 + e10 * e470 - e117 * e684 - e629 * e711
+            - e668 * e474 + e75 * e469;
+        J[46] = e476 * e713 + e13 * e493 - e21 * e492 + e75 * e491 + e10 * e495 + e11 * e623;
+        J[47] = e21 * e504 - e75 * e500 - c_.k22 * e11 * e464 - e709 * e507 - e574 * e625 + e10 * e505;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
         J[50] = Scalar(0);
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
-        const Scalar e875 = dxdt[6] * ((Scalar(1) / Scalar(100)) * e717 + (Scalar(1) / Scalar(4)) * e718);
-        J[54] = (Scalar(1) / Scalar(18)) * p_.a_2 * e345 - e716 * (e312 + sin_q_2 * e422) - e875 - (Scalar(1) / Scalar(12))
-            * p_.d_3 * e606 + (Scalar(9) / Scalar(50)) * e717 * e347 - e719 * e350;
-        J[55] = cos_q_2 * ((Scalar(1) / Scalar(3)) * e720) - dxdt[7] * ((Scalar(19) / Scalar(90)) * e717) - e716 * e420 - e719
-            * e422;
+        const Scalar e873 = dxdt[6] * ((Scalar(1) / Scalar(100)) * e715 + (Scalar(1) / Scalar(4)) * e716);
+        J[54] = (Scalar(1) / Scalar(18)) * p_.a_2 * e344 - e714 * (e311 + sin_q_2 * e421) - e873 - (Scalar(1) / Scalar(12))
+            * p_.d_3 * e604 + (Scalar(9) / Scalar(50)) * e715 * e346 - e717 * e349;
+        J[55] = cos_q_2 * ((Scalar(1) / Scalar(3)) * e718) - dxdt[7] * ((Scalar(19) / Scalar(90)) * e715) - e714 * e419 - e717
+            * e421;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
         J[58] = Scalar(0);
@@ -3500,12 +2911,12 @@ public:
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = e16 * (dxdt[8] * e721 + e722 * e707) - e223 * ((Scalar(1) / Scalar(36)) * (e224 - e515)) - e7 * e354 * e722
-            - e726 - (e727 + e718) * e660 - e727 * e661 - e672 * e728 - (e725 + e718) * e665;
-        const Scalar e876 = e407 * (dxdt[8] * e729 + (Scalar(1) / Scalar(36)) * e707 - e722 * e383);
-        J[67] = cos_q_2 * e720 - e876 - (Scalar(1) / Scalar(6)) * e120 * e354 - e727 * e576 + e733 - e734;
-        J[68] = e721 * e383 - dxdt[7] * e727 - dxdt[8] * ((Scalar(1) / Scalar(9)) * e724 + e735) - e354
-            * ((Scalar(1) / Scalar(6)) * p_.a_3) - e729 * e707 - e736 + e733;
+        J[66] = e16 * (dxdt[8] * e719 + e720 * e705) - e222 * ((Scalar(1) / Scalar(36)) * (e223 - e513)) - e7 * e353 * e720
+            - e724 - (e725 + e716) * e658 - e725 * e659 - e670 * e726 - (e723 + e716) * e663;
+        const Scalar e874 = e406 * (dxdt[8] * e727 + (Scalar(1) / Scalar(36)) * e705 - e720 * e382);
+        J[67] = cos_q_2 * e718 - e874 - (Scalar(1) / Scalar(6)) * e120 * e353 - e725 * e574 + e731 - e732;
+        J[68] = e719 * e382 - dxdt[7] * e725 - dxdt[8] * ((Scalar(1) / Scalar(9)) * e722 + e733) - e353
+            * ((Scalar(1) / Scalar(6)) * p_.a_3) - e727 * e705 - e734 + e731;
         J[69] = Scalar(0);
         J[70] = Scalar(0);
         J[71] = Scalar(0);
@@ -3515,15 +2926,15 @@ public:
         J[75] = Scalar(0);
         J[76] = Scalar(0);
         J[77] = Scalar(0);
-        J[78] = e16 * (e725 * e712 + e738) - e739 * (dxdt[6] * e671 + e628 * e166 + e740) - e7
-            * (e356 * ((Scalar(1) / Scalar(5)) * p_.d_3) + e741) + e683 * ((Scalar(1) / Scalar(25)) * e693 - e743)
-            + (Scalar(1) / Scalar(25)) * e168 * e149 + (Scalar(1) / Scalar(25)) * e264 * e259 - (Scalar(1) / Scalar(25))
-            * dxdt[6] * e744 - e726 - e718 * e660 - e7 * e416 * e745 - (Scalar(1) / Scalar(25)) * e724 * e675;
-        J[79] = sin_q_3 * e7 * e720 - e398 * ((Scalar(1) / Scalar(25)) * e708 - e743) - (Scalar(1) / Scalar(5)) * e120 * e356
-            - e739 * e576 + e16 * e746 + e747 - e734;
-        J[80] = e16 * e731 - dxdt[7] * e739 - dxdt[8] * ((Scalar(33) / Scalar(50)) * e724 + e735) - e356
-            * ((Scalar(1) / Scalar(5)) * p_.a_3) + e742 * e708 - e736 + e747;
-        J[81] = -e725 * e713;
+        J[78] = e16 * (e723 * e710 + e736) - e737 * (dxdt[6] * e669 + e626 * e166 + e738) - e7
+            * (e355 * ((Scalar(1) / Scalar(5)) * p_.d_3) + e739) + e681 * ((Scalar(1) / Scalar(25)) * e691 - e741)
+            + (Scalar(1) / Scalar(25)) * e168 * e149 + (Scalar(1) / Scalar(25)) * e263 * e258 - (Scalar(1) / Scalar(25))
+            * dxdt[6] * e742 - e724 - e716 * e658 - e7 * e415 * e743 - (Scalar(1) / Scalar(25)) * e722 * e673;
+        J[79] = sin_q_3 * e7 * e718 - e397 * ((Scalar(1) / Scalar(25)) * e706 - e741) - (Scalar(1) / Scalar(5)) * e120 * e355
+            - e737 * e574 + e16 * e744 + e745 - e732;
+        J[80] = e16 * e729 - dxdt[7] * e737 - dxdt[8] * ((Scalar(33) / Scalar(50)) * e722 + e733) - e355
+            * ((Scalar(1) / Scalar(5)) * p_.a_3) + e740 * e706 - e734 + e745;
+        J[81] = -e723 * e711;
         J[82] = Scalar(0);
         J[83] = Scalar(0);
         J[84] = Scalar(0);
@@ -3532,50 +2943,50 @@ public:
         J[87] = Scalar(0);
         J[88] = Scalar(0);
         J[89] = Scalar(0);
-        J[90] = e135 * e751 - (e732 - e730 * e7) * (e230 * e74 + e179 * e52 - cos_q_4 * e8) - e230 * e737 * e76 - e161 * e757
-            - e142 * e760 - e761 * e762 + e140 * e764 + e8 * e765 - e160 * e766 - e176 * e767 - e695 * e741 + e768 * e738
-            - e166 * e770 + e1 * e771 + e16 * e774;
-        J[91] = e122 * e751 - e215 * e757 + e125 * e760 - e775 * e746 - e776 + e207 * e766 + e252 * e767 + e274 * e771;
-        J[92] = e110 * e751 - e731 * e775 - e218 * e757 + e114 * e760 - e776;
-        J[93] = e761 * e659 - e49 * (e779 * e754 + e780) - e117 * e751 - e774;
-        J[94] = e750 * e748 - cos_q_6 * (e780 + e778 * e752 + e779 * e753) - dxdt[10] * e777 - e765 - dxdt[11] * e781;
-        J[95] = p_.c_x * e750 - e763 * (sin_q_6 * e179 + cos_q_6 * e8) - dxdt[11] * e778 - dxdt[10] * e781;
+        J[90] = e135 * e749 - (e730 - e728 * e7) * (e229 * e74 + e179 * e52 - cos_q_4 * e8) - e229 * e735 * e76 - e161 * e755
+            - e142 * e758 - e759 * e760 + e140 * e762 + e8 * e763 - e160 * e764 - e176 * e765 - e693 * e739 + e766 * e736
+            - e166 * e768 + e1 * e769 + e16 * e772;
+        J[91] = e122 * e749 - e214 * e755 + e125 * e758 - e773 * e744 - e774 + e206 * e764 + e251 * e765 + e273 * e769;
+        J[92] = e110 * e749 - e729 * e773 - e217 * e755 + e114 * e758 - e774;
+        J[93] = e759 * e657 - e49 * (e777 * e752 + e778) - e117 * e749 - e772;
+        J[94] = e748 * e746 - cos_q_6 * (e778 + e776 * e750 + e777 * e751) - dxdt[10] * e775 - e763 - dxdt[11] * e779;
+        J[95] = p_.c_x * e748 - e761 * (sin_q_6 * e179 + cos_q_6 * e8) - dxdt[11] * e776 - dxdt[10] * e779;
         J[96] = Scalar(0);
         J[97] = Scalar(0);
         J[98] = Scalar(0);
         J[99] = Scalar(0);
         J[100] = Scalar(0);
         J[101] = Scalar(0);
-        J[102] = e135 * (e783 - e788) + e161 * (e789 - e792) + e140 * (e231 + e234) - e793 * (e211 - e755) - e130
-            * (e137 - e183) + e794 * (e164 - e303) + e139 * (e229 + e233) + e11 * e76 * e235 - e7 * e795 * e288 + e784 * e237
-            - e796 * e166 + e16 * e797 + e202 * e98 + e754 * e798 + e226 * e799 + e297 * e800;
-        J[103] = e215 * (e789 + e801) + e794 * (e377 + e423) + e111 * e212 - e784 * e562 + e122 * e803 - e804 - e556 * e805
-            + e74 * e689 - e53 * e702;
-        J[104] = e218 * (e789 - e806) + e794 * (e114 * e42 + e436) - e784 * e425 + e123 * e212 + e110 * e803 - e804 - e572
-            * e805 + e74 * e807;
-        J[105] = e117 * (e802 + e788) - e232 * (e96 + e809) - cos_q_5 * e183 - e292 * e756 - e782 * e465 - e106 * e810 - e797
-            - e49 * e811 + e297 * e812 - e118 * e561 + e42 * e474;
-        J[106] = e2 * (e95 + e808) - e488 * (dxdt[11] + e813 + e814 + e71) - e106
-            * (q_5_dot * e18 + cos_q_4 * e711 - sin_q_4 * e714) - e575 * e490 - e92 * e756 - cos_q_6 * e811 - e810 * e815 + e42
-            * e500 - e82 * e489;
-        J[107] = p_.m_6 * e750 - c_.k22 * (cos_q_5 * e575 + e73 * e711 + e72 - e74 * e714 + e814) - c_.k87 * dxdt[11] - sin_q_6
-            * e413 - cos_q_6 * e9 + e23 * e816;
+        J[102] = e135 * (e781 - e786) + e161 * (e787 - e790) + e140 * (e230 + e233) - e791 * (e210 - e753) - e130
+            * (e137 - e183) + e792 * (e164 - e302) + e139 * (e228 + e232) + e11 * e76 * e234 - e7 * e793 * e287 + e782 * e236
+            - e794 * e166 + e16 * e795 + e202 * e98 + e752 * e796 + e225 * e797 + e296 * e798;
+        J[103] = e214 * (e787 + e799) + e792 * (e376 + e422) + e111 * e211 - e782 * e560 + e122 * e801 - e802 - e554 * e803
+            + e74 * e687 - e53 * e700;
+        J[104] = e217 * (e787 - e804) + e792 * (e114 * e42 + e435) - e782 * e424 + e123 * e211 + e110 * e801 - e802 - e570
+            * e803 + e74 * e805;
+        J[105] = e117 * (e800 + e786) - e231 * (e96 + e807) - cos_q_5 * e183 - e291 * e754 - e780 * e463 - e106 * e808 - e795
+            - e49 * e809 + e296 * e810 - e118 * e559 + e42 * e472;
+        J[106] = e2 * (e95 + e806) - e486 * (dxdt[11] + e811 + e812 + e71) - e106
+            * (q_5_dot * e18 + cos_q_4 * e709 - sin_q_4 * e712) - e573 * e488 - e92 * e754 - cos_q_6 * e809 - e808 * e813 + e42
+            * e498 - e82 * e487;
+        J[107] = p_.m_6 * e748 - c_.k22 * (cos_q_5 * e573 + e73 * e709 + e72 - e74 * e712 + e812) - c_.k92 * dxdt[11] - sin_q_6
+            * e412 - cos_q_6 * e9 + e23 * e814;
         J[108] = Scalar(0);
         J[109] = Scalar(0);
         J[110] = Scalar(0);
         J[111] = Scalar(0);
         J[112] = Scalar(0);
         J[113] = Scalar(0);
-        J[114] = e142 * (e431 * e817 - e792 + e151 * e98) - e135 * (e819 - e820 - e83 * e609) + e140 * (e107 + e143) - e793
-            * (e103 + e758) - e131 * (e183 + p_.m_6 * e795) - e784 * e162 + e164 * e817 + e137 * e132 + e267 * e79 - e4 * e762
-            + e413 * e8 - sin_q_5 * e190 * e333 - e3 * e177 + e445 * e799 - e294 * e800;
-        J[115] = e557 * e817 - e784 * e560 - e125 * e801 - e79 * e379 - e821 + e86 * e690 - e53 * e692 - e122 * e824;
-        J[116] = e86 * (e710 + e807) - e114 * (e104 * e79 - e806) - e784 * e432 + e437 * e817 + e53 * e709 - e821 - e110 * e824;
-        J[117] = e106 * (sin_q_6 * e79 - e809 - e752 - e94) - e117 * (e818 + e822 + e820 - e294 * e82 + e823) - e292 * e759
-            + e475 * e23 + e4 * e659 + sin_q_5 * e3 - e294 * e812 + e118 * e370 - c_.k89 * e49 * e753 + e232 * e40_squared;
-        J[118] = e104 * e750 - c_.k89 * dxdt[10] - e92 * e759 - e180 - e182 - e184 + c_.k21 * e715 + e19 * e495 + e23 * e500
+        J[114] = e142 * (e430 * e815 - e790 + e151 * e98) - e135 * (e817 - e818 - e83 * e607) + e140 * (e107 + e143) - e791
+            * (e103 + e756) - e131 * (e183 + p_.m_6 * e793) - e782 * e162 + e164 * e815 + e137 * e132 + e266 * e79 - e4 * e760
+            + e412 * e8 - sin_q_5 * e190 * e332 - e3 * e177 + e443 * e797 - e293 * e798;
+        J[115] = e555 * e815 - e782 * e558 - e125 * e799 - e79 * e378 - e819 + e86 * e688 - e53 * e690 - e122 * e822;
+        J[116] = e86 * (e708 + e805) - e114 * (e104 * e79 - e804) - e782 * e431 + e436 * e815 + e53 * e707 - e819 - e110 * e822;
+        J[117] = e106 * (sin_q_6 * e79 - e807 - e750 - e94) - e117 * (e816 + e820 + e818 - e293 * e82 + e821) - e291 * e757
+            + e473 * e23 + e4 * e657 + sin_q_5 * e3 - e293 * e810 + e118 * e369 - c_.k94 * e49 * e751 + e231 * e40_squared;
+        J[118] = e104 * e748 - c_.k94 * dxdt[10] - e92 * e757 - e180 - e182 - e184 + c_.k21 * e713 + e19 * e493 + e23 * e498
             + e2 * e40_squared;
-        J[119] = e477 * (e575 + e790) - e2 * e79 + e431 * e816 - dxdt[10] * e503 - e711 * e825 + e714 * e826;
+        J[119] = e475 * (e573 + e788) - e2 * e79 + e430 * e814 - dxdt[10] * e501 - e709 * e823 + e712 * e824;
         J[120] = Scalar(0);
         J[121] = Scalar(0);
         J[122] = Scalar(0);
@@ -3594,14 +3005,14 @@ public:
         J[135] = Scalar(0);
         J[136] = Scalar(0);
         J[137] = Scalar(0);
-        J[138] = e130 * (e829 + Scalar(2) * e814) - dxdt[6] * (e831 + Scalar(2) * e832) + e140 * (Scalar(2) * (e754 - e834))
-            - e830 * e835 - e132 * e836 + dxdt[10] * e837 + dxdt[9] * e838 + Scalar(2) * e576 * e841 - e740;
-        J[139] = e846;
-        J[140] = e846;
-        J[141] = sin_q_5 * e835 - Scalar(2) * dxdt[9] - e576 * e844 + e81 * e836 + dxdt[6] * e838 - cos_q_5 * e829 + Scalar(2)
-            * e49 * e847;
-        J[142] = e655 - Scalar(2) * dxdt[10] - e576 * e845 - sin_q_6 * e836 + dxdt[6] * e837 + Scalar(2) * cos_q_6 * e847;
-        J[143] = e828 - e74 * e576 - e827 - e814;
+        J[138] = e130 * (e827 + Scalar(2) * e812) - dxdt[6] * (e829 + Scalar(2) * e830) + e140 * (Scalar(2) * (e752 - e832))
+            - e828 * e833 - e132 * e834 + dxdt[10] * e835 + dxdt[9] * e836 + Scalar(2) * e574 * e839 - e738;
+        J[139] = e844;
+        J[140] = e844;
+        J[141] = sin_q_5 * e833 - Scalar(2) * dxdt[9] - e574 * e842 + e81 * e834 + dxdt[6] * e836 - cos_q_5 * e827 + Scalar(2)
+            * e49 * e845;
+        J[142] = e653 - Scalar(2) * dxdt[10] - e574 * e843 - sin_q_6 * e834 + dxdt[6] * e835 + Scalar(2) * cos_q_6 * e845;
+        J[143] = e826 - e74 * e574 - e825 - e812;
         J[144] = Scalar(0);
         J[145] = Scalar(0);
         J[146] = Scalar(0);
@@ -3611,9 +3022,9 @@ public:
         J[150] = Scalar(1) - q_1;
         J[151] = -(Scalar(2) / Scalar(5)) - q_2;
         J[152] = Scalar(3) / Scalar(10) - q_3;
-        J[153] = p_.k_w * e848;
+        J[153] = p_.k_w * e846;
         J[154] = (Scalar(7) / Scalar(10)) * p_.k_w - p_.k_w * q_5;
-        J[155] = -p_.k_w * e849;
+        J[155] = -p_.k_w * e847;
         J[156] = Scalar(0);
         J[157] = Scalar(0);
         J[158] = Scalar(0);
@@ -3635,9 +3046,9 @@ public:
         J[174] = Scalar(0);
         J[175] = Scalar(0);
         J[176] = Scalar(0);
-        J[177] = p_.k_p * e848 - p_.k_d * q_4_dot;
+        J[177] = p_.k_p * e846 - p_.k_d * q_4_dot;
         J[178] = (Scalar(7) / Scalar(10)) * p_.k_p - p_.k_p * q_5 - p_.k_d * q_5_dot;
-        J[179] = -p_.k_d * q_6_dot - p_.k_p * e849;
+        J[179] = -p_.k_d * q_6_dot - p_.k_p * e847;
         J[180] = Scalar(0);
         J[181] = Scalar(0);
         J[182] = Scalar(0);
@@ -3645,11 +3056,11 @@ public:
         J[184] = Scalar(0);
         J[185] = Scalar(0);
         J[186] = Scalar(0);
-        J[187] = cos_q_2 * ((Scalar(1) / Scalar(3)) * e332 + p_.a_2 * e850) + e851;
-        J[188] = e851;
-        J[189] = e7 * (c_.k21 * e74 - e826);
-        J[190] = -e16 * e487 - e478 * e166;
-        J[191] = -c_.k22 * e139 - e798;
+        J[187] = cos_q_2 * ((Scalar(1) / Scalar(3)) * e331 + p_.a_2 * e848) + e849;
+        J[188] = e849;
+        J[189] = e7 * (c_.k21 * e74 - e824);
+        J[190] = -e16 * e485 - e476 * e166;
+        J[191] = -c_.k22 * e139 - e796;
         constexpr std::array<std::size_t, 16> starts{6, 18, 30, 42, 54, 66, 78, 90, 102, 114, 126, 138, 150, 162, 174, 186};
         detail::ldlt_solve_columns<Scalar, 6>(mass, J.data(), starts);
     }
@@ -4181,7 +3592,7 @@ public:
     }
 
     /// T in joules.
-    /// Operations: 81 + or -, 168 *, 10 sin or cos
+    /// Operations: 80 + or -, 164 *, 10 sin or cos
     /// (Too long to be printed here; `dalembert derive` prints the equations.)
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::cos;
@@ -4205,81 +3616,78 @@ public:
         const Scalar e9 = cos_q_2 * sin_q_3 + e8;
         const Scalar e10 = p_.a_2 * cos_q_2 + p_.a_3 * e7 - p_.d_4 * e9;
         const Scalar e11 = (Scalar(1) / Scalar(2)) * p_.m_4;
-        const Scalar e12 = p_.a_3 * p_.m_3;
-        const Scalar e13 = (Scalar(91) / Scalar(1800)) * e2;
-        const Scalar e14 = p_.a_3 * e12;
-        const Scalar e15 = (Scalar(1) / Scalar(2)) * e14;
+        const Scalar e12 = (Scalar(91) / Scalar(1800)) * e2;
+        const Scalar e13 = p_.a_3 * p_.m_3;
+        const Scalar e14 = (Scalar(1) / Scalar(2)) * p_.a_3 * e13;
         const Scalar q_2_dot = x[7];
         const Scalar q_3_dot = x[8];
-        const Scalar e16 = p_.m_3 * (p_.a_3 * p_.a_3 + (Scalar(1) / Scalar(36)) * e1);
-        const Scalar e17 = (Scalar(1) / Scalar(2)) * e16;
-        const Scalar e18 = q_1_dot * sin_q_2;
-        const Scalar e19 = cos_q_2 * q_1_dot_squared;
-        const Scalar e20 = cos_q_2 * e19;
-        const Scalar e21 = q_2_dot + q_3_dot;
-        const Scalar e22 = q_1_dot * cos_q_2;
-        const Scalar e23 = e21 * e22;
+        const Scalar e15 = p_.m_3 * (p_.a_3 * p_.a_3 + (Scalar(1) / Scalar(36)) * e1);
+        const Scalar e16 = (Scalar(1) / Scalar(2)) * e15;
+        const Scalar e17 = q_1_dot * sin_q_2;
+        const Scalar e18 = cos_q_2 * q_1_dot_squared;
+        const Scalar e19 = cos_q_2 * e18;
+        const Scalar e20 = q_2_dot + q_3_dot;
+        const Scalar e21 = q_1_dot * cos_q_2;
+        const Scalar e22 = e20 * e21;
         const Scalar q_5 = x[4];
         const Scalar cos_q_5 = cos(q_5);
         const Scalar q_4 = x[3];
         const Scalar sin_q_4 = sin(q_4);
         const Scalar cos_q_4 = cos(q_4);
-        const Scalar e24 = q_1_dot * e9;
-        const Scalar e25 = sin_q_4 * e21 + cos_q_4 * e24;
+        const Scalar e23 = q_1_dot * e9;
+        const Scalar e24 = sin_q_4 * e20 + cos_q_4 * e23;
         const Scalar sin_q_5 = sin(q_5);
         const Scalar q_4_dot = x[9];
-        const Scalar e26 = q_1_dot * e7 - q_4_dot;
-        const Scalar e27 = cos_q_5 * e25 + sin_q_5 * e26;
-        const Scalar e28 = q_1_dot * e10;
-        const Scalar e29 = p_.d_3 * e22;
-        const Scalar e30 = p_.a_2 * q_2_dot + p_.d_3 * e18;
-        const Scalar e31 = sin_q_3 * e30;
-        const Scalar e32 = p_.d_4 * e21 + (cos_q_3 * e29 - e31);
-        const Scalar e33 = cos_q_4 * e28 - sin_q_4 * e32;
-        const Scalar e34 = p_.c_z * (p_.m_6 * p_.c_z);
+        const Scalar e25 = q_1_dot * e7 - q_4_dot;
+        const Scalar e26 = cos_q_5 * e24 + sin_q_5 * e25;
+        const Scalar e27 = q_1_dot * e10;
+        const Scalar e28 = p_.d_3 * e21;
+        const Scalar e29 = p_.a_2 * q_2_dot + p_.d_3 * e17;
+        const Scalar e30 = sin_q_3 * e29;
+        const Scalar e31 = p_.d_4 * e20 + (cos_q_3 * e28 - e30);
+        const Scalar e32 = cos_q_4 * e27 - sin_q_4 * e31;
+        const Scalar e33 = p_.c_z * (p_.m_6 * p_.c_z);
         const Scalar q_6 = x[5];
         const Scalar cos_q_6 = cos(q_6);
         const Scalar q_6_dot = x[11];
-        const Scalar e35 = cos_q_5 * e26 - sin_q_5 * e25;
-        const Scalar e36 = q_6_dot - e35;
-        const Scalar e37 = cos_q_6 * e36;
+        const Scalar e34 = cos_q_5 * e25 - sin_q_5 * e24;
+        const Scalar e35 = q_6_dot - e34;
+        const Scalar e36 = cos_q_6 * e35;
         const Scalar q_5_dot = x[10];
-        const Scalar e38 = q_5_dot + (cos_q_4 * e21 - sin_q_4 * e24);
-        const Scalar e39 = cos_q_4 * e32 + sin_q_4 * e28;
-        const Scalar e40 = cos_q_3 * e30;
-        const Scalar e41 = p_.a_3 * e21 + (e40 + sin_q_3 * e29);
-        const Scalar e42 = cos_q_5 * e39 - sin_q_5 * e41;
+        const Scalar e37 = q_5_dot + (cos_q_4 * e20 - sin_q_4 * e23);
+        const Scalar e38 = cos_q_4 * e31 + sin_q_4 * e27;
+        const Scalar e39 = cos_q_3 * e29;
+        const Scalar e40 = p_.a_3 * e20 + (e39 + sin_q_3 * e28);
+        const Scalar e41 = cos_q_5 * e38 - sin_q_5 * e40;
         const Scalar sin_q_6 = sin(q_6);
-        const Scalar e43 = sin_q_6 * e36;
-        const Scalar e44 = cos_q_5 * e41 + sin_q_5 * e39;
-        const Scalar e45 = cos_q_6 * e38;
-        const Scalar e46 = p_.c_x * (p_.m_6 * p_.c_x);
-        const Scalar e47 = (Scalar(1) / Scalar(2)) * (p_.J_5 + e46);
-        const Scalar e48 = sin_q_6 * e27;
-        const Scalar e49 = c_.k22 * e44;
-        const Scalar e50 = (Scalar(1) / Scalar(2)) * e46;
-        const Scalar e51 = (Scalar(1) / Scalar(5)) * p_.d_4 * p_.m_4;
+        const Scalar e42 = sin_q_6 * e35;
+        const Scalar e43 = cos_q_5 * e40 + sin_q_5 * e38;
+        const Scalar e44 = cos_q_6 * e37;
+        const Scalar e45 = p_.c_x * (p_.m_6 * p_.c_x);
+        const Scalar e46 = (Scalar(1) / Scalar(2)) * (p_.J_5 + e45);
+        const Scalar e47 = sin_q_6 * e26;
+        const Scalar e48 = c_.k22 * e43;
+        const Scalar e49 = e9 * q_1_dot_squared;
+        const Scalar e50 = (Scalar(1) / Scalar(2)) * e45;
+        const Scalar e51 = (Scalar(1) / Scalar(2)) * p_.J_5;
         const Scalar e52 = p_.m_4 * e1;
         const Scalar e53 = (Scalar(3) / Scalar(100)) * e52;
-        const Scalar e54 = (Scalar(1) / Scalar(2)) * p_.J_5;
-        const Scalar e55 = (Scalar(1) / Scalar(2)) * p_.J_1 + (Scalar(1) / Scalar(200)) * e2 + (Scalar(1) / Scalar(200)) * e4
+        const Scalar e54 = (Scalar(1) / Scalar(2)) * p_.J_1 + (Scalar(1) / Scalar(200)) * e2 + (Scalar(1) / Scalar(200)) * e4
             + (Scalar(1) / Scalar(8)) * p_.m_2 * e5;
-        const Scalar e56 = e55 + e10 * e10 * e11 + (Scalar(1) / Scalar(6)) * p_.d_4 * e12 * e7 * e9 + e13 * e8 * e8 + e15 * e6
-            * e6;
-        const Scalar e57 = q_3_dot * e16 + q_2_dot * (e17 + (Scalar(19) / Scalar(180)) * e4) + c_.k9 * e18;
-        const Scalar e58 = (e14 - (Scalar(91) / Scalar(900)) * e2) * e19 * e8 - sin_q_3 * e13 * e20 - p_.d_3 * e12 * e23;
-        const Scalar e59 = c_.k21 * e33 - e27 * ((Scalar(1) / Scalar(2)) * (p_.J_5 + e34)) - c_.k28 * e37;
-        const Scalar e60 = c_.k21 * e42 + e38 * (p_.J_5 + (Scalar(1) / Scalar(2)) * e34) + c_.k28 * e43;
-        const Scalar e61 = p_.a_2 * e12 * e7 + (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_4 * p_.m_3 * e9;
-        const Scalar e62 = p_.m_3 * ((Scalar(1) / Scalar(2)) * (e3 + e5)) + (Scalar(181) / Scalar(1800)) * e4;
-        return q_1_dot_squared * e56 + q_2_dot * e57 - sin_q_3 * e58 - e27 * e59 + e38 * e60 + (Scalar(1) / Scalar(2)) * p_.m_6
-            * (e33 * e33 + e44 * e44 + e42 * e42) + e45 * (e47 * e45 - c_.k27 * e48 + e49) - c_.k22 * (e33 * e37 - e42 * e43)
-            - q_6_dot * (c_.k88 * e35 - q_6_dot * e50) + cos_q_3 * (cos_q_3 * e15 * e20 - c_.k15 * e23) - e21
-            * (e32 * e51 - e21 * ((Scalar(1) / Scalar(24)) * e2 + e53)) + e11 * (e41 * e41 + e32 * e32) + e54
-            * (e25 * e25 + e36 * e36) + e21 * (e12 * e40 + c_.k99 * e31) + e19 * e61 + e48 * (e47 * e48 - e49) + e9
-            * q_1_dot_squared * (e10 * e51 + e9 * e53) + q_3_dot * q_3_dot * e17 + e30 * e30
-            * ((Scalar(1) / Scalar(2)) * p_.m_3) + e26 * e26 * (e54 + (Scalar(1) / Scalar(200)) * e52) + e35 * e35 * e50 + e62
-            * e20;
+        const Scalar e55 = e54 + e10 * e10 * e11 + c_.k75 * e7 * e9 + e12 * e8 * e8 + e14 * e6 * e6;
+        const Scalar e56 = q_3_dot * e15 + q_2_dot * (e16 + (Scalar(19) / Scalar(180)) * e4) + c_.k9 * e17;
+        const Scalar e57 = sin_q_3 * (c_.k82 * e18 * e8 - sin_q_3 * e12 * e19 - p_.d_3 * e13 * e22);
+        const Scalar e58 = c_.k21 * e32 - e26 * ((Scalar(1) / Scalar(2)) * (p_.J_5 + e33)) - c_.k28 * e36;
+        const Scalar e59 = c_.k21 * e41 + e37 * (p_.J_5 + (Scalar(1) / Scalar(2)) * e33) + c_.k28 * e42;
+        const Scalar e60 = p_.a_2 * e13 * e7 + (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_4 * p_.m_3 * e9;
+        const Scalar e61 = p_.m_3 * ((Scalar(1) / Scalar(2)) * (e3 + e5)) + (Scalar(181) / Scalar(1800)) * e4;
+        return q_1_dot_squared * e55 + q_2_dot * e56 - e57 - e26 * e58 + e37 * e59 + (Scalar(1) / Scalar(2)) * p_.m_6
+            * (e32 * e32 + e43 * e43 + e41 * e41) + e44 * (e46 * e44 - c_.k27 * e47 + e48) - c_.k22 * (e32 * e36 - e41 * e42)
+            - c_.k84 * (e20 * e31 - e10 * e49) - q_6_dot * (c_.k93 * e34 - q_6_dot * e50) + cos_q_3
+            * (cos_q_3 * e14 * e19 - c_.k15 * e22) + e11 * (e40 * e40 + e31 * e31) + e51 * (e24 * e24 + e35 * e35) + e20
+            * (c_.k78 * e39 + c_.k76 * e30) + e18 * e60 + e47 * (e46 * e47 - e48) + q_3_dot * q_3_dot * e16 + e20 * e20
+            * ((Scalar(1) / Scalar(24)) * e2 + e53) + e29 * e29 * ((Scalar(1) / Scalar(2)) * p_.m_3) + e25 * e25
+            * (e51 + (Scalar(1) / Scalar(200)) * e52) + e34 * e34 * e50 + e61 * e19 + e9 * e53 * e49;
     }
 
     /// V in joules.
@@ -4461,40 +3869,42 @@ private:
         Scalar k64;  ///< 2*a_2
         Scalar k65;  ///< 6*a_3
         Scalar k66;  ///< 6*a_2
-        Scalar k67;  ///< 181*a_2^2*m_2/450
-        Scalar k68;  ///< m_3/18
-        Scalar k69;  ///< 2*m_4/25
-        Scalar k70;  ///< 2*m_6
-        Scalar k71;  ///< 2*d_3^2*m_4 + 11*d_4^2*m_3/75 - d_4^2*m_4/50
-        Scalar k72;  ///< 4*J_5
-        Scalar k73;  ///< a_2*m_4/5
-        Scalar k74;  ///< a_2*d_3*m_3
-        Scalar k75;  ///< a_2*d_3*(m_3 + m_4)
-        Scalar k76;  ///< a_2*m_6
-        Scalar k77;  ///< 2*a_2*m_4/5
-        Scalar k78;  ///< a_2*m_3/3
-        Scalar k79;  ///< 2*a_2*(m_3 + m_4)
-        Scalar k80;  ///< 2*a_2*m_6
-        Scalar k81;  ///< a_2*d_4*(m_3/6 - 4*m_4/5)
-        Scalar k82;  ///< a_2*a_3*(m_3 + m_4)
-        Scalar k83;  ///< a_2*m_6*c_z
-        Scalar k84;  ///< a_2*m_6*c_x
-        Scalar k85;  ///< a_2*m_3/6
-        Scalar k86;  ///< 2*(m_6*c_x^2 + m_6*c_z^2 + J_5)
-        Scalar k87;  ///< 2*m_6*c_x
-        Scalar k88;  ///< m_6*c_x^2
-        Scalar k89;  ///< 2*m_6*c_z
-        Scalar k90;  ///< 2*(m_6*c_x^2 + J_5)
-        Scalar k91;  ///< a_2*d_3*m_2/3
-        Scalar k92;  ///< d_3*m_3/3
-        Scalar k93;  ///< 11*d_4^2*m_3/75
-        Scalar k94;  ///< m_3/3
-        Scalar k95;  ///< a_3*m_3/3
-        Scalar k96;  ///< d_4*m_3/18
-        Scalar k97;  ///< d_4^2*(11*m_3/75 - m_4/100)
-        Scalar k98;  ///< d_3*m_3
-        Scalar k99;  ///< d_4*m_3/6
-        Scalar k100;  ///< d_4^2*m_4/100 + J_5
+        Scalar k67;  ///< m_2*(a_2^2/100 + d_3^2/4)
+        Scalar k68;  ///< d_3*m_2/2
+        Scalar k69;  ///< m_2*(19*a_2^2/90 + d_3^2/4)
+        Scalar k70;  ///< a_2*m_2/3
+        Scalar k71;  ///< 19*a_2^2*m_2/90
+        Scalar k72;  ///< d_3^2*m_2/4
+        Scalar k73;  ///< m_2*(181*a_2^2/900 - d_3^2/4)
+        Scalar k74;  ///< d_4^2*m_3/9
+        Scalar k75;  ///< a_3*d_4*m_3/6
+        Scalar k76;  ///< d_4*m_3/6
+        Scalar k77;  ///< m_3*(a_3^2 + d_4^2/100)
+        Scalar k78;  ///< a_3*m_3
+        Scalar k79;  ///< m_3*(a_3^2 + d_4^2/9)
+        Scalar k80;  ///< 91*d_4^2*m_3/900
+        Scalar k81;  ///< a_3^2*m_3
+        Scalar k82;  ///< m_3*(a_3^2 - 91*d_4^2/900)
+        Scalar k83;  ///< 3*d_4^2*m_4/50
+        Scalar k84;  ///< d_4*m_4/5
+        Scalar k85;  ///< d_4^2*m_4/20
+        Scalar k86;  ///< m_6*c_z^2 + J_5
+        Scalar k87;  ///< m_6*c_x^2 + m_6*c_z^2 + 2*J_5
+        Scalar k88;  ///< m_6*(c_x^2 - c_z^2)
+        Scalar k89;  ///< 1/(m_6*c_x^2 + J_5)
+        Scalar k90;  ///< m_3/18
+        Scalar k91;  ///< 2*m_6
+        Scalar k92;  ///< 2*m_6*c_x
+        Scalar k93;  ///< m_6*c_x^2
+        Scalar k94;  ///< 2*m_6*c_z
+        Scalar k95;  ///< a_2*d_3*m_2/3
+        Scalar k96;  ///< m_3/3
+        Scalar k97;  ///< d_3*m_3
+        Scalar k98;  ///< a_3*d_4*m_3/3
+        Scalar k99;  ///< d_4*m_3/3
+        Scalar k100;  ///< 2*a_3*m_3
+        Scalar k101;  ///< 2*d_4*m_4/5
+        Scalar k102;  ///< 2*m_6*c_x*c_z
     };
     Cached c_{};
 };
