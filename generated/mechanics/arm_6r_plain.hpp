@@ -16,11 +16,11 @@
 //     this code = the derivation: 20 of 20 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                29    137     1        0      0
+//   update                24    108     1        0      0
 //   rhs                  350    525     0       10      0
 //   rhs_and_jacobian    1214   1452     5       10      0
 //   jacobian_u           135    207     0       10      0
-//   jacobian_p          1667   2057     0       10      0
+//   jacobian_p          1667   2060     0       10      0
 //   jacobian_t           135    207     0       10      0
 //   mass_matrix          135    207     0       10      0
 //   bias                 248    381     0       10      0
@@ -328,7 +328,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 29 + or -, 137 *, 1 /
+    /// Operations: 24 + or -, 108 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.a_2 * p_.m_2;
@@ -382,43 +382,43 @@ public:
         c_.k23 = e25;
         c_.k24 = e8 + e25;
         const Scalar e26 = p_.c_x * e24;
-        const Scalar e27 = p_.J_5 + e26;
-        const Scalar e28 = p_.c_z * e23;
-        c_.k25 = e27 + e28;
-        const Scalar e29 = Scalar(2) * (p_.J_5 + (Scalar(1) / Scalar(2)) * e28);
+        const Scalar e27 = p_.c_z * e23;
+        const Scalar e28 = p_.J_5 + e27;
+        c_.k25 = e26 + e28;
+        const Scalar e29 = Scalar(2) * (p_.J_5 + (Scalar(1) / Scalar(2)) * e27);
         c_.k26 = e29;
-        c_.k27 = e27;
-        const Scalar e30 = p_.c_z * e24;
-        c_.k28 = e30;
+        const Scalar e30 = p_.J_5 + e26;
+        c_.k27 = e30;
+        const Scalar e31 = p_.c_x * e23;
+        c_.k28 = e31;
         c_.k29 = (Scalar(9) / Scalar(50)) * e2;
         c_.k30 = (Scalar(1) / Scalar(18)) * e1;
         c_.k31 = e12;
         c_.k32 = (Scalar(1) / Scalar(300)) * e13;
-        const Scalar e31 = p_.m_6 * p_.g;
-        c_.k33 = p_.d_3 * e31;
-        c_.k34 = p_.a_3 * e31;
+        const Scalar e32 = p_.m_6 * p_.g;
+        c_.k33 = p_.d_3 * e32;
+        c_.k34 = p_.a_3 * e32;
         c_.k35 = p_.g * e24;
         c_.k36 = p_.g * e23;
-        const Scalar e32 = p_.d_3 * p_.m_4;
-        c_.k37 = p_.g * e32;
-        c_.k38 = p_.d_4 * e31;
-        c_.k39 = p_.a_2 * e31;
+        const Scalar e33 = p_.m_4 * p_.g;
+        c_.k37 = p_.d_3 * e33;
+        c_.k38 = p_.d_4 * e32;
+        c_.k39 = p_.a_2 * e32;
         c_.k40 = (Scalar(1) / Scalar(12)) * e3;
-        c_.k41 = (Scalar(1) / Scalar(5)) * e32;
+        c_.k41 = (Scalar(1) / Scalar(5)) * p_.d_3 * p_.m_4;
         c_.k42 = (Scalar(11) / Scalar(150)) * e13;
-        const Scalar e33 = (Scalar(1) / Scalar(3)) * e1;
-        c_.k43 = p_.g * (e33 + p_.a_2 * p_.m_3);
-        const Scalar e34 = p_.a_3 * p_.m_3;
-        c_.k44 = p_.g * e34;
+        const Scalar e34 = (Scalar(1) / Scalar(3)) * e1;
+        c_.k43 = p_.g * (p_.a_2 * p_.m_3 + e34);
+        const Scalar e35 = p_.a_3 * p_.m_3;
+        c_.k44 = p_.g * e35;
         c_.k45 = (Scalar(1) / Scalar(6)) * p_.g * e20;
-        c_.k46 = p_.g * (p_.a_2 * p_.m_4);
+        c_.k46 = p_.a_2 * e33;
         c_.k47 = (Scalar(1) / Scalar(6)) * p_.m_3;
         c_.k48 = (Scalar(1) / Scalar(5)) * p_.m_4;
-        const Scalar e35 = p_.a_3 * p_.m_4;
-        c_.k49 = p_.g * e35;
+        c_.k49 = p_.a_3 * e33;
         c_.k50 = (Scalar(4) / Scalar(5)) * p_.g * e19;
-        c_.k51 = (Scalar(1) / Scalar(6)) * e34;
-        c_.k52 = (Scalar(1) / Scalar(5)) * e35;
+        c_.k51 = (Scalar(1) / Scalar(6)) * e35;
+        c_.k52 = (Scalar(1) / Scalar(5)) * p_.a_3 * p_.m_4;
         c_.k53 = Scalar(6) * p_.d_3;
         c_.k54 = Scalar(4) * p_.d_4;
         c_.k55 = Scalar(5) * p_.d_3;
@@ -432,42 +432,37 @@ public:
         c_.k63 = (Scalar(1) / Scalar(2)) * e3;
         const Scalar e36 = (Scalar(1) / Scalar(4)) * e4;
         c_.k64 = e17 + e36;
-        c_.k65 = e33;
+        c_.k65 = e34;
         c_.k66 = e17;
         c_.k67 = e36;
         c_.k68 = e9 - e36;
-        c_.k69 = e22;
-        const Scalar e37 = p_.d_4 * e34;
-        c_.k70 = (Scalar(1) / Scalar(6)) * e37;
-        c_.k71 = (Scalar(1) / Scalar(6)) * e20;
-        const Scalar e38 = p_.a_3 * e34;
-        c_.k72 = (Scalar(1) / Scalar(100)) * e13 + e38;
-        c_.k73 = e34;
-        c_.k74 = e22 + e38;
+        c_.k69 = (Scalar(1) / Scalar(3)) * e16;
+        c_.k70 = e22;
+        const Scalar e37 = p_.d_4 * e35;
+        c_.k71 = (Scalar(1) / Scalar(6)) * e37;
+        c_.k72 = (Scalar(1) / Scalar(6)) * e20;
+        const Scalar e38 = p_.a_3 * e35;
+        c_.k73 = (Scalar(1) / Scalar(100)) * e13 + e38;
+        c_.k74 = e35;
+        c_.k75 = e22 + e38;
         const Scalar e39 = (Scalar(91) / Scalar(900)) * e13;
-        c_.k75 = e39;
-        c_.k76 = e38;
-        c_.k77 = e38 - e39;
-        c_.k78 = (Scalar(3) / Scalar(50)) * e7;
-        c_.k79 = (Scalar(1) / Scalar(5)) * e19;
-        c_.k80 = (Scalar(1) / Scalar(20)) * e7;
-        c_.k81 = p_.J_5 + e28;
-        c_.k82 = e26 + e29;
-        c_.k83 = e26 - e28;
-        c_.k84 = Scalar(1) / e27;
-        c_.k85 = (Scalar(1) / Scalar(18)) * p_.m_3;
-        c_.k86 = Scalar(2) * p_.m_6;
-        c_.k87 = Scalar(2) * e24;
-        c_.k88 = e26;
-        c_.k89 = Scalar(2) * e23;
-        c_.k90 = (Scalar(1) / Scalar(3)) * e16;
-        c_.k91 = (Scalar(1) / Scalar(3)) * p_.m_3;
-        c_.k92 = e10;
-        c_.k93 = (Scalar(1) / Scalar(3)) * e37;
-        c_.k94 = (Scalar(1) / Scalar(3)) * e20;
-        c_.k95 = Scalar(2) * e34;
-        c_.k96 = (Scalar(2) / Scalar(5)) * e19;
-        c_.k97 = Scalar(2) * e30;
+        c_.k76 = e39;
+        c_.k77 = e38;
+        c_.k78 = e38 - e39;
+        c_.k79 = (Scalar(1) / Scalar(3)) * e37;
+        c_.k80 = (Scalar(1) / Scalar(3)) * e20;
+        c_.k81 = Scalar(2) * e35;
+        c_.k82 = (Scalar(3) / Scalar(50)) * e7;
+        c_.k83 = (Scalar(1) / Scalar(5)) * e19;
+        c_.k84 = (Scalar(1) / Scalar(20)) * e7;
+        c_.k85 = (Scalar(2) / Scalar(5)) * e19;
+        c_.k86 = e28;
+        c_.k87 = e26 + e29;
+        c_.k88 = e26 - e27;
+        c_.k89 = Scalar(2) * e31;
+        c_.k90 = Scalar(2) * e23;
+        c_.k91 = Scalar(2) * e24;
+        c_.k92 = Scalar(1) / e30;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -795,9 +790,9 @@ public:
         const Scalar e10 = e4 * e7 - e8 * e9;
         const Scalar q_3_dot = x[8];
         const Scalar e11 = q_3_dot + q_2_dot;
-        const Scalar e12 = c_.k70 * e4;
-        const Scalar e13 = e12 - c_.k75 * e8;
-        const Scalar e14 = -c_.k71 * e10 - e11 * e13;
+        const Scalar e12 = c_.k71 * e4;
+        const Scalar e13 = e12 - c_.k76 * e8;
+        const Scalar e14 = -c_.k72 * e10 - e11 * e13;
         const Scalar q_4 = x[3];
         const Scalar cos_q_4 = cos(q_4);
         const Scalar q_4_dot = x[9];
@@ -809,10 +804,10 @@ public:
         const Scalar e19 = cos_q_4 * e16 + sin_q_4 * e18;
         const Scalar e20 = -e19;
         const Scalar e21 = -e4 * sin_q_4 - e11 * cos_q_4;
-        const Scalar e22 = c_.k79 * e20 - c_.k80 * e21;
+        const Scalar e22 = c_.k83 * e20 - c_.k84 * e21;
         const Scalar e23 = e4 * cos_q_4 - e11 * sin_q_4;
         const Scalar e24 = p_.a_3 * e11 + e7;
-        const Scalar e25 = c_.k79 * e24;
+        const Scalar e25 = c_.k83 * e24;
         const Scalar e26 = e15 * e22 - e23 * e25;
         const Scalar q_5 = x[4];
         const Scalar cos_q_5 = cos(q_5);
@@ -837,20 +832,20 @@ public:
         const Scalar e39 = e27 * sin_q_6 + e28 * cos_q_6;
         const Scalar e40 = -e39;
         const Scalar e41 = c_.k28 * e29;
-        const Scalar e42 = c_.k81 * e33 + e41;
+        const Scalar e42 = c_.k86 * e33 + e41;
         const Scalar e43 = c_.k21 * e38 - e40 * e42;
-        const Scalar e44 = c_.k28 * c_.k84;
+        const Scalar e44 = c_.k28 * c_.k92;
         const Scalar tau_6 = u[5];
         const Scalar e45 = c_.k28 * e33;
         const Scalar e46 = c_.k27 * e29 + e45;
         const Scalar e47 = e40 * e46 - c_.k22 * e38;
         const Scalar e48 = tau_6 - e47;
-        const Scalar e49 = c_.k81 - c_.k28 * e44;
+        const Scalar e49 = c_.k86 - c_.k28 * e44;
         const Scalar e50 = q_6_dot * e39;
         const Scalar e51 = c_.k22 * e44 - c_.k21;
         const Scalar e52 = q_6_dot * e37;
         const Scalar e53 = e43 - e44 * e48 + (-e49 * e50 - e51 * e52);
-        const Scalar e54 = c_.k83 * e33;
+        const Scalar e54 = c_.k88 * e33;
         const Scalar e55 = e34 * sin_q_6 + e36 * cos_q_6;
         const Scalar e56 = -e55;
         const Scalar e57 = c_.k21 * e33;
@@ -862,11 +857,11 @@ public:
         const Scalar e63 = e29 * (e41 - e54) - e56 * e59 + e40 * e62 - e33 * e45;
         const Scalar e64 = q_6_dot * e29;
         const Scalar e65 = q_6_dot * e55;
-        const Scalar e66 = e63 + (-c_.k82 * e64 - c_.k21 * e65);
-        const Scalar e67 = c_.k82 * sin_q_6;
+        const Scalar e66 = e63 + (-c_.k87 * e64 - c_.k21 * e65);
+        const Scalar e67 = c_.k87 * sin_q_6;
         const Scalar e68 = e49 * cos_q_6;
         const Scalar e69 = cos_q_6 * e67 - sin_q_6 * e68;
-        const Scalar e70 = p_.J_5 + (sin_q_6 * (e49 * sin_q_6) + cos_q_6 * (c_.k82 * cos_q_6));
+        const Scalar e70 = p_.J_5 + (sin_q_6 * (e49 * sin_q_6) + cos_q_6 * (c_.k87 * cos_q_6));
         const Scalar inverse_71 = Scalar(1) / e70;
         const Scalar e72 = e69 * inverse_71;
         const Scalar tau_5 = u[4];
@@ -889,7 +884,7 @@ public:
         const Scalar e89 = c_.k22 * sin_q_6 - e88 * e72;
         const Scalar e90 = q_5_dot * e34;
         const Scalar e91 = cos_q_6 * e53 - sin_q_6 * e66 + e72 * e74 + (-e75 * e76 - e79 * e80 - e86 * e87 - e89 * e90);
-        const Scalar e92 = c_.k27 * c_.k84;
+        const Scalar e92 = c_.k27 * c_.k92;
         const Scalar e93 = c_.k22 - c_.k22 * e92;
         const Scalar e94 = e78 * inverse_71;
         const Scalar e95 = p_.J_5 + (c_.k27 - c_.k27 * e92) - e78 * e94;
@@ -915,7 +910,7 @@ public:
         const Scalar e113 = q_4_dot * sin_q_4;
         const Scalar e114 = q_4_dot * cos_q_4;
         const Scalar e115 = e11 * e113 - e4 * e114;
-        const Scalar e116 = c_.k78 + (cos_q_5 * e100 - sin_q_5 * e102) - e103 * e106;
+        const Scalar e116 = c_.k82 + (cos_q_5 * e100 - sin_q_5 * e102) - e103 * e106;
         const Scalar e117 = e4 * e113 + e11 * e114;
         const Scalar e118 = e86 * cos_q_5 - e96 * sin_q_5;
         const Scalar e119 = e89 * cos_q_5 - e97 * sin_q_5;
@@ -928,24 +923,24 @@ public:
         const Scalar e126 = sin_q_6 * e81 - cos_q_6 * e82 - e125 * e72;
         const Scalar e127 = e125 * e94 - cos_q_6 * e93;
         const Scalar e128 = e126 * sin_q_5 + e127 * cos_q_5;
-        const Scalar e129 = c_.k79 - (e126 * cos_q_5 - e127 * sin_q_5) + e128 * e106;
+        const Scalar e129 = c_.k83 - (e126 * cos_q_5 - e127 * sin_q_5) + e128 * e106;
         const Scalar e130 = e16 * e114 + e18 * e113;
         const Scalar e131 = e26 + (cos_q_5 * e91 - sin_q_5 * e98) + e106 * e108
             + (e112 * e115 - e116 * e117 + e123 * e124 + e129 * e130);
-        const Scalar e132 = c_.k79 * e35 + c_.k80 * e23;
+        const Scalar e132 = c_.k83 * e35 + c_.k84 * e23;
         const Scalar e133 = e15 * e132 - e21 * e25;
         const Scalar e134 = e70 * inverse_71;
         const Scalar e135 = e85 - e85 * e134;
         const Scalar e136 = e88 - e88 * e134;
         const Scalar e137 = e111 * inverse_105;
-        const Scalar e138 = c_.k78 + (e70 - e70 * e134) - e111 * e137;
-        const Scalar e139 = sin_q_5 * e136 - cos_q_5 * e135 - c_.k79 - e122 * e137;
+        const Scalar e138 = c_.k82 + (e70 - e70 * e134) - e111 * e137;
+        const Scalar e139 = sin_q_5 * e136 - cos_q_5 * e135 - c_.k83 - e122 * e137;
         const Scalar e140 = e125 - e125 * e134 + e128 * e137;
         const Scalar e141 = e73 + e134 * e74 + (-e109 * e76 - e110 * e80 - e135 * e87 - e136 * e90);
         const Scalar e142 = e133 - e141 + e137 * e108 + (e138 * e115 - e112 * e117 + e139 * e124 + e140 * e130);
         const Scalar e143 = p_.d_4 * sin_q_4;
         const Scalar e144 = p_.m_4 * e24;
-        const Scalar e145 = c_.k79 * e23;
+        const Scalar e145 = c_.k83 * e23;
         const Scalar e146 = p_.m_4 * e35;
         const Scalar e147 = e145 + e146;
         const Scalar e148 = e21 * e144 - e15 * e147;
@@ -960,7 +955,7 @@ public:
         const Scalar e157 = e33 * e153 - e40 * e156;
         const Scalar e158 = e157 + (-c_.k21 * e64 - p_.m_6 * e65);
         const Scalar e159 = e40 * e59 - p_.m_6 * e38;
-        const Scalar e160 = c_.k22 * c_.k84;
+        const Scalar e160 = c_.k22 * c_.k92;
         const Scalar e161 = p_.m_6 - c_.k22 * e160;
         const Scalar e162 = e159 + e160 * e48 + (-e51 * e50 - e161 * e52);
         const Scalar e163 = e85 * inverse_71;
@@ -988,7 +983,7 @@ public:
         const Scalar e185 = e148 + (cos_q_5 * e168 - sin_q_5 * e175) + e176 * e108
             + (e139 * e115 - e123 * e117 + e181 * e124 + e184 * e130);
         const Scalar e186 = p_.d_4 * cos_q_4;
-        const Scalar e187 = c_.k79 * e21;
+        const Scalar e187 = c_.k83 * e21;
         const Scalar e188 = p_.m_4 * e20;
         const Scalar e189 = e187 - e188;
         const Scalar e190 = -e15 * e189 - e23 * e144;
@@ -1021,18 +1016,18 @@ public:
         const Scalar e217 = e209 * e143 - e206 * sin_q_4 - e207 * cos_q_4 - e208 * e186 + e216 * p_.a_3;
         const Scalar e218 = sin_q_4 * (e129 * e143 - e116 * sin_q_4 - e201 - e123 * e186 + e206 * p_.a_3);
         const Scalar e219 = cos_q_4 * (e140 * e143 - e199 - e138 * cos_q_4 - e139 * e186 + e207 * p_.a_3);
-        const Scalar e220 = c_.k74 + (e143 * e212 - e218 - e219 - e186 * e213 + p_.a_3 * e217);
+        const Scalar e220 = c_.k75 + (e143 * e212 - e218 - e219 - e186 * e213 + p_.a_3 * e217);
         const Scalar inverse_221 = Scalar(1) / e220;
         const Scalar e222 = e211 * inverse_221;
         const Scalar tau_3 = u[2];
-        const Scalar e223 = c_.k77 * e8;
-        const Scalar e224 = c_.k71 * e8;
-        const Scalar e225 = c_.k73 * e4;
+        const Scalar e223 = c_.k78 * e8;
+        const Scalar e224 = c_.k72 * e8;
+        const Scalar e225 = c_.k74 * e4;
         const Scalar e226 = e224 - e225;
-        const Scalar e227 = c_.k71 * e7;
-        const Scalar e228 = c_.k73 * e9;
+        const Scalar e227 = c_.k72 * e7;
+        const Scalar e228 = c_.k74 * e9;
         const Scalar e229 = e227 - e228;
-        const Scalar e230 = c_.k70 * e8;
+        const Scalar e230 = c_.k71 * e8;
         const Scalar e231 = e23 * e147 + e21 * e189;
         const Scalar e232 = e231 + (sin_q_5 * e168 + cos_q_5 * e175) + e214 * e108
             + (e207 * e115 - e206 * e117 + e208 * e124 + e209 * e130);
@@ -1052,38 +1047,38 @@ public:
         const Scalar e246 = e143 * e243 - sin_q_4 * (e236 + e123 * e241 + e129 * e242) - cos_q_4
             * (e237 + e139 * e241 + e140 * e242) - e186 * e244 + p_.a_3 * e245;
         const Scalar e247 = e236 * cos_q_4 - e237 * sin_q_4 - e239 * e143 - e240 * e186 + e241 * e204 + e242 * e198;
-        const Scalar e248 = c_.k70 + e247 - e246 * e222;
+        const Scalar e248 = c_.k71 + e247 - e246 * e222;
         const Scalar e249 = q_3_dot * cos_q_3;
         const Scalar e250 = q_3_dot * sin_q_3;
         const Scalar e251 = -e1 * e249 - e3 * e250;
-        const Scalar e252 = c_.k69 + (cos_q_4 * e200 - sin_q_4 * e202 - e143 * e204 - e186 * e198) - e211 * e222;
+        const Scalar e252 = c_.k70 + (cos_q_4 * e200 - sin_q_4 * e202 - e143 * e204 - e186 * e198) - e211 * e222;
         const Scalar e253 = e1 * e250 - e3 * e249;
-        const Scalar e254 = c_.k71 + (cos_q_4 * e213 - sin_q_4 * e212);
+        const Scalar e254 = c_.k72 + (cos_q_4 * e213 - sin_q_4 * e212);
         const Scalar e255 = cos_q_4 * e204 - sin_q_4 * e198 - e254 * e222;
         const Scalar e256 = e6 * e250 - e5 * e249;
-        const Scalar e257 = c_.k73 + e217;
+        const Scalar e257 = c_.k74 + e217;
         const Scalar e258 = e210 - e257 * e222;
         const Scalar e259 = -e6 * e249 - e5 * e250;
         const Scalar e260 = e14 + (cos_q_4 * e131 - sin_q_4 * e142 - e143 * e185 - e186 * e196) + e222 * e235;
         const Scalar e261 = e260 + (e248 * e251 - e252 * e253 - e255 * e256 + e258 * e259);
-        const Scalar e262 = e230 - c_.k76 * e4;
-        const Scalar e263 = e11 * e262 - c_.k73 * e10;
+        const Scalar e262 = e230 - c_.k77 * e4;
+        const Scalar e263 = e11 * e262 - c_.k74 * e10;
         const Scalar e264 = e246 * inverse_221;
         const Scalar e265 = e104 - e104 * e238 + e239 * e241 + e240 * e242 + e241 * e244 + e242 * e243;
-        const Scalar e266 = c_.k72 + e265 - e246 * e264;
+        const Scalar e266 = c_.k73 + e265 - e246 * e264;
         const Scalar e267 = cos_q_4 * e244 - sin_q_4 * e243 - e254 * e264;
         const Scalar e268 = e245 - e257 * e264;
         const Scalar e269 = e107 + e238 * e108 + (e237 * e115 - e236 * e117 + e239 * e124 + e240 * e130);
         const Scalar e270 = e263 + (e269 + e241 * e185 + e242 * e196) + e264 * e235
             + (e266 * e251 - e248 * e253 - e267 * e256 + e268 * e259);
         const Scalar e271 = p_.d_3 * sin_q_3;
-        const Scalar e272 = c_.k73 * e11;
+        const Scalar e272 = c_.k74 * e11;
         const Scalar e273 = p_.m_3 * e7;
         const Scalar e274 = e272 + e273;
-        const Scalar e275 = c_.k73 * e8;
+        const Scalar e275 = c_.k74 * e8;
         const Scalar e276 = p_.m_3 * e17;
         const Scalar e277 = e275 - e276;
-        const Scalar e278 = c_.k71 * e4;
+        const Scalar e278 = c_.k72 * e4;
         const Scalar e279 = e277 + e278;
         const Scalar e280 = -e11 * e274 - e8 * e279;
         const Scalar e281 = e254 * inverse_221;
@@ -1096,7 +1091,7 @@ public:
         const Scalar e288 = e280 + (cos_q_4 * e185 - sin_q_4 * e196) + e281 * e235
             + (e267 * e251 - e255 * e253 - e286 * e256 + e287 * e259);
         const Scalar e289 = p_.d_3 * cos_q_3;
-        const Scalar e290 = c_.k71 * e11;
+        const Scalar e290 = c_.k72 * e11;
         const Scalar e291 = p_.m_3 * e9;
         const Scalar e292 = e290 + e291;
         const Scalar e293 = e11 * e292 + e4 * e279;
@@ -1136,8 +1131,8 @@ public:
         const Scalar e326 = c_.k62 + (cos_q_3 * e323 - sin_q_3 * e325 - e271 * e307 - e289 * e310) - e312 * e317;
         const Scalar e327 = q_2_dot * e2;
         const Scalar e328 = -sin_q_4 * e213 - cos_q_4 * e212;
-        const Scalar e329 = -sin_q_4 * e204 - cos_q_4 * e198 - c_.k71 - e328 * e222;
-        const Scalar e330 = -sin_q_4 * e244 - cos_q_4 * e243 - c_.k73 - e328 * e264;
+        const Scalar e329 = -sin_q_4 * e204 - cos_q_4 * e198 - c_.k72 - e328 * e222;
+        const Scalar e330 = -sin_q_4 * e244 - cos_q_4 * e243 - c_.k74 - e328 * e264;
         const Scalar e331 = -sin_q_4 * e283 - cos_q_4 * e285 - e328 * e281;
         const Scalar e332 = -sin_q_4 * e208 - cos_q_4 * e209 - e328 * e294;
         const Scalar e333 = e255 * sin_q_3 + e267 * cos_q_3 + e286 * e289 - e309 - e331 * p_.a_2;
@@ -1233,7 +1228,7 @@ public:
         const Scalar e411 = sin_q_6 * e410;
         const Scalar e412 = e409 - e411 - e50;
         const Scalar e413 = cos_q_6 * e398 - sin_q_6 * e407 - e52;
-        const Scalar q_6_ddot = e48 * c_.k84 + e44 * e412 - e92 * e404 - e160 * e413;
+        const Scalar q_6_ddot = e48 * c_.k92 + e44 * e412 - e92 * e404 - e160 * e413;
         dxdt[0] = x[6];
         dxdt[1] = x[7];
         dxdt[2] = x[8];
@@ -1247,21 +1242,21 @@ public:
         dxdt[10] = q_5_ddot;
         dxdt[11] = q_6_ddot;
         const Scalar e414 = e404 + q_6_ddot;
-        const Scalar e415 = c_.k81 * e412 - c_.k28 * e414 - c_.k21 * e413 + e43;
+        const Scalar e415 = c_.k86 * e412 - c_.k28 * e414 - c_.k21 * e413 + e43;
         const Scalar e416 = cos_q_6 * e415;
         const Scalar e417 = -sin_q_6 * e403 - cos_q_6 * e410 - e64;
         const Scalar e418 = cos_q_6 * e407;
         const Scalar e419 = sin_q_6 * e398;
         const Scalar e420 = e418 + e419 - e65;
-        const Scalar e421 = c_.k82 * e417 + c_.k21 * e420 - c_.k22 * e408 + e63;
+        const Scalar e421 = c_.k87 * e417 + c_.k21 * e420 - c_.k22 * e408 + e63;
         const Scalar e422 = sin_q_6 * e421;
         const Scalar e423 = p_.J_5 * e403 + (e416 - e422);
         const Scalar e424 = p_.J_5 * e404 + (c_.k27 * e414 - c_.k28 * e412 + c_.k22 * e413 + e47);
         const Scalar e425 = cos_q_5 * e423 - sin_q_5 * e424;
-        const Scalar e426 = c_.k78 * e388 + c_.k79 * e398 + e26 + e425;
+        const Scalar e426 = c_.k82 * e388 + c_.k83 * e398 + e26 + e425;
         const Scalar e427 = cos_q_4 * e426;
         const Scalar e428 = -sin_q_6 * e415 - cos_q_6 * e421;
-        const Scalar e429 = c_.k78 * e390 - c_.k79 * e396 + e133 - (p_.J_5 * e410 + e428);
+        const Scalar e429 = c_.k82 * e390 - c_.k83 * e396 + e133 - (p_.J_5 * e410 + e428);
         const Scalar e430 = sin_q_4 * e429;
         const Scalar e431 = c_.k21 * e417 + p_.m_6 * e420 + e157;
         const Scalar e432 = cos_q_6 * e431;
@@ -1270,52 +1265,52 @@ public:
         const Scalar e435 = e432 - e434;
         const Scalar e436 = p_.m_6 * e408 - c_.k22 * e417 + e172;
         const Scalar e437 = cos_q_5 * e435 - sin_q_5 * e436;
-        const Scalar e438 = p_.m_4 * e396 - c_.k79 * e390 + e148 + e437;
+        const Scalar e438 = p_.m_4 * e396 - c_.k83 * e390 + e148 + e437;
         const Scalar e439 = e143 * e438;
         const Scalar e440 = -sin_q_6 * e431 - cos_q_6 * e433;
-        const Scalar e441 = c_.k79 * e388 + p_.m_4 * e398 + e190 - e440;
+        const Scalar e441 = c_.k83 * e388 + p_.m_4 * e398 + e190 - e440;
         const Scalar e442 = e186 * e441;
-        const Scalar e443 = c_.k69 * e373 + c_.k70 * e375 + c_.k71 * e384 + e14 + (e427 - e430 - e439 - e442);
+        const Scalar e443 = c_.k70 * e373 + c_.k71 * e375 + c_.k72 * e384 + e14 + (e427 - e430 - e439 - e442);
         const Scalar e444 = sin_q_3 * e443;
         const Scalar e445 = sin_q_5 * e423;
         const Scalar e446 = cos_q_5 * e424;
-        const Scalar e447 = c_.k70 * e373 + c_.k72 * e375 + c_.k73 * e384 + e263
+        const Scalar e447 = c_.k71 * e373 + c_.k73 * e375 + c_.k74 * e384 + e263
             + (c_.k23 * e401 + (e445 + e446) + e241 * e438 + e242 * e441);
         const Scalar e448 = cos_q_3 * e447;
         const Scalar e449 = cos_q_4 * e438;
         const Scalar e450 = sin_q_4 * e441;
-        const Scalar e451 = c_.k71 * e386 + p_.m_3 * e381 + e280 + (e449 - e450);
+        const Scalar e451 = c_.k72 * e386 + p_.m_3 * e381 + e280 + (e449 - e450);
         const Scalar e452 = e289 * e451;
         const Scalar e453 = sin_q_5 * e435;
         const Scalar e454 = cos_q_5 * e436;
-        const Scalar e455 = c_.k73 * e386 + p_.m_3 * e383 + e293 + (p_.m_4 * e399 + e231 + (e453 + e454));
+        const Scalar e455 = c_.k74 * e386 + p_.m_3 * e383 + e293 + (p_.m_4 * e399 + e231 + (e453 + e454));
         const Scalar e456 = e271 * e455;
         const Scalar e457 = -sin_q_4 * e438 - cos_q_4 * e441;
         const Scalar e458 = cos_q_3 * e443 - sin_q_3 * e447 - e271 * e451 - e289 * e455;
-        const Scalar e459 = p_.a_2 * (-c_.k71 * e373 - c_.k73 * e375 - p_.m_3 * e384 + e342 + e457);
+        const Scalar e459 = p_.a_2 * (-c_.k72 * e373 - c_.k74 * e375 - p_.m_3 * e384 + e342 + e457);
         const Scalar e460 = c_.k64 * e366 - c_.k63 * e368 + e341 + (e444 + e448 + e452 - e456 - e459);
         const Scalar e461 = cos_q_2 * (c_.k62 * e364 - c_.k9 * q_2_ddot + c_.k63 * e370 - e299 + e458);
         const Scalar e462 = sin_q_2 * e460 - e461;
         const Scalar e463 = c_.k9 * e3;
         const Scalar e464 = c_.k67 * e3;
         const Scalar e465 = e456 - e444 - e448 - e452;
-        const Scalar e466 = c_.k70 * e11;
+        const Scalar e466 = c_.k71 * e11;
         const Scalar e467 = -e466 - e227;
-        const Scalar e468 = c_.k75 * e11 + c_.k71 * e9;
+        const Scalar e468 = c_.k76 * e11 + c_.k72 * e9;
         const Scalar e469 = e143 * e441 - sin_q_4 * e426 - cos_q_4 * e429 - e186 * e438;
-        const Scalar e470 = c_.k80 * e15;
-        const Scalar e471 = c_.k79 * e15;
+        const Scalar e470 = c_.k84 * e15;
+        const Scalar e471 = c_.k83 * e15;
         const Scalar e472 = -e445 - e446;
         const Scalar e473 = c_.k28 * e40;
         const Scalar e474 = e60 - e473;
-        const Scalar e475 = -c_.k81 * e40 - c_.k21 * e37;
+        const Scalar e475 = -c_.k86 * e40 - c_.k21 * e37;
         const Scalar e476 = c_.k27 * e40 - c_.k22 * e31;
         const Scalar e477 = e473 + e61;
         const Scalar e478 = q_6_dot * sin_q_6;
         const Scalar e479 = q_6_dot * cos_q_6;
         const Scalar e480 = e65 + (-e418 - e419);
-        const Scalar e481 = c_.k97 * e29 - c_.k22 * e56 - e54;
-        const Scalar e482 = -c_.k83 * e29 - c_.k97 * e33 - c_.k21 * e56;
+        const Scalar e481 = c_.k89 * e29 - c_.k22 * e56 - e54;
+        const Scalar e482 = -c_.k88 * e29 - c_.k89 * e33 - c_.k21 * e56;
         const Scalar e483 = e50 + (e411 - e409);
         const Scalar e484 = e422 - e416;
         const Scalar e485 = q_5_dot * cos_q_5;
@@ -1333,20 +1328,20 @@ public:
         const Scalar e497 = p_.m_4 * e15;
         const Scalar e498 = p_.m_4 * e21;
         const Scalar e499 = -e453 - e454;
-        const Scalar e500 = e155 - c_.k87 * e40;
-        const Scalar e501 = e149 - c_.k87 * e33 - e151;
+        const Scalar e500 = e155 - c_.k91 * e40;
+        const Scalar e501 = e149 - c_.k91 * e33 - e151;
         const Scalar e502 = p_.m_6 * e33;
         const Scalar e503 = p_.m_6 * e40;
         const Scalar e504 = p_.m_6 * e29;
-        const Scalar e505 = e152 - c_.k89 * e29;
-        const Scalar e506 = -c_.k89 * e40 - e170;
+        const Scalar e505 = e152 - c_.k90 * e29;
+        const Scalar e506 = -c_.k90 * e40 - e170;
         const Scalar e507 = p_.m_4 * e23;
         const Scalar e508 = e434 - e432;
-        const Scalar e509 = c_.k93 * e4 - c_.k73 * e17 + e223;
-        const Scalar e510 = c_.k77 * e4 - c_.k93 * e8 + c_.k71 * e17;
+        const Scalar e509 = c_.k79 * e4 - c_.k74 * e17 + e223;
+        const Scalar e510 = c_.k78 * e4 - c_.k79 * e8 + c_.k72 * e17;
         const Scalar e511 = e430 - e427 + e439 + e442;
-        const Scalar e512 = c_.k96 * e23 + e146;
-        const Scalar e513 = c_.k96 * e21 - e188;
+        const Scalar e512 = c_.k85 * e23 + e146;
+        const Scalar e513 = c_.k85 * e21 - e188;
         const Scalar e514 = e251 + e374;
         const Scalar e515 = e253 + (-e371 - e372);
         const Scalar e516 = p_.d_3 * e249;
@@ -1355,15 +1350,15 @@ public:
         const Scalar e519 = e259 + e382;
         const Scalar e520 = p_.a_2 * e250;
         const Scalar e521 = e256 + (e377 - e376 - e378 + e379 + e380);
-        const Scalar e522 = -c_.k76 * e11 - c_.k73 * e7;
+        const Scalar e522 = -c_.k77 * e11 - c_.k74 * e7;
         const Scalar e523 = e466 + e228;
         const Scalar e524 = e242 * e438 - e241 * e441;
-        const Scalar e525 = e276 - c_.k95 * e8 - e278;
-        const Scalar e526 = -c_.k95 * e11 - e273;
+        const Scalar e525 = e276 - c_.k81 * e8 - e278;
+        const Scalar e526 = -c_.k81 * e11 - e273;
         const Scalar e527 = p_.m_3 * e11;
         const Scalar e528 = p_.m_3 * e8;
-        const Scalar e529 = c_.k94 * e4 + e277;
-        const Scalar e530 = c_.k94 * e11 + e291;
+        const Scalar e529 = c_.k80 * e4 + e277;
+        const Scalar e530 = c_.k80 * e11 + e291;
         const Scalar e531 = p_.m_3 * e4;
         const Scalar e532 = c_.k3 * e3;
         const Scalar e533 = e308 * e451 - e305 * e455;
@@ -1371,8 +1366,8 @@ public:
         const Scalar e535 = q_2_dot * cos_q_2;
         const Scalar e536 = q_2_dot * sin_q_2;
         const Scalar e537 = e327 + e363;
-        const Scalar e538 = c_.k90 * e1 - e340;
-        const Scalar e539 = -c_.k68 * e1 - c_.k90 * q_2_dot;
+        const Scalar e538 = c_.k69 * e1 - e340;
+        const Scalar e539 = -c_.k68 * e1 - c_.k69 * q_2_dot;
         const Scalar e540 = e450 - e449;
         Scalar unit[23]{};  // one in its middle
         unit[11] = Scalar(1);
@@ -1422,7 +1417,7 @@ public:
             const Scalar e571 = e478 * e556 - e479 * e555 + e483 * in_column_5 - e29 * in_column_11;
             const Scalar e572 = e479 * e562 - e478 * e560 + e413 * in_column_5 - e55 * in_column_11;
             const Scalar e573 = e481 * e557 + e62 * e558 + e482 * e559 + e154 * e563 - e59 * e570 + e169 * e564;
-            const Scalar e574 = e573 + (c_.k82 * e571 + c_.k21 * e572);
+            const Scalar e574 = e573 + (c_.k87 * e571 + c_.k21 * e572);
             const Scalar e575 = e484 * in_column_5 + (-sin_q_6 * e569 - cos_q_6 * e574);
             const Scalar e576 = e485 * e550 - e486 * e548 + e404 * in_column_4 - e32 * in_column_10;
             const Scalar e577 = -e485 * e548 - e486 * e550 + e487 * in_column_4 - e27 * in_column_10;
@@ -1532,7 +1527,7 @@ public:
             solved[2][c] = e648;
             solved[3][c] = e657;
             solved[4][c] = e662;
-            solved[5][c] = e44 * (cos_q_6 * e660 - sin_q_6 * (e662 - e653) + e566) - e565 * c_.k84 - e92 * e659 - e160
+            solved[5][c] = e44 * (cos_q_6 * e660 - sin_q_6 * (e662 - e653) + e566) - e565 * c_.k92 - e92 * e659 - e160
                 * (cos_q_6 * e651 - sin_q_6 * e661 + e567);
         }
         constexpr std::array<std::size_t, 12> starts{6, 18, 30, 42, 54, 66, 78, 90, 102, 114, 126, 138};
@@ -1813,7 +1808,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 12 x 13, entry (i, j) at J[12*j + i].
-    /// Operations: 1667 + or -, 2057 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
+    /// Operations: 1667 + or -, 2060 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::cos;
         using std::sin;
@@ -1976,764 +1971,768 @@ public:
         const Scalar e133 = e34 - e35;
         const Scalar e134 = e133 + e36;
         const Scalar e135 = p_.c_x * e130 - p_.d_3 * e97 - p_.c_z * e132 + e53 * e134;
-        const Scalar e136 = c_.k86 * dxdt[6];
-        const Scalar e137 = e135 * e136;
-        const Scalar e138 = cos_q_6 * e137;
-        const Scalar e139 = e7 * e61;
-        const Scalar e140 = e16 * e49 + e139;
-        const Scalar e141 = p_.d_3 * e7;
-        const Scalar e142 = p_.d_3 * e16 * e83 - p_.c_z * e140 + e86 * e134 - e81 * e141;
-        const Scalar e143 = e142 * e136;
-        const Scalar e144 = sin_q_6 * e143;
-        const Scalar e145 = p_.d_4 * e21 - Scalar(5) * e39;
-        const Scalar e146 = c_.k57 * e56 + c_.k56 * e57 + (c_.k54 * e54 + Scalar(5) * e58);
-        const Scalar e147 = p_.d_4 * q_4_dot;
-        const Scalar e148 = c_.k55 * sin_q_4;
-        const Scalar e149 = Scalar(5) * e13 * e28 - e18 * e145
-            + (Scalar(5) * sin_q_4 * e68 + cos_q_4 * e146 - e21 * e147 - e64 * e148);
-        const Scalar e150 = c_.k48 * e149;
-        const Scalar e151 = p_.m_6 * q_1_dot;
-        const Scalar e152 = cos_q_6 * e151;
-        const Scalar e153 = e142 * e152;
-        const Scalar e154 = q_6_dot * e153;
-        const Scalar e155 = e42 * e153;
-        const Scalar e156 = sin_q_6 * e151;
-        const Scalar e157 = e135 * e156;
-        const Scalar e158 = q_6_dot * e157;
-        const Scalar e159 = e42 * e157;
-        const Scalar e160 = cos_q_2 * e74;
-        const Scalar e161 = p_.d_3 * e76 - p_.c_x * e140 + p_.a_2 * e160 + e74 * e133;
-        const Scalar e162 = e161 * e40;
-        const Scalar e163 = e156 * e162;
-        const Scalar e164 = e161 * e23;
-        const Scalar e165 = e152 * e164;
-        const Scalar e166 = cos_q_4 * e7;
-        const Scalar e167 = cos_q_4 * e16;
-        const Scalar e168 = c_.k57 * e1 - c_.k54 * e166 - e16 * e148 + c_.k56 * e167;
-        const Scalar e169 = (Scalar(2) / Scalar(5)) * p_.m_4;
-        const Scalar e170 = dxdt[6] * e169;
-        const Scalar e171 = e168 * e170;
-        const Scalar e172 = p_.d_3 * p_.m_4;
-        const Scalar e173 = e172 * e10;
-        const Scalar e174 = e13 * e173;
-        const Scalar e175 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e138 - e144 + e150 - e154 + e155
-            + e158 - e159 + e163 - e165 - e171 - e174;
-        const Scalar e176 = cos_q_2 * e52;
-        const Scalar e177 = sin_q_5 * e16;
-        const Scalar e178 = e7 * e60;
-        const Scalar e179 = e177 + e178;
-        const Scalar e180 = e179 * e4;
-        const Scalar e181 = c_.k21 * dxdt[10];
-        const Scalar e182 = cos_q_6 * e107;
-        const Scalar e183 = c_.k22 * dxdt[11];
-        const Scalar e184 = sin_q_6 * e183;
-        const Scalar e185 = e103 * e92;
-        const Scalar e186 = e91 * e104;
-        const Scalar e187 = e104 * e111;
-        const Scalar e188 = e92 * e115;
-        const Scalar e189 = e104 * e118;
-        const Scalar e190 = e135 * e152;
-        const Scalar e191 = q_6_dot * e190;
-        const Scalar e192 = e42 * e190;
-        const Scalar e193 = e104 * e123;
-        const Scalar e194 = e92 * e126;
-        const Scalar e195 = sin_q_6 * e137;
-        const Scalar e196 = cos_q_6 * e143;
-        const Scalar e197 = e142 * e156;
-        const Scalar e198 = q_6_dot * e197;
-        const Scalar e199 = e42 * e197;
-        const Scalar e200 = e152 * e162;
-        const Scalar e201 = e156 * e164;
-        const Scalar e202 = e161 * e151;
-        const Scalar e203 = q_5_dot * e202;
-        const Scalar e204 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.m_2;
-        const Scalar e205 = cos_q_4 * sin_q_3;
-        const Scalar e206 = sin_q_5 * e205;
-        const Scalar e207 = q_1_dot * cos_q_2;
-        const Scalar e208 = q_3_dot * e207;
-        const Scalar e209 = e28 * e70 - e73 * (e68 - e55 * e141) - e39 * e47 - cos_q_5 * e50 + e74 * e59 - p_.c_x * e99
-            + p_.d_3 * e206 * e208;
-        const Scalar e210 = e23 * e101 + e40 * e46 + e209;
-        const Scalar e211 = p_.m_6 * e74;
-        const Scalar e212 = e210 * e211;
-        const Scalar e213 = p_.d_4 * e73 + p_.c_x * e53;
-        const Scalar e214 = cos_q_5 * e120 - p_.a_2 * e206 + e213;
-        const Scalar e215 = dxdt[7] * e214;
-        const Scalar e216 = e211 * e215;
-        const Scalar e217 = p_.a_3 * cos_q_5 + e213;
-        const Scalar e218 = dxdt[8] * e217;
-        const Scalar e219 = e211 * e218;
-        const Scalar e220 = c_.k92 * e17;
-        const Scalar e221 = e17 * e220;
-        const Scalar e222 = c_.k61 * cos_q_2 + c_.k60 * e16 + e35;
-        const Scalar e223 = dxdt[6] * e222;
-        const Scalar e224 = c_.k91 * e223;
-        const Scalar e225 = q_4_dot * e73;
-        const Scalar e226 = e202 * e225;
+        const Scalar e136 = Scalar(2) * p_.m_6;
+        const Scalar e137 = dxdt[6] * e136;
+        const Scalar e138 = e135 * e137;
+        const Scalar e139 = cos_q_6 * e138;
+        const Scalar e140 = e7 * e61;
+        const Scalar e141 = e16 * e49 + e140;
+        const Scalar e142 = p_.d_3 * e7;
+        const Scalar e143 = p_.d_3 * e16 * e83 - p_.c_z * e141 + e86 * e134 - e81 * e142;
+        const Scalar e144 = e143 * e137;
+        const Scalar e145 = sin_q_6 * e144;
+        const Scalar e146 = p_.d_4 * e21 - Scalar(5) * e39;
+        const Scalar e147 = c_.k57 * e56 + c_.k56 * e57 + (c_.k54 * e54 + Scalar(5) * e58);
+        const Scalar e148 = p_.d_4 * q_4_dot;
+        const Scalar e149 = c_.k55 * sin_q_4;
+        const Scalar e150 = Scalar(5) * e13 * e28 - e18 * e146
+            + (Scalar(5) * sin_q_4 * e68 + cos_q_4 * e147 - e21 * e148 - e64 * e149);
+        const Scalar e151 = c_.k48 * e150;
+        const Scalar e152 = p_.m_6 * q_1_dot;
+        const Scalar e153 = cos_q_6 * e152;
+        const Scalar e154 = e143 * e153;
+        const Scalar e155 = q_6_dot * e154;
+        const Scalar e156 = e42 * e154;
+        const Scalar e157 = sin_q_6 * e152;
+        const Scalar e158 = e135 * e157;
+        const Scalar e159 = q_6_dot * e158;
+        const Scalar e160 = e42 * e158;
+        const Scalar e161 = cos_q_2 * e74;
+        const Scalar e162 = p_.d_3 * e76 - p_.c_x * e141 + p_.a_2 * e161 + e74 * e133;
+        const Scalar e163 = e162 * e40;
+        const Scalar e164 = e157 * e163;
+        const Scalar e165 = e162 * e23;
+        const Scalar e166 = e153 * e165;
+        const Scalar e167 = cos_q_4 * e7;
+        const Scalar e168 = cos_q_4 * e16;
+        const Scalar e169 = c_.k57 * e1 - c_.k54 * e167 - e16 * e149 + c_.k56 * e168;
+        const Scalar e170 = (Scalar(2) / Scalar(5)) * p_.m_4;
+        const Scalar e171 = dxdt[6] * e170;
+        const Scalar e172 = e169 * e171;
+        const Scalar e173 = p_.d_3 * p_.m_4;
+        const Scalar e174 = e173 * e10;
+        const Scalar e175 = e13 * e174;
+        const Scalar e176 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e151 - e155 + e156
+            + e159 - e160 + e164 - e166 - e172 - e175;
+        const Scalar e177 = cos_q_2 * e52;
+        const Scalar e178 = sin_q_5 * e16;
+        const Scalar e179 = e7 * e60;
+        const Scalar e180 = e178 + e179;
+        const Scalar e181 = e180 * e4;
+        const Scalar e182 = c_.k21 * dxdt[10];
+        const Scalar e183 = cos_q_6 * e107;
+        const Scalar e184 = c_.k22 * dxdt[11];
+        const Scalar e185 = sin_q_6 * e184;
+        const Scalar e186 = e103 * e92;
+        const Scalar e187 = e91 * e104;
+        const Scalar e188 = e104 * e111;
+        const Scalar e189 = e92 * e115;
+        const Scalar e190 = e104 * e118;
+        const Scalar e191 = e135 * e153;
+        const Scalar e192 = q_6_dot * e191;
+        const Scalar e193 = e42 * e191;
+        const Scalar e194 = e104 * e123;
+        const Scalar e195 = e92 * e126;
+        const Scalar e196 = sin_q_6 * e138;
+        const Scalar e197 = cos_q_6 * e144;
+        const Scalar e198 = e143 * e157;
+        const Scalar e199 = q_6_dot * e198;
+        const Scalar e200 = e42 * e198;
+        const Scalar e201 = e153 * e163;
+        const Scalar e202 = e157 * e165;
+        const Scalar e203 = e162 * e152;
+        const Scalar e204 = q_5_dot * e203;
+        const Scalar e205 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.m_2;
+        const Scalar e206 = cos_q_4 * sin_q_3;
+        const Scalar e207 = sin_q_5 * e206;
+        const Scalar e208 = q_1_dot * cos_q_2;
+        const Scalar e209 = q_3_dot * e208;
+        const Scalar e210 = e28 * e70 - e73 * (e68 - e55 * e142) - e39 * e47 - cos_q_5 * e50 + e74 * e59 - p_.c_x * e99
+            + p_.d_3 * e207 * e209;
+        const Scalar e211 = e23 * e101 + e40 * e46 + e210;
+        const Scalar e212 = p_.m_6 * e74;
+        const Scalar e213 = e211 * e212;
+        const Scalar e214 = p_.d_4 * e73 + p_.c_x * e53;
+        const Scalar e215 = cos_q_5 * e120 - p_.a_2 * e207 + e214;
+        const Scalar e216 = dxdt[7] * e215;
+        const Scalar e217 = e212 * e216;
+        const Scalar e218 = p_.a_3 * cos_q_5 + e214;
+        const Scalar e219 = dxdt[8] * e218;
+        const Scalar e220 = e212 * e219;
+        const Scalar e221 = p_.d_3 * p_.m_3;
+        const Scalar e222 = e221 * e17;
+        const Scalar e223 = e17 * e222;
+        const Scalar e224 = (Scalar(1) / Scalar(3)) * p_.m_3;
+        const Scalar e225 = c_.k61 * cos_q_2 + c_.k60 * e16 + e35;
+        const Scalar e226 = dxdt[6] * e225;
+        const Scalar e227 = e224 * e226;
+        const Scalar e228 = q_4_dot * e73;
+        const Scalar e229 = e203 * e228;
         const Scalar e10_squared = e10 * e10;
-        const Scalar e227 = c_.k92 * e10_squared;
-        const Scalar e228 = dxdt[10] * e2;
-        const Scalar e229 = e129 - e128;
-        const Scalar e230 = e229 * e4;
-        const Scalar e231 = c_.k22 * e49;
-        const Scalar e232 = dxdt[9] * e231;
-        const Scalar e233 = e161 * e136;
-        const Scalar e234 = e135 * e151;
-        const Scalar e235 = e23 * e234;
-        const Scalar e236 = e142 * e40;
-        const Scalar e237 = e151 * e236;
-        const Scalar e238 = q_5_dot * e153;
-        const Scalar e239 = e228 + e230 + e232 + e233 - e235 + e237 - e238;
-        const Scalar e240 = e142 * e92;
-        const Scalar e241 = q_2_dot * cos_q_3;
-        const Scalar e242 = e241 * e47;
-        const Scalar e243 = q_3_dot * e241;
-        const Scalar e244 = e60 * e243;
-        const Scalar e245 = q_2_dot * sin_q_3;
-        const Scalar e246 = sin_q_4 * e245;
-        const Scalar e247 = q_6_dot * e246;
-        const Scalar e248 = e42 * e246;
-        const Scalar e249 = q_4_dot * e245;
-        const Scalar e250 = e52 * e249;
-        const Scalar e251 = cos_q_5 * e205;
-        const Scalar e252 = e242 + e244 - e247 + e248 - e250 + dxdt[7] * e251;
-        const Scalar e253 = e135 * e104;
-        const Scalar e254 = cos_q_2 * sin_q_4;
-        const Scalar e255 = e205 * e208;
-        const Scalar e256 = p_.d_4 * e13 + Scalar(5) * e43;
-        const Scalar e257 = c_.k55 * (e55 * e166 + e255) - Scalar(5) * cos_q_4 * e68 + sin_q_4 * e146 - e13 * e147;
-        const Scalar e258 = e257 - Scalar(5) * e21 * e28 - e18 * e256;
-        const Scalar e259 = c_.k48 * e258;
-        const Scalar e260 = q_4_dot * e190;
-        const Scalar e261 = q_4_dot * e197;
-        const Scalar e262 = e234 * e51;
-        const Scalar e263 = c_.k56 * sin_q_4 * e16 + c_.k57 * e254 - c_.k54 * e8 + c_.k55 * e167;
-        const Scalar e264 = e263 * e170;
-        const Scalar e265 = e21 * e173;
-        const Scalar e266 = e142 * e104;
-        const Scalar e267 = q_2_dot * e205;
-        const Scalar e268 = q_4_dot * e267;
-        const Scalar e269 = sin_q_4 * e243;
-        const Scalar e270 = cos_q_5 * e267;
-        const Scalar e271 = q_6_dot * e270;
-        const Scalar e272 = e42 * e270;
-        const Scalar e273 = sin_q_3 * sin_q_4;
-        const Scalar e274 = dxdt[7] * e273;
-        const Scalar e275 = e268 + e269 + e271 - e272 + e274;
-        const Scalar e276 = e135 * e92;
-        const Scalar e277 = c_.k47 * e222;
-        const Scalar e278 = e10 * e277;
-        const Scalar e279 = c_.k48 * e263;
-        const Scalar e280 = e21 * e279;
-        const Scalar e281 = c_.k48 * e168;
-        const Scalar e282 = e13 * e281;
-        const Scalar e283 = c_.k92 * e11;
-        const Scalar e284 = e16 * e283;
-        const Scalar e285 = cos_q_4 * e279;
-        const Scalar e286 = sin_q_4 * e281;
-        const Scalar e287 = p_.m_6 * e73;
-        const Scalar e288 = e161 * e287;
-        const Scalar e289 = c_.k92 * e16;
-        const Scalar e290 = q_3_dot * e245;
-        const Scalar e291 = p_.m_6 * e49;
-        const Scalar e292 = e135 * e291;
-        const Scalar e293 = sin_q_5 * e92;
-        const Scalar e294 = e142 * e293;
-        const Scalar e295 = c_.k10 * e7;
-        const Scalar e296 = p_.m_6 * cos_q_5;
-        const Scalar e297 = e161 * e296;
-        const Scalar e298 = e292 - e294 + e295 + e297;
-        const Scalar e299 = dxdt[7] * cos_q_3;
-        const Scalar e300 = e17 * e277;
-        const Scalar e301 = e291 * e241;
-        const Scalar e302 = e142 * e42;
-        const Scalar e303 = q_6_dot * e142;
-        const Scalar e304 = e164 - e302 + e303;
-        const Scalar e305 = e241 * e293;
-        const Scalar e306 = e162 + q_6_dot * e135 - e135 * e42;
-        const Scalar e307 = p_.m_6 * sin_q_5;
-        const Scalar e308 = e307 * (q_5_dot * e241);
-        const Scalar e309 = e205 * e307;
-        const Scalar e310 = dxdt[7] * e309;
-        const Scalar e311 = dxdt[7] * sin_q_2;
-        const Scalar e312 = q_2_dot * sin_q_2;
-        const Scalar e313 = e52 * e312;
-        const Scalar e314 = q_4_dot * e60;
-        const Scalar e315 = cos_q_2 * e314;
-        const Scalar e316 = e313 - e315;
-        const Scalar e317 = e104 * e162;
-        const Scalar e318 = e92 * e164;
-        const Scalar e319 = e92 * e162 + e104 * e164;
-        const Scalar e320 = e267 * e307;
-        const Scalar e321 = e241 * e296;
-        const Scalar e322 = e320 - e321;
-        const Scalar e323 = q_5_dot * e267;
-        const Scalar e324 = q_4_dot * e207;
-        const Scalar e325 = e18 * e207;
-        const Scalar e326 = e324 + e325;
-        const Scalar e327 = e135 * e23;
-        const Scalar e328 = cos_q_4 * e312;
-        const Scalar e329 = e190 + e197;
-        const Scalar e330 = q_4_dot + e18;
-        const Scalar e331 = p_.a_2 * p_.m_2;
-        const Scalar e332 = e7 * e11;
-        const Scalar e333 = e16 * e11;
-        const Scalar e334 = c_.k53 * e30 - e29 - Scalar(6) * e31;
-        const Scalar e335 = c_.k61 * e312 + c_.k60 * e332 - p_.d_4 * e333 + e16 * e334 + Scalar(6) * e7 * e28;
-        const Scalar e336 = e74 * e202;
-        const Scalar e337 = p_.m_6 * e161;
-        const Scalar e338 = e47 * e267;
-        const Scalar e339 = e21 * e267;
-        const Scalar e340 = e205 * e279;
-        const Scalar e341 = dxdt[7] * sin_q_3;
-        const Scalar e342 = c_.k59 * q_2_dot + c_.k58 * e25;
-        const Scalar e343 = cos_q_2 * e207;
-        const Scalar e344 = (sin_q_2 * e342 + c_.k59 * e312 + c_.k58 * e343) * e207;
-        const Scalar e345 = e161 * e211;
-        const Scalar e346 = e207 * e312;
-        const Scalar e347 = (Scalar(181) / Scalar(450)) * e331;
-        const Scalar e348 = dxdt[6] * cos_q_2;
-        const Scalar e349 = cos_q_2 * e348;
-        const Scalar e350 = p_.m_4 * p_.g;
-        const Scalar e351 = e16 * e350;
-        const Scalar e352 = q_1_dot * e222;
-        const Scalar e353 = Scalar(6) * e50 - e11 * e334 + e10 * e352;
-        const Scalar e354 = c_.k47 * e353;
-        const Scalar e355 = Scalar(5) * e50 + e13 * e256 + e21 * e145;
-        const Scalar e356 = c_.k48 * e355;
-        const Scalar e357 = dxdt[11] * e231;
-        const Scalar e358 = e81 * e107;
-        const Scalar e359 = c_.k18 * dxdt[8];
-        const Scalar e360 = e293 * e115;
-        const Scalar e361 = e103 * e293;
-        const Scalar e362 = e210 * e296;
-        const Scalar e363 = e296 * e218;
-        const Scalar e364 = dxdt[6] * e7;
-        const Scalar e365 = c_.k10 * e364;
-        const Scalar e366 = p_.m_3 + p_.m_4;
-        const Scalar e367 = dxdt[7] * e120;
-        const Scalar e368 = Scalar(2) * e366 * e367;
-        const Scalar e369 = c_.k86 * e81;
-        const Scalar e370 = e126 * e369;
-        const Scalar e371 = c_.k86 * e123;
-        const Scalar e372 = e49 * e371;
-        const Scalar e373 = c_.k86 * e126;
-        const Scalar e374 = e125 * e92;
-        const Scalar e375 = e242 + e244 - e247 + e248 - e250 - dxdt[6] * e176;
-        const Scalar e376 = e214 * e23;
-        const Scalar e377 = e214 * e40;
-        const Scalar e378 = e125 * e104;
-        const Scalar e379 = e268 + e269 + e271 - e272 + dxdt[6] * e1;
-        const Scalar e380 = q_6_dot * e1;
-        const Scalar e381 = e42 * e1;
-        const Scalar e382 = dxdt[6] * e16;
-        const Scalar e383 = p_.d_4 * p_.m_4;
-        const Scalar e384 = p_.d_4 * p_.m_3;
-        const Scalar e385 = (Scalar(4) / Scalar(5)) * (e383 - (Scalar(5) / Scalar(24)) * e384);
-        const Scalar e386 = -e385;
-        const Scalar e387 = dxdt[8] * e386;
-        const Scalar e388 = e7 * e350;
-        const Scalar e389 = Scalar(6) * e11 * e28 - Scalar(6) * (e65 + e67) + e17 * e352;
-        const Scalar e390 = c_.k47 * e389;
-        const Scalar e391 = c_.k13 * e120;
-        const Scalar e392 = e122 * e291;
-        const Scalar e393 = e125 * e293;
-        const Scalar e394 = e391 + e392 + e393 + e214 * e296;
-        const Scalar e395 = e228 + e230 + e232 + c_.k86 * e215;
-        const Scalar e396 = e328 + q_6_dot * e176 - e42 * e176 + q_4_dot * e254;
-        const Scalar e397 = c_.k57 * sin_q_3 - c_.k54;
-        const Scalar e398 = c_.k48 * e397;
-        const Scalar e399 = dxdt[6] * e161;
-        const Scalar e400 = e125 * e40;
-        const Scalar e401 = e320 - e321 - e151 * e160;
-        const Scalar e402 = e122 * e23;
-        const Scalar e403 = e214 * e151;
-        const Scalar e404 = e122 * e305;
-        const Scalar e405 = e243 * e287;
-        const Scalar e406 = p_.d_4 + c_.k61 * sin_q_3;
-        const Scalar e407 = c_.k47 * e406;
-        const Scalar e408 = p_.m_3 * e120;
-        const Scalar e409 = e17 * e407 - e10 * e408;
-        const Scalar e410 = p_.m_4 * e120;
-        const Scalar e411 = e339 + e13 * e246;
-        const Scalar e412 = e180 + e181;
-        const Scalar e413 = e249 + e348;
-        const Scalar e414 = e240 - e253;
-        const Scalar e415 = cos_q_4 * e21 + sin_q_4 * e13;
-        const Scalar e416 = cos_q_4 * e13 - sin_q_4 * e21;
-        const Scalar e417 = p_.m_3 * p_.g;
-        const Scalar e418 = p_.m_6 * e214;
-        const Scalar e419 = dxdt[6] * sin_q_2;
-        const Scalar e420 = e11 * e407;
-        const Scalar e421 = e207 * e25;
-        const Scalar e422 = e125 * e42;
-        const Scalar e423 = e11 * e408;
-        const Scalar e424 = e114 * e40 + e110 * e23;
-        const Scalar e425 = e114 * e92;
-        const Scalar e426 = (Scalar(4) / Scalar(5)) * e383;
-        const Scalar e427 = e426 * e415;
-        const Scalar e428 = e296 * e424 - (e47 * e425 + e427);
-        const Scalar e429 = c_.k71 * e11;
-        const Scalar e430 = q_6_dot - e42;
-        const Scalar e431 = e217 * e40 + e110 * e430;
-        const Scalar e432 = e114 * e86 - e110 * e53;
-        const Scalar e433 = e243 + e341;
-        const Scalar e434 = e114 * e83 + e110 * e61;
-        const Scalar e435 = e217 * e23;
-        const Scalar e436 = e435 - e114 * e430;
-        const Scalar e437 = e61 * e245;
-        const Scalar e438 = p_.a_3 * p_.m_4;
-        const Scalar e439 = c_.k71 * e17 - c_.k73 * e10;
-        const Scalar e440 = e426 * e330 + e438 * e416;
-        const Scalar e441 = q_5_dot * e52 + (e23 * e53 - e40 * e86);
-        const Scalar e442 = e441 + e225;
-        const Scalar e443 = q_4_dot * e83;
-        const Scalar e444 = e53 * e430 + e443;
-        const Scalar e445 = q_5_dot * e152 - e40 * e151;
-        const Scalar e446 = e151 * e444 - e74 * e445;
-        const Scalar e447 = e217 * e151 * e442 - e114 * e446;
-        const Scalar e448 = q_4_dot * e61 + e86 * e430;
-        const Scalar e449 = e151 * (e448 - (sin_q_4 * e51 - e23 * e74));
-        const Scalar e450 = cos_q_2 * e449 - e104 * e242;
-        const Scalar e451 = e290 - e299;
-        const Scalar e452 = e451 + e323;
-        const Scalar e453 = e114 * e293 + e110 * e291;
-        const Scalar e454 = c_.k18 + e217 * e296;
-        const Scalar e455 = p_.m_6 * e217;
-        const Scalar e456 = c_.k73 * e11;
-        const Scalar e457 = e217 * e74 - e432;
-        const Scalar e458 = e151 * e312;
-        const Scalar e459 = e40 * e83;
-        const Scalar e460 = e245 * e459 - e338;
-        const Scalar e461 = e117 * e291;
-        const Scalar e462 = e106 * e81;
-        const Scalar e463 = p_.m_6 * e117;
-        const Scalar e464 = e83 * e430;
-        const Scalar e465 = e61 * e433 + e245 * e464;
-        const Scalar e466 = e86 * e106 + e74 * e231;
-        const Scalar e467 = e56 - e413;
-        const Scalar e468 = q_5_dot * cos_q_6;
-        const Scalar e469 = e106 * (e468 - e40);
-        const Scalar e470 = e231 * e442 + e106 * e444;
-        const Scalar e471 = e74 * e469 - e470;
-        const Scalar e472 = e23 * e231;
-        const Scalar e473 = e430 * e106 + e472;
-        const Scalar e474 = e117 * e23;
-        const Scalar e475 = sin_q_5 * e2;
-        const Scalar e476 = c_.k21 * cos_q_5 + e475;
-        const Scalar e477 = e231 * e70 - e40 * e49 * e476;
-        const Scalar e478 = e117 * e430;
-        const Scalar e479 = e49 * e473 + e296 * e474 - (e477 + (cos_q_6 * e106 * e47 + e293 * e478));
-        const Scalar e480 = cos_q_5 * e231;
-        const Scalar e481 = e73 * e231;
-        const Scalar e482 = sin_q_5 * e267;
-        const Scalar e483 = e40 * e106;
-        const Scalar e484 = e83 * e106;
-        const Scalar e485 = c_.k21 * sin_q_5 - cos_q_5 * e2;
-        const Scalar e486 = c_.k21 * sin_q_6;
-        const Scalar e487 = cos_q_6 * e231;
-        const Scalar e488 = cos_q_5 * e486 + e487;
-        const Scalar e489 = q_5_dot - cos_q_6 * e40;
-        const Scalar e490 = e23 * e488 - e476 * e489;
-        const Scalar e491 = c_.k21 * e489;
-        const Scalar e492 = e23 * e106;
-        const Scalar e493 = c_.k21 * e430;
-        const Scalar e494 = q_4_dot * e476 + e493;
-        const Scalar e495 = e2 * e441;
-        const Scalar e496 = e74 * e491 - sin_q_4 * e492 - (cos_q_4 * e494 + e495);
-        const Scalar e497 = cos_q_4 * e476;
-        const Scalar e498 = e23 * e2;
-        const Scalar e499 = sin_q_4 * e476;
-        const Scalar e500 = c_.k22 * e23;
-        const Scalar e501 = c_.k22 * sin_q_6;
-        const Scalar e502 = e430 * e475 + e47 * e501;
-        const Scalar e503 = cos_q_5 * e500 - e502;
-        const Scalar e504 = q_5_dot * e231;
-        const Scalar e505 = c_.k22 * e448;
-        const Scalar e506 = e74 * e500 - sin_q_4 * e504 + e505;
-        const Scalar e507 = c_.k22 * e53;
-        const Scalar e508 = cos_q_4 * e14;
-        const Scalar e509 = sin_q_2 * e205;
-        const Scalar e510 = e52 * e14;
-        const Scalar e511 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - e193 - e194 - e195 + e196;
-        const Scalar e512 = e52 * e15;
-        const Scalar e513 = q_1_dot * e335;
-        const Scalar e514 = e212 - e216 - e219 - e221 - e224 - e227 + c_.k47 * e513;
-        const Scalar e515 = e191 - e192 + e198 - e199 + e200 + e201 - e203;
-        const Scalar e516 = cos_q_4 * e5;
-        const Scalar e517 = q_3_dot * e190;
-        const Scalar e518 = q_3_dot * e197;
-        const Scalar e519 = q_2_dot * e190;
-        const Scalar e520 = q_2_dot * e197;
-        const Scalar e521 = e517 + e518 + e519 + e520 + e55 * e281 + e281 * e62;
-        const Scalar e522 = e52 * e5;
-        const Scalar e523 = q_3_dot * e153;
-        const Scalar e524 = q_2_dot * e153;
-        const Scalar e525 = q_3_dot * e157;
-        const Scalar e526 = q_2_dot * e157;
-        const Scalar e527 = e523 + e524 - e525 - e526;
-        const Scalar e528 = e52 * e6;
-        const Scalar e529 = e228 + e230 + e232 + e233;
-        const Scalar e530 = e226 + e153 * e314 - e157 * e314;
-        const Scalar e531 = q_2_dot * e336;
-        const Scalar e532 = q_3_dot * e336;
-        const Scalar e533 = sin_q_4 * e14;
-        const Scalar e534 = e11 * e291;
-        const Scalar e535 = e11 * e293;
-        const Scalar e536 = e235 - e237 + e238;
-        const Scalar e537 = e278 - e284;
-        const Scalar e538 = sin_q_4 * e15;
-        const Scalar e539 = e267 * e207;
-        const Scalar e540 = cos_q_2 * e205;
-        const Scalar e541 = sin_q_4 * e5;
-        const Scalar e542 = e55 * e279 + e279 * e62;
-        const Scalar e543 = sin_q_4 * e6;
-        const Scalar e544 = q_4_dot * e17 + e18 * e17;
-        const Scalar e545 = e11 * e47;
-        const Scalar e546 = e11 * e296;
-        const Scalar e547 = e236 - e327;
-        const Scalar e548 = p_.m_6 * e11;
-        const Scalar e549 = e548 * e70;
-        const Scalar e550 = p_.m_6 * e382 - e151 * e332;
-        const Scalar e551 = e214 * e74 - e125 * e86;
-        const Scalar e552 = e442 * e403 - e125 * e446;
-        const Scalar e553 = e399 - e210;
-        const Scalar e554 = e553 + e218;
-        const Scalar e555 = e376 - e125 * e430;
-        const Scalar e556 = e104 * e545 - e16 * e449;
-        const Scalar e557 = e53 * e550 + e556;
-        const Scalar e558 = e122 * e430 + e377;
-        const Scalar e559 = c_.k86 * cos_q_5;
-        const Scalar e560 = e400 + e402;
-        const Scalar e561 = dxdt[6] * e135;
-        const Scalar e562 = e91 + e118;
-        const Scalar e563 = e561 - e562;
-        const Scalar e564 = dxdt[6] * e142 - e103;
-        const Scalar e565 = e230 + e232;
-        const Scalar e566 = e565 + e228;
-        const Scalar e567 = e358 + (e417 * e16 - e291 * e563) + (sin_q_5 * e412 + e293 * e564 - (cos_q_5 * e566 + e365));
-        const Scalar e568 = e351 - e354 - (e356 - e357) + e567;
-        const Scalar e569 = e11 * e415;
-        const Scalar e570 = e553 + e215;
-        const Scalar e571 = e293 * e126;
-        const Scalar e572 = c_.k13 * e367;
-        const Scalar e573 = e57 - e382;
-        const Scalar e574 = dxdt[7] + dxdt[8];
-        const Scalar e575 = e480 - e462;
-        const Scalar e576 = sin_q_5 * e152;
-        const Scalar e577 = e151 * e49;
-        const Scalar e578 = e351 - e354 - e356 + e357 + e358 - e359 - e360 - e361 + e362 - e571 - e363 - e572 - e49 * e137
-            + e81 * e143 - e296 * e215 - Scalar(2) * p_.d_3 * e366 * e364 - e162 * e576 + e302 * e577 - e303 * e577;
-        const Scalar e579 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - e191 + e192 - e193 - e194 - e195
-            + e196 - e198 + e199 - e200 - e201;
-        const Scalar e580 = e47 * e202;
-        const Scalar e581 = Scalar(2) * p_.d_3 * p_.m_3 * e382;
-        const Scalar e582 = q_4_dot * e336;
-        const Scalar e583 = e10 * e283;
-        const Scalar e584 = e228 + e230 + e232 + e233 - e235 + e237;
-        const Scalar e585 = e5 * e220;
-        const Scalar e586 = e6 * e220;
-        const Scalar e587 = e5 * e202;
-        const Scalar e588 = e73 * e587;
-        const Scalar e589 = e5 * e60;
-        const Scalar e590 = sin_q_5 * e14;
-        const Scalar e591 = sin_q_5 * e15;
-        const Scalar e592 = cos_q_5 * e540;
-        const Scalar e593 = e533 * e279 - e538 * e279 - e509 * e281 + e508 * e281;
-        const Scalar e594 = e180 + e181 - e191 + e192;
-        const Scalar e595 = q_2_dot * e14 + q_3_dot * e14 - q_2_dot * e15 - q_3_dot * e15;
-        const Scalar e596 = e91 - e123 - e111 + e118;
-        const Scalar e597 = e5 * e47 + e6 * e47 + cos_q_2 * e270;
-        const Scalar e598 = e278 - e280 + e282;
-        const Scalar e599 = e210 - e215 - e218;
-        const Scalar e600 = (Scalar(1) / Scalar(6)) * e331;
-        const Scalar e601 = q_4_dot * e153 - q_4_dot * e157;
-        const Scalar e602 = e587 + e6 * e202;
-        const Scalar e603 = dxdt[7] * e14 - dxdt[7] * e15;
-        const Scalar e604 = cos_q_2 * (q_2_dot * e342 + c_.k59 * e207 * e207 - c_.k58 * e56);
-        const Scalar e605 = e16 * e151;
-        const Scalar e606 = q_4_dot * e53 + e464;
-        const Scalar e607 = e11 * e605;
-        const Scalar e608 = cos_q_4 * e605 * e51 + e291 * e364 - (e23 * e151 * e76 - e7 * e156 * e47);
-        const Scalar e609 = e49 * e607 - e61 * e550 + e608;
-        const Scalar e610 = e605 * e606 - e609;
-        const Scalar e611 = e293 * e364 + e576 * e333 - (e83 * e550 - e76 * e445);
-        const Scalar e612 = cos_q_4 * e47;
-        const Scalar e613 = e612 - e459;
-        const Scalar e614 = e7 * e151 * e70 - e550 * e73 - (e613 * e605 + (e296 * e364 + cos_q_5 * e607));
-        const Scalar e615 = e54 + e364;
-        const Scalar e616 = e7 * e576;
-        const Scalar e617 = e151 * e97;
-        const Scalar e618 = e17 * e415;
-        const Scalar e619 = q_4_dot * e605;
-        const Scalar e620 = e231 * e613;
-        const Scalar e621 = e481 + e484;
-        const Scalar e622 = e73 * e17;
-        const Scalar e623 = e2 * (e23 * e61 - e613);
-        const Scalar e624 = cos_q_4 * e17;
-        const Scalar e625 = c_.k22 * e61;
-        const Scalar e626 = q_4_dot * e21 + cos_q_4 * e54;
-        const Scalar e627 = (Scalar(1) / Scalar(25)) * e383;
-        const Scalar e628 = (Scalar(4) / Scalar(25)) * p_.m_4;
-        const Scalar e629 = (Scalar(1) / Scalar(50)) * e383;
-        const Scalar e630 = e18 * e629;
-        const Scalar e631 = (Scalar(8) / Scalar(25)) * p_.m_4;
-        const Scalar e632 = dxdt[6] * e631;
-        const Scalar e633 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e138 - e144 + e626 * e627 + e149
-            * e628 + e21 * e630 - e168 * e632;
-        const Scalar e634 = (Scalar(4) / Scalar(5)) * e172;
-        const Scalar e635 = e21 * e634;
-        const Scalar e636 = e13 * e634;
-        const Scalar e637 = e7 * e52;
-        const Scalar e638 = e168 * e628;
-        const Scalar e639 = e517 + e518 + e519 + e520 + e55 * e638 + e62 * e638;
-        const Scalar e640 = c_.k85 * e223;
-        const Scalar e641 = e11 * e60;
-        const Scalar e642 = e240 * e12 - e253 * e12 + e266 * e641 + e276 * e641;
-        const Scalar e643 = sin_q_4 * e638;
-        const Scalar e644 = e263 * e628;
-        const Scalar e645 = cos_q_4 * e644;
-        const Scalar e646 = c_.k11 * e16;
-        const Scalar e647 = e643 - e645 + e646 - e288;
-        const Scalar e648 = q_5_dot * e11;
-        const Scalar e649 = e73 * e648;
-        const Scalar e650 = dxdt[7] * e60;
-        const Scalar e651 = dxdt[8] * e60;
-        const Scalar e652 = e52 * e84;
-        const Scalar e653 = q_4_dot * e13 + sin_q_4 * e54;
-        const Scalar e654 = e653 * e627 + e258 * e628 + e13 * e630 - e263 * e632;
-        const Scalar e655 = cos_q_4 * e84;
-        const Scalar e656 = e655 + dxdt[7] * sin_q_4 + dxdt[8] * sin_q_4;
-        const Scalar e657 = e7 * e74;
-        const Scalar e658 = e7 * e364;
-        const Scalar e659 = e333 * e10;
-        const Scalar e660 = c_.k5 * e222;
-        const Scalar e661 = e17 * e660 + c_.k11 * (e11 * e7);
-        const Scalar e662 = e332 * e17;
-        const Scalar e663 = e16 * e382;
-        const Scalar e664 = e55 * e660 + e62 * e660;
-        const Scalar e665 = e55 * e644 + e62 * e644;
-        const Scalar e666 = e643 - e645;
-        const Scalar e667 = c_.k11 * e5 + c_.k11 * e6;
-        const Scalar e668 = e73 * e548;
-        const Scalar e669 = e5 * e5 + e6 * e6;
-        const Scalar e670 = e11 * e16;
-        const Scalar e671 = (Scalar(11) / Scalar(75)) * e384 * e10;
-        const Scalar e672 = e14 * e15;
-        const Scalar e673 = dxdt[6] * e672;
-        const Scalar e674 = e10 * e416 + e569;
-        const Scalar e675 = e11 * e11 + e10_squared;
-        const Scalar e676 = (Scalar(17) / Scalar(25)) * e383 + (Scalar(7) / Scalar(36)) * e384;
-        const Scalar e677 = c_.k5 * e406;
-        const Scalar e678 = e397 * e628;
-        const Scalar e679 = e84 + e364;
-        const Scalar e680 = p_.m_6 * e679 + e607;
-        const Scalar e681 = cos_q_4 * e263 - sin_q_4 * e168;
-        const Scalar e682 = dxdt[6] * e681 - (cos_q_4 * e258 - sin_q_4 * e149);
-        const Scalar e683 = e548 * e464 - (q_5_dot * cos_q_4 * e534 + e7 * e449);
-        const Scalar e684 = e53 * e680 + e683;
-        const Scalar e685 = p_.m_6 * e563 - e183;
-        const Scalar e686 = c_.k86 * dxdt[7] + p_.m_6 * dxdt[8];
-        const Scalar e687 = e122 * e686;
-        const Scalar e688 = e685 + (p_.m_6 * e111 + e687);
-        const Scalar e689 = p_.m_6 * e564 + e107;
-        const Scalar e690 = e689 - (p_.m_6 * e115 + e125 * e686);
-        const Scalar e691 = dxdt[7] * e397;
-        const Scalar e692 = e61 * e548;
-        const Scalar e693 = sin_q_4 * e8 + e179 * e60;
-        const Scalar e694 = cos_q_4 * e653;
-        const Scalar e695 = e694 - sin_q_4 * e626;
-        const Scalar e696 = e7 * ((Scalar(4) / Scalar(5)) * e350) - (Scalar(1) / Scalar(6)) * e417 * e7;
-        const Scalar e697 = c_.k11 * e382 + e627 * e695 + (e416 * e630 - (dxdt[10] * e497 - e17 * e671));
-        const Scalar e698 = e696 + (e4 * e693 + e73 * e565) - e697;
-        const Scalar e699 = dxdt[7] * e406;
-        const Scalar e700 = e214 * e686;
-        const Scalar e701 = e17 * e10;
-        const Scalar e702 = e613 * e548;
-        const Scalar e703 = e10 * e330;
-        const Scalar e704 = c_.k86 * dxdt[8] + p_.m_6 * dxdt[7];
-        const Scalar e705 = e699 - e389;
-        const Scalar e706 = e691 - e682;
-        const Scalar e707 = p_.m_6 * e126 - e689;
-        const Scalar e708 = p_.m_6 * e123 + e685;
-        const Scalar e709 = e679 + e54;
-        const Scalar e710 = dxdt[9] - e382;
-        const Scalar e711 = q_1_dot * e332 + e710;
-        const Scalar e712 = e87 - e574;
-        const Scalar e713 = cos_q_4 * e712 + sin_q_4 * e709;
-        const Scalar e714 = (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_3;
-        const Scalar e715 = p_.a_2 * p_.a_2;
-        const Scalar e716 = p_.d_3 * p_.d_3;
-        const Scalar e717 = (Scalar(181) / Scalar(900)) * e715;
-        const Scalar e718 = p_.a_2 * p_.g;
-        const Scalar e719 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.d_4;
-        const Scalar e720 = (Scalar(1) / Scalar(6)) * p_.d_3;
-        const Scalar e721 = p_.a_3 * p_.d_3;
-        const Scalar e722 = p_.d_4 * p_.d_4;
-        const Scalar e723 = (Scalar(1) / Scalar(100)) * e722;
-        const Scalar e724 = p_.d_3 * e7 * e367 + (dxdt[8] * e7 * e721 - e723 * e662);
-        const Scalar e725 = (Scalar(1) / Scalar(12)) * e722;
-        const Scalar e726 = (Scalar(11) / Scalar(150)) * e722 * e10;
-        const Scalar e727 = (Scalar(1) / Scalar(36)) * p_.d_4;
-        const Scalar e728 = p_.d_4 * p_.g;
-        const Scalar e729 = p_.a_3 * p_.g;
-        const Scalar e730 = e729 * e16;
-        const Scalar e731 = (Scalar(1) / Scalar(6)) * e728 * e7 + (e730 + e17 * e726);
-        const Scalar e732 = e120 * (e367 + (p_.a_3 * dxdt[8] + p_.d_3 * e364));
-        const Scalar e733 = p_.a_3 * p_.a_3;
-        const Scalar e734 = p_.a_3 * e367 + e721 * e364;
-        const Scalar e735 = p_.d_3 * p_.g;
-        const Scalar e736 = e735 * e7;
-        const Scalar e737 = (Scalar(1) / Scalar(50)) * e722;
-        const Scalar e738 = e653 * e8;
-        const Scalar e739 = e735 * e16;
-        const Scalar e740 = (Scalar(4) / Scalar(25)) * p_.d_4;
-        const Scalar e741 = dxdt[8] * e740;
-        const Scalar e742 = e168 * e168 + e263 * e263;
-        const Scalar e743 = e18 * e723;
-        const Scalar e744 = cos_q_3 * e718 + e729;
-        const Scalar e745 = e737 * e695 - (e7 * ((Scalar(4) / Scalar(5)) * e728) - e416 * e743);
-        const Scalar e746 = p_.c_z * sin_q_6;
-        const Scalar e747 = e123 + e111;
-        const Scalar e748 = e747 + e563;
-        const Scalar e749 = p_.c_x * dxdt[11] + dxdt[10] * e746 - e748;
-        const Scalar e750 = dxdt[10] * cos_q_6;
-        const Scalar e751 = dxdt[9] * e49;
-        const Scalar e752 = e750 + e751;
-        const Scalar e753 = e215 + e218;
-        const Scalar e754 = e553 + e753;
-        const Scalar e755 = p_.c_x * e752 + e754;
-        const Scalar e756 = e126 + e115;
-        const Scalar e757 = e564 - e756;
-        const Scalar e758 = p_.c_z * e752 + e757;
-        const Scalar e759 = p_.c_z * p_.g;
-        const Scalar e760 = e16 * e657 + e637 * e166;
-        const Scalar e761 = p_.c_x * p_.g;
-        const Scalar e762 = e229 * e761;
-        const Scalar e763 = e179 * e759;
-        const Scalar e764 = e229 * e718;
-        const Scalar e765 = e179 * e718;
-        const Scalar e766 = sin_q_5 * e179;
-        const Scalar e767 = e179 * e49 + cos_q_6 * e657;
-        const Scalar e768 = e761 * e767;
-        const Scalar e769 = e718 * e8;
-        const Scalar e770 = cos_q_5 * sin_q_6;
-        const Scalar e771 = cos_q_6 * e637;
-        const Scalar e772 = e761 * (e179 * e770 + e771);
-        const Scalar e773 = cos_q_5 * e229 - e766;
-        const Scalar e774 = e759 * e52 * e8 + e728 * e693
-            + (e53 * e762 + cos_q_4 * e763 + (e229 * e728 * e73 + sin_q_4 * e768));
-        const Scalar e775 = p_.c_z * p_.c_z;
-        const Scalar e776 = p_.c_x * p_.c_x;
-        const Scalar e777 = e775 + e776;
-        const Scalar e778 = p_.c_z * e757 + (p_.c_x * e754 + e762);
-        const Scalar e779 = sin_q_6 * (p_.c_x * p_.c_z);
-        const Scalar e780 = dxdt[11] + e72;
-        const Scalar e781 = p_.m_6 * e780 + dxdt[9] * e296;
-        const Scalar e782 = e19 * e104 - e22 * e92;
-        const Scalar e783 = q_4_dot * e151;
-        const Scalar e784 = e7 * e783;
-        const Scalar e785 = p_.m_6 * e574 - e784;
-        const Scalar e786 = e23 * e782 - e74 * e785;
-        const Scalar e787 = e104 * e80 + e92 * e88;
-        const Scalar e788 = dxdt[9] + e82;
-        const Scalar e789 = dxdt[10] * e92 + e291 * e788;
-        const Scalar e790 = e789 - (q_4_dot * e692 - e53 * e785);
-        const Scalar e791 = e16 * e291 + p_.m_6 * e139;
-        const Scalar e792 = p_.m_6 * e42;
-        const Scalar e793 = e562 - e747;
-        const Scalar e794 = dxdt[10] * e106 + e4 * e767;
-        const Scalar e795 = e412 * e770 + e4 * e771;
-        const Scalar e796 = e16 * e231;
-        const Scalar e797 = e135 * e548;
-        const Scalar e798 = e16 * e793;
-        const Scalar e799 = e49 * e550 + e53 * e784 + (e61 * e680 - e789);
-        const Scalar e800 = cos_q_5 * e550 - e73 * e680;
-        const Scalar e801 = e781 - (e800 + e657 * e783);
-        const Scalar e802 = e74 * e183 - e563 * e211 + (sin_q_4 * e794 + e53 * e566);
-        const Scalar e803 = p_.m_6 * e53;
-        const Scalar e804 = e53 * e704 - e799;
-        const Scalar e805 = e110 * e704;
-        const Scalar e806 = e61 * e709 + e53 * e712;
-        const Scalar e807 = e49 * e573 - e806;
+        const Scalar e230 = e221 * e10_squared;
+        const Scalar e231 = dxdt[10] * e2;
+        const Scalar e232 = e129 - e128;
+        const Scalar e233 = e232 * e4;
+        const Scalar e234 = c_.k22 * e49;
+        const Scalar e235 = dxdt[9] * e234;
+        const Scalar e236 = e162 * e137;
+        const Scalar e237 = e135 * e152;
+        const Scalar e238 = e23 * e237;
+        const Scalar e239 = e143 * e40;
+        const Scalar e240 = e152 * e239;
+        const Scalar e241 = q_5_dot * e154;
+        const Scalar e242 = e231 + e233 + e235 + e236 - e238 + e240 - e241;
+        const Scalar e243 = e143 * e92;
+        const Scalar e244 = q_2_dot * cos_q_3;
+        const Scalar e245 = e244 * e47;
+        const Scalar e246 = q_3_dot * e244;
+        const Scalar e247 = e60 * e246;
+        const Scalar e248 = q_2_dot * sin_q_3;
+        const Scalar e249 = sin_q_4 * e248;
+        const Scalar e250 = q_6_dot * e249;
+        const Scalar e251 = e42 * e249;
+        const Scalar e252 = q_4_dot * e248;
+        const Scalar e253 = e52 * e252;
+        const Scalar e254 = cos_q_5 * e206;
+        const Scalar e255 = e245 + e247 - e250 + e251 - e253 + dxdt[7] * e254;
+        const Scalar e256 = e135 * e104;
+        const Scalar e257 = cos_q_2 * sin_q_4;
+        const Scalar e258 = e206 * e209;
+        const Scalar e259 = p_.d_4 * e13 + Scalar(5) * e43;
+        const Scalar e260 = c_.k55 * (e55 * e167 + e258) - Scalar(5) * cos_q_4 * e68 + sin_q_4 * e147 - e13 * e148;
+        const Scalar e261 = e260 - Scalar(5) * e21 * e28 - e18 * e259;
+        const Scalar e262 = c_.k48 * e261;
+        const Scalar e263 = q_4_dot * e191;
+        const Scalar e264 = q_4_dot * e198;
+        const Scalar e265 = e237 * e51;
+        const Scalar e266 = c_.k56 * sin_q_4 * e16 + c_.k57 * e257 - c_.k54 * e8 + c_.k55 * e168;
+        const Scalar e267 = e266 * e171;
+        const Scalar e268 = e21 * e174;
+        const Scalar e269 = e143 * e104;
+        const Scalar e270 = q_2_dot * e206;
+        const Scalar e271 = q_4_dot * e270;
+        const Scalar e272 = sin_q_4 * e246;
+        const Scalar e273 = cos_q_5 * e270;
+        const Scalar e274 = q_6_dot * e273;
+        const Scalar e275 = e42 * e273;
+        const Scalar e276 = sin_q_3 * sin_q_4;
+        const Scalar e277 = dxdt[7] * e276;
+        const Scalar e278 = e271 + e272 + e274 - e275 + e277;
+        const Scalar e279 = e135 * e92;
+        const Scalar e280 = c_.k47 * e225;
+        const Scalar e281 = e10 * e280;
+        const Scalar e282 = c_.k48 * e266;
+        const Scalar e283 = e21 * e282;
+        const Scalar e284 = c_.k48 * e169;
+        const Scalar e285 = e13 * e284;
+        const Scalar e286 = e11 * e221;
+        const Scalar e287 = e16 * e286;
+        const Scalar e288 = cos_q_4 * e282;
+        const Scalar e289 = sin_q_4 * e284;
+        const Scalar e290 = p_.m_6 * e73;
+        const Scalar e291 = e162 * e290;
+        const Scalar e292 = e16 * e221;
+        const Scalar e293 = q_3_dot * e248;
+        const Scalar e294 = p_.m_6 * e49;
+        const Scalar e295 = e135 * e294;
+        const Scalar e296 = sin_q_5 * e92;
+        const Scalar e297 = e143 * e296;
+        const Scalar e298 = c_.k10 * e7;
+        const Scalar e299 = p_.m_6 * cos_q_5;
+        const Scalar e300 = e162 * e299;
+        const Scalar e301 = e295 - e297 + e298 + e300;
+        const Scalar e302 = dxdt[7] * cos_q_3;
+        const Scalar e303 = e17 * e280;
+        const Scalar e304 = e294 * e244;
+        const Scalar e305 = e143 * e42;
+        const Scalar e306 = q_6_dot * e143;
+        const Scalar e307 = e165 - e305 + e306;
+        const Scalar e308 = e244 * e296;
+        const Scalar e309 = e163 + q_6_dot * e135 - e135 * e42;
+        const Scalar e310 = p_.m_6 * sin_q_5;
+        const Scalar e311 = e310 * (q_5_dot * e244);
+        const Scalar e312 = e206 * e310;
+        const Scalar e313 = dxdt[7] * e312;
+        const Scalar e314 = dxdt[7] * sin_q_2;
+        const Scalar e315 = q_2_dot * sin_q_2;
+        const Scalar e316 = e52 * e315;
+        const Scalar e317 = q_4_dot * e60;
+        const Scalar e318 = cos_q_2 * e317;
+        const Scalar e319 = e316 - e318;
+        const Scalar e320 = e104 * e163;
+        const Scalar e321 = e92 * e165;
+        const Scalar e322 = e92 * e163 + e104 * e165;
+        const Scalar e323 = e270 * e310;
+        const Scalar e324 = e244 * e299;
+        const Scalar e325 = e323 - e324;
+        const Scalar e326 = q_5_dot * e270;
+        const Scalar e327 = q_4_dot * e208;
+        const Scalar e328 = e18 * e208;
+        const Scalar e329 = e327 + e328;
+        const Scalar e330 = e135 * e23;
+        const Scalar e331 = cos_q_4 * e315;
+        const Scalar e332 = e191 + e198;
+        const Scalar e333 = q_4_dot + e18;
+        const Scalar e334 = p_.a_2 * p_.m_2;
+        const Scalar e335 = e7 * e11;
+        const Scalar e336 = e16 * e11;
+        const Scalar e337 = c_.k53 * e30 - e29 - Scalar(6) * e31;
+        const Scalar e338 = c_.k61 * e315 + c_.k60 * e335 - p_.d_4 * e336 + e16 * e337 + Scalar(6) * e7 * e28;
+        const Scalar e339 = e74 * e203;
+        const Scalar e340 = p_.m_6 * e162;
+        const Scalar e341 = e47 * e270;
+        const Scalar e342 = e21 * e270;
+        const Scalar e343 = e206 * e282;
+        const Scalar e344 = dxdt[7] * sin_q_3;
+        const Scalar e345 = c_.k59 * q_2_dot + c_.k58 * e25;
+        const Scalar e346 = cos_q_2 * e208;
+        const Scalar e347 = (sin_q_2 * e345 + c_.k59 * e315 + c_.k58 * e346) * e208;
+        const Scalar e348 = e162 * e212;
+        const Scalar e349 = e208 * e315;
+        const Scalar e350 = (Scalar(181) / Scalar(450)) * e334;
+        const Scalar e351 = dxdt[6] * cos_q_2;
+        const Scalar e352 = cos_q_2 * e351;
+        const Scalar e353 = p_.m_4 * p_.g;
+        const Scalar e354 = e16 * e353;
+        const Scalar e355 = q_1_dot * e225;
+        const Scalar e356 = Scalar(6) * e50 - e11 * e337 + e10 * e355;
+        const Scalar e357 = c_.k47 * e356;
+        const Scalar e358 = Scalar(5) * e50 + e13 * e259 + e21 * e146;
+        const Scalar e359 = c_.k48 * e358;
+        const Scalar e360 = dxdt[11] * e234;
+        const Scalar e361 = e81 * e107;
+        const Scalar e362 = c_.k18 * dxdt[8];
+        const Scalar e363 = e296 * e115;
+        const Scalar e364 = e103 * e296;
+        const Scalar e365 = e211 * e299;
+        const Scalar e366 = e299 * e219;
+        const Scalar e367 = dxdt[6] * e7;
+        const Scalar e368 = c_.k10 * e367;
+        const Scalar e369 = p_.m_3 + p_.m_4;
+        const Scalar e370 = dxdt[7] * e120;
+        const Scalar e371 = Scalar(2) * e369 * e370;
+        const Scalar e372 = e136 * e81;
+        const Scalar e373 = e126 * e372;
+        const Scalar e374 = e136 * e123;
+        const Scalar e375 = e49 * e374;
+        const Scalar e376 = e136 * e126;
+        const Scalar e377 = e125 * e92;
+        const Scalar e378 = e245 + e247 - e250 + e251 - e253 - dxdt[6] * e177;
+        const Scalar e379 = e215 * e23;
+        const Scalar e380 = e215 * e40;
+        const Scalar e381 = e125 * e104;
+        const Scalar e382 = e271 + e272 + e274 - e275 + dxdt[6] * e1;
+        const Scalar e383 = q_6_dot * e1;
+        const Scalar e384 = e42 * e1;
+        const Scalar e385 = dxdt[6] * e16;
+        const Scalar e386 = p_.d_4 * p_.m_4;
+        const Scalar e387 = p_.d_4 * p_.m_3;
+        const Scalar e388 = (Scalar(4) / Scalar(5)) * (e386 - (Scalar(5) / Scalar(24)) * e387);
+        const Scalar e389 = -e388;
+        const Scalar e390 = dxdt[8] * e389;
+        const Scalar e391 = e7 * e353;
+        const Scalar e392 = Scalar(6) * e11 * e28 - Scalar(6) * (e65 + e67) + e17 * e355;
+        const Scalar e393 = c_.k47 * e392;
+        const Scalar e394 = c_.k13 * e120;
+        const Scalar e395 = e122 * e294;
+        const Scalar e396 = e125 * e296;
+        const Scalar e397 = e394 + e395 + e396 + e215 * e299;
+        const Scalar e398 = e231 + e233 + e235 + e136 * e216;
+        const Scalar e399 = e331 + q_6_dot * e177 - e42 * e177 + q_4_dot * e257;
+        const Scalar e400 = c_.k57 * sin_q_3 - c_.k54;
+        const Scalar e401 = c_.k48 * e400;
+        const Scalar e402 = dxdt[6] * e162;
+        const Scalar e403 = e125 * e40;
+        const Scalar e404 = e323 - e324 - e152 * e161;
+        const Scalar e405 = e122 * e23;
+        const Scalar e406 = e215 * e152;
+        const Scalar e407 = e122 * e308;
+        const Scalar e408 = e246 * e290;
+        const Scalar e409 = p_.d_4 + c_.k61 * sin_q_3;
+        const Scalar e410 = c_.k47 * e409;
+        const Scalar e411 = p_.m_3 * e120;
+        const Scalar e412 = e17 * e410 - e10 * e411;
+        const Scalar e413 = p_.m_4 * e120;
+        const Scalar e414 = e342 + e13 * e249;
+        const Scalar e415 = e181 + e182;
+        const Scalar e416 = e252 + e351;
+        const Scalar e417 = e243 - e256;
+        const Scalar e418 = cos_q_4 * e21 + sin_q_4 * e13;
+        const Scalar e419 = cos_q_4 * e13 - sin_q_4 * e21;
+        const Scalar e420 = p_.m_3 * p_.g;
+        const Scalar e421 = p_.m_6 * e215;
+        const Scalar e422 = dxdt[6] * sin_q_2;
+        const Scalar e423 = e11 * e410;
+        const Scalar e424 = e208 * e25;
+        const Scalar e425 = e125 * e42;
+        const Scalar e426 = e11 * e411;
+        const Scalar e427 = e114 * e40 + e110 * e23;
+        const Scalar e428 = e114 * e92;
+        const Scalar e429 = (Scalar(4) / Scalar(5)) * e386;
+        const Scalar e430 = e429 * e418;
+        const Scalar e431 = e299 * e427 - (e47 * e428 + e430);
+        const Scalar e432 = c_.k72 * e11;
+        const Scalar e433 = q_6_dot - e42;
+        const Scalar e434 = e218 * e40 + e110 * e433;
+        const Scalar e435 = e114 * e86 - e110 * e53;
+        const Scalar e436 = e246 + e344;
+        const Scalar e437 = e114 * e83 + e110 * e61;
+        const Scalar e438 = e218 * e23;
+        const Scalar e439 = e438 - e114 * e433;
+        const Scalar e440 = e61 * e248;
+        const Scalar e441 = p_.a_3 * p_.m_4;
+        const Scalar e442 = c_.k72 * e17 - c_.k74 * e10;
+        const Scalar e443 = e429 * e333 + e441 * e419;
+        const Scalar e444 = q_5_dot * e52 + (e23 * e53 - e40 * e86);
+        const Scalar e445 = e444 + e228;
+        const Scalar e446 = q_4_dot * e83;
+        const Scalar e447 = e53 * e433 + e446;
+        const Scalar e448 = q_5_dot * e153 - e40 * e152;
+        const Scalar e449 = e152 * e447 - e74 * e448;
+        const Scalar e450 = e218 * e152 * e445 - e114 * e449;
+        const Scalar e451 = q_4_dot * e61 + e86 * e433;
+        const Scalar e452 = e152 * (e451 - (sin_q_4 * e51 - e23 * e74));
+        const Scalar e453 = cos_q_2 * e452 - e104 * e245;
+        const Scalar e454 = e293 - e302;
+        const Scalar e455 = e454 + e326;
+        const Scalar e456 = e114 * e296 + e110 * e294;
+        const Scalar e457 = c_.k18 + e218 * e299;
+        const Scalar e458 = p_.m_6 * e218;
+        const Scalar e459 = c_.k74 * e11;
+        const Scalar e460 = e218 * e74 - e435;
+        const Scalar e461 = e152 * e315;
+        const Scalar e462 = e40 * e83;
+        const Scalar e463 = e248 * e462 - e341;
+        const Scalar e464 = e117 * e294;
+        const Scalar e465 = e106 * e81;
+        const Scalar e466 = p_.m_6 * e117;
+        const Scalar e467 = e83 * e433;
+        const Scalar e468 = e61 * e436 + e248 * e467;
+        const Scalar e469 = e86 * e106 + e74 * e234;
+        const Scalar e470 = e56 - e416;
+        const Scalar e471 = q_5_dot * cos_q_6;
+        const Scalar e472 = e106 * (e471 - e40);
+        const Scalar e473 = e234 * e445 + e106 * e447;
+        const Scalar e474 = e74 * e472 - e473;
+        const Scalar e475 = e23 * e234;
+        const Scalar e476 = e433 * e106 + e475;
+        const Scalar e477 = e117 * e23;
+        const Scalar e478 = sin_q_5 * e2;
+        const Scalar e479 = c_.k21 * cos_q_5 + e478;
+        const Scalar e480 = e234 * e70 - e40 * e49 * e479;
+        const Scalar e481 = e117 * e433;
+        const Scalar e482 = e49 * e476 + e299 * e477 - (e480 + (cos_q_6 * e106 * e47 + e296 * e481));
+        const Scalar e483 = cos_q_5 * e234;
+        const Scalar e484 = e73 * e234;
+        const Scalar e485 = sin_q_5 * e270;
+        const Scalar e486 = e40 * e106;
+        const Scalar e487 = e83 * e106;
+        const Scalar e488 = c_.k21 * sin_q_5 - cos_q_5 * e2;
+        const Scalar e489 = c_.k21 * sin_q_6;
+        const Scalar e490 = cos_q_6 * e234;
+        const Scalar e491 = cos_q_5 * e489 + e490;
+        const Scalar e492 = q_5_dot - cos_q_6 * e40;
+        const Scalar e493 = e23 * e491 - e479 * e492;
+        const Scalar e494 = c_.k21 * e492;
+        const Scalar e495 = e23 * e106;
+        const Scalar e496 = c_.k21 * e433;
+        const Scalar e497 = q_4_dot * e479 + e496;
+        const Scalar e498 = e2 * e444;
+        const Scalar e499 = e74 * e494 - sin_q_4 * e495 - (cos_q_4 * e497 + e498);
+        const Scalar e500 = cos_q_4 * e479;
+        const Scalar e501 = e23 * e2;
+        const Scalar e502 = sin_q_4 * e479;
+        const Scalar e503 = c_.k22 * e23;
+        const Scalar e504 = c_.k22 * sin_q_6;
+        const Scalar e505 = e433 * e478 + e47 * e504;
+        const Scalar e506 = cos_q_5 * e503 - e505;
+        const Scalar e507 = q_5_dot * e234;
+        const Scalar e508 = c_.k22 * e451;
+        const Scalar e509 = e74 * e503 - sin_q_4 * e507 + e508;
+        const Scalar e510 = c_.k22 * e53;
+        const Scalar e511 = cos_q_4 * e14;
+        const Scalar e512 = sin_q_2 * e206;
+        const Scalar e513 = e52 * e14;
+        const Scalar e514 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e194 - e195 - e196 + e197;
+        const Scalar e515 = e52 * e15;
+        const Scalar e516 = q_1_dot * e338;
+        const Scalar e517 = e213 - e217 - e220 - e223 - e227 - e230 + c_.k47 * e516;
+        const Scalar e518 = e192 - e193 + e199 - e200 + e201 + e202 - e204;
+        const Scalar e519 = cos_q_4 * e5;
+        const Scalar e520 = q_3_dot * e191;
+        const Scalar e521 = q_3_dot * e198;
+        const Scalar e522 = q_2_dot * e191;
+        const Scalar e523 = q_2_dot * e198;
+        const Scalar e524 = e520 + e521 + e522 + e523 + e55 * e284 + e284 * e62;
+        const Scalar e525 = e52 * e5;
+        const Scalar e526 = q_3_dot * e154;
+        const Scalar e527 = q_2_dot * e154;
+        const Scalar e528 = q_3_dot * e158;
+        const Scalar e529 = q_2_dot * e158;
+        const Scalar e530 = e526 + e527 - e528 - e529;
+        const Scalar e531 = e52 * e6;
+        const Scalar e532 = e231 + e233 + e235 + e236;
+        const Scalar e533 = e229 + e154 * e317 - e158 * e317;
+        const Scalar e534 = q_2_dot * e339;
+        const Scalar e535 = q_3_dot * e339;
+        const Scalar e536 = sin_q_4 * e14;
+        const Scalar e537 = e11 * e294;
+        const Scalar e538 = e11 * e296;
+        const Scalar e539 = e238 - e240 + e241;
+        const Scalar e540 = e281 - e287;
+        const Scalar e541 = sin_q_4 * e15;
+        const Scalar e542 = e270 * e208;
+        const Scalar e543 = cos_q_2 * e206;
+        const Scalar e544 = sin_q_4 * e5;
+        const Scalar e545 = e55 * e282 + e282 * e62;
+        const Scalar e546 = sin_q_4 * e6;
+        const Scalar e547 = q_4_dot * e17 + e18 * e17;
+        const Scalar e548 = e11 * e47;
+        const Scalar e549 = e11 * e299;
+        const Scalar e550 = e239 - e330;
+        const Scalar e551 = p_.m_6 * e11;
+        const Scalar e552 = e551 * e70;
+        const Scalar e553 = p_.m_6 * e385 - e152 * e335;
+        const Scalar e554 = e215 * e74 - e125 * e86;
+        const Scalar e555 = e445 * e406 - e125 * e449;
+        const Scalar e556 = e402 - e211;
+        const Scalar e557 = e556 + e219;
+        const Scalar e558 = e379 - e125 * e433;
+        const Scalar e559 = e104 * e548 - e16 * e452;
+        const Scalar e560 = e53 * e553 + e559;
+        const Scalar e561 = e122 * e433 + e380;
+        const Scalar e562 = cos_q_5 * e136;
+        const Scalar e563 = e403 + e405;
+        const Scalar e564 = dxdt[6] * e135;
+        const Scalar e565 = e91 + e118;
+        const Scalar e566 = e564 - e565;
+        const Scalar e567 = dxdt[6] * e143 - e103;
+        const Scalar e568 = e233 + e235;
+        const Scalar e569 = e568 + e231;
+        const Scalar e570 = e361 + (e420 * e16 - e294 * e566) + (sin_q_5 * e415 + e296 * e567 - (cos_q_5 * e569 + e368));
+        const Scalar e571 = e354 - e357 - (e359 - e360) + e570;
+        const Scalar e572 = e11 * e418;
+        const Scalar e573 = e556 + e216;
+        const Scalar e574 = e296 * e126;
+        const Scalar e575 = c_.k13 * e370;
+        const Scalar e576 = e57 - e385;
+        const Scalar e577 = dxdt[7] + dxdt[8];
+        const Scalar e578 = e483 - e465;
+        const Scalar e579 = sin_q_5 * e153;
+        const Scalar e580 = e152 * e49;
+        const Scalar e581 = e354 - e357 - e359 + e360 + e361 - e362 - e363 - e364 + e365 - e574 - e366 - e575 - e49 * e138
+            + e81 * e144 - e299 * e216 - Scalar(2) * p_.d_3 * e369 * e367 - e163 * e579 + e305 * e580 - e306 * e580;
+        const Scalar e582 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e192 + e193 - e194 - e195 - e196
+            + e197 - e199 + e200 - e201 - e202;
+        const Scalar e583 = e47 * e203;
+        const Scalar e584 = Scalar(2) * e221 * e385;
+        const Scalar e585 = q_4_dot * e339;
+        const Scalar e586 = e10 * e286;
+        const Scalar e587 = e231 + e233 + e235 + e236 - e238 + e240;
+        const Scalar e588 = e5 * e222;
+        const Scalar e589 = e6 * e222;
+        const Scalar e590 = e5 * e203;
+        const Scalar e591 = e73 * e590;
+        const Scalar e592 = e5 * e60;
+        const Scalar e593 = sin_q_5 * e14;
+        const Scalar e594 = sin_q_5 * e15;
+        const Scalar e595 = cos_q_5 * e543;
+        const Scalar e596 = e536 * e282 - e541 * e282 - e512 * e284 + e511 * e284;
+        const Scalar e597 = e181 + e182 - e192 + e193;
+        const Scalar e598 = q_2_dot * e14 + q_3_dot * e14 - q_2_dot * e15 - q_3_dot * e15;
+        const Scalar e599 = e91 - e123 - e111 + e118;
+        const Scalar e600 = e5 * e47 + e6 * e47 + cos_q_2 * e273;
+        const Scalar e601 = e281 - e283 + e285;
+        const Scalar e602 = e211 - e216 - e219;
+        const Scalar e603 = (Scalar(1) / Scalar(6)) * e334;
+        const Scalar e604 = q_4_dot * e154 - q_4_dot * e158;
+        const Scalar e605 = e590 + e6 * e203;
+        const Scalar e606 = dxdt[7] * e14 - dxdt[7] * e15;
+        const Scalar e607 = cos_q_2 * (q_2_dot * e345 + c_.k59 * e208 * e208 - c_.k58 * e56);
+        const Scalar e608 = e16 * e152;
+        const Scalar e609 = q_4_dot * e53 + e467;
+        const Scalar e610 = e11 * e608;
+        const Scalar e611 = cos_q_4 * e608 * e51 + e294 * e367 - (e23 * e152 * e76 - e7 * e157 * e47);
+        const Scalar e612 = e49 * e610 - e61 * e553 + e611;
+        const Scalar e613 = e608 * e609 - e612;
+        const Scalar e614 = e296 * e367 + e579 * e336 - (e83 * e553 - e76 * e448);
+        const Scalar e615 = cos_q_4 * e47;
+        const Scalar e616 = e615 - e462;
+        const Scalar e617 = e7 * e152 * e70 - e553 * e73 - (e616 * e608 + (e299 * e367 + cos_q_5 * e610));
+        const Scalar e618 = e54 + e367;
+        const Scalar e619 = e7 * e579;
+        const Scalar e620 = e152 * e97;
+        const Scalar e621 = e17 * e418;
+        const Scalar e622 = q_4_dot * e608;
+        const Scalar e623 = e234 * e616;
+        const Scalar e624 = e484 + e487;
+        const Scalar e625 = e73 * e17;
+        const Scalar e626 = e2 * (e23 * e61 - e616);
+        const Scalar e627 = cos_q_4 * e17;
+        const Scalar e628 = c_.k22 * e61;
+        const Scalar e629 = q_4_dot * e21 + cos_q_4 * e54;
+        const Scalar e630 = (Scalar(1) / Scalar(25)) * e386;
+        const Scalar e631 = (Scalar(4) / Scalar(25)) * p_.m_4;
+        const Scalar e632 = (Scalar(1) / Scalar(50)) * e386;
+        const Scalar e633 = e18 * e632;
+        const Scalar e634 = (Scalar(8) / Scalar(25)) * p_.m_4;
+        const Scalar e635 = dxdt[6] * e634;
+        const Scalar e636 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e629 * e630 + e150
+            * e631 + e21 * e633 - e169 * e635;
+        const Scalar e637 = (Scalar(4) / Scalar(5)) * e173;
+        const Scalar e638 = e21 * e637;
+        const Scalar e639 = e13 * e637;
+        const Scalar e640 = e7 * e52;
+        const Scalar e641 = e169 * e631;
+        const Scalar e642 = e520 + e521 + e522 + e523 + e55 * e641 + e62 * e641;
+        const Scalar e643 = (Scalar(1) / Scalar(18)) * p_.m_3;
+        const Scalar e644 = e643 * e226;
+        const Scalar e645 = e11 * e60;
+        const Scalar e646 = e243 * e12 - e256 * e12 + e269 * e645 + e279 * e645;
+        const Scalar e647 = sin_q_4 * e641;
+        const Scalar e648 = e266 * e631;
+        const Scalar e649 = cos_q_4 * e648;
+        const Scalar e650 = c_.k11 * e16;
+        const Scalar e651 = e647 - e649 + e650 - e291;
+        const Scalar e652 = q_5_dot * e11;
+        const Scalar e653 = e73 * e652;
+        const Scalar e654 = dxdt[7] * e60;
+        const Scalar e655 = dxdt[8] * e60;
+        const Scalar e656 = e52 * e84;
+        const Scalar e657 = q_4_dot * e13 + sin_q_4 * e54;
+        const Scalar e658 = e657 * e630 + e261 * e631 + e13 * e633 - e266 * e635;
+        const Scalar e659 = cos_q_4 * e84;
+        const Scalar e660 = e659 + dxdt[7] * sin_q_4 + dxdt[8] * sin_q_4;
+        const Scalar e661 = e7 * e74;
+        const Scalar e662 = e7 * e367;
+        const Scalar e663 = e336 * e10;
+        const Scalar e664 = c_.k5 * e225;
+        const Scalar e665 = e17 * e664 + c_.k11 * (e11 * e7);
+        const Scalar e666 = e335 * e17;
+        const Scalar e667 = e16 * e385;
+        const Scalar e668 = e55 * e664 + e62 * e664;
+        const Scalar e669 = e55 * e648 + e62 * e648;
+        const Scalar e670 = e647 - e649;
+        const Scalar e671 = c_.k11 * e5 + c_.k11 * e6;
+        const Scalar e672 = e73 * e551;
+        const Scalar e673 = e5 * e5 + e6 * e6;
+        const Scalar e674 = e11 * e16;
+        const Scalar e675 = (Scalar(11) / Scalar(75)) * e387 * e10;
+        const Scalar e676 = e14 * e15;
+        const Scalar e677 = dxdt[6] * e676;
+        const Scalar e678 = e10 * e419 + e572;
+        const Scalar e679 = e11 * e11 + e10_squared;
+        const Scalar e680 = (Scalar(17) / Scalar(25)) * e386 + (Scalar(7) / Scalar(36)) * e387;
+        const Scalar e681 = c_.k5 * e409;
+        const Scalar e682 = e400 * e631;
+        const Scalar e683 = e84 + e367;
+        const Scalar e684 = p_.m_6 * e683 + e610;
+        const Scalar e685 = cos_q_4 * e266 - sin_q_4 * e169;
+        const Scalar e686 = dxdt[6] * e685 - (cos_q_4 * e261 - sin_q_4 * e150);
+        const Scalar e687 = e551 * e467 - (q_5_dot * cos_q_4 * e537 + e7 * e452);
+        const Scalar e688 = e53 * e684 + e687;
+        const Scalar e689 = p_.m_6 * e566 - e184;
+        const Scalar e690 = p_.m_6 * dxdt[8] + dxdt[7] * e136;
+        const Scalar e691 = e122 * e690;
+        const Scalar e692 = e689 + (p_.m_6 * e111 + e691);
+        const Scalar e693 = p_.m_6 * e567 + e107;
+        const Scalar e694 = e693 - (p_.m_6 * e115 + e125 * e690);
+        const Scalar e695 = dxdt[7] * e400;
+        const Scalar e696 = e61 * e551;
+        const Scalar e697 = sin_q_4 * e8 + e180 * e60;
+        const Scalar e698 = cos_q_4 * e657;
+        const Scalar e699 = e698 - sin_q_4 * e629;
+        const Scalar e700 = e7 * ((Scalar(4) / Scalar(5)) * e353) - (Scalar(1) / Scalar(6)) * e420 * e7;
+        const Scalar e701 = c_.k11 * e385 + e630 * e699 + (e419 * e633 - (dxdt[10] * e500 - e17 * e675));
+        const Scalar e702 = e700 + (e4 * e697 + e73 * e568) - e701;
+        const Scalar e703 = dxdt[7] * e409;
+        const Scalar e704 = e215 * e690;
+        const Scalar e705 = e17 * e10;
+        const Scalar e706 = e616 * e551;
+        const Scalar e707 = e10 * e333;
+        const Scalar e708 = p_.m_6 * dxdt[7] + dxdt[8] * e136;
+        const Scalar e709 = e703 - e392;
+        const Scalar e710 = e695 - e686;
+        const Scalar e711 = p_.m_6 * e126 - e693;
+        const Scalar e712 = p_.m_6 * e123 + e689;
+        const Scalar e713 = e683 + e54;
+        const Scalar e714 = dxdt[9] - e385;
+        const Scalar e715 = q_1_dot * e335 + e714;
+        const Scalar e716 = e87 - e577;
+        const Scalar e717 = cos_q_4 * e716 + sin_q_4 * e713;
+        const Scalar e718 = (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_3;
+        const Scalar e719 = p_.a_2 * p_.a_2;
+        const Scalar e720 = p_.d_3 * p_.d_3;
+        const Scalar e721 = (Scalar(181) / Scalar(900)) * e719;
+        const Scalar e722 = p_.a_2 * p_.g;
+        const Scalar e723 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.d_4;
+        const Scalar e724 = (Scalar(1) / Scalar(6)) * p_.d_3;
+        const Scalar e725 = p_.a_3 * p_.d_3;
+        const Scalar e726 = p_.d_4 * p_.d_4;
+        const Scalar e727 = (Scalar(1) / Scalar(100)) * e726;
+        const Scalar e728 = p_.d_3 * e7 * e370 + (dxdt[8] * e7 * e725 - e727 * e666);
+        const Scalar e729 = (Scalar(1) / Scalar(12)) * e726;
+        const Scalar e730 = (Scalar(11) / Scalar(150)) * e726 * e10;
+        const Scalar e731 = (Scalar(1) / Scalar(36)) * p_.d_4;
+        const Scalar e732 = p_.d_4 * p_.g;
+        const Scalar e733 = p_.a_3 * p_.g;
+        const Scalar e734 = e733 * e16;
+        const Scalar e735 = (Scalar(1) / Scalar(6)) * e732 * e7 + (e734 + e17 * e730);
+        const Scalar e736 = e120 * (e370 + (p_.a_3 * dxdt[8] + p_.d_3 * e367));
+        const Scalar e737 = p_.a_3 * p_.a_3;
+        const Scalar e738 = p_.a_3 * e370 + e725 * e367;
+        const Scalar e739 = p_.d_3 * p_.g;
+        const Scalar e740 = e739 * e7;
+        const Scalar e741 = (Scalar(1) / Scalar(50)) * e726;
+        const Scalar e742 = e657 * e8;
+        const Scalar e743 = e739 * e16;
+        const Scalar e744 = (Scalar(4) / Scalar(25)) * p_.d_4;
+        const Scalar e745 = dxdt[8] * e744;
+        const Scalar e746 = e169 * e169 + e266 * e266;
+        const Scalar e747 = e18 * e727;
+        const Scalar e748 = cos_q_3 * e722 + e733;
+        const Scalar e749 = e741 * e699 - (e7 * ((Scalar(4) / Scalar(5)) * e732) - e419 * e747);
+        const Scalar e750 = p_.c_z * sin_q_6;
+        const Scalar e751 = e123 + e111;
+        const Scalar e752 = e751 + e566;
+        const Scalar e753 = p_.c_x * dxdt[11] + dxdt[10] * e750 - e752;
+        const Scalar e754 = dxdt[10] * cos_q_6;
+        const Scalar e755 = dxdt[9] * e49;
+        const Scalar e756 = e754 + e755;
+        const Scalar e757 = e216 + e219;
+        const Scalar e758 = e556 + e757;
+        const Scalar e759 = p_.c_x * e756 + e758;
+        const Scalar e760 = e126 + e115;
+        const Scalar e761 = e567 - e760;
+        const Scalar e762 = p_.c_z * e756 + e761;
+        const Scalar e763 = p_.c_z * p_.g;
+        const Scalar e764 = e16 * e661 + e640 * e167;
+        const Scalar e765 = p_.c_x * p_.g;
+        const Scalar e766 = e232 * e765;
+        const Scalar e767 = e180 * e763;
+        const Scalar e768 = e232 * e722;
+        const Scalar e769 = e180 * e722;
+        const Scalar e770 = sin_q_5 * e180;
+        const Scalar e771 = e180 * e49 + cos_q_6 * e661;
+        const Scalar e772 = e765 * e771;
+        const Scalar e773 = e722 * e8;
+        const Scalar e774 = cos_q_5 * sin_q_6;
+        const Scalar e775 = cos_q_6 * e640;
+        const Scalar e776 = e765 * (e180 * e774 + e775);
+        const Scalar e777 = cos_q_5 * e232 - e770;
+        const Scalar e778 = e763 * e52 * e8 + e732 * e697
+            + (e53 * e766 + cos_q_4 * e767 + (e232 * e732 * e73 + sin_q_4 * e772));
+        const Scalar e779 = p_.c_z * p_.c_z;
+        const Scalar e780 = p_.c_x * p_.c_x;
+        const Scalar e781 = e779 + e780;
+        const Scalar e782 = p_.c_z * e761 + (p_.c_x * e758 + e766);
+        const Scalar e783 = sin_q_6 * (p_.c_x * p_.c_z);
+        const Scalar e784 = dxdt[11] + e72;
+        const Scalar e785 = p_.m_6 * e784 + dxdt[9] * e299;
+        const Scalar e786 = e19 * e104 - e22 * e92;
+        const Scalar e787 = q_4_dot * e152;
+        const Scalar e788 = e7 * e787;
+        const Scalar e789 = p_.m_6 * e577 - e788;
+        const Scalar e790 = e23 * e786 - e74 * e789;
+        const Scalar e791 = e104 * e80 + e92 * e88;
+        const Scalar e792 = dxdt[9] + e82;
+        const Scalar e793 = dxdt[10] * e92 + e294 * e792;
+        const Scalar e794 = e793 - (q_4_dot * e696 - e53 * e789);
+        const Scalar e795 = e16 * e294 + p_.m_6 * e140;
+        const Scalar e796 = p_.m_6 * e42;
+        const Scalar e797 = e565 - e751;
+        const Scalar e798 = dxdt[10] * e106 + e4 * e771;
+        const Scalar e799 = e415 * e774 + e4 * e775;
+        const Scalar e800 = e16 * e234;
+        const Scalar e801 = e135 * e551;
+        const Scalar e802 = e16 * e797;
+        const Scalar e803 = e49 * e553 + e53 * e788 + (e61 * e684 - e793);
+        const Scalar e804 = cos_q_5 * e553 - e73 * e684;
+        const Scalar e805 = e785 - (e804 + e661 * e787);
+        const Scalar e806 = e74 * e184 - e566 * e212 + (sin_q_4 * e798 + e53 * e569);
+        const Scalar e807 = p_.m_6 * e53;
+        const Scalar e808 = e53 * e708 - e803;
+        const Scalar e809 = e110 * e708;
+        const Scalar e810 = e61 * e713 + e53 * e716;
+        const Scalar e811 = e49 * e576 - e810;
         const Scalar e40_squared = e40 * e40;
-        const Scalar e808 = e42 * e42 + e40_squared;
-        const Scalar e809 = c_.k87 * e752 + e230;
-        const Scalar e810 = e747 + (e561 - e91);
-        const Scalar e811 = e23 * e40;
-        const Scalar e812 = dxdt[9] * cos_q_5;
-        const Scalar e813 = c_.k21 * cos_q_6;
-        const Scalar e814 = e19 * e501 - e22 * e2;
-        const Scalar e815 = e19 * e92 + e22 * e104;
-        const Scalar e816 = dxdt[10] * e104 + e92 * e79;
-        const Scalar e817 = e293 * e788 - e816;
-        const Scalar e818 = e86 * e785 - e430 * e782;
-        const Scalar e819 = cos_q_4 * e412 + e52 * e9;
-        const Scalar e820 = e293 * e382 - e576 * e332;
-        const Scalar e821 = e83 * e680;
-        const Scalar e822 = e817 - (e820 - (e86 * e784 - e821));
-        const Scalar e823 = c_.k22 * e83;
-        const Scalar e824 = c_.k22 * e86;
-        const Scalar e825 = dxdt[11] + e811;
-        const Scalar e826 = dxdt[6] * e130 - e78;
-        const Scalar e827 = e825 - Scalar(2) * e826;
-        const Scalar e828 = e178 + e177;
-        const Scalar e829 = e828 * e828 + (sin_q_4 * sin_q_4 * e669 + e132 * e132);
-        const Scalar e830 = e533 * e538;
-        const Scalar e831 = -e99;
-        const Scalar e832 = dxdt[6] * e140 + e831;
-        const Scalar e833 = e79 - e13 * e70 + e60 * e85 - e52 * e87 - sin_q_5 * e57;
-        const Scalar e834 = e89 - e40 * e42;
-        const Scalar e835 = e8 - sin_q_6 * e132;
-        const Scalar e836 = sin_q_5 * e828 + e132 * e81;
-        const Scalar e837 = e130 * e74 + e140 * e53;
-        const Scalar e838 = e828 * e52 - (sin_q_4 * e166 - e132 * e86);
-        const Scalar e839 = e837 - (Scalar(1) / Scalar(2)) * e838;
-        const Scalar e840 = e53 * e574;
-        const Scalar e841 = e86 * e86 + e74 * e74;
-        const Scalar e842 = cos_q_5 * e74 - e86 * e81;
-        const Scalar e843 = cos_q_4 + sin_q_6 * e86;
-        const Scalar e844 = e53 * (Scalar(2) * (e831 - e752 - e840)) - e74 * (Scalar(2) * e78 + e825) - e574
-            * (Scalar(1) + e841) - e833 * e52 - dxdt[9] * e842 - dxdt[10] * e843 - e86 * e834 + Scalar(2) * dxdt[6] * e839
-            + e694;
-        const Scalar e845 = e832 - ((Scalar(1) / Scalar(2)) * e752 + e840);
-        const Scalar e846 = p_.m_6 + e366;
-        const Scalar e847 = p_.a_3 * e846 * e16 + (-p_.d_4 * p_.m_6 - e385) * e7 - (e16 * (c_.k21 * e73 - e823) + e7 * e476);
-        const Scalar e848 = p_.m_6 * e135;
-        const Scalar e849 = p_.m_6 * e142;
-        const Scalar e850 = c_.k2 * e140;
-        const Scalar e851 = c_.k2 * e130;
-        const Scalar e852 = c_.k2 * e837 - p_.J_5 * e838;
-        const Scalar e853 = c_.k6 * e397;
-        const Scalar e854 = c_.k2 * e53;
-        const Scalar e855 = p_.J_5 * e841 + e53 * e854;
-        const Scalar e856 = p_.m_6 * e125;
-        const Scalar e857 = p_.m_6 * e122;
-        const Scalar e858 = p_.J_5 * e842 + e49 * e854;
-        const Scalar e859 = c_.k25 * e49;
-        const Scalar e860 = p_.J_5 * e843 + cos_q_6 * e854;
-        const Scalar e861 = p_.J_5 * e74;
+        const Scalar e812 = e42 * e42 + e40_squared;
+        const Scalar e813 = c_.k91 * e756 + e233;
+        const Scalar e814 = e751 + (e564 - e91);
+        const Scalar e815 = e23 * e40;
+        const Scalar e816 = dxdt[9] * cos_q_5;
+        const Scalar e817 = c_.k21 * cos_q_6;
+        const Scalar e818 = e19 * e504 - e22 * e2;
+        const Scalar e819 = e19 * e92 + e22 * e104;
+        const Scalar e820 = dxdt[10] * e104 + e92 * e79;
+        const Scalar e821 = e296 * e792 - e820;
+        const Scalar e822 = e86 * e789 - e433 * e786;
+        const Scalar e823 = cos_q_4 * e415 + e52 * e9;
+        const Scalar e824 = e296 * e385 - e579 * e335;
+        const Scalar e825 = e83 * e684;
+        const Scalar e826 = e821 - (e824 - (e86 * e788 - e825));
+        const Scalar e827 = c_.k22 * e83;
+        const Scalar e828 = c_.k22 * e86;
+        const Scalar e829 = dxdt[11] + e815;
+        const Scalar e830 = dxdt[6] * e130 - e78;
+        const Scalar e831 = e829 - Scalar(2) * e830;
+        const Scalar e832 = e179 + e178;
+        const Scalar e833 = e832 * e832 + (sin_q_4 * sin_q_4 * e673 + e132 * e132);
+        const Scalar e834 = e536 * e541;
+        const Scalar e835 = -e99;
+        const Scalar e836 = dxdt[6] * e141 + e835;
+        const Scalar e837 = e79 - e13 * e70 + e60 * e85 - e52 * e87 - sin_q_5 * e57;
+        const Scalar e838 = e89 - e40 * e42;
+        const Scalar e839 = e8 - sin_q_6 * e132;
+        const Scalar e840 = sin_q_5 * e832 + e132 * e81;
+        const Scalar e841 = e130 * e74 + e141 * e53;
+        const Scalar e842 = e832 * e52 - (sin_q_4 * e167 - e132 * e86);
+        const Scalar e843 = e841 - (Scalar(1) / Scalar(2)) * e842;
+        const Scalar e844 = e53 * e577;
+        const Scalar e845 = e86 * e86 + e74 * e74;
+        const Scalar e846 = cos_q_5 * e74 - e86 * e81;
+        const Scalar e847 = cos_q_4 + sin_q_6 * e86;
+        const Scalar e848 = e53 * (Scalar(2) * (e835 - e756 - e844)) - e74 * (Scalar(2) * e78 + e829) - e577
+            * (Scalar(1) + e845) - e837 * e52 - dxdt[9] * e846 - dxdt[10] * e847 - e86 * e838 + Scalar(2) * dxdt[6] * e843
+            + e698;
+        const Scalar e849 = e836 - ((Scalar(1) / Scalar(2)) * e756 + e844);
+        const Scalar e850 = p_.m_6 + e369;
+        const Scalar e851 = p_.a_3 * e850 * e16 + (-p_.d_4 * p_.m_6 - e388) * e7 - (e16 * (c_.k21 * e73 - e827) + e7 * e479);
+        const Scalar e852 = p_.m_6 * e135;
+        const Scalar e853 = p_.m_6 * e143;
+        const Scalar e854 = c_.k2 * e141;
+        const Scalar e855 = c_.k2 * e130;
+        const Scalar e856 = c_.k2 * e841 - p_.J_5 * e842;
+        const Scalar e857 = c_.k6 * e400;
+        const Scalar e858 = c_.k2 * e53;
+        const Scalar e859 = p_.J_5 * e845 + e53 * e858;
+        const Scalar e860 = p_.m_6 * e125;
+        const Scalar e861 = p_.m_6 * e122;
+        const Scalar e862 = p_.J_5 * e846 + e49 * e858;
+        const Scalar e863 = c_.k25 * e49;
+        const Scalar e864 = p_.J_5 * e847 + cos_q_6 * e858;
+        const Scalar e865 = p_.J_5 * e74;
         std::array<Scalar, 21> mass;
-        mass[0] = c_.k0 + c_.k3 * cos_q_2 * cos_q_2 + c_.k7 * e16 * e16 + c_.k8 * e7 * e7 + c_.k4 * e669 + e222 * e660 + c_.k6
-            * e742 + p_.J_5 * e829 + e161 * e337 + e135 * e848 + e142 * e849 + e140 * e850 + c_.k1 * e672 + e130 * e851 + c_.k2
-            * e830;
-        mass[1] = c_.k9 * sin_q_2 + e120 * e295 - e852 + e214 * e337 + e122 * e848 - e125 * e849 - e406 * e646 - e681 * e853;
-        mass[2] = c_.k12 + e855 + e120 * e391 + e214 * e418 + e406 * e677 + e397 * e853 + e125 * e856 + e122 * e857;
-        mass[3] = c_.k16 * e7 - c_.k15 * e16 + c_.k14 * e681 - e852 + e217 * e337 + e110 * e848 - e114 * e849;
-        mass[4] = c_.k17 + c_.k18 * e120 - c_.k14 * e397 + c_.k19 * e406 + e855 + e217 * e418 + e114 * e856 + e110 * e857;
-        mass[5] = p_.m_6 * (e114 * e114 + e110 * e110) + c_.k20 + e855 + e217 * e455;
-        mass[6] = e161 * e231 - c_.k23 * e16 + e142 * e106 - p_.J_5 * e836 - e135 * e463 - e49 * e850 - cos_q_5 * e851;
-        mass[7] = e214 * e231 - e125 * e106 - e122 * e463 + e858;
-        mass[8] = e217 * e231 - e114 * e106 - e110 * e463 + e858;
-        mass[9] = c_.k24 + e117 * e463 + e49 * e859;
-        mass[10] = e161 * e2 - p_.J_5 * e835 - e135 * e486 + e142 * e813 - cos_q_6 * e850;
-        mass[11] = e214 * e2 - e122 * e486 + e860 - e125 * e813;
-        mass[12] = e217 * e2 - e110 * e486 + e860 - e114 * e813;
-        mass[13] = e117 * e486 + cos_q_6 * e859;
+        mass[0] = c_.k0 + c_.k3 * cos_q_2 * cos_q_2 + c_.k7 * e16 * e16 + c_.k8 * e7 * e7 + c_.k4 * e673 + e225 * e664 + c_.k6
+            * e746 + p_.J_5 * e833 + e162 * e340 + e135 * e852 + e143 * e853 + e141 * e854 + c_.k1 * e676 + e130 * e855 + c_.k2
+            * e834;
+        mass[1] = c_.k9 * sin_q_2 + e120 * e298 - e856 + e215 * e340 + e122 * e852 - e125 * e853 - e409 * e650 - e685 * e857;
+        mass[2] = c_.k12 + e859 + e120 * e394 + e215 * e421 + e409 * e681 + e400 * e857 + e125 * e860 + e122 * e861;
+        mass[3] = c_.k16 * e7 - c_.k15 * e16 + c_.k14 * e685 - e856 + e218 * e340 + e110 * e852 - e114 * e853;
+        mass[4] = c_.k17 + c_.k18 * e120 - c_.k14 * e400 + c_.k19 * e409 + e859 + e218 * e421 + e114 * e860 + e110 * e861;
+        mass[5] = p_.m_6 * (e114 * e114 + e110 * e110) + c_.k20 + e859 + e218 * e458;
+        mass[6] = e162 * e234 - c_.k23 * e16 + e143 * e106 - p_.J_5 * e840 - e135 * e466 - e49 * e854 - cos_q_5 * e855;
+        mass[7] = e215 * e234 - e125 * e106 - e122 * e466 + e862;
+        mass[8] = e218 * e234 - e114 * e106 - e110 * e466 + e862;
+        mass[9] = c_.k24 + e117 * e466 + e49 * e863;
+        mass[10] = e162 * e2 - p_.J_5 * e839 - e135 * e489 + e143 * e817 - cos_q_6 * e854;
+        mass[11] = e215 * e2 - e122 * e489 + e864 - e125 * e817;
+        mass[12] = e218 * e2 - e110 * e489 + e864 - e114 * e817;
+        mass[13] = e117 * e489 + cos_q_6 * e863;
         mass[14] = c_.k26 + c_.k27 * cos_q_6 * cos_q_6;
         mass[15] = -c_.k22 * e135 - p_.J_5 * e130;
-        mass[16] = e861 - c_.k22 * e122;
-        mass[17] = e861 - c_.k22 * e110;
+        mass[16] = e865 - c_.k22 * e122;
+        mass[17] = e865 - c_.k22 * e110;
         mass[18] = p_.J_5 * cos_q_5 + c_.k22 * e117;
         mass[19] = c_.k28 * sin_q_6;
         mass[20] = c_.k27;
@@ -2744,136 +2743,136 @@ public:
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        const Scalar e862 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - e191 + e192 - e193 - e194 - e195
-            + e196 - e198 + e199 - e200 - e201 + e203;
-        const Scalar e863 = q_2_dot * q_2_dot * e204 - e212 + e216 + e219 + e221 + e224 + e226 + e227;
-        J[6] = e1 * e175 - e176 * e862 - cos_q_2 * e863 - e160 * e239 + e240 * e252 - e253 * e252 + e254
-            * (e259 + e260 + e261 - e262 - e264 + e265) - e266 * e275 - e276 * e275 + e241 * (e278 - e280 + e282 - e284) - e281
-            * (e18 * e267 - cos_q_4 * e56 + e268 + e274) + e243 * (e285 - e286 + e288 + e289) + e290 * e298 - e299 * e298
-            - e245 * (e13 * e172 * e8 + e7 * e283 + e300) - e301 * e304 - e305 * e306 + e161 * (e308 + e310) - e204
-            * (q_1_dot * e207 + e311) + e153 * e316 - e157 * e316 + e246 * (e317 - e318) - e270 * e319 + e236 * e322 + e56
-            * (sin_q_4 * e279 + e277) + e323 * (e292 - e294) - e285 * e326 + e286 * e326 - e327 * e322 + e328 * e329 - e279
-            * e246 * e330 - dxdt[6] * ((Scalar(1) / Scalar(50)) * e331) + c_.k47 * e335 * e207 + e312 * e336 + e337 * e338 - e7
-            * e172 * e339 + dxdt[7] * e340 + e341 * e289 + (Scalar(1) / Scalar(18)) * p_.m_2 * e344 - e249 * e345
-            + (Scalar(131) / Scalar(225)) * e331 * e346 - e347 * e349;
-        const Scalar e864 = e351 - e354 - e356 + e357 + e358 - e359 - e360 - e361 + e362 - e363 - e365 - e368 - e370 - e372;
-        const Scalar e865 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 + e150 - cos_q_6 * e371 + sin_q_6 * e373;
-        const Scalar e866 = e180 + e181 + e182 + e184 - e185 + e186 - e187 - e188 + e189 - sin_q_6 * e371 - cos_q_6 * e373;
-        J[7] = cos_q_3 * e864 + e273 * e865 + e251 * e866 - e374 * e375 - e122 * e104 * e375 - e376
-            * (e152 * e1 - e156 * e176 + e92 * e246 + e104 * e270 + e301) + e377
-            * (e156 * e1 + e152 * e176 + e104 * e246 - e92 * e270 - e305) + e378 * e379 - e122 * e92 * e379 - e125 * e152
-            * (q_5_dot * e160 + e313 - e315 - e380 + e381) + sin_q_3 * (c_.k92 * e382 - e387 + e388 + e390) + e290 * e394
-            + e206 * e395 - cos_q_3 * cos_q_5 * e395 + e122 * e152 * e396 - e125 * e156 * e396 - e122 * e156
-            * (e313 - e315 - e380 + e381) - e398 * (e243 - e324 - e325) - e309 * (e210 - e218 - e399) - e400 * e401 - e402
-            * e401 - e403 * (q_5_dot * e176 - e74 * e312 + cos_q_2 * e225) - dxdt[6] * cos_q_3 * (e292 - e294 + e297) + cos_q_3
-            * e291 * (e91 - e111 + e118) - dxdt[6] * e273 * (e281 + e266 + e276) + q_6_dot * (e125 * e301 - e404) + e214
-            * (e308 + e405) + e207 * e409 - e410 * e411 + e323 * (e392 + e393) - e341 * (e397 * e169 + c_.k91 * e406) + cos_q_3
-            * sin_q_5 * e412 - e214 * e211 * e413 + dxdt[6] * e251 * e414 + e241 * e398 * e415 - e207 * e410 * e416 - dxdt[7]
-            * ((Scalar(19) / Scalar(45)) * e331) + cos_q_2 * ((Scalar(1) / Scalar(3)) * p_.m_2 * p_.g + e417) - e122 * e151
-            * e51 * e254 - e243 * e407 - e205 * e259 + e338 * e418 - e204 * e419 + dxdt[6] * e340 + e241 * e420 - e347 * e421
-            - e301 * e422 + e42 * e404 - e245 * e423;
-        J[8] = e241 * (e428 + e429) - p_.m_6 * (e83 * e245 * e431 - e413 * e432 + e433 * e434 + e436 * e437) - e217
-            * (e413 * e211 - e308 - e405 - e310) - e438 * e411 + e207 * (e439 - e440) - e386 * e433 - cos_q_2 * e447 + e110
-            * e450 - e436 * e301 - e431 * e305 + e452 * e453 - e424 * e320 + e451 * e454 + e338 * e455 - e245 * e456 + e457
-            * e458;
-        J[9] = e231 * (dxdt[7] * e206 - e460) - e117 * (e450 + e53 * e458) - e452 * (e461 + e462) + e463 * (e53 * e413 + e465)
-            + e466 * e467 + e207 * e471 - e241 * e479 + e320 * e474 - e473 * e437 + e451 * e480 + e243 * e481 + e482 * e483
-            + e433 * e484;
-        J[10] = dxdt[7] * e476 * e205 - e451 * e485 - e241 * e490 - e2 * e460 + e207 * e496 - e246 * e493 + e267 * e492 - e482
-            * e491 + e243 * e497 - e498 * e437 + e467 * e499;
-        J[11] = c_.k22 * e465 - e231 * e452 - e241 * e503 - e207 * e506 + e500 * e482 - e467 * e507;
+        const Scalar e866 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e192 + e193 - e194 - e195 - e196
+            + e197 - e199 + e200 - e201 - e202 + e204;
+        const Scalar e867 = q_2_dot * q_2_dot * e205 - e213 + e217 + e220 + e223 + e227 + e229 + e230;
+        J[6] = e1 * e176 - e177 * e866 - cos_q_2 * e867 - e161 * e242 + e243 * e255 - e256 * e255 + e257
+            * (e262 + e263 + e264 - e265 - e267 + e268) - e269 * e278 - e279 * e278 + e244 * (e281 - e283 + e285 - e287) - e284
+            * (e18 * e270 - cos_q_4 * e56 + e271 + e277) + e246 * (e288 - e289 + e291 + e292) + e293 * e301 - e302 * e301
+            - e248 * (e13 * e173 * e8 + e7 * e286 + e303) - e304 * e307 - e308 * e309 + e162 * (e311 + e313) - e205
+            * (q_1_dot * e208 + e314) + e154 * e319 - e158 * e319 + e249 * (e320 - e321) - e273 * e322 + e239 * e325 + e56
+            * (sin_q_4 * e282 + e280) + e326 * (e295 - e297) - e288 * e329 + e289 * e329 - e330 * e325 + e331 * e332 - e282
+            * e249 * e333 - dxdt[6] * ((Scalar(1) / Scalar(50)) * e334) + c_.k47 * e338 * e208 + e315 * e339 + e340 * e341 - e7
+            * e173 * e342 + dxdt[7] * e343 + e344 * e292 + (Scalar(1) / Scalar(18)) * p_.m_2 * e347 - e252 * e348
+            + (Scalar(131) / Scalar(225)) * e334 * e349 - e350 * e352;
+        const Scalar e868 = e354 - e357 - e359 + e360 + e361 - e362 - e363 - e364 + e365 - e366 - e368 - e371 - e373 - e375;
+        const Scalar e869 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 + e151 - cos_q_6 * e374 + sin_q_6 * e376;
+        const Scalar e870 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - sin_q_6 * e374 - cos_q_6 * e376;
+        J[7] = cos_q_3 * e868 + e276 * e869 + e254 * e870 - e377 * e378 - e122 * e104 * e378 - e379
+            * (e153 * e1 - e157 * e177 + e92 * e249 + e104 * e273 + e304) + e380
+            * (e157 * e1 + e153 * e177 + e104 * e249 - e92 * e273 - e308) + e381 * e382 - e122 * e92 * e382 - e125 * e153
+            * (q_5_dot * e161 + e316 - e318 - e383 + e384) + sin_q_3 * (e221 * e385 - e390 + e391 + e393) + e293 * e397 + e207
+            * e398 - cos_q_3 * cos_q_5 * e398 + e122 * e153 * e399 - e125 * e157 * e399 - e122 * e157
+            * (e316 - e318 - e383 + e384) - e401 * (e246 - e327 - e328) - e312 * (e211 - e219 - e402) - e403 * e404 - e405
+            * e404 - e406 * (q_5_dot * e177 - e74 * e315 + cos_q_2 * e228) - dxdt[6] * cos_q_3 * (e295 - e297 + e300) + cos_q_3
+            * e294 * (e91 - e111 + e118) - dxdt[6] * e276 * (e284 + e269 + e279) + q_6_dot * (e125 * e304 - e407) + e215
+            * (e311 + e408) + e208 * e412 - e413 * e414 + e326 * (e395 + e396) - e344 * (e400 * e170 + e409 * e224) + cos_q_3
+            * sin_q_5 * e415 - e215 * e212 * e416 + dxdt[6] * e254 * e417 + e244 * e401 * e418 - e208 * e413 * e419 - dxdt[7]
+            * ((Scalar(19) / Scalar(45)) * e334) + cos_q_2 * ((Scalar(1) / Scalar(3)) * p_.m_2 * p_.g + e420) - e122 * e152
+            * e51 * e257 - e246 * e410 - e206 * e262 + e341 * e421 - e205 * e422 + dxdt[6] * e343 + e244 * e423 - e350 * e424
+            - e304 * e425 + e42 * e407 - e248 * e426;
+        J[8] = e244 * (e431 + e432) - p_.m_6 * (e83 * e248 * e434 - e416 * e435 + e436 * e437 + e439 * e440) - e218
+            * (e416 * e212 - e311 - e408 - e313) - e441 * e414 + e208 * (e442 - e443) - e389 * e436 - cos_q_2 * e450 + e110
+            * e453 - e439 * e304 - e434 * e308 + e455 * e456 - e427 * e323 + e454 * e457 + e341 * e458 - e248 * e459 + e460
+            * e461;
+        J[9] = e234 * (dxdt[7] * e207 - e463) - e117 * (e453 + e53 * e461) - e455 * (e464 + e465) + e466 * (e53 * e416 + e468)
+            + e469 * e470 + e208 * e474 - e244 * e482 + e323 * e477 - e476 * e440 + e454 * e483 + e246 * e484 + e485 * e486
+            + e436 * e487;
+        J[10] = dxdt[7] * e479 * e206 - e454 * e488 - e244 * e493 - e2 * e463 + e208 * e499 - e249 * e496 + e270 * e495 - e485
+            * e494 + e246 * e500 - e501 * e440 + e470 * e502;
+        J[11] = c_.k22 * e468 - e234 * e455 - e244 * e506 - e208 * e509 + e503 * e485 - e470 * e510;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = Scalar(0);
-        const Scalar e867 = e3 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e138 - e144 + e150 - e171;
-        const Scalar e868 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e138 - e144 + e150 - e171;
-        J[18] = e508 * e867 - e509 * e868 - e510 * e511 + e512 * e511 + e14 * e514 - e15 * e514 - e167
-            * (e154 - e155 - e158 + e159 - e163 + e165 + e174) + e16 * e52 * e515 + e516 * e521 - dxdt[7] * e298 - dxdt[8]
-            * e298 + e522 * e527 + e528 * e527 + sin_q_4 * e16 * (e260 + e261 - e262 + e265) - e74 * e14 * e529 + e74 * e15
-            * e529 - e16 * e530 + e6 * (e55 * e277 + e531 + e532) + e533 * (e4 * e166 + e259 - e264) - e534 * e304 - e535
-            * e306 + e16 * e74 * e536 + q_2_dot * e537 + q_3_dot * e537 - e11 * (e280 - e282) + e5 * (e531 + e532) - e538
-            * (e259 - e264) + e281 * (e539 + e255) + e540 * (e517 + e518) + e541 * e542 + e543 * e542 - e285 * e544 + e286
-            * e544 + e545 * e414 - e546 * e547 + cos_q_2 * e267 * e329 + e5 * e277 * (e55 + e62) + e161 * e549 + e277 * e63;
-        J[19] = e17 * (e330 * e398 - e416 * e410) - dxdt[8] * e394 + e17 * e409 - e291 * e111 - e550 * e551 - e16 * e552 - e296
-            * e554 - e555 * e534 - e122 * e557 - e558 * e535 - e359 - e374 * e545 - e360 - e215 * e559 + e560 * e546 + e214
-            * e549 + e11 * e420 + e568 + e398 * e569 - e368 - e370 - e372;
-        J[20] = e17 * e439 - dxdt[7] * (e453 + e454) - dxdt[8] * (Scalar(2) * p_.a_3 * e366) - e291 * e123 - c_.k86 * e49
-            * e111 - e110 * e556 - e550 * e457 - e16 * e447 - e296 * e570 - e17 * e440 - e436 * e534 + e11 * e428 - e431 * e535
-            - e115 * e369 - e218 * e559 + e11 * e429 - e571 + e217 * e549 - e572 + e568;
-        J[21] = e573 * e466 - e574 * (e575 - e461) + e17 * e471 + e117 * e557 - e11 * e479;
-        J[22] = e574 * e485 - e11 * e490 + e17 * e496 + e573 * e499;
-        J[23] = e574 * e231 - e11 * e503 - e17 * e506 - e573 * e507;
+        const Scalar e871 = e3 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e151 - e172;
+        const Scalar e872 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e151 - e172;
+        J[18] = e511 * e871 - e512 * e872 - e513 * e514 + e515 * e514 + e14 * e517 - e15 * e517 - e168
+            * (e155 - e156 - e159 + e160 - e164 + e166 + e175) + e16 * e52 * e518 + e519 * e524 - dxdt[7] * e301 - dxdt[8]
+            * e301 + e525 * e530 + e531 * e530 + sin_q_4 * e16 * (e263 + e264 - e265 + e268) - e74 * e14 * e532 + e74 * e15
+            * e532 - e16 * e533 + e6 * (e55 * e280 + e534 + e535) + e536 * (e4 * e167 + e262 - e267) - e537 * e307 - e538
+            * e309 + e16 * e74 * e539 + q_2_dot * e540 + q_3_dot * e540 - e11 * (e283 - e285) + e5 * (e534 + e535) - e541
+            * (e262 - e267) + e284 * (e542 + e258) + e543 * (e520 + e521) + e544 * e545 + e546 * e545 - e288 * e547 + e289
+            * e547 + e548 * e417 - e549 * e550 + cos_q_2 * e270 * e332 + e5 * e280 * (e55 + e62) + e162 * e552 + e280 * e63;
+        J[19] = e17 * (e333 * e401 - e419 * e413) - dxdt[8] * e397 + e17 * e412 - e294 * e111 - e553 * e554 - e16 * e555 - e299
+            * e557 - e558 * e537 - e122 * e560 - e561 * e538 - e362 - e377 * e548 - e363 - e216 * e562 + e563 * e549 + e215
+            * e552 + e11 * e423 + e571 + e401 * e572 - e371 - e373 - e375;
+        J[20] = e17 * e442 - dxdt[7] * (e456 + e457) - dxdt[8] * (Scalar(2) * p_.a_3 * e369) - e294 * e123 - e136 * e49 * e111
+            - e110 * e559 - e553 * e460 - e16 * e450 - e299 * e573 - e17 * e443 - e439 * e537 + e11 * e431 - e434 * e538 - e115
+            * e372 - e219 * e562 + e11 * e432 - e574 + e218 * e552 - e575 + e571;
+        J[21] = e576 * e469 - e577 * (e578 - e464) + e17 * e474 + e117 * e560 - e11 * e482;
+        J[22] = e577 * e488 - e11 * e493 + e17 * e499 + e576 * e502;
+        J[23] = e577 * e234 - e11 * e506 - e17 * e509 - e576 * e510;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = e538 * e175 - e533 * e175 + e5 * e578 + e6 * e578 + cos_q_5 * e509 * e579 - e14 * e60 * e579 - e509
-            * (e153 * e70 + e259 + e260 + e261 - e262 - e264 + e265 - e580) - e15
-            * (e387 - e388 - e390 + q_1_dot * e300 - e581 + e582 + e583) + e508
-            * (e259 + e260 + e261 - e262 - e264 + e265 - e580) - e14 * e73 * e239 + e14
-            * (e387 - e388 - e390 - e581 + e582 + e583) - e541 * e521 - e543 * e521 - cos_q_5 * e5 * e584 - cos_q_5 * e6 * e584
-            + sin_q_5 * e509 * e584 + q_3_dot * (sin_q_5 * e202 * e540 + e585 + e586 + e588) + e523
-            * (e589 + e590 - e591 + e592) + e66 * e593 + q_1_dot * e18 * e593 + sin_q_5 * e5 * e594 + sin_q_5 * e6 * e594
-            - c_.k10 * e10 * e595 + e5 * e291 * e596 + e6 * e291 * e596 - cos_q_5 * e202 * e595 - e49 * e234 * e595 + q_2_dot
-            * (e585 + e586 + e588) + e153 * e597 - e157 * e597 + e524 * (e589 + e590 - e591) + e24 * e598 + q_1_dot * e5 * e598
-            - e509 * e307 * e599 + e14 * e287 * e599 - e11 * (e585 + e586) - e600 * (e311 - e207 * e343) + e516 * e542 + e510
-            * e601 - e512 * e601 + e70 * e602 + e398 * e603 + e407 * e603 - e525 * (e589 + e592) - e23 * e49 * e602 - c_.k63
-            * dxdt[6] - e526 * e589 + cos_q_2 * e202 * e482 + e208 * e340 + e30 * e300 - (Scalar(1) / Scalar(12)) * p_.m_2
-            * e604 + e279 * e539;
-        J[31] = e10 * (e415 * e398 + e420) - e573 * (e398 + e407) + e122 * e610 - e125 * e611 + e214 * e614 - e615 * e391
-            - e600 * e419 - e558 * e616 + e555 * e617 + e410 * e618 + e551 * e619 + e17 * e423;
-        J[32] = e10 * (e429 - e427) - e110 * (e609 - e605 * e464) - e386 * e573 - c_.k18 * e615 - e114 * e611 + e217 * e614
-            - e431 * e616 + e17 * e456 + e436 * e617 + e438 * e618 + e457 * e619;
-        J[33] = e17 * (q_4_dot * e466 - e620) + q_1_dot * e97 * e473 + e10 * e477 + e573 * e621 - e615 * e575 - e117 * e610
-            + e106 * e77 * e468 + e616 * e478 - e483 * e622;
-        J[34] = e17 * (sin_q_4 * e494 + e623) + e615 * e485 - e10 * e490 + e573 * e497 - e492 * e624 + e491 * e622;
-        J[35] = e231 * e615 + e10 * e502 - c_.k22 * e17 * e606 - e500 * e77 + e573 * e625 + e504 * e624;
+        J[30] = e541 * e176 - e536 * e176 + e5 * e581 + e6 * e581 + cos_q_5 * e512 * e582 - e14 * e60 * e582 - e512
+            * (e154 * e70 + e262 + e263 + e264 - e265 - e267 + e268 - e583) - e15
+            * (e390 - e391 - e393 + q_1_dot * e303 - e584 + e585 + e586) + e511
+            * (e262 + e263 + e264 - e265 - e267 + e268 - e583) - e14 * e73 * e242 + e14
+            * (e390 - e391 - e393 - e584 + e585 + e586) - e544 * e524 - e546 * e524 - cos_q_5 * e5 * e587 - cos_q_5 * e6 * e587
+            + sin_q_5 * e512 * e587 + q_3_dot * (sin_q_5 * e203 * e543 + e588 + e589 + e591) + e526
+            * (e592 + e593 - e594 + e595) + e66 * e596 + q_1_dot * e18 * e596 + sin_q_5 * e5 * e597 + sin_q_5 * e6 * e597
+            - c_.k10 * e10 * e598 + e5 * e294 * e599 + e6 * e294 * e599 - cos_q_5 * e203 * e598 - e49 * e237 * e598 + q_2_dot
+            * (e588 + e589 + e591) + e154 * e600 - e158 * e600 + e527 * (e592 + e593 - e594) + e24 * e601 + q_1_dot * e5 * e601
+            - e512 * e310 * e602 + e14 * e290 * e602 - e11 * (e588 + e589) - e603 * (e314 - e208 * e346) + e519 * e545 + e513
+            * e604 - e515 * e604 + e70 * e605 + e401 * e606 + e410 * e606 - e528 * (e592 + e595) - e23 * e49 * e605 - c_.k63
+            * dxdt[6] - e529 * e592 + cos_q_2 * e203 * e485 + e209 * e343 + e30 * e303 - (Scalar(1) / Scalar(12)) * p_.m_2
+            * e607 + e282 * e542;
+        J[31] = e10 * (e418 * e401 + e423) - e576 * (e401 + e410) + e122 * e613 - e125 * e614 + e215 * e617 - e618 * e394
+            - e603 * e422 - e561 * e619 + e558 * e620 + e413 * e621 + e554 * e622 + e17 * e426;
+        J[32] = e10 * (e432 - e430) - e110 * (e612 - e608 * e467) - e389 * e576 - c_.k18 * e618 - e114 * e614 + e218 * e617
+            - e434 * e619 + e17 * e459 + e439 * e620 + e441 * e621 + e460 * e622;
+        J[33] = e17 * (q_4_dot * e469 - e623) + q_1_dot * e97 * e476 + e10 * e480 + e576 * e624 - e618 * e578 - e117 * e613
+            + e106 * e77 * e471 + e619 * e481 - e486 * e625;
+        J[34] = e17 * (sin_q_4 * e497 + e626) + e618 * e488 - e10 * e493 + e576 * e500 - e495 * e627 + e494 * e625;
+        J[35] = e234 * e618 + e10 * e505 - c_.k22 * e17 * e609 - e503 * e77 + e576 * e628 + e507 * e627;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        const Scalar e869 = e166 * (e154 - e155 - e158 + e159 - e163 + e165 + e11 * e635 + e10 * e636);
-        J[42] = e522 * e511 - e516 * e633 - e540 * e633 + e528 * e511 + e869 - e637 * e515 - e509 * e639 + e508 * e639 - e5
-            * (e212 - e216 - e219 - c_.k5 * e513 + e640) - e8 * (e260 + e261 - e262 + e10 * e635 - e11 * e636) + q_6_dot * e642
-            + dxdt[7] * e647 + dxdt[8] * e647 - e42 * e642 - e6 * (e212 - e216 - e219 + e640) + e510 * e527 - e512 * e527
-            + e240 * (e649 - e650 - e651 + e652) - e541 * e654 - e543 * e654 + e336 * e595 + e74 * e5 * e529 + e74 * e6 * e529
-            + e7 * e530 + e253 * (e650 + e651 - e652) + e266 * e656 + e276 * e656 - e657 * e536 + e12
-            * (e18 * e644 - e317 + e318) - c_.k71 * (e658 + e659) - q_2_dot * e661 - q_3_dot * e661 + (Scalar(1) / Scalar(50))
-            * p_.d_4 * e366 * (e662 - e663) - e14 * e664 + e15 * e664 + e533 * e665 - e538 * e665 + e84
-            * (sin_q_4 * e644 + e345) + e638 * (e655 + e18 * e20) - e87 * e666 + e641 * e319 - e10_squared * e667 - e668 * e547
-            - dxdt[6] * e627 * e669 - e18 * e10 * e666 - e17 * e17 * e667 + dxdt[9] * e16 * e629 + c_.k5 * e335 * e24 - cos_q_4
-            * e292 * e648 - e670 * e671 - e161 * e548 * e612 - (Scalar(2) / Scalar(25)) * e383 * e673;
-        J[43] = e120 * ((Scalar(4) / Scalar(5)) * p_.m_4 * e674 - c_.k47 * e675) - dxdt[8] * (e676 + e677 - e678) - dxdt[7]
-            * (e627 + (Scalar(1) / Scalar(6)) * e384) + c_.k5 * e389 + e680 * e551 - e628 * e682 + e7 * e552 - e287 * e554
-            + e122 * e684 + e560 * e668 + e61 * e688 - e83 * e690 + e631 * e691 + e555 * e692 - e374 * e649 - e698 - c_.k85
-            * e699 - e73 * e700 + e677 * e701 - e214 * e702 - e678 * e703;
-        const Scalar e870 = dxdt[8] * ((Scalar(33) / Scalar(25)) * e383 + (Scalar(2) / Scalar(9)) * e384);
-        J[44] = e680 * e457 - e217 * (e73 * e704 + e702) - dxdt[7] * e676 - e870 - c_.k5 * e705 + e7 * e447 + e110 * e683
-            + e628 * e706 + e704 * e434 + (Scalar(4) / Scalar(5)) * e438 * e674 - c_.k51 * e675 - e287 * e570 + e83 * e707
-            + e61 * e708 + e424 * e668 + e436 * e692 - e698 - e649 * e425 + c_.k19 * e701 + (Scalar(16) / Scalar(25)) * e383
-            * e703;
-        J[45] = e11 * (e61 * e473 - e620) - e574 * (e61 * e463 + e621) + e709 * e466 + e10 * e470 - e117 * e684 - e629 * e711
-            - e668 * e474 + e75 * e469;
-        J[46] = e476 * e713 + e13 * e493 - e21 * e492 + e75 * e491 + e10 * e495 + e11 * e623;
-        J[47] = e21 * e504 - e75 * e500 - c_.k22 * e11 * e464 - e709 * e507 - e574 * e625 + e10 * e505;
+        const Scalar e873 = e167 * (e155 - e156 - e159 + e160 - e164 + e166 + e11 * e638 + e10 * e639);
+        J[42] = e525 * e514 - e519 * e636 - e543 * e636 + e531 * e514 + e873 - e640 * e518 - e512 * e642 + e511 * e642 - e5
+            * (e213 - e217 - e220 - c_.k5 * e516 + e644) - e8 * (e263 + e264 - e265 + e10 * e638 - e11 * e639) + q_6_dot * e646
+            + dxdt[7] * e651 + dxdt[8] * e651 - e42 * e646 - e6 * (e213 - e217 - e220 + e644) + e513 * e530 - e515 * e530
+            + e243 * (e653 - e654 - e655 + e656) - e544 * e658 - e546 * e658 + e339 * e598 + e74 * e5 * e532 + e74 * e6 * e532
+            + e7 * e533 + e256 * (e654 + e655 - e656) + e269 * e660 + e279 * e660 - e661 * e539 + e12
+            * (e18 * e648 - e320 + e321) - c_.k72 * (e662 + e663) - q_2_dot * e665 - q_3_dot * e665 + (Scalar(1) / Scalar(50))
+            * p_.d_4 * e369 * (e666 - e667) - e14 * e668 + e15 * e668 + e536 * e669 - e541 * e669 + e84
+            * (sin_q_4 * e648 + e348) + e641 * (e659 + e18 * e20) - e87 * e670 + e645 * e322 - e10_squared * e671 - e672 * e550
+            - dxdt[6] * e630 * e673 - e18 * e10 * e670 - e17 * e17 * e671 + dxdt[9] * e16 * e632 + c_.k5 * e338 * e24 - cos_q_4
+            * e295 * e652 - e674 * e675 - e162 * e551 * e615 - (Scalar(2) / Scalar(25)) * e386 * e677;
+        J[43] = e120 * ((Scalar(4) / Scalar(5)) * p_.m_4 * e678 - c_.k47 * e679) - dxdt[8] * (e680 + e681 - e682) - dxdt[7]
+            * (e630 + (Scalar(1) / Scalar(6)) * e387) + c_.k5 * e392 + e684 * e554 - e631 * e686 + e7 * e555 - e290 * e557
+            + e122 * e688 + e563 * e672 + e61 * e692 - e83 * e694 + e634 * e695 + e558 * e696 - e377 * e653 - e702 - e643
+            * e703 - e73 * e704 + e681 * e705 - e215 * e706 - e682 * e707;
+        const Scalar e874 = dxdt[8] * ((Scalar(33) / Scalar(25)) * e386 + (Scalar(2) / Scalar(9)) * e387);
+        J[44] = e684 * e460 - e218 * (e73 * e708 + e706) - dxdt[7] * e680 - e874 - c_.k5 * e709 + e7 * e450 + e110 * e687
+            + e631 * e710 + e708 * e437 + (Scalar(4) / Scalar(5)) * e441 * e678 - c_.k51 * e679 - e290 * e573 + e83 * e711
+            + e61 * e712 + e427 * e672 + e439 * e696 - e702 - e653 * e428 + c_.k19 * e705 + (Scalar(16) / Scalar(25)) * e386
+            * e707;
+        J[45] = e11 * (e61 * e476 - e623) - e577 * (e61 * e466 + e624) + e713 * e469 + e10 * e473 - e117 * e688 - e632 * e715
+            - e672 * e477 + e75 * e472;
+        J[46] = e479 * e717 + e13 * e496 - e21 * e495 + e75 * e494 + e10 * e498 + e11 * e626;
+        J[47] = e21 * e507 - e75 * e503 - c_.k22 * e11 * e467 - e713 * e510 - e577 * e628 + e10 * e508;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
         J[50] = Scalar(0);
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
-        const Scalar e871 = dxdt[6] * ((Scalar(1) / Scalar(100)) * e715 + (Scalar(1) / Scalar(4)) * e716);
-        J[54] = (Scalar(1) / Scalar(18)) * p_.a_2 * e344 - e714 * (e311 + sin_q_2 * e421) - e871 - (Scalar(1) / Scalar(12))
-            * p_.d_3 * e604 + (Scalar(9) / Scalar(50)) * e715 * e346 - e717 * e349;
-        J[55] = cos_q_2 * ((Scalar(1) / Scalar(3)) * e718) - dxdt[7] * ((Scalar(19) / Scalar(90)) * e715) - e714 * e419 - e717
-            * e421;
+        const Scalar e875 = dxdt[6] * ((Scalar(1) / Scalar(100)) * e719 + (Scalar(1) / Scalar(4)) * e720);
+        J[54] = (Scalar(1) / Scalar(18)) * p_.a_2 * e347 - e718 * (e314 + sin_q_2 * e424) - e875 - (Scalar(1) / Scalar(12))
+            * p_.d_3 * e607 + (Scalar(9) / Scalar(50)) * e719 * e349 - e721 * e352;
+        J[55] = cos_q_2 * ((Scalar(1) / Scalar(3)) * e722) - dxdt[7] * ((Scalar(19) / Scalar(90)) * e719) - e718 * e422 - e721
+            * e424;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
         J[58] = Scalar(0);
@@ -2884,12 +2883,12 @@ public:
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = e16 * (dxdt[8] * e719 + e720 * e705) - e222 * ((Scalar(1) / Scalar(36)) * (e223 - e513)) - e7 * e353 * e720
-            - e724 - (e725 + e716) * e658 - e725 * e659 - e670 * e726 - (e723 + e716) * e663;
-        const Scalar e872 = e406 * (dxdt[8] * e727 + (Scalar(1) / Scalar(36)) * e705 - e720 * e382);
-        J[67] = cos_q_2 * e718 - e872 - (Scalar(1) / Scalar(6)) * e120 * e353 - e725 * e574 + e731 - e732;
-        J[68] = e719 * e382 - dxdt[7] * e725 - dxdt[8] * ((Scalar(1) / Scalar(9)) * e722 + e733) - e353
-            * ((Scalar(1) / Scalar(6)) * p_.a_3) - e727 * e705 - e734 + e731;
+        J[66] = e16 * (dxdt[8] * e723 + e724 * e709) - e225 * ((Scalar(1) / Scalar(36)) * (e226 - e516)) - e7 * e356 * e724
+            - e728 - (e729 + e720) * e662 - e729 * e663 - e674 * e730 - (e727 + e720) * e667;
+        const Scalar e876 = e409 * (dxdt[8] * e731 + (Scalar(1) / Scalar(36)) * e709 - e724 * e385);
+        J[67] = cos_q_2 * e722 - e876 - (Scalar(1) / Scalar(6)) * e120 * e356 - e729 * e577 + e735 - e736;
+        J[68] = e723 * e385 - dxdt[7] * e729 - dxdt[8] * ((Scalar(1) / Scalar(9)) * e726 + e737) - e356
+            * ((Scalar(1) / Scalar(6)) * p_.a_3) - e731 * e709 - e738 + e735;
         J[69] = Scalar(0);
         J[70] = Scalar(0);
         J[71] = Scalar(0);
@@ -2899,15 +2898,15 @@ public:
         J[75] = Scalar(0);
         J[76] = Scalar(0);
         J[77] = Scalar(0);
-        J[78] = e16 * (e723 * e710 + e736) - e737 * (dxdt[6] * e669 + e626 * e166 + e738) - e7
-            * (e355 * ((Scalar(1) / Scalar(5)) * p_.d_3) + e739) + e681 * ((Scalar(1) / Scalar(25)) * e691 - e741)
-            + (Scalar(1) / Scalar(25)) * e168 * e149 + (Scalar(1) / Scalar(25)) * e263 * e258 - (Scalar(1) / Scalar(25))
-            * dxdt[6] * e742 - e724 - e716 * e658 - e7 * e415 * e743 - (Scalar(1) / Scalar(25)) * e722 * e673;
-        J[79] = sin_q_3 * e7 * e718 - e397 * ((Scalar(1) / Scalar(25)) * e706 - e741) - (Scalar(1) / Scalar(5)) * e120 * e355
-            - e737 * e574 + e16 * e744 + e745 - e732;
-        J[80] = e16 * e729 - dxdt[7] * e737 - dxdt[8] * ((Scalar(33) / Scalar(50)) * e722 + e733) - e355
-            * ((Scalar(1) / Scalar(5)) * p_.a_3) + e740 * e706 - e734 + e745;
-        J[81] = -e723 * e711;
+        J[78] = e16 * (e727 * e714 + e740) - e741 * (dxdt[6] * e673 + e629 * e167 + e742) - e7
+            * (e358 * ((Scalar(1) / Scalar(5)) * p_.d_3) + e743) + e685 * ((Scalar(1) / Scalar(25)) * e695 - e745)
+            + (Scalar(1) / Scalar(25)) * e169 * e150 + (Scalar(1) / Scalar(25)) * e266 * e261 - (Scalar(1) / Scalar(25))
+            * dxdt[6] * e746 - e728 - e720 * e662 - e7 * e418 * e747 - (Scalar(1) / Scalar(25)) * e726 * e677;
+        J[79] = sin_q_3 * e7 * e722 - e400 * ((Scalar(1) / Scalar(25)) * e710 - e745) - (Scalar(1) / Scalar(5)) * e120 * e358
+            - e741 * e577 + e16 * e748 + e749 - e736;
+        J[80] = e16 * e733 - dxdt[7] * e741 - dxdt[8] * ((Scalar(33) / Scalar(50)) * e726 + e737) - e358
+            * ((Scalar(1) / Scalar(5)) * p_.a_3) + e744 * e710 - e738 + e749;
+        J[81] = -e727 * e715;
         J[82] = Scalar(0);
         J[83] = Scalar(0);
         J[84] = Scalar(0);
@@ -2916,50 +2915,50 @@ public:
         J[87] = Scalar(0);
         J[88] = Scalar(0);
         J[89] = Scalar(0);
-        J[90] = e135 * e749 - (e730 - e728 * e7) * (e229 * e74 + e179 * e52 - cos_q_4 * e8) - e229 * e735 * e76 - e161 * e755
-            - e142 * e758 - e759 * e760 + e140 * e762 + e8 * e763 - e160 * e764 - e176 * e765 - e693 * e739 + e766 * e736
-            - e166 * e768 + e1 * e769 + e16 * e772;
-        J[91] = e122 * e749 - e214 * e755 + e125 * e758 - e773 * e744 - e774 + e206 * e764 + e251 * e765 + e273 * e769;
-        J[92] = e110 * e749 - e729 * e773 - e217 * e755 + e114 * e758 - e774;
-        J[93] = e759 * e657 - e49 * (e777 * e752 + e778) - e117 * e749 - e772;
-        J[94] = e748 * e746 - cos_q_6 * (e778 + e776 * e750 + e777 * e751) - dxdt[10] * e775 - e763 - dxdt[11] * e779;
-        J[95] = p_.c_x * e748 - e761 * (sin_q_6 * e179 + cos_q_6 * e8) - dxdt[11] * e776 - dxdt[10] * e779;
+        J[90] = e135 * e753 - (e734 - e732 * e7) * (e232 * e74 + e180 * e52 - cos_q_4 * e8) - e232 * e739 * e76 - e162 * e759
+            - e143 * e762 - e763 * e764 + e141 * e766 + e8 * e767 - e161 * e768 - e177 * e769 - e697 * e743 + e770 * e740
+            - e167 * e772 + e1 * e773 + e16 * e776;
+        J[91] = e122 * e753 - e215 * e759 + e125 * e762 - e777 * e748 - e778 + e207 * e768 + e254 * e769 + e276 * e773;
+        J[92] = e110 * e753 - e733 * e777 - e218 * e759 + e114 * e762 - e778;
+        J[93] = e763 * e661 - e49 * (e781 * e756 + e782) - e117 * e753 - e776;
+        J[94] = e752 * e750 - cos_q_6 * (e782 + e780 * e754 + e781 * e755) - dxdt[10] * e779 - e767 - dxdt[11] * e783;
+        J[95] = p_.c_x * e752 - e765 * (sin_q_6 * e180 + cos_q_6 * e8) - dxdt[11] * e780 - dxdt[10] * e783;
         J[96] = Scalar(0);
         J[97] = Scalar(0);
         J[98] = Scalar(0);
         J[99] = Scalar(0);
         J[100] = Scalar(0);
         J[101] = Scalar(0);
-        J[102] = e135 * (e781 - e786) + e161 * (e787 - e790) + e140 * (e230 + e233) - e791 * (e210 - e753) - e130
-            * (e137 - e183) + e792 * (e164 - e302) + e139 * (e228 + e232) + e11 * e76 * e234 - e7 * e793 * e287 + e782 * e236
-            - e794 * e166 + e16 * e795 + e202 * e98 + e752 * e796 + e225 * e797 + e296 * e798;
-        J[103] = e214 * (e787 + e799) + e792 * (e376 + e422) + e111 * e211 - e782 * e560 + e122 * e801 - e802 - e554 * e803
-            + e74 * e687 - e53 * e700;
-        J[104] = e217 * (e787 - e804) + e792 * (e114 * e42 + e435) - e782 * e424 + e123 * e211 + e110 * e801 - e802 - e570
-            * e803 + e74 * e805;
-        J[105] = e117 * (e800 + e786) - e231 * (e96 + e807) - cos_q_5 * e183 - e291 * e754 - e780 * e463 - e106 * e808 - e795
-            - e49 * e809 + e296 * e810 - e118 * e559 + e42 * e472;
-        J[106] = e2 * (e95 + e806) - e486 * (dxdt[11] + e811 + e812 + e71) - e106
-            * (q_5_dot * e18 + cos_q_4 * e709 - sin_q_4 * e712) - e573 * e488 - e92 * e754 - cos_q_6 * e809 - e808 * e813 + e42
-            * e498 - e82 * e487;
-        J[107] = p_.m_6 * e748 - c_.k22 * (cos_q_5 * e573 + e73 * e709 + e72 - e74 * e712 + e812) - c_.k87 * dxdt[11] - sin_q_6
-            * e412 - cos_q_6 * e9 + e23 * e814;
+        J[102] = e135 * (e785 - e790) + e162 * (e791 - e794) + e141 * (e233 + e236) - e795 * (e211 - e757) - e130
+            * (e138 - e184) + e796 * (e165 - e305) + e140 * (e231 + e235) + e11 * e76 * e237 - e7 * e797 * e290 + e786 * e239
+            - e798 * e167 + e16 * e799 + e203 * e98 + e756 * e800 + e228 * e801 + e299 * e802;
+        J[103] = e215 * (e791 + e803) + e796 * (e379 + e425) + e111 * e212 - e786 * e563 + e122 * e805 - e806 - e557 * e807
+            + e74 * e691 - e53 * e704;
+        J[104] = e218 * (e791 - e808) + e796 * (e114 * e42 + e438) - e786 * e427 + e123 * e212 + e110 * e805 - e806 - e573
+            * e807 + e74 * e809;
+        J[105] = e117 * (e804 + e790) - e234 * (e96 + e811) - cos_q_5 * e184 - e294 * e758 - e784 * e466 - e106 * e812 - e799
+            - e49 * e813 + e299 * e814 - e118 * e562 + e42 * e475;
+        J[106] = e2 * (e95 + e810) - e489 * (dxdt[11] + e815 + e816 + e71) - e106
+            * (q_5_dot * e18 + cos_q_4 * e713 - sin_q_4 * e716) - e576 * e491 - e92 * e758 - cos_q_6 * e813 - e812 * e817 + e42
+            * e501 - e82 * e490;
+        J[107] = p_.m_6 * e752 - c_.k22 * (cos_q_5 * e576 + e73 * e713 + e72 - e74 * e716 + e816) - c_.k91 * dxdt[11] - sin_q_6
+            * e415 - cos_q_6 * e9 + e23 * e818;
         J[108] = Scalar(0);
         J[109] = Scalar(0);
         J[110] = Scalar(0);
         J[111] = Scalar(0);
         J[112] = Scalar(0);
         J[113] = Scalar(0);
-        J[114] = e142 * (e430 * e815 - e790 + e151 * e98) - e135 * (e817 - e818 - e83 * e607) + e140 * (e107 + e143) - e791
-            * (e103 + e756) - e131 * (e183 + p_.m_6 * e793) - e782 * e162 + e164 * e815 + e137 * e132 + e266 * e79 - e4 * e760
-            + e412 * e8 - sin_q_5 * e190 * e332 - e3 * e177 + e443 * e797 - e293 * e798;
-        J[115] = e555 * e815 - e782 * e558 - e125 * e799 - e79 * e378 - e819 + e86 * e688 - e53 * e690 - e122 * e822;
-        J[116] = e86 * (e708 + e805) - e114 * (e104 * e79 - e804) - e782 * e431 + e436 * e815 + e53 * e707 - e819 - e110 * e822;
-        J[117] = e106 * (sin_q_6 * e79 - e807 - e750 - e94) - e117 * (e816 + e820 + e818 - e293 * e82 + e821) - e291 * e757
-            + e473 * e23 + e4 * e657 + sin_q_5 * e3 - e293 * e810 + e118 * e369 - c_.k89 * e49 * e751 + e231 * e40_squared;
-        J[118] = e104 * e748 - c_.k89 * dxdt[10] - e92 * e757 - e180 - e182 - e184 + c_.k21 * e713 + e19 * e493 + e23 * e498
+        J[114] = e143 * (e433 * e819 - e794 + e152 * e98) - e135 * (e821 - e822 - e83 * e610) + e141 * (e107 + e144) - e795
+            * (e103 + e760) - e131 * (e184 + p_.m_6 * e797) - e786 * e163 + e165 * e819 + e138 * e132 + e269 * e79 - e4 * e764
+            + e415 * e8 - sin_q_5 * e191 * e335 - e3 * e178 + e446 * e801 - e296 * e802;
+        J[115] = e558 * e819 - e786 * e561 - e125 * e803 - e79 * e381 - e823 + e86 * e692 - e53 * e694 - e122 * e826;
+        J[116] = e86 * (e712 + e809) - e114 * (e104 * e79 - e808) - e786 * e434 + e439 * e819 + e53 * e711 - e823 - e110 * e826;
+        J[117] = e106 * (sin_q_6 * e79 - e811 - e754 - e94) - e117 * (e820 + e824 + e822 - e296 * e82 + e825) - e294 * e761
+            + e476 * e23 + e4 * e661 + sin_q_5 * e3 - e296 * e814 + e118 * e372 - c_.k90 * e49 * e755 + e234 * e40_squared;
+        J[118] = e104 * e752 - c_.k90 * dxdt[10] - e92 * e761 - e181 - e183 - e185 + c_.k21 * e717 + e19 * e496 + e23 * e501
             + e2 * e40_squared;
-        J[119] = e475 * (e573 + e788) - e2 * e79 + e430 * e814 - dxdt[10] * e501 - e709 * e823 + e712 * e824;
+        J[119] = e478 * (e576 + e792) - e2 * e79 + e433 * e818 - dxdt[10] * e504 - e713 * e827 + e716 * e828;
         J[120] = Scalar(0);
         J[121] = Scalar(0);
         J[122] = Scalar(0);
@@ -2978,14 +2977,14 @@ public:
         J[135] = Scalar(0);
         J[136] = Scalar(0);
         J[137] = Scalar(0);
-        J[138] = e130 * (e827 + Scalar(2) * e812) - dxdt[6] * (e829 + Scalar(2) * e830) + e140 * (Scalar(2) * (e752 - e832))
-            - e828 * e833 - e132 * e834 + dxdt[10] * e835 + dxdt[9] * e836 + Scalar(2) * e574 * e839 - e738;
-        J[139] = e844;
-        J[140] = e844;
-        J[141] = sin_q_5 * e833 - Scalar(2) * dxdt[9] - e574 * e842 + e81 * e834 + dxdt[6] * e836 - cos_q_5 * e827 + Scalar(2)
-            * e49 * e845;
-        J[142] = e653 - Scalar(2) * dxdt[10] - e574 * e843 - sin_q_6 * e834 + dxdt[6] * e835 + Scalar(2) * cos_q_6 * e845;
-        J[143] = e826 - e74 * e574 - e825 - e812;
+        J[138] = e130 * (e831 + Scalar(2) * e816) - dxdt[6] * (e833 + Scalar(2) * e834) + e141 * (Scalar(2) * (e756 - e836))
+            - e832 * e837 - e132 * e838 + dxdt[10] * e839 + dxdt[9] * e840 + Scalar(2) * e577 * e843 - e742;
+        J[139] = e848;
+        J[140] = e848;
+        J[141] = sin_q_5 * e837 - Scalar(2) * dxdt[9] - e577 * e846 + e81 * e838 + dxdt[6] * e840 - cos_q_5 * e831 + Scalar(2)
+            * e49 * e849;
+        J[142] = e657 - Scalar(2) * dxdt[10] - e577 * e847 - sin_q_6 * e838 + dxdt[6] * e839 + Scalar(2) * cos_q_6 * e849;
+        J[143] = e830 - e74 * e577 - e829 - e816;
         J[144] = Scalar(0);
         J[145] = Scalar(0);
         J[146] = Scalar(0);
@@ -2993,11 +2992,11 @@ public:
         J[148] = Scalar(0);
         J[149] = Scalar(0);
         J[150] = Scalar(0);
-        J[151] = cos_q_2 * ((Scalar(1) / Scalar(3)) * e331 + p_.a_2 * e846) + e847;
-        J[152] = e847;
-        J[153] = e7 * (c_.k21 * e74 - e824);
-        J[154] = -e16 * e485 - e476 * e166;
-        J[155] = -c_.k22 * e139 - e796;
+        J[151] = cos_q_2 * ((Scalar(1) / Scalar(3)) * e334 + p_.a_2 * e850) + e851;
+        J[152] = e851;
+        J[153] = e7 * (c_.k21 * e74 - e828);
+        J[154] = -e16 * e488 - e479 * e167;
+        J[155] = -c_.k22 * e140 - e800;
         constexpr std::array<std::size_t, 13> starts{6, 18, 30, 42, 54, 66, 78, 90, 102, 114, 126, 138, 150};
         detail::ldlt_solve_columns<Scalar, 6>(mass, J.data(), starts);
     }
@@ -3608,18 +3607,18 @@ public:
         const Scalar e53 = (Scalar(3) / Scalar(100)) * e52;
         const Scalar e54 = (Scalar(1) / Scalar(2)) * p_.J_1 + (Scalar(1) / Scalar(200)) * e2 + (Scalar(1) / Scalar(200)) * e4
             + (Scalar(1) / Scalar(8)) * p_.m_2 * e5;
-        const Scalar e55 = e54 + e10 * e10 * e11 + c_.k70 * e7 * e9 + e12 * e8 * e8 + e14 * e6 * e6;
+        const Scalar e55 = e54 + e10 * e10 * e11 + c_.k71 * e7 * e9 + e12 * e8 * e8 + e14 * e6 * e6;
         const Scalar e56 = q_3_dot * e15 + q_2_dot * (e16 + (Scalar(19) / Scalar(180)) * e4) + c_.k9 * e17;
-        const Scalar e57 = sin_q_3 * (c_.k77 * e18 * e8 - sin_q_3 * e12 * e19 - p_.d_3 * e13 * e22);
+        const Scalar e57 = sin_q_3 * (c_.k78 * e18 * e8 - sin_q_3 * e12 * e19 - p_.d_3 * e13 * e22);
         const Scalar e58 = c_.k21 * e32 - e26 * ((Scalar(1) / Scalar(2)) * (p_.J_5 + e33)) - c_.k28 * e36;
         const Scalar e59 = c_.k21 * e41 + e37 * (p_.J_5 + (Scalar(1) / Scalar(2)) * e33) + c_.k28 * e42;
         const Scalar e60 = p_.a_2 * e13 * e7 + (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_4 * p_.m_3 * e9;
         const Scalar e61 = p_.m_3 * ((Scalar(1) / Scalar(2)) * (e3 + e5)) + (Scalar(181) / Scalar(1800)) * e4;
         return q_1_dot_squared * e55 + q_2_dot * e56 - e57 - e26 * e58 + e37 * e59 + (Scalar(1) / Scalar(2)) * p_.m_6
             * (e32 * e32 + e43 * e43 + e41 * e41) + e44 * (e46 * e44 - c_.k27 * e47 + e48) - c_.k22 * (e32 * e36 - e41 * e42)
-            - c_.k79 * (e20 * e31 - e10 * e49) - q_6_dot * (c_.k88 * e34 - q_6_dot * e50) + cos_q_3
+            - c_.k83 * (e20 * e31 - e10 * e49) - q_6_dot * (e34 * e45 - q_6_dot * e50) + cos_q_3
             * (cos_q_3 * e14 * e19 - c_.k15 * e22) + e11 * (e40 * e40 + e31 * e31) + e51 * (e24 * e24 + e35 * e35) + e20
-            * (c_.k73 * e39 + c_.k71 * e30) + e18 * e60 + e47 * (e46 * e47 - e48) + q_3_dot * q_3_dot * e16 + e20 * e20
+            * (c_.k74 * e39 + c_.k72 * e30) + e18 * e60 + e47 * (e46 * e47 - e48) + q_3_dot * q_3_dot * e16 + e20 * e20
             * ((Scalar(1) / Scalar(24)) * e2 + e53) + e29 * e29 * ((Scalar(1) / Scalar(2)) * p_.m_3) + e25 * e25
             * (e51 + (Scalar(1) / Scalar(200)) * e52) + e34 * e34 * e50 + e61 * e19 + e9 * e53 * e49;
     }
@@ -3785,35 +3784,30 @@ private:
         Scalar k66;  ///< 19*a_2^2*m_2/90
         Scalar k67;  ///< d_3^2*m_2/4
         Scalar k68;  ///< m_2*(181*a_2^2/900 - d_3^2/4)
-        Scalar k69;  ///< d_4^2*m_3/9
-        Scalar k70;  ///< a_3*d_4*m_3/6
-        Scalar k71;  ///< d_4*m_3/6
-        Scalar k72;  ///< m_3*(a_3^2 + d_4^2/100)
-        Scalar k73;  ///< a_3*m_3
-        Scalar k74;  ///< m_3*(a_3^2 + d_4^2/9)
-        Scalar k75;  ///< 91*d_4^2*m_3/900
-        Scalar k76;  ///< a_3^2*m_3
-        Scalar k77;  ///< m_3*(a_3^2 - 91*d_4^2/900)
-        Scalar k78;  ///< 3*d_4^2*m_4/50
-        Scalar k79;  ///< d_4*m_4/5
-        Scalar k80;  ///< d_4^2*m_4/20
-        Scalar k81;  ///< m_6*c_z^2 + J_5
-        Scalar k82;  ///< m_6*c_x^2 + m_6*c_z^2 + 2*J_5
-        Scalar k83;  ///< m_6*(c_x^2 - c_z^2)
-        Scalar k84;  ///< 1/(m_6*c_x^2 + J_5)
-        Scalar k85;  ///< m_3/18
-        Scalar k86;  ///< 2*m_6
-        Scalar k87;  ///< 2*m_6*c_x
-        Scalar k88;  ///< m_6*c_x^2
-        Scalar k89;  ///< 2*m_6*c_z
-        Scalar k90;  ///< a_2*d_3*m_2/3
-        Scalar k91;  ///< m_3/3
-        Scalar k92;  ///< d_3*m_3
-        Scalar k93;  ///< a_3*d_4*m_3/3
-        Scalar k94;  ///< d_4*m_3/3
-        Scalar k95;  ///< 2*a_3*m_3
-        Scalar k96;  ///< 2*d_4*m_4/5
-        Scalar k97;  ///< 2*m_6*c_x*c_z
+        Scalar k69;  ///< a_2*d_3*m_2/3
+        Scalar k70;  ///< d_4^2*m_3/9
+        Scalar k71;  ///< a_3*d_4*m_3/6
+        Scalar k72;  ///< d_4*m_3/6
+        Scalar k73;  ///< m_3*(a_3^2 + d_4^2/100)
+        Scalar k74;  ///< a_3*m_3
+        Scalar k75;  ///< m_3*(a_3^2 + d_4^2/9)
+        Scalar k76;  ///< 91*d_4^2*m_3/900
+        Scalar k77;  ///< a_3^2*m_3
+        Scalar k78;  ///< m_3*(a_3^2 - 91*d_4^2/900)
+        Scalar k79;  ///< a_3*d_4*m_3/3
+        Scalar k80;  ///< d_4*m_3/3
+        Scalar k81;  ///< 2*a_3*m_3
+        Scalar k82;  ///< 3*d_4^2*m_4/50
+        Scalar k83;  ///< d_4*m_4/5
+        Scalar k84;  ///< d_4^2*m_4/20
+        Scalar k85;  ///< 2*d_4*m_4/5
+        Scalar k86;  ///< m_6*c_z^2 + J_5
+        Scalar k87;  ///< m_6*c_x^2 + m_6*c_z^2 + 2*J_5
+        Scalar k88;  ///< m_6*(c_x^2 - c_z^2)
+        Scalar k89;  ///< 2*m_6*c_x*c_z
+        Scalar k90;  ///< 2*m_6*c_z
+        Scalar k91;  ///< 2*m_6*c_x
+        Scalar k92;  ///< 1/(m_6*c_x^2 + J_5)
     };
     Cached c_{};
 };

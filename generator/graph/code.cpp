@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "graph/chain_code.hpp"
 #include "graph/lowered_system.hpp"
@@ -187,6 +188,7 @@ private:
         if (code_->has_long_chain) return chain_function(f, by, true, ParameterParts::cached);
         const LoweredSystem::Columns* columns = by ? &lowered_.partial(*by) : nullptr;
         const Solve& s = code_->solve;
+        const ParameterCache before = code_->cache;
         f.by_loops = !s.unrolled;
         ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program);
         Roots roots;
@@ -199,17 +201,21 @@ private:
         for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
         if (columns != nullptr) take_columns(f, builder, *columns, parts);
         if (!lowered_.chain || s.is_constant) return;
+        const ParameterCache with_these = std::exchange(code_->cache, before);
         FunctionCode from_body_to_body;
         chain_function(from_body_to_body, by, true, ParameterParts::cached);
         if (cost(from_body_to_body) < cost(f)) f = std::move(from_body_to_body);
+        else code_->cache = with_these;
     }
 
-    /// Operations, with those of loops; of columns that are computed side by side four count as one.
+    /// Operations, with those of loops: columns go side by side and are put to their places, divisions go one after the other. The weights
+    /// were found by timing both ways for chains and arms.
     int cost(const FunctionCode& f) const {
-        constexpr int side_by_side = 4;
-        int result = f.program.count(f.roots()).total();
+        constexpr int side_by_side = 4, putting = 6, division = 10;
         const int n = static_cast<int>(n_);
-        if (f.loop) result += f.program.count(f.roots(), same_in_columns(f)).total() * (static_cast<int>(f.loop->columns.size()) / side_by_side - 1);
+        const OperationCount count = f.program.count(f.roots());
+        int result = count.total() + division * count.divisions;
+        if (f.loop) result += f.program.count(f.roots(), same_in_columns(f)).total() * (static_cast<int>(f.loop->columns.size()) / side_by_side - 1) + putting * n * static_cast<int>(f.loop->columns.size());
         if (f.by_loops) result += n * n * n / 3 + 2 * n * n + static_cast<int>(f.right.columns) * 2 * n * n / side_by_side;
         return result;
     }
