@@ -72,7 +72,7 @@ PrintedResult PairCheck::run_by_quadrature(const ex& left, const ex& right) {
         for (const auto& [letter, value] : point) {
             const Variable* variable = system_.symbols.find(letter);
             const auto& open = system_.translate.open_integrals();
-            const bool is_needed = left.has(letter) || right.has(letter) || std::any_of(open.begin(), open.end(), [&](const DefiniteIntegral& integral) { return depends_on(integral, letter); });
+            const bool is_needed = left.has(letter) || right.has(letter) || std::any_of(open.begin(), open.end(), [&letter = letter](const DefiniteIntegral& integral) { return depends_on(integral, letter); });
             if (variable != nullptr && is_needed) example.values.emplace_back(variable->name, decimal(value, 6));
         }
         example.left = decimal(cln::rational(*a), 6);

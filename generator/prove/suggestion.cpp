@@ -106,7 +106,7 @@ std::optional<Suggestion> suggest(const System& system, const Member<PrintedEqua
         if (++tried > most_candidates) break;
         if (slip.kind == SlipKind::index && says_nothing(slip.equation)) continue;
         if (slip.kind == SlipKind::dot && puts_dot_on_constant(system, moving, slip.equation)) continue;
-        const bool mends = without_failing([&] {
+        const bool mends = without_failing([&, &which = which, &slip = slip] {
             const PrintedEquation mended = with_equation(*entry.item, which, slip.equation);
             const Member<PrintedEquation> member{&mended, entry.index};
             return may_hold(system, member) && is_proven(check_printed(system, member).verdict());

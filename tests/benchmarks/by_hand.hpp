@@ -120,6 +120,7 @@ void substitute(const std::array<double, n * (n + 1) / 2>& m, double* b) {
         for (std::size_t k = 0; k < i; ++k) b[k] -= m[i * (i + 1) / 2 + k] * b[i];
 }
 
+/// In a file of its own, because GCC 12.2 makes these loops slower, and lets those of 20 links crash, when it vectorises them.
 /// Chain of n links: M_ij = a_ij cos(phi_i - phi_j), bias_i = sum_j a_ij sin(phi_i - phi_j) w_j^2 + b_i sin(phi_i).
 template <std::size_t n>
 class Chain {
@@ -139,13 +140,13 @@ public:
         }
     }
 
-    void rhs(const State& x, const Input&, double, State& f) const {
+    [[gnu::noinline]] void rhs(const State& x, const Input&, double, State& f) const {
         Work work;
         solve(x, f, work);
     }
 
     /// J column by column.
-    void rhs_and_jacobian(const State& x, const Input&, double, State& f, Jacobian& J) const {
+    [[gnu::noinline]] void rhs_and_jacobian(const State& x, const Input&, double, State& f, Jacobian& J) const {
         Work work;
         solve(x, f, work);
         for (std::size_t k = 0; k < n; ++k) {
@@ -200,5 +201,14 @@ private:
     std::array<double, n * n> a_{};
     std::array<double, n> b_{};
 };
+
+extern template class Chain<1>;
+extern template class Chain<2>;
+extern template class Chain<3>;
+extern template class Chain<5>;
+extern template class Chain<8>;
+extern template class Chain<12>;
+extern template class Chain<20>;
+extern template class Chain<30>;
 
 }  // namespace by_hand

@@ -9,11 +9,14 @@
 #include "benchmarks/timing.hpp"
 #include "cart_pendulum_lab.hpp"
 #include "dalembert/matrices.hpp"
+#include "n_pendulum_N1.hpp"
 #include "n_pendulum_N2.hpp"
 #include "n_pendulum_N3.hpp"
 #include "n_pendulum_N5.hpp"
+#include "n_pendulum_N8.hpp"
 #include "n_pendulum_N12.hpp"
 #include "n_pendulum_N20.hpp"
+#include "n_pendulum_N30.hpp"
 #include "spherical_pendulum_forced.hpp"
 
 namespace {
@@ -125,10 +128,13 @@ int main() {
     fmt::print("{:<28} {:<17} {:>9} {:>9} {:>6}   {:>9} {:>9} {:>6}\n", "system", "function", "generated", "by hand", "ratio", "generated", "by hand", "ratio");
     compare<cart_pendulum::lab::System, by_hand::CartPendulum<cart_pendulum::lab::Parameters<double>>>("cart_pendulum, lab");
     compare<spherical_pendulum::forced::System, by_hand::SphericalPendulum<spherical_pendulum::forced::Parameters<double>>>("spherical_pendulum, forced");
+    compare<n_pendulum_N1::full::System, by_hand::Chain<1>>("n_pendulum, N = 1");
     compare<n_pendulum_N2::full::System, by_hand::Chain<2>>("n_pendulum, N = 2");
     compare<n_pendulum_N3::full::System, by_hand::Chain<3>>("n_pendulum, N = 3");
     compare<n_pendulum_N5::full::System, by_hand::Chain<5>>("n_pendulum, N = 5");
+    compare<n_pendulum_N8::full::System, by_hand::Chain<8>>("n_pendulum, N = 8");
     compare<n_pendulum_N12::full::System, by_hand::Chain<12>>("n_pendulum, N = 12");
     compare<n_pendulum_N20::full::System, by_hand::Chain<20>>("n_pendulum, N = 20");
+    compare<n_pendulum_N30::full::System, by_hand::Chain<30>>("n_pendulum, N = 30");
     return 0;
 }
