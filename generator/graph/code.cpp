@@ -216,7 +216,7 @@ private:
         const OperationCount count = f.program.count(f.roots());
         int result = count.total() + division * count.divisions;
         if (f.loop) result += f.program.count(f.roots(), same_in_columns(f)).total() * (static_cast<int>(f.loop->columns.size()) / side_by_side - 1) + putting * n * static_cast<int>(f.loop->columns.size());
-        if (f.by_loops) result += n * n * n / 3 + 2 * n * n + static_cast<int>(f.right.columns) * 2 * n * n / side_by_side;
+        if (f.by_loops) result += n * n * n / 3 + 2 * n * n + static_cast<int>(f.right.columns) * 2 * n * n;
         return result;
     }
 
