@@ -122,6 +122,11 @@ Articulated::Articulated(Program& program, std::vector<LinkNodes> links, const R
     }
 }
 
+SixNodes Articulated::carried(std::size_t b, const ChainLoads& loads, const ChainMotion& motion) const {
+    const LinkNodes& link = links_[b];
+    return of_.sum(of_.times(link.transfer, link.base ? motion.twists[*link.base] : loads.ground), loads.remainder[b]);
+}
+
 ChainMotion Articulated::solve(const ChainLoads& loads) const {
     ChainMotion motion{loads.rest, {}};
     std::vector<SixNodes> force = loads.force;
@@ -135,7 +140,7 @@ ChainMotion Articulated::solve(const ChainLoads& loads) const {
     }
     for (std::size_t b = 0; b < links_.size(); ++b) {
         const LinkNodes& link = links_[b];
-        SixNodes acceleration = of_.sum(of_.times(link.transfer, link.base ? motion.twists[*link.base] : loads.ground), loads.remainder[b]);
+        SixNodes acceleration = carried(b, loads, motion);
         for (std::size_t j = 0; j < link.directions.size(); ++j) {
             NodeId& own = motion.accelerations[link.coordinates[j]];
             own = accelerate(of_, link.directions[j], eliminated_[b][j], own, acceleration);
@@ -149,7 +154,7 @@ ChainMotion Articulated::moved(const ChainLoads& loads, std::vector<NodeId> acce
     ChainMotion motion{std::move(accelerations), {}};
     for (std::size_t b = 0; b < links_.size(); ++b) {
         const LinkNodes& link = links_[b];
-        SixNodes acceleration = of_.sum(of_.times(link.transfer, link.base ? motion.twists[*link.base] : loads.ground), loads.remainder[b]);
+        SixNodes acceleration = carried(b, loads, motion);
         for (std::size_t j = 0; j < link.coordinates.size(); ++j)
             for (std::size_t r = 0; r < 6; ++r) acceleration[r] = of_.plus(acceleration[r], {{link.directions[j][r], motion.accelerations[link.coordinates[j]]}});
         motion.twists.push_back(acceleration);

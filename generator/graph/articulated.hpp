@@ -86,6 +86,9 @@ public:
     const SixBySix& inertia_left(std::size_t link) const { return left_[link]; }
 
 private:
+    /// What a link is accelerated with before its own coordinates.
+    SixNodes carried(std::size_t link, const ChainLoads& loads, const ChainMotion& motion) const;
+
     NodeAlgebra of_;
     std::vector<LinkNodes> links_;
     std::vector<std::vector<EliminatedCoordinate>> eliminated_;

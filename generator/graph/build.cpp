@@ -22,6 +22,22 @@ std::optional<std::uint32_t> ParameterCache::find(const Polynomial& p) const {
     return found == index_.end() ? std::nullopt : std::optional(found->second);
 }
 
+NodeId reciprocal(Atoms& atoms, ParameterCache& cache, Program& program, NodeId x) {
+    const Node& node = program[x];
+    std::optional<Polynomial> value;
+    if (node.kind == Node::Kind::cached) value = cache.values()[node.index];
+    if (node.kind == Node::Kind::symbol && !atoms[node.index].is_dynamic) value = Polynomial::letter(node.index);
+    if (!value || value->is_zero()) return program.reciprocal(x);
+    Polynomial inverse;
+    if (value->is_monomial()) {
+        const auto& [monomial, coefficient] = *value->terms().begin();
+        inverse.add(raised(monomial, -1), Rational(1) / coefficient);
+    } else {
+        inverse = Polynomial::letter(atoms.letter(Op::sum, {*value}), -1);
+    }
+    return program.cached(cache.add(inverse));
+}
+
 ProgramBuilder::ProgramBuilder(const Atoms& atoms, ParameterCache& cache, ParameterParts parts, Program& program)
     : atoms_(atoms), cache_(cache), parts_(parts), program_(program), network_{} {}
 

@@ -24,6 +24,9 @@ private:
     std::map<Polynomial, std::uint32_t> index_;
 };
 
+/// 1/x, from the cache where x depends on parameters alone.
+NodeId reciprocal(Atoms& atoms, ParameterCache& cache, Program& program, NodeId x);
+
 /// How parts that depend on parameters alone are treated.
 enum class ParameterParts {
     cached,      ///< moved to the cache, which grows

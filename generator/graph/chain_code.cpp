@@ -27,7 +27,33 @@ struct PartNodes {
     }
 };
 
-}  // namespace
+class ChainCode {
+public:
+    /// Adds to the roots what a function needs: the motion, and the columns of a Jacobian.
+    ChainCode(const System& system, const LoweredChain& chain, std::optional<By> by, Roots& roots);
+
+    /// When the builder has been prepared. Letters of links get their values.
+    ChainNodes nodes(ProgramBuilder& builder, const Atoms& atoms) const;
+    /// From accelerations and rates of twists. The results are for the caller to solve for.
+    ChainColumn column(ProgramBuilder& builder, Program& program, const ChainNodes& nodes, const ChainMotion& motion) const;
+
+private:
+    struct SlopeRoots {
+        std::size_t of, letters, parts;
+    };
+    struct LinkRoots {
+        std::size_t letters, parts;
+        std::vector<SlopeRoots> by_base, by_own, by_column;
+    };
+    struct ColumnRoots {
+        std::size_t of, ground, rest;
+    };
+    const Chain& chain_;
+    const LoweredChain& lowered_;
+    std::vector<LinkRoots> links_;
+    std::size_t ground_, rest_;
+    std::vector<ColumnRoots> columns_;
+};
 
 ChainCode::ChainCode(const System& system, const LoweredChain& chain, std::optional<By> by, Roots& roots) : chain_(*system.chain), lowered_(chain) {
     const auto slopes = [&](const std::vector<LoweredLink::Slope>& of) {
@@ -127,6 +153,56 @@ ChainColumn ChainCode::column(ProgramBuilder& builder, Program& program, const C
         for (std::size_t j = 0; j < chain_.rest.size(); ++j) result.loads.rest[j] = of.plus(result.loads.rest[j], {{builder.root(column.rest + j), change}});
     }
     result.columns.assign(columns.begin(), columns.end());
+    return result;
+}
+
+}  // namespace
+
+void make_chain_function(Code& code, const LoweredSystem& lowered, FunctionCode& f, std::optional<By> by, ChainFunction kind, ParameterParts parts) {
+    const bool is_solved = kind == ChainFunction::solved;
+    const auto& letters = code.system.symbols.all(SymbolKind::acceleration);
+    ProgramBuilder builder(code.atoms, code.cache, parts, f.program);
+    Roots roots;
+    const ChainCode chain(code.system, *lowered.chain, by, roots);
+    const std::size_t rates = is_solved ? roots.add(lowered.state_rate) : 0;
+    const std::size_t below = by ? roots.add(lowered.partial(*by).state_rate) : 0;
+    builder.prepare(roots.polynomials());
+
+    f.chain = chain.nodes(builder, code.atoms);
+    const Articulated solver(f.program, f.chain->links, [&](NodeId pivot) { return f.chain->inverses.emplace_back(reciprocal(code.atoms, code.cache, f.program, pivot)); });
+    ChainMotion motion;
+    if (is_solved) {
+        motion = solver.solve(f.chain->loads);
+        f.accelerations = motion.accelerations;
+        for (std::size_t j = 0; j < letters.size(); ++j) builder.define(code.atoms.symbol(letters[j]), motion.accelerations[j]);
+        for (std::size_t i = 0; i < lowered.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
+    } else {
+        std::vector<NodeId> known;
+        for (const Variable& letter : letters) known.push_back(f.program.symbol(code.atoms.symbol(letter)));
+        motion = solver.moved(f.chain->loads, std::move(known));
+    }
+    if (!by) return;
+    f.loop = chain.column(builder, f.program, *f.chain, motion);
+    f.loop->results = solver.solve(f.loop->loads).accelerations;
+    const std::size_t columns = lowered.partial(*by).state_rate.size(), rows = lowered.state_rate.size();
+    f.right = {0, columns, {}};
+    f.below = {rows, columns, {}};
+    for (std::size_t i = 0; i < columns * rows; ++i) f.below.entries.push_back(builder.root(below + i));
+    if (!is_solved) f.note_letters(code.atoms);
+}
+
+int cost(const FunctionCode& f, std::size_t order) {
+    constexpr int side_by_side = 4, putting = 6, division = 10;
+    const int n = static_cast<int>(order);
+    const OperationCount count = f.program.count(f.roots());
+    int result = count.total() + division * count.divisions;
+    if (f.loop) {
+        std::vector<bool> same = f.varying();
+        same.flip();
+        const int columns = static_cast<int>(f.loop->columns.size());
+        result += f.program.count(f.roots(), same).total() * (columns / side_by_side - 1) + putting * n * columns;
+    }
+    if (f.by_loops) result += n * n * n / 3 + 2 * n * n + static_cast<int>(f.right.columns) * 2 * n * n;
     return result;
 }
 

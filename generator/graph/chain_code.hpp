@@ -3,37 +3,18 @@
 #pragma once
 
 #include "graph/code.hpp"
-#include "graph/lowered_chain.hpp"
+#include "graph/lowered_system.hpp"
 #include "graph/roots.hpp"
 
 namespace dalembert {
 
-class ChainCode {
-public:
-    /// Adds to the roots what a function needs: the motion, and the columns of a Jacobian.
-    ChainCode(const System& system, const LoweredChain& chain, std::optional<By> by, Roots& roots);
+enum class ChainFunction { solved, of_known_motion };
 
-    /// When the builder has been prepared. Letters of links get their values.
-    ChainNodes nodes(ProgramBuilder& builder, const Atoms& atoms) const;
-    /// From accelerations and rates of twists. The results are for the caller to solve for.
-    ChainColumn column(ProgramBuilder& builder, Program& program, const ChainNodes& nodes, const ChainMotion& motion) const;
+/// The motion, or only a Jacobian of it at accelerations that the caller knows, or both, from body to body. Fills all of `f`.
+void make_chain_function(Code& code, const LoweredSystem& lowered, FunctionCode& f, std::optional<By> by, ChainFunction kind, ParameterParts parts);
 
-private:
-    struct SlopeRoots {
-        std::size_t of, letters, parts;
-    };
-    struct LinkRoots {
-        std::size_t letters, parts;
-        std::vector<SlopeRoots> by_base, by_own, by_column;
-    };
-    struct ColumnRoots {
-        std::size_t of, ground, rest;
-    };
-    const Chain& chain_;
-    const LoweredChain& lowered_;
-    std::vector<LinkRoots> links_;
-    std::size_t ground_, rest_;
-    std::vector<ColumnRoots> columns_;
-};
+/// Operations, with those of loops over columns and of solves with M of order n: columns go side by side and are put to their places,
+/// divisions go one after the other. The weights were found by timing both ways for chains and arms.
+int cost(const FunctionCode& f, std::size_t n);
 
 }  // namespace dalembert

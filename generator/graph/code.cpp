@@ -79,6 +79,10 @@ private:
             s.is_zero.push_back(p.is_zero());
             s.is_constant = s.is_constant && !code_->atoms.is_dynamic(p);
         }
+        if (lowered_.has_long_chain) {  // what is solved with M at all, as series, does so on the spot
+            s.is_constant = s.unrolled = false;
+            return;
+        }
         s.unrolled = should_unroll(n_, s.is_zero) || !lowered_.held.empty() || multipliers_ > 0 || !system_.scene.modes.empty();
         if (s.unrolled && s.is_constant) s.first_cached = code_->cache.reserve(lowered_.solve_mass.size());
     }
@@ -98,22 +102,7 @@ private:
         return result;
     }
 
-    /// 1/x, from the cache where x depends on parameters alone.
-    NodeId reciprocal(Program& program, NodeId x) {
-        const Node& node = program[x];
-        std::optional<Polynomial> value;
-        if (node.kind == Node::Kind::cached) value = code_->cache.values()[node.index];
-        if (node.kind == Node::Kind::symbol && !code_->atoms[node.index].is_dynamic) value = Polynomial::letter(node.index);
-        if (!value || value->is_zero()) return program.reciprocal(x);
-        Polynomial inverse;
-        if (value->is_monomial()) {
-            const auto& [monomial, coefficient] = *value->terms().begin();
-            inverse.add(raised(monomial, -1), Rational(1) / coefficient);
-        } else {
-            inverse = Polynomial::letter(code_->atoms.letter(Op::sum, {*value}), -1);
-        }
-        return program.cached(code_->cache.add(inverse));
-    }
+    NodeId reciprocal(Program& program, NodeId x) { return dalembert::reciprocal(code_->atoms, code_->cache, program, x); }
 
     Letter letter(SymbolKind kind, std::size_t position) const { return code_->atoms.symbol(system_.symbols.all(kind)[position]); }
     Letter acceleration_letter(std::size_t j) const { return letter(SymbolKind::acceleration, j); }
@@ -185,7 +174,7 @@ private:
     /// rhs, alone or together with its Jacobian: in the way that takes fewer operations.
     void motion_function(Function which, std::optional<By> by) {
         FunctionCode& f = (*code_)[which];
-        if (code_->has_long_chain) return chain_function(f, by, true, ParameterParts::cached);
+        if (code_->has_long_chain) return make_chain_function(*code_, lowered_, f, by, ChainFunction::solved, ParameterParts::cached);
         const LoweredSystem::Columns* columns = by ? &lowered_.partial(*by) : nullptr;
         const Solve& s = code_->solve;
         const ParameterCache before = code_->cache;
@@ -203,54 +192,9 @@ private:
         if (!lowered_.chain || s.is_constant) return;
         const ParameterCache with_these = std::exchange(code_->cache, before);
         FunctionCode from_body_to_body;
-        chain_function(from_body_to_body, by, true, ParameterParts::cached);
-        if (cost(from_body_to_body) < cost(f)) f = std::move(from_body_to_body);
+        make_chain_function(*code_, lowered_, from_body_to_body, by, ChainFunction::solved, ParameterParts::cached);
+        if (cost(from_body_to_body, n_) < cost(f, n_)) f = std::move(from_body_to_body);
         else code_->cache = with_these;
-    }
-
-    /// Operations, with those of loops: columns go side by side and are put to their places, divisions go one after the other. The weights
-    /// were found by timing both ways for chains and arms.
-    int cost(const FunctionCode& f) const {
-        constexpr int side_by_side = 4, putting = 6, division = 10;
-        const int n = static_cast<int>(n_);
-        const OperationCount count = f.program.count(f.roots());
-        int result = count.total() + division * count.divisions;
-        if (f.loop) result += f.program.count(f.roots(), same_in_columns(f)).total() * (static_cast<int>(f.loop->columns.size()) / side_by_side - 1) + putting * n * static_cast<int>(f.loop->columns.size());
-        if (f.by_loops) result += n * n * n / 3 + 2 * n * n + static_cast<int>(f.right.columns) * 2 * n * n;
-        return result;
-    }
-
-    static std::vector<bool> same_in_columns(const FunctionCode& f) {
-        std::vector<bool> same = f.varying();
-        same.flip();
-        return same;
-    }
-
-    /// The motion, solved for or known to the caller, alone or together with a Jacobian, from body to body.
-    void chain_function(FunctionCode& f, std::optional<By> by, bool is_solved, ParameterParts kind) {
-        ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program);
-        Roots roots;
-        const ChainCode chain(system_, *lowered_.chain, by, roots);
-        const std::size_t rates = roots.add(lowered_.state_rate);
-        const std::size_t below = by ? roots.add(lowered_.partial(*by).state_rate) : 0;
-        builder.prepare(roots.polynomials());
-
-        f.chain = chain.nodes(builder, code_->atoms);
-        const Articulated solver(f.program, f.chain->links, [&](NodeId pivot) { return f.chain->inverses.emplace_back(reciprocal(f.program, pivot)); });
-        std::vector<NodeId> letters;
-        for (std::size_t j = 0; j < degrees_; ++j) letters.push_back(f.program.symbol(acceleration_letter(j)));
-        const ChainMotion motion = is_solved ? solver.solve(f.chain->loads) : solver.moved(f.chain->loads, letters);
-        for (std::size_t j = 0; is_solved && j < degrees_; ++j) builder.define(acceleration_letter(j), motion.accelerations[j]);
-        if (is_solved) f.accelerations = motion.accelerations;
-        for (std::size_t i = 0; is_solved && i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
-        if (!by) return;
-        f.loop = chain.column(builder, f.program, *f.chain, motion);
-        f.loop->results = solver.solve(f.loop->loads).accelerations;
-        const std::size_t count = lowered_.partial(*by).state_rate.size(), m = lowered_.state_rate.size();
-        f.right = {0, count, {}};
-        f.below = {m, count, {}};
-        for (std::size_t i = 0; i < count * m; ++i) f.below.entries.push_back(builder.root(below + i));
-        if (!is_solved) note_accelerations(f);
     }
 
     /// Where the parts of a Jacobian begin among the roots.
@@ -298,7 +242,7 @@ private:
     /// With multipliers the motion is solved for first, since their values are known nowhere else.
     void jacobian(Function which, By by, ParameterParts kind) {
         FunctionCode& f = (*code_)[which];
-        if (code_->has_long_chain) return chain_function(f, by, false, kind);
+        if (code_->has_long_chain) return make_chain_function(*code_, lowered_, f, by, ChainFunction::of_known_motion, kind);
         const Solve& s = code_->solve;
         const LoweredSystem::Columns& columns = lowered_.partial(by);
         ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program);
@@ -314,7 +258,7 @@ private:
             if (s.unrolled) f.factors = factors(f.program, f.mass);
         }
         take_columns(f, builder, columns, parts);
-        note_accelerations(f);
+        f.note_letters(code_->atoms);
     }
 
     /// Values that contain multipliers, or their rates, bring the solve for them along.
@@ -338,7 +282,7 @@ private:
             for (std::size_t i = 0; i < lowered_.held_jerks.size(); ++i) builder.define(letter(SymbolKind::jerk, system_.motion.accelerations[i].first), builder.root(jerks + i));
         }
         for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(first + i));
-        note_accelerations(f);
+        f.note_letters(code_->atoms);
     }
 
     bool contain(const std::vector<Polynomial>& polynomials, SymbolKind kind) const {
@@ -375,7 +319,7 @@ private:
         for (std::size_t i = 0; i < columns.size() * outputs; ++i) f.by_output.entries.push_back(builder.root(first + i));
         for (std::size_t i = 0; i < (degrees_ + multipliers_) * outputs; ++i) f.by_acceleration.entries.push_back(builder.root(second + i));
         if (has_multipliers) chain_outputs(f);
-        note_accelerations(f);
+        f.note_letters(code_->atoms);
     }
 
     /// Multipliers are no part of dx/dt, through which other outputs get their slopes: the whole slope is made here.
@@ -420,16 +364,6 @@ private:
         make_resets(*code_, lowered_, [this](Program& program, const std::vector<NodeId>& mass) { return factors(program, mass); });
     }
 
-    void note_accelerations(FunctionCode& f) {
-        for (const NodeId id : f.program.in_order(f.roots())) {
-            const Node& node = f.program[id];
-            if (node.kind != Node::Kind::symbol) continue;
-            const Variable* variable = code_->atoms[node.index].variable;
-            f.uses_accelerations = f.uses_accelerations || (variable != nullptr && variable->kind == SymbolKind::acceleration);
-            f.uses_jerks = f.uses_jerks || (variable != nullptr && variable->kind == SymbolKind::jerk);
-        }
-    }
-
     /// Definitions and cached values; last, because the other functions decide what is cached.
     void update() {
         FunctionCode& f = (*code_)[Function::update];
@@ -438,12 +372,12 @@ private:
         Roots roots;
         const std::size_t definitions = roots.add(lowered_.definitions);
         const std::size_t cached = roots.add(code_->cache.values());
-        const std::size_t mass = s.is_constant && !code_->has_long_chain ? roots.add(lowered_.solve_mass) : 0;
+        const std::size_t mass = s.is_constant ? roots.add(lowered_.solve_mass) : 0;
         builder.prepare(roots.polynomials());
         for (const std::size_t i : code_->definition_order) f.results.push_back(builder.root(definitions + i));
         for (std::size_t i = 0; i < code_->cache.values().size(); ++i) f.results.push_back(builder.root(cached + i));
-        f.by_loops = !s.unrolled && s.is_constant && !code_->has_long_chain;
-        if (!s.is_constant || code_->has_long_chain) return;
+        f.by_loops = !s.unrolled && s.is_constant;
+        if (!s.is_constant) return;
         for (std::size_t i = 0; i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(mass + i));
         if (f.by_loops) return;
         const std::vector<NodeId> lower = factorise(f.program, n_, multipliers_, f.mass);
@@ -490,6 +424,14 @@ std::vector<NodeId> FunctionCode::roots() const {
     take(by_output.entries);
     take(by_acceleration.entries);
     return all;
+}
+
+void FunctionCode::note_letters(const Atoms& atoms) {
+    for (const NodeId id : program.in_order(roots())) {
+        const Variable* variable = program[id].kind == Node::Kind::symbol ? atoms[program[id].index].variable : nullptr;
+        uses_accelerations = uses_accelerations || (variable != nullptr && variable->kind == SymbolKind::acceleration);
+        uses_jerks = uses_jerks || (variable != nullptr && variable->kind == SymbolKind::jerk);
+    }
 }
 
 std::vector<bool> FunctionCode::varying() const {

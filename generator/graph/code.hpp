@@ -7,7 +7,7 @@
 #include "form/jacobian.hpp"
 #include "graph/articulated.hpp"
 #include "graph/build.hpp"
-#include "graph/lowered_system.hpp"
+#include "graph/chain_use.hpp"
 #include "graph/rewrite.hpp"
 
 namespace dalembert {
@@ -42,6 +42,8 @@ struct FunctionCode {
     bool uses_accelerations = false;        ///< the symbols of qdd occur: they are to be computed first
     bool uses_jerks = false;                ///< those of their rates occur
 
+    /// Sets uses_accelerations and uses_jerks.
+    void note_letters(const Atoms& atoms);
     /// Whether a node differs from column to column of the loop, by number.
     std::vector<bool> varying() const;
     bool is_zero(NodeId id) const { return program.is_constant(id, 0); }

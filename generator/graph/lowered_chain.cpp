@@ -14,7 +14,7 @@ namespace {
 
 class ChainLowerer {
 public:
-    ChainLowerer(const System& system, Atoms& atoms) : system_(system), atoms_(atoms) {}
+    ChainLowerer(const System& system, Atoms& atoms, const std::vector<By>& jacobians) : system_(system), atoms_(atoms), jacobians_(jacobians) {}
 
     LoweredChain run() {
         LoweredChain result;
@@ -22,7 +22,7 @@ public:
         const std::vector<ex> ground(system_.chain->ground.begin(), system_.chain->ground.end());
         result.ground = all(ground);
         result.rest = all(system_.chain->rest);
-        for (const By by : {By::state, By::input, By::parameter, By::time}) {
+        for (const By by : jacobians_) {
             const auto variables = column_variables(system_.symbols, by);
             for (std::size_t c = 0; c < variables.size(); ++c) {
                 const auto slope = [&](const std::vector<ex>& of) { return derivatives(of, [&](const ex& e) { return by_column(system_, e, *variables[c]); }); };
@@ -51,7 +51,7 @@ private:
         if (link.base) by_letters(result.by_base, system_.chain->links[*link.base]);
         by_letters(result.by_own, link);
         const bool has_definitions = std::any_of(symbols.begin(), symbols.end(), [&](const ex& s) { return kind_of(s) == SymbolKind::definition; });
-        for (const By by : {By::state, By::input, By::parameter, By::time}) {
+        for (const By by : jacobians_) {
             const auto variables = column_variables(system_.symbols, by);
             for (std::size_t c = 0; c < variables.size(); ++c) {
                 if (!symbols.contains(variables[c]->symbol) && !(by == By::parameter && has_definitions)) continue;
@@ -96,10 +96,11 @@ private:
 
     const System& system_;
     Atoms& atoms_;
+    const std::vector<By>& jacobians_;
 };
 
 }  // namespace
 
-LoweredChain lower_chain(const System& system, Atoms& atoms) { return ChainLowerer(system, atoms).run(); }
+LoweredChain lower_chain(const System& system, Atoms& atoms, const std::vector<By>& jacobians) { return ChainLowerer(system, atoms, jacobians).run(); }
 
 }  // namespace dalembert

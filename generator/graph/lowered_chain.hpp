@@ -28,7 +28,8 @@ struct LoweredChain {
     std::array<std::vector<Column>, 4> by;
 };
 
-LoweredChain lower_chain(const System& system, Atoms& atoms);
+/// With slopes by the columns of these Jacobians.
+LoweredChain lower_chain(const System& system, Atoms& atoms, const std::vector<By>& jacobians);
 
 /// Calls visit(polynomial) for each.
 template <class Visit>

@@ -45,7 +45,7 @@ public:
         for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
         l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power, system_.prescribed_power, system_.internal_energy, system_.exchanged_power});
 
-        if (system_.chain && chain_ != ChainUse::never) l.chain = lower_chain(system_, atoms_);
+        if (system_.chain && chain_ != ChainUse::never) l.chain = lower_chain(system_, atoms_, l.has_long_chain ? std::vector<By>{By::state, By::input, By::parameter, By::time} : std::vector<By>{By::state});
 
         canonicalise(l);
         if (!rewrites) return l;

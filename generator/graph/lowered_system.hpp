@@ -3,13 +3,11 @@
 #pragma once
 
 #include "form/jacobian.hpp"
+#include "graph/chain_use.hpp"
 #include "graph/lowered_chain.hpp"
 #include "graph/rewrite.hpp"
 
 namespace dalembert {
-
-/// Where bodies are placed on each other: whether the motion is solved for from body to body.
-enum class ChainUse { where_shorter, wherever_possible, never };
 
 /// Everything that is emitted as polynomials over the same atoms.
 struct LoweredSystem {

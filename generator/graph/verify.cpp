@@ -135,26 +135,17 @@ private:
     void chain_columns(Function function, By by) {
         const FunctionCode& f = code_[function];
         const Partials p = partials(system_, by);
-        Raiser plain(f.program, code_.atoms, cached_), with_letters = plain;
-        for (std::size_t j = 0; j < f.accelerations.size(); ++j) with_letters.define(f.accelerations[j], acceleration(j));
-        // What is the same in all columns is raised once.
-        const std::vector<bool> varies = f.varying();
-        for (const NodeId id : f.program.in_order(f.loop->results))
-            for (const NodeId argument : f.program[id].arguments)
-                if (varies[id] && !varies[argument]) with_letters(argument);
-        const auto column_of = [&](std::size_t c, Raiser raise) {
-            for (const std::size_t k : f.loop->columns) raise.define(*f.program.find(Op::in_column, static_cast<long>(k)), k == c ? 1 : 0);
-            return meant_force(f.chain->links, f.loop->loads, raise);
-        };
+        Raiser plain(f.program, code_.atoms, cached_);
+        const MeantColumns columns(f, system_, plain);
         const GiNaC::exmap known = solutions(f, plain);
-        for (std::size_t c = 0; c < p.residual.size(); ++c) {
-            const std::vector<ex> meant = column_of(c, with_letters);
-            for (std::size_t j = 0; j < meant.size(); ++j) {
-                if (entry(std::string("emitted = derived, ") + name_of(function)).result.verdict == Verdict::wrong) return;
-                if (prover_.proven_equal(meant[j], -p.residual[c][j])) compare(function, 0, 0);
-                else compare(function, column_of(c, plain)[j], (-p.residual[c][j]).subs(known, GiNaC::subs_options::no_pattern));
-            }
-            for (std::size_t i = 0; i < p.state_rate[c].size(); ++i) compare(function, plain(f.below.at(i, c)), p.state_rate[c][i].subs(known, GiNaC::subs_options::no_pattern));
+        const auto with_solutions = [&](const ex& e) { return e.subs(known, GiNaC::subs_options::no_pattern); };
+        const AuditEntry& e = entry(std::string("emitted = derived, ") + name_of(function));
+        const auto is_open = [&] { return e.result.verdict != Verdict::wrong; };  // with solutions for letters comparisons take long
+        for (std::size_t c = 0; c < p.residual.size() && is_open(); ++c) {
+            const std::vector<ex> meant = columns.with_letters(c);
+            for (std::size_t j = 0; j < meant.size() && is_open(); ++j)
+                if (!prover_.proven_equal(meant[j], -p.residual[c][j])) compare(function, columns.with_solutions(c)[j], with_solutions(-p.residual[c][j]));
+            for (std::size_t i = 0; i < p.state_rate[c].size(); ++i) compare(function, plain(f.below.at(i, c)), with_solutions(p.state_rate[c][i]));
         }
     }
 

@@ -179,7 +179,19 @@ private:
 
 }  // namespace
 
-std::vector<ex> meant_force(const std::vector<LinkNodes>& links, const ChainLoads& loads, Raiser& raise) { return meant_force(links, transfers_of(links, raise), loads, raise); }
+MeantColumns::MeantColumns(const FunctionCode& f, const System& system, const Raiser& plain) : f_(f), plain_(plain), with_letters_(plain) {
+    for (std::size_t j = 0; j < f.accelerations.size(); ++j) with_letters_.define(f.accelerations[j], system.symbols.get(SymbolKind::acceleration, j));
+    // What is the same in all columns is raised once.
+    const std::vector<bool> varies = f.varying();
+    for (const NodeId id : f.program.in_order(f.loop->results))
+        for (const NodeId argument : f.program[id].arguments)
+            if (varies[id] && !varies[argument]) with_letters_(argument);
+}
+
+std::vector<ex> MeantColumns::force(std::size_t column, Raiser raise) const {
+    for (const std::size_t k : f_.loop->columns) raise.define(*f_.program.find(Op::in_column, static_cast<long>(k)), k == column ? 1 : 0);
+    return meant_force(f_.chain->links, transfers_of(f_.chain->links, raise), f_.loop->loads, raise);
+}
 
 MeantMotion meant_motion(const std::vector<LinkNodes>& links, const ChainLoads& loads, Raiser& raise) {
     const std::vector<TwistMatrix> transfers = transfers_of(links, raise);

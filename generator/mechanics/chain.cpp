@@ -77,15 +77,19 @@ private:
         return base;
     }
 
-    /// Along the motion, with the twist of the base held: accelerations are zero.
+    /// Along the motion, with the twist of the base held.
+    ex moved(const ex& e, const Base& base) const {
+        const ex own = symbols_.time_derivative(e);
+        return base.turns_in_plane ? own + base.twist[2] * (partial(e, base.sin) * base.cos - partial(e, base.cos) * base.sin) : own;
+    }
+
+    /// The same without accelerations.
     ex rate(const ex& e, const Base& base) const {
-        ex result = symbols_.time_derivative(e);
-        if (base.turns_in_plane) result += base.twist[2] * (partial(e, base.sin) * base.cos - partial(e, base.cos) * base.sin);
+        const ex result = moved(e, base);
         GiNaC::exmap still;
         for (const Variable& a : symbols_.all(SymbolKind::acceleration)) still[a.symbol] = 0;
         return result.subs(still, GiNaC::subs_options::no_pattern);
     }
-    SpaceVector rate(const SpaceVector& v, const Base& base) const { return {rate(v[0], base), rate(v[1], base), rate(v[2], base)}; }
 
     /// The coordinates in what places a body. False where one of them has moved another body already, or a plain state does.
     bool take_coordinates(const std::vector<ex>& placement, std::vector<std::size_t>& coordinates) {
@@ -116,7 +120,7 @@ private:
         const Base& on = base ? bases_[*link.base] : ground_;
         if (!is_fixed(body.mass) || !is_fixed(body.inertia)) return false;
         Base own = base_of(body.member.name(), body);
-        Twist velocity;
+        Twist velocity;  // of letters of the base
         if (!(body.frame ? add_in_space(link, body, on, own, velocity) : add_in_plane(link, body, on, own, velocity))) return false;
         finish(link, on, own, velocity, !base);
         places_[i] = chain_.links.size();
@@ -141,20 +145,12 @@ private:
             link.letters = {{own.cos, on.cos * c - on.sin * s}, {own.sin, on.sin * c + on.cos * s}};
         }
         // What has no place is at the origin.
-        SpaceVector moved{symbols_.time_derivative(position[0]), symbols_.time_derivative(position[1]), symbols_.time_derivative(position[2])};
-        if (on.turns_in_plane) moved = moved + turning_of_letters(position, on);
-        velocity = joined(omega, part(on.twist, linear) + moved);
+        velocity = joined(omega, part(on.twist, linear) + SpaceVector{moved(position[0], on), moved(position[1], on), moved(position[2], on)});
         link.inertia.fill({0, 0, 0, 0, 0, 0});
         link.inertia[2][2] = body.inertia;
         for (std::size_t k = linear; body.has_position && k < 6; ++k) link.inertia[k][k] = body.mass;
         link.force.fill(0);
         return true;
-    }
-
-    /// What the turning of the base adds to the rate of a vector that is made of its cos and sin.
-    static SpaceVector turning_of_letters(const SpaceVector& v, const Base& on) {
-        const auto one = [&](const ex& e) { return on.twist[2] * (partial(e, on.sin) * on.cos - partial(e, on.cos) * on.sin); };
-        return {one(v[0]), one(v[1]), one(v[2])};
     }
 
     bool add_in_space(ChainLink& link, const BodyMotion& body, const Base& on, const Base& own, Twist& velocity) {
