@@ -180,12 +180,16 @@ std::array<Scalar, n * n> network_inverse(std::array<Scalar, n * n> flow) noexce
     return inverse;
 }
 
-/// Of a comparison of several numbers at once nothing is certain.
+/// Whether a comparison holds; of several numbers at once, whether it holds for all of them. Types that cannot tell are never certain.
+inline bool is_certain(bool condition, int) noexcept { return condition; }
 template <class Condition>
-bool is_certain(const Condition&) noexcept {
+auto is_certain(const Condition& condition, int) noexcept -> decltype(static_cast<bool>(all(condition))) {
+    return static_cast<bool>(all(condition));
+}
+template <class Condition>
+bool is_certain(const Condition&, ...) noexcept {
     return false;
 }
-inline bool is_certain(bool condition) noexcept { return condition; }
 
 /// The T >= 0 with g T + r T^4 = y, to a hundredth part, where Newton's steps begin: two of them from the least of what either loss alone
 /// would ask for, which is above T; radiant_temperature has their errors. Needs select.
@@ -212,7 +216,7 @@ Scalar temperature_giving_off(const Scalar& g, const Scalar& r, const Scalar& y)
 /// heat between nodes is computed from differences, so that strong links do not hide weak ones. What would change by more than an
 /// eighth what a node gives off, y_i = G_i*T_i + R_i*T_i^4, is taken in y_i, of which the shares to others have bounded slopes;
 /// smaller steps are as good in T_i itself and need no roots. Stops when a step changes less than half of the digits, one step later,
-/// and always after 40 steps; types whose comparisons are no bool take them all. Over coefficients that differ by eight powers of ten at
+/// and always after 40 steps; types that cannot tell take them all. Over coefficients that differ by eight powers of ten at
 /// most 30 were needed. Needs select, network.
 template <class Scalar, std::size_t n>
 std::array<Scalar, n> balanced_temperature(const std::array<Scalar, 2 * n * n + n>& data) noexcept {
@@ -262,14 +266,15 @@ std::array<Scalar, n> balanced_temperature(const std::array<Scalar, 2 * n * n + 
             const Scalar gives_off = (all_g[j] + radiates) * T[j];
             const Scalar more = (all_g[j] + Scalar(4) * radiates) * change[j];
             Scalar next = T[j] + change[j];
-            if (!is_certain(abs(more) * Scalar(8) <= gives_off)) {
+            const auto is_small = abs(more) * Scalar(8) <= gives_off;
+            if (!is_certain(is_small, 0)) {
                 const Scalar y = gives_off + more;
                 const Scalar least = T[j] / Scalar(4);
                 const auto is_positive = y > Scalar(0);
-                next = select(is_positive, temperature_giving_off<Scalar>(all_g[j], all_r[j], select(is_positive, y, Scalar(1))), least);
-                next = select(next < least, least, next);
+                const Scalar asked = select(is_positive, temperature_giving_off<Scalar>(all_g[j], all_r[j], select(is_positive, y, Scalar(1))), least);
+                next = select(is_small, next, select(asked < least, least, asked));
             }
-            is_close = is_close && is_certain(abs(Scalar(next - T[j])) <= half_the_digits * next);
+            is_close = is_close && is_certain(abs(Scalar(next - T[j])) <= half_the_digits * next, 0);
             T[j] = next;
         }
         is_last = is_close;

@@ -184,7 +184,7 @@ namespace detail {
 /// Whether a value is equal to a sum of terms of a size, but for what a run leaves of it within its tolerance: half of the digits. What is
 /// to be zero, a sum without terms, is zero exactly.
 template <class Scalar>
-bool is_near(const Scalar& a, const Scalar& sum, const Scalar& size) noexcept {
+auto is_near(const Scalar& a, const Scalar& sum, const Scalar& size) noexcept {
     using std::abs;
     using std::sqrt;
     return abs(a - sum) <= sqrt(std::numeric_limits<Scalar>::epsilon()) * size;

@@ -145,7 +145,7 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar independent_inverse(const Scalar& x, const Scalar& size) noexcept {
     using std::abs;
-    const bool is_rest = abs(x) <= Scalar(10000) * std::numeric_limits<Scalar>::epsilon() * abs(size);  // what is no number is none
+    const auto is_rest = abs(x) <= Scalar(10000) * std::numeric_limits<Scalar>::epsilon() * abs(size);  // what is no number is none
     return select(is_rest, Scalar(0), Scalar(1) / select(is_rest, Scalar(1), x));
 }
 

@@ -132,7 +132,7 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar inverse_norm(const Scalar& x) noexcept {
     using std::sqrt;
-    const bool is_zero = x == Scalar(0);
+    const auto is_zero = x == Scalar(0);
     return select(is_zero, Scalar(0), Scalar(1) / sqrt(select(is_zero, Scalar(1), x)));
 }
 

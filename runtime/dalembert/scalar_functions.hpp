@@ -38,7 +38,7 @@ Scalar step(const Scalar& x) noexcept {
 /// Whether a value is equal to a sum of terms of a size, but for what a run leaves of it within its tolerance: half of the digits. What is
 /// to be zero, a sum without terms, is zero exactly.
 template <class Scalar>
-bool is_near(const Scalar& a, const Scalar& sum, const Scalar& size) noexcept {
+auto is_near(const Scalar& a, const Scalar& sum, const Scalar& size) noexcept {
     using std::abs;
     using std::sqrt;
     return abs(a - sum) <= sqrt(std::numeric_limits<Scalar>::epsilon()) * size;
@@ -66,7 +66,7 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar inverse_norm(const Scalar& x) noexcept {
     using std::sqrt;
-    const bool is_zero = x == Scalar(0);
+    const auto is_zero = x == Scalar(0);
     return select(is_zero, Scalar(0), Scalar(1) / sqrt(select(is_zero, Scalar(1), x)));
 }
 // end inverse_norm
@@ -76,7 +76,7 @@ Scalar inverse_norm(const Scalar& x) noexcept {
 template <class Scalar>
 Scalar independent_inverse(const Scalar& x, const Scalar& size) noexcept {
     using std::abs;
-    const bool is_rest = abs(x) <= Scalar(10000) * std::numeric_limits<Scalar>::epsilon() * abs(size);  // what is no number is none
+    const auto is_rest = abs(x) <= Scalar(10000) * std::numeric_limits<Scalar>::epsilon() * abs(size);  // what is no number is none
     return select(is_rest, Scalar(0), Scalar(1) / select(is_rest, Scalar(1), x));
 }
 // end independent_inverse
@@ -96,7 +96,7 @@ Scalar one_minus_cos(const Scalar& x) noexcept {
 template <class Scalar>
 Scalar sinc(const Scalar& x) noexcept {
     using std::sin;
-    const bool is_zero = x == Scalar(0);
+    const auto is_zero = x == Scalar(0);
     const Scalar divisor = select(is_zero, Scalar(1), x);
     return select(is_zero, Scalar(1), Scalar(sin(divisor) / divisor));
 }
@@ -144,7 +144,7 @@ Scalar cosc_slope(const Scalar& x) noexcept {
 template <class Scalar>
 Scalar growth_mean(const Scalar& x) noexcept {
     using std::expm1;
-    const bool is_zero = x == Scalar(0);
+    const auto is_zero = x == Scalar(0);
     const Scalar divisor = select(is_zero, Scalar(1), x);
     return select(is_zero, Scalar(1), Scalar(expm1(divisor) / divisor));
 }
@@ -155,7 +155,7 @@ Scalar growth_mean(const Scalar& x) noexcept {
 template <class Scalar>
 Scalar logc(const Scalar& x) noexcept {
     using std::log1p;
-    const bool is_zero = x == Scalar(0);
+    const auto is_zero = x == Scalar(0);
     const Scalar divisor = select(is_zero, Scalar(1), x);
     return select(is_zero, Scalar(1), Scalar(log1p(divisor) / divisor));
 }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "benchmarks/by_hand.hpp"
+#include "benchmarks/packs.hpp"
 #include "benchmarks/timing.hpp"
 #include "cart_pendulum_lab.hpp"
 #include "dalembert/matrices.hpp"
@@ -136,5 +137,6 @@ int main() {
     compare<n_pendulum_N12::full::System, by_hand::Chain<12>>("n_pendulum, N = 12");
     compare<n_pendulum_N20::full::System, by_hand::Chain<20>>("n_pendulum, N = 20");
     compare<n_pendulum_N30::full::System, by_hand::Chain<30>>("n_pendulum, N = 30");
+    time_packs();
     return 0;
 }
