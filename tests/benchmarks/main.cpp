@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Generated code beside code by hand: right-hand side, and right-hand side with Jacobian. Throughput: independent calls. Latency:
+// Generated code beside code by hand and beside that of SymPy: right-hand side, and right-hand side with Jacobian. Throughput: independent calls. Latency:
 // each call needs the result of the one before, as in an integrator. Nanoseconds a call; the ratio is what travels between machines.
+//     benchmarks [FILE]     the throughput of the chains as CSV, too
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "benchmarks/by_hand.hpp"
 #include "benchmarks/packs.hpp"
@@ -19,8 +21,16 @@
 #include "n_pendulum_N20.hpp"
 #include "n_pendulum_N30.hpp"
 #include "spherical_pendulum_forced.hpp"
+#if __has_include("sympy_chain.hpp")
+#include "sympy_chain.hpp"
+#endif
 
 namespace {
+
+/// Throughput, ns a call.
+struct Times {
+    double generated, other;
+};
 
 template <class System>
 class Benchmark {
@@ -36,8 +46,9 @@ public:
         for (double& u : input_) u = 0.7;
     }
 
+    /// rhs alone, and with the Jacobian.
     template <class Hand>
-    void against(const Hand& hand) {
+    std::array<Times, 2> against(const Hand& hand) {
         check(hand);
         using HandJacobian = typename Hand::Jacobian;
         using Jacobian = typename System::JacobianX;
@@ -50,8 +61,7 @@ public:
                 timing::keep(J);
             };
         };
-        row("rhs", rhs(system_), rhs(hand), 1);
-        row("rhs and Jacobian", both(system_, Jacobian{}), both(hand, HandJacobian{}), 4);
+        return {row("rhs", rhs(system_), rhs(hand), 1), row("rhs and Jacobian", both(system_, Jacobian{}), both(hand, HandJacobian{}), 4)};
     }
 
 private:
@@ -81,7 +91,7 @@ private:
     }
 
     template <class Generated, class Hand>
-    void row(const char* what, Generated generated, Hand hand, std::size_t weight) {
+    Times row(const char* what, Generated generated, Hand hand, std::size_t weight) {
         const std::size_t calls = 1 + 40000 / (weight * points_[0].size() * points_[0].size());
         const auto independent = [this](auto& function) {
             return [this, &function](std::size_t count) {
@@ -107,6 +117,7 @@ private:
         const auto latency = timing::in_turns(chained(generated), chained(hand), calls);
         fmt::print("{:<28} {:<17} {:>9.1f} {:>9.1f} {:>6.2f}   {:>9.1f} {:>9.1f} {:>6.2f}\n", name_, what, throughput.first, throughput.second,
                    throughput.ratio, latency.first, latency.second, latency.ratio);
+        return {throughput.first, throughput.second};
     }
 
     const char* name_;
@@ -115,28 +126,76 @@ private:
     Input input_{};
 };
 
-template <template <class> class System, class Hand>
-void compare(const char* name) {
+template <template <class> class System, class Other>
+std::array<Times, 2> compare(const char* name) {
     const System<double> system;
-    const Hand hand(system.parameters());
-    Benchmark<System<double>>(name, system).against(hand);
+    const Other other(system.parameters());
+    return Benchmark<System<double>>(name, system).against(other);
+}
+
+/// A line of the CSV for each.
+struct ChainTimes {
+    int links;
+    const char* other;
+    std::array<Times, 2> times;
+};
+
+template <template <class> class System, class Other>
+void chain(int links, const char* name, std::vector<ChainTimes>& all) {
+    all.push_back({links, name, compare<System, Other>(fmt::format("n_pendulum, N = {}", links).c_str())});
+}
+
+/// Returns false when the file cannot be written.
+bool write_csv(const std::string& path, const std::vector<ChainTimes>& all) {
+    std::ofstream out(path);
+    out << "links,other,rhs generated [ns],rhs other [ns],both generated [ns],both other [ns]\n";
+    for (const ChainTimes& row : all) out << fmt::format("{},{},{:.1f},{:.1f},{:.1f},{:.1f}\n", row.links, row.other, row.times[0].generated, row.times[0].other, row.times[1].generated, row.times[1].other);
+    out.close();
+    return static_cast<bool>(out);
+}
+
+void print_head(const char* other) {
+    fmt::print("\n{:<46} {:^26}   {:^26}\n", "", "independent calls", "each needs the one before");
+    fmt::print("{:<28} {:<17} {:>9} {:>9} {:>6}   {:>9} {:>9} {:>6}\n", "system", "function", "generated", other, "ratio", "generated", other, "ratio");
+}
+
+void beside_code_by_hand(std::vector<ChainTimes>& chains) {
+    print_head("by hand");
+    compare<cart_pendulum::lab::System, by_hand::CartPendulum<cart_pendulum::lab::Parameters<double>>>("cart_pendulum, lab");
+    compare<spherical_pendulum::forced::System, by_hand::SphericalPendulum<spherical_pendulum::forced::Parameters<double>>>("spherical_pendulum, forced");
+    chain<n_pendulum_N1::full::System, by_hand::Chain<1>>(1, "by hand", chains);
+    chain<n_pendulum_N2::full::System, by_hand::Chain<2>>(2, "by hand", chains);
+    chain<n_pendulum_N3::full::System, by_hand::Chain<3>>(3, "by hand", chains);
+    chain<n_pendulum_N5::full::System, by_hand::Chain<5>>(5, "by hand", chains);
+    chain<n_pendulum_N8::full::System, by_hand::Chain<8>>(8, "by hand", chains);
+    chain<n_pendulum_N12::full::System, by_hand::Chain<12>>(12, "by hand", chains);
+    chain<n_pendulum_N20::full::System, by_hand::Chain<20>>(20, "by hand", chains);
+    chain<n_pendulum_N30::full::System, by_hand::Chain<30>>(30, "by hand", chains);
+}
+
+void beside_sympy([[maybe_unused]] std::vector<ChainTimes>& chains) {
+#if __has_include("sympy_chain.hpp")
+    print_head("SymPy");
+    chain<n_pendulum_N1::full::System, by_sympy::Chain<1>>(1, "SymPy", chains);
+    chain<n_pendulum_N2::full::System, by_sympy::Chain<2>>(2, "SymPy", chains);
+    chain<n_pendulum_N3::full::System, by_sympy::Chain<3>>(3, "SymPy", chains);
+    chain<n_pendulum_N5::full::System, by_sympy::Chain<5>>(5, "SymPy", chains);
+    chain<n_pendulum_N8::full::System, by_sympy::Chain<8>>(8, "SymPy", chains);
+    chain<n_pendulum_N12::full::System, by_sympy::Chain<12>>(12, "SymPy", chains);
+#else
+    fmt::print("\nWithout SymPy (on Debian python3-sympy) its code is not timed.\n");
+#endif
 }
 
 }  // namespace
 
-int main() {
-    fmt::print("ns a call; below 1 the generated code is faster\n\n{:<46} {:^26}   {:^26}\n", "", "independent calls", "each needs the one before");
-    fmt::print("{:<28} {:<17} {:>9} {:>9} {:>6}   {:>9} {:>9} {:>6}\n", "system", "function", "generated", "by hand", "ratio", "generated", "by hand", "ratio");
-    compare<cart_pendulum::lab::System, by_hand::CartPendulum<cart_pendulum::lab::Parameters<double>>>("cart_pendulum, lab");
-    compare<spherical_pendulum::forced::System, by_hand::SphericalPendulum<spherical_pendulum::forced::Parameters<double>>>("spherical_pendulum, forced");
-    compare<n_pendulum_N1::full::System, by_hand::Chain<1>>("n_pendulum, N = 1");
-    compare<n_pendulum_N2::full::System, by_hand::Chain<2>>("n_pendulum, N = 2");
-    compare<n_pendulum_N3::full::System, by_hand::Chain<3>>("n_pendulum, N = 3");
-    compare<n_pendulum_N5::full::System, by_hand::Chain<5>>("n_pendulum, N = 5");
-    compare<n_pendulum_N8::full::System, by_hand::Chain<8>>("n_pendulum, N = 8");
-    compare<n_pendulum_N12::full::System, by_hand::Chain<12>>("n_pendulum, N = 12");
-    compare<n_pendulum_N20::full::System, by_hand::Chain<20>>("n_pendulum, N = 20");
-    compare<n_pendulum_N30::full::System, by_hand::Chain<30>>("n_pendulum, N = 30");
+int main(int argc, char** argv) {
+    fmt::print("ns a call; below 1 the generated code is faster\n");
+    std::vector<ChainTimes> chains;
+    beside_code_by_hand(chains);
+    beside_sympy(chains);
     time_packs();
-    return 0;
+    if (argc < 2 || write_csv(argv[1], chains)) return 0;
+    fmt::print(stderr, "cannot write {}\n", argv[1]);
+    return 3;
 }
