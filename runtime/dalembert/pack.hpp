@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Several motions at once, side by side in the registers of the processor: generated headers take a Pack for their Scalar. Needs xsimd 8
-// (on Debian libxsimd-dev), which has the arithmetic, the functions and `select` for it. Nothing else of the runtime takes packs: what steps
-// in time, and where an event ends the motion of one lane, is the caller's.
+// (on Debian libxsimd-dev), which has the arithmetic, the functions and `select` for it. lane_run.hpp integrates them.
 #pragma once
 
 #include <array>

@@ -10,7 +10,8 @@
 #include "arm_6r_plain.hpp"
 #include "benchmarks/timing.hpp"
 #include "cart_pendulum_lab.hpp"
-#include "dalembert/pack.hpp"
+#include "dalembert/lane_run.hpp"
+#include "dalembert/simulate.hpp"
 #include "hydraulic_cylinder_real.hpp"
 #include "n_pendulum_N12.hpp"
 #include "n_pendulum_N2.hpp"
@@ -81,6 +82,47 @@ void row(const char* name) {
     fmt::print("{:<28} {:>10.1f} {:>10.1f} {:>12.1f} {:>10.1f}\n", name, four.gain(false), four.gain(true), eight.gain(false), eight.gain(true));
 }
 
+/// Whole runs in four lanes beside runs one by one, from starts that differ a little.
+template <template <class> class System>
+void runs(const char* name, double until, double spread) {
+    using P = dalembert::Pack<double, 4>;
+    using One = System<double>;
+    using State = typename One::State;
+    const One one;
+    const System<P> many;
+    std::array<State, P::size> starts;
+    for (std::size_t lane = 0; lane < starts.size(); ++lane) {
+        starts[lane] = one.start_state();
+        for (double& value : starts[lane]) value *= 1 + spread * static_cast<double>(lane);
+    }
+    dalembert::IntegrationOptions<State> options;
+    options.method = dalembert::Method::dopri5;
+    options.tolerance = 1e-8;
+    const auto scale = dalembert::state_scales(one, dalembert::ZeroInputs<One>{}, starts[0], until, 10);
+    std::copy(scale.begin(), scale.end(), options.scale.begin());
+    std::size_t steps_alone = 0, steps_in_lanes = 0;
+    const auto alone = [&](std::size_t count) {
+        for (std::size_t k = 0; k < count; ++k) {
+            steps_alone = 0;
+            for (State x : starts) {
+                steps_alone += dalembert::integrate([&](const State& state, double t, State& rate) { one.rhs(state, {}, t, rate); }, x, 0.0, until, options, [](double, const State&) {}).steps;
+                timing::keep(x);
+            }
+        }
+    };
+    const auto in_lanes = [&](std::size_t count) {
+        const auto no_inputs = [](const typename System<P>::State&, const P&) { return typename System<P>::Input{}; };
+        for (std::size_t k = 0; k < count; ++k) {
+            auto x = dalembert::packed<P>(starts);
+            steps_in_lanes = 0;
+            for (const dalembert::Outcome& outcome : dalembert::integrate_lanes(many, no_inputs, x, 0.0, until, options)) steps_in_lanes += outcome.steps;
+            timing::keep(x);
+        }
+    };
+    const double gain = timing::in_turns(alone, in_lanes, 3).ratio;
+    fmt::print("{:<28} {:>10.1f} {:>10} {:>10}\n", name, gain, steps_in_lanes, steps_alone);
+}
+
 }  // namespace
 
 void time_packs() {
@@ -93,6 +135,11 @@ void time_packs() {
     row<n_pendulum_N12::full::System>("n_pendulum, N = 12");
     row<arm_6r::plain::System>("arm_6r, plain");
     row<hydraulic_cylinder::real::System>("hydraulic_cylinder, real");
+
+    fmt::print("\nwhole runs in 4 lanes of double beside runs one by one\n\n{:<28} {:>10} {:>10} {:>10}\n", "system", "gain", "steps", "one by one");
+    runs<cart_pendulum::lab::System>("cart_pendulum, lab", 10, 0.1);
+    runs<n_pendulum_N5::full::System>("n_pendulum, N = 5", 2, 0.01);
+    runs<hydraulic_cylinder::real::System>("hydraulic_cylinder, real", 0.02, 0.01);
 }
 
 #else
