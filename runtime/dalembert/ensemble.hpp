@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Many runs of a machine, each with parameters, start states or inputs of its own, over the threads of the computer.
+// Where threads are a library of their own, link it (-pthread).
 #pragma once
 
 #include <atomic>

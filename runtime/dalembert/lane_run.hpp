@@ -70,7 +70,7 @@ private:
         count(accepted, active_ & !accepted);
         retire(goes_on & is_last, Status::success);
         const Number smallest = Number(Lane(16) * std::numeric_limits<Lane>::epsilon()) * max(abs(t_), Number((to_ - from_) * std::numeric_limits<Lane>::epsilon()));
-        const Mask stuck = active_ & !accepted & (h_ < smallest);
+        const Mask stuck = active_ & !accepted & !(h_ >= smallest);  // also where the step is no number
         const Mask has_value = norm < Number(std::numeric_limits<Lane>::infinity());
         retire(stuck & has_value, Status::step_too_small);
         retire(stuck & !has_value, Status::not_finite);
@@ -103,7 +103,6 @@ private:
             const Mask ended = where & is_beyond(y, after);
             if (!any(ended)) return;
             Number low = t_, high = after;
-            State z = y;
             const Mask within = ended & (h > Number(Lane(0)));
             for (int k = 0; k < std::numeric_limits<Lane>::digits && any(within); ++k) {
                 const Number middle = (low + high) / Number(Lane(2));
@@ -111,8 +110,8 @@ private:
                 high = select(beyond, middle, high);
                 low = select(beyond, low, middle);
             }
-            const State at_end = any(within) ? between(low, after, h) : z;
-            const State behind = any(within) ? between(high, after, h) : z;
+            const State at_end = any(within) ? between(low, after, h) : y;
+            const State behind = any(within) ? between(high, after, h) : y;
             Guards g;
             system_.guards(behind, inputs_(behind, high), high, g);
             for (std::size_t lane = 0; lane < lanes; ++lane) {

@@ -3,6 +3,7 @@
 # How code for chains grows: operations, bytes of code, seconds to generate (and prove) and to compile; of SymPy's code what is there of it.
 #     sizes.sh PROGRAM MODEL [SYMPY_HEADER]
 set -euo pipefail
+export LC_ALL=C
 program=$1 model=$2 sympy=${3:-}
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
 here=$(mktemp -d)
@@ -12,7 +13,7 @@ flags=(-std=c++20 -O2 -w -I"$source_dir/runtime" -I"$source_dir/tests" -I"$here"
 seconds() { local begin=$EPOCHREALTIME; "$@" >/dev/null; awk -v a="$begin" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f", b - a }'; }
 operations() { awk -v f="$2" '$1 == "//" && $2 == f { print $3 + $4 + $5 + $6 + $7; exit }' "$1"; }
 
-# measure INCLUDES TYPE: bytes of rhs, bytes with Jacobian, seconds to compile the latter
+# measure INCLUDE TYPE JACOBIAN: bytes of rhs, bytes with Jacobian, seconds to compile the latter
 measure() {
   printf '%s\nusing S = %s;\nvoid rhs(const S& s, const S::State& x, S::State& f) { s.rhs(x, {}, 0.0, f); }\n' "$1" "$2" >"$here/rhs.cpp"
   printf '%s\nusing S = %s;\nvoid both(const S& s, const S::State& x, S::State& f, %s& J) { s.rhs_and_jacobian(x, {}, 0.0, f, J); }\n' "$1" "$2" "$3" >"$here/both.cpp"

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "dalembert/simulate.hpp"
 #include "hydraulics/hydraulic_cylinder_real.hpp"
@@ -132,6 +133,23 @@ TEST_CASE("a lane that cannot go on does not hold the others") {
             CHECK(outcomes[lane].status != Status::success);
             CHECK(outcomes[lane].t == doctest::Approx(1).epsilon(1e-3));
         } else {
+            CHECK(outcomes[lane].status == Status::success);
+            CHECK(x[0].get(lane) == doctest::Approx(0.5).epsilon(1e-7));
+        }
+    }
+}
+
+TEST_CASE("a lane whose start is no number ends at once, and does not hold the others") {
+    using P = WidestPack<double>;
+    for (const double strange : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        CAPTURE(strange);
+        Lanes<P, 1> starts;
+        starts.fill({0.25});
+        starts[0] = {strange};
+        auto x = packed<P>(starts);
+        const auto outcomes = integrate_lanes(Explosion<P>{}, NoInput<Explosion<P>>{}, x, 0.0, 2.0, {.max_steps = 1000});
+        CHECK(outcomes[0].status == Status::not_finite);
+        for (std::size_t lane = 1; lane < P::size; ++lane) {
             CHECK(outcomes[lane].status == Status::success);
             CHECK(x[0].get(lane) == doctest::Approx(0.5).epsilon(1e-7));
         }
