@@ -144,7 +144,7 @@ bool all_derivations_proven(const Machine& machine) {
 void keep_proofs(Machine& machine, bool with_series) {
     const auto is_proven = [](const AuditEntry& entry) { return entry.result.verdict == Verdict::proven; };
     if (machine.code->rewritten.empty() || std::all_of(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
-    auto plain = make_code(*machine.system, {.rewrites = false, .series = with_series, .chain = machine.chain});
+    auto plain = make_code(*machine.system, {.rewrites = false, .series = with_series, .chain = machine.chain, .trig = machine.trig});
     std::vector<AuditEntry> of_plain = verify(*plain);
     if (std::count_if(of_plain.begin(), of_plain.end(), is_proven) <= std::count_if(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
     machine.code = std::move(plain);
@@ -152,7 +152,7 @@ void keep_proofs(Machine& machine, bool with_series) {
 }
 
 void make_and_prove_code(Machine& machine, Stopwatch& watch, bool with_series) {
-    machine.code = make_code(*machine.system, {.rewrites = machine.rewrites, .series = with_series, .chain = machine.chain});
+    machine.code = make_code(*machine.system, {.rewrites = machine.rewrites, .series = with_series, .chain = machine.chain, .trig = machine.trig});
     const OperationCount count = machine.code->count(Function::rhs);
     watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
     machine.emitted = verify(*machine.code);
@@ -188,12 +188,13 @@ void keep_series(Machine& machine, const std::vector<Code*>& modes, SeriesWish w
 
 }  // namespace
 
-Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene_name, const std::map<std::string, int>& sizes) {
+Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene_name, const std::map<std::string, int>& sizes, const FixWish& fixed) {
     const Model& model = loaded->model;
     return guarded(model, [&] {
         Machine machine;
         Stopwatch watch(machine.stages);
         Scene scene = select_scene(model, loaded->names, resolve_scene(model, scene_name), sizes);
+        fix_parameters(scene, loaded->names, fixed);
         check_size(scene);
         watch.lap("scene", fmt::format("{} coordinates, {} states, {} inputs, {} parameters{}", scene.coordinates.size(), scene.states.size(), scene.inputs.size(), scene.parameters.size(),
                                        scene.modes.empty() ? "" : fmt::format(", {} modes, {} events", scene.modes.size(), scene.events.size())));
@@ -257,6 +258,7 @@ Header generate(Machine& machine, SeriesWish wish) {
         for (Machine& other : machine.other_modes) {
             other.rewrites = machine.rewrites;
             other.chain = machine.chain;
+            other.trig = machine.trig;
             make_and_prove_code(other, watch, wish != SeriesWish::none);
             all.push_back(other.code.get());
         }
@@ -278,6 +280,8 @@ std::string normalised_command(const Machine& machine) {
     std::string command = fmt::format("dalembert generate {} --scene {}", file, scene.wish);
     if (!machine.rewrites) command += " --no-rewrite";
     if (machine.chain == ChainUse::never) command += " --no-chain";
+    if (!scene.fix_text.empty()) command += " --fix " + (scene.fix_text.find(' ') == std::string::npos ? scene.fix_text : "'" + scene.fix_text + "'");
+    if (machine.trig == Trig::combined) command += " --trig combined";
     for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);
     if (machine.code && has_series(machine)) command += " --taylor";
     return command;

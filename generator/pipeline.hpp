@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "emit/header.hpp"
+#include "model/fix_parameters.hpp"
 #include "prove/printed.hpp"
 
 namespace dalembert {
@@ -45,13 +46,14 @@ struct Machine {
     std::vector<StageReport> stages;
     bool rewrites = true;                ///< generate rewrites forms that lose digits
     ChainUse chain = ChainUse::where_shorter;
+    Trig trig = Trig::library;
 };
 
 /// text -> model. Warnings go to diagnostics.
 std::shared_ptr<const LoadedModel> load(const std::filesystem::path& path, Diagnostics& diagnostics);
 
 /// model -> symbolic -> mechanics -> form -> prove. Throws Failure.
-Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene, const std::map<std::string, int>& sizes);
+Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene, const std::map<std::string, int>& sizes, const FixWish& fixed = {});
 
 /// model -> form, in all modes, without proofs of the derivation: for what is checked against it. Parameters of the model from `first_letter` on
 /// are in the scene although nothing of it needs them. Throws Failure.

@@ -134,6 +134,28 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -347,9 +369,7 @@ public:
     ///     2*lambda_yz*k_y*k_z + rho*c_p*s)*exp(k_x*x + k_y*y + k_z*z - s*t)
     ///     flux_x = -dT*(lambda_xx*k_x + lambda_xy*k_y + lambda_xz*k_z)*exp(k_x*x + k_y*y + k_z*z - s*t)
     void output(const State& /*x*/, const Input& u, Scalar t, Output& y) const noexcept {
-        using std::cos;
         using std::exp;
-        using std::sin;
         const Scalar x_value = u[0];
         const Scalar y_value = u[1];
         const Scalar z = u[2];
@@ -358,13 +378,13 @@ public:
         const Scalar exp_3 = exp(p_.k_x * x_value + p_.k_y * y_value + e2);
         const Scalar r = u[3];
         const Scalar phi = u[5];
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar e4 = r * (p_.k_x * cos_phi + p_.k_y * sin_phi);
         const Scalar exp_5 = exp(e2 + e4);
         const Scalar theta = u[4];
-        const Scalar cos_theta = cos(theta);
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar exp_6 = exp(p_.k_z * r * cos_theta - e1 + sin_theta * e4);
         y[0] = p_.T_0 + p_.dT * exp_3;
         y[1] = p_.T_0 + p_.dT * exp_5;
@@ -386,9 +406,7 @@ public:
     /// D = dh/du.
     /// Operations: 20 + or -, 35 *, 4 sin or cos, 3 other functions
     void output_jacobian_u(const State& /*x*/, const Input& u, Scalar t, OutputJacobianU& D) const noexcept {
-        using std::cos;
         using std::exp;
-        using std::sin;
         const Scalar x_value = u[0];
         const Scalar y_value = u[1];
         const Scalar z = u[2];
@@ -397,14 +415,14 @@ public:
         const Scalar exp_3 = exp(p_.k_x * x_value + p_.k_y * y_value + e2);
         const Scalar r = u[3];
         const Scalar phi = u[5];
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar e4 = r * (p_.k_x * cos_phi + p_.k_y * sin_phi);
         const Scalar exp_5 = exp(e2 + e4);
         const Scalar e6 = c_.k7 * cos_phi + c_.k10 * sin_phi;
         const Scalar theta = u[4];
-        const Scalar sin_theta = sin(theta);
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar exp_7 = exp(p_.k_z * r * cos_theta - e1 + sin_theta * e4);
         const Scalar e8 = sin_theta * exp_7;
         const Scalar e9 = cos_theta * exp_7;

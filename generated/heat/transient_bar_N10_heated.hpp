@@ -143,6 +143,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -584,22 +606,20 @@ public:
     ///     heat_x = 2*A*lambda*K*x/L^2 - A*lambda*K*pi*cos(pi*x/L)/(L*exp(a*pi^2*t/L^2))
     ///     stability = Dt*a/dx^2
     void output(const State& /*x*/, const Input& u, Scalar t, Output& y) const noexcept {
-        using std::cos;
         using std::exp;
-        using std::sin;
         const Scalar x_value = u[0];
         const Scalar x_value_squared = x_value * x_value;
         const Scalar e1 = c_.k2 - c_.k4 * x_value_squared;
         const Scalar exp_2 = exp(c_.k10 * t);
         const Scalar inverse_3 = Scalar(1) / exp_2;
         const Scalar e4 = c_.k8 * x_value;
-        const Scalar sin_5 = sin(e4);
-        const Scalar e6 = p_.K * sin_5;
-        const Scalar exp_7 = exp(c_.k9 * t * x_value_squared);
-        const Scalar cos_8 = cos(e4);
-        y[0] = e1 + inverse_3 * e6;
-        y[1] = e1 + e6 / exp_7;
-        y[2] = c_.k5 * x_value - c_.k6 * cos_8 * inverse_3;
+        Scalar sin_5, cos_6;
+        detail::sin_and_cos<Scalar>(e4, sin_5, cos_6);
+        const Scalar e7 = p_.K * sin_5;
+        const Scalar exp_8 = exp(c_.k9 * t * x_value_squared);
+        y[0] = e1 + inverse_3 * e7;
+        y[1] = e1 + e7 / exp_8;
+        y[2] = c_.k5 * x_value - c_.k6 * cos_6 * inverse_3;
         y[3] = c_.k7;
     }
 
@@ -647,22 +667,20 @@ public:
     /// D = dh/du.
     /// Operations: 4 + or -, 13 *, 2 /, 2 sin or cos, 2 other functions
     void output_jacobian_u(const State& /*x*/, const Input& u, Scalar t, OutputJacobianU& D) const noexcept {
-        using std::cos;
         using std::exp;
-        using std::sin;
         const Scalar exp_1 = exp(c_.k10 * t);
         const Scalar inverse_2 = Scalar(1) / exp_1;
         const Scalar x_value = u[0];
         const Scalar e3 = c_.k8 * x_value;
-        const Scalar cos_4 = cos(e3);
-        const Scalar e5 = c_.k12 * cos_4;
-        const Scalar e6 = c_.k11 * x_value;
-        const Scalar e7 = t * x_value;
-        const Scalar exp_8 = exp(c_.k9 * x_value * e7);
-        const Scalar sin_9 = sin(e3);
-        D[0] = inverse_2 * e5 - e6;
-        D[1] = (e5 - c_.k13 * sin_9 * e7) / exp_8 - e6;
-        D[2] = c_.k5 + c_.k14 * sin_9 * inverse_2;
+        Scalar sin_4, cos_5;
+        detail::sin_and_cos<Scalar>(e3, sin_4, cos_5);
+        const Scalar e6 = c_.k12 * cos_5;
+        const Scalar e7 = c_.k11 * x_value;
+        const Scalar e8 = t * x_value;
+        const Scalar exp_9 = exp(c_.k9 * x_value * e8);
+        D[0] = inverse_2 * e6 - e7;
+        D[1] = (e6 - c_.k13 * sin_4 * e8) / exp_9 - e7;
+        D[2] = c_.k5 + c_.k14 * sin_4 * inverse_2;
         D[3] = Scalar(0);
     }
 

@@ -131,6 +131,28 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -644,16 +666,14 @@ public:
     /// D = dh/du.
     /// Operations: 3 + or -, 4 *, 1 /, 2 sin or cos, 1 other functions
     void output_jacobian_u(const State& /*x*/, const Input& u, Scalar t, OutputJacobianU& D) const noexcept {
-        using std::cos;
         using std::exp;
-        using std::sin;
         const Scalar x_value = u[0];
         const Scalar e1 = c_.k3 - c_.k4 * x_value;
         const Scalar exp_2 = exp(e1);
         const Scalar e3 = e1 - p_.omega * t;
-        const Scalar cos_4 = cos(e3);
-        const Scalar sin_5 = sin(e3);
-        D[0] = c_.k5 / exp_2 * (cos_4 - sin_5);
+        Scalar sin_4, cos_5;
+        detail::sin_and_cos<Scalar>(e3, sin_4, cos_5);
+        D[0] = c_.k5 / exp_2 * (cos_5 - sin_4);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
         D[3] = Scalar(0);

@@ -145,6 +145,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 /// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
@@ -307,12 +329,10 @@ public:
     ///     2*beta*delta*pi*sin(2*pi*t/tau)/(tau*(2 - delta + delta*cos(2*pi*t/tau)))
     ///     dot(T) = 2*beta*alpha*delta*pi*T*sin(2*pi*t/tau)/(c_v*tau*density[cylinder]*(2 - delta + delta*cos(2*pi*t/tau)))
     void rhs(const State& x, const Input& /*u*/, Scalar t, State& dxdt) const noexcept {
-        using std::cos;
         using std::exp;
-        using std::sin;
         const Scalar e1 = c_.k4 * t;
-        const Scalar sin_2 = sin(e1);
-        const Scalar cos_3 = cos(e1);
+        Scalar sin_2, cos_3;
+        detail::sin_and_cos<Scalar>(e1, sin_2, cos_3);
         const Scalar e4 = sin_2 / (c_.k3 + p_.delta * cos_3);
         const Scalar T = x[1];
         const Scalar p_value = x[0];
@@ -326,12 +346,10 @@ public:
     /// 2 x 2, entry (i, j) at J[2*j + i].
     /// Operations: 9 + or -, 15 *, 1 /, 2 sin or cos, 1 other functions
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar t, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
         using std::exp;
-        using std::sin;
         const Scalar e1 = c_.k4 * t;
-        const Scalar sin_2 = sin(e1);
-        const Scalar cos_3 = cos(e1);
+        Scalar sin_2, cos_3;
+        detail::sin_and_cos<Scalar>(e1, sin_2, cos_3);
         const Scalar e4 = sin_2 / (c_.k3 + p_.delta * cos_3);
         const Scalar T = x[1];
         const Scalar p_value = x[0];
@@ -361,15 +379,13 @@ public:
     /// J = df/dp, parameters in the order of the table. 2 x 9, entry (i, j) at J[2*j + i].
     /// Operations: 27 + or -, 100 *, 5 /, 2 sin or cos, 1 other functions
     void jacobian_p(const State& x, const Input& /*u*/, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
         using std::exp;
-        using std::sin;
         const Scalar inverse_1 = Scalar(1) / p_.tau;
         const Scalar e2 = detail::pi<Scalar>() * inverse_1;
         const Scalar e3 = p_.delta * e2;
         const Scalar e4 = c_.k4 * t;
-        const Scalar sin_5 = sin(e4);
-        const Scalar cos_6 = cos(e4);
+        Scalar sin_5, cos_6;
+        detail::sin_and_cos<Scalar>(e4, sin_5, cos_6);
         const Scalar inverse_7 = Scalar(1) / (c_.k3 + p_.delta * cos_6);
         const Scalar e8 = sin_5 * inverse_7;
         const Scalar e9 = p_.beta * e3;
@@ -425,21 +441,19 @@ public:
     /// J = df/dt at fixed x and u.
     /// Operations: 8 + or -, 18 *, 1 /, 2 sin or cos, 1 other functions
     void jacobian_t(const State& x, const Input& /*u*/, Scalar t, JacobianT& J) const noexcept {
-        using std::cos;
         using std::exp;
-        using std::sin;
         const Scalar e1 = c_.k4 * t;
-        const Scalar cos_2 = cos(e1);
-        const Scalar inverse_3 = Scalar(1) / (c_.k3 + p_.delta * cos_2);
-        const Scalar sin_4 = sin(e1);
-        const Scalar e5 = sin_4 * inverse_3;
+        Scalar sin_2, cos_3;
+        detail::sin_and_cos<Scalar>(e1, sin_2, cos_3);
+        const Scalar inverse_4 = Scalar(1) / (c_.k3 + p_.delta * cos_3);
+        const Scalar e5 = sin_2 * inverse_4;
         const Scalar T = x[1];
         const Scalar p_value = x[0];
         const Scalar exp_6 = exp(c_.k5 * (p_.p_0 - p_value) - p_.alpha * (p_.T_0 - T));
-        const Scalar e7 = inverse_3 * (T * exp_6);
-        const Scalar e8 = cos_2 * e7;
-        const Scalar e9 = e5 * (sin_4 * e7);
-        J[0] = c_.k11 * cos_2 * inverse_3 + c_.k12 * e5 * e5 + c_.k9 * e8 + c_.k10 * e9;
+        const Scalar e7 = inverse_4 * (T * exp_6);
+        const Scalar e8 = cos_3 * e7;
+        const Scalar e9 = e5 * (sin_2 * e7);
+        J[0] = c_.k11 * cos_3 * inverse_4 + c_.k12 * e5 * e5 + c_.k9 * e8 + c_.k10 * e9;
         J[1] = c_.k13 * e8 + c_.k14 * e9;
     }
 

@@ -145,6 +145,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 /// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
@@ -272,11 +294,9 @@ public:
     ///     specific_energy[cylinder] = beta*compression(-(p_0 - p)/beta)/rho_0 + (beta*T_0*alpha - p_0)*expm1((p_0 - p)/beta)/rho_0
     ///     dot(p) = 2*beta*delta*pi*sin(2*pi*t/tau)/(tau*(2 - delta + delta*cos(2*pi*t/tau)))
     void rhs(const State& /*x*/, const Input& /*u*/, Scalar t, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar e1 = c_.k2 * t;
-        const Scalar sin_2 = sin(e1);
-        const Scalar cos_3 = cos(e1);
+        Scalar sin_2, cos_3;
+        detail::sin_and_cos<Scalar>(e1, sin_2, cos_3);
         dxdt[0] = c_.k0 * sin_2 / (c_.k1 + p_.delta * cos_3);
     }
 
@@ -284,11 +304,9 @@ public:
     /// 1 x 1, entry (i, j) at J[1*j + i].
     /// Operations: 1 + or -, 4 *, 1 /, 2 sin or cos
     void rhs_and_jacobian(const State& /*x*/, const Input& /*u*/, Scalar t, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar e1 = c_.k2 * t;
-        const Scalar sin_2 = sin(e1);
-        const Scalar cos_3 = cos(e1);
+        Scalar sin_2, cos_3;
+        detail::sin_and_cos<Scalar>(e1, sin_2, cos_3);
         dxdt[0] = c_.k0 * sin_2 / (c_.k1 + p_.delta * cos_3);
         J[0] = Scalar(0);
     }
@@ -307,14 +325,12 @@ public:
     /// J = df/dp, parameters in the order of the table. 1 x 9, entry (i, j) at J[1*j + i].
     /// Operations: 5 + or -, 26 *, 2 /, 2 sin or cos
     void jacobian_p(const State& /*x*/, const Input& /*u*/, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar inverse_1 = Scalar(1) / p_.tau;
         const Scalar e2 = detail::pi<Scalar>() * inverse_1;
         const Scalar e3 = p_.delta * e2;
         const Scalar e4 = c_.k2 * t;
-        const Scalar sin_5 = sin(e4);
-        const Scalar cos_6 = cos(e4);
+        Scalar sin_5, cos_6;
+        detail::sin_and_cos<Scalar>(e4, sin_5, cos_6);
         const Scalar inverse_7 = Scalar(1) / (c_.k1 + p_.delta * cos_6);
         const Scalar e8 = sin_5 * inverse_7;
         const Scalar e9 = p_.beta * e2;
@@ -334,13 +350,11 @@ public:
     /// J = df/dt at fixed x and u.
     /// Operations: 2 + or -, 7 *, 1 /, 2 sin or cos
     void jacobian_t(const State& /*x*/, const Input& /*u*/, Scalar t, JacobianT& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar e1 = c_.k2 * t;
-        const Scalar cos_2 = cos(e1);
-        const Scalar inverse_3 = Scalar(1) / (c_.k1 + p_.delta * cos_2);
-        const Scalar sin_4 = sin(e1);
-        J[0] = inverse_3 * (c_.k3 * cos_2 + c_.k4 * sin_4 * sin_4 * inverse_3);
+        Scalar sin_2, cos_3;
+        detail::sin_and_cos<Scalar>(e1, sin_2, cos_3);
+        const Scalar inverse_4 = Scalar(1) / (c_.k1 + p_.delta * cos_3);
+        J[0] = inverse_4 * (c_.k3 * cos_3 + c_.k4 * sin_2 * sin_2 * inverse_4);
     }
 
     /// M(q, t), symmetric.
@@ -366,10 +380,8 @@ public:
     ///     m = rho_0*V_0*delta*cos(2*pi*t/tau)/(2*exp((p_0 - p)/beta)) + rho_0*V_0*(1 - delta/2)/exp((p_0 - p)/beta)
     ///     Q = -beta*T_0*alpha*V_0*delta*pi*sin(2*pi*t/tau)/tau
     void output(const State& x, const Input& /*u*/, Scalar t, Output& y) const noexcept {
-        using std::cos;
         using std::exp;
         using std::expm1;
-        using std::sin;
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k12 * (p_.p_0 - p_value);
         const Scalar exp_2 = exp(e1);
@@ -377,13 +389,13 @@ public:
         const Scalar compression_4 = detail::compression<Scalar>(-e1);
         const Scalar expm1_5 = expm1(e1);
         const Scalar e6 = c_.k2 * t;
-        const Scalar cos_7 = cos(e6);
-        const Scalar sin_8 = sin(e6);
+        Scalar sin_7, cos_8;
+        detail::sin_and_cos<Scalar>(e6, sin_7, cos_8);
         y[0] = p_.rho_0 * inverse_3;
         y[1] = c_.k5 * compression_4 + c_.k6 * expm1_5;
-        y[2] = c_.k7 + c_.k8 * cos_7;
-        y[3] = inverse_3 * (c_.k9 * cos_7 + c_.k10);
-        y[4] = -c_.k11 * sin_8;
+        y[2] = c_.k7 + c_.k8 * cos_8;
+        y[3] = inverse_3 * (c_.k9 * cos_8 + c_.k10);
+        y[4] = -c_.k11 * sin_7;
     }
 
     /// C = dh/dx.

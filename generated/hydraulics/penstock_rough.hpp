@@ -155,6 +155,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -211,12 +233,11 @@ public:
     /// Operations: 4 + or -, 17 *, 5 /, 2 sin or cos, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        using std::cos;
-        using std::sin;
         using std::sqrt;
         const Scalar inverse_1 = Scalar(1) / p_.l;
         const Scalar e2 = inverse_1 / p_.rho;
-        const Scalar sin_phi = sin(p_.phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(p_.phi, sin_phi, cos_phi);
         const Scalar e3 = p_.g * sin_phi;
         c_.k0 = p_.p_1 * e2 + e3;
         c_.k1 = e2;
@@ -225,7 +246,6 @@ public:
         const Scalar e4 = p_.xi * inverse_1;
         c_.k4 = -p_.p_1 * (Scalar(1) - e4);
         c_.k5 = e4;
-        const Scalar cos_phi = cos(p_.phi);
         c_.k6 = p_.A * p_.rho * p_.g * cos_phi / p_.b;
         const Scalar sqrt_5 = sqrt(Scalar(2));
         const Scalar sqrt_6 = sqrt(p_.d_h * p_.dp_o * e2 / p_.lambda);
@@ -282,16 +302,14 @@ public:
     /// Operations: 3 + or -, 15 *, 3 /, 2 sin or cos, 1 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::abs;
-        using std::cos;
-        using std::sin;
         const Scalar p_2 = u[0];
         const Scalar inverse_1 = Scalar(1) / p_.l;
         const Scalar inverse_2 = Scalar(1) / p_.rho;
         const Scalar e3 = inverse_1 * inverse_2;
         const Scalar e4 = inverse_1 * e3;
-        const Scalar cos_phi = cos(p_.phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(p_.phi, sin_phi, cos_phi);
         const Scalar e5 = inverse_2 * e3;
-        const Scalar sin_phi = sin(p_.phi);
         const Scalar inverse_6 = Scalar(1) / p_.d_h;
         const Scalar v = x[0];
         const Scalar abs_v = abs(v);

@@ -118,6 +118,28 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -262,13 +284,11 @@ public:
     /// J = df/dp, parameters in the order of the table. 2 x 9, entry (i, j) at J[2*j + i].
     /// Operations: 3 + or -, 7 *, 2 sin or cos
     void jacobian_p(const State& x, const Input& /*u*/, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar x_value = x[0];
         const Scalar z = x[1];
         const Scalar e1 = p_.omega * t;
-        const Scalar sin_2 = sin(e1);
-        const Scalar cos_3 = cos(e1);
+        Scalar sin_2, cos_3;
+        detail::sin_and_cos<Scalar>(e1, sin_2, cos_3);
         const Scalar e4 = cos_3 * (p_.a_1 * t);
         J[0] = x_value;
         J[1] = -z;
@@ -329,8 +349,6 @@ public:
     ///     + Z^2)*sin(omega*t) - a_1^2*rho*(X^2 + Z^2)*sin(omega*t)^2/2
     ///     x_xi = X*(1 + xi/sqrt(X^2 + Z^2))
     void output(const State& x, const Input& /*u*/, Scalar t, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         using std::sqrt;
         const Scalar x_value = x[0];
         const Scalar x_value_squared = x_value * x_value;
@@ -338,43 +356,41 @@ public:
         const Scalar z_squared = z * z;
         const Scalar e1 = x_value_squared + z_squared;
         const Scalar e2 = p_.omega * t;
-        const Scalar sin_3 = sin(e2);
-        const Scalar e4 = sin_3 * e1;
-        const Scalar e5 = sin_3 * e4;
-        const Scalar sqrt_6 = sqrt(c_.k13 * e1 + c_.k14 * e4 + c_.k15 * e5);
-        const Scalar cos_7 = cos(e2);
-        const Scalar e8 = cos_7 * (x_value_squared - z_squared);
-        y[0] = sqrt_6;
-        y[1] = p_.p_0 - c_.k5 * z - c_.k1 * e1 - c_.k3 * e4 - c_.k2 * e8 - c_.k4 * e5;
+        Scalar sin_3, cos_4;
+        detail::sin_and_cos<Scalar>(e2, sin_3, cos_4);
+        const Scalar e5 = sin_3 * e1;
+        const Scalar e6 = sin_3 * e5;
+        const Scalar sqrt_7 = sqrt(c_.k13 * e1 + c_.k14 * e5 + c_.k15 * e6);
+        const Scalar e8 = cos_4 * (x_value_squared - z_squared);
+        y[0] = sqrt_7;
+        y[1] = p_.p_0 - c_.k5 * z - c_.k1 * e1 - c_.k3 * e5 - c_.k2 * e8 - c_.k4 * e6;
         y[2] = c_.k6 - c_.k7 * e8;
-        y[3] = -sin_3 * (c_.k10 + c_.k11 * sin_3) - c_.k8 - c_.k9 * cos_7;
+        y[3] = -sin_3 * (c_.k10 + c_.k11 * sin_3) - c_.k8 - c_.k9 * cos_4;
         y[4] = c_.k12;
     }
 
     /// C = dh/dx.
     /// Operations: 9 + or -, 19 *, 1 /, 2 sin or cos, 1 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar t, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         using std::sqrt;
         const Scalar x_value = x[0];
         const Scalar e1 = p_.omega * t;
-        const Scalar sin_2 = sin(e1);
-        const Scalar e3 = c_.k13 + sin_2 * (c_.k14 + c_.k15 * sin_2);
+        Scalar sin_2, cos_3;
+        detail::sin_and_cos<Scalar>(e1, sin_2, cos_3);
+        const Scalar e4 = c_.k13 + sin_2 * (c_.k14 + c_.k15 * sin_2);
         const Scalar z = x[1];
-        const Scalar sqrt_4 = sqrt(e3 * (x_value * x_value + z * z));
-        const Scalar e5 = e3 / sqrt_4;
-        const Scalar e6 = c_.k16 + sin_2 * (c_.k18 + c_.k19 * sin_2);
-        const Scalar cos_7 = cos(e1);
-        const Scalar e8 = x_value * cos_7;
-        const Scalar e9 = z * cos_7;
-        C[0] = x_value * e5;
-        C[1] = -x_value * e6 - c_.k17 * e8;
+        const Scalar sqrt_5 = sqrt(e4 * (x_value * x_value + z * z));
+        const Scalar e6 = e4 / sqrt_5;
+        const Scalar e7 = c_.k16 + sin_2 * (c_.k18 + c_.k19 * sin_2);
+        const Scalar e8 = x_value * cos_3;
+        const Scalar e9 = z * cos_3;
+        C[0] = x_value * e6;
+        C[1] = -x_value * e7 - c_.k17 * e8;
         C[2] = -c_.k0 * e8;
         C[3] = Scalar(0);
         C[4] = Scalar(0);
-        C[5] = z * e5;
-        C[6] = c_.k17 * e9 - c_.k5 - z * e6;
+        C[5] = z * e6;
+        C[6] = c_.k17 * e9 - c_.k5 - z * e7;
         C[7] = c_.k0 * e9;
         C[8] = Scalar(0);
         C[9] = Scalar(0);

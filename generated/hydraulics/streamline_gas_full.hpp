@@ -137,6 +137,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -288,13 +310,12 @@ public:
     /// J = df/dp, parameters in the order of the table. 2 x 10, entry (i, j) at J[2*j + i].
     /// Operations: 14 + or -, 53 *, 5 /, 2 sin or cos, 3 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
         using std::log;
         using std::pow;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
-        const Scalar sin_phi = sin(p_.phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(p_.phi, sin_phi, cos_phi);
         const Scalar xi = x[0];
         const Scalar e1 = c_.k3 - c_.k4 * xi;
         const Scalar power_2 = pow(e1, c_.k5);
@@ -303,7 +324,6 @@ public:
         const Scalar inverse_5 = Scalar(1) / p_.l;
         const Scalar inverse_6 = Scalar(1) / p_.rho_0;
         const Scalar e7 = inverse_5 * inverse_6;
-        const Scalar cos_phi = cos(p_.phi);
         const Scalar e8 = p_.m * e7;
         const Scalar e9 = e4 * e8;
         const Scalar inverse_10 = Scalar(1) / p_.p_0;

@@ -151,6 +151,28 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 /// A number that is known when code is compiled.
 template <std::size_t k>
 struct Known {
@@ -494,17 +516,16 @@ public:
     /// Operations: 368 + or -, 537 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
     /// (Too long to be printed here; `dalembert derive` prints the equations.)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar q_4 = x[3];
-        const Scalar sin_q_4 = sin(q_4);
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar q_2 = x[1];
-        const Scalar cos_q_2 = cos(q_2);
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
         const Scalar q_3 = x[2];
-        const Scalar sin_q_3 = sin(q_3);
+        Scalar sin_q_3, cos_q_3;
+        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
         const Scalar e1 = cos_q_2 * sin_q_3;
-        const Scalar cos_q_3 = cos(q_3);
-        const Scalar sin_q_2 = sin(q_2);
         const Scalar e2 = cos_q_3 * sin_q_2;
         const Scalar e3 = e1 * e1 + e2 * e2;
         const Scalar e4 = p_.J_5 * sin_q_4;
@@ -514,14 +535,13 @@ public:
         const Scalar e8 = p_.d_4 * e7;
         const Scalar e9 = c_.k66 * cos_q_2 + c_.k65 * e6 + e8;
         const Scalar q_5 = x[4];
-        const Scalar cos_q_5 = cos(q_5);
+        Scalar sin_q_5, cos_q_5;
+        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
         const Scalar q_6 = x[5];
-        const Scalar cos_q_6 = cos(q_6);
-        const Scalar sin_q_5 = sin(q_5);
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
         const Scalar e10 = cos_q_6 * sin_q_5;
         const Scalar e11 = p_.c_x * cos_q_5 - p_.c_z * e10;
-        const Scalar cos_q_4 = cos(q_4);
-        const Scalar sin_q_6 = sin(q_6);
         const Scalar e12 = cos_q_5 * sin_q_4;
         const Scalar e13 = cos_q_4 * cos_q_6 - sin_q_6 * e12;
         const Scalar e14 = p_.a_3 * e6;
@@ -782,20 +802,18 @@ public:
     /// 12 x 12, entry (i, j) at J[12*j + i].
     /// Operations: 1243 + or -, 1476 *, 5 /, 10 sin or cos
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar q_1 = x[0];
         const Scalar tau_1 = u[0];
         const Scalar q_1_dot = x[6];
         const Scalar q_2 = x[1];
-        const Scalar sin_q_2 = sin(q_2);
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
         const Scalar q_3 = x[2];
-        const Scalar cos_q_3 = cos(q_3);
+        Scalar sin_q_3, cos_q_3;
+        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
         const Scalar e1 = -q_1_dot * sin_q_2;
-        const Scalar cos_q_2 = cos(q_2);
         const Scalar e2 = q_1_dot * cos_q_2;
         const Scalar e3 = -e2;
-        const Scalar sin_q_3 = sin(q_3);
         const Scalar e4 = e1 * cos_q_3 + e3 * sin_q_3;
         const Scalar q_2_dot = x[7];
         const Scalar e5 = p_.a_2 * q_2_dot - p_.d_3 * e1;
@@ -810,11 +828,11 @@ public:
         const Scalar e13 = e12 - c_.k81 * e8;
         const Scalar e14 = -c_.k77 * e10 - e11 * e13;
         const Scalar q_4 = x[3];
-        const Scalar cos_q_4 = cos(q_4);
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar q_4_dot = x[9];
         const Scalar e15 = q_4_dot + e8;
         const Scalar e16 = p_.d_4 * e11 - e9;
-        const Scalar sin_q_4 = sin(q_4);
         const Scalar e17 = -p_.a_2 * e3;
         const Scalar e18 = e17 - (p_.a_3 * e8 - p_.d_4 * e4);
         const Scalar e19 = cos_q_4 * e16 + sin_q_4 * e18;
@@ -826,14 +844,14 @@ public:
         const Scalar e25 = c_.k88 * e24;
         const Scalar e26 = e15 * e22 - e23 * e25;
         const Scalar q_5 = x[4];
-        const Scalar cos_q_5 = cos(q_5);
+        Scalar sin_q_5, cos_q_5;
+        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
         const Scalar q_6 = x[5];
-        const Scalar cos_q_6 = cos(q_6);
-        const Scalar sin_q_5 = sin(q_5);
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
         const Scalar e27 = e23 * cos_q_5 + e15 * sin_q_5;
         const Scalar q_5_dot = x[10];
         const Scalar e28 = q_5_dot - e21;
-        const Scalar sin_q_6 = sin(q_6);
         const Scalar e29 = e27 * cos_q_6 - e28 * sin_q_6;
         const Scalar e30 = e20 * sin_q_5 - e24 * cos_q_5;
         const Scalar e31 = -e30;
@@ -1640,22 +1658,20 @@ public:
     /// J = df/du. 12 x 6, entry (i, j) at J[12*j + i].
     /// Operations: 135 + or -, 207 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
     void jacobian_u(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar q_4 = x[3];
-        const Scalar cos_q_4 = cos(q_4);
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar q_2 = x[1];
-        const Scalar cos_q_2 = cos(q_2);
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
         const Scalar q_3 = x[2];
-        const Scalar cos_q_3 = cos(q_3);
-        const Scalar sin_q_2 = sin(q_2);
-        const Scalar sin_q_3 = sin(q_3);
+        Scalar sin_q_3, cos_q_3;
+        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
         const Scalar e1 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
         const Scalar e2 = cos_q_2 * sin_q_3;
         const Scalar e3 = cos_q_3 * sin_q_2;
         const Scalar e4 = e2 + e3;
         const Scalar e5 = c_.k61 * e1 - (c_.k59 * e4 - c_.k62 * cos_q_2);
-        const Scalar sin_q_4 = sin(q_4);
         const Scalar e6 = c_.k60 * e1;
         const Scalar e7 = cos_q_4 * e5 - sin_q_4 * e6;
         const Scalar e8 = sin_q_4 * e5 + cos_q_4 * e6;
@@ -1665,14 +1681,14 @@ public:
         const Scalar e12 = p_.d_4 * e4;
         const Scalar e13 = c_.k66 * cos_q_2 + c_.k65 * e1 + e12;
         const Scalar q_6 = x[5];
-        const Scalar cos_q_6 = cos(q_6);
-        const Scalar sin_q_6 = sin(q_6);
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
         const Scalar q_5 = x[4];
-        const Scalar cos_q_5 = cos(q_5);
+        Scalar sin_q_5, cos_q_5;
+        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
         const Scalar e14 = cos_q_5 * sin_q_4;
         const Scalar e15 = cos_q_4 * cos_q_6 - sin_q_6 * e14;
         const Scalar e16 = p_.a_3 * e1 + (p_.a_2 * cos_q_2 - e12);
-        const Scalar sin_q_5 = sin(q_5);
         const Scalar e17 = cos_q_4 * sin_q_5;
         const Scalar e18 = e4 * e17 - cos_q_5 * e1;
         const Scalar e19 = cos_q_4 * cos_q_5;
@@ -1834,32 +1850,32 @@ public:
     /// J = df/dp, parameters in the order of the table. 12 x 16, entry (i, j) at J[12*j + i].
     /// Operations: 1684 + or -, 2074 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar q_2 = x[1];
-        const Scalar cos_q_2 = cos(q_2);
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
         const Scalar q_4 = x[3];
-        const Scalar cos_q_4 = cos(q_4);
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar e1 = cos_q_2 * cos_q_4;
         const Scalar q_6 = x[5];
-        const Scalar cos_q_6 = cos(q_6);
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
         const Scalar e2 = c_.k22 * cos_q_6;
         const Scalar e3 = dxdt[11] * e2;
         const Scalar e4 = p_.m_6 * p_.g;
-        const Scalar sin_q_4 = sin(q_4);
         const Scalar q_3 = x[2];
-        const Scalar cos_q_3 = cos(q_3);
-        const Scalar sin_q_2 = sin(q_2);
+        Scalar sin_q_3, cos_q_3;
+        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
         const Scalar e5 = cos_q_3 * sin_q_2;
-        const Scalar sin_q_3 = sin(q_3);
         const Scalar e6 = cos_q_2 * sin_q_3;
         const Scalar e7 = e5 + e6;
         const Scalar e8 = sin_q_4 * e7;
         const Scalar e9 = e4 * e8;
         const Scalar q_5 = x[4];
-        const Scalar cos_q_5 = cos(q_5);
+        Scalar sin_q_5, cos_q_5;
+        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
         const Scalar q_1_dot = x[6];
         const Scalar e10 = q_1_dot * e7;
         const Scalar q_2_dot = x[7];
@@ -1867,7 +1883,6 @@ public:
         const Scalar e11 = q_2_dot + q_3_dot;
         const Scalar e12 = sin_q_4 * e11;
         const Scalar e13 = cos_q_4 * e10 + e12;
-        const Scalar sin_q_5 = sin(q_5);
         const Scalar e14 = cos_q_2 * cos_q_3;
         const Scalar e15 = sin_q_2 * sin_q_3;
         const Scalar e16 = e14 - e15;
@@ -1875,7 +1890,6 @@ public:
         const Scalar q_4_dot = x[9];
         const Scalar e18 = e17 - q_4_dot;
         const Scalar e19 = cos_q_5 * e13 + sin_q_5 * e18;
-        const Scalar sin_q_6 = sin(q_6);
         const Scalar q_5_dot = x[10];
         const Scalar e20 = cos_q_4 * e11;
         const Scalar e21 = e20 - sin_q_4 * e10;
@@ -3085,22 +3099,20 @@ public:
     /// Operations: 135 + or -, 207 *, 10 sin or cos
     /// (Too long to be printed here; `dalembert derive` prints the equations.)
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar q_4 = x[3];
-        const Scalar cos_q_4 = cos(q_4);
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar q_2 = x[1];
-        const Scalar cos_q_2 = cos(q_2);
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
         const Scalar q_3 = x[2];
-        const Scalar cos_q_3 = cos(q_3);
-        const Scalar sin_q_2 = sin(q_2);
-        const Scalar sin_q_3 = sin(q_3);
+        Scalar sin_q_3, cos_q_3;
+        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
         const Scalar e1 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
         const Scalar e2 = cos_q_2 * sin_q_3;
         const Scalar e3 = cos_q_3 * sin_q_2;
         const Scalar e4 = e2 + e3;
         const Scalar e5 = c_.k61 * e1 - (c_.k59 * e4 - c_.k62 * cos_q_2);
-        const Scalar sin_q_4 = sin(q_4);
         const Scalar e6 = c_.k60 * e1;
         const Scalar e7 = cos_q_4 * e5 - sin_q_4 * e6;
         const Scalar e8 = sin_q_4 * e5 + cos_q_4 * e6;
@@ -3110,14 +3122,14 @@ public:
         const Scalar e12 = p_.d_4 * e4;
         const Scalar e13 = c_.k66 * cos_q_2 + c_.k65 * e1 + e12;
         const Scalar q_6 = x[5];
-        const Scalar cos_q_6 = cos(q_6);
-        const Scalar sin_q_6 = sin(q_6);
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
         const Scalar q_5 = x[4];
-        const Scalar cos_q_5 = cos(q_5);
+        Scalar sin_q_5, cos_q_5;
+        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
         const Scalar e14 = cos_q_5 * sin_q_4;
         const Scalar e15 = cos_q_4 * cos_q_6 - sin_q_6 * e14;
         const Scalar e16 = p_.a_3 * e1 + (p_.a_2 * cos_q_2 - e12);
-        const Scalar sin_q_5 = sin(q_5);
         const Scalar e17 = cos_q_4 * sin_q_5;
         const Scalar e18 = e4 * e17 - cos_q_5 * e1;
         const Scalar e19 = cos_q_4 * cos_q_5;
@@ -3219,21 +3231,20 @@ public:
     /// Operations: 266 + or -, 393 *, 10 sin or cos
     /// (Too long to be printed here; `dalembert derive` prints the equations.)
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar q_2 = x[1];
-        const Scalar cos_q_2 = cos(q_2);
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
         const Scalar q_3 = x[2];
-        const Scalar cos_q_3 = cos(q_3);
-        const Scalar sin_q_2 = sin(q_2);
-        const Scalar sin_q_3 = sin(q_3);
+        Scalar sin_q_3, cos_q_3;
+        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
         const Scalar e1 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
         const Scalar e2 = cos_q_2 * sin_q_3 + cos_q_3 * sin_q_2;
         const Scalar q_4 = x[3];
-        const Scalar cos_q_4 = cos(q_4);
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar q_5 = x[4];
-        const Scalar cos_q_5 = cos(q_5);
-        const Scalar sin_q_5 = sin(q_5);
+        Scalar sin_q_5, cos_q_5;
+        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
         const Scalar e3 = cos_q_4 * cos_q_5;
         const Scalar e4 = sin_q_5 * e1 + e2 * e3;
         const Scalar e5 = cos_q_4 * sin_q_5;
@@ -3241,13 +3252,12 @@ public:
         const Scalar e7 = cos_q_5 * e1;
         const Scalar e8 = e6 - e7;
         const Scalar e9 = cos_q_5 * e4 + sin_q_5 * e8;
-        const Scalar sin_q_4 = sin(q_4);
         const Scalar e10 = sin_q_4 * e2;
         const Scalar e11 = cos_q_4 * e9 + sin_q_4 * e10;
         const Scalar e12 = cos_q_4 * e10 - sin_q_4 * e9;
         const Scalar q_6 = x[5];
-        const Scalar sin_q_6 = sin(q_6);
-        const Scalar cos_q_6 = cos(q_6);
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
         const Scalar e13 = c_.k35 * sin_q_6 * e9 + e10 * (c_.k35 * cos_q_5 * cos_q_6 - c_.k36 * sin_q_5);
         const Scalar e14 = cos_q_5 * e8 - sin_q_5 * e4;
         const Scalar q_4_dot = x[9];
@@ -3440,34 +3450,32 @@ public:
     ///     cos(q_4)*(c_x*cos(q_5)*cos(q_6) - c_z*sin(q_5)))) - sin(q_2)*(a_2 + cos(q_3)*(a_3 - c_x*sin(q_4)*sin(q_6) +
     ///     cos(q_4)*(c_x*cos(q_5)*cos(q_6) - c_z*sin(q_5))) - sin(q_3)*(d_4 + (c_x*cos(q_6)*sin(q_5) + c_z*cos(q_5))))
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar q_1 = x[0];
-        const Scalar cos_q_1 = cos(q_1);
+        Scalar sin_q_1, cos_q_1;
+        detail::sin_and_cos<Scalar>(q_1, sin_q_1, cos_q_1);
         const Scalar q_2 = x[1];
-        const Scalar cos_q_2 = cos(q_2);
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
         const Scalar q_3 = x[2];
-        const Scalar cos_q_3 = cos(q_3);
+        Scalar sin_q_3, cos_q_3;
+        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
         const Scalar q_4 = x[3];
-        const Scalar cos_q_4 = cos(q_4);
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar q_5 = x[4];
-        const Scalar cos_q_5 = cos(q_5);
+        Scalar sin_q_5, cos_q_5;
+        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
         const Scalar q_6 = x[5];
-        const Scalar cos_q_6 = cos(q_6);
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
         const Scalar e1 = p_.c_x * cos_q_6;
-        const Scalar sin_q_5 = sin(q_5);
         const Scalar e2 = cos_q_5 * e1 - p_.c_z * sin_q_5;
-        const Scalar sin_q_4 = sin(q_4);
-        const Scalar sin_q_6 = sin(q_6);
         const Scalar e3 = p_.c_x * sin_q_6;
         const Scalar e4 = p_.a_3 + cos_q_4 * e2 - sin_q_4 * e3;
-        const Scalar sin_q_3 = sin(q_3);
         const Scalar e5 = p_.d_4 + (p_.c_z * cos_q_5 + sin_q_5 * e1);
         const Scalar e6 = p_.a_2 + cos_q_3 * e4 - sin_q_3 * e5;
-        const Scalar sin_q_2 = sin(q_2);
         const Scalar e7 = cos_q_3 * e5 + sin_q_3 * e4;
         const Scalar e8 = cos_q_2 * e6 - sin_q_2 * e7;
-        const Scalar sin_q_1 = sin(q_1);
         const Scalar e9 = p_.d_3 - (sin_q_4 * e2 + cos_q_4 * e3);
         y[0] = cos_q_1 * e8 - sin_q_1 * e9;
         y[1] = cos_q_1 * e9 + sin_q_1 * e8;
@@ -3477,37 +3485,35 @@ public:
     /// C = dh/dx.
     /// Operations: 41 + or -, 73 *, 12 sin or cos
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar q_1 = x[0];
-        const Scalar cos_q_1 = cos(q_1);
+        Scalar sin_q_1, cos_q_1;
+        detail::sin_and_cos<Scalar>(q_1, sin_q_1, cos_q_1);
         const Scalar q_4 = x[3];
-        const Scalar sin_q_4 = sin(q_4);
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar q_5 = x[4];
-        const Scalar cos_q_5 = cos(q_5);
+        Scalar sin_q_5, cos_q_5;
+        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
         const Scalar q_6 = x[5];
-        const Scalar cos_q_6 = cos(q_6);
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
         const Scalar e1 = p_.c_x * cos_q_6;
-        const Scalar sin_q_5 = sin(q_5);
         const Scalar e2 = cos_q_5 * e1 - p_.c_z * sin_q_5;
-        const Scalar cos_q_4 = cos(q_4);
-        const Scalar sin_q_6 = sin(q_6);
         const Scalar e3 = p_.c_x * sin_q_6;
         const Scalar e4 = sin_q_4 * e2 + cos_q_4 * e3;
         const Scalar e5 = p_.d_3 - e4;
-        const Scalar sin_q_1 = sin(q_1);
         const Scalar q_2 = x[1];
-        const Scalar cos_q_2 = cos(q_2);
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
         const Scalar q_3 = x[2];
-        const Scalar cos_q_3 = cos(q_3);
+        Scalar sin_q_3, cos_q_3;
+        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
         const Scalar e6 = sin_q_4 * e3 - cos_q_4 * e2;
         const Scalar e7 = p_.a_3 - e6;
-        const Scalar sin_q_3 = sin(q_3);
         const Scalar e8 = p_.c_z * cos_q_5 + sin_q_5 * e1;
         const Scalar e9 = p_.d_4 + e8;
         const Scalar e10 = cos_q_3 * e7 - sin_q_3 * e9;
         const Scalar e11 = p_.a_2 + e10;
-        const Scalar sin_q_2 = sin(q_2);
         const Scalar e12 = cos_q_3 * e9 + sin_q_3 * e7;
         const Scalar e13 = sin_q_2 * e12;
         const Scalar e14 = cos_q_2 * e11 - e13;
@@ -3594,8 +3600,6 @@ public:
     /// Operations: 80 + or -, 164 *, 10 sin or cos
     /// (Too long to be printed here; `dalembert derive` prints the equations.)
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar q_1_dot = x[6];
         const Scalar q_1_dot_squared = q_1_dot * q_1_dot;
         const Scalar e1 = p_.d_4 * p_.d_4;
@@ -3604,11 +3608,11 @@ public:
         const Scalar e4 = p_.m_2 * e3;
         const Scalar e5 = p_.d_3 * p_.d_3;
         const Scalar q_2 = x[1];
-        const Scalar cos_q_2 = cos(q_2);
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
         const Scalar q_3 = x[2];
-        const Scalar cos_q_3 = cos(q_3);
-        const Scalar sin_q_2 = sin(q_2);
-        const Scalar sin_q_3 = sin(q_3);
+        Scalar sin_q_3, cos_q_3;
+        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
         const Scalar e6 = sin_q_2 * sin_q_3;
         const Scalar e7 = cos_q_2 * cos_q_3 - e6;
         const Scalar e8 = cos_q_3 * sin_q_2;
@@ -3629,13 +3633,13 @@ public:
         const Scalar e21 = q_1_dot * cos_q_2;
         const Scalar e22 = e20 * e21;
         const Scalar q_5 = x[4];
-        const Scalar cos_q_5 = cos(q_5);
+        Scalar sin_q_5, cos_q_5;
+        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
         const Scalar q_4 = x[3];
-        const Scalar sin_q_4 = sin(q_4);
-        const Scalar cos_q_4 = cos(q_4);
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar e23 = q_1_dot * e9;
         const Scalar e24 = sin_q_4 * e20 + cos_q_4 * e23;
-        const Scalar sin_q_5 = sin(q_5);
         const Scalar q_4_dot = x[9];
         const Scalar e25 = q_1_dot * e7 - q_4_dot;
         const Scalar e26 = cos_q_5 * e24 + sin_q_5 * e25;
@@ -3647,7 +3651,8 @@ public:
         const Scalar e32 = cos_q_4 * e27 - sin_q_4 * e31;
         const Scalar e33 = p_.c_z * (p_.m_6 * p_.c_z);
         const Scalar q_6 = x[5];
-        const Scalar cos_q_6 = cos(q_6);
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
         const Scalar q_6_dot = x[11];
         const Scalar e34 = cos_q_5 * e25 - sin_q_5 * e24;
         const Scalar e35 = q_6_dot - e34;
@@ -3658,7 +3663,6 @@ public:
         const Scalar e39 = cos_q_3 * e29;
         const Scalar e40 = p_.a_3 * e20 + (e39 + sin_q_3 * e28);
         const Scalar e41 = cos_q_5 * e38 - sin_q_5 * e40;
-        const Scalar sin_q_6 = sin(q_6);
         const Scalar e42 = sin_q_6 * e35;
         const Scalar e43 = cos_q_5 * e40 + sin_q_5 * e38;
         const Scalar e44 = cos_q_6 * e37;
@@ -3699,15 +3703,14 @@ public:
     ///     sin(q_2)*(a_2 + cos(q_3)*(a_3 - c_x*sin(q_4)*sin(q_6) + cos(q_4)*(c_x*cos(q_5)*cos(q_6) - c_z*sin(q_5))) - sin(q_3)*(d_4
     ///     + (c_x*cos(q_6)*sin(q_5) + c_z*cos(q_5)))))
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar e1 = p_.k_p * p_.k_w;
         const Scalar q_4 = x[3];
         const Scalar e2 = Scalar(1) - q_4;
         const Scalar q_6 = x[5];
         const Scalar e3 = Scalar(1) + q_6;
         const Scalar q_2 = x[1];
-        const Scalar sin_q_2 = sin(q_2);
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
         const Scalar q_1 = x[0];
         const Scalar e4 = Scalar(1) - q_1;
         const Scalar e5 = Scalar(2) + Scalar(5) * q_2;
@@ -3715,17 +3718,16 @@ public:
         const Scalar e6 = Scalar(3) - Scalar(10) * q_3;
         const Scalar q_5 = x[4];
         const Scalar e7 = Scalar(7) - Scalar(10) * q_5;
-        const Scalar cos_q_2 = cos(q_2);
-        const Scalar cos_q_3 = cos(q_3);
-        const Scalar sin_q_3 = sin(q_3);
-        const Scalar cos_q_5 = cos(q_5);
-        const Scalar sin_q_5 = sin(q_5);
-        const Scalar cos_q_6 = cos(q_6);
+        Scalar sin_q_3, cos_q_3;
+        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
+        Scalar sin_q_5, cos_q_5;
+        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
         const Scalar e8 = p_.c_x * cos_q_6;
         const Scalar e9 = p_.d_4 + (p_.c_z * cos_q_5 + sin_q_5 * e8);
-        const Scalar cos_q_4 = cos(q_4);
-        const Scalar sin_q_4 = sin(q_4);
-        const Scalar sin_q_6 = sin(q_6);
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar e10 = p_.a_3 + cos_q_4 * (cos_q_5 * e8 - p_.c_z * sin_q_5) - p_.c_x * sin_q_4 * sin_q_6;
         const Scalar e11 = cos_q_2 * (c_.k59 * cos_q_3 + c_.k61 * sin_q_3) + sin_q_2
             * (c_.k62 + c_.k61 * cos_q_3 - c_.k59 * sin_q_3);

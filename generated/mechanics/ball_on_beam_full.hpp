@@ -124,6 +124,28 @@ Scalar one_minus_cos(const Scalar& x) noexcept {
     return Scalar(2) * sine * sine;
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -201,15 +223,13 @@ public:
     ///     m_K*g*r*cos(phi_1) - m_K*r_K*g*sin(phi_1) = tau_e
     ///     -(m_K*r_K + theta_K/r_K)*ddot(phi_1) + (m_K + theta_K/r_K^2)*ddot(r) - m_K*r*dot(phi_1)^2 + m_K*g*sin(phi_1) = 0
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar tau_e = u[0];
         const Scalar r = x[1];
         const Scalar phi_1_dot = x[2];
         const Scalar r_dot = x[3];
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar e1 = tau_e - r * (c_.k3 * phi_1_dot * r_dot + c_.k4 * cos_phi_1) + c_.k5 * sin_phi_1;
         const Scalar e2 = p_.m_K * r;
         const Scalar inverse_3 = Scalar(1) / (c_.k0 + r * e2);
@@ -227,15 +247,13 @@ public:
     /// 4 x 4, entry (i, j) at J[4*j + i].
     /// Operations: 22 + or -, 39 *, 2 /, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar tau_e = u[0];
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar r = x[1];
         const Scalar phi_1_dot = x[2];
         const Scalar r_dot = x[3];
-        const Scalar cos_phi_1 = cos(phi_1);
         const Scalar e1 = c_.k4 * cos_phi_1;
         const Scalar e2 = c_.k3 * phi_1_dot * r_dot + e1;
         const Scalar e3 = tau_e + c_.k5 * sin_phi_1 - r * e2;
@@ -303,15 +321,13 @@ public:
     /// J = df/dp, parameters in the order of the table. 4 x 4, entry (i, j) at J[4*j + i].
     /// Operations: 27 + or -, 53 *, 3 /, 2 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar e1 = (Scalar(7) / Scalar(5)) * p_.r_K;
         const Scalar r = x[1];
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar r_dot = x[3];
         const Scalar phi_1_dot = x[2];
         const Scalar e2 = r * phi_1_dot;
@@ -380,12 +396,10 @@ public:
     ///     bias[phi_1] = 2*m_K*r*dot(phi_1)*dot(r) + m_K*g*r*cos(phi_1) - m_K*r_K*g*sin(phi_1)
     ///     bias[r] = -m_K*r*dot(phi_1)^2 + m_K*g*sin(phi_1)
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar r = x[1];
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar r_dot = x[3];
         const Scalar phi_1_dot = x[2];
         const Scalar e1 = r * phi_1_dot;

@@ -138,6 +138,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -220,15 +242,13 @@ public:
     ///     (m_W + m_S)*ddot(s) + l_S*m_S*cos(phi)*ddot(phi)/2 - l_S*m_S*sin(phi)*dot(phi)^2/2 - c_W*s_W0 + c_W*s = f_e
     ///     l_S*m_S*cos(phi)*ddot(s)/2 + (l_S^2*m_S/4 + theta_S)*ddot(phi) + l_S*g*m_S*sin(phi)/2 = 0
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar f_e = u[0];
         const Scalar s = x[0];
         const Scalar phi_dot = x[3];
         const Scalar phi = x[1];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar e1 = c_.k3 + f_e - p_.c_W * s + c_.k1 * phi_dot * phi_dot * sin_phi;
-        const Scalar cos_phi = cos(phi);
         const Scalar e2 = c_.k1 * cos_phi;
         const Scalar e3 = e2 * c_.k5;
         const Scalar phi_ddot = (-c_.k4 * sin_phi - e3 * e1) / (c_.k2 - e2 * e3);
@@ -243,17 +263,15 @@ public:
     /// 4 x 4, entry (i, j) at J[4*j + i].
     /// Operations: 16 + or -, 30 *, 1 /, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar f_e = u[0];
         const Scalar s = x[0];
         const Scalar phi = x[1];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar e1 = c_.k1 * sin_phi;
         const Scalar phi_dot = x[3];
         const Scalar phi_dot_squared = phi_dot * phi_dot;
         const Scalar e2 = c_.k3 + f_e - p_.c_W * s + e1 * phi_dot_squared;
-        const Scalar cos_phi = cos(phi);
         const Scalar e3 = c_.k1 * cos_phi;
         const Scalar e4 = e3 * c_.k5;
         const Scalar inverse_5 = Scalar(1) / (c_.k2 - e3 * e4);
@@ -311,13 +329,12 @@ public:
     /// J = df/dp, parameters in the order of the table. 4 x 8, entry (i, j) at J[4*j + i].
     /// Operations: 36 + or -, 96 *, 1 /, 2 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar e1 = -dxdt[2];
         const Scalar phi = x[1];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar e2 = c_.k1 * cos_phi;
         const Scalar e3 = e2 * c_.k5;
         const Scalar inverse_4 = Scalar(1) / (c_.k2 - e2 * e3);
@@ -326,7 +343,6 @@ public:
         const Scalar e7 = p_.h_S * e6;
         const Scalar e8 = (Scalar(1) / Scalar(2)) * p_.l_S * e7;
         const Scalar phi_dot = x[3];
-        const Scalar sin_phi = sin(phi);
         const Scalar e9 = phi_dot * phi_dot * sin_phi - dxdt[3] * cos_phi;
         const Scalar e10 = e8 * e9 - dxdt[2] * e7;
         const Scalar e11 = p_.l_S * p_.l_S;

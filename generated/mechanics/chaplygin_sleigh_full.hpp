@@ -149,6 +149,28 @@ Scalar independent_inverse(const Scalar& x, const Scalar& size) noexcept {
     return select(is_rest, Scalar(0), Scalar(1) / select(is_rest, Scalar(1), x));
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -225,15 +247,13 @@ public:
     ///     m*ddot(y) + m*a*cos(theta)*ddot(theta) - cos(theta)*constraint_force[blade] - m*a*sin(theta)*dot(theta)^2 = 0
     ///     -m*a*sin(theta)*ddot(x) + m*a*cos(theta)*ddot(y) + (m*a^2 + J)*ddot(theta) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta_dot = x[5];
         const Scalar e1 = c_.k0 * theta_dot;
         const Scalar theta = x[2];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e2 = theta_dot * cos_theta;
         const Scalar e3 = e1 * e2;
-        const Scalar sin_theta = sin(theta);
         const Scalar e4 = -c_.k0 * sin_theta;
         const Scalar e5 = e4 * c_.k2;
         const Scalar e6 = c_.k0 * cos_theta;
@@ -268,15 +288,13 @@ public:
     /// 6 x 6, entry (i, j) at J[6*j + i].
     /// Operations: 51 + or -, 87 *, 2 /, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta_dot = x[5];
         const Scalar theta = x[2];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = theta_dot * cos_theta;
         const Scalar e2 = c_.k0 * theta_dot;
         const Scalar e3 = e1 * e2;
-        const Scalar sin_theta = sin(theta);
         const Scalar e4 = -c_.k0 * sin_theta;
         const Scalar e5 = e4 * c_.k2;
         const Scalar e6 = c_.k0 * cos_theta;
@@ -374,16 +392,14 @@ public:
     /// J = df/dp, parameters in the order of the table. 6 x 3, entry (i, j) at J[6*j + i].
     /// Operations: 48 + or -, 85 *, 2 /, 2 sin or cos
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta = x[2];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = c_.k0 * sin_theta;
         const Scalar e2 = -e1;
         const Scalar e3 = e2 * c_.k2;
         const Scalar theta_dot = x[5];
         const Scalar theta_dot_squared = theta_dot * theta_dot;
-        const Scalar cos_theta = cos(theta);
         const Scalar e4 = c_.k0 * cos_theta;
         const Scalar e5 = theta_dot_squared * e4;
         const Scalar e6 = e4 * c_.k2;
@@ -460,11 +476,9 @@ public:
     ///     M[y, theta] = m*a*cos(theta)
     ///     M[theta, theta] = m*a^2 + J
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta = x[2];
-        const Scalar sin_theta = sin(theta);
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         M[0] = p_.m;
         M[1] = Scalar(0);
         M[2] = -c_.k0 * sin_theta;
@@ -482,13 +496,11 @@ public:
     ///     bias[y] = -m*a*sin(theta)*dot(theta)^2
     ///     bias[theta] = 0
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta = x[2];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar theta_dot = x[5];
         const Scalar e1 = theta_dot * (c_.k0 * theta_dot);
-        const Scalar sin_theta = sin(theta);
         b[0] = -cos_theta * e1;
         b[1] = -sin_theta * e1;
         b[2] = Scalar(0);
@@ -510,13 +522,11 @@ public:
     ///     v = cos(theta)*dot(x) + sin(theta)*dot(y)
     ///     f_n = constraint_force[blade]
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar x_dot = x[3];
         const Scalar theta = x[2];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar y_dot = x[4];
-        const Scalar sin_theta = sin(theta);
         const Scalar e1 = x_dot * cos_theta + y_dot * sin_theta;
         const Scalar theta_dot = x[5];
         const Scalar e2 = sin_theta * c_.k2;
@@ -542,13 +552,11 @@ public:
     /// C = dh/dx.
     /// Operations: 36 + or -, 63 *, 2 /, 2 sin or cos
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar y_dot = x[4];
         const Scalar theta = x[2];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar x_dot = x[3];
-        const Scalar sin_theta = sin(theta);
         const Scalar theta_dot = x[5];
         const Scalar e1 = theta_dot * sin_theta;
         const Scalar e2 = theta_dot * cos_theta;
@@ -604,16 +612,14 @@ public:
     ///     T = -m*a*sin(theta)*dot(x)*dot(theta) + m*dot(x)^2/2 + m*a*cos(theta)*dot(y)*dot(theta) + m*dot(y)^2/2 + (m*a^2 +
     ///     J)*dot(theta)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar x_dot = x[3];
         const Scalar e1 = (Scalar(1) / Scalar(2)) * p_.m;
         const Scalar theta = x[2];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar theta_dot = x[5];
         const Scalar e2 = c_.k0 * theta_dot;
         const Scalar y_dot = x[4];
-        const Scalar cos_theta = cos(theta);
         const Scalar e3 = theta_dot * theta_dot * ((Scalar(1) / Scalar(2)) * (p_.m * p_.a * p_.a + p_.J));
         return x_dot * (x_dot * e1 - sin_theta * e2) + y_dot * (y_dot * e1 + cos_theta * e2) + e3;
     }
@@ -673,24 +679,20 @@ public:
     /// Operations: 1 + or -, 2 *, 2 sin or cos
     ///     blade: -sin(theta)*dot(x) + cos(theta)*dot(y) = 0
     void constraint_rates(const State& x, Scalar /*t*/, Constraints& w) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar y_dot = x[4];
         const Scalar theta = x[2];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar x_dot = x[3];
-        const Scalar sin_theta = sin(theta);
         w[0] = y_dot * cos_theta - x_dot * sin_theta;
     }
 
     /// d(rate)/d(velocity), entry (i, j) at A[1*j + i].
     /// Operations: 1 + or -, 2 sin or cos
     void constraint_jacobian(const State& x, Scalar /*t*/, ConstraintJacobian& A) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta = x[2];
-        const Scalar sin_theta = sin(theta);
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         A[0] = -sin_theta;
         A[1] = cos_theta;
         A[2] = Scalar(0);
@@ -699,15 +701,13 @@ public:
     /// Forces of the constraints along their rates, on the machine; of one that follows from those before it, zero.
     /// Operations: 12 + or -, 27 *, 2 /, 2 sin or cos
     void constraint_forces(const State& x, const Input& /*u*/, Scalar /*t*/, Constraints& force) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar x_dot = x[3];
         const Scalar theta_dot = x[5];
         const Scalar theta = x[2];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = theta_dot * cos_theta;
         const Scalar y_dot = x[4];
-        const Scalar sin_theta = sin(theta);
         const Scalar e2 = theta_dot * sin_theta;
         const Scalar e3 = sin_theta * c_.k2;
         const Scalar e4 = c_.k0 * theta_dot;
@@ -739,14 +739,12 @@ public:
     /// M^-1 A' (A M^-1 A')^-1 residual.
     /// Operations: 11 + or -, 20 *, 3 /, 2 sin or cos
     void correction(const State& x, Scalar /*t*/, const Constraints& residual, Generalised& step) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta = x[2];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = -c_.k0 * sin_theta;
         const Scalar inverse_2 = Scalar(1) / p_.m;
         const Scalar e3 = e1 * inverse_2;
-        const Scalar cos_theta = cos(theta);
         const Scalar e4 = -cos_theta;
         const Scalar e5 = c_.k0 * cos_theta;
         const Scalar e6 = e5 * inverse_2;

@@ -157,6 +157,28 @@ Scalar independent_inverse(const Scalar& x, const Scalar& size) noexcept {
     return select(is_rest, Scalar(0), Scalar(1) / select(is_rest, Scalar(1), x));
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -258,16 +280,14 @@ public:
     ///     c^2*m_c*ddot(gamma)/3 - c*sin(gamma)*constraint_force[loop_x] + c*cos(gamma)*constraint_force[loop_y] +
     ///     c*m_c*g*cos(gamma)/2 = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar beta_dot = x[4];
         const Scalar beta_dot_squared = beta_dot * beta_dot;
         const Scalar alpha = x[0];
-        const Scalar cos_alpha = cos(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar beta = x[1];
-        const Scalar sin_beta = sin(beta);
-        const Scalar cos_beta = cos(beta);
-        const Scalar sin_alpha = sin(alpha);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar e1 = c_.k1 * (cos_alpha * sin_beta - cos_beta * sin_alpha);
         const Scalar e2 = beta_dot_squared * e1 - c_.k4 * cos_alpha;
         const Scalar e3 = c_.k1 * (cos_alpha * cos_beta + sin_alpha * sin_beta);
@@ -281,13 +301,13 @@ public:
         const Scalar e9 = e7 - e8 * e4;
         const Scalar e10 = e9 * inverse_6;
         const Scalar gamma = x[2];
-        const Scalar cos_gamma = cos(gamma);
+        Scalar sin_gamma, cos_gamma;
+        detail::sin_and_cos<Scalar>(gamma, sin_gamma, cos_gamma);
         const Scalar gamma_dot = x[5];
         const Scalar e11 = gamma_dot * (p_.c * gamma_dot);
         const Scalar e12 = p_.a * cos_alpha;
         const Scalar e13 = p_.b * cos_beta;
         const Scalar e14 = e8 * c_.k7;
-        const Scalar sin_gamma = sin(gamma);
         const Scalar e15 = -p_.c * sin_gamma;
         const Scalar e16 = e15 * c_.k8;
         const Scalar e17 = -c_.k6 * cos_gamma;
@@ -326,16 +346,14 @@ public:
     /// 6 x 6, entry (i, j) at J[6*j + i].
     /// Operations: 124 + or -, 194 *, 3 /, 6 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar beta_dot = x[4];
         const Scalar beta_dot_squared = beta_dot * beta_dot;
         const Scalar alpha = x[0];
-        const Scalar cos_alpha = cos(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar beta = x[1];
-        const Scalar sin_beta = sin(beta);
-        const Scalar cos_beta = cos(beta);
-        const Scalar sin_alpha = sin(alpha);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar e1 = cos_alpha * sin_beta - cos_beta * sin_alpha;
         const Scalar e2 = c_.k1 * e1;
         const Scalar e3 = beta_dot_squared * e2 - c_.k4 * cos_alpha;
@@ -351,7 +369,8 @@ public:
         const Scalar e11 = e9 - e10 * e6;
         const Scalar e12 = e11 * inverse_8;
         const Scalar gamma = x[2];
-        const Scalar cos_gamma = cos(gamma);
+        Scalar sin_gamma, cos_gamma;
+        detail::sin_and_cos<Scalar>(gamma, sin_gamma, cos_gamma);
         const Scalar e13 = p_.c * cos_gamma;
         const Scalar gamma_dot = x[5];
         const Scalar gamma_dot_squared = gamma_dot * gamma_dot;
@@ -361,7 +380,6 @@ public:
         const Scalar e17 = p_.b * cos_beta;
         const Scalar e18 = beta_dot_squared * e17;
         const Scalar e19 = e10 * c_.k7;
-        const Scalar sin_gamma = sin(gamma);
         const Scalar e20 = p_.c * sin_gamma;
         const Scalar e21 = -e20;
         const Scalar e22 = e21 * c_.k8;
@@ -486,28 +504,27 @@ public:
     /// J = df/dp, parameters in the order of the table. 6 x 8, entry (i, j) at J[6*j + i].
     /// Operations: 150 + or -, 265 *, 3 /, 6 sin or cos
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar alpha = x[0];
-        const Scalar cos_alpha = cos(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar gamma_dot = x[5];
         const Scalar gamma_dot_squared = gamma_dot * gamma_dot;
         const Scalar gamma = x[2];
-        const Scalar sin_gamma = sin(gamma);
+        Scalar sin_gamma, cos_gamma;
+        detail::sin_and_cos<Scalar>(gamma, sin_gamma, cos_gamma);
         const Scalar e1 = p_.c * sin_gamma;
         const Scalar alpha_dot = x[3];
         const Scalar alpha_dot_squared = alpha_dot * alpha_dot;
-        const Scalar sin_alpha = sin(alpha);
         const Scalar e2 = p_.a * sin_alpha;
         const Scalar beta_dot = x[4];
         const Scalar beta_dot_squared = beta_dot * beta_dot;
         const Scalar beta = x[1];
-        const Scalar sin_beta = sin(beta);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar e3 = p_.b * sin_beta;
         const Scalar e4 = p_.a * cos_alpha;
         const Scalar e5 = -e4;
         const Scalar e6 = e5 * c_.k7;
-        const Scalar cos_beta = cos(beta);
         const Scalar e7 = cos_alpha * sin_beta - cos_beta * sin_alpha;
         const Scalar e8 = c_.k1 * e7;
         const Scalar e9 = beta_dot_squared * e8 - c_.k4 * cos_alpha;
@@ -519,7 +536,6 @@ public:
         const Scalar inverse_15 = Scalar(1) / (c_.k2 - e12 * e13);
         const Scalar e16 = e14 * inverse_15;
         const Scalar e17 = -c_.k5 * cos_beta - alpha_dot_squared * e8 - e13 * e9;
-        const Scalar cos_gamma = cos(gamma);
         const Scalar e18 = p_.c * cos_gamma;
         const Scalar e19 = e18 * c_.k8;
         const Scalar e20 = -c_.k6 * cos_gamma;
@@ -676,14 +692,12 @@ public:
     ///     M[beta, gamma] = 0
     ///     M[gamma, gamma] = c^2*m_c/3
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar alpha = x[0];
-        const Scalar cos_alpha = cos(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar beta = x[1];
-        const Scalar cos_beta = cos(beta);
-        const Scalar sin_alpha = sin(alpha);
-        const Scalar sin_beta = sin(beta);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         M[0] = c_.k0;
         M[1] = c_.k1 * (cos_alpha * cos_beta + sin_alpha * sin_beta);
         M[2] = Scalar(0);
@@ -702,14 +716,13 @@ public:
     ///     bias[gamma] = c*m_c*g*cos(gamma)/2
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
         using std::cos;
-        using std::sin;
         const Scalar alpha = x[0];
-        const Scalar cos_alpha = cos(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar beta_dot = x[4];
         const Scalar beta = x[1];
-        const Scalar sin_beta = sin(beta);
-        const Scalar cos_beta = cos(beta);
-        const Scalar sin_alpha = sin(alpha);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar e1 = c_.k1 * (cos_alpha * sin_beta - cos_beta * sin_alpha);
         const Scalar alpha_dot = x[3];
         const Scalar gamma = x[2];
@@ -735,26 +748,25 @@ public:
     ///     f_x = -constraint_force[loop_x]
     ///     f_y = -constraint_force[loop_y]
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar gamma = x[2];
-        const Scalar cos_gamma = cos(gamma);
+        Scalar sin_gamma, cos_gamma;
+        detail::sin_and_cos<Scalar>(gamma, sin_gamma, cos_gamma);
         const Scalar gamma_dot = x[5];
         const Scalar e1 = gamma_dot * (p_.c * gamma_dot);
         const Scalar alpha_dot = x[3];
         const Scalar alpha_dot_squared = alpha_dot * alpha_dot;
         const Scalar alpha = x[0];
-        const Scalar cos_alpha = cos(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar e2 = p_.a * cos_alpha;
         const Scalar beta_dot = x[4];
         const Scalar beta_dot_squared = beta_dot * beta_dot;
         const Scalar beta = x[1];
-        const Scalar cos_beta = cos(beta);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar e3 = p_.b * cos_beta;
-        const Scalar sin_alpha = sin(alpha);
         const Scalar e4 = p_.a * sin_alpha;
         const Scalar e5 = e4 * c_.k7;
-        const Scalar sin_beta = sin(beta);
         const Scalar e6 = c_.k1 * (cos_alpha * sin_beta - cos_beta * sin_alpha);
         const Scalar e7 = beta_dot_squared * e6 - c_.k4 * cos_alpha;
         const Scalar e8 = p_.b * sin_beta;
@@ -764,7 +776,6 @@ public:
         const Scalar inverse_12 = Scalar(1) / (c_.k2 - e9 * e10);
         const Scalar e13 = e11 * inverse_12;
         const Scalar e14 = -c_.k5 * cos_beta - alpha_dot_squared * e6 - e10 * e7;
-        const Scalar sin_gamma = sin(gamma);
         const Scalar e15 = -p_.c * sin_gamma;
         const Scalar e16 = e15 * c_.k8;
         const Scalar e17 = -c_.k6 * cos_gamma;
@@ -795,20 +806,18 @@ public:
     /// C = dh/dx.
     /// Operations: 92 + or -, 156 *, 3 /, 6 sin or cos
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar alpha_dot = x[3];
         const Scalar alpha_dot_squared = alpha_dot * alpha_dot;
         const Scalar alpha = x[0];
-        const Scalar sin_alpha = sin(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar e1 = p_.a * sin_alpha;
         const Scalar e2 = alpha_dot_squared * e1;
         const Scalar beta_dot = x[4];
         const Scalar beta_dot_squared = beta_dot * beta_dot;
-        const Scalar cos_alpha = cos(alpha);
         const Scalar beta = x[1];
-        const Scalar sin_beta = sin(beta);
-        const Scalar cos_beta = cos(beta);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar e3 = cos_alpha * sin_beta - cos_beta * sin_alpha;
         const Scalar e4 = c_.k1 * e3;
         const Scalar e5 = beta_dot_squared * e4 - c_.k4 * cos_alpha;
@@ -821,7 +830,8 @@ public:
         const Scalar e12 = e11 - e1 * e8;
         const Scalar e13 = e12 * inverse_10;
         const Scalar gamma = x[2];
-        const Scalar cos_gamma = cos(gamma);
+        Scalar sin_gamma, cos_gamma;
+        detail::sin_and_cos<Scalar>(gamma, sin_gamma, cos_gamma);
         const Scalar e14 = p_.c * cos_gamma;
         const Scalar gamma_dot = x[5];
         const Scalar gamma_dot_squared = gamma_dot * gamma_dot;
@@ -831,7 +841,6 @@ public:
         const Scalar e18 = p_.b * cos_beta;
         const Scalar e19 = beta_dot_squared * e18;
         const Scalar e20 = e1 * c_.k7;
-        const Scalar sin_gamma = sin(gamma);
         const Scalar e21 = p_.c * sin_gamma;
         const Scalar e22 = -e21;
         const Scalar e23 = e22 * c_.k8;
@@ -909,16 +918,14 @@ public:
     ///     T = a*b*m_b*cos(alpha - beta)*dot(alpha)*dot(beta)/2 + a^2*(m_a/6 + m_b/2)*dot(alpha)^2 + b^2*m_b*dot(beta)^2/6 +
     ///     c^2*m_c*dot(gamma)^2/6
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar beta_dot = x[4];
         const Scalar alpha_dot = x[3];
         const Scalar alpha = x[0];
-        const Scalar cos_alpha = cos(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar beta = x[1];
-        const Scalar cos_beta = cos(beta);
-        const Scalar sin_alpha = sin(alpha);
-        const Scalar sin_beta = sin(beta);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar gamma_dot = x[5];
         const Scalar e1 = beta_dot * (c_.k1 * alpha_dot) * (cos_alpha * cos_beta + sin_alpha * sin_beta);
         const Scalar e2 = p_.a * p_.a * ((Scalar(1) / Scalar(6)) * p_.m_a + (Scalar(1) / Scalar(2)) * p_.m_b);
@@ -983,17 +990,15 @@ public:
     ///     loop_x: -d + a*cos(alpha) + b*cos(beta) - c*cos(gamma) = 0
     ///     loop_y: a*sin(alpha) + b*sin(beta) - c*sin(gamma) = 0
     void constraint_positions(const State& x, Scalar /*t*/, Constraints& f) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar alpha = x[0];
-        const Scalar cos_alpha = cos(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar beta = x[1];
-        const Scalar cos_beta = cos(beta);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar gamma = x[2];
-        const Scalar cos_gamma = cos(gamma);
-        const Scalar sin_alpha = sin(alpha);
-        const Scalar sin_beta = sin(beta);
-        const Scalar sin_gamma = sin(gamma);
+        Scalar sin_gamma, cos_gamma;
+        detail::sin_and_cos<Scalar>(gamma, sin_gamma, cos_gamma);
         f[0] = p_.a * cos_alpha - p_.d + p_.b * cos_beta - p_.c * cos_gamma;
         f[1] = p_.a * sin_alpha + p_.b * sin_beta - p_.c * sin_gamma;
     }
@@ -1003,23 +1008,21 @@ public:
     ///     loop_x: -a*sin(alpha)*dot(alpha) - b*sin(beta)*dot(beta) + c*sin(gamma)*dot(gamma) = 0
     ///     loop_y: a*cos(alpha)*dot(alpha) + b*cos(beta)*dot(beta) - c*cos(gamma)*dot(gamma) = 0
     void constraint_rates(const State& x, Scalar /*t*/, Constraints& w) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar gamma = x[2];
-        const Scalar sin_gamma = sin(gamma);
+        Scalar sin_gamma, cos_gamma;
+        detail::sin_and_cos<Scalar>(gamma, sin_gamma, cos_gamma);
         const Scalar gamma_dot = x[5];
         const Scalar e1 = p_.c * gamma_dot;
         const Scalar alpha = x[0];
-        const Scalar sin_alpha = sin(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar alpha_dot = x[3];
         const Scalar e2 = p_.a * alpha_dot;
         const Scalar beta = x[1];
-        const Scalar sin_beta = sin(beta);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar beta_dot = x[4];
         const Scalar e3 = p_.b * beta_dot;
-        const Scalar cos_alpha = cos(alpha);
-        const Scalar cos_beta = cos(beta);
-        const Scalar cos_gamma = cos(gamma);
         w[0] = sin_gamma * e1 - sin_alpha * e2 - sin_beta * e3;
         w[1] = cos_alpha * e2 + cos_beta * e3 - cos_gamma * e1;
     }
@@ -1027,17 +1030,15 @@ public:
     /// d(rate)/d(velocity), entry (i, j) at A[2*j + i].
     /// Operations: 3 + or -, 6 *, 6 sin or cos
     void constraint_jacobian(const State& x, Scalar /*t*/, ConstraintJacobian& A) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar alpha = x[0];
-        const Scalar sin_alpha = sin(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar beta = x[1];
-        const Scalar sin_beta = sin(beta);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar gamma = x[2];
-        const Scalar sin_gamma = sin(gamma);
-        const Scalar cos_alpha = cos(alpha);
-        const Scalar cos_beta = cos(beta);
-        const Scalar cos_gamma = cos(gamma);
+        Scalar sin_gamma, cos_gamma;
+        detail::sin_and_cos<Scalar>(gamma, sin_gamma, cos_gamma);
         A[0] = -p_.a * sin_alpha;
         A[1] = p_.a * cos_alpha;
         A[2] = -p_.b * sin_beta;
@@ -1049,26 +1050,25 @@ public:
     /// Forces of the constraints along their rates, on the machine; of one that follows from those before it, zero.
     /// Operations: 33 + or -, 59 *, 3 /, 6 sin or cos
     void constraint_forces(const State& x, const Input& /*u*/, Scalar /*t*/, Constraints& force) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar gamma = x[2];
-        const Scalar cos_gamma = cos(gamma);
+        Scalar sin_gamma, cos_gamma;
+        detail::sin_and_cos<Scalar>(gamma, sin_gamma, cos_gamma);
         const Scalar gamma_dot = x[5];
         const Scalar e1 = gamma_dot * (p_.c * gamma_dot);
         const Scalar alpha_dot = x[3];
         const Scalar alpha_dot_squared = alpha_dot * alpha_dot;
         const Scalar alpha = x[0];
-        const Scalar cos_alpha = cos(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar e2 = p_.a * cos_alpha;
         const Scalar beta_dot = x[4];
         const Scalar beta_dot_squared = beta_dot * beta_dot;
         const Scalar beta = x[1];
-        const Scalar cos_beta = cos(beta);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar e3 = p_.b * cos_beta;
-        const Scalar sin_alpha = sin(alpha);
         const Scalar e4 = p_.a * sin_alpha;
         const Scalar e5 = e4 * c_.k7;
-        const Scalar sin_beta = sin(beta);
         const Scalar e6 = c_.k1 * (cos_alpha * sin_beta - cos_beta * sin_alpha);
         const Scalar e7 = beta_dot_squared * e6 - c_.k4 * cos_alpha;
         const Scalar e8 = p_.b * sin_beta;
@@ -1078,7 +1078,6 @@ public:
         const Scalar inverse_12 = Scalar(1) / (c_.k2 - e9 * e10);
         const Scalar e13 = e11 * inverse_12;
         const Scalar e14 = -c_.k5 * cos_beta - alpha_dot_squared * e6 - e10 * e7;
-        const Scalar sin_gamma = sin(gamma);
         const Scalar e15 = -p_.c * sin_gamma;
         const Scalar e16 = e15 * c_.k8;
         const Scalar e17 = -c_.k6 * cos_gamma;
@@ -1117,14 +1116,12 @@ public:
     /// M^-1 A' (A M^-1 A')^-1 residual.
     /// Operations: 24 + or -, 41 *, 5 /, 6 sin or cos
     void correction(const State& x, Scalar /*t*/, const Constraints& residual, Generalised& step) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar alpha = x[0];
-        const Scalar cos_alpha = cos(alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(alpha, sin_alpha, cos_alpha);
         const Scalar beta = x[1];
-        const Scalar cos_beta = cos(beta);
-        const Scalar sin_alpha = sin(alpha);
-        const Scalar sin_beta = sin(beta);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(beta, sin_beta, cos_beta);
         const Scalar e1 = c_.k1 * (cos_alpha * cos_beta + sin_alpha * sin_beta);
         const Scalar inverse_2 = Scalar(1) / c_.k0;
         const Scalar e3 = e1 * inverse_2;
@@ -1135,7 +1132,8 @@ public:
         const Scalar e8 = -residual[0];
         const Scalar e9 = e4 * inverse_2;
         const Scalar gamma = x[2];
-        const Scalar sin_gamma = sin(gamma);
+        Scalar sin_gamma, cos_gamma;
+        detail::sin_and_cos<Scalar>(gamma, sin_gamma, cos_gamma);
         const Scalar e10 = -p_.c * sin_gamma;
         const Scalar inverse_11 = Scalar(1) / c_.k3;
         const Scalar e12 = e10 * inverse_11;
@@ -1143,7 +1141,6 @@ public:
         const Scalar independent_inverse_14 = detail::independent_inverse<Scalar>(e13, e13);
         const Scalar e15 = -p_.a * cos_alpha;
         const Scalar e16 = -p_.b * cos_beta - e15 * e3;
-        const Scalar cos_gamma = cos(gamma);
         const Scalar e17 = p_.c * cos_gamma;
         const Scalar e18 = -e15 * e9 - e16 * e7 - e17 * e12;
         const Scalar e19 = e18 * independent_inverse_14;

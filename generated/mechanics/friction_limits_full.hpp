@@ -174,6 +174,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -237,10 +259,8 @@ public:
     /// Operations: 7 + or -, 41 *, 8 /, 4 sin or cos, 6 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        using std::cos;
         using std::exp;
         using std::log;
-        using std::sin;
         using std::sqrt;
         const Scalar sqrt_1 = sqrt(p_.l * p_.l - p_.h * p_.h);
         c_.b = sqrt_1;
@@ -249,10 +269,10 @@ public:
         const Scalar log_4 = log(e3);
         const Scalar inverse_5 = Scalar(1) / detail::pi<Scalar>();
         c_.mu_R = (Scalar(1) / Scalar(2)) * log_4 * inverse_5;
-        const Scalar cos_alpha = cos(p_.alpha);
-        const Scalar cos_beta = cos(p_.beta);
-        const Scalar sin_alpha = sin(p_.alpha);
-        const Scalar sin_beta = sin(p_.beta);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(p_.alpha, sin_alpha, cos_alpha);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(p_.beta, sin_beta, cos_beta);
         const Scalar e6 = cos_alpha * cos_beta + sin_alpha * sin_beta;
         const Scalar e7 = cos_alpha * sin_beta - cos_beta * sin_alpha;
         const Scalar e8 = p_.mu_H * e7;

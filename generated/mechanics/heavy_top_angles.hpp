@@ -122,6 +122,28 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -200,14 +222,12 @@ public:
     ///     m*l*g*sin(theta) = 0
     ///     J_z*cos(theta)*ddot(psi) + J_z*ddot(phi) - J_z*sin(theta)*dot(psi)*dot(theta) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta_dot = x[4];
         const Scalar theta = x[1];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar phi_dot = x[5];
         const Scalar e1 = p_.J_z * phi_dot;
-        const Scalar cos_theta = cos(theta);
         const Scalar psi_dot = x[3];
         const Scalar e2 = psi_dot * sin_theta;
         const Scalar e3 = cos_theta * e2;
@@ -230,17 +250,15 @@ public:
     /// 6 x 6, entry (i, j) at J[6*j + i].
     /// Operations: 24 + or -, 59 *, 2 /, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi_dot = x[3];
         const Scalar theta = x[1];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = c_.k1 * cos_theta;
         const Scalar phi_dot = x[5];
         const Scalar e2 = p_.J_z * phi_dot;
         const Scalar e3 = psi_dot * e1 - e2;
         const Scalar theta_dot = x[4];
-        const Scalar sin_theta = sin(theta);
         const Scalar e4 = theta_dot * sin_theta;
         const Scalar e5 = -e3 * e4;
         const Scalar e6 = p_.J_z * cos_theta;
@@ -321,16 +339,14 @@ public:
     /// J = df/dp, parameters in the order of the table. 6 x 5, entry (i, j) at J[6*j + i].
     /// Operations: 21 + or -, 55 *, 2 /, 2 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar e1 = p_.l * p_.l;
         const Scalar theta_dot = x[4];
         const Scalar theta = x[1];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar psi_dot = x[3];
-        const Scalar sin_theta = sin(theta);
         const Scalar e2 = psi_dot * sin_theta;
         const Scalar e3 = cos_theta * e2;
         const Scalar e4 = theta_dot * e3;
@@ -407,11 +423,9 @@ public:
     ///     M[theta, phi] = 0
     ///     M[phi, phi] = J_z
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta = x[1];
-        const Scalar sin_theta = sin(theta);
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = p_.J_z * cos_theta;
         M[0] = c_.k0 * sin_theta * sin_theta + cos_theta * e1;
         M[1] = Scalar(0);
@@ -430,14 +444,12 @@ public:
     ///     bias[theta] = J_z*sin(theta)*dot(psi)*dot(phi) - (m*l^2 + J - J_z)*cos(theta)*sin(theta)*dot(psi)^2 - m*l*g*sin(theta)
     ///     bias[phi] = -J_z*sin(theta)*dot(psi)*dot(theta)
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta_dot = x[4];
         const Scalar theta = x[1];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar phi_dot = x[5];
         const Scalar e1 = p_.J_z * phi_dot;
-        const Scalar cos_theta = cos(theta);
         const Scalar psi_dot = x[3];
         const Scalar e2 = psi_dot * sin_theta;
         const Scalar e3 = cos_theta * e2;
@@ -463,15 +475,13 @@ public:
     ///     y = -l*cos(psi)*sin(theta)
     ///     z = l*cos(theta)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi = x[0];
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar theta = x[1];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = p_.l * sin_theta;
-        const Scalar cos_psi = cos(psi);
-        const Scalar cos_theta = cos(theta);
         y[0] = sin_psi * e1;
         y[1] = -cos_psi * e1;
         y[2] = p_.l * cos_theta;
@@ -480,15 +490,13 @@ public:
     /// C = dh/dx.
     /// Operations: 2 + or -, 6 *, 4 sin or cos
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi = x[0];
-        const Scalar cos_psi = cos(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar theta = x[1];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = p_.l * sin_theta;
-        const Scalar sin_psi = sin(psi);
-        const Scalar cos_theta = cos(theta);
         const Scalar e2 = p_.l * cos_theta;
         C[0] = cos_psi * e1;
         C[1] = sin_psi * e1;
@@ -520,15 +528,13 @@ public:
     ///     T = J_z*cos(theta)*dot(psi)*dot(phi) + (J_z*cos(theta)^2 + (m*l^2 + J)*sin(theta)^2)*dot(psi)^2/2 + (m*l^2 +
     ///     J)*dot(theta)^2/2 + J_z*dot(phi)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_dot = x[5];
         const Scalar e1 = (Scalar(1) / Scalar(2)) * p_.J_z;
         const Scalar psi_dot = x[3];
         const Scalar theta = x[1];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e2 = psi_dot * cos_theta;
-        const Scalar sin_theta = sin(theta);
         const Scalar theta_dot = x[4];
         const Scalar e3 = (Scalar(1) / Scalar(2)) * (p_.m * p_.l * p_.l + p_.J)
             * (psi_dot * psi_dot * sin_theta * sin_theta + theta_dot * theta_dot);

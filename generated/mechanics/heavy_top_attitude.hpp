@@ -145,6 +145,28 @@ void turn_back(Scalar* e, const Scalar& x, const Scalar& y, const Scalar& z) noe
     for (int i = 0; i < 4; ++i) e[i] = turned[i] * inverse;
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -217,13 +239,11 @@ public:
     /// Start values for the parameters that are set.
     State start_state() const noexcept {
         State x{};
-        using std::cos;
-        using std::sin;
-        const Scalar cos_1 = cos(Scalar(1) / Scalar(2));
-        const Scalar sin_2 = sin(Scalar(1) / Scalar(2));
+        Scalar sin_1, cos_2;
+        detail::sin_and_cos<Scalar>(Scalar(1) / Scalar(2), sin_1, cos_2);
         x[2] = Scalar(150);
-        x[3] = cos_1;
-        x[4] = sin_2;
+        x[3] = cos_2;
+        x[4] = sin_1;
         return x;
     }
 

@@ -201,6 +201,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -264,50 +286,46 @@ public:
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         {
-            using std::cos;
-            using std::sin;
             const Scalar e1 = p_.alpha - p_.beta;
-            const Scalar sin_2 = sin(e1);
-            const Scalar e3 = p_.mu_H * sin_2;
-            const Scalar cos_4 = cos(e1);
+            Scalar sin_2, cos_3;
+            detail::sin_and_cos<Scalar>(e1, sin_2, cos_3);
+            const Scalar e4 = p_.mu_H * sin_2;
             const Scalar e5 = p_.m * p_.g;
-            const Scalar sin_alpha = sin(p_.alpha);
-            const Scalar cos_alpha = cos(p_.alpha);
+            Scalar sin_alpha, cos_alpha;
+            detail::sin_and_cos<Scalar>(p_.alpha, sin_alpha, cos_alpha);
             const Scalar e6 = p_.mu_H * cos_alpha;
-            c_.f_0 = -e5 / (e3 - cos_4) * (sin_alpha + e6);
+            c_.f_0 = -e5 / (e4 - cos_3) * (sin_alpha + e6);
             c_.k0 = sin_alpha * e5;
-            const Scalar cos_beta = cos(p_.beta);
-            const Scalar sin_beta = sin(p_.beta);
+            Scalar sin_beta, cos_beta;
+            detail::sin_and_cos<Scalar>(p_.beta, sin_beta, cos_beta);
             c_.k1 = cos_alpha * cos_beta + sin_alpha * sin_beta;
             c_.k2 = e5 * e6;
-            c_.k3 = e3;
+            c_.k3 = e4;
         }
         {
-            using std::cos;
             using std::sin;
             c_.k4 = Scalar(1) / p_.m;
-            const Scalar sin_alpha = sin(p_.alpha);
+            Scalar sin_alpha, cos_alpha;
+            detail::sin_and_cos<Scalar>(p_.alpha, sin_alpha, cos_alpha);
             const Scalar e1 = p_.m * p_.g;
-            const Scalar cos_alpha = cos(p_.alpha);
             const Scalar e2 = p_.mu_C * (cos_alpha * e1);
             c_.k5 = sin_alpha * e1 + e2;
             const Scalar sin_3 = sin(p_.alpha - p_.beta);
             const Scalar e4 = p_.mu_C * sin_3;
-            const Scalar cos_beta = cos(p_.beta);
-            const Scalar sin_beta = sin(p_.beta);
+            Scalar sin_beta, cos_beta;
+            detail::sin_and_cos<Scalar>(p_.beta, sin_beta, cos_beta);
             c_.k6 = e4 - (cos_alpha * cos_beta + sin_alpha * sin_beta);
             c_.k7 = e4;
             c_.k8 = e2;
         }
         {
-            using std::cos;
             using std::sin;
-            const Scalar cos_alpha = cos(p_.alpha);
+            Scalar sin_alpha, cos_alpha;
+            detail::sin_and_cos<Scalar>(p_.alpha, sin_alpha, cos_alpha);
             const Scalar e1 = p_.m * p_.g;
-            const Scalar sin_alpha = sin(p_.alpha);
             c_.k9 = p_.mu_C * (cos_alpha * e1) - sin_alpha * e1;
-            const Scalar cos_beta = cos(p_.beta);
-            const Scalar sin_beta = sin(p_.beta);
+            Scalar sin_beta, cos_beta;
+            detail::sin_and_cos<Scalar>(p_.beta, sin_beta, cos_beta);
             const Scalar sin_2 = sin(p_.alpha - p_.beta);
             c_.k10 = cos_alpha * cos_beta + sin_alpha * sin_beta + p_.mu_C * sin_2;
         }
@@ -443,64 +461,60 @@ public:
                 break;
             }
             case Mode::incline_slides_forwards: {
-                using std::cos;
-                using std::sin;
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
-                const Scalar cos_alpha = cos(p_.alpha);
-                const Scalar sin_alpha = sin(p_.alpha);
+                Scalar sin_alpha, cos_alpha;
+                detail::sin_and_cos<Scalar>(p_.alpha, sin_alpha, cos_alpha);
                 const Scalar e1 = p_.mu_C * cos_alpha + sin_alpha;
                 const Scalar e2 = p_.m * p_.g;
                 const Scalar e3 = cos_alpha * e2;
                 const Scalar f_S = u[0];
                 const Scalar e4 = p_.alpha - p_.beta;
-                const Scalar cos_5 = cos(e4);
-                const Scalar sin_beta = sin(p_.beta);
-                const Scalar cos_beta = cos(p_.beta);
-                const Scalar e6 = f_S * (p_.mu_C * cos_5 - cos_alpha * sin_beta + cos_beta * sin_alpha);
-                const Scalar sin_7 = sin(e4);
+                Scalar sin_5, cos_6;
+                detail::sin_and_cos<Scalar>(e4, sin_5, cos_6);
+                Scalar sin_beta, cos_beta;
+                detail::sin_and_cos<Scalar>(p_.beta, sin_beta, cos_beta);
+                const Scalar e7 = f_S * (p_.mu_C * cos_6 - cos_alpha * sin_beta + cos_beta * sin_alpha);
                 J[0] = Scalar(0);
                 J[1] = (-p_.g * e1 - dxdt[1]) * c_.k4;
                 J[2] = Scalar(0);
                 J[3] = (-p_.m * e1) * c_.k4;
                 J[4] = Scalar(0);
-                J[5] = (p_.mu_C * sin_alpha * e2 - e3 - e6) * c_.k4;
+                J[5] = (p_.mu_C * sin_alpha * e2 - e3 - e7) * c_.k4;
                 J[6] = Scalar(0);
-                J[7] = e6 * c_.k4;
+                J[7] = e7 * c_.k4;
                 J[8] = Scalar(0);
-                J[9] = (-e3 - f_S * sin_7) * c_.k4;
+                J[9] = (-e3 - f_S * sin_5) * c_.k4;
                 J[10] = Scalar(0);
                 J[11] = Scalar(0);
                 break;
             }
             case Mode::incline_slides_backwards:
             default: {
-                using std::cos;
-                using std::sin;
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
-                const Scalar cos_alpha = cos(p_.alpha);
-                const Scalar sin_alpha = sin(p_.alpha);
+                Scalar sin_alpha, cos_alpha;
+                detail::sin_and_cos<Scalar>(p_.alpha, sin_alpha, cos_alpha);
                 const Scalar e1 = p_.mu_C * cos_alpha - sin_alpha;
                 const Scalar f_S = u[0];
                 const Scalar e2 = p_.alpha - p_.beta;
-                const Scalar cos_3 = cos(e2);
-                const Scalar sin_beta = sin(p_.beta);
-                const Scalar cos_beta = cos(p_.beta);
-                const Scalar e4 = f_S * (p_.mu_C * cos_3 + cos_alpha * sin_beta - cos_beta * sin_alpha);
-                const Scalar e5 = p_.m * p_.g;
-                const Scalar e6 = cos_alpha * e5;
-                const Scalar sin_7 = sin(e2);
+                Scalar sin_3, cos_4;
+                detail::sin_and_cos<Scalar>(e2, sin_3, cos_4);
+                Scalar sin_beta, cos_beta;
+                detail::sin_and_cos<Scalar>(p_.beta, sin_beta, cos_beta);
+                const Scalar e5 = f_S * (p_.mu_C * cos_4 + cos_alpha * sin_beta - cos_beta * sin_alpha);
+                const Scalar e6 = p_.m * p_.g;
+                const Scalar e7 = cos_alpha * e6;
                 J[0] = Scalar(0);
                 J[1] = (p_.g * e1 - dxdt[1]) * c_.k4;
                 J[2] = Scalar(0);
                 J[3] = p_.m * e1 * c_.k4;
                 J[4] = Scalar(0);
-                J[5] = (e4 - (p_.mu_C * sin_alpha * e5 + e6)) * c_.k4;
+                J[5] = (e5 - (p_.mu_C * sin_alpha * e6 + e7)) * c_.k4;
                 J[6] = Scalar(0);
-                J[7] = (-e4) * c_.k4;
+                J[7] = (-e5) * c_.k4;
                 J[8] = Scalar(0);
-                J[9] = (e6 + f_S * sin_7) * c_.k4;
+                J[9] = (e7 + f_S * sin_3) * c_.k4;
                 J[10] = Scalar(0);
                 J[11] = Scalar(0);
                 break;
@@ -742,19 +756,18 @@ public:
     void guards(Mode mode, const State& x, const Input& u, Scalar /*t*/, Events& g) const noexcept {
         switch (mode) {
             case Mode::incline_sticks: {
-                using std::cos;
                 using std::sin;
-                const Scalar sin_alpha = sin(p_.alpha);
+                Scalar sin_alpha, cos_alpha;
+                detail::sin_and_cos<Scalar>(p_.alpha, sin_alpha, cos_alpha);
                 const Scalar e1 = p_.m * p_.g;
                 const Scalar e2 = sin_alpha * e1;
-                const Scalar cos_alpha = cos(p_.alpha);
                 const Scalar e3 = cos_alpha * e1;
                 const Scalar e4 = p_.mu_H * e3;
                 const Scalar f_S = u[0];
                 const Scalar sin_5 = sin(p_.alpha - p_.beta);
                 const Scalar e6 = p_.mu_H * sin_5;
-                const Scalar cos_beta = cos(p_.beta);
-                const Scalar sin_beta = sin(p_.beta);
+                Scalar sin_beta, cos_beta;
+                detail::sin_and_cos<Scalar>(p_.beta, sin_beta, cos_beta);
                 const Scalar e7 = cos_alpha * cos_beta + sin_alpha * sin_beta;
                 g[0] = e2 + e4 + f_S * (e6 - e7);
                 g[1] = e4 - e2 + f_S * (e7 + e6);

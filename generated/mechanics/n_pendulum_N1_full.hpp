@@ -125,6 +125,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -206,14 +228,12 @@ public:
     /// 2 x 2, entry (i, j) at J[2*j + i].
     /// Operations: 2 + or -, 4 *, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_1_ddot = (-c_.k1 * sin_phi_1) * c_.k0;
         dxdt[0] = x[1];
         dxdt[1] = phi_1_ddot;
-        const Scalar cos_phi_1 = cos(phi_1);
         J[0] = Scalar(0);
         J[1] = (-c_.k1 * cos_phi_1) * c_.k0;
         J[2] = Scalar(1);
@@ -284,11 +304,9 @@ public:
     ///     x_end = l[1]*sin(phi[1])
     ///     y_end = -l[1]*cos(phi[1])
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         y[0] = p_.l[0] * sin_phi_1;
         y[1] = -p_.l[0] * cos_phi_1;
     }
@@ -296,11 +314,9 @@ public:
     /// C = dh/dx.
     /// Operations: 2 *, 2 sin or cos
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         C[0] = p_.l[0] * cos_phi_1;
         C[1] = p_.l[0] * sin_phi_1;
         C[2] = Scalar(0);

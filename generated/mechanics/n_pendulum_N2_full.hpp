@@ -130,6 +130,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -209,15 +231,13 @@ public:
     ///     m[2]*l[1]*l[2]*cos(phi[1] - phi[2])*ddot(phi[1]) + m[2]*l[2]^2*ddot(phi[2]) - m[2]*l[1]*l[2]*sin(phi[1] -
     ///     phi[2])*dot(phi[1])^2 + m[2]*l[2]*g*sin(phi[2]) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_2_dot = x[3];
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = c_.k1 * (cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1);
         const Scalar e2 = phi_2_dot * phi_2_dot * e1 - c_.k3 * sin_phi_1;
         const Scalar e3 = c_.k1 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
@@ -235,16 +255,14 @@ public:
     /// 4 x 4, entry (i, j) at J[4*j + i].
     /// Operations: 19 + or -, 43 *, 1 /, 4 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_2_dot = x[3];
         const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1;
         const Scalar e2 = c_.k1 * e1;
         const Scalar e3 = phi_2_dot_squared * e2 - c_.k3 * sin_phi_1;
@@ -301,18 +319,16 @@ public:
     /// J = df/dp, parameters in the order of the table. 4 x 5, entry (i, j) at J[4*j + i].
     /// Operations: 28 + or -, 61 *, 1 /, 4 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar e1 = dxdt[2] * (p_.l[0] * p_.l[0]) + sin_phi_1 * (p_.l[0] * p_.g);
         const Scalar e2 = -e1;
-        const Scalar cos_phi_1 = cos(phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e3 = cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2;
         const Scalar e4 = c_.k1 * e3;
         const Scalar e5 = e4 * c_.k5;
@@ -375,14 +391,12 @@ public:
     ///     M[phi[1], phi[2]] = m[2]*l[1]*l[2]*cos(phi[1] - phi[2])
     ///     M[phi[2], phi[2]] = m[2]*l[2]^2
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_1 = sin(phi_1);
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         M[0] = c_.k0;
         M[1] = c_.k1 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
         M[2] = M[1];
@@ -394,15 +408,13 @@ public:
     ///     bias[phi[1]] = m[2]*l[1]*l[2]*sin(phi[1] - phi[2])*dot(phi[2])^2 + l[1]*g*(m[1] + m[2])*sin(phi[1])
     ///     bias[phi[2]] = -m[2]*l[1]*l[2]*sin(phi[1] - phi[2])*dot(phi[1])^2 + m[2]*l[2]*g*sin(phi[2])
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2_dot = x[3];
-        const Scalar cos_phi_1 = cos(phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
-        const Scalar cos_phi_2 = cos(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = c_.k1 * (cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1);
         const Scalar phi_1_dot = x[2];
         b[0] = c_.k3 * sin_phi_1 - phi_2_dot * phi_2_dot * e1;
@@ -423,14 +435,12 @@ public:
     ///     x_end = l[1]*sin(phi[1]) + l[2]*sin(phi[2])
     ///     y_end = -l[1]*cos(phi[1]) - l[2]*cos(phi[2])
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
-        const Scalar cos_phi_1 = cos(phi_1);
-        const Scalar cos_phi_2 = cos(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         y[0] = p_.l[0] * sin_phi_1 + p_.l[1] * sin_phi_2;
         y[1] = -p_.l[0] * cos_phi_1 - p_.l[1] * cos_phi_2;
     }
@@ -438,14 +448,12 @@ public:
     /// C = dh/dx.
     /// Operations: 4 *, 4 sin or cos
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         C[0] = p_.l[0] * cos_phi_1;
         C[1] = p_.l[0] * sin_phi_1;
         C[2] = p_.l[1] * cos_phi_2;
@@ -466,16 +474,14 @@ public:
     ///     T = m[2]*l[1]*l[2]*cos(phi[1] - phi[2])*dot(phi[1])*dot(phi[2]) + l[1]^2*(m[1] + m[2])*dot(phi[1])^2/2 +
     ///     m[2]*l[2]^2*dot(phi[2])^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_2_dot = x[3];
         const Scalar phi_1_dot = x[2];
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_1 = sin(phi_1);
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = phi_2_dot * (c_.k1 * phi_1_dot) * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
         const Scalar e2 = phi_1_dot * phi_1_dot * ((Scalar(1) / Scalar(2)) * (p_.l[0] * p_.l[0] * (p_.m[0] + p_.m[1])));
         const Scalar e3 = phi_2_dot * phi_2_dot * ((Scalar(1) / Scalar(2)) * p_.m[1] * p_.l[1] * p_.l[1]);

@@ -134,6 +134,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -229,22 +251,20 @@ public:
     ///     m[3]*l[3]^2*ddot(phi[3]) - m[3]*l[1]*l[3]*sin(phi[1] - phi[3])*dot(phi[1])^2 - m[3]*l[2]*l[3]*sin(phi[2] -
     ///     phi[3])*dot(phi[2])^2 + m[3]*l[3]*g*sin(phi[3]) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_2_dot = x[4];
         const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = c_.k1 * (cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1);
         const Scalar phi_3_dot = x[5];
         const Scalar phi_3_dot_squared = phi_3_dot * phi_3_dot;
         const Scalar phi_3 = x[2];
-        const Scalar sin_phi_3 = sin(phi_3);
-        const Scalar cos_phi_3 = cos(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar e2 = c_.k3 * (cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1);
         const Scalar e3 = phi_2_dot_squared * e1 - c_.k6 * sin_phi_1 + phi_3_dot_squared * e2;
         const Scalar e4 = c_.k1 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
@@ -274,23 +294,21 @@ public:
     /// 6 x 6, entry (i, j) at J[6*j + i].
     /// Operations: 69 + or -, 127 *, 2 /, 6 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_2_dot = x[4];
         const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1;
         const Scalar e2 = c_.k1 * e1;
         const Scalar phi_3_dot = x[5];
         const Scalar phi_3_dot_squared = phi_3_dot * phi_3_dot;
         const Scalar phi_3 = x[2];
-        const Scalar sin_phi_3 = sin(phi_3);
-        const Scalar cos_phi_3 = cos(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar e3 = cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1;
         const Scalar e4 = c_.k3 * e3;
         const Scalar e5 = phi_2_dot_squared * e2 - c_.k6 * sin_phi_1 + phi_3_dot_squared * e4;
@@ -402,26 +420,24 @@ public:
     /// J = df/dp, parameters in the order of the table. 6 x 7, entry (i, j) at J[6*j + i].
     /// Operations: 84 + or -, 154 *, 2 /, 6 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar e1 = dxdt[3] * (p_.l[0] * p_.l[0]) + sin_phi_1 * (p_.l[0] * p_.g);
         const Scalar e2 = -e1;
-        const Scalar cos_phi_1 = cos(phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e3 = cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2;
         const Scalar e4 = c_.k1 * e3;
         const Scalar e5 = e4 * c_.k9;
         const Scalar e6 = -e5 * e2;
         const Scalar inverse_7 = Scalar(1) / (c_.k2 - e4 * e5);
         const Scalar phi_3 = x[2];
-        const Scalar cos_phi_3 = cos(phi_3);
-        const Scalar sin_phi_3 = sin(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar e8 = cos_phi_2 * cos_phi_3 + sin_phi_2 * sin_phi_3;
         const Scalar e9 = cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3;
         const Scalar e10 = c_.k3 * e9;
@@ -549,17 +565,15 @@ public:
     ///     M[phi[2], phi[3]] = m[3]*l[2]*l[3]*cos(phi[2] - phi[3])
     ///     M[phi[3], phi[3]] = m[3]*l[3]^2
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_1 = sin(phi_1);
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar phi_3 = x[2];
-        const Scalar cos_phi_3 = cos(phi_3);
-        const Scalar sin_phi_3 = sin(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         M[0] = c_.k0;
         M[1] = c_.k1 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
         M[2] = c_.k3 * (cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3);
@@ -580,22 +594,20 @@ public:
     ///     bias[phi[3]] = -m[3]*l[1]*l[3]*sin(phi[1] - phi[3])*dot(phi[1])^2 - m[3]*l[2]*l[3]*sin(phi[2] - phi[3])*dot(phi[2])^2 +
     ///     m[3]*l[3]*g*sin(phi[3])
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2_dot = x[4];
         const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
-        const Scalar cos_phi_1 = cos(phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
-        const Scalar cos_phi_2 = cos(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = c_.k1 * (cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1);
         const Scalar phi_3_dot = x[5];
         const Scalar phi_3_dot_squared = phi_3_dot * phi_3_dot;
         const Scalar phi_3 = x[2];
-        const Scalar sin_phi_3 = sin(phi_3);
-        const Scalar cos_phi_3 = cos(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar e2 = c_.k3 * (cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1);
         const Scalar phi_1_dot = x[3];
         const Scalar phi_1_dot_squared = phi_1_dot * phi_1_dot;
@@ -621,17 +633,15 @@ public:
     ///     x_end = l[1]*sin(phi[1]) + l[2]*sin(phi[2]) + l[3]*sin(phi[3])
     ///     y_end = -l[1]*cos(phi[1]) - l[2]*cos(phi[2]) - l[3]*cos(phi[3])
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar phi_3 = x[2];
-        const Scalar sin_phi_3 = sin(phi_3);
-        const Scalar cos_phi_1 = cos(phi_1);
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar cos_phi_3 = cos(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         y[0] = p_.l[0] * sin_phi_1 + p_.l[1] * sin_phi_2 + p_.l[2] * sin_phi_3;
         y[1] = -p_.l[0] * cos_phi_1 - p_.l[1] * cos_phi_2 - p_.l[2] * cos_phi_3;
     }
@@ -639,17 +649,15 @@ public:
     /// C = dh/dx.
     /// Operations: 6 *, 6 sin or cos
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar phi_3 = x[2];
-        const Scalar cos_phi_3 = cos(phi_3);
-        const Scalar sin_phi_3 = sin(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         C[0] = p_.l[0] * cos_phi_1;
         C[1] = p_.l[0] * sin_phi_1;
         C[2] = p_.l[1] * cos_phi_2;
@@ -675,26 +683,24 @@ public:
     ///     phi[3])*dot(phi[1])*dot(phi[3]) + l[1]^2*(m[1] + m[2] + m[3])*dot(phi[1])^2/2 + m[3]*l[2]*l[3]*cos(phi[2] -
     ///     phi[3])*dot(phi[2])*dot(phi[3]) + l[2]^2*(m[2] + m[3])*dot(phi[2])^2/2 + m[3]*l[3]^2*dot(phi[3])^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_2_dot = x[4];
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = phi_2_dot * cos_phi_2;
         const Scalar phi_3_dot = x[5];
         const Scalar phi_3 = x[2];
-        const Scalar cos_phi_3 = cos(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar e2 = phi_3_dot * cos_phi_3;
-        const Scalar sin_phi_2 = sin(phi_2);
         const Scalar e3 = phi_2_dot * sin_phi_2;
-        const Scalar sin_phi_3 = sin(phi_3);
         const Scalar e4 = phi_3_dot * sin_phi_3;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_1_dot = x[3];
         const Scalar e5 = c_.k1 * phi_1_dot;
         const Scalar e6 = c_.k3 * phi_1_dot;
-        const Scalar sin_phi_1 = sin(phi_1);
         const Scalar e7 = p_.m[1] + p_.m[2];
         const Scalar e8 = phi_1_dot * phi_1_dot * ((Scalar(1) / Scalar(2)) * (p_.l[0] * p_.l[0] * (p_.m[0] + e7)));
         const Scalar e9 = phi_2_dot * phi_2_dot * ((Scalar(1) / Scalar(2)) * p_.l[1] * p_.l[1] * e7);

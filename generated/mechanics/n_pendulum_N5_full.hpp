@@ -144,6 +144,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -289,34 +311,32 @@ public:
     ///     phi[5])*dot(phi[2])^2 - m[5]*l[3]*l[5]*sin(phi[3] - phi[5])*dot(phi[3])^2 - m[5]*l[4]*l[5]*sin(phi[4] -
     ///     phi[5])*dot(phi[4])^2 + m[5]*l[5]*g*sin(phi[5]) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_2_dot = x[6];
         const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = c_.k1 * (cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1);
         const Scalar phi_3_dot = x[7];
         const Scalar phi_3_dot_squared = phi_3_dot * phi_3_dot;
         const Scalar phi_3 = x[2];
-        const Scalar sin_phi_3 = sin(phi_3);
-        const Scalar cos_phi_3 = cos(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar e2 = c_.k3 * (cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1);
         const Scalar phi_4_dot = x[8];
         const Scalar phi_4_dot_squared = phi_4_dot * phi_4_dot;
         const Scalar phi_4 = x[3];
-        const Scalar sin_phi_4 = sin(phi_4);
-        const Scalar cos_phi_4 = cos(phi_4);
+        Scalar sin_phi_4, cos_phi_4;
+        detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
         const Scalar e3 = c_.k6 * (cos_phi_1 * sin_phi_4 - cos_phi_4 * sin_phi_1);
         const Scalar phi_5_dot = x[9];
         const Scalar phi_5_dot_squared = phi_5_dot * phi_5_dot;
         const Scalar phi_5 = x[4];
-        const Scalar sin_phi_5 = sin(phi_5);
-        const Scalar cos_phi_5 = cos(phi_5);
+        Scalar sin_phi_5, cos_phi_5;
+        detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
         const Scalar e4 = c_.k10 * (cos_phi_1 * sin_phi_5 - cos_phi_5 * sin_phi_1);
         const Scalar e5 = phi_2_dot_squared * e1 - c_.k15 * sin_phi_1 + phi_3_dot_squared * e2 + phi_4_dot_squared * e3
             + phi_5_dot_squared * e4;
@@ -384,37 +404,35 @@ public:
     /// 10 x 10, entry (i, j) at J[10*j + i].
     /// Operations: 332 + or -, 505 *, 4 /, 10 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_2_dot = x[6];
         const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1;
         const Scalar e2 = c_.k1 * e1;
         const Scalar phi_3_dot = x[7];
         const Scalar phi_3_dot_squared = phi_3_dot * phi_3_dot;
         const Scalar phi_3 = x[2];
-        const Scalar sin_phi_3 = sin(phi_3);
-        const Scalar cos_phi_3 = cos(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar e3 = cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1;
         const Scalar e4 = c_.k3 * e3;
         const Scalar phi_4_dot = x[8];
         const Scalar phi_4_dot_squared = phi_4_dot * phi_4_dot;
         const Scalar phi_4 = x[3];
-        const Scalar sin_phi_4 = sin(phi_4);
-        const Scalar cos_phi_4 = cos(phi_4);
+        Scalar sin_phi_4, cos_phi_4;
+        detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
         const Scalar e5 = cos_phi_1 * sin_phi_4 - cos_phi_4 * sin_phi_1;
         const Scalar e6 = c_.k6 * e5;
         const Scalar phi_5_dot = x[9];
         const Scalar phi_5_dot_squared = phi_5_dot * phi_5_dot;
         const Scalar phi_5 = x[4];
-        const Scalar sin_phi_5 = sin(phi_5);
-        const Scalar cos_phi_5 = cos(phi_5);
+        Scalar sin_phi_5, cos_phi_5;
+        detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
         const Scalar e7 = cos_phi_1 * sin_phi_5 - cos_phi_5 * sin_phi_1;
         const Scalar e8 = c_.k10 * e7;
         const Scalar e9 = phi_2_dot_squared * e2 - c_.k15 * sin_phi_1 + phi_3_dot_squared * e4 + phi_4_dot_squared * e6
@@ -715,25 +733,23 @@ public:
     /// J = df/dp, parameters in the order of the table. 10 x 11, entry (i, j) at J[10*j + i].
     /// Operations: 336 + or -, 530 *, 4 /, 10 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar e1 = dxdt[5] * (p_.l[0] * p_.l[0]) + sin_phi_1 * (p_.l[0] * p_.g);
         const Scalar e2 = -e1;
-        const Scalar cos_phi_1 = cos(phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e3 = c_.k1 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
         const Scalar e4 = e3 * c_.k20;
         const Scalar e5 = -e4 * e2;
         const Scalar inverse_6 = Scalar(1) / (c_.k2 - e3 * e4);
         const Scalar phi_3 = x[2];
-        const Scalar cos_phi_3 = cos(phi_3);
-        const Scalar sin_phi_3 = sin(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar e7 = c_.k3 * (cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3);
         const Scalar e8 = c_.k4 * (cos_phi_2 * cos_phi_3 + sin_phi_2 * sin_phi_3) - e7 * e4;
         const Scalar e9 = e8 * inverse_6;
@@ -741,8 +757,8 @@ public:
         const Scalar e11 = -e10 * e2 - e9 * e5;
         const Scalar inverse_12 = Scalar(1) / (c_.k5 - e7 * e10 - e8 * e9);
         const Scalar phi_4 = x[3];
-        const Scalar cos_phi_4 = cos(phi_4);
-        const Scalar sin_phi_4 = sin(phi_4);
+        Scalar sin_phi_4, cos_phi_4;
+        detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
         const Scalar e13 = c_.k6 * (cos_phi_1 * cos_phi_4 + sin_phi_1 * sin_phi_4);
         const Scalar e14 = c_.k7 * (cos_phi_2 * cos_phi_4 + sin_phi_2 * sin_phi_4) - e13 * e4;
         const Scalar e15 = c_.k8 * (cos_phi_3 * cos_phi_4 + sin_phi_3 * sin_phi_4) - e13 * e10 - e14 * e9;
@@ -752,8 +768,8 @@ public:
         const Scalar e19 = -e17 * e2 - e18 * e5 - e16 * e11;
         const Scalar inverse_20 = Scalar(1) / (c_.k9 - e13 * e17 - e14 * e18 - e15 * e16);
         const Scalar phi_5 = x[4];
-        const Scalar cos_phi_5 = cos(phi_5);
-        const Scalar sin_phi_5 = sin(phi_5);
+        Scalar sin_phi_5, cos_phi_5;
+        detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
         const Scalar e21 = c_.k10 * (cos_phi_1 * cos_phi_5 + sin_phi_1 * sin_phi_5);
         const Scalar e22 = c_.k11 * (cos_phi_2 * cos_phi_5 + sin_phi_2 * sin_phi_5) - e21 * e4;
         const Scalar e23 = c_.k12 * (cos_phi_3 * cos_phi_5 + sin_phi_3 * sin_phi_5) - e21 * e10 - e22 * e9;
@@ -1083,23 +1099,21 @@ public:
     ///     M[phi[4], phi[5]] = m[5]*l[4]*l[5]*cos(phi[4] - phi[5])
     ///     M[phi[5], phi[5]] = m[5]*l[5]^2
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_1 = sin(phi_1);
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar phi_3 = x[2];
-        const Scalar cos_phi_3 = cos(phi_3);
-        const Scalar sin_phi_3 = sin(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar phi_4 = x[3];
-        const Scalar cos_phi_4 = cos(phi_4);
-        const Scalar sin_phi_4 = sin(phi_4);
+        Scalar sin_phi_4, cos_phi_4;
+        detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
         const Scalar phi_5 = x[4];
-        const Scalar cos_phi_5 = cos(phi_5);
-        const Scalar sin_phi_5 = sin(phi_5);
+        Scalar sin_phi_5, cos_phi_5;
+        detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
         M[0] = c_.k0;
         M[1] = c_.k1 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
         M[2] = c_.k3 * (cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3);
@@ -1145,34 +1159,32 @@ public:
     ///     m[5]*l[3]*l[5]*sin(phi[3] - phi[5])*dot(phi[3])^2 - m[5]*l[4]*l[5]*sin(phi[4] - phi[5])*dot(phi[4])^2 +
     ///     m[5]*l[5]*g*sin(phi[5])
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2_dot = x[6];
         const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
-        const Scalar cos_phi_1 = cos(phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
-        const Scalar cos_phi_2 = cos(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = c_.k1 * (cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1);
         const Scalar phi_3_dot = x[7];
         const Scalar phi_3_dot_squared = phi_3_dot * phi_3_dot;
         const Scalar phi_3 = x[2];
-        const Scalar sin_phi_3 = sin(phi_3);
-        const Scalar cos_phi_3 = cos(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar e2 = c_.k3 * (cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1);
         const Scalar phi_4_dot = x[8];
         const Scalar phi_4_dot_squared = phi_4_dot * phi_4_dot;
         const Scalar phi_4 = x[3];
-        const Scalar sin_phi_4 = sin(phi_4);
-        const Scalar cos_phi_4 = cos(phi_4);
+        Scalar sin_phi_4, cos_phi_4;
+        detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
         const Scalar e3 = c_.k6 * (cos_phi_1 * sin_phi_4 - cos_phi_4 * sin_phi_1);
         const Scalar phi_5_dot = x[9];
         const Scalar phi_5_dot_squared = phi_5_dot * phi_5_dot;
         const Scalar phi_5 = x[4];
-        const Scalar sin_phi_5 = sin(phi_5);
-        const Scalar cos_phi_5 = cos(phi_5);
+        Scalar sin_phi_5, cos_phi_5;
+        detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
         const Scalar e4 = c_.k10 * (cos_phi_1 * sin_phi_5 - cos_phi_5 * sin_phi_1);
         const Scalar phi_1_dot = x[5];
         const Scalar phi_1_dot_squared = phi_1_dot * phi_1_dot;
@@ -1214,23 +1226,21 @@ public:
     ///     x_end = l[1]*sin(phi[1]) + l[2]*sin(phi[2]) + l[3]*sin(phi[3]) + l[4]*sin(phi[4]) + l[5]*sin(phi[5])
     ///     y_end = -l[1]*cos(phi[1]) - l[2]*cos(phi[2]) - l[3]*cos(phi[3]) - l[4]*cos(phi[4]) - l[5]*cos(phi[5])
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar phi_3 = x[2];
-        const Scalar sin_phi_3 = sin(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar phi_4 = x[3];
-        const Scalar sin_phi_4 = sin(phi_4);
+        Scalar sin_phi_4, cos_phi_4;
+        detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
         const Scalar phi_5 = x[4];
-        const Scalar sin_phi_5 = sin(phi_5);
-        const Scalar cos_phi_1 = cos(phi_1);
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar cos_phi_3 = cos(phi_3);
-        const Scalar cos_phi_4 = cos(phi_4);
-        const Scalar cos_phi_5 = cos(phi_5);
+        Scalar sin_phi_5, cos_phi_5;
+        detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
         y[0] = p_.l[0] * sin_phi_1 + p_.l[1] * sin_phi_2 + p_.l[2] * sin_phi_3 + p_.l[3] * sin_phi_4 + p_.l[4] * sin_phi_5;
         y[1] = -p_.l[0] * cos_phi_1 - p_.l[1] * cos_phi_2 - p_.l[2] * cos_phi_3 - p_.l[3] * cos_phi_4 - p_.l[4] * cos_phi_5;
     }
@@ -1238,23 +1248,21 @@ public:
     /// C = dh/dx.
     /// Operations: 10 *, 10 sin or cos
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
-        const Scalar sin_phi_1 = sin(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
-        const Scalar sin_phi_2 = sin(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar phi_3 = x[2];
-        const Scalar cos_phi_3 = cos(phi_3);
-        const Scalar sin_phi_3 = sin(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar phi_4 = x[3];
-        const Scalar cos_phi_4 = cos(phi_4);
-        const Scalar sin_phi_4 = sin(phi_4);
+        Scalar sin_phi_4, cos_phi_4;
+        detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
         const Scalar phi_5 = x[4];
-        const Scalar cos_phi_5 = cos(phi_5);
-        const Scalar sin_phi_5 = sin(phi_5);
+        Scalar sin_phi_5, cos_phi_5;
+        detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
         C[0] = p_.l[0] * cos_phi_1;
         C[1] = p_.l[0] * sin_phi_1;
         C[2] = p_.l[1] * cos_phi_2;
@@ -1294,35 +1302,33 @@ public:
     ///     l[3]^2*(m[3] + m[4] + m[5])*dot(phi[3])^2/2 + m[5]*l[4]*l[5]*cos(phi[4] - phi[5])*dot(phi[4])*dot(phi[5]) + l[4]^2*(m[4]
     ///     + m[5])*dot(phi[4])^2/2 + m[5]*l[5]^2*dot(phi[5])^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_1_dot = x[5];
         const Scalar phi_1 = x[0];
-        const Scalar cos_phi_1 = cos(phi_1);
+        Scalar sin_phi_1, cos_phi_1;
+        detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2_dot = x[6];
         const Scalar phi_2 = x[1];
-        const Scalar cos_phi_2 = cos(phi_2);
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = phi_2_dot * cos_phi_2;
         const Scalar phi_3_dot = x[7];
         const Scalar phi_3 = x[2];
-        const Scalar cos_phi_3 = cos(phi_3);
+        Scalar sin_phi_3, cos_phi_3;
+        detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar e2 = phi_3_dot * cos_phi_3;
         const Scalar phi_4_dot = x[8];
         const Scalar phi_4 = x[3];
-        const Scalar cos_phi_4 = cos(phi_4);
+        Scalar sin_phi_4, cos_phi_4;
+        detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
         const Scalar e3 = phi_4_dot * cos_phi_4;
         const Scalar phi_5_dot = x[9];
         const Scalar phi_5 = x[4];
-        const Scalar cos_phi_5 = cos(phi_5);
+        Scalar sin_phi_5, cos_phi_5;
+        detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
         const Scalar e4 = phi_5_dot * cos_phi_5;
-        const Scalar sin_phi_1 = sin(phi_1);
-        const Scalar sin_phi_2 = sin(phi_2);
         const Scalar e5 = phi_2_dot * sin_phi_2;
-        const Scalar sin_phi_3 = sin(phi_3);
         const Scalar e6 = phi_3_dot * sin_phi_3;
-        const Scalar sin_phi_4 = sin(phi_4);
         const Scalar e7 = phi_4_dot * sin_phi_4;
-        const Scalar sin_phi_5 = sin(phi_5);
         const Scalar e8 = phi_5_dot * sin_phi_5;
         const Scalar e9 = p_.m[3] + p_.m[4];
         const Scalar e10 = p_.m[2] + e9;

@@ -119,6 +119,28 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -317,8 +339,6 @@ public:
     ///     x = r*cos(phi)
     ///     y = r*sin(phi)
     void output(const State& x, const Input& u, Scalar t, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar r_dot = x[2];
@@ -326,8 +346,8 @@ public:
         const Scalar phi_dot = x[3];
         const Scalar e1 = r * phi_dot;
         const Scalar phi = x[1];
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         y[0] = r_dot;
         y[1] = e1;
         y[2] = dxdt[2] - phi_dot * e1;
@@ -339,15 +359,13 @@ public:
     /// C = dh/dx.
     /// Operations: 3 + or -, 7 *, 2 sin or cos
     void output_jacobian_x(const State& x, const Input& u, Scalar t, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         JacobianX J;
         rhs_and_jacobian(x, u, t, dxdt, J);
         const Scalar phi_dot = x[3];
         const Scalar phi = x[1];
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar r = x[0];
         const Scalar r_dot = x[2];
         C[0] = Scalar(0);

@@ -148,6 +148,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -213,10 +235,8 @@ public:
     /// Start values for the parameters that are set.
     State start_state() const noexcept {
         State x{};
-        using std::cos;
-        using std::sin;
-        const Scalar cos_alpha = cos(p_.alpha);
-        const Scalar sin_alpha = sin(p_.alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(p_.alpha, sin_alpha, cos_alpha);
         x[1] = p_.h;
         x[2] = p_.v_0 * cos_alpha;
         x[3] = p_.v_0 * sin_alpha;

@@ -161,6 +161,28 @@ Scalar independent_inverse(const Scalar& x, const Scalar& size) noexcept {
     return select(is_rest, Scalar(0), Scalar(1) / select(is_rest, Scalar(1), x));
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -261,14 +283,12 @@ public:
     ///     ddot(phi) = -cos(psi)*ddot(x)/r - sin(psi)*ddot(y)/r - cos(theta)*ddot(psi) + sin(psi)*dot(x)*dot(psi)/r -
     ///     cos(psi)*dot(y)*dot(psi)/r + sin(theta)*dot(psi)*dot(theta)
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi = x[2];
-        const Scalar cos_psi = cos(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar e1 = c_.k0 * cos_psi;
         const Scalar psi_dot = x[7];
         const Scalar x_dot = x[5];
-        const Scalar sin_psi = sin(psi);
         const Scalar y_dot = x[6];
         const Scalar e2 = psi_dot * (x_dot * sin_psi - y_dot * cos_psi);
         const Scalar e3 = e1 * e2;
@@ -282,9 +302,9 @@ public:
         const Scalar e11 = e10 * inverse_9;
         const Scalar theta_dot = x[8];
         const Scalar theta = x[3];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e12 = sin_psi * inverse_4;
-        const Scalar sin_theta = sin(theta);
         const Scalar e13 = -p_.r * sin_theta;
         const Scalar e14 = c_.k2 * cos_theta;
         const Scalar inverse_15 = Scalar(1) / (c_.k1 + cos_theta * e14);
@@ -319,14 +339,12 @@ public:
     /// 10 x 10, entry (i, j) at J[10*j + i].
     /// Operations: 111 + or -, 193 *, 5 /, 4 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi = x[2];
-        const Scalar cos_psi = cos(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar e1 = c_.k0 * cos_psi;
         const Scalar psi_dot = x[7];
         const Scalar x_dot = x[5];
-        const Scalar sin_psi = sin(psi);
         const Scalar y_dot = x[6];
         const Scalar e2 = x_dot * sin_psi - y_dot * cos_psi;
         const Scalar e3 = psi_dot * e2;
@@ -342,12 +360,12 @@ public:
         const Scalar e13 = e12 * inverse_11;
         const Scalar theta_dot = x[8];
         const Scalar theta = x[3];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e14 = theta_dot * cos_theta;
         const Scalar e15 = p_.r * theta_dot;
         const Scalar e16 = psi_dot * cos_psi;
         const Scalar e17 = sin_psi * inverse_5;
-        const Scalar sin_theta = sin(theta);
         const Scalar e18 = -p_.r * sin_theta;
         const Scalar cos_theta_squared = cos_theta * cos_theta;
         const Scalar inverse_19 = Scalar(1) / (c_.k1 + c_.k2 * cos_theta_squared);
@@ -548,13 +566,11 @@ public:
     /// J = df/dp, parameters in the order of the table. 10 x 3, entry (i, j) at J[10*j + i].
     /// Operations: 65 + or -, 128 *, 6 /, 4 sin or cos
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi = x[2];
-        const Scalar cos_psi = cos(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar psi_dot = x[7];
         const Scalar x_dot = x[5];
-        const Scalar sin_psi = sin(psi);
         const Scalar y_dot = x[6];
         const Scalar e1 = psi_dot * (x_dot * sin_psi - y_dot * cos_psi);
         const Scalar e2 = c_.k0 * cos_psi;
@@ -568,12 +584,12 @@ public:
         const Scalar e10 = -cos_psi - sin_psi * e6;
         const Scalar e11 = e10 * inverse_9;
         const Scalar theta = x[3];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar theta_dot = x[8];
         const Scalar theta_dot_squared = theta_dot * theta_dot;
         const Scalar e12 = cos_theta * theta_dot_squared;
         const Scalar e13 = sin_psi * inverse_4;
-        const Scalar sin_theta = sin(theta);
         const Scalar e14 = -p_.r * sin_theta;
         const Scalar inverse_15 = Scalar(1) / (c_.k1 + c_.k2 * cos_theta * cos_theta);
         const Scalar e16 = e14 * inverse_15;
@@ -726,16 +742,14 @@ public:
     ///     m*r^2*cos(theta)*sin(theta)*dot(theta)^2 + m*r*g*cos(theta)
     ///     bias[phi] = -m*r^2*sin(theta)*dot(psi)*dot(theta)/2
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta_dot = x[8];
         const Scalar theta = x[3];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = c_.k3 * sin_theta;
         const Scalar e2 = theta_dot * e1;
         const Scalar phi_dot = x[9];
         const Scalar psi_dot = x[7];
-        const Scalar cos_theta = cos(theta);
         const Scalar e3 = psi_dot * cos_theta;
         b[0] = Scalar(0);
         b[1] = Scalar(0);
@@ -772,15 +786,13 @@ public:
     ///     m^2*cos(psi)^2*dot(y)^2*dot(psi)^2/4)/(m*(r*cos(theta)*ddot(theta) - r*sin(theta)*dot(theta)^2 + g))
     ///     z = r*sin(theta)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         using std::sqrt;
         const Scalar psi_dot = x[7];
         const Scalar x_dot = x[5];
         const Scalar psi = x[2];
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar y_dot = x[6];
-        const Scalar cos_psi = cos(psi);
         const Scalar e1 = x_dot * sin_psi - y_dot * cos_psi;
         const Scalar e2 = psi_dot * e1;
         const Scalar e3 = psi_dot * cos_psi;
@@ -797,11 +809,11 @@ public:
         const Scalar e14 = e13 * inverse_12;
         const Scalar theta_dot = x[8];
         const Scalar theta = x[3];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e15 = x_dot * e3;
         const Scalar e16 = y_dot * e10;
         const Scalar e17 = sin_psi * inverse_7;
-        const Scalar sin_theta = sin(theta);
         const Scalar e18 = p_.r * sin_theta;
         const Scalar e19 = -e18;
         const Scalar e20 = c_.k2 * cos_theta;
@@ -834,15 +846,13 @@ public:
     /// C = dh/dx.
     /// Operations: 157 + or -, 263 *, 6 /, 4 sin or cos, 1 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         using std::sqrt;
         const Scalar psi_dot = x[7];
         const Scalar x_dot = x[5];
         const Scalar psi = x[2];
-        const Scalar cos_psi = cos(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar y_dot = x[6];
-        const Scalar sin_psi = sin(psi);
         const Scalar e1 = x_dot * cos_psi + y_dot * sin_psi;
         const Scalar e2 = psi_dot * e1;
         const Scalar e3 = c_.k0 * sin_psi;
@@ -863,11 +873,11 @@ public:
         const Scalar e18 = e17 * inverse_16;
         const Scalar theta_dot = x[8];
         const Scalar theta = x[3];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e19 = theta_dot * cos_theta;
         const Scalar e20 = theta_dot * e19;
         const Scalar e21 = sin_psi * inverse_10;
-        const Scalar sin_theta = sin(theta);
         const Scalar e22 = -p_.r * sin_theta;
         const Scalar inverse_23 = Scalar(1) / (c_.k1 + c_.k2 * cos_theta * cos_theta);
         const Scalar e24 = e22 * inverse_23;
@@ -1101,19 +1111,17 @@ public:
     ///     along: cos(psi)*dot(x) + sin(psi)*dot(y) + r*cos(theta)*dot(psi) + r*dot(phi) = 0
     ///     across: -sin(psi)*dot(x) + cos(psi)*dot(y) + r*sin(theta)*dot(theta) = 0
     void constraint_rates(const State& x, Scalar /*t*/, Constraints& w) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi_dot = x[7];
         const Scalar theta = x[3];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar phi_dot = x[9];
         const Scalar x_dot = x[5];
         const Scalar psi = x[2];
-        const Scalar cos_psi = cos(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar y_dot = x[6];
-        const Scalar sin_psi = sin(psi);
         const Scalar theta_dot = x[8];
-        const Scalar sin_theta = sin(theta);
         w[0] = p_.r * (psi_dot * cos_theta + phi_dot) + x_dot * cos_psi + y_dot * sin_psi;
         w[1] = y_dot * cos_psi - x_dot * sin_psi + p_.r * theta_dot * sin_theta;
     }
@@ -1121,14 +1129,12 @@ public:
     /// d(rate)/d(velocity), entry (i, j) at A[2*j + i].
     /// Operations: 1 + or -, 2 *, 4 sin or cos
     void constraint_jacobian(const State& x, Scalar /*t*/, ConstraintJacobian& A) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi = x[2];
-        const Scalar cos_psi = cos(psi);
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar theta = x[3];
-        const Scalar cos_theta = cos(theta);
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         A[0] = cos_psi;
         A[1] = -sin_psi;
         A[2] = sin_psi;
@@ -1144,14 +1150,12 @@ public:
     /// Forces of the constraints along their rates, on the machine; of one that follows from those before it, zero.
     /// Operations: 24 + or -, 50 *, 4 /, 4 sin or cos
     void constraint_forces(const State& x, const Input& /*u*/, Scalar /*t*/, Constraints& force) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi_dot = x[7];
         const Scalar x_dot = x[5];
         const Scalar psi = x[2];
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar y_dot = x[6];
-        const Scalar cos_psi = cos(psi);
         const Scalar e1 = psi_dot * (x_dot * sin_psi - y_dot * cos_psi);
         const Scalar e2 = c_.k0 * cos_psi;
         const Scalar e3 = e2 * e1;
@@ -1165,9 +1169,9 @@ public:
         const Scalar e11 = e10 * inverse_9;
         const Scalar theta_dot = x[8];
         const Scalar theta = x[3];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e12 = sin_psi * inverse_4;
-        const Scalar sin_theta = sin(theta);
         const Scalar e13 = -p_.r * sin_theta;
         const Scalar e14 = c_.k2 * cos_theta;
         const Scalar e15 = e13 / (c_.k1 + cos_theta * e14);
@@ -1198,20 +1202,19 @@ public:
     /// M^-1 A' (A M^-1 A')^-1 residual.
     /// Operations: 27 + or -, 37 *, 6 /, 4 sin or cos
     void correction(const State& x, Scalar /*t*/, const Constraints& residual, Generalised& step) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi = x[2];
-        const Scalar cos_psi = cos(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar e1 = -cos_psi;
         const Scalar inverse_2 = Scalar(1) / p_.m;
         const Scalar e3 = e1 * inverse_2;
         const Scalar e4 = -residual[0];
         const Scalar e5 = e1 * e3;
-        const Scalar sin_psi = sin(psi);
         const Scalar e6 = -sin_psi;
         const Scalar e7 = e6 * inverse_2;
         const Scalar theta = x[3];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e8 = -p_.r * cos_theta;
         const Scalar cos_theta_squared = cos_theta * cos_theta;
         const Scalar inverse_9 = Scalar(1) / (c_.k1 * (Scalar(1) + cos_theta_squared));
@@ -1226,7 +1229,6 @@ public:
         const Scalar e18 = e17 * independent_inverse_16;
         const Scalar e19 = sin_psi * inverse_2;
         const Scalar e20 = sin_psi * e19;
-        const Scalar sin_theta = sin(theta);
         const Scalar e21 = -p_.r * sin_theta;
         const Scalar e22 = e21 / (c_.k1 + c_.k2 * cos_theta_squared);
         const Scalar e23 = e21 * e22;

@@ -143,6 +143,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -194,17 +216,15 @@ public:
     /// Operations: 1 + or -, 12 *, 4 /, 2 sin or cos
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        using std::cos;
-        using std::sin;
         const Scalar e1 = p_.m * p_.R;
         const Scalar e2 = p_.R * e1;
         c_.J = (Scalar(2) / Scalar(5)) * e2;
         const Scalar e3 = c_.J + e2;
         c_.k0 = Scalar(1) / e3;
-        const Scalar sin_alpha = sin(p_.alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(p_.alpha, sin_alpha, cos_alpha);
         c_.k1 = p_.g * sin_alpha * e1;
         c_.k2 = e3;
-        const Scalar cos_alpha = cos(p_.alpha);
         const Scalar e4 = p_.m * p_.g;
         const Scalar e5 = cos_alpha * e4;
         c_.k3 = e5;
@@ -260,14 +280,12 @@ public:
     /// J = df/dp, parameters in the order of the table. 2 x 5, entry (i, j) at J[2*j + i].
     /// Operations: 2 + or -, 16 *, 2 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
-        const Scalar sin_alpha = sin(p_.alpha);
+        Scalar sin_alpha, cos_alpha;
+        detail::sin_and_cos<Scalar>(p_.alpha, sin_alpha, cos_alpha);
         const Scalar e1 = p_.g * sin_alpha;
         const Scalar e2 = p_.m * p_.R;
-        const Scalar cos_alpha = cos(p_.alpha);
         J[0] = Scalar(0);
         J[1] = (p_.R * e1 - dxdt[1] * ((Scalar(7) / Scalar(5)) * p_.R * p_.R)) * c_.k0;
         J[2] = Scalar(0);

@@ -162,6 +162,28 @@ Scalar independent_inverse(const Scalar& x, const Scalar& size) noexcept {
     return select(is_rest, Scalar(0), Scalar(1) / select(is_rest, Scalar(1), x));
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -274,23 +296,21 @@ public:
     ///     l^2*m_s*cos(psi)*sin(psi)*dot(psi)^2 + l*d_s*sin(psi)*dot(s)
     ///     ddot(s) = -a*sin(phi)*ddot(phi) - l*sin(psi)*ddot(psi) - a*cos(phi)*dot(phi)^2 - l*cos(psi)*dot(psi)^2
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar tau = u[0];
         const Scalar s_dot = x[5];
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_dot = x[3];
         const Scalar phi_dot_squared = phi_dot * phi_dot;
         const Scalar e1 = cos_phi * phi_dot_squared;
         const Scalar e2 = c_.k1 * sin_phi;
         const Scalar psi = x[1];
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar psi_dot = x[4];
         const Scalar psi_dot_squared = psi_dot * psi_dot;
         const Scalar e3 = c_.k2 * cos_phi;
-        const Scalar cos_psi = cos(psi);
         const Scalar e4 = cos_psi * psi_dot_squared;
         const Scalar e5 = c_.k3 * sin_phi;
         const Scalar e6 = tau + c_.k6 * s_dot * sin_phi - e1 * e2 + sin_psi * psi_dot_squared * e3 - e4 * e5;
@@ -326,13 +346,11 @@ public:
     /// 6 x 6, entry (i, j) at J[6*j + i].
     /// Operations: 89 + or -, 151 *, 3 /, 4 sin or cos
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar tau = u[0];
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_dot = x[3];
-        const Scalar cos_phi = cos(phi);
         const Scalar e1 = phi_dot * cos_phi;
         const Scalar e2 = phi_dot * e1;
         const Scalar s_dot = x[5];
@@ -340,11 +358,11 @@ public:
         const Scalar e4 = c_.k2 * cos_phi;
         const Scalar psi_dot = x[4];
         const Scalar psi = x[1];
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar e5 = psi_dot * sin_psi;
         const Scalar e6 = psi_dot * e5;
         const Scalar e7 = c_.k3 * sin_phi;
-        const Scalar cos_psi = cos(psi);
         const Scalar e8 = psi_dot * cos_psi;
         const Scalar e9 = psi_dot * e8;
         const Scalar e10 = tau - sin_phi * e3 + e4 * e6 - e7 * e9;
@@ -463,15 +481,13 @@ public:
     /// J = df/du. 6 x 1, entry (i, j) at J[6*j + i].
     /// Operations: 16 + or -, 27 *, 3 /, 4 sin or cos
     void jacobian_u(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar inverse_1 = Scalar(1) / (c_.k0 + sin_phi * (c_.k1 * sin_phi));
         const Scalar psi = x[1];
-        const Scalar cos_psi = cos(psi);
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar e2 = cos_psi * (c_.k2 * cos_phi) + sin_psi * (c_.k3 * sin_phi);
         const Scalar e3 = e2 * inverse_1;
         const Scalar e4 = -e3;
@@ -496,19 +512,18 @@ public:
     /// J = df/dp, parameters in the order of the table. 6 x 7, entry (i, j) at J[6*j + i].
     /// Operations: 97 + or -, 178 *, 3 /, 4 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi = x[1];
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar psi_dot = x[4];
         const Scalar psi_dot_squared = psi_dot * psi_dot;
         const Scalar e1 = sin_psi * psi_dot_squared;
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_dot = x[3];
         const Scalar phi_dot_squared = phi_dot * phi_dot;
         const Scalar e2 = sin_phi * phi_dot_squared;
-        const Scalar cos_phi = cos(phi);
         const Scalar e3 = -p_.a * cos_phi;
         const Scalar inverse_4 = Scalar(1) / (c_.k0 + c_.k1 * sin_phi * sin_phi);
         const Scalar e5 = e3 * inverse_4;
@@ -517,7 +532,6 @@ public:
         const Scalar e6 = s_dot * sin_phi;
         const Scalar e7 = c_.k2 * cos_phi;
         const Scalar e8 = c_.k3 * sin_phi;
-        const Scalar cos_psi = cos(psi);
         const Scalar e9 = cos_psi * psi_dot_squared;
         const Scalar e10 = tau - c_.k1 * cos_phi * e2 + c_.k6 * e6 + e1 * e7 - e8 * e9;
         const Scalar e11 = cos_psi * e7 + sin_psi * e8;
@@ -656,14 +670,12 @@ public:
     ///     M[psi, s] = 0
     ///     M[s, s] = m_s
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi = x[0];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar psi = x[1];
-        const Scalar cos_psi = cos(psi);
-        const Scalar sin_phi = sin(phi);
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         M[0] = c_.k0;
         M[1] = c_.k2 * (cos_phi * cos_psi + sin_phi * sin_psi);
         M[2] = Scalar(0);
@@ -681,15 +693,13 @@ public:
     ///     bias[psi] = -a*l*m_l*sin(phi - psi)*dot(phi)^2/2
     ///     bias[s] = d_s*dot(s)
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi_dot = x[4];
         const Scalar phi = x[0];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar psi = x[1];
-        const Scalar sin_psi = sin(psi);
-        const Scalar cos_psi = cos(psi);
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar e1 = c_.k2 * (cos_phi * sin_psi - cos_psi * sin_phi);
         const Scalar phi_dot = x[3];
         const Scalar s_dot = x[5];
@@ -718,24 +728,22 @@ public:
     ///     f_c = a*m_l*cos(phi)*ddot(phi) + l*m_l*cos(psi)*ddot(psi)/2 - a*m_l*sin(phi)*dot(phi)^2 - l*m_l*sin(psi)*dot(psi)^2/2
     ///     f_p = m_s*ddot(s)
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar s_dot = x[5];
         const Scalar tau = u[0];
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_dot = x[3];
         const Scalar phi_dot_squared = phi_dot * phi_dot;
         const Scalar e1 = sin_phi * phi_dot_squared;
         const Scalar psi = x[1];
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar psi_dot = x[4];
         const Scalar psi_dot_squared = psi_dot * psi_dot;
         const Scalar e2 = sin_psi * psi_dot_squared;
         const Scalar e3 = c_.k2 * cos_phi;
         const Scalar e4 = c_.k3 * sin_phi;
-        const Scalar cos_psi = cos(psi);
         const Scalar e5 = cos_psi * psi_dot_squared;
         const Scalar e6 = tau + c_.k6 * s_dot * sin_phi - c_.k1 * cos_phi * e1 + e2 * e3 - e4 * e5;
         const Scalar inverse_7 = Scalar(1) / (c_.k0 + c_.k1 * sin_phi * sin_phi);
@@ -765,19 +773,18 @@ public:
     /// C = dh/dx.
     /// Operations: 117 + or -, 197 *, 3 /, 4 sin or cos
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_dot = x[3];
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar e1 = phi_dot * sin_phi;
         const Scalar e2 = phi_dot * e1;
         const Scalar tau = u[0];
-        const Scalar cos_phi = cos(phi);
         const Scalar e3 = c_.k2 * cos_phi;
         const Scalar psi_dot = x[4];
         const Scalar psi = x[1];
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar e4 = psi_dot * sin_psi;
         const Scalar e5 = psi_dot * e4;
         const Scalar s_dot = x[5];
@@ -785,7 +792,6 @@ public:
         const Scalar e7 = phi_dot * cos_phi;
         const Scalar e8 = c_.k1 * e1;
         const Scalar e9 = c_.k3 * sin_phi;
-        const Scalar cos_psi = cos(psi);
         const Scalar e10 = psi_dot * cos_psi;
         const Scalar e11 = psi_dot * e10;
         const Scalar e12 = tau + e3 * e5 + sin_phi * e6 - e7 * e8 - e9 * e11;
@@ -881,15 +887,13 @@ public:
     /// D = dh/du.
     /// Operations: 20 + or -, 37 *, 3 /, 4 sin or cos
     void output_jacobian_u(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& D) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar inverse_1 = Scalar(1) / (c_.k0 + sin_phi * (c_.k1 * sin_phi));
         const Scalar psi = x[1];
-        const Scalar cos_psi = cos(psi);
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar e2 = cos_psi * (c_.k2 * cos_phi) + sin_psi * (c_.k3 * sin_phi);
         const Scalar e3 = e2 * inverse_1;
         const Scalar e4 = -e3;
@@ -914,16 +918,14 @@ public:
     ///     T = a*l*m_l*cos(phi - psi)*dot(phi)*dot(psi)/2 + (a^2*m_l + J_a)*dot(phi)^2/2 + (l^2*m_l/8 + J_l/2)*dot(psi)^2 +
     ///     m_s*dot(s)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar psi_dot = x[4];
         const Scalar phi_dot = x[3];
         const Scalar phi = x[0];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar psi = x[1];
-        const Scalar cos_psi = cos(psi);
-        const Scalar sin_phi = sin(phi);
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar s_dot = x[5];
         const Scalar e1 = phi_dot * phi_dot * ((Scalar(1) / Scalar(2)) * (p_.a * p_.a * p_.m_l + p_.J_a));
         const Scalar e2 = (Scalar(1) / Scalar(8)) * p_.l * p_.l * p_.m_l + (Scalar(1) / Scalar(2)) * p_.J_l;
@@ -984,15 +986,13 @@ public:
     ///     pin_x: -s + a*cos(phi) + l*cos(psi) = 0
     ///     pin_y: a*sin(phi) + l*sin(psi) = 0
     void constraint_positions(const State& x, Scalar /*t*/, Constraints& f) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi = x[0];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar s = x[2];
         const Scalar psi = x[1];
-        const Scalar cos_psi = cos(psi);
-        const Scalar sin_phi = sin(phi);
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         f[0] = p_.a * cos_phi - s + p_.l * cos_psi;
         f[1] = p_.a * sin_phi + p_.l * sin_psi;
     }
@@ -1002,19 +1002,17 @@ public:
     ///     pin_x: -a*sin(phi)*dot(phi) - l*sin(psi)*dot(psi) - dot(s) = 0
     ///     pin_y: a*cos(phi)*dot(phi) + l*cos(psi)*dot(psi) = 0
     void constraint_rates(const State& x, Scalar /*t*/, Constraints& w) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar s_dot = x[5];
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_dot = x[3];
         const Scalar e1 = p_.a * phi_dot;
         const Scalar psi = x[1];
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar psi_dot = x[4];
         const Scalar e2 = p_.l * psi_dot;
-        const Scalar cos_phi = cos(phi);
-        const Scalar cos_psi = cos(psi);
         w[0] = -s_dot - sin_phi * e1 - sin_psi * e2;
         w[1] = cos_phi * e1 + cos_psi * e2;
     }
@@ -1022,14 +1020,12 @@ public:
     /// d(rate)/d(velocity), entry (i, j) at A[2*j + i].
     /// Operations: 2 + or -, 4 *, 4 sin or cos
     void constraint_jacobian(const State& x, Scalar /*t*/, ConstraintJacobian& A) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar psi = x[1];
-        const Scalar sin_psi = sin(psi);
-        const Scalar cos_phi = cos(phi);
-        const Scalar cos_psi = cos(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         A[0] = -p_.a * sin_phi;
         A[1] = p_.a * cos_phi;
         A[2] = -p_.l * sin_psi;
@@ -1041,25 +1037,23 @@ public:
     /// Forces of the constraints along their rates, on the machine; of one that follows from those before it, zero.
     /// Operations: 26 + or -, 50 *, 3 /, 4 sin or cos
     void constraint_forces(const State& x, const Input& u, Scalar /*t*/, Constraints& force) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar tau = u[0];
         const Scalar s_dot = x[5];
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_dot = x[3];
         const Scalar phi_dot_squared = phi_dot * phi_dot;
         const Scalar e1 = cos_phi * phi_dot_squared;
         const Scalar e2 = c_.k1 * sin_phi;
         const Scalar psi = x[1];
-        const Scalar cos_psi = cos(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar psi_dot = x[4];
         const Scalar psi_dot_squared = psi_dot * psi_dot;
         const Scalar e3 = cos_psi * psi_dot_squared;
         const Scalar e4 = c_.k3 * sin_phi;
         const Scalar e5 = c_.k2 * cos_phi;
-        const Scalar sin_psi = sin(psi);
         const Scalar e6 = sin_psi * psi_dot_squared;
         const Scalar e7 = tau + c_.k6 * s_dot * sin_phi - e1 * e2 - e3 * e4 + e5 * e6;
         const Scalar inverse_8 = Scalar(1) / (c_.k0 + sin_phi * e2);
@@ -1094,14 +1088,12 @@ public:
     /// M^-1 A' (A M^-1 A')^-1 residual.
     /// Operations: 20 + or -, 33 *, 5 /, 4 sin or cos
     void correction(const State& x, Scalar /*t*/, const Constraints& residual, Generalised& step) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi = x[0];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar psi = x[1];
-        const Scalar cos_psi = cos(psi);
-        const Scalar sin_phi = sin(phi);
-        const Scalar sin_psi = sin(psi);
+        Scalar sin_psi, cos_psi;
+        detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar e1 = c_.k2 * (cos_phi * cos_psi + sin_phi * sin_psi);
         const Scalar inverse_2 = Scalar(1) / c_.k0;
         const Scalar e3 = e1 * inverse_2;

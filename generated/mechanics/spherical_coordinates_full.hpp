@@ -126,6 +126,28 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -200,14 +222,12 @@ public:
     ///     m*r^2*sin(theta)^2*ddot(phi) + 2*m*r*sin(theta)^2*dot(r)*dot(phi) + 2*m*r^2*cos(theta)*sin(theta)*dot(theta)*dot(phi) =
     ///     0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar r = x[0];
         const Scalar theta = x[1];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar theta_dot = x[4];
         const Scalar e1 = p_.m * r;
-        const Scalar sin_theta = sin(theta);
         const Scalar phi_dot = x[5];
         const Scalar e2 = r * sin_theta;
         const Scalar e3 = phi_dot * e2;
@@ -231,15 +251,13 @@ public:
     /// 6 x 6, entry (i, j) at J[6*j + i].
     /// Operations: 24 + or -, 70 *, 2 /, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta = x[1];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar r = x[0];
         const Scalar theta_dot = x[4];
         const Scalar e1 = p_.m * theta_dot * theta_dot - p_.c;
         const Scalar phi_dot = x[5];
-        const Scalar sin_theta = sin(theta);
         const Scalar e2 = r * sin_theta;
         const Scalar e3 = phi_dot * e2;
         const Scalar e4 = p_.m * phi_dot;
@@ -324,16 +342,14 @@ public:
     /// J = df/dp, parameters in the order of the table. 6 x 4, entry (i, j) at J[6*j + i].
     /// Operations: 10 + or -, 31 *, 2 /, 2 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar theta_dot = x[4];
         const Scalar r = x[0];
         const Scalar e1 = r * theta_dot;
         const Scalar theta = x[1];
-        const Scalar cos_theta = cos(theta);
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar phi_dot = x[5];
         const Scalar e2 = r * sin_theta;
         const Scalar e3 = phi_dot * e2;
@@ -412,16 +428,14 @@ public:
     ///     bias[theta] = 2*m*r*dot(r)*dot(theta) - m*r^2*cos(theta)*sin(theta)*dot(phi)^2 - m*g*r*sin(theta)
     ///     bias[phi] = 2*m*r*sin(theta)^2*dot(r)*dot(phi) + 2*m*r^2*cos(theta)*sin(theta)*dot(theta)*dot(phi)
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar r = x[0];
         const Scalar theta = x[1];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar theta_dot = x[4];
         const Scalar e1 = r * theta_dot;
         const Scalar phi_dot = x[5];
         const Scalar e2 = p_.m * phi_dot;
-        const Scalar sin_theta = sin(theta);
         const Scalar e3 = r * sin_theta;
         const Scalar e4 = phi_dot * e3;
         const Scalar e5 = sin_theta * e4;
@@ -455,8 +469,6 @@ public:
     ///     x = r*cos(phi)*sin(theta)
     ///     y = r*sin(theta)*sin(phi)
     void output(const State& x, const Input& u, Scalar t, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar r_dot = x[3];
@@ -465,15 +477,15 @@ public:
         const Scalar e1 = r * theta_dot;
         const Scalar phi_dot = x[5];
         const Scalar theta = x[1];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e2 = r * sin_theta;
         const Scalar e3 = phi_dot * e2;
         const Scalar e4 = phi_dot * sin_theta;
-        const Scalar cos_theta = cos(theta);
         const Scalar e5 = phi_dot * cos_theta;
         const Scalar phi = x[2];
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         y[0] = r_dot;
         y[1] = e1;
         y[2] = e3;
@@ -487,22 +499,20 @@ public:
     /// C = dh/dx.
     /// Operations: 12 + or -, 39 *, 4 sin or cos
     void output_jacobian_x(const State& x, const Input& u, Scalar t, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         JacobianX J;
         rhs_and_jacobian(x, u, t, dxdt, J);
         const Scalar theta_dot = x[4];
         const Scalar phi_dot = x[5];
         const Scalar theta = x[1];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = phi_dot * sin_theta;
         const Scalar e1_squared = e1 * e1;
-        const Scalar cos_theta = cos(theta);
         const Scalar e2 = phi_dot * cos_theta;
         const Scalar phi = x[2];
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar r = x[0];
         const Scalar e3 = r * cos_theta;
         const Scalar e4 = phi_dot * e3;

@@ -128,6 +128,28 @@ Scalar one_minus_cos(const Scalar& x) noexcept {
     return Scalar(2) * sine * sine;
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -200,21 +222,19 @@ public:
     ///     m*l^2*ddot(theta) - m*l^2*cos(theta)*sin(theta)*dot(phi)^2 + m*l*g*sin(theta) = -l*f_ex*cos(theta)*cos(phi)
     ///     m*l^2*sin(theta)^2*ddot(phi) + 2*m*l^2*cos(theta)*sin(theta)*dot(theta)*dot(phi) = l*f_ex*sin(theta)*sin(phi)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_dot = x[3];
         const Scalar theta = x[0];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = c_.k0 * sin_theta;
-        const Scalar cos_theta = cos(theta);
         const Scalar e2 = phi_dot * cos_theta;
         const Scalar phi = x[1];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar f_ex = u[0];
         const Scalar e3 = p_.l * f_ex;
         const Scalar theta_ddot = (phi_dot * e1 * e2 - c_.k1 * sin_theta - cos_theta * cos_phi * e3) * c_.k3;
         const Scalar theta_dot = x[2];
-        const Scalar sin_phi = sin(phi);
         const Scalar phi_ddot = (-sin_theta * (c_.k2 * theta_dot * e2 - sin_phi * e3)) / (sin_theta * e1);
         dxdt[0] = x[2];
         dxdt[1] = x[3];
@@ -226,21 +246,19 @@ public:
     /// 4 x 4, entry (i, j) at J[4*j + i].
     /// Operations: 10 + or -, 34 *, 1 /, 4 sin or cos
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_dot = x[3];
         const Scalar theta = x[0];
-        const Scalar cos_theta = cos(theta);
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = cos_theta * sin_theta;
         const Scalar e2 = c_.k0 * phi_dot;
         const Scalar phi = x[1];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar f_ex = u[0];
         const Scalar e3 = p_.l * f_ex;
         const Scalar e4 = cos_phi * e3;
         const Scalar theta_ddot = (phi_dot * e1 * e2 - c_.k1 * sin_theta - cos_theta * e4) * c_.k3;
-        const Scalar sin_phi = sin(phi);
         const Scalar e5 = sin_phi * e3;
         const Scalar theta_dot = x[2];
         const Scalar e6 = c_.k2 * e1;
@@ -282,14 +300,12 @@ public:
     /// J = df/du. 4 x 1, entry (i, j) at J[4*j + i].
     /// Operations: 1 + or -, 8 *, 1 /, 4 sin or cos
     void jacobian_u(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta = x[0];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar phi = x[1];
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_theta = sin(theta);
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = (-p_.l * cos_theta * cos_phi) * c_.k3;
@@ -299,15 +315,13 @@ public:
     /// J = df/dp, parameters in the order of the table. 4 x 3, entry (i, j) at J[4*j + i].
     /// Operations: 8 + or -, 32 *, 1 /, 4 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar e1 = p_.l * p_.l;
         const Scalar phi_dot = x[3];
         const Scalar theta = x[0];
-        const Scalar sin_theta = sin(theta);
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e2 = sin_theta * (phi_dot * cos_theta);
         const Scalar e3 = phi_dot * e2 - dxdt[2];
         const Scalar sin_theta_squared = sin_theta * sin_theta;
@@ -319,8 +333,8 @@ public:
         const Scalar e8 = Scalar(2) * e7;
         const Scalar f_ex = u[0];
         const Scalar phi = x[1];
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = (e1 * e3 - sin_theta * (p_.l * p_.g)) * c_.k3;
@@ -364,12 +378,10 @@ public:
     ///     bias[theta] = -m*l^2*cos(theta)*sin(theta)*dot(phi)^2 + m*l*g*sin(theta)
     ///     bias[phi] = 2*m*l^2*cos(theta)*sin(theta)*dot(theta)*dot(phi)
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta = x[0];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar phi_dot = x[3];
-        const Scalar cos_theta = cos(theta);
         const Scalar e1 = sin_theta * (phi_dot * cos_theta);
         const Scalar theta_dot = x[2];
         b[0] = c_.k1 * sin_theta - c_.k0 * phi_dot * e1;
@@ -381,16 +393,14 @@ public:
     ///     Q[theta] = -l*f_ex*cos(theta)*cos(phi)
     ///     Q[phi] = l*f_ex*sin(theta)*sin(phi)
     void generalised_force(const State& x, const Input& u, Scalar /*t*/, Generalised& Q) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta = x[0];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar phi = x[1];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar f_ex = u[0];
         const Scalar e1 = p_.l * f_ex;
-        const Scalar sin_theta = sin(theta);
-        const Scalar sin_phi = sin(phi);
         Q[0] = -cos_theta * cos_phi * e1;
         Q[1] = sin_theta * sin_phi * e1;
     }
@@ -449,17 +459,15 @@ public:
     /// Operations: 2 + or -, 6 *, 4 sin or cos
     ///     supplied = -l*f_ex*cos(theta)*cos(phi)*dot(theta) + l*f_ex*sin(theta)*sin(phi)*dot(phi)
     Scalar supplied_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar f_ex = u[0];
         const Scalar theta_dot = x[2];
         const Scalar theta = x[0];
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar phi = x[1];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_dot = x[3];
-        const Scalar sin_theta = sin(theta);
-        const Scalar sin_phi = sin(phi);
         const Scalar e1 = p_.l * f_ex * (theta_dot * cos_theta * cos_phi - phi_dot * sin_theta * sin_phi);
         return -e1;
     }

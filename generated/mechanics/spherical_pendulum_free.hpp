@@ -124,6 +124,28 @@ Scalar one_minus_cos(const Scalar& x) noexcept {
     return Scalar(2) * sine * sine;
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -196,13 +218,11 @@ public:
     ///     m*l^2*ddot(theta) - m*l^2*cos(theta)*sin(theta)*dot(phi)^2 + m*l*g*sin(theta) = 0
     ///     m*l^2*sin(theta)^2*ddot(phi) + 2*m*l^2*cos(theta)*sin(theta)*dot(theta)*dot(phi) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_dot = x[3];
         const Scalar theta = x[0];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = c_.k0 * sin_theta;
-        const Scalar cos_theta = cos(theta);
         const Scalar e2 = phi_dot * cos_theta;
         const Scalar theta_ddot = (phi_dot * e1 * e2 - c_.k1 * sin_theta) * c_.k3;
         const Scalar theta_dot = x[2];
@@ -217,12 +237,10 @@ public:
     /// 4 x 4, entry (i, j) at J[4*j + i].
     /// Operations: 7 + or -, 25 *, 1 /, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi_dot = x[3];
         const Scalar theta = x[0];
-        const Scalar cos_theta = cos(theta);
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = cos_theta * sin_theta;
         const Scalar e2 = c_.k0 * phi_dot;
         const Scalar theta_ddot = (phi_dot * e1 * e2 - c_.k1 * sin_theta) * c_.k3;
@@ -269,15 +287,13 @@ public:
     /// J = df/dp, parameters in the order of the table. 4 x 3, entry (i, j) at J[4*j + i].
     /// Operations: 6 + or -, 28 *, 1 /, 2 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar e1 = p_.l * p_.l;
         const Scalar phi_dot = x[3];
         const Scalar theta = x[0];
-        const Scalar sin_theta = sin(theta);
-        const Scalar cos_theta = cos(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e2 = sin_theta * (phi_dot * cos_theta);
         const Scalar e3 = phi_dot * e2 - dxdt[2];
         const Scalar sin_theta_squared = sin_theta * sin_theta;
@@ -330,12 +346,10 @@ public:
     ///     bias[theta] = -m*l^2*cos(theta)*sin(theta)*dot(phi)^2 + m*l*g*sin(theta)
     ///     bias[phi] = 2*m*l^2*cos(theta)*sin(theta)*dot(theta)*dot(phi)
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar theta = x[0];
-        const Scalar sin_theta = sin(theta);
+        Scalar sin_theta, cos_theta;
+        detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar phi_dot = x[3];
-        const Scalar cos_theta = cos(theta);
         const Scalar e1 = sin_theta * (phi_dot * cos_theta);
         const Scalar theta_dot = x[2];
         b[0] = c_.k1 * sin_theta - c_.k0 * phi_dot * e1;

@@ -162,6 +162,28 @@ Scalar pi() noexcept {
     }
 }
 
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -222,27 +244,26 @@ public:
         p_ = values;
         using std::asin;
         using std::cos;
-        using std::sin;
         const Scalar asin_1 = asin(p_.r / p_.l);
         c_.epsilon = asin_1;
-        const Scalar cos_epsilon = cos(c_.epsilon);
+        Scalar sin_epsilon, cos_epsilon;
+        detail::sin_and_cos<Scalar>(c_.epsilon, sin_epsilon, cos_epsilon);
         const Scalar e2 = p_.m * p_.g / cos_epsilon;
         c_.f_S = e2;
-        const Scalar sin_epsilon = sin(c_.epsilon);
         c_.f_N = sin_epsilon * e2;
         const Scalar cos_alpha = cos(p_.alpha);
-        const Scalar cos_gamma_3 = cos(p_.gamma_3);
-        const Scalar cos_beta = cos(p_.beta);
+        Scalar sin_gamma_3, cos_gamma_3;
+        detail::sin_and_cos<Scalar>(p_.gamma_3, sin_gamma_3, cos_gamma_3);
+        Scalar sin_beta, cos_beta;
+        detail::sin_and_cos<Scalar>(p_.beta, sin_beta, cos_beta);
         const Scalar e3 = cos_gamma_3 / cos_beta;
         c_.k0 = (Scalar(1) / Scalar(2)) * e3 / cos_alpha;
-        const Scalar sin_gamma_3 = sin(p_.gamma_3);
-        const Scalar sin_beta = sin(p_.beta);
         c_.k1 = sin_gamma_3 + sin_beta * e3;
         c_.k2 = (Scalar(1) / Scalar(2)) * p_.a_z;
         c_.k3 = (Scalar(1) / Scalar(2)) * p_.a_y;
         c_.k4 = (Scalar(1) / Scalar(2)) * p_.a_x;
-        const Scalar cos_delta = cos(p_.delta);
-        const Scalar sin_delta = sin(p_.delta);
+        Scalar sin_delta, cos_delta;
+        detail::sin_and_cos<Scalar>(p_.delta, sin_delta, cos_delta);
         const Scalar inverse_4 = Scalar(1) / (Scalar(1) + cos_delta + sin_delta);
         c_.k5 = Scalar(2) * inverse_4;
         c_.k6 = Scalar(2) * cos_delta * inverse_4;

@@ -114,6 +114,28 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -198,14 +220,12 @@ public:
     /// 2 x 2, entry (i, j) at J[2*j + i].
     /// Operations: 2 + or -, 4 *, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_ddot = (-c_.k1 * sin_phi) * c_.k0;
         dxdt[0] = x[1];
         dxdt[1] = phi_ddot;
-        const Scalar cos_phi = cos(phi);
         J[0] = Scalar(0);
         J[1] = (-c_.k1 * cos_phi) * c_.k0;
         J[2] = Scalar(1);
@@ -276,14 +296,12 @@ public:
     ///     F_x = m*l*cos(phi)*ddot(phi) - m*l*sin(phi)*dot(phi)^2
     ///     F_y = m*l*sin(phi)*ddot(phi) + m*l*cos(phi)*dot(phi)^2 + m*g
     void output(const State& x, const Input& u, Scalar t, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar phi = x[0];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar e1 = c_.k3 * dxdt[1];
-        const Scalar sin_phi = sin(phi);
         const Scalar phi_dot = x[1];
         const Scalar e2 = phi_dot * (c_.k3 * phi_dot);
         y[0] = cos_phi * e1 - sin_phi * e2;
@@ -293,15 +311,13 @@ public:
     /// C = dh/dx.
     /// Operations: 3 + or -, 10 *, 2 sin or cos
     void output_jacobian_x(const State& x, const Input& u, Scalar t, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         JacobianX J;
         rhs_and_jacobian(x, u, t, dxdt, J);
         const Scalar phi = x[0];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar e1 = c_.k3 * sin_phi;
-        const Scalar cos_phi = cos(phi);
         const Scalar e2 = c_.k3 * cos_phi;
         const Scalar phi_dot = x[1];
         const Scalar phi_dot_squared = phi_dot * phi_dot;

@@ -128,6 +128,28 @@ struct jacobian_p_pattern {
 };
 
 namespace detail {
+/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
+template <class Scalar>
+[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
+    const auto both = sincos(angle);
+    s = both.first;
+    c = both.second;
+}
+
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
+    using std::cos;
+    using std::sin;
+    s = sin(angle);
+    c = cos(angle);
+}
+
+/// Sine and cosine of one angle.
+template <class Scalar>
+[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
+    sin_and_cos(angle, s, c, 0);
+}
+
 }  // namespace detail
 
 /// Parameters in SI with their defaults.
@@ -205,16 +227,14 @@ public:
     ///     (m_i + m_j)*ddot(y) + m_j*l*cos(phi)*ddot(phi) - m_j*l*sin(phi)*dot(phi)^2 = f_iy + f_jy
     ///     -m_j*l*sin(phi)*ddot(x) + m_j*l*cos(phi)*ddot(y) + m_j*l^2*ddot(phi) = -l*f_jx*sin(phi) + l*f_jy*cos(phi)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar f_ix = u[0];
         const Scalar f_jx = u[2];
         const Scalar phi = x[2];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_dot = x[5];
         const Scalar e1 = phi_dot * (c_.k1 * phi_dot);
         const Scalar e2 = f_ix + f_jx + cos_phi * e1;
-        const Scalar sin_phi = sin(phi);
         const Scalar e3 = -c_.k1 * sin_phi;
         const Scalar e4 = e3 * c_.k3;
         const Scalar f_jy = u[3];
@@ -237,18 +257,16 @@ public:
     /// 6 x 6, entry (i, j) at J[6*j + i].
     /// Operations: 24 + or -, 43 *, 1 /, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar f_ix = u[0];
         const Scalar f_jx = u[2];
         const Scalar phi = x[2];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar e1 = c_.k1 * cos_phi;
         const Scalar phi_dot = x[5];
         const Scalar phi_dot_squared = phi_dot * phi_dot;
         const Scalar e2 = e1 * phi_dot_squared;
         const Scalar e3 = f_ix + f_jx + e2;
-        const Scalar sin_phi = sin(phi);
         const Scalar e4 = c_.k1 * sin_phi;
         const Scalar e5 = -e4;
         const Scalar e6 = e5 * c_.k3;
@@ -324,13 +342,11 @@ public:
     /// J = df/du. 6 x 4, entry (i, j) at J[6*j + i].
     /// Operations: 16 + or -, 20 *, 1 /, 2 sin or cos
     void jacobian_u(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi = x[2];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar e1 = -c_.k1 * sin_phi;
         const Scalar e2 = e1 * c_.k3;
-        const Scalar cos_phi = cos(phi);
         const Scalar e3 = c_.k1 * cos_phi;
         const Scalar e4 = e3 * c_.k3;
         const Scalar inverse_5 = Scalar(1) / (c_.k2 - e1 * e2 - e3 * e4);
@@ -367,16 +383,14 @@ public:
     /// J = df/dp, parameters in the order of the table. 6 x 5, entry (i, j) at J[6*j + i].
     /// Operations: 25 + or -, 45 *, 1 /, 2 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar e1 = -dxdt[3];
         const Scalar phi = x[2];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar e2 = -c_.k1 * sin_phi;
         const Scalar e3 = e2 * c_.k3;
-        const Scalar cos_phi = cos(phi);
         const Scalar e4 = c_.k1 * cos_phi;
         const Scalar e5 = e4 * c_.k3;
         const Scalar e6 = -dxdt[4];
@@ -448,11 +462,9 @@ public:
     ///     M[y, phi] = m_j*l*cos(phi)
     ///     M[phi, phi] = m_j*l^2
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi = x[2];
-        const Scalar sin_phi = sin(phi);
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         M[0] = c_.k0;
         M[1] = Scalar(0);
         M[2] = -c_.k1 * sin_phi;
@@ -470,13 +482,11 @@ public:
     ///     bias[y] = -m_j*l*sin(phi)*dot(phi)^2
     ///     bias[phi] = 0
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar phi = x[2];
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_dot = x[5];
         const Scalar e1 = phi_dot * (c_.k1 * phi_dot);
-        const Scalar sin_phi = sin(phi);
         b[0] = -cos_phi * e1;
         b[1] = -sin_phi * e1;
         b[2] = Scalar(0);
@@ -488,15 +498,13 @@ public:
     ///     Q[y] = f_iy + f_jy
     ///     Q[phi] = -l*f_jx*sin(phi) + l*f_jy*cos(phi)
     void generalised_force(const State& x, const Input& u, Scalar /*t*/, Generalised& Q) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar f_ix = u[0];
         const Scalar f_jx = u[2];
         const Scalar f_iy = u[1];
         const Scalar f_jy = u[3];
         const Scalar phi = x[2];
-        const Scalar sin_phi = sin(phi);
-        const Scalar cos_phi = cos(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         Q[0] = f_ix + f_jx;
         Q[1] = f_iy + f_jy;
         Q[2] = -p_.l * (f_jx * sin_phi - f_jy * cos_phi);
@@ -508,13 +516,11 @@ public:
     ///     centre_x = (m_i + m_j)*x/(m_i + m_j) + m_j*l*cos(phi)/(m_i + m_j)
     ///     centre_y = (m_i + m_j)*y/(m_i + m_j) + m_j*l*sin(phi)/(m_i + m_j)
     void output(const State& x, const Input& u, Scalar t, Output& y) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar phi = x[2];
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar f_ix = u[0];
         const Scalar f_iy = u[1];
         const Scalar x_value = x[0];
@@ -527,16 +533,14 @@ public:
     /// C = dh/dx.
     /// Operations: 4 + or -, 8 *, 2 sin or cos
     void output_jacobian_x(const State& x, const Input& u, Scalar t, OutputJacobianX& C) const noexcept {
-        using std::cos;
-        using std::sin;
         State dxdt;
         JacobianX J;
         rhs_and_jacobian(x, u, t, dxdt, J);
         const Scalar f_ix = u[0];
         const Scalar phi = x[2];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar f_iy = u[1];
-        const Scalar cos_phi = cos(phi);
         const Scalar e1 = p_.m_i * cos_phi;
         const Scalar e2 = p_.m_i * sin_phi;
         C[0] = Scalar(0) + (e1) * J[3] + (e2) * J[4];
@@ -562,13 +566,11 @@ public:
     /// D = dh/du.
     /// Operations: 2 + or -, 2 *, 2 sin or cos
     void output_jacobian_u(const State& x, const Input& u, Scalar t, OutputJacobianU& D) const noexcept {
-        using std::cos;
-        using std::sin;
         JacobianU J;
         jacobian_u(x, u, t, J);
         const Scalar phi = x[2];
-        const Scalar cos_phi = cos(phi);
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         D[0] = -cos_phi + (p_.m_i * cos_phi) * J[3] + (p_.m_i * sin_phi) * J[4];
         D[1] = Scalar(0);
         D[2] = Scalar(0);
@@ -588,16 +590,14 @@ public:
     ///     T = -m_j*l*sin(phi)*dot(x)*dot(phi) + (m_i + m_j)*dot(x)^2/2 + m_j*l*cos(phi)*dot(y)*dot(phi) + (m_i + m_j)*dot(y)^2/2 +
     ///     m_j*l^2*dot(phi)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar x_dot = x[3];
         const Scalar e1 = (Scalar(1) / Scalar(2)) * (p_.m_i + p_.m_j);
         const Scalar phi = x[2];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_dot = x[5];
         const Scalar e2 = c_.k1 * phi_dot;
         const Scalar y_dot = x[4];
-        const Scalar cos_phi = cos(phi);
         return x_dot * (x_dot * e1 - sin_phi * e2) + y_dot * (y_dot * e1 + cos_phi * e2) + phi_dot * phi_dot
             * ((Scalar(1) / Scalar(2)) * p_.m_j * p_.l * p_.l);
     }
@@ -613,17 +613,15 @@ public:
     /// Operations: 5 + or -, 7 *, 2 sin or cos
     ///     supplied = (f_ix + f_jx)*dot(x) + (f_iy + f_jy)*dot(y) + l*(-f_jx*sin(phi) + f_jy*cos(phi))*dot(phi)
     Scalar supplied_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        using std::cos;
-        using std::sin;
         const Scalar f_jx = u[2];
         const Scalar x_dot = x[3];
         const Scalar phi = x[2];
-        const Scalar sin_phi = sin(phi);
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_dot = x[5];
         const Scalar e1 = p_.l * phi_dot;
         const Scalar f_jy = u[3];
         const Scalar y_dot = x[4];
-        const Scalar cos_phi = cos(phi);
         const Scalar f_ix = u[0];
         const Scalar f_iy = u[1];
         return f_jx * (x_dot - sin_phi * e1) + f_jy * (y_dot + cos_phi * e1) + f_ix * x_dot + f_iy * y_dot;

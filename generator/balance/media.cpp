@@ -37,7 +37,8 @@ MediumModel::MediumModel(const Medium& medium, const Scene& scene, const Transla
     if (has_heat && !is_thermal)
         for_each(*medium.isochoric_heat->body, [&](const Expression& e) {
             const bool is_name = e.kind == Expression::Kind::name && e.name != "pi";
-            is_there = is_there && (!is_name || translate.symbols().find(SymbolKind::parameter, e.name, 0) != nullptr || translate.symbols().find(SymbolKind::definition, e.name, 0) != nullptr);
+            is_there = is_there && (!is_name || translate.symbols().find(SymbolKind::parameter, e.name, 0) != nullptr || translate.symbols().find(SymbolKind::definition, e.name, 0) != nullptr ||
+                         scene.fixed.contains(e.name) || scene.folded.contains(e.name));
         });
     if (is_there) heat_ = translate(*medium.isochoric_heat->body, {});
     law_.pressure = p_;

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSL-1.0
-# dalembert_add_model(TARGET MODEL file.toml [SCENE scene] [SIZES N=5 ...] [TAYLOR])
+# dalembert_add_model(TARGET MODEL file.toml [SCENE scene] [SIZES N=5 ...] [FIX parameters | NAME[=VALUE] ...] [TRIG combined] [TAYLOR])
 #
 # Generates the header of one scene of a model at build time, as TARGET.hpp, and makes an interface library TARGET for those who
-# include it. With TAYLOR it has Taylor series of the motion. The header is generated again when the model file or the generator changes.
+# include it. FIX makes parameters numbers; TRIG combined takes sine and cosine in float from one reduction; with TAYLOR it has Taylor
+# series of the motion. The header is generated again when the model file or the generator
+# changes.
 function(dalembert_add_model target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "TAYLOR" "MODEL;SCENE" "SIZES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "TAYLOR" "MODEL;SCENE;TRIG" "SIZES;FIX")
   if(NOT arg_MODEL)
     message(FATAL_ERROR "dalembert_add_model(${target}): MODEL is missing")
   endif()
@@ -19,6 +21,13 @@ function(dalembert_add_model target)
   foreach(size IN LISTS arg_SIZES)
     list(APPEND options --size ${size})
   endforeach()
+  if(arg_FIX)
+    list(JOIN arg_FIX "," fixed)
+    list(APPEND options --fix ${fixed})
+  endif()
+  if(arg_TRIG)
+    list(APPEND options --trig ${arg_TRIG})
+  endif()
   if(arg_TAYLOR)
     list(APPEND options --taylor)
   endif()

@@ -50,6 +50,7 @@ ExitCode accuracy_command(const Options& options, Streams streams) {
     refuse_fields(system, "accuracy");
     machine.rewrites = !options.no_rewrite;
     if (options.no_chain) machine.chain = ChainUse::never;
+    if (options.trig == "combined") machine.trig = Trig::combined;
     const Header header = generate(machine);
     const AccuracyMeasurement measurement(machine, header);
     std::vector<AccuracyReport> reports;

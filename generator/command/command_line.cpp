@@ -61,6 +61,7 @@ public:
         output(generate);
         auto* every = generate->add_flag("--every-scene", options_.every_scene, "the headers of all scenes");
         generate->add_option("--header", options_.header, "file name of the header instead of NAME_SCENE.hpp")->excludes(every)->check(file_name);
+        generate->add_option("--fix", options_.fix, "parameters that become numbers in the code: `parameters` for all, or names, each with =VALUE if it is not the default's");
         generate->add_flag("--taylor", options_.taylor, "with Taylor series of the motion, for the method taylor");
         format(generate, "text or json", {"text", "json"});
         explain(generate);
@@ -205,6 +206,8 @@ private:
     void rewriting(CLI::App* verb) {
         verb->add_flag("--no-rewrite", options_.no_rewrite, "leave forms that lose digits as they are derived");
         verb->add_flag("--no-chain", options_.no_chain, "solve with the mass matrix also where going from body to body is shorter");
+        verb->add_option("--trig", options_.trig, "combined: sine and cosine in float from one reduction, as fast for every angle")
+            ->check(CLI::IsMember({"library", "combined"}));
     }
     void explain(CLI::App* verb) {
         verb->add_flag("--explain", options_.explain, "time and result of each stage, and what was rewritten to keep digits");

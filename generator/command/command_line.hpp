@@ -52,6 +52,8 @@ struct Options {
     std::uint64_t seed = 1;
     bool no_rewrite = false;              ///< forms that lose digits stay as they are
     bool no_chain = false;                ///< solve with M also where bodies are placed on each other
+    std::string fix;                      ///< parameters that become numbers
+    std::string trig = "library";         ///< whose sine and cosine the header calls
     double ulp_limit = 8;                 ///< of errors in double
 };
 

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "command/json_output.hpp"
+#include "command/settings.hpp"
 #include "command/shared.hpp"
 #include "emit/equations.hpp"
 #include "text/files.hpp"
@@ -92,10 +93,11 @@ ExitCode generate_command(const Options& options, Streams streams) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     std::string text;
     for (const std::string& scene : scenes) {
-        Machine machine = derive_machine(model, scene, options.choice.sizes);
+        Machine machine = derive_machine(model, scene, options.choice.sizes, parse_fixed(options.fix, model->names));
         show_warnings(machine, streams);
         machine.rewrites = !options.no_rewrite;
         if (options.no_chain) machine.chain = ChainUse::never;
+        if (options.trig == "combined") machine.trig = Trig::combined;
         const Header header = generate(machine, options.taylor ? SeriesWish::wanted : SeriesWish::none);
         if (!options.dump.empty()) {
             streams.out << dumped(machine, options.dump, header);

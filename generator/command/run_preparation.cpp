@@ -136,7 +136,7 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     if (!options_.until.empty()) {
         const Excerpt text = excerpt_of(std::make_shared<const Source>("--until", options_.until));
         const ExpressionPtr until = parse_expression(text);
-        check_dependence(*until, on_parameters, "the end of the run", system);
+        check_dependence(*until, on_parameters, "the end of the run", system.names);
         settings.until = seconds(until);
         if (!(settings.until > 0)) throw Failure(Diagnostic{Id::bad_option, until->span, "a run begins at t = 0 and must end later"});
     }
@@ -184,7 +184,7 @@ std::vector<ex> RunPreparation::inputs(const Values& values, const System& syste
         for (const RunEntry& entry : run_->inputs)
             if (is_in_scene(*entry.variable, system) && set(*entry.variable, system.translate(*entry.value, {}))) check_range(*entry.variable, *entry.value);
     for (const Setting& setting : parse_settings(options_.inputs, "input")) {
-        check_setting(setting, on_motion | on_states, system);
+        check_setting(setting, on_motion | on_states, system.names);
         if (!set(*setting.variable, system.translate(*setting.value, {})))
             throw Failure(Diagnostic{Id::unknown_name, setting.variable->span, fmt::format("scene '{}' has no input '{}'", system.scene.name, setting.variable->written())});
         check_range(*setting.variable, *setting.value);

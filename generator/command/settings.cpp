@@ -48,10 +48,10 @@ Setting parse_setting(const SourcePtr& source, std::size_t begin, std::size_t en
 }
 
 /// The dimension of what is set.
-std::optional<Dimension> dimension_of(const Expression& variable, const System& system) {
+std::optional<Dimension> dimension_of(const Expression& variable, const Names& names) {
     const bool is_rate = variable.kind == Expression::Kind::call;
     const Expression& named = is_rate && !variable.children.empty() ? *variable.children[0] : variable;
-    const Named* known = system.names.find(named.name);
+    const Named* known = names.find(named.name);
     if (known == nullptr || (known->kind != Named::Kind::parameter && known->kind != Named::Kind::coordinate && known->kind != Named::Kind::state &&
                              known->kind != Named::Kind::input))
         return std::nullopt;
@@ -74,26 +74,44 @@ std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const
     return settings;
 }
 
-void check_setting(const Setting& setting, unsigned may_depend, const System& system) {
-    const auto dimension = dimension_of(*setting.variable, system);
+FixWish parse_fixed(const std::string& text, const Names& names) {
+    FixWish wish{text, text == "parameters", {}};
+    if (wish.all || text.empty()) return wish;
+    const auto source = std::make_shared<const Source>("--fix", text);
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = end_of_part(text, begin);
+        if (const std::size_t equals = text.find('=', begin); equals == std::string::npos || equals >= end) {
+            wish.some.push_back({parse_expression(excerpt_of(source, begin, end)), nullptr});
+        } else {
+            const Setting setting = parse_setting(source, begin, end, "fix");
+            check_setting(setting, nothing, names);
+            wish.some.push_back({setting.variable, setting.value});
+        }
+        begin = end + 1;
+    }
+    return wish;
+}
+
+void check_setting(const Setting& setting, unsigned may_depend, const Names& names) {
+    const auto dimension = dimension_of(*setting.variable, names);
     if (setting.unit && dimension && setting.unit->dimension != *dimension)
         throw Failure(Diagnostic{Id::unit_mismatch, setting.value->span,
                                  fmt::format("'{}' is in '{}', but '{}' is in '{}'", setting.variable->written(), dimension->described(),
                                              setting.unit->written, setting.unit->dimension.described())});
-    check_dependence(*setting.value, may_depend, fmt::format("the value of '{}'", setting.variable->written()), system);
+    check_dependence(*setting.value, may_depend, fmt::format("the value of '{}'", setting.variable->written()), names);
 }
 
-void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const System& system) {
+void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const Names& names) {
     for_each(value, [&](const Expression& part) {
         const bool is_leaf = part.kind == Expression::Kind::name || (part.kind == Expression::Kind::call && (part.name == "dot" || part.name == "ddot"));
-        if (is_leaf && (dependence(part, system.names) & ~may_depend) != 0)
+        if (is_leaf && (dependence(part, names) & ~may_depend) != 0)
             throw Failure(Diagnostic{Id::not_allowed_here, part.span, fmt::format("{} must not depend on '{}'", what, part.written())});
     });
 }
 
 void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system) {
     for (const Setting& setting : settings) {
-        check_setting(setting, allowed == on_parameters ? nothing : on_parameters, system);
+        check_setting(setting, allowed == on_parameters ? nothing : on_parameters, system.names);
         values.set(*setting.variable, *setting.value, allowed);
     }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "form/system.hpp"
+#include "model/fix_parameters.hpp"
 
 namespace dalembert {
 
@@ -16,11 +17,14 @@ struct Setting {
 /// `option` names the option in diagnostics. Throws Failure (bad-option, syntax, unknown-unit).
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const std::string& option);
 
+/// "parameters", or names and values: what --fix asks for. Throws Failure (bad-option, syntax, unknown-unit, unit-mismatch, not-allowed-here).
+FixWish parse_fixed(const std::string& text, const Names& names);
+
 /// Applies them. `allowed` says what may be set: bits of Dependence. Throws Failure (unknown-name, unit-mismatch, value-out-of-range).
 void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system);
 
 /// Throws Failure when the unit is not that of the variable, or the value depends on what it must not depend on.
-void check_setting(const Setting& setting, unsigned may_depend, const System& system);
-void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const System& system);
+void check_setting(const Setting& setting, unsigned may_depend, const Names& names);
+void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const Names& names);
 
 }  // namespace dalembert

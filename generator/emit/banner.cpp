@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "emit/cpp_constant.hpp"
 #include "emit/safe_text.hpp"
 #include "model/verdict.hpp"
 
@@ -18,6 +19,23 @@ std::string effect_list(const std::vector<const Effect*>& effects) {
     std::vector<std::string> texts;
     for (const Effect* effect : effects) texts.push_back(fmt::format("{} ({})", effect->name, safe_line(effect->doc)));
     return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// "g = 9.81 m/s^2, l_S = 0.8 m": parameters that are numbers.
+std::string fixed_list(const System& system) {
+    std::string text;
+    for (const Parameter& item : system.scene.model->parameters) {
+        const auto fixed = system.scene.fixed.find(item.name);
+        if (fixed == system.scene.fixed.end()) continue;
+        const auto [from, to] = item.family ? bounds(*item.family, system.scene) : std::pair(0, 0);
+        for (int index = from; index <= to; ++index) {
+            const Member<Parameter> member{&item, index};
+            const ExpressionPtr& value = fixed->second ? fixed->second : item.values[place_of_value(item, index, system.scene)];
+            text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", member.name(), double_text(system.translate(value, Translator::indices_of(member))),
+                                item.unit.si() == "1" ? "" : " " + item.unit.si());
+        }
+    }
+    return text;
 }
 
 /// The number of nodes of the largest network that is solved at once, zero without one.
@@ -54,6 +72,7 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
     else text += "// Effects out, and what each would do to the rates at the start values:\n";
     for (const EffectSize& out : effects_out) text += cpp_comment(fmt::format("{} ({}): {}", out.effect->name, safe_line(out.effect->doc), out.at_start), 0, "//    ");
 
+    if (!scene.fixed.empty()) text += cpp_comment("Fixed: " + fixed_list(code.system), 0, "//");
     if (modes.size() > 1) {
         std::vector<std::string> names;
         for (const SceneMode& mode : scene.modes) names.push_back(mode.name);

@@ -14,6 +14,8 @@ namespace {
 constexpr std::size_t longest_inline = 70;
 constexpr std::size_t longest_line = 128;
 
+bool is_sine_or_cosine(const Node& node) { return node.kind == Node::Kind::function && (node.op == Op::sin || node.op == Op::cos); }
+
 }  // namespace
 
 std::string wrapped(const std::string& statement, std::size_t column) {
@@ -53,8 +55,11 @@ CppFunction::CppFunction(const Code& code, const FunctionCode& function, const C
     names_ = NameScope(std::move(arguments));
     const std::vector<NodeId> roots = function.roots();
     for (const NodeId root : roots) ++uses_[root];
-    for (const NodeId id : function.program.in_order(roots))
-        for (const NodeId argument : function.program[id].arguments) ++uses_[argument];
+    for (const NodeId id : function.program.in_order(roots)) {
+        const Node& node = function.program[id];
+        for (const NodeId argument : node.arguments) ++uses_[argument];
+        if (is_sine_or_cosine(node)) angles_[node.arguments[0]].push_back(id);
+    }
 }
 
 bool CppFunction::wants_name(NodeId id) const {
@@ -73,6 +78,7 @@ std::string CppFunction::compute(const std::vector<NodeId>& roots) {
     for (const NodeId id : function_.program.in_order(roots)) {
         if (known_.contains(id)) continue;
         if (function_.program[id].kind == Node::Kind::symbol) known_[id] = symbol(id, statements);
+        else if (const std::optional<NodeId> other = other_of_angle(id)) declare_both(id, *other, statements);
         else if (wants_name(id)) declare(id, build(id, statements).text, statements);
     }
     return statements;
@@ -89,6 +95,30 @@ void CppFunction::declare(NodeId id, const std::string& text, std::string& state
     const bool is_an_array = node.kind == Node::Kind::function && is_array(node.op);
     statements += wrapped(fmt::format("const {} {} = {};", is_an_array ? "auto" : "Scalar", unique, text), 8);
     known_[id] = {unique, 3};
+}
+
+/// The cosine that belongs to a sine, or the other way round, where both are still to be computed.
+std::optional<NodeId> CppFunction::other_of_angle(NodeId id) const {
+    const Node& node = function_.program[id];
+    if (!is_sine_or_cosine(node)) return {};
+    const auto both = angles_.find(node.arguments[0]);
+    if (both == angles_.end() || both->second.size() != 2) return {};
+    for (const NodeId one : both->second)
+        if (known_.contains(one) || wanted_names_.contains(one)) return {};
+    return both->second[both->second[0] == id ? 1 : 0];
+}
+
+void CppFunction::declare_both(NodeId id, NodeId other, std::string& statements) {
+    if (function_.program[id].op == Op::cos) std::swap(id, other);
+    const std::string function = code_.trig == Trig::combined ? "combined_sin_and_cos" : "sin_and_cos";
+    called_.insert(function);
+    const std::string angle = text_of(function_.program[id].arguments[0], statements).text;
+    const std::string sine = names_.unique(suggested_name(id));
+    const std::string cosine = names_.unique(suggested_name(other));
+    statements += fmt::format("        Scalar {}, {};\n", sine, cosine);
+    statements += wrapped(fmt::format("detail::{}<Scalar>({}, {}, {});", function, angle, sine, cosine), 8);
+    known_[id] = {sine, 3};
+    known_[other] = {cosine, 3};
 }
 
 std::string CppFunction::suggested_name(NodeId id) {
@@ -219,7 +249,7 @@ CppFunction::Text CppFunction::call(const Node& node, std::string& statements) {
     }
     std::string arguments;
     for (const NodeId argument : node.arguments) arguments += (arguments.empty() ? "" : ", ") + text_of(argument, statements).text;
-    const std::string name = node.op == Op::power ? "pow" : name_of(node.op);
+    const std::string name = (is_sine_or_cosine(node) && code_.trig == Trig::combined ? "combined_" : "") + (node.op == Op::power ? "pow" : std::string(name_of(node.op)));
     called_.insert(name);
     if (is_array(node.op)) return {fmt::format("detail::{}<Scalar, {}>({{{}}})", name, order_of_network(node), arguments), 3};
     return {is_helper(name) ? fmt::format("detail::{}<Scalar>({})", name, arguments) : fmt::format("{}({})", name, arguments), 3};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 
 #include "emit/cpp_constant.hpp"
@@ -64,6 +65,8 @@ private:
     std::string suggested_name(NodeId id);
     int family_start(const Variable& variable) const;
     void declare(NodeId id, const std::string& text, std::string& statements);
+    std::optional<NodeId> other_of_angle(NodeId id) const;
+    void declare_both(NodeId id, NodeId other, std::string& statements);
 
     const Code& code_;
     const FunctionCode& function_;
@@ -71,6 +74,7 @@ private:
     std::set<std::string> arguments_;
     NameScope names_;
     std::vector<int> uses_;
+    std::map<NodeId, std::vector<NodeId>> angles_;  ///< sines and cosines by their angle
     std::map<NodeId, Text> known_;
     std::map<NodeId, std::string> wanted_names_;
     std::set<std::string> called_;

@@ -19,6 +19,7 @@ struct Helper {
 /// Each behind those that it needs.
 const std::vector<Helper>& helpers() {
     static constexpr const char* scalars = "scalar_functions.hpp";
+    static constexpr const char* angles = "angle_functions.hpp";
     static constexpr const char* fluids = "fluid_functions.hpp";
     static constexpr const char* heat = "heat_functions.hpp";
     static constexpr const char* networks = "heat_networks.hpp";
@@ -40,6 +41,11 @@ const std::vector<Helper>& helpers() {
         {"logc", scalars, {"select"}},
         {"turn_back", scalars, {}},
         {"pi", scalars, {}},
+        {"sin_and_cos", angles, {}},
+        {"far_angle", angles, {}},
+        {"combined_sin_and_cos", angles, {"sin_and_cos", "far_angle"}},
+        {"combined_sin", angles, {"combined_sin_and_cos"}},
+        {"combined_cos", angles, {"combined_sin_and_cos"}},
         {"exponential_remainder", fluids, {}},
         {"compression", fluids, {"select", "exponential_remainder"}},
         {"signed_root", fluids, {"select"}},

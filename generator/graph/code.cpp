@@ -17,7 +17,9 @@ namespace {
 class CodeMaker {
 public:
     CodeMaker(const System& system, const CodeWish& wish)
-        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms, wish.rewrites, wish.chain)), n_(system.motion.unknowns()), degrees_(system.symbols.degrees()), places_(system.unknown_places()), multipliers_(system.motion.multipliers.size()) {}
+        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms, wish.rewrites, wish.chain)), n_(system.motion.unknowns()), degrees_(system.symbols.degrees()), places_(system.unknown_places()), multipliers_(system.motion.multipliers.size()) {
+        code_->trig = wish.trig;
+    }
 
     std::unique_ptr<Code> run(const CodeWish& wish) {
         order_definitions();

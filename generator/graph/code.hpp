@@ -93,11 +93,15 @@ struct ResetCode {
     std::optional<std::size_t> impact = {};  ///< the column of solved in which M^-1*direction stands
 };
 
+/// Whose sine and cosine the header calls: those of the library, or of float its own, which makes both from one reduction.
+enum class Trig { library, combined };
+
 /// What is asked of code besides the functions that every header has.
 struct CodeWish {
     bool rewrites = true;  ///< of forms that lose digits
     bool series = false;   ///< of the motion
     ChainUse chain = ChainUse::where_shorter;
+    Trig trig = Trig::library;
 };
 
 struct Code {
@@ -108,6 +112,7 @@ struct Code {
     Atoms atoms;
     ParameterCache cache;
     Solve solve;                                  ///< how M*x = b is solved
+    Trig trig = Trig::library;
     bool has_long_chain = false;                  ///< the motion is solved for from body to body, and nothing with M
     std::vector<std::size_t> definition_order;    ///< definitions, each behind those it needs
     std::array<FunctionCode, function_count> functions;

@@ -50,4 +50,14 @@ std::pair<int, int> bounds(const Family& family, const Scene& scene) {
     return {from, to};
 }
 
+std::size_t place_of_value(const Parameter& parameter, int index, const Scene& scene) {
+    if (parameter.values.size() == 1) return 0;
+    const auto [from, to] = parameter.family ? bounds(*parameter.family, scene) : std::pair(0, 0);
+    const auto count = static_cast<std::size_t>(to - from + 1);
+    if (parameter.values.size() != count)
+        throw Failure(Diagnostic{Id::wrong_arguments, parameter.span,
+                                 fmt::format("parameter '{}' has {} values, but {} member{}", parameter.name, parameter.values.size(), count, count == 1 ? "" : "s")});
+    return static_cast<std::size_t>(index - from);
+}
+
 }  // namespace dalembert

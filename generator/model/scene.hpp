@@ -50,6 +50,9 @@ struct Scene {
     std::map<std::string, int, std::less<>> sizes;
 
     std::vector<Member<Parameter>> parameters;
+    std::map<std::string, ExpressionPtr, std::less<>> fixed;  ///< parameters that are numbers; null: their defaults
+    std::set<std::string, std::less<>> folded;    ///< definitions of these alone, which are inserted
+    std::string fix_text;                         ///< how that was asked for
     std::vector<Member<Definition>> definitions;  ///< of parameters alone; the others are inserted where they are used
     std::vector<Member<Coordinate>> coordinates;
     std::vector<Member<Input>> inputs;
@@ -123,6 +126,9 @@ int index_value(const Expression& expression, const Scene& scene, const Indices&
 
 /// The bounds of a family. Throws Failure (too-large) beyond 10000 members.
 std::pair<int, int> bounds(const Family& family, const Scene& scene);
+
+/// Which of its values a member of a parameter has. Throws Failure (wrong-arguments) when there are not as many as members.
+std::size_t place_of_value(const Parameter& parameter, int index, const Scene& scene);
 
 /// Warns of parameters, definitions and inputs that nothing in the model uses.
 void warn_of_unused(const Model& model, Diagnostics& diagnostics);

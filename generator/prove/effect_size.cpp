@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "model/fix_parameters.hpp"
 #include "prove/motion_at.hpp"
 #include "text/diagnostic.hpp"
 
@@ -61,6 +62,7 @@ std::vector<EffectSize> sizes_of_effects_out(const System& system, const std::ma
         std::string text;
         try {
             Scene chosen = select_scene(*scene.model, system.names, scene.wish + "+" + effect->name, sizes);
+            fix_as_in(chosen, system.names, scene);
             if (!chosen.modes.empty()) chosen = in_mode(chosen, 0);
             const auto with = derive(system.names, std::move(chosen));
             text = difference(system, *with);

@@ -26,6 +26,16 @@ std::string shown(const ex& constant) {
     return GiNaC::is_exactly_a<numeric>(value) ? fmt::format("{:.6g}", ex_to<numeric>(value).to_double()) : "a value";
 }
 
+/// Throws Failure (number-too-large) for what no arithmetic of a controller or a desk holds.
+void check_magnitude(const std::string& name, const ex& value, const Span& place) {
+    if (GiNaC::is_exactly_a<numeric>(value) && !value.is_zero()) {
+        const numeric size = GiNaC::abs(GiNaC::ex_to<numeric>(value));
+        const numeric largest = GiNaC::pow(numeric(10), numeric(300));
+        if (size > largest || size < largest.inverse())
+            throw Failure(Diagnostic{Id::number_too_large, place, fmt::format("the value of '{}' is beyond 1e300 or within 1e-300 of zero", name)});
+    }
+}
+
 }  // namespace
 
 Values::Values(const Scene& scene, const Translator& translate) : scene_(scene), translate_(translate) {
@@ -33,17 +43,10 @@ Values::Values(const Scene& scene, const Translator& translate) : scene_(scene),
     for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
         const auto& member = scene.parameters[i];
         const Parameter& item = *member.item;
-        std::size_t which = 0;
-        if (item.values.size() != 1) {
-            const auto [from, to] = item.family ? bounds(*item.family, scene) : std::pair(0, 0);
-            const auto count = static_cast<std::size_t>(to - from + 1);
-            if (item.values.size() != count)
-                throw Failure(Diagnostic{Id::wrong_arguments, item.span,
-                                         fmt::format("parameter '{}' has {} values, but {} member{}", item.name, item.values.size(), count, count == 1 ? "" : "s")});
-            which = static_cast<std::size_t>(member.index - from);
-        }
-        assign(symbols.all(SymbolKind::parameter)[i], translate(item.values[which], Translator::indices_of(member)), item.values[which]->span);
+        const ExpressionPtr& value = item.values[place_of_value(item, member.index, scene)];
+        assign(symbols.all(SymbolKind::parameter)[i], translate(value, Translator::indices_of(member)), value->span);
     }
+    check_fixed();
     const auto start = [&](const ExpressionPtr& value, const Indices& indices) { return value ? translate(value, indices) : ex(0); };
     for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
         const auto& member = scene.coordinates[i];
@@ -60,30 +63,42 @@ Values::Values(const Scene& scene, const Translator& translate) : scene_(scene),
     for (std::size_t i = 0; i < scene.inputs.size(); ++i) values_[key(SymbolKind::input, i)] = 0;
 }
 
-void Values::assign(const Variable& variable, const ex& value, const Span& place) {
-    if (GiNaC::is_exactly_a<numeric>(value) && !value.is_zero()) {
-        const numeric size = GiNaC::abs(GiNaC::ex_to<numeric>(value));
-        const numeric largest = GiNaC::pow(numeric(10), numeric(300));
-        if (size > largest || size < largest.inverse())
-            throw Failure(Diagnostic{Id::number_too_large, place, fmt::format("the value of '{}' is beyond 1e300 or within 1e-300 of zero", variable.name)});
+/// Of parameters that are numbers.
+void Values::check_fixed() const {
+    for (const auto& [name, value] : scene_.fixed) {
+        const auto& item = static_cast<const Parameter&>(*translate_.names().find(name)->item);
+        const auto [from, to] = item.family ? bounds(*item.family, scene_) : std::pair(0, 0);
+        for (int index = from; index <= to; ++index) {
+            const ExpressionPtr& written = value ? value : item.values[place_of_value(item, index, scene_)];
+            const ex number = translate_(written, !value && item.family ? Indices{{item.family->index, index}} : Indices{});
+            check_magnitude(name, number, written->span);
+            check_range(item, name, number, written->span);
+        }
     }
+}
+
+void Values::assign(const Variable& variable, const ex& value, const Span& place) {
+    check_magnitude(variable.name, value, place);
     const ex number = GiNaC::is_exactly_a<numeric>(value) ? value : value.subs(substitution(), GiNaC::subs_options::no_pattern);
     if (variable.is_root && sign(number) < 0)
         throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("the value of '{}' is {}, which has no root, but it is integrated as its root", variable.base, shown(number))});
     values_[key(variable.kind, variable.position)] = variable.is_root ? GiNaC::sqrt(value) : value;
-    const Quantity* ranged = variable.declared;
-    if (ranged == nullptr || !ranged->range) return;
+    if (variable.declared != nullptr) check_range(*variable.declared, variable.name, number, place);
+}
+
+void Values::check_range(const Quantity& ranged, const std::string& name, const ex& number, const Span& place) const {
+    if (!ranged.range) return;
     const auto check = [&](const ExpressionPtr& bound, int wrong, const char* relation) {
         if (!bound) return;
         const ex limit = translate_(*bound, {});
         if (sign(number - limit) != wrong) return;
-        const std::string unit = ranged->unit.si() == "1" ? "" : " " + ranged->unit.si();
+        const std::string unit = ranged.unit.si() == "1" ? "" : " " + ranged.unit.si();
         throw Failure(Diagnostic{Id::value_out_of_range, place,
-                                 fmt::format("the value of '{}' is {}{}, {} {}{}", variable.name, shown(number), unit, relation, shown(limit), unit),
-                                 {{ranged->range->span, fmt::format("the range of '{}' is declared here", ranged->name)}}});
+                                 fmt::format("the value of '{}' is {}{}, {} {}{}", name, shown(number), unit, relation, shown(limit), unit),
+                                 {{ranged.range->span, fmt::format("the range of '{}' is declared here", ranged.name)}}});
     };
-    check(ranged->range->low, -1, "but its range begins at");
-    check(ranged->range->high, 1, "but its range ends at");
+    check(ranged.range->low, -1, "but its range begins at");
+    check(ranged.range->high, 1, "but its range ends at");
 }
 
 void Values::set(const Expression& variable, const Expression& value, unsigned allowed, const Indices& indices) {

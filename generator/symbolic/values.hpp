@@ -38,6 +38,8 @@ public:
 private:
     static std::pair<SymbolKind, std::size_t> key(SymbolKind kind, std::size_t i) { return {kind, i}; }
     void assign(const Variable& variable, const GiNaC::ex& value, const Span& place);
+    void check_fixed() const;
+    void check_range(const Quantity& ranged, const std::string& name, const GiNaC::ex& number, const Span& place) const;
 
     const Scene& scene_;
     const Translator& translate_;

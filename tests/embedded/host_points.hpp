@@ -29,7 +29,7 @@ Parameters<Scalar> float_parameters() {
     const Parameters<float> rounded;
     Parameters<Scalar> result;
     constexpr std::size_t count = sizeof(Parameters<float>) / sizeof(float);
-    static_assert(sizeof(Parameters<Scalar>) == count * sizeof(Scalar), "parameters are stored one after the other");
+    static_assert(count == 0 || sizeof(Parameters<Scalar>) == count * sizeof(Scalar), "parameters are stored one after the other");
     for (std::size_t i = 0; i < count && !std::is_empty_v<Parameters<float>>; ++i) {
         float value;
         std::memcpy(&value, reinterpret_cast<const char*>(&rounded) + i * sizeof(float), sizeof value);

@@ -29,6 +29,14 @@ expect 2 'is not a file name' "$PROGRAM" generate "$model" --header ../x.hpp -o 
 expect 2 'NAME=WHOLE_NUMBER' "$PROGRAM" derive "$model" --size N
 expect 2 'no size' "$PROGRAM" derive "$model" --size N=3
 expect 2 "did you mean 'bodies'" "$PROGRAM" help bodie
+expect 2 "'q' is no parameter that scene 'lab' has" "$PROGRAM" generate "$model" --fix q -o "$here/none"
+expect 2 "did you mean 'm_W'" "$PROGRAM" generate "$model" --fix m_w -o "$here/none"
+expect 2 "'g' is fixed twice" "$PROGRAM" generate "$model" --fix g,g=9.8 -o "$here/none"
+expect 2 'is 50 m, but its range ends at 5 m' "$PROGRAM" generate "$model" --fix l_S=50 -o "$here/none"
+expect 2 "'g' is in 'm/s^2', but 'kg' is in 'kg'" "$PROGRAM" generate "$model" --fix g=1kg -o "$here/none"
+expect 2 "must not depend on 's'" "$PROGRAM" generate "$model" --fix g=s -o "$here/none"
+expect 2 'singular-mass' "$PROGRAM" generate "$SOURCE/tests/golden/two_masses_without.toml" --fix m_2=0 -o "$here/none"
+expect 2 'IN library,combined\|not in {library,combined}' "$PROGRAM" generate "$model" --trig quick -o "$here/none"
 expect 0 'ddot(s)' "$PROGRAM" evaluate "$model"
 expect 2 'unit-mismatch' "$PROGRAM" evaluate "$model" --parameter m_W=2m
 expect 2 'value-out-of-range' "$PROGRAM" evaluate "$model" --parameter m_W=-1
