@@ -144,7 +144,9 @@ bool all_derivations_proven(const Machine& machine) {
 void keep_proofs(Machine& machine, bool with_series) {
     const auto is_proven = [](const AuditEntry& entry) { return entry.result.verdict == Verdict::proven; };
     if (machine.code->rewritten.empty() || std::all_of(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
-    auto plain = make_code(*machine.system, {.rewrites = false, .series = with_series, .chain = machine.chain, .trig = machine.trig});
+    Passes others = machine.passes;
+    others.rewriting = false;
+    auto plain = make_code(*machine.system, {.passes = others, .series = with_series, .trig = machine.trig});
     std::vector<AuditEntry> of_plain = verify(*plain);
     if (std::count_if(of_plain.begin(), of_plain.end(), is_proven) <= std::count_if(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
     machine.code = std::move(plain);
@@ -152,7 +154,7 @@ void keep_proofs(Machine& machine, bool with_series) {
 }
 
 void make_and_prove_code(Machine& machine, Stopwatch& watch, bool with_series) {
-    machine.code = make_code(*machine.system, {.rewrites = machine.rewrites, .series = with_series, .chain = machine.chain, .trig = machine.trig});
+    machine.code = make_code(*machine.system, {.passes = machine.passes, .series = with_series, .trig = machine.trig});
     const OperationCount count = machine.code->count(Function::rhs);
     watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
     machine.emitted = verify(*machine.code);
@@ -256,8 +258,7 @@ Header generate(Machine& machine, SeriesWish wish) {
         make_and_prove_code(machine, watch, wish != SeriesWish::none);
         all.push_back(machine.code.get());
         for (Machine& other : machine.other_modes) {
-            other.rewrites = machine.rewrites;
-            other.chain = machine.chain;
+            other.passes = machine.passes;
             other.trig = machine.trig;
             make_and_prove_code(other, watch, wish != SeriesWish::none);
             all.push_back(other.code.get());
@@ -278,8 +279,10 @@ std::string normalised_command(const Machine& machine) {
     const Scene& scene = machine.system->scene;
     const std::string file = std::filesystem::path(scene.model->source->name()).filename().string();
     std::string command = fmt::format("dalembert generate {} --scene {}", file, scene.wish);
-    if (!machine.rewrites) command += " --no-rewrite";
-    if (machine.chain == ChainUse::never) command += " --no-chain";
+    std::string without;
+    for (const Pass& pass : all_passes)
+        if (!(machine.passes.*pass.is_on)) without += (without.empty() ? " --without " : ",") + std::string(pass.name);
+    command += without;
     if (!scene.fix_text.empty()) command += " --fix " + (scene.fix_text.find(' ') == std::string::npos ? scene.fix_text : "'" + scene.fix_text + "'");
     if (machine.trig == Trig::combined) command += " --trig combined";
     for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);

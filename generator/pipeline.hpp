@@ -44,8 +44,7 @@ struct Machine {
     std::string no_series = {};          ///< after generate that would have made series where possible: why there are none
     std::vector<Machine> other_modes;    ///< of one that switches: the machine in its other modes; this one is in the first
     std::vector<StageReport> stages;
-    bool rewrites = true;                ///< generate rewrites forms that lose digits
-    ChainUse chain = ChainUse::where_shorter;
+    Passes passes;                       ///< that generate makes
     Trig trig = Trig::library;
 };
 

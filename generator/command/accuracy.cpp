@@ -48,8 +48,7 @@ ExitCode accuracy_command(const Options& options, Streams streams) {
     Machine machine = derived(options, streams);
     const System& system = *machine.system;
     refuse_fields(system, "accuracy");
-    machine.rewrites = !options.no_rewrite;
-    if (options.no_chain) machine.chain = ChainUse::never;
+    machine.passes = chosen_passes(options);
     if (options.trig == "combined") machine.trig = Trig::combined;
     const Header header = generate(machine);
     const AccuracyMeasurement measurement(machine, header);

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <ostream>
 
+#include "graph/passes.hpp"
 #include "model/methods.hpp"
 #include "text/nearest.hpp"
 
@@ -204,8 +205,13 @@ private:
         if (draws) verb->add_flag("--no-plot", options_.no_plot, "write the CSV only");
     }
     void rewriting(CLI::App* verb) {
-        verb->add_flag("--no-rewrite", options_.no_rewrite, "leave forms that lose digits as they are derived");
-        verb->add_flag("--no-chain", options_.no_chain, "solve with the mass matrix also where going from body to body is shorter");
+        std::vector<std::string> names;
+        std::string docs = "passes to leave out, comma separated:";
+        for (const Pass& pass : all_passes) {
+            names.emplace_back(pass.name);
+            docs += fmt::format("{} {} ({})", names.size() == 1 ? "" : ",", pass.name, pass.doc);
+        }
+        verb->add_option("--without", options_.without, docs)->delimiter(',')->check(CLI::IsMember(names));
         verb->add_option("--trig", options_.trig, "combined: sine and cosine in float from one reduction, as fast for every angle")
             ->check(CLI::IsMember({"library", "combined"}));
     }

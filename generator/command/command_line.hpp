@@ -50,8 +50,7 @@ struct Options {
     std::string topic;                    ///< of help
     int test_points = 2000;               ///< of accuracy, in each arithmetic
     std::uint64_t seed = 1;
-    bool no_rewrite = false;              ///< forms that lose digits stay as they are
-    bool no_chain = false;                ///< solve with M also where bodies are placed on each other
+    std::vector<std::string> without;     ///< names of passes
     std::string fix;                      ///< parameters that become numbers
     std::string trig = "library";         ///< whose sine and cosine the header calls
     double ulp_limit = 8;                 ///< of errors in double

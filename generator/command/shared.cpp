@@ -29,6 +29,13 @@ void show_warnings(const Machine& machine, Streams streams) {
     for (const Machine& other : machine.other_modes) show_warnings(other, streams);
 }
 
+Passes chosen_passes(const Options& options) {
+    Passes passes;
+    for (const Pass& pass : all_passes)
+        if (std::find(options.without.begin(), options.without.end(), pass.name) != options.without.end()) passes.*pass.is_on = false;
+    return passes;
+}
+
 const Machine& in_chosen_mode(const Machine& machine, const Options& options) {
     if (options.mode.empty()) return machine;
     const Scene& scene = machine.system->scene;

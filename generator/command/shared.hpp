@@ -14,6 +14,9 @@ Machine derived(const Options& options, Streams streams);
 /// Those of the derivation.
 void show_warnings(const Machine& machine, Streams streams);
 
+/// The passes that the command line does not leave out.
+Passes chosen_passes(const Options& options);
+
 /// The machine in the mode of the command line. Throws Failure (unknown-name).
 const Machine& in_chosen_mode(const Machine& machine, const Options& options);
 /// "NAME, scene S", with the mode where there are some.

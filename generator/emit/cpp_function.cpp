@@ -102,7 +102,7 @@ std::optional<NodeId> CppFunction::other_of_angle(NodeId id) const {
     const Node& node = function_.program[id];
     if (!is_sine_or_cosine(node)) return {};
     const auto both = angles_.find(node.arguments[0]);
-    if (both == angles_.end() || both->second.size() != 2) return {};
+    if (!code_.passes.angles || both == angles_.end() || both->second.size() != 2) return {};
     for (const NodeId one : both->second)
         if (known_.contains(one) || wanted_names_.contains(one)) return {};
     return both->second[both->second[0] == id ? 1 : 0];

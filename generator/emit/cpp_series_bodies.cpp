@@ -95,7 +95,7 @@ SeriesCode series_of(Code& code, const std::vector<GiNaC::ex>& inputs) {
     std::vector<Polynomial> polynomials;
     for (const GiNaC::ex& input : inputs) polynomials.push_back(lower(code.system.symbols.without_definitions(input), code.atoms));
     FunctionCode f;
-    ProgramBuilder builder(code.atoms, code.cache, ParameterParts::in_place, f.program);
+    ProgramBuilder builder(code.atoms, code.cache, ParameterParts::in_place, f.program, code.passes);
     builder.prepare(polynomials);
     for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(i));
     return make_series(code.atoms, f, {});

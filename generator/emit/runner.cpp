@@ -56,7 +56,7 @@ std::string input_statements(Code& code, const std::vector<ex>& inputs) {
     std::vector<Polynomial> polynomials;
     for (const ex& input : inputs) polynomials.push_back(lower(code.system.symbols.without_definitions(input), code.atoms));
     FunctionCode f;
-    ProgramBuilder builder(code.atoms, code.cache, ParameterParts::in_place, f.program);
+    ProgramBuilder builder(code.atoms, code.cache, ParameterParts::in_place, f.program, code.passes);
     builder.prepare(polynomials);
     for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(i));
     const CachedTexts none;

@@ -38,8 +38,8 @@ NodeId reciprocal(Atoms& atoms, ParameterCache& cache, Program& program, NodeId 
     return program.cached(cache.add(inverse));
 }
 
-ProgramBuilder::ProgramBuilder(const Atoms& atoms, ParameterCache& cache, ParameterParts parts, Program& program)
-    : atoms_(atoms), cache_(cache), parts_(parts), program_(program), network_{} {}
+ProgramBuilder::ProgramBuilder(const Atoms& atoms, ParameterCache& cache, ParameterParts parts, Program& program, const Passes& passes)
+    : atoms_(atoms), cache_(cache), parts_(passes.constants ? parts : ParameterParts::in_place), factors_(passes.factoring), program_(program), network_{} {}
 
 void ProgramBuilder::prepare(const std::vector<Polynomial>& roots) {
     const bool split = parts_ != ParameterParts::in_place;
@@ -67,7 +67,7 @@ void ProgramBuilder::prepare(const std::vector<Polynomial>& roots) {
         }
         network_.functions.push_back(std::move(sum));
     }
-    extract(network_);
+    if (factors_) extract(network_);
 }
 
 ProgramBuilder::Value ProgramBuilder::value_of(const Polynomial& p, bool split) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "graph/extract.hpp"
+#include "graph/passes.hpp"
 #include "graph/program.hpp"
 
 namespace dalembert {
@@ -36,7 +37,7 @@ enum class ParameterParts {
 
 class ProgramBuilder {
 public:
-    ProgramBuilder(const Atoms& atoms, ParameterCache& cache, ParameterParts parts, Program& program);
+    ProgramBuilder(const Atoms& atoms, ParameterCache& cache, ParameterParts parts, Program& program, const Passes& passes);
 
     /// Prepares code for all roots at once. To be called once.
     void prepare(const std::vector<Polynomial>& roots);
@@ -75,6 +76,7 @@ private:
     const Atoms& atoms_;
     ParameterCache& cache_;
     ParameterParts parts_;
+    bool factors_;
     Program& program_;
 
     std::vector<Value> roots_;

@@ -161,7 +161,7 @@ ChainColumn ChainCode::column(ProgramBuilder& builder, Program& program, const C
 void make_chain_function(Code& code, const LoweredSystem& lowered, FunctionCode& f, std::optional<By> by, ChainFunction kind, ParameterParts parts) {
     const bool is_solved = kind == ChainFunction::solved;
     const auto& letters = code.system.symbols.all(SymbolKind::acceleration);
-    ProgramBuilder builder(code.atoms, code.cache, parts, f.program);
+    ProgramBuilder builder(code.atoms, code.cache, parts, f.program, code.passes);
     Roots roots;
     const ChainCode chain(code.system, *lowered.chain, by, roots);
     const std::size_t rates = is_solved ? roots.add(lowered.state_rate) : 0;

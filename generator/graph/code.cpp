@@ -17,7 +17,8 @@ namespace {
 class CodeMaker {
 public:
     CodeMaker(const System& system, const CodeWish& wish)
-        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms, wish.rewrites, wish.chain)), n_(system.motion.unknowns()), degrees_(system.symbols.degrees()), places_(system.unknown_places()), multipliers_(system.motion.multipliers.size()) {
+        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms, wish.passes.rewriting, wish.passes.chain ? wish.chain : ChainUse::never)), n_(system.motion.unknowns()), degrees_(system.symbols.degrees()), places_(system.unknown_places()), multipliers_(system.motion.multipliers.size()) {
+        code_->passes = wish.passes;
         code_->trig = wish.trig;
     }
 
@@ -104,7 +105,9 @@ private:
         return result;
     }
 
-    NodeId reciprocal(Program& program, NodeId x) { return dalembert::reciprocal(code_->atoms, code_->cache, program, x); }
+    NodeId reciprocal(Program& program, NodeId x) {
+        return code_->passes.constants ? dalembert::reciprocal(code_->atoms, code_->cache, program, x) : program.reciprocal(x);
+    }
 
     Letter letter(SymbolKind kind, std::size_t position) const { return code_->atoms.symbol(system_.symbols.all(kind)[position]); }
     Letter acceleration_letter(std::size_t j) const { return letter(SymbolKind::acceleration, j); }
@@ -150,7 +153,7 @@ private:
     void series() {
         FunctionCode& f = code_->series_of.emplace();
         f.by_loops = !code_->solve.unrolled;
-        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program);
+        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program, code_->passes);
         Roots roots;
         const MotionRoots motion = add_motion(roots);
         const std::size_t rates = roots.add(lowered_.state_rate);
@@ -181,7 +184,7 @@ private:
         const Solve& s = code_->solve;
         const ParameterCache before = code_->cache;
         f.by_loops = !s.unrolled;
-        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program);
+        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program, code_->passes);
         Roots roots;
         const MotionRoots motion = add_motion(roots);
         const std::size_t rates = roots.add(lowered_.state_rate);
@@ -247,7 +250,7 @@ private:
         if (code_->has_long_chain) return make_chain_function(*code_, lowered_, f, by, ChainFunction::of_known_motion, kind);
         const Solve& s = code_->solve;
         const LoweredSystem::Columns& columns = lowered_.partial(by);
-        ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program);
+        ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program, code_->passes);
         Roots roots;
         const bool has_multipliers = multipliers_ > 0;
         const MotionRoots motion = has_multipliers ? add_motion(roots) : MotionRoots{s.is_constant ? 0 : roots.add(lowered_.solve_mass), 0, 0};
@@ -266,7 +269,7 @@ private:
     /// Values that contain multipliers, or their rates, bring the solve for them along.
     void values(Function which, const std::vector<Polynomial>& polynomials, ParameterParts parts) {
         FunctionCode& f = (*code_)[which];
-        ProgramBuilder builder(code_->atoms, code_->cache, parts, f.program);
+        ProgramBuilder builder(code_->atoms, code_->cache, parts, f.program, code_->passes);
         Roots roots;
         const std::size_t first = roots.add(polynomials);
         const bool has_multipliers = contain(polynomials, SymbolKind::multiplier), has_rates = contain(polynomials, SymbolKind::multiplier_rate);
@@ -302,7 +305,7 @@ private:
 
     void output_jacobian(Function which, By by) {
         FunctionCode& f = (*code_)[which];
-        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program);
+        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program, code_->passes);
         const auto& columns = lowered_.partial(by).output;
         const std::size_t outputs = lowered_.output.size();
         const bool has_multipliers = contain(lowered_.output, SymbolKind::multiplier);
@@ -344,7 +347,7 @@ private:
         values(Function::constraint_jacobian, p.jacobian, ParameterParts::if_cached);
         if (p.bordered.empty()) return;
         FunctionCode& f = (*code_)[Function::correction];
-        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::if_cached, f.program);
+        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::if_cached, f.program, code_->passes);
         builder.prepare(p.bordered);
         for (std::size_t i = 0; i < p.bordered.size(); ++i) f.mass.push_back(builder.root(i));
         const std::size_t constraints = p.holding.size(), size = degrees_ + constraints;
@@ -370,7 +373,7 @@ private:
     void update() {
         FunctionCode& f = (*code_)[Function::update];
         const Solve& s = code_->solve;
-        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::in_place, f.program);
+        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::in_place, f.program, code_->passes);
         Roots roots;
         const std::size_t definitions = roots.add(lowered_.definitions);
         const std::size_t cached = roots.add(code_->cache.values());

@@ -98,7 +98,7 @@ enum class Trig { library, combined };
 
 /// What is asked of code besides the functions that every header has.
 struct CodeWish {
-    bool rewrites = true;  ///< of forms that lose digits
+    Passes passes = {};
     bool series = false;   ///< of the motion
     ChainUse chain = ChainUse::where_shorter;
     Trig trig = Trig::library;
@@ -112,6 +112,7 @@ struct Code {
     Atoms atoms;
     ParameterCache cache;
     Solve solve;                                  ///< how M*x = b is solved
+    Passes passes;
     Trig trig = Trig::library;
     bool has_long_chain = false;                  ///< the motion is solved for from body to body, and nothing with M
     std::vector<std::size_t> definition_order;    ///< definitions, each behind those it needs

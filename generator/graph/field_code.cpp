@@ -67,7 +67,7 @@ std::vector<Wanted> wanted(FieldFunctions& functions, const System& system) {
 }
 
 void build(FunctionCode& function, const std::vector<Polynomial>& values, ParameterParts parts, Code& code) {
-    ProgramBuilder builder(code.atoms, code.cache, parts, function.program);
+    ProgramBuilder builder(code.atoms, code.cache, parts, function.program, code.passes);
     builder.prepare(values);
     for (std::size_t i = 0; i < values.size(); ++i) function.results.push_back(builder.root(i));
 }

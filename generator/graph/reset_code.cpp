@@ -18,7 +18,7 @@ public:
     void run() {
         FunctionCode& f = code_[Function::resets];
         const Solve& s = code_.solve;
-        ProgramBuilder builder(code_.atoms, code_.cache, ParameterParts::if_cached, f.program);
+        ProgramBuilder builder(code_.atoms, code_.cache, ParameterParts::if_cached, f.program, code_.passes);
         Roots roots;
         const auto is_struck = [](const LoweredSystem::Reset& reset) { return !reset.direction.empty(); };
         const bool any_impact = std::any_of(lowered_.resets.begin(), lowered_.resets.end(), is_struck) || std::any_of(lowered_.rests.begin(), lowered_.rests.end(), is_struck);

@@ -86,6 +86,56 @@ private:
     double g_l_, per_ml_;
 };
 
+/// Modellbildung 2013, (2.236): x = [phi, r, dphi, dr], u = [tau].
+template <class Parameters>
+class BallOnBeam {
+public:
+    using State = std::array<double, 4>;
+    using Input = std::array<double, 1>;
+    using Jacobian = std::array<double, 16>;
+
+    explicit BallOnBeam(const Parameters& p) : m_(p.m_K), g_(p.m_K * p.g), radius_(p.r_K) {
+        const double theta = 0.4 * p.m_K * p.r_K * p.r_K;
+        m11_ = m_ * p.r_K * p.r_K + p.theta_B + theta;
+        m12_ = -(m_ * p.r_K + theta / p.r_K);
+        m22_ = m_ + theta / (p.r_K * p.r_K);
+    }
+
+    void rhs(const State& x, const Input& u, double, State& f) const {
+        const double s = std::sin(x[0]), c = std::cos(x[0]);
+        const double mr = m_ * x[1];
+        const double r1 = u[0] - 2 * mr * x[2] * x[3] - g_ * (x[1] * c - radius_ * s);
+        const double r2 = mr * x[2] * x[2] - g_ * s;
+        const double m11 = m11_ + mr * x[1];
+        const double inverse = 1 / (m11 * m22_ - m12_ * m12_);
+        f = {x[2], x[3], (m22_ * r1 - m12_ * r2) * inverse, (m11 * r2 - m12_ * r1) * inverse};
+    }
+
+    void rhs_and_jacobian(const State& x, const Input& u, double, State& f, Jacobian& J) const {
+        const double s = std::sin(x[0]), c = std::cos(x[0]);
+        const double mr = m_ * x[1];
+        const double r1 = u[0] - 2 * mr * x[2] * x[3] - g_ * (x[1] * c - radius_ * s);
+        const double r2 = mr * x[2] * x[2] - g_ * s;
+        const double m11 = m11_ + mr * x[1];
+        const double inverse = 1 / (m11 * m22_ - m12_ * m12_);
+        const double i11 = m22_ * inverse, i12 = -m12_ * inverse, i22 = m11 * inverse;
+        const double phi_dd = i11 * r1 + i12 * r2, r_dd = i12 * r1 + i22 * r2;
+        f = {x[2], x[3], phi_dd, r_dd};
+        const auto column = [&](int j, double g1, double g2) {
+            J[4 * j + 2] = i11 * g1 + i12 * g2;
+            J[4 * j + 3] = i12 * g1 + i22 * g2;
+        };
+        J = {0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0};
+        column(0, g_ * (x[1] * s + radius_ * c), -g_ * c);
+        column(1, -2 * m_ * x[2] * x[3] - g_ * c - 2 * mr * phi_dd, m_ * x[2] * x[2]);
+        column(2, -2 * mr * x[3], 2 * mr * x[2]);
+        column(3, -2 * mr * x[2], 0);
+    }
+
+private:
+    double m_, g_, radius_, m11_, m12_, m22_;
+};
+
 /// M = L D L' in loops: the lower triangle of M, row by row, becomes L with 1/D on its diagonal.
 template <std::size_t n>
 void factor(std::array<double, n * (n + 1) / 2>& m) {

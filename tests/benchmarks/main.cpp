@@ -7,11 +7,14 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "ball_on_beam_full.hpp"
 #include "benchmarks/by_hand.hpp"
+#include "benchmarks/cylinder_by_hand.hpp"
 #include "benchmarks/packs.hpp"
 #include "benchmarks/timing.hpp"
 #include "cart_pendulum_lab.hpp"
 #include "dalembert/matrices.hpp"
+#include "hydraulic_cylinder_real.hpp"
 #include "n_pendulum_N1.hpp"
 #include "n_pendulum_N2.hpp"
 #include "n_pendulum_N3.hpp"
@@ -163,6 +166,8 @@ void beside_code_by_hand(std::vector<ChainTimes>& chains) {
     print_head("by hand");
     compare<cart_pendulum::lab::System, by_hand::CartPendulum<cart_pendulum::lab::Parameters<double>>>("cart_pendulum, lab");
     compare<spherical_pendulum::forced::System, by_hand::SphericalPendulum<spherical_pendulum::forced::Parameters<double>>>("spherical_pendulum, forced");
+    compare<ball_on_beam::full::System, by_hand::BallOnBeam<ball_on_beam::full::Parameters<double>>>("ball_on_beam");
+    compare<hydraulic_cylinder::real::System, by_hand::HydraulicCylinder<hydraulic_cylinder::real::Parameters<double>>>("hydraulic_cylinder, real");
     chain<n_pendulum_N1::full::System, by_hand::Chain<1>>(1, "by hand", chains);
     chain<n_pendulum_N2::full::System, by_hand::Chain<2>>(2, "by hand", chains);
     chain<n_pendulum_N3::full::System, by_hand::Chain<3>>(3, "by hand", chains);

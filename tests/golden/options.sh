@@ -70,10 +70,17 @@ for model in mechanics/cart_pendulum mechanics/slider_crank mechanics/four_bar h
   same "$model" 1e-12 double -- --fix parameters
 done
 same mechanics/n_pendulum 1e-12 double --size N=6 -- --fix g
-same mechanics/n_pendulum 1e-12 double --size N=6 -- --no-chain
+same mechanics/n_pendulum 1e-12 double --size N=6 -- --without chain
 same mechanics/arm_6r 1e-12 double --scene plain -- --fix parameters
-same mechanics/arm_6r 1e-12 double --scene plain -- --no-chain
-same mechanics/spherical_pendulum 1e-12 double -- --no-rewrite
+same mechanics/arm_6r 1e-12 double --scene plain -- --without chain
+same mechanics/spherical_pendulum 1e-12 double -- --without rewriting
+for pass in constants factoring angles; do
+  same mechanics/cart_pendulum 1e-12 double -- --without $pass
+  same mechanics/arm_6r 1e-12 double --scene plain -- --without $pass
+done
+for model in mechanics/four_bar mechanics/slider_crank hydraulics/hydraulic_cylinder pneumatics/pneumatic_cylinder heat/fin; do
+  same $model 1e-12 double -- --without constants,factoring
+done
 same mechanics/spherical_pendulum 4e-6 float -- --trig combined
 same mechanics/n_pendulum 4e-6 float --size N=5 -- --trig combined
 same mechanics/arm_6r 4e-6 float --scene plain -- --trig combined --fix parameters

@@ -41,7 +41,7 @@ Answer accuracy(const std::string& text, const std::vector<std::string>& more = 
 }  // namespace
 
 TEST_CASE("1 - cos(x) loses 1/x^2, and that is above the limit") {
-    const Answer told = accuracy(model_with("1 - cos(x)"), {"--no-rewrite"});
+    const Answer told = accuracy(model_with("1 - cos(x)"), {"--without", "rewriting"});
     CHECK(told.code == 1);
     for (const char* arithmetic : {"float", "double"}) {
         CAPTURE(arithmetic);

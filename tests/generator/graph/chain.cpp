@@ -15,7 +15,7 @@ Machine chain_of(const std::string& name, const std::map<std::string, int>& size
     return derive_machine(load(std::string(SOURCE_DIR) + "/tests/physics/chains/" + name + ".toml", diagnostics), "", sizes);
 }
 
-std::unique_ptr<Code> body_to_body(const System& system) { return make_code(system, {.rewrites = false, .chain = ChainUse::wherever_possible}); }
+std::unique_ptr<Code> body_to_body(const System& system) { return make_code(system, {.passes = {.rewriting = false}, .chain = ChainUse::wherever_possible}); }
 
 Verdict worst_of(const Code& code) {
     Verdict worst = Verdict::proven;

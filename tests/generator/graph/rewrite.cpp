@@ -99,7 +99,7 @@ TEST_CASE("each rule is applied where it helps, is proven to change nothing, and
             CAPTURE(entry.name);
             CHECK(entry.result.verdict == Verdict::proven);
         }
-        CHECK(make_code(*machine.system, {.rewrites = false})->rewritten.empty());
+        CHECK(make_code(*machine.system, {.passes = {.rewriting = false}})->rewritten.empty());
     }
 }
 
