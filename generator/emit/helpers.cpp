@@ -41,7 +41,7 @@ const std::vector<Helper>& helpers() {
         {"logc", scalars, {"select"}},
         {"turn_back", scalars, {}},
         {"pi", scalars, {}},
-        {"sin_and_cos", angles, {}},
+        {"sin_and_cos", scalars, {}},
         {"far_angle", angles, {}},
         {"combined_sin_and_cos", angles, {"sin_and_cos", "far_angle"}},
         {"combined_sin", angles, {"combined_sin_and_cos"}},

@@ -1,37 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
-// Sine and cosine of one angle together. The generator copies what stands between the marks into headers that need it.
+// Sine and cosine of one angle in float, from one reduction of the angle. The generator copies what stands between the marks into headers that need it.
 #pragma once
 
 #include <cmath>
 #include <limits>
 
+#include "dalembert/scalar_functions.hpp"
+
 namespace dalembert {
 inline namespace v1 {
 namespace detail {
-
-// begin sin_and_cos
-/// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
-template <class Scalar>
-[[gnu::always_inline]] inline auto sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, int) noexcept -> decltype(static_cast<void>(sincos(angle).first)) {
-    const auto both = sincos(angle);
-    s = both.first;
-    c = both.second;
-}
-
-template <class Scalar>
-[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c, long) noexcept {
-    using std::cos;
-    using std::sin;
-    s = sin(angle);
-    c = cos(angle);
-}
-
-/// Sine and cosine of one angle.
-template <class Scalar>
-[[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
-    sin_and_cos(angle, s, c, 0);
-}
-// end sin_and_cos
 
 // begin far_angle
 /// What is left of an angle of 512 rad or more beyond the nearest multiple of pi/2, and which it is, modulo 4. The angle is an integer times

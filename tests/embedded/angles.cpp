@@ -2,7 +2,7 @@
 // Instructions that sine and cosine of one angle take on the board: of the library, and from one reduction.
 #include <cmath>
 
-#include "../../runtime/dalembert/angle_functions.hpp"
+#include "dalembert/angle_functions.hpp"
 #include "measure.hpp"
 
 namespace {

@@ -18,7 +18,7 @@ generate n_pendulum n_pendulum_N3_full --size N=3
 generate n_pendulum n_pendulum_N5_full --size N=5
 BUILD=$work bash "$here/table.sh" "$headers"/*.hpp
 
-compile -O2 "$here/angles.cpp" "$board/startup.cpp" "${link[@]}" -o "$work/angles.elf"
+compile -O2 -I"$here/../../runtime" "$here/angles.cpp" "$board/startup.cpp" "${link[@]}" -o "$work/angles.elf"
 run_board "$work/angles.elf" >"$work/angles.txt" || { echo "the board stopped: $(tail -1 "$work/angles.txt")" >&2; exit 1; }
 echo
 echo "sine and cosine of one angle, -O2: most instructions"
