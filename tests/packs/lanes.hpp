@@ -24,16 +24,28 @@ std::array<To, n> converted(const std::array<From, n>& x) {
     return result;
 }
 
-/// As wrong as the scalar may be eight times, and sixteen units of the last place of the largest entry.
+template <std::size_t n>
+long double largest(const std::array<long double, n>& values) {
+    long double size = 0;
+    for (const long double value : values)
+        if (std::isfinite(value)) size = std::max(size, std::abs(value));
+    return size;
+}
+
+/// How wrong the scalar is, relative to the largest entry.
 template <class T, std::size_t n>
-void compare(const std::string& function, std::size_t lane, const std::array<T, n>& pack, const std::array<T, n>& scalar, const std::array<long double, n>& precise) {
-    long double size = 0, error = 0;
+long double error_of(const std::array<T, n>& scalar, const std::array<long double, n>& precise) {
+    long double error = 0;
     for (std::size_t i = 0; i < n; ++i)
-        if (std::isfinite(scalar[i]) && std::isfinite(precise[i])) {
-            size = std::max(size, std::abs(precise[i]));
-            error = std::max(error, std::abs(static_cast<long double>(scalar[i]) - precise[i]));
-        }
-    const long double bound = 8 * error + 16 * static_cast<long double>(std::numeric_limits<T>::epsilon()) * size;
+        if (std::isfinite(scalar[i]) && std::isfinite(precise[i])) error = std::max(error, std::abs(static_cast<long double>(scalar[i]) - precise[i]));
+    return error == 0 ? 0 : error / largest(precise);
+}
+
+/// A lane is as wrong as the scalar is in the worst lane, eight times, and sixteen units of the last place of the largest entry: where much
+/// cancels, what one lane alone is off by is chance.
+template <class T, std::size_t n>
+void compare(const std::string& function, std::size_t lane, const std::array<T, n>& pack, const std::array<T, n>& scalar, const std::array<long double, n>& precise, long double worst) {
+    const long double bound = (8 * worst + 16 * static_cast<long double>(std::numeric_limits<T>::epsilon())) * largest(precise);
     for (std::size_t i = 0; i < n; ++i) {
         CAPTURE(function);
         CAPTURE(lane);
@@ -64,8 +76,11 @@ void same(const std::string& function, const Call& call) {
             }
         }
         const auto all = call(pack, dalembert::packed<P>(x), dalembert::packed<P>(inputs), P(T(0.5)));
-        for (std::size_t lane = 0; lane < P::size; ++lane)
-            compare(function, lane, dalembert::lane_of(all, lane), call(scalar, x[lane], u, T(0.5)), call(precise, converted<long double>(x[lane]), converted<long double>(u), 0.5L));
+        const auto alone = [&](std::size_t lane) { return call(scalar, x[lane], u, T(0.5)); };
+        const auto exact = [&](std::size_t lane) { return call(precise, converted<long double>(x[lane]), converted<long double>(u), 0.5L); };
+        long double worst = 0;
+        for (std::size_t lane = 0; lane < P::size; ++lane) worst = std::max(worst, error_of(alone(lane), exact(lane)));
+        for (std::size_t lane = 0; lane < P::size; ++lane) compare(function, lane, dalembert::lane_of(all, lane), alone(lane), exact(lane), worst);
     }
 }
 
