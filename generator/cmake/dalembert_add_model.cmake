@@ -3,8 +3,7 @@
 #
 # Generates the header of one scene of a model at build time, as TARGET.hpp, and makes an interface library TARGET for those who
 # include it. FIX makes parameters numbers; TRIG combined takes sine and cosine in float from one reduction; with TAYLOR it has Taylor
-# series of the motion. The header is generated again when the model file or the generator
-# changes.
+# series of the motion. The header is generated again when the model file or the generator changes.
 function(dalembert_add_model target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "TAYLOR" "MODEL;SCENE;TRIG" "SIZES;FIX")
   if(NOT arg_MODEL)
