@@ -29,8 +29,8 @@
 //   output_jacobian_x      2      0     0        0      0
 //   kinetic_energy         0      3     0        0      0
 //   dissipated_power       0      2     0        0      0
-//   internal_energy       12     24     2        0      6
-//   exchanged_power       21     31     4        0     12
+//   internal_energy       14     26     2        0      4
+//   exchanged_power       23     33     4        0     10
 //   guards                 3      4     0        0      0
 //   start_state            0      1     0        0      0
 //   events                 6      7     0        0      0
@@ -250,18 +250,22 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
-/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). Needs select, exponential_remainder.
+/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
+/// exponential_remainder.
 template <class Scalar>
-Scalar compression(const Scalar& x) noexcept {
+Scalar compression(const Scalar& x, const Scalar& decay) noexcept {
     using std::abs;
-    using std::exp;
     const auto is_inner = abs(x) < Scalar(2);
     const Scalar inner = select(is_inner, x, Scalar(0));
     const Scalar limited = select(x > Scalar(1000), Scalar(1000), x);  // so that infinity never meets exp(-x) = 0
-    const Scalar decay = exp(Scalar(-limited));
     const Scalar by_remainder = inner * inner * exponential_remainder(inner) * decay;
     const Scalar by_definition = Scalar(1) - (Scalar(1) + limited) * decay;
     return select(is_inner, by_remainder, by_definition);
+}
+template <class Scalar>
+Scalar compression(const Scalar& x) noexcept {
+    using std::exp;
+    return compression<Scalar>(x, exp(Scalar(-x)));
 }
 
 }  // namespace detail
@@ -1084,41 +1088,38 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 12 + or -, 24 *, 2 /, 6 other functions
+    /// Operations: 14 + or -, 26 *, 2 /, 4 other functions
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s_k - A_2*density[chamber_2]*specific_energy[chamber_2]*s_k +
     ///     A_1*l_1*density[chamber_1]*specific_energy[chamber_1] + A_2*(l_2 + h)*density[chamber_2]*specific_energy[chamber_2]
     Scalar internal_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k7 * (p_.p_0 - p_1);
-        const Scalar compression_2 = detail::compression<Scalar>(-e1);
-        const Scalar exp_3 = exp(e1);
-        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar exp_2 = exp(e1);
+        const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
+        const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar e5 = p_.A_1 * p_.beta;
         const Scalar s_k = x[0];
         const Scalar e6 = s_k * inverse_4;
         const Scalar p_2 = x[3];
         const Scalar e7 = c_.k7 * (p_.p_0 - p_2);
-        const Scalar compression_8 = detail::compression<Scalar>(-e7);
-        const Scalar exp_9 = exp(e7);
-        const Scalar inverse_10 = Scalar(1) / exp_9;
+        const Scalar exp_8 = exp(e7);
+        const Scalar compression_9 = detail::compression<Scalar>(-e7, exp_8);
+        const Scalar inverse_10 = Scalar(1) / exp_8;
         const Scalar e11 = p_.l_2 + p_.h;
         const Scalar e12 = p_.A_2 * p_.beta;
         const Scalar e13 = s_k * inverse_10;
-        const Scalar expm1_14 = expm1(e1);
-        const Scalar e15 = p_.A_1 * p_.p_0;
-        const Scalar expm1_16 = expm1(e7);
-        const Scalar e17 = p_.A_2 * p_.p_0;
-        return compression_2 * (inverse_4 * (p_.l_1 * e5) + e5 * e6) + compression_8 * (inverse_10 * (e11 * e12) - e12 * e13)
-            - expm1_14 * (inverse_4 * (p_.l_1 * e15) + e15 * e6) - expm1_16 * (inverse_10 * (e11 * e17) - e17 * e13);
+        const Scalar e14 = p_.A_1 * p_.p_0;
+        const Scalar e15 = p_.A_2 * p_.p_0;
+        return compression_3 * (inverse_4 * (p_.l_1 * e5) + e5 * e6) + compression_9 * (inverse_10 * (e11 * e12) - e12 * e13)
+            - (e1 * exp_2 - compression_3) * (inverse_4 * (p_.l_1 * e14) + e14 * e6) - (e7 * exp_8 - compression_9)
+            * (inverse_10 * (e11 * e15) - e15 * e13);
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 21 + or -, 31 *, 4 /, 12 other functions
+    /// Operations: 23 + or -, 33 *, 4 /, 10 other functions
     Scalar exchanged_power(Mode /*mode*/, const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_2 = x[3];
         const Scalar x_v = u[0];
         const Scalar e1 = c_.k6 * x_v;
@@ -1127,28 +1128,26 @@ public:
         const Scalar step_4 = detail::step<Scalar>(-e3);
         const Scalar e5 = c_.k7 * (p_.p_0 - p_2);
         const Scalar exp_6 = exp(e5);
-        const Scalar compression_7 = detail::compression<Scalar>(-e5);
+        const Scalar compression_7 = detail::compression<Scalar>(-e5, exp_6);
         const Scalar e8 = (Scalar(1) / Scalar(2)) * p_.beta * p_.k_v;
-        const Scalar expm1_9 = expm1(e5);
-        const Scalar e10 = (Scalar(1) / Scalar(2)) * p_.p_0 * p_.k_v;
-        const Scalar e11 = e2 * (compression_7 * e8 - expm1_9 * e10);
-        const Scalar e12 = p_2 * e3;
+        const Scalar e9 = (Scalar(1) / Scalar(2)) * p_.p_0 * p_.k_v;
+        const Scalar e10 = e2 * (compression_7 * e8 - (e5 * exp_6 - compression_7) * e9);
+        const Scalar e11 = p_2 * e3;
         const Scalar p_1 = x[2];
-        const Scalar e13 = c_.k8 - Scalar(2) * p_1 + e1;
-        const Scalar e14 = c_.k3 * e13;
-        const Scalar step_15 = detail::step<Scalar>(-e14);
-        const Scalar e16 = c_.k7 * (p_.p_0 - p_1);
-        const Scalar exp_17 = exp(e16);
-        const Scalar compression_18 = detail::compression<Scalar>(-e16);
-        const Scalar expm1_19 = expm1(e16);
-        const Scalar e20 = e13 * (compression_18 * e8 - expm1_19 * e10);
-        const Scalar e21 = p_1 * e14;
-        const Scalar step_22 = detail::step<Scalar>(e3);
-        const Scalar exp_23 = exp(c_.k4 * (c_.k5 + e1));
-        const Scalar step_24 = detail::step<Scalar>(e14);
-        const Scalar exp_25 = exp(c_.k4 * (c_.k5 - e1));
-        return step_4 * (e11 / exp_6 + e12) + step_15 * (e20 / exp_17 + e21) + step_22 / exp_23 * (e11 + exp_6 * e12) + step_24
-            / exp_25 * (e20 + exp_17 * e21);
+        const Scalar e12 = c_.k8 - Scalar(2) * p_1 + e1;
+        const Scalar e13 = c_.k3 * e12;
+        const Scalar step_14 = detail::step<Scalar>(-e13);
+        const Scalar e15 = c_.k7 * (p_.p_0 - p_1);
+        const Scalar exp_16 = exp(e15);
+        const Scalar compression_17 = detail::compression<Scalar>(-e15, exp_16);
+        const Scalar e18 = e12 * (compression_17 * e8 - (e15 * exp_16 - compression_17) * e9);
+        const Scalar e19 = p_1 * e13;
+        const Scalar step_20 = detail::step<Scalar>(e3);
+        const Scalar exp_21 = exp(c_.k4 * (c_.k5 + e1));
+        const Scalar step_22 = detail::step<Scalar>(e13);
+        const Scalar exp_23 = exp(c_.k4 * (c_.k5 - e1));
+        return step_4 * (e10 / exp_6 + e11) + step_14 * (e18 / exp_16 + e19) + step_20 / exp_21 * (e10 + exp_6 * e11) + step_22
+            / exp_23 * (e18 + exp_16 * e19);
     }
 
     /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.

@@ -21,10 +21,10 @@
 //   rhs_and_jacobian       9     15     1        2      1
 //   jacobian_p            27    100     5        2      1
 //   jacobian_t             8     18     1        2      1
-//   output                15     19     2        1      6
+//   output                16     20     2        1      5
 //   output_jacobian_x     22     34     3        1      2
 //   prescribed_power       0      6     1        1      0
-//   internal_energy       11     27     1        1      3
+//   internal_energy       12     28     1        1      2
 //   guards                 1      2     0        1      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -187,18 +187,22 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
-/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). Needs select, exponential_remainder.
+/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
+/// exponential_remainder.
 template <class Scalar>
-Scalar compression(const Scalar& x) noexcept {
+Scalar compression(const Scalar& x, const Scalar& decay) noexcept {
     using std::abs;
-    using std::exp;
     const auto is_inner = abs(x) < Scalar(2);
     const Scalar inner = select(is_inner, x, Scalar(0));
     const Scalar limited = select(x > Scalar(1000), Scalar(1000), x);  // so that infinity never meets exp(-x) = 0
-    const Scalar decay = exp(Scalar(-limited));
     const Scalar by_remainder = inner * inner * exponential_remainder(inner) * decay;
     const Scalar by_definition = Scalar(1) - (Scalar(1) + limited) * decay;
     return select(is_inner, by_remainder, by_definition);
+}
+template <class Scalar>
+Scalar compression(const Scalar& x) noexcept {
+    using std::exp;
+    return compression<Scalar>(x, exp(Scalar(-x)));
 }
 
 }  // namespace detail
@@ -481,7 +485,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 15 + or -, 19 *, 2 /, 1 sin or cos, 6 other functions
+    /// Operations: 16 + or -, 20 *, 2 /, 1 sin or cos, 5 other functions
     ///     rho = rho_0/exp((p_0 - p)/beta - alpha*(T_0 - T))
     ///     e_i = -c_v*(T_0 - T) + beta*compression(-(p_0 - p)/beta + alpha*(T_0 - T))/rho_0 + (beta*T_0*alpha - p_0)*expm1((p_0 -
     ///     p)/beta - alpha*(T_0 - T))/rho_0
@@ -506,21 +510,20 @@ public:
         const Scalar e4 = c_.k5 * e1 - e3;
         const Scalar exp_5 = exp(e4);
         const Scalar inverse_6 = Scalar(1) / exp_5;
-        const Scalar compression_7 = detail::compression<Scalar>(-e4);
-        const Scalar expm1_8 = expm1(e4);
-        const Scalar e9 = p_.c_v * e2;
-        const Scalar cos_10 = cos(c_.k4 * t);
-        const Scalar exp_11 = exp(e3);
-        const Scalar compression_12 = detail::compression<Scalar>(e3);
-        const Scalar expm1_13 = expm1(-e3);
-        const Scalar e14 = c_.k21 * exp_5;
+        const Scalar compression_7 = detail::compression<Scalar>(-e4, exp_5);
+        const Scalar e8 = p_.c_v * e2;
+        const Scalar cos_9 = cos(c_.k4 * t);
+        const Scalar exp_10 = exp(e3);
+        const Scalar compression_11 = detail::compression<Scalar>(e3);
+        const Scalar expm1_12 = expm1(-e3);
+        const Scalar e13 = c_.k21 * exp_5;
         y[0] = p_.rho_0 * inverse_6;
-        y[1] = c_.k15 * compression_7 + c_.k16 * expm1_8 - e9;
-        y[2] = c_.k17 + c_.k18 * cos_10;
-        y[3] = inverse_6 * (c_.k19 * cos_10 + c_.k20);
-        y[4] = p_.rho_0 * exp_11;
-        y[5] = c_.k15 * compression_12 + c_.k16 * expm1_13 - e9;
-        y[6] = T * e14 / (e14 * (p_value + e1) - exp_5 * (c_.k22 * e2 - c_.k23) + p_.c_v);
+        y[1] = c_.k15 * compression_7 + c_.k16 * (e4 * exp_5 - compression_7) - e8;
+        y[2] = c_.k17 + c_.k18 * cos_9;
+        y[3] = inverse_6 * (c_.k19 * cos_9 + c_.k20);
+        y[4] = p_.rho_0 * exp_10;
+        y[5] = c_.k15 * compression_11 + c_.k16 * expm1_12 - e8;
+        y[6] = T * e13 / (e13 * (p_value + e1) - exp_5 * (c_.k22 * e2 - c_.k23) + p_.c_v);
     }
 
     /// C = dh/dx.
@@ -606,13 +609,12 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 11 + or -, 27 *, 1 /, 1 sin or cos, 3 other functions
+    /// Operations: 12 + or -, 28 *, 1 /, 1 sin or cos, 2 other functions
     ///     E = V_0*(1 - delta/2)*density[cylinder]*specific_energy[cylinder] +
     ///     V_0*delta*density[cylinder]*specific_energy[cylinder]*cos(2*pi*t/tau)/2
     Scalar internal_energy(const State& x, Scalar t) const noexcept {
         using std::cos;
         using std::exp;
-        using std::expm1;
         const Scalar p_value = x[0];
         const Scalar T = x[1];
         const Scalar e1 = p_.T_0 - T;
@@ -621,14 +623,14 @@ public:
         const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar e5 = p_.V_0 * (Scalar(1) - (Scalar(1) / Scalar(2)) * p_.delta);
         const Scalar e6 = p_.c_v * p_.rho_0;
-        const Scalar compression_7 = detail::compression<Scalar>(-e2);
-        const Scalar expm1_8 = expm1(e2);
+        const Scalar compression_7 = detail::compression<Scalar>(-e2, exp_3);
+        const Scalar e8 = e2 * exp_3 - compression_7;
         const Scalar e9 = p_.beta * p_.T_0 * p_.alpha - p_.p_0;
         const Scalar cos_10 = cos(c_.k4 * t);
         const Scalar e11 = p_.V_0 * p_.delta;
-        const Scalar e12 = inverse_4 * (e1 * (e5 * e6) - compression_7 * (p_.beta * e5) - expm1_8 * (e9 * e5));
+        const Scalar e12 = inverse_4 * (e1 * (e5 * e6) - compression_7 * (p_.beta * e5) - e8 * (e9 * e5));
         const Scalar e13 = e1 * ((Scalar(1) / Scalar(2)) * e11 * e6) - compression_7
-            * ((Scalar(1) / Scalar(2)) * p_.beta * e11) - expm1_8 * ((Scalar(1) / Scalar(2)) * e9 * e11);
+            * ((Scalar(1) / Scalar(2)) * p_.beta * e11) - e8 * ((Scalar(1) / Scalar(2)) * e9 * e11);
         return -e12 - cos_10 * inverse_4 * e13;
     }
 

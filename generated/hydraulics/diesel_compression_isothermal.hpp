@@ -22,10 +22,10 @@
 //   rhs_and_jacobian       1      4     1        2      0
 //   jacobian_p             5     26     2        2      0
 //   jacobian_t             2      7     1        2      0
-//   output                 6      9     1        2      3
+//   output                 7     10     1        2      2
 //   output_jacobian_x      4      7     1        1      1
 //   prescribed_power       0      6     1        1      0
-//   internal_energy        7     20     1        1      3
+//   internal_energy        8     21     1        1      2
 //   exchanged_power        1      2     0        1      0
 //   guards                 1      2     0        1      0
 //
@@ -187,18 +187,22 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
-/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). Needs select, exponential_remainder.
+/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
+/// exponential_remainder.
 template <class Scalar>
-Scalar compression(const Scalar& x) noexcept {
+Scalar compression(const Scalar& x, const Scalar& decay) noexcept {
     using std::abs;
-    using std::exp;
     const auto is_inner = abs(x) < Scalar(2);
     const Scalar inner = select(is_inner, x, Scalar(0));
     const Scalar limited = select(x > Scalar(1000), Scalar(1000), x);  // so that infinity never meets exp(-x) = 0
-    const Scalar decay = exp(Scalar(-limited));
     const Scalar by_remainder = inner * inner * exponential_remainder(inner) * decay;
     const Scalar by_definition = Scalar(1) - (Scalar(1) + limited) * decay;
     return select(is_inner, by_remainder, by_definition);
+}
+template <class Scalar>
+Scalar compression(const Scalar& x) noexcept {
+    using std::exp;
+    return compression<Scalar>(x, exp(Scalar(-x)));
 }
 
 }  // namespace detail
@@ -381,7 +385,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 6 + or -, 9 *, 1 /, 2 sin or cos, 3 other functions
+    /// Operations: 7 + or -, 10 *, 1 /, 2 sin or cos, 2 other functions
     ///     rho = rho_0/exp((p_0 - p)/beta)
     ///     e_i = beta*compression(-(p_0 - p)/beta)/rho_0 + (beta*T_0*alpha - p_0)*expm1((p_0 - p)/beta)/rho_0
     ///     V = V_0*(1 - delta/2) + V_0*delta*cos(2*pi*t/tau)/2
@@ -389,21 +393,19 @@ public:
     ///     Q = -beta*T_0*alpha*V_0*delta*pi*sin(2*pi*t/tau)/tau
     void output(const State& x, const Input& /*u*/, Scalar t, Output& y) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k12 * (p_.p_0 - p_value);
         const Scalar exp_2 = exp(e1);
         const Scalar inverse_3 = Scalar(1) / exp_2;
-        const Scalar compression_4 = detail::compression<Scalar>(-e1);
-        const Scalar expm1_5 = expm1(e1);
-        const Scalar e6 = c_.k2 * t;
-        Scalar sin_7, cos_8;
-        detail::sin_and_cos<Scalar>(e6, sin_7, cos_8);
+        const Scalar compression_4 = detail::compression<Scalar>(-e1, exp_2);
+        const Scalar e5 = c_.k2 * t;
+        Scalar sin_6, cos_7;
+        detail::sin_and_cos<Scalar>(e5, sin_6, cos_7);
         y[0] = p_.rho_0 * inverse_3;
-        y[1] = c_.k5 * compression_4 + c_.k6 * expm1_5;
-        y[2] = c_.k7 + c_.k8 * cos_8;
-        y[3] = inverse_3 * (c_.k9 * cos_8 + c_.k10);
-        y[4] = -c_.k11 * sin_7;
+        y[1] = c_.k5 * compression_4 + c_.k6 * (e1 * exp_2 - compression_4);
+        y[2] = c_.k7 + c_.k8 * cos_7;
+        y[3] = inverse_3 * (c_.k9 * cos_7 + c_.k10);
+        y[4] = -c_.k11 * sin_6;
     }
 
     /// C = dh/dx.
@@ -466,27 +468,26 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 7 + or -, 20 *, 1 /, 1 sin or cos, 3 other functions
+    /// Operations: 8 + or -, 21 *, 1 /, 1 sin or cos, 2 other functions
     ///     E = V_0*(1 - delta/2)*density[cylinder]*specific_energy[cylinder] +
     ///     V_0*delta*density[cylinder]*specific_energy[cylinder]*cos(2*pi*t/tau)/2
     Scalar internal_energy(const State& x, Scalar t) const noexcept {
         using std::cos;
         using std::exp;
-        using std::expm1;
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k12 * (p_.p_0 - p_value);
-        const Scalar compression_2 = detail::compression<Scalar>(-e1);
-        const Scalar exp_3 = exp(e1);
-        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar exp_2 = exp(e1);
+        const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
+        const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar e5 = Scalar(1) - (Scalar(1) / Scalar(2)) * p_.delta;
         const Scalar e6 = p_.beta * p_.V_0;
         const Scalar cos_7 = cos(c_.k2 * t);
         const Scalar e8 = cos_7 * inverse_4;
-        const Scalar expm1_9 = expm1(e1);
-        const Scalar e10 = p_.V_0 * (p_.beta * p_.T_0 * p_.alpha - p_.p_0);
-        const Scalar e11 = compression_2 * (inverse_4 * (e5 * e6) + (Scalar(1) / Scalar(2)) * p_.delta * e6 * e8);
-        const Scalar e12 = expm1_9 * (inverse_4 * (e5 * e10) + (Scalar(1) / Scalar(2)) * p_.delta * e10 * e8);
-        return e11 + e12;
+        const Scalar e9 = p_.V_0 * (p_.beta * p_.T_0 * p_.alpha - p_.p_0);
+        const Scalar e10 = compression_3 * (inverse_4 * (e5 * e6) + (Scalar(1) / Scalar(2)) * p_.delta * e6 * e8);
+        const Scalar e11 = (e1 * exp_2 - compression_3)
+            * (inverse_4 * (e5 * e9) + (Scalar(1) / Scalar(2)) * p_.delta * e9 * e8);
+        return e10 + e11;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.

@@ -21,21 +21,21 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                14     32     6        0      3
+//   update                15     33     6        0      2
 //   rhs                    6      9     2        0      0
 //   rhs_and_jacobian      10     16     2        0      0
 //   jacobian_u             1      3     2        0      0
 //   jacobian_p            10     20     4        0      0
 //   bias                   2      3     0        0      0
 //   generalised_force      1      0     0        0      0
-//   output                16     26     2        0      7
-//   output_jacobian_x     23     34     2        0      8
-//   output_jacobian_u      6      8     1        0      4
+//   output                18     28     2        0      5
+//   output_jacobian_x     25     36     2        0      6
+//   output_jacobian_u      7      9     1        0      3
 //   kinetic_energy         0      2     0        0      0
 //   supplied_power         1      1     0        0      0
 //   dissipated_power       0      2     0        0      0
-//   internal_energy        9     13     2        0      6
-//   exchanged_power       13     17     2        0      6
+//   internal_energy       11     15     2        0      4
+//   exchanged_power       15     19     2        0      4
 //   guards                 1      2     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -189,18 +189,22 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
-/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). Needs select, exponential_remainder.
+/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
+/// exponential_remainder.
 template <class Scalar>
-Scalar compression(const Scalar& x) noexcept {
+Scalar compression(const Scalar& x, const Scalar& decay) noexcept {
     using std::abs;
-    using std::exp;
     const auto is_inner = abs(x) < Scalar(2);
     const Scalar inner = select(is_inner, x, Scalar(0));
     const Scalar limited = select(x > Scalar(1000), Scalar(1000), x);  // so that infinity never meets exp(-x) = 0
-    const Scalar decay = exp(Scalar(-limited));
     const Scalar by_remainder = inner * inner * exponential_remainder(inner) * decay;
     const Scalar by_definition = Scalar(1) - (Scalar(1) + limited) * decay;
     return select(is_inner, by_remainder, by_definition);
+}
+template <class Scalar>
+Scalar compression(const Scalar& x) noexcept {
+    using std::exp;
+    return compression<Scalar>(x, exp(Scalar(-x)));
 }
 
 }  // namespace detail
@@ -260,11 +264,10 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 14 + or -, 32 *, 6 /, 3 other functions
+    /// Operations: 15 + or -, 33 *, 6 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
-        using std::expm1;
         c_.k0 = Scalar(1) / p_.m_k;
         c_.k1 = p_.beta / p_.A_1;
         c_.k2 = p_.beta / p_.A_2;
@@ -290,18 +293,18 @@ public:
         c_.k16 = inverse_6 * e4;
         const Scalar inverse_7 = Scalar(1) / p_.beta;
         const Scalar e8 = (p_.p_0 - p_.p_s) * inverse_7;
-        const Scalar expm1_9 = expm1(e8);
-        const Scalar compression_10 = detail::compression<Scalar>(-e8);
-        const Scalar exp_11 = exp(e8);
-        const Scalar e12 = p_.p_s * exp_11;
-        const Scalar e13 = expm1_9 * e4 + (p_.beta * compression_10 + e12);
+        const Scalar exp_9 = exp(e8);
+        const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
+        const Scalar e11 = e8 * exp_9 - compression_10;
+        const Scalar e12 = p_.p_s * exp_9;
+        const Scalar e13 = e11 * e4 + (p_.beta * compression_10 + e12);
         c_.k17 = inverse_6 * e13;
         c_.k18 = inverse_7;
         const Scalar e14 = e2 - p_.p_0 * inverse_7;
         c_.k19 = -p_.A_1 * e14;
         c_.k20 = p_.A_1 * inverse_7;
         c_.k21 = -e14;
-        c_.k22 = -compression_10 - expm1_9 * e14 - inverse_7 * e12;
+        c_.k22 = -compression_10 - e11 * e14 - inverse_7 * e12;
         c_.k23 = inverse_6 * inverse_7;
         c_.k24 = inverse_6 * (Scalar(1) - e14);
         c_.k25 = -e14 * e5;
@@ -539,7 +542,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 16 + or -, 26 *, 2 /, 7 other functions
+    /// Operations: 18 + or -, 28 *, 2 /, 5 other functions
     ///     f_h = A_1*p_1 - A_2*p_2
     ///     E_g = m_k*dot(s_k)^2/2 + A_1*beta*s_k*compression(-(p_0 - p_1)/beta)/exp((p_0 - p_1)/beta) -
     ///     A_2*beta*s_k*compression(-(p_0 - p_2)/beta)/exp((p_0 - p_2)/beta) + A_1*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 -
@@ -554,64 +557,60 @@ public:
     ///     - p_1)/beta))/rho_0
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
         const Scalar e1 = c_.k18 * (p_.p_0 - p_2);
-        const Scalar compression_2 = detail::compression<Scalar>(-e1);
-        const Scalar exp_3 = exp(e1);
-        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar exp_2 = exp(e1);
+        const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
+        const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar s_k = x[0];
         const Scalar e5 = s_k * inverse_4;
-        const Scalar expm1_6 = expm1(e1);
-        const Scalar e7 = c_.k18 * (p_.p_0 - p_1);
-        const Scalar exp_8 = exp(e7);
-        const Scalar inverse_9 = Scalar(1) / exp_8;
-        const Scalar compression_10 = detail::compression<Scalar>(-e7);
-        const Scalar expm1_11 = expm1(e7);
+        const Scalar e6 = c_.k18 * (p_.p_0 - p_1);
+        const Scalar exp_7 = exp(e6);
+        const Scalar inverse_8 = Scalar(1) / exp_7;
+        const Scalar compression_9 = detail::compression<Scalar>(-e6, exp_7);
+        const Scalar e10 = e6 * exp_7 - compression_9;
         const Scalar s_k_dot = x[1];
         const Scalar q_1 = u[0];
-        const Scalar max_12 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * inverse_9);
+        const Scalar max_11 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * inverse_8);
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        y[1] = compression_2 * (c_.k9 * inverse_4 - c_.k5 * e5) + expm1_6 * (c_.k10 * inverse_4 - c_.k7 * e5) + s_k * inverse_9
-            * (c_.k4 * compression_10 + c_.k6 * expm1_11) + c_.k8 * s_k_dot * s_k_dot;
+        y[1] = compression_3 * (c_.k9 * inverse_4 - c_.k5 * e5) + (e1 * exp_2 - compression_3)
+            * (c_.k10 * inverse_4 - c_.k7 * e5) + s_k * inverse_8 * (c_.k4 * compression_9 + c_.k6 * e10) + c_.k8 * s_k_dot
+            * s_k_dot;
         y[2] = c_.k11;
-        const Scalar e13 = c_.k14 * p_1 * exp_8 + c_.k15 * compression_10 + c_.k16 * expm1_11 - c_.k17;
-        y[3] = max_12 * e13 - c_.k12 * q_1 + c_.k13 * s_k_dot;
+        const Scalar e12 = max_11 * (c_.k14 * p_1 * exp_7 + c_.k15 * compression_9 + c_.k16 * e10 - c_.k17);
+        y[3] = e12 - c_.k12 * q_1 + c_.k13 * s_k_dot;
     }
 
     /// C = dh/dx.
-    /// Operations: 23 + or -, 34 *, 2 /, 8 other functions
+    /// Operations: 25 + or -, 36 *, 2 /, 6 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_0 - p_1;
         const Scalar e2 = c_.k18 * e1;
-        const Scalar compression_3 = detail::compression<Scalar>(-e2);
-        const Scalar exp_4 = exp(e2);
-        const Scalar inverse_5 = Scalar(1) / exp_4;
-        const Scalar e6 = compression_3 * inverse_5;
-        const Scalar expm1_7 = expm1(e2);
-        const Scalar e8 = expm1_7 * inverse_5;
+        const Scalar exp_3 = exp(e2);
+        const Scalar compression_4 = detail::compression<Scalar>(-e2, exp_3);
+        const Scalar inverse_5 = Scalar(1) / exp_3;
+        const Scalar e6 = compression_4 * inverse_5;
+        const Scalar e7 = (e2 * exp_3 - compression_4) * inverse_5;
         const Scalar p_2 = x[3];
-        const Scalar e9 = p_.p_0 - p_2;
-        const Scalar e10 = c_.k18 * e9;
-        const Scalar compression_11 = detail::compression<Scalar>(-e10);
-        const Scalar exp_12 = exp(e10);
-        const Scalar inverse_13 = Scalar(1) / exp_12;
-        const Scalar e14 = compression_11 * inverse_13;
-        const Scalar expm1_15 = expm1(e10);
-        const Scalar e16 = expm1_15 * inverse_13;
+        const Scalar e8 = p_.p_0 - p_2;
+        const Scalar e9 = c_.k18 * e8;
+        const Scalar exp_10 = exp(e9);
+        const Scalar compression_11 = detail::compression<Scalar>(-e9, exp_10);
+        const Scalar inverse_12 = Scalar(1) / exp_10;
+        const Scalar e13 = compression_11 * inverse_12;
+        const Scalar e14 = (e9 * exp_10 - compression_11) * inverse_12;
         const Scalar s_k_dot = x[1];
         const Scalar s_k = x[0];
         const Scalar q_1 = u[0];
-        const Scalar e17 = p_.rho_0 * q_1 * inverse_5;
-        const Scalar step_18 = detail::step<Scalar>(e17);
-        const Scalar max_19 = detail::max<Scalar>(Scalar(0), e17);
-        const Scalar e20 = exp_4 * max_19;
+        const Scalar e15 = p_.rho_0 * q_1 * inverse_5;
+        const Scalar step_16 = detail::step<Scalar>(e15);
+        const Scalar max_17 = detail::max<Scalar>(Scalar(0), e15);
+        const Scalar e18 = exp_3 * max_17;
         C[0] = Scalar(0);
-        C[1] = c_.k4 * e6 + c_.k6 * e8 - c_.k5 * e14 - c_.k7 * e16;
+        C[1] = c_.k4 * e6 + c_.k6 * e7 - c_.k5 * e13 - c_.k7 * e14;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
@@ -619,34 +618,32 @@ public:
         C[6] = Scalar(0);
         C[7] = c_.k13;
         C[8] = p_.A_1;
-        C[9] = c_.k19 * s_k * (Scalar(1) - e8) - s_k * (c_.k20 * e1 - p_.A_1 * e6);
+        C[9] = c_.k19 * s_k * (Scalar(1) - e7) - s_k * (c_.k20 * e1 - p_.A_1 * e6);
         C[10] = Scalar(0);
-        C[11] = q_1 * step_18 * (c_.k18 * p_1 + c_.k22 * inverse_5 + e6 - c_.k21 * e8) - c_.k23 * e20 * (p_1 + e1) + c_.k24
-            * e20;
+        C[11] = q_1 * step_16 * (c_.k18 * p_1 + c_.k22 * inverse_5 + e6 - c_.k21 * e7) - c_.k23 * e18 * (p_1 + e1) + c_.k24
+            * e18;
         C[12] = -p_.A_2;
-        C[13] = s_k * (c_.k27 * e9 - p_.A_2 * e14) + (c_.k25 - c_.k26 * s_k) * (Scalar(1) - e16) - c_.k28 * e9 + c_.k29 * e14;
+        C[13] = s_k * (c_.k27 * e8 - p_.A_2 * e13) + (c_.k25 - c_.k26 * s_k) * (Scalar(1) - e14) - c_.k28 * e8 + c_.k29 * e13;
         C[14] = Scalar(0);
         C[15] = Scalar(0);
     }
 
     /// D = dh/du.
-    /// Operations: 6 + or -, 8 *, 1 /, 4 other functions
+    /// Operations: 7 + or -, 9 *, 1 /, 3 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar q_1 = u[0];
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k18 * (p_.p_0 - p_1);
         const Scalar exp_2 = exp(e1);
         const Scalar inverse_3 = Scalar(1) / exp_2;
         const Scalar step_4 = detail::step<Scalar>(p_.rho_0 * q_1 * inverse_3);
-        const Scalar compression_5 = detail::compression<Scalar>(-e1);
-        const Scalar expm1_6 = expm1(e1);
+        const Scalar compression_5 = detail::compression<Scalar>(-e1, exp_2);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        const Scalar e7 = step_4 * inverse_3 * (p_.beta * compression_5 + c_.k30 * expm1_6 - c_.k31);
-        D[3] = e7 - c_.k12 + p_1 * step_4;
+        const Scalar e6 = p_.beta * compression_5 + c_.k30 * (e1 * exp_2 - compression_5) - c_.k31;
+        D[3] = step_4 * inverse_3 * e6 - c_.k12 + p_1 * step_4;
         D[4] = Scalar(0);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
@@ -696,52 +693,47 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 9 + or -, 13 *, 2 /, 6 other functions
+    /// Operations: 11 + or -, 15 *, 2 /, 4 other functions
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s_k - A_2*density[chamber_2]*specific_energy[chamber_2]*s_k +
     ///     A_2*(l - d)*density[chamber_2]*specific_energy[chamber_2]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_2 = x[3];
         const Scalar e1 = c_.k18 * (p_.p_0 - p_2);
-        const Scalar compression_2 = detail::compression<Scalar>(-e1);
-        const Scalar exp_3 = exp(e1);
-        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar exp_2 = exp(e1);
+        const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
+        const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar s_k = x[0];
         const Scalar e5 = s_k * inverse_4;
-        const Scalar expm1_6 = expm1(e1);
         const Scalar p_1 = x[2];
-        const Scalar e7 = c_.k18 * (p_.p_0 - p_1);
-        const Scalar exp_8 = exp(e7);
-        const Scalar compression_9 = detail::compression<Scalar>(-e7);
-        const Scalar expm1_10 = expm1(e7);
-        return compression_2 * (c_.k9 * inverse_4 - c_.k5 * e5) + expm1_6 * (c_.k10 * inverse_4 - c_.k7 * e5) + s_k / exp_8
-            * (c_.k4 * compression_9 + c_.k6 * expm1_10);
+        const Scalar e6 = c_.k18 * (p_.p_0 - p_1);
+        const Scalar exp_7 = exp(e6);
+        const Scalar compression_8 = detail::compression<Scalar>(-e6, exp_7);
+        const Scalar e9 = s_k / exp_7 * (c_.k4 * compression_8 + c_.k6 * (e6 * exp_7 - compression_8));
+        return compression_3 * (c_.k9 * inverse_4 - c_.k5 * e5) + (e1 * exp_2 - compression_3)
+            * (c_.k10 * inverse_4 - c_.k7 * e5) + e9;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 13 + or -, 17 *, 2 /, 6 other functions
+    /// Operations: 15 + or -, 19 *, 2 /, 4 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k18 * (p_.p_0 - p_1);
-        const Scalar expm1_2 = expm1(e1);
+        const Scalar exp_2 = exp(e1);
+        const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar q_1 = u[0];
-        const Scalar exp_3 = exp(e1);
-        const Scalar e4 = q_1 / exp_3;
+        const Scalar e4 = q_1 / exp_2;
         const Scalar p_2 = x[3];
         const Scalar e5 = c_.k18 * (p_.p_0 - p_2);
-        const Scalar expm1_6 = expm1(e5);
+        const Scalar exp_6 = exp(e5);
+        const Scalar compression_7 = detail::compression<Scalar>(-e5, exp_6);
         const Scalar q_2 = u[1];
-        const Scalar exp_7 = exp(e5);
-        const Scalar e8 = q_2 / exp_7;
-        const Scalar compression_9 = detail::compression<Scalar>(-e1);
-        const Scalar compression_10 = detail::compression<Scalar>(-e5);
+        const Scalar e8 = q_2 / exp_6;
         const Scalar s_k_dot = x[1];
-        return c_.k30 * (expm1_2 * e4 + expm1_6 * e8) - c_.k12 * (q_1 + q_2) + p_.beta
-            * (compression_9 * e4 + compression_10 * e8) + q_1 * p_1 + q_2 * p_2 + s_k_dot
-            * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
+        const Scalar e9 = c_.k30 * ((e1 * exp_2 - compression_3) * e4 + (e5 * exp_6 - compression_7) * e8);
+        return e9 - c_.k12 * (q_1 + q_2) + p_.beta * (compression_3 * e4 + compression_7 * e8) + q_1 * p_1 + q_2 * p_2
+            + s_k_dot * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -777,12 +769,12 @@ private:
         Scalar k14;  ///< 1/rho_0
         Scalar k15;  ///< beta/rho_0
         Scalar k16;  ///< (beta*alpha*T_0 - p_0)/rho_0
-        Scalar k17;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k17;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
         Scalar k18;  ///< 1/beta
         Scalar k19;  ///< A_1*(p_0/beta - alpha*T_0)
         Scalar k20;  ///< A_1/beta
         Scalar k21;  ///< p_0/beta - alpha*T_0
-        Scalar k22;  ///< p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k22;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_s/beta)/beta - alpha*T_0*p_s*exp(p_0/beta - p_s/beta)/beta + ...
         Scalar k23;  ///< 1/(rho_0*beta)
         Scalar k24;  ///< (1 + p_0/beta - alpha*T_0)/rho_0
         Scalar k25;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
@@ -791,7 +783,7 @@ private:
         Scalar k28;  ///< A_2*(l - d)/beta
         Scalar k29;  ///< A_2*(l - d)
         Scalar k30;  ///< beta*alpha*T_0 - p_0
-        Scalar k31;  ///< beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k31;  ///< -beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
     };
     Cached c_{};
 };

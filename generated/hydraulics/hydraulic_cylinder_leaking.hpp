@@ -22,20 +22,20 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                15     43     6        0      3
+//   update                16     44     6        0      2
 //   rhs                   13     21     4        0      4
 //   rhs_and_jacobian      20     31     4        0      4
 //   jacobian_u             1      3     2        0      0
 //   jacobian_p            22     50     7        0      4
 //   bias                   1      2     0        0      0
 //   generalised_force      1      0     0        0      0
-//   output                25     40     2        0     10
-//   output_jacobian_x     49     74     2        0     12
-//   output_jacobian_u      6      8     1        0      4
+//   output                27     42     2        0      8
+//   output_jacobian_x     51     76     2        0     10
+//   output_jacobian_u      7      9     1        0      3
 //   kinetic_energy         0      2     0        0      0
 //   supplied_power         1      1     0        0      0
-//   internal_energy        9     13     2        0      6
-//   exchanged_power       26     33     2        0      9
+//   internal_energy       11     15     2        0      4
+//   exchanged_power       28     35     2        0      7
 //   guards                 1      2     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -196,18 +196,22 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
-/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). Needs select, exponential_remainder.
+/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
+/// exponential_remainder.
 template <class Scalar>
-Scalar compression(const Scalar& x) noexcept {
+Scalar compression(const Scalar& x, const Scalar& decay) noexcept {
     using std::abs;
-    using std::exp;
     const auto is_inner = abs(x) < Scalar(2);
     const Scalar inner = select(is_inner, x, Scalar(0));
     const Scalar limited = select(x > Scalar(1000), Scalar(1000), x);  // so that infinity never meets exp(-x) = 0
-    const Scalar decay = exp(Scalar(-limited));
     const Scalar by_remainder = inner * inner * exponential_remainder(inner) * decay;
     const Scalar by_definition = Scalar(1) - (Scalar(1) + limited) * decay;
     return select(is_inner, by_remainder, by_definition);
+}
+template <class Scalar>
+Scalar compression(const Scalar& x) noexcept {
+    using std::exp;
+    return compression<Scalar>(x, exp(Scalar(-x)));
 }
 
 }  // namespace detail
@@ -267,11 +271,10 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 15 + or -, 43 *, 6 /, 3 other functions
+    /// Operations: 16 + or -, 44 *, 6 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
-        using std::expm1;
         c_.k0 = Scalar(1) / p_.m_k;
         const Scalar inverse_1 = Scalar(1) / p_.A_1;
         c_.k1 = p_.beta * inverse_1;
@@ -306,18 +309,18 @@ public:
         c_.k21 = p_.beta * inverse_10;
         c_.k22 = inverse_10 * e8;
         const Scalar e11 = (p_.p_0 - p_.p_s) * inverse_5;
-        const Scalar expm1_12 = expm1(e11);
-        const Scalar compression_13 = detail::compression<Scalar>(-e11);
-        const Scalar exp_14 = exp(e11);
-        const Scalar e15 = p_.p_s * exp_14;
-        const Scalar e16 = expm1_12 * e8 + (p_.beta * compression_13 + e15);
+        const Scalar exp_12 = exp(e11);
+        const Scalar compression_13 = detail::compression<Scalar>(-e11, exp_12);
+        const Scalar e14 = e11 * exp_12 - compression_13;
+        const Scalar e15 = p_.p_s * exp_12;
+        const Scalar e16 = e14 * e8 + (p_.beta * compression_13 + e15);
         c_.k23 = inverse_10 * e16;
         c_.k24 = p_.rho_0 * p_.k_l;
         const Scalar e17 = e6 - p_.p_0 * inverse_5;
         c_.k25 = -p_.A_1 * e17;
         c_.k26 = p_.A_1 * inverse_5;
         c_.k27 = -e17;
-        c_.k28 = -compression_13 - expm1_12 * e17 - inverse_5 * e15;
+        c_.k28 = -compression_13 - e14 * e17 - inverse_5 * e15;
         c_.k29 = p_.k_l * inverse_5;
         c_.k30 = inverse_10 * inverse_5;
         c_.k31 = -p_.k_l * e17;
@@ -607,7 +610,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 25 + or -, 40 *, 2 /, 10 other functions
+    /// Operations: 27 + or -, 42 *, 2 /, 8 other functions
     ///     f_h = A_1*p_1 - A_2*p_2
     ///     E_g = m_k*dot(s_k)^2/2 + A_1*beta*s_k*compression(-(p_0 - p_1)/beta)/exp((p_0 - p_1)/beta) -
     ///     A_2*beta*s_k*compression(-(p_0 - p_2)/beta)/exp((p_0 - p_2)/beta) + A_1*(beta*alpha*T_0 - p_0)*s_k*expm1((p_0 -
@@ -634,21 +637,20 @@ public:
     ///     p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 - p_s)/beta))*max(0, rho_0*q_1/exp((p_0 - p_1)/beta))/rho_0
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
         const Scalar e1 = c_.k6 * (p_.p_0 - p_2);
-        const Scalar compression_2 = detail::compression<Scalar>(-e1);
-        const Scalar exp_3 = exp(e1);
-        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar exp_2 = exp(e1);
+        const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
+        const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar s_k = x[0];
         const Scalar e5 = s_k * inverse_4;
-        const Scalar expm1_6 = expm1(e1);
+        const Scalar e6 = e1 * exp_2 - compression_3;
         const Scalar e7 = c_.k6 * (p_.p_0 - p_1);
         const Scalar exp_8 = exp(e7);
         const Scalar inverse_9 = Scalar(1) / exp_8;
-        const Scalar compression_10 = detail::compression<Scalar>(-e7);
-        const Scalar expm1_11 = expm1(e7);
+        const Scalar compression_10 = detail::compression<Scalar>(-e7, exp_8);
+        const Scalar e11 = e7 * exp_8 - compression_10;
         const Scalar s_k_dot = x[1];
         const Scalar e12 = p_1 - p_2;
         const Scalar e13 = p_.k_l * e12;
@@ -659,38 +661,37 @@ public:
         const Scalar q_1 = u[0];
         const Scalar max_18 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * inverse_9);
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        y[1] = compression_2 * (c_.k14 * inverse_4 - c_.k10 * e5) + expm1_6 * (c_.k15 * inverse_4 - c_.k12 * e5) + s_k
-            * inverse_9 * (c_.k9 * compression_10 + c_.k11 * expm1_11) + c_.k13 * s_k_dot * s_k_dot;
+        y[1] = compression_3 * (c_.k14 * inverse_4 - c_.k10 * e5) + e6 * (c_.k15 * inverse_4 - c_.k12 * e5) + s_k * inverse_9
+            * (c_.k9 * compression_10 + c_.k11 * e11) + c_.k13 * s_k_dot * s_k_dot;
         y[2] = c_.k16;
         y[3] = e13;
-        const Scalar e19 = min_17 * (c_.k19 * p_2 * exp_3 + c_.k21 * compression_2 + c_.k22 * expm1_6);
-        const Scalar e20 = (max_18 - min_17) * (c_.k19 * p_1 * exp_8 + c_.k21 * compression_10 + c_.k22 * expm1_11);
-        y[4] = e19 + e20 + c_.k20 * e12 * (step_14 + exp_8 * e16) - c_.k17 * q_1 + c_.k18 * s_k_dot - c_.k23 * max_18;
+        const Scalar e19 = (max_18 - min_17) * (c_.k19 * p_1 * exp_8 + c_.k21 * compression_10 + c_.k22 * e11);
+        y[4] = min_17 * (c_.k19 * p_2 * exp_2 + c_.k21 * compression_3 + c_.k22 * e6) + e19 + c_.k20 * e12
+            * (step_14 + exp_8 * e16) - c_.k17 * q_1 + c_.k18 * s_k_dot - c_.k23 * max_18;
     }
 
     /// C = dh/dx.
-    /// Operations: 49 + or -, 74 *, 2 /, 12 other functions
+    /// Operations: 51 + or -, 76 *, 2 /, 10 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_0 - p_1;
         const Scalar e2 = c_.k6 * e1;
-        const Scalar compression_3 = detail::compression<Scalar>(-e2);
-        const Scalar exp_4 = exp(e2);
-        const Scalar inverse_5 = Scalar(1) / exp_4;
-        const Scalar e6 = compression_3 * inverse_5;
-        const Scalar expm1_7 = expm1(e2);
-        const Scalar e8 = expm1_7 * inverse_5;
+        const Scalar exp_3 = exp(e2);
+        const Scalar compression_4 = detail::compression<Scalar>(-e2, exp_3);
+        const Scalar inverse_5 = Scalar(1) / exp_3;
+        const Scalar e6 = compression_4 * inverse_5;
+        const Scalar e7 = e2 * exp_3 - compression_4;
+        const Scalar e8 = e7 * inverse_5;
         const Scalar p_2 = x[3];
         const Scalar e9 = p_.p_0 - p_2;
         const Scalar e10 = c_.k6 * e9;
-        const Scalar compression_11 = detail::compression<Scalar>(-e10);
-        const Scalar exp_12 = exp(e10);
-        const Scalar inverse_13 = Scalar(1) / exp_12;
-        const Scalar e14 = compression_11 * inverse_13;
-        const Scalar expm1_15 = expm1(e10);
-        const Scalar e16 = expm1_15 * inverse_13;
+        const Scalar exp_11 = exp(e10);
+        const Scalar compression_12 = detail::compression<Scalar>(-e10, exp_11);
+        const Scalar inverse_13 = Scalar(1) / exp_11;
+        const Scalar e14 = compression_12 * inverse_13;
+        const Scalar e15 = e10 * exp_11 - compression_12;
+        const Scalar e16 = e15 * inverse_13;
         const Scalar s_k_dot = x[1];
         const Scalar s_k = x[0];
         const Scalar q_1 = u[0];
@@ -706,16 +707,16 @@ public:
         const Scalar e26 = e23 + e25;
         const Scalar e27 = e26 * (c_.k24 * e20);
         const Scalar min_28 = detail::min<Scalar>(Scalar(0), e27);
-        const Scalar e29 = exp_4 * (max_19 - min_28);
+        const Scalar e29 = exp_3 * (max_19 - min_28);
         const Scalar step_30 = detail::step<Scalar>(-e27);
         const Scalar e31 = p_.k_l * step_30;
         const Scalar e32 = c_.k20 - p_1 * e31;
-        const Scalar e33 = compression_3 - compression_11;
+        const Scalar e33 = compression_4 - compression_12;
         const Scalar e34 = p_2 * step_22;
-        const Scalar e35 = exp_4 * e23;
-        const Scalar e36 = p_2 * exp_12;
+        const Scalar e35 = exp_3 * e23;
+        const Scalar e36 = p_2 * exp_11;
         const Scalar e37 = e25 * e36;
-        const Scalar e38 = expm1_7 - expm1_15;
+        const Scalar e38 = e7 - e15;
         const Scalar e39 = c_.k32 * e20 * e35 - e31 * e37 + (c_.k34 * step_30 * e26 * e38 - e32 * e35);
         const Scalar e40 = step_24 * e32 - step_30 * (c_.k33 * e26 * e33 - p_.k_l * e34) - e39;
         const Scalar e41 = e20 * step_30;
@@ -743,28 +744,26 @@ public:
         C[16] = s_k * (c_.k38 * e9 - p_.A_2 * e14) + (c_.k36 - c_.k37 * s_k) * (Scalar(1) - e16) - c_.k39 * e9 + c_.k40 * e14;
         C[17] = Scalar(0);
         C[18] = -p_.k_l;
-        C[19] = exp_12 * (c_.k35 * min_28 - e9 * e45) - e40 - e36 * e45 + e43 * e34 + e23 * e42 - e35 * e44;
+        C[19] = exp_11 * (c_.k35 * min_28 - e9 * e45) - e40 - e36 * e45 + e43 * e34 + e23 * e42 - e35 * e44;
     }
 
     /// D = dh/du.
-    /// Operations: 6 + or -, 8 *, 1 /, 4 other functions
+    /// Operations: 7 + or -, 9 *, 1 /, 3 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar q_1 = u[0];
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k6 * (p_.p_0 - p_1);
         const Scalar exp_2 = exp(e1);
         const Scalar inverse_3 = Scalar(1) / exp_2;
         const Scalar step_4 = detail::step<Scalar>(p_.rho_0 * q_1 * inverse_3);
-        const Scalar compression_5 = detail::compression<Scalar>(-e1);
-        const Scalar expm1_6 = expm1(e1);
+        const Scalar compression_5 = detail::compression<Scalar>(-e1, exp_2);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
         D[3] = Scalar(0);
-        const Scalar e7 = step_4 * inverse_3 * (p_.beta * compression_5 + c_.k41 * expm1_6 - c_.k42);
-        D[4] = e7 - c_.k17 + p_1 * step_4;
+        const Scalar e6 = p_.beta * compression_5 + c_.k41 * (e1 * exp_2 - compression_5) - c_.k42;
+        D[4] = step_4 * inverse_3 * e6 - c_.k17 + p_1 * step_4;
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -815,63 +814,61 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 9 + or -, 13 *, 2 /, 6 other functions
+    /// Operations: 11 + or -, 15 *, 2 /, 4 other functions
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s_k - A_2*density[chamber_2]*specific_energy[chamber_2]*s_k +
     ///     A_2*(l - d)*density[chamber_2]*specific_energy[chamber_2]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_2 = x[3];
         const Scalar e1 = c_.k6 * (p_.p_0 - p_2);
-        const Scalar compression_2 = detail::compression<Scalar>(-e1);
-        const Scalar exp_3 = exp(e1);
-        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar exp_2 = exp(e1);
+        const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
+        const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar s_k = x[0];
         const Scalar e5 = s_k * inverse_4;
-        const Scalar expm1_6 = expm1(e1);
         const Scalar p_1 = x[2];
-        const Scalar e7 = c_.k6 * (p_.p_0 - p_1);
-        const Scalar exp_8 = exp(e7);
-        const Scalar compression_9 = detail::compression<Scalar>(-e7);
-        const Scalar expm1_10 = expm1(e7);
-        return compression_2 * (c_.k14 * inverse_4 - c_.k10 * e5) + expm1_6 * (c_.k15 * inverse_4 - c_.k12 * e5) + s_k / exp_8
-            * (c_.k9 * compression_9 + c_.k11 * expm1_10);
+        const Scalar e6 = c_.k6 * (p_.p_0 - p_1);
+        const Scalar exp_7 = exp(e6);
+        const Scalar compression_8 = detail::compression<Scalar>(-e6, exp_7);
+        const Scalar e9 = s_k / exp_7 * (c_.k9 * compression_8 + c_.k11 * (e6 * exp_7 - compression_8));
+        return compression_3 * (c_.k14 * inverse_4 - c_.k10 * e5) + (e1 * exp_2 - compression_3)
+            * (c_.k15 * inverse_4 - c_.k12 * e5) + e9;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 26 + or -, 33 *, 2 /, 9 other functions
+    /// Operations: 28 + or -, 35 *, 2 /, 7 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k6 * (p_.p_0 - p_1);
-        const Scalar expm1_2 = expm1(e1);
+        const Scalar exp_2 = exp(e1);
+        const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
+        const Scalar e4 = e1 * exp_2 - compression_3;
         const Scalar q_1 = u[0];
-        const Scalar exp_3 = exp(e1);
-        const Scalar inverse_4 = Scalar(1) / exp_3;
-        const Scalar e5 = q_1 * inverse_4;
+        const Scalar inverse_5 = Scalar(1) / exp_2;
+        const Scalar e6 = q_1 * inverse_5;
         const Scalar p_2 = x[3];
-        const Scalar e6 = c_.k6 * (p_.p_0 - p_2);
-        const Scalar expm1_7 = expm1(e6);
+        const Scalar e7 = c_.k6 * (p_.p_0 - p_2);
+        const Scalar exp_8 = exp(e7);
+        const Scalar compression_9 = detail::compression<Scalar>(-e7, exp_8);
+        const Scalar e10 = e7 * exp_8 - compression_9;
         const Scalar q_2 = u[1];
-        const Scalar exp_8 = exp(e6);
-        const Scalar inverse_9 = Scalar(1) / exp_8;
-        const Scalar e10 = q_2 * inverse_9;
-        const Scalar compression_11 = detail::compression<Scalar>(-e1);
-        const Scalar compression_12 = detail::compression<Scalar>(-e6);
+        const Scalar inverse_11 = Scalar(1) / exp_8;
+        const Scalar e12 = q_2 * inverse_11;
         const Scalar e13 = p_1 - p_2;
-        const Scalar expm1_14 = expm1(e1 - e6);
+        const Scalar expm1_14 = expm1(e1 - e7);
         const Scalar e15 = p_.k_l * e13;
         const Scalar step_16 = detail::step<Scalar>(-e15);
         const Scalar step_17 = detail::step<Scalar>(e15);
-        const Scalar e18 = step_17 * inverse_4;
-        const Scalar e19 = step_16 * inverse_9;
+        const Scalar e18 = step_17 * inverse_5;
+        const Scalar e19 = step_16 * inverse_11;
         const Scalar e20 = e13 * (e18 + e19);
         const Scalar s_k_dot = x[1];
-        return c_.k41 * (expm1_2 * e5 + expm1_7 * e10) - c_.k17 * (q_1 + q_2) + p_.beta
-            * (compression_11 * e5 + compression_12 * e10) + e13 * (c_.k20 * expm1_14 + p_.k_l * p_2) * (step_16 + exp_8 * e18)
-            - p_1 * e15 * (step_17 + exp_3 * e19) - c_.k33 * e20 * (compression_11 - compression_12) - c_.k34 * e20
-            * (expm1_2 - expm1_7) + q_1 * p_1 + q_2 * p_2 + s_k_dot * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
+        return c_.k41 * (e4 * e6 + e10 * e12) - c_.k17 * (q_1 + q_2) + p_.beta * (compression_3 * e6 + compression_9 * e12)
+            + e13 * (c_.k20 * expm1_14 + p_.k_l * p_2) * (step_16 + exp_8 * e18) - p_1 * e15 * (step_17 + exp_2 * e19) - c_.k33
+            * e20 * (compression_3 - compression_9) - c_.k34 * e20 * (e4 - e10) + q_1 * p_1 + q_2 * p_2 + s_k_dot
+            * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -913,12 +910,12 @@ private:
         Scalar k20;  ///< beta*alpha*T_0*k_l
         Scalar k21;  ///< beta/rho_0
         Scalar k22;  ///< (beta*alpha*T_0 - p_0)/rho_0
-        Scalar k23;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k23;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
         Scalar k24;  ///< rho_0*k_l
         Scalar k25;  ///< A_1*(p_0/beta - alpha*T_0)
         Scalar k26;  ///< A_1/beta
         Scalar k27;  ///< p_0/beta - alpha*T_0
-        Scalar k28;  ///< p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k28;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_s/beta)/beta - alpha*T_0*p_s*exp(p_0/beta - p_s/beta)/beta + ...
         Scalar k29;  ///< k_l/beta
         Scalar k30;  ///< 1/(rho_0*beta)
         Scalar k31;  ///< k_l*(p_0/beta - alpha*T_0)
@@ -932,7 +929,7 @@ private:
         Scalar k39;  ///< A_2*(l - d)/beta
         Scalar k40;  ///< A_2*(l - d)
         Scalar k41;  ///< beta*alpha*T_0 - p_0
-        Scalar k42;  ///< beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k42;  ///< -beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
     };
     Cached c_{};
 };

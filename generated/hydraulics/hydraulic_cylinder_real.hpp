@@ -20,21 +20,21 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                48    234     7        0      6
-//   rhs                   65    106     4        0     12
-//   rhs_and_jacobian     296    416     4        0     16
-//   jacobian_u            31     51     4        0      8
-//   jacobian_p           642   1114     9        0     22
+//   update                50    236     7        0      4
+//   rhs                   67    108     4        0     10
+//   rhs_and_jacobian     298    418     4        0     14
+//   jacobian_u            33     53     4        0      6
+//   jacobian_p           646   1118     9        0     18
 //   bias                   4      4     0        0      0
 //   generalised_force      1      0     0        0      0
-//   output                19     23     2        0      6
-//   output_jacobian_x     45     57     2        0      6
+//   output                21     25     2        0      4
+//   output_jacobian_x     47     59     2        0      4
 //   kinetic_energy         0      2     0        0      0
 //   potential_energy       1      3     0        0      0
 //   supplied_power         1      1     0        0      0
 //   dissipated_power       0      2     0        0      0
-//   internal_energy       16     18     2        0      6
-//   exchanged_power       26     36     4        0     16
+//   internal_energy       18     20     2        0      4
+//   exchanged_power       30     40     4        0     12
 //   guards                 1      2     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -202,18 +202,22 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
-/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). Needs select, exponential_remainder.
+/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
+/// exponential_remainder.
 template <class Scalar>
-Scalar compression(const Scalar& x) noexcept {
+Scalar compression(const Scalar& x, const Scalar& decay) noexcept {
     using std::abs;
-    using std::exp;
     const auto is_inner = abs(x) < Scalar(2);
     const Scalar inner = select(is_inner, x, Scalar(0));
     const Scalar limited = select(x > Scalar(1000), Scalar(1000), x);  // so that infinity never meets exp(-x) = 0
-    const Scalar decay = exp(Scalar(-limited));
     const Scalar by_remainder = inner * inner * exponential_remainder(inner) * decay;
     const Scalar by_definition = Scalar(1) - (Scalar(1) + limited) * decay;
     return select(is_inner, by_remainder, by_definition);
+}
+template <class Scalar>
+Scalar compression(const Scalar& x) noexcept {
+    using std::exp;
+    return compression<Scalar>(x, exp(Scalar(-x)));
 }
 
 }  // namespace detail
@@ -277,11 +281,10 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 48 + or -, 234 *, 7 /, 6 other functions
+    /// Operations: 50 + or -, 236 *, 7 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
-        using std::expm1;
         const Scalar e1 = p_.m_k + p_.m_l;
         c_.k0 = Scalar(1) / e1;
         c_.k1 = p_.c_l * p_.s_l;
@@ -310,12 +313,12 @@ public:
         c_.k10 = -e9 * e15;
         const Scalar inverse_16 = Scalar(1) / p_.beta;
         const Scalar e17 = (p_.p_0 - p_.p_s) * inverse_16;
-        const Scalar compression_18 = detail::compression<Scalar>(-e17);
-        const Scalar expm1_19 = expm1(e17);
-        const Scalar exp_20 = exp(e17);
-        const Scalar e21 = p_.p_s * exp_20;
-        const Scalar e22 = expm1_19 * e14 + e21;
-        const Scalar e23 = p_.beta * compression_18 + e22;
+        const Scalar exp_18 = exp(e17);
+        const Scalar compression_19 = detail::compression<Scalar>(-e17, exp_18);
+        const Scalar e20 = e17 * exp_18 - compression_19;
+        const Scalar e21 = p_.p_s * exp_18;
+        const Scalar e22 = e20 * e14 + e21;
+        const Scalar e23 = p_.beta * compression_19 + e22;
         c_.k11 = -e23 * e10;
         const Scalar inverse_24 = Scalar(1) / p_.A_2;
         c_.k12 = inverse_24 * e8;
@@ -331,12 +334,12 @@ public:
         c_.k18 = e25 * e13;
         c_.k19 = -e25 * e15;
         const Scalar e29 = (p_.p_0 - p_.p_t) * inverse_16;
-        const Scalar compression_30 = detail::compression<Scalar>(-e29);
-        const Scalar expm1_31 = expm1(e29);
-        const Scalar exp_32 = exp(e29);
-        const Scalar e33 = p_.p_t * exp_32;
-        const Scalar e34 = expm1_31 * e14 + e33;
-        const Scalar e35 = p_.beta * compression_30 + e34;
+        const Scalar exp_30 = exp(e29);
+        const Scalar compression_31 = detail::compression<Scalar>(-e29, exp_30);
+        const Scalar e32 = e29 * exp_30 - compression_31;
+        const Scalar e33 = p_.p_t * exp_30;
+        const Scalar e34 = e32 * e14 + e33;
+        const Scalar e35 = p_.beta * compression_31 + e34;
         c_.k20 = -e35 * e26;
         const Scalar e36 = inverse_2 * e6;
         c_.k21 = e36;
@@ -369,7 +372,7 @@ public:
         c_.k41 = p_.alpha * inverse_2;
         const Scalar e44 = e14 * e5;
         c_.k42 = inverse_2 * e44;
-        const Scalar e45 = compression_18 * e6 + e5 * e22;
+        const Scalar e45 = compression_19 * e6 + e5 * e22;
         c_.k43 = inverse_2 * e45;
         c_.k44 = e43;
         const Scalar e46 = e5 * e11;
@@ -416,7 +419,7 @@ public:
         c_.k74 = e57;
         const Scalar e58 = p_.p_0 * e56 - p_.T_0 * e5;
         c_.k75 = inverse_2 * e58;
-        const Scalar e59 = expm1_19 * e58 - (compression_18 * e4 + e56 * e21);
+        const Scalar e59 = e20 * e58 - (compression_19 * e4 + e56 * e21);
         c_.k76 = inverse_2 * e59;
         c_.k77 = e5;
         c_.k78 = e11 * e56;
@@ -447,7 +450,7 @@ public:
         c_.k100 = inverse_24 * e43;
         c_.k101 = p_.alpha * inverse_24;
         c_.k102 = inverse_24 * e44;
-        const Scalar e63 = compression_30 * e6 + e5 * e34;
+        const Scalar e63 = compression_31 * e6 + e5 * e34;
         c_.k103 = inverse_24 * e63;
         c_.k104 = Scalar(2) * e53;
         c_.k105 = Scalar(2) * e54;
@@ -460,7 +463,7 @@ public:
         const Scalar e65 = inverse_24 * e4;
         c_.k111 = e65;
         c_.k112 = inverse_24 * e58;
-        const Scalar e66 = expm1_31 * e58 - (compression_30 * e4 + e56 * e33);
+        const Scalar e66 = e32 * e58 - (compression_31 * e4 + e56 * e33);
         c_.k113 = inverse_24 * e66;
         c_.k114 = Scalar(2) * e62;
         c_.k115 = Scalar(2) * e52;
@@ -473,7 +476,7 @@ public:
         c_.k120 = inverse_2 * e68;
         const Scalar e69 = e14 * e43;
         c_.k121 = -inverse_2 * e69;
-        const Scalar e70 = compression_18 * e8 + e22 * e43;
+        const Scalar e70 = compression_19 * e8 + e22 * e43;
         c_.k122 = -inverse_2 * e70;
         c_.k123 = e67;
         c_.k124 = Scalar(2) * e49;
@@ -497,7 +500,7 @@ public:
         c_.k140 = inverse_24 * e67;
         c_.k141 = inverse_24 * e68;
         c_.k142 = -inverse_24 * e69;
-        const Scalar e73 = compression_30 * e8 + e34 * e43;
+        const Scalar e73 = compression_31 * e8 + e34 * e43;
         c_.k143 = -inverse_24 * e73;
         c_.k144 = Scalar(2) * e55;
         c_.k145 = Scalar(2) * e72;
@@ -581,7 +584,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 65 + or -, 106 *, 4 /, 12 other functions
+    /// Operations: 67 + or -, 108 *, 4 /, 10 other functions
     ///     specific_enthalpy[supply] = (beta*alpha*T_0*expm1((p_0 - p_s)/beta) + beta*compression(-(p_0 - p_s)/beta) -
     ///     p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 - p_s)/beta))/rho_0
     ///     specific_enthalpy[tank] = (beta*alpha*T_0*expm1((p_0 - p_t)/beta) + beta*compression(-(p_0 - p_t)/beta) - p_0*expm1((p_0
@@ -636,7 +639,6 @@ public:
     ///     mass_flow[leak])/(A_2*c_v*density[chamber_2]*(l - d - s_k))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar f_l = u[2];
         const Scalar s_k = x[0];
         const Scalar s_k_dot = x[1];
@@ -677,12 +679,12 @@ public:
         const Scalar e29 = p_2 * exp_19;
         const Scalar e30 = e11 * (e27 * e28 + min_26 * e29);
         const Scalar e31 = e11 * (e8 * e27 + e17 * min_26);
-        const Scalar compression_32 = detail::compression<Scalar>(-e9);
-        const Scalar compression_33 = detail::compression<Scalar>(-e18);
+        const Scalar compression_32 = detail::compression<Scalar>(-e9, exp_10);
+        const Scalar compression_33 = detail::compression<Scalar>(-e18, exp_19);
         const Scalar e34 = e11 * (compression_32 * e27 + compression_33 * min_26);
-        const Scalar expm1_35 = expm1(e9);
-        const Scalar expm1_36 = expm1(e18);
-        const Scalar e37 = e11 * (expm1_35 * e27 + expm1_36 * min_26);
+        const Scalar e35 = e9 * exp_10 - compression_32;
+        const Scalar e36 = e18 * exp_19 - compression_33;
+        const Scalar e37 = e11 * (e35 * e27 + e36 * min_26);
         const Scalar e38 = q_1 * e12;
         const Scalar e39 = e12 * (e3 * (exp_10 * step_21 * inverse_20 + step_5));
         const Scalar inverse_40 = Scalar(1) / (c_.k37 - s_k);
@@ -696,7 +698,7 @@ public:
         const Scalar e47 = e41 * (max_45 * e28 - e46 * e29);
         const Scalar e48 = e41 * (e8 * max_45 - e17 * e46);
         const Scalar e49 = e41 * (compression_32 * max_45 - compression_33 * e46);
-        const Scalar e50 = e41 * (expm1_35 * max_45 - expm1_36 * e46);
+        const Scalar e50 = e41 * (e35 * max_45 - e36 * e46);
         const Scalar e51 = q_2 * e42;
         const Scalar e52 = e42 * (e3 * (exp_19 * step_5 * inverse_14 + step_21));
         const Scalar e53 = c_.k22 * s_k_dot;
@@ -714,10 +716,9 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 296 + or -, 416 *, 4 /, 16 other functions
+    /// Operations: 298 + or -, 418 *, 4 /, 14 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar f_l = u[2];
         const Scalar s_k = x[0];
         const Scalar s_k_dot = x[1];
@@ -766,12 +767,12 @@ public:
         const Scalar e37 = c_.k6 * e8 + c_.k8 * inverse_6;
         const Scalar e38 = exp_5 * step_20 * inverse_17 + step_23;
         const Scalar e39 = e18 * e38;
-        const Scalar compression_40 = detail::compression<Scalar>(-e4);
-        const Scalar compression_41 = detail::compression<Scalar>(-e15);
+        const Scalar compression_40 = detail::compression<Scalar>(-e4, exp_5);
+        const Scalar compression_41 = detail::compression<Scalar>(-e15, exp_16);
         const Scalar e42 = compression_40 * e28 + compression_41 * e31;
-        const Scalar expm1_43 = expm1(e4);
-        const Scalar expm1_44 = expm1(e15);
-        const Scalar e45 = expm1_43 * e28 + expm1_44 * e31;
+        const Scalar e43 = e4 * exp_5 - compression_40;
+        const Scalar e44 = e15 * exp_16 - compression_41;
+        const Scalar e45 = e43 * e28 + e44 * e31;
         const Scalar e46 = q_1 * inverse_6;
         const Scalar e47 = c_.k4 * e8 + p_.beta * inverse_6;
         const Scalar e48 = c_.k11 * e35 - (c_.k7 * e36 - e37 * e39)
@@ -794,7 +795,7 @@ public:
         const Scalar e63 = exp_16 * step_23 * inverse_10 + step_20;
         const Scalar e64 = e18 * e63;
         const Scalar e65 = compression_40 * e52 - compression_41 * e56;
-        const Scalar e66 = expm1_43 * e52 - expm1_44 * e56;
+        const Scalar e66 = e43 * e52 - e44 * e56;
         const Scalar e67 = q_2 * inverse_50;
         const Scalar e68 = c_.k4 * e61 + p_.beta * inverse_50;
         const Scalar e69 = c_.k20 * e59 + (c_.k16 * e60 - e62 * e64)
@@ -827,7 +828,7 @@ public:
         const Scalar e89 = e3 - e14;
         const Scalar e90 = compression_40 - compression_41;
         const Scalar e91 = e7 * e22;
-        const Scalar e92 = expm1_43 - expm1_44;
+        const Scalar e92 = e43 - e44;
         const Scalar e93 = e92 * e88;
         const Scalar e94 = c_.k24 * e87 - e38 * e37 - (e88 * (c_.k51 * e89 - c_.k56 * e90) - (c_.k54 * e91 - c_.k57 * e93));
         const Scalar e95 = exp_5 * e28;
@@ -838,7 +839,7 @@ public:
         const Scalar e100 = q_1 * e7;
         const Scalar e101 = e100 * (p_1 * step_97);
         const Scalar e102 = e24 * (e84 - e86);
-        const Scalar e103 = expm1_43 * e98;
+        const Scalar e103 = e43 * e98;
         const Scalar e104 = c_.k55 * e92 + (c_.k24 * e90 - c_.k50 * e89);
         const Scalar e105 = e24 * e85;
         const Scalar e106 = e2 * e95 + e33;
@@ -889,7 +890,7 @@ public:
         const Scalar e149 = q_2 * e51;
         const Scalar e150 = e149 * (p_2 * step_146);
         const Scalar e151 = e21 * (e122 - e124);
-        const Scalar e152 = expm1_44 * e147;
+        const Scalar e152 = e44 * e147;
         const Scalar e153 = e21 * e123;
         const Scalar e154 = e13 * e145 - e53;
         const Scalar e155 = e61 * (c_.k63 * e21 + e96) + e147 * (c_.k29 * compression_41 - c_.k101 * e14);
@@ -962,10 +963,9 @@ public:
     }
 
     /// J = df/du. 6 x 3, entry (i, j) at J[6*j + i].
-    /// Operations: 31 + or -, 51 *, 4 /, 8 other functions
+    /// Operations: 33 + or -, 53 *, 4 /, 6 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar s_k = x[0];
         const Scalar inverse_1 = Scalar(1) / s_k;
         const Scalar q_1 = u[0];
@@ -977,41 +977,39 @@ public:
         const Scalar step_5 = detail::step<Scalar>(p_.rho_0 * q_1 / exp_4);
         const Scalar e6 = step_5 * inverse_1;
         const Scalar e7 = e2 * e6;
-        const Scalar compression_8 = detail::compression<Scalar>(-e3);
+        const Scalar compression_8 = detail::compression<Scalar>(-e3, exp_4);
         const Scalar e9 = compression_8 * e6;
-        const Scalar expm1_10 = expm1(e3);
-        const Scalar e11 = expm1_10 * e6;
-        const Scalar e12 = T_1 * (exp_4 * inverse_1);
-        const Scalar e13 = e6 * (p_1 * exp_4);
-        const Scalar inverse_14 = Scalar(1) / (c_.k37 - s_k);
+        const Scalar e10 = (e3 * exp_4 - compression_8) * e6;
+        const Scalar e11 = T_1 * (exp_4 * inverse_1);
+        const Scalar e12 = e6 * (p_1 * exp_4);
+        const Scalar inverse_13 = Scalar(1) / (c_.k37 - s_k);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
-        const Scalar e15 = p_.T_0 - T_2;
-        const Scalar e16 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e15;
-        const Scalar exp_17 = exp(e16);
-        const Scalar step_18 = detail::step<Scalar>(p_.rho_0 * q_2 / exp_17);
-        const Scalar e19 = step_18 * inverse_14;
-        const Scalar e20 = e15 * e19;
-        const Scalar compression_21 = detail::compression<Scalar>(-e16);
-        const Scalar e22 = compression_21 * e19;
-        const Scalar expm1_23 = expm1(e16);
-        const Scalar e24 = expm1_23 * e19;
-        const Scalar e25 = T_2 * (exp_17 * inverse_14);
-        const Scalar e26 = e19 * (p_2 * exp_17);
+        const Scalar e14 = p_.T_0 - T_2;
+        const Scalar e15 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e14;
+        const Scalar exp_16 = exp(e15);
+        const Scalar step_17 = detail::step<Scalar>(p_.rho_0 * q_2 / exp_16);
+        const Scalar e18 = step_17 * inverse_13;
+        const Scalar e19 = e14 * e18;
+        const Scalar compression_20 = detail::compression<Scalar>(-e15, exp_16);
+        const Scalar e21 = compression_20 * e18;
+        const Scalar e22 = (e15 * exp_16 - compression_20) * e18;
+        const Scalar e23 = T_2 * (exp_16 * inverse_13);
+        const Scalar e24 = e18 * (p_2 * exp_16);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k2 * inverse_1 - c_.k153 * e6 + c_.k150 * e7 - c_.k151 * e9 + c_.k152 * e11 + c_.k3 * e12 - c_.k21 * e13;
+        J[2] = c_.k2 * inverse_1 - c_.k153 * e6 + c_.k150 * e7 - c_.k151 * e9 + c_.k152 * e10 + c_.k3 * e11 - c_.k21 * e12;
         J[3] = Scalar(0);
-        J[4] = c_.k157 * e6 + c_.k154 * e7 - c_.k155 * e9 - c_.k156 * e11 + c_.k21 * e12 - c_.k74 * e13;
+        J[4] = c_.k157 * e6 + c_.k154 * e7 - c_.k155 * e9 - c_.k156 * e10 + c_.k21 * e11 - c_.k74 * e12;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = c_.k13 * inverse_14 - c_.k161 * e19 + c_.k158 * e20 - c_.k159 * e22 + c_.k160 * e24 + c_.k12 * e25 - c_.k29
-            * e26;
+        J[9] = c_.k13 * inverse_13 - c_.k161 * e18 + c_.k158 * e19 - c_.k159 * e21 + c_.k160 * e22 + c_.k12 * e23 - c_.k29
+            * e24;
         J[10] = Scalar(0);
-        J[11] = c_.k165 * e19 + c_.k162 * e20 - c_.k163 * e22 - c_.k164 * e24 + c_.k29 * e25 - c_.k111 * e26;
+        J[11] = c_.k165 * e18 + c_.k162 * e19 - c_.k163 * e21 - c_.k164 * e22 + c_.k29 * e23 - c_.k111 * e24;
         J[12] = Scalar(0);
         J[13] = (-Scalar(1)) * c_.k0;
         J[14] = Scalar(0);
@@ -1021,10 +1019,9 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 19, entry (i, j) at J[6*j + i].
-    /// Operations: 642 + or -, 1114 *, 9 /, 22 other functions
+    /// Operations: 646 + or -, 1118 *, 9 /, 18 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
-        using std::expm1;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar p_1 = x[2];
@@ -1045,14 +1042,14 @@ public:
         const Scalar T_2 = x[5];
         const Scalar e12 = p_.T_0 - T_2;
         const Scalar e13 = c_.k38 * e11 - p_.alpha * e12;
-        const Scalar compression_14 = detail::compression<Scalar>(-e13);
-        const Scalar e15 = p_1 - p_2;
-        const Scalar e16 = p_.k_l * e15;
-        const Scalar step_17 = detail::step<Scalar>(-e16);
-        const Scalar exp_18 = exp(e13);
-        const Scalar inverse_19 = Scalar(1) / exp_18;
-        const Scalar e20 = step_17 * inverse_19;
-        const Scalar step_21 = detail::step<Scalar>(e16);
+        const Scalar exp_14 = exp(e13);
+        const Scalar compression_15 = detail::compression<Scalar>(-e13, exp_14);
+        const Scalar e16 = p_1 - p_2;
+        const Scalar e17 = p_.k_l * e16;
+        const Scalar step_18 = detail::step<Scalar>(-e17);
+        const Scalar inverse_19 = Scalar(1) / exp_14;
+        const Scalar e20 = step_18 * inverse_19;
+        const Scalar step_21 = detail::step<Scalar>(e17);
         const Scalar e22 = p_.p_0 - p_1;
         const Scalar T_1 = x[4];
         const Scalar e23 = p_.T_0 - T_1;
@@ -1060,24 +1057,24 @@ public:
         const Scalar exp_25 = exp(e24);
         const Scalar inverse_26 = Scalar(1) / exp_25;
         const Scalar e27 = step_21 * inverse_26;
-        const Scalar e28 = (e20 + e27) * (c_.k36 * e15);
+        const Scalar e28 = (e20 + e27) * (c_.k36 * e16);
         const Scalar min_29 = detail::min<Scalar>(Scalar(0), e28);
         const Scalar inverse_30 = Scalar(1) / s_k;
         const Scalar e31 = exp_25 * inverse_30;
         const Scalar e32 = min_29 * e31;
-        const Scalar compression_33 = detail::compression<Scalar>(-e24);
+        const Scalar compression_33 = detail::compression<Scalar>(-e24, exp_25);
         const Scalar q_1 = u[0];
         const Scalar e34 = p_.rho_0 * q_1 * inverse_26;
         const Scalar max_35 = detail::max<Scalar>(Scalar(0), e34);
         const Scalar e36 = (max_35 - min_29) * e31;
-        const Scalar e37 = compression_14 * e32 + compression_33 * e36;
+        const Scalar e37 = compression_15 * e32 + compression_33 * e36;
         const Scalar e38 = p_.T_0 * e3;
         const Scalar e39 = e38 - p_.p_0;
-        const Scalar expm1_40 = expm1(e13);
-        const Scalar expm1_41 = expm1(e24);
-        const Scalar e42 = expm1_40 * e32 + expm1_41 * e36;
+        const Scalar e40 = e13 * exp_14 - compression_15;
+        const Scalar e41 = e24 * exp_25 - compression_33;
+        const Scalar e42 = e40 * e32 + e41 * e36;
         const Scalar e43 = exp_25 * e36;
-        const Scalar e44 = exp_18 * e32;
+        const Scalar e44 = exp_14 * e32;
         const Scalar e45 = p_2 * e44;
         const Scalar e46 = p_1 * e43 + e45;
         const Scalar e47 = inverse_2 * inverse_4;
@@ -1086,13 +1083,13 @@ public:
         const Scalar e50 = p_.p_0 - p_.p_s;
         const Scalar inverse_51 = Scalar(1) / p_.beta;
         const Scalar e52 = e50 * inverse_51;
-        const Scalar expm1_53 = expm1(e52);
-        const Scalar exp_54 = exp(e52);
-        const Scalar e55 = p_.p_s * exp_54;
-        const Scalar e56 = expm1_53 * e39 + e55;
-        const Scalar compression_57 = detail::compression<Scalar>(-e52);
-        const Scalar e58 = p_.beta * compression_57;
-        const Scalar e59 = e56 + e58;
+        const Scalar exp_53 = exp(e52);
+        const Scalar compression_54 = detail::compression<Scalar>(-e52, exp_53);
+        const Scalar e55 = e52 * exp_53 - compression_54;
+        const Scalar e56 = p_.p_s * exp_53;
+        const Scalar e57 = e55 * e39 + e56;
+        const Scalar e58 = p_.beta * compression_54;
+        const Scalar e59 = e57 + e58;
         const Scalar e60 = max_35 * e31;
         const Scalar e61 = inverse_2 * e6;
         const Scalar e62 = e3 * e61;
@@ -1102,25 +1099,25 @@ public:
         const Scalar e66 = p_.k_l * e3;
         const Scalar e67 = exp_25 * e20;
         const Scalar e68 = step_21 + e67;
-        const Scalar e69 = e15 * e64;
+        const Scalar e69 = e16 * e64;
         const Scalar e70 = e68 * e69;
         const Scalar e71 = p_.beta * p_.k_l;
         const Scalar inverse_2_squared = inverse_2 * inverse_2;
         const Scalar e72 = inverse_30 * e68;
-        const Scalar e73 = e15 * e72;
+        const Scalar e73 = e16 * e72;
         const Scalar e74 = q_1 * inverse_30;
         const Scalar e75 = inverse_2 * e8;
         const Scalar e76 = p_.beta * e8;
         const Scalar e77 = e61 * e66;
         const Scalar e78 = p_.p_0 - p_.p_t;
         const Scalar e79 = e78 * inverse_51;
-        const Scalar expm1_80 = expm1(e79);
-        const Scalar exp_81 = exp(e79);
-        const Scalar e82 = p_.p_t * exp_81;
-        const Scalar e83 = expm1_80 * e39 + e82;
-        const Scalar compression_84 = detail::compression<Scalar>(-e79);
-        const Scalar e85 = p_.beta * compression_84;
-        const Scalar e86 = e83 + e85;
+        const Scalar exp_80 = exp(e79);
+        const Scalar compression_81 = detail::compression<Scalar>(-e79, exp_80);
+        const Scalar e82 = e79 * exp_80 - compression_81;
+        const Scalar e83 = p_.p_t * exp_80;
+        const Scalar e84 = e82 * e39 + e83;
+        const Scalar e85 = p_.beta * compression_81;
+        const Scalar e86 = e84 + e85;
         const Scalar inverse_87 = Scalar(1) / p_.A_2;
         const Scalar e88 = inverse_87 * e7;
         const Scalar e89 = e3 * e88;
@@ -1129,36 +1126,36 @@ public:
         const Scalar e91 = p_.rho_0 * q_2 * inverse_19;
         const Scalar max_92 = detail::max<Scalar>(Scalar(0), e91);
         const Scalar inverse_93 = Scalar(1) / (c_.k37 - s_k);
-        const Scalar e94 = exp_18 * inverse_93;
+        const Scalar e94 = exp_14 * inverse_93;
         const Scalar e95 = max_92 * e94;
         const Scalar max_96 = detail::max<Scalar>(Scalar(0), e28);
         const Scalar e97 = max_96 + max_92;
-        const Scalar e98 = e94 * (expm1_41 * max_96 - expm1_40 * e97);
+        const Scalar e98 = e94 * (e41 * max_96 - e40 * e97);
         const Scalar e99 = inverse_87 * e6;
         const Scalar e100 = e3 * e99;
         const Scalar e101 = inverse_87 * e100;
         const Scalar e102 = T_2 * e94;
         const Scalar e103 = q_2 * e102;
-        const Scalar e104 = e94 * (compression_33 * max_96 - compression_14 * e97);
+        const Scalar e104 = e94 * (compression_33 * max_96 - compression_15 * e97);
         const Scalar e105 = inverse_87 * inverse_4;
         const Scalar e106 = inverse_87 * e105;
         const Scalar e107 = e94 * (e23 * max_96 - e12 * e97);
-        const Scalar e108 = exp_18 * e27;
-        const Scalar e109 = step_17 + e108;
-        const Scalar e110 = e15 * e102;
+        const Scalar e108 = exp_14 * e27;
+        const Scalar e109 = step_18 + e108;
+        const Scalar e110 = e16 * e102;
         const Scalar e111 = e109 * e110;
         const Scalar e112 = exp_25 * max_96;
         const Scalar e113 = p_1 * e112;
-        const Scalar e114 = exp_18 * e97;
+        const Scalar e114 = exp_14 * e97;
         const Scalar e115 = e94 * (e113 - p_2 * e114);
         const Scalar inverse_87_squared = inverse_87 * inverse_87;
         const Scalar e116 = inverse_93 * e109;
-        const Scalar e117 = e15 * e116;
+        const Scalar e117 = e16 * e116;
         const Scalar e118 = q_2 * inverse_93;
         const Scalar e119 = inverse_87 * e88;
         const Scalar e120 = p_.beta * e88;
         const Scalar e121 = e99 * e66;
-        const Scalar e122 = c_.k17 * e15;
+        const Scalar e122 = c_.k17 * e16;
         const Scalar e123 = c_.k15 * e110;
         const Scalar e124 = s_k_dot * e102;
         const Scalar e125 = c_.k4 * e124 + c_.k18 * e104 - (c_.k16 * e107 - (c_.k12 * e103 - c_.k19 * e98));
@@ -1184,20 +1181,20 @@ public:
         const Scalar e145 = p_1 * e31;
         const Scalar e146 = e139 * e145;
         const Scalar e147 = compression_33 * e140;
-        const Scalar e148 = expm1_41 * e140;
+        const Scalar e148 = e41 * e140;
         const Scalar e149 = p_.k_l * e9;
         const Scalar step_150 = detail::step<Scalar>(-e28);
-        const Scalar e151 = e15 * step_150;
-        const Scalar e152 = p_2 * exp_18;
+        const Scalar e151 = e16 * step_150;
+        const Scalar e152 = p_2 * exp_14;
         const Scalar e153 = inverse_30 * e152;
-        const Scalar e154 = e151 * (p_2 * step_17 * e31 - (e68 * e145 - step_21 * e153));
+        const Scalar e154 = e151 * (p_2 * step_18 * e31 - (e68 * e145 - step_21 * e153));
         const Scalar e155 = e23 - e12;
         const Scalar e156 = e151 * e72;
         const Scalar e157 = e155 * e156;
-        const Scalar e158 = compression_33 - compression_14;
+        const Scalar e158 = compression_33 - compression_15;
         const Scalar e159 = e158 * e156;
         const Scalar e160 = p_.k_l * e39;
-        const Scalar e161 = expm1_41 - expm1_40;
+        const Scalar e161 = e41 - e40;
         const Scalar e162 = e161 * e156;
         const Scalar e163 = inverse_4 * e89;
         const Scalar step_164 = detail::step<Scalar>(e91);
@@ -1205,28 +1202,28 @@ public:
         const Scalar e166 = inverse_93 * e165;
         const Scalar e167 = e12 * e166;
         const Scalar e168 = e165 * e126;
-        const Scalar e169 = compression_14 * e166;
-        const Scalar e170 = expm1_40 * e166;
+        const Scalar e169 = compression_15 * e166;
+        const Scalar e170 = e40 * e166;
         const Scalar e171 = p_.k_l * e89;
         const Scalar step_172 = detail::step<Scalar>(e28);
-        const Scalar e173 = e15 * step_172;
+        const Scalar e173 = e16 * step_172;
         const Scalar e174 = p_1 * exp_25;
         const Scalar e175 = inverse_93 * e174;
-        const Scalar e176 = e173 * (p_1 * step_21 * e94 + (step_17 * e175 - e109 * e126));
+        const Scalar e176 = e173 * (p_1 * step_21 * e94 + (step_18 * e175 - e109 * e126));
         const Scalar e177 = e173 * e116;
         const Scalar e178 = e155 * e177;
         const Scalar e179 = e158 * e177;
         const Scalar e180 = e161 * e177;
         const Scalar e181 = inverse_4 * e8;
         const Scalar e182 = inverse_4 * e88;
-        const Scalar e183 = exp_54 * e8;
+        const Scalar e183 = exp_53 * e8;
         const Scalar e184 = p_.p_s * e183;
         const Scalar e185 = p_.alpha * p_.T_0 - p_.p_0 * inverse_51;
         const Scalar e186 = p_.alpha * e185;
         const Scalar e187 = e50 * e183;
         const Scalar e188 = p_.alpha * e8;
         const Scalar e189 = p_.p_0 - Scalar(2) * e38;
-        const Scalar e190 = expm1_53 * e189;
+        const Scalar e190 = e55 * e189;
         const Scalar e191 = p_.alpha * inverse_51;
         const Scalar e192 = p_.p_s + e50;
         const Scalar e193 = e192 * e187;
@@ -1247,7 +1244,7 @@ public:
         const Scalar e208 = e22 * e207;
         const Scalar e209 = e22 * e49;
         const Scalar e210 = c_.k52 * e49;
-        const Scalar e211 = compression_57 + expm1_53 * e185;
+        const Scalar e211 = compression_54 + e55 * e185;
         const Scalar e212 = e61 * e211;
         const Scalar e213 = e22 * e140;
         const Scalar e214 = e22 * e60;
@@ -1258,11 +1255,11 @@ public:
         const Scalar e219 = e191 * e218;
         const Scalar e220 = e145 - e153;
         const Scalar e221 = e22 * step_21;
-        const Scalar e222 = e11 * step_17;
+        const Scalar e222 = e11 * step_18;
         const Scalar e223 = e31 * (inverse_19 * e174 - p_2);
         const Scalar e224 = e151 * (e220 * e221 + e222 * e223);
         const Scalar e225 = e31 * e20;
-        const Scalar e226 = e15 * (e22 - e11);
+        const Scalar e226 = e16 * (e22 - e11);
         const Scalar e227 = e195 * e218;
         const Scalar e228 = e69 * (e221 - e11 * e67);
         const Scalar e229 = e22 * e147;
@@ -1279,11 +1276,11 @@ public:
         const Scalar e240 = e23 * e112;
         const Scalar e241 = e11 * e114;
         const Scalar e242 = e22 * e240 - e12 * e241;
-        const Scalar e243 = exp_81 * e88;
+        const Scalar e243 = exp_80 * e88;
         const Scalar e244 = p_.p_t * e243;
         const Scalar e245 = e78 * e243;
         const Scalar e246 = p_.alpha * e88;
-        const Scalar e247 = expm1_80 * e189;
+        const Scalar e247 = e82 * e189;
         const Scalar e248 = p_.p_t + e78;
         const Scalar e249 = e248 * e245;
         const Scalar e250 = Scalar(2) * e89;
@@ -1295,7 +1292,7 @@ public:
         const Scalar e256 = e11 * e241 - e112 * (p_1 * e203 + e22 * e22);
         const Scalar e257 = e88 * e191;
         const Scalar e258 = e257 * e94;
-        const Scalar e259 = compression_84 + expm1_80 * e185;
+        const Scalar e259 = compression_81 + e82 * e185;
         const Scalar e260 = e99 * e259;
         const Scalar e261 = e11 * e166;
         const Scalar e262 = e11 * e95;
@@ -1324,12 +1321,12 @@ public:
         const Scalar inverse_51_squared = inverse_51 * inverse_51;
         const Scalar e285 = e8 * inverse_51_squared;
         const Scalar e286 = inverse_51 * e185;
-        const Scalar e287 = p_.T_0 * expm1_53;
+        const Scalar e287 = p_.T_0 * e55;
         const Scalar e288 = e61 * inverse_51_squared;
         const Scalar e289 = c_.k23 * e37 - c_.k39 * e65 + (c_.k45 * e70 + c_.k77 * e143);
         const Scalar e290 = e8 * e211;
         const Scalar e291 = e6 * e191;
-        const Scalar e292 = p_.T_0 * expm1_80;
+        const Scalar e292 = p_.T_0 * e82;
         const Scalar e293 = e99 * inverse_51_squared;
         const Scalar e294 = e88 * inverse_51_squared;
         const Scalar e295 = c_.k30 * e104 + c_.k99 * e103 + (c_.k61 * e111 + c_.k77 * e124);
@@ -1349,10 +1346,10 @@ public:
         const Scalar e309 = e23 * e60;
         const Scalar e310 = e23 * e143;
         const Scalar e311 = compression_33 * e144;
-        const Scalar e312 = expm1_41 * e144;
+        const Scalar e312 = e41 * e144;
         const Scalar e313 = e23 * e144;
         const Scalar e314 = e23 * step_21;
-        const Scalar e315 = e12 * step_17;
+        const Scalar e315 = e12 * step_18;
         const Scalar e316 = e151 * (e220 * e314 + e315 * e223);
         const Scalar e317 = e69 * (e314 - e12 * e67);
         const Scalar e318 = e151 * (inverse_30 * e314 + e12 * e225);
@@ -1368,8 +1365,8 @@ public:
         const Scalar e328 = e94 * e327;
         const Scalar e329 = e242 + e302 * e113;
         const Scalar e330 = e23 * e108 - e315;
-        const Scalar e331 = compression_14 * e167;
-        const Scalar e332 = expm1_40 * e167;
+        const Scalar e331 = compression_15 * e167;
+        const Scalar e332 = e40 * e167;
         const Scalar e333 = e12 * e167;
         const Scalar e334 = e173 * (e269 * e315 + e314 * e270);
         const Scalar e335 = e12 * e168;
@@ -1389,22 +1386,22 @@ public:
         const Scalar e349 = e6 * e344;
         const Scalar e350 = e6 * e99;
         const Scalar e351 = p_.alpha * e39;
-        const Scalar e352 = expm1_53 * e8;
+        const Scalar e352 = e55 * e8;
         const Scalar e353 = p_.p_s + (Scalar(1) / Scalar(2)) * e50;
         const Scalar e354 = p_.alpha * e183;
         const Scalar e355 = e183 * e351;
-        const Scalar e356 = e9 * (compression_57 - expm1_53);
+        const Scalar e356 = e9 * (compression_54 - e55);
         const Scalar e357 = e44 + e43;
         const Scalar e358 = c_.k40 * e65 + c_.k53 * e304 - (c_.k41 * e144 + c_.k44 * e143)
             + (c_.k39 * e146 - c_.k48 * e70 + (c_.k21 * e147 - c_.k58 * e357));
         const Scalar e359 = c_.k55 * e162 + (c_.k5 * e37 - c_.k60 * e42)
             + (c_.k46 * e46 - e210 + (c_.k43 * e140 + c_.k47 * e205));
         const Scalar e360 = e358 + (c_.k42 * e148 + c_.k45 * e154 - (c_.k24 * e159 - c_.k50 * e157) - e359);
-        const Scalar e361 = expm1_80 * e88;
+        const Scalar e361 = e82 * e88;
         const Scalar e362 = p_.p_t + (Scalar(1) / Scalar(2)) * e78;
         const Scalar e363 = p_.alpha * e243;
         const Scalar e364 = e243 * e351;
-        const Scalar e365 = e89 * (compression_84 - expm1_80);
+        const Scalar e365 = e89 * (compression_81 - e82);
         const Scalar e366 = e94 * (e112 - e114);
         const Scalar e367 = c_.k14 * e104 + c_.k44 * e124 - (c_.k101 * e167 + e265)
             + (c_.k63 * e111 + c_.k104 * e115 + (c_.k29 * e169 + c_.k99 * e168));
@@ -1478,36 +1475,36 @@ public:
             * e179 + e88 * e160 * e180;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        const Scalar e377 = Scalar(2) * compression_57 * e9 + p_.alpha * e184 - e186 * e187 - e188 * e190 - e191 * e193;
+        const Scalar e377 = Scalar(2) * compression_54 * e9 + p_.alpha * e184 - e186 * e187 - e188 * e190 - e191 * e193;
         J[44] = e377 * e60 - c_.k47 * (e46 - e194) - e65 * (e22 * (e61 * e195) - Scalar(2) * p_.alpha * e62) - s_k_dot
             * inverse_30 - (-e189 * e188) * e42 - e196 * e37 - e8 * e195 * e199 - e201 * e143 - c_.k49 * e70 + e202 * e204
             - (-e8 * e186) * e206 - c_.k54 * e73 + c_.k154 * e74 - e146 * e208 - e191 * e47 * e209 + e210
-            - (-e55 * e207 - p_.alpha * e212) * e213 + (-e211 * e188 - e191 * e184) * e214 + e215 * e216 + inverse_2 * e191
+            - (-e56 * e207 - p_.alpha * e212) * e213 + (-e211 * e188 - e191 * e184) * e214 + e215 * e216 + inverse_2 * e191
             * e217 + e219 * e224 + c_.k83 * e225 * e226 + e227 * e228 - c_.k39 * e229 + (-e61 * e186) * e230 - e191 * e231
             * e233 + c_.k45 * e234 - (-e186 * e218) * e235 + Scalar(2) * e202 * e236 + Scalar(2) * e227 * e238;
-        const Scalar e378 = Scalar(2) * compression_84 * e89 + p_.alpha * e244 - e186 * e245 - e246 * e247 - e191 * e249;
+        const Scalar e378 = Scalar(2) * compression_81 * e89 + p_.alpha * e244 - e186 * e245 - e246 * e247 - e191 * e249;
         J[45] = c_.k62 * (e115 - e239) - e103 * (e11 * (e99 * e195) - Scalar(2) * p_.alpha * e100) + s_k_dot * inverse_93 + e88
             * e195 * e94 * e242 + e378 * e95 + (-e189 * e246) * e98 + e250 * e104 + e201 * e124 + c_.k105 * e111
             + (-e88 * e186) * e253 + c_.k68 * e117 + c_.k162 * e118 - e168 * e255 + e256 * e258
-            - (-e82 * e254 - p_.alpha * e260) * e261 + (-e259 * e246 - e191 * e244) * e262 - e215 * e263 + e191 * e105 * e264
+            - (-e83 * e254 - p_.alpha * e260) * e261 + (-e259 * e246 - e191 * e244) * e262 - e215 * e263 + e191 * e105 * e264
             - e265 + inverse_87 * e191 * e266 + e268 * e271 + c_.k94 * e272 * e226 + e273 * e274 - c_.k99 * e275
             + (-e99 * e186) * e276 - e191 * e277 * e279 + c_.k61 * e280 - (-e186 * e267) * e281 + Scalar(2) * e257 * e282
             - Scalar(2) * e273 * e284;
-        const Scalar e379 = e286 * e187 - compression_57 * e8 - e188 * e287 + inverse_51_squared * e193;
+        const Scalar e379 = e286 * e187 - compression_54 * e8 - e188 * e287 + inverse_51_squared * e193;
         J[46] = e285 * e204 - p_.T_0 * e188 * e42 - e202 * e199 - e379 * e60 - e22 * e288 * e146 + e8 * e286 * e206 - e289
-            - e65 * e208 + c_.k81 * e194 - inverse_51_squared * e47 * e209 + (e55 * e288 + inverse_51 * e212) * e213
+            - e65 * e208 + c_.k81 * e194 - inverse_51_squared * e47 * e209 + (e56 * e288 + inverse_51 * e212) * e213
             - (inverse_51_squared * e184 + inverse_51 * e290) * e214 + e291 * e216 + inverse_2 * inverse_51_squared * e217
             + inverse_51_squared * e218 * e224 + e219 * e228 - c_.k72 * e229 - e61 * e286 * e230 - inverse_51_squared * e231
             * e233 + c_.k78 * e234 + e286 * e218 * e235 + Scalar(2) * e285 * e236 + Scalar(2) * e219 * e238;
-        const Scalar e380 = e286 * e245 - compression_84 * e88 - e246 * e292 + inverse_51_squared * e249;
+        const Scalar e380 = e286 * e245 - compression_81 * e88 - e246 * e292 + inverse_51_squared * e249;
         J[47] = p_.T_0 * e246 * e98 - e380 * e95 - e11 * e293 * e168 + e294 * e94 * e256 - e88 * e286 * e253 + e295 - e103
-            * e255 + e242 * e258 + (e82 * e293 + inverse_51 * e260) * e261 - (inverse_51_squared * e244 + inverse_51 * e296)
+            * e255 + e242 * e258 + (e83 * e293 + inverse_51 * e260) * e261 - (inverse_51_squared * e244 + inverse_51 * e296)
             * e262 - c_.k92 * e239 - e291 * e263 + inverse_51_squared * e105 * e264 + inverse_87 * inverse_51_squared * e266
             + inverse_51_squared * e267 * e271 + e268 * e274 - c_.k109 * e275 - e99 * e286 * e276 - inverse_51_squared * e277
             * e279 + c_.k91 * e280 + e286 * e267 * e281 + Scalar(2) * e294 * e282 - Scalar(2) * e268 * e284;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = e189 * e76 * e42 - e155 * (e297 * e32 - c_.k8 * e15 * e225) - e65 * (c_.k3 * e23 - Scalar(2) * p_.beta * e62)
+        J[50] = e189 * e76 * e42 - e155 * (e297 * e32 - c_.k8 * e16 * e225) - e65 * (c_.k3 * e23 - Scalar(2) * p_.beta * e62)
             - p_.beta * e76 * e37 - c_.k26 * e46 - (-e76 * (e58 - e190) - p_.beta * e184) * e60 - e299 * e143 - c_.k153 * e144
             - Scalar(2) * p_.beta * e77 * e70 - c_.k131 * e301 + c_.k5 * e303 - c_.k10 * e305 - e146 * e306 + c_.k9 * e307
             - c_.k7 * e308 + (e297 - e59 * e9) * e309 + c_.k4 * e310 - c_.k151 * e311 + c_.k152 * e312 + c_.k150 * e313
@@ -1549,25 +1546,25 @@ public:
         J[66] = Scalar(0);
         J[67] = Scalar(0);
         J[68] = c_.k131 * e37 - e9 * e373 * e42 + c_.k124 * e46 - c_.k128 * e49 - c_.k122 * e140 + c_.k53 * e205 - c_.k129
-            * e304 + (-p_.alpha * e56 * e9 - e3 * e374) * e60 - c_.k119 * e65 + c_.k123 * e143 + c_.k120 * e144 + c_.k125 * e70
+            * e304 + (-p_.alpha * e57 * e9 - e3 * e374) * e60 - c_.k119 * e65 + c_.k123 * e143 + c_.k120 * e144 + c_.k125 * e70
             - c_.k40 * e146 - c_.k132 * e357 - c_.k3 * e147 + c_.k121 * e148 - c_.k48 * e154 - c_.k127 * e157 + c_.k6 * e159
             - c_.k130 * e162;
-        J[69] = (-p_.alpha * e83 * e89 - e3 * e375) * e95 - c_.k143 * e166 + e89 * e373 * e98 - c_.k140 * e103 - c_.k147 * e104
+        J[69] = (-p_.alpha * e84 * e89 - e3 * e375) * e95 - c_.k143 * e166 + e89 * e373 * e98 - c_.k140 * e103 - c_.k147 * e104
             - c_.k123 * e124 + c_.k146 * e107 + c_.k141 * e167 - c_.k134 * e111 - c_.k144 * e115 - c_.k100 * e168 - c_.k12
             * e169 + c_.k142 * e170 + c_.k63 * e176 - c_.k135 * e178 + c_.k15 * e179 - c_.k137 * e180 + c_.k136 * e328 - c_.k66
             * e252 + c_.k138 * e366;
-        J[70] = (-e56 * e188 - e374) * e60 - e360;
-        J[71] = (-e83 * e246 - e375) * e95 - e370;
+        J[70] = (-e57 * e188 - e374) * e60 - e360;
+        J[71] = (-e84 * e246 - e375) * e95 - e370;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
-        J[74] = (exp_54 * e9 - e192 * e354 - e355) * e60;
+        J[74] = (exp_53 * e9 - e192 * e354 - e355) * e60;
         J[75] = Scalar(0);
         J[76] = (e183 * e376 - e192 * e371) * e60;
         J[77] = Scalar(0);
         J[78] = Scalar(0);
         J[79] = Scalar(0);
         J[80] = Scalar(0);
-        J[81] = (exp_81 * e89 - e248 * e363 - e364) * e95;
+        J[81] = (exp_80 * e89 - e248 * e363 - e364) * e95;
         J[82] = Scalar(0);
         J[83] = (e243 * e376 - e248 * e372) * e95;
         J[84] = Scalar(0);
@@ -1640,7 +1637,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 19 + or -, 23 *, 2 /, 6 other functions
+    /// Operations: 21 + or -, 25 *, 2 /, 4 other functions
     ///     f_h = A_1*p_1 - A_2*p_2
     ///     E_g = (m_k + m_l)*dot(s_k)^2/2 - A_1*rho_0*c_v*s_k*(T_0 - T_1)/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)) +
     ///     A_2*rho_0*c_v*s_k*(T_0 - T_2)/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) + A_1*beta*s_k*compression(-(p_0 - p_1)/beta +
@@ -1655,7 +1652,6 @@ public:
     ///     q_l = k_l*(p_1 - p_2)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
         const Scalar s_k = x[0];
@@ -1664,29 +1660,27 @@ public:
         const Scalar e2 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar inverse_4 = Scalar(1) / exp_3;
-        const Scalar compression_5 = detail::compression<Scalar>(-e2);
-        const Scalar expm1_6 = expm1(e2);
+        const Scalar compression_5 = detail::compression<Scalar>(-e2, exp_3);
+        const Scalar e6 = e2 * exp_3 - compression_5;
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
         const Scalar e8 = c_.k38 * (p_.p_0 - p_1) - p_.alpha * e7;
         const Scalar exp_9 = exp(e8);
-        const Scalar compression_10 = detail::compression<Scalar>(-e8);
-        const Scalar expm1_11 = expm1(e8);
+        const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
         const Scalar s_k_dot = x[1];
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        const Scalar e12 = s_k * inverse_4 * (c_.k168 * e1 - c_.k170 * compression_5 - c_.k172 * expm1_6);
-        const Scalar e13 = inverse_4 * (c_.k174 * e1 - c_.k175 * compression_5 - c_.k176 * expm1_6);
-        const Scalar e14 = s_k / exp_9 * (c_.k167 * e7 - c_.k169 * compression_10 - c_.k171 * expm1_11);
-        y[1] = e12 - e13 - e14 + c_.k173 * s_k_dot * s_k_dot;
+        const Scalar e11 = s_k * inverse_4 * (c_.k168 * e1 - c_.k170 * compression_5 - c_.k172 * e6);
+        const Scalar e12 = c_.k167 * e7 - c_.k169 * compression_10 - c_.k171 * (e8 * exp_9 - compression_10);
+        y[1] = e11 - inverse_4 * (c_.k174 * e1 - c_.k175 * compression_5 - c_.k176 * e6) - s_k / exp_9 * e12 + c_.k173
+            * s_k_dot * s_k_dot;
         y[2] = c_.k177;
         y[3] = p_.k_l * (p_1 - p_2);
     }
 
     /// C = dh/dx.
-    /// Operations: 45 + or -, 57 *, 2 /, 6 other functions
+    /// Operations: 47 + or -, 59 *, 2 /, 4 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
         const Scalar p_2 = x[3];
@@ -1702,28 +1696,27 @@ public:
         const Scalar e9 = c_.k38 * e7 - p_.alpha * e8;
         const Scalar exp_10 = exp(e9);
         const Scalar inverse_11 = Scalar(1) / exp_10;
-        const Scalar compression_12 = detail::compression<Scalar>(-e9);
-        const Scalar expm1_13 = expm1(e9);
-        const Scalar compression_14 = detail::compression<Scalar>(-e3);
+        const Scalar compression_12 = detail::compression<Scalar>(-e9, exp_10);
+        const Scalar e13 = e9 * exp_10 - compression_12;
+        const Scalar compression_14 = detail::compression<Scalar>(-e3, exp_4);
         const Scalar e15 = compression_14 * inverse_5;
-        const Scalar expm1_16 = expm1(e3);
-        const Scalar e17 = expm1_16 * inverse_5;
+        const Scalar e16 = (e3 * exp_4 - compression_14) * inverse_5;
         const Scalar s_k_dot = x[1];
         const Scalar s_k = x[0];
-        const Scalar e18 = s_k * inverse_11;
-        const Scalar e19 = s_k - expm1_13 * e18;
-        const Scalar e20 = s_k * e8;
-        const Scalar e21 = s_k * e7;
-        const Scalar e22 = e8 * e18;
-        const Scalar e23 = compression_12 * e18;
-        const Scalar e24 = Scalar(1) - e17;
-        const Scalar e25 = c_.k185 * s_k - c_.k188;
-        const Scalar e26 = s_k * e24;
-        const Scalar e27 = s_k * e6;
-        const Scalar e28 = s_k * e15;
+        const Scalar e17 = s_k * inverse_11;
+        const Scalar e18 = s_k - e13 * e17;
+        const Scalar e19 = s_k * e8;
+        const Scalar e20 = s_k * e7;
+        const Scalar e21 = e8 * e17;
+        const Scalar e22 = compression_12 * e17;
+        const Scalar e23 = Scalar(1) - e16;
+        const Scalar e24 = c_.k185 * s_k - c_.k188;
+        const Scalar e25 = s_k * e23;
+        const Scalar e26 = s_k * e6;
+        const Scalar e27 = s_k * e15;
         C[0] = Scalar(0);
-        const Scalar e29 = inverse_11 * (c_.k167 * e8 - c_.k169 * compression_12 - c_.k171 * expm1_13);
-        C[1] = c_.k168 * e6 - e29 - c_.k170 * e15 - c_.k172 * e17;
+        C[1] = c_.k168 * e6 - inverse_11 * (c_.k167 * e8 - c_.k169 * compression_12 - c_.k171 * e13) - c_.k170 * e15 - c_.k172
+            * e16;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
@@ -1731,21 +1724,21 @@ public:
         C[6] = Scalar(0);
         C[7] = Scalar(0);
         C[8] = p_.A_1;
-        C[9] = c_.k178 * e19 + c_.k180 * e20 - c_.k179 * e21 - c_.k181 * e22 + p_.A_1 * e23;
+        C[9] = c_.k178 * e18 + c_.k180 * e19 - c_.k179 * e20 - c_.k181 * e21 + p_.A_1 * e22;
         C[10] = Scalar(0);
         C[11] = p_.k_l;
         C[12] = -p_.A_2;
-        C[13] = e2 * (c_.k184 * s_k - c_.k187) + c_.k182 * e24 - e1 * e25 - c_.k189 * e6 + c_.k190 * e15 - c_.k183 * e26
-            + c_.k186 * e27 - p_.A_2 * e28;
+        C[13] = e2 * (c_.k184 * s_k - c_.k187) + c_.k182 * e23 - e1 * e24 - c_.k189 * e6 + c_.k190 * e15 - c_.k183 * e25
+            + c_.k186 * e26 - p_.A_2 * e27;
         C[14] = Scalar(0);
         C[15] = -p_.k_l;
         C[16] = Scalar(0);
-        C[17] = c_.k167 * e18 + c_.k191 * e19 - c_.k192 * e20 + c_.k180 * e21 + c_.k193 * e22 - c_.k194 * e23;
+        C[17] = c_.k167 * e17 + c_.k191 * e18 - c_.k192 * e19 + c_.k180 * e20 + c_.k193 * e21 - c_.k194 * e22;
         C[18] = Scalar(0);
         C[19] = Scalar(0);
         C[20] = Scalar(0);
-        C[21] = s_k * (c_.k197 * e1 - c_.k168 * inverse_5) - c_.k200 * e1 + c_.k174 * inverse_5 + c_.k195 * e24 - e2 * e25
-            + c_.k201 * e6 - c_.k202 * e15 - c_.k196 * e26 - c_.k198 * e27 + c_.k199 * e28;
+        C[21] = s_k * (c_.k197 * e1 - c_.k168 * inverse_5) - c_.k200 * e1 + c_.k174 * inverse_5 + c_.k195 * e23 - e2 * e24
+            + c_.k201 * e6 - c_.k202 * e15 - c_.k196 * e25 - c_.k198 * e26 + c_.k199 * e27;
         C[22] = Scalar(0);
         C[23] = Scalar(0);
     }
@@ -1808,12 +1801,11 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 16 + or -, 18 *, 2 /, 6 other functions
+    /// Operations: 18 + or -, 20 *, 2 /, 4 other functions
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s_k - A_2*density[chamber_2]*specific_energy[chamber_2]*s_k +
     ///     A_2*(l - d)*density[chamber_2]*specific_energy[chamber_2]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar s_k = x[0];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
@@ -1821,26 +1813,23 @@ public:
         const Scalar e2 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar inverse_4 = Scalar(1) / exp_3;
-        const Scalar compression_5 = detail::compression<Scalar>(-e2);
-        const Scalar expm1_6 = expm1(e2);
+        const Scalar compression_5 = detail::compression<Scalar>(-e2, exp_3);
+        const Scalar e6 = e2 * exp_3 - compression_5;
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
         const Scalar e8 = c_.k38 * (p_.p_0 - p_1) - p_.alpha * e7;
         const Scalar exp_9 = exp(e8);
-        const Scalar compression_10 = detail::compression<Scalar>(-e8);
-        const Scalar expm1_11 = expm1(e8);
-        const Scalar e12 = s_k * inverse_4 * (c_.k168 * e1 - c_.k170 * compression_5 - c_.k172 * expm1_6);
-        const Scalar e13 = inverse_4 * (c_.k174 * e1 - c_.k175 * compression_5 - c_.k176 * expm1_6);
-        const Scalar e14 = s_k / exp_9 * (c_.k167 * e7 - c_.k169 * compression_10 - c_.k171 * expm1_11);
-        return e12 - e13 - e14;
+        const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
+        const Scalar e11 = s_k * inverse_4 * (c_.k168 * e1 - c_.k170 * compression_5 - c_.k172 * e6);
+        const Scalar e12 = c_.k167 * e7 - c_.k169 * compression_10 - c_.k171 * (e8 * exp_9 - compression_10);
+        return e11 - inverse_4 * (c_.k174 * e1 - c_.k175 * compression_5 - c_.k176 * e6) - s_k / exp_9 * e12;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 26 + or -, 36 *, 4 /, 16 other functions
+    /// Operations: 30 + or -, 40 *, 4 /, 12 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar q_1 = u[0];
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
@@ -1850,36 +1839,32 @@ public:
         const Scalar e4 = p_.rho_0 * q_1 / exp_3;
         const Scalar min_5 = detail::min<Scalar>(Scalar(0), e4);
         const Scalar inverse_6 = Scalar(1) / p_.rho_0;
-        const Scalar compression_7 = detail::compression<Scalar>(-e2);
+        const Scalar compression_7 = detail::compression<Scalar>(-e2, exp_3);
         const Scalar e8 = p_.beta * inverse_6;
-        const Scalar expm1_9 = expm1(e2);
-        const Scalar e10 = inverse_6 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
+        const Scalar e9 = inverse_6 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
-        const Scalar e11 = p_.T_0 - T_2;
-        const Scalar e12 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e11;
-        const Scalar exp_13 = exp(e12);
-        const Scalar e14 = p_.rho_0 * q_2 / exp_13;
-        const Scalar min_15 = detail::min<Scalar>(Scalar(0), e14);
-        const Scalar compression_16 = detail::compression<Scalar>(-e12);
-        const Scalar expm1_17 = expm1(e12);
-        const Scalar max_18 = detail::max<Scalar>(Scalar(0), e4);
-        const Scalar inverse_19 = Scalar(1) / p_.beta;
-        const Scalar e20 = (p_.p_0 - p_.p_s) * inverse_19;
-        const Scalar exp_21 = exp(e20);
-        const Scalar compression_22 = detail::compression<Scalar>(-e20);
-        const Scalar expm1_23 = expm1(e20);
-        const Scalar max_24 = detail::max<Scalar>(Scalar(0), e14);
-        const Scalar e25 = (p_.p_0 - p_.p_t) * inverse_19;
-        const Scalar exp_26 = exp(e25);
-        const Scalar compression_27 = detail::compression<Scalar>(-e25);
-        const Scalar expm1_28 = expm1(e25);
-        const Scalar e29 = p_1 * exp_3 * inverse_6 - p_.c_v * e1 + compression_7 * e8 + expm1_9 * e10;
-        const Scalar e30 = p_2 * exp_13 * inverse_6 - p_.c_v * e11 + compression_16 * e8 + expm1_17 * e10;
-        const Scalar e31 = max_18 * (p_.p_s * exp_21 * inverse_6 + compression_22 * e8 + expm1_23 * e10);
-        const Scalar e32 = max_24 * (p_.p_t * exp_26 * inverse_6 + compression_27 * e8 + expm1_28 * e10);
-        return min_5 * e29 + min_15 * e30 + e31 + e32;
+        const Scalar e10 = p_.T_0 - T_2;
+        const Scalar e11 = c_.k38 * (p_.p_0 - p_2) - p_.alpha * e10;
+        const Scalar exp_12 = exp(e11);
+        const Scalar e13 = p_.rho_0 * q_2 / exp_12;
+        const Scalar min_14 = detail::min<Scalar>(Scalar(0), e13);
+        const Scalar compression_15 = detail::compression<Scalar>(-e11, exp_12);
+        const Scalar max_16 = detail::max<Scalar>(Scalar(0), e4);
+        const Scalar inverse_17 = Scalar(1) / p_.beta;
+        const Scalar e18 = (p_.p_0 - p_.p_s) * inverse_17;
+        const Scalar exp_19 = exp(e18);
+        const Scalar compression_20 = detail::compression<Scalar>(-e18, exp_19);
+        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e13);
+        const Scalar e22 = (p_.p_0 - p_.p_t) * inverse_17;
+        const Scalar exp_23 = exp(e22);
+        const Scalar compression_24 = detail::compression<Scalar>(-e22, exp_23);
+        const Scalar e25 = p_1 * exp_3 * inverse_6 - p_.c_v * e1 + compression_7 * e8 + (e2 * exp_3 - compression_7) * e9;
+        const Scalar e26 = p_2 * exp_12 * inverse_6 - p_.c_v * e10 + compression_15 * e8 + (e11 * exp_12 - compression_15) * e9;
+        const Scalar e27 = p_.p_s * exp_19 * inverse_6 + compression_20 * e8 + (e18 * exp_19 - compression_20) * e9;
+        const Scalar e28 = p_.p_t * exp_23 * inverse_6 + compression_24 * e8 + (e22 * exp_23 - compression_24) * e9;
+        return min_5 * e25 + min_14 * e26 + max_16 * e27 + max_21 * e28;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1913,7 +1898,7 @@ private:
         Scalar k8;  ///< beta*k_l/A_1
         Scalar k9;  ///< beta^2*alpha/(A_1*rho_0^2*c_v)
         Scalar k10;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
-        Scalar k11;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + p_s/beta) ...
+        Scalar k11;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
         Scalar k12;  ///< beta^2*alpha^2/(A_2*rho_0*c_v)
         Scalar k13;  ///< beta/A_2
         Scalar k14;  ///< beta*alpha/(A_2*rho_0^2*c_v)
@@ -1922,7 +1907,7 @@ private:
         Scalar k17;  ///< beta*k_l/A_2
         Scalar k18;  ///< beta^2*alpha/(A_2*rho_0^2*c_v)
         Scalar k19;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
-        Scalar k20;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + p_t/beta) ...
+        Scalar k20;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
         Scalar k21;  ///< beta*alpha/(A_1*rho_0*c_v)
         Scalar k22;  ///< beta*alpha/(rho_0*c_v)
         Scalar k23;  ///< 1/(A_1*rho_0^2*c_v)
@@ -1930,14 +1915,14 @@ private:
         Scalar k25;  ///< 1/(A_1*rho_0)
         Scalar k26;  ///< beta/(A_1*rho_0^2*c_v)
         Scalar k27;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0^2*c_v)
-        Scalar k28;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k28;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
         Scalar k29;  ///< beta*alpha/(A_2*rho_0*c_v)
         Scalar k30;  ///< 1/(A_2*rho_0^2*c_v)
         Scalar k31;  ///< beta*alpha*k_l/(A_2*rho_0*c_v)
         Scalar k32;  ///< 1/(A_2*rho_0)
         Scalar k33;  ///< beta/(A_2*rho_0^2*c_v)
         Scalar k34;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0^2*c_v)
-        Scalar k35;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k35;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
         Scalar k36;  ///< rho_0*k_l
         Scalar k37;  ///< l - d
         Scalar k38;  ///< 1/beta
@@ -1945,7 +1930,7 @@ private:
         Scalar k40;  ///< beta*alpha^2/(A_1*rho_0*c_v)
         Scalar k41;  ///< alpha/A_1
         Scalar k42;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k43;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k43;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta ...
         Scalar k44;  ///< beta*alpha^2/(rho_0*c_v)
         Scalar k45;  ///< alpha*k_l/(A_1*rho_0*c_v)
         Scalar k46;  ///< 2*alpha/(A_1*rho_0^2*c_v)
@@ -1961,7 +1946,7 @@ private:
         Scalar k56;  ///< beta^2*alpha*k_l/(A_1*rho_0*c_v)
         Scalar k57;  ///< beta*alpha*k_l*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
         Scalar k58;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0^2*c_v)
-        Scalar k59;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k59;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta ...
         Scalar k60;  ///< alpha*(beta - beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
         Scalar k61;  ///< alpha*k_l/(A_2*rho_0*c_v)
         Scalar k62;  ///< alpha/(A_2*rho_0^2*c_v)
@@ -1978,7 +1963,7 @@ private:
         Scalar k73;  ///< 1/(A_1*beta)
         Scalar k74;  ///< 1/(A_1*rho_0*c_v)
         Scalar k75;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0*c_v)
-        Scalar k76;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k76;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_s/beta)/beta - alpha*T_0*p_s*exp(p_0/beta - p_s/beta)/beta + ...
         Scalar k77;  ///< alpha/(rho_0*c_v)
         Scalar k78;  ///< k_l/(A_1*rho_0*beta*c_v)
         Scalar k79;  ///< k_l/(A_1*rho_0*c_v)
@@ -1991,7 +1976,7 @@ private:
         Scalar k86;  ///< beta*k_l/(A_1*rho_0*c_v)
         Scalar k87;  ///< k_l*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
         Scalar k88;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0^2*c_v)
-        Scalar k89;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k89;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_s/beta)/beta - alpha*T_0*p_s*exp(p_0/beta - p_s/beta)/beta + ...
         Scalar k90;  ///< (1 + p_0/beta - alpha*T_0)/(A_1*rho_0^2*c_v)
         Scalar k91;  ///< k_l/(A_2*rho_0*beta*c_v)
         Scalar k92;  ///< 1/(A_2*rho_0^2*beta*c_v)
@@ -2005,26 +1990,26 @@ private:
         Scalar k100;  ///< beta*alpha^2/(A_2*rho_0*c_v)
         Scalar k101;  ///< alpha/A_2
         Scalar k102;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k103;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k103;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta ...
         Scalar k104;  ///< 2*alpha/(A_2*rho_0^2*c_v)
         Scalar k105;  ///< 2*beta*alpha^2*k_l/(A_2*rho_0*c_v)
         Scalar k106;  ///< alpha/(A_2*rho_0)
         Scalar k107;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0^2*c_v)
-        Scalar k108;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k108;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta ...
         Scalar k109;  ///< 1/(A_2*rho_0*beta*c_v)
         Scalar k110;  ///< 1/(A_2*beta)
         Scalar k111;  ///< 1/(A_2*rho_0*c_v)
         Scalar k112;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0*c_v)
-        Scalar k113;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k113;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_t/beta)/beta - alpha*T_0*p_t*exp(p_0/beta - p_t/beta)/beta + ...
         Scalar k114;  ///< 2/(A_2*rho_0^2*beta*c_v)
         Scalar k115;  ///< 2*alpha*k_l/(A_2*rho_0*c_v)
         Scalar k116;  ///< 1/(A_2*rho_0*beta)
         Scalar k117;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0^2*c_v)
-        Scalar k118;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k118;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_t/beta)/beta - alpha*T_0*p_t*exp(p_0/beta - p_t/beta)/beta + ...
         Scalar k119;  ///< beta^2*alpha^3/(A_1*rho_0*c_v)
         Scalar k120;  ///< beta*alpha^2/A_1
         Scalar k121;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k122;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + ...
+        Scalar k122;  ///< -alpha^2*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
         Scalar k123;  ///< beta^2*alpha^3/(rho_0*c_v)
         Scalar k124;  ///< 2*beta*alpha^2/(A_1*rho_0^2*c_v)
         Scalar k125;  ///< beta^2*alpha^3*k_l/(A_1*rho_0*c_v)
@@ -2035,39 +2020,39 @@ private:
         Scalar k130;  ///< beta*alpha^2*k_l*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
         Scalar k131;  ///< beta^2*alpha^2/(A_1*rho_0^2*c_v)
         Scalar k132;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
-        Scalar k133;  ///< beta*alpha*(1 - beta*alpha^2*T_0*expm1(p_0/beta - p_s/beta)/(rho_0*c_v) - ...
+        Scalar k133;  ///< alpha*(-beta*alpha^2*p_0*T_0*exp(p_0/beta - p_s/beta)/(rho_0*c_v) - ...
         Scalar k134;  ///< beta^2*alpha^3*k_l/(A_2*rho_0*c_v)
         Scalar k135;  ///< beta*alpha^2*k_l/A_2
         Scalar k136;  ///< beta^2*alpha^3/(A_2*rho_0^2*c_v)
         Scalar k137;  ///< beta*alpha^2*k_l*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
         Scalar k138;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
-        Scalar k139;  ///< (1 - beta*alpha^2*T_0*expm1(p_0/beta - p_s/beta)/(rho_0*c_v) - beta*alpha*compression(-p_0/beta ...
+        Scalar k139;  ///< (1 - alpha*p_0*p_s*exp(p_0/beta - p_s/beta)/(rho_0*beta*c_v) + alpha*p_0^2*exp(p_0/beta - ...
         Scalar k140;  ///< beta^2*alpha^3/(A_2*rho_0*c_v)
         Scalar k141;  ///< beta*alpha^2/A_2
         Scalar k142;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k143;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + ...
+        Scalar k143;  ///< -alpha^2*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
         Scalar k144;  ///< 2*beta*alpha^2/(A_2*rho_0^2*c_v)
         Scalar k145;  ///< 2*beta^2*alpha^3*k_l/(A_2*rho_0*c_v)
         Scalar k146;  ///< beta*alpha^2/(A_2*rho_0)
         Scalar k147;  ///< beta^2*alpha^2/(A_2*rho_0^2*c_v)
-        Scalar k148;  ///< beta*alpha*(1 - beta*alpha^2*T_0*expm1(p_0/beta - p_t/beta)/(rho_0*c_v) - ...
-        Scalar k149;  ///< (1 - beta*alpha^2*T_0*expm1(p_0/beta - p_t/beta)/(rho_0*c_v) - beta*alpha*compression(-p_0/beta ...
+        Scalar k148;  ///< alpha*(-beta*alpha^2*p_0*T_0*exp(p_0/beta - p_t/beta)/(rho_0*c_v) - ...
+        Scalar k149;  ///< (1 - alpha*p_0*p_t*exp(p_0/beta - p_t/beta)/(rho_0*beta*c_v) + alpha*p_0^2*exp(p_0/beta - ...
         Scalar k150;  ///< beta*alpha/A_1
         Scalar k151;  ///< beta^2*alpha/(A_1*rho_0*c_v)
         Scalar k152;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k153;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + p_s/beta) ...
+        Scalar k153;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
         Scalar k154;  ///< 1/A_1
         Scalar k155;  ///< beta/(A_1*rho_0*c_v)
         Scalar k156;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k157;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k157;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
         Scalar k158;  ///< beta*alpha/A_2
         Scalar k159;  ///< beta^2*alpha/(A_2*rho_0*c_v)
         Scalar k160;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k161;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + p_t/beta) ...
+        Scalar k161;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
         Scalar k162;  ///< 1/A_2
         Scalar k163;  ///< beta/(A_2*rho_0*c_v)
         Scalar k164;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k165;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k165;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
         Scalar k166;  ///< m_k + m_l
         Scalar k167;  ///< A_1*rho_0*c_v
         Scalar k168;  ///< A_2*rho_0*c_v

@@ -21,19 +21,19 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                45    178     7        0      6
-//   rhs                   39     64     4        0      8
-//   rhs_and_jacobian     146    212     4        0     10
-//   jacobian_u            31     51     4        0      8
-//   jacobian_p           435    742     9        0     16
+//   update                47    180     7        0      4
+//   rhs                   41     66     4        0      6
+//   rhs_and_jacobian     148    214     4        0      8
+//   jacobian_u            33     53     4        0      6
+//   jacobian_p           439    746     9        0     12
 //   bias                   1      2     0        0      0
 //   generalised_force      1      0     0        0      0
-//   output                18     22     2        0      6
-//   output_jacobian_x     44     57     2        0      6
+//   output                20     24     2        0      4
+//   output_jacobian_x     46     59     2        0      4
 //   kinetic_energy         0      2     0        0      0
 //   supplied_power         1      1     0        0      0
-//   internal_energy       16     18     2        0      6
-//   exchanged_power       26     36     4        0     16
+//   internal_energy       18     20     2        0      4
+//   exchanged_power       30     40     4        0     12
 //   guards                 1      2     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -195,18 +195,22 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
-/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). Needs select, exponential_remainder.
+/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
+/// exponential_remainder.
 template <class Scalar>
-Scalar compression(const Scalar& x) noexcept {
+Scalar compression(const Scalar& x, const Scalar& decay) noexcept {
     using std::abs;
-    using std::exp;
     const auto is_inner = abs(x) < Scalar(2);
     const Scalar inner = select(is_inner, x, Scalar(0));
     const Scalar limited = select(x > Scalar(1000), Scalar(1000), x);  // so that infinity never meets exp(-x) = 0
-    const Scalar decay = exp(Scalar(-limited));
     const Scalar by_remainder = inner * inner * exponential_remainder(inner) * decay;
     const Scalar by_definition = Scalar(1) - (Scalar(1) + limited) * decay;
     return select(is_inner, by_remainder, by_definition);
+}
+template <class Scalar>
+Scalar compression(const Scalar& x) noexcept {
+    using std::exp;
+    return compression<Scalar>(x, exp(Scalar(-x)));
 }
 
 }  // namespace detail
@@ -265,11 +269,10 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 45 + or -, 178 *, 7 /, 6 other functions
+    /// Operations: 47 + or -, 180 *, 7 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
-        using std::expm1;
         c_.k0 = Scalar(1) / p_.m_k;
         const Scalar inverse_1 = Scalar(1) / p_.A_1;
         c_.k1 = p_.beta * inverse_1;
@@ -291,12 +294,12 @@ public:
         c_.k7 = -e11 * e9;
         const Scalar inverse_12 = Scalar(1) / p_.beta;
         const Scalar e13 = (p_.p_0 - p_.p_s) * inverse_12;
-        const Scalar compression_14 = detail::compression<Scalar>(-e13);
-        const Scalar expm1_15 = expm1(e13);
-        const Scalar exp_16 = exp(e13);
-        const Scalar e17 = p_.p_s * exp_16;
-        const Scalar e18 = expm1_15 * e11 + e17;
-        const Scalar e19 = p_.beta * compression_14 + e18;
+        const Scalar exp_14 = exp(e13);
+        const Scalar compression_15 = detail::compression<Scalar>(-e13, exp_14);
+        const Scalar e16 = e13 * exp_14 - compression_15;
+        const Scalar e17 = p_.p_s * exp_14;
+        const Scalar e18 = e16 * e11 + e17;
+        const Scalar e19 = p_.beta * compression_15 + e18;
         c_.k8 = -e19 * e9;
         const Scalar inverse_20 = Scalar(1) / p_.A_2;
         c_.k9 = inverse_20 * e7;
@@ -309,12 +312,12 @@ public:
         c_.k13 = p_.beta * e22;
         c_.k14 = -e11 * e22;
         const Scalar e24 = (p_.p_0 - p_.p_t) * inverse_12;
-        const Scalar compression_25 = detail::compression<Scalar>(-e24);
-        const Scalar expm1_26 = expm1(e24);
-        const Scalar exp_27 = exp(e24);
-        const Scalar e28 = p_.p_t * exp_27;
-        const Scalar e29 = expm1_26 * e11 + e28;
-        const Scalar e30 = p_.beta * compression_25 + e29;
+        const Scalar exp_25 = exp(e24);
+        const Scalar compression_26 = detail::compression<Scalar>(-e24, exp_25);
+        const Scalar e27 = e24 * exp_25 - compression_26;
+        const Scalar e28 = p_.p_t * exp_25;
+        const Scalar e29 = e27 * e11 + e28;
+        const Scalar e30 = p_.beta * compression_26 + e29;
         c_.k15 = -e30 * e22;
         const Scalar e31 = inverse_1 * e5;
         c_.k16 = e31;
@@ -342,7 +345,7 @@ public:
         c_.k33 = p_.alpha * inverse_1;
         const Scalar e37 = e11 * e4;
         c_.k34 = inverse_1 * e37;
-        const Scalar e38 = compression_14 * e5 + e4 * e18;
+        const Scalar e38 = compression_15 * e5 + e4 * e18;
         c_.k35 = inverse_1 * e38;
         c_.k36 = e36;
         const Scalar e39 = e4 * e8;
@@ -363,7 +366,7 @@ public:
         c_.k46 = e44;
         const Scalar e45 = p_.p_0 * e43 - p_.T_0 * e4;
         c_.k47 = inverse_1 * e45;
-        const Scalar e46 = expm1_15 * e45 - (compression_14 * e3 + e43 * e17);
+        const Scalar e46 = e16 * e45 - (compression_15 * e3 + e43 * e17);
         c_.k48 = inverse_1 * e46;
         c_.k49 = e4;
         const Scalar e47 = e8 * e43;
@@ -378,7 +381,7 @@ public:
         c_.k57 = inverse_20 * e36;
         c_.k58 = p_.alpha * inverse_20;
         c_.k59 = inverse_20 * e37;
-        const Scalar e49 = compression_25 * e5 + e4 * e29;
+        const Scalar e49 = compression_26 * e5 + e4 * e29;
         c_.k60 = inverse_20 * e49;
         const Scalar e50 = e4 * e21;
         c_.k61 = Scalar(2) * e50;
@@ -396,7 +399,7 @@ public:
         const Scalar e54 = inverse_20 * e3;
         c_.k70 = e54;
         c_.k71 = inverse_20 * e45;
-        const Scalar e55 = expm1_26 * e45 - (compression_25 * e3 + e43 * e28);
+        const Scalar e55 = e27 * e45 - (compression_26 * e3 + e43 * e28);
         c_.k72 = inverse_20 * e55;
         const Scalar e56 = e21 * e43;
         c_.k73 = Scalar(2) * e56;
@@ -412,7 +415,7 @@ public:
         c_.k80 = inverse_1 * e59;
         const Scalar e60 = e11 * e36;
         c_.k81 = -inverse_1 * e60;
-        const Scalar e61 = compression_14 * e7 + e18 * e36;
+        const Scalar e61 = compression_15 * e7 + e18 * e36;
         c_.k82 = -inverse_1 * e61;
         c_.k83 = e58;
         c_.k84 = Scalar(2) * e40;
@@ -425,7 +428,7 @@ public:
         c_.k91 = inverse_20 * e58;
         c_.k92 = inverse_20 * e59;
         c_.k93 = -inverse_20 * e60;
-        const Scalar e62 = compression_25 * e7 + e29 * e36;
+        const Scalar e62 = compression_26 * e7 + e29 * e36;
         c_.k94 = -inverse_20 * e62;
         c_.k95 = Scalar(2) * e51;
         c_.k96 = e21 * e59;
@@ -509,7 +512,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 39 + or -, 64 *, 4 /, 8 other functions
+    /// Operations: 41 + or -, 66 *, 4 /, 6 other functions
     ///     specific_enthalpy[supply] = (beta*alpha*T_0*expm1((p_0 - p_s)/beta) + beta*compression(-(p_0 - p_s)/beta) -
     ///     p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 - p_s)/beta))/rho_0
     ///     specific_enthalpy[tank] = (beta*alpha*T_0*expm1((p_0 - p_t)/beta) + beta*compression(-(p_0 - p_t)/beta) - p_0*expm1((p_0
@@ -548,7 +551,6 @@ public:
     ///     mass_flow[inlet_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar f_l = u[2];
         const Scalar p_2 = x[3];
@@ -568,46 +570,43 @@ public:
         const Scalar e9 = T_1 * e7;
         const Scalar e10 = c_.k3 * s_k_dot;
         const Scalar e11 = e3 * e8;
-        const Scalar compression_12 = detail::compression<Scalar>(-e4);
+        const Scalar compression_12 = detail::compression<Scalar>(-e4, exp_5);
         const Scalar e13 = compression_12 * e8;
-        const Scalar expm1_14 = expm1(e4);
-        const Scalar e15 = expm1_14 * e8;
-        const Scalar e16 = q_1 * e9;
-        const Scalar e17 = e8 * (p_1 * exp_5);
-        const Scalar inverse_18 = Scalar(1) / (c_.k30 - s_k);
+        const Scalar e14 = (e4 * exp_5 - compression_12) * e8;
+        const Scalar e15 = q_1 * e9;
+        const Scalar e16 = e8 * (p_1 * exp_5);
+        const Scalar inverse_17 = Scalar(1) / (c_.k30 - s_k);
         const Scalar q_2 = u[1];
         const Scalar T_2 = x[5];
-        const Scalar e19 = p_.T_0 - T_2;
-        const Scalar e20 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e19;
-        const Scalar exp_21 = exp(e20);
-        const Scalar max_22 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_2 / exp_21);
-        const Scalar e23 = exp_21 * inverse_18;
-        const Scalar e24 = max_22 * e23;
-        const Scalar e25 = T_2 * e23;
-        const Scalar e26 = e19 * e24;
-        const Scalar compression_27 = detail::compression<Scalar>(-e20);
-        const Scalar e28 = compression_27 * e24;
-        const Scalar expm1_29 = expm1(e20);
-        const Scalar e30 = expm1_29 * e24;
-        const Scalar e31 = q_2 * e25;
-        const Scalar e32 = e24 * (p_2 * exp_21);
-        const Scalar e33 = c_.k17 * s_k_dot;
+        const Scalar e18 = p_.T_0 - T_2;
+        const Scalar e19 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e18;
+        const Scalar exp_20 = exp(e19);
+        const Scalar max_21 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_2 / exp_20);
+        const Scalar e22 = exp_20 * inverse_17;
+        const Scalar e23 = max_21 * e22;
+        const Scalar e24 = T_2 * e22;
+        const Scalar e25 = e18 * e23;
+        const Scalar compression_26 = detail::compression<Scalar>(-e19, exp_20);
+        const Scalar e27 = compression_26 * e23;
+        const Scalar e28 = (e19 * exp_20 - compression_26) * e23;
+        const Scalar e29 = q_2 * e24;
+        const Scalar e30 = e23 * (p_2 * exp_20);
+        const Scalar e31 = c_.k17 * s_k_dot;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = inverse_1 * (c_.k1 * q_1 - e2) - c_.k8 * e8 - e9 * e10 + c_.k5 * e11 - c_.k6 * e13 + c_.k7 * e15 + c_.k2
-            * e16 - c_.k4 * e17;
-        dxdt[3] = inverse_18 * (c_.k10 * q_2 + e2) - c_.k15 * e24 + e25 * e10 + c_.k12 * e26 - c_.k13 * e28 + c_.k14 * e30
-            + c_.k9 * e31 - c_.k11 * e32;
-        dxdt[4] = c_.k22 * e8 - e9 * e33 + c_.k19 * e11 - c_.k20 * e13 - c_.k21 * e15 + c_.k16 * e16 - c_.k18 * e17;
-        dxdt[5] = c_.k28 * e24 + e25 * e33 + c_.k25 * e26 - c_.k26 * e28 - c_.k27 * e30 + c_.k23 * e31 - c_.k24 * e32;
+        dxdt[2] = inverse_1 * (c_.k1 * q_1 - e2) - c_.k8 * e8 - e9 * e10 + c_.k5 * e11 - c_.k6 * e13 + c_.k7 * e14 + c_.k2
+            * e15 - c_.k4 * e16;
+        dxdt[3] = inverse_17 * (c_.k10 * q_2 + e2) - c_.k15 * e23 + e24 * e10 + c_.k12 * e25 - c_.k13 * e27 + c_.k14 * e28
+            + c_.k9 * e29 - c_.k11 * e30;
+        dxdt[4] = c_.k22 * e8 - e9 * e31 + c_.k19 * e11 - c_.k20 * e13 - c_.k21 * e14 + c_.k16 * e15 - c_.k18 * e16;
+        dxdt[5] = c_.k28 * e23 + e24 * e31 + c_.k25 * e25 - c_.k26 * e27 - c_.k27 * e28 + c_.k23 * e29 - c_.k24 * e30;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 146 + or -, 212 *, 4 /, 10 other functions
+    /// Operations: 148 + or -, 214 *, 4 /, 8 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar f_l = u[2];
         const Scalar p_2 = x[3];
@@ -628,10 +627,10 @@ public:
         const Scalar e11 = max_10 * e6;
         const Scalar e12 = exp_4 * e11;
         const Scalar e13 = p_1 * e12;
-        const Scalar compression_14 = detail::compression<Scalar>(-e3);
+        const Scalar compression_14 = detail::compression<Scalar>(-e3, exp_4);
         const Scalar e15 = compression_14 * e11;
-        const Scalar expm1_16 = expm1(e3);
-        const Scalar e17 = expm1_16 * e11;
+        const Scalar e16 = e3 * exp_4 - compression_14;
+        const Scalar e17 = e16 * e11;
         const Scalar e18 = q_1 * inverse_5;
         const Scalar s_k_dot = x[1];
         const Scalar e19 = c_.k3 * e7 + p_.beta * inverse_5;
@@ -651,10 +650,10 @@ public:
         const Scalar e31 = max_30 * e26;
         const Scalar e32 = exp_24 * e31;
         const Scalar e33 = p_2 * e32;
-        const Scalar compression_34 = detail::compression<Scalar>(-e23);
+        const Scalar compression_34 = detail::compression<Scalar>(-e23, exp_24);
         const Scalar e35 = compression_34 * e31;
-        const Scalar expm1_36 = expm1(e23);
-        const Scalar e37 = expm1_36 * e31;
+        const Scalar e36 = e23 * exp_24 - compression_34;
+        const Scalar e37 = e36 * e31;
         const Scalar e38 = q_2 * inverse_25;
         const Scalar e39 = c_.k3 * e27 + p_.beta * inverse_25;
         const Scalar e40 = c_.k13 * e35 - c_.k14 * e37 - (e31 * (c_.k12 * e22 - c_.k15) + (c_.k10 * e38 + s_k_dot * e39));
@@ -676,7 +675,7 @@ public:
         const Scalar e50 = e2 * e12;
         const Scalar step_51 = detail::step<Scalar>(e9);
         const Scalar e52 = step_51 * e18;
-        const Scalar e53 = expm1_16 * e52;
+        const Scalar e53 = e16 * e52;
         const Scalar e54 = c_.k36 * s_k_dot;
         const Scalar e55 = q_1 * e6;
         const Scalar e56 = e55 * (p_1 * step_51);
@@ -690,7 +689,7 @@ public:
         const Scalar e64 = e22 * e32;
         const Scalar step_65 = detail::step<Scalar>(e29);
         const Scalar e66 = step_65 * e38;
-        const Scalar e67 = expm1_36 * e66;
+        const Scalar e67 = e36 * e66;
         const Scalar e68 = q_2 * e26;
         const Scalar e69 = e68 * (p_2 * step_65);
         const Scalar e70 = e27 * (c_.k57 * q_2 + e54) + e66 * (c_.k23 * compression_34 - c_.k58 * e22);
@@ -752,10 +751,9 @@ public:
     }
 
     /// J = df/du. 6 x 3, entry (i, j) at J[6*j + i].
-    /// Operations: 31 + or -, 51 *, 4 /, 8 other functions
+    /// Operations: 33 + or -, 53 *, 4 /, 6 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar s_k = x[0];
         const Scalar inverse_1 = Scalar(1) / s_k;
         const Scalar q_1 = u[0];
@@ -767,40 +765,38 @@ public:
         const Scalar step_5 = detail::step<Scalar>(p_.rho_0 * q_1 / exp_4);
         const Scalar e6 = step_5 * inverse_1;
         const Scalar e7 = e2 * e6;
-        const Scalar compression_8 = detail::compression<Scalar>(-e3);
+        const Scalar compression_8 = detail::compression<Scalar>(-e3, exp_4);
         const Scalar e9 = compression_8 * e6;
-        const Scalar expm1_10 = expm1(e3);
-        const Scalar e11 = expm1_10 * e6;
-        const Scalar e12 = T_1 * (exp_4 * inverse_1);
-        const Scalar e13 = e6 * (p_1 * exp_4);
-        const Scalar inverse_14 = Scalar(1) / (c_.k30 - s_k);
+        const Scalar e10 = (e3 * exp_4 - compression_8) * e6;
+        const Scalar e11 = T_1 * (exp_4 * inverse_1);
+        const Scalar e12 = e6 * (p_1 * exp_4);
+        const Scalar inverse_13 = Scalar(1) / (c_.k30 - s_k);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
-        const Scalar e15 = p_.T_0 - T_2;
-        const Scalar e16 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e15;
-        const Scalar exp_17 = exp(e16);
-        const Scalar step_18 = detail::step<Scalar>(p_.rho_0 * q_2 / exp_17);
-        const Scalar e19 = step_18 * inverse_14;
-        const Scalar e20 = e15 * e19;
-        const Scalar compression_21 = detail::compression<Scalar>(-e16);
-        const Scalar e22 = compression_21 * e19;
-        const Scalar expm1_23 = expm1(e16);
-        const Scalar e24 = expm1_23 * e19;
-        const Scalar e25 = T_2 * (exp_17 * inverse_14);
-        const Scalar e26 = e19 * (p_2 * exp_17);
+        const Scalar e14 = p_.T_0 - T_2;
+        const Scalar e15 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e14;
+        const Scalar exp_16 = exp(e15);
+        const Scalar step_17 = detail::step<Scalar>(p_.rho_0 * q_2 / exp_16);
+        const Scalar e18 = step_17 * inverse_13;
+        const Scalar e19 = e14 * e18;
+        const Scalar compression_20 = detail::compression<Scalar>(-e15, exp_16);
+        const Scalar e21 = compression_20 * e18;
+        const Scalar e22 = (e15 * exp_16 - compression_20) * e18;
+        const Scalar e23 = T_2 * (exp_16 * inverse_13);
+        const Scalar e24 = e18 * (p_2 * exp_16);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k1 * inverse_1 - c_.k105 * e6 + c_.k102 * e7 - c_.k103 * e9 + c_.k104 * e11 + c_.k2 * e12 - c_.k16 * e13;
+        J[2] = c_.k1 * inverse_1 - c_.k105 * e6 + c_.k102 * e7 - c_.k103 * e9 + c_.k104 * e10 + c_.k2 * e11 - c_.k16 * e12;
         J[3] = Scalar(0);
-        J[4] = c_.k109 * e6 + c_.k106 * e7 - c_.k107 * e9 - c_.k108 * e11 + c_.k16 * e12 - c_.k46 * e13;
+        J[4] = c_.k109 * e6 + c_.k106 * e7 - c_.k107 * e9 - c_.k108 * e10 + c_.k16 * e11 - c_.k46 * e12;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = c_.k10 * inverse_14 - c_.k113 * e19 + c_.k110 * e20 - c_.k111 * e22 + c_.k112 * e24 + c_.k9 * e25 - c_.k23 * e26;
+        J[9] = c_.k10 * inverse_13 - c_.k113 * e18 + c_.k110 * e19 - c_.k111 * e21 + c_.k112 * e22 + c_.k9 * e23 - c_.k23 * e24;
         J[10] = Scalar(0);
-        J[11] = c_.k117 * e19 + c_.k114 * e20 - c_.k115 * e22 - c_.k116 * e24 + c_.k23 * e25 - c_.k70 * e26;
+        J[11] = c_.k117 * e18 + c_.k114 * e19 - c_.k115 * e21 - c_.k116 * e22 + c_.k23 * e23 - c_.k70 * e24;
         J[12] = Scalar(0);
         J[13] = (-Scalar(1)) * c_.k0;
         J[14] = Scalar(0);
@@ -810,10 +806,9 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 14, entry (i, j) at J[6*j + i].
-    /// Operations: 435 + or -, 742 *, 9 /, 16 other functions
+    /// Operations: 439 + or -, 746 *, 9 /, 12 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
-        using std::expm1;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar p_1 = x[2];
@@ -821,14 +816,14 @@ public:
         const Scalar e1 = p_.p_0 - p_.p_s;
         const Scalar inverse_2 = Scalar(1) / p_.beta;
         const Scalar e3 = e1 * inverse_2;
-        const Scalar expm1_4 = expm1(e3);
-        const Scalar e5 = p_.beta * p_.alpha;
-        const Scalar e6 = p_.T_0 * e5 - p_.p_0;
-        const Scalar compression_7 = detail::compression<Scalar>(-e3);
-        const Scalar exp_8 = exp(e3);
-        const Scalar e9 = p_.p_s * exp_8;
-        const Scalar e10 = p_.beta * compression_7 + e9;
-        const Scalar e11 = expm1_4 * e6 + e10;
+        const Scalar exp_4 = exp(e3);
+        const Scalar compression_5 = detail::compression<Scalar>(-e3, exp_4);
+        const Scalar e6 = e3 * exp_4 - compression_5;
+        const Scalar e7 = p_.beta * p_.alpha;
+        const Scalar e8 = p_.T_0 * e7 - p_.p_0;
+        const Scalar e9 = p_.p_s * exp_4;
+        const Scalar e10 = p_.beta * compression_5 + e9;
+        const Scalar e11 = e6 * e8 + e10;
         const Scalar inverse_12 = Scalar(1) / p_.A_1;
         const Scalar inverse_13 = Scalar(1) / p_.rho_0;
         const Scalar inverse_14 = Scalar(1) / p_.c_v;
@@ -851,7 +846,7 @@ public:
         const Scalar e28 = exp_24 * inverse_27;
         const Scalar e29 = max_26 * e28;
         const Scalar e30 = inverse_12 * inverse_13;
-        const Scalar e31 = e5 * e30;
+        const Scalar e31 = e7 * e30;
         const Scalar e32 = e22 * e29;
         const Scalar e33 = p_.alpha * e15;
         const Scalar e34 = p_.beta * e33;
@@ -859,24 +854,24 @@ public:
         const Scalar e36 = inverse_12 * e35;
         const Scalar e37 = T_1 * e28;
         const Scalar e38 = q_1 * e37;
-        const Scalar expm1_39 = expm1(e23);
-        const Scalar e40 = expm1_39 * e29;
-        const Scalar e41 = exp_24 * e29;
-        const Scalar e42 = p_1 * e41;
-        const Scalar compression_43 = detail::compression<Scalar>(-e23);
-        const Scalar e44 = compression_43 * e29;
+        const Scalar compression_39 = detail::compression<Scalar>(-e23, exp_24);
+        const Scalar e40 = e23 * exp_24 - compression_39;
+        const Scalar e41 = e40 * e29;
+        const Scalar e42 = exp_24 * e29;
+        const Scalar e43 = p_1 * e42;
+        const Scalar e44 = compression_39 * e29;
         const Scalar e45 = q_1 * inverse_27;
         const Scalar e46 = inverse_12 * e16;
         const Scalar e47 = inverse_12 * e46;
         const Scalar e48 = p_.beta * e46;
         const Scalar e49 = p_.p_0 - p_.p_t;
         const Scalar e50 = e49 * inverse_2;
-        const Scalar expm1_51 = expm1(e50);
-        const Scalar compression_52 = detail::compression<Scalar>(-e50);
-        const Scalar exp_53 = exp(e50);
-        const Scalar e54 = p_.p_t * exp_53;
+        const Scalar exp_51 = exp(e50);
+        const Scalar compression_52 = detail::compression<Scalar>(-e50, exp_51);
+        const Scalar e53 = e50 * exp_51 - compression_52;
+        const Scalar e54 = p_.p_t * exp_51;
         const Scalar e55 = p_.beta * compression_52 + e54;
-        const Scalar e56 = expm1_51 * e6 + e55;
+        const Scalar e56 = e53 * e8 + e55;
         const Scalar inverse_57 = Scalar(1) / p_.A_2;
         const Scalar e58 = inverse_57 * e18;
         const Scalar e59 = inverse_57 * e58;
@@ -892,16 +887,16 @@ public:
         const Scalar e67 = exp_63 * inverse_66;
         const Scalar e68 = max_65 * e67;
         const Scalar e69 = inverse_57 * inverse_13;
-        const Scalar e70 = e5 * e69;
+        const Scalar e70 = e7 * e69;
         const Scalar e71 = e61 * e68;
         const Scalar e72 = inverse_57 * e34;
         const Scalar e73 = inverse_57 * e72;
         const Scalar e74 = T_2 * e67;
         const Scalar e75 = q_2 * e74;
-        const Scalar expm1_76 = expm1(e62);
-        const Scalar e77 = expm1_76 * e68;
-        const Scalar compression_78 = detail::compression<Scalar>(-e62);
-        const Scalar e79 = compression_78 * e68;
+        const Scalar compression_76 = detail::compression<Scalar>(-e62, exp_63);
+        const Scalar e77 = e62 * exp_63 - compression_76;
+        const Scalar e78 = e77 * e68;
+        const Scalar e79 = compression_76 * e68;
         const Scalar e80 = exp_63 * e68;
         const Scalar e81 = p_2 * e80;
         const Scalar e82 = q_2 * inverse_66;
@@ -914,29 +909,29 @@ public:
         const Scalar e88 = inverse_66 * e79;
         const Scalar e89 = p_2 * e67;
         const Scalar e90 = e68 * e89;
-        const Scalar e91 = c_.k14 * e77 - c_.k15 * e68 + (inverse_66 * (c_.k10 * q_2 + p_.beta * s_k_dot) + e87);
+        const Scalar e91 = c_.k14 * e78 - c_.k15 * e68 + (inverse_66 * (c_.k10 * q_2 + p_.beta * s_k_dot) + e87);
         const Scalar e92 = inverse_66 * e91 - (c_.k13 * e88 + c_.k11 * e90);
         const Scalar e93 = c_.k17 * e86 + (c_.k23 * e75 + c_.k25 * e71);
-        const Scalar e94 = inverse_66 * (e93 - (c_.k27 * e77 - c_.k28 * e68)) - (c_.k26 * e88 + c_.k24 * e90);
+        const Scalar e94 = inverse_66 * (e93 - (c_.k27 * e78 - c_.k28 * e68)) - (c_.k26 * e88 + c_.k24 * e90);
         const Scalar e95 = inverse_13 * e19;
         const Scalar step_96 = detail::step<Scalar>(e25);
         const Scalar e97 = q_1 * step_96;
         const Scalar e98 = inverse_27 * e97;
-        const Scalar e99 = inverse_13 * e6;
+        const Scalar e99 = inverse_13 * e8;
         const Scalar e100 = e22 * e98;
-        const Scalar e101 = e18 * e5;
+        const Scalar e101 = e18 * e7;
         const Scalar e102 = s_k_dot * e37;
         const Scalar e103 = e97 * (p_1 * e28);
-        const Scalar e104 = compression_43 * e98;
-        const Scalar e105 = expm1_39 * e98;
+        const Scalar e104 = compression_39 * e98;
+        const Scalar e105 = e40 * e98;
         const Scalar e106 = inverse_13 * e58;
         const Scalar step_107 = detail::step<Scalar>(e64);
         const Scalar e108 = q_2 * step_107;
         const Scalar e109 = inverse_66 * e108;
         const Scalar e110 = e61 * e109;
         const Scalar e111 = e108 * e89;
-        const Scalar e112 = compression_78 * e109;
-        const Scalar e113 = expm1_76 * e109;
+        const Scalar e112 = compression_76 * e109;
+        const Scalar e113 = e77 * e109;
         const Scalar e114 = inverse_13 * e46;
         const Scalar e115 = inverse_13 * e83;
         const Scalar e116 = p_.alpha * p_.T_0;
@@ -945,25 +940,25 @@ public:
         const Scalar e119 = p_.p_s + e1;
         const Scalar e120 = e116 - p_.p_0 * inverse_2;
         const Scalar e121 = inverse_2 * e119 + e120;
-        const Scalar e122 = exp_8 * e117;
-        const Scalar e123 = compression_7 * e19;
+        const Scalar e122 = exp_4 * e117;
+        const Scalar e123 = compression_5 * e19;
         const Scalar e124 = p_.p_s * e122;
         const Scalar e125 = e21 * e44;
         const Scalar e126 = inverse_12 * e33;
         const Scalar e127 = Scalar(2) * p_.alpha * e34;
         const Scalar e128 = Scalar(2) * e19;
-        const Scalar e129 = e21 * e41;
-        const Scalar e130 = e21 * e40 + e129;
+        const Scalar e129 = e21 * e42;
+        const Scalar e130 = e21 * e41 + e129;
         const Scalar e131 = e22 * e129;
         const Scalar e132 = e21 * (inverse_2 * e126);
-        const Scalar e133 = compression_7 + (expm1_4 * e120 + inverse_2 * e9);
+        const Scalar e133 = compression_5 + (e6 * e120 + inverse_2 * e9);
         const Scalar e134 = e21 * e29;
         const Scalar e135 = e21 * e98;
         const Scalar e136 = p_.alpha * inverse_2;
         const Scalar e137 = e21 * e32;
         const Scalar e138 = c_.k39 * e32;
         const Scalar e139 = inverse_2 * e117;
-        const Scalar e140 = e21 * e42;
+        const Scalar e140 = e21 * e43;
         const Scalar e141 = e21 * e100;
         const Scalar e142 = p_.alpha * e33;
         const Scalar e143 = e21 * e102;
@@ -976,15 +971,15 @@ public:
         const Scalar e150 = e58 * e116 - (Scalar(1) / Scalar(2)) * p_.p_0 * e149;
         const Scalar e151 = p_.p_t + e49;
         const Scalar e152 = inverse_2 * e151 + e120;
-        const Scalar e153 = exp_53 * e149;
+        const Scalar e153 = exp_51 * e149;
         const Scalar e154 = compression_52 * e58;
         const Scalar e155 = p_.p_t * e153;
         const Scalar e156 = Scalar(2) * e58;
         const Scalar e157 = e60 * e80;
-        const Scalar e158 = e60 * e77 + e157;
+        const Scalar e158 = e60 * e78 + e157;
         const Scalar e159 = e61 * e157;
         const Scalar e160 = e60 * (inverse_2 * e148);
-        const Scalar e161 = compression_52 + (expm1_51 * e120 + inverse_2 * e54);
+        const Scalar e161 = compression_52 + (e53 * e120 + inverse_2 * e54);
         const Scalar e162 = e60 * e68;
         const Scalar e163 = e60 * e109;
         const Scalar e164 = e60 * e71;
@@ -997,9 +992,9 @@ public:
         const Scalar e171 = e60 * e112;
         const Scalar e172 = e60 * e113;
         const Scalar e173 = inverse_2 * e120;
-        const Scalar e174 = exp_8 * e46;
+        const Scalar e174 = exp_4 * e46;
         const Scalar e175 = e121 * e174;
-        const Scalar e176 = compression_7 * e46;
+        const Scalar e176 = compression_5 * e46;
         const Scalar e177 = p_.T_0 * e117;
         const Scalar e178 = inverse_12 * e15;
         const Scalar inverse_2_squared = inverse_2 * inverse_2;
@@ -1007,7 +1002,7 @@ public:
         const Scalar e180 = inverse_2 * e133;
         const Scalar e181 = e46 * inverse_2_squared;
         const Scalar e182 = inverse_2 * e33;
-        const Scalar e183 = exp_53 * e83;
+        const Scalar e183 = exp_51 * e83;
         const Scalar e184 = e152 * e183;
         const Scalar e185 = compression_52 * e83;
         const Scalar e186 = p_.T_0 * e149;
@@ -1019,68 +1014,68 @@ public:
         const Scalar e192 = p_.beta * p_.T_0;
         const Scalar e193 = p_.p_0 * e48 - Scalar(2) * e19 * e192;
         const Scalar e194 = Scalar(2) * p_.beta * e34;
-        const Scalar e195 = e22 * e41;
-        const Scalar e196 = expm1_39 * e32 + e195;
+        const Scalar e195 = e22 * e42;
+        const Scalar e196 = e40 * e32 + e195;
         const Scalar e197 = c_.k16 * e22;
-        const Scalar e198 = compression_43 * e32;
+        const Scalar e198 = compression_39 * e32;
         const Scalar e199 = e22 * e32;
-        const Scalar e200 = e22 * e42;
-        const Scalar e201 = compression_43 * e100;
-        const Scalar e202 = expm1_39 * e100;
+        const Scalar e200 = e22 * e43;
+        const Scalar e201 = compression_39 * e100;
+        const Scalar e202 = e40 * e100;
         const Scalar e203 = e22 * e100;
         const Scalar e204 = e22 * e102;
         const Scalar e205 = e22 * e195;
         const Scalar e206 = e56 * e58;
         const Scalar e207 = p_.p_0 * e85 - Scalar(2) * e58 * e192;
         const Scalar e208 = e61 * e80;
-        const Scalar e209 = expm1_76 * e71 + e208;
-        const Scalar e210 = compression_78 * e71;
+        const Scalar e209 = e77 * e71 + e208;
+        const Scalar e210 = compression_76 * e71;
         const Scalar e211 = e61 * e81;
-        const Scalar e212 = compression_78 * e110;
-        const Scalar e213 = expm1_76 * e110;
+        const Scalar e212 = compression_76 * e110;
+        const Scalar e213 = e77 * e110;
         const Scalar e214 = e61 * e110;
         const Scalar e215 = e61 * e111;
         const Scalar e216 = e61 * e208;
-        const Scalar e217 = expm1_4 * e46;
+        const Scalar e217 = e6 * e46;
         const Scalar e218 = p_.beta * e15;
-        const Scalar e219 = expm1_51 * e83;
+        const Scalar e219 = e53 * e83;
         const Scalar e220 = e34 * e178;
-        const Scalar e221 = inverse_14 * e5;
+        const Scalar e221 = inverse_14 * e7;
         const Scalar e222 = e34 * e221;
         const Scalar e223 = e34 * e187;
         const Scalar e224 = e15 * e178;
         const Scalar e225 = inverse_14 * e34;
         const Scalar e226 = e15 * e187;
         const Scalar e227 = p_.p_s + (Scalar(1) / Scalar(2)) * e1;
-        const Scalar e228 = e6 * e117 - e19;
-        const Scalar e229 = expm1_4 * e228 + e123;
-        const Scalar e230 = c_.k16 * e104 + c_.k34 * e105 - (c_.k35 * e98 + c_.k41 * e41 - (c_.k32 * e38 + e138));
-        const Scalar e231 = c_.k37 * e42 - c_.k43 * e40 + (c_.k33 * e100 + c_.k36 * e102)
+        const Scalar e228 = e8 * e117 - e19;
+        const Scalar e229 = e6 * e228 + e123;
+        const Scalar e230 = c_.k16 * e104 + c_.k34 * e105 - (c_.k35 * e98 + c_.k41 * e42 - (c_.k32 * e38 + e138));
+        const Scalar e231 = c_.k37 * e43 - c_.k43 * e41 + (c_.k33 * e100 + c_.k36 * e102)
             + (c_.k4 * e44 + c_.k38 * e129 - (c_.k31 * e103 + c_.k40 * e195));
         const Scalar e232 = e230 - e231;
         const Scalar e233 = p_.p_t + (Scalar(1) / Scalar(2)) * e49;
-        const Scalar e234 = e6 * e149 - e58;
-        const Scalar e235 = expm1_51 * e234 + e154;
+        const Scalar e234 = e8 * e149 - e58;
+        const Scalar e235 = e53 * e234 + e154;
         const Scalar e236 = c_.k23 * e112 + c_.k59 * e113 - (c_.k60 * e109 + c_.k65 * e80 - (c_.k57 * e75 + e165));
-        const Scalar e237 = c_.k36 * e86 + c_.k67 * e77 - (c_.k11 * e79 + c_.k61 * e81)
+        const Scalar e237 = c_.k36 * e86 + c_.k67 * e78 - (c_.k11 * e79 + c_.k61 * e81)
             - (c_.k58 * e110 + c_.k62 * e157 - (c_.k56 * e111 + c_.k64 * e208));
         const Scalar e238 = e236 + e237;
         const Scalar e239 = Scalar(1) - e120;
-        const Scalar e240 = p_.alpha * e6 - e5;
+        const Scalar e240 = p_.alpha * e8 - e7;
         J[0] = Scalar(0);
         J[1] = p_1 * c_.k0;
-        J[2] = (-e11 * e20) * e29 - inverse_12 * e31 * e32 - e5 * e36 * e38 - (-e6 * e20) * e40 + e20 * e42 + p_.beta * e20
+        J[2] = (-e11 * e20) * e29 - inverse_12 * e31 * e32 - e7 * e36 * e38 - (-e8 * e20) * e41 + e20 * e43 + p_.beta * e20
             * e44 - p_.beta * inverse_12 * inverse_12 * e45;
         J[3] = Scalar(0);
-        J[4] = e6 * e47 * e40 - e11 * e47 * e29 - inverse_12 * e30 * e32 - e36 * e38 + e47 * e42 + inverse_12 * e48 * e44;
+        J[4] = e8 * e47 * e41 - e11 * e47 * e29 - inverse_12 * e30 * e32 - e36 * e38 + e47 * e43 + inverse_12 * e48 * e44;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = (-p_2) * c_.k0;
         J[8] = Scalar(0);
-        J[9] = (-e56 * e59) * e68 - inverse_57 * e70 * e71 - e5 * e73 * e75 - (-e6 * e59) * e77 + p_.beta * e59 * e79 + e59
+        J[9] = (-e56 * e59) * e68 - inverse_57 * e70 * e71 - e7 * e73 * e75 - (-e8 * e59) * e78 + p_.beta * e59 * e79 + e59
             * e81 - p_.beta * inverse_57 * inverse_57 * e82;
         J[10] = Scalar(0);
-        J[11] = e6 * e84 * e77 - e56 * e84 * e68 - inverse_57 * e69 * e71 - e73 * e75 + inverse_57 * e85 * e79 + e84 * e81;
+        J[11] = e8 * e84 * e78 - e56 * e84 * e68 - inverse_57 * e69 * e71 - e73 * e75 + inverse_57 * e85 * e79 + e84 * e81;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
@@ -1108,90 +1103,89 @@ public:
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = (-Scalar(2) * e11 * e95) * e29 - c_.k8 * e98 - inverse_13 * e31 * e32 - c_.k87 * e38 - (-Scalar(2) * e19 * e99)
-            * e40 + Scalar(2) * e95 * e42 + c_.k5 * e100 + e101 * e102 + Scalar(2) * p_.beta * e95 * e44 - c_.k4 * e103 - c_.k6
+            * e41 + Scalar(2) * e95 * e43 + c_.k5 * e100 + e101 * e102 + Scalar(2) * p_.beta * e95 * e44 - c_.k4 * e103 - c_.k6
             * e104 + c_.k7 * e105;
         J[39] = (-Scalar(2) * e56 * e106) * e68 - c_.k15 * e109 - inverse_13 * e70 * e71 - c_.k98 * e75
-            - (-Scalar(2) * e58 * e99) * e77 - e101 * e86 + Scalar(2) * p_.beta * e106 * e79 + Scalar(2) * e106 * e81 + c_.k12
+            - (-Scalar(2) * e58 * e99) * e78 - e101 * e86 + Scalar(2) * p_.beta * e106 * e79 + Scalar(2) * e106 * e81 + c_.k12
             * e110 - c_.k11 * e111 - c_.k13 * e112 + c_.k14 * e113;
         J[40] = c_.k22 * e98 - Scalar(2) * e11 * e114 * e29 - inverse_13 * e30 * e32 - c_.k4 * e38 + Scalar(2) * e46 * e99
-            * e40 + Scalar(2) * e114 * e42 + c_.k19 * e100 + e18 * e102 + Scalar(2) * inverse_13 * e48 * e44 - c_.k18 * e103
+            * e41 + Scalar(2) * e114 * e43 + c_.k19 * e100 + e18 * e102 + Scalar(2) * inverse_13 * e48 * e44 - c_.k18 * e103
             - c_.k20 * e104 - c_.k21 * e105;
         J[41] = c_.k28 * e109 - Scalar(2) * e56 * e115 * e68 - inverse_13 * e69 * e71 - c_.k11 * e75 + Scalar(2) * e83 * e99
-            * e77 - e18 * e86 + Scalar(2) * inverse_13 * e85 * e79 + Scalar(2) * e115 * e81 + c_.k25 * e110 - c_.k24 * e111
+            * e78 - e18 * e86 + Scalar(2) * inverse_13 * e85 * e79 + Scalar(2) * e115 * e81 + c_.k25 * e110 - c_.k24 * e111
             - c_.k26 * e112 - c_.k27 * e113;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        const Scalar e241 = Scalar(2) * expm1_4 * e118 - e1 * e121 * e122 + Scalar(2) * e123 + e124;
-        J[44] = e241 * e29 - c_.k38 * (e42 - e125) - e38 * (e21 * (p_.alpha * e126) - Scalar(2) * p_.alpha * e35) - s_k_dot
-            * inverse_27 - Scalar(2) * e118 * e40 - e127 * e102 - e128 * e44 - (-e120 * e117) * e130 - p_.alpha * e117 * e131
+        const Scalar e241 = (Scalar(2) * e6 * e118 - e1 * e121 * e122 + Scalar(2) * e123 + e124) * e29;
+        J[44] = e241 - c_.k38 * (e43 - e125) - e38 * (e21 * (p_.alpha * e126) - Scalar(2) * p_.alpha * e35) - s_k_dot
+            * inverse_27 - Scalar(2) * e118 * e41 - e127 * e102 - e128 * e44 - (-e120 * e117) * e130 - p_.alpha * e117 * e131
             + c_.k106 * e45 - e103 * e132 + (-e117 * e133) * e134 - (-e133 * e126) * e135 - e30 * e136 * e137 + e138
             + Scalar(2) * e139 * e140 + inverse_12 * e136 * e141 + e142 * e143 + e139 * e144 - c_.k31 * e145 + (-e120 * e126)
             * e146;
-        const Scalar e242 = Scalar(2) * expm1_51 * e150 - e49 * e152 * e153 + Scalar(2) * e154 + e155;
+        const Scalar e242 = (Scalar(2) * e53 * e150 - e49 * e152 * e153 + Scalar(2) * e154 + e155) * e68;
         J[45] = s_k_dot * inverse_66 - c_.k62 * (e81 - e147) - e75 * (e60 * (p_.alpha * e148) - Scalar(2) * p_.alpha * e72)
-            + e242 * e68 - Scalar(2) * e150 * e77 + e127 * e86 - e156 * e79 - (-e120 * e149) * e158 - p_.alpha * e149 * e159
+            + e242 - Scalar(2) * e150 * e78 + e127 * e86 - e156 * e79 - (-e120 * e149) * e158 - p_.alpha * e149 * e159
             + c_.k114 * e82 - e111 * e160 + (-e149 * e161) * e162 - (-e161 * e148) * e163 - e69 * e136 * e164 + e165 - e142
             * e166 + Scalar(2) * e167 * e168 + inverse_57 * e136 * e169 + e167 * e170 - c_.k56 * e171 + (-e120 * e148) * e172;
-        J[46] = e46 * e173 * e130 - (e3 * e175 - e176 - expm1_4 * e177) * e29 - e177 * e40 - e21 * (e178 * inverse_2_squared)
-            * e103 - e139 * e131 - e179 - e38 * e132 - e46 * e180 * e134 + e178 * e180 * e135 - inverse_2_squared * e30 * e137
+        J[46] = e46 * e173 * e130 - (e3 * e175 - e176 - e6 * e177) * e29 - e177 * e41 - e21 * (e178 * inverse_2_squared) * e103
+            - e139 * e131 - e179 - e38 * e132 - e46 * e180 * e134 + e178 * e180 * e135 - inverse_2_squared * e30 * e137
             + Scalar(2) * e181 * e140 + inverse_12 * inverse_2_squared * e141 + e182 * e143 + c_.k51 * e125 + e181 * e144
             - c_.k44 * e145 - e178 * e173 * e146;
-        J[47] = e83 * e173 * e158 - (e50 * e184 - e185 - expm1_51 * e186) * e68 - e186 * e77 - e60 * (e187 * inverse_2_squared)
+        J[47] = e83 * e173 * e158 - (e50 * e184 - e185 - e53 * e186) * e68 - e186 * e78 - e60 * (e187 * inverse_2_squared)
             * e111 - e167 * e159 - e188 - e75 * e160 - e83 * e189 * e162 + e187 * e189 * e163 - inverse_2_squared * e69 * e164
             - e182 * e166 + c_.k74 * e147 + Scalar(2) * e190 * e168 + inverse_57 * inverse_2_squared * e169 + e190 * e170
             - c_.k68 * e171 - e187 * e173 * e172;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = (p_.beta * e30 - e191) * e32 - e38 * (c_.k2 * e22 - Scalar(2) * p_.beta * e35) - (expm1_4 * e193 - e10 * e48)
-            * e29 + e193 * e40 - c_.k20 * e42 - c_.k105 * e100 - e194 * e102 - p_.beta * e48 * e44 - c_.k7 * e196 + c_.k4
-            * e131 - e103 * e197 + c_.k6 * e198 - c_.k5 * e199 + e128 * e200 - c_.k103 * e201 + c_.k104 * e202 + c_.k102 * e203
+        J[50] = (p_.beta * e30 - e191) * e32 - e38 * (c_.k2 * e22 - Scalar(2) * p_.beta * e35) - (e6 * e193 - e10 * e48) * e29
+            + e193 * e41 - c_.k20 * e43 - c_.k105 * e100 - e194 * e102 - p_.beta * e48 * e44 - c_.k7 * e196 + c_.k4 * e131
+            - e103 * e197 + c_.k6 * e198 - c_.k5 * e199 + e128 * e200 - c_.k103 * e201 + c_.k104 * e202 + c_.k102 * e203
             + c_.k3 * e204 - c_.k87 * e205;
-        J[51] = (p_.beta * e69 - e206) * e71 - (expm1_51 * e207 - e55 * e85) * e68 + Scalar(2) * p_.beta * e72 * e75 + e207
-            * e77 + e194 * e86 - p_.beta * e85 * e79 - c_.k26 * e81 - c_.k113 * e110 - e61 * e87 - c_.k14 * e209 + c_.k11
-            * e159 + c_.k13 * e210 + e156 * e211 - c_.k111 * e212 + c_.k112 * e213 + c_.k110 * e214 - c_.k23 * e215 - c_.k98
-            * e216;
-        J[52] = c_.k107 * (e38 - e201) + e192 * e217 * e29 - c_.k22 * e32 - e46 * e192 * e40 + c_.k109 * e100 - e218 * e102
+        J[51] = (p_.beta * e69 - e206) * e71 - (e53 * e207 - e55 * e85) * e68 + Scalar(2) * p_.beta * e72 * e75 + e207 * e78
+            + e194 * e86 - p_.beta * e85 * e79 - c_.k26 * e81 - c_.k113 * e110 - e61 * e87 - c_.k14 * e209 + c_.k11 * e159
+            + c_.k13 * e210 + e156 * e211 - c_.k111 * e212 + c_.k112 * e213 + c_.k110 * e214 - c_.k23 * e215 - c_.k98 * e216;
+        J[52] = c_.k107 * (e38 - e201) + e192 * e217 * e29 - c_.k22 * e32 - e46 * e192 * e41 + c_.k109 * e100 - e218 * e102
             - c_.k46 * e22 * e103 + c_.k21 * e196 + c_.k18 * e131 - e38 * e197 + c_.k20 * e198 - c_.k19 * e199 + Scalar(2)
             * e46 * e200 - c_.k108 * e202 + c_.k106 * e203 + c_.k17 * e204 - c_.k4 * e205;
-        J[53] = c_.k115 * (e75 - e212) + e192 * e219 * e68 - c_.k28 * e71 - e83 * e192 * e77 + e218 * e86 + c_.k117 * e110
+        J[53] = c_.k115 * (e75 - e212) + e192 * e219 * e68 - c_.k28 * e71 - e83 * e192 * e78 + e218 * e86 + c_.k117 * e110
             - e61 * e93 + c_.k27 * e209 + c_.k24 * e159 + c_.k26 * e210 + Scalar(2) * e83 * e211 - c_.k116 * e213 + c_.k114
             * e214 - c_.k70 * e215 - c_.k11 * e216;
         J[54] = Scalar(0);
         J[55] = Scalar(0);
-        J[56] = (-e11 * e220) * e29 - e35 * e221 * e38 - (-e6 * e220) * e40 + e220 * e42 + e222 * e102 + p_.beta * e220 * e44;
-        J[57] = (-e56 * e223) * e68 - e72 * e221 * e75 - (-e6 * e223) * e77 - e222 * e86 + p_.beta * e223 * e79 + e223 * e81;
-        J[58] = e6 * e224 * e40 - e11 * e224 * e29 - inverse_14 * e35 * e38 + e224 * e42 + e225 * e102 + p_.beta * e224 * e44;
-        J[59] = e6 * e226 * e77 - e56 * e226 * e68 - inverse_14 * e72 * e75 - e225 * e86 + p_.beta * e226 * e79 + e226 * e81;
+        J[56] = (-e11 * e220) * e29 - e35 * e221 * e38 - (-e8 * e220) * e41 + e220 * e43 + e222 * e102 + p_.beta * e220 * e44;
+        J[57] = (-e56 * e223) * e68 - e72 * e221 * e75 - (-e8 * e223) * e78 - e222 * e86 + p_.beta * e223 * e79 + e223 * e81;
+        J[58] = e8 * e224 * e41 - e11 * e224 * e29 - inverse_14 * e35 * e38 + e224 * e43 + e225 * e102 + p_.beta * e224 * e44;
+        J[59] = e8 * e226 * e78 - e56 * e226 * e68 - inverse_14 * e72 * e75 - e225 * e86 + p_.beta * e226 * e79 + e226 * e81;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = (e122 * (e6 + Scalar(2) * e227) + e229) * e29 + e232;
-        J[63] = (e153 * (e6 + Scalar(2) * e233) + e235) * e68 + e238;
+        J[62] = (e122 * (e8 + Scalar(2) * e227) + e229) * e29 + e232;
+        J[63] = (e153 * (e8 + Scalar(2) * e233) + e235) * e68 + e238;
         const Scalar e243 = (e239 * e217 - e174 * (e120 + Scalar(2) * inverse_2 * e227) - e176) * e29;
-        J[64] = c_.k53 * e41 - e243 + c_.k48 * e98 + c_.k52 * e32 + c_.k55 * e40 - c_.k50 * e42 - c_.k45 * e100 - c_.k51 * e129
+        J[64] = c_.k53 * e42 - e243 + c_.k48 * e98 + c_.k52 * e32 + c_.k55 * e41 - c_.k50 * e43 - c_.k45 * e100 - c_.k51 * e129
             + c_.k44 * e103 + c_.k38 * e195 + c_.k46 * e104 - c_.k47 * e105 - e179;
         const Scalar e244 = (e239 * e219 - e183 * (e120 + Scalar(2) * inverse_2 * e233) - e185) * e68;
-        J[65] = c_.k76 * e80 - e244 + c_.k72 * e109 + c_.k75 * e71 + c_.k78 * e77 - c_.k73 * e81 - c_.k69 * e110 - c_.k74
+        J[65] = c_.k76 * e80 - e244 + c_.k72 * e109 + c_.k75 * e71 + c_.k78 * e78 - c_.k73 * e81 - c_.k69 * e110 - c_.k74
             * e157 + c_.k68 * e111 + c_.k62 * e208 + c_.k70 * e112 - c_.k71 * e113 - e188;
         J[66] = Scalar(0);
         J[67] = Scalar(0);
-        J[68] = (expm1_4 * e19 * e5 + e31 - p_.alpha * e191) * e29 - c_.k88 * e41 - c_.k82 * e98 - c_.k85 * e32 - c_.k79 * e38
-            - (-e19 * e240) * e40 + c_.k84 * e42 + c_.k80 * e100 + c_.k83 * e102 + c_.k87 * e44 + c_.k40 * e129 - c_.k32 * e103
+        J[68] = (e6 * e19 * e7 + e31 - p_.alpha * e191) * e29 - c_.k88 * e42 - c_.k82 * e98 - c_.k85 * e32 - c_.k79 * e38
+            - (-e19 * e240) * e41 + c_.k84 * e43 + c_.k80 * e100 + c_.k83 * e102 + c_.k87 * e44 + c_.k40 * e129 - c_.k32 * e103
             - c_.k86 * e195 - c_.k2 * e104 + c_.k81 * e105;
-        J[69] = (expm1_51 * e58 * e5 + e70 - p_.alpha * e206) * e68 - c_.k99 * e80 - c_.k94 * e109 - c_.k96 * e71 - c_.k91
-            * e75 - (-e58 * e240) * e77 - c_.k83 * e86 + c_.k98 * e79 + c_.k95 * e81 + c_.k92 * e110 + c_.k64 * e157 - c_.k57
-            * e111 - c_.k97 * e208 - c_.k9 * e112 + c_.k93 * e113;
+        J[69] = (e53 * e58 * e7 + e70 - p_.alpha * e206) * e68 - c_.k99 * e80 - c_.k94 * e109 - c_.k96 * e71 - c_.k91 * e75
+            - (-e58 * e240) * e78 - c_.k83 * e86 + c_.k98 * e79 + c_.k95 * e81 + c_.k92 * e110 + c_.k64 * e157 - c_.k57 * e111
+            - c_.k97 * e208 - c_.k9 * e112 + c_.k93 * e113;
         J[70] = (e30 - e229 - e124) * e29 - e232;
         J[71] = (e69 - e235 - e155) * e68 - e238;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
-        J[74] = (-exp_8 * e228 - e119 * e122) * e29;
+        J[74] = (-exp_4 * e228 - e119 * e122) * e29;
         J[75] = Scalar(0);
         J[76] = (e174 - e175) * e29;
         J[77] = Scalar(0);
         J[78] = Scalar(0);
         J[79] = Scalar(0);
         J[80] = Scalar(0);
-        J[81] = (-exp_53 * e234 - e151 * e153) * e68;
+        J[81] = (-exp_51 * e234 - e151 * e153) * e68;
         J[82] = Scalar(0);
         J[83] = (e183 - e184) * e68;
     }
@@ -1232,7 +1226,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 18 + or -, 22 *, 2 /, 6 other functions
+    /// Operations: 20 + or -, 24 *, 2 /, 4 other functions
     ///     f_h = A_1*p_1 - A_2*p_2
     ///     E_g = m_k*dot(s_k)^2/2 - A_1*rho_0*c_v*s_k*(T_0 - T_1)/exp((p_0 - p_1)/beta - alpha*(T_0 - T_1)) +
     ///     A_2*rho_0*c_v*s_k*(T_0 - T_2)/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2)) + A_1*beta*s_k*compression(-(p_0 - p_1)/beta +
@@ -1246,7 +1240,6 @@ public:
     ///     V_k = m_k/rho_k
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
         const Scalar s_k = x[0];
@@ -1255,28 +1248,26 @@ public:
         const Scalar e2 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar inverse_4 = Scalar(1) / exp_3;
-        const Scalar compression_5 = detail::compression<Scalar>(-e2);
-        const Scalar expm1_6 = expm1(e2);
+        const Scalar compression_5 = detail::compression<Scalar>(-e2, exp_3);
+        const Scalar e6 = e2 * exp_3 - compression_5;
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
         const Scalar e8 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e7;
         const Scalar exp_9 = exp(e8);
-        const Scalar compression_10 = detail::compression<Scalar>(-e8);
-        const Scalar expm1_11 = expm1(e8);
+        const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
         const Scalar s_k_dot = x[1];
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        const Scalar e12 = s_k * inverse_4 * (c_.k119 * e1 - c_.k121 * compression_5 - c_.k123 * expm1_6);
-        const Scalar e13 = inverse_4 * (c_.k125 * e1 - c_.k126 * compression_5 - c_.k127 * expm1_6);
-        const Scalar e14 = s_k / exp_9 * (c_.k118 * e7 - c_.k120 * compression_10 - c_.k122 * expm1_11);
-        y[1] = e12 - e13 - e14 + c_.k124 * s_k_dot * s_k_dot;
+        const Scalar e11 = s_k * inverse_4 * (c_.k119 * e1 - c_.k121 * compression_5 - c_.k123 * e6);
+        const Scalar e12 = c_.k118 * e7 - c_.k120 * compression_10 - c_.k122 * (e8 * exp_9 - compression_10);
+        y[1] = e11 - inverse_4 * (c_.k125 * e1 - c_.k126 * compression_5 - c_.k127 * e6) - s_k / exp_9 * e12 + c_.k124
+            * s_k_dot * s_k_dot;
         y[2] = c_.k128;
     }
 
     /// C = dh/dx.
-    /// Operations: 44 + or -, 57 *, 2 /, 6 other functions
+    /// Operations: 46 + or -, 59 *, 2 /, 4 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
         const Scalar p_2 = x[3];
@@ -1292,45 +1283,44 @@ public:
         const Scalar e9 = c_.k29 * e7 - p_.alpha * e8;
         const Scalar exp_10 = exp(e9);
         const Scalar inverse_11 = Scalar(1) / exp_10;
-        const Scalar compression_12 = detail::compression<Scalar>(-e9);
-        const Scalar expm1_13 = expm1(e9);
-        const Scalar compression_14 = detail::compression<Scalar>(-e3);
+        const Scalar compression_12 = detail::compression<Scalar>(-e9, exp_10);
+        const Scalar e13 = e9 * exp_10 - compression_12;
+        const Scalar compression_14 = detail::compression<Scalar>(-e3, exp_4);
         const Scalar e15 = compression_14 * inverse_5;
-        const Scalar expm1_16 = expm1(e3);
-        const Scalar e17 = expm1_16 * inverse_5;
+        const Scalar e16 = (e3 * exp_4 - compression_14) * inverse_5;
         const Scalar s_k_dot = x[1];
         const Scalar s_k = x[0];
-        const Scalar e18 = s_k * inverse_11;
-        const Scalar e19 = s_k - expm1_13 * e18;
-        const Scalar e20 = s_k * e8;
-        const Scalar e21 = s_k * e7;
-        const Scalar e22 = e8 * e18;
-        const Scalar e23 = compression_12 * e18;
-        const Scalar e24 = Scalar(1) - e17;
-        const Scalar e25 = c_.k136 * s_k - c_.k139;
-        const Scalar e26 = s_k * e24;
-        const Scalar e27 = s_k * e6;
-        const Scalar e28 = s_k * e15;
+        const Scalar e17 = s_k * inverse_11;
+        const Scalar e18 = s_k - e13 * e17;
+        const Scalar e19 = s_k * e8;
+        const Scalar e20 = s_k * e7;
+        const Scalar e21 = e8 * e17;
+        const Scalar e22 = compression_12 * e17;
+        const Scalar e23 = Scalar(1) - e16;
+        const Scalar e24 = c_.k136 * s_k - c_.k139;
+        const Scalar e25 = s_k * e23;
+        const Scalar e26 = s_k * e6;
+        const Scalar e27 = s_k * e15;
         C[0] = Scalar(0);
-        const Scalar e29 = inverse_11 * (c_.k118 * e8 - c_.k120 * compression_12 - c_.k122 * expm1_13);
-        C[1] = c_.k119 * e6 - e29 - c_.k121 * e15 - c_.k123 * e17;
+        C[1] = c_.k119 * e6 - inverse_11 * (c_.k118 * e8 - c_.k120 * compression_12 - c_.k122 * e13) - c_.k121 * e15 - c_.k123
+            * e16;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = p_.m_k * s_k_dot;
         C[5] = Scalar(0);
         C[6] = p_.A_1;
-        C[7] = c_.k129 * e19 + c_.k131 * e20 - c_.k130 * e21 - c_.k132 * e22 + p_.A_1 * e23;
+        C[7] = c_.k129 * e18 + c_.k131 * e19 - c_.k130 * e20 - c_.k132 * e21 + p_.A_1 * e22;
         C[8] = Scalar(0);
         C[9] = -p_.A_2;
-        C[10] = e2 * (c_.k135 * s_k - c_.k138) + c_.k133 * e24 - e1 * e25 - c_.k140 * e6 + c_.k141 * e15 - c_.k134 * e26
-            + c_.k137 * e27 - p_.A_2 * e28;
+        C[10] = e2 * (c_.k135 * s_k - c_.k138) + c_.k133 * e23 - e1 * e24 - c_.k140 * e6 + c_.k141 * e15 - c_.k134 * e25
+            + c_.k137 * e26 - p_.A_2 * e27;
         C[11] = Scalar(0);
         C[12] = Scalar(0);
-        C[13] = c_.k118 * e18 + c_.k142 * e19 - c_.k143 * e20 + c_.k131 * e21 + c_.k144 * e22 - c_.k145 * e23;
+        C[13] = c_.k118 * e17 + c_.k142 * e18 - c_.k143 * e19 + c_.k131 * e20 + c_.k144 * e21 - c_.k145 * e22;
         C[14] = Scalar(0);
         C[15] = Scalar(0);
-        C[16] = s_k * (c_.k148 * e1 - c_.k119 * inverse_5) - c_.k151 * e1 + c_.k125 * inverse_5 + c_.k146 * e24 - e2 * e25
-            + c_.k152 * e6 - c_.k153 * e15 - c_.k147 * e26 - c_.k149 * e27 + c_.k150 * e28;
+        C[16] = s_k * (c_.k148 * e1 - c_.k119 * inverse_5) - c_.k151 * e1 + c_.k125 * inverse_5 + c_.k146 * e23 - e2 * e24
+            + c_.k152 * e6 - c_.k153 * e15 - c_.k147 * e25 - c_.k149 * e26 + c_.k150 * e27;
         C[17] = Scalar(0);
     }
 
@@ -1386,12 +1376,11 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 16 + or -, 18 *, 2 /, 6 other functions
+    /// Operations: 18 + or -, 20 *, 2 /, 4 other functions
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s_k - A_2*density[chamber_2]*specific_energy[chamber_2]*s_k +
     ///     A_2*(l - d)*density[chamber_2]*specific_energy[chamber_2]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar s_k = x[0];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
@@ -1399,26 +1388,23 @@ public:
         const Scalar e2 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar inverse_4 = Scalar(1) / exp_3;
-        const Scalar compression_5 = detail::compression<Scalar>(-e2);
-        const Scalar expm1_6 = expm1(e2);
+        const Scalar compression_5 = detail::compression<Scalar>(-e2, exp_3);
+        const Scalar e6 = e2 * exp_3 - compression_5;
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
         const Scalar e8 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e7;
         const Scalar exp_9 = exp(e8);
-        const Scalar compression_10 = detail::compression<Scalar>(-e8);
-        const Scalar expm1_11 = expm1(e8);
-        const Scalar e12 = s_k * inverse_4 * (c_.k119 * e1 - c_.k121 * compression_5 - c_.k123 * expm1_6);
-        const Scalar e13 = inverse_4 * (c_.k125 * e1 - c_.k126 * compression_5 - c_.k127 * expm1_6);
-        const Scalar e14 = s_k / exp_9 * (c_.k118 * e7 - c_.k120 * compression_10 - c_.k122 * expm1_11);
-        return e12 - e13 - e14;
+        const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
+        const Scalar e11 = s_k * inverse_4 * (c_.k119 * e1 - c_.k121 * compression_5 - c_.k123 * e6);
+        const Scalar e12 = c_.k118 * e7 - c_.k120 * compression_10 - c_.k122 * (e8 * exp_9 - compression_10);
+        return e11 - inverse_4 * (c_.k125 * e1 - c_.k126 * compression_5 - c_.k127 * e6) - s_k / exp_9 * e12;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 26 + or -, 36 *, 4 /, 16 other functions
+    /// Operations: 30 + or -, 40 *, 4 /, 12 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar q_1 = u[0];
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
@@ -1428,36 +1414,32 @@ public:
         const Scalar e4 = p_.rho_0 * q_1 / exp_3;
         const Scalar min_5 = detail::min<Scalar>(Scalar(0), e4);
         const Scalar inverse_6 = Scalar(1) / p_.rho_0;
-        const Scalar compression_7 = detail::compression<Scalar>(-e2);
+        const Scalar compression_7 = detail::compression<Scalar>(-e2, exp_3);
         const Scalar e8 = p_.beta * inverse_6;
-        const Scalar expm1_9 = expm1(e2);
-        const Scalar e10 = inverse_6 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
+        const Scalar e9 = inverse_6 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
-        const Scalar e11 = p_.T_0 - T_2;
-        const Scalar e12 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e11;
-        const Scalar exp_13 = exp(e12);
-        const Scalar e14 = p_.rho_0 * q_2 / exp_13;
-        const Scalar min_15 = detail::min<Scalar>(Scalar(0), e14);
-        const Scalar compression_16 = detail::compression<Scalar>(-e12);
-        const Scalar expm1_17 = expm1(e12);
-        const Scalar max_18 = detail::max<Scalar>(Scalar(0), e4);
-        const Scalar inverse_19 = Scalar(1) / p_.beta;
-        const Scalar e20 = (p_.p_0 - p_.p_s) * inverse_19;
-        const Scalar exp_21 = exp(e20);
-        const Scalar compression_22 = detail::compression<Scalar>(-e20);
-        const Scalar expm1_23 = expm1(e20);
-        const Scalar max_24 = detail::max<Scalar>(Scalar(0), e14);
-        const Scalar e25 = (p_.p_0 - p_.p_t) * inverse_19;
-        const Scalar exp_26 = exp(e25);
-        const Scalar compression_27 = detail::compression<Scalar>(-e25);
-        const Scalar expm1_28 = expm1(e25);
-        const Scalar e29 = p_1 * exp_3 * inverse_6 - p_.c_v * e1 + compression_7 * e8 + expm1_9 * e10;
-        const Scalar e30 = p_2 * exp_13 * inverse_6 - p_.c_v * e11 + compression_16 * e8 + expm1_17 * e10;
-        const Scalar e31 = max_18 * (p_.p_s * exp_21 * inverse_6 + compression_22 * e8 + expm1_23 * e10);
-        const Scalar e32 = max_24 * (p_.p_t * exp_26 * inverse_6 + compression_27 * e8 + expm1_28 * e10);
-        return min_5 * e29 + min_15 * e30 + e31 + e32;
+        const Scalar e10 = p_.T_0 - T_2;
+        const Scalar e11 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e10;
+        const Scalar exp_12 = exp(e11);
+        const Scalar e13 = p_.rho_0 * q_2 / exp_12;
+        const Scalar min_14 = detail::min<Scalar>(Scalar(0), e13);
+        const Scalar compression_15 = detail::compression<Scalar>(-e11, exp_12);
+        const Scalar max_16 = detail::max<Scalar>(Scalar(0), e4);
+        const Scalar inverse_17 = Scalar(1) / p_.beta;
+        const Scalar e18 = (p_.p_0 - p_.p_s) * inverse_17;
+        const Scalar exp_19 = exp(e18);
+        const Scalar compression_20 = detail::compression<Scalar>(-e18, exp_19);
+        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e13);
+        const Scalar e22 = (p_.p_0 - p_.p_t) * inverse_17;
+        const Scalar exp_23 = exp(e22);
+        const Scalar compression_24 = detail::compression<Scalar>(-e22, exp_23);
+        const Scalar e25 = p_1 * exp_3 * inverse_6 - p_.c_v * e1 + compression_7 * e8 + (e2 * exp_3 - compression_7) * e9;
+        const Scalar e26 = p_2 * exp_12 * inverse_6 - p_.c_v * e10 + compression_15 * e8 + (e11 * exp_12 - compression_15) * e9;
+        const Scalar e27 = p_.p_s * exp_19 * inverse_6 + compression_20 * e8 + (e18 * exp_19 - compression_20) * e9;
+        const Scalar e28 = p_.p_t * exp_23 * inverse_6 + compression_24 * e8 + (e22 * exp_23 - compression_24) * e9;
+        return min_5 * e25 + min_14 * e26 + max_16 * e27 + max_21 * e28;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1488,116 +1470,116 @@ private:
         Scalar k5;  ///< beta*alpha/(A_1*rho_0)
         Scalar k6;  ///< beta^2*alpha/(A_1*rho_0^2*c_v)
         Scalar k7;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
-        Scalar k8;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + p_s/beta) ...
+        Scalar k8;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
         Scalar k9;  ///< beta^2*alpha^2/(A_2*rho_0*c_v)
         Scalar k10;  ///< beta/A_2
         Scalar k11;  ///< beta*alpha/(A_2*rho_0^2*c_v)
         Scalar k12;  ///< beta*alpha/(A_2*rho_0)
         Scalar k13;  ///< beta^2*alpha/(A_2*rho_0^2*c_v)
         Scalar k14;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
-        Scalar k15;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + p_t/beta) ...
+        Scalar k15;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
         Scalar k16;  ///< beta*alpha/(A_1*rho_0*c_v)
         Scalar k17;  ///< beta*alpha/(rho_0*c_v)
         Scalar k18;  ///< 1/(A_1*rho_0^2*c_v)
         Scalar k19;  ///< 1/(A_1*rho_0)
         Scalar k20;  ///< beta/(A_1*rho_0^2*c_v)
         Scalar k21;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0^2*c_v)
-        Scalar k22;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k22;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
         Scalar k23;  ///< beta*alpha/(A_2*rho_0*c_v)
         Scalar k24;  ///< 1/(A_2*rho_0^2*c_v)
         Scalar k25;  ///< 1/(A_2*rho_0)
         Scalar k26;  ///< beta/(A_2*rho_0^2*c_v)
         Scalar k27;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0^2*c_v)
-        Scalar k28;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k28;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
         Scalar k29;  ///< 1/beta
         Scalar k30;  ///< l - d
         Scalar k31;  ///< alpha/(A_1*rho_0*c_v)
         Scalar k32;  ///< beta*alpha^2/(A_1*rho_0*c_v)
         Scalar k33;  ///< alpha/A_1
         Scalar k34;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k35;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k35;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta ...
         Scalar k36;  ///< beta*alpha^2/(rho_0*c_v)
         Scalar k37;  ///< 2*alpha/(A_1*rho_0^2*c_v)
         Scalar k38;  ///< alpha/(A_1*rho_0^2*c_v)
         Scalar k39;  ///< alpha/(A_1*rho_0)
         Scalar k40;  ///< beta*alpha^2/(A_1*rho_0^2*c_v)
         Scalar k41;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0^2*c_v)
-        Scalar k42;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k42;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta ...
         Scalar k43;  ///< alpha*(beta - beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
         Scalar k44;  ///< 1/(A_1*rho_0*beta*c_v)
         Scalar k45;  ///< 1/(A_1*beta)
         Scalar k46;  ///< 1/(A_1*rho_0*c_v)
         Scalar k47;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0*c_v)
-        Scalar k48;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k48;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_s/beta)/beta - alpha*T_0*p_s*exp(p_0/beta - p_s/beta)/beta + ...
         Scalar k49;  ///< alpha/(rho_0*c_v)
         Scalar k50;  ///< 2/(A_1*rho_0^2*beta*c_v)
         Scalar k51;  ///< 1/(A_1*rho_0^2*beta*c_v)
         Scalar k52;  ///< 1/(A_1*rho_0*beta)
         Scalar k53;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0^2*c_v)
-        Scalar k54;  ///< (p_0*expm1(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k54;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_s/beta)/beta - alpha*T_0*p_s*exp(p_0/beta - p_s/beta)/beta + ...
         Scalar k55;  ///< (1 + p_0/beta - alpha*T_0)/(A_1*rho_0^2*c_v)
         Scalar k56;  ///< alpha/(A_2*rho_0*c_v)
         Scalar k57;  ///< beta*alpha^2/(A_2*rho_0*c_v)
         Scalar k58;  ///< alpha/A_2
         Scalar k59;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k60;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k60;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta ...
         Scalar k61;  ///< 2*alpha/(A_2*rho_0^2*c_v)
         Scalar k62;  ///< alpha/(A_2*rho_0^2*c_v)
         Scalar k63;  ///< alpha/(A_2*rho_0)
         Scalar k64;  ///< beta*alpha^2/(A_2*rho_0^2*c_v)
         Scalar k65;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0^2*c_v)
-        Scalar k66;  ///< alpha*(beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k66;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta ...
         Scalar k67;  ///< alpha*(beta - beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
         Scalar k68;  ///< 1/(A_2*rho_0*beta*c_v)
         Scalar k69;  ///< 1/(A_2*beta)
         Scalar k70;  ///< 1/(A_2*rho_0*c_v)
         Scalar k71;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0*c_v)
-        Scalar k72;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k72;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_t/beta)/beta - alpha*T_0*p_t*exp(p_0/beta - p_t/beta)/beta + ...
         Scalar k73;  ///< 2/(A_2*rho_0^2*beta*c_v)
         Scalar k74;  ///< 1/(A_2*rho_0^2*beta*c_v)
         Scalar k75;  ///< 1/(A_2*rho_0*beta)
         Scalar k76;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0^2*c_v)
-        Scalar k77;  ///< (p_0*expm1(p_0/beta - p_t/beta)/beta - p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k77;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_t/beta)/beta - alpha*T_0*p_t*exp(p_0/beta - p_t/beta)/beta + ...
         Scalar k78;  ///< (1 + p_0/beta - alpha*T_0)/(A_2*rho_0^2*c_v)
         Scalar k79;  ///< beta^2*alpha^3/(A_1*rho_0*c_v)
         Scalar k80;  ///< beta*alpha^2/A_1
         Scalar k81;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k82;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + ...
+        Scalar k82;  ///< -alpha^2*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
         Scalar k83;  ///< beta^2*alpha^3/(rho_0*c_v)
         Scalar k84;  ///< 2*beta*alpha^2/(A_1*rho_0^2*c_v)
         Scalar k85;  ///< beta*alpha^2/(A_1*rho_0)
         Scalar k86;  ///< beta^2*alpha^3/(A_1*rho_0^2*c_v)
         Scalar k87;  ///< beta^2*alpha^2/(A_1*rho_0^2*c_v)
         Scalar k88;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
-        Scalar k89;  ///< beta*alpha*(1 - beta*alpha^2*T_0*expm1(p_0/beta - p_s/beta)/(rho_0*c_v) - ...
-        Scalar k90;  ///< (1 - beta*alpha^2*T_0*expm1(p_0/beta - p_s/beta)/(rho_0*c_v) - beta*alpha*compression(-p_0/beta ...
+        Scalar k89;  ///< alpha*(-beta*alpha^2*p_0*T_0*exp(p_0/beta - p_s/beta)/(rho_0*c_v) - ...
+        Scalar k90;  ///< (1 - alpha*p_0*p_s*exp(p_0/beta - p_s/beta)/(rho_0*beta*c_v) + alpha*p_0^2*exp(p_0/beta - ...
         Scalar k91;  ///< beta^2*alpha^3/(A_2*rho_0*c_v)
         Scalar k92;  ///< beta*alpha^2/A_2
         Scalar k93;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k94;  ///< beta*alpha^2*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + ...
+        Scalar k94;  ///< -alpha^2*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
         Scalar k95;  ///< 2*beta*alpha^2/(A_2*rho_0^2*c_v)
         Scalar k96;  ///< beta*alpha^2/(A_2*rho_0)
         Scalar k97;  ///< beta^2*alpha^3/(A_2*rho_0^2*c_v)
         Scalar k98;  ///< beta^2*alpha^2/(A_2*rho_0^2*c_v)
         Scalar k99;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
-        Scalar k100;  ///< beta*alpha*(1 - beta*alpha^2*T_0*expm1(p_0/beta - p_t/beta)/(rho_0*c_v) - ...
-        Scalar k101;  ///< (1 - beta*alpha^2*T_0*expm1(p_0/beta - p_t/beta)/(rho_0*c_v) - beta*alpha*compression(-p_0/beta ...
+        Scalar k100;  ///< alpha*(-beta*alpha^2*p_0*T_0*exp(p_0/beta - p_t/beta)/(rho_0*c_v) - ...
+        Scalar k101;  ///< (1 - alpha*p_0*p_t*exp(p_0/beta - p_t/beta)/(rho_0*beta*c_v) + alpha*p_0^2*exp(p_0/beta - ...
         Scalar k102;  ///< beta*alpha/A_1
         Scalar k103;  ///< beta^2*alpha/(A_1*rho_0*c_v)
         Scalar k104;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k105;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_s/beta) - beta*compression(-p_0/beta + p_s/beta) ...
+        Scalar k105;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
         Scalar k106;  ///< 1/A_1
         Scalar k107;  ///< beta/(A_1*rho_0*c_v)
         Scalar k108;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k109;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_s/beta) + beta*compression(-p_0/beta + p_s/beta) - ...
+        Scalar k109;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
         Scalar k110;  ///< beta*alpha/A_2
         Scalar k111;  ///< beta^2*alpha/(A_2*rho_0*c_v)
         Scalar k112;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k113;  ///< beta*alpha*(-beta*alpha*T_0*expm1(p_0/beta - p_t/beta) - beta*compression(-p_0/beta + p_t/beta) ...
+        Scalar k113;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
         Scalar k114;  ///< 1/A_2
         Scalar k115;  ///< beta/(A_2*rho_0*c_v)
         Scalar k116;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k117;  ///< (beta*alpha*T_0*expm1(p_0/beta - p_t/beta) + beta*compression(-p_0/beta + p_t/beta) - ...
+        Scalar k117;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
         Scalar k118;  ///< A_1*rho_0*c_v
         Scalar k119;  ///< A_2*rho_0*c_v
         Scalar k120;  ///< A_1*beta

@@ -20,11 +20,11 @@
 //   rhs                    0      1     0        0      0
 //   rhs_and_jacobian       0      1     0        0      0
 //   jacobian_p             1      4     1        0      0
-//   output                 8      9     1        0      4
-//   output_jacobian_x     10     17     1        0      5
-//   output_jacobian_u      7      8     1        0      4
-//   internal_energy        7     11     1        0      3
-//   exchanged_power        8      8     1        0      3
+//   output                 9     10     1        0      3
+//   output_jacobian_x     11     18     1        0      4
+//   output_jacobian_u      8      9     1        0      3
+//   internal_energy        8     12     1        0      2
+//   exchanged_power        9      9     1        0      2
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -161,18 +161,22 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
-/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). Needs select, exponential_remainder.
+/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
+/// exponential_remainder.
 template <class Scalar>
-Scalar compression(const Scalar& x) noexcept {
+Scalar compression(const Scalar& x, const Scalar& decay) noexcept {
     using std::abs;
-    using std::exp;
     const auto is_inner = abs(x) < Scalar(2);
     const Scalar inner = select(is_inner, x, Scalar(0));
     const Scalar limited = select(x > Scalar(1000), Scalar(1000), x);  // so that infinity never meets exp(-x) = 0
-    const Scalar decay = exp(Scalar(-limited));
     const Scalar by_remainder = inner * inner * exponential_remainder(inner) * decay;
     const Scalar by_definition = Scalar(1) - (Scalar(1) + limited) * decay;
     return select(is_inner, by_remainder, by_definition);
+}
+template <class Scalar>
+Scalar compression(const Scalar& x) noexcept {
+    using std::exp;
+    return compression<Scalar>(x, exp(Scalar(-x)));
 }
 
 }  // namespace detail
@@ -346,7 +350,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 8 + or -, 9 *, 1 /, 4 other functions
+    /// Operations: 9 + or -, 10 *, 1 /, 3 other functions
     ///     rho = rho_0/exp((p_0 - p)/beta - alpha*(T_0 - T))
     ///     e_i = -c_v*(T_0 - T) + beta*compression(-(p_0 - p)/beta + alpha*(T_0 - T))/rho_0 + (beta*alpha*T_0 - p_0)*expm1((p_0 -
     ///     p)/beta - alpha*(T_0 - T))/rho_0
@@ -358,29 +362,26 @@ public:
     ///     p_0/exp(alpha*(T_0 - T)) - p_0*expm1(-alpha*(T_0 - T)))*max(0, rho_0*q/exp((p_0 - p)/beta - alpha*(T_0 - T)))/rho_0
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k7 - c_.k8 * (p_.p_0 - p_value);
         const Scalar e2 = -e1;
         const Scalar exp_3 = exp(e2);
         const Scalar e4 = p_.rho_0 / exp_3;
         const Scalar compression_5 = detail::compression<Scalar>(e1);
-        const Scalar expm1_6 = expm1(e2);
-        const Scalar e7 = c_.k2 * compression_5 + c_.k3 * expm1_6;
+        const Scalar e6 = c_.k2 * compression_5 + c_.k3 * (e2 * exp_3 - compression_5);
         const Scalar q = u[0];
-        const Scalar e8 = q * e4;
-        const Scalar max_9 = detail::max<Scalar>(Scalar(0), e8);
+        const Scalar e7 = q * e4;
+        const Scalar max_8 = detail::max<Scalar>(Scalar(0), e7);
         y[0] = e4;
-        y[1] = e7 - c_.k1;
-        y[2] = e8;
-        y[3] = max_9 * (c_.k5 * p_value * exp_3 - c_.k6 + e7) - c_.k4 * q;
+        y[1] = e6 - c_.k1;
+        y[2] = e7;
+        y[3] = max_8 * (c_.k5 * p_value * exp_3 - c_.k6 + e6) - c_.k4 * q;
     }
 
     /// C = dh/dx.
-    /// Operations: 10 + or -, 17 *, 1 /, 5 other functions
+    /// Operations: 11 + or -, 18 *, 1 /, 4 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_0 - p_value;
         const Scalar e2 = c_.k7 - c_.k8 * e1;
@@ -395,19 +396,17 @@ public:
         const Scalar max_10 = detail::max<Scalar>(Scalar(0), e9);
         const Scalar step_11 = detail::step<Scalar>(e9);
         const Scalar compression_12 = detail::compression<Scalar>(e2);
-        const Scalar expm1_13 = expm1(e3);
         C[0] = c_.k9 * inverse_5;
         C[1] = c_.k11 * exp_4 - e7;
         C[2] = c_.k9 * e8;
-        C[3] = max_10 * (c_.k14 * exp_4 - p_value * e6 - e7) + step_11 * e8 * (compression_12 - c_.k12 * expm1_13 - c_.k13)
-            + c_.k8 * q * p_value * step_11;
+        const Scalar e13 = step_11 * e8 * (compression_12 - c_.k12 * (e3 * exp_4 - compression_12) - c_.k13);
+        C[3] = max_10 * (c_.k14 * exp_4 - p_value * e6 - e7) + e13 + c_.k8 * q * p_value * step_11;
     }
 
     /// D = dh/du.
-    /// Operations: 7 + or -, 8 *, 1 /, 4 other functions
+    /// Operations: 8 + or -, 9 *, 1 /, 3 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k7 - c_.k8 * (p_.p_0 - p_value);
         const Scalar e2 = -e1;
@@ -417,12 +416,11 @@ public:
         const Scalar q = u[0];
         const Scalar step_6 = detail::step<Scalar>(q * e5);
         const Scalar compression_7 = detail::compression<Scalar>(e1);
-        const Scalar expm1_8 = expm1(e2);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = e5;
-        const Scalar e9 = step_6 * inverse_4 * (p_.beta * compression_7 + c_.k15 * expm1_8 - c_.k16);
-        D[3] = e9 - c_.k4 + p_value * step_6;
+        const Scalar e8 = p_.beta * compression_7 + c_.k15 * (e2 * exp_3 - compression_7) - c_.k16;
+        D[3] = step_6 * inverse_4 * e8 - c_.k4 + p_value * step_6;
     }
 
     /// T in joules.
@@ -460,37 +458,32 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 7 + or -, 11 *, 1 /, 3 other functions
+    /// Operations: 8 + or -, 12 *, 1 /, 2 other functions
     ///     E = V*density[vessel]*specific_energy[vessel]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k7 - c_.k8 * (p_.p_0 - p_value);
         const Scalar e2 = -e1;
         const Scalar exp_3 = exp(e2);
         const Scalar compression_4 = detail::compression<Scalar>(e1);
         const Scalar e5 = p_.V * p_.beta;
-        const Scalar expm1_6 = expm1(e2);
-        const Scalar e7 = compression_4 * e5 - p_.V * p_.rho_0 * p_.c_v * (p_.T_0 - p_.T) + expm1_6
-            * (p_.alpha * p_.T_0 * e5 - p_.V * p_.p_0);
-        return e7 / exp_3;
+        const Scalar e6 = (e2 * exp_3 - compression_4) * (p_.alpha * p_.T_0 * e5 - p_.V * p_.p_0);
+        return (compression_4 * e5 - p_.V * p_.rho_0 * p_.c_v * (p_.T_0 - p_.T) + e6) / exp_3;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 8 + or -, 8 *, 1 /, 3 other functions
+    /// Operations: 9 + or -, 9 *, 1 /, 2 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar q = u[0];
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k7 - c_.k8 * (p_.p_0 - p_value);
         const Scalar e2 = -e1;
         const Scalar exp_3 = exp(e2);
         const Scalar compression_4 = detail::compression<Scalar>(e1);
-        const Scalar expm1_5 = expm1(e2);
-        const Scalar e6 = p_.beta * compression_4 - p_.rho_0 * p_.c_v * (p_.T_0 - p_.T) + c_.k15 * expm1_5;
-        return q / exp_3 * e6 - q * (c_.k4 - p_value);
+        const Scalar e5 = p_.beta * compression_4 - p_.rho_0 * p_.c_v * (p_.T_0 - p_.T) + c_.k15 * (e2 * exp_3 - compression_4);
+        return q / exp_3 * e5 - q * (c_.k4 - p_value);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

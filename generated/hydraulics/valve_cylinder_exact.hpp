@@ -31,8 +31,8 @@
 //   kinetic_energy         0      3     0        0      0
 //   supplied_power         1      1     0        0      0
 //   dissipated_power       0      2     0        0      0
-//   internal_energy       10     19     2        0      6
-//   exchanged_power       49     81     9        0     24
+//   internal_energy       12     21     2        0      4
+//   exchanged_power       51     83     9        0     22
 //   guards                 8      3     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -189,18 +189,22 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
-/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). Needs select, exponential_remainder.
+/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
+/// exponential_remainder.
 template <class Scalar>
-Scalar compression(const Scalar& x) noexcept {
+Scalar compression(const Scalar& x, const Scalar& decay) noexcept {
     using std::abs;
-    using std::exp;
     const auto is_inner = abs(x) < Scalar(2);
     const Scalar inner = select(is_inner, x, Scalar(0));
     const Scalar limited = select(x > Scalar(1000), Scalar(1000), x);  // so that infinity never meets exp(-x) = 0
-    const Scalar decay = exp(Scalar(-limited));
     const Scalar by_remainder = inner * inner * exponential_remainder(inner) * decay;
     const Scalar by_definition = Scalar(1) - (Scalar(1) + limited) * decay;
     return select(is_inner, by_remainder, by_definition);
+}
+template <class Scalar>
+Scalar compression(const Scalar& x) noexcept {
+    using std::exp;
+    return compression<Scalar>(x, exp(Scalar(-x)));
 }
 
 /// sign(x) sqrt(|x|); its derivative is inverse_root(x)/2. Needs select.
@@ -1130,59 +1134,56 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 10 + or -, 19 *, 2 /, 6 other functions
+    /// Operations: 12 + or -, 21 *, 2 /, 4 other functions
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s_k - A_2*density[chamber_2]*specific_energy[chamber_2]*s_k +
     ///     A_2*(l - d)*density[chamber_2]*specific_energy[chamber_2]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_2 = x[3];
         const Scalar e1 = c_.k13 * (p_.p_0 - p_2);
-        const Scalar compression_2 = detail::compression<Scalar>(-e1);
-        const Scalar exp_3 = exp(e1);
-        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar exp_2 = exp(e1);
+        const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
+        const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar e5 = p_.l - p_.d;
         const Scalar e6 = p_.A_2 * p_.beta;
         const Scalar s_k = x[0];
         const Scalar e7 = s_k * inverse_4;
-        const Scalar expm1_8 = expm1(e1);
-        const Scalar e9 = p_.A_2 * p_.p_0;
+        const Scalar e8 = p_.A_2 * p_.p_0;
         const Scalar p_1 = x[2];
-        const Scalar e10 = c_.k13 * (p_.p_0 - p_1);
-        const Scalar exp_11 = exp(e10);
-        const Scalar compression_12 = detail::compression<Scalar>(-e10);
-        const Scalar expm1_13 = expm1(e10);
-        const Scalar e14 = s_k / exp_11 * (compression_12 * (p_.A_1 * p_.beta) - expm1_13 * (p_.A_1 * p_.p_0));
-        return compression_2 * (inverse_4 * (e5 * e6) - e6 * e7) - expm1_8 * (inverse_4 * (e5 * e9) - e9 * e7) + e14;
+        const Scalar e9 = c_.k13 * (p_.p_0 - p_1);
+        const Scalar exp_10 = exp(e9);
+        const Scalar compression_11 = detail::compression<Scalar>(-e9, exp_10);
+        const Scalar e12 = compression_11 * (p_.A_1 * p_.beta) - (e9 * exp_10 - compression_11) * (p_.A_1 * p_.p_0);
+        return compression_3 * (inverse_4 * (e5 * e6) - e6 * e7) - (e1 * exp_2 - compression_3)
+            * (inverse_4 * (e5 * e8) - e8 * e7) + s_k / exp_10 * e12;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 49 + or -, 81 *, 9 /, 24 other functions
+    /// Operations: 51 + or -, 83 *, 9 /, 22 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k13 * (p_.p_0 - p_1);
-        const Scalar compression_2 = detail::compression<Scalar>(-e1);
-        const Scalar inverse_3 = Scalar(1) / p_.beta;
-        const Scalar exp_4 = exp((p_.p_0 - p_.p_t) * inverse_3);
-        const Scalar inverse_5 = Scalar(1) / exp_4;
-        const Scalar e6 = p_.w * p_.alpha_d;
-        const Scalar e7 = p_.beta * e6;
-        const Scalar e8 = inverse_5 * e7;
-        const Scalar e9 = p_.p_t - p_1;
-        const Scalar step_10 = detail::step<Scalar>(e9);
+        const Scalar exp_2 = exp(e1);
+        const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
+        const Scalar inverse_4 = Scalar(1) / p_.beta;
+        const Scalar exp_5 = exp((p_.p_0 - p_.p_t) * inverse_4);
+        const Scalar inverse_6 = Scalar(1) / exp_5;
+        const Scalar e7 = p_.w * p_.alpha_d;
+        const Scalar e8 = p_.beta * e7;
+        const Scalar e9 = inverse_6 * e8;
+        const Scalar e10 = p_.p_t - p_1;
+        const Scalar step_11 = detail::step<Scalar>(e10);
         const Scalar x_v = u[0];
-        const Scalar max_11 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar step_12 = detail::step<Scalar>(-e9);
-        const Scalar exp_13 = exp(e1);
-        const Scalar inverse_14 = Scalar(1) / exp_13;
-        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k9 * e9 / (step_12 * inverse_14 + c_.k10 * step_10));
-        const Scalar e16 = max_11 * signed_root_15;
-        const Scalar e17 = step_10 * e16;
-        const Scalar exp_18 = exp((p_.p_0 - p_.p_s) * inverse_3);
+        const Scalar max_12 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar step_13 = detail::step<Scalar>(-e10);
+        const Scalar inverse_14 = Scalar(1) / exp_2;
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k9 * e10 / (step_13 * inverse_14 + c_.k10 * step_11));
+        const Scalar e16 = max_12 * signed_root_15;
+        const Scalar e17 = step_11 * e16;
+        const Scalar exp_18 = exp((p_.p_0 - p_.p_s) * inverse_4);
         const Scalar inverse_19 = Scalar(1) / exp_18;
-        const Scalar e20 = inverse_19 * e7;
+        const Scalar e20 = inverse_19 * e8;
         const Scalar e21 = p_.p_s - p_1;
         const Scalar step_22 = detail::step<Scalar>(e21);
         const Scalar max_23 = detail::max<Scalar>(Scalar(0), x_v);
@@ -1190,7 +1191,7 @@ public:
         const Scalar signed_root_25 = detail::signed_root<Scalar>(c_.k9 * e21 / (step_24 * inverse_14 + c_.k11 * step_22));
         const Scalar e26 = max_23 * signed_root_25;
         const Scalar e27 = step_22 * e26;
-        const Scalar e28 = step_12 * e16 + step_24 * e26;
+        const Scalar e28 = step_13 * e16 + step_24 * e26;
         const Scalar e29 = inverse_14 * e28;
         const Scalar p_2 = x[3];
         const Scalar e30 = p_1 - p_2;
@@ -1204,12 +1205,12 @@ public:
         const Scalar e38 = step_34 * inverse_37;
         const Scalar e39 = e30 * (e33 + e38);
         const Scalar e40 = p_.beta * p_.k_l * e39;
-        const Scalar compression_41 = detail::compression<Scalar>(-e35);
+        const Scalar compression_41 = detail::compression<Scalar>(-e35, exp_36);
         const Scalar e42 = p_.p_s - p_2;
         const Scalar step_43 = detail::step<Scalar>(e42);
         const Scalar step_44 = detail::step<Scalar>(-e42);
         const Scalar signed_root_45 = detail::signed_root<Scalar>(c_.k9 * e42 / (step_44 * inverse_37 + c_.k11 * step_43));
-        const Scalar e46 = max_11 * signed_root_45;
+        const Scalar e46 = max_12 * signed_root_45;
         const Scalar e47 = step_43 * e46;
         const Scalar e48 = p_.p_t - p_2;
         const Scalar step_49 = detail::step<Scalar>(e48);
@@ -1219,18 +1220,18 @@ public:
         const Scalar e53 = step_49 * e52;
         const Scalar e54 = step_44 * e46 + step_50 * e52;
         const Scalar e55 = inverse_37 * e54;
-        const Scalar expm1_56 = expm1(e1);
-        const Scalar e57 = p_.p_0 * e6;
-        const Scalar e58 = inverse_5 * e57;
-        const Scalar e59 = inverse_19 * e57;
-        const Scalar e60 = p_.p_0 * p_.k_l * e39;
-        const Scalar expm1_61 = expm1(e35);
-        const Scalar e62 = p_2 * exp_36;
-        const Scalar e63 = p_1 * exp_13;
-        return compression_2 * (e8 * e17 + e20 * e27 + e7 * e29 - e40) + compression_41
-            * (e20 * e47 + e8 * e53 + e7 * e55 + e40) - expm1_56 * (e58 * e17 + e59 * e27 + e57 * e29 - e60) - expm1_61
-            * (e59 * e47 + e58 * e53 + e57 * e55 + e60) - e31 * (p_1 * step_32 - p_2 * step_34 - e62 * e33 + e63 * e38)
-            + c_.k37 * (p_1 * e28 + p_2 * e54) + c_.k41 * (e63 * e17 + e62 * e53) + c_.k43 * (e63 * e27 + e62 * e47);
+        const Scalar e56 = p_.p_0 * e7;
+        const Scalar e57 = inverse_6 * e56;
+        const Scalar e58 = inverse_19 * e56;
+        const Scalar e59 = p_.p_0 * p_.k_l * e39;
+        const Scalar e60 = p_2 * exp_36;
+        const Scalar e61 = p_1 * exp_2;
+        const Scalar e62 = (e1 * exp_2 - compression_3) * (e57 * e17 + e58 * e27 + e56 * e29 - e59);
+        const Scalar e63 = (e35 * exp_36 - compression_41) * (e58 * e47 + e57 * e53 + e56 * e55 + e59);
+        return compression_3 * (e9 * e17 + e20 * e27 + e8 * e29 - e40) + compression_41
+            * (e20 * e47 + e9 * e53 + e8 * e55 + e40) - e62 - e63 - e31
+            * (p_1 * step_32 - p_2 * step_34 - e60 * e33 + e61 * e38) + c_.k37 * (p_1 * e28 + p_2 * e54) + c_.k41
+            * (e61 * e17 + e60 * e53) + c_.k43 * (e61 * e27 + e60 * e47);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

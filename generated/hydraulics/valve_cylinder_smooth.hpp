@@ -31,8 +31,8 @@
 //   kinetic_energy         0      3     0        0      0
 //   supplied_power         1      1     0        0      0
 //   dissipated_power       0      2     0        0      0
-//   internal_energy       10     19     2        0      6
-//   exchanged_power       39     58     3        0     27
+//   internal_energy       12     21     2        0      4
+//   exchanged_power       41     60     3        0     25
 //   guards                 2      3     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -186,18 +186,22 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
-/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). Needs select, exponential_remainder.
+/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
+/// exponential_remainder.
 template <class Scalar>
-Scalar compression(const Scalar& x) noexcept {
+Scalar compression(const Scalar& x, const Scalar& decay) noexcept {
     using std::abs;
-    using std::exp;
     const auto is_inner = abs(x) < Scalar(2);
     const Scalar inner = select(is_inner, x, Scalar(0));
     const Scalar limited = select(x > Scalar(1000), Scalar(1000), x);  // so that infinity never meets exp(-x) = 0
-    const Scalar decay = exp(Scalar(-limited));
     const Scalar by_remainder = inner * inner * exponential_remainder(inner) * decay;
     const Scalar by_definition = Scalar(1) - (Scalar(1) + limited) * decay;
     return select(is_inner, by_remainder, by_definition);
+}
+template <class Scalar>
+Scalar compression(const Scalar& x) noexcept {
+    using std::exp;
+    return compression<Scalar>(x, exp(Scalar(-x)));
 }
 
 }  // namespace detail
@@ -1050,37 +1054,34 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 10 + or -, 19 *, 2 /, 6 other functions
+    /// Operations: 12 + or -, 21 *, 2 /, 4 other functions
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s_k - A_2*density[chamber_2]*specific_energy[chamber_2]*s_k +
     ///     A_2*(l - d)*density[chamber_2]*specific_energy[chamber_2]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         const Scalar p_2 = x[3];
         const Scalar e1 = c_.k9 * (p_.p_0 - p_2);
-        const Scalar compression_2 = detail::compression<Scalar>(-e1);
-        const Scalar exp_3 = exp(e1);
-        const Scalar inverse_4 = Scalar(1) / exp_3;
+        const Scalar exp_2 = exp(e1);
+        const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
+        const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar e5 = p_.l - p_.d;
         const Scalar e6 = p_.A_2 * p_.beta;
         const Scalar s_k = x[0];
         const Scalar e7 = s_k * inverse_4;
-        const Scalar expm1_8 = expm1(e1);
-        const Scalar e9 = p_.A_2 * p_.p_0;
+        const Scalar e8 = p_.A_2 * p_.p_0;
         const Scalar p_1 = x[2];
-        const Scalar e10 = c_.k9 * (p_.p_0 - p_1);
-        const Scalar exp_11 = exp(e10);
-        const Scalar compression_12 = detail::compression<Scalar>(-e10);
-        const Scalar expm1_13 = expm1(e10);
-        const Scalar e14 = s_k / exp_11 * (compression_12 * (p_.A_1 * p_.beta) - expm1_13 * (p_.A_1 * p_.p_0));
-        return compression_2 * (inverse_4 * (e5 * e6) - e6 * e7) - expm1_8 * (inverse_4 * (e5 * e9) - e9 * e7) + e14;
+        const Scalar e9 = c_.k9 * (p_.p_0 - p_1);
+        const Scalar exp_10 = exp(e9);
+        const Scalar compression_11 = detail::compression<Scalar>(-e9, exp_10);
+        const Scalar e12 = compression_11 * (p_.A_1 * p_.beta) - (e9 * exp_10 - compression_11) * (p_.A_1 * p_.p_0);
+        return compression_3 * (inverse_4 * (e5 * e6) - e6 * e7) - (e1 * exp_2 - compression_3)
+            * (inverse_4 * (e5 * e8) - e8 * e7) + s_k / exp_10 * e12;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 39 + or -, 58 *, 3 /, 27 other functions
+    /// Operations: 41 + or -, 60 *, 3 /, 25 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::expm1;
         using std::pow;
         using std::sqrt;
         const Scalar x_v = u[0];
@@ -1101,11 +1102,11 @@ public:
         const Scalar step_14 = detail::step<Scalar>(e12);
         const Scalar step_15 = detail::step<Scalar>(-e12);
         const Scalar sqrt_16 = sqrt(c_.k7 * step_14 + step_15 * e9);
-        const Scalar compression_17 = detail::compression<Scalar>(-e6);
+        const Scalar compression_17 = detail::compression<Scalar>(-e6, exp_7);
         const Scalar sqrt_18 = sqrt(Scalar(2));
         const Scalar e19 = p_.w * p_.alpha_d * (sqrt_18 / p_.rho_0);
         const Scalar e20 = p_.beta * e19;
-        const Scalar expm1_21 = expm1(e6);
+        const Scalar e21 = e6 * exp_7 - compression_17;
         const Scalar e22 = p_.p_0 * e19;
         const Scalar e23 = p_1 * exp_7;
         const Scalar p_2 = x[3];
@@ -1130,15 +1131,15 @@ public:
         const Scalar step_42 = detail::step<Scalar>(e40);
         const Scalar step_43 = detail::step<Scalar>(-e40);
         const Scalar sqrt_44 = sqrt(c_.k5 * step_42 + step_43 * e38);
-        const Scalar compression_45 = detail::compression<Scalar>(-e28);
-        const Scalar expm1_46 = expm1(e28);
+        const Scalar compression_45 = detail::compression<Scalar>(-e28, exp_29);
+        const Scalar e46 = e28 * exp_29 - compression_45;
         const Scalar e47 = e24 * (e31 + e33);
         const Scalar e48 = (max_1 * e2 * power_3 * sqrt_10 + max_11 * e12 * power_13 * sqrt_16)
-            * (compression_17 * e20 - expm1_21 * e22 + e19 * e23);
+            * (compression_17 * e20 - e21 * e22 + e19 * e23);
         const Scalar e49 = (max_1 * e34 * power_35 * sqrt_39 + max_11 * e40 * power_41 * sqrt_44)
-            * (compression_45 * e20 - expm1_46 * e22 + e19 * e30);
+            * (compression_45 * e20 - e46 * e22 + e19 * e30);
         return e48 - e25 * (p_1 * step_26 - p_2 * step_27 - e30 * e31 + e23 * e33) + e49 - p_.beta * p_.k_l * e47
-            * (compression_17 - compression_45) + p_.p_0 * p_.k_l * e47 * (expm1_21 - expm1_46);
+            * (compression_17 - compression_45) + p_.p_0 * p_.k_l * e47 * (e21 - e46);
     }
 
     /// Functions whose sign matters, in the order of guard_table().

@@ -16,7 +16,7 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                11     28     8        0      0
-//   output                16     27     4        0      5
+//   output                17     28     4        0      4
 //   output_jacobian_x     22     36     4        0      1
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -161,18 +161,22 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
-/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). Needs select, exponential_remainder.
+/// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
+/// exponential_remainder.
 template <class Scalar>
-Scalar compression(const Scalar& x) noexcept {
+Scalar compression(const Scalar& x, const Scalar& decay) noexcept {
     using std::abs;
-    using std::exp;
     const auto is_inner = abs(x) < Scalar(2);
     const Scalar inner = select(is_inner, x, Scalar(0));
     const Scalar limited = select(x > Scalar(1000), Scalar(1000), x);  // so that infinity never meets exp(-x) = 0
-    const Scalar decay = exp(Scalar(-limited));
     const Scalar by_remainder = inner * inner * exponential_remainder(inner) * decay;
     const Scalar by_definition = Scalar(1) - (Scalar(1) + limited) * decay;
     return select(is_inner, by_remainder, by_definition);
+}
+template <class Scalar>
+Scalar compression(const Scalar& x) noexcept {
+    using std::exp;
+    return compression<Scalar>(x, exp(Scalar(-x)));
 }
 
 }  // namespace detail
@@ -433,7 +437,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 16 + or -, 27 *, 4 /, 5 other functions
+    /// Operations: 17 + or -, 28 *, 4 /, 4 other functions
     ///     air_pressure = R_s*T/nu
     ///     air_energy = c_v*T
     ///     air_entropy = c_v*log(T/T_0) + R_s*log(nu/nu_0a)
@@ -453,7 +457,6 @@ public:
     ///     exponent = (R_s + c_v - c)/(c_v - c)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
-        using std::expm1;
         using std::log;
         const Scalar nu = x[1];
         const Scalar T = x[0];
@@ -466,11 +469,10 @@ public:
         const Scalar e5 = p_.T_0 - T;
         const Scalar e6 = c_.k12 * e4 - p_.alpha * e5;
         const Scalar exp_7 = exp(e6);
-        const Scalar expm1_8 = expm1(e6);
-        const Scalar compression_9 = detail::compression<Scalar>(-e6);
-        const Scalar e10 = c_.k3 * expm1_8 - (c_.k2 * compression_9 - p_.c_o * e5);
-        const Scalar e11 = p_value * exp_7;
-        const Scalar inverse_12 = Scalar(1) / T;
+        const Scalar compression_8 = detail::compression<Scalar>(-e6, exp_7);
+        const Scalar e9 = c_.k3 * (e6 * exp_7 - compression_8) - (c_.k2 * compression_8 - p_.c_o * e5);
+        const Scalar e10 = p_value * exp_7;
+        const Scalar inverse_11 = Scalar(1) / T;
         y[0] = e1 / nu;
         y[1] = p_.c_v * T;
         y[2] = p_.c_v * log_2 + p_.R_s * log_3;
@@ -478,11 +480,11 @@ public:
         y[4] = c_.k0 * T;
         y[5] = c_.k1 * e_i;
         y[6] = p_.rho_0 / exp_7;
-        y[7] = -e10;
-        y[8] = c_.k4 * e11 - e10;
+        y[7] = -e9;
+        y[8] = c_.k4 * e10 - e9;
         y[9] = p_.c_o * log_2 - c_.k5 + c_.k6 * exp_7;
-        y[10] = c_.k0 + c_.k7 * p_value * inverse_12 * inverse_12;
-        y[11] = exp_7 * (c_.k8 * e4 - c_.k9 * e5 - c_.k10) + p_.c_o + c_.k8 * e11;
+        y[10] = c_.k0 + c_.k7 * p_value * inverse_11 * inverse_11;
+        y[11] = exp_7 * (c_.k8 * e4 - c_.k9 * e5 - c_.k10) + p_.c_o + c_.k8 * e10;
         y[12] = c_.k11;
     }
 

@@ -59,6 +59,7 @@ CppFunction::CppFunction(const Code& code, const FunctionCode& function, const C
         const Node& node = function.program[id];
         for (const NodeId argument : node.arguments) ++uses_[argument];
         if (is_sine_or_cosine(node)) angles_[node.arguments[0]].push_back(id);
+        if (node.kind == Node::Kind::function && node.op == Op::exp) exponentials_[node.arguments[0]] = id;
     }
 }
 
@@ -106,6 +107,14 @@ std::optional<NodeId> CppFunction::other_of_angle(NodeId id) const {
     for (const NodeId one : both->second)
         if (known_.contains(one) || wanted_names_.contains(one)) return {};
     return both->second[both->second[0] == id ? 1 : 0];
+}
+
+/// exp(-x), where the function needs it, too.
+std::optional<NodeId> CppFunction::exponential_of_minus(NodeId x) const {
+    const Node& node = function_.program[x];
+    if (node.kind != Node::Kind::sum || node.arguments.size() != 1 || !node.negative[0]) return {};
+    const auto found = exponentials_.find(node.arguments[0]);
+    return found == exponentials_.end() ? std::nullopt : std::optional(found->second);
 }
 
 void CppFunction::declare_both(NodeId id, NodeId other, std::string& statements) {
@@ -251,6 +260,8 @@ CppFunction::Text CppFunction::call(const Node& node, std::string& statements) {
     for (const NodeId argument : node.arguments) arguments += (arguments.empty() ? "" : ", ") + text_of(argument, statements).text;
     const std::string name = (is_sine_or_cosine(node) && code_.trig == Trig::combined ? "combined_" : "") + (node.op == Op::power ? "pow" : std::string(name_of(node.op)));
     called_.insert(name);
+    if (node.op == Op::compression)
+        if (const auto decay = exponential_of_minus(node.arguments[0])) arguments += ", " + text_of(*decay, statements).text;
     if (is_array(node.op)) return {fmt::format("detail::{}<Scalar, {}>({{{}}})", name, order_of_network(node), arguments), 3};
     return {is_helper(name) ? fmt::format("detail::{}<Scalar>({})", name, arguments) : fmt::format("{}({})", name, arguments), 3};
 }

@@ -66,6 +66,7 @@ private:
     int family_start(const Variable& variable) const;
     void declare(NodeId id, const std::string& text, std::string& statements);
     std::optional<NodeId> other_of_angle(NodeId id) const;
+    std::optional<NodeId> exponential_of_minus(NodeId x) const;
     void declare_both(NodeId id, NodeId other, std::string& statements);
 
     const Code& code_;
@@ -75,6 +76,7 @@ private:
     NameScope names_;
     std::vector<int> uses_;
     std::map<NodeId, std::vector<NodeId>> angles_;  ///< sines and cosines by their angle
+    std::map<NodeId, NodeId> exponentials_;         ///< by what they are of
     std::map<NodeId, Text> known_;
     std::map<NodeId, std::string> wanted_names_;
     std::set<std::string> called_;

@@ -182,6 +182,14 @@ NodeId ProgramBuilder::atom_node(Letter letter) {
     if (const auto defined = symbol_nodes_.find(letter); defined != symbol_nodes_.end()) return defined->second;
     const Atom& atom = atoms_[letter];
     if (atom.op == Op::symbol || atom.op == Op::pi) return program_.symbol(letter);
+    if (atom.op == Op::expm1) {
+        // exp(x) - 1 = x exp(x) - compression(-x), where both are there: near zero, where exp(x) - 1 itself cancels, the second is small beside the first.
+        Polynomial minus = atom.arguments[0];
+        minus *= Rational(-1);
+        const auto exponential = needed(Op::exp, atom.arguments[0]), compressed = needed(Op::compression, minus);
+        if (exponential && compressed)
+            return program_.sum({{false, program_.product({node(atom_arguments_.at(letter)[0]), atom_node(*exponential)})}, {true, atom_node(*compressed)}});
+    }
     std::vector<NodeId> arguments;
     for (const Value& value : atom_arguments_.at(letter)) arguments.push_back(node(value));
     if (atom.op == Op::sum) return arguments[0];
@@ -190,6 +198,12 @@ NodeId ProgramBuilder::atom_node(Letter letter) {
     const NodeId which = arguments[0];
     arguments.erase(arguments.begin());
     return program_.function(Op::element, {program_.function(atom.op, std::move(arguments)), which});
+}
+
+std::optional<Letter> ProgramBuilder::needed(Op op, const Polynomial& argument) const {
+    for (const auto& [letter, values] : atom_arguments_)
+        if (atoms_[letter].op == op && atoms_[letter].arguments[0] == argument) return letter;
+    return {};
 }
 
 NodeId ProgramBuilder::sum_node(const CubeSum& sum) {

@@ -69,6 +69,7 @@ private:
     void need_arguments();
     NodeId node(std::uint32_t number);
     NodeId atom_node(Letter letter);
+    std::optional<Letter> needed(Op op, const Polynomial& argument) const;  ///< as the value of an atom of these roots
     NodeId node(const Value& value);
     NodeId sum_node(const CubeSum& sum);
     void collect_terms(const CubeSum& sum, std::vector<std::pair<bool, NodeId>>& terms);
