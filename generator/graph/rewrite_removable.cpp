@@ -20,7 +20,7 @@ Forms removable(const Polynomial& p, Atoms& atoms) {
             Polynomial result;
             bool changed = false;
             for (const auto& [monomial, coefficient] : p.terms()) {
-                const bool is_divided = exponent_of(monomial, letter) == 1 && std::all_of(x.begin(), x.end(), [&, n = power](const LetterPower& each) { return exponent_of(monomial, each.letter) <= -n * each.exponent; });
+                const bool is_divided = exponent_of(monomial, letter) == 1 && std::all_of(x.begin(), x.end(), [&m = monomial, n = power](const LetterPower& each) { return exponent_of(m, each.letter) <= -n * each.exponent; });
                 changed = changed || is_divided;
                 if (!is_divided) result.add(monomial, coefficient);
                 else result.add(without(monomial, letter) * raised(x, power) * Monomial{{atoms.letter(quotient, argument), 1}}, coefficient * cln::expt(factor, cln::cl_I(power)));
