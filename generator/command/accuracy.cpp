@@ -48,8 +48,7 @@ ExitCode accuracy_command(const Options& options, Streams streams) {
     Machine machine = derived(options, streams);
     const System& system = *machine.system;
     refuse_fields(system, "accuracy");
-    machine.passes = chosen_passes(options);
-    if (options.trig == "combined") machine.trig = Trig::combined;
+    ask_of_code(machine, options);
     const Header header = generate(machine);
     const AccuracyMeasurement measurement(machine, header);
     std::vector<AccuracyReport> reports;

@@ -29,11 +29,9 @@ void show_warnings(const Machine& machine, Streams streams) {
     for (const Machine& other : machine.other_modes) show_warnings(other, streams);
 }
 
-Passes chosen_passes(const Options& options) {
-    Passes passes;
-    for (const Pass& pass : all_passes)
-        if (std::find(options.without.begin(), options.without.end(), pass.name) != options.without.end()) passes.*pass.is_on = false;
-    return passes;
+void ask_of_code(Machine& machine, const Options& options) {
+    for (const Pass& pass : all_passes) machine.passes.*pass.is_on = std::find(options.without.begin(), options.without.end(), pass.name) == options.without.end();
+    machine.trig = options.trig == "combined" ? Trig::combined : Trig::library;
 }
 
 const Machine& in_chosen_mode(const Machine& machine, const Options& options) {

@@ -14,8 +14,8 @@ Machine derived(const Options& options, Streams streams);
 /// Those of the derivation.
 void show_warnings(const Machine& machine, Streams streams);
 
-/// The passes that the command line does not leave out.
-Passes chosen_passes(const Options& options);
+/// What the command line asks of code: the passes that it does not leave out, and whose sine and cosine.
+void ask_of_code(Machine& machine, const Options& options);
 
 /// The machine in the mode of the command line. Throws Failure (unknown-name).
 const Machine& in_chosen_mode(const Machine& machine, const Options& options);

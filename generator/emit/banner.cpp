@@ -25,15 +25,10 @@ std::string effect_list(const std::vector<const Effect*>& effects) {
 std::string fixed_list(const System& system) {
     std::string text;
     for (const Parameter& item : system.scene.model->parameters) {
-        const auto fixed = system.scene.fixed.find(item.name);
-        if (fixed == system.scene.fixed.end()) continue;
-        const auto [from, to] = item.family ? bounds(*item.family, system.scene) : std::pair(0, 0);
-        for (int index = from; index <= to; ++index) {
-            const Member<Parameter> member{&item, index};
-            const ExpressionPtr& value = fixed->second ? fixed->second : item.values[place_of_value(item, index, system.scene)];
-            text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", member.name(), double_text(system.translate(value, Translator::indices_of(member))),
+        if (!system.scene.fixed.contains(item.name)) continue;
+        for (const auto& member : members_of(item, system.scene))
+            text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", member.name(), double_text(system.translate(value_of(member, system.scene), Translator::indices_of(member))),
                                 item.unit.si() == "1" ? "" : " " + item.unit.si());
-        }
     }
     return text;
 }

@@ -22,7 +22,8 @@ std::optional<std::uint32_t> ParameterCache::find(const Polynomial& p) const {
     return found == index_.end() ? std::nullopt : std::optional(found->second);
 }
 
-NodeId reciprocal(Atoms& atoms, ParameterCache& cache, Program& program, NodeId x) {
+NodeId reciprocal(Atoms& atoms, ParameterCache& cache, Program& program, NodeId x, const Passes& passes) {
+    if (!passes.constants) return program.reciprocal(x);
     const Node& node = program[x];
     std::optional<Polynomial> value;
     if (node.kind == Node::Kind::cached) value = cache.values()[node.index];

@@ -26,7 +26,7 @@ private:
 };
 
 /// 1/x, from the cache where x depends on parameters alone.
-NodeId reciprocal(Atoms& atoms, ParameterCache& cache, Program& program, NodeId x);
+NodeId reciprocal(Atoms& atoms, ParameterCache& cache, Program& program, NodeId x, const Passes& passes);
 
 /// How parts that depend on parameters alone are treated.
 enum class ParameterParts {

@@ -169,7 +169,7 @@ void make_chain_function(Code& code, const LoweredSystem& lowered, FunctionCode&
     builder.prepare(roots.polynomials());
 
     f.chain = chain.nodes(builder, code.atoms);
-    const Articulated solver(f.program, f.chain->links, [&](NodeId pivot) { return f.chain->inverses.emplace_back(reciprocal(code.atoms, code.cache, f.program, pivot)); });
+    const Articulated solver(f.program, f.chain->links, [&](NodeId pivot) { return f.chain->inverses.emplace_back(reciprocal(code.atoms, code.cache, f.program, pivot, code.passes)); });
     ChainMotion motion;
     if (is_solved) {
         motion = solver.solve(f.chain->loads);

@@ -105,9 +105,7 @@ private:
         return result;
     }
 
-    NodeId reciprocal(Program& program, NodeId x) {
-        return code_->passes.constants ? dalembert::reciprocal(code_->atoms, code_->cache, program, x) : program.reciprocal(x);
-    }
+    NodeId reciprocal(Program& program, NodeId x) { return dalembert::reciprocal(code_->atoms, code_->cache, program, x, code_->passes); }
 
     Letter letter(SymbolKind kind, std::size_t position) const { return code_->atoms.symbol(system_.symbols.all(kind)[position]); }
     Letter acceleration_letter(std::size_t j) const { return letter(SymbolKind::acceleration, j); }

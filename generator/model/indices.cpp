@@ -50,14 +50,24 @@ std::pair<int, int> bounds(const Family& family, const Scene& scene) {
     return {from, to};
 }
 
-std::size_t place_of_value(const Parameter& parameter, int index, const Scene& scene) {
-    if (parameter.values.size() == 1) return 0;
+const ExpressionPtr& value_of(const Member<Parameter>& member, const Scene& scene) {
+    const Parameter& parameter = *member.item;
+    if (const auto fixed = scene.fixed.find(parameter.name); fixed != scene.fixed.end() && fixed->second) return fixed->second;
+    if (parameter.values.size() == 1) return parameter.values[0];
     const auto [from, to] = parameter.family ? bounds(*parameter.family, scene) : std::pair(0, 0);
     const auto count = static_cast<std::size_t>(to - from + 1);
     if (parameter.values.size() != count)
         throw Failure(Diagnostic{Id::wrong_arguments, parameter.span,
                                  fmt::format("parameter '{}' has {} values, but {} member{}", parameter.name, parameter.values.size(), count, count == 1 ? "" : "s")});
-    return static_cast<std::size_t>(index - from);
+    return parameter.values[static_cast<std::size_t>(member.index - from)];
+}
+
+std::vector<Member<Parameter>> members_of(const Parameter& parameter, const Scene& scene) {
+    if (!parameter.family) return {{&parameter}};
+    std::vector<Member<Parameter>> members;
+    const auto [from, to] = bounds(*parameter.family, scene);
+    for (int index = from; index <= to; ++index) members.push_back({&parameter, index});
+    return members;
 }
 
 }  // namespace dalembert

@@ -127,8 +127,12 @@ int index_value(const Expression& expression, const Scene& scene, const Indices&
 /// The bounds of a family. Throws Failure (too-large) beyond 10000 members.
 std::pair<int, int> bounds(const Family& family, const Scene& scene);
 
-/// Which of its values a member of a parameter has. Throws Failure (wrong-arguments) when there are not as many as members.
-std::size_t place_of_value(const Parameter& parameter, int index, const Scene& scene);
+/// What a member of a parameter is: the value that it is fixed to, or else its default. Throws Failure (wrong-arguments) when there are not as
+/// many defaults as members.
+const ExpressionPtr& value_of(const Member<Parameter>& member, const Scene& scene);
+
+/// A parameter, or all members of a family.
+std::vector<Member<Parameter>> members_of(const Parameter& parameter, const Scene& scene);
 
 /// Warns of parameters, definitions and inputs that nothing in the model uses.
 void warn_of_unused(const Model& model, Diagnostics& diagnostics);

@@ -106,10 +106,9 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
         fail(Id::not_allowed_here, e, fmt::format("'{0}' has no value: turns about different axes do not add up to angles. There is dot({0}), the angular velocity about that axis of the body", e.written()), {{named->item->span, "the attitude is defined here"}});
     if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index))
         return variable->is_root ? GiNaC::pow(variable->symbol, 2) : variable->symbol;
-    if (const auto fixed = scene_.fixed.find(e.name); named->kind == Named::Kind::parameter && fixed != scene_.fixed.end()) {
-        const Parameter& item = static_cast<const Parameter&>(*named->item);
-        if (fixed->second) return visit(*fixed->second, {}, {});
-        return visit(*item.values[place_of_value(item, index, scene_)], item.family ? Indices{{item.family->index, index}} : Indices{}, {});
+    if (named->kind == Named::Kind::parameter && scene_.fixed.contains(e.name)) {
+        const Member<Parameter> member{static_cast<const Parameter*>(named->item), index};
+        return visit(*value_of(member, scene_), indices_of(member), {});
     }
     if (named->kind == Named::Kind::definition || named->kind == Named::Kind::output) {
         // Not a letter of its own: it depends on the motion, or only printed equations and values use it. Inserted where it stands.

@@ -42,8 +42,7 @@ Values::Values(const Scene& scene, const Translator& translate) : scene_(scene),
     const Symbols& symbols = translate.symbols();
     for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
         const auto& member = scene.parameters[i];
-        const Parameter& item = *member.item;
-        const ExpressionPtr& value = item.values[place_of_value(item, member.index, scene)];
+        const ExpressionPtr& value = value_of(member, scene);
         assign(symbols.all(SymbolKind::parameter)[i], translate(value, Translator::indices_of(member)), value->span);
     }
     check_fixed();
@@ -65,16 +64,13 @@ Values::Values(const Scene& scene, const Translator& translate) : scene_(scene),
 
 /// Of parameters that are numbers.
 void Values::check_fixed() const {
-    for (const auto& [name, value] : scene_.fixed) {
-        const auto& item = static_cast<const Parameter&>(*translate_.names().find(name)->item);
-        const auto [from, to] = item.family ? bounds(*item.family, scene_) : std::pair(0, 0);
-        for (int index = from; index <= to; ++index) {
-            const ExpressionPtr& written = value ? value : item.values[place_of_value(item, index, scene_)];
-            const ex number = translate_(written, !value && item.family ? Indices{{item.family->index, index}} : Indices{});
-            check_magnitude(name, number, written->span);
-            check_range(item, name, number, written->span);
+    for (const auto& [name, fixed] : scene_.fixed)
+        for (const auto& member : members_of(static_cast<const Parameter&>(*translate_.names().find(name)->item), scene_)) {
+            const ExpressionPtr& value = value_of(member, scene_);
+            const ex number = translate_(value, Translator::indices_of(member));
+            check_magnitude(name, number, value->span);
+            check_range(*member.item, name, number, value->span);
         }
-    }
 }
 
 void Values::assign(const Variable& variable, const ex& value, const Span& place) {

@@ -71,6 +71,7 @@ for model in mechanics/cart_pendulum mechanics/slider_crank mechanics/four_bar h
 done
 same mechanics/n_pendulum 1e-12 double --size N=6 -- --fix g
 same mechanics/n_pendulum 1e-12 double --size N=6 -- --without chain
+same mechanics/n_pendulum 1e-12 double --size N=12 -- --without constants
 same mechanics/arm_6r 1e-12 double --scene plain -- --fix parameters
 same mechanics/arm_6r 1e-12 double --scene plain -- --without chain
 same mechanics/spherical_pendulum 1e-12 double -- --without rewriting
