@@ -11,6 +11,9 @@ cmake -S "$here/project" -B "$here/build" -G Ninja -DCMAKE_PREFIX_PATH="$here/in
 cmake --build "$here/build" >/dev/null
 "$here/build/consumer" | tee "$here/first"
 grep -q 'm_W = 1.000' "$here/first"
+"$here/build/controller" | tee "$here/fixed"
+grep -q '^7 parameters are left' "$here/fixed"
+grep -q 'combined_sin_and_cos' "$here/build/fixed_cart.generated/fixed_cart.hpp"
 
 # Nothing to do while nothing changed; generated again after a change.
 cmake --build "$here/build" | grep -q 'no work to do'

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <cstdio>
+
+#include "fixed_cart.hpp"
+
+int main() {
+    using System = cart_pendulum::lab::System<float>;
+    const System system;
+    System::State x = system.start_state(), f;
+    x[cart_pendulum::lab::state::phi] = 1000.0F;  // as many turns as it may be
+    system.rhs(x, {}, 0.0F, f);
+    std::printf("%zu parameters are left; ddot(phi) = %.5f rad/s^2\n", cart_pendulum::lab::parameter_count, static_cast<double>(f[cart_pendulum::lab::state::phi_dot]));
+}
