@@ -7,7 +7,9 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "arm_6r_plain.hpp"
 #include "ball_on_beam_full.hpp"
+#include "benchmarks/arm_by_hand.hpp"
 #include "benchmarks/by_hand.hpp"
 #include "benchmarks/cylinder_by_hand.hpp"
 #include "benchmarks/packs.hpp"
@@ -167,6 +169,7 @@ void beside_code_by_hand(std::vector<ChainTimes>& chains) {
     compare<cart_pendulum::lab::System, by_hand::CartPendulum<cart_pendulum::lab::Parameters<double>>>("cart_pendulum, lab");
     compare<spherical_pendulum::forced::System, by_hand::SphericalPendulum<spherical_pendulum::forced::Parameters<double>>>("spherical_pendulum, forced");
     compare<ball_on_beam::full::System, by_hand::BallOnBeam<ball_on_beam::full::Parameters<double>>>("ball_on_beam");
+    compare<arm_6r::plain::System, by_hand::Arm<arm_6r::plain::Parameters<double>>>("arm_6r, plain");
     compare<hydraulic_cylinder::real::System, by_hand::HydraulicCylinder<hydraulic_cylinder::real::Parameters<double>>>("hydraulic_cylinder, real");
     chain<n_pendulum_N1::full::System, by_hand::Chain<1>>(1, "by hand", chains);
     chain<n_pendulum_N2::full::System, by_hand::Chain<2>>(2, "by hand", chains);
