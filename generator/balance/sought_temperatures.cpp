@@ -160,6 +160,15 @@ private:
         return a.info(positive) && b.info(positive) ? pow(1 / a + 1 / b, -1) : a * b / (a + b);
     }
 
+    /// A sum over a conductance, term by term: those that have it as a factor lose it, where multiplying out 1/conductance would hide it.
+    static ex divided(const ex& sum, const ex& conductance) {
+        const ex terms = sum.expand();
+        if (!GiNaC::is_a<GiNaC::add>(terms)) return terms / conductance;
+        ex result = 0;
+        for (const ex& term : terms) result += term / conductance;
+        return result;
+    }
+
     void eliminate(std::size_t k, bool conducts) {
         const auto kind = conducts ? &Row::conduction : &Row::radiation;
         Row& row = rows_[k];
@@ -177,7 +186,7 @@ private:
             // Over what is known, as in the conductance: so that the two are seen to belong together.
             if (conductance.is_equal(all)) rows_[i].source += row.source;
             else if (own.to_known.is_zero()) rows_[i].source += row.source * conductance / all;
-            else rows_[i].source += in_series(conductance, own.to_known) * (row.source / own.to_known).expand();
+            else rows_[i].source += in_series(conductance, own.to_known) * divided(row.source, own.to_known);
         }
         if (own.to_sought.size() == 2) join(kind, own.to_sought.begin()->first, own.to_sought.rbegin()->first, in_series(own.to_sought.begin()->second, own.to_sought.rbegin()->second));
         const ex value = heat / all;

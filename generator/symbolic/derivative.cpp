@@ -4,6 +4,8 @@
 #include "symbolic/functions.hpp"
 #include "symbolic/network_functions.hpp"
 
+#include <optional>
+
 namespace dalembert {
 
 using GiNaC::ex;
@@ -73,6 +75,26 @@ std::pair<ex, ex> slopes(const ex& f) {
     throw std::logic_error("no derivative of " + ex_to<GiNaC::function>(f).get_name());
 }
 
+/// A product with sums kept whole that multiply to a difference, as (a - b) (a + b) = a^2 - b^2. The product rule would leave the slope
+/// of each to cancel with that of the other.
+struct Difference {
+    ex sums;        ///< their product
+    ex multiplied;  ///< the same
+    ex others;      ///< what else is in the product
+};
+
+std::optional<Difference> difference_in(const ex& product) {
+    GiNaC::exvector sums, inside, others;
+    for (const ex& factor : product) {
+        if (is_ex_the_function(factor, whole)) sums.push_back(factor), inside.push_back(factor.op(0));
+        else others.push_back(factor);
+    }
+    if (sums.size() < 2) return std::nullopt;
+    const ex multiplied = ex(GiNaC::mul(inside)).expand();
+    if (!GiNaC::is_a<GiNaC::add>(multiplied) || multiplied.nops() > 2) return std::nullopt;
+    return Difference{GiNaC::mul(sums), multiplied, GiNaC::mul(others)};
+}
+
 template <class Rate>
 ex derivative(const ex& e, const Rate& rate, bool keeps = false) {
     if (GiNaC::is_a<GiNaC::symbol>(e)) return rate(e);
@@ -85,6 +107,10 @@ ex derivative(const ex& e, const Rate& rate, bool keeps = false) {
         return GiNaC::add(terms);
     }
     if (GiNaC::is_a<GiNaC::mul>(e)) {
+        if (const auto difference = difference_in(e)) {
+            const ex change = derivative(difference->multiplied, rate, keeps);
+            return (keeps ? whole(change) : change) * difference->others + difference->sums * derivative(difference->others, rate, keeps);
+        }
         GiNaC::exvector terms;
         for (std::size_t i = 0; i < e.nops(); ++i) {
             const ex one = derivative(e.op(i), rate, keeps);
