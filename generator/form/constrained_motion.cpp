@@ -7,6 +7,7 @@
 
 #include "balance/steps.hpp"
 #include "form/on_constraints.hpp"
+#include "symbolic/squares.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -19,6 +20,8 @@ std::string in_which_mode(const Scene& scene) { return scene.mode ? fmt::format(
 
 /// Rows of A qd + b = 0, eliminated until each gives the velocity of a coordinate that no other mentions; and rows from which none follows.
 class Elimination {
+    static constexpr std::size_t few = 4;  ///< coordinates, whose order is looked after
+
 public:
     explicit Elimination(System& system) : system_(system), symbols_(system.symbols), n_(symbols_.degrees()) {}
 
@@ -29,6 +32,7 @@ public:
         Motion& motion = system_.motion;
         for (std::size_t j = 0; j < n_; ++j)
             if (std::none_of(rows_.begin(), rows_.end(), [&](const Row& row) { return row.pivot == j; })) motion.free.push_back(j);
+        if (rows_.empty() && n_ <= few) constant_pivots_first();
         for (const Row& row : kept_) motion.multipliers.push_back(row.constraint);
         dependent();
         rows_.empty() ? whole() : reduced();
@@ -47,6 +51,22 @@ private:
 
     const ex& velocity(std::size_t j) const { return symbols_.get(SymbolKind::velocity, j); }
     const ex& acceleration(std::size_t j) const { return symbols_.get(SymbolKind::acceleration, j); }
+
+    /// An entry of M on the diagonal that does not change is a pivot whose reciprocal is computed once, if it comes first.
+    void constant_pivots_first() {
+        Squares squares{PositiveByRange(system_.translate)};
+        const auto changes = [&](const ex& e) {
+            for (const SymbolKind kind : {SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+                for (const Variable& variable : symbols_.all(kind))
+                    if (e.has(variable.symbol)) return true;
+            return false;
+        };
+        std::vector<std::size_t>& free = system_.motion.free;
+        std::stable_partition(free.begin(), free.end(), [&](std::size_t k) {
+            const ex& pivot = system_.mass(static_cast<unsigned>(k), static_cast<unsigned>(k));
+            return !changes(pivot) || !changes(squares.shortened(pivot));
+        });
+    }
 
     static void subtract(Row& from, const Row& row) {
         const ex factor = from.factors[row.pivot];
@@ -175,15 +195,15 @@ private:
         const auto n = static_cast<unsigned>(n_), size = static_cast<unsigned>(motion.unknowns());
         motion.matrix = GiNaC::matrix(size, size);
         for (unsigned i = 0; i < n; ++i)
-            for (unsigned j = 0; j < n; ++j) motion.matrix(i, j) = system_.mass(i, j);
-        for (std::size_t j = 0; j < n_; ++j) {
+            for (unsigned j = 0; j < n; ++j) motion.matrix(i, j) = system_.mass(static_cast<unsigned>(motion.free[i]), static_cast<unsigned>(motion.free[j]));
+        for (const std::size_t j : motion.free) {
             motion.force.push_back(system_.supplied[j] - system_.bias[j]);
             motion.residual.push_back(kept_.empty() ? system_.residual[j] : remainder(j));
         }
         GiNaC::exmap at_rest;
         for (std::size_t k = 0; k < n_; ++k) at_rest[acceleration(k)] = 0;
         for (unsigned i = 0; i < kept_.size(); ++i) {
-            for (unsigned j = 0; j < n; ++j) motion.matrix(n + i, j) = motion.matrix(j, n + i) = -kept_[i].factors[j];
+            for (unsigned j = 0; j < n; ++j) motion.matrix(n + i, j) = motion.matrix(j, n + i) = -kept_[i].factors[motion.free[j]];
             const ex residual = held_rate(kept_[i]);
             motion.residual.push_back(residual);
             motion.force.push_back(-residual.subs(at_rest, GiNaC::subs_options::no_pattern));

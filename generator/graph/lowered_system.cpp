@@ -75,7 +75,10 @@ private:
         const Motion& motion = system_.motion;
         const std::size_t n = system_.symbols.degrees();
         for (unsigned i = 0; i < motion.unknowns(); ++i)
-            for (unsigned j = 0; j <= i; ++j) l.solve_mass.push_back(motion.accelerations.empty() && i < n ? l.mass[l.solve_mass.size()] : one(motion.matrix(i, j)));
+            for (unsigned j = 0; j <= i; ++j) {
+                const bool is_in_mass = motion.accelerations.empty() && i < n;
+                l.solve_mass.push_back(is_in_mass ? l.mass[lower_index(std::max(motion.free[i], motion.free[j]), std::min(motion.free[i], motion.free[j]))] : one(motion.matrix(i, j)));
+            }
         for (const auto& [coordinate, acceleration] : motion.accelerations) {
             l.held.push_back(one(acceleration));
             for (const std::size_t k : motion.free) l.held_by_free.push_back(one(partial(acceleration, system_.symbols.get(SymbolKind::acceleration, k))));
