@@ -78,7 +78,10 @@ std::string CppFunction::compute(const std::vector<NodeId>& roots) {
     std::string statements;
     for (const NodeId id : function_.program.in_order(roots)) {
         if (known_.contains(id)) continue;
-        if (function_.program[id].kind == Node::Kind::symbol) known_[id] = symbol(id, statements);
+        const Node& node = function_.program[id];
+        if (node.kind == Node::Kind::function && node.op == Op::compression)
+            if (const auto decay = exponential_of_minus(node.arguments[0])) statements += compute({*decay});
+        if (node.kind == Node::Kind::symbol) known_[id] = symbol(id, statements);
         else if (const std::optional<NodeId> other = other_of_angle(id)) declare_both(id, *other, statements);
         else if (wants_name(id)) declare(id, build(id, statements).text, statements);
     }
@@ -111,10 +114,13 @@ std::optional<NodeId> CppFunction::other_of_angle(NodeId id) const {
 
 /// exp(-x), where the function needs it, too.
 std::optional<NodeId> CppFunction::exponential_of_minus(NodeId x) const {
-    const Node& node = function_.program[x];
-    if (node.kind != Node::Kind::sum || node.arguments.size() != 1 || !node.negative[0]) return {};
-    const auto found = exponentials_.find(node.arguments[0]);
-    return found == exponentials_.end() ? std::nullopt : std::optional(found->second);
+    const auto negated = [this](NodeId id) -> std::optional<NodeId> {
+        const Node& node = function_.program[id];
+        return node.kind == Node::Kind::sum && node.arguments.size() == 1 && node.negative[0] ? std::optional(node.arguments[0]) : std::nullopt;
+    };
+    for (const auto& [argument, exponential] : exponentials_)
+        if (negated(x) == argument || negated(argument) == x) return exponential;
+    return {};
 }
 
 void CppFunction::declare_both(NodeId id, NodeId other, std::string& statements) {

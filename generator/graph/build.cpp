@@ -39,11 +39,17 @@ NodeId reciprocal(Atoms& atoms, ParameterCache& cache, Program& program, NodeId 
     return program.cached(cache.add(inverse));
 }
 
-ProgramBuilder::ProgramBuilder(const Atoms& atoms, ParameterCache& cache, ParameterParts parts, Program& program, const Passes& passes)
+namespace {
+
+constexpr std::uint32_t first_cached_number = 0x80000000;  ///< cached values that are found last stand behind all other numbers
+
+}  // namespace
+
+ProgramBuilder::ProgramBuilder(Atoms& atoms, ParameterCache& cache, ParameterParts parts, Program& program, const Passes& passes)
     : atoms_(atoms), cache_(cache), parts_(passes.constants ? parts : ParameterParts::in_place), factors_(passes.factoring), program_(program), network_{} {}
 
 void ProgramBuilder::prepare(const std::vector<Polynomial>& roots) {
-    const bool split = parts_ != ParameterParts::in_place;
+    const bool split = splits();
     for (const Polynomial& root : roots) roots_.push_back(value_of(root, split));
     need_arguments();
 
@@ -144,7 +150,7 @@ void ProgramBuilder::need_arguments() {
         const Letter letter = pending_atoms_.back();
         pending_atoms_.pop_back();
         std::vector<Value> values;
-        for (const Polynomial& argument : atoms_[letter].arguments) values.push_back(value_of(argument, parts_ != ParameterParts::in_place));
+        for (const Polynomial& argument : atoms_[letter].arguments) values.push_back(value_of(argument, splits()));
         atom_arguments_[letter] = std::move(values);
     }
 }
@@ -166,7 +172,11 @@ NodeId ProgramBuilder::node(const Value& value) {
 NodeId ProgramBuilder::node(std::uint32_t number) {
     if (const auto known = nodes_.find(number); known != nodes_.end()) return known->second;
     NodeId result = 0;
-    if (number >= network_.first_letter) {
+    if (number >= first_cached_number) {
+        result = program_.cached(number - first_cached_number);
+    } else if (parts_ == ParameterParts::cached_last && is_fixed(number) && !is_symbol(number)) {
+        result = node(fixed_part(fixed_value(number)));
+    } else if (number >= network_.first_letter) {
         result = sum_node(network_.functions[number - network_.first_letter]);
     } else {
         const Reference& r = references_[number];
@@ -183,6 +193,7 @@ NodeId ProgramBuilder::atom_node(Letter letter) {
     if (const auto defined = symbol_nodes_.find(letter); defined != symbol_nodes_.end()) return defined->second;
     const Atom& atom = atoms_[letter];
     if (atom.op == Op::symbol || atom.op == Op::pi) return program_.symbol(letter);
+    if (parts_ == ParameterParts::cached_last && !atom.is_dynamic) return node(fixed_part(Polynomial::letter(letter)));
     if (atom.op == Op::expm1) {
         // exp(x) - 1 = x exp(x) - compression(-x), where both are there: near zero, where exp(x) - 1 itself cancels, the second is small beside the first.
         Polynomial minus = atom.arguments[0];
@@ -207,7 +218,84 @@ std::optional<Letter> ProgramBuilder::needed(Op op, const Polynomial& argument) 
     return {};
 }
 
-NodeId ProgramBuilder::sum_node(const CubeSum& sum) {
+bool ProgramBuilder::is_symbol(std::uint32_t number) const {
+    return number < network_.first_letter && references_[number].kind == Reference::Kind::atom && atoms_[references_[number].index].arguments.empty();
+}
+
+/// Whether what a number stands for depends on parameters alone.
+bool ProgramBuilder::is_fixed(std::uint32_t number) {
+    if (number >= first_cached_number) return true;
+    if (number < network_.first_letter) return !atoms_[references_[number].index].is_dynamic;
+    if (const auto known = is_fixed_.find(number); known != is_fixed_.end()) return known->second;
+    const CubeSum& sum = network_.functions[number - network_.first_letter];
+    const bool result = std::all_of(sum.begin(), sum.end(), [&](const Cube& cube) { return std::all_of(cube.letters.begin(), cube.letters.end(), [&](std::uint32_t l) { return is_fixed(l); }); });
+    return is_fixed_[number] = result;
+}
+
+/// Its value, in which sums within products are kept whole.
+Polynomial ProgramBuilder::fixed_value(std::uint32_t number) {
+    if (number >= first_cached_number) return cache_.values()[number - first_cached_number];
+    if (number < network_.first_letter) return Polynomial::letter(references_[number].index, references_[number].kind == Reference::Kind::reciprocal ? -1 : 1);
+    Polynomial sum;
+    for (const Cube& cube : network_.functions[number - network_.first_letter]) sum += fixed_value(cube);
+    return sum;
+}
+
+Polynomial ProgramBuilder::fixed_value(const Cube& cube) {
+    Polynomial product(cube.coefficient);
+    for (const std::uint32_t letter : cube.letters) {
+        Polynomial factor = fixed_value(letter);
+        if (product.is_zero() || factor.is_zero()) return {};
+        if (!factor.is_monomial()) factor = Polynomial::letter(atoms_.letter(Op::sum, {factor}));
+        const auto& [monomial, coefficient] = *factor.terms().begin();
+        product = product * monomial;
+        product *= coefficient;
+    }
+    return product;
+}
+
+/// A number that stands for a value of parameters, and what it is multiplied by.
+ProgramBuilder::FixedPart ProgramBuilder::fixed_part(const Polynomial& value) {
+    if (value.is_constant()) return {value.is_zero() ? Rational(0) : leading(value), {}};
+    if (value.is_monomial()) {
+        const auto& [monomial, coefficient] = *value.terms().begin();
+        const bool is_plain = monomial.size() == 1 && monomial[0].exponent == 1 && atoms_[monomial[0].letter].arguments.empty();
+        if (is_plain && cln::abs(coefficient) == 1) return {coefficient, numbers_.at({Reference::Kind::atom, monomial[0].letter})};
+    }
+    Polynomial positive = value;
+    const Rational sign = atoms_.leading_sign(value);
+    positive *= sign;
+    return {sign, first_cached_number + cache_.add(positive)};
+}
+
+NodeId ProgramBuilder::node(const FixedPart& part) {
+    const NodeId plain = part.number ? node(*part.number) : program_.constant(1);
+    return program_.product({program_.constant(part.coefficient), plain});
+}
+
+/// Terms that move alike become one, whose factor of parameters is a cached value.
+CubeSum ProgramBuilder::with_fixed_parts_cached(const CubeSum& sum) {
+    std::map<std::vector<std::uint32_t>, Polynomial> by_motion;
+    for (const Cube& cube : sum) {
+        std::vector<std::uint32_t> moving;
+        Cube fixed{cube.coefficient, {}};
+        for (const std::uint32_t letter : cube.letters) (is_fixed(letter) ? fixed.letters : moving).push_back(letter);
+        by_motion[moving] += fixed_value(fixed);
+    }
+    CubeSum result;
+    for (const auto& [moving, value] : by_motion) {
+        const FixedPart part = fixed_part(value);
+        if (part.coefficient == 0) continue;
+        Cube cube{part.coefficient, moving};
+        if (part.number) cube.letters.push_back(*part.number);
+        std::sort(cube.letters.begin(), cube.letters.end());
+        result.push_back(std::move(cube));
+    }
+    return result;
+}
+
+NodeId ProgramBuilder::sum_node(const CubeSum& given) {
+    const CubeSum sum = parts_ == ParameterParts::cached_last ? with_fixed_parts_cached(given) : given;
     // A number that all terms share is multiplied once.
     const bool same = sum.size() > 1 && std::all_of(sum.begin(), sum.end(), [&](const Cube& c) { return cln::abs(c.coefficient) == cln::abs(sum[0].coefficient); });
     const Rational factor = same ? cln::abs(sum[0].coefficient) : Rational(1);

@@ -30,14 +30,15 @@ NodeId reciprocal(Atoms& atoms, ParameterCache& cache, Program& program, NodeId 
 
 /// How parts that depend on parameters alone are treated.
 enum class ParameterParts {
-    cached,      ///< moved to the cache, which grows
+    cached,      ///< taken apart first, and moved to the cache, which grows; then common factors are looked for in what is left
+    cached_last, ///< common factors are looked for first; then what depends on parameters alone moves to the cache
     if_cached,   ///< taken from the cache where they are there, else computed in place
     in_place,    ///< not told apart: for the code that fills the cache
 };
 
 class ProgramBuilder {
 public:
-    ProgramBuilder(const Atoms& atoms, ParameterCache& cache, ParameterParts parts, Program& program, const Passes& passes);
+    ProgramBuilder(Atoms& atoms, ParameterCache& cache, ParameterParts parts, Program& program, const Passes& passes);
 
     /// Prepares code for all roots at once. To be called once.
     void prepare(const std::vector<Polynomial>& roots);
@@ -62,6 +63,11 @@ private:
         std::optional<Reference> reference;
     };
 
+    struct FixedPart {
+        Rational coefficient;
+        std::optional<std::uint32_t> number;
+    };
+
     Value value_of(const Polynomial& p, bool split);
     std::uint32_t function_of(const Polynomial& p, bool split);
     void add_factor(RawCube& cube, const LetterPower& power);
@@ -71,10 +77,18 @@ private:
     NodeId atom_node(Letter letter);
     std::optional<Letter> needed(Op op, const Polynomial& argument) const;  ///< as the value of an atom of these roots
     NodeId node(const Value& value);
+    bool splits() const { return parts_ == ParameterParts::cached || parts_ == ParameterParts::if_cached; }
+    bool is_symbol(std::uint32_t number) const;
+    bool is_fixed(std::uint32_t number);
+    Polynomial fixed_value(std::uint32_t number);
+    Polynomial fixed_value(const Cube& cube);
+    FixedPart fixed_part(const Polynomial& value);
+    NodeId node(const FixedPart& part);
+    CubeSum with_fixed_parts_cached(const CubeSum& sum);
     NodeId sum_node(const CubeSum& sum);
     void collect_terms(const CubeSum& sum, std::vector<std::pair<bool, NodeId>>& terms);
 
-    const Atoms& atoms_;
+    Atoms& atoms_;
     ParameterCache& cache_;
     ParameterParts parts_;
     bool factors_;
@@ -91,6 +105,7 @@ private:
     std::map<Reference, std::uint32_t> numbers_;
     Network network_;
     std::map<std::uint32_t, NodeId> nodes_;         ///< by number
+    std::map<std::uint32_t, bool> is_fixed_;        ///< by number of a function
 };
 
 }  // namespace dalembert

@@ -178,11 +178,28 @@ private:
     void motion_function(Function which, std::optional<By> by) {
         FunctionCode& f = (*code_)[which];
         if (code_->has_long_chain) return make_chain_function(*code_, lowered_, f, by, ChainFunction::solved, ParameterParts::cached);
-        const LoweredSystem::Columns* columns = by ? &lowered_.partial(*by) : nullptr;
-        const Solve& s = code_->solve;
         const ParameterCache before = code_->cache;
-        f.by_loops = !s.unrolled;
-        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program, code_->passes);
+        f = motion_code(by, ParameterParts::cached);
+        const auto instead_if_shorter = [&](const auto& make) {
+            const ParameterCache with_these = std::exchange(code_->cache, before);
+            FunctionCode other = make();
+            if (cost(other, n_) < cost(f, n_)) f = std::move(other);
+            else code_->cache = with_these;
+        };
+        if (code_->passes.constants) instead_if_shorter([&] { return motion_code(by, ParameterParts::cached_last); });
+        if (!lowered_.chain || code_->solve.is_constant) return;
+        instead_if_shorter([&] {
+            FunctionCode from_body_to_body;
+            make_chain_function(*code_, lowered_, from_body_to_body, by, ChainFunction::solved, ParameterParts::cached);
+            return from_body_to_body;
+        });
+    }
+
+    FunctionCode motion_code(std::optional<By> by, ParameterParts kind) {
+        FunctionCode f;
+        const LoweredSystem::Columns* columns = by ? &lowered_.partial(*by) : nullptr;
+        f.by_loops = !code_->solve.unrolled;
+        ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program, code_->passes);
         Roots roots;
         const MotionRoots motion = add_motion(roots);
         const std::size_t rates = roots.add(lowered_.state_rate);
@@ -192,12 +209,7 @@ private:
         take_motion(f, builder, motion);
         for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
         if (columns != nullptr) take_columns(f, builder, *columns, parts);
-        if (!lowered_.chain || s.is_constant) return;
-        const ParameterCache with_these = std::exchange(code_->cache, before);
-        FunctionCode from_body_to_body;
-        make_chain_function(*code_, lowered_, from_body_to_body, by, ChainFunction::solved, ParameterParts::cached);
-        if (cost(from_body_to_body, n_) < cost(f, n_)) f = std::move(from_body_to_body);
-        else code_->cache = with_these;
+        return f;
     }
 
     /// Where the parts of a Jacobian begin among the roots.
