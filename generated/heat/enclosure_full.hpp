@@ -15,12 +15,12 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                28     80     9        0      2
+//   update                29     79     9        0      2
 //   rhs                    6      7     0        0      0
-//   rhs_and_jacobian       9     11     0        0      0
-//   jacobian_p           150    292     9        0      2
+//   rhs_and_jacobian       7      9     0        0      0
+//   jacobian_p           148    287     9        0      2
 //   output                 6      7     0        0      1
-//   output_jacobian_x      7     12     0        0      1
+//   output_jacobian_x      1      7     0        0      1
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        6      6     0        0      0
 //
@@ -170,7 +170,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 28 + or -, 80 *, 9 /, 2 other functions
+    /// Operations: 29 + or -, 79 *, 9 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
@@ -222,32 +222,31 @@ public:
         c_.furnace_exchange_factor_1_2 = p_.eps_C * p_.eps_R * c_.furnace_reach_1_2;
         c_.furnace_exchange_factor_1_3 = p_.eps_C * p_.eps_W * c_.furnace_reach_1_3;
         c_.furnace_exchange_factor_2_3 = p_.eps_R * p_.eps_W * c_.furnace_reach_2_3;
-        const Scalar inverse_22 = Scalar(1) / p_.C_R;
-        const Scalar inverse_23 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
-        const Scalar e24 = c_.furnace_exchange_factor_1_3 * inverse_23;
-        const Scalar e25 = c_.furnace_exchange_factor_2_3 * e24;
-        const Scalar e26 = inverse_22 * e25;
-        const Scalar e27 = p_.T_M * p_.T_M;
-        const Scalar e27_squared = e27 * e27;
-        c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26
-            * e27_squared;
-        c_.k1 = inverse_22;
-        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26;
-        const Scalar e28 = c_.furnace_exchange_factor_1_2 * inverse_22;
-        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e28;
-        c_.k4 = e27;
-        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e28;
-        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e26;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e25
-            * e27_squared;
-        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e25;
-        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e22 = p_.T_M * p_.T_M;
+        const Scalar e22_squared = e22 * e22;
+        const Scalar inverse_23 = Scalar(1) / p_.C_R;
+        const Scalar inverse_24 = Scalar(1) / (c_.furnace_exchange_factor_1_3 + c_.furnace_exchange_factor_2_3);
+        const Scalar e25 = c_.furnace_exchange_factor_1_3 * inverse_24;
+        const Scalar e26 = c_.furnace_exchange_factor_2_3 * e25;
+        const Scalar e27 = inverse_23 * e26;
+        c_.k0 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e22_squared
+            * e27;
+        c_.k1 = inverse_23;
+        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e27;
+        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * c_.furnace_exchange_factor_1_2 * inverse_23;
+        c_.k4 = e22;
+        const Scalar e28 = c_.furnace_exchange_factor_1_2 + e26;
+        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * inverse_23
+            * e28;
+        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26
+            * e22_squared;
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * c_.furnace_exchange_factor_1_2;
-        c_.k10 = e24 * e27_squared;
-        c_.k11 = c_.furnace_exchange_factor_2_3 * inverse_23;
-        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * c_.furnace_exchange_factor_1_2;
-        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e25;
+        c_.k9 = e25 * e22_squared;
+        c_.k10 = c_.furnace_exchange_factor_2_3 * inverse_24;
+        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e28;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -276,17 +275,14 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 9 + or -, 11 *
+    /// Operations: 7 + or -, 9 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar P = u[0];
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        const Scalar e1 = c_.k3 * (c_.k4 + T_R_squared);
-        const Scalar e2 = p_.T_M - T_R;
-        const Scalar e3 = p_.T_M + T_R;
-        const Scalar e4 = e2 * e3;
-        dxdt[0] = c_.k0 + c_.k1 * P - c_.k2 * T_R_squared * T_R_squared + e1 * e4;
-        J[0] = e1 * (e2 - e3) - T_R * (c_.k6 * T_R_squared - c_.k5 * e4);
+        dxdt[0] = c_.k0 + c_.k1 * P + c_.k3 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared) - c_.k2 * T_R_squared
+            * T_R_squared;
+        J[0] = -c_.k5 * T_R * T_R_squared;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -302,7 +298,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 150 + or -, 292 *, 9 /, 2 other functions
+    /// Operations: 148 + or -, 287 *, 9 /, 2 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::sqrt;
         const Scalar inverse_1 = Scalar(1) / p_.C_R;
@@ -395,135 +391,128 @@ public:
         const Scalar e82 = e17 * e81;
         const Scalar e83 = e58 * e76;
         const Scalar e84 = e27 * e83;
-        const Scalar e85 = c_.k4 + T_R_squared;
-        const Scalar e86 = p_.T_M - T_R;
-        const Scalar e87 = p_.T_M + T_R;
-        const Scalar e88 = e86 * e87;
-        const Scalar e89 = e85 * e88;
-        const Scalar sqrt_90 = sqrt(p_.x_R * p_.x_R + e24);
-        const Scalar inverse_91 = Scalar(1) / sqrt_90;
-        const Scalar e92 = p_.x_R * inverse_91;
-        const Scalar e93 = e92 - e27;
-        const Scalar e94 = inverse_22 + (inverse_22 * e92 - e93 * e31);
-        const Scalar e95 = p_.b * e21;
-        const Scalar e96 = inverse_22 * (e23 - e48) - (e92 * e41 - e93 * e50);
-        const Scalar e97 = e47 * e96;
-        const Scalar e98 = inverse_22 * e28 + e93 * e40;
-        const Scalar e99 = p_.b * e38;
-        const Scalar e100 = p_.b * p_.H;
-        const Scalar e101 = c_.furnace_reflectivity_1 * e46;
-        const Scalar e102 = e45 * e100 + e101;
-        const Scalar e103 = inverse_16 * e36;
-        const Scalar e104 = p_.eps_C * e11;
-        const Scalar e105 = p_.eps_R * e103 + inverse_16 * e104;
-        const Scalar e106 = e105 * e54;
-        const Scalar e107 = (e94 * e95 - e97) * e54 - (e98 * e99 - e97) * e56
-            - ((e21 * e94 - e38 * e98) * e102 - (e92 * e106 + e62));
-        const Scalar e108 = p_.b * e77;
-        const Scalar e109 = e68 * e96;
-        const Scalar e110 = p_.b * e71;
-        const Scalar e111 = e74 * (c_.furnace_reflectivity_1 * c_.furnace_reach_1_1 + e100);
-        const Scalar e112 = p_.eps_W * e82;
-        const Scalar e113 = e103 * e112;
-        const Scalar e114 = inverse_91 + inverse_26;
-        const Scalar e115 = inverse_22 * inverse_26;
-        const Scalar e116 = (Scalar(1) / Scalar(2)) * (inverse_91 * e41 - e114 * e50 + c_.furnace_distance_1_3 * e115);
-        const Scalar e117 = inverse_22 + e116;
-        const Scalar e118 = Scalar(2) * (e47 * e117);
-        const Scalar e119 = e114 * e31 - inverse_91 * inverse_22;
-        const Scalar e120 = e114 * e40 - e115;
-        const Scalar e121 = (-e38 * e120 - e21 * e119) * e102 + (inverse_26 * e61 - inverse_91 * e106);
-        const Scalar e122 = p_.h * ((e118 - e119 * e95) * e54 - (e120 * e99 + e118) * e56 - e121);
-        const Scalar e123 = Scalar(2) * (e68 * e117);
-        const Scalar e124 = p_.b * inverse_22;
-        const Scalar e125 = e38 * e39;
-        const Scalar e126 = e49 * inverse_22;
-        const Scalar e127 = e47 * e126;
-        const Scalar e128 = e124 * e125 - e127;
-        const Scalar e129 = e21 * e30;
-        const Scalar e130 = inverse_22 * (e129 + e125);
-        const Scalar e131 = e105 * e53;
-        const Scalar e132 = e130 * e101 - c_.furnace_reflectivity_3 * e131 - ((e124 * e129 + e127) * e54 + e128 * e55);
-        const Scalar e133 = inverse_8 * e132 + (p_.eps_R * c_.furnace_reflectivity_2 * e59 * e36 + p_.b * e130 * e45);
-        const Scalar e134 = c_.furnace_reflectivity_1 * e14 * e104 - e128 * e6 + e133;
-        const Scalar e135 = e71 * e39;
-        const Scalar e136 = e77 * e30;
-        const Scalar e137 = inverse_22 * (e135 + e136) * e74;
-        const Scalar e138 = e68 * e126;
-        const Scalar e139 = e3 * e131;
-        const Scalar e140 = e3 * (c_.furnace_exchange_factor_1_3 * c_.furnace_exchange_factor_2_3);
-        const Scalar e141 = inverse_1 * e140;
+        const Scalar e85 = (c_.k4 + T_R_squared) * ((p_.T_M - T_R) * (p_.T_M + T_R));
+        const Scalar sqrt_86 = sqrt(p_.x_R * p_.x_R + e24);
+        const Scalar inverse_87 = Scalar(1) / sqrt_86;
+        const Scalar e88 = p_.x_R * inverse_87;
+        const Scalar e89 = e88 - e27;
+        const Scalar e90 = inverse_22 + (inverse_22 * e88 - e89 * e31);
+        const Scalar e91 = p_.b * e21;
+        const Scalar e92 = inverse_22 * (e23 - e48) - (e88 * e41 - e89 * e50);
+        const Scalar e93 = e47 * e92;
+        const Scalar e94 = inverse_22 * e28 + e89 * e40;
+        const Scalar e95 = p_.b * e38;
+        const Scalar e96 = p_.b * p_.H;
+        const Scalar e97 = c_.furnace_reflectivity_1 * e46;
+        const Scalar e98 = e45 * e96 + e97;
+        const Scalar e99 = inverse_16 * e36;
+        const Scalar e100 = p_.eps_C * e11;
+        const Scalar e101 = p_.eps_R * e99 + inverse_16 * e100;
+        const Scalar e102 = e101 * e54;
+        const Scalar e103 = (e90 * e91 - e93) * e54 - (e94 * e95 - e93) * e56
+            - ((e21 * e90 - e38 * e94) * e98 - (e88 * e102 + e62));
+        const Scalar e104 = p_.b * e77;
+        const Scalar e105 = e68 * e92;
+        const Scalar e106 = p_.b * e71;
+        const Scalar e107 = e74 * (c_.furnace_reflectivity_1 * c_.furnace_reach_1_1 + e96);
+        const Scalar e108 = p_.eps_W * e82;
+        const Scalar e109 = e99 * e108;
+        const Scalar e110 = inverse_87 + inverse_26;
+        const Scalar e111 = inverse_22 * inverse_26;
+        const Scalar e112 = (Scalar(1) / Scalar(2)) * (inverse_87 * e41 - e110 * e50 + c_.furnace_distance_1_3 * e111);
+        const Scalar e113 = inverse_22 + e112;
+        const Scalar e114 = Scalar(2) * (e47 * e113);
+        const Scalar e115 = e110 * e31 - inverse_87 * inverse_22;
+        const Scalar e116 = e110 * e40 - e111;
+        const Scalar e117 = (-e38 * e116 - e21 * e115) * e98 + (inverse_26 * e61 - inverse_87 * e102);
+        const Scalar e118 = p_.h * ((e114 - e115 * e91) * e54 - (e116 * e95 + e114) * e56 - e117);
+        const Scalar e119 = Scalar(2) * (e68 * e113);
+        const Scalar e120 = p_.b * inverse_22;
+        const Scalar e121 = e38 * e39;
+        const Scalar e122 = e49 * inverse_22;
+        const Scalar e123 = e47 * e122;
+        const Scalar e124 = e120 * e121 - e123;
+        const Scalar e125 = e21 * e30;
+        const Scalar e126 = inverse_22 * (e125 + e121);
+        const Scalar e127 = e101 * e53;
+        const Scalar e128 = e126 * e97 - c_.furnace_reflectivity_3 * e127 - ((e120 * e125 + e123) * e54 + e124 * e55);
+        const Scalar e129 = inverse_8 * e128 + (p_.eps_R * c_.furnace_reflectivity_2 * e59 * e36 + p_.b * e126 * e45);
+        const Scalar e130 = c_.furnace_reflectivity_1 * e14 * e100 - e124 * e6 + e129;
+        const Scalar e131 = e71 * e39;
+        const Scalar e132 = e77 * e30;
+        const Scalar e133 = inverse_22 * (e131 + e132) * e74;
+        const Scalar e134 = e68 * e122;
+        const Scalar e135 = e3 * e127;
+        const Scalar e136 = e3 * (c_.furnace_exchange_factor_1_3 * c_.furnace_exchange_factor_2_3);
+        const Scalar e137 = inverse_1 * e136;
         const Scalar P = u[0];
         const Scalar inverse_1_squared = inverse_1 * inverse_1;
-        const Scalar e142 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e138 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e4 * e63;
-        const Scalar e143 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e139 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e65 * e63;
-        const Scalar e144 = (e69 + e72) * e76 - e19 * (c_.furnace_reach_1_1 * e79 - e80) - (e69 - e78) * e82 - p_.H * e79 + e84;
+        const Scalar e140 = (e69 + e72) * e76 - e19 * (c_.furnace_reach_1_1 * e79 - e80) - (e69 - e78) * e82 - p_.H * e79 + e84;
+        const Scalar e141 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e140;
+        J[0] = e138 * T_R_squared_squared - e139 + e141 * e85;
+        const Scalar e142 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e65 * e103;
+        const Scalar e143 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e4 * e103;
+        const Scalar e144 = (e90 * e104 - e105) * e82 - (e94 * e106 - e105) * e76 + (e71 * e94 - e77 * e90) * e107 - e84 - e88
+            * e109;
         const Scalar e145 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e144;
-        J[0] = e142 * T_R_squared_squared - e143 + e145 * e89;
+        J[1] = e142 - e143 * T_R_squared_squared + e145 * e85;
         const Scalar e146 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e65 * e107;
+            * e65 * e118;
         const Scalar e147 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e4 * e107;
-        const Scalar e148 = (e94 * e108 - e109) * e82 - (e98 * e110 - e109) * e76 + (e71 * e98 - e77 * e94) * e111 - e84 - e92
-            * e113;
+            * e4 * e118;
+        const Scalar e148 = (e116 * e106 + e119) * e76 - (e119 - e115 * e104) * e82 - inverse_26 * e83
+            - (e71 * e116 + e77 * e115) * e107 + inverse_87 * e109;
         const Scalar e149 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e148;
-        J[1] = e146 - e147 * T_R_squared_squared + e149 * e89;
+            * (-p_.h * e148);
+        J[2] = e146 - e147 * T_R_squared_squared + e149 * e85;
         const Scalar e150 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e65 * e122;
+            * e65 * e130;
         const Scalar e151 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e4 * e122;
-        const Scalar e152 = (e120 * e110 + e123) * e76 - (e123 - e119 * e108) * e82 - inverse_26 * e83
-            - (e71 * e120 + e77 * e119) * e111 + inverse_91 * e113;
-        const Scalar e153 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (-p_.h * e152);
-        J[2] = e150 - e151 * T_R_squared_squared + e153 * e89;
+            * e4 * e130;
+        const Scalar e152 = c_.furnace_reflectivity_1 * inverse_8 * (c_.furnace_reach_1_1 * e133 - e80);
+        const Scalar e153 = c_.furnace_reflectivity_2 * e58 * e75 + (e120 * e131 - e134) * e76 + (e120 * e132 + e134) * e82
+            - e36 * e108;
         const Scalar e154 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e65 * e134;
+            * (e152 - inverse_8 * e153 + p_.b * e133);
+        J[3] = -e150 - (-e151) * T_R_squared_squared - e154 * e85;
         const Scalar e155 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e4 * e134;
-        const Scalar e156 = c_.furnace_reflectivity_1 * inverse_8 * (c_.furnace_reach_1_1 * e137 - e80);
-        const Scalar e157 = c_.furnace_reflectivity_2 * e58 * e75 + (e124 * e135 - e138) * e76 + (e124 * e136 + e138) * e82
-            - e36 * e112;
-        const Scalar e158 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e156 - inverse_8 * e157 + p_.b * e137);
-        J[3] = -e154 - (-e155) * T_R_squared_squared - e158 * e89;
-        const Scalar e159 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e65 * e15;
-        const Scalar e160 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e156 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e4 * e15;
-        const Scalar e161 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e157 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.eps_R * c_.furnace_reach_1_2 * e12 * inverse_1;
-        J[4] = -e159 - (-e160) * T_R_squared_squared + e161 * e89;
-        const Scalar e162 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[4] = -e155 - (-e156) * T_R_squared_squared + e157 * e85;
+        const Scalar e158 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e65 * e60;
-        const Scalar e163 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e159 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e4 * e60;
-        const Scalar e164 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e160 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * c_.furnace_reach_1_2 * e58 * e73;
-        J[5] = -e162 - (-e163) * T_R_squared_squared + e164 * e89;
+        J[5] = -e158 - (-e159) * T_R_squared_squared + e160 * e85;
+        const Scalar e161 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e135;
+        const Scalar e162 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e64_squared * e135;
+        const Scalar e163 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e81 * e99;
+        J[6] = (-e161) * T_R_squared_squared - (-e162) - e163 * e85;
+        const Scalar e164 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e137;
         const Scalar e165 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e139;
+            * e64_squared * e137;
         const Scalar e166 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e64_squared * e139;
-        const Scalar e167 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e81 * e103;
-        J[6] = (-e165) * T_R_squared_squared - (-e166) - e167 * e89;
-        const Scalar e168 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e141;
-        const Scalar e169 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e64_squared * e141;
-        const Scalar e170 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * c_.furnace_exchange_factor_1_2 * inverse_1_squared;
-        J[7] = e168 * T_R_squared_squared - e169 - P * inverse_1_squared - e170 * e89;
-        const Scalar e171 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * p_.T_M * e64 * e140;
-        const Scalar e172 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.T_M * c_.furnace_exchange_factor_1_2 * inverse_1;
-        J[8] = c_.k3 * e85 * (e86 + e87) + e171 + e172 * e88;
+        J[7] = e164 * T_R_squared_squared - e165 - P * inverse_1_squared - e166 * e85;
+        J[8] = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * (p_.T_M * e64 * (c_.furnace_exchange_factor_1_2 * inverse_1 + e136));
         J[9] = Scalar(0);
     }
 
@@ -561,23 +550,21 @@ public:
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
         const Scalar T_R_squared_squared = T_R_squared * T_R_squared;
-        const Scalar power_1 = pow(c_.k10 + c_.k11 * T_R_squared_squared, Scalar(1) / Scalar(4));
+        const Scalar power_1 = pow(c_.k9 + c_.k10 * T_R_squared_squared, Scalar(1) / Scalar(4));
         y[0] = power_1;
-        y[1] = c_.k8 * T_R_squared_squared - c_.k7 - c_.k9 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared);
+        y[1] = c_.k7 * T_R_squared_squared - c_.k6 - c_.k8 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared);
     }
 
     /// C = dh/dx.
-    /// Operations: 7 + or -, 12 *, 1 other functions
+    /// Operations: 1 + or -, 7 *, 1 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::pow;
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        const Scalar power_1 = pow(c_.k10 + c_.k11 * T_R_squared * T_R_squared, -Scalar(3) / Scalar(4));
+        const Scalar power_1 = pow(c_.k9 + c_.k10 * T_R_squared * T_R_squared, -Scalar(3) / Scalar(4));
         const Scalar e2 = T_R * T_R_squared;
-        const Scalar e3 = p_.T_M + T_R;
-        const Scalar e4 = c_.k9 * (c_.k4 + T_R_squared);
-        C[0] = c_.k11 * power_1 * e2;
-        C[1] = e3 * e4 - (p_.T_M - T_R) * (c_.k12 * T_R * e3 + e4) + c_.k13 * e2;
+        C[0] = c_.k10 * power_1 * e2;
+        C[1] = c_.k11 * e2;
     }
 
     /// D = dh/du.
@@ -635,7 +622,7 @@ public:
         const Scalar P = u[0];
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        return c_.k7 + P + c_.k9 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared) - c_.k8 * T_R_squared * T_R_squared;
+        return c_.k6 + P + c_.k8 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared) - c_.k7 * T_R_squared * T_R_squared;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -666,15 +653,13 @@ private:
         Scalar k2;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
         Scalar k3;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2]/C_R
         Scalar k4;  ///< T_M^2
-        Scalar k5;  ///< 2*stefan_boltzmann*exchange_factor[furnace, 1, 2]/C_R
-        Scalar k6;  ///< 4*stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
-        Scalar k7;  ///< stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
-        Scalar k8;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
-        Scalar k9;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2]
-        Scalar k10;  ///< T_M^4*exchange_factor[furnace, 1, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, ...
-        Scalar k11;  ///< exchange_factor[furnace, 2, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3])
-        Scalar k12;  ///< 2*stefan_boltzmann*exchange_factor[furnace, 1, 2]
-        Scalar k13;  ///< 4*stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
+        Scalar k5;  ///< 4*stefan_boltzmann*(exchange_factor[furnace, 1, 2] + exchange_factor[furnace, 1, ...
+        Scalar k6;  ///< stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
+        Scalar k7;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, ...
+        Scalar k8;  ///< stefan_boltzmann*exchange_factor[furnace, 1, 2]
+        Scalar k9;  ///< T_M^4*exchange_factor[furnace, 1, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, ...
+        Scalar k10;  ///< exchange_factor[furnace, 2, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3])
+        Scalar k11;  ///< 4*stefan_boltzmann*(exchange_factor[furnace, 1, 2] + exchange_factor[furnace, 1, ...
     };
     Cached c_{};
 };

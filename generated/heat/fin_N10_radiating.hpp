@@ -19,8 +19,8 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                10     45    10        0      3
 //   rhs                   69     51     0        0      0
-//   rhs_and_jacobian      99     91     0        0      0
-//   jacobian_p           152    257     4        0      0
+//   rhs_and_jacobian      79     71     0        0      0
+//   jacobian_p           124    229     4        0      0
 //   output                 5      7     2        0      3
 //   output_jacobian_u      6     12     2        0      3
 //   internal_energy        9      7     0        0      0
@@ -218,9 +218,9 @@ public:
         c_.k6 = p_.T_inf * p_.T_inf;
         const Scalar e13 = Scalar(200) * ((Scalar(1) / Scalar(200)) * e9 + e7);
         c_.k7 = e13;
-        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e10;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e10;
         c_.k9 = e13 + e11;
-        c_.k10 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(2500000) * Scalar(1000000000))) * e12;
+        c_.k10 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(1250000) * Scalar(1000000000))) * e12;
         const Scalar e14 = p_.L * c_.m;
         const Scalar exp_15 = exp(e14);
         const Scalar inverse_16 = Scalar(1) / exp_15;
@@ -329,78 +329,58 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 10 x 10, entry (i, j) at J[10*j + i].
-    /// Operations: 99 + or -, 91 *
+    /// Operations: 79 + or -, 71 *
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_1 = x[0];
-        const Scalar e1 = p_.T_inf - T_1;
+        const Scalar T_1_squared = T_1 * T_1;
         const Scalar T_2 = x[1];
-        const Scalar e2 = c_.k0 * (T_1 - T_2);
-        const Scalar e3 = c_.k2 * (c_.k6 + T_1 * T_1);
-        const Scalar e4 = p_.T_inf + T_1;
-        const Scalar e5 = e1 * e4;
-        const Scalar e6 = p_.T_inf - T_2;
+        const Scalar e1 = c_.k0 * (T_1 - T_2);
+        const Scalar T_2_squared = T_2 * T_2;
         const Scalar T_3 = x[2];
-        const Scalar e7 = c_.k0 * (T_2 - T_3);
-        const Scalar e8 = c_.k2 * (c_.k6 + T_2 * T_2);
-        const Scalar e9 = p_.T_inf + T_2;
-        const Scalar e10 = e6 * e9;
-        const Scalar e11 = p_.T_inf - T_3;
+        const Scalar e2 = c_.k0 * (T_2 - T_3);
+        const Scalar T_3_squared = T_3 * T_3;
         const Scalar T_4 = x[3];
-        const Scalar e12 = c_.k0 * (T_3 - T_4);
-        const Scalar e13 = c_.k2 * (c_.k6 + T_3 * T_3);
-        const Scalar e14 = p_.T_inf + T_3;
-        const Scalar e15 = e11 * e14;
-        const Scalar e16 = p_.T_inf - T_4;
+        const Scalar e3 = c_.k0 * (T_3 - T_4);
+        const Scalar T_4_squared = T_4 * T_4;
         const Scalar T_5 = x[4];
-        const Scalar e17 = c_.k0 * (T_4 - T_5);
-        const Scalar e18 = c_.k2 * (c_.k6 + T_4 * T_4);
-        const Scalar e19 = p_.T_inf + T_4;
-        const Scalar e20 = e16 * e19;
-        const Scalar e21 = p_.T_inf - T_5;
+        const Scalar e4 = c_.k0 * (T_4 - T_5);
+        const Scalar T_5_squared = T_5 * T_5;
         const Scalar T_6 = x[5];
-        const Scalar e22 = c_.k0 * (T_5 - T_6);
-        const Scalar e23 = c_.k2 * (c_.k6 + T_5 * T_5);
-        const Scalar e24 = p_.T_inf + T_5;
-        const Scalar e25 = e21 * e24;
-        const Scalar e26 = p_.T_inf - T_6;
+        const Scalar e5 = c_.k0 * (T_5 - T_6);
+        const Scalar T_6_squared = T_6 * T_6;
         const Scalar T_7 = x[6];
-        const Scalar e27 = c_.k0 * (T_6 - T_7);
-        const Scalar e28 = c_.k2 * (c_.k6 + T_6 * T_6);
-        const Scalar e29 = p_.T_inf + T_6;
-        const Scalar e30 = e26 * e29;
-        const Scalar e31 = p_.T_inf - T_7;
+        const Scalar e6 = c_.k0 * (T_6 - T_7);
+        const Scalar T_7_squared = T_7 * T_7;
         const Scalar T_8 = x[7];
-        const Scalar e32 = c_.k0 * (T_7 - T_8);
-        const Scalar e33 = c_.k2 * (c_.k6 + T_7 * T_7);
-        const Scalar e34 = p_.T_inf + T_7;
-        const Scalar e35 = e31 * e34;
-        const Scalar e36 = p_.T_inf - T_8;
+        const Scalar e7 = c_.k0 * (T_7 - T_8);
+        const Scalar T_8_squared = T_8 * T_8;
         const Scalar T_9 = x[8];
-        const Scalar e37 = c_.k0 * (T_8 - T_9);
-        const Scalar e38 = c_.k2 * (c_.k6 + T_8 * T_8);
-        const Scalar e39 = p_.T_inf + T_8;
-        const Scalar e40 = e36 * e39;
-        const Scalar e41 = p_.T_inf - T_9;
+        const Scalar e8 = c_.k0 * (T_8 - T_9);
+        const Scalar T_9_squared = T_9 * T_9;
         const Scalar T_10 = x[9];
-        const Scalar e42 = T_9 - T_10;
-        const Scalar e43 = c_.k2 * (c_.k6 + T_9 * T_9);
-        const Scalar e44 = p_.T_inf + T_9;
-        const Scalar e45 = e41 * e44;
-        const Scalar e46 = p_.T_inf - T_10;
-        const Scalar e47 = c_.k4 * (c_.k6 + T_10 * T_10);
-        const Scalar e48 = p_.T_inf + T_10;
-        const Scalar e49 = e46 * e48;
-        dxdt[0] = c_.k0 * (p_.T_0 - T_1) + c_.k1 * e1 - e2 + e3 * e5;
-        dxdt[1] = c_.k1 * e6 + e2 - e7 + e8 * e10;
-        dxdt[2] = c_.k1 * e11 + e7 - e12 + e13 * e15;
-        dxdt[3] = c_.k1 * e16 + e12 - e17 + e18 * e20;
-        dxdt[4] = c_.k1 * e21 + e17 - e22 + e23 * e25;
-        dxdt[5] = c_.k1 * e26 + e22 - e27 + e28 * e30;
-        dxdt[6] = c_.k1 * e31 + e27 - e32 + e33 * e35;
-        dxdt[7] = c_.k1 * e36 + e32 - e37 + e38 * e40;
-        dxdt[8] = c_.k1 * e41 - c_.k0 * e42 + e37 + e43 * e45;
-        dxdt[9] = c_.k3 * e46 + c_.k5 * e42 + e47 * e49;
-        J[0] = e3 * (e1 - e4) - c_.k7 + c_.k8 * T_1 * e5;
+        const Scalar e9 = T_9 - T_10;
+        const Scalar T_10_squared = T_10 * T_10;
+        const Scalar e10 = (p_.T_inf - T_1) * (c_.k1 + c_.k2 * (p_.T_inf + T_1) * (c_.k6 + T_1_squared));
+        dxdt[0] = e10 + c_.k0 * (p_.T_0 - T_1) - e1;
+        const Scalar e11 = (p_.T_inf - T_2) * (c_.k1 + c_.k2 * (p_.T_inf + T_2) * (c_.k6 + T_2_squared));
+        dxdt[1] = e11 + e1 - e2;
+        const Scalar e12 = (p_.T_inf - T_3) * (c_.k1 + c_.k2 * (p_.T_inf + T_3) * (c_.k6 + T_3_squared));
+        dxdt[2] = e12 + e2 - e3;
+        const Scalar e13 = (p_.T_inf - T_4) * (c_.k1 + c_.k2 * (p_.T_inf + T_4) * (c_.k6 + T_4_squared));
+        dxdt[3] = e13 + e3 - e4;
+        const Scalar e14 = (p_.T_inf - T_5) * (c_.k1 + c_.k2 * (p_.T_inf + T_5) * (c_.k6 + T_5_squared));
+        dxdt[4] = e14 + e4 - e5;
+        const Scalar e15 = (p_.T_inf - T_6) * (c_.k1 + c_.k2 * (p_.T_inf + T_6) * (c_.k6 + T_6_squared));
+        dxdt[5] = e15 + e5 - e6;
+        const Scalar e16 = (p_.T_inf - T_7) * (c_.k1 + c_.k2 * (p_.T_inf + T_7) * (c_.k6 + T_7_squared));
+        dxdt[6] = e16 + e6 - e7;
+        const Scalar e17 = (p_.T_inf - T_8) * (c_.k1 + c_.k2 * (p_.T_inf + T_8) * (c_.k6 + T_8_squared));
+        dxdt[7] = e17 + e7 - e8;
+        const Scalar e18 = (p_.T_inf - T_9) * (c_.k1 + c_.k2 * (p_.T_inf + T_9) * (c_.k6 + T_9_squared));
+        dxdt[8] = e18 - c_.k0 * e9 + e8;
+        const Scalar e19 = (p_.T_inf - T_10) * (c_.k3 + c_.k4 * (p_.T_inf + T_10) * (c_.k6 + T_10_squared));
+        dxdt[9] = e19 + c_.k5 * e9;
+        J[0] = -c_.k7 - c_.k8 * T_1 * T_1_squared;
         J[1] = c_.k0;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
@@ -411,7 +391,7 @@ public:
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = c_.k0;
-        J[11] = e8 * (e6 - e9) - c_.k7 + c_.k8 * T_2 * e10;
+        J[11] = -c_.k7 - c_.k8 * T_2 * T_2_squared;
         J[12] = c_.k0;
         J[13] = Scalar(0);
         J[14] = Scalar(0);
@@ -422,7 +402,7 @@ public:
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = c_.k0;
-        J[22] = e13 * (e11 - e14) - c_.k7 + c_.k8 * T_3 * e15;
+        J[22] = -c_.k7 - c_.k8 * T_3 * T_3_squared;
         J[23] = c_.k0;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
@@ -433,7 +413,7 @@ public:
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = c_.k0;
-        J[33] = e18 * (e16 - e19) - c_.k7 + c_.k8 * T_4 * e20;
+        J[33] = -c_.k7 - c_.k8 * T_4 * T_4_squared;
         J[34] = c_.k0;
         J[35] = Scalar(0);
         J[36] = Scalar(0);
@@ -444,7 +424,7 @@ public:
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = c_.k0;
-        J[44] = e23 * (e21 - e24) - c_.k7 + c_.k8 * T_5 * e25;
+        J[44] = -c_.k7 - c_.k8 * T_5 * T_5_squared;
         J[45] = c_.k0;
         J[46] = Scalar(0);
         J[47] = Scalar(0);
@@ -455,7 +435,7 @@ public:
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = c_.k0;
-        J[55] = e28 * (e26 - e29) - c_.k7 + c_.k8 * T_6 * e30;
+        J[55] = -c_.k7 - c_.k8 * T_6 * T_6_squared;
         J[56] = c_.k0;
         J[57] = Scalar(0);
         J[58] = Scalar(0);
@@ -466,7 +446,7 @@ public:
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = c_.k0;
-        J[66] = e33 * (e31 - e34) - c_.k7 + c_.k8 * T_7 * e35;
+        J[66] = -c_.k7 - c_.k8 * T_7 * T_7_squared;
         J[67] = c_.k0;
         J[68] = Scalar(0);
         J[69] = Scalar(0);
@@ -477,7 +457,7 @@ public:
         J[74] = Scalar(0);
         J[75] = Scalar(0);
         J[76] = c_.k0;
-        J[77] = e38 * (e36 - e39) - c_.k7 + c_.k8 * T_8 * e40;
+        J[77] = -c_.k7 - c_.k8 * T_8 * T_8_squared;
         J[78] = c_.k0;
         J[79] = Scalar(0);
         J[80] = Scalar(0);
@@ -488,7 +468,7 @@ public:
         J[85] = Scalar(0);
         J[86] = Scalar(0);
         J[87] = c_.k0;
-        J[88] = e43 * (e41 - e44) - c_.k7 + c_.k8 * T_9 * e45;
+        J[88] = -c_.k7 - c_.k8 * T_9 * T_9_squared;
         J[89] = c_.k5;
         J[90] = Scalar(0);
         J[91] = Scalar(0);
@@ -499,7 +479,7 @@ public:
         J[96] = Scalar(0);
         J[97] = Scalar(0);
         J[98] = c_.k0;
-        J[99] = e47 * (e46 - e48) - c_.k9 + c_.k10 * T_10 * e49;
+        J[99] = -c_.k9 - c_.k10 * T_10 * T_10_squared;
     }
 
     /// J = df/dx. 10 x 10, entry (i, j) at J[10*j + i].
@@ -524,7 +504,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 10 x 11, entry (i, j) at J[10*j + i].
-    /// Operations: 152 + or -, 257 *, 4 /
+    /// Operations: 124 + or -, 229 *, 4 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.L;
         const Scalar inverse_2 = Scalar(1) / p_.rho;
@@ -564,84 +544,56 @@ public:
         const Scalar e26 = T_9 - T_10;
         const Scalar e27 = e24 - e26;
         const Scalar e28 = p_.T_inf - T_10;
-        const Scalar e29 = c_.k6 + T_10 * T_10;
-        const Scalar e30 = p_.T_inf + T_10;
-        const Scalar e31 = e28 * e30;
-        const Scalar e32 = e29 * e31;
-        const Scalar e33 = p_.T_inf - T_1;
-        const Scalar inverse_34 = Scalar(1) / p_.A;
-        const Scalar e35 = inverse_34 * e4;
-        const Scalar e36 = p_.P * e35;
-        const Scalar e37 = p_.alpha * e36;
-        const Scalar e38 = inverse_34 * e37;
-        const Scalar e39 = p_.eps * e36;
-        const Scalar e40 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_34 * e39;
-        const Scalar e41 = c_.k6 + T_1 * T_1;
-        const Scalar e42 = p_.T_inf + T_1;
-        const Scalar e43 = e33 * e42;
-        const Scalar e44 = e41 * e43;
-        const Scalar e45 = p_.T_inf - T_2;
-        const Scalar e46 = c_.k6 + T_2 * T_2;
-        const Scalar e47 = p_.T_inf + T_2;
-        const Scalar e48 = e45 * e47;
-        const Scalar e49 = e46 * e48;
-        const Scalar e50 = p_.T_inf - T_3;
-        const Scalar e51 = c_.k6 + T_3 * T_3;
-        const Scalar e52 = p_.T_inf + T_3;
-        const Scalar e53 = e50 * e52;
-        const Scalar e54 = e51 * e53;
-        const Scalar e55 = p_.T_inf - T_4;
-        const Scalar e56 = c_.k6 + T_4 * T_4;
-        const Scalar e57 = p_.T_inf + T_4;
-        const Scalar e58 = e55 * e57;
-        const Scalar e59 = e56 * e58;
-        const Scalar e60 = p_.T_inf - T_5;
-        const Scalar e61 = c_.k6 + T_5 * T_5;
-        const Scalar e62 = p_.T_inf + T_5;
-        const Scalar e63 = e60 * e62;
-        const Scalar e64 = e61 * e63;
-        const Scalar e65 = p_.T_inf - T_6;
-        const Scalar e66 = c_.k6 + T_6 * T_6;
-        const Scalar e67 = p_.T_inf + T_6;
-        const Scalar e68 = e65 * e67;
-        const Scalar e69 = e66 * e68;
-        const Scalar e70 = p_.T_inf - T_7;
-        const Scalar e71 = c_.k6 + T_7 * T_7;
-        const Scalar e72 = p_.T_inf + T_7;
-        const Scalar e73 = e70 * e72;
-        const Scalar e74 = e71 * e73;
-        const Scalar e75 = p_.T_inf - T_8;
-        const Scalar e76 = c_.k6 + T_8 * T_8;
-        const Scalar e77 = p_.T_inf + T_8;
-        const Scalar e78 = e75 * e77;
-        const Scalar e79 = e76 * e78;
-        const Scalar e80 = p_.T_inf - T_9;
-        const Scalar e81 = c_.k6 + T_9 * T_9;
-        const Scalar e82 = p_.T_inf + T_9;
-        const Scalar e83 = e80 * e82;
-        const Scalar e84 = e81 * e83;
-        const Scalar e85 = p_.alpha * e35;
-        const Scalar e86 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.eps * e35;
-        const Scalar e87 = Scalar(100) * e6;
-        const Scalar e88 = inverse_2 * e37;
-        const Scalar e89 = inverse_2 * e7;
-        const Scalar e90 = Scalar(100) * e89;
-        const Scalar e91 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_2 * e39;
-        const Scalar e92 = Scalar(20) * p_.alpha_L * e5 + e37;
-        const Scalar e93 = e4 * (p_.P * inverse_34 + Scalar(20) * inverse_1);
-        const Scalar e94 = p_.eps * e93;
-        const Scalar e95 = inverse_3 * e37;
-        const Scalar e96 = inverse_3 * e7;
-        const Scalar e97 = Scalar(100) * e96;
-        const Scalar e98 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_3 * e39;
-        const Scalar e99 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.T_inf * e39;
-        const Scalar e100 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e36;
+        const Scalar e29 = (c_.k6 + T_10 * T_10) * (e28 * (p_.T_inf + T_10));
+        const Scalar e30 = p_.T_inf - T_1;
+        const Scalar inverse_31 = Scalar(1) / p_.A;
+        const Scalar e32 = inverse_31 * e4;
+        const Scalar e33 = p_.P * e32;
+        const Scalar e34 = p_.alpha * e33;
+        const Scalar e35 = inverse_31 * e34;
+        const Scalar e36 = p_.eps * e33;
+        const Scalar e37 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_31 * e36;
+        const Scalar e38 = (c_.k6 + T_1 * T_1) * (e30 * (p_.T_inf + T_1));
+        const Scalar e39 = p_.T_inf - T_2;
+        const Scalar e40 = (c_.k6 + T_2 * T_2) * (e39 * (p_.T_inf + T_2));
+        const Scalar e41 = p_.T_inf - T_3;
+        const Scalar e42 = (c_.k6 + T_3 * T_3) * (e41 * (p_.T_inf + T_3));
+        const Scalar e43 = p_.T_inf - T_4;
+        const Scalar e44 = (c_.k6 + T_4 * T_4) * (e43 * (p_.T_inf + T_4));
+        const Scalar e45 = p_.T_inf - T_5;
+        const Scalar e46 = (c_.k6 + T_5 * T_5) * (e45 * (p_.T_inf + T_5));
+        const Scalar e47 = p_.T_inf - T_6;
+        const Scalar e48 = (c_.k6 + T_6 * T_6) * (e47 * (p_.T_inf + T_6));
+        const Scalar e49 = p_.T_inf - T_7;
+        const Scalar e50 = (c_.k6 + T_7 * T_7) * (e49 * (p_.T_inf + T_7));
+        const Scalar e51 = p_.T_inf - T_8;
+        const Scalar e52 = (c_.k6 + T_8 * T_8) * (e51 * (p_.T_inf + T_8));
+        const Scalar e53 = p_.T_inf - T_9;
+        const Scalar e54 = (c_.k6 + T_9 * T_9) * (e53 * (p_.T_inf + T_9));
+        const Scalar e55 = p_.alpha * e32;
+        const Scalar e56 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * p_.eps * e32;
+        const Scalar e57 = Scalar(100) * e6;
+        const Scalar e58 = inverse_2 * e34;
+        const Scalar e59 = inverse_2 * e7;
+        const Scalar e60 = Scalar(100) * e59;
+        const Scalar e61 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_2 * e36;
+        const Scalar e62 = Scalar(20) * p_.alpha_L * e5 + e34;
+        const Scalar e63 = e4 * (p_.P * inverse_31 + Scalar(20) * inverse_1);
+        const Scalar e64 = p_.eps * e63;
+        const Scalar e65 = inverse_3 * e34;
+        const Scalar e66 = inverse_3 * e7;
+        const Scalar e67 = Scalar(100) * e66;
+        const Scalar e68 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_3 * e36;
+        const Scalar e69 = p_.T_inf * (p_.T_inf * p_.T_inf);
+        const Scalar e70 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e36 * e69;
+        const Scalar e71 = e34 + e70;
+        const Scalar e72 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e33;
         J[0] = -e9 * e11;
         J[1] = -e9 * e13;
         J[2] = -e9 * e15;
@@ -651,73 +603,73 @@ public:
         J[6] = -e9 * e23;
         J[7] = -e9 * e25;
         J[8] = -e9 * e27;
-        const Scalar e101 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(5000000) * Scalar(1000000000)))
+        const Scalar e73 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(5000000) * Scalar(1000000000)))
             * p_.eps * e6;
-        J[9] = -e28 * (Scalar(20) * p_.alpha_L * e6) - e26 * (Scalar(400) * e8) - e101 * e32;
-        J[10] = -e33 * e38 - e40 * e44;
-        J[11] = -e45 * e38 - e40 * e49;
-        J[12] = -e50 * e38 - e40 * e54;
-        J[13] = -e55 * e38 - e40 * e59;
-        J[14] = -e60 * e38 - e40 * e64;
-        J[15] = -e65 * e38 - e40 * e69;
-        J[16] = -e70 * e38 - e40 * e74;
-        J[17] = -e75 * e38 - e40 * e79;
-        J[18] = -e80 * e38 - e40 * e84;
-        J[19] = -e28 * e38 - e40 * e32;
-        J[20] = e33 * e85 + e86 * e44;
-        J[21] = e45 * e85 + e86 * e49;
-        J[22] = e50 * e85 + e86 * e54;
-        J[23] = e55 * e85 + e86 * e59;
-        J[24] = e60 * e85 + e86 * e64;
-        J[25] = e65 * e85 + e86 * e69;
-        J[26] = e70 * e85 + e86 * e74;
-        J[27] = e75 * e85 + e86 * e79;
-        J[28] = e80 * e85 + e86 * e84;
-        J[29] = e28 * e85 + e86 * e32;
-        J[30] = e87 * e11;
-        J[31] = e87 * e13;
-        J[32] = e87 * e15;
-        J[33] = e87 * e17;
-        J[34] = e87 * e19;
-        J[35] = e87 * e21;
-        J[36] = e87 * e23;
-        J[37] = e87 * e25;
-        J[38] = e87 * e27;
+        J[9] = -e28 * (Scalar(20) * p_.alpha_L * e6) - e26 * (Scalar(400) * e8) - e73 * e29;
+        J[10] = -e30 * e35 - e37 * e38;
+        J[11] = -e39 * e35 - e37 * e40;
+        J[12] = -e41 * e35 - e37 * e42;
+        J[13] = -e43 * e35 - e37 * e44;
+        J[14] = -e45 * e35 - e37 * e46;
+        J[15] = -e47 * e35 - e37 * e48;
+        J[16] = -e49 * e35 - e37 * e50;
+        J[17] = -e51 * e35 - e37 * e52;
+        J[18] = -e53 * e35 - e37 * e54;
+        J[19] = -e28 * e35 - e37 * e29;
+        J[20] = e30 * e55 + e56 * e38;
+        J[21] = e39 * e55 + e56 * e40;
+        J[22] = e41 * e55 + e56 * e42;
+        J[23] = e43 * e55 + e56 * e44;
+        J[24] = e45 * e55 + e56 * e46;
+        J[25] = e47 * e55 + e56 * e48;
+        J[26] = e49 * e55 + e56 * e50;
+        J[27] = e51 * e55 + e56 * e52;
+        J[28] = e53 * e55 + e56 * e54;
+        J[29] = e28 * e55 + e56 * e29;
+        J[30] = e57 * e11;
+        J[31] = e57 * e13;
+        J[32] = e57 * e15;
+        J[33] = e57 * e17;
+        J[34] = e57 * e19;
+        J[35] = e57 * e21;
+        J[36] = e57 * e23;
+        J[37] = e57 * e25;
+        J[38] = e57 * e27;
         J[39] = e26 * (Scalar(200) * e6);
-        J[40] = -e33 * e88 - e90 * e11 - e91 * e44;
-        J[41] = -e45 * e88 - e90 * e13 - e91 * e49;
-        J[42] = -e50 * e88 - e90 * e15 - e91 * e54;
-        J[43] = -e55 * e88 - e90 * e17 - e91 * e59;
-        J[44] = -e60 * e88 - e90 * e19 - e91 * e64;
-        J[45] = -e65 * e88 - e90 * e21 - e91 * e69;
-        J[46] = -e70 * e88 - e90 * e23 - e91 * e74;
-        J[47] = -e75 * e88 - e90 * e25 - e91 * e79;
-        J[48] = -e80 * e88 - e90 * e27 - e91 * e84;
-        const Scalar e102 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_2 * e94;
-        J[49] = -e28 * (inverse_2 * e92) - e26 * (Scalar(200) * e89) - e102 * e32;
-        J[50] = -e33 * e95 - e97 * e11 - e98 * e44;
-        J[51] = -e45 * e95 - e97 * e13 - e98 * e49;
-        J[52] = -e50 * e95 - e97 * e15 - e98 * e54;
-        J[53] = -e55 * e95 - e97 * e17 - e98 * e59;
-        J[54] = -e60 * e95 - e97 * e19 - e98 * e64;
-        J[55] = -e65 * e95 - e97 * e21 - e98 * e69;
-        J[56] = -e70 * e95 - e97 * e23 - e98 * e74;
-        J[57] = -e75 * e95 - e97 * e25 - e98 * e79;
-        J[58] = -e80 * e95 - e97 * e27 - e98 * e84;
-        const Scalar e103 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_3 * e94;
-        J[59] = -e28 * (inverse_3 * e92) - e26 * (Scalar(200) * e96) - e103 * e32;
-        J[60] = e33 * e36;
-        J[61] = e45 * e36;
-        J[62] = e50 * e36;
-        J[63] = e55 * e36;
-        J[64] = e60 * e36;
-        J[65] = e65 * e36;
-        J[66] = e70 * e36;
-        J[67] = e75 * e36;
-        J[68] = e80 * e36;
-        J[69] = e28 * e36;
+        J[40] = -e30 * e58 - e60 * e11 - e61 * e38;
+        J[41] = -e39 * e58 - e60 * e13 - e61 * e40;
+        J[42] = -e41 * e58 - e60 * e15 - e61 * e42;
+        J[43] = -e43 * e58 - e60 * e17 - e61 * e44;
+        J[44] = -e45 * e58 - e60 * e19 - e61 * e46;
+        J[45] = -e47 * e58 - e60 * e21 - e61 * e48;
+        J[46] = -e49 * e58 - e60 * e23 - e61 * e50;
+        J[47] = -e51 * e58 - e60 * e25 - e61 * e52;
+        J[48] = -e53 * e58 - e60 * e27 - e61 * e54;
+        const Scalar e74 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_2 * e64;
+        J[49] = -e28 * (inverse_2 * e62) - e26 * (Scalar(200) * e59) - e74 * e29;
+        J[50] = -e30 * e65 - e67 * e11 - e68 * e38;
+        J[51] = -e39 * e65 - e67 * e13 - e68 * e40;
+        J[52] = -e41 * e65 - e67 * e15 - e68 * e42;
+        J[53] = -e43 * e65 - e67 * e17 - e68 * e44;
+        J[54] = -e45 * e65 - e67 * e19 - e68 * e46;
+        J[55] = -e47 * e65 - e67 * e21 - e68 * e48;
+        J[56] = -e49 * e65 - e67 * e23 - e68 * e50;
+        J[57] = -e51 * e65 - e67 * e25 - e68 * e52;
+        J[58] = -e53 * e65 - e67 * e27 - e68 * e54;
+        const Scalar e75 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_3 * e64;
+        J[59] = -e28 * (inverse_3 * e62) - e26 * (Scalar(200) * e66) - e75 * e29;
+        J[60] = e30 * e33;
+        J[61] = e39 * e33;
+        J[62] = e41 * e33;
+        J[63] = e43 * e33;
+        J[64] = e45 * e33;
+        J[65] = e47 * e33;
+        J[66] = e49 * e33;
+        J[67] = e51 * e33;
+        J[68] = e53 * e33;
+        J[69] = e28 * e33;
         J[70] = Scalar(0);
         J[71] = Scalar(0);
         J[72] = Scalar(0);
@@ -738,30 +690,30 @@ public:
         J[87] = Scalar(0);
         J[88] = Scalar(0);
         J[89] = Scalar(0);
-        J[90] = c_.k2 * e41 * (e33 + e42) + c_.k1 + e99 * e43;
-        J[91] = c_.k2 * e46 * (e45 + e47) + c_.k1 + e99 * e48;
-        J[92] = c_.k2 * e51 * (e50 + e52) + c_.k1 + e99 * e53;
-        J[93] = c_.k2 * e56 * (e55 + e57) + c_.k1 + e99 * e58;
-        J[94] = c_.k2 * e61 * (e60 + e62) + c_.k1 + e99 * e63;
-        J[95] = c_.k2 * e66 * (e65 + e67) + c_.k1 + e99 * e68;
-        J[96] = c_.k2 * e71 * (e70 + e72) + c_.k1 + e99 * e73;
-        J[97] = c_.k2 * e76 * (e75 + e77) + c_.k1 + e99 * e78;
-        J[98] = c_.k2 * e81 * (e80 + e82) + c_.k1 + e99 * e83;
-        const Scalar e104 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.T_inf * e94;
-        J[99] = c_.k4 * e29 * (e28 + e30) + c_.k3 + e104 * e31;
-        J[100] = e100 * e44;
-        J[101] = e100 * e49;
-        J[102] = e100 * e54;
-        J[103] = e100 * e59;
-        J[104] = e100 * e64;
-        J[105] = e100 * e69;
-        J[106] = e100 * e74;
-        J[107] = e100 * e79;
-        J[108] = e100 * e84;
-        const Scalar e105 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e93;
-        J[109] = e105 * e32;
+        J[90] = e71;
+        J[91] = e71;
+        J[92] = e71;
+        J[93] = e71;
+        J[94] = e71;
+        J[95] = e71;
+        J[96] = e71;
+        J[97] = e71;
+        J[98] = e71;
+        const Scalar e76 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e64 * e69;
+        J[99] = e62 + e76;
+        J[100] = e72 * e38;
+        J[101] = e72 * e40;
+        J[102] = e72 * e42;
+        J[103] = e72 * e44;
+        J[104] = e72 * e46;
+        J[105] = e72 * e48;
+        J[106] = e72 * e50;
+        J[107] = e72 * e52;
+        J[108] = e72 * e54;
+        const Scalar e77 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e63;
+        J[109] = e77 * e29;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1024,9 +976,9 @@ private:
         Scalar k5;  ///< 200*lambda/(L^2*rho*c_p)
         Scalar k6;  ///< T_inf^2
         Scalar k7;  ///< (200*lambda/L^2 + P*alpha/A)/(rho*c_p)
-        Scalar k8;  ///< 2*stefan_boltzmann*P*eps/(A*rho*c_p)
+        Scalar k8;  ///< 4*stefan_boltzmann*P*eps/(A*rho*c_p)
         Scalar k9;  ///< (200*lambda/L^2 + 20*alpha_L/L + P*alpha/A)/(rho*c_p)
-        Scalar k10;  ///< eps*(40*stefan_boltzmann/L + 2*stefan_boltzmann*P/A)/(rho*c_p)
+        Scalar k10;  ///< eps*(80*stefan_boltzmann/L + 4*stefan_boltzmann*P/A)/(rho*c_p)
         Scalar k11;  ///< 2*T_0/(exp(L*m)*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2)) + T_inf - ...
         Scalar k12;  ///< (T_0 - T_inf)/20
         Scalar k13;  ///< A*(lambda*T_0*m*tanh(L*m) - lambda*T_inf*m*tanh(L*m) + alpha_L*T_0 - alpha_L*T_inf)/(1 + ...

@@ -17,8 +17,8 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                11     42    10        0      3
-//   rhs                   59     52     0        0      0
+//   update                11     45    10        0      3
+//   rhs                   49     50     0        0      0
 //   rhs_and_jacobian      80     60     0        0      0
 //   jacobian_p           229    340     4        0      0
 //   output                 5      7     2        0      3
@@ -190,7 +190,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 11 + or -, 42 *, 10 /, 3 other functions
+    /// Operations: 11 + or -, 45 *, 10 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -206,21 +206,24 @@ public:
         const Scalar e7 = inverse_5 * e6;
         const Scalar e8 = e7 * (p_.lambda * inverse_5);
         const Scalar e9 = (Scalar(1) - p_.T_inf * p_.b) * e8;
-        const Scalar e10 = Scalar(100) * e9;
-        const Scalar e11 = p_.b * e8;
-        c_.k0 = p_.T_0 * (e10 + Scalar(50) * p_.T_0 * e11);
-        const Scalar e12 = Scalar(200) * e9;
+        const Scalar e10 = p_.b * e8;
+        const Scalar e11 = Scalar(100) * p_.T_0 * e9 + Scalar(50) * (e10 * (p_.T_0 * p_.T_0));
+        c_.k0 = e11;
+        const Scalar e12 = e6 * e3;
         c_.k1 = e12;
-        c_.k2 = Scalar(100) * e11;
+        c_.k2 = Scalar(2) * e9;
         c_.k3 = e10;
-        c_.k4 = Scalar(50) * e11;
-        const Scalar e13 = e6 * e3;
-        c_.k5 = e13;
-        const Scalar e14 = Scalar(20) * p_.alpha_L * e7 + e13;
+        const Scalar e13 = Scalar(20) * p_.alpha_L * e7 + e12;
+        c_.k4 = e13;
+        c_.k5 = e11;
+        const Scalar e14 = Scalar(200) * e9;
         c_.k6 = e14;
-        c_.k7 = e12 + e13;
-        c_.k8 = Scalar(200) * e11;
-        c_.k9 = e14 + e12;
+        c_.k7 = Scalar(100) * e10;
+        c_.k8 = Scalar(100) * e9;
+        c_.k9 = Scalar(50) * e10;
+        c_.k10 = e14 + e12;
+        c_.k11 = Scalar(200) * e10;
+        c_.k12 = e13 + e14;
         const Scalar e15 = p_.L * c_.m;
         const Scalar exp_16 = exp(e15);
         const Scalar inverse_17 = Scalar(1) / exp_16;
@@ -231,17 +234,17 @@ public:
         const Scalar e22 = p_.T_0 - p_.T_inf;
         const Scalar e23 = inverse_21 * e22;
         const Scalar e24 = e23 / (Scalar(1) + inverse_17 * inverse_17);
-        c_.k10 = p_.T_inf + Scalar(2) * inverse_17 * e24;
-        c_.k11 = (Scalar(1) / Scalar(20)) * e22;
+        c_.k13 = p_.T_inf + Scalar(2) * inverse_17 * e24;
+        c_.k14 = (Scalar(1) / Scalar(20)) * e22;
         const Scalar e25 = p_.A * p_.lambda * (c_.m * (tanh_18 + e20));
-        c_.k12 = e23 * e25;
-        c_.k13 = e24;
-        c_.k14 = inverse_21 * e25 / (p_.A * p_.alpha_L + p_.L * e2);
-        c_.k15 = e20;
+        c_.k15 = e23 * e25;
+        c_.k16 = e24;
+        c_.k17 = inverse_21 * e25 / (p_.A * p_.alpha_L + p_.L * e2);
+        c_.k18 = e20;
         const Scalar e26 = c_.m * e24;
-        c_.k16 = Scalar(2) * e26;
-        c_.k17 = e24 * e19;
-        c_.k18 = e26;
+        c_.k19 = Scalar(2) * e26;
+        c_.k20 = e24 * e19;
+        c_.k21 = e26;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -263,7 +266,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 59 + or -, 52 *
+    /// Operations: 49 + or -, 50 *
     ///     dot(T[1]) = lambda*T_0*(100 + 50*T_0*b - 100*T_inf*b)/(L^2*rho*c_p) - 200*lambda*(1 - T_inf*b)*T[1]/(L^2*rho*c_p) -
     ///     100*lambda*b*T[1]^2/(L^2*rho*c_p) + 100*lambda*(1 - T_inf*b)*T[2]/(L^2*rho*c_p) + 50*lambda*b*T[2]^2/(L^2*rho*c_p) +
     ///     P*alpha*(T_inf - T[1])/(A*rho*c_p)
@@ -295,35 +298,43 @@ public:
     ///     T_inf*b)*T[10]/(L^2*rho*c_p) - 100*lambda*b*T[10]^2/(L^2*rho*c_p) + (20*alpha_L/L + P*alpha/A)*(T_inf - T[10])/(rho*c_p)
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_1 = x[0];
-        const Scalar T_1_squared = T_1 * T_1;
         const Scalar T_2 = x[1];
-        const Scalar e1 = T_2 * (c_.k3 + c_.k4 * T_2);
+        const Scalar e1 = T_2 * (c_.k2 + T_2 * c_.k3);
+        const Scalar e2 = Scalar(50) * e1;
+        const Scalar e3 = T_1 * (c_.k2 + T_1 * c_.k3);
         const Scalar T_3 = x[2];
-        const Scalar e2 = T_3 * (c_.k3 + c_.k4 * T_3);
+        const Scalar e4 = T_3 * (c_.k2 + T_3 * c_.k3);
+        const Scalar e5 = Scalar(50) * e4;
         const Scalar T_4 = x[3];
-        const Scalar e3 = T_4 * (c_.k3 + c_.k4 * T_4);
+        const Scalar e6 = T_4 * (c_.k2 + T_4 * c_.k3);
+        const Scalar e7 = Scalar(50) * e6;
         const Scalar T_5 = x[4];
-        const Scalar e4 = T_5 * (c_.k3 + c_.k4 * T_5);
+        const Scalar e8 = T_5 * (c_.k2 + T_5 * c_.k3);
+        const Scalar e9 = Scalar(50) * e8;
         const Scalar T_6 = x[5];
-        const Scalar e5 = T_6 * (c_.k3 + c_.k4 * T_6);
+        const Scalar e10 = T_6 * (c_.k2 + T_6 * c_.k3);
+        const Scalar e11 = Scalar(50) * e10;
         const Scalar T_7 = x[6];
-        const Scalar e6 = T_7 * (c_.k3 + c_.k4 * T_7);
+        const Scalar e12 = T_7 * (c_.k2 + T_7 * c_.k3);
+        const Scalar e13 = Scalar(50) * e12;
         const Scalar T_8 = x[7];
-        const Scalar e7 = T_8 * (c_.k3 + c_.k4 * T_8);
+        const Scalar e14 = T_8 * (c_.k2 + T_8 * c_.k3);
+        const Scalar e15 = Scalar(50) * e14;
         const Scalar T_9 = x[8];
+        const Scalar e16 = T_9 * (c_.k2 + T_9 * c_.k3);
+        const Scalar e17 = Scalar(100) * e16;
         const Scalar T_10 = x[9];
-        const Scalar T_10_squared = T_10 * T_10;
-        const Scalar e8 = T_9 * (c_.k1 + c_.k2 * T_9);
-        dxdt[0] = c_.k0 - c_.k1 * T_1 + c_.k5 * (p_.T_inf - T_1) - c_.k2 * T_1_squared + e1;
-        dxdt[1] = c_.k3 * T_1 - T_2 * (c_.k1 + c_.k2 * T_2) + c_.k5 * (p_.T_inf - T_2) + c_.k4 * T_1_squared + e2;
-        dxdt[2] = c_.k5 * (p_.T_inf - T_3) - T_3 * (c_.k1 + c_.k2 * T_3) + e1 + e3;
-        dxdt[3] = c_.k5 * (p_.T_inf - T_4) - T_4 * (c_.k1 + c_.k2 * T_4) + e2 + e4;
-        dxdt[4] = c_.k5 * (p_.T_inf - T_5) - T_5 * (c_.k1 + c_.k2 * T_5) + e3 + e5;
-        dxdt[5] = c_.k5 * (p_.T_inf - T_6) - T_6 * (c_.k1 + c_.k2 * T_6) + e4 + e6;
-        dxdt[6] = c_.k5 * (p_.T_inf - T_7) - T_7 * (c_.k1 + c_.k2 * T_7) + e5 + e7;
-        dxdt[7] = T_9 * (c_.k3 + c_.k4 * T_9) - T_8 * (c_.k1 + c_.k2 * T_8) + c_.k5 * (p_.T_inf - T_8) + e6;
-        dxdt[8] = c_.k3 * T_10 + c_.k5 * (p_.T_inf - T_9) + c_.k4 * T_10_squared + e7 - e8;
-        dxdt[9] = c_.k6 * (p_.T_inf - T_10) - c_.k1 * T_10 - c_.k2 * T_10_squared + e8;
+        const Scalar e18 = T_10 * (c_.k2 + T_10 * c_.k3);
+        dxdt[0] = c_.k0 + (p_.T_inf - T_1) * c_.k1 + e2 - Scalar(100) * e3;
+        dxdt[1] = (p_.T_inf - T_2) * c_.k1 - Scalar(100) * e1 + e5 + Scalar(50) * e3;
+        dxdt[2] = (p_.T_inf - T_3) * c_.k1 + e2 - Scalar(100) * e4 + e7;
+        dxdt[3] = (p_.T_inf - T_4) * c_.k1 + e5 - Scalar(100) * e6 + e9;
+        dxdt[4] = (p_.T_inf - T_5) * c_.k1 + e7 - Scalar(100) * e8 + e11;
+        dxdt[5] = (p_.T_inf - T_6) * c_.k1 + e9 - Scalar(100) * e10 + e13;
+        dxdt[6] = (p_.T_inf - T_7) * c_.k1 + e11 - Scalar(100) * e12 + e15;
+        dxdt[7] = (p_.T_inf - T_8) * c_.k1 + e13 - Scalar(100) * e14 + Scalar(50) * e16;
+        dxdt[8] = (p_.T_inf - T_9) * c_.k1 + e15 - e17 + Scalar(50) * e18;
+        dxdt[9] = (p_.T_inf - T_10) * c_.k4 + e17 - Scalar(100) * e18;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
@@ -331,53 +342,53 @@ public:
     /// Operations: 80 + or -, 60 *
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_1 = x[0];
-        const Scalar e1 = c_.k2 * T_1;
+        const Scalar e1 = c_.k7 * T_1;
         const Scalar T_2 = x[1];
-        const Scalar e2 = T_2 * (c_.k3 + c_.k4 * T_2);
-        const Scalar e3 = c_.k2 * T_2;
+        const Scalar e2 = T_2 * (c_.k8 + c_.k9 * T_2);
+        const Scalar e3 = c_.k7 * T_2;
         const Scalar T_3 = x[2];
-        const Scalar e4 = T_3 * (c_.k3 + c_.k4 * T_3);
-        const Scalar e5 = c_.k2 * T_3;
+        const Scalar e4 = T_3 * (c_.k8 + c_.k9 * T_3);
+        const Scalar e5 = c_.k7 * T_3;
         const Scalar T_4 = x[3];
-        const Scalar e6 = T_4 * (c_.k3 + c_.k4 * T_4);
-        const Scalar e7 = c_.k2 * T_4;
+        const Scalar e6 = T_4 * (c_.k8 + c_.k9 * T_4);
+        const Scalar e7 = c_.k7 * T_4;
         const Scalar T_5 = x[4];
-        const Scalar e8 = T_5 * (c_.k3 + c_.k4 * T_5);
-        const Scalar e9 = c_.k2 * T_5;
+        const Scalar e8 = T_5 * (c_.k8 + c_.k9 * T_5);
+        const Scalar e9 = c_.k7 * T_5;
         const Scalar T_6 = x[5];
-        const Scalar e10 = T_6 * (c_.k3 + c_.k4 * T_6);
-        const Scalar e11 = c_.k2 * T_6;
+        const Scalar e10 = T_6 * (c_.k8 + c_.k9 * T_6);
+        const Scalar e11 = c_.k7 * T_6;
         const Scalar T_7 = x[6];
-        const Scalar e12 = T_7 * (c_.k3 + c_.k4 * T_7);
-        const Scalar e13 = c_.k2 * T_7;
+        const Scalar e12 = T_7 * (c_.k8 + c_.k9 * T_7);
+        const Scalar e13 = c_.k7 * T_7;
         const Scalar T_8 = x[7];
-        const Scalar e14 = T_8 * (c_.k3 + c_.k4 * T_8);
+        const Scalar e14 = T_8 * (c_.k8 + c_.k9 * T_8);
         const Scalar T_9 = x[8];
-        const Scalar e15 = c_.k2 * T_8;
+        const Scalar e15 = c_.k7 * T_8;
         const Scalar T_10 = x[9];
-        const Scalar e16 = c_.k2 * T_9;
-        const Scalar e17 = T_9 * (c_.k1 + e16);
-        const Scalar e18 = c_.k2 * T_10;
-        dxdt[0] = c_.k0 - T_1 * (c_.k1 + e1) + c_.k5 * (p_.T_inf - T_1) + e2;
-        dxdt[1] = T_1 * (c_.k3 + c_.k4 * T_1) - T_2 * (c_.k1 + e3) + c_.k5 * (p_.T_inf - T_2) + e4;
-        dxdt[2] = c_.k5 * (p_.T_inf - T_3) - T_3 * (c_.k1 + e5) + e2 + e6;
-        dxdt[3] = c_.k5 * (p_.T_inf - T_4) - T_4 * (c_.k1 + e7) + e4 + e8;
-        dxdt[4] = c_.k5 * (p_.T_inf - T_5) - T_5 * (c_.k1 + e9) + e6 + e10;
-        dxdt[5] = c_.k5 * (p_.T_inf - T_6) - T_6 * (c_.k1 + e11) + e8 + e12;
-        dxdt[6] = c_.k5 * (p_.T_inf - T_7) - T_7 * (c_.k1 + e13) + e10 + e14;
-        dxdt[7] = T_9 * (c_.k3 + c_.k4 * T_9) - T_8 * (c_.k1 + e15) + c_.k5 * (p_.T_inf - T_8) + e12;
-        dxdt[8] = T_10 * (c_.k3 + c_.k4 * T_10) + c_.k5 * (p_.T_inf - T_9) + e14 - e17;
-        dxdt[9] = c_.k6 * (p_.T_inf - T_10) - T_10 * (c_.k1 + e18) + e17;
-        const Scalar e19 = c_.k3 + e3;
-        const Scalar e20 = c_.k3 + e5;
-        const Scalar e21 = c_.k3 + e7;
-        const Scalar e22 = c_.k3 + e9;
-        const Scalar e23 = c_.k3 + e11;
-        const Scalar e24 = c_.k3 + e13;
-        const Scalar e25 = c_.k3 + e15;
-        const Scalar e26 = c_.k8 * T_9;
-        J[0] = -c_.k7 - c_.k8 * T_1;
-        J[1] = c_.k3 + e1;
+        const Scalar e16 = c_.k7 * T_9;
+        const Scalar e17 = T_9 * (c_.k6 + e16);
+        const Scalar e18 = c_.k7 * T_10;
+        dxdt[0] = c_.k5 - T_1 * (c_.k6 + e1) + c_.k1 * (p_.T_inf - T_1) + e2;
+        dxdt[1] = T_1 * (c_.k8 + c_.k9 * T_1) - T_2 * (c_.k6 + e3) + c_.k1 * (p_.T_inf - T_2) + e4;
+        dxdt[2] = c_.k1 * (p_.T_inf - T_3) - T_3 * (c_.k6 + e5) + e2 + e6;
+        dxdt[3] = c_.k1 * (p_.T_inf - T_4) - T_4 * (c_.k6 + e7) + e4 + e8;
+        dxdt[4] = c_.k1 * (p_.T_inf - T_5) - T_5 * (c_.k6 + e9) + e6 + e10;
+        dxdt[5] = c_.k1 * (p_.T_inf - T_6) - T_6 * (c_.k6 + e11) + e8 + e12;
+        dxdt[6] = c_.k1 * (p_.T_inf - T_7) - T_7 * (c_.k6 + e13) + e10 + e14;
+        dxdt[7] = T_9 * (c_.k8 + c_.k9 * T_9) - T_8 * (c_.k6 + e15) + c_.k1 * (p_.T_inf - T_8) + e12;
+        dxdt[8] = T_10 * (c_.k8 + c_.k9 * T_10) + c_.k1 * (p_.T_inf - T_9) + e14 - e17;
+        dxdt[9] = c_.k4 * (p_.T_inf - T_10) - T_10 * (c_.k6 + e18) + e17;
+        const Scalar e19 = c_.k8 + e3;
+        const Scalar e20 = c_.k8 + e5;
+        const Scalar e21 = c_.k8 + e7;
+        const Scalar e22 = c_.k8 + e9;
+        const Scalar e23 = c_.k8 + e11;
+        const Scalar e24 = c_.k8 + e13;
+        const Scalar e25 = c_.k8 + e15;
+        const Scalar e26 = c_.k11 * T_9;
+        J[0] = -c_.k10 - c_.k11 * T_1;
+        J[1] = c_.k8 + e1;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
@@ -387,7 +398,7 @@ public:
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = e19;
-        J[11] = -c_.k7 - c_.k8 * T_2;
+        J[11] = -c_.k10 - c_.k11 * T_2;
         J[12] = e19;
         J[13] = Scalar(0);
         J[14] = Scalar(0);
@@ -398,7 +409,7 @@ public:
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = e20;
-        J[22] = -c_.k7 - c_.k8 * T_3;
+        J[22] = -c_.k10 - c_.k11 * T_3;
         J[23] = e20;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
@@ -409,7 +420,7 @@ public:
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = e21;
-        J[33] = -c_.k7 - c_.k8 * T_4;
+        J[33] = -c_.k10 - c_.k11 * T_4;
         J[34] = e21;
         J[35] = Scalar(0);
         J[36] = Scalar(0);
@@ -420,7 +431,7 @@ public:
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = e22;
-        J[44] = -c_.k7 - c_.k8 * T_5;
+        J[44] = -c_.k10 - c_.k11 * T_5;
         J[45] = e22;
         J[46] = Scalar(0);
         J[47] = Scalar(0);
@@ -431,7 +442,7 @@ public:
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = e23;
-        J[55] = -c_.k7 - c_.k8 * T_6;
+        J[55] = -c_.k10 - c_.k11 * T_6;
         J[56] = e23;
         J[57] = Scalar(0);
         J[58] = Scalar(0);
@@ -442,7 +453,7 @@ public:
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = e24;
-        J[66] = -c_.k7 - c_.k8 * T_7;
+        J[66] = -c_.k10 - c_.k11 * T_7;
         J[67] = e24;
         J[68] = Scalar(0);
         J[69] = Scalar(0);
@@ -453,7 +464,7 @@ public:
         J[74] = Scalar(0);
         J[75] = Scalar(0);
         J[76] = e25;
-        J[77] = -c_.k7 - c_.k8 * T_8;
+        J[77] = -c_.k10 - c_.k11 * T_8;
         J[78] = e25;
         J[79] = Scalar(0);
         J[80] = Scalar(0);
@@ -463,9 +474,9 @@ public:
         J[84] = Scalar(0);
         J[85] = Scalar(0);
         J[86] = Scalar(0);
-        J[87] = c_.k3 + e16;
-        J[88] = -c_.k7 - e26;
-        J[89] = c_.k1 + e26;
+        J[87] = c_.k8 + e16;
+        J[88] = -c_.k10 - e26;
+        J[89] = c_.k6 + e26;
         J[90] = Scalar(0);
         J[91] = Scalar(0);
         J[92] = Scalar(0);
@@ -474,8 +485,8 @@ public:
         J[95] = Scalar(0);
         J[96] = Scalar(0);
         J[97] = Scalar(0);
-        J[98] = c_.k3 + e18;
-        J[99] = -c_.k9 - c_.k8 * T_10;
+        J[98] = c_.k8 + e18;
+        J[99] = -c_.k12 - c_.k11 * T_10;
     }
 
     /// J = df/dx. 10 x 10, entry (i, j) at J[10*j + i].
@@ -692,16 +703,16 @@ public:
         J[87] = Scalar(0);
         J[88] = Scalar(0);
         J[89] = Scalar(0);
-        J[90] = c_.k8 * T_1 - (Scalar(100) * e75 - e43) - c_.k2 * T_2;
-        J[91] = c_.k5 + c_.k8 * T_2 - c_.k2 * e21;
-        J[92] = c_.k5 + c_.k8 * T_3 - c_.k2 * e23;
-        J[93] = c_.k5 + c_.k8 * T_4 - c_.k2 * e25;
-        J[94] = c_.k5 + c_.k8 * T_5 - c_.k2 * e27;
-        J[95] = c_.k5 + c_.k8 * T_6 - c_.k2 * e29;
-        J[96] = c_.k5 + c_.k8 * T_7 - c_.k2 * e31;
-        J[97] = c_.k5 + c_.k8 * T_8 - c_.k2 * e33;
-        J[98] = c_.k5 + c_.k8 * T_9 - c_.k2 * e35;
-        J[99] = c_.k6 - c_.k8 * e38;
+        J[90] = c_.k11 * T_1 - (Scalar(100) * e75 - e43) - c_.k7 * T_2;
+        J[91] = c_.k1 + c_.k11 * T_2 - c_.k7 * e21;
+        J[92] = c_.k1 + c_.k11 * T_3 - c_.k7 * e23;
+        J[93] = c_.k1 + c_.k11 * T_4 - c_.k7 * e25;
+        J[94] = c_.k1 + c_.k11 * T_5 - c_.k7 * e27;
+        J[95] = c_.k1 + c_.k11 * T_6 - c_.k7 * e29;
+        J[96] = c_.k1 + c_.k11 * T_7 - c_.k7 * e31;
+        J[97] = c_.k1 + c_.k11 * T_8 - c_.k7 * e33;
+        J[98] = c_.k1 + c_.k11 * T_9 - c_.k7 * e35;
+        J[99] = c_.k4 - c_.k11 * e38;
         J[100] = T_1 * e77 - e13 * (Scalar(100) * p_.T_inf - Scalar(50) * p_.T_0) - T_2 * e78 + e79 * T_2_squared - e80
             * T_1_squared;
         J[101] = T_2 * e77 + e79 * e20 - e78 * e21 - e80 * T_2_squared;
@@ -766,12 +777,12 @@ public:
         const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar exp_5 = exp(c_.m * x_value);
         y[0] = T_10;
-        y[1] = c_.k10 - T_10;
-        y[2] = c_.k11;
-        y[3] = c_.k12;
-        const Scalar e6 = c_.k13 * (Scalar(1) + c_.k15 * tanh_2) * (Scalar(1) + inverse_4 * inverse_4) / exp_5;
+        y[1] = c_.k13 - T_10;
+        y[2] = c_.k14;
+        y[3] = c_.k15;
+        const Scalar e6 = c_.k16 * (Scalar(1) + c_.k18 * tanh_2) * (Scalar(1) + inverse_4 * inverse_4) / exp_5;
         y[4] = p_.T_inf + e6;
-        y[5] = c_.k14;
+        y[5] = c_.k17;
     }
 
     /// C = dh/dx.
@@ -857,8 +868,8 @@ public:
         D[1] = Scalar(0);
         D[2] = Scalar(0);
         D[3] = Scalar(0);
-        const Scalar e8 = (Scalar(1) + c_.k15 * tanh_7) * (c_.k18 * e6 - c_.k16 * inverse_5 * inverse_3_squared);
-        D[4] = c_.k17 * e6 * (tanh_7 * tanh_7 - Scalar(1)) - e8;
+        const Scalar e8 = (Scalar(1) + c_.k18 * tanh_7) * (c_.k21 * e6 - c_.k19 * inverse_5 * inverse_3_squared);
+        D[4] = c_.k20 * e6 * (tanh_7 * tanh_7 - Scalar(1)) - e8;
         D[5] = Scalar(0);
     }
 
@@ -950,24 +961,27 @@ private:
     struct Cached {
         Scalar m;  ///< sqrt(P*alpha/(A*lambda))
         Scalar k0;  ///< lambda*T_0*(100 + 50*T_0*b - 100*T_inf*b)/(L^2*rho*c_p)
-        Scalar k1;  ///< 200*lambda*(1 - T_inf*b)/(L^2*rho*c_p)
-        Scalar k2;  ///< 100*lambda*b/(L^2*rho*c_p)
-        Scalar k3;  ///< 100*lambda*(1 - T_inf*b)/(L^2*rho*c_p)
-        Scalar k4;  ///< 50*lambda*b/(L^2*rho*c_p)
-        Scalar k5;  ///< P*alpha/(A*rho*c_p)
-        Scalar k6;  ///< (20*alpha_L/L + P*alpha/A)/(rho*c_p)
-        Scalar k7;  ///< (200*lambda/L^2 - 200*lambda*T_inf*b/L^2 + P*alpha/A)/(rho*c_p)
-        Scalar k8;  ///< 200*lambda*b/(L^2*rho*c_p)
-        Scalar k9;  ///< (200*lambda/L^2 - 200*lambda*T_inf*b/L^2 + 20*alpha_L/L + P*alpha/A)/(rho*c_p)
-        Scalar k10;  ///< 2*T_0/(exp(L*m)*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2)) + T_inf - ...
-        Scalar k11;  ///< (T_0 - T_inf)/20
-        Scalar k12;  ///< A*(lambda*T_0*m*tanh(L*m) - lambda*T_inf*m*tanh(L*m) + alpha_L*T_0 - alpha_L*T_inf)/(1 + ...
-        Scalar k13;  ///< (T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
-        Scalar k14;  ///< A*(lambda*m*tanh(L*m) + alpha_L)/((L*P*alpha + A*alpha_L)*(1 + alpha_L*tanh(L*m)/(lambda*m)))
-        Scalar k15;  ///< alpha_L/(lambda*m)
-        Scalar k16;  ///< 2*m*(T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
-        Scalar k17;  ///< alpha_L*(T_0 - T_inf)/(lambda*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
-        Scalar k18;  ///< m*(T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
+        Scalar k1;  ///< P*alpha/(A*rho*c_p)
+        Scalar k2;  ///< 2*lambda*(1 - T_inf*b)/(L^2*rho*c_p)
+        Scalar k3;  ///< lambda*b/(L^2*rho*c_p)
+        Scalar k4;  ///< (20*alpha_L/L + P*alpha/A)/(rho*c_p)
+        Scalar k5;  ///< lambda*T_0*(100 + 50*T_0*b - 100*T_inf*b)/(L^2*rho*c_p)
+        Scalar k6;  ///< 200*lambda*(1 - T_inf*b)/(L^2*rho*c_p)
+        Scalar k7;  ///< 100*lambda*b/(L^2*rho*c_p)
+        Scalar k8;  ///< 100*lambda*(1 - T_inf*b)/(L^2*rho*c_p)
+        Scalar k9;  ///< 50*lambda*b/(L^2*rho*c_p)
+        Scalar k10;  ///< (200*lambda/L^2 - 200*lambda*T_inf*b/L^2 + P*alpha/A)/(rho*c_p)
+        Scalar k11;  ///< 200*lambda*b/(L^2*rho*c_p)
+        Scalar k12;  ///< (200*lambda/L^2 - 200*lambda*T_inf*b/L^2 + 20*alpha_L/L + P*alpha/A)/(rho*c_p)
+        Scalar k13;  ///< 2*T_0/(exp(L*m)*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2)) + T_inf - ...
+        Scalar k14;  ///< (T_0 - T_inf)/20
+        Scalar k15;  ///< A*(lambda*T_0*m*tanh(L*m) - lambda*T_inf*m*tanh(L*m) + alpha_L*T_0 - alpha_L*T_inf)/(1 + ...
+        Scalar k16;  ///< (T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
+        Scalar k17;  ///< A*(lambda*m*tanh(L*m) + alpha_L)/((L*P*alpha + A*alpha_L)*(1 + alpha_L*tanh(L*m)/(lambda*m)))
+        Scalar k18;  ///< alpha_L/(lambda*m)
+        Scalar k19;  ///< 2*m*(T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
+        Scalar k20;  ///< alpha_L*(T_0 - T_inf)/(lambda*(1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
+        Scalar k21;  ///< m*(T_0 - T_inf)/((1 + alpha_L*tanh(L*m)/(lambda*m))*(1 + 1/exp(L*m)^2))
     };
     Cached c_{};
 };

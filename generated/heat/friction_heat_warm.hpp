@@ -17,10 +17,10 @@
 //     this code = the derivation: 20 of 20 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 1     13     4        0      0
-//   rhs                    9     14     0        0      2
-//   rhs_and_jacobian      15     25     0        0      2
-//   jacobian_p            17     49     3        0      2
+//   update                 1      8     4        0      0
+//   rhs                    9     13     0        0      2
+//   rhs_and_jacobian      14     25     0        0      2
+//   jacobian_p            17     52     3        0      2
 //   bias                   3      6     0        0      2
 //   output                 3      5     0        0      1
 //   output_jacobian_x      3      6     0        0      1
@@ -188,33 +188,28 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 1 + or -, 13 *, 4 /
+    /// Operations: 1 + or -, 8 *, 4 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.k0 = Scalar(1) / p_.m;
-        const Scalar inverse_1 = Scalar(1) / p_.C_o;
-        const Scalar e2 = p_.d_0 * inverse_1;
-        c_.k1 = e2;
-        c_.k2 = p_.G_o * inverse_1;
+        const Scalar inverse_1 = Scalar(1) / p_.q_v;
+        c_.k1 = inverse_1;
+        c_.k2 = p_.b * p_.T_0;
+        const Scalar inverse_2 = Scalar(1) / p_.C_o;
+        c_.k3 = inverse_2;
         const Scalar inverse_3 = Scalar(1) / p_.C_h;
-        const Scalar e4 = p_.f_s * inverse_3;
-        c_.k3 = e4;
-        const Scalar e5 = p_.A * p_.alpha;
-        const Scalar e6 = inverse_3 * e5;
-        c_.k4 = e6;
-        const Scalar e7 = p_.G_o * inverse_3;
-        c_.k5 = e7;
-        const Scalar inverse_8 = Scalar(1) / p_.q_v;
-        c_.k6 = inverse_8;
-        c_.k7 = p_.b * p_.T_0;
-        c_.k8 = p_.f_s * inverse_8;
-        c_.k9 = p_.d_0 * p_.b;
-        c_.k10 = Scalar(2) * e2;
-        c_.k11 = inverse_8 * e4;
-        c_.k12 = p_.b * e2;
-        c_.k13 = e7 + e6;
-        c_.k14 = e5;
-        c_.k15 = Scalar(2) * p_.d_0;
+        c_.k4 = inverse_3;
+        const Scalar e4 = p_.A * p_.alpha;
+        const Scalar e5 = inverse_3 * e4;
+        c_.k5 = e5;
+        c_.k6 = p_.G_o * inverse_2;
+        const Scalar e6 = p_.G_o * inverse_3;
+        c_.k7 = e6;
+        c_.k8 = p_.f_s * inverse_1;
+        c_.k9 = e6 + e5;
+        c_.k10 = e4;
+        c_.k11 = Scalar(2) * p_.d_0;
+        c_.k12 = p_.d_0 * p_.b;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -228,7 +223,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 9 + or -, 14 *, 2 other functions
+    /// Operations: 9 + or -, 13 *, 2 other functions
     ///     m*ddot(s) + d_0*exp(b*T_0 - b*T_o)*dot(s) + c*s + f_s*tanh(dot(s)/q_v) = f
     ///     dot(T_o) = d_0*exp(b*T_0 - b*T_o)*dot(s)^2/C_o - G_o*(T_o - T_h)/C_o
     ///     dot(T_h) = f_s*tanh(dot(s)/q_v)*dot(s)/C_h + A*alpha*(T_0 - T_h)/C_h + G_o*(T_o - T_h)/C_h
@@ -238,58 +233,62 @@ public:
         const Scalar f = u[0];
         const Scalar s = x[0];
         const Scalar s_dot = x[1];
-        const Scalar tanh_1 = tanh(c_.k6 * s_dot);
+        const Scalar tanh_1 = tanh(s_dot * c_.k1);
+        const Scalar e2 = p_.f_s * tanh_1;
         const Scalar T_o = x[2];
-        const Scalar exp_2 = exp(c_.k7 - p_.b * T_o);
-        const Scalar e3 = s_dot * exp_2;
-        const Scalar s_ddot = (f - p_.c * s - p_.f_s * tanh_1 - p_.d_0 * e3) * c_.k0;
+        const Scalar exp_3 = exp(c_.k2 - p_.b * T_o);
+        const Scalar e4 = exp_3 * (p_.d_0 * s_dot);
+        const Scalar s_ddot = (f - p_.c * s - e2 - e4) * c_.k0;
         const Scalar T_h = x[3];
-        const Scalar e4 = T_o - T_h;
+        const Scalar e5 = p_.G_o * (T_o - T_h);
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = c_.k1 * s_dot * e3 - c_.k2 * e4;
-        dxdt[3] = c_.k3 * s_dot * tanh_1 + c_.k4 * (p_.T_0 - T_h) + c_.k5 * e4;
+        dxdt[2] = c_.k3 * (s_dot * e4 - e5);
+        dxdt[3] = c_.k4 * (s_dot * e2 + e5) + (p_.T_0 - T_h) * c_.k5;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 15 + or -, 25 *, 2 other functions
+    /// Operations: 14 + or -, 25 *, 2 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
         using std::tanh;
         const Scalar f = u[0];
         const Scalar s = x[0];
         const Scalar s_dot = x[1];
-        const Scalar tanh_1 = tanh(c_.k6 * s_dot);
         const Scalar T_o = x[2];
-        const Scalar exp_2 = exp(c_.k7 - p_.b * T_o);
-        const Scalar e3 = s_dot * exp_2;
-        const Scalar s_ddot = (f - p_.c * s - p_.f_s * tanh_1 - p_.d_0 * e3) * c_.k0;
-        const Scalar e4 = s_dot * e3;
+        const Scalar exp_1 = exp(c_.k2 - p_.b * T_o);
+        const Scalar e2 = p_.d_0 * exp_1;
+        const Scalar e3 = s_dot * e2;
+        const Scalar tanh_4 = tanh(s_dot * c_.k1);
+        const Scalar e5 = p_.f_s * tanh_4;
+        const Scalar s_ddot = (f - p_.c * s - e3 - e5) * c_.k0;
+        const Scalar e6 = e3 * c_.k3;
+        const Scalar e7 = s_dot * e6;
         const Scalar T_h = x[3];
-        const Scalar e5 = T_o - T_h;
-        const Scalar e6 = c_.k3 * tanh_1;
+        const Scalar e8 = T_o - T_h;
+        const Scalar e9 = s_dot * c_.k4;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = c_.k1 * e4 - c_.k2 * e5;
-        dxdt[3] = c_.k4 * (p_.T_0 - T_h) + c_.k5 * e5 + s_dot * e6;
-        const Scalar e7 = Scalar(1) - tanh_1 * tanh_1;
+        dxdt[2] = e7 - e8 * c_.k6;
+        dxdt[3] = (p_.T_0 - T_h) * c_.k5 + e8 * c_.k7 + e5 * e9;
+        const Scalar e10 = (Scalar(1) - tanh_4 * tanh_4) * c_.k8;
         J[0] = Scalar(0);
         J[1] = (-p_.c) * c_.k0;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(1);
-        J[5] = (-p_.d_0 * exp_2 - c_.k8 * e7) * c_.k0;
-        J[6] = c_.k10 * e3;
-        J[7] = c_.k11 * s_dot * e7 + e6;
+        J[5] = (-e2 - e10) * c_.k0;
+        J[6] = Scalar(2) * e6;
+        J[7] = e5 * c_.k4 + e9 * e10;
         J[8] = Scalar(0);
-        J[9] = c_.k9 * e3 * c_.k0;
-        J[10] = -c_.k2 - c_.k12 * e4;
-        J[11] = c_.k5;
+        J[9] = p_.b * e3 * c_.k0;
+        J[10] = -c_.k6 - p_.b * e7;
+        J[11] = c_.k7;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
-        J[14] = c_.k2;
-        J[15] = -c_.k13;
+        J[14] = c_.k6;
+        J[15] = (-Scalar(1)) * c_.k9;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -308,7 +307,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 12, entry (i, j) at J[4*j + i].
-    /// Operations: 17 + or -, 49 *, 3 /, 2 other functions
+    /// Operations: 17 + or -, 52 *, 3 /, 2 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
         using std::tanh;
@@ -317,22 +316,21 @@ public:
         const Scalar s = x[0];
         const Scalar s_dot = x[1];
         const Scalar T_o = x[2];
-        const Scalar exp_1 = exp(c_.k7 - p_.b * T_o);
+        const Scalar exp_1 = exp(c_.k2 - p_.b * T_o);
         const Scalar e2 = s_dot * exp_1;
-        const Scalar e3 = p_.d_0 * p_.T_0;
-        const Scalar inverse_4 = Scalar(1) / p_.q_v;
-        const Scalar e5 = inverse_4 * (p_.f_s * inverse_4);
-        const Scalar tanh_6 = tanh(c_.k6 * s_dot);
-        const Scalar e7 = s_dot * (Scalar(1) - tanh_6 * tanh_6);
+        const Scalar inverse_3 = Scalar(1) / p_.q_v;
+        const Scalar e4 = inverse_3 * (p_.f_s * inverse_3);
+        const Scalar tanh_5 = tanh(c_.k1 * s_dot);
+        const Scalar e6 = s_dot * (Scalar(1) - tanh_5 * tanh_5);
+        const Scalar e7 = s_dot * e2;
         const Scalar inverse_8 = Scalar(1) / p_.C_o;
-        const Scalar e9 = s_dot * e2;
+        const Scalar e9 = p_.d_0 * inverse_8;
         const Scalar T_h = x[3];
         const Scalar e10 = T_o - T_h;
-        const Scalar inverse_8_squared = inverse_8 * inverse_8;
         const Scalar e11 = p_.T_0 - T_h;
         const Scalar inverse_12 = Scalar(1) / p_.C_h;
         const Scalar inverse_12_squared = inverse_12 * inverse_12;
-        const Scalar e13 = s_dot * tanh_6;
+        const Scalar e13 = s_dot * tanh_5;
         J[0] = Scalar(0);
         J[1] = (-dxdt[1]) * c_.k0;
         J[2] = Scalar(0);
@@ -343,15 +341,15 @@ public:
         J[7] = Scalar(0);
         J[8] = Scalar(0);
         J[9] = (-e2) * c_.k0;
-        J[10] = inverse_8 * e9;
+        J[10] = c_.k3 * e7;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        J[13] = e2 * (p_.d_0 * T_o - e3) * c_.k0;
-        J[14] = -e9 * (c_.k1 * T_o - inverse_8 * e3);
+        J[13] = e2 * (p_.d_0 * T_o - p_.d_0 * p_.T_0) * c_.k0;
+        J[14] = -e7 * (T_o * e9 - p_.T_0 * e9);
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = Scalar(0);
-        J[18] = e10 * (p_.G_o * inverse_8_squared) - p_.d_0 * inverse_8_squared * e9;
+        J[18] = e10 * (p_.G_o * inverse_8 * inverse_8) - inverse_8 * e9 * e7;
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
@@ -360,8 +358,8 @@ public:
             * inverse_12_squared * e13;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = -e10 * inverse_8;
-        J[27] = e10 * inverse_12;
+        J[26] = -c_.k3 * e10;
+        J[27] = c_.k4 * e10;
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
@@ -371,17 +369,17 @@ public:
         J[34] = Scalar(0);
         J[35] = e11 * (p_.A * inverse_12);
         J[36] = Scalar(0);
-        J[37] = (-c_.k9 * e2) * c_.k0;
-        J[38] = c_.k12 * e9;
-        J[39] = c_.k4;
+        J[37] = (-p_.d_0 * p_.b * e2) * c_.k0;
+        J[38] = p_.b * e9 * e7;
+        J[39] = c_.k5;
         J[40] = Scalar(0);
-        J[41] = e5 * e7 * c_.k0;
+        J[41] = e4 * e6 * c_.k0;
         J[42] = Scalar(0);
-        J[43] = -s_dot * (inverse_12 * e5) * e7;
+        J[43] = -s_dot * (inverse_12 * e4) * e6;
         J[44] = Scalar(0);
-        J[45] = (-tanh_6) * c_.k0;
+        J[45] = (-tanh_5) * c_.k0;
         J[46] = Scalar(0);
-        J[47] = inverse_12 * e13;
+        J[47] = c_.k4 * e13;
     }
 
     /// J = df/dt at fixed x and u.
@@ -409,8 +407,8 @@ public:
         const Scalar s = x[0];
         const Scalar s_dot = x[1];
         const Scalar T_o = x[2];
-        const Scalar exp_1 = exp(c_.k7 - p_.b * T_o);
-        const Scalar tanh_2 = tanh(c_.k6 * s_dot);
+        const Scalar exp_1 = exp(c_.k2 - p_.b * T_o);
+        const Scalar tanh_2 = tanh(c_.k1 * s_dot);
         b[0] = p_.c * s + p_.d_0 * s_dot * exp_1 + p_.f_s * tanh_2;
     }
 
@@ -432,12 +430,12 @@ public:
         using std::exp;
         const Scalar s_dot = x[1];
         const Scalar T_o = x[2];
-        const Scalar exp_1 = exp(c_.k7 - p_.b * T_o);
+        const Scalar exp_1 = exp(c_.k2 - p_.b * T_o);
         const Scalar e2 = p_.d_0 * exp_1;
         const Scalar T_h = x[3];
         y[0] = s_dot;
         y[1] = s_dot * s_dot * e2;
-        y[2] = -c_.k14 * (p_.T_0 - T_h);
+        y[2] = -c_.k10 * (p_.T_0 - T_h);
         y[3] = e2;
     }
 
@@ -447,23 +445,23 @@ public:
         using std::exp;
         const Scalar s_dot = x[1];
         const Scalar T_o = x[2];
-        const Scalar exp_1 = exp(c_.k7 - p_.b * T_o);
+        const Scalar exp_1 = exp(c_.k2 - p_.b * T_o);
         const Scalar e2 = s_dot * exp_1;
         C[0] = Scalar(0);
         C[1] = Scalar(0);
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(1);
-        C[5] = c_.k15 * e2;
+        C[5] = c_.k11 * e2;
         C[6] = Scalar(0);
         C[7] = Scalar(0);
         C[8] = Scalar(0);
-        C[9] = -c_.k9 * s_dot * e2;
+        C[9] = -c_.k12 * s_dot * e2;
         C[10] = Scalar(0);
-        C[11] = -c_.k9 * exp_1;
+        C[11] = -c_.k12 * exp_1;
         C[12] = Scalar(0);
         C[13] = Scalar(0);
-        C[14] = c_.k14;
+        C[14] = c_.k10;
         C[15] = Scalar(0);
     }
 
@@ -508,9 +506,9 @@ public:
         using std::exp;
         using std::tanh;
         const Scalar s_dot = x[1];
-        const Scalar tanh_1 = tanh(c_.k6 * s_dot);
+        const Scalar tanh_1 = tanh(c_.k1 * s_dot);
         const Scalar T_o = x[2];
-        const Scalar exp_2 = exp(c_.k7 - p_.b * T_o);
+        const Scalar exp_2 = exp(c_.k2 - p_.b * T_o);
         return s_dot * (p_.f_s * tanh_1 + p_.d_0 * s_dot * exp_2);
     }
 
@@ -535,11 +533,11 @@ public:
         using std::exp;
         using std::tanh;
         const Scalar s_dot = x[1];
-        const Scalar tanh_1 = tanh(c_.k6 * s_dot);
+        const Scalar tanh_1 = tanh(c_.k1 * s_dot);
         const Scalar T_o = x[2];
-        const Scalar exp_2 = exp(c_.k7 - p_.b * T_o);
+        const Scalar exp_2 = exp(c_.k2 - p_.b * T_o);
         const Scalar T_h = x[3];
-        return s_dot * (p_.f_s * tanh_1 + p_.d_0 * s_dot * exp_2) + c_.k14 * (p_.T_0 - T_h);
+        return s_dot * (p_.f_s * tanh_1 + p_.d_0 * s_dot * exp_2) + c_.k10 * (p_.T_0 - T_h);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -552,21 +550,18 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
-        Scalar k1;  ///< d_0/C_o
-        Scalar k2;  ///< G_o/C_o
-        Scalar k3;  ///< f_s/C_h
-        Scalar k4;  ///< A*alpha/C_h
-        Scalar k5;  ///< G_o/C_h
-        Scalar k6;  ///< 1/q_v
-        Scalar k7;  ///< b*T_0
+        Scalar k1;  ///< 1/q_v
+        Scalar k2;  ///< b*T_0
+        Scalar k3;  ///< 1/C_o
+        Scalar k4;  ///< 1/C_h
+        Scalar k5;  ///< A*alpha/C_h
+        Scalar k6;  ///< G_o/C_o
+        Scalar k7;  ///< G_o/C_h
         Scalar k8;  ///< f_s/q_v
-        Scalar k9;  ///< d_0*b
-        Scalar k10;  ///< 2*d_0/C_o
-        Scalar k11;  ///< f_s/(C_h*q_v)
-        Scalar k12;  ///< d_0*b/C_o
-        Scalar k13;  ///< (G_o + A*alpha)/C_h
-        Scalar k14;  ///< A*alpha
-        Scalar k15;  ///< 2*d_0
+        Scalar k9;  ///< (G_o + A*alpha)/C_h
+        Scalar k10;  ///< A*alpha
+        Scalar k11;  ///< 2*d_0
+        Scalar k12;  ///< d_0*b
     };
     Cached c_{};
 };

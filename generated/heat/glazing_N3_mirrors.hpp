@@ -16,14 +16,14 @@
 //     this code = the derivation: 16 of 16 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                24     64    10        0      0
+//   update                23     59    10        0      0
 //   rhs                    5      4     0        0      0
 //   rhs_and_jacobian       6      4     0        0      0
-//   jacobian_p           181    341    10        0      0
+//   jacobian_p           101    222    10        0      0
 //   output                 6      6     0        0      0
 //   output_jacobian_u      1      0     0        0      0
 //   internal_energy        0      1     0        0      0
-//   exchanged_power       11     21     6        0      0
+//   exchanged_power       10     16     5        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -172,55 +172,57 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 24 + or -, 64 *, 10 /
+    /// Operations: 23 + or -, 59 *, 10 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.C;
-        const Scalar e2 = p_.A * p_.a_e;
+        const Scalar e2 = p_.a_i * p_.a_e;
         const Scalar e3 = p_.k / p_.d;
-        const Scalar inverse_4 = Scalar(1) / p_.A;
-        const Scalar inverse_5 = Scalar(1) / p_.a_i;
-        const Scalar e6 = p_.d / p_.k;
-        const Scalar inverse_7 = Scalar(1) / (inverse_4 * (inverse_5 + Scalar(2) * e6));
-        const Scalar inverse_8 = Scalar(1) / (inverse_7 + e2);
-        const Scalar e9 = p_.a_i + e3;
-        const Scalar inverse_10 = Scalar(1) / e9;
-        const Scalar e11 = inverse_5 + e6;
-        const Scalar e12 = inverse_4 * e11;
-        const Scalar inverse_13 = Scalar(1) / e12;
-        const Scalar e14 = inverse_10 / (inverse_13 + p_.A * e3);
-        const Scalar e15 = inverse_8 * e14;
-        const Scalar e16 = p_.A * e15;
+        const Scalar inverse_4 = Scalar(1) / (p_.a_i + e3);
+        const Scalar inverse_5 = Scalar(1) / p_.A;
+        const Scalar inverse_6 = Scalar(1) / p_.a_i;
+        const Scalar e7 = inverse_5 * inverse_6;
+        const Scalar e8 = p_.d / p_.k;
+        const Scalar e9 = inverse_5 * e8;
+        const Scalar inverse_10 = Scalar(1) / (e7 + e9);
+        const Scalar e11 = p_.A * e3;
+        const Scalar e12 = inverse_4 / (inverse_10 + e11);
+        const Scalar inverse_13 = Scalar(1) / (e7 + Scalar(2) * e9);
+        const Scalar inverse_14 = Scalar(1) / (p_.A * p_.a_e + inverse_13);
+        const Scalar e15 = p_.A * inverse_14;
+        const Scalar e16 = e12 * e15;
         const Scalar e17 = e3 * e16;
         const Scalar e18 = p_.A * e17;
-        const Scalar e19 = p_.a_i * e18;
-        const Scalar e20 = e3 * e19;
-        const Scalar e21 = e2 * e20;
-        const Scalar e22 = inverse_1 * e21;
-        c_.k0 = p_.T_e * e22;
+        const Scalar e19 = e18 * e11;
+        const Scalar e20 = e2 * e19;
+        const Scalar e21 = inverse_1 * e20;
+        c_.k0 = p_.T_e * e21;
         c_.k1 = inverse_1;
-        const Scalar e23 = p_.A + inverse_5 * inverse_13;
-        const Scalar e24 = e17 * (inverse_13 + (Scalar(1) / Scalar(2)) * e23 * e3) + (Scalar(3) / Scalar(2)) * e19;
-        const Scalar e25 = inverse_13 * e16 * (p_.a_i * inverse_7 + e9 * e2) + p_.A * e20 + Scalar(2)
-            * (inverse_7 * e24 + e19 * e2);
+        const Scalar e22 = inverse_13 * e3;
+        const Scalar e23 = inverse_10 * e16;
+        const Scalar e24 = Scalar(3) * e18 * (p_.a_i * inverse_13 + (Scalar(1) / Scalar(3)) * p_.a_e * inverse_10);
+        const Scalar e25 = (p_.A * e2 + e22) * (Scalar(2) * e18 + e23) + (p_.a_i * (e19 + inverse_13 * e23) + e24);
         const Scalar e26 = p_.share * e25;
         c_.k2 = p_.A * inverse_1 * (Scalar(1) - Scalar(3) * p_.share) + inverse_1 * e26;
-        const Scalar e27 = inverse_13 * inverse_7;
-        c_.k3 = -inverse_1 * (inverse_7 * e20 - e9 * e17 * e27) - e22;
-        const Scalar e28 = inverse_1 * (p_.U_w * p_.A_w);
-        c_.k4 = e28;
-        c_.k5 = e22 + e28;
-        c_.k6 = p_.T_e * e21;
+        c_.k3 = e21;
+        const Scalar e27 = inverse_1 * (p_.U_w * p_.A_w);
+        c_.k4 = e27;
+        c_.k5 = e21 + e27;
+        c_.k6 = p_.T_e * e20;
         c_.k7 = e26;
-        c_.k8 = e21;
-        c_.k9 = p_.a_e * p_.T_e * e3 * e18;
-        const Scalar e29 = inverse_7 * e15 * (Scalar(1) + inverse_5 * e3) + e14;
-        c_.k10 = p_.share * e3 * (e18 + e23 * e29) + p_.share * inverse_10;
-        c_.k11 = p_.a_i * inverse_10 + inverse_13 * e3 * e29;
-        c_.k12 = p_.T_e * inverse_8 * e2;
-        const Scalar e30 = e27 * e12;
-        c_.k13 = p_.share * inverse_8 * (p_.A + inverse_7 * e11 + inverse_5 * e30);
-        c_.k14 = inverse_8 * e30;
+        c_.k8 = e20;
+        const Scalar e28 = p_.a_e * p_.T_e;
+        const Scalar e29 = e3 * e18;
+        c_.k9 = e28 * e29;
+        const Scalar e30 = p_.share * e12;
+        const Scalar e31 = inverse_10 * e3;
+        const Scalar e32 = p_.share * inverse_13;
+        const Scalar e33 = e17 * e32;
+        c_.k10 = p_.share * (inverse_4 + e29) + inverse_6 * (e30 * e31 + Scalar(2) * e3 * e33) + e11 * e30 + e33;
+        c_.k11 = p_.a_i * inverse_4 + e12 * e31 + e17 * e22;
+        c_.k12 = e15 * e28;
+        c_.k13 = inverse_14 * e32 * (Scalar(2) * inverse_6 + e8) + p_.share * e15;
+        c_.k14 = inverse_13 * inverse_14;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -239,20 +241,18 @@ public:
     ///     + 3*A*k*a_i*share/(d*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
     ///     1/(A*a_i)))) + A^2*k^2*a_i*share/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
     ///     + A*k*a_e*share/(d*(d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
-    ///     1/(A*a_i)))) + A*k^2*share/(d^2*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e +
+    ///     1/(A*a_i)))) + 2*A*k^2*share/(d^2*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e +
     ///     1/(2*d/(A*k) + 1/(A*a_i)))) + A*a_i*a_e*share/((d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) +
-    ///     1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + k^2*share/(d^2*a_i*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(k/d
-    ///     + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + 2*k*share/(d*(d/(A*k) +
-    ///     1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) +
-    ///     a_i*share/((d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e +
-    ///     1/(2*d/(A*k) + 1/(A*a_i)))) - 3*share)*sun/C + A*k*(-A^2*k*a_i*a_e/d - A*k*a_i/(d*(2*d/(A*k) + 1/(A*a_i))) +
-    ///     k/(d*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))) + a_i/((d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))))*T/(C*d*(k/d +
-    ///     a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + U_w*A_w*(T_e - T)/C
+    ///     1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + k*share/(d*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(k/d +
+    ///     a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + a_i*share/((d/(A*k) +
+    ///     1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) -
+    ///     3*share)*sun/C - A^3*k^2*a_i*a_e*T/(C*d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
+    ///     1/(A*a_i)))) + U_w*A_w*(T_e - T)/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar sun = u[1];
         const Scalar T = x[0];
-        dxdt[0] = c_.k0 + c_.k1 * P + c_.k2 * sun + c_.k3 * T + c_.k4 * (p_.T_e - T);
+        dxdt[0] = c_.k0 + c_.k1 * P + c_.k2 * sun - c_.k3 * T + c_.k4 * (p_.T_e - T);
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
@@ -262,7 +262,7 @@ public:
         const Scalar P = u[0];
         const Scalar sun = u[1];
         const Scalar T = x[0];
-        dxdt[0] = c_.k0 + c_.k1 * P + c_.k2 * sun + c_.k3 * T + c_.k4 * (p_.T_e - T);
+        dxdt[0] = c_.k0 + c_.k1 * P + c_.k2 * sun - c_.k3 * T + c_.k4 * (p_.T_e - T);
         J[0] = -c_.k5;
     }
 
@@ -280,174 +280,119 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 181 + or -, 341 *, 10 /
+    /// Operations: 101 + or -, 222 *, 10 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar sun = u[1];
-        const Scalar inverse_1 = Scalar(1) / p_.d;
-        const Scalar inverse_2 = Scalar(1) / p_.C;
-        const Scalar inverse_3 = Scalar(1) / p_.A;
-        const Scalar inverse_4 = Scalar(1) / p_.a_i;
-        const Scalar e5 = inverse_3 * inverse_4;
-        const Scalar inverse_6 = Scalar(1) / p_.k;
-        const Scalar e7 = p_.d * inverse_6;
-        const Scalar e8 = inverse_3 * e7;
-        const Scalar inverse_9 = Scalar(1) / (e5 + e8);
-        const Scalar e10 = p_.k * inverse_1;
-        const Scalar inverse_11 = Scalar(1) / (inverse_9 + p_.A * e10);
-        const Scalar e12 = p_.a_i + e10;
-        const Scalar inverse_13 = Scalar(1) / e12;
-        const Scalar inverse_14 = Scalar(1) / (e5 + Scalar(2) * e8);
-        const Scalar e15 = p_.A * p_.a_e + inverse_14;
-        const Scalar inverse_16 = Scalar(1) / e15;
-        const Scalar e17 = inverse_2 * inverse_11 * (inverse_13 * inverse_16);
-        const Scalar e18 = inverse_1 * e17;
-        const Scalar e19 = p_.k * e18;
-        const Scalar e20 = inverse_9 * inverse_11;
-        const Scalar e21 = Scalar(1) - e20;
-        const Scalar e22 = p_.share * inverse_14;
-        const Scalar e23 = inverse_9 * e22;
-        const Scalar e24 = inverse_14 * inverse_16;
-        const Scalar e25 = inverse_14 * (Scalar(1) - e24);
-        const Scalar e26 = inverse_13 * e23;
-        const Scalar e27 = inverse_4 * e25;
-        const Scalar e28 = e22 * e10;
-        const Scalar e29 = inverse_9 * e21;
-        const Scalar e30 = p_.share * inverse_9;
-        const Scalar e31 = p_.a_e * e30;
-        const Scalar e32 = e29 * e31;
-        const Scalar e33 = inverse_4 * e23;
-        const Scalar e34 = e19 * e33;
-        const Scalar e35 = inverse_3 * e29;
-        const Scalar e36 = p_.A * e19;
-        const Scalar e37 = inverse_1 * e36;
-        const Scalar e38 = p_.k * e37;
-        const Scalar e39 = inverse_13 * e38;
-        const Scalar e40 = p_.a_i * e22;
-        const Scalar e41 = p_.A * p_.a_i;
-        const Scalar e42 = p_.a_e * e41;
-        const Scalar e43 = p_.share * e42;
-        const Scalar e44 = p_.A * p_.share;
-        const Scalar e45 = p_.a_e * e44;
-        const Scalar e46 = (Scalar(3) / Scalar(2)) * e22 + e45;
-        const Scalar e47 = e15 * e30;
-        const Scalar e48 = Scalar(2) * e36 * e46 + e17 * e47;
-        const Scalar e49 = p_.a_e * e36;
-        const Scalar e50 = Scalar(2) * e22 + e45;
-        const Scalar e51 = inverse_9 * e50;
-        const Scalar e52 = e22 * e38;
-        const Scalar e53 = inverse_9 * e20;
-        const Scalar e54 = inverse_14 * e24;
-        const Scalar e55 = e53 + Scalar(2) * e54;
-        const Scalar e56 = e40 + (Scalar(2) / Scalar(3)) * e43;
-        const Scalar e57 = p_.a_i * e17;
-        const Scalar e58 = p_.a_i * inverse_13;
-        const Scalar e59 = inverse_14 * e22;
-        const Scalar e60 = p_.a_e * e24;
-        const Scalar e61 = Scalar(3) * e35;
-        const Scalar e62 = inverse_3 * e25;
-        const Scalar e63 = e15 * e20;
-        const Scalar e64 = p_.a_i * e55;
-        const Scalar e65 = e41 * e46;
-        const Scalar e66 = (Scalar(1) / Scalar(2)) * e50 * e20 + inverse_11 * e65;
-        const Scalar e67 = e20 * e30;
-        const Scalar e68 = e57 * e7;
-        const Scalar e69 = inverse_9 - e55;
-        const Scalar e70 = inverse_14 + (Scalar(1) / Scalar(2)) * e69;
-        const Scalar e71 = e20 + e58;
-        const Scalar e72 = e38 - (Scalar(1) / Scalar(4)) * e12 * e39;
-        const Scalar e73 = p_.share * e41;
-        const Scalar e74 = p_.a_e * inverse_16 + inverse_11 * e10;
-        const Scalar e75 = e33 + e41 * e44;
-        const Scalar e76 = e38 * e75;
-        const Scalar e77 = p_.A * e38;
-        const Scalar e78 = e22 * e24;
-        const Scalar e79 = p_.T_e * e42;
-        const Scalar e80 = e77 * e74 - Scalar(4) * e72;
-        const Scalar e81 = p_.a_e * p_.T_e;
-        const Scalar e82 = (e53 + e54) * e81;
-        const Scalar e83 = e49 * e64;
+        const Scalar inverse_1 = Scalar(1) / p_.A;
+        const Scalar inverse_2 = Scalar(1) / p_.a_i;
+        const Scalar e3 = inverse_1 * inverse_2;
+        const Scalar inverse_4 = Scalar(1) / p_.k;
+        const Scalar e5 = p_.d * inverse_4;
+        const Scalar e6 = inverse_1 * e5;
+        const Scalar inverse_7 = Scalar(1) / (e3 + Scalar(2) * e6);
+        const Scalar inverse_8 = Scalar(1) / (e3 + e6);
+        const Scalar inverse_9 = Scalar(1) / p_.C;
+        const Scalar inverse_10 = Scalar(1) / p_.d;
+        const Scalar e11 = p_.k * inverse_10;
+        const Scalar e12 = p_.A * e11;
+        const Scalar inverse_13 = Scalar(1) / (inverse_8 + e12);
+        const Scalar inverse_14 = Scalar(1) / (p_.a_i + e11);
+        const Scalar e15 = p_.A * p_.a_e;
+        const Scalar e16 = inverse_7 + e15;
+        const Scalar inverse_17 = Scalar(1) / e16;
+        const Scalar e18 = inverse_9 * inverse_13 * (inverse_14 * inverse_17);
+        const Scalar e19 = p_.share * e18;
+        const Scalar e20 = inverse_8 * e19;
+        const Scalar e21 = p_.a_i * e20;
+        const Scalar inverse_7_squared = inverse_7 * inverse_7;
+        const Scalar e22 = inverse_17 * inverse_7_squared;
+        const Scalar e23 = e19 * e11;
+        const Scalar e24 = inverse_8 * inverse_13;
+        const Scalar e25 = inverse_8 * e24;
+        const Scalar e26 = Scalar(2) * e22 + e25;
+        const Scalar e27 = p_.a_i * e19;
+        const Scalar e28 = p_.a_e + inverse_1 * inverse_7;
+        const Scalar e29 = e21 * e5;
+        const Scalar e30 = e22 + e25;
+        const Scalar e31 = inverse_8 - e30;
+        const Scalar e32 = e11 * e20;
+        const Scalar e33 = inverse_2 * e32;
+        const Scalar e34 = e19 * e12;
+        const Scalar e35 = p_.A * p_.a_i;
+        const Scalar e36 = (Scalar(3) / Scalar(2)) * inverse_7 + e15;
+        const Scalar e37 = inverse_8 * e16;
+        const Scalar e38 = e36 * e35 + (Scalar(1) / Scalar(2)) * e37;
+        const Scalar e39 = Scalar(2) * inverse_7 + e35;
+        const Scalar e40 = e12 * e39;
+        const Scalar e41 = Scalar(2) * e38 + e40;
+        const Scalar e42 = inverse_7 * e34;
+        const Scalar e43 = p_.a_i * inverse_14;
+        const Scalar e44 = p_.A * inverse_13 + inverse_14;
+        const Scalar e45 = e44 * e11;
+        const Scalar e46 = e34 * e43;
+        const Scalar e47 = p_.a_i * e12;
+        const Scalar e48 = e16 * e21;
+        const Scalar e49 = e12 * e48;
+        const Scalar e50 = inverse_7 * e32;
+        const Scalar e51 = inverse_8 * e28;
+        const Scalar e52 = Scalar(2) * (e20 * e51);
+        const Scalar e53 = inverse_17 * e15 + e43;
+        const Scalar e54 = inverse_1 * inverse_7_squared;
+        const Scalar e55 = e26 + e12 * e45;
+        const Scalar e56 = e47 - (Scalar(1) / Scalar(4)) * (p_.a_i * e55 + e30 * e11);
+        const Scalar e57 = Scalar(1) - Scalar(3) * p_.share;
+        const Scalar e58 = e19 * e35;
+        const Scalar e59 = (inverse_7 * e30 - inverse_7_squared) * (inverse_2 * e11);
+        const Scalar e60 = e53 * e47 - Scalar(4) * e56;
+        const Scalar e61 = e18 * e12;
+        const Scalar e62 = p_.a_e * e61;
+        const Scalar e63 = p_.T_e * e62;
         const Scalar T = x[0];
-        const Scalar e84 = inverse_9 * inverse_14;
-        const Scalar e85 = e19 * e84;
-        const Scalar e86 = inverse_14 * e38;
-        const Scalar e87 = inverse_4 * e10;
-        const Scalar e88 = Scalar(1) + (Scalar(1) / Scalar(2)) * e87;
-        const Scalar e89 = inverse_2 * e77;
+        const Scalar e64 = e12 * e35;
+        const Scalar e65 = inverse_9 * e64;
         const Scalar P = u[0];
-        const Scalar inverse_2_squared = inverse_2 * inverse_2;
-        const Scalar e90 = e41 * e48 + (e22 * e77 + e36 * e51);
-        const Scalar e91 = p_.T_e - T;
-        const Scalar e92 = inverse_1 * e39;
-        const Scalar e93 = e41 * e92;
-        const Scalar e94 = e55 * e37;
-        const Scalar e95 = e93 - e94;
-        const Scalar e96 = inverse_1 * e77;
-        const Scalar e97 = e95 + e20 * e96;
-        const Scalar e98 = inverse_11 * e96;
-        const Scalar e99 = inverse_13 * e41;
-        const Scalar e100 = p_.A * e22;
-        const Scalar e101 = e18 * e41;
-        const Scalar e102 = e37 * e41 + e96;
-        const Scalar e103 = inverse_14 * e18;
-        const Scalar e104 = inverse_14 * e23;
-        const Scalar e105 = e37 * (p_.A + e99);
-        const Scalar e106 = e55 * e18 + e98;
-        const Scalar e107 = e75 + e100;
-        const Scalar e108 = e15 * e41;
-        const Scalar e109 = e108 - e84;
-        const Scalar e110 = e37 * e109;
-        const Scalar e111 = inverse_4 * e77;
-        const Scalar e112 = inverse_4 * e38;
-        const Scalar e113 = e20 * e33;
-        const Scalar e114 = e22 * e27;
-        const Scalar e115 = inverse_14 - e15 * e24;
-        const Scalar e116 = inverse_4 * e49;
-        const Scalar e117 = e36 * e84;
-        const Scalar e118 = e84 * e112;
-        const Scalar e119 = e41 * e77;
-        const Scalar e120 = e24 * e119;
-        const Scalar e121 = p_.A * e36;
-        const Scalar e122 = e36 * e41;
-        const Scalar e123 = Scalar(4) * e21 * e23 + Scalar(5) * e22 * e25 - Scalar(3) * e12 * e26 + e27 * e28 + inverse_4 * e32;
-        const Scalar e124 = e10 * e34 * (inverse_13 * e10 - Scalar(2) + e20 - inverse_3 * e27 - inverse_4 * e35);
-        const Scalar e125 = e17 * (Scalar(3) * e55 * e56 - Scalar(3) * e42 * e30 - Scalar(2) * e32);
-        const Scalar e126 = e19 * e123 - e124 - e39 * (e31 + Scalar(4) * e40 + e28 + Scalar(2) * e43) - inverse_16
-            * (e42 * e48 + e49 * e51 + e15 * e52) - e125 + e57 * (Scalar(2) * e23 - e58 * e47 + Scalar(6) * e59) - e34
-            * (e60 - e61 - Scalar(4) * e62) + p_.share * e36 * (Scalar(8) * e42 - p_.a_i * e63 - e64) - e17 * e23
-            * (Scalar(3) * e60 - e61 - Scalar(5) * e62) + inverse_2 * (Scalar(1) - Scalar(3) * p_.share) - e36
-            * (Scalar(3) * e56 * e58 - Scalar(9) * e40) - e38 * (Scalar(2) * e66 + e67) + e68
-            * (Scalar(2) * inverse_3 * e23 * e70 + e69 * e31) + e30 * e49 * (Scalar(3) - Scalar(2) * e71) + Scalar(4) * e72
-            * e73 - e74 * e76 - inverse_11 * e77 * e28 + Scalar(3) * e52 - Scalar(2) * e49 * e78;
-        const Scalar e127 = p_.a_i * (e20 * e85 - e86) + e35 * (e84 * e57 + Scalar(2) * e88 * e85) + e42 * e80 + e15 * e19
-            * e10 * e53 + e60 * e86 + e83;
-        J[0] = sun * e126 - (e79 * e80 + e38 * e82 + p_.T_e * e83) + T * e127;
-        const Scalar e128 = sun * (inverse_2 * (e90 + e76) + inverse_2_squared * (p_.A - Scalar(3) * e44));
-        J[1] = T * (e42 * e89) - e79 * e89 - P * inverse_2_squared - e128 - e91 * (p_.U_w * p_.A_w * inverse_2_squared);
-        J[2] = e91 * (p_.A_w * inverse_2);
-        J[3] = e91 * (p_.U_w * inverse_2);
-        const Scalar e129 = e98 * (e33 * e10 + Scalar(2) * e65) - e37
-            * (e23 * e71 + Scalar(2) * e33 * e60 + Scalar(3) * e56 * e99) - e18
-            * (Scalar(2) * (p_.A * e23 * e60 + e42 * e24 * e100)) + e50 * e101 * e53 + p_.share * e102 * e63 - Scalar(2) * e23
-            * e88 * e92 - e95 * e73 - inverse_1 * e20 * e76 - e45 * e94 - e22 * e93;
-        J[4] = -e79 * e97 + sun * e129 - T * (-e42 * e97);
-        const Scalar e130 = Scalar(2) * e55 * e65 - e69 * e51 - Scalar(6) * e41 * e59 - Scalar(4) * e104;
-        const Scalar e131 = e33 * (inverse_9 * e18 + e92 + Scalar(2) * e103) - inverse_6 * e17 * e130 + e101
-            * (Scalar(2) * inverse_13 * e65 - e44 * e63 + e26) - e37 * (Scalar(2) * (p_.A * e66 - e26)) + e105 * (e22 + e73)
-            + inverse_6 * e68 * (e69 * e47 + Scalar(2) * e104) - e106 * e107 + Scalar(2) * e100 * e103;
-        const Scalar e132 = e58 * (e84 * e101 - e110) - inverse_14 * (e20 * e102 + Scalar(2) * inverse_14 * e101) + e84 * e70
-            * (Scalar(2) * (e18 + inverse_6 * e57)) + e106 * e108 - e110;
-        J[5] = sun * e131 - e79 * (p_.A * e106 - e105) + T * e132;
-        const Scalar e133 = e112 * (e33 - inverse_4 * e30 * e63 - e87 * e113 - e114) + e36
-            * (Scalar(2) * e113 - Scalar(3) * e114) - e33 * (e17 * e115 - e24 * e116) - e44 * (e77 - e55 * e116) + e111
-            * (e78 + e67) - p_.A * e48 + e75 * e39 - Scalar(2) * e88 * e34 * e27 + inverse_13 * e90;
-        const Scalar e134 = e15 * e77 - e117 * (Scalar(1) - e58) - e27 * e85 * (Scalar(1) + e87) - e39 * e109 + inverse_14
-            * e115 * e112 - p_.a_e * e53 * e111 - Scalar(2) * e20 * e88 * e118;
-        J[6] = -(e77 * (inverse_13 * e79 - p_.A * e81) + e111 * e82) - sun * e133 - T * e134;
-        J[7] = p_.T_e * e120 - sun * (inverse_16 * (e77 * e107 + e23 * e121 + e100 * e122)) - T * e120;
+        const Scalar inverse_9_squared = inverse_9 * inverse_9;
+        const Scalar e66 = e16 * e20;
+        const Scalar e67 = p_.T_e - T;
+        const Scalar e68 = e55 - Scalar(2) * e12;
+        const Scalar e69 = inverse_10 * e35;
+        const Scalar e70 = e68 * e69;
+        const Scalar e71 = inverse_10 * e19;
+        const Scalar e72 = Scalar(2) * inverse_7_squared + e37;
+        const Scalar e73 = Scalar(6) * ((Scalar(1) / Scalar(6)) * e20 * e72 + inverse_7_squared * e58);
+        const Scalar e74 = inverse_7_squared + (Scalar(1) / Scalar(2)) * (e38 - (Scalar(1) / Scalar(2)) * e68 * e39);
+        const Scalar e75 = inverse_4 * (e16 * e26 - e72);
+        const Scalar e76 = inverse_10 * e44;
+        const Scalar e77 = e70 * (e18 * e15);
+        const Scalar e78 = inverse_14 * e12;
+        const Scalar e79 = e12 * (inverse_2 * e30 - e78);
+        const Scalar e80 = inverse_7 * inverse_17 * (e61 * e64);
+        const Scalar e81 = inverse_7 * (Scalar(2) * e21 - Scalar(7) * e22 * e23 - Scalar(3) * e26 * e27);
+        const Scalar e82 = e81 - e28 * (Scalar(3) * e20 * e22 + e26 * e29 - e31 * e33) + inverse_7_squared
+            * (e32 * e3 + Scalar(7) * e23 + Scalar(6) * e27) - p_.a_e * e34
+            * (Scalar(2) * e30 - Scalar(8) * e35 + inverse_17 * e41) + e11 * e42
+            * (Scalar(6) - Scalar(5) * e43 - Scalar(2) * e45) + p_.a_i * (Scalar(9) * e42 - Scalar(2) * e36 * e46) - inverse_13
+            * (Scalar(3) * e42 * e47 + e49) - e24 * (Scalar(5) * e50 + e52) - e48 * (Scalar(2) * inverse_14 * e11 + e53) + e29
+            * (e51 + Scalar(2) * e54) + p_.a_e * e20 * (Scalar(3) * (e12 + e35)) + Scalar(4) * e34 * e56 + inverse_9 * e57
+            - e16 * e32 * e45 - Scalar(2) * p_.a_e * e55 * e58 + Scalar(3) * e20 * e54 + Scalar(2) * e50 - e47 * e46 + e52
+            - Scalar(2) * e23 * e59;
+        J[0] = sun * e82 - e60 * e63 + T * (e62 * e60);
+        const Scalar e83 = sun * (inverse_9 * (e34 * e41 + e35 * e66) + p_.A * e57 * inverse_9_squared);
+        J[1] = T * (e62 * e65) - e63 * e65 - P * inverse_9_squared - e83 - e67 * (p_.U_w * p_.A_w * inverse_9_squared);
+        J[2] = e67 * (p_.A_w * inverse_9);
+        J[3] = e67 * (p_.U_w * inverse_9);
+        const Scalar e84 = Scalar(2) * e55 * e38 * e71 - inverse_10 * (e73 + Scalar(4) * e34 * e74) + e21 * e75 + e76 * e49;
+        J[4] = e63 * e70 + sun * e84 - T * (e62 * e70);
+        const Scalar e85 = inverse_4 * (Scalar(2) * e26 * e19 * e38 - e73) + Scalar(2) * e38 * e34 * e76 - Scalar(4) * p_.A
+            * e74 * e71 + e44 * e69 * e66 + e29 * e75;
+        J[5] = T * e77 - p_.T_e * e77 - sun * e85;
+        const Scalar e86 = Scalar(2) * e30 * e36 - Scalar(3) * inverse_7_squared + Scalar(2) * e59;
+        const Scalar e87 = inverse_2 * e34 * e86 - e34 * (Scalar(2) * e15 * e78 - e79) - inverse_2
+            * (e16 * e31 + inverse_7_squared) * (e20 + e33) - e42 * e78;
+        J[6] = T * (e62 * e79) - e63 * e79 - sun * e87;
+        J[7] = p_.T_e * e80 - sun * (p_.A * inverse_17 * (e35 * e42 + e34 * e40)) - T * e80;
         J[8] = c_.k5;
-        const Scalar e135 = p_.A * (Scalar(3) * inverse_2 - inverse_9 * e49) - inverse_14 * (e77 + Scalar(3) * e122)
-            - inverse_9 * e17 * e108 - e119 - Scalar(2) * e117 - Scalar(2) * e42 * e121 - e118;
-        J[9] = -sun * e135;
+        J[9] = -sun * (Scalar(3) * p_.A * inverse_9 - e61 * e41 - e18 * e35 * e37);
     }
 
     /// J = df/dt at fixed x and u.
@@ -475,26 +420,19 @@ public:
     /// Operations: 6 + or -, 6 *
     ///     Q_m = -A^3*k^2*a_i*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) -
     ///     A*share*(A^2*k^2*a_i/d^2 + 2*A^2*k*a_i*a_e/d + 3*A*k*a_i/(d*(2*d/(A*k) + 1/(A*a_i))) + A*k*a_e/(d*(d/(A*k) + 1/(A*a_i)))
-    ///     + A*k^2/(d^2*(2*d/(A*k) + 1/(A*a_i))) + A*a_i*a_e/(d/(A*k) + 1/(A*a_i)) + k^2/(d^2*a_i*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k)
-    ///     + 1/(A*a_i))) + 2*k/(d*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))) + a_i/((d/(A*k) + 1/(A*a_i))*(2*d/(A*k) +
-    ///     1/(A*a_i))))*sun/((k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) -
-    ///     A*k*(-A^2*k*a_i*a_e/d - A*k*a_i/(d*(2*d/(A*k) + 1/(A*a_i))) + k/(d*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))) +
-    ///     a_i/((d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))))*T/(d*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e +
-    ///     1/(2*d/(A*k) + 1/(A*a_i))))
+    ///     + 2*A*k^2/(d^2*(2*d/(A*k) + 1/(A*a_i))) + A*a_i*a_e/(d/(A*k) + 1/(A*a_i)) + k/(d*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) +
+    ///     1/(A*a_i))) + a_i/((d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))))*sun/((k/d + a_i)*(A*k/d + 1/(d/(A*k) +
+    ///     1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + A^3*k^2*a_i*a_e*T/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) +
+    ///     1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
     ///     T_in = A^2*k^2*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) +
-    ///     share*(1 + A*k^2/(d^2*a_i*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
-    ///     + A*k/(d*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + A*k/(d*(A*k/d
-    ///     + 1/(d/(A*k) + 1/(A*a_i)))) + A^2*k^2/(d^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) +
-    ///     k^2/(d^2*a_i^2*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
-    ///     1/(A*a_i)))) + k/(d*a_i*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e +
-    ///     1/(2*d/(A*k) + 1/(A*a_i)))) + k/(d*a_i*(d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))))*sun/(k/d + a_i) +
-    ///     (k^2/(d^2*a_i*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
-    ///     1/(A*a_i)))) + k/(d*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e +
-    ///     1/(2*d/(A*k) + 1/(A*a_i)))) + k/(d*(d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + a_i)*T/(k/d + a_i)
-    ///     T_ex = A*a_e*T_e/(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))) + share*(A + d/(A*k*a_i*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) +
-    ///     1/(A*a_i))) + 1/(A*a_i^2*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))) + d/(k*(2*d/(A*k) + 1/(A*a_i))) +
-    ///     1/(a_i*(2*d/(A*k) + 1/(A*a_i))))*sun/(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))) + (d/k + 1/a_i)*T/(A*(d/(A*k) +
-    ///     1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
+    ///     share*(1 + 2*A*k^2/(d^2*a_i*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
+    ///     1/(A*a_i)))) + A*k/(d*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) +
+    ///     A*k/(d*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A^2*k^2/(d^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
+    ///     1/(A*a_i)))) + k/(d*a_i*(d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))))*sun/(k/d + a_i) +
+    ///     (A*k^2/(d^2*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) +
+    ///     k/(d*(d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + a_i)*T/(k/d + a_i)
+    ///     T_ex = A*a_e*T_e/(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))) + share*(A + d/(k*(2*d/(A*k) + 1/(A*a_i))) + 2/(a_i*(2*d/(A*k) +
+    ///     1/(A*a_i))))*sun/(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))) + T/((2*d/(A*k) + 1/(A*a_i))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         const Scalar T = x[0];
         const Scalar sun = u[1];
@@ -565,23 +503,19 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 11 + or -, 21 *, 6 /
+    /// Operations: 10 + or -, 16 *, 5 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / p_.A;
-        const Scalar inverse_2 = Scalar(1) / p_.a_i;
-        const Scalar e3 = p_.d / p_.k;
-        const Scalar inverse_4 = Scalar(1) / (inverse_1 * (inverse_2 + Scalar(2) * e3));
-        const Scalar e5 = p_.a_e / (p_.A * p_.a_e + inverse_4);
-        const Scalar e6 = inverse_4 * e5;
+        const Scalar inverse_1 = Scalar(1) / p_.a_i;
+        const Scalar e2 = p_.d / p_.k;
+        const Scalar inverse_3 = Scalar(1) / ((inverse_1 + Scalar(2) * e2) / p_.A);
+        const Scalar e4 = p_.A * p_.a_e;
+        const Scalar e5 = e4 / (inverse_3 + e4);
+        const Scalar e6 = inverse_3 * e5;
         const Scalar P = u[0];
         const Scalar sun = u[1];
-        const Scalar e7 = p_.A * p_.share;
-        const Scalar e8 = inverse_2 + e3;
-        const Scalar e9 = e8 * e6;
-        const Scalar e10 = e9 / (inverse_1 * e8);
         const Scalar T = x[0];
-        const Scalar e11 = sun * (p_.A * (Scalar(1) - e5 * e7) - e9 * e7 - p_.share * inverse_2 * e10);
-        return p_.A * p_.T_e * e6 + P + e11 - T * e10 + (p_.T_e - T) * (p_.U_w * p_.A_w);
+        const Scalar e7 = p_.A * (Scalar(1) - p_.share * e5) - p_.share * e6 * (Scalar(2) * inverse_1 + e2);
+        return p_.T_e * e6 + P + sun * e7 - T * e6 + (p_.T_e - T) * (p_.U_w * p_.A_w);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -593,21 +527,21 @@ private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
-        Scalar k0;  ///< A*k^2*a_i*a_e*T_e/(C*d^2*(k/d + a_i)*(k/d + 1/(d/k + 1/a_i))*(a_e + 1/(2*d/k + 1/a_i)))
+        Scalar k0;  ///< A^3*k^2*a_i*a_e*T_e/(C*d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
         Scalar k1;  ///< 1/C
-        Scalar k2;  ///< A*(1 + 2*k*a_i*a_e*share/(d*(k/d + a_i)*(k/d + 1/(d/k + 1/a_i))*(a_e + 1/(2*d/k + 1/a_i))) + ...
-        Scalar k3;  ///< A*k*(-k*a_i*a_e/(d*(k/d + a_i)) - k*a_i/(d*(k/d + a_i)*(2*d/k + 1/a_i)) + 1/((d/k + ...
+        Scalar k2;  ///< A*(1 + 2*A^2*k*a_i*a_e*share/(d*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + ...
+        Scalar k3;  ///< A^3*k^2*a_i*a_e/(C*d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
         Scalar k4;  ///< U_w*A_w/C
-        Scalar k5;  ///< (A*k^2*a_i*a_e/(d^2*(k/d + a_i)*(k/d + 1/(d/k + 1/a_i))*(a_e + 1/(2*d/k + 1/a_i))) + U_w*A_w)/C
-        Scalar k6;  ///< A*k^2*a_i*a_e*T_e/(d^2*(k/d + a_i)*(k/d + 1/(d/k + 1/a_i))*(a_e + 1/(2*d/k + 1/a_i)))
-        Scalar k7;  ///< A*share*(k^2*a_i/d^2 + 2*k*a_i*a_e/d + k^2/(d^2*a_i*(d/k + 1/a_i)*(2*d/k + 1/a_i)) + ...
-        Scalar k8;  ///< A*k^2*a_i*a_e/(d^2*(k/d + a_i)*(k/d + 1/(d/k + 1/a_i))*(a_e + 1/(2*d/k + 1/a_i)))
-        Scalar k9;  ///< k^2*a_e*T_e/(d^2*(k/d + a_i)*(k/d + 1/(d/k + 1/a_i))*(a_e + 1/(2*d/k + 1/a_i)))
-        Scalar k10;  ///< share*(1 + k^2/(d^2*a_i^2*(d/k + 1/a_i)*(2*d/k + 1/a_i)*(k/d + 1/(d/k + 1/a_i))*(a_e + 1/(2*d/k ...
-        Scalar k11;  ///< (k^2/(d^2*a_i*(d/k + 1/a_i)*(2*d/k + 1/a_i)*(k/d + 1/(d/k + 1/a_i))*(a_e + 1/(2*d/k + 1/a_i))) + ...
-        Scalar k12;  ///< a_e*T_e/(a_e + 1/(2*d/k + 1/a_i))
-        Scalar k13;  ///< share*(1 + d/(k*(2*d/k + 1/a_i)) + 2/(a_i*(2*d/k + 1/a_i)))/(a_e + 1/(2*d/k + 1/a_i))
-        Scalar k14;  ///< 1/((2*d/k + 1/a_i)*(a_e + 1/(2*d/k + 1/a_i)))
+        Scalar k5;  ///< (A^3*k^2*a_i*a_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
+        Scalar k6;  ///< A^3*k^2*a_i*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
+        Scalar k7;  ///< A*share*(A^2*k^2*a_i/d^2 + 2*A^2*k*a_i*a_e/d + 3*A*k*a_i/(d*(2*d/(A*k) + 1/(A*a_i))) + ...
+        Scalar k8;  ///< A^3*k^2*a_i*a_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
+        Scalar k9;  ///< A^2*k^2*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
+        Scalar k10;  ///< share*(1 + 2*A*k^2/(d^2*a_i*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + ...
+        Scalar k11;  ///< (A*k^2/(d^2*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
+        Scalar k12;  ///< A*a_e*T_e/(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))
+        Scalar k13;  ///< share*(A + d/(k*(2*d/(A*k) + 1/(A*a_i))) + 2/(a_i*(2*d/(A*k) + 1/(A*a_i))))/(A*a_e + ...
+        Scalar k14;  ///< 1/((2*d/(A*k) + 1/(A*a_i))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
     };
     Cached c_{};
 };

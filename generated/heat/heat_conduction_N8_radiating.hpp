@@ -23,8 +23,8 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                 1     14     3        0      0
 //   rhs                   26     13     0        0      0
-//   rhs_and_jacobian      30     17     0        0      0
-//   jacobian_p            48     82     3        0      0
+//   rhs_and_jacobian      28     15     0        0      0
+//   jacobian_p            46     82     3        0      0
 //   internal_energy        7      7     0        0      0
 //   exchanged_power        5      9     0        0      0
 //
@@ -197,7 +197,7 @@ public:
         c_.k4 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000))) * e7;
         c_.k5 = p_.T_inf * p_.T_inf;
         c_.k6 = e5 + e6;
-        c_.k7 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(25000000) * Scalar(1000000000))) * e7;
+        c_.k7 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(12500000) * Scalar(1000000000))) * e7;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -256,7 +256,7 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 8 x 8, entry (i, j) at J[8*j + i].
-    /// Operations: 30 + or -, 17 *
+    /// Operations: 28 + or -, 15 *
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -273,10 +273,7 @@ public:
         const Scalar e6 = c_.k2 * (T_6 - T_7);
         const Scalar T_8 = x[7];
         const Scalar e7 = T_7 - T_8;
-        const Scalar e8 = p_.T_inf - T_8;
-        const Scalar e9 = c_.k4 * (c_.k5 + T_8 * T_8);
-        const Scalar e10 = p_.T_inf + T_8;
-        const Scalar e11 = e8 * e10;
+        const Scalar T_8_squared = T_8 * T_8;
         dxdt[0] = c_.k0 - c_.k1 * e1;
         dxdt[1] = c_.k0 + c_.k2 * e1 - e2;
         dxdt[2] = c_.k0 + e2 - e3;
@@ -284,9 +281,10 @@ public:
         dxdt[4] = c_.k0 + e4 - e5;
         dxdt[5] = c_.k0 + e5 - e6;
         dxdt[6] = c_.k0 - c_.k2 * e7 + e6;
-        dxdt[7] = c_.k0 + c_.k3 * e8 + c_.k1 * e7 + e9 * e11;
-        const Scalar e12 = -c_.k1;
-        J[0] = e12;
+        const Scalar e8 = (p_.T_inf - T_8) * (c_.k3 + c_.k4 * (p_.T_inf + T_8) * (c_.k5 + T_8_squared));
+        dxdt[7] = e8 + c_.k0 + c_.k1 * e7;
+        const Scalar e9 = -c_.k1;
+        J[0] = e9;
         J[1] = c_.k2;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
@@ -295,7 +293,7 @@ public:
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = c_.k1;
-        J[9] = e12;
+        J[9] = e9;
         J[10] = c_.k2;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
@@ -304,7 +302,7 @@ public:
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = c_.k2;
-        J[18] = e12;
+        J[18] = e9;
         J[19] = c_.k2;
         J[20] = Scalar(0);
         J[21] = Scalar(0);
@@ -313,7 +311,7 @@ public:
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = c_.k2;
-        J[27] = e12;
+        J[27] = e9;
         J[28] = c_.k2;
         J[29] = Scalar(0);
         J[30] = Scalar(0);
@@ -322,7 +320,7 @@ public:
         J[33] = Scalar(0);
         J[34] = Scalar(0);
         J[35] = c_.k2;
-        J[36] = e12;
+        J[36] = e9;
         J[37] = c_.k2;
         J[38] = Scalar(0);
         J[39] = Scalar(0);
@@ -331,7 +329,7 @@ public:
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = c_.k2;
-        J[45] = e12;
+        J[45] = e9;
         J[46] = c_.k2;
         J[47] = Scalar(0);
         J[48] = Scalar(0);
@@ -340,7 +338,7 @@ public:
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = c_.k2;
-        J[54] = e12;
+        J[54] = e9;
         J[55] = c_.k1;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
@@ -349,7 +347,7 @@ public:
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = c_.k2;
-        J[63] = e9 * (e8 - e10) - c_.k6 + c_.k7 * T_8 * e11;
+        J[63] = -c_.k6 - c_.k7 * T_8 * T_8_squared;
     }
 
     /// J = df/dx. 8 x 8, entry (i, j) at J[8*j + i].
@@ -364,7 +362,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 8 x 9, entry (i, j) at J[8*j + i].
-    /// Operations: 48 + or -, 82 *, 3 /
+    /// Operations: 46 + or -, 82 *, 3 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -398,23 +396,20 @@ public:
         const Scalar e22 = T_7 - T_8;
         const Scalar e23 = e20 - e22;
         const Scalar e24 = p_.T_inf - T_8;
-        const Scalar e25 = c_.k5 + T_8 * T_8;
-        const Scalar e26 = p_.T_inf + T_8;
-        const Scalar e27 = e24 * e26;
-        const Scalar e28 = e25 * e27;
-        const Scalar e29 = Scalar(98) * e7;
-        const Scalar e30 = Scalar(49) * e7;
-        const Scalar e31 = inverse_3 * e8;
-        const Scalar e32 = Scalar(98) * e31;
-        const Scalar e33 = p_.g * e5;
-        const Scalar e34 = inverse_3 * e33;
-        const Scalar e35 = Scalar(49) * e31;
-        const Scalar e36 = p_.alpha * e6;
-        const Scalar e37 = p_.eps * e6;
-        const Scalar e38 = inverse_4 * e8;
-        const Scalar e39 = Scalar(98) * e38;
-        const Scalar e40 = inverse_4 * e33;
-        const Scalar e41 = Scalar(49) * e38;
+        const Scalar e25 = (c_.k5 + T_8 * T_8) * (e24 * (p_.T_inf + T_8));
+        const Scalar e26 = Scalar(98) * e7;
+        const Scalar e27 = Scalar(49) * e7;
+        const Scalar e28 = inverse_3 * e8;
+        const Scalar e29 = Scalar(98) * e28;
+        const Scalar e30 = p_.g * e5;
+        const Scalar e31 = inverse_3 * e30;
+        const Scalar e32 = Scalar(49) * e28;
+        const Scalar e33 = p_.alpha * e6;
+        const Scalar e34 = p_.eps * e6;
+        const Scalar e35 = inverse_4 * e8;
+        const Scalar e36 = Scalar(98) * e35;
+        const Scalar e37 = inverse_4 * e30;
+        const Scalar e38 = Scalar(49) * e35;
         J[0] = e1 * e10;
         J[1] = -e11 * e13;
         J[2] = -e11 * e15;
@@ -422,9 +417,9 @@ public:
         J[4] = -e11 * e19;
         J[5] = -e11 * e21;
         J[6] = -e11 * e23;
-        const Scalar e42 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
+        const Scalar e39 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
             * p_.eps * e7;
-        J[7] = -e24 * (Scalar(14) * p_.alpha * e7) - e22 * e10 - e42 * e28;
+        J[7] = -e24 * (Scalar(14) * p_.alpha * e7) - e22 * e10 - e39 * e25;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
@@ -433,34 +428,34 @@ public:
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
-        J[16] = -e1 * e29;
-        J[17] = e30 * e13;
-        J[18] = e30 * e15;
-        J[19] = e30 * e17;
-        J[20] = e30 * e19;
-        J[21] = e30 * e21;
-        J[22] = e30 * e23;
-        J[23] = e22 * e29;
-        J[24] = e1 * e32 - e34;
-        J[25] = -e34 - e35 * e13;
-        J[26] = -e34 - e35 * e15;
-        J[27] = -e34 - e35 * e17;
-        J[28] = -e34 - e35 * e19;
-        J[29] = -e34 - e35 * e21;
-        J[30] = -e34 - e35 * e23;
-        const Scalar e43 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * inverse_3 * e37;
-        J[31] = -e34 - e24 * (Scalar(14) * inverse_3 * e36) - e22 * e32 - e43 * e28;
-        J[32] = e1 * e39 - e40;
-        J[33] = -e40 - e41 * e13;
-        J[34] = -e40 - e41 * e15;
-        J[35] = -e40 - e41 * e17;
-        J[36] = -e40 - e41 * e19;
-        J[37] = -e40 - e41 * e21;
-        J[38] = -e40 - e41 * e23;
-        const Scalar e44 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
-            * inverse_4 * e37;
-        J[39] = -e40 - e24 * (Scalar(14) * inverse_4 * e36) - e22 * e39 - e44 * e28;
+        J[16] = -e1 * e26;
+        J[17] = e27 * e13;
+        J[18] = e27 * e15;
+        J[19] = e27 * e17;
+        J[20] = e27 * e19;
+        J[21] = e27 * e21;
+        J[22] = e27 * e23;
+        J[23] = e22 * e26;
+        J[24] = e1 * e29 - e31;
+        J[25] = -e31 - e32 * e13;
+        J[26] = -e31 - e32 * e15;
+        J[27] = -e31 - e32 * e17;
+        J[28] = -e31 - e32 * e19;
+        J[29] = -e31 - e32 * e21;
+        J[30] = -e31 - e32 * e23;
+        const Scalar e40 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
+            * inverse_3 * e34;
+        J[31] = -e31 - e24 * (Scalar(14) * inverse_3 * e33) - e22 * e29 - e40 * e25;
+        J[32] = e1 * e36 - e37;
+        J[33] = -e37 - e38 * e13;
+        J[34] = -e37 - e38 * e15;
+        J[35] = -e37 - e38 * e17;
+        J[36] = -e37 - e38 * e19;
+        J[37] = -e37 - e38 * e21;
+        J[38] = -e37 - e38 * e23;
+        const Scalar e41 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
+            * inverse_4 * e34;
+        J[39] = -e37 - e24 * (Scalar(14) * inverse_4 * e33) - e22 * e36 - e41 * e25;
         J[40] = e5;
         J[41] = e5;
         J[42] = e5;
@@ -484,9 +479,9 @@ public:
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = Scalar(0);
-        const Scalar e45 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
+        const Scalar e42 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(50000000) * Scalar(1000000000)))
             * e6;
-        J[63] = e45 * e28;
+        J[63] = e42 * e25;
         J[64] = Scalar(0);
         J[65] = Scalar(0);
         J[66] = Scalar(0);
@@ -494,9 +489,9 @@ public:
         J[68] = Scalar(0);
         J[69] = Scalar(0);
         J[70] = Scalar(0);
-        const Scalar e46 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(25000000) * Scalar(1000000000)))
-            * p_.T_inf * e37;
-        J[71] = c_.k4 * e25 * (e24 + e26) + c_.k3 + e46 * e27;
+        const Scalar e43 = ((Scalar(39) * Scalar(1000000000) + Scalar(692620933)) / (Scalar(12500000) * Scalar(1000000000)))
+            * p_.T_inf * p_.T_inf * p_.T_inf * e34;
+        J[71] = Scalar(14) * e33 + e43;
     }
 
     /// J = df/dt at fixed x and u.
@@ -652,7 +647,7 @@ private:
         Scalar k4;  ///< 14*stefan_boltzmann*eps/(R*rho*c_p)
         Scalar k5;  ///< T_inf^2
         Scalar k6;  ///< (98*lambda/R + 14*alpha)/(R*rho*c_p)
-        Scalar k7;  ///< 28*stefan_boltzmann*eps/(R*rho*c_p)
+        Scalar k7;  ///< 56*stefan_boltzmann*eps/(R*rho*c_p)
     };
     Cached c_{};
 };

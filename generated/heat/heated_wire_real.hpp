@@ -17,9 +17,9 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                 9     52     6        0      0
 //   rhs                   13     15     0        0      0
-//   rhs_and_jacobian      21     25     0        0      0
+//   rhs_and_jacobian      19     23     0        0      0
 //   jacobian_u             2      2     0        0      0
-//   jacobian_p            48    158     6        0      0
+//   jacobian_p            43    153     6        0      0
 //   output                 4      6     0        0      0
 //   output_jacobian_x      1      6     0        0      0
 //   output_jacobian_u      2      2     0        0      0
@@ -226,8 +226,8 @@ public:
         const Scalar e19 = inverse_15 * e13;
         c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e19;
         c_.k8 = p_.T_0 * p_.T_0;
-        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(12500000) * Scalar(1000000000))) * e14;
-        c_.k10 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(12500000) * Scalar(1000000000))) * e19;
+        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(6250000) * Scalar(1000000000))) * e14;
+        c_.k10 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(6250000) * Scalar(1000000000))) * e19;
         c_.k11 = Scalar(32) * e17;
         c_.k12 = -Scalar(32) * e18;
         c_.k13 = -Scalar(32) * e9;
@@ -281,32 +281,28 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 3 x 3, entry (i, j) at J[3*j + i].
-    /// Operations: 21 + or -, 25 *
+    /// Operations: 19 + or -, 23 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_ac = x[0];
-        const Scalar e1 = p_.T_0 - T_ac;
-        const Scalar e2 = p_.T_0 + T_ac;
-        const Scalar e3 = c_.k3 * (c_.k8 + T_ac * T_ac);
-        const Scalar e4 = c_.k2 + e2 * e3;
+        const Scalar T_ac_squared = T_ac * T_ac;
         const Scalar I_ac = u[0];
         const Scalar I_ac_squared = I_ac * I_ac;
-        const Scalar e5 = c_.k1 * I_ac_squared;
+        const Scalar e1 = c_.k1 * I_ac_squared;
         const Scalar T_dc = x[1];
-        const Scalar e6 = p_.T_0 - T_dc;
-        const Scalar e7 = p_.T_0 + T_dc;
-        const Scalar e8 = c_.k7 * (c_.k8 + T_dc * T_dc);
-        const Scalar e9 = c_.k6 + e7 * e8;
+        const Scalar T_dc_squared = T_dc * T_dc;
         const Scalar I_dc = x[2];
         const Scalar I_dc_squared = I_dc * I_dc;
-        const Scalar e10 = c_.k4 * I_dc_squared;
-        dxdt[0] = e1 * e4 - c_.k0 * I_ac_squared + T_ac * e5;
-        dxdt[1] = e6 * e9 - c_.k5 * I_dc_squared + T_dc * e10;
+        const Scalar e2 = c_.k4 * I_dc_squared;
+        const Scalar e3 = (p_.T_0 - T_ac) * (c_.k2 + c_.k3 * (p_.T_0 + T_ac) * (c_.k8 + T_ac_squared));
+        dxdt[0] = e3 - c_.k0 * I_ac_squared + T_ac * e1;
+        const Scalar e4 = (p_.T_0 - T_dc) * (c_.k6 + c_.k7 * (p_.T_0 + T_dc) * (c_.k8 + T_dc_squared));
+        dxdt[1] = e4 - c_.k5 * I_dc_squared + T_dc * e2;
         dxdt[2] = p_.k_c * (T_ac - T_dc);
-        J[0] = e1 * (c_.k9 * T_ac * e2 + e3) - e4 + e5;
+        J[0] = e1 - c_.k2 - c_.k9 * T_ac * T_ac_squared;
         J[1] = Scalar(0);
         J[2] = p_.k_c;
         J[3] = Scalar(0);
-        J[4] = e6 * (c_.k10 * T_dc * e7 + e8) - e9 + e10;
+        J[4] = e2 - c_.k6 - c_.k10 * T_dc * T_dc_squared;
         J[5] = -p_.k_c;
         J[6] = Scalar(0);
         J[7] = I_dc * (c_.k11 * T_dc - c_.k12);
@@ -330,116 +326,109 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 12, entry (i, j) at J[3*j + i].
-    /// Operations: 48 + or -, 158 *, 6 /
+    /// Operations: 43 + or -, 153 *, 6 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.D_dc;
         const Scalar e2 = Scalar(1) - p_.gamma * p_.T_0;
-        const Scalar inverse_3 = Scalar(1) / p_.rho;
-        const Scalar inverse_4 = Scalar(1) / p_.c_p;
-        const Scalar e5 = inverse_3 * inverse_4;
-        const Scalar inverse_6 = Scalar(1) / detail::pi<Scalar>();
-        const Scalar e7 = e5 * (inverse_6 * inverse_6);
-        const Scalar e8 = p_.rho_0 * e7;
-        const Scalar inverse_1_squared = inverse_1 * inverse_1;
-        const Scalar inverse_1_squared_squared = inverse_1_squared * inverse_1_squared;
-        const Scalar e9 = e8 * inverse_1_squared_squared;
-        const Scalar e10 = e2 * e9;
+        const Scalar inverse_3 = Scalar(1) / detail::pi<Scalar>();
+        const Scalar inverse_3_squared = inverse_3 * inverse_3;
+        const Scalar e4 = p_.rho_0 * inverse_3_squared;
+        const Scalar inverse_5 = Scalar(1) / p_.rho;
+        const Scalar inverse_6 = Scalar(1) / p_.c_p;
+        const Scalar e7 = inverse_5 * inverse_6;
+        const Scalar e8 = inverse_1 * e7;
+        const Scalar e9 = inverse_1 * e8;
+        const Scalar e10 = e9 * (inverse_1 * inverse_1);
+        const Scalar e11 = e4 * e10;
+        const Scalar e12 = e2 * e11;
         const Scalar I_dc = x[2];
         const Scalar I_dc_squared = I_dc * I_dc;
         const Scalar T_dc = x[1];
-        const Scalar e11 = p_.T_0 - T_dc;
-        const Scalar e12 = p_.alpha * e5;
-        const Scalar e13 = p_.gamma * e9;
-        const Scalar e14 = T_dc * I_dc_squared;
-        const Scalar e15 = p_.eps * e5;
-        const Scalar e16 = c_.k8 + T_dc * T_dc;
-        const Scalar e17 = p_.T_0 + T_dc;
-        const Scalar e18 = e11 * e17;
-        const Scalar e19 = e16 * e18;
-        const Scalar inverse_20 = Scalar(1) / p_.D_ac;
-        const Scalar inverse_20_squared = inverse_20 * inverse_20;
-        const Scalar e21 = inverse_20_squared / p_.s;
-        const Scalar e22 = inverse_20_squared * e21;
-        const Scalar e23 = e8 * e22;
-        const Scalar e24 = e2 * e23;
+        const Scalar e13 = p_.T_0 - T_dc;
+        const Scalar e14 = p_.gamma * e11;
+        const Scalar e15 = T_dc * I_dc_squared;
+        const Scalar e16 = (c_.k8 + T_dc * T_dc) * (e13 * (p_.T_0 + T_dc));
+        const Scalar inverse_17 = Scalar(1) / p_.D_ac;
+        const Scalar inverse_18 = Scalar(1) / p_.s;
+        const Scalar e19 = inverse_17 * e7;
+        const Scalar e20 = inverse_17 * e19;
+        const Scalar e21 = inverse_17 * inverse_17 * (inverse_18 * e20);
+        const Scalar e22 = e4 * e21;
+        const Scalar e23 = e2 * e22;
         const Scalar I_ac = u[0];
         const Scalar I_ac_squared = I_ac * I_ac;
         const Scalar T_ac = x[0];
-        const Scalar e25 = p_.T_0 - T_ac;
-        const Scalar e26 = p_.gamma * e23;
-        const Scalar e27 = T_ac * I_ac_squared;
-        const Scalar e28 = c_.k8 + T_ac * T_ac;
-        const Scalar e29 = p_.T_0 + T_ac;
-        const Scalar e30 = e25 * e29;
-        const Scalar e31 = e28 * e30;
-        const Scalar e32 = e21 * (e8 * e21);
-        const Scalar e33 = p_.gamma * e7;
-        const Scalar e34 = e2 * e7;
-        const Scalar e35 = inverse_20 * e15;
-        const Scalar e36 = inverse_1 * e15;
-        const Scalar e37 = inverse_3 * e12;
-        const Scalar e38 = inverse_4 * e12;
-        const Scalar e39 = inverse_20 * e5;
-        const Scalar e40 = inverse_1 * e5;
+        const Scalar e24 = p_.T_0 - T_ac;
+        const Scalar e25 = p_.gamma * e22;
+        const Scalar e26 = T_ac * I_ac_squared;
+        const Scalar e27 = (c_.k8 + T_ac * T_ac) * (e24 * (p_.T_0 + T_ac));
+        const Scalar e28 = p_.gamma * inverse_3_squared;
+        const Scalar e29 = e2 * inverse_3_squared;
+        const Scalar e30 = ((Scalar(25000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
+            * p_.alpha;
+        const Scalar e31 = p_.T_0 * p_.T_0 * p_.T_0 * p_.eps + e30;
+        const Scalar e32 = p_.alpha * inverse_5;
+        const Scalar e33 = p_.eps * inverse_5;
+        const Scalar e34 = p_.alpha * inverse_6;
+        const Scalar e35 = p_.eps * inverse_6;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
         J[3] = Scalar(0);
-        const Scalar e41 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * inverse_1_squared * e15;
-        J[4] = (-Scalar(64) * inverse_1 * e10) * I_dc_squared - e11 * (Scalar(4) * inverse_1_squared * e12) - Scalar(64)
-            * inverse_1 * e13 * e14 - e41 * e19;
+        const Scalar e36 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * p_.eps * e9;
+        J[4] = (-Scalar(64) * inverse_1 * e12) * I_dc_squared - e13 * (Scalar(4) * p_.alpha * e9) - Scalar(64) * inverse_1
+            * e14 * e15 - e36 * e16;
         J[5] = Scalar(0);
-        const Scalar e42 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * inverse_20_squared * e15;
-        J[6] = (-Scalar(64) * inverse_20 * e24) * I_ac_squared - e25 * (Scalar(4) * inverse_20_squared * e12) - Scalar(64)
-            * inverse_20 * e26 * e27 - e42 * e31;
+        const Scalar e37 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * p_.eps * e20;
+        J[6] = (-Scalar(64) * inverse_17 * e23) * I_ac_squared - e24 * (Scalar(4) * p_.alpha * e20) - Scalar(64) * inverse_17
+            * e25 * e26 - e37 * e27;
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = (-Scalar(16) * e2 * e32) * I_ac_squared - Scalar(16) * p_.gamma * e32 * e27;
+        J[9] = (-Scalar(16) * inverse_18 * e23) * I_ac_squared - Scalar(16) * inverse_18 * e25 * e26;
         J[10] = Scalar(0);
         J[11] = Scalar(0);
-        J[12] = Scalar(16) * e22 * e33 * e27 - (-Scalar(16) * e22 * e34) * I_ac_squared;
-        J[13] = Scalar(16) * inverse_1_squared_squared * e33 * e14 - (-Scalar(16) * inverse_1_squared_squared * e34)
-            * I_dc_squared;
+        J[12] = Scalar(16) * e21 * e28 * e26 - (-Scalar(16) * e21 * e29) * I_ac_squared;
+        J[13] = Scalar(16) * e10 * e28 * e15 - (-Scalar(16) * e10 * e29) * I_dc_squared;
         J[14] = Scalar(0);
-        J[15] = Scalar(16) * e23 * e27 - Scalar(16) * p_.T_0 * e23 * I_ac_squared;
-        J[16] = Scalar(16) * e9 * e14 - Scalar(16) * p_.T_0 * e9 * I_dc_squared;
+        J[15] = Scalar(16) * e22 * e26 - Scalar(16) * p_.T_0 * e22 * I_ac_squared;
+        J[16] = Scalar(16) * e11 * e15 - Scalar(16) * p_.T_0 * e11 * I_dc_squared;
         J[17] = Scalar(0);
-        const Scalar e43 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(12500000) * Scalar(1000000000)))
-            * p_.T_0 * e35;
-        J[18] = c_.k3 * e28 * (e25 + e29) + c_.k2 - c_.k1 * I_ac_squared + e43 * e30;
-        const Scalar e44 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(12500000) * Scalar(1000000000)))
-            * p_.T_0 * e36;
-        J[19] = c_.k7 * e16 * (e11 + e17) + c_.k6 - c_.k4 * I_dc_squared + e44 * e18;
+        const Scalar e38 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(6250000) * Scalar(1000000000)))
+            * e19 * e31;
+        J[18] = e38 - c_.k1 * I_ac_squared;
+        const Scalar e39 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(6250000) * Scalar(1000000000))) * e8
+            * e31;
+        J[19] = e39 - c_.k4 * I_dc_squared;
         J[20] = Scalar(0);
-        const Scalar e45 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * inverse_3 * e35;
-        J[21] = (-Scalar(16) * inverse_3 * e24) * I_ac_squared - e25 * (Scalar(4) * inverse_20 * e37) - Scalar(16) * inverse_3
-            * e26 * e27 - e45 * e31;
-        const Scalar e46 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * inverse_3 * e36;
-        J[22] = (-Scalar(16) * inverse_3 * e10) * I_dc_squared - e11 * (Scalar(4) * inverse_1 * e37) - Scalar(16) * inverse_3
-            * e13 * e14 - e46 * e19;
+        const Scalar e40 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e19 * e33;
+        J[21] = (-Scalar(16) * inverse_5 * e23) * I_ac_squared - e24 * (Scalar(4) * e19 * e32) - Scalar(16) * inverse_5 * e25
+            * e26 - e40 * e27;
+        const Scalar e41 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e8 * e33;
+        J[22] = (-Scalar(16) * inverse_5 * e12) * I_dc_squared - e13 * (Scalar(4) * e8 * e32) - Scalar(16) * inverse_5 * e14
+            * e15 - e41 * e16;
         J[23] = Scalar(0);
-        const Scalar e47 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * inverse_4 * e35;
-        J[24] = (-Scalar(16) * inverse_4 * e24) * I_ac_squared - e25 * (Scalar(4) * inverse_20 * e38) - Scalar(16) * inverse_4
-            * e26 * e27 - e47 * e31;
-        const Scalar e48 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * inverse_4 * e36;
-        J[25] = (-Scalar(16) * inverse_4 * e10) * I_dc_squared - e11 * (Scalar(4) * inverse_1 * e38) - Scalar(16) * inverse_4
-            * e13 * e14 - e48 * e19;
+        const Scalar e42 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e19 * e35;
+        J[24] = (-Scalar(16) * inverse_6 * e23) * I_ac_squared - e24 * (Scalar(4) * e19 * e34) - Scalar(16) * inverse_6 * e25
+            * e26 - e42 * e27;
+        const Scalar e43 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e8 * e35;
+        J[25] = (-Scalar(16) * inverse_6 * e12) * I_dc_squared - e13 * (Scalar(4) * e8 * e34) - Scalar(16) * inverse_6 * e14
+            * e15 - e43 * e16;
         J[26] = Scalar(0);
-        J[27] = e25 * (Scalar(4) * e39);
-        J[28] = e11 * (Scalar(4) * e40);
+        J[27] = e24 * (Scalar(4) * e19);
+        J[28] = e13 * (Scalar(4) * e8);
         J[29] = Scalar(0);
-        const Scalar e49 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e39;
-        J[30] = e49 * e31;
-        const Scalar e50 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e40;
-        J[31] = e50 * e19;
+        const Scalar e44 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e19;
+        J[30] = e44 * e27;
+        const Scalar e45 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e8;
+        J[31] = e45 * e16;
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
@@ -593,8 +582,8 @@ private:
         Scalar k6;  ///< 4*alpha/(D_dc*rho*c_p)
         Scalar k7;  ///< 4*stefan_boltzmann*eps/(D_dc*rho*c_p)
         Scalar k8;  ///< T_0^2
-        Scalar k9;  ///< 8*stefan_boltzmann*eps/(D_ac*rho*c_p)
-        Scalar k10;  ///< 8*stefan_boltzmann*eps/(D_dc*rho*c_p)
+        Scalar k9;  ///< 16*stefan_boltzmann*eps/(D_ac*rho*c_p)
+        Scalar k10;  ///< 16*stefan_boltzmann*eps/(D_dc*rho*c_p)
         Scalar k11;  ///< 32*rho_0*gamma/(D_dc^4*rho*c_p*pi^2)
         Scalar k12;  ///< 32*rho_0*(-1 + gamma*T_0)/(D_dc^4*rho*c_p*pi^2)
         Scalar k13;  ///< 32*rho_0*(-1 + gamma*T_0)/(D_ac^4*s*rho*c_p*pi^2)

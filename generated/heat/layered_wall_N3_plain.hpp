@@ -21,7 +21,7 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                13     55    19        0      0
 //   rhs                   10     10     0        0      0
-//   rhs_and_jacobian      13     10     0        0      0
+//   rhs_and_jacobian      11     10     0        0      0
 //   jacobian_p            65    224    13        0      0
 //   output                12     14     0        0      6
 //   output_jacobian_x      1      0     0        0      0
@@ -321,26 +321,28 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 3 x 3, entry (i, j) at J[3*j + i].
-    /// Operations: 13 + or -, 10 *
+    /// Operations: 11 + or -, 10 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
+        const Scalar e1 = T_1 - T_2;
         const Scalar T_3 = x[2];
+        const Scalar e2 = T_2 - T_3;
         const Scalar T_a = u[1];
         const Scalar sun = u[2];
-        dxdt[0] = c_.k0 + c_.k1 * T_i - c_.k2 * T_1 + c_.k3 * T_2;
-        dxdt[1] = c_.k4 + c_.k5 * T_1 - c_.k6 * T_2 + c_.k7 * T_3;
-        dxdt[2] = c_.k8 + c_.k9 * T_a + c_.k10 * sun + c_.k11 * T_2 - c_.k12 * T_3;
-        J[0] = -c_.k2;
+        dxdt[0] = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k3;
+        dxdt[1] = c_.k4 + e1 * c_.k5 - e2 * c_.k7;
+        dxdt[2] = c_.k9 * (T_a - T_3) + c_.k8 + sun * c_.k10 + e2 * c_.k11;
+        J[0] = (-Scalar(1)) * c_.k2;
         J[1] = c_.k5;
         J[2] = Scalar(0);
         J[3] = c_.k3;
-        J[4] = -c_.k6;
+        J[4] = (-Scalar(1)) * c_.k6;
         J[5] = c_.k11;
         J[6] = Scalar(0);
         J[7] = c_.k7;
-        J[8] = -c_.k12;
+        J[8] = (-Scalar(1)) * c_.k12;
     }
 
     /// J = df/dx. 3 x 3, entry (i, j) at J[3*j + i].

@@ -20,7 +20,7 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                13     67    19        0      0
 //   rhs                   12     16     0        0      1
-//   rhs_and_jacobian      16     20     1        0      1
+//   rhs_and_jacobian      15     19     1        0      1
 //   jacobian_u             4     14     1        0      1
 //   jacobian_p            75    255    14        0      1
 //   output                13     18     0        0      7
@@ -354,30 +354,32 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 3 x 3, entry (i, j) at J[3*j + i].
-    /// Operations: 16 + or -, 20 *, 1 /, 1 other functions
+    /// Operations: 15 + or -, 19 *, 1 /, 1 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
+        const Scalar e1 = T_1 - T_2;
         const Scalar T_3 = x[2];
+        const Scalar e2 = T_2 - T_3;
         const Scalar T_a = u[1];
         const Scalar T_h = u[2];
         const Scalar sun = u[3];
-        const Scalar e1 = c_.k13 * T_a + c_.k12 * T_h * T_h * T_h * T_h + c_.k14 * sun + c_.k15 * T_3;
-        const Scalar radiant_temperature_2 = detail::radiant_temperature<Scalar>(c_.k12, e1);
-        dxdt[0] = c_.k0 + c_.k1 * T_i - c_.k2 * T_1 + c_.k3 * T_2;
-        dxdt[1] = c_.k4 + c_.k5 * T_1 - c_.k6 * T_2 + c_.k7 * T_3;
-        dxdt[2] = c_.k8 + c_.k9 * T_2 - c_.k10 * T_3 + c_.k11 * radiant_temperature_2;
-        J[0] = -c_.k2;
+        const Scalar e3 = T_a * c_.k13 + T_h * T_h * T_h * T_h * c_.k12 + sun * c_.k14 + T_3 * c_.k15;
+        const Scalar radiant_temperature_4 = detail::radiant_temperature<Scalar>(c_.k12, e3);
+        dxdt[0] = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k3;
+        dxdt[1] = c_.k4 + e1 * c_.k5 - e2 * c_.k7;
+        dxdt[2] = c_.k8 - c_.k11 * (T_3 - radiant_temperature_4) + e2 * c_.k9;
+        J[0] = (-Scalar(1)) * c_.k2;
         J[1] = c_.k5;
         J[2] = Scalar(0);
         J[3] = c_.k3;
-        J[4] = -c_.k6;
+        J[4] = (-Scalar(1)) * c_.k6;
         J[5] = c_.k9;
         J[6] = Scalar(0);
         J[7] = c_.k7;
-        const Scalar e3 = c_.k17 * radiant_temperature_2 * radiant_temperature_2 * radiant_temperature_2;
-        J[8] = c_.k16 / ((Scalar(25000000) * Scalar(1000000000)) + e3) - c_.k10;
+        const Scalar e5 = radiant_temperature_4 * radiant_temperature_4 * radiant_temperature_4 * c_.k17;
+        J[8] = c_.k16 / ((Scalar(25000000) * Scalar(1000000000)) + e5) - c_.k10;
     }
 
     /// J = df/dx. 3 x 3, entry (i, j) at J[3*j + i].

@@ -17,11 +17,11 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                18     69    16        0      0
-//   rhs                   40     37     0        0      0
-//   rhs_and_jacobian      59     55     0        0      0
-//   jacobian_u             5      7     0        0      0
-//   jacobian_p           132    300    10        0      0
+//   update                18     75    16        0      0
+//   rhs                   35     41     0        0      0
+//   rhs_and_jacobian      57     54     0        0      0
+//   jacobian_u             0      3     0        0      0
+//   jacobian_p           132    298    10        0      0
 //   output                 8      7     0        0      6
 //   output_jacobian_x      1      0     0        0      0
 //   output_jacobian_u     13     10     0        0     12
@@ -231,7 +231,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 18 + or -, 69 *, 16 /
+    /// Operations: 18 + or -, 75 *, 16 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.lambda[0];
@@ -244,88 +244,100 @@ public:
         c_.k0 = p_.g * e6;
         const Scalar inverse_7 = Scalar(1) / p_.L[0];
         const Scalar e8 = p_.lambda[0] * inverse_7;
-        const Scalar e9 = (Scalar(1) - p_.b[0] * p_.T_ref) * e8;
-        const Scalar e10 = inverse_7 * e6;
-        const Scalar e11 = e9 * e10;
-        c_.k1 = Scalar(4) * e11;
-        const Scalar e12 = p_.b[0] * e8;
-        const Scalar e13 = e12 * e10;
-        c_.k2 = Scalar(2) * e13;
-        c_.k3 = Scalar(2) * e11;
-        c_.k4 = e13;
-        const Scalar e14 = Scalar(1) / p_.rho[1] / p_.c_p[1];
-        c_.k5 = p_.g * e14;
-        const Scalar inverse_15 = Scalar(1) / p_.L[1];
-        const Scalar e16 = p_.lambda[1] * inverse_15;
-        const Scalar e17 = (Scalar(1) - p_.b[1] * p_.T_ref) * e16;
-        const Scalar e18 = inverse_15 * e14;
-        const Scalar e19 = e17 * e18;
-        c_.k6 = Scalar(4) * e19;
-        const Scalar e20 = p_.b[1] * e16;
-        const Scalar e21 = e20 * e18;
-        c_.k7 = Scalar(2) * e21;
-        c_.k8 = Scalar(2) * e19;
-        c_.k9 = e21;
-        const Scalar e22 = Scalar(1) / p_.rho[2] / p_.c_p[2];
-        c_.k10 = p_.g * e22;
-        const Scalar inverse_23 = Scalar(1) / p_.L[2];
-        const Scalar e24 = p_.lambda[2] * inverse_23;
-        const Scalar e25 = (Scalar(1) - p_.b[2] * p_.T_ref) * e24;
-        const Scalar e26 = inverse_23 * e22;
-        const Scalar e27 = e25 * e26;
-        c_.k11 = Scalar(4) * e27;
-        const Scalar e28 = p_.b[2] * e24;
-        const Scalar e29 = e28 * e26;
-        c_.k12 = Scalar(2) * e29;
-        c_.k13 = Scalar(2) * e27;
-        c_.k14 = e29;
-        const Scalar inverse_30 = Scalar(1) / p_.C_s;
-        const Scalar e31 = inverse_30 * e9;
-        const Scalar e32 = Scalar(2) * e31;
-        c_.k15 = -e32;
-        const Scalar e33 = inverse_30 * e12;
-        c_.k16 = e33;
-        const Scalar e34 = p_.alpha_0 * inverse_30;
-        c_.k17 = e34;
-        const Scalar e35 = inverse_30 * e17;
-        c_.k18 = -Scalar(2) * e35;
-        const Scalar e36 = inverse_30 * e20;
-        c_.k19 = e36;
-        c_.k20 = Scalar(2) * (-e35 - e31);
-        const Scalar e37 = e36 + e33;
-        c_.k21 = e37;
-        const Scalar e38 = inverse_30 * e25;
-        const Scalar e39 = Scalar(2) * e38;
-        c_.k22 = -e39;
-        const Scalar e40 = inverse_30 * e28;
-        c_.k23 = e40;
-        c_.k24 = Scalar(2) * (-e35 - e38);
-        const Scalar e41 = e36 + e40;
-        c_.k25 = e41;
-        c_.k26 = p_.a_s * inverse_30;
-        const Scalar e42 = p_.alpha_L * inverse_30;
-        c_.k27 = e42;
-        const Scalar e43 = p_.eps * inverse_30;
-        c_.k28 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e43;
-        c_.k29 = Scalar(4) * e13;
-        c_.k30 = Scalar(2) * e33;
-        c_.k31 = Scalar(4) * e21;
-        c_.k32 = Scalar(2) * e36;
-        c_.k33 = Scalar(4) * e29;
-        c_.k34 = Scalar(2) * e40;
-        c_.k35 = -e32 - e34;
-        c_.k36 = Scalar(2) * e37;
-        c_.k37 = Scalar(2) * e41;
-        c_.k38 = -e39 - e42;
-        c_.k39 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e43;
-        c_.k40 = p_.A * p_.alpha_0;
+        const Scalar e9 = e6 * (inverse_7 * e8);
+        c_.k1 = Scalar(2) * e9;
+        c_.k2 = e9;
+        const Scalar e10 = Scalar(1) - p_.b[0] * p_.T_ref;
+        c_.k3 = Scalar(2) * e10;
+        const Scalar e11 = Scalar(1) / p_.rho[1] / p_.c_p[1];
+        c_.k4 = p_.g * e11;
+        const Scalar inverse_12 = Scalar(1) / p_.L[1];
+        const Scalar e13 = p_.lambda[1] * inverse_12;
+        const Scalar e14 = e11 * (inverse_12 * e13);
+        c_.k5 = Scalar(2) * e14;
+        c_.k6 = e14;
+        const Scalar e15 = Scalar(1) - p_.b[1] * p_.T_ref;
+        c_.k7 = Scalar(2) * e15;
+        const Scalar e16 = Scalar(1) / p_.rho[2] / p_.c_p[2];
+        c_.k8 = p_.g * e16;
+        const Scalar inverse_17 = Scalar(1) / p_.L[2];
+        const Scalar e18 = p_.lambda[2] * inverse_17;
+        const Scalar e19 = e16 * (inverse_17 * e18);
+        c_.k9 = Scalar(2) * e19;
+        c_.k10 = e19;
+        const Scalar e20 = Scalar(1) - p_.b[2] * p_.T_ref;
+        c_.k11 = Scalar(2) * e20;
+        const Scalar inverse_21 = Scalar(1) / p_.C_s;
+        const Scalar e22 = p_.alpha_0 * inverse_21;
+        c_.k12 = e22;
+        const Scalar e23 = inverse_21 * e8;
+        c_.k13 = e23;
+        const Scalar e24 = inverse_21 * e13;
+        c_.k14 = e24;
+        const Scalar e25 = inverse_21 * e18;
+        c_.k15 = e25;
+        c_.k16 = p_.a_s * inverse_21;
+        const Scalar e26 = p_.alpha_L * inverse_21;
+        c_.k17 = e26;
+        const Scalar e27 = p_.eps * inverse_21;
+        c_.k18 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e27;
+        const Scalar e28 = e10 * e9;
+        c_.k19 = Scalar(4) * e28;
+        const Scalar e29 = p_.b[0] * e9;
+        c_.k20 = Scalar(2) * e29;
+        c_.k21 = Scalar(2) * e28;
+        c_.k22 = e29;
+        const Scalar e30 = e15 * e14;
+        c_.k23 = Scalar(4) * e30;
+        const Scalar e31 = p_.b[1] * e14;
+        c_.k24 = Scalar(2) * e31;
+        c_.k25 = Scalar(2) * e30;
+        c_.k26 = e31;
+        const Scalar e32 = e20 * e19;
+        c_.k27 = Scalar(4) * e32;
+        const Scalar e33 = p_.b[2] * e19;
+        c_.k28 = Scalar(2) * e33;
+        c_.k29 = Scalar(2) * e32;
+        c_.k30 = e33;
+        const Scalar e34 = e10 * e23;
+        const Scalar e35 = Scalar(2) * e34;
+        c_.k31 = -e35;
+        const Scalar e36 = p_.b[0] * e23;
+        c_.k32 = e36;
+        const Scalar e37 = e15 * e24;
+        c_.k33 = -Scalar(2) * e37;
+        const Scalar e38 = p_.b[1] * e24;
+        c_.k34 = e38;
+        c_.k35 = Scalar(2) * (-e37 - e34);
+        const Scalar e39 = e38 + e36;
+        c_.k36 = e39;
+        const Scalar e40 = e20 * e25;
+        const Scalar e41 = Scalar(2) * e40;
+        c_.k37 = -e41;
+        const Scalar e42 = p_.b[2] * e25;
+        c_.k38 = e42;
+        c_.k39 = Scalar(2) * (-e37 - e40);
+        const Scalar e43 = e38 + e42;
+        c_.k40 = e43;
+        c_.k41 = Scalar(4) * e29;
+        c_.k42 = Scalar(2) * e36;
+        c_.k43 = Scalar(4) * e31;
+        c_.k44 = Scalar(2) * e38;
+        c_.k45 = Scalar(4) * e33;
+        c_.k46 = Scalar(2) * e42;
+        c_.k47 = -e35 - e22;
+        c_.k48 = Scalar(2) * e39;
+        c_.k49 = Scalar(2) * e43;
+        c_.k50 = -e41 - e26;
+        c_.k51 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e27;
+        c_.k52 = p_.A * p_.alpha_0;
         const Scalar e44 = c_.k * inverse_4;
-        c_.k41 = Scalar(1) - e44;
-        c_.k42 = c_.k * inverse_1;
-        c_.k43 = c_.k * inverse_2;
-        c_.k44 = c_.k * inverse_3;
-        c_.k45 = e44;
-        c_.k46 = p_.L[0] + p_.L[1];
+        c_.k53 = Scalar(1) - e44;
+        c_.k54 = c_.k * inverse_1;
+        c_.k55 = c_.k * inverse_2;
+        c_.k56 = c_.k * inverse_3;
+        c_.k57 = e44;
+        c_.k58 = p_.L[0] + p_.L[1];
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -344,7 +356,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 40 + or -, 37 *
+    /// Operations: 35 + or -, 41 *
     ///     dot(T[1]) = g/(rho[1]*c_p[1]) - 4*lambda[1]*(1 - b[1]*T_ref)*T[1]/(L[1]^2*rho[1]*c_p[1]) -
     ///     2*lambda[1]*b[1]*T[1]^2/(L[1]^2*rho[1]*c_p[1]) + 2*lambda[1]*(1 - b[1]*T_ref)*T_s[0]/(L[1]^2*rho[1]*c_p[1]) +
     ///     lambda[1]*b[1]*T_s[0]^2/(L[1]^2*rho[1]*c_p[1]) + 2*lambda[1]*(1 - b[1]*T_ref)*T_s[1]/(L[1]^2*rho[1]*c_p[1]) +
@@ -370,36 +382,41 @@ public:
     ///     stefan_boltzmann*eps*(T_h - T_s[3])*(T_h + T_s[3])*(T_h^2 + T_s[3]^2)/C_s
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_s_0 = x[3];
+        const Scalar e1 = T_s_0 * (c_.k3 + p_.b[0] * T_s_0);
         const Scalar T_s_1 = x[4];
-        const Scalar T_s_1_squared = T_s_1 * T_s_1;
-        const Scalar T_s_0_squared = T_s_0 * T_s_0;
+        const Scalar e2 = T_s_1 * (c_.k3 + p_.b[0] * T_s_1);
         const Scalar T_1 = x[0];
+        const Scalar e3 = T_1 * (c_.k3 + p_.b[0] * T_1);
+        const Scalar e4 = T_s_1 * (c_.k7 + p_.b[1] * T_s_1);
         const Scalar T_s_2 = x[5];
-        const Scalar T_s_2_squared = T_s_2 * T_s_2;
+        const Scalar e5 = T_s_2 * (c_.k7 + p_.b[1] * T_s_2);
         const Scalar T_2 = x[1];
+        const Scalar e6 = T_2 * (c_.k7 + p_.b[1] * T_2);
+        const Scalar e7 = T_s_2 * (c_.k11 + p_.b[2] * T_s_2);
         const Scalar T_s_3 = x[6];
-        const Scalar T_s_3_squared = T_s_3 * T_s_3;
+        const Scalar e8 = T_s_3 * (c_.k11 + p_.b[2] * T_s_3);
         const Scalar T_3 = x[2];
+        const Scalar e9 = T_3 * (c_.k11 + p_.b[2] * T_3);
         const Scalar T_i = u[0];
-        const Scalar e1 = T_1 * (c_.k15 - c_.k16 * T_1);
-        const Scalar e2 = T_2 * (c_.k18 - c_.k19 * T_2);
-        const Scalar e3 = T_3 * (c_.k22 - c_.k23 * T_3);
+        const Scalar e10 = e3 * c_.k13;
+        const Scalar e11 = e6 * c_.k14;
+        const Scalar e12 = e9 * c_.k15;
         const Scalar sun = u[3];
         const Scalar T_a = u[1];
         const Scalar T_h = u[2];
-        dxdt[0] = c_.k3 * (T_s_0 + T_s_1) + c_.k4 * (T_s_1_squared + T_s_0_squared) - T_1 * (c_.k1 + c_.k2 * T_1) + c_.k0;
-        dxdt[1] = c_.k8 * (T_s_1 + T_s_2) + c_.k9 * (T_s_1_squared + T_s_2_squared) - T_2 * (c_.k6 + c_.k7 * T_2) + c_.k5;
-        dxdt[2] = c_.k13 * (T_s_2 + T_s_3) + c_.k14 * (T_s_2_squared + T_s_3_squared) - T_3 * (c_.k11 + c_.k12 * T_3) + c_.k10;
-        dxdt[3] = c_.k15 * T_s_0 + c_.k17 * (T_i - T_s_0) - c_.k16 * T_s_0_squared - e1;
-        dxdt[4] = c_.k20 * T_s_1 - c_.k21 * T_s_1_squared - e1 - e2;
-        dxdt[5] = c_.k24 * T_s_2 - c_.k25 * T_s_2_squared - e2 - e3;
-        dxdt[6] = c_.k26 * sun + c_.k22 * T_s_3 + c_.k27 * (T_a - T_s_3) + c_.k28 * (T_h - T_s_3) * (T_h + T_s_3)
-            * (T_h * T_h + T_s_3_squared) - c_.k23 * T_s_3_squared - e3;
+        dxdt[0] = c_.k2 * (e1 + e2) + c_.k0 - e3 * c_.k1;
+        dxdt[1] = c_.k6 * (e4 + e5) + c_.k4 - e6 * c_.k5;
+        dxdt[2] = c_.k10 * (e7 + e8) + c_.k8 - e9 * c_.k9;
+        dxdt[3] = (T_i - T_s_0) * c_.k12 - e1 * c_.k13 + e10;
+        dxdt[4] = e10 - e2 * c_.k13 - e4 * c_.k14 + e11;
+        dxdt[5] = e11 - e5 * c_.k14 - e7 * c_.k15 + e12;
+        dxdt[6] = sun * c_.k16 + (T_a - T_s_3) * c_.k17 + (T_h - T_s_3) * (T_h + T_s_3) * (T_h * T_h + T_s_3 * T_s_3) * c_.k18
+            - e8 * c_.k15 + e12;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 7 x 7, entry (i, j) at J[7*j + i].
-    /// Operations: 59 + or -, 55 *
+    /// Operations: 57 + or -, 54 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_s_0 = x[3];
         const Scalar T_s_1 = x[4];
@@ -413,75 +430,72 @@ public:
         const Scalar T_s_3_squared = T_s_3 * T_s_3;
         const Scalar T_3 = x[2];
         const Scalar T_i = u[0];
-        const Scalar e1 = T_1 * (c_.k15 - c_.k16 * T_1);
-        const Scalar e2 = T_2 * (c_.k18 - c_.k19 * T_2);
-        const Scalar e3 = T_3 * (c_.k22 - c_.k23 * T_3);
+        const Scalar e1 = T_1 * (c_.k31 - c_.k32 * T_1);
+        const Scalar e2 = T_2 * (c_.k33 - c_.k34 * T_2);
+        const Scalar e3 = T_3 * (c_.k37 - c_.k38 * T_3);
         const Scalar sun = u[3];
         const Scalar T_a = u[1];
         const Scalar T_h = u[2];
-        const Scalar e4 = c_.k28 * (T_h * T_h + T_s_3_squared);
-        const Scalar e5 = T_h - T_s_3;
-        const Scalar e6 = T_h + T_s_3;
-        const Scalar e7 = e5 * e6;
-        dxdt[0] = c_.k3 * (T_s_0 + T_s_1) + c_.k4 * (T_s_1_squared + T_s_0_squared) - T_1 * (c_.k1 + c_.k2 * T_1) + c_.k0;
-        dxdt[1] = c_.k8 * (T_s_1 + T_s_2) + c_.k9 * (T_s_1_squared + T_s_2_squared) - T_2 * (c_.k6 + c_.k7 * T_2) + c_.k5;
-        dxdt[2] = c_.k13 * (T_s_2 + T_s_3) + c_.k14 * (T_s_2_squared + T_s_3_squared) - T_3 * (c_.k11 + c_.k12 * T_3) + c_.k10;
-        dxdt[3] = c_.k15 * T_s_0 + c_.k17 * (T_i - T_s_0) - c_.k16 * T_s_0_squared - e1;
-        dxdt[4] = c_.k20 * T_s_1 - c_.k21 * T_s_1_squared - e1 - e2;
-        dxdt[5] = c_.k24 * T_s_2 - c_.k25 * T_s_2_squared - e2 - e3;
-        dxdt[6] = c_.k26 * sun + c_.k22 * T_s_3 + c_.k27 * (T_a - T_s_3) - c_.k23 * T_s_3_squared + e4 * e7 - e3;
-        const Scalar e8 = c_.k30 * T_1 - c_.k15;
-        const Scalar e9 = c_.k32 * T_2 - c_.k18;
-        const Scalar e10 = c_.k34 * T_3 - c_.k22;
-        J[0] = -c_.k1 - c_.k29 * T_1;
+        dxdt[0] = c_.k21 * (T_s_0 + T_s_1) + c_.k22 * (T_s_1_squared + T_s_0_squared) - T_1 * (c_.k19 + c_.k20 * T_1) + c_.k0;
+        dxdt[1] = c_.k25 * (T_s_1 + T_s_2) + c_.k26 * (T_s_1_squared + T_s_2_squared) - T_2 * (c_.k23 + c_.k24 * T_2) + c_.k4;
+        dxdt[2] = c_.k29 * (T_s_2 + T_s_3) + c_.k30 * (T_s_3_squared + T_s_2_squared) - T_3 * (c_.k27 + c_.k28 * T_3) + c_.k8;
+        dxdt[3] = c_.k31 * T_s_0 + c_.k12 * (T_i - T_s_0) - c_.k32 * T_s_0_squared - e1;
+        dxdt[4] = c_.k35 * T_s_1 - c_.k36 * T_s_1_squared - e1 - e2;
+        dxdt[5] = c_.k39 * T_s_2 - c_.k40 * T_s_2_squared - e2 - e3;
+        dxdt[6] = c_.k16 * sun + c_.k37 * T_s_3 + c_.k17 * (T_a - T_s_3) + c_.k18 * (T_h - T_s_3) * (T_h + T_s_3)
+            * (T_h * T_h + T_s_3_squared) - c_.k38 * T_s_3_squared - e3;
+        const Scalar e4 = c_.k42 * T_1 - c_.k31;
+        const Scalar e5 = c_.k44 * T_2 - c_.k33;
+        const Scalar e6 = c_.k46 * T_3 - c_.k37;
+        J[0] = -c_.k19 - c_.k41 * T_1;
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = e8;
-        J[4] = e8;
+        J[3] = e4;
+        J[4] = e4;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = Scalar(0);
-        J[8] = -c_.k6 - c_.k31 * T_2;
+        J[8] = -c_.k23 - c_.k43 * T_2;
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = e9;
-        J[12] = e9;
+        J[11] = e5;
+        J[12] = e5;
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
-        J[16] = -c_.k11 - c_.k33 * T_3;
+        J[16] = -c_.k27 - c_.k45 * T_3;
         J[17] = Scalar(0);
         J[18] = Scalar(0);
-        J[19] = e10;
-        J[20] = e10;
-        J[21] = c_.k3 + c_.k2 * T_s_0;
+        J[19] = e6;
+        J[20] = e6;
+        J[21] = c_.k21 + c_.k20 * T_s_0;
         J[22] = Scalar(0);
         J[23] = Scalar(0);
-        J[24] = c_.k35 - c_.k30 * T_s_0;
+        J[24] = c_.k47 - c_.k42 * T_s_0;
         J[25] = Scalar(0);
         J[26] = Scalar(0);
         J[27] = Scalar(0);
-        J[28] = c_.k3 + c_.k2 * T_s_1;
-        J[29] = c_.k8 + c_.k7 * T_s_1;
+        J[28] = c_.k21 + c_.k20 * T_s_1;
+        J[29] = c_.k25 + c_.k24 * T_s_1;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
-        J[32] = c_.k20 - c_.k36 * T_s_1;
+        J[32] = c_.k35 - c_.k48 * T_s_1;
         J[33] = Scalar(0);
         J[34] = Scalar(0);
         J[35] = Scalar(0);
-        J[36] = c_.k8 + c_.k7 * T_s_2;
-        J[37] = c_.k13 + c_.k12 * T_s_2;
+        J[36] = c_.k25 + c_.k24 * T_s_2;
+        J[37] = c_.k29 + c_.k28 * T_s_2;
         J[38] = Scalar(0);
         J[39] = Scalar(0);
-        J[40] = c_.k24 - c_.k37 * T_s_2;
+        J[40] = c_.k39 - c_.k49 * T_s_2;
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        J[44] = c_.k13 + c_.k12 * T_s_3;
+        J[44] = c_.k29 + c_.k28 * T_s_3;
         J[45] = Scalar(0);
         J[46] = Scalar(0);
         J[47] = Scalar(0);
-        J[48] = e4 * (e5 - e6) - T_s_3 * (c_.k34 - c_.k39 * e7) + c_.k38;
+        J[48] = c_.k50 - T_s_3 * (c_.k46 + c_.k51 * T_s_3_squared);
     }
 
     /// J = df/dx. 7 x 7, entry (i, j) at J[7*j + i].
@@ -491,16 +505,13 @@ public:
     }
 
     /// J = df/du. 7 x 5, entry (i, j) at J[7*j + i].
-    /// Operations: 5 + or -, 7 *
-    void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
+    /// Operations: 3 *
+    void jacobian_u(const State& /*x*/, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         const Scalar T_h = u[2];
-        const Scalar T_s_3 = x[6];
-        const Scalar e1 = T_h + T_s_3;
-        const Scalar e2 = c_.k28 * (T_h * T_h + T_s_3 * T_s_3);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = c_.k17;
+        J[3] = c_.k12;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
         J[6] = Scalar(0);
@@ -510,21 +521,21 @@ public:
         J[10] = Scalar(0);
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        J[13] = c_.k27;
+        J[13] = c_.k17;
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = Scalar(0);
         J[18] = Scalar(0);
         J[19] = Scalar(0);
-        J[20] = (T_h - T_s_3) * (c_.k39 * T_h * e1 + e2) + e1 * e2;
+        J[20] = c_.k51 * T_h * T_h * T_h;
         J[21] = Scalar(0);
         J[22] = Scalar(0);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
-        J[27] = c_.k26;
+        J[27] = c_.k16;
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
@@ -535,7 +546,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 7 x 23, entry (i, j) at J[7*j + i].
-    /// Operations: 132 + or -, 300 *, 10 /
+    /// Operations: 132 + or -, 298 *, 10 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.L[0];
@@ -649,32 +660,33 @@ public:
         const Scalar e96 = inverse_47 * e87;
         const Scalar e97 = inverse_47 * e90;
         const Scalar e98 = p_.T_ref * e7;
-        const Scalar e99 = Scalar(2) * p_.T_ref * e16;
-        const Scalar e100 = p_.T_ref * e29;
-        const Scalar e101 = Scalar(2) * p_.T_ref * e37;
-        const Scalar e102 = p_.T_ref * e50;
-        const Scalar e103 = Scalar(2) * p_.T_ref * e58;
-        const Scalar e104 = c_.k32 * T_2;
+        const Scalar e99 = p_.T_ref * inverse_15;
+        const Scalar e100 = Scalar(2) * e2 * e99;
+        const Scalar e101 = p_.T_ref * e29;
+        const Scalar e102 = Scalar(2) * e24 * e99;
+        const Scalar e103 = p_.T_ref * e50;
+        const Scalar e104 = Scalar(2) * e45 * e99;
+        const Scalar e105 = c_.k44 * T_2;
         const Scalar T_i = u[0];
-        const Scalar e105 = T_i - T_s_0;
+        const Scalar e106 = T_i - T_s_0;
         const Scalar T_a = u[1];
-        const Scalar e106 = T_a - T_s_3;
+        const Scalar e107 = T_a - T_s_3;
         const Scalar T_h = u[2];
-        const Scalar e107 = (T_h * T_h + T_s_3_squared) * ((T_h - T_s_3) * (T_h + T_s_3));
+        const Scalar e108 = (T_h * T_h + T_s_3_squared) * ((T_h - T_s_3) * (T_h + T_s_3));
         const Scalar sun = u[3];
         const Scalar inverse_15_squared = inverse_15 * inverse_15;
-        const Scalar e108 = e2 * inverse_15_squared;
-        const Scalar e109 = e8 * e108;
-        const Scalar e110 = -Scalar(2) * e109;
-        const Scalar e111 = p_.b[0] * e108;
-        const Scalar e112 = e24 * inverse_15_squared;
-        const Scalar e113 = e30 * e112;
-        const Scalar e114 = p_.b[1] * e112;
-        const Scalar e115 = T_2 * (-Scalar(2) * e113) - e114 * T_2_squared;
-        const Scalar e116 = e45 * inverse_15_squared;
-        const Scalar e117 = e51 * e116;
-        const Scalar e118 = -Scalar(2) * e117;
-        const Scalar e119 = p_.b[2] * e116;
+        const Scalar e109 = e2 * inverse_15_squared;
+        const Scalar e110 = e8 * e109;
+        const Scalar e111 = -Scalar(2) * e110;
+        const Scalar e112 = p_.b[0] * e109;
+        const Scalar e113 = e24 * inverse_15_squared;
+        const Scalar e114 = e30 * e113;
+        const Scalar e115 = p_.b[1] * e113;
+        const Scalar e116 = T_2 * (-Scalar(2) * e114) - e115 * T_2_squared;
+        const Scalar e117 = e45 * inverse_15_squared;
+        const Scalar e118 = e51 * e117;
+        const Scalar e119 = -Scalar(2) * e118;
+        const Scalar e120 = p_.b[2] * e117;
         J[0] = T_1 * (Scalar(8) * e10) - Scalar(2) * e12 * e13 - Scalar(4) * e10 * e14 + Scalar(4) * e12 * T_1_squared;
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -759,34 +771,34 @@ public:
         J[81] = Scalar(0);
         J[82] = Scalar(0);
         J[83] = Scalar(0);
-        J[84] = T_1 * (Scalar(4) * e98) + e7 * e13 - Scalar(2) * e98 * e14 - Scalar(2) * e7 * T_1_squared;
+        J[84] = T_1 * (Scalar(4) * e98) + c_.k2 * e13 - Scalar(2) * e98 * e14 - c_.k1 * T_1_squared;
         J[85] = Scalar(0);
         J[86] = Scalar(0);
-        J[87] = e16 * e20 - e99 * e18;
-        J[88] = e16 * e22 - e99 * e21;
+        J[87] = c_.k13 * e20 - e100 * e18;
+        J[88] = c_.k13 * e22 - e100 * e21;
         J[89] = Scalar(0);
         J[90] = Scalar(0);
         J[91] = Scalar(0);
-        J[92] = T_2 * (Scalar(4) * e100) + e29 * e35 - Scalar(2) * e29 * T_2_squared - Scalar(2) * e100 * e36;
+        J[92] = T_2 * (Scalar(4) * e101) + c_.k6 * e35 - c_.k5 * T_2_squared - Scalar(2) * e101 * e36;
         J[93] = Scalar(0);
         J[94] = Scalar(0);
-        J[95] = -e37 * e39 - e101 * e41;
-        J[96] = -e37 * e42 - e101 * e43;
+        J[95] = -c_.k14 * e39 - e102 * e41;
+        J[96] = -c_.k14 * e42 - e102 * e43;
         J[97] = Scalar(0);
         J[98] = Scalar(0);
         J[99] = Scalar(0);
-        J[100] = T_3 * (Scalar(4) * e102) + e50 * e56 - Scalar(2) * e102 * e57 - Scalar(2) * e50 * T_3_squared;
+        J[100] = T_3 * (Scalar(4) * e103) + c_.k10 * e56 - Scalar(2) * e103 * e57 - c_.k9 * T_3_squared;
         J[101] = Scalar(0);
         J[102] = Scalar(0);
-        J[103] = e58 * e62 - e103 * e60;
-        J[104] = e58 * e64 - e103 * e63;
-        J[105] = c_.k29 * T_1 - c_.k2 * e14;
-        J[106] = c_.k31 * T_2 - c_.k7 * e36;
-        J[107] = c_.k33 * T_3 - c_.k12 * e57;
-        J[108] = -c_.k30 * e18;
-        J[109] = c_.k36 * T_s_1 - c_.k30 * T_1 - e104;
-        J[110] = c_.k37 * T_s_2 - c_.k34 * T_3 - e104;
-        J[111] = -c_.k34 * e63;
+        J[103] = c_.k15 * e62 - e104 * e60;
+        J[104] = c_.k15 * e64 - e104 * e63;
+        J[105] = c_.k41 * T_1 - c_.k20 * e14;
+        J[106] = c_.k43 * T_2 - c_.k24 * e36;
+        J[107] = c_.k45 * T_3 - c_.k28 * e57;
+        J[108] = -c_.k42 * e18;
+        J[109] = c_.k48 * T_s_1 - c_.k42 * T_1 - e105;
+        J[110] = c_.k49 * T_s_2 - c_.k46 * T_3 - e105;
+        J[111] = -c_.k46 * e63;
         J[112] = Scalar(0);
         J[113] = Scalar(0);
         J[114] = Scalar(0);
@@ -797,7 +809,7 @@ public:
         J[119] = Scalar(0);
         J[120] = Scalar(0);
         J[121] = Scalar(0);
-        J[122] = e105 * inverse_15;
+        J[122] = e106 * inverse_15;
         J[123] = Scalar(0);
         J[124] = Scalar(0);
         J[125] = Scalar(0);
@@ -807,16 +819,16 @@ public:
         J[129] = Scalar(0);
         J[130] = Scalar(0);
         J[131] = Scalar(0);
-        J[132] = e106 * inverse_15;
+        J[132] = e107 * inverse_15;
         J[133] = Scalar(0);
         J[134] = Scalar(0);
         J[135] = Scalar(0);
         J[136] = Scalar(0);
         J[137] = Scalar(0);
         J[138] = Scalar(0);
-        const Scalar e120 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e121 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * inverse_15;
-        J[139] = e120 * e107;
+        J[139] = e121 * e108;
         J[140] = Scalar(0);
         J[141] = Scalar(0);
         J[142] = Scalar(0);
@@ -827,13 +839,13 @@ public:
         J[147] = Scalar(0);
         J[148] = Scalar(0);
         J[149] = Scalar(0);
-        J[150] = e110 * e18 - e105 * (p_.alpha_0 * inverse_15_squared) - e111 * e20;
-        J[151] = T_1 * e110 - T_s_1 * (Scalar(2) * (-e113 - e109)) - e111 * T_1_squared + (e114 + e111) * T_s_1_squared + e115;
-        J[152] = T_3 * e118 - T_s_2 * (Scalar(2) * (-e113 - e117)) - e119 * T_3_squared + (e114 + e119) * T_s_2_squared + e115;
-        const Scalar e121 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[150] = e111 * e18 - e106 * (p_.alpha_0 * inverse_15_squared) - e112 * e20;
+        J[151] = T_1 * e111 - T_s_1 * (Scalar(2) * (-e114 - e110)) - e112 * T_1_squared + (e115 + e112) * T_s_1_squared + e116;
+        J[152] = T_3 * e119 - T_s_2 * (Scalar(2) * (-e114 - e118)) - e120 * T_3_squared + (e115 + e120) * T_s_2_squared + e116;
+        const Scalar e122 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.eps * inverse_15_squared;
-        J[153] = e118 * e63 - sun * (p_.a_s * inverse_15_squared) - e106 * (p_.alpha_L * inverse_15_squared) - e119 * e64
-            - e121 * e107;
+        J[153] = e119 * e63 - sun * (p_.a_s * inverse_15_squared) - e107 * (p_.alpha_L * inverse_15_squared) - e120 * e64
+            - e122 * e108;
         J[154] = e5;
         J[155] = e27;
         J[156] = e48;
@@ -891,14 +903,14 @@ public:
         const Scalar min_L_1 = detail::min<Scalar>(p_.L[0], max_1);
         const Scalar max_2 = detail::max<Scalar>(Scalar(0), x_value - p_.L[0]);
         const Scalar min_L_2 = detail::min<Scalar>(p_.L[1], max_2);
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value - c_.k46);
+        const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value - c_.k58);
         const Scalar min_L_3 = detail::min<Scalar>(p_.L[2], max_3);
         y[0] = T_s_0;
         y[1] = T_s_2;
         y[2] = T_s_3;
-        y[3] = c_.k40 * (T_i - T_s_0);
+        y[3] = c_.k52 * (T_i - T_s_0);
         y[4] = c_.k;
-        y[5] = c_.k41 * T_i - (T_i - T_a) * (c_.k42 * min_L_1 + c_.k43 * min_L_2 + c_.k44 * min_L_3) + c_.k45 * T_a;
+        y[5] = c_.k53 * T_i - (T_i - T_a) * (c_.k54 * min_L_1 + c_.k55 * min_L_2 + c_.k56 * min_L_3) + c_.k57 * T_a;
     }
 
     /// C = dh/dx.
@@ -925,7 +937,7 @@ public:
         C[18] = Scalar(1);
         C[19] = Scalar(0);
         C[20] = Scalar(0);
-        C[21] = -c_.k40;
+        C[21] = -c_.k52;
         C[22] = Scalar(0);
         C[23] = Scalar(0);
         C[24] = Scalar(0);
@@ -952,7 +964,7 @@ public:
     /// Operations: 13 + or -, 10 *, 12 other functions
     void output_jacobian_u(const State& /*x*/, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         const Scalar x_value = u[4];
-        const Scalar e1 = x_value - c_.k46;
+        const Scalar e1 = x_value - c_.k58;
         const Scalar max_2 = detail::max<Scalar>(Scalar(0), e1);
         const Scalar min_L_3 = detail::min<Scalar>(p_.L[2], max_2);
         const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value);
@@ -960,7 +972,7 @@ public:
         const Scalar e4 = x_value - p_.L[0];
         const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
         const Scalar min_L_2 = detail::min<Scalar>(p_.L[1], max_5);
-        const Scalar e6 = c_.k44 * min_L_3 + (c_.k42 * min_L_1 + c_.k43 * min_L_2);
+        const Scalar e6 = c_.k56 * min_L_3 + (c_.k54 * min_L_1 + c_.k55 * min_L_2);
         const Scalar T_i = u[0];
         const Scalar T_a = u[1];
         const Scalar step_7 = detail::step<Scalar>(e1);
@@ -972,15 +984,15 @@ public:
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = c_.k40;
+        D[3] = c_.k52;
         D[4] = Scalar(0);
-        D[5] = c_.k41 - e6;
+        D[5] = c_.k53 - e6;
         D[6] = Scalar(0);
         D[7] = Scalar(0);
         D[8] = Scalar(0);
         D[9] = Scalar(0);
         D[10] = Scalar(0);
-        D[11] = c_.k45 + e6;
+        D[11] = c_.k57 + e6;
         D[12] = Scalar(0);
         D[13] = Scalar(0);
         D[14] = Scalar(0);
@@ -998,7 +1010,7 @@ public:
         D[26] = Scalar(0);
         D[27] = Scalar(0);
         D[28] = Scalar(0);
-        const Scalar e12 = c_.k44 * step_7 * step_8 + c_.k43 * step_9 * step_10 + c_.k42 * step_x * step_11;
+        const Scalar e12 = c_.k56 * step_7 * step_8 + c_.k55 * step_9 * step_10 + c_.k54 * step_x * step_11;
         D[29] = -(T_i - T_a) * e12;
     }
 
@@ -1063,7 +1075,7 @@ public:
         const Scalar T_h = u[2];
         const Scalar e1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.A * p_.eps;
-        return p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) + sun * (p_.A * p_.a_s) + c_.k40 * (T_i - T_s_0) + (T_a - T_s_3)
+        return p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) + sun * (p_.A * p_.a_s) + c_.k52 * (T_i - T_s_0) + (T_a - T_s_3)
             * (p_.A * p_.alpha_L) + (T_h - T_s_3) * (T_h + T_s_3) * (T_h * T_h + T_s_3 * T_s_3) * e1;
     }
 
@@ -1078,52 +1090,64 @@ private:
     struct Cached {
         Scalar k;  ///< 1/(L[1]/lambda[1] + L[2]/lambda[2] + L[3]/lambda[3] + 1/alpha_0 + 1/alpha_L)
         Scalar k0;  ///< g/(rho[1]*c_p[1])
-        Scalar k1;  ///< 4*lambda[1]*(1 - b[1]*T_ref)/(L[1]^2*rho[1]*c_p[1])
-        Scalar k2;  ///< 2*lambda[1]*b[1]/(L[1]^2*rho[1]*c_p[1])
-        Scalar k3;  ///< 2*lambda[1]*(1 - b[1]*T_ref)/(L[1]^2*rho[1]*c_p[1])
-        Scalar k4;  ///< lambda[1]*b[1]/(L[1]^2*rho[1]*c_p[1])
-        Scalar k5;  ///< g/(rho[2]*c_p[2])
-        Scalar k6;  ///< 4*lambda[2]*(1 - b[2]*T_ref)/(L[2]^2*rho[2]*c_p[2])
-        Scalar k7;  ///< 2*lambda[2]*b[2]/(L[2]^2*rho[2]*c_p[2])
-        Scalar k8;  ///< 2*lambda[2]*(1 - b[2]*T_ref)/(L[2]^2*rho[2]*c_p[2])
-        Scalar k9;  ///< lambda[2]*b[2]/(L[2]^2*rho[2]*c_p[2])
-        Scalar k10;  ///< g/(rho[3]*c_p[3])
-        Scalar k11;  ///< 4*lambda[3]*(1 - b[3]*T_ref)/(L[3]^2*rho[3]*c_p[3])
-        Scalar k12;  ///< 2*lambda[3]*b[3]/(L[3]^2*rho[3]*c_p[3])
-        Scalar k13;  ///< 2*lambda[3]*(1 - b[3]*T_ref)/(L[3]^2*rho[3]*c_p[3])
-        Scalar k14;  ///< lambda[3]*b[3]/(L[3]^2*rho[3]*c_p[3])
-        Scalar k15;  ///< 2*lambda[1]*(-1 + b[1]*T_ref)/(L[1]*C_s)
-        Scalar k16;  ///< lambda[1]*b[1]/(L[1]*C_s)
-        Scalar k17;  ///< alpha_0/C_s
-        Scalar k18;  ///< 2*lambda[2]*(-1 + b[2]*T_ref)/(L[2]*C_s)
-        Scalar k19;  ///< lambda[2]*b[2]/(L[2]*C_s)
-        Scalar k20;  ///< 2*(-lambda[1]/L[1] + lambda[1]*b[1]*T_ref/L[1] - lambda[2]/L[2] + lambda[2]*b[2]*T_ref/L[2])/C_s
-        Scalar k21;  ///< (lambda[1]*b[1]/L[1] + lambda[2]*b[2]/L[2])/C_s
-        Scalar k22;  ///< 2*lambda[3]*(-1 + b[3]*T_ref)/(L[3]*C_s)
-        Scalar k23;  ///< lambda[3]*b[3]/(L[3]*C_s)
-        Scalar k24;  ///< 2*(-lambda[2]/L[2] + lambda[2]*b[2]*T_ref/L[2] - lambda[3]/L[3] + lambda[3]*b[3]*T_ref/L[3])/C_s
-        Scalar k25;  ///< (lambda[2]*b[2]/L[2] + lambda[3]*b[3]/L[3])/C_s
-        Scalar k26;  ///< a_s/C_s
-        Scalar k27;  ///< alpha_L/C_s
-        Scalar k28;  ///< stefan_boltzmann*eps/C_s
-        Scalar k29;  ///< 4*lambda[1]*b[1]/(L[1]^2*rho[1]*c_p[1])
-        Scalar k30;  ///< 2*lambda[1]*b[1]/(L[1]*C_s)
-        Scalar k31;  ///< 4*lambda[2]*b[2]/(L[2]^2*rho[2]*c_p[2])
-        Scalar k32;  ///< 2*lambda[2]*b[2]/(L[2]*C_s)
-        Scalar k33;  ///< 4*lambda[3]*b[3]/(L[3]^2*rho[3]*c_p[3])
-        Scalar k34;  ///< 2*lambda[3]*b[3]/(L[3]*C_s)
-        Scalar k35;  ///< (-2*lambda[1]/L[1] + 2*lambda[1]*b[1]*T_ref/L[1] - alpha_0)/C_s
-        Scalar k36;  ///< 2*(lambda[1]*b[1]/L[1] + lambda[2]*b[2]/L[2])/C_s
-        Scalar k37;  ///< 2*(lambda[2]*b[2]/L[2] + lambda[3]*b[3]/L[3])/C_s
-        Scalar k38;  ///< (-2*lambda[3]/L[3] + 2*lambda[3]*b[3]*T_ref/L[3] - alpha_L)/C_s
-        Scalar k39;  ///< 2*stefan_boltzmann*eps/C_s
-        Scalar k40;  ///< A*alpha_0
-        Scalar k41;  ///< 1 - k/alpha_0
-        Scalar k42;  ///< k/lambda[1]
-        Scalar k43;  ///< k/lambda[2]
-        Scalar k44;  ///< k/lambda[3]
-        Scalar k45;  ///< k/alpha_0
-        Scalar k46;  ///< L[1] + L[2]
+        Scalar k1;  ///< 2*lambda[1]/(L[1]^2*rho[1]*c_p[1])
+        Scalar k2;  ///< lambda[1]/(L[1]^2*rho[1]*c_p[1])
+        Scalar k3;  ///< 2*(1 - b[1]*T_ref)
+        Scalar k4;  ///< g/(rho[2]*c_p[2])
+        Scalar k5;  ///< 2*lambda[2]/(L[2]^2*rho[2]*c_p[2])
+        Scalar k6;  ///< lambda[2]/(L[2]^2*rho[2]*c_p[2])
+        Scalar k7;  ///< 2*(1 - b[2]*T_ref)
+        Scalar k8;  ///< g/(rho[3]*c_p[3])
+        Scalar k9;  ///< 2*lambda[3]/(L[3]^2*rho[3]*c_p[3])
+        Scalar k10;  ///< lambda[3]/(L[3]^2*rho[3]*c_p[3])
+        Scalar k11;  ///< 2*(1 - b[3]*T_ref)
+        Scalar k12;  ///< alpha_0/C_s
+        Scalar k13;  ///< lambda[1]/(L[1]*C_s)
+        Scalar k14;  ///< lambda[2]/(L[2]*C_s)
+        Scalar k15;  ///< lambda[3]/(L[3]*C_s)
+        Scalar k16;  ///< a_s/C_s
+        Scalar k17;  ///< alpha_L/C_s
+        Scalar k18;  ///< stefan_boltzmann*eps/C_s
+        Scalar k19;  ///< 4*lambda[1]*(1 - b[1]*T_ref)/(L[1]^2*rho[1]*c_p[1])
+        Scalar k20;  ///< 2*lambda[1]*b[1]/(L[1]^2*rho[1]*c_p[1])
+        Scalar k21;  ///< 2*lambda[1]*(1 - b[1]*T_ref)/(L[1]^2*rho[1]*c_p[1])
+        Scalar k22;  ///< lambda[1]*b[1]/(L[1]^2*rho[1]*c_p[1])
+        Scalar k23;  ///< 4*lambda[2]*(1 - b[2]*T_ref)/(L[2]^2*rho[2]*c_p[2])
+        Scalar k24;  ///< 2*lambda[2]*b[2]/(L[2]^2*rho[2]*c_p[2])
+        Scalar k25;  ///< 2*lambda[2]*(1 - b[2]*T_ref)/(L[2]^2*rho[2]*c_p[2])
+        Scalar k26;  ///< lambda[2]*b[2]/(L[2]^2*rho[2]*c_p[2])
+        Scalar k27;  ///< 4*lambda[3]*(1 - b[3]*T_ref)/(L[3]^2*rho[3]*c_p[3])
+        Scalar k28;  ///< 2*lambda[3]*b[3]/(L[3]^2*rho[3]*c_p[3])
+        Scalar k29;  ///< 2*lambda[3]*(1 - b[3]*T_ref)/(L[3]^2*rho[3]*c_p[3])
+        Scalar k30;  ///< lambda[3]*b[3]/(L[3]^2*rho[3]*c_p[3])
+        Scalar k31;  ///< 2*lambda[1]*(-1 + b[1]*T_ref)/(L[1]*C_s)
+        Scalar k32;  ///< lambda[1]*b[1]/(L[1]*C_s)
+        Scalar k33;  ///< 2*lambda[2]*(-1 + b[2]*T_ref)/(L[2]*C_s)
+        Scalar k34;  ///< lambda[2]*b[2]/(L[2]*C_s)
+        Scalar k35;  ///< 2*(-lambda[1]/L[1] + lambda[1]*b[1]*T_ref/L[1] - lambda[2]/L[2] + lambda[2]*b[2]*T_ref/L[2])/C_s
+        Scalar k36;  ///< (lambda[1]*b[1]/L[1] + lambda[2]*b[2]/L[2])/C_s
+        Scalar k37;  ///< 2*lambda[3]*(-1 + b[3]*T_ref)/(L[3]*C_s)
+        Scalar k38;  ///< lambda[3]*b[3]/(L[3]*C_s)
+        Scalar k39;  ///< 2*(-lambda[2]/L[2] + lambda[2]*b[2]*T_ref/L[2] - lambda[3]/L[3] + lambda[3]*b[3]*T_ref/L[3])/C_s
+        Scalar k40;  ///< (lambda[2]*b[2]/L[2] + lambda[3]*b[3]/L[3])/C_s
+        Scalar k41;  ///< 4*lambda[1]*b[1]/(L[1]^2*rho[1]*c_p[1])
+        Scalar k42;  ///< 2*lambda[1]*b[1]/(L[1]*C_s)
+        Scalar k43;  ///< 4*lambda[2]*b[2]/(L[2]^2*rho[2]*c_p[2])
+        Scalar k44;  ///< 2*lambda[2]*b[2]/(L[2]*C_s)
+        Scalar k45;  ///< 4*lambda[3]*b[3]/(L[3]^2*rho[3]*c_p[3])
+        Scalar k46;  ///< 2*lambda[3]*b[3]/(L[3]*C_s)
+        Scalar k47;  ///< (-2*lambda[1]/L[1] + 2*lambda[1]*b[1]*T_ref/L[1] - alpha_0)/C_s
+        Scalar k48;  ///< 2*(lambda[1]*b[1]/L[1] + lambda[2]*b[2]/L[2])/C_s
+        Scalar k49;  ///< 2*(lambda[2]*b[2]/L[2] + lambda[3]*b[3]/L[3])/C_s
+        Scalar k50;  ///< (-2*lambda[3]/L[3] + 2*lambda[3]*b[3]*T_ref/L[3] - alpha_L)/C_s
+        Scalar k51;  ///< 4*stefan_boltzmann*eps/C_s
+        Scalar k52;  ///< A*alpha_0
+        Scalar k53;  ///< 1 - k/alpha_0
+        Scalar k54;  ///< k/lambda[1]
+        Scalar k55;  ///< k/lambda[2]
+        Scalar k56;  ///< k/lambda[3]
+        Scalar k57;  ///< k/alpha_0
+        Scalar k58;  ///< L[1] + L[2]
     };
     Cached c_{};
 };

@@ -15,12 +15,12 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                21     40     7        0      7
+//   update                19     40     7        0      7
 //   rhs                   13     13     0        0      0
-//   rhs_and_jacobian      25     30     0        0      0
-//   jacobian_p            75    129     9        0     11
+//   rhs_and_jacobian      15     19     0        0      0
+//   jacobian_p            72    125     9        0     11
 //   output                 9     12     1        0      1
-//   output_jacobian_x     12     14     0        0      0
+//   output_jacobian_x      1      7     0        0      0
 //   output_jacobian_u      3      6     1        0      1
 //   internal_energy        1      6     0        0      0
 //   exchanged_power       10     13     0        0      0
@@ -213,7 +213,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 21 + or -, 40 *, 7 /, 7 other functions
+    /// Operations: 19 + or -, 40 *, 7 /, 7 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
@@ -234,33 +234,29 @@ public:
         const Scalar inverse_12 = Scalar(1) / p_.C_i;
         c_.k0 = inverse_12 / p_.L_i / p_.H;
         const Scalar e13 = c_.F * inverse_12;
-        const Scalar e14 = inverse_12 - e13;
-        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e14;
+        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (inverse_12 - e13);
         c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e13;
-        const Scalar inverse_15 = Scalar(1) / p_.C_j;
-        c_.k3 = p_.alpha * inverse_15;
-        const Scalar e16 = p_.L_i * c_.F;
-        const Scalar e17 = e16 * (inverse_15 / p_.L_j);
-        const Scalar e18 = inverse_15 - e17;
-        const Scalar e19 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e18;
-        c_.k4 = -e19;
-        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e17;
+        const Scalar inverse_14 = Scalar(1) / p_.C_j;
+        c_.k3 = p_.alpha * inverse_14;
+        const Scalar e15 = p_.L_i * c_.F;
+        const Scalar e16 = e15 * (inverse_14 / p_.L_j);
+        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e16 - inverse_14);
+        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e16;
         c_.k6 = p_.T_0 * p_.T_0;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e14;
-        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e13;
-        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e17;
-        const Scalar e20 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e18;
-        c_.k10 = -e20;
-        const Scalar e21 = p_.H * e16;
-        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
-        const Scalar e22 = p_.H * (p_.L_i - e16);
-        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e22;
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * inverse_12;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e16;
+        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e13;
+        c_.k10 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * inverse_14;
+        const Scalar e17 = p_.H * e15;
+        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e17;
+        const Scalar e18 = p_.H * (p_.L_i - e15);
+        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e18;
         c_.k13 = (Scalar(1) / Scalar(2)) * e1;
         c_.k14 = e1;
-        c_.k15 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e21;
-        c_.k16 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e22;
+        c_.k15 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e17;
+        c_.k16 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e18;
         c_.k17 = (Scalar(3) / Scalar(2)) * e1;
     }
 
@@ -294,37 +290,23 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: 25 + or -, 30 *
+    /// Operations: 15 + or -, 19 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar P = u[0];
         const Scalar T_i = x[0];
-        const Scalar T_j = x[1];
-        const Scalar e1 = T_i - T_j;
-        const Scalar e2 = T_i + T_j;
-        const Scalar e3 = e1 * e2;
-        const Scalar T_j_squared = T_j * T_j;
         const Scalar T_i_squared = T_i * T_i;
-        const Scalar e4 = T_j_squared + T_i_squared;
-        const Scalar e5 = c_.k2 * e4;
-        const Scalar e6 = c_.k1 * (c_.k6 + T_i_squared);
-        const Scalar e7 = p_.T_0 - T_i;
-        const Scalar e8 = p_.T_0 + T_i;
-        const Scalar e9 = e7 * e8;
-        const Scalar e10 = p_.T_0 - T_j;
-        const Scalar e11 = p_.T_0 + T_j;
-        const Scalar e12 = c_.k4 * (c_.k6 + T_j_squared);
-        const Scalar e13 = c_.k3 - e11 * e12;
-        const Scalar e14 = c_.k5 * e4;
-        dxdt[0] = c_.k0 * P - e3 * e5 + e6 * e9;
-        dxdt[1] = e10 * e13 + e3 * e14;
-        const Scalar e15 = e1 + e2;
-        const Scalar e16 = T_i * e3;
-        const Scalar e17 = e1 - e2;
-        const Scalar e18 = T_j * e3;
-        J[0] = e6 * (e7 - e8) - e15 * e5 + c_.k7 * T_i * e9 - c_.k8 * e16;
-        J[1] = e15 * e14 + c_.k9 * e16;
-        J[2] = -e17 * e5 - c_.k8 * e18;
-        J[3] = e17 * e14 - e10 * (c_.k10 * T_j * e11 + e12) - e13 + c_.k9 * e18;
+        const Scalar T_j = x[1];
+        const Scalar T_j_squared = T_j * T_j;
+        const Scalar e1 = (T_i_squared + T_j_squared) * ((T_i - T_j) * (T_i + T_j));
+        dxdt[0] = c_.k0 * P + c_.k1 * (p_.T_0 - T_i) * (p_.T_0 + T_i) * (c_.k6 + T_i_squared) - c_.k2 * e1;
+        const Scalar e2 = (p_.T_0 - T_j) * (c_.k3 - c_.k4 * (p_.T_0 + T_j) * (c_.k6 + T_j_squared));
+        dxdt[1] = e2 + c_.k5 * e1;
+        const Scalar e3 = T_i * T_i_squared;
+        const Scalar e4 = T_j * T_j_squared;
+        J[0] = -c_.k7 * e3;
+        J[1] = c_.k8 * e3;
+        J[2] = c_.k9 * e4;
+        J[3] = -c_.k3 - c_.k10 * e4;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].
@@ -345,7 +327,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 9, entry (i, j) at J[2*j + i].
-    /// Operations: 75 + or -, 129 *, 9 /, 11 other functions
+    /// Operations: 72 + or -, 125 *, 9 /, 11 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::sqrt;
         const Scalar P = u[0];
@@ -398,83 +380,77 @@ public:
         const Scalar T_i = x[0];
         const Scalar T_i_squared = T_i * T_i;
         const Scalar e44 = (T_j_squared + T_i_squared) * ((T_i - T_j) * (T_i + T_j));
-        const Scalar e45 = c_.k6 + T_i_squared;
-        const Scalar e46 = p_.T_0 - T_i;
-        const Scalar e47 = p_.T_0 + T_i;
-        const Scalar e48 = e46 * e47;
-        const Scalar e49 = e45 * e48;
-        const Scalar e50 = e44 + e49;
-        const Scalar inverse_51 = Scalar(1) / p_.C_j;
-        const Scalar inverse_52 = Scalar(1) / p_.L_j;
-        const Scalar e53 = c_.F * inverse_52;
-        const Scalar e54 = p_.L_i * inverse_51;
-        const Scalar e55 = c_.k6 + T_j_squared;
-        const Scalar e56 = p_.T_0 - T_j;
-        const Scalar e57 = p_.T_0 + T_j;
-        const Scalar e58 = e56 * e57;
-        const Scalar e59 = e55 * e58;
-        const Scalar e60 = e59 - e44;
-        const Scalar inverse_norm_61 = detail::inverse_norm<Scalar>(e14);
-        const Scalar e62 = inverse_norm_61 * (sqrt_12 * inverse_19 + inverse_18);
-        const Scalar e63 = e10 * e25 + e13 * e29 * e62;
-        const Scalar e64 = e20 * e63 - e42;
-        const Scalar e65 = e29 * e20;
-        const Scalar e66 = e54 * e53;
-        const Scalar inverse_norm_67 = detail::inverse_norm<Scalar>(e8);
-        const Scalar e68 = inverse_norm_67 * (sqrt_17 * inverse_19 + inverse_18);
-        const Scalar e69 = e20 * (sum_of_three_x * e38 + p_.x * e29 * e68 - (e32 - e63)) - Scalar(2)
+        const Scalar e45 = (c_.k6 + T_i_squared) * ((p_.T_0 - T_i) * (p_.T_0 + T_i));
+        const Scalar e46 = e44 + e45;
+        const Scalar inverse_47 = Scalar(1) / p_.C_j;
+        const Scalar inverse_48 = Scalar(1) / p_.L_j;
+        const Scalar e49 = c_.F * inverse_48;
+        const Scalar e50 = p_.L_i * inverse_47;
+        const Scalar e51 = p_.T_0 - T_j;
+        const Scalar e52 = (c_.k6 + T_j_squared) * (e51 * (p_.T_0 + T_j));
+        const Scalar e53 = e52 - e44;
+        const Scalar inverse_norm_54 = detail::inverse_norm<Scalar>(e14);
+        const Scalar e55 = inverse_norm_54 * (sqrt_12 * inverse_19 + inverse_18);
+        const Scalar e56 = e10 * e25 + e13 * e29 * e55;
+        const Scalar e57 = e20 * e56 - e42;
+        const Scalar e58 = e29 * e20;
+        const Scalar e59 = e50 * e49;
+        const Scalar inverse_norm_60 = detail::inverse_norm<Scalar>(e8);
+        const Scalar e61 = inverse_norm_60 * (sqrt_17 * inverse_19 + inverse_18);
+        const Scalar e62 = e20 * (sum_of_three_x * e38 + p_.x * e29 * e61 - (e32 - e56)) - Scalar(2)
             * (e37 - (Scalar(1) / Scalar(2)) * e41);
-        const Scalar e70 = (Scalar(1) / Scalar(2)) * (e29 * (e40 + e31 + (e62 + e68)) - (e27 * e35 - e22 * e36));
-        const Scalar e71 = e33 * (e38 - e25 - e70);
+        const Scalar e63 = (Scalar(1) / Scalar(2)) * (e29 * (e40 + e31 + (e55 + e61)) - (e27 * e35 - e22 * e36));
+        const Scalar e64 = e33 * (e38 - e25 - e63);
         const Scalar inverse_2_squared = inverse_2 * inverse_2;
-        const Scalar e72 = Scalar(1) - c_.F;
-        const Scalar e73 = e66 - inverse_51;
-        const Scalar e74 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e65 = Scalar(1) - c_.F;
+        const Scalar e66 = e59 - inverse_47;
+        const Scalar e67 = p_.alpha * inverse_47;
+        const Scalar e68 = p_.T_0 * (p_.T_0 * p_.T_0);
+        const Scalar e69 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e6 * e43;
-        J[0] = -P * (inverse_1 * e5) - (-e74) * e50;
-        const Scalar e75 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (inverse_51 * e53 - e54 * e43);
-        J[1] = -e75 * e60;
-        const Scalar e76 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (e6 * e64 - inverse_2 * e65);
-        J[2] = e76 * e50;
-        const Scalar e77 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * (-inverse_52 * (e66 - e54 * e65) - e54 * e64);
-        J[3] = -e77 * e60;
-        const Scalar e78 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e6 * e69;
-        J[4] = e78 * e50;
-        const Scalar e79 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e54 * e69;
-        J[5] = e79 * e60;
-        const Scalar e80 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e6 * e71;
-        J[6] = (-e80) * e50;
-        const Scalar e81 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e54 * e71;
-        J[7] = (-e81) * e60;
+        J[0] = -P * (inverse_1 * e5) - (-e69) * e46;
+        const Scalar e70 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (inverse_47 * e49 - e50 * e43);
+        J[1] = -e70 * e53;
+        const Scalar e71 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (e6 * e57 - inverse_2 * e58);
+        J[2] = e71 * e46;
+        const Scalar e72 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * (-inverse_48 * (e59 - e50 * e58) - e50 * e57);
+        J[3] = -e72 * e53;
+        const Scalar e73 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e6 * e62;
+        J[4] = e73 * e46;
+        const Scalar e74 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e50 * e62;
+        J[5] = e74 * e53;
+        const Scalar e75 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e6 * e64;
+        J[6] = (-e75) * e46;
+        const Scalar e76 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
+            * e50 * e64;
+        J[7] = (-e76) * e53;
         J[8] = -P * (inverse_3 * e5);
         J[9] = Scalar(0);
-        const Scalar e82 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e77 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * c_.F * inverse_2_squared;
-        const Scalar e83 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e72 * inverse_2_squared;
-        J[10] = e82 * e44 - P * (e4 * inverse_2_squared) - e83 * e49;
+        const Scalar e78 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e65 * inverse_2_squared;
+        J[10] = e77 * e44 - P * (e4 * inverse_2_squared) - e78 * e45;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        const Scalar e84 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_51 * e73;
-        const Scalar e85 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_51 * e66;
-        J[13] = e84 * e59 - e56 * (p_.alpha * inverse_51 * inverse_51) - e85 * e44;
+        const Scalar e79 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_47 * e66;
+        const Scalar e80 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_47 * e59;
+        J[13] = e79 * e52 - e51 * (inverse_47 * e67) - e80 * e44;
         J[14] = Scalar(0);
-        J[15] = e56 * inverse_51;
-        const Scalar e86 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.T_0 * inverse_2 * e72;
-        J[16] = c_.k1 * e45 * (e46 + e47) + e86 * e48;
-        const Scalar e87 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * p_.T_0 * e73;
-        J[17] = c_.k3 - c_.k4 * e55 * (e56 + e57) - e87 * e58;
+        J[15] = e51 * inverse_47;
+        J[16] = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * inverse_2
+            * e65 * e68;
+        const Scalar e81 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e66 * e68;
+        J[17] = -(e81 - e67);
     }
 
     /// J = df/dt at fixed x and u.
@@ -522,25 +498,17 @@ public:
     }
 
     /// C = dh/dx.
-    /// Operations: 12 + or -, 14 *
+    /// Operations: 1 + or -, 7 *
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         const Scalar T_i = x[0];
+        const Scalar e1 = T_i * (T_i * T_i);
         const Scalar T_j = x[1];
-        const Scalar e1 = T_i - T_j;
-        const Scalar T_i_squared = T_i * T_i;
-        const Scalar e2 = c_.k11 * (T_j * T_j + T_i_squared);
-        const Scalar e3 = e1 * e2;
-        const Scalar e4 = T_i + T_j;
-        const Scalar e5 = e4 * e2;
-        const Scalar e6 = e4 * (c_.k15 * e1);
-        const Scalar e7 = p_.T_0 + T_i;
-        const Scalar e8 = c_.k12 * (c_.k6 + T_i_squared);
         C[0] = Scalar(0);
-        C[1] = e3 + e5 + T_i * e6;
-        C[2] = e7 * e8 - (p_.T_0 - T_i) * (c_.k16 * T_i * e7 + e8);
+        C[1] = c_.k15 * e1;
+        C[2] = c_.k16 * e1;
         C[3] = Scalar(0);
         C[4] = Scalar(0);
-        C[5] = e3 - e5 + T_j * e6;
+        C[5] = -c_.k15 * T_j * T_j * T_j;
         C[6] = Scalar(0);
         C[7] = Scalar(0);
     }
@@ -643,16 +611,16 @@ private:
         Scalar k4;  ///< stefan_boltzmann*(-1 + L_i*F/L_j)/C_j
         Scalar k5;  ///< stefan_boltzmann*L_i*F/(L_j*C_j)
         Scalar k6;  ///< T_0^2
-        Scalar k7;  ///< 2*stefan_boltzmann*(1 - F)/C_i
-        Scalar k8;  ///< 2*stefan_boltzmann*F/C_i
-        Scalar k9;  ///< 2*stefan_boltzmann*L_i*F/(L_j*C_j)
-        Scalar k10;  ///< 2*stefan_boltzmann*(-1 + L_i*F/L_j)/C_j
+        Scalar k7;  ///< 4*stefan_boltzmann/C_i
+        Scalar k8;  ///< 4*stefan_boltzmann*L_i*F/(L_j*C_j)
+        Scalar k9;  ///< 4*stefan_boltzmann*F/C_i
+        Scalar k10;  ///< 4*stefan_boltzmann/C_j
         Scalar k11;  ///< stefan_boltzmann*L_i*H*F
         Scalar k12;  ///< stefan_boltzmann*L_i*H*(1 - F)
         Scalar k13;  ///< y^2/2
         Scalar k14;  ///< y^2
-        Scalar k15;  ///< 2*stefan_boltzmann*L_i*H*F
-        Scalar k16;  ///< 2*stefan_boltzmann*L_i*H*(1 - F)
+        Scalar k15;  ///< 4*stefan_boltzmann*L_i*H*F
+        Scalar k16;  ///< 4*stefan_boltzmann*L_i*H*(1 - F)
         Scalar k17;  ///< 3*y^2/2
     };
     Cached c_{};

@@ -19,8 +19,8 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                 2     23     3        0      0
 //   rhs                    6      7     0        0      0
-//   rhs_and_jacobian       9     10     0        0      0
-//   jacobian_u             5      7     0        0      0
+//   rhs_and_jacobian       7      9     0        0      0
+//   jacobian_u             0      3     0        0      0
 //   jacobian_p             9     26     1        0      0
 //   output                 1     17     4        0      1
 //   output_jacobian_x      3     19     5        0      2
@@ -199,7 +199,7 @@ public:
         c_.k0 = p_.tau_g * e2;
         c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e2;
         c_.k2 = p_.alpha * e1;
-        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e2;
+        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e2;
         const Scalar e3 = p_.h * p_.c_0;
         const Scalar e4 = e3 * (p_.c_0 * detail::pi<Scalar>());
         c_.k4 = Scalar(2) * e4;
@@ -243,18 +243,15 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 9 + or -, 10 *
+    /// Operations: 7 + or -, 9 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar sun = u[2];
-        const Scalar T_a = u[1];
-        const Scalar T = x[0];
         const Scalar T_h = u[0];
-        const Scalar e1 = c_.k1 * (T_h * T_h + T * T);
-        const Scalar e2 = T_h - T;
-        const Scalar e3 = T_h + T;
-        const Scalar e4 = e2 * e3;
-        dxdt[0] = c_.k0 * sun + c_.k2 * (T_a - T) + e1 * e4;
-        J[0] = e1 * (e2 - e3) - c_.k2 + c_.k3 * T * e4;
+        const Scalar T = x[0];
+        const Scalar T_squared = T * T;
+        const Scalar T_a = u[1];
+        dxdt[0] = c_.k0 * sun + c_.k1 * (T_h - T) * (T_h + T) * (T_h * T_h + T_squared) + c_.k2 * (T_a - T);
+        J[0] = -c_.k2 - c_.k3 * T * T_squared;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -264,13 +261,10 @@ public:
     }
 
     /// J = df/du. 1 x 4, entry (i, j) at J[1*j + i].
-    /// Operations: 5 + or -, 7 *
-    void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
+    /// Operations: 3 *
+    void jacobian_u(const State& /*x*/, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         const Scalar T_h = u[0];
-        const Scalar T = x[0];
-        const Scalar e1 = T_h + T;
-        const Scalar e2 = c_.k1 * (T_h * T_h + T * T);
-        J[0] = (T_h - T) * (c_.k3 * T_h * e1 + e2) + e1 * e2;
+        J[0] = c_.k3 * T_h * T_h * T_h;
         J[1] = c_.k2;
         J[2] = c_.k0;
         J[3] = Scalar(0);
@@ -484,7 +478,7 @@ private:
         Scalar k0;  ///< A*eps*tau_g/C
         Scalar k1;  ///< stefan_boltzmann*A*eps/C
         Scalar k2;  ///< A*alpha/C
-        Scalar k3;  ///< 2*stefan_boltzmann*A*eps/C
+        Scalar k3;  ///< 4*stefan_boltzmann*A*eps/C
         Scalar k4;  ///< 2*h*c_0^2*pi
         Scalar k5;  ///< 2*h*c_0^2*eps*pi
         Scalar k6;  ///< 1250251421346000*h*c_0/(6207642188737199*k)

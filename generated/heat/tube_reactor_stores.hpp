@@ -15,12 +15,12 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                11     40     7        0      1
+//   update                12     40     7        0      1
 //   rhs                    9     10     0        0      0
-//   rhs_and_jacobian      18     24     0        0      0
-//   jacobian_p            33    103     6        0      0
+//   rhs_and_jacobian      11     16     0        0      0
+//   jacobian_p            30    100     6        0      0
 //   output                 8      8     0        0      0
-//   output_jacobian_x     13     14     0        0      0
+//   output_jacobian_x      2      7     0        0      0
 //   internal_energy        1      4     0        0      0
 //   exchanged_power        5      6     0        0      0
 //
@@ -186,7 +186,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 11 + or -, 40 *, 7 /, 1 other functions
+    /// Operations: 12 + or -, 40 *, 7 /, 1 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::pow;
@@ -224,16 +224,16 @@ public:
         const Scalar e20 = inverse_16 * e14;
         c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e20;
         c_.k5 = e3;
-        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e15;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e20;
-        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e19;
+        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e15;
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e20;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * (e20 + e19);
         const Scalar e21 = p_.H * e14;
         c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
         c_.k10 = p_.H * e17;
         const Scalar e22 = p_.H * e18;
         c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e22;
-        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e21;
-        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000))) * e22;
+        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e21;
+        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e22;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -264,32 +264,23 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: 18 + or -, 24 *
+    /// Operations: 11 + or -, 16 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar load = u[0];
-        const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
-        const Scalar e1 = T_1 - T_2;
-        const Scalar e2 = T_1 + T_2;
-        const Scalar e3 = e1 * e2;
         const Scalar T_2_squared = T_2 * T_2;
-        const Scalar e4 = T_1 * T_1 + T_2_squared;
-        const Scalar e5 = c_.k1 * e4;
-        const Scalar e6 = p_.T_inf - T_2;
-        const Scalar e7 = p_.T_inf + T_2;
-        const Scalar e8 = c_.k3 * (c_.k5 + T_2_squared);
-        const Scalar e9 = c_.k2 + e7 * e8;
-        const Scalar e10 = c_.k4 * e4;
-        dxdt[0] = c_.k0 * load - e3 * e5;
-        dxdt[1] = e6 * e9 + e3 * e10;
-        const Scalar e11 = e1 + e2;
-        const Scalar e12 = T_1 * e3;
-        const Scalar e13 = e1 - e2;
-        const Scalar e14 = T_2 * e3;
-        J[0] = -e11 * e5 - c_.k6 * e12;
-        J[1] = e11 * e10 + c_.k7 * e12;
-        J[2] = -e13 * e5 - c_.k6 * e14;
-        J[3] = e6 * (c_.k8 * T_2 * e7 + e8) - e9 + e13 * e10 + c_.k7 * e14;
+        const Scalar T_1 = x[0];
+        const Scalar T_1_squared = T_1 * T_1;
+        const Scalar e1 = (T_2_squared + T_1_squared) * ((T_1 - T_2) * (T_1 + T_2));
+        dxdt[0] = c_.k0 * load - c_.k1 * e1;
+        const Scalar e2 = (p_.T_inf - T_2) * (c_.k2 + c_.k3 * (p_.T_inf + T_2) * (c_.k5 + T_2_squared));
+        dxdt[1] = e2 + c_.k4 * e1;
+        const Scalar e3 = T_1 * T_1_squared;
+        const Scalar e4 = T_2 * T_2_squared;
+        J[0] = -c_.k6 * e3;
+        J[1] = c_.k7 * e3;
+        J[2] = c_.k6 * e4;
+        J[3] = -c_.k2 - c_.k8 * e4;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].
@@ -306,7 +297,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 10, entry (i, j) at J[2*j + i].
-    /// Operations: 33 + or -, 103 *, 6 /
+    /// Operations: 30 + or -, 100 *, 6 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar inverse_1 = Scalar(1) / p_.C_1;
         const Scalar e2 = detail::pi<Scalar>() * inverse_1;
@@ -333,74 +324,70 @@ public:
         const Scalar e19 = e2 * e9;
         const Scalar e20 = p_.T_inf - T_2;
         const Scalar e21 = e14 * e9;
-        const Scalar e22 = c_.k5 + T_2_squared;
-        const Scalar e23 = p_.T_inf + T_2;
-        const Scalar e24 = e20 * e23;
-        const Scalar e25 = e22 * e24;
-        const Scalar e26 = inverse_6 * inverse_7 * (inverse_6 * e8);
-        const Scalar e27 = p_.D * e2;
-        const Scalar e28 = e8 * (inverse_4 * inverse_4);
-        const Scalar e29 = p_.D * e14;
-        const Scalar e30 = p_.eps_2 * p_.T_inf;
-        const Scalar e31 = p_.alpha * e27;
-        const Scalar e32 = p_.d * c_.F;
-        const Scalar e33 = inverse_13 * e29;
-        const Scalar e34 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e22 = (c_.k5 + T_2_squared) * (e20 * (p_.T_inf + T_2));
+        const Scalar e23 = inverse_6 * inverse_7 * (inverse_6 * e8);
+        const Scalar e24 = p_.D * e2;
+        const Scalar e25 = e8 * (inverse_4 * inverse_4);
+        const Scalar e26 = p_.D * e14;
+        const Scalar e27 = ((Scalar(25000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
+            * p_.alpha;
+        const Scalar e28 = e27 + p_.eps_2 * p_.T_inf * e15;
+        const Scalar e29 = p_.d * c_.F;
+        const Scalar e30 = inverse_13 * e26;
+        const Scalar e31 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e2 * e11;
-        J[0] = (-e34) * e12;
-        const Scalar e35 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[0] = (-e31) * e12;
+        const Scalar e32 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e14 * e11;
-        J[1] = -(-e35) * e12;
-        const Scalar e36 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[1] = -(-e32) * e12;
+        const Scalar e33 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.eps_2 * e17;
-        const Scalar e37 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e34 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e10 * e19;
-        J[2] = -load * (e2 * (e36 + p_.alpha * e18)) - (-e37) * e12;
-        const Scalar e38 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        J[2] = -load * (e2 * (e33 + p_.alpha * e18)) - (-e34) * e12;
+        const Scalar e35 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * e10 * e21;
-        const Scalar e39 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+        const Scalar e36 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
             * p_.eps_2 * e14;
-        J[3] = e20 * (p_.alpha * e14) + (-e38) * e12 + e39 * e25;
+        J[3] = e20 * (p_.alpha * e14) + (-e35) * e12 + e36 * e22;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
+        const Scalar e37 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e2 * e23;
+        J[6] = -e37 * e12;
+        const Scalar e38 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e14 * e23;
+        J[7] = e38 * e12;
+        const Scalar e39 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e17 * e24;
         const Scalar e40 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e2 * e26;
-        J[6] = -e40 * e12;
+            * e19 * e25;
+        J[8] = -load * e39 - e40 * e12;
         const Scalar e41 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e14 * e26;
-        J[7] = e41 * e12;
+            * e21 * e25;
         const Scalar e42 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e17 * e27;
-        const Scalar e43 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e19 * e28;
-        J[8] = -load * e42 - e43 * e12;
-        const Scalar e44 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e21 * e28;
-        const Scalar e45 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e29;
-        J[9] = e44 * e12 + e45 * e25;
-        J[10] = -load * (e27 * e18);
-        J[11] = e20 * e29;
-        const Scalar e46 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * e27 * e30 * e15;
-        J[12] = -load * (e46 + e31);
-        const Scalar e47 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(50000000) * Scalar(1000000000)))
-            * e29 * e30;
-        J[13] = c_.k3 * e22 * (e20 + e23) + c_.k2 + e47 * e24;
-        const Scalar e48 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
-            * p_.eps_2 * p_.T_2max * e27 * e16;
-        J[14] = load * (e48 + e31);
+            * e26;
+        J[9] = e41 * e12 + e42 * e22;
+        J[10] = -load * (e18 * e24);
+        J[11] = e20 * e26;
+        const Scalar e43 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * e28 * e24;
+        J[12] = -load * e43;
+        J[13] = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e28 * e26;
+        const Scalar e44 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000)))
+            * p_.eps_2 * p_.T_2max * e16;
+        J[14] = load * (e24 * (p_.alpha + e44));
         J[15] = Scalar(0);
-        const Scalar e49 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_1 * e2 * e32;
-        J[16] = e49 * e12 - load * (c_.q_max * inverse_1 * inverse_1);
+        const Scalar e45 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_1 * e2 * e29;
+        J[16] = e45 * e12 - load * (c_.q_max * inverse_1 * inverse_1);
         J[17] = Scalar(0);
         J[18] = Scalar(0);
-        const Scalar e50 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * inverse_13 * e14 * e32;
-        const Scalar e51 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * p_.eps_2 * e33;
-        J[19] = -e20 * (p_.alpha * e33) - e50 * e12 - e51 * e25;
+        const Scalar e46 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * inverse_13 * e14 * e29;
+        const Scalar e47 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * p_.eps_2 * e30;
+        J[19] = -e20 * (p_.alpha * e30) - e46 * e12 - e47 * e22;
     }
 
     /// J = df/dt at fixed x and u.
@@ -445,29 +432,21 @@ public:
     }
 
     /// C = dh/dx.
-    /// Operations: 13 + or -, 14 *
+    /// Operations: 2 + or -, 7 *
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
-        const Scalar e1 = T_1 - T_2;
-        const Scalar T_2_squared = T_2 * T_2;
-        const Scalar e2 = c_.k9 * (T_1 * T_1 + T_2_squared);
-        const Scalar e3 = e1 * e2;
-        const Scalar e4 = T_1 + T_2;
-        const Scalar e5 = e4 * e2;
-        const Scalar e6 = e4 * (c_.k12 * e1);
-        const Scalar e7 = p_.T_inf + T_2;
-        const Scalar e8 = c_.k11 * (c_.k5 + T_2_squared);
+        const Scalar e1 = T_2 * (T_2 * T_2);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
         C[2] = Scalar(0);
-        C[3] = e3 + e5 + T_1 * e6;
+        C[3] = c_.k12 * T_1 * T_1 * T_1;
         C[4] = Scalar(0);
         C[5] = Scalar(1);
         C[6] = Scalar(0);
         C[7] = Scalar(0);
-        C[8] = e3 - e5 + T_2 * e6;
-        C[9] = c_.k10 - (p_.T_inf - T_2) * (c_.k13 * T_2 * e7 + e8) + e7 * e8;
+        C[8] = -c_.k12 * e1;
+        C[9] = c_.k10 + c_.k13 * e1;
     }
 
     /// D = dh/du.
@@ -550,14 +529,14 @@ private:
         Scalar k3;  ///< stefan_boltzmann*D*eps_2*pi/C_2
         Scalar k4;  ///< stefan_boltzmann*d*F*pi/C_2
         Scalar k5;  ///< T_inf^2
-        Scalar k6;  ///< 2*stefan_boltzmann*d*F*pi/C_1
-        Scalar k7;  ///< 2*stefan_boltzmann*d*F*pi/C_2
-        Scalar k8;  ///< 2*stefan_boltzmann*D*eps_2*pi/C_2
+        Scalar k6;  ///< 4*stefan_boltzmann*d*F*pi/C_1
+        Scalar k7;  ///< 4*stefan_boltzmann*d*F*pi/C_2
+        Scalar k8;  ///< 4*stefan_boltzmann*pi*(d*F + D*eps_2)/C_2
         Scalar k9;  ///< stefan_boltzmann*d*H*F*pi
         Scalar k10;  ///< D*H*alpha*pi
         Scalar k11;  ///< stefan_boltzmann*D*H*eps_2*pi
-        Scalar k12;  ///< 2*stefan_boltzmann*d*H*F*pi
-        Scalar k13;  ///< 2*stefan_boltzmann*D*H*eps_2*pi
+        Scalar k12;  ///< 4*stefan_boltzmann*d*H*F*pi
+        Scalar k13;  ///< 4*stefan_boltzmann*D*H*eps_2*pi
     };
     Cached c_{};
 };

@@ -23,7 +23,7 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                15     33     6        0      2
 //   rhs                    6      9     2        0      0
-//   rhs_and_jacobian      10     16     2        0      0
+//   rhs_and_jacobian      10     15     2        0      0
 //   jacobian_u             1      3     2        0      0
 //   jacobian_p            10     20     4        0      0
 //   bias                   2      3     0        0      0
@@ -169,23 +169,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
@@ -269,51 +274,55 @@ public:
         p_ = values;
         using std::exp;
         c_.k0 = Scalar(1) / p_.m_k;
-        c_.k1 = p_.beta / p_.A_1;
-        c_.k2 = p_.beta / p_.A_2;
-        const Scalar e1 = p_.l - p_.d;
-        c_.k3 = e1;
-        c_.k4 = p_.A_1 * p_.beta;
-        c_.k5 = p_.A_2 * p_.beta;
-        const Scalar e2 = p_.alpha * p_.T_0;
-        const Scalar e3 = p_.beta * e2;
-        const Scalar e4 = e3 - p_.p_0;
-        c_.k6 = p_.A_1 * e4;
-        c_.k7 = p_.A_2 * e4;
-        c_.k8 = (Scalar(1) / Scalar(2)) * p_.m_k;
-        const Scalar e5 = p_.A_2 * e1;
-        c_.k9 = p_.beta * e5;
-        c_.k10 = e4 * e5;
-        c_.k11 = p_.m_k / p_.rho_k;
-        c_.k12 = e3;
-        c_.k13 = p_.A_1 * e3;
-        const Scalar inverse_6 = Scalar(1) / p_.rho_0;
-        c_.k14 = inverse_6;
-        c_.k15 = p_.beta * inverse_6;
-        c_.k16 = inverse_6 * e4;
-        const Scalar inverse_7 = Scalar(1) / p_.beta;
-        const Scalar e8 = (p_.p_0 - p_.p_s) * inverse_7;
-        const Scalar exp_9 = exp(e8);
-        const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
-        const Scalar e11 = e8 * exp_9 - compression_10;
-        const Scalar e12 = p_.p_s * exp_9;
-        const Scalar e13 = e11 * e4 + (p_.beta * compression_10 + e12);
-        c_.k17 = inverse_6 * e13;
-        c_.k18 = inverse_7;
-        const Scalar e14 = e2 - p_.p_0 * inverse_7;
-        c_.k19 = -p_.A_1 * e14;
-        c_.k20 = p_.A_1 * inverse_7;
-        c_.k21 = -e14;
-        c_.k22 = -compression_10 - e11 * e14 - inverse_7 * e12;
-        c_.k23 = inverse_6 * inverse_7;
-        c_.k24 = inverse_6 * (Scalar(1) - e14);
-        c_.k25 = -e14 * e5;
-        c_.k26 = -p_.A_2 * e14;
-        c_.k27 = p_.A_2 * inverse_7;
-        c_.k28 = inverse_7 * e5;
-        c_.k29 = e5;
-        c_.k30 = e4;
-        c_.k31 = e13;
+        const Scalar inverse_1 = Scalar(1) / p_.A_1;
+        c_.k1 = p_.beta * inverse_1;
+        const Scalar inverse_2 = Scalar(1) / p_.A_2;
+        c_.k2 = p_.beta * inverse_2;
+        const Scalar e3 = p_.l - p_.d;
+        c_.k3 = e3;
+        c_.k4 = inverse_1;
+        c_.k5 = inverse_2;
+        c_.k6 = p_.A_1 * p_.beta;
+        c_.k7 = p_.A_2 * p_.beta;
+        const Scalar e4 = p_.alpha * p_.T_0;
+        const Scalar e5 = p_.beta * e4;
+        const Scalar e6 = e5 - p_.p_0;
+        c_.k8 = p_.A_1 * e6;
+        c_.k9 = p_.A_2 * e6;
+        c_.k10 = (Scalar(1) / Scalar(2)) * p_.m_k;
+        const Scalar e7 = p_.A_2 * e3;
+        c_.k11 = p_.beta * e7;
+        c_.k12 = e6 * e7;
+        c_.k13 = p_.m_k / p_.rho_k;
+        c_.k14 = e5;
+        c_.k15 = p_.A_1 * e5;
+        const Scalar inverse_8 = Scalar(1) / p_.rho_0;
+        c_.k16 = inverse_8;
+        c_.k17 = p_.beta * inverse_8;
+        c_.k18 = inverse_8 * e6;
+        const Scalar inverse_9 = Scalar(1) / p_.beta;
+        const Scalar e10 = (p_.p_0 - p_.p_s) * inverse_9;
+        const Scalar exp_11 = exp(e10);
+        const Scalar compression_12 = detail::compression<Scalar>(-e10, exp_11);
+        const Scalar e13 = e10 * exp_11 - compression_12;
+        const Scalar e14 = p_.p_s * exp_11;
+        const Scalar e15 = e13 * e6 + (p_.beta * compression_12 + e14);
+        c_.k19 = inverse_8 * e15;
+        c_.k20 = inverse_9;
+        const Scalar e16 = e4 - p_.p_0 * inverse_9;
+        c_.k21 = -p_.A_1 * e16;
+        c_.k22 = p_.A_1 * inverse_9;
+        c_.k23 = -e16;
+        c_.k24 = -compression_12 - e13 * e16 - inverse_9 * e14;
+        c_.k25 = inverse_8 * inverse_9;
+        c_.k26 = inverse_8 * (Scalar(1) - e16);
+        c_.k27 = -e16 * e7;
+        c_.k28 = -p_.A_2 * e16;
+        c_.k29 = p_.A_2 * inverse_9;
+        c_.k30 = inverse_9 * e7;
+        c_.k31 = e7;
+        c_.k32 = e6;
+        c_.k33 = e15;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -366,33 +375,34 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 10 + or -, 16 *, 2 /
+    /// Operations: 10 + or -, 15 *, 2 /
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar p_1 = x[2];
         const Scalar f_l = u[2];
         const Scalar s_k_dot = x[1];
         const Scalar p_2 = x[3];
         const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.d_k * s_k_dot - p_.A_2 * p_2) * c_.k0;
+        const Scalar q_1 = u[0];
         const Scalar s_k = x[0];
         const Scalar inverse_1 = Scalar(1) / s_k;
-        const Scalar q_1 = u[0];
-        const Scalar e2 = p_.beta * s_k_dot;
-        const Scalar e3 = inverse_1 * (c_.k1 * q_1 - e2);
-        const Scalar inverse_4 = Scalar(1) / (c_.k3 - s_k);
+        const Scalar e2 = p_.beta * inverse_1;
+        const Scalar e3 = (q_1 * c_.k4 - s_k_dot) * e2;
         const Scalar q_2 = u[1];
-        const Scalar e5 = inverse_4 * (c_.k2 * q_2 + e2);
+        const Scalar inverse_4 = Scalar(1) / (c_.k3 - s_k);
+        const Scalar e5 = p_.beta * inverse_4;
+        const Scalar e6 = (q_2 * c_.k5 + s_k_dot) * e5;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
         dxdt[2] = e3;
-        dxdt[3] = e5;
+        dxdt[3] = e6;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = -inverse_1 * e3;
-        J[3] = inverse_4 * e5;
+        J[3] = inverse_4 * e6;
         J[4] = Scalar(1);
         J[5] = (-p_.d_k) * c_.k0;
-        J[6] = -p_.beta * inverse_1;
-        J[7] = p_.beta * inverse_4;
+        J[6] = -e2;
+        J[7] = e5;
         J[8] = Scalar(0);
         J[9] = p_.A_1 * c_.k0;
         J[10] = Scalar(0);
@@ -475,8 +485,8 @@ public:
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = inverse_1 * e3 - s_k_dot * inverse_2;
-        J[31] = s_k_dot * inverse_5 + inverse_4 * e6;
+        J[30] = c_.k4 * e3 - s_k_dot * inverse_2;
+        J[31] = s_k_dot * inverse_5 + c_.k5 * e6;
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
@@ -559,13 +569,13 @@ public:
         using std::exp;
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
-        const Scalar e1 = c_.k18 * (p_.p_0 - p_2);
+        const Scalar e1 = c_.k20 * (p_.p_0 - p_2);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar s_k = x[0];
         const Scalar e5 = s_k * inverse_4;
-        const Scalar e6 = c_.k18 * (p_.p_0 - p_1);
+        const Scalar e6 = c_.k20 * (p_.p_0 - p_1);
         const Scalar exp_7 = exp(e6);
         const Scalar inverse_8 = Scalar(1) / exp_7;
         const Scalar compression_9 = detail::compression<Scalar>(-e6, exp_7);
@@ -574,12 +584,12 @@ public:
         const Scalar q_1 = u[0];
         const Scalar max_11 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * inverse_8);
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        y[1] = compression_3 * (c_.k9 * inverse_4 - c_.k5 * e5) + (e1 * exp_2 - compression_3)
-            * (c_.k10 * inverse_4 - c_.k7 * e5) + s_k * inverse_8 * (c_.k4 * compression_9 + c_.k6 * e10) + c_.k8 * s_k_dot
+        y[1] = compression_3 * (c_.k11 * inverse_4 - c_.k7 * e5) + (e1 * exp_2 - compression_3)
+            * (c_.k12 * inverse_4 - c_.k9 * e5) + s_k * inverse_8 * (c_.k6 * compression_9 + c_.k8 * e10) + c_.k10 * s_k_dot
             * s_k_dot;
-        y[2] = c_.k11;
-        const Scalar e12 = max_11 * (c_.k14 * p_1 * exp_7 + c_.k15 * compression_9 + c_.k16 * e10 - c_.k17);
-        y[3] = e12 - c_.k12 * q_1 + c_.k13 * s_k_dot;
+        y[2] = c_.k13;
+        const Scalar e12 = max_11 * (c_.k16 * p_1 * exp_7 + c_.k17 * compression_9 + c_.k18 * e10 - c_.k19);
+        y[3] = e12 - c_.k14 * q_1 + c_.k15 * s_k_dot;
     }
 
     /// C = dh/dx.
@@ -588,7 +598,7 @@ public:
         using std::exp;
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_0 - p_1;
-        const Scalar e2 = c_.k18 * e1;
+        const Scalar e2 = c_.k20 * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar compression_4 = detail::compression<Scalar>(-e2, exp_3);
         const Scalar inverse_5 = Scalar(1) / exp_3;
@@ -596,7 +606,7 @@ public:
         const Scalar e7 = (e2 * exp_3 - compression_4) * inverse_5;
         const Scalar p_2 = x[3];
         const Scalar e8 = p_.p_0 - p_2;
-        const Scalar e9 = c_.k18 * e8;
+        const Scalar e9 = c_.k20 * e8;
         const Scalar exp_10 = exp(e9);
         const Scalar compression_11 = detail::compression<Scalar>(-e9, exp_10);
         const Scalar inverse_12 = Scalar(1) / exp_10;
@@ -610,20 +620,20 @@ public:
         const Scalar max_17 = detail::max<Scalar>(Scalar(0), e15);
         const Scalar e18 = exp_3 * max_17;
         C[0] = Scalar(0);
-        C[1] = c_.k4 * e6 + c_.k6 * e7 - c_.k5 * e13 - c_.k7 * e14;
+        C[1] = c_.k6 * e6 + c_.k8 * e7 - c_.k7 * e13 - c_.k9 * e14;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
         C[5] = p_.m_k * s_k_dot;
         C[6] = Scalar(0);
-        C[7] = c_.k13;
+        C[7] = c_.k15;
         C[8] = p_.A_1;
-        C[9] = c_.k19 * s_k * (Scalar(1) - e7) - s_k * (c_.k20 * e1 - p_.A_1 * e6);
+        C[9] = c_.k21 * s_k * (Scalar(1) - e7) - s_k * (c_.k22 * e1 - p_.A_1 * e6);
         C[10] = Scalar(0);
-        C[11] = q_1 * step_16 * (c_.k18 * p_1 + c_.k22 * inverse_5 + e6 - c_.k21 * e7) - c_.k23 * e18 * (p_1 + e1) + c_.k24
+        C[11] = q_1 * step_16 * (c_.k20 * p_1 + c_.k24 * inverse_5 + e6 - c_.k23 * e7) - c_.k25 * e18 * (p_1 + e1) + c_.k26
             * e18;
         C[12] = -p_.A_2;
-        C[13] = s_k * (c_.k27 * e8 - p_.A_2 * e13) + (c_.k25 - c_.k26 * s_k) * (Scalar(1) - e14) - c_.k28 * e8 + c_.k29 * e13;
+        C[13] = s_k * (c_.k29 * e8 - p_.A_2 * e13) + (c_.k27 - c_.k28 * s_k) * (Scalar(1) - e14) - c_.k30 * e8 + c_.k31 * e13;
         C[14] = Scalar(0);
         C[15] = Scalar(0);
     }
@@ -634,7 +644,7 @@ public:
         using std::exp;
         const Scalar q_1 = u[0];
         const Scalar p_1 = x[2];
-        const Scalar e1 = c_.k18 * (p_.p_0 - p_1);
+        const Scalar e1 = c_.k20 * (p_.p_0 - p_1);
         const Scalar exp_2 = exp(e1);
         const Scalar inverse_3 = Scalar(1) / exp_2;
         const Scalar step_4 = detail::step<Scalar>(p_.rho_0 * q_1 * inverse_3);
@@ -642,8 +652,8 @@ public:
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        const Scalar e6 = p_.beta * compression_5 + c_.k30 * (e1 * exp_2 - compression_5) - c_.k31;
-        D[3] = step_4 * inverse_3 * e6 - c_.k12 + p_1 * step_4;
+        const Scalar e6 = p_.beta * compression_5 + c_.k32 * (e1 * exp_2 - compression_5) - c_.k33;
+        D[3] = step_4 * inverse_3 * e6 - c_.k14 + p_1 * step_4;
         D[4] = Scalar(0);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
@@ -659,7 +669,7 @@ public:
     ///     T = m_k*dot(s_k)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar s_k_dot = x[1];
-        return c_.k8 * s_k_dot * s_k_dot;
+        return c_.k10 * s_k_dot * s_k_dot;
     }
 
     /// V in joules.
@@ -699,19 +709,19 @@ public:
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
         const Scalar p_2 = x[3];
-        const Scalar e1 = c_.k18 * (p_.p_0 - p_2);
+        const Scalar e1 = c_.k20 * (p_.p_0 - p_2);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar s_k = x[0];
         const Scalar e5 = s_k * inverse_4;
         const Scalar p_1 = x[2];
-        const Scalar e6 = c_.k18 * (p_.p_0 - p_1);
+        const Scalar e6 = c_.k20 * (p_.p_0 - p_1);
         const Scalar exp_7 = exp(e6);
         const Scalar compression_8 = detail::compression<Scalar>(-e6, exp_7);
-        const Scalar e9 = s_k / exp_7 * (c_.k4 * compression_8 + c_.k6 * (e6 * exp_7 - compression_8));
-        return compression_3 * (c_.k9 * inverse_4 - c_.k5 * e5) + (e1 * exp_2 - compression_3)
-            * (c_.k10 * inverse_4 - c_.k7 * e5) + e9;
+        const Scalar e9 = s_k / exp_7 * (c_.k6 * compression_8 + c_.k8 * (e6 * exp_7 - compression_8));
+        return compression_3 * (c_.k11 * inverse_4 - c_.k7 * e5) + (e1 * exp_2 - compression_3)
+            * (c_.k12 * inverse_4 - c_.k9 * e5) + e9;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
@@ -719,20 +729,20 @@ public:
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         const Scalar p_1 = x[2];
-        const Scalar e1 = c_.k18 * (p_.p_0 - p_1);
+        const Scalar e1 = c_.k20 * (p_.p_0 - p_1);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar q_1 = u[0];
         const Scalar e4 = q_1 / exp_2;
         const Scalar p_2 = x[3];
-        const Scalar e5 = c_.k18 * (p_.p_0 - p_2);
+        const Scalar e5 = c_.k20 * (p_.p_0 - p_2);
         const Scalar exp_6 = exp(e5);
         const Scalar compression_7 = detail::compression<Scalar>(-e5, exp_6);
         const Scalar q_2 = u[1];
         const Scalar e8 = q_2 / exp_6;
         const Scalar s_k_dot = x[1];
-        const Scalar e9 = c_.k30 * ((e1 * exp_2 - compression_3) * e4 + (e5 * exp_6 - compression_7) * e8);
-        return e9 - c_.k12 * (q_1 + q_2) + p_.beta * (compression_3 * e4 + compression_7 * e8) + q_1 * p_1 + q_2 * p_2
+        const Scalar e9 = c_.k32 * ((e1 * exp_2 - compression_3) * e4 + (e5 * exp_6 - compression_7) * e8);
+        return e9 - c_.k14 * (q_1 + q_2) + p_.beta * (compression_3 * e4 + compression_7 * e8) + q_1 * p_1 + q_2 * p_2
             + s_k_dot * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
     }
 
@@ -744,7 +754,7 @@ public:
         const Scalar p_2 = x[3];
         g[0] = p_.A_1 * s_k;
         g[1] = p_1;
-        g[2] = c_.k29 - p_.A_2 * s_k;
+        g[2] = c_.k31 - p_.A_2 * s_k;
         g[3] = p_2;
     }
 
@@ -756,34 +766,36 @@ private:
         Scalar k1;  ///< beta/A_1
         Scalar k2;  ///< beta/A_2
         Scalar k3;  ///< l - d
-        Scalar k4;  ///< A_1*beta
-        Scalar k5;  ///< A_2*beta
-        Scalar k6;  ///< A_1*(beta*alpha*T_0 - p_0)
-        Scalar k7;  ///< A_2*(beta*alpha*T_0 - p_0)
-        Scalar k8;  ///< m_k/2
-        Scalar k9;  ///< A_2*beta*(l - d)
-        Scalar k10;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
-        Scalar k11;  ///< m_k/rho_k
-        Scalar k12;  ///< beta*alpha*T_0
-        Scalar k13;  ///< A_1*beta*alpha*T_0
-        Scalar k14;  ///< 1/rho_0
-        Scalar k15;  ///< beta/rho_0
-        Scalar k16;  ///< (beta*alpha*T_0 - p_0)/rho_0
-        Scalar k17;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
-        Scalar k18;  ///< 1/beta
-        Scalar k19;  ///< A_1*(p_0/beta - alpha*T_0)
-        Scalar k20;  ///< A_1/beta
-        Scalar k21;  ///< p_0/beta - alpha*T_0
-        Scalar k22;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_s/beta)/beta - alpha*T_0*p_s*exp(p_0/beta - p_s/beta)/beta + ...
-        Scalar k23;  ///< 1/(rho_0*beta)
-        Scalar k24;  ///< (1 + p_0/beta - alpha*T_0)/rho_0
-        Scalar k25;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
-        Scalar k26;  ///< A_2*(p_0/beta - alpha*T_0)
-        Scalar k27;  ///< A_2/beta
-        Scalar k28;  ///< A_2*(l - d)/beta
-        Scalar k29;  ///< A_2*(l - d)
-        Scalar k30;  ///< beta*alpha*T_0 - p_0
-        Scalar k31;  ///< -beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k4;  ///< 1/A_1
+        Scalar k5;  ///< 1/A_2
+        Scalar k6;  ///< A_1*beta
+        Scalar k7;  ///< A_2*beta
+        Scalar k8;  ///< A_1*(beta*alpha*T_0 - p_0)
+        Scalar k9;  ///< A_2*(beta*alpha*T_0 - p_0)
+        Scalar k10;  ///< m_k/2
+        Scalar k11;  ///< A_2*beta*(l - d)
+        Scalar k12;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k13;  ///< m_k/rho_k
+        Scalar k14;  ///< beta*alpha*T_0
+        Scalar k15;  ///< A_1*beta*alpha*T_0
+        Scalar k16;  ///< 1/rho_0
+        Scalar k17;  ///< beta/rho_0
+        Scalar k18;  ///< (beta*alpha*T_0 - p_0)/rho_0
+        Scalar k19;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k20;  ///< 1/beta
+        Scalar k21;  ///< A_1*(p_0/beta - alpha*T_0)
+        Scalar k22;  ///< A_1/beta
+        Scalar k23;  ///< p_0/beta - alpha*T_0
+        Scalar k24;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_s/beta)/beta - alpha*T_0*p_s*exp(p_0/beta - p_s/beta)/beta + ...
+        Scalar k25;  ///< 1/(rho_0*beta)
+        Scalar k26;  ///< (1 + p_0/beta - alpha*T_0)/rho_0
+        Scalar k27;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
+        Scalar k28;  ///< A_2*(p_0/beta - alpha*T_0)
+        Scalar k29;  ///< A_2/beta
+        Scalar k30;  ///< A_2*(l - d)/beta
+        Scalar k31;  ///< A_2*(l - d)
+        Scalar k32;  ///< beta*alpha*T_0 - p_0
+        Scalar k33;  ///< -beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
     };
     Cached c_{};
 };

@@ -18,18 +18,18 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     12     4        0      0
+//   update                 2      8     4        0      0
 //   rhs                   15     17     2        0      4
-//   rhs_and_jacobian      26     42     4        0      4
+//   rhs_and_jacobian      25     39     4        0      4
 //   jacobian_u             1      3     2        0      0
-//   jacobian_p            25     52     7        0      4
+//   jacobian_p            25     54     7        0      4
 //   bias                   6      4     0        0      2
 //   generalised_force      1      0     0        0      0
 //   output                 9      8     0        0      4
 //   output_jacobian_x     11     12     2        0      4
 //   kinetic_energy         0      3     0        0      0
 //   supplied_power         1      1     0        0      0
-//   internal_energy       10     18     1        0      4
+//   internal_energy       10     19     1        0      4
 //   exchanged_power       24     35     3        0      6
 //   guards                 8      7     0        0      2
 //   start_state            2      5     3        0      2
@@ -156,23 +156,28 @@ Scalar step(const Scalar& x) noexcept {
     return select(x > Scalar(0), Scalar(1), select(x < Scalar(0), Scalar(0), select(x == Scalar(0), Scalar(1) / Scalar(2), x)));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
@@ -249,7 +254,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 12 *, 4 /
+    /// Operations: 2 + or -, 8 *, 4 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.k0 = Scalar(1) / p_.m_k;
@@ -267,14 +272,8 @@ public:
         c_.k9 = e2;
         const Scalar inverse_4 = Scalar(1) / p_.rho_0;
         c_.k10 = inverse_4;
-        const Scalar e5 = p_.beta * inverse_4;
-        c_.k11 = p_.A_1 * e5;
-        c_.k12 = p_.A_2 * e5;
-        const Scalar e6 = inverse_4 * e2;
-        c_.k13 = inverse_1 * e6;
-        c_.k14 = inverse_3 * e6;
-        c_.k15 = e5;
-        c_.k16 = e6;
+        c_.k11 = p_.beta * inverse_4;
+        c_.k12 = inverse_4 * e2;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -337,60 +336,57 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 26 + or -, 42 *, 4 /, 4 other functions
+    /// Operations: 25 + or -, 39 *, 4 /, 4 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::log1p;
         const Scalar f_l = u[2];
         const Scalar rho_1 = x[2];
-        const Scalar e1 = c_.k10 * (p_.rho_0 - rho_1);
+        const Scalar e1 = (p_.rho_0 - rho_1) * c_.k10;
         const Scalar log1p_2 = log1p(-e1);
         const Scalar rho_2 = x[3];
-        const Scalar e3 = c_.k10 * (p_.rho_0 - rho_2);
+        const Scalar e3 = (p_.rho_0 - rho_2) * c_.k10;
         const Scalar log1p_4 = log1p(-e3);
-        const Scalar s_ddot = (c_.k1 - f_l + c_.k2 * log1p_2 - c_.k3 * log1p_4) * c_.k0;
+        const Scalar s_ddot = (c_.k1 - f_l + log1p_2 * c_.k2 - log1p_4 * c_.k3) * c_.k0;
         const Scalar s = x[0];
         const Scalar inverse_5 = Scalar(1) / s;
         const Scalar s_dot = x[1];
         const Scalar m_1 = u[0];
         const Scalar e6 = log1p_2 - log1p_4;
-        const Scalar e7 = c_.k9 * e6;
+        const Scalar e7 = e6 * c_.k9;
         const Scalar step_8 = detail::step<Scalar>(e7);
         const Scalar step_9 = detail::step<Scalar>(-e7);
         const Scalar e10 = rho_1 * step_8 + rho_2 * step_9;
-        const Scalar e11 = c_.k5 * e6;
-        const Scalar e12 = inverse_5 * (s_dot * rho_1 - (c_.k4 * m_1 - e10 * e11));
+        const Scalar e11 = e10 * e7;
+        const Scalar e12 = inverse_5 * (s_dot * rho_1 - (m_1 - e11) * c_.k4);
         const Scalar inverse_13 = Scalar(1) / (c_.k8 - s);
         const Scalar m_2 = u[1];
-        const Scalar e14 = c_.k7 * e6;
-        const Scalar e15 = inverse_13 * (s_dot * rho_2 + (c_.k6 * m_2 + e10 * e14));
+        const Scalar e14 = inverse_13 * (s_dot * rho_2 + (m_2 + e11) * c_.k6);
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
         dxdt[2] = -e12;
-        dxdt[3] = e15;
-        const Scalar inverse_16 = Scalar(1) / (Scalar(1) - e1);
-        const Scalar inverse_17 = Scalar(1) / (Scalar(1) - e3);
-        const Scalar e18 = c_.k13 * inverse_5;
-        const Scalar e19 = inverse_16 * e10;
-        const Scalar e20 = inverse_5 * e11;
-        const Scalar e21 = c_.k14 * inverse_13;
-        const Scalar e22 = inverse_13 * e14;
-        const Scalar e23 = inverse_17 * e10;
+        dxdt[3] = e14;
+        const Scalar e15 = c_.k10 / (Scalar(1) - e1);
+        const Scalar e16 = c_.k10 / (Scalar(1) - e3);
+        const Scalar e17 = inverse_5 * c_.k4;
+        const Scalar e18 = (e6 * step_8 + e10 * e15) * c_.k9;
+        const Scalar e19 = inverse_13 * c_.k6;
+        const Scalar e20 = (e6 * step_9 - e10 * e16) * c_.k9;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = inverse_5 * e12;
-        J[3] = inverse_13 * e15;
+        J[3] = inverse_13 * e14;
         J[4] = Scalar(1);
         J[5] = Scalar(0);
         J[6] = -rho_1 * inverse_5;
         J[7] = rho_2 * inverse_13;
         J[8] = Scalar(0);
-        J[9] = c_.k11 * inverse_16 * c_.k0;
-        J[10] = -s_dot * inverse_5 - e18 * e19 - step_8 * e20;
-        J[11] = e21 * e19 + step_8 * e22;
+        J[9] = e15 * c_.k2 * c_.k0;
+        J[10] = -s_dot * inverse_5 - e17 * e18;
+        J[11] = e19 * e18;
         J[12] = Scalar(0);
-        J[13] = (-c_.k12 * inverse_17) * c_.k0;
-        J[14] = e18 * e23 - step_9 * e20;
-        J[15] = s_dot * inverse_13 - e21 * e23 + step_9 * e22;
+        J[13] = (-e16 * c_.k3) * c_.k0;
+        J[14] = -e17 * e20;
+        J[15] = s_dot * inverse_13 + e19 * e20;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -418,7 +414,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 13, entry (i, j) at J[4*j + i].
-    /// Operations: 25 + or -, 52 *, 7 /, 4 other functions
+    /// Operations: 25 + or -, 54 *, 7 /, 4 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::log1p;
         State dxdt;
@@ -432,58 +428,60 @@ public:
         const Scalar e5 = c_.k10 * e4;
         const Scalar log1p_6 = log1p(-e5);
         const Scalar inverse_7 = Scalar(1) / p_.rho_0;
-        const Scalar e8 = inverse_7 * (p_.beta * inverse_7);
-        const Scalar inverse_9 = Scalar(1) / p_.A_1;
-        const Scalar e10 = p_.beta * inverse_9;
-        const Scalar e11 = p_.k_l * inverse_9;
+        const Scalar e8 = p_.beta * inverse_7;
+        const Scalar e9 = inverse_7 * e8;
+        const Scalar inverse_10 = Scalar(1) / p_.A_1;
+        const Scalar e11 = p_.beta * inverse_10;
+        const Scalar e12 = p_.k_l * inverse_10;
         const Scalar s = x[0];
-        const Scalar inverse_12 = Scalar(1) / s;
-        const Scalar e13 = log1p_3 - log1p_6;
-        const Scalar e14 = c_.k9 * e13;
-        const Scalar step_15 = detail::step<Scalar>(e14);
-        const Scalar step_16 = detail::step<Scalar>(-e14);
-        const Scalar e17 = rho_1 * step_15 + rho_2 * step_16;
-        const Scalar e18 = e13 * e17;
-        const Scalar e19 = inverse_12 * e18;
+        const Scalar inverse_13 = Scalar(1) / s;
+        const Scalar e14 = log1p_3 - log1p_6;
+        const Scalar e15 = c_.k9 * e14;
+        const Scalar step_16 = detail::step<Scalar>(e15);
+        const Scalar step_17 = detail::step<Scalar>(-e15);
+        const Scalar e18 = rho_1 * step_16 + rho_2 * step_17;
+        const Scalar e19 = e14 * e18;
+        const Scalar e20 = inverse_13 * e19;
         const Scalar m_1 = u[0];
         const Scalar m_2 = u[1];
-        const Scalar inverse_20 = Scalar(1) / (c_.k8 - s);
-        const Scalar inverse_21 = Scalar(1) / p_.A_2;
-        const Scalar e22 = p_.beta * inverse_21;
-        const Scalar e23 = p_.k_l * inverse_21;
-        const Scalar e24 = inverse_20 * e18;
+        const Scalar inverse_21 = Scalar(1) / (c_.k8 - s);
+        const Scalar inverse_22 = Scalar(1) / p_.A_2;
+        const Scalar e23 = p_.beta * inverse_22;
+        const Scalar e24 = p_.k_l * inverse_22;
+        const Scalar e25 = inverse_21 * e19;
         const Scalar s_dot = x[1];
-        const Scalar e25 = (s_dot * rho_2 + (c_.k6 * m_2 + c_.k7 * e18)) * (inverse_20 * inverse_20);
-        const Scalar e26 = e17 * e13;
+        const Scalar e26 = (s_dot * rho_2 + (c_.k6 * m_2 + c_.k7 * e19)) * (inverse_21 * inverse_21);
+        const Scalar e27 = e18 * e14;
         J[0] = Scalar(0);
         J[1] = (p_.p_0 + p_.beta * log1p_3) * c_.k0;
-        J[2] = e10 * e11 * e19 - m_1 * inverse_12 * (inverse_9 * inverse_9);
+        J[2] = e11 * e12 * e20 - m_1 * inverse_13 * (inverse_10 * inverse_10);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = (-p_.p_0 - p_.beta * log1p_6) * c_.k0;
         J[6] = Scalar(0);
-        J[7] = -m_2 * inverse_20 * (inverse_21 * inverse_21) - e22 * e23 * e24;
+        J[7] = -m_2 * inverse_21 * (inverse_22 * inverse_22) - e23 * e24 * e25;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = -e25;
+        J[11] = -e26;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e25;
+        J[15] = e26;
         J[16] = Scalar(0);
         J[17] = (-dxdt[1]) * c_.k0;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        const Scalar e27 = (e1 * (p_.A_1 * e8) - c_.k11) / (Scalar(1) - e2) - (e4 * (p_.A_2 * e8) - c_.k12) / (Scalar(1) - e5);
-        J[21] = e27 * c_.k0;
+        const Scalar e28 = (e1 * (p_.A_1 * e9) - p_.A_1 * e8) / (Scalar(1) - e2) - (e4 * (p_.A_2 * e9) - p_.A_2 * e8)
+            / (Scalar(1) - e5);
+        J[21] = e28 * c_.k0;
         J[22] = Scalar(0);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = (p_.A_1 * log1p_3 - p_.A_2 * log1p_6) * c_.k0;
-        J[26] = -inverse_12 * e11 * e26;
-        J[27] = inverse_20 * e23 * e26;
+        J[26] = -inverse_13 * e12 * e27;
+        J[27] = inverse_21 * e24 * e27;
         J[28] = Scalar(0);
         J[29] = (p_.A_1 - p_.A_2) * c_.k0;
         J[30] = Scalar(0);
@@ -506,8 +504,8 @@ public:
         J[47] = Scalar(0);
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = -e10 * e19;
-        J[51] = e22 * e24;
+        J[50] = -e11 * e20;
+        J[51] = e23 * e25;
     }
 
     /// J = df/dt at fixed x and u.
@@ -581,7 +579,7 @@ public:
         const Scalar e6 = c_.k9 * (log1p_3 - log1p_5);
         const Scalar step_7 = detail::step<Scalar>(e6);
         const Scalar step_8 = detail::step<Scalar>(-e6);
-        const Scalar e9 = c_.k16 * (rho_1 * step_7 + rho_2 * step_8);
+        const Scalar e9 = c_.k12 * (rho_1 * step_7 + rho_2 * step_8);
         const Scalar inverse_10 = Scalar(1) / (Scalar(1) - e4);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
@@ -589,11 +587,11 @@ public:
         C[3] = Scalar(0);
         C[4] = Scalar(0);
         C[5] = Scalar(0);
-        C[6] = c_.k15 * inverse_2;
+        C[6] = c_.k11 * inverse_2;
         C[7] = Scalar(0);
         C[8] = step_7 * e6 + inverse_2 * e9;
         C[9] = Scalar(0);
-        C[10] = c_.k15 * inverse_10;
+        C[10] = c_.k11 * inverse_10;
         C[11] = step_8 * e6 - inverse_10 * e9;
     }
 
@@ -649,7 +647,7 @@ public:
     }
 
     /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
-    /// Operations: 10 + or -, 18 *, 1 /, 4 other functions
+    /// Operations: 10 + or -, 19 *, 1 /, 4 other functions
     ///     E = A_1*rho_1*specific_energy[chamber_1]*s - A_2*rho_2*specific_energy[chamber_2]*s + A_2*(l -
     ///     d)*rho_2*specific_energy[chamber_2]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -660,15 +658,18 @@ public:
         const Scalar log1p_2 = log1p(-c_.k10 * e1);
         const Scalar compression_3 = detail::compression<Scalar>(log1p_2);
         const Scalar inverse_4 = Scalar(1) / p_.rho_0;
-        const Scalar e5 = p_.p_0 * inverse_4;
+        const Scalar e5 = p_.A_1 * inverse_4;
         const Scalar rho_2 = x[3];
         const Scalar e6 = p_.rho_0 - rho_2;
-        const Scalar log1p_7 = log1p(-c_.k10 * e6);
-        const Scalar compression_8 = detail::compression<Scalar>(log1p_7);
-        const Scalar e9 = rho_2 * compression_8;
-        const Scalar e10 = p_.A_2 * (p_.l - p_.d);
-        const Scalar e11 = c_.k11 * rho_1 * compression_3 - e1 * (p_.A_1 * e5) + e6 * (p_.A_2 * e5) - c_.k12 * e9;
-        return s * e11 - e6 * (e5 * e10) + p_.beta * inverse_4 * e10 * e9;
+        const Scalar e7 = p_.A_2 * inverse_4;
+        const Scalar e8 = p_.p_0 * e7;
+        const Scalar e9 = p_.beta * e7;
+        const Scalar log1p_10 = log1p(-c_.k10 * e6);
+        const Scalar compression_11 = detail::compression<Scalar>(log1p_10);
+        const Scalar e12 = rho_2 * compression_11;
+        const Scalar e13 = p_.l - p_.d;
+        const Scalar e14 = rho_1 * compression_3 * (p_.beta * e5) - e1 * (p_.p_0 * e5) + e6 * e8 - e9 * e12;
+        return s * e14 - e6 * (e13 * e8) + e13 * e9 * e12;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
@@ -702,7 +703,7 @@ public:
         const Scalar e21 = (e13 + e18) * (e9 * (inverse_3 * e16)) * (compression_19 - compression_20);
         return m_1 * inverse_1 * (p_.p_0 - e2 * e4 + p_.beta * log1p_5) + m_2 * inverse_6
             * (p_.p_0 - e7 * e4 + p_.beta * log1p_8) + e9 * (step_11 + inverse_1 * e13) * (e2 * e15 - log1p_5 * e16 - e17) - e9
-            * (step_12 + inverse_6 * e18) * (e7 * e15 - log1p_8 * e16 - e17) + c_.k15
+            * (step_12 + inverse_6 * e18) * (e7 * e15 - log1p_8 * e16 - e17) + c_.k11
             * (m_1 * compression_19 + m_2 * compression_20) - e21;
     }
 
@@ -736,12 +737,8 @@ private:
         Scalar k8;  ///< l - d
         Scalar k9;  ///< beta*k_l
         Scalar k10;  ///< 1/rho_0
-        Scalar k11;  ///< A_1*beta/rho_0
-        Scalar k12;  ///< A_2*beta/rho_0
-        Scalar k13;  ///< beta*k_l/(A_1*rho_0)
-        Scalar k14;  ///< beta*k_l/(A_2*rho_0)
-        Scalar k15;  ///< beta/rho_0
-        Scalar k16;  ///< beta*k_l/rho_0
+        Scalar k11;  ///< beta/rho_0
+        Scalar k12;  ///< beta*k_l/rho_0
     };
     Cached c_{};
 };

@@ -22,11 +22,11 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                16     44     6        0      2
-//   rhs                   13     21     4        0      4
-//   rhs_and_jacobian      20     31     4        0      4
+//   update                16     42     6        0      2
+//   rhs                   13     20     4        0      4
+//   rhs_and_jacobian      20     30     4        0      4
 //   jacobian_u             1      3     2        0      0
-//   jacobian_p            22     50     7        0      4
+//   jacobian_p            22     51     7        0      4
 //   bias                   1      2     0        0      0
 //   generalised_force      1      0     0        0      0
 //   output                27     42     2        0      8
@@ -176,23 +176,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
@@ -271,70 +276,69 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 16 + or -, 44 *, 6 /, 2 other functions
+    /// Operations: 16 + or -, 42 *, 6 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
         c_.k0 = Scalar(1) / p_.m_k;
         const Scalar inverse_1 = Scalar(1) / p_.A_1;
-        c_.k1 = p_.beta * inverse_1;
-        const Scalar e2 = p_.beta * p_.k_l;
-        c_.k2 = inverse_1 * e2;
+        c_.k1 = inverse_1;
+        const Scalar inverse_2 = Scalar(1) / p_.beta;
+        c_.k2 = inverse_2;
         const Scalar inverse_3 = Scalar(1) / p_.A_2;
-        c_.k3 = p_.beta * inverse_3;
-        c_.k4 = inverse_3 * e2;
+        c_.k3 = inverse_3;
         const Scalar e4 = p_.l - p_.d;
-        c_.k5 = e4;
-        const Scalar inverse_5 = Scalar(1) / p_.beta;
-        c_.k6 = inverse_5;
-        c_.k7 = p_.k_l * inverse_1;
-        c_.k8 = p_.k_l * inverse_3;
+        c_.k4 = e4;
+        c_.k5 = p_.k_l * inverse_1;
+        c_.k6 = p_.k_l * inverse_3;
+        c_.k7 = p_.beta * inverse_1;
+        c_.k8 = p_.beta * inverse_3;
         c_.k9 = p_.A_1 * p_.beta;
         c_.k10 = p_.A_2 * p_.beta;
-        const Scalar e6 = p_.alpha * p_.T_0;
-        const Scalar e7 = p_.beta * e6;
-        const Scalar e8 = e7 - p_.p_0;
-        c_.k11 = p_.A_1 * e8;
-        c_.k12 = p_.A_2 * e8;
+        const Scalar e5 = p_.alpha * p_.T_0;
+        const Scalar e6 = p_.beta * e5;
+        const Scalar e7 = e6 - p_.p_0;
+        c_.k11 = p_.A_1 * e7;
+        c_.k12 = p_.A_2 * e7;
         c_.k13 = (Scalar(1) / Scalar(2)) * p_.m_k;
-        const Scalar e9 = p_.A_2 * e4;
-        c_.k14 = p_.beta * e9;
-        c_.k15 = e8 * e9;
+        const Scalar e8 = p_.A_2 * e4;
+        c_.k14 = p_.beta * e8;
+        c_.k15 = e7 * e8;
         c_.k16 = p_.m_k / p_.rho_k;
-        c_.k17 = e7;
-        c_.k18 = p_.A_1 * e7;
-        const Scalar inverse_10 = Scalar(1) / p_.rho_0;
-        c_.k19 = inverse_10;
-        c_.k20 = e6 * e2;
-        c_.k21 = p_.beta * inverse_10;
-        c_.k22 = inverse_10 * e8;
-        const Scalar e11 = (p_.p_0 - p_.p_s) * inverse_5;
-        const Scalar exp_12 = exp(e11);
-        const Scalar compression_13 = detail::compression<Scalar>(-e11, exp_12);
-        const Scalar e14 = e11 * exp_12 - compression_13;
-        const Scalar e15 = p_.p_s * exp_12;
-        const Scalar e16 = e14 * e8 + (p_.beta * compression_13 + e15);
-        c_.k23 = inverse_10 * e16;
+        c_.k17 = e6;
+        c_.k18 = p_.A_1 * e6;
+        const Scalar inverse_9 = Scalar(1) / p_.rho_0;
+        c_.k19 = inverse_9;
+        c_.k20 = p_.k_l * e6;
+        c_.k21 = p_.beta * inverse_9;
+        c_.k22 = inverse_9 * e7;
+        const Scalar e10 = (p_.p_0 - p_.p_s) * inverse_2;
+        const Scalar exp_11 = exp(e10);
+        const Scalar compression_12 = detail::compression<Scalar>(-e10, exp_11);
+        const Scalar e13 = e10 * exp_11 - compression_12;
+        const Scalar e14 = p_.p_s * exp_11;
+        const Scalar e15 = e13 * e7 + (p_.beta * compression_12 + e14);
+        c_.k23 = inverse_9 * e15;
         c_.k24 = p_.rho_0 * p_.k_l;
-        const Scalar e17 = e6 - p_.p_0 * inverse_5;
-        c_.k25 = -p_.A_1 * e17;
-        c_.k26 = p_.A_1 * inverse_5;
-        c_.k27 = -e17;
-        c_.k28 = -compression_13 - e14 * e17 - inverse_5 * e15;
-        c_.k29 = p_.k_l * inverse_5;
-        c_.k30 = inverse_10 * inverse_5;
-        c_.k31 = -p_.k_l * e17;
-        c_.k32 = p_.k_l * e6;
-        c_.k33 = e2;
-        c_.k34 = p_.k_l * e8;
-        c_.k35 = inverse_10 * (Scalar(1) - e17);
-        c_.k36 = -e17 * e9;
-        c_.k37 = -p_.A_2 * e17;
-        c_.k38 = p_.A_2 * inverse_5;
-        c_.k39 = inverse_5 * e9;
-        c_.k40 = e9;
-        c_.k41 = e8;
-        c_.k42 = e16;
+        const Scalar e16 = e5 - p_.p_0 * inverse_2;
+        c_.k25 = -p_.A_1 * e16;
+        c_.k26 = p_.A_1 * inverse_2;
+        c_.k27 = -e16;
+        c_.k28 = -compression_12 - e13 * e16 - inverse_2 * e14;
+        c_.k29 = p_.k_l * inverse_2;
+        c_.k30 = inverse_9 * inverse_2;
+        c_.k31 = -p_.k_l * e16;
+        c_.k32 = p_.k_l * e5;
+        c_.k33 = p_.beta * p_.k_l;
+        c_.k34 = p_.k_l * e7;
+        c_.k35 = inverse_9 * (Scalar(1) - e16);
+        c_.k36 = -e16 * e8;
+        c_.k37 = -p_.A_2 * e16;
+        c_.k38 = p_.A_2 * inverse_2;
+        c_.k39 = inverse_2 * e8;
+        c_.k40 = e8;
+        c_.k41 = e7;
+        c_.k42 = e15;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -349,7 +353,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 13 + or -, 21 *, 4 /, 4 other functions
+    /// Operations: 13 + or -, 20 *, 4 /, 4 other functions
     ///     specific_enthalpy[supply] = (beta*alpha*T_0*expm1((p_0 - p_s)/beta) + beta*compression(-(p_0 - p_s)/beta) -
     ///     p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 - p_s)/beta))/rho_0
     ///     specific_enthalpy[tank] = (beta*alpha*T_0*expm1((p_0 - p_t)/beta) + beta*compression(-(p_0 - p_t)/beta) - p_0*expm1((p_0
@@ -380,74 +384,75 @@ public:
         const Scalar p_2 = x[3];
         const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.A_2 * p_2) * c_.k0;
         const Scalar s_k = x[0];
-        const Scalar inverse_1 = Scalar(1) / s_k;
+        const Scalar e1 = p_.beta / s_k;
         const Scalar q_1 = u[0];
+        const Scalar exp_2 = exp((p_.p_0 - p_1) * c_.k2);
+        const Scalar exp_3 = exp((p_.p_0 - p_2) * c_.k2);
+        const Scalar e4 = p_.k_l * (p_1 - p_2);
+        const Scalar step_5 = detail::step<Scalar>(-e4);
+        const Scalar e6 = step_5 * e4;
+        const Scalar step_7 = detail::step<Scalar>(e4);
+        const Scalar e8 = step_7 * e4;
         const Scalar s_k_dot = x[1];
-        const Scalar e2 = p_.beta * s_k_dot;
-        const Scalar e3 = p_1 - p_2;
-        const Scalar exp_4 = exp(c_.k6 * (p_.p_0 - p_1));
-        const Scalar e5 = p_.k_l * e3;
-        const Scalar step_6 = detail::step<Scalar>(-e5);
-        const Scalar exp_7 = exp(c_.k6 * (p_.p_0 - p_2));
-        const Scalar step_8 = detail::step<Scalar>(e5);
-        const Scalar inverse_9 = Scalar(1) / (c_.k5 - s_k);
+        const Scalar e9 = p_.beta / (c_.k4 - s_k);
         const Scalar q_2 = u[1];
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = inverse_1 * (c_.k1 * q_1 - e2) - inverse_1 * (c_.k2 * e3) * (exp_4 * step_6 / exp_7 + step_8);
-        dxdt[3] = inverse_9 * (c_.k3 * q_2 + e2) + inverse_9 * (c_.k4 * e3) * (exp_7 * step_8 / exp_4 + step_6);
+        dxdt[2] = e1 * c_.k1 * (q_1 - exp_2 * e6 / exp_3 - e8) - s_k_dot * e1;
+        dxdt[3] = e9 * c_.k3 * (q_2 + exp_3 * e8 / exp_2 + e6) + s_k_dot * e9;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 20 + or -, 31 *, 4 /, 4 other functions
+    /// Operations: 20 + or -, 30 *, 4 /, 4 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
         const Scalar p_1 = x[2];
         const Scalar f_l = u[2];
         const Scalar p_2 = x[3];
         const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.A_2 * p_2) * c_.k0;
-        const Scalar s_k = x[0];
-        const Scalar inverse_1 = Scalar(1) / s_k;
         const Scalar s_k_dot = x[1];
-        const Scalar e2 = p_.beta * s_k_dot;
+        const Scalar e1 = p_1 - p_2;
+        const Scalar e2 = p_.k_l * e1;
+        const Scalar step_3 = detail::step<Scalar>(e2);
+        const Scalar exp_4 = exp((p_.p_0 - p_2) * c_.k2);
+        const Scalar exp_5 = exp((p_.p_0 - p_1) * c_.k2);
+        const Scalar step_6 = detail::step<Scalar>(-e2);
+        const Scalar e7 = exp_5 * step_6 / exp_4;
+        const Scalar e8 = step_3 + e7;
         const Scalar q_1 = u[0];
-        const Scalar e3 = p_1 - p_2;
-        const Scalar e4 = p_.k_l * e3;
-        const Scalar step_5 = detail::step<Scalar>(e4);
-        const Scalar exp_6 = exp(c_.k6 * (p_.p_0 - p_2));
-        const Scalar exp_7 = exp(c_.k6 * (p_.p_0 - p_1));
-        const Scalar step_8 = detail::step<Scalar>(-e4);
-        const Scalar e9 = exp_7 * step_8 / exp_6;
-        const Scalar e10 = c_.k2 * (step_5 + e9);
-        const Scalar e11 = inverse_1 * (e2 - (c_.k1 * q_1 - e3 * e10));
-        const Scalar inverse_12 = Scalar(1) / (c_.k5 - s_k);
+        const Scalar s_k = x[0];
+        const Scalar inverse_9 = Scalar(1) / s_k;
+        const Scalar e10 = p_.beta * inverse_9;
+        const Scalar e11 = (s_k_dot + (e8 * e2 - q_1) * c_.k1) * e10;
         const Scalar q_2 = u[1];
-        const Scalar e13 = exp_6 * step_5 / exp_7;
-        const Scalar e14 = c_.k4 * (step_8 + e13);
-        const Scalar e15 = inverse_12 * (c_.k3 * q_2 + e3 * e14 + e2);
+        const Scalar e12 = exp_4 * step_3 / exp_5;
+        const Scalar e13 = step_6 + e12;
+        const Scalar inverse_14 = Scalar(1) / (c_.k4 - s_k);
+        const Scalar e15 = p_.beta * inverse_14;
+        const Scalar e16 = (s_k_dot + (q_2 + e13 * e2) * c_.k3) * e15;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
         dxdt[2] = -e11;
-        dxdt[3] = e15;
-        const Scalar e16 = inverse_1 * (e10 - c_.k7 * e3 * e9);
-        const Scalar e17 = inverse_12 * (e14 + c_.k8 * e3 * e13);
+        dxdt[3] = e16;
+        const Scalar e17 = inverse_9 * (p_.beta * e8 - e1 * e7) * c_.k5;
+        const Scalar e18 = inverse_14 * (e1 * e12 + p_.beta * e13) * c_.k6;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = inverse_1 * e11;
-        J[3] = inverse_12 * e15;
+        J[2] = inverse_9 * e11;
+        J[3] = inverse_14 * e16;
         J[4] = Scalar(1);
         J[5] = Scalar(0);
-        J[6] = -p_.beta * inverse_1;
-        J[7] = p_.beta * inverse_12;
+        J[6] = -e10;
+        J[7] = e15;
         J[8] = Scalar(0);
         J[9] = p_.A_1 * c_.k0;
-        J[10] = -e16;
-        J[11] = e17;
+        J[10] = -e17;
+        J[11] = e18;
         J[12] = Scalar(0);
         J[13] = (-p_.A_2) * c_.k0;
-        J[14] = e16;
-        J[15] = -e17;
+        J[14] = e17;
+        J[15] = -e18;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -462,12 +467,12 @@ public:
         const Scalar s_k = x[0];
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k1 / s_k;
+        J[2] = c_.k7 / s_k;
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = Scalar(0);
         J[6] = Scalar(0);
-        J[7] = c_.k3 / (c_.k5 - s_k);
+        J[7] = c_.k8 / (c_.k4 - s_k);
         J[8] = Scalar(0);
         J[9] = (-Scalar(1)) * c_.k0;
         J[10] = Scalar(0);
@@ -475,7 +480,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 15, entry (i, j) at J[4*j + i].
-    /// Operations: 22 + or -, 50 *, 7 /, 4 other functions
+    /// Operations: 22 + or -, 51 *, 7 /, 4 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
         State dxdt;
@@ -489,9 +494,9 @@ public:
         const Scalar e5 = p_.k_l * e4;
         const Scalar step_6 = detail::step<Scalar>(e5);
         const Scalar e7 = p_.p_0 - p_2;
-        const Scalar exp_8 = exp(c_.k6 * e7);
+        const Scalar exp_8 = exp(c_.k2 * e7);
         const Scalar e9 = p_.p_0 - p_1;
-        const Scalar exp_10 = exp(c_.k6 * e9);
+        const Scalar exp_10 = exp(c_.k2 * e9);
         const Scalar step_11 = detail::step<Scalar>(-e5);
         const Scalar e12 = exp_10 * step_11 / exp_8;
         const Scalar s_k = x[0];
@@ -505,13 +510,13 @@ public:
         const Scalar e19 = p_.k_l * inverse_17;
         const Scalar e20 = exp_8 * step_6 / exp_10;
         const Scalar e21 = step_11 + e20;
-        const Scalar inverse_22 = Scalar(1) / (c_.k5 - s_k);
+        const Scalar inverse_22 = Scalar(1) / (c_.k4 - s_k);
         const Scalar e23 = e4 * inverse_22;
         const Scalar e24 = e21 * e23;
         const Scalar q_2 = u[1];
         const Scalar e25 = q_2 * inverse_22;
         const Scalar s_k_dot = x[1];
-        const Scalar e26 = (p_.beta * s_k_dot + (c_.k3 * q_2 + c_.k4 * e4 * e21)) * (inverse_22 * inverse_22);
+        const Scalar e26 = (p_.beta * s_k_dot + (c_.k8 * q_2 + e4 * (p_.k_l * e18) * e21)) * (inverse_22 * inverse_22);
         const Scalar inverse_27 = Scalar(1) / p_.beta;
         const Scalar e28 = e9 - e7;
         J[0] = Scalar(0);
@@ -544,8 +549,8 @@ public:
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = inverse_1 * e16 - s_k_dot * inverse_13 - c_.k7 * e15 + inverse_27 * e3 * e28 * e14 * e12;
-        J[31] = s_k_dot * inverse_22 + c_.k8 * e24 + inverse_17 * e25 + inverse_27 * e19 * e28 * e23 * e20;
+        J[30] = c_.k1 * e16 - s_k_dot * inverse_13 - c_.k5 * e15 + inverse_27 * e3 * e28 * e14 * e12;
+        J[31] = s_k_dot * inverse_22 + c_.k6 * e24 + c_.k3 * e25 + inverse_27 * e19 * e28 * e23 * e20;
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
@@ -572,8 +577,8 @@ public:
         J[55] = Scalar(0);
         J[56] = Scalar(0);
         J[57] = Scalar(0);
-        J[58] = -c_.k1 * e15;
-        J[59] = c_.k3 * e24;
+        J[58] = -c_.k7 * e15;
+        J[59] = c_.k8 * e24;
     }
 
     /// J = df/dt at fixed x and u.
@@ -639,14 +644,14 @@ public:
         using std::exp;
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
-        const Scalar e1 = c_.k6 * (p_.p_0 - p_2);
+        const Scalar e1 = c_.k2 * (p_.p_0 - p_2);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar s_k = x[0];
         const Scalar e5 = s_k * inverse_4;
         const Scalar e6 = e1 * exp_2 - compression_3;
-        const Scalar e7 = c_.k6 * (p_.p_0 - p_1);
+        const Scalar e7 = c_.k2 * (p_.p_0 - p_1);
         const Scalar exp_8 = exp(e7);
         const Scalar inverse_9 = Scalar(1) / exp_8;
         const Scalar compression_10 = detail::compression<Scalar>(-e7, exp_8);
@@ -676,7 +681,7 @@ public:
         using std::exp;
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_0 - p_1;
-        const Scalar e2 = c_.k6 * e1;
+        const Scalar e2 = c_.k2 * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar compression_4 = detail::compression<Scalar>(-e2, exp_3);
         const Scalar inverse_5 = Scalar(1) / exp_3;
@@ -685,7 +690,7 @@ public:
         const Scalar e8 = e7 * inverse_5;
         const Scalar p_2 = x[3];
         const Scalar e9 = p_.p_0 - p_2;
-        const Scalar e10 = c_.k6 * e9;
+        const Scalar e10 = c_.k2 * e9;
         const Scalar exp_11 = exp(e10);
         const Scalar compression_12 = detail::compression<Scalar>(-e10, exp_11);
         const Scalar inverse_13 = Scalar(1) / exp_11;
@@ -738,7 +743,7 @@ public:
         C[11] = c_.k25 * s_k * (Scalar(1) - e8) - s_k * (c_.k26 * e1 - p_.A_1 * e6);
         C[12] = Scalar(0);
         C[13] = p_.k_l;
-        C[14] = q_1 * step_18 * (c_.k6 * p_1 + c_.k28 * inverse_5 + e6 - c_.k27 * e8) - c_.k30 * e29 * (p_1 + e1) + c_.k35
+        C[14] = q_1 * step_18 * (c_.k2 * p_1 + c_.k28 * inverse_5 + e6 - c_.k27 * e8) - c_.k30 * e29 * (p_1 + e1) + c_.k35
             * e29 + e40 + e25 * e42 - step_24 * e44 + e43 * e37;
         C[15] = -p_.A_2;
         C[16] = s_k * (c_.k38 * e9 - p_.A_2 * e14) + (c_.k36 - c_.k37 * s_k) * (Scalar(1) - e16) - c_.k39 * e9 + c_.k40 * e14;
@@ -753,7 +758,7 @@ public:
         using std::exp;
         const Scalar q_1 = u[0];
         const Scalar p_1 = x[2];
-        const Scalar e1 = c_.k6 * (p_.p_0 - p_1);
+        const Scalar e1 = c_.k2 * (p_.p_0 - p_1);
         const Scalar exp_2 = exp(e1);
         const Scalar inverse_3 = Scalar(1) / exp_2;
         const Scalar step_4 = detail::step<Scalar>(p_.rho_0 * q_1 * inverse_3);
@@ -820,14 +825,14 @@ public:
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
         const Scalar p_2 = x[3];
-        const Scalar e1 = c_.k6 * (p_.p_0 - p_2);
+        const Scalar e1 = c_.k2 * (p_.p_0 - p_2);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar inverse_4 = Scalar(1) / exp_2;
         const Scalar s_k = x[0];
         const Scalar e5 = s_k * inverse_4;
         const Scalar p_1 = x[2];
-        const Scalar e6 = c_.k6 * (p_.p_0 - p_1);
+        const Scalar e6 = c_.k2 * (p_.p_0 - p_1);
         const Scalar exp_7 = exp(e6);
         const Scalar compression_8 = detail::compression<Scalar>(-e6, exp_7);
         const Scalar e9 = s_k / exp_7 * (c_.k9 * compression_8 + c_.k11 * (e6 * exp_7 - compression_8));
@@ -841,7 +846,7 @@ public:
         using std::exp;
         using std::expm1;
         const Scalar p_1 = x[2];
-        const Scalar e1 = c_.k6 * (p_.p_0 - p_1);
+        const Scalar e1 = c_.k2 * (p_.p_0 - p_1);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar e4 = e1 * exp_2 - compression_3;
@@ -849,7 +854,7 @@ public:
         const Scalar inverse_5 = Scalar(1) / exp_2;
         const Scalar e6 = q_1 * inverse_5;
         const Scalar p_2 = x[3];
-        const Scalar e7 = c_.k6 * (p_.p_0 - p_2);
+        const Scalar e7 = c_.k2 * (p_.p_0 - p_2);
         const Scalar exp_8 = exp(e7);
         const Scalar compression_9 = detail::compression<Scalar>(-e7, exp_8);
         const Scalar e10 = e7 * exp_8 - compression_9;
@@ -888,14 +893,14 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
-        Scalar k1;  ///< beta/A_1
-        Scalar k2;  ///< beta*k_l/A_1
-        Scalar k3;  ///< beta/A_2
-        Scalar k4;  ///< beta*k_l/A_2
-        Scalar k5;  ///< l - d
-        Scalar k6;  ///< 1/beta
-        Scalar k7;  ///< k_l/A_1
-        Scalar k8;  ///< k_l/A_2
+        Scalar k1;  ///< 1/A_1
+        Scalar k2;  ///< 1/beta
+        Scalar k3;  ///< 1/A_2
+        Scalar k4;  ///< l - d
+        Scalar k5;  ///< k_l/A_1
+        Scalar k6;  ///< k_l/A_2
+        Scalar k7;  ///< beta/A_1
+        Scalar k8;  ///< beta/A_2
         Scalar k9;  ///< A_1*beta
         Scalar k10;  ///< A_2*beta
         Scalar k11;  ///< A_1*(beta*alpha*T_0 - p_0)

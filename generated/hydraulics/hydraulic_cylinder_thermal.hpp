@@ -21,11 +21,11 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                47    180     7        0      4
-//   rhs                   41     66     4        0      6
-//   rhs_and_jacobian     148    214     4        0      8
+//   update                22     85     7        0      4
+//   rhs                   37     55     4        0      6
+//   rhs_and_jacobian      84    133     4        0      8
 //   jacobian_u            33     53     4        0      6
-//   jacobian_p           439    746     9        0     12
+//   jacobian_p           461    804     9        0     12
 //   bias                   1      2     0        0      0
 //   generalised_force      1      0     0        0      0
 //   output                20     24     2        0      4
@@ -175,23 +175,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
@@ -269,233 +274,127 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 47 + or -, 180 *, 7 /, 4 other functions
+    /// Operations: 22 + or -, 85 *, 7 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
         c_.k0 = Scalar(1) / p_.m_k;
         const Scalar inverse_1 = Scalar(1) / p_.A_1;
-        c_.k1 = p_.beta * inverse_1;
-        const Scalar inverse_2 = Scalar(1) / p_.rho_0;
-        const Scalar e3 = inverse_2 / p_.c_v;
-        const Scalar e4 = p_.alpha * e3;
-        const Scalar e5 = p_.beta * e4;
-        const Scalar e6 = p_.beta * p_.alpha;
-        const Scalar e7 = e5 * e6;
-        c_.k2 = inverse_1 * e7;
-        c_.k3 = e7;
-        const Scalar e8 = inverse_1 * inverse_2;
-        const Scalar e9 = e5 * e8;
-        c_.k4 = e9;
-        const Scalar e10 = e8 * e6;
-        c_.k5 = e10;
-        c_.k6 = p_.beta * e9;
-        const Scalar e11 = p_.T_0 * e6 - p_.p_0;
-        c_.k7 = -e11 * e9;
-        const Scalar inverse_12 = Scalar(1) / p_.beta;
-        const Scalar e13 = (p_.p_0 - p_.p_s) * inverse_12;
-        const Scalar exp_14 = exp(e13);
-        const Scalar compression_15 = detail::compression<Scalar>(-e13, exp_14);
-        const Scalar e16 = e13 * exp_14 - compression_15;
-        const Scalar e17 = p_.p_s * exp_14;
-        const Scalar e18 = e16 * e11 + e17;
-        const Scalar e19 = p_.beta * compression_15 + e18;
-        c_.k8 = -e19 * e9;
-        const Scalar inverse_20 = Scalar(1) / p_.A_2;
-        c_.k9 = inverse_20 * e7;
-        c_.k10 = p_.beta * inverse_20;
-        const Scalar e21 = inverse_20 * inverse_2;
-        const Scalar e22 = e5 * e21;
-        c_.k11 = e22;
-        const Scalar e23 = e21 * e6;
-        c_.k12 = e23;
-        c_.k13 = p_.beta * e22;
-        c_.k14 = -e11 * e22;
-        const Scalar e24 = (p_.p_0 - p_.p_t) * inverse_12;
-        const Scalar exp_25 = exp(e24);
-        const Scalar compression_26 = detail::compression<Scalar>(-e24, exp_25);
-        const Scalar e27 = e24 * exp_25 - compression_26;
-        const Scalar e28 = p_.p_t * exp_25;
-        const Scalar e29 = e27 * e11 + e28;
-        const Scalar e30 = p_.beta * compression_26 + e29;
-        c_.k15 = -e30 * e22;
-        const Scalar e31 = inverse_1 * e5;
-        c_.k16 = e31;
-        c_.k17 = e5;
-        const Scalar e32 = e3 * e8;
-        c_.k18 = e32;
-        c_.k19 = e8;
-        c_.k20 = p_.beta * e32;
-        c_.k21 = e11 * e32;
-        c_.k22 = e19 * e32;
-        const Scalar e33 = inverse_20 * e5;
-        c_.k23 = e33;
-        const Scalar e34 = e3 * e21;
-        c_.k24 = e34;
-        c_.k25 = e21;
-        c_.k26 = p_.beta * e34;
-        c_.k27 = e11 * e34;
-        c_.k28 = e30 * e34;
-        c_.k29 = inverse_12;
-        const Scalar e35 = p_.l - p_.d;
-        c_.k30 = e35;
-        c_.k31 = inverse_1 * e4;
-        const Scalar e36 = p_.alpha * e5;
-        c_.k32 = inverse_1 * e36;
-        c_.k33 = p_.alpha * inverse_1;
-        const Scalar e37 = e11 * e4;
-        c_.k34 = inverse_1 * e37;
-        const Scalar e38 = compression_15 * e5 + e4 * e18;
-        c_.k35 = inverse_1 * e38;
-        c_.k36 = e36;
-        const Scalar e39 = e4 * e8;
-        c_.k37 = Scalar(2) * e39;
-        c_.k38 = e39;
-        c_.k39 = p_.alpha * e8;
-        const Scalar e40 = e8 * e36;
-        c_.k40 = e40;
-        const Scalar e41 = e8 * e37;
-        c_.k41 = e41;
-        const Scalar e42 = e8 * e38;
-        c_.k42 = e42;
-        c_.k43 = e9 - e41;
-        const Scalar e43 = inverse_12 * e3;
-        c_.k44 = inverse_1 * e43;
-        c_.k45 = inverse_1 * inverse_12;
-        const Scalar e44 = inverse_1 * e3;
-        c_.k46 = e44;
-        const Scalar e45 = p_.p_0 * e43 - p_.T_0 * e4;
-        c_.k47 = inverse_1 * e45;
-        const Scalar e46 = e16 * e45 - (compression_15 * e3 + e43 * e17);
-        c_.k48 = inverse_1 * e46;
-        c_.k49 = e4;
-        const Scalar e47 = e8 * e43;
-        c_.k50 = Scalar(2) * e47;
-        c_.k51 = e47;
-        c_.k52 = inverse_12 * e8;
-        const Scalar e48 = e45 * e8;
-        c_.k53 = e48;
-        c_.k54 = e8 * e46;
-        c_.k55 = e32 + e48;
-        c_.k56 = inverse_20 * e4;
-        c_.k57 = inverse_20 * e36;
-        c_.k58 = p_.alpha * inverse_20;
-        c_.k59 = inverse_20 * e37;
-        const Scalar e49 = compression_26 * e5 + e4 * e29;
-        c_.k60 = inverse_20 * e49;
-        const Scalar e50 = e4 * e21;
-        c_.k61 = Scalar(2) * e50;
-        c_.k62 = e50;
-        c_.k63 = p_.alpha * e21;
-        const Scalar e51 = e21 * e36;
-        c_.k64 = e51;
-        const Scalar e52 = e21 * e37;
-        c_.k65 = e52;
-        const Scalar e53 = e21 * e49;
-        c_.k66 = e53;
-        c_.k67 = e22 - e52;
-        c_.k68 = inverse_20 * e43;
-        c_.k69 = inverse_20 * inverse_12;
-        const Scalar e54 = inverse_20 * e3;
-        c_.k70 = e54;
-        c_.k71 = inverse_20 * e45;
-        const Scalar e55 = e27 * e45 - (compression_26 * e3 + e43 * e28);
-        c_.k72 = inverse_20 * e55;
-        const Scalar e56 = e21 * e43;
-        c_.k73 = Scalar(2) * e56;
-        c_.k74 = e56;
-        c_.k75 = inverse_12 * e21;
-        const Scalar e57 = e45 * e21;
-        c_.k76 = e57;
-        c_.k77 = e21 * e55;
-        c_.k78 = e34 + e57;
-        const Scalar e58 = e6 * e36;
-        c_.k79 = inverse_1 * e58;
-        const Scalar e59 = p_.alpha * e6;
-        c_.k80 = inverse_1 * e59;
-        const Scalar e60 = e11 * e36;
-        c_.k81 = -inverse_1 * e60;
-        const Scalar e61 = compression_15 * e7 + e18 * e36;
-        c_.k82 = -inverse_1 * e61;
-        c_.k83 = e58;
-        c_.k84 = Scalar(2) * e40;
-        c_.k85 = e8 * e59;
-        c_.k86 = e8 * e58;
-        c_.k87 = e8 * e7;
-        c_.k88 = -e8 * e60;
-        c_.k89 = e10 - e8 * e61;
-        c_.k90 = e8 - e42;
-        c_.k91 = inverse_20 * e58;
-        c_.k92 = inverse_20 * e59;
-        c_.k93 = -inverse_20 * e60;
-        const Scalar e62 = compression_26 * e7 + e29 * e36;
-        c_.k94 = -inverse_20 * e62;
-        c_.k95 = Scalar(2) * e51;
-        c_.k96 = e21 * e59;
-        c_.k97 = e21 * e58;
-        c_.k98 = e21 * e7;
-        c_.k99 = -e21 * e60;
-        c_.k100 = e23 - e21 * e62;
-        c_.k101 = e21 - e53;
-        c_.k102 = inverse_1 * e6;
-        c_.k103 = p_.beta * e31;
-        c_.k104 = -e11 * e31;
-        c_.k105 = -e19 * e31;
-        c_.k106 = inverse_1;
-        c_.k107 = p_.beta * e44;
-        c_.k108 = e11 * e44;
-        c_.k109 = e19 * e44;
-        c_.k110 = inverse_20 * e6;
-        c_.k111 = p_.beta * e33;
-        c_.k112 = -e11 * e33;
-        c_.k113 = -e30 * e33;
-        c_.k114 = inverse_20;
-        c_.k115 = p_.beta * e54;
-        c_.k116 = e11 * e54;
-        c_.k117 = e30 * e54;
-        const Scalar e63 = p_.rho_0 * p_.c_v;
-        c_.k118 = p_.A_1 * e63;
-        c_.k119 = p_.A_2 * e63;
-        c_.k120 = p_.A_1 * p_.beta;
-        c_.k121 = p_.A_2 * p_.beta;
-        c_.k122 = p_.A_1 * e11;
-        c_.k123 = p_.A_2 * e11;
-        c_.k124 = (Scalar(1) / Scalar(2)) * p_.m_k;
-        const Scalar e64 = p_.A_2 * e35;
-        c_.k125 = e64 * e63;
-        c_.k126 = p_.beta * e64;
-        c_.k127 = e11 * e64;
-        c_.k128 = p_.m_k / p_.rho_k;
-        const Scalar e65 = p_.alpha * p_.T_0 - p_.p_0 * inverse_12;
-        c_.k129 = -p_.A_1 * e65;
-        c_.k130 = p_.A_1 * inverse_12;
-        const Scalar e66 = p_.A_1 * p_.alpha;
-        c_.k131 = e66;
-        const Scalar e67 = inverse_12 * e63;
-        c_.k132 = p_.A_1 * e67;
-        c_.k133 = -e64 * e65;
-        c_.k134 = -p_.A_2 * e65;
-        c_.k135 = p_.A_2 * inverse_12;
-        const Scalar e68 = p_.A_2 * p_.alpha;
-        c_.k136 = e68;
-        c_.k137 = p_.A_2 * e67;
-        c_.k138 = inverse_12 * e64;
-        const Scalar e69 = p_.alpha * e64;
-        c_.k139 = e69;
-        c_.k140 = e64 * e67;
-        c_.k141 = e64;
-        c_.k142 = e11 * e66;
-        c_.k143 = p_.A_1 * e59;
-        c_.k144 = e63 * e66;
-        c_.k145 = p_.A_1 * e6;
-        c_.k146 = e11 * e69;
-        c_.k147 = e11 * e68;
-        c_.k148 = p_.A_2 * e59;
-        c_.k149 = e63 * e68;
-        c_.k150 = p_.A_2 * e6;
-        c_.k151 = e64 * e59;
-        c_.k152 = e63 * e69;
-        c_.k153 = e6 * e64;
+        c_.k1 = inverse_1;
+        const Scalar e2 = p_.beta * p_.alpha;
+        c_.k2 = e2;
+        const Scalar inverse_3 = Scalar(1) / p_.rho_0;
+        const Scalar e4 = inverse_3 / p_.c_v;
+        const Scalar e5 = e4 * e2;
+        c_.k3 = p_.beta * e5;
+        c_.k4 = e5;
+        const Scalar inverse_6 = Scalar(1) / p_.beta;
+        c_.k5 = inverse_6;
+        c_.k6 = inverse_3;
+        const Scalar e7 = (p_.p_0 - p_.p_s) * inverse_6;
+        const Scalar exp_8 = exp(e7);
+        const Scalar compression_9 = detail::compression<Scalar>(-e7, exp_8);
+        c_.k7 = compression_9;
+        const Scalar e10 = p_.T_0 * e2 - p_.p_0;
+        c_.k8 = e10;
+        const Scalar e11 = e7 * exp_8 - compression_9;
+        c_.k9 = e11;
+        const Scalar e12 = p_.p_s * exp_8;
+        c_.k10 = e12;
+        const Scalar inverse_13 = Scalar(1) / p_.A_2;
+        c_.k11 = inverse_13;
+        const Scalar e14 = p_.l - p_.d;
+        c_.k12 = e14;
+        const Scalar e15 = (p_.p_0 - p_.p_t) * inverse_6;
+        const Scalar exp_16 = exp(e15);
+        const Scalar compression_17 = detail::compression<Scalar>(-e15, exp_16);
+        c_.k13 = compression_17;
+        const Scalar e18 = e15 * exp_16 - compression_17;
+        c_.k14 = e18;
+        const Scalar e19 = p_.p_t * exp_16;
+        c_.k15 = e19;
+        c_.k16 = p_.beta * e4;
+        c_.k17 = e4;
+        c_.k18 = p_.alpha * e5;
+        c_.k19 = p_.alpha * e4;
+        const Scalar e20 = p_.alpha * p_.T_0 - p_.p_0 * inverse_6;
+        const Scalar e21 = -e4 * e20;
+        c_.k20 = e21;
+        const Scalar e22 = inverse_6 * e4;
+        c_.k21 = Scalar(2) * e22;
+        c_.k22 = e12 * e22;
+        c_.k23 = e21 + e4;
+        c_.k24 = e19 * e22;
+        c_.k25 = p_.beta * inverse_1;
+        const Scalar e23 = inverse_1 * e5;
+        c_.k26 = e23;
+        c_.k27 = e2 * e23;
+        c_.k28 = inverse_1 * e2;
+        c_.k29 = p_.beta * e23;
+        c_.k30 = -e10 * e23;
+        const Scalar e24 = e11 * e10 + (p_.beta * compression_9 + e12);
+        c_.k31 = -e24 * e23;
+        const Scalar e25 = inverse_1 * e4;
+        c_.k32 = e25;
+        c_.k33 = p_.beta * e25;
+        c_.k34 = e10 * e25;
+        c_.k35 = e24 * e25;
+        const Scalar e26 = inverse_13 * e5;
+        c_.k36 = e26;
+        c_.k37 = e2 * e26;
+        c_.k38 = p_.beta * inverse_13;
+        c_.k39 = inverse_13 * e2;
+        c_.k40 = p_.beta * e26;
+        c_.k41 = -e10 * e26;
+        const Scalar e27 = e18 * e10 + (p_.beta * compression_17 + e19);
+        c_.k42 = -e27 * e26;
+        const Scalar e28 = inverse_13 * e4;
+        c_.k43 = e28;
+        c_.k44 = p_.beta * e28;
+        c_.k45 = e10 * e28;
+        c_.k46 = e27 * e28;
+        const Scalar e29 = p_.rho_0 * p_.c_v;
+        c_.k47 = p_.A_1 * e29;
+        c_.k48 = p_.A_2 * e29;
+        c_.k49 = p_.A_1 * p_.beta;
+        c_.k50 = p_.A_2 * p_.beta;
+        c_.k51 = p_.A_1 * e10;
+        c_.k52 = p_.A_2 * e10;
+        c_.k53 = (Scalar(1) / Scalar(2)) * p_.m_k;
+        const Scalar e30 = p_.A_2 * e14;
+        c_.k54 = e30 * e29;
+        c_.k55 = p_.beta * e30;
+        c_.k56 = e10 * e30;
+        c_.k57 = p_.m_k / p_.rho_k;
+        c_.k58 = -p_.A_1 * e20;
+        c_.k59 = p_.A_1 * inverse_6;
+        const Scalar e31 = p_.A_1 * p_.alpha;
+        c_.k60 = e31;
+        const Scalar e32 = inverse_6 * e29;
+        c_.k61 = p_.A_1 * e32;
+        c_.k62 = -e20 * e30;
+        c_.k63 = -p_.A_2 * e20;
+        c_.k64 = p_.A_2 * inverse_6;
+        const Scalar e33 = p_.A_2 * p_.alpha;
+        c_.k65 = e33;
+        c_.k66 = p_.A_2 * e32;
+        c_.k67 = inverse_6 * e30;
+        const Scalar e34 = p_.alpha * e30;
+        c_.k68 = e34;
+        c_.k69 = e30 * e32;
+        c_.k70 = e30;
+        c_.k71 = e10 * e31;
+        c_.k72 = e2 * e31;
+        c_.k73 = e29 * e31;
+        c_.k74 = p_.A_1 * e2;
+        c_.k75 = e10 * e34;
+        c_.k76 = e10 * e33;
+        c_.k77 = e2 * e33;
+        c_.k78 = e29 * e33;
+        c_.k79 = p_.A_2 * e2;
+        c_.k80 = e2 * e34;
+        c_.k81 = e29 * e34;
+        c_.k82 = e2 * e30;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -512,7 +411,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 41 + or -, 66 *, 4 /, 6 other functions
+    /// Operations: 37 + or -, 55 *, 4 /, 6 other functions
     ///     specific_enthalpy[supply] = (beta*alpha*T_0*expm1((p_0 - p_s)/beta) + beta*compression(-(p_0 - p_s)/beta) -
     ///     p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 - p_s)/beta))/rho_0
     ///     specific_enthalpy[tank] = (beta*alpha*T_0*expm1((p_0 - p_t)/beta) + beta*compression(-(p_0 - p_t)/beta) - p_0*expm1((p_0
@@ -559,189 +458,178 @@ public:
         const Scalar inverse_1 = Scalar(1) / s_k;
         const Scalar q_1 = u[0];
         const Scalar s_k_dot = x[1];
-        const Scalar e2 = p_.beta * s_k_dot;
         const Scalar T_1 = x[4];
-        const Scalar e3 = p_.T_0 - T_1;
-        const Scalar e4 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e3;
+        const Scalar e2 = p_.T_0 - T_1;
+        const Scalar e3 = p_.alpha * e2 - (p_.p_0 - p_1) * c_.k5;
+        const Scalar e4 = -e3;
         const Scalar exp_5 = exp(e4);
-        const Scalar max_6 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 / exp_5);
-        const Scalar e7 = exp_5 * inverse_1;
-        const Scalar e8 = max_6 * e7;
-        const Scalar e9 = T_1 * e7;
-        const Scalar e10 = c_.k3 * s_k_dot;
-        const Scalar e11 = e3 * e8;
-        const Scalar compression_12 = detail::compression<Scalar>(-e4, exp_5);
-        const Scalar e13 = compression_12 * e8;
-        const Scalar e14 = (e4 * exp_5 - compression_12) * e8;
-        const Scalar e15 = q_1 * e9;
-        const Scalar e16 = e8 * (p_1 * exp_5);
-        const Scalar inverse_17 = Scalar(1) / (c_.k30 - s_k);
+        const Scalar e6 = exp_5 * inverse_1;
+        const Scalar e7 = e6 * c_.k1;
+        const Scalar max_8 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 / exp_5);
+        const Scalar e9 = e7 * (max_8 * c_.k6);
+        const Scalar e10 = T_1 * (q_1 * e7 - s_k_dot * e6) * c_.k4 + e2 * e9;
+        const Scalar compression_11 = detail::compression<Scalar>(e3, exp_5);
+        const Scalar e12 = e9 * (c_.k7 - compression_11);
+        const Scalar e13 = (c_.k9 - (e4 * exp_5 - compression_11)) * c_.k8 + (c_.k10 - p_1 * exp_5);
+        const Scalar e14 = e9 * e13;
+        const Scalar inverse_15 = Scalar(1) / (c_.k12 - s_k);
         const Scalar q_2 = u[1];
         const Scalar T_2 = x[5];
-        const Scalar e18 = p_.T_0 - T_2;
-        const Scalar e19 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e18;
-        const Scalar exp_20 = exp(e19);
-        const Scalar max_21 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_2 / exp_20);
-        const Scalar e22 = exp_20 * inverse_17;
-        const Scalar e23 = max_21 * e22;
-        const Scalar e24 = T_2 * e22;
-        const Scalar e25 = e18 * e23;
-        const Scalar compression_26 = detail::compression<Scalar>(-e19, exp_20);
-        const Scalar e27 = compression_26 * e23;
-        const Scalar e28 = (e19 * exp_20 - compression_26) * e23;
-        const Scalar e29 = q_2 * e24;
-        const Scalar e30 = e23 * (p_2 * exp_20);
-        const Scalar e31 = c_.k17 * s_k_dot;
+        const Scalar e16 = p_.T_0 - T_2;
+        const Scalar e17 = p_.alpha * e16 - (p_.p_0 - p_2) * c_.k5;
+        const Scalar e18 = -e17;
+        const Scalar exp_19 = exp(e18);
+        const Scalar e20 = exp_19 * inverse_15;
+        const Scalar e21 = e20 * c_.k11;
+        const Scalar max_22 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_2 / exp_19);
+        const Scalar e23 = e21 * (max_22 * c_.k6);
+        const Scalar e24 = T_2 * (q_2 * e21 + s_k_dot * e20) * c_.k4 + e16 * e23;
+        const Scalar compression_25 = detail::compression<Scalar>(e17, exp_19);
+        const Scalar e26 = e23 * (c_.k13 - compression_25);
+        const Scalar e27 = (c_.k14 - (e18 * exp_19 - compression_25)) * c_.k8 + (c_.k15 - p_2 * exp_19);
+        const Scalar e28 = e23 * e27;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = inverse_1 * (c_.k1 * q_1 - e2) - c_.k8 * e8 - e9 * e10 + c_.k5 * e11 - c_.k6 * e13 + c_.k7 * e14 + c_.k2
-            * e15 - c_.k4 * e16;
-        dxdt[3] = inverse_17 * (c_.k10 * q_2 + e2) - c_.k15 * e23 + e24 * e10 + c_.k12 * e25 - c_.k13 * e27 + c_.k14 * e28
-            + c_.k9 * e29 - c_.k11 * e30;
-        dxdt[4] = c_.k22 * e8 - e9 * e31 + c_.k19 * e11 - c_.k20 * e13 - c_.k21 * e14 + c_.k16 * e15 - c_.k18 * e16;
-        dxdt[5] = c_.k28 * e23 + e24 * e31 + c_.k25 * e25 - c_.k26 * e27 - c_.k27 * e28 + c_.k23 * e29 - c_.k24 * e30;
+        dxdt[2] = p_.beta * inverse_1 * (q_1 * c_.k1 - s_k_dot) + e10 * c_.k2 + e12 * c_.k3 + e14 * c_.k4;
+        dxdt[3] = p_.beta * inverse_15 * (q_2 * c_.k11 + s_k_dot) + e24 * c_.k2 + e26 * c_.k3 + e28 * c_.k4;
+        dxdt[4] = e10 + e12 * c_.k16 + e14 * c_.k17;
+        dxdt[5] = e24 + e26 * c_.k16 + e28 * c_.k17;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 148 + or -, 214 *, 4 /, 8 other functions
+    /// Operations: 84 + or -, 133 *, 4 /, 8 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
         const Scalar p_1 = x[2];
         const Scalar f_l = u[2];
         const Scalar p_2 = x[3];
         const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.A_2 * p_2) * c_.k0;
-        const Scalar q_1 = u[0];
         const Scalar T_1 = x[4];
-        const Scalar e1 = p_.p_0 - p_1;
-        const Scalar e2 = p_.T_0 - T_1;
-        const Scalar e3 = c_.k29 * e1 - p_.alpha * e2;
-        const Scalar exp_4 = exp(e3);
+        const Scalar e1 = p_.T_0 - T_1;
+        const Scalar e2 = p_.alpha * e1;
+        const Scalar e3 = p_.p_0 - p_1;
+        const Scalar e4 = e2 - e3 * c_.k5;
+        const Scalar e5 = -e4;
+        const Scalar exp_6 = exp(e5);
+        const Scalar e7 = T_1 * exp_6;
+        const Scalar e8 = Scalar(1) + e7 * c_.k18;
+        const Scalar q_1 = u[0];
         const Scalar s_k = x[0];
-        const Scalar inverse_5 = Scalar(1) / s_k;
-        const Scalar e6 = exp_4 * inverse_5;
-        const Scalar e7 = T_1 * e6;
-        const Scalar e8 = q_1 * e7;
-        const Scalar e9 = p_.rho_0 * q_1 / exp_4;
-        const Scalar max_10 = detail::max<Scalar>(Scalar(0), e9);
-        const Scalar e11 = max_10 * e6;
-        const Scalar e12 = exp_4 * e11;
-        const Scalar e13 = p_1 * e12;
-        const Scalar compression_14 = detail::compression<Scalar>(-e3, exp_4);
-        const Scalar e15 = compression_14 * e11;
-        const Scalar e16 = e3 * exp_4 - compression_14;
-        const Scalar e17 = e16 * e11;
-        const Scalar e18 = q_1 * inverse_5;
+        const Scalar inverse_9 = Scalar(1) / s_k;
+        const Scalar e10 = inverse_9 * c_.k1;
         const Scalar s_k_dot = x[1];
-        const Scalar e19 = c_.k3 * e7 + p_.beta * inverse_5;
-        const Scalar e20 = c_.k6 * e15 - c_.k7 * e17 - (e11 * (c_.k5 * e2 - c_.k8) + (c_.k1 * e18 - s_k_dot * e19));
-        const Scalar q_2 = u[1];
+        const Scalar e11 = q_1 * e10 - s_k_dot * inverse_9;
+        const Scalar e12 = p_.beta * e11;
+        const Scalar e13 = exp_6 * e10;
+        const Scalar e14 = p_.rho_0 * q_1 / exp_6;
+        const Scalar max_15 = detail::max<Scalar>(Scalar(0), e14);
+        const Scalar e16 = max_15 * c_.k6;
+        const Scalar e17 = e13 * e16;
+        const Scalar compression_18 = detail::compression<Scalar>(e4, exp_6);
+        const Scalar e19 = c_.k9 - (e5 * exp_6 - compression_18);
+        const Scalar e20 = c_.k10 + e19 * c_.k8;
+        const Scalar e21 = c_.k7 - compression_18;
+        const Scalar e22 = e20 + p_.beta * e21;
+        const Scalar e23 = e17 * (p_1 * exp_6 - e22);
+        const Scalar e24 = e1 * e17;
+        const Scalar e25 = e8 * e12 - e23 * c_.k4 + e24 * c_.k2;
         const Scalar T_2 = x[5];
-        const Scalar e21 = p_.p_0 - p_2;
-        const Scalar e22 = p_.T_0 - T_2;
-        const Scalar e23 = c_.k29 * e21 - p_.alpha * e22;
-        const Scalar exp_24 = exp(e23);
-        const Scalar inverse_25 = Scalar(1) / (c_.k30 - s_k);
-        const Scalar e26 = exp_24 * inverse_25;
-        const Scalar e27 = T_2 * e26;
-        const Scalar e28 = q_2 * e27;
-        const Scalar e29 = p_.rho_0 * q_2 / exp_24;
-        const Scalar max_30 = detail::max<Scalar>(Scalar(0), e29);
-        const Scalar e31 = max_30 * e26;
-        const Scalar e32 = exp_24 * e31;
-        const Scalar e33 = p_2 * e32;
-        const Scalar compression_34 = detail::compression<Scalar>(-e23, exp_24);
-        const Scalar e35 = compression_34 * e31;
-        const Scalar e36 = e23 * exp_24 - compression_34;
-        const Scalar e37 = e36 * e31;
-        const Scalar e38 = q_2 * inverse_25;
-        const Scalar e39 = c_.k3 * e27 + p_.beta * inverse_25;
-        const Scalar e40 = c_.k13 * e35 - c_.k14 * e37 - (e31 * (c_.k12 * e22 - c_.k15) + (c_.k10 * e38 + s_k_dot * e39));
-        const Scalar e41 = c_.k17 * s_k_dot;
-        const Scalar e42 = e2 * e11;
-        const Scalar e43 = c_.k20 * e15 - c_.k22 * e11 + (c_.k21 * e17 + (e7 * e41 - c_.k19 * e42));
-        const Scalar e44 = e22 * e31;
-        const Scalar e45 = c_.k26 * e35 - c_.k28 * e31 + (c_.k27 * e37 - (e27 * e41 + c_.k25 * e44));
+        const Scalar e26 = p_.T_0 - T_2;
+        const Scalar e27 = p_.alpha * e26;
+        const Scalar e28 = p_.p_0 - p_2;
+        const Scalar e29 = e27 - e28 * c_.k5;
+        const Scalar e30 = -e29;
+        const Scalar exp_31 = exp(e30);
+        const Scalar e32 = T_2 * exp_31;
+        const Scalar e33 = Scalar(1) + e32 * c_.k18;
+        const Scalar q_2 = u[1];
+        const Scalar inverse_34 = Scalar(1) / (c_.k12 - s_k);
+        const Scalar e35 = inverse_34 * c_.k11;
+        const Scalar e36 = q_2 * e35 + s_k_dot * inverse_34;
+        const Scalar e37 = p_.beta * e36;
+        const Scalar e38 = exp_31 * e35;
+        const Scalar e39 = p_.rho_0 * q_2 / exp_31;
+        const Scalar max_40 = detail::max<Scalar>(Scalar(0), e39);
+        const Scalar e41 = max_40 * c_.k6;
+        const Scalar e42 = e38 * e41;
+        const Scalar compression_43 = detail::compression<Scalar>(e29, exp_31);
+        const Scalar e44 = c_.k14 - (e30 * exp_31 - compression_43);
+        const Scalar e45 = c_.k15 + e44 * c_.k8;
+        const Scalar e46 = c_.k13 - compression_43;
+        const Scalar e47 = e45 + p_.beta * e46;
+        const Scalar e48 = e42 * (p_2 * exp_31 - e47);
+        const Scalar e49 = e26 * e42;
+        const Scalar e50 = e33 * e37 - e48 * c_.k4 + e49 * c_.k2;
+        const Scalar e51 = e11 * c_.k4;
+        const Scalar e52 = e7 * e51 - e23 * c_.k17 + e24;
+        const Scalar e53 = e36 * c_.k4;
+        const Scalar e54 = e32 * e53 - e48 * c_.k17 + e49;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = c_.k2 * e8 - c_.k4 * e13 - e20;
-        dxdt[3] = c_.k9 * e28 - c_.k11 * e33 - e40;
-        dxdt[4] = c_.k16 * e8 - c_.k18 * e13 - e43;
-        dxdt[5] = c_.k23 * e28 - c_.k24 * e33 - e45;
-        const Scalar e46 = e18 * e7;
-        const Scalar e47 = e11 * (p_1 * e6);
-        const Scalar e48 = e38 * e27;
-        const Scalar e49 = e31 * (p_2 * e26);
-        const Scalar e50 = e2 * e12;
-        const Scalar step_51 = detail::step<Scalar>(e9);
-        const Scalar e52 = step_51 * e18;
-        const Scalar e53 = e16 * e52;
-        const Scalar e54 = c_.k36 * s_k_dot;
-        const Scalar e55 = q_1 * e6;
-        const Scalar e56 = e55 * (p_1 * step_51);
-        const Scalar e57 = e7 * (c_.k32 * q_1 - e54) + e52 * (c_.k16 * compression_14 - c_.k33 * e2);
-        const Scalar e58 = e57 - (e12 * (c_.k37 * p_1 + c_.k38 * e1) - (c_.k39 * e42 + c_.k31 * e56));
-        const Scalar e59 = c_.k40 * e50 + c_.k34 * e53 - (c_.k4 * e15 + c_.k35 * e52) + e58;
-        const Scalar e60 = c_.k49 * s_k_dot;
-        const Scalar e61 = e1 * e12;
-        const Scalar e62 = e2 * e52;
-        const Scalar e63 = compression_14 * e52;
-        const Scalar e64 = e22 * e32;
-        const Scalar step_65 = detail::step<Scalar>(e29);
-        const Scalar e66 = step_65 * e38;
-        const Scalar e67 = e36 * e66;
-        const Scalar e68 = q_2 * e26;
-        const Scalar e69 = e68 * (p_2 * step_65);
-        const Scalar e70 = e27 * (c_.k57 * q_2 + e54) + e66 * (c_.k23 * compression_34 - c_.k58 * e22);
-        const Scalar e71 = e70 - (e32 * (c_.k61 * p_2 + c_.k62 * e21) - (c_.k63 * e44 + c_.k56 * e69));
-        const Scalar e72 = c_.k64 * e64 + c_.k59 * e67 - (c_.k11 * e35 + c_.k60 * e66) + e71;
-        const Scalar e73 = e21 * e32;
-        const Scalar e74 = e22 * e66;
-        const Scalar e75 = compression_34 * e66;
-        const Scalar e76 = e12 + e17;
-        const Scalar e77 = c_.k3 * s_k_dot;
-        const Scalar e78 = c_.k83 * s_k_dot;
-        const Scalar e79 = e32 + e37;
+        dxdt[2] = e25;
+        dxdt[3] = e50;
+        dxdt[4] = e52;
+        dxdt[5] = e54;
+        const Scalar step_55 = detail::step<Scalar>(e14);
+        const Scalar e56 = q_1 * step_55;
+        const Scalar e57 = (e56 - exp_6 * e16) * e10;
+        const Scalar e58 = T_1 * e11 + e24;
+        const Scalar e59 = exp_6 * c_.k18;
+        const Scalar e60 = e57 * e2 - e58 * e59;
+        const Scalar e61 = exp_6 * e17;
+        const Scalar e62 = p_1 * e61 - (Scalar(1) / Scalar(2)) * (p_1 * e13 * e56 - e3 * e61);
+        const Scalar e63 = Scalar(2) * e62 + e61 * c_.k8;
+        const Scalar e64 = e63 * c_.k19 + e57 * (e20 * c_.k19 + e21 * c_.k4);
+        const Scalar step_65 = detail::step<Scalar>(e39);
+        const Scalar e66 = q_2 * step_65;
+        const Scalar e67 = (e66 - exp_31 * e41) * e35;
+        const Scalar e68 = T_2 * e36 + e49;
+        const Scalar e69 = exp_31 * c_.k18;
+        const Scalar e70 = e67 * e27 - e68 * e69;
+        const Scalar e71 = exp_31 * e42;
+        const Scalar e72 = p_2 * e71 - (Scalar(1) / Scalar(2)) * (p_2 * e38 * e66 - e28 * e71);
+        const Scalar e73 = Scalar(2) * e72 + e71 * c_.k8;
+        const Scalar e74 = e73 * c_.k19 + e67 * (e45 * c_.k19 + e46 * c_.k4);
+        const Scalar e75 = e17 + e60;
+        const Scalar e76 = e42 + e70;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = inverse_5 * e20 - c_.k2 * e46 + c_.k4 * e47;
-        J[3] = c_.k9 * e48 - inverse_25 * e40 - c_.k11 * e49;
-        J[4] = inverse_5 * e43 - c_.k16 * e46 + c_.k18 * e47;
-        J[5] = c_.k23 * e48 - inverse_25 * e45 - c_.k24 * e49;
+        J[2] = -inverse_9 * e25;
+        J[3] = inverse_34 * e50;
+        J[4] = -inverse_9 * e52;
+        J[5] = inverse_34 * e54;
         J[6] = Scalar(1);
         J[7] = Scalar(0);
-        J[8] = -e19;
-        J[9] = e39;
-        J[10] = -c_.k17 * e7;
-        J[11] = c_.k17 * e27;
+        J[8] = -p_.beta * inverse_9 * e8;
+        J[9] = p_.beta * inverse_34 * e33;
+        J[10] = -inverse_9 * e7 * c_.k4;
+        J[11] = inverse_34 * e32 * c_.k4;
         J[12] = Scalar(0);
         J[13] = p_.A_1 * c_.k0;
-        J[14] = c_.k41 * e17 - c_.k42 * e11 - c_.k43 * e12 - e59;
+        J[14] = e60 - e61 * c_.k4 + e64;
         J[15] = Scalar(0);
-        J[16] = c_.k54 * e11 - c_.k55 * e12 - c_.k48 * e52 + c_.k18 * e15 - c_.k53 * e17 - c_.k52 * e42 - c_.k31 * e8 + c_.k50
-            * e13 - c_.k38 * e50 + c_.k47 * e53 - c_.k44 * e56 + e7 * e60 + c_.k51 * e61 + c_.k45 * e62 - c_.k46 * e63;
+        J[16] = e57 * (c_.k22 + e1 * c_.k5 - e19 * c_.k20 + e21 * c_.k17) - exp_6 * e58 * c_.k19 + e62 * c_.k21 - e61 * c_.k23;
         J[17] = Scalar(0);
         J[18] = Scalar(0);
         J[19] = (-p_.A_2) * c_.k0;
         J[20] = Scalar(0);
-        J[21] = c_.k65 * e37 - c_.k66 * e31 - c_.k67 * e32 - e72;
+        J[21] = e70 - e71 * c_.k4 + e74;
         J[22] = Scalar(0);
-        J[23] = c_.k77 * e31 - c_.k78 * e32 - c_.k72 * e66 + c_.k24 * e35 - c_.k76 * e37 - c_.k75 * e44 - c_.k56 * e28 + c_.k73
-            * e33 - c_.k62 * e64 + c_.k71 * e67 - c_.k68 * e69 - e27 * e60 + c_.k74 * e73 + c_.k69 * e74 - c_.k70 * e75;
+        J[23] = e67 * (c_.k24 + e26 * c_.k5 - e44 * c_.k20 + e46 * c_.k17) - exp_31 * e68 * c_.k19 + e72 * c_.k21 - e71
+            * c_.k23;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = c_.k2 * (e55 + e63) - c_.k89 * e11 + c_.k82 * e52 - c_.k87 * e15 + c_.k88 * e76 + c_.k85 * e42 + c_.k79 * e8
-            - c_.k84 * e13 + c_.k86 * e50 - c_.k81 * e53 + c_.k32 * e56 - e6 * e77 - e7 * e78 - c_.k40 * e61 - c_.k80 * e62;
+        J[26] = e12 * e59 - c_.k18 * (e22 * e57 + e63) - e75 * c_.k2;
         J[27] = Scalar(0);
-        J[28] = c_.k16 * e55 - c_.k90 * e11 - c_.k41 * e76 - e6 * e41 + e59;
+        J[28] = exp_6 * e51 - e64 - e75;
         J[29] = Scalar(0);
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = c_.k9 * (e68 + e75) - c_.k100 * e31 + c_.k94 * e66 - c_.k98 * e35 + c_.k99 * e79 + c_.k96 * e44 + c_.k91 * e28
-            - c_.k95 * e33 + c_.k97 * e64 - c_.k93 * e67 + c_.k57 * e69 + e26 * e77 + e27 * e78 - c_.k64 * e73 - c_.k92 * e74;
+        J[33] = e37 * e69 - c_.k18 * (e47 * e67 + e73) - e76 * c_.k2;
         J[34] = Scalar(0);
-        J[35] = c_.k23 * e68 - c_.k101 * e31 - c_.k65 * e79 + e26 * e41 + e72;
+        J[35] = exp_31 * e53 - e74 - e76;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -760,7 +648,7 @@ public:
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
         const Scalar e2 = p_.T_0 - T_1;
-        const Scalar e3 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e2;
+        const Scalar e3 = c_.k5 * (p_.p_0 - p_1) - p_.alpha * e2;
         const Scalar exp_4 = exp(e3);
         const Scalar step_5 = detail::step<Scalar>(p_.rho_0 * q_1 / exp_4);
         const Scalar e6 = step_5 * inverse_1;
@@ -770,12 +658,12 @@ public:
         const Scalar e10 = (e3 * exp_4 - compression_8) * e6;
         const Scalar e11 = T_1 * (exp_4 * inverse_1);
         const Scalar e12 = e6 * (p_1 * exp_4);
-        const Scalar inverse_13 = Scalar(1) / (c_.k30 - s_k);
+        const Scalar inverse_13 = Scalar(1) / (c_.k12 - s_k);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
         const Scalar e14 = p_.T_0 - T_2;
-        const Scalar e15 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e14;
+        const Scalar e15 = c_.k5 * (p_.p_0 - p_2) - p_.alpha * e14;
         const Scalar exp_16 = exp(e15);
         const Scalar step_17 = detail::step<Scalar>(p_.rho_0 * q_2 / exp_16);
         const Scalar e18 = step_17 * inverse_13;
@@ -787,16 +675,16 @@ public:
         const Scalar e24 = e18 * (p_2 * exp_16);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k1 * inverse_1 - c_.k105 * e6 + c_.k102 * e7 - c_.k103 * e9 + c_.k104 * e10 + c_.k2 * e11 - c_.k16 * e12;
+        J[2] = c_.k25 * inverse_1 - c_.k31 * e6 + c_.k28 * e7 - c_.k29 * e9 + c_.k30 * e10 + c_.k27 * e11 - c_.k26 * e12;
         J[3] = Scalar(0);
-        J[4] = c_.k109 * e6 + c_.k106 * e7 - c_.k107 * e9 - c_.k108 * e10 + c_.k16 * e11 - c_.k46 * e12;
+        J[4] = c_.k35 * e6 + c_.k1 * e7 - c_.k33 * e9 - c_.k34 * e10 + c_.k26 * e11 - c_.k32 * e12;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = c_.k10 * inverse_13 - c_.k113 * e18 + c_.k110 * e19 - c_.k111 * e21 + c_.k112 * e22 + c_.k9 * e23 - c_.k23 * e24;
+        J[9] = c_.k38 * inverse_13 - c_.k42 * e18 + c_.k39 * e19 - c_.k40 * e21 + c_.k41 * e22 + c_.k37 * e23 - c_.k36 * e24;
         J[10] = Scalar(0);
-        J[11] = c_.k117 * e18 + c_.k114 * e19 - c_.k115 * e21 - c_.k116 * e22 + c_.k23 * e23 - c_.k70 * e24;
+        J[11] = c_.k46 * e18 + c_.k11 * e19 - c_.k44 * e21 - c_.k45 * e22 + c_.k36 * e23 - c_.k43 * e24;
         J[12] = Scalar(0);
         J[13] = (-Scalar(1)) * c_.k0;
         J[14] = Scalar(0);
@@ -806,38 +694,38 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 14, entry (i, j) at J[6*j + i].
-    /// Operations: 439 + or -, 746 *, 9 /, 12 other functions
+    /// Operations: 461 + or -, 804 *, 9 /, 12 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
-        const Scalar e1 = p_.p_0 - p_.p_s;
-        const Scalar inverse_2 = Scalar(1) / p_.beta;
-        const Scalar e3 = e1 * inverse_2;
-        const Scalar exp_4 = exp(e3);
-        const Scalar compression_5 = detail::compression<Scalar>(-e3, exp_4);
-        const Scalar e6 = e3 * exp_4 - compression_5;
-        const Scalar e7 = p_.beta * p_.alpha;
-        const Scalar e8 = p_.T_0 * e7 - p_.p_0;
-        const Scalar e9 = p_.p_s * exp_4;
-        const Scalar e10 = p_.beta * compression_5 + e9;
-        const Scalar e11 = e6 * e8 + e10;
-        const Scalar inverse_12 = Scalar(1) / p_.A_1;
-        const Scalar inverse_13 = Scalar(1) / p_.rho_0;
-        const Scalar inverse_14 = Scalar(1) / p_.c_v;
-        const Scalar e15 = inverse_13 * inverse_14;
-        const Scalar e16 = inverse_13 * e15;
-        const Scalar e17 = p_.alpha * e16;
-        const Scalar e18 = p_.beta * e17;
-        const Scalar e19 = inverse_12 * e18;
-        const Scalar e20 = inverse_12 * e19;
+        const Scalar inverse_1 = Scalar(1) / p_.A_1;
+        const Scalar e2 = p_.beta * p_.alpha;
+        const Scalar inverse_3 = Scalar(1) / p_.rho_0;
+        const Scalar inverse_4 = Scalar(1) / p_.c_v;
+        const Scalar e5 = inverse_3 * inverse_4;
+        const Scalar e6 = inverse_3 * e5;
+        const Scalar e7 = inverse_1 * e6;
+        const Scalar e8 = e2 * e7;
+        const Scalar e9 = p_.p_0 - p_.p_s;
+        const Scalar inverse_10 = Scalar(1) / p_.beta;
+        const Scalar e11 = e9 * inverse_10;
+        const Scalar exp_12 = exp(e11);
+        const Scalar compression_13 = detail::compression<Scalar>(-e11, exp_12);
+        const Scalar e14 = e11 * exp_12 - compression_13;
+        const Scalar e15 = p_.T_0 * e2 - p_.p_0;
+        const Scalar e16 = p_.p_s * exp_12;
+        const Scalar e17 = e14 * e15 + e16;
+        const Scalar e18 = p_.beta * compression_13;
+        const Scalar e19 = e17 + e18;
+        const Scalar e20 = e8 * e19;
         const Scalar q_1 = u[0];
         const Scalar e21 = p_.p_0 - p_1;
         const Scalar T_1 = x[4];
         const Scalar e22 = p_.T_0 - T_1;
-        const Scalar e23 = c_.k29 * e21 - p_.alpha * e22;
+        const Scalar e23 = c_.k5 * e21 - p_.alpha * e22;
         const Scalar exp_24 = exp(e23);
         const Scalar e25 = p_.rho_0 * q_1 / exp_24;
         const Scalar max_26 = detail::max<Scalar>(Scalar(0), e25);
@@ -845,249 +733,264 @@ public:
         const Scalar inverse_27 = Scalar(1) / s_k;
         const Scalar e28 = exp_24 * inverse_27;
         const Scalar e29 = max_26 * e28;
-        const Scalar e30 = inverse_12 * inverse_13;
-        const Scalar e31 = e7 * e30;
+        const Scalar e30 = inverse_1 * inverse_3;
+        const Scalar e31 = e2 * e30;
         const Scalar e32 = e22 * e29;
-        const Scalar e33 = p_.alpha * e15;
-        const Scalar e34 = p_.beta * e33;
-        const Scalar e35 = inverse_12 * e34;
-        const Scalar e36 = inverse_12 * e35;
-        const Scalar e37 = T_1 * e28;
-        const Scalar e38 = q_1 * e37;
+        const Scalar e33 = inverse_1 * e5;
+        const Scalar e34 = e2 * e33;
+        const Scalar e35 = inverse_1 * e34;
+        const Scalar e36 = T_1 * e28;
+        const Scalar e37 = q_1 * e36;
+        const Scalar e38 = inverse_1 * e8;
         const Scalar compression_39 = detail::compression<Scalar>(-e23, exp_24);
         const Scalar e40 = e23 * exp_24 - compression_39;
         const Scalar e41 = e40 * e29;
         const Scalar e42 = exp_24 * e29;
         const Scalar e43 = p_1 * e42;
-        const Scalar e44 = compression_39 * e29;
-        const Scalar e45 = q_1 * inverse_27;
-        const Scalar e46 = inverse_12 * e16;
-        const Scalar e47 = inverse_12 * e46;
-        const Scalar e48 = p_.beta * e46;
-        const Scalar e49 = p_.p_0 - p_.p_t;
-        const Scalar e50 = e49 * inverse_2;
-        const Scalar exp_51 = exp(e50);
-        const Scalar compression_52 = detail::compression<Scalar>(-e50, exp_51);
-        const Scalar e53 = e50 * exp_51 - compression_52;
-        const Scalar e54 = p_.p_t * exp_51;
-        const Scalar e55 = p_.beta * compression_52 + e54;
-        const Scalar e56 = e53 * e8 + e55;
-        const Scalar inverse_57 = Scalar(1) / p_.A_2;
-        const Scalar e58 = inverse_57 * e18;
-        const Scalar e59 = inverse_57 * e58;
+        const Scalar e44 = p_.beta * e8;
+        const Scalar e45 = compression_39 * e29;
+        const Scalar e46 = q_1 * inverse_27;
+        const Scalar e47 = inverse_1 * e7;
+        const Scalar e48 = p_.beta * e7;
+        const Scalar inverse_49 = Scalar(1) / p_.A_2;
+        const Scalar e50 = inverse_49 * e6;
+        const Scalar e51 = e2 * e50;
+        const Scalar e52 = p_.p_0 - p_.p_t;
+        const Scalar e53 = e52 * inverse_10;
+        const Scalar exp_54 = exp(e53);
+        const Scalar compression_55 = detail::compression<Scalar>(-e53, exp_54);
+        const Scalar e56 = e53 * exp_54 - compression_55;
+        const Scalar e57 = p_.p_t * exp_54;
+        const Scalar e58 = e56 * e15 + e57;
+        const Scalar e59 = p_.beta * compression_55;
+        const Scalar e60 = e58 + e59;
+        const Scalar e61 = e51 * e60;
         const Scalar q_2 = u[1];
-        const Scalar e60 = p_.p_0 - p_2;
+        const Scalar e62 = p_.p_0 - p_2;
         const Scalar T_2 = x[5];
-        const Scalar e61 = p_.T_0 - T_2;
-        const Scalar e62 = c_.k29 * e60 - p_.alpha * e61;
-        const Scalar exp_63 = exp(e62);
-        const Scalar e64 = p_.rho_0 * q_2 / exp_63;
-        const Scalar max_65 = detail::max<Scalar>(Scalar(0), e64);
-        const Scalar inverse_66 = Scalar(1) / (c_.k30 - s_k);
-        const Scalar e67 = exp_63 * inverse_66;
-        const Scalar e68 = max_65 * e67;
-        const Scalar e69 = inverse_57 * inverse_13;
-        const Scalar e70 = e7 * e69;
-        const Scalar e71 = e61 * e68;
-        const Scalar e72 = inverse_57 * e34;
-        const Scalar e73 = inverse_57 * e72;
-        const Scalar e74 = T_2 * e67;
-        const Scalar e75 = q_2 * e74;
-        const Scalar compression_76 = detail::compression<Scalar>(-e62, exp_63);
-        const Scalar e77 = e62 * exp_63 - compression_76;
-        const Scalar e78 = e77 * e68;
-        const Scalar e79 = compression_76 * e68;
-        const Scalar e80 = exp_63 * e68;
-        const Scalar e81 = p_2 * e80;
-        const Scalar e82 = q_2 * inverse_66;
-        const Scalar e83 = inverse_57 * e16;
-        const Scalar e84 = inverse_57 * e83;
-        const Scalar e85 = p_.beta * e83;
+        const Scalar e63 = p_.T_0 - T_2;
+        const Scalar e64 = c_.k5 * e62 - p_.alpha * e63;
+        const Scalar exp_65 = exp(e64);
+        const Scalar e66 = p_.rho_0 * q_2 / exp_65;
+        const Scalar max_67 = detail::max<Scalar>(Scalar(0), e66);
+        const Scalar inverse_68 = Scalar(1) / (c_.k12 - s_k);
+        const Scalar e69 = exp_65 * inverse_68;
+        const Scalar e70 = max_67 * e69;
+        const Scalar e71 = inverse_49 * inverse_3;
+        const Scalar e72 = e2 * e71;
+        const Scalar e73 = e63 * e70;
+        const Scalar e74 = inverse_49 * e5;
+        const Scalar e75 = e2 * e74;
+        const Scalar e76 = inverse_49 * e75;
+        const Scalar e77 = T_2 * e69;
+        const Scalar e78 = q_2 * e77;
+        const Scalar e79 = inverse_49 * e51;
+        const Scalar compression_80 = detail::compression<Scalar>(-e64, exp_65);
+        const Scalar e81 = e64 * exp_65 - compression_80;
+        const Scalar e82 = e81 * e70;
+        const Scalar e83 = p_.beta * e51;
+        const Scalar e84 = compression_80 * e70;
+        const Scalar e85 = exp_65 * e70;
+        const Scalar e86 = p_2 * e85;
+        const Scalar e87 = q_2 * inverse_68;
+        const Scalar e88 = inverse_49 * e50;
+        const Scalar e89 = p_.beta * e50;
+        const Scalar e90 = -e15 * e51;
+        const Scalar e91 = -e61;
         const Scalar s_k_dot = x[1];
-        const Scalar e86 = s_k_dot * e74;
-        const Scalar e87 = c_.k3 * e86 + (c_.k9 * e75 + c_.k12 * e71);
-        const Scalar e88 = inverse_66 * e79;
-        const Scalar e89 = p_2 * e67;
-        const Scalar e90 = e68 * e89;
-        const Scalar e91 = c_.k14 * e78 - c_.k15 * e68 + (inverse_66 * (c_.k10 * q_2 + p_.beta * s_k_dot) + e87);
-        const Scalar e92 = inverse_66 * e91 - (c_.k13 * e88 + c_.k11 * e90);
-        const Scalar e93 = c_.k17 * e86 + (c_.k23 * e75 + c_.k25 * e71);
-        const Scalar e94 = inverse_66 * (e93 - (c_.k27 * e78 - c_.k28 * e68)) - (c_.k26 * e88 + c_.k24 * e90);
-        const Scalar e95 = inverse_13 * e19;
-        const Scalar step_96 = detail::step<Scalar>(e25);
-        const Scalar e97 = q_1 * step_96;
-        const Scalar e98 = inverse_27 * e97;
-        const Scalar e99 = inverse_13 * e8;
-        const Scalar e100 = e22 * e98;
-        const Scalar e101 = e18 * e7;
-        const Scalar e102 = s_k_dot * e37;
-        const Scalar e103 = e97 * (p_1 * e28);
-        const Scalar e104 = compression_39 * e98;
-        const Scalar e105 = e40 * e98;
-        const Scalar e106 = inverse_13 * e58;
-        const Scalar step_107 = detail::step<Scalar>(e64);
-        const Scalar e108 = q_2 * step_107;
-        const Scalar e109 = inverse_66 * e108;
-        const Scalar e110 = e61 * e109;
-        const Scalar e111 = e108 * e89;
-        const Scalar e112 = compression_76 * e109;
-        const Scalar e113 = e77 * e109;
-        const Scalar e114 = inverse_13 * e46;
-        const Scalar e115 = inverse_13 * e83;
-        const Scalar e116 = p_.alpha * p_.T_0;
-        const Scalar e117 = inverse_12 * e17;
-        const Scalar e118 = e19 * e116 - (Scalar(1) / Scalar(2)) * p_.p_0 * e117;
-        const Scalar e119 = p_.p_s + e1;
-        const Scalar e120 = e116 - p_.p_0 * inverse_2;
-        const Scalar e121 = inverse_2 * e119 + e120;
-        const Scalar e122 = exp_4 * e117;
-        const Scalar e123 = compression_5 * e19;
-        const Scalar e124 = p_.p_s * e122;
-        const Scalar e125 = e21 * e44;
-        const Scalar e126 = inverse_12 * e33;
-        const Scalar e127 = Scalar(2) * p_.alpha * e34;
-        const Scalar e128 = Scalar(2) * e19;
-        const Scalar e129 = e21 * e42;
-        const Scalar e130 = e21 * e41 + e129;
-        const Scalar e131 = e22 * e129;
-        const Scalar e132 = e21 * (inverse_2 * e126);
-        const Scalar e133 = compression_5 + (e6 * e120 + inverse_2 * e9);
-        const Scalar e134 = e21 * e29;
-        const Scalar e135 = e21 * e98;
-        const Scalar e136 = p_.alpha * inverse_2;
-        const Scalar e137 = e21 * e32;
-        const Scalar e138 = c_.k39 * e32;
-        const Scalar e139 = inverse_2 * e117;
-        const Scalar e140 = e21 * e43;
-        const Scalar e141 = e21 * e100;
-        const Scalar e142 = p_.alpha * e33;
-        const Scalar e143 = e21 * e102;
-        const Scalar e144 = e21 * e129;
-        const Scalar e145 = e21 * e104;
-        const Scalar e146 = e21 * e105;
-        const Scalar e147 = e60 * e79;
-        const Scalar e148 = inverse_57 * e33;
-        const Scalar e149 = inverse_57 * e17;
-        const Scalar e150 = e58 * e116 - (Scalar(1) / Scalar(2)) * p_.p_0 * e149;
-        const Scalar e151 = p_.p_t + e49;
-        const Scalar e152 = inverse_2 * e151 + e120;
-        const Scalar e153 = exp_51 * e149;
-        const Scalar e154 = compression_52 * e58;
-        const Scalar e155 = p_.p_t * e153;
-        const Scalar e156 = Scalar(2) * e58;
-        const Scalar e157 = e60 * e80;
-        const Scalar e158 = e60 * e78 + e157;
-        const Scalar e159 = e61 * e157;
-        const Scalar e160 = e60 * (inverse_2 * e148);
-        const Scalar e161 = compression_52 + (e53 * e120 + inverse_2 * e54);
-        const Scalar e162 = e60 * e68;
-        const Scalar e163 = e60 * e109;
-        const Scalar e164 = e60 * e71;
-        const Scalar e165 = c_.k63 * e71;
-        const Scalar e166 = e60 * e86;
-        const Scalar e167 = inverse_2 * e149;
-        const Scalar e168 = e60 * e81;
-        const Scalar e169 = e60 * e110;
-        const Scalar e170 = e60 * e157;
-        const Scalar e171 = e60 * e112;
-        const Scalar e172 = e60 * e113;
-        const Scalar e173 = inverse_2 * e120;
-        const Scalar e174 = exp_4 * e46;
-        const Scalar e175 = e121 * e174;
-        const Scalar e176 = compression_5 * e46;
-        const Scalar e177 = p_.T_0 * e117;
-        const Scalar e178 = inverse_12 * e15;
-        const Scalar inverse_2_squared = inverse_2 * inverse_2;
-        const Scalar e179 = c_.k18 * e44 - (c_.k31 * e38 - c_.k49 * e102);
-        const Scalar e180 = inverse_2 * e133;
-        const Scalar e181 = e46 * inverse_2_squared;
-        const Scalar e182 = inverse_2 * e33;
-        const Scalar e183 = exp_51 * e83;
-        const Scalar e184 = e152 * e183;
-        const Scalar e185 = compression_52 * e83;
-        const Scalar e186 = p_.T_0 * e149;
-        const Scalar e187 = inverse_57 * e15;
-        const Scalar e188 = c_.k24 * e79 - (c_.k49 * e86 + c_.k56 * e75);
-        const Scalar e189 = inverse_2 * e161;
-        const Scalar e190 = e83 * inverse_2_squared;
-        const Scalar e191 = e11 * e19;
-        const Scalar e192 = p_.beta * p_.T_0;
-        const Scalar e193 = p_.p_0 * e48 - Scalar(2) * e19 * e192;
-        const Scalar e194 = Scalar(2) * p_.beta * e34;
-        const Scalar e195 = e22 * e42;
-        const Scalar e196 = e40 * e32 + e195;
-        const Scalar e197 = c_.k16 * e22;
-        const Scalar e198 = compression_39 * e32;
-        const Scalar e199 = e22 * e32;
-        const Scalar e200 = e22 * e43;
-        const Scalar e201 = compression_39 * e100;
-        const Scalar e202 = e40 * e100;
-        const Scalar e203 = e22 * e100;
-        const Scalar e204 = e22 * e102;
-        const Scalar e205 = e22 * e195;
-        const Scalar e206 = e56 * e58;
-        const Scalar e207 = p_.p_0 * e85 - Scalar(2) * e58 * e192;
-        const Scalar e208 = e61 * e80;
-        const Scalar e209 = e77 * e71 + e208;
-        const Scalar e210 = compression_76 * e71;
-        const Scalar e211 = e61 * e81;
-        const Scalar e212 = compression_76 * e110;
-        const Scalar e213 = e77 * e110;
-        const Scalar e214 = e61 * e110;
-        const Scalar e215 = e61 * e111;
-        const Scalar e216 = e61 * e208;
-        const Scalar e217 = e6 * e46;
-        const Scalar e218 = p_.beta * e15;
-        const Scalar e219 = e53 * e83;
-        const Scalar e220 = e34 * e178;
-        const Scalar e221 = inverse_14 * e7;
-        const Scalar e222 = e34 * e221;
-        const Scalar e223 = e34 * e187;
-        const Scalar e224 = e15 * e178;
-        const Scalar e225 = inverse_14 * e34;
-        const Scalar e226 = e15 * e187;
-        const Scalar e227 = p_.p_s + (Scalar(1) / Scalar(2)) * e1;
-        const Scalar e228 = e8 * e117 - e19;
-        const Scalar e229 = e6 * e228 + e123;
-        const Scalar e230 = c_.k16 * e104 + c_.k34 * e105 - (c_.k35 * e98 + c_.k41 * e42 - (c_.k32 * e38 + e138));
-        const Scalar e231 = c_.k37 * e43 - c_.k43 * e41 + (c_.k33 * e100 + c_.k36 * e102)
-            + (c_.k4 * e44 + c_.k38 * e129 - (c_.k31 * e103 + c_.k40 * e195));
-        const Scalar e232 = e230 - e231;
-        const Scalar e233 = p_.p_t + (Scalar(1) / Scalar(2)) * e49;
-        const Scalar e234 = e8 * e149 - e58;
-        const Scalar e235 = e53 * e234 + e154;
-        const Scalar e236 = c_.k23 * e112 + c_.k59 * e113 - (c_.k60 * e109 + c_.k65 * e80 - (c_.k57 * e75 + e165));
-        const Scalar e237 = c_.k36 * e86 + c_.k67 * e78 - (c_.k11 * e79 + c_.k61 * e81)
-            - (c_.k58 * e110 + c_.k62 * e157 - (c_.k56 * e111 + c_.k64 * e208));
-        const Scalar e238 = e236 + e237;
-        const Scalar e239 = Scalar(1) - e120;
-        const Scalar e240 = p_.alpha * e8 - e7;
+        const Scalar e92 = e5 * e2;
+        const Scalar e93 = e2 * e92;
+        const Scalar e94 = s_k_dot * e77;
+        const Scalar e95 = e93 * e94 + (c_.k37 * e78 + e72 * e73);
+        const Scalar e96 = inverse_68 * e84;
+        const Scalar e97 = p_2 * e69;
+        const Scalar e98 = e70 * e97;
+        const Scalar e99 = e90 * e82 - e91 * e70 + (inverse_68 * (c_.k38 * q_2 + p_.beta * s_k_dot) + e95);
+        const Scalar e100 = inverse_68 * e99 - (e83 * e96 + e51 * e98);
+        const Scalar e101 = c_.k4 * e94 + (c_.k36 * e78 + e71 * e73);
+        const Scalar e102 = e15 * e50;
+        const Scalar e103 = e50 * e60;
+        const Scalar e104 = inverse_68 * (e101 - (e102 * e82 - e103 * e70)) - (e89 * e96 + e50 * e98);
+        const Scalar step_105 = detail::step<Scalar>(e25);
+        const Scalar e106 = q_1 * step_105;
+        const Scalar e107 = inverse_27 * e106;
+        const Scalar e108 = e2 * e8;
+        const Scalar e109 = inverse_3 * e15;
+        const Scalar e110 = e22 * e107;
+        const Scalar e111 = e6 * e2;
+        const Scalar e112 = e2 * e111;
+        const Scalar e113 = s_k_dot * e36;
+        const Scalar e114 = e106 * (p_1 * e28);
+        const Scalar e115 = compression_39 * e107;
+        const Scalar e116 = -e15 * e8;
+        const Scalar e117 = e40 * e107;
+        const Scalar step_118 = detail::step<Scalar>(e66);
+        const Scalar e119 = q_2 * step_118;
+        const Scalar e120 = inverse_68 * e119;
+        const Scalar e121 = e2 * e51;
+        const Scalar e122 = e63 * e120;
+        const Scalar e123 = e119 * e97;
+        const Scalar e124 = compression_80 * e120;
+        const Scalar e125 = e81 * e120;
+        const Scalar e126 = e7 * e19;
+        const Scalar e127 = inverse_3 * e7;
+        const Scalar e128 = e15 * e7;
+        const Scalar e129 = inverse_3 * e50;
+        const Scalar e130 = p_.alpha * e7;
+        const Scalar e131 = p_.p_0 * e14 - e16;
+        const Scalar e132 = p_.alpha * e8;
+        const Scalar e133 = p_.T_0 * e14;
+        const Scalar e134 = exp_12 * e130;
+        const Scalar e135 = p_.p_s + e9;
+        const Scalar e136 = p_.alpha * p_.T_0 - p_.p_0 * inverse_10;
+        const Scalar e137 = inverse_10 * e135 + e136;
+        const Scalar e138 = e9 * e137;
+        const Scalar e139 = e21 * e45;
+        const Scalar e140 = p_.alpha * e33;
+        const Scalar e141 = p_.alpha * e2;
+        const Scalar e142 = e33 * e141;
+        const Scalar e143 = Scalar(2) * e5 * e141;
+        const Scalar e144 = Scalar(2) * e8;
+        const Scalar e145 = e21 * e42;
+        const Scalar e146 = e21 * e41 + e145;
+        const Scalar e147 = e22 * e145;
+        const Scalar e148 = p_.alpha * inverse_10;
+        const Scalar e149 = e21 * (e33 * e148);
+        const Scalar e150 = compression_13 + (e14 * e136 + inverse_10 * e16);
+        const Scalar e151 = e21 * e29;
+        const Scalar e152 = e21 * e107;
+        const Scalar e153 = e21 * e32;
+        const Scalar e154 = p_.alpha * e30 * e32;
+        const Scalar e155 = inverse_10 * e130;
+        const Scalar e156 = e21 * e43;
+        const Scalar e157 = e21 * e110;
+        const Scalar e158 = p_.alpha * p_.alpha * e5;
+        const Scalar e159 = e21 * e113;
+        const Scalar e160 = e21 * e145;
+        const Scalar e161 = e21 * e115;
+        const Scalar e162 = e21 * e117;
+        const Scalar e163 = p_.alpha * e50;
+        const Scalar e164 = e62 * e84;
+        const Scalar e165 = p_.alpha * e74;
+        const Scalar e166 = e74 * e141;
+        const Scalar e167 = p_.p_0 * e56 - e57;
+        const Scalar e168 = p_.alpha * e51;
+        const Scalar e169 = p_.T_0 * e56;
+        const Scalar e170 = exp_54 * e163;
+        const Scalar e171 = p_.p_t + e52;
+        const Scalar e172 = inverse_10 * e171 + e136;
+        const Scalar e173 = e52 * e172;
+        const Scalar e174 = Scalar(2) * e51;
+        const Scalar e175 = e62 * e85;
+        const Scalar e176 = e62 * e82 + e175;
+        const Scalar e177 = e63 * e175;
+        const Scalar e178 = e62 * (e74 * e148);
+        const Scalar e179 = compression_55 + (e56 * e136 + inverse_10 * e57);
+        const Scalar e180 = e62 * e70;
+        const Scalar e181 = e62 * e120;
+        const Scalar e182 = e62 * e73;
+        const Scalar e183 = p_.alpha * e71 * e73;
+        const Scalar e184 = e62 * e94;
+        const Scalar e185 = inverse_10 * e163;
+        const Scalar e186 = e62 * e86;
+        const Scalar e187 = e62 * e122;
+        const Scalar e188 = e62 * e175;
+        const Scalar e189 = e62 * e124;
+        const Scalar e190 = e62 * e125;
+        const Scalar e191 = inverse_10 * e7;
+        const Scalar e192 = exp_12 * e191;
+        const Scalar inverse_10_squared = inverse_10 * inverse_10;
+        const Scalar e193 = e7 * e45 + (c_.k19 * e113 - e140 * e37);
+        const Scalar e194 = inverse_10 * e33;
+        const Scalar e195 = e7 * inverse_10_squared;
+        const Scalar e196 = e5 * e148;
+        const Scalar e197 = inverse_10 * e50;
+        const Scalar e198 = exp_54 * e197;
+        const Scalar e199 = e50 * e84 - (c_.k19 * e94 + e165 * e78);
+        const Scalar e200 = inverse_10 * e74;
+        const Scalar e201 = e50 * inverse_10_squared;
+        const Scalar e202 = Scalar(2) * p_.beta * e92;
+        const Scalar e203 = e22 * e42;
+        const Scalar e204 = e40 * e32 + e203;
+        const Scalar e205 = c_.k26 * e22;
+        const Scalar e206 = compression_39 * e32;
+        const Scalar e207 = e22 * e32;
+        const Scalar e208 = e22 * e43;
+        const Scalar e209 = compression_39 * e110;
+        const Scalar e210 = e40 * e110;
+        const Scalar e211 = e22 * e110;
+        const Scalar e212 = e22 * e113;
+        const Scalar e213 = e22 * e203;
+        const Scalar e214 = e63 * e85;
+        const Scalar e215 = e81 * e73 + e214;
+        const Scalar e216 = compression_80 * e73;
+        const Scalar e217 = e63 * e86;
+        const Scalar e218 = compression_80 * e122;
+        const Scalar e219 = e81 * e122;
+        const Scalar e220 = e63 * e122;
+        const Scalar e221 = e63 * e123;
+        const Scalar e222 = e63 * e214;
+        const Scalar e223 = e33 * e92;
+        const Scalar e224 = inverse_4 * e2;
+        const Scalar e225 = e92 * e224;
+        const Scalar e226 = e74 * e92;
+        const Scalar e227 = e5 * e33;
+        const Scalar e228 = inverse_4 * e92;
+        const Scalar e229 = e5 * e74;
+        const Scalar e230 = p_.p_s + (Scalar(1) / Scalar(2)) * e9;
+        const Scalar e231 = exp_12 + e14;
+        const Scalar e232 = e15 * e130;
+        const Scalar e233 = compression_13 - e14;
+        const Scalar e234 = e8 * e233;
+        const Scalar e235 = compression_13 * e34;
+        const Scalar e236 = e232 - e8;
+        const Scalar e237 = c_.k26 * e115 + e15 * e140 * e117 - ((e17 * e140 + e235) * e107 + e232 * e42 - (e142 * e37 + e154));
+        const Scalar e238 = Scalar(2) * e130 * e43 - (-e236) * e41 + (c_.k18 * e113 + p_.alpha * inverse_1 * e110);
+        const Scalar e239 = e237 - (e238 + (e8 * e45 + e130 * e145 - (e140 * e114 + e132 * e203)));
+        const Scalar e240 = p_.p_t + (Scalar(1) / Scalar(2)) * e52;
+        const Scalar e241 = exp_54 + e56;
+        const Scalar e242 = e15 * e163;
+        const Scalar e243 = compression_55 - e56;
+        const Scalar e244 = e51 * e243;
+        const Scalar e245 = compression_55 * e75;
+        const Scalar e246 = e242 - e51;
+        const Scalar e247 = c_.k36 * e124 + e15 * e165 * e125 - ((e58 * e165 + e245) * e120 + e242 * e85 - (e166 * e78 + e183));
+        const Scalar e248 = e163 * e175 + p_.alpha * inverse_49 * e122 - (e165 * e123 + e168 * e214);
+        const Scalar e249 = c_.k18 * e94 + (-e246) * e82 - (e51 * e84 + Scalar(2) * e163 * e86) - e248;
+        const Scalar e250 = e247 + e249;
+        const Scalar e251 = e136 * e7;
+        const Scalar e252 = e136 * e50;
+        const Scalar e253 = e234 - e30;
+        const Scalar e254 = e15 * e132;
+        const Scalar e255 = e141 * e92;
+        const Scalar e256 = e244 - e71;
+        const Scalar e257 = e15 * e168;
         J[0] = Scalar(0);
         J[1] = p_1 * c_.k0;
-        J[2] = (-e11 * e20) * e29 - inverse_12 * e31 * e32 - e7 * e36 * e38 - (-e8 * e20) * e41 + e20 * e43 + p_.beta * e20
-            * e44 - p_.beta * inverse_12 * inverse_12 * e45;
+        J[2] = (-inverse_1 * e20) * e29 - inverse_1 * e31 * e32 - e2 * e35 * e37 - (-e15 * e38) * e41 + e38 * e43 + inverse_1
+            * e44 * e45 - p_.beta * inverse_1 * inverse_1 * e46;
         J[3] = Scalar(0);
-        J[4] = e8 * e47 * e41 - e11 * e47 * e29 - inverse_12 * e30 * e32 - e36 * e38 + e47 * e43 + inverse_12 * e48 * e44;
+        J[4] = e15 * e47 * e41 - e19 * e47 * e29 - inverse_1 * e30 * e32 - e35 * e37 + e47 * e43 + inverse_1 * e48 * e45;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = (-p_2) * c_.k0;
         J[8] = Scalar(0);
-        J[9] = (-e56 * e59) * e68 - inverse_57 * e70 * e71 - e7 * e73 * e75 - (-e8 * e59) * e78 + p_.beta * e59 * e79 + e59
-            * e81 - p_.beta * inverse_57 * inverse_57 * e82;
+        J[9] = (-inverse_49 * e61) * e70 - inverse_49 * e72 * e73 - e2 * e76 * e78 - (-e15 * e79) * e82 + inverse_49 * e83
+            * e84 + e79 * e86 - p_.beta * inverse_49 * inverse_49 * e87;
         J[10] = Scalar(0);
-        J[11] = e8 * e84 * e78 - e56 * e84 * e68 - inverse_57 * e69 * e71 - e73 * e75 + inverse_57 * e85 * e79 + e84 * e81;
+        J[11] = e15 * e88 * e82 - e60 * e88 * e70 - inverse_49 * e71 * e73 - e76 * e78 + inverse_49 * e89 * e84 + e88 * e86;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = -e92;
+        J[15] = -e100;
         J[16] = Scalar(0);
-        J[17] = -e94;
+        J[17] = -e104;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = e92;
+        J[21] = e100;
         J[22] = Scalar(0);
-        J[23] = e94;
+        J[23] = e104;
         J[24] = Scalar(0);
         J[25] = (-dxdt[1]) * c_.k0;
         J[26] = Scalar(0);
@@ -1102,92 +1005,94 @@ public:
         J[35] = Scalar(0);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        J[38] = (-Scalar(2) * e11 * e95) * e29 - c_.k8 * e98 - inverse_13 * e31 * e32 - c_.k87 * e38 - (-Scalar(2) * e19 * e99)
-            * e41 + Scalar(2) * e95 * e43 + c_.k5 * e100 + e101 * e102 + Scalar(2) * p_.beta * e95 * e44 - c_.k4 * e103 - c_.k6
-            * e104 + c_.k7 * e105;
-        J[39] = (-Scalar(2) * e56 * e106) * e68 - c_.k15 * e109 - inverse_13 * e70 * e71 - c_.k98 * e75
-            - (-Scalar(2) * e58 * e99) * e78 - e101 * e86 + Scalar(2) * p_.beta * e106 * e79 + Scalar(2) * e106 * e81 + c_.k12
-            * e110 - c_.k11 * e111 - c_.k13 * e112 + c_.k14 * e113;
-        J[40] = c_.k22 * e98 - Scalar(2) * e11 * e114 * e29 - inverse_13 * e30 * e32 - c_.k4 * e38 + Scalar(2) * e46 * e99
-            * e41 + Scalar(2) * e114 * e43 + c_.k19 * e100 + e18 * e102 + Scalar(2) * inverse_13 * e48 * e44 - c_.k18 * e103
-            - c_.k20 * e104 - c_.k21 * e105;
-        J[41] = c_.k28 * e109 - Scalar(2) * e56 * e115 * e68 - inverse_13 * e69 * e71 - c_.k11 * e75 + Scalar(2) * e83 * e99
-            * e78 - e18 * e86 + Scalar(2) * inverse_13 * e85 * e79 + Scalar(2) * e115 * e81 + c_.k25 * e110 - c_.k24 * e111
-            - c_.k26 * e112 - c_.k27 * e113;
+        J[38] = (-Scalar(2) * inverse_3 * e20) * e29 - (-e20) * e107 - inverse_3 * e31 * e32 - e108 * e37
+            - (-Scalar(2) * e8 * e109) * e41 + Scalar(2) * inverse_3 * e8 * e43 + e31 * e110 + e112 * e113 + Scalar(2)
+            * inverse_3 * e44 * e45 - e8 * e114 - e44 * e115 + e116 * e117;
+        J[39] = (-Scalar(2) * inverse_3 * e61) * e70 - e91 * e120 - inverse_3 * e72 * e73 - e121 * e78
+            - (-Scalar(2) * e51 * e109) * e82 - e112 * e94 + Scalar(2) * inverse_3 * e83 * e84 + Scalar(2) * inverse_3 * e51
+            * e86 + e72 * e122 - e51 * e123 - e83 * e124 + e90 * e125;
+        J[40] = e126 * e107 - Scalar(2) * e19 * e127 * e29 - inverse_3 * e30 * e32 - e8 * e37 + Scalar(2) * e7 * e109 * e41
+            + Scalar(2) * e127 * e43 + e30 * e110 + e111 * e113 + Scalar(2) * inverse_3 * e48 * e45 - e7 * e114 - e48 * e115
+            - e128 * e117;
+        J[41] = e103 * e120 - Scalar(2) * e60 * e129 * e70 - inverse_3 * e71 * e73 - e51 * e78 + Scalar(2) * e50 * e109 * e82
+            - e111 * e94 + Scalar(2) * inverse_3 * e89 * e84 + Scalar(2) * e129 * e86 + e71 * e122 - e50 * e123 - e89 * e124
+            - e102 * e125;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        const Scalar e241 = (Scalar(2) * e6 * e118 - e1 * e121 * e122 + Scalar(2) * e123 + e124) * e29;
-        J[44] = e241 - c_.k38 * (e43 - e125) - e38 * (e21 * (p_.alpha * e126) - Scalar(2) * p_.alpha * e35) - s_k_dot
-            * inverse_27 - Scalar(2) * e118 * e41 - e127 * e102 - e128 * e44 - (-e120 * e117) * e130 - p_.alpha * e117 * e131
-            + c_.k106 * e45 - e103 * e132 + (-e117 * e133) * e134 - (-e133 * e126) * e135 - e30 * e136 * e137 + e138
-            + Scalar(2) * e139 * e140 + inverse_12 * e136 * e141 + e142 * e143 + e139 * e144 - c_.k31 * e145 + (-e120 * e126)
-            * e146;
-        const Scalar e242 = (Scalar(2) * e53 * e150 - e49 * e152 * e153 + Scalar(2) * e154 + e155) * e68;
-        J[45] = s_k_dot * inverse_66 - c_.k62 * (e81 - e147) - e75 * (e60 * (p_.alpha * e148) - Scalar(2) * p_.alpha * e72)
-            + e242 - Scalar(2) * e150 * e78 + e127 * e86 - e156 * e79 - (-e120 * e149) * e158 - p_.alpha * e149 * e159
-            + c_.k114 * e82 - e111 * e160 + (-e149 * e161) * e162 - (-e161 * e148) * e163 - e69 * e136 * e164 + e165 - e142
-            * e166 + Scalar(2) * e167 * e168 + inverse_57 * e136 * e169 + e167 * e170 - c_.k56 * e171 + (-e120 * e148) * e172;
-        J[46] = e46 * e173 * e130 - (e3 * e175 - e176 - e6 * e177) * e29 - e177 * e41 - e21 * (e178 * inverse_2_squared) * e103
-            - e139 * e131 - e179 - e38 * e132 - e46 * e180 * e134 + e178 * e180 * e135 - inverse_2_squared * e30 * e137
-            + Scalar(2) * e181 * e140 + inverse_12 * inverse_2_squared * e141 + e182 * e143 + c_.k51 * e125 + e181 * e144
-            - c_.k44 * e145 - e178 * e173 * e146;
-        J[47] = e83 * e173 * e158 - (e50 * e184 - e185 - e53 * e186) * e68 - e186 * e78 - e60 * (e187 * inverse_2_squared)
-            * e111 - e167 * e159 - e188 - e75 * e160 - e83 * e189 * e162 + e187 * e189 * e163 - inverse_2_squared * e69 * e164
-            - e182 * e166 + c_.k74 * e147 + Scalar(2) * e190 * e168 + inverse_57 * inverse_2_squared * e169 + e190 * e170
-            - c_.k68 * e171 - e187 * e173 * e172;
+        const Scalar e258 = Scalar(2) * compression_13 * e8 - e130 * e131 + Scalar(2) * e132 * e133 - e134 * e138;
+        J[44] = e258 * e29 - e130 * (e43 - e139) - e37 * (e21 * (p_.alpha * e140) - Scalar(2) * e142) - s_k_dot * inverse_27
+            - (Scalar(2) * p_.T_0 * e132 - p_.p_0 * e130) * e41 - e143 * e113 - e144 * e45 - (-e136 * e130) * e146 - p_.alpha
+            * e130 * e147 + c_.k1 * e46 - e114 * e149 + (-e130 * e150) * e151 - (-e150 * e140) * e152 - e30 * e148 * e153
+            + e154 + Scalar(2) * e155 * e156 + inverse_1 * e148 * e157 + e158 * e159 + e155 * e160 - e140 * e161
+            + (-e136 * e140) * e162;
+        const Scalar e259 = Scalar(2) * compression_55 * e51 - e163 * e167 + Scalar(2) * e168 * e169 - e170 * e173;
+        J[45] = s_k_dot * inverse_68 - e163 * (e86 - e164) - e78 * (e62 * (p_.alpha * e165) - Scalar(2) * e166) + e259 * e70
+            - (Scalar(2) * p_.T_0 * e168 - p_.p_0 * e163) * e82 + e143 * e94 - e174 * e84 - (-e136 * e163) * e176 - p_.alpha
+            * e163 * e177 + c_.k11 * e87 - e123 * e178 + (-e163 * e179) * e180 - (-e179 * e165) * e181 - e71 * e148 * e182
+            + e183 - e158 * e184 + Scalar(2) * e185 * e186 + inverse_49 * e148 * e187 + e185 * e188 - e165 * e189
+            + (-e136 * e165) * e190;
+        J[46] = e136 * e191 * e146 - (e138 * e192 - compression_13 * e7 - e130 * e133) * e29 - p_.T_0 * e130 * e41 - e21
+            * (e33 * inverse_10_squared) * e114 - e155 * e147 - e193 - e37 * e149 - e150 * e191 * e151 + e150 * e194 * e152
+            - e30 * inverse_10_squared * e153 + Scalar(2) * e195 * e156 + inverse_1 * inverse_10_squared * e157 + e196 * e159
+            + e191 * e139 + e195 * e160 - e194 * e161 - e136 * e194 * e162;
+        J[47] = e136 * e197 * e176 - (e173 * e198 - compression_55 * e50 - e163 * e169) * e70 - p_.T_0 * e163 * e82 - e62
+            * (e74 * inverse_10_squared) * e123 - e185 * e177 - e199 - e78 * e178 - e179 * e197 * e180 + e179 * e200 * e181
+            - e71 * inverse_10_squared * e182 - e196 * e184 + e197 * e164 + Scalar(2) * e201 * e186 + inverse_49
+            * inverse_10_squared * e187 + e201 * e188 - e200 * e189 - e136 * e200 * e190;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = (p_.beta * e30 - e191) * e32 - e38 * (c_.k2 * e22 - Scalar(2) * p_.beta * e35) - (e6 * e193 - e10 * e48) * e29
-            + e193 * e41 - c_.k20 * e43 - c_.k105 * e100 - e194 * e102 - p_.beta * e48 * e44 - c_.k7 * e196 + c_.k4 * e131
-            - e103 * e197 + c_.k6 * e198 - c_.k5 * e199 + e128 * e200 - c_.k103 * e201 + c_.k104 * e202 + c_.k102 * e203
-            + c_.k3 * e204 - c_.k87 * e205;
-        J[51] = (p_.beta * e69 - e206) * e71 - (e53 * e207 - e55 * e85) * e68 + Scalar(2) * p_.beta * e72 * e75 + e207 * e78
-            + e194 * e86 - p_.beta * e85 * e79 - c_.k26 * e81 - c_.k113 * e110 - e61 * e87 - c_.k14 * e209 + c_.k11 * e159
-            + c_.k13 * e210 + e156 * e211 - c_.k111 * e212 + c_.k112 * e213 + c_.k110 * e214 - c_.k23 * e215 - c_.k98 * e216;
-        J[52] = c_.k107 * (e38 - e201) + e192 * e217 * e29 - c_.k22 * e32 - e46 * e192 * e41 + c_.k109 * e100 - e218 * e102
-            - c_.k46 * e22 * e103 + c_.k21 * e196 + c_.k18 * e131 - e38 * e197 + c_.k20 * e198 - c_.k19 * e199 + Scalar(2)
-            * e46 * e200 - c_.k108 * e202 + c_.k106 * e203 + c_.k17 * e204 - c_.k4 * e205;
-        J[53] = c_.k115 * (e75 - e212) + e192 * e219 * e68 - c_.k28 * e71 - e83 * e192 * e78 + e218 * e86 + c_.k117 * e110
-            - e61 * e93 + c_.k27 * e209 + c_.k24 * e159 + c_.k26 * e210 + Scalar(2) * e83 * e211 - c_.k116 * e213 + c_.k114
-            * e214 - c_.k70 * e215 - c_.k11 * e216;
+        J[50] = (p_.beta * e30 - e20) * e32 - e37 * (c_.k27 * e22 - Scalar(2) * p_.beta * e34)
+            - (e48 * (e131 - e18) - Scalar(2) * e44 * e133) * e29 + (p_.p_0 * e48 - Scalar(2) * p_.T_0 * e44) * e41 - e48 * e43
+            - c_.k31 * e110 - e202 * e113 - p_.beta * e48 * e45 - e116 * e204 + e8 * e147 - e114 * e205 + e44 * e206 - e31
+            * e207 + e144 * e208 - c_.k29 * e209 + c_.k30 * e210 + c_.k28 * e211 + e93 * e212 - e108 * e213;
+        J[51] = (p_.beta * e71 - e61) * e73 - (e89 * (e167 - e59) - Scalar(2) * e83 * e169) * e70 + Scalar(2) * p_.beta * e75
+            * e78 + (p_.p_0 * e89 - Scalar(2) * p_.T_0 * e83) * e82 + e202 * e94 - p_.beta * e89 * e84 - e89 * e86 - c_.k42
+            * e122 - e63 * e95 - e90 * e215 + e51 * e177 + e83 * e216 + e174 * e217 - c_.k40 * e218 + c_.k41 * e219 + c_.k39
+            * e220 - c_.k36 * e221 - e121 * e222;
+        J[52] = c_.k33 * (e37 - e209) + e48 * e133 * e29 - e126 * e32 - p_.T_0 * e48 * e41 + c_.k35 * e110 - c_.k16 * e113
+            - c_.k32 * e22 * e114 + e128 * e204 + e7 * e147 - e37 * e205 + e48 * e206 - e30 * e207 + Scalar(2) * e7 * e208
+            - c_.k34 * e210 + c_.k1 * e211 + c_.k4 * e212 - e8 * e213;
+        J[53] = c_.k44 * (e78 - e218) + e89 * e169 * e70 - e103 * e73 - p_.T_0 * e89 * e82 + c_.k16 * e94 + c_.k46 * e122 - e63
+            * e101 + e102 * e215 + e50 * e177 + e89 * e216 + Scalar(2) * e50 * e217 - c_.k45 * e219 + c_.k11 * e220 - c_.k43
+            * e221 - e51 * e222;
         J[54] = Scalar(0);
         J[55] = Scalar(0);
-        J[56] = (-e11 * e220) * e29 - e35 * e221 * e38 - (-e8 * e220) * e41 + e220 * e43 + e222 * e102 + p_.beta * e220 * e44;
-        J[57] = (-e56 * e223) * e68 - e72 * e221 * e75 - (-e8 * e223) * e78 - e222 * e86 + p_.beta * e223 * e79 + e223 * e81;
-        J[58] = e8 * e224 * e41 - e11 * e224 * e29 - inverse_14 * e35 * e38 + e224 * e43 + e225 * e102 + p_.beta * e224 * e44;
-        J[59] = e8 * e226 * e78 - e56 * e226 * e68 - inverse_14 * e72 * e75 - e225 * e86 + p_.beta * e226 * e79 + e226 * e81;
+        J[56] = (-e19 * e223) * e29 - e34 * e224 * e37 - (-e15 * e223) * e41 + e223 * e43 + e225 * e113 + p_.beta * e223 * e45;
+        J[57] = (-e60 * e226) * e70 - e75 * e224 * e78 - (-e15 * e226) * e82 - e225 * e94 + p_.beta * e226 * e84 + e226 * e86;
+        J[58] = e15 * e227 * e41 - e19 * e227 * e29 - inverse_4 * e34 * e37 + e227 * e43 + e228 * e113 + p_.beta * e227 * e45;
+        J[59] = e15 * e229 * e82 - e60 * e229 * e70 - inverse_4 * e75 * e78 - e228 * e94 + p_.beta * e229 * e84 + e229 * e86;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = (e122 * (e8 + Scalar(2) * e227) + e229) * e29 + e232;
-        J[63] = (e153 * (e8 + Scalar(2) * e233) + e235) * e68 + e238;
-        const Scalar e243 = (e239 * e217 - e174 * (e120 + Scalar(2) * inverse_2 * e227) - e176) * e29;
-        J[64] = c_.k53 * e42 - e243 + c_.k48 * e98 + c_.k52 * e32 + c_.k55 * e41 - c_.k50 * e43 - c_.k45 * e100 - c_.k51 * e129
-            + c_.k44 * e103 + c_.k38 * e195 + c_.k46 * e104 - c_.k47 * e105 - e179;
-        const Scalar e244 = (e239 * e219 - e183 * (e120 + Scalar(2) * inverse_2 * e233) - e185) * e68;
-        J[65] = c_.k76 * e80 - e244 + c_.k72 * e109 + c_.k75 * e71 + c_.k78 * e78 - c_.k73 * e81 - c_.k69 * e110 - c_.k74
-            * e157 + c_.k68 * e111 + c_.k62 * e208 + c_.k70 * e112 - c_.k71 * e113 - e188;
+        J[62] = (Scalar(2) * e230 * e134 + e231 * e232 + e234) * e29 + e239;
+        J[63] = (Scalar(2) * e240 * e170 + e241 * e242 + e244) * e70 + e250;
+        J[64] = (-e251) * e42 - (-e7 * e233 - e231 * e251 - Scalar(2) * e230 * e192) * e29 + (-e33 * e150) * e107 + inverse_10
+            * e30 * e32 + (e7 - e251) * e41 - Scalar(2) * e191 * e43 - inverse_1 * inverse_10 * e110 - e191 * e145 + e194
+            * e114 + e130 * e203 + c_.k32 * e115 - (-e136 * e33) * e117 - e193;
+        J[65] = (-e252) * e85 - (-e50 * e243 - e241 * e252 - Scalar(2) * e240 * e198) * e70 + (-e74 * e179) * e120 + inverse_10
+            * e71 * e73 + (e50 - e252) * e82 - Scalar(2) * e197 * e86 - inverse_49 * inverse_10 * e122 - e197 * e175 + e200
+            * e123 + e163 * e214 + c_.k43 * e124 - (-e136 * e74) * e125 - e199;
         J[66] = Scalar(0);
         J[67] = Scalar(0);
-        J[68] = (e6 * e19 * e7 + e31 - p_.alpha * e191) * e29 - c_.k88 * e42 - c_.k82 * e98 - c_.k85 * e32 - c_.k79 * e38
-            - (-e19 * e240) * e41 + c_.k84 * e43 + c_.k80 * e100 + c_.k83 * e102 + c_.k87 * e44 + c_.k40 * e129 - c_.k32 * e103
-            - c_.k86 * e195 - c_.k2 * e104 + c_.k81 * e105;
-        J[69] = (e53 * e58 * e7 + e70 - p_.alpha * e206) * e68 - c_.k99 * e80 - c_.k94 * e109 - c_.k96 * e71 - c_.k91 * e75
-            - (-e58 * e240) * e78 - c_.k83 * e86 + c_.k98 * e79 + c_.k95 * e81 + c_.k92 * e110 + c_.k64 * e157 - c_.k57 * e111
-            - c_.k97 * e208 - c_.k9 * e112 + c_.k93 * e113;
-        J[70] = (e30 - e229 - e124) * e29 - e232;
-        J[71] = (e69 - e235 - e155) * e68 - e238;
+        J[68] = (-e17 * e132 - e2 * e253) * e29 - (-e254) * e42 - (-e17 * e142 - e2 * e235) * e107 - e141 * e30 * e32 - e141
+            * e34 * e37 - (e108 - e254) * e41 + Scalar(2) * e132 * e43 + inverse_1 * e141 * e110 + e255 * e113 + e108 * e45
+            + e132 * e145 - e142 * e114 - e8 * e141 * e203 - c_.k27 * e115 + (-e15 * e142) * e117;
+        J[69] = (-e58 * e168 - e2 * e256) * e70 - (-e257) * e85 - (-e58 * e166 - e2 * e245) * e120 - e141 * e71 * e73 - e141
+            * e75 * e78 - (e121 - e257) * e82 - e255 * e94 + e121 * e84 + Scalar(2) * e168 * e86 + inverse_49 * e141 * e122
+            + e168 * e175 - e166 * e123 - e51 * e141 * e214 - c_.k37 * e124 + (-e15 * e166) * e125;
+        J[70] = (-e17 * e130 - e253) * e29 - e239;
+        J[71] = (-e58 * e163 - e256) * e70 - e250;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
-        J[74] = (-exp_4 * e228 - e119 * e122) * e29;
+        J[74] = (-exp_12 * e236 - e135 * e134) * e29;
         J[75] = Scalar(0);
-        J[76] = (e174 - e175) * e29;
+        J[76] = exp_12 * e7 * (Scalar(1) - e137) * e29;
         J[77] = Scalar(0);
         J[78] = Scalar(0);
         J[79] = Scalar(0);
         J[80] = Scalar(0);
-        J[81] = (-exp_51 * e234 - e151 * e153) * e68;
+        J[81] = (-exp_54 * e246 - e171 * e170) * e70;
         J[82] = Scalar(0);
-        J[83] = (e183 - e184) * e68;
+        J[83] = exp_54 * e50 * (Scalar(1) - e172) * e70;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1245,23 +1150,22 @@ public:
         const Scalar s_k = x[0];
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
-        const Scalar e2 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e1;
+        const Scalar e2 = c_.k5 * (p_.p_0 - p_2) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar compression_5 = detail::compression<Scalar>(-e2, exp_3);
         const Scalar e6 = e2 * exp_3 - compression_5;
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
-        const Scalar e8 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e7;
+        const Scalar e8 = c_.k5 * (p_.p_0 - p_1) - p_.alpha * e7;
         const Scalar exp_9 = exp(e8);
         const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
         const Scalar s_k_dot = x[1];
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        const Scalar e11 = s_k * inverse_4 * (c_.k119 * e1 - c_.k121 * compression_5 - c_.k123 * e6);
-        const Scalar e12 = c_.k118 * e7 - c_.k120 * compression_10 - c_.k122 * (e8 * exp_9 - compression_10);
-        y[1] = e11 - inverse_4 * (c_.k125 * e1 - c_.k126 * compression_5 - c_.k127 * e6) - s_k / exp_9 * e12 + c_.k124
-            * s_k_dot * s_k_dot;
-        y[2] = c_.k128;
+        const Scalar e11 = c_.k47 * e7 - c_.k49 * compression_10 - c_.k51 * (e8 * exp_9 - compression_10);
+        y[1] = s_k * inverse_4 * (c_.k48 * e1 - c_.k50 * compression_5 - c_.k52 * e6) - inverse_4
+            * (c_.k54 * e1 - c_.k55 * compression_5 - c_.k56 * e6) - s_k / exp_9 * e11 + c_.k53 * s_k_dot * s_k_dot;
+        y[2] = c_.k57;
     }
 
     /// C = dh/dx.
@@ -1272,7 +1176,7 @@ public:
         const Scalar e1 = p_.T_0 - T_2;
         const Scalar p_2 = x[3];
         const Scalar e2 = p_.p_0 - p_2;
-        const Scalar e3 = c_.k29 * e2 - p_.alpha * e1;
+        const Scalar e3 = c_.k5 * e2 - p_.alpha * e1;
         const Scalar exp_4 = exp(e3);
         const Scalar inverse_5 = Scalar(1) / exp_4;
         const Scalar e6 = e1 * inverse_5;
@@ -1280,7 +1184,7 @@ public:
         const Scalar e7 = p_.p_0 - p_1;
         const Scalar T_1 = x[4];
         const Scalar e8 = p_.T_0 - T_1;
-        const Scalar e9 = c_.k29 * e7 - p_.alpha * e8;
+        const Scalar e9 = c_.k5 * e7 - p_.alpha * e8;
         const Scalar exp_10 = exp(e9);
         const Scalar inverse_11 = Scalar(1) / exp_10;
         const Scalar compression_12 = detail::compression<Scalar>(-e9, exp_10);
@@ -1297,30 +1201,29 @@ public:
         const Scalar e21 = e8 * e17;
         const Scalar e22 = compression_12 * e17;
         const Scalar e23 = Scalar(1) - e16;
-        const Scalar e24 = c_.k136 * s_k - c_.k139;
+        const Scalar e24 = c_.k65 * s_k - c_.k68;
         const Scalar e25 = s_k * e23;
         const Scalar e26 = s_k * e6;
         const Scalar e27 = s_k * e15;
         C[0] = Scalar(0);
-        C[1] = c_.k119 * e6 - inverse_11 * (c_.k118 * e8 - c_.k120 * compression_12 - c_.k122 * e13) - c_.k121 * e15 - c_.k123
-            * e16;
+        C[1] = c_.k48 * e6 - inverse_11 * (c_.k47 * e8 - c_.k49 * compression_12 - c_.k51 * e13) - c_.k50 * e15 - c_.k52 * e16;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = p_.m_k * s_k_dot;
         C[5] = Scalar(0);
         C[6] = p_.A_1;
-        C[7] = c_.k129 * e18 + c_.k131 * e19 - c_.k130 * e20 - c_.k132 * e21 + p_.A_1 * e22;
+        C[7] = c_.k58 * e18 + c_.k60 * e19 - c_.k59 * e20 - c_.k61 * e21 + p_.A_1 * e22;
         C[8] = Scalar(0);
         C[9] = -p_.A_2;
-        C[10] = e2 * (c_.k135 * s_k - c_.k138) + c_.k133 * e23 - e1 * e24 - c_.k140 * e6 + c_.k141 * e15 - c_.k134 * e25
-            + c_.k137 * e26 - p_.A_2 * e27;
+        C[10] = e2 * (c_.k64 * s_k - c_.k67) + c_.k62 * e23 - e1 * e24 - c_.k69 * e6 + c_.k70 * e15 - c_.k63 * e25 + c_.k66
+            * e26 - p_.A_2 * e27;
         C[11] = Scalar(0);
         C[12] = Scalar(0);
-        C[13] = c_.k118 * e17 + c_.k142 * e18 - c_.k143 * e19 + c_.k131 * e20 + c_.k144 * e21 - c_.k145 * e22;
+        C[13] = c_.k47 * e17 + c_.k71 * e18 - c_.k72 * e19 + c_.k60 * e20 + c_.k73 * e21 - c_.k74 * e22;
         C[14] = Scalar(0);
         C[15] = Scalar(0);
-        C[16] = s_k * (c_.k148 * e1 - c_.k119 * inverse_5) - c_.k151 * e1 + c_.k125 * inverse_5 + c_.k146 * e23 - e2 * e24
-            + c_.k152 * e6 - c_.k153 * e15 - c_.k147 * e25 - c_.k149 * e26 + c_.k150 * e27;
+        C[16] = s_k * (c_.k77 * e1 - c_.k48 * inverse_5) - c_.k80 * e1 + c_.k54 * inverse_5 + c_.k75 * e23 - e2 * e24 + c_.k81
+            * e6 - c_.k82 * e15 - c_.k76 * e25 - c_.k78 * e26 + c_.k79 * e27;
         C[17] = Scalar(0);
     }
 
@@ -1343,7 +1246,7 @@ public:
     ///     T = m_k*dot(s_k)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar s_k_dot = x[1];
-        return c_.k124 * s_k_dot * s_k_dot;
+        return c_.k53 * s_k_dot * s_k_dot;
     }
 
     /// V in joules.
@@ -1385,7 +1288,7 @@ public:
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
-        const Scalar e2 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e1;
+        const Scalar e2 = c_.k5 * (p_.p_0 - p_2) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar compression_5 = detail::compression<Scalar>(-e2, exp_3);
@@ -1393,12 +1296,12 @@ public:
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
-        const Scalar e8 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e7;
+        const Scalar e8 = c_.k5 * (p_.p_0 - p_1) - p_.alpha * e7;
         const Scalar exp_9 = exp(e8);
         const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
-        const Scalar e11 = s_k * inverse_4 * (c_.k119 * e1 - c_.k121 * compression_5 - c_.k123 * e6);
-        const Scalar e12 = c_.k118 * e7 - c_.k120 * compression_10 - c_.k122 * (e8 * exp_9 - compression_10);
-        return e11 - inverse_4 * (c_.k125 * e1 - c_.k126 * compression_5 - c_.k127 * e6) - s_k / exp_9 * e12;
+        const Scalar e11 = c_.k47 * e7 - c_.k49 * compression_10 - c_.k51 * (e8 * exp_9 - compression_10);
+        return s_k * inverse_4 * (c_.k48 * e1 - c_.k50 * compression_5 - c_.k52 * e6) - inverse_4
+            * (c_.k54 * e1 - c_.k55 * compression_5 - c_.k56 * e6) - s_k / exp_9 * e11;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
@@ -1409,19 +1312,19 @@ public:
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
         const Scalar e1 = p_.T_0 - T_1;
-        const Scalar e2 = c_.k29 * (p_.p_0 - p_1) - p_.alpha * e1;
+        const Scalar e2 = c_.k5 * (p_.p_0 - p_1) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar e4 = p_.rho_0 * q_1 / exp_3;
         const Scalar min_5 = detail::min<Scalar>(Scalar(0), e4);
-        const Scalar inverse_6 = Scalar(1) / p_.rho_0;
-        const Scalar compression_7 = detail::compression<Scalar>(-e2, exp_3);
-        const Scalar e8 = p_.beta * inverse_6;
-        const Scalar e9 = inverse_6 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
+        const Scalar compression_6 = detail::compression<Scalar>(-e2, exp_3);
+        const Scalar inverse_7 = Scalar(1) / p_.rho_0;
+        const Scalar e8 = p_.beta * inverse_7;
+        const Scalar e9 = inverse_7 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
         const Scalar e10 = p_.T_0 - T_2;
-        const Scalar e11 = c_.k29 * (p_.p_0 - p_2) - p_.alpha * e10;
+        const Scalar e11 = c_.k5 * (p_.p_0 - p_2) - p_.alpha * e10;
         const Scalar exp_12 = exp(e11);
         const Scalar e13 = p_.rho_0 * q_2 / exp_12;
         const Scalar min_14 = detail::min<Scalar>(Scalar(0), e13);
@@ -1435,10 +1338,10 @@ public:
         const Scalar e22 = (p_.p_0 - p_.p_t) * inverse_17;
         const Scalar exp_23 = exp(e22);
         const Scalar compression_24 = detail::compression<Scalar>(-e22, exp_23);
-        const Scalar e25 = p_1 * exp_3 * inverse_6 - p_.c_v * e1 + compression_7 * e8 + (e2 * exp_3 - compression_7) * e9;
-        const Scalar e26 = p_2 * exp_12 * inverse_6 - p_.c_v * e10 + compression_15 * e8 + (e11 * exp_12 - compression_15) * e9;
-        const Scalar e27 = p_.p_s * exp_19 * inverse_6 + compression_20 * e8 + (e18 * exp_19 - compression_20) * e9;
-        const Scalar e28 = p_.p_t * exp_23 * inverse_6 + compression_24 * e8 + (e22 * exp_23 - compression_24) * e9;
+        const Scalar e25 = c_.k6 * p_1 * exp_3 - p_.c_v * e1 + compression_6 * e8 + (e2 * exp_3 - compression_6) * e9;
+        const Scalar e26 = c_.k6 * p_2 * exp_12 - p_.c_v * e10 + compression_15 * e8 + (e11 * exp_12 - compression_15) * e9;
+        const Scalar e27 = p_.p_s * exp_19 * inverse_7 + compression_20 * e8 + (e18 * exp_19 - compression_20) * e9;
+        const Scalar e28 = p_.p_t * exp_23 * inverse_7 + compression_24 * e8 + (e22 * exp_23 - compression_24) * e9;
         return min_5 * e25 + min_14 * e26 + max_16 * e27 + max_21 * e28;
     }
 
@@ -1453,7 +1356,7 @@ public:
         g[0] = p_.A_1 * s_k;
         g[1] = p_1;
         g[2] = T_1;
-        g[3] = c_.k141 - p_.A_2 * s_k;
+        g[3] = c_.k70 - p_.A_2 * s_k;
         g[4] = p_2;
         g[5] = T_2;
     }
@@ -1463,159 +1366,88 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
-        Scalar k1;  ///< beta/A_1
-        Scalar k2;  ///< beta^2*alpha^2/(A_1*rho_0*c_v)
-        Scalar k3;  ///< beta^2*alpha^2/(rho_0*c_v)
-        Scalar k4;  ///< beta*alpha/(A_1*rho_0^2*c_v)
-        Scalar k5;  ///< beta*alpha/(A_1*rho_0)
-        Scalar k6;  ///< beta^2*alpha/(A_1*rho_0^2*c_v)
-        Scalar k7;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
-        Scalar k8;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
-        Scalar k9;  ///< beta^2*alpha^2/(A_2*rho_0*c_v)
-        Scalar k10;  ///< beta/A_2
-        Scalar k11;  ///< beta*alpha/(A_2*rho_0^2*c_v)
-        Scalar k12;  ///< beta*alpha/(A_2*rho_0)
-        Scalar k13;  ///< beta^2*alpha/(A_2*rho_0^2*c_v)
-        Scalar k14;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
-        Scalar k15;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
-        Scalar k16;  ///< beta*alpha/(A_1*rho_0*c_v)
-        Scalar k17;  ///< beta*alpha/(rho_0*c_v)
-        Scalar k18;  ///< 1/(A_1*rho_0^2*c_v)
-        Scalar k19;  ///< 1/(A_1*rho_0)
-        Scalar k20;  ///< beta/(A_1*rho_0^2*c_v)
-        Scalar k21;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0^2*c_v)
-        Scalar k22;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
-        Scalar k23;  ///< beta*alpha/(A_2*rho_0*c_v)
-        Scalar k24;  ///< 1/(A_2*rho_0^2*c_v)
-        Scalar k25;  ///< 1/(A_2*rho_0)
-        Scalar k26;  ///< beta/(A_2*rho_0^2*c_v)
-        Scalar k27;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0^2*c_v)
-        Scalar k28;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
-        Scalar k29;  ///< 1/beta
-        Scalar k30;  ///< l - d
-        Scalar k31;  ///< alpha/(A_1*rho_0*c_v)
-        Scalar k32;  ///< beta*alpha^2/(A_1*rho_0*c_v)
-        Scalar k33;  ///< alpha/A_1
-        Scalar k34;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k35;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta ...
-        Scalar k36;  ///< beta*alpha^2/(rho_0*c_v)
-        Scalar k37;  ///< 2*alpha/(A_1*rho_0^2*c_v)
-        Scalar k38;  ///< alpha/(A_1*rho_0^2*c_v)
-        Scalar k39;  ///< alpha/(A_1*rho_0)
-        Scalar k40;  ///< beta*alpha^2/(A_1*rho_0^2*c_v)
-        Scalar k41;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_1*rho_0^2*c_v)
-        Scalar k42;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta ...
-        Scalar k43;  ///< alpha*(beta - beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
-        Scalar k44;  ///< 1/(A_1*rho_0*beta*c_v)
-        Scalar k45;  ///< 1/(A_1*beta)
-        Scalar k46;  ///< 1/(A_1*rho_0*c_v)
-        Scalar k47;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0*c_v)
-        Scalar k48;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_s/beta)/beta - alpha*T_0*p_s*exp(p_0/beta - p_s/beta)/beta + ...
-        Scalar k49;  ///< alpha/(rho_0*c_v)
-        Scalar k50;  ///< 2/(A_1*rho_0^2*beta*c_v)
-        Scalar k51;  ///< 1/(A_1*rho_0^2*beta*c_v)
-        Scalar k52;  ///< 1/(A_1*rho_0*beta)
-        Scalar k53;  ///< (p_0/beta - alpha*T_0)/(A_1*rho_0^2*c_v)
-        Scalar k54;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_s/beta)/beta - alpha*T_0*p_s*exp(p_0/beta - p_s/beta)/beta + ...
-        Scalar k55;  ///< (1 + p_0/beta - alpha*T_0)/(A_1*rho_0^2*c_v)
-        Scalar k56;  ///< alpha/(A_2*rho_0*c_v)
-        Scalar k57;  ///< beta*alpha^2/(A_2*rho_0*c_v)
-        Scalar k58;  ///< alpha/A_2
-        Scalar k59;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k60;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta ...
-        Scalar k61;  ///< 2*alpha/(A_2*rho_0^2*c_v)
-        Scalar k62;  ///< alpha/(A_2*rho_0^2*c_v)
-        Scalar k63;  ///< alpha/(A_2*rho_0)
-        Scalar k64;  ///< beta*alpha^2/(A_2*rho_0^2*c_v)
-        Scalar k65;  ///< alpha*(beta*alpha*T_0 - p_0)/(A_2*rho_0^2*c_v)
-        Scalar k66;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta ...
-        Scalar k67;  ///< alpha*(beta - beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
-        Scalar k68;  ///< 1/(A_2*rho_0*beta*c_v)
-        Scalar k69;  ///< 1/(A_2*beta)
-        Scalar k70;  ///< 1/(A_2*rho_0*c_v)
-        Scalar k71;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0*c_v)
-        Scalar k72;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_t/beta)/beta - alpha*T_0*p_t*exp(p_0/beta - p_t/beta)/beta + ...
-        Scalar k73;  ///< 2/(A_2*rho_0^2*beta*c_v)
-        Scalar k74;  ///< 1/(A_2*rho_0^2*beta*c_v)
-        Scalar k75;  ///< 1/(A_2*rho_0*beta)
-        Scalar k76;  ///< (p_0/beta - alpha*T_0)/(A_2*rho_0^2*c_v)
-        Scalar k77;  ///< -(alpha*p_0*T_0*exp(p_0/beta - p_t/beta)/beta - alpha*T_0*p_t*exp(p_0/beta - p_t/beta)/beta + ...
-        Scalar k78;  ///< (1 + p_0/beta - alpha*T_0)/(A_2*rho_0^2*c_v)
-        Scalar k79;  ///< beta^2*alpha^3/(A_1*rho_0*c_v)
-        Scalar k80;  ///< beta*alpha^2/A_1
-        Scalar k81;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k82;  ///< -alpha^2*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
-        Scalar k83;  ///< beta^2*alpha^3/(rho_0*c_v)
-        Scalar k84;  ///< 2*beta*alpha^2/(A_1*rho_0^2*c_v)
-        Scalar k85;  ///< beta*alpha^2/(A_1*rho_0)
-        Scalar k86;  ///< beta^2*alpha^3/(A_1*rho_0^2*c_v)
-        Scalar k87;  ///< beta^2*alpha^2/(A_1*rho_0^2*c_v)
-        Scalar k88;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_1*rho_0^2*c_v)
-        Scalar k89;  ///< alpha*(-beta*alpha^2*p_0*T_0*exp(p_0/beta - p_s/beta)/(rho_0*c_v) - ...
-        Scalar k90;  ///< (1 - alpha*p_0*p_s*exp(p_0/beta - p_s/beta)/(rho_0*beta*c_v) + alpha*p_0^2*exp(p_0/beta - ...
-        Scalar k91;  ///< beta^2*alpha^3/(A_2*rho_0*c_v)
-        Scalar k92;  ///< beta*alpha^2/A_2
-        Scalar k93;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k94;  ///< -alpha^2*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
-        Scalar k95;  ///< 2*beta*alpha^2/(A_2*rho_0^2*c_v)
-        Scalar k96;  ///< beta*alpha^2/(A_2*rho_0)
-        Scalar k97;  ///< beta^2*alpha^3/(A_2*rho_0^2*c_v)
-        Scalar k98;  ///< beta^2*alpha^2/(A_2*rho_0^2*c_v)
-        Scalar k99;  ///< beta*alpha^2*(-beta*alpha*T_0 + p_0)/(A_2*rho_0^2*c_v)
-        Scalar k100;  ///< alpha*(-beta*alpha^2*p_0*T_0*exp(p_0/beta - p_t/beta)/(rho_0*c_v) - ...
-        Scalar k101;  ///< (1 - alpha*p_0*p_t*exp(p_0/beta - p_t/beta)/(rho_0*beta*c_v) + alpha*p_0^2*exp(p_0/beta - ...
-        Scalar k102;  ///< beta*alpha/A_1
-        Scalar k103;  ///< beta^2*alpha/(A_1*rho_0*c_v)
-        Scalar k104;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k105;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
-        Scalar k106;  ///< 1/A_1
-        Scalar k107;  ///< beta/(A_1*rho_0*c_v)
-        Scalar k108;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k109;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
-        Scalar k110;  ///< beta*alpha/A_2
-        Scalar k111;  ///< beta^2*alpha/(A_2*rho_0*c_v)
-        Scalar k112;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k113;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
-        Scalar k114;  ///< 1/A_2
-        Scalar k115;  ///< beta/(A_2*rho_0*c_v)
-        Scalar k116;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k117;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
-        Scalar k118;  ///< A_1*rho_0*c_v
-        Scalar k119;  ///< A_2*rho_0*c_v
-        Scalar k120;  ///< A_1*beta
-        Scalar k121;  ///< A_2*beta
-        Scalar k122;  ///< A_1*(beta*alpha*T_0 - p_0)
-        Scalar k123;  ///< A_2*(beta*alpha*T_0 - p_0)
-        Scalar k124;  ///< m_k/2
-        Scalar k125;  ///< A_2*rho_0*c_v*(l - d)
-        Scalar k126;  ///< A_2*beta*(l - d)
-        Scalar k127;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
-        Scalar k128;  ///< m_k/rho_k
-        Scalar k129;  ///< A_1*(p_0/beta - alpha*T_0)
-        Scalar k130;  ///< A_1/beta
-        Scalar k131;  ///< A_1*alpha
-        Scalar k132;  ///< A_1*rho_0*c_v/beta
-        Scalar k133;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
-        Scalar k134;  ///< A_2*(p_0/beta - alpha*T_0)
-        Scalar k135;  ///< A_2/beta
-        Scalar k136;  ///< A_2*alpha
-        Scalar k137;  ///< A_2*rho_0*c_v/beta
-        Scalar k138;  ///< A_2*(l - d)/beta
-        Scalar k139;  ///< A_2*alpha*(l - d)
-        Scalar k140;  ///< A_2*rho_0*c_v*(l - d)/beta
-        Scalar k141;  ///< A_2*(l - d)
-        Scalar k142;  ///< A_1*alpha*(beta*alpha*T_0 - p_0)
-        Scalar k143;  ///< A_1*beta*alpha^2
-        Scalar k144;  ///< A_1*rho_0*alpha*c_v
-        Scalar k145;  ///< A_1*beta*alpha
-        Scalar k146;  ///< A_2*alpha*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
-        Scalar k147;  ///< A_2*alpha*(beta*alpha*T_0 - p_0)
-        Scalar k148;  ///< A_2*beta*alpha^2
-        Scalar k149;  ///< A_2*rho_0*alpha*c_v
-        Scalar k150;  ///< A_2*beta*alpha
-        Scalar k151;  ///< A_2*beta*alpha^2*(l - d)
-        Scalar k152;  ///< A_2*rho_0*alpha*c_v*(l - d)
-        Scalar k153;  ///< A_2*beta*alpha*(l - d)
+        Scalar k1;  ///< 1/A_1
+        Scalar k2;  ///< beta*alpha
+        Scalar k3;  ///< beta^2*alpha/(rho_0*c_v)
+        Scalar k4;  ///< beta*alpha/(rho_0*c_v)
+        Scalar k5;  ///< 1/beta
+        Scalar k6;  ///< 1/rho_0
+        Scalar k7;  ///< compression(-p_0/beta + p_s/beta)
+        Scalar k8;  ///< beta*alpha*T_0 - p_0
+        Scalar k9;  ///< p_0*exp(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - compression(-p_0/beta + ...
+        Scalar k10;  ///< p_s*exp(p_0/beta - p_s/beta)
+        Scalar k11;  ///< 1/A_2
+        Scalar k12;  ///< l - d
+        Scalar k13;  ///< compression(-p_0/beta + p_t/beta)
+        Scalar k14;  ///< p_0*exp(p_0/beta - p_t/beta)/beta - p_t*exp(p_0/beta - p_t/beta)/beta - compression(-p_0/beta + ...
+        Scalar k15;  ///< p_t*exp(p_0/beta - p_t/beta)
+        Scalar k16;  ///< beta/(rho_0*c_v)
+        Scalar k17;  ///< 1/(rho_0*c_v)
+        Scalar k18;  ///< beta*alpha^2/(rho_0*c_v)
+        Scalar k19;  ///< alpha/(rho_0*c_v)
+        Scalar k20;  ///< (p_0/beta - alpha*T_0)/(rho_0*c_v)
+        Scalar k21;  ///< 2/(rho_0*beta*c_v)
+        Scalar k22;  ///< p_s*exp(p_0/beta - p_s/beta)/(rho_0*beta*c_v)
+        Scalar k23;  ///< (1 + p_0/beta - alpha*T_0)/(rho_0*c_v)
+        Scalar k24;  ///< p_t*exp(p_0/beta - p_t/beta)/(rho_0*beta*c_v)
+        Scalar k25;  ///< beta/A_1
+        Scalar k26;  ///< beta*alpha/(A_1*rho_0*c_v)
+        Scalar k27;  ///< beta^2*alpha^2/(A_1*rho_0*c_v)
+        Scalar k28;  ///< beta*alpha/A_1
+        Scalar k29;  ///< beta^2*alpha/(A_1*rho_0*c_v)
+        Scalar k30;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
+        Scalar k31;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
+        Scalar k32;  ///< 1/(A_1*rho_0*c_v)
+        Scalar k33;  ///< beta/(A_1*rho_0*c_v)
+        Scalar k34;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
+        Scalar k35;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k36;  ///< beta*alpha/(A_2*rho_0*c_v)
+        Scalar k37;  ///< beta^2*alpha^2/(A_2*rho_0*c_v)
+        Scalar k38;  ///< beta/A_2
+        Scalar k39;  ///< beta*alpha/A_2
+        Scalar k40;  ///< beta^2*alpha/(A_2*rho_0*c_v)
+        Scalar k41;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
+        Scalar k42;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
+        Scalar k43;  ///< 1/(A_2*rho_0*c_v)
+        Scalar k44;  ///< beta/(A_2*rho_0*c_v)
+        Scalar k45;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
+        Scalar k46;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k47;  ///< A_1*rho_0*c_v
+        Scalar k48;  ///< A_2*rho_0*c_v
+        Scalar k49;  ///< A_1*beta
+        Scalar k50;  ///< A_2*beta
+        Scalar k51;  ///< A_1*(beta*alpha*T_0 - p_0)
+        Scalar k52;  ///< A_2*(beta*alpha*T_0 - p_0)
+        Scalar k53;  ///< m_k/2
+        Scalar k54;  ///< A_2*rho_0*c_v*(l - d)
+        Scalar k55;  ///< A_2*beta*(l - d)
+        Scalar k56;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k57;  ///< m_k/rho_k
+        Scalar k58;  ///< A_1*(p_0/beta - alpha*T_0)
+        Scalar k59;  ///< A_1/beta
+        Scalar k60;  ///< A_1*alpha
+        Scalar k61;  ///< A_1*rho_0*c_v/beta
+        Scalar k62;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
+        Scalar k63;  ///< A_2*(p_0/beta - alpha*T_0)
+        Scalar k64;  ///< A_2/beta
+        Scalar k65;  ///< A_2*alpha
+        Scalar k66;  ///< A_2*rho_0*c_v/beta
+        Scalar k67;  ///< A_2*(l - d)/beta
+        Scalar k68;  ///< A_2*alpha*(l - d)
+        Scalar k69;  ///< A_2*rho_0*c_v*(l - d)/beta
+        Scalar k70;  ///< A_2*(l - d)
+        Scalar k71;  ///< A_1*alpha*(beta*alpha*T_0 - p_0)
+        Scalar k72;  ///< A_1*beta*alpha^2
+        Scalar k73;  ///< A_1*rho_0*alpha*c_v
+        Scalar k74;  ///< A_1*beta*alpha
+        Scalar k75;  ///< A_2*alpha*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k76;  ///< A_2*alpha*(beta*alpha*T_0 - p_0)
+        Scalar k77;  ///< A_2*beta*alpha^2
+        Scalar k78;  ///< A_2*rho_0*alpha*c_v
+        Scalar k79;  ///< A_2*beta*alpha
+        Scalar k80;  ///< A_2*beta*alpha^2*(l - d)
+        Scalar k81;  ///< A_2*rho_0*alpha*c_v*(l - d)
+        Scalar k82;  ///< A_2*beta*alpha*(l - d)
     };
     Cached c_{};
 };

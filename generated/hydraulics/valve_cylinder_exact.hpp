@@ -18,11 +18,11 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 3     51     7        0      2
-//   rhs                   33     58     8        0     18
-//   rhs_and_jacobian      59    123     8        0     22
+//   update                 3     30     7        0      2
+//   rhs                   33     53     8        0     18
+//   rhs_and_jacobian      53    112     8        0     22
 //   jacobian_u            22     43     8        0     16
-//   jacobian_p            96    251    14        0     24
+//   jacobian_p            96    268    14        0     24
 //   bias                   2      3     0        0      0
 //   generalised_force      1      0     0        0      0
 //   output                30     45     6        0     18
@@ -169,23 +169,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
@@ -280,79 +285,60 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 + or -, 51 *, 7 /, 2 other functions
+    /// Operations: 3 + or -, 30 *, 7 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
         c_.k0 = Scalar(1) / p_.m_k;
         const Scalar inverse_1 = Scalar(1) / p_.A_1;
-        const Scalar e2 = p_.beta * inverse_1;
+        c_.k1 = inverse_1;
+        const Scalar inverse_2 = Scalar(1) / p_.rho_0;
+        c_.k2 = Scalar(2) * inverse_2;
         const Scalar inverse_3 = Scalar(1) / p_.beta;
-        const Scalar exp_4 = exp((p_.p_0 - p_.p_t) * inverse_3);
+        c_.k3 = inverse_3;
+        const Scalar exp_4 = exp((p_.p_0 - p_.p_s) * inverse_3);
         const Scalar inverse_5 = Scalar(1) / exp_4;
+        c_.k4 = inverse_5;
         const Scalar e6 = p_.w * p_.alpha_d;
-        const Scalar e7 = inverse_5 * e6;
-        c_.k1 = e2 * e7;
-        c_.k2 = e6 * e2;
-        const Scalar exp_8 = exp((p_.p_0 - p_.p_s) * inverse_3);
+        const Scalar e7 = p_.beta * e6;
+        c_.k5 = e7;
+        const Scalar exp_8 = exp((p_.p_0 - p_.p_t) * inverse_3);
         const Scalar inverse_9 = Scalar(1) / exp_8;
-        const Scalar e10 = inverse_9 * e6;
-        c_.k3 = e2 * e10;
-        c_.k4 = p_.k_l * e2;
-        const Scalar inverse_11 = Scalar(1) / p_.A_2;
-        const Scalar e12 = p_.beta * inverse_11;
-        c_.k5 = e12 * e10;
-        c_.k6 = e6 * e12;
-        c_.k7 = e12 * e7;
-        c_.k8 = p_.k_l * e12;
-        const Scalar inverse_13 = Scalar(1) / p_.rho_0;
-        c_.k9 = Scalar(2) * inverse_13;
-        c_.k10 = inverse_5;
-        c_.k11 = inverse_9;
-        c_.k12 = p_.l - p_.d;
-        c_.k13 = inverse_3;
-        const Scalar e14 = inverse_13 * e6;
-        c_.k14 = inverse_1 * e14;
-        const Scalar e15 = inverse_5 * e14;
-        c_.k15 = inverse_1 * e15;
-        c_.k16 = e2 * e15;
-        c_.k17 = inverse_1 * e7;
-        c_.k18 = e14 * e2;
-        const Scalar e16 = inverse_9 * e14;
-        c_.k19 = inverse_1 * e16;
-        c_.k20 = e2 * e16;
-        c_.k21 = inverse_1 * e10;
-        c_.k22 = p_.k_l * inverse_1;
-        c_.k23 = p_.k_l * inverse_11;
-        c_.k24 = inverse_11 * e14;
-        c_.k25 = inverse_11 * e16;
-        c_.k26 = e12 * e16;
-        c_.k27 = inverse_11 * e10;
-        c_.k28 = e14 * e12;
-        c_.k29 = inverse_11 * e15;
-        c_.k30 = e12 * e15;
-        c_.k31 = inverse_11 * e7;
-        c_.k32 = p_.rho_0 * e6;
-        c_.k33 = p_.rho_0 * e7;
-        c_.k34 = p_.rho_0 * e10;
-        const Scalar e17 = p_.rho_0 * p_.k_l;
-        c_.k35 = e17;
-        c_.k36 = exp_8 * e6;
-        c_.k37 = e6;
-        const Scalar e18 = inverse_3 * e6;
-        c_.k38 = e18;
-        c_.k39 = inverse_3 * e7;
-        c_.k40 = p_.rho_0 * e18;
-        c_.k41 = e7;
-        c_.k42 = inverse_3 * e10;
-        c_.k43 = e10;
-        c_.k44 = inverse_3 * e17;
-        const Scalar e19 = inverse_3 * e14;
-        c_.k45 = exp_8 * e19;
-        c_.k46 = e19;
-        c_.k47 = exp_8 * e14;
-        c_.k48 = exp_8 * e18;
-        c_.k49 = e14;
+        c_.k6 = inverse_9;
+        const Scalar inverse_10 = Scalar(1) / p_.A_2;
+        c_.k7 = inverse_10;
+        c_.k8 = p_.l - p_.d;
+        c_.k9 = e6;
+        c_.k10 = inverse_2 * e7;
+        c_.k11 = inverse_2 * e6;
+        const Scalar e11 = inverse_1 * e7;
+        c_.k12 = inverse_9 * e11;
+        c_.k13 = e11;
+        c_.k14 = inverse_5 * e11;
+        const Scalar e12 = inverse_10 * e7;
+        c_.k15 = inverse_5 * e12;
+        c_.k16 = e12;
+        c_.k17 = inverse_9 * e12;
+        const Scalar e13 = p_.rho_0 * e6;
+        c_.k18 = e13;
+        c_.k19 = inverse_9 * e13;
+        c_.k20 = inverse_5 * e13;
+        const Scalar e14 = p_.rho_0 * p_.k_l;
+        c_.k21 = e14;
+        c_.k22 = exp_4 * e6;
+        const Scalar e15 = inverse_3 * e6;
+        c_.k23 = e15;
+        c_.k24 = inverse_9 * e15;
+        c_.k25 = p_.rho_0 * e15;
+        c_.k26 = inverse_9 * e6;
+        c_.k27 = inverse_5 * e15;
+        c_.k28 = inverse_5 * e6;
+        c_.k29 = inverse_3 * e14;
+        const Scalar e16 = exp_4 * inverse_2;
+        c_.k30 = e15 * e16;
+        c_.k31 = inverse_2 * e15;
+        c_.k32 = e6 * e16;
+        c_.k33 = exp_4 * e15;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -367,7 +353,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 33 + or -, 58 *, 8 /, 18 other functions
+    /// Operations: 33 + or -, 53 *, 8 /, 18 other functions
     ///     density[supply] = rho_0/exp((p_0 - p_s)/beta)
     ///     specific_enthalpy[supply] = (beta*compression(-(p_0 - p_s)/beta) - p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 -
     ///     p_s)/beta))/rho_0
@@ -409,56 +395,62 @@ public:
         const Scalar s_k_dot = x[1];
         const Scalar p_2 = x[3];
         const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.d_k * s_k_dot - p_.A_2 * p_2) * c_.k0;
-        const Scalar exp_1 = exp(c_.k13 * (p_.p_0 - p_1));
         const Scalar s_k = x[0];
-        const Scalar inverse_2 = Scalar(1) / s_k;
-        const Scalar e3 = p_.p_t - p_1;
-        const Scalar step_4 = detail::step<Scalar>(e3);
+        const Scalar inverse_1 = Scalar(1) / s_k;
+        const Scalar e2 = inverse_1 * c_.k1;
+        const Scalar e3 = p_.p_s - p_1;
+        const Scalar step_4 = detail::step<Scalar>(-e3);
+        const Scalar exp_5 = exp((p_.p_0 - p_1) * c_.k3);
+        const Scalar inverse_6 = Scalar(1) / exp_5;
+        const Scalar step_7 = detail::step<Scalar>(e3);
+        const Scalar e8 = step_7 * c_.k4;
+        const Scalar signed_root_9 = detail::signed_root<Scalar>(e3 * c_.k2 / (step_4 * inverse_6 + e8));
         const Scalar x_v = u[0];
-        const Scalar max_5 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar step_6 = detail::step<Scalar>(-e3);
-        const Scalar inverse_7 = Scalar(1) / exp_1;
-        const Scalar signed_root_8 = detail::signed_root<Scalar>(c_.k9 * e3 / (step_6 * inverse_7 + c_.k10 * step_4));
-        const Scalar e9 = max_5 * signed_root_8;
-        const Scalar e10 = p_.p_s - p_1;
-        const Scalar step_11 = detail::step<Scalar>(e10);
-        const Scalar max_12 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar step_13 = detail::step<Scalar>(-e10);
-        const Scalar signed_root_14 = detail::signed_root<Scalar>(c_.k9 * e10 / (step_13 * inverse_7 + c_.k11 * step_11));
-        const Scalar e15 = max_12 * signed_root_14;
-        const Scalar e16 = p_1 - p_2;
-        const Scalar e17 = p_.k_l * e16;
-        const Scalar step_18 = detail::step<Scalar>(-e17);
-        const Scalar exp_19 = exp(c_.k13 * (p_.p_0 - p_2));
-        const Scalar inverse_20 = Scalar(1) / exp_19;
-        const Scalar e21 = c_.k4 * e16;
-        const Scalar step_22 = detail::step<Scalar>(e17);
-        const Scalar e23 = p_.beta * s_k_dot;
-        const Scalar inverse_24 = Scalar(1) / (c_.k12 - s_k);
-        const Scalar e25 = p_.p_s - p_2;
-        const Scalar step_26 = detail::step<Scalar>(e25);
-        const Scalar step_27 = detail::step<Scalar>(-e25);
-        const Scalar signed_root_28 = detail::signed_root<Scalar>(c_.k9 * e25 / (step_27 * inverse_20 + c_.k11 * step_26));
-        const Scalar e29 = max_5 * signed_root_28;
-        const Scalar e30 = p_.p_t - p_2;
-        const Scalar step_31 = detail::step<Scalar>(e30);
-        const Scalar step_32 = detail::step<Scalar>(-e30);
-        const Scalar signed_root_33 = detail::signed_root<Scalar>(c_.k9 * e30 / (step_32 * inverse_20 + c_.k10 * step_31));
-        const Scalar e34 = max_12 * signed_root_33;
-        const Scalar e35 = c_.k8 * e16;
+        const Scalar max_10 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e11 = max_10 * c_.k5;
+        const Scalar e12 = signed_root_9 * e11;
+        const Scalar e13 = p_.p_t - p_1;
+        const Scalar step_14 = detail::step<Scalar>(-e13);
+        const Scalar step_15 = detail::step<Scalar>(e13);
+        const Scalar e16 = step_15 * c_.k6;
+        const Scalar signed_root_17 = detail::signed_root<Scalar>(e13 * c_.k2 / (step_14 * inverse_6 + e16));
+        const Scalar max_18 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar e19 = max_18 * c_.k5;
+        const Scalar e20 = signed_root_17 * e19;
+        const Scalar e21 = p_.k_l * (p_1 - p_2);
+        const Scalar step_22 = detail::step<Scalar>(e21);
+        const Scalar e23 = p_.beta * e21;
+        const Scalar e24 = step_22 * e23;
+        const Scalar exp_25 = exp((p_.p_0 - p_2) * c_.k3);
+        const Scalar inverse_26 = Scalar(1) / exp_25;
+        const Scalar step_27 = detail::step<Scalar>(-e21);
+        const Scalar e28 = step_27 * e23;
+        const Scalar e29 = p_.beta * s_k_dot;
+        const Scalar inverse_30 = Scalar(1) / (c_.k8 - s_k);
+        const Scalar e31 = inverse_30 * c_.k7;
+        const Scalar e32 = p_.p_s - p_2;
+        const Scalar step_33 = detail::step<Scalar>(-e32);
+        const Scalar step_34 = detail::step<Scalar>(e32);
+        const Scalar e35 = step_34 * c_.k4;
+        const Scalar signed_root_36 = detail::signed_root<Scalar>(e32 * c_.k2 / (step_33 * inverse_26 + e35));
+        const Scalar e37 = signed_root_36 * e19;
+        const Scalar e38 = p_.p_t - p_2;
+        const Scalar step_39 = detail::step<Scalar>(-e38);
+        const Scalar step_40 = detail::step<Scalar>(e38);
+        const Scalar e41 = step_40 * c_.k6;
+        const Scalar signed_root_42 = detail::signed_root<Scalar>(e38 * c_.k2 / (step_39 * inverse_26 + e41));
+        const Scalar e43 = signed_root_42 * e11;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        const Scalar e36 = c_.k1 * step_4 * e9 + c_.k3 * step_11 * e15 - step_18 * inverse_20 * e21;
-        dxdt[2] = exp_1 * inverse_2 * e36 - inverse_2 * (step_22 * e21 + e23) + c_.k2 * inverse_2
-            * (step_6 * e9 + step_13 * e15);
-        const Scalar e37 = c_.k5 * step_26 * e29 + c_.k7 * step_31 * e34 + step_22 * inverse_7 * e35;
-        dxdt[3] = exp_19 * inverse_24 * e37 + inverse_24 * (e23 + step_18 * e35) + c_.k6 * inverse_24
-            * (step_27 * e29 + step_32 * e34);
+        dxdt[2] = e2 * (step_4 * e12 + step_14 * e20 - e24) - exp_5 * e2 * (inverse_26 * e28 - e8 * e12 - e16 * e20)
+            - inverse_1 * e29;
+        dxdt[3] = e31 * (step_33 * e37 + step_39 * e43 + e28) + exp_25 * e31 * (inverse_6 * e24 + e41 * e43 + e35 * e37)
+            + inverse_30 * e29;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 59 + or -, 123 *, 8 /, 22 other functions
+    /// Operations: 53 + or -, 112 *, 8 /, 22 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
         const Scalar p_1 = x[2];
@@ -468,109 +460,112 @@ public:
         const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.d_k * s_k_dot - p_.A_2 * p_2) * c_.k0;
         const Scalar s_k = x[0];
         const Scalar inverse_1 = Scalar(1) / s_k;
-        const Scalar e2 = p_.beta * s_k_dot;
+        const Scalar e2 = inverse_1 * c_.k1;
         const Scalar e3 = p_1 - p_2;
         const Scalar e4 = p_.k_l * e3;
         const Scalar step_5 = detail::step<Scalar>(e4);
-        const Scalar exp_6 = exp(c_.k13 * (p_.p_0 - p_2));
+        const Scalar exp_6 = exp((p_.p_0 - p_2) * c_.k3);
         const Scalar inverse_7 = Scalar(1) / exp_6;
-        const Scalar exp_8 = exp(c_.k13 * (p_.p_0 - p_1));
+        const Scalar exp_8 = exp((p_.p_0 - p_1) * c_.k3);
         const Scalar step_9 = detail::step<Scalar>(-e4);
         const Scalar e10 = inverse_7 * (exp_8 * step_9);
-        const Scalar e11 = c_.k4 * (step_5 + e10);
+        const Scalar e11 = p_.beta * (step_5 + e10);
         const Scalar e12 = p_.p_t - p_1;
-        const Scalar step_13 = detail::step<Scalar>(-e12);
+        const Scalar step_13 = detail::step<Scalar>(e12);
+        const Scalar e14 = step_13 * c_.k6;
         const Scalar x_v = u[0];
-        const Scalar max_14 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar step_15 = detail::step<Scalar>(e12);
-        const Scalar inverse_16 = Scalar(1) / exp_8;
-        const Scalar e17 = step_13 * inverse_16;
-        const Scalar inverse_18 = Scalar(1) / (c_.k10 * step_15 + e17);
-        const Scalar e19 = e12 * inverse_18;
-        const Scalar e20 = c_.k9 * e19;
-        const Scalar signed_root_21 = detail::signed_root<Scalar>(e20);
-        const Scalar e22 = max_14 * signed_root_21;
-        const Scalar e23 = p_.p_s - p_1;
-        const Scalar step_24 = detail::step<Scalar>(-e23);
-        const Scalar max_25 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar step_26 = detail::step<Scalar>(e23);
-        const Scalar e27 = step_24 * inverse_16;
-        const Scalar inverse_28 = Scalar(1) / (c_.k11 * step_26 + e27);
-        const Scalar e29 = e23 * inverse_28;
-        const Scalar e30 = c_.k9 * e29;
-        const Scalar signed_root_31 = detail::signed_root<Scalar>(e30);
-        const Scalar e32 = max_25 * signed_root_31;
-        const Scalar e33 = c_.k2 * (step_13 * e22 + step_24 * e32) + exp_8 * (c_.k1 * step_15 * e22 + c_.k3 * step_26 * e32);
-        const Scalar e34 = inverse_1 * (e2 + e3 * e11 - e33);
-        const Scalar inverse_35 = Scalar(1) / (c_.k12 - s_k);
-        const Scalar e36 = inverse_16 * (exp_6 * step_5);
-        const Scalar e37 = c_.k8 * (step_9 + e36);
-        const Scalar e38 = p_.p_s - p_2;
-        const Scalar step_39 = detail::step<Scalar>(-e38);
-        const Scalar step_40 = detail::step<Scalar>(e38);
-        const Scalar e41 = step_39 * inverse_7;
-        const Scalar inverse_42 = Scalar(1) / (c_.k11 * step_40 + e41);
-        const Scalar e43 = e38 * inverse_42;
-        const Scalar e44 = c_.k9 * e43;
-        const Scalar signed_root_45 = detail::signed_root<Scalar>(e44);
-        const Scalar e46 = max_14 * signed_root_45;
-        const Scalar e47 = p_.p_t - p_2;
-        const Scalar step_48 = detail::step<Scalar>(-e47);
-        const Scalar step_49 = detail::step<Scalar>(e47);
-        const Scalar e50 = step_48 * inverse_7;
-        const Scalar inverse_51 = Scalar(1) / (c_.k10 * step_49 + e50);
-        const Scalar e52 = e47 * inverse_51;
-        const Scalar e53 = c_.k9 * e52;
-        const Scalar signed_root_54 = detail::signed_root<Scalar>(e53);
-        const Scalar e55 = max_25 * signed_root_54;
-        const Scalar e56 = c_.k6 * (step_39 * e46 + step_48 * e55) + exp_6 * (c_.k5 * step_40 * e46 + c_.k7 * step_49 * e55);
-        const Scalar e57 = inverse_35 * (e2 + e3 * e37 + e56);
+        const Scalar max_15 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar step_16 = detail::step<Scalar>(-e12);
+        const Scalar inverse_17 = Scalar(1) / exp_8;
+        const Scalar e18 = step_16 * inverse_17 + e14;
+        const Scalar inverse_19 = Scalar(1) / e18;
+        const Scalar e20 = e12 * inverse_19;
+        const Scalar e21 = e20 * c_.k2;
+        const Scalar signed_root_22 = detail::signed_root<Scalar>(e21);
+        const Scalar e23 = max_15 * signed_root_22;
+        const Scalar e24 = p_.p_s - p_1;
+        const Scalar step_25 = detail::step<Scalar>(e24);
+        const Scalar e26 = step_25 * c_.k4;
+        const Scalar max_27 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar step_28 = detail::step<Scalar>(-e24);
+        const Scalar e29 = step_28 * inverse_17 + e26;
+        const Scalar inverse_30 = Scalar(1) / e29;
+        const Scalar e31 = e24 * inverse_30;
+        const Scalar e32 = e31 * c_.k2;
+        const Scalar signed_root_33 = detail::signed_root<Scalar>(e32);
+        const Scalar e34 = max_27 * signed_root_33;
+        const Scalar e35 = e14 * e23 + e26 * e34;
+        const Scalar e36 = p_.beta * inverse_1;
+        const Scalar e37 = e2 * (e4 * e11 - exp_8 * e35 * c_.k5)
+            + (s_k_dot * e36 - e2 * (step_28 * e34 + step_16 * e23) * c_.k5);
+        const Scalar inverse_38 = Scalar(1) / (c_.k8 - s_k);
+        const Scalar e39 = inverse_38 * c_.k7;
+        const Scalar e40 = p_.p_s - p_2;
+        const Scalar step_41 = detail::step<Scalar>(e40);
+        const Scalar e42 = step_41 * c_.k4;
+        const Scalar step_43 = detail::step<Scalar>(-e40);
+        const Scalar e44 = step_43 * inverse_7 + e42;
+        const Scalar inverse_45 = Scalar(1) / e44;
+        const Scalar e46 = e40 * inverse_45;
+        const Scalar e47 = e46 * c_.k2;
+        const Scalar signed_root_48 = detail::signed_root<Scalar>(e47);
+        const Scalar e49 = max_15 * signed_root_48;
+        const Scalar e50 = p_.p_t - p_2;
+        const Scalar step_51 = detail::step<Scalar>(e50);
+        const Scalar e52 = step_51 * c_.k6;
+        const Scalar step_53 = detail::step<Scalar>(-e50);
+        const Scalar e54 = step_53 * inverse_7 + e52;
+        const Scalar inverse_55 = Scalar(1) / e54;
+        const Scalar e56 = e50 * inverse_55;
+        const Scalar e57 = e56 * c_.k2;
+        const Scalar signed_root_58 = detail::signed_root<Scalar>(e57);
+        const Scalar e59 = max_27 * signed_root_58;
+        const Scalar e60 = e42 * e49 + e52 * e59;
+        const Scalar e61 = inverse_17 * (exp_6 * step_5);
+        const Scalar e62 = p_.beta * (step_9 + e61);
+        const Scalar e63 = p_.beta * inverse_38;
+        const Scalar e64 = e39 * (exp_6 * e60 * c_.k5 + e4 * e62)
+            + (s_k_dot * e63 + e39 * (step_43 * e49 + step_53 * e59) * c_.k5);
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = -e34;
-        dxdt[3] = e57;
-        const Scalar e58 = max_14 * inverse_1;
-        const Scalar inverse_root_59 = detail::inverse_root<Scalar>(e20);
-        const Scalar e60 = e58 * (inverse_root_59 * inverse_18);
-        const Scalar e61 = step_13 * e60;
-        const Scalar e62 = e19 * e61;
-        const Scalar e63 = max_25 * inverse_1;
-        const Scalar inverse_root_64 = detail::inverse_root<Scalar>(e30);
-        const Scalar e65 = e63 * (inverse_root_64 * inverse_28);
-        const Scalar e66 = step_24 * e65;
-        const Scalar e67 = e29 * e66;
-        const Scalar e68 = inverse_1 * (e11 - c_.k22 * e3 * e10);
-        const Scalar e69 = inverse_35 * (e37 + c_.k23 * e3 * e36);
-        const Scalar e70 = max_14 * inverse_35;
-        const Scalar inverse_root_71 = detail::inverse_root<Scalar>(e44);
-        const Scalar e72 = e70 * (inverse_root_71 * inverse_42);
-        const Scalar e73 = step_39 * e72;
-        const Scalar e74 = e43 * e73;
-        const Scalar e75 = max_25 * inverse_35;
-        const Scalar inverse_root_76 = detail::inverse_root<Scalar>(e53);
-        const Scalar e77 = e75 * (inverse_root_76 * inverse_51);
-        const Scalar e78 = step_48 * e77;
-        const Scalar e79 = e52 * e78;
+        dxdt[2] = -e37;
+        dxdt[3] = e64;
+        const Scalar e65 = max_15 * c_.k10;
+        const Scalar inverse_root_66 = detail::inverse_root<Scalar>(e21);
+        const Scalar e67 = inverse_root_66 * inverse_19;
+        const Scalar e68 = e65 * e67;
+        const Scalar e69 = max_27 * c_.k10;
+        const Scalar inverse_root_70 = detail::inverse_root<Scalar>(e32);
+        const Scalar e71 = inverse_root_70 * inverse_30;
+        const Scalar e72 = e69 * e71;
+        const Scalar e73 = max_15 * c_.k11;
+        const Scalar e74 = max_27 * c_.k11;
+        const Scalar e75 = (e11 - e3 * e10) * (p_.k_l * e2);
+        const Scalar e76 = (e3 * e61 + e62) * (p_.k_l * e39);
+        const Scalar inverse_root_77 = detail::inverse_root<Scalar>(e47);
+        const Scalar e78 = inverse_root_77 * inverse_45;
+        const Scalar e79 = e65 * e78;
+        const Scalar inverse_root_80 = detail::inverse_root<Scalar>(e57);
+        const Scalar e81 = inverse_root_80 * inverse_55;
+        const Scalar e82 = e69 * e81;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = inverse_1 * e34;
-        J[3] = inverse_35 * e57;
+        J[2] = inverse_1 * e37;
+        J[3] = inverse_38 * e64;
         J[4] = Scalar(1);
         J[5] = (-p_.d_k) * c_.k0;
-        J[6] = -p_.beta * inverse_1;
-        J[7] = p_.beta * inverse_35;
+        J[6] = -e36;
+        J[7] = e63;
         J[8] = Scalar(0);
         J[9] = p_.A_1 * c_.k0;
-        J[10] = -c_.k14 * (e17 * e62 + e27 * e67) - c_.k18 * (e61 + e66) - exp_8 * step_15
-            * (c_.k17 * signed_root_21 * e58 + c_.k16 * e60) - exp_8 * step_26 * (c_.k21 * signed_root_31 * e63 + c_.k20 * e65)
-            - e68 - c_.k15 * step_15 * e62 - c_.k19 * step_26 * e67;
-        J[11] = e69;
+        J[10] = -exp_8 * e2 * (e35 * c_.k9 + e14 * e68 + e26 * e72) - step_16 * e2 * (e18 * e67 * e20 * e73 + e68) - step_28
+            * e2 * (e29 * e71 * e31 * e74 + e72) - e75;
+        J[11] = e76;
         J[12] = Scalar(0);
         J[13] = (-p_.A_2) * c_.k0;
-        J[14] = e68;
-        J[15] = -c_.k24 * (e41 * e74 + e50 * e79) - c_.k28 * (e73 + e78) - exp_6 * step_40
-            * (c_.k27 * signed_root_45 * e70 + c_.k26 * e72) - exp_6 * step_49 * (c_.k31 * signed_root_54 * e75 + c_.k30 * e77)
-            - e69 - c_.k25 * step_40 * e74 - c_.k29 * step_49 * e79;
+        J[14] = e75;
+        J[15] = -exp_6 * e39 * (e60 * c_.k9 + e42 * e79 + e52 * e82) - step_43 * e39 * (e44 * e78 * e46 * e73 + e79) - step_53
+            * e39 * (e54 * e81 * e56 * e74 + e82) - e76;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -588,39 +583,39 @@ public:
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_s - p_1;
         const Scalar step_2 = detail::step<Scalar>(-e1);
-        const Scalar exp_3 = exp(c_.k13 * (p_.p_0 - p_1));
+        const Scalar exp_3 = exp(c_.k3 * (p_.p_0 - p_1));
         const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar step_5 = detail::step<Scalar>(e1);
-        const Scalar signed_root_6 = detail::signed_root<Scalar>(c_.k9 * e1 / (step_2 * inverse_4 + c_.k11 * step_5));
+        const Scalar signed_root_6 = detail::signed_root<Scalar>(c_.k2 * e1 / (step_2 * inverse_4 + c_.k4 * step_5));
         const Scalar s_k = x[0];
         const Scalar inverse_7 = Scalar(1) / s_k;
         const Scalar e8 = exp_3 * inverse_7;
-        const Scalar e9 = c_.k2 * inverse_7;
+        const Scalar e9 = c_.k13 * inverse_7;
         const Scalar step_10 = detail::step<Scalar>(-x_v);
         const Scalar e11 = p_.p_t - p_1;
         const Scalar step_12 = detail::step<Scalar>(-e11);
         const Scalar step_13 = detail::step<Scalar>(e11);
-        const Scalar signed_root_14 = detail::signed_root<Scalar>(c_.k9 * e11 / (step_12 * inverse_4 + c_.k10 * step_13));
+        const Scalar signed_root_14 = detail::signed_root<Scalar>(c_.k2 * e11 / (step_12 * inverse_4 + c_.k6 * step_13));
         const Scalar p_2 = x[3];
         const Scalar e15 = p_.p_t - p_2;
         const Scalar step_16 = detail::step<Scalar>(-e15);
-        const Scalar exp_17 = exp(c_.k13 * (p_.p_0 - p_2));
+        const Scalar exp_17 = exp(c_.k3 * (p_.p_0 - p_2));
         const Scalar inverse_18 = Scalar(1) / exp_17;
         const Scalar step_19 = detail::step<Scalar>(e15);
-        const Scalar signed_root_20 = detail::signed_root<Scalar>(c_.k9 * e15 / (step_16 * inverse_18 + c_.k10 * step_19));
-        const Scalar inverse_21 = Scalar(1) / (c_.k12 - s_k);
+        const Scalar signed_root_20 = detail::signed_root<Scalar>(c_.k2 * e15 / (step_16 * inverse_18 + c_.k6 * step_19));
+        const Scalar inverse_21 = Scalar(1) / (c_.k8 - s_k);
         const Scalar e22 = exp_17 * inverse_21;
-        const Scalar e23 = c_.k6 * inverse_21;
+        const Scalar e23 = c_.k16 * inverse_21;
         const Scalar e24 = p_.p_s - p_2;
         const Scalar step_25 = detail::step<Scalar>(-e24);
         const Scalar step_26 = detail::step<Scalar>(e24);
-        const Scalar signed_root_27 = detail::signed_root<Scalar>(c_.k9 * e24 / (step_25 * inverse_18 + c_.k11 * step_26));
+        const Scalar signed_root_27 = detail::signed_root<Scalar>(c_.k2 * e24 / (step_25 * inverse_18 + c_.k4 * step_26));
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = step_x_v * signed_root_6 * (c_.k3 * step_5 * e8 + step_2 * e9) - step_10 * signed_root_14
-            * (c_.k1 * step_13 * e8 + step_12 * e9);
-        J[3] = step_x_v * signed_root_20 * (c_.k7 * step_19 * e22 + step_16 * e23) - step_10 * signed_root_27
-            * (c_.k5 * step_26 * e22 + step_25 * e23);
+        J[2] = step_x_v * signed_root_6 * (c_.k14 * step_5 * e8 + step_2 * e9) - step_10 * signed_root_14
+            * (c_.k12 * step_13 * e8 + step_12 * e9);
+        J[3] = step_x_v * signed_root_20 * (c_.k17 * step_19 * e22 + step_16 * e23) - step_10 * signed_root_27
+            * (c_.k15 * step_26 * e22 + step_25 * e23);
         J[4] = Scalar(0);
         J[5] = (-Scalar(1)) * c_.k0;
         J[6] = Scalar(0);
@@ -628,7 +623,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 14, entry (i, j) at J[4*j + i].
-    /// Operations: 96 + or -, 251 *, 14 /, 24 other functions
+    /// Operations: 96 + or -, 268 *, 14 /, 24 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
         State dxdt;
@@ -645,180 +640,187 @@ public:
         const Scalar s_k = x[0];
         const Scalar inverse_7 = Scalar(1) / s_k;
         const Scalar e8 = p_.p_0 - p_1;
-        const Scalar exp_9 = exp(c_.k13 * e8);
+        const Scalar exp_9 = exp(c_.k3 * e8);
         const Scalar e10 = exp_9 * inverse_7;
         const Scalar step_11 = detail::step<Scalar>(-e5);
         const Scalar e12 = p_.p_0 - p_2;
-        const Scalar exp_13 = exp(c_.k13 * e12);
+        const Scalar exp_13 = exp(c_.k3 * e12);
         const Scalar inverse_14 = Scalar(1) / exp_13;
         const Scalar e15 = e10 * (step_11 * inverse_14);
         const Scalar e16 = e4 * (step_6 * inverse_7 + e15);
         const Scalar e17 = p_.p_0 - p_.p_t;
         const Scalar inverse_18 = Scalar(1) / p_.beta;
-        const Scalar exp_19 = exp(e17 * inverse_18);
-        const Scalar inverse_20 = Scalar(1) / exp_19;
-        const Scalar e21 = p_.w * p_.alpha_d;
-        const Scalar e22 = inverse_1 * e21;
-        const Scalar e23 = e22 * e2;
-        const Scalar e24 = p_.p_t - p_1;
-        const Scalar step_25 = detail::step<Scalar>(-e24);
-        const Scalar inverse_26 = Scalar(1) / exp_9;
-        const Scalar step_27 = detail::step<Scalar>(e24);
-        const Scalar inverse_28 = Scalar(1) / (step_25 * inverse_26 + c_.k10 * step_27);
-        const Scalar e29 = c_.k9 * e24 * inverse_28;
-        const Scalar signed_root_30 = detail::signed_root<Scalar>(e29);
+        const Scalar e19 = e17 * inverse_18;
+        const Scalar exp_20 = exp(e19);
+        const Scalar inverse_21 = Scalar(1) / exp_20;
+        const Scalar e22 = p_.w * p_.alpha_d;
+        const Scalar e23 = inverse_1 * e22;
+        const Scalar e24 = inverse_21 * e23;
+        const Scalar e25 = p_.p_t - p_1;
+        const Scalar step_26 = detail::step<Scalar>(-e25);
+        const Scalar inverse_27 = Scalar(1) / exp_9;
+        const Scalar step_28 = detail::step<Scalar>(e25);
+        const Scalar inverse_29 = Scalar(1) / (step_26 * inverse_27 + c_.k6 * step_28);
+        const Scalar e30 = c_.k2 * e25 * inverse_29;
+        const Scalar signed_root_31 = detail::signed_root<Scalar>(e30);
         const Scalar x_v = u[0];
-        const Scalar max_31 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e32 = max_31 * step_27;
-        const Scalar e33 = e10 * e32;
-        const Scalar e34 = signed_root_30 * e33;
-        const Scalar e35 = p_.p_0 - p_.p_s;
-        const Scalar exp_36 = exp(e35 * inverse_18);
-        const Scalar inverse_37 = Scalar(1) / exp_36;
-        const Scalar e38 = p_.p_s - p_1;
-        const Scalar step_39 = detail::step<Scalar>(-e38);
-        const Scalar step_40 = detail::step<Scalar>(e38);
-        const Scalar inverse_41 = Scalar(1) / (step_39 * inverse_26 + c_.k11 * step_40);
-        const Scalar e42 = c_.k9 * e38 * inverse_41;
-        const Scalar signed_root_43 = detail::signed_root<Scalar>(e42);
-        const Scalar max_44 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e45 = max_44 * step_40;
-        const Scalar e46 = e10 * e45;
-        const Scalar e47 = signed_root_43 * e46;
-        const Scalar e48 = max_31 * step_25;
-        const Scalar e49 = max_44 * step_39;
-        const Scalar e50 = inverse_7 * (signed_root_30 * e48 + signed_root_43 * e49);
-        const Scalar inverse_51 = Scalar(1) / p_.A_2;
-        const Scalar e52 = inverse_51 * e21;
-        const Scalar e53 = p_.beta * inverse_51;
-        const Scalar e54 = e52 * e53;
-        const Scalar e55 = p_.p_t - p_2;
-        const Scalar step_56 = detail::step<Scalar>(-e55);
-        const Scalar step_57 = detail::step<Scalar>(e55);
-        const Scalar inverse_58 = Scalar(1) / (step_56 * inverse_14 + c_.k10 * step_57);
-        const Scalar e59 = c_.k9 * e55 * inverse_58;
-        const Scalar signed_root_60 = detail::signed_root<Scalar>(e59);
-        const Scalar inverse_61 = Scalar(1) / (c_.k12 - s_k);
-        const Scalar e62 = exp_13 * inverse_61;
-        const Scalar e63 = max_44 * step_57;
-        const Scalar e64 = e62 * e63;
-        const Scalar e65 = signed_root_60 * e64;
-        const Scalar e66 = p_.p_s - p_2;
-        const Scalar step_67 = detail::step<Scalar>(-e66);
-        const Scalar step_68 = detail::step<Scalar>(e66);
-        const Scalar inverse_69 = Scalar(1) / (step_67 * inverse_14 + c_.k11 * step_68);
-        const Scalar e70 = c_.k9 * e66 * inverse_69;
-        const Scalar signed_root_71 = detail::signed_root<Scalar>(e70);
-        const Scalar e72 = max_31 * step_68;
-        const Scalar e73 = e62 * e72;
-        const Scalar e74 = signed_root_71 * e73;
-        const Scalar e75 = max_31 * step_67;
-        const Scalar e76 = max_44 * step_56;
-        const Scalar e77 = signed_root_71 * e75 + signed_root_60 * e76;
-        const Scalar e78 = inverse_61 * e77;
-        const Scalar e79 = p_.k_l * inverse_51;
-        const Scalar e80 = e62 * (step_6 * inverse_26);
-        const Scalar e81 = e4 * (step_11 * inverse_61 + e80);
-        const Scalar e82 = c_.k5 * e74 + c_.k8 * e81 + (c_.k7 * e65 + inverse_61 * (c_.k6 * e77 + p_.beta * s_k_dot));
-        const Scalar e83 = inverse_61 * e82;
-        const Scalar inverse_84 = Scalar(1) / p_.rho_0;
-        const Scalar e85 = inverse_84 * e22;
-        const Scalar e86 = p_.beta * inverse_84;
-        const Scalar e87 = e85 * e86;
-        const Scalar inverse_root_88 = detail::inverse_root<Scalar>(e29);
-        const Scalar e89 = inverse_root_88 * inverse_28;
-        const Scalar e90 = e24 * e89;
-        const Scalar e91 = e33 * e90;
-        const Scalar inverse_root_92 = detail::inverse_root<Scalar>(e42);
-        const Scalar e93 = inverse_root_92 * inverse_41;
-        const Scalar e94 = e38 * e93;
-        const Scalar e95 = e46 * e94;
-        const Scalar e96 = inverse_7 * (e90 * e48 + e94 * e49);
-        const Scalar e97 = inverse_84 * e52;
-        const Scalar e98 = e97 * e86;
-        const Scalar inverse_root_99 = detail::inverse_root<Scalar>(e70);
-        const Scalar e100 = inverse_root_99 * inverse_69;
-        const Scalar e101 = e66 * e100;
-        const Scalar e102 = e73 * e101;
-        const Scalar inverse_root_103 = detail::inverse_root<Scalar>(e59);
-        const Scalar e104 = inverse_root_103 * inverse_58;
-        const Scalar e105 = e55 * e104;
-        const Scalar e106 = e64 * e105;
-        const Scalar e107 = inverse_61 * (e101 * e75 + e105 * e76);
-        const Scalar e108 = inverse_18 * inverse_20;
-        const Scalar e109 = e17 * e108;
-        const Scalar e110 = inverse_20 + e109;
-        const Scalar e111 = inverse_18 * inverse_37;
-        const Scalar e112 = e35 * e111;
-        const Scalar e113 = inverse_37 + e112;
-        const Scalar e114 = e4 * (e8 - e12);
-        const Scalar e115 = c_.k18 * inverse_7;
-        const Scalar inverse_37_squared = inverse_37 * inverse_37;
-        const Scalar e116 = c_.k28 * inverse_61;
-        const Scalar inverse_20_squared = inverse_20 * inverse_20;
-        const Scalar e117 = p_.alpha_d * e2;
-        const Scalar e118 = p_.alpha_d * e53;
-        const Scalar e119 = p_.w * e2;
-        const Scalar e120 = p_.w * e53;
+        const Scalar max_32 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar e33 = max_32 * step_28;
+        const Scalar e34 = e10 * e33;
+        const Scalar e35 = signed_root_31 * e34;
+        const Scalar e36 = p_.p_0 - p_.p_s;
+        const Scalar e37 = e36 * inverse_18;
+        const Scalar exp_38 = exp(e37);
+        const Scalar inverse_39 = Scalar(1) / exp_38;
+        const Scalar e40 = inverse_39 * e23;
+        const Scalar e41 = p_.p_s - p_1;
+        const Scalar step_42 = detail::step<Scalar>(-e41);
+        const Scalar step_43 = detail::step<Scalar>(e41);
+        const Scalar inverse_44 = Scalar(1) / (step_42 * inverse_27 + c_.k4 * step_43);
+        const Scalar e45 = c_.k2 * e41 * inverse_44;
+        const Scalar signed_root_46 = detail::signed_root<Scalar>(e45);
+        const Scalar max_47 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e48 = max_47 * step_43;
+        const Scalar e49 = e10 * e48;
+        const Scalar e50 = signed_root_46 * e49;
+        const Scalar e51 = max_32 * step_26;
+        const Scalar e52 = max_47 * step_42;
+        const Scalar e53 = inverse_7 * (signed_root_31 * e51 + signed_root_46 * e52);
+        const Scalar inverse_54 = Scalar(1) / p_.A_2;
+        const Scalar e55 = p_.beta * inverse_54;
+        const Scalar e56 = inverse_54 * e22;
+        const Scalar e57 = inverse_21 * e56;
+        const Scalar e58 = p_.p_t - p_2;
+        const Scalar step_59 = detail::step<Scalar>(-e58);
+        const Scalar step_60 = detail::step<Scalar>(e58);
+        const Scalar inverse_61 = Scalar(1) / (step_59 * inverse_14 + c_.k6 * step_60);
+        const Scalar e62 = c_.k2 * e58 * inverse_61;
+        const Scalar signed_root_63 = detail::signed_root<Scalar>(e62);
+        const Scalar inverse_64 = Scalar(1) / (c_.k8 - s_k);
+        const Scalar e65 = exp_13 * inverse_64;
+        const Scalar e66 = max_47 * step_60;
+        const Scalar e67 = e65 * e66;
+        const Scalar e68 = signed_root_63 * e67;
+        const Scalar e69 = inverse_39 * e56;
+        const Scalar e70 = p_.p_s - p_2;
+        const Scalar step_71 = detail::step<Scalar>(-e70);
+        const Scalar step_72 = detail::step<Scalar>(e70);
+        const Scalar inverse_73 = Scalar(1) / (step_71 * inverse_14 + c_.k4 * step_72);
+        const Scalar e74 = c_.k2 * e70 * inverse_73;
+        const Scalar signed_root_75 = detail::signed_root<Scalar>(e74);
+        const Scalar e76 = max_32 * step_72;
+        const Scalar e77 = e65 * e76;
+        const Scalar e78 = signed_root_75 * e77;
+        const Scalar e79 = max_32 * step_71;
+        const Scalar e80 = max_47 * step_59;
+        const Scalar e81 = signed_root_75 * e79 + signed_root_63 * e80;
+        const Scalar e82 = inverse_64 * e81;
+        const Scalar e83 = p_.k_l * inverse_54;
+        const Scalar e84 = e65 * (step_6 * inverse_27);
+        const Scalar e85 = e4 * (step_11 * inverse_64 + e84);
+        const Scalar e86 = c_.k15 * e78 + p_.k_l * e55 * e85 + (c_.k17 * e68 + inverse_64 * (c_.k16 * e81 + p_.beta * s_k_dot));
+        const Scalar e87 = inverse_64 * e86;
+        const Scalar inverse_88 = Scalar(1) / p_.rho_0;
+        const Scalar e89 = inverse_88 * e22;
+        const Scalar e90 = inverse_21 * e89;
+        const Scalar e91 = inverse_88 * e2;
+        const Scalar inverse_root_92 = detail::inverse_root<Scalar>(e30);
+        const Scalar e93 = inverse_root_92 * inverse_29;
+        const Scalar e94 = e25 * e93;
+        const Scalar e95 = e34 * e94;
+        const Scalar e96 = inverse_39 * e89;
+        const Scalar inverse_root_97 = detail::inverse_root<Scalar>(e45);
+        const Scalar e98 = inverse_root_97 * inverse_44;
+        const Scalar e99 = e41 * e98;
+        const Scalar e100 = e49 * e99;
+        const Scalar e101 = inverse_7 * (e94 * e51 + e99 * e52);
+        const Scalar e102 = inverse_88 * e55;
+        const Scalar inverse_root_103 = detail::inverse_root<Scalar>(e74);
+        const Scalar e104 = inverse_root_103 * inverse_73;
+        const Scalar e105 = e70 * e104;
+        const Scalar e106 = e77 * e105;
+        const Scalar inverse_root_107 = detail::inverse_root<Scalar>(e62);
+        const Scalar e108 = inverse_root_107 * inverse_61;
+        const Scalar e109 = e58 * e108;
+        const Scalar e110 = e67 * e109;
+        const Scalar e111 = inverse_64 * (e105 * e79 + e109 * e80);
+        const Scalar e112 = Scalar(1) + e19;
+        const Scalar e113 = inverse_1 * inverse_18;
+        const Scalar e114 = Scalar(1) + e37;
+        const Scalar e115 = e17 * e90;
+        const Scalar e116 = e36 * e96;
+        const Scalar e117 = e4 * (e8 - e12);
+        const Scalar e118 = inverse_54 * inverse_18;
+        const Scalar e119 = inverse_1 * e90;
+        const Scalar e120 = inverse_1 * e96;
+        const Scalar e121 = inverse_54 * e96;
+        const Scalar e122 = inverse_54 * e90;
+        const Scalar e123 = inverse_7 * (e89 * e2);
+        const Scalar e124 = inverse_64 * (e89 * e55);
+        const Scalar e125 = p_.alpha_d * e2;
+        const Scalar e126 = p_.alpha_d * e55;
+        const Scalar e127 = p_.w * e2;
+        const Scalar e128 = p_.w * e55;
         J[0] = Scalar(0);
         J[1] = p_1 * c_.k0;
-        J[2] = e2 * e3 * e16 - inverse_20 * e23 * e34 - inverse_37 * e23 * e47 - e23 * e50;
+        J[2] = e2 * e3 * e16 - e2 * e24 * e35 - e2 * e40 * e50 - e2 * e23 * e53;
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = (-p_2) * c_.k0;
         J[6] = Scalar(0);
-        J[7] = -inverse_20 * e54 * e65 - inverse_37 * e54 * e74 - e54 * e78 - e53 * e79 * e81;
+        J[7] = -e55 * e57 * e68 - e55 * e69 * e78 - e55 * e56 * e82 - e55 * e83 * e85;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = -e83;
+        J[11] = -e87;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e83;
+        J[15] = e87;
         J[16] = Scalar(0);
         J[17] = (-dxdt[1]) * c_.k0;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = -inverse_20 * e87 * e91 - inverse_37 * e87 * e95 - e87 * e96;
-        J[23] = -inverse_37 * e98 * e102 - inverse_20 * e98 * e106 - e98 * e107;
+        J[22] = -e90 * e91 * e95 - e96 * e91 * e100 - e89 * e91 * e101;
+        J[23] = -e96 * e102 * e106 - e90 * e102 * e110 - e89 * e102 * e111;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = e22 * e110 * e34 - e8 * (e22 * e108 * e34 + e22 * e111 * e47 + inverse_18 * e85 * e96) - s_k_dot * inverse_7
-            + e22 * e113 * e47 + e22 * e50 - e85 * e109 * e91 - e85 * e112 * e95 - c_.k22 * e16 + inverse_18 * e3 * e114 * e15;
-        J[27] = s_k_dot * inverse_61 - e12 * (e52 * e108 * e65 + e52 * e111 * e74 + inverse_18 * e97 * e107) + e52 * e110 * e65
-            + e52 * e113 * e74 + e52 * e78 + c_.k23 * e81 - e97 * e112 * e102 - e97 * e109 * e106 + inverse_18 * e79 * e114
-            * e80;
+        const Scalar e129 = e8 * (inverse_18 * e24 * e35 + inverse_18 * e40 * e50 + e89 * e113 * e101);
+        J[26] = e112 * e24 * e35 - e129 - s_k_dot * inverse_7 + e114 * e40 * e50 + e23 * e53 - e113 * e115 * e95 - e113 * e116
+            * e100 - e3 * e16 + p_.k_l * e113 * e117 * e15;
+        const Scalar e130 = e12 * (inverse_18 * e57 * e68 + inverse_18 * e69 * e78 + e89 * e118 * e111);
+        J[27] = s_k_dot * inverse_64 - e130 + e112 * e57 * e68 + e114 * e69 * e78 + e56 * e82 + e83 * e85 - e118 * e116 * e106
+            - e118 * e115 * e110 + p_.k_l * e118 * e117 * e84;
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = c_.k15 * e91 + c_.k19 * e95 + c_.k14 * e96;
-        J[31] = c_.k25 * e102 + c_.k29 * e106 + c_.k24 * e107;
+        J[30] = e119 * e95 + e120 * e100 + inverse_1 * e89 * e101;
+        J[31] = e121 * e106 + e122 * e110 + inverse_54 * e89 * e111;
         J[32] = Scalar(0);
         J[33] = Scalar(0);
-        const Scalar e121 = c_.k19 * step_39 * inverse_7 * e45 * e94 + step_40 * (e85 * inverse_37_squared) * e95;
-        J[34] = e93 * (c_.k20 * e46 + e49 * e115) - inverse_41 * e121 + c_.k21 * e47;
-        const Scalar e122 = c_.k25 * step_67 * inverse_61 * e72 * e101 + step_68 * (e97 * inverse_37_squared) * e102;
-        J[35] = e100 * (c_.k26 * e73 + e75 * e116) - inverse_69 * e122 + c_.k27 * e74;
+        const Scalar e131 = step_42 * inverse_7 * e120 * e48 * e99 + step_43 * (inverse_39 * e120) * e100;
+        J[34] = e98 * (e2 * e96 * e49 + e52 * e123) - inverse_44 * e131 + e40 * e50;
+        const Scalar e132 = step_71 * inverse_64 * e121 * e76 * e105 + step_72 * (inverse_39 * e121) * e106;
+        J[35] = e104 * (e55 * e96 * e77 + e79 * e124) - inverse_73 * e132 + e69 * e78;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        const Scalar e123 = c_.k15 * step_25 * inverse_7 * e32 * e90 + step_27 * (e85 * inverse_20_squared) * e91;
-        J[38] = e89 * (c_.k16 * e33 + e48 * e115) - inverse_28 * e123 + c_.k17 * e34;
-        const Scalar e124 = c_.k29 * step_56 * inverse_61 * e63 * e105 + step_57 * (e97 * inverse_20_squared) * e106;
-        J[39] = e104 * (c_.k30 * e64 + e76 * e116) - inverse_58 * e124 + c_.k31 * e65;
+        const Scalar e133 = step_26 * inverse_7 * e119 * e33 * e94 + step_28 * (inverse_21 * e119) * e95;
+        J[38] = e93 * (e2 * e90 * e34 + e51 * e123) - inverse_29 * e133 + e24 * e35;
+        const Scalar e134 = step_59 * inverse_64 * e122 * e66 * e109 + step_60 * (inverse_21 * e122) * e110;
+        J[39] = e108 * (e55 * e90 * e67 + e80 * e124) - inverse_61 * e134 + e57 * e68;
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        J[42] = inverse_20 * e117 * e34 + inverse_37 * e117 * e47 + e117 * e50;
-        J[43] = inverse_20 * e118 * e65 + inverse_37 * e118 * e74 + e118 * e78;
+        J[42] = inverse_21 * e125 * e35 + inverse_39 * e125 * e50 + e125 * e53;
+        J[43] = inverse_21 * e126 * e68 + inverse_39 * e126 * e78 + e126 * e82;
         J[44] = Scalar(0);
         J[45] = Scalar(0);
-        J[46] = inverse_20 * e119 * e34 + inverse_37 * e119 * e47 + e119 * e50;
-        J[47] = inverse_20 * e120 * e65 + inverse_37 * e120 * e74 + e120 * e78;
+        J[46] = inverse_21 * e127 * e35 + inverse_39 * e127 * e50 + e127 * e53;
+        J[47] = inverse_21 * e128 * e68 + inverse_39 * e128 * e78 + e128 * e82;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
         J[50] = -e2 * e16;
-        J[51] = e53 * e81;
+        J[51] = e55 * e85;
         J[52] = Scalar(0);
         J[53] = (-s_k_dot) * c_.k0;
         J[54] = Scalar(0);
@@ -896,46 +898,46 @@ public:
         const Scalar e2 = p_.p_t - p_1;
         const Scalar step_3 = detail::step<Scalar>(e2);
         const Scalar step_4 = detail::step<Scalar>(-e2);
-        const Scalar exp_5 = exp(c_.k13 * (p_.p_0 - p_1));
+        const Scalar exp_5 = exp(c_.k3 * (p_.p_0 - p_1));
         const Scalar inverse_6 = Scalar(1) / exp_5;
         const Scalar e7 = step_4 * inverse_6;
-        const Scalar signed_root_8 = detail::signed_root<Scalar>(c_.k9 * e2 / (c_.k10 * step_3 + e7));
+        const Scalar signed_root_8 = detail::signed_root<Scalar>(c_.k2 * e2 / (c_.k6 * step_3 + e7));
         const Scalar e9 = max_1 * signed_root_8;
         const Scalar max_10 = detail::max<Scalar>(Scalar(0), x_v);
         const Scalar e11 = p_.p_s - p_1;
         const Scalar step_12 = detail::step<Scalar>(e11);
         const Scalar step_13 = detail::step<Scalar>(-e11);
         const Scalar e14 = step_13 * inverse_6;
-        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k9 * e11 / (c_.k11 * step_12 + e14));
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k2 * e11 / (c_.k4 * step_12 + e14));
         const Scalar e16 = max_10 * signed_root_15;
         const Scalar e17 = e16 * e14;
         const Scalar e18 = step_12 * e16;
         const Scalar e19 = p_1 - p_2;
         const Scalar e20 = p_.k_l * e19;
         const Scalar step_21 = detail::step<Scalar>(-e20);
-        const Scalar exp_22 = exp(c_.k13 * (p_.p_0 - p_2));
+        const Scalar exp_22 = exp(c_.k3 * (p_.p_0 - p_2));
         const Scalar inverse_23 = Scalar(1) / exp_22;
         const Scalar step_24 = detail::step<Scalar>(e20);
-        const Scalar e25 = (step_21 * inverse_23 + step_24 * inverse_6) * (c_.k35 * e19);
+        const Scalar e25 = (step_21 * inverse_23 + step_24 * inverse_6) * (c_.k21 * e19);
         const Scalar e26 = p_.p_t - p_2;
         const Scalar step_27 = detail::step<Scalar>(e26);
         const Scalar step_28 = detail::step<Scalar>(-e26);
         const Scalar e29 = step_28 * inverse_23;
-        const Scalar signed_root_30 = detail::signed_root<Scalar>(c_.k9 * e26 / (c_.k10 * step_27 + e29));
+        const Scalar signed_root_30 = detail::signed_root<Scalar>(c_.k2 * e26 / (c_.k6 * step_27 + e29));
         const Scalar e31 = max_10 * signed_root_30;
         const Scalar e32 = p_.p_s - p_2;
         const Scalar step_33 = detail::step<Scalar>(e32);
         const Scalar step_34 = detail::step<Scalar>(-e32);
         const Scalar e35 = step_34 * inverse_23;
-        const Scalar signed_root_36 = detail::signed_root<Scalar>(c_.k9 * e32 / (c_.k11 * step_33 + e35));
+        const Scalar signed_root_36 = detail::signed_root<Scalar>(c_.k2 * e32 / (c_.k4 * step_33 + e35));
         const Scalar e37 = max_1 * signed_root_36;
         const Scalar e38 = e37 * e35;
         const Scalar e39 = step_33 * e37;
         y[0] = s_k_dot;
         y[1] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        y[2] = c_.k32 * (e9 * e7 + e17) + c_.k33 * step_3 * e9 + c_.k34 * e18 - e25;
-        y[3] = c_.k32 * (e31 * e29 + e38) + c_.k33 * step_27 * e31 + c_.k34 * e39 + e25;
-        y[4] = c_.k36 * (e38 + e17) + c_.k37 * (e18 + e39);
+        y[2] = c_.k18 * (e9 * e7 + e17) + c_.k19 * step_3 * e9 + c_.k20 * e18 - e25;
+        y[3] = c_.k18 * (e31 * e29 + e38) + c_.k19 * step_27 * e31 + c_.k20 * e39 + e25;
+        y[4] = c_.k9 * (e18 + e39) + c_.k22 * (e38 + e17);
     }
 
     /// C = dh/dx.
@@ -946,23 +948,23 @@ public:
         const Scalar e1 = p_.p_t - p_1;
         const Scalar step_2 = detail::step<Scalar>(e1);
         const Scalar step_3 = detail::step<Scalar>(-e1);
-        const Scalar exp_4 = exp(c_.k13 * (p_.p_0 - p_1));
+        const Scalar exp_4 = exp(c_.k3 * (p_.p_0 - p_1));
         const Scalar inverse_5 = Scalar(1) / exp_4;
         const Scalar e6 = step_3 * inverse_5;
-        const Scalar inverse_7 = Scalar(1) / (c_.k10 * step_2 + e6);
+        const Scalar inverse_7 = Scalar(1) / (c_.k6 * step_2 + e6);
         const Scalar e8 = e1 * inverse_7;
-        const Scalar e9 = c_.k9 * e8;
+        const Scalar e9 = c_.k2 * e8;
         const Scalar signed_root_10 = detail::signed_root<Scalar>(e9);
         const Scalar x_v = u[0];
         const Scalar max_11 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e12 = c_.k40 * max_11;
+        const Scalar e12 = c_.k25 * max_11;
         const Scalar e13 = p_.p_s - p_1;
         const Scalar step_14 = detail::step<Scalar>(-e13);
         const Scalar e15 = step_14 * inverse_5;
         const Scalar step_16 = detail::step<Scalar>(e13);
-        const Scalar inverse_17 = Scalar(1) / (c_.k11 * step_16 + e15);
+        const Scalar inverse_17 = Scalar(1) / (c_.k4 * step_16 + e15);
         const Scalar e18 = e13 * inverse_17;
-        const Scalar e19 = c_.k9 * e18;
+        const Scalar e19 = c_.k2 * e18;
         const Scalar inverse_root_20 = detail::inverse_root<Scalar>(e19);
         const Scalar max_21 = detail::max<Scalar>(Scalar(0), x_v);
         const Scalar e22 = inverse_root_20 * (max_21 * inverse_17);
@@ -978,12 +980,12 @@ public:
         const Scalar e31 = p_.k_l * e30;
         const Scalar step_32 = detail::step<Scalar>(e31);
         const Scalar e33 = step_32 * inverse_5;
-        const Scalar e34 = c_.k44 * e30;
+        const Scalar e34 = c_.k29 * e30;
         const Scalar step_35 = detail::step<Scalar>(-e31);
-        const Scalar exp_36 = exp(c_.k13 * (p_.p_0 - p_2));
+        const Scalar exp_36 = exp(c_.k3 * (p_.p_0 - p_2));
         const Scalar inverse_37 = Scalar(1) / exp_36;
         const Scalar e38 = step_35 * inverse_37;
-        const Scalar e39 = c_.k35 * (e33 + e38);
+        const Scalar e39 = c_.k21 * (e33 + e38);
         const Scalar e40 = e33 * e34 + e39;
         const Scalar e41 = step_16 * e22;
         const Scalar e42 = step_16 * e27;
@@ -994,17 +996,17 @@ public:
         const Scalar step_47 = detail::step<Scalar>(e46);
         const Scalar step_48 = detail::step<Scalar>(-e46);
         const Scalar e49 = step_48 * inverse_37;
-        const Scalar inverse_50 = Scalar(1) / (c_.k10 * step_47 + e49);
+        const Scalar inverse_50 = Scalar(1) / (c_.k6 * step_47 + e49);
         const Scalar e51 = e46 * inverse_50;
-        const Scalar e52 = c_.k9 * e51;
+        const Scalar e52 = c_.k2 * e51;
         const Scalar signed_root_53 = detail::signed_root<Scalar>(e52);
         const Scalar e54 = p_.p_s - p_2;
         const Scalar step_55 = detail::step<Scalar>(-e54);
         const Scalar e56 = step_55 * inverse_37;
         const Scalar step_57 = detail::step<Scalar>(e54);
-        const Scalar inverse_58 = Scalar(1) / (c_.k11 * step_57 + e56);
+        const Scalar inverse_58 = Scalar(1) / (c_.k4 * step_57 + e56);
         const Scalar e59 = e54 * inverse_58;
-        const Scalar e60 = c_.k9 * e59;
+        const Scalar e60 = c_.k2 * e59;
         const Scalar inverse_root_61 = detail::inverse_root<Scalar>(e60);
         const Scalar e62 = inverse_root_61 * (max_11 * inverse_58);
         const Scalar e63 = e56 * e62;
@@ -1030,16 +1032,16 @@ public:
         C[9] = Scalar(0);
         C[10] = Scalar(0);
         C[11] = p_.A_1;
-        C[12] = signed_root_10 * e6 * e12 - c_.k37 * (e23 + e26) - c_.k38 * (e28 + e6 * e29) - step_2
-            * (c_.k41 * e25 + c_.k39 * e29) - e40 - c_.k43 * e41 - c_.k42 * e42 + c_.k40 * e44;
+        C[12] = signed_root_10 * e6 * e12 - c_.k9 * (e23 + e26) - c_.k23 * (e28 + e6 * e29) - step_2
+            * (c_.k26 * e25 + c_.k24 * e29) - e40 - c_.k28 * e41 - c_.k27 * e42 + c_.k25 * e44;
         C[13] = e40;
-        C[14] = c_.k48 * e44 - c_.k47 * e23 - c_.k49 * e41 - c_.k45 * e28 - c_.k46 * e42;
+        C[14] = c_.k33 * e44 - c_.k32 * e23 - c_.k11 * e41 - c_.k30 * e28 - c_.k31 * e42;
         C[15] = Scalar(0);
         C[16] = -p_.A_2;
         C[17] = e45;
-        C[18] = c_.k40 * max_21 * signed_root_53 * e49 - c_.k37 * (e63 + e66) - c_.k38 * (e68 + e49 * e69) - step_47
-            * (c_.k41 * e65 + c_.k39 * e69) - e45 + e12 * e71 - c_.k43 * e72 - c_.k42 * e73;
-        C[19] = c_.k48 * max_11 * e71 - c_.k47 * e63 - c_.k49 * e72 - c_.k45 * e68 - c_.k46 * e73;
+        C[18] = c_.k25 * max_21 * signed_root_53 * e49 - c_.k9 * (e63 + e66) - c_.k23 * (e68 + e49 * e69) - step_47
+            * (c_.k26 * e65 + c_.k24 * e69) - e45 + e12 * e71 - c_.k28 * e72 - c_.k27 * e73;
+        C[19] = c_.k33 * max_11 * e71 - c_.k32 * e63 - c_.k11 * e72 - c_.k30 * e68 - c_.k31 * e73;
     }
 
     /// D = dh/du.
@@ -1052,10 +1054,10 @@ public:
         const Scalar x_v = u[0];
         const Scalar step_x_v = detail::step<Scalar>(x_v);
         const Scalar step_3 = detail::step<Scalar>(-e1);
-        const Scalar exp_4 = exp(c_.k13 * (p_.p_0 - p_1));
+        const Scalar exp_4 = exp(c_.k3 * (p_.p_0 - p_1));
         const Scalar inverse_5 = Scalar(1) / exp_4;
         const Scalar e6 = step_3 * inverse_5;
-        const Scalar signed_root_7 = detail::signed_root<Scalar>(c_.k9 * e1 / (c_.k11 * step_2 + e6));
+        const Scalar signed_root_7 = detail::signed_root<Scalar>(c_.k2 * e1 / (c_.k4 * step_2 + e6));
         const Scalar e8 = step_x_v * signed_root_7;
         const Scalar e9 = step_2 * e8;
         const Scalar step_10 = detail::step<Scalar>(-x_v);
@@ -1063,31 +1065,31 @@ public:
         const Scalar step_12 = detail::step<Scalar>(e11);
         const Scalar step_13 = detail::step<Scalar>(-e11);
         const Scalar e14 = step_13 * inverse_5;
-        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k9 * e11 / (c_.k10 * step_12 + e14));
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k2 * e11 / (c_.k6 * step_12 + e14));
         const Scalar e16 = step_10 * signed_root_15;
         const Scalar e17 = e8 * e6;
         const Scalar p_2 = x[3];
         const Scalar e18 = p_.p_t - p_2;
         const Scalar step_19 = detail::step<Scalar>(e18);
         const Scalar step_20 = detail::step<Scalar>(-e18);
-        const Scalar exp_21 = exp(c_.k13 * (p_.p_0 - p_2));
+        const Scalar exp_21 = exp(c_.k3 * (p_.p_0 - p_2));
         const Scalar inverse_22 = Scalar(1) / exp_21;
         const Scalar e23 = step_20 * inverse_22;
-        const Scalar signed_root_24 = detail::signed_root<Scalar>(c_.k9 * e18 / (c_.k10 * step_19 + e23));
+        const Scalar signed_root_24 = detail::signed_root<Scalar>(c_.k2 * e18 / (c_.k6 * step_19 + e23));
         const Scalar e25 = step_x_v * signed_root_24;
         const Scalar e26 = p_.p_s - p_2;
         const Scalar step_27 = detail::step<Scalar>(e26);
         const Scalar step_28 = detail::step<Scalar>(-e26);
         const Scalar e29 = step_28 * inverse_22;
-        const Scalar signed_root_30 = detail::signed_root<Scalar>(c_.k9 * e26 / (c_.k11 * step_27 + e29));
+        const Scalar signed_root_30 = detail::signed_root<Scalar>(c_.k2 * e26 / (c_.k4 * step_27 + e29));
         const Scalar e31 = step_10 * signed_root_30;
         const Scalar e32 = e31 * e29;
         const Scalar e33 = step_27 * e31;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = c_.k34 * e9 - c_.k32 * (e16 * e14 - e17) - c_.k33 * step_12 * e16;
-        D[3] = c_.k32 * (e25 * e23 - e32) + c_.k33 * step_19 * e25 - c_.k34 * e33;
-        D[4] = c_.k37 * (e9 - e33) - c_.k36 * (e32 - e17);
+        D[2] = c_.k20 * e9 - c_.k18 * (e16 * e14 - e17) - c_.k19 * step_12 * e16;
+        D[3] = c_.k18 * (e25 * e23 - e32) + c_.k19 * step_19 * e25 - c_.k20 * e33;
+        D[4] = c_.k9 * (e9 - e33) - c_.k22 * (e32 - e17);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -1140,7 +1142,7 @@ public:
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
         const Scalar p_2 = x[3];
-        const Scalar e1 = c_.k13 * (p_.p_0 - p_2);
+        const Scalar e1 = c_.k3 * (p_.p_0 - p_2);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar inverse_4 = Scalar(1) / exp_2;
@@ -1150,7 +1152,7 @@ public:
         const Scalar e7 = s_k * inverse_4;
         const Scalar e8 = p_.A_2 * p_.p_0;
         const Scalar p_1 = x[2];
-        const Scalar e9 = c_.k13 * (p_.p_0 - p_1);
+        const Scalar e9 = c_.k3 * (p_.p_0 - p_1);
         const Scalar exp_10 = exp(e9);
         const Scalar compression_11 = detail::compression<Scalar>(-e9, exp_10);
         const Scalar e12 = compression_11 * (p_.A_1 * p_.beta) - (e9 * exp_10 - compression_11) * (p_.A_1 * p_.p_0);
@@ -1163,7 +1165,7 @@ public:
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         const Scalar p_1 = x[2];
-        const Scalar e1 = c_.k13 * (p_.p_0 - p_1);
+        const Scalar e1 = c_.k3 * (p_.p_0 - p_1);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar inverse_4 = Scalar(1) / p_.beta;
@@ -1178,7 +1180,7 @@ public:
         const Scalar max_12 = detail::max<Scalar>(Scalar(0), -x_v);
         const Scalar step_13 = detail::step<Scalar>(-e10);
         const Scalar inverse_14 = Scalar(1) / exp_2;
-        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k9 * e10 / (step_13 * inverse_14 + c_.k10 * step_11));
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k2 * e10 / (step_13 * inverse_14 + c_.k6 * step_11));
         const Scalar e16 = max_12 * signed_root_15;
         const Scalar e17 = step_11 * e16;
         const Scalar exp_18 = exp((p_.p_0 - p_.p_s) * inverse_4);
@@ -1188,7 +1190,7 @@ public:
         const Scalar step_22 = detail::step<Scalar>(e21);
         const Scalar max_23 = detail::max<Scalar>(Scalar(0), x_v);
         const Scalar step_24 = detail::step<Scalar>(-e21);
-        const Scalar signed_root_25 = detail::signed_root<Scalar>(c_.k9 * e21 / (step_24 * inverse_14 + c_.k11 * step_22));
+        const Scalar signed_root_25 = detail::signed_root<Scalar>(c_.k2 * e21 / (step_24 * inverse_14 + c_.k4 * step_22));
         const Scalar e26 = max_23 * signed_root_25;
         const Scalar e27 = step_22 * e26;
         const Scalar e28 = step_13 * e16 + step_24 * e26;
@@ -1199,7 +1201,7 @@ public:
         const Scalar step_32 = detail::step<Scalar>(e31);
         const Scalar e33 = step_32 * inverse_14;
         const Scalar step_34 = detail::step<Scalar>(-e31);
-        const Scalar e35 = c_.k13 * (p_.p_0 - p_2);
+        const Scalar e35 = c_.k3 * (p_.p_0 - p_2);
         const Scalar exp_36 = exp(e35);
         const Scalar inverse_37 = Scalar(1) / exp_36;
         const Scalar e38 = step_34 * inverse_37;
@@ -1209,13 +1211,13 @@ public:
         const Scalar e42 = p_.p_s - p_2;
         const Scalar step_43 = detail::step<Scalar>(e42);
         const Scalar step_44 = detail::step<Scalar>(-e42);
-        const Scalar signed_root_45 = detail::signed_root<Scalar>(c_.k9 * e42 / (step_44 * inverse_37 + c_.k11 * step_43));
+        const Scalar signed_root_45 = detail::signed_root<Scalar>(c_.k2 * e42 / (step_44 * inverse_37 + c_.k4 * step_43));
         const Scalar e46 = max_12 * signed_root_45;
         const Scalar e47 = step_43 * e46;
         const Scalar e48 = p_.p_t - p_2;
         const Scalar step_49 = detail::step<Scalar>(e48);
         const Scalar step_50 = detail::step<Scalar>(-e48);
-        const Scalar signed_root_51 = detail::signed_root<Scalar>(c_.k9 * e48 / (step_50 * inverse_37 + c_.k10 * step_49));
+        const Scalar signed_root_51 = detail::signed_root<Scalar>(c_.k2 * e48 / (step_50 * inverse_37 + c_.k6 * step_49));
         const Scalar e52 = max_23 * signed_root_51;
         const Scalar e53 = step_49 * e52;
         const Scalar e54 = step_44 * e46 + step_50 * e52;
@@ -1228,10 +1230,10 @@ public:
         const Scalar e61 = p_1 * exp_2;
         const Scalar e62 = (e1 * exp_2 - compression_3) * (e57 * e17 + e58 * e27 + e56 * e29 - e59);
         const Scalar e63 = (e35 * exp_36 - compression_41) * (e58 * e47 + e57 * e53 + e56 * e55 + e59);
-        return compression_3 * (e9 * e17 + e20 * e27 + e8 * e29 - e40) + compression_41
-            * (e20 * e47 + e9 * e53 + e8 * e55 + e40) - e62 - e63 - e31
-            * (p_1 * step_32 - p_2 * step_34 - e60 * e33 + e61 * e38) + c_.k37 * (p_1 * e28 + p_2 * e54) + c_.k41
-            * (e61 * e17 + e60 * e53) + c_.k43 * (e61 * e27 + e60 * e47);
+        return compression_3 * (e9 * e17 + e20 * e27 + c_.k5 * e29 - e40) + compression_41
+            * (e20 * e47 + e9 * e53 + c_.k5 * e55 + e40) - e62 - e63 - e31
+            * (p_1 * step_32 - p_2 * step_34 - e60 * e33 + e61 * e38) + c_.k9 * (p_1 * e28 + p_2 * e54) + c_.k26
+            * (e61 * e17 + e60 * e53) + c_.k28 * (e61 * e27 + e60 * e47);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1255,55 +1257,39 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
-        Scalar k1;  ///< beta*w*alpha_d/(A_1*exp(p_0/beta - p_t/beta))
-        Scalar k2;  ///< beta*w*alpha_d/A_1
-        Scalar k3;  ///< beta*w*alpha_d/(A_1*exp(p_0/beta - p_s/beta))
-        Scalar k4;  ///< beta*k_l/A_1
-        Scalar k5;  ///< beta*w*alpha_d/(A_2*exp(p_0/beta - p_s/beta))
-        Scalar k6;  ///< beta*w*alpha_d/A_2
-        Scalar k7;  ///< beta*w*alpha_d/(A_2*exp(p_0/beta - p_t/beta))
-        Scalar k8;  ///< beta*k_l/A_2
-        Scalar k9;  ///< 2/rho_0
-        Scalar k10;  ///< 1/exp(p_0/beta - p_t/beta)
-        Scalar k11;  ///< 1/exp(p_0/beta - p_s/beta)
-        Scalar k12;  ///< l - d
-        Scalar k13;  ///< 1/beta
-        Scalar k14;  ///< w*alpha_d/(A_1*rho_0)
-        Scalar k15;  ///< w*alpha_d/(A_1*rho_0*exp(p_0/beta - p_t/beta))
-        Scalar k16;  ///< beta*w*alpha_d/(A_1*rho_0*exp(p_0/beta - p_t/beta))
-        Scalar k17;  ///< w*alpha_d/(A_1*exp(p_0/beta - p_t/beta))
-        Scalar k18;  ///< beta*w*alpha_d/(A_1*rho_0)
-        Scalar k19;  ///< w*alpha_d/(A_1*rho_0*exp(p_0/beta - p_s/beta))
-        Scalar k20;  ///< beta*w*alpha_d/(A_1*rho_0*exp(p_0/beta - p_s/beta))
-        Scalar k21;  ///< w*alpha_d/(A_1*exp(p_0/beta - p_s/beta))
-        Scalar k22;  ///< k_l/A_1
-        Scalar k23;  ///< k_l/A_2
-        Scalar k24;  ///< w*alpha_d/(A_2*rho_0)
-        Scalar k25;  ///< w*alpha_d/(A_2*rho_0*exp(p_0/beta - p_s/beta))
-        Scalar k26;  ///< beta*w*alpha_d/(A_2*rho_0*exp(p_0/beta - p_s/beta))
-        Scalar k27;  ///< w*alpha_d/(A_2*exp(p_0/beta - p_s/beta))
-        Scalar k28;  ///< beta*w*alpha_d/(A_2*rho_0)
-        Scalar k29;  ///< w*alpha_d/(A_2*rho_0*exp(p_0/beta - p_t/beta))
-        Scalar k30;  ///< beta*w*alpha_d/(A_2*rho_0*exp(p_0/beta - p_t/beta))
-        Scalar k31;  ///< w*alpha_d/(A_2*exp(p_0/beta - p_t/beta))
-        Scalar k32;  ///< rho_0*w*alpha_d
-        Scalar k33;  ///< rho_0*w*alpha_d/exp(p_0/beta - p_t/beta)
-        Scalar k34;  ///< rho_0*w*alpha_d/exp(p_0/beta - p_s/beta)
-        Scalar k35;  ///< rho_0*k_l
-        Scalar k36;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)
-        Scalar k37;  ///< w*alpha_d
-        Scalar k38;  ///< w*alpha_d/beta
-        Scalar k39;  ///< w*alpha_d/(beta*exp(p_0/beta - p_t/beta))
-        Scalar k40;  ///< rho_0*w*alpha_d/beta
-        Scalar k41;  ///< w*alpha_d/exp(p_0/beta - p_t/beta)
-        Scalar k42;  ///< w*alpha_d/(beta*exp(p_0/beta - p_s/beta))
-        Scalar k43;  ///< w*alpha_d/exp(p_0/beta - p_s/beta)
-        Scalar k44;  ///< rho_0*k_l/beta
-        Scalar k45;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/(rho_0*beta)
-        Scalar k46;  ///< w*alpha_d/(rho_0*beta)
-        Scalar k47;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/rho_0
-        Scalar k48;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/beta
-        Scalar k49;  ///< w*alpha_d/rho_0
+        Scalar k1;  ///< 1/A_1
+        Scalar k2;  ///< 2/rho_0
+        Scalar k3;  ///< 1/beta
+        Scalar k4;  ///< 1/exp(p_0/beta - p_s/beta)
+        Scalar k5;  ///< beta*w*alpha_d
+        Scalar k6;  ///< 1/exp(p_0/beta - p_t/beta)
+        Scalar k7;  ///< 1/A_2
+        Scalar k8;  ///< l - d
+        Scalar k9;  ///< w*alpha_d
+        Scalar k10;  ///< beta*w*alpha_d/rho_0
+        Scalar k11;  ///< w*alpha_d/rho_0
+        Scalar k12;  ///< beta*w*alpha_d/(A_1*exp(p_0/beta - p_t/beta))
+        Scalar k13;  ///< beta*w*alpha_d/A_1
+        Scalar k14;  ///< beta*w*alpha_d/(A_1*exp(p_0/beta - p_s/beta))
+        Scalar k15;  ///< beta*w*alpha_d/(A_2*exp(p_0/beta - p_s/beta))
+        Scalar k16;  ///< beta*w*alpha_d/A_2
+        Scalar k17;  ///< beta*w*alpha_d/(A_2*exp(p_0/beta - p_t/beta))
+        Scalar k18;  ///< rho_0*w*alpha_d
+        Scalar k19;  ///< rho_0*w*alpha_d/exp(p_0/beta - p_t/beta)
+        Scalar k20;  ///< rho_0*w*alpha_d/exp(p_0/beta - p_s/beta)
+        Scalar k21;  ///< rho_0*k_l
+        Scalar k22;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)
+        Scalar k23;  ///< w*alpha_d/beta
+        Scalar k24;  ///< w*alpha_d/(beta*exp(p_0/beta - p_t/beta))
+        Scalar k25;  ///< rho_0*w*alpha_d/beta
+        Scalar k26;  ///< w*alpha_d/exp(p_0/beta - p_t/beta)
+        Scalar k27;  ///< w*alpha_d/(beta*exp(p_0/beta - p_s/beta))
+        Scalar k28;  ///< w*alpha_d/exp(p_0/beta - p_s/beta)
+        Scalar k29;  ///< rho_0*k_l/beta
+        Scalar k30;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/(rho_0*beta)
+        Scalar k31;  ///< w*alpha_d/(rho_0*beta)
+        Scalar k32;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/rho_0
+        Scalar k33;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/beta
     };
     Cached c_{};
 };

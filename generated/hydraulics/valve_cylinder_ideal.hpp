@@ -20,11 +20,11 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 3     45     7        0      2
-//   rhs                   26     48     8        0     16
-//   rhs_and_jacobian      47    106     8        0     20
+//   update                 3     28     7        0      2
+//   rhs                   26     46     8        0     16
+//   rhs_and_jacobian      41     93     8        0     20
 //   jacobian_u            22     43     8        0     16
-//   jacobian_p            82    223    14        0     22
+//   jacobian_p            82    235    14        0     22
 //   bias                   1      2     0        0      0
 //   generalised_force      1      0     0        0      0
 //   output                25     40     6        0     16
@@ -168,23 +168,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
@@ -277,72 +282,57 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 + or -, 45 *, 7 /, 2 other functions
+    /// Operations: 3 + or -, 28 *, 7 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
         c_.k0 = Scalar(1) / p_.m_k;
         const Scalar inverse_1 = Scalar(1) / p_.beta;
-        const Scalar exp_2 = exp((p_.p_0 - p_.p_t) * inverse_1);
+        c_.k1 = inverse_1;
+        const Scalar exp_2 = exp((p_.p_0 - p_.p_s) * inverse_1);
         const Scalar inverse_3 = Scalar(1) / exp_2;
+        c_.k2 = inverse_3;
         const Scalar e4 = p_.w * p_.alpha_d;
-        const Scalar e5 = inverse_3 * e4;
-        const Scalar inverse_6 = Scalar(1) / p_.A_1;
-        const Scalar e7 = p_.beta * inverse_6;
-        c_.k1 = e5 * e7;
-        c_.k2 = e4 * e7;
-        const Scalar exp_8 = exp((p_.p_0 - p_.p_s) * inverse_1);
+        const Scalar e5 = p_.beta * e4;
+        c_.k3 = e5;
+        const Scalar inverse_6 = Scalar(1) / p_.rho_0;
+        c_.k4 = Scalar(2) * inverse_6;
+        const Scalar inverse_7 = Scalar(1) / p_.A_1;
+        c_.k5 = inverse_7;
+        const Scalar exp_8 = exp((p_.p_0 - p_.p_t) * inverse_1);
         const Scalar inverse_9 = Scalar(1) / exp_8;
-        const Scalar e10 = inverse_9 * e4;
-        c_.k3 = e10 * e7;
-        const Scalar inverse_11 = Scalar(1) / p_.A_2;
-        const Scalar e12 = p_.beta * inverse_11;
-        c_.k4 = e10 * e12;
-        c_.k5 = e4 * e12;
-        c_.k6 = e5 * e12;
-        const Scalar inverse_13 = Scalar(1) / p_.rho_0;
-        c_.k7 = Scalar(2) * inverse_13;
-        c_.k8 = inverse_3;
-        c_.k9 = inverse_9;
-        c_.k10 = inverse_1;
-        c_.k11 = p_.l - p_.d;
-        const Scalar e14 = inverse_13 * e4;
-        c_.k12 = inverse_6 * e14;
-        const Scalar e15 = inverse_3 * e14;
-        c_.k13 = inverse_6 * e15;
-        c_.k14 = e7 * e15;
-        c_.k15 = inverse_6 * e5;
-        c_.k16 = e14 * e7;
-        const Scalar e16 = inverse_9 * e14;
-        c_.k17 = inverse_6 * e16;
-        c_.k18 = e7 * e16;
-        c_.k19 = inverse_6 * e10;
-        c_.k20 = inverse_11 * e14;
-        c_.k21 = inverse_11 * e16;
-        c_.k22 = e12 * e16;
-        c_.k23 = inverse_11 * e10;
-        c_.k24 = e14 * e12;
-        c_.k25 = inverse_11 * e15;
-        c_.k26 = e12 * e15;
-        c_.k27 = inverse_11 * e5;
-        c_.k28 = p_.rho_0 * e4;
-        c_.k29 = p_.rho_0 * e5;
-        c_.k30 = p_.rho_0 * e10;
-        c_.k31 = exp_8 * e4;
-        c_.k32 = e4;
-        const Scalar e17 = inverse_1 * e4;
-        c_.k33 = e17;
-        c_.k34 = inverse_1 * e5;
-        c_.k35 = p_.rho_0 * e17;
-        c_.k36 = e5;
-        c_.k37 = inverse_1 * e10;
-        c_.k38 = e10;
-        const Scalar e18 = inverse_1 * e14;
-        c_.k39 = exp_8 * e18;
-        c_.k40 = e18;
-        c_.k41 = exp_8 * e14;
-        c_.k42 = exp_8 * e17;
-        c_.k43 = e14;
+        c_.k6 = inverse_9;
+        const Scalar inverse_10 = Scalar(1) / p_.A_2;
+        c_.k7 = inverse_10;
+        c_.k8 = p_.l - p_.d;
+        c_.k9 = e4;
+        c_.k10 = inverse_6 * e5;
+        c_.k11 = inverse_6 * e4;
+        const Scalar e11 = inverse_7 * e5;
+        c_.k12 = inverse_9 * e11;
+        c_.k13 = e11;
+        c_.k14 = inverse_3 * e11;
+        const Scalar e12 = inverse_10 * e5;
+        c_.k15 = inverse_3 * e12;
+        c_.k16 = e12;
+        c_.k17 = inverse_9 * e12;
+        const Scalar e13 = p_.rho_0 * e4;
+        c_.k18 = e13;
+        c_.k19 = inverse_9 * e13;
+        c_.k20 = inverse_3 * e13;
+        c_.k21 = exp_2 * e4;
+        const Scalar e14 = inverse_1 * e4;
+        c_.k22 = e14;
+        c_.k23 = inverse_9 * e14;
+        c_.k24 = p_.rho_0 * e14;
+        c_.k25 = inverse_9 * e4;
+        c_.k26 = inverse_3 * e14;
+        c_.k27 = inverse_3 * e4;
+        const Scalar e15 = exp_2 * inverse_6;
+        c_.k28 = e14 * e15;
+        c_.k29 = inverse_6 * e14;
+        c_.k30 = e4 * e15;
+        c_.k31 = exp_2 * e14;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -357,7 +347,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 26 + or -, 48 *, 8 /, 16 other functions
+    /// Operations: 26 + or -, 46 *, 8 /, 16 other functions
     ///     density[supply] = rho_0/exp((p_0 - p_s)/beta)
     ///     specific_enthalpy[supply] = (beta*compression(-(p_0 - p_s)/beta) - p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 -
     ///     p_s)/beta))/rho_0
@@ -396,49 +386,55 @@ public:
         const Scalar f_l = u[1];
         const Scalar p_2 = x[3];
         const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.A_2 * p_2) * c_.k0;
+        const Scalar exp_1 = exp((p_.p_0 - p_1) * c_.k1);
+        const Scalar e2 = p_.p_s - p_1;
+        const Scalar step_3 = detail::step<Scalar>(e2);
+        const Scalar e4 = step_3 * c_.k2;
         const Scalar x_v = u[0];
-        const Scalar max_1 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e2 = p_.p_t - p_1;
-        const Scalar step_3 = detail::step<Scalar>(-e2);
-        const Scalar exp_4 = exp(c_.k10 * (p_.p_0 - p_1));
-        const Scalar inverse_5 = Scalar(1) / exp_4;
-        const Scalar step_6 = detail::step<Scalar>(e2);
-        const Scalar signed_root_7 = detail::signed_root<Scalar>(c_.k7 * e2 / (step_3 * inverse_5 + c_.k8 * step_6));
+        const Scalar max_5 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e6 = max_5 * c_.k3;
+        const Scalar step_7 = detail::step<Scalar>(-e2);
+        const Scalar inverse_8 = Scalar(1) / exp_1;
+        const Scalar signed_root_9 = detail::signed_root<Scalar>(e2 * c_.k4 / (step_7 * inverse_8 + e4));
         const Scalar s_k = x[0];
-        const Scalar inverse_8 = Scalar(1) / s_k;
-        const Scalar e9 = exp_4 * inverse_8;
-        const Scalar e10 = c_.k2 * inverse_8;
-        const Scalar max_11 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e12 = p_.p_s - p_1;
-        const Scalar step_13 = detail::step<Scalar>(-e12);
-        const Scalar step_14 = detail::step<Scalar>(e12);
-        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k7 * e12 / (step_13 * inverse_5 + c_.k9 * step_14));
+        const Scalar inverse_10 = Scalar(1) / s_k;
+        const Scalar e11 = inverse_10 * c_.k5;
+        const Scalar e12 = e6 * (signed_root_9 * e11);
+        const Scalar e13 = p_.p_t - p_1;
+        const Scalar step_14 = detail::step<Scalar>(e13);
+        const Scalar e15 = step_14 * c_.k6;
+        const Scalar max_16 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar e17 = max_16 * c_.k3;
+        const Scalar step_18 = detail::step<Scalar>(-e13);
+        const Scalar signed_root_19 = detail::signed_root<Scalar>(e13 * c_.k4 / (step_18 * inverse_8 + e15));
+        const Scalar e20 = e17 * (signed_root_19 * e11);
         const Scalar s_k_dot = x[1];
-        const Scalar e16 = p_.beta * s_k_dot;
-        const Scalar e17 = p_.p_s - p_2;
-        const Scalar step_18 = detail::step<Scalar>(-e17);
-        const Scalar exp_19 = exp(c_.k10 * (p_.p_0 - p_2));
-        const Scalar inverse_20 = Scalar(1) / exp_19;
-        const Scalar step_21 = detail::step<Scalar>(e17);
-        const Scalar signed_root_22 = detail::signed_root<Scalar>(c_.k7 * e17 / (step_18 * inverse_20 + c_.k9 * step_21));
-        const Scalar inverse_23 = Scalar(1) / (c_.k11 - s_k);
-        const Scalar e24 = exp_19 * inverse_23;
-        const Scalar e25 = c_.k5 * inverse_23;
-        const Scalar e26 = p_.p_t - p_2;
-        const Scalar step_27 = detail::step<Scalar>(-e26);
-        const Scalar step_28 = detail::step<Scalar>(e26);
-        const Scalar signed_root_29 = detail::signed_root<Scalar>(c_.k7 * e26 / (step_27 * inverse_20 + c_.k8 * step_28));
+        const Scalar e21 = p_.beta * s_k_dot;
+        const Scalar exp_22 = exp((p_.p_0 - p_2) * c_.k1);
+        const Scalar e23 = p_.p_t - p_2;
+        const Scalar step_24 = detail::step<Scalar>(e23);
+        const Scalar e25 = step_24 * c_.k6;
+        const Scalar step_26 = detail::step<Scalar>(-e23);
+        const Scalar inverse_27 = Scalar(1) / exp_22;
+        const Scalar signed_root_28 = detail::signed_root<Scalar>(e23 * c_.k4 / (step_26 * inverse_27 + e25));
+        const Scalar inverse_29 = Scalar(1) / (c_.k8 - s_k);
+        const Scalar e30 = inverse_29 * c_.k7;
+        const Scalar e31 = e6 * (signed_root_28 * e30);
+        const Scalar e32 = p_.p_s - p_2;
+        const Scalar step_33 = detail::step<Scalar>(e32);
+        const Scalar e34 = step_33 * c_.k2;
+        const Scalar step_35 = detail::step<Scalar>(-e32);
+        const Scalar signed_root_36 = detail::signed_root<Scalar>(e32 * c_.k4 / (step_35 * inverse_27 + e34));
+        const Scalar e37 = e17 * (signed_root_36 * e30);
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = max_1 * signed_root_7 * (c_.k1 * step_6 * e9 + step_3 * e10) + max_11 * signed_root_15
-            * (c_.k3 * step_14 * e9 + step_13 * e10) - inverse_8 * e16;
-        dxdt[3] = max_1 * signed_root_22 * (c_.k4 * step_21 * e24 + step_18 * e25) + max_11 * signed_root_29
-            * (c_.k6 * step_28 * e24 + step_27 * e25) + inverse_23 * e16;
+        dxdt[2] = exp_1 * (e4 * e12 + e15 * e20) + step_7 * e12 + step_18 * e20 - inverse_10 * e21;
+        dxdt[3] = exp_22 * (e25 * e31 + e34 * e37) + step_35 * e37 + step_26 * e31 + inverse_29 * e21;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 47 + or -, 106 *, 8 /, 20 other functions
+    /// Operations: 41 + or -, 93 *, 8 /, 20 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
         const Scalar p_1 = x[2];
@@ -447,102 +443,103 @@ public:
         const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.A_2 * p_2) * c_.k0;
         const Scalar s_k = x[0];
         const Scalar inverse_1 = Scalar(1) / s_k;
-        const Scalar e2 = p_.p_t - p_1;
-        const Scalar step_3 = detail::step<Scalar>(-e2);
+        const Scalar e2 = inverse_1 * c_.k5;
+        const Scalar e3 = p_.p_s - p_1;
+        const Scalar step_4 = detail::step<Scalar>(-e3);
         const Scalar x_v = u[0];
-        const Scalar max_4 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar step_5 = detail::step<Scalar>(e2);
-        const Scalar exp_6 = exp(c_.k10 * (p_.p_0 - p_1));
+        const Scalar max_5 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar exp_6 = exp((p_.p_0 - p_1) * c_.k1);
         const Scalar inverse_7 = Scalar(1) / exp_6;
-        const Scalar e8 = step_3 * inverse_7;
-        const Scalar inverse_9 = Scalar(1) / (c_.k8 * step_5 + e8);
-        const Scalar e10 = e2 * inverse_9;
-        const Scalar e11 = c_.k7 * e10;
-        const Scalar signed_root_12 = detail::signed_root<Scalar>(e11);
-        const Scalar e13 = max_4 * signed_root_12;
-        const Scalar e14 = p_.p_s - p_1;
-        const Scalar step_15 = detail::step<Scalar>(-e14);
-        const Scalar max_16 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar step_17 = detail::step<Scalar>(e14);
-        const Scalar e18 = step_15 * inverse_7;
-        const Scalar inverse_19 = Scalar(1) / (c_.k9 * step_17 + e18);
-        const Scalar e20 = e14 * inverse_19;
-        const Scalar e21 = c_.k7 * e20;
-        const Scalar signed_root_22 = detail::signed_root<Scalar>(e21);
-        const Scalar e23 = max_16 * signed_root_22;
+        const Scalar step_8 = detail::step<Scalar>(e3);
+        const Scalar e9 = step_8 * c_.k2;
+        const Scalar e10 = step_4 * inverse_7 + e9;
+        const Scalar inverse_11 = Scalar(1) / e10;
+        const Scalar e12 = e3 * inverse_11;
+        const Scalar e13 = e12 * c_.k4;
+        const Scalar signed_root_14 = detail::signed_root<Scalar>(e13);
+        const Scalar e15 = max_5 * signed_root_14;
+        const Scalar e16 = p_.p_t - p_1;
+        const Scalar step_17 = detail::step<Scalar>(-e16);
+        const Scalar max_18 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar step_19 = detail::step<Scalar>(e16);
+        const Scalar e20 = step_19 * c_.k6;
+        const Scalar e21 = step_17 * inverse_7 + e20;
+        const Scalar inverse_22 = Scalar(1) / e21;
+        const Scalar e23 = e16 * inverse_22;
+        const Scalar e24 = e23 * c_.k4;
+        const Scalar signed_root_25 = detail::signed_root<Scalar>(e24);
+        const Scalar e26 = max_18 * signed_root_25;
         const Scalar s_k_dot = x[1];
-        const Scalar e24 = p_.beta * s_k_dot;
-        const Scalar e25 = c_.k2 * (step_3 * e13 + step_15 * e23)
-            - (e24 - exp_6 * (c_.k1 * step_5 * e13 + c_.k3 * step_17 * e23));
-        const Scalar e26 = inverse_1 * e25;
-        const Scalar inverse_27 = Scalar(1) / (c_.k11 - s_k);
-        const Scalar e28 = p_.p_s - p_2;
-        const Scalar step_29 = detail::step<Scalar>(-e28);
-        const Scalar step_30 = detail::step<Scalar>(e28);
-        const Scalar exp_31 = exp(c_.k10 * (p_.p_0 - p_2));
-        const Scalar inverse_32 = Scalar(1) / exp_31;
-        const Scalar e33 = step_29 * inverse_32;
-        const Scalar inverse_34 = Scalar(1) / (c_.k9 * step_30 + e33);
-        const Scalar e35 = e28 * inverse_34;
-        const Scalar e36 = c_.k7 * e35;
-        const Scalar signed_root_37 = detail::signed_root<Scalar>(e36);
-        const Scalar e38 = max_4 * signed_root_37;
-        const Scalar e39 = p_.p_t - p_2;
-        const Scalar step_40 = detail::step<Scalar>(-e39);
-        const Scalar step_41 = detail::step<Scalar>(e39);
-        const Scalar e42 = step_40 * inverse_32;
-        const Scalar inverse_43 = Scalar(1) / (c_.k8 * step_41 + e42);
-        const Scalar e44 = e39 * inverse_43;
-        const Scalar e45 = c_.k7 * e44;
-        const Scalar signed_root_46 = detail::signed_root<Scalar>(e45);
-        const Scalar e47 = max_16 * signed_root_46;
-        const Scalar e48 = c_.k5 * (step_29 * e38 + step_40 * e47)
-            + (exp_31 * (c_.k4 * step_30 * e38 + c_.k6 * step_41 * e47) + e24);
-        const Scalar e49 = inverse_27 * e48;
+        const Scalar e27 = p_.beta * inverse_1;
+        const Scalar e28 = exp_6 * e2;
+        const Scalar e29 = (e20 * e26 + e9 * e15) * e28;
+        const Scalar e30 = e2 * (step_4 * e15 + step_17 * e26) * c_.k3 - (s_k_dot * e27 - e29 * c_.k3);
+        const Scalar inverse_31 = Scalar(1) / (c_.k8 - s_k);
+        const Scalar e32 = inverse_31 * c_.k7;
+        const Scalar e33 = p_.p_s - p_2;
+        const Scalar step_34 = detail::step<Scalar>(-e33);
+        const Scalar exp_35 = exp((p_.p_0 - p_2) * c_.k1);
+        const Scalar inverse_36 = Scalar(1) / exp_35;
+        const Scalar step_37 = detail::step<Scalar>(e33);
+        const Scalar e38 = step_37 * c_.k2;
+        const Scalar e39 = step_34 * inverse_36 + e38;
+        const Scalar inverse_40 = Scalar(1) / e39;
+        const Scalar e41 = e33 * inverse_40;
+        const Scalar e42 = e41 * c_.k4;
+        const Scalar signed_root_43 = detail::signed_root<Scalar>(e42);
+        const Scalar e44 = max_18 * signed_root_43;
+        const Scalar e45 = p_.p_t - p_2;
+        const Scalar step_46 = detail::step<Scalar>(-e45);
+        const Scalar step_47 = detail::step<Scalar>(e45);
+        const Scalar e48 = step_47 * c_.k6;
+        const Scalar e49 = step_46 * inverse_36 + e48;
+        const Scalar inverse_50 = Scalar(1) / e49;
+        const Scalar e51 = e45 * inverse_50;
+        const Scalar e52 = e51 * c_.k4;
+        const Scalar signed_root_53 = detail::signed_root<Scalar>(e52);
+        const Scalar e54 = max_5 * signed_root_53;
+        const Scalar e55 = p_.beta * inverse_31;
+        const Scalar e56 = exp_35 * e32;
+        const Scalar e57 = (e38 * e44 + e48 * e54) * e56;
+        const Scalar e58 = e32 * (step_34 * e44 + step_46 * e54) * c_.k3 + (s_k_dot * e55 + e57 * c_.k3);
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = e26;
-        dxdt[3] = e49;
-        const Scalar e50 = max_4 * inverse_1;
-        const Scalar inverse_root_51 = detail::inverse_root<Scalar>(e11);
-        const Scalar e52 = e50 * (inverse_root_51 * inverse_9);
-        const Scalar e53 = step_3 * e52;
-        const Scalar e54 = e10 * e53;
-        const Scalar e55 = max_16 * inverse_1;
-        const Scalar inverse_root_56 = detail::inverse_root<Scalar>(e21);
-        const Scalar e57 = e55 * (inverse_root_56 * inverse_19);
-        const Scalar e58 = step_15 * e57;
-        const Scalar e59 = e20 * e58;
-        const Scalar e60 = max_4 * inverse_27;
-        const Scalar inverse_root_61 = detail::inverse_root<Scalar>(e36);
-        const Scalar e62 = e60 * (inverse_root_61 * inverse_34);
-        const Scalar e63 = step_29 * e62;
-        const Scalar e64 = e35 * e63;
-        const Scalar e65 = max_16 * inverse_27;
-        const Scalar inverse_root_66 = detail::inverse_root<Scalar>(e45);
-        const Scalar e67 = e65 * (inverse_root_66 * inverse_43);
-        const Scalar e68 = step_40 * e67;
-        const Scalar e69 = e44 * e68;
+        dxdt[2] = e30;
+        dxdt[3] = e58;
+        const Scalar e59 = max_18 * c_.k10;
+        const Scalar inverse_root_60 = detail::inverse_root<Scalar>(e24);
+        const Scalar e61 = inverse_root_60 * inverse_22;
+        const Scalar e62 = e59 * e61;
+        const Scalar e63 = max_5 * c_.k10;
+        const Scalar inverse_root_64 = detail::inverse_root<Scalar>(e13);
+        const Scalar e65 = inverse_root_64 * inverse_11;
+        const Scalar e66 = e63 * e65;
+        const Scalar e67 = max_18 * c_.k11;
+        const Scalar e68 = max_5 * c_.k11;
+        const Scalar inverse_root_69 = detail::inverse_root<Scalar>(e42);
+        const Scalar e70 = inverse_root_69 * inverse_40;
+        const Scalar e71 = e59 * e70;
+        const Scalar inverse_root_72 = detail::inverse_root<Scalar>(e52);
+        const Scalar e73 = inverse_root_72 * inverse_50;
+        const Scalar e74 = e63 * e73;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = -inverse_1 * e26;
-        J[3] = inverse_27 * e49;
+        J[2] = -inverse_1 * e30;
+        J[3] = inverse_31 * e58;
         J[4] = Scalar(1);
         J[5] = Scalar(0);
-        J[6] = -p_.beta * inverse_1;
-        J[7] = p_.beta * inverse_27;
+        J[6] = -e27;
+        J[7] = e55;
         J[8] = Scalar(0);
         J[9] = p_.A_1 * c_.k0;
-        J[10] = -c_.k12 * (e8 * e54 + e18 * e59) - c_.k16 * (e53 + e58) - exp_6 * step_5
-            * (c_.k15 * signed_root_12 * e50 + c_.k14 * e52) - exp_6 * step_17 * (c_.k19 * signed_root_22 * e55 + c_.k18 * e57)
-            - c_.k13 * step_5 * e54 - c_.k17 * step_17 * e59;
+        J[10] = -e28 * (e20 * e62 + e9 * e66) - step_17 * e2 * (e21 * e61 * e23 * e67 + e62) - step_4 * e2
+            * (e10 * e65 * e12 * e68 + e66) - e29 * c_.k9;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
         J[13] = (-p_.A_2) * c_.k0;
         J[14] = Scalar(0);
-        J[15] = -c_.k20 * (e33 * e64 + e42 * e69) - c_.k24 * (e63 + e68) - exp_31 * step_30
-            * (c_.k23 * signed_root_37 * e60 + c_.k22 * e62) - exp_31 * step_41
-            * (c_.k27 * signed_root_46 * e65 + c_.k26 * e67) - c_.k21 * step_30 * e64 - c_.k25 * step_41 * e69;
+        J[15] = -e56 * (e38 * e71 + e48 * e74) - step_34 * e32 * (e39 * e70 * e41 * e67 + e71) - step_46 * e32
+            * (e49 * e73 * e51 * e68 + e74) - e57 * c_.k9;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -560,39 +557,39 @@ public:
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_s - p_1;
         const Scalar step_2 = detail::step<Scalar>(-e1);
-        const Scalar exp_3 = exp(c_.k10 * (p_.p_0 - p_1));
+        const Scalar exp_3 = exp(c_.k1 * (p_.p_0 - p_1));
         const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar step_5 = detail::step<Scalar>(e1);
-        const Scalar signed_root_6 = detail::signed_root<Scalar>(c_.k7 * e1 / (step_2 * inverse_4 + c_.k9 * step_5));
+        const Scalar signed_root_6 = detail::signed_root<Scalar>(c_.k4 * e1 / (step_2 * inverse_4 + c_.k2 * step_5));
         const Scalar s_k = x[0];
         const Scalar inverse_7 = Scalar(1) / s_k;
         const Scalar e8 = exp_3 * inverse_7;
-        const Scalar e9 = c_.k2 * inverse_7;
+        const Scalar e9 = c_.k13 * inverse_7;
         const Scalar step_10 = detail::step<Scalar>(-x_v);
         const Scalar e11 = p_.p_t - p_1;
         const Scalar step_12 = detail::step<Scalar>(-e11);
         const Scalar step_13 = detail::step<Scalar>(e11);
-        const Scalar signed_root_14 = detail::signed_root<Scalar>(c_.k7 * e11 / (step_12 * inverse_4 + c_.k8 * step_13));
+        const Scalar signed_root_14 = detail::signed_root<Scalar>(c_.k4 * e11 / (step_12 * inverse_4 + c_.k6 * step_13));
         const Scalar p_2 = x[3];
         const Scalar e15 = p_.p_t - p_2;
         const Scalar step_16 = detail::step<Scalar>(-e15);
-        const Scalar exp_17 = exp(c_.k10 * (p_.p_0 - p_2));
+        const Scalar exp_17 = exp(c_.k1 * (p_.p_0 - p_2));
         const Scalar inverse_18 = Scalar(1) / exp_17;
         const Scalar step_19 = detail::step<Scalar>(e15);
-        const Scalar signed_root_20 = detail::signed_root<Scalar>(c_.k7 * e15 / (step_16 * inverse_18 + c_.k8 * step_19));
-        const Scalar inverse_21 = Scalar(1) / (c_.k11 - s_k);
+        const Scalar signed_root_20 = detail::signed_root<Scalar>(c_.k4 * e15 / (step_16 * inverse_18 + c_.k6 * step_19));
+        const Scalar inverse_21 = Scalar(1) / (c_.k8 - s_k);
         const Scalar e22 = exp_17 * inverse_21;
-        const Scalar e23 = c_.k5 * inverse_21;
+        const Scalar e23 = c_.k16 * inverse_21;
         const Scalar e24 = p_.p_s - p_2;
         const Scalar step_25 = detail::step<Scalar>(-e24);
         const Scalar step_26 = detail::step<Scalar>(e24);
-        const Scalar signed_root_27 = detail::signed_root<Scalar>(c_.k7 * e24 / (step_25 * inverse_18 + c_.k9 * step_26));
+        const Scalar signed_root_27 = detail::signed_root<Scalar>(c_.k4 * e24 / (step_25 * inverse_18 + c_.k2 * step_26));
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = step_x_v * signed_root_6 * (c_.k3 * step_5 * e8 + step_2 * e9) - step_10 * signed_root_14
-            * (c_.k1 * step_13 * e8 + step_12 * e9);
-        J[3] = step_x_v * signed_root_20 * (c_.k6 * step_19 * e22 + step_16 * e23) - step_10 * signed_root_27
-            * (c_.k4 * step_26 * e22 + step_25 * e23);
+        J[2] = step_x_v * signed_root_6 * (c_.k14 * step_5 * e8 + step_2 * e9) - step_10 * signed_root_14
+            * (c_.k12 * step_13 * e8 + step_12 * e9);
+        J[3] = step_x_v * signed_root_20 * (c_.k17 * step_19 * e22 + step_16 * e23) - step_10 * signed_root_27
+            * (c_.k15 * step_26 * e22 + step_25 * e23);
         J[4] = Scalar(0);
         J[5] = (-Scalar(1)) * c_.k0;
         J[6] = Scalar(0);
@@ -600,30 +597,30 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 12, entry (i, j) at J[4*j + i].
-    /// Operations: 82 + or -, 223 *, 14 /, 22 other functions
+    /// Operations: 82 + or -, 235 *, 14 /, 22 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
-        const Scalar e1 = p_.p_0 - p_.p_t;
-        const Scalar inverse_2 = Scalar(1) / p_.beta;
-        const Scalar exp_3 = exp(e1 * inverse_2);
-        const Scalar inverse_4 = Scalar(1) / exp_3;
-        const Scalar inverse_5 = Scalar(1) / p_.A_1;
-        const Scalar e6 = p_.w * p_.alpha_d;
-        const Scalar e7 = inverse_5 * e6;
-        const Scalar e8 = p_.beta * inverse_5;
-        const Scalar e9 = e7 * e8;
+        const Scalar inverse_1 = Scalar(1) / p_.A_1;
+        const Scalar e2 = p_.beta * inverse_1;
+        const Scalar inverse_3 = Scalar(1) / p_.beta;
+        const Scalar e4 = (p_.p_0 - p_.p_t) * inverse_3;
+        const Scalar exp_5 = exp(e4);
+        const Scalar inverse_6 = Scalar(1) / exp_5;
+        const Scalar e7 = p_.w * p_.alpha_d;
+        const Scalar e8 = inverse_1 * e7;
+        const Scalar e9 = inverse_6 * e8;
         const Scalar e10 = p_.p_t - p_1;
         const Scalar step_11 = detail::step<Scalar>(-e10);
         const Scalar e12 = p_.p_0 - p_1;
-        const Scalar exp_13 = exp(c_.k10 * e12);
+        const Scalar exp_13 = exp(c_.k1 * e12);
         const Scalar inverse_14 = Scalar(1) / exp_13;
         const Scalar step_15 = detail::step<Scalar>(e10);
-        const Scalar inverse_16 = Scalar(1) / (step_11 * inverse_14 + c_.k8 * step_15);
-        const Scalar e17 = c_.k7 * e10 * inverse_16;
+        const Scalar inverse_16 = Scalar(1) / (step_11 * inverse_14 + c_.k6 * step_15);
+        const Scalar e17 = c_.k4 * e10 * inverse_16;
         const Scalar signed_root_18 = detail::signed_root<Scalar>(e17);
         const Scalar s_k = x[0];
         const Scalar inverse_19 = Scalar(1) / s_k;
@@ -633,148 +630,152 @@ public:
         const Scalar e22 = max_21 * step_15;
         const Scalar e23 = e20 * e22;
         const Scalar e24 = signed_root_18 * e23;
-        const Scalar e25 = p_.p_0 - p_.p_s;
-        const Scalar exp_26 = exp(e25 * inverse_2);
+        const Scalar e25 = (p_.p_0 - p_.p_s) * inverse_3;
+        const Scalar exp_26 = exp(e25);
         const Scalar inverse_27 = Scalar(1) / exp_26;
-        const Scalar e28 = p_.p_s - p_1;
-        const Scalar step_29 = detail::step<Scalar>(-e28);
-        const Scalar step_30 = detail::step<Scalar>(e28);
-        const Scalar inverse_31 = Scalar(1) / (step_29 * inverse_14 + c_.k9 * step_30);
-        const Scalar e32 = c_.k7 * e28 * inverse_31;
-        const Scalar signed_root_33 = detail::signed_root<Scalar>(e32);
-        const Scalar max_34 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e35 = max_34 * step_30;
-        const Scalar e36 = e20 * e35;
-        const Scalar e37 = signed_root_33 * e36;
-        const Scalar e38 = max_21 * step_11;
-        const Scalar e39 = max_34 * step_29;
-        const Scalar e40 = inverse_19 * (signed_root_18 * e38 + signed_root_33 * e39);
-        const Scalar inverse_41 = Scalar(1) / p_.A_2;
-        const Scalar e42 = inverse_41 * e6;
-        const Scalar e43 = p_.beta * inverse_41;
-        const Scalar e44 = e42 * e43;
-        const Scalar e45 = p_.p_s - p_2;
-        const Scalar step_46 = detail::step<Scalar>(-e45);
-        const Scalar e47 = p_.p_0 - p_2;
-        const Scalar exp_48 = exp(c_.k10 * e47);
-        const Scalar inverse_49 = Scalar(1) / exp_48;
-        const Scalar step_50 = detail::step<Scalar>(e45);
-        const Scalar inverse_51 = Scalar(1) / (step_46 * inverse_49 + c_.k9 * step_50);
-        const Scalar e52 = c_.k7 * e45 * inverse_51;
-        const Scalar signed_root_53 = detail::signed_root<Scalar>(e52);
-        const Scalar inverse_54 = Scalar(1) / (c_.k11 - s_k);
-        const Scalar e55 = exp_48 * inverse_54;
-        const Scalar e56 = max_21 * step_50;
-        const Scalar e57 = e55 * e56;
-        const Scalar e58 = signed_root_53 * e57;
-        const Scalar e59 = p_.p_t - p_2;
-        const Scalar step_60 = detail::step<Scalar>(-e59);
-        const Scalar step_61 = detail::step<Scalar>(e59);
-        const Scalar inverse_62 = Scalar(1) / (step_60 * inverse_49 + c_.k8 * step_61);
-        const Scalar e63 = c_.k7 * e59 * inverse_62;
-        const Scalar signed_root_64 = detail::signed_root<Scalar>(e63);
-        const Scalar e65 = max_34 * step_61;
-        const Scalar e66 = e55 * e65;
-        const Scalar e67 = signed_root_64 * e66;
-        const Scalar e68 = max_21 * step_46;
-        const Scalar e69 = max_34 * step_60;
-        const Scalar e70 = signed_root_53 * e68 + signed_root_64 * e69;
-        const Scalar e71 = inverse_54 * e70;
+        const Scalar e28 = inverse_27 * e8;
+        const Scalar e29 = p_.p_s - p_1;
+        const Scalar step_30 = detail::step<Scalar>(-e29);
+        const Scalar step_31 = detail::step<Scalar>(e29);
+        const Scalar inverse_32 = Scalar(1) / (step_30 * inverse_14 + c_.k2 * step_31);
+        const Scalar e33 = c_.k4 * e29 * inverse_32;
+        const Scalar signed_root_34 = detail::signed_root<Scalar>(e33);
+        const Scalar max_35 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e36 = max_35 * step_31;
+        const Scalar e37 = e20 * e36;
+        const Scalar e38 = signed_root_34 * e37;
+        const Scalar e39 = max_21 * step_11;
+        const Scalar e40 = max_35 * step_30;
+        const Scalar e41 = inverse_19 * (signed_root_18 * e39 + signed_root_34 * e40);
+        const Scalar inverse_42 = Scalar(1) / p_.A_2;
+        const Scalar e43 = p_.beta * inverse_42;
+        const Scalar e44 = inverse_42 * e7;
+        const Scalar e45 = inverse_27 * e44;
+        const Scalar e46 = p_.p_s - p_2;
+        const Scalar step_47 = detail::step<Scalar>(-e46);
+        const Scalar e48 = p_.p_0 - p_2;
+        const Scalar exp_49 = exp(c_.k1 * e48);
+        const Scalar inverse_50 = Scalar(1) / exp_49;
+        const Scalar step_51 = detail::step<Scalar>(e46);
+        const Scalar inverse_52 = Scalar(1) / (step_47 * inverse_50 + c_.k2 * step_51);
+        const Scalar e53 = c_.k4 * e46 * inverse_52;
+        const Scalar signed_root_54 = detail::signed_root<Scalar>(e53);
+        const Scalar inverse_55 = Scalar(1) / (c_.k8 - s_k);
+        const Scalar e56 = exp_49 * inverse_55;
+        const Scalar e57 = max_21 * step_51;
+        const Scalar e58 = e56 * e57;
+        const Scalar e59 = signed_root_54 * e58;
+        const Scalar e60 = inverse_6 * e44;
+        const Scalar e61 = p_.p_t - p_2;
+        const Scalar step_62 = detail::step<Scalar>(-e61);
+        const Scalar step_63 = detail::step<Scalar>(e61);
+        const Scalar inverse_64 = Scalar(1) / (step_62 * inverse_50 + c_.k6 * step_63);
+        const Scalar e65 = c_.k4 * e61 * inverse_64;
+        const Scalar signed_root_66 = detail::signed_root<Scalar>(e65);
+        const Scalar e67 = max_35 * step_63;
+        const Scalar e68 = e56 * e67;
+        const Scalar e69 = signed_root_66 * e68;
+        const Scalar e70 = max_21 * step_47;
+        const Scalar e71 = max_35 * step_62;
+        const Scalar e72 = signed_root_54 * e70 + signed_root_66 * e71;
+        const Scalar e73 = inverse_55 * e72;
         const Scalar s_k_dot = x[1];
-        const Scalar e72 = inverse_54 * (c_.k5 * e70 + p_.beta * s_k_dot) + (c_.k4 * e58 + c_.k6 * e67);
-        const Scalar e73 = inverse_54 * e72;
-        const Scalar inverse_74 = Scalar(1) / p_.rho_0;
-        const Scalar e75 = inverse_74 * e7;
-        const Scalar e76 = p_.beta * inverse_74;
-        const Scalar e77 = e75 * e76;
-        const Scalar inverse_root_78 = detail::inverse_root<Scalar>(e17);
-        const Scalar e79 = inverse_root_78 * inverse_16;
-        const Scalar e80 = e10 * e79;
-        const Scalar e81 = e23 * e80;
-        const Scalar inverse_root_82 = detail::inverse_root<Scalar>(e32);
-        const Scalar e83 = inverse_root_82 * inverse_31;
-        const Scalar e84 = e28 * e83;
-        const Scalar e85 = e36 * e84;
-        const Scalar e86 = inverse_19 * (e80 * e38 + e84 * e39);
-        const Scalar e87 = inverse_74 * e42;
-        const Scalar e88 = e87 * e76;
-        const Scalar inverse_root_89 = detail::inverse_root<Scalar>(e52);
-        const Scalar e90 = inverse_root_89 * inverse_51;
-        const Scalar e91 = e45 * e90;
-        const Scalar e92 = e57 * e91;
-        const Scalar inverse_root_93 = detail::inverse_root<Scalar>(e63);
-        const Scalar e94 = inverse_root_93 * inverse_62;
-        const Scalar e95 = e59 * e94;
-        const Scalar e96 = e66 * e95;
-        const Scalar e97 = inverse_54 * (e91 * e68 + e95 * e69);
-        const Scalar e98 = inverse_2 * inverse_4;
-        const Scalar e99 = e1 * e98;
-        const Scalar e100 = inverse_4 + e99;
-        const Scalar e101 = inverse_2 * inverse_27;
-        const Scalar e102 = e25 * e101;
-        const Scalar e103 = inverse_27 + e102;
-        const Scalar e104 = c_.k16 * inverse_19;
-        const Scalar inverse_27_squared = inverse_27 * inverse_27;
-        const Scalar e105 = c_.k24 * inverse_54;
-        const Scalar inverse_4_squared = inverse_4 * inverse_4;
-        const Scalar e106 = p_.alpha_d * e8;
-        const Scalar e107 = p_.alpha_d * e43;
-        const Scalar e108 = p_.w * e8;
-        const Scalar e109 = p_.w * e43;
+        const Scalar e74 = inverse_55 * (c_.k16 * e72 + p_.beta * s_k_dot) + (c_.k15 * e59 + c_.k17 * e69);
+        const Scalar e75 = inverse_55 * e74;
+        const Scalar inverse_76 = Scalar(1) / p_.rho_0;
+        const Scalar e77 = inverse_76 * e7;
+        const Scalar e78 = inverse_6 * e77;
+        const Scalar e79 = inverse_76 * e2;
+        const Scalar inverse_root_80 = detail::inverse_root<Scalar>(e17);
+        const Scalar e81 = inverse_root_80 * inverse_16;
+        const Scalar e82 = e10 * e81;
+        const Scalar e83 = e23 * e82;
+        const Scalar e84 = inverse_27 * e77;
+        const Scalar inverse_root_85 = detail::inverse_root<Scalar>(e33);
+        const Scalar e86 = inverse_root_85 * inverse_32;
+        const Scalar e87 = e29 * e86;
+        const Scalar e88 = e37 * e87;
+        const Scalar e89 = inverse_19 * (e82 * e39 + e87 * e40);
+        const Scalar e90 = inverse_76 * e43;
+        const Scalar inverse_root_91 = detail::inverse_root<Scalar>(e53);
+        const Scalar e92 = inverse_root_91 * inverse_52;
+        const Scalar e93 = e46 * e92;
+        const Scalar e94 = e58 * e93;
+        const Scalar inverse_root_95 = detail::inverse_root<Scalar>(e65);
+        const Scalar e96 = inverse_root_95 * inverse_64;
+        const Scalar e97 = e61 * e96;
+        const Scalar e98 = e68 * e97;
+        const Scalar e99 = inverse_55 * (e93 * e70 + e97 * e71);
+        const Scalar e100 = Scalar(1) + e4;
+        const Scalar e101 = inverse_1 * e77;
+        const Scalar e102 = Scalar(1) + e25;
+        const Scalar e103 = inverse_1 * e78;
+        const Scalar e104 = inverse_1 * e84;
+        const Scalar e105 = inverse_42 * e77;
+        const Scalar e106 = inverse_42 * e84;
+        const Scalar e107 = inverse_42 * e78;
+        const Scalar e108 = inverse_19 * (e77 * e2);
+        const Scalar e109 = inverse_55 * (e77 * e43);
+        const Scalar e110 = p_.alpha_d * e2;
+        const Scalar e111 = p_.alpha_d * e43;
+        const Scalar e112 = p_.w * e2;
+        const Scalar e113 = p_.w * e43;
         J[0] = Scalar(0);
         J[1] = p_1 * c_.k0;
-        J[2] = -inverse_4 * e9 * e24 - inverse_27 * e9 * e37 - e9 * e40;
+        J[2] = -e2 * e9 * e24 - e2 * e28 * e38 - e2 * e8 * e41;
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = (-p_2) * c_.k0;
         J[6] = Scalar(0);
-        J[7] = -inverse_27 * e44 * e58 - inverse_4 * e44 * e67 - e44 * e71;
+        J[7] = -e43 * e45 * e59 - e43 * e60 * e69 - e43 * e44 * e73;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = -e73;
+        J[11] = -e75;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e73;
+        J[15] = e75;
         J[16] = Scalar(0);
         J[17] = (-dxdt[1]) * c_.k0;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = -inverse_4 * e77 * e81 - inverse_27 * e77 * e85 - e77 * e86;
-        J[23] = -inverse_27 * e88 * e92 - inverse_4 * e88 * e96 - e88 * e97;
+        J[22] = -e78 * e79 * e83 - e84 * e79 * e88 - e77 * e79 * e89;
+        J[23] = -e84 * e90 * e94 - e78 * e90 * e98 - e77 * e90 * e99;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = e7 * e100 * e24 - e12 * (e7 * e98 * e24 + e7 * e101 * e37 + inverse_2 * e75 * e86) - s_k_dot * inverse_19 + e7
-            * e103 * e37 + e7 * e40 - e75 * e99 * e81 - e75 * e102 * e85;
-        J[27] = s_k_dot * inverse_54 - e47 * (e42 * e101 * e58 + e42 * e98 * e67 + inverse_2 * e87 * e97) + e42 * e103 * e58
-            + e42 * e100 * e67 + e42 * e71 - e87 * e102 * e92 - e87 * e99 * e96;
+        const Scalar e114 = e12 * (inverse_3 * e9 * e24 + inverse_3 * e28 * e38 + inverse_3 * e101 * e89);
+        J[26] = e100 * e9 * e24 - e114 - s_k_dot * inverse_19 + e102 * e28 * e38 + e8 * e41 - e4 * e103 * e83 - e25 * e104
+            * e88;
+        const Scalar e115 = e48 * (inverse_3 * e45 * e59 + inverse_3 * e60 * e69 + inverse_3 * e105 * e99);
+        J[27] = s_k_dot * inverse_55 - e115 + e102 * e45 * e59 + e100 * e60 * e69 + e44 * e73 - e25 * e106 * e94 - e4 * e107
+            * e98;
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = c_.k13 * e81 + c_.k17 * e85 + c_.k12 * e86;
-        J[31] = c_.k21 * e92 + c_.k25 * e96 + c_.k20 * e97;
+        J[30] = e103 * e83 + e104 * e88 + e101 * e89;
+        J[31] = e106 * e94 + e107 * e98 + e105 * e99;
         J[32] = Scalar(0);
         J[33] = Scalar(0);
-        const Scalar e110 = c_.k17 * step_29 * inverse_19 * e35 * e84 + step_30 * (e75 * inverse_27_squared) * e85;
-        J[34] = e83 * (c_.k18 * e36 + e39 * e104) - inverse_31 * e110 + c_.k19 * e37;
-        const Scalar e111 = c_.k21 * step_46 * inverse_54 * e56 * e91 + step_50 * (e87 * inverse_27_squared) * e92;
-        J[35] = e90 * (c_.k22 * e57 + e68 * e105) - inverse_51 * e111 + c_.k23 * e58;
+        const Scalar e116 = step_30 * inverse_19 * e104 * e36 * e87 + step_31 * (inverse_27 * e104) * e88;
+        J[34] = e86 * (e2 * e84 * e37 + e40 * e108) - inverse_32 * e116 + e28 * e38;
+        const Scalar e117 = step_47 * inverse_55 * e106 * e57 * e93 + step_51 * (inverse_27 * e106) * e94;
+        J[35] = e92 * (e43 * e84 * e58 + e70 * e109) - inverse_52 * e117 + e45 * e59;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        const Scalar e112 = c_.k13 * step_11 * inverse_19 * e22 * e80 + step_15 * (e75 * inverse_4_squared) * e81;
-        J[38] = e79 * (c_.k14 * e23 + e38 * e104) - inverse_16 * e112 + c_.k15 * e24;
-        const Scalar e113 = c_.k25 * step_60 * inverse_54 * e65 * e95 + step_61 * (e87 * inverse_4_squared) * e96;
-        J[39] = e94 * (c_.k26 * e66 + e69 * e105) - inverse_62 * e113 + c_.k27 * e67;
+        const Scalar e118 = step_11 * inverse_19 * e103 * e22 * e82 + step_15 * (inverse_6 * e103) * e83;
+        J[38] = e81 * (e2 * e78 * e23 + e39 * e108) - inverse_16 * e118 + e9 * e24;
+        const Scalar e119 = step_62 * inverse_55 * e107 * e67 * e97 + step_63 * (inverse_6 * e107) * e98;
+        J[39] = e96 * (e43 * e78 * e68 + e71 * e109) - inverse_64 * e119 + e60 * e69;
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        J[42] = inverse_4 * e106 * e24 + inverse_27 * e106 * e37 + e106 * e40;
-        J[43] = inverse_27 * e107 * e58 + inverse_4 * e107 * e67 + e107 * e71;
+        J[42] = inverse_6 * e110 * e24 + inverse_27 * e110 * e38 + e110 * e41;
+        J[43] = inverse_27 * e111 * e59 + inverse_6 * e111 * e69 + e111 * e73;
         J[44] = Scalar(0);
         J[45] = Scalar(0);
-        J[46] = inverse_4 * e108 * e24 + inverse_27 * e108 * e37 + e108 * e40;
-        J[47] = inverse_27 * e109 * e58 + inverse_4 * e109 * e67 + e109 * e71;
+        J[46] = inverse_6 * e112 * e24 + inverse_27 * e112 * e38 + e112 * e41;
+        J[47] = inverse_27 * e113 * e59 + inverse_6 * e113 * e69 + e113 * e73;
     }
 
     /// J = df/dt at fixed x and u.
@@ -845,41 +846,41 @@ public:
         const Scalar e2 = p_.p_t - p_1;
         const Scalar step_3 = detail::step<Scalar>(e2);
         const Scalar step_4 = detail::step<Scalar>(-e2);
-        const Scalar exp_5 = exp(c_.k10 * (p_.p_0 - p_1));
+        const Scalar exp_5 = exp(c_.k1 * (p_.p_0 - p_1));
         const Scalar inverse_6 = Scalar(1) / exp_5;
         const Scalar e7 = step_4 * inverse_6;
-        const Scalar signed_root_8 = detail::signed_root<Scalar>(c_.k7 * e2 / (c_.k8 * step_3 + e7));
+        const Scalar signed_root_8 = detail::signed_root<Scalar>(c_.k4 * e2 / (c_.k6 * step_3 + e7));
         const Scalar e9 = max_1 * signed_root_8;
         const Scalar max_10 = detail::max<Scalar>(Scalar(0), x_v);
         const Scalar e11 = p_.p_s - p_1;
         const Scalar step_12 = detail::step<Scalar>(e11);
         const Scalar step_13 = detail::step<Scalar>(-e11);
         const Scalar e14 = step_13 * inverse_6;
-        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k7 * e11 / (c_.k9 * step_12 + e14));
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k4 * e11 / (c_.k2 * step_12 + e14));
         const Scalar e16 = max_10 * signed_root_15;
         const Scalar e17 = e16 * e14;
         const Scalar e18 = step_12 * e16;
         const Scalar e19 = p_.p_t - p_2;
         const Scalar step_20 = detail::step<Scalar>(e19);
         const Scalar step_21 = detail::step<Scalar>(-e19);
-        const Scalar exp_22 = exp(c_.k10 * (p_.p_0 - p_2));
+        const Scalar exp_22 = exp(c_.k1 * (p_.p_0 - p_2));
         const Scalar inverse_23 = Scalar(1) / exp_22;
         const Scalar e24 = step_21 * inverse_23;
-        const Scalar signed_root_25 = detail::signed_root<Scalar>(c_.k7 * e19 / (c_.k8 * step_20 + e24));
+        const Scalar signed_root_25 = detail::signed_root<Scalar>(c_.k4 * e19 / (c_.k6 * step_20 + e24));
         const Scalar e26 = max_10 * signed_root_25;
         const Scalar e27 = p_.p_s - p_2;
         const Scalar step_28 = detail::step<Scalar>(e27);
         const Scalar step_29 = detail::step<Scalar>(-e27);
         const Scalar e30 = step_29 * inverse_23;
-        const Scalar signed_root_31 = detail::signed_root<Scalar>(c_.k7 * e27 / (c_.k9 * step_28 + e30));
+        const Scalar signed_root_31 = detail::signed_root<Scalar>(c_.k4 * e27 / (c_.k2 * step_28 + e30));
         const Scalar e32 = max_1 * signed_root_31;
         const Scalar e33 = e32 * e30;
         const Scalar e34 = step_28 * e32;
         y[0] = s_k_dot;
         y[1] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        y[2] = c_.k28 * (e9 * e7 + e17) + c_.k29 * step_3 * e9 + c_.k30 * e18;
-        y[3] = c_.k28 * (e26 * e24 + e33) + c_.k29 * step_20 * e26 + c_.k30 * e34;
-        y[4] = c_.k31 * (e33 + e17) + c_.k32 * (e18 + e34);
+        y[2] = c_.k18 * (e9 * e7 + e17) + c_.k19 * step_3 * e9 + c_.k20 * e18;
+        y[3] = c_.k18 * (e26 * e24 + e33) + c_.k19 * step_20 * e26 + c_.k20 * e34;
+        y[4] = c_.k9 * (e18 + e34) + c_.k21 * (e33 + e17);
     }
 
     /// C = dh/dx.
@@ -890,23 +891,23 @@ public:
         const Scalar e1 = p_.p_t - p_1;
         const Scalar step_2 = detail::step<Scalar>(e1);
         const Scalar step_3 = detail::step<Scalar>(-e1);
-        const Scalar exp_4 = exp(c_.k10 * (p_.p_0 - p_1));
+        const Scalar exp_4 = exp(c_.k1 * (p_.p_0 - p_1));
         const Scalar inverse_5 = Scalar(1) / exp_4;
         const Scalar e6 = step_3 * inverse_5;
-        const Scalar inverse_7 = Scalar(1) / (c_.k8 * step_2 + e6);
+        const Scalar inverse_7 = Scalar(1) / (c_.k6 * step_2 + e6);
         const Scalar e8 = e1 * inverse_7;
-        const Scalar e9 = c_.k7 * e8;
+        const Scalar e9 = c_.k4 * e8;
         const Scalar signed_root_10 = detail::signed_root<Scalar>(e9);
         const Scalar x_v = u[0];
         const Scalar max_11 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e12 = c_.k35 * max_11;
+        const Scalar e12 = c_.k24 * max_11;
         const Scalar e13 = p_.p_s - p_1;
         const Scalar step_14 = detail::step<Scalar>(-e13);
         const Scalar e15 = step_14 * inverse_5;
         const Scalar step_16 = detail::step<Scalar>(e13);
-        const Scalar inverse_17 = Scalar(1) / (c_.k9 * step_16 + e15);
+        const Scalar inverse_17 = Scalar(1) / (c_.k2 * step_16 + e15);
         const Scalar e18 = e13 * inverse_17;
-        const Scalar e19 = c_.k7 * e18;
+        const Scalar e19 = c_.k4 * e18;
         const Scalar inverse_root_20 = detail::inverse_root<Scalar>(e19);
         const Scalar max_21 = detail::max<Scalar>(Scalar(0), x_v);
         const Scalar e22 = inverse_root_20 * (max_21 * inverse_17);
@@ -925,20 +926,20 @@ public:
         const Scalar e34 = p_.p_t - p_2;
         const Scalar step_35 = detail::step<Scalar>(e34);
         const Scalar step_36 = detail::step<Scalar>(-e34);
-        const Scalar exp_37 = exp(c_.k10 * (p_.p_0 - p_2));
+        const Scalar exp_37 = exp(c_.k1 * (p_.p_0 - p_2));
         const Scalar inverse_38 = Scalar(1) / exp_37;
         const Scalar e39 = step_36 * inverse_38;
-        const Scalar inverse_40 = Scalar(1) / (c_.k8 * step_35 + e39);
+        const Scalar inverse_40 = Scalar(1) / (c_.k6 * step_35 + e39);
         const Scalar e41 = e34 * inverse_40;
-        const Scalar e42 = c_.k7 * e41;
+        const Scalar e42 = c_.k4 * e41;
         const Scalar signed_root_43 = detail::signed_root<Scalar>(e42);
         const Scalar e44 = p_.p_s - p_2;
         const Scalar step_45 = detail::step<Scalar>(-e44);
         const Scalar e46 = step_45 * inverse_38;
         const Scalar step_47 = detail::step<Scalar>(e44);
-        const Scalar inverse_48 = Scalar(1) / (c_.k9 * step_47 + e46);
+        const Scalar inverse_48 = Scalar(1) / (c_.k2 * step_47 + e46);
         const Scalar e49 = e44 * inverse_48;
-        const Scalar e50 = c_.k7 * e49;
+        const Scalar e50 = c_.k4 * e49;
         const Scalar inverse_root_51 = detail::inverse_root<Scalar>(e50);
         const Scalar e52 = inverse_root_51 * (max_11 * inverse_48);
         const Scalar e53 = e46 * e52;
@@ -964,16 +965,16 @@ public:
         C[9] = Scalar(0);
         C[10] = Scalar(0);
         C[11] = p_.A_1;
-        C[12] = signed_root_10 * e6 * e12 - c_.k32 * (e23 + e26) - c_.k33 * (e28 + e6 * e29) - step_2
-            * (c_.k36 * e25 + c_.k34 * e29) - c_.k38 * e30 - c_.k37 * e31 + c_.k35 * e33;
+        C[12] = signed_root_10 * e6 * e12 - c_.k9 * (e23 + e26) - c_.k22 * (e28 + e6 * e29) - step_2
+            * (c_.k25 * e25 + c_.k23 * e29) - c_.k27 * e30 - c_.k26 * e31 + c_.k24 * e33;
         C[13] = Scalar(0);
-        C[14] = c_.k42 * e33 - c_.k41 * e23 - c_.k43 * e30 - c_.k39 * e28 - c_.k40 * e31;
+        C[14] = c_.k31 * e33 - c_.k30 * e23 - c_.k11 * e30 - c_.k28 * e28 - c_.k29 * e31;
         C[15] = Scalar(0);
         C[16] = -p_.A_2;
         C[17] = Scalar(0);
-        C[18] = c_.k35 * max_21 * signed_root_43 * e39 - c_.k32 * (e53 + e56) - c_.k33 * (e58 + e39 * e59) - step_35
-            * (c_.k36 * e55 + c_.k34 * e59) + e12 * e61 - c_.k38 * e62 - c_.k37 * e63;
-        C[19] = c_.k42 * max_11 * e61 - c_.k41 * e53 - c_.k43 * e62 - c_.k39 * e58 - c_.k40 * e63;
+        C[18] = c_.k24 * max_21 * signed_root_43 * e39 - c_.k9 * (e53 + e56) - c_.k22 * (e58 + e39 * e59) - step_35
+            * (c_.k25 * e55 + c_.k23 * e59) + e12 * e61 - c_.k27 * e62 - c_.k26 * e63;
+        C[19] = c_.k31 * max_11 * e61 - c_.k30 * e53 - c_.k11 * e62 - c_.k28 * e58 - c_.k29 * e63;
     }
 
     /// D = dh/du.
@@ -986,10 +987,10 @@ public:
         const Scalar x_v = u[0];
         const Scalar step_x_v = detail::step<Scalar>(x_v);
         const Scalar step_3 = detail::step<Scalar>(-e1);
-        const Scalar exp_4 = exp(c_.k10 * (p_.p_0 - p_1));
+        const Scalar exp_4 = exp(c_.k1 * (p_.p_0 - p_1));
         const Scalar inverse_5 = Scalar(1) / exp_4;
         const Scalar e6 = step_3 * inverse_5;
-        const Scalar signed_root_7 = detail::signed_root<Scalar>(c_.k7 * e1 / (c_.k9 * step_2 + e6));
+        const Scalar signed_root_7 = detail::signed_root<Scalar>(c_.k4 * e1 / (c_.k2 * step_2 + e6));
         const Scalar e8 = step_x_v * signed_root_7;
         const Scalar e9 = step_2 * e8;
         const Scalar step_10 = detail::step<Scalar>(-x_v);
@@ -997,31 +998,31 @@ public:
         const Scalar step_12 = detail::step<Scalar>(e11);
         const Scalar step_13 = detail::step<Scalar>(-e11);
         const Scalar e14 = step_13 * inverse_5;
-        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k7 * e11 / (c_.k8 * step_12 + e14));
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k4 * e11 / (c_.k6 * step_12 + e14));
         const Scalar e16 = step_10 * signed_root_15;
         const Scalar e17 = e8 * e6;
         const Scalar p_2 = x[3];
         const Scalar e18 = p_.p_t - p_2;
         const Scalar step_19 = detail::step<Scalar>(e18);
         const Scalar step_20 = detail::step<Scalar>(-e18);
-        const Scalar exp_21 = exp(c_.k10 * (p_.p_0 - p_2));
+        const Scalar exp_21 = exp(c_.k1 * (p_.p_0 - p_2));
         const Scalar inverse_22 = Scalar(1) / exp_21;
         const Scalar e23 = step_20 * inverse_22;
-        const Scalar signed_root_24 = detail::signed_root<Scalar>(c_.k7 * e18 / (c_.k8 * step_19 + e23));
+        const Scalar signed_root_24 = detail::signed_root<Scalar>(c_.k4 * e18 / (c_.k6 * step_19 + e23));
         const Scalar e25 = step_x_v * signed_root_24;
         const Scalar e26 = p_.p_s - p_2;
         const Scalar step_27 = detail::step<Scalar>(e26);
         const Scalar step_28 = detail::step<Scalar>(-e26);
         const Scalar e29 = step_28 * inverse_22;
-        const Scalar signed_root_30 = detail::signed_root<Scalar>(c_.k7 * e26 / (c_.k9 * step_27 + e29));
+        const Scalar signed_root_30 = detail::signed_root<Scalar>(c_.k4 * e26 / (c_.k2 * step_27 + e29));
         const Scalar e31 = step_10 * signed_root_30;
         const Scalar e32 = e31 * e29;
         const Scalar e33 = step_27 * e31;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = c_.k30 * e9 - c_.k28 * (e16 * e14 - e17) - c_.k29 * step_12 * e16;
-        D[3] = c_.k28 * (e25 * e23 - e32) + c_.k29 * step_19 * e25 - c_.k30 * e33;
-        D[4] = c_.k32 * (e9 - e33) - c_.k31 * (e32 - e17);
+        D[2] = c_.k20 * e9 - c_.k18 * (e16 * e14 - e17) - c_.k19 * step_12 * e16;
+        D[3] = c_.k18 * (e25 * e23 - e32) + c_.k19 * step_19 * e25 - c_.k20 * e33;
+        D[4] = c_.k9 * (e9 - e33) - c_.k21 * (e32 - e17);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -1073,7 +1074,7 @@ public:
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
         const Scalar p_2 = x[3];
-        const Scalar e1 = c_.k10 * (p_.p_0 - p_2);
+        const Scalar e1 = c_.k1 * (p_.p_0 - p_2);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar inverse_4 = Scalar(1) / exp_2;
@@ -1083,7 +1084,7 @@ public:
         const Scalar e7 = s_k * inverse_4;
         const Scalar e8 = p_.A_2 * p_.p_0;
         const Scalar p_1 = x[2];
-        const Scalar e9 = c_.k10 * (p_.p_0 - p_1);
+        const Scalar e9 = c_.k1 * (p_.p_0 - p_1);
         const Scalar exp_10 = exp(e9);
         const Scalar compression_11 = detail::compression<Scalar>(-e9, exp_10);
         const Scalar e12 = compression_11 * (p_.A_1 * p_.beta) - (e9 * exp_10 - compression_11) * (p_.A_1 * p_.p_0);
@@ -1096,7 +1097,7 @@ public:
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         const Scalar p_1 = x[2];
-        const Scalar e1 = c_.k10 * (p_.p_0 - p_1);
+        const Scalar e1 = c_.k1 * (p_.p_0 - p_1);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar inverse_4 = Scalar(1) / p_.beta;
@@ -1111,7 +1112,7 @@ public:
         const Scalar max_12 = detail::max<Scalar>(Scalar(0), -x_v);
         const Scalar step_13 = detail::step<Scalar>(-e10);
         const Scalar inverse_14 = Scalar(1) / exp_2;
-        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k7 * e10 / (step_13 * inverse_14 + c_.k8 * step_11));
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(c_.k4 * e10 / (step_13 * inverse_14 + c_.k6 * step_11));
         const Scalar e16 = max_12 * signed_root_15;
         const Scalar e17 = step_11 * e16;
         const Scalar exp_18 = exp((p_.p_0 - p_.p_s) * inverse_4);
@@ -1121,26 +1122,26 @@ public:
         const Scalar step_22 = detail::step<Scalar>(e21);
         const Scalar max_23 = detail::max<Scalar>(Scalar(0), x_v);
         const Scalar step_24 = detail::step<Scalar>(-e21);
-        const Scalar signed_root_25 = detail::signed_root<Scalar>(c_.k7 * e21 / (step_24 * inverse_14 + c_.k9 * step_22));
+        const Scalar signed_root_25 = detail::signed_root<Scalar>(c_.k4 * e21 / (step_24 * inverse_14 + c_.k2 * step_22));
         const Scalar e26 = max_23 * signed_root_25;
         const Scalar e27 = step_22 * e26;
         const Scalar e28 = step_13 * e16 + step_24 * e26;
         const Scalar e29 = inverse_14 * e28;
         const Scalar p_2 = x[3];
-        const Scalar e30 = c_.k10 * (p_.p_0 - p_2);
+        const Scalar e30 = c_.k1 * (p_.p_0 - p_2);
         const Scalar exp_31 = exp(e30);
         const Scalar compression_32 = detail::compression<Scalar>(-e30, exp_31);
         const Scalar e33 = p_.p_s - p_2;
         const Scalar step_34 = detail::step<Scalar>(e33);
         const Scalar step_35 = detail::step<Scalar>(-e33);
         const Scalar inverse_36 = Scalar(1) / exp_31;
-        const Scalar signed_root_37 = detail::signed_root<Scalar>(c_.k7 * e33 / (step_35 * inverse_36 + c_.k9 * step_34));
+        const Scalar signed_root_37 = detail::signed_root<Scalar>(c_.k4 * e33 / (step_35 * inverse_36 + c_.k2 * step_34));
         const Scalar e38 = max_12 * signed_root_37;
         const Scalar e39 = step_34 * e38;
         const Scalar e40 = p_.p_t - p_2;
         const Scalar step_41 = detail::step<Scalar>(e40);
         const Scalar step_42 = detail::step<Scalar>(-e40);
-        const Scalar signed_root_43 = detail::signed_root<Scalar>(c_.k7 * e40 / (step_42 * inverse_36 + c_.k8 * step_41));
+        const Scalar signed_root_43 = detail::signed_root<Scalar>(c_.k4 * e40 / (step_42 * inverse_36 + c_.k6 * step_41));
         const Scalar e44 = max_23 * signed_root_43;
         const Scalar e45 = step_41 * e44;
         const Scalar e46 = step_35 * e38 + step_42 * e44;
@@ -1150,10 +1151,10 @@ public:
         const Scalar e50 = inverse_19 * e48;
         const Scalar e51 = p_1 * exp_2;
         const Scalar e52 = p_2 * exp_31;
-        return compression_3 * (e9 * e17 + e20 * e27 + e8 * e29) + compression_32 * (e20 * e39 + e9 * e45 + e8 * e47)
+        return compression_3 * (e9 * e17 + e20 * e27 + c_.k3 * e29) + compression_32 * (e20 * e39 + e9 * e45 + c_.k3 * e47)
             - (e1 * exp_2 - compression_3) * (e49 * e17 + e50 * e27 + e48 * e29) - (e30 * exp_31 - compression_32)
-            * (e50 * e39 + e49 * e45 + e48 * e47) + c_.k32 * (p_1 * e28 + p_2 * e46) + c_.k36 * (e17 * e51 + e45 * e52)
-            + c_.k38 * (e27 * e51 + e39 * e52);
+            * (e50 * e39 + e49 * e45 + e48 * e47) + c_.k9 * (p_1 * e28 + p_2 * e46) + c_.k25 * (e17 * e51 + e45 * e52) + c_.k27
+            * (e27 * e51 + e39 * e52);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1177,49 +1178,37 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
-        Scalar k1;  ///< beta*w*alpha_d/(A_1*exp(p_0/beta - p_t/beta))
-        Scalar k2;  ///< beta*w*alpha_d/A_1
-        Scalar k3;  ///< beta*w*alpha_d/(A_1*exp(p_0/beta - p_s/beta))
-        Scalar k4;  ///< beta*w*alpha_d/(A_2*exp(p_0/beta - p_s/beta))
-        Scalar k5;  ///< beta*w*alpha_d/A_2
-        Scalar k6;  ///< beta*w*alpha_d/(A_2*exp(p_0/beta - p_t/beta))
-        Scalar k7;  ///< 2/rho_0
-        Scalar k8;  ///< 1/exp(p_0/beta - p_t/beta)
-        Scalar k9;  ///< 1/exp(p_0/beta - p_s/beta)
-        Scalar k10;  ///< 1/beta
-        Scalar k11;  ///< l - d
-        Scalar k12;  ///< w*alpha_d/(A_1*rho_0)
-        Scalar k13;  ///< w*alpha_d/(A_1*rho_0*exp(p_0/beta - p_t/beta))
-        Scalar k14;  ///< beta*w*alpha_d/(A_1*rho_0*exp(p_0/beta - p_t/beta))
-        Scalar k15;  ///< w*alpha_d/(A_1*exp(p_0/beta - p_t/beta))
-        Scalar k16;  ///< beta*w*alpha_d/(A_1*rho_0)
-        Scalar k17;  ///< w*alpha_d/(A_1*rho_0*exp(p_0/beta - p_s/beta))
-        Scalar k18;  ///< beta*w*alpha_d/(A_1*rho_0*exp(p_0/beta - p_s/beta))
-        Scalar k19;  ///< w*alpha_d/(A_1*exp(p_0/beta - p_s/beta))
-        Scalar k20;  ///< w*alpha_d/(A_2*rho_0)
-        Scalar k21;  ///< w*alpha_d/(A_2*rho_0*exp(p_0/beta - p_s/beta))
-        Scalar k22;  ///< beta*w*alpha_d/(A_2*rho_0*exp(p_0/beta - p_s/beta))
-        Scalar k23;  ///< w*alpha_d/(A_2*exp(p_0/beta - p_s/beta))
-        Scalar k24;  ///< beta*w*alpha_d/(A_2*rho_0)
-        Scalar k25;  ///< w*alpha_d/(A_2*rho_0*exp(p_0/beta - p_t/beta))
-        Scalar k26;  ///< beta*w*alpha_d/(A_2*rho_0*exp(p_0/beta - p_t/beta))
-        Scalar k27;  ///< w*alpha_d/(A_2*exp(p_0/beta - p_t/beta))
-        Scalar k28;  ///< rho_0*w*alpha_d
-        Scalar k29;  ///< rho_0*w*alpha_d/exp(p_0/beta - p_t/beta)
-        Scalar k30;  ///< rho_0*w*alpha_d/exp(p_0/beta - p_s/beta)
-        Scalar k31;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)
-        Scalar k32;  ///< w*alpha_d
-        Scalar k33;  ///< w*alpha_d/beta
-        Scalar k34;  ///< w*alpha_d/(beta*exp(p_0/beta - p_t/beta))
-        Scalar k35;  ///< rho_0*w*alpha_d/beta
-        Scalar k36;  ///< w*alpha_d/exp(p_0/beta - p_t/beta)
-        Scalar k37;  ///< w*alpha_d/(beta*exp(p_0/beta - p_s/beta))
-        Scalar k38;  ///< w*alpha_d/exp(p_0/beta - p_s/beta)
-        Scalar k39;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/(rho_0*beta)
-        Scalar k40;  ///< w*alpha_d/(rho_0*beta)
-        Scalar k41;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/rho_0
-        Scalar k42;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/beta
-        Scalar k43;  ///< w*alpha_d/rho_0
+        Scalar k1;  ///< 1/beta
+        Scalar k2;  ///< 1/exp(p_0/beta - p_s/beta)
+        Scalar k3;  ///< beta*w*alpha_d
+        Scalar k4;  ///< 2/rho_0
+        Scalar k5;  ///< 1/A_1
+        Scalar k6;  ///< 1/exp(p_0/beta - p_t/beta)
+        Scalar k7;  ///< 1/A_2
+        Scalar k8;  ///< l - d
+        Scalar k9;  ///< w*alpha_d
+        Scalar k10;  ///< beta*w*alpha_d/rho_0
+        Scalar k11;  ///< w*alpha_d/rho_0
+        Scalar k12;  ///< beta*w*alpha_d/(A_1*exp(p_0/beta - p_t/beta))
+        Scalar k13;  ///< beta*w*alpha_d/A_1
+        Scalar k14;  ///< beta*w*alpha_d/(A_1*exp(p_0/beta - p_s/beta))
+        Scalar k15;  ///< beta*w*alpha_d/(A_2*exp(p_0/beta - p_s/beta))
+        Scalar k16;  ///< beta*w*alpha_d/A_2
+        Scalar k17;  ///< beta*w*alpha_d/(A_2*exp(p_0/beta - p_t/beta))
+        Scalar k18;  ///< rho_0*w*alpha_d
+        Scalar k19;  ///< rho_0*w*alpha_d/exp(p_0/beta - p_t/beta)
+        Scalar k20;  ///< rho_0*w*alpha_d/exp(p_0/beta - p_s/beta)
+        Scalar k21;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)
+        Scalar k22;  ///< w*alpha_d/beta
+        Scalar k23;  ///< w*alpha_d/(beta*exp(p_0/beta - p_t/beta))
+        Scalar k24;  ///< rho_0*w*alpha_d/beta
+        Scalar k25;  ///< w*alpha_d/exp(p_0/beta - p_t/beta)
+        Scalar k26;  ///< w*alpha_d/(beta*exp(p_0/beta - p_s/beta))
+        Scalar k27;  ///< w*alpha_d/exp(p_0/beta - p_s/beta)
+        Scalar k28;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/(rho_0*beta)
+        Scalar k29;  ///< w*alpha_d/(rho_0*beta)
+        Scalar k30;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/rho_0
+        Scalar k31;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)/beta
     };
     Cached c_{};
 };

@@ -19,7 +19,7 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 3     34     7        0      3
-//   rhs                   33     52     4        0     22
+//   rhs                   33     51     4        0     22
 //   rhs_and_jacobian      53    107     8        0     26
 //   jacobian_u            24     35     4        0     20
 //   jacobian_p            78    212    14        0     29
@@ -166,23 +166,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
@@ -267,46 +272,49 @@ public:
         using std::exp;
         using std::sqrt;
         c_.k0 = Scalar(1) / p_.m_k;
-        const Scalar inverse_1 = Scalar(1) / p_.A_1;
-        const Scalar sqrt_2 = sqrt(Scalar(2));
-        const Scalar e3 = sqrt_2 * (p_.w * p_.alpha_d);
-        const Scalar e4 = e3 / p_.rho_0;
-        const Scalar e5 = p_.beta * e4;
-        const Scalar e6 = inverse_1 * e5;
-        c_.k1 = e6;
-        const Scalar e7 = p_.beta * p_.k_l;
-        c_.k2 = inverse_1 * e7;
+        const Scalar inverse_1 = Scalar(1) / p_.beta;
+        c_.k1 = inverse_1;
+        const Scalar inverse_2 = Scalar(1) / p_.A_1;
+        c_.k2 = inverse_2;
+        c_.k3 = p_.p_w * p_.p_w;
+        const Scalar exp_3 = exp((p_.p_0 - p_.p_s) * inverse_1);
+        c_.k4 = p_.rho_0 / exp_3;
+        const Scalar sqrt_4 = sqrt(Scalar(2));
+        const Scalar e5 = sqrt_4 * (p_.w * p_.alpha_d);
+        const Scalar e6 = e5 / p_.rho_0;
+        c_.k5 = e6;
+        const Scalar exp_7 = exp((p_.p_0 - p_.p_t) * inverse_1);
+        c_.k6 = p_.rho_0 / exp_7;
         const Scalar inverse_8 = Scalar(1) / p_.A_2;
-        const Scalar e9 = inverse_8 * e5;
-        c_.k3 = e9;
-        c_.k4 = inverse_8 * e7;
-        const Scalar inverse_10 = Scalar(1) / p_.beta;
-        const Scalar exp_11 = exp((p_.p_0 - p_.p_t) * inverse_10);
-        c_.k5 = p_.rho_0 / exp_11;
-        c_.k6 = p_.p_w * p_.p_w;
-        const Scalar exp_12 = exp((p_.p_0 - p_.p_s) * inverse_10);
-        c_.k7 = p_.rho_0 / exp_12;
+        c_.k7 = inverse_8;
         c_.k8 = p_.l - p_.d;
-        c_.k9 = inverse_10;
-        c_.k10 = inverse_1 * e4;
-        c_.k11 = (Scalar(1) / Scalar(2)) * inverse_1 * e3;
-        c_.k12 = (Scalar(1) / Scalar(2)) * e6;
-        c_.k13 = p_.k_l * inverse_1;
-        c_.k14 = p_.k_l * inverse_8;
-        c_.k15 = inverse_8 * e4;
-        c_.k16 = (Scalar(1) / Scalar(2)) * inverse_8 * e3;
-        c_.k17 = (Scalar(1) / Scalar(2)) * e9;
-        c_.k18 = e3;
+        const Scalar e9 = p_.beta * e6;
+        const Scalar e10 = inverse_2 * e9;
+        c_.k9 = e10;
+        const Scalar e11 = p_.beta * p_.k_l;
+        c_.k10 = inverse_2 * e11;
+        const Scalar e12 = inverse_8 * e9;
+        c_.k11 = e12;
+        c_.k12 = inverse_8 * e11;
+        c_.k13 = inverse_2 * e6;
+        c_.k14 = (Scalar(1) / Scalar(2)) * inverse_2 * e5;
+        c_.k15 = (Scalar(1) / Scalar(2)) * e10;
+        c_.k16 = p_.k_l * inverse_2;
+        c_.k17 = p_.k_l * inverse_8;
+        c_.k18 = inverse_8 * e6;
+        c_.k19 = (Scalar(1) / Scalar(2)) * inverse_8 * e5;
+        c_.k20 = (Scalar(1) / Scalar(2)) * e12;
+        c_.k21 = e5;
         const Scalar e13 = p_.rho_0 * p_.k_l;
-        c_.k19 = e13;
-        const Scalar e14 = exp_12 * e4;
-        c_.k20 = e14;
-        const Scalar e15 = inverse_10 * e3;
-        c_.k21 = (Scalar(1) / Scalar(2)) * p_.rho_0 * e15;
-        c_.k22 = (Scalar(1) / Scalar(2)) * e3;
-        c_.k23 = inverse_10 * e13;
-        c_.k24 = (Scalar(1) / Scalar(2)) * exp_12 * e15;
-        c_.k25 = (Scalar(1) / Scalar(2)) * e14;
+        c_.k22 = e13;
+        const Scalar e14 = exp_3 * e6;
+        c_.k23 = e14;
+        const Scalar e15 = inverse_1 * e5;
+        c_.k24 = (Scalar(1) / Scalar(2)) * p_.rho_0 * e15;
+        c_.k25 = (Scalar(1) / Scalar(2)) * e5;
+        c_.k26 = inverse_1 * e13;
+        c_.k27 = (Scalar(1) / Scalar(2)) * exp_3 * e15;
+        c_.k28 = (Scalar(1) / Scalar(2)) * e14;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -321,7 +329,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 33 + or -, 52 *, 4 /, 22 other functions
+    /// Operations: 33 + or -, 51 *, 4 /, 22 other functions
     ///     density[supply] = rho_0/exp((p_0 - p_s)/beta)
     ///     specific_enthalpy[supply] = (beta*compression(-(p_0 - p_s)/beta) - p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 -
     ///     p_s)/beta))/rho_0
@@ -361,53 +369,53 @@ public:
         const Scalar s_k_dot = x[1];
         const Scalar p_2 = x[3];
         const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.d_k * s_k_dot - p_.A_2 * p_2) * c_.k0;
-        const Scalar exp_1 = exp(c_.k9 * (p_.p_0 - p_1));
+        const Scalar exp_1 = exp((p_.p_0 - p_1) * c_.k1);
         const Scalar s_k = x[0];
-        const Scalar inverse_2 = Scalar(1) / s_k;
-        const Scalar e3 = exp_1 * inverse_2;
+        const Scalar e2 = p_.beta / s_k;
+        const Scalar e3 = e2 * c_.k2;
+        const Scalar e4 = p_.p_s - p_1;
+        const Scalar power_5 = pow(c_.k3 + e4 * e4, -Scalar(1) / Scalar(4));
+        const Scalar step_6 = detail::step<Scalar>(-e4);
+        const Scalar inverse_7 = Scalar(1) / exp_1;
+        const Scalar e8 = p_.rho_0 * inverse_7;
+        const Scalar step_9 = detail::step<Scalar>(e4);
+        const Scalar sqrt_10 = sqrt(step_6 * e8 + step_9 * c_.k4);
         const Scalar x_v = u[0];
-        const Scalar max_4 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e5 = p_.p_t - p_1;
-        const Scalar power_6 = pow(c_.k6 + e5 * e5, -Scalar(1) / Scalar(4));
-        const Scalar step_7 = detail::step<Scalar>(e5);
-        const Scalar step_8 = detail::step<Scalar>(-e5);
-        const Scalar inverse_9 = Scalar(1) / exp_1;
-        const Scalar e10 = p_.rho_0 * inverse_9;
-        const Scalar sqrt_11 = sqrt(c_.k5 * step_7 + step_8 * e10);
-        const Scalar max_12 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e13 = p_.p_s - p_1;
-        const Scalar power_14 = pow(c_.k6 + e13 * e13, -Scalar(1) / Scalar(4));
-        const Scalar step_15 = detail::step<Scalar>(e13);
-        const Scalar step_16 = detail::step<Scalar>(-e13);
-        const Scalar sqrt_17 = sqrt(c_.k7 * step_15 + step_16 * e10);
-        const Scalar e18 = p_1 - p_2;
-        const Scalar e19 = p_.k_l * e18;
-        const Scalar step_20 = detail::step<Scalar>(e19);
-        const Scalar e21 = c_.k2 * e18;
-        const Scalar e22 = p_.beta * s_k_dot;
-        const Scalar step_23 = detail::step<Scalar>(-e19);
-        const Scalar exp_24 = exp(c_.k9 * (p_.p_0 - p_2));
-        const Scalar inverse_25 = Scalar(1) / exp_24;
-        const Scalar inverse_26 = Scalar(1) / (c_.k8 - s_k);
-        const Scalar e27 = c_.k4 * e18;
-        const Scalar e28 = exp_24 * inverse_26;
+        const Scalar max_11 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e12 = max_11 * c_.k5;
+        const Scalar e13 = p_.p_t - p_1;
+        const Scalar power_14 = pow(c_.k3 + e13 * e13, -Scalar(1) / Scalar(4));
+        const Scalar step_15 = detail::step<Scalar>(-e13);
+        const Scalar step_16 = detail::step<Scalar>(e13);
+        const Scalar sqrt_17 = sqrt(step_15 * e8 + step_16 * c_.k6);
+        const Scalar max_18 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar e19 = max_18 * c_.k5;
+        const Scalar exp_20 = exp((p_.p_0 - p_2) * c_.k1);
+        const Scalar inverse_21 = Scalar(1) / exp_20;
+        const Scalar e22 = p_.k_l * (p_1 - p_2);
+        const Scalar step_23 = detail::step<Scalar>(-e22);
+        const Scalar e24 = step_23 * e22;
+        const Scalar step_25 = detail::step<Scalar>(e22);
+        const Scalar e26 = step_25 * e22;
+        const Scalar e27 = p_.beta / (c_.k8 - s_k);
+        const Scalar e28 = e27 * c_.k7;
         const Scalar e29 = p_.p_s - p_2;
-        const Scalar power_30 = pow(c_.k6 + e29 * e29, -Scalar(1) / Scalar(4));
-        const Scalar step_31 = detail::step<Scalar>(e29);
-        const Scalar step_32 = detail::step<Scalar>(-e29);
-        const Scalar e33 = p_.rho_0 * inverse_25;
-        const Scalar sqrt_34 = sqrt(c_.k7 * step_31 + step_32 * e33);
+        const Scalar power_30 = pow(c_.k3 + e29 * e29, -Scalar(1) / Scalar(4));
+        const Scalar step_31 = detail::step<Scalar>(-e29);
+        const Scalar e32 = p_.rho_0 * inverse_21;
+        const Scalar step_33 = detail::step<Scalar>(e29);
+        const Scalar sqrt_34 = sqrt(step_31 * e32 + step_33 * c_.k4);
         const Scalar e35 = p_.p_t - p_2;
-        const Scalar power_36 = pow(c_.k6 + e35 * e35, -Scalar(1) / Scalar(4));
-        const Scalar step_37 = detail::step<Scalar>(e35);
-        const Scalar step_38 = detail::step<Scalar>(-e35);
-        const Scalar sqrt_39 = sqrt(c_.k5 * step_37 + step_38 * e33);
+        const Scalar power_36 = pow(c_.k3 + e35 * e35, -Scalar(1) / Scalar(4));
+        const Scalar step_37 = detail::step<Scalar>(-e35);
+        const Scalar step_38 = detail::step<Scalar>(e35);
+        const Scalar sqrt_39 = sqrt(step_37 * e32 + step_38 * c_.k6);
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        const Scalar e40 = c_.k1 * e3 * (max_4 * e5 * power_6 * sqrt_11 + max_12 * e13 * power_14 * sqrt_17);
-        dxdt[2] = e40 - inverse_2 * (step_20 * e21 + e22) - step_23 * inverse_25 * e3 * e21;
-        const Scalar e41 = c_.k3 * e28 * (max_4 * e29 * power_30 * sqrt_34 + max_12 * e35 * power_36 * sqrt_39);
-        dxdt[3] = inverse_26 * (e22 + step_23 * e27) + e41 + step_20 * inverse_9 * e28 * e27;
+        const Scalar e40 = e4 * power_5 * sqrt_10 * e12 + e13 * power_14 * sqrt_17 * e19 - inverse_21 * e24;
+        dxdt[2] = exp_1 * e3 * e40 - s_k_dot * e2 - e3 * e26;
+        const Scalar e41 = e29 * power_30 * sqrt_34 * e19 + e35 * power_36 * sqrt_39 * e12 + inverse_7 * e26;
+        dxdt[3] = exp_20 * e28 * e41 + s_k_dot * e27 + e28 * e24;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
@@ -425,75 +433,75 @@ public:
         const Scalar s_k = x[0];
         const Scalar inverse_1 = Scalar(1) / s_k;
         const Scalar e2 = p_.beta * s_k_dot;
-        const Scalar exp_3 = exp(c_.k9 * (p_.p_0 - p_1));
+        const Scalar exp_3 = exp(c_.k1 * (p_.p_0 - p_1));
         const Scalar x_v = u[0];
         const Scalar max_4 = detail::max<Scalar>(Scalar(0), -x_v);
         const Scalar e5 = p_.p_t - p_1;
         const Scalar e6 = max_4 * e5;
-        const Scalar e7 = c_.k6 + e5 * e5;
+        const Scalar e7 = c_.k3 + e5 * e5;
         const Scalar power_8 = pow(e7, -Scalar(1) / Scalar(4));
         const Scalar step_9 = detail::step<Scalar>(e5);
         const Scalar step_10 = detail::step<Scalar>(-e5);
         const Scalar inverse_11 = Scalar(1) / exp_3;
         const Scalar e12 = p_.rho_0 * inverse_11;
-        const Scalar sqrt_13 = sqrt(c_.k5 * step_9 + step_10 * e12);
+        const Scalar sqrt_13 = sqrt(c_.k6 * step_9 + step_10 * e12);
         const Scalar e14 = power_8 * sqrt_13;
         const Scalar max_15 = detail::max<Scalar>(Scalar(0), x_v);
         const Scalar e16 = p_.p_s - p_1;
         const Scalar e17 = max_15 * e16;
-        const Scalar e18 = c_.k6 + e16 * e16;
+        const Scalar e18 = c_.k3 + e16 * e16;
         const Scalar power_19 = pow(e18, -Scalar(1) / Scalar(4));
         const Scalar step_20 = detail::step<Scalar>(e16);
         const Scalar step_21 = detail::step<Scalar>(-e16);
-        const Scalar sqrt_22 = sqrt(c_.k7 * step_20 + step_21 * e12);
+        const Scalar sqrt_22 = sqrt(c_.k4 * step_20 + step_21 * e12);
         const Scalar e23 = power_19 * sqrt_22;
         const Scalar e24 = e6 * e14 + e17 * e23;
         const Scalar e25 = p_1 - p_2;
         const Scalar e26 = p_.k_l * e25;
         const Scalar step_27 = detail::step<Scalar>(e26);
-        const Scalar exp_28 = exp(c_.k9 * (p_.p_0 - p_2));
+        const Scalar exp_28 = exp(c_.k1 * (p_.p_0 - p_2));
         const Scalar inverse_29 = Scalar(1) / exp_28;
         const Scalar step_30 = detail::step<Scalar>(-e26);
         const Scalar e31 = inverse_29 * (exp_3 * step_30);
-        const Scalar e32 = c_.k2 * (step_27 + e31);
-        const Scalar e33 = inverse_1 * (e2 - (c_.k1 * exp_3 * e24 - e25 * e32));
+        const Scalar e32 = c_.k10 * (step_27 + e31);
+        const Scalar e33 = inverse_1 * (e2 - (c_.k9 * exp_3 * e24 - e25 * e32));
         const Scalar inverse_34 = Scalar(1) / (c_.k8 - s_k);
         const Scalar e35 = p_.p_s - p_2;
         const Scalar e36 = max_4 * e35;
-        const Scalar e37 = c_.k6 + e35 * e35;
+        const Scalar e37 = c_.k3 + e35 * e35;
         const Scalar power_38 = pow(e37, -Scalar(1) / Scalar(4));
         const Scalar step_39 = detail::step<Scalar>(e35);
         const Scalar step_40 = detail::step<Scalar>(-e35);
         const Scalar e41 = p_.rho_0 * inverse_29;
-        const Scalar sqrt_42 = sqrt(c_.k7 * step_39 + step_40 * e41);
+        const Scalar sqrt_42 = sqrt(c_.k4 * step_39 + step_40 * e41);
         const Scalar e43 = power_38 * sqrt_42;
         const Scalar e44 = p_.p_t - p_2;
         const Scalar e45 = max_15 * e44;
-        const Scalar e46 = c_.k6 + e44 * e44;
+        const Scalar e46 = c_.k3 + e44 * e44;
         const Scalar power_47 = pow(e46, -Scalar(1) / Scalar(4));
         const Scalar step_48 = detail::step<Scalar>(e44);
         const Scalar step_49 = detail::step<Scalar>(-e44);
-        const Scalar sqrt_50 = sqrt(c_.k5 * step_48 + step_49 * e41);
+        const Scalar sqrt_50 = sqrt(c_.k6 * step_48 + step_49 * e41);
         const Scalar e51 = power_47 * sqrt_50;
         const Scalar e52 = e36 * e43 + e45 * e51;
         const Scalar e53 = inverse_11 * (exp_28 * step_27);
-        const Scalar e54 = c_.k4 * (step_30 + e53);
-        const Scalar e55 = inverse_34 * (c_.k3 * exp_28 * e52 + e25 * e54 + e2);
+        const Scalar e54 = c_.k12 * (step_30 + e53);
+        const Scalar e55 = inverse_34 * (c_.k11 * exp_28 * e52 + e25 * e54 + e2);
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
         dxdt[2] = -e33;
         dxdt[3] = e55;
-        const Scalar e56 = c_.k11 * inverse_1;
+        const Scalar e56 = c_.k14 * inverse_1;
         const Scalar power_57 = pow(e7, -Scalar(5) / Scalar(4));
         const Scalar e58 = exp_3 * inverse_1;
-        const Scalar e59 = c_.k12 * e58;
+        const Scalar e59 = c_.k15 * e58;
         const Scalar power_60 = pow(e18, -Scalar(5) / Scalar(4));
-        const Scalar e61 = inverse_1 * (e32 - c_.k13 * e25 * e31);
-        const Scalar e62 = inverse_34 * (e54 + c_.k14 * e25 * e53);
-        const Scalar e63 = c_.k16 * inverse_34;
+        const Scalar e61 = inverse_1 * (e32 - c_.k16 * e25 * e31);
+        const Scalar e62 = inverse_34 * (e54 + c_.k17 * e25 * e53);
+        const Scalar e63 = c_.k19 * inverse_34;
         const Scalar power_64 = pow(e37, -Scalar(5) / Scalar(4));
         const Scalar e65 = exp_28 * inverse_34;
-        const Scalar e66 = c_.k17 * e65;
+        const Scalar e66 = c_.k20 * e65;
         const Scalar power_67 = pow(e46, -Scalar(5) / Scalar(4));
         J[0] = Scalar(0);
         J[1] = Scalar(0);
@@ -507,14 +515,14 @@ public:
         J[9] = p_.A_1 * c_.k0;
         const Scalar e68 = e6 * (power_8 * step_10 * e56 / sqrt_13 + e5 * power_57 * sqrt_13 * e59);
         const Scalar e69 = e17 * (power_19 * step_21 * e56 / sqrt_22 + e16 * power_60 * sqrt_22 * e59);
-        J[10] = e68 + e69 - c_.k1 * e58 * (max_4 * e14 + max_15 * e23) - c_.k10 * e24 * e58 - e61;
+        J[10] = e68 + e69 - c_.k9 * e58 * (max_4 * e14 + max_15 * e23) - c_.k13 * e24 * e58 - e61;
         J[11] = e62;
         J[12] = Scalar(0);
         J[13] = (-p_.A_2) * c_.k0;
         J[14] = e61;
         const Scalar e70 = e36 * (power_38 * step_40 * e63 / sqrt_42 + e35 * power_64 * sqrt_42 * e66);
         const Scalar e71 = e45 * (power_47 * step_49 * e63 / sqrt_50 + e44 * power_67 * sqrt_50 * e66);
-        J[15] = e70 + e71 - c_.k3 * e65 * (max_4 * e43 + max_15 * e51) - c_.k15 * e52 * e65 - e62;
+        J[15] = e70 + e71 - c_.k11 * e65 * (max_4 * e43 + max_15 * e51) - c_.k18 * e52 * e65 - e62;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -531,40 +539,40 @@ public:
         using std::sqrt;
         const Scalar s_k = x[0];
         const Scalar p_1 = x[2];
-        const Scalar exp_1 = exp(c_.k9 * (p_.p_0 - p_1));
+        const Scalar exp_1 = exp(c_.k1 * (p_.p_0 - p_1));
         const Scalar x_v = u[0];
         const Scalar step_2 = detail::step<Scalar>(-x_v);
         const Scalar e3 = p_.p_t - p_1;
-        const Scalar power_4 = pow(c_.k6 + e3 * e3, -Scalar(1) / Scalar(4));
+        const Scalar power_4 = pow(c_.k3 + e3 * e3, -Scalar(1) / Scalar(4));
         const Scalar step_5 = detail::step<Scalar>(e3);
         const Scalar step_6 = detail::step<Scalar>(-e3);
         const Scalar e7 = p_.rho_0 / exp_1;
-        const Scalar sqrt_8 = sqrt(c_.k5 * step_5 + step_6 * e7);
+        const Scalar sqrt_8 = sqrt(c_.k6 * step_5 + step_6 * e7);
         const Scalar step_x_v = detail::step<Scalar>(x_v);
         const Scalar e9 = p_.p_s - p_1;
-        const Scalar power_10 = pow(c_.k6 + e9 * e9, -Scalar(1) / Scalar(4));
+        const Scalar power_10 = pow(c_.k3 + e9 * e9, -Scalar(1) / Scalar(4));
         const Scalar step_11 = detail::step<Scalar>(e9);
         const Scalar step_12 = detail::step<Scalar>(-e9);
-        const Scalar sqrt_13 = sqrt(c_.k7 * step_11 + step_12 * e7);
+        const Scalar sqrt_13 = sqrt(c_.k4 * step_11 + step_12 * e7);
         const Scalar p_2 = x[3];
-        const Scalar exp_14 = exp(c_.k9 * (p_.p_0 - p_2));
+        const Scalar exp_14 = exp(c_.k1 * (p_.p_0 - p_2));
         const Scalar e15 = p_.p_s - p_2;
-        const Scalar power_16 = pow(c_.k6 + e15 * e15, -Scalar(1) / Scalar(4));
+        const Scalar power_16 = pow(c_.k3 + e15 * e15, -Scalar(1) / Scalar(4));
         const Scalar step_17 = detail::step<Scalar>(e15);
         const Scalar step_18 = detail::step<Scalar>(-e15);
         const Scalar e19 = p_.rho_0 / exp_14;
-        const Scalar sqrt_20 = sqrt(c_.k7 * step_17 + step_18 * e19);
+        const Scalar sqrt_20 = sqrt(c_.k4 * step_17 + step_18 * e19);
         const Scalar e21 = p_.p_t - p_2;
-        const Scalar power_22 = pow(c_.k6 + e21 * e21, -Scalar(1) / Scalar(4));
+        const Scalar power_22 = pow(c_.k3 + e21 * e21, -Scalar(1) / Scalar(4));
         const Scalar step_23 = detail::step<Scalar>(e21);
         const Scalar step_24 = detail::step<Scalar>(-e21);
-        const Scalar sqrt_25 = sqrt(c_.k5 * step_23 + step_24 * e19);
+        const Scalar sqrt_25 = sqrt(c_.k6 * step_23 + step_24 * e19);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        const Scalar e26 = c_.k1 * exp_1 / s_k * (step_2 * e3 * power_4 * sqrt_8 - step_x_v * e9 * power_10 * sqrt_13);
+        const Scalar e26 = c_.k9 * exp_1 / s_k * (step_2 * e3 * power_4 * sqrt_8 - step_x_v * e9 * power_10 * sqrt_13);
         J[2] = -e26;
         const Scalar e27 = step_2 * e15 * power_16 * sqrt_20 - step_x_v * e21 * power_22 * sqrt_25;
-        J[3] = -c_.k3 * exp_14 / (c_.k8 - s_k) * e27;
+        J[3] = -c_.k11 * exp_14 / (c_.k8 - s_k) * e27;
         J[4] = Scalar(0);
         J[5] = (-Scalar(1)) * c_.k0;
         J[6] = Scalar(0);
@@ -591,11 +599,11 @@ public:
         const Scalar s_k = x[0];
         const Scalar inverse_7 = Scalar(1) / s_k;
         const Scalar e8 = p_.p_0 - p_1;
-        const Scalar exp_9 = exp(c_.k9 * e8);
+        const Scalar exp_9 = exp(c_.k1 * e8);
         const Scalar e10 = exp_9 * inverse_7;
         const Scalar step_11 = detail::step<Scalar>(-e5);
         const Scalar e12 = p_.p_0 - p_2;
-        const Scalar exp_13 = exp(c_.k9 * e12);
+        const Scalar exp_13 = exp(c_.k1 * e12);
         const Scalar inverse_14 = Scalar(1) / exp_13;
         const Scalar e15 = e10 * (step_11 * inverse_14);
         const Scalar e16 = e4 * (step_6 * inverse_7 + e15);
@@ -611,8 +619,8 @@ public:
         const Scalar step_26 = detail::step<Scalar>(-e24);
         const Scalar inverse_27 = Scalar(1) / exp_9;
         const Scalar e28 = p_.rho_0 * inverse_27;
-        const Scalar sqrt_29 = sqrt(c_.k5 * step_25 + step_26 * e28);
-        const Scalar e30 = c_.k6 + e24 * e24;
+        const Scalar sqrt_29 = sqrt(c_.k6 * step_25 + step_26 * e28);
+        const Scalar e30 = c_.k3 + e24 * e24;
         const Scalar power_31 = pow(e30, -Scalar(1) / Scalar(4));
         const Scalar x_v = u[0];
         const Scalar max_32 = detail::max<Scalar>(Scalar(0), -x_v);
@@ -621,8 +629,8 @@ public:
         const Scalar e35 = p_.p_s - p_1;
         const Scalar step_36 = detail::step<Scalar>(e35);
         const Scalar step_37 = detail::step<Scalar>(-e35);
-        const Scalar sqrt_38 = sqrt(c_.k7 * step_36 + step_37 * e28);
-        const Scalar e39 = c_.k6 + e35 * e35;
+        const Scalar sqrt_38 = sqrt(c_.k4 * step_36 + step_37 * e28);
+        const Scalar e39 = c_.k3 + e35 * e35;
         const Scalar power_40 = pow(e39, -Scalar(1) / Scalar(4));
         const Scalar max_41 = detail::max<Scalar>(Scalar(0), x_v);
         const Scalar e42 = max_41 * e35;
@@ -635,16 +643,16 @@ public:
         const Scalar step_49 = detail::step<Scalar>(e48);
         const Scalar step_50 = detail::step<Scalar>(-e48);
         const Scalar e51 = p_.rho_0 * inverse_14;
-        const Scalar sqrt_52 = sqrt(c_.k7 * step_49 + step_50 * e51);
-        const Scalar e53 = c_.k6 + e48 * e48;
+        const Scalar sqrt_52 = sqrt(c_.k4 * step_49 + step_50 * e51);
+        const Scalar e53 = c_.k3 + e48 * e48;
         const Scalar power_54 = pow(e53, -Scalar(1) / Scalar(4));
         const Scalar e55 = max_32 * e48;
         const Scalar e56 = power_54 * e55;
         const Scalar e57 = p_.p_t - p_2;
         const Scalar step_58 = detail::step<Scalar>(e57);
         const Scalar step_59 = detail::step<Scalar>(-e57);
-        const Scalar sqrt_60 = sqrt(c_.k5 * step_58 + step_59 * e51);
-        const Scalar e61 = c_.k6 + e57 * e57;
+        const Scalar sqrt_60 = sqrt(c_.k6 * step_58 + step_59 * e51);
+        const Scalar e61 = c_.k3 + e57 * e57;
         const Scalar power_62 = pow(e61, -Scalar(1) / Scalar(4));
         const Scalar e63 = max_41 * e57;
         const Scalar e64 = power_62 * e63;
@@ -656,7 +664,7 @@ public:
         const Scalar e70 = step_6 * inverse_27;
         const Scalar e71 = e4 * (step_11 + exp_13 * e70);
         const Scalar e72 = inverse_65 * e71;
-        const Scalar e73 = inverse_65 * (c_.k3 * e67 + inverse_65 * (p_.beta * s_k_dot + c_.k4 * e71));
+        const Scalar e73 = inverse_65 * (c_.k11 * e67 + inverse_65 * (p_.beta * s_k_dot + c_.k12 * e71));
         const Scalar e74 = p_.p_0 - p_.p_t;
         const Scalar inverse_75 = Scalar(1) / p_.beta;
         const Scalar exp_76 = exp(e74 * inverse_75);
@@ -677,10 +685,10 @@ public:
         const Scalar e91 = inverse_75 * e22;
         const Scalar e92 = e74 * inverse_77;
         const Scalar e93 = e80 * inverse_82;
-        const Scalar e94 = c_.k10 * e44;
+        const Scalar e94 = c_.k13 * e44;
         const Scalar e95 = e4 * (e8 - e12);
         const Scalar e96 = inverse_75 * e46;
-        const Scalar e97 = c_.k15 * e67;
+        const Scalar e97 = c_.k18 * e67;
         const Scalar e98 = (Scalar(1) / Scalar(2)) * inverse_77 * e22 * e79;
         const Scalar e99 = (Scalar(1) / Scalar(2)) * inverse_82 * e22 * e84;
         const Scalar e100 = (Scalar(1) / Scalar(2)) * inverse_82 * e46 * e87;
@@ -723,29 +731,29 @@ public:
         J[20] = Scalar(0);
         J[21] = Scalar(0);
         J[22] = (Scalar(1) / Scalar(2)) * inverse_77 * e23 * e79 - inverse_17 * e23 * e44 + (Scalar(1) / Scalar(2))
-            * inverse_82 * e23 * e84 + c_.k12 * e85;
+            * inverse_82 * e23 * e84 + c_.k15 * e85;
         J[23] = (Scalar(1) / Scalar(2)) * inverse_82 * e47 * e87 - inverse_17 * e47 * e67 + (Scalar(1) / Scalar(2))
-            * inverse_77 * e47 * e89 + c_.k17 * e90;
+            * inverse_77 * e47 * e89 + c_.k20 * e90;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = (Scalar(1) / Scalar(2)) * e91 * e92 * e79 - e8 * (inverse_17 * e91 * e44 - (Scalar(1) / Scalar(2)) * e91 * e85)
-            - s_k_dot * inverse_7 + (Scalar(1) / Scalar(2)) * e91 * e93 * e84 - c_.k13 * e16 + e94 + inverse_75 * e3 * e95
+            - s_k_dot * inverse_7 + (Scalar(1) / Scalar(2)) * e91 * e93 * e84 - c_.k16 * e16 + e94 + inverse_75 * e3 * e95
             * e15;
         J[27] = s_k_dot * inverse_65 - e12 * (inverse_17 * e96 * e67 - (Scalar(1) / Scalar(2)) * e96 * e90)
-            + (Scalar(1) / Scalar(2)) * e96 * e93 * e87 + (Scalar(1) / Scalar(2)) * e96 * e92 * e89 + c_.k14 * e72 + inverse_75
+            + (Scalar(1) / Scalar(2)) * e96 * e93 * e87 + (Scalar(1) / Scalar(2)) * e96 * e92 * e89 + c_.k17 * e72 + inverse_75
             * e69 * e66 * e70 * e95 + e97;
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = e94 - c_.k11 * e85 - e98 - e99;
-        J[31] = e97 - c_.k16 * e90 - e100 - e101;
+        J[30] = e94 - c_.k14 * e85 - e98 - e99;
+        J[31] = e97 - c_.k19 * e90 - e100 - e101;
         J[32] = Scalar(0);
         J[33] = Scalar(0);
-        J[34] = c_.k1 * max_41 * power_40 * e102 + e99 - c_.k12 * e35 * e104;
-        J[35] = c_.k3 * max_32 * power_54 * e105 + e100 - c_.k17 * e48 * e107;
+        J[34] = c_.k9 * max_41 * power_40 * e102 + e99 - c_.k15 * e35 * e104;
+        J[35] = c_.k11 * max_32 * power_54 * e105 + e100 - c_.k20 * e48 * e107;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        J[38] = c_.k1 * max_32 * power_31 * e108 + e98 - c_.k12 * e24 * e110;
-        J[39] = c_.k3 * max_41 * power_62 * e111 + e101 - c_.k17 * e57 * e113;
+        J[38] = c_.k9 * max_32 * power_31 * e108 + e98 - c_.k15 * e24 * e110;
+        J[39] = c_.k11 * max_41 * power_62 * e111 + e101 - c_.k20 * e57 * e113;
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = e114 * e115 * e44;
@@ -828,48 +836,48 @@ public:
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
         const Scalar e1 = p_.p_t - p_1;
-        const Scalar power_2 = pow(c_.k6 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar power_2 = pow(c_.k3 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar step_3 = detail::step<Scalar>(e1);
         const Scalar step_4 = detail::step<Scalar>(-e1);
-        const Scalar exp_5 = exp(c_.k9 * (p_.p_0 - p_1));
+        const Scalar exp_5 = exp(c_.k1 * (p_.p_0 - p_1));
         const Scalar inverse_6 = Scalar(1) / exp_5;
         const Scalar e7 = p_.rho_0 * inverse_6;
-        const Scalar sqrt_8 = sqrt(c_.k5 * step_3 + step_4 * e7);
+        const Scalar sqrt_8 = sqrt(c_.k6 * step_3 + step_4 * e7);
         const Scalar x_v = u[0];
         const Scalar max_9 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e10 = c_.k18 * max_9;
+        const Scalar e10 = c_.k21 * max_9;
         const Scalar e11 = p_1 - p_2;
         const Scalar e12 = p_.k_l * e11;
         const Scalar step_13 = detail::step<Scalar>(-e12);
-        const Scalar exp_14 = exp(c_.k9 * (p_.p_0 - p_2));
+        const Scalar exp_14 = exp(c_.k1 * (p_.p_0 - p_2));
         const Scalar inverse_15 = Scalar(1) / exp_14;
         const Scalar step_16 = detail::step<Scalar>(e12);
-        const Scalar e17 = (step_13 * inverse_15 + step_16 * inverse_6) * (c_.k19 * e11);
+        const Scalar e17 = (step_13 * inverse_15 + step_16 * inverse_6) * (c_.k22 * e11);
         const Scalar max_18 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e19 = c_.k18 * max_18;
+        const Scalar e19 = c_.k21 * max_18;
         const Scalar e20 = p_.p_s - p_1;
         const Scalar step_21 = detail::step<Scalar>(e20);
         const Scalar step_22 = detail::step<Scalar>(-e20);
-        const Scalar sqrt_23 = sqrt(c_.k7 * step_21 + step_22 * e7);
-        const Scalar power_24 = pow(c_.k6 + e20 * e20, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_23 = sqrt(c_.k4 * step_21 + step_22 * e7);
+        const Scalar power_24 = pow(c_.k3 + e20 * e20, -Scalar(1) / Scalar(4));
         const Scalar e25 = sqrt_23 * (e20 * power_24);
         const Scalar e26 = p_.p_t - p_2;
-        const Scalar power_27 = pow(c_.k6 + e26 * e26, -Scalar(1) / Scalar(4));
+        const Scalar power_27 = pow(c_.k3 + e26 * e26, -Scalar(1) / Scalar(4));
         const Scalar step_28 = detail::step<Scalar>(e26);
         const Scalar step_29 = detail::step<Scalar>(-e26);
         const Scalar e30 = p_.rho_0 * inverse_15;
-        const Scalar sqrt_31 = sqrt(c_.k5 * step_28 + step_29 * e30);
+        const Scalar sqrt_31 = sqrt(c_.k6 * step_28 + step_29 * e30);
         const Scalar e32 = p_.p_s - p_2;
         const Scalar step_33 = detail::step<Scalar>(e32);
         const Scalar step_34 = detail::step<Scalar>(-e32);
-        const Scalar sqrt_35 = sqrt(c_.k7 * step_33 + step_34 * e30);
-        const Scalar power_36 = pow(c_.k6 + e32 * e32, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_35 = sqrt(c_.k4 * step_33 + step_34 * e30);
+        const Scalar power_36 = pow(c_.k3 + e32 * e32, -Scalar(1) / Scalar(4));
         const Scalar e37 = sqrt_35 * (e32 * power_36);
         y[0] = s_k_dot;
         y[1] = p_.A_1 * p_1 - p_.A_2 * p_2;
         y[2] = e1 * power_2 * sqrt_8 * e10 - e17 + e19 * e25;
         y[3] = e26 * power_27 * sqrt_31 * e19 + e17 + e10 * e37;
-        y[4] = c_.k20 * (max_9 * e37 + max_18 * e25);
+        y[4] = c_.k23 * (max_9 * e37 + max_18 * e25);
     }
 
     /// C = dh/dx.
@@ -880,24 +888,24 @@ public:
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_t - p_1;
-        const Scalar e2 = c_.k6 + e1 * e1;
+        const Scalar e2 = c_.k3 + e1 * e1;
         const Scalar power_3 = pow(e2, -Scalar(1) / Scalar(4));
         const Scalar step_4 = detail::step<Scalar>(e1);
         const Scalar step_5 = detail::step<Scalar>(-e1);
-        const Scalar exp_6 = exp(c_.k9 * (p_.p_0 - p_1));
+        const Scalar exp_6 = exp(c_.k1 * (p_.p_0 - p_1));
         const Scalar inverse_7 = Scalar(1) / exp_6;
         const Scalar e8 = step_5 * inverse_7;
-        const Scalar sqrt_9 = sqrt(c_.k5 * step_4 + p_.rho_0 * e8);
+        const Scalar sqrt_9 = sqrt(c_.k6 * step_4 + p_.rho_0 * e8);
         const Scalar x_v = u[0];
         const Scalar max_10 = detail::max<Scalar>(Scalar(0), -x_v);
         const Scalar e11 = max_10 * e1;
         const Scalar e12 = p_.p_s - p_1;
-        const Scalar e13 = c_.k6 + e12 * e12;
+        const Scalar e13 = c_.k3 + e12 * e12;
         const Scalar power_14 = pow(e13, -Scalar(1) / Scalar(4));
         const Scalar step_15 = detail::step<Scalar>(e12);
         const Scalar step_16 = detail::step<Scalar>(-e12);
         const Scalar e17 = step_16 * inverse_7;
-        const Scalar sqrt_18 = sqrt(c_.k7 * step_15 + p_.rho_0 * e17);
+        const Scalar sqrt_18 = sqrt(c_.k4 * step_15 + p_.rho_0 * e17);
         const Scalar max_19 = detail::max<Scalar>(Scalar(0), x_v);
         const Scalar e20 = max_19 * e12;
         const Scalar e21 = power_14 / sqrt_18 * (e20 * e17);
@@ -909,31 +917,31 @@ public:
         const Scalar e26 = p_.k_l * e25;
         const Scalar step_27 = detail::step<Scalar>(e26);
         const Scalar e28 = step_27 * inverse_7;
-        const Scalar e29 = c_.k23 * e25;
+        const Scalar e29 = c_.k26 * e25;
         const Scalar step_30 = detail::step<Scalar>(-e26);
-        const Scalar exp_31 = exp(c_.k9 * (p_.p_0 - p_2));
+        const Scalar exp_31 = exp(c_.k1 * (p_.p_0 - p_2));
         const Scalar inverse_32 = Scalar(1) / exp_31;
         const Scalar e33 = step_30 * inverse_32;
-        const Scalar e34 = c_.k19 * (e28 + e33);
+        const Scalar e34 = c_.k22 * (e28 + e33);
         const Scalar e35 = e28 * e29 + e34;
-        const Scalar e36 = c_.k18 * max_10;
+        const Scalar e36 = c_.k21 * max_10;
         const Scalar e37 = sqrt_18 * (max_19 * power_14);
         const Scalar e38 = e34 - e29 * e33;
         const Scalar e39 = p_.p_t - p_2;
-        const Scalar e40 = c_.k6 + e39 * e39;
+        const Scalar e40 = c_.k3 + e39 * e39;
         const Scalar power_41 = pow(e40, -Scalar(1) / Scalar(4));
         const Scalar step_42 = detail::step<Scalar>(e39);
         const Scalar step_43 = detail::step<Scalar>(-e39);
         const Scalar e44 = step_43 * inverse_32;
-        const Scalar sqrt_45 = sqrt(c_.k5 * step_42 + p_.rho_0 * e44);
+        const Scalar sqrt_45 = sqrt(c_.k6 * step_42 + p_.rho_0 * e44);
         const Scalar e46 = max_19 * e39;
         const Scalar e47 = p_.p_s - p_2;
-        const Scalar e48 = c_.k6 + e47 * e47;
+        const Scalar e48 = c_.k3 + e47 * e47;
         const Scalar power_49 = pow(e48, -Scalar(1) / Scalar(4));
         const Scalar step_50 = detail::step<Scalar>(e47);
         const Scalar step_51 = detail::step<Scalar>(-e47);
         const Scalar e52 = step_51 * inverse_32;
-        const Scalar sqrt_53 = sqrt(c_.k7 * step_50 + p_.rho_0 * e52);
+        const Scalar sqrt_53 = sqrt(c_.k4 * step_50 + p_.rho_0 * e52);
         const Scalar e54 = max_10 * e47;
         const Scalar e55 = power_49 / sqrt_53 * (e54 * e52);
         const Scalar power_56 = pow(e40, -Scalar(5) / Scalar(4));
@@ -952,16 +960,16 @@ public:
         C[9] = Scalar(0);
         C[10] = Scalar(0);
         C[11] = p_.A_1;
-        C[12] = c_.k21 * (power_3 * e11 * e8 / sqrt_9 + e21) + c_.k22 * (e1 * power_22 * sqrt_9 * e11 + e24) - e35 - power_3
-            * sqrt_9 * e36 - c_.k18 * e37;
+        C[12] = c_.k24 * (power_3 * e11 * e8 / sqrt_9 + e21) + c_.k25 * (e1 * power_22 * sqrt_9 * e11 + e24) - e35 - power_3
+            * sqrt_9 * e36 - c_.k21 * e37;
         C[13] = e35;
-        C[14] = c_.k25 * e24 - c_.k20 * e37 + c_.k24 * e21;
+        C[14] = c_.k28 * e24 - c_.k23 * e37 + c_.k27 * e21;
         C[15] = Scalar(0);
         C[16] = -p_.A_2;
         C[17] = e38;
-        C[18] = c_.k21 * (power_41 * e46 * e44 / sqrt_45 + e55) + c_.k22 * (e39 * power_56 * sqrt_45 * e46 + e58) - c_.k18
+        C[18] = c_.k24 * (power_41 * e46 * e44 / sqrt_45 + e55) + c_.k25 * (e39 * power_56 * sqrt_45 * e46 + e58) - c_.k21
             * max_19 * power_41 * sqrt_45 - e38 - e36 * e59;
-        C[19] = c_.k25 * e58 - c_.k20 * max_10 * e59 + c_.k24 * e55;
+        C[19] = c_.k28 * e58 - c_.k23 * max_10 * e59 + c_.k27 * e55;
     }
 
     /// D = dh/du.
@@ -972,42 +980,42 @@ public:
         using std::sqrt;
         const Scalar x_v = u[0];
         const Scalar step_x_v = detail::step<Scalar>(x_v);
-        const Scalar e1 = c_.k18 * step_x_v;
+        const Scalar e1 = c_.k21 * step_x_v;
         const Scalar p_1 = x[2];
         const Scalar e2 = p_.p_s - p_1;
         const Scalar step_3 = detail::step<Scalar>(e2);
         const Scalar step_4 = detail::step<Scalar>(-e2);
-        const Scalar exp_5 = exp(c_.k9 * (p_.p_0 - p_1));
+        const Scalar exp_5 = exp(c_.k1 * (p_.p_0 - p_1));
         const Scalar e6 = p_.rho_0 / exp_5;
-        const Scalar sqrt_7 = sqrt(c_.k7 * step_3 + step_4 * e6);
-        const Scalar power_8 = pow(c_.k6 + e2 * e2, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_7 = sqrt(c_.k4 * step_3 + step_4 * e6);
+        const Scalar power_8 = pow(c_.k3 + e2 * e2, -Scalar(1) / Scalar(4));
         const Scalar e9 = sqrt_7 * (e2 * power_8);
         const Scalar e10 = p_.p_t - p_1;
-        const Scalar power_11 = pow(c_.k6 + e10 * e10, -Scalar(1) / Scalar(4));
+        const Scalar power_11 = pow(c_.k3 + e10 * e10, -Scalar(1) / Scalar(4));
         const Scalar step_12 = detail::step<Scalar>(e10);
         const Scalar step_13 = detail::step<Scalar>(-e10);
-        const Scalar sqrt_14 = sqrt(c_.k5 * step_12 + step_13 * e6);
+        const Scalar sqrt_14 = sqrt(c_.k6 * step_12 + step_13 * e6);
         const Scalar step_15 = detail::step<Scalar>(-x_v);
-        const Scalar e16 = c_.k18 * step_15;
+        const Scalar e16 = c_.k21 * step_15;
         const Scalar p_2 = x[3];
         const Scalar e17 = p_.p_t - p_2;
-        const Scalar power_18 = pow(c_.k6 + e17 * e17, -Scalar(1) / Scalar(4));
+        const Scalar power_18 = pow(c_.k3 + e17 * e17, -Scalar(1) / Scalar(4));
         const Scalar step_19 = detail::step<Scalar>(e17);
         const Scalar step_20 = detail::step<Scalar>(-e17);
-        const Scalar exp_21 = exp(c_.k9 * (p_.p_0 - p_2));
+        const Scalar exp_21 = exp(c_.k1 * (p_.p_0 - p_2));
         const Scalar e22 = p_.rho_0 / exp_21;
-        const Scalar sqrt_23 = sqrt(c_.k5 * step_19 + step_20 * e22);
+        const Scalar sqrt_23 = sqrt(c_.k6 * step_19 + step_20 * e22);
         const Scalar e24 = p_.p_s - p_2;
         const Scalar step_25 = detail::step<Scalar>(e24);
         const Scalar step_26 = detail::step<Scalar>(-e24);
-        const Scalar sqrt_27 = sqrt(c_.k7 * step_25 + step_26 * e22);
-        const Scalar power_28 = pow(c_.k6 + e24 * e24, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_27 = sqrt(c_.k4 * step_25 + step_26 * e22);
+        const Scalar power_28 = pow(c_.k3 + e24 * e24, -Scalar(1) / Scalar(4));
         const Scalar e29 = sqrt_27 * (e24 * power_28);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = e1 * e9 - e10 * power_11 * sqrt_14 * e16;
         D[3] = e17 * power_18 * sqrt_23 * e1 - e16 * e29;
-        D[4] = -c_.k20 * (step_15 * e29 - step_x_v * e9);
+        D[4] = -c_.k23 * (step_15 * e29 - step_x_v * e9);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -1060,7 +1068,7 @@ public:
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
         const Scalar p_2 = x[3];
-        const Scalar e1 = c_.k9 * (p_.p_0 - p_2);
+        const Scalar e1 = c_.k1 * (p_.p_0 - p_2);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar inverse_4 = Scalar(1) / exp_2;
@@ -1070,7 +1078,7 @@ public:
         const Scalar e7 = s_k * inverse_4;
         const Scalar e8 = p_.A_2 * p_.p_0;
         const Scalar p_1 = x[2];
-        const Scalar e9 = c_.k9 * (p_.p_0 - p_1);
+        const Scalar e9 = c_.k1 * (p_.p_0 - p_1);
         const Scalar exp_10 = exp(e9);
         const Scalar compression_11 = detail::compression<Scalar>(-e9, exp_10);
         const Scalar e12 = compression_11 * (p_.A_1 * p_.beta) - (e9 * exp_10 - compression_11) * (p_.A_1 * p_.p_0);
@@ -1088,20 +1096,20 @@ public:
         const Scalar max_1 = detail::max<Scalar>(Scalar(0), -x_v);
         const Scalar p_1 = x[2];
         const Scalar e2 = p_.p_t - p_1;
-        const Scalar power_3 = pow(c_.k6 + e2 * e2, -Scalar(1) / Scalar(4));
+        const Scalar power_3 = pow(c_.k3 + e2 * e2, -Scalar(1) / Scalar(4));
         const Scalar step_4 = detail::step<Scalar>(e2);
         const Scalar step_5 = detail::step<Scalar>(-e2);
-        const Scalar e6 = c_.k9 * (p_.p_0 - p_1);
+        const Scalar e6 = c_.k1 * (p_.p_0 - p_1);
         const Scalar exp_7 = exp(e6);
         const Scalar inverse_8 = Scalar(1) / exp_7;
         const Scalar e9 = p_.rho_0 * inverse_8;
-        const Scalar sqrt_10 = sqrt(c_.k5 * step_4 + step_5 * e9);
+        const Scalar sqrt_10 = sqrt(c_.k6 * step_4 + step_5 * e9);
         const Scalar max_11 = detail::max<Scalar>(Scalar(0), x_v);
         const Scalar e12 = p_.p_s - p_1;
-        const Scalar power_13 = pow(c_.k6 + e12 * e12, -Scalar(1) / Scalar(4));
+        const Scalar power_13 = pow(c_.k3 + e12 * e12, -Scalar(1) / Scalar(4));
         const Scalar step_14 = detail::step<Scalar>(e12);
         const Scalar step_15 = detail::step<Scalar>(-e12);
-        const Scalar sqrt_16 = sqrt(c_.k7 * step_14 + step_15 * e9);
+        const Scalar sqrt_16 = sqrt(c_.k4 * step_14 + step_15 * e9);
         const Scalar compression_17 = detail::compression<Scalar>(-e6, exp_7);
         const Scalar sqrt_18 = sqrt(Scalar(2));
         const Scalar e19 = p_.w * p_.alpha_d * (sqrt_18 / p_.rho_0);
@@ -1114,30 +1122,30 @@ public:
         const Scalar e25 = p_.k_l * e24;
         const Scalar step_26 = detail::step<Scalar>(e25);
         const Scalar step_27 = detail::step<Scalar>(-e25);
-        const Scalar e28 = c_.k9 * (p_.p_0 - p_2);
+        const Scalar e28 = c_.k1 * (p_.p_0 - p_2);
         const Scalar exp_29 = exp(e28);
         const Scalar e30 = p_2 * exp_29;
         const Scalar e31 = step_26 * inverse_8;
         const Scalar inverse_32 = Scalar(1) / exp_29;
         const Scalar e33 = step_27 * inverse_32;
         const Scalar e34 = p_.p_s - p_2;
-        const Scalar power_35 = pow(c_.k6 + e34 * e34, -Scalar(1) / Scalar(4));
+        const Scalar power_35 = pow(c_.k3 + e34 * e34, -Scalar(1) / Scalar(4));
         const Scalar step_36 = detail::step<Scalar>(e34);
         const Scalar step_37 = detail::step<Scalar>(-e34);
         const Scalar e38 = p_.rho_0 * inverse_32;
-        const Scalar sqrt_39 = sqrt(c_.k7 * step_36 + step_37 * e38);
+        const Scalar sqrt_39 = sqrt(c_.k4 * step_36 + step_37 * e38);
         const Scalar e40 = p_.p_t - p_2;
-        const Scalar power_41 = pow(c_.k6 + e40 * e40, -Scalar(1) / Scalar(4));
+        const Scalar power_41 = pow(c_.k3 + e40 * e40, -Scalar(1) / Scalar(4));
         const Scalar step_42 = detail::step<Scalar>(e40);
         const Scalar step_43 = detail::step<Scalar>(-e40);
-        const Scalar sqrt_44 = sqrt(c_.k5 * step_42 + step_43 * e38);
+        const Scalar sqrt_44 = sqrt(c_.k6 * step_42 + step_43 * e38);
         const Scalar compression_45 = detail::compression<Scalar>(-e28, exp_29);
         const Scalar e46 = e28 * exp_29 - compression_45;
         const Scalar e47 = e24 * (e31 + e33);
         const Scalar e48 = (max_1 * e2 * power_3 * sqrt_10 + max_11 * e12 * power_13 * sqrt_16)
-            * (compression_17 * e20 - e21 * e22 + e19 * e23);
+            * (compression_17 * e20 - e21 * e22 + c_.k5 * e23);
         const Scalar e49 = (max_1 * e34 * power_35 * sqrt_39 + max_11 * e40 * power_41 * sqrt_44)
-            * (compression_45 * e20 - e46 * e22 + e19 * e30);
+            * (compression_45 * e20 - e46 * e22 + c_.k5 * e30);
         return e48 - e25 * (p_1 * step_26 - p_2 * step_27 - e30 * e31 + e23 * e33) + e49 - p_.beta * p_.k_l * e47
             * (compression_17 - compression_45) + p_.p_0 * p_.k_l * e47 * (e21 - e46);
     }
@@ -1159,31 +1167,34 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
-        Scalar k1;  ///< beta*w*alpha_d*sqrt(2)/(A_1*rho_0)
-        Scalar k2;  ///< beta*k_l/A_1
-        Scalar k3;  ///< beta*w*alpha_d*sqrt(2)/(A_2*rho_0)
-        Scalar k4;  ///< beta*k_l/A_2
-        Scalar k5;  ///< rho_0/exp(p_0/beta - p_t/beta)
-        Scalar k6;  ///< p_w^2
-        Scalar k7;  ///< rho_0/exp(p_0/beta - p_s/beta)
+        Scalar k1;  ///< 1/beta
+        Scalar k2;  ///< 1/A_1
+        Scalar k3;  ///< p_w^2
+        Scalar k4;  ///< rho_0/exp(p_0/beta - p_s/beta)
+        Scalar k5;  ///< w*alpha_d*sqrt(2)/rho_0
+        Scalar k6;  ///< rho_0/exp(p_0/beta - p_t/beta)
+        Scalar k7;  ///< 1/A_2
         Scalar k8;  ///< l - d
-        Scalar k9;  ///< 1/beta
-        Scalar k10;  ///< w*alpha_d*sqrt(2)/(A_1*rho_0)
-        Scalar k11;  ///< w*alpha_d*sqrt(2)/(2*A_1)
-        Scalar k12;  ///< beta*w*alpha_d*sqrt(2)/(2*A_1*rho_0)
-        Scalar k13;  ///< k_l/A_1
-        Scalar k14;  ///< k_l/A_2
-        Scalar k15;  ///< w*alpha_d*sqrt(2)/(A_2*rho_0)
-        Scalar k16;  ///< w*alpha_d*sqrt(2)/(2*A_2)
-        Scalar k17;  ///< beta*w*alpha_d*sqrt(2)/(2*A_2*rho_0)
-        Scalar k18;  ///< w*alpha_d*sqrt(2)
-        Scalar k19;  ///< rho_0*k_l
-        Scalar k20;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)*sqrt(2)/rho_0
-        Scalar k21;  ///< rho_0*w*alpha_d*sqrt(2)/(2*beta)
-        Scalar k22;  ///< w*alpha_d*sqrt(2)/2
-        Scalar k23;  ///< rho_0*k_l/beta
-        Scalar k24;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)*sqrt(2)/(2*beta)
-        Scalar k25;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)*sqrt(2)/(2*rho_0)
+        Scalar k9;  ///< beta*w*alpha_d*sqrt(2)/(A_1*rho_0)
+        Scalar k10;  ///< beta*k_l/A_1
+        Scalar k11;  ///< beta*w*alpha_d*sqrt(2)/(A_2*rho_0)
+        Scalar k12;  ///< beta*k_l/A_2
+        Scalar k13;  ///< w*alpha_d*sqrt(2)/(A_1*rho_0)
+        Scalar k14;  ///< w*alpha_d*sqrt(2)/(2*A_1)
+        Scalar k15;  ///< beta*w*alpha_d*sqrt(2)/(2*A_1*rho_0)
+        Scalar k16;  ///< k_l/A_1
+        Scalar k17;  ///< k_l/A_2
+        Scalar k18;  ///< w*alpha_d*sqrt(2)/(A_2*rho_0)
+        Scalar k19;  ///< w*alpha_d*sqrt(2)/(2*A_2)
+        Scalar k20;  ///< beta*w*alpha_d*sqrt(2)/(2*A_2*rho_0)
+        Scalar k21;  ///< w*alpha_d*sqrt(2)
+        Scalar k22;  ///< rho_0*k_l
+        Scalar k23;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)*sqrt(2)/rho_0
+        Scalar k24;  ///< rho_0*w*alpha_d*sqrt(2)/(2*beta)
+        Scalar k25;  ///< w*alpha_d*sqrt(2)/2
+        Scalar k26;  ///< rho_0*k_l/beta
+        Scalar k27;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)*sqrt(2)/(2*beta)
+        Scalar k28;  ///< w*alpha_d*exp(p_0/beta - p_s/beta)*sqrt(2)/(2*rho_0)
     };
     Cached c_{};
 };

@@ -16,11 +16,11 @@
 //     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 4      8     1        0      0
-//   rhs                    9     16     2        2      0
-//   rhs_and_jacobian      22     39     2        2      0
-//   jacobian_u             5      6     2        0      0
-//   jacobian_p            27     53     3        2      0
+//   update                 4      8     2        0      0
+//   rhs                    9     16     1        2      0
+//   rhs_and_jacobian      21     37     1        2      0
+//   jacobian_u             4      5     1        0      0
+//   jacobian_p            26     51     2        2      0
 //   mass_matrix            2      2     0        0      0
 //   bias                   3      9     0        2      0
 //   kinetic_energy         6     15     1        0      0
@@ -192,20 +192,22 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 4 + or -, 8 *, 1 /
+    /// Operations: 4 + or -, 8 *, 2 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.m_K * p_.r_K;
         const Scalar e2 = p_.r_K * e1;
         c_.theta_K = (Scalar(2) / Scalar(5)) * e2;
-        c_.k0 = p_.theta_B + c_.theta_K + e2;
         const Scalar inverse_3 = Scalar(1) / p_.r_K;
         const Scalar e4 = c_.theta_K * inverse_3;
+        const Scalar e5 = p_.m_K + inverse_3 * e4;
+        c_.k0 = e5;
         c_.k1 = e1 + e4;
-        c_.k2 = p_.m_K + inverse_3 * e4;
-        c_.k3 = Scalar(2) * p_.m_K;
-        c_.k4 = p_.m_K * p_.g;
+        c_.k2 = p_.theta_B + c_.theta_K + e2;
+        c_.k3 = p_.m_K * p_.g;
+        c_.k4 = Scalar(2) * p_.m_K;
         c_.k5 = p_.g * e1;
+        c_.k6 = Scalar(1) / e5;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -218,10 +220,11 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 9 + or -, 16 *, 2 /, 2 sin or cos
-    ///     ((m_K*r_K^2 + theta_B + theta_K) + m_K*r^2)*ddot(phi_1) - (m_K*r_K + theta_K/r_K)*ddot(r) + 2*m_K*r*dot(phi_1)*dot(r) +
-    ///     m_K*g*r*cos(phi_1) - m_K*r_K*g*sin(phi_1) = tau_e
-    ///     -(m_K*r_K + theta_K/r_K)*ddot(phi_1) + (m_K + theta_K/r_K^2)*ddot(r) - m_K*r*dot(phi_1)^2 + m_K*g*sin(phi_1) = 0
+    /// Operations: 9 + or -, 16 *, 1 /, 2 sin or cos
+    ///     -(m_K*r_K + theta_K/r_K)*ddot(phi_1) + (m_K + theta_K/r_K^2)*ddot(r) - m_K*r*dot(phi_1)^2 + tau_e + m_K*g*sin(phi_1) =
+    ///     tau_e
+    ///     ((m_K*r_K^2 + theta_B + theta_K) + m_K*r^2)*ddot(phi_1) - (m_K*r_K + theta_K/r_K)*ddot(r) + 2*m_K*r*dot(phi_1)*dot(r) -
+    ///     tau_e + m_K*g*r*cos(phi_1) - m_K*r_K*g*sin(phi_1) = 0
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar tau_e = u[0];
         const Scalar r = x[1];
@@ -230,13 +233,13 @@ public:
         const Scalar phi_1 = x[0];
         Scalar sin_phi_1, cos_phi_1;
         detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
-        const Scalar e1 = tau_e - r * (c_.k3 * phi_1_dot * r_dot + c_.k4 * cos_phi_1) + c_.k5 * sin_phi_1;
-        const Scalar e2 = p_.m_K * r;
-        const Scalar inverse_3 = Scalar(1) / (c_.k0 + r * e2);
-        const Scalar e4 = -c_.k1;
-        const Scalar e5 = e4 * inverse_3;
-        const Scalar r_ddot = (phi_1_dot * phi_1_dot * e2 - c_.k4 * sin_phi_1 - e5 * e1) / (c_.k2 - e4 * e5);
-        const Scalar phi_1_ddot = e1 * inverse_3 - e5 * r_ddot;
+        const Scalar e1 = -c_.k1;
+        const Scalar e2 = e1 * c_.k6;
+        const Scalar e3 = p_.m_K * r;
+        const Scalar e4 = phi_1_dot * phi_1_dot * e3 - c_.k3 * sin_phi_1;
+        const Scalar e5 = tau_e - r * (c_.k4 * phi_1_dot * r_dot + c_.k3 * cos_phi_1) + c_.k5 * sin_phi_1;
+        const Scalar phi_1_ddot = (e5 - e2 * e4) / (c_.k2 + r * e3 - e1 * e2);
+        const Scalar r_ddot = e4 * c_.k6 - e2 * phi_1_ddot;
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = phi_1_ddot;
@@ -245,7 +248,7 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 22 + or -, 39 *, 2 /, 2 sin or cos
+    /// Operations: 21 + or -, 37 *, 1 /, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar tau_e = u[0];
         const Scalar phi_1 = x[0];
@@ -254,48 +257,45 @@ public:
         const Scalar r = x[1];
         const Scalar phi_1_dot = x[2];
         const Scalar r_dot = x[3];
-        const Scalar e1 = c_.k4 * cos_phi_1;
-        const Scalar e2 = c_.k3 * phi_1_dot * r_dot + e1;
-        const Scalar e3 = tau_e + c_.k5 * sin_phi_1 - r * e2;
-        const Scalar e4 = p_.m_K * r;
-        const Scalar inverse_5 = Scalar(1) / (c_.k0 + r * e4);
-        const Scalar e6 = -c_.k1;
-        const Scalar e7 = e6 * inverse_5;
+        const Scalar e1 = c_.k3 * cos_phi_1;
+        const Scalar e2 = c_.k4 * phi_1_dot * r_dot + e1;
+        const Scalar e3 = -c_.k1;
+        const Scalar e4 = e3 * c_.k6;
+        const Scalar e5 = p_.m_K * r;
         const Scalar phi_1_dot_squared = phi_1_dot * phi_1_dot;
-        const Scalar e8 = c_.k4 * sin_phi_1;
-        const Scalar inverse_9 = Scalar(1) / (c_.k2 - e6 * e7);
-        const Scalar r_ddot = (e4 * phi_1_dot_squared - e8 - e7 * e3) * inverse_9;
-        const Scalar phi_1_ddot = e3 * inverse_5 - e7 * r_ddot;
+        const Scalar e6 = c_.k3 * sin_phi_1;
+        const Scalar e7 = e5 * phi_1_dot_squared - e6;
+        const Scalar inverse_8 = Scalar(1) / (c_.k2 + r * e5 - e3 * e4);
+        const Scalar phi_1_ddot = (tau_e + c_.k5 * sin_phi_1 - r * e2 - e4 * e7) * inverse_8;
+        const Scalar r_ddot = e7 * c_.k6 - e4 * phi_1_ddot;
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = phi_1_ddot;
         dxdt[3] = r_ddot;
-        const Scalar e10 = c_.k5 * cos_phi_1 + r * e8;
-        const Scalar e11 = (-e1 - e7 * e10) * inverse_9;
-        const Scalar e12 = c_.k3 * r;
-        const Scalar e13 = -e2 - phi_1_ddot * e12;
-        const Scalar e14 = (p_.m_K * phi_1_dot_squared - e7 * e13) * inverse_9;
-        const Scalar e15 = -r_dot * e12;
-        const Scalar e16 = phi_1_dot * e12;
-        const Scalar e17 = (e16 - e7 * e15) * inverse_9;
-        const Scalar e18 = -e16;
-        const Scalar e19 = (-e7 * e18) * inverse_9;
+        const Scalar e9 = -e1;
+        const Scalar e10 = (c_.k5 * cos_phi_1 + r * e6 - e4 * e9) * inverse_8;
+        const Scalar e11 = c_.k4 * r;
+        const Scalar e12 = p_.m_K * phi_1_dot_squared;
+        const Scalar e13 = (-e2 - phi_1_ddot * e11 - e4 * e12) * inverse_8;
+        const Scalar e14 = phi_1_dot * e11;
+        const Scalar e15 = (-r_dot * e11 - e4 * e14) * inverse_8;
+        const Scalar e16 = (-e14) * inverse_8;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e10 * inverse_5 - e7 * e11;
-        J[3] = e11;
+        J[2] = e10;
+        J[3] = e9 * c_.k6 - e4 * e10;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = e13 * inverse_5 - e7 * e14;
-        J[7] = e14;
+        J[6] = e13;
+        J[7] = e12 * c_.k6 - e4 * e13;
         J[8] = Scalar(1);
         J[9] = Scalar(0);
-        J[10] = e15 * inverse_5 - e7 * e17;
-        J[11] = e17;
+        J[10] = e15;
+        J[11] = e14 * c_.k6 - e4 * e15;
         J[12] = Scalar(0);
         J[13] = Scalar(1);
-        J[14] = e18 * inverse_5 - e7 * e19;
-        J[15] = e19;
+        J[14] = e16;
+        J[15] = -e4 * e16;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -305,21 +305,20 @@ public:
     }
 
     /// J = df/du. 4 x 1, entry (i, j) at J[4*j + i].
-    /// Operations: 5 + or -, 6 *, 2 /
+    /// Operations: 4 + or -, 5 *, 1 /
     void jacobian_u(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
         const Scalar r = x[1];
-        const Scalar inverse_1 = Scalar(1) / (c_.k0 + p_.m_K * r * r);
-        const Scalar e2 = -c_.k1;
-        const Scalar e3 = e2 * inverse_1;
-        const Scalar e4 = (-e3) / (c_.k2 - e2 * e3);
+        const Scalar e1 = -c_.k1;
+        const Scalar e2 = e1 * c_.k6;
+        const Scalar inverse_3 = Scalar(1) / (c_.k2 + p_.m_K * r * r - e1 * e2);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = inverse_1 - e3 * e4;
-        J[3] = e4;
+        J[2] = inverse_3;
+        J[3] = -e2 * inverse_3;
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 27 + or -, 53 *, 3 /, 2 sin or cos
+    /// Operations: 26 + or -, 51 *, 2 /, 2 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         State dxdt;
         rhs(x, u, t, dxdt);
@@ -331,42 +330,41 @@ public:
         const Scalar r_dot = x[3];
         const Scalar phi_1_dot = x[2];
         const Scalar e2 = r * phi_1_dot;
-        const Scalar e3 = dxdt[3] * e1 - r * (p_.g * cos_phi_1 + r * dxdt[2]) - dxdt[2]
+        const Scalar e3 = -c_.k1;
+        const Scalar e4 = e3 * c_.k6;
+        const Scalar e5 = dxdt[2] * e1 - (Scalar(7) / Scalar(5)) * dxdt[3] - p_.g * sin_phi_1 + phi_1_dot * e2;
+        const Scalar e6 = p_.m_K * r;
+        const Scalar inverse_7 = Scalar(1) / (c_.k2 + r * e6 - e3 * e4);
+        const Scalar e8 = dxdt[3] * e1 - r * (p_.g * cos_phi_1 + r * dxdt[2]) - dxdt[2]
             * ((Scalar(7) / Scalar(5)) * p_.r_K * p_.r_K) + sin_phi_1 * (p_.r_K * p_.g) - Scalar(2) * r_dot * e2;
-        const Scalar e4 = p_.m_K * r;
-        const Scalar inverse_5 = Scalar(1) / (c_.k0 + r * e4);
-        const Scalar e6 = -c_.k1;
-        const Scalar e7 = e6 * inverse_5;
-        const Scalar inverse_8 = Scalar(1) / (c_.k2 - e6 * e7);
-        const Scalar e9 = dxdt[2] * e1 - (Scalar(7) / Scalar(5)) * dxdt[3] - p_.g * sin_phi_1 + phi_1_dot * e2;
-        const Scalar e10 = (e9 - e7 * e3) * inverse_8;
-        const Scalar inverse_11 = Scalar(1) / p_.r_K;
-        const Scalar e12 = inverse_11 * (c_.theta_K * inverse_11);
-        const Scalar e13 = (Scalar(9) / Scalar(5)) * p_.m_K - e12;
-        const Scalar e14 = p_.m_K * p_.r_K;
-        const Scalar e15 = dxdt[3] * e13 - dxdt[2] * ((Scalar(14) / Scalar(5)) * e14) + c_.k4 * sin_phi_1;
-        const Scalar e16 = dxdt[3] * (inverse_11 * ((Scalar(4) / Scalar(5)) * p_.m_K - Scalar(2) * e12));
-        const Scalar e17 = (dxdt[2] * e13 - e16 - e7 * e15) * inverse_8;
-        const Scalar e18 = -dxdt[2];
-        const Scalar e19 = (-e7 * e18) * inverse_8;
-        const Scalar e20 = sin_phi_1 * e14 - cos_phi_1 * e4;
-        const Scalar e21 = (-p_.m_K * sin_phi_1 - e7 * e20) * inverse_8;
+        const Scalar e9 = (e8 - e4 * e5) * inverse_7;
+        const Scalar inverse_10 = Scalar(1) / p_.r_K;
+        const Scalar e11 = inverse_10 * (c_.theta_K * inverse_10);
+        const Scalar e12 = (Scalar(9) / Scalar(5)) * p_.m_K - e11;
+        const Scalar e13 = p_.m_K * p_.r_K;
+        const Scalar e14 = dxdt[3] * (inverse_10 * ((Scalar(4) / Scalar(5)) * p_.m_K - Scalar(2) * e11));
+        const Scalar e15 = dxdt[2] * e12 - e14;
+        const Scalar e16 = dxdt[3] * e12 - dxdt[2] * ((Scalar(14) / Scalar(5)) * e13) + c_.k3 * sin_phi_1;
+        const Scalar e17 = (e16 - e4 * e15) * inverse_7;
+        const Scalar e18 = (-dxdt[2]) * inverse_7;
+        const Scalar e19 = -p_.m_K * sin_phi_1;
+        const Scalar e20 = (sin_phi_1 * e13 - cos_phi_1 * e6 - e4 * e19) * inverse_7;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e3 * inverse_5 - e7 * e10;
-        J[3] = e10;
+        J[2] = e9;
+        J[3] = e5 * c_.k6 - e4 * e9;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = e15 * inverse_5 - e7 * e17;
-        J[7] = e17;
+        J[6] = e17;
+        J[7] = e15 * c_.k6 - e4 * e17;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
-        J[10] = e18 * inverse_5 - e7 * e19;
-        J[11] = e19;
+        J[10] = e18;
+        J[11] = -e4 * e18;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
-        J[14] = e20 * inverse_5 - e7 * e21;
-        J[15] = e21;
+        J[14] = e20;
+        J[15] = e19 * c_.k6 - e4 * e20;
     }
 
     /// J = df/dt at fixed x and u.
@@ -385,10 +383,10 @@ public:
     ///     M[r, r] = m_K + theta_K/r_K^2
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
         const Scalar r = x[1];
-        M[0] = c_.k0 + p_.m_K * r * r;
+        M[0] = c_.k2 + p_.m_K * r * r;
         M[1] = -c_.k1;
         M[2] = M[1];
-        M[3] = c_.k2;
+        M[3] = c_.k0;
     }
 
     /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
@@ -403,8 +401,8 @@ public:
         const Scalar r_dot = x[3];
         const Scalar phi_1_dot = x[2];
         const Scalar e1 = r * phi_1_dot;
-        b[0] = c_.k4 * r * cos_phi_1 - c_.k5 * sin_phi_1 + c_.k3 * r_dot * e1;
-        b[1] = c_.k4 * sin_phi_1 - p_.m_K * phi_1_dot * e1;
+        b[0] = c_.k3 * r * cos_phi_1 - c_.k5 * sin_phi_1 + c_.k4 * r_dot * e1;
+        b[1] = c_.k3 * sin_phi_1 - p_.m_K * phi_1_dot * e1;
     }
 
     /// Q in M qdd + bias = Q: forces, torques and inputs.
@@ -456,7 +454,7 @@ public:
         const Scalar phi_1 = x[0];
         const Scalar sin_phi_1 = sin(phi_1);
         const Scalar one_minus_cos_phi_1 = detail::one_minus_cos<Scalar>(phi_1);
-        return c_.k4 * r * sin_phi_1 - c_.k5 * one_minus_cos_phi_1;
+        return c_.k3 * r * sin_phi_1 - c_.k5 * one_minus_cos_phi_1;
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
@@ -504,12 +502,13 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar theta_K;  ///< 2*m_K*r_K^2/5
-        Scalar k0;  ///< m_K*r_K^2 + theta_B + theta_K
+        Scalar k0;  ///< m_K + theta_K/r_K^2
         Scalar k1;  ///< m_K*r_K + theta_K/r_K
-        Scalar k2;  ///< m_K + theta_K/r_K^2
-        Scalar k3;  ///< 2*m_K
-        Scalar k4;  ///< m_K*g
+        Scalar k2;  ///< m_K*r_K^2 + theta_B + theta_K
+        Scalar k3;  ///< m_K*g
+        Scalar k4;  ///< 2*m_K
         Scalar k5;  ///< m_K*r_K*g
+        Scalar k6;  ///< 1/(m_K + theta_K/r_K^2)
     };
     Cached c_{};
 };

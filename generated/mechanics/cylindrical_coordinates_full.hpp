@@ -17,7 +17,7 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      2     1        0      0
-//   rhs                    3     11     1        0      0
+//   rhs                    2     11     1        0      0
 //   rhs_and_jacobian       6     20     1        0      0
 //   jacobian_p             5     12     1        0      0
 //   mass_matrix            0      2     0        0      0
@@ -170,9 +170,9 @@ public:
     /// Operations: 2 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        c_.k0 = Scalar(2) * p_.m;
-        c_.k1 = p_.m * p_.g;
-        c_.k2 = Scalar(1) / p_.m;
+        c_.k0 = p_.m * p_.g;
+        c_.k1 = Scalar(1) / p_.m;
+        c_.k2 = Scalar(2) * p_.m;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -188,18 +188,19 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 3 + or -, 11 *, 1 /
+    /// Operations: 2 + or -, 11 *, 1 /
     ///     m*ddot(r) - m*r*dot(phi)^2 + c*r = 0
-    ///     m*r^2*ddot(phi) + 2*m*r*dot(r)*dot(phi) = 0
     ///     m*ddot(z) + m*g = 0
+    ///     m*r^2*ddot(phi) + 2*m*r*dot(r)*dot(phi) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar phi_dot = x[4];
         const Scalar r = x[0];
         const Scalar e1 = p_.m * r;
-        const Scalar r_ddot = (phi_dot * phi_dot * e1 - p_.c * r) * c_.k2;
+        const Scalar e2 = phi_dot * e1;
+        const Scalar r_ddot = (phi_dot * e2 - p_.c * r) * c_.k1;
         const Scalar r_dot = x[3];
-        const Scalar phi_ddot = (-c_.k0 * r * r_dot * phi_dot) / (r * e1);
-        const Scalar z_ddot = (-c_.k1) * c_.k2;
+        const Scalar phi_ddot = (-Scalar(2) * r_dot * e2) / (r * e1);
+        const Scalar z_ddot = (-Scalar(1)) * c_.k0 * c_.k1;
         dxdt[0] = x[3];
         dxdt[1] = x[4];
         dxdt[2] = x[5];
@@ -215,13 +216,13 @@ public:
         const Scalar r = x[0];
         const Scalar phi_dot = x[4];
         const Scalar e1 = p_.m * phi_dot * phi_dot - p_.c;
-        const Scalar r_ddot = r * e1 * c_.k2;
+        const Scalar r_ddot = r * e1 * c_.k1;
         const Scalar r_dot = x[3];
-        const Scalar e2 = c_.k0 * r;
+        const Scalar e2 = c_.k2 * r;
         const Scalar e3 = phi_dot * e2;
         const Scalar inverse_4 = Scalar(1) / (p_.m * r * r);
         const Scalar phi_ddot = (-r_dot * e3) * inverse_4;
-        const Scalar z_ddot = (-c_.k1) * c_.k2;
+        const Scalar z_ddot = (-c_.k0) * c_.k1;
         dxdt[0] = x[3];
         dxdt[1] = x[4];
         dxdt[2] = x[5];
@@ -231,8 +232,8 @@ public:
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = e1 * c_.k2;
-        J[4] = (-c_.k0 * r_dot * phi_dot - phi_ddot * e2) * inverse_4;
+        J[3] = e1 * c_.k1;
+        J[4] = (-c_.k2 * r_dot * phi_dot - phi_ddot * e2) * inverse_4;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = Scalar(0);
@@ -255,7 +256,7 @@ public:
         J[24] = Scalar(0);
         J[25] = Scalar(1);
         J[26] = Scalar(0);
-        J[27] = e3 * c_.k2;
+        J[27] = e3 * c_.k1;
         J[28] = (-r_dot * e2) * inverse_4;
         J[29] = Scalar(0);
         J[30] = Scalar(0);
@@ -290,13 +291,13 @@ public:
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = (phi_dot * e1 - dxdt[3]) * c_.k2;
+        J[3] = (phi_dot * e1 - dxdt[3]) * c_.k1;
         J[4] = (-Scalar(2) * r_dot * e1 - dxdt[4] * r_squared) / (p_.m * r_squared);
-        J[5] = (-p_.g - dxdt[5]) * c_.k2;
+        J[5] = (-p_.g - dxdt[5]) * c_.k1;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = (-r) * c_.k2;
+        J[9] = (-r) * c_.k1;
         J[10] = Scalar(0);
         J[11] = Scalar(0);
         J[12] = Scalar(0);
@@ -304,7 +305,7 @@ public:
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = Scalar(0);
-        J[17] = (-p_.m) * c_.k2;
+        J[17] = (-p_.m) * c_.k1;
     }
 
     /// J = df/dt at fixed x and u.
@@ -350,8 +351,8 @@ public:
         const Scalar e1 = r * phi_dot;
         const Scalar r_dot = x[3];
         b[0] = p_.c * r - p_.m * phi_dot * e1;
-        b[1] = c_.k0 * r_dot * e1;
-        b[2] = c_.k1;
+        b[1] = c_.k2 * r_dot * e1;
+        b[2] = c_.k0;
     }
 
     /// Q in M qdd + bias = Q: forces, torques and inputs.
@@ -458,7 +459,7 @@ public:
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar r = x[0];
         const Scalar z = x[2];
-        return r * r * ((Scalar(1) / Scalar(2)) * p_.c) + c_.k1 * z;
+        return r * r * ((Scalar(1) / Scalar(2)) * p_.c) + c_.k0 * z;
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
@@ -503,9 +504,9 @@ private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
-        Scalar k0;  ///< 2*m
-        Scalar k1;  ///< m*g
-        Scalar k2;  ///< 1/m
+        Scalar k0;  ///< m*g
+        Scalar k1;  ///< 1/m
+        Scalar k2;  ///< 2*m
     };
     Cached c_{};
 };

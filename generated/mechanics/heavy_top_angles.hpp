@@ -17,10 +17,10 @@
 //     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 4      4     1        0      0
-//   rhs                    7     23     2        2      0
-//   rhs_and_jacobian      24     59     2        2      0
-//   jacobian_p            21     55     2        2      0
+//   update                 4      4     2        0      0
+//   rhs                    7     24     1        2      0
+//   rhs_and_jacobian      22     59     1        2      0
+//   jacobian_p            18     49     1        2      0
 //   mass_matrix            1      4     0        2      0
 //   bias                   5     12     0        2      0
 //   output                 1      4     0        4      0
@@ -191,17 +191,20 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 4 + or -, 4 *, 1 /
+    /// Operations: 4 + or -, 4 *, 2 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.m * p_.l;
         const Scalar e2 = p_.J + p_.l * e1;
         c_.k0 = e2;
         const Scalar e3 = p_.J_z - e2;
-        c_.k1 = -Scalar(2) * e3;
-        c_.k2 = -e3;
-        c_.k3 = p_.g * e1;
+        c_.k1 = -e3;
+        c_.k2 = p_.g * e1;
+        c_.k3 = -Scalar(2) * e3;
         c_.k4 = Scalar(1) / e2;
+        c_.k5 = Scalar(1) / p_.J_z;
+        c_.k6 = e2;
+        c_.k7 = e3;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -215,29 +218,29 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 7 + or -, 23 *, 2 /, 2 sin or cos
-    ///     (J_z*cos(theta)^2 + (m*l^2 + J)*sin(theta)^2)*ddot(psi) + J_z*cos(theta)*ddot(phi) + 2*(m*l^2 + J -
-    ///     J_z)*cos(theta)*sin(theta)*dot(psi)*dot(theta) - J_z*sin(theta)*dot(theta)*dot(phi) = 0
+    /// Operations: 7 + or -, 24 *, 1 /, 2 sin or cos
     ///     (m*l^2 + J)*ddot(theta) + J_z*sin(theta)*dot(psi)*dot(phi) - (m*l^2 + J - J_z)*cos(theta)*sin(theta)*dot(psi)^2 -
     ///     m*l*g*sin(theta) = 0
     ///     J_z*cos(theta)*ddot(psi) + J_z*ddot(phi) - J_z*sin(theta)*dot(psi)*dot(theta) = 0
+    ///     (J_z*cos(theta)^2 + (m*l^2 + J)*sin(theta)^2)*ddot(psi) + J_z*cos(theta)*ddot(phi) + 2*(m*l^2 + J -
+    ///     J_z)*cos(theta)*sin(theta)*dot(psi)*dot(theta) - J_z*sin(theta)*dot(theta)*dot(phi) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        const Scalar theta_dot = x[4];
+        const Scalar phi_dot = x[5];
         const Scalar theta = x[1];
         Scalar sin_theta, cos_theta;
         detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
-        const Scalar phi_dot = x[5];
-        const Scalar e1 = p_.J_z * phi_dot;
+        const Scalar theta_dot = x[4];
+        const Scalar e1 = p_.J_z * theta_dot;
         const Scalar psi_dot = x[3];
         const Scalar e2 = psi_dot * sin_theta;
         const Scalar e3 = cos_theta * e2;
-        const Scalar e4 = theta_dot * (sin_theta * e1 - c_.k1 * e3);
-        const Scalar e5 = p_.J_z * cos_theta;
-        const Scalar inverse_6 = Scalar(1) / (c_.k0 * sin_theta * sin_theta + cos_theta * e5);
-        const Scalar e7 = e5 * inverse_6;
-        const Scalar phi_ddot = (p_.J_z * theta_dot * e2 - e7 * e4) / (p_.J_z - e5 * e7);
-        const Scalar psi_ddot = e4 * inverse_6 - e7 * phi_ddot;
-        const Scalar theta_ddot = (c_.k3 * sin_theta - e2 * e1 + c_.k2 * psi_dot * e3) * c_.k4;
+        const Scalar e4 = p_.J_z * cos_theta;
+        const Scalar e5 = e4 * c_.k5;
+        const Scalar e6 = e2 * e1;
+        const Scalar psi_ddot = (phi_dot * sin_theta * e1 - c_.k3 * theta_dot * e3 - e5 * e6)
+            / (c_.k0 * sin_theta * sin_theta + cos_theta * e4 - e4 * e5);
+        const Scalar theta_ddot = (c_.k2 * sin_theta - p_.J_z * phi_dot * e2 + c_.k1 * psi_dot * e3) * c_.k4;
+        const Scalar phi_ddot = e6 * c_.k5 - e5 * psi_ddot;
         dxdt[0] = x[3];
         dxdt[1] = x[4];
         dxdt[2] = x[5];
@@ -248,45 +251,45 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 24 + or -, 59 *, 2 /, 2 sin or cos
+    /// Operations: 22 + or -, 59 *, 1 /, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        const Scalar psi_dot = x[3];
+        const Scalar theta_dot = x[4];
         const Scalar theta = x[1];
         Scalar sin_theta, cos_theta;
         detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
-        const Scalar e1 = c_.k1 * cos_theta;
         const Scalar phi_dot = x[5];
-        const Scalar e2 = p_.J_z * phi_dot;
-        const Scalar e3 = psi_dot * e1 - e2;
-        const Scalar theta_dot = x[4];
-        const Scalar e4 = theta_dot * sin_theta;
-        const Scalar e5 = -e3 * e4;
-        const Scalar e6 = p_.J_z * cos_theta;
-        const Scalar inverse_7 = Scalar(1) / (c_.k0 * sin_theta * sin_theta + cos_theta * e6);
-        const Scalar e8 = e6 * inverse_7;
-        const Scalar e9 = p_.J_z * sin_theta;
-        const Scalar e10 = psi_dot * e9;
-        const Scalar inverse_11 = Scalar(1) / (p_.J_z - e6 * e8);
-        const Scalar phi_ddot = (theta_dot * e10 - e8 * e5) * inverse_11;
-        const Scalar psi_ddot = e5 * inverse_7 - e8 * phi_ddot;
-        const Scalar e12 = c_.k3 + psi_dot * (c_.k2 * psi_dot * cos_theta - e2);
-        const Scalar theta_ddot = sin_theta * e12 * c_.k4;
+        const Scalar psi_dot = x[3];
+        const Scalar e1 = psi_dot * c_.k7;
+        const Scalar e2 = p_.J_z * phi_dot + Scalar(2) * cos_theta * e1;
+        const Scalar e3 = sin_theta * e2;
+        const Scalar e4 = p_.J_z * cos_theta;
+        const Scalar e5 = e4 * c_.k5;
+        const Scalar e6 = p_.J_z * sin_theta;
+        const Scalar e7 = psi_dot * e6;
+        const Scalar e8 = theta_dot * e7;
+        const Scalar sin_theta_squared = sin_theta * sin_theta;
+        const Scalar inverse_9 = Scalar(1) / (cos_theta * e4 + sin_theta_squared * c_.k6 - e4 * e5);
+        const Scalar psi_ddot = (theta_dot * e3 - e5 * e8) * inverse_9;
+        const Scalar e10 = psi_dot * e1;
+        const Scalar e11 = c_.k2 - cos_theta * e10;
+        const Scalar theta_ddot = (sin_theta * e11 - phi_dot * e7) * c_.k4;
+        const Scalar phi_ddot = e8 * c_.k5 - e5 * psi_ddot;
         dxdt[0] = x[3];
         dxdt[1] = x[4];
         dxdt[2] = x[5];
         dxdt[3] = psi_ddot;
         dxdt[4] = theta_ddot;
         dxdt[5] = phi_ddot;
-        const Scalar e13 = psi_dot * sin_theta;
-        const Scalar e14 = phi_ddot * e9 - theta_dot * cos_theta * e3 - psi_ddot * sin_theta * e1 + c_.k1 * e4 * e13;
-        const Scalar e15 = (psi_ddot * e9 + psi_dot * theta_dot * e6 - e8 * e14) * inverse_11;
-        const Scalar e16 = -e4 * e1;
-        const Scalar e17 = theta_dot * e9;
-        const Scalar e18 = (e17 - e8 * e16) * inverse_11;
-        const Scalar e19 = sin_theta * e3;
-        const Scalar e20 = -e19;
-        const Scalar e21 = (e10 - e8 * e20) * inverse_11;
-        const Scalar e22 = (-e8 * e17) * inverse_11;
+        const Scalar e12 = cos_theta * sin_theta * c_.k7;
+        const Scalar e13 = psi_dot * e4;
+        const Scalar e14 = theta_dot * e13 + psi_ddot * e6;
+        const Scalar e15 = theta_dot * (cos_theta * e2 - Scalar(2) * e1 * sin_theta_squared) + Scalar(2) * psi_ddot * e12
+            + phi_ddot * e6;
+        const Scalar e16 = (e15 - e5 * e14) * inverse_9;
+        const Scalar e17 = theta_dot * e6;
+        const Scalar e18 = (Scalar(2) * theta_dot * e12 - e5 * e17) * inverse_9;
+        const Scalar e19 = (e3 - e5 * e7) * inverse_9;
+        const Scalar e20 = e17 * inverse_9;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -296,9 +299,9 @@ public:
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = e14 * inverse_7 - e8 * e15;
-        J[10] = (cos_theta * e12 - c_.k2 * e13 * e13) * c_.k4;
-        J[11] = e15;
+        J[9] = e16;
+        J[10] = (cos_theta * e11 - phi_dot * e13 + sin_theta_squared * e10) * c_.k4;
+        J[11] = e14 * c_.k5 - e5 * e16;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
@@ -308,21 +311,21 @@ public:
         J[18] = Scalar(1);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = e16 * inverse_7 - e8 * e18;
-        J[22] = e19 * c_.k4;
-        J[23] = e18;
+        J[21] = e18;
+        J[22] = (-e3) * c_.k4;
+        J[23] = e17 * c_.k5 - e5 * e18;
         J[24] = Scalar(0);
         J[25] = Scalar(1);
         J[26] = Scalar(0);
-        J[27] = e20 * inverse_7 - e8 * e21;
+        J[27] = e19;
         J[28] = Scalar(0);
-        J[29] = e21;
+        J[29] = e7 * c_.k5 - e5 * e19;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(1);
-        J[33] = e17 * inverse_7 - e8 * e22;
-        J[34] = (-e10) * c_.k4;
-        J[35] = e22;
+        J[33] = e20;
+        J[34] = (-e7) * c_.k4;
+        J[35] = -e5 * e20;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -337,7 +340,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 5, entry (i, j) at J[6*j + i].
-    /// Operations: 21 + or -, 55 *, 2 /, 2 sin or cos
+    /// Operations: 18 + or -, 49 *, 1 /, 2 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         State dxdt;
         rhs(x, u, t, dxdt);
@@ -352,54 +355,50 @@ public:
         const Scalar e4 = theta_dot * e3;
         const Scalar sin_theta_squared = sin_theta * sin_theta;
         const Scalar e5 = dxdt[3] * sin_theta_squared;
-        const Scalar e6 = -Scalar(2) * e1 * e4 - e1 * e5;
-        const Scalar e7 = p_.J_z * cos_theta;
-        const Scalar inverse_8 = Scalar(1) / (c_.k0 * sin_theta_squared + cos_theta * e7);
-        const Scalar e9 = e7 * inverse_8;
-        const Scalar inverse_10 = Scalar(1) / (p_.J_z - e7 * e9);
-        const Scalar e11 = (-e9 * e6) * inverse_10;
-        const Scalar e12 = psi_dot * e3;
-        const Scalar e13 = e12 - dxdt[4];
-        const Scalar e14 = p_.m * p_.l;
-        const Scalar e15 = Scalar(2) * e14;
-        const Scalar e16 = -Scalar(4) * e14 * e4 - e15 * e5;
-        const Scalar e17 = (-e9 * e16) * inverse_10;
-        const Scalar e18 = Scalar(2) * e4;
-        const Scalar e19 = -e18 - e5;
-        const Scalar e20 = (-e9 * e19) * inverse_10;
+        const Scalar e6 = p_.J_z * cos_theta;
+        const Scalar e7 = e6 * c_.k5;
+        const Scalar inverse_8 = Scalar(1) / (c_.k0 * sin_theta_squared + cos_theta * e6 - e6 * e7);
+        const Scalar e9 = (-Scalar(2) * e1 * e4 - e1 * e5) * inverse_8;
+        const Scalar e10 = psi_dot * e3;
+        const Scalar e11 = e10 - dxdt[4];
+        const Scalar e12 = p_.m * p_.l;
+        const Scalar e13 = Scalar(2) * e12;
+        const Scalar e14 = (-Scalar(4) * e12 * e4 - e13 * e5) * inverse_8;
+        const Scalar e15 = Scalar(2) * e4;
+        const Scalar e16 = (-e15 - e5) * inverse_8;
         const Scalar phi_dot = x[5];
-        const Scalar e21 = dxdt[3] * cos_theta + dxdt[5];
-        const Scalar e22 = theta_dot * phi_dot * sin_theta - cos_theta * e21 + e18;
-        const Scalar e23 = (theta_dot * e2 - e21 - e9 * e22) * inverse_10;
+        const Scalar e17 = dxdt[3] * cos_theta + dxdt[5];
+        const Scalar e18 = theta_dot * e2 - e17;
+        const Scalar e19 = (theta_dot * phi_dot * sin_theta - cos_theta * e17 + e15 - e7 * e18) * inverse_8;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = e6 * inverse_8 - e9 * e11;
-        J[4] = (sin_theta * (p_.l * p_.g) + e1 * e13) * c_.k4;
-        J[5] = e11;
+        J[3] = e9;
+        J[4] = (sin_theta * (p_.l * p_.g) + e1 * e11) * c_.k4;
+        J[5] = -e7 * e9;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = e16 * inverse_8 - e9 * e17;
-        J[10] = (sin_theta * (p_.m * p_.g) + e15 * e13) * c_.k4;
-        J[11] = e17;
+        J[9] = e14;
+        J[10] = (sin_theta * (p_.m * p_.g) + e13 * e11) * c_.k4;
+        J[11] = -e7 * e14;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e19 * inverse_8 - e9 * e20;
-        J[16] = e13 * c_.k4;
-        J[17] = e20;
+        J[15] = e16;
+        J[16] = e11 * c_.k4;
+        J[17] = -e7 * e16;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = e22 * inverse_8 - e9 * e23;
-        J[22] = (-phi_dot * e2 - e12) * c_.k4;
-        J[23] = e23;
+        J[21] = e19;
+        J[22] = (-phi_dot * e2 - e10) * c_.k4;
+        J[23] = e18 * c_.k5 - e7 * e19;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
         J[27] = Scalar(0);
-        J[28] = sin_theta * e14 * c_.k4;
+        J[28] = sin_theta * e12 * c_.k4;
         J[29] = Scalar(0);
     }
 
@@ -453,8 +452,8 @@ public:
         const Scalar psi_dot = x[3];
         const Scalar e2 = psi_dot * sin_theta;
         const Scalar e3 = cos_theta * e2;
-        b[0] = -theta_dot * (sin_theta * e1 - c_.k1 * e3);
-        b[1] = e2 * e1 - c_.k3 * sin_theta - c_.k2 * psi_dot * e3;
+        b[0] = -theta_dot * (sin_theta * e1 - c_.k3 * e3);
+        b[1] = e2 * e1 - c_.k2 * sin_theta - c_.k1 * psi_dot * e3;
         b[2] = -p_.J_z * theta_dot * e2;
     }
 
@@ -548,7 +547,7 @@ public:
         using std::cos;
         const Scalar theta = x[1];
         const Scalar cos_theta = cos(theta);
-        return c_.k3 * cos_theta;
+        return c_.k2 * cos_theta;
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
@@ -594,10 +593,13 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar k0;  ///< m*l^2 + J
-        Scalar k1;  ///< 2*(m*l^2 + J - J_z)
-        Scalar k2;  ///< m*l^2 + J - J_z
-        Scalar k3;  ///< m*l*g
+        Scalar k1;  ///< m*l^2 + J - J_z
+        Scalar k2;  ///< m*l*g
+        Scalar k3;  ///< 2*(m*l^2 + J - J_z)
         Scalar k4;  ///< 1/(m*l^2 + J)
+        Scalar k5;  ///< 1/J_z
+        Scalar k6;  ///< m*l^2 + J
+        Scalar k7;  ///< -(m*l^2 + J - J_z)
     };
     Cached c_{};
 };

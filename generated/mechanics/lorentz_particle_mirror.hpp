@@ -18,9 +18,9 @@
 //     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 0      6     2        0      0
+//   update                 0      5     2        0      0
 //   rhs                    4     13     0        0      0
-//   rhs_and_jacobian      11     37     0        0      0
+//   rhs_and_jacobian      11     36     0        0      0
 //   jacobian_p            12     40     1        0      0
 //   bias                   5     10     0        0      0
 //   output                 6     11     0        0      1
@@ -169,7 +169,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 6 *, 2 /
+    /// Operations: 5 *, 2 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.m;
@@ -181,9 +181,8 @@ public:
         const Scalar e4 = e2 * (inverse_3 * inverse_3);
         c_.k3 = e4;
         c_.k4 = e2;
-        c_.k5 = Scalar(2) * e4;
-        c_.k6 = (Scalar(1) / Scalar(2)) * e2;
-        c_.k7 = (Scalar(1) / Scalar(2)) * e4;
+        c_.k5 = (Scalar(1) / Scalar(2)) * e2;
+        c_.k6 = (Scalar(1) / Scalar(2)) * e4;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -224,19 +223,19 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 11 + or -, 37 *
+    /// Operations: 11 + or -, 36 *
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        const Scalar y_dot = x[4];
-        const Scalar z = x[2];
-        const Scalar e1 = c_.k3 * z;
-        const Scalar e2 = c_.k4 + z * e1;
         const Scalar y_value = x[1];
         const Scalar z_dot = x[5];
-        const Scalar e3 = z_dot * e1;
-        const Scalar x_ddot = (y_dot * e2 + y_value * e3) * c_.k0;
-        const Scalar x_dot = x[3];
+        const Scalar z = x[2];
+        const Scalar e1 = z * c_.k3;
+        const Scalar e2 = z_dot * e1;
+        const Scalar y_dot = x[4];
+        const Scalar e3 = c_.k4 + z * e1;
+        const Scalar x_ddot = (y_value * e2 + y_dot * e3) * c_.k0;
         const Scalar x_value = x[0];
-        const Scalar y_ddot = (-x_dot * e2 - x_value * e3) * c_.k1;
+        const Scalar x_dot = x[3];
+        const Scalar y_ddot = (-x_value * e2 - x_dot * e3) * c_.k1;
         const Scalar e4 = x_value * y_dot - y_value * x_dot;
         const Scalar z_ddot = e1 * e4 * c_.k2;
         dxdt[0] = x[3];
@@ -245,45 +244,46 @@ public:
         dxdt[3] = x_ddot;
         dxdt[4] = y_ddot;
         dxdt[5] = z_ddot;
-        const Scalar e5 = c_.k3 * z_dot;
-        const Scalar e6 = c_.k5 * z;
-        const Scalar e7 = y_value * e1;
-        const Scalar e8 = x_value * e1;
+        const Scalar e5 = y_dot * e1;
+        const Scalar e6 = x_dot * e1;
+        const Scalar e7 = z_dot * c_.k3;
+        const Scalar e8 = y_value * e1;
+        const Scalar e9 = x_value * e1;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
         J[3] = Scalar(0);
-        J[4] = (-e3) * c_.k1;
-        J[5] = y_dot * e1 * c_.k2;
+        J[4] = (-e2) * c_.k1;
+        J[5] = e5 * c_.k2;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = e3 * c_.k0;
+        J[9] = e2 * c_.k0;
         J[10] = Scalar(0);
-        J[11] = (-x_dot * e1) * c_.k2;
+        J[11] = (-e6) * c_.k2;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = (y_value * e5 + y_dot * e6) * c_.k0;
-        J[16] = (-x_value * e5 - x_dot * e6) * c_.k1;
-        J[17] = c_.k3 * e4 * c_.k2;
+        J[15] = (y_value * e7 + Scalar(2) * e5) * c_.k0;
+        J[16] = (-x_value * e7 - Scalar(2) * e6) * c_.k1;
+        J[17] = e4 * c_.k3 * c_.k2;
         J[18] = Scalar(1);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = (-e2) * c_.k1;
-        J[23] = (-e7) * c_.k2;
+        J[22] = (-e3) * c_.k1;
+        J[23] = (-e8) * c_.k2;
         J[24] = Scalar(0);
         J[25] = Scalar(1);
         J[26] = Scalar(0);
-        J[27] = e2 * c_.k0;
+        J[27] = e3 * c_.k0;
         J[28] = Scalar(0);
-        J[29] = e8 * c_.k2;
+        J[29] = e9 * c_.k2;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(1);
-        J[33] = e7 * c_.k0;
-        J[34] = (-e8) * c_.k1;
+        J[33] = e8 * c_.k0;
+        J[34] = (-e9) * c_.k1;
         J[35] = Scalar(0);
     }
 
@@ -432,7 +432,7 @@ public:
         const Scalar y_value = x[1];
         const Scalar z = x[2];
         y[0] = sqrt_1;
-        y[1] = p_.m * (x_value * y_dot - y_value * x_dot) + (x_value * x_value + y_value * y_value) * (c_.k6 + c_.k7 * z * z);
+        y[1] = p_.m * (x_value * y_dot - y_value * x_dot) + (x_value * x_value + y_value * y_value) * (c_.k5 + c_.k6 * z * z);
     }
 
     /// C = dh/dx.
@@ -532,9 +532,8 @@ private:
         Scalar k2;  ///< of the factorisation of M
         Scalar k3;  ///< e*B_0/L^2
         Scalar k4;  ///< e*B_0
-        Scalar k5;  ///< 2*e*B_0/L^2
-        Scalar k6;  ///< e*B_0/2
-        Scalar k7;  ///< e*B_0/(2*L^2)
+        Scalar k5;  ///< e*B_0/2
+        Scalar k6;  ///< e*B_0/(2*L^2)
     };
     Cached c_{};
 };

@@ -15,9 +15,9 @@
 //     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 1      8     1        0      0
+//   update                 1      8     3        0      0
 //   rhs                    7     18     1        4      0
-//   rhs_and_jacobian      19     43     1        4      0
+//   rhs_and_jacobian      19     42     1        4      0
 //   jacobian_p            28     61     1        4      0
 //   mass_matrix            1      3     0        4      0
 //   bias                   3      9     0        4      0
@@ -197,20 +197,21 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 1 + or -, 8 *, 1 /
+    /// Operations: 1 + or -, 8 *, 3 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.l[0] * (p_.m[0] + p_.m[1]);
         const Scalar e2 = p_.l[0] * e1;
         c_.k0 = e2;
         const Scalar e3 = p_.m[1] * p_.l[1];
-        const Scalar e4 = p_.l[0] * e3;
-        c_.k1 = e4;
+        c_.k1 = p_.l[0] * e3;
         c_.k2 = p_.l[1] * e3;
-        c_.k3 = p_.g * e1;
+        const Scalar e4 = p_.g * e1;
+        c_.k3 = e4;
         c_.k4 = p_.g * e3;
         c_.k5 = Scalar(1) / e2;
-        c_.k6 = Scalar(2) * e4;
+        c_.k6 = e4;
+        c_.k7 = Scalar(1) / p_.l[0] / e1;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -253,56 +254,53 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 19 + or -, 43 *, 1 /, 4 sin or cos
+    /// Operations: 19 + or -, 42 *, 1 /, 4 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        const Scalar phi_2_dot = x[3];
-        const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
         const Scalar phi_1 = x[0];
         Scalar sin_phi_1, cos_phi_1;
         detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_2 = x[1];
         Scalar sin_phi_2, cos_phi_2;
         detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
-        const Scalar e1 = cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1;
-        const Scalar e2 = c_.k1 * e1;
-        const Scalar e3 = phi_2_dot_squared * e2 - c_.k3 * sin_phi_1;
-        const Scalar e4 = cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2;
-        const Scalar e5 = c_.k1 * e4;
-        const Scalar e6 = e5 * c_.k5;
+        const Scalar e1 = (cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1) * c_.k1;
+        const Scalar phi_2_dot = x[3];
+        const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
+        const Scalar e2 = e1 * phi_2_dot_squared - sin_phi_1 * c_.k6;
+        const Scalar e3 = (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2) * c_.k1;
+        const Scalar e4 = e3 * c_.k7;
         const Scalar phi_1_dot = x[2];
         const Scalar phi_1_dot_squared = phi_1_dot * phi_1_dot;
-        const Scalar inverse_7 = Scalar(1) / (c_.k2 - e5 * e6);
-        const Scalar phi_2_ddot = (-c_.k4 * sin_phi_2 - phi_1_dot_squared * e2 - e6 * e3) * inverse_7;
-        const Scalar phi_1_ddot = e3 * c_.k5 - e6 * phi_2_ddot;
+        const Scalar inverse_5 = Scalar(1) / (c_.k2 - e3 * e4);
+        const Scalar phi_2_ddot = (-sin_phi_2 * c_.k4 - e1 * phi_1_dot_squared - e4 * e2) * inverse_5;
+        const Scalar phi_1_ddot = e2 * c_.k7 - e4 * phi_2_ddot;
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = phi_1_ddot;
         dxdt[3] = phi_2_ddot;
-        const Scalar e8 = c_.k1 * (phi_2_ddot * e1 + e4 * phi_2_dot_squared);
-        const Scalar e9 = -c_.k3 * cos_phi_1 - e8;
-        const Scalar e10 = c_.k1 * (e4 * phi_1_dot_squared - phi_1_ddot * e1);
-        const Scalar e11 = (e10 - e6 * e9) * inverse_7;
-        const Scalar e12 = (-c_.k4 * cos_phi_2 - e10 - e6 * e8) * inverse_7;
-        const Scalar e13 = c_.k6 * e1;
-        const Scalar e14 = (-phi_1_dot * e13) * inverse_7;
-        const Scalar e15 = phi_2_dot * e13;
-        const Scalar e16 = (-e6 * e15) * inverse_7;
+        const Scalar e6 = phi_2_ddot * e1 + e3 * phi_2_dot_squared;
+        const Scalar e7 = -cos_phi_1 * c_.k6 - e6;
+        const Scalar e8 = e3 * phi_1_dot_squared - phi_1_ddot * e1;
+        const Scalar e9 = (e8 - e4 * e7) * inverse_5;
+        const Scalar e10 = (-cos_phi_2 * c_.k4 - e8 - e4 * e6) * inverse_5;
+        const Scalar e11 = (-Scalar(2) * phi_1_dot * e1) * inverse_5;
+        const Scalar e12 = Scalar(2) * phi_2_dot * e1;
+        const Scalar e13 = (-e4 * e12) * inverse_5;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e9 * c_.k5 - e6 * e11;
-        J[3] = e11;
+        J[2] = e7 * c_.k7 - e4 * e9;
+        J[3] = e9;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = e8 * c_.k5 - e6 * e12;
-        J[7] = e12;
+        J[6] = e6 * c_.k7 - e4 * e10;
+        J[7] = e10;
         J[8] = Scalar(1);
         J[9] = Scalar(0);
-        J[10] = -e6 * e14;
-        J[11] = e14;
+        J[10] = -e4 * e11;
+        J[11] = e11;
         J[12] = Scalar(0);
         J[13] = Scalar(1);
-        J[14] = e15 * c_.k5 - e6 * e16;
-        J[15] = e16;
+        J[14] = e12 * c_.k7 - e4 * e13;
+        J[15] = e13;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -548,7 +546,8 @@ private:
         Scalar k3;  ///< l[1]*g*(m[1] + m[2])
         Scalar k4;  ///< m[2]*l[2]*g
         Scalar k5;  ///< 1/(l[1]^2*(m[1] + m[2]))
-        Scalar k6;  ///< 2*m[2]*l[1]*l[2]
+        Scalar k6;  ///< l[1]*g*(m[1] + m[2])
+        Scalar k7;  ///< 1/(l[1]^2*(m[1] + m[2]))
     };
     Cached c_{};
 };

@@ -15,9 +15,9 @@
 //     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     15     1        0      0
+//   update                 2     13     3        0      0
 //   rhs                   22     46     2        6      0
-//   rhs_and_jacobian      69    127     2        6      0
+//   rhs_and_jacobian      69    124     2        6      0
 //   jacobian_p            84    154     2        6      0
 //   mass_matrix            3      9     0        6      0
 //   bias                   9     21     0        6      0
@@ -201,7 +201,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 15 *, 1 /
+    /// Operations: 2 + or -, 13 *, 3 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.m[1] + p_.m[2];
@@ -211,20 +211,23 @@ public:
         const Scalar e4 = p_.l[1] * e1;
         const Scalar e5 = p_.l[0] * e4;
         c_.k1 = e5;
-        c_.k2 = p_.l[1] * e4;
-        const Scalar e6 = p_.m[2] * p_.l[2];
-        const Scalar e7 = p_.l[0] * e6;
-        c_.k3 = e7;
-        const Scalar e8 = p_.l[1] * e6;
-        c_.k4 = e8;
-        c_.k5 = p_.l[2] * e6;
-        c_.k6 = p_.g * e2;
-        c_.k7 = p_.g * e4;
-        c_.k8 = p_.g * e6;
+        const Scalar e6 = p_.l[1] * e4;
+        c_.k2 = e6;
+        const Scalar e7 = p_.m[2] * p_.l[2];
+        c_.k3 = p_.l[0] * e7;
+        c_.k4 = p_.l[1] * e7;
+        c_.k5 = p_.l[2] * e7;
+        const Scalar e8 = p_.g * e2;
+        c_.k6 = e8;
+        const Scalar e9 = p_.g * e4;
+        c_.k7 = e9;
+        c_.k8 = p_.g * e7;
         c_.k9 = Scalar(1) / e3;
-        c_.k10 = Scalar(2) * e5;
-        c_.k11 = Scalar(2) * e7;
-        c_.k12 = Scalar(2) * e8;
+        c_.k10 = e5;
+        c_.k11 = e6;
+        c_.k12 = e8;
+        c_.k13 = e9;
+        c_.k14 = Scalar(1) / p_.l[0] / e2;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -292,118 +295,110 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 69 + or -, 127 *, 2 /, 6 sin or cos
+    /// Operations: 69 + or -, 124 *, 2 /, 6 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        const Scalar phi_2_dot = x[4];
-        const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
         const Scalar phi_1 = x[0];
         Scalar sin_phi_1, cos_phi_1;
         detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
-        const Scalar phi_2 = x[1];
-        Scalar sin_phi_2, cos_phi_2;
-        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
-        const Scalar e1 = cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1;
-        const Scalar e2 = c_.k1 * e1;
-        const Scalar phi_3_dot = x[5];
-        const Scalar phi_3_dot_squared = phi_3_dot * phi_3_dot;
         const Scalar phi_3 = x[2];
         Scalar sin_phi_3, cos_phi_3;
         detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
-        const Scalar e3 = cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1;
-        const Scalar e4 = c_.k3 * e3;
-        const Scalar e5 = phi_2_dot_squared * e2 - c_.k6 * sin_phi_1 + phi_3_dot_squared * e4;
-        const Scalar e6 = cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2;
-        const Scalar e7 = c_.k1 * e6;
-        const Scalar e8 = e7 * c_.k9;
-        const Scalar e9 = cos_phi_2 * sin_phi_3 - cos_phi_3 * sin_phi_2;
-        const Scalar e10 = c_.k4 * e9;
+        const Scalar e1 = (cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1) * c_.k3;
+        const Scalar phi_3_dot = x[5];
+        const Scalar phi_3_dot_squared = phi_3_dot * phi_3_dot;
+        const Scalar phi_2 = x[1];
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
+        const Scalar e2 = (cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1) * c_.k10;
+        const Scalar phi_2_dot = x[4];
+        const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
+        const Scalar e3 = e1 * phi_3_dot_squared - sin_phi_1 * c_.k12 + e2 * phi_2_dot_squared;
+        const Scalar e4 = (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2) * c_.k10;
+        const Scalar e5 = e4 * c_.k14;
+        const Scalar e6 = (cos_phi_2 * sin_phi_3 - cos_phi_3 * sin_phi_2) * c_.k4;
         const Scalar phi_1_dot = x[3];
         const Scalar phi_1_dot_squared = phi_1_dot * phi_1_dot;
-        const Scalar e11 = phi_3_dot_squared * e10 - c_.k7 * sin_phi_2 - phi_1_dot_squared * e2 - e8 * e5;
-        const Scalar inverse_12 = Scalar(1) / (c_.k2 - e7 * e8);
-        const Scalar e13 = cos_phi_2 * cos_phi_3 + sin_phi_2 * sin_phi_3;
-        const Scalar e14 = cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3;
-        const Scalar e15 = c_.k3 * e14;
-        const Scalar e16 = c_.k4 * e13 - e15 * e8;
-        const Scalar e17 = e16 * inverse_12;
-        const Scalar e18 = e15 * c_.k9;
-        const Scalar inverse_19 = Scalar(1) / (c_.k5 - e15 * e18 - e16 * e17);
-        const Scalar e20 = -c_.k8 * sin_phi_3 - phi_1_dot_squared * e4 - phi_2_dot_squared * e10 - e18 * e5 - e17 * e11;
-        const Scalar phi_3_ddot = e20 * inverse_19;
-        const Scalar phi_2_ddot = e11 * inverse_12 - e17 * phi_3_ddot;
-        const Scalar phi_1_ddot = e5 * c_.k9 - e8 * phi_2_ddot - e18 * phi_3_ddot;
+        const Scalar e7 = e6 * phi_3_dot_squared - sin_phi_2 * c_.k13 - e2 * phi_1_dot_squared - e5 * e3;
+        const Scalar inverse_8 = Scalar(1) / (c_.k11 - e4 * e5);
+        const Scalar e9 = (cos_phi_2 * cos_phi_3 + sin_phi_2 * sin_phi_3) * c_.k4;
+        const Scalar e10 = (cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3) * c_.k3;
+        const Scalar e11 = e9 - e10 * e5;
+        const Scalar e12 = e11 * inverse_8;
+        const Scalar e13 = e10 * c_.k14;
+        const Scalar inverse_14 = Scalar(1) / (c_.k5 - e10 * e13 - e11 * e12);
+        const Scalar e15 = -sin_phi_3 * c_.k8 - e1 * phi_1_dot_squared - e6 * phi_2_dot_squared - e13 * e3 - e12 * e7;
+        const Scalar phi_3_ddot = e15 * inverse_14;
+        const Scalar phi_2_ddot = e7 * inverse_8 - e12 * phi_3_ddot;
+        const Scalar phi_1_ddot = e3 * c_.k14 - e5 * phi_2_ddot - e13 * phi_3_ddot;
         dxdt[0] = x[3];
         dxdt[1] = x[4];
         dxdt[2] = x[5];
         dxdt[3] = phi_1_ddot;
         dxdt[4] = phi_2_ddot;
         dxdt[5] = phi_3_ddot;
-        const Scalar e21 = c_.k1 * (phi_2_ddot * e1 + e6 * phi_2_dot_squared);
-        const Scalar e22 = c_.k3 * (phi_3_ddot * e3 + e14 * phi_3_dot_squared);
-        const Scalar e23 = -c_.k6 * cos_phi_1 - e21 - e22;
-        const Scalar e24 = c_.k1 * (e6 * phi_1_dot_squared - phi_1_ddot * e1);
-        const Scalar e25 = e24 - e8 * e23;
-        const Scalar e26 = c_.k3 * (e14 * phi_1_dot_squared - phi_1_ddot * e3);
-        const Scalar e27 = (e26 - e18 * e23 - e17 * e25) * inverse_19;
-        const Scalar e28 = e25 * inverse_12 - e17 * e27;
-        const Scalar e29 = c_.k4 * (phi_3_ddot * e9 + e13 * phi_3_dot_squared);
-        const Scalar e30 = -c_.k7 * cos_phi_2 - e24 - e29 - e8 * e21;
-        const Scalar e31 = c_.k4 * (e13 * phi_2_dot_squared - phi_2_ddot * e9);
-        const Scalar e32 = (e31 - e18 * e21 - e17 * e30) * inverse_19;
-        const Scalar e33 = e30 * inverse_12 - e17 * e32;
-        const Scalar e34 = e29 - e8 * e22;
-        const Scalar e35 = (-c_.k8 * cos_phi_3 - e26 - e31 - e18 * e22 - e17 * e34) * inverse_19;
-        const Scalar e36 = e34 * inverse_12 - e17 * e35;
-        const Scalar e37 = c_.k10 * e1;
-        const Scalar e38 = -phi_1_dot * e37;
-        const Scalar e39 = c_.k11 * e3;
-        const Scalar e40 = (-phi_1_dot * e39 - e17 * e38) * inverse_19;
-        const Scalar e41 = e38 * inverse_12 - e17 * e40;
-        const Scalar e42 = phi_2_dot * e37;
-        const Scalar e43 = -e8 * e42;
-        const Scalar e44 = c_.k12 * e9;
-        const Scalar e45 = (-phi_2_dot * e44 - e18 * e42 - e17 * e43) * inverse_19;
-        const Scalar e46 = e43 * inverse_12 - e17 * e45;
-        const Scalar e47 = phi_3_dot * e39;
-        const Scalar e48 = phi_3_dot * e44 - e8 * e47;
-        const Scalar e49 = (-e18 * e47 - e17 * e48) * inverse_19;
-        const Scalar e50 = e48 * inverse_12 - e17 * e49;
+        const Scalar e16 = phi_3_ddot * e1 + phi_3_dot_squared * e10;
+        const Scalar e17 = phi_2_ddot * e2 + phi_2_dot_squared * e4;
+        const Scalar e18 = -cos_phi_1 * c_.k12 - e16 - e17;
+        const Scalar e19 = phi_1_dot_squared * e4 - phi_1_ddot * e2;
+        const Scalar e20 = e19 - e5 * e18;
+        const Scalar e21 = phi_1_dot_squared * e10 - phi_1_ddot * e1;
+        const Scalar e22 = (e21 - e13 * e18 - e12 * e20) * inverse_14;
+        const Scalar e23 = e20 * inverse_8 - e12 * e22;
+        const Scalar e24 = phi_3_ddot * e6 + phi_3_dot_squared * e9;
+        const Scalar e25 = -cos_phi_2 * c_.k13 - e24 - e19 - e5 * e17;
+        const Scalar e26 = phi_2_dot_squared * e9 - phi_2_ddot * e6;
+        const Scalar e27 = (e26 - e13 * e17 - e12 * e25) * inverse_14;
+        const Scalar e28 = e25 * inverse_8 - e12 * e27;
+        const Scalar e29 = e24 - e5 * e16;
+        const Scalar e30 = (-cos_phi_3 * c_.k8 - e21 - e26 - e13 * e16 - e12 * e29) * inverse_14;
+        const Scalar e31 = e29 * inverse_8 - e12 * e30;
+        const Scalar e32 = -Scalar(2) * phi_1_dot * e2;
+        const Scalar e33 = (-Scalar(2) * phi_1_dot * e1 - e12 * e32) * inverse_14;
+        const Scalar e34 = e32 * inverse_8 - e12 * e33;
+        const Scalar e35 = Scalar(2) * phi_2_dot * e2;
+        const Scalar e36 = -e5 * e35;
+        const Scalar e37 = (-Scalar(2) * phi_2_dot * e6 - e13 * e35 - e12 * e36) * inverse_14;
+        const Scalar e38 = e36 * inverse_8 - e12 * e37;
+        const Scalar e39 = Scalar(2) * phi_3_dot * e1;
+        const Scalar e40 = Scalar(2) * phi_3_dot * e6 - e5 * e39;
+        const Scalar e41 = (-e13 * e39 - e12 * e40) * inverse_14;
+        const Scalar e42 = e40 * inverse_8 - e12 * e41;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = e23 * c_.k9 - e8 * e28 - e18 * e27;
-        J[4] = e28;
-        J[5] = e27;
+        J[3] = e18 * c_.k14 - e5 * e23 - e13 * e22;
+        J[4] = e23;
+        J[5] = e22;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = e21 * c_.k9 - e8 * e33 - e18 * e32;
-        J[10] = e33;
-        J[11] = e32;
+        J[9] = e17 * c_.k14 - e5 * e28 - e13 * e27;
+        J[10] = e28;
+        J[11] = e27;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e22 * c_.k9 - e8 * e36 - e18 * e35;
-        J[16] = e36;
-        J[17] = e35;
+        J[15] = e16 * c_.k14 - e5 * e31 - e13 * e30;
+        J[16] = e31;
+        J[17] = e30;
         J[18] = Scalar(1);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = -e8 * e41 - e18 * e40;
-        J[22] = e41;
-        J[23] = e40;
+        J[21] = -e5 * e34 - e13 * e33;
+        J[22] = e34;
+        J[23] = e33;
         J[24] = Scalar(0);
         J[25] = Scalar(1);
         J[26] = Scalar(0);
-        J[27] = e42 * c_.k9 - e8 * e46 - e18 * e45;
-        J[28] = e46;
-        J[29] = e45;
+        J[27] = e35 * c_.k14 - e5 * e38 - e13 * e37;
+        J[28] = e38;
+        J[29] = e37;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(1);
-        J[33] = e47 * c_.k9 - e8 * e50 - e18 * e49;
-        J[34] = e50;
-        J[35] = e49;
+        J[33] = e39 * c_.k14 - e5 * e42 - e13 * e41;
+        J[34] = e42;
+        J[35] = e41;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -774,9 +769,11 @@ private:
         Scalar k7;  ///< l[2]*g*(m[2] + m[3])
         Scalar k8;  ///< m[3]*l[3]*g
         Scalar k9;  ///< 1/(l[1]^2*(m[1] + m[2] + m[3]))
-        Scalar k10;  ///< 2*l[1]*l[2]*(m[2] + m[3])
-        Scalar k11;  ///< 2*m[3]*l[1]*l[3]
-        Scalar k12;  ///< 2*m[3]*l[2]*l[3]
+        Scalar k10;  ///< l[1]*l[2]*(m[2] + m[3])
+        Scalar k11;  ///< l[2]^2*(m[2] + m[3])
+        Scalar k12;  ///< l[1]*g*(m[1] + m[2] + m[3])
+        Scalar k13;  ///< l[2]*g*(m[2] + m[3])
+        Scalar k14;  ///< 1/(l[1]^2*(m[1] + m[2] + m[3]))
     };
     Cached c_{};
 };

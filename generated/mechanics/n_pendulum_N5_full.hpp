@@ -15,8 +15,8 @@
 //     this code = the derivation: 19 of 19 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 4     35     1        0      0
-//   rhs                   80    145     4       10      0
+//   update                 4     40     2        0      0
+//   rhs                   75    129     4       10      0
 //   rhs_and_jacobian     332    505     4       10      0
 //   jacobian_p           336    530     4       10      0
 //   mass_matrix           10     30     0       10      0
@@ -211,59 +211,71 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 4 + or -, 35 *, 1 /
+    /// Operations: 4 + or -, 40 *, 2 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.m[3] + p_.m[4];
         const Scalar e2 = p_.m[2] + e1;
         const Scalar e3 = p_.m[1] + e2;
-        const Scalar e4 = p_.l[0] * (p_.m[0] + e3);
-        const Scalar e5 = p_.l[0] * e4;
-        c_.k0 = e5;
-        const Scalar e6 = p_.l[1] * e3;
-        const Scalar e7 = p_.l[0] * e6;
-        c_.k1 = e7;
-        c_.k2 = p_.l[1] * e6;
-        const Scalar e8 = p_.l[2] * e2;
-        const Scalar e9 = p_.l[0] * e8;
-        c_.k3 = e9;
-        const Scalar e10 = p_.l[1] * e8;
-        c_.k4 = e10;
-        c_.k5 = p_.l[2] * e8;
-        const Scalar e11 = p_.l[3] * e1;
-        const Scalar e12 = p_.l[0] * e11;
-        c_.k6 = e12;
-        const Scalar e13 = p_.l[1] * e11;
-        c_.k7 = e13;
-        const Scalar e14 = p_.l[2] * e11;
-        c_.k8 = e14;
-        c_.k9 = p_.l[3] * e11;
-        const Scalar e15 = p_.m[4] * p_.l[4];
-        const Scalar e16 = p_.l[0] * e15;
-        c_.k10 = e16;
-        const Scalar e17 = p_.l[1] * e15;
-        c_.k11 = e17;
-        const Scalar e18 = p_.l[2] * e15;
-        c_.k12 = e18;
-        const Scalar e19 = p_.l[3] * e15;
-        c_.k13 = e19;
-        c_.k14 = p_.l[4] * e15;
-        c_.k15 = p_.g * e4;
-        c_.k16 = p_.g * e6;
-        c_.k17 = p_.g * e8;
-        c_.k18 = p_.g * e11;
-        c_.k19 = p_.g * e15;
-        c_.k20 = Scalar(1) / e5;
-        c_.k21 = Scalar(2) * e7;
-        c_.k22 = Scalar(2) * e9;
-        c_.k23 = Scalar(2) * e12;
-        c_.k24 = Scalar(2) * e16;
-        c_.k25 = Scalar(2) * e10;
-        c_.k26 = Scalar(2) * e13;
-        c_.k27 = Scalar(2) * e17;
-        c_.k28 = Scalar(2) * e14;
-        c_.k29 = Scalar(2) * e18;
-        c_.k30 = Scalar(2) * e19;
+        c_.k0 = e3;
+        c_.k1 = p_.l[1] * p_.l[1] * e3;
+        const Scalar e4 = p_.l[2] * e2;
+        c_.k2 = e4;
+        const Scalar e5 = p_.l[2] * e4;
+        c_.k3 = e5;
+        const Scalar e6 = p_.l[3] * e1;
+        c_.k4 = e6;
+        const Scalar e7 = p_.l[3] * e6;
+        c_.k5 = e7;
+        const Scalar e8 = p_.m[4] * p_.l[4];
+        c_.k6 = e8;
+        c_.k7 = p_.l[4] * e8;
+        c_.k8 = p_.m[0] * p_.g;
+        const Scalar e9 = p_.l[3] * e8;
+        c_.k9 = e9;
+        const Scalar e10 = p_.l[0] * p_.l[0];
+        const Scalar e11 = p_.m[0] + e3;
+        c_.k10 = Scalar(1) / (e10 * e11);
+        const Scalar e12 = e11 * e10;
+        c_.k11 = e12;
+        const Scalar e13 = p_.l[1] * e3;
+        const Scalar e14 = p_.l[0] * e13;
+        c_.k12 = e14;
+        c_.k13 = p_.l[1] * e13;
+        const Scalar e15 = p_.l[0] * e4;
+        c_.k14 = e15;
+        const Scalar e16 = p_.l[1] * e4;
+        c_.k15 = e16;
+        c_.k16 = e5;
+        const Scalar e17 = p_.l[0] * e6;
+        c_.k17 = e17;
+        const Scalar e18 = p_.l[1] * e6;
+        c_.k18 = e18;
+        const Scalar e19 = p_.l[2] * e6;
+        c_.k19 = e19;
+        c_.k20 = e7;
+        const Scalar e20 = p_.l[0] * e8;
+        c_.k21 = e20;
+        const Scalar e21 = p_.l[1] * e8;
+        c_.k22 = e21;
+        const Scalar e22 = p_.l[2] * e8;
+        c_.k23 = e22;
+        c_.k24 = p_.l[0] * p_.g * e11;
+        c_.k25 = p_.g * e13;
+        c_.k26 = p_.g * e4;
+        c_.k27 = p_.g * e6;
+        c_.k28 = p_.g * e8;
+        c_.k29 = Scalar(2) * e14;
+        c_.k30 = Scalar(2) * e15;
+        c_.k31 = Scalar(2) * e17;
+        c_.k32 = Scalar(2) * e20;
+        c_.k33 = Scalar(2) * e16;
+        c_.k34 = Scalar(2) * e18;
+        c_.k35 = Scalar(2) * e21;
+        c_.k36 = Scalar(2) * e19;
+        c_.k37 = Scalar(2) * e22;
+        c_.k38 = Scalar(2) * e9;
+        c_.k39 = Scalar(1) / e12;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -281,7 +293,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 80 + or -, 145 *, 4 /, 10 sin or cos
+    /// Operations: 75 + or -, 129 *, 4 /, 10 sin or cos
     ///     l[1]^2*(m[1] + m[2] + m[3] + m[4] + m[5])*ddot(phi[1]) + l[1]*l[2]*(m[2] + m[3] + m[4] + m[5])*cos(phi[1] -
     ///     phi[2])*ddot(phi[2]) + l[1]*l[3]*(m[3] + m[4] + m[5])*cos(phi[1] - phi[3])*ddot(phi[3]) + l[1]*l[4]*(m[4] +
     ///     m[5])*cos(phi[1] - phi[4])*ddot(phi[4]) + m[5]*l[1]*l[5]*cos(phi[1] - phi[5])*ddot(phi[5]) + l[1]*l[2]*(m[2] + m[3] +
@@ -311,83 +323,89 @@ public:
     ///     phi[5])*dot(phi[2])^2 - m[5]*l[3]*l[5]*sin(phi[3] - phi[5])*dot(phi[3])^2 - m[5]*l[4]*l[5]*sin(phi[4] -
     ///     phi[5])*dot(phi[4])^2 + m[5]*l[5]*g*sin(phi[5]) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
-        const Scalar phi_2_dot = x[6];
-        const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
         const Scalar phi_1 = x[0];
         Scalar sin_phi_1, cos_phi_1;
         detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
-        const Scalar phi_2 = x[1];
-        Scalar sin_phi_2, cos_phi_2;
-        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
-        const Scalar e1 = c_.k1 * (cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1);
+        const Scalar e1 = p_.l[0] * cos_phi_1;
+        const Scalar phi_5 = x[4];
+        Scalar sin_phi_5, cos_phi_5;
+        detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
+        const Scalar e2 = sin_phi_5 * c_.k6;
+        const Scalar phi_5_dot = x[9];
+        const Scalar phi_5_dot_squared = phi_5_dot * phi_5_dot;
+        const Scalar phi_4 = x[3];
+        Scalar sin_phi_4, cos_phi_4;
+        detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
+        const Scalar e3 = sin_phi_4 * c_.k4;
+        const Scalar phi_4_dot = x[8];
+        const Scalar phi_4_dot_squared = phi_4_dot * phi_4_dot;
+        const Scalar e4 = e2 * phi_5_dot_squared + e3 * phi_4_dot_squared;
         const Scalar phi_3_dot = x[7];
         const Scalar phi_3_dot_squared = phi_3_dot * phi_3_dot;
         const Scalar phi_3 = x[2];
         Scalar sin_phi_3, cos_phi_3;
         detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
-        const Scalar e2 = c_.k3 * (cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1);
-        const Scalar phi_4_dot = x[8];
-        const Scalar phi_4_dot_squared = phi_4_dot * phi_4_dot;
-        const Scalar phi_4 = x[3];
-        Scalar sin_phi_4, cos_phi_4;
-        detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
-        const Scalar e3 = c_.k6 * (cos_phi_1 * sin_phi_4 - cos_phi_4 * sin_phi_1);
-        const Scalar phi_5_dot = x[9];
-        const Scalar phi_5_dot_squared = phi_5_dot * phi_5_dot;
-        const Scalar phi_5 = x[4];
-        Scalar sin_phi_5, cos_phi_5;
-        detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
-        const Scalar e4 = c_.k10 * (cos_phi_1 * sin_phi_5 - cos_phi_5 * sin_phi_1);
-        const Scalar e5 = phi_2_dot_squared * e1 - c_.k15 * sin_phi_1 + phi_3_dot_squared * e2 + phi_4_dot_squared * e3
-            + phi_5_dot_squared * e4;
-        const Scalar e6 = c_.k1 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
-        const Scalar e7 = e6 * c_.k20;
-        const Scalar e8 = c_.k4 * (cos_phi_2 * sin_phi_3 - cos_phi_3 * sin_phi_2);
+        const Scalar e5 = sin_phi_3 * c_.k2;
+        const Scalar e6 = e4 + phi_3_dot_squared * e5;
+        const Scalar phi_2 = x[1];
+        Scalar sin_phi_2, cos_phi_2;
+        detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
+        const Scalar e7 = p_.l[1] * sin_phi_2;
+        const Scalar e8 = e7 * c_.k0;
+        const Scalar phi_2_dot = x[6];
+        const Scalar phi_2_dot_squared = phi_2_dot * phi_2_dot;
+        const Scalar e9 = p_.l[0] * sin_phi_1;
+        const Scalar e10 = cos_phi_5 * c_.k6;
+        const Scalar e11 = cos_phi_4 * c_.k4;
+        const Scalar e12 = e10 * phi_5_dot_squared + e11 * phi_4_dot_squared;
+        const Scalar e13 = cos_phi_3 * c_.k2;
+        const Scalar e14 = e12 + phi_3_dot_squared * e13;
+        const Scalar e15 = p_.l[1] * cos_phi_2;
+        const Scalar e16 = p_.g + e15 * phi_2_dot_squared;
+        const Scalar e17 = e9 * c_.k0;
+        const Scalar e18 = e1 * (e6 + e8 * phi_2_dot_squared) - e9 * (c_.k8 + e14) - e16 * e17;
+        const Scalar e19 = e9 * e8 + e1 * e15 * c_.k0;
+        const Scalar e20 = e19 * c_.k10;
         const Scalar phi_1_dot = x[5];
         const Scalar phi_1_dot_squared = phi_1_dot * phi_1_dot;
-        const Scalar e9 = c_.k7 * (cos_phi_2 * sin_phi_4 - cos_phi_4 * sin_phi_2);
-        const Scalar e10 = c_.k11 * (cos_phi_2 * sin_phi_5 - cos_phi_5 * sin_phi_2);
-        const Scalar e11 = phi_3_dot_squared * e8 - c_.k16 * sin_phi_2 - phi_1_dot_squared * e1 + phi_4_dot_squared * e9
-            + phi_5_dot_squared * e10;
-        const Scalar e12 = e11 - e7 * e5;
-        const Scalar inverse_13 = Scalar(1) / (c_.k2 - e6 * e7);
-        const Scalar e14 = c_.k3 * (cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3);
-        const Scalar e15 = c_.k4 * (cos_phi_2 * cos_phi_3 + sin_phi_2 * sin_phi_3) - e14 * e7;
-        const Scalar e16 = e15 * inverse_13;
-        const Scalar e17 = c_.k8 * (cos_phi_3 * sin_phi_4 - cos_phi_4 * sin_phi_3);
-        const Scalar e18 = c_.k12 * (cos_phi_3 * sin_phi_5 - cos_phi_5 * sin_phi_3);
-        const Scalar e19 = e14 * c_.k20;
-        const Scalar e20 = phi_4_dot_squared * e17 - c_.k17 * sin_phi_3 - phi_1_dot_squared * e2 - phi_2_dot_squared * e8
-            + phi_5_dot_squared * e18;
-        const Scalar e21 = e20 - e19 * e5 - e16 * e12;
-        const Scalar inverse_22 = Scalar(1) / (c_.k5 - e14 * e19 - e15 * e16);
-        const Scalar e23 = c_.k6 * (cos_phi_1 * cos_phi_4 + sin_phi_1 * sin_phi_4);
-        const Scalar e24 = c_.k7 * (cos_phi_2 * cos_phi_4 + sin_phi_2 * sin_phi_4) - e23 * e7;
-        const Scalar e25 = c_.k8 * (cos_phi_3 * cos_phi_4 + sin_phi_3 * sin_phi_4) - e23 * e19 - e24 * e16;
-        const Scalar e26 = e25 * inverse_22;
-        const Scalar e27 = c_.k13 * (cos_phi_4 * sin_phi_5 - cos_phi_5 * sin_phi_4);
-        const Scalar e28 = e23 * c_.k20;
-        const Scalar e29 = e24 * inverse_13;
-        const Scalar e30 = phi_5_dot_squared * e27 - c_.k18 * sin_phi_4 - phi_1_dot_squared * e3 - phi_2_dot_squared * e9
-            - phi_3_dot_squared * e17;
-        const Scalar e31 = e30 - e28 * e5 - e29 * e12 - e26 * e21;
-        const Scalar inverse_32 = Scalar(1) / (c_.k9 - e23 * e28 - e24 * e29 - e25 * e26);
-        const Scalar e33 = c_.k10 * (cos_phi_1 * cos_phi_5 + sin_phi_1 * sin_phi_5);
-        const Scalar e34 = c_.k11 * (cos_phi_2 * cos_phi_5 + sin_phi_2 * sin_phi_5) - e33 * e7;
-        const Scalar e35 = c_.k12 * (cos_phi_3 * cos_phi_5 + sin_phi_3 * sin_phi_5) - e33 * e19 - e34 * e16;
-        const Scalar e36 = c_.k13 * (cos_phi_4 * cos_phi_5 + sin_phi_4 * sin_phi_5) - e33 * e28 - e34 * e29 - e35 * e26;
-        const Scalar e37 = e36 * inverse_32;
-        const Scalar e38 = e33 * c_.k20;
-        const Scalar e39 = e34 * inverse_13;
-        const Scalar e40 = e35 * inverse_22;
-        const Scalar e41 = -c_.k19 * sin_phi_5 - phi_1_dot_squared * e4 - phi_2_dot_squared * e10 - phi_3_dot_squared * e18
-            - phi_4_dot_squared * e27;
-        const Scalar phi_5_ddot = (e41 - e38 * e5 - e39 * e12 - e40 * e21 - e37 * e31)
-            / (c_.k14 - e33 * e38 - e34 * e39 - e35 * e40 - e36 * e37);
-        const Scalar phi_4_ddot = e31 * inverse_32 - e37 * phi_5_ddot;
-        const Scalar phi_3_ddot = e21 * inverse_22 - e26 * phi_4_ddot - e40 * phi_5_ddot;
-        const Scalar phi_2_ddot = e12 * inverse_13 - e16 * phi_3_ddot - e29 * phi_4_ddot - e39 * phi_5_ddot;
-        const Scalar phi_1_ddot = e5 * c_.k20 - e7 * phi_2_ddot - e19 * phi_3_ddot - e28 * phi_4_ddot - e38 * phi_5_ddot;
+        const Scalar e21 = e1 * phi_1_dot_squared;
+        const Scalar e22 = e15 * (e6 + phi_1_dot_squared * e17) - e8 * (p_.g + e21) - e7 * e14 - e20 * e18;
+        const Scalar inverse_23 = Scalar(1) / (c_.k1 - e19 * e20);
+        const Scalar e24 = e9 * e5 + e1 * e13;
+        const Scalar e25 = e7 * e5 + e15 * e13 - e24 * e20;
+        const Scalar e26 = e25 * inverse_23;
+        const Scalar e27 = e9 * phi_1_dot_squared + e7 * phi_2_dot_squared;
+        const Scalar e28 = p_.l[2] * cos_phi_3;
+        const Scalar e29 = p_.l[2] * sin_phi_3;
+        const Scalar e30 = e16 + e21;
+        const Scalar e31 = e24 * c_.k10;
+        const Scalar e32 = e27 * e13 + e4 * e28 - e12 * e29 - e30 * e5 - e31 * e18 - e26 * e22;
+        const Scalar inverse_33 = Scalar(1) / (c_.k3 - e24 * e31 - e25 * e26);
+        const Scalar e34 = e9 * e3 + e1 * e11;
+        const Scalar e35 = e7 * e3 + e15 * e11 - e34 * e20;
+        const Scalar e36 = e11 * e28 + e3 * e29 - e34 * e31 - e35 * e26;
+        const Scalar e37 = e36 * inverse_33;
+        const Scalar e38 = e27 + e29 * phi_3_dot_squared;
+        const Scalar e39 = e30 + e28 * phi_3_dot_squared;
+        const Scalar e40 = (cos_phi_4 * sin_phi_5 - cos_phi_5 * sin_phi_4) * c_.k9;
+        const Scalar e41 = e34 * c_.k10;
+        const Scalar e42 = e35 * inverse_23;
+        const Scalar e43 = e38 * e11 - e39 * e3 + phi_5_dot_squared * e40 - e41 * e18 - e42 * e22 - e37 * e32;
+        const Scalar inverse_44 = Scalar(1) / (c_.k5 - e34 * e41 - e35 * e42 - e36 * e37);
+        const Scalar e45 = e9 * e2 + e1 * e10;
+        const Scalar e46 = e7 * e2 + e15 * e10 - e45 * e20;
+        const Scalar e47 = e10 * e28 + e2 * e29 - e45 * e31 - e46 * e26;
+        const Scalar e48 = p_.l[3] * (cos_phi_4 * e10 + sin_phi_4 * e2) - e45 * e41 - e46 * e42 - e47 * e37;
+        const Scalar e49 = e48 * inverse_44;
+        const Scalar e50 = e45 * c_.k10;
+        const Scalar e51 = e46 * inverse_23;
+        const Scalar e52 = e47 * inverse_33;
+        const Scalar e53 = e38 * e10 - e39 * e2 - phi_4_dot_squared * e40 - e50 * e18 - e51 * e22 - e52 * e32 - e49 * e43;
+        const Scalar phi_5_ddot = e53 / (c_.k7 - e45 * e50 - e46 * e51 - e47 * e52 - e48 * e49);
+        const Scalar phi_4_ddot = e43 * inverse_44 - e49 * phi_5_ddot;
+        const Scalar phi_3_ddot = e32 * inverse_33 - e37 * phi_4_ddot - e52 * phi_5_ddot;
+        const Scalar phi_2_ddot = e22 * inverse_23 - e26 * phi_3_ddot - e42 * phi_4_ddot - e51 * phi_5_ddot;
+        const Scalar phi_1_ddot = e18 * c_.k10 - e20 * phi_2_ddot - e31 * phi_3_ddot - e41 * phi_4_ddot - e50 * phi_5_ddot;
         dxdt[0] = x[5];
         dxdt[1] = x[6];
         dxdt[2] = x[7];
@@ -413,84 +431,84 @@ public:
         Scalar sin_phi_2, cos_phi_2;
         detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
         const Scalar e1 = cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1;
-        const Scalar e2 = c_.k1 * e1;
+        const Scalar e2 = c_.k12 * e1;
         const Scalar phi_3_dot = x[7];
         const Scalar phi_3_dot_squared = phi_3_dot * phi_3_dot;
         const Scalar phi_3 = x[2];
         Scalar sin_phi_3, cos_phi_3;
         detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
         const Scalar e3 = cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1;
-        const Scalar e4 = c_.k3 * e3;
+        const Scalar e4 = c_.k14 * e3;
         const Scalar phi_4_dot = x[8];
         const Scalar phi_4_dot_squared = phi_4_dot * phi_4_dot;
         const Scalar phi_4 = x[3];
         Scalar sin_phi_4, cos_phi_4;
         detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
         const Scalar e5 = cos_phi_1 * sin_phi_4 - cos_phi_4 * sin_phi_1;
-        const Scalar e6 = c_.k6 * e5;
+        const Scalar e6 = c_.k17 * e5;
         const Scalar phi_5_dot = x[9];
         const Scalar phi_5_dot_squared = phi_5_dot * phi_5_dot;
         const Scalar phi_5 = x[4];
         Scalar sin_phi_5, cos_phi_5;
         detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
         const Scalar e7 = cos_phi_1 * sin_phi_5 - cos_phi_5 * sin_phi_1;
-        const Scalar e8 = c_.k10 * e7;
-        const Scalar e9 = phi_2_dot_squared * e2 - c_.k15 * sin_phi_1 + phi_3_dot_squared * e4 + phi_4_dot_squared * e6
+        const Scalar e8 = c_.k21 * e7;
+        const Scalar e9 = phi_2_dot_squared * e2 - c_.k24 * sin_phi_1 + phi_3_dot_squared * e4 + phi_4_dot_squared * e6
             + phi_5_dot_squared * e8;
-        const Scalar e10 = c_.k1 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
-        const Scalar e11 = e10 * c_.k20;
+        const Scalar e10 = c_.k12 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
+        const Scalar e11 = e10 * c_.k39;
         const Scalar e12 = cos_phi_2 * sin_phi_3 - cos_phi_3 * sin_phi_2;
-        const Scalar e13 = c_.k4 * e12;
+        const Scalar e13 = c_.k15 * e12;
         const Scalar phi_1_dot = x[5];
         const Scalar phi_1_dot_squared = phi_1_dot * phi_1_dot;
         const Scalar e14 = cos_phi_2 * sin_phi_4 - cos_phi_4 * sin_phi_2;
-        const Scalar e15 = c_.k7 * e14;
+        const Scalar e15 = c_.k18 * e14;
         const Scalar e16 = cos_phi_2 * sin_phi_5 - cos_phi_5 * sin_phi_2;
-        const Scalar e17 = c_.k11 * e16;
-        const Scalar e18 = phi_3_dot_squared * e13 - c_.k16 * sin_phi_2 - phi_1_dot_squared * e2 + phi_4_dot_squared * e15
+        const Scalar e17 = c_.k22 * e16;
+        const Scalar e18 = phi_3_dot_squared * e13 - c_.k25 * sin_phi_2 - phi_1_dot_squared * e2 + phi_4_dot_squared * e15
             + phi_5_dot_squared * e17;
         const Scalar e19 = e18 - e11 * e9;
-        const Scalar inverse_20 = Scalar(1) / (c_.k2 - e10 * e11);
-        const Scalar e21 = c_.k3 * (cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3);
-        const Scalar e22 = c_.k4 * (cos_phi_2 * cos_phi_3 + sin_phi_2 * sin_phi_3) - e21 * e11;
+        const Scalar inverse_20 = Scalar(1) / (c_.k13 - e10 * e11);
+        const Scalar e21 = c_.k14 * (cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3);
+        const Scalar e22 = c_.k15 * (cos_phi_2 * cos_phi_3 + sin_phi_2 * sin_phi_3) - e21 * e11;
         const Scalar e23 = e22 * inverse_20;
         const Scalar e24 = cos_phi_3 * sin_phi_4 - cos_phi_4 * sin_phi_3;
-        const Scalar e25 = c_.k8 * e24;
+        const Scalar e25 = c_.k19 * e24;
         const Scalar e26 = cos_phi_3 * sin_phi_5 - cos_phi_5 * sin_phi_3;
-        const Scalar e27 = c_.k12 * e26;
-        const Scalar e28 = e21 * c_.k20;
-        const Scalar e29 = phi_4_dot_squared * e25 - c_.k17 * sin_phi_3 - phi_1_dot_squared * e4 - phi_2_dot_squared * e13
+        const Scalar e27 = c_.k23 * e26;
+        const Scalar e28 = e21 * c_.k39;
+        const Scalar e29 = phi_4_dot_squared * e25 - c_.k26 * sin_phi_3 - phi_1_dot_squared * e4 - phi_2_dot_squared * e13
             + phi_5_dot_squared * e27;
         const Scalar e30 = e29 - e28 * e9 - e23 * e19;
-        const Scalar inverse_31 = Scalar(1) / (c_.k5 - e21 * e28 - e22 * e23);
-        const Scalar e32 = c_.k6 * (cos_phi_1 * cos_phi_4 + sin_phi_1 * sin_phi_4);
-        const Scalar e33 = c_.k7 * (cos_phi_2 * cos_phi_4 + sin_phi_2 * sin_phi_4) - e32 * e11;
-        const Scalar e34 = c_.k8 * (cos_phi_3 * cos_phi_4 + sin_phi_3 * sin_phi_4) - e32 * e28 - e33 * e23;
+        const Scalar inverse_31 = Scalar(1) / (c_.k16 - e21 * e28 - e22 * e23);
+        const Scalar e32 = c_.k17 * (cos_phi_1 * cos_phi_4 + sin_phi_1 * sin_phi_4);
+        const Scalar e33 = c_.k18 * (cos_phi_2 * cos_phi_4 + sin_phi_2 * sin_phi_4) - e32 * e11;
+        const Scalar e34 = c_.k19 * (cos_phi_3 * cos_phi_4 + sin_phi_3 * sin_phi_4) - e32 * e28 - e33 * e23;
         const Scalar e35 = e34 * inverse_31;
         const Scalar e36 = cos_phi_4 * sin_phi_5 - cos_phi_5 * sin_phi_4;
-        const Scalar e37 = c_.k13 * e36;
-        const Scalar e38 = e32 * c_.k20;
+        const Scalar e37 = c_.k9 * e36;
+        const Scalar e38 = e32 * c_.k39;
         const Scalar e39 = e33 * inverse_20;
-        const Scalar e40 = phi_5_dot_squared * e37 - c_.k18 * sin_phi_4 - phi_1_dot_squared * e6 - phi_2_dot_squared * e15
+        const Scalar e40 = phi_5_dot_squared * e37 - c_.k27 * sin_phi_4 - phi_1_dot_squared * e6 - phi_2_dot_squared * e15
             - phi_3_dot_squared * e25;
         const Scalar e41 = e40 - e38 * e9 - e39 * e19 - e35 * e30;
-        const Scalar inverse_42 = Scalar(1) / (c_.k9 - e32 * e38 - e33 * e39 - e34 * e35);
-        const Scalar e43 = c_.k10 * (cos_phi_1 * cos_phi_5 + sin_phi_1 * sin_phi_5);
-        const Scalar e44 = c_.k11 * (cos_phi_2 * cos_phi_5 + sin_phi_2 * sin_phi_5) - e43 * e11;
-        const Scalar e45 = c_.k12 * (cos_phi_3 * cos_phi_5 + sin_phi_3 * sin_phi_5) - e43 * e28 - e44 * e23;
-        const Scalar e46 = c_.k13 * (cos_phi_4 * cos_phi_5 + sin_phi_4 * sin_phi_5) - e43 * e38 - e44 * e39 - e45 * e35;
+        const Scalar inverse_42 = Scalar(1) / (c_.k20 - e32 * e38 - e33 * e39 - e34 * e35);
+        const Scalar e43 = c_.k21 * (cos_phi_1 * cos_phi_5 + sin_phi_1 * sin_phi_5);
+        const Scalar e44 = c_.k22 * (cos_phi_2 * cos_phi_5 + sin_phi_2 * sin_phi_5) - e43 * e11;
+        const Scalar e45 = c_.k23 * (cos_phi_3 * cos_phi_5 + sin_phi_3 * sin_phi_5) - e43 * e28 - e44 * e23;
+        const Scalar e46 = c_.k9 * (cos_phi_4 * cos_phi_5 + sin_phi_4 * sin_phi_5) - e43 * e38 - e44 * e39 - e45 * e35;
         const Scalar e47 = e46 * inverse_42;
-        const Scalar e48 = e43 * c_.k20;
+        const Scalar e48 = e43 * c_.k39;
         const Scalar e49 = e44 * inverse_20;
         const Scalar e50 = e45 * inverse_31;
-        const Scalar inverse_51 = Scalar(1) / (c_.k14 - e43 * e48 - e44 * e49 - e45 * e50 - e46 * e47);
-        const Scalar e52 = -c_.k19 * sin_phi_5 - phi_1_dot_squared * e8 - phi_2_dot_squared * e17 - phi_3_dot_squared * e27
+        const Scalar inverse_51 = Scalar(1) / (c_.k7 - e43 * e48 - e44 * e49 - e45 * e50 - e46 * e47);
+        const Scalar e52 = -c_.k28 * sin_phi_5 - phi_1_dot_squared * e8 - phi_2_dot_squared * e17 - phi_3_dot_squared * e27
             - phi_4_dot_squared * e37;
         const Scalar phi_5_ddot = (e52 - e48 * e9 - e49 * e19 - e50 * e30 - e47 * e41) * inverse_51;
         const Scalar phi_4_ddot = e41 * inverse_42 - e47 * phi_5_ddot;
         const Scalar phi_3_ddot = e30 * inverse_31 - e35 * phi_4_ddot - e50 * phi_5_ddot;
         const Scalar phi_2_ddot = e19 * inverse_20 - e23 * phi_3_ddot - e39 * phi_4_ddot - e49 * phi_5_ddot;
-        const Scalar phi_1_ddot = e9 * c_.k20 - e11 * phi_2_ddot - e28 * phi_3_ddot - e38 * phi_4_ddot - e48 * phi_5_ddot;
+        const Scalar phi_1_ddot = e9 * c_.k39 - e11 * phi_2_ddot - e28 * phi_3_ddot - e38 * phi_4_ddot - e48 * phi_5_ddot;
         dxdt[0] = x[5];
         dxdt[1] = x[6];
         dxdt[2] = x[7];
@@ -503,59 +521,59 @@ public:
         dxdt[9] = phi_5_ddot;
         const Scalar e53 = phi_2_ddot * sin_phi_2 + cos_phi_2 * phi_2_dot_squared;
         const Scalar e54 = sin_phi_2 * phi_2_dot_squared - phi_2_ddot * cos_phi_2;
-        const Scalar e55 = c_.k1 * (cos_phi_1 * e53 + sin_phi_1 * e54);
+        const Scalar e55 = c_.k12 * (cos_phi_1 * e53 + sin_phi_1 * e54);
         const Scalar e56 = phi_3_ddot * sin_phi_3 + cos_phi_3 * phi_3_dot_squared;
         const Scalar e57 = sin_phi_3 * phi_3_dot_squared - phi_3_ddot * cos_phi_3;
-        const Scalar e58 = c_.k3 * (cos_phi_1 * e56 + sin_phi_1 * e57);
+        const Scalar e58 = c_.k14 * (cos_phi_1 * e56 + sin_phi_1 * e57);
         const Scalar e59 = phi_4_ddot * sin_phi_4 + cos_phi_4 * phi_4_dot_squared;
         const Scalar e60 = sin_phi_4 * phi_4_dot_squared - phi_4_ddot * cos_phi_4;
-        const Scalar e61 = c_.k6 * (cos_phi_1 * e59 + sin_phi_1 * e60);
+        const Scalar e61 = c_.k17 * (cos_phi_1 * e59 + sin_phi_1 * e60);
         const Scalar e62 = phi_5_ddot * sin_phi_5 + cos_phi_5 * phi_5_dot_squared;
         const Scalar e63 = sin_phi_5 * phi_5_dot_squared - phi_5_ddot * cos_phi_5;
-        const Scalar e64 = c_.k10 * (cos_phi_1 * e62 + sin_phi_1 * e63);
-        const Scalar e65 = -c_.k15 * cos_phi_1 - e55 - e58 - e61 - e64;
+        const Scalar e64 = c_.k21 * (cos_phi_1 * e62 + sin_phi_1 * e63);
+        const Scalar e65 = -c_.k24 * cos_phi_1 - e55 - e58 - e61 - e64;
         const Scalar e66 = phi_1_ddot * sin_phi_1 + cos_phi_1 * phi_1_dot_squared;
         const Scalar e67 = sin_phi_1 * phi_1_dot_squared - phi_1_ddot * cos_phi_1;
-        const Scalar e68 = c_.k1 * (cos_phi_2 * e66 + sin_phi_2 * e67);
+        const Scalar e68 = c_.k12 * (cos_phi_2 * e66 + sin_phi_2 * e67);
         const Scalar e69 = e68 - e11 * e65;
-        const Scalar e70 = c_.k3 * (cos_phi_3 * e66 + sin_phi_3 * e67);
+        const Scalar e70 = c_.k14 * (cos_phi_3 * e66 + sin_phi_3 * e67);
         const Scalar e71 = e70 - e28 * e65 - e23 * e69;
-        const Scalar e72 = c_.k6 * (cos_phi_4 * e66 + sin_phi_4 * e67);
+        const Scalar e72 = c_.k17 * (cos_phi_4 * e66 + sin_phi_4 * e67);
         const Scalar e73 = e72 - e38 * e65 - e39 * e69 - e35 * e71;
-        const Scalar e74 = c_.k10 * (cos_phi_5 * e66 + sin_phi_5 * e67);
+        const Scalar e74 = c_.k21 * (cos_phi_5 * e66 + sin_phi_5 * e67);
         const Scalar e75 = (e74 - e48 * e65 - e49 * e69 - e50 * e71 - e47 * e73) * inverse_51;
         const Scalar e76 = e73 * inverse_42 - e47 * e75;
         const Scalar e77 = e71 * inverse_31 - e35 * e76 - e50 * e75;
         const Scalar e78 = e69 * inverse_20 - e23 * e77 - e39 * e76 - e49 * e75;
-        const Scalar e79 = c_.k4 * (cos_phi_2 * e56 + sin_phi_2 * e57);
-        const Scalar e80 = c_.k7 * (cos_phi_2 * e59 + sin_phi_2 * e60);
-        const Scalar e81 = c_.k11 * (cos_phi_2 * e62 + sin_phi_2 * e63);
-        const Scalar e82 = -c_.k16 * cos_phi_2 - e68 - e79 - e80 - e81 - e11 * e55;
-        const Scalar e83 = c_.k4 * (cos_phi_3 * e53 + sin_phi_3 * e54);
+        const Scalar e79 = c_.k15 * (cos_phi_2 * e56 + sin_phi_2 * e57);
+        const Scalar e80 = c_.k18 * (cos_phi_2 * e59 + sin_phi_2 * e60);
+        const Scalar e81 = c_.k22 * (cos_phi_2 * e62 + sin_phi_2 * e63);
+        const Scalar e82 = -c_.k25 * cos_phi_2 - e68 - e79 - e80 - e81 - e11 * e55;
+        const Scalar e83 = c_.k15 * (cos_phi_3 * e53 + sin_phi_3 * e54);
         const Scalar e84 = e83 - e28 * e55 - e23 * e82;
-        const Scalar e85 = c_.k7 * (cos_phi_4 * e53 + sin_phi_4 * e54);
+        const Scalar e85 = c_.k18 * (cos_phi_4 * e53 + sin_phi_4 * e54);
         const Scalar e86 = e85 - e38 * e55 - e39 * e82 - e35 * e84;
-        const Scalar e87 = c_.k11 * (cos_phi_5 * e53 + sin_phi_5 * e54);
+        const Scalar e87 = c_.k22 * (cos_phi_5 * e53 + sin_phi_5 * e54);
         const Scalar e88 = (e87 - e48 * e55 - e49 * e82 - e50 * e84 - e47 * e86) * inverse_51;
         const Scalar e89 = e86 * inverse_42 - e47 * e88;
         const Scalar e90 = e84 * inverse_31 - e35 * e89 - e50 * e88;
         const Scalar e91 = e82 * inverse_20 - e23 * e90 - e39 * e89 - e49 * e88;
         const Scalar e92 = e79 - e11 * e58;
-        const Scalar e93 = c_.k8 * (cos_phi_3 * e59 + sin_phi_3 * e60);
-        const Scalar e94 = c_.k12 * (cos_phi_3 * e62 + sin_phi_3 * e63);
-        const Scalar e95 = -c_.k17 * cos_phi_3 - e70 - e83 - e93 - e94 - e28 * e58 - e23 * e92;
-        const Scalar e96 = c_.k8 * (cos_phi_4 * e56 + sin_phi_4 * e57);
+        const Scalar e93 = c_.k19 * (cos_phi_3 * e59 + sin_phi_3 * e60);
+        const Scalar e94 = c_.k23 * (cos_phi_3 * e62 + sin_phi_3 * e63);
+        const Scalar e95 = -c_.k26 * cos_phi_3 - e70 - e83 - e93 - e94 - e28 * e58 - e23 * e92;
+        const Scalar e96 = c_.k19 * (cos_phi_4 * e56 + sin_phi_4 * e57);
         const Scalar e97 = e96 - e38 * e58 - e39 * e92 - e35 * e95;
-        const Scalar e98 = c_.k12 * (cos_phi_5 * e56 + sin_phi_5 * e57);
+        const Scalar e98 = c_.k23 * (cos_phi_5 * e56 + sin_phi_5 * e57);
         const Scalar e99 = (e98 - e48 * e58 - e49 * e92 - e50 * e95 - e47 * e97) * inverse_51;
         const Scalar e100 = e97 * inverse_42 - e47 * e99;
         const Scalar e101 = e95 * inverse_31 - e35 * e100 - e50 * e99;
         const Scalar e102 = e92 * inverse_20 - e23 * e101 - e39 * e100 - e49 * e99;
         const Scalar e103 = e80 - e11 * e61;
         const Scalar e104 = e93 - e28 * e61 - e23 * e103;
-        const Scalar e105 = c_.k13 * (cos_phi_4 * e62 + sin_phi_4 * e63);
-        const Scalar e106 = -c_.k18 * cos_phi_4 - e72 - e85 - e96 - e105 - e38 * e61 - e39 * e103 - e35 * e104;
-        const Scalar e107 = c_.k13 * (cos_phi_5 * e59 + sin_phi_5 * e60);
+        const Scalar e105 = c_.k9 * (cos_phi_4 * e62 + sin_phi_4 * e63);
+        const Scalar e106 = -c_.k27 * cos_phi_4 - e72 - e85 - e96 - e105 - e38 * e61 - e39 * e103 - e35 * e104;
+        const Scalar e107 = c_.k9 * (cos_phi_5 * e59 + sin_phi_5 * e60);
         const Scalar e108 = (e107 - e48 * e61 - e49 * e103 - e50 * e104 - e47 * e106) * inverse_51;
         const Scalar e109 = e106 * inverse_42 - e47 * e108;
         const Scalar e110 = e104 * inverse_31 - e35 * e109 - e50 * e108;
@@ -563,29 +581,29 @@ public:
         const Scalar e112 = e81 - e11 * e64;
         const Scalar e113 = e94 - e28 * e64 - e23 * e112;
         const Scalar e114 = e105 - e38 * e64 - e39 * e112 - e35 * e113;
-        const Scalar e115 = -c_.k19 * cos_phi_5 - e74 - e87 - e98 - e107 - e48 * e64 - e49 * e112 - e50 * e113 - e47 * e114;
+        const Scalar e115 = -c_.k28 * cos_phi_5 - e74 - e87 - e98 - e107 - e48 * e64 - e49 * e112 - e50 * e113 - e47 * e114;
         const Scalar e116 = e115 * inverse_51;
         const Scalar e117 = e114 * inverse_42 - e47 * e116;
         const Scalar e118 = e113 * inverse_31 - e35 * e117 - e50 * e116;
         const Scalar e119 = e112 * inverse_20 - e23 * e118 - e39 * e117 - e49 * e116;
-        const Scalar e120 = c_.k21 * e1;
+        const Scalar e120 = c_.k29 * e1;
         const Scalar e121 = -phi_1_dot * e120;
-        const Scalar e122 = c_.k22 * e3;
+        const Scalar e122 = c_.k30 * e3;
         const Scalar e123 = -phi_1_dot * e122 - e23 * e121;
-        const Scalar e124 = c_.k23 * e5;
+        const Scalar e124 = c_.k31 * e5;
         const Scalar e125 = -phi_1_dot * e124 - e39 * e121 - e35 * e123;
-        const Scalar e126 = c_.k24 * e7;
+        const Scalar e126 = c_.k32 * e7;
         const Scalar e127 = (-phi_1_dot * e126 - e49 * e121 - e50 * e123 - e47 * e125) * inverse_51;
         const Scalar e128 = e125 * inverse_42 - e47 * e127;
         const Scalar e129 = e123 * inverse_31 - e35 * e128 - e50 * e127;
         const Scalar e130 = e121 * inverse_20 - e23 * e129 - e39 * e128 - e49 * e127;
         const Scalar e131 = phi_2_dot * e120;
         const Scalar e132 = -e11 * e131;
-        const Scalar e133 = c_.k25 * e12;
+        const Scalar e133 = c_.k33 * e12;
         const Scalar e134 = -phi_2_dot * e133 - e28 * e131 - e23 * e132;
-        const Scalar e135 = c_.k26 * e14;
+        const Scalar e135 = c_.k34 * e14;
         const Scalar e136 = -phi_2_dot * e135 - e38 * e131 - e39 * e132 - e35 * e134;
-        const Scalar e137 = c_.k27 * e16;
+        const Scalar e137 = c_.k35 * e16;
         const Scalar e138 = (-phi_2_dot * e137 - e48 * e131 - e49 * e132 - e50 * e134 - e47 * e136) * inverse_51;
         const Scalar e139 = e136 * inverse_42 - e47 * e138;
         const Scalar e140 = e134 * inverse_31 - e35 * e139 - e50 * e138;
@@ -593,9 +611,9 @@ public:
         const Scalar e142 = phi_3_dot * e122;
         const Scalar e143 = phi_3_dot * e133 - e11 * e142;
         const Scalar e144 = -e28 * e142 - e23 * e143;
-        const Scalar e145 = c_.k28 * e24;
+        const Scalar e145 = c_.k36 * e24;
         const Scalar e146 = -phi_3_dot * e145 - e38 * e142 - e39 * e143 - e35 * e144;
-        const Scalar e147 = c_.k29 * e26;
+        const Scalar e147 = c_.k37 * e26;
         const Scalar e148 = (-phi_3_dot * e147 - e48 * e142 - e49 * e143 - e50 * e144 - e47 * e146) * inverse_51;
         const Scalar e149 = e146 * inverse_42 - e47 * e148;
         const Scalar e150 = e144 * inverse_31 - e35 * e149 - e50 * e148;
@@ -604,7 +622,7 @@ public:
         const Scalar e153 = phi_4_dot * e135 - e11 * e152;
         const Scalar e154 = phi_4_dot * e145 - e28 * e152 - e23 * e153;
         const Scalar e155 = -e38 * e152 - e39 * e153 - e35 * e154;
-        const Scalar e156 = c_.k30 * e36;
+        const Scalar e156 = c_.k38 * e36;
         const Scalar e157 = (-phi_4_dot * e156 - e48 * e152 - e49 * e153 - e50 * e154 - e47 * e155) * inverse_51;
         const Scalar e158 = e155 * inverse_42 - e47 * e157;
         const Scalar e159 = e154 * inverse_31 - e35 * e158 - e50 * e157;
@@ -622,7 +640,7 @@ public:
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
-        J[5] = e65 * c_.k20 - e11 * e78 - e28 * e77 - e38 * e76 - e48 * e75;
+        J[5] = e65 * c_.k39 - e11 * e78 - e28 * e77 - e38 * e76 - e48 * e75;
         J[6] = e78;
         J[7] = e77;
         J[8] = e76;
@@ -632,7 +650,7 @@ public:
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e55 * c_.k20 - e11 * e91 - e28 * e90 - e38 * e89 - e48 * e88;
+        J[15] = e55 * c_.k39 - e11 * e91 - e28 * e90 - e38 * e89 - e48 * e88;
         J[16] = e91;
         J[17] = e90;
         J[18] = e89;
@@ -642,7 +660,7 @@ public:
         J[22] = Scalar(0);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
-        J[25] = e58 * c_.k20 - e11 * e102 - e28 * e101 - e38 * e100 - e48 * e99;
+        J[25] = e58 * c_.k39 - e11 * e102 - e28 * e101 - e38 * e100 - e48 * e99;
         J[26] = e102;
         J[27] = e101;
         J[28] = e100;
@@ -652,7 +670,7 @@ public:
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = e61 * c_.k20 - e11 * e111 - e28 * e110 - e38 * e109 - e48 * e108;
+        J[35] = e61 * c_.k39 - e11 * e111 - e28 * e110 - e38 * e109 - e48 * e108;
         J[36] = e111;
         J[37] = e110;
         J[38] = e109;
@@ -662,7 +680,7 @@ public:
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = Scalar(0);
-        J[45] = e64 * c_.k20 - e11 * e119 - e28 * e118 - e38 * e117 - e48 * e116;
+        J[45] = e64 * c_.k39 - e11 * e119 - e28 * e118 - e38 * e117 - e48 * e116;
         J[46] = e119;
         J[47] = e118;
         J[48] = e117;
@@ -682,7 +700,7 @@ public:
         J[62] = Scalar(0);
         J[63] = Scalar(0);
         J[64] = Scalar(0);
-        J[65] = e131 * c_.k20 - e11 * e141 - e28 * e140 - e38 * e139 - e48 * e138;
+        J[65] = e131 * c_.k39 - e11 * e141 - e28 * e140 - e38 * e139 - e48 * e138;
         J[66] = e141;
         J[67] = e140;
         J[68] = e139;
@@ -692,7 +710,7 @@ public:
         J[72] = Scalar(1);
         J[73] = Scalar(0);
         J[74] = Scalar(0);
-        J[75] = e142 * c_.k20 - e11 * e151 - e28 * e150 - e38 * e149 - e48 * e148;
+        J[75] = e142 * c_.k39 - e11 * e151 - e28 * e150 - e38 * e149 - e48 * e148;
         J[76] = e151;
         J[77] = e150;
         J[78] = e149;
@@ -702,7 +720,7 @@ public:
         J[82] = Scalar(0);
         J[83] = Scalar(1);
         J[84] = Scalar(0);
-        J[85] = e152 * c_.k20 - e11 * e160 - e28 * e159 - e38 * e158 - e48 * e157;
+        J[85] = e152 * c_.k39 - e11 * e160 - e28 * e159 - e38 * e158 - e48 * e157;
         J[86] = e160;
         J[87] = e159;
         J[88] = e158;
@@ -712,7 +730,7 @@ public:
         J[92] = Scalar(0);
         J[93] = Scalar(0);
         J[94] = Scalar(1);
-        J[95] = e161 * c_.k20 - e11 * e168 - e28 * e167 - e38 * e166 - e48 * e165;
+        J[95] = e161 * c_.k39 - e11 * e168 - e28 * e167 - e38 * e166 - e48 * e165;
         J[96] = e168;
         J[97] = e167;
         J[98] = e166;
@@ -743,42 +761,42 @@ public:
         const Scalar phi_2 = x[1];
         Scalar sin_phi_2, cos_phi_2;
         detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
-        const Scalar e3 = c_.k1 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
-        const Scalar e4 = e3 * c_.k20;
+        const Scalar e3 = c_.k12 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
+        const Scalar e4 = e3 * c_.k39;
         const Scalar e5 = -e4 * e2;
-        const Scalar inverse_6 = Scalar(1) / (c_.k2 - e3 * e4);
+        const Scalar inverse_6 = Scalar(1) / (c_.k13 - e3 * e4);
         const Scalar phi_3 = x[2];
         Scalar sin_phi_3, cos_phi_3;
         detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
-        const Scalar e7 = c_.k3 * (cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3);
-        const Scalar e8 = c_.k4 * (cos_phi_2 * cos_phi_3 + sin_phi_2 * sin_phi_3) - e7 * e4;
+        const Scalar e7 = c_.k14 * (cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3);
+        const Scalar e8 = c_.k15 * (cos_phi_2 * cos_phi_3 + sin_phi_2 * sin_phi_3) - e7 * e4;
         const Scalar e9 = e8 * inverse_6;
-        const Scalar e10 = e7 * c_.k20;
+        const Scalar e10 = e7 * c_.k39;
         const Scalar e11 = -e10 * e2 - e9 * e5;
-        const Scalar inverse_12 = Scalar(1) / (c_.k5 - e7 * e10 - e8 * e9);
+        const Scalar inverse_12 = Scalar(1) / (c_.k16 - e7 * e10 - e8 * e9);
         const Scalar phi_4 = x[3];
         Scalar sin_phi_4, cos_phi_4;
         detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
-        const Scalar e13 = c_.k6 * (cos_phi_1 * cos_phi_4 + sin_phi_1 * sin_phi_4);
-        const Scalar e14 = c_.k7 * (cos_phi_2 * cos_phi_4 + sin_phi_2 * sin_phi_4) - e13 * e4;
-        const Scalar e15 = c_.k8 * (cos_phi_3 * cos_phi_4 + sin_phi_3 * sin_phi_4) - e13 * e10 - e14 * e9;
+        const Scalar e13 = c_.k17 * (cos_phi_1 * cos_phi_4 + sin_phi_1 * sin_phi_4);
+        const Scalar e14 = c_.k18 * (cos_phi_2 * cos_phi_4 + sin_phi_2 * sin_phi_4) - e13 * e4;
+        const Scalar e15 = c_.k19 * (cos_phi_3 * cos_phi_4 + sin_phi_3 * sin_phi_4) - e13 * e10 - e14 * e9;
         const Scalar e16 = e15 * inverse_12;
-        const Scalar e17 = e13 * c_.k20;
+        const Scalar e17 = e13 * c_.k39;
         const Scalar e18 = e14 * inverse_6;
         const Scalar e19 = -e17 * e2 - e18 * e5 - e16 * e11;
-        const Scalar inverse_20 = Scalar(1) / (c_.k9 - e13 * e17 - e14 * e18 - e15 * e16);
+        const Scalar inverse_20 = Scalar(1) / (c_.k20 - e13 * e17 - e14 * e18 - e15 * e16);
         const Scalar phi_5 = x[4];
         Scalar sin_phi_5, cos_phi_5;
         detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
-        const Scalar e21 = c_.k10 * (cos_phi_1 * cos_phi_5 + sin_phi_1 * sin_phi_5);
-        const Scalar e22 = c_.k11 * (cos_phi_2 * cos_phi_5 + sin_phi_2 * sin_phi_5) - e21 * e4;
-        const Scalar e23 = c_.k12 * (cos_phi_3 * cos_phi_5 + sin_phi_3 * sin_phi_5) - e21 * e10 - e22 * e9;
-        const Scalar e24 = c_.k13 * (cos_phi_4 * cos_phi_5 + sin_phi_4 * sin_phi_5) - e21 * e17 - e22 * e18 - e23 * e16;
+        const Scalar e21 = c_.k21 * (cos_phi_1 * cos_phi_5 + sin_phi_1 * sin_phi_5);
+        const Scalar e22 = c_.k22 * (cos_phi_2 * cos_phi_5 + sin_phi_2 * sin_phi_5) - e21 * e4;
+        const Scalar e23 = c_.k23 * (cos_phi_3 * cos_phi_5 + sin_phi_3 * sin_phi_5) - e21 * e10 - e22 * e9;
+        const Scalar e24 = c_.k9 * (cos_phi_4 * cos_phi_5 + sin_phi_4 * sin_phi_5) - e21 * e17 - e22 * e18 - e23 * e16;
         const Scalar e25 = e24 * inverse_20;
-        const Scalar e26 = e21 * c_.k20;
+        const Scalar e26 = e21 * c_.k39;
         const Scalar e27 = e22 * inverse_6;
         const Scalar e28 = e23 * inverse_12;
-        const Scalar inverse_29 = Scalar(1) / (c_.k14 - e21 * e26 - e22 * e27 - e23 * e28 - e24 * e25);
+        const Scalar inverse_29 = Scalar(1) / (c_.k7 - e21 * e26 - e22 * e27 - e23 * e28 - e24 * e25);
         const Scalar e30 = (-e26 * e2 - e27 * e5 - e28 * e11 - e25 * e19) * inverse_29;
         const Scalar e31 = e19 * inverse_20 - e25 * e30;
         const Scalar e32 = e11 * inverse_12 - e16 * e31 - e28 * e30;
@@ -886,80 +904,79 @@ public:
         const Scalar e123 = p_.l[0] * e122;
         const Scalar e124 = p_.l[2] * e119;
         const Scalar e125 = p_.l[3] * e118;
-        const Scalar e126 = p_.m[4] * p_.l[4];
-        const Scalar e127 = e121 * e37 - dxdt[5] * (Scalar(2) * e123) - sin_phi_1 * (p_.g * e122) + e124 * e55 + e125 * e75
-            + e126 * e98;
-        const Scalar e128 = e121 * e42 - e4 * e127;
-        const Scalar e129 = e124 * e62 - e10 * e127 - e9 * e128;
-        const Scalar e130 = e125 * e85 - e17 * e127 - e18 * e128 - e16 * e129;
-        const Scalar e131 = (e126 * e110 - e26 * e127 - e27 * e128 - e28 * e129 - e25 * e130) * inverse_29;
-        const Scalar e132 = e130 * inverse_20 - e25 * e131;
-        const Scalar e133 = e129 * inverse_12 - e16 * e132 - e28 * e131;
-        const Scalar e134 = e128 * inverse_6 - e9 * e133 - e18 * e132 - e27 * e131;
-        const Scalar e135 = p_.l[0] * e120;
-        const Scalar e136 = e135 * e37;
-        const Scalar e137 = e135 * e42 - dxdt[6] * (Scalar(2) * e121) - sin_phi_2 * (p_.g * e120) + e124 * e59 + e125 * e78
-            + e126 * e101;
-        const Scalar e138 = e137 - e4 * e136;
-        const Scalar e139 = e124 * e63 - e10 * e136 - e9 * e138;
-        const Scalar e140 = e125 * e86 - e17 * e136 - e18 * e138 - e16 * e139;
-        const Scalar e141 = (e126 * e109 - e26 * e136 - e27 * e138 - e28 * e139 - e25 * e140) * inverse_29;
-        const Scalar e142 = e140 * inverse_20 - e25 * e141;
-        const Scalar e143 = e139 * inverse_12 - e16 * e142 - e28 * e141;
-        const Scalar e144 = e138 * inverse_6 - e9 * e143 - e18 * e142 - e27 * e141;
-        const Scalar e145 = p_.l[0] * e119;
-        const Scalar e146 = e145 * e55;
-        const Scalar e147 = p_.l[1] * e119;
-        const Scalar e148 = e147 * e59 - e4 * e146;
-        const Scalar e149 = e147 * e63 - dxdt[7] * (Scalar(2) * e124) - sin_phi_3 * (p_.g * e119) + e145 * e62 + e125 * e82
-            + e126 * e104;
-        const Scalar e150 = e149 - e10 * e146 - e9 * e148;
-        const Scalar e151 = e125 * e87 - e17 * e146 - e18 * e148 - e16 * e150;
-        const Scalar e152 = (e126 * e111 - e26 * e146 - e27 * e148 - e28 * e150 - e25 * e151) * inverse_29;
-        const Scalar e153 = e151 * inverse_20 - e25 * e152;
-        const Scalar e154 = e150 * inverse_12 - e16 * e153 - e28 * e152;
-        const Scalar e155 = e148 * inverse_6 - e9 * e154 - e18 * e153 - e27 * e152;
-        const Scalar e156 = p_.l[0] * e118;
-        const Scalar e157 = e156 * e75;
-        const Scalar e158 = p_.l[1] * e118;
-        const Scalar e159 = e158 * e78 - e4 * e157;
-        const Scalar e160 = p_.l[2] * e118;
-        const Scalar e161 = e160 * e82 - e10 * e157 - e9 * e159;
-        const Scalar e162 = e158 * e86 - dxdt[8] * (Scalar(2) * e125) - sin_phi_4 * (p_.g * e118) + e156 * e85 + e160 * e87
-            + e126 * e107;
-        const Scalar e163 = e162 - e17 * e157 - e18 * e159 - e16 * e161;
-        const Scalar e164 = (e126 * e112 - e26 * e157 - e27 * e159 - e28 * e161 - e25 * e163) * inverse_29;
-        const Scalar e165 = e163 * inverse_20 - e25 * e164;
-        const Scalar e166 = e161 * inverse_12 - e16 * e165 - e28 * e164;
-        const Scalar e167 = e159 * inverse_6 - e9 * e166 - e18 * e165 - e27 * e164;
-        const Scalar e168 = p_.m[4] * p_.l[0];
-        const Scalar e169 = e168 * e98;
-        const Scalar e170 = p_.m[4] * p_.l[1];
-        const Scalar e171 = e170 * e101 - e4 * e169;
-        const Scalar e172 = p_.m[4] * p_.l[2];
-        const Scalar e173 = e172 * e104 - e10 * e169 - e9 * e171;
-        const Scalar e174 = p_.m[4] * p_.l[3];
-        const Scalar e175 = e174 * e107 - e17 * e169 - e18 * e171 - e16 * e173;
-        const Scalar e176 = e170 * e109 - dxdt[9] * (Scalar(2) * e126) - sin_phi_5 * (p_.m[4] * p_.g) + e168 * e110 + e172
-            * e111 + e174 * e112;
-        const Scalar e177 = (e176 - e26 * e169 - e27 * e171 - e28 * e173 - e25 * e175) * inverse_29;
-        const Scalar e178 = e175 * inverse_20 - e25 * e177;
-        const Scalar e179 = e173 * inverse_12 - e16 * e178 - e28 * e177;
-        const Scalar e180 = e171 * inverse_6 - e9 * e179 - e18 * e178 - e27 * e177;
-        const Scalar e181 = -sin_phi_1 * e123;
-        const Scalar e182 = -sin_phi_2 * e121 - e4 * e181;
-        const Scalar e183 = -sin_phi_3 * e124 - e10 * e181 - e9 * e182;
-        const Scalar e184 = -sin_phi_4 * e125 - e17 * e181 - e18 * e182 - e16 * e183;
-        const Scalar e185 = (-sin_phi_5 * e126 - e26 * e181 - e27 * e182 - e28 * e183 - e25 * e184) * inverse_29;
-        const Scalar e186 = e184 * inverse_20 - e25 * e185;
-        const Scalar e187 = e183 * inverse_12 - e16 * e186 - e28 * e185;
-        const Scalar e188 = e182 * inverse_6 - e9 * e187 - e18 * e186 - e27 * e185;
+        const Scalar e126 = e121 * e37 - dxdt[5] * (Scalar(2) * e123) - sin_phi_1 * (p_.g * e122) + e124 * e55 + e125 * e75
+            + c_.k6 * e98;
+        const Scalar e127 = e121 * e42 - e4 * e126;
+        const Scalar e128 = e124 * e62 - e10 * e126 - e9 * e127;
+        const Scalar e129 = e125 * e85 - e17 * e126 - e18 * e127 - e16 * e128;
+        const Scalar e130 = (c_.k6 * e110 - e26 * e126 - e27 * e127 - e28 * e128 - e25 * e129) * inverse_29;
+        const Scalar e131 = e129 * inverse_20 - e25 * e130;
+        const Scalar e132 = e128 * inverse_12 - e16 * e131 - e28 * e130;
+        const Scalar e133 = e127 * inverse_6 - e9 * e132 - e18 * e131 - e27 * e130;
+        const Scalar e134 = p_.l[0] * e120;
+        const Scalar e135 = e134 * e37;
+        const Scalar e136 = e134 * e42 - dxdt[6] * (Scalar(2) * e121) - sin_phi_2 * (p_.g * e120) + e124 * e59 + e125 * e78
+            + c_.k6 * e101;
+        const Scalar e137 = e136 - e4 * e135;
+        const Scalar e138 = e124 * e63 - e10 * e135 - e9 * e137;
+        const Scalar e139 = e125 * e86 - e17 * e135 - e18 * e137 - e16 * e138;
+        const Scalar e140 = (c_.k6 * e109 - e26 * e135 - e27 * e137 - e28 * e138 - e25 * e139) * inverse_29;
+        const Scalar e141 = e139 * inverse_20 - e25 * e140;
+        const Scalar e142 = e138 * inverse_12 - e16 * e141 - e28 * e140;
+        const Scalar e143 = e137 * inverse_6 - e9 * e142 - e18 * e141 - e27 * e140;
+        const Scalar e144 = p_.l[0] * e119;
+        const Scalar e145 = e144 * e55;
+        const Scalar e146 = p_.l[1] * e119;
+        const Scalar e147 = e146 * e59 - e4 * e145;
+        const Scalar e148 = e146 * e63 - dxdt[7] * (Scalar(2) * e124) - sin_phi_3 * (p_.g * e119) + e144 * e62 + e125 * e82
+            + c_.k6 * e104;
+        const Scalar e149 = e148 - e10 * e145 - e9 * e147;
+        const Scalar e150 = e125 * e87 - e17 * e145 - e18 * e147 - e16 * e149;
+        const Scalar e151 = (c_.k6 * e111 - e26 * e145 - e27 * e147 - e28 * e149 - e25 * e150) * inverse_29;
+        const Scalar e152 = e150 * inverse_20 - e25 * e151;
+        const Scalar e153 = e149 * inverse_12 - e16 * e152 - e28 * e151;
+        const Scalar e154 = e147 * inverse_6 - e9 * e153 - e18 * e152 - e27 * e151;
+        const Scalar e155 = p_.l[0] * e118;
+        const Scalar e156 = e155 * e75;
+        const Scalar e157 = p_.l[1] * e118;
+        const Scalar e158 = e157 * e78 - e4 * e156;
+        const Scalar e159 = p_.l[2] * e118;
+        const Scalar e160 = e159 * e82 - e10 * e156 - e9 * e158;
+        const Scalar e161 = e157 * e86 - dxdt[8] * (Scalar(2) * e125) - sin_phi_4 * (p_.g * e118) + e155 * e85 + e159 * e87
+            + c_.k6 * e107;
+        const Scalar e162 = e161 - e17 * e156 - e18 * e158 - e16 * e160;
+        const Scalar e163 = (c_.k6 * e112 - e26 * e156 - e27 * e158 - e28 * e160 - e25 * e162) * inverse_29;
+        const Scalar e164 = e162 * inverse_20 - e25 * e163;
+        const Scalar e165 = e160 * inverse_12 - e16 * e164 - e28 * e163;
+        const Scalar e166 = e158 * inverse_6 - e9 * e165 - e18 * e164 - e27 * e163;
+        const Scalar e167 = p_.m[4] * p_.l[0];
+        const Scalar e168 = e167 * e98;
+        const Scalar e169 = p_.m[4] * p_.l[1];
+        const Scalar e170 = e169 * e101 - e4 * e168;
+        const Scalar e171 = p_.m[4] * p_.l[2];
+        const Scalar e172 = e171 * e104 - e10 * e168 - e9 * e170;
+        const Scalar e173 = p_.m[4] * p_.l[3];
+        const Scalar e174 = e173 * e107 - e17 * e168 - e18 * e170 - e16 * e172;
+        const Scalar e175 = e169 * e109 - dxdt[9] * (Scalar(2) * p_.m[4] * p_.l[4]) - sin_phi_5 * (p_.m[4] * p_.g) + e167
+            * e110 + e171 * e111 + e173 * e112;
+        const Scalar e176 = (e175 - e26 * e168 - e27 * e170 - e28 * e172 - e25 * e174) * inverse_29;
+        const Scalar e177 = e174 * inverse_20 - e25 * e176;
+        const Scalar e178 = e172 * inverse_12 - e16 * e177 - e28 * e176;
+        const Scalar e179 = e170 * inverse_6 - e9 * e178 - e18 * e177 - e27 * e176;
+        const Scalar e180 = -sin_phi_1 * e123;
+        const Scalar e181 = -sin_phi_2 * e121 - e4 * e180;
+        const Scalar e182 = -sin_phi_3 * e124 - e10 * e180 - e9 * e181;
+        const Scalar e183 = -sin_phi_4 * e125 - e17 * e180 - e18 * e181 - e16 * e182;
+        const Scalar e184 = (-c_.k6 * sin_phi_5 - e26 * e180 - e27 * e181 - e28 * e182 - e25 * e183) * inverse_29;
+        const Scalar e185 = e183 * inverse_20 - e25 * e184;
+        const Scalar e186 = e182 * inverse_12 - e16 * e185 - e28 * e184;
+        const Scalar e187 = e181 * inverse_6 - e9 * e186 - e18 * e185 - e27 * e184;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
-        J[5] = e2 * c_.k20 - e4 * e33 - e10 * e32 - e17 * e31 - e26 * e30;
+        J[5] = e2 * c_.k39 - e4 * e33 - e10 * e32 - e17 * e31 - e26 * e30;
         J[6] = e33;
         J[7] = e32;
         J[8] = e31;
@@ -969,7 +986,7 @@ public:
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e39 * c_.k20 - e4 * e51 - e10 * e50 - e17 * e49 - e26 * e48;
+        J[15] = e39 * c_.k39 - e4 * e51 - e10 * e50 - e17 * e49 - e26 * e48;
         J[16] = e51;
         J[17] = e50;
         J[18] = e49;
@@ -979,7 +996,7 @@ public:
         J[22] = Scalar(0);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
-        J[25] = e57 * c_.k20 - e4 * e71 - e10 * e70 - e17 * e69 - e26 * e68;
+        J[25] = e57 * c_.k39 - e4 * e71 - e10 * e70 - e17 * e69 - e26 * e68;
         J[26] = e71;
         J[27] = e70;
         J[28] = e69;
@@ -989,7 +1006,7 @@ public:
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = e76 * c_.k20 - e4 * e94 - e10 * e93 - e17 * e92 - e26 * e91;
+        J[35] = e76 * c_.k39 - e4 * e94 - e10 * e93 - e17 * e92 - e26 * e91;
         J[36] = e94;
         J[37] = e93;
         J[38] = e92;
@@ -999,7 +1016,7 @@ public:
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = Scalar(0);
-        J[45] = e99 * c_.k20 - e4 * e117 - e10 * e116 - e17 * e115 - e26 * e114;
+        J[45] = e99 * c_.k39 - e4 * e117 - e10 * e116 - e17 * e115 - e26 * e114;
         J[46] = e117;
         J[47] = e116;
         J[48] = e115;
@@ -1009,61 +1026,61 @@ public:
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = Scalar(0);
-        J[55] = e127 * c_.k20 - e4 * e134 - e10 * e133 - e17 * e132 - e26 * e131;
-        J[56] = e134;
-        J[57] = e133;
-        J[58] = e132;
-        J[59] = e131;
+        J[55] = e126 * c_.k39 - e4 * e133 - e10 * e132 - e17 * e131 - e26 * e130;
+        J[56] = e133;
+        J[57] = e132;
+        J[58] = e131;
+        J[59] = e130;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = Scalar(0);
         J[63] = Scalar(0);
         J[64] = Scalar(0);
-        J[65] = e136 * c_.k20 - e4 * e144 - e10 * e143 - e17 * e142 - e26 * e141;
-        J[66] = e144;
-        J[67] = e143;
-        J[68] = e142;
-        J[69] = e141;
+        J[65] = e135 * c_.k39 - e4 * e143 - e10 * e142 - e17 * e141 - e26 * e140;
+        J[66] = e143;
+        J[67] = e142;
+        J[68] = e141;
+        J[69] = e140;
         J[70] = Scalar(0);
         J[71] = Scalar(0);
         J[72] = Scalar(0);
         J[73] = Scalar(0);
         J[74] = Scalar(0);
-        J[75] = e146 * c_.k20 - e4 * e155 - e10 * e154 - e17 * e153 - e26 * e152;
-        J[76] = e155;
-        J[77] = e154;
-        J[78] = e153;
-        J[79] = e152;
+        J[75] = e145 * c_.k39 - e4 * e154 - e10 * e153 - e17 * e152 - e26 * e151;
+        J[76] = e154;
+        J[77] = e153;
+        J[78] = e152;
+        J[79] = e151;
         J[80] = Scalar(0);
         J[81] = Scalar(0);
         J[82] = Scalar(0);
         J[83] = Scalar(0);
         J[84] = Scalar(0);
-        J[85] = e157 * c_.k20 - e4 * e167 - e10 * e166 - e17 * e165 - e26 * e164;
-        J[86] = e167;
-        J[87] = e166;
-        J[88] = e165;
-        J[89] = e164;
+        J[85] = e156 * c_.k39 - e4 * e166 - e10 * e165 - e17 * e164 - e26 * e163;
+        J[86] = e166;
+        J[87] = e165;
+        J[88] = e164;
+        J[89] = e163;
         J[90] = Scalar(0);
         J[91] = Scalar(0);
         J[92] = Scalar(0);
         J[93] = Scalar(0);
         J[94] = Scalar(0);
-        J[95] = e169 * c_.k20 - e4 * e180 - e10 * e179 - e17 * e178 - e26 * e177;
-        J[96] = e180;
-        J[97] = e179;
-        J[98] = e178;
-        J[99] = e177;
+        J[95] = e168 * c_.k39 - e4 * e179 - e10 * e178 - e17 * e177 - e26 * e176;
+        J[96] = e179;
+        J[97] = e178;
+        J[98] = e177;
+        J[99] = e176;
         J[100] = Scalar(0);
         J[101] = Scalar(0);
         J[102] = Scalar(0);
         J[103] = Scalar(0);
         J[104] = Scalar(0);
-        J[105] = e181 * c_.k20 - e4 * e188 - e10 * e187 - e17 * e186 - e26 * e185;
-        J[106] = e188;
-        J[107] = e187;
-        J[108] = e186;
-        J[109] = e185;
+        J[105] = e180 * c_.k39 - e4 * e187 - e10 * e186 - e17 * e185 - e26 * e184;
+        J[106] = e187;
+        J[107] = e186;
+        J[108] = e185;
+        J[109] = e184;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1114,31 +1131,31 @@ public:
         const Scalar phi_5 = x[4];
         Scalar sin_phi_5, cos_phi_5;
         detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
-        M[0] = c_.k0;
-        M[1] = c_.k1 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
-        M[2] = c_.k3 * (cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3);
-        M[3] = c_.k6 * (cos_phi_1 * cos_phi_4 + sin_phi_1 * sin_phi_4);
-        M[4] = c_.k10 * (cos_phi_1 * cos_phi_5 + sin_phi_1 * sin_phi_5);
+        M[0] = c_.k11;
+        M[1] = c_.k12 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2);
+        M[2] = c_.k14 * (cos_phi_1 * cos_phi_3 + sin_phi_1 * sin_phi_3);
+        M[3] = c_.k17 * (cos_phi_1 * cos_phi_4 + sin_phi_1 * sin_phi_4);
+        M[4] = c_.k21 * (cos_phi_1 * cos_phi_5 + sin_phi_1 * sin_phi_5);
         M[5] = M[1];
-        M[6] = c_.k2;
-        M[7] = c_.k4 * (cos_phi_2 * cos_phi_3 + sin_phi_2 * sin_phi_3);
-        M[8] = c_.k7 * (cos_phi_2 * cos_phi_4 + sin_phi_2 * sin_phi_4);
-        M[9] = c_.k11 * (cos_phi_2 * cos_phi_5 + sin_phi_2 * sin_phi_5);
+        M[6] = c_.k13;
+        M[7] = c_.k15 * (cos_phi_2 * cos_phi_3 + sin_phi_2 * sin_phi_3);
+        M[8] = c_.k18 * (cos_phi_2 * cos_phi_4 + sin_phi_2 * sin_phi_4);
+        M[9] = c_.k22 * (cos_phi_2 * cos_phi_5 + sin_phi_2 * sin_phi_5);
         M[10] = M[2];
         M[11] = M[7];
-        M[12] = c_.k5;
-        M[13] = c_.k8 * (cos_phi_3 * cos_phi_4 + sin_phi_3 * sin_phi_4);
-        M[14] = c_.k12 * (cos_phi_3 * cos_phi_5 + sin_phi_3 * sin_phi_5);
+        M[12] = c_.k16;
+        M[13] = c_.k19 * (cos_phi_3 * cos_phi_4 + sin_phi_3 * sin_phi_4);
+        M[14] = c_.k23 * (cos_phi_3 * cos_phi_5 + sin_phi_3 * sin_phi_5);
         M[15] = M[3];
         M[16] = M[8];
         M[17] = M[13];
-        M[18] = c_.k9;
-        M[19] = c_.k13 * (cos_phi_4 * cos_phi_5 + sin_phi_4 * sin_phi_5);
+        M[18] = c_.k20;
+        M[19] = c_.k9 * (cos_phi_4 * cos_phi_5 + sin_phi_4 * sin_phi_5);
         M[20] = M[4];
         M[21] = M[9];
         M[22] = M[14];
         M[23] = M[19];
-        M[24] = c_.k14;
+        M[24] = c_.k7;
     }
 
     /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
@@ -1167,42 +1184,42 @@ public:
         const Scalar phi_2 = x[1];
         Scalar sin_phi_2, cos_phi_2;
         detail::sin_and_cos<Scalar>(phi_2, sin_phi_2, cos_phi_2);
-        const Scalar e1 = c_.k1 * (cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1);
+        const Scalar e1 = c_.k12 * (cos_phi_1 * sin_phi_2 - cos_phi_2 * sin_phi_1);
         const Scalar phi_3_dot = x[7];
         const Scalar phi_3_dot_squared = phi_3_dot * phi_3_dot;
         const Scalar phi_3 = x[2];
         Scalar sin_phi_3, cos_phi_3;
         detail::sin_and_cos<Scalar>(phi_3, sin_phi_3, cos_phi_3);
-        const Scalar e2 = c_.k3 * (cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1);
+        const Scalar e2 = c_.k14 * (cos_phi_1 * sin_phi_3 - cos_phi_3 * sin_phi_1);
         const Scalar phi_4_dot = x[8];
         const Scalar phi_4_dot_squared = phi_4_dot * phi_4_dot;
         const Scalar phi_4 = x[3];
         Scalar sin_phi_4, cos_phi_4;
         detail::sin_and_cos<Scalar>(phi_4, sin_phi_4, cos_phi_4);
-        const Scalar e3 = c_.k6 * (cos_phi_1 * sin_phi_4 - cos_phi_4 * sin_phi_1);
+        const Scalar e3 = c_.k17 * (cos_phi_1 * sin_phi_4 - cos_phi_4 * sin_phi_1);
         const Scalar phi_5_dot = x[9];
         const Scalar phi_5_dot_squared = phi_5_dot * phi_5_dot;
         const Scalar phi_5 = x[4];
         Scalar sin_phi_5, cos_phi_5;
         detail::sin_and_cos<Scalar>(phi_5, sin_phi_5, cos_phi_5);
-        const Scalar e4 = c_.k10 * (cos_phi_1 * sin_phi_5 - cos_phi_5 * sin_phi_1);
+        const Scalar e4 = c_.k21 * (cos_phi_1 * sin_phi_5 - cos_phi_5 * sin_phi_1);
         const Scalar phi_1_dot = x[5];
         const Scalar phi_1_dot_squared = phi_1_dot * phi_1_dot;
-        const Scalar e5 = c_.k4 * (cos_phi_2 * sin_phi_3 - cos_phi_3 * sin_phi_2);
-        const Scalar e6 = c_.k7 * (cos_phi_2 * sin_phi_4 - cos_phi_4 * sin_phi_2);
-        const Scalar e7 = c_.k11 * (cos_phi_2 * sin_phi_5 - cos_phi_5 * sin_phi_2);
-        const Scalar e8 = c_.k8 * (cos_phi_3 * sin_phi_4 - cos_phi_4 * sin_phi_3);
-        const Scalar e9 = c_.k12 * (cos_phi_3 * sin_phi_5 - cos_phi_5 * sin_phi_3);
-        const Scalar e10 = c_.k13 * (cos_phi_4 * sin_phi_5 - cos_phi_5 * sin_phi_4);
-        b[0] = c_.k15 * sin_phi_1 - phi_2_dot_squared * e1 - phi_3_dot_squared * e2 - phi_4_dot_squared * e3
+        const Scalar e5 = c_.k15 * (cos_phi_2 * sin_phi_3 - cos_phi_3 * sin_phi_2);
+        const Scalar e6 = c_.k18 * (cos_phi_2 * sin_phi_4 - cos_phi_4 * sin_phi_2);
+        const Scalar e7 = c_.k22 * (cos_phi_2 * sin_phi_5 - cos_phi_5 * sin_phi_2);
+        const Scalar e8 = c_.k19 * (cos_phi_3 * sin_phi_4 - cos_phi_4 * sin_phi_3);
+        const Scalar e9 = c_.k23 * (cos_phi_3 * sin_phi_5 - cos_phi_5 * sin_phi_3);
+        const Scalar e10 = c_.k9 * (cos_phi_4 * sin_phi_5 - cos_phi_5 * sin_phi_4);
+        b[0] = c_.k24 * sin_phi_1 - phi_2_dot_squared * e1 - phi_3_dot_squared * e2 - phi_4_dot_squared * e3
             - phi_5_dot_squared * e4;
-        b[1] = c_.k16 * sin_phi_2 + phi_1_dot_squared * e1 - phi_3_dot_squared * e5 - phi_4_dot_squared * e6
+        b[1] = c_.k25 * sin_phi_2 + phi_1_dot_squared * e1 - phi_3_dot_squared * e5 - phi_4_dot_squared * e6
             - phi_5_dot_squared * e7;
-        b[2] = c_.k17 * sin_phi_3 + phi_1_dot_squared * e2 + phi_2_dot_squared * e5 - phi_4_dot_squared * e8
+        b[2] = c_.k26 * sin_phi_3 + phi_1_dot_squared * e2 + phi_2_dot_squared * e5 - phi_4_dot_squared * e8
             - phi_5_dot_squared * e9;
-        b[3] = c_.k18 * sin_phi_4 + phi_1_dot_squared * e3 + phi_2_dot_squared * e6 + phi_3_dot_squared * e8
+        b[3] = c_.k27 * sin_phi_4 + phi_1_dot_squared * e3 + phi_2_dot_squared * e6 + phi_3_dot_squared * e8
             - phi_5_dot_squared * e10;
-        b[4] = c_.k19 * sin_phi_5 + phi_1_dot_squared * e4 + phi_2_dot_squared * e7 + phi_3_dot_squared * e9
+        b[4] = c_.k28 * sin_phi_5 + phi_1_dot_squared * e4 + phi_2_dot_squared * e7 + phi_3_dot_squared * e9
             + phi_4_dot_squared * e10;
     }
 
@@ -1333,15 +1350,16 @@ public:
         const Scalar e9 = p_.m[3] + p_.m[4];
         const Scalar e10 = p_.m[2] + e9;
         const Scalar e11 = p_.m[1] + e10;
-        const Scalar e12 = phi_1_dot * cos_phi_1 * (c_.k1 * e1 + c_.k3 * e2 + c_.k6 * e3 + c_.k10 * e4);
-        const Scalar e13 = phi_1_dot * sin_phi_1 * (c_.k1 * e5 + c_.k3 * e6 + c_.k6 * e7 + c_.k10 * e8);
+        const Scalar e12 = phi_1_dot * cos_phi_1 * (c_.k12 * e1 + c_.k14 * e2 + c_.k17 * e3 + c_.k21 * e4);
+        const Scalar e13 = phi_1_dot * sin_phi_1 * (c_.k12 * e5 + c_.k14 * e6 + c_.k17 * e7 + c_.k21 * e8);
         const Scalar e14 = phi_1_dot * phi_1_dot * ((Scalar(1) / Scalar(2)) * (p_.l[0] * p_.l[0] * (p_.m[0] + e11)));
         const Scalar e15 = phi_2_dot * phi_2_dot * ((Scalar(1) / Scalar(2)) * p_.l[1] * p_.l[1] * e11);
         const Scalar e16 = phi_3_dot * phi_3_dot * ((Scalar(1) / Scalar(2)) * p_.l[2] * p_.l[2] * e10);
         const Scalar e17 = phi_4_dot * phi_4_dot * ((Scalar(1) / Scalar(2)) * p_.l[3] * p_.l[3] * e9);
         const Scalar e18 = phi_5_dot * phi_5_dot * ((Scalar(1) / Scalar(2)) * p_.m[4] * p_.l[4] * p_.l[4]);
-        return e12 + e13 + e1 * (c_.k4 * e2 + c_.k7 * e3 + c_.k11 * e4) + e5 * (c_.k4 * e6 + c_.k7 * e7 + c_.k11 * e8) + c_.k8
-            * (e2 * e3 + e6 * e7) + c_.k12 * (e2 * e4 + e6 * e8) + c_.k13 * (e3 * e4 + e7 * e8) + e14 + e15 + e16 + e17 + e18;
+        return e12 + e13 + e1 * (c_.k15 * e2 + c_.k18 * e3 + c_.k22 * e4) + e5 * (c_.k15 * e6 + c_.k18 * e7 + c_.k22 * e8)
+            + c_.k9 * (e3 * e4 + e7 * e8) + c_.k19 * (e2 * e3 + e6 * e7) + c_.k23 * (e2 * e4 + e6 * e8) + e14 + e15 + e16 + e17
+            + e18;
     }
 
     /// V in joules.
@@ -1360,7 +1378,7 @@ public:
         const Scalar cos_phi_4 = cos(phi_4);
         const Scalar phi_5 = x[4];
         const Scalar cos_phi_5 = cos(phi_5);
-        return -c_.k15 * cos_phi_1 - c_.k16 * cos_phi_2 - c_.k17 * cos_phi_3 - c_.k18 * cos_phi_4 - c_.k19 * cos_phi_5;
+        return -c_.k24 * cos_phi_1 - c_.k25 * cos_phi_2 - c_.k26 * cos_phi_3 - c_.k27 * cos_phi_4 - c_.k28 * cos_phi_5;
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
@@ -1405,37 +1423,46 @@ private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
-        Scalar k0;  ///< l[1]^2*(m[1] + m[2] + m[3] + m[4] + m[5])
-        Scalar k1;  ///< l[1]*l[2]*(m[2] + m[3] + m[4] + m[5])
-        Scalar k2;  ///< l[2]^2*(m[2] + m[3] + m[4] + m[5])
-        Scalar k3;  ///< l[1]*l[3]*(m[3] + m[4] + m[5])
-        Scalar k4;  ///< l[2]*l[3]*(m[3] + m[4] + m[5])
-        Scalar k5;  ///< l[3]^2*(m[3] + m[4] + m[5])
-        Scalar k6;  ///< l[1]*l[4]*(m[4] + m[5])
-        Scalar k7;  ///< l[2]*l[4]*(m[4] + m[5])
-        Scalar k8;  ///< l[3]*l[4]*(m[4] + m[5])
-        Scalar k9;  ///< l[4]^2*(m[4] + m[5])
-        Scalar k10;  ///< m[5]*l[1]*l[5]
-        Scalar k11;  ///< m[5]*l[2]*l[5]
-        Scalar k12;  ///< m[5]*l[3]*l[5]
-        Scalar k13;  ///< m[5]*l[4]*l[5]
-        Scalar k14;  ///< m[5]*l[5]^2
-        Scalar k15;  ///< l[1]*g*(m[1] + m[2] + m[3] + m[4] + m[5])
-        Scalar k16;  ///< l[2]*g*(m[2] + m[3] + m[4] + m[5])
-        Scalar k17;  ///< l[3]*g*(m[3] + m[4] + m[5])
-        Scalar k18;  ///< l[4]*g*(m[4] + m[5])
-        Scalar k19;  ///< m[5]*l[5]*g
-        Scalar k20;  ///< 1/(l[1]^2*(m[1] + m[2] + m[3] + m[4] + m[5]))
-        Scalar k21;  ///< 2*l[1]*l[2]*(m[2] + m[3] + m[4] + m[5])
-        Scalar k22;  ///< 2*l[1]*l[3]*(m[3] + m[4] + m[5])
-        Scalar k23;  ///< 2*l[1]*l[4]*(m[4] + m[5])
-        Scalar k24;  ///< 2*m[5]*l[1]*l[5]
-        Scalar k25;  ///< 2*l[2]*l[3]*(m[3] + m[4] + m[5])
-        Scalar k26;  ///< 2*l[2]*l[4]*(m[4] + m[5])
-        Scalar k27;  ///< 2*m[5]*l[2]*l[5]
-        Scalar k28;  ///< 2*l[3]*l[4]*(m[4] + m[5])
-        Scalar k29;  ///< 2*m[5]*l[3]*l[5]
-        Scalar k30;  ///< 2*m[5]*l[4]*l[5]
+        Scalar k0;  ///< m[2] + m[3] + m[4] + m[5]
+        Scalar k1;  ///< l[2]^2*(m[2] + m[3] + m[4] + m[5])
+        Scalar k2;  ///< l[3]*(m[3] + m[4] + m[5])
+        Scalar k3;  ///< l[3]^2*(m[3] + m[4] + m[5])
+        Scalar k4;  ///< l[4]*(m[4] + m[5])
+        Scalar k5;  ///< l[4]^2*(m[4] + m[5])
+        Scalar k6;  ///< m[5]*l[5]
+        Scalar k7;  ///< m[5]*l[5]^2
+        Scalar k8;  ///< m[1]*g
+        Scalar k9;  ///< m[5]*l[4]*l[5]
+        Scalar k10;  ///< 1/(l[1]^2*(m[1] + m[2] + m[3] + m[4] + m[5]))
+        Scalar k11;  ///< l[1]^2*(m[1] + m[2] + m[3] + m[4] + m[5])
+        Scalar k12;  ///< l[1]*l[2]*(m[2] + m[3] + m[4] + m[5])
+        Scalar k13;  ///< l[2]^2*(m[2] + m[3] + m[4] + m[5])
+        Scalar k14;  ///< l[1]*l[3]*(m[3] + m[4] + m[5])
+        Scalar k15;  ///< l[2]*l[3]*(m[3] + m[4] + m[5])
+        Scalar k16;  ///< l[3]^2*(m[3] + m[4] + m[5])
+        Scalar k17;  ///< l[1]*l[4]*(m[4] + m[5])
+        Scalar k18;  ///< l[2]*l[4]*(m[4] + m[5])
+        Scalar k19;  ///< l[3]*l[4]*(m[4] + m[5])
+        Scalar k20;  ///< l[4]^2*(m[4] + m[5])
+        Scalar k21;  ///< m[5]*l[1]*l[5]
+        Scalar k22;  ///< m[5]*l[2]*l[5]
+        Scalar k23;  ///< m[5]*l[3]*l[5]
+        Scalar k24;  ///< l[1]*g*(m[1] + m[2] + m[3] + m[4] + m[5])
+        Scalar k25;  ///< l[2]*g*(m[2] + m[3] + m[4] + m[5])
+        Scalar k26;  ///< l[3]*g*(m[3] + m[4] + m[5])
+        Scalar k27;  ///< l[4]*g*(m[4] + m[5])
+        Scalar k28;  ///< m[5]*l[5]*g
+        Scalar k29;  ///< 2*l[1]*l[2]*(m[2] + m[3] + m[4] + m[5])
+        Scalar k30;  ///< 2*l[1]*l[3]*(m[3] + m[4] + m[5])
+        Scalar k31;  ///< 2*l[1]*l[4]*(m[4] + m[5])
+        Scalar k32;  ///< 2*m[5]*l[1]*l[5]
+        Scalar k33;  ///< 2*l[2]*l[3]*(m[3] + m[4] + m[5])
+        Scalar k34;  ///< 2*l[2]*l[4]*(m[4] + m[5])
+        Scalar k35;  ///< 2*m[5]*l[2]*l[5]
+        Scalar k36;  ///< 2*l[3]*l[4]*(m[4] + m[5])
+        Scalar k37;  ///< 2*m[5]*l[3]*l[5]
+        Scalar k38;  ///< 2*m[5]*l[4]*l[5]
+        Scalar k39;  ///< 1/(l[1]^2*(m[1] + m[2] + m[3] + m[4] + m[5]))
     };
     Cached c_{};
 };

@@ -189,9 +189,9 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 5 + or -, 14 *, 1 /
+    ///     m*ddot(z) = 0
     ///     m*(u^2 + w^2)*ddot(u) + 2*m*w*dot(u)*dot(w) + m*u*dot(u)^2 - m*u*dot(w)^2 + m*g*w = 0
     ///     m*(u^2 + w^2)*ddot(w) + 2*m*u*dot(u)*dot(w) - m*w*dot(u)^2 + m*w*dot(w)^2 + m*g*u = 0
-    ///     m*ddot(z) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar w = x[1];
         const Scalar u_dot = x[3];

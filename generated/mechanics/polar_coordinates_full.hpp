@@ -17,7 +17,7 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      1     1        0      0
-//   rhs                    2     10     1        0      0
+//   rhs                    2      9     1        0      0
 //   rhs_and_jacobian       5     19     1        0      0
 //   jacobian_p             3     10     1        0      0
 //   mass_matrix            0      2     0        0      0
@@ -188,8 +188,8 @@ public:
     /// Operations: 1 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        c_.k0 = Scalar(2) * p_.m;
-        c_.k1 = Scalar(1) / p_.m;
+        c_.k0 = Scalar(1) / p_.m;
+        c_.k1 = Scalar(2) * p_.m;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -204,16 +204,17 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 2 + or -, 10 *, 1 /
+    /// Operations: 2 + or -, 9 *, 1 /
     ///     m*ddot(r) - m*r*dot(phi)^2 + c*r = 0
     ///     m*r^2*ddot(phi) + 2*m*r*dot(r)*dot(phi) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar phi_dot = x[3];
         const Scalar r = x[0];
         const Scalar e1 = p_.m * r;
-        const Scalar r_ddot = (phi_dot * phi_dot * e1 - p_.c * r) * c_.k1;
+        const Scalar e2 = phi_dot * e1;
+        const Scalar r_ddot = (phi_dot * e2 - p_.c * r) * c_.k0;
         const Scalar r_dot = x[2];
-        const Scalar phi_ddot = (-c_.k0 * r * r_dot * phi_dot) / (r * e1);
+        const Scalar phi_ddot = (-Scalar(2) * r_dot * e2) / (r * e1);
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = r_ddot;
@@ -227,9 +228,9 @@ public:
         const Scalar r = x[0];
         const Scalar phi_dot = x[3];
         const Scalar e1 = p_.m * phi_dot * phi_dot - p_.c;
-        const Scalar r_ddot = r * e1 * c_.k1;
+        const Scalar r_ddot = r * e1 * c_.k0;
         const Scalar r_dot = x[2];
-        const Scalar e2 = c_.k0 * r;
+        const Scalar e2 = c_.k1 * r;
         const Scalar e3 = phi_dot * e2;
         const Scalar inverse_4 = Scalar(1) / (p_.m * r * r);
         const Scalar phi_ddot = (-r_dot * e3) * inverse_4;
@@ -239,8 +240,8 @@ public:
         dxdt[3] = phi_ddot;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e1 * c_.k1;
-        J[3] = (-c_.k0 * r_dot * phi_dot - phi_ddot * e2) * inverse_4;
+        J[2] = e1 * c_.k0;
+        J[3] = (-c_.k1 * r_dot * phi_dot - phi_ddot * e2) * inverse_4;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
         J[6] = Scalar(0);
@@ -251,7 +252,7 @@ public:
         J[11] = (-e3) * inverse_4;
         J[12] = Scalar(0);
         J[13] = Scalar(1);
-        J[14] = e3 * c_.k1;
+        J[14] = e3 * c_.k0;
         J[15] = (-r_dot * e2) * inverse_4;
     }
 
@@ -278,11 +279,11 @@ public:
         const Scalar r_squared = r * r;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = (phi_dot * e1 - dxdt[2]) * c_.k1;
+        J[2] = (phi_dot * e1 - dxdt[2]) * c_.k0;
         J[3] = (-Scalar(2) * r_dot * e1 - dxdt[3] * r_squared) / (p_.m * r_squared);
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = (-r) * c_.k1;
+        J[6] = (-r) * c_.k0;
         J[7] = Scalar(0);
     }
 
@@ -318,7 +319,7 @@ public:
         const Scalar e1 = r * phi_dot;
         const Scalar r_dot = x[2];
         b[0] = p_.c * r - p_.m * phi_dot * e1;
-        b[1] = c_.k0 * r_dot * e1;
+        b[1] = c_.k1 * r_dot * e1;
     }
 
     /// Q in M qdd + bias = Q: forces, torques and inputs.
@@ -459,8 +460,8 @@ private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
-        Scalar k0;  ///< 2*m
-        Scalar k1;  ///< 1/m
+        Scalar k0;  ///< 1/m
+        Scalar k1;  ///< 2*m
     };
     Cached c_{};
 };

@@ -15,11 +15,11 @@
 //     this code = the derivation: 26 of 26 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 3     23     0        0      0
-//   rhs                   25     51     3        4      0
+//   update                 3     25     0        0      0
+//   rhs                   24     48     3        4      0
 //   rhs_and_jacobian      89    151     3        4      0
 //   jacobian_u            16     27     3        4      0
-//   jacobian_p            97    178     3        4      0
+//   jacobian_p            97    177     3        4      0
 //   mass_matrix            1      3     0        4      0
 //   bias                   2      8     0        4      0
 //   output                31     58     3        4      0
@@ -238,40 +238,42 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 + or -, 23 *
+    /// Operations: 3 + or -, 25 *
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.a * p_.m_l;
         c_.k0 = p_.J_a + p_.a * e1;
-        const Scalar e2 = p_.a * p_.m_s;
-        const Scalar e3 = p_.a * e2;
-        c_.k1 = e3;
-        const Scalar e4 = p_.l * e1;
-        c_.k2 = (Scalar(1) / Scalar(2)) * e4;
-        const Scalar e5 = Scalar(2) * e2;
-        const Scalar e6 = p_.l * (e1 + e5);
-        c_.k3 = (Scalar(1) / Scalar(2)) * e6;
-        const Scalar e7 = p_.l * p_.m_l;
-        c_.k4 = p_.J_l + (Scalar(1) / Scalar(4)) * p_.l * e7;
+        c_.k1 = (Scalar(1) / Scalar(2)) * e1;
+        c_.k2 = (Scalar(1) / Scalar(2)) * p_.m_l;
+        const Scalar e2 = p_.l * p_.m_l;
+        c_.k3 = p_.J_l + (Scalar(1) / Scalar(4)) * p_.l * e2;
+        c_.k4 = e1;
+        const Scalar e3 = p_.a * p_.m_s;
+        const Scalar e4 = p_.a * e3;
+        c_.k5 = e4;
+        const Scalar e5 = p_.l * e1;
+        c_.k6 = (Scalar(1) / Scalar(2)) * e5;
+        const Scalar e6 = Scalar(2) * e3;
+        const Scalar e7 = p_.l * (e1 + e6);
+        c_.k7 = (Scalar(1) / Scalar(2)) * e7;
         const Scalar e8 = p_.l * p_.m_s;
         const Scalar e9 = p_.l * e8;
-        c_.k5 = e9;
-        c_.k6 = p_.a * p_.d_s;
-        c_.k7 = p_.l * p_.d_s;
-        c_.k8 = Scalar(2) * e3;
-        c_.k9 = Scalar(2) * e9;
-        c_.k10 = e6;
-        c_.k11 = e4;
-        c_.k12 = Scalar(2) * p_.a;
-        c_.k13 = Scalar(2) * p_.l;
-        c_.k14 = e2;
-        c_.k15 = e8;
-        c_.k16 = e1;
-        c_.k17 = (Scalar(1) / Scalar(2)) * e7;
-        c_.k18 = e5;
-        c_.k19 = Scalar(2) * e1;
-        c_.k20 = Scalar(2) * e8;
-        c_.k21 = e7;
+        c_.k8 = e9;
+        c_.k9 = p_.a * p_.d_s;
+        c_.k10 = p_.l * p_.d_s;
+        c_.k11 = Scalar(2) * e4;
+        c_.k12 = Scalar(2) * e9;
+        c_.k13 = e7;
+        c_.k14 = e5;
+        c_.k15 = Scalar(2) * p_.a;
+        c_.k16 = Scalar(2) * p_.l;
+        c_.k17 = e3;
+        c_.k18 = e8;
+        c_.k19 = (Scalar(1) / Scalar(2)) * e2;
+        c_.k20 = e6;
+        c_.k21 = Scalar(2) * e1;
+        c_.k22 = Scalar(2) * e8;
+        c_.k23 = e2;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -287,7 +289,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 25 + or -, 51 *, 3 /, 4 sin or cos
+    /// Operations: 24 + or -, 48 *, 3 /, 4 sin or cos
     ///     ((a^2*m_l + J_a) + a^2*m_s*sin(phi)^2)*ddot(phi) + a*l*(m_s*sin(phi)*sin(psi) + m_l*cos(phi - psi)/2)*ddot(psi) -
     ///     a*cos(phi)*constraint_force[pin_y] = -a^2*m_s*cos(phi)*sin(phi)*dot(phi)^2 - a*l*(m_s*cos(psi)*sin(phi) + m_l*sin(phi -
     ///     psi)/2)*dot(psi)^2 + a*d_s*sin(phi)*dot(s) + tau
@@ -297,43 +299,42 @@ public:
     ///     ddot(s) = -a*sin(phi)*ddot(phi) - l*sin(psi)*ddot(psi) - a*cos(phi)*dot(phi)^2 - l*cos(psi)*dot(psi)^2
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar tau = u[0];
-        const Scalar s_dot = x[5];
-        const Scalar phi = x[0];
-        Scalar sin_phi, cos_phi;
-        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
-        const Scalar phi_dot = x[3];
-        const Scalar phi_dot_squared = phi_dot * phi_dot;
-        const Scalar e1 = cos_phi * phi_dot_squared;
-        const Scalar e2 = c_.k1 * sin_phi;
         const Scalar psi = x[1];
         Scalar sin_psi, cos_psi;
         detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
+        const Scalar e1 = p_.l * cos_psi;
         const Scalar psi_dot = x[4];
         const Scalar psi_dot_squared = psi_dot * psi_dot;
-        const Scalar e3 = c_.k2 * cos_phi;
-        const Scalar e4 = cos_psi * psi_dot_squared;
-        const Scalar e5 = c_.k3 * sin_phi;
-        const Scalar e6 = tau + c_.k6 * s_dot * sin_phi - e1 * e2 + sin_psi * psi_dot_squared * e3 - e4 * e5;
-        const Scalar inverse_7 = Scalar(1) / (c_.k0 + sin_phi * e2);
-        const Scalar e8 = cos_psi * e3 + sin_psi * e5;
-        const Scalar e9 = e8 * inverse_7;
-        const Scalar e10 = c_.k5 * sin_psi;
-        const Scalar e11 = sin_psi * (c_.k7 * s_dot - c_.k3 * e1) + c_.k2 * cos_psi * sin_phi * phi_dot_squared - e4 * e10;
-        const Scalar e12 = e11 - e9 * e6;
-        const Scalar inverse_13 = Scalar(1) / (c_.k4 + sin_psi * e10 - e8 * e9);
-        const Scalar e14 = -p_.a * cos_phi;
-        const Scalar e15 = -p_.l * cos_psi - e14 * e9;
-        const Scalar e16 = e15 * inverse_13;
-        const Scalar e17 = p_.a * sin_phi;
-        const Scalar e18 = p_.l * sin_psi;
-        const Scalar e19 = e14 * inverse_7;
-        const Scalar e20 = -e14 * e19 - e15 * e16;
-        const Scalar independent_inverse_21 = detail::independent_inverse<Scalar>(e20, e20);
-        const Scalar constraint_force_pin_y = (-phi_dot_squared * e17 - psi_dot_squared * e18 - e19 * e6 - e16 * e12)
-            * independent_inverse_21;
-        const Scalar psi_ddot = e12 * inverse_13 - e16 * constraint_force_pin_y;
-        const Scalar phi_ddot = e6 * inverse_7 - e9 * psi_ddot - e19 * constraint_force_pin_y;
-        const Scalar s_ddot = -p_.l * e4 - p_.a * e1 - phi_ddot * e17 - psi_ddot * e18;
+        const Scalar phi_dot = x[3];
+        const Scalar phi_dot_squared = phi_dot * phi_dot;
+        const Scalar phi = x[0];
+        Scalar sin_phi, cos_phi;
+        detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
+        const Scalar e2 = p_.a * cos_phi;
+        const Scalar e3 = e1 * psi_dot_squared + phi_dot_squared * e2;
+        const Scalar s_dot = x[5];
+        const Scalar e4 = p_.m_s * e3 - p_.d_s * s_dot;
+        const Scalar e5 = p_.a * sin_phi;
+        const Scalar e6 = p_.l * (cos_phi * sin_psi - cos_psi * sin_phi) * c_.k4;
+        const Scalar e7 = tau - e4 * e5 + (Scalar(1) / Scalar(2)) * psi_dot_squared * e6;
+        const Scalar e8 = p_.m_s * e5;
+        const Scalar inverse_9 = Scalar(1) / (c_.k0 + e5 * e8);
+        const Scalar e10 = p_.l * sin_psi;
+        const Scalar e11 = e10 * (e5 * c_.k2 + e8) + cos_phi * e1 * c_.k1;
+        const Scalar e12 = e11 * inverse_9;
+        const Scalar e13 = -e4 * e10 - (Scalar(1) / Scalar(2)) * phi_dot_squared * e6 - e12 * e7;
+        const Scalar inverse_14 = Scalar(1) / (c_.k3 + p_.m_s * e10 * e10 - e11 * e12);
+        const Scalar e15 = -e2;
+        const Scalar e16 = -e1 - e15 * e12;
+        const Scalar e17 = e16 * inverse_14;
+        const Scalar e18 = e15 * inverse_9;
+        const Scalar e19 = -e15 * e18 - e16 * e17;
+        const Scalar independent_inverse_20 = detail::independent_inverse<Scalar>(e19, e19);
+        const Scalar constraint_force_pin_y = (-e5 * phi_dot_squared - e10 * psi_dot_squared - e18 * e7 - e17 * e13)
+            * independent_inverse_20;
+        const Scalar psi_ddot = e13 * inverse_14 - e17 * constraint_force_pin_y;
+        const Scalar phi_ddot = e7 * inverse_9 - e12 * psi_ddot - e18 * constraint_force_pin_y;
+        const Scalar s_ddot = -phi_ddot * e5 - psi_ddot * e10 - e3;
         dxdt[0] = x[3];
         dxdt[1] = x[4];
         dxdt[2] = x[5];
@@ -354,28 +355,28 @@ public:
         const Scalar e1 = phi_dot * cos_phi;
         const Scalar e2 = phi_dot * e1;
         const Scalar s_dot = x[5];
-        const Scalar e3 = c_.k1 * e2 - c_.k6 * s_dot;
-        const Scalar e4 = c_.k2 * cos_phi;
+        const Scalar e3 = c_.k5 * e2 - c_.k9 * s_dot;
+        const Scalar e4 = c_.k6 * cos_phi;
         const Scalar psi_dot = x[4];
         const Scalar psi = x[1];
         Scalar sin_psi, cos_psi;
         detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar e5 = psi_dot * sin_psi;
         const Scalar e6 = psi_dot * e5;
-        const Scalar e7 = c_.k3 * sin_phi;
+        const Scalar e7 = c_.k7 * sin_phi;
         const Scalar e8 = psi_dot * cos_psi;
         const Scalar e9 = psi_dot * e8;
         const Scalar e10 = tau - sin_phi * e3 + e4 * e6 - e7 * e9;
-        const Scalar inverse_11 = Scalar(1) / (c_.k0 + c_.k1 * sin_phi * sin_phi);
+        const Scalar inverse_11 = Scalar(1) / (c_.k0 + c_.k5 * sin_phi * sin_phi);
         const Scalar e12 = cos_psi * e4 + sin_psi * e7;
         const Scalar e13 = e12 * inverse_11;
         const Scalar e14 = phi_dot * sin_phi;
         const Scalar e15 = phi_dot * e14;
-        const Scalar e16 = c_.k2 * cos_psi;
-        const Scalar e17 = c_.k5 * e9 - c_.k7 * s_dot;
-        const Scalar e18 = c_.k3 * sin_psi;
+        const Scalar e16 = c_.k6 * cos_psi;
+        const Scalar e17 = c_.k8 * e9 - c_.k10 * s_dot;
+        const Scalar e18 = c_.k7 * sin_psi;
         const Scalar e19 = e15 * e16 - sin_psi * e17 - e2 * e18 - e13 * e10;
-        const Scalar inverse_20 = Scalar(1) / (c_.k4 + c_.k5 * sin_psi * sin_psi - e12 * e13);
+        const Scalar inverse_20 = Scalar(1) / (c_.k3 + c_.k8 * sin_psi * sin_psi - e12 * e13);
         const Scalar e21 = -p_.a * cos_phi;
         const Scalar e22 = -p_.l * cos_psi - e21 * e13;
         const Scalar e23 = e22 * inverse_20;
@@ -400,8 +401,8 @@ public:
         dxdt[5] = s_ddot;
         const Scalar e33 = e6 - psi_ddot * cos_psi;
         const Scalar e34 = p_.a * sin_phi;
-        const Scalar e35 = c_.k8 * cos_phi;
-        const Scalar e36 = c_.k1 * e14 * e14 - cos_phi * (c_.k3 * e28 + e3) - c_.k2 * sin_phi * e33 - constraint_force_pin_y
+        const Scalar e35 = c_.k11 * cos_phi;
+        const Scalar e36 = c_.k5 * e14 * e14 - cos_phi * (c_.k7 * e28 + e3) - c_.k6 * sin_phi * e33 - constraint_force_pin_y
             * e34 - e30 * e35;
         const Scalar e37 = e15 - phi_ddot * cos_phi;
         const Scalar e38 = e37 * e18 + e31 * e16 - e13 * e36;
@@ -412,25 +413,25 @@ public:
         const Scalar e43 = p_.l * sin_psi;
         const Scalar e44 = -e43;
         const Scalar e45 = e28 * e4 + e33 * e7;
-        const Scalar e46 = c_.k9 * cos_psi;
-        const Scalar e47 = c_.k5 * e5 * e5 - cos_psi * (c_.k3 * e31 + e17) - c_.k2 * sin_psi * e37 - constraint_force_pin_y
+        const Scalar e46 = c_.k12 * cos_psi;
+        const Scalar e47 = c_.k8 * e5 * e5 - cos_psi * (c_.k7 * e31 + e17) - c_.k6 * sin_psi * e37 - constraint_force_pin_y
             * e43 - e27 * e46;
         const Scalar e48 = e47 - e13 * e45;
         const Scalar e49 = (-e29 - e24 * e45 - e23 * e48) * independent_inverse_26;
         const Scalar e50 = e48 * inverse_20 - e23 * e49;
         const Scalar e51 = e45 * inverse_11 - e13 * e50 - e24 * e49;
         const Scalar e52 = -e14 * e35;
-        const Scalar e53 = c_.k11 * cos_psi * e14 - c_.k10 * sin_psi * e1 - e13 * e52;
-        const Scalar e54 = (-c_.k12 * e14 - e24 * e52 - e23 * e53) * independent_inverse_26;
+        const Scalar e53 = c_.k14 * cos_psi * e14 - c_.k13 * sin_psi * e1 - e13 * e52;
+        const Scalar e54 = (-c_.k15 * e14 - e24 * e52 - e23 * e53) * independent_inverse_26;
         const Scalar e55 = e53 * inverse_20 - e23 * e54;
         const Scalar e56 = e52 * inverse_11 - e13 * e55 - e24 * e54;
-        const Scalar e57 = c_.k11 * cos_phi * e5 - c_.k10 * sin_phi * e8;
+        const Scalar e57 = c_.k14 * cos_phi * e5 - c_.k13 * sin_phi * e8;
         const Scalar e58 = -e5 * e46 - e13 * e57;
-        const Scalar e59 = (-c_.k13 * e5 - e24 * e57 - e23 * e58) * independent_inverse_26;
+        const Scalar e59 = (-c_.k16 * e5 - e24 * e57 - e23 * e58) * independent_inverse_26;
         const Scalar e60 = e58 * inverse_20 - e23 * e59;
         const Scalar e61 = e57 * inverse_11 - e13 * e60 - e24 * e59;
-        const Scalar e62 = c_.k6 * sin_phi;
-        const Scalar e63 = c_.k7 * sin_psi - e13 * e62;
+        const Scalar e62 = c_.k9 * sin_phi;
+        const Scalar e63 = c_.k10 * sin_psi - e13 * e62;
         const Scalar e64 = (-e24 * e62 - e23 * e63) * independent_inverse_26;
         const Scalar e65 = e63 * inverse_20 - e23 * e64;
         const Scalar e66 = e62 * inverse_11 - e13 * e65 - e24 * e64;
@@ -457,13 +458,13 @@ public:
         J[20] = Scalar(0);
         J[21] = e56;
         J[22] = e55;
-        J[23] = -c_.k12 * e1 + e42 * e56 + e44 * e55;
+        J[23] = -c_.k15 * e1 + e42 * e56 + e44 * e55;
         J[24] = Scalar(0);
         J[25] = Scalar(1);
         J[26] = Scalar(0);
         J[27] = e61;
         J[28] = e60;
-        J[29] = -c_.k13 * e8 + e42 * e61 + e44 * e60;
+        J[29] = -c_.k16 * e8 + e42 * e61 + e44 * e60;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(1);
@@ -484,14 +485,14 @@ public:
         const Scalar phi = x[0];
         Scalar sin_phi, cos_phi;
         detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
-        const Scalar inverse_1 = Scalar(1) / (c_.k0 + sin_phi * (c_.k1 * sin_phi));
+        const Scalar inverse_1 = Scalar(1) / (c_.k0 + sin_phi * (c_.k5 * sin_phi));
         const Scalar psi = x[1];
         Scalar sin_psi, cos_psi;
         detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
-        const Scalar e2 = cos_psi * (c_.k2 * cos_phi) + sin_psi * (c_.k3 * sin_phi);
+        const Scalar e2 = cos_psi * (c_.k6 * cos_phi) + sin_psi * (c_.k7 * sin_phi);
         const Scalar e3 = e2 * inverse_1;
         const Scalar e4 = -e3;
-        const Scalar inverse_5 = Scalar(1) / (c_.k4 + sin_psi * (c_.k5 * sin_psi) - e2 * e3);
+        const Scalar inverse_5 = Scalar(1) / (c_.k3 + sin_psi * (c_.k8 * sin_psi) - e2 * e3);
         const Scalar e6 = -p_.a * cos_phi;
         const Scalar e7 = -p_.l * cos_psi - e6 * e3;
         const Scalar e8 = e7 * inverse_5;
@@ -510,7 +511,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 7, entry (i, j) at J[6*j + i].
-    /// Operations: 97 + or -, 178 *, 3 /, 4 sin or cos
+    /// Operations: 97 + or -, 177 *, 3 /, 4 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar psi = x[1];
         Scalar sin_psi, cos_psi;
@@ -525,129 +526,127 @@ public:
         const Scalar phi_dot_squared = phi_dot * phi_dot;
         const Scalar e2 = sin_phi * phi_dot_squared;
         const Scalar e3 = -p_.a * cos_phi;
-        const Scalar inverse_4 = Scalar(1) / (c_.k0 + c_.k1 * sin_phi * sin_phi);
+        const Scalar inverse_4 = Scalar(1) / (c_.k0 + c_.k5 * sin_phi * sin_phi);
         const Scalar e5 = e3 * inverse_4;
         const Scalar tau = u[0];
         const Scalar s_dot = x[5];
         const Scalar e6 = s_dot * sin_phi;
-        const Scalar e7 = c_.k2 * cos_phi;
-        const Scalar e8 = c_.k3 * sin_phi;
+        const Scalar e7 = c_.k6 * cos_phi;
+        const Scalar e8 = c_.k7 * sin_phi;
         const Scalar e9 = cos_psi * psi_dot_squared;
-        const Scalar e10 = tau - c_.k1 * cos_phi * e2 + c_.k6 * e6 + e1 * e7 - e8 * e9;
+        const Scalar e10 = tau - c_.k5 * cos_phi * e2 + c_.k9 * e6 + e1 * e7 - e8 * e9;
         const Scalar e11 = cos_psi * e7 + sin_psi * e8;
         const Scalar e12 = e11 * inverse_4;
         const Scalar e13 = -p_.l * cos_psi - e3 * e12;
-        const Scalar inverse_14 = Scalar(1) / (c_.k4 + c_.k5 * sin_psi * sin_psi - e11 * e12);
+        const Scalar inverse_14 = Scalar(1) / (c_.k3 + c_.k8 * sin_psi * sin_psi - e11 * e12);
         const Scalar e15 = e13 * inverse_14;
         const Scalar e16 = s_dot * sin_psi;
         const Scalar e17 = cos_phi * phi_dot_squared;
-        const Scalar e18 = c_.k7 * e16 - cos_psi * (c_.k5 * e1 - c_.k2 * e2) - c_.k3 * sin_psi * e17;
+        const Scalar e18 = c_.k10 * e16 - cos_psi * (c_.k8 * e1 - c_.k6 * e2) - c_.k7 * sin_psi * e17;
         const Scalar e19 = e18 - e12 * e10;
         const Scalar e20 = -e3 * e5 - e13 * e15;
         const Scalar independent_inverse_21 = detail::independent_inverse<Scalar>(e20, e20);
         const Scalar e22 = (-p_.l * e1 - p_.a * e2 - e5 * e10 - e15 * e19) * independent_inverse_21;
         const Scalar e23 = e19 * inverse_14 - e15 * e22;
         const Scalar e24 = e10 * inverse_4 - e12 * e23 - e5 * e22;
-        const Scalar e25 = p_.a * p_.m_l;
-        const Scalar e26 = p_.m_l + Scalar(2) * p_.m_s;
-        const Scalar e27 = (Scalar(1) / Scalar(2)) * p_.l * e26;
-        const Scalar e28 = e23 * sin_psi + e9;
-        const Scalar e29 = sin_phi * e28;
-        const Scalar e30 = (Scalar(1) / Scalar(2)) * p_.l * p_.m_l;
-        const Scalar e31 = e1 - e23 * cos_psi;
-        const Scalar e32 = cos_phi * e31;
-        const Scalar e33 = e24 * sin_phi + e17;
-        const Scalar e34 = sin_phi * e33;
-        const Scalar e35 = e22 * cos_phi - e24 * (Scalar(2) * e25) - e27 * e29 + p_.d_s * e6 + e30 * e32 - Scalar(2) * p_.a
-            * p_.m_s * e34;
-        const Scalar e36 = e2 - e24 * cos_phi;
-        const Scalar e37 = cos_psi * e36;
-        const Scalar e38 = sin_psi * e33;
-        const Scalar e39 = e30 * e37 - e27 * e38 - e12 * e35;
-        const Scalar e40 = (-e36 - e5 * e35 - e15 * e39) * independent_inverse_21;
-        const Scalar e41 = e39 * inverse_14 - e15 * e40;
-        const Scalar e42 = e35 * inverse_4 - e12 * e41 - e5 * e40;
-        const Scalar e43 = -p_.a * sin_phi;
-        const Scalar e44 = -p_.l * sin_psi;
-        const Scalar e45 = (Scalar(1) / Scalar(2)) * e25;
-        const Scalar e46 = (Scalar(1) / Scalar(2)) * p_.a * e26;
-        const Scalar e47 = e45 * e32 - e46 * e29;
-        const Scalar e48 = sin_psi * e28;
-        const Scalar e49 = e22 * cos_psi - e23 * e30 - e46 * e38 + p_.d_s * e16 + e45 * e37 - Scalar(2) * p_.l * p_.m_s * e48;
-        const Scalar e50 = e49 - e12 * e47;
-        const Scalar e51 = (-e31 - e5 * e47 - e15 * e50) * independent_inverse_21;
-        const Scalar e52 = e50 * inverse_14 - e15 * e51;
-        const Scalar e53 = e47 * inverse_4 - e12 * e52 - e5 * e51;
-        const Scalar e54 = -e24;
-        const Scalar e55 = -e12 * e54;
-        const Scalar e56 = (-e5 * e54 - e15 * e55) * independent_inverse_21;
-        const Scalar e57 = e55 * inverse_14 - e15 * e56;
-        const Scalar e58 = e54 * inverse_4 - e12 * e57 - e5 * e56;
-        const Scalar e59 = p_.a * p_.l;
-        const Scalar e60 = (Scalar(1) / Scalar(2)) * e59;
-        const Scalar e61 = p_.a * p_.a;
-        const Scalar e62 = -e60 * (e29 - e32) - e24 * e61;
-        const Scalar e63 = p_.l * p_.l;
-        const Scalar e64 = -e60 * (e38 - e37) - e23 * ((Scalar(1) / Scalar(4)) * e63) - e12 * e62;
-        const Scalar e65 = (-e5 * e62 - e15 * e64) * independent_inverse_21;
-        const Scalar e66 = e64 * inverse_14 - e15 * e65;
-        const Scalar e67 = e62 * inverse_4 - e12 * e66 - e5 * e65;
-        const Scalar e68 = -e23;
-        const Scalar e69 = (-e15 * e68) * independent_inverse_21;
-        const Scalar e70 = e68 * inverse_14 - e15 * e69;
-        const Scalar e71 = -e12 * e70 - e5 * e69;
-        const Scalar e72 = -e59 * e29 - e61 * e34;
-        const Scalar e73 = -e59 * e38 - e63 * e48 - e12 * e72;
-        const Scalar e74 = (-e5 * e72 - e15 * e73) * independent_inverse_21;
-        const Scalar e75 = e73 * inverse_14 - e15 * e74;
-        const Scalar e76 = e72 * inverse_4 - e12 * e75 - e5 * e74;
-        const Scalar e77 = p_.a * e6;
-        const Scalar e78 = p_.l * e16 - e12 * e77;
-        const Scalar e79 = (-e5 * e77 - e15 * e78) * independent_inverse_21;
-        const Scalar e80 = e78 * inverse_14 - e15 * e79;
-        const Scalar e81 = e77 * inverse_4 - e12 * e80 - e5 * e79;
+        const Scalar e25 = p_.m_l + Scalar(2) * p_.m_s;
+        const Scalar e26 = (Scalar(1) / Scalar(2)) * p_.l * e25;
+        const Scalar e27 = e23 * sin_psi + e9;
+        const Scalar e28 = sin_phi * e27;
+        const Scalar e29 = (Scalar(1) / Scalar(2)) * p_.l * p_.m_l;
+        const Scalar e30 = e1 - e23 * cos_psi;
+        const Scalar e31 = cos_phi * e30;
+        const Scalar e32 = e24 * sin_phi + e17;
+        const Scalar e33 = sin_phi * e32;
+        const Scalar e34 = e22 * cos_phi - e24 * (Scalar(2) * p_.a * p_.m_l) - e26 * e28 + p_.d_s * e6 + e29 * e31 - Scalar(2)
+            * p_.a * p_.m_s * e33;
+        const Scalar e35 = e2 - e24 * cos_phi;
+        const Scalar e36 = cos_psi * e35;
+        const Scalar e37 = sin_psi * e32;
+        const Scalar e38 = e29 * e36 - e26 * e37 - e12 * e34;
+        const Scalar e39 = (-e35 - e5 * e34 - e15 * e38) * independent_inverse_21;
+        const Scalar e40 = e38 * inverse_14 - e15 * e39;
+        const Scalar e41 = e34 * inverse_4 - e12 * e40 - e5 * e39;
+        const Scalar e42 = -p_.a * sin_phi;
+        const Scalar e43 = -p_.l * sin_psi;
+        const Scalar e44 = (Scalar(1) / Scalar(2)) * p_.a * e25;
+        const Scalar e45 = c_.k1 * e31 - e44 * e28;
+        const Scalar e46 = sin_psi * e27;
+        const Scalar e47 = e22 * cos_psi - e23 * e29 - e44 * e37 + p_.d_s * e16 + c_.k1 * e36 - Scalar(2) * p_.l * p_.m_s * e46;
+        const Scalar e48 = e47 - e12 * e45;
+        const Scalar e49 = (-e30 - e5 * e45 - e15 * e48) * independent_inverse_21;
+        const Scalar e50 = e48 * inverse_14 - e15 * e49;
+        const Scalar e51 = e45 * inverse_4 - e12 * e50 - e5 * e49;
+        const Scalar e52 = -e24;
+        const Scalar e53 = -e12 * e52;
+        const Scalar e54 = (-e5 * e52 - e15 * e53) * independent_inverse_21;
+        const Scalar e55 = e53 * inverse_14 - e15 * e54;
+        const Scalar e56 = e52 * inverse_4 - e12 * e55 - e5 * e54;
+        const Scalar e57 = p_.a * p_.l;
+        const Scalar e58 = (Scalar(1) / Scalar(2)) * e57;
+        const Scalar e59 = p_.a * p_.a;
+        const Scalar e60 = -e58 * (e28 - e31) - e24 * e59;
+        const Scalar e61 = p_.l * p_.l;
+        const Scalar e62 = -e58 * (e37 - e36) - e23 * ((Scalar(1) / Scalar(4)) * e61) - e12 * e60;
+        const Scalar e63 = (-e5 * e60 - e15 * e62) * independent_inverse_21;
+        const Scalar e64 = e62 * inverse_14 - e15 * e63;
+        const Scalar e65 = e60 * inverse_4 - e12 * e64 - e5 * e63;
+        const Scalar e66 = -e23;
+        const Scalar e67 = (-e15 * e66) * independent_inverse_21;
+        const Scalar e68 = e66 * inverse_14 - e15 * e67;
+        const Scalar e69 = -e12 * e68 - e5 * e67;
+        const Scalar e70 = -e57 * e28 - e59 * e33;
+        const Scalar e71 = -e57 * e37 - e61 * e46 - e12 * e70;
+        const Scalar e72 = (-e5 * e70 - e15 * e71) * independent_inverse_21;
+        const Scalar e73 = e71 * inverse_14 - e15 * e72;
+        const Scalar e74 = e70 * inverse_4 - e12 * e73 - e5 * e72;
+        const Scalar e75 = p_.a * e6;
+        const Scalar e76 = p_.l * e16 - e12 * e75;
+        const Scalar e77 = (-e5 * e75 - e15 * e76) * independent_inverse_21;
+        const Scalar e78 = e76 * inverse_14 - e15 * e77;
+        const Scalar e79 = e75 * inverse_4 - e12 * e78 - e5 * e77;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = e42;
-        J[4] = e41;
-        J[5] = -e33 + e43 * e42 + e44 * e41;
+        J[3] = e41;
+        J[4] = e40;
+        J[5] = -e32 + e42 * e41 + e43 * e40;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = e53;
-        J[10] = e52;
-        J[11] = -e28 + e43 * e53 + e44 * e52;
+        J[9] = e51;
+        J[10] = e50;
+        J[11] = -e27 + e42 * e51 + e43 * e50;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e58;
-        J[16] = e57;
-        J[17] = e43 * e58 + e44 * e57;
+        J[15] = e56;
+        J[16] = e55;
+        J[17] = e42 * e56 + e43 * e55;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = e67;
-        J[22] = e66;
-        J[23] = e43 * e67 + e44 * e66;
+        J[21] = e65;
+        J[22] = e64;
+        J[23] = e42 * e65 + e43 * e64;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
-        J[27] = e71;
-        J[28] = e70;
-        J[29] = e43 * e71 + e44 * e70;
+        J[27] = e69;
+        J[28] = e68;
+        J[29] = e42 * e69 + e43 * e68;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = e76;
-        J[34] = e75;
-        J[35] = e43 * e76 + e44 * e75;
+        J[33] = e74;
+        J[34] = e73;
+        J[35] = e42 * e74 + e43 * e73;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
-        J[39] = e81;
-        J[40] = e80;
-        J[41] = e43 * e81 + e44 * e80;
+        J[39] = e79;
+        J[40] = e78;
+        J[41] = e42 * e79 + e43 * e78;
     }
 
     /// J = df/dt at fixed x and u.
@@ -677,10 +676,10 @@ public:
         Scalar sin_psi, cos_psi;
         detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         M[0] = c_.k0;
-        M[1] = c_.k2 * (cos_phi * cos_psi + sin_phi * sin_psi);
+        M[1] = c_.k6 * (cos_phi * cos_psi + sin_phi * sin_psi);
         M[2] = Scalar(0);
         M[3] = M[1];
-        M[4] = c_.k4;
+        M[4] = c_.k3;
         M[5] = Scalar(0);
         M[6] = M[2];
         M[7] = M[5];
@@ -700,7 +699,7 @@ public:
         const Scalar psi = x[1];
         Scalar sin_psi, cos_psi;
         detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
-        const Scalar e1 = c_.k2 * (cos_phi * sin_psi - cos_psi * sin_phi);
+        const Scalar e1 = c_.k6 * (cos_phi * sin_psi - cos_psi * sin_phi);
         const Scalar phi_dot = x[3];
         const Scalar s_dot = x[5];
         b[0] = -psi_dot * psi_dot * e1;
@@ -742,17 +741,17 @@ public:
         const Scalar psi_dot = x[4];
         const Scalar psi_dot_squared = psi_dot * psi_dot;
         const Scalar e2 = sin_psi * psi_dot_squared;
-        const Scalar e3 = c_.k2 * cos_phi;
-        const Scalar e4 = c_.k3 * sin_phi;
+        const Scalar e3 = c_.k6 * cos_phi;
+        const Scalar e4 = c_.k7 * sin_phi;
         const Scalar e5 = cos_psi * psi_dot_squared;
-        const Scalar e6 = tau + c_.k6 * s_dot * sin_phi - c_.k1 * cos_phi * e1 + e2 * e3 - e4 * e5;
-        const Scalar inverse_7 = Scalar(1) / (c_.k0 + c_.k1 * sin_phi * sin_phi);
+        const Scalar e6 = tau + c_.k9 * s_dot * sin_phi - c_.k5 * cos_phi * e1 + e2 * e3 - e4 * e5;
+        const Scalar inverse_7 = Scalar(1) / (c_.k0 + c_.k5 * sin_phi * sin_phi);
         const Scalar e8 = cos_psi * e3 + sin_psi * e4;
         const Scalar e9 = e8 * inverse_7;
         const Scalar e10 = cos_phi * phi_dot_squared;
-        const Scalar e11 = cos_psi * (c_.k2 * e1 - c_.k5 * e2) + sin_psi * (c_.k7 * s_dot - c_.k3 * e10);
+        const Scalar e11 = cos_psi * (c_.k6 * e1 - c_.k8 * e2) + sin_psi * (c_.k10 * s_dot - c_.k7 * e10);
         const Scalar e12 = e11 - e9 * e6;
-        const Scalar inverse_13 = Scalar(1) / (c_.k4 + c_.k5 * sin_psi * sin_psi - e8 * e9);
+        const Scalar inverse_13 = Scalar(1) / (c_.k3 + c_.k8 * sin_psi * sin_psi - e8 * e9);
         const Scalar e14 = -p_.a * cos_phi;
         const Scalar e15 = -p_.l * cos_psi - e14 * e9;
         const Scalar e16 = e15 * inverse_13;
@@ -764,9 +763,9 @@ public:
         const Scalar e21 = e6 * inverse_7 - e9 * e20 - e17 * constraint_force_pin_y;
         const Scalar e22 = e21 * sin_phi + e10;
         const Scalar e23 = e20 * sin_psi + e5;
-        y[0] = p_.d_s * s_dot - c_.k14 * e22 - c_.k15 * e23;
+        y[0] = p_.d_s * s_dot - c_.k17 * e22 - c_.k18 * e23;
         y[1] = -constraint_force_pin_y;
-        y[2] = c_.k16 * (e21 * cos_phi - e1) + c_.k17 * (e20 * cos_psi - e2);
+        y[2] = c_.k4 * (e21 * cos_phi - e1) + c_.k19 * (e20 * cos_psi - e2);
         y[3] = p_.m_s * (-p_.a * e22 - p_.l * e23);
     }
 
@@ -780,7 +779,7 @@ public:
         const Scalar e1 = phi_dot * sin_phi;
         const Scalar e2 = phi_dot * e1;
         const Scalar tau = u[0];
-        const Scalar e3 = c_.k2 * cos_phi;
+        const Scalar e3 = c_.k6 * cos_phi;
         const Scalar psi_dot = x[4];
         const Scalar psi = x[1];
         Scalar sin_psi, cos_psi;
@@ -788,23 +787,23 @@ public:
         const Scalar e4 = psi_dot * sin_psi;
         const Scalar e5 = psi_dot * e4;
         const Scalar s_dot = x[5];
-        const Scalar e6 = c_.k6 * s_dot;
+        const Scalar e6 = c_.k9 * s_dot;
         const Scalar e7 = phi_dot * cos_phi;
-        const Scalar e8 = c_.k1 * e1;
-        const Scalar e9 = c_.k3 * sin_phi;
+        const Scalar e8 = c_.k5 * e1;
+        const Scalar e9 = c_.k7 * sin_phi;
         const Scalar e10 = psi_dot * cos_psi;
         const Scalar e11 = psi_dot * e10;
         const Scalar e12 = tau + e3 * e5 + sin_phi * e6 - e7 * e8 - e9 * e11;
-        const Scalar inverse_13 = Scalar(1) / (c_.k0 + c_.k1 * sin_phi * sin_phi);
+        const Scalar inverse_13 = Scalar(1) / (c_.k0 + c_.k5 * sin_phi * sin_phi);
         const Scalar e14 = cos_psi * e3 + sin_psi * e9;
         const Scalar e15 = e14 * inverse_13;
-        const Scalar e16 = c_.k2 * cos_psi;
-        const Scalar e17 = c_.k7 * s_dot;
-        const Scalar e18 = c_.k5 * e4;
-        const Scalar e19 = c_.k3 * sin_psi;
+        const Scalar e16 = c_.k6 * cos_psi;
+        const Scalar e17 = c_.k10 * s_dot;
+        const Scalar e18 = c_.k8 * e4;
+        const Scalar e19 = c_.k7 * sin_psi;
         const Scalar e20 = phi_dot * e7;
         const Scalar e21 = e2 * e16 + sin_psi * e17 - e10 * e18 - e19 * e20 - e15 * e12;
-        const Scalar inverse_22 = Scalar(1) / (c_.k4 + c_.k5 * sin_psi * sin_psi - e14 * e15);
+        const Scalar inverse_22 = Scalar(1) / (c_.k3 + c_.k8 * sin_psi * sin_psi - e14 * e15);
         const Scalar e23 = -p_.a * cos_phi;
         const Scalar e24 = -p_.l * cos_psi - e23 * e15;
         const Scalar e25 = e24 * inverse_22;
@@ -815,69 +814,69 @@ public:
         const Scalar e29 = e21 * inverse_22 - e25 * constraint_force_pin_y;
         const Scalar e30 = e12 * inverse_13 - e15 * e29 - e26 * constraint_force_pin_y;
         const Scalar e31 = e2 - e30 * cos_phi;
-        const Scalar e32 = -c_.k14 * sin_phi;
+        const Scalar e32 = -c_.k17 * sin_phi;
         const Scalar e33 = e29 * sin_psi;
         const Scalar e34 = e33 + e11;
         const Scalar e35 = e5 - e29 * cos_psi;
         const Scalar e36 = p_.a * sin_phi;
         const Scalar e37 = e30 * sin_phi;
-        const Scalar e38 = c_.k8 * cos_phi;
-        const Scalar e39 = e1 * e8 - cos_phi * (c_.k3 * e34 - e6) - c_.k2 * sin_phi * e35 - c_.k1 * e7 * e7
+        const Scalar e38 = c_.k11 * cos_phi;
+        const Scalar e39 = e1 * e8 - cos_phi * (c_.k7 * e34 - e6) - c_.k6 * sin_phi * e35 - c_.k5 * e7 * e7
             - constraint_force_pin_y * e36 - e37 * e38;
         const Scalar e40 = e37 + e20;
         const Scalar e41 = e31 * e19 + e40 * e16 - e15 * e39;
         const Scalar e42 = (-p_.a * e40 - e26 * e39 - e25 * e41) * independent_inverse_28;
         const Scalar e43 = e41 * inverse_22 - e25 * e42;
         const Scalar e44 = e39 * inverse_13 - e15 * e43 - e26 * e42;
-        const Scalar e45 = -c_.k15 * sin_psi;
-        const Scalar e46 = c_.k16 * cos_phi;
-        const Scalar e47 = c_.k17 * cos_psi;
+        const Scalar e45 = -c_.k18 * sin_psi;
+        const Scalar e46 = c_.k4 * cos_phi;
+        const Scalar e47 = c_.k19 * cos_psi;
         const Scalar e48 = -e36;
         const Scalar e49 = p_.l * sin_psi;
         const Scalar e50 = -e49;
         const Scalar e51 = e34 * e3 + e35 * e9;
-        const Scalar e52 = c_.k9 * cos_psi;
-        const Scalar e53 = e4 * e18 - cos_psi * (c_.k3 * e40 - e17) - c_.k2 * sin_psi * e31 - c_.k5 * e10 * e10
+        const Scalar e52 = c_.k12 * cos_psi;
+        const Scalar e53 = e4 * e18 - cos_psi * (c_.k7 * e40 - e17) - c_.k6 * sin_psi * e31 - c_.k8 * e10 * e10
             - constraint_force_pin_y * e49 - e33 * e52;
         const Scalar e54 = e53 - e15 * e51;
         const Scalar e55 = (-p_.l * e34 - e26 * e51 - e25 * e54) * independent_inverse_28;
         const Scalar e56 = e54 * inverse_22 - e25 * e55;
         const Scalar e57 = e51 * inverse_13 - e15 * e56 - e26 * e55;
         const Scalar e58 = -e1 * e38;
-        const Scalar e59 = c_.k11 * cos_psi * e1 - c_.k10 * sin_psi * e7 - e15 * e58;
-        const Scalar e60 = (-c_.k12 * e1 - e26 * e58 - e25 * e59) * independent_inverse_28;
+        const Scalar e59 = c_.k14 * cos_psi * e1 - c_.k13 * sin_psi * e7 - e15 * e58;
+        const Scalar e60 = (-c_.k15 * e1 - e26 * e58 - e25 * e59) * independent_inverse_28;
         const Scalar e61 = e59 * inverse_22 - e25 * e60;
         const Scalar e62 = e58 * inverse_13 - e15 * e61 - e26 * e60;
-        const Scalar e63 = c_.k11 * cos_phi * e4 - c_.k10 * sin_phi * e10;
+        const Scalar e63 = c_.k14 * cos_phi * e4 - c_.k13 * sin_phi * e10;
         const Scalar e64 = -e4 * e52 - e15 * e63;
-        const Scalar e65 = (-c_.k13 * e4 - e26 * e63 - e25 * e64) * independent_inverse_28;
+        const Scalar e65 = (-c_.k16 * e4 - e26 * e63 - e25 * e64) * independent_inverse_28;
         const Scalar e66 = e64 * inverse_22 - e25 * e65;
         const Scalar e67 = e63 * inverse_13 - e15 * e66 - e26 * e65;
-        const Scalar e68 = c_.k6 * sin_phi;
-        const Scalar e69 = c_.k7 * sin_psi - e15 * e68;
+        const Scalar e68 = c_.k9 * sin_phi;
+        const Scalar e69 = c_.k10 * sin_psi - e15 * e68;
         const Scalar e70 = (-e26 * e68 - e25 * e69) * independent_inverse_28;
         const Scalar e71 = e69 * inverse_22 - e25 * e70;
         const Scalar e72 = e68 * inverse_13 - e15 * e71 - e26 * e70;
-        C[0] = c_.k14 * e31 + e32 * e44 + e45 * e43;
+        C[0] = c_.k17 * e31 + e32 * e44 + e45 * e43;
         C[1] = (-Scalar(1)) * e42;
-        C[2] = -c_.k16 * e40 + e46 * e44 + e47 * e43;
+        C[2] = -c_.k4 * e40 + e46 * e44 + e47 * e43;
         C[3] = p_.m_s * (p_.a * e31 + e48 * e44 + e50 * e43);
-        C[4] = c_.k15 * e35 + e32 * e57 + e45 * e56;
+        C[4] = c_.k18 * e35 + e32 * e57 + e45 * e56;
         C[5] = (-Scalar(1)) * e55;
-        C[6] = -c_.k17 * e34 + e46 * e57 + e47 * e56;
+        C[6] = -c_.k19 * e34 + e46 * e57 + e47 * e56;
         C[7] = p_.m_s * (p_.l * e35 + e48 * e57 + e50 * e56);
         C[8] = Scalar(0);
         C[9] = Scalar(0);
         C[10] = Scalar(0);
         C[11] = Scalar(0);
-        C[12] = -c_.k18 * e7 + e32 * e62 + e45 * e61;
+        C[12] = -c_.k20 * e7 + e32 * e62 + e45 * e61;
         C[13] = (-Scalar(1)) * e60;
-        C[14] = -c_.k19 * e1 + e46 * e62 + e47 * e61;
-        C[15] = p_.m_s * (-c_.k12 * e7 + e48 * e62 + e50 * e61);
-        C[16] = -c_.k20 * e10 + e32 * e67 + e45 * e66;
+        C[14] = -c_.k21 * e1 + e46 * e62 + e47 * e61;
+        C[15] = p_.m_s * (-c_.k15 * e7 + e48 * e62 + e50 * e61);
+        C[16] = -c_.k22 * e10 + e32 * e67 + e45 * e66;
         C[17] = (-Scalar(1)) * e65;
-        C[18] = -c_.k21 * e4 + e46 * e67 + e47 * e66;
-        C[19] = p_.m_s * (-c_.k13 * e10 + e48 * e67 + e50 * e66);
+        C[18] = -c_.k23 * e4 + e46 * e67 + e47 * e66;
+        C[19] = p_.m_s * (-c_.k16 * e10 + e48 * e67 + e50 * e66);
         C[20] = p_.d_s + e32 * e72 + e45 * e71;
         C[21] = (-Scalar(1)) * e70;
         C[22] = e46 * e72 + e47 * e71;
@@ -890,14 +889,14 @@ public:
         const Scalar phi = x[0];
         Scalar sin_phi, cos_phi;
         detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
-        const Scalar inverse_1 = Scalar(1) / (c_.k0 + sin_phi * (c_.k1 * sin_phi));
+        const Scalar inverse_1 = Scalar(1) / (c_.k0 + sin_phi * (c_.k5 * sin_phi));
         const Scalar psi = x[1];
         Scalar sin_psi, cos_psi;
         detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
-        const Scalar e2 = cos_psi * (c_.k2 * cos_phi) + sin_psi * (c_.k3 * sin_phi);
+        const Scalar e2 = cos_psi * (c_.k6 * cos_phi) + sin_psi * (c_.k7 * sin_phi);
         const Scalar e3 = e2 * inverse_1;
         const Scalar e4 = -e3;
-        const Scalar inverse_5 = Scalar(1) / (c_.k4 + sin_psi * (c_.k5 * sin_psi) - e2 * e3);
+        const Scalar inverse_5 = Scalar(1) / (c_.k3 + sin_psi * (c_.k8 * sin_psi) - e2 * e3);
         const Scalar e6 = -p_.a * cos_phi;
         const Scalar e7 = -p_.l * cos_psi - e6 * e3;
         const Scalar e8 = e7 * inverse_5;
@@ -907,9 +906,9 @@ public:
         const Scalar e12 = (-e9 - e8 * e4) * independent_inverse_11;
         const Scalar e13 = e4 * inverse_5 - e8 * e12;
         const Scalar e14 = inverse_1 - e3 * e13 - e9 * e12;
-        D[0] = (-c_.k14 * sin_phi) * e14 + (-c_.k15 * sin_psi) * e13;
+        D[0] = (-c_.k17 * sin_phi) * e14 + (-c_.k18 * sin_psi) * e13;
         D[1] = (-Scalar(1)) * e12;
-        D[2] = c_.k16 * cos_phi * e14 + c_.k17 * cos_psi * e13;
+        D[2] = c_.k4 * cos_phi * e14 + c_.k19 * cos_psi * e13;
         D[3] = p_.m_s * ((-p_.a * sin_phi) * e14 + (-p_.l * sin_psi) * e13);
     }
 
@@ -929,7 +928,7 @@ public:
         const Scalar s_dot = x[5];
         const Scalar e1 = phi_dot * phi_dot * ((Scalar(1) / Scalar(2)) * (p_.a * p_.a * p_.m_l + p_.J_a));
         const Scalar e2 = (Scalar(1) / Scalar(8)) * p_.l * p_.l * p_.m_l + (Scalar(1) / Scalar(2)) * p_.J_l;
-        return psi_dot * (c_.k2 * phi_dot) * (cos_phi * cos_psi + sin_phi * sin_psi) + e1 + psi_dot * psi_dot * e2 + s_dot
+        return psi_dot * (c_.k6 * phi_dot) * (cos_phi * cos_psi + sin_phi * sin_psi) + e1 + psi_dot * psi_dot * e2 + s_dot
             * s_dot * ((Scalar(1) / Scalar(2)) * p_.m_s);
     }
 
@@ -1045,25 +1044,25 @@ public:
         const Scalar phi_dot = x[3];
         const Scalar phi_dot_squared = phi_dot * phi_dot;
         const Scalar e1 = cos_phi * phi_dot_squared;
-        const Scalar e2 = c_.k1 * sin_phi;
+        const Scalar e2 = c_.k5 * sin_phi;
         const Scalar psi = x[1];
         Scalar sin_psi, cos_psi;
         detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
         const Scalar psi_dot = x[4];
         const Scalar psi_dot_squared = psi_dot * psi_dot;
         const Scalar e3 = cos_psi * psi_dot_squared;
-        const Scalar e4 = c_.k3 * sin_phi;
-        const Scalar e5 = c_.k2 * cos_phi;
+        const Scalar e4 = c_.k7 * sin_phi;
+        const Scalar e5 = c_.k6 * cos_phi;
         const Scalar e6 = sin_psi * psi_dot_squared;
-        const Scalar e7 = tau + c_.k6 * s_dot * sin_phi - e1 * e2 - e3 * e4 + e5 * e6;
+        const Scalar e7 = tau + c_.k9 * s_dot * sin_phi - e1 * e2 - e3 * e4 + e5 * e6;
         const Scalar inverse_8 = Scalar(1) / (c_.k0 + sin_phi * e2);
         const Scalar e9 = cos_psi * e5 + sin_psi * e4;
         const Scalar e10 = e9 * inverse_8;
-        const Scalar e11 = c_.k5 * sin_psi;
+        const Scalar e11 = c_.k8 * sin_psi;
         const Scalar e12 = sin_phi * phi_dot_squared;
-        const Scalar e13 = sin_psi * (c_.k7 * s_dot - c_.k3 * e1) - e3 * e11 + c_.k2 * cos_psi * e12;
+        const Scalar e13 = sin_psi * (c_.k10 * s_dot - c_.k7 * e1) - e3 * e11 + c_.k6 * cos_psi * e12;
         const Scalar e14 = e13 - e10 * e7;
-        const Scalar inverse_15 = Scalar(1) / (c_.k4 + sin_psi * e11 - e9 * e10);
+        const Scalar inverse_15 = Scalar(1) / (c_.k3 + sin_psi * e11 - e9 * e10);
         const Scalar e16 = -p_.a * cos_phi;
         const Scalar e17 = -p_.l * cos_psi - e16 * e10;
         const Scalar e18 = e17 * inverse_15;
@@ -1073,7 +1072,7 @@ public:
         const Scalar constraint_force_pin_y = (-p_.a * e12 - p_.l * e6 - e19 * e7 - e18 * e14) * independent_inverse_21;
         const Scalar e22 = e14 * inverse_15 - e18 * constraint_force_pin_y;
         const Scalar e23 = (e7 * inverse_8 - e10 * e22 - e19 * constraint_force_pin_y) * sin_phi + e1;
-        force[0] = c_.k14 * e23 - p_.d_s * s_dot + c_.k15 * (e22 * sin_psi + e3);
+        force[0] = c_.k17 * e23 - p_.d_s * s_dot + c_.k18 * (e22 * sin_psi + e3);
         force[1] = constraint_force_pin_y;
     }
 
@@ -1094,12 +1093,12 @@ public:
         const Scalar psi = x[1];
         Scalar sin_psi, cos_psi;
         detail::sin_and_cos<Scalar>(psi, sin_psi, cos_psi);
-        const Scalar e1 = c_.k2 * (cos_phi * cos_psi + sin_phi * sin_psi);
+        const Scalar e1 = c_.k6 * (cos_phi * cos_psi + sin_phi * sin_psi);
         const Scalar inverse_2 = Scalar(1) / c_.k0;
         const Scalar e3 = e1 * inverse_2;
         const Scalar e4 = p_.a * sin_phi;
         const Scalar e5 = p_.l * sin_psi - e4 * e3;
-        const Scalar inverse_6 = Scalar(1) / (c_.k4 - e1 * e3);
+        const Scalar inverse_6 = Scalar(1) / (c_.k3 - e1 * e3);
         const Scalar e7 = e5 * inverse_6;
         const Scalar e8 = -residual[0];
         const Scalar e9 = e4 * inverse_2;
@@ -1128,27 +1127,29 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar k0;  ///< a^2*m_l + J_a
-        Scalar k1;  ///< a^2*m_s
-        Scalar k2;  ///< a*l*m_l/2
-        Scalar k3;  ///< a*l*(m_l/2 + m_s)
-        Scalar k4;  ///< l^2*m_l/4 + J_l
-        Scalar k5;  ///< l^2*m_s
-        Scalar k6;  ///< a*d_s
-        Scalar k7;  ///< l*d_s
-        Scalar k8;  ///< 2*a^2*m_s
-        Scalar k9;  ///< 2*l^2*m_s
-        Scalar k10;  ///< a*l*(m_l + 2*m_s)
-        Scalar k11;  ///< a*l*m_l
-        Scalar k12;  ///< 2*a
-        Scalar k13;  ///< 2*l
-        Scalar k14;  ///< a*m_s
-        Scalar k15;  ///< l*m_s
-        Scalar k16;  ///< a*m_l
-        Scalar k17;  ///< l*m_l/2
-        Scalar k18;  ///< 2*a*m_s
-        Scalar k19;  ///< 2*a*m_l
-        Scalar k20;  ///< 2*l*m_s
-        Scalar k21;  ///< l*m_l
+        Scalar k1;  ///< a*m_l/2
+        Scalar k2;  ///< m_l/2
+        Scalar k3;  ///< l^2*m_l/4 + J_l
+        Scalar k4;  ///< a*m_l
+        Scalar k5;  ///< a^2*m_s
+        Scalar k6;  ///< a*l*m_l/2
+        Scalar k7;  ///< a*l*(m_l/2 + m_s)
+        Scalar k8;  ///< l^2*m_s
+        Scalar k9;  ///< a*d_s
+        Scalar k10;  ///< l*d_s
+        Scalar k11;  ///< 2*a^2*m_s
+        Scalar k12;  ///< 2*l^2*m_s
+        Scalar k13;  ///< a*l*(m_l + 2*m_s)
+        Scalar k14;  ///< a*l*m_l
+        Scalar k15;  ///< 2*a
+        Scalar k16;  ///< 2*l
+        Scalar k17;  ///< a*m_s
+        Scalar k18;  ///< l*m_s
+        Scalar k19;  ///< l*m_l/2
+        Scalar k20;  ///< 2*a*m_s
+        Scalar k21;  ///< 2*a*m_l
+        Scalar k22;  ///< 2*l*m_s
+        Scalar k23;  ///< l*m_l
     };
     Cached c_{};
 };

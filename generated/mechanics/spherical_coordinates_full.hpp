@@ -17,7 +17,7 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      4     1        0      0
-//   rhs                    8     26     2        2      0
+//   rhs                    8     24     2        2      0
 //   rhs_and_jacobian      24     70     2        2      0
 //   jacobian_p            10     31     2        2      0
 //   mass_matrix            0      4     0        1      0
@@ -199,8 +199,8 @@ public:
         p_ = values;
         c_.k0 = p_.c * p_.r_0;
         c_.k1 = p_.m * p_.g;
-        c_.k2 = Scalar(2) * p_.m;
-        c_.k3 = Scalar(1) / p_.m;
+        c_.k2 = Scalar(1) / p_.m;
+        c_.k3 = Scalar(2) * p_.m;
         c_.k4 = Scalar(4) * p_.m;
     }
 
@@ -216,29 +216,28 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 8 + or -, 26 *, 2 /, 2 sin or cos
+    /// Operations: 8 + or -, 24 *, 2 /, 2 sin or cos
     ///     m*ddot(r) - m*r*dot(theta)^2 - m*r*sin(theta)^2*dot(phi)^2 - c*r_0 + c*r + m*g*cos(theta) = 0
     ///     m*r^2*ddot(theta) + 2*m*r*dot(r)*dot(theta) - m*r^2*cos(theta)*sin(theta)*dot(phi)^2 - m*g*r*sin(theta) = 0
     ///     m*r^2*sin(theta)^2*ddot(phi) + 2*m*r*sin(theta)^2*dot(r)*dot(phi) + 2*m*r^2*cos(theta)*sin(theta)*dot(theta)*dot(phi) =
     ///     0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar r = x[0];
+        const Scalar theta_dot = x[4];
+        const Scalar e1 = p_.m * r;
+        const Scalar e2 = theta_dot * e1;
         const Scalar theta = x[1];
         Scalar sin_theta, cos_theta;
         detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
-        const Scalar theta_dot = x[4];
-        const Scalar e1 = p_.m * r;
         const Scalar phi_dot = x[5];
-        const Scalar e2 = r * sin_theta;
-        const Scalar e3 = phi_dot * e2;
+        const Scalar e3 = sin_theta * e1;
         const Scalar e4 = phi_dot * e3;
-        const Scalar e5 = c_.k0 - p_.c * r - c_.k1 * cos_theta + theta_dot * theta_dot * e1 + p_.m * sin_theta * e4;
-        const Scalar r_ddot = e5 * c_.k3;
-        const Scalar e6 = r * theta_dot;
+        const Scalar e5 = phi_dot * e4;
+        const Scalar r_ddot = (c_.k0 - p_.c * r + theta_dot * e2 - cos_theta * c_.k1 + sin_theta * e5) * c_.k2;
         const Scalar r_dot = x[3];
-        const Scalar e7 = c_.k2 * r_dot;
-        const Scalar theta_ddot = (c_.k1 * e2 - e6 * e7 + cos_theta * e1 * e4) / (r * e1);
-        const Scalar phi_ddot = (-e3 * (c_.k2 * cos_theta * e6 + sin_theta * e7)) / (p_.m * e2 * e2);
+        const Scalar e6 = r * cos_theta;
+        const Scalar theta_ddot = (p_.g * e3 - Scalar(2) * r_dot * e2 + e6 * e5) / (r * e1);
+        const Scalar phi_ddot = Scalar(2) * (-e4 * (r_dot * sin_theta + theta_dot * e6)) / (r * sin_theta * e3);
         dxdt[0] = x[3];
         dxdt[1] = x[4];
         dxdt[2] = x[5];
@@ -262,14 +261,14 @@ public:
         const Scalar e3 = phi_dot * e2;
         const Scalar e4 = p_.m * phi_dot;
         const Scalar e5 = sin_theta * e4;
-        const Scalar r_ddot = (c_.k0 - c_.k1 * cos_theta + r * e1 + e3 * e5) * c_.k3;
+        const Scalar r_ddot = (c_.k0 - c_.k1 * cos_theta + r * e1 + e3 * e5) * c_.k2;
         const Scalar r_dot = x[3];
-        const Scalar e6 = c_.k2 * r;
+        const Scalar e6 = c_.k3 * r;
         const Scalar e7 = theta_dot * e6;
         const Scalar e8 = cos_theta * e3;
         const Scalar inverse_9 = Scalar(1) / (p_.m * r * r);
         const Scalar theta_ddot = (c_.k1 * e2 - r_dot * e7 + r * e8 * e4) * inverse_9;
-        const Scalar e10 = c_.k2 * sin_theta;
+        const Scalar e10 = c_.k3 * sin_theta;
         const Scalar e11 = r_dot * e10;
         const Scalar e12 = cos_theta * e7;
         const Scalar e13 = e11 + e12;
@@ -282,8 +281,8 @@ public:
         dxdt[4] = theta_ddot;
         dxdt[5] = phi_ddot;
         const Scalar e15 = phi_dot * sin_theta;
-        const Scalar e16 = c_.k1 * sin_theta + c_.k2 * phi_dot * e8;
-        const Scalar e17 = c_.k2 * theta_dot;
+        const Scalar e16 = c_.k1 * sin_theta + c_.k3 * phi_dot * e8;
+        const Scalar e17 = c_.k3 * theta_dot;
         const Scalar e18 = phi_ddot * e2;
         const Scalar e19 = c_.k4 * e8;
         const Scalar e20 = r * cos_theta;
@@ -293,13 +292,13 @@ public:
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = (e1 + e15 * e5) * c_.k3;
+        J[3] = (e1 + e15 * e5) * c_.k2;
         J[4] = (e16 - theta_ddot * e6 - r_dot * e17) * inverse_9;
         J[5] = (-e10 * e18 - theta_dot * e19 - e15 * e11) * inverse_14;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = e16 * c_.k3;
+        J[9] = e16 * c_.k2;
         J[10] = (e20 * (c_.k1 + e4 * e21) - p_.m * e3 * e3) * inverse_9;
         J[11] = (e2 * e3 * e17 - cos_theta * e6 * e18 - r_dot * e19 - e12 * e21) * inverse_14;
         J[12] = Scalar(0);
@@ -317,13 +316,13 @@ public:
         J[24] = Scalar(0);
         J[25] = Scalar(1);
         J[26] = Scalar(0);
-        J[27] = e7 * c_.k3;
+        J[27] = e7 * c_.k2;
         J[28] = (-r_dot * e6) * inverse_9;
         J[29] = (-e23) * inverse_14;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(1);
-        J[33] = e22 * c_.k3;
+        J[33] = e22 * c_.k2;
         J[34] = e23 * inverse_9;
         J[35] = (-e2 * e13) * inverse_14;
     }
@@ -361,7 +360,7 @@ public:
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = (theta_dot * e1 - dxdt[3] - p_.g * cos_theta + sin_theta * e4) * c_.k3;
+        J[3] = (theta_dot * e1 - dxdt[3] - p_.g * cos_theta + sin_theta * e4) * c_.k2;
         const Scalar e7 = p_.g * e2 - Scalar(2) * r_dot * e1 - dxdt[4] * r_squared + r * cos_theta * e4;
         J[4] = e7 * inverse_5;
         const Scalar e8 = -e3 * (Scalar(2) * (r_dot * sin_theta + cos_theta * e1)) - dxdt[5] * e2 * e2;
@@ -369,19 +368,19 @@ public:
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = (p_.r_0 - r) * c_.k3;
+        J[9] = (p_.r_0 - r) * c_.k2;
         J[10] = Scalar(0);
         J[11] = Scalar(0);
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = p_.c * c_.k3;
+        J[15] = p_.c * c_.k2;
         J[16] = Scalar(0);
         J[17] = Scalar(0);
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = (-p_.m * cos_theta) * c_.k3;
+        J[21] = (-p_.m * cos_theta) * c_.k2;
         J[22] = e6 * inverse_5;
         J[23] = Scalar(0);
     }
@@ -440,11 +439,11 @@ public:
         const Scalar e4 = phi_dot * e3;
         const Scalar e5 = sin_theta * e4;
         const Scalar r_dot = x[3];
-        const Scalar e6 = c_.k2 * r_dot;
+        const Scalar e6 = c_.k3 * r_dot;
         const Scalar e7 = cos_theta * e4;
         b[0] = p_.c * r - c_.k0 + c_.k1 * cos_theta - p_.m * theta_dot * e1 - e2 * e5;
         b[1] = e1 * e6 - c_.k1 * e3 - r * e2 * e7;
-        b[2] = e6 * e5 + c_.k2 * e1 * e7;
+        b[2] = e6 * e5 + c_.k3 * e1 * e7;
     }
 
     /// Q in M qdd + bias = Q: forces, torques and inputs.
@@ -646,8 +645,8 @@ private:
     struct Cached {
         Scalar k0;  ///< c*r_0
         Scalar k1;  ///< m*g
-        Scalar k2;  ///< 2*m
-        Scalar k3;  ///< 1/m
+        Scalar k2;  ///< 1/m
+        Scalar k3;  ///< 2*m
         Scalar k4;  ///< 4*m
     };
     Cached c_{};

@@ -18,7 +18,7 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      6     2        0      0
-//   rhs                    2     11     1        2      0
+//   rhs                    2     10     1        2      0
 //   rhs_and_jacobian       7     25     1        2      0
 //   jacobian_p             6     28     1        2      0
 //   mass_matrix            0      2     0        1      0
@@ -198,9 +198,9 @@ public:
         const Scalar e2 = p_.l * e1;
         c_.k0 = e2;
         c_.k1 = p_.g * e1;
-        c_.k2 = Scalar(2) * e2;
         const Scalar inverse_3 = Scalar(1) / p_.l;
-        c_.k3 = inverse_3 * inverse_3 / p_.m;
+        c_.k2 = inverse_3 * inverse_3 / p_.m;
+        c_.k3 = Scalar(2) * e2;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -214,7 +214,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 2 + or -, 11 *, 1 /, 2 sin or cos
+    /// Operations: 2 + or -, 10 *, 1 /, 2 sin or cos
     ///     m*l^2*ddot(theta) - m*l^2*cos(theta)*sin(theta)*dot(phi)^2 + m*l*g*sin(theta) = 0
     ///     m*l^2*sin(theta)^2*ddot(phi) + 2*m*l^2*cos(theta)*sin(theta)*dot(theta)*dot(phi) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
@@ -222,11 +222,11 @@ public:
         const Scalar theta = x[0];
         Scalar sin_theta, cos_theta;
         detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
-        const Scalar e1 = c_.k0 * sin_theta;
-        const Scalar e2 = phi_dot * cos_theta;
-        const Scalar theta_ddot = (phi_dot * e1 * e2 - c_.k1 * sin_theta) * c_.k3;
+        const Scalar e1 = sin_theta * c_.k0;
+        const Scalar e2 = e1 * (phi_dot * cos_theta);
+        const Scalar theta_ddot = (phi_dot * e2 - sin_theta * c_.k1) * c_.k2;
         const Scalar theta_dot = x[2];
-        const Scalar phi_ddot = (-c_.k2 * theta_dot * sin_theta * e2) / (sin_theta * e1);
+        const Scalar phi_ddot = (-Scalar(2) * theta_dot * e2) / (sin_theta * e1);
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = theta_ddot;
@@ -243,9 +243,9 @@ public:
         detail::sin_and_cos<Scalar>(theta, sin_theta, cos_theta);
         const Scalar e1 = cos_theta * sin_theta;
         const Scalar e2 = c_.k0 * phi_dot;
-        const Scalar theta_ddot = (phi_dot * e1 * e2 - c_.k1 * sin_theta) * c_.k3;
+        const Scalar theta_ddot = (phi_dot * e1 * e2 - c_.k1 * sin_theta) * c_.k2;
         const Scalar theta_dot = x[2];
-        const Scalar e3 = c_.k2 * e1;
+        const Scalar e3 = c_.k3 * e1;
         const Scalar e4 = phi_dot * e3;
         const Scalar sin_theta_squared = sin_theta * sin_theta;
         const Scalar inverse_5 = Scalar(1) / (c_.k0 * sin_theta_squared);
@@ -257,8 +257,8 @@ public:
         const Scalar e6 = phi_dot * (cos_theta * cos_theta - sin_theta_squared);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = (e2 * e6 - c_.k1 * cos_theta) * c_.k3;
-        J[3] = (-phi_ddot * e3 - c_.k2 * theta_dot * e6) * inverse_5;
+        J[2] = (e2 * e6 - c_.k1 * cos_theta) * c_.k2;
+        J[3] = (-phi_ddot * e3 - c_.k3 * theta_dot * e6) * inverse_5;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
         J[6] = Scalar(0);
@@ -269,7 +269,7 @@ public:
         J[11] = (-e4) * inverse_5;
         J[12] = Scalar(0);
         J[13] = Scalar(1);
-        J[14] = e4 * c_.k3;
+        J[14] = e4 * c_.k2;
         J[15] = (-theta_dot * e3) * inverse_5;
     }
 
@@ -305,15 +305,15 @@ public:
         const Scalar e8 = Scalar(2) * e7;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = (e1 * e3 - sin_theta * (p_.l * p_.g)) * c_.k3;
+        J[2] = (e1 * e3 - sin_theta * (p_.l * p_.g)) * c_.k2;
         J[3] = (-e1 * e4 - Scalar(2) * e1 * e5) * inverse_6;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = (e8 * e3 - sin_theta * (p_.m * p_.g)) * c_.k3;
+        J[6] = (e8 * e3 - sin_theta * (p_.m * p_.g)) * c_.k2;
         J[7] = (-e8 * e4 - Scalar(4) * e7 * e5) * inverse_6;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
-        J[10] = (-sin_theta * e7) * c_.k3;
+        J[10] = (-sin_theta * e7) * c_.k2;
         J[11] = Scalar(0);
     }
 
@@ -353,7 +353,7 @@ public:
         const Scalar e1 = sin_theta * (phi_dot * cos_theta);
         const Scalar theta_dot = x[2];
         b[0] = c_.k1 * sin_theta - c_.k0 * phi_dot * e1;
-        b[1] = c_.k2 * theta_dot * e1;
+        b[1] = c_.k3 * theta_dot * e1;
     }
 
     /// Q in M qdd + bias = Q: forces, torques and inputs.
@@ -458,8 +458,8 @@ private:
     struct Cached {
         Scalar k0;  ///< m*l^2
         Scalar k1;  ///< m*l*g
-        Scalar k2;  ///< 2*m*l^2
-        Scalar k3;  ///< 1/(m*l^2)
+        Scalar k2;  ///< 1/(m*l^2)
+        Scalar k3;  ///< 2*m*l^2
     };
     Cached c_{};
 };

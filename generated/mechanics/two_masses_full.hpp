@@ -16,7 +16,7 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 1      5     1        0      0
-//   rhs                   13     20     1        2      0
+//   rhs                   13     19     1        2      0
 //   rhs_and_jacobian      24     43     1        2      0
 //   jacobian_u            16     20     1        2      0
 //   jacobian_p            25     45     1        2      0
@@ -222,28 +222,29 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 13 + or -, 20 *, 1 /, 2 sin or cos
+    /// Operations: 13 + or -, 19 *, 1 /, 2 sin or cos
     ///     (m_i + m_j)*ddot(x) - m_j*l*sin(phi)*ddot(phi) - m_j*l*cos(phi)*dot(phi)^2 = f_ix + f_jx
     ///     (m_i + m_j)*ddot(y) + m_j*l*cos(phi)*ddot(phi) - m_j*l*sin(phi)*dot(phi)^2 = f_iy + f_jy
     ///     -m_j*l*sin(phi)*ddot(x) + m_j*l*cos(phi)*ddot(y) + m_j*l^2*ddot(phi) = -l*f_jx*sin(phi) + l*f_jy*cos(phi)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar f_ix = u[0];
         const Scalar f_jx = u[2];
+        const Scalar phi_dot = x[5];
+        const Scalar phi_dot_squared = phi_dot * phi_dot;
         const Scalar phi = x[2];
         Scalar sin_phi, cos_phi;
         detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
-        const Scalar phi_dot = x[5];
-        const Scalar e1 = phi_dot * (c_.k1 * phi_dot);
-        const Scalar e2 = f_ix + f_jx + cos_phi * e1;
-        const Scalar e3 = -c_.k1 * sin_phi;
-        const Scalar e4 = e3 * c_.k3;
+        const Scalar e1 = cos_phi * c_.k1;
+        const Scalar e2 = f_ix + f_jx + phi_dot_squared * e1;
+        const Scalar e3 = sin_phi * c_.k1;
+        const Scalar e4 = -e3;
+        const Scalar e5 = e4 * c_.k3;
         const Scalar f_jy = u[3];
-        const Scalar e5 = c_.k1 * cos_phi;
-        const Scalar e6 = e5 * c_.k3;
+        const Scalar e6 = e1 * c_.k3;
         const Scalar f_iy = u[1];
-        const Scalar e7 = f_iy + f_jy + sin_phi * e1;
-        const Scalar phi_ddot = (-p_.l * (f_jx * sin_phi - f_jy * cos_phi) - e4 * e2 - e6 * e7) / (c_.k2 - e3 * e4 - e5 * e6);
-        const Scalar x_ddot = e2 * c_.k3 - e4 * phi_ddot;
+        const Scalar e7 = f_iy + f_jy + phi_dot_squared * e3;
+        const Scalar phi_ddot = (-p_.l * (f_jx * sin_phi - f_jy * cos_phi) - e5 * e2 - e6 * e7) / (c_.k2 - e4 * e5 - e1 * e6);
+        const Scalar x_ddot = e2 * c_.k3 - e5 * phi_ddot;
         const Scalar y_ddot = e7 * c_.k3 - e6 * phi_ddot;
         dxdt[0] = x[3];
         dxdt[1] = x[4];

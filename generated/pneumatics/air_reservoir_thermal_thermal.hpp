@@ -17,11 +17,11 @@
 //     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 3     55     8        0      4
-//   rhs                   21     35     4        0     16
-//   rhs_and_jacobian      67    133     4        0     24
+//   update                 3     34     8        0      4
+//   rhs                   16     30     4        0     16
+//   rhs_and_jacobian      39     94     4        0     24
 //   jacobian_u            23     53     4        0     16
-//   jacobian_p           166    421    10        0     30
+//   jacobian_p           164    430    10        0     30
 //   output                 9     20     4        0     13
 //   output_jacobian_x     19     46     4        0     19
 //   output_jacobian_u      6     13     3        0     13
@@ -166,23 +166,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// sign(x) sqrt(|x|); its derivative is inverse_root(x)/2. Needs select.
@@ -334,92 +339,67 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 + or -, 55 *, 8 /, 4 other functions
+    /// Operations: 3 + or -, 34 *, 8 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
         c_.c_v = -p_.R_s / (Scalar(1) - p_.kappa);
-        const Scalar inverse_1 = Scalar(1) / c_.c_v;
-        const Scalar inverse_2 = Scalar(1) / p_.V;
-        const Scalar e3 = p_.R_s * inverse_2;
-        const Scalar e4 = inverse_1 * e3;
-        const Scalar e5 = p_.k_W * e4;
-        c_.k0 = p_.T_0 * e5;
-        const Scalar e6 = p_.R_s * inverse_1;
-        const Scalar e7 = Scalar(1) + e6;
+        const Scalar inverse_1 = Scalar(1) / p_.V;
+        const Scalar e2 = p_.R_s * inverse_1;
+        c_.k0 = e2;
+        const Scalar inverse_3 = Scalar(1) / c_.c_v;
+        const Scalar e4 = p_.R_s * inverse_3;
+        const Scalar e5 = Scalar(1) + e4;
+        c_.k1 = e5;
+        c_.k2 = p_.k_W * inverse_3;
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar sqrt_8 = sqrt(Scalar(2));
-        const Scalar e9 = sqrt_8 * (p_.A_d * p_.alpha_d);
-        const Scalar e10 = e9 / sqrt_R_s;
-        const Scalar e11 = e3 * e10;
-        const Scalar e12 = e7 * e11;
-        c_.k1 = e12;
-        const Scalar sqrt_T_in = sqrt(p_.T_in);
-        const Scalar inverse_13 = Scalar(1) / sqrt_T_in;
-        const Scalar e14 = inverse_13 * e12;
-        c_.k2 = e14;
+        const Scalar sqrt_6 = sqrt(Scalar(2));
+        const Scalar e7 = sqrt_6 * (p_.A_d * p_.alpha_d);
+        const Scalar e8 = e7 / sqrt_R_s;
+        c_.k3 = e8;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_15 = Scalar(1) / sqrt_T_0;
-        const Scalar e16 = inverse_15 * e12;
-        c_.k3 = e16;
-        const Scalar e17 = e7 * e3;
-        c_.k4 = e17;
-        c_.k5 = e5;
-        c_.k6 = p_.T_in * e17;
-        c_.k7 = p_.T_0 * e17;
-        const Scalar e18 = e11 * e6;
-        c_.k8 = e18;
-        const Scalar e19 = inverse_13 * e18;
-        c_.k9 = e19;
-        const Scalar e20 = inverse_15 * e18;
-        c_.k10 = e20;
-        const Scalar e21 = e3 * e6;
-        c_.k11 = e21;
-        c_.k12 = e10;
-        const Scalar e22 = inverse_15 * e10;
-        c_.k13 = e22;
-        const Scalar e23 = inverse_13 * e10;
-        c_.k14 = e23;
-        c_.k15 = e7;
-        c_.k16 = (Scalar(1) / Scalar(2)) * e12;
-        c_.k17 = (Scalar(1) / Scalar(2)) * e14;
-        const Scalar e24 = p_.T_in * e12;
-        c_.k18 = e24;
-        const Scalar e25 = p_.T_in * e14;
-        c_.k19 = e25;
-        c_.k20 = (Scalar(1) / Scalar(2)) * e24;
-        c_.k21 = (Scalar(1) / Scalar(2)) * e25;
-        c_.k22 = (Scalar(1) / Scalar(2)) * e16;
-        const Scalar e26 = p_.T_0 * e12;
-        c_.k23 = e26;
-        const Scalar e27 = p_.T_0 * e16;
-        c_.k24 = e27;
-        c_.k25 = (Scalar(1) / Scalar(2)) * e26;
-        c_.k26 = (Scalar(1) / Scalar(2)) * e27;
-        c_.k27 = (Scalar(1) / Scalar(2)) * e18;
-        c_.k28 = (Scalar(1) / Scalar(2)) * e19;
-        c_.k29 = (Scalar(1) / Scalar(2)) * e20;
-        c_.k30 = Scalar(2) * e18;
-        c_.k31 = Scalar(2) * e19;
-        c_.k32 = Scalar(2) * e20;
-        c_.k33 = Scalar(2) * e21;
-        c_.k34 = Scalar(2) * e5;
-        c_.k35 = Scalar(2) * e17;
-        const Scalar e28 = sqrt_R_s * e9;
-        const Scalar e29 = e28 * (inverse_2 * e7);
-        c_.k36 = e29;
-        c_.k37 = inverse_13 * e29;
-        const Scalar e30 = e4 * e28;
-        c_.k38 = e30;
-        c_.k39 = inverse_13 * e30;
-        c_.k40 = inverse_15 * e29;
-        c_.k41 = inverse_15 * e30;
-        c_.k42 = p_.V / p_.R_s;
-        c_.k43 = p_.T_0 * p_.k_W;
-        c_.k44 = Scalar(1) / p_.p_S;
-        c_.k45 = (Scalar(1) / Scalar(2)) * e10;
-        c_.k46 = (Scalar(1) / Scalar(2)) * e23;
-        c_.k47 = (Scalar(1) / Scalar(2)) * e22;
+        const Scalar inverse_9 = Scalar(1) / sqrt_T_0;
+        c_.k4 = inverse_9;
+        const Scalar sqrt_T_in = sqrt(p_.T_in);
+        const Scalar inverse_10 = Scalar(1) / sqrt_T_in;
+        c_.k5 = inverse_10;
+        c_.k6 = e4;
+        const Scalar e11 = e5 * e2;
+        c_.k7 = e11;
+        c_.k8 = Scalar(2) * e4;
+        const Scalar e12 = sqrt_R_s * e7;
+        const Scalar e13 = e12 * (inverse_1 * e5);
+        c_.k9 = e13;
+        const Scalar e14 = e8 * e11;
+        c_.k10 = e14;
+        c_.k11 = inverse_10 * e13;
+        c_.k12 = inverse_10 * e14;
+        const Scalar e15 = p_.T_in * e14;
+        c_.k13 = e15;
+        c_.k14 = inverse_10 * e15;
+        const Scalar e16 = e12 * (inverse_3 * e2);
+        c_.k15 = e16;
+        c_.k16 = inverse_10 * e16;
+        c_.k17 = inverse_9 * e13;
+        c_.k18 = inverse_9 * e14;
+        const Scalar e17 = p_.T_0 * e14;
+        c_.k19 = e17;
+        c_.k20 = inverse_9 * e17;
+        c_.k21 = inverse_9 * e16;
+        c_.k22 = e11;
+        c_.k23 = p_.T_in * e11;
+        c_.k24 = e2 * e4;
+        const Scalar e18 = inverse_9 * e8;
+        c_.k25 = e18;
+        c_.k26 = e5;
+        const Scalar e19 = inverse_10 * e8;
+        c_.k27 = e19;
+        c_.k28 = p_.V / p_.R_s;
+        c_.k29 = p_.T_0 * p_.k_W;
+        c_.k30 = Scalar(1) / p_.p_S;
+        c_.k31 = (Scalar(1) / Scalar(2)) * e8;
+        c_.k32 = (Scalar(1) / Scalar(2)) * e19;
+        c_.k33 = (Scalar(1) / Scalar(2)) * e18;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -433,7 +413,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 21 + or -, 35 *, 4 /, 16 other functions
+    /// Operations: 16 + or -, 30 *, 4 /, 16 other functions
     ///     specific_enthalpy[supply] = T_in*(R_s + c_v)
     ///     specific_enthalpy[ambience] = T_0*(R_s + c_v)
     ///     density[tank] = p/(R_s*T)
@@ -461,148 +441,129 @@ public:
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::abs;
         using std::sqrt;
-        const Scalar T = x[1];
-        const Scalar p_value = x[0];
-        const Scalar e1 = p_.p_S - p_value;
-        const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar abs_3 = abs(e1);
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k15);
-        const Scalar u_f = u[0];
-        const Scalar signed_root_5 = detail::signed_root<Scalar>(max_p_S * e1);
-        const Scalar e6 = outflow_factor_4 * (u_f * signed_root_5);
-        const Scalar e7 = step_2 * e6;
-        const Scalar e8 = p_.p_0 - p_value;
-        const Scalar step_9 = detail::step<Scalar>(e8);
-        const Scalar abs_10 = abs(e8);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_0, c_.k15);
-        const Scalar u_e = u[1];
-        const Scalar signed_root_12 = detail::signed_root<Scalar>(max_p_0 * e8);
-        const Scalar e13 = outflow_factor_11 * (u_e * signed_root_12);
-        const Scalar e14 = step_9 * e13;
-        const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_15 = Scalar(1) / sqrt_T;
-        const Scalar step_16 = detail::step<Scalar>(-e1);
-        const Scalar e17 = step_16 * e6;
-        const Scalar step_18 = detail::step<Scalar>(-e8);
-        const Scalar e19 = step_18 * e13;
-        const Scalar e20 = inverse_15 * (e17 + e19);
-        const Scalar e21 = c_.k12 * inverse_15;
-        const Scalar min_22 = detail::min<Scalar>(Scalar(0), -c_.k13 * e14 - e21 * e19);
-        const Scalar e23 = c_.k4 * T;
         const Scalar mdot = u[2];
-        const Scalar max_24 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar max_25 = detail::max<Scalar>(Scalar(0), c_.k14 * e7 + e21 * e17);
-        const Scalar e26 = c_.k5 * T - min_22 * (e23 - c_.k7) - (c_.k0 - (e23 - c_.k6) * (max_24 + max_25));
-        const Scalar e27 = T / p_value;
-        dxdt[0] = T * (c_.k2 * e7 + c_.k3 * e14 + c_.k1 * e20) - e26 + mdot * e23;
-        dxdt[1] = T * e27 * (c_.k11 * mdot + c_.k9 * e7 + c_.k10 * e14 + c_.k8 * e20) - e27 * e26;
+        const Scalar u_f = u[0];
+        const Scalar p_value = x[0];
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
+        const Scalar e1 = p_.p_S - p_value;
+        const Scalar signed_root_2 = detail::signed_root<Scalar>(max_p_S * e1);
+        const Scalar abs_3 = abs(e1);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k1);
+        const Scalar step_5 = detail::step<Scalar>(-e1);
+        const Scalar T = x[1];
+        const Scalar sqrt_T = sqrt(T);
+        const Scalar inverse_6 = Scalar(1) / sqrt_T;
+        const Scalar step_7 = detail::step<Scalar>(e1);
+        const Scalar e8 = u_f * signed_root_2 * (outflow_factor_4 * (step_5 * inverse_6 + step_7 * c_.k5));
+        const Scalar u_e = u[1];
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
+        const Scalar e9 = p_.p_0 - p_value;
+        const Scalar signed_root_10 = detail::signed_root<Scalar>(max_p_0 * e9);
+        const Scalar abs_11 = abs(e9);
+        const Scalar outflow_factor_12 = detail::outflow_factor<Scalar>(abs_11 / max_p_0, c_.k1);
+        const Scalar step_13 = detail::step<Scalar>(-e9);
+        const Scalar step_14 = detail::step<Scalar>(e9);
+        const Scalar e15 = u_e * signed_root_10 * (outflow_factor_12 * (step_13 * inverse_6 + step_14 * c_.k4));
+        const Scalar e16 = T * c_.k0;
+        const Scalar e17 = (mdot + (e8 + e15) * c_.k3) * e16;
+        const Scalar min_18 = detail::min<Scalar>(Scalar(0), -e15 * c_.k3);
+        const Scalar e19 = c_.k2 - min_18 * c_.k1;
+        const Scalar max_20 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e8 * c_.k3);
+        const Scalar e22 = T * e19 - (p_.T_0 * e19 + (p_.T_in - T) * (max_20 + max_21) * c_.k1);
+        dxdt[0] = e17 * c_.k1 - e22 * c_.k0;
+        dxdt[1] = (T * e17 * c_.k6 - e22 * e16) / p_value;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: 67 + or -, 133 *, 4 /, 24 other functions
+    /// Operations: 39 + or -, 94 *, 4 /, 24 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::sqrt;
-        const Scalar mdot = u[2];
-        const Scalar max_1 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar p_value = x[0];
-        const Scalar e2 = p_.p_S - p_value;
-        const Scalar abs_3 = abs(e2);
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar inverse_4 = Scalar(1) / max_p_S;
-        const Scalar e5 = abs_3 * inverse_4;
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(e5, c_.k15);
-        const Scalar u_f = u[0];
-        const Scalar e7 = max_p_S * e2;
-        const Scalar signed_root_8 = detail::signed_root<Scalar>(e7);
-        const Scalar e9 = u_f * signed_root_8;
-        const Scalar e10 = outflow_factor_6 * e9;
-        const Scalar step_11 = detail::step<Scalar>(-e2);
         const Scalar T = x[1];
+        const Scalar mdot = u[2];
+        const Scalar u_f = u[0];
+        const Scalar p_value = x[0];
+        const Scalar e1 = p_.p_S - p_value;
+        const Scalar step_2 = detail::step<Scalar>(-e1);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_12 = Scalar(1) / sqrt_T;
-        const Scalar e13 = step_11 * inverse_12;
-        const Scalar step_14 = detail::step<Scalar>(e2);
-        const Scalar e15 = step_14 * e10;
-        const Scalar e16 = c_.k12 * e10 * e13 + c_.k14 * e15;
-        const Scalar max_17 = detail::max<Scalar>(Scalar(0), e16);
-        const Scalar e18 = max_1 + max_17;
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar e19 = p_.p_0 - p_value;
-        const Scalar e20 = max_p_0 * e19;
-        const Scalar signed_root_21 = detail::signed_root<Scalar>(e20);
+        const Scalar inverse_3 = Scalar(1) / sqrt_T;
+        const Scalar step_4 = detail::step<Scalar>(e1);
+        const Scalar e5 = step_2 * inverse_3 + step_4 * c_.k5;
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
+        const Scalar e6 = max_p_S * e1;
+        const Scalar signed_root_7 = detail::signed_root<Scalar>(e6);
+        const Scalar abs_8 = abs(e1);
+        const Scalar inverse_9 = Scalar(1) / max_p_S;
+        const Scalar e10 = abs_8 * inverse_9;
+        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(e10, c_.k1);
+        const Scalar e12 = signed_root_7 * outflow_factor_11;
         const Scalar u_e = u[1];
-        const Scalar abs_22 = abs(e19);
-        const Scalar inverse_23 = Scalar(1) / max_p_0;
-        const Scalar e24 = abs_22 * inverse_23;
-        const Scalar outflow_factor_25 = detail::outflow_factor<Scalar>(e24, c_.k15);
-        const Scalar e26 = u_e * outflow_factor_25;
-        const Scalar e27 = signed_root_21 * e26;
-        const Scalar step_28 = detail::step<Scalar>(e19);
-        const Scalar step_29 = detail::step<Scalar>(-e19);
-        const Scalar e30 = step_29 * inverse_12;
-        const Scalar e31 = e27 * (c_.k13 * step_28 + c_.k12 * e30);
-        const Scalar min_32 = detail::min<Scalar>(Scalar(0), -e31);
-        const Scalar e33 = c_.k0 + (c_.k6 * e18 - c_.k7 * min_32);
-        const Scalar e34 = step_28 * e27;
-        const Scalar e35 = min_32 - e18;
-        const Scalar e36 = c_.k4 * e35 - c_.k5;
-        const Scalar e37 = inverse_12 * (step_29 * e27 + step_11 * e10);
-        const Scalar e38 = c_.k4 * mdot + c_.k3 * e34 + (e36 + (c_.k1 * e37 + c_.k2 * e15));
-        const Scalar inverse_39 = Scalar(1) / p_value;
-        const Scalar e40 = T * inverse_39;
-        const Scalar e41 = T * e40;
-        const Scalar e42 = c_.k11 * mdot + c_.k8 * e37 + (e36 + (c_.k9 * e15 + c_.k10 * e34));
-        dxdt[0] = e33 + T * e38;
-        dxdt[1] = e40 * e33 + e41 * e42;
-        const Scalar step_43 = detail::step<Scalar>(e16);
-        const Scalar inverse_root_44 = detail::inverse_root<Scalar>(e7);
-        const Scalar e45 = (max_p_S - step_11 * e2) * (inverse_root_44 * outflow_factor_6);
-        const Scalar sign_46 = detail::sign<Scalar>(e2);
-        const Scalar outflow_factor_slope_47 = detail::outflow_factor_slope<Scalar>(e5, c_.k15);
-        const Scalar e48 = (sign_46 + step_11 * e5) * (outflow_factor_slope_47 * inverse_4);
-        const Scalar e49 = signed_root_8 * e48;
-        const Scalar e50 = u_f * (c_.k17 * step_14 * e45 + c_.k1 * e13 * e49 + c_.k2 * step_14 * e49);
-        const Scalar step_51 = detail::step<Scalar>(e31);
-        const Scalar outflow_factor_slope_52 = detail::outflow_factor_slope<Scalar>(e24, c_.k15);
-        const Scalar sign_53 = detail::sign<Scalar>(e19);
-        const Scalar e54 = signed_root_21 * inverse_23 * (outflow_factor_slope_52 * (sign_53 + step_29 * e24));
-        const Scalar inverse_root_55 = detail::inverse_root<Scalar>(e20);
-        const Scalar e56 = inverse_root_55 * (max_p_0 - step_29 * e19);
-        const Scalar e57 = c_.k1 * e54 * e30 + c_.k22 * step_28 * outflow_factor_25 * e56 + c_.k3 * step_28 * e54;
-        const Scalar e58 = u_e * e57;
-        const Scalar e59 = step_43 * e50 + step_51 * e58;
-        const Scalar e60 = c_.k16 * T;
-        const Scalar e61 = e60 - c_.k25;
-        const Scalar e62 = e26 * e56;
-        const Scalar e63 = e60 - c_.k20;
-        const Scalar e64 = u_f * e45;
-        const Scalar e65 = e9 * e48;
-        const Scalar e66 = step_11 * step_43;
-        const Scalar e67 = u_e * e54;
-        const Scalar e68 = step_29 * step_51;
-        const Scalar e69 = step_51 * (c_.k26 * step_28 - e61 * e30) * e62 + step_43 * (c_.k21 * step_14 - e63 * e13) * e64;
-        const Scalar e70 = inverse_12 * (c_.k18 * e65 * e66 + c_.k23 * e67 * e68)
-            + (c_.k19 * step_14 * step_43 * e65 + c_.k24 * step_28 * step_51 * e67);
-        const Scalar e71 = e69 + e70;
-        const Scalar e72 = inverse_12 * (step_29 * e62 + step_11 * e64);
-        const Scalar e73 = inverse_39 * e33;
-        const Scalar e74 = step_14 * e41;
-        const Scalar e75 = c_.k8 * e41;
-        const Scalar e76 = step_28 * e41;
-        const Scalar e77 = c_.k27 * e41;
-        const Scalar inverse_12_squared = inverse_12 * inverse_12;
-        const Scalar e78 = e37 * inverse_12_squared;
-        const Scalar e79 = inverse_12_squared * (inverse_12 * (e63 * e10 * e66 + e61 * e27 * e68));
-        J[0] = T * (e59 - e50 - e58) - e71 - e60 * e72;
-        J[1] = e41 * e59 - e40 * (e40 * e42 + e71 + e73) - e65 * (c_.k9 * e74 + e13 * e75) - e67 * (e30 * e75 + c_.k10 * e76)
-            - c_.k28 * e64 * e74 - c_.k29 * e62 * e76 - e77 * e72;
-        J[2] = e38 - e60 * e78 + e79;
-        const Scalar e80 = c_.k33 * mdot - c_.k34 + c_.k35 * e35 + c_.k30 * e37 + c_.k31 * e15 + c_.k32 * e34 + e79;
-        J[3] = e40 * e80 + e73 - e77 * e78;
+        const Scalar e13 = p_.p_0 - p_value;
+        const Scalar step_14 = detail::step<Scalar>(-e13);
+        const Scalar step_15 = detail::step<Scalar>(e13);
+        const Scalar e16 = step_14 * inverse_3 + step_15 * c_.k4;
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
+        const Scalar e17 = max_p_0 * e13;
+        const Scalar signed_root_18 = detail::signed_root<Scalar>(e17);
+        const Scalar abs_19 = abs(e13);
+        const Scalar inverse_20 = Scalar(1) / max_p_0;
+        const Scalar e21 = abs_19 * inverse_20;
+        const Scalar outflow_factor_22 = detail::outflow_factor<Scalar>(e21, c_.k1);
+        const Scalar e23 = signed_root_18 * outflow_factor_22;
+        const Scalar e24 = mdot + (u_f * e5 * e12 + u_e * e16 * e23) * c_.k3;
+        const Scalar e25 = e24 * c_.k7;
+        const Scalar e26 = p_.T_in - T;
+        const Scalar max_27 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar e28 = u_f * c_.k3;
+        const Scalar e29 = e5 * e28;
+        const Scalar e30 = e12 * e29;
+        const Scalar max_31 = detail::max<Scalar>(Scalar(0), e30);
+        const Scalar e32 = max_27 + max_31;
+        const Scalar e33 = e32 * c_.k1;
+        const Scalar e34 = p_.T_0 - T;
+        const Scalar e35 = u_e * c_.k3;
+        const Scalar e36 = e16 * e35;
+        const Scalar e37 = e23 * e36;
+        const Scalar min_38 = detail::min<Scalar>(Scalar(0), -e37);
+        const Scalar e39 = c_.k2 - min_38 * c_.k1;
+        const Scalar e40 = e26 * e33 + e34 * e39;
+        const Scalar inverse_41 = Scalar(1) / p_value;
+        const Scalar e42 = inverse_41 * c_.k0;
+        const Scalar e43 = T * e42;
+        const Scalar e44 = T * c_.k6;
+        const Scalar e45 = e43 * (e24 * e44 + e40);
+        dxdt[0] = T * e25 + e40 * c_.k0;
+        dxdt[1] = e45;
+        const Scalar step_46 = detail::step<Scalar>(e37);
+        const Scalar e47 = step_46 * e34;
+        const Scalar e48 = (T + e47) * c_.k7;
+        const Scalar inverse_root_49 = detail::inverse_root<Scalar>(e17);
+        const Scalar e50 = inverse_root_49 * outflow_factor_22;
+        const Scalar outflow_factor_slope_51 = detail::outflow_factor_slope<Scalar>(e21, c_.k1);
+        const Scalar sign_52 = detail::sign<Scalar>(e13);
+        const Scalar e53 = Scalar(2) * signed_root_18 * outflow_factor_slope_51 * inverse_20 * (step_14 * e21 + sign_52);
+        const Scalar e54 = (max_p_0 * e50 - (step_14 * e13 * e50 - e53)) * e36;
+        const Scalar step_55 = detail::step<Scalar>(e30);
+        const Scalar e56 = step_55 * e26;
+        const Scalar e57 = (T + e56) * c_.k7;
+        const Scalar inverse_root_58 = detail::inverse_root<Scalar>(e6);
+        const Scalar e59 = inverse_root_58 * outflow_factor_11;
+        const Scalar outflow_factor_slope_60 = detail::outflow_factor_slope<Scalar>(e10, c_.k1);
+        const Scalar sign_61 = detail::sign<Scalar>(e1);
+        const Scalar e62 = Scalar(2) * signed_root_7 * outflow_factor_slope_60 * inverse_9 * (step_2 * e10 + sign_61);
+        const Scalar e63 = (max_p_S * e59 - (step_2 * e1 * e59 - e62)) * e29;
+        const Scalar e64 = (e44 + e47 * c_.k1) * e43;
+        const Scalar e65 = (e44 + e56 * c_.k1) * e43;
+        const Scalar e66 = inverse_3 * (inverse_3 * inverse_3);
+        const Scalar e67 = step_14 * e35 * (e23 * e66);
+        const Scalar e68 = step_2 * e28 * (e12 * e66);
+        J[0] = (Scalar(1) / Scalar(2)) * (-e48 * e54 - e57 * e63);
+        J[1] = -inverse_41 * e45 - (Scalar(1) / Scalar(2)) * e64 * e54 - (Scalar(1) / Scalar(2)) * e65 * e63;
+        J[2] = e25 - e39 * c_.k0 - e32 * c_.k7 - (Scalar(1) / Scalar(2)) * e48 * e67 - (Scalar(1) / Scalar(2)) * e57 * e68;
+        J[3] = e43 * (e24 * c_.k8 - Scalar(2) * e39 - Scalar(2) * e33) + e42 * (p_.T_0 * e39 + p_.T_in * e33)
+            - (Scalar(1) / Scalar(2)) * e64 * e67 - (Scalar(1) / Scalar(2)) * e65 * e68;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].
@@ -623,7 +584,7 @@ public:
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar signed_root_3 = detail::signed_root<Scalar>(max_p_S * e1);
         const Scalar abs_4 = abs(e1);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k15);
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k26);
         const Scalar e6 = signed_root_3 * outflow_factor_5;
         const Scalar e7 = step_2 * e6;
         const Scalar step_8 = detail::step<Scalar>(-e1);
@@ -631,57 +592,57 @@ public:
         const Scalar inverse_9 = Scalar(1) / sqrt_T;
         const Scalar e10 = step_8 * inverse_9;
         const Scalar e11 = e6 * e10;
-        const Scalar e12 = c_.k36 * T;
+        const Scalar e12 = c_.k9 * T;
         const Scalar u_f = u[0];
-        const Scalar step_13 = detail::step<Scalar>(u_f * (c_.k14 * e7 + c_.k12 * e11));
-        const Scalar e14 = c_.k1 * T;
-        const Scalar e15 = step_13 * (c_.k19 * step_2 - (c_.k2 * T * step_2 + (e14 - c_.k18) * e10));
+        const Scalar step_13 = detail::step<Scalar>(u_f * (c_.k27 * e7 + c_.k3 * e11));
+        const Scalar e14 = c_.k10 * T;
+        const Scalar e15 = step_13 * (c_.k14 * step_2 - (c_.k12 * T * step_2 + (e14 - c_.k13) * e10));
         const Scalar e16 = e6 * e15;
         const Scalar e17 = T / p_value;
         const Scalar e18 = T * e17;
-        const Scalar e19 = c_.k38 * e18;
+        const Scalar e19 = c_.k15 * e18;
         const Scalar e20 = p_.p_0 - p_value;
         const Scalar step_21 = detail::step<Scalar>(e20);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar signed_root_22 = detail::signed_root<Scalar>(max_p_0 * e20);
         const Scalar abs_23 = abs(e20);
-        const Scalar outflow_factor_24 = detail::outflow_factor<Scalar>(abs_23 / max_p_0, c_.k15);
+        const Scalar outflow_factor_24 = detail::outflow_factor<Scalar>(abs_23 / max_p_0, c_.k26);
         const Scalar e25 = signed_root_22 * outflow_factor_24;
         const Scalar e26 = step_21 * e25;
         const Scalar step_27 = detail::step<Scalar>(-e20);
         const Scalar e28 = step_27 * inverse_9;
         const Scalar e29 = e25 * e28;
         const Scalar u_e = u[1];
-        const Scalar step_30 = detail::step<Scalar>(u_e * (c_.k13 * e26 + c_.k12 * e29));
-        const Scalar e31 = step_30 * (c_.k24 * step_21 - (c_.k3 * T * step_21 + (e14 - c_.k23) * e28));
+        const Scalar step_30 = detail::step<Scalar>(u_e * (c_.k25 * e26 + c_.k3 * e29));
+        const Scalar e31 = step_30 * (c_.k20 * step_21 - (c_.k18 * T * step_21 + (e14 - c_.k19) * e28));
         const Scalar e32 = e25 * e31;
-        const Scalar e33 = c_.k4 * T;
+        const Scalar e33 = c_.k22 * T;
         const Scalar mdot = u[2];
         const Scalar step_mdot = detail::step<Scalar>(mdot);
-        const Scalar e34 = step_mdot * (e33 - c_.k6);
-        J[0] = c_.k37 * T * e7 + e11 * e12 + e16;
-        J[1] = c_.k39 * e18 * e7 + e11 * e19 + e17 * e16;
-        J[2] = c_.k40 * T * e26 + e29 * e12 + e32;
-        J[3] = c_.k41 * e18 * e26 + e29 * e19 + e17 * e32;
+        const Scalar e34 = step_mdot * (e33 - c_.k23);
+        J[0] = c_.k11 * T * e7 + e11 * e12 + e16;
+        J[1] = c_.k16 * e18 * e7 + e11 * e19 + e17 * e16;
+        J[2] = c_.k17 * T * e26 + e29 * e12 + e32;
+        J[3] = c_.k21 * e18 * e26 + e29 * e19 + e17 * e32;
         J[4] = e33 - e34;
-        J[5] = c_.k11 * e18 - e17 * e34;
+        J[5] = c_.k24 * e18 - e17 * e34;
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 10, entry (i, j) at J[2*j + i].
-    /// Operations: 166 + or -, 421 *, 10 /, 30 other functions
+    /// Operations: 164 + or -, 430 *, 10 /, 30 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::abs;
         using std::sqrt;
         const Scalar T = x[1];
-        const Scalar inverse_1 = Scalar(1) / c_.c_v;
-        const Scalar inverse_2 = Scalar(1) / p_.V;
-        const Scalar e3 = p_.R_s * inverse_2;
-        const Scalar e4 = inverse_1 * e3;
-        const Scalar e5 = p_.k_W * inverse_2;
-        const Scalar e6 = e4 * e5;
+        const Scalar inverse_1 = Scalar(1) / p_.V;
+        const Scalar inverse_2 = Scalar(1) / c_.c_v;
+        const Scalar e3 = p_.R_s * inverse_1;
+        const Scalar e4 = inverse_2 * e3;
+        const Scalar e5 = p_.k_W * e4;
+        const Scalar e6 = inverse_1 * e5;
         const Scalar sqrt_T_in = sqrt(p_.T_in);
         const Scalar inverse_7 = Scalar(1) / sqrt_T_in;
-        const Scalar e8 = p_.R_s * inverse_1;
+        const Scalar e8 = p_.R_s * inverse_2;
         const Scalar e9 = Scalar(1) + e8;
         const Scalar sqrt_10 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
@@ -691,14 +652,14 @@ public:
         const Scalar e14 = p_.A_d * e13;
         const Scalar e15 = p_.alpha_d * e14;
         const Scalar e16 = e9 * e15;
-        const Scalar e17 = inverse_2 * e16;
+        const Scalar e17 = inverse_7 * e16;
         const Scalar p_value = x[0];
         const Scalar e18 = p_.p_S - p_value;
         const Scalar abs_19 = abs(e18);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar inverse_20 = Scalar(1) / max_p_S;
         const Scalar e21 = abs_19 * inverse_20;
-        const Scalar outflow_factor_22 = detail::outflow_factor<Scalar>(e21, c_.k15);
+        const Scalar outflow_factor_22 = detail::outflow_factor<Scalar>(e21, c_.k26);
         const Scalar step_23 = detail::step<Scalar>(e18);
         const Scalar u_f = u[0];
         const Scalar e24 = max_p_S * e18;
@@ -707,210 +668,216 @@ public:
         const Scalar e27 = step_23 * e26;
         const Scalar e28 = T * e27;
         const Scalar e29 = outflow_factor_22 * e28;
-        const Scalar e30 = p_.T_0 * e4;
-        const Scalar e31 = p_.p_0 - p_value;
-        const Scalar abs_32 = abs(e31);
+        const Scalar e30 = p_.p_0 - p_value;
+        const Scalar abs_31 = abs(e30);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar inverse_33 = Scalar(1) / max_p_0;
-        const Scalar e34 = abs_32 * inverse_33;
-        const Scalar outflow_factor_35 = detail::outflow_factor<Scalar>(e34, c_.k15);
+        const Scalar inverse_32 = Scalar(1) / max_p_0;
+        const Scalar e33 = abs_31 * inverse_32;
+        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e33, c_.k26);
         const Scalar u_e = u[1];
-        const Scalar e36 = max_p_0 * e31;
-        const Scalar signed_root_37 = detail::signed_root<Scalar>(e36);
-        const Scalar e38 = u_e * signed_root_37;
-        const Scalar step_39 = detail::step<Scalar>(-e31);
+        const Scalar e35 = max_p_0 * e30;
+        const Scalar signed_root_36 = detail::signed_root<Scalar>(e35);
+        const Scalar e37 = u_e * signed_root_36;
+        const Scalar step_38 = detail::step<Scalar>(-e30);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_40 = Scalar(1) / sqrt_T;
-        const Scalar e41 = step_39 * inverse_40;
-        const Scalar e42 = e38 * e41;
-        const Scalar step_43 = detail::step<Scalar>(e31);
-        const Scalar e44 = step_43 * e38;
-        const Scalar e45 = outflow_factor_35 * e44;
-        const Scalar e46 = c_.k12 * outflow_factor_35 * e42 + c_.k13 * e45;
-        const Scalar min_47 = detail::min<Scalar>(Scalar(0), -e46);
-        const Scalar e48 = p_.T_0 * e9;
-        const Scalar e49 = inverse_2 * e3;
-        const Scalar e50 = p_.T_in * e9;
+        const Scalar inverse_39 = Scalar(1) / sqrt_T;
+        const Scalar e40 = step_38 * inverse_39;
+        const Scalar e41 = e37 * e40;
+        const Scalar step_42 = detail::step<Scalar>(e30);
+        const Scalar e43 = step_42 * e37;
+        const Scalar e44 = outflow_factor_34 * e43;
+        const Scalar e45 = c_.k3 * outflow_factor_34 * e41 + c_.k25 * e44;
+        const Scalar min_46 = detail::min<Scalar>(Scalar(0), -e45);
+        const Scalar e47 = inverse_1 * e9;
+        const Scalar e48 = e3 * e47;
         const Scalar mdot = u[2];
-        const Scalar max_51 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar step_52 = detail::step<Scalar>(-e18);
-        const Scalar e53 = step_52 * inverse_40;
-        const Scalar e54 = e26 * e53;
-        const Scalar e55 = outflow_factor_22 * (c_.k14 * e27 + c_.k12 * e54);
-        const Scalar max_56 = detail::max<Scalar>(Scalar(0), e55);
-        const Scalar e57 = max_51 + max_56;
-        const Scalar e58 = e5 * e30 - (min_47 * (e48 * e49) - e50 * e49 * e57);
+        const Scalar max_49 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar step_50 = detail::step<Scalar>(-e18);
+        const Scalar e51 = step_50 * inverse_39;
+        const Scalar e52 = e26 * e51;
+        const Scalar e53 = outflow_factor_22 * (c_.k27 * e27 + c_.k3 * e52);
+        const Scalar max_54 = detail::max<Scalar>(Scalar(0), e53);
+        const Scalar e55 = max_49 + max_54;
+        const Scalar e56 = p_.T_0 * e6 - (min_46 * (p_.T_0 * e48) - p_.T_in * e48 * e55);
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_59 = Scalar(1) / sqrt_T_0;
-        const Scalar e60 = T * e45;
-        const Scalar e61 = e9 * e49;
-        const Scalar e62 = min_47 - e57;
-        const Scalar e63 = mdot + e62;
-        const Scalar e64 = T * e63;
-        const Scalar e65 = step_52 * e26;
-        const Scalar e66 = e38 * (step_39 * outflow_factor_35);
-        const Scalar e67 = inverse_40 * (outflow_factor_22 * e65 + e66);
+        const Scalar inverse_57 = Scalar(1) / sqrt_T_0;
+        const Scalar e58 = inverse_57 * e16;
+        const Scalar e59 = T * e44;
+        const Scalar e60 = min_46 - e55;
+        const Scalar e61 = mdot + e60;
+        const Scalar e62 = T * e61;
+        const Scalar e63 = step_50 * e26;
+        const Scalar e64 = e37 * (step_38 * outflow_factor_34);
+        const Scalar e65 = inverse_39 * (outflow_factor_22 * e63 + e64);
+        const Scalar e66 = T * e65;
+        const Scalar e67 = T / p_value;
         const Scalar e68 = T * e67;
-        const Scalar e69 = T / p_value;
-        const Scalar e70 = T * e69;
-        const Scalar e71 = inverse_1 * e15;
-        const Scalar e72 = e3 * e71;
-        const Scalar e73 = e70 * e27;
-        const Scalar e74 = outflow_factor_22 * e73;
-        const Scalar e75 = e70 * e45;
-        const Scalar e76 = e70 * e67;
-        const Scalar e77 = mdot * e70;
-        const Scalar e78 = e70 * e62;
-        const Scalar e79 = p_.A_d * p_.alpha_d;
+        const Scalar e69 = e15 * e4;
+        const Scalar e70 = e68 * e27;
+        const Scalar e71 = outflow_factor_22 * e70;
+        const Scalar e72 = e68 * e44;
+        const Scalar e73 = e68 * e65;
+        const Scalar e74 = mdot * e68;
+        const Scalar e75 = e68 * e60;
+        const Scalar e76 = p_.A_d * p_.alpha_d;
         const Scalar inverse_11_squared = inverse_11 * inverse_11;
-        const Scalar e80 = e16 * inverse_11_squared;
-        const Scalar e81 = (Scalar(1) / Scalar(2)) * e80;
-        const Scalar inverse_82 = Scalar(1) / (Scalar(1) - p_.kappa);
-        const Scalar e83 = inverse_82 * e8;
-        const Scalar e84 = Scalar(1) + (Scalar(1) / Scalar(2)) * e83;
-        const Scalar e85 = e84 * e71;
-        const Scalar e86 = (Scalar(1) / Scalar(2)) * (inverse_2 * e12 * e79 - e81) + e85;
-        const Scalar e87 = Scalar(1) + e83;
-        const Scalar e88 = e5 * (inverse_1 * e87);
-        const Scalar step_89 = detail::step<Scalar>(e46);
-        const Scalar e90 = step_89 * e45;
-        const Scalar step_91 = detail::step<Scalar>(e55);
-        const Scalar e92 = outflow_factor_22 * step_91;
-        const Scalar e93 = inverse_40 * (e92 * e65 + step_89 * e66);
-        const Scalar e94 = e88 - ((Scalar(1) / Scalar(2)) * inverse_59 * e80 * e90 + e81 * e93);
-        const Scalar e95 = Scalar(2) * (e84 * e4);
-        const Scalar e96 = inverse_2 + e95;
-        const Scalar e97 = p_.T_in * e80;
-        const Scalar e98 = e27 * e92;
-        const Scalar e99 = p_.T_0 * e80;
-        const Scalar e100 = step_89 * e42;
-        const Scalar outflow_factor_by_exponent_101 = detail::outflow_factor_by_exponent<Scalar>(e34, c_.k15);
-        const Scalar e102 = e87 * e71;
-        const Scalar outflow_factor_by_exponent_103 = detail::outflow_factor_by_exponent<Scalar>(e21, c_.k15);
-        const Scalar e104 = outflow_factor_by_exponent_103 * step_91;
-        const Scalar e105 = inverse_7 * e9;
-        const Scalar e106 = p_.T_in * e105;
-        const Scalar e107 = inverse_59 * e9;
-        const Scalar e108 = p_.T_0 * e107;
-        const Scalar e109 = outflow_factor_by_exponent_101 * e44;
-        const Scalar e110 = step_89 * e109;
-        const Scalar e111 = e92 * e54;
-        const Scalar e112 = (Scalar(1) / Scalar(2)) * inverse_7 * e97 * e98 + (Scalar(1) / Scalar(2)) * inverse_59 * e99 * e90;
-        const Scalar e113 = outflow_factor_35 * ((Scalar(1) / Scalar(2)) * e99) - outflow_factor_by_exponent_101 * (e102 * e48);
-        const Scalar e114 = p_.T_0 * e88 + (e102 * e108 * e110 - (Scalar(1) / Scalar(2)) * e97 * e111);
-        const Scalar e115 = min_47 * (p_.T_0 * e96) - p_.T_in * e96 * e57 + e112
-            + (e100 * e113 - e104 * (e102 * e50 * e54 + e102 * e106 * e27) - e114);
-        const Scalar e116 = (Scalar(1) / Scalar(2)) * inverse_7 * e80;
-        const Scalar e117 = e92 * e28;
-        const Scalar e118 = e9 * e102;
-        const Scalar e119 = Scalar(1) - step_91;
-        const Scalar e120 = outflow_factor_by_exponent_103 * e119;
-        const Scalar e121 = Scalar(1) - step_89;
-        const Scalar e122 = outflow_factor_by_exponent_101 * e42;
-        const Scalar e123 = T * (e54 * e120 + e121 * e122);
-        const Scalar e124 = e102 * e107;
-        const Scalar e125 = T * e121;
-        const Scalar e126 = e109 * e125;
-        const Scalar e127 = e102 * e105;
-        const Scalar e128 = e28 * e120;
-        const Scalar e129 = p_.R_s * e71;
-        const Scalar e130 = e129 * inverse_11_squared - Scalar(4) * e85;
-        const Scalar e131 = e92 * e73;
-        const Scalar e132 = inverse_7 * e8;
-        const Scalar e133 = outflow_factor_by_exponent_103 * e73;
-        const Scalar e134 = e73 * e104;
-        const Scalar e135 = inverse_59 * e8;
-        const Scalar e136 = e70 * e109;
-        const Scalar e137 = e70 * (outflow_factor_by_exponent_103 * e54 + e122);
-        const Scalar e138 = outflow_factor_by_exponent_101 * e100;
-        const Scalar e139 = e70 * (e54 * e104 + e138);
-        const Scalar e140 = e70 * e110;
-        const Scalar e141 = e83 * e129;
-        const Scalar e142 = inverse_82 * e141;
-        const Scalar e143 = inverse_7 * e142;
-        const Scalar e144 = e83 * (e3 * e83);
-        const Scalar e145 = e83 * (p_.k_W * inverse_82);
-        const Scalar e146 = inverse_59 * e142 * e45 + e144 * e63 + (e142 * e67 - e4 * e145);
-        const Scalar e147 = e142 * e108 * e110 + e142 * e48 * e138 - (min_47 * (p_.T_0 * e144) - p_.T_in * e144 * e57);
-        const Scalar e148 = e30 * e145 + e104 * (e142 * e50 * e54 + e142 * e106 * e27) + e147;
-        const Scalar e149 = e9 * e142;
-        const Scalar e150 = e142 * e107;
-        const Scalar e151 = e142 * e105;
-        const Scalar e152 = e83 * e141;
-        const Scalar sign_153 = detail::sign<Scalar>(e31);
-        const Scalar outflow_factor_slope_154 = detail::outflow_factor_slope<Scalar>(e34, c_.k15);
-        const Scalar e155 = (step_43 * e34 - sign_153) * (outflow_factor_slope_154 * inverse_33);
-        const Scalar e156 = e44 * e155;
-        const Scalar inverse_root_157 = detail::inverse_root<Scalar>(e36);
-        const Scalar e158 = u_e * outflow_factor_35 * (inverse_root_157 * (max_p_0 + step_43 * e31));
-        const Scalar e159 = c_.k3 * e156 - (c_.k16 * e41 + c_.k22 * step_43) * e158;
-        const Scalar e160 = step_89 * (c_.k24 * e156 - (c_.k25 * e41 + c_.k26 * step_43) * e158) + c_.k23 * e100 * e155;
-        const Scalar e161 = c_.k27 * e70;
-        const Scalar inverse_59_squared = inverse_59 * inverse_59;
-        const Scalar e162 = inverse_59 * inverse_59_squared;
-        const Scalar e163 = e16 * e162;
-        const Scalar e164 = (Scalar(1) / Scalar(2)) * e163;
-        const Scalar e165 = c_.k5 - (c_.k4 * min_47 + (Scalar(1) / Scalar(2)) * p_.T_0 * e163 * e90);
-        const Scalar e166 = e79 * (sqrt_10 * sqrt_R_s);
-        const Scalar e167 = inverse_2 * e166;
-        const Scalar e168 = e4 * e166;
-        const Scalar e169 = e70 * e90;
-        const Scalar inverse_root_170 = detail::inverse_root<Scalar>(e24);
-        const Scalar e171 = (max_p_S + step_23 * e18) * (u_f * inverse_root_170);
-        const Scalar e172 = e92 * e171;
-        const Scalar sign_173 = detail::sign<Scalar>(e18);
-        const Scalar outflow_factor_slope_174 = detail::outflow_factor_slope<Scalar>(e21, c_.k15);
-        const Scalar e175 = (step_23 * e21 - sign_173) * (outflow_factor_slope_174 * inverse_20);
-        const Scalar e176 = step_91 * e175;
-        const Scalar e177 = (c_.k20 * e53 + c_.k21 * step_23) * e172 - (c_.k18 * e54 + c_.k19 * e27) * e176;
-        const Scalar e178 = e54 * e175;
-        const Scalar e179 = c_.k16 * e53 + c_.k17 * step_23;
-        const Scalar e180 = outflow_factor_22 * e171;
+        const Scalar e77 = (Scalar(1) / Scalar(2)) * (e16 * inverse_11_squared);
+        const Scalar inverse_78 = Scalar(1) / (Scalar(1) - p_.kappa);
+        const Scalar e79 = inverse_78 * e8;
+        const Scalar e80 = Scalar(1) + (Scalar(1) / Scalar(2)) * e79;
+        const Scalar e81 = e80 * (inverse_2 * e15);
+        const Scalar e82 = (Scalar(1) / Scalar(2)) * (inverse_1 * e12 * e76 - e77) + e81;
+        const Scalar e83 = (inverse_1 + inverse_78 * e4) * (p_.k_W * inverse_2);
+        const Scalar step_84 = detail::step<Scalar>(e45);
+        const Scalar e85 = step_84 * e44;
+        const Scalar step_86 = detail::step<Scalar>(e53);
+        const Scalar e87 = outflow_factor_22 * step_86;
+        const Scalar e88 = inverse_39 * (e87 * e63 + step_84 * e64);
+        const Scalar e89 = e83 - ((Scalar(1) / Scalar(2)) * e58 * inverse_11_squared * e85 + e77 * e88);
+        const Scalar e90 = Scalar(2) * (e80 * e4);
+        const Scalar e91 = inverse_1 + e90;
+        const Scalar e92 = p_.T_in * e17;
+        const Scalar e93 = e27 * e87;
+        const Scalar e94 = p_.T_0 * e58;
+        const Scalar e95 = step_84 * e41;
+        const Scalar e96 = p_.T_0 * e16;
+        const Scalar outflow_factor_by_exponent_97 = detail::outflow_factor_by_exponent<Scalar>(e33, c_.k26);
+        const Scalar e98 = inverse_2 * (Scalar(1) + e79);
+        const Scalar outflow_factor_by_exponent_99 = detail::outflow_factor_by_exponent<Scalar>(e21, c_.k26);
+        const Scalar e100 = outflow_factor_by_exponent_99 * step_86;
+        const Scalar e101 = p_.T_in * e16;
+        const Scalar e102 = outflow_factor_by_exponent_97 * e43;
+        const Scalar e103 = step_84 * e102;
+        const Scalar e104 = e87 * e52;
+        const Scalar e105 = (Scalar(1) / Scalar(2)) * inverse_11_squared * e92 * e93 + (Scalar(1) / Scalar(2))
+            * inverse_11_squared * e94 * e85;
+        const Scalar e106 = outflow_factor_34 * ((Scalar(1) / Scalar(2)) * inverse_11_squared * e96);
+        const Scalar e107 = e95 * (e106 - outflow_factor_by_exponent_97 * (e98 * e96)) - e100
+            * (e98 * e101 * e52 + e98 * e92 * e27);
+        const Scalar e108 = e98 * e94 * e103 - (Scalar(1) / Scalar(2)) * inverse_11_squared * e101 * e104;
+        const Scalar e109 = min_46 * (p_.T_0 * e91) - p_.T_in * e91 * e55 + e105 + (e107 - (p_.T_0 * e83 + e108));
+        const Scalar e110 = (Scalar(1) / Scalar(2)) * e17 * inverse_11_squared;
+        const Scalar e111 = e87 * e28;
+        const Scalar e112 = e16 * e98;
+        const Scalar e113 = Scalar(1) - step_86;
+        const Scalar e114 = outflow_factor_by_exponent_99 * e113;
+        const Scalar e115 = Scalar(1) - step_84;
+        const Scalar e116 = outflow_factor_by_exponent_97 * e41;
+        const Scalar e117 = T * (e52 * e114 + e115 * e116);
+        const Scalar e118 = e58 * e98;
+        const Scalar e119 = T * e115;
+        const Scalar e120 = e102 * e119;
+        const Scalar e121 = e17 * e98;
+        const Scalar e122 = e28 * e114;
+        const Scalar e123 = e15 * e8;
+        const Scalar e124 = e81 - (Scalar(1) / Scalar(4)) * e123 * inverse_11_squared;
+        const Scalar e125 = e87 * e70;
+        const Scalar e126 = inverse_7 * e123;
+        const Scalar e127 = outflow_factor_by_exponent_99 * e70;
+        const Scalar e128 = e70 * e100;
+        const Scalar e129 = inverse_57 * e123;
+        const Scalar e130 = e68 * e102;
+        const Scalar e131 = e68 * (outflow_factor_by_exponent_99 * e52 + e116);
+        const Scalar e132 = outflow_factor_by_exponent_97 * e95;
+        const Scalar e133 = e68 * (e52 * e100 + e132);
+        const Scalar e134 = e68 * e103;
+        const Scalar e79_squared = e79 * e79;
+        const Scalar e135 = e15 * e79_squared;
+        const Scalar e136 = inverse_7 * e135;
+        const Scalar e137 = e3 * e79_squared;
+        const Scalar e138 = e5 * (inverse_78 * e79);
+        const Scalar e139 = inverse_57 * e135 * e44 + e137 * e61 + (e135 * e65 - e138);
+        const Scalar e140 = p_.T_0 * e138 + e100 * (e79_squared * e101 * e52 + e79_squared * e92 * e27);
+        const Scalar e141 = e79_squared * e94 * e103 + e79_squared * e96 * e132
+            - (min_46 * (p_.T_0 * e137) - p_.T_in * e137 * e55);
+        const Scalar e142 = e140 + e141;
+        const Scalar e143 = e16 * e79_squared;
+        const Scalar e144 = e79_squared * e58;
+        const Scalar e145 = e79_squared * e17;
+        const Scalar sign_146 = detail::sign<Scalar>(e30);
+        const Scalar outflow_factor_slope_147 = detail::outflow_factor_slope<Scalar>(e33, c_.k26);
+        const Scalar e148 = (step_42 * e33 - sign_146) * (outflow_factor_slope_147 * inverse_32);
+        const Scalar e149 = e43 * e148;
+        const Scalar e150 = (Scalar(1) / Scalar(2)) * e16;
+        const Scalar inverse_root_151 = detail::inverse_root<Scalar>(e35);
+        const Scalar e152 = u_e * outflow_factor_34 * (inverse_root_151 * (max_p_0 + step_42 * e30));
+        const Scalar e153 = c_.k18 * e149 - (step_42 * ((Scalar(1) / Scalar(2)) * e58) + e150 * e40) * e152;
+        const Scalar e154 = step_42 * ((Scalar(1) / Scalar(2)) * e94) + (Scalar(1) / Scalar(2)) * e96 * e40;
+        const Scalar e155 = step_84 * (c_.k20 * e149 - e154 * e152) + c_.k19 * e95 * e148;
+        const Scalar e156 = (Scalar(1) / Scalar(2)) * e123 * e68;
+        const Scalar inverse_57_squared = inverse_57 * inverse_57;
+        const Scalar e157 = (Scalar(1) / Scalar(2)) * e58 * inverse_57_squared;
+        const Scalar e158 = c_.k22 * min_46 + (Scalar(1) / Scalar(2)) * e94 * inverse_57_squared * e85;
+        const Scalar e159 = e5 - e158;
+        const Scalar e160 = inverse_57 * inverse_57_squared;
+        const Scalar e161 = e76 * (sqrt_10 * sqrt_R_s);
+        const Scalar e162 = e47 * e161;
+        const Scalar e163 = e4 * e161;
+        const Scalar e164 = e68 * e85;
+        const Scalar inverse_root_165 = detail::inverse_root<Scalar>(e24);
+        const Scalar e166 = (max_p_S + step_23 * e18) * (u_f * inverse_root_165);
+        const Scalar e167 = e87 * e166;
+        const Scalar sign_168 = detail::sign<Scalar>(e18);
+        const Scalar outflow_factor_slope_169 = detail::outflow_factor_slope<Scalar>(e21, c_.k26);
+        const Scalar e170 = (step_23 * e21 - sign_168) * (outflow_factor_slope_169 * inverse_20);
+        const Scalar e171 = step_86 * e170;
+        const Scalar e172 = step_23 * ((Scalar(1) / Scalar(2)) * e92) + (Scalar(1) / Scalar(2)) * e101 * e51;
+        const Scalar e173 = e172 * e167 - (c_.k13 * e52 + c_.k14 * e27) * e171;
+        const Scalar e174 = e52 * e170;
+        const Scalar e175 = step_23 * ((Scalar(1) / Scalar(2)) * e17) + e150 * e51;
+        const Scalar e176 = outflow_factor_22 * e166;
         const Scalar inverse_7_squared = inverse_7 * inverse_7;
-        const Scalar e181 = inverse_7 * inverse_7_squared;
-        const Scalar e182 = e16 * e181;
-        const Scalar e183 = c_.k4 * e57 - (Scalar(1) / Scalar(2)) * p_.T_in * e182 * e98;
-        const Scalar e184 = (Scalar(1) / Scalar(2)) * e182;
-        const Scalar e185 = p_.alpha_d * e13;
-        const Scalar e186 = outflow_factor_35 * e100;
-        const Scalar e187 = e185 * e50 * e111 + e185 * e48 * e186 + (e185 * e106 * e98 + e185 * e108 * e90);
-        const Scalar e188 = e9 * e185;
-        const Scalar e189 = T * (e93 - e67);
-        const Scalar e190 = e185 * e107;
-        const Scalar e191 = e45 * e125;
-        const Scalar e192 = e185 * e105;
-        const Scalar e193 = e119 * e29;
-        const Scalar e194 = e70 * e93;
-        const Scalar e195 = e14 * e50 * e111 + e14 * e48 * e186 + (e14 * e106 * e98 + e14 * e108 * e90);
-        const Scalar e196 = e9 * e14;
-        const Scalar e197 = e14 * e107;
-        const Scalar e198 = e14 * e105;
-        J[0] = T * e6 - inverse_7 * e17 * e29 - e58 - inverse_59 * e17 * e60 - e61 * e64 - e17 * e68;
-        J[1] = e6 * e70 - inverse_7 * e72 * e74 - inverse_59 * e72 * e75 - e72 * e76 - e69 * e58 - e3 * e4 * e77 - e61 * e78;
-        J[2] = Scalar(2) * inverse_7 * e86 * e29 - T * e94 - e115 + Scalar(2) * inverse_59 * e86 * e60 + e96 * e64 + e116
-            * e117 + e118 * e123 + Scalar(2) * e86 * e68 + e124 * e126 + e127 * e128;
-        J[3] = (-(Scalar(1) / Scalar(2)) * inverse_7 * e130) * e74 + (-(Scalar(1) / Scalar(2)) * inverse_59 * e130) * e75 - e70
-            * e94 + e116 * e131 + (-(Scalar(1) / Scalar(2)) * e130) * e76 - e69 * e115 + e95 * e77 + e96 * e78 + e102 * e132
-            * e133 - e127 * e134 + e102 * e135 * e136 + e8 * e102 * e137 - e118 * e139 - e124 * e140;
-        J[4] = e143 * e29 + T * e146 + e148 + e149 * e123 + e150 * e126 + e151 * e128;
-        J[5] = e143 * e74 + e70 * e146 + e69 * e148 + inverse_7 * e152 * e133 - e151 * e134 + inverse_59 * e152 * e136 + e152
-            * e137 - e149 * e139 - e150 * e140;
-        J[6] = -e125 * (e159 + c_.k1 * e42 * e155) - e160;
-        J[7] = e70 * (step_89 * e159 + c_.k29 * step_43 * e158) - e70 * e155 * (c_.k10 * e44 + c_.k8 * e42 - c_.k1 * e100)
-            - e69 * e160 + e41 * e158 * e161;
-        J[8] = T * e164 * e90 + e165 - (Scalar(1) / Scalar(2)) * e107 * inverse_59_squared * e167 * e60;
-        J[9] = e69 * e165 - (Scalar(1) / Scalar(2)) * e162 * e168 * e75 + e164 * e169;
-        J[10] = e177 - T * e119 * (c_.k1 * e178 - e179 * e180) - c_.k2 * e119 * e28 * e175;
-        J[11] = e70 * (c_.k28 * step_23 * e180 - e179 * e172) - e73 * (c_.k9 * e175 - c_.k2 * e176) - e70 * e178
-            * (c_.k8 - c_.k1 * step_91) + e69 * e177 + e53 * e180 * e161;
-        J[12] = e183 - (Scalar(1) / Scalar(2)) * e105 * inverse_7_squared * e167 * e29 + e184 * e117;
-        J[13] = e69 * e183 - (Scalar(1) / Scalar(2)) * e181 * e168 * e74 + e184 * e131;
-        J[14] = e187 - e188 * e189 + e190 * e191 + e192 * e193;
-        J[15] = e185 * e132 * e74 + e185 * e135 * e75 - e192 * e131 + e8 * e185 * e76 + e69 * e187 - e190 * e169 - e188 * e194;
-        J[16] = e195 - e196 * e189 + e197 * e191 + e198 * e193;
-        J[17] = e14 * e132 * e74 + e14 * e135 * e75 - e198 * e131 + e14 * e8 * e76 + e69 * e195 - e197 * e169 - e196 * e194;
-        J[18] = e30 - T * e4;
-        J[19] = e30 * e69 - e4 * e70;
+        const Scalar e177 = c_.k22 * e55 - (Scalar(1) / Scalar(2)) * e92 * inverse_7_squared * e93;
+        const Scalar e178 = inverse_7 * inverse_7_squared;
+        const Scalar e179 = (Scalar(1) / Scalar(2)) * e17 * inverse_7_squared;
+        const Scalar e180 = p_.alpha_d * e13;
+        const Scalar e181 = e9 * e180;
+        const Scalar e182 = outflow_factor_34 * e95;
+        const Scalar e183 = p_.T_in * inverse_7;
+        const Scalar e184 = p_.T_0 * inverse_57;
+        const Scalar e185 = p_.T_in * e181 * e104 + p_.T_0 * e181 * e182 + (e181 * e183 * e93 + e181 * e184 * e85);
+        const Scalar e186 = T * (e88 - e65);
+        const Scalar e187 = inverse_57 * e181;
+        const Scalar e188 = e44 * e119;
+        const Scalar e189 = inverse_7 * e181;
+        const Scalar e190 = e113 * e29;
+        const Scalar e191 = e8 * e180;
+        const Scalar e192 = e68 * e88;
+        const Scalar e193 = e9 * e14;
+        const Scalar e194 = p_.T_in * e193 * e104 + p_.T_0 * e193 * e182 + (e193 * e183 * e93 + e193 * e184 * e85);
+        const Scalar e195 = inverse_57 * e193;
+        const Scalar e196 = inverse_7 * e193;
+        const Scalar e197 = e14 * e8;
+        const Scalar e198 = p_.T_0 * e4;
+        J[0] = T * e6 - inverse_1 * e17 * e29 - e56 - inverse_1 * e58 * e59 - e48 * e62 - inverse_1 * e16 * e66;
+        J[1] = e6 * e68 - inverse_7 * e69 * e71 - inverse_57 * e69 * e72 - e69 * e73 - e67 * e56 - e3 * e4 * e74 - e48 * e75;
+        J[2] = Scalar(2) * inverse_7 * e82 * e29 - T * e89 - e109 + Scalar(2) * inverse_57 * e82 * e59 + e91 * e62 + e110
+            * e111 + e112 * e117 + Scalar(2) * e82 * e66 + e118 * e120 + e121 * e122;
+        J[3] = Scalar(2) * inverse_7 * e124 * e71 + Scalar(2) * inverse_57 * e124 * e72 - e68 * e89 + e110 * e125 + Scalar(2)
+            * e124 * e73 - e67 * e109 + e90 * e74 + e91 * e75 + e98 * e126 * e127 - e121 * e128 + e98 * e129 * e130 + e123
+            * e98 * e131 - e112 * e133 - e118 * e134;
+        J[4] = e136 * e29 + T * e139 + e142 + e143 * e117 + e144 * e120 + e145 * e122;
+        J[5] = e136 * e71 + e68 * e139 + e67 * e142 + e79_squared * e126 * e127 - e145 * e128 + e79_squared * e129 * e130
+            + e79_squared * e123 * e131 - e143 * e133 - e144 * e134;
+        J[6] = -e119 * (e153 + c_.k10 * e41 * e148) - e155;
+        const Scalar e199 = e68 * (step_84 * e153 + step_42 * ((Scalar(1) / Scalar(2)) * e129) * e152);
+        J[7] = e199 - e68 * e148 * (e129 * e43 + e123 * e41 - c_.k10 * e95) - e67 * e155 + e40 * e152 * e156;
+        J[8] = T * e157 * e85 + e159 - (Scalar(1) / Scalar(2)) * e160 * e162 * e59;
+        J[9] = e67 * e159 - (Scalar(1) / Scalar(2)) * e160 * e163 * e72 + e157 * e164;
+        J[10] = e173 - T * e113 * (c_.k10 * e174 - e175 * e176) - c_.k12 * e113 * e28 * e170;
+        const Scalar e200 = e68 * (step_23 * ((Scalar(1) / Scalar(2)) * e126) * e176 - e175 * e167);
+        J[11] = e200 - e70 * (e126 * e170 - c_.k12 * e171) - e68 * e174 * (e123 - c_.k10 * step_86) + e67 * e173 + e51 * e176
+            * e156;
+        J[12] = e177 - (Scalar(1) / Scalar(2)) * e178 * e162 * e29 + e179 * e111;
+        J[13] = e67 * e177 - (Scalar(1) / Scalar(2)) * e178 * e163 * e71 + e179 * e125;
+        J[14] = e185 - e181 * e186 + e187 * e188 + e189 * e190;
+        J[15] = inverse_7 * e191 * e71 + inverse_57 * e191 * e72 - e189 * e125 + e191 * e73 + e67 * e185 - e187 * e164 - e181
+            * e192;
+        J[16] = e194 - e193 * e186 + e195 * e188 + e196 * e190;
+        J[17] = inverse_7 * e197 * e71 + inverse_57 * e197 * e72 - e196 * e125 + e197 * e73 + e67 * e194 - e195 * e164 - e193
+            * e192;
+        J[18] = e198 - T * e4;
+        J[19] = e198 * e67 - e4 * e68;
     }
 
     /// J = df/dt at fixed x and u.
@@ -957,7 +924,7 @@ public:
         const Scalar step_2 = detail::step<Scalar>(-e1);
         const Scalar abs_3 = abs(e1);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k15);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k26);
         const Scalar u_f = u[0];
         const Scalar signed_root_5 = detail::signed_root<Scalar>(max_p_S * e1);
         const Scalar e6 = outflow_factor_4 * (u_f * signed_root_5);
@@ -965,7 +932,7 @@ public:
         const Scalar step_8 = detail::step<Scalar>(-e7);
         const Scalar abs_9 = abs(e7);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_0, c_.k15);
+        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_0, c_.k26);
         const Scalar u_e = u[1];
         const Scalar signed_root_11 = detail::signed_root<Scalar>(max_p_0 * e7);
         const Scalar e12 = outflow_factor_10 * (u_e * signed_root_11);
@@ -973,10 +940,10 @@ public:
         const Scalar step_13 = detail::step<Scalar>(e1);
         const Scalar step_14 = detail::step<Scalar>(e7);
         y[0] = T;
-        y[1] = c_.k42 * p_value / T;
-        y[2] = c_.k12 / sqrt_T * (step_2 * e6 + step_8 * e12) + mdot + c_.k14 * step_13 * e6 + c_.k13 * step_14 * e12;
-        y[3] = c_.k43 - p_.k_W * T;
-        y[4] = c_.k44 * p_value;
+        y[1] = c_.k28 * p_value / T;
+        y[2] = c_.k3 / sqrt_T * (step_2 * e6 + step_8 * e12) + mdot + c_.k27 * step_13 * e6 + c_.k25 * step_14 * e12;
+        y[3] = c_.k29 - p_.k_W * T;
+        y[4] = c_.k30 * p_value;
     }
 
     /// C = dh/dx.
@@ -986,7 +953,7 @@ public:
         using std::sqrt;
         const Scalar T = x[1];
         const Scalar inverse_1 = Scalar(1) / T;
-        const Scalar e2 = c_.k42 * inverse_1;
+        const Scalar e2 = c_.k28 * inverse_1;
         const Scalar p_value = x[0];
         const Scalar e3 = p_.p_0 - p_value;
         const Scalar step_4 = detail::step<Scalar>(e3);
@@ -994,13 +961,13 @@ public:
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar inverse_6 = Scalar(1) / max_p_0;
         const Scalar e7 = abs_5 * inverse_6;
-        const Scalar outflow_factor_8 = detail::outflow_factor<Scalar>(e7, c_.k15);
+        const Scalar outflow_factor_8 = detail::outflow_factor<Scalar>(e7, c_.k26);
         const Scalar step_9 = detail::step<Scalar>(-e3);
         const Scalar u_e = u[1];
         const Scalar e10 = max_p_0 * e3;
         const Scalar inverse_root_11 = detail::inverse_root<Scalar>(e10);
         const Scalar e12 = (max_p_0 - step_9 * e3) * (u_e * inverse_root_11);
-        const Scalar outflow_factor_slope_13 = detail::outflow_factor_slope<Scalar>(e7, c_.k15);
+        const Scalar outflow_factor_slope_13 = detail::outflow_factor_slope<Scalar>(e7, c_.k26);
         const Scalar sign_14 = detail::sign<Scalar>(e3);
         const Scalar signed_root_15 = detail::signed_root<Scalar>(e10);
         const Scalar e16 = u_e * signed_root_15;
@@ -1011,29 +978,29 @@ public:
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar inverse_21 = Scalar(1) / max_p_S;
         const Scalar e22 = abs_20 * inverse_21;
-        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(e22, c_.k15);
+        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(e22, c_.k26);
         const Scalar step_24 = detail::step<Scalar>(-e18);
         const Scalar u_f = u[0];
         const Scalar e25 = max_p_S * e18;
         const Scalar inverse_root_26 = detail::inverse_root<Scalar>(e25);
         const Scalar e27 = (max_p_S - step_24 * e18) * (u_f * inverse_root_26);
-        const Scalar outflow_factor_slope_28 = detail::outflow_factor_slope<Scalar>(e22, c_.k15);
+        const Scalar outflow_factor_slope_28 = detail::outflow_factor_slope<Scalar>(e22, c_.k26);
         const Scalar sign_29 = detail::sign<Scalar>(e18);
         const Scalar signed_root_30 = detail::signed_root<Scalar>(e25);
         const Scalar e31 = u_f * signed_root_30;
         const Scalar e32 = outflow_factor_slope_28 * inverse_21 * ((sign_29 + step_24 * e22) * e31);
         const Scalar sqrt_T = sqrt(T);
         const Scalar inverse_33 = Scalar(1) / sqrt_T;
-        const Scalar e34 = c_.k45 * inverse_33;
+        const Scalar e34 = c_.k31 * inverse_33;
         const Scalar e35 = e34 * (step_24 * outflow_factor_23);
         const Scalar e36 = e34 * (step_9 * outflow_factor_8);
         C[0] = Scalar(0);
         C[1] = e2;
-        C[2] = -step_4 * (c_.k47 * outflow_factor_8 * e12 + c_.k13 * e17) - step_19
-            * (c_.k46 * outflow_factor_23 * e27 + c_.k14 * e32) - c_.k12 * inverse_33 * (step_24 * e32 + step_9 * e17) - e27
+        C[2] = -step_4 * (c_.k33 * outflow_factor_8 * e12 + c_.k25 * e17) - step_19
+            * (c_.k32 * outflow_factor_23 * e27 + c_.k27 * e32) - c_.k3 * inverse_33 * (step_24 * e32 + step_9 * e17) - e27
             * e35 - e12 * e36;
         C[3] = Scalar(0);
-        C[4] = c_.k44;
+        C[4] = c_.k30;
         C[5] = Scalar(1);
         C[6] = -p_value * inverse_1 * e2;
         C[7] = -inverse_33 * inverse_33 * (e31 * e35 + e16 * e36);
@@ -1051,27 +1018,27 @@ public:
         const Scalar e1 = p_.p_S - p_value;
         const Scalar signed_root_2 = detail::signed_root<Scalar>(max_p_S * e1);
         const Scalar abs_3 = abs(e1);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k15);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k26);
         const Scalar step_5 = detail::step<Scalar>(e1);
         const Scalar step_6 = detail::step<Scalar>(-e1);
         const Scalar T = x[1];
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e7 = c_.k12 / sqrt_T;
+        const Scalar e7 = c_.k3 / sqrt_T;
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar e8 = p_.p_0 - p_value;
         const Scalar signed_root_9 = detail::signed_root<Scalar>(max_p_0 * e8);
         const Scalar abs_10 = abs(e8);
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_0, c_.k15);
+        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_0, c_.k26);
         const Scalar step_12 = detail::step<Scalar>(e8);
         const Scalar step_13 = detail::step<Scalar>(-e8);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = signed_root_2 * outflow_factor_4 * (c_.k14 * step_5 + step_6 * e7);
+        D[2] = signed_root_2 * outflow_factor_4 * (c_.k27 * step_5 + step_6 * e7);
         D[3] = Scalar(0);
         D[4] = Scalar(0);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
-        D[7] = signed_root_9 * outflow_factor_11 * (c_.k13 * step_12 + step_13 * e7);
+        D[7] = signed_root_9 * outflow_factor_11 * (c_.k25 * step_12 + step_13 * e7);
         D[8] = Scalar(0);
         D[9] = Scalar(0);
         D[10] = Scalar(0);
@@ -1136,30 +1103,30 @@ public:
         const Scalar e3 = p_.p_0 - p_value;
         const Scalar abs_4 = abs(e3);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_0, c_.k15);
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_0, c_.k26);
         const Scalar u_e = u[1];
         const Scalar signed_root_6 = detail::signed_root<Scalar>(max_p_0 * e3);
         const Scalar step_7 = detail::step<Scalar>(e3);
         const Scalar step_8 = detail::step<Scalar>(-e3);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e9 = c_.k12 / sqrt_T;
-        const Scalar e10 = outflow_factor_5 * (u_e * signed_root_6) * (c_.k13 * step_7 + step_8 * e9);
+        const Scalar e9 = c_.k3 / sqrt_T;
+        const Scalar e10 = outflow_factor_5 * (u_e * signed_root_6) * (c_.k25 * step_7 + step_8 * e9);
         const Scalar e11 = -e10;
         const Scalar max_12 = detail::max<Scalar>(Scalar(0), e11);
         const Scalar e13 = p_.p_S - p_value;
         const Scalar abs_14 = abs(e13);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar outflow_factor_15 = detail::outflow_factor<Scalar>(abs_14 / max_p_S, c_.k15);
+        const Scalar outflow_factor_15 = detail::outflow_factor<Scalar>(abs_14 / max_p_S, c_.k26);
         const Scalar u_f = u[0];
         const Scalar signed_root_16 = detail::signed_root<Scalar>(max_p_S * e13);
         const Scalar step_17 = detail::step<Scalar>(e13);
         const Scalar step_18 = detail::step<Scalar>(-e13);
-        const Scalar e19 = outflow_factor_15 * (u_f * signed_root_16) * (c_.k14 * step_17 + step_18 * e9);
+        const Scalar e19 = outflow_factor_15 * (u_f * signed_root_16) * (c_.k27 * step_17 + step_18 * e9);
         const Scalar min_20 = detail::min<Scalar>(Scalar(0), e19);
         const Scalar max_21 = detail::max<Scalar>(Scalar(0), mdot);
         const Scalar max_22 = detail::max<Scalar>(Scalar(0), e19);
         const Scalar min_23 = detail::min<Scalar>(Scalar(0), e11);
-        return T * e1 * (min_2 - max_12 + min_20) + p_.T_in * e1 * (max_21 + max_22) + c_.k43 - p_.k_W * T - min_23
+        return T * e1 * (min_2 - max_12 + min_20) + p_.T_in * e1 * (max_21 + max_22) + c_.k29 - p_.k_W * T - min_23
             * (p_.T_0 * e1);
     }
 
@@ -1191,54 +1158,40 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar c_v;  ///< -R_s/(1 - kappa)
-        Scalar k0;  ///< R_s*T_0*k_W/(V*c_v)
-        Scalar k1;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k2;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
-        Scalar k3;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
-        Scalar k4;  ///< R_s*(1 + R_s/c_v)/V
-        Scalar k5;  ///< R_s*k_W/(V*c_v)
-        Scalar k6;  ///< R_s*T_in*(1 + R_s/c_v)/V
-        Scalar k7;  ///< R_s*T_0*(1 + R_s/c_v)/V
-        Scalar k8;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
-        Scalar k9;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
-        Scalar k10;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
-        Scalar k11;  ///< R_s^2/(V*c_v)
-        Scalar k12;  ///< A_d*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k13;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k14;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
-        Scalar k15;  ///< 1 + R_s/c_v
-        Scalar k16;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(2*V)
-        Scalar k17;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(2*V*sqrt(T_in))
-        Scalar k18;  ///< T_in*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k19;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_in)*(1 + R_s/c_v)/V
-        Scalar k20;  ///< T_in*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(2*V)
-        Scalar k21;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_in)*(1 + R_s/c_v)/(2*V)
-        Scalar k22;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(2*V*sqrt(T_0))
-        Scalar k23;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k24;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)/V
-        Scalar k25;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(2*V)
-        Scalar k26;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)/(2*V)
-        Scalar k27;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(2*V*c_v)
-        Scalar k28;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(2*V*c_v*sqrt(T_in))
-        Scalar k29;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(2*V*c_v*sqrt(T_0))
-        Scalar k30;  ///< 2*A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
-        Scalar k31;  ///< 2*A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
-        Scalar k32;  ///< 2*A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
-        Scalar k33;  ///< 2*R_s^2/(V*c_v)
-        Scalar k34;  ///< 2*R_s*k_W/(V*c_v)
-        Scalar k35;  ///< 2*R_s*(1 + R_s/c_v)/V
-        Scalar k36;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k37;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
-        Scalar k38;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
-        Scalar k39;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
-        Scalar k40;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
-        Scalar k41;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
-        Scalar k42;  ///< V/R_s
-        Scalar k43;  ///< T_0*k_W
-        Scalar k44;  ///< 1/p_S
-        Scalar k45;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s))
-        Scalar k46;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
-        Scalar k47;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k0;  ///< R_s/V
+        Scalar k1;  ///< 1 + R_s/c_v
+        Scalar k2;  ///< k_W/c_v
+        Scalar k3;  ///< A_d*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k4;  ///< 1/sqrt(T_0)
+        Scalar k5;  ///< 1/sqrt(T_in)
+        Scalar k6;  ///< R_s/c_v
+        Scalar k7;  ///< R_s*(1 + R_s/c_v)/V
+        Scalar k8;  ///< 2*R_s/c_v
+        Scalar k9;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k10;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k11;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
+        Scalar k12;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
+        Scalar k13;  ///< T_in*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k14;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_in)*(1 + R_s/c_v)/V
+        Scalar k15;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
+        Scalar k16;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
+        Scalar k17;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
+        Scalar k18;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
+        Scalar k19;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k20;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)/V
+        Scalar k21;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
+        Scalar k22;  ///< R_s*(1 + R_s/c_v)/V
+        Scalar k23;  ///< R_s*T_in*(1 + R_s/c_v)/V
+        Scalar k24;  ///< R_s^2/(V*c_v)
+        Scalar k25;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k26;  ///< 1 + R_s/c_v
+        Scalar k27;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
+        Scalar k28;  ///< V/R_s
+        Scalar k29;  ///< T_0*k_W
+        Scalar k30;  ///< 1/p_S
+        Scalar k31;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s))
+        Scalar k32;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
+        Scalar k33;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
     };
     Cached c_{};
 };

@@ -17,11 +17,11 @@
 //     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 3     56     8        0      4
-//   rhs                   23     39     4        0     18
-//   rhs_and_jacobian      71    142     6        0     26
+//   update                 3     35     8        0      4
+//   rhs                   18     34     4        0     18
+//   rhs_and_jacobian      43     99     6        0     26
 //   jacobian_u            25     58     4        0     18
-//   jacobian_p           195    511    12        0     32
+//   jacobian_p           195    520    12        0     32
 //   output                11     24     4        0     15
 //   output_jacobian_x     23     59     6        0     21
 //   output_jacobian_u      8     17     3        0     15
@@ -165,23 +165,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// The logarithm of the pressure ratio in a nozzle, log(1 - d), while it is above the critical one. Any clamp between the critical
@@ -317,93 +322,68 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 + or -, 56 *, 8 /, 4 other functions
+    /// Operations: 3 + or -, 35 *, 8 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
         c_.c_v = -p_.R_s / (Scalar(1) - p_.kappa);
-        const Scalar inverse_1 = Scalar(1) / c_.c_v;
-        const Scalar inverse_2 = Scalar(1) / p_.V;
-        const Scalar e3 = p_.R_s * inverse_2;
-        const Scalar e4 = inverse_1 * e3;
-        const Scalar e5 = p_.k_W * e4;
-        c_.k0 = p_.T_0 * e5;
-        const Scalar e6 = p_.R_s * inverse_1;
-        const Scalar e7 = Scalar(1) + e6;
+        const Scalar inverse_1 = Scalar(1) / p_.V;
+        const Scalar e2 = p_.R_s * inverse_1;
+        c_.k0 = e2;
+        const Scalar inverse_3 = Scalar(1) / c_.c_v;
+        const Scalar e4 = p_.R_s * inverse_3;
+        const Scalar e5 = Scalar(1) + e4;
+        c_.k1 = e5;
+        c_.k2 = p_.k_W * inverse_3;
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar sqrt_8 = sqrt(Scalar(2));
-        const Scalar e9 = sqrt_8 * (p_.A_d * p_.alpha_d);
-        const Scalar e10 = e9 / sqrt_R_s;
-        const Scalar e11 = e3 * e10;
-        const Scalar e12 = e7 * e11;
-        c_.k1 = e12;
-        const Scalar sqrt_T_in = sqrt(p_.T_in);
-        const Scalar inverse_13 = Scalar(1) / sqrt_T_in;
-        const Scalar e14 = inverse_13 * e12;
-        c_.k2 = e14;
+        const Scalar sqrt_6 = sqrt(Scalar(2));
+        const Scalar e7 = sqrt_6 * (p_.A_d * p_.alpha_d);
+        const Scalar e8 = e7 / sqrt_R_s;
+        c_.k3 = e8;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_15 = Scalar(1) / sqrt_T_0;
-        const Scalar e16 = inverse_15 * e12;
-        c_.k3 = e16;
-        const Scalar e17 = e7 * e3;
-        c_.k4 = e17;
-        c_.k5 = e5;
-        c_.k6 = p_.T_in * e17;
-        c_.k7 = p_.T_0 * e17;
-        const Scalar e18 = e11 * e6;
-        c_.k8 = e18;
-        const Scalar e19 = inverse_13 * e18;
-        c_.k9 = e19;
-        const Scalar e20 = inverse_15 * e18;
-        c_.k10 = e20;
-        const Scalar e21 = e3 * e6;
-        c_.k11 = e21;
-        c_.k12 = e10;
-        const Scalar e22 = inverse_15 * e10;
-        c_.k13 = e22;
-        const Scalar e23 = inverse_13 * e10;
-        c_.k14 = e23;
-        c_.k15 = e7;
-        c_.k16 = p_.width * p_.width;
-        c_.k17 = (Scalar(1) / Scalar(2)) * e12;
-        c_.k18 = (Scalar(1) / Scalar(2)) * e14;
-        const Scalar e24 = p_.T_in * e12;
-        c_.k19 = e24;
-        const Scalar e25 = p_.T_in * e14;
-        c_.k20 = e25;
-        c_.k21 = (Scalar(1) / Scalar(2)) * e24;
-        c_.k22 = (Scalar(1) / Scalar(2)) * e25;
-        c_.k23 = (Scalar(1) / Scalar(2)) * e16;
-        const Scalar e26 = p_.T_0 * e12;
-        c_.k24 = e26;
-        const Scalar e27 = p_.T_0 * e16;
-        c_.k25 = e27;
-        c_.k26 = (Scalar(1) / Scalar(2)) * e26;
-        c_.k27 = (Scalar(1) / Scalar(2)) * e27;
-        c_.k28 = (Scalar(1) / Scalar(2)) * e18;
-        c_.k29 = (Scalar(1) / Scalar(2)) * e19;
-        c_.k30 = (Scalar(1) / Scalar(2)) * e20;
-        c_.k31 = Scalar(2) * e18;
-        c_.k32 = Scalar(2) * e19;
-        c_.k33 = Scalar(2) * e20;
-        c_.k34 = Scalar(2) * e21;
-        c_.k35 = Scalar(2) * e5;
-        c_.k36 = Scalar(2) * e17;
-        const Scalar e28 = sqrt_R_s * e9;
-        const Scalar e29 = e28 * (inverse_2 * e7);
-        c_.k37 = e29;
-        c_.k38 = inverse_13 * e29;
-        const Scalar e30 = e4 * e28;
-        c_.k39 = e30;
-        c_.k40 = inverse_13 * e30;
-        c_.k41 = inverse_15 * e29;
-        c_.k42 = inverse_15 * e30;
-        c_.k43 = p_.V / p_.R_s;
-        c_.k44 = p_.T_0 * p_.k_W;
-        c_.k45 = Scalar(1) / p_.p_S;
-        c_.k46 = (Scalar(1) / Scalar(2)) * e10;
-        c_.k47 = (Scalar(1) / Scalar(2)) * e23;
-        c_.k48 = (Scalar(1) / Scalar(2)) * e22;
+        const Scalar inverse_9 = Scalar(1) / sqrt_T_0;
+        c_.k4 = inverse_9;
+        c_.k5 = p_.width * p_.width;
+        const Scalar sqrt_T_in = sqrt(p_.T_in);
+        const Scalar inverse_10 = Scalar(1) / sqrt_T_in;
+        c_.k6 = inverse_10;
+        c_.k7 = e4;
+        const Scalar e11 = e5 * e2;
+        c_.k8 = e11;
+        c_.k9 = Scalar(2) * e4;
+        const Scalar e12 = sqrt_R_s * e7;
+        const Scalar e13 = e12 * (inverse_1 * e5);
+        c_.k10 = e13;
+        const Scalar e14 = e8 * e11;
+        c_.k11 = e14;
+        c_.k12 = inverse_10 * e13;
+        c_.k13 = inverse_10 * e14;
+        const Scalar e15 = p_.T_in * e14;
+        c_.k14 = e15;
+        c_.k15 = inverse_10 * e15;
+        const Scalar e16 = e12 * (inverse_3 * e2);
+        c_.k16 = e16;
+        c_.k17 = inverse_10 * e16;
+        c_.k18 = inverse_9 * e13;
+        c_.k19 = inverse_9 * e14;
+        const Scalar e17 = p_.T_0 * e14;
+        c_.k20 = e17;
+        c_.k21 = inverse_9 * e17;
+        c_.k22 = inverse_9 * e16;
+        c_.k23 = e11;
+        c_.k24 = p_.T_in * e11;
+        c_.k25 = e2 * e4;
+        const Scalar e18 = inverse_9 * e8;
+        c_.k26 = e18;
+        c_.k27 = e5;
+        const Scalar e19 = inverse_10 * e8;
+        c_.k28 = e19;
+        c_.k29 = p_.V / p_.R_s;
+        c_.k30 = p_.T_0 * p_.k_W;
+        c_.k31 = Scalar(1) / p_.p_S;
+        c_.k32 = (Scalar(1) / Scalar(2)) * e8;
+        c_.k33 = (Scalar(1) / Scalar(2)) * e19;
+        c_.k34 = (Scalar(1) / Scalar(2)) * e18;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -417,7 +397,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 23 + or -, 39 *, 4 /, 18 other functions
+    /// Operations: 18 + or -, 34 *, 4 /, 18 other functions
     ///     specific_enthalpy[supply] = T_in*(R_s + c_v)
     ///     specific_enthalpy[ambience] = T_0*(R_s + c_v)
     ///     density[tank] = p/(R_s*T)
@@ -450,159 +430,139 @@ public:
         using std::abs;
         using std::pow;
         using std::sqrt;
-        const Scalar T = x[1];
+        const Scalar mdot = u[2];
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_S - p_value;
-        const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar power_3 = pow(c_.k16 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar abs_2 = abs(e1);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_4 = sqrt(max_p_S);
-        const Scalar abs_5 = abs(e1);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k15);
-        const Scalar u_f = u[0];
-        const Scalar e7 = power_3 * sqrt_4 * (outflow_factor_6 * (u_f * e1));
-        const Scalar e8 = step_2 * e7;
-        const Scalar e9 = p_.p_0 - p_value;
-        const Scalar step_10 = detail::step<Scalar>(e9);
-        const Scalar power_11 = pow(c_.k16 + e9 * e9, -Scalar(1) / Scalar(4));
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar sqrt_12 = sqrt(max_p_0);
-        const Scalar abs_13 = abs(e9);
-        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_0, c_.k15);
-        const Scalar u_e = u[1];
-        const Scalar e15 = power_11 * sqrt_12 * (outflow_factor_14 * (u_e * e9));
-        const Scalar e16 = step_10 * e15;
+        const Scalar outflow_factor_3 = detail::outflow_factor<Scalar>(abs_2 / max_p_S, c_.k1);
+        const Scalar step_4 = detail::step<Scalar>(-e1);
+        const Scalar T = x[1];
         const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_17 = Scalar(1) / sqrt_T;
-        const Scalar step_18 = detail::step<Scalar>(-e1);
-        const Scalar e19 = step_18 * e7;
-        const Scalar step_20 = detail::step<Scalar>(-e9);
-        const Scalar e21 = step_20 * e15;
-        const Scalar e22 = inverse_17 * (e19 + e21);
-        const Scalar e23 = c_.k12 * inverse_17;
-        const Scalar min_24 = detail::min<Scalar>(Scalar(0), -c_.k13 * e16 - e23 * e21);
-        const Scalar e25 = c_.k4 * T;
-        const Scalar mdot = u[2];
-        const Scalar max_26 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar max_27 = detail::max<Scalar>(Scalar(0), c_.k14 * e8 + e23 * e19);
-        const Scalar e28 = c_.k5 * T - min_24 * (e25 - c_.k7) - (c_.k0 - (e25 - c_.k6) * (max_26 + max_27));
-        const Scalar e29 = T / p_value;
-        dxdt[0] = T * (c_.k2 * e8 + c_.k3 * e16 + c_.k1 * e22) - e28 + mdot * e25;
-        dxdt[1] = T * e29 * (c_.k11 * mdot + c_.k9 * e8 + c_.k10 * e16 + c_.k8 * e22) - e29 * e28;
+        const Scalar inverse_5 = Scalar(1) / sqrt_T;
+        const Scalar step_6 = detail::step<Scalar>(e1);
+        const Scalar u_f = u[0];
+        const Scalar power_7 = pow(c_.k5 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_8 = sqrt(max_p_S);
+        const Scalar e9 = outflow_factor_3 * (step_4 * inverse_5 + step_6 * c_.k6) * (u_f * e1 * (power_7 * sqrt_8));
+        const Scalar e10 = p_.p_0 - p_value;
+        const Scalar abs_11 = abs(e10);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
+        const Scalar outflow_factor_12 = detail::outflow_factor<Scalar>(abs_11 / max_p_0, c_.k1);
+        const Scalar step_13 = detail::step<Scalar>(-e10);
+        const Scalar step_14 = detail::step<Scalar>(e10);
+        const Scalar u_e = u[1];
+        const Scalar power_15 = pow(c_.k5 + e10 * e10, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_16 = sqrt(max_p_0);
+        const Scalar e17 = outflow_factor_12 * (step_13 * inverse_5 + step_14 * c_.k4) * (u_e * e10 * (power_15 * sqrt_16));
+        const Scalar e18 = T * c_.k0;
+        const Scalar e19 = (mdot + (e9 + e17) * c_.k3) * e18;
+        const Scalar min_20 = detail::min<Scalar>(Scalar(0), -e17 * c_.k3);
+        const Scalar e21 = c_.k2 - min_20 * c_.k1;
+        const Scalar max_22 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar max_23 = detail::max<Scalar>(Scalar(0), e9 * c_.k3);
+        const Scalar e24 = T * e21 - (p_.T_0 * e21 + (p_.T_in - T) * (max_22 + max_23) * c_.k1);
+        dxdt[0] = e19 * c_.k1 - e24 * c_.k0;
+        dxdt[1] = (T * e19 * c_.k7 - e24 * e18) / p_value;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: 71 + or -, 142 *, 6 /, 26 other functions
+    /// Operations: 43 + or -, 99 *, 6 /, 26 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
+        const Scalar T = x[1];
         const Scalar mdot = u[2];
-        const Scalar max_1 = detail::max<Scalar>(Scalar(0), mdot);
         const Scalar u_f = u[0];
         const Scalar p_value = x[0];
-        const Scalar e2 = p_.p_S - p_value;
-        const Scalar e3 = c_.k16 + e2 * e2;
-        const Scalar power_4 = pow(e3, -Scalar(1) / Scalar(4));
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_5 = sqrt(max_p_S);
-        const Scalar e6 = power_4 * sqrt_5;
-        const Scalar e7 = u_f * e6;
-        const Scalar step_8 = detail::step<Scalar>(e2);
-        const Scalar abs_9 = abs(e2);
-        const Scalar inverse_10 = Scalar(1) / max_p_S;
-        const Scalar e11 = abs_9 * inverse_10;
-        const Scalar outflow_factor_12 = detail::outflow_factor<Scalar>(e11, c_.k15);
-        const Scalar e13 = e2 * outflow_factor_12;
-        const Scalar e14 = step_8 * e13;
-        const Scalar e15 = e7 * e14;
-        const Scalar step_16 = detail::step<Scalar>(-e2);
-        const Scalar T = x[1];
+        const Scalar e1 = p_.p_S - p_value;
+        const Scalar step_2 = detail::step<Scalar>(-e1);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_17 = Scalar(1) / sqrt_T;
-        const Scalar e18 = step_16 * inverse_17;
-        const Scalar e19 = e7 * e18;
-        const Scalar e20 = c_.k14 * e15 + c_.k12 * e13 * e19;
-        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e20);
-        const Scalar e22 = max_1 + max_21;
+        const Scalar inverse_3 = Scalar(1) / sqrt_T;
+        const Scalar step_4 = detail::step<Scalar>(e1);
+        const Scalar e5 = step_2 * inverse_3 + step_4 * c_.k6;
+        const Scalar abs_6 = abs(e1);
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
+        const Scalar inverse_7 = Scalar(1) / max_p_S;
+        const Scalar e8 = abs_6 * inverse_7;
+        const Scalar outflow_factor_9 = detail::outflow_factor<Scalar>(e8, c_.k1);
+        const Scalar e10 = c_.k5 + e1 * e1;
+        const Scalar power_11 = pow(e10, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_12 = sqrt(max_p_S);
+        const Scalar e13 = power_11 * sqrt_12;
+        const Scalar e14 = outflow_factor_9 * e13;
+        const Scalar e15 = e1 * e14;
         const Scalar u_e = u[1];
-        const Scalar e23 = p_.p_0 - p_value;
-        const Scalar e24 = c_.k16 + e23 * e23;
-        const Scalar power_25 = pow(e24, -Scalar(1) / Scalar(4));
+        const Scalar e16 = p_.p_0 - p_value;
+        const Scalar step_17 = detail::step<Scalar>(-e16);
+        const Scalar step_18 = detail::step<Scalar>(e16);
+        const Scalar e19 = step_17 * inverse_3 + step_18 * c_.k4;
+        const Scalar abs_20 = abs(e16);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
+        const Scalar inverse_21 = Scalar(1) / max_p_0;
+        const Scalar e22 = abs_20 * inverse_21;
+        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(e22, c_.k1);
+        const Scalar e24 = c_.k5 + e16 * e16;
+        const Scalar power_25 = pow(e24, -Scalar(1) / Scalar(4));
         const Scalar sqrt_26 = sqrt(max_p_0);
         const Scalar e27 = power_25 * sqrt_26;
-        const Scalar e28 = u_e * e27;
-        const Scalar abs_29 = abs(e23);
-        const Scalar inverse_30 = Scalar(1) / max_p_0;
-        const Scalar e31 = abs_29 * inverse_30;
-        const Scalar outflow_factor_32 = detail::outflow_factor<Scalar>(e31, c_.k15);
-        const Scalar e33 = e23 * outflow_factor_32;
-        const Scalar e34 = e28 * e33;
-        const Scalar step_35 = detail::step<Scalar>(e23);
-        const Scalar step_36 = detail::step<Scalar>(-e23);
-        const Scalar e37 = step_36 * inverse_17;
-        const Scalar e38 = e34 * (c_.k13 * step_35 + c_.k12 * e37);
-        const Scalar min_39 = detail::min<Scalar>(Scalar(0), -e38);
-        const Scalar e40 = c_.k0 + (c_.k6 * e22 - c_.k7 * min_39);
-        const Scalar e41 = step_35 * e34;
-        const Scalar e42 = min_39 - e22;
-        const Scalar e43 = c_.k4 * e42 - c_.k5;
-        const Scalar e44 = step_16 * e13;
-        const Scalar e45 = step_36 * e34;
-        const Scalar e46 = inverse_17 * (e7 * e44 + e45);
-        const Scalar e47 = c_.k4 * mdot + c_.k3 * e41 + (e43 + (c_.k1 * e46 + c_.k2 * e15));
-        const Scalar inverse_48 = Scalar(1) / p_value;
-        const Scalar e49 = T * inverse_48;
-        const Scalar e50 = T * e49;
-        const Scalar e51 = c_.k11 * mdot + c_.k8 * e46 + (e43 + (c_.k9 * e15 + c_.k10 * e41));
-        dxdt[0] = e40 + T * e47;
-        dxdt[1] = e49 * e40 + e50 * e51;
-        const Scalar e52 = c_.k17 * T;
-        const Scalar power_53 = pow(e3, -Scalar(5) / Scalar(4));
-        const Scalar e54 = step_16 * power_4 / sqrt_5 + e2 * power_53 * sqrt_5;
-        const Scalar power_55 = pow(e24, -Scalar(5) / Scalar(4));
-        const Scalar e56 = (step_36 * power_25 / sqrt_26 + e23 * power_55 * sqrt_26) * e33;
-        const Scalar e57 = u_e * e56;
-        const Scalar e58 = inverse_17 * (u_f * e54 * e44 + step_36 * e57);
-        const Scalar outflow_factor_slope_59 = detail::outflow_factor_slope<Scalar>(e11, c_.k15);
-        const Scalar e60 = outflow_factor_slope_59 * (e2 * inverse_10);
-        const Scalar sign_61 = detail::sign<Scalar>(e2);
-        const Scalar e62 = outflow_factor_12 + step_16 * e11 * e60 + sign_61 * e60;
-        const Scalar e63 = e62 * e6;
-        const Scalar e64 = e54 * e14;
-        const Scalar e65 = step_8 * e62;
-        const Scalar e66 = c_.k1 * e18 * e63 - c_.k18 * e64 + c_.k2 * e6 * e65;
-        const Scalar outflow_factor_slope_67 = detail::outflow_factor_slope<Scalar>(e31, c_.k15);
-        const Scalar e68 = outflow_factor_slope_67 * (e23 * inverse_30);
-        const Scalar sign_69 = detail::sign<Scalar>(e23);
-        const Scalar e70 = outflow_factor_32 + step_36 * e31 * e68 + sign_69 * e68;
-        const Scalar e71 = e70 * e28;
-        const Scalar e72 = step_35 * e71;
-        const Scalar e73 = u_e * (c_.k1 * e70 * e27 * e37 - c_.k23 * step_35 * e56) + c_.k3 * e72;
-        const Scalar step_74 = detail::step<Scalar>(e38);
-        const Scalar step_75 = detail::step<Scalar>(e20);
-        const Scalar e76 = u_f * step_75;
-        const Scalar e77 = step_74 * e73 + e66 * e76;
-        const Scalar e78 = step_75 * e7;
-        const Scalar e79 = e52 - c_.k26;
-        const Scalar e80 = e37 * e71;
-        const Scalar e81 = e52 - c_.k21;
-        const Scalar e82 = c_.k22 * e76 * e64 - c_.k24 * step_74 * e80
-            - ((e54 * e81 * e13 + c_.k19 * e63) * e18 * e76 + c_.k25 * step_74 * e72);
-        const Scalar e83 = c_.k20 * e65 * e78 - step_74 * (c_.k27 * step_35 - e79 * e37) * e57 - e82;
-        const Scalar e84 = inverse_48 * e40;
-        const Scalar e85 = c_.k28 * e50;
-        const Scalar inverse_17_squared = inverse_17 * inverse_17;
-        const Scalar e86 = e46 * inverse_17_squared;
-        const Scalar e87 = inverse_17_squared * (inverse_17 * (e81 * e44 * e78 + step_74 * e79 * e45));
-        J[0] = e52 * e58 - T * (u_f * e66 + e73 - e77) - e83;
-        const Scalar e88 = e77 - c_.k9 * e7 * e65 + c_.k29 * u_f * e64 - c_.k10 * e72 + c_.k30 * step_35 * e57;
-        J[1] = e50 * e88 - e49 * (e49 * e51 + e83 + e84) - c_.k8 * e50 * (e80 + e62 * e19) + e85 * e58;
-        J[2] = e47 - e52 * e86 + e87;
-        const Scalar e89 = c_.k34 * mdot - c_.k35 + c_.k36 * e42 + c_.k31 * e46 + c_.k32 * e15 + c_.k33 * e41 + e87;
-        J[3] = e49 * e89 + e84 - e85 * e86;
+        const Scalar e28 = outflow_factor_23 * e27;
+        const Scalar e29 = e16 * e28;
+        const Scalar e30 = mdot + (u_f * e5 * e15 + u_e * e19 * e29) * c_.k3;
+        const Scalar e31 = e30 * c_.k8;
+        const Scalar e32 = p_.T_in - T;
+        const Scalar max_33 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar e34 = u_f * c_.k3;
+        const Scalar e35 = e5 * e34;
+        const Scalar e36 = e15 * e35;
+        const Scalar max_37 = detail::max<Scalar>(Scalar(0), e36);
+        const Scalar e38 = max_33 + max_37;
+        const Scalar e39 = e38 * c_.k1;
+        const Scalar e40 = p_.T_0 - T;
+        const Scalar e41 = u_e * c_.k3;
+        const Scalar e42 = e19 * e41;
+        const Scalar e43 = e29 * e42;
+        const Scalar min_44 = detail::min<Scalar>(Scalar(0), -e43);
+        const Scalar e45 = c_.k2 - min_44 * c_.k1;
+        const Scalar e46 = e32 * e39 + e40 * e45;
+        const Scalar inverse_47 = Scalar(1) / p_value;
+        const Scalar e48 = inverse_47 * c_.k0;
+        const Scalar e49 = T * e48;
+        const Scalar e50 = T * c_.k7;
+        const Scalar e51 = e49 * (e30 * e50 + e46);
+        dxdt[0] = T * e31 + e46 * c_.k0;
+        dxdt[1] = e51;
+        const Scalar step_52 = detail::step<Scalar>(e36);
+        const Scalar e53 = step_52 * e32;
+        const Scalar e54 = (T + e53) * c_.k8;
+        const Scalar outflow_factor_slope_55 = detail::outflow_factor_slope<Scalar>(e8, c_.k1);
+        const Scalar sign_56 = detail::sign<Scalar>(e1);
+        const Scalar power_57 = pow(e10, -Scalar(5) / Scalar(4));
+        const Scalar e58 = (Scalar(1) / Scalar(2)) * outflow_factor_9 * (step_2 * power_11 / sqrt_12 + e1 * power_57 * sqrt_12);
+        const Scalar e59 = outflow_factor_slope_55 * inverse_7 * (step_2 * e8 + sign_56) * e13 - e58;
+        const Scalar e60 = (e1 * e59 + e14) * e35;
+        const Scalar step_61 = detail::step<Scalar>(e43);
+        const Scalar e62 = step_61 * e40;
+        const Scalar e63 = (T + e62) * c_.k8;
+        const Scalar outflow_factor_slope_64 = detail::outflow_factor_slope<Scalar>(e22, c_.k1);
+        const Scalar sign_65 = detail::sign<Scalar>(e16);
+        const Scalar power_66 = pow(e24, -Scalar(5) / Scalar(4));
+        const Scalar e67 = (Scalar(1) / Scalar(2)) * outflow_factor_23
+            * (step_17 * power_25 / sqrt_26 + e16 * power_66 * sqrt_26);
+        const Scalar e68 = outflow_factor_slope_64 * inverse_21 * (step_17 * e22 + sign_65) * e27 - e67;
+        const Scalar e69 = (e16 * e68 + e28) * e42;
+        const Scalar e70 = (e50 + e62 * c_.k1) * e49;
+        const Scalar e71 = (e50 + e53 * c_.k1) * e49;
+        const Scalar e72 = inverse_3 * (inverse_3 * inverse_3);
+        const Scalar e73 = step_2 * e34 * (e15 * e72);
+        const Scalar e74 = step_17 * e41 * (e29 * e72);
+        J[0] = -e54 * e60 - e63 * e69;
+        J[1] = -inverse_47 * e51 - e70 * e69 - e71 * e60;
+        J[2] = e31 - e45 * c_.k0 - e38 * c_.k8 - (Scalar(1) / Scalar(2)) * e54 * e73 - (Scalar(1) / Scalar(2)) * e63 * e74;
+        J[3] = e49 * (e30 * c_.k9 - Scalar(2) * e45 - Scalar(2) * e39) + e48 * (p_.T_0 * e45 + p_.T_in * e39)
+            - (Scalar(1) / Scalar(2)) * e70 * e74 - (Scalar(1) / Scalar(2)) * e71 * e73;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].
@@ -621,11 +581,11 @@ public:
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_S - p_value;
         const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar power_3 = pow(c_.k16 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar power_3 = pow(c_.k5 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_4 = sqrt(max_p_S);
         const Scalar abs_5 = abs(e1);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k15);
+        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k27);
         const Scalar e7 = e1 * power_3 * (sqrt_4 * outflow_factor_6);
         const Scalar e8 = step_2 * e7;
         const Scalar step_9 = detail::step<Scalar>(-e1);
@@ -633,44 +593,44 @@ public:
         const Scalar inverse_10 = Scalar(1) / sqrt_T;
         const Scalar e11 = step_9 * inverse_10;
         const Scalar e12 = e7 * e11;
-        const Scalar e13 = c_.k37 * T;
+        const Scalar e13 = c_.k10 * T;
         const Scalar u_f = u[0];
-        const Scalar step_14 = detail::step<Scalar>(u_f * (c_.k14 * e8 + c_.k12 * e12));
-        const Scalar e15 = step_14 * (T * (c_.k2 * step_2 + c_.k1 * e11) - (c_.k20 * step_2 + c_.k19 * e11));
-        const Scalar e16 = e7 * e15;
+        const Scalar step_14 = detail::step<Scalar>(u_f * (c_.k28 * e8 + c_.k3 * e12));
+        const Scalar e15 = T * (c_.k13 * step_2 + c_.k11 * e11) - (c_.k15 * step_2 + c_.k14 * e11);
+        const Scalar e16 = e7 * (step_14 * e15);
         const Scalar e17 = T / p_value;
         const Scalar e18 = T * e17;
-        const Scalar e19 = c_.k39 * e18;
+        const Scalar e19 = c_.k16 * e18;
         const Scalar e20 = p_.p_0 - p_value;
         const Scalar step_21 = detail::step<Scalar>(e20);
-        const Scalar power_22 = pow(c_.k16 + e20 * e20, -Scalar(1) / Scalar(4));
+        const Scalar power_22 = pow(c_.k5 + e20 * e20, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_23 = sqrt(max_p_0);
         const Scalar abs_24 = abs(e20);
-        const Scalar outflow_factor_25 = detail::outflow_factor<Scalar>(abs_24 / max_p_0, c_.k15);
+        const Scalar outflow_factor_25 = detail::outflow_factor<Scalar>(abs_24 / max_p_0, c_.k27);
         const Scalar e26 = e20 * power_22 * (sqrt_23 * outflow_factor_25);
         const Scalar e27 = step_21 * e26;
         const Scalar step_28 = detail::step<Scalar>(-e20);
         const Scalar e29 = step_28 * inverse_10;
         const Scalar e30 = e26 * e29;
         const Scalar u_e = u[1];
-        const Scalar step_31 = detail::step<Scalar>(u_e * (c_.k13 * e27 + c_.k12 * e30));
-        const Scalar e32 = T * (c_.k3 * step_21 + c_.k1 * e29) - (c_.k25 * step_21 + c_.k24 * e29);
+        const Scalar step_31 = detail::step<Scalar>(u_e * (c_.k26 * e27 + c_.k3 * e30));
+        const Scalar e32 = T * (c_.k19 * step_21 + c_.k11 * e29) - (c_.k21 * step_21 + c_.k20 * e29);
         const Scalar e33 = e26 * (step_31 * e32);
-        const Scalar e34 = c_.k4 * T;
+        const Scalar e34 = c_.k23 * T;
         const Scalar mdot = u[2];
         const Scalar step_mdot = detail::step<Scalar>(mdot);
-        const Scalar e35 = step_mdot * (e34 - c_.k6);
-        J[0] = c_.k38 * T * e8 + e12 * e13 - e16;
-        J[1] = c_.k40 * e18 * e8 + e12 * e19 - e17 * e16;
-        J[2] = c_.k41 * T * e27 + e30 * e13 - e33;
-        J[3] = c_.k42 * e18 * e27 + e30 * e19 - e17 * e33;
+        const Scalar e35 = step_mdot * (e34 - c_.k24);
+        J[0] = c_.k12 * T * e8 + e12 * e13 - e16;
+        J[1] = c_.k17 * e18 * e8 + e12 * e19 - e17 * e16;
+        J[2] = c_.k18 * T * e27 + e30 * e13 - e33;
+        J[3] = c_.k22 * e18 * e27 + e30 * e19 - e17 * e33;
         J[4] = e34 - e35;
-        J[5] = c_.k11 * e18 - e17 * e35;
+        J[5] = c_.k25 * e18 - e17 * e35;
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 11, entry (i, j) at J[2*j + i].
-    /// Operations: 195 + or -, 511 *, 12 /, 32 other functions
+    /// Operations: 195 + or -, 520 *, 12 /, 32 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::abs;
         using std::pow;
@@ -701,12 +661,12 @@ public:
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar inverse_20 = Scalar(1) / max_p_0;
         const Scalar e21 = abs_19 * inverse_20;
-        const Scalar outflow_factor_22 = detail::outflow_factor<Scalar>(e21, c_.k15);
+        const Scalar outflow_factor_22 = detail::outflow_factor<Scalar>(e21, c_.k27);
         const Scalar u_e = u[1];
         const Scalar e23 = u_e * e18;
         const Scalar e24 = outflow_factor_22 * e23;
         const Scalar step_25 = detail::step<Scalar>(e18);
-        const Scalar e26 = c_.k16 + e18 * e18;
+        const Scalar e26 = c_.k5 + e18 * e18;
         const Scalar power_27 = pow(e26, -Scalar(1) / Scalar(4));
         const Scalar sqrt_28 = sqrt(max_p_0);
         const Scalar e29 = power_27 * sqrt_28;
@@ -717,7 +677,7 @@ public:
         const Scalar inverse_33 = Scalar(1) / sqrt_T_in;
         const Scalar e34 = inverse_33 * e16;
         const Scalar e35 = p_.p_S - p_value;
-        const Scalar e36 = c_.k16 + e35 * e35;
+        const Scalar e36 = c_.k5 + e35 * e35;
         const Scalar power_37 = pow(e36, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_38 = sqrt(max_p_S);
@@ -726,7 +686,7 @@ public:
         const Scalar abs_41 = abs(e35);
         const Scalar inverse_42 = Scalar(1) / max_p_S;
         const Scalar e43 = abs_41 * inverse_42;
-        const Scalar outflow_factor_44 = detail::outflow_factor<Scalar>(e43, c_.k15);
+        const Scalar outflow_factor_44 = detail::outflow_factor<Scalar>(e43, c_.k27);
         const Scalar u_f = u[0];
         const Scalar e45 = u_f * e35;
         const Scalar e46 = outflow_factor_44 * e45;
@@ -738,7 +698,7 @@ public:
         const Scalar inverse_51 = Scalar(1) / sqrt_T;
         const Scalar e52 = step_50 * inverse_51;
         const Scalar e53 = e29 * e52;
-        const Scalar e54 = c_.k12 * e24 * e53 + c_.k13 * e31;
+        const Scalar e54 = c_.k3 * e24 * e53 + c_.k26 * e31;
         const Scalar min_55 = detail::min<Scalar>(Scalar(0), -e54);
         const Scalar e56 = inverse_1 * e9;
         const Scalar e57 = e3 * e56;
@@ -747,7 +707,7 @@ public:
         const Scalar step_59 = detail::step<Scalar>(-e35);
         const Scalar e60 = step_59 * inverse_51;
         const Scalar e61 = e46 * e60;
-        const Scalar e62 = c_.k12 * e39 * e61 + c_.k14 * e48;
+        const Scalar e62 = c_.k3 * e39 * e61 + c_.k28 * e48;
         const Scalar max_63 = detail::max<Scalar>(Scalar(0), e62);
         const Scalar e64 = max_58 + max_63;
         const Scalar e65 = p_.T_0 * e6 - (min_55 * (p_.T_0 * e57) - p_.T_in * e57 * e64);
@@ -758,200 +718,204 @@ public:
         const Scalar e70 = T * e69;
         const Scalar e71 = T / p_value;
         const Scalar e72 = T * e71;
-        const Scalar e73 = inverse_7 * e15;
+        const Scalar e73 = e15 * e4;
         const Scalar e74 = e72 * e30;
         const Scalar e75 = e24 * e74;
-        const Scalar e76 = inverse_33 * e15;
-        const Scalar e77 = e72 * e47;
-        const Scalar e78 = e39 * e77;
-        const Scalar e79 = e72 * e69;
-        const Scalar e80 = mdot * e72;
-        const Scalar e81 = e72 * e66;
+        const Scalar e76 = e72 * e47;
+        const Scalar e77 = e39 * e76;
+        const Scalar e78 = e72 * e69;
+        const Scalar e79 = mdot * e72;
+        const Scalar e80 = e72 * e66;
         const Scalar inverse_11_squared = inverse_11 * inverse_11;
-        const Scalar e82 = (Scalar(1) / Scalar(2)) * (e16 * inverse_11_squared);
-        const Scalar step_83 = detail::step<Scalar>(e62);
-        const Scalar e84 = step_83 * e39;
-        const Scalar step_85 = detail::step<Scalar>(e54);
-        const Scalar e86 = step_85 * e24;
-        const Scalar e87 = e84 * e61 + e86 * e53;
-        const Scalar inverse_88 = Scalar(1) / (Scalar(1) - p_.kappa);
-        const Scalar e89 = (inverse_1 + inverse_88 * e4) * (p_.k_W * inverse_2);
-        const Scalar e90 = e82 * e87 - e89;
-        const Scalar e91 = p_.T_0 * e16;
-        const Scalar e92 = p_.T_0 * e17;
-        const Scalar e93 = (Scalar(1) / Scalar(2)) * inverse_11_squared * e91 * e53 + (Scalar(1) / Scalar(2))
-            * inverse_11_squared * e92 * e30;
-        const Scalar outflow_factor_by_exponent_94 = detail::outflow_factor_by_exponent<Scalar>(e43, c_.k15);
-        const Scalar e95 = outflow_factor_by_exponent_94 * e45;
-        const Scalar e96 = inverse_88 * e8;
-        const Scalar e97 = inverse_2 * (Scalar(1) + e96);
-        const Scalar e98 = p_.T_in * e34;
-        const Scalar e99 = p_.T_in * e16;
-        const Scalar e100 = (Scalar(1) / Scalar(2)) * inverse_11_squared * e99 * e61 + (Scalar(1) / Scalar(2))
-            * inverse_11_squared * e98 * e47;
-        const Scalar e101 = e95 * (step_40 * (e97 * e98) + e97 * e99 * e60) - e100;
-        const Scalar e102 = p_.A_d * p_.alpha_d;
-        const Scalar e103 = Scalar(1) + (Scalar(1) / Scalar(2)) * e96;
-        const Scalar e104 = inverse_2 * e103;
-        const Scalar e105 = (Scalar(1) / Scalar(2)) * (inverse_1 * e12 * e102 - e82) + e15 * e104;
-        const Scalar e106 = Scalar(2) * (e103 * e4);
-        const Scalar e107 = inverse_1 + e106;
-        const Scalar outflow_factor_by_exponent_108 = detail::outflow_factor_by_exponent<Scalar>(e21, c_.k15);
-        const Scalar e109 = outflow_factor_by_exponent_108 * e23;
-        const Scalar e110 = step_85 * e109;
-        const Scalar e111 = min_55 * (p_.T_0 * e107) - p_.T_in * e107 * e64
-            - (p_.T_0 * e89 + e110 * (e97 * e91 * e53 + e97 * e92 * e30));
-        const Scalar e112 = e16 * e97;
-        const Scalar e113 = step_40 * (e34 * e97) + e112 * e60;
-        const Scalar e114 = T * (Scalar(1) - step_83);
-        const Scalar e115 = e39 * e95;
-        const Scalar e116 = e114 * e115;
-        const Scalar e117 = T * (Scalar(1) - step_85);
-        const Scalar e118 = e53 * e117;
-        const Scalar e119 = e109 * e118;
-        const Scalar e120 = (Scalar(1) / Scalar(2)) * e34 * inverse_11_squared;
-        const Scalar e121 = e84 * e47;
-        const Scalar e122 = T * e121;
-        const Scalar e123 = (Scalar(1) / Scalar(2)) * e17 * inverse_11_squared;
-        const Scalar e124 = e30 * e86;
-        const Scalar e125 = T * e124;
-        const Scalar e126 = e17 * e97;
-        const Scalar e127 = e30 * e117;
-        const Scalar e128 = e109 * e127;
-        const Scalar e129 = e104 - (Scalar(1) / Scalar(4)) * e8 * inverse_11_squared;
-        const Scalar e130 = e71 * e86;
-        const Scalar e131 = e71 * e84;
-        const Scalar e132 = e86 * e74;
-        const Scalar e133 = e84 * e77;
-        const Scalar e134 = e15 * e8;
-        const Scalar e135 = e97 * e134;
-        const Scalar e136 = e109 * e74;
-        const Scalar e137 = e74 * e110;
-        const Scalar e138 = e72 * (e53 * e109 + e60 * e115);
-        const Scalar e139 = e72 * e53;
-        const Scalar e140 = e110 * e139;
+        const Scalar e81 = (Scalar(1) / Scalar(2)) * (e16 * inverse_11_squared);
+        const Scalar step_82 = detail::step<Scalar>(e62);
+        const Scalar e83 = step_82 * e39;
+        const Scalar step_84 = detail::step<Scalar>(e54);
+        const Scalar e85 = step_84 * e24;
+        const Scalar e86 = e83 * e61 + e85 * e53;
+        const Scalar inverse_87 = Scalar(1) / (Scalar(1) - p_.kappa);
+        const Scalar e88 = (inverse_1 + inverse_87 * e4) * (p_.k_W * inverse_2);
+        const Scalar e89 = e81 * e86 - e88;
+        const Scalar e90 = p_.T_0 * e16;
+        const Scalar e91 = p_.T_0 * e17;
+        const Scalar e92 = (Scalar(1) / Scalar(2)) * inverse_11_squared * e90 * e53 + (Scalar(1) / Scalar(2))
+            * inverse_11_squared * e91 * e30;
+        const Scalar outflow_factor_by_exponent_93 = detail::outflow_factor_by_exponent<Scalar>(e43, c_.k27);
+        const Scalar e94 = outflow_factor_by_exponent_93 * e45;
+        const Scalar e95 = inverse_87 * e8;
+        const Scalar e96 = inverse_2 * (Scalar(1) + e95);
+        const Scalar e97 = p_.T_in * e34;
+        const Scalar e98 = p_.T_in * e16;
+        const Scalar e99 = (Scalar(1) / Scalar(2)) * inverse_11_squared * e98 * e61 + (Scalar(1) / Scalar(2))
+            * inverse_11_squared * e97 * e47;
+        const Scalar e100 = e94 * (step_40 * (e96 * e97) + e96 * e98 * e60) - e99;
+        const Scalar e101 = p_.A_d * p_.alpha_d;
+        const Scalar e102 = Scalar(1) + (Scalar(1) / Scalar(2)) * e95;
+        const Scalar e103 = e102 * (inverse_2 * e15);
+        const Scalar e104 = (Scalar(1) / Scalar(2)) * (inverse_1 * e12 * e101 - e81) + e103;
+        const Scalar e105 = Scalar(2) * (e102 * e4);
+        const Scalar e106 = inverse_1 + e105;
+        const Scalar outflow_factor_by_exponent_107 = detail::outflow_factor_by_exponent<Scalar>(e21, c_.k27);
+        const Scalar e108 = outflow_factor_by_exponent_107 * e23;
+        const Scalar e109 = step_84 * e108;
+        const Scalar e110 = min_55 * (p_.T_0 * e106) - p_.T_in * e106 * e64
+            - (p_.T_0 * e88 + e109 * (e96 * e90 * e53 + e96 * e91 * e30));
+        const Scalar e111 = e16 * e96;
+        const Scalar e112 = step_40 * (e34 * e96) + e111 * e60;
+        const Scalar e113 = T * (Scalar(1) - step_82);
+        const Scalar e114 = e39 * e94;
+        const Scalar e115 = e113 * e114;
+        const Scalar e116 = T * (Scalar(1) - step_84);
+        const Scalar e117 = e53 * e116;
+        const Scalar e118 = e108 * e117;
+        const Scalar e119 = (Scalar(1) / Scalar(2)) * e34 * inverse_11_squared;
+        const Scalar e120 = e83 * e47;
+        const Scalar e121 = T * e120;
+        const Scalar e122 = (Scalar(1) / Scalar(2)) * e17 * inverse_11_squared;
+        const Scalar e123 = e30 * e85;
+        const Scalar e124 = T * e123;
+        const Scalar e125 = e17 * e96;
+        const Scalar e126 = e30 * e116;
+        const Scalar e127 = e108 * e126;
+        const Scalar e128 = e15 * e8;
+        const Scalar e129 = e103 - (Scalar(1) / Scalar(4)) * e128 * inverse_11_squared;
+        const Scalar e130 = e71 * e85;
+        const Scalar e131 = e71 * e83;
+        const Scalar e132 = e85 * e74;
+        const Scalar e133 = e83 * e76;
+        const Scalar e134 = inverse_7 * e128;
+        const Scalar e135 = e108 * e74;
+        const Scalar e136 = e74 * e109;
+        const Scalar e137 = e72 * (e53 * e108 + e60 * e114);
+        const Scalar e138 = e72 * e53;
+        const Scalar e139 = e109 * e138;
+        const Scalar e140 = inverse_33 * e128;
         const Scalar e141 = step_40 * e72;
-        const Scalar e142 = e115 * e141;
-        const Scalar e143 = e72 * e84;
-        const Scalar e144 = e95 * e143;
-        const Scalar e96_squared = e96 * e96;
-        const Scalar e145 = e96_squared * e73;
-        const Scalar e146 = e5 * (inverse_88 * e96);
-        const Scalar e147 = e3 * e96_squared;
-        const Scalar e148 = e146 - (e15 * e96_squared * e69 + e147 * e67);
-        const Scalar e149 = e96_squared * e76;
-        const Scalar e150 = p_.T_0 * e146 + e110 * (e96_squared * e91 * e53 + e96_squared * e92 * e30);
-        const Scalar e151 = min_55 * (p_.T_0 * e147) - p_.T_in * e147 * e64 - e150;
-        const Scalar e152 = e95 * (step_40 * (e96_squared * e98) + e96_squared * e99 * e60);
-        const Scalar e153 = e16 * e96_squared;
-        const Scalar e154 = step_40 * (e96_squared * e34) + e153 * e60;
-        const Scalar e155 = e96_squared * e17;
-        const Scalar e156 = e96_squared * e134;
-        const Scalar e157 = c_.k26 * e52 + c_.k27 * step_25;
+        const Scalar e142 = e114 * e141;
+        const Scalar e143 = e72 * e83;
+        const Scalar e144 = e94 * e143;
+        const Scalar e145 = inverse_87 * e95;
+        const Scalar e146 = e134 * e145;
+        const Scalar e147 = e145 * e5;
+        const Scalar e95_squared = e95 * e95;
+        const Scalar e148 = e3 * e95_squared;
+        const Scalar e149 = e147 - (e128 * e145 * e69 + e148 * e67);
+        const Scalar e150 = e140 * e145;
+        const Scalar e151 = p_.T_0 * e147 + e109 * (e95_squared * e90 * e53 + e95_squared * e91 * e30);
+        const Scalar e152 = min_55 * (p_.T_0 * e148) - p_.T_in * e148 * e64 - e151;
+        const Scalar e153 = e94 * (step_40 * (e95_squared * e97) + e95_squared * e98 * e60);
+        const Scalar e154 = e16 * e95_squared;
+        const Scalar e155 = step_40 * (e34 * e95_squared) + e154 * e60;
+        const Scalar e156 = e17 * e95_squared;
+        const Scalar e157 = step_25 * ((Scalar(1) / Scalar(2)) * e91) + (Scalar(1) / Scalar(2)) * e90 * e52;
         const Scalar power_158 = pow(e26, -Scalar(5) / Scalar(4));
         const Scalar e159 = power_158 * sqrt_28;
         const Scalar e160 = step_25 * power_27 / sqrt_28 - e18 * e159;
-        const Scalar e161 = e160 * e86;
-        const Scalar outflow_factor_slope_162 = detail::outflow_factor_slope<Scalar>(e21, c_.k15);
+        const Scalar e161 = e160 * e85;
+        const Scalar outflow_factor_slope_162 = detail::outflow_factor_slope<Scalar>(e21, c_.k27);
         const Scalar sign_163 = detail::sign<Scalar>(e18);
         const Scalar e164 = e18 * outflow_factor_slope_162 * inverse_20 * (step_25 * e21 - sign_163);
         const Scalar e165 = u_e * (e164 - outflow_factor_22);
-        const Scalar e166 = c_.k17 * e52 + c_.k23 * step_25;
-        const Scalar e167 = e24 * e117;
-        const Scalar e168 = step_85 * e165;
-        const Scalar e169 = (c_.k24 * e53 + c_.k25 * e30) * e168;
-        const Scalar e170 = e72 * e24;
+        const Scalar e166 = (Scalar(1) / Scalar(2)) * e16;
+        const Scalar e167 = step_25 * ((Scalar(1) / Scalar(2)) * e17) + e166 * e52;
+        const Scalar e168 = e24 * e116;
+        const Scalar e169 = step_84 * e165;
+        const Scalar e170 = (c_.k20 * e53 + c_.k21 * e30) * e169;
+        const Scalar e171 = e72 * e24;
+        const Scalar e172 = (Scalar(1) / Scalar(2)) * e128;
         const Scalar inverse_7_squared = inverse_7 * inverse_7;
-        const Scalar e171 = (Scalar(1) / Scalar(2)) * e17 * inverse_7_squared;
-        const Scalar e172 = c_.k4 * min_55 - c_.k5;
-        const Scalar e173 = inverse_7 * inverse_7_squared;
-        const Scalar e174 = e102 * (sqrt_10 * sqrt_R_s);
-        const Scalar e175 = e56 * e174;
-        const Scalar e176 = (Scalar(1) / Scalar(2)) * e92 * inverse_7_squared;
-        const Scalar e177 = e4 * e174;
-        const Scalar power_178 = pow(e36, -Scalar(5) / Scalar(4));
-        const Scalar e179 = power_178 * sqrt_38;
-        const Scalar e180 = step_40 * power_37 / sqrt_38 - e35 * e179;
-        const Scalar e181 = e61 * e114;
-        const Scalar e182 = e47 * e114;
-        const Scalar e183 = c_.k1 * e60 + c_.k2 * step_40;
-        const Scalar outflow_factor_slope_184 = detail::outflow_factor_slope<Scalar>(e43, c_.k15);
-        const Scalar sign_185 = detail::sign<Scalar>(e35);
-        const Scalar e186 = e35 * outflow_factor_slope_184 * inverse_42 * (step_40 * e43 - sign_185);
-        const Scalar e187 = u_f * (e186 - outflow_factor_44);
-        const Scalar e188 = e39 * e187;
-        const Scalar e189 = (c_.k19 * e60 + c_.k20 * step_40) * e187;
-        const Scalar e190 = step_83 * e180;
-        const Scalar e191 = (c_.k21 * e61 + c_.k22 * e47) * e190;
-        const Scalar e192 = e72 * e61;
-        const Scalar e193 = c_.k4 * e64;
+        const Scalar e173 = (Scalar(1) / Scalar(2)) * e17 * inverse_7_squared;
+        const Scalar e174 = c_.k23 * min_55 - e5;
+        const Scalar e175 = inverse_7 * inverse_7_squared;
+        const Scalar e176 = e101 * (sqrt_10 * sqrt_R_s);
+        const Scalar e177 = e56 * e176;
+        const Scalar e178 = (Scalar(1) / Scalar(2)) * e91 * inverse_7_squared;
+        const Scalar e179 = e4 * e176;
+        const Scalar power_180 = pow(e36, -Scalar(5) / Scalar(4));
+        const Scalar e181 = power_180 * sqrt_38;
+        const Scalar e182 = step_40 * power_37 / sqrt_38 - e35 * e181;
+        const Scalar e183 = e61 * e113;
+        const Scalar e184 = (Scalar(1) / Scalar(2)) * e34;
+        const Scalar e185 = e47 * e113;
+        const Scalar e186 = c_.k11 * e60 + c_.k13 * step_40;
+        const Scalar outflow_factor_slope_187 = detail::outflow_factor_slope<Scalar>(e43, c_.k27);
+        const Scalar sign_188 = detail::sign<Scalar>(e35);
+        const Scalar e189 = e35 * outflow_factor_slope_187 * inverse_42 * (step_40 * e43 - sign_188);
+        const Scalar e190 = u_f * (e189 - outflow_factor_44);
+        const Scalar e191 = e39 * e190;
+        const Scalar e192 = (c_.k14 * e60 + c_.k15 * step_40) * e190;
+        const Scalar e193 = step_82 * e182;
+        const Scalar e194 = (Scalar(1) / Scalar(2)) * e98 * e61 + (Scalar(1) / Scalar(2)) * e97 * e47;
+        const Scalar e195 = e194 * e193;
+        const Scalar e196 = e72 * e61;
+        const Scalar e197 = c_.k23 * e64;
         const Scalar inverse_33_squared = inverse_33 * inverse_33;
-        const Scalar e194 = inverse_33 * inverse_33_squared;
-        const Scalar e195 = (Scalar(1) / Scalar(2)) * e98 * inverse_33_squared;
-        const Scalar e196 = (Scalar(1) / Scalar(2)) * e34 * inverse_33_squared;
-        const Scalar e197 = p_.alpha_d * e13;
-        const Scalar e198 = e9 * e197;
-        const Scalar e199 = e24 * e118 + e39 * e181;
-        const Scalar e200 = p_.T_0 * inverse_7;
-        const Scalar e201 = p_.T_0 * e198 * e53 + e198 * e200 * e30;
-        const Scalar e202 = p_.T_in * inverse_33;
-        const Scalar e203 = p_.T_in * e198 * e61 + e198 * e202 * e47;
-        const Scalar e204 = inverse_7 * e198;
-        const Scalar e205 = e117 * e31;
-        const Scalar e206 = inverse_33 * e198;
-        const Scalar e207 = e114 * e48;
-        const Scalar e208 = e8 * e197;
-        const Scalar e209 = e72 * e87;
-        const Scalar e210 = e9 * e14;
-        const Scalar e211 = p_.T_0 * e210 * e53 + e210 * e200 * e30;
-        const Scalar e212 = p_.T_in * e210 * e61 + e210 * e202 * e47;
-        const Scalar e213 = inverse_7 * e210;
-        const Scalar e214 = inverse_33 * e210;
-        const Scalar e215 = e14 * e8;
-        const Scalar e216 = p_.T_0 * e4;
-        const Scalar e217 = (Scalar(1) / Scalar(2)) * p_.width * e16;
-        const Scalar e218 = (Scalar(1) / Scalar(2)) * p_.width * e34;
-        const Scalar e219 = (step_25 * ((Scalar(1) / Scalar(2)) * p_.width * e17) + e217 * e52) * e159;
-        const Scalar e220 = step_25 * ((Scalar(1) / Scalar(2)) * p_.width * e92) + (Scalar(1) / Scalar(2)) * p_.width * e91
+        const Scalar e198 = inverse_33 * inverse_33_squared;
+        const Scalar e199 = (Scalar(1) / Scalar(2)) * e97 * inverse_33_squared;
+        const Scalar e200 = (Scalar(1) / Scalar(2)) * e34 * inverse_33_squared;
+        const Scalar e201 = p_.alpha_d * e13;
+        const Scalar e202 = e9 * e201;
+        const Scalar e203 = e24 * e117 + e39 * e183;
+        const Scalar e204 = p_.T_0 * inverse_7;
+        const Scalar e205 = p_.T_0 * e202 * e53 + e202 * e204 * e30;
+        const Scalar e206 = p_.T_in * inverse_33;
+        const Scalar e207 = p_.T_in * e202 * e61 + e202 * e206 * e47;
+        const Scalar e208 = inverse_7 * e202;
+        const Scalar e209 = e116 * e31;
+        const Scalar e210 = inverse_33 * e202;
+        const Scalar e211 = e113 * e48;
+        const Scalar e212 = e8 * e201;
+        const Scalar e213 = e72 * e86;
+        const Scalar e214 = e9 * e14;
+        const Scalar e215 = p_.T_0 * e214 * e53 + e214 * e204 * e30;
+        const Scalar e216 = p_.T_in * e214 * e61 + e214 * e206 * e47;
+        const Scalar e217 = inverse_7 * e214;
+        const Scalar e218 = inverse_33 * e214;
+        const Scalar e219 = e14 * e8;
+        const Scalar e220 = p_.T_0 * e4;
+        const Scalar e221 = (Scalar(1) / Scalar(2)) * p_.width * e16;
+        const Scalar e222 = (Scalar(1) / Scalar(2)) * p_.width * e34;
+        const Scalar e223 = (step_25 * ((Scalar(1) / Scalar(2)) * p_.width * e17) + e221 * e52) * e159;
+        const Scalar e224 = step_25 * ((Scalar(1) / Scalar(2)) * p_.width * e91) + (Scalar(1) / Scalar(2)) * p_.width * e90
             * e52;
-        const Scalar e221 = e220 * e159;
-        const Scalar e222 = step_83 * e179;
-        const Scalar e223 = (Scalar(1) / Scalar(2)) * p_.width * e99 * e61 + (Scalar(1) / Scalar(2)) * p_.width * e98 * e47;
-        const Scalar e224 = e223 * e222;
-        const Scalar e225 = p_.width * e134;
-        const Scalar e226 = e159 * e170;
+        const Scalar e225 = e224 * e159;
+        const Scalar e226 = step_82 * e181;
+        const Scalar e227 = (Scalar(1) / Scalar(2)) * p_.width * e98 * e61 + (Scalar(1) / Scalar(2)) * p_.width * e97 * e47;
+        const Scalar e228 = e227 * e226;
+        const Scalar e229 = e159 * e171;
         J[0] = T * e6 - inverse_1 * e17 * e32 - inverse_1 * e34 * e49 - e65 - e57 * e68 - inverse_1 * e16 * e70;
-        J[1] = e6 * e72 - e4 * e73 * e75 - e4 * e76 * e78 - e15 * e4 * e79 - e71 * e65 - e3 * e4 * e80 - e57 * e81;
-        J[2] = T * e90 - e86 * e93 + e84 * e101 + Scalar(2) * inverse_7 * e105 * e32 + Scalar(2) * inverse_33 * e105 * e49
-            - e111 + e107 * e68 + Scalar(2) * e105 * e70 + e113 * e116 + e112 * e119 + e120 * e122 + e123 * e125 + e126 * e128;
-        J[3] = Scalar(2) * e129 * e73 * e75 - e130 * e93 + Scalar(2) * e129 * e76 * e78 + e72 * e90 + e131 * e101 + e123 * e132
-            + e120 * e133 + Scalar(2) * e15 * e129 * e79 - e71 * e111 + e106 * e80 + e107 * e81 + inverse_7 * e135 * e136
-            - e126 * e137 + e135 * e138 - e112 * e140 + inverse_33 * e135 * e142 - e113 * e144;
-        J[4] = e145 * e32 - T * e148 + e149 * e49 - e151 + e84 * e152 + e154 * e116 + e153 * e119 + e155 * e128;
-        J[5] = e145 * e75 + e149 * e78 - e72 * e148 - e71 * e151 + inverse_7 * e156 * e136 - e155 * e137 + e156 * e138 + e131
-            * e152 - e153 * e140 + inverse_33 * e156 * e142 - e154 * e144;
-        J[6] = e157 * e161 - e165 * (c_.k1 * e118 + c_.k3 * e127) + e160 * e166 * e167 - e169;
-        J[7] = e160 * e170 * (c_.k30 * step_25 + c_.k28 * e52) - e74 * (c_.k10 * e165 - c_.k3 * e168) - e139
-            * (c_.k8 * e165 - c_.k1 * e168) + e160 * e130 * e157 - e72 * e166 * e161 - e71 * e169;
-        J[8] = e171 * e125 - e172 - (Scalar(1) / Scalar(2)) * e173 * e175 * e32 - e176 * e124;
-        J[9] = e171 * e132 - e176 * e30 * e130 - (Scalar(1) / Scalar(2)) * e173 * e177 * e75 - e71 * e172;
-        J[10] = e180 * (c_.k17 * e181 + c_.k18 * e182) - e114 * e183 * e188 - e84 * e189 + e191;
-        J[11] = e180 * (c_.k29 * e77 + c_.k28 * e192) - e190 * (c_.k18 * e77 + c_.k17 * e192) - e188
-            * (c_.k8 * e72 * e60 + c_.k9 * e141) + e183 * e187 * e143 - e131 * e189 + e71 * e191;
-        J[12] = e193 - (Scalar(1) / Scalar(2)) * e194 * e175 * e49 - e195 * e121 + e196 * e122;
-        J[13] = e196 * e133 - e195 * e47 * e131 - (Scalar(1) / Scalar(2)) * e194 * e177 * e78 + e71 * e193;
-        J[14] = e198 * e199 + e86 * e201 + e84 * e203 + e204 * e205 + e206 * e207;
-        J[15] = e130 * e201 + e131 * e203 + inverse_7 * e208 * e75 + inverse_33 * e208 * e78 - e204 * e132 - e206 * e133 + e208
-            * e79 - e198 * e209;
-        J[16] = e210 * e199 + e86 * e211 + e84 * e212 + e213 * e205 + e214 * e207;
-        J[17] = e130 * e211 + e131 * e212 + inverse_7 * e215 * e75 + inverse_33 * e215 * e78 - e213 * e132 - e214 * e133 + e215
-            * e79 - e210 * e209;
-        J[18] = e216 - T * e4;
-        J[19] = e216 * e71 - e4 * e72;
-        J[20] = -e179 * (e217 * e181 + e218 * e182) - e167 * e219 - e86 * e221 - e224;
-        const Scalar e227 = e77 * ((Scalar(1) / Scalar(2)) * inverse_33 * e225 * e179 - e218 * e222);
-        J[21] = e217 * e192 * e222 - (Scalar(1) / Scalar(2)) * e225 * (e179 * e192 + e52 * e226) - e227 + e72 * e86 * e219
-            - e130 * e221 - step_25 * ((Scalar(1) / Scalar(2)) * inverse_7 * e225) * e226 - e71 * e224;
+        J[1] = e6 * e72 - inverse_7 * e73 * e75 - inverse_33 * e73 * e77 - e73 * e78 - e71 * e65 - e3 * e4 * e79 - e57 * e80;
+        J[2] = T * e89 - e85 * e92 + e83 * e100 + Scalar(2) * inverse_7 * e104 * e32 + Scalar(2) * inverse_33 * e104 * e49
+            - e110 + e106 * e68 + Scalar(2) * e104 * e70 + e112 * e115 + e111 * e118 + e119 * e121 + e122 * e124 + e125 * e127;
+        J[3] = Scalar(2) * inverse_7 * e129 * e75 - e130 * e92 + Scalar(2) * inverse_33 * e129 * e77 + e72 * e89 + e131 * e100
+            + e122 * e132 + e119 * e133 + Scalar(2) * e129 * e78 - e71 * e110 + e105 * e79 + e106 * e80 + e96 * e134 * e135
+            - e125 * e136 + e128 * e96 * e137 - e111 * e139 + e96 * e140 * e142 - e112 * e144;
+        J[4] = e146 * e32 - T * e149 + e150 * e49 - e152 + e83 * e153 + e155 * e115 + e154 * e118 + e156 * e127;
+        J[5] = e146 * e75 + e150 * e77 - e72 * e149 - e71 * e152 + e95_squared * e134 * e135 - e156 * e136 + e128 * e95_squared
+            * e137 + e131 * e153 - e154 * e139 + e95_squared * e140 * e142 - e155 * e144;
+        J[6] = e157 * e161 - e165 * (c_.k11 * e117 + c_.k19 * e126) + e160 * e167 * e168 - e170;
+        const Scalar e230 = e160 * e171 * (step_25 * ((Scalar(1) / Scalar(2)) * e134) + e172 * e52);
+        J[7] = e230 - e74 * (e134 * e165 - c_.k19 * e169) - e138 * (e128 * e165 - c_.k11 * e169) + e160 * e130 * e157 - e72
+            * e167 * e161 - e71 * e170;
+        J[8] = e173 * e124 - e174 - (Scalar(1) / Scalar(2)) * e175 * e177 * e32 - e178 * e123;
+        J[9] = e173 * e132 - e178 * e30 * e130 - (Scalar(1) / Scalar(2)) * e175 * e179 * e75 - e71 * e174;
+        J[10] = e182 * (e166 * e183 + e184 * e185) - e113 * e186 * e191 - e83 * e192 + e195;
+        J[11] = e182 * ((Scalar(1) / Scalar(2)) * e140 * e76 + e172 * e196) - e193 * (e184 * e76 + e166 * e196) - e191
+            * (e128 * e72 * e60 + e140 * e141) + e186 * e190 * e143 - e131 * e192 + e71 * e195;
+        J[12] = e197 - (Scalar(1) / Scalar(2)) * e198 * e177 * e49 - e199 * e120 + e200 * e121;
+        J[13] = e200 * e133 - e199 * e47 * e131 - (Scalar(1) / Scalar(2)) * e198 * e179 * e77 + e71 * e197;
+        J[14] = e202 * e203 + e85 * e205 + e83 * e207 + e208 * e209 + e210 * e211;
+        J[15] = e130 * e205 + e131 * e207 + inverse_7 * e212 * e75 + inverse_33 * e212 * e77 - e208 * e132 - e210 * e133 + e212
+            * e78 - e202 * e213;
+        J[16] = e214 * e203 + e85 * e215 + e83 * e216 + e217 * e209 + e218 * e211;
+        J[17] = e130 * e215 + e131 * e216 + inverse_7 * e219 * e75 + inverse_33 * e219 * e77 - e217 * e132 - e218 * e133 + e219
+            * e78 - e214 * e213;
+        J[18] = e220 - T * e4;
+        J[19] = e220 * e71 - e4 * e72;
+        J[20] = -e181 * (e221 * e183 + e222 * e185) - e168 * e223 - e85 * e225 - e228;
+        J[21] = e221 * e196 * e226 - (Scalar(1) / Scalar(2)) * p_.width * e128 * (e181 * e196 + e52 * e229) - e76
+            * ((Scalar(1) / Scalar(2)) * p_.width * e140 * e181 - e222 * e226) + e72 * e85 * e223 - e130 * e225 - step_25
+            * ((Scalar(1) / Scalar(2)) * p_.width * e134) * e229 - e71 * e228;
     }
 
     /// J = df/dt at fixed x and u.
@@ -998,30 +962,30 @@ public:
         const Scalar sqrt_T = sqrt(T);
         const Scalar e1 = p_.p_S - p_value;
         const Scalar step_2 = detail::step<Scalar>(-e1);
-        const Scalar power_3 = pow(c_.k16 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar power_3 = pow(c_.k5 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_4 = sqrt(max_p_S);
         const Scalar abs_5 = abs(e1);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k15);
+        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k27);
         const Scalar u_f = u[0];
         const Scalar e7 = power_3 * sqrt_4 * (outflow_factor_6 * (u_f * e1));
         const Scalar e8 = p_.p_0 - p_value;
         const Scalar step_9 = detail::step<Scalar>(-e8);
-        const Scalar power_10 = pow(c_.k16 + e8 * e8, -Scalar(1) / Scalar(4));
+        const Scalar power_10 = pow(c_.k5 + e8 * e8, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_11 = sqrt(max_p_0);
         const Scalar abs_12 = abs(e8);
-        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_0, c_.k15);
+        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_0, c_.k27);
         const Scalar u_e = u[1];
         const Scalar e14 = power_10 * sqrt_11 * (outflow_factor_13 * (u_e * e8));
         const Scalar mdot = u[2];
         const Scalar step_15 = detail::step<Scalar>(e1);
         const Scalar step_16 = detail::step<Scalar>(e8);
         y[0] = T;
-        y[1] = c_.k43 * p_value / T;
-        y[2] = c_.k12 / sqrt_T * (step_2 * e7 + step_9 * e14) + mdot + c_.k14 * step_15 * e7 + c_.k13 * step_16 * e14;
-        y[3] = c_.k44 - p_.k_W * T;
-        y[4] = c_.k45 * p_value;
+        y[1] = c_.k29 * p_value / T;
+        y[2] = c_.k3 / sqrt_T * (step_2 * e7 + step_9 * e14) + mdot + c_.k28 * step_15 * e7 + c_.k26 * step_16 * e14;
+        y[3] = c_.k30 - p_.k_W * T;
+        y[4] = c_.k31 * p_value;
     }
 
     /// C = dh/dx.
@@ -1032,35 +996,35 @@ public:
         using std::sqrt;
         const Scalar T = x[1];
         const Scalar inverse_1 = Scalar(1) / T;
-        const Scalar e2 = c_.k43 * inverse_1;
+        const Scalar e2 = c_.k29 * inverse_1;
         const Scalar p_value = x[0];
         const Scalar e3 = p_.p_0 - p_value;
         const Scalar step_4 = detail::step<Scalar>(-e3);
-        const Scalar e5 = c_.k16 + e3 * e3;
+        const Scalar e5 = c_.k5 + e3 * e3;
         const Scalar power_6 = pow(e5, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_7 = sqrt(max_p_0);
         const Scalar step_8 = detail::step<Scalar>(e3);
         const Scalar sqrt_T = sqrt(T);
         const Scalar inverse_9 = Scalar(1) / sqrt_T;
-        const Scalar e10 = c_.k46 * inverse_9;
+        const Scalar e10 = c_.k32 * inverse_9;
         const Scalar e11 = step_4 * e10;
         const Scalar abs_12 = abs(e3);
         const Scalar inverse_13 = Scalar(1) / max_p_0;
         const Scalar e14 = abs_12 * inverse_13;
-        const Scalar outflow_factor_15 = detail::outflow_factor<Scalar>(e14, c_.k15);
+        const Scalar outflow_factor_15 = detail::outflow_factor<Scalar>(e14, c_.k27);
         const Scalar u_e = u[1];
         const Scalar e16 = u_e * e3;
         const Scalar e17 = outflow_factor_15 * e16;
-        const Scalar e18 = (c_.k48 * step_8 + e11) * e17;
-        const Scalar outflow_factor_slope_19 = detail::outflow_factor_slope<Scalar>(e14, c_.k15);
-        const Scalar e20 = c_.k12 * inverse_9;
+        const Scalar e18 = (c_.k34 * step_8 + e11) * e17;
+        const Scalar outflow_factor_slope_19 = detail::outflow_factor_slope<Scalar>(e14, c_.k27);
+        const Scalar e20 = c_.k3 * inverse_9;
         const Scalar e21 = power_6 * sqrt_7;
-        const Scalar e22 = (c_.k13 * step_8 + step_4 * e20) * e21;
+        const Scalar e22 = (c_.k26 * step_8 + step_4 * e20) * e21;
         const Scalar e23 = outflow_factor_slope_19 * inverse_13 * (e16 * e22);
         const Scalar e24 = p_.p_S - p_value;
         const Scalar step_25 = detail::step<Scalar>(-e24);
-        const Scalar e26 = c_.k16 + e24 * e24;
+        const Scalar e26 = c_.k5 + e24 * e24;
         const Scalar power_27 = pow(e26, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_28 = sqrt(max_p_S);
@@ -1069,14 +1033,14 @@ public:
         const Scalar abs_31 = abs(e24);
         const Scalar inverse_32 = Scalar(1) / max_p_S;
         const Scalar e33 = abs_31 * inverse_32;
-        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e33, c_.k15);
+        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e33, c_.k27);
         const Scalar u_f = u[0];
         const Scalar e35 = u_f * e24;
         const Scalar e36 = outflow_factor_34 * e35;
-        const Scalar e37 = (c_.k47 * step_29 + e30) * e36;
-        const Scalar outflow_factor_slope_38 = detail::outflow_factor_slope<Scalar>(e33, c_.k15);
+        const Scalar e37 = (c_.k33 * step_29 + e30) * e36;
+        const Scalar outflow_factor_slope_38 = detail::outflow_factor_slope<Scalar>(e33, c_.k27);
         const Scalar e39 = power_27 * sqrt_28;
-        const Scalar e40 = (c_.k14 * step_29 + step_25 * e20) * e39;
+        const Scalar e40 = (c_.k28 * step_29 + step_25 * e20) * e39;
         const Scalar e41 = outflow_factor_slope_38 * inverse_32 * (e35 * e40);
         const Scalar power_42 = pow(e26, -Scalar(5) / Scalar(4));
         const Scalar power_43 = pow(e5, -Scalar(5) / Scalar(4));
@@ -1088,7 +1052,7 @@ public:
             * outflow_factor_34 * e40 - u_e * outflow_factor_15 * e22 + e24 * power_42 * sqrt_28 * e37 + e3 * power_43 * sqrt_7
             * e18 - sign_44 * e41 - sign_45 * e23;
         C[3] = Scalar(0);
-        C[4] = c_.k45;
+        C[4] = c_.k31;
         C[5] = Scalar(1);
         C[6] = -p_value * inverse_1 * e2;
         C[7] = -inverse_9 * inverse_9 * (e21 * e17 * e11 + e39 * e36 * e30);
@@ -1104,32 +1068,32 @@ public:
         using std::sqrt;
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_S - p_value;
-        const Scalar power_2 = pow(c_.k16 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar power_2 = pow(c_.k5 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_3 = sqrt(max_p_S);
         const Scalar abs_4 = abs(e1);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k15);
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k27);
         const Scalar step_6 = detail::step<Scalar>(e1);
         const Scalar step_7 = detail::step<Scalar>(-e1);
         const Scalar T = x[1];
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e8 = c_.k12 / sqrt_T;
+        const Scalar e8 = c_.k3 / sqrt_T;
         const Scalar e9 = p_.p_0 - p_value;
-        const Scalar power_10 = pow(c_.k16 + e9 * e9, -Scalar(1) / Scalar(4));
+        const Scalar power_10 = pow(c_.k5 + e9 * e9, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_11 = sqrt(max_p_0);
         const Scalar abs_12 = abs(e9);
-        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_0, c_.k15);
+        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_0, c_.k27);
         const Scalar step_14 = detail::step<Scalar>(e9);
         const Scalar step_15 = detail::step<Scalar>(-e9);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = e1 * power_2 * (sqrt_3 * outflow_factor_5) * (c_.k14 * step_6 + step_7 * e8);
+        D[2] = e1 * power_2 * (sqrt_3 * outflow_factor_5) * (c_.k28 * step_6 + step_7 * e8);
         D[3] = Scalar(0);
         D[4] = Scalar(0);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
-        D[7] = e9 * power_10 * (sqrt_11 * outflow_factor_13) * (c_.k13 * step_14 + step_15 * e8);
+        D[7] = e9 * power_10 * (sqrt_11 * outflow_factor_13) * (c_.k26 * step_14 + step_15 * e8);
         D[8] = Scalar(0);
         D[9] = Scalar(0);
         D[10] = Scalar(0);
@@ -1193,34 +1157,34 @@ public:
         const Scalar min_2 = detail::min<Scalar>(Scalar(0), mdot);
         const Scalar p_value = x[0];
         const Scalar e3 = p_.p_0 - p_value;
-        const Scalar power_4 = pow(c_.k16 + e3 * e3, -Scalar(1) / Scalar(4));
+        const Scalar power_4 = pow(c_.k5 + e3 * e3, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_5 = sqrt(max_p_0);
         const Scalar abs_6 = abs(e3);
-        const Scalar outflow_factor_7 = detail::outflow_factor<Scalar>(abs_6 / max_p_0, c_.k15);
+        const Scalar outflow_factor_7 = detail::outflow_factor<Scalar>(abs_6 / max_p_0, c_.k27);
         const Scalar u_e = u[1];
         const Scalar step_8 = detail::step<Scalar>(e3);
         const Scalar step_9 = detail::step<Scalar>(-e3);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e10 = c_.k12 / sqrt_T;
-        const Scalar e11 = power_4 * sqrt_5 * (outflow_factor_7 * (u_e * e3)) * (c_.k13 * step_8 + step_9 * e10);
+        const Scalar e10 = c_.k3 / sqrt_T;
+        const Scalar e11 = power_4 * sqrt_5 * (outflow_factor_7 * (u_e * e3)) * (c_.k26 * step_8 + step_9 * e10);
         const Scalar e12 = -e11;
         const Scalar max_13 = detail::max<Scalar>(Scalar(0), e12);
         const Scalar e14 = p_.p_S - p_value;
-        const Scalar power_15 = pow(c_.k16 + e14 * e14, -Scalar(1) / Scalar(4));
+        const Scalar power_15 = pow(c_.k5 + e14 * e14, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_16 = sqrt(max_p_S);
         const Scalar abs_17 = abs(e14);
-        const Scalar outflow_factor_18 = detail::outflow_factor<Scalar>(abs_17 / max_p_S, c_.k15);
+        const Scalar outflow_factor_18 = detail::outflow_factor<Scalar>(abs_17 / max_p_S, c_.k27);
         const Scalar u_f = u[0];
         const Scalar step_19 = detail::step<Scalar>(e14);
         const Scalar step_20 = detail::step<Scalar>(-e14);
-        const Scalar e21 = power_15 * sqrt_16 * (outflow_factor_18 * (u_f * e14)) * (c_.k14 * step_19 + step_20 * e10);
+        const Scalar e21 = power_15 * sqrt_16 * (outflow_factor_18 * (u_f * e14)) * (c_.k28 * step_19 + step_20 * e10);
         const Scalar min_22 = detail::min<Scalar>(Scalar(0), e21);
         const Scalar max_23 = detail::max<Scalar>(Scalar(0), mdot);
         const Scalar max_24 = detail::max<Scalar>(Scalar(0), e21);
         const Scalar min_25 = detail::min<Scalar>(Scalar(0), e12);
-        return T * e1 * (min_2 - max_13 + min_22) + p_.T_in * e1 * (max_23 + max_24) + c_.k44 - p_.k_W * T - min_25
+        return T * e1 * (min_2 - max_13 + min_22) + p_.T_in * e1 * (max_23 + max_24) + c_.k30 - p_.k_W * T - min_25
             * (p_.T_0 * e1);
     }
 
@@ -1248,55 +1212,41 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar c_v;  ///< -R_s/(1 - kappa)
-        Scalar k0;  ///< R_s*T_0*k_W/(V*c_v)
-        Scalar k1;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k2;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
-        Scalar k3;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
-        Scalar k4;  ///< R_s*(1 + R_s/c_v)/V
-        Scalar k5;  ///< R_s*k_W/(V*c_v)
-        Scalar k6;  ///< R_s*T_in*(1 + R_s/c_v)/V
-        Scalar k7;  ///< R_s*T_0*(1 + R_s/c_v)/V
-        Scalar k8;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
-        Scalar k9;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
-        Scalar k10;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
-        Scalar k11;  ///< R_s^2/(V*c_v)
-        Scalar k12;  ///< A_d*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k13;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k14;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
-        Scalar k15;  ///< 1 + R_s/c_v
-        Scalar k16;  ///< width^2
-        Scalar k17;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(2*V)
-        Scalar k18;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(2*V*sqrt(T_in))
-        Scalar k19;  ///< T_in*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k20;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_in)*(1 + R_s/c_v)/V
-        Scalar k21;  ///< T_in*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(2*V)
-        Scalar k22;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_in)*(1 + R_s/c_v)/(2*V)
-        Scalar k23;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(2*V*sqrt(T_0))
-        Scalar k24;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k25;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)/V
-        Scalar k26;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(2*V)
-        Scalar k27;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)/(2*V)
-        Scalar k28;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(2*V*c_v)
-        Scalar k29;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(2*V*c_v*sqrt(T_in))
-        Scalar k30;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(2*V*c_v*sqrt(T_0))
-        Scalar k31;  ///< 2*A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
-        Scalar k32;  ///< 2*A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
-        Scalar k33;  ///< 2*A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
-        Scalar k34;  ///< 2*R_s^2/(V*c_v)
-        Scalar k35;  ///< 2*R_s*k_W/(V*c_v)
-        Scalar k36;  ///< 2*R_s*(1 + R_s/c_v)/V
-        Scalar k37;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k38;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
-        Scalar k39;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
-        Scalar k40;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
-        Scalar k41;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
-        Scalar k42;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
-        Scalar k43;  ///< V/R_s
-        Scalar k44;  ///< T_0*k_W
-        Scalar k45;  ///< 1/p_S
-        Scalar k46;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s))
-        Scalar k47;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
-        Scalar k48;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k0;  ///< R_s/V
+        Scalar k1;  ///< 1 + R_s/c_v
+        Scalar k2;  ///< k_W/c_v
+        Scalar k3;  ///< A_d*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k4;  ///< 1/sqrt(T_0)
+        Scalar k5;  ///< width^2
+        Scalar k6;  ///< 1/sqrt(T_in)
+        Scalar k7;  ///< R_s/c_v
+        Scalar k8;  ///< R_s*(1 + R_s/c_v)/V
+        Scalar k9;  ///< 2*R_s/c_v
+        Scalar k10;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k11;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k12;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
+        Scalar k13;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
+        Scalar k14;  ///< T_in*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k15;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_in)*(1 + R_s/c_v)/V
+        Scalar k16;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
+        Scalar k17;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
+        Scalar k18;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
+        Scalar k19;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
+        Scalar k20;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k21;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)/V
+        Scalar k22;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
+        Scalar k23;  ///< R_s*(1 + R_s/c_v)/V
+        Scalar k24;  ///< R_s*T_in*(1 + R_s/c_v)/V
+        Scalar k25;  ///< R_s^2/(V*c_v)
+        Scalar k26;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k27;  ///< 1 + R_s/c_v
+        Scalar k28;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
+        Scalar k29;  ///< V/R_s
+        Scalar k30;  ///< T_0*k_W
+        Scalar k31;  ///< 1/p_S
+        Scalar k32;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s))
+        Scalar k33;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
+        Scalar k34;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
     };
     Cached c_{};
 };

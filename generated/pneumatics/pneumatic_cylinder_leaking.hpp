@@ -20,11 +20,11 @@
 //     this code = the derivation: 22 of 22 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                39     84    10        0      3
+//   update                35     71    10        0      3
 //   rhs                   30     64    10        0     33
-//   rhs_and_jacobian      80    190    10        0     47
+//   rhs_and_jacobian      63    171    10        0     47
 //   jacobian_u            17     43     8        0     30
-//   jacobian_p           117    298    17        0     56
+//   jacobian_p           117    308    17        0     56
 //   bias                   3      5     0        0      1
 //   generalised_force      1      0     0        0      0
 //   output                33     60     8        0     35
@@ -193,23 +193,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// sign(x) sqrt(|x|); its derivative is inverse_root(x)/2. Needs select.
@@ -369,111 +374,95 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 39 + or -, 84 *, 10 /, 3 other functions
+    /// Operations: 35 + or -, 71 *, 10 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
         c_.c_v = -p_.R_s / (Scalar(1) - p_.kappa);
         c_.k0 = Scalar(1) / p_.m_K;
         c_.k1 = p_.p_0 * (p_.A_1 - p_.A_2);
-        const Scalar e1 = p_.n * p_.A_1;
-        c_.k2 = e1;
+        c_.k2 = p_.n * p_.A_1;
         c_.k3 = p_.n * p_.k_L;
-        const Scalar sqrt_2 = sqrt(Scalar(2));
+        const Scalar sqrt_1 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar e3 = p_.A_v * p_.alpha_d * (sqrt_2 / sqrt_R_s);
-        const Scalar e4 = p_.T_0 * e3;
-        const Scalar e5 = p_.R_s * e4;
-        const Scalar e6 = p_.n * e5;
-        c_.k4 = e6;
+        const Scalar e2 = p_.A_v * p_.alpha_d * (sqrt_1 / sqrt_R_s);
+        const Scalar e3 = p_.T_0 * e2;
+        const Scalar e4 = p_.R_s * p_.n;
+        c_.k4 = e3 * e4;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_7 = Scalar(1) / sqrt_T_0;
-        const Scalar e8 = inverse_7 * e6;
-        c_.k5 = e8;
-        const Scalar e9 = p_.n * p_.A_2;
-        c_.k6 = e9;
+        const Scalar inverse_5 = Scalar(1) / sqrt_T_0;
+        const Scalar e6 = inverse_5 * e3;
+        c_.k5 = e6 * e4;
+        c_.k6 = p_.n * p_.A_2;
         c_.k7 = Scalar(1) + p_.R_s / c_.c_v;
         c_.k8 = p_.A_2 * p_.l + p_.V_d;
-        const Scalar inverse_10 = Scalar(1) / p_.p_r;
-        c_.k9 = inverse_10;
-        const Scalar inverse_11 = Scalar(1) / p_.n;
-        const Scalar e12 = Scalar(1) - inverse_11;
-        c_.k10 = e12;
-        const Scalar inverse_13 = Scalar(1) / p_.v_C;
-        c_.k11 = inverse_13;
-        const Scalar e14 = p_.f_C * inverse_13;
-        c_.k12 = p_.d + e14;
-        c_.k13 = e14;
-        c_.k14 = p_.A_1 * e1;
-        c_.k15 = p_.k_L * e1;
-        c_.k16 = p_.A_1 * e6;
-        c_.k17 = p_.A_1 * e8;
-        c_.k18 = p_.A_2 * e9;
-        c_.k19 = p_.k_L * e9;
-        c_.k20 = p_.A_2 * e6;
-        c_.k21 = p_.A_2 * e8;
-        const Scalar e15 = Scalar(1) - p_.n;
-        const Scalar e16 = inverse_10 * e15;
-        c_.k22 = -p_.k_L * e16;
-        c_.k23 = (Scalar(1) / Scalar(2)) * e6;
-        c_.k24 = (Scalar(1) / Scalar(2)) * e8;
-        const Scalar e17 = e5 * e16;
-        c_.k25 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e17;
-        c_.k26 = -e17;
-        c_.k27 = -inverse_7 * e17;
-        c_.k28 = inverse_11;
-        const Scalar inverse_18 = Scalar(1) / p_.R_s;
-        const Scalar e19 = p_.k_L * inverse_18;
-        const Scalar e20 = e19 / p_.T_0;
-        c_.k29 = e20;
-        c_.k30 = e3;
-        const Scalar e21 = inverse_7 * e3;
-        c_.k31 = e21;
-        const Scalar e22 = p_.A_1 * inverse_18;
-        const Scalar e23 = c_.c_v * e15;
-        c_.k32 = -p_.A_1 - e22 * e23;
-        c_.k33 = -p_.k_L - e19 * e23;
-        const Scalar e24 = p_.R_s + c_.c_v;
-        const Scalar e25 = e4 * (p_.n * c_.c_v - e24);
-        c_.k34 = -e25;
-        const Scalar e26 = inverse_7 * e25;
-        c_.k35 = -e26;
-        c_.k36 = p_.T_0 * e24;
-        const Scalar e27 = inverse_10 * e12;
-        const Scalar e28 = p_.T_0 * e27;
-        c_.k37 = -e28;
-        c_.k38 = -e27 * e20;
-        c_.k39 = (Scalar(1) / Scalar(2)) * e3;
-        c_.k40 = (Scalar(1) / Scalar(2)) * e21;
-        c_.k41 = -(Scalar(1) / Scalar(2)) * e4 * e27;
-        const Scalar e29 = c_.c_v * inverse_10;
-        const Scalar e30 = e15 * (e15 * inverse_11);
-        const Scalar e31 = p_.n + inverse_11;
-        const Scalar e32 = Scalar(1) + (Scalar(1) / Scalar(2)) * (e30 - e31);
-        c_.k42 = -Scalar(2) * e29 * e32 * e22;
-        const Scalar e33 = e29 * e19;
-        const Scalar e34 = p_.k_L * e27;
-        c_.k43 = -e12 * e33 - e34;
-        c_.k44 = -Scalar(2) * e33 * e32;
-        c_.k45 = p_.k_L + c_.c_v * e19;
-        c_.k46 = e33 * e30 - e34;
-        const Scalar e35 = e24 * e4;
-        c_.k47 = e35;
-        const Scalar e36 = inverse_7 * e35;
-        c_.k48 = e36;
-        c_.k49 = -(Scalar(1) / Scalar(2)) * e25;
-        c_.k50 = (Scalar(1) / Scalar(2)) * e35;
-        c_.k51 = -(Scalar(1) / Scalar(2)) * e26;
-        c_.k52 = (Scalar(1) / Scalar(2)) * e36;
-        const Scalar e37 = e4 * e29;
-        const Scalar e38 = p_.T_0 * inverse_10 * ((Scalar(1) / Scalar(2)) * (e5 - inverse_11 * e35));
-        c_.k53 = p_.T_0 * e37 * ((Scalar(1) / Scalar(2)) * p_.n - Scalar(1)) - e38;
-        c_.k54 = -(Scalar(1) / Scalar(2)) * e35 * e28;
-        const Scalar e39 = e37 * e30 - e5 * e27;
-        c_.k55 = e39;
-        c_.k56 = inverse_7 * e39;
-        c_.k57 = -e24 * e28;
-        c_.k58 = -e33 * (Scalar(2) - e31) - e34;
+        const Scalar inverse_7 = Scalar(1) / p_.p_r;
+        c_.k9 = inverse_7;
+        const Scalar inverse_8 = Scalar(1) / p_.n;
+        const Scalar e9 = Scalar(1) - inverse_8;
+        c_.k10 = e9;
+        const Scalar inverse_10 = Scalar(1) / p_.v_C;
+        c_.k11 = inverse_10;
+        c_.k12 = inverse_5;
+        c_.k13 = p_.R_s * e3;
+        c_.k14 = p_.d + p_.f_C * inverse_10;
+        const Scalar e11 = Scalar(1) - p_.n;
+        c_.k15 = e11 * inverse_7;
+        c_.k16 = inverse_8;
+        const Scalar inverse_12 = Scalar(1) / p_.R_s;
+        const Scalar e13 = inverse_12 / p_.T_0;
+        c_.k17 = p_.k_L * e13;
+        c_.k18 = e2;
+        const Scalar e14 = inverse_5 * e2;
+        c_.k19 = e14;
+        const Scalar e15 = c_.c_v * inverse_12;
+        const Scalar e16 = p_.A_1 * e15;
+        c_.k20 = -p_.A_1 - e11 * e16;
+        const Scalar e17 = p_.k_L * e15;
+        c_.k21 = -p_.k_L - e17 * e11;
+        const Scalar e18 = p_.R_s + c_.c_v;
+        const Scalar e19 = p_.n * c_.c_v - e18;
+        const Scalar e20 = e19 * e3;
+        c_.k22 = -e20;
+        const Scalar e21 = e19 * e6;
+        c_.k23 = -e21;
+        const Scalar e22 = p_.T_0 * e18;
+        c_.k24 = e22;
+        const Scalar e23 = inverse_7 * e9;
+        c_.k25 = -p_.T_0 * e23;
+        const Scalar e24 = p_.k_L * e23;
+        c_.k26 = -e24 * e13;
+        c_.k27 = (Scalar(1) / Scalar(2)) * e2;
+        c_.k28 = (Scalar(1) / Scalar(2)) * e14;
+        const Scalar e25 = e3 * e23;
+        c_.k29 = -(Scalar(1) / Scalar(2)) * e25;
+        const Scalar e26 = e11 * (e11 * inverse_8);
+        const Scalar e27 = Scalar(1) - (Scalar(1) / Scalar(2)) * p_.n;
+        const Scalar e28 = inverse_8 - Scalar(2) * e27;
+        const Scalar e29 = e26 - e28;
+        c_.k30 = -inverse_7 * e29 * e16;
+        c_.k31 = -e23 * e17 - e24;
+        const Scalar e30 = inverse_7 * e17;
+        c_.k32 = -e29 * e30;
+        c_.k33 = p_.k_L + e17;
+        c_.k34 = e30 * e26 - e24;
+        const Scalar e31 = e18 * e3;
+        c_.k35 = e31;
+        const Scalar e32 = e18 * e6;
+        c_.k36 = e32;
+        c_.k37 = -(Scalar(1) / Scalar(2)) * e20;
+        c_.k38 = (Scalar(1) / Scalar(2)) * e31;
+        c_.k39 = -(Scalar(1) / Scalar(2)) * e21;
+        c_.k40 = (Scalar(1) / Scalar(2)) * e32;
+        const Scalar e33 = inverse_7 * e3;
+        c_.k41 = (Scalar(1) / Scalar(2)) * inverse_8 * e22 * e33 - p_.T_0 * e33
+            * ((Scalar(1) / Scalar(2)) * p_.R_s + c_.c_v * e27);
+        c_.k42 = -(Scalar(1) / Scalar(2)) * e22 * e25;
+        const Scalar e34 = p_.R_s * e9 - c_.c_v * e26;
+        c_.k43 = -e34 * e33;
+        c_.k44 = -inverse_7 * e34 * e6;
+        c_.k45 = -e23 * e22;
+        c_.k46 = e28 * e30 - e24;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -595,169 +584,173 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 80 + or -, 190 *, 10 /, 47 other functions
+    /// Operations: 63 + or -, 171 *, 10 /, 47 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
         using std::tanh;
-        const Scalar p_1 = x[2];
+        const Scalar p_2 = x[3];
+        const Scalar e1 = p_.p_0 - p_2;
         const Scalar f_L = u[1];
         const Scalar s_dot = x[1];
-        const Scalar p_2 = x[3];
-        const Scalar tanh_1 = tanh(c_.k11 * s_dot);
-        const Scalar e2 = p_.A_1 * p_1 - c_.k1 - f_L - p_.d * s_dot - p_.A_2 * p_2 - p_.f_C * tanh_1;
-        const Scalar s_ddot = e2 * c_.k0;
-        const Scalar e3 = p_.p_0 - p_1;
-        const Scalar step_4 = detail::step<Scalar>(-e3);
-        const Scalar abs_5 = abs(e3);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar inverse_6 = Scalar(1) / max_p_0;
-        const Scalar e7 = abs_5 * inverse_6;
-        const Scalar outflow_factor_8 = detail::outflow_factor<Scalar>(e7, c_.k7);
-        const Scalar u_value = u[0];
-        const Scalar max_9 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e10 = max_p_0 * e3;
-        const Scalar signed_root_11 = detail::signed_root<Scalar>(e10);
-        const Scalar e12 = max_9 * signed_root_11;
-        const Scalar e13 = outflow_factor_8 * e12;
-        const Scalar e14 = p_.p_S - p_1;
-        const Scalar step_15 = detail::step<Scalar>(-e14);
-        const Scalar abs_16 = abs(e14);
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar inverse_17 = Scalar(1) / max_p_S;
-        const Scalar e18 = abs_16 * inverse_17;
-        const Scalar outflow_factor_19 = detail::outflow_factor<Scalar>(e18, c_.k7);
-        const Scalar max_20 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e21 = max_p_S * e14;
-        const Scalar signed_root_22 = detail::signed_root<Scalar>(e21);
-        const Scalar e23 = max_20 * signed_root_22;
-        const Scalar e24 = outflow_factor_19 * e23;
-        const Scalar e25 = step_4 * e13 + step_15 * e24;
-        const Scalar e26 = c_.k9 * p_1;
-        const Scalar power_27 = pow(e26, c_.k10);
-        const Scalar sqrt_28 = sqrt(p_.T_0 * power_27);
-        const Scalar inverse_29 = Scalar(1) / sqrt_28;
+        const Scalar p_1 = x[2];
+        const Scalar e2 = p_.p_0 - p_1;
+        const Scalar tanh_3 = tanh(s_dot * c_.k11);
+        const Scalar e4 = p_.f_C * tanh_3;
+        const Scalar s_ddot = (p_.A_2 * e1 - f_L - p_.d * s_dot - p_.A_1 * e2 - e4) * c_.k0;
+        const Scalar e5 = p_.k_L * (p_1 - p_2);
+        const Scalar step_6 = detail::step<Scalar>(e5);
+        const Scalar e7 = p_.A_1 * s_dot + step_6 * e5;
         const Scalar s = x[0];
-        const Scalar inverse_30 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e31 = power_27 * inverse_30;
-        const Scalar e32 = inverse_29 * e31;
-        const Scalar e33 = e25 * e32;
-        const Scalar e34 = p_1 - p_2;
-        const Scalar e35 = p_.k_L * e34;
+        const Scalar inverse_8 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e9 = p_.n * inverse_8;
+        const Scalar e10 = p_1 * e9;
+        const Scalar step_11 = detail::step<Scalar>(e2);
+        const Scalar step_12 = detail::step<Scalar>(-e2);
+        const Scalar e13 = p_1 * c_.k9;
+        const Scalar power_14 = pow(e13, c_.k10);
+        const Scalar e15 = p_.T_0 * power_14;
+        const Scalar sqrt_16 = sqrt(e15);
+        const Scalar inverse_17 = Scalar(1) / sqrt_16;
+        const Scalar e18 = step_12 * inverse_17;
+        const Scalar u_value = u[0];
+        const Scalar max_19 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar e20 = max_19 * c_.k13;
+        const Scalar e21 = (step_11 * c_.k12 + e18) * e20;
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
+        const Scalar e22 = max_p_0 * e2;
+        const Scalar signed_root_23 = detail::signed_root<Scalar>(e22);
+        const Scalar abs_24 = abs(e2);
+        const Scalar inverse_25 = Scalar(1) / max_p_0;
+        const Scalar e26 = abs_24 * inverse_25;
+        const Scalar outflow_factor_27 = detail::outflow_factor<Scalar>(e26, c_.k7);
+        const Scalar e28 = signed_root_23 * outflow_factor_27;
+        const Scalar step_29 = detail::step<Scalar>(-e5);
+        const Scalar e30 = p_2 * step_29;
+        const Scalar e31 = p_2 * c_.k9;
+        const Scalar power_32 = pow(e31, c_.k10);
+        const Scalar inverse_33 = Scalar(1) / power_32;
+        const Scalar e34 = inverse_33 * e5;
+        const Scalar e35 = p_.p_S - p_1;
         const Scalar step_36 = detail::step<Scalar>(e35);
-        const Scalar e37 = p_1 * inverse_30;
-        const Scalar step_38 = detail::step<Scalar>(-e35);
-        const Scalar e39 = p_2 * step_38;
-        const Scalar e40 = c_.k9 * p_2;
-        const Scalar power_41 = pow(e40, c_.k10);
-        const Scalar inverse_42 = Scalar(1) / power_41;
-        const Scalar e43 = inverse_42 * e31;
-        const Scalar e44 = step_36 * e37 + e39 * e43;
-        const Scalar e45 = c_.k3 * e34;
-        const Scalar step_46 = detail::step<Scalar>(e3);
-        const Scalar step_47 = detail::step<Scalar>(e14);
-        const Scalar e48 = step_46 * e13 + step_47 * e24;
-        const Scalar e49 = e31 * e48;
-        const Scalar e50 = c_.k2 * e37;
-        const Scalar inverse_51 = Scalar(1) / (c_.k8 - p_.A_2 * s);
-        const Scalar e52 = power_41 * inverse_51;
-        const Scalar inverse_53 = Scalar(1) / power_27;
-        const Scalar e54 = step_36 * inverse_53;
-        const Scalar e55 = p_1 * e54;
-        const Scalar e56 = e52 * e55;
-        const Scalar e57 = inverse_51 * e39 + e56;
-        const Scalar e58 = p_.p_S - p_2;
-        const Scalar step_59 = detail::step<Scalar>(-e58);
-        const Scalar abs_60 = abs(e58);
+        const Scalar step_37 = detail::step<Scalar>(-e35);
+        const Scalar e38 = step_37 * inverse_17;
+        const Scalar max_39 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar e40 = max_39 * c_.k13;
+        const Scalar e41 = (step_36 * c_.k12 + e38) * e40;
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
+        const Scalar e42 = max_p_S * e35;
+        const Scalar signed_root_43 = detail::signed_root<Scalar>(e42);
+        const Scalar abs_44 = abs(e35);
+        const Scalar inverse_45 = Scalar(1) / max_p_S;
+        const Scalar e46 = abs_44 * inverse_45;
+        const Scalar outflow_factor_47 = detail::outflow_factor<Scalar>(e46, c_.k7);
+        const Scalar e48 = signed_root_43 * outflow_factor_47;
+        const Scalar e49 = e21 * e28 - e30 * e34 + e41 * e48;
+        const Scalar e50 = power_14 * e9;
+        const Scalar e51 = e7 * e10 - e49 * e50;
+        const Scalar e52 = p_.p_S - p_2;
+        const Scalar step_53 = detail::step<Scalar>(e52);
+        const Scalar step_54 = detail::step<Scalar>(-e52);
+        const Scalar e55 = p_.T_0 * power_32;
+        const Scalar sqrt_56 = sqrt(e55);
+        const Scalar inverse_57 = Scalar(1) / sqrt_56;
+        const Scalar e58 = step_54 * inverse_57;
+        const Scalar e59 = (step_53 * c_.k12 + e58) * e20;
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar inverse_61 = Scalar(1) / max_p_S_2;
-        const Scalar e62 = abs_60 * inverse_61;
-        const Scalar outflow_factor_63 = detail::outflow_factor<Scalar>(e62, c_.k7);
-        const Scalar e64 = max_p_S_2 * e58;
-        const Scalar signed_root_65 = detail::signed_root<Scalar>(e64);
-        const Scalar e66 = max_9 * signed_root_65;
-        const Scalar e67 = outflow_factor_63 * e66;
-        const Scalar e68 = p_.p_0 - p_2;
-        const Scalar step_69 = detail::step<Scalar>(-e68);
-        const Scalar abs_70 = abs(e68);
+        const Scalar e60 = max_p_S_2 * e52;
+        const Scalar signed_root_61 = detail::signed_root<Scalar>(e60);
+        const Scalar abs_62 = abs(e52);
+        const Scalar inverse_63 = Scalar(1) / max_p_S_2;
+        const Scalar e64 = abs_62 * inverse_63;
+        const Scalar outflow_factor_65 = detail::outflow_factor<Scalar>(e64, c_.k7);
+        const Scalar e66 = signed_root_61 * outflow_factor_65;
+        const Scalar e67 = p_1 * step_6;
+        const Scalar inverse_68 = Scalar(1) / power_14;
+        const Scalar e69 = inverse_68 * e5;
+        const Scalar step_70 = detail::step<Scalar>(e1);
+        const Scalar step_71 = detail::step<Scalar>(-e1);
+        const Scalar e72 = step_71 * inverse_57;
+        const Scalar e73 = (step_70 * c_.k12 + e72) * e40;
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_71 = Scalar(1) / max_p_0_2;
-        const Scalar e72 = abs_70 * inverse_71;
-        const Scalar outflow_factor_73 = detail::outflow_factor<Scalar>(e72, c_.k7);
-        const Scalar e74 = max_p_0_2 * e68;
+        const Scalar e74 = max_p_0_2 * e1;
         const Scalar signed_root_75 = detail::signed_root<Scalar>(e74);
-        const Scalar e76 = max_20 * signed_root_75;
-        const Scalar e77 = outflow_factor_73 * e76;
-        const Scalar e78 = step_59 * e67 + step_69 * e77;
-        const Scalar sqrt_79 = sqrt(p_.T_0 * power_41);
-        const Scalar inverse_80 = Scalar(1) / sqrt_79;
-        const Scalar e81 = inverse_80 * e52;
-        const Scalar e82 = e78 * e81;
-        const Scalar step_83 = detail::step<Scalar>(e58);
-        const Scalar step_84 = detail::step<Scalar>(e68);
-        const Scalar e85 = step_83 * e67 + step_84 * e77;
-        const Scalar e86 = e52 * e85;
-        const Scalar e87 = p_2 * inverse_51;
-        const Scalar e88 = c_.k6 * e87;
+        const Scalar abs_76 = abs(e1);
+        const Scalar inverse_77 = Scalar(1) / max_p_0_2;
+        const Scalar e78 = abs_76 * inverse_77;
+        const Scalar outflow_factor_79 = detail::outflow_factor<Scalar>(e78, c_.k7);
+        const Scalar e80 = signed_root_75 * outflow_factor_79;
+        const Scalar e81 = e59 * e66 + e67 * e69 + e73 * e80;
+        const Scalar inverse_82 = Scalar(1) / (c_.k8 - p_.A_2 * s);
+        const Scalar e83 = p_.n * inverse_82;
+        const Scalar e84 = power_32 * e83;
+        const Scalar e85 = p_.A_2 * s_dot + step_29 * e5;
+        const Scalar e86 = p_2 * e83;
+        const Scalar e87 = e81 * e84 + e85 * e86;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = c_.k4 * e33 - e44 * e45 + c_.k5 * e49 - s_dot * e50;
-        dxdt[3] = e57 * e45 + c_.k4 * e82 + c_.k5 * e86 + s_dot * e88;
-        const Scalar e89 = s_dot * inverse_30;
-        const Scalar e90 = s_dot * inverse_51;
-        const Scalar e91 = -c_.k28;
-        const Scalar power_92 = pow(e26, e91);
-        const Scalar e93 = c_.k22 * e34;
-        const Scalar e94 = e93 * (inverse_42 * e39);
-        const Scalar inverse_root_95 = detail::inverse_root<Scalar>(e10);
-        const Scalar e96 = max_9 * outflow_factor_8 * (inverse_root_95 * (max_p_0 - step_4 * e3));
-        const Scalar inverse_root_97 = detail::inverse_root<Scalar>(e21);
-        const Scalar e98 = max_20 * outflow_factor_19 * (inverse_root_97 * (max_p_S - step_15 * e14));
-        const Scalar e99 = c_.k4 * inverse_29;
-        const Scalar outflow_factor_slope_100 = detail::outflow_factor_slope<Scalar>(e7, c_.k7);
-        const Scalar sign_101 = detail::sign<Scalar>(e3);
-        const Scalar outflow_factor_slope_102 = detail::outflow_factor_slope<Scalar>(e18, c_.k7);
-        const Scalar sign_103 = detail::sign<Scalar>(e14);
-        const Scalar e104 = c_.k3 * e44;
-        const Scalar e105 = c_.k3 * e57;
-        const Scalar e106 = step_38 * e45;
-        const Scalar power_107 = pow(e40, e91);
-        const Scalar inverse_root_108 = detail::inverse_root<Scalar>(e64);
-        const Scalar e109 = max_9 * outflow_factor_63 * (inverse_root_108 * (max_p_S_2 - step_59 * e58));
-        const Scalar inverse_root_110 = detail::inverse_root<Scalar>(e74);
-        const Scalar e111 = max_20 * outflow_factor_73 * (inverse_root_110 * (max_p_0_2 - step_69 * e68));
-        const Scalar e112 = c_.k4 * inverse_80;
-        const Scalar outflow_factor_slope_113 = detail::outflow_factor_slope<Scalar>(e62, c_.k7);
-        const Scalar sign_114 = detail::sign<Scalar>(e58);
-        const Scalar outflow_factor_slope_115 = detail::outflow_factor_slope<Scalar>(e72, c_.k7);
-        const Scalar sign_116 = detail::sign<Scalar>(e68);
+        dxdt[2] = -e51;
+        dxdt[3] = e87;
+        const Scalar e88 = e50 * e41;
+        const Scalar inverse_root_89 = detail::inverse_root<Scalar>(e42);
+        const Scalar e90 = e88 * (inverse_root_89 * outflow_factor_47);
+        const Scalar outflow_factor_slope_91 = detail::outflow_factor_slope<Scalar>(e46, c_.k7);
+        const Scalar e92 = signed_root_43 * inverse_45 * (outflow_factor_slope_91 * e88);
+        const Scalar e93 = e50 * e21;
+        const Scalar inverse_root_94 = detail::inverse_root<Scalar>(e22);
+        const Scalar e95 = e93 * (inverse_root_94 * outflow_factor_27);
+        const Scalar outflow_factor_slope_96 = detail::outflow_factor_slope<Scalar>(e26, c_.k7);
+        const Scalar e97 = signed_root_23 * inverse_25 * (outflow_factor_slope_96 * e93);
+        const Scalar e98 = (-Scalar(1)) * c_.k16;
+        const Scalar power_99 = pow(e13, e98);
+        const Scalar e100 = power_99 * c_.k15;
+        const Scalar e101 = inverse_8 * e100;
+        const Scalar sign_102 = detail::sign<Scalar>(e35);
+        const Scalar sign_103 = detail::sign<Scalar>(e2);
+        const Scalar e104 = inverse_33 * e30;
+        const Scalar e105 = p_.k_L * (e9 * e67 + e50 * e104);
+        const Scalar e106 = inverse_68 * e67;
+        const Scalar e107 = p_.k_L * (e83 * e30 + e84 * e106);
+        const Scalar power_108 = pow(e31, e98);
+        const Scalar e109 = power_108 * c_.k15;
+        const Scalar e110 = e84 * e59;
+        const Scalar inverse_root_111 = detail::inverse_root<Scalar>(e60);
+        const Scalar e112 = e110 * (inverse_root_111 * outflow_factor_65);
+        const Scalar outflow_factor_slope_113 = detail::outflow_factor_slope<Scalar>(e64, c_.k7);
+        const Scalar e114 = signed_root_61 * inverse_63 * (outflow_factor_slope_113 * e110);
+        const Scalar e115 = e84 * e73;
+        const Scalar inverse_root_116 = detail::inverse_root<Scalar>(e74);
+        const Scalar e117 = e115 * (inverse_root_116 * outflow_factor_79);
+        const Scalar outflow_factor_slope_118 = detail::outflow_factor_slope<Scalar>(e78, c_.k7);
+        const Scalar e119 = signed_root_75 * inverse_77 * (outflow_factor_slope_118 * e115);
+        const Scalar e120 = inverse_82 * e109;
+        const Scalar sign_121 = detail::sign<Scalar>(e52);
+        const Scalar sign_122 = detail::sign<Scalar>(e1);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = inverse_30 * (c_.k15 * e34 * e44 - c_.k16 * e33 - c_.k17 * e49) + c_.k14 * e37 * e89;
-        J[3] = inverse_51 * (c_.k19 * e34 * e57 + c_.k20 * e82 + c_.k21 * e86) + c_.k18 * e87 * e90;
+        J[2] = p_.A_1 * inverse_8 * e51;
+        J[3] = p_.A_2 * inverse_82 * e87;
         J[4] = Scalar(1);
-        J[5] = (c_.k13 * tanh_1 * tanh_1 - c_.k12) * c_.k0;
-        J[6] = -e50;
-        J[7] = e88;
+        J[5] = (tanh_3 * e4 * c_.k11 - c_.k14) * c_.k0;
+        J[6] = -p_.A_1 * e10;
+        J[7] = p_.A_2 * e86;
         J[8] = Scalar(0);
         J[9] = p_.A_1 * c_.k0;
-        const Scalar e117 = power_92 * inverse_30 * (c_.k26 * inverse_29 * e25 + c_.k27 * e48 - e94);
-        const Scalar e118 = e31 * (c_.k5 * step_46 + step_4 * e99) * (e12 * (outflow_factor_slope_100 * inverse_6));
-        const Scalar e119 = e31 * (c_.k5 * step_47 + step_15 * e99) * (e23 * (outflow_factor_slope_102 * inverse_17));
-        J[10] = e117 - c_.k24 * e31 * (step_46 * e96 + step_47 * e98) - c_.k23 * e32 * (step_4 * e96 + step_15 * e98) - e118
-            * (sign_101 + step_4 * e7) - e119 * (sign_103 + step_15 * e18) - step_36 * inverse_30 * e45 - c_.k25 * power_92
-            * inverse_29 * inverse_29 * e33 - c_.k2 * e89 - e104;
-        J[11] = e52 * e45 * e54 + e105 - power_92 * inverse_53 * e93 * e56;
+        const Scalar e123 = inverse_17 * inverse_17 * (e15 * e101)
+            * ((Scalar(1) / Scalar(2)) * (e20 * e28 * e18 + e40 * e48 * e38));
+        J[10] = step_37 * ((Scalar(1) / Scalar(2)) * e35 * e90 - e46 * e92) + step_12
+            * ((Scalar(1) / Scalar(2)) * e2 * e95 - e26 * e97) + e123 - (Scalar(1) / Scalar(2)) * max_p_S * e90
+            - (Scalar(1) / Scalar(2)) * max_p_0 * e95 - sign_102 * e92 - sign_103 * e97 - e49 * e101 - e9 * e7 - e105;
+        J[11] = e69 * (power_32 * inverse_82 * e100 * e106 + step_6 * e84) + e107;
         J[12] = Scalar(0);
         J[13] = (-p_.A_2) * c_.k0;
-        J[14] = e104 - e43 * (e106 - power_107 * e94);
-        const Scalar e120 = power_107 * inverse_51 * (c_.k26 * inverse_80 * e78 + c_.k27 * e85 + e93 * e55);
-        const Scalar e121 = e52 * (c_.k5 * step_83 + step_59 * e112) * (e66 * (outflow_factor_slope_113 * inverse_61));
-        const Scalar e122 = e52 * (c_.k5 * step_84 + step_69 * e112) * (e76 * (outflow_factor_slope_115 * inverse_71));
-        J[15] = e120 - c_.k24 * e52 * (step_83 * e109 + step_84 * e111) - c_.k23 * e81 * (step_59 * e109 + step_69 * e111)
-            - e121 * (sign_114 + step_59 * e62) - e122 * (sign_116 + step_69 * e72) - c_.k25 * power_107 * inverse_80
-            * inverse_80 * e82 + c_.k6 * e90 - e105 + inverse_51 * e106;
+        J[14] = e105 - e34 * (power_14 * inverse_8 * e109 * e104 + step_29 * e50);
+        const Scalar e124 = inverse_57 * inverse_57 * (e55 * e120)
+            * ((Scalar(1) / Scalar(2)) * (e20 * e66 * e58 + e40 * e80 * e72));
+        J[15] = step_54 * ((Scalar(1) / Scalar(2)) * e52 * e112 - e64 * e114) + step_71
+            * ((Scalar(1) / Scalar(2)) * e1 * e117 - e78 * e119) + e124 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e112
+            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e117 - sign_121 * e114 - sign_122 * e119 - e81 * e120 + e83 * e85 - e107;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -827,7 +820,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 18, entry (i, j) at J[4*j + i].
-    /// Operations: 117 + or -, 298 *, 17 /, 56 other functions
+    /// Operations: 117 + or -, 308 *, 17 /, 56 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::abs;
         using std::log;
@@ -844,226 +837,230 @@ public:
         const Scalar s_dot = x[1];
         const Scalar tanh_4 = tanh(c_.k11 * s_dot);
         const Scalar inverse_5 = Scalar(1) / p_.v_C;
-        const Scalar inverse_6 = Scalar(1) / (Scalar(1) - p_.kappa);
-        const Scalar inverse_7 = Scalar(1) / c_.c_v;
-        const Scalar e8 = inverse_6 * (p_.R_s * inverse_7);
-        const Scalar e9 = Scalar(1) + e8;
-        const Scalar e10 = p_.A_v * p_.alpha_d;
-        const Scalar sqrt_11 = sqrt(Scalar(2));
+        const Scalar e6 = p_.A_v * p_.alpha_d;
+        const Scalar sqrt_7 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar inverse_12 = Scalar(1) / sqrt_R_s;
-        const Scalar e13 = sqrt_11 * inverse_12;
-        const Scalar e14 = p_.T_0 * e13;
-        const Scalar e15 = p_.R_s * e14;
-        const Scalar e16 = e10 * e15;
-        const Scalar e17 = p_.n * e16;
-        const Scalar e18 = inverse_7 * e17;
-        const Scalar e19 = e9 * e18;
-        const Scalar e20 = c_.k9 * p_1;
-        const Scalar power_21 = pow(e20, c_.k10);
-        const Scalar sqrt_22 = sqrt(p_.T_0 * power_21);
-        const Scalar inverse_23 = Scalar(1) / sqrt_22;
+        const Scalar inverse_8 = Scalar(1) / sqrt_R_s;
+        const Scalar e9 = sqrt_7 * inverse_8;
+        const Scalar e10 = p_.T_0 * e9;
+        const Scalar e11 = p_.R_s * e10;
+        const Scalar e12 = e6 * e11;
+        const Scalar e13 = p_.n * e12;
+        const Scalar inverse_14 = Scalar(1) / c_.c_v;
+        const Scalar e15 = p_.R_s * inverse_14 / (Scalar(1) - p_.kappa);
+        const Scalar e16 = inverse_14 * (Scalar(1) + e15);
+        const Scalar e17 = e13 * e16;
+        const Scalar e18 = c_.k9 * p_1;
+        const Scalar power_19 = pow(e18, c_.k10);
+        const Scalar sqrt_20 = sqrt(p_.T_0 * power_19);
+        const Scalar inverse_21 = Scalar(1) / sqrt_20;
         const Scalar s = x[0];
-        const Scalar inverse_24 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e25 = power_21 * inverse_24;
-        const Scalar e26 = inverse_23 * e25;
-        const Scalar abs_27 = abs(e1);
+        const Scalar inverse_22 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e23 = power_19 * inverse_22;
+        const Scalar e24 = inverse_21 * e23;
+        const Scalar abs_25 = abs(e1);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar inverse_28 = Scalar(1) / max_p_0;
-        const Scalar e29 = abs_27 * inverse_28;
-        const Scalar outflow_factor_by_exponent_30 = detail::outflow_factor_by_exponent<Scalar>(e29, c_.k7);
-        const Scalar step_31 = detail::step<Scalar>(e2);
+        const Scalar inverse_26 = Scalar(1) / max_p_0;
+        const Scalar e27 = abs_25 * inverse_26;
+        const Scalar outflow_factor_by_exponent_28 = detail::outflow_factor_by_exponent<Scalar>(e27, c_.k7);
+        const Scalar step_29 = detail::step<Scalar>(e2);
         const Scalar u_value = u[0];
-        const Scalar max_32 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e33 = max_p_0 * e1;
-        const Scalar signed_root_34 = detail::signed_root<Scalar>(e33);
-        const Scalar e35 = max_32 * signed_root_34;
-        const Scalar e36 = step_31 * e35;
-        const Scalar e37 = p_.p_S - p_1;
-        const Scalar abs_38 = abs(e37);
+        const Scalar max_30 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar e31 = max_p_0 * e1;
+        const Scalar signed_root_32 = detail::signed_root<Scalar>(e31);
+        const Scalar e33 = max_30 * signed_root_32;
+        const Scalar e34 = step_29 * e33;
+        const Scalar e35 = p_.p_S - p_1;
+        const Scalar abs_36 = abs(e35);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar inverse_39 = Scalar(1) / max_p_S;
-        const Scalar e40 = abs_38 * inverse_39;
-        const Scalar outflow_factor_by_exponent_41 = detail::outflow_factor_by_exponent<Scalar>(e40, c_.k7);
-        const Scalar step_42 = detail::step<Scalar>(-e37);
-        const Scalar max_43 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e44 = max_p_S * e37;
-        const Scalar signed_root_45 = detail::signed_root<Scalar>(e44);
-        const Scalar e46 = max_43 * signed_root_45;
-        const Scalar e47 = step_42 * e46;
-        const Scalar e48 = outflow_factor_by_exponent_30 * e36 + outflow_factor_by_exponent_41 * e47;
-        const Scalar e49 = e26 * e48;
-        const Scalar e50 = p_.n * e10;
-        const Scalar e51 = e14 * e50 - (Scalar(1) / Scalar(2)) * inverse_12 * inverse_12 * e17;
-        const Scalar e52 = -e51;
-        const Scalar outflow_factor_53 = detail::outflow_factor<Scalar>(e29, c_.k7);
-        const Scalar outflow_factor_54 = detail::outflow_factor<Scalar>(e40, c_.k7);
-        const Scalar e55 = outflow_factor_53 * e36 + outflow_factor_54 * e47;
-        const Scalar e56 = e55 * e26;
+        const Scalar inverse_37 = Scalar(1) / max_p_S;
+        const Scalar e38 = abs_36 * inverse_37;
+        const Scalar outflow_factor_by_exponent_39 = detail::outflow_factor_by_exponent<Scalar>(e38, c_.k7);
+        const Scalar step_40 = detail::step<Scalar>(-e35);
+        const Scalar max_41 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar e42 = max_p_S * e35;
+        const Scalar signed_root_43 = detail::signed_root<Scalar>(e42);
+        const Scalar e44 = max_41 * signed_root_43;
+        const Scalar e45 = step_40 * e44;
+        const Scalar e46 = outflow_factor_by_exponent_28 * e34 + outflow_factor_by_exponent_39 * e45;
+        const Scalar e47 = e24 * e46;
+        const Scalar inverse_8_squared = inverse_8 * inverse_8;
+        const Scalar e48 = p_.n * e6;
+        const Scalar e49 = (Scalar(1) / Scalar(2)) * e13 * inverse_8_squared - e10 * e48;
+        const Scalar outflow_factor_50 = detail::outflow_factor<Scalar>(e27, c_.k7);
+        const Scalar outflow_factor_51 = detail::outflow_factor<Scalar>(e38, c_.k7);
+        const Scalar e52 = outflow_factor_50 * e34 + outflow_factor_51 * e45;
+        const Scalar e53 = e52 * e24;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_57 = Scalar(1) / sqrt_T_0;
-        const Scalar e58 = -inverse_57 * e51;
+        const Scalar inverse_54 = Scalar(1) / sqrt_T_0;
+        const Scalar e55 = inverse_54 * e13;
+        const Scalar e56 = p_.n * inverse_54;
+        const Scalar e57 = e6 * e56;
+        const Scalar e58 = (Scalar(1) / Scalar(2)) * e55 * inverse_8_squared - e10 * e57;
         const Scalar step_59 = detail::step<Scalar>(e1);
-        const Scalar e60 = step_59 * e35;
-        const Scalar step_61 = detail::step<Scalar>(e37);
-        const Scalar e62 = step_61 * e46;
-        const Scalar e63 = outflow_factor_53 * e60 + outflow_factor_54 * e62;
-        const Scalar e64 = e63 * e25;
-        const Scalar e65 = inverse_57 * e18;
-        const Scalar e66 = e9 * e65;
-        const Scalar e67 = outflow_factor_by_exponent_30 * e60 + outflow_factor_by_exponent_41 * e62;
-        const Scalar e68 = e25 * e67;
-        const Scalar e69 = c_.k9 * p_2;
-        const Scalar power_70 = pow(e69, c_.k10);
-        const Scalar sqrt_71 = sqrt(p_.T_0 * power_70);
-        const Scalar inverse_72 = Scalar(1) / sqrt_71;
-        const Scalar inverse_73 = Scalar(1) / (c_.k8 - p_.A_2 * s);
-        const Scalar e74 = power_70 * inverse_73;
-        const Scalar e75 = inverse_72 * e74;
-        const Scalar e76 = p_.p_S - p_2;
-        const Scalar abs_77 = abs(e76);
+        const Scalar e60 = step_59 * e33;
+        const Scalar step_61 = detail::step<Scalar>(e35);
+        const Scalar e62 = step_61 * e44;
+        const Scalar e63 = outflow_factor_50 * e60 + outflow_factor_51 * e62;
+        const Scalar e64 = e63 * e23;
+        const Scalar e65 = e55 * e16;
+        const Scalar e66 = outflow_factor_by_exponent_28 * e60 + outflow_factor_by_exponent_39 * e62;
+        const Scalar e67 = e23 * e66;
+        const Scalar e68 = c_.k9 * p_2;
+        const Scalar power_69 = pow(e68, c_.k10);
+        const Scalar sqrt_70 = sqrt(p_.T_0 * power_69);
+        const Scalar inverse_71 = Scalar(1) / sqrt_70;
+        const Scalar inverse_72 = Scalar(1) / (c_.k8 - p_.A_2 * s);
+        const Scalar e73 = power_69 * inverse_72;
+        const Scalar e74 = inverse_71 * e73;
+        const Scalar e75 = p_.p_S - p_2;
+        const Scalar abs_76 = abs(e75);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar inverse_78 = Scalar(1) / max_p_S_2;
-        const Scalar e79 = abs_77 * inverse_78;
-        const Scalar outflow_factor_by_exponent_80 = detail::outflow_factor_by_exponent<Scalar>(e79, c_.k7);
-        const Scalar step_81 = detail::step<Scalar>(-e76);
-        const Scalar e82 = max_p_S_2 * e76;
-        const Scalar signed_root_83 = detail::signed_root<Scalar>(e82);
-        const Scalar e84 = max_32 * signed_root_83;
-        const Scalar e85 = step_81 * e84;
-        const Scalar abs_86 = abs(e3);
+        const Scalar inverse_77 = Scalar(1) / max_p_S_2;
+        const Scalar e78 = abs_76 * inverse_77;
+        const Scalar outflow_factor_by_exponent_79 = detail::outflow_factor_by_exponent<Scalar>(e78, c_.k7);
+        const Scalar step_80 = detail::step<Scalar>(-e75);
+        const Scalar e81 = max_p_S_2 * e75;
+        const Scalar signed_root_82 = detail::signed_root<Scalar>(e81);
+        const Scalar e83 = max_30 * signed_root_82;
+        const Scalar e84 = step_80 * e83;
+        const Scalar abs_85 = abs(e3);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_87 = Scalar(1) / max_p_0_2;
-        const Scalar e88 = abs_86 * inverse_87;
-        const Scalar outflow_factor_by_exponent_89 = detail::outflow_factor_by_exponent<Scalar>(e88, c_.k7);
-        const Scalar step_90 = detail::step<Scalar>(-e3);
-        const Scalar e91 = max_p_0_2 * e3;
-        const Scalar signed_root_92 = detail::signed_root<Scalar>(e91);
-        const Scalar e93 = max_43 * signed_root_92;
-        const Scalar e94 = step_90 * e93;
-        const Scalar e95 = outflow_factor_by_exponent_80 * e85 + outflow_factor_by_exponent_89 * e94;
-        const Scalar e96 = e75 * e95;
-        const Scalar outflow_factor_97 = detail::outflow_factor<Scalar>(e79, c_.k7);
-        const Scalar outflow_factor_98 = detail::outflow_factor<Scalar>(e88, c_.k7);
-        const Scalar e99 = outflow_factor_97 * e85 + outflow_factor_98 * e94;
-        const Scalar e100 = e99 * e75;
-        const Scalar step_101 = detail::step<Scalar>(e76);
-        const Scalar e102 = step_101 * e84;
-        const Scalar step_103 = detail::step<Scalar>(e3);
-        const Scalar e104 = step_103 * e93;
-        const Scalar e105 = outflow_factor_97 * e102 + outflow_factor_98 * e104;
-        const Scalar e106 = e105 * e74;
-        const Scalar e107 = outflow_factor_by_exponent_80 * e102 + outflow_factor_by_exponent_89 * e104;
-        const Scalar e108 = e74 * e107;
-        const Scalar e109 = e8 * (p_.R_s * inverse_6);
-        const Scalar e110 = e18 * e109;
-        const Scalar e111 = e65 * e109;
-        const Scalar log_112 = log(e20);
-        const Scalar inverse_113 = Scalar(1) / p_.n;
-        const Scalar e114 = inverse_113 * e16;
-        const Scalar e115 = inverse_57 * e16;
-        const Scalar e116 = inverse_113 * e115;
-        const Scalar e117 = (Scalar(1) / Scalar(2)) * p_.T_0 * e114;
-        const Scalar e118 = e56 * (inverse_23 * inverse_23);
-        const Scalar e119 = power_21 * e118;
-        const Scalar e120 = p_1 - p_2;
-        const Scalar e121 = p_.k_L * e120;
-        const Scalar step_122 = detail::step<Scalar>(e121);
-        const Scalar e123 = p_1 * inverse_24;
-        const Scalar inverse_124 = Scalar(1) / power_70;
-        const Scalar step_125 = detail::step<Scalar>(-e121);
-        const Scalar e126 = inverse_124 * (p_2 * step_125);
-        const Scalar e127 = e25 * e126;
-        const Scalar e128 = step_122 * e123 + e127;
-        const Scalar e129 = s_dot * e123;
-        const Scalar log_130 = log(e69);
-        const Scalar e131 = (log_112 - log_130) * (e120 * (p_.k_L * inverse_113));
-        const Scalar e132 = e100 * (inverse_72 * inverse_72);
-        const Scalar e133 = power_70 * e132;
-        const Scalar e134 = p_2 * inverse_73;
-        const Scalar inverse_135 = Scalar(1) / power_21;
-        const Scalar e136 = inverse_135 * (p_1 * step_122);
-        const Scalar e137 = e74 * e136;
-        const Scalar e138 = e120 * (step_125 * e134 + e137);
-        const Scalar e139 = s_dot * e134;
-        const Scalar e140 = e120 * e128;
-        const Scalar e141 = inverse_24 * (c_.k2 * e129 - c_.k5 * e64 + (c_.k3 * e140 - c_.k4 * e56));
-        const Scalar e142 = inverse_73 * e100;
-        const Scalar e143 = inverse_57 * e17;
-        const Scalar e144 = inverse_73 * e106;
-        const Scalar e145 = inverse_73 * (c_.k5 * e106 + c_.k6 * e139 + (c_.k4 * e100 + c_.k3 * e138));
-        const Scalar e146 = p_.n * p_.l;
-        const Scalar e147 = inverse_73 * e138;
-        const Scalar e148 = inverse_73 * e139;
-        const Scalar inverse_root_149 = detail::inverse_root<Scalar>(e44);
-        const Scalar e150 = c_.k24 * e25;
-        const Scalar e151 = c_.k23 * e26;
-        const Scalar sign_152 = detail::sign<Scalar>(e37);
-        const Scalar outflow_factor_slope_153 = detail::outflow_factor_slope<Scalar>(e40, c_.k7);
-        const Scalar e154 = c_.k5 * e25;
-        const Scalar e155 = c_.k4 * e26;
-        const Scalar inverse_root_156 = detail::inverse_root<Scalar>(e82);
-        const Scalar e157 = c_.k24 * e74;
-        const Scalar e158 = c_.k23 * e75;
-        const Scalar sign_159 = detail::sign<Scalar>(e76);
-        const Scalar outflow_factor_slope_160 = detail::outflow_factor_slope<Scalar>(e79, c_.k7);
-        const Scalar e161 = c_.k5 * e74;
-        const Scalar e162 = c_.k4 * e75;
+        const Scalar inverse_86 = Scalar(1) / max_p_0_2;
+        const Scalar e87 = abs_85 * inverse_86;
+        const Scalar outflow_factor_by_exponent_88 = detail::outflow_factor_by_exponent<Scalar>(e87, c_.k7);
+        const Scalar step_89 = detail::step<Scalar>(-e3);
+        const Scalar e90 = max_p_0_2 * e3;
+        const Scalar signed_root_91 = detail::signed_root<Scalar>(e90);
+        const Scalar e92 = max_41 * signed_root_91;
+        const Scalar e93 = step_89 * e92;
+        const Scalar e94 = outflow_factor_by_exponent_79 * e84 + outflow_factor_by_exponent_88 * e93;
+        const Scalar e95 = e74 * e94;
+        const Scalar outflow_factor_96 = detail::outflow_factor<Scalar>(e78, c_.k7);
+        const Scalar outflow_factor_97 = detail::outflow_factor<Scalar>(e87, c_.k7);
+        const Scalar e98 = outflow_factor_96 * e84 + outflow_factor_97 * e93;
+        const Scalar e99 = e98 * e74;
+        const Scalar step_100 = detail::step<Scalar>(e75);
+        const Scalar e101 = step_100 * e83;
+        const Scalar step_102 = detail::step<Scalar>(e3);
+        const Scalar e103 = step_102 * e92;
+        const Scalar e104 = outflow_factor_96 * e101 + outflow_factor_97 * e103;
+        const Scalar e105 = e104 * e73;
+        const Scalar e106 = outflow_factor_by_exponent_79 * e101 + outflow_factor_by_exponent_88 * e103;
+        const Scalar e107 = e73 * e106;
+        const Scalar e15_squared = e15 * e15;
+        const Scalar e108 = e13 * e15_squared;
+        const Scalar e109 = e55 * e15_squared;
+        const Scalar log_110 = log(e18);
+        const Scalar inverse_111 = Scalar(1) / p_.n;
+        const Scalar e112 = inverse_111 * e12;
+        const Scalar e113 = inverse_54 * e112;
+        const Scalar e114 = (Scalar(1) / Scalar(2)) * p_.T_0 * e112;
+        const Scalar e115 = e53 * (inverse_21 * inverse_21);
+        const Scalar e116 = power_19 * e115;
+        const Scalar e117 = inverse_54 * e12;
+        const Scalar e118 = p_1 - p_2;
+        const Scalar e119 = p_.k_L * e118;
+        const Scalar step_120 = detail::step<Scalar>(e119);
+        const Scalar e121 = p_1 * inverse_22;
+        const Scalar inverse_122 = Scalar(1) / power_69;
+        const Scalar step_123 = detail::step<Scalar>(-e119);
+        const Scalar e124 = inverse_122 * (p_2 * step_123);
+        const Scalar e125 = e23 * e124;
+        const Scalar e126 = step_120 * e121 + e125;
+        const Scalar e127 = s_dot * e121;
+        const Scalar log_128 = log(e68);
+        const Scalar e129 = (log_110 - log_128) * (e118 * (p_.k_L * inverse_111));
+        const Scalar e130 = e99 * (inverse_71 * inverse_71);
+        const Scalar e131 = power_69 * e130;
+        const Scalar e132 = p_2 * inverse_72;
+        const Scalar inverse_133 = Scalar(1) / power_19;
+        const Scalar e134 = inverse_133 * (p_1 * step_120);
+        const Scalar e135 = e73 * e134;
+        const Scalar e136 = e118 * (step_123 * e132 + e135);
+        const Scalar e137 = s_dot * e132;
+        const Scalar e138 = e118 * e126;
+        const Scalar e139 = inverse_22 * (c_.k2 * e127 - c_.k5 * e64 + (c_.k3 * e138 - c_.k4 * e53));
+        const Scalar e140 = inverse_72 * e99;
+        const Scalar e141 = inverse_72 * e105;
+        const Scalar e142 = inverse_72 * (c_.k5 * e105 + c_.k6 * e137 + (c_.k4 * e99 + c_.k3 * e136));
+        const Scalar e143 = p_.n * p_.k_L;
+        const Scalar e144 = inverse_72 * e136;
+        const Scalar e145 = p_.n * p_.A_2;
+        const Scalar e146 = inverse_72 * e137;
+        const Scalar inverse_root_147 = detail::inverse_root<Scalar>(e42);
+        const Scalar e148 = (Scalar(1) / Scalar(2)) * e55;
+        const Scalar e149 = e148 * e23;
+        const Scalar e150 = (Scalar(1) / Scalar(2)) * e13;
+        const Scalar e151 = e150 * e24;
+        const Scalar sign_152 = detail::sign<Scalar>(e35);
+        const Scalar outflow_factor_slope_153 = detail::outflow_factor_slope<Scalar>(e38, c_.k7);
+        const Scalar e154 = c_.k5 * e23;
+        const Scalar e155 = c_.k4 * e24;
+        const Scalar inverse_root_156 = detail::inverse_root<Scalar>(e81);
+        const Scalar e157 = e148 * e73;
+        const Scalar e158 = e150 * e74;
+        const Scalar sign_159 = detail::sign<Scalar>(e75);
+        const Scalar outflow_factor_slope_160 = detail::outflow_factor_slope<Scalar>(e78, c_.k7);
+        const Scalar e161 = c_.k5 * e73;
+        const Scalar e162 = c_.k4 * e74;
         const Scalar inverse_163 = Scalar(1) / p_.p_r;
-        const Scalar e164 = (Scalar(1) - p_.n) * (inverse_163 * inverse_163);
-        const Scalar e165 = e16 * e164;
-        const Scalar e166 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e165;
-        const Scalar e167 = -c_.k28;
-        const Scalar power_168 = pow(e20, e167);
-        const Scalar e169 = p_1 * power_168;
-        const Scalar e170 = -e165;
-        const Scalar e171 = -e164 * e115;
-        const Scalar e172 = e120 * (-p_.k_L * e164);
-        const Scalar power_173 = pow(e69, e167);
-        const Scalar e174 = p_2 * power_173;
-        const Scalar inverse_root_175 = detail::inverse_root<Scalar>(e33);
-        const Scalar sign_176 = detail::sign<Scalar>(e1);
-        const Scalar outflow_factor_slope_177 = detail::outflow_factor_slope<Scalar>(e29, c_.k7);
-        const Scalar inverse_root_178 = detail::inverse_root<Scalar>(e91);
-        const Scalar sign_179 = detail::sign<Scalar>(e3);
-        const Scalar outflow_factor_slope_180 = detail::outflow_factor_slope<Scalar>(e88, c_.k7);
-        const Scalar e181 = e50 * (p_.R_s * e13);
-        const Scalar e182 = inverse_57 * ((Scalar(1) / Scalar(2)) * inverse_57 * e143 - e181);
-        const Scalar e183 = p_.n * e15;
+        const Scalar inverse_163_squared = inverse_163 * inverse_163;
+        const Scalar e164 = (e12 - e13) * inverse_163_squared;
+        const Scalar e165 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e164;
+        const Scalar e166 = -c_.k16;
+        const Scalar power_167 = pow(e18, e166);
+        const Scalar e168 = p_1 * power_167;
+        const Scalar e169 = -e164;
+        const Scalar e170 = -inverse_54 * e164;
+        const Scalar e171 = e118 * (-inverse_163_squared * (p_.k_L - e143));
+        const Scalar power_172 = pow(e68, e166);
+        const Scalar e173 = p_2 * power_172;
+        const Scalar inverse_root_174 = detail::inverse_root<Scalar>(e31);
+        const Scalar sign_175 = detail::sign<Scalar>(e1);
+        const Scalar outflow_factor_slope_176 = detail::outflow_factor_slope<Scalar>(e27, c_.k7);
+        const Scalar inverse_root_177 = detail::inverse_root<Scalar>(e90);
+        const Scalar sign_178 = detail::sign<Scalar>(e3);
+        const Scalar outflow_factor_slope_179 = detail::outflow_factor_slope<Scalar>(e87, c_.k7);
+        const Scalar e180 = p_.R_s * e9;
+        const Scalar e181 = e180 * e48;
+        const Scalar e182 = (Scalar(1) / Scalar(2)) * inverse_54 * inverse_54 * e55 - e180 * e57;
+        const Scalar e183 = p_.n * e11;
         const Scalar e184 = p_.alpha_d * e183;
-        const Scalar e185 = inverse_57 * e184;
-        const Scalar e186 = p_.A_v * e183;
-        const Scalar e187 = inverse_57 * e186;
+        const Scalar e185 = e11 * e56;
+        const Scalar e186 = p_.alpha_d * e185;
+        const Scalar e187 = p_.A_v * e183;
+        const Scalar e188 = p_.A_v * e185;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e19 * e49 - e52 * e56 - e58 * e64 + e66 * e68;
-        J[3] = e19 * e96 - e52 * e100 - e58 * e106 + e66 * e108;
+        J[2] = e17 * e47 - e49 * e53 - e58 * e64 + e65 * e67;
+        J[3] = e17 * e95 - e49 * e99 - e58 * e105 + e65 * e107;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = e110 * e49 + e111 * e68;
-        J[7] = e110 * e96 + e111 * e108;
+        J[6] = e108 * e47 + e109 * e67;
+        J[7] = e108 * e95 + e109 * e107;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
-        J[10] = log_112 * (e114 * e56 + e116 * e64 - e117 * e119) + e16 * e56 + e115 * e64 - e128 * e121 - p_.A_1 * e129 - e127
-            * e131;
-        J[11] = log_130 * (e114 * e100 + e116 * e106 - e117 * e133) + e16 * e100 + e115 * e106 + p_.k_L * e138 + p_.A_2 * e139
-            - e137 * e131;
+        J[10] = log_110 * (e112 * e53 + e113 * e64 - e114 * e116) + c_.k13 * e53 + e117 * e64 - e126 * e119 - p_.A_1 * e127
+            - e125 * e129;
+        J[11] = log_128 * (e112 * e99 + e113 * e105 - e114 * e131) + c_.k13 * e99 + e117 * e105 + p_.k_L * e136 + p_.A_2 * e137
+            - e135 * e129;
         J[12] = Scalar(0);
         J[13] = e2 * c_.k0;
-        J[14] = s * e141 - p_.n * e129;
+        J[14] = s * e139 - p_.n * e127;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = e3 * c_.k0;
         J[18] = Scalar(0);
-        J[19] = p_.n * e139 - p_.l * e17 * e142 - p_.l * e143 * e144 + s * e145 - p_.k_L * e146 * e147 - p_.A_2 * e146 * e148;
+        J[19] = p_.n * e137 - p_.l * e13 * e140 - p_.l * e55 * e141 + s * e142 - p_.l * e143 * e144 - p_.l * e145 * e146;
         J[20] = Scalar(0);
         J[21] = Scalar(0);
         J[22] = Scalar(0);
-        J[23] = -c_.k20 * e142 - c_.k21 * e144 - c_.k19 * e147 - c_.k18 * e148;
+        J[23] = -p_.A_2 * e13 * e140 - p_.A_2 * e55 * e141 - p_.k_L * e145 * e144 - p_.A_2 * e145 * e146;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = e141;
-        J[27] = -e145;
+        J[26] = e139;
+        J[27] = -e142;
         J[28] = Scalar(0);
         J[29] = (-dxdt[1]) * c_.k0;
         J[30] = Scalar(0);
@@ -1077,48 +1074,48 @@ public:
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
-        const Scalar e188 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
-        J[41] = e188 * c_.k0;
+        const Scalar e189 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
+        J[41] = e189 * c_.k0;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = Scalar(0);
         J[45] = Scalar(0);
-        const Scalar e189 = max_43 * outflow_factor_54 * (inverse_root_149 * (max_p_S + step_61 * e37));
-        const Scalar e190 = (step_61 * e40 - sign_152) * (outflow_factor_slope_153 * inverse_39) * (e62 * e154 + e47 * e155);
-        J[46] = e189 * (step_61 * e150 + step_42 * e151) - e190;
-        const Scalar e191 = max_32 * outflow_factor_97 * (inverse_root_156 * (max_p_S_2 + step_101 * e76));
-        const Scalar e192 = (step_101 * e79 - sign_159) * (outflow_factor_slope_160 * inverse_78) * (e102 * e161 + e85 * e162);
-        J[47] = e191 * (step_101 * e157 + step_81 * e158) - e192;
+        const Scalar e190 = max_41 * outflow_factor_51 * (inverse_root_147 * (max_p_S + step_61 * e35));
+        const Scalar e191 = (step_61 * e38 - sign_152) * (outflow_factor_slope_153 * inverse_37) * (e62 * e154 + e45 * e155);
+        J[46] = e190 * (step_61 * e149 + step_40 * e151) - e191;
+        const Scalar e192 = max_30 * outflow_factor_96 * (inverse_root_156 * (max_p_S_2 + step_100 * e75));
+        const Scalar e193 = (step_100 * e78 - sign_159) * (outflow_factor_slope_160 * inverse_77) * (e101 * e161 + e84 * e162);
+        J[47] = e192 * (step_100 * e157 + step_80 * e158) - e193;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        const Scalar e193 = power_168 * e123 * (inverse_23 * e170 * e55 + e171 * e63 - e172 * e126);
-        J[50] = e166 * e118 * e169 - e193 - inverse_124 * e172 * e127 * e174;
-        const Scalar e194 = power_173 * e134 * (inverse_72 * e170 * e99 + e171 * e105 + e172 * e136);
-        J[51] = inverse_135 * e172 * e137 * e169 - e194 + e166 * e132 * e174;
+        const Scalar e194 = power_167 * e121 * (inverse_21 * e169 * e52 + e170 * e63 - e171 * e124);
+        J[50] = e165 * e115 * e168 - e194 - inverse_122 * e171 * e125 * e173;
+        const Scalar e195 = power_172 * e132 * (inverse_71 * e169 * e98 + e170 * e104 + e171 * e134);
+        J[51] = inverse_133 * e171 * e135 * e168 - e195 + e165 * e130 * e173;
         J[52] = Scalar(0);
         J[53] = (-(p_.A_1 - p_.A_2)) * c_.k0;
-        const Scalar e195 = max_32 * outflow_factor_53 * (inverse_root_175 * (max_p_0 + step_59 * e1));
-        const Scalar e196 = (step_59 * e29 - sign_176) * (outflow_factor_slope_177 * inverse_28) * (e60 * e154 + e36 * e155);
-        J[54] = e195 * (step_59 * e150 + step_31 * e151) - e196;
-        const Scalar e197 = max_43 * outflow_factor_98 * (inverse_root_178 * (max_p_0_2 + step_103 * e3));
-        const Scalar e198 = (step_103 * e88 - sign_179) * (outflow_factor_slope_180 * inverse_87) * (e104 * e161 + e94 * e162);
-        J[55] = e197 * (step_103 * e157 + step_90 * e158) - e198;
+        const Scalar e196 = max_30 * outflow_factor_50 * (inverse_root_174 * (max_p_0 + step_59 * e1));
+        const Scalar e197 = (step_59 * e27 - sign_175) * (outflow_factor_slope_176 * inverse_26) * (e60 * e154 + e34 * e155);
+        J[54] = e196 * (step_59 * e149 + step_29 * e151) - e197;
+        const Scalar e198 = max_41 * outflow_factor_97 * (inverse_root_177 * (max_p_0_2 + step_102 * e3));
+        const Scalar e199 = (step_102 * e87 - sign_178) * (outflow_factor_slope_179 * inverse_86) * (e103 * e161 + e93 * e162);
+        J[55] = e198 * (step_102 * e157 + step_89 * e158) - e199;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
-        J[58] = e181 * e56 - e182 * e64 - c_.k23 * e119;
-        J[59] = e181 * e100 - e182 * e106 - c_.k23 * e133;
+        J[58] = e181 * e53 - e182 * e64 - e150 * e116;
+        J[59] = e181 * e99 - e182 * e105 - e150 * e131;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = e184 * e56 + e185 * e64;
-        J[63] = e184 * e100 + e185 * e106;
+        J[62] = e184 * e53 + e186 * e64;
+        J[63] = e184 * e99 + e186 * e105;
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = e186 * e56 + e187 * e64;
-        J[67] = e186 * e100 + e187 * e106;
+        J[66] = e187 * e53 + e188 * e64;
+        J[67] = e187 * e99 + e188 * e105;
         J[68] = Scalar(0);
         J[69] = Scalar(0);
-        J[70] = -p_.n * e140;
-        J[71] = p_.n * e138;
+        J[70] = -p_.n * e138;
+        J[71] = p_.n * e136;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1243,14 +1240,14 @@ public:
         const Scalar e26 = e23 + e25;
         const Scalar sqrt_27 = sqrt(e2);
         const Scalar inverse_28 = Scalar(1) / sqrt_27;
-        const Scalar e29 = c_.k30 * inverse_28;
+        const Scalar e29 = c_.k18 * inverse_28;
         const Scalar e30 = p_1 - p_2;
         const Scalar e31 = p_.k_L * e30;
         const Scalar step_32 = detail::step<Scalar>(e31);
         const Scalar e33 = p_1 * step_32;
         const Scalar step_34 = detail::step<Scalar>(-e31);
         const Scalar e35 = p_2 * step_34 / power_3;
-        const Scalar e36 = (e33 / power_1 + e35) * (c_.k29 * e30);
+        const Scalar e36 = (e33 / power_1 + e35) * (c_.k17 * e30);
         const Scalar e37 = p_.p_S - p_2;
         const Scalar step_38 = detail::step<Scalar>(e37);
         const Scalar abs_39 = abs(e37);
@@ -1269,18 +1266,18 @@ public:
         const Scalar step_50 = detail::step<Scalar>(-e37);
         const Scalar step_51 = detail::step<Scalar>(-e43);
         const Scalar min_52 = detail::min<Scalar>(Scalar(0), e36);
-        const Scalar max_53 = detail::max<Scalar>(Scalar(0), e29 * e25 + c_.k31 * e20);
-        const Scalar min_54 = detail::min<Scalar>(Scalar(0), -e29 * e23 - c_.k31 * e12);
+        const Scalar max_53 = detail::max<Scalar>(Scalar(0), e29 * e25 + c_.k19 * e20);
+        const Scalar min_54 = detail::min<Scalar>(Scalar(0), -e29 * e23 - c_.k19 * e12);
         const Scalar e55 = max_53 - min_54;
-        const Scalar e56 = c_.k33 * e30;
+        const Scalar e56 = c_.k21 * e30;
         const Scalar s_dot = x[1];
         y[0] = p_.A_1 * p_1 - c_.k1 - p_.A_2 * p_2;
         y[1] = e2;
         y[2] = e4;
-        y[3] = c_.k31 * e21 + e26 * e29 - e36;
-        y[4] = c_.k31 * (step_38 * e42 + step_44 * e48) + c_.k30 / sqrt_49 * (step_50 * e42 + step_51 * e48) + e36;
-        y[5] = c_.k36 * (power_3 * min_52 - e55) - power_1 * (c_.k34 * inverse_28 * e26 + c_.k35 * e21 + e56 * e35) - c_.k36
-            * power_1 * (min_52 - e55) - c_.k32 * s_dot * p_1 - e33 * e56;
+        y[3] = c_.k19 * e21 + e26 * e29 - e36;
+        y[4] = c_.k19 * (step_38 * e42 + step_44 * e48) + c_.k18 / sqrt_49 * (step_50 * e42 + step_51 * e48) + e36;
+        y[5] = c_.k24 * (power_3 * min_52 - e55) - power_1 * (c_.k22 * inverse_28 * e26 + c_.k23 * e21 + e56 * e35) - c_.k24
+            * power_1 * (min_52 - e55) - c_.k20 * s_dot * p_1 - e33 * e56;
     }
 
     /// C = dh/dx.
@@ -1291,7 +1288,7 @@ public:
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k9 * p_1;
-        const Scalar e2 = -c_.k28;
+        const Scalar e2 = -c_.k16;
         const Scalar power_3 = pow(e1, e2);
         const Scalar power_4 = pow(e1, c_.k10);
         const Scalar sqrt_5 = sqrt(p_.T_0 * power_4);
@@ -1350,14 +1347,14 @@ public:
         const Scalar inverse_54 = Scalar(1) / power_53;
         const Scalar step_55 = detail::step<Scalar>(-e49);
         const Scalar e56 = p_2 * step_55;
-        const Scalar e57 = c_.k29 * (inverse_54 * e56 + step_50 * e46);
-        const Scalar e58 = inverse_45 * (c_.k29 + c_.k38 * e47) * e51 + e57;
-        const Scalar e59 = c_.k30 * inverse_6;
-        const Scalar e60 = c_.k31 * step_40 + step_8 * e59;
+        const Scalar e57 = c_.k17 * (inverse_54 * e56 + step_50 * e46);
+        const Scalar e58 = inverse_45 * (c_.k17 + c_.k26 * e47) * e51 + e57;
+        const Scalar e59 = c_.k18 * inverse_6;
+        const Scalar e60 = c_.k19 * step_40 + step_8 * e59;
         const Scalar outflow_factor_slope_61 = detail::outflow_factor_slope<Scalar>(e14, c_.k7);
         const Scalar sign_62 = detail::sign<Scalar>(e7);
         const Scalar e63 = outflow_factor_slope_61 * inverse_13 * ((sign_62 + step_8 * e14) * e31);
-        const Scalar e64 = c_.k31 * step_41 + step_18 * e59;
+        const Scalar e64 = c_.k19 * step_41 + step_18 * e59;
         const Scalar outflow_factor_slope_65 = detail::outflow_factor_slope<Scalar>(e21, c_.k7);
         const Scalar sign_66 = detail::sign<Scalar>(e17);
         const Scalar e67 = outflow_factor_slope_65 * inverse_20 * ((sign_66 + step_18 * e21) * e34);
@@ -1366,11 +1363,11 @@ public:
         const Scalar e70 = e60 * e32;
         const Scalar step_71 = detail::step<Scalar>(e70);
         const Scalar e72 = e69 * (step_8 * step_71);
-        const Scalar e73 = c_.k35 * power_4;
+        const Scalar e73 = c_.k23 * power_4;
         const Scalar e74 = step_40 * step_71;
-        const Scalar e75 = c_.k48 * e68;
+        const Scalar e75 = c_.k36 * e68;
         const Scalar e76 = power_4 * inverse_6;
-        const Scalar e77 = c_.k34 * e76;
+        const Scalar e77 = c_.k22 * e76;
         const Scalar e78 = e48 * e57;
         const Scalar min_79 = detail::min<Scalar>(Scalar(0), e78);
         const Scalar e80 = outflow_factor_22 * e64 * e34;
@@ -1378,17 +1375,17 @@ public:
         const Scalar min_82 = detail::min<Scalar>(Scalar(0), -e70);
         const Scalar step_83 = detail::step<Scalar>(e80);
         const Scalar e84 = step_18 * e67;
-        const Scalar e85 = c_.k54 * e38;
+        const Scalar e85 = c_.k42 * e38;
         const Scalar s_dot = x[1];
         const Scalar e86 = step_41 * e67;
-        const Scalar e87 = c_.k52 * e68;
-        const Scalar e88 = c_.k56 * power_3;
+        const Scalar e87 = c_.k40 * e68;
+        const Scalar e88 = c_.k44 * power_3;
         const Scalar step_89 = detail::step<Scalar>(-e78);
-        const Scalar e90 = c_.k43 * step_89;
+        const Scalar e90 = c_.k31 * step_89;
         const Scalar e91 = e51 * e47;
         const Scalar e92 = power_53 * inverse_45;
-        const Scalar e93 = c_.k45 * step_89;
-        const Scalar e94 = c_.k33 + e93;
+        const Scalar e93 = c_.k33 * step_89;
+        const Scalar e94 = c_.k21 + e93;
         const Scalar e95 = e93 * e92 - e94;
         const Scalar e96 = power_4 * inverse_54;
         const Scalar e97 = e93 - e94 * e96;
@@ -1396,7 +1393,7 @@ public:
         const Scalar e99 = e48 * inverse_54;
         const Scalar e100 = e56 * e99;
         const Scalar power_101 = pow(e52, e2);
-        const Scalar e102 = e57 - step_55 * (c_.k29 + c_.k38 * p_2 * power_101 * inverse_54) * e99;
+        const Scalar e102 = e57 - step_55 * (c_.k17 + c_.k26 * p_2 * power_101 * inverse_54) * e99;
         const Scalar e103 = p_.p_S - p_2;
         const Scalar step_104 = detail::step<Scalar>(-e103);
         const Scalar sqrt_105 = sqrt(p_.T_0 * power_53);
@@ -1409,7 +1406,7 @@ public:
         const Scalar e111 = max_p_S_2 * e103;
         const Scalar signed_root_112 = detail::signed_root<Scalar>(e111);
         const Scalar e113 = max_9 * signed_root_112;
-        const Scalar e114 = c_.k41 * inverse_106 * (power_101 * inverse_106);
+        const Scalar e114 = c_.k29 * inverse_106 * (power_101 * inverse_106);
         const Scalar inverse_root_115 = detail::inverse_root<Scalar>(e111);
         const Scalar e116 = max_9 * inverse_root_115 * (outflow_factor_110 * (max_p_S_2 - step_104 * e103));
         const Scalar outflow_factor_slope_117 = detail::outflow_factor_slope<Scalar>(e109, c_.k7);
@@ -1445,26 +1442,26 @@ public:
         C[8] = Scalar(0);
         C[9] = Scalar(0);
         C[10] = Scalar(0);
-        C[11] = -c_.k32 * p_1;
+        C[11] = -c_.k20 * p_1;
         C[12] = p_.A_1;
-        C[13] = -c_.k37 * power_3;
+        C[13] = -c_.k25 * power_3;
         C[14] = Scalar(0);
-        C[15] = -inverse_6 * (c_.k39 * e29 - c_.k41 * e39) - c_.k40 * e44 - e58 - e60 * e63 - e64 * e67;
+        C[15] = -inverse_6 * (c_.k27 * e29 - c_.k29 * e39) - c_.k28 * e44 - e58 - e60 * e63 - e64 * e67;
         C[16] = e58;
-        C[17] = e63 * (c_.k47 * e72 + step_40 * e73 + e74 * e75 + step_8 * e77) + c_.k57 * power_3 * (min_79 - max_81 + min_82)
-            + step_83 * e69 * (c_.k47 * e84 - e35 * e85 + c_.k50 * e28) - s_dot * (c_.k32 - c_.k42 * e47) + step_83
-            * (e75 * e86 + e87 * e43) + e32 * (step_40 * e88 - e72 * e85) + e76 * (c_.k49 * e29 - c_.k53 * e39) + e16
-            * (c_.k50 * e72 + e74 * e87) - e90 * e91 * (Scalar(1) - e92) + c_.k51 * power_4 * e44 + e98 + c_.k55 * e36 * e37
-            + e95 * e51 - c_.k46 * power_3 * e100 + c_.k44 * e91 + e34 * e42 * e88 + e73 * e86 + e84 * e77;
+        C[17] = e63 * (c_.k35 * e72 + step_40 * e73 + e74 * e75 + step_8 * e77) + c_.k45 * power_3 * (min_79 - max_81 + min_82)
+            + step_83 * e69 * (c_.k35 * e84 - e35 * e85 + c_.k38 * e28) - s_dot * (c_.k20 - c_.k30 * e47) + step_83
+            * (e75 * e86 + e87 * e43) + e32 * (step_40 * e88 - e72 * e85) + e76 * (c_.k37 * e29 - c_.k41 * e39) + e16
+            * (c_.k38 * e72 + e74 * e87) - e90 * e91 * (Scalar(1) - e92) + c_.k39 * power_4 * e44 + e98 + c_.k43 * e36 * e37
+            + e95 * e51 - c_.k34 * power_3 * e100 + c_.k32 * e91 + e34 * e42 * e88 + e73 * e86 + e84 * e77;
         C[18] = -p_.A_2;
         C[19] = Scalar(0);
-        C[20] = -c_.k37 * power_101;
+        C[20] = -c_.k25 * power_101;
         C[21] = e102;
-        const Scalar e138 = step_104 * inverse_106 * (outflow_factor_110 * e113 * e114 - c_.k39 * e116 - c_.k30 * e119);
-        const Scalar e139 = step_121 * inverse_106 * (outflow_factor_125 * e128 * e114 - c_.k39 * e130 - c_.k30 * e133);
-        C[22] = e138 + e139 - c_.k31 * (step_134 * e119 + step_135 * e133) - c_.k40 * (step_134 * e116 + step_135 * e130)
+        const Scalar e138 = step_104 * inverse_106 * (outflow_factor_110 * e113 * e114 - c_.k27 * e116 - c_.k18 * e119);
+        const Scalar e139 = step_121 * inverse_106 * (outflow_factor_125 * e128 * e114 - c_.k27 * e130 - c_.k18 * e133);
+        C[22] = e138 + e139 - c_.k19 * (step_134 * e119 + step_135 * e133) - c_.k28 * (step_134 * e116 + step_135 * e130)
             - e102;
-        C[23] = e96 * (c_.k58 * e136 - e137) - c_.k57 * power_101 * min_79 + e48 * step_55 * e97 - e98 + e137;
+        C[23] = e96 * (c_.k46 * e136 - e137) - c_.k45 * power_101 * min_79 + e48 * step_55 * e97 - e98 + e137;
     }
 
     /// D = dh/du.
@@ -1505,7 +1502,7 @@ public:
         const Scalar power_25 = pow(c_.k9 * p_1, c_.k10);
         const Scalar sqrt_26 = sqrt(p_.T_0 * power_25);
         const Scalar inverse_27 = Scalar(1) / sqrt_26;
-        const Scalar e28 = c_.k30 * inverse_27;
+        const Scalar e28 = c_.k18 * inverse_27;
         const Scalar p_2 = x[3];
         const Scalar e29 = p_.p_S - p_2;
         const Scalar step_30 = detail::step<Scalar>(e29);
@@ -1526,18 +1523,18 @@ public:
         const Scalar step_43 = detail::step<Scalar>(-e29);
         const Scalar step_44 = detail::step<Scalar>(-e35);
         const Scalar max_45 = detail::max<Scalar>(Scalar(0), e3);
-        const Scalar step_46 = detail::step<Scalar>(max_45 * e8 * (c_.k31 * step_2 + step_20 * e28));
+        const Scalar step_46 = detail::step<Scalar>(max_45 * e8 * (c_.k19 * step_2 + step_20 * e28));
         const Scalar e47 = Scalar(1) - power_25;
         const Scalar e48 = step_46 * e47;
         const Scalar max_49 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar step_50 = detail::step<Scalar>(max_49 * e16 * (c_.k31 * step_12 + step_22 * e28));
+        const Scalar step_50 = detail::step<Scalar>(max_49 * e16 * (c_.k19 * step_12 + step_22 * e28));
         const Scalar e51 = step_50 * e47;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = -c_.k31 * e19 - e24 * e28;
-        D[4] = -c_.k31 * (step_30 * e34 - step_36 * e40) - c_.k30 / sqrt_42 * (step_43 * e34 - step_44 * e40);
-        D[5] = c_.k48 * (e48 * e10 - e51 * e18) + power_25 * (c_.k34 * inverse_27 * e24 + c_.k35 * e19) + c_.k47 * inverse_27
+        D[3] = -c_.k19 * e19 - e24 * e28;
+        D[4] = -c_.k19 * (step_30 * e34 - step_36 * e40) - c_.k18 / sqrt_42 * (step_43 * e34 - step_44 * e40);
+        D[5] = c_.k36 * (e48 * e10 - e51 * e18) + power_25 * (c_.k22 * inverse_27 * e24 + c_.k23 * e19) + c_.k35 * inverse_27
             * (e48 * e21 - e51 * e23);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -1661,7 +1658,7 @@ public:
         const Scalar step_42 = detail::step<Scalar>(e41);
         const Scalar step_43 = detail::step<Scalar>(-e41);
         const Scalar e44 = e3 / sqrt_T_0 * (step_5 * e11 + step_13 * e18 + step_20 * e25 + step_27 * e31);
-        const Scalar e45 = s_dot * (c_.k32 * p_1 - p_2 * (-p_.A_2 * inverse_32 * (c_.c_v - e1) - p_.A_2));
+        const Scalar e45 = s_dot * (c_.k20 * p_1 - p_2 * (-p_.A_2 * inverse_32 * (c_.c_v - e1) - p_.A_2));
         return e44 - e45 + e3 / sqrt_33 * (step_34 * e11 + step_35 * e25) + e3 / sqrt_36 * (step_37 * e18 + step_38 * e31)
             + e40 * (p_1 * step_42) * (power_14 / power_7 - Scalar(1)) - e40 * (p_2 * step_43)
             * (power_7 / power_14 - Scalar(1));
@@ -1720,53 +1717,41 @@ private:
         Scalar k9;  ///< 1/p_r
         Scalar k10;  ///< 1 - 1/n
         Scalar k11;  ///< 1/v_C
-        Scalar k12;  ///< d + f_C/v_C
-        Scalar k13;  ///< f_C/v_C
-        Scalar k14;  ///< n*A_1^2
-        Scalar k15;  ///< n*A_1*k_L
-        Scalar k16;  ///< n*A_1*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)
-        Scalar k17;  ///< n*A_1*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
-        Scalar k18;  ///< n*A_2^2
-        Scalar k19;  ///< n*A_2*k_L
-        Scalar k20;  ///< n*A_2*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)
-        Scalar k21;  ///< n*A_2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
-        Scalar k22;  ///< k_L*(-1 + n)/p_r
-        Scalar k23;  ///< n*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)/2
-        Scalar k24;  ///< n*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)/2
-        Scalar k25;  ///< T_0^2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/(2*p_r)
-        Scalar k26;  ///< T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/p_r
-        Scalar k27;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(-1 + n)/p_r
-        Scalar k28;  ///< 1/n
-        Scalar k29;  ///< k_L/(R_s*T_0)
-        Scalar k30;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k31;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k32;  ///< A_1*(-1 + n*c_v/R_s - c_v/R_s)
-        Scalar k33;  ///< k_L*(-1 + n*c_v/R_s - c_v/R_s)
-        Scalar k34;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/sqrt(R_s)
-        Scalar k35;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/sqrt(R_s)
-        Scalar k36;  ///< T_0*(R_s + c_v)
-        Scalar k37;  ///< T_0*(-1 + 1/n)/p_r
-        Scalar k38;  ///< k_L*(-1 + 1/n)/(R_s*p_r*T_0)
-        Scalar k39;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
-        Scalar k40;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
-        Scalar k41;  ///< T_0*A_v*alpha_d*sqrt(2)*(-1 + 1/n)/(2*p_r*sqrt(R_s))
-        Scalar k42;  ///< A_1*c_v*(-2 + 1/n + n - (1 - n)^2/n)/(R_s*p_r)
-        Scalar k43;  ///< k_L*(-1 + c_v/(R_s*n) - c_v/R_s + 1/n)/p_r
-        Scalar k44;  ///< k_L*c_v*(-2 + 1/n + n - (1 - n)^2/n)/(R_s*p_r)
-        Scalar k45;  ///< k_L*(1 + c_v/R_s)
-        Scalar k46;  ///< k_L*(-1 + c_v*(1 - n)^2/(R_s*n) + 1/n)/p_r
-        Scalar k47;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/sqrt(R_s)
-        Scalar k48;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/sqrt(R_s)
-        Scalar k49;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
-        Scalar k50;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/(2*sqrt(R_s))
-        Scalar k51;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
-        Scalar k52;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/(2*sqrt(R_s))
-        Scalar k53;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(R_s/(2*n*sqrt(R_s)) + c_v/(2*n*sqrt(R_s)) + n*c_v/(2*sqrt(R_s)) - ...
-        Scalar k54;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v/n - c_v)/(2*p_r*sqrt(R_s))
-        Scalar k55;  ///< T_0*A_v*alpha_d*sqrt(2)*(c_v*(1 - n)^2/(n*sqrt(R_s)) + sqrt(R_s)/n - sqrt(R_s))/p_r
-        Scalar k56;  ///< T_0*A_v*alpha_d*sqrt(2)*(c_v*(1 - n)^2/(n*sqrt(R_s)) + sqrt(R_s)/n - sqrt(R_s))/(p_r*sqrt(T_0))
-        Scalar k57;  ///< T_0*(-R_s + R_s/n + c_v/n - c_v)/p_r
-        Scalar k58;  ///< k_L*(-1 + c_v/(R_s*n) + n*c_v/R_s - 2*c_v/R_s + 1/n)/p_r
+        Scalar k12;  ///< 1/sqrt(T_0)
+        Scalar k13;  ///< T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)
+        Scalar k14;  ///< d + f_C/v_C
+        Scalar k15;  ///< -(-1 + n)/p_r
+        Scalar k16;  ///< 1/n
+        Scalar k17;  ///< k_L/(R_s*T_0)
+        Scalar k18;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k19;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k20;  ///< A_1*(-1 + n*c_v/R_s - c_v/R_s)
+        Scalar k21;  ///< k_L*(-1 + n*c_v/R_s - c_v/R_s)
+        Scalar k22;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/sqrt(R_s)
+        Scalar k23;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/sqrt(R_s)
+        Scalar k24;  ///< T_0*(R_s + c_v)
+        Scalar k25;  ///< T_0*(-1 + 1/n)/p_r
+        Scalar k26;  ///< k_L*(-1 + 1/n)/(R_s*p_r*T_0)
+        Scalar k27;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
+        Scalar k28;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k29;  ///< T_0*A_v*alpha_d*sqrt(2)*(-1 + 1/n)/(2*p_r*sqrt(R_s))
+        Scalar k30;  ///< A_1*c_v*(-2 + 1/n + n - (1 - n)^2/n)/(R_s*p_r)
+        Scalar k31;  ///< k_L*(-1 + c_v/(R_s*n) - c_v/R_s + 1/n)/p_r
+        Scalar k32;  ///< k_L*c_v*(-2 + 1/n + n - (1 - n)^2/n)/(R_s*p_r)
+        Scalar k33;  ///< k_L*(1 + c_v/R_s)
+        Scalar k34;  ///< k_L*(-1 + c_v*(1 - n)^2/(R_s*n) + 1/n)/p_r
+        Scalar k35;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/sqrt(R_s)
+        Scalar k36;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/sqrt(R_s)
+        Scalar k37;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
+        Scalar k38;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/(2*sqrt(R_s))
+        Scalar k39;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
+        Scalar k40;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/(2*sqrt(R_s))
+        Scalar k41;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s/2 + R_s/(2*n) + c_v/(2*n) + n*c_v/2 - c_v)/(p_r*sqrt(R_s))
+        Scalar k42;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v/n - c_v)/(2*p_r*sqrt(R_s))
+        Scalar k43;  ///< T_0*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
+        Scalar k44;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
+        Scalar k45;  ///< T_0*(-R_s + R_s/n + c_v/n - c_v)/p_r
+        Scalar k46;  ///< k_L*(-1 + c_v/(R_s*n) + n*c_v/R_s - 2*c_v/R_s + 1/n)/p_r
     };
     Cached c_{};
 };

@@ -21,11 +21,11 @@
 //     this code = the derivation: 22 of 22 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                30     69     8        0      3
+//   update                27     58     8        0      3
 //   rhs                   23     52     8        0     30
-//   rhs_and_jacobian      61    157     8        0     44
+//   rhs_and_jacobian      48    139     8        0     44
 //   jacobian_u            17     43     8        0     30
-//   jacobian_p            96    255    14        0     53
+//   jacobian_p            95    264    14        0     53
 //   bias                   2      3     0        0      0
 //   generalised_force      1      0     0        0      0
 //   output                24     47     6        0     32
@@ -191,23 +191,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// sign(x) sqrt(|x|); its derivative is inverse_root(x)/2. Needs select.
@@ -364,89 +369,76 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 30 + or -, 69 *, 8 /, 3 other functions
+    /// Operations: 27 + or -, 58 *, 8 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
         c_.c_v = -p_.R_s / (Scalar(1) - p_.kappa);
         c_.k0 = Scalar(1) / p_.m_K;
         c_.k1 = p_.p_0 * (p_.A_1 - p_.A_2);
-        const Scalar e1 = p_.n * p_.A_1;
-        c_.k2 = e1;
-        const Scalar sqrt_2 = sqrt(Scalar(2));
+        c_.k2 = p_.n * p_.A_1;
+        const Scalar sqrt_1 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar e3 = p_.A_v * p_.alpha_d * (sqrt_2 / sqrt_R_s);
-        const Scalar e4 = p_.T_0 * e3;
-        const Scalar e5 = p_.R_s * p_.n;
-        const Scalar e6 = e4 * e5;
-        c_.k3 = e6;
+        const Scalar e2 = p_.A_v * p_.alpha_d * (sqrt_1 / sqrt_R_s);
+        const Scalar e3 = p_.T_0 * e2;
+        const Scalar e4 = p_.R_s * p_.n;
+        c_.k3 = e3 * e4;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_7 = Scalar(1) / sqrt_T_0;
-        const Scalar e8 = inverse_7 * e4;
-        const Scalar e9 = e5 * e8;
-        c_.k4 = e9;
-        const Scalar e10 = p_.n * p_.A_2;
-        c_.k5 = e10;
+        const Scalar inverse_5 = Scalar(1) / sqrt_T_0;
+        const Scalar e6 = inverse_5 * e3;
+        c_.k4 = e6 * e4;
+        c_.k5 = p_.n * p_.A_2;
         c_.k6 = Scalar(1) + p_.R_s / c_.c_v;
-        const Scalar inverse_11 = Scalar(1) / p_.p_r;
-        c_.k7 = inverse_11;
-        const Scalar inverse_12 = Scalar(1) / p_.n;
-        const Scalar e13 = Scalar(1) - inverse_12;
-        c_.k8 = e13;
+        const Scalar inverse_7 = Scalar(1) / p_.p_r;
+        c_.k7 = inverse_7;
+        const Scalar inverse_8 = Scalar(1) / p_.n;
+        const Scalar e9 = Scalar(1) - inverse_8;
+        c_.k8 = e9;
         c_.k9 = p_.A_2 * p_.l + p_.V_d;
-        c_.k10 = p_.A_1 * e1;
-        c_.k11 = p_.A_1 * e6;
-        c_.k12 = p_.A_1 * e9;
-        c_.k13 = p_.A_2 * e10;
-        c_.k14 = p_.A_2 * e6;
-        c_.k15 = p_.A_2 * e9;
-        c_.k16 = (Scalar(1) / Scalar(2)) * e6;
-        c_.k17 = (Scalar(1) / Scalar(2)) * e9;
-        const Scalar e14 = inverse_11 * e4;
-        const Scalar e15 = p_.T_0 * e14;
-        const Scalar e16 = Scalar(1) - p_.n;
-        const Scalar e17 = p_.R_s * e16;
-        c_.k18 = -(Scalar(1) / Scalar(2)) * e15 * e17;
-        c_.k19 = -e14 * e17;
-        const Scalar e18 = inverse_7 * e14;
-        c_.k20 = -e17 * e18;
-        c_.k21 = inverse_12;
-        c_.k22 = e3;
-        const Scalar e19 = inverse_7 * e3;
-        c_.k23 = e19;
-        const Scalar e20 = p_.A_1 * c_.c_v / p_.R_s;
-        c_.k24 = -p_.A_1 - e16 * e20;
-        const Scalar e21 = p_.R_s + c_.c_v;
-        const Scalar e22 = p_.n * c_.c_v - e21;
-        const Scalar e23 = e4 * e22;
-        c_.k25 = -e23;
-        const Scalar e24 = e22 * e8;
-        c_.k26 = -e24;
-        c_.k27 = p_.T_0 * e21;
-        const Scalar e25 = p_.T_0 * inverse_11;
-        c_.k28 = -e13 * e25;
-        c_.k29 = (Scalar(1) / Scalar(2)) * e3;
-        c_.k30 = (Scalar(1) / Scalar(2)) * e19;
-        c_.k31 = -(Scalar(1) / Scalar(2)) * e14 * e13;
-        const Scalar e26 = Scalar(1) - (Scalar(1) / Scalar(2)) * p_.n;
-        const Scalar e27 = e16 * (e16 * inverse_12);
-        c_.k32 = inverse_11 * e20 * (inverse_12 - Scalar(2) * e26 - e27);
-        const Scalar e28 = e21 * e4;
-        c_.k33 = e28;
-        const Scalar e29 = e21 * e8;
-        c_.k34 = e29;
-        c_.k35 = -(Scalar(1) / Scalar(2)) * e23;
-        c_.k36 = (Scalar(1) / Scalar(2)) * e28;
-        c_.k37 = -(Scalar(1) / Scalar(2)) * e24;
-        c_.k38 = (Scalar(1) / Scalar(2)) * e29;
-        const Scalar e30 = (Scalar(1) / Scalar(2)) * p_.R_s - (Scalar(1) / Scalar(2)) * inverse_12 * e21 + c_.c_v * e26;
-        c_.k39 = -e15 * e30;
-        const Scalar e31 = e21 * e13;
-        c_.k40 = -(Scalar(1) / Scalar(2)) * e15 * e31;
-        const Scalar e32 = p_.R_s * e13 - c_.c_v * e27;
-        c_.k41 = -e14 * e32;
-        c_.k42 = -e32 * e18;
-        c_.k43 = -e25 * e31;
+        c_.k10 = inverse_5;
+        const Scalar e10 = inverse_7 * e3;
+        const Scalar e11 = Scalar(1) - p_.n;
+        const Scalar e12 = p_.R_s * e11;
+        c_.k11 = e10 * e12;
+        c_.k12 = inverse_8;
+        const Scalar e13 = p_.T_0 * e10;
+        c_.k13 = e13 * e12;
+        c_.k14 = e2;
+        const Scalar e14 = inverse_5 * e2;
+        c_.k15 = e14;
+        const Scalar e15 = p_.A_1 * c_.c_v / p_.R_s;
+        c_.k16 = -p_.A_1 - e15 * e11;
+        const Scalar e16 = p_.R_s + c_.c_v;
+        const Scalar e17 = p_.n * c_.c_v - e16;
+        const Scalar e18 = e3 * e17;
+        c_.k17 = -e18;
+        const Scalar e19 = e17 * e6;
+        c_.k18 = -e19;
+        c_.k19 = p_.T_0 * e16;
+        const Scalar e20 = p_.T_0 * inverse_7;
+        c_.k20 = -e9 * e20;
+        c_.k21 = (Scalar(1) / Scalar(2)) * e2;
+        c_.k22 = (Scalar(1) / Scalar(2)) * e14;
+        c_.k23 = -(Scalar(1) / Scalar(2)) * e9 * e10;
+        const Scalar e21 = Scalar(1) - (Scalar(1) / Scalar(2)) * p_.n;
+        const Scalar e22 = e11 * (e11 * inverse_8);
+        c_.k24 = inverse_7 * e15 * (inverse_8 - Scalar(2) * e21 - e22);
+        const Scalar e23 = e16 * e3;
+        c_.k25 = e23;
+        const Scalar e24 = e16 * e6;
+        c_.k26 = e24;
+        c_.k27 = -(Scalar(1) / Scalar(2)) * e18;
+        c_.k28 = (Scalar(1) / Scalar(2)) * e23;
+        c_.k29 = -(Scalar(1) / Scalar(2)) * e19;
+        c_.k30 = (Scalar(1) / Scalar(2)) * e24;
+        const Scalar e25 = (Scalar(1) / Scalar(2)) * p_.R_s - (Scalar(1) / Scalar(2)) * inverse_8 * e16 + c_.c_v * e21;
+        c_.k31 = -e13 * e25;
+        const Scalar e26 = e16 * e9;
+        c_.k32 = -(Scalar(1) / Scalar(2)) * e13 * e26;
+        const Scalar e27 = e10 * (p_.R_s * e9 - c_.c_v * e22);
+        c_.k33 = -e27;
+        c_.k34 = -inverse_5 * e27;
+        c_.k35 = -e20 * e26;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -554,145 +546,154 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 61 + or -, 157 *, 8 /, 44 other functions
+    /// Operations: 48 + or -, 139 *, 8 /, 44 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
-        const Scalar p_1 = x[2];
+        const Scalar p_2 = x[3];
+        const Scalar e1 = p_.p_0 - p_2;
         const Scalar f_L = u[1];
         const Scalar s_dot = x[1];
-        const Scalar p_2 = x[3];
-        const Scalar s_ddot = (p_.A_1 * p_1 - c_.k1 - f_L - p_.d * s_dot - p_.A_2 * p_2) * c_.k0;
-        const Scalar e1 = c_.k7 * p_1;
-        const Scalar power_2 = pow(e1, c_.k8);
+        const Scalar p_1 = x[2];
+        const Scalar e2 = p_.p_0 - p_1;
+        const Scalar s_ddot = (p_.A_2 * e1 - f_L - p_.d * s_dot - p_.A_1 * e2) * c_.k0;
+        const Scalar e3 = p_.n * s_dot;
         const Scalar s = x[0];
-        const Scalar inverse_3 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e4 = power_2 * inverse_3;
-        const Scalar sqrt_5 = sqrt(p_.T_0 * power_2);
-        const Scalar inverse_6 = Scalar(1) / sqrt_5;
-        const Scalar e7 = p_.p_0 - p_1;
-        const Scalar step_8 = detail::step<Scalar>(-e7);
-        const Scalar abs_9 = abs(e7);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar inverse_10 = Scalar(1) / max_p_0;
-        const Scalar e11 = abs_9 * inverse_10;
-        const Scalar outflow_factor_12 = detail::outflow_factor<Scalar>(e11, c_.k6);
+        const Scalar inverse_4 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e5 = p_.A_1 * inverse_4;
+        const Scalar e6 = p_1 * e5;
         const Scalar u_value = u[0];
-        const Scalar max_13 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e14 = max_p_0 * e7;
-        const Scalar signed_root_15 = detail::signed_root<Scalar>(e14);
-        const Scalar e16 = max_13 * signed_root_15;
-        const Scalar e17 = outflow_factor_12 * e16;
-        const Scalar e18 = p_.p_S - p_1;
-        const Scalar step_19 = detail::step<Scalar>(-e18);
-        const Scalar abs_20 = abs(e18);
+        const Scalar max_7 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar step_8 = detail::step<Scalar>(e2);
+        const Scalar step_9 = detail::step<Scalar>(-e2);
+        const Scalar e10 = p_1 * c_.k7;
+        const Scalar power_11 = pow(e10, c_.k8);
+        const Scalar sqrt_12 = sqrt(p_.T_0 * power_11);
+        const Scalar inverse_13 = Scalar(1) / sqrt_12;
+        const Scalar e14 = step_9 * inverse_13;
+        const Scalar e15 = max_7 * (step_8 * c_.k10 + e14);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
+        const Scalar e16 = max_p_0 * e2;
+        const Scalar signed_root_17 = detail::signed_root<Scalar>(e16);
+        const Scalar abs_18 = abs(e2);
+        const Scalar inverse_19 = Scalar(1) / max_p_0;
+        const Scalar e20 = abs_18 * inverse_19;
+        const Scalar outflow_factor_21 = detail::outflow_factor<Scalar>(e20, c_.k6);
+        const Scalar e22 = signed_root_17 * outflow_factor_21;
+        const Scalar max_23 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar e24 = p_.p_S - p_1;
+        const Scalar step_25 = detail::step<Scalar>(e24);
+        const Scalar step_26 = detail::step<Scalar>(-e24);
+        const Scalar e27 = step_26 * inverse_13;
+        const Scalar e28 = max_23 * (step_25 * c_.k10 + e27);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar inverse_21 = Scalar(1) / max_p_S;
-        const Scalar e22 = abs_20 * inverse_21;
-        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(e22, c_.k6);
-        const Scalar max_24 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e25 = max_p_S * e18;
-        const Scalar signed_root_26 = detail::signed_root<Scalar>(e25);
-        const Scalar e27 = max_24 * signed_root_26;
-        const Scalar e28 = outflow_factor_23 * e27;
-        const Scalar e29 = inverse_6 * (step_8 * e17 + step_19 * e28);
-        const Scalar e30 = e4 * e29;
-        const Scalar step_31 = detail::step<Scalar>(e7);
-        const Scalar step_32 = detail::step<Scalar>(e18);
-        const Scalar e33 = step_31 * e17 + step_32 * e28;
-        const Scalar e34 = e33 * e4;
-        const Scalar e35 = s_dot * inverse_3;
-        const Scalar e36 = c_.k2 * e35;
-        const Scalar e37 = c_.k7 * p_2;
-        const Scalar power_38 = pow(e37, c_.k8);
-        const Scalar inverse_39 = Scalar(1) / (c_.k9 - p_.A_2 * s);
-        const Scalar e40 = power_38 * inverse_39;
-        const Scalar sqrt_41 = sqrt(p_.T_0 * power_38);
-        const Scalar inverse_42 = Scalar(1) / sqrt_41;
-        const Scalar e43 = p_.p_S - p_2;
-        const Scalar step_44 = detail::step<Scalar>(-e43);
-        const Scalar abs_45 = abs(e43);
+        const Scalar e29 = max_p_S * e24;
+        const Scalar signed_root_30 = detail::signed_root<Scalar>(e29);
+        const Scalar abs_31 = abs(e24);
+        const Scalar inverse_32 = Scalar(1) / max_p_S;
+        const Scalar e33 = abs_31 * inverse_32;
+        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e33, c_.k6);
+        const Scalar e35 = signed_root_30 * outflow_factor_34;
+        const Scalar e36 = e15 * e22 + e28 * e35;
+        const Scalar e37 = power_11 * inverse_4;
+        const Scalar e38 = e37 * c_.k3;
+        const Scalar e39 = e3 * e6 - e36 * e38;
+        const Scalar e40 = p_.p_S - p_2;
+        const Scalar step_41 = detail::step<Scalar>(e40);
+        const Scalar step_42 = detail::step<Scalar>(-e40);
+        const Scalar e43 = p_2 * c_.k7;
+        const Scalar power_44 = pow(e43, c_.k8);
+        const Scalar sqrt_45 = sqrt(p_.T_0 * power_44);
+        const Scalar inverse_46 = Scalar(1) / sqrt_45;
+        const Scalar e47 = step_42 * inverse_46;
+        const Scalar e48 = max_7 * (step_41 * c_.k10 + e47);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar inverse_46 = Scalar(1) / max_p_S_2;
-        const Scalar e47 = abs_45 * inverse_46;
-        const Scalar outflow_factor_48 = detail::outflow_factor<Scalar>(e47, c_.k6);
-        const Scalar e49 = max_p_S_2 * e43;
+        const Scalar e49 = max_p_S_2 * e40;
         const Scalar signed_root_50 = detail::signed_root<Scalar>(e49);
-        const Scalar e51 = max_13 * signed_root_50;
-        const Scalar e52 = outflow_factor_48 * e51;
-        const Scalar e53 = p_.p_0 - p_2;
-        const Scalar step_54 = detail::step<Scalar>(-e53);
-        const Scalar abs_55 = abs(e53);
+        const Scalar abs_51 = abs(e40);
+        const Scalar inverse_52 = Scalar(1) / max_p_S_2;
+        const Scalar e53 = abs_51 * inverse_52;
+        const Scalar outflow_factor_54 = detail::outflow_factor<Scalar>(e53, c_.k6);
+        const Scalar e55 = signed_root_50 * outflow_factor_54;
+        const Scalar step_56 = detail::step<Scalar>(e1);
+        const Scalar step_57 = detail::step<Scalar>(-e1);
+        const Scalar e58 = step_57 * inverse_46;
+        const Scalar e59 = max_23 * (step_56 * c_.k10 + e58);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_56 = Scalar(1) / max_p_0_2;
-        const Scalar e57 = abs_55 * inverse_56;
-        const Scalar outflow_factor_58 = detail::outflow_factor<Scalar>(e57, c_.k6);
-        const Scalar e59 = max_p_0_2 * e53;
-        const Scalar signed_root_60 = detail::signed_root<Scalar>(e59);
-        const Scalar e61 = max_24 * signed_root_60;
-        const Scalar e62 = outflow_factor_58 * e61;
-        const Scalar e63 = inverse_42 * (step_44 * e52 + step_54 * e62);
-        const Scalar e64 = e40 * e63;
-        const Scalar step_65 = detail::step<Scalar>(e43);
-        const Scalar step_66 = detail::step<Scalar>(e53);
-        const Scalar e67 = step_65 * e52 + step_66 * e62;
-        const Scalar e68 = e67 * e40;
-        const Scalar e69 = s_dot * inverse_39;
-        const Scalar e70 = c_.k5 * e69;
+        const Scalar e60 = max_p_0_2 * e1;
+        const Scalar signed_root_61 = detail::signed_root<Scalar>(e60);
+        const Scalar abs_62 = abs(e1);
+        const Scalar inverse_63 = Scalar(1) / max_p_0_2;
+        const Scalar e64 = abs_62 * inverse_63;
+        const Scalar outflow_factor_65 = detail::outflow_factor<Scalar>(e64, c_.k6);
+        const Scalar e66 = signed_root_61 * outflow_factor_65;
+        const Scalar e67 = e48 * e55 + e59 * e66;
+        const Scalar inverse_68 = Scalar(1) / (c_.k9 - p_.A_2 * s);
+        const Scalar e69 = power_44 * inverse_68;
+        const Scalar e70 = e69 * c_.k3;
+        const Scalar e71 = p_.A_2 * inverse_68;
+        const Scalar e72 = p_2 * e71;
+        const Scalar e73 = e67 * e70 + e3 * e72;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = c_.k3 * e30 + c_.k4 * e34 - p_1 * e36;
-        dxdt[3] = c_.k3 * e64 + c_.k4 * e68 + p_2 * e70;
-        const Scalar e71 = p_1 * inverse_3;
-        const Scalar e72 = p_2 * inverse_39;
-        const Scalar inverse_root_73 = detail::inverse_root<Scalar>(e25);
-        const Scalar e74 = c_.k16 * inverse_6;
-        const Scalar e75 = inverse_root_73 * (c_.k17 * step_32 + step_19 * e74) * (e4 * (max_24 * outflow_factor_23));
-        const Scalar e76 = c_.k3 * inverse_6;
-        const Scalar outflow_factor_slope_77 = detail::outflow_factor_slope<Scalar>(e22, c_.k6);
-        const Scalar e78 = (c_.k4 * step_32 + step_19 * e76) * e4 * (e27 * (outflow_factor_slope_77 * inverse_21));
-        const Scalar inverse_root_79 = detail::inverse_root<Scalar>(e14);
-        const Scalar e80 = inverse_root_79 * (c_.k17 * step_31 + step_8 * e74) * (e4 * (max_13 * outflow_factor_12));
-        const Scalar outflow_factor_slope_81 = detail::outflow_factor_slope<Scalar>(e11, c_.k6);
-        const Scalar e82 = (c_.k4 * step_31 + step_8 * e76) * e4 * (e16 * (outflow_factor_slope_81 * inverse_10));
-        const Scalar e83 = -c_.k21;
-        const Scalar power_84 = pow(e1, e83);
-        const Scalar sign_85 = detail::sign<Scalar>(e7);
-        const Scalar sign_86 = detail::sign<Scalar>(e18);
-        const Scalar inverse_root_87 = detail::inverse_root<Scalar>(e49);
-        const Scalar e88 = c_.k16 * inverse_42;
-        const Scalar e89 = inverse_root_87 * (c_.k17 * step_65 + step_44 * e88) * (e40 * (max_13 * outflow_factor_48));
-        const Scalar e90 = c_.k3 * inverse_42;
-        const Scalar outflow_factor_slope_91 = detail::outflow_factor_slope<Scalar>(e47, c_.k6);
-        const Scalar e92 = (c_.k4 * step_65 + step_44 * e90) * e40 * (e51 * (outflow_factor_slope_91 * inverse_46));
-        const Scalar inverse_root_93 = detail::inverse_root<Scalar>(e59);
-        const Scalar e94 = inverse_root_93 * (c_.k17 * step_66 + step_54 * e88) * (e40 * (max_24 * outflow_factor_58));
-        const Scalar outflow_factor_slope_95 = detail::outflow_factor_slope<Scalar>(e57, c_.k6);
-        const Scalar e96 = (c_.k4 * step_66 + step_54 * e90) * e40 * (e61 * (outflow_factor_slope_95 * inverse_56));
-        const Scalar power_97 = pow(e37, e83);
-        const Scalar sign_98 = detail::sign<Scalar>(e43);
-        const Scalar sign_99 = detail::sign<Scalar>(e53);
+        dxdt[2] = -e39;
+        dxdt[3] = e73;
+        const Scalar e74 = e38 * e28;
+        const Scalar inverse_root_75 = detail::inverse_root<Scalar>(e29);
+        const Scalar e76 = e74 * (inverse_root_75 * outflow_factor_34);
+        const Scalar outflow_factor_slope_77 = detail::outflow_factor_slope<Scalar>(e33, c_.k6);
+        const Scalar e78 = signed_root_30 * inverse_32 * (outflow_factor_slope_77 * e74);
+        const Scalar e79 = e38 * e15;
+        const Scalar inverse_root_80 = detail::inverse_root<Scalar>(e16);
+        const Scalar e81 = e79 * (inverse_root_80 * outflow_factor_21);
+        const Scalar outflow_factor_slope_82 = detail::outflow_factor_slope<Scalar>(e20, c_.k6);
+        const Scalar e83 = signed_root_17 * inverse_19 * (outflow_factor_slope_82 * e79);
+        const Scalar e84 = (-Scalar(1)) * c_.k12;
+        const Scalar power_85 = pow(e10, e84);
+        const Scalar e86 = max_7 * c_.k13;
+        const Scalar e87 = max_23 * c_.k13;
+        const Scalar sign_88 = detail::sign<Scalar>(e24);
+        const Scalar sign_89 = detail::sign<Scalar>(e2);
+        const Scalar e90 = e70 * e48;
+        const Scalar inverse_root_91 = detail::inverse_root<Scalar>(e49);
+        const Scalar e92 = e90 * (inverse_root_91 * outflow_factor_54);
+        const Scalar outflow_factor_slope_93 = detail::outflow_factor_slope<Scalar>(e53, c_.k6);
+        const Scalar e94 = signed_root_50 * inverse_52 * (outflow_factor_slope_93 * e90);
+        const Scalar e95 = e70 * e59;
+        const Scalar inverse_root_96 = detail::inverse_root<Scalar>(e60);
+        const Scalar e97 = e95 * (inverse_root_96 * outflow_factor_65);
+        const Scalar outflow_factor_slope_98 = detail::outflow_factor_slope<Scalar>(e64, c_.k6);
+        const Scalar e99 = signed_root_61 * inverse_63 * (outflow_factor_slope_98 * e95);
+        const Scalar power_100 = pow(e43, e84);
+        const Scalar sign_101 = detail::sign<Scalar>(e40);
+        const Scalar sign_102 = detail::sign<Scalar>(e1);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k10 * e35 * e71 - inverse_3 * (c_.k11 * e30 + c_.k12 * e34);
-        J[3] = inverse_39 * (c_.k14 * e64 + c_.k15 * e68) + c_.k13 * e69 * e72;
+        J[2] = e39 * e5;
+        J[3] = e73 * e71;
         J[4] = Scalar(1);
         J[5] = (-p_.d) * c_.k0;
-        J[6] = -c_.k2 * e71;
-        J[7] = c_.k5 * e72;
+        J[6] = -p_.n * e6;
+        J[7] = p_.n * e72;
         J[8] = Scalar(0);
         J[9] = p_.A_1 * c_.k0;
-        J[10] = step_19 * (e18 * e75 - e22 * e78) + step_8 * (e7 * e80 - e11 * e82) + power_84 * inverse_3
-            * (c_.k20 * e33 + c_.k19 * e29) - c_.k18 * power_84 * inverse_6 * inverse_6 * e30 - e36 - max_p_0 * e80 - max_p_S
-            * e75 - sign_85 * e82 - sign_86 * e78;
+        const Scalar e103 = power_85 * inverse_13 * (inverse_13 * e37)
+            * ((Scalar(1) / Scalar(2)) * (e22 * e14 * e86 + e35 * e27 * e87));
+        J[10] = step_26 * ((Scalar(1) / Scalar(2)) * e24 * e76 - e33 * e78) + step_9
+            * ((Scalar(1) / Scalar(2)) * e2 * e81 - e20 * e83) + e103 - (Scalar(1) / Scalar(2)) * max_p_S * e76
+            - (Scalar(1) / Scalar(2)) * max_p_0 * e81 - power_85 * inverse_4 * e36 * c_.k11 - sign_88 * e78 - sign_89 * e83
+            - e3 * e5;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
         J[13] = (-p_.A_2) * c_.k0;
         J[14] = Scalar(0);
-        J[15] = step_44 * (e43 * e89 - e47 * e92) + step_54 * (e53 * e94 - e57 * e96) + power_97 * inverse_39
-            * (c_.k20 * e67 + c_.k19 * e63) - c_.k18 * power_97 * inverse_42 * inverse_42 * e64 + e70 - max_p_S_2 * e89
-            - max_p_0_2 * e94 - sign_98 * e92 - sign_99 * e96;
+        const Scalar e104 = power_100 * inverse_46 * (inverse_46 * e69)
+            * ((Scalar(1) / Scalar(2)) * (e55 * e47 * e86 + e66 * e58 * e87));
+        J[15] = step_42 * ((Scalar(1) / Scalar(2)) * e40 * e92 - e53 * e94) + step_57
+            * ((Scalar(1) / Scalar(2)) * e1 * e97 - e64 * e99) + e104 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e92
+            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e97 - power_100 * inverse_68 * e67 * c_.k11 - sign_101 * e94 - sign_102
+            * e99 + e3 * e71;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -762,7 +763,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 15, entry (i, j) at J[4*j + i].
-    /// Operations: 96 + or -, 255 *, 14 /, 53 other functions
+    /// Operations: 95 + or -, 264 *, 14 /, 53 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::abs;
         using std::log;
@@ -776,204 +777,208 @@ public:
         const Scalar p_2 = x[3];
         const Scalar e3 = p_.p_0 - p_2;
         const Scalar s_dot = x[1];
-        const Scalar inverse_4 = Scalar(1) / (Scalar(1) - p_.kappa);
-        const Scalar inverse_5 = Scalar(1) / c_.c_v;
-        const Scalar e6 = inverse_4 * (p_.R_s * inverse_5);
-        const Scalar e7 = Scalar(1) + e6;
-        const Scalar e8 = p_.A_v * p_.alpha_d;
-        const Scalar sqrt_9 = sqrt(Scalar(2));
+        const Scalar e4 = p_.A_v * p_.alpha_d;
+        const Scalar sqrt_5 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar inverse_10 = Scalar(1) / sqrt_R_s;
-        const Scalar e11 = sqrt_9 * inverse_10;
-        const Scalar e12 = p_.T_0 * e11;
-        const Scalar e13 = p_.R_s * e12;
-        const Scalar e14 = e8 * e13;
-        const Scalar e15 = p_.n * e14;
-        const Scalar e16 = inverse_5 * e15;
-        const Scalar e17 = e7 * e16;
-        const Scalar e18 = c_.k7 * p_1;
-        const Scalar power_19 = pow(e18, c_.k8);
-        const Scalar sqrt_20 = sqrt(p_.T_0 * power_19);
-        const Scalar inverse_21 = Scalar(1) / sqrt_20;
+        const Scalar inverse_6 = Scalar(1) / sqrt_R_s;
+        const Scalar e7 = sqrt_5 * inverse_6;
+        const Scalar e8 = p_.T_0 * e7;
+        const Scalar e9 = p_.R_s * e8;
+        const Scalar e10 = e4 * e9;
+        const Scalar e11 = p_.n * e10;
+        const Scalar inverse_12 = Scalar(1) / c_.c_v;
+        const Scalar e13 = p_.R_s * inverse_12 / (Scalar(1) - p_.kappa);
+        const Scalar e14 = inverse_12 * (Scalar(1) + e13);
+        const Scalar e15 = e11 * e14;
+        const Scalar e16 = c_.k7 * p_1;
+        const Scalar power_17 = pow(e16, c_.k8);
+        const Scalar sqrt_18 = sqrt(p_.T_0 * power_17);
+        const Scalar inverse_19 = Scalar(1) / sqrt_18;
         const Scalar s = x[0];
-        const Scalar inverse_22 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e23 = power_19 * inverse_22;
-        const Scalar e24 = inverse_21 * e23;
-        const Scalar abs_25 = abs(e1);
+        const Scalar inverse_20 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e21 = power_17 * inverse_20;
+        const Scalar e22 = inverse_19 * e21;
+        const Scalar abs_23 = abs(e1);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar inverse_26 = Scalar(1) / max_p_0;
-        const Scalar e27 = abs_25 * inverse_26;
-        const Scalar outflow_factor_by_exponent_28 = detail::outflow_factor_by_exponent<Scalar>(e27, c_.k6);
-        const Scalar step_29 = detail::step<Scalar>(e2);
+        const Scalar inverse_24 = Scalar(1) / max_p_0;
+        const Scalar e25 = abs_23 * inverse_24;
+        const Scalar outflow_factor_by_exponent_26 = detail::outflow_factor_by_exponent<Scalar>(e25, c_.k6);
+        const Scalar step_27 = detail::step<Scalar>(e2);
         const Scalar u_value = u[0];
-        const Scalar max_30 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e31 = max_p_0 * e1;
-        const Scalar signed_root_32 = detail::signed_root<Scalar>(e31);
-        const Scalar e33 = max_30 * signed_root_32;
-        const Scalar e34 = step_29 * e33;
-        const Scalar e35 = p_.p_S - p_1;
-        const Scalar abs_36 = abs(e35);
+        const Scalar max_28 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar e29 = max_p_0 * e1;
+        const Scalar signed_root_30 = detail::signed_root<Scalar>(e29);
+        const Scalar e31 = max_28 * signed_root_30;
+        const Scalar e32 = step_27 * e31;
+        const Scalar e33 = p_.p_S - p_1;
+        const Scalar abs_34 = abs(e33);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar inverse_37 = Scalar(1) / max_p_S;
-        const Scalar e38 = abs_36 * inverse_37;
-        const Scalar outflow_factor_by_exponent_39 = detail::outflow_factor_by_exponent<Scalar>(e38, c_.k6);
-        const Scalar step_40 = detail::step<Scalar>(-e35);
-        const Scalar max_41 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e42 = max_p_S * e35;
-        const Scalar signed_root_43 = detail::signed_root<Scalar>(e42);
-        const Scalar e44 = max_41 * signed_root_43;
-        const Scalar e45 = step_40 * e44;
-        const Scalar e46 = outflow_factor_by_exponent_28 * e34 + outflow_factor_by_exponent_39 * e45;
-        const Scalar e47 = e24 * e46;
-        const Scalar e48 = p_.n * e8;
-        const Scalar e49 = e12 * e48 - (Scalar(1) / Scalar(2)) * inverse_10 * inverse_10 * e15;
-        const Scalar e50 = -e49;
-        const Scalar outflow_factor_51 = detail::outflow_factor<Scalar>(e27, c_.k6);
-        const Scalar outflow_factor_52 = detail::outflow_factor<Scalar>(e38, c_.k6);
-        const Scalar e53 = outflow_factor_51 * e34 + outflow_factor_52 * e45;
-        const Scalar e54 = e53 * e24;
+        const Scalar inverse_35 = Scalar(1) / max_p_S;
+        const Scalar e36 = abs_34 * inverse_35;
+        const Scalar outflow_factor_by_exponent_37 = detail::outflow_factor_by_exponent<Scalar>(e36, c_.k6);
+        const Scalar step_38 = detail::step<Scalar>(-e33);
+        const Scalar max_39 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar e40 = max_p_S * e33;
+        const Scalar signed_root_41 = detail::signed_root<Scalar>(e40);
+        const Scalar e42 = max_39 * signed_root_41;
+        const Scalar e43 = step_38 * e42;
+        const Scalar e44 = outflow_factor_by_exponent_26 * e32 + outflow_factor_by_exponent_37 * e43;
+        const Scalar e45 = e22 * e44;
+        const Scalar inverse_6_squared = inverse_6 * inverse_6;
+        const Scalar e46 = p_.n * e4;
+        const Scalar e47 = (Scalar(1) / Scalar(2)) * e11 * inverse_6_squared - e8 * e46;
+        const Scalar outflow_factor_48 = detail::outflow_factor<Scalar>(e25, c_.k6);
+        const Scalar outflow_factor_49 = detail::outflow_factor<Scalar>(e36, c_.k6);
+        const Scalar e50 = outflow_factor_48 * e32 + outflow_factor_49 * e43;
+        const Scalar e51 = e50 * e22;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_55 = Scalar(1) / sqrt_T_0;
-        const Scalar e56 = -inverse_55 * e49;
+        const Scalar inverse_52 = Scalar(1) / sqrt_T_0;
+        const Scalar e53 = inverse_52 * e11;
+        const Scalar e54 = p_.n * inverse_52;
+        const Scalar e55 = e4 * e54;
+        const Scalar e56 = (Scalar(1) / Scalar(2)) * e53 * inverse_6_squared - e8 * e55;
         const Scalar step_57 = detail::step<Scalar>(e1);
-        const Scalar e58 = step_57 * e33;
-        const Scalar step_59 = detail::step<Scalar>(e35);
-        const Scalar e60 = step_59 * e44;
-        const Scalar e61 = outflow_factor_51 * e58 + outflow_factor_52 * e60;
-        const Scalar e62 = e61 * e23;
-        const Scalar e63 = inverse_55 * e16;
-        const Scalar e64 = e7 * e63;
-        const Scalar e65 = outflow_factor_by_exponent_28 * e58 + outflow_factor_by_exponent_39 * e60;
-        const Scalar e66 = e23 * e65;
-        const Scalar e67 = c_.k7 * p_2;
-        const Scalar power_68 = pow(e67, c_.k8);
-        const Scalar sqrt_69 = sqrt(p_.T_0 * power_68);
-        const Scalar inverse_70 = Scalar(1) / sqrt_69;
-        const Scalar inverse_71 = Scalar(1) / (c_.k9 - p_.A_2 * s);
-        const Scalar e72 = power_68 * inverse_71;
-        const Scalar e73 = inverse_70 * e72;
-        const Scalar e74 = p_.p_S - p_2;
-        const Scalar abs_75 = abs(e74);
+        const Scalar e58 = step_57 * e31;
+        const Scalar step_59 = detail::step<Scalar>(e33);
+        const Scalar e60 = step_59 * e42;
+        const Scalar e61 = outflow_factor_48 * e58 + outflow_factor_49 * e60;
+        const Scalar e62 = e61 * e21;
+        const Scalar e63 = e53 * e14;
+        const Scalar e64 = outflow_factor_by_exponent_26 * e58 + outflow_factor_by_exponent_37 * e60;
+        const Scalar e65 = e21 * e64;
+        const Scalar e66 = c_.k7 * p_2;
+        const Scalar power_67 = pow(e66, c_.k8);
+        const Scalar sqrt_68 = sqrt(p_.T_0 * power_67);
+        const Scalar inverse_69 = Scalar(1) / sqrt_68;
+        const Scalar inverse_70 = Scalar(1) / (c_.k9 - p_.A_2 * s);
+        const Scalar e71 = power_67 * inverse_70;
+        const Scalar e72 = inverse_69 * e71;
+        const Scalar e73 = p_.p_S - p_2;
+        const Scalar abs_74 = abs(e73);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar inverse_76 = Scalar(1) / max_p_S_2;
-        const Scalar e77 = abs_75 * inverse_76;
-        const Scalar outflow_factor_by_exponent_78 = detail::outflow_factor_by_exponent<Scalar>(e77, c_.k6);
-        const Scalar step_79 = detail::step<Scalar>(-e74);
-        const Scalar e80 = max_p_S_2 * e74;
-        const Scalar signed_root_81 = detail::signed_root<Scalar>(e80);
-        const Scalar e82 = max_30 * signed_root_81;
-        const Scalar e83 = step_79 * e82;
-        const Scalar abs_84 = abs(e3);
+        const Scalar inverse_75 = Scalar(1) / max_p_S_2;
+        const Scalar e76 = abs_74 * inverse_75;
+        const Scalar outflow_factor_by_exponent_77 = detail::outflow_factor_by_exponent<Scalar>(e76, c_.k6);
+        const Scalar step_78 = detail::step<Scalar>(-e73);
+        const Scalar e79 = max_p_S_2 * e73;
+        const Scalar signed_root_80 = detail::signed_root<Scalar>(e79);
+        const Scalar e81 = max_28 * signed_root_80;
+        const Scalar e82 = step_78 * e81;
+        const Scalar abs_83 = abs(e3);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_85 = Scalar(1) / max_p_0_2;
-        const Scalar e86 = abs_84 * inverse_85;
-        const Scalar outflow_factor_by_exponent_87 = detail::outflow_factor_by_exponent<Scalar>(e86, c_.k6);
-        const Scalar step_88 = detail::step<Scalar>(-e3);
-        const Scalar e89 = max_p_0_2 * e3;
-        const Scalar signed_root_90 = detail::signed_root<Scalar>(e89);
-        const Scalar e91 = max_41 * signed_root_90;
-        const Scalar e92 = step_88 * e91;
-        const Scalar e93 = outflow_factor_by_exponent_78 * e83 + outflow_factor_by_exponent_87 * e92;
-        const Scalar e94 = e73 * e93;
-        const Scalar outflow_factor_95 = detail::outflow_factor<Scalar>(e77, c_.k6);
-        const Scalar outflow_factor_96 = detail::outflow_factor<Scalar>(e86, c_.k6);
-        const Scalar e97 = outflow_factor_95 * e83 + outflow_factor_96 * e92;
-        const Scalar e98 = e97 * e73;
-        const Scalar step_99 = detail::step<Scalar>(e74);
-        const Scalar e100 = step_99 * e82;
-        const Scalar step_101 = detail::step<Scalar>(e3);
-        const Scalar e102 = step_101 * e91;
-        const Scalar e103 = outflow_factor_95 * e100 + outflow_factor_96 * e102;
-        const Scalar e104 = e103 * e72;
-        const Scalar e105 = outflow_factor_by_exponent_78 * e100 + outflow_factor_by_exponent_87 * e102;
-        const Scalar e106 = e72 * e105;
-        const Scalar e107 = e6 * (p_.R_s * inverse_4);
-        const Scalar e108 = e16 * e107;
-        const Scalar e109 = e63 * e107;
-        const Scalar log_110 = log(e18);
-        const Scalar e111 = e14 / p_.n;
-        const Scalar e112 = inverse_55 * e111;
-        const Scalar e113 = (Scalar(1) / Scalar(2)) * p_.T_0 * e111;
-        const Scalar e114 = e54 * (inverse_21 * inverse_21);
-        const Scalar e115 = power_19 * e114;
-        const Scalar e116 = inverse_55 * e14;
-        const Scalar e117 = p_1 * inverse_22;
-        const Scalar e118 = s_dot * e117;
-        const Scalar log_119 = log(e67);
-        const Scalar e120 = e98 * (inverse_70 * inverse_70);
-        const Scalar e121 = power_68 * e120;
-        const Scalar e122 = p_2 * inverse_71;
-        const Scalar e123 = s_dot * e122;
-        const Scalar e124 = inverse_22 * (c_.k3 * e54 + c_.k4 * e62);
-        const Scalar e125 = inverse_22 * e118;
-        const Scalar e126 = inverse_71 * e98;
-        const Scalar e127 = inverse_55 * e15;
-        const Scalar e128 = inverse_71 * e104;
-        const Scalar e129 = inverse_71 * (c_.k3 * e98 + (c_.k4 * e104 + c_.k5 * e123));
-        const Scalar e130 = inverse_71 * e123;
-        const Scalar inverse_root_131 = detail::inverse_root<Scalar>(e42);
-        const Scalar e132 = c_.k17 * e23;
-        const Scalar e133 = c_.k16 * e24;
-        const Scalar sign_134 = detail::sign<Scalar>(e35);
-        const Scalar outflow_factor_slope_135 = detail::outflow_factor_slope<Scalar>(e38, c_.k6);
-        const Scalar e136 = c_.k4 * e23;
-        const Scalar e137 = c_.k3 * e24;
-        const Scalar inverse_root_138 = detail::inverse_root<Scalar>(e80);
-        const Scalar e139 = c_.k17 * e72;
-        const Scalar e140 = c_.k16 * e73;
-        const Scalar sign_141 = detail::sign<Scalar>(e74);
-        const Scalar outflow_factor_slope_142 = detail::outflow_factor_slope<Scalar>(e77, c_.k6);
-        const Scalar e143 = c_.k4 * e72;
-        const Scalar e144 = c_.k3 * e73;
-        const Scalar e145 = -c_.k21;
-        const Scalar power_146 = pow(e18, e145);
+        const Scalar inverse_84 = Scalar(1) / max_p_0_2;
+        const Scalar e85 = abs_83 * inverse_84;
+        const Scalar outflow_factor_by_exponent_86 = detail::outflow_factor_by_exponent<Scalar>(e85, c_.k6);
+        const Scalar step_87 = detail::step<Scalar>(-e3);
+        const Scalar e88 = max_p_0_2 * e3;
+        const Scalar signed_root_89 = detail::signed_root<Scalar>(e88);
+        const Scalar e90 = max_39 * signed_root_89;
+        const Scalar e91 = step_87 * e90;
+        const Scalar e92 = outflow_factor_by_exponent_77 * e82 + outflow_factor_by_exponent_86 * e91;
+        const Scalar e93 = e72 * e92;
+        const Scalar outflow_factor_94 = detail::outflow_factor<Scalar>(e76, c_.k6);
+        const Scalar outflow_factor_95 = detail::outflow_factor<Scalar>(e85, c_.k6);
+        const Scalar e96 = outflow_factor_94 * e82 + outflow_factor_95 * e91;
+        const Scalar e97 = e96 * e72;
+        const Scalar step_98 = detail::step<Scalar>(e73);
+        const Scalar e99 = step_98 * e81;
+        const Scalar step_100 = detail::step<Scalar>(e3);
+        const Scalar e101 = step_100 * e90;
+        const Scalar e102 = outflow_factor_94 * e99 + outflow_factor_95 * e101;
+        const Scalar e103 = e102 * e71;
+        const Scalar e104 = outflow_factor_by_exponent_77 * e99 + outflow_factor_by_exponent_86 * e101;
+        const Scalar e105 = e71 * e104;
+        const Scalar e13_squared = e13 * e13;
+        const Scalar e106 = e11 * e13_squared;
+        const Scalar e107 = e53 * e13_squared;
+        const Scalar log_108 = log(e16);
+        const Scalar e109 = e10 / p_.n;
+        const Scalar e110 = inverse_52 * e109;
+        const Scalar e111 = (Scalar(1) / Scalar(2)) * p_.T_0 * e109;
+        const Scalar e112 = e51 * (inverse_19 * inverse_19);
+        const Scalar e113 = power_17 * e112;
+        const Scalar e114 = inverse_52 * e10;
+        const Scalar e115 = p_1 * inverse_20;
+        const Scalar e116 = s_dot * e115;
+        const Scalar log_117 = log(e66);
+        const Scalar e118 = e97 * (inverse_69 * inverse_69);
+        const Scalar e119 = power_67 * e118;
+        const Scalar e120 = p_2 * inverse_70;
+        const Scalar e121 = s_dot * e120;
+        const Scalar e122 = inverse_20 * (c_.k3 * e51 + c_.k4 * e62);
+        const Scalar e123 = inverse_20 * e116;
+        const Scalar e124 = inverse_70 * e97;
+        const Scalar e125 = inverse_70 * e103;
+        const Scalar e126 = inverse_70 * (c_.k3 * e97 + (c_.k4 * e103 + c_.k5 * e121));
+        const Scalar e127 = p_.n * p_.A_2;
+        const Scalar e128 = inverse_70 * e121;
+        const Scalar inverse_root_129 = detail::inverse_root<Scalar>(e40);
+        const Scalar e130 = (Scalar(1) / Scalar(2)) * e53;
+        const Scalar e131 = e130 * e21;
+        const Scalar e132 = (Scalar(1) / Scalar(2)) * e11;
+        const Scalar e133 = e132 * e22;
+        const Scalar sign_134 = detail::sign<Scalar>(e33);
+        const Scalar outflow_factor_slope_135 = detail::outflow_factor_slope<Scalar>(e36, c_.k6);
+        const Scalar e136 = c_.k4 * e21;
+        const Scalar e137 = c_.k3 * e22;
+        const Scalar inverse_root_138 = detail::inverse_root<Scalar>(e79);
+        const Scalar e139 = e130 * e71;
+        const Scalar e140 = e132 * e72;
+        const Scalar sign_141 = detail::sign<Scalar>(e73);
+        const Scalar outflow_factor_slope_142 = detail::outflow_factor_slope<Scalar>(e76, c_.k6);
+        const Scalar e143 = c_.k4 * e71;
+        const Scalar e144 = c_.k3 * e72;
+        const Scalar e145 = -c_.k12;
+        const Scalar power_146 = pow(e16, e145);
         const Scalar inverse_147 = Scalar(1) / p_.p_r;
-        const Scalar e148 = (e14 - e15) * (inverse_147 * inverse_147);
+        const Scalar e148 = (e10 - e11) * (inverse_147 * inverse_147);
         const Scalar e149 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e148;
         const Scalar e150 = -e148;
-        const Scalar e151 = -inverse_55 * e148;
-        const Scalar power_152 = pow(e67, e145);
-        const Scalar inverse_root_153 = detail::inverse_root<Scalar>(e31);
+        const Scalar e151 = -inverse_52 * e148;
+        const Scalar power_152 = pow(e66, e145);
+        const Scalar inverse_root_153 = detail::inverse_root<Scalar>(e29);
         const Scalar sign_154 = detail::sign<Scalar>(e1);
-        const Scalar outflow_factor_slope_155 = detail::outflow_factor_slope<Scalar>(e27, c_.k6);
-        const Scalar inverse_root_156 = detail::inverse_root<Scalar>(e89);
+        const Scalar outflow_factor_slope_155 = detail::outflow_factor_slope<Scalar>(e25, c_.k6);
+        const Scalar inverse_root_156 = detail::inverse_root<Scalar>(e88);
         const Scalar sign_157 = detail::sign<Scalar>(e3);
-        const Scalar outflow_factor_slope_158 = detail::outflow_factor_slope<Scalar>(e86, c_.k6);
-        const Scalar e159 = e48 * (p_.R_s * e11);
-        const Scalar e160 = inverse_55 * ((Scalar(1) / Scalar(2)) * inverse_55 * e127 - e159);
-        const Scalar e161 = p_.n * e13;
-        const Scalar e162 = p_.alpha_d * e161;
-        const Scalar e163 = inverse_55 * e162;
-        const Scalar e164 = p_.A_v * e161;
-        const Scalar e165 = inverse_55 * e164;
+        const Scalar outflow_factor_slope_158 = detail::outflow_factor_slope<Scalar>(e85, c_.k6);
+        const Scalar e159 = p_.R_s * e7;
+        const Scalar e160 = e159 * e46;
+        const Scalar e161 = (Scalar(1) / Scalar(2)) * inverse_52 * inverse_52 * e53 - e159 * e55;
+        const Scalar e162 = p_.n * e9;
+        const Scalar e163 = p_.alpha_d * e162;
+        const Scalar e164 = e9 * e54;
+        const Scalar e165 = p_.alpha_d * e164;
+        const Scalar e166 = p_.A_v * e162;
+        const Scalar e167 = p_.A_v * e164;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e17 * e47 - e50 * e54 - e56 * e62 + e64 * e66;
-        J[3] = e17 * e94 - e50 * e98 - e56 * e104 + e64 * e106;
+        J[2] = e15 * e45 - e47 * e51 - e56 * e62 + e63 * e65;
+        J[3] = e15 * e93 - e47 * e97 - e56 * e103 + e63 * e105;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = e108 * e47 + e109 * e66;
-        J[7] = e108 * e94 + e109 * e106;
+        J[6] = e106 * e45 + e107 * e65;
+        J[7] = e106 * e93 + e107 * e105;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
-        J[10] = log_110 * (e111 * e54 + e112 * e62 - e113 * e115) + e14 * e54 + e116 * e62 - p_.A_1 * e118;
-        J[11] = log_119 * (e111 * e98 + e112 * e104 - e113 * e121) + e14 * e98 + e116 * e104 + p_.A_2 * e123;
+        J[10] = log_108 * (e109 * e51 + e110 * e62 - e111 * e113) + e10 * e51 + e114 * e62 - p_.A_1 * e116;
+        J[11] = log_117 * (e109 * e97 + e110 * e103 - e111 * e119) + e10 * e97 + e114 * e103 + p_.A_2 * e121;
         J[12] = Scalar(0);
         J[13] = e2 * c_.k0;
-        J[14] = -s * e124 - p_.n * p_.V_d * e125;
+        J[14] = -s * e122 - p_.n * p_.V_d * e123;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = e3 * c_.k0;
         J[18] = Scalar(0);
-        J[19] = p_.n * e123 - p_.l * e15 * e126 - p_.l * e127 * e128 + s * e129 - p_.n * p_.A_2 * p_.l * e130;
+        J[19] = p_.n * e121 - p_.l * e11 * e124 - p_.l * e53 * e125 + s * e126 - p_.l * e127 * e128;
         J[20] = Scalar(0);
         J[21] = Scalar(0);
         J[22] = Scalar(0);
-        J[23] = -c_.k14 * e126 - c_.k15 * e128 - c_.k13 * e130;
+        J[23] = -p_.A_2 * e11 * e124 - p_.A_2 * e53 * e125 - p_.A_2 * e127 * e128;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = c_.k2 * e125 - e124;
-        J[27] = -e129;
+        J[26] = c_.k2 * e123 - e122;
+        J[27] = -e126;
         J[28] = Scalar(0);
         J[29] = (-dxdt[1]) * c_.k0;
         J[30] = Scalar(0);
@@ -984,36 +989,36 @@ public:
         J[35] = Scalar(0);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        const Scalar e166 = max_41 * outflow_factor_52 * (inverse_root_131 * (max_p_S + step_59 * e35));
-        const Scalar e167 = (step_59 * e38 - sign_134) * (outflow_factor_slope_135 * inverse_37) * (e60 * e136 + e45 * e137);
-        J[38] = e166 * (step_59 * e132 + step_40 * e133) - e167;
-        const Scalar e168 = max_30 * outflow_factor_95 * (inverse_root_138 * (max_p_S_2 + step_99 * e74));
-        const Scalar e169 = (step_99 * e77 - sign_141) * (outflow_factor_slope_142 * inverse_76) * (e100 * e143 + e83 * e144);
-        J[39] = e168 * (step_99 * e139 + step_79 * e140) - e169;
+        const Scalar e168 = max_39 * outflow_factor_49 * (inverse_root_129 * (max_p_S + step_59 * e33));
+        const Scalar e169 = (step_59 * e36 - sign_134) * (outflow_factor_slope_135 * inverse_35) * (e60 * e136 + e43 * e137);
+        J[38] = e168 * (step_59 * e131 + step_38 * e133) - e169;
+        const Scalar e170 = max_28 * outflow_factor_94 * (inverse_root_138 * (max_p_S_2 + step_98 * e73));
+        const Scalar e171 = (step_98 * e76 - sign_141) * (outflow_factor_slope_142 * inverse_75) * (e99 * e143 + e82 * e144);
+        J[39] = e170 * (step_98 * e139 + step_78 * e140) - e171;
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        J[42] = p_1 * power_146 * e149 * e114 - power_146 * e117 * (inverse_21 * e150 * e53 + e151 * e61);
-        J[43] = p_2 * power_152 * e149 * e120 - power_152 * e122 * (inverse_70 * e150 * e97 + e151 * e103);
+        J[42] = p_1 * power_146 * e149 * e112 - power_146 * e115 * (inverse_19 * e150 * e50 + e151 * e61);
+        J[43] = p_2 * power_152 * e149 * e118 - power_152 * e120 * (inverse_69 * e150 * e96 + e151 * e102);
         J[44] = Scalar(0);
         J[45] = (-(p_.A_1 - p_.A_2)) * c_.k0;
-        const Scalar e170 = max_30 * outflow_factor_51 * (inverse_root_153 * (max_p_0 + step_57 * e1));
-        const Scalar e171 = (step_57 * e27 - sign_154) * (outflow_factor_slope_155 * inverse_26) * (e58 * e136 + e34 * e137);
-        J[46] = e170 * (step_57 * e132 + step_29 * e133) - e171;
-        const Scalar e172 = max_41 * outflow_factor_96 * (inverse_root_156 * (max_p_0_2 + step_101 * e3));
-        const Scalar e173 = (step_101 * e86 - sign_157) * (outflow_factor_slope_158 * inverse_85) * (e102 * e143 + e92 * e144);
-        J[47] = e172 * (step_101 * e139 + step_88 * e140) - e173;
+        const Scalar e172 = max_28 * outflow_factor_48 * (inverse_root_153 * (max_p_0 + step_57 * e1));
+        const Scalar e173 = (step_57 * e25 - sign_154) * (outflow_factor_slope_155 * inverse_24) * (e58 * e136 + e32 * e137);
+        J[46] = e172 * (step_57 * e131 + step_27 * e133) - e173;
+        const Scalar e174 = max_39 * outflow_factor_95 * (inverse_root_156 * (max_p_0_2 + step_100 * e3));
+        const Scalar e175 = (step_100 * e85 - sign_157) * (outflow_factor_slope_158 * inverse_84) * (e101 * e143 + e91 * e144);
+        J[47] = e174 * (step_100 * e139 + step_87 * e140) - e175;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = e159 * e54 - e160 * e62 - c_.k16 * e115;
-        J[51] = e159 * e98 - e160 * e104 - c_.k16 * e121;
+        J[50] = e160 * e51 - e161 * e62 - e132 * e113;
+        J[51] = e160 * e97 - e161 * e103 - e132 * e119;
         J[52] = Scalar(0);
         J[53] = Scalar(0);
-        J[54] = e162 * e54 + e163 * e62;
-        J[55] = e162 * e98 + e163 * e104;
+        J[54] = e163 * e51 + e165 * e62;
+        J[55] = e163 * e97 + e165 * e103;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
-        J[58] = e164 * e54 + e165 * e62;
-        J[59] = e164 * e98 + e165 * e104;
+        J[58] = e166 * e51 + e167 * e62;
+        J[59] = e166 * e97 + e167 * e103;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1129,7 +1134,7 @@ public:
         const Scalar e26 = e23 + e25;
         const Scalar sqrt_27 = sqrt(e2);
         const Scalar inverse_28 = Scalar(1) / sqrt_27;
-        const Scalar e29 = c_.k22 * inverse_28;
+        const Scalar e29 = c_.k14 * inverse_28;
         const Scalar e30 = p_.p_S - p_2;
         const Scalar step_31 = detail::step<Scalar>(e30);
         const Scalar abs_32 = abs(e30);
@@ -1147,16 +1152,16 @@ public:
         const Scalar sqrt_42 = sqrt(e4);
         const Scalar step_43 = detail::step<Scalar>(-e30);
         const Scalar step_44 = detail::step<Scalar>(-e36);
-        const Scalar max_45 = detail::max<Scalar>(Scalar(0), e29 * e25 + c_.k23 * e20);
-        const Scalar min_46 = detail::min<Scalar>(Scalar(0), -e29 * e23 - c_.k23 * e12);
-        const Scalar e47 = c_.k27 * (max_45 - min_46);
+        const Scalar max_45 = detail::max<Scalar>(Scalar(0), e29 * e25 + c_.k15 * e20);
+        const Scalar min_46 = detail::min<Scalar>(Scalar(0), -e29 * e23 - c_.k15 * e12);
+        const Scalar e47 = c_.k19 * (max_45 - min_46);
         const Scalar s_dot = x[1];
         y[0] = p_.A_1 * p_1 - c_.k1 - p_.A_2 * p_2;
         y[1] = e2;
         y[2] = e4;
-        y[3] = c_.k23 * e21 + e26 * e29;
-        y[4] = c_.k23 * (step_31 * e35 + step_37 * e41) + c_.k22 / sqrt_42 * (step_43 * e35 + step_44 * e41);
-        y[5] = -power_1 * (c_.k25 * inverse_28 * e26 + c_.k26 * e21 - e47) - c_.k24 * s_dot * p_1 - e47;
+        y[3] = c_.k15 * e21 + e26 * e29;
+        y[4] = c_.k15 * (step_31 * e35 + step_37 * e41) + c_.k14 / sqrt_42 * (step_43 * e35 + step_44 * e41);
+        y[5] = -power_1 * (c_.k17 * inverse_28 * e26 + c_.k18 * e21 - e47) - c_.k16 * s_dot * p_1 - e47;
     }
 
     /// C = dh/dx.
@@ -1167,7 +1172,7 @@ public:
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k7 * p_1;
-        const Scalar e2 = -c_.k21;
+        const Scalar e2 = -c_.k12;
         const Scalar power_3 = pow(e1, e2);
         const Scalar power_4 = pow(e1, c_.k8);
         const Scalar sqrt_5 = sqrt(p_.T_0 * power_4);
@@ -1213,12 +1218,12 @@ public:
         const Scalar e42 = step_41 * outflow_factor_22;
         const Scalar e43 = e27 * e42;
         const Scalar e44 = step_40 * e16 + e43;
-        const Scalar e45 = c_.k22 * inverse_6;
-        const Scalar e46 = c_.k23 * step_40 + step_8 * e45;
+        const Scalar e45 = c_.k14 * inverse_6;
+        const Scalar e46 = c_.k15 * step_40 + step_8 * e45;
         const Scalar outflow_factor_slope_47 = detail::outflow_factor_slope<Scalar>(e14, c_.k6);
         const Scalar sign_48 = detail::sign<Scalar>(e7);
         const Scalar e49 = outflow_factor_slope_47 * inverse_13 * ((sign_48 + step_8 * e14) * e31);
-        const Scalar e50 = c_.k23 * step_41 + step_18 * e45;
+        const Scalar e50 = c_.k15 * step_41 + step_18 * e45;
         const Scalar outflow_factor_slope_51 = detail::outflow_factor_slope<Scalar>(e21, c_.k6);
         const Scalar sign_52 = detail::sign<Scalar>(e17);
         const Scalar e53 = outflow_factor_slope_51 * inverse_20 * ((sign_52 + step_18 * e21) * e34);
@@ -1227,19 +1232,19 @@ public:
         const Scalar e56 = e46 * e32;
         const Scalar step_57 = detail::step<Scalar>(e56);
         const Scalar e58 = e55 * (step_8 * step_57);
-        const Scalar e59 = c_.k26 * power_4;
+        const Scalar e59 = c_.k18 * power_4;
         const Scalar e60 = step_40 * step_57;
-        const Scalar e61 = c_.k34 * e54;
+        const Scalar e61 = c_.k26 * e54;
         const Scalar e62 = power_4 * inverse_6;
-        const Scalar e63 = c_.k25 * e62;
+        const Scalar e63 = c_.k17 * e62;
         const Scalar e64 = outflow_factor_22 * e50 * e34;
         const Scalar step_65 = detail::step<Scalar>(e64);
         const Scalar e66 = step_18 * e53;
-        const Scalar e67 = c_.k40 * e38;
+        const Scalar e67 = c_.k32 * e38;
         const Scalar s_dot = x[1];
         const Scalar e68 = step_41 * e53;
-        const Scalar e69 = c_.k38 * e54;
-        const Scalar e70 = c_.k42 * power_3;
+        const Scalar e69 = c_.k30 * e54;
+        const Scalar e70 = c_.k34 * power_3;
         const Scalar max_71 = detail::max<Scalar>(Scalar(0), e64);
         const Scalar min_72 = detail::min<Scalar>(Scalar(0), -e56);
         const Scalar p_2 = x[3];
@@ -1258,7 +1263,7 @@ public:
         const Scalar e84 = max_p_S_2 * e75;
         const Scalar signed_root_85 = detail::signed_root<Scalar>(e84);
         const Scalar e86 = max_9 * signed_root_85;
-        const Scalar e87 = c_.k31 * inverse_79 * (power_74 * inverse_79);
+        const Scalar e87 = c_.k23 * inverse_79 * (power_74 * inverse_79);
         const Scalar inverse_root_88 = detail::inverse_root<Scalar>(e84);
         const Scalar e89 = max_9 * inverse_root_88 * (outflow_factor_83 * (max_p_S_2 - step_76 * e75));
         const Scalar outflow_factor_slope_90 = detail::outflow_factor_slope<Scalar>(e82, c_.k6);
@@ -1292,24 +1297,24 @@ public:
         C[8] = Scalar(0);
         C[9] = Scalar(0);
         C[10] = Scalar(0);
-        C[11] = -c_.k24 * p_1;
+        C[11] = -c_.k16 * p_1;
         C[12] = p_.A_1;
-        C[13] = -c_.k28 * power_3;
+        C[13] = -c_.k20 * power_3;
         C[14] = Scalar(0);
-        C[15] = -inverse_6 * (c_.k29 * e29 - c_.k31 * e39) - c_.k30 * e44 - e46 * e49 - e50 * e53;
+        C[15] = -inverse_6 * (c_.k21 * e29 - c_.k23 * e39) - c_.k22 * e44 - e46 * e49 - e50 * e53;
         C[16] = Scalar(0);
-        C[17] = e49 * (c_.k33 * e58 + step_40 * e59 + e60 * e61 + step_8 * e63) + step_65 * e55
-            * (c_.k33 * e66 - e35 * e67 + c_.k36 * e28) - s_dot * (c_.k24 - c_.k32 * p_1 * power_3 / power_4) + step_65
-            * (e61 * e68 + e69 * e43) + e32 * (step_40 * e70 - e58 * e67) + e62 * (c_.k35 * e29 - c_.k39 * e39) + e16
-            * (c_.k36 * e58 + e60 * e69) - c_.k43 * power_3 * (max_71 - min_72) + c_.k37 * power_4 * e44 + c_.k41 * e36 * e37
+        C[17] = e49 * (c_.k25 * e58 + step_40 * e59 + e60 * e61 + step_8 * e63) + step_65 * e55
+            * (c_.k25 * e66 - e35 * e67 + c_.k28 * e28) - s_dot * (c_.k16 - c_.k24 * p_1 * power_3 / power_4) + step_65
+            * (e61 * e68 + e69 * e43) + e32 * (step_40 * e70 - e58 * e67) + e62 * (c_.k27 * e29 - c_.k31 * e39) + e16
+            * (c_.k28 * e58 + e60 * e69) - c_.k35 * power_3 * (max_71 - min_72) + c_.k29 * power_4 * e44 + c_.k33 * e36 * e37
             + e34 * e42 * e70 + e59 * e68 + e66 * e63;
         C[18] = -p_.A_2;
         C[19] = Scalar(0);
-        C[20] = -c_.k28 * power_74;
+        C[20] = -c_.k20 * power_74;
         C[21] = Scalar(0);
-        const Scalar e109 = step_76 * inverse_79 * (outflow_factor_83 * e86 * e87 - c_.k29 * e89 - c_.k22 * e92);
-        const Scalar e110 = step_94 * inverse_79 * (outflow_factor_98 * e101 * e87 - c_.k29 * e103 - c_.k22 * e106);
-        C[22] = e109 + e110 - c_.k23 * (step_107 * e92 + step_108 * e106) - c_.k30 * (step_107 * e89 + step_108 * e103);
+        const Scalar e109 = step_76 * inverse_79 * (outflow_factor_83 * e86 * e87 - c_.k21 * e89 - c_.k14 * e92);
+        const Scalar e110 = step_94 * inverse_79 * (outflow_factor_98 * e101 * e87 - c_.k21 * e103 - c_.k14 * e106);
+        C[22] = e109 + e110 - c_.k15 * (step_107 * e92 + step_108 * e106) - c_.k22 * (step_107 * e89 + step_108 * e103);
         C[23] = Scalar(0);
     }
 
@@ -1351,7 +1356,7 @@ public:
         const Scalar power_25 = pow(c_.k7 * p_1, c_.k8);
         const Scalar sqrt_26 = sqrt(p_.T_0 * power_25);
         const Scalar inverse_27 = Scalar(1) / sqrt_26;
-        const Scalar e28 = c_.k22 * inverse_27;
+        const Scalar e28 = c_.k14 * inverse_27;
         const Scalar p_2 = x[3];
         const Scalar e29 = p_.p_S - p_2;
         const Scalar step_30 = detail::step<Scalar>(e29);
@@ -1372,18 +1377,18 @@ public:
         const Scalar step_43 = detail::step<Scalar>(-e29);
         const Scalar step_44 = detail::step<Scalar>(-e35);
         const Scalar max_45 = detail::max<Scalar>(Scalar(0), e3);
-        const Scalar step_46 = detail::step<Scalar>(max_45 * e8 * (c_.k23 * step_2 + step_20 * e28));
+        const Scalar step_46 = detail::step<Scalar>(max_45 * e8 * (c_.k15 * step_2 + step_20 * e28));
         const Scalar e47 = Scalar(1) - power_25;
         const Scalar e48 = step_46 * e47;
         const Scalar max_49 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar step_50 = detail::step<Scalar>(max_49 * e16 * (c_.k23 * step_12 + step_22 * e28));
+        const Scalar step_50 = detail::step<Scalar>(max_49 * e16 * (c_.k15 * step_12 + step_22 * e28));
         const Scalar e51 = step_50 * e47;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = -c_.k23 * e19 - e24 * e28;
-        D[4] = -c_.k23 * (step_30 * e34 - step_36 * e40) - c_.k22 / sqrt_42 * (step_43 * e34 - step_44 * e40);
-        D[5] = c_.k34 * (e48 * e10 - e51 * e18) + power_25 * (c_.k25 * inverse_27 * e24 + c_.k26 * e19) + c_.k33 * inverse_27
+        D[3] = -c_.k15 * e19 - e24 * e28;
+        D[4] = -c_.k15 * (step_30 * e34 - step_36 * e40) - c_.k14 / sqrt_42 * (step_43 * e34 - step_44 * e40);
+        D[5] = c_.k26 * (e48 * e10 - e51 * e18) + power_25 * (c_.k17 * inverse_27 * e24 + c_.k18 * e19) + c_.k25 * inverse_27
             * (e48 * e21 - e51 * e23);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -1499,7 +1504,7 @@ public:
         const Scalar step_36 = detail::step<Scalar>(-e12);
         const Scalar step_37 = detail::step<Scalar>(-e26);
         const Scalar e38 = e3 / sqrt_T_0 * (step_5 * e11 + step_13 * e18 + step_20 * e25 + step_27 * e31);
-        const Scalar e39 = s_dot * (c_.k24 * p_1 - p_2 * (-p_.A_2 / p_.R_s * (c_.c_v - e1) - p_.A_2));
+        const Scalar e39 = s_dot * (c_.k16 * p_1 - p_2 * (-p_.A_2 / p_.R_s * (c_.c_v - e1) - p_.A_2));
         return e38 - e39 + e3 / sqrt_32 * (step_33 * e11 + step_34 * e25) + e3 / sqrt_35 * (step_36 * e18 + step_37 * e31);
     }
 
@@ -1554,40 +1559,32 @@ private:
         Scalar k7;  ///< 1/p_r
         Scalar k8;  ///< 1 - 1/n
         Scalar k9;  ///< A_2*l + V_d
-        Scalar k10;  ///< n*A_1^2
-        Scalar k11;  ///< n*A_1*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)
-        Scalar k12;  ///< n*A_1*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
-        Scalar k13;  ///< n*A_2^2
-        Scalar k14;  ///< n*A_2*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)
-        Scalar k15;  ///< n*A_2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
-        Scalar k16;  ///< n*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)/2
-        Scalar k17;  ///< n*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)/2
-        Scalar k18;  ///< T_0^2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/(2*p_r)
-        Scalar k19;  ///< T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/p_r
-        Scalar k20;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(-1 + n)/p_r
-        Scalar k21;  ///< 1/n
-        Scalar k22;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k23;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k24;  ///< A_1*(-1 + n*c_v/R_s - c_v/R_s)
-        Scalar k25;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/sqrt(R_s)
-        Scalar k26;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/sqrt(R_s)
-        Scalar k27;  ///< T_0*(R_s + c_v)
-        Scalar k28;  ///< T_0*(-1 + 1/n)/p_r
-        Scalar k29;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
-        Scalar k30;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
-        Scalar k31;  ///< T_0*A_v*alpha_d*sqrt(2)*(-1 + 1/n)/(2*p_r*sqrt(R_s))
-        Scalar k32;  ///< A_1*c_v*(-2 + 1/n + n - (1 - n)^2/n)/(R_s*p_r)
-        Scalar k33;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/sqrt(R_s)
-        Scalar k34;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/sqrt(R_s)
-        Scalar k35;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
-        Scalar k36;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/(2*sqrt(R_s))
-        Scalar k37;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
-        Scalar k38;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/(2*sqrt(R_s))
-        Scalar k39;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s/2 + R_s/(2*n) + c_v/(2*n) + n*c_v/2 - c_v)/(p_r*sqrt(R_s))
-        Scalar k40;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v/n - c_v)/(2*p_r*sqrt(R_s))
-        Scalar k41;  ///< T_0*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
-        Scalar k42;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
-        Scalar k43;  ///< T_0*(-R_s + R_s/n + c_v/n - c_v)/p_r
+        Scalar k10;  ///< 1/sqrt(T_0)
+        Scalar k11;  ///< -T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/p_r
+        Scalar k12;  ///< 1/n
+        Scalar k13;  ///< -T_0^2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/p_r
+        Scalar k14;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k15;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k16;  ///< A_1*(-1 + n*c_v/R_s - c_v/R_s)
+        Scalar k17;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/sqrt(R_s)
+        Scalar k18;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/sqrt(R_s)
+        Scalar k19;  ///< T_0*(R_s + c_v)
+        Scalar k20;  ///< T_0*(-1 + 1/n)/p_r
+        Scalar k21;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
+        Scalar k22;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k23;  ///< T_0*A_v*alpha_d*sqrt(2)*(-1 + 1/n)/(2*p_r*sqrt(R_s))
+        Scalar k24;  ///< A_1*c_v*(-2 + 1/n + n - (1 - n)^2/n)/(R_s*p_r)
+        Scalar k25;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/sqrt(R_s)
+        Scalar k26;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/sqrt(R_s)
+        Scalar k27;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
+        Scalar k28;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/(2*sqrt(R_s))
+        Scalar k29;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
+        Scalar k30;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/(2*sqrt(R_s))
+        Scalar k31;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s/2 + R_s/(2*n) + c_v/(2*n) + n*c_v/2 - c_v)/(p_r*sqrt(R_s))
+        Scalar k32;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v/n - c_v)/(2*p_r*sqrt(R_s))
+        Scalar k33;  ///< T_0*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
+        Scalar k34;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
+        Scalar k35;  ///< T_0*(-R_s + R_s/n + c_v/n - c_v)/p_r
     };
     Cached c_{};
 };

@@ -20,11 +20,11 @@
 //     this code = the derivation: 22 of 22 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                31     70     9        0      3
+//   update                28     59     9        0      3
 //   rhs                   24     54     8        0     31
-//   rhs_and_jacobian      62    161     8        0     45
+//   rhs_and_jacobian      49    143     8        0     45
 //   jacobian_u            17     43     8        0     30
-//   jacobian_p            96    260    15        0     54
+//   jacobian_p            95    270    15        0     54
 //   bias                   3      5     0        0      1
 //   generalised_force      1      0     0        0      0
 //   output                24     47     6        0     32
@@ -192,23 +192,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// sign(x) sqrt(|x|); its derivative is inverse_root(x)/2. Needs select.
@@ -367,94 +372,79 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 31 + or -, 70 *, 9 /, 3 other functions
+    /// Operations: 28 + or -, 59 *, 9 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
         c_.c_v = -p_.R_s / (Scalar(1) - p_.kappa);
         c_.k0 = Scalar(1) / p_.m_K;
         c_.k1 = p_.p_0 * (p_.A_1 - p_.A_2);
-        const Scalar e1 = p_.n * p_.A_1;
-        c_.k2 = e1;
-        const Scalar sqrt_2 = sqrt(Scalar(2));
+        c_.k2 = p_.n * p_.A_1;
+        const Scalar sqrt_1 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar e3 = p_.A_v * p_.alpha_d * (sqrt_2 / sqrt_R_s);
-        const Scalar e4 = p_.T_0 * e3;
-        const Scalar e5 = p_.R_s * p_.n;
-        const Scalar e6 = e4 * e5;
-        c_.k3 = e6;
+        const Scalar e2 = p_.A_v * p_.alpha_d * (sqrt_1 / sqrt_R_s);
+        const Scalar e3 = p_.T_0 * e2;
+        const Scalar e4 = p_.R_s * p_.n;
+        c_.k3 = e3 * e4;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_7 = Scalar(1) / sqrt_T_0;
-        const Scalar e8 = inverse_7 * e4;
-        const Scalar e9 = e5 * e8;
-        c_.k4 = e9;
-        const Scalar e10 = p_.n * p_.A_2;
-        c_.k5 = e10;
+        const Scalar inverse_5 = Scalar(1) / sqrt_T_0;
+        const Scalar e6 = inverse_5 * e3;
+        c_.k4 = e6 * e4;
+        c_.k5 = p_.n * p_.A_2;
         c_.k6 = Scalar(1) + p_.R_s / c_.c_v;
-        const Scalar inverse_11 = Scalar(1) / p_.p_r;
-        c_.k7 = inverse_11;
-        const Scalar inverse_12 = Scalar(1) / p_.n;
-        const Scalar e13 = Scalar(1) - inverse_12;
-        c_.k8 = e13;
+        const Scalar inverse_7 = Scalar(1) / p_.p_r;
+        c_.k7 = inverse_7;
+        const Scalar inverse_8 = Scalar(1) / p_.n;
+        const Scalar e9 = Scalar(1) - inverse_8;
+        c_.k8 = e9;
         c_.k9 = p_.A_2 * p_.l + p_.V_d;
-        const Scalar inverse_14 = Scalar(1) / p_.v_C;
-        c_.k10 = inverse_14;
-        const Scalar e15 = p_.f_C * inverse_14;
-        c_.k11 = p_.d + e15;
-        c_.k12 = e15;
-        c_.k13 = p_.A_1 * e1;
-        c_.k14 = p_.A_1 * e6;
-        c_.k15 = p_.A_1 * e9;
-        c_.k16 = p_.A_2 * e10;
-        c_.k17 = p_.A_2 * e6;
-        c_.k18 = p_.A_2 * e9;
-        c_.k19 = (Scalar(1) / Scalar(2)) * e6;
-        c_.k20 = (Scalar(1) / Scalar(2)) * e9;
-        const Scalar e16 = inverse_11 * e4;
-        const Scalar e17 = p_.T_0 * e16;
-        const Scalar e18 = Scalar(1) - p_.n;
-        const Scalar e19 = p_.R_s * e18;
-        c_.k21 = -(Scalar(1) / Scalar(2)) * e17 * e19;
-        c_.k22 = -e16 * e19;
-        const Scalar e20 = inverse_7 * e16;
-        c_.k23 = -e19 * e20;
-        c_.k24 = inverse_12;
-        c_.k25 = e3;
-        const Scalar e21 = inverse_7 * e3;
-        c_.k26 = e21;
-        const Scalar e22 = p_.A_1 * c_.c_v / p_.R_s;
-        c_.k27 = -p_.A_1 - e18 * e22;
-        const Scalar e23 = p_.R_s + c_.c_v;
-        const Scalar e24 = p_.n * c_.c_v - e23;
-        const Scalar e25 = e4 * e24;
-        c_.k28 = -e25;
-        const Scalar e26 = e24 * e8;
-        c_.k29 = -e26;
-        c_.k30 = p_.T_0 * e23;
-        const Scalar e27 = p_.T_0 * inverse_11;
-        c_.k31 = -e13 * e27;
-        c_.k32 = (Scalar(1) / Scalar(2)) * e3;
-        c_.k33 = (Scalar(1) / Scalar(2)) * e21;
-        c_.k34 = -(Scalar(1) / Scalar(2)) * e16 * e13;
-        const Scalar e28 = Scalar(1) - (Scalar(1) / Scalar(2)) * p_.n;
-        const Scalar e29 = e18 * (e18 * inverse_12);
-        c_.k35 = inverse_11 * e22 * (inverse_12 - Scalar(2) * e28 - e29);
-        const Scalar e30 = e23 * e4;
-        c_.k36 = e30;
-        const Scalar e31 = e23 * e8;
-        c_.k37 = e31;
-        c_.k38 = -(Scalar(1) / Scalar(2)) * e25;
-        c_.k39 = (Scalar(1) / Scalar(2)) * e30;
-        c_.k40 = -(Scalar(1) / Scalar(2)) * e26;
-        c_.k41 = (Scalar(1) / Scalar(2)) * e31;
-        const Scalar e32 = (Scalar(1) / Scalar(2)) * p_.R_s - (Scalar(1) / Scalar(2)) * inverse_12 * e23 + c_.c_v * e28;
-        c_.k42 = -e17 * e32;
-        const Scalar e33 = e23 * e13;
-        c_.k43 = -(Scalar(1) / Scalar(2)) * e17 * e33;
-        const Scalar e34 = p_.R_s * e13 - c_.c_v * e29;
-        c_.k44 = -e16 * e34;
-        c_.k45 = -e34 * e20;
-        c_.k46 = -e27 * e33;
+        const Scalar inverse_10 = Scalar(1) / p_.v_C;
+        c_.k10 = inverse_10;
+        c_.k11 = inverse_5;
+        c_.k12 = p_.d + p_.f_C * inverse_10;
+        const Scalar e11 = inverse_7 * e3;
+        const Scalar e12 = Scalar(1) - p_.n;
+        const Scalar e13 = p_.R_s * e12;
+        c_.k13 = e11 * e13;
+        c_.k14 = inverse_8;
+        const Scalar e14 = p_.T_0 * e11;
+        c_.k15 = e14 * e13;
+        c_.k16 = e2;
+        const Scalar e15 = inverse_5 * e2;
+        c_.k17 = e15;
+        const Scalar e16 = p_.A_1 * c_.c_v / p_.R_s;
+        c_.k18 = -p_.A_1 - e16 * e12;
+        const Scalar e17 = p_.R_s + c_.c_v;
+        const Scalar e18 = p_.n * c_.c_v - e17;
+        const Scalar e19 = e3 * e18;
+        c_.k19 = -e19;
+        const Scalar e20 = e18 * e6;
+        c_.k20 = -e20;
+        c_.k21 = p_.T_0 * e17;
+        const Scalar e21 = p_.T_0 * inverse_7;
+        c_.k22 = -e9 * e21;
+        c_.k23 = (Scalar(1) / Scalar(2)) * e2;
+        c_.k24 = (Scalar(1) / Scalar(2)) * e15;
+        c_.k25 = -(Scalar(1) / Scalar(2)) * e9 * e11;
+        const Scalar e22 = Scalar(1) - (Scalar(1) / Scalar(2)) * p_.n;
+        const Scalar e23 = e12 * (e12 * inverse_8);
+        c_.k26 = inverse_7 * e16 * (inverse_8 - Scalar(2) * e22 - e23);
+        const Scalar e24 = e17 * e3;
+        c_.k27 = e24;
+        const Scalar e25 = e17 * e6;
+        c_.k28 = e25;
+        c_.k29 = -(Scalar(1) / Scalar(2)) * e19;
+        c_.k30 = (Scalar(1) / Scalar(2)) * e24;
+        c_.k31 = -(Scalar(1) / Scalar(2)) * e20;
+        c_.k32 = (Scalar(1) / Scalar(2)) * e25;
+        const Scalar e26 = (Scalar(1) / Scalar(2)) * p_.R_s - (Scalar(1) / Scalar(2)) * inverse_8 * e17 + c_.c_v * e22;
+        c_.k33 = -e14 * e26;
+        const Scalar e27 = e17 * e9;
+        c_.k34 = -(Scalar(1) / Scalar(2)) * e14 * e27;
+        const Scalar e28 = e11 * (p_.R_s * e9 - c_.c_v * e23);
+        c_.k35 = -e28;
+        c_.k36 = -inverse_5 * e28;
+        c_.k37 = -e21 * e27;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -565,148 +555,157 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 62 + or -, 161 *, 8 /, 45 other functions
+    /// Operations: 49 + or -, 143 *, 8 /, 45 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
         using std::tanh;
-        const Scalar p_1 = x[2];
+        const Scalar p_2 = x[3];
+        const Scalar e1 = p_.p_0 - p_2;
         const Scalar f_L = u[1];
         const Scalar s_dot = x[1];
-        const Scalar p_2 = x[3];
-        const Scalar tanh_1 = tanh(c_.k10 * s_dot);
-        const Scalar e2 = p_.A_1 * p_1 - c_.k1 - f_L - p_.d * s_dot - p_.A_2 * p_2 - p_.f_C * tanh_1;
-        const Scalar s_ddot = e2 * c_.k0;
-        const Scalar e3 = c_.k7 * p_1;
-        const Scalar power_4 = pow(e3, c_.k8);
+        const Scalar p_1 = x[2];
+        const Scalar e2 = p_.p_0 - p_1;
+        const Scalar tanh_3 = tanh(s_dot * c_.k10);
+        const Scalar e4 = p_.f_C * tanh_3;
+        const Scalar s_ddot = (p_.A_2 * e1 - f_L - p_.d * s_dot - p_.A_1 * e2 - e4) * c_.k0;
+        const Scalar e5 = p_.n * s_dot;
         const Scalar s = x[0];
-        const Scalar inverse_5 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e6 = power_4 * inverse_5;
-        const Scalar sqrt_7 = sqrt(p_.T_0 * power_4);
-        const Scalar inverse_8 = Scalar(1) / sqrt_7;
-        const Scalar e9 = p_.p_0 - p_1;
-        const Scalar step_10 = detail::step<Scalar>(-e9);
-        const Scalar abs_11 = abs(e9);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar inverse_12 = Scalar(1) / max_p_0;
-        const Scalar e13 = abs_11 * inverse_12;
-        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(e13, c_.k6);
+        const Scalar inverse_6 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e7 = p_.A_1 * inverse_6;
+        const Scalar e8 = p_1 * e7;
         const Scalar u_value = u[0];
-        const Scalar max_15 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e16 = max_p_0 * e9;
-        const Scalar signed_root_17 = detail::signed_root<Scalar>(e16);
-        const Scalar e18 = max_15 * signed_root_17;
-        const Scalar e19 = outflow_factor_14 * e18;
-        const Scalar e20 = p_.p_S - p_1;
-        const Scalar step_21 = detail::step<Scalar>(-e20);
-        const Scalar abs_22 = abs(e20);
+        const Scalar max_9 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar step_10 = detail::step<Scalar>(e2);
+        const Scalar step_11 = detail::step<Scalar>(-e2);
+        const Scalar e12 = p_1 * c_.k7;
+        const Scalar power_13 = pow(e12, c_.k8);
+        const Scalar sqrt_14 = sqrt(p_.T_0 * power_13);
+        const Scalar inverse_15 = Scalar(1) / sqrt_14;
+        const Scalar e16 = step_11 * inverse_15;
+        const Scalar e17 = max_9 * (step_10 * c_.k11 + e16);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
+        const Scalar e18 = max_p_0 * e2;
+        const Scalar signed_root_19 = detail::signed_root<Scalar>(e18);
+        const Scalar abs_20 = abs(e2);
+        const Scalar inverse_21 = Scalar(1) / max_p_0;
+        const Scalar e22 = abs_20 * inverse_21;
+        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(e22, c_.k6);
+        const Scalar e24 = signed_root_19 * outflow_factor_23;
+        const Scalar max_25 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar e26 = p_.p_S - p_1;
+        const Scalar step_27 = detail::step<Scalar>(e26);
+        const Scalar step_28 = detail::step<Scalar>(-e26);
+        const Scalar e29 = step_28 * inverse_15;
+        const Scalar e30 = max_25 * (step_27 * c_.k11 + e29);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar inverse_23 = Scalar(1) / max_p_S;
-        const Scalar e24 = abs_22 * inverse_23;
-        const Scalar outflow_factor_25 = detail::outflow_factor<Scalar>(e24, c_.k6);
-        const Scalar max_26 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e27 = max_p_S * e20;
-        const Scalar signed_root_28 = detail::signed_root<Scalar>(e27);
-        const Scalar e29 = max_26 * signed_root_28;
-        const Scalar e30 = outflow_factor_25 * e29;
-        const Scalar e31 = inverse_8 * (step_10 * e19 + step_21 * e30);
-        const Scalar e32 = e6 * e31;
-        const Scalar step_33 = detail::step<Scalar>(e9);
-        const Scalar step_34 = detail::step<Scalar>(e20);
-        const Scalar e35 = step_33 * e19 + step_34 * e30;
-        const Scalar e36 = e35 * e6;
-        const Scalar e37 = s_dot * inverse_5;
-        const Scalar e38 = c_.k2 * e37;
-        const Scalar e39 = c_.k7 * p_2;
-        const Scalar power_40 = pow(e39, c_.k8);
-        const Scalar inverse_41 = Scalar(1) / (c_.k9 - p_.A_2 * s);
-        const Scalar e42 = power_40 * inverse_41;
-        const Scalar sqrt_43 = sqrt(p_.T_0 * power_40);
-        const Scalar inverse_44 = Scalar(1) / sqrt_43;
-        const Scalar e45 = p_.p_S - p_2;
-        const Scalar step_46 = detail::step<Scalar>(-e45);
-        const Scalar abs_47 = abs(e45);
+        const Scalar e31 = max_p_S * e26;
+        const Scalar signed_root_32 = detail::signed_root<Scalar>(e31);
+        const Scalar abs_33 = abs(e26);
+        const Scalar inverse_34 = Scalar(1) / max_p_S;
+        const Scalar e35 = abs_33 * inverse_34;
+        const Scalar outflow_factor_36 = detail::outflow_factor<Scalar>(e35, c_.k6);
+        const Scalar e37 = signed_root_32 * outflow_factor_36;
+        const Scalar e38 = e17 * e24 + e30 * e37;
+        const Scalar e39 = power_13 * inverse_6;
+        const Scalar e40 = e39 * c_.k3;
+        const Scalar e41 = e5 * e8 - e38 * e40;
+        const Scalar e42 = p_.p_S - p_2;
+        const Scalar step_43 = detail::step<Scalar>(e42);
+        const Scalar step_44 = detail::step<Scalar>(-e42);
+        const Scalar e45 = p_2 * c_.k7;
+        const Scalar power_46 = pow(e45, c_.k8);
+        const Scalar sqrt_47 = sqrt(p_.T_0 * power_46);
+        const Scalar inverse_48 = Scalar(1) / sqrt_47;
+        const Scalar e49 = step_44 * inverse_48;
+        const Scalar e50 = max_9 * (step_43 * c_.k11 + e49);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar inverse_48 = Scalar(1) / max_p_S_2;
-        const Scalar e49 = abs_47 * inverse_48;
-        const Scalar outflow_factor_50 = detail::outflow_factor<Scalar>(e49, c_.k6);
-        const Scalar e51 = max_p_S_2 * e45;
+        const Scalar e51 = max_p_S_2 * e42;
         const Scalar signed_root_52 = detail::signed_root<Scalar>(e51);
-        const Scalar e53 = max_15 * signed_root_52;
-        const Scalar e54 = outflow_factor_50 * e53;
-        const Scalar e55 = p_.p_0 - p_2;
-        const Scalar step_56 = detail::step<Scalar>(-e55);
-        const Scalar abs_57 = abs(e55);
+        const Scalar abs_53 = abs(e42);
+        const Scalar inverse_54 = Scalar(1) / max_p_S_2;
+        const Scalar e55 = abs_53 * inverse_54;
+        const Scalar outflow_factor_56 = detail::outflow_factor<Scalar>(e55, c_.k6);
+        const Scalar e57 = signed_root_52 * outflow_factor_56;
+        const Scalar step_58 = detail::step<Scalar>(e1);
+        const Scalar step_59 = detail::step<Scalar>(-e1);
+        const Scalar e60 = step_59 * inverse_48;
+        const Scalar e61 = max_25 * (step_58 * c_.k11 + e60);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_58 = Scalar(1) / max_p_0_2;
-        const Scalar e59 = abs_57 * inverse_58;
-        const Scalar outflow_factor_60 = detail::outflow_factor<Scalar>(e59, c_.k6);
-        const Scalar e61 = max_p_0_2 * e55;
-        const Scalar signed_root_62 = detail::signed_root<Scalar>(e61);
-        const Scalar e63 = max_26 * signed_root_62;
-        const Scalar e64 = outflow_factor_60 * e63;
-        const Scalar e65 = inverse_44 * (step_46 * e54 + step_56 * e64);
-        const Scalar e66 = e42 * e65;
-        const Scalar step_67 = detail::step<Scalar>(e45);
-        const Scalar step_68 = detail::step<Scalar>(e55);
-        const Scalar e69 = step_67 * e54 + step_68 * e64;
-        const Scalar e70 = e69 * e42;
-        const Scalar e71 = s_dot * inverse_41;
-        const Scalar e72 = c_.k5 * e71;
+        const Scalar e62 = max_p_0_2 * e1;
+        const Scalar signed_root_63 = detail::signed_root<Scalar>(e62);
+        const Scalar abs_64 = abs(e1);
+        const Scalar inverse_65 = Scalar(1) / max_p_0_2;
+        const Scalar e66 = abs_64 * inverse_65;
+        const Scalar outflow_factor_67 = detail::outflow_factor<Scalar>(e66, c_.k6);
+        const Scalar e68 = signed_root_63 * outflow_factor_67;
+        const Scalar e69 = e50 * e57 + e61 * e68;
+        const Scalar inverse_70 = Scalar(1) / (c_.k9 - p_.A_2 * s);
+        const Scalar e71 = power_46 * inverse_70;
+        const Scalar e72 = e71 * c_.k3;
+        const Scalar e73 = p_.A_2 * inverse_70;
+        const Scalar e74 = p_2 * e73;
+        const Scalar e75 = e69 * e72 + e5 * e74;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = c_.k3 * e32 + c_.k4 * e36 - p_1 * e38;
-        dxdt[3] = c_.k3 * e66 + c_.k4 * e70 + p_2 * e72;
-        const Scalar e73 = p_1 * inverse_5;
-        const Scalar e74 = p_2 * inverse_41;
-        const Scalar inverse_root_75 = detail::inverse_root<Scalar>(e27);
-        const Scalar e76 = c_.k19 * inverse_8;
-        const Scalar e77 = inverse_root_75 * (c_.k20 * step_34 + step_21 * e76) * (e6 * (max_26 * outflow_factor_25));
-        const Scalar e78 = c_.k3 * inverse_8;
-        const Scalar outflow_factor_slope_79 = detail::outflow_factor_slope<Scalar>(e24, c_.k6);
-        const Scalar e80 = (c_.k4 * step_34 + step_21 * e78) * e6 * (e29 * (outflow_factor_slope_79 * inverse_23));
-        const Scalar inverse_root_81 = detail::inverse_root<Scalar>(e16);
-        const Scalar e82 = inverse_root_81 * (c_.k20 * step_33 + step_10 * e76) * (e6 * (max_15 * outflow_factor_14));
-        const Scalar outflow_factor_slope_83 = detail::outflow_factor_slope<Scalar>(e13, c_.k6);
-        const Scalar e84 = (c_.k4 * step_33 + step_10 * e78) * e6 * (e18 * (outflow_factor_slope_83 * inverse_12));
-        const Scalar e85 = -c_.k24;
-        const Scalar power_86 = pow(e3, e85);
-        const Scalar sign_87 = detail::sign<Scalar>(e9);
-        const Scalar sign_88 = detail::sign<Scalar>(e20);
-        const Scalar inverse_root_89 = detail::inverse_root<Scalar>(e51);
-        const Scalar e90 = c_.k19 * inverse_44;
-        const Scalar e91 = inverse_root_89 * (c_.k20 * step_67 + step_46 * e90) * (e42 * (max_15 * outflow_factor_50));
-        const Scalar e92 = c_.k3 * inverse_44;
-        const Scalar outflow_factor_slope_93 = detail::outflow_factor_slope<Scalar>(e49, c_.k6);
-        const Scalar e94 = (c_.k4 * step_67 + step_46 * e92) * e42 * (e53 * (outflow_factor_slope_93 * inverse_48));
-        const Scalar inverse_root_95 = detail::inverse_root<Scalar>(e61);
-        const Scalar e96 = inverse_root_95 * (c_.k20 * step_68 + step_56 * e90) * (e42 * (max_26 * outflow_factor_60));
-        const Scalar outflow_factor_slope_97 = detail::outflow_factor_slope<Scalar>(e59, c_.k6);
-        const Scalar e98 = (c_.k4 * step_68 + step_56 * e92) * e42 * (e63 * (outflow_factor_slope_97 * inverse_58));
-        const Scalar power_99 = pow(e39, e85);
-        const Scalar sign_100 = detail::sign<Scalar>(e45);
-        const Scalar sign_101 = detail::sign<Scalar>(e55);
+        dxdt[2] = -e41;
+        dxdt[3] = e75;
+        const Scalar e76 = e40 * e30;
+        const Scalar inverse_root_77 = detail::inverse_root<Scalar>(e31);
+        const Scalar e78 = e76 * (inverse_root_77 * outflow_factor_36);
+        const Scalar outflow_factor_slope_79 = detail::outflow_factor_slope<Scalar>(e35, c_.k6);
+        const Scalar e80 = signed_root_32 * inverse_34 * (outflow_factor_slope_79 * e76);
+        const Scalar e81 = e40 * e17;
+        const Scalar inverse_root_82 = detail::inverse_root<Scalar>(e18);
+        const Scalar e83 = e81 * (inverse_root_82 * outflow_factor_23);
+        const Scalar outflow_factor_slope_84 = detail::outflow_factor_slope<Scalar>(e22, c_.k6);
+        const Scalar e85 = signed_root_19 * inverse_21 * (outflow_factor_slope_84 * e81);
+        const Scalar e86 = (-Scalar(1)) * c_.k14;
+        const Scalar power_87 = pow(e12, e86);
+        const Scalar e88 = max_9 * c_.k15;
+        const Scalar e89 = max_25 * c_.k15;
+        const Scalar sign_90 = detail::sign<Scalar>(e26);
+        const Scalar sign_91 = detail::sign<Scalar>(e2);
+        const Scalar e92 = e72 * e50;
+        const Scalar inverse_root_93 = detail::inverse_root<Scalar>(e51);
+        const Scalar e94 = e92 * (inverse_root_93 * outflow_factor_56);
+        const Scalar outflow_factor_slope_95 = detail::outflow_factor_slope<Scalar>(e55, c_.k6);
+        const Scalar e96 = signed_root_52 * inverse_54 * (outflow_factor_slope_95 * e92);
+        const Scalar e97 = e72 * e61;
+        const Scalar inverse_root_98 = detail::inverse_root<Scalar>(e62);
+        const Scalar e99 = e97 * (inverse_root_98 * outflow_factor_67);
+        const Scalar outflow_factor_slope_100 = detail::outflow_factor_slope<Scalar>(e66, c_.k6);
+        const Scalar e101 = signed_root_63 * inverse_65 * (outflow_factor_slope_100 * e97);
+        const Scalar power_102 = pow(e45, e86);
+        const Scalar sign_103 = detail::sign<Scalar>(e42);
+        const Scalar sign_104 = detail::sign<Scalar>(e1);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k13 * e37 * e73 - inverse_5 * (c_.k14 * e32 + c_.k15 * e36);
-        J[3] = inverse_41 * (c_.k17 * e66 + c_.k18 * e70) + c_.k16 * e71 * e74;
+        J[2] = e41 * e7;
+        J[3] = e75 * e73;
         J[4] = Scalar(1);
-        J[5] = (c_.k12 * tanh_1 * tanh_1 - c_.k11) * c_.k0;
-        J[6] = -c_.k2 * e73;
-        J[7] = c_.k5 * e74;
+        J[5] = (tanh_3 * e4 * c_.k10 - c_.k12) * c_.k0;
+        J[6] = -p_.n * e8;
+        J[7] = p_.n * e74;
         J[8] = Scalar(0);
         J[9] = p_.A_1 * c_.k0;
-        J[10] = step_21 * (e20 * e77 - e24 * e80) + step_10 * (e9 * e82 - e13 * e84) + power_86 * inverse_5
-            * (c_.k23 * e35 + c_.k22 * e31) - c_.k21 * power_86 * inverse_8 * inverse_8 * e32 - e38 - max_p_0 * e82 - max_p_S
-            * e77 - sign_87 * e84 - sign_88 * e80;
+        const Scalar e105 = power_87 * inverse_15 * (inverse_15 * e39)
+            * ((Scalar(1) / Scalar(2)) * (e24 * e16 * e88 + e37 * e29 * e89));
+        J[10] = step_28 * ((Scalar(1) / Scalar(2)) * e26 * e78 - e35 * e80) + step_11
+            * ((Scalar(1) / Scalar(2)) * e2 * e83 - e22 * e85) + e105 - (Scalar(1) / Scalar(2)) * max_p_S * e78
+            - (Scalar(1) / Scalar(2)) * max_p_0 * e83 - power_87 * inverse_6 * e38 * c_.k13 - sign_90 * e80 - sign_91 * e85
+            - e5 * e7;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
         J[13] = (-p_.A_2) * c_.k0;
         J[14] = Scalar(0);
-        J[15] = step_46 * (e45 * e91 - e49 * e94) + step_56 * (e55 * e96 - e59 * e98) + power_99 * inverse_41
-            * (c_.k23 * e69 + c_.k22 * e65) - c_.k21 * power_99 * inverse_44 * inverse_44 * e66 + e72 - max_p_S_2 * e91
-            - max_p_0_2 * e96 - sign_100 * e94 - sign_101 * e98;
+        const Scalar e106 = power_102 * inverse_48 * (inverse_48 * e71)
+            * ((Scalar(1) / Scalar(2)) * (e57 * e49 * e88 + e68 * e60 * e89));
+        J[15] = step_44 * ((Scalar(1) / Scalar(2)) * e42 * e94 - e55 * e96) + step_59
+            * ((Scalar(1) / Scalar(2)) * e1 * e99 - e66 * e101) + e106 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e94
+            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e99 - power_102 * inverse_70 * e69 * c_.k13 - sign_103 * e96 - sign_104
+            * e101 + e5 * e73;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -776,7 +775,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 17, entry (i, j) at J[4*j + i].
-    /// Operations: 96 + or -, 260 *, 15 /, 54 other functions
+    /// Operations: 95 + or -, 270 *, 15 /, 54 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::abs;
         using std::log;
@@ -793,205 +792,208 @@ public:
         const Scalar s_dot = x[1];
         const Scalar tanh_4 = tanh(c_.k10 * s_dot);
         const Scalar inverse_5 = Scalar(1) / p_.v_C;
-        const Scalar inverse_6 = Scalar(1) / (Scalar(1) - p_.kappa);
-        const Scalar inverse_7 = Scalar(1) / c_.c_v;
-        const Scalar e8 = inverse_6 * (p_.R_s * inverse_7);
-        const Scalar e9 = Scalar(1) + e8;
-        const Scalar e10 = p_.A_v * p_.alpha_d;
-        const Scalar sqrt_11 = sqrt(Scalar(2));
+        const Scalar e6 = p_.A_v * p_.alpha_d;
+        const Scalar sqrt_7 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar inverse_12 = Scalar(1) / sqrt_R_s;
-        const Scalar e13 = sqrt_11 * inverse_12;
-        const Scalar e14 = p_.T_0 * e13;
-        const Scalar e15 = p_.R_s * e14;
-        const Scalar e16 = e10 * e15;
-        const Scalar e17 = p_.n * e16;
-        const Scalar e18 = inverse_7 * e17;
-        const Scalar e19 = e9 * e18;
-        const Scalar e20 = c_.k7 * p_1;
-        const Scalar power_21 = pow(e20, c_.k8);
-        const Scalar sqrt_22 = sqrt(p_.T_0 * power_21);
-        const Scalar inverse_23 = Scalar(1) / sqrt_22;
+        const Scalar inverse_8 = Scalar(1) / sqrt_R_s;
+        const Scalar e9 = sqrt_7 * inverse_8;
+        const Scalar e10 = p_.T_0 * e9;
+        const Scalar e11 = p_.R_s * e10;
+        const Scalar e12 = e6 * e11;
+        const Scalar e13 = p_.n * e12;
+        const Scalar inverse_14 = Scalar(1) / c_.c_v;
+        const Scalar e15 = p_.R_s * inverse_14 / (Scalar(1) - p_.kappa);
+        const Scalar e16 = inverse_14 * (Scalar(1) + e15);
+        const Scalar e17 = e13 * e16;
+        const Scalar e18 = c_.k7 * p_1;
+        const Scalar power_19 = pow(e18, c_.k8);
+        const Scalar sqrt_20 = sqrt(p_.T_0 * power_19);
+        const Scalar inverse_21 = Scalar(1) / sqrt_20;
         const Scalar s = x[0];
-        const Scalar inverse_24 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e25 = power_21 * inverse_24;
-        const Scalar e26 = inverse_23 * e25;
-        const Scalar abs_27 = abs(e1);
+        const Scalar inverse_22 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e23 = power_19 * inverse_22;
+        const Scalar e24 = inverse_21 * e23;
+        const Scalar abs_25 = abs(e1);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar inverse_28 = Scalar(1) / max_p_0;
-        const Scalar e29 = abs_27 * inverse_28;
-        const Scalar outflow_factor_by_exponent_30 = detail::outflow_factor_by_exponent<Scalar>(e29, c_.k6);
-        const Scalar step_31 = detail::step<Scalar>(e2);
+        const Scalar inverse_26 = Scalar(1) / max_p_0;
+        const Scalar e27 = abs_25 * inverse_26;
+        const Scalar outflow_factor_by_exponent_28 = detail::outflow_factor_by_exponent<Scalar>(e27, c_.k6);
+        const Scalar step_29 = detail::step<Scalar>(e2);
         const Scalar u_value = u[0];
-        const Scalar max_32 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e33 = max_p_0 * e1;
-        const Scalar signed_root_34 = detail::signed_root<Scalar>(e33);
-        const Scalar e35 = max_32 * signed_root_34;
-        const Scalar e36 = step_31 * e35;
-        const Scalar e37 = p_.p_S - p_1;
-        const Scalar abs_38 = abs(e37);
+        const Scalar max_30 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar e31 = max_p_0 * e1;
+        const Scalar signed_root_32 = detail::signed_root<Scalar>(e31);
+        const Scalar e33 = max_30 * signed_root_32;
+        const Scalar e34 = step_29 * e33;
+        const Scalar e35 = p_.p_S - p_1;
+        const Scalar abs_36 = abs(e35);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar inverse_39 = Scalar(1) / max_p_S;
-        const Scalar e40 = abs_38 * inverse_39;
-        const Scalar outflow_factor_by_exponent_41 = detail::outflow_factor_by_exponent<Scalar>(e40, c_.k6);
-        const Scalar step_42 = detail::step<Scalar>(-e37);
-        const Scalar max_43 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e44 = max_p_S * e37;
-        const Scalar signed_root_45 = detail::signed_root<Scalar>(e44);
-        const Scalar e46 = max_43 * signed_root_45;
-        const Scalar e47 = step_42 * e46;
-        const Scalar e48 = outflow_factor_by_exponent_30 * e36 + outflow_factor_by_exponent_41 * e47;
-        const Scalar e49 = e26 * e48;
-        const Scalar e50 = p_.n * e10;
-        const Scalar e51 = e14 * e50 - (Scalar(1) / Scalar(2)) * inverse_12 * inverse_12 * e17;
-        const Scalar e52 = -e51;
-        const Scalar outflow_factor_53 = detail::outflow_factor<Scalar>(e29, c_.k6);
-        const Scalar outflow_factor_54 = detail::outflow_factor<Scalar>(e40, c_.k6);
-        const Scalar e55 = outflow_factor_53 * e36 + outflow_factor_54 * e47;
-        const Scalar e56 = e55 * e26;
+        const Scalar inverse_37 = Scalar(1) / max_p_S;
+        const Scalar e38 = abs_36 * inverse_37;
+        const Scalar outflow_factor_by_exponent_39 = detail::outflow_factor_by_exponent<Scalar>(e38, c_.k6);
+        const Scalar step_40 = detail::step<Scalar>(-e35);
+        const Scalar max_41 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar e42 = max_p_S * e35;
+        const Scalar signed_root_43 = detail::signed_root<Scalar>(e42);
+        const Scalar e44 = max_41 * signed_root_43;
+        const Scalar e45 = step_40 * e44;
+        const Scalar e46 = outflow_factor_by_exponent_28 * e34 + outflow_factor_by_exponent_39 * e45;
+        const Scalar e47 = e24 * e46;
+        const Scalar inverse_8_squared = inverse_8 * inverse_8;
+        const Scalar e48 = p_.n * e6;
+        const Scalar e49 = (Scalar(1) / Scalar(2)) * e13 * inverse_8_squared - e10 * e48;
+        const Scalar outflow_factor_50 = detail::outflow_factor<Scalar>(e27, c_.k6);
+        const Scalar outflow_factor_51 = detail::outflow_factor<Scalar>(e38, c_.k6);
+        const Scalar e52 = outflow_factor_50 * e34 + outflow_factor_51 * e45;
+        const Scalar e53 = e52 * e24;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_57 = Scalar(1) / sqrt_T_0;
-        const Scalar e58 = -inverse_57 * e51;
+        const Scalar inverse_54 = Scalar(1) / sqrt_T_0;
+        const Scalar e55 = inverse_54 * e13;
+        const Scalar e56 = p_.n * inverse_54;
+        const Scalar e57 = e6 * e56;
+        const Scalar e58 = (Scalar(1) / Scalar(2)) * e55 * inverse_8_squared - e10 * e57;
         const Scalar step_59 = detail::step<Scalar>(e1);
-        const Scalar e60 = step_59 * e35;
-        const Scalar step_61 = detail::step<Scalar>(e37);
-        const Scalar e62 = step_61 * e46;
-        const Scalar e63 = outflow_factor_53 * e60 + outflow_factor_54 * e62;
-        const Scalar e64 = e63 * e25;
-        const Scalar e65 = inverse_57 * e18;
-        const Scalar e66 = e9 * e65;
-        const Scalar e67 = outflow_factor_by_exponent_30 * e60 + outflow_factor_by_exponent_41 * e62;
-        const Scalar e68 = e25 * e67;
-        const Scalar e69 = c_.k7 * p_2;
-        const Scalar power_70 = pow(e69, c_.k8);
-        const Scalar sqrt_71 = sqrt(p_.T_0 * power_70);
-        const Scalar inverse_72 = Scalar(1) / sqrt_71;
-        const Scalar inverse_73 = Scalar(1) / (c_.k9 - p_.A_2 * s);
-        const Scalar e74 = power_70 * inverse_73;
-        const Scalar e75 = inverse_72 * e74;
-        const Scalar e76 = p_.p_S - p_2;
-        const Scalar abs_77 = abs(e76);
+        const Scalar e60 = step_59 * e33;
+        const Scalar step_61 = detail::step<Scalar>(e35);
+        const Scalar e62 = step_61 * e44;
+        const Scalar e63 = outflow_factor_50 * e60 + outflow_factor_51 * e62;
+        const Scalar e64 = e63 * e23;
+        const Scalar e65 = e55 * e16;
+        const Scalar e66 = outflow_factor_by_exponent_28 * e60 + outflow_factor_by_exponent_39 * e62;
+        const Scalar e67 = e23 * e66;
+        const Scalar e68 = c_.k7 * p_2;
+        const Scalar power_69 = pow(e68, c_.k8);
+        const Scalar sqrt_70 = sqrt(p_.T_0 * power_69);
+        const Scalar inverse_71 = Scalar(1) / sqrt_70;
+        const Scalar inverse_72 = Scalar(1) / (c_.k9 - p_.A_2 * s);
+        const Scalar e73 = power_69 * inverse_72;
+        const Scalar e74 = inverse_71 * e73;
+        const Scalar e75 = p_.p_S - p_2;
+        const Scalar abs_76 = abs(e75);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar inverse_78 = Scalar(1) / max_p_S_2;
-        const Scalar e79 = abs_77 * inverse_78;
-        const Scalar outflow_factor_by_exponent_80 = detail::outflow_factor_by_exponent<Scalar>(e79, c_.k6);
-        const Scalar step_81 = detail::step<Scalar>(-e76);
-        const Scalar e82 = max_p_S_2 * e76;
-        const Scalar signed_root_83 = detail::signed_root<Scalar>(e82);
-        const Scalar e84 = max_32 * signed_root_83;
-        const Scalar e85 = step_81 * e84;
-        const Scalar abs_86 = abs(e3);
+        const Scalar inverse_77 = Scalar(1) / max_p_S_2;
+        const Scalar e78 = abs_76 * inverse_77;
+        const Scalar outflow_factor_by_exponent_79 = detail::outflow_factor_by_exponent<Scalar>(e78, c_.k6);
+        const Scalar step_80 = detail::step<Scalar>(-e75);
+        const Scalar e81 = max_p_S_2 * e75;
+        const Scalar signed_root_82 = detail::signed_root<Scalar>(e81);
+        const Scalar e83 = max_30 * signed_root_82;
+        const Scalar e84 = step_80 * e83;
+        const Scalar abs_85 = abs(e3);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_87 = Scalar(1) / max_p_0_2;
-        const Scalar e88 = abs_86 * inverse_87;
-        const Scalar outflow_factor_by_exponent_89 = detail::outflow_factor_by_exponent<Scalar>(e88, c_.k6);
-        const Scalar step_90 = detail::step<Scalar>(-e3);
-        const Scalar e91 = max_p_0_2 * e3;
-        const Scalar signed_root_92 = detail::signed_root<Scalar>(e91);
-        const Scalar e93 = max_43 * signed_root_92;
-        const Scalar e94 = step_90 * e93;
-        const Scalar e95 = outflow_factor_by_exponent_80 * e85 + outflow_factor_by_exponent_89 * e94;
-        const Scalar e96 = e75 * e95;
-        const Scalar outflow_factor_97 = detail::outflow_factor<Scalar>(e79, c_.k6);
-        const Scalar outflow_factor_98 = detail::outflow_factor<Scalar>(e88, c_.k6);
-        const Scalar e99 = outflow_factor_97 * e85 + outflow_factor_98 * e94;
-        const Scalar e100 = e99 * e75;
-        const Scalar step_101 = detail::step<Scalar>(e76);
-        const Scalar e102 = step_101 * e84;
-        const Scalar step_103 = detail::step<Scalar>(e3);
-        const Scalar e104 = step_103 * e93;
-        const Scalar e105 = outflow_factor_97 * e102 + outflow_factor_98 * e104;
-        const Scalar e106 = e105 * e74;
-        const Scalar e107 = outflow_factor_by_exponent_80 * e102 + outflow_factor_by_exponent_89 * e104;
-        const Scalar e108 = e74 * e107;
-        const Scalar e109 = e8 * (p_.R_s * inverse_6);
-        const Scalar e110 = e18 * e109;
-        const Scalar e111 = e65 * e109;
-        const Scalar log_112 = log(e20);
-        const Scalar e113 = e16 / p_.n;
-        const Scalar e114 = inverse_57 * e113;
-        const Scalar e115 = (Scalar(1) / Scalar(2)) * p_.T_0 * e113;
-        const Scalar e116 = e56 * (inverse_23 * inverse_23);
-        const Scalar e117 = power_21 * e116;
-        const Scalar e118 = inverse_57 * e16;
-        const Scalar e119 = p_1 * inverse_24;
-        const Scalar e120 = s_dot * e119;
-        const Scalar log_121 = log(e69);
-        const Scalar e122 = e100 * (inverse_72 * inverse_72);
-        const Scalar e123 = power_70 * e122;
-        const Scalar e124 = p_2 * inverse_73;
-        const Scalar e125 = s_dot * e124;
-        const Scalar e126 = inverse_24 * (c_.k3 * e56 + c_.k4 * e64);
-        const Scalar e127 = p_.n * p_.V_d;
-        const Scalar e128 = inverse_24 * e120;
-        const Scalar e129 = inverse_73 * e125;
-        const Scalar e130 = inverse_73 * e100;
-        const Scalar e131 = inverse_57 * e17;
-        const Scalar e132 = inverse_73 * e106;
-        const Scalar e133 = inverse_73 * (c_.k3 * e100 + c_.k4 * e106);
-        const Scalar inverse_root_134 = detail::inverse_root<Scalar>(e44);
-        const Scalar e135 = c_.k20 * e25;
-        const Scalar e136 = c_.k19 * e26;
-        const Scalar sign_137 = detail::sign<Scalar>(e37);
-        const Scalar outflow_factor_slope_138 = detail::outflow_factor_slope<Scalar>(e40, c_.k6);
-        const Scalar e139 = c_.k4 * e25;
-        const Scalar e140 = c_.k3 * e26;
-        const Scalar inverse_root_141 = detail::inverse_root<Scalar>(e82);
-        const Scalar e142 = c_.k20 * e74;
-        const Scalar e143 = c_.k19 * e75;
-        const Scalar sign_144 = detail::sign<Scalar>(e76);
-        const Scalar outflow_factor_slope_145 = detail::outflow_factor_slope<Scalar>(e79, c_.k6);
-        const Scalar e146 = c_.k4 * e74;
-        const Scalar e147 = c_.k3 * e75;
-        const Scalar e148 = -c_.k24;
-        const Scalar power_149 = pow(e20, e148);
-        const Scalar inverse_150 = Scalar(1) / p_.p_r;
-        const Scalar e151 = (e16 - e17) * (inverse_150 * inverse_150);
-        const Scalar e152 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e151;
-        const Scalar e153 = -e151;
-        const Scalar e154 = -inverse_57 * e151;
-        const Scalar power_155 = pow(e69, e148);
-        const Scalar inverse_root_156 = detail::inverse_root<Scalar>(e33);
-        const Scalar sign_157 = detail::sign<Scalar>(e1);
-        const Scalar outflow_factor_slope_158 = detail::outflow_factor_slope<Scalar>(e29, c_.k6);
-        const Scalar inverse_root_159 = detail::inverse_root<Scalar>(e91);
-        const Scalar sign_160 = detail::sign<Scalar>(e3);
-        const Scalar outflow_factor_slope_161 = detail::outflow_factor_slope<Scalar>(e88, c_.k6);
-        const Scalar e162 = e50 * (p_.R_s * e13);
-        const Scalar e163 = inverse_57 * ((Scalar(1) / Scalar(2)) * inverse_57 * e131 - e162);
-        const Scalar e164 = p_.n * e15;
+        const Scalar inverse_86 = Scalar(1) / max_p_0_2;
+        const Scalar e87 = abs_85 * inverse_86;
+        const Scalar outflow_factor_by_exponent_88 = detail::outflow_factor_by_exponent<Scalar>(e87, c_.k6);
+        const Scalar step_89 = detail::step<Scalar>(-e3);
+        const Scalar e90 = max_p_0_2 * e3;
+        const Scalar signed_root_91 = detail::signed_root<Scalar>(e90);
+        const Scalar e92 = max_41 * signed_root_91;
+        const Scalar e93 = step_89 * e92;
+        const Scalar e94 = outflow_factor_by_exponent_79 * e84 + outflow_factor_by_exponent_88 * e93;
+        const Scalar e95 = e74 * e94;
+        const Scalar outflow_factor_96 = detail::outflow_factor<Scalar>(e78, c_.k6);
+        const Scalar outflow_factor_97 = detail::outflow_factor<Scalar>(e87, c_.k6);
+        const Scalar e98 = outflow_factor_96 * e84 + outflow_factor_97 * e93;
+        const Scalar e99 = e98 * e74;
+        const Scalar step_100 = detail::step<Scalar>(e75);
+        const Scalar e101 = step_100 * e83;
+        const Scalar step_102 = detail::step<Scalar>(e3);
+        const Scalar e103 = step_102 * e92;
+        const Scalar e104 = outflow_factor_96 * e101 + outflow_factor_97 * e103;
+        const Scalar e105 = e104 * e73;
+        const Scalar e106 = outflow_factor_by_exponent_79 * e101 + outflow_factor_by_exponent_88 * e103;
+        const Scalar e107 = e73 * e106;
+        const Scalar e15_squared = e15 * e15;
+        const Scalar e108 = e13 * e15_squared;
+        const Scalar e109 = e55 * e15_squared;
+        const Scalar log_110 = log(e18);
+        const Scalar e111 = e12 / p_.n;
+        const Scalar e112 = inverse_54 * e111;
+        const Scalar e113 = (Scalar(1) / Scalar(2)) * p_.T_0 * e111;
+        const Scalar e114 = e53 * (inverse_21 * inverse_21);
+        const Scalar e115 = power_19 * e114;
+        const Scalar e116 = inverse_54 * e12;
+        const Scalar e117 = p_1 * inverse_22;
+        const Scalar e118 = s_dot * e117;
+        const Scalar log_119 = log(e68);
+        const Scalar e120 = e99 * (inverse_71 * inverse_71);
+        const Scalar e121 = power_69 * e120;
+        const Scalar e122 = p_2 * inverse_72;
+        const Scalar e123 = s_dot * e122;
+        const Scalar e124 = inverse_22 * (c_.k3 * e53 + c_.k4 * e64);
+        const Scalar e125 = p_.n * p_.V_d;
+        const Scalar e126 = inverse_22 * e118;
+        const Scalar e127 = inverse_72 * e123;
+        const Scalar e128 = inverse_72 * e99;
+        const Scalar e129 = inverse_72 * e105;
+        const Scalar e130 = inverse_72 * (c_.k3 * e99 + c_.k4 * e105);
+        const Scalar inverse_root_131 = detail::inverse_root<Scalar>(e42);
+        const Scalar e132 = (Scalar(1) / Scalar(2)) * e55;
+        const Scalar e133 = e132 * e23;
+        const Scalar e134 = (Scalar(1) / Scalar(2)) * e13;
+        const Scalar e135 = e134 * e24;
+        const Scalar sign_136 = detail::sign<Scalar>(e35);
+        const Scalar outflow_factor_slope_137 = detail::outflow_factor_slope<Scalar>(e38, c_.k6);
+        const Scalar e138 = c_.k4 * e23;
+        const Scalar e139 = c_.k3 * e24;
+        const Scalar inverse_root_140 = detail::inverse_root<Scalar>(e81);
+        const Scalar e141 = e132 * e73;
+        const Scalar e142 = e134 * e74;
+        const Scalar sign_143 = detail::sign<Scalar>(e75);
+        const Scalar outflow_factor_slope_144 = detail::outflow_factor_slope<Scalar>(e78, c_.k6);
+        const Scalar e145 = c_.k4 * e73;
+        const Scalar e146 = c_.k3 * e74;
+        const Scalar e147 = -c_.k14;
+        const Scalar power_148 = pow(e18, e147);
+        const Scalar inverse_149 = Scalar(1) / p_.p_r;
+        const Scalar e150 = (e12 - e13) * (inverse_149 * inverse_149);
+        const Scalar e151 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e150;
+        const Scalar e152 = -e150;
+        const Scalar e153 = -inverse_54 * e150;
+        const Scalar power_154 = pow(e68, e147);
+        const Scalar inverse_root_155 = detail::inverse_root<Scalar>(e31);
+        const Scalar sign_156 = detail::sign<Scalar>(e1);
+        const Scalar outflow_factor_slope_157 = detail::outflow_factor_slope<Scalar>(e27, c_.k6);
+        const Scalar inverse_root_158 = detail::inverse_root<Scalar>(e90);
+        const Scalar sign_159 = detail::sign<Scalar>(e3);
+        const Scalar outflow_factor_slope_160 = detail::outflow_factor_slope<Scalar>(e87, c_.k6);
+        const Scalar e161 = p_.R_s * e9;
+        const Scalar e162 = e161 * e48;
+        const Scalar e163 = (Scalar(1) / Scalar(2)) * inverse_54 * inverse_54 * e55 - e161 * e57;
+        const Scalar e164 = p_.n * e11;
         const Scalar e165 = p_.alpha_d * e164;
-        const Scalar e166 = inverse_57 * e165;
-        const Scalar e167 = p_.A_v * e164;
-        const Scalar e168 = inverse_57 * e167;
+        const Scalar e166 = e11 * e56;
+        const Scalar e167 = p_.alpha_d * e166;
+        const Scalar e168 = p_.A_v * e164;
+        const Scalar e169 = p_.A_v * e166;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e19 * e49 - e52 * e56 - e58 * e64 + e66 * e68;
-        J[3] = e19 * e96 - e52 * e100 - e58 * e106 + e66 * e108;
+        J[2] = e17 * e47 - e49 * e53 - e58 * e64 + e65 * e67;
+        J[3] = e17 * e95 - e49 * e99 - e58 * e105 + e65 * e107;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = e110 * e49 + e111 * e68;
-        J[7] = e110 * e96 + e111 * e108;
+        J[6] = e108 * e47 + e109 * e67;
+        J[7] = e108 * e95 + e109 * e107;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
-        J[10] = log_112 * (e113 * e56 + e114 * e64 - e115 * e117) + e16 * e56 + e118 * e64 - p_.A_1 * e120;
-        J[11] = log_121 * (e113 * e100 + e114 * e106 - e115 * e123) + e16 * e100 + e118 * e106 + p_.A_2 * e125;
+        J[10] = log_110 * (e111 * e53 + e112 * e64 - e113 * e115) + e12 * e53 + e116 * e64 - p_.A_1 * e118;
+        J[11] = log_119 * (e111 * e99 + e112 * e105 - e113 * e121) + e12 * e99 + e116 * e105 + p_.A_2 * e123;
         J[12] = Scalar(0);
         J[13] = e2 * c_.k0;
-        J[14] = -s * e126 - e127 * e128;
+        J[14] = -s * e124 - e125 * e126;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = e3 * c_.k0;
         J[18] = Scalar(0);
-        J[19] = e127 * e129 - p_.l * e17 * e130 - p_.l * e131 * e132 + s * e133;
+        J[19] = e125 * e127 - p_.l * e13 * e128 - p_.l * e55 * e129 + s * e130;
         J[20] = Scalar(0);
         J[21] = Scalar(0);
         J[22] = Scalar(0);
-        J[23] = -c_.k16 * e129 - c_.k17 * e130 - c_.k18 * e132;
+        J[23] = -p_.n * p_.A_2 * p_.A_2 * e127 - p_.A_2 * e13 * e128 - p_.A_2 * e55 * e129;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = c_.k2 * e128 - e126;
-        J[27] = -c_.k5 * e129 - e133;
+        J[26] = c_.k2 * e126 - e124;
+        J[27] = -c_.k5 * e127 - e130;
         J[28] = Scalar(0);
         J[29] = (-dxdt[1]) * c_.k0;
         J[30] = Scalar(0);
@@ -1005,42 +1007,42 @@ public:
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
-        const Scalar e169 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
-        J[41] = e169 * c_.k0;
+        const Scalar e170 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
+        J[41] = e170 * c_.k0;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = Scalar(0);
         J[45] = Scalar(0);
-        const Scalar e170 = max_43 * outflow_factor_54 * (inverse_root_134 * (max_p_S + step_61 * e37));
-        const Scalar e171 = (step_61 * e40 - sign_137) * (outflow_factor_slope_138 * inverse_39) * (e62 * e139 + e47 * e140);
-        J[46] = e170 * (step_61 * e135 + step_42 * e136) - e171;
-        const Scalar e172 = max_32 * outflow_factor_97 * (inverse_root_141 * (max_p_S_2 + step_101 * e76));
-        const Scalar e173 = (step_101 * e79 - sign_144) * (outflow_factor_slope_145 * inverse_78) * (e102 * e146 + e85 * e147);
-        J[47] = e172 * (step_101 * e142 + step_81 * e143) - e173;
+        const Scalar e171 = max_41 * outflow_factor_51 * (inverse_root_131 * (max_p_S + step_61 * e35));
+        const Scalar e172 = (step_61 * e38 - sign_136) * (outflow_factor_slope_137 * inverse_37) * (e62 * e138 + e45 * e139);
+        J[46] = e171 * (step_61 * e133 + step_40 * e135) - e172;
+        const Scalar e173 = max_30 * outflow_factor_96 * (inverse_root_140 * (max_p_S_2 + step_100 * e75));
+        const Scalar e174 = (step_100 * e78 - sign_143) * (outflow_factor_slope_144 * inverse_77) * (e101 * e145 + e84 * e146);
+        J[47] = e173 * (step_100 * e141 + step_80 * e142) - e174;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = p_1 * power_149 * e152 * e116 - power_149 * e119 * (inverse_23 * e153 * e55 + e154 * e63);
-        J[51] = p_2 * power_155 * e152 * e122 - power_155 * e124 * (inverse_72 * e153 * e99 + e154 * e105);
+        J[50] = p_1 * power_148 * e151 * e114 - power_148 * e117 * (inverse_21 * e152 * e52 + e153 * e63);
+        J[51] = p_2 * power_154 * e151 * e120 - power_154 * e122 * (inverse_71 * e152 * e98 + e153 * e104);
         J[52] = Scalar(0);
         J[53] = (-(p_.A_1 - p_.A_2)) * c_.k0;
-        const Scalar e174 = max_32 * outflow_factor_53 * (inverse_root_156 * (max_p_0 + step_59 * e1));
-        const Scalar e175 = (step_59 * e29 - sign_157) * (outflow_factor_slope_158 * inverse_28) * (e60 * e139 + e36 * e140);
-        J[54] = e174 * (step_59 * e135 + step_31 * e136) - e175;
-        const Scalar e176 = max_43 * outflow_factor_98 * (inverse_root_159 * (max_p_0_2 + step_103 * e3));
-        const Scalar e177 = (step_103 * e88 - sign_160) * (outflow_factor_slope_161 * inverse_87) * (e104 * e146 + e94 * e147);
-        J[55] = e176 * (step_103 * e142 + step_90 * e143) - e177;
+        const Scalar e175 = max_30 * outflow_factor_50 * (inverse_root_155 * (max_p_0 + step_59 * e1));
+        const Scalar e176 = (step_59 * e27 - sign_156) * (outflow_factor_slope_157 * inverse_26) * (e60 * e138 + e34 * e139);
+        J[54] = e175 * (step_59 * e133 + step_29 * e135) - e176;
+        const Scalar e177 = max_41 * outflow_factor_97 * (inverse_root_158 * (max_p_0_2 + step_102 * e3));
+        const Scalar e178 = (step_102 * e87 - sign_159) * (outflow_factor_slope_160 * inverse_86) * (e103 * e145 + e93 * e146);
+        J[55] = e177 * (step_102 * e141 + step_89 * e142) - e178;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
-        J[58] = e162 * e56 - e163 * e64 - c_.k19 * e117;
-        J[59] = e162 * e100 - e163 * e106 - c_.k19 * e123;
+        J[58] = e162 * e53 - e163 * e64 - e134 * e115;
+        J[59] = e162 * e99 - e163 * e105 - e134 * e121;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = e165 * e56 + e166 * e64;
-        J[63] = e165 * e100 + e166 * e106;
+        J[62] = e165 * e53 + e167 * e64;
+        J[63] = e165 * e99 + e167 * e105;
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = e167 * e56 + e168 * e64;
-        J[67] = e167 * e100 + e168 * e106;
+        J[66] = e168 * e53 + e169 * e64;
+        J[67] = e168 * e99 + e169 * e105;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1158,7 +1160,7 @@ public:
         const Scalar e26 = e23 + e25;
         const Scalar sqrt_27 = sqrt(e2);
         const Scalar inverse_28 = Scalar(1) / sqrt_27;
-        const Scalar e29 = c_.k25 * inverse_28;
+        const Scalar e29 = c_.k16 * inverse_28;
         const Scalar e30 = p_.p_S - p_2;
         const Scalar step_31 = detail::step<Scalar>(e30);
         const Scalar abs_32 = abs(e30);
@@ -1176,16 +1178,16 @@ public:
         const Scalar sqrt_42 = sqrt(e4);
         const Scalar step_43 = detail::step<Scalar>(-e30);
         const Scalar step_44 = detail::step<Scalar>(-e36);
-        const Scalar max_45 = detail::max<Scalar>(Scalar(0), e29 * e25 + c_.k26 * e20);
-        const Scalar min_46 = detail::min<Scalar>(Scalar(0), -e29 * e23 - c_.k26 * e12);
-        const Scalar e47 = c_.k30 * (max_45 - min_46);
+        const Scalar max_45 = detail::max<Scalar>(Scalar(0), e29 * e25 + c_.k17 * e20);
+        const Scalar min_46 = detail::min<Scalar>(Scalar(0), -e29 * e23 - c_.k17 * e12);
+        const Scalar e47 = c_.k21 * (max_45 - min_46);
         const Scalar s_dot = x[1];
         y[0] = p_.A_1 * p_1 - c_.k1 - p_.A_2 * p_2;
         y[1] = e2;
         y[2] = e4;
-        y[3] = c_.k26 * e21 + e26 * e29;
-        y[4] = c_.k26 * (step_31 * e35 + step_37 * e41) + c_.k25 / sqrt_42 * (step_43 * e35 + step_44 * e41);
-        y[5] = -power_1 * (c_.k28 * inverse_28 * e26 + c_.k29 * e21 - e47) - c_.k27 * s_dot * p_1 - e47;
+        y[3] = c_.k17 * e21 + e26 * e29;
+        y[4] = c_.k17 * (step_31 * e35 + step_37 * e41) + c_.k16 / sqrt_42 * (step_43 * e35 + step_44 * e41);
+        y[5] = -power_1 * (c_.k19 * inverse_28 * e26 + c_.k20 * e21 - e47) - c_.k18 * s_dot * p_1 - e47;
     }
 
     /// C = dh/dx.
@@ -1196,7 +1198,7 @@ public:
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k7 * p_1;
-        const Scalar e2 = -c_.k24;
+        const Scalar e2 = -c_.k14;
         const Scalar power_3 = pow(e1, e2);
         const Scalar power_4 = pow(e1, c_.k8);
         const Scalar sqrt_5 = sqrt(p_.T_0 * power_4);
@@ -1242,12 +1244,12 @@ public:
         const Scalar e42 = step_41 * outflow_factor_22;
         const Scalar e43 = e27 * e42;
         const Scalar e44 = step_40 * e16 + e43;
-        const Scalar e45 = c_.k25 * inverse_6;
-        const Scalar e46 = c_.k26 * step_40 + step_8 * e45;
+        const Scalar e45 = c_.k16 * inverse_6;
+        const Scalar e46 = c_.k17 * step_40 + step_8 * e45;
         const Scalar outflow_factor_slope_47 = detail::outflow_factor_slope<Scalar>(e14, c_.k6);
         const Scalar sign_48 = detail::sign<Scalar>(e7);
         const Scalar e49 = outflow_factor_slope_47 * inverse_13 * ((sign_48 + step_8 * e14) * e31);
-        const Scalar e50 = c_.k26 * step_41 + step_18 * e45;
+        const Scalar e50 = c_.k17 * step_41 + step_18 * e45;
         const Scalar outflow_factor_slope_51 = detail::outflow_factor_slope<Scalar>(e21, c_.k6);
         const Scalar sign_52 = detail::sign<Scalar>(e17);
         const Scalar e53 = outflow_factor_slope_51 * inverse_20 * ((sign_52 + step_18 * e21) * e34);
@@ -1256,19 +1258,19 @@ public:
         const Scalar e56 = e46 * e32;
         const Scalar step_57 = detail::step<Scalar>(e56);
         const Scalar e58 = e55 * (step_8 * step_57);
-        const Scalar e59 = c_.k29 * power_4;
+        const Scalar e59 = c_.k20 * power_4;
         const Scalar e60 = step_40 * step_57;
-        const Scalar e61 = c_.k37 * e54;
+        const Scalar e61 = c_.k28 * e54;
         const Scalar e62 = power_4 * inverse_6;
-        const Scalar e63 = c_.k28 * e62;
+        const Scalar e63 = c_.k19 * e62;
         const Scalar e64 = outflow_factor_22 * e50 * e34;
         const Scalar step_65 = detail::step<Scalar>(e64);
         const Scalar e66 = step_18 * e53;
-        const Scalar e67 = c_.k43 * e38;
+        const Scalar e67 = c_.k34 * e38;
         const Scalar s_dot = x[1];
         const Scalar e68 = step_41 * e53;
-        const Scalar e69 = c_.k41 * e54;
-        const Scalar e70 = c_.k45 * power_3;
+        const Scalar e69 = c_.k32 * e54;
+        const Scalar e70 = c_.k36 * power_3;
         const Scalar max_71 = detail::max<Scalar>(Scalar(0), e64);
         const Scalar min_72 = detail::min<Scalar>(Scalar(0), -e56);
         const Scalar p_2 = x[3];
@@ -1287,7 +1289,7 @@ public:
         const Scalar e84 = max_p_S_2 * e75;
         const Scalar signed_root_85 = detail::signed_root<Scalar>(e84);
         const Scalar e86 = max_9 * signed_root_85;
-        const Scalar e87 = c_.k34 * inverse_79 * (power_74 * inverse_79);
+        const Scalar e87 = c_.k25 * inverse_79 * (power_74 * inverse_79);
         const Scalar inverse_root_88 = detail::inverse_root<Scalar>(e84);
         const Scalar e89 = max_9 * inverse_root_88 * (outflow_factor_83 * (max_p_S_2 - step_76 * e75));
         const Scalar outflow_factor_slope_90 = detail::outflow_factor_slope<Scalar>(e82, c_.k6);
@@ -1321,24 +1323,24 @@ public:
         C[8] = Scalar(0);
         C[9] = Scalar(0);
         C[10] = Scalar(0);
-        C[11] = -c_.k27 * p_1;
+        C[11] = -c_.k18 * p_1;
         C[12] = p_.A_1;
-        C[13] = -c_.k31 * power_3;
+        C[13] = -c_.k22 * power_3;
         C[14] = Scalar(0);
-        C[15] = -inverse_6 * (c_.k32 * e29 - c_.k34 * e39) - c_.k33 * e44 - e46 * e49 - e50 * e53;
+        C[15] = -inverse_6 * (c_.k23 * e29 - c_.k25 * e39) - c_.k24 * e44 - e46 * e49 - e50 * e53;
         C[16] = Scalar(0);
-        C[17] = e49 * (c_.k36 * e58 + step_40 * e59 + e60 * e61 + step_8 * e63) + step_65 * e55
-            * (c_.k36 * e66 - e35 * e67 + c_.k39 * e28) - s_dot * (c_.k27 - c_.k35 * p_1 * power_3 / power_4) + step_65
-            * (e61 * e68 + e69 * e43) + e32 * (step_40 * e70 - e58 * e67) + e62 * (c_.k38 * e29 - c_.k42 * e39) + e16
-            * (c_.k39 * e58 + e60 * e69) - c_.k46 * power_3 * (max_71 - min_72) + c_.k40 * power_4 * e44 + c_.k44 * e36 * e37
+        C[17] = e49 * (c_.k27 * e58 + step_40 * e59 + e60 * e61 + step_8 * e63) + step_65 * e55
+            * (c_.k27 * e66 - e35 * e67 + c_.k30 * e28) - s_dot * (c_.k18 - c_.k26 * p_1 * power_3 / power_4) + step_65
+            * (e61 * e68 + e69 * e43) + e32 * (step_40 * e70 - e58 * e67) + e62 * (c_.k29 * e29 - c_.k33 * e39) + e16
+            * (c_.k30 * e58 + e60 * e69) - c_.k37 * power_3 * (max_71 - min_72) + c_.k31 * power_4 * e44 + c_.k35 * e36 * e37
             + e34 * e42 * e70 + e59 * e68 + e66 * e63;
         C[18] = -p_.A_2;
         C[19] = Scalar(0);
-        C[20] = -c_.k31 * power_74;
+        C[20] = -c_.k22 * power_74;
         C[21] = Scalar(0);
-        const Scalar e109 = step_76 * inverse_79 * (outflow_factor_83 * e86 * e87 - c_.k32 * e89 - c_.k25 * e92);
-        const Scalar e110 = step_94 * inverse_79 * (outflow_factor_98 * e101 * e87 - c_.k32 * e103 - c_.k25 * e106);
-        C[22] = e109 + e110 - c_.k26 * (step_107 * e92 + step_108 * e106) - c_.k33 * (step_107 * e89 + step_108 * e103);
+        const Scalar e109 = step_76 * inverse_79 * (outflow_factor_83 * e86 * e87 - c_.k23 * e89 - c_.k16 * e92);
+        const Scalar e110 = step_94 * inverse_79 * (outflow_factor_98 * e101 * e87 - c_.k23 * e103 - c_.k16 * e106);
+        C[22] = e109 + e110 - c_.k17 * (step_107 * e92 + step_108 * e106) - c_.k24 * (step_107 * e89 + step_108 * e103);
         C[23] = Scalar(0);
     }
 
@@ -1380,7 +1382,7 @@ public:
         const Scalar power_25 = pow(c_.k7 * p_1, c_.k8);
         const Scalar sqrt_26 = sqrt(p_.T_0 * power_25);
         const Scalar inverse_27 = Scalar(1) / sqrt_26;
-        const Scalar e28 = c_.k25 * inverse_27;
+        const Scalar e28 = c_.k16 * inverse_27;
         const Scalar p_2 = x[3];
         const Scalar e29 = p_.p_S - p_2;
         const Scalar step_30 = detail::step<Scalar>(e29);
@@ -1401,18 +1403,18 @@ public:
         const Scalar step_43 = detail::step<Scalar>(-e29);
         const Scalar step_44 = detail::step<Scalar>(-e35);
         const Scalar max_45 = detail::max<Scalar>(Scalar(0), e3);
-        const Scalar step_46 = detail::step<Scalar>(max_45 * e8 * (c_.k26 * step_2 + step_20 * e28));
+        const Scalar step_46 = detail::step<Scalar>(max_45 * e8 * (c_.k17 * step_2 + step_20 * e28));
         const Scalar e47 = Scalar(1) - power_25;
         const Scalar e48 = step_46 * e47;
         const Scalar max_49 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar step_50 = detail::step<Scalar>(max_49 * e16 * (c_.k26 * step_12 + step_22 * e28));
+        const Scalar step_50 = detail::step<Scalar>(max_49 * e16 * (c_.k17 * step_12 + step_22 * e28));
         const Scalar e51 = step_50 * e47;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = -c_.k26 * e19 - e24 * e28;
-        D[4] = -c_.k26 * (step_30 * e34 - step_36 * e40) - c_.k25 / sqrt_42 * (step_43 * e34 - step_44 * e40);
-        D[5] = c_.k37 * (e48 * e10 - e51 * e18) + power_25 * (c_.k28 * inverse_27 * e24 + c_.k29 * e19) + c_.k36 * inverse_27
+        D[3] = -c_.k17 * e19 - e24 * e28;
+        D[4] = -c_.k17 * (step_30 * e34 - step_36 * e40) - c_.k16 / sqrt_42 * (step_43 * e34 - step_44 * e40);
+        D[5] = c_.k28 * (e48 * e10 - e51 * e18) + power_25 * (c_.k19 * inverse_27 * e24 + c_.k20 * e19) + c_.k27 * inverse_27
             * (e48 * e21 - e51 * e23);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -1530,7 +1532,7 @@ public:
         const Scalar step_36 = detail::step<Scalar>(-e12);
         const Scalar step_37 = detail::step<Scalar>(-e26);
         const Scalar e38 = e3 / sqrt_T_0 * (step_5 * e11 + step_13 * e18 + step_20 * e25 + step_27 * e31);
-        const Scalar e39 = s_dot * (c_.k27 * p_1 - p_2 * (-p_.A_2 / p_.R_s * (c_.c_v - e1) - p_.A_2));
+        const Scalar e39 = s_dot * (c_.k18 * p_1 - p_2 * (-p_.A_2 / p_.R_s * (c_.c_v - e1) - p_.A_2));
         return e38 - e39 + e3 / sqrt_32 * (step_33 * e11 + step_34 * e25) + e3 / sqrt_35 * (step_36 * e18 + step_37 * e31);
     }
 
@@ -1586,42 +1588,33 @@ private:
         Scalar k8;  ///< 1 - 1/n
         Scalar k9;  ///< A_2*l + V_d
         Scalar k10;  ///< 1/v_C
-        Scalar k11;  ///< d + f_C/v_C
-        Scalar k12;  ///< f_C/v_C
-        Scalar k13;  ///< n*A_1^2
-        Scalar k14;  ///< n*A_1*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)
-        Scalar k15;  ///< n*A_1*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
-        Scalar k16;  ///< n*A_2^2
-        Scalar k17;  ///< n*A_2*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)
-        Scalar k18;  ///< n*A_2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
-        Scalar k19;  ///< n*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)/2
-        Scalar k20;  ///< n*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)/2
-        Scalar k21;  ///< T_0^2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/(2*p_r)
-        Scalar k22;  ///< T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/p_r
-        Scalar k23;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(-1 + n)/p_r
-        Scalar k24;  ///< 1/n
-        Scalar k25;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k26;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k27;  ///< A_1*(-1 + n*c_v/R_s - c_v/R_s)
-        Scalar k28;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/sqrt(R_s)
-        Scalar k29;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/sqrt(R_s)
-        Scalar k30;  ///< T_0*(R_s + c_v)
-        Scalar k31;  ///< T_0*(-1 + 1/n)/p_r
-        Scalar k32;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
-        Scalar k33;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
-        Scalar k34;  ///< T_0*A_v*alpha_d*sqrt(2)*(-1 + 1/n)/(2*p_r*sqrt(R_s))
-        Scalar k35;  ///< A_1*c_v*(-2 + 1/n + n - (1 - n)^2/n)/(R_s*p_r)
-        Scalar k36;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/sqrt(R_s)
-        Scalar k37;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/sqrt(R_s)
-        Scalar k38;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
-        Scalar k39;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/(2*sqrt(R_s))
-        Scalar k40;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
-        Scalar k41;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/(2*sqrt(R_s))
-        Scalar k42;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s/2 + R_s/(2*n) + c_v/(2*n) + n*c_v/2 - c_v)/(p_r*sqrt(R_s))
-        Scalar k43;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v/n - c_v)/(2*p_r*sqrt(R_s))
-        Scalar k44;  ///< T_0*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
-        Scalar k45;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
-        Scalar k46;  ///< T_0*(-R_s + R_s/n + c_v/n - c_v)/p_r
+        Scalar k11;  ///< 1/sqrt(T_0)
+        Scalar k12;  ///< d + f_C/v_C
+        Scalar k13;  ///< -T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/p_r
+        Scalar k14;  ///< 1/n
+        Scalar k15;  ///< -T_0^2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/p_r
+        Scalar k16;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k17;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k18;  ///< A_1*(-1 + n*c_v/R_s - c_v/R_s)
+        Scalar k19;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/sqrt(R_s)
+        Scalar k20;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/sqrt(R_s)
+        Scalar k21;  ///< T_0*(R_s + c_v)
+        Scalar k22;  ///< T_0*(-1 + 1/n)/p_r
+        Scalar k23;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
+        Scalar k24;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k25;  ///< T_0*A_v*alpha_d*sqrt(2)*(-1 + 1/n)/(2*p_r*sqrt(R_s))
+        Scalar k26;  ///< A_1*c_v*(-2 + 1/n + n - (1 - n)^2/n)/(R_s*p_r)
+        Scalar k27;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/sqrt(R_s)
+        Scalar k28;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/sqrt(R_s)
+        Scalar k29;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
+        Scalar k30;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/(2*sqrt(R_s))
+        Scalar k31;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
+        Scalar k32;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/(2*sqrt(R_s))
+        Scalar k33;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s/2 + R_s/(2*n) + c_v/(2*n) + n*c_v/2 - c_v)/(p_r*sqrt(R_s))
+        Scalar k34;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v/n - c_v)/(2*p_r*sqrt(R_s))
+        Scalar k35;  ///< T_0*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
+        Scalar k36;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
+        Scalar k37;  ///< T_0*(-R_s + R_s/n + c_v/n - c_v)/p_r
     };
     Cached c_{};
 };

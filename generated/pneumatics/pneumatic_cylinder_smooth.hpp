@@ -19,11 +19,11 @@
 //     this code = the derivation: 22 of 22 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                31     71     9        0      3
+//   update                27     60     9        0      3
 //   rhs                   28     62     8        0     35
-//   rhs_and_jacobian      70    183    12        0     49
+//   rhs_and_jacobian      59    167    12        0     49
 //   jacobian_u            21     51     8        0     34
-//   jacobian_p           110    320    19        0     58
+//   jacobian_p           109    332    19        0     58
 //   bias                   3      5     0        0      1
 //   generalised_force      1      0     0        0      0
 //   output                28     55     6        0     36
@@ -188,23 +188,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// The logarithm of the pressure ratio in a nozzle, log(1 - d), while it is above the critical one. Any clamp between the critical
@@ -347,95 +352,80 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 31 + or -, 71 *, 9 /, 3 other functions
+    /// Operations: 27 + or -, 60 *, 9 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
         c_.c_v = -p_.R_s / (Scalar(1) - p_.kappa);
         c_.k0 = Scalar(1) / p_.m_K;
         c_.k1 = p_.p_0 * (p_.A_1 - p_.A_2);
-        const Scalar e1 = p_.n * p_.A_1;
-        c_.k2 = e1;
-        const Scalar sqrt_2 = sqrt(Scalar(2));
+        c_.k2 = p_.n * p_.A_1;
+        const Scalar sqrt_1 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar e3 = p_.A_v * p_.alpha_d * (sqrt_2 / sqrt_R_s);
-        const Scalar e4 = p_.T_0 * e3;
-        const Scalar e5 = p_.R_s * p_.n;
-        const Scalar e6 = e4 * e5;
-        c_.k3 = e6;
+        const Scalar e2 = p_.A_v * p_.alpha_d * (sqrt_1 / sqrt_R_s);
+        const Scalar e3 = p_.T_0 * e2;
+        const Scalar e4 = p_.R_s * p_.n;
+        c_.k3 = e3 * e4;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_7 = Scalar(1) / sqrt_T_0;
-        const Scalar e8 = inverse_7 * e4;
-        const Scalar e9 = e5 * e8;
-        c_.k4 = e9;
-        const Scalar e10 = p_.n * p_.A_2;
-        c_.k5 = e10;
+        const Scalar inverse_5 = Scalar(1) / sqrt_T_0;
+        const Scalar e6 = inverse_5 * e3;
+        c_.k4 = e6 * e4;
+        c_.k5 = p_.n * p_.A_2;
         c_.k6 = Scalar(1) + p_.R_s / c_.c_v;
         c_.k7 = p_.width * p_.width;
-        const Scalar inverse_11 = Scalar(1) / p_.p_r;
-        c_.k8 = inverse_11;
-        const Scalar inverse_12 = Scalar(1) / p_.n;
-        const Scalar e13 = Scalar(1) - inverse_12;
-        c_.k9 = e13;
+        const Scalar inverse_7 = Scalar(1) / p_.p_r;
+        c_.k8 = inverse_7;
+        const Scalar inverse_8 = Scalar(1) / p_.n;
+        const Scalar e9 = Scalar(1) - inverse_8;
+        c_.k9 = e9;
         c_.k10 = p_.A_2 * p_.l + p_.V_d;
-        const Scalar inverse_14 = Scalar(1) / p_.v_C;
-        c_.k11 = inverse_14;
-        const Scalar e15 = p_.f_C * inverse_14;
-        c_.k12 = p_.d + e15;
-        c_.k13 = e15;
-        c_.k14 = p_.A_1 * e1;
-        c_.k15 = p_.A_1 * e6;
-        c_.k16 = p_.A_1 * e9;
-        c_.k17 = p_.A_2 * e10;
-        c_.k18 = p_.A_2 * e6;
-        c_.k19 = p_.A_2 * e9;
-        const Scalar e16 = inverse_11 * e4;
-        const Scalar e17 = p_.T_0 * e16;
-        const Scalar e18 = Scalar(1) - p_.n;
-        const Scalar e19 = p_.R_s * e18;
-        c_.k20 = -(Scalar(1) / Scalar(2)) * e17 * e19;
-        c_.k21 = (Scalar(1) / Scalar(2)) * e6;
-        c_.k22 = (Scalar(1) / Scalar(2)) * e9;
-        c_.k23 = -e16 * e19;
-        const Scalar e20 = inverse_7 * e16;
-        c_.k24 = -e19 * e20;
-        c_.k25 = inverse_12;
-        c_.k26 = e3;
-        const Scalar e21 = inverse_7 * e3;
-        c_.k27 = e21;
-        const Scalar e22 = p_.A_1 * c_.c_v / p_.R_s;
-        c_.k28 = -p_.A_1 - e18 * e22;
-        const Scalar e23 = p_.R_s + c_.c_v;
-        const Scalar e24 = p_.n * c_.c_v - e23;
-        const Scalar e25 = e4 * e24;
-        c_.k29 = -e25;
-        const Scalar e26 = e24 * e8;
-        c_.k30 = -e26;
-        c_.k31 = p_.T_0 * e23;
-        const Scalar e27 = p_.T_0 * inverse_11;
-        c_.k32 = -e13 * e27;
-        c_.k33 = -(Scalar(1) / Scalar(2)) * e16 * e13;
-        c_.k34 = (Scalar(1) / Scalar(2)) * e3;
-        c_.k35 = (Scalar(1) / Scalar(2)) * e21;
-        const Scalar e28 = Scalar(1) - (Scalar(1) / Scalar(2)) * p_.n;
-        const Scalar e29 = e18 * (e18 * inverse_12);
-        c_.k36 = inverse_11 * e22 * (inverse_12 - Scalar(2) * e28 - e29);
-        const Scalar e30 = e23 * e4;
-        c_.k37 = e30;
-        const Scalar e31 = e23 * e8;
-        c_.k38 = e31;
-        const Scalar e32 = (Scalar(1) / Scalar(2)) * p_.R_s - (Scalar(1) / Scalar(2)) * inverse_12 * e23 + c_.c_v * e28;
-        c_.k39 = -e17 * e32;
-        const Scalar e33 = e23 * e13;
-        c_.k40 = -(Scalar(1) / Scalar(2)) * e17 * e33;
-        c_.k41 = -(Scalar(1) / Scalar(2)) * e25;
-        c_.k42 = (Scalar(1) / Scalar(2)) * e30;
-        c_.k43 = -(Scalar(1) / Scalar(2)) * e26;
-        c_.k44 = (Scalar(1) / Scalar(2)) * e31;
-        const Scalar e34 = p_.R_s * e13 - c_.c_v * e29;
-        c_.k45 = -e16 * e34;
-        c_.k46 = -e34 * e20;
-        c_.k47 = -e27 * e33;
+        const Scalar inverse_10 = Scalar(1) / p_.v_C;
+        c_.k11 = inverse_10;
+        c_.k12 = inverse_5;
+        c_.k13 = p_.d + p_.f_C * inverse_10;
+        c_.k14 = (Scalar(1) / Scalar(2)) * p_.T_0;
+        const Scalar e11 = Scalar(1) - p_.n;
+        const Scalar e12 = inverse_7 * e3;
+        const Scalar e13 = p_.R_s * e12;
+        c_.k15 = e11 * e13;
+        c_.k16 = inverse_8;
+        c_.k17 = e2;
+        const Scalar e14 = inverse_5 * e2;
+        c_.k18 = e14;
+        const Scalar e15 = p_.A_1 * c_.c_v / p_.R_s;
+        c_.k19 = -p_.A_1 - e15 * e11;
+        const Scalar e16 = p_.R_s + c_.c_v;
+        const Scalar e17 = p_.n * c_.c_v - e16;
+        const Scalar e18 = e17 * e3;
+        c_.k20 = -e18;
+        const Scalar e19 = e17 * e6;
+        c_.k21 = -e19;
+        const Scalar e20 = p_.T_0 * e16;
+        c_.k22 = e20;
+        const Scalar e21 = inverse_7 * e9;
+        c_.k23 = -p_.T_0 * e21;
+        const Scalar e22 = e9 * e12;
+        c_.k24 = -(Scalar(1) / Scalar(2)) * e22;
+        c_.k25 = (Scalar(1) / Scalar(2)) * e2;
+        c_.k26 = (Scalar(1) / Scalar(2)) * e14;
+        const Scalar e23 = Scalar(1) - (Scalar(1) / Scalar(2)) * p_.n;
+        const Scalar e24 = e11 * (e11 * inverse_8);
+        c_.k27 = inverse_7 * e15 * (inverse_8 - Scalar(2) * e23 - e24);
+        const Scalar e25 = e16 * e3;
+        c_.k28 = e25;
+        const Scalar e26 = e16 * e6;
+        c_.k29 = e26;
+        c_.k30 = (Scalar(1) / Scalar(2)) * inverse_8 * e12 * e20 - p_.T_0
+            * (c_.c_v * e12 * e23 + (Scalar(1) / Scalar(2)) * e13);
+        c_.k31 = -(Scalar(1) / Scalar(2)) * e20 * e22;
+        c_.k32 = -(Scalar(1) / Scalar(2)) * e18;
+        c_.k33 = (Scalar(1) / Scalar(2)) * e25;
+        c_.k34 = -(Scalar(1) / Scalar(2)) * e19;
+        c_.k35 = (Scalar(1) / Scalar(2)) * e26;
+        const Scalar e27 = (p_.R_s * e9 - c_.c_v * e24) * e12;
+        c_.k36 = -e27;
+        c_.k37 = -inverse_5 * e27;
+        c_.k38 = -e20 * e21;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -550,172 +540,169 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 70 + or -, 183 *, 12 /, 49 other functions
+    /// Operations: 59 + or -, 167 *, 12 /, 49 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
         using std::tanh;
-        const Scalar p_1 = x[2];
+        const Scalar p_2 = x[3];
+        const Scalar e1 = p_.p_0 - p_2;
         const Scalar f_L = u[1];
         const Scalar s_dot = x[1];
-        const Scalar p_2 = x[3];
-        const Scalar tanh_1 = tanh(c_.k11 * s_dot);
-        const Scalar e2 = p_.A_1 * p_1 - c_.k1 - f_L - p_.d * s_dot - p_.A_2 * p_2 - p_.f_C * tanh_1;
-        const Scalar s_ddot = e2 * c_.k0;
-        const Scalar e3 = p_.p_0 - p_1;
-        const Scalar e4 = c_.k7 + e3 * e3;
-        const Scalar power_5 = pow(e4, -Scalar(1) / Scalar(4));
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar sqrt_6 = sqrt(max_p_0);
-        const Scalar e7 = power_5 * sqrt_6;
-        const Scalar step_8 = detail::step<Scalar>(e3);
-        const Scalar abs_9 = abs(e3);
-        const Scalar inverse_10 = Scalar(1) / max_p_0;
-        const Scalar e11 = abs_9 * inverse_10;
-        const Scalar outflow_factor_12 = detail::outflow_factor<Scalar>(e11, c_.k6);
-        const Scalar u_value = u[0];
-        const Scalar max_13 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e14 = max_13 * e3;
-        const Scalar e15 = outflow_factor_12 * e14;
-        const Scalar e16 = step_8 * e15;
-        const Scalar e17 = p_.p_S - p_1;
-        const Scalar e18 = c_.k7 + e17 * e17;
-        const Scalar power_19 = pow(e18, -Scalar(1) / Scalar(4));
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar sqrt_20 = sqrt(max_p_S);
-        const Scalar e21 = power_19 * sqrt_20;
-        const Scalar step_22 = detail::step<Scalar>(e17);
-        const Scalar abs_23 = abs(e17);
-        const Scalar inverse_24 = Scalar(1) / max_p_S;
-        const Scalar e25 = abs_23 * inverse_24;
-        const Scalar outflow_factor_26 = detail::outflow_factor<Scalar>(e25, c_.k6);
-        const Scalar max_27 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e28 = max_27 * e17;
-        const Scalar e29 = outflow_factor_26 * e28;
-        const Scalar e30 = step_22 * e29;
-        const Scalar e31 = e7 * e16 + e21 * e30;
-        const Scalar e32 = c_.k8 * p_1;
-        const Scalar power_33 = pow(e32, c_.k9);
+        const Scalar p_1 = x[2];
+        const Scalar e2 = p_.p_0 - p_1;
+        const Scalar tanh_3 = tanh(s_dot * c_.k11);
+        const Scalar e4 = p_.f_C * tanh_3;
+        const Scalar s_ddot = (p_.A_2 * e1 - f_L - p_.d * s_dot - p_.A_1 * e2 - e4) * c_.k0;
+        const Scalar e5 = p_.n * s_dot;
         const Scalar s = x[0];
-        const Scalar inverse_34 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e35 = power_33 * inverse_34;
-        const Scalar step_36 = detail::step<Scalar>(-e3);
-        const Scalar e37 = step_36 * e15;
-        const Scalar step_38 = detail::step<Scalar>(-e17);
-        const Scalar e39 = step_38 * e29;
-        const Scalar e40 = e7 * e37 + e21 * e39;
-        const Scalar sqrt_41 = sqrt(p_.T_0 * power_33);
-        const Scalar inverse_42 = Scalar(1) / sqrt_41;
-        const Scalar e43 = inverse_42 * e35;
-        const Scalar e44 = e40 * e43;
-        const Scalar e45 = s_dot * inverse_34;
-        const Scalar e46 = c_.k2 * e45;
+        const Scalar inverse_6 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e7 = p_.A_1 * inverse_6;
+        const Scalar e8 = p_1 * e7;
+        const Scalar e9 = p_.p_S - p_1;
+        const Scalar step_10 = detail::step<Scalar>(e9);
+        const Scalar e11 = c_.k7 + e9 * e9;
+        const Scalar power_12 = pow(e11, -Scalar(1) / Scalar(4));
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
+        const Scalar sqrt_13 = sqrt(max_p_S);
+        const Scalar e14 = power_12 * sqrt_13;
+        const Scalar abs_15 = abs(e9);
+        const Scalar inverse_16 = Scalar(1) / max_p_S;
+        const Scalar e17 = abs_15 * inverse_16;
+        const Scalar outflow_factor_18 = detail::outflow_factor<Scalar>(e17, c_.k6);
+        const Scalar u_value = u[0];
+        const Scalar max_19 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar e20 = max_19 * e9;
+        const Scalar e21 = outflow_factor_18 * e20;
+        const Scalar e22 = e14 * e21;
+        const Scalar step_23 = detail::step<Scalar>(e2);
+        const Scalar e24 = c_.k7 + e2 * e2;
+        const Scalar power_25 = pow(e24, -Scalar(1) / Scalar(4));
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
+        const Scalar sqrt_26 = sqrt(max_p_0);
+        const Scalar e27 = power_25 * sqrt_26;
+        const Scalar abs_28 = abs(e2);
+        const Scalar inverse_29 = Scalar(1) / max_p_0;
+        const Scalar e30 = abs_28 * inverse_29;
+        const Scalar outflow_factor_31 = detail::outflow_factor<Scalar>(e30, c_.k6);
+        const Scalar max_32 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar e33 = max_32 * e2;
+        const Scalar e34 = outflow_factor_31 * e33;
+        const Scalar e35 = e27 * e34;
+        const Scalar e36 = p_1 * c_.k8;
+        const Scalar power_37 = pow(e36, c_.k9);
+        const Scalar sqrt_38 = sqrt(p_.T_0 * power_37);
+        const Scalar inverse_39 = Scalar(1) / sqrt_38;
+        const Scalar step_40 = detail::step<Scalar>(-e9);
+        const Scalar step_41 = detail::step<Scalar>(-e2);
+        const Scalar e42 = inverse_39 * (step_40 * e22 + step_41 * e35);
+        const Scalar e43 = (step_10 * e22 + step_23 * e35) * c_.k12 + e42;
+        const Scalar e44 = power_37 * inverse_6;
+        const Scalar e45 = e44 * c_.k3;
+        const Scalar e46 = e5 * e8 - e43 * e45;
         const Scalar e47 = p_.p_S - p_2;
-        const Scalar e48 = c_.k7 + e47 * e47;
-        const Scalar power_49 = pow(e48, -Scalar(1) / Scalar(4));
+        const Scalar step_48 = detail::step<Scalar>(e47);
+        const Scalar e49 = c_.k7 + e47 * e47;
+        const Scalar power_50 = pow(e49, -Scalar(1) / Scalar(4));
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar sqrt_50 = sqrt(max_p_S_2);
-        const Scalar e51 = power_49 * sqrt_50;
-        const Scalar step_52 = detail::step<Scalar>(e47);
+        const Scalar sqrt_51 = sqrt(max_p_S_2);
+        const Scalar e52 = power_50 * sqrt_51;
         const Scalar abs_53 = abs(e47);
         const Scalar inverse_54 = Scalar(1) / max_p_S_2;
         const Scalar e55 = abs_53 * inverse_54;
         const Scalar outflow_factor_56 = detail::outflow_factor<Scalar>(e55, c_.k6);
-        const Scalar e57 = max_13 * e47;
+        const Scalar e57 = max_32 * e47;
         const Scalar e58 = outflow_factor_56 * e57;
-        const Scalar e59 = step_52 * e58;
-        const Scalar e60 = p_.p_0 - p_2;
-        const Scalar e61 = c_.k7 + e60 * e60;
+        const Scalar e59 = e52 * e58;
+        const Scalar step_60 = detail::step<Scalar>(e1);
+        const Scalar e61 = c_.k7 + e1 * e1;
         const Scalar power_62 = pow(e61, -Scalar(1) / Scalar(4));
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
         const Scalar sqrt_63 = sqrt(max_p_0_2);
         const Scalar e64 = power_62 * sqrt_63;
-        const Scalar step_65 = detail::step<Scalar>(e60);
-        const Scalar abs_66 = abs(e60);
-        const Scalar inverse_67 = Scalar(1) / max_p_0_2;
-        const Scalar e68 = abs_66 * inverse_67;
-        const Scalar outflow_factor_69 = detail::outflow_factor<Scalar>(e68, c_.k6);
-        const Scalar e70 = max_27 * e60;
-        const Scalar e71 = outflow_factor_69 * e70;
-        const Scalar e72 = step_65 * e71;
-        const Scalar e73 = e51 * e59 + e64 * e72;
-        const Scalar e74 = c_.k8 * p_2;
-        const Scalar power_75 = pow(e74, c_.k9);
-        const Scalar inverse_76 = Scalar(1) / (c_.k10 - p_.A_2 * s);
-        const Scalar e77 = power_75 * inverse_76;
-        const Scalar step_78 = detail::step<Scalar>(-e47);
-        const Scalar e79 = step_78 * e58;
-        const Scalar step_80 = detail::step<Scalar>(-e60);
-        const Scalar e81 = step_80 * e71;
-        const Scalar e82 = e51 * e79 + e64 * e81;
-        const Scalar sqrt_83 = sqrt(p_.T_0 * power_75);
-        const Scalar inverse_84 = Scalar(1) / sqrt_83;
-        const Scalar e85 = inverse_84 * e77;
-        const Scalar e86 = e82 * e85;
-        const Scalar e87 = s_dot * inverse_76;
-        const Scalar e88 = c_.k5 * e87;
+        const Scalar abs_65 = abs(e1);
+        const Scalar inverse_66 = Scalar(1) / max_p_0_2;
+        const Scalar e67 = abs_65 * inverse_66;
+        const Scalar outflow_factor_68 = detail::outflow_factor<Scalar>(e67, c_.k6);
+        const Scalar e69 = max_19 * e1;
+        const Scalar e70 = outflow_factor_68 * e69;
+        const Scalar e71 = e64 * e70;
+        const Scalar e72 = p_2 * c_.k8;
+        const Scalar power_73 = pow(e72, c_.k9);
+        const Scalar sqrt_74 = sqrt(p_.T_0 * power_73);
+        const Scalar inverse_75 = Scalar(1) / sqrt_74;
+        const Scalar step_76 = detail::step<Scalar>(-e47);
+        const Scalar step_77 = detail::step<Scalar>(-e1);
+        const Scalar e78 = inverse_75 * (step_76 * e59 + step_77 * e71);
+        const Scalar e79 = (step_48 * e59 + step_60 * e71) * c_.k12 + e78;
+        const Scalar inverse_80 = Scalar(1) / (c_.k10 - p_.A_2 * s);
+        const Scalar e81 = power_73 * inverse_80;
+        const Scalar e82 = e81 * c_.k3;
+        const Scalar e83 = p_.A_2 * inverse_80;
+        const Scalar e84 = p_2 * e83;
+        const Scalar e85 = e79 * e82 + e5 * e84;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = c_.k4 * e31 * e35 + c_.k3 * e44 - p_1 * e46;
-        dxdt[3] = c_.k4 * e73 * e77 + c_.k3 * e86 + p_2 * e88;
-        const Scalar e89 = p_1 * inverse_34;
-        const Scalar e90 = inverse_34 * e31;
-        const Scalar e91 = p_2 * inverse_76;
-        const Scalar e92 = inverse_76 * e73;
-        const Scalar power_93 = pow(e4, -Scalar(5) / Scalar(4));
-        const Scalar e94 = c_.k22 * e35;
-        const Scalar e95 = c_.k21 * e43;
-        const Scalar power_96 = pow(e18, -Scalar(5) / Scalar(4));
-        const Scalar e97 = -c_.k25;
-        const Scalar power_98 = pow(e32, e97);
-        const Scalar outflow_factor_slope_99 = detail::outflow_factor_slope<Scalar>(e11, c_.k6);
-        const Scalar e100 = c_.k3 * inverse_42;
-        const Scalar e101 = e7 * ((c_.k4 * step_8 + step_36 * e100) * e35);
-        const Scalar sign_102 = detail::sign<Scalar>(e3);
-        const Scalar outflow_factor_slope_103 = detail::outflow_factor_slope<Scalar>(e25, c_.k6);
-        const Scalar e104 = e21 * ((c_.k4 * step_22 + step_38 * e100) * e35);
-        const Scalar sign_105 = detail::sign<Scalar>(e17);
-        const Scalar power_106 = pow(e48, -Scalar(5) / Scalar(4));
-        const Scalar e107 = c_.k22 * e77;
-        const Scalar e108 = c_.k21 * e85;
-        const Scalar power_109 = pow(e61, -Scalar(5) / Scalar(4));
-        const Scalar power_110 = pow(e74, e97);
-        const Scalar outflow_factor_slope_111 = detail::outflow_factor_slope<Scalar>(e55, c_.k6);
-        const Scalar e112 = c_.k3 * inverse_84;
-        const Scalar e113 = e51 * ((c_.k4 * step_52 + step_78 * e112) * e77);
-        const Scalar sign_114 = detail::sign<Scalar>(e47);
-        const Scalar outflow_factor_slope_115 = detail::outflow_factor_slope<Scalar>(e68, c_.k6);
-        const Scalar e116 = e64 * ((c_.k4 * step_65 + step_80 * e112) * e77);
-        const Scalar sign_117 = detail::sign<Scalar>(e60);
+        dxdt[2] = -e46;
+        dxdt[3] = e85;
+        const Scalar e86 = (step_40 * inverse_39 + step_10 * c_.k12) * e45;
+        const Scalar e87 = e86 * e21;
+        const Scalar outflow_factor_slope_88 = detail::outflow_factor_slope<Scalar>(e17, c_.k6);
+        const Scalar e89 = e14 * e86;
+        const Scalar e90 = outflow_factor_slope_88 * inverse_16 * (e20 * e89);
+        const Scalar e91 = (step_41 * inverse_39 + step_23 * c_.k12) * e45;
+        const Scalar e92 = e91 * e34;
+        const Scalar outflow_factor_slope_93 = detail::outflow_factor_slope<Scalar>(e30, c_.k6);
+        const Scalar e94 = e27 * e91;
+        const Scalar e95 = outflow_factor_slope_93 * inverse_29 * (e33 * e94);
+        const Scalar e96 = (-Scalar(1)) * c_.k16;
+        const Scalar power_97 = pow(e36, e96);
+        const Scalar power_98 = pow(e11, -Scalar(5) / Scalar(4));
+        const Scalar power_99 = pow(e24, -Scalar(5) / Scalar(4));
+        const Scalar sign_100 = detail::sign<Scalar>(e9);
+        const Scalar sign_101 = detail::sign<Scalar>(e2);
+        const Scalar e102 = (step_76 * inverse_75 + step_48 * c_.k12) * e82;
+        const Scalar e103 = e102 * e58;
+        const Scalar outflow_factor_slope_104 = detail::outflow_factor_slope<Scalar>(e55, c_.k6);
+        const Scalar e105 = e52 * e102;
+        const Scalar e106 = outflow_factor_slope_104 * inverse_54 * (e57 * e105);
+        const Scalar e107 = (step_77 * inverse_75 + step_60 * c_.k12) * e82;
+        const Scalar e108 = e107 * e70;
+        const Scalar outflow_factor_slope_109 = detail::outflow_factor_slope<Scalar>(e67, c_.k6);
+        const Scalar e110 = e64 * e107;
+        const Scalar e111 = outflow_factor_slope_109 * inverse_66 * (e69 * e110);
+        const Scalar power_112 = pow(e72, e96);
+        const Scalar power_113 = pow(e49, -Scalar(5) / Scalar(4));
+        const Scalar power_114 = pow(e61, -Scalar(5) / Scalar(4));
+        const Scalar sign_115 = detail::sign<Scalar>(e47);
+        const Scalar sign_116 = detail::sign<Scalar>(e1);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k14 * e45 * e89 - c_.k15 * inverse_34 * e44 - c_.k16 * e35 * e90;
-        J[3] = c_.k18 * inverse_76 * e86 + c_.k17 * e87 * e91 + c_.k19 * e77 * e92;
+        J[2] = e46 * e7;
+        J[3] = e85 * e83;
         J[4] = Scalar(1);
-        J[5] = (c_.k13 * tanh_1 * tanh_1 - c_.k12) * c_.k0;
-        J[6] = -c_.k2 * e89;
-        J[7] = c_.k5 * e91;
+        J[5] = (tanh_3 * e4 * c_.k11 - c_.k13) * c_.k0;
+        J[6] = -p_.n * e8;
+        J[7] = p_.n * e84;
         J[8] = Scalar(0);
         J[9] = p_.A_1 * c_.k0;
-        const Scalar e118 = (step_36 * power_5 / sqrt_6 + e3 * power_93 * sqrt_6) * (e94 * e16 + e95 * e37);
-        const Scalar e119 = (step_38 * power_19 / sqrt_20 + e17 * power_96 * sqrt_20) * (e94 * e30 + e95 * e39);
-        const Scalar e120 = power_98 * inverse_42 * (c_.k23 * inverse_34 * e40 - c_.k20 * inverse_42 * e44);
-        const Scalar e121 = outflow_factor_slope_99 * inverse_10 * (e14 * e101) * (sign_102 + step_36 * e11);
-        const Scalar e122 = outflow_factor_slope_103 * inverse_24 * (e28 * e104) * (sign_105 + step_38 * e25);
-        J[10] = e118 + e119 + e120 - e121 - e122 - max_13 * outflow_factor_12 * e101 - max_27 * outflow_factor_26 * e104
-            + c_.k24 * power_98 * e90 - e46;
+        const Scalar e117 = step_40 * ((Scalar(1) / Scalar(2)) * power_12 * e87 / sqrt_13 - e17 * e90);
+        const Scalar e118 = step_41 * ((Scalar(1) / Scalar(2)) * power_25 * e92 / sqrt_26 - e30 * e95);
+        const Scalar e119 = power_97 * c_.k15 * (inverse_6 * e43 - inverse_39 * inverse_39 * e44 * e42 * c_.k14);
+        J[10] = e117 + e118 - e119 - max_32 * outflow_factor_31 * e94 - max_19 * outflow_factor_18 * e89
+            + (Scalar(1) / Scalar(2)) * e9 * power_98 * sqrt_13 * e87 + (Scalar(1) / Scalar(2)) * e2 * power_99 * sqrt_26 * e92
+            - sign_100 * e90 - sign_101 * e95 - e5 * e7;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
         J[13] = (-p_.A_2) * c_.k0;
         J[14] = Scalar(0);
-        const Scalar e123 = (step_78 * power_49 / sqrt_50 + e47 * power_106 * sqrt_50) * (e107 * e59 + e108 * e79);
-        const Scalar e124 = (step_80 * power_62 / sqrt_63 + e60 * power_109 * sqrt_63) * (e107 * e72 + e108 * e81);
-        const Scalar e125 = power_110 * inverse_84 * (c_.k23 * inverse_76 * e82 - c_.k20 * inverse_84 * e86);
-        const Scalar e126 = outflow_factor_slope_111 * inverse_54 * (e57 * e113) * (sign_114 + step_78 * e55);
-        const Scalar e127 = outflow_factor_slope_115 * inverse_67 * (e70 * e116) * (sign_117 + step_80 * e68);
-        J[15] = e123 + e124 + e125 - e126 - e127 - max_13 * outflow_factor_56 * e113 - max_27 * outflow_factor_69 * e116
-            + c_.k24 * power_110 * e92 + e88;
+        const Scalar e120 = step_76 * ((Scalar(1) / Scalar(2)) * power_50 * e103 / sqrt_51 - e55 * e106);
+        const Scalar e121 = step_77 * ((Scalar(1) / Scalar(2)) * power_62 * e108 / sqrt_63 - e67 * e111);
+        const Scalar e122 = power_112 * c_.k15 * (inverse_80 * e79 - inverse_75 * inverse_75 * e81 * e78 * c_.k14);
+        J[15] = e120 + e121 - e122 - max_32 * outflow_factor_56 * e105 - max_19 * outflow_factor_68 * e110
+            + (Scalar(1) / Scalar(2)) * e47 * power_113 * sqrt_51 * e103 + (Scalar(1) / Scalar(2)) * e1 * power_114 * sqrt_63
+            * e108 - sign_115 * e106 - sign_116 * e111 + e5 * e83;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -789,7 +776,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 18, entry (i, j) at J[4*j + i].
-    /// Operations: 110 + or -, 320 *, 19 /, 58 other functions
+    /// Operations: 109 + or -, 332 *, 19 /, 58 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::abs;
         using std::log;
@@ -858,170 +845,176 @@ public:
         const Scalar e50 = power_45 * e49;
         const Scalar e51 = outflow_factor_by_exponent_43 * e50;
         const Scalar e52 = e24 * (step_25 * e37 + step_39 * e51);
+        const Scalar inverse_8_squared = inverse_8 * inverse_8;
         const Scalar e53 = p_.n * e6;
-        const Scalar e54 = e10 * e53 - (Scalar(1) / Scalar(2)) * inverse_8 * inverse_8 * e13;
-        const Scalar e55 = -e54;
-        const Scalar outflow_factor_56 = detail::outflow_factor<Scalar>(e28, c_.k6);
-        const Scalar e57 = step_25 * outflow_factor_56;
-        const Scalar outflow_factor_58 = detail::outflow_factor<Scalar>(e42, c_.k6);
-        const Scalar e59 = step_39 * outflow_factor_58;
-        const Scalar e60 = e36 * e57 + e50 * e59;
-        const Scalar e61 = e60 * e24;
+        const Scalar e54 = (Scalar(1) / Scalar(2)) * e13 * inverse_8_squared - e10 * e53;
+        const Scalar outflow_factor_55 = detail::outflow_factor<Scalar>(e28, c_.k6);
+        const Scalar e56 = step_25 * outflow_factor_55;
+        const Scalar outflow_factor_57 = detail::outflow_factor<Scalar>(e42, c_.k6);
+        const Scalar e58 = step_39 * outflow_factor_57;
+        const Scalar e59 = e36 * e56 + e50 * e58;
+        const Scalar e60 = e59 * e24;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_62 = Scalar(1) / sqrt_T_0;
-        const Scalar e63 = -inverse_62 * e54;
-        const Scalar step_64 = detail::step<Scalar>(e1);
-        const Scalar e65 = step_64 * outflow_factor_56;
-        const Scalar step_66 = detail::step<Scalar>(e38);
-        const Scalar e67 = step_66 * outflow_factor_58;
-        const Scalar e68 = e36 * e65 + e50 * e67;
-        const Scalar e69 = e68 * e23;
-        const Scalar e70 = inverse_62 * e13;
-        const Scalar e71 = e70 * e16;
-        const Scalar e72 = e23 * (step_64 * e37 + step_66 * e51);
-        const Scalar e73 = c_.k8 * p_2;
-        const Scalar power_74 = pow(e73, c_.k9);
-        const Scalar sqrt_75 = sqrt(p_.T_0 * power_74);
-        const Scalar inverse_76 = Scalar(1) / sqrt_75;
-        const Scalar inverse_77 = Scalar(1) / (c_.k10 - p_.A_2 * s);
-        const Scalar e78 = power_74 * inverse_77;
-        const Scalar e79 = inverse_76 * e78;
-        const Scalar e80 = p_.p_S - p_2;
-        const Scalar step_81 = detail::step<Scalar>(-e80);
-        const Scalar abs_82 = abs(e80);
+        const Scalar inverse_61 = Scalar(1) / sqrt_T_0;
+        const Scalar e62 = inverse_61 * e13;
+        const Scalar e63 = p_.n * inverse_61;
+        const Scalar e64 = e6 * e63;
+        const Scalar e65 = (Scalar(1) / Scalar(2)) * e62 * inverse_8_squared - e10 * e64;
+        const Scalar step_66 = detail::step<Scalar>(e1);
+        const Scalar e67 = step_66 * outflow_factor_55;
+        const Scalar step_68 = detail::step<Scalar>(e38);
+        const Scalar e69 = step_68 * outflow_factor_57;
+        const Scalar e70 = e36 * e67 + e50 * e69;
+        const Scalar e71 = e70 * e23;
+        const Scalar e72 = e62 * e16;
+        const Scalar e73 = e23 * (step_66 * e37 + step_68 * e51);
+        const Scalar e74 = c_.k8 * p_2;
+        const Scalar power_75 = pow(e74, c_.k9);
+        const Scalar sqrt_76 = sqrt(p_.T_0 * power_75);
+        const Scalar inverse_77 = Scalar(1) / sqrt_76;
+        const Scalar inverse_78 = Scalar(1) / (c_.k10 - p_.A_2 * s);
+        const Scalar e79 = power_75 * inverse_78;
+        const Scalar e80 = inverse_77 * e79;
+        const Scalar e81 = p_.p_S - p_2;
+        const Scalar step_82 = detail::step<Scalar>(-e81);
+        const Scalar abs_83 = abs(e81);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar inverse_83 = Scalar(1) / max_p_S_2;
-        const Scalar e84 = abs_82 * inverse_83;
-        const Scalar outflow_factor_by_exponent_85 = detail::outflow_factor_by_exponent<Scalar>(e84, c_.k6);
-        const Scalar e86 = c_.k7 + e80 * e80;
-        const Scalar power_87 = pow(e86, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_88 = sqrt(max_p_S_2);
-        const Scalar e89 = max_33 * e80;
-        const Scalar e90 = sqrt_88 * e89;
-        const Scalar e91 = power_87 * e90;
-        const Scalar e92 = outflow_factor_by_exponent_85 * e91;
-        const Scalar step_93 = detail::step<Scalar>(-e3);
-        const Scalar abs_94 = abs(e3);
+        const Scalar inverse_84 = Scalar(1) / max_p_S_2;
+        const Scalar e85 = abs_83 * inverse_84;
+        const Scalar outflow_factor_by_exponent_86 = detail::outflow_factor_by_exponent<Scalar>(e85, c_.k6);
+        const Scalar e87 = c_.k7 + e81 * e81;
+        const Scalar power_88 = pow(e87, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_89 = sqrt(max_p_S_2);
+        const Scalar e90 = max_33 * e81;
+        const Scalar e91 = sqrt_89 * e90;
+        const Scalar e92 = power_88 * e91;
+        const Scalar e93 = outflow_factor_by_exponent_86 * e92;
+        const Scalar step_94 = detail::step<Scalar>(-e3);
+        const Scalar abs_95 = abs(e3);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_95 = Scalar(1) / max_p_0_2;
-        const Scalar e96 = abs_94 * inverse_95;
-        const Scalar outflow_factor_by_exponent_97 = detail::outflow_factor_by_exponent<Scalar>(e96, c_.k6);
-        const Scalar e98 = c_.k7 + e3 * e3;
-        const Scalar power_99 = pow(e98, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_100 = sqrt(max_p_0_2);
-        const Scalar e101 = max_47 * e3;
-        const Scalar e102 = sqrt_100 * e101;
-        const Scalar e103 = power_99 * e102;
-        const Scalar e104 = outflow_factor_by_exponent_97 * e103;
-        const Scalar e105 = e79 * (step_81 * e92 + step_93 * e104);
-        const Scalar outflow_factor_106 = detail::outflow_factor<Scalar>(e84, c_.k6);
-        const Scalar e107 = step_81 * outflow_factor_106;
-        const Scalar outflow_factor_108 = detail::outflow_factor<Scalar>(e96, c_.k6);
-        const Scalar e109 = step_93 * outflow_factor_108;
-        const Scalar e110 = e91 * e107 + e103 * e109;
-        const Scalar e111 = e110 * e79;
-        const Scalar step_112 = detail::step<Scalar>(e80);
-        const Scalar e113 = step_112 * outflow_factor_106;
-        const Scalar step_114 = detail::step<Scalar>(e3);
-        const Scalar e115 = step_114 * outflow_factor_108;
-        const Scalar e116 = e91 * e113 + e103 * e115;
-        const Scalar e117 = e116 * e78;
-        const Scalar e118 = e78 * (step_112 * e92 + step_114 * e104);
+        const Scalar inverse_96 = Scalar(1) / max_p_0_2;
+        const Scalar e97 = abs_95 * inverse_96;
+        const Scalar outflow_factor_by_exponent_98 = detail::outflow_factor_by_exponent<Scalar>(e97, c_.k6);
+        const Scalar e99 = c_.k7 + e3 * e3;
+        const Scalar power_100 = pow(e99, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_101 = sqrt(max_p_0_2);
+        const Scalar e102 = max_47 * e3;
+        const Scalar e103 = sqrt_101 * e102;
+        const Scalar e104 = power_100 * e103;
+        const Scalar e105 = outflow_factor_by_exponent_98 * e104;
+        const Scalar e106 = e80 * (step_82 * e93 + step_94 * e105);
+        const Scalar outflow_factor_107 = detail::outflow_factor<Scalar>(e85, c_.k6);
+        const Scalar e108 = step_82 * outflow_factor_107;
+        const Scalar outflow_factor_109 = detail::outflow_factor<Scalar>(e97, c_.k6);
+        const Scalar e110 = step_94 * outflow_factor_109;
+        const Scalar e111 = e92 * e108 + e104 * e110;
+        const Scalar e112 = e111 * e80;
+        const Scalar step_113 = detail::step<Scalar>(e81);
+        const Scalar e114 = step_113 * outflow_factor_107;
+        const Scalar step_115 = detail::step<Scalar>(e3);
+        const Scalar e116 = step_115 * outflow_factor_109;
+        const Scalar e117 = e92 * e114 + e104 * e116;
+        const Scalar e118 = e117 * e79;
+        const Scalar e119 = e79 * (step_113 * e93 + step_115 * e105);
         const Scalar e15_squared = e15 * e15;
-        const Scalar e119 = e13 * e15_squared;
-        const Scalar e120 = e70 * e15_squared;
-        const Scalar log_121 = log(e18);
-        const Scalar e122 = e12 / p_.n;
-        const Scalar e123 = inverse_62 * e122;
-        const Scalar e124 = (Scalar(1) / Scalar(2)) * p_.T_0 * e122;
-        const Scalar e125 = e61 * (inverse_21 * inverse_21);
-        const Scalar e126 = power_19 * e125;
-        const Scalar e127 = inverse_62 * e12;
-        const Scalar e128 = p_1 * inverse_22;
-        const Scalar e129 = s_dot * e128;
-        const Scalar log_130 = log(e73);
-        const Scalar e131 = e111 * (inverse_76 * inverse_76);
-        const Scalar e132 = power_74 * e131;
-        const Scalar e133 = p_2 * inverse_77;
-        const Scalar e134 = s_dot * e133;
-        const Scalar e135 = inverse_22 * (c_.k3 * e61 + c_.k4 * e69);
-        const Scalar e136 = p_.n * p_.V_d;
-        const Scalar e137 = inverse_22 * e129;
-        const Scalar e138 = inverse_77 * e134;
-        const Scalar e139 = inverse_77 * e111;
-        const Scalar e140 = inverse_77 * e117;
-        const Scalar e141 = inverse_77 * (c_.k3 * e111 + c_.k4 * e117);
-        const Scalar power_142 = pow(e44, -Scalar(5) / Scalar(4));
-        const Scalar e143 = c_.k22 * e23;
-        const Scalar e144 = c_.k21 * e24;
-        const Scalar outflow_factor_slope_145 = detail::outflow_factor_slope<Scalar>(e42, c_.k6);
-        const Scalar e146 = c_.k3 * inverse_21;
-        const Scalar e147 = e23 * (c_.k4 * step_66 + step_39 * e146);
-        const Scalar sign_148 = detail::sign<Scalar>(e38);
-        const Scalar power_149 = pow(e86, -Scalar(5) / Scalar(4));
-        const Scalar e150 = c_.k22 * e78;
-        const Scalar e151 = c_.k21 * e79;
-        const Scalar outflow_factor_slope_152 = detail::outflow_factor_slope<Scalar>(e84, c_.k6);
-        const Scalar e153 = c_.k3 * inverse_76;
-        const Scalar e154 = e78 * (c_.k4 * step_112 + step_81 * e153);
-        const Scalar sign_155 = detail::sign<Scalar>(e80);
-        const Scalar e156 = -c_.k25;
-        const Scalar power_157 = pow(e18, e156);
-        const Scalar inverse_158 = Scalar(1) / p_.p_r;
-        const Scalar e159 = (e12 - e13) * (inverse_158 * inverse_158);
-        const Scalar e160 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e159;
-        const Scalar e161 = -e159;
-        const Scalar e162 = -inverse_62 * e159;
-        const Scalar power_163 = pow(e73, e156);
-        const Scalar power_164 = pow(e30, -Scalar(5) / Scalar(4));
-        const Scalar outflow_factor_slope_165 = detail::outflow_factor_slope<Scalar>(e28, c_.k6);
-        const Scalar e166 = e23 * (c_.k4 * step_64 + step_25 * e146);
-        const Scalar sign_167 = detail::sign<Scalar>(e1);
-        const Scalar power_168 = pow(e98, -Scalar(5) / Scalar(4));
-        const Scalar outflow_factor_slope_169 = detail::outflow_factor_slope<Scalar>(e96, c_.k6);
-        const Scalar e170 = e78 * (c_.k4 * step_114 + step_93 * e153);
-        const Scalar sign_171 = detail::sign<Scalar>(e3);
-        const Scalar e172 = e53 * (p_.R_s * e9);
-        const Scalar e173 = inverse_62 * ((Scalar(1) / Scalar(2)) * inverse_62 * e70 - e172);
-        const Scalar e174 = p_.n * e11;
-        const Scalar e175 = p_.alpha_d * e174;
-        const Scalar e176 = inverse_62 * e175;
-        const Scalar e177 = p_.A_v * e174;
-        const Scalar e178 = inverse_62 * e177;
-        const Scalar e179 = (Scalar(1) / Scalar(2)) * p_.width * e70;
-        const Scalar e180 = power_164 * e35;
-        const Scalar e181 = power_142 * e49;
-        const Scalar e182 = (Scalar(1) / Scalar(2)) * p_.width * e13;
-        const Scalar e183 = power_149 * e90;
-        const Scalar e184 = power_168 * e102;
+        const Scalar e120 = e13 * e15_squared;
+        const Scalar e121 = e62 * e15_squared;
+        const Scalar log_122 = log(e18);
+        const Scalar e123 = e12 / p_.n;
+        const Scalar e124 = inverse_61 * e123;
+        const Scalar e125 = (Scalar(1) / Scalar(2)) * p_.T_0 * e123;
+        const Scalar e126 = e60 * (inverse_21 * inverse_21);
+        const Scalar e127 = power_19 * e126;
+        const Scalar e128 = inverse_61 * e12;
+        const Scalar e129 = p_1 * inverse_22;
+        const Scalar e130 = s_dot * e129;
+        const Scalar log_131 = log(e74);
+        const Scalar e132 = e112 * (inverse_77 * inverse_77);
+        const Scalar e133 = power_75 * e132;
+        const Scalar e134 = p_2 * inverse_78;
+        const Scalar e135 = s_dot * e134;
+        const Scalar e136 = inverse_22 * (c_.k3 * e60 + c_.k4 * e71);
+        const Scalar e137 = p_.n * p_.V_d;
+        const Scalar e138 = inverse_22 * e130;
+        const Scalar e139 = inverse_78 * e135;
+        const Scalar e140 = inverse_78 * e112;
+        const Scalar e141 = inverse_78 * e118;
+        const Scalar e142 = inverse_78 * (c_.k3 * e112 + c_.k4 * e118);
+        const Scalar power_143 = pow(e44, -Scalar(5) / Scalar(4));
+        const Scalar e144 = (Scalar(1) / Scalar(2)) * e62;
+        const Scalar e145 = e144 * e23;
+        const Scalar e146 = (Scalar(1) / Scalar(2)) * e13;
+        const Scalar e147 = e146 * e24;
+        const Scalar outflow_factor_slope_148 = detail::outflow_factor_slope<Scalar>(e42, c_.k6);
+        const Scalar e149 = c_.k3 * inverse_21;
+        const Scalar e150 = e23 * (c_.k4 * step_68 + step_39 * e149);
+        const Scalar sign_151 = detail::sign<Scalar>(e38);
+        const Scalar power_152 = pow(e87, -Scalar(5) / Scalar(4));
+        const Scalar e153 = e144 * e79;
+        const Scalar e154 = e146 * e80;
+        const Scalar outflow_factor_slope_155 = detail::outflow_factor_slope<Scalar>(e85, c_.k6);
+        const Scalar e156 = c_.k3 * inverse_77;
+        const Scalar e157 = e79 * (c_.k4 * step_113 + step_82 * e156);
+        const Scalar sign_158 = detail::sign<Scalar>(e81);
+        const Scalar e159 = -c_.k16;
+        const Scalar power_160 = pow(e18, e159);
+        const Scalar inverse_161 = Scalar(1) / p_.p_r;
+        const Scalar e162 = (e12 - e13) * (inverse_161 * inverse_161);
+        const Scalar e163 = -(Scalar(1) / Scalar(2)) * p_.T_0 * e162;
+        const Scalar e164 = -e162;
+        const Scalar e165 = -inverse_61 * e162;
+        const Scalar power_166 = pow(e74, e159);
+        const Scalar power_167 = pow(e30, -Scalar(5) / Scalar(4));
+        const Scalar outflow_factor_slope_168 = detail::outflow_factor_slope<Scalar>(e28, c_.k6);
+        const Scalar e169 = e23 * (c_.k4 * step_66 + step_25 * e149);
+        const Scalar sign_170 = detail::sign<Scalar>(e1);
+        const Scalar power_171 = pow(e99, -Scalar(5) / Scalar(4));
+        const Scalar outflow_factor_slope_172 = detail::outflow_factor_slope<Scalar>(e97, c_.k6);
+        const Scalar e173 = e79 * (c_.k4 * step_115 + step_94 * e156);
+        const Scalar sign_174 = detail::sign<Scalar>(e3);
+        const Scalar e175 = p_.R_s * e9;
+        const Scalar e176 = e175 * e53;
+        const Scalar e177 = (Scalar(1) / Scalar(2)) * inverse_61 * inverse_61 * e62 - e175 * e64;
+        const Scalar e178 = p_.n * e11;
+        const Scalar e179 = p_.alpha_d * e178;
+        const Scalar e180 = e11 * e63;
+        const Scalar e181 = p_.alpha_d * e180;
+        const Scalar e182 = p_.A_v * e178;
+        const Scalar e183 = p_.A_v * e180;
+        const Scalar e184 = (Scalar(1) / Scalar(2)) * p_.width * e62;
+        const Scalar e185 = power_167 * e35;
+        const Scalar e186 = power_143 * e49;
+        const Scalar e187 = (Scalar(1) / Scalar(2)) * p_.width * e13;
+        const Scalar e188 = power_152 * e91;
+        const Scalar e189 = power_171 * e103;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e17 * e52 - e55 * e61 - e63 * e69 + e71 * e72;
-        J[3] = e17 * e105 - e55 * e111 - e63 * e117 + e71 * e118;
+        J[2] = e17 * e52 - e54 * e60 - e65 * e71 + e72 * e73;
+        J[3] = e17 * e106 - e54 * e112 - e65 * e118 + e72 * e119;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = e119 * e52 + e120 * e72;
-        J[7] = e119 * e105 + e120 * e118;
+        J[6] = e120 * e52 + e121 * e73;
+        J[7] = e120 * e106 + e121 * e119;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
-        J[10] = log_121 * (e122 * e61 + e123 * e69 - e124 * e126) + e12 * e61 + e127 * e69 - p_.A_1 * e129;
-        J[11] = log_130 * (e122 * e111 + e123 * e117 - e124 * e132) + e12 * e111 + e127 * e117 + p_.A_2 * e134;
+        J[10] = log_122 * (e123 * e60 + e124 * e71 - e125 * e127) + e12 * e60 + e128 * e71 - p_.A_1 * e130;
+        J[11] = log_131 * (e123 * e112 + e124 * e118 - e125 * e133) + e12 * e112 + e128 * e118 + p_.A_2 * e135;
         J[12] = Scalar(0);
         J[13] = e2 * c_.k0;
-        J[14] = -s * e135 - e136 * e137;
+        J[14] = -s * e136 - e137 * e138;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = e3 * c_.k0;
         J[18] = Scalar(0);
-        J[19] = e136 * e138 - p_.l * e13 * e139 - p_.l * e70 * e140 + s * e141;
+        J[19] = e137 * e139 - p_.l * e13 * e140 - p_.l * e62 * e141 + s * e142;
         J[20] = Scalar(0);
         J[21] = Scalar(0);
         J[22] = Scalar(0);
-        J[23] = -c_.k17 * e138 - c_.k18 * e139 - c_.k19 * e140;
+        J[23] = -p_.n * p_.A_2 * p_.A_2 * e139 - p_.A_2 * e13 * e140 - p_.A_2 * e62 * e141;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = c_.k2 * e137 - e135;
-        J[27] = -c_.k5 * e138 - e141;
+        J[26] = c_.k2 * e138 - e136;
+        J[27] = -c_.k5 * e139 - e142;
         J[28] = Scalar(0);
         J[29] = (-dxdt[1]) * c_.k0;
         J[30] = Scalar(0);
@@ -1035,46 +1028,46 @@ public:
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
-        const Scalar e185 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
-        J[41] = e185 * c_.k0;
+        const Scalar e190 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
+        J[41] = e190 * c_.k0;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = Scalar(0);
         J[45] = Scalar(0);
-        const Scalar e186 = (step_66 * power_45 / sqrt_46 - e38 * power_142 * sqrt_46) * e48 * (e67 * e143 + e59 * e144);
-        const Scalar e187 = outflow_factor_slope_145 * inverse_41 * (e50 * e147) * (sign_148 - step_66 * e42);
-        J[46] = e186 + e187 + max_47 * power_45 * sqrt_46 * outflow_factor_58 * e147;
-        const Scalar e188 = (step_112 * power_87 / sqrt_88 - e80 * power_149 * sqrt_88) * e89 * (e113 * e150 + e107 * e151);
-        const Scalar e189 = outflow_factor_slope_152 * inverse_83 * (e91 * e154) * (sign_155 - step_112 * e84);
-        J[47] = e188 + e189 + max_33 * power_87 * sqrt_88 * outflow_factor_106 * e154;
+        const Scalar e191 = (step_68 * power_45 / sqrt_46 - e38 * power_143 * sqrt_46) * e48 * (e69 * e145 + e58 * e147);
+        const Scalar e192 = outflow_factor_slope_148 * inverse_41 * (e50 * e150) * (sign_151 - step_68 * e42);
+        J[46] = e191 + e192 + max_47 * power_45 * sqrt_46 * outflow_factor_57 * e150;
+        const Scalar e193 = (step_113 * power_88 / sqrt_89 - e81 * power_152 * sqrt_89) * e90 * (e114 * e153 + e108 * e154);
+        const Scalar e194 = outflow_factor_slope_155 * inverse_84 * (e92 * e157) * (sign_158 - step_113 * e85);
+        J[47] = e193 + e194 + max_33 * power_88 * sqrt_89 * outflow_factor_107 * e157;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = p_1 * power_157 * e160 * e125 - power_157 * e128 * (inverse_21 * e161 * e60 + e162 * e68);
-        J[51] = p_2 * power_163 * e160 * e131 - power_163 * e133 * (inverse_76 * e161 * e110 + e162 * e116);
+        J[50] = p_1 * power_160 * e163 * e126 - power_160 * e129 * (inverse_21 * e164 * e59 + e165 * e70);
+        J[51] = p_2 * power_166 * e163 * e132 - power_166 * e134 * (inverse_77 * e164 * e111 + e165 * e117);
         J[52] = Scalar(0);
         J[53] = (-(p_.A_1 - p_.A_2)) * c_.k0;
-        const Scalar e190 = (step_64 * power_31 / sqrt_32 - e1 * power_164 * sqrt_32) * e34 * (e65 * e143 + e57 * e144);
-        const Scalar e191 = outflow_factor_slope_165 * inverse_27 * (e36 * e166) * (sign_167 - step_64 * e28);
-        J[54] = e190 + e191 + max_33 * power_31 * sqrt_32 * outflow_factor_56 * e166;
-        const Scalar e192 = (step_114 * power_99 / sqrt_100 - e3 * power_168 * sqrt_100) * e101 * (e115 * e150 + e109 * e151);
-        const Scalar e193 = outflow_factor_slope_169 * inverse_95 * (e103 * e170) * (sign_171 - step_114 * e96);
-        J[55] = e192 + e193 + max_47 * power_99 * sqrt_100 * outflow_factor_108 * e170;
+        const Scalar e195 = (step_66 * power_31 / sqrt_32 - e1 * power_167 * sqrt_32) * e34 * (e67 * e145 + e56 * e147);
+        const Scalar e196 = outflow_factor_slope_168 * inverse_27 * (e36 * e169) * (sign_170 - step_66 * e28);
+        J[54] = e195 + e196 + max_33 * power_31 * sqrt_32 * outflow_factor_55 * e169;
+        const Scalar e197 = (step_115 * power_100 / sqrt_101 - e3 * power_171 * sqrt_101) * e102 * (e116 * e153 + e110 * e154);
+        const Scalar e198 = outflow_factor_slope_172 * inverse_96 * (e104 * e173) * (sign_174 - step_115 * e97);
+        J[55] = e197 + e198 + max_47 * power_100 * sqrt_101 * outflow_factor_109 * e173;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
-        J[58] = e172 * e61 - e173 * e69 - c_.k21 * e126;
-        J[59] = e172 * e111 - e173 * e117 - c_.k21 * e132;
+        J[58] = e176 * e60 - e177 * e71 - e146 * e127;
+        J[59] = e176 * e112 - e177 * e118 - e146 * e133;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = e175 * e61 + e176 * e69;
-        J[63] = e175 * e111 + e176 * e117;
+        J[62] = e179 * e60 + e181 * e71;
+        J[63] = e179 * e112 + e181 * e118;
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = e177 * e61 + e178 * e69;
-        J[67] = e177 * e111 + e178 * e117;
+        J[66] = e182 * e60 + e183 * e71;
+        J[67] = e182 * e112 + e183 * e118;
         J[68] = Scalar(0);
         J[69] = Scalar(0);
-        J[70] = -e179 * e23 * (e65 * e180 + e67 * e181) - e182 * e24 * (e57 * e180 + e59 * e181);
-        J[71] = -e179 * e78 * (e113 * e183 + e115 * e184) - e182 * e79 * (e107 * e183 + e109 * e184);
+        J[70] = -e184 * e23 * (e67 * e185 + e69 * e186) - e187 * e24 * (e56 * e185 + e58 * e186);
+        J[71] = -e184 * e79 * (e114 * e188 + e116 * e189) - e187 * e80 * (e108 * e188 + e110 * e189);
     }
 
     /// J = df/dt at fixed x and u.
@@ -1199,7 +1192,7 @@ public:
         const Scalar e28 = e25 + e27;
         const Scalar sqrt_29 = sqrt(e2);
         const Scalar inverse_30 = Scalar(1) / sqrt_29;
-        const Scalar e31 = c_.k26 * inverse_30;
+        const Scalar e31 = c_.k17 * inverse_30;
         const Scalar e32 = p_.p_S - p_2;
         const Scalar step_33 = detail::step<Scalar>(e32);
         const Scalar power_34 = pow(c_.k7 + e32 * e32, -Scalar(1) / Scalar(4));
@@ -1219,16 +1212,16 @@ public:
         const Scalar sqrt_46 = sqrt(e4);
         const Scalar step_47 = detail::step<Scalar>(-e32);
         const Scalar step_48 = detail::step<Scalar>(-e39);
-        const Scalar max_49 = detail::max<Scalar>(Scalar(0), e31 * e27 + c_.k27 * e22);
-        const Scalar min_50 = detail::min<Scalar>(Scalar(0), -e31 * e25 - c_.k27 * e13);
-        const Scalar e51 = c_.k31 * (max_49 - min_50);
+        const Scalar max_49 = detail::max<Scalar>(Scalar(0), e31 * e27 + c_.k18 * e22);
+        const Scalar min_50 = detail::min<Scalar>(Scalar(0), -e31 * e25 - c_.k18 * e13);
+        const Scalar e51 = c_.k22 * (max_49 - min_50);
         const Scalar s_dot = x[1];
         y[0] = p_.A_1 * p_1 - c_.k1 - p_.A_2 * p_2;
         y[1] = e2;
         y[2] = e4;
-        y[3] = c_.k27 * e23 + e28 * e31;
-        y[4] = c_.k27 * (step_33 * e38 + step_40 * e45) + c_.k26 / sqrt_46 * (step_47 * e38 + step_48 * e45);
-        y[5] = -power_1 * (c_.k29 * inverse_30 * e28 + c_.k30 * e23 - e51) - c_.k28 * s_dot * p_1 - e51;
+        y[3] = c_.k18 * e23 + e28 * e31;
+        y[4] = c_.k18 * (step_33 * e38 + step_40 * e45) + c_.k17 / sqrt_46 * (step_47 * e38 + step_48 * e45);
+        y[5] = -power_1 * (c_.k20 * inverse_30 * e28 + c_.k21 * e23 - e51) - c_.k19 * s_dot * p_1 - e51;
     }
 
     /// C = dh/dx.
@@ -1239,7 +1232,7 @@ public:
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k8 * p_1;
-        const Scalar e2 = -c_.k25;
+        const Scalar e2 = -c_.k16;
         const Scalar power_3 = pow(e1, e2);
         const Scalar power_4 = pow(e1, c_.k9);
         const Scalar sqrt_5 = sqrt(p_.T_0 * power_4);
@@ -1289,13 +1282,13 @@ public:
         const Scalar e46 = step_45 * e32;
         const Scalar e47 = e27 * e46;
         const Scalar e48 = step_44 * e19 + e47;
-        const Scalar e49 = c_.k26 * inverse_6;
-        const Scalar e50 = c_.k27 * step_44 + step_8 * e49;
+        const Scalar e49 = c_.k17 * inverse_6;
+        const Scalar e50 = c_.k18 * step_44 + step_8 * e49;
         const Scalar outflow_factor_slope_51 = detail::outflow_factor_slope<Scalar>(e11, c_.k6);
         const Scalar sign_52 = detail::sign<Scalar>(e7);
         const Scalar e53 = e7 * outflow_factor_slope_51 * inverse_10 * (sign_52 + step_8 * e11) + outflow_factor_12;
         const Scalar e54 = e53 * e36;
-        const Scalar e55 = c_.k27 * step_45 + step_22 * e49;
+        const Scalar e55 = c_.k18 * step_45 + step_22 * e49;
         const Scalar outflow_factor_slope_56 = detail::outflow_factor_slope<Scalar>(e30, c_.k6);
         const Scalar sign_57 = detail::sign<Scalar>(e21);
         const Scalar e58 = e21 * outflow_factor_slope_56 * inverse_29 * (sign_57 + step_22 * e30) + outflow_factor_31;
@@ -1305,19 +1298,19 @@ public:
         const Scalar e62 = e50 * e37;
         const Scalar step_63 = detail::step<Scalar>(e62);
         const Scalar e64 = e61 * (step_8 * step_63);
-        const Scalar e65 = c_.k30 * power_4;
+        const Scalar e65 = c_.k21 * power_4;
         const Scalar e66 = step_44 * step_63;
-        const Scalar e67 = c_.k38 * e60;
+        const Scalar e67 = c_.k29 * e60;
         const Scalar e68 = power_4 * inverse_6;
-        const Scalar e69 = c_.k29 * e68;
+        const Scalar e69 = c_.k20 * e68;
         const Scalar e70 = e55 * e38 * e32;
         const Scalar step_71 = detail::step<Scalar>(e70);
         const Scalar e72 = step_22 * e59;
-        const Scalar e73 = c_.k40 * e42;
+        const Scalar e73 = c_.k31 * e42;
         const Scalar s_dot = x[1];
         const Scalar e74 = step_45 * e59;
-        const Scalar e75 = c_.k44 * e60;
-        const Scalar e76 = c_.k46 * power_3;
+        const Scalar e75 = c_.k35 * e60;
+        const Scalar e76 = c_.k37 * power_3;
         const Scalar max_77 = detail::max<Scalar>(Scalar(0), e70);
         const Scalar min_78 = detail::min<Scalar>(Scalar(0), -e62);
         const Scalar p_2 = x[3];
@@ -1361,10 +1354,10 @@ public:
         const Scalar e114 = power_88 * sqrt_89;
         const Scalar e115 = power_102 * sqrt_103;
         const Scalar outflow_factor_slope_116 = detail::outflow_factor_slope<Scalar>(e93, c_.k6);
-        const Scalar e117 = (c_.k27 * step_112 + c_.k26 * e86) * e114;
+        const Scalar e117 = (c_.k18 * step_112 + c_.k17 * e86) * e114;
         const Scalar sign_118 = detail::sign<Scalar>(e81);
         const Scalar outflow_factor_slope_119 = detail::outflow_factor_slope<Scalar>(e107, c_.k6);
-        const Scalar e120 = (c_.k27 * step_113 + c_.k26 * e100) * e115;
+        const Scalar e120 = (c_.k18 * step_113 + c_.k17 * e100) * e115;
         const Scalar sign_121 = detail::sign<Scalar>(e98);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
@@ -1377,25 +1370,25 @@ public:
         C[8] = Scalar(0);
         C[9] = Scalar(0);
         C[10] = Scalar(0);
-        C[11] = -c_.k28 * p_1;
+        C[11] = -c_.k19 * p_1;
         C[12] = p_.A_1;
-        C[13] = -c_.k32 * power_3;
+        C[13] = -c_.k23 * power_3;
         C[14] = Scalar(0);
-        C[15] = inverse_6 * (c_.k34 * e35 + c_.k33 * e43) + c_.k35 * e48 - e50 * e54 - e55 * e59;
+        C[15] = inverse_6 * (c_.k25 * e35 + c_.k24 * e43) + c_.k26 * e48 - e50 * e54 - e55 * e59;
         C[16] = Scalar(0);
-        C[17] = e54 * (c_.k37 * e64 + step_44 * e65 + e66 * e67 + step_8 * e69) + step_71 * e61
-            * (c_.k37 * e72 - c_.k42 * e34 - e39 * e73) - s_dot * (c_.k28 - c_.k36 * p_1 * power_3 / power_4) + step_71
-            * (e67 * e74 - e75 * e47) + e37 * (step_44 * e76 - e64 * e73) - e68 * (c_.k41 * e35 + c_.k39 * e43) - e19
-            * (c_.k42 * e64 + e66 * e75) - c_.k47 * power_3 * (max_77 - min_78) - c_.k43 * power_4 * e48 + c_.k45 * e40 * e41
+        C[17] = e54 * (c_.k28 * e64 + step_44 * e65 + e66 * e67 + step_8 * e69) + step_71 * e61
+            * (c_.k28 * e72 - c_.k33 * e34 - e39 * e73) - s_dot * (c_.k19 - c_.k27 * p_1 * power_3 / power_4) + step_71
+            * (e67 * e74 - e75 * e47) + e37 * (step_44 * e76 - e64 * e73) - e68 * (c_.k32 * e35 + c_.k30 * e43) - e19
+            * (c_.k33 * e64 + e66 * e75) - c_.k38 * power_3 * (max_77 - min_78) - c_.k34 * power_4 * e48 + c_.k36 * e40 * e41
             + e38 * e46 * e76 + e65 * e74 + e72 * e69;
         C[18] = -p_.A_2;
         C[19] = Scalar(0);
-        C[20] = -c_.k32 * power_80;
+        C[20] = -c_.k23 * power_80;
         C[21] = Scalar(0);
-        const Scalar e122 = c_.k33 * inverse_85 * (power_80 * inverse_85) * (e114 * e86 * e96 + e115 * e100 * e110);
+        const Scalar e122 = c_.k24 * inverse_85 * (power_80 * inverse_85) * (e114 * e86 * e96 + e115 * e100 * e110);
         const Scalar e123 = outflow_factor_slope_116 * inverse_92 * (e95 * e117) * (sign_118 + step_82 * e93);
         const Scalar e124 = outflow_factor_slope_119 * inverse_106 * (e109 * e120) * (sign_121 + step_99 * e107);
-        C[22] = c_.k34 * (e86 * e97 + e100 * e111) + c_.k35 * (step_112 * e97 + step_113 * e111) + e122 - e123 - e124 - max_14
+        C[22] = c_.k25 * (e86 * e97 + e100 * e111) + c_.k26 * (step_112 * e97 + step_113 * e111) + e122 - e123 - e124 - max_14
             * outflow_factor_94 * e117 - max_20 * outflow_factor_108 * e120;
         C[23] = Scalar(0);
     }
@@ -1440,7 +1433,7 @@ public:
         const Scalar power_27 = pow(c_.k8 * p_1, c_.k9);
         const Scalar sqrt_28 = sqrt(p_.T_0 * power_27);
         const Scalar inverse_29 = Scalar(1) / sqrt_28;
-        const Scalar e30 = c_.k26 * inverse_29;
+        const Scalar e30 = c_.k17 * inverse_29;
         const Scalar p_2 = x[3];
         const Scalar e31 = p_.p_S - p_2;
         const Scalar step_32 = detail::step<Scalar>(e31);
@@ -1463,18 +1456,18 @@ public:
         const Scalar step_47 = detail::step<Scalar>(-e31);
         const Scalar step_48 = detail::step<Scalar>(-e38);
         const Scalar max_49 = detail::max<Scalar>(Scalar(0), e3);
-        const Scalar step_50 = detail::step<Scalar>(max_49 * e9 * (c_.k27 * step_2 + step_22 * e30));
+        const Scalar step_50 = detail::step<Scalar>(max_49 * e9 * (c_.k18 * step_2 + step_22 * e30));
         const Scalar e51 = Scalar(1) - power_27;
         const Scalar e52 = step_50 * e51;
         const Scalar max_53 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar step_54 = detail::step<Scalar>(max_53 * e18 * (c_.k27 * step_13 + step_24 * e30));
+        const Scalar step_54 = detail::step<Scalar>(max_53 * e18 * (c_.k18 * step_13 + step_24 * e30));
         const Scalar e55 = step_54 * e51;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = -c_.k27 * e21 - e26 * e30;
-        D[4] = -c_.k27 * (step_32 * e37 - step_39 * e44) - c_.k26 / sqrt_46 * (step_47 * e37 - step_48 * e44);
-        D[5] = c_.k38 * (e52 * e11 - e55 * e20) + power_27 * (c_.k29 * inverse_29 * e26 + c_.k30 * e21) + c_.k37 * inverse_29
+        D[3] = -c_.k18 * e21 - e26 * e30;
+        D[4] = -c_.k18 * (step_32 * e37 - step_39 * e44) - c_.k17 / sqrt_46 * (step_47 * e37 - step_48 * e44);
+        D[5] = c_.k29 * (e52 * e11 - e55 * e20) + power_27 * (c_.k20 * inverse_29 * e26 + c_.k21 * e21) + c_.k28 * inverse_29
             * (e52 * e23 - e55 * e25);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -1596,7 +1589,7 @@ public:
         const Scalar step_40 = detail::step<Scalar>(-e13);
         const Scalar step_41 = detail::step<Scalar>(-e29);
         const Scalar e42 = e3 / sqrt_T_0 * (step_5 * e12 + step_14 * e20 + step_22 * e28 + step_30 * e35);
-        const Scalar e43 = s_dot * (c_.k28 * p_1 - p_2 * (-p_.A_2 / p_.R_s * (c_.c_v - e1) - p_.A_2));
+        const Scalar e43 = s_dot * (c_.k19 * p_1 - p_2 * (-p_.A_2 / p_.R_s * (c_.c_v - e1) - p_.A_2));
         return e42 - e43 + e3 / sqrt_36 * (step_37 * e12 + step_38 * e28) + e3 / sqrt_39 * (step_40 * e20 + step_41 * e35);
     }
 
@@ -1645,42 +1638,33 @@ private:
         Scalar k9;  ///< 1 - 1/n
         Scalar k10;  ///< A_2*l + V_d
         Scalar k11;  ///< 1/v_C
-        Scalar k12;  ///< d + f_C/v_C
-        Scalar k13;  ///< f_C/v_C
-        Scalar k14;  ///< n*A_1^2
-        Scalar k15;  ///< n*A_1*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)
-        Scalar k16;  ///< n*A_1*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
-        Scalar k17;  ///< n*A_2^2
-        Scalar k18;  ///< n*A_2*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)
-        Scalar k19;  ///< n*A_2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
-        Scalar k20;  ///< T_0^2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/(2*p_r)
-        Scalar k21;  ///< n*T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)/2
-        Scalar k22;  ///< n*A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)/2
-        Scalar k23;  ///< T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/p_r
-        Scalar k24;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(-1 + n)/p_r
-        Scalar k25;  ///< 1/n
-        Scalar k26;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k27;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k28;  ///< A_1*(-1 + n*c_v/R_s - c_v/R_s)
-        Scalar k29;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/sqrt(R_s)
-        Scalar k30;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/sqrt(R_s)
-        Scalar k31;  ///< T_0*(R_s + c_v)
-        Scalar k32;  ///< T_0*(-1 + 1/n)/p_r
-        Scalar k33;  ///< T_0*A_v*alpha_d*sqrt(2)*(-1 + 1/n)/(2*p_r*sqrt(R_s))
-        Scalar k34;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
-        Scalar k35;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
-        Scalar k36;  ///< A_1*c_v*(-2 + 1/n + n - (1 - n)^2/n)/(R_s*p_r)
-        Scalar k37;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/sqrt(R_s)
-        Scalar k38;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/sqrt(R_s)
-        Scalar k39;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s/2 + R_s/(2*n) + c_v/(2*n) + n*c_v/2 - c_v)/(p_r*sqrt(R_s))
-        Scalar k40;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v/n - c_v)/(2*p_r*sqrt(R_s))
-        Scalar k41;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
-        Scalar k42;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/(2*sqrt(R_s))
-        Scalar k43;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
-        Scalar k44;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/(2*sqrt(R_s))
-        Scalar k45;  ///< T_0*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
-        Scalar k46;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
-        Scalar k47;  ///< T_0*(-R_s + R_s/n + c_v/n - c_v)/p_r
+        Scalar k12;  ///< 1/sqrt(T_0)
+        Scalar k13;  ///< d + f_C/v_C
+        Scalar k14;  ///< T_0/2
+        Scalar k15;  ///< -T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(-1 + n)/p_r
+        Scalar k16;  ///< 1/n
+        Scalar k17;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k18;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k19;  ///< A_1*(-1 + n*c_v/R_s - c_v/R_s)
+        Scalar k20;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/sqrt(R_s)
+        Scalar k21;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/sqrt(R_s)
+        Scalar k22;  ///< T_0*(R_s + c_v)
+        Scalar k23;  ///< T_0*(-1 + 1/n)/p_r
+        Scalar k24;  ///< T_0*A_v*alpha_d*sqrt(2)*(-1 + 1/n)/(2*p_r*sqrt(R_s))
+        Scalar k25;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
+        Scalar k26;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k27;  ///< A_1*c_v*(-2 + 1/n + n - (1 - n)^2/n)/(R_s*p_r)
+        Scalar k28;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/sqrt(R_s)
+        Scalar k29;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/sqrt(R_s)
+        Scalar k30;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(R_s/(2*n*sqrt(R_s)) + c_v/(2*n*sqrt(R_s)) + n*c_v/(2*sqrt(R_s)) - ...
+        Scalar k31;  ///< T_0^2*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v/n - c_v)/(2*p_r*sqrt(R_s))
+        Scalar k32;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
+        Scalar k33;  ///< T_0*A_v*alpha_d*sqrt(2)*(R_s + c_v)/(2*sqrt(R_s))
+        Scalar k34;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s - n*c_v + c_v)/(2*sqrt(R_s))
+        Scalar k35;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(R_s + c_v)/(2*sqrt(R_s))
+        Scalar k36;  ///< T_0*A_v*alpha_d*sqrt(2)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
+        Scalar k37;  ///< A_v*alpha_d*sqrt(2)*sqrt(T_0)*(-R_s + R_s/n + c_v*(1 - n)^2/n)/(p_r*sqrt(R_s))
+        Scalar k38;  ///< T_0*(-R_s + R_s/n + c_v/n - c_v)/p_r
     };
     Cached c_{};
 };

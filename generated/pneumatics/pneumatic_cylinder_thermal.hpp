@@ -20,11 +20,11 @@
 //     this code = the derivation: 22 of 22 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 6     59     6        0      3
-//   rhs                   46     78    10        0     33
-//   rhs_and_jacobian     154    299    10        0     49
+//   update                 6     21     6        0      3
+//   rhs                   37     72    10        0     33
+//   rhs_and_jacobian      87    227    10        0     49
 //   jacobian_u            37     95    10        0     34
-//   jacobian_p           297    639    15        0     56
+//   jacobian_p           300    658    15        0     56
 //   bias                   3      5     0        0      1
 //   generalised_force      1      0     0        0      0
 //   output                18     33     6        0     28
@@ -197,23 +197,28 @@ Scalar max(const Scalar& a, const Scalar& b) noexcept {
     return select(a < b, b, select(b == b, a, b));
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// sign(x) sqrt(|x|); its derivative is inverse_root(x)/2. Needs select.
@@ -373,90 +378,49 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 6 + or -, 59 *, 6 /, 3 other functions
+    /// Operations: 6 + or -, 21 *, 6 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
         c_.c_v = -p_.R_s / (Scalar(1) - p_.kappa);
         c_.k0 = Scalar(1) / p_.m_K;
-        c_.k1 = p_.p_0 * (p_.A_1 - p_.A_2);
-        const Scalar e1 = p_.R_s / c_.c_v;
-        const Scalar e2 = Scalar(1) + e1;
-        c_.k2 = p_.A_1 * e2;
-        const Scalar sqrt_3 = sqrt(Scalar(2));
+        const Scalar inverse_1 = Scalar(1) / p_.v_C;
+        c_.k1 = inverse_1;
+        const Scalar inverse_2 = Scalar(1) / c_.c_v;
+        const Scalar e3 = p_.R_s * inverse_2;
+        const Scalar e4 = Scalar(1) + e3;
+        c_.k2 = e4;
+        const Scalar sqrt_5 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar e4 = p_.A_v * p_.alpha_d * (sqrt_3 / sqrt_R_s);
-        const Scalar e5 = p_.R_s * e4;
-        const Scalar e6 = e2 * e5;
+        const Scalar e6 = p_.A_v * p_.alpha_d * (sqrt_5 / sqrt_R_s);
         c_.k3 = e6;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
         const Scalar inverse_7 = Scalar(1) / sqrt_T_0;
-        const Scalar e8 = inverse_7 * e6;
-        c_.k4 = e8;
-        const Scalar e9 = p_.k_W * e1;
-        c_.k5 = e9;
-        const Scalar e10 = p_.R_s * e2;
-        c_.k6 = e10;
-        const Scalar e11 = p_.T_0 * e9;
-        c_.k7 = e11;
-        const Scalar e12 = p_.T_0 * e10;
-        c_.k8 = e12;
-        c_.k9 = p_.A_2 * e2;
-        c_.k10 = p_.A_1 * e1;
-        const Scalar e13 = e1 * e5;
-        c_.k11 = e13;
-        const Scalar e14 = inverse_7 * e13;
-        c_.k12 = e14;
-        c_.k13 = p_.A_2 * e1;
-        c_.k14 = e4;
-        const Scalar e15 = inverse_7 * e4;
-        c_.k15 = e15;
-        c_.k16 = e2;
-        c_.k17 = p_.A_2 * p_.l + p_.V_d;
-        const Scalar inverse_16 = Scalar(1) / p_.v_C;
-        c_.k18 = inverse_16;
-        const Scalar e17 = p_.f_C * inverse_16;
-        c_.k19 = p_.d + e17;
-        c_.k20 = e17;
-        const Scalar e18 = p_.A_1 * p_.A_1;
-        c_.k21 = e2 * e18;
-        c_.k22 = p_.A_1 * e6;
-        c_.k23 = p_.A_1 * e8;
-        c_.k24 = p_.A_1 * e9;
-        c_.k25 = p_.A_1 * e10;
-        c_.k26 = p_.A_1 * e11;
-        c_.k27 = p_.A_1 * e12;
-        const Scalar e19 = p_.A_2 * p_.A_2;
-        c_.k28 = e2 * e19;
-        c_.k29 = p_.A_2 * e6;
-        c_.k30 = p_.A_2 * e8;
-        c_.k31 = p_.A_2 * e9;
-        c_.k32 = p_.A_2 * e10;
-        c_.k33 = p_.A_2 * e11;
-        c_.k34 = p_.A_2 * e12;
-        c_.k35 = e1 * e18;
-        c_.k36 = p_.A_1 * e13;
-        c_.k37 = p_.A_1 * e14;
-        c_.k38 = e1 * e19;
-        c_.k39 = p_.A_2 * e13;
-        c_.k40 = p_.A_2 * e14;
-        c_.k41 = (Scalar(1) / Scalar(2)) * e6;
-        c_.k42 = (Scalar(1) / Scalar(2)) * e8;
-        const Scalar e20 = p_.T_0 * e6;
-        c_.k43 = e20;
-        const Scalar e21 = p_.T_0 * e8;
-        c_.k44 = e21;
-        c_.k45 = (Scalar(1) / Scalar(2)) * e20;
-        c_.k46 = (Scalar(1) / Scalar(2)) * e21;
-        c_.k47 = (Scalar(1) / Scalar(2)) * e13;
-        c_.k48 = (Scalar(1) / Scalar(2)) * e14;
-        c_.k49 = Scalar(2) * e13;
-        c_.k50 = Scalar(2) * e14;
-        c_.k51 = Scalar(2) * e9;
-        c_.k52 = Scalar(2) * e10;
-        c_.k53 = p_.T_0 * p_.k_W;
-        c_.k54 = (Scalar(1) / Scalar(2)) * e4;
-        c_.k55 = (Scalar(1) / Scalar(2)) * e15;
+        c_.k4 = inverse_7;
+        c_.k5 = p_.k_W * inverse_2;
+        c_.k6 = p_.A_2 * p_.l + p_.V_d;
+        c_.k7 = e3;
+        const Scalar e8 = p_.R_s * e6;
+        c_.k8 = e8;
+        c_.k9 = inverse_2;
+        c_.k10 = p_.d + p_.f_C * inverse_1;
+        c_.k11 = Scalar(2) * e3;
+        const Scalar e9 = e4 * e8;
+        c_.k12 = e9;
+        c_.k13 = inverse_7 * e9;
+        const Scalar e10 = p_.T_0 * e9;
+        c_.k14 = e10;
+        c_.k15 = inverse_7 * e10;
+        const Scalar e11 = e8 * e3;
+        c_.k16 = e11;
+        c_.k17 = inverse_7 * e11;
+        const Scalar e12 = inverse_7 * e6;
+        c_.k18 = e12;
+        c_.k19 = e4;
+        c_.k20 = p_.p_0 * (p_.A_1 - p_.A_2);
+        c_.k21 = p_.T_0 * p_.k_W;
+        c_.k22 = (Scalar(1) / Scalar(2)) * e6;
+        c_.k23 = (Scalar(1) / Scalar(2)) * e12;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -473,7 +437,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 46 + or -, 78 *, 10 /, 33 other functions
+    /// Operations: 37 + or -, 72 *, 10 /, 33 other functions
     ///     specific_enthalpy[supply] = T_0*(R_s + c_v)
     ///     specific_enthalpy[ambience] = T_0*(R_s + c_v)
     ///     density[chamber_1] = p_1/(R_s*T_1)
@@ -538,329 +502,290 @@ public:
         using std::abs;
         using std::sqrt;
         using std::tanh;
-        const Scalar p_1 = x[2];
+        const Scalar p_2 = x[3];
+        const Scalar e1 = p_.p_0 - p_2;
         const Scalar f_L = u[1];
         const Scalar s_dot = x[1];
-        const Scalar p_2 = x[3];
-        const Scalar tanh_1 = tanh(c_.k18 * s_dot);
-        const Scalar e2 = p_.A_1 * p_1 - c_.k1 - f_L - p_.d * s_dot - p_.A_2 * p_2 - p_.f_C * tanh_1;
-        const Scalar s_ddot = e2 * c_.k0;
-        const Scalar T_1 = x[4];
+        const Scalar tanh_2 = tanh(s_dot * c_.k1);
+        const Scalar p_1 = x[2];
+        const Scalar e3 = p_.p_0 - p_1;
+        const Scalar s_ddot = (p_.A_2 * e1 - f_L - p_.d * s_dot - p_.f_C * tanh_2 - p_.A_1 * e3) * c_.k0;
         const Scalar s = x[0];
-        const Scalar inverse_3 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e4 = T_1 * inverse_3;
-        const Scalar e5 = p_.p_0 - p_1;
-        const Scalar step_6 = detail::step<Scalar>(e5);
-        const Scalar abs_7 = abs(e5);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar outflow_factor_8 = detail::outflow_factor<Scalar>(abs_7 / max_p_0, c_.k16);
+        const Scalar inverse_4 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e5 = p_.R_s * inverse_4;
+        const Scalar T_1 = x[4];
         const Scalar u_value = u[0];
-        const Scalar max_9 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar signed_root_10 = detail::signed_root<Scalar>(max_p_0 * e5);
-        const Scalar e11 = outflow_factor_8 * (max_9 * signed_root_10);
-        const Scalar e12 = step_6 * e11;
-        const Scalar e13 = p_.p_S - p_1;
-        const Scalar step_14 = detail::step<Scalar>(e13);
-        const Scalar abs_15 = abs(e13);
+        const Scalar max_6 = detail::max<Scalar>(Scalar(0), u_value);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_S, c_.k16);
-        const Scalar max_17 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar signed_root_18 = detail::signed_root<Scalar>(max_p_S * e13);
-        const Scalar e19 = outflow_factor_16 * (max_17 * signed_root_18);
-        const Scalar e20 = step_14 * e19;
-        const Scalar e21 = e12 + e20;
+        const Scalar e7 = p_.p_S - p_1;
+        const Scalar signed_root_8 = detail::signed_root<Scalar>(max_p_S * e7);
+        const Scalar abs_9 = abs(e7);
+        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_S, c_.k2);
+        const Scalar step_11 = detail::step<Scalar>(-e7);
         const Scalar sqrt_T_1 = sqrt(T_1);
-        const Scalar inverse_22 = Scalar(1) / sqrt_T_1;
-        const Scalar step_23 = detail::step<Scalar>(-e5);
-        const Scalar e24 = step_23 * e11;
-        const Scalar step_25 = detail::step<Scalar>(-e13);
-        const Scalar e26 = step_25 * e19;
-        const Scalar e27 = inverse_22 * (e24 + e26);
-        const Scalar e28 = c_.k14 * inverse_22;
-        const Scalar max_29 = detail::max<Scalar>(Scalar(0), e28 * e26 + c_.k15 * e20);
-        const Scalar min_30 = detail::min<Scalar>(Scalar(0), -e28 * e24 - c_.k15 * e12);
-        const Scalar e31 = c_.k7 - (c_.k6 * T_1 - c_.k8) * (max_29 - min_30);
-        const Scalar inverse_32 = Scalar(1) / (c_.k17 - p_.A_2 * s);
+        const Scalar inverse_12 = Scalar(1) / sqrt_T_1;
+        const Scalar step_13 = detail::step<Scalar>(e7);
+        const Scalar e14 = max_6 * signed_root_8 * (outflow_factor_10 * (step_11 * inverse_12 + step_13 * c_.k4));
+        const Scalar max_15 = detail::max<Scalar>(Scalar(0), e14 * c_.k3);
+        const Scalar max_16 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
+        const Scalar signed_root_17 = detail::signed_root<Scalar>(max_p_0 * e3);
+        const Scalar abs_18 = abs(e3);
+        const Scalar outflow_factor_19 = detail::outflow_factor<Scalar>(abs_18 / max_p_0, c_.k2);
+        const Scalar step_20 = detail::step<Scalar>(-e3);
+        const Scalar step_21 = detail::step<Scalar>(e3);
+        const Scalar e22 = max_16 * signed_root_17 * (outflow_factor_19 * (step_20 * inverse_12 + step_21 * c_.k4));
+        const Scalar min_23 = detail::min<Scalar>(Scalar(0), -e22 * c_.k3);
+        const Scalar e24 = (p_.T_0 - T_1) * (c_.k5 + (max_15 - min_23) * c_.k2);
+        const Scalar e25 = inverse_4 * (p_.A_1 * s_dot);
+        const Scalar e26 = T_1 * e5;
+        const Scalar e27 = (e22 + e14) * c_.k3;
+        const Scalar inverse_28 = Scalar(1) / (c_.k6 - p_.A_2 * s);
+        const Scalar e29 = inverse_28 * (p_.A_2 * s_dot);
         const Scalar T_2 = x[5];
-        const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar inverse_33 = Scalar(1) / sqrt_T_2;
-        const Scalar e34 = c_.k14 * inverse_33;
-        const Scalar e35 = p_.p_S - p_2;
-        const Scalar step_36 = detail::step<Scalar>(-e35);
-        const Scalar abs_37 = abs(e35);
+        const Scalar e30 = p_.R_s * inverse_28;
+        const Scalar e31 = T_2 * e30;
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar outflow_factor_38 = detail::outflow_factor<Scalar>(abs_37 / max_p_S_2, c_.k16);
-        const Scalar signed_root_39 = detail::signed_root<Scalar>(max_p_S_2 * e35);
-        const Scalar e40 = outflow_factor_38 * (max_9 * signed_root_39);
-        const Scalar e41 = step_36 * e40;
-        const Scalar step_42 = detail::step<Scalar>(e35);
-        const Scalar e43 = step_42 * e40;
-        const Scalar max_44 = detail::max<Scalar>(Scalar(0), e34 * e41 + c_.k15 * e43);
-        const Scalar e45 = p_.p_0 - p_2;
-        const Scalar step_46 = detail::step<Scalar>(-e45);
-        const Scalar abs_47 = abs(e45);
+        const Scalar e32 = p_.p_S - p_2;
+        const Scalar signed_root_33 = detail::signed_root<Scalar>(max_p_S_2 * e32);
+        const Scalar abs_34 = abs(e32);
+        const Scalar outflow_factor_35 = detail::outflow_factor<Scalar>(abs_34 / max_p_S_2, c_.k2);
+        const Scalar step_36 = detail::step<Scalar>(-e32);
+        const Scalar sqrt_T_2 = sqrt(T_2);
+        const Scalar inverse_37 = Scalar(1) / sqrt_T_2;
+        const Scalar step_38 = detail::step<Scalar>(e32);
+        const Scalar e39 = max_16 * signed_root_33 * (outflow_factor_35 * (step_36 * inverse_37 + step_38 * c_.k4));
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar outflow_factor_48 = detail::outflow_factor<Scalar>(abs_47 / max_p_0_2, c_.k16);
-        const Scalar signed_root_49 = detail::signed_root<Scalar>(max_p_0_2 * e45);
-        const Scalar e50 = outflow_factor_48 * (max_17 * signed_root_49);
-        const Scalar e51 = step_46 * e50;
-        const Scalar step_52 = detail::step<Scalar>(e45);
-        const Scalar e53 = step_52 * e50;
-        const Scalar min_54 = detail::min<Scalar>(Scalar(0), -e34 * e51 - c_.k15 * e53);
-        const Scalar e55 = c_.k7 - (c_.k6 * T_2 - c_.k8) * (max_44 - min_54);
-        const Scalar e56 = T_2 * inverse_32;
-        const Scalar e57 = e43 + e53;
-        const Scalar e58 = inverse_33 * (e41 + e51);
-        const Scalar e59 = e4 / p_1;
-        const Scalar e60 = e56 / p_2;
+        const Scalar signed_root_40 = detail::signed_root<Scalar>(max_p_0_2 * e1);
+        const Scalar abs_41 = abs(e1);
+        const Scalar outflow_factor_42 = detail::outflow_factor<Scalar>(abs_41 / max_p_0_2, c_.k2);
+        const Scalar step_43 = detail::step<Scalar>(-e1);
+        const Scalar step_44 = detail::step<Scalar>(e1);
+        const Scalar e45 = max_6 * signed_root_40 * (outflow_factor_42 * (step_43 * inverse_37 + step_44 * c_.k4));
+        const Scalar e46 = (e39 + e45) * c_.k3;
+        const Scalar max_47 = detail::max<Scalar>(Scalar(0), e39 * c_.k3);
+        const Scalar min_48 = detail::min<Scalar>(Scalar(0), -e45 * c_.k3);
+        const Scalar e49 = (p_.T_0 - T_2) * (c_.k5 + (max_47 - min_48) * c_.k2);
+        const Scalar e50 = e26 / p_1;
+        const Scalar e51 = e31 / p_2;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = -e4 * (c_.k5 - c_.k4 * e21 - c_.k3 * e27) - inverse_3 * (c_.k2 * s_dot * p_1 - e31);
-        dxdt[3] = inverse_32 * (c_.k9 * s_dot * p_2 + e55) - e56 * (c_.k5 - c_.k4 * e57 - c_.k3 * e58);
-        dxdt[4] = e31 * e59 - T_1 * e59 * (c_.k5 - c_.k12 * e21 - c_.k11 * e27) - c_.k10 * s_dot * e4;
-        dxdt[5] = c_.k13 * s_dot * e56 - T_2 * e60 * (c_.k5 - c_.k12 * e57 - c_.k11 * e58) + e55 * e60;
+        dxdt[2] = e5 * e24 - c_.k2 * (p_1 * e25 - e26 * e27);
+        dxdt[3] = c_.k2 * (p_2 * e29 + e31 * e46) + e30 * e49;
+        dxdt[4] = T_1 * c_.k7 * (e27 * e50 - e25) + e24 * e50;
+        dxdt[5] = T_2 * c_.k7 * (e46 * e51 + e29) + e49 * e51;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 154 + or -, 299 *, 10 /, 49 other functions
+    /// Operations: 87 + or -, 227 *, 10 /, 49 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::sqrt;
         using std::tanh;
-        const Scalar p_1 = x[2];
+        const Scalar p_2 = x[3];
+        const Scalar e1 = p_.p_0 - p_2;
         const Scalar f_L = u[1];
         const Scalar s_dot = x[1];
-        const Scalar p_2 = x[3];
-        const Scalar tanh_1 = tanh(c_.k18 * s_dot);
-        const Scalar e2 = p_.A_1 * p_1 - c_.k1 - f_L - p_.d * s_dot - p_.A_2 * p_2 - p_.f_C * tanh_1;
-        const Scalar s_ddot = e2 * c_.k0;
+        const Scalar p_1 = x[2];
+        const Scalar e2 = p_.p_0 - p_1;
+        const Scalar tanh_3 = tanh(s_dot * c_.k1);
+        const Scalar e4 = p_.f_C * tanh_3;
+        const Scalar s_ddot = (p_.A_2 * e1 - f_L - p_.d * s_dot - p_.A_1 * e2 - e4) * c_.k0;
         const Scalar s = x[0];
-        const Scalar inverse_3 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar u_value = u[0];
-        const Scalar max_4 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar e5 = p_.p_S - p_1;
-        const Scalar e6 = max_p_S * e5;
-        const Scalar signed_root_7 = detail::signed_root<Scalar>(e6);
-        const Scalar e8 = max_4 * signed_root_7;
-        const Scalar step_9 = detail::step<Scalar>(-e5);
-        const Scalar abs_10 = abs(e5);
-        const Scalar inverse_11 = Scalar(1) / max_p_S;
-        const Scalar e12 = abs_10 * inverse_11;
-        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(e12, c_.k16);
-        const Scalar e14 = step_9 * outflow_factor_13;
-        const Scalar e15 = e8 * e14;
+        const Scalar inverse_5 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e6 = inverse_5 * c_.k8;
+        const Scalar e7 = e6 * c_.k2;
         const Scalar T_1 = x[4];
+        const Scalar step_8 = detail::step<Scalar>(-e2);
         const Scalar sqrt_T_1 = sqrt(T_1);
-        const Scalar inverse_16 = Scalar(1) / sqrt_T_1;
-        const Scalar e17 = c_.k14 * inverse_16;
-        const Scalar step_18 = detail::step<Scalar>(e5);
-        const Scalar e19 = step_18 * outflow_factor_13;
-        const Scalar e20 = e8 * e19;
-        const Scalar e21 = e15 * e17 + c_.k15 * e20;
-        const Scalar max_22 = detail::max<Scalar>(Scalar(0), e21);
-        const Scalar e23 = p_.p_0 - p_1;
-        const Scalar step_24 = detail::step<Scalar>(e23);
-        const Scalar step_25 = detail::step<Scalar>(-e23);
-        const Scalar abs_26 = abs(e23);
+        const Scalar inverse_9 = Scalar(1) / sqrt_T_1;
+        const Scalar step_10 = detail::step<Scalar>(e2);
+        const Scalar e11 = step_8 * inverse_9 + step_10 * c_.k4;
+        const Scalar abs_12 = abs(e2);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar inverse_27 = Scalar(1) / max_p_0;
-        const Scalar e28 = abs_26 * inverse_27;
-        const Scalar outflow_factor_29 = detail::outflow_factor<Scalar>(e28, c_.k16);
-        const Scalar max_30 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e31 = max_p_0 * e23;
-        const Scalar signed_root_32 = detail::signed_root<Scalar>(e31);
-        const Scalar e33 = max_30 * signed_root_32;
-        const Scalar e34 = outflow_factor_29 * e33;
-        const Scalar e35 = (c_.k15 * step_24 + step_25 * e17) * e34;
-        const Scalar min_36 = detail::min<Scalar>(Scalar(0), -e35);
-        const Scalar e37 = max_22 - min_36;
-        const Scalar e38 = c_.k7 + c_.k8 * e37;
-        const Scalar e39 = inverse_3 * e38;
-        const Scalar e40 = T_1 * inverse_3;
-        const Scalar e41 = c_.k5 + c_.k6 * e37;
-        const Scalar e42 = inverse_16 * (step_25 * e34 + e15);
-        const Scalar e43 = step_24 * e34 + e20;
-        const Scalar e44 = e41 - (c_.k3 * e42 + c_.k4 * e43);
-        const Scalar e45 = s_dot * inverse_3;
-        const Scalar e46 = c_.k2 * e45;
-        const Scalar inverse_47 = Scalar(1) / (c_.k17 - p_.A_2 * s);
-        const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar e48 = p_.p_S - p_2;
-        const Scalar e49 = max_p_S_2 * e48;
-        const Scalar signed_root_50 = detail::signed_root<Scalar>(e49);
-        const Scalar e51 = max_30 * signed_root_50;
-        const Scalar step_52 = detail::step<Scalar>(-e48);
-        const Scalar abs_53 = abs(e48);
-        const Scalar inverse_54 = Scalar(1) / max_p_S_2;
-        const Scalar e55 = abs_53 * inverse_54;
-        const Scalar outflow_factor_56 = detail::outflow_factor<Scalar>(e55, c_.k16);
-        const Scalar e57 = step_52 * outflow_factor_56;
-        const Scalar e58 = e51 * e57;
+        const Scalar inverse_13 = Scalar(1) / max_p_0;
+        const Scalar e14 = abs_12 * inverse_13;
+        const Scalar outflow_factor_15 = detail::outflow_factor<Scalar>(e14, c_.k2);
+        const Scalar u_value = u[0];
+        const Scalar max_16 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar e17 = max_p_0 * e2;
+        const Scalar signed_root_18 = detail::signed_root<Scalar>(e17);
+        const Scalar e19 = outflow_factor_15 * (max_16 * signed_root_18);
+        const Scalar e20 = e11 * e19;
+        const Scalar e21 = p_.p_S - p_1;
+        const Scalar step_22 = detail::step<Scalar>(-e21);
+        const Scalar step_23 = detail::step<Scalar>(e21);
+        const Scalar e24 = step_22 * inverse_9 + step_23 * c_.k4;
+        const Scalar abs_25 = abs(e21);
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
+        const Scalar inverse_26 = Scalar(1) / max_p_S;
+        const Scalar e27 = abs_25 * inverse_26;
+        const Scalar outflow_factor_28 = detail::outflow_factor<Scalar>(e27, c_.k2);
+        const Scalar max_29 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar e30 = max_p_S * e21;
+        const Scalar signed_root_31 = detail::signed_root<Scalar>(e30);
+        const Scalar e32 = outflow_factor_28 * (max_29 * signed_root_31);
+        const Scalar e33 = e24 * e32;
+        const Scalar e34 = e20 + e33;
+        const Scalar e35 = T_1 * e34;
+        const Scalar e36 = s_dot * c_.k2;
+        const Scalar e37 = p_.T_0 - T_1;
+        const Scalar e38 = e20 * c_.k3;
+        const Scalar min_39 = detail::min<Scalar>(Scalar(0), -e38);
+        const Scalar e40 = e33 * c_.k3;
+        const Scalar max_41 = detail::max<Scalar>(Scalar(0), e40);
+        const Scalar e42 = min_39 * c_.k2 - (c_.k5 + max_41 * c_.k2);
+        const Scalar e43 = p_.R_s * e42;
+        const Scalar e44 = e7 * e35 - inverse_5 * (p_.A_1 * p_1 * e36 + e37 * e43);
+        const Scalar inverse_45 = Scalar(1) / (c_.k6 - p_.A_2 * s);
+        const Scalar e46 = inverse_45 * c_.k8;
+        const Scalar e47 = e46 * c_.k2;
         const Scalar T_2 = x[5];
+        const Scalar step_48 = detail::step<Scalar>(-e1);
         const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar inverse_59 = Scalar(1) / sqrt_T_2;
-        const Scalar e60 = c_.k14 * inverse_59;
-        const Scalar step_61 = detail::step<Scalar>(e48);
-        const Scalar e62 = step_61 * outflow_factor_56;
-        const Scalar e63 = e51 * e62;
-        const Scalar e64 = e58 * e60 + c_.k15 * e63;
-        const Scalar max_65 = detail::max<Scalar>(Scalar(0), e64);
-        const Scalar e66 = p_.p_0 - p_2;
-        const Scalar step_67 = detail::step<Scalar>(e66);
-        const Scalar step_68 = detail::step<Scalar>(-e66);
-        const Scalar abs_69 = abs(e66);
+        const Scalar inverse_49 = Scalar(1) / sqrt_T_2;
+        const Scalar step_50 = detail::step<Scalar>(e1);
+        const Scalar e51 = step_48 * inverse_49 + step_50 * c_.k4;
+        const Scalar abs_52 = abs(e1);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_70 = Scalar(1) / max_p_0_2;
-        const Scalar e71 = abs_69 * inverse_70;
-        const Scalar outflow_factor_72 = detail::outflow_factor<Scalar>(e71, c_.k16);
-        const Scalar e73 = max_p_0_2 * e66;
-        const Scalar signed_root_74 = detail::signed_root<Scalar>(e73);
-        const Scalar e75 = max_4 * signed_root_74;
-        const Scalar e76 = outflow_factor_72 * e75;
-        const Scalar e77 = (c_.k15 * step_67 + step_68 * e60) * e76;
-        const Scalar min_78 = detail::min<Scalar>(Scalar(0), -e77);
-        const Scalar e79 = max_65 - min_78;
-        const Scalar e80 = c_.k7 + c_.k8 * e79;
-        const Scalar e81 = inverse_47 * e80;
-        const Scalar e82 = T_2 * inverse_47;
-        const Scalar e83 = c_.k5 + c_.k6 * e79;
-        const Scalar e84 = inverse_59 * (step_68 * e76 + e58);
-        const Scalar e85 = step_67 * e76 + e63;
-        const Scalar e86 = e83 - (c_.k3 * e84 + c_.k4 * e85);
-        const Scalar e87 = s_dot * inverse_47;
-        const Scalar e88 = c_.k9 * e87;
-        const Scalar inverse_89 = Scalar(1) / p_1;
-        const Scalar e90 = inverse_89 * e40;
-        const Scalar e91 = T_1 * e90;
-        const Scalar e92 = e91 * (c_.k11 * e42 + c_.k12 * e43) + (e90 * e38 - e91 * e41);
-        const Scalar e93 = c_.k10 * e40;
-        const Scalar inverse_94 = Scalar(1) / p_2;
-        const Scalar e95 = inverse_94 * e82;
-        const Scalar e96 = T_2 * e95;
-        const Scalar e97 = e96 * (c_.k11 * e84 + c_.k12 * e85) + (e95 * e80 - e96 * e83);
-        const Scalar e98 = c_.k13 * e82;
+        const Scalar inverse_53 = Scalar(1) / max_p_0_2;
+        const Scalar e54 = abs_52 * inverse_53;
+        const Scalar outflow_factor_55 = detail::outflow_factor<Scalar>(e54, c_.k2);
+        const Scalar e56 = max_p_0_2 * e1;
+        const Scalar signed_root_57 = detail::signed_root<Scalar>(e56);
+        const Scalar e58 = outflow_factor_55 * (max_29 * signed_root_57);
+        const Scalar e59 = e51 * e58;
+        const Scalar e60 = p_.p_S - p_2;
+        const Scalar step_61 = detail::step<Scalar>(-e60);
+        const Scalar step_62 = detail::step<Scalar>(e60);
+        const Scalar e63 = step_61 * inverse_49 + step_62 * c_.k4;
+        const Scalar abs_64 = abs(e60);
+        const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
+        const Scalar inverse_65 = Scalar(1) / max_p_S_2;
+        const Scalar e66 = abs_64 * inverse_65;
+        const Scalar outflow_factor_67 = detail::outflow_factor<Scalar>(e66, c_.k2);
+        const Scalar e68 = max_p_S_2 * e60;
+        const Scalar signed_root_69 = detail::signed_root<Scalar>(e68);
+        const Scalar e70 = outflow_factor_67 * (max_16 * signed_root_69);
+        const Scalar e71 = e63 * e70;
+        const Scalar e72 = e59 + e71;
+        const Scalar e73 = T_2 * e72;
+        const Scalar e74 = p_.T_0 - T_2;
+        const Scalar e75 = e59 * c_.k3;
+        const Scalar min_76 = detail::min<Scalar>(Scalar(0), -e75);
+        const Scalar e77 = e71 * c_.k3;
+        const Scalar max_78 = detail::max<Scalar>(Scalar(0), e77);
+        const Scalar e79 = min_76 * c_.k2 - (c_.k5 + max_78 * c_.k2);
+        const Scalar e80 = p_.R_s * e79;
+        const Scalar e81 = e47 * e73 - inverse_45 * (e74 * e80 - p_.A_2 * p_2 * e36);
+        const Scalar inverse_82 = Scalar(1) / p_1;
+        const Scalar e83 = (e6 * e35 * c_.k9 - inverse_5 * e37 * e42) * (p_.R_s * inverse_82);
+        const Scalar e84 = p_.A_1 * inverse_5;
+        const Scalar e85 = s_dot * c_.k7;
+        const Scalar e86 = e84 * e85;
+        const Scalar e87 = T_1 * (e83 - e86);
+        const Scalar e88 = p_.A_2 * inverse_45;
+        const Scalar e89 = e88 * e85;
+        const Scalar inverse_90 = Scalar(1) / p_2;
+        const Scalar e91 = (e46 * e73 * c_.k9 - inverse_45 * e74 * e79) * (p_.R_s * inverse_90);
+        const Scalar e92 = T_2 * (e89 + e91);
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = e39 - e40 * e44 - p_1 * e46;
-        dxdt[3] = e81 - e82 * e86 + p_2 * e88;
-        dxdt[4] = e92 - s_dot * e93;
-        dxdt[5] = e97 + s_dot * e98;
-        const Scalar e99 = e37 * (c_.k25 * e40 - c_.k27 * inverse_3) + (c_.k24 * e40 - c_.k26 * inverse_3);
-        const Scalar e100 = p_1 * inverse_3;
-        const Scalar e101 = e79 * (c_.k32 * e82 - c_.k34 * inverse_47) + (c_.k31 * e82 - c_.k33 * inverse_47);
-        const Scalar e102 = p_2 * inverse_47;
-        const Scalar e103 = c_.k41 * e40;
-        const Scalar e104 = e103 - c_.k45 * inverse_3;
-        const Scalar inverse_root_105 = detail::inverse_root<Scalar>(e31);
-        const Scalar e106 = max_30 * outflow_factor_29 * (inverse_root_105 * (max_p_0 - step_25 * e23));
-        const Scalar step_107 = detail::step<Scalar>(e35);
-        const Scalar e108 = step_25 * step_107;
-        const Scalar step_109 = detail::step<Scalar>(e21);
-        const Scalar inverse_root_110 = detail::inverse_root<Scalar>(e6);
-        const Scalar e111 = (max_p_S - step_9 * e5) * (max_4 * inverse_root_110);
-        const Scalar e112 = e14 * e111;
-        const Scalar e113 = inverse_16 * (e106 * e108 + step_109 * e112);
-        const Scalar outflow_factor_slope_114 = detail::outflow_factor_slope<Scalar>(e28, c_.k16);
-        const Scalar sign_115 = detail::sign<Scalar>(e23);
-        const Scalar e116 = outflow_factor_slope_114 * inverse_27 * ((sign_115 + step_25 * e28) * e33);
-        const Scalar outflow_factor_slope_117 = detail::outflow_factor_slope<Scalar>(e12, c_.k16);
-        const Scalar sign_118 = detail::sign<Scalar>(e5);
-        const Scalar e119 = outflow_factor_slope_117 * inverse_11 * ((sign_118 + step_9 * e12) * e8);
-        const Scalar e120 = step_24 * e116 + step_18 * e119;
-        const Scalar e121 = e19 * e111;
-        const Scalar e122 = step_24 * e106 + e121;
-        const Scalar e123 = step_24 * step_107;
-        const Scalar e124 = e106 * e123 + step_109 * e121;
-        const Scalar e125 = step_109 * e119;
-        const Scalar e126 = e116 * e123 + step_18 * e125;
-        const Scalar e127 = e116 * e108 + step_9 * e125;
-        const Scalar e128 = c_.k3 * inverse_16;
-        const Scalar e129 = c_.k42 * e124 + (c_.k4 * e126 + e127 * e128);
-        const Scalar e130 = step_25 * e116 + step_9 * e119;
-        const Scalar e131 = c_.k46 * e124 + (c_.k43 * inverse_16 * e127 + c_.k44 * e126);
-        const Scalar e132 = step_25 * e106 + e112;
-        const Scalar e133 = c_.k41 * e91 - c_.k45 * e90;
-        const Scalar e134 = c_.k41 * e82;
-        const Scalar e135 = e134 - c_.k45 * inverse_47;
-        const Scalar inverse_root_136 = detail::inverse_root<Scalar>(e73);
-        const Scalar e137 = max_4 * outflow_factor_72 * (inverse_root_136 * (max_p_0_2 - step_68 * e66));
-        const Scalar step_138 = detail::step<Scalar>(e77);
-        const Scalar e139 = step_68 * step_138;
-        const Scalar step_140 = detail::step<Scalar>(e64);
-        const Scalar inverse_root_141 = detail::inverse_root<Scalar>(e49);
-        const Scalar e142 = (max_p_S_2 - step_52 * e48) * (max_30 * inverse_root_141);
-        const Scalar e143 = e57 * e142;
-        const Scalar e144 = inverse_59 * (e137 * e139 + step_140 * e143);
-        const Scalar outflow_factor_slope_145 = detail::outflow_factor_slope<Scalar>(e55, c_.k16);
-        const Scalar sign_146 = detail::sign<Scalar>(e48);
-        const Scalar e147 = outflow_factor_slope_145 * inverse_54 * ((sign_146 + step_52 * e55) * e51);
-        const Scalar outflow_factor_slope_148 = detail::outflow_factor_slope<Scalar>(e71, c_.k16);
-        const Scalar sign_149 = detail::sign<Scalar>(e66);
-        const Scalar e150 = outflow_factor_slope_148 * inverse_70 * ((sign_149 + step_68 * e71) * e75);
-        const Scalar e151 = step_61 * e147 + step_67 * e150;
-        const Scalar e152 = e62 * e142;
-        const Scalar e153 = step_67 * e137 + e152;
-        const Scalar e154 = step_67 * step_138;
-        const Scalar e155 = e137 * e154 + step_140 * e152;
-        const Scalar e156 = step_140 * e147;
-        const Scalar e157 = e150 * e154 + step_61 * e156;
-        const Scalar e158 = e150 * e139 + step_52 * e156;
-        const Scalar e159 = c_.k3 * inverse_59;
-        const Scalar e160 = c_.k42 * e155 + (c_.k4 * e157 + e158 * e159);
-        const Scalar e161 = step_52 * e147 + step_68 * e150;
-        const Scalar e162 = c_.k46 * e155 + (c_.k43 * inverse_59 * e158 + c_.k44 * e157);
-        const Scalar e163 = step_68 * e137 + e143;
-        const Scalar e164 = c_.k41 * e96 - c_.k45 * e95;
-        const Scalar inverse_16_squared = inverse_16 * inverse_16;
-        const Scalar e165 = inverse_16_squared * (inverse_16 * (e34 * e108 + step_109 * e15));
-        const Scalar e166 = e42 * inverse_16_squared;
-        const Scalar inverse_59_squared = inverse_59 * inverse_59;
-        const Scalar e167 = inverse_59_squared * (inverse_59 * (e76 * e139 + step_140 * e58));
-        const Scalar e168 = e84 * inverse_59_squared;
+        dxdt[2] = e44;
+        dxdt[3] = e81;
+        dxdt[4] = e87;
+        dxdt[5] = e92;
+        const Scalar e93 = T_1 * c_.k7;
+        const Scalar e94 = T_2 * c_.k7;
+        const Scalar step_95 = detail::step<Scalar>(e38);
+        const Scalar e96 = (T_1 + step_95 * e37) * e7;
+        const Scalar inverse_root_97 = detail::inverse_root<Scalar>(e17);
+        const Scalar e98 = inverse_root_97 * outflow_factor_15;
+        const Scalar outflow_factor_slope_99 = detail::outflow_factor_slope<Scalar>(e14, c_.k2);
+        const Scalar sign_100 = detail::sign<Scalar>(e2);
+        const Scalar e101 = Scalar(2) * signed_root_18 * outflow_factor_slope_99 * inverse_13 * (step_8 * e14 + sign_100);
+        const Scalar e102 = (max_p_0 * e98 - (step_8 * e2 * e98 - e101)) * (max_16 * e11);
+        const Scalar step_103 = detail::step<Scalar>(e40);
+        const Scalar e104 = (T_1 + step_103 * e37) * e7;
+        const Scalar inverse_root_105 = detail::inverse_root<Scalar>(e30);
+        const Scalar e106 = inverse_root_105 * outflow_factor_28;
+        const Scalar outflow_factor_slope_107 = detail::outflow_factor_slope<Scalar>(e27, c_.k2);
+        const Scalar sign_108 = detail::sign<Scalar>(e21);
+        const Scalar e109 = Scalar(2) * signed_root_31 * outflow_factor_slope_107 * inverse_26 * (step_22 * e27 + sign_108);
+        const Scalar e110 = (max_p_S * e106 - (step_22 * e21 * e106 - e109)) * (max_29 * e24);
+        const Scalar e111 = T_1 * inverse_82;
+        const Scalar e112 = e37 * c_.k2;
+        const Scalar e113 = e6 * e111;
+        const Scalar e114 = (step_103 * e112 + e93) * e113;
+        const Scalar e115 = (step_95 * e112 + e93) * e113;
+        const Scalar step_116 = detail::step<Scalar>(e77);
+        const Scalar e117 = (T_2 + step_116 * e74) * e47;
+        const Scalar inverse_root_118 = detail::inverse_root<Scalar>(e68);
+        const Scalar e119 = inverse_root_118 * outflow_factor_67;
+        const Scalar outflow_factor_slope_120 = detail::outflow_factor_slope<Scalar>(e66, c_.k2);
+        const Scalar sign_121 = detail::sign<Scalar>(e60);
+        const Scalar e122 = Scalar(2) * signed_root_69 * outflow_factor_slope_120 * inverse_65 * (step_61 * e66 + sign_121);
+        const Scalar e123 = (max_p_S_2 * e119 - (step_61 * e60 * e119 - e122)) * (max_16 * e63);
+        const Scalar step_124 = detail::step<Scalar>(e75);
+        const Scalar e125 = (T_2 + step_124 * e74) * e47;
+        const Scalar inverse_root_126 = detail::inverse_root<Scalar>(e56);
+        const Scalar e127 = inverse_root_126 * outflow_factor_55;
+        const Scalar outflow_factor_slope_128 = detail::outflow_factor_slope<Scalar>(e54, c_.k2);
+        const Scalar sign_129 = detail::sign<Scalar>(e1);
+        const Scalar e130 = Scalar(2) * signed_root_57 * outflow_factor_slope_128 * inverse_53 * (step_48 * e54 + sign_129);
+        const Scalar e131 = (max_p_0_2 * e127 - (step_48 * e1 * e127 - e130)) * (max_29 * e51);
+        const Scalar e132 = T_2 * inverse_90;
+        const Scalar e133 = e74 * c_.k2;
+        const Scalar e134 = e46 * e132;
+        const Scalar e135 = (step_116 * e133 + e94) * e134;
+        const Scalar e136 = (step_124 * e133 + e94) * e134;
+        const Scalar e137 = inverse_5 * e43;
+        const Scalar e138 = inverse_9 * (inverse_9 * inverse_9);
+        const Scalar e139 = e138 * (step_8 * e19);
+        const Scalar e140 = e138 * (step_22 * e32);
+        const Scalar e141 = inverse_45 * e80;
+        const Scalar e142 = inverse_49 * (inverse_49 * inverse_49);
+        const Scalar e143 = e142 * (step_61 * e70);
+        const Scalar e144 = e142 * (step_48 * e58);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = inverse_3 * e99 - inverse_3 * e40 * (c_.k23 * e43 + c_.k22 * e42) + c_.k21 * e45 * e100;
-        J[3] = inverse_47 * e82 * (c_.k30 * e85 + c_.k29 * e84) - inverse_47 * e101 + c_.k28 * e87 * e102;
-        J[4] = e90 * e99 - e40 * e90 * (c_.k37 * e43 + c_.k36 * e42) + c_.k35 * e40 * e45;
-        J[5] = e82 * e95 * (c_.k40 * e85 + c_.k39 * e84) - e95 * e101 + c_.k38 * e82 * e87;
+        J[2] = -e44 * e84;
+        J[3] = e81 * e88;
+        J[4] = -e84 * e87;
+        J[5] = e88 * e92;
         J[6] = Scalar(1);
-        J[7] = (c_.k20 * tanh_1 * tanh_1 - c_.k19) * c_.k0;
-        J[8] = -c_.k2 * e100;
-        J[9] = c_.k9 * e102;
-        J[10] = -e93;
-        J[11] = e98;
+        J[7] = (tanh_3 * e4 * c_.k1 - c_.k10) * c_.k0;
+        J[8] = -p_1 * e84 * c_.k2;
+        J[9] = p_2 * e88 * c_.k2;
+        J[10] = -e84 * e93;
+        J[11] = e88 * e94;
         J[12] = Scalar(0);
         J[13] = p_.A_1 * c_.k0;
-        J[14] = e104 * e113 - e40 * (c_.k4 * e120 + c_.k42 * e122 - e129 + e130 * e128) - inverse_3 * e131 - inverse_16 * e132
-            * e103 - e46;
+        J[14] = -e84 * e36 - (Scalar(1) / Scalar(2)) * e96 * e102 - (Scalar(1) / Scalar(2)) * e104 * e110;
         J[15] = Scalar(0);
-        J[16] = e133 * e113 - e91 * (c_.k12 * e120 + c_.k48 * e122 - e129) - inverse_16 * e91 * (c_.k11 * e130 + c_.k47 * e132)
-            - e90 * e131 - inverse_89 * e92;
+        J[16] = -e111 * e83 - (Scalar(1) / Scalar(2)) * e114 * e110 - (Scalar(1) / Scalar(2)) * e115 * e102;
         J[17] = Scalar(0);
         J[18] = Scalar(0);
         J[19] = (-p_.A_2) * c_.k0;
         J[20] = Scalar(0);
-        J[21] = e135 * e144 - e82 * (c_.k4 * e151 + c_.k42 * e153 - e160 + e161 * e159) - inverse_47 * e162 - inverse_59 * e163
-            * e134 + e88;
+        J[21] = e88 * e36 - (Scalar(1) / Scalar(2)) * e117 * e123 - (Scalar(1) / Scalar(2)) * e125 * e131;
         J[22] = Scalar(0);
-        J[23] = e164 * e144 - e96 * (c_.k12 * e151 + c_.k48 * e153 - e160) - inverse_59 * e96 * (c_.k11 * e161 + c_.k47 * e163)
-            - e95 * e162 - inverse_94 * e97;
+        J[23] = -e132 * e91 - (Scalar(1) / Scalar(2)) * e135 * e123 - (Scalar(1) / Scalar(2)) * e136 * e131;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = e104 * e165 - inverse_3 * e44 - e103 * e166;
+        J[26] = e34 * e7 + e137 - (Scalar(1) / Scalar(2)) * e96 * e139 - (Scalar(1) / Scalar(2)) * e104 * e140;
         J[27] = Scalar(0);
-        J[28] = inverse_89 * e39 - e90 * (c_.k51 - c_.k50 * e43 + c_.k52 * e37 - c_.k49 * e42) - c_.k10 * e45 - c_.k47 * e91
-            * e166 + e133 * e165;
+        J[28] = e34 * e113 * c_.k11 - e137 * (p_.T_0 * inverse_82 - Scalar(2) * e111) - (Scalar(1) / Scalar(2)) * e114 * e140
+            - (Scalar(1) / Scalar(2)) * e115 * e139 - e86;
         J[29] = Scalar(0);
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = e135 * e167 - inverse_47 * e86 - e134 * e168;
+        J[33] = e72 * e47 + e141 - (Scalar(1) / Scalar(2)) * e117 * e143 - (Scalar(1) / Scalar(2)) * e125 * e144;
         J[34] = Scalar(0);
-        J[35] = c_.k13 * e87 - e95 * (c_.k51 - c_.k50 * e85 + c_.k52 * e79 - c_.k49 * e84) + inverse_94 * e81 - c_.k47 * e96
-            * e168 + e164 * e167;
+        J[35] = e72 * e134 * c_.k11 - e141 * (p_.T_0 * inverse_90 - Scalar(2) * e132) - (Scalar(1) / Scalar(2)) * e135 * e143
+            - (Scalar(1) / Scalar(2)) * e136 * e144 + e89;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -887,7 +812,7 @@ public:
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
         const Scalar signed_root_7 = detail::signed_root<Scalar>(max_p_0 * e3);
         const Scalar abs_8 = abs(e3);
-        const Scalar outflow_factor_9 = detail::outflow_factor<Scalar>(abs_8 / max_p_0, c_.k16);
+        const Scalar outflow_factor_9 = detail::outflow_factor<Scalar>(abs_8 / max_p_0, c_.k19);
         const Scalar e10 = signed_root_7 * outflow_factor_9;
         const Scalar e11 = step_6 * e10;
         const Scalar e12 = p_.p_S - p_1;
@@ -896,7 +821,7 @@ public:
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
         const Scalar signed_root_14 = detail::signed_root<Scalar>(max_p_S * e12);
         const Scalar abs_15 = abs(e12);
-        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_S, c_.k16);
+        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_S, c_.k19);
         const Scalar e17 = signed_root_14 * outflow_factor_16;
         const Scalar e18 = step_u * e17;
         const Scalar e19 = step_4 * e11 - step_13 * e18;
@@ -906,19 +831,19 @@ public:
         const Scalar step_22 = detail::step<Scalar>(-e12);
         const Scalar e23 = inverse_20 * (step_21 * e11 - step_22 * e18);
         const Scalar max_24 = detail::max<Scalar>(Scalar(0), e5);
-        const Scalar e25 = c_.k14 * inverse_20;
-        const Scalar e26 = c_.k15 * max_24;
+        const Scalar e25 = c_.k3 * inverse_20;
+        const Scalar e26 = c_.k18 * max_24;
         const Scalar step_27 = detail::step<Scalar>(e10 * (max_24 * step_21 * e25 + step_4 * e26));
         const Scalar e28 = step_27 * e11;
         const Scalar max_29 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e30 = c_.k15 * max_29;
+        const Scalar e30 = c_.k18 * max_29;
         const Scalar step_31 = detail::step<Scalar>(e17 * (step_13 * e30 + max_29 * step_22 * e25));
         const Scalar e32 = step_31 * e18;
         const Scalar e33 = step_4 * e28 - step_13 * e32;
-        const Scalar e34 = c_.k4 * T_1 * e33 + inverse_20 * (step_21 * e28 - step_22 * e32) * (c_.k3 * T_1 - c_.k43);
-        const Scalar e35 = c_.k44 * e33 - e34;
+        const Scalar e34 = c_.k13 * T_1 * e33 + inverse_20 * (step_21 * e28 - step_22 * e32) * (c_.k12 * T_1 - c_.k14);
+        const Scalar e35 = c_.k15 * e33 - e34;
         const Scalar T_2 = x[5];
-        const Scalar inverse_36 = Scalar(1) / (c_.k17 - p_.A_2 * s);
+        const Scalar inverse_36 = Scalar(1) / (c_.k6 - p_.A_2 * s);
         const Scalar e37 = T_2 * inverse_36;
         const Scalar p_2 = x[3];
         const Scalar e38 = p_.p_S - p_2;
@@ -926,7 +851,7 @@ public:
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
         const Scalar signed_root_40 = detail::signed_root<Scalar>(max_p_S_2 * e38);
         const Scalar abs_41 = abs(e38);
-        const Scalar outflow_factor_42 = detail::outflow_factor<Scalar>(abs_41 / max_p_S_2, c_.k16);
+        const Scalar outflow_factor_42 = detail::outflow_factor<Scalar>(abs_41 / max_p_S_2, c_.k19);
         const Scalar e43 = signed_root_40 * outflow_factor_42;
         const Scalar e44 = step_6 * e43;
         const Scalar e45 = p_.p_0 - p_2;
@@ -934,7 +859,7 @@ public:
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
         const Scalar signed_root_47 = detail::signed_root<Scalar>(max_p_0_2 * e45);
         const Scalar abs_48 = abs(e45);
-        const Scalar outflow_factor_49 = detail::outflow_factor<Scalar>(abs_48 / max_p_0_2, c_.k16);
+        const Scalar outflow_factor_49 = detail::outflow_factor<Scalar>(abs_48 / max_p_0_2, c_.k19);
         const Scalar e50 = signed_root_47 * outflow_factor_49;
         const Scalar e51 = step_u * e50;
         const Scalar e52 = step_39 * e44 - step_46 * e51;
@@ -943,22 +868,22 @@ public:
         const Scalar step_54 = detail::step<Scalar>(-e38);
         const Scalar step_55 = detail::step<Scalar>(-e45);
         const Scalar e56 = inverse_53 * (step_54 * e44 - step_55 * e51);
-        const Scalar e57 = c_.k14 * inverse_53;
+        const Scalar e57 = c_.k3 * inverse_53;
         const Scalar step_58 = detail::step<Scalar>(e43 * (max_24 * step_54 * e57 + step_39 * e26));
         const Scalar e59 = step_58 * e44;
         const Scalar step_60 = detail::step<Scalar>(e50 * (max_29 * step_55 * e57 + step_46 * e30));
         const Scalar e61 = step_60 * e51;
         const Scalar e62 = step_39 * e59 - step_46 * e61;
-        const Scalar e63 = c_.k4 * T_2 * e62 + inverse_53 * (step_54 * e59 - step_55 * e61) * (c_.k3 * T_2 - c_.k43);
-        const Scalar e64 = c_.k44 * e62 - e63;
+        const Scalar e63 = c_.k13 * T_2 * e62 + inverse_53 * (step_54 * e59 - step_55 * e61) * (c_.k12 * T_2 - c_.k14);
+        const Scalar e64 = c_.k15 * e62 - e63;
         const Scalar e65 = e2 / p_1;
         const Scalar e66 = e37 / p_2;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = -e2 * (c_.k4 * e19 + c_.k3 * e23) - inverse_1 * e35;
-        J[3] = -e37 * (c_.k4 * e52 + c_.k3 * e56) - inverse_36 * e64;
-        J[4] = -T_1 * e65 * (c_.k12 * e19 + c_.k11 * e23) - e35 * e65;
-        J[5] = -T_2 * e66 * (c_.k12 * e52 + c_.k11 * e56) - e64 * e66;
+        J[2] = -e2 * (c_.k13 * e19 + c_.k12 * e23) - inverse_1 * e35;
+        J[3] = -e37 * (c_.k13 * e52 + c_.k12 * e56) - inverse_36 * e64;
+        J[4] = -T_1 * e65 * (c_.k17 * e19 + c_.k16 * e23) - e35 * e65;
+        J[5] = -T_2 * e66 * (c_.k17 * e52 + c_.k16 * e56) - e64 * e66;
         J[6] = Scalar(0);
         J[7] = (-Scalar(1)) * c_.k0;
         J[8] = Scalar(0);
@@ -968,7 +893,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 18, entry (i, j) at J[6*j + i].
-    /// Operations: 297 + or -, 639 *, 15 /, 56 other functions
+    /// Operations: 300 + or -, 658 *, 15 /, 56 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::abs;
         using std::sqrt;
@@ -981,7 +906,7 @@ public:
         const Scalar p_2 = x[3];
         const Scalar e3 = p_.p_0 - p_2;
         const Scalar s_dot = x[1];
-        const Scalar tanh_4 = tanh(c_.k18 * s_dot);
+        const Scalar tanh_4 = tanh(c_.k1 * s_dot);
         const Scalar inverse_5 = Scalar(1) / p_.v_C;
         const Scalar T_1 = x[4];
         const Scalar s = x[0];
@@ -1002,353 +927,363 @@ public:
         const Scalar e18 = e17 / (Scalar(1) - p_.kappa);
         const Scalar e19 = Scalar(1) + (Scalar(1) / Scalar(2)) * e18;
         const Scalar e20 = inverse_16 * e19;
-        const Scalar e21 = Scalar(1) + e17;
         const Scalar inverse_10_squared = inverse_10 * inverse_10;
-        const Scalar e22 = e20 - (Scalar(1) / Scalar(4)) * e21 * inverse_10_squared;
-        const Scalar e23 = e11 * (p_.A_v * p_.alpha_d);
-        const Scalar e24 = Scalar(2) * e15 * e22 + inverse_8 * e23;
-        const Scalar abs_25 = abs(e1);
+        const Scalar e21 = Scalar(1) + e17;
+        const Scalar e22 = e21 * e15;
+        const Scalar e23 = (Scalar(1) / Scalar(2)) * (inverse_10_squared * e22);
+        const Scalar e24 = e11 * (p_.A_v * p_.alpha_d);
+        const Scalar e25 = Scalar(2) * e15 * e20 - e23 + inverse_8 * e24;
+        const Scalar abs_26 = abs(e1);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar inverse_26 = Scalar(1) / max_p_0;
-        const Scalar e27 = abs_25 * inverse_26;
-        const Scalar outflow_factor_28 = detail::outflow_factor<Scalar>(e27, c_.k16);
-        const Scalar step_29 = detail::step<Scalar>(e1);
+        const Scalar inverse_27 = Scalar(1) / max_p_0;
+        const Scalar e28 = abs_26 * inverse_27;
+        const Scalar outflow_factor_29 = detail::outflow_factor<Scalar>(e28, c_.k19);
+        const Scalar step_30 = detail::step<Scalar>(e1);
         const Scalar u_value = u[0];
-        const Scalar max_30 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e31 = max_p_0 * e1;
-        const Scalar signed_root_32 = detail::signed_root<Scalar>(e31);
-        const Scalar e33 = max_30 * signed_root_32;
-        const Scalar e34 = step_29 * e33;
-        const Scalar e35 = p_.p_S - p_1;
-        const Scalar abs_36 = abs(e35);
+        const Scalar max_31 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar e32 = max_p_0 * e1;
+        const Scalar signed_root_33 = detail::signed_root<Scalar>(e32);
+        const Scalar e34 = max_31 * signed_root_33;
+        const Scalar e35 = step_30 * e34;
+        const Scalar e36 = p_.p_S - p_1;
+        const Scalar abs_37 = abs(e36);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar inverse_37 = Scalar(1) / max_p_S;
-        const Scalar e38 = abs_36 * inverse_37;
-        const Scalar outflow_factor_39 = detail::outflow_factor<Scalar>(e38, c_.k16);
-        const Scalar step_40 = detail::step<Scalar>(e35);
-        const Scalar max_41 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e42 = max_p_S * e35;
-        const Scalar signed_root_43 = detail::signed_root<Scalar>(e42);
-        const Scalar e44 = max_41 * signed_root_43;
-        const Scalar e45 = step_40 * e44;
-        const Scalar e46 = outflow_factor_39 * e45;
-        const Scalar e47 = outflow_factor_28 * e34 + e46;
-        const Scalar e48 = e21 * e15;
-        const Scalar e49 = (Scalar(1) / Scalar(2)) * inverse_10_squared * e48;
-        const Scalar step_50 = detail::step<Scalar>(e2);
-        const Scalar e51 = step_50 * e33;
+        const Scalar inverse_38 = Scalar(1) / max_p_S;
+        const Scalar e39 = abs_37 * inverse_38;
+        const Scalar outflow_factor_40 = detail::outflow_factor<Scalar>(e39, c_.k19);
+        const Scalar step_41 = detail::step<Scalar>(e36);
+        const Scalar max_42 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar e43 = max_p_S * e36;
+        const Scalar signed_root_44 = detail::signed_root<Scalar>(e43);
+        const Scalar e45 = max_42 * signed_root_44;
+        const Scalar e46 = step_41 * e45;
+        const Scalar e47 = outflow_factor_40 * e46;
+        const Scalar e48 = outflow_factor_29 * e35 + e47;
+        const Scalar step_49 = detail::step<Scalar>(e2);
+        const Scalar e50 = step_49 * e34;
         const Scalar sqrt_T_1 = sqrt(T_1);
-        const Scalar inverse_52 = Scalar(1) / sqrt_T_1;
-        const Scalar e53 = c_.k14 * inverse_52;
-        const Scalar e54 = outflow_factor_28 * (c_.k15 * e34 + e51 * e53);
-        const Scalar step_55 = detail::step<Scalar>(e54);
-        const Scalar e56 = step_55 * e34;
-        const Scalar step_57 = detail::step<Scalar>(-e35);
-        const Scalar e58 = step_57 * e44;
-        const Scalar e59 = outflow_factor_39 * e58;
-        const Scalar e60 = e59 * e53 + c_.k15 * e46;
-        const Scalar step_61 = detail::step<Scalar>(e60);
-        const Scalar e62 = step_61 * e45;
-        const Scalar e63 = outflow_factor_28 * e56 + outflow_factor_39 * e62;
-        const Scalar e64 = inverse_16 * (Scalar(1) + e18);
-        const Scalar e65 = e64 * e48;
-        const Scalar outflow_factor_by_exponent_66 = detail::outflow_factor_by_exponent<Scalar>(e27, c_.k16);
-        const Scalar outflow_factor_by_exponent_67 = detail::outflow_factor_by_exponent<Scalar>(e38, c_.k16);
-        const Scalar e68 = outflow_factor_by_exponent_66 * e56 + outflow_factor_by_exponent_67 * e62;
-        const Scalar e69 = p_.k_W * e64;
-        const Scalar e70 = Scalar(1) + Scalar(2) * e17 * e19;
-        const Scalar max_71 = detail::max<Scalar>(Scalar(0), e60);
-        const Scalar min_72 = detail::min<Scalar>(Scalar(0), -e54);
-        const Scalar e73 = max_71 - min_72;
-        const Scalar e74 = e49 * e63 - e65 * e68 - (e69 + e70 * e73);
-        const Scalar e75 = Scalar(2) * e14 * e22 + e23;
-        const Scalar e76 = outflow_factor_28 * e51;
-        const Scalar e77 = e59 + e76;
-        const Scalar e78 = inverse_52 * e7;
-        const Scalar e79 = e77 * e78;
-        const Scalar e80 = e21 * e14;
-        const Scalar e81 = (Scalar(1) / Scalar(2)) * inverse_10_squared * e80;
-        const Scalar e82 = step_61 * e59 + step_55 * e76;
-        const Scalar e83 = e64 * e80;
-        const Scalar e84 = outflow_factor_by_exponent_66 * e51;
-        const Scalar e85 = outflow_factor_by_exponent_67 * e58;
-        const Scalar e86 = step_55 * e84 + step_61 * e85;
-        const Scalar e87 = e81 * e82 - e83 * e86;
-        const Scalar e88 = p_.T_0 * e21;
-        const Scalar e89 = e14 * e88;
-        const Scalar e90 = (Scalar(1) / Scalar(2)) * inverse_10_squared * e89;
-        const Scalar e91 = e64 * e89;
-        const Scalar e92 = p_.T_0 * e70;
-        const Scalar e93 = p_.T_0 * p_.k_W;
-        const Scalar e94 = e64 * e93;
-        const Scalar e95 = e15 * e88;
-        const Scalar e96 = (Scalar(1) / Scalar(2)) * inverse_10_squared * e95;
-        const Scalar e97 = e64 * e95;
-        const Scalar e98 = inverse_52 * (e90 * e82 - e91 * e86) - e92 * e73 - (e94 - (e96 * e63 - e97 * e68));
-        const Scalar e99 = p_.A_1 * e64;
-        const Scalar e100 = s_dot * inverse_6;
-        const Scalar e101 = p_1 * e100;
-        const Scalar e102 = outflow_factor_by_exponent_66 * e34 + outflow_factor_by_exponent_67 * e45;
-        const Scalar e103 = e7 * e102;
-        const Scalar e104 = e84 + e85;
-        const Scalar e105 = e104 * e78;
+        const Scalar inverse_51 = Scalar(1) / sqrt_T_1;
+        const Scalar e52 = c_.k3 * inverse_51;
+        const Scalar e53 = outflow_factor_29 * (c_.k18 * e35 + e50 * e52);
+        const Scalar step_54 = detail::step<Scalar>(e53);
+        const Scalar e55 = step_54 * e35;
+        const Scalar step_56 = detail::step<Scalar>(-e36);
+        const Scalar e57 = step_56 * e45;
+        const Scalar e58 = outflow_factor_40 * e57;
+        const Scalar e59 = e58 * e52 + c_.k18 * e47;
+        const Scalar step_60 = detail::step<Scalar>(e59);
+        const Scalar e61 = step_60 * e46;
+        const Scalar e62 = outflow_factor_29 * e55 + outflow_factor_40 * e61;
+        const Scalar e63 = inverse_16 * (Scalar(1) + e18);
+        const Scalar e64 = e63 * e22;
+        const Scalar outflow_factor_by_exponent_65 = detail::outflow_factor_by_exponent<Scalar>(e28, c_.k19);
+        const Scalar outflow_factor_by_exponent_66 = detail::outflow_factor_by_exponent<Scalar>(e39, c_.k19);
+        const Scalar e67 = outflow_factor_by_exponent_65 * e55 + outflow_factor_by_exponent_66 * e61;
+        const Scalar e68 = p_.k_W * e63;
+        const Scalar e69 = Scalar(1) + Scalar(2) * e17 * e19;
+        const Scalar max_70 = detail::max<Scalar>(Scalar(0), e59);
+        const Scalar min_71 = detail::min<Scalar>(Scalar(0), -e53);
+        const Scalar e72 = max_70 - min_71;
+        const Scalar e73 = e23 * e62 - e64 * e67 - (e68 + e69 * e72);
+        const Scalar e74 = e21 * e14;
+        const Scalar e75 = (Scalar(1) / Scalar(2)) * (inverse_10_squared * e74);
+        const Scalar e76 = Scalar(2) * e14 * e20 - e75 + e24;
+        const Scalar e77 = outflow_factor_29 * e50;
+        const Scalar e78 = e58 + e77;
+        const Scalar e79 = inverse_51 * e7;
+        const Scalar e80 = e78 * e79;
+        const Scalar e81 = step_60 * e58 + step_54 * e77;
+        const Scalar e82 = e63 * e74;
+        const Scalar e83 = outflow_factor_by_exponent_65 * e50;
+        const Scalar e84 = outflow_factor_by_exponent_66 * e57;
+        const Scalar e85 = step_54 * e83 + step_60 * e84;
+        const Scalar e86 = e75 * e81 - e82 * e85;
+        const Scalar e87 = p_.T_0 * e21;
+        const Scalar e88 = e14 * e87;
+        const Scalar e89 = (Scalar(1) / Scalar(2)) * inverse_10_squared * e88;
+        const Scalar e90 = e63 * e88;
+        const Scalar e91 = p_.T_0 * e69;
+        const Scalar e92 = p_.T_0 * p_.k_W;
+        const Scalar e93 = e63 * e92;
+        const Scalar e94 = e15 * e87;
+        const Scalar e95 = (Scalar(1) / Scalar(2)) * inverse_10_squared * e94;
+        const Scalar e96 = e63 * e94;
+        const Scalar e97 = inverse_51 * (e89 * e81 - e90 * e85) - e91 * e72 - (e93 - (e95 * e62 - e96 * e67));
+        const Scalar e98 = p_.A_1 * e63;
+        const Scalar e99 = s_dot * inverse_6;
+        const Scalar e100 = p_1 * e99;
+        const Scalar e101 = outflow_factor_by_exponent_65 * e35 + outflow_factor_by_exponent_66 * e46;
+        const Scalar e102 = e7 * e101;
+        const Scalar e103 = e83 + e84;
+        const Scalar e104 = e103 * e79;
         const Scalar T_2 = x[5];
-        const Scalar inverse_106 = Scalar(1) / (c_.k17 - p_.A_2 * s);
-        const Scalar e107 = T_2 * inverse_106;
-        const Scalar abs_108 = abs(e3);
+        const Scalar inverse_105 = Scalar(1) / (c_.k6 - p_.A_2 * s);
+        const Scalar e106 = T_2 * inverse_105;
+        const Scalar abs_107 = abs(e3);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_109 = Scalar(1) / max_p_0_2;
-        const Scalar e110 = abs_108 * inverse_109;
-        const Scalar outflow_factor_111 = detail::outflow_factor<Scalar>(e110, c_.k16);
-        const Scalar step_112 = detail::step<Scalar>(e3);
-        const Scalar e113 = max_p_0_2 * e3;
-        const Scalar signed_root_114 = detail::signed_root<Scalar>(e113);
-        const Scalar e115 = max_41 * signed_root_114;
-        const Scalar e116 = step_112 * e115;
-        const Scalar e117 = p_.p_S - p_2;
-        const Scalar abs_118 = abs(e117);
+        const Scalar inverse_108 = Scalar(1) / max_p_0_2;
+        const Scalar e109 = abs_107 * inverse_108;
+        const Scalar outflow_factor_110 = detail::outflow_factor<Scalar>(e109, c_.k19);
+        const Scalar step_111 = detail::step<Scalar>(e3);
+        const Scalar e112 = max_p_0_2 * e3;
+        const Scalar signed_root_113 = detail::signed_root<Scalar>(e112);
+        const Scalar e114 = max_42 * signed_root_113;
+        const Scalar e115 = step_111 * e114;
+        const Scalar e116 = p_.p_S - p_2;
+        const Scalar abs_117 = abs(e116);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar inverse_119 = Scalar(1) / max_p_S_2;
-        const Scalar e120 = abs_118 * inverse_119;
-        const Scalar outflow_factor_121 = detail::outflow_factor<Scalar>(e120, c_.k16);
-        const Scalar step_122 = detail::step<Scalar>(e117);
-        const Scalar e123 = max_p_S_2 * e117;
-        const Scalar signed_root_124 = detail::signed_root<Scalar>(e123);
-        const Scalar e125 = max_30 * signed_root_124;
-        const Scalar e126 = step_122 * e125;
-        const Scalar e127 = outflow_factor_121 * e126;
-        const Scalar e128 = outflow_factor_111 * e116 + e127;
-        const Scalar e129 = e107 * e128;
-        const Scalar step_130 = detail::step<Scalar>(-e117);
-        const Scalar e131 = step_130 * e125;
-        const Scalar e132 = outflow_factor_121 * e131;
-        const Scalar step_133 = detail::step<Scalar>(-e3);
-        const Scalar e134 = step_133 * e115;
-        const Scalar e135 = outflow_factor_111 * e134;
-        const Scalar e136 = e132 + e135;
+        const Scalar inverse_118 = Scalar(1) / max_p_S_2;
+        const Scalar e119 = abs_117 * inverse_118;
+        const Scalar outflow_factor_120 = detail::outflow_factor<Scalar>(e119, c_.k19);
+        const Scalar step_121 = detail::step<Scalar>(e116);
+        const Scalar e122 = max_p_S_2 * e116;
+        const Scalar signed_root_123 = detail::signed_root<Scalar>(e122);
+        const Scalar e124 = max_31 * signed_root_123;
+        const Scalar e125 = step_121 * e124;
+        const Scalar e126 = outflow_factor_120 * e125;
+        const Scalar e127 = outflow_factor_110 * e115 + e126;
+        const Scalar e128 = e106 * e127;
+        const Scalar step_129 = detail::step<Scalar>(-e116);
+        const Scalar e130 = step_129 * e124;
+        const Scalar e131 = outflow_factor_120 * e130;
+        const Scalar step_132 = detail::step<Scalar>(-e3);
+        const Scalar e133 = step_132 * e114;
+        const Scalar e134 = outflow_factor_110 * e133;
+        const Scalar e135 = e131 + e134;
         const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar inverse_137 = Scalar(1) / sqrt_T_2;
-        const Scalar e138 = inverse_137 * e107;
-        const Scalar e139 = e136 * e138;
-        const Scalar e140 = c_.k14 * inverse_137;
-        const Scalar e141 = e132 * e140 + c_.k15 * e127;
-        const Scalar max_142 = detail::max<Scalar>(Scalar(0), e141);
-        const Scalar e143 = outflow_factor_111 * (c_.k15 * e116 + e134 * e140);
-        const Scalar min_144 = detail::min<Scalar>(Scalar(0), -e143);
-        const Scalar e145 = max_142 - min_144;
-        const Scalar e146 = inverse_106 * e145;
-        const Scalar step_147 = detail::step<Scalar>(e141);
-        const Scalar step_148 = detail::step<Scalar>(e143);
-        const Scalar e149 = step_147 * e132 + step_148 * e135;
-        const Scalar outflow_factor_by_exponent_150 = detail::outflow_factor_by_exponent<Scalar>(e110, c_.k16);
-        const Scalar e151 = outflow_factor_by_exponent_150 * e134;
-        const Scalar outflow_factor_by_exponent_152 = detail::outflow_factor_by_exponent<Scalar>(e120, c_.k16);
-        const Scalar e153 = outflow_factor_by_exponent_152 * e131;
-        const Scalar e154 = step_148 * e151 + step_147 * e153;
-        const Scalar e155 = e81 * e149 - e83 * e154;
-        const Scalar e156 = p_.A_2 * e64;
-        const Scalar e157 = s_dot * inverse_106;
-        const Scalar e158 = p_2 * e157;
-        const Scalar e159 = step_148 * e116;
-        const Scalar e160 = step_147 * e126;
-        const Scalar e161 = outflow_factor_111 * e159 + outflow_factor_121 * e160;
-        const Scalar e162 = outflow_factor_by_exponent_150 * e159 + outflow_factor_by_exponent_152 * e160;
-        const Scalar e163 = e49 * e161 - e70 * e145 - (e65 * e162 + e69);
-        const Scalar e164 = e96 * e161 - e97 * e162 + (inverse_137 * (e90 * e149 - e91 * e154) - e94);
-        const Scalar e165 = outflow_factor_by_exponent_150 * e116 + outflow_factor_by_exponent_152 * e126;
-        const Scalar e166 = e107 * e165;
-        const Scalar e167 = e151 + e153;
-        const Scalar e168 = e167 * e138;
-        const Scalar e169 = e7 / p_1;
-        const Scalar e170 = T_1 * e169;
-        const Scalar e171 = inverse_52 * e170;
-        const Scalar e172 = e20 - (Scalar(1) / Scalar(4)) * e17 * inverse_10_squared;
-        const Scalar e173 = Scalar(2) * e15 * e172;
-        const Scalar e174 = e47 * e170;
-        const Scalar e175 = Scalar(2) * e14 * e172;
-        const Scalar e176 = e77 * e171;
-        const Scalar e177 = s_dot * e7;
-        const Scalar e178 = e17 * e15;
-        const Scalar e179 = e64 * e178;
-        const Scalar e180 = e170 * e102;
-        const Scalar e181 = e17 * e14 * e64;
-        const Scalar e182 = e104 * e171;
-        const Scalar e183 = e107 / p_2;
+        const Scalar inverse_136 = Scalar(1) / sqrt_T_2;
+        const Scalar e137 = inverse_136 * e106;
+        const Scalar e138 = e135 * e137;
+        const Scalar e139 = c_.k3 * inverse_136;
+        const Scalar e140 = e131 * e139 + c_.k18 * e126;
+        const Scalar max_141 = detail::max<Scalar>(Scalar(0), e140);
+        const Scalar e142 = outflow_factor_110 * (c_.k18 * e115 + e133 * e139);
+        const Scalar min_143 = detail::min<Scalar>(Scalar(0), -e142);
+        const Scalar e144 = max_141 - min_143;
+        const Scalar e145 = inverse_105 * e144;
+        const Scalar step_146 = detail::step<Scalar>(e140);
+        const Scalar step_147 = detail::step<Scalar>(e142);
+        const Scalar e148 = step_146 * e131 + step_147 * e134;
+        const Scalar outflow_factor_by_exponent_149 = detail::outflow_factor_by_exponent<Scalar>(e109, c_.k19);
+        const Scalar e150 = outflow_factor_by_exponent_149 * e133;
+        const Scalar outflow_factor_by_exponent_151 = detail::outflow_factor_by_exponent<Scalar>(e119, c_.k19);
+        const Scalar e152 = outflow_factor_by_exponent_151 * e130;
+        const Scalar e153 = step_147 * e150 + step_146 * e152;
+        const Scalar e154 = e75 * e148 - e82 * e153;
+        const Scalar e155 = p_.A_2 * e63;
+        const Scalar e156 = s_dot * inverse_105;
+        const Scalar e157 = p_2 * e156;
+        const Scalar e158 = step_147 * e115;
+        const Scalar e159 = step_146 * e125;
+        const Scalar e160 = outflow_factor_110 * e158 + outflow_factor_120 * e159;
+        const Scalar e161 = outflow_factor_by_exponent_149 * e158 + outflow_factor_by_exponent_151 * e159;
+        const Scalar e162 = e23 * e160 - e69 * e144 - (e64 * e161 + e68);
+        const Scalar e163 = e95 * e160 - e96 * e161 + (inverse_136 * (e89 * e148 - e90 * e153) - e93);
+        const Scalar e164 = outflow_factor_by_exponent_149 * e115 + outflow_factor_by_exponent_151 * e125;
+        const Scalar e165 = e106 * e164;
+        const Scalar e166 = e150 + e152;
+        const Scalar e167 = e166 * e137;
+        const Scalar e168 = e7 / p_1;
+        const Scalar e169 = T_1 * e168;
+        const Scalar e170 = inverse_51 * e169;
+        const Scalar e171 = e20 - (Scalar(1) / Scalar(4)) * e17 * inverse_10_squared;
+        const Scalar e172 = Scalar(2) * e15 * e171;
+        const Scalar e173 = e48 * e169;
+        const Scalar e174 = Scalar(2) * e14 * e171;
+        const Scalar e175 = e78 * e170;
+        const Scalar e176 = s_dot * e7;
+        const Scalar e177 = e17 * e15;
+        const Scalar e178 = e63 * e177;
+        const Scalar e179 = e169 * e101;
+        const Scalar e180 = e17 * e14;
+        const Scalar e181 = e63 * e180;
+        const Scalar e182 = e103 * e170;
+        const Scalar e183 = e106 / p_2;
         const Scalar e184 = T_2 * e183;
-        const Scalar e185 = inverse_137 * e184;
-        const Scalar e186 = e128 * e184;
-        const Scalar e187 = e183 * e145;
-        const Scalar e188 = e136 * e185;
-        const Scalar e189 = s_dot * e107;
-        const Scalar e190 = e184 * e165;
-        const Scalar e191 = e167 * e185;
+        const Scalar e185 = inverse_136 * e184;
+        const Scalar e186 = e127 * e184;
+        const Scalar e187 = e183 * e144;
+        const Scalar e188 = e135 * e185;
+        const Scalar e189 = s_dot * e106;
+        const Scalar e190 = e184 * e164;
+        const Scalar e191 = e166 * e185;
         const Scalar e18_squared = e18 * e18;
         const Scalar e192 = e14 * e18_squared;
-        const Scalar e193 = e88 * e192;
-        const Scalar e194 = e18_squared * e95;
-        const Scalar e195 = e18_squared * e93;
+        const Scalar e193 = e18_squared * e88;
+        const Scalar e194 = e18_squared * e94;
+        const Scalar e195 = e18_squared * e92;
         const Scalar e196 = p_.R_s * e18_squared;
         const Scalar e197 = p_.T_0 * e196;
-        const Scalar e198 = inverse_52 * e193 * e86 + e194 * e68 + (e195 + e197 * e73);
+        const Scalar e198 = inverse_51 * e193 * e85 + e194 * e67 + (e195 + e197 * e72);
         const Scalar e199 = e15 * e18_squared;
-        const Scalar e200 = e18_squared * e48;
+        const Scalar e200 = e18_squared * e22;
         const Scalar e201 = p_.k_W * e18_squared;
-        const Scalar e202 = e199 * e47 - e200 * e68 - (e201 + e196 * e73);
+        const Scalar e202 = e199 * e48 - e200 * e67 - (e201 + e196 * e72);
         const Scalar e203 = p_.A_1 * e18_squared;
-        const Scalar e204 = e18_squared * e80;
-        const Scalar e205 = e204 * e86;
+        const Scalar e204 = e18_squared * e74;
+        const Scalar e205 = e204 * e85;
         const Scalar e206 = p_.A_2 * e18_squared;
-        const Scalar e207 = e195 + (inverse_137 * e193 * e154 + e194 * e162);
-        const Scalar e208 = e201 + (e200 * e162 + e196 * e145);
-        const Scalar e209 = e204 * e154;
-        const Scalar e210 = e18_squared * e178;
-        const Scalar e211 = e17 * e192;
-        const Scalar e212 = c_.k4 * e7;
-        const Scalar e213 = c_.k5 + c_.k6 * e73;
-        const Scalar e214 = c_.k7 * inverse_6 + (c_.k8 * inverse_6 * e73 - e7 * e213);
-        const Scalar e215 = inverse_6 * (c_.k2 * e101 - e47 * e212 - (c_.k3 * e79 + e214));
-        const Scalar e216 = e7 * (c_.k10 * e100 - c_.k12 * e169 * e47) - e169 * (c_.k11 * e79 + e214);
-        const Scalar e217 = p_.R_s * p_.l;
-        const Scalar e218 = p_.l * e17;
-        const Scalar e219 = e88 * e217 * e146 + (inverse_106 * (e218 * e93) - p_.k_W * e218 * e107);
-        const Scalar e220 = e21 * e217 * e107;
-        const Scalar e221 = inverse_106 * e129;
-        const Scalar e222 = inverse_106 * e139;
-        const Scalar e223 = inverse_106 * e158;
-        const Scalar e224 = c_.k5 + c_.k6 * e145;
-        const Scalar e225 = c_.k7 * inverse_106 + (c_.k8 * e146 - e107 * e224);
-        const Scalar e226 = inverse_106 * (c_.k4 * e129 + c_.k9 * e158 + (c_.k3 * e139 + e225));
-        const Scalar e227 = e107 * e157;
-        const Scalar e228 = e183 * (c_.k11 * e139 + c_.k12 * e129) + (e183 * e225 + c_.k13 * e227);
-        const Scalar e229 = e183 * e129;
-        const Scalar e230 = e183 * e139;
-        const Scalar e231 = c_.k32 * e107;
-        const Scalar e232 = c_.k34 * e146 - (c_.k31 * e107 - c_.k33 * inverse_106);
-        const Scalar e233 = c_.k46 * inverse_6;
-        const Scalar inverse_root_234 = detail::inverse_root<Scalar>(e42);
-        const Scalar e235 = max_41 * outflow_factor_39 * (inverse_root_234 * (max_p_S + step_40 * e35));
-        const Scalar e236 = step_40 * e235;
-        const Scalar e237 = step_61 * e236;
-        const Scalar sign_238 = detail::sign<Scalar>(e35);
-        const Scalar outflow_factor_slope_239 = detail::outflow_factor_slope<Scalar>(e38, c_.k16);
-        const Scalar e240 = (step_40 * e38 - sign_238) * (outflow_factor_slope_239 * inverse_37);
-        const Scalar e241 = e44 * e240;
-        const Scalar e242 = c_.k3 * e241 - c_.k41 * e235;
-        const Scalar e243 = c_.k42 * e7;
-        const Scalar e244 = e45 * e240;
-        const Scalar e245 = c_.k44 * inverse_6;
-        const Scalar e246 = e240 * e62;
-        const Scalar e247 = inverse_52 * inverse_6;
-        const Scalar e248 = step_57 * step_61;
-        const Scalar e249 = (c_.k43 * e241 - c_.k45 * e235) * e248;
-        const Scalar e250 = c_.k46 * inverse_106;
-        const Scalar inverse_root_251 = detail::inverse_root<Scalar>(e123);
-        const Scalar e252 = max_30 * outflow_factor_121 * (inverse_root_251 * (max_p_S_2 + step_122 * e117));
-        const Scalar e253 = step_122 * e252;
-        const Scalar e254 = step_147 * e253;
-        const Scalar sign_255 = detail::sign<Scalar>(e117);
-        const Scalar outflow_factor_slope_256 = detail::outflow_factor_slope<Scalar>(e120, c_.k16);
-        const Scalar e257 = (step_122 * e120 - sign_255) * (outflow_factor_slope_256 * inverse_119);
-        const Scalar e258 = e125 * e257;
-        const Scalar e259 = c_.k3 * e258 - c_.k41 * e252;
-        const Scalar e260 = c_.k42 * e107;
-        const Scalar e261 = c_.k4 * e107;
-        const Scalar e262 = e126 * e257;
-        const Scalar e263 = c_.k44 * inverse_106;
-        const Scalar e264 = e257 * e160;
-        const Scalar e265 = inverse_137 * inverse_106;
-        const Scalar e266 = step_130 * step_147;
-        const Scalar e267 = (c_.k43 * e258 - c_.k45 * e252) * e266;
-        const Scalar e268 = c_.k48 * e170;
-        const Scalar e269 = c_.k47 * e171;
-        const Scalar e270 = c_.k11 * e171;
-        const Scalar e271 = c_.k12 * e170;
-        const Scalar e272 = c_.k4 * e170 - c_.k44 * e169;
-        const Scalar e273 = c_.k42 * e170 - c_.k46 * e169;
-        const Scalar e274 = inverse_52 * e169;
-        const Scalar e275 = c_.k48 * e184;
-        const Scalar e276 = c_.k47 * e185;
-        const Scalar e277 = c_.k11 * e185;
-        const Scalar e278 = c_.k12 * e184;
-        const Scalar e279 = c_.k4 * e184 - c_.k44 * e183;
-        const Scalar e280 = c_.k42 * e184 - c_.k46 * e183;
-        const Scalar e281 = inverse_137 * e183;
-        const Scalar inverse_root_282 = detail::inverse_root<Scalar>(e31);
-        const Scalar e283 = max_30 * outflow_factor_28 * (inverse_root_282 * (max_p_0 + step_29 * e1));
-        const Scalar e284 = step_29 * e283;
-        const Scalar e285 = step_55 * e284;
-        const Scalar sign_286 = detail::sign<Scalar>(e1);
-        const Scalar outflow_factor_slope_287 = detail::outflow_factor_slope<Scalar>(e27, c_.k16);
-        const Scalar e288 = (step_29 * e27 - sign_286) * (outflow_factor_slope_287 * inverse_26);
-        const Scalar e289 = e33 * e288;
-        const Scalar e290 = c_.k3 * e289 - c_.k41 * e283;
-        const Scalar e291 = e34 * e288;
-        const Scalar e292 = e288 * e56;
-        const Scalar e293 = step_50 * step_55;
-        const Scalar e294 = (c_.k43 * e289 - c_.k45 * e283) * e293;
-        const Scalar inverse_root_295 = detail::inverse_root<Scalar>(e113);
-        const Scalar e296 = max_41 * outflow_factor_111 * (inverse_root_295 * (max_p_0_2 + step_112 * e3));
-        const Scalar e297 = step_112 * e296;
-        const Scalar e298 = step_148 * e297;
-        const Scalar sign_299 = detail::sign<Scalar>(e3);
-        const Scalar outflow_factor_slope_300 = detail::outflow_factor_slope<Scalar>(e110, c_.k16);
-        const Scalar e301 = (step_112 * e110 - sign_299) * (outflow_factor_slope_300 * inverse_109);
-        const Scalar e302 = e115 * e301;
-        const Scalar e303 = c_.k3 * e302 - c_.k41 * e296;
-        const Scalar e304 = e116 * e301;
-        const Scalar e305 = e301 * e159;
-        const Scalar e306 = step_133 * step_148;
-        const Scalar e307 = (c_.k43 * e302 - c_.k45 * e296) * e306;
+        const Scalar e207 = e195 + (inverse_136 * e193 * e153 + e194 * e161);
+        const Scalar e208 = e201 + (e200 * e161 + e196 * e144);
+        const Scalar e209 = e204 * e153;
+        const Scalar e210 = e18_squared * e177;
+        const Scalar e211 = e18_squared * e180;
+        const Scalar e212 = c_.k13 * e7;
+        const Scalar e213 = e17 * e92;
+        const Scalar e214 = p_.R_s * e87;
+        const Scalar e215 = p_.k_W * e17;
+        const Scalar e216 = p_.R_s * e21;
+        const Scalar e217 = e215 + e216 * e72;
+        const Scalar e218 = inverse_6 * e213 + (inverse_6 * e214 * e72 - e7 * e217);
+        const Scalar e219 = inverse_6 * (e48 * e212 - p_.A_1 * e21 * e100 + (c_.k12 * e80 + e218));
+        const Scalar e220 = e7 * (c_.k17 * e168 * e48 - p_.A_1 * e17 * e99) + e168 * (c_.k16 * e80 + e218);
+        const Scalar e221 = p_.l * e214 * e145 + (inverse_105 * (p_.l * e213) - p_.l * e215 * e106);
+        const Scalar e222 = p_.l * e216 * e106;
+        const Scalar e223 = inverse_105 * e128;
+        const Scalar e224 = inverse_105 * e138;
+        const Scalar e225 = p_.A_2 * e21;
+        const Scalar e226 = inverse_105 * e157;
+        const Scalar e227 = e215 + e216 * e144;
+        const Scalar e228 = inverse_105 * e213 + (e214 * e145 - e106 * e227);
+        const Scalar e229 = inverse_105 * (c_.k13 * e128 + e225 * e157 + (c_.k12 * e138 + e228));
+        const Scalar e230 = p_.A_2 * e17;
+        const Scalar e231 = e106 * e156;
+        const Scalar e232 = e183 * (c_.k16 * e138 + c_.k17 * e128) + (e183 * e228 + e230 * e231);
+        const Scalar e233 = e183 * e128;
+        const Scalar e234 = e183 * e138;
+        const Scalar e235 = p_.R_s * e225 * e106;
+        const Scalar e236 = p_.A_2 * e214 * e145 + (inverse_105 * (e230 * e92) - p_.k_W * e230 * e106);
+        const Scalar e237 = (Scalar(1) / Scalar(2)) * e94;
+        const Scalar e238 = inverse_6 * e237;
+        const Scalar inverse_root_239 = detail::inverse_root<Scalar>(e43);
+        const Scalar e240 = max_42 * outflow_factor_40 * (inverse_root_239 * (max_p_S + step_41 * e36));
+        const Scalar e241 = step_41 * e240;
+        const Scalar e242 = step_60 * e241;
+        const Scalar sign_243 = detail::sign<Scalar>(e36);
+        const Scalar outflow_factor_slope_244 = detail::outflow_factor_slope<Scalar>(e39, c_.k19);
+        const Scalar e245 = (step_41 * e39 - sign_243) * (outflow_factor_slope_244 * inverse_38);
+        const Scalar e246 = e45 * e245;
+        const Scalar e247 = (Scalar(1) / Scalar(2)) * e74;
+        const Scalar e248 = c_.k12 * e246 - e247 * e240;
+        const Scalar e249 = (Scalar(1) / Scalar(2)) * e22;
+        const Scalar e250 = e249 * e7;
+        const Scalar e251 = e46 * e245;
+        const Scalar e252 = c_.k15 * inverse_6;
+        const Scalar e253 = e245 * e61;
+        const Scalar e254 = inverse_51 * inverse_6;
+        const Scalar e255 = (Scalar(1) / Scalar(2)) * e88;
+        const Scalar e256 = step_56 * step_60;
+        const Scalar e257 = (c_.k14 * e246 - e255 * e240) * e256;
+        const Scalar e258 = inverse_105 * e237;
+        const Scalar inverse_root_259 = detail::inverse_root<Scalar>(e122);
+        const Scalar e260 = max_31 * outflow_factor_120 * (inverse_root_259 * (max_p_S_2 + step_121 * e116));
+        const Scalar e261 = step_121 * e260;
+        const Scalar e262 = step_146 * e261;
+        const Scalar sign_263 = detail::sign<Scalar>(e116);
+        const Scalar outflow_factor_slope_264 = detail::outflow_factor_slope<Scalar>(e119, c_.k19);
+        const Scalar e265 = (step_121 * e119 - sign_263) * (outflow_factor_slope_264 * inverse_118);
+        const Scalar e266 = e124 * e265;
+        const Scalar e267 = c_.k12 * e266 - e247 * e260;
+        const Scalar e268 = e249 * e106;
+        const Scalar e269 = c_.k13 * e106;
+        const Scalar e270 = e125 * e265;
+        const Scalar e271 = c_.k15 * inverse_105;
+        const Scalar e272 = e265 * e159;
+        const Scalar e273 = inverse_136 * inverse_105;
+        const Scalar e274 = step_129 * step_146;
+        const Scalar e275 = (c_.k14 * e266 - e255 * e260) * e274;
+        const Scalar e276 = (Scalar(1) / Scalar(2)) * e177;
+        const Scalar e277 = e276 * e169;
+        const Scalar e278 = (Scalar(1) / Scalar(2)) * e180;
+        const Scalar e279 = e278 * e170;
+        const Scalar e280 = c_.k16 * e170;
+        const Scalar e281 = c_.k17 * e169;
+        const Scalar e282 = c_.k13 * e169 - c_.k15 * e168;
+        const Scalar e283 = e249 * e169 - e237 * e168;
+        const Scalar e284 = inverse_51 * e168;
+        const Scalar e285 = e276 * e184;
+        const Scalar e286 = e278 * e185;
+        const Scalar e287 = c_.k16 * e185;
+        const Scalar e288 = c_.k17 * e184;
+        const Scalar e289 = c_.k13 * e184 - c_.k15 * e183;
+        const Scalar e290 = e249 * e184 - e237 * e183;
+        const Scalar e291 = inverse_136 * e183;
+        const Scalar inverse_root_292 = detail::inverse_root<Scalar>(e32);
+        const Scalar e293 = max_31 * outflow_factor_29 * (inverse_root_292 * (max_p_0 + step_30 * e1));
+        const Scalar e294 = step_30 * e293;
+        const Scalar e295 = step_54 * e294;
+        const Scalar sign_296 = detail::sign<Scalar>(e1);
+        const Scalar outflow_factor_slope_297 = detail::outflow_factor_slope<Scalar>(e28, c_.k19);
+        const Scalar e298 = (step_30 * e28 - sign_296) * (outflow_factor_slope_297 * inverse_27);
+        const Scalar e299 = e34 * e298;
+        const Scalar e300 = c_.k12 * e299 - e247 * e293;
+        const Scalar e301 = e35 * e298;
+        const Scalar e302 = e298 * e55;
+        const Scalar e303 = step_49 * step_54;
+        const Scalar e304 = (c_.k14 * e299 - e255 * e293) * e303;
+        const Scalar inverse_root_305 = detail::inverse_root<Scalar>(e112);
+        const Scalar e306 = max_42 * outflow_factor_110 * (inverse_root_305 * (max_p_0_2 + step_111 * e3));
+        const Scalar e307 = step_111 * e306;
+        const Scalar e308 = step_147 * e307;
+        const Scalar sign_309 = detail::sign<Scalar>(e3);
+        const Scalar outflow_factor_slope_310 = detail::outflow_factor_slope<Scalar>(e109, c_.k19);
+        const Scalar e311 = (step_111 * e109 - sign_309) * (outflow_factor_slope_310 * inverse_108);
+        const Scalar e312 = e114 * e311;
+        const Scalar e313 = c_.k12 * e312 - e247 * e306;
+        const Scalar e314 = e115 * e311;
+        const Scalar e315 = e311 * e158;
+        const Scalar e316 = step_132 * step_147;
+        const Scalar e317 = (c_.k14 * e312 - e255 * e306) * e316;
         const Scalar inverse_8_squared = inverse_8 * inverse_8;
-        const Scalar e308 = (Scalar(1) / Scalar(2)) * e48 * inverse_8_squared;
-        const Scalar e309 = e7 * (e63 - e47);
-        const Scalar e310 = (Scalar(1) / Scalar(2)) * e95 * inverse_8_squared;
-        const Scalar e311 = e310 * e63 - e213;
-        const Scalar e312 = e107 * e161 - e129;
-        const Scalar e313 = e310 * e161 - e224;
-        const Scalar e314 = e63 * e170;
-        const Scalar e315 = (Scalar(1) / Scalar(2)) * inverse_8_squared * e178;
-        const Scalar e316 = e161 * e184;
-        const Scalar e317 = p_.alpha_d * e12;
-        const Scalar e318 = inverse_8 * e317;
-        const Scalar e319 = e88 * e318;
-        const Scalar e320 = e88 * e317;
-        const Scalar e321 = inverse_52 * e82;
-        const Scalar e322 = e319 * e63 + e320 * e321;
-        const Scalar e323 = e21 * e317;
-        const Scalar e324 = e82 * e78 - e79;
-        const Scalar e325 = e21 * e318;
-        const Scalar e326 = inverse_137 * e149;
-        const Scalar e327 = e319 * e161 + e320 * e326;
-        const Scalar e328 = e149 * e138 - e139;
-        const Scalar e329 = e17 * e318;
-        const Scalar e330 = e17 * e317;
-        const Scalar e331 = e82 * e171;
-        const Scalar e332 = e149 * e185;
-        const Scalar e333 = inverse_8 * e13;
-        const Scalar e334 = e88 * e333;
-        const Scalar e335 = e13 * e88;
-        const Scalar e336 = e334 * e63 + e335 * e321;
-        const Scalar e337 = e21 * e13;
-        const Scalar e338 = e21 * e333;
-        const Scalar e339 = e334 * e161 + e335 * e326;
-        const Scalar e340 = e17 * e333;
-        const Scalar e341 = e13 * e17;
-        const Scalar e342 = p_.T_0 * e17;
+        const Scalar e318 = (Scalar(1) / Scalar(2)) * e22 * inverse_8_squared;
+        const Scalar e319 = e7 * (e62 - e48);
+        const Scalar e320 = (Scalar(1) / Scalar(2)) * e94 * inverse_8_squared;
+        const Scalar e321 = e320 * e62 - e217;
+        const Scalar e322 = e106 * e160 - e128;
+        const Scalar e323 = e320 * e160 - e227;
+        const Scalar e324 = e62 * e169;
+        const Scalar e325 = (Scalar(1) / Scalar(2)) * e177 * inverse_8_squared;
+        const Scalar e326 = e160 * e184;
+        const Scalar e327 = p_.alpha_d * e12;
+        const Scalar e328 = inverse_8 * e327;
+        const Scalar e329 = e87 * e328;
+        const Scalar e330 = e87 * e327;
+        const Scalar e331 = inverse_51 * e81;
+        const Scalar e332 = e329 * e62 + e330 * e331;
+        const Scalar e333 = e21 * e327;
+        const Scalar e334 = e81 * e79 - e80;
+        const Scalar e335 = e21 * e328;
+        const Scalar e336 = inverse_136 * e148;
+        const Scalar e337 = e329 * e160 + e330 * e336;
+        const Scalar e338 = e148 * e137 - e138;
+        const Scalar e339 = e17 * e328;
+        const Scalar e340 = e17 * e327;
+        const Scalar e341 = e81 * e170;
+        const Scalar e342 = e148 * e185;
+        const Scalar e343 = inverse_8 * e13;
+        const Scalar e344 = e87 * e343;
+        const Scalar e345 = e13 * e87;
+        const Scalar e346 = e344 * e62 + e345 * e331;
+        const Scalar e347 = e21 * e13;
+        const Scalar e348 = e21 * e343;
+        const Scalar e349 = e344 * e160 + e345 * e336;
+        const Scalar e350 = e17 * e343;
+        const Scalar e351 = e13 * e17;
+        const Scalar e352 = p_.T_0 * e17;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e7 * (e24 * e47 + e74) + e75 * e79 + e78 * e87 - inverse_6 * e98 - e99 * e101 + e65 * e103 + e83 * e105;
-        J[3] = e24 * e129 + e75 * e139 + e92 * e146 + e138 * e155 + e156 * e158 + e107 * e163 - inverse_106 * e164 + e65 * e166
-            + e83 * e168;
-        J[4] = e171 * e87 + e170 * e74 - e169 * e98 + e173 * e174 + e175 * e176 - e99 * e177 + e179 * e180 + e181 * e182;
-        J[5] = e185 * e155 + e173 * e186 + e184 * e163 - e183 * e164 + e92 * e187 + e175 * e188 + e156 * e189 + e179 * e190
+        J[2] = e7 * (e25 * e48 + e73) + e76 * e80 + e79 * e86 - inverse_6 * e97 - e98 * e100 + e64 * e102 + e82 * e104;
+        J[3] = e25 * e128 + e76 * e138 + e91 * e145 + e137 * e154 + e155 * e157 + e106 * e162 - inverse_105 * e163 + e64 * e165
+            + e82 * e167;
+        J[4] = e170 * e86 + e169 * e73 - e168 * e97 + e172 * e173 + e174 * e175 - e98 * e176 + e178 * e179 + e181 * e182;
+        J[5] = e185 * e154 + e172 * e186 + e184 * e162 - e183 * e163 + e91 * e187 + e174 * e188 + e155 * e189 + e178 * e190
             + e181 * e191;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
-        J[8] = e192 * e79 + inverse_6 * e198 + e7 * e202 - e203 * e101 - e78 * e205 + e200 * e103 + e204 * e105;
-        J[9] = e199 * e129 + e192 * e139 + e197 * e146 + e206 * e158 + inverse_106 * e207 - e107 * e208 - e138 * e209 + e200
-            * e166 + e204 * e168;
-        J[10] = e169 * e198 + e170 * e202 + e192 * e176 - e203 * e177 - e171 * e205 + e210 * e180 + e211 * e182;
+        J[8] = e192 * e80 + inverse_6 * e198 + e7 * e202 - e203 * e100 - e79 * e205 + e200 * e102 + e204 * e104;
+        J[9] = e199 * e128 + e192 * e138 + e197 * e145 + e206 * e157 + inverse_105 * e207 - e106 * e208 - e137 * e209 + e200
+            * e165 + e204 * e167;
+        J[10] = e168 * e198 + e169 * e202 + e192 * e175 - e203 * e176 - e170 * e205 + e210 * e179 + e211 * e182;
         J[11] = e199 * e186 + e183 * e207 - e184 * e208 + e197 * e187 + e192 * e188 + e206 * e189 - e185 * e209 + e210 * e190
             + e211 * e191;
         J[12] = Scalar(0);
@@ -1359,30 +1294,30 @@ public:
         J[17] = Scalar(0);
         J[18] = Scalar(0);
         J[19] = e2 * c_.k0;
-        J[20] = s * e215 - c_.k16 * e101;
+        J[20] = -c_.k19 * e100 - s * e219;
         J[21] = Scalar(0);
-        J[22] = s * e216 - e17 * e177;
+        J[22] = -s * e220 - c_.k7 * e176;
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = e3 * c_.k0;
         J[26] = Scalar(0);
-        J[27] = c_.k16 * e158 - inverse_106 * e219 + e146 * e220 - p_.l * e48 * e221 - p_.l * e80 * e222 - p_.A_2 * p_.l * e21
-            * e223 + s * e226;
+        J[27] = c_.k19 * e157 - inverse_105 * e221 + e145 * e222 - p_.l * e22 * e223 - p_.l * e74 * e224 - p_.l * e225 * e226
+            + s * e229;
         J[28] = Scalar(0);
-        J[29] = s * e228 - e183 * e219 + e17 * e189 - p_.A_2 * e218 * e227 + e187 * e220 - e15 * e218 * e229 - e14 * e218
-            * e230;
+        J[29] = s * e232 - e183 * e221 + c_.k7 * e189 - p_.l * e230 * e231 + e187 * e222 - p_.l * e177 * e233 - p_.l * e180
+            * e234;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = e146 * e231 - inverse_106 * e232 - c_.k30 * e221 - c_.k29 * e222 - c_.k28 * e223;
+        J[33] = e145 * e235 - inverse_105 * e236 - p_.A_2 * e22 * e223 - p_.A_2 * e74 * e224 - p_.A_2 * e225 * e226;
         J[34] = Scalar(0);
-        J[35] = e187 * e231 - e183 * e232 - c_.k38 * e227 - c_.k40 * e229 - c_.k39 * e230;
+        J[35] = e187 * e235 - e183 * e236 - p_.A_2 * e230 * e231 - e15 * e230 * e233 - e14 * e230 * e234;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        J[38] = e215;
-        J[39] = -e226;
-        J[40] = e216;
-        J[41] = -e228;
+        J[38] = -e219;
+        J[39] = -e229;
+        J[40] = -e220;
+        J[41] = -e232;
         J[42] = Scalar(0);
         J[43] = (-dxdt[1]) * c_.k0;
         J[44] = Scalar(0);
@@ -1402,22 +1337,22 @@ public:
         J[58] = Scalar(0);
         J[59] = Scalar(0);
         J[60] = Scalar(0);
-        const Scalar e343 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
-        J[61] = e343 * c_.k0;
+        const Scalar e353 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
+        J[61] = e353 * c_.k0;
         J[62] = Scalar(0);
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = Scalar(0);
         J[66] = Scalar(0);
         J[67] = Scalar(0);
-        const Scalar e344 = (Scalar(1) - step_61) * (step_57 * e78 * e242 - e236 * e243 + e212 * e244);
-        J[68] = e233 * e237 - e344 - e245 * e246 - e247 * e249;
-        const Scalar e345 = (Scalar(1) - step_147) * (step_130 * e138 * e259 - e253 * e260 + e261 * e262);
-        J[69] = e250 * e254 - e345 - e263 * e264 - e265 * e267;
-        J[70] = e171 * e242 * e248 + e236 * e268 + step_57 * e235 * e269 - e240 * e58 * e270 - e271 * e244 + e272 * e246 - e273
-            * e237 - e274 * e249;
-        J[71] = e185 * e259 * e266 + e253 * e275 + step_130 * e252 * e276 - e257 * e131 * e277 - e278 * e262 + e279 * e264
-            - e280 * e254 - e281 * e267;
+        const Scalar e354 = (Scalar(1) - step_60) * (step_56 * e79 * e248 - e241 * e250 + e212 * e251);
+        J[68] = e238 * e242 - e354 - e252 * e253 - e254 * e257;
+        const Scalar e355 = (Scalar(1) - step_146) * (step_129 * e137 * e267 - e261 * e268 + e269 * e270);
+        J[69] = e258 * e262 - e355 - e271 * e272 - e273 * e275;
+        J[70] = e170 * e248 * e256 + e241 * e277 + step_56 * e240 * e279 - e245 * e57 * e280 - e281 * e251 + e282 * e253 - e283
+            * e242 - e284 * e257;
+        J[71] = e185 * e267 * e274 + e261 * e285 + step_129 * e260 * e286 - e265 * e130 * e287 - e288 * e270 + e289 * e272
+            - e290 * e262 - e291 * e275;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
         J[74] = Scalar(0);
@@ -1426,38 +1361,38 @@ public:
         J[77] = Scalar(0);
         J[78] = Scalar(0);
         J[79] = (-(p_.A_1 - p_.A_2)) * c_.k0;
-        const Scalar e346 = (Scalar(1) - step_55) * (step_50 * e78 * e290 - e284 * e243 + e212 * e291);
-        J[80] = e233 * e285 - e346 - e245 * e292 - e247 * e294;
-        const Scalar e347 = (Scalar(1) - step_148) * (step_133 * e138 * e303 - e297 * e260 + e261 * e304);
-        J[81] = e250 * e298 - e347 - e263 * e305 - e265 * e307;
-        J[82] = e171 * e290 * e293 + e284 * e268 + step_50 * e283 * e269 - e288 * e51 * e270 - e271 * e291 + e272 * e292 - e273
-            * e285 - e274 * e294;
-        J[83] = e185 * e303 * e306 + e297 * e275 + step_133 * e296 * e276 - e301 * e134 * e277 - e278 * e304 + e279 * e305
-            - e280 * e298 - e281 * e307;
+        const Scalar e356 = (Scalar(1) - step_54) * (step_49 * e79 * e300 - e294 * e250 + e212 * e301);
+        J[80] = e238 * e295 - e356 - e252 * e302 - e254 * e304;
+        const Scalar e357 = (Scalar(1) - step_147) * (step_132 * e137 * e313 - e307 * e268 + e269 * e314);
+        J[81] = e258 * e308 - e357 - e271 * e315 - e273 * e317;
+        J[82] = e170 * e300 * e303 + e294 * e277 + step_49 * e293 * e279 - e298 * e50 * e280 - e281 * e301 + e282 * e302 - e283
+            * e295 - e284 * e304;
+        J[83] = e185 * e313 * e316 + e307 * e285 + step_132 * e306 * e286 - e311 * e133 * e287 - e288 * e314 + e289 * e315
+            - e290 * e308 - e291 * e317;
         J[84] = Scalar(0);
         J[85] = Scalar(0);
-        J[86] = e308 * e309 - inverse_6 * e311;
-        J[87] = e308 * e312 - inverse_106 * e313;
-        J[88] = e308 * e314 - e169 * e311 - e315 * e174;
-        J[89] = e308 * e316 - e183 * e313 - e315 * e186;
+        J[86] = e318 * e319 - inverse_6 * e321;
+        J[87] = e318 * e322 - inverse_105 * e323;
+        J[88] = e318 * e324 - e168 * e321 - e325 * e173;
+        J[89] = e318 * e326 - e183 * e323 - e325 * e186;
         J[90] = Scalar(0);
         J[91] = Scalar(0);
-        J[92] = inverse_6 * e322 - e323 * e324 - e325 * e309;
-        J[93] = inverse_106 * e327 - e325 * e312 - e323 * e328;
-        J[94] = e169 * e322 + e329 * e174 + e330 * e176 - e325 * e314 - e323 * e331;
-        J[95] = e183 * e327 + e329 * e186 + e330 * e188 - e325 * e316 - e323 * e332;
+        J[92] = inverse_6 * e332 - e333 * e334 - e335 * e319;
+        J[93] = inverse_105 * e337 - e335 * e322 - e333 * e338;
+        J[94] = e168 * e332 + e339 * e173 + e340 * e175 - e335 * e324 - e333 * e341;
+        J[95] = e183 * e337 + e339 * e186 + e340 * e188 - e335 * e326 - e333 * e342;
         J[96] = Scalar(0);
         J[97] = Scalar(0);
-        J[98] = inverse_6 * e336 - e337 * e324 - e338 * e309;
-        J[99] = inverse_106 * e339 - e338 * e312 - e337 * e328;
-        J[100] = e169 * e336 + e340 * e174 + e341 * e176 - e338 * e314 - e337 * e331;
-        J[101] = e183 * e339 + e340 * e186 + e341 * e188 - e338 * e316 - e337 * e332;
+        J[98] = inverse_6 * e346 - e347 * e334 - e348 * e319;
+        J[99] = inverse_105 * e349 - e348 * e322 - e347 * e338;
+        J[100] = e168 * e346 + e350 * e173 + e351 * e175 - e348 * e324 - e347 * e341;
+        J[101] = e183 * e349 + e350 * e186 + e351 * e188 - e348 * e326 - e347 * e342;
         J[102] = Scalar(0);
         J[103] = Scalar(0);
-        J[104] = inverse_6 * e342 - e17 * e7;
-        J[105] = inverse_106 * e342 - e17 * e107;
-        J[106] = e342 * e169 - e17 * e170;
-        J[107] = e342 * e183 - e17 * e184;
+        J[104] = inverse_6 * e352 - c_.k7 * e7;
+        J[105] = inverse_105 * e352 - c_.k7 * e106;
+        J[106] = e352 * e168 - c_.k7 * e169;
+        J[107] = e352 * e183 - c_.k7 * e184;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1486,7 +1421,7 @@ public:
         const Scalar s_dot = x[1];
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
-        const Scalar tanh_1 = tanh(c_.k18 * s_dot);
+        const Scalar tanh_1 = tanh(c_.k1 * s_dot);
         b[0] = p_.d * s_dot - p_.A_1 * p_1 + p_.A_2 * p_2 + p_.f_C * tanh_1;
     }
 
@@ -1495,7 +1430,7 @@ public:
     ///     Q[s] = -p_0*(A_1 - A_2) - f_L
     void generalised_force(const State& /*x*/, const Input& u, Scalar /*t*/, Generalised& Q) const noexcept {
         const Scalar f_L = u[1];
-        Q[0] = -c_.k1 - f_L;
+        Q[0] = -c_.k20 - f_L;
     }
 
     /// y = h(x, u, t).
@@ -1527,7 +1462,7 @@ public:
         const Scalar step_2 = detail::step<Scalar>(e1);
         const Scalar abs_3 = abs(e1);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, c_.k16);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, c_.k19);
         const Scalar u_value = u[0];
         const Scalar max_5 = detail::max<Scalar>(Scalar(0), -u_value);
         const Scalar signed_root_6 = detail::signed_root<Scalar>(max_p_0 * e1);
@@ -1536,7 +1471,7 @@ public:
         const Scalar step_9 = detail::step<Scalar>(e8);
         const Scalar abs_10 = abs(e8);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_S, c_.k16);
+        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_S, c_.k19);
         const Scalar max_12 = detail::max<Scalar>(Scalar(0), u_value);
         const Scalar signed_root_13 = detail::signed_root<Scalar>(max_p_S * e8);
         const Scalar e14 = outflow_factor_11 * (max_12 * signed_root_13);
@@ -1547,25 +1482,25 @@ public:
         const Scalar step_18 = detail::step<Scalar>(e17);
         const Scalar abs_19 = abs(e17);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar outflow_factor_20 = detail::outflow_factor<Scalar>(abs_19 / max_p_S_2, c_.k16);
+        const Scalar outflow_factor_20 = detail::outflow_factor<Scalar>(abs_19 / max_p_S_2, c_.k19);
         const Scalar signed_root_21 = detail::signed_root<Scalar>(max_p_S_2 * e17);
         const Scalar e22 = outflow_factor_20 * (max_5 * signed_root_21);
         const Scalar e23 = p_.p_0 - p_2;
         const Scalar step_24 = detail::step<Scalar>(e23);
         const Scalar abs_25 = abs(e23);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar outflow_factor_26 = detail::outflow_factor<Scalar>(abs_25 / max_p_0_2, c_.k16);
+        const Scalar outflow_factor_26 = detail::outflow_factor<Scalar>(abs_25 / max_p_0_2, c_.k19);
         const Scalar signed_root_27 = detail::signed_root<Scalar>(max_p_0_2 * e23);
         const Scalar e28 = outflow_factor_26 * (max_12 * signed_root_27);
         const Scalar sqrt_T_2 = sqrt(T_2);
         const Scalar step_29 = detail::step<Scalar>(-e17);
         const Scalar step_30 = detail::step<Scalar>(-e23);
-        y[0] = p_.A_1 * p_1 - c_.k1 - p_.A_2 * p_2;
+        y[0] = p_.A_1 * p_1 - c_.k20 - p_.A_2 * p_2;
         y[1] = T_1;
         y[2] = T_2;
-        y[3] = c_.k15 * (step_2 * e7 + step_9 * e14) + c_.k14 / sqrt_T_1 * (step_15 * e7 + step_16 * e14);
-        y[4] = c_.k15 * (step_18 * e22 + step_24 * e28) + c_.k14 / sqrt_T_2 * (step_29 * e22 + step_30 * e28);
-        y[5] = c_.k53 - p_.k_W * T_1;
+        y[3] = c_.k18 * (step_2 * e7 + step_9 * e14) + c_.k3 / sqrt_T_1 * (step_15 * e7 + step_16 * e14);
+        y[4] = c_.k18 * (step_18 * e22 + step_24 * e28) + c_.k3 / sqrt_T_2 * (step_29 * e22 + step_30 * e28);
+        y[5] = c_.k21 - p_.k_W * T_1;
     }
 
     /// C = dh/dx.
@@ -1586,7 +1521,7 @@ public:
         const Scalar abs_7 = abs(e1);
         const Scalar inverse_8 = Scalar(1) / max_p_0;
         const Scalar e9 = abs_7 * inverse_8;
-        const Scalar outflow_factor_slope_10 = detail::outflow_factor_slope<Scalar>(e9, c_.k16);
+        const Scalar outflow_factor_slope_10 = detail::outflow_factor_slope<Scalar>(e9, c_.k19);
         const Scalar sign_11 = detail::sign<Scalar>(e1);
         const Scalar u_value = u[0];
         const Scalar max_12 = detail::max<Scalar>(Scalar(0), -u_value);
@@ -1600,21 +1535,21 @@ public:
         const Scalar abs_19 = abs(e14);
         const Scalar inverse_20 = Scalar(1) / max_p_S;
         const Scalar e21 = abs_19 * inverse_20;
-        const Scalar outflow_factor_slope_22 = detail::outflow_factor_slope<Scalar>(e21, c_.k16);
+        const Scalar outflow_factor_slope_22 = detail::outflow_factor_slope<Scalar>(e21, c_.k19);
         const Scalar sign_23 = detail::sign<Scalar>(e14);
         const Scalar max_24 = detail::max<Scalar>(Scalar(0), u_value);
         const Scalar e25 = signed_root_18 * outflow_factor_slope_22 * ((sign_23 + step_15 * e21) * (max_24 * inverse_20));
         const Scalar step_26 = detail::step<Scalar>(e1);
         const Scalar step_27 = detail::step<Scalar>(e14);
         const Scalar inverse_root_28 = detail::inverse_root<Scalar>(e5);
-        const Scalar outflow_factor_29 = detail::outflow_factor<Scalar>(e9, c_.k16);
-        const Scalar e30 = c_.k55 * max_12;
-        const Scalar e31 = c_.k54 * max_12;
+        const Scalar outflow_factor_29 = detail::outflow_factor<Scalar>(e9, c_.k19);
+        const Scalar e30 = c_.k23 * max_12;
+        const Scalar e31 = c_.k22 * max_12;
         const Scalar e32 = e31 * e4;
         const Scalar inverse_root_33 = detail::inverse_root<Scalar>(e17);
-        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e21, c_.k16);
-        const Scalar e35 = c_.k55 * max_24;
-        const Scalar e36 = c_.k54 * max_24;
+        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e21, c_.k19);
+        const Scalar e35 = c_.k23 * max_24;
+        const Scalar e36 = c_.k22 * max_24;
         const Scalar e37 = e36 * e16;
         const Scalar p_2 = x[3];
         const Scalar e38 = p_.p_S - p_2;
@@ -1629,7 +1564,7 @@ public:
         const Scalar abs_44 = abs(e38);
         const Scalar inverse_45 = Scalar(1) / max_p_S_2;
         const Scalar e46 = abs_44 * inverse_45;
-        const Scalar outflow_factor_slope_47 = detail::outflow_factor_slope<Scalar>(e46, c_.k16);
+        const Scalar outflow_factor_slope_47 = detail::outflow_factor_slope<Scalar>(e46, c_.k19);
         const Scalar sign_48 = detail::sign<Scalar>(e38);
         const Scalar e49 = signed_root_43 * outflow_factor_slope_47 * ((sign_48 + step_39 * e46) * (max_12 * inverse_45));
         const Scalar e50 = p_.p_0 - p_2;
@@ -1641,16 +1576,16 @@ public:
         const Scalar abs_55 = abs(e50);
         const Scalar inverse_56 = Scalar(1) / max_p_0_2;
         const Scalar e57 = abs_55 * inverse_56;
-        const Scalar outflow_factor_slope_58 = detail::outflow_factor_slope<Scalar>(e57, c_.k16);
+        const Scalar outflow_factor_slope_58 = detail::outflow_factor_slope<Scalar>(e57, c_.k19);
         const Scalar sign_59 = detail::sign<Scalar>(e50);
         const Scalar e60 = signed_root_54 * outflow_factor_slope_58 * ((sign_59 + step_51 * e57) * (max_24 * inverse_56));
         const Scalar step_61 = detail::step<Scalar>(e38);
         const Scalar step_62 = detail::step<Scalar>(e50);
         const Scalar inverse_root_63 = detail::inverse_root<Scalar>(e42);
-        const Scalar outflow_factor_64 = detail::outflow_factor<Scalar>(e46, c_.k16);
+        const Scalar outflow_factor_64 = detail::outflow_factor<Scalar>(e46, c_.k19);
         const Scalar e65 = e31 * e41;
         const Scalar inverse_root_66 = detail::inverse_root<Scalar>(e53);
-        const Scalar outflow_factor_67 = detail::outflow_factor<Scalar>(e57, c_.k16);
+        const Scalar outflow_factor_67 = detail::outflow_factor<Scalar>(e57, c_.k19);
         const Scalar e68 = e36 * e52;
         C[0] = Scalar(0);
         C[1] = Scalar(0);
@@ -1669,7 +1604,7 @@ public:
         C[14] = Scalar(0);
         const Scalar e69 = (max_p_0 - step_2 * e1) * (inverse_root_28 * outflow_factor_29) * (step_26 * e30 + e32);
         const Scalar e70 = (max_p_S - step_15 * e14) * (inverse_root_33 * outflow_factor_34) * (step_27 * e35 + e37);
-        C[15] = -c_.k14 * (e4 * e13 + e16 * e25) - c_.k15 * (step_26 * e13 + step_27 * e25) - e69 - e70;
+        C[15] = -c_.k3 * (e4 * e13 + e16 * e25) - c_.k18 * (step_26 * e13 + step_27 * e25) - e69 - e70;
         C[16] = Scalar(0);
         C[17] = Scalar(0);
         C[18] = -p_.A_2;
@@ -1678,7 +1613,7 @@ public:
         C[21] = Scalar(0);
         const Scalar e71 = (max_p_S_2 - step_39 * e38) * (inverse_root_63 * outflow_factor_64) * (step_61 * e30 + e65);
         const Scalar e72 = (max_p_0_2 - step_51 * e50) * (inverse_root_66 * outflow_factor_67) * (step_62 * e35 + e68);
-        C[22] = -c_.k14 * (e41 * e49 + e52 * e60) - c_.k15 * (step_61 * e49 + step_62 * e60) - e71 - e72;
+        C[22] = -c_.k3 * (e41 * e49 + e52 * e60) - c_.k18 * (step_61 * e49 + step_62 * e60) - e71 - e72;
         C[23] = Scalar(0);
         C[24] = Scalar(0);
         C[25] = Scalar(1);
@@ -1706,7 +1641,7 @@ public:
         const Scalar step_2 = detail::step<Scalar>(e1);
         const Scalar abs_3 = abs(e1);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, c_.k16);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, c_.k19);
         const Scalar u_value = u[0];
         const Scalar step_5 = detail::step<Scalar>(-u_value);
         const Scalar signed_root_6 = detail::signed_root<Scalar>(max_p_0 * e1);
@@ -1715,7 +1650,7 @@ public:
         const Scalar step_9 = detail::step<Scalar>(e8);
         const Scalar abs_10 = abs(e8);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_S, c_.k16);
+        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_S, c_.k19);
         const Scalar step_u = detail::step<Scalar>(u_value);
         const Scalar signed_root_12 = detail::signed_root<Scalar>(max_p_S * e8);
         const Scalar e13 = outflow_factor_11 * (step_u * signed_root_12);
@@ -1728,14 +1663,14 @@ public:
         const Scalar step_17 = detail::step<Scalar>(e16);
         const Scalar abs_18 = abs(e16);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar outflow_factor_19 = detail::outflow_factor<Scalar>(abs_18 / max_p_S_2, c_.k16);
+        const Scalar outflow_factor_19 = detail::outflow_factor<Scalar>(abs_18 / max_p_S_2, c_.k19);
         const Scalar signed_root_20 = detail::signed_root<Scalar>(max_p_S_2 * e16);
         const Scalar e21 = outflow_factor_19 * (step_5 * signed_root_20);
         const Scalar e22 = p_.p_0 - p_2;
         const Scalar step_23 = detail::step<Scalar>(e22);
         const Scalar abs_24 = abs(e22);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar outflow_factor_25 = detail::outflow_factor<Scalar>(abs_24 / max_p_0_2, c_.k16);
+        const Scalar outflow_factor_25 = detail::outflow_factor<Scalar>(abs_24 / max_p_0_2, c_.k19);
         const Scalar signed_root_26 = detail::signed_root<Scalar>(max_p_0_2 * e22);
         const Scalar e27 = outflow_factor_25 * (step_u * signed_root_26);
         const Scalar T_2 = x[5];
@@ -1745,8 +1680,8 @@ public:
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = -c_.k15 * (step_2 * e7 - step_9 * e13) - c_.k14 / sqrt_T_1 * (step_14 * e7 - step_15 * e13);
-        D[4] = -c_.k15 * (step_17 * e21 - step_23 * e27) - c_.k14 / sqrt_T_2 * (step_28 * e21 - step_29 * e27);
+        D[3] = -c_.k18 * (step_2 * e7 - step_9 * e13) - c_.k3 / sqrt_T_1 * (step_14 * e7 - step_15 * e13);
+        D[4] = -c_.k18 * (step_17 * e21 - step_23 * e27) - c_.k3 / sqrt_T_2 * (step_28 * e21 - step_29 * e27);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -1777,7 +1712,7 @@ public:
     Scalar supplied_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar s_dot = x[1];
         const Scalar f_L = u[1];
-        return -s_dot * (f_L + c_.k1);
+        return -s_dot * (f_L + c_.k20);
     }
 
     /// Power in watts that dampers dissipate; not negative for laws that resist.
@@ -1786,7 +1721,7 @@ public:
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         using std::tanh;
         const Scalar s_dot = x[1];
-        const Scalar tanh_1 = tanh(c_.k18 * s_dot);
+        const Scalar tanh_1 = tanh(c_.k1 * s_dot);
         return s_dot * (p_.f_C * tanh_1 + p_.d * s_dot);
     }
 
@@ -1820,7 +1755,7 @@ public:
         const Scalar e2 = p_.p_S - p_2;
         const Scalar abs_3 = abs(e2);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k16);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k19);
         const Scalar u_value = u[0];
         const Scalar max_5 = detail::max<Scalar>(Scalar(0), -u_value);
         const Scalar signed_root_6 = detail::signed_root<Scalar>(max_p_S * e2);
@@ -1828,41 +1763,41 @@ public:
         const Scalar step_8 = detail::step<Scalar>(-e2);
         const Scalar T_2 = x[5];
         const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar e9 = c_.k14 / sqrt_T_2;
-        const Scalar e10 = outflow_factor_4 * (max_5 * signed_root_6) * (c_.k15 * step_7 + step_8 * e9);
+        const Scalar e9 = c_.k3 / sqrt_T_2;
+        const Scalar e10 = outflow_factor_4 * (max_5 * signed_root_6) * (c_.k18 * step_7 + step_8 * e9);
         const Scalar max_11 = detail::max<Scalar>(Scalar(0), e10);
         const Scalar p_1 = x[2];
         const Scalar e12 = p_.p_S - p_1;
         const Scalar abs_13 = abs(e12);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_S_2, c_.k16);
+        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_S_2, c_.k19);
         const Scalar max_15 = detail::max<Scalar>(Scalar(0), u_value);
         const Scalar signed_root_16 = detail::signed_root<Scalar>(max_p_S_2 * e12);
         const Scalar step_17 = detail::step<Scalar>(e12);
         const Scalar step_18 = detail::step<Scalar>(-e12);
         const Scalar T_1 = x[4];
         const Scalar sqrt_T_1 = sqrt(T_1);
-        const Scalar e19 = c_.k14 / sqrt_T_1;
-        const Scalar e20 = outflow_factor_14 * (max_15 * signed_root_16) * (c_.k15 * step_17 + step_18 * e19);
+        const Scalar e19 = c_.k3 / sqrt_T_1;
+        const Scalar e20 = outflow_factor_14 * (max_15 * signed_root_16) * (c_.k18 * step_17 + step_18 * e19);
         const Scalar max_21 = detail::max<Scalar>(Scalar(0), e20);
         const Scalar e22 = p_.p_0 - p_1;
         const Scalar abs_23 = abs(e22);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar outflow_factor_24 = detail::outflow_factor<Scalar>(abs_23 / max_p_0, c_.k16);
+        const Scalar outflow_factor_24 = detail::outflow_factor<Scalar>(abs_23 / max_p_0, c_.k19);
         const Scalar signed_root_25 = detail::signed_root<Scalar>(max_p_0 * e22);
         const Scalar step_26 = detail::step<Scalar>(e22);
         const Scalar step_27 = detail::step<Scalar>(-e22);
-        const Scalar e28 = outflow_factor_24 * (max_5 * signed_root_25) * (c_.k15 * step_26 + step_27 * e19);
+        const Scalar e28 = outflow_factor_24 * (max_5 * signed_root_25) * (c_.k18 * step_26 + step_27 * e19);
         const Scalar e29 = -e28;
         const Scalar min_30 = detail::min<Scalar>(Scalar(0), e29);
         const Scalar e31 = p_.p_0 - p_2;
         const Scalar abs_32 = abs(e31);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar outflow_factor_33 = detail::outflow_factor<Scalar>(abs_32 / max_p_0_2, c_.k16);
+        const Scalar outflow_factor_33 = detail::outflow_factor<Scalar>(abs_32 / max_p_0_2, c_.k19);
         const Scalar signed_root_34 = detail::signed_root<Scalar>(max_p_0_2 * e31);
         const Scalar step_35 = detail::step<Scalar>(e31);
         const Scalar step_36 = detail::step<Scalar>(-e31);
-        const Scalar e37 = outflow_factor_33 * (max_15 * signed_root_34) * (c_.k15 * step_35 + step_36 * e9);
+        const Scalar e37 = outflow_factor_33 * (max_15 * signed_root_34) * (c_.k18 * step_35 + step_36 * e9);
         const Scalar e38 = -e37;
         const Scalar min_39 = detail::min<Scalar>(Scalar(0), e38);
         const Scalar max_40 = detail::max<Scalar>(Scalar(0), e29);
@@ -1900,7 +1835,7 @@ public:
         g[0] = p_.V_d + p_.A_1 * s;
         g[1] = p_1;
         g[2] = T_1;
-        g[3] = c_.k17 - p_.A_2 * s;
+        g[3] = c_.k6 - p_.A_2 * s;
         g[4] = p_2;
         g[5] = T_2;
         g[6] = e1;
@@ -1919,61 +1854,29 @@ private:
     struct Cached {
         Scalar c_v;  ///< -R_s/(1 - kappa)
         Scalar k0;  ///< of the factorisation of M
-        Scalar k1;  ///< p_0*(A_1 - A_2)
-        Scalar k2;  ///< A_1*(1 + R_s/c_v)
-        Scalar k3;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
-        Scalar k4;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/sqrt(T_0)
-        Scalar k5;  ///< R_s*k_W/c_v
-        Scalar k6;  ///< R_s*(1 + R_s/c_v)
-        Scalar k7;  ///< R_s*T_0*k_W/c_v
-        Scalar k8;  ///< R_s*T_0*(1 + R_s/c_v)
-        Scalar k9;  ///< A_2*(1 + R_s/c_v)
-        Scalar k10;  ///< R_s*A_1/c_v
-        Scalar k11;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/c_v
-        Scalar k12;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/(c_v*sqrt(T_0))
-        Scalar k13;  ///< R_s*A_2/c_v
-        Scalar k14;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k15;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k16;  ///< 1 + R_s/c_v
-        Scalar k17;  ///< A_2*l + V_d
-        Scalar k18;  ///< 1/v_C
-        Scalar k19;  ///< d + f_C/v_C
-        Scalar k20;  ///< f_C/v_C
-        Scalar k21;  ///< A_1^2*(1 + R_s/c_v)
-        Scalar k22;  ///< A_1*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
-        Scalar k23;  ///< A_1*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/sqrt(T_0)
-        Scalar k24;  ///< R_s*A_1*k_W/c_v
-        Scalar k25;  ///< R_s*A_1*(1 + R_s/c_v)
-        Scalar k26;  ///< R_s*A_1*T_0*k_W/c_v
-        Scalar k27;  ///< R_s*A_1*T_0*(1 + R_s/c_v)
-        Scalar k28;  ///< A_2^2*(1 + R_s/c_v)
-        Scalar k29;  ///< A_2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
-        Scalar k30;  ///< A_2*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/sqrt(T_0)
-        Scalar k31;  ///< R_s*A_2*k_W/c_v
-        Scalar k32;  ///< R_s*A_2*(1 + R_s/c_v)
-        Scalar k33;  ///< R_s*A_2*T_0*k_W/c_v
-        Scalar k34;  ///< R_s*A_2*T_0*(1 + R_s/c_v)
-        Scalar k35;  ///< R_s*A_1^2/c_v
-        Scalar k36;  ///< A_1*A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/c_v
-        Scalar k37;  ///< A_1*A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/(c_v*sqrt(T_0))
-        Scalar k38;  ///< R_s*A_2^2/c_v
-        Scalar k39;  ///< A_2*A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/c_v
-        Scalar k40;  ///< A_2*A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/(c_v*sqrt(T_0))
-        Scalar k41;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/2
-        Scalar k42;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(2*sqrt(T_0))
-        Scalar k43;  ///< T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
-        Scalar k44;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)
-        Scalar k45;  ///< T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/2
-        Scalar k46;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)/2
-        Scalar k47;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/(2*c_v)
-        Scalar k48;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/(2*c_v*sqrt(T_0))
-        Scalar k49;  ///< 2*A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/c_v
-        Scalar k50;  ///< 2*A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/(c_v*sqrt(T_0))
-        Scalar k51;  ///< 2*R_s*k_W/c_v
-        Scalar k52;  ///< 2*R_s*(1 + R_s/c_v)
-        Scalar k53;  ///< T_0*k_W
-        Scalar k54;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
-        Scalar k55;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k1;  ///< 1/v_C
+        Scalar k2;  ///< 1 + R_s/c_v
+        Scalar k3;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k4;  ///< 1/sqrt(T_0)
+        Scalar k5;  ///< k_W/c_v
+        Scalar k6;  ///< A_2*l + V_d
+        Scalar k7;  ///< R_s/c_v
+        Scalar k8;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)
+        Scalar k9;  ///< 1/c_v
+        Scalar k10;  ///< d + f_C/v_C
+        Scalar k11;  ///< 2*R_s/c_v
+        Scalar k12;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
+        Scalar k13;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/sqrt(T_0)
+        Scalar k14;  ///< T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
+        Scalar k15;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)
+        Scalar k16;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/c_v
+        Scalar k17;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/(c_v*sqrt(T_0))
+        Scalar k18;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k19;  ///< 1 + R_s/c_v
+        Scalar k20;  ///< p_0*(A_1 - A_2)
+        Scalar k21;  ///< T_0*k_W
+        Scalar k22;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
+        Scalar k23;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
     };
     Cached c_{};
 };

@@ -16,15 +16,15 @@
 //
 // Of each function, in the mode that needs most:
 // Operations          +,-      *     /  sin,cos  other
-//   update                28     76    10        0      4
-//   rhs                    4     12     3        0      7
-//   rhs_and_jacobian      15     39     6        0     10
-//   jacobian_p            43    152    13        0     13
+//   update                21     59    10        0      4
+//   rhs                    3     11     3        0      7
+//   rhs_and_jacobian       9     38     6        0     10
+//   jacobian_p            44    153    13        0     13
 //   output                 6     18     3        0      7
 //   output_jacobian_x     25     64     6        0     10
 //   start_state            1      0     0        0      1
 //   events                 2      2     1        0      0
-//   event_rates            4     12     3        0      7
+//   event_rates            4     20     4        0      8
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -164,23 +164,28 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
     return condition ? a : b;
 }
 
-/// 1 + x/n (1 + x/(n + 1) (1 + ... x/last)), the reciprocals as constants: divisions would take most of the time.
-template <int n, int last, class Scalar>
-[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& x) noexcept {
-    if constexpr (n > last) {
+/// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
+/// would take most of the time.
+template <int n, int last, int step, class Scalar>
+[[gnu::always_inline]] inline Scalar exponential_series(const Scalar& power) noexcept {
+    if constexpr (n + step - 1 > last) {
         return Scalar(1);
     } else {
-        return Scalar(1) + x * (Scalar(1) / Scalar(n)) * exponential_series<n + 1, last>(x);
+        return Scalar(1) + power * (Scalar(1) / Scalar(step == 1 ? n : n * (n + 1))) * exponential_series<n + step, last, step>(power);
     }
 }
 
-/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels.
+/// (exp(x) - 1 - x)/x^2 for |x| <= 2, which is 1/2 at 0: the series 1/2 (1 + x/3 (1 + x/4 (1 + ...))), in which little cancels. From x/6 on even and
+/// odd powers are two sums, which processors compute at once.
 /// What digits10 + 8 terms leave out is below half a unit of the last place from float to a hundred digits. A type that does not
 /// tell its digits counts as long double.
 template <class Scalar>
 Scalar exponential_remainder(const Scalar& x) noexcept {
     constexpr int digits = std::numeric_limits<Scalar>::is_specialized ? std::numeric_limits<Scalar>::digits10 : 18;
-    return exponential_series<3, digits + 10>(x) / Scalar(2);
+    constexpr int last = digits + 10;
+    const Scalar square = x * x;
+    const Scalar rest = exponential_series<6, last, 2>(square) + x * (Scalar(1) / Scalar(6)) * exponential_series<7, last, 2>(square);
+    return (Scalar(1) + x * (Scalar(1) / Scalar(3)) * (Scalar(1) + x * (Scalar(1) / Scalar(4)) * (Scalar(1) + x * (Scalar(1) / Scalar(5)) * rest))) / Scalar(2);
 }
 
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
@@ -321,7 +326,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: choked: 18 + or -, 55 *, 8 /, 4 other functions; subsonic: 28 + or -, 76 *, 10 /, 4 other functions; balanced: 5 + or -, 17 *, 7 /, 3 other functions
+    /// Operations: choked: 15 + or -, 48 *, 8 /, 4 other functions; subsonic: 21 + or -, 59 *, 10 /, 4 other functions; balanced: 5 + or -, 17 *, 7 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         {
@@ -335,126 +340,112 @@ public:
             const Scalar power_5 = pow(e2, -inverse_3);
             const Scalar sqrt_6 = sqrt(p_.kappa * inverse_1);
             c_.Psi_c = power_5 * sqrt_6;
-            const Scalar sqrt_7 = sqrt(Scalar(2));
-            const Scalar e8 = p_.A_d * p_.alpha_d * (c_.Psi_c * sqrt_7);
-            const Scalar e9 = p_.R_s * p_.T_0;
-            const Scalar e10 = e8 * e9;
-            const Scalar inverse_11 = Scalar(1) / p_.V;
-            const Scalar e12 = e10 * (p_.n * inverse_11);
+            const Scalar e7 = p_.R_s * p_.T_0;
+            const Scalar sqrt_8 = sqrt(Scalar(2));
+            const Scalar e9 = p_.A_d * p_.alpha_d * (c_.Psi_c * sqrt_8);
+            const Scalar e10 = e9 / p_.V;
+            const Scalar e11 = p_.n * e10;
+            const Scalar e12 = e7 * e11;
             c_.k0 = (Scalar(1) / Scalar(2)) * p_.p_0 * e12;
             c_.k1 = (Scalar(1) / Scalar(2)) * e12;
             const Scalar e13 = Scalar(1) / p_.R_s / p_.T_0;
             c_.k2 = e13;
             const Scalar inverse_14 = Scalar(1) / p_.p_a;
-            c_.k3 = p_.p_0 * inverse_14;
+            const Scalar e15 = p_.p_0 * inverse_14;
+            c_.k3 = e15;
             c_.k4 = inverse_14;
-            const Scalar inverse_15 = Scalar(1) / p_.n;
-            const Scalar e16 = Scalar(1) - inverse_15;
-            c_.k5 = e16;
-            const Scalar e17 = inverse_14 * e8;
+            const Scalar inverse_16 = Scalar(1) / p_.n;
+            const Scalar e17 = Scalar(1) - inverse_16;
+            c_.k5 = e17;
+            c_.k6 = e7;
+            c_.k7 = e11;
             const Scalar e18 = Scalar(1) - p_.n;
-            const Scalar e19 = inverse_11 * e18;
-            c_.k6 = -(Scalar(1) / Scalar(2)) * e17 * e19;
-            const Scalar e20 = e17 * e9;
-            c_.k7 = -e19 * e20;
-            const Scalar e21 = p_.p_0 * e17;
-            c_.k8 = -(Scalar(1) / Scalar(2)) * e21 * e19;
-            const Scalar e22 = e9 * e21;
-            c_.k9 = -e19 * e22;
-            c_.k10 = inverse_15;
-            c_.k11 = e8;
-            c_.k12 = p_.p_0 * e8;
-            c_.k13 = p_.p_0 / c_.Pi_c;
-            const Scalar e23 = p_.V * e13;
-            c_.k14 = e23;
-            const Scalar e24 = p_.p_0 * e23;
-            c_.k15 = e24;
-            const Scalar e25 = e10 * (inverse_3 * (p_.kappa - p_.n));
-            c_.k16 = e25;
-            c_.k17 = p_.p_0 * e25;
-            const Scalar e26 = inverse_14 * e16;
-            c_.k18 = Scalar(2) * p_.T_0 * e26;
-            const Scalar e27 = e16 * e13;
-            c_.k19 = -e21 * e27;
-            c_.k20 = Scalar(2) * e8;
-            c_.k21 = -e17 * e27;
-            c_.k22 = Scalar(2) * e26 * e24;
-            c_.k23 = Scalar(2) * e23;
-            c_.k24 = Scalar(2) * e23 * e26;
-            const Scalar e28 = inverse_3 * (p_.kappa * e16 + e18);
-            c_.k25 = -e21 * e28;
-            c_.k26 = Scalar(2) * e25;
-            c_.k27 = -Scalar(2) * e28 * e22;
-            c_.k28 = -e17 * e28;
-            c_.k29 = -Scalar(2) * e28 * e20;
+            c_.k8 = -e18 * e10;
+            c_.k9 = inverse_16;
+            c_.k10 = e9;
+            c_.k11 = p_.p_0 * e9;
+            c_.k12 = p_.p_0 / c_.Pi_c;
+            const Scalar e19 = p_.V * e13;
+            c_.k13 = e19;
+            c_.k14 = p_.p_0 * e19;
+            const Scalar e20 = inverse_3 * e9;
+            const Scalar e21 = e7 * e20;
+            const Scalar e22 = (p_.kappa - p_.n) * e21;
+            c_.k15 = e22;
+            c_.k16 = p_.p_0 * e22;
+            const Scalar e23 = inverse_14 * e17;
+            c_.k17 = Scalar(2) * p_.T_0 * e23;
+            const Scalar e24 = e9 * e13;
+            const Scalar e25 = e17 * e15;
+            c_.k18 = -e24 * e25;
+            c_.k19 = Scalar(2) * e9;
+            c_.k20 = -e23 * e24;
+            c_.k21 = Scalar(2) * e19 * e25;
+            c_.k22 = Scalar(2) * e19;
+            c_.k23 = Scalar(2) * e19 * e23;
+            const Scalar e26 = p_.kappa * e17 + e18;
+            const Scalar e27 = e26 * e15;
+            c_.k24 = -e20 * e27;
+            c_.k25 = Scalar(2) * e22;
+            c_.k26 = -Scalar(2) * e21 * e27;
+            const Scalar e28 = inverse_14 * e26;
+            c_.k27 = -e20 * e28;
+            c_.k28 = -Scalar(2) * e21 * e28;
         }
         {
             using std::sqrt;
             const Scalar inverse_1 = Scalar(1) / p_.V;
             const Scalar sqrt_2 = sqrt(Scalar(2));
-            const Scalar e3 = sqrt_2 * (p_.A_d * p_.alpha_d);
-            const Scalar e4 = e3 * (p_.R_s * p_.T_0);
-            const Scalar e5 = inverse_1 * e4;
-            const Scalar e6 = p_.n * e5;
-            c_.k30 = (Scalar(1) / Scalar(2)) * e6;
-            c_.k31 = (Scalar(1) / Scalar(2)) * p_.p_0 * e6;
+            const Scalar e3 = p_.A_d * p_.alpha_d;
+            const Scalar e4 = sqrt_2 * e3;
+            const Scalar e5 = p_.R_s * p_.T_0;
+            c_.k29 = (Scalar(1) / Scalar(2)) * p_.n * inverse_1 * e4 * e5;
+            const Scalar inverse_6 = Scalar(1) / p_.p_0;
+            c_.k30 = inverse_6;
             const Scalar inverse_7 = Scalar(1) / p_.kappa;
+            c_.k31 = inverse_7;
+            c_.k32 = sqrt_2 * inverse_1;
+            c_.k33 = e3;
             const Scalar e8 = Scalar(1) - inverse_7;
-            c_.k32 = e8;
-            const Scalar inverse_9 = Scalar(1) / p_.p_0;
-            c_.k33 = inverse_9;
-            c_.k34 = inverse_7;
-            const Scalar e10 = e8 * e6;
-            c_.k35 = -(Scalar(1) / Scalar(2)) * e10;
-            const Scalar inverse_11 = Scalar(1) / p_.p_a;
-            const Scalar e12 = p_.p_0 * inverse_11;
-            const Scalar e13 = e3 * e12;
-            const Scalar e14 = Scalar(1) - p_.n;
-            const Scalar e15 = inverse_1 * e14;
-            c_.k36 = -(Scalar(1) / Scalar(2)) * e13 * e15;
-            c_.k37 = inverse_7 * e6;
-            c_.k38 = e6;
-            const Scalar e16 = e14 * e5;
-            c_.k39 = -e12 * e16;
-            c_.k40 = -(Scalar(1) / Scalar(2)) * inverse_9 * e10;
-            const Scalar e17 = inverse_11 * e3;
-            c_.k41 = -(Scalar(1) / Scalar(2)) * e17 * e15;
-            const Scalar e18 = inverse_7 * inverse_9;
-            c_.k42 = e6 * e18;
-            c_.k43 = -inverse_11 * e16;
-            c_.k44 = p_.p_0 * e3;
-            c_.k45 = e3;
-            const Scalar e19 = p_.kappa - p_.n;
-            const Scalar inverse_20 = Scalar(1) / (Scalar(1) - p_.kappa);
-            const Scalar e21 = inverse_20 * e4;
-            const Scalar e22 = e19 * e21;
-            c_.k46 = p_.p_0 * e22;
-            c_.k47 = e22;
-            const Scalar e23 = e3 * e8;
-            c_.k48 = -e23;
-            const Scalar inverse_24 = Scalar(1) / p_.n;
-            const Scalar e25 = (Scalar(1) - inverse_24) * (Scalar(1) / p_.R_s / p_.T_0);
-            c_.k49 = -e13 * e25;
-            c_.k50 = Scalar(2) * inverse_7 * e3;
-            c_.k51 = Scalar(3) * e3;
-            c_.k52 = -inverse_9 * e23;
-            c_.k53 = -e17 * e25;
-            c_.k54 = Scalar(2) * e3 * e18;
-            const Scalar e26 = Scalar(1) - p_.n * inverse_7;
-            const Scalar e27 = e19 - e26;
-            c_.k55 = e21 * e27;
-            const Scalar e28 = Scalar(1) - (p_.kappa * inverse_24 - e19);
-            const Scalar e29 = inverse_20 * e28;
-            c_.k56 = -e13 * e29;
-            c_.k57 = -Scalar(2) * e21 * e26;
-            c_.k58 = Scalar(3) * e22;
-            const Scalar e30 = e21 * e28;
-            c_.k59 = -Scalar(2) * e12 * e30;
-            const Scalar e31 = inverse_9 * e21;
-            c_.k60 = e27 * e31;
-            c_.k61 = -e17 * e29;
-            c_.k62 = -Scalar(2) * e26 * e31;
-            c_.k63 = -Scalar(2) * inverse_11 * e30;
+            c_.k34 = e8;
+            c_.k35 = (Scalar(1) / Scalar(2)) * e8;
+            c_.k36 = p_.p_0 * e4;
+            c_.k37 = e4;
+            const Scalar e9 = p_.kappa - p_.n;
+            const Scalar e10 = e4 / (Scalar(1) - p_.kappa);
+            const Scalar e11 = e5 * e10;
+            const Scalar e12 = e9 * e11;
+            c_.k38 = p_.p_0 * e12;
+            c_.k39 = e12;
+            const Scalar e13 = e4 * e8;
+            c_.k40 = -e13;
+            const Scalar e14 = e4 * (Scalar(1) / p_.R_s / p_.T_0);
+            const Scalar inverse_15 = Scalar(1) / p_.n;
+            const Scalar e16 = Scalar(1) - inverse_15;
+            const Scalar inverse_17 = Scalar(1) / p_.p_a;
+            const Scalar e18 = p_.p_0 * inverse_17;
+            c_.k41 = -e14 * (e16 * e18);
+            const Scalar e19 = inverse_7 * e4;
+            c_.k42 = Scalar(2) * e19;
+            c_.k43 = Scalar(3) * e4;
+            c_.k44 = -inverse_6 * e13;
+            c_.k45 = -inverse_17 * e16 * e14;
+            c_.k46 = Scalar(2) * inverse_6 * e19;
+            const Scalar e20 = Scalar(1) - p_.n * inverse_7;
+            const Scalar e21 = e11 * (e9 - e20);
+            c_.k47 = e21;
+            const Scalar e22 = Scalar(1) - (p_.kappa * inverse_15 - e9);
+            const Scalar e23 = e22 * e18;
+            c_.k48 = -e10 * e23;
+            const Scalar e24 = e20 * e11;
+            c_.k49 = -Scalar(2) * e24;
+            c_.k50 = Scalar(3) * e12;
+            c_.k51 = -Scalar(2) * e11 * e23;
+            c_.k52 = inverse_6 * e21;
+            const Scalar e25 = inverse_17 * e22;
+            c_.k53 = -e10 * e25;
+            c_.k54 = -Scalar(2) * inverse_6 * e24;
+            c_.k55 = -Scalar(2) * e11 * e25;
         }
     }
 
@@ -470,7 +461,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: choked: 3 + or -, 7 *, 2 /, 2 other functions; subsonic: 4 + or -, 12 *, 3 /, 7 other functions; balanced: none
+    /// Operations: choked: 3 + or -, 7 *, 2 /, 2 other functions; subsonic: 3 + or -, 11 *, 3 /, 7 other functions; balanced: none
     ///     In the mode choked:
     ///     dot(w) = -R_s*p_0*T_0*A_d*n*alpha_d*Psi_c*sqrt(2)*(p_0/p_a + w^2/p_a)^(1 - 1/n)*sqrt(1/(R_s*T_0*(p_0/p_a + w^2/p_a)^(1 -
     ///     1/n)))/(2*V*w) - R_s*T_0*A_d*n*alpha_d*Psi_c*sqrt(2)*w*(p_0/p_a + w^2/p_a)^(1 - 1/n)*sqrt(1/(R_s*T_0*(p_0/p_a +
@@ -500,14 +491,16 @@ public:
                 using std::sqrt;
                 const Scalar w = x[0];
                 const Scalar w_squared = w * w;
-                const Scalar power_1 = pow(c_.k3 + c_.k4 * w_squared, c_.k5);
-                const Scalar sqrt_2 = sqrt(c_.k2 / power_1);
-                const Scalar log1p_3 = log1p(c_.k33 * w_squared);
-                const Scalar decay_mean_4 = detail::decay_mean<Scalar>(c_.k32 * log1p_3);
-                const Scalar log_mean_p_0 = detail::log_mean<Scalar>(p_.p_0, p_.p_0 + w_squared);
-                const Scalar sqrt_5 = sqrt(decay_mean_4 / log_mean_p_0);
-                const Scalar exp_6 = exp(c_.k34 * log1p_3);
-                dxdt[0] = -power_1 * sqrt_2 * (sqrt_5 / exp_6) * (c_.k31 + c_.k30 * w_squared);
+                const Scalar e1 = p_.p_0 + w_squared;
+                const Scalar power_2 = pow(e1 * c_.k4, c_.k5);
+                const Scalar sqrt_3 = sqrt(c_.k2 / power_2);
+                const Scalar log1p_4 = log1p(w_squared * c_.k30);
+                const Scalar e5 = log1p_4 * c_.k31;
+                const Scalar decay_mean_6 = detail::decay_mean<Scalar>(log1p_4 - e5);
+                const Scalar log_mean_p_0 = detail::log_mean<Scalar>(p_.p_0, e1);
+                const Scalar sqrt_7 = sqrt(decay_mean_6 / log_mean_p_0);
+                const Scalar exp_8 = exp(e5);
+                dxdt[0] = -power_2 * sqrt_3 * sqrt_7 * e1 * c_.k29 / exp_8;
                 break;
             }
             case Mode::balanced:
@@ -520,27 +513,25 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: choked: 8 + or -, 17 *, 3 /, 3 other functions; subsonic: 15 + or -, 39 *, 6 /, 10 other functions; balanced: none
+    /// Operations: choked: 5 + or -, 19 *, 3 /, 3 other functions; subsonic: 9 + or -, 38 *, 6 /, 10 other functions; balanced: none
     void rhs_and_jacobian(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         switch (mode) {
             case Mode::choked: {
                 using std::pow;
                 using std::sqrt;
                 const Scalar w = x[0];
-                const Scalar w_squared = w * w;
-                const Scalar e1 = c_.k3 + c_.k4 * w_squared;
+                const Scalar e1 = (p_.p_0 + w * w) * c_.k4;
                 const Scalar power_2 = pow(e1, c_.k5);
                 const Scalar inverse_3 = Scalar(1) / power_2;
-                const Scalar sqrt_4 = sqrt(c_.k2 * inverse_3);
-                const Scalar e5 = power_2 * sqrt_4;
-                const Scalar e6 = c_.k1 * e5;
+                const Scalar sqrt_4 = sqrt(inverse_3 * c_.k2);
+                const Scalar e5 = sqrt_4 * c_.k6;
+                const Scalar e6 = e5 * (power_2 * c_.k7);
                 const Scalar inverse_7 = Scalar(1) / w;
-                const Scalar e8 = e5 * (c_.k0 * inverse_7);
-                dxdt[0] = -w * e6 - e8;
-                const Scalar power_9 = pow(e1, -c_.k10);
-                const Scalar e10 = power_9 * sqrt_4;
-                const Scalar e11 = power_9 * inverse_3 / sqrt_4;
-                J[0] = inverse_7 * e8 - w_squared * (c_.k7 * e10 - c_.k6 * e11) - c_.k9 * e10 - e6 + c_.k8 * e11;
+                const Scalar e8 = e6 * (p_.p_0 * inverse_7);
+                dxdt[0] = (Scalar(1) / Scalar(2)) * (-w * e6 - e8);
+                const Scalar power_9 = pow(e1, (-Scalar(1)) * c_.k9);
+                const Scalar e10 = e1 * (power_9 * (e5 - (Scalar(1) / Scalar(2)) * inverse_3 / sqrt_4)) * c_.k8;
+                J[0] = (Scalar(1) / Scalar(2)) * inverse_7 * e8 - (Scalar(1) / Scalar(2)) * e6 - e10;
                 break;
             }
             case Mode::subsonic: {
@@ -550,39 +541,37 @@ public:
                 using std::sqrt;
                 const Scalar w = x[0];
                 const Scalar w_squared = w * w;
-                const Scalar e1 = c_.k3 + c_.k4 * w_squared;
-                const Scalar power_2 = pow(e1, c_.k5);
-                const Scalar inverse_3 = Scalar(1) / power_2;
-                const Scalar sqrt_4 = sqrt(c_.k2 * inverse_3);
-                const Scalar e5 = c_.k33 * w_squared;
-                const Scalar log1p_6 = log1p(e5);
-                const Scalar e7 = c_.k32 * log1p_6;
-                const Scalar decay_mean_8 = detail::decay_mean<Scalar>(e7);
-                const Scalar e9 = p_.p_0 + w_squared;
-                const Scalar log_mean_p_0 = detail::log_mean<Scalar>(p_.p_0, e9);
-                const Scalar inverse_10 = Scalar(1) / log_mean_p_0;
-                const Scalar e11 = decay_mean_8 * inverse_10;
-                const Scalar sqrt_12 = sqrt(e11);
-                const Scalar exp_13 = exp(c_.k34 * log1p_6);
-                const Scalar inverse_14 = Scalar(1) / exp_13;
-                const Scalar e15 = c_.k31 + c_.k30 * w_squared;
-                dxdt[0] = -power_2 * sqrt_4 * sqrt_12 * inverse_14 * e15;
-                const Scalar e16 = w * inverse_14;
-                const Scalar e17 = sqrt_4 * e16;
-                const Scalar e18 = power_2 * e17;
-                const Scalar e19 = e18 / (Scalar(1) + e5);
-                const Scalar e20 = sqrt_12 * e19;
-                const Scalar power_21 = pow(e1, -c_.k10);
-                const Scalar e22 = power_21 * sqrt_12;
-                const Scalar e23 = e17 * e22;
-                const Scalar e24 = inverse_3 / sqrt_4 * (e16 * e22);
-                const Scalar e25 = inverse_10 / sqrt_12;
-                const Scalar decay_mean_slope_26 = detail::decay_mean_slope<Scalar>(e7);
-                const Scalar e27 = e25 * (decay_mean_slope_26 * e19);
-                const Scalar log_mean_slope_28 = detail::log_mean_slope<Scalar>(e9, p_.p_0);
-                const Scalar e29 = w_squared * (c_.k43 * e23 - c_.k42 * e20 - c_.k41 * e24 - c_.k40 * e27);
-                J[0] = c_.k37 * e20 - e29 - e18 * (c_.k38 * sqrt_12 - log_mean_slope_28 * e15 * e25 * e11) - c_.k39 * e23 + c_.k36
-                    * e24 + c_.k35 * e27;
+                const Scalar e1 = w_squared * c_.k30;
+                const Scalar log1p_2 = log1p(e1);
+                const Scalar exp_3 = exp(log1p_2 * c_.k31);
+                const Scalar e4 = c_.k33 / exp_3 * c_.k32;
+                const Scalar e5 = p_.n * e4;
+                const Scalar e6 = p_.p_0 + w_squared;
+                const Scalar e7 = e6 * c_.k4;
+                const Scalar power_8 = pow(e7, c_.k5);
+                const Scalar inverse_9 = Scalar(1) / power_8;
+                const Scalar sqrt_10 = sqrt(inverse_9 * c_.k2);
+                const Scalar e11 = sqrt_10 * c_.k6;
+                const Scalar e12 = power_8 * e11;
+                const Scalar e13 = log1p_2 * c_.k34;
+                const Scalar decay_mean_14 = detail::decay_mean<Scalar>(e13);
+                const Scalar log_mean_p_0 = detail::log_mean<Scalar>(p_.p_0, e6);
+                const Scalar inverse_15 = Scalar(1) / log_mean_p_0;
+                const Scalar e16 = decay_mean_14 * inverse_15;
+                const Scalar sqrt_17 = sqrt(e16);
+                const Scalar e18 = sqrt_17 * e6;
+                dxdt[0] = -(Scalar(1) / Scalar(2)) * e5 * e12 * e18;
+                const Scalar power_19 = pow(e7, (-Scalar(1)) * c_.k9);
+                const Scalar e20 = w * e5;
+                const Scalar e21 = Scalar(1) + e1;
+                const Scalar decay_mean_slope_22 = detail::decay_mean_slope<Scalar>(e13);
+                const Scalar e23 = e20 * e12;
+                const Scalar e24 = e23 * (inverse_15 / sqrt_17);
+                const Scalar e25 = sqrt_17 * e23;
+                const Scalar log_mean_slope_26 = detail::log_mean_slope<Scalar>(e6, p_.p_0);
+                const Scalar e27 = power_19 * c_.k4 * ((e11 - (Scalar(1) / Scalar(2)) * inverse_9 / sqrt_10) * e18);
+                J[0] = e27 * (w * e4 - e20) - e21 / e21 * (decay_mean_slope_22 * e24 * c_.k35 - e25 * c_.k31) + (Scalar(1) / Scalar(2))
+                    * log_mean_slope_26 * e6 * e16 * e24 - e25;
                 break;
             }
             case Mode::balanced:
@@ -606,7 +595,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 9, entry (i, j) at J[1*j + i].
-    /// Operations: choked: 39 + or -, 133 *, 11 /, 9 other functions; subsonic: 43 + or -, 152 *, 13 /, 13 other functions; balanced: none
+    /// Operations: choked: 39 + or -, 133 *, 11 /, 9 other functions; subsonic: 44 + or -, 153 *, 13 /, 13 other functions; balanced: none
     void jacobian_p(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         switch (mode) {
             case Mode::choked: {
@@ -653,7 +642,7 @@ public:
                 const Scalar e36 = (e34 - Scalar(4) * inverse_24 * e35) * (p_.n * e7);
                 const Scalar inverse_37 = Scalar(1) / p_.p_a;
                 const Scalar e38 = e8 * (inverse_37 * (Scalar(1) - p_.n));
-                const Scalar power_39 = pow(e12, -c_.k10);
+                const Scalar power_39 = pow(e12, -c_.k9);
                 const Scalar e40 = power_39 * inverse_14;
                 const Scalar e41 = power_39 * sqrt_15;
                 const Scalar e42 = e22 * e40;
@@ -701,81 +690,81 @@ public:
                 const Scalar e9 = inverse_1 * e8;
                 const Scalar w = x[0];
                 const Scalar w_squared = w * w;
-                const Scalar e10 = c_.k33 * w_squared;
+                const Scalar e10 = c_.k30 * w_squared;
                 const Scalar log1p_11 = log1p(e10);
-                const Scalar e12 = c_.k32 * log1p_11;
-                const Scalar decay_mean_13 = detail::decay_mean<Scalar>(e12);
-                const Scalar e14 = p_.p_0 + w_squared;
-                const Scalar log_mean_p_0 = detail::log_mean<Scalar>(p_.p_0, e14);
-                const Scalar inverse_15 = Scalar(1) / log_mean_p_0;
-                const Scalar e16 = decay_mean_13 * inverse_15;
-                const Scalar sqrt_17 = sqrt(e16);
-                const Scalar exp_18 = exp(c_.k34 * log1p_11);
-                const Scalar inverse_19 = Scalar(1) / exp_18;
-                const Scalar e20 = sqrt_17 * inverse_19;
-                const Scalar e21 = c_.k3 + c_.k4 * w_squared;
-                const Scalar power_22 = pow(e21, c_.k5);
-                const Scalar inverse_23 = Scalar(1) / power_22;
-                const Scalar sqrt_24 = sqrt(c_.k2 * inverse_23);
-                const Scalar e25 = power_22 * sqrt_24;
-                const Scalar e26 = e20 * e25;
-                const Scalar e27 = w_squared * e26;
-                const Scalar inverse_28 = Scalar(1) / p_.R_s;
-                const Scalar e29 = p_.p_0 * e7;
-                const Scalar e30 = e20 / sqrt_24;
-                const Scalar e31 = w_squared * e30;
-                const Scalar inverse_32 = Scalar(1) / p_.kappa;
-                const Scalar e33 = inverse_32 * e8;
-                const Scalar e34 = inverse_32 * e33;
-                const Scalar e35 = p_.p_0 * e34;
-                const Scalar decay_mean_slope_36 = detail::decay_mean_slope<Scalar>(e12);
-                const Scalar e37 = inverse_15 * inverse_19 * (e25 / sqrt_17);
-                const Scalar e38 = decay_mean_slope_36 * e37;
-                const Scalar inverse_39 = Scalar(1) / p_.p_a;
-                const Scalar e40 = inverse_39 * (e6 - e7);
-                const Scalar power_41 = pow(e21, -c_.k10);
-                const Scalar e42 = power_41 * inverse_23;
+                const Scalar inverse_12 = Scalar(1) / p_.kappa;
+                const Scalar e13 = log1p_11 * (Scalar(1) - inverse_12);
+                const Scalar decay_mean_14 = detail::decay_mean<Scalar>(e13);
+                const Scalar e15 = p_.p_0 + w_squared;
+                const Scalar log_mean_p_0 = detail::log_mean<Scalar>(p_.p_0, e15);
+                const Scalar inverse_16 = Scalar(1) / log_mean_p_0;
+                const Scalar e17 = decay_mean_14 * inverse_16;
+                const Scalar sqrt_18 = sqrt(e17);
+                const Scalar exp_19 = exp(c_.k31 * log1p_11);
+                const Scalar inverse_20 = Scalar(1) / exp_19;
+                const Scalar e21 = sqrt_18 * inverse_20;
+                const Scalar inverse_22 = Scalar(1) / p_.p_a;
+                const Scalar e23 = p_.p_0 * inverse_22 + c_.k4 * w_squared;
+                const Scalar power_24 = pow(e23, c_.k5);
+                const Scalar inverse_25 = Scalar(1) / power_24;
+                const Scalar sqrt_26 = sqrt(c_.k2 * inverse_25);
+                const Scalar e27 = power_24 * sqrt_26;
+                const Scalar e28 = e21 * e27;
+                const Scalar e29 = w_squared * e28;
+                const Scalar inverse_30 = Scalar(1) / p_.R_s;
+                const Scalar e31 = p_.p_0 * e7;
+                const Scalar e32 = e21 / sqrt_26;
+                const Scalar e33 = w_squared * e32;
+                const Scalar e34 = inverse_12 * e8;
+                const Scalar e35 = inverse_12 * e34;
+                const Scalar e36 = p_.p_0 * e35;
+                const Scalar decay_mean_slope_37 = detail::decay_mean_slope<Scalar>(e13);
+                const Scalar e38 = inverse_16 * inverse_20 * (e27 / sqrt_18);
+                const Scalar e39 = decay_mean_slope_37 * e38;
+                const Scalar e40 = inverse_22 * (e6 - e7);
+                const Scalar power_41 = pow(e23, -c_.k9);
+                const Scalar e42 = power_41 * inverse_25;
                 const Scalar e43 = e2 * e40;
-                const Scalar e44 = e20 * (power_41 * sqrt_24);
-                const Scalar e45 = e8 - e33;
+                const Scalar e44 = e21 * (power_41 * sqrt_26);
+                const Scalar e45 = e8 - e34;
                 const Scalar inverse_46 = Scalar(1) / p_.p_0;
                 const Scalar inverse_46_squared = inverse_46 * inverse_46;
                 const Scalar inverse_47 = Scalar(1) / (Scalar(1) + e10);
                 const Scalar e48 = inverse_47 * w_squared;
-                const Scalar e49 = e38 * e48;
-                const Scalar log_mean_slope_p_0 = detail::log_mean_slope<Scalar>(p_.p_0, e14);
-                const Scalar log_mean_slope_50 = detail::log_mean_slope<Scalar>(e14, p_.p_0);
-                const Scalar e51 = e16 * ((log_mean_slope_p_0 + log_mean_slope_50) * e37);
+                const Scalar e49 = e39 * e48;
+                const Scalar log_mean_slope_p_0 = detail::log_mean_slope<Scalar>(p_.p_0, e15);
+                const Scalar log_mean_slope_50 = detail::log_mean_slope<Scalar>(e15, p_.p_0);
+                const Scalar e51 = e17 * ((log_mean_slope_p_0 + log_mean_slope_50) * e38);
                 const Scalar e52 = p_.p_0 * e2;
-                const Scalar e53 = e30 * e42;
+                const Scalar e53 = e32 * e42;
                 const Scalar inverse_54 = Scalar(1) / p_.T_0;
                 const Scalar e55 = e4 * (p_.n * p_.alpha_d);
-                const Scalar log_56 = log(e21);
+                const Scalar log_56 = log(e23);
                 const Scalar e57 = e6 / p_.n;
                 const Scalar e58 = p_.n * e5;
-                J[0] = (Scalar(1) / Scalar(2)) * p_.p_0 * e9 * e26 + (Scalar(1) / Scalar(2)) * e9 * e27;
-                J[1] = (Scalar(1) / Scalar(4)) * inverse_28 * e29 * e30 - (Scalar(1) / Scalar(2)) * p_.T_0 * e29 * e26
-                    - (Scalar(1) / Scalar(2)) * p_.T_0 * e7 * e27 + (Scalar(1) / Scalar(4)) * inverse_28 * e7 * e31;
-                const Scalar e59 = (Scalar(1) / Scalar(2)) * e35 * e26 + (Scalar(1) / Scalar(2)) * e34 * e27;
-                const Scalar e60 = (Scalar(1) / Scalar(4)) * e35 + (Scalar(1) / Scalar(4)) * e34 * w_squared;
-                J[2] = -log1p_11 * e59 - log1p_11 * e38 * e60;
+                J[0] = (Scalar(1) / Scalar(2)) * p_.p_0 * e9 * e28 + (Scalar(1) / Scalar(2)) * e9 * e29;
+                J[1] = (Scalar(1) / Scalar(4)) * inverse_30 * e31 * e32 - (Scalar(1) / Scalar(2)) * p_.T_0 * e31 * e28
+                    - (Scalar(1) / Scalar(2)) * p_.T_0 * e7 * e29 + (Scalar(1) / Scalar(4)) * inverse_30 * e7 * e33;
+                const Scalar e59 = (Scalar(1) / Scalar(2)) * e36 * e28 + (Scalar(1) / Scalar(2)) * e35 * e29;
+                const Scalar e60 = (Scalar(1) / Scalar(4)) * e36 + (Scalar(1) / Scalar(4)) * e35 * w_squared;
+                J[2] = -log1p_11 * e59 - log1p_11 * e39 * e60;
                 const Scalar e61 = (-(Scalar(1) / Scalar(2)) * e43) * e44 + (-(Scalar(1) / Scalar(4)) * e45 * inverse_46_squared) * e49
                     - (Scalar(1) / Scalar(4)) * e8 * e51;
-                const Scalar e62 = inverse_47 * ((Scalar(1) / Scalar(2)) * inverse_46 * e33) + (Scalar(1) / Scalar(2)) * e33
+                const Scalar e62 = inverse_47 * ((Scalar(1) / Scalar(2)) * inverse_46 * e34) + (Scalar(1) / Scalar(2)) * e34
                     * inverse_46_squared * e48;
-                J[3] = (-(Scalar(1) / Scalar(4)) * e40) * e31 * e42 - w_squared * e61 - e27 * e62 - c_.k30 * e26
+                J[3] = (-(Scalar(1) / Scalar(4)) * e40) * e33 * e42 - w_squared * e61 - e29 * e62 - c_.k29 * e28
                     - (-(Scalar(1) / Scalar(2)) * e40 * e52) * e44 + (-(Scalar(1) / Scalar(4)) * p_.p_0 * e40) * e53
                     - (-(Scalar(1) / Scalar(4)) * inverse_46 * e45) * e49 + (Scalar(1) / Scalar(4)) * p_.p_0 * e8 * e51;
-                J[4] = (Scalar(1) / Scalar(4)) * inverse_54 * e29 * e30 - (Scalar(1) / Scalar(2)) * p_.R_s * e29 * e26
-                    - (Scalar(1) / Scalar(2)) * p_.R_s * e7 * e27 + (Scalar(1) / Scalar(4)) * inverse_54 * e7 * e31;
-                const Scalar e63 = (-(Scalar(1) / Scalar(2)) * inverse_39 * e43) * e44 - (-(Scalar(1) / Scalar(4)) * inverse_39 * e40)
+                J[4] = (Scalar(1) / Scalar(4)) * inverse_54 * e31 * e32 - (Scalar(1) / Scalar(2)) * p_.R_s * e31 * e28
+                    - (Scalar(1) / Scalar(2)) * p_.R_s * e7 * e29 + (Scalar(1) / Scalar(4)) * inverse_54 * e7 * e33;
+                const Scalar e63 = (-(Scalar(1) / Scalar(2)) * inverse_22 * e43) * e44 - (-(Scalar(1) / Scalar(4)) * inverse_22 * e40)
                     * e53;
-                J[5] = e14 * e14 * e63;
-                J[6] = -(Scalar(1) / Scalar(2)) * e52 * e55 * e26 - (Scalar(1) / Scalar(2)) * e2 * e55 * e27;
-                const Scalar e64 = (Scalar(1) / Scalar(2)) * e52 * e57 * e26 + (Scalar(1) / Scalar(2)) * e2 * e57 * e27
-                    - (Scalar(1) / Scalar(4)) * p_.p_0 * e57 * e30 - (Scalar(1) / Scalar(4)) * e57 * e31;
-                J[7] = -log_56 * e64 - (Scalar(1) / Scalar(2)) * e6 * e52 * e26 - (Scalar(1) / Scalar(2)) * e6 * e2 * e27;
-                J[8] = -(Scalar(1) / Scalar(2)) * e52 * e58 * e26 - (Scalar(1) / Scalar(2)) * e2 * e58 * e27;
+                J[5] = e15 * e15 * e63;
+                J[6] = -(Scalar(1) / Scalar(2)) * e52 * e55 * e28 - (Scalar(1) / Scalar(2)) * e2 * e55 * e29;
+                const Scalar e64 = (Scalar(1) / Scalar(2)) * e52 * e57 * e28 + (Scalar(1) / Scalar(2)) * e2 * e57 * e29
+                    - (Scalar(1) / Scalar(4)) * p_.p_0 * e57 * e32 - (Scalar(1) / Scalar(4)) * e57 * e33;
+                J[7] = -log_56 * e64 - (Scalar(1) / Scalar(2)) * e6 * e52 * e28 - (Scalar(1) / Scalar(2)) * e6 * e2 * e29;
+                J[8] = -(Scalar(1) / Scalar(2)) * e52 * e58 * e28 - (Scalar(1) / Scalar(2)) * e2 * e58 * e29;
                 break;
             }
             case Mode::balanced:
@@ -863,11 +852,11 @@ public:
                 const Scalar sqrt_3 = sqrt(c_.k2 * inverse_2);
                 y[0] = p_.p_0 + w_squared;
                 y[1] = p_.T_0 * power_1;
-                y[2] = sqrt_3 * (c_.k12 + c_.k11 * w_squared);
+                y[2] = sqrt_3 * (c_.k11 + c_.k10 * w_squared);
                 y[3] = p_.p_0;
-                y[4] = c_.k13;
-                y[5] = inverse_2 * (c_.k15 + c_.k14 * w_squared);
-                y[6] = -power_1 * sqrt_3 * (c_.k17 + c_.k16 * w_squared);
+                y[4] = c_.k12;
+                y[5] = inverse_2 * (c_.k14 + c_.k13 * w_squared);
+                y[6] = -power_1 * sqrt_3 * (c_.k16 + c_.k15 * w_squared);
                 break;
             }
             case Mode::subsonic: {
@@ -881,19 +870,19 @@ public:
                 const Scalar power_2 = pow(c_.k3 + c_.k4 * w_squared, c_.k5);
                 const Scalar inverse_3 = Scalar(1) / power_2;
                 const Scalar sqrt_4 = sqrt(c_.k2 * inverse_3);
-                const Scalar log1p_5 = log1p(c_.k33 * w_squared);
-                const Scalar decay_mean_6 = detail::decay_mean<Scalar>(c_.k32 * log1p_5);
+                const Scalar log1p_5 = log1p(c_.k30 * w_squared);
+                const Scalar decay_mean_6 = detail::decay_mean<Scalar>(c_.k34 * log1p_5);
                 const Scalar log_mean_p_0 = detail::log_mean<Scalar>(p_.p_0, e1);
                 const Scalar sqrt_7 = sqrt(decay_mean_6 / log_mean_p_0);
-                const Scalar exp_8 = exp(c_.k34 * log1p_5);
+                const Scalar exp_8 = exp(c_.k31 * log1p_5);
                 const Scalar e9 = w * sqrt_4 * (sqrt_7 / exp_8);
                 y[0] = e1;
                 y[1] = p_.T_0 * power_2;
-                y[2] = e9 * (c_.k44 + c_.k45 * w_squared);
+                y[2] = e9 * (c_.k36 + c_.k37 * w_squared);
                 y[3] = p_.p_0;
-                y[4] = c_.k13;
-                y[5] = inverse_3 * (c_.k15 + c_.k14 * w_squared);
-                y[6] = -power_2 * e9 * (c_.k46 + c_.k47 * w_squared);
+                y[4] = c_.k12;
+                y[5] = inverse_3 * (c_.k14 + c_.k13 * w_squared);
+                y[6] = -power_2 * e9 * (c_.k38 + c_.k39 * w_squared);
                 break;
             }
             case Mode::balanced:
@@ -906,8 +895,8 @@ public:
                 y[1] = p_.T_0 * power_1;
                 y[2] = Scalar(0);
                 y[3] = p_.p_0;
-                y[4] = c_.k13;
-                y[5] = (c_.k15 + c_.k14 * w_squared) / power_1;
+                y[4] = c_.k12;
+                y[5] = (c_.k14 + c_.k13 * w_squared) / power_1;
                 y[6] = Scalar(0);
                 break;
             }
@@ -924,7 +913,7 @@ public:
                 const Scalar w = x[0];
                 const Scalar w_squared = w * w;
                 const Scalar e1 = c_.k3 + c_.k4 * w_squared;
-                const Scalar power_2 = pow(e1, -c_.k10);
+                const Scalar power_2 = pow(e1, -c_.k9);
                 const Scalar e3 = w * power_2;
                 const Scalar power_4 = pow(e1, c_.k5);
                 const Scalar inverse_5 = Scalar(1) / power_4;
@@ -936,12 +925,12 @@ public:
                 const Scalar e11 = sqrt_6 * e3;
                 const Scalar e12 = inverse_7 * e8;
                 C[0] = Scalar(2) * w;
-                C[1] = c_.k18 * e3;
-                C[2] = inverse_7 * e9 * (c_.k19 + c_.k21 * w_squared) + c_.k20 * e10;
+                C[1] = c_.k17 * e3;
+                C[2] = inverse_7 * e9 * (c_.k18 + c_.k20 * w_squared) + c_.k19 * e10;
                 C[3] = Scalar(0);
                 C[4] = Scalar(0);
-                C[5] = c_.k23 * w * inverse_5 - e9 * (c_.k22 + c_.k24 * w_squared);
-                C[6] = w_squared * (c_.k29 * e11 - c_.k28 * e12) - c_.k26 * power_4 * e10 + c_.k27 * e11 - c_.k25 * e12;
+                C[5] = c_.k22 * w * inverse_5 - e9 * (c_.k21 + c_.k23 * w_squared);
+                C[6] = w_squared * (c_.k28 * e11 - c_.k27 * e12) - c_.k25 * power_4 * e10 + c_.k26 * e11 - c_.k24 * e12;
                 break;
             }
             case Mode::subsonic: {
@@ -952,14 +941,14 @@ public:
                 const Scalar w = x[0];
                 const Scalar w_squared = w * w;
                 const Scalar e1 = c_.k3 + c_.k4 * w_squared;
-                const Scalar power_2 = pow(e1, -c_.k10);
+                const Scalar power_2 = pow(e1, -c_.k9);
                 const Scalar power_3 = pow(e1, c_.k5);
                 const Scalar inverse_4 = Scalar(1) / power_3;
                 const Scalar e5 = power_2 * inverse_4;
                 const Scalar e6 = inverse_4 * e5;
-                const Scalar e7 = c_.k33 * w_squared;
+                const Scalar e7 = c_.k30 * w_squared;
                 const Scalar log1p_8 = log1p(e7);
-                const Scalar e9 = c_.k32 * log1p_8;
+                const Scalar e9 = c_.k34 * log1p_8;
                 const Scalar decay_mean_10 = detail::decay_mean<Scalar>(e9);
                 const Scalar e11 = p_.p_0 + w_squared;
                 const Scalar log_mean_p_0 = detail::log_mean<Scalar>(p_.p_0, e11);
@@ -967,7 +956,7 @@ public:
                 const Scalar e13 = decay_mean_10 * inverse_12;
                 const Scalar sqrt_14 = sqrt(e13);
                 const Scalar sqrt_15 = sqrt(c_.k2 * inverse_4);
-                const Scalar exp_16 = exp(c_.k34 * log1p_8);
+                const Scalar exp_16 = exp(c_.k31 * log1p_8);
                 const Scalar inverse_17 = Scalar(1) / exp_16;
                 const Scalar e18 = inverse_17 * w_squared;
                 const Scalar e19 = e18 / sqrt_15;
@@ -988,15 +977,15 @@ public:
                 const Scalar e34 = e27 * e21;
                 const Scalar e35 = e23 * e28;
                 C[0] = Scalar(2) * w;
-                C[1] = c_.k18 * w * power_2;
-                C[2] = e6 * (c_.k49 * e20 + c_.k53 * e22) - e24 * (c_.k52 * e28 + c_.k45 * e30) - c_.k44 * e31 + c_.k51 * e32 - c_.k50
-                    * e33 - c_.k54 * e34 - c_.k48 * e35;
+                C[1] = c_.k17 * w * power_2;
+                C[2] = e6 * (c_.k41 * e20 + c_.k45 * e22) - e24 * (c_.k44 * e28 + c_.k37 * e30) - c_.k36 * e31 + c_.k43 * e32 - c_.k42
+                    * e33 - c_.k46 * e34 - c_.k40 * e35;
                 C[3] = Scalar(0);
                 C[4] = Scalar(0);
-                C[5] = c_.k23 * w * inverse_4 - w * e6 * (c_.k22 + c_.k24 * w_squared);
-                const Scalar e36 = c_.k46 * e31 - c_.k58 * e32 - c_.k57 * e33 - c_.k62 * e34 - c_.k55 * e35;
-                C[6] = power_3 * e36 + power_2 * (c_.k63 * e26 * e21 + c_.k59 * e32) - e5 * (c_.k56 * e20 + c_.k61 * e22) - power_3
-                    * e24 * (c_.k60 * e28 - c_.k47 * e30);
+                C[5] = c_.k22 * w * inverse_4 - w * e6 * (c_.k21 + c_.k23 * w_squared);
+                const Scalar e36 = c_.k38 * e31 - c_.k50 * e32 - c_.k49 * e33 - c_.k54 * e34 - c_.k47 * e35;
+                C[6] = power_3 * e36 + power_2 * (c_.k55 * e26 * e21 + c_.k51 * e32) - e5 * (c_.k48 * e20 + c_.k53 * e22) - power_3
+                    * e24 * (c_.k52 * e28 - c_.k39 * e30);
                 break;
             }
             case Mode::balanced:
@@ -1004,17 +993,17 @@ public:
                 using std::pow;
                 const Scalar w = x[0];
                 const Scalar e1 = c_.k3 + c_.k4 * w * w;
-                const Scalar power_2 = pow(e1, -c_.k10);
+                const Scalar power_2 = pow(e1, -c_.k9);
                 const Scalar e3 = w * power_2;
                 const Scalar power_4 = pow(e1, c_.k5);
                 const Scalar inverse_5 = Scalar(1) / power_4;
                 const Scalar e6 = w * inverse_5;
                 C[0] = Scalar(2) * w;
-                C[1] = c_.k18 * e3;
+                C[1] = c_.k17 * e3;
                 C[2] = Scalar(0);
                 C[3] = Scalar(0);
                 C[4] = Scalar(0);
-                C[5] = c_.k23 * e6 - e3 * (c_.k22 * inverse_5 * inverse_5 + c_.k24 * e6 * e6);
+                C[5] = c_.k22 * e6 - e3 * (c_.k21 * inverse_5 * inverse_5 + c_.k23 * e6 * e6);
                 C[6] = Scalar(0);
                 break;
             }
@@ -1097,7 +1086,7 @@ public:
     }
 
     /// dg/dt along the motion in the mode, with inputs held.
-    /// Operations: choked: 3 + or -, 14 *, 2 /, 3 other functions; subsonic: 4 + or -, 12 *, 3 /, 7 other functions; balanced: none
+    /// Operations: choked: 3 + or -, 14 *, 2 /, 3 other functions; subsonic: 4 + or -, 20 *, 4 /, 8 other functions; balanced: none
     void guard_rates(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, Events& rates) const noexcept {
         switch (mode) {
             case Mode::choked: {
@@ -1121,12 +1110,14 @@ public:
                 const Scalar w_squared = w * w;
                 const Scalar power_1 = pow(c_.k3 + c_.k4 * w_squared, c_.k5);
                 const Scalar sqrt_2 = sqrt(c_.k2 / power_1);
-                const Scalar log1p_3 = log1p(c_.k33 * w_squared);
-                const Scalar decay_mean_4 = detail::decay_mean<Scalar>(c_.k32 * log1p_3);
+                const Scalar log1p_3 = log1p(c_.k30 * w_squared);
+                const Scalar decay_mean_4 = detail::decay_mean<Scalar>(c_.k34 * log1p_3);
                 const Scalar log_mean_p_0 = detail::log_mean<Scalar>(p_.p_0, p_.p_0 + w_squared);
                 const Scalar sqrt_5 = sqrt(decay_mean_4 / log_mean_p_0);
-                const Scalar exp_6 = exp(c_.k34 * log1p_3);
-                rates[1] = -power_1 * sqrt_2 * (sqrt_5 / exp_6) * (c_.k31 + c_.k30 * w_squared);
+                const Scalar exp_6 = exp(c_.k31 * log1p_3);
+                const Scalar sqrt_7 = sqrt(Scalar(2));
+                const Scalar e8 = (Scalar(1) / Scalar(2)) * p_.R_s * p_.p_0 * p_.T_0 * p_.A_d * p_.n * p_.alpha_d * sqrt_7 / p_.V;
+                rates[1] = -power_1 * sqrt_2 * (sqrt_5 / exp_6) * (e8 + c_.k29 * w_squared);
                 break;
             }
             case Mode::balanced:
@@ -1181,64 +1172,56 @@ private:
         Scalar k3;  ///< p_0/p_a
         Scalar k4;  ///< 1/p_a
         Scalar k5;  ///< 1 - 1/n
-        Scalar k6;  ///< A_d*alpha_d*Psi_c*sqrt(2)*(-1 + n)/(2*V*p_a)
-        Scalar k7;  ///< R_s*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(-1 + n)/(V*p_a)
-        Scalar k8;  ///< p_0*A_d*alpha_d*Psi_c*sqrt(2)*(-1 + n)/(2*V*p_a)
-        Scalar k9;  ///< R_s*p_0*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(-1 + n)/(V*p_a)
-        Scalar k10;  ///< 1/n
-        Scalar k11;  ///< A_d*alpha_d*Psi_c*sqrt(2)
-        Scalar k12;  ///< p_0*A_d*alpha_d*Psi_c*sqrt(2)
-        Scalar k13;  ///< p_0/Pi_c
-        Scalar k14;  ///< V/(R_s*T_0)
-        Scalar k15;  ///< V*p_0/(R_s*T_0)
-        Scalar k16;  ///< R_s*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(kappa - n)/(1 - kappa)
-        Scalar k17;  ///< R_s*p_0*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(kappa - n)/(1 - kappa)
-        Scalar k18;  ///< 2*T_0*(1 - 1/n)/p_a
-        Scalar k19;  ///< p_0*A_d*alpha_d*Psi_c*sqrt(2)*(-1 + 1/n)/(R_s*T_0*p_a)
-        Scalar k20;  ///< 2*A_d*alpha_d*Psi_c*sqrt(2)
-        Scalar k21;  ///< A_d*alpha_d*Psi_c*sqrt(2)*(-1 + 1/n)/(R_s*T_0*p_a)
-        Scalar k22;  ///< 2*V*p_0*(1 - 1/n)/(R_s*T_0*p_a)
-        Scalar k23;  ///< 2*V/(R_s*T_0)
-        Scalar k24;  ///< 2*V*(1 - 1/n)/(R_s*T_0*p_a)
-        Scalar k25;  ///< p_0*A_d*alpha_d*Psi_c*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
-        Scalar k26;  ///< 2*R_s*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(kappa - n)/(1 - kappa)
-        Scalar k27;  ///< 2*R_s*p_0*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
-        Scalar k28;  ///< A_d*alpha_d*Psi_c*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
-        Scalar k29;  ///< 2*R_s*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
-        Scalar k30;  ///< R_s*T_0*A_d*n*alpha_d*sqrt(2)/(2*V)
-        Scalar k31;  ///< R_s*p_0*T_0*A_d*n*alpha_d*sqrt(2)/(2*V)
-        Scalar k32;  ///< 1 - 1/kappa
-        Scalar k33;  ///< 1/p_0
-        Scalar k34;  ///< 1/kappa
-        Scalar k35;  ///< R_s*T_0*A_d*n*alpha_d*sqrt(2)*(-1 + 1/kappa)/(2*V)
-        Scalar k36;  ///< p_0*A_d*alpha_d*sqrt(2)*(-1 + n)/(2*V*p_a)
-        Scalar k37;  ///< R_s*T_0*A_d*n*alpha_d*sqrt(2)/(V*kappa)
-        Scalar k38;  ///< R_s*T_0*A_d*n*alpha_d*sqrt(2)/V
-        Scalar k39;  ///< R_s*p_0*T_0*A_d*alpha_d*sqrt(2)*(-1 + n)/(V*p_a)
-        Scalar k40;  ///< R_s*T_0*A_d*n*alpha_d*sqrt(2)*(-1 + 1/kappa)/(2*V*p_0)
-        Scalar k41;  ///< A_d*alpha_d*sqrt(2)*(-1 + n)/(2*V*p_a)
-        Scalar k42;  ///< R_s*T_0*A_d*n*alpha_d*sqrt(2)/(V*kappa*p_0)
-        Scalar k43;  ///< R_s*T_0*A_d*alpha_d*sqrt(2)*(-1 + n)/(V*p_a)
-        Scalar k44;  ///< p_0*A_d*alpha_d*sqrt(2)
-        Scalar k45;  ///< A_d*alpha_d*sqrt(2)
-        Scalar k46;  ///< R_s*p_0*T_0*A_d*alpha_d*sqrt(2)*(kappa - n)/(1 - kappa)
-        Scalar k47;  ///< R_s*T_0*A_d*alpha_d*sqrt(2)*(kappa - n)/(1 - kappa)
-        Scalar k48;  ///< A_d*alpha_d*sqrt(2)*(-1 + 1/kappa)
-        Scalar k49;  ///< p_0*A_d*alpha_d*sqrt(2)*(-1 + 1/n)/(R_s*T_0*p_a)
-        Scalar k50;  ///< 2*A_d*alpha_d*sqrt(2)/kappa
-        Scalar k51;  ///< 3*A_d*alpha_d*sqrt(2)
-        Scalar k52;  ///< A_d*alpha_d*sqrt(2)*(-1 + 1/kappa)/p_0
-        Scalar k53;  ///< A_d*alpha_d*sqrt(2)*(-1 + 1/n)/(R_s*T_0*p_a)
-        Scalar k54;  ///< 2*A_d*alpha_d*sqrt(2)/(kappa*p_0)
-        Scalar k55;  ///< R_s*T_0*A_d*alpha_d*sqrt(2)*(-1 + kappa + n/kappa - n)/(1 - kappa)
-        Scalar k56;  ///< p_0*A_d*alpha_d*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
-        Scalar k57;  ///< 2*R_s*T_0*A_d*alpha_d*sqrt(2)*(-1 + n/kappa)/(1 - kappa)
-        Scalar k58;  ///< 3*R_s*T_0*A_d*alpha_d*sqrt(2)*(kappa - n)/(1 - kappa)
-        Scalar k59;  ///< 2*R_s*p_0*T_0*A_d*alpha_d*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
-        Scalar k60;  ///< R_s*T_0*A_d*alpha_d*sqrt(2)*(-1 + kappa + n/kappa - n)/(p_0*(1 - kappa))
-        Scalar k61;  ///< A_d*alpha_d*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
-        Scalar k62;  ///< 2*R_s*T_0*A_d*alpha_d*sqrt(2)*(-1 + n/kappa)/(p_0*(1 - kappa))
-        Scalar k63;  ///< 2*R_s*T_0*A_d*alpha_d*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
+        Scalar k6;  ///< R_s*T_0
+        Scalar k7;  ///< A_d*n*alpha_d*Psi_c*sqrt(2)/V
+        Scalar k8;  ///< A_d*alpha_d*Psi_c*sqrt(2)*(-1 + n)/V
+        Scalar k9;  ///< 1/n
+        Scalar k10;  ///< A_d*alpha_d*Psi_c*sqrt(2)
+        Scalar k11;  ///< p_0*A_d*alpha_d*Psi_c*sqrt(2)
+        Scalar k12;  ///< p_0/Pi_c
+        Scalar k13;  ///< V/(R_s*T_0)
+        Scalar k14;  ///< V*p_0/(R_s*T_0)
+        Scalar k15;  ///< R_s*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(kappa - n)/(1 - kappa)
+        Scalar k16;  ///< R_s*p_0*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(kappa - n)/(1 - kappa)
+        Scalar k17;  ///< 2*T_0*(1 - 1/n)/p_a
+        Scalar k18;  ///< p_0*A_d*alpha_d*Psi_c*sqrt(2)*(-1 + 1/n)/(R_s*T_0*p_a)
+        Scalar k19;  ///< 2*A_d*alpha_d*Psi_c*sqrt(2)
+        Scalar k20;  ///< A_d*alpha_d*Psi_c*sqrt(2)*(-1 + 1/n)/(R_s*T_0*p_a)
+        Scalar k21;  ///< 2*V*p_0*(1 - 1/n)/(R_s*T_0*p_a)
+        Scalar k22;  ///< 2*V/(R_s*T_0)
+        Scalar k23;  ///< 2*V*(1 - 1/n)/(R_s*T_0*p_a)
+        Scalar k24;  ///< p_0*A_d*alpha_d*Psi_c*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
+        Scalar k25;  ///< 2*R_s*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(kappa - n)/(1 - kappa)
+        Scalar k26;  ///< 2*R_s*p_0*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
+        Scalar k27;  ///< A_d*alpha_d*Psi_c*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
+        Scalar k28;  ///< 2*R_s*T_0*A_d*alpha_d*Psi_c*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
+        Scalar k29;  ///< R_s*T_0*A_d*n*alpha_d*sqrt(2)/(2*V)
+        Scalar k30;  ///< 1/p_0
+        Scalar k31;  ///< 1/kappa
+        Scalar k32;  ///< sqrt(2)/V
+        Scalar k33;  ///< A_d*alpha_d
+        Scalar k34;  ///< 1 - 1/kappa
+        Scalar k35;  ///< (1 - 1/kappa)/2
+        Scalar k36;  ///< p_0*A_d*alpha_d*sqrt(2)
+        Scalar k37;  ///< A_d*alpha_d*sqrt(2)
+        Scalar k38;  ///< R_s*p_0*T_0*A_d*alpha_d*sqrt(2)*(kappa - n)/(1 - kappa)
+        Scalar k39;  ///< R_s*T_0*A_d*alpha_d*sqrt(2)*(kappa - n)/(1 - kappa)
+        Scalar k40;  ///< A_d*alpha_d*sqrt(2)*(-1 + 1/kappa)
+        Scalar k41;  ///< p_0*A_d*alpha_d*sqrt(2)*(-1 + 1/n)/(R_s*T_0*p_a)
+        Scalar k42;  ///< 2*A_d*alpha_d*sqrt(2)/kappa
+        Scalar k43;  ///< 3*A_d*alpha_d*sqrt(2)
+        Scalar k44;  ///< A_d*alpha_d*sqrt(2)*(-1 + 1/kappa)/p_0
+        Scalar k45;  ///< A_d*alpha_d*sqrt(2)*(-1 + 1/n)/(R_s*T_0*p_a)
+        Scalar k46;  ///< 2*A_d*alpha_d*sqrt(2)/(kappa*p_0)
+        Scalar k47;  ///< R_s*T_0*A_d*alpha_d*sqrt(2)*(-1 + kappa + n/kappa - n)/(1 - kappa)
+        Scalar k48;  ///< p_0*A_d*alpha_d*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
+        Scalar k49;  ///< 2*R_s*T_0*A_d*alpha_d*sqrt(2)*(-1 + n/kappa)/(1 - kappa)
+        Scalar k50;  ///< 3*R_s*T_0*A_d*alpha_d*sqrt(2)*(kappa - n)/(1 - kappa)
+        Scalar k51;  ///< 2*R_s*p_0*T_0*A_d*alpha_d*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
+        Scalar k52;  ///< R_s*T_0*A_d*alpha_d*sqrt(2)*(-1 + kappa + n/kappa - n)/(p_0*(1 - kappa))
+        Scalar k53;  ///< A_d*alpha_d*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
+        Scalar k54;  ///< 2*R_s*T_0*A_d*alpha_d*sqrt(2)*(-1 + n/kappa)/(p_0*(1 - kappa))
+        Scalar k55;  ///< 2*R_s*T_0*A_d*alpha_d*sqrt(2)*(-1 - kappa + kappa/n + n)/(p_a*(1 - kappa))
     };
     Cached c_{};
 };
