@@ -333,6 +333,7 @@ public:
         switch (mode) {
             case Mode::pads_sticks: {
                 const Scalar T = x[2];
+                const Scalar e1 = -c_.k0;
                 dxdt[0] = x[1];
                 dxdt[1] = Scalar(0);
                 dxdt[2] = c_.k0 * (p_.T_inf - T);
@@ -344,13 +345,14 @@ public:
                 J[5] = Scalar(0);
                 J[6] = Scalar(0);
                 J[7] = Scalar(0);
-                J[8] = -c_.k0;
+                J[8] = e1;
                 break;
             }
             case Mode::pads_slides_forwards: {
                 const Scalar phi_ddot = (-c_.k4) * c_.k3;
                 const Scalar phi_dot = x[1];
                 const Scalar T = x[2];
+                const Scalar e1 = -c_.k0;
                 dxdt[0] = x[1];
                 dxdt[1] = phi_ddot;
                 dxdt[2] = c_.k5 * phi_dot + c_.k0 * (p_.T_inf - T);
@@ -362,7 +364,7 @@ public:
                 J[5] = c_.k5;
                 J[6] = Scalar(0);
                 J[7] = Scalar(0);
-                J[8] = -c_.k0;
+                J[8] = e1;
                 break;
             }
             case Mode::pads_slides_backwards:
@@ -370,6 +372,8 @@ public:
                 const Scalar phi_ddot = c_.k4 * c_.k3;
                 const Scalar T = x[2];
                 const Scalar phi_dot = x[1];
+                const Scalar e1 = -c_.k5;
+                const Scalar e2 = -c_.k0;
                 dxdt[0] = x[1];
                 dxdt[1] = phi_ddot;
                 dxdt[2] = c_.k0 * (p_.T_inf - T) - c_.k5 * phi_dot;
@@ -378,10 +382,10 @@ public:
                 J[2] = Scalar(0);
                 J[3] = Scalar(1);
                 J[4] = Scalar(0);
-                J[5] = -c_.k5;
+                J[5] = e1;
                 J[6] = Scalar(0);
                 J[7] = Scalar(0);
-                J[8] = -c_.k0;
+                J[8] = e2;
                 break;
             }
         }
@@ -460,7 +464,7 @@ public:
                 const Scalar e8 = p_.A * e4;
                 const Scalar e9 = p_.alpha * e8;
                 J[0] = Scalar(0);
-                J[1] = (-dxdt[1]) * c_.k3;
+                J[1] = c_.k3 * (-dxdt[1]);
                 J[2] = Scalar(0);
                 J[3] = Scalar(0);
                 J[4] = Scalar(0);
@@ -469,13 +473,13 @@ public:
                 J[7] = Scalar(0);
                 J[8] = -phi_dot * (Scalar(2) * inverse_3 * e6) - e7 * (inverse_3 * e9);
                 J[9] = Scalar(0);
-                J[10] = (-Scalar(2) * p_.f_n * p_.mu) * c_.k3;
+                J[10] = c_.k3 * (-Scalar(2) * p_.f_n * p_.mu);
                 J[11] = phi_dot * (Scalar(2) * p_.f_n * e5);
                 J[12] = Scalar(0);
-                J[13] = (-Scalar(2) * p_.r * p_.mu) * c_.k3;
+                J[13] = c_.k3 * (-Scalar(2) * p_.r * p_.mu);
                 J[14] = phi_dot * (Scalar(2) * p_.r * e5);
                 J[15] = Scalar(0);
-                J[16] = (-Scalar(2) * e1) * c_.k3;
+                J[16] = c_.k3 * (-Scalar(2) * e1);
                 J[17] = phi_dot * (Scalar(2) * e4 * e1);
                 J[18] = Scalar(0);
                 J[19] = Scalar(0);
@@ -510,7 +514,7 @@ public:
                 const Scalar e8 = p_.A * e4;
                 const Scalar e9 = p_.alpha * e8;
                 J[0] = Scalar(0);
-                J[1] = (-dxdt[1]) * c_.k3;
+                J[1] = c_.k3 * (-dxdt[1]);
                 J[2] = Scalar(0);
                 J[3] = Scalar(0);
                 J[4] = Scalar(0);
@@ -519,13 +523,13 @@ public:
                 J[7] = Scalar(0);
                 J[8] = phi_dot * (Scalar(2) * inverse_3 * e6) - e7 * (inverse_3 * e9);
                 J[9] = Scalar(0);
-                J[10] = Scalar(2) * p_.f_n * p_.mu * c_.k3;
+                J[10] = c_.k3 * (Scalar(2) * p_.f_n * p_.mu);
                 J[11] = -phi_dot * (Scalar(2) * p_.f_n * e5);
                 J[12] = Scalar(0);
-                J[13] = Scalar(2) * p_.r * p_.mu * c_.k3;
+                J[13] = c_.k3 * (Scalar(2) * p_.r * p_.mu);
                 J[14] = -phi_dot * (Scalar(2) * p_.r * e5);
                 J[15] = Scalar(0);
-                J[16] = Scalar(2) * e1 * c_.k3;
+                J[16] = c_.k3 * (Scalar(2) * e1);
                 J[17] = -phi_dot * (Scalar(2) * e4 * e1);
                 J[18] = Scalar(0);
                 J[19] = Scalar(0);

@@ -293,19 +293,23 @@ public:
         const Scalar I_dc = x[2];
         const Scalar I_dc_squared = I_dc * I_dc;
         const Scalar e2 = c_.k4 * I_dc_squared;
-        const Scalar e3 = (p_.T_0 - T_ac) * (c_.k2 + c_.k3 * (p_.T_0 + T_ac) * (c_.k8 + T_ac_squared));
-        dxdt[0] = e3 - c_.k0 * I_ac_squared + T_ac * e1;
-        const Scalar e4 = (p_.T_0 - T_dc) * (c_.k6 + c_.k7 * (p_.T_0 + T_dc) * (c_.k8 + T_dc_squared));
-        dxdt[1] = e4 - c_.k5 * I_dc_squared + T_dc * e2;
+        const Scalar e3 = e1 - c_.k2 - c_.k9 * T_ac * T_ac_squared;
+        const Scalar e4 = e2 - c_.k6 - c_.k10 * T_dc * T_dc_squared;
+        const Scalar e5 = -p_.k_c;
+        const Scalar e6 = I_dc * (c_.k11 * T_dc - c_.k12);
+        const Scalar e7 = (p_.T_0 - T_ac) * (c_.k2 + c_.k3 * (p_.T_0 + T_ac) * (c_.k8 + T_ac_squared));
+        dxdt[0] = e7 - c_.k0 * I_ac_squared + T_ac * e1;
+        const Scalar e8 = (p_.T_0 - T_dc) * (c_.k6 + c_.k7 * (p_.T_0 + T_dc) * (c_.k8 + T_dc_squared));
+        dxdt[1] = e8 - c_.k5 * I_dc_squared + T_dc * e2;
         dxdt[2] = p_.k_c * (T_ac - T_dc);
-        J[0] = e1 - c_.k2 - c_.k9 * T_ac * T_ac_squared;
+        J[0] = e3;
         J[1] = Scalar(0);
         J[2] = p_.k_c;
         J[3] = Scalar(0);
-        J[4] = e2 - c_.k6 - c_.k10 * T_dc * T_dc_squared;
-        J[5] = -p_.k_c;
+        J[4] = e4;
+        J[5] = e5;
         J[6] = Scalar(0);
-        J[7] = I_dc * (c_.k11 * T_dc - c_.k12);
+        J[7] = e6;
         J[8] = Scalar(0);
     }
 

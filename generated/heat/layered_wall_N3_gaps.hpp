@@ -343,18 +343,21 @@ public:
         const Scalar T_3 = x[2];
         const Scalar T_a = u[1];
         const Scalar sun = u[2];
+        const Scalar e1 = -c_.k2;
+        const Scalar e2 = -c_.k6;
+        const Scalar e3 = -c_.k12;
         dxdt[0] = c_.k0 + c_.k1 * T_i - c_.k2 * T_1 + c_.k3 * T_2;
         dxdt[1] = c_.k4 + c_.k5 * T_1 - c_.k6 * T_2 + c_.k7 * T_3;
         dxdt[2] = c_.k8 + c_.k9 * T_a + c_.k10 * sun + c_.k11 * T_2 - c_.k12 * T_3;
-        J[0] = -c_.k2;
+        J[0] = e1;
         J[1] = c_.k5;
         J[2] = Scalar(0);
         J[3] = c_.k3;
-        J[4] = -c_.k6;
+        J[4] = e2;
         J[5] = c_.k11;
         J[6] = Scalar(0);
         J[7] = c_.k7;
-        J[8] = -c_.k12;
+        J[8] = e3;
     }
 
     /// J = df/dx. 3 x 3, entry (i, j) at J[3*j + i].

@@ -331,18 +331,21 @@ public:
         const Scalar e2 = T_2 - T_3;
         const Scalar T_a = u[1];
         const Scalar sun = u[2];
+        const Scalar e3 = (-Scalar(1)) * c_.k2;
+        const Scalar e4 = (-Scalar(1)) * c_.k6;
+        const Scalar e5 = (-Scalar(1)) * c_.k12;
         dxdt[0] = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k3;
         dxdt[1] = c_.k4 + e1 * c_.k5 - e2 * c_.k7;
         dxdt[2] = c_.k9 * (T_a - T_3) + c_.k8 + sun * c_.k10 + e2 * c_.k11;
-        J[0] = (-Scalar(1)) * c_.k2;
+        J[0] = e3;
         J[1] = c_.k5;
         J[2] = Scalar(0);
         J[3] = c_.k3;
-        J[4] = (-Scalar(1)) * c_.k6;
+        J[4] = e4;
         J[5] = c_.k11;
         J[6] = Scalar(0);
         J[7] = c_.k7;
-        J[8] = (-Scalar(1)) * c_.k12;
+        J[8] = e5;
     }
 
     /// J = df/dx. 3 x 3, entry (i, j) at J[3*j + i].

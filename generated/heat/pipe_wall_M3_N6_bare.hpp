@@ -296,17 +296,21 @@ public:
         const Scalar T_F = u[0];
         const Scalar T_1_3 = x[2];
         const Scalar e2 = T_1_2 - T_1_3;
+        const Scalar e3 = -c_.k2;
+        const Scalar e4 = -c_.k1;
+        const Scalar e5 = -c_.k5;
+        const Scalar e6 = -c_.k3;
         dxdt[0] = c_.k1 * e1 - c_.k0 * (T_F - T_1_1);
         dxdt[1] = c_.k3 * e2 - c_.k2 * e1;
         dxdt[2] = -c_.k4 * (p_.T_inf - T_1_3) - c_.k5 * e2;
         J[0] = c_.k6;
-        J[1] = -c_.k2;
+        J[1] = e3;
         J[2] = Scalar(0);
-        J[3] = -c_.k1;
+        J[3] = e4;
         J[4] = c_.k7;
-        J[5] = -c_.k5;
+        J[5] = e5;
         J[6] = Scalar(0);
-        J[7] = -c_.k3;
+        J[7] = e6;
         J[8] = c_.k8;
     }
 

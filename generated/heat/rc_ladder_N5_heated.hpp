@@ -255,13 +255,14 @@ public:
         const Scalar U = x[5];
         const Scalar e5 = T_4 - U;
         const Scalar T_L = u[0];
+        const Scalar e6 = -c_.k1;
+        const Scalar e7 = -c_.k4;
         dxdt[0] = c_.k0 * Q_r - c_.k1 * e1;
         dxdt[1] = c_.k2 * e1 - e2;
         dxdt[2] = e2 - e3;
         dxdt[3] = e3 - e4;
         dxdt[4] = e4 - c_.k2 * e5;
         dxdt[5] = c_.k3 * (T_L - U) + c_.k1 * e5;
-        const Scalar e6 = -c_.k1;
         J[0] = e6;
         J[1] = c_.k2;
         J[2] = Scalar(0);
@@ -297,7 +298,7 @@ public:
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = c_.k2;
-        J[35] = -c_.k4;
+        J[35] = e7;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].

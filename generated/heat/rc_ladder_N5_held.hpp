@@ -236,12 +236,12 @@ public:
         const Scalar T_4 = x[4];
         const Scalar e4 = c_.k1 * (T_3 - T_4);
         const Scalar T_L = u[0];
+        const Scalar e5 = -c_.k0;
         dxdt[0] = -c_.k0 * e1;
         dxdt[1] = c_.k1 * e1 - e2;
         dxdt[2] = e2 - e3;
         dxdt[3] = e3 - e4;
         dxdt[4] = c_.k1 * (T_L - T_4) + e4;
-        const Scalar e5 = -c_.k0;
         J[0] = e5;
         J[1] = c_.k1;
         J[2] = Scalar(0);

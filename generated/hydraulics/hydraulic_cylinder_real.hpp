@@ -20,11 +20,11 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                29     94     7        0      4
-//   rhs                   55     88     4        0     10
-//   rhs_and_jacobian     192    285     4        0     14
-//   jacobian_u            33     53     4        0      6
-//   jacobian_p           683   1212     9        0     18
+//   update                22     80     7        0      4
+//   rhs                   42     66     4        0     10
+//   rhs_and_jacobian     122    198     4        0     14
+//   jacobian_u            25     39     4        0      6
+//   jacobian_p           396    759     9        0     18
 //   bias                   4      4     0        0      0
 //   generalised_force      1      0     0        0      0
 //   output                21     25     2        0      4
@@ -34,7 +34,7 @@
 //   supplied_power         1      1     0        0      0
 //   dissipated_power       0      2     0        0      0
 //   internal_energy       18     20     2        0      4
-//   exchanged_power       30     40     4        0     12
+//   exchanged_power       19     24     2        0      8
 //   guards                 1      2     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -286,147 +286,120 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 29 + or -, 94 *, 7 /, 4 other functions
+    /// Operations: 22 + or -, 80 *, 7 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
         const Scalar e1 = p_.m_k + p_.m_l;
         c_.k0 = Scalar(1) / e1;
         c_.k1 = p_.c_l * p_.s_l;
-        const Scalar inverse_2 = Scalar(1) / p_.rho_0;
-        const Scalar e3 = inverse_2 / p_.c_v;
-        const Scalar e4 = p_.beta * p_.alpha;
-        const Scalar e5 = e3 * e4;
-        c_.k2 = p_.beta * e5;
-        c_.k3 = e5;
-        const Scalar inverse_6 = Scalar(1) / p_.beta;
-        c_.k4 = inverse_6;
-        const Scalar inverse_7 = Scalar(1) / p_.A_1;
-        c_.k5 = inverse_7;
-        c_.k6 = e4;
-        const Scalar e8 = p_.T_0 * e4 - p_.p_0;
-        c_.k7 = e8;
-        c_.k8 = p_.beta * e3;
-        c_.k9 = inverse_2;
-        const Scalar e9 = (p_.p_0 - p_.p_s) * inverse_6;
-        const Scalar exp_10 = exp(e9);
-        const Scalar compression_11 = detail::compression<Scalar>(-e9, exp_10);
-        c_.k10 = compression_11;
-        const Scalar e12 = e9 * exp_10 - compression_11;
-        const Scalar e13 = e12 * e8;
-        const Scalar e14 = p_.p_s * exp_10;
-        const Scalar e15 = e13 + e14;
-        c_.k11 = e15;
-        const Scalar inverse_16 = Scalar(1) / p_.A_2;
-        c_.k12 = inverse_16;
-        const Scalar e17 = p_.l - p_.d;
-        c_.k13 = e17;
-        const Scalar e18 = (p_.p_0 - p_.p_t) * inverse_6;
+        const Scalar e2 = p_.beta * p_.alpha;
+        const Scalar inverse_3 = Scalar(1) / p_.rho_0;
+        const Scalar inverse_4 = Scalar(1) / p_.c_v;
+        const Scalar e5 = inverse_3 * inverse_4;
+        const Scalar e6 = e2 * e5;
+        c_.k2 = p_.alpha * e6;
+        const Scalar inverse_7 = Scalar(1) / p_.beta;
+        c_.k3 = inverse_7;
+        const Scalar inverse_8 = Scalar(1) / p_.A_1;
+        c_.k4 = inverse_8;
+        const Scalar e9 = p_.T_0 * e2 - p_.p_0;
+        const Scalar e10 = (p_.p_0 - p_.p_s) * inverse_7;
+        const Scalar exp_11 = exp(e10);
+        const Scalar compression_12 = detail::compression<Scalar>(-e10, exp_11);
+        const Scalar e13 = (e10 * exp_11 - compression_12) * inverse_3;
+        const Scalar e14 = inverse_3 * (p_.beta * compression_12 + p_.p_s * exp_11);
+        const Scalar e15 = e9 * e13 + e14;
+        c_.k5 = e15;
+        c_.k6 = inverse_3;
+        c_.k7 = e9;
+        c_.k8 = p_.beta * inverse_3;
+        c_.k9 = e6;
+        const Scalar e16 = p_.l - p_.d;
+        c_.k10 = e16;
+        const Scalar inverse_17 = Scalar(1) / p_.A_2;
+        c_.k11 = inverse_17;
+        const Scalar e18 = (p_.p_0 - p_.p_t) * inverse_7;
         const Scalar exp_19 = exp(e18);
         const Scalar compression_20 = detail::compression<Scalar>(-e18, exp_19);
-        c_.k14 = compression_20;
-        const Scalar e21 = e18 * exp_19 - compression_20;
-        const Scalar e22 = e21 * e8;
-        const Scalar e23 = p_.p_t * exp_19;
-        const Scalar e24 = e22 + e23;
-        c_.k15 = e24;
-        c_.k16 = e3;
-        const Scalar e25 = p_.beta * compression_11;
-        const Scalar e26 = e15 + e25;
-        c_.k17 = e26;
-        c_.k18 = e4 * e5;
-        const Scalar e27 = p_.beta * compression_20;
-        const Scalar e28 = e24 + e27;
-        c_.k19 = e28;
-        const Scalar e29 = p_.alpha * e5;
-        c_.k20 = Scalar(2) * e29;
-        c_.k21 = e29;
-        const Scalar e30 = p_.alpha * e3;
-        c_.k22 = Scalar(2) * e30;
-        c_.k23 = e15 * e30;
-        c_.k24 = e30;
-        const Scalar e31 = inverse_6 * e3;
-        const Scalar e32 = p_.alpha * p_.T_0 - p_.p_0 * inverse_6;
-        const Scalar e33 = -e3 * e32;
-        c_.k25 = e14 * e31 - e12 * e33;
-        c_.k26 = e33;
-        c_.k27 = e33 + e3;
-        c_.k28 = e31;
-        c_.k29 = e24 * e30;
-        c_.k30 = e23 * e31 - e21 * e33;
-        c_.k31 = e26 * e29;
-        c_.k32 = e28 * e29;
-        c_.k33 = p_.beta * inverse_7;
-        const Scalar e34 = inverse_7 * e5;
-        c_.k34 = e34;
-        c_.k35 = e4 * e34;
-        c_.k36 = inverse_7 * e4;
-        c_.k37 = p_.beta * e34;
-        c_.k38 = -e8 * e34;
-        const Scalar e35 = e13 + (e14 + e25);
-        c_.k39 = -e35 * e34;
-        const Scalar e36 = inverse_7 * e3;
-        c_.k40 = e36;
-        c_.k41 = p_.beta * e36;
-        c_.k42 = e8 * e36;
-        c_.k43 = e35 * e36;
-        const Scalar e37 = inverse_16 * e5;
-        c_.k44 = e37;
-        c_.k45 = e4 * e37;
-        c_.k46 = p_.beta * inverse_16;
-        c_.k47 = inverse_16 * e4;
-        c_.k48 = p_.beta * e37;
-        c_.k49 = -e8 * e37;
-        const Scalar e38 = e22 + (e23 + e27);
-        c_.k50 = -e38 * e37;
-        const Scalar e39 = inverse_16 * e3;
-        c_.k51 = e39;
-        c_.k52 = p_.beta * e39;
-        c_.k53 = e8 * e39;
-        c_.k54 = e38 * e39;
-        c_.k55 = e1;
-        const Scalar e40 = p_.rho_0 * p_.c_v;
-        c_.k56 = p_.A_1 * e40;
-        c_.k57 = p_.A_2 * e40;
-        c_.k58 = p_.A_1 * p_.beta;
-        c_.k59 = p_.A_2 * p_.beta;
-        c_.k60 = p_.A_1 * e8;
-        c_.k61 = p_.A_2 * e8;
-        c_.k62 = (Scalar(1) / Scalar(2)) * e1;
-        const Scalar e41 = p_.A_2 * e17;
-        c_.k63 = e41 * e40;
-        c_.k64 = p_.beta * e41;
-        c_.k65 = e8 * e41;
-        c_.k66 = p_.m_k / p_.rho_k;
-        c_.k67 = -p_.A_1 * e32;
-        c_.k68 = p_.A_1 * inverse_6;
-        const Scalar e42 = p_.A_1 * p_.alpha;
-        c_.k69 = e42;
-        const Scalar e43 = inverse_6 * e40;
-        c_.k70 = p_.A_1 * e43;
-        c_.k71 = -e32 * e41;
-        c_.k72 = -p_.A_2 * e32;
-        c_.k73 = p_.A_2 * inverse_6;
-        const Scalar e44 = p_.A_2 * p_.alpha;
-        c_.k74 = e44;
-        c_.k75 = p_.A_2 * e43;
-        c_.k76 = inverse_6 * e41;
-        const Scalar e45 = p_.alpha * e41;
-        c_.k77 = e45;
-        c_.k78 = e41 * e43;
-        c_.k79 = e41;
-        c_.k80 = e8 * e42;
-        c_.k81 = e4 * e42;
-        c_.k82 = e40 * e42;
-        c_.k83 = p_.A_1 * e4;
-        c_.k84 = e8 * e45;
-        c_.k85 = e8 * e44;
-        c_.k86 = e4 * e44;
-        c_.k87 = e40 * e44;
-        c_.k88 = p_.A_2 * e4;
-        c_.k89 = e4 * e45;
-        c_.k90 = e40 * e45;
-        c_.k91 = e4 * e41;
+        const Scalar e21 = (e18 * exp_19 - compression_20) * inverse_3;
+        const Scalar e22 = inverse_3 * (p_.beta * compression_20 + p_.p_t * exp_19);
+        const Scalar e23 = e9 * e21 + e22;
+        c_.k12 = e23;
+        c_.k13 = e5;
+        const Scalar e24 = -e9;
+        c_.k14 = e14 - e24 * e13;
+        c_.k15 = e24 * inverse_3;
+        c_.k16 = e22 - e24 * e21;
+        const Scalar e25 = p_.alpha * p_.T_0 - p_.p_0 * inverse_7;
+        c_.k17 = inverse_3 + (-inverse_3 * e25);
+        c_.k18 = p_.alpha * inverse_3;
+        c_.k19 = inverse_3 * inverse_7;
+        c_.k20 = inverse_4;
+        c_.k21 = e2;
+        c_.k22 = inverse_7 * inverse_4;
+        c_.k23 = p_.alpha * e5;
+        c_.k24 = e24;
+        c_.k25 = p_.beta * inverse_8;
+        const Scalar e26 = inverse_8 * e6;
+        c_.k26 = e2 * e26;
+        const Scalar e27 = inverse_8 * inverse_4;
+        c_.k27 = e2 * e27;
+        c_.k28 = e26;
+        c_.k29 = e27;
+        const Scalar e28 = inverse_17 * e6;
+        c_.k30 = e2 * e28;
+        c_.k31 = p_.beta * inverse_17;
+        const Scalar e29 = inverse_17 * inverse_4;
+        c_.k32 = e2 * e29;
+        c_.k33 = e28;
+        c_.k34 = e29;
+        c_.k35 = e23;
+        c_.k36 = inverse_3 * e9;
+        c_.k37 = e15;
+        c_.k38 = e1;
+        const Scalar e30 = p_.rho_0 * p_.c_v;
+        c_.k39 = p_.A_1 * e30;
+        c_.k40 = p_.A_2 * e30;
+        c_.k41 = p_.A_1 * p_.beta;
+        c_.k42 = p_.A_2 * p_.beta;
+        c_.k43 = p_.A_1 * e9;
+        c_.k44 = p_.A_2 * e9;
+        c_.k45 = (Scalar(1) / Scalar(2)) * e1;
+        const Scalar e31 = p_.A_2 * e16;
+        c_.k46 = e31 * e30;
+        c_.k47 = p_.beta * e31;
+        c_.k48 = e9 * e31;
+        c_.k49 = p_.m_k / p_.rho_k;
+        c_.k50 = -p_.A_1 * e25;
+        c_.k51 = p_.A_1 * inverse_7;
+        const Scalar e32 = p_.A_1 * p_.alpha;
+        c_.k52 = e32;
+        const Scalar e33 = inverse_7 * e30;
+        c_.k53 = p_.A_1 * e33;
+        c_.k54 = -e25 * e31;
+        c_.k55 = -p_.A_2 * e25;
+        c_.k56 = p_.A_2 * inverse_7;
+        const Scalar e34 = p_.A_2 * p_.alpha;
+        c_.k57 = e34;
+        c_.k58 = p_.A_2 * e33;
+        c_.k59 = inverse_7 * e31;
+        const Scalar e35 = p_.alpha * e31;
+        c_.k60 = e35;
+        c_.k61 = e31 * e33;
+        c_.k62 = e31;
+        c_.k63 = e9 * e32;
+        c_.k64 = e2 * e32;
+        c_.k65 = e30 * e32;
+        c_.k66 = p_.A_1 * e2;
+        c_.k67 = e9 * e35;
+        c_.k68 = e9 * e34;
+        c_.k69 = e2 * e34;
+        c_.k70 = e30 * e34;
+        c_.k71 = p_.A_2 * e2;
+        c_.k72 = e2 * e35;
+        c_.k73 = e30 * e35;
+        c_.k74 = e2 * e31;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -443,7 +416,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 55 + or -, 88 *, 4 /, 10 other functions
+    /// Operations: 42 + or -, 66 *, 4 /, 10 other functions
     ///     specific_enthalpy[supply] = (beta*alpha*T_0*expm1((p_0 - p_s)/beta) + beta*compression(-(p_0 - p_s)/beta) -
     ///     p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 - p_s)/beta))/rho_0
     ///     specific_enthalpy[tank] = (beta*alpha*T_0*expm1((p_0 - p_t)/beta) + beta*compression(-(p_0 - p_t)/beta) - p_0*expm1((p_0
@@ -467,35 +440,30 @@ public:
     ///     (m_k + m_l)*ddot(s_k) + d_k*dot(s_k) - c_l*s_l + c_l*s_k - A_1*p_1 + A_2*p_2 = -f_l
     ///     dot(p_1) = -beta*(1 + beta*alpha^2*T_1/(c_v*density[chamber_1]))*dot(s_k)/s_k +
     ///     beta^2*alpha^2*T_1*mass_flow[inlet_1]/(A_1*c_v*density[chamber_1]^2*s_k) -
-    ///     beta^2*alpha^2*T_1*mass_flow[leak]/(A_1*c_v*density[chamber_1]^2*s_k) + beta*alpha*specific_enthalpy[supply]*max(0,
-    ///     mass_flow[inlet_1])/(A_1*c_v*density[chamber_1]*s_k) - beta*alpha*specific_enthalpy[chamber_1]*max(0,
-    ///     mass_flow[inlet_1])/(A_1*c_v*density[chamber_1]*s_k) + beta*alpha*specific_enthalpy[chamber_1]*min(0,
-    ///     mass_flow[leak])/(A_1*c_v*density[chamber_1]*s_k) - beta*alpha*specific_enthalpy[chamber_2]*min(0,
-    ///     mass_flow[leak])/(A_1*c_v*density[chamber_1]*s_k) + beta*mass_flow[inlet_1]/(A_1*density[chamber_1]*s_k) -
-    ///     beta*mass_flow[leak]/(A_1*density[chamber_1]*s_k)
+    ///     beta^2*alpha^2*T_1*mass_flow[leak]/(A_1*c_v*density[chamber_1]^2*s_k) +
+    ///     beta*mass_flow[inlet_1]/(A_1*density[chamber_1]*s_k) - beta*mass_flow[leak]/(A_1*density[chamber_1]*s_k) +
+    ///     beta*alpha*max(0, mass_flow[inlet_1])*(specific_enthalpy[supply] -
+    ///     specific_enthalpy[chamber_1])/(A_1*c_v*density[chamber_1]*s_k) + beta*alpha*min(0,
+    ///     mass_flow[leak])*(specific_enthalpy[chamber_1] - specific_enthalpy[chamber_2])/(A_1*c_v*density[chamber_1]*s_k)
     ///     dot(p_2) = beta*(1 + beta*alpha^2*T_2/(c_v*density[chamber_2]))*dot(s_k)/(l - d - s_k) +
     ///     beta^2*alpha^2*T_2*mass_flow[inlet_2]/(A_2*c_v*density[chamber_2]^2*(l - d - s_k)) +
     ///     beta^2*alpha^2*T_2*mass_flow[leak]/(A_2*c_v*density[chamber_2]^2*(l - d - s_k)) +
-    ///     beta*alpha*specific_enthalpy[tank]*max(0, mass_flow[inlet_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k)) +
-    ///     beta*alpha*specific_enthalpy[chamber_1]*max(0, mass_flow[leak])/(A_2*c_v*density[chamber_2]*(l - d - s_k)) -
-    ///     beta*alpha*specific_enthalpy[chamber_2]*max(0, mass_flow[inlet_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k)) -
-    ///     beta*alpha*specific_enthalpy[chamber_2]*max(0, mass_flow[leak])/(A_2*c_v*density[chamber_2]*(l - d - s_k)) +
     ///     beta*mass_flow[inlet_2]/(A_2*density[chamber_2]*(l - d - s_k)) + beta*mass_flow[leak]/(A_2*density[chamber_2]*(l - d -
+    ///     s_k)) + beta*alpha*max(0, mass_flow[inlet_2])*(specific_enthalpy[tank] -
+    ///     specific_enthalpy[chamber_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k)) + beta*alpha*max(0,
+    ///     mass_flow[leak])*(specific_enthalpy[chamber_1] - specific_enthalpy[chamber_2])/(A_2*c_v*density[chamber_2]*(l - d -
     ///     s_k))
     ///     dot(T_1) = -beta*alpha*T_1*dot(s_k)/(c_v*density[chamber_1]*s_k) +
     ///     beta*alpha*T_1*mass_flow[inlet_1]/(A_1*c_v*density[chamber_1]^2*s_k) -
-    ///     beta*alpha*T_1*mass_flow[leak]/(A_1*c_v*density[chamber_1]^2*s_k) + specific_enthalpy[supply]*max(0,
-    ///     mass_flow[inlet_1])/(A_1*c_v*density[chamber_1]*s_k) - specific_enthalpy[chamber_1]*max(0,
-    ///     mass_flow[inlet_1])/(A_1*c_v*density[chamber_1]*s_k) + specific_enthalpy[chamber_1]*min(0,
-    ///     mass_flow[leak])/(A_1*c_v*density[chamber_1]*s_k) - specific_enthalpy[chamber_2]*min(0,
-    ///     mass_flow[leak])/(A_1*c_v*density[chamber_1]*s_k)
+    ///     beta*alpha*T_1*mass_flow[leak]/(A_1*c_v*density[chamber_1]^2*s_k) + max(0,
+    ///     mass_flow[inlet_1])*(specific_enthalpy[supply] - specific_enthalpy[chamber_1])/(A_1*c_v*density[chamber_1]*s_k) + min(0,
+    ///     mass_flow[leak])*(specific_enthalpy[chamber_1] - specific_enthalpy[chamber_2])/(A_1*c_v*density[chamber_1]*s_k)
     ///     dot(T_2) = beta*alpha*T_2*dot(s_k)/(c_v*density[chamber_2]*(l - d - s_k)) +
     ///     beta*alpha*T_2*mass_flow[inlet_2]/(A_2*c_v*density[chamber_2]^2*(l - d - s_k)) +
-    ///     beta*alpha*T_2*mass_flow[leak]/(A_2*c_v*density[chamber_2]^2*(l - d - s_k)) + specific_enthalpy[tank]*max(0,
-    ///     mass_flow[inlet_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k)) + specific_enthalpy[chamber_1]*max(0,
-    ///     mass_flow[leak])/(A_2*c_v*density[chamber_2]*(l - d - s_k)) - specific_enthalpy[chamber_2]*max(0,
-    ///     mass_flow[inlet_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k)) - specific_enthalpy[chamber_2]*max(0,
-    ///     mass_flow[leak])/(A_2*c_v*density[chamber_2]*(l - d - s_k))
+    ///     beta*alpha*T_2*mass_flow[leak]/(A_2*c_v*density[chamber_2]^2*(l - d - s_k)) + max(0,
+    ///     mass_flow[inlet_2])*(specific_enthalpy[tank] - specific_enthalpy[chamber_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k))
+    ///     + max(0, mass_flow[leak])*(specific_enthalpy[chamber_1] - specific_enthalpy[chamber_2])/(A_2*c_v*density[chamber_2]*(l -
+    ///     d - s_k))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::exp;
         const Scalar f_l = u[2];
@@ -505,79 +473,57 @@ public:
         const Scalar p_2 = x[3];
         const Scalar e1 = c_.k1 - f_l - p_.c_l * s_k - p_.d_k * s_k_dot + p_.A_1 * p_1 - p_.A_2 * p_2;
         const Scalar s_k_ddot = e1 * c_.k0;
+        const Scalar q_1 = u[0];
         const Scalar T_1 = x[4];
         const Scalar e2 = p_.T_0 - T_1;
-        const Scalar e3 = p_.alpha * e2 - (p_.p_0 - p_1) * c_.k4;
+        const Scalar e3 = p_.alpha * e2 - (p_.p_0 - p_1) * c_.k3;
         const Scalar e4 = -e3;
         const Scalar exp_5 = exp(e4);
-        const Scalar compression_6 = detail::compression<Scalar>(e3, exp_5);
-        const Scalar e7 = e2 - compression_6 * c_.k8;
-        const Scalar e8 = p_1 * exp_5 + (e4 * exp_5 - compression_6) * c_.k7;
-        const Scalar e9 = e7 * c_.k6 - e8 * c_.k3;
-        const Scalar q_1 = u[0];
-        const Scalar inverse_10 = Scalar(1) / exp_5;
-        const Scalar e11 = p_.rho_0 * inverse_10;
-        const Scalar max_12 = detail::max<Scalar>(Scalar(0), q_1 * e11);
-        const Scalar e13 = p_.k_l * (p_1 - p_2);
-        const Scalar step_14 = detail::step<Scalar>(-e13);
-        const Scalar e15 = step_14 * e13;
+        const Scalar inverse_6 = Scalar(1) / exp_5;
+        const Scalar max_7 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 * inverse_6);
+        const Scalar compression_8 = detail::compression<Scalar>(e3, exp_5);
+        const Scalar e9 = (p_1 * exp_5 + (e4 * exp_5 - compression_8) * c_.k7) * c_.k6 - (p_.c_v * e2 - compression_8 * c_.k8);
+        const Scalar e10 = p_.k_l * (p_1 - p_2);
+        const Scalar step_11 = detail::step<Scalar>(-e10);
         const Scalar T_2 = x[5];
-        const Scalar e16 = p_.T_0 - T_2;
-        const Scalar e17 = p_.alpha * e16 - (p_.p_0 - p_2) * c_.k4;
-        const Scalar e18 = -e17;
-        const Scalar exp_19 = exp(e18);
-        const Scalar inverse_20 = Scalar(1) / exp_19;
-        const Scalar e21 = p_.rho_0 * inverse_20;
-        const Scalar step_22 = detail::step<Scalar>(e13);
-        const Scalar e23 = step_22 * e13;
-        const Scalar e24 = e15 * e21 + e23 * e11;
-        const Scalar min_25 = detail::min<Scalar>(Scalar(0), e24);
+        const Scalar e12 = p_.T_0 - T_2;
+        const Scalar e13 = p_.alpha * e12 - (p_.p_0 - p_2) * c_.k3;
+        const Scalar e14 = -e13;
+        const Scalar exp_15 = exp(e14);
+        const Scalar inverse_16 = Scalar(1) / exp_15;
+        const Scalar e17 = step_11 * inverse_16;
+        const Scalar step_18 = detail::step<Scalar>(e10);
+        const Scalar e19 = step_18 * inverse_6;
+        const Scalar e20 = p_.rho_0 * e10 * (e17 + e19);
+        const Scalar min_21 = detail::min<Scalar>(Scalar(0), e20);
+        const Scalar compression_22 = detail::compression<Scalar>(e13, exp_15);
+        const Scalar e23 = (p_2 * exp_15 + (e14 * exp_15 - compression_22) * c_.k7) * c_.k6
+            - (p_.c_v * e12 - compression_22 * c_.k8);
+        const Scalar e24 = e9 - e23;
+        const Scalar e25 = (max_7 * (c_.k5 - e9) + min_21 * e24) * c_.k4;
         const Scalar inverse_26 = Scalar(1) / s_k;
-        const Scalar e27 = inverse_26 * c_.k5;
-        const Scalar e28 = exp_5 * e27;
-        const Scalar e29 = e28 * c_.k9;
-        const Scalar e30 = (max_12 - min_25) * e29;
-        const Scalar e31 = T_1 * c_.k3;
-        const Scalar e32 = exp_5 * e31;
-        const Scalar e33 = e23 - q_1;
-        const Scalar e34 = s_k_dot * inverse_26 + inverse_20 * e28 * e15;
-        const Scalar compression_35 = detail::compression<Scalar>(e17, exp_19);
-        const Scalar e36 = e16 - compression_35 * c_.k8;
-        const Scalar e37 = p_2 * exp_19 + (e18 * exp_19 - compression_35) * c_.k7;
-        const Scalar e38 = e36 * c_.k6 - e37 * c_.k3;
-        const Scalar e39 = min_25 * e29;
-        const Scalar e40 = max_12 * e29;
-        const Scalar e41 = e40 * c_.k10;
-        const Scalar e42 = e40 * c_.k11;
-        const Scalar e43 = T_2 * c_.k3;
-        const Scalar e44 = exp_19 * e43;
-        const Scalar inverse_45 = Scalar(1) / (c_.k13 - s_k);
-        const Scalar e46 = inverse_45 * c_.k12;
+        const Scalar e27 = exp_5 * inverse_26;
+        const Scalar e28 = e27 * c_.k9;
+        const Scalar e29 = s_k_dot + ((exp_5 * e17 + step_18) * e10 - q_1) * c_.k4;
+        const Scalar inverse_30 = Scalar(1) / (c_.k10 - s_k);
         const Scalar q_2 = u[1];
-        const Scalar e47 = q_2 + e15;
-        const Scalar e48 = exp_19 * e46;
-        const Scalar e49 = s_k_dot * inverse_45 + inverse_10 * e48 * e23;
-        const Scalar max_50 = detail::max<Scalar>(Scalar(0), e24);
-        const Scalar e51 = e48 * c_.k9;
-        const Scalar e52 = max_50 * e51;
-        const Scalar max_53 = detail::max<Scalar>(Scalar(0), q_2 * e21);
-        const Scalar e54 = (max_50 + max_53) * e51;
-        const Scalar e55 = max_53 * e51;
-        const Scalar e56 = e55 * c_.k14;
-        const Scalar e57 = e55 * c_.k15;
-        const Scalar e58 = e37 * c_.k16 - e36;
-        const Scalar e59 = e8 * c_.k16 - e7;
+        const Scalar e31 = s_k_dot + (q_2 + (exp_15 * e19 + step_11) * e10) * c_.k11;
+        const Scalar max_32 = detail::max<Scalar>(Scalar(0), e20);
+        const Scalar max_33 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_2 * inverse_16);
+        const Scalar e34 = (max_32 * e24 + max_33 * (c_.k12 - e23)) * c_.k11;
+        const Scalar e35 = exp_15 * inverse_30;
+        const Scalar e36 = e35 * c_.k9;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = e9 * e30 - p_.beta * (Scalar(1) + p_.alpha * e32) * (e27 * e33 + e34) + e38 * e39 + e41 * c_.k2 + e42 * c_.k3;
-        dxdt[3] = p_.beta * (Scalar(1) + p_.alpha * e44) * (e46 * e47 + e49) - e9 * e52 + e38 * e54 + e56 * c_.k2 + e57 * c_.k3;
-        dxdt[4] = e41 * c_.k8 - e28 * e33 * e31 - e34 * e32 - e58 * e39 - e59 * e30 + e42 * c_.k16;
-        dxdt[5] = e48 * e47 * e43 + e49 * e44 - e58 * e54 + e59 * e52 + e56 * c_.k8 + e57 * c_.k16;
+        dxdt[2] = e25 * e28 - p_.beta * inverse_26 * (Scalar(1) + T_1 * exp_5 * c_.k2) * e29;
+        dxdt[3] = p_.beta * inverse_30 * (Scalar(1) + T_2 * exp_15 * c_.k2) * e31 + e34 * e36;
+        dxdt[4] = e27 * e25 * c_.k13 - T_1 * e29 * e28;
+        dxdt[5] = T_2 * e31 * e36 + e35 * e34 * c_.k13;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 192 + or -, 285 *, 4 /, 14 other functions
+    /// Operations: 122 + or -, 198 *, 4 /, 14 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
         const Scalar f_l = u[2];
@@ -587,213 +533,169 @@ public:
         const Scalar p_2 = x[3];
         const Scalar e1 = c_.k1 - f_l - p_.c_l * s_k - p_.d_k * s_k_dot + p_.A_1 * p_1 - p_.A_2 * p_2;
         const Scalar s_k_ddot = e1 * c_.k0;
+        const Scalar e2 = p_.k_l * (p_1 - p_2);
+        const Scalar step_3 = detail::step<Scalar>(e2);
         const Scalar T_1 = x[4];
-        const Scalar e2 = p_.T_0 - T_1;
-        const Scalar e3 = p_.p_0 - p_1;
-        const Scalar e4 = p_.alpha * e2 - e3 * c_.k4;
-        const Scalar e5 = -e4;
-        const Scalar exp_6 = exp(e5);
-        const Scalar compression_7 = detail::compression<Scalar>(e4, exp_6);
-        const Scalar e8 = e5 * exp_6 - compression_7;
-        const Scalar e9 = e2 - (p_.beta * compression_7 + e8 * c_.k7) * c_.k16;
-        const Scalar e10 = p_1 * exp_6 * c_.k16 - e9;
-        const Scalar q_1 = u[0];
-        const Scalar inverse_11 = Scalar(1) / exp_6;
-        const Scalar e12 = p_.rho_0 * q_1 * inverse_11;
-        const Scalar max_13 = detail::max<Scalar>(Scalar(0), e12);
-        const Scalar e14 = p_.k_l * (p_1 - p_2);
-        const Scalar step_15 = detail::step<Scalar>(e14);
-        const Scalar e16 = step_15 * e14;
+        const Scalar e4 = p_.T_0 - T_1;
+        const Scalar e5 = p_.p_0 - p_1;
+        const Scalar e6 = p_.alpha * e4 - e5 * c_.k3;
+        const Scalar e7 = -e6;
+        const Scalar exp_8 = exp(e7);
+        const Scalar step_9 = detail::step<Scalar>(-e2);
         const Scalar T_2 = x[5];
-        const Scalar e17 = p_.T_0 - T_2;
-        const Scalar e18 = p_.p_0 - p_2;
-        const Scalar e19 = p_.alpha * e17 - e18 * c_.k4;
-        const Scalar e20 = -e19;
-        const Scalar exp_21 = exp(e20);
-        const Scalar inverse_22 = Scalar(1) / exp_21;
-        const Scalar step_23 = detail::step<Scalar>(-e14);
-        const Scalar e24 = step_23 * e14;
-        const Scalar e25 = p_.rho_0 * (inverse_11 * e16 + inverse_22 * e24);
-        const Scalar min_26 = detail::min<Scalar>(Scalar(0), e25);
-        const Scalar inverse_27 = Scalar(1) / s_k;
-        const Scalar e28 = inverse_27 * c_.k5;
-        const Scalar e29 = exp_6 * e28;
-        const Scalar e30 = e29 * c_.k9;
-        const Scalar e31 = (max_13 - min_26) * e30;
-        const Scalar e32 = p_2 * c_.k16;
-        const Scalar compression_33 = detail::compression<Scalar>(e19, exp_21);
-        const Scalar e34 = e20 * exp_21 - compression_33;
-        const Scalar e35 = e17 - (p_.beta * compression_33 + e34 * c_.k7) * c_.k16;
-        const Scalar e36 = exp_21 * e32 - e35;
-        const Scalar e37 = min_26 * e30;
-        const Scalar e38 = e10 * e31 + e36 * e37;
-        const Scalar e39 = inverse_22 * e29;
-        const Scalar e40 = e24 * e39;
-        const Scalar e41 = p_.beta * inverse_27;
-        const Scalar e42 = max_13 * e30;
-        const Scalar e43 = e42 * c_.k17;
-        const Scalar e44 = exp_6 * step_23 * inverse_22 + step_15;
-        const Scalar e45 = exp_6 * inverse_27;
-        const Scalar e46 = q_1 * e29 - s_k_dot * e45;
-        const Scalar e47 = e29 * e14 * e44 - e46;
-        const Scalar e48 = T_1 * c_.k18;
-        const Scalar e49 = s_k_dot * e41 - e43 * c_.k3 - (p_.beta * e28 * (q_1 - e16) - e47 * e48);
-        const Scalar e50 = e38 * c_.k6 + p_.beta * e40 + e49;
-        const Scalar max_51 = detail::max<Scalar>(Scalar(0), e25);
-        const Scalar inverse_52 = Scalar(1) / (c_.k13 - s_k);
-        const Scalar e53 = inverse_52 * c_.k12;
-        const Scalar e54 = exp_21 * e53;
-        const Scalar e55 = e54 * c_.k9;
-        const Scalar e56 = max_51 * e55;
+        const Scalar e10 = p_.T_0 - T_2;
+        const Scalar e11 = p_.p_0 - p_2;
+        const Scalar e12 = p_.alpha * e10 - e11 * c_.k3;
+        const Scalar e13 = -e12;
+        const Scalar exp_14 = exp(e13);
+        const Scalar inverse_15 = Scalar(1) / exp_14;
+        const Scalar e16 = step_9 * inverse_15;
+        const Scalar e17 = exp_8 * e16;
+        const Scalar e18 = step_3 + e17;
+        const Scalar inverse_19 = Scalar(1) / s_k;
+        const Scalar e20 = inverse_19 * c_.k4;
+        const Scalar q_1 = u[0];
+        const Scalar e21 = q_1 * e20 - s_k_dot * inverse_19;
+        const Scalar e22 = T_1 * c_.k9;
+        const Scalar e23 = exp_8 * e22;
+        const Scalar e24 = Scalar(1) + p_.alpha * e23;
+        const Scalar e25 = p_.beta * e24;
+        const Scalar inverse_26 = Scalar(1) / exp_8;
+        const Scalar e27 = p_.rho_0 * q_1 * inverse_26;
+        const Scalar max_28 = detail::max<Scalar>(Scalar(0), e27);
+        const Scalar compression_29 = detail::compression<Scalar>(e6, exp_8);
+        const Scalar e30 = (e7 * exp_8 - compression_29) * c_.k15
+            + (p_.c_v * e4 - (p_1 * exp_8 + p_.beta * compression_29) * c_.k6);
+        const Scalar e31 = c_.k14 + e30;
+        const Scalar e32 = step_3 * inverse_26;
+        const Scalar e33 = (e16 + e32) * (p_.rho_0 * e2);
+        const Scalar min_34 = detail::min<Scalar>(Scalar(0), e33);
+        const Scalar compression_35 = detail::compression<Scalar>(e12, exp_14);
+        const Scalar e36 = (e13 * exp_14 - compression_35) * c_.k15
+            + (p_.c_v * e10 - (p_2 * exp_14 + p_.beta * compression_35) * c_.k6);
+        const Scalar e37 = e36 - e30;
+        const Scalar e38 = max_28 * e31 + min_34 * e37;
+        const Scalar e39 = exp_8 * e20;
+        const Scalar e40 = e39 * c_.k9;
+        const Scalar e41 = (e18 * e20 * e2 - e21) * e25 - e38 * e40;
+        const Scalar max_42 = detail::max<Scalar>(Scalar(0), e33);
         const Scalar q_2 = u[1];
-        const Scalar e57 = p_.rho_0 * q_2 * inverse_22;
-        const Scalar max_58 = detail::max<Scalar>(Scalar(0), e57);
-        const Scalar e59 = (max_51 + max_58) * e55;
-        const Scalar e60 = e10 * e56 - e36 * e59;
-        const Scalar e61 = inverse_11 * e54;
-        const Scalar e62 = e16 * e61;
-        const Scalar e63 = p_.beta * inverse_52;
-        const Scalar e64 = max_58 * e55;
-        const Scalar e65 = e64 * c_.k19;
-        const Scalar e66 = exp_21 * step_15 * inverse_11 + step_23;
-        const Scalar e67 = exp_21 * inverse_52;
-        const Scalar e68 = q_2 * e54 + s_k_dot * e67;
-        const Scalar e69 = e54 * e14 * e66 + e68;
-        const Scalar e70 = T_2 * c_.k18;
-        const Scalar e71 = s_k_dot * e63 + e65 * c_.k3 + (p_.beta * e53 * (q_2 + e24) + e69 * e70);
-        const Scalar e72 = e60 * c_.k6 + p_.beta * e62 + e71;
-        const Scalar e73 = T_1 * c_.k3;
-        const Scalar e74 = e38 + (e47 * e73 - e43 * c_.k16);
-        const Scalar e75 = T_2 * c_.k3;
-        const Scalar e76 = e60 + (e69 * e75 + e65 * c_.k16);
+        const Scalar e43 = p_.rho_0 * q_2 * inverse_15;
+        const Scalar max_44 = detail::max<Scalar>(Scalar(0), e43);
+        const Scalar e45 = c_.k16 + e36;
+        const Scalar e46 = max_42 * e37 + max_44 * e45;
+        const Scalar inverse_47 = Scalar(1) / (c_.k10 - s_k);
+        const Scalar e48 = inverse_47 * c_.k11;
+        const Scalar e49 = exp_14 * e48;
+        const Scalar e50 = e49 * c_.k9;
+        const Scalar e51 = exp_14 * e32;
+        const Scalar e52 = step_9 + e51;
+        const Scalar e53 = q_2 * e48 + s_k_dot * inverse_47;
+        const Scalar e54 = T_2 * c_.k9;
+        const Scalar e55 = exp_14 * e54;
+        const Scalar e56 = Scalar(1) + p_.alpha * e55;
+        const Scalar e57 = p_.beta * e56;
+        const Scalar e58 = e46 * e50 + (e52 * e48 * e2 + e53) * e57;
+        const Scalar e59 = exp_8 * e21;
+        const Scalar e60 = e2 * e39;
+        const Scalar e61 = e59 - e18 * e60;
+        const Scalar e62 = e39 * c_.k13;
+        const Scalar e63 = e38 * e62;
+        const Scalar e64 = e61 * e22 + e63;
+        const Scalar e65 = e2 * e49;
+        const Scalar e66 = exp_14 * e53;
+        const Scalar e67 = e52 * e65 + e66;
+        const Scalar e68 = e49 * c_.k13;
+        const Scalar e69 = e46 * e68;
+        const Scalar e70 = e67 * e54 + e69;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = -e50;
-        dxdt[3] = e72;
-        dxdt[4] = -e74;
-        dxdt[5] = e76;
-        const Scalar step_77 = detail::step<Scalar>(e12);
-        const Scalar e78 = q_1 * step_77;
-        const Scalar e79 = e28 * e78;
-        const Scalar e80 = e79 - e42;
-        const Scalar e81 = e80 * c_.k10;
-        const Scalar e82 = c_.k7 + e3;
-        const Scalar e83 = exp_6 * e31;
-        const Scalar e84 = (p_1 + (Scalar(1) / Scalar(2)) * e82) * e83;
-        const Scalar step_85 = detail::step<Scalar>(-e25);
-        const Scalar e86 = step_85 * e16;
-        const Scalar e87 = e10 - e36;
-        const Scalar e88 = e28 * e87;
-        const Scalar e89 = T_1 * c_.k21;
-        const Scalar e90 = p_.alpha * e86 * e88 - e46 * e89;
-        const Scalar e91 = e81 * c_.k3 + e84 * c_.k22 + (e80 * c_.k23 + e90);
-        const Scalar e92 = T_1 * e40;
-        const Scalar e93 = exp_6 * (e92 - (Scalar(1) / Scalar(2)) * e2 * e31);
-        const Scalar e94 = p_.alpha * e36;
-        const Scalar e95 = p_.alpha * e10;
-        const Scalar e96 = e29 * e16;
-        const Scalar e97 = p_.alpha * e9 * e31 - e93 * c_.k20 - (e37 * e94 - (e79 * e95 - e89 * e96));
-        const Scalar e98 = p_.beta * step_15;
-        const Scalar e99 = e35 + e10;
-        const Scalar e100 = step_85 * (step_23 * e99 * e39 + step_15 * e88);
-        const Scalar e101 = step_23 * step_85;
-        const Scalar e102 = p_.beta * step_23;
-        const Scalar e103 = e28 * e98 - e100 * c_.k6 + (e29 * (p_2 * e101 * c_.k3 + e44 * e48) + e39 * e102);
-        const Scalar e104 = p_.k_l * e103 - e40;
-        const Scalar e105 = exp_6 * e56;
-        const Scalar e106 = e9 + e36;
-        const Scalar step_107 = detail::step<Scalar>(e25);
-        const Scalar e108 = step_107 * e62;
-        const Scalar e109 = T_2 * e62;
-        const Scalar e110 = e2 * e105 + exp_21 * e109;
-        const Scalar e111 = p_.alpha * e106 * e108 - e110 * c_.k21;
-        const Scalar e112 = e53 * e87;
-        const Scalar e113 = step_107 * (step_23 * e112 - step_15 * e106 * e61);
-        const Scalar e114 = step_107 * (p_1 * step_15);
-        const Scalar e115 = e53 * e102 + e113 * c_.k6 + (e54 * (e66 * e70 + e114 * c_.k3) + e61 * e98);
-        const Scalar e116 = e62 + p_.k_l * e115;
-        const Scalar e117 = e105 - step_107 * e54 * e16;
-        const Scalar e118 = p_1 * e117 + e82 * e105;
-        const Scalar e119 = e118 * c_.k24;
-        const Scalar e120 = e3 * c_.k28 - c_.k27;
-        const Scalar e121 = p_1 * c_.k28;
-        const Scalar e122 = e8 * c_.k26 + (e2 * c_.k4 - compression_7 * c_.k16);
-        const Scalar e123 = p_2 * c_.k28;
-        const Scalar e124 = e34 * c_.k26 + (e17 * c_.k4 - compression_33 * c_.k16);
-        const Scalar e125 = e122 - e124;
-        const Scalar e126 = exp_21 * e123 + e125;
-        const Scalar e127 = e29 * e121;
-        const Scalar e128 = exp_21 * e37;
-        const Scalar e129 = p_.k_l * (e100 - e29 * (e44 * e73 + e101 * e32));
-        const Scalar e130 = p_.k_l * (e54 * (e66 * e75 + e114 * c_.k16) + e113);
-        const Scalar e131 = step_85 * e40;
-        const Scalar e132 = e17 * e128 + exp_6 * e92;
-        const Scalar e133 = p_.alpha * e99 * e131 - e132 * c_.k21;
-        const Scalar e134 = e128 - step_85 * e29 * e24;
-        const Scalar e135 = c_.k7 + e18;
-        const Scalar e136 = p_2 * e134 + e135 * e128;
-        const Scalar e137 = e136 * c_.k24;
-        const Scalar step_138 = detail::step<Scalar>(e57);
-        const Scalar e139 = q_2 * step_138;
-        const Scalar e140 = e53 * e139;
-        const Scalar e141 = e140 - e64;
-        const Scalar e142 = e141 * c_.k14;
-        const Scalar e143 = exp_21 * e59;
-        const Scalar e144 = (p_2 + (Scalar(1) / Scalar(2)) * e135) * e143;
-        const Scalar e145 = step_107 * e24;
-        const Scalar e146 = T_2 * c_.k21;
-        const Scalar e147 = p_.alpha * e145 * e112 - e68 * e146;
-        const Scalar e148 = e142 * c_.k3 + e144 * c_.k22 + (e141 * c_.k29 + e147);
-        const Scalar e149 = exp_21 * ((Scalar(1) / Scalar(2)) * e17 * e59 + e109);
-        const Scalar e150 = e54 * e24;
-        const Scalar e151 = p_.alpha * e35 * e59 + e149 * c_.k20 + (e56 * e95 + (e140 * e94 + e146 * e150));
-        const Scalar e152 = exp_6 * e121 - e125;
-        const Scalar e153 = e18 * c_.k28 - c_.k27;
-        const Scalar e154 = e54 * e123;
-        const Scalar e155 = e31 - e97;
-        const Scalar e156 = e40 * c_.k6;
-        const Scalar e157 = e56 + e111;
-        const Scalar e158 = e62 * c_.k6;
-        const Scalar e159 = e37 + e133;
-        const Scalar e160 = e59 - e151;
+        dxdt[2] = -e41;
+        dxdt[3] = e58;
+        dxdt[4] = e64;
+        dxdt[5] = e70;
+        const Scalar e71 = e16 * e60;
+        const Scalar e72 = max_28 - min_34;
+        const Scalar e73 = p_1 + e5;
+        const Scalar e74 = exp_8 * (c_.k17 + e4 * c_.k18 - e73 * c_.k19);
+        const Scalar e75 = e72 * e74;
+        const Scalar e76 = e59 - Scalar(2) * ((Scalar(1) / Scalar(2)) * step_3 + e17) * e60;
+        const Scalar step_77 = detail::step<Scalar>(e27);
+        const Scalar step_78 = detail::step<Scalar>(-e33);
+        const Scalar e79 = e37 * e2;
+        const Scalar e80 = e20 * (q_1 * step_77 * e31 + step_3 * step_78 * e79);
+        const Scalar e81 = p_.alpha * (e76 * e22 - e80 * c_.k20);
+        const Scalar e82 = p_.k_l * e18;
+        const Scalar e83 = e37 * c_.k20;
+        const Scalar e84 = step_78 * e83;
+        const Scalar e85 = e82 * (e20 * (e25 - e84 * c_.k21));
+        const Scalar e86 = e32 * e65;
+        const Scalar step_87 = detail::step<Scalar>(e33);
+        const Scalar e88 = step_87 * e83;
+        const Scalar e89 = e56 + p_.alpha * e88;
+        const Scalar e90 = max_42 * e74;
+        const Scalar e91 = p_.k_l * e52;
+        const Scalar e92 = e91 * (e48 * (e88 * c_.k21 + e57));
+        const Scalar e93 = T_1 * c_.k23;
+        const Scalar e94 = (T_1 * e40 - e20 * e84) * e82;
+        const Scalar e95 = T_2 * c_.k23;
+        const Scalar e96 = (T_2 * e50 + e48 * e88) * e91;
+        const Scalar e97 = p_.alpha * e84 - e24;
+        const Scalar e98 = p_2 + e11;
+        const Scalar e99 = exp_14 * (c_.k17 + e10 * c_.k18 - e98 * c_.k19);
+        const Scalar e100 = min_34 * e99;
+        const Scalar e101 = max_42 + max_44;
+        const Scalar e102 = e101 * e99;
+        const Scalar e103 = Scalar(2) * ((Scalar(1) / Scalar(2)) * step_9 + e51) * e65 + e66;
+        const Scalar step_104 = detail::step<Scalar>(e43);
+        const Scalar e105 = e48 * (q_2 * step_104 * e45 + step_9 * step_87 * e79);
+        const Scalar e106 = p_.alpha * (e103 * e54 - e105 * c_.k20);
+        const Scalar e107 = p_.c_v - exp_8 * c_.k18 * (c_.k24 + e4 * c_.k21 - e73);
+        const Scalar e108 = p_.alpha * e38 - e107 * e72;
+        const Scalar e109 = e61 * c_.k9 + e81;
+        const Scalar e110 = e71 * c_.k21;
+        const Scalar e111 = max_42 * e107;
+        const Scalar e112 = e86 * c_.k21;
+        const Scalar e113 = p_.c_v - exp_14 * c_.k18 * (c_.k24 + e10 * c_.k21 - e98);
+        const Scalar e114 = min_34 * e113;
+        const Scalar e115 = p_.alpha * e46 - e113 * e101;
+        const Scalar e116 = e67 * c_.k9 + e106;
         J[0] = Scalar(0);
-        J[1] = (-p_.c_l) * c_.k0;
-        J[2] = inverse_27 * e50;
-        J[3] = inverse_52 * e72;
-        J[4] = inverse_27 * e74;
-        J[5] = inverse_52 * e76;
+        J[1] = c_.k0 * (-p_.c_l);
+        J[2] = inverse_19 * e41;
+        J[3] = inverse_47 * e58;
+        J[4] = -inverse_19 * e64;
+        J[5] = inverse_47 * e70;
         J[6] = Scalar(1);
-        J[7] = (-p_.d_k) * c_.k0;
-        J[8] = -e45 * e48 - e41;
-        J[9] = e67 * e70 + e63;
-        J[10] = -e45 * e73;
-        J[11] = e67 * e75;
+        J[7] = c_.k0 * (-p_.d_k);
+        J[8] = -inverse_19 * e25;
+        J[9] = inverse_47 * e57;
+        J[10] = -inverse_19 * e23;
+        J[11] = inverse_47 * e55;
         J[12] = Scalar(0);
-        J[13] = p_.A_1 * c_.k0;
-        J[14] = e91 - e83 * c_.k3 - e97 - e104;
-        J[15] = e105 * c_.k3 - e111 + e116 - e119;
-        J[16] = e83 * (e120 + Scalar(2) * e121) - e122 * (e31 - e79) - e86 * (e28 * e126 - e127) - T_1 * c_.k24 * (e46 - e96)
-            + e80 * c_.k25 - e124 * e37 + e123 * e128 - e78 * e127 + e81 * c_.k16 + e93 * c_.k22 + e129;
-        J[17] = e110 * c_.k24 - e117 * e121 - e126 * e108 - e120 * e105 + e130;
+        J[13] = c_.k0 * p_.A_1;
+        J[14] = e71 - e40 * e75 - p_.alpha * e63 - e81 - e85;
+        J[15] = e86 * e89 + e50 * e90 + e92;
+        J[16] = e80 * c_.k22 - e76 * e93 - e62 * e75 - e63 * c_.k3 - e94;
+        J[17] = e86 * (exp_14 * e95 + e88 * c_.k3) + e68 * e90 + e96;
         J[18] = Scalar(0);
-        J[19] = (-p_.A_2) * c_.k0;
-        J[20] = e133 - e128 * c_.k3 + e104 + e137;
-        J[21] = e148 - e143 * c_.k3 - e151 - e116;
-        J[22] = e134 * e123 - e132 * c_.k24 + e152 * e131 + e153 * e128 - e129;
-        J[23] = e143 * (e153 + Scalar(2) * e123) - e124 * (e59 - e140) + e145 * (e53 * e152 - e154) - T_2 * c_.k24
-            * (e68 + e150) + e141 * c_.k30 + e122 * e56 - e121 * e105 - e139 * e154 + e142 * c_.k16 - e149 * c_.k22 - e130;
+        J[19] = c_.k0 * (-p_.A_2);
+        J[20] = e71 * e97 - e40 * e100 + e85;
+        J[21] = -e86 - e50 * e102 - p_.alpha * e69 - e106 - e92;
+        J[22] = e94 - e71 * (exp_8 * e93 - e84 * c_.k3) - e62 * e100;
+        J[23] = e105 * c_.k22 - e103 * e95 - e68 * e102 - e69 * c_.k3 - e96;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = -c_.k6 * (e90 + e155) - e80 * c_.k31 - e47 * c_.k18 - e156 - e84 * c_.k20;
-        J[27] = e118 * c_.k21 + e157 * c_.k6 - e158;
-        J[28] = -e47 * c_.k3 - e155 - e91;
-        J[29] = e157 + e119;
+        J[26] = e40 * e108 + e109 * c_.k21 - e110;
+        J[27] = e50 * e111 - e89 * e112;
+        J[28] = e62 * e108 + e109;
+        J[29] = e68 * e111 - p_.alpha * e86 * (e88 + e55);
         J[30] = Scalar(0);
         J[31] = Scalar(0);
-        J[32] = e156 - e136 * c_.k21 - e159 * c_.k6;
-        J[33] = e69 * c_.k18 - c_.k6 * (e147 + e160) - e141 * c_.k32 + e158 - e144 * c_.k20;
-        J[34] = -e159 - e137;
-        J[35] = e69 * c_.k3 - e160 - e148;
+        J[32] = -e40 * e114 - e97 * e110;
+        J[33] = e50 * e115 + e116 * c_.k21 + e112;
+        J[34] = -p_.alpha * e71 * (e84 - e23) - e62 * e114;
+        J[35] = e68 * e115 + e116;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -803,52 +705,48 @@ public:
     }
 
     /// J = df/du. 6 x 3, entry (i, j) at J[6*j + i].
-    /// Operations: 33 + or -, 53 *, 4 /, 6 other functions
+    /// Operations: 25 + or -, 39 *, 4 /, 6 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::exp;
         const Scalar s_k = x[0];
         const Scalar inverse_1 = Scalar(1) / s_k;
-        const Scalar q_1 = u[0];
-        const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
+        const Scalar p_1 = x[2];
         const Scalar e2 = p_.T_0 - T_1;
-        const Scalar e3 = c_.k4 * (p_.p_0 - p_1) - p_.alpha * e2;
+        const Scalar e3 = c_.k3 * (p_.p_0 - p_1) - p_.alpha * e2;
         const Scalar exp_4 = exp(e3);
-        const Scalar step_5 = detail::step<Scalar>(p_.rho_0 * q_1 / exp_4);
-        const Scalar e6 = step_5 * inverse_1;
-        const Scalar e7 = e2 * e6;
-        const Scalar compression_8 = detail::compression<Scalar>(-e3, exp_4);
-        const Scalar e9 = compression_8 * e6;
-        const Scalar e10 = (e3 * exp_4 - compression_8) * e6;
-        const Scalar e11 = T_1 * (exp_4 * inverse_1);
-        const Scalar e12 = e6 * (p_1 * exp_4);
-        const Scalar inverse_13 = Scalar(1) / (c_.k13 - s_k);
-        const Scalar q_2 = u[1];
-        const Scalar p_2 = x[3];
+        const Scalar e5 = inverse_1 * (T_1 * exp_4);
+        const Scalar q_1 = u[0];
+        const Scalar step_6 = detail::step<Scalar>(p_.rho_0 * q_1 / exp_4);
+        const Scalar compression_7 = detail::compression<Scalar>(-e3, exp_4);
+        const Scalar e8 = c_.k37 - c_.k6 * p_1 * exp_4 + p_.c_v * e2 - c_.k8 * compression_7 - c_.k36
+            * (e3 * exp_4 - compression_7);
+        const Scalar e9 = inverse_1 * (step_6 * e8);
+        const Scalar inverse_10 = Scalar(1) / (c_.k10 - s_k);
         const Scalar T_2 = x[5];
-        const Scalar e14 = p_.T_0 - T_2;
-        const Scalar e15 = c_.k4 * (p_.p_0 - p_2) - p_.alpha * e14;
-        const Scalar exp_16 = exp(e15);
-        const Scalar step_17 = detail::step<Scalar>(p_.rho_0 * q_2 / exp_16);
-        const Scalar e18 = step_17 * inverse_13;
-        const Scalar e19 = e14 * e18;
-        const Scalar compression_20 = detail::compression<Scalar>(-e15, exp_16);
-        const Scalar e21 = compression_20 * e18;
-        const Scalar e22 = (e15 * exp_16 - compression_20) * e18;
-        const Scalar e23 = T_2 * (exp_16 * inverse_13);
-        const Scalar e24 = e18 * (p_2 * exp_16);
+        const Scalar p_2 = x[3];
+        const Scalar e11 = p_.T_0 - T_2;
+        const Scalar e12 = c_.k3 * (p_.p_0 - p_2) - p_.alpha * e11;
+        const Scalar exp_13 = exp(e12);
+        const Scalar e14 = inverse_10 * (T_2 * exp_13);
+        const Scalar q_2 = u[1];
+        const Scalar step_15 = detail::step<Scalar>(p_.rho_0 * q_2 / exp_13);
+        const Scalar compression_16 = detail::compression<Scalar>(-e12, exp_13);
+        const Scalar e17 = c_.k35 - c_.k6 * p_2 * exp_13 + p_.c_v * e11 - c_.k8 * compression_16 - c_.k36
+            * (e12 * exp_13 - compression_16);
+        const Scalar e18 = inverse_10 * (step_15 * e17);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k33 * inverse_1 - c_.k39 * e6 + c_.k36 * e7 - c_.k37 * e9 + c_.k38 * e10 + c_.k35 * e11 - c_.k34 * e12;
+        J[2] = c_.k25 * inverse_1 + c_.k26 * e5 + c_.k27 * e9;
         J[3] = Scalar(0);
-        J[4] = c_.k43 * e6 + c_.k5 * e7 - c_.k41 * e9 - c_.k42 * e10 + c_.k34 * e11 - c_.k40 * e12;
+        J[4] = c_.k28 * e5 + c_.k29 * e9;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = c_.k46 * inverse_13 - c_.k50 * e18 + c_.k47 * e19 - c_.k48 * e21 + c_.k49 * e22 + c_.k45 * e23 - c_.k44 * e24;
+        J[9] = c_.k31 * inverse_10 + c_.k30 * e14 + c_.k32 * e18;
         J[10] = Scalar(0);
-        J[11] = c_.k54 * e18 + c_.k12 * e19 - c_.k52 * e21 - c_.k53 * e22 + c_.k44 * e23 - c_.k51 * e24;
+        J[11] = c_.k33 * e14 + c_.k34 * e18;
         J[12] = Scalar(0);
         J[13] = (-Scalar(1)) * c_.k0;
         J[14] = Scalar(0);
@@ -858,456 +756,324 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 19, entry (i, j) at J[6*j + i].
-    /// Operations: 683 + or -, 1212 *, 9 /, 18 other functions
+    /// Operations: 396 + or -, 759 *, 9 /, 18 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
-        const Scalar e1 = (-dxdt[1]) * c_.k0;
+        const Scalar e1 = c_.k0 * (-dxdt[1]);
         const Scalar s_k_dot = x[1];
         const Scalar s_k = x[0];
         const Scalar inverse_2 = Scalar(1) / p_.A_1;
         const Scalar inverse_3 = Scalar(1) / p_.rho_0;
-        const Scalar e4 = inverse_2 * inverse_3;
-        const Scalar inverse_5 = Scalar(1) / p_.c_v;
-        const Scalar e6 = inverse_3 * inverse_5;
-        const Scalar e7 = p_.alpha * e6;
-        const Scalar e8 = p_.beta * e7;
+        const Scalar inverse_4 = Scalar(1) / p_.c_v;
+        const Scalar e5 = inverse_3 * inverse_4;
+        const Scalar e6 = p_.alpha * e5;
+        const Scalar e7 = p_.beta * e6;
+        const Scalar e8 = p_.alpha * e7;
         const Scalar e9 = p_.beta * e8;
-        const Scalar e10 = e4 * e9;
-        const Scalar e11 = p_.p_0 - p_2;
-        const Scalar T_2 = x[5];
-        const Scalar e12 = p_.T_0 - T_2;
-        const Scalar e13 = c_.k4 * e11 - p_.alpha * e12;
-        const Scalar exp_14 = exp(e13);
-        const Scalar compression_15 = detail::compression<Scalar>(-e13, exp_14);
-        const Scalar e16 = p_1 - p_2;
-        const Scalar e17 = p_.k_l * e16;
-        const Scalar step_18 = detail::step<Scalar>(-e17);
-        const Scalar inverse_19 = Scalar(1) / exp_14;
-        const Scalar e20 = step_18 * inverse_19;
-        const Scalar step_21 = detail::step<Scalar>(e17);
-        const Scalar e22 = p_.p_0 - p_1;
+        const Scalar e10 = p_.k_l * inverse_2;
+        const Scalar e11 = e9 * e10;
+        const Scalar e12 = p_1 - p_2;
+        const Scalar e13 = p_.k_l * e12;
+        const Scalar step_14 = detail::step<Scalar>(e13);
+        const Scalar e15 = p_.p_0 - p_1;
         const Scalar T_1 = x[4];
-        const Scalar e23 = p_.T_0 - T_1;
-        const Scalar e24 = c_.k4 * e22 - p_.alpha * e23;
-        const Scalar exp_25 = exp(e24);
-        const Scalar inverse_26 = Scalar(1) / exp_25;
-        const Scalar e27 = step_21 * inverse_26;
-        const Scalar e28 = (e20 + e27) * (e16 * (p_.rho_0 * p_.k_l));
-        const Scalar min_29 = detail::min<Scalar>(Scalar(0), e28);
-        const Scalar inverse_30 = Scalar(1) / s_k;
-        const Scalar e31 = exp_25 * inverse_30;
-        const Scalar e32 = min_29 * e31;
-        const Scalar compression_33 = detail::compression<Scalar>(-e24, exp_25);
-        const Scalar q_1 = u[0];
-        const Scalar e34 = p_.rho_0 * q_1 * inverse_26;
-        const Scalar max_35 = detail::max<Scalar>(Scalar(0), e34);
-        const Scalar e36 = (max_35 - min_29) * e31;
-        const Scalar e37 = compression_15 * e32 + compression_33 * e36;
-        const Scalar e38 = p_.beta * p_.alpha;
-        const Scalar e39 = p_.T_0 * e38 - p_.p_0;
-        const Scalar e40 = e8 * e4;
-        const Scalar e41 = inverse_2 * e40;
-        const Scalar e42 = e13 * exp_14 - compression_15;
-        const Scalar e43 = e24 * exp_25 - compression_33;
-        const Scalar e44 = e42 * e32 + e43 * e36;
-        const Scalar e45 = exp_25 * e36;
-        const Scalar e46 = exp_14 * e32;
-        const Scalar e47 = p_2 * e46;
-        const Scalar e48 = p_1 * e45 + e47;
-        const Scalar e49 = e4 * e38;
-        const Scalar e50 = e12 * e32 + e23 * e36;
-        const Scalar e51 = p_.p_0 - p_.p_s;
-        const Scalar inverse_52 = Scalar(1) / p_.beta;
-        const Scalar e53 = e51 * inverse_52;
-        const Scalar exp_54 = exp(e53);
-        const Scalar compression_55 = detail::compression<Scalar>(-e53, exp_54);
-        const Scalar e56 = e53 * exp_54 - compression_55;
-        const Scalar e57 = p_.p_s * exp_54;
-        const Scalar e58 = e56 * e39 + e57;
-        const Scalar e59 = compression_55 * e9 + e8 * e58;
-        const Scalar e60 = e4 * e59;
-        const Scalar e61 = max_35 * e31;
-        const Scalar e62 = p_.alpha * e9;
+        const Scalar e16 = p_.T_0 - T_1;
+        const Scalar e17 = c_.k3 * e15 - p_.alpha * e16;
+        const Scalar exp_18 = exp(e17);
+        const Scalar step_19 = detail::step<Scalar>(-e13);
+        const Scalar e20 = p_.p_0 - p_2;
+        const Scalar T_2 = x[5];
+        const Scalar e21 = p_.T_0 - T_2;
+        const Scalar e22 = c_.k3 * e20 - p_.alpha * e21;
+        const Scalar exp_23 = exp(e22);
+        const Scalar inverse_24 = Scalar(1) / exp_23;
+        const Scalar e25 = step_19 * inverse_24;
+        const Scalar e26 = exp_18 * e25;
+        const Scalar inverse_27 = Scalar(1) / s_k;
+        const Scalar e28 = exp_18 * inverse_27;
+        const Scalar e29 = T_1 * e28;
+        const Scalar e30 = e12 * e29;
+        const Scalar e31 = (step_14 + e26) * e30;
         const Scalar inverse_2_squared = inverse_2 * inverse_2;
-        const Scalar e63 = T_1 * e31;
-        const Scalar e64 = q_1 * e63;
-        const Scalar e65 = p_.k_l * inverse_2;
-        const Scalar e66 = inverse_2 * e65;
-        const Scalar e67 = exp_25 * e20;
-        const Scalar e68 = step_21 + e67;
-        const Scalar e69 = e16 * e63;
-        const Scalar e70 = e68 * e69;
-        const Scalar e71 = inverse_30 * e68;
-        const Scalar e72 = e16 * e71;
-        const Scalar e73 = q_1 * inverse_30;
-        const Scalar e74 = e6 * e4;
-        const Scalar e75 = inverse_2 * e74;
-        const Scalar e76 = p_.beta * e74;
-        const Scalar e77 = p_.beta * compression_55;
-        const Scalar e78 = e58 + e77;
-        const Scalar inverse_79 = Scalar(1) / p_.A_2;
-        const Scalar e80 = inverse_79 * inverse_3;
-        const Scalar e81 = p_.p_0 - p_.p_t;
-        const Scalar e82 = e81 * inverse_52;
-        const Scalar exp_83 = exp(e82);
-        const Scalar compression_84 = detail::compression<Scalar>(-e82, exp_83);
-        const Scalar e85 = e82 * exp_83 - compression_84;
-        const Scalar e86 = p_.p_t * exp_83;
-        const Scalar e87 = e85 * e39 + e86;
-        const Scalar e88 = compression_84 * e9 + e8 * e87;
-        const Scalar e89 = e80 * e88;
+        const Scalar q_1 = u[0];
+        const Scalar e32 = q_1 * e29;
+        const Scalar e33 = e7 * inverse_2_squared;
+        const Scalar inverse_34 = Scalar(1) / exp_18;
+        const Scalar e35 = p_.rho_0 * q_1 * inverse_34;
+        const Scalar max_36 = detail::max<Scalar>(Scalar(0), e35);
+        const Scalar compression_37 = detail::compression<Scalar>(-e17, exp_18);
+        const Scalar e38 = e17 * exp_18 - compression_37;
+        const Scalar e39 = c_.k36 * e38 + (c_.k6 * p_1 * exp_18 + c_.k8 * compression_37);
+        const Scalar e40 = c_.k37 + p_.c_v * e16 - e39;
+        const Scalar e41 = step_14 * inverse_34;
+        const Scalar e42 = (e25 + e41) * (e12 * (p_.rho_0 * p_.k_l));
+        const Scalar min_43 = detail::min<Scalar>(Scalar(0), e42);
+        const Scalar e44 = e16 - e21;
+        const Scalar compression_45 = detail::compression<Scalar>(-e22, exp_23);
+        const Scalar e46 = e22 * exp_23 - compression_45;
+        const Scalar e47 = c_.k36 * e46 + (c_.k6 * p_2 * exp_23 + c_.k8 * compression_45);
+        const Scalar e48 = e39 - p_.c_v * e44 - e47;
+        const Scalar e49 = e28 * (max_36 * e40 + min_43 * e48);
+        const Scalar e50 = q_1 * inverse_27;
+        const Scalar e51 = p_.beta * e10;
+        const Scalar e52 = e28 * e25;
+        const Scalar e53 = step_14 * inverse_27;
+        const Scalar e54 = e52 + e53;
+        const Scalar e55 = e12 * e54;
+        const Scalar e56 = e7 * e10;
+        const Scalar inverse_57 = Scalar(1) / p_.A_2;
+        const Scalar inverse_57_squared = inverse_57 * inverse_57;
         const Scalar q_2 = u[1];
-        const Scalar e90 = p_.rho_0 * q_2 * inverse_19;
-        const Scalar max_91 = detail::max<Scalar>(Scalar(0), e90);
-        const Scalar inverse_92 = Scalar(1) / (c_.k13 - s_k);
-        const Scalar e93 = exp_14 * inverse_92;
-        const Scalar e94 = max_91 * e93;
-        const Scalar e95 = e8 * e80;
-        const Scalar e96 = inverse_79 * e95;
-        const Scalar max_97 = detail::max<Scalar>(Scalar(0), e28);
-        const Scalar e98 = max_97 + max_91;
-        const Scalar e99 = e93 * (e43 * max_97 - e42 * e98);
-        const Scalar inverse_79_squared = inverse_79 * inverse_79;
-        const Scalar e100 = T_2 * e93;
-        const Scalar e101 = q_2 * e100;
-        const Scalar e102 = e80 * e9;
-        const Scalar e103 = e93 * (compression_33 * max_97 - compression_15 * e98);
-        const Scalar e104 = e80 * e38;
-        const Scalar e105 = e93 * (e23 * max_97 - e12 * e98);
-        const Scalar e106 = p_.k_l * inverse_79;
-        const Scalar e107 = inverse_79 * e106;
-        const Scalar e108 = exp_14 * e27;
-        const Scalar e109 = step_18 + e108;
-        const Scalar e110 = e16 * e100;
-        const Scalar e111 = e109 * e110;
-        const Scalar e112 = exp_25 * max_97;
-        const Scalar e113 = p_1 * e112;
-        const Scalar e114 = exp_14 * e98;
-        const Scalar e115 = e93 * (e113 - p_2 * e114);
-        const Scalar e116 = inverse_92 * e109;
-        const Scalar e117 = e16 * e116;
-        const Scalar e118 = q_2 * inverse_92;
-        const Scalar e119 = p_.beta * compression_84;
-        const Scalar e120 = e87 + e119;
-        const Scalar e121 = e6 * e80;
-        const Scalar e122 = inverse_79 * e121;
-        const Scalar e123 = p_.beta * e121;
-        const Scalar e124 = e16 * (p_.beta * e106);
-        const Scalar e125 = e106 * e62;
-        const Scalar e126 = e125 * e110;
-        const Scalar e127 = s_k_dot * e100;
-        const Scalar e128 = -e39 * e95;
-        const Scalar e129 = c_.k18 * e127 + e102 * e103 - (e104 * e105 - (c_.k45 * e101 - e128 * e99));
-        const Scalar e130 = -e89;
-        const Scalar e131 = p_2 * e93;
-        const Scalar e132 = inverse_92 * e113 - e98 * e131;
-        const Scalar e133 = e95 * e93;
-        const Scalar e134 = inverse_92 * inverse_92 * (c_.k46 * q_2 + p_.beta * s_k_dot) + e116 * (inverse_92 * e124 + e126);
-        const Scalar e135 = e134 + (inverse_92 * e129 - (inverse_92 * e130 * e94 - e132 * e133));
-        const Scalar e136 = e39 * e121;
-        const Scalar e137 = e121 * e120;
-        const Scalar e138 = c_.k3 * e127 - e80 * e105 + (e136 * e99 + e137 * e94 + (c_.k44 * e101 + e123 * e103));
-        const Scalar e139 = e121 * e93;
-        const Scalar e140 = e8 * e106;
-        const Scalar e141 = e140 * e110;
-        const Scalar e142 = inverse_92 * e138 + (e132 * e139 + e116 * e141);
-        const Scalar e143 = inverse_3 * e39;
-        const Scalar step_144 = detail::step<Scalar>(e34);
-        const Scalar e145 = q_1 * step_144;
-        const Scalar e146 = inverse_30 * e145;
-        const Scalar e147 = e4 * e62;
-        const Scalar e148 = inverse_3 * e62;
-        const Scalar e149 = s_k_dot * e63;
-        const Scalar e150 = e23 * e146;
-        const Scalar e151 = p_1 * e31;
-        const Scalar e152 = e145 * e151;
-        const Scalar e153 = compression_33 * e146;
-        const Scalar e154 = -e39 * e40;
-        const Scalar e155 = e43 * e146;
-        const Scalar e156 = p_.k_l * e40;
-        const Scalar step_157 = detail::step<Scalar>(-e28);
-        const Scalar e158 = e16 * step_157;
-        const Scalar e159 = p_2 * exp_14;
-        const Scalar e160 = inverse_30 * e159;
-        const Scalar e161 = e158 * (p_2 * step_18 * e31 - (e68 * e151 - step_21 * e160));
-        const Scalar e162 = e23 - e12;
-        const Scalar e163 = e158 * e71;
-        const Scalar e164 = e162 * e163;
-        const Scalar e165 = compression_33 - compression_15;
-        const Scalar e166 = e165 * e163;
-        const Scalar e167 = p_.k_l * e39;
-        const Scalar e168 = e43 - e42;
-        const Scalar e169 = e168 * e163;
-        const Scalar step_170 = detail::step<Scalar>(e90);
-        const Scalar e171 = q_2 * step_170;
-        const Scalar e172 = inverse_92 * e171;
-        const Scalar e173 = e80 * e62;
-        const Scalar e174 = e12 * e172;
-        const Scalar e175 = e171 * e131;
-        const Scalar e176 = compression_15 * e172;
-        const Scalar e177 = e42 * e172;
-        const Scalar e178 = p_.k_l * e95;
-        const Scalar step_179 = detail::step<Scalar>(e28);
-        const Scalar e180 = e16 * step_179;
-        const Scalar e181 = p_1 * exp_25;
-        const Scalar e182 = inverse_92 * e181;
-        const Scalar e183 = e180 * (p_1 * step_21 * e93 + (step_18 * e182 - e109 * e131));
-        const Scalar e184 = e180 * e116;
-        const Scalar e185 = e162 * e184;
-        const Scalar e186 = e165 * e184;
-        const Scalar e187 = e168 * e184;
-        const Scalar e188 = inverse_3 * e74;
-        const Scalar e189 = e74 * e78;
-        const Scalar e190 = inverse_3 * e8;
-        const Scalar e191 = e39 * e74;
-        const Scalar e192 = inverse_3 * e121;
-        const Scalar e193 = e7 * e4;
-        const Scalar e194 = exp_54 * e193;
-        const Scalar e195 = p_.p_0 * inverse_52;
-        const Scalar e196 = p_.alpha * p_.T_0 - e195;
-        const Scalar e197 = p_.alpha * e8;
-        const Scalar e198 = e4 * e197;
-        const Scalar e199 = p_.p_0 * e193 - Scalar(2) * p_.T_0 * e198;
-        const Scalar e200 = p_.p_s + e51;
-        const Scalar e201 = e200 * e194;
-        const Scalar e202 = e22 * e37;
-        const Scalar e203 = inverse_2 * e7;
-        const Scalar e204 = inverse_2 * e197;
-        const Scalar e205 = Scalar(2) * e40;
-        const Scalar e206 = e22 * e45;
-        const Scalar e207 = e12 * e46;
-        const Scalar e208 = e23 * e206 + e11 * e207;
-        const Scalar e209 = e65 * e197;
-        const Scalar e210 = inverse_52 * e193;
-        const Scalar e211 = e22 + e11;
-        const Scalar e212 = e46 * (p_2 * e211 + e11 * e11) + e22 * e206;
-        const Scalar e213 = e11 * e46 + e206;
-        const Scalar e214 = e22 * e44 + e213;
-        const Scalar e215 = e22 * (inverse_52 * e203);
-        const Scalar e216 = p_.alpha * inverse_52;
-        const Scalar e217 = e22 * e50;
-        const Scalar e218 = p_.alpha * e4 * e50;
-        const Scalar e219 = compression_55 + inverse_52 * e57;
-        const Scalar e220 = e56 * e196 + e219;
-        const Scalar e221 = e22 * e146;
-        const Scalar e222 = e22 * e61;
-        const Scalar e223 = p_.alpha * e7;
-        const Scalar e224 = e22 * e149;
-        const Scalar e225 = e22 * e150;
-        const Scalar e226 = e7 * e65;
-        const Scalar e227 = inverse_52 * e226;
-        const Scalar e228 = e151 - e160;
-        const Scalar e229 = e22 * step_21;
-        const Scalar e230 = e11 * step_18;
-        const Scalar e231 = e31 * (inverse_19 * e181 - p_2);
-        const Scalar e232 = e158 * (e228 * e229 + e230 * e231);
-        const Scalar e233 = inverse_52 * e65;
-        const Scalar e234 = e31 * e20;
-        const Scalar e235 = e16 * (e22 - e11);
-        const Scalar e236 = p_.alpha * e226;
-        const Scalar e237 = e69 * (e229 - e11 * e67);
-        const Scalar e238 = e22 * e153;
-        const Scalar e239 = e22 * e155;
-        const Scalar e240 = e158 * (inverse_30 * e229 + e11 * e234);
-        const Scalar e241 = e162 * e240;
-        const Scalar e242 = e165 * e240;
-        const Scalar e243 = e168 * e240;
-        const Scalar e244 = p_1 * e206;
-        const Scalar e245 = e69 * e67;
-        const Scalar e246 = e22 * e245;
-        const Scalar e247 = e7 * e80;
-        const Scalar e248 = e11 * e103;
-        const Scalar e249 = inverse_79 * e7;
-        const Scalar e250 = inverse_79 * e197;
-        const Scalar e251 = e23 * e112;
-        const Scalar e252 = e11 * e114;
-        const Scalar e253 = e22 * e251 - e12 * e252;
-        const Scalar e254 = exp_83 * e247;
-        const Scalar e255 = e80 * e197;
-        const Scalar e256 = p_.p_0 * e247 - Scalar(2) * p_.T_0 * e255;
-        const Scalar e257 = p_.p_t + e81;
-        const Scalar e258 = e257 * e254;
-        const Scalar e259 = Scalar(2) * e95;
-        const Scalar e260 = e106 * e197;
-        const Scalar e261 = e22 * e112 - e252;
-        const Scalar e262 = e93 * e261;
-        const Scalar e263 = e11 * e99 + e262;
-        const Scalar e264 = e11 * (inverse_52 * e249);
-        const Scalar e265 = e11 * e252 - e112 * (p_1 * e211 + e22 * e22);
-        const Scalar e266 = inverse_52 * e247;
-        const Scalar e267 = e266 * e93;
-        const Scalar e268 = compression_84 + inverse_52 * e86;
-        const Scalar e269 = e85 * e196 + e268;
-        const Scalar e270 = e11 * e172;
-        const Scalar e271 = e11 * e94;
-        const Scalar e272 = e11 * e127;
-        const Scalar e273 = e11 * e105;
-        const Scalar e274 = p_.alpha * e80 * e105;
-        const Scalar e275 = e11 * e174;
-        const Scalar e276 = e7 * e106;
-        const Scalar e277 = inverse_52 * e276;
-        const Scalar e278 = e182 - e131;
-        const Scalar e279 = e93 * (p_1 - inverse_26 * e159);
-        const Scalar e280 = e180 * (e278 * e230 + e229 * e279);
-        const Scalar e281 = inverse_52 * e106;
-        const Scalar e282 = e93 * e27;
-        const Scalar e283 = p_.alpha * e276;
-        const Scalar e284 = e110 * (e22 * e108 - e230);
-        const Scalar e285 = e11 * e176;
-        const Scalar e286 = e11 * e177;
-        const Scalar e287 = e180 * (inverse_92 * e230 + e22 * e282);
-        const Scalar e288 = e162 * e287;
-        const Scalar e289 = e165 * e287;
-        const Scalar e290 = e168 * e287;
-        const Scalar e291 = e131 * e252;
-        const Scalar e292 = e110 * e108;
-        const Scalar e293 = e11 * e292;
-        const Scalar inverse_52_squared = inverse_52 * inverse_52;
-        const Scalar e294 = e74 * inverse_52_squared;
-        const Scalar e295 = e6 * e195 - p_.T_0 * e7;
-        const Scalar e296 = inverse_52 * e295;
-        const Scalar e297 = e4 * e296;
-        const Scalar e298 = p_.T_0 * e56;
-        const Scalar e299 = inverse_2 * e6;
-        const Scalar e300 = e74 * e37 - e203 * e64 + (c_.k24 * e149 + e226 * e70);
-        const Scalar e301 = inverse_52 * e74;
-        const Scalar e302 = inverse_52 * e299;
-        const Scalar e303 = e56 * inverse_2;
-        const Scalar e304 = inverse_52 * e7;
-        const Scalar e305 = e6 * e65;
-        const Scalar e306 = inverse_52 * e305;
-        const Scalar e307 = e121 * inverse_52_squared;
-        const Scalar e308 = e80 * e296;
-        const Scalar e309 = p_.T_0 * e85;
-        const Scalar e310 = inverse_79 * e6;
-        const Scalar e311 = e121 * e103 + e249 * e101 + (c_.k24 * e127 + e276 * e111);
-        const Scalar e312 = inverse_52 * e310;
-        const Scalar e313 = e85 * inverse_79;
-        const Scalar e314 = inverse_52 * e121;
-        const Scalar e315 = e6 * e106;
-        const Scalar e316 = inverse_52 * e315;
-        const Scalar e317 = p_.p_0 * e76 - Scalar(2) * p_.T_0 * e10;
-        const Scalar e318 = p_.beta * e4;
-        const Scalar e319 = Scalar(2) * e9;
-        const Scalar e320 = e9 * e65;
-        const Scalar e321 = e23 * e45;
-        const Scalar e322 = e23 * e321 + e12 * e207;
-        const Scalar e323 = e23 + e12;
-        const Scalar e324 = e208 + e323 * e47;
-        const Scalar e325 = e321 + e207;
-        const Scalar e326 = e23 * e44 + e325;
-        const Scalar e327 = c_.k34 * e23;
-        const Scalar e328 = e23 * e37;
-        const Scalar e329 = e23 * e50;
-        const Scalar e330 = e23 * e61;
-        const Scalar e331 = e23 * e149;
-        const Scalar e332 = compression_33 * e150;
-        const Scalar e333 = e43 * e150;
-        const Scalar e334 = e23 * e150;
-        const Scalar e335 = e8 * e65;
-        const Scalar e336 = e23 * step_21;
-        const Scalar e337 = e12 * step_18;
-        const Scalar e338 = e158 * (e228 * e336 + e337 * e231);
-        const Scalar e339 = e65 * e62;
-        const Scalar e340 = e69 * (e336 - e12 * e67);
-        const Scalar e341 = e158 * (inverse_30 * e336 + e12 * e234);
-        const Scalar e342 = e162 * e341;
-        const Scalar e343 = e165 * e341;
-        const Scalar e344 = e39 * e8;
-        const Scalar e345 = e168 * e341;
-        const Scalar e346 = p_1 * e321;
-        const Scalar e347 = e23 * e245;
-        const Scalar e348 = p_.beta * e80;
-        const Scalar e349 = e12 * e114;
-        const Scalar e350 = e23 * e251 - e12 * e349;
-        const Scalar e351 = p_.p_0 * e123 - Scalar(2) * p_.T_0 * e102;
-        const Scalar e352 = e9 * e106;
-        const Scalar e353 = e251 - e349;
-        const Scalar e354 = e93 * e353;
-        const Scalar e355 = e253 + e323 * e113;
-        const Scalar e356 = e23 * e108 - e337;
-        const Scalar e357 = compression_15 * e174;
-        const Scalar e358 = e42 * e174;
-        const Scalar e359 = e12 * e174;
-        const Scalar e360 = e180 * (e278 * e337 + e336 * e279);
-        const Scalar e361 = e12 * e175;
-        const Scalar e362 = e180 * (inverse_92 * e337 + e23 * e282);
-        const Scalar e363 = e162 * e362;
-        const Scalar e364 = e165 * e362;
-        const Scalar e365 = e168 * e362;
-        const Scalar e366 = e131 * e349;
-        const Scalar e367 = e12 * e292;
-        const Scalar e368 = inverse_5 * e62;
-        const Scalar e369 = e6 * e299;
-        const Scalar e370 = inverse_5 * e8;
-        const Scalar e371 = e6 * e310;
-        const Scalar e372 = p_.p_s + (Scalar(1) / Scalar(2)) * e51;
-        const Scalar e373 = e39 * e193;
-        const Scalar e374 = compression_55 - e56;
-        const Scalar e375 = e40 * e374;
-        const Scalar e376 = e39 * e194;
-        const Scalar e377 = e46 + e45;
-        const Scalar e378 = compression_55 * inverse_2;
-        const Scalar e379 = e204 * e64 + e198 * e325 - (c_.k21 * e149 + p_.alpha * inverse_2 * e150);
-        const Scalar e380 = e226 * e161 + e39 * e203 * e155 - (e335 * e166 - p_.alpha * e65 * e164);
-        const Scalar e381 = e218 - Scalar(2) * e193 * e48 - (e193 * e213 + (e58 * e203 + e8 * e378) * e146);
-        const Scalar e382 = e379 + (e203 * e152 - e209 * e70 + (c_.k34 * e153 - e373 * e377))
-            + (e380 - (e39 * e226 * e169 + (e40 * e37 - (e40 - e373) * e44) - e381));
-        const Scalar e383 = p_.p_t + (Scalar(1) / Scalar(2)) * e81;
-        const Scalar e384 = e39 * e247;
-        const Scalar e385 = compression_84 - e85;
-        const Scalar e386 = e95 * e385;
-        const Scalar e387 = e39 * e254;
-        const Scalar e388 = compression_84 * inverse_79;
-        const Scalar e389 = e93 * (e112 - e114);
-        const Scalar e390 = c_.k21 * e127 + e95 * e103 - (p_.alpha * inverse_79 * e174 + e274)
-            + (Scalar(2) * e247 * e115 + e260 * e111 + (c_.k44 * e176 + e249 * e175));
-        const Scalar e391 = e276 * e183 - e39 * e249 * e177 + (e140 * e186 - p_.alpha * e106 * e185);
-        const Scalar e392 = (e87 * e249 + e8 * e388) * e172 - e384 * e389 - (e250 * e101 - (e95 - e384) * e99);
-        const Scalar e393 = e390 - (e391 + (e39 * e276 * e187 - e93 * (e247 * e261 - e255 * e353) + e392));
-        const Scalar e394 = e295 * e4;
-        const Scalar e395 = e74 + e394;
-        const Scalar e396 = exp_54 * e301;
-        const Scalar e397 = e295 * e80;
-        const Scalar e398 = exp_83 * e314;
-        const Scalar e399 = e121 + e397;
-        const Scalar e400 = e39 * e197;
-        const Scalar e401 = e62 - e400;
-        const Scalar e402 = p_.alpha * e38;
-        const Scalar e403 = p_.alpha * e62;
+        const Scalar inverse_58 = Scalar(1) / (c_.k10 - s_k);
+        const Scalar e59 = exp_23 * inverse_58;
+        const Scalar e60 = T_2 * e59;
+        const Scalar e61 = q_2 * e60;
+        const Scalar e62 = e7 * inverse_57_squared;
+        const Scalar max_63 = detail::max<Scalar>(Scalar(0), e42);
+        const Scalar e64 = p_.rho_0 * q_2 * inverse_24;
+        const Scalar max_65 = detail::max<Scalar>(Scalar(0), e64);
+        const Scalar e66 = c_.k35 + p_.c_v * e21 - e47;
+        const Scalar e67 = e59 * (max_63 * e48 + max_65 * e66);
+        const Scalar e68 = p_.k_l * inverse_57;
+        const Scalar e69 = e9 * e68;
+        const Scalar e70 = exp_23 * e41;
+        const Scalar e71 = e12 * e60;
+        const Scalar e72 = (step_19 + e70) * e71;
+        const Scalar e73 = q_2 * inverse_58;
+        const Scalar e74 = p_.beta * e68;
+        const Scalar e75 = e59 * e41;
+        const Scalar e76 = step_19 * inverse_58;
+        const Scalar e77 = e75 + e76;
+        const Scalar e78 = e12 * e77;
+        const Scalar e79 = e7 * e68;
+        const Scalar e80 = s_k_dot * inverse_58;
+        const Scalar e81 = s_k_dot * e60;
+        const Scalar e82 = e9 * e81 + (c_.k30 * e61 + c_.k33 * e67);
+        const Scalar e83 = e69 * e71;
+        const Scalar e84 = inverse_58 * (e74 * e78 + p_.beta * e80 + e82) + (c_.k31 * inverse_58 * e73 + e77 * e83);
+        const Scalar e85 = inverse_57 * e5;
+        const Scalar e86 = c_.k9 * e81 + (c_.k33 * e61 + e85 * e67);
+        const Scalar e87 = e79 * e71;
+        const Scalar e88 = inverse_58 * e86 + e77 * e87;
+        const Scalar e89 = inverse_3 * e9;
+        const Scalar e90 = s_k_dot * e29;
+        const Scalar e91 = inverse_2 * inverse_3;
+        const Scalar e92 = e91 * e9;
+        const Scalar e93 = e7 * e91;
+        const Scalar e94 = p_.beta * e7;
+        const Scalar e95 = inverse_3 * e91;
+        const Scalar e96 = e94 * e95;
+        const Scalar e97 = max_36 - min_43;
+        const Scalar e98 = e97 * e28;
+        const Scalar e99 = min_43 * e28;
+        const Scalar e100 = compression_37 * e98 + compression_45 * e99;
+        const Scalar e101 = p_.p_0 - p_.p_s;
+        const Scalar inverse_102 = Scalar(1) / p_.beta;
+        const Scalar e103 = e101 * inverse_102;
+        const Scalar exp_104 = exp(e103);
+        const Scalar compression_105 = detail::compression<Scalar>(-e103, exp_104);
+        const Scalar e106 = e103 * exp_104 - compression_105;
+        const Scalar e107 = p_.p_0 * e7 - p_.T_0 * e9;
+        const Scalar e108 = e107 * e95;
+        const Scalar e109 = inverse_3 * e7;
+        const Scalar e110 = exp_104 * e91;
+        const Scalar e111 = p_.p_s * e110;
+        const Scalar e112 = max_36 * e28;
+        const Scalar e113 = e28 * (e38 * e97 + e46 * min_43);
+        const Scalar step_114 = detail::step<Scalar>(e35);
+        const Scalar e115 = e50 * (step_114 * e40);
+        const Scalar step_116 = detail::step<Scalar>(-e42);
+        const Scalar e117 = e12 * e48;
+        const Scalar e118 = step_116 * e117;
+        const Scalar e119 = e54 * e118;
+        const Scalar e120 = exp_18 * e98;
+        const Scalar e121 = exp_23 * e99;
+        const Scalar e122 = p_1 * e120 + p_2 * e121;
+        const Scalar e123 = p_.p_0 - p_.p_t;
+        const Scalar e124 = e123 * inverse_102;
+        const Scalar exp_125 = exp(e124);
+        const Scalar compression_126 = detail::compression<Scalar>(-e124, exp_125);
+        const Scalar e127 = e124 * exp_125 - compression_126;
+        const Scalar e128 = inverse_57 * inverse_3;
+        const Scalar e129 = inverse_3 * e128;
+        const Scalar e130 = e107 * e129;
+        const Scalar e131 = exp_125 * e128;
+        const Scalar e132 = p_.p_t * e131;
+        const Scalar e133 = e94 * e129;
+        const Scalar e134 = max_65 * e59;
+        const Scalar e135 = e128 * e9;
+        const Scalar e136 = e7 * e128;
+        const Scalar e137 = max_63 * e59;
+        const Scalar e138 = max_63 + max_65;
+        const Scalar e139 = e59 * e138;
+        const Scalar e140 = compression_37 * e137 - compression_45 * e139;
+        const Scalar e141 = e59 * (e38 * max_63 - e46 * e138);
+        const Scalar step_142 = detail::step<Scalar>(e64);
+        const Scalar e143 = e73 * (step_142 * e66);
+        const Scalar step_144 = detail::step<Scalar>(e42);
+        const Scalar e145 = step_144 * e117;
+        const Scalar e146 = e77 * e145;
+        const Scalar e147 = exp_18 * e137;
+        const Scalar e148 = exp_23 * e139;
+        const Scalar e149 = p_1 * e147 - p_2 * e148;
+        const Scalar e150 = e5 * e91;
+        const Scalar e151 = p_.beta * e5;
+        const Scalar e152 = e151 * e95;
+        const Scalar e153 = inverse_3 * e5;
+        const Scalar e154 = p_.p_0 * e5 - p_.T_0 * e7;
+        const Scalar e155 = e154 * e95;
+        const Scalar e156 = inverse_2 * e5;
+        const Scalar e157 = e5 * e128;
+        const Scalar e158 = e151 * e129;
+        const Scalar e159 = e154 * e129;
+        const Scalar e160 = p_.alpha * e6;
+        const Scalar e161 = inverse_2 * e8;
+        const Scalar e162 = Scalar(2) * e8;
+        const Scalar e163 = e8 * e10;
+        const Scalar e164 = e101 * e110;
+        const Scalar e165 = p_.p_s + e101;
+        const Scalar e166 = inverse_102 * e6;
+        const Scalar e167 = e6 * (p_.alpha * p_.T_0 - p_.p_0 * inverse_102);
+        const Scalar e168 = p_.T_0 * e91;
+        const Scalar e169 = e106 * e168;
+        const Scalar e170 = e20 * e121;
+        const Scalar e171 = e15 * e120;
+        const Scalar e172 = e21 * e170 + e16 * e171;
+        const Scalar e173 = e91 * e166;
+        const Scalar e174 = p_2 + e20;
+        const Scalar e175 = p_1 + e15;
+        const Scalar e176 = e174 * e170 + e175 * e171;
+        const Scalar e177 = e170 + e171;
+        const Scalar e178 = inverse_2 * e6;
+        const Scalar e179 = e15 * (inverse_2 * e166) - e178;
+        const Scalar e180 = e15 * e90;
+        const Scalar e181 = e12 * (e15 - e20);
+        const Scalar e182 = p_.alpha * inverse_4;
+        const Scalar e183 = inverse_102 * e182;
+        const Scalar e184 = e118 * (e20 * e52 + e15 * e53);
+        const Scalar e185 = e15 * e115;
+        const Scalar e186 = e10 * e160;
+        const Scalar e187 = e30 * (e15 * step_14 - e20 * e26);
+        const Scalar e188 = e30 * e26;
+        const Scalar e189 = e15 * e188;
+        const Scalar e190 = inverse_57 * e8;
+        const Scalar e191 = e8 * e68;
+        const Scalar e192 = e123 * e131;
+        const Scalar e193 = p_.p_t + e123;
+        const Scalar e194 = p_.T_0 * e128;
+        const Scalar e195 = e127 * e194;
+        const Scalar e196 = e15 * e147;
+        const Scalar e197 = e20 * e148;
+        const Scalar e198 = e16 * e196 - e21 * e197;
+        const Scalar e199 = e128 * e166;
+        const Scalar e200 = e175 * e196 - e174 * e197;
+        const Scalar e201 = e196 - e197;
+        const Scalar e202 = inverse_57 * e6;
+        const Scalar e203 = e20 * (inverse_57 * e166) - e202;
+        const Scalar e204 = e20 * e81;
+        const Scalar e205 = e145 * (e15 * e75 + e20 * e76);
+        const Scalar e206 = e20 * e143;
+        const Scalar e207 = e68 * e160;
+        const Scalar e208 = e71 * (e15 * e70 - e20 * step_19);
+        const Scalar e209 = e71 * e70;
+        const Scalar e210 = e20 * e209;
+        const Scalar e211 = inverse_102 * e5;
+        const Scalar e212 = inverse_102 * e211;
+        const Scalar e213 = p_.p_0 * e211 - p_.T_0 * e6;
+        const Scalar e214 = e213 - e165 * e211;
+        const Scalar e215 = inverse_102 * e213;
+        const Scalar e216 = c_.k23 * e90 + e6 * e10 * e31;
+        const Scalar e217 = inverse_102 * inverse_4;
+        const Scalar e218 = inverse_102 * e217;
+        const Scalar e219 = e10 * e166;
+        const Scalar e220 = e213 - e193 * e211;
+        const Scalar e221 = c_.k23 * e81 + e6 * e68 * e72;
+        const Scalar e222 = e68 * e166;
+        const Scalar e223 = Scalar(2) * e94;
+        const Scalar e16_squared = e16 * e16;
+        const Scalar e21_squared = e21 * e21;
+        const Scalar e224 = e120 * e16_squared + e121 * e21_squared;
+        const Scalar e225 = e16 * e175;
+        const Scalar e226 = e21 * e174;
+        const Scalar e227 = e120 * e225 + e121 * e226;
+        const Scalar e228 = e16 * exp_18;
+        const Scalar e229 = e21 * exp_23;
+        const Scalar e230 = e28 * (e97 * e228 + min_43 * e229);
+        const Scalar e231 = c_.k28 * e16 - inverse_2 * e151;
+        const Scalar e232 = e16 * e90;
+        const Scalar e233 = e12 * e44;
+        const Scalar e234 = e118 * (e21 * e52 + e16 * e53);
+        const Scalar e235 = e16 * e115;
+        const Scalar e236 = e30 * (e16 * step_14 - e21 * e26);
+        const Scalar e237 = e16 * e188;
+        const Scalar e238 = inverse_57 * e151;
+        const Scalar e239 = e147 * e16_squared - e148 * e21_squared;
+        const Scalar e240 = e147 * e225 - e148 * e226;
+        const Scalar e241 = e59 * (max_63 * e228 - e138 * e229);
+        const Scalar e242 = e16 * e70 - e21 * step_19;
+        const Scalar e243 = e145 * (e16 * e75 + e21 * e76);
+        const Scalar e244 = e21 * e143;
+        const Scalar e245 = e21 * e209;
+        const Scalar e246 = inverse_4 * e9;
+        const Scalar e247 = inverse_4 * e7;
+        const Scalar e248 = inverse_2 * e247;
+        const Scalar e249 = e16 * e98 + e21 * e99;
+        const Scalar e250 = inverse_57 * e247;
+        const Scalar e251 = e16 * e137 - e21 * e139;
+        const Scalar e252 = p_.p_0 * e6 - p_.T_0 * e8;
+        const Scalar e253 = e121 + e120;
+        const Scalar e254 = e91 * e8;
+        const Scalar e255 = e6 * e91;
+        const Scalar e256 = e174 * e121 + e175 * e120;
+        const Scalar e257 = e93 * e113 - e163 * e31 - (inverse_2 * e182 * e115 + (-e91 * e252) * e253);
+        const Scalar e258 = e254 * e230 - e10 * e182 * e119 + (e161 * e32 - e255 * e256 - (c_.k2 * e90 - e178 * e49));
+        const Scalar e259 = e257 + e258;
+        const Scalar e260 = e106 * e93;
+        const Scalar e261 = e110 * (e6 * e165 - e252);
+        const Scalar e262 = e127 * e136;
+        const Scalar e263 = e131 * (e6 * e193 - e252);
+        const Scalar e264 = e147 - e148;
+        const Scalar e265 = e128 * e8;
+        const Scalar e266 = e6 * e128;
+        const Scalar e267 = e175 * e147 - e174 * e148;
+        const Scalar e268 = e136 * e141 - e191 * e72 + (inverse_57 * e182 * e143 - (-e128 * e252) * e264);
+        const Scalar e269 = e265 * e241 + e68 * e182 * e146 - (e190 * e61 + e266 * e267 + (c_.k2 * e81 + e202 * e67));
+        const Scalar e270 = e268 + e269;
+        const Scalar e271 = e110 * e214;
+        const Scalar e272 = e131 * e220;
+        const Scalar e273 = p_.alpha * e9;
+        const Scalar e274 = p_.beta * p_.alpha;
+        const Scalar e275 = e182 * e274;
         J[0] = Scalar(0);
-        J[1] = p_1 * c_.k0;
-        J[2] = inverse_2 * e10 * e37 - (-e39 * e41) * e44 + e41 * e48 - inverse_2 * e49 * e50 + (-inverse_2 * e60) * e61 - e62
-            * inverse_2_squared * e64 + e62 * e66 * e70 + p_.beta * e66 * e72 - p_.beta * inverse_2_squared * e73;
+        J[1] = c_.k0 * p_1;
+        J[2] = inverse_2 * e11 * e31 - e9 * inverse_2_squared * e32 - e33 * e49 - p_.beta * inverse_2_squared * e50 + inverse_2
+            * e51 * e55;
         J[3] = Scalar(0);
-        J[4] = e39 * e75 * e44 + inverse_2 * e76 * e37 + e75 * e48 - inverse_2 * e4 * e50 - e78 * e75 * e61 - e8
-            * inverse_2_squared * e64 + e8 * e66 * e70;
+        J[4] = inverse_2 * e56 * e31 - e33 * e32 - e5 * inverse_2_squared * e49;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
-        J[7] = (-p_2) * c_.k0;
+        J[7] = c_.k0 * (-p_2);
         J[8] = Scalar(0);
-        J[9] = (-inverse_79 * e89) * e94 + (-e39 * e96) * e99 - e62 * inverse_79_squared * e101 - inverse_79 * e102 * e103
-            + inverse_79 * e104 * e105 - e62 * e107 * e111 - e96 * e115 - p_.beta * e107 * e117 - p_.beta * inverse_79_squared
-            * e118;
+        J[9] = -e9 * inverse_57_squared * e61 - e62 * e67 - inverse_57 * e69 * e72 - p_.beta * inverse_57_squared * e73
+            - inverse_57 * e74 * e78;
         J[10] = Scalar(0);
-        J[11] = inverse_79 * e80 * e105 - e120 * e122 * e94 - e39 * e122 * e99 - e8 * inverse_79_squared * e101 - inverse_79
-            * e123 * e103 - e8 * e107 * e111 - e122 * e115;
+        J[11] = -e62 * e61 - e5 * inverse_57_squared * e67 - inverse_57 * e79 * e72;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = -e135;
+        J[15] = -e84;
         J[16] = Scalar(0);
-        J[17] = -e142;
+        J[17] = -e88;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = e135;
+        J[21] = e84;
         J[22] = Scalar(0);
-        J[23] = e142;
+        J[23] = e88;
         J[24] = Scalar(0);
         J[25] = e1;
         J[26] = Scalar(0);
@@ -1322,126 +1088,94 @@ public:
         J[35] = Scalar(0);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        J[38] = Scalar(2) * inverse_3 * e10 * e37 - (-Scalar(2) * e40 * e143) * e44 + Scalar(2) * inverse_3 * e40 * e48
-            - inverse_3 * e49 * e50 - (-e60) * e146 + (-Scalar(2) * inverse_3 * e60) * e61 - e147 * e64 + e148 * e149 + e49
-            * e150 + p_.k_l * e147 * e70 - e40 * e152 - e10 * e153 + e154 * e155 - e156 * e161 - p_.k_l * e49 * e164 + p_.k_l
-            * e10 * e166 - (-e40 * e167) * e169;
-        J[39] = (-Scalar(2) * inverse_3 * e89) * e94 - e130 * e172 + (-Scalar(2) * e95 * e143) * e99 - e173 * e101 - Scalar(2)
-            * inverse_3 * e102 * e103 - e148 * e127 + inverse_3 * e104 * e105 + e104 * e174 - p_.k_l * e173 * e111 - Scalar(2)
-            * inverse_3 * e95 * e115 - e95 * e175 - e102 * e176 + e128 * e177 + e178 * e183 - p_.k_l * e104 * e185 + p_.k_l
-            * e102 * e186 - (-e95 * e167) * e187;
-        J[40] = Scalar(2) * e74 * e143 * e44 + Scalar(2) * inverse_3 * e76 * e37 + Scalar(2) * e188 * e48 - inverse_3 * e4
-            * e50 + e189 * e146 - Scalar(2) * e78 * e188 * e61 - e40 * e64 + e190 * e149 + e4 * e150 + e156 * e70 - e74 * e152
-            - e76 * e153 - e191 * e155 - p_.k_l * e74 * e161 - p_.k_l * e4 * e164 + p_.k_l * e76 * e166 + e74 * e167 * e169;
-        J[41] = e137 * e172 - Scalar(2) * e120 * e192 * e94 - Scalar(2) * e121 * e143 * e99 - e95 * e101 - Scalar(2)
-            * inverse_3 * e123 * e103 - e190 * e127 + inverse_3 * e80 * e105 + e80 * e174 - e178 * e111 - Scalar(2) * e192
-            * e115 - e121 * e175 - e123 * e176 - e136 * e177 + p_.k_l * e121 * e183 - p_.k_l * e80 * e185 + p_.k_l * e123
-            * e186 + e121 * e167 * e187;
+        J[38] = e89 * e90 - e92 * e32 - e93 * e49 + p_.k_l * e92 * e31 + e96 * e100
+            + (e106 * e108 - e109 * e111 - compression_105 * e96) * e112 - e108 * e113 + c_.k28 * e115 + e56 * e119 + e7 * e95
+            * e122;
+        J[39] = (e127 * e130 - e109 * e132 - compression_126 * e133) * e134 - e135 * e61 - e136 * e67 - e89 * e81 - p_.k_l
+            * e135 * e72 - e133 * e140 + e130 * e141 + c_.k33 * e143 + e79 * e146 - e7 * e129 * e149;
+        J[40] = e109 * e90 - e93 * e32 - e150 * e49 + p_.k_l * e93 * e31 + e152 * e100
+            - (e153 * e111 - e106 * e155 + compression_105 * e152) * e112 + (-e155) * e113 + e156 * e115 + e5 * e10 * e119 + e5
+            * e95 * e122;
+        J[41] = e85 * e143 - e136 * e61 - e157 * e67 - e109 * e81 - p_.k_l * e136 * e72 - e158 * e140
+            - (e153 * e132 - e127 * e159 + compression_126 * e158) * e134 - (-e159) * e141 + e5 * e68 * e146 - e5 * e129 * e149;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        const Scalar e404 = e194 * (p_.p_s - e51 * e196) + Scalar(2) * compression_55 * e40 - e56 * e199 - e53 * e201;
-        J[44] = e404 * e61 - e193 * (e48 - e202) - e64 * (e22 * (p_.alpha * e203) - Scalar(2) * e204) - s_k_dot * inverse_30
-            - (-e199) * e44 - e205 * e37 - p_.alpha * e193 * e208 - c_.k20 * e149 - Scalar(2) * e209 * e70 + e210 * e212
-            - (-e196 * e193) * e214 - e65 * e72 + c_.k5 * e73 - e152 * e215 - e4 * e216 * e217 + e218 - (-e203 * e220) * e221
-            + (-e193 * e220) * e222 + e223 * e224 + inverse_2 * e216 * e225 + e227 * e232 + e233 * e234 * e235 + e236 * e237
-            - e203 * e238 + (-e196 * e203) * e239 - e65 * e216 * e241 + e226 * e242 - (-e196 * e226) * e243 + Scalar(2) * e210
-            * e244 + Scalar(2) * e236 * e246;
-        const Scalar e405 = e254 * (p_.p_t - e81 * e196) + Scalar(2) * compression_84 * e95 - e85 * e256 - e82 * e258;
-        J[45] = e247 * (e115 - e248) - e101 * (e11 * (p_.alpha * e249) - Scalar(2) * e250) + s_k_dot * inverse_92 + p_.alpha
-            * e247 * e93 * e253 + e405 * e94 + (-e256) * e99 + e259 * e103 + c_.k20 * e127 + Scalar(2) * e260 * e111
-            + (-e196 * e247) * e263 + e106 * e117 + c_.k12 * e118 - e175 * e264 + e265 * e267 - (-e249 * e269) * e270
-            + (-e247 * e269) * e271 - e223 * e272 + e80 * e216 * e273 - e274 + inverse_79 * e216 * e275 + e277 * e280 + e281
-            * e282 * e235 + e283 * e284 - e249 * e285 + (-e196 * e249) * e286 - e106 * e216 * e288 + e276 * e289
-            - (-e196 * e276) * e290 + Scalar(2) * e266 * e291 - Scalar(2) * e283 * e293;
-        const Scalar e406 = e51 * exp_54 * (e200 * e294 - e297) - compression_55 * e74 - e193 * e298;
-        J[46] = e294 * e212 - p_.T_0 * e193 * e44 - e210 * e208 - e406 * e61 - e22 * (inverse_52_squared * e299) * e152
-            + (-e297) * e214 - e300 - e64 * e215 + e301 * e202 - e4 * inverse_52_squared * e217 + (e219 * e302 - e296 * e303)
-            * e221 - (e219 * e301 - e56 * e297) * e222 + e304 * e224 + inverse_2 * inverse_52_squared * e225
-            + inverse_52_squared * e305 * e232 + e227 * e237 - e302 * e238 - (-inverse_2 * e296) * e239 - e65
-            * inverse_52_squared * e241 + e306 * e242 + (-e65 * e296) * e243 + Scalar(2) * e294 * e244 + Scalar(2) * e227
-            * e246;
-        const Scalar e407 = e81 * exp_83 * (e257 * e307 - e308) - compression_84 * e121 - e247 * e309;
-        J[47] = p_.T_0 * e247 * e99 - e407 * e94 - e11 * (inverse_52_squared * e310) * e175 + e307 * e93 * e265 - (-e308)
-            * e263 + e311 - e101 * e264 + e253 * e267 + (e268 * e312 - e296 * e313) * e270 - (e268 * e314 - e85 * e308) * e271
-            - e314 * e248 - e304 * e272 + e80 * inverse_52_squared * e273 + inverse_79 * inverse_52_squared * e275
-            + inverse_52_squared * e315 * e280 + e277 * e284 - e312 * e285 - (-inverse_79 * e296) * e286 - e106
-            * inverse_52_squared * e288 + e316 * e289 + (-e106 * e296) * e290 + Scalar(2) * e307 * e291 - Scalar(2) * e277
-            * e293;
+        const Scalar e276 = (compression_105 * e93 - e164 * (e165 * e166 + e167) + e8 * e169) * e112;
+        J[44] = c_.k4 * e50 - e32 * (e15 * (inverse_2 * e160) - Scalar(2) * e161) - s_k_dot * inverse_27 - e162 * e90
+            - Scalar(2) * e163 * e31 - e93 * e100 + e276 - e8 * e168 * e113 - e91 * e160 * e172 + e173 * e176 - (-e91 * e167)
+            * e177 - e49 * e179 - e10 * e55 + e160 * e180 + inverse_102 * e10 * e52 * e181 + e10 * e183 * e184 + inverse_2
+            * e183 * e185 + e186 * e187 + Scalar(2) * e186 * e189;
+        const Scalar e277 = (compression_126 * e136 - e192 * (e193 * e166 + e167) + e8 * e195) * e134;
+        J[45] = e162 * e81 - e61 * (e20 * (inverse_57 * e160) - Scalar(2) * e190) + Scalar(2) * e191 * e72 + e136 * e140
+            + c_.k11 * e73 + e277 + e8 * e194 * e141 + e128 * e160 * e198 - e199 * e200 + (-e128 * e167) * e201 - e67 * e203
+            + e68 * e78 + e80 - e160 * e204 + inverse_102 * e68 * e75 * e181 + e68 * e183 * e205 + inverse_57 * e183 * e206
+            + e207 * e208 - Scalar(2) * e207 * e210;
+        const Scalar e278 = (-e6 * e169 - compression_105 * e150 - inverse_102 * e214 * e164) * e112;
+        J[46] = e91 * e212 * e176 - e15 * (inverse_2 * e212) * e49 - e150 * e100 - e278 - e6 * e168 * e113 - e173 * e172
+            + (-e91 * e215) * e177 - e32 * e179 - e216 + e166 * e180 + e10 * e218 * e184 + inverse_2 * e218 * e185 + e219
+            * e187 + Scalar(2) * e219 * e189;
+        const Scalar e279 = (-e6 * e195 - compression_126 * e157 - inverse_102 * e220 * e192) * e134;
+        J[47] = e157 * e140 - e20 * (inverse_57 * e212) * e67 - e279 + e6 * e194 * e141 + e199 * e198 - e128 * e212 * e200
+            - (-e128 * e215) * e201 - e61 * e203 + e221 - e166 * e204 + e68 * e218 * e205 + inverse_57 * e218 * e206 + e222
+            * e208 - Scalar(2) * e222 * e210;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = e317 * e44 - e162 * (e318 * e32 - e16 * (p_.beta * e65) * e234) - e64
-            * (c_.k35 * e23 - Scalar(2) * inverse_2 * e9) - p_.beta * e76 * e37 - e76 * e48 - (e56 * e317 - e76 * (e57 + e77))
-            * e61 - e319 * e149 - c_.k39 * e150 - Scalar(2) * e320 * e70 - e147 * e322 + e40 * e324 - e154 * e326 - e152 * e327
-            + e10 * e328 - e49 * e329 + (e318 - e60) * e330 + c_.k18 * e331 - c_.k37 * e332 + c_.k38 * e333 + c_.k36 * e334
-            + e335 * e338 + e339 * e340 - e65 * e38 * e342 + e320 * e343 - (-e65 * e344) * e345 + e205 * e346 + Scalar(2)
-            * e339 * e347;
-        J[51] = e12 * ((e348 - e89) * e94 - e129) - e93 * (max_97 * e348 * e162 - e173 * e350)
-            - (e85 * e351 - e123 * (e86 + e119)) * e94 - e351 * e99 + Scalar(2) * inverse_79 * e9 * e101 + p_.beta * e123
-            * e103 + e319 * e127 - c_.k50 * e174 + Scalar(2) * e352 * e111 + e123 * e115 + e128 * e354 - e355 * e133 + e162
-            * e282 * e124 + e356 * e126 - c_.k48 * e357 + c_.k49 * e358 + c_.k47 * e359 + e140 * e360 - c_.k44 * e361 - e106
-            * e38 * e363 + e352 * e364 - (-e106 * e344) * e365 + e259 * e366 - Scalar(2) * e125 * e367;
-        J[52] = c_.k41 * (e64 - e332) - p_.beta * e305 * (e70 - e343) - p_.T_0 * e76 * e44 + e76 * e298 * e61 - c_.k8 * e149
-            + c_.k43 * e150 - c_.k40 * e23 * e152 - e40 * e322 + e74 * e324 + e191 * e326 - e64 * e327 + e76 * e328 - e4 * e329
-            - e189 * e330 + c_.k3 * e331 - c_.k42 * e333 + c_.k5 * e334 + e305 * e338 + e335 * e340 - e65 * e342 + e39 * e305
-            * e345 + Scalar(2) * e74 * e346 + Scalar(2) * e335 * e347;
-        J[53] = c_.k52 * (e101 - e357) + p_.beta * e315 * (e111 + e364) + e123 * e309 * e94 + p_.T_0 * e123 * e99 + c_.k8
-            * e127 + c_.k54 * e174 - e12 * e138 - e136 * e354 + e350 * e133 - e355 * e139 + e356 * e141 - c_.k53 * e358
-            + c_.k12 * e359 + e315 * e360 - c_.k51 * e361 - e106 * e363 + e39 * e315 * e365 + Scalar(2) * e121 * e366
-            - Scalar(2) * e140 * e367;
+        J[50] = e94 * e169 * e112 - e32 * (c_.k26 * e16 - Scalar(2) * inverse_2 * e94) - e223 * e90 - Scalar(2) * e10 * e94
+            * e31 - e94 * e168 * e113 - e92 * e224 + e93 * e227 - e91 * e107 * e230 - e49 * e231 + e9 * e232 + e51 * e52 * e233
+            + e182 * e51 * e234 + c_.k27 * e235 + e11 * e236 + Scalar(2) * e11 * e237;
+        J[51] = Scalar(2) * inverse_57 * e94 * e61 + e238 * e67 + e223 * e81 + Scalar(2) * e68 * e94 * e72 + e94 * e195 * e134
+            + e94 * e194 * e141 + e135 * e239 - e136 * e240 - e21 * e82 + e128 * e107 * e241 + e242 * e83 + e74 * e75 * e233
+            + e182 * e74 * e243 + c_.k32 * e244 - Scalar(2) * e69 * e245;
+        J[52] = e151 * e169 * e112 - e16 * e156 * e49 - e151 * e90 - e10 * e151 * e31 - e151 * e168 * e113 - e93 * e224 + e150
+            * e227 + (-e91 * e154) * e230 - e32 * e231 + c_.k9 * e232 + inverse_4 * e10 * e234 + c_.k29 * e235 + e56 * e236
+            + Scalar(2) * e56 * e237;
+        J[53] = e238 * e61 + e151 * e81 + e68 * e151 * e72 + e151 * e195 * e134 + e151 * e194 * e141 + e136 * e239 - e157
+            * e240 - e21 * e86 - (-e128 * e154) * e241 + e242 * e87 + inverse_4 * e68 * e243 + c_.k34 * e244 - Scalar(2) * e79
+            * e245;
         J[54] = Scalar(0);
         J[55] = Scalar(0);
-        J[56] = e9 * e299 * e37 - (-e299 * e344) * e44 + e8 * e299 * e48 + (-e59 * e299) * e61 - inverse_2 * e368 * e64 + e368
-            * e149 + e65 * e368 * e70;
-        J[57] = (-e88 * e310) * e94 + (-e310 * e344) * e99 - inverse_79 * e368 * e101 - e9 * e310 * e103 - e368 * e127 - e106
-            * e368 * e111 - e8 * e310 * e115;
-        J[58] = e39 * e369 * e44 + p_.beta * e369 * e37 + e369 * e48 - e78 * e369 * e61 - inverse_2 * e370 * e64 + e370 * e149
-            + e65 * e370 * e70;
-        J[59] = -e120 * e371 * e94 - e39 * e371 * e99 - inverse_79 * e370 * e101 - p_.beta * e371 * e103 - e370 * e127 - e106
-            * e370 * e111 - e371 * e115;
+        J[56] = e246 * e90 - inverse_2 * e246 * e32 - e248 * e49 + e10 * e246 * e31 + c_.k28 * e249;
+        J[57] = -inverse_57 * e246 * e61 - e250 * e67 - e246 * e81 - e68 * e246 * e72 - c_.k33 * e251;
+        J[58] = e247 * e90 - e248 * e32 - inverse_4 * e156 * e49 + e10 * e247 * e31 + e156 * e249;
+        J[59] = -e250 * e61 - inverse_4 * e85 * e67 - e247 * e81 - e68 * e247 * e72 - e85 * e251;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = (Scalar(2) * e194 * e372 + e56 * e373 + e375 + e376) * e61 + e382;
-        J[63] = (Scalar(2) * e254 * e383 + e85 * e384 + e386 + e387) * e94 + e393;
-        J[64] = e395 * e44 - Scalar(2) * e301 * e48 + inverse_52 * e4 * e50 + (e295 * e303 - e219 * e299) * e146 - e301 * e213
-            + e193 * e325 - (e394 * (exp_54 + e56) - e74 * e374 - Scalar(2) * e372 * e396) * e61 - inverse_2 * inverse_52
-            * e150 + e302 * e152 + e394 * e377 + c_.k40 * e153 - inverse_2 * e295 * e155 + e306 * e161 + e233 * e164 - e305
-            * e166 + e295 * e65 * e169 - e300;
-        J[65] = (e295 * e313 - e268 * e310) * e172 - (e397 * (exp_83 + e85) - e121 * e385 - Scalar(2) * e383 * e398) * e94
-            - e399 * e99 - inverse_52 * e80 * e105 - inverse_79 * inverse_52 * e174 + Scalar(2) * e314 * e115 + e312 * e175
-            + c_.k51 * e176 - inverse_79 * e295 * e177 - e316 * e183 + e281 * e185 - e315 * e186 + e295 * e106 * e187 - e247
-            * e354 + e314 * e262 - e397 * e389 + e311;
+        J[62] = e259 - (e260 - e261) * e112;
+        J[63] = -(e262 - e263) * e134 - e270;
+        J[64] = e178 * e32 - e91 * e211 * e256 + inverse_2 * e211 * e49 - (e106 * e150 + e271) * e112 + e150 * e113 - inverse_2
+            * e217 * e115 + e91 * e213 * e253 - e10 * e217 * e119 + e255 * e230 - e216;
+        J[65] = e202 * e61 + e128 * e211 * e267 + inverse_57 * e211 * e67 - (e127 * e157 + e272) * e134 - e157 * e141
+            - inverse_57 * e217 * e143 - e128 * e213 * e264 - e68 * e217 * e146 - e266 * e241 + e221;
         J[66] = Scalar(0);
         J[67] = Scalar(0);
-        J[68] = e147 * e37 - e4 * e401 * e44 + Scalar(2) * e198 * e48 - e4 * e402 * e50 - (-e58 * e204 - e62 * e378) * e146
-            + e198 * e213 - e4 * e403 * e325 + (e49 - e58 * e198 - e374 * e147) * e61 - inverse_2 * e403 * e64 + e403 * e149
-            + inverse_2 * e402 * e150 + e65 * e403 * e70 - e204 * e152 - (-e4 * e400) * e377 - c_.k35 * e153
-            + (-inverse_2 * e400) * e155 - e209 * e161 - e65 * e402 * e164 + e339 * e166 - (-e65 * e400) * e169;
-        J[69] = (e104 - e87 * e255 - e385 * e173) * e94 - (-e87 * e250 - e62 * e388) * e172 + e80 * e401 * e99 - inverse_79
-            * e403 * e101 - e173 * e103 - e403 * e127 + e80 * e402 * e105 + inverse_79 * e402 * e174 - e106 * e403 * e111
-            - Scalar(2) * e255 * e115 - e250 * e175 - c_.k45 * e176 + (-inverse_79 * e400) * e177 + e260 * e183 - e106 * e402
-            * e185 + e125 * e186 - (-e106 * e400) * e187 + e80 * e403 * e354 - e255 * e262 + (-e80 * e400) * e389;
-        J[70] = (e4 - e58 * e193 - e375) * e61 - e382;
-        J[71] = (e80 - e87 * e247 - e386) * e94 - e393;
+        J[68] = e254 * e256 - inverse_2 * e273 * e32 - e161 * e49 + e273 * e90 + e10 * e273 * e31 + (e91 * e274 + e106 * e92)
+            * e112 - e92 * e113 + inverse_2 * e275 * e115 - (p_.p_0 * e254 - e168 * e273) * e253 + e10 * e275 * e119 - e91
+            * e273 * e230;
+        J[69] = (e128 * e274 + e127 * e135) * e134 - inverse_57 * e273 * e61 - e265 * e267 - e190 * e67 - e273 * e81 - e68
+            * e273 * e72 + e135 * e141 + inverse_57 * e275 * e143 + (p_.p_0 * e265 - e194 * e273) * e264 + e68 * e275 * e146
+            + e128 * e273 * e241;
+        J[70] = (e91 + e260) * e112 - e259;
+        J[71] = (e128 + e262) * e134 + e270;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
-        J[74] = (exp_54 * e40 - e376 - e201) * e61;
+        J[74] = (e7 * e110 - e261) * e112;
         J[75] = Scalar(0);
-        J[76] = (exp_54 * e395 - e200 * e396) * e61;
+        J[76] = (e5 * e110 + e271) * e112;
         J[77] = Scalar(0);
         J[78] = Scalar(0);
         J[79] = Scalar(0);
         J[80] = Scalar(0);
-        J[81] = (exp_83 * e95 - e387 - e258) * e94;
+        J[81] = (e7 * e131 - e263) * e134;
         J[82] = Scalar(0);
-        J[83] = (exp_83 * e399 - e257 * e398) * e94;
+        J[83] = (e5 * e131 + e272) * e134;
         J[84] = Scalar(0);
         J[85] = Scalar(0);
-        J[86] = c_.k37 * e166 - c_.k35 * e70 - c_.k34 * e161 - c_.k36 * e164 - c_.k38 * e169 - c_.k33 * e72;
-        J[87] = c_.k45 * e111 + c_.k44 * e183 - c_.k47 * e185 + c_.k48 * e186 - c_.k49 * e187 + c_.k46 * e117;
-        J[88] = c_.k41 * e166 - c_.k34 * e70 - c_.k40 * e161 - c_.k5 * e164 + c_.k42 * e169;
-        J[89] = c_.k44 * e111 + c_.k51 * e183 - c_.k12 * e185 + c_.k52 * e186 + c_.k53 * e187;
+        J[86] = c_.k27 * e119 - c_.k26 * e31 - c_.k25 * e55;
+        J[87] = c_.k30 * e72 + c_.k32 * e146 + c_.k31 * e78;
+        J[88] = c_.k29 * e119 - c_.k28 * e31;
+        J[89] = c_.k33 * e72 + c_.k34 * e146;
         J[90] = Scalar(0);
-        J[91] = (-s_k_dot) * c_.k0;
+        J[91] = c_.k0 * (-s_k_dot);
         J[92] = Scalar(0);
         J[93] = Scalar(0);
         J[94] = Scalar(0);
@@ -1453,13 +1187,13 @@ public:
         J[100] = Scalar(0);
         J[101] = Scalar(0);
         J[102] = Scalar(0);
-        J[103] = (p_.s_l - s_k) * c_.k0;
+        J[103] = c_.k0 * (p_.s_l - s_k);
         J[104] = Scalar(0);
         J[105] = Scalar(0);
         J[106] = Scalar(0);
         J[107] = Scalar(0);
         J[108] = Scalar(0);
-        J[109] = p_.c_l * c_.k0;
+        J[109] = c_.k0 * p_.c_l;
         J[110] = Scalar(0);
         J[111] = Scalar(0);
         J[112] = Scalar(0);
@@ -1481,7 +1215,7 @@ public:
     /// Operations: none
     ///     M[s_k, s_k] = m_k + m_l
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
-        M[0] = c_.k55;
+        M[0] = c_.k38;
     }
 
     /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
@@ -1524,22 +1258,22 @@ public:
         const Scalar s_k = x[0];
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
-        const Scalar e2 = c_.k4 * (p_.p_0 - p_2) - p_.alpha * e1;
+        const Scalar e2 = c_.k3 * (p_.p_0 - p_2) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar compression_5 = detail::compression<Scalar>(-e2, exp_3);
         const Scalar e6 = e2 * exp_3 - compression_5;
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
-        const Scalar e8 = c_.k4 * (p_.p_0 - p_1) - p_.alpha * e7;
+        const Scalar e8 = c_.k3 * (p_.p_0 - p_1) - p_.alpha * e7;
         const Scalar exp_9 = exp(e8);
         const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
         const Scalar s_k_dot = x[1];
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        const Scalar e11 = c_.k56 * e7 - c_.k58 * compression_10 - c_.k60 * (e8 * exp_9 - compression_10);
-        y[1] = s_k * inverse_4 * (c_.k57 * e1 - c_.k59 * compression_5 - c_.k61 * e6) - inverse_4
-            * (c_.k63 * e1 - c_.k64 * compression_5 - c_.k65 * e6) - s_k / exp_9 * e11 + c_.k62 * s_k_dot * s_k_dot;
-        y[2] = c_.k66;
+        const Scalar e11 = c_.k39 * e7 - c_.k41 * compression_10 - c_.k43 * (e8 * exp_9 - compression_10);
+        y[1] = s_k * inverse_4 * (c_.k40 * e1 - c_.k42 * compression_5 - c_.k44 * e6) - inverse_4
+            * (c_.k46 * e1 - c_.k47 * compression_5 - c_.k48 * e6) - s_k / exp_9 * e11 + c_.k45 * s_k_dot * s_k_dot;
+        y[2] = c_.k49;
         y[3] = p_.k_l * (p_1 - p_2);
     }
 
@@ -1551,7 +1285,7 @@ public:
         const Scalar e1 = p_.T_0 - T_2;
         const Scalar p_2 = x[3];
         const Scalar e2 = p_.p_0 - p_2;
-        const Scalar e3 = c_.k4 * e2 - p_.alpha * e1;
+        const Scalar e3 = c_.k3 * e2 - p_.alpha * e1;
         const Scalar exp_4 = exp(e3);
         const Scalar inverse_5 = Scalar(1) / exp_4;
         const Scalar e6 = e1 * inverse_5;
@@ -1559,7 +1293,7 @@ public:
         const Scalar e7 = p_.p_0 - p_1;
         const Scalar T_1 = x[4];
         const Scalar e8 = p_.T_0 - T_1;
-        const Scalar e9 = c_.k4 * e7 - p_.alpha * e8;
+        const Scalar e9 = c_.k3 * e7 - p_.alpha * e8;
         const Scalar exp_10 = exp(e9);
         const Scalar inverse_11 = Scalar(1) / exp_10;
         const Scalar compression_12 = detail::compression<Scalar>(-e9, exp_10);
@@ -1576,34 +1310,34 @@ public:
         const Scalar e21 = e8 * e17;
         const Scalar e22 = compression_12 * e17;
         const Scalar e23 = Scalar(1) - e16;
-        const Scalar e24 = c_.k74 * s_k - c_.k77;
+        const Scalar e24 = c_.k57 * s_k - c_.k60;
         const Scalar e25 = s_k * e23;
         const Scalar e26 = s_k * e6;
         const Scalar e27 = s_k * e15;
         C[0] = Scalar(0);
-        C[1] = c_.k57 * e6 - inverse_11 * (c_.k56 * e8 - c_.k58 * compression_12 - c_.k60 * e13) - c_.k59 * e15 - c_.k61 * e16;
+        C[1] = c_.k40 * e6 - inverse_11 * (c_.k39 * e8 - c_.k41 * compression_12 - c_.k43 * e13) - c_.k42 * e15 - c_.k44 * e16;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
-        C[5] = c_.k55 * s_k_dot;
+        C[5] = c_.k38 * s_k_dot;
         C[6] = Scalar(0);
         C[7] = Scalar(0);
         C[8] = p_.A_1;
-        C[9] = c_.k67 * e18 + c_.k69 * e19 - c_.k68 * e20 - c_.k70 * e21 + p_.A_1 * e22;
+        C[9] = c_.k50 * e18 + c_.k52 * e19 - c_.k51 * e20 - c_.k53 * e21 + p_.A_1 * e22;
         C[10] = Scalar(0);
         C[11] = p_.k_l;
         C[12] = -p_.A_2;
-        C[13] = e2 * (c_.k73 * s_k - c_.k76) + c_.k71 * e23 - e1 * e24 - c_.k78 * e6 + c_.k79 * e15 - c_.k72 * e25 + c_.k75
+        C[13] = e2 * (c_.k56 * s_k - c_.k59) + c_.k54 * e23 - e1 * e24 - c_.k61 * e6 + c_.k62 * e15 - c_.k55 * e25 + c_.k58
             * e26 - p_.A_2 * e27;
         C[14] = Scalar(0);
         C[15] = -p_.k_l;
         C[16] = Scalar(0);
-        C[17] = c_.k56 * e17 + c_.k80 * e18 - c_.k81 * e19 + c_.k69 * e20 + c_.k82 * e21 - c_.k83 * e22;
+        C[17] = c_.k39 * e17 + c_.k63 * e18 - c_.k64 * e19 + c_.k52 * e20 + c_.k65 * e21 - c_.k66 * e22;
         C[18] = Scalar(0);
         C[19] = Scalar(0);
         C[20] = Scalar(0);
-        C[21] = s_k * (c_.k86 * e1 - c_.k57 * inverse_5) - c_.k89 * e1 + c_.k63 * inverse_5 + c_.k84 * e23 - e2 * e24 + c_.k90
-            * e6 - c_.k91 * e15 - c_.k85 * e25 - c_.k87 * e26 + c_.k88 * e27;
+        C[21] = s_k * (c_.k69 * e1 - c_.k40 * inverse_5) - c_.k72 * e1 + c_.k46 * inverse_5 + c_.k67 * e23 - e2 * e24 + c_.k73
+            * e6 - c_.k74 * e15 - c_.k68 * e25 - c_.k70 * e26 + c_.k71 * e27;
         C[22] = Scalar(0);
         C[23] = Scalar(0);
     }
@@ -1630,7 +1364,7 @@ public:
     ///     T = (m_k + m_l)*dot(s_k)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar s_k_dot = x[1];
-        return c_.k62 * s_k_dot * s_k_dot;
+        return c_.k45 * s_k_dot * s_k_dot;
     }
 
     /// V in joules.
@@ -1675,7 +1409,7 @@ public:
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
-        const Scalar e2 = c_.k4 * (p_.p_0 - p_2) - p_.alpha * e1;
+        const Scalar e2 = c_.k3 * (p_.p_0 - p_2) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar compression_5 = detail::compression<Scalar>(-e2, exp_3);
@@ -1683,53 +1417,41 @@ public:
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
-        const Scalar e8 = c_.k4 * (p_.p_0 - p_1) - p_.alpha * e7;
+        const Scalar e8 = c_.k3 * (p_.p_0 - p_1) - p_.alpha * e7;
         const Scalar exp_9 = exp(e8);
         const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
-        const Scalar e11 = c_.k56 * e7 - c_.k58 * compression_10 - c_.k60 * (e8 * exp_9 - compression_10);
-        return s_k * inverse_4 * (c_.k57 * e1 - c_.k59 * compression_5 - c_.k61 * e6) - inverse_4
-            * (c_.k63 * e1 - c_.k64 * compression_5 - c_.k65 * e6) - s_k / exp_9 * e11;
+        const Scalar e11 = c_.k39 * e7 - c_.k41 * compression_10 - c_.k43 * (e8 * exp_9 - compression_10);
+        return s_k * inverse_4 * (c_.k40 * e1 - c_.k42 * compression_5 - c_.k44 * e6) - inverse_4
+            * (c_.k46 * e1 - c_.k47 * compression_5 - c_.k48 * e6) - s_k / exp_9 * e11;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 30 + or -, 40 *, 4 /, 12 other functions
+    /// Operations: 19 + or -, 24 *, 2 /, 8 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         const Scalar q_1 = u[0];
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
         const Scalar e1 = p_.T_0 - T_1;
-        const Scalar e2 = c_.k4 * (p_.p_0 - p_1) - p_.alpha * e1;
+        const Scalar e2 = c_.k3 * (p_.p_0 - p_1) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar e4 = p_.rho_0 * q_1 / exp_3;
         const Scalar min_5 = detail::min<Scalar>(Scalar(0), e4);
         const Scalar compression_6 = detail::compression<Scalar>(-e2, exp_3);
-        const Scalar inverse_7 = Scalar(1) / p_.rho_0;
-        const Scalar e8 = p_.beta * inverse_7;
-        const Scalar e9 = inverse_7 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
-        const Scalar e10 = p_.T_0 - T_2;
-        const Scalar e11 = c_.k4 * (p_.p_0 - p_2) - p_.alpha * e10;
-        const Scalar exp_12 = exp(e11);
-        const Scalar e13 = p_.rho_0 * q_2 / exp_12;
-        const Scalar min_14 = detail::min<Scalar>(Scalar(0), e13);
-        const Scalar compression_15 = detail::compression<Scalar>(-e11, exp_12);
-        const Scalar max_16 = detail::max<Scalar>(Scalar(0), e4);
-        const Scalar inverse_17 = Scalar(1) / p_.beta;
-        const Scalar e18 = (p_.p_0 - p_.p_s) * inverse_17;
-        const Scalar exp_19 = exp(e18);
-        const Scalar compression_20 = detail::compression<Scalar>(-e18, exp_19);
-        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e13);
-        const Scalar e22 = (p_.p_0 - p_.p_t) * inverse_17;
-        const Scalar exp_23 = exp(e22);
-        const Scalar compression_24 = detail::compression<Scalar>(-e22, exp_23);
-        const Scalar e25 = c_.k9 * p_1 * exp_3 - p_.c_v * e1 + compression_6 * e8 + (e2 * exp_3 - compression_6) * e9;
-        const Scalar e26 = c_.k9 * p_2 * exp_12 - p_.c_v * e10 + compression_15 * e8 + (e11 * exp_12 - compression_15) * e9;
-        const Scalar e27 = p_.p_s * exp_19 * inverse_7 + compression_20 * e8 + (e18 * exp_19 - compression_20) * e9;
-        const Scalar e28 = p_.p_t * exp_23 * inverse_7 + compression_24 * e8 + (e22 * exp_23 - compression_24) * e9;
-        return min_5 * e25 + min_14 * e26 + max_16 * e27 + max_21 * e28;
+        const Scalar e7 = p_.T_0 - T_2;
+        const Scalar e8 = c_.k3 * (p_.p_0 - p_2) - p_.alpha * e7;
+        const Scalar exp_9 = exp(e8);
+        const Scalar e10 = p_.rho_0 * q_2 / exp_9;
+        const Scalar min_11 = detail::min<Scalar>(Scalar(0), e10);
+        const Scalar compression_12 = detail::compression<Scalar>(-e8, exp_9);
+        const Scalar max_13 = detail::max<Scalar>(Scalar(0), e4);
+        const Scalar max_14 = detail::max<Scalar>(Scalar(0), e10);
+        const Scalar e15 = c_.k6 * p_1 * exp_3 - p_.c_v * e1 + c_.k8 * compression_6 + c_.k36 * (e2 * exp_3 - compression_6);
+        const Scalar e16 = c_.k6 * p_2 * exp_9 - p_.c_v * e7 + c_.k8 * compression_12 + c_.k36 * (e8 * exp_9 - compression_12);
+        return min_5 * e15 + min_11 * e16 + c_.k37 * max_13 + c_.k35 * max_14;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1743,7 +1465,7 @@ public:
         g[0] = p_.A_1 * s_k;
         g[1] = p_1;
         g[2] = T_1;
-        g[3] = c_.k79 - p_.A_2 * s_k;
+        g[3] = c_.k62 - p_.A_2 * s_k;
         g[4] = p_2;
         g[5] = T_2;
     }
@@ -1754,96 +1476,79 @@ private:
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< c_l*s_l
-        Scalar k2;  ///< beta^2*alpha/(rho_0*c_v)
-        Scalar k3;  ///< beta*alpha/(rho_0*c_v)
-        Scalar k4;  ///< 1/beta
-        Scalar k5;  ///< 1/A_1
-        Scalar k6;  ///< beta*alpha
+        Scalar k2;  ///< beta*alpha^2/(rho_0*c_v)
+        Scalar k3;  ///< 1/beta
+        Scalar k4;  ///< 1/A_1
+        Scalar k5;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k6;  ///< 1/rho_0
         Scalar k7;  ///< beta*alpha*T_0 - p_0
-        Scalar k8;  ///< beta/(rho_0*c_v)
-        Scalar k9;  ///< 1/rho_0
-        Scalar k10;  ///< compression(-p_0/beta + p_s/beta)
-        Scalar k11;  ///< -beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
-        Scalar k12;  ///< 1/A_2
-        Scalar k13;  ///< l - d
-        Scalar k14;  ///< compression(-p_0/beta + p_t/beta)
-        Scalar k15;  ///< -beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
-        Scalar k16;  ///< 1/(rho_0*c_v)
-        Scalar k17;  ///< -beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
-        Scalar k18;  ///< beta^2*alpha^2/(rho_0*c_v)
-        Scalar k19;  ///< -beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
-        Scalar k20;  ///< 2*beta*alpha^2/(rho_0*c_v)
-        Scalar k21;  ///< beta*alpha^2/(rho_0*c_v)
-        Scalar k22;  ///< 2*alpha/(rho_0*c_v)
-        Scalar k23;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta ...
-        Scalar k24;  ///< alpha/(rho_0*c_v)
-        Scalar k25;  ///< (alpha*p_0*T_0*exp(p_0/beta - p_s/beta)/beta - alpha*T_0*p_s*exp(p_0/beta - p_s/beta)/beta + ...
-        Scalar k26;  ///< (p_0/beta - alpha*T_0)/(rho_0*c_v)
-        Scalar k27;  ///< (1 + p_0/beta - alpha*T_0)/(rho_0*c_v)
-        Scalar k28;  ///< 1/(rho_0*beta*c_v)
-        Scalar k29;  ///< alpha*(-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta ...
-        Scalar k30;  ///< (alpha*p_0*T_0*exp(p_0/beta - p_t/beta)/beta - alpha*T_0*p_t*exp(p_0/beta - p_t/beta)/beta + ...
-        Scalar k31;  ///< alpha^2*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
-        Scalar k32;  ///< alpha^2*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
-        Scalar k33;  ///< beta/A_1
-        Scalar k34;  ///< beta*alpha/(A_1*rho_0*c_v)
-        Scalar k35;  ///< beta^2*alpha^2/(A_1*rho_0*c_v)
-        Scalar k36;  ///< beta*alpha/A_1
-        Scalar k37;  ///< beta^2*alpha/(A_1*rho_0*c_v)
-        Scalar k38;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k39;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
-        Scalar k40;  ///< 1/(A_1*rho_0*c_v)
-        Scalar k41;  ///< beta/(A_1*rho_0*c_v)
-        Scalar k42;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k43;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
-        Scalar k44;  ///< beta*alpha/(A_2*rho_0*c_v)
-        Scalar k45;  ///< beta^2*alpha^2/(A_2*rho_0*c_v)
-        Scalar k46;  ///< beta/A_2
-        Scalar k47;  ///< beta*alpha/A_2
-        Scalar k48;  ///< beta^2*alpha/(A_2*rho_0*c_v)
-        Scalar k49;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k50;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
-        Scalar k51;  ///< 1/(A_2*rho_0*c_v)
-        Scalar k52;  ///< beta/(A_2*rho_0*c_v)
-        Scalar k53;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k54;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
-        Scalar k55;  ///< m_k + m_l
-        Scalar k56;  ///< A_1*rho_0*c_v
-        Scalar k57;  ///< A_2*rho_0*c_v
-        Scalar k58;  ///< A_1*beta
-        Scalar k59;  ///< A_2*beta
-        Scalar k60;  ///< A_1*(beta*alpha*T_0 - p_0)
-        Scalar k61;  ///< A_2*(beta*alpha*T_0 - p_0)
-        Scalar k62;  ///< (m_k + m_l)/2
-        Scalar k63;  ///< A_2*rho_0*c_v*(l - d)
-        Scalar k64;  ///< A_2*beta*(l - d)
-        Scalar k65;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
-        Scalar k66;  ///< m_k/rho_k
-        Scalar k67;  ///< A_1*(p_0/beta - alpha*T_0)
-        Scalar k68;  ///< A_1/beta
-        Scalar k69;  ///< A_1*alpha
-        Scalar k70;  ///< A_1*rho_0*c_v/beta
-        Scalar k71;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
-        Scalar k72;  ///< A_2*(p_0/beta - alpha*T_0)
-        Scalar k73;  ///< A_2/beta
-        Scalar k74;  ///< A_2*alpha
-        Scalar k75;  ///< A_2*rho_0*c_v/beta
-        Scalar k76;  ///< A_2*(l - d)/beta
-        Scalar k77;  ///< A_2*alpha*(l - d)
-        Scalar k78;  ///< A_2*rho_0*c_v*(l - d)/beta
-        Scalar k79;  ///< A_2*(l - d)
-        Scalar k80;  ///< A_1*alpha*(beta*alpha*T_0 - p_0)
-        Scalar k81;  ///< A_1*beta*alpha^2
-        Scalar k82;  ///< A_1*rho_0*alpha*c_v
-        Scalar k83;  ///< A_1*beta*alpha
-        Scalar k84;  ///< A_2*alpha*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
-        Scalar k85;  ///< A_2*alpha*(beta*alpha*T_0 - p_0)
-        Scalar k86;  ///< A_2*beta*alpha^2
-        Scalar k87;  ///< A_2*rho_0*alpha*c_v
-        Scalar k88;  ///< A_2*beta*alpha
-        Scalar k89;  ///< A_2*beta*alpha^2*(l - d)
-        Scalar k90;  ///< A_2*rho_0*alpha*c_v*(l - d)
-        Scalar k91;  ///< A_2*beta*alpha*(l - d)
+        Scalar k8;  ///< beta/rho_0
+        Scalar k9;  ///< beta*alpha/(rho_0*c_v)
+        Scalar k10;  ///< l - d
+        Scalar k11;  ///< 1/A_2
+        Scalar k12;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k13;  ///< 1/(rho_0*c_v)
+        Scalar k14;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k15;  ///< -(beta*alpha*T_0 - p_0)/rho_0
+        Scalar k16;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k17;  ///< (1 + p_0/beta - alpha*T_0)/rho_0
+        Scalar k18;  ///< alpha/rho_0
+        Scalar k19;  ///< 1/(rho_0*beta)
+        Scalar k20;  ///< 1/c_v
+        Scalar k21;  ///< beta*alpha
+        Scalar k22;  ///< 1/(beta*c_v)
+        Scalar k23;  ///< alpha/(rho_0*c_v)
+        Scalar k24;  ///< -(beta*alpha*T_0 - p_0)
+        Scalar k25;  ///< beta/A_1
+        Scalar k26;  ///< beta^2*alpha^2/(A_1*rho_0*c_v)
+        Scalar k27;  ///< beta*alpha/(A_1*c_v)
+        Scalar k28;  ///< beta*alpha/(A_1*rho_0*c_v)
+        Scalar k29;  ///< 1/(A_1*c_v)
+        Scalar k30;  ///< beta^2*alpha^2/(A_2*rho_0*c_v)
+        Scalar k31;  ///< beta/A_2
+        Scalar k32;  ///< beta*alpha/(A_2*c_v)
+        Scalar k33;  ///< beta*alpha/(A_2*rho_0*c_v)
+        Scalar k34;  ///< 1/(A_2*c_v)
+        Scalar k35;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k36;  ///< (beta*alpha*T_0 - p_0)/rho_0
+        Scalar k37;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k38;  ///< m_k + m_l
+        Scalar k39;  ///< A_1*rho_0*c_v
+        Scalar k40;  ///< A_2*rho_0*c_v
+        Scalar k41;  ///< A_1*beta
+        Scalar k42;  ///< A_2*beta
+        Scalar k43;  ///< A_1*(beta*alpha*T_0 - p_0)
+        Scalar k44;  ///< A_2*(beta*alpha*T_0 - p_0)
+        Scalar k45;  ///< (m_k + m_l)/2
+        Scalar k46;  ///< A_2*rho_0*c_v*(l - d)
+        Scalar k47;  ///< A_2*beta*(l - d)
+        Scalar k48;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k49;  ///< m_k/rho_k
+        Scalar k50;  ///< A_1*(p_0/beta - alpha*T_0)
+        Scalar k51;  ///< A_1/beta
+        Scalar k52;  ///< A_1*alpha
+        Scalar k53;  ///< A_1*rho_0*c_v/beta
+        Scalar k54;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
+        Scalar k55;  ///< A_2*(p_0/beta - alpha*T_0)
+        Scalar k56;  ///< A_2/beta
+        Scalar k57;  ///< A_2*alpha
+        Scalar k58;  ///< A_2*rho_0*c_v/beta
+        Scalar k59;  ///< A_2*(l - d)/beta
+        Scalar k60;  ///< A_2*alpha*(l - d)
+        Scalar k61;  ///< A_2*rho_0*c_v*(l - d)/beta
+        Scalar k62;  ///< A_2*(l - d)
+        Scalar k63;  ///< A_1*alpha*(beta*alpha*T_0 - p_0)
+        Scalar k64;  ///< A_1*beta*alpha^2
+        Scalar k65;  ///< A_1*rho_0*alpha*c_v
+        Scalar k66;  ///< A_1*beta*alpha
+        Scalar k67;  ///< A_2*alpha*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k68;  ///< A_2*alpha*(beta*alpha*T_0 - p_0)
+        Scalar k69;  ///< A_2*beta*alpha^2
+        Scalar k70;  ///< A_2*rho_0*alpha*c_v
+        Scalar k71;  ///< A_2*beta*alpha
+        Scalar k72;  ///< A_2*beta*alpha^2*(l - d)
+        Scalar k73;  ///< A_2*rho_0*alpha*c_v*(l - d)
+        Scalar k74;  ///< A_2*beta*alpha*(l - d)
     };
     Cached c_{};
 };

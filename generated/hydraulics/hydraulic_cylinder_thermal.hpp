@@ -21,11 +21,11 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                22     85     7        0      4
-//   rhs                   37     55     4        0      6
-//   rhs_and_jacobian      84    133     4        0      8
-//   jacobian_u            33     53     4        0      6
-//   jacobian_p           461    804     9        0     12
+//   update                21     77     7        0      4
+//   rhs                   27     47     4        0      6
+//   rhs_and_jacobian      65    113     4        0      8
+//   jacobian_u            25     39     4        0      6
+//   jacobian_p           263    489     9        0     12
 //   bias                   1      2     0        0      0
 //   generalised_force      1      0     0        0      0
 //   output                20     24     2        0      4
@@ -33,7 +33,7 @@
 //   kinetic_energy         0      2     0        0      0
 //   supplied_power         1      1     0        0      0
 //   internal_energy       18     20     2        0      4
-//   exchanged_power       30     40     4        0     12
+//   exchanged_power       19     24     2        0      8
 //   guards                 1      2     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -274,127 +274,114 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 22 + or -, 85 *, 7 /, 4 other functions
+    /// Operations: 21 + or -, 77 *, 7 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
         c_.k0 = Scalar(1) / p_.m_k;
-        const Scalar inverse_1 = Scalar(1) / p_.A_1;
-        c_.k1 = inverse_1;
-        const Scalar e2 = p_.beta * p_.alpha;
-        c_.k2 = e2;
-        const Scalar inverse_3 = Scalar(1) / p_.rho_0;
-        const Scalar e4 = inverse_3 / p_.c_v;
-        const Scalar e5 = e4 * e2;
-        c_.k3 = p_.beta * e5;
-        c_.k4 = e5;
+        const Scalar inverse_1 = Scalar(1) / p_.c_v;
+        const Scalar inverse_2 = Scalar(1) / p_.rho_0;
+        const Scalar e3 = p_.beta * p_.alpha;
+        const Scalar e4 = inverse_2 * e3;
+        const Scalar e5 = inverse_1 * e4;
+        c_.k1 = e5;
         const Scalar inverse_6 = Scalar(1) / p_.beta;
-        c_.k5 = inverse_6;
-        c_.k6 = inverse_3;
-        const Scalar e7 = (p_.p_0 - p_.p_s) * inverse_6;
-        const Scalar exp_8 = exp(e7);
-        const Scalar compression_9 = detail::compression<Scalar>(-e7, exp_8);
-        c_.k7 = compression_9;
-        const Scalar e10 = p_.T_0 * e2 - p_.p_0;
-        c_.k8 = e10;
-        const Scalar e11 = e7 * exp_8 - compression_9;
-        c_.k9 = e11;
-        const Scalar e12 = p_.p_s * exp_8;
-        c_.k10 = e12;
-        const Scalar inverse_13 = Scalar(1) / p_.A_2;
-        c_.k11 = inverse_13;
-        const Scalar e14 = p_.l - p_.d;
-        c_.k12 = e14;
-        const Scalar e15 = (p_.p_0 - p_.p_t) * inverse_6;
-        const Scalar exp_16 = exp(e15);
-        const Scalar compression_17 = detail::compression<Scalar>(-e15, exp_16);
-        c_.k13 = compression_17;
-        const Scalar e18 = e15 * exp_16 - compression_17;
-        c_.k14 = e18;
-        const Scalar e19 = p_.p_t * exp_16;
-        c_.k15 = e19;
-        c_.k16 = p_.beta * e4;
-        c_.k17 = e4;
-        c_.k18 = p_.alpha * e5;
-        c_.k19 = p_.alpha * e4;
-        const Scalar e20 = p_.alpha * p_.T_0 - p_.p_0 * inverse_6;
-        const Scalar e21 = -e4 * e20;
-        c_.k20 = e21;
-        const Scalar e22 = inverse_6 * e4;
-        c_.k21 = Scalar(2) * e22;
-        c_.k22 = e12 * e22;
-        c_.k23 = e21 + e4;
-        c_.k24 = e19 * e22;
-        c_.k25 = p_.beta * inverse_1;
-        const Scalar e23 = inverse_1 * e5;
-        c_.k26 = e23;
-        c_.k27 = e2 * e23;
-        c_.k28 = inverse_1 * e2;
-        c_.k29 = p_.beta * e23;
-        c_.k30 = -e10 * e23;
-        const Scalar e24 = e11 * e10 + (p_.beta * compression_9 + e12);
-        c_.k31 = -e24 * e23;
-        const Scalar e25 = inverse_1 * e4;
-        c_.k32 = e25;
-        c_.k33 = p_.beta * e25;
-        c_.k34 = e10 * e25;
-        c_.k35 = e24 * e25;
-        const Scalar e26 = inverse_13 * e5;
-        c_.k36 = e26;
-        c_.k37 = e2 * e26;
-        c_.k38 = p_.beta * inverse_13;
-        c_.k39 = inverse_13 * e2;
-        c_.k40 = p_.beta * e26;
-        c_.k41 = -e10 * e26;
-        const Scalar e27 = e18 * e10 + (p_.beta * compression_17 + e19);
-        c_.k42 = -e27 * e26;
-        const Scalar e28 = inverse_13 * e4;
-        c_.k43 = e28;
-        c_.k44 = p_.beta * e28;
-        c_.k45 = e10 * e28;
-        c_.k46 = e27 * e28;
-        const Scalar e29 = p_.rho_0 * p_.c_v;
-        c_.k47 = p_.A_1 * e29;
-        c_.k48 = p_.A_2 * e29;
-        c_.k49 = p_.A_1 * p_.beta;
-        c_.k50 = p_.A_2 * p_.beta;
-        c_.k51 = p_.A_1 * e10;
-        c_.k52 = p_.A_2 * e10;
-        c_.k53 = (Scalar(1) / Scalar(2)) * p_.m_k;
-        const Scalar e30 = p_.A_2 * e14;
-        c_.k54 = e30 * e29;
-        c_.k55 = p_.beta * e30;
-        c_.k56 = e10 * e30;
-        c_.k57 = p_.m_k / p_.rho_k;
-        c_.k58 = -p_.A_1 * e20;
-        c_.k59 = p_.A_1 * inverse_6;
+        c_.k2 = inverse_6;
+        c_.k3 = e3;
+        const Scalar inverse_7 = Scalar(1) / p_.A_1;
+        c_.k4 = inverse_7;
+        const Scalar e8 = (p_.p_0 - p_.p_s) * inverse_6;
+        const Scalar exp_9 = exp(e8);
+        const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
+        const Scalar e11 = e8 * exp_9 - compression_10;
+        const Scalar e12 = p_.T_0 * e3 - p_.p_0;
+        const Scalar e13 = e12 * inverse_2;
+        const Scalar e14 = inverse_2 * (p_.beta * compression_10 + p_.p_s * exp_9);
+        c_.k5 = e11 * e13 + e14;
+        c_.k6 = p_.beta * inverse_2;
+        c_.k7 = e13;
+        c_.k8 = inverse_2;
+        const Scalar e15 = p_.l - p_.d;
+        c_.k9 = e15;
+        const Scalar inverse_16 = Scalar(1) / p_.A_2;
+        c_.k10 = inverse_16;
+        const Scalar e17 = (p_.p_0 - p_.p_t) * inverse_6;
+        const Scalar exp_18 = exp(e17);
+        const Scalar compression_19 = detail::compression<Scalar>(-e17, exp_18);
+        const Scalar e20 = e17 * exp_18 - compression_19;
+        const Scalar e21 = inverse_2 * (p_.beta * compression_19 + p_.p_t * exp_18);
+        c_.k11 = e20 * e13 + e21;
+        c_.k12 = inverse_1;
+        c_.k13 = e4;
+        const Scalar e22 = inverse_2 * e12;
+        const Scalar e23 = -e22;
+        c_.k14 = e14 - e11 * e23;
+        c_.k15 = e23;
+        c_.k16 = e21 - e20 * e23;
+        c_.k17 = e3 * e4;
+        c_.k18 = p_.alpha * inverse_2;
+        c_.k19 = inverse_2 * inverse_6;
+        c_.k20 = p_.alpha * e4;
+        c_.k21 = p_.beta * inverse_7;
+        const Scalar e24 = inverse_7 * e5;
+        c_.k22 = e3 * e24;
+        const Scalar e25 = inverse_7 * inverse_1;
+        c_.k23 = e3 * e25;
+        c_.k24 = e24;
+        c_.k25 = e25;
+        const Scalar e26 = inverse_16 * e5;
+        c_.k26 = e3 * e26;
+        c_.k27 = p_.beta * inverse_16;
+        const Scalar e27 = inverse_16 * inverse_1;
+        c_.k28 = e3 * e27;
+        c_.k29 = e26;
+        c_.k30 = e27;
+        c_.k31 = e20 * e22 + e21;
+        c_.k32 = e22;
+        c_.k33 = e11 * e22 + e14;
+        const Scalar e28 = p_.rho_0 * p_.c_v;
+        c_.k34 = p_.A_1 * e28;
+        c_.k35 = p_.A_2 * e28;
+        c_.k36 = p_.A_1 * p_.beta;
+        c_.k37 = p_.A_2 * p_.beta;
+        c_.k38 = p_.A_1 * e12;
+        c_.k39 = p_.A_2 * e12;
+        c_.k40 = (Scalar(1) / Scalar(2)) * p_.m_k;
+        const Scalar e29 = p_.A_2 * e15;
+        c_.k41 = e29 * e28;
+        c_.k42 = p_.beta * e29;
+        c_.k43 = e12 * e29;
+        c_.k44 = p_.m_k / p_.rho_k;
+        const Scalar e30 = p_.alpha * p_.T_0 - p_.p_0 * inverse_6;
+        c_.k45 = -p_.A_1 * e30;
+        c_.k46 = p_.A_1 * inverse_6;
         const Scalar e31 = p_.A_1 * p_.alpha;
-        c_.k60 = e31;
-        const Scalar e32 = inverse_6 * e29;
-        c_.k61 = p_.A_1 * e32;
-        c_.k62 = -e20 * e30;
-        c_.k63 = -p_.A_2 * e20;
-        c_.k64 = p_.A_2 * inverse_6;
+        c_.k47 = e31;
+        const Scalar e32 = inverse_6 * e28;
+        c_.k48 = p_.A_1 * e32;
+        c_.k49 = -e29 * e30;
+        c_.k50 = -p_.A_2 * e30;
+        c_.k51 = p_.A_2 * inverse_6;
         const Scalar e33 = p_.A_2 * p_.alpha;
-        c_.k65 = e33;
-        c_.k66 = p_.A_2 * e32;
-        c_.k67 = inverse_6 * e30;
-        const Scalar e34 = p_.alpha * e30;
-        c_.k68 = e34;
-        c_.k69 = e30 * e32;
-        c_.k70 = e30;
-        c_.k71 = e10 * e31;
-        c_.k72 = e2 * e31;
-        c_.k73 = e29 * e31;
-        c_.k74 = p_.A_1 * e2;
-        c_.k75 = e10 * e34;
-        c_.k76 = e10 * e33;
-        c_.k77 = e2 * e33;
-        c_.k78 = e29 * e33;
-        c_.k79 = p_.A_2 * e2;
-        c_.k80 = e2 * e34;
-        c_.k81 = e29 * e34;
-        c_.k82 = e2 * e30;
+        c_.k52 = e33;
+        c_.k53 = p_.A_2 * e32;
+        c_.k54 = inverse_6 * e29;
+        const Scalar e34 = p_.alpha * e29;
+        c_.k55 = e34;
+        c_.k56 = e29 * e32;
+        c_.k57 = e29;
+        c_.k58 = e12 * e31;
+        c_.k59 = e3 * e31;
+        c_.k60 = e28 * e31;
+        c_.k61 = p_.A_1 * e3;
+        c_.k62 = e12 * e34;
+        c_.k63 = e12 * e33;
+        c_.k64 = e3 * e33;
+        c_.k65 = e28 * e33;
+        c_.k66 = p_.A_2 * e3;
+        c_.k67 = e3 * e34;
+        c_.k68 = e28 * e34;
+        c_.k69 = e3 * e29;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -411,7 +398,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 37 + or -, 55 *, 4 /, 6 other functions
+    /// Operations: 27 + or -, 47 *, 4 /, 6 other functions
     ///     specific_enthalpy[supply] = (beta*alpha*T_0*expm1((p_0 - p_s)/beta) + beta*compression(-(p_0 - p_s)/beta) -
     ///     p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 - p_s)/beta))/rho_0
     ///     specific_enthalpy[tank] = (beta*alpha*T_0*expm1((p_0 - p_t)/beta) + beta*compression(-(p_0 - p_t)/beta) - p_0*expm1((p_0
@@ -432,74 +419,20 @@ public:
     ///     mass_flow[inlet_2] = rho_0*q_2/exp((p_0 - p_2)/beta - alpha*(T_0 - T_2))
     ///     m_k*ddot(s_k) - A_1*p_1 + A_2*p_2 = -f_l
     ///     dot(p_1) = -beta*(1 + beta*alpha^2*T_1/(c_v*density[chamber_1]))*dot(s_k)/s_k +
-    ///     beta^2*alpha^2*T_1*mass_flow[inlet_1]/(A_1*c_v*density[chamber_1]^2*s_k) + beta*alpha*specific_enthalpy[supply]*max(0,
-    ///     mass_flow[inlet_1])/(A_1*c_v*density[chamber_1]*s_k) - beta*alpha*specific_enthalpy[chamber_1]*max(0,
-    ///     mass_flow[inlet_1])/(A_1*c_v*density[chamber_1]*s_k) + beta*mass_flow[inlet_1]/(A_1*density[chamber_1]*s_k)
+    ///     beta^2*alpha^2*T_1*mass_flow[inlet_1]/(A_1*c_v*density[chamber_1]^2*s_k) +
+    ///     beta*mass_flow[inlet_1]/(A_1*density[chamber_1]*s_k) + beta*alpha*max(0, mass_flow[inlet_1])*(specific_enthalpy[supply]
+    ///     - specific_enthalpy[chamber_1])/(A_1*c_v*density[chamber_1]*s_k)
     ///     dot(p_2) = beta*(1 + beta*alpha^2*T_2/(c_v*density[chamber_2]))*dot(s_k)/(l - d - s_k) +
     ///     beta^2*alpha^2*T_2*mass_flow[inlet_2]/(A_2*c_v*density[chamber_2]^2*(l - d - s_k)) +
-    ///     beta*alpha*specific_enthalpy[tank]*max(0, mass_flow[inlet_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k)) -
-    ///     beta*alpha*specific_enthalpy[chamber_2]*max(0, mass_flow[inlet_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k)) +
-    ///     beta*mass_flow[inlet_2]/(A_2*density[chamber_2]*(l - d - s_k))
+    ///     beta*mass_flow[inlet_2]/(A_2*density[chamber_2]*(l - d - s_k)) + beta*alpha*max(0,
+    ///     mass_flow[inlet_2])*(specific_enthalpy[tank] - specific_enthalpy[chamber_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k))
     ///     dot(T_1) = -beta*alpha*T_1*dot(s_k)/(c_v*density[chamber_1]*s_k) +
-    ///     beta*alpha*T_1*mass_flow[inlet_1]/(A_1*c_v*density[chamber_1]^2*s_k) + specific_enthalpy[supply]*max(0,
-    ///     mass_flow[inlet_1])/(A_1*c_v*density[chamber_1]*s_k) - specific_enthalpy[chamber_1]*max(0,
-    ///     mass_flow[inlet_1])/(A_1*c_v*density[chamber_1]*s_k)
+    ///     beta*alpha*T_1*mass_flow[inlet_1]/(A_1*c_v*density[chamber_1]^2*s_k) + max(0,
+    ///     mass_flow[inlet_1])*(specific_enthalpy[supply] - specific_enthalpy[chamber_1])/(A_1*c_v*density[chamber_1]*s_k)
     ///     dot(T_2) = beta*alpha*T_2*dot(s_k)/(c_v*density[chamber_2]*(l - d - s_k)) +
-    ///     beta*alpha*T_2*mass_flow[inlet_2]/(A_2*c_v*density[chamber_2]^2*(l - d - s_k)) + specific_enthalpy[tank]*max(0,
-    ///     mass_flow[inlet_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k)) - specific_enthalpy[chamber_2]*max(0,
-    ///     mass_flow[inlet_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k))
+    ///     beta*alpha*T_2*mass_flow[inlet_2]/(A_2*c_v*density[chamber_2]^2*(l - d - s_k)) + max(0,
+    ///     mass_flow[inlet_2])*(specific_enthalpy[tank] - specific_enthalpy[chamber_2])/(A_2*c_v*density[chamber_2]*(l - d - s_k))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::exp;
-        const Scalar p_1 = x[2];
-        const Scalar f_l = u[2];
-        const Scalar p_2 = x[3];
-        const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.A_2 * p_2) * c_.k0;
-        const Scalar s_k = x[0];
-        const Scalar inverse_1 = Scalar(1) / s_k;
-        const Scalar q_1 = u[0];
-        const Scalar s_k_dot = x[1];
-        const Scalar T_1 = x[4];
-        const Scalar e2 = p_.T_0 - T_1;
-        const Scalar e3 = p_.alpha * e2 - (p_.p_0 - p_1) * c_.k5;
-        const Scalar e4 = -e3;
-        const Scalar exp_5 = exp(e4);
-        const Scalar e6 = exp_5 * inverse_1;
-        const Scalar e7 = e6 * c_.k1;
-        const Scalar max_8 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 / exp_5);
-        const Scalar e9 = e7 * (max_8 * c_.k6);
-        const Scalar e10 = T_1 * (q_1 * e7 - s_k_dot * e6) * c_.k4 + e2 * e9;
-        const Scalar compression_11 = detail::compression<Scalar>(e3, exp_5);
-        const Scalar e12 = e9 * (c_.k7 - compression_11);
-        const Scalar e13 = (c_.k9 - (e4 * exp_5 - compression_11)) * c_.k8 + (c_.k10 - p_1 * exp_5);
-        const Scalar e14 = e9 * e13;
-        const Scalar inverse_15 = Scalar(1) / (c_.k12 - s_k);
-        const Scalar q_2 = u[1];
-        const Scalar T_2 = x[5];
-        const Scalar e16 = p_.T_0 - T_2;
-        const Scalar e17 = p_.alpha * e16 - (p_.p_0 - p_2) * c_.k5;
-        const Scalar e18 = -e17;
-        const Scalar exp_19 = exp(e18);
-        const Scalar e20 = exp_19 * inverse_15;
-        const Scalar e21 = e20 * c_.k11;
-        const Scalar max_22 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_2 / exp_19);
-        const Scalar e23 = e21 * (max_22 * c_.k6);
-        const Scalar e24 = T_2 * (q_2 * e21 + s_k_dot * e20) * c_.k4 + e16 * e23;
-        const Scalar compression_25 = detail::compression<Scalar>(e17, exp_19);
-        const Scalar e26 = e23 * (c_.k13 - compression_25);
-        const Scalar e27 = (c_.k14 - (e18 * exp_19 - compression_25)) * c_.k8 + (c_.k15 - p_2 * exp_19);
-        const Scalar e28 = e23 * e27;
-        dxdt[0] = x[1];
-        dxdt[1] = s_k_ddot;
-        dxdt[2] = p_.beta * inverse_1 * (q_1 * c_.k1 - s_k_dot) + e10 * c_.k2 + e12 * c_.k3 + e14 * c_.k4;
-        dxdt[3] = p_.beta * inverse_15 * (q_2 * c_.k11 + s_k_dot) + e24 * c_.k2 + e26 * c_.k3 + e28 * c_.k4;
-        dxdt[4] = e10 + e12 * c_.k16 + e14 * c_.k17;
-        dxdt[5] = e24 + e26 * c_.k16 + e28 * c_.k17;
-    }
-
-    /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
-    /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 84 + or -, 133 *, 4 /, 8 other functions
-    void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
         const Scalar p_1 = x[2];
         const Scalar f_l = u[2];
@@ -507,129 +440,160 @@ public:
         const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.A_2 * p_2) * c_.k0;
         const Scalar T_1 = x[4];
         const Scalar e1 = p_.T_0 - T_1;
-        const Scalar e2 = p_.alpha * e1;
-        const Scalar e3 = p_.p_0 - p_1;
-        const Scalar e4 = e2 - e3 * c_.k5;
-        const Scalar e5 = -e4;
-        const Scalar exp_6 = exp(e5);
-        const Scalar e7 = T_1 * exp_6;
-        const Scalar e8 = Scalar(1) + e7 * c_.k18;
-        const Scalar q_1 = u[0];
+        const Scalar e2 = p_.alpha * e1 - (p_.p_0 - p_1) * c_.k2;
+        const Scalar e3 = -e2;
+        const Scalar exp_4 = exp(e3);
         const Scalar s_k = x[0];
-        const Scalar inverse_9 = Scalar(1) / s_k;
-        const Scalar e10 = inverse_9 * c_.k1;
+        const Scalar inverse_5 = Scalar(1) / s_k;
+        const Scalar q_1 = u[0];
         const Scalar s_k_dot = x[1];
-        const Scalar e11 = q_1 * e10 - s_k_dot * inverse_9;
-        const Scalar e12 = p_.beta * e11;
-        const Scalar e13 = exp_6 * e10;
-        const Scalar e14 = p_.rho_0 * q_1 / exp_6;
-        const Scalar max_15 = detail::max<Scalar>(Scalar(0), e14);
-        const Scalar e16 = max_15 * c_.k6;
-        const Scalar e17 = e13 * e16;
-        const Scalar compression_18 = detail::compression<Scalar>(e4, exp_6);
-        const Scalar e19 = c_.k9 - (e5 * exp_6 - compression_18);
-        const Scalar e20 = c_.k10 + e19 * c_.k8;
-        const Scalar e21 = c_.k7 - compression_18;
-        const Scalar e22 = e20 + p_.beta * e21;
-        const Scalar e23 = e17 * (p_1 * exp_6 - e22);
-        const Scalar e24 = e1 * e17;
-        const Scalar e25 = e8 * e12 - e23 * c_.k4 + e24 * c_.k2;
+        const Scalar e6 = q_1 * c_.k4 - s_k_dot;
+        const Scalar max_7 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_1 / exp_4);
+        const Scalar e8 = exp_4 * c_.k8;
+        const Scalar compression_9 = detail::compression<Scalar>(e2, exp_4);
+        const Scalar e10 = c_.k5 - p_1 * e8 + p_.c_v * e1 - compression_9 * c_.k6 - (e3 * exp_4 - compression_9) * c_.k7;
+        const Scalar e11 = inverse_5 * (T_1 * e6 * c_.k3 + max_7 * e10 * c_.k4);
         const Scalar T_2 = x[5];
-        const Scalar e26 = p_.T_0 - T_2;
-        const Scalar e27 = p_.alpha * e26;
-        const Scalar e28 = p_.p_0 - p_2;
-        const Scalar e29 = e27 - e28 * c_.k5;
-        const Scalar e30 = -e29;
-        const Scalar exp_31 = exp(e30);
-        const Scalar e32 = T_2 * exp_31;
-        const Scalar e33 = Scalar(1) + e32 * c_.k18;
+        const Scalar e12 = p_.T_0 - T_2;
+        const Scalar e13 = p_.alpha * e12 - (p_.p_0 - p_2) * c_.k2;
+        const Scalar e14 = -e13;
+        const Scalar exp_15 = exp(e14);
+        const Scalar inverse_16 = Scalar(1) / (c_.k9 - s_k);
         const Scalar q_2 = u[1];
-        const Scalar inverse_34 = Scalar(1) / (c_.k12 - s_k);
-        const Scalar e35 = inverse_34 * c_.k11;
-        const Scalar e36 = q_2 * e35 + s_k_dot * inverse_34;
-        const Scalar e37 = p_.beta * e36;
-        const Scalar e38 = exp_31 * e35;
-        const Scalar e39 = p_.rho_0 * q_2 / exp_31;
-        const Scalar max_40 = detail::max<Scalar>(Scalar(0), e39);
-        const Scalar e41 = max_40 * c_.k6;
-        const Scalar e42 = e38 * e41;
-        const Scalar compression_43 = detail::compression<Scalar>(e29, exp_31);
-        const Scalar e44 = c_.k14 - (e30 * exp_31 - compression_43);
-        const Scalar e45 = c_.k15 + e44 * c_.k8;
-        const Scalar e46 = c_.k13 - compression_43;
-        const Scalar e47 = e45 + p_.beta * e46;
-        const Scalar e48 = e42 * (p_2 * exp_31 - e47);
-        const Scalar e49 = e26 * e42;
-        const Scalar e50 = e33 * e37 - e48 * c_.k4 + e49 * c_.k2;
-        const Scalar e51 = e11 * c_.k4;
-        const Scalar e52 = e7 * e51 - e23 * c_.k17 + e24;
-        const Scalar e53 = e36 * c_.k4;
-        const Scalar e54 = e32 * e53 - e48 * c_.k17 + e49;
+        const Scalar e17 = q_2 * c_.k10 + s_k_dot;
+        const Scalar max_18 = detail::max<Scalar>(Scalar(0), p_.rho_0 * q_2 / exp_15);
+        const Scalar e19 = exp_15 * c_.k8;
+        const Scalar compression_20 = detail::compression<Scalar>(e13, exp_15);
+        const Scalar e21 = c_.k11 - p_2 * e19 + p_.c_v * e12 - compression_20 * c_.k6 - (e14 * exp_15 - compression_20) * c_.k7;
+        const Scalar e22 = inverse_16 * (T_2 * e17 * c_.k3 + max_18 * e21 * c_.k10);
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = e25;
-        dxdt[3] = e50;
-        dxdt[4] = e52;
-        dxdt[5] = e54;
-        const Scalar step_55 = detail::step<Scalar>(e14);
-        const Scalar e56 = q_1 * step_55;
-        const Scalar e57 = (e56 - exp_6 * e16) * e10;
-        const Scalar e58 = T_1 * e11 + e24;
-        const Scalar e59 = exp_6 * c_.k18;
-        const Scalar e60 = e57 * e2 - e58 * e59;
-        const Scalar e61 = exp_6 * e17;
-        const Scalar e62 = p_1 * e61 - (Scalar(1) / Scalar(2)) * (p_1 * e13 * e56 - e3 * e61);
-        const Scalar e63 = Scalar(2) * e62 + e61 * c_.k8;
-        const Scalar e64 = e63 * c_.k19 + e57 * (e20 * c_.k19 + e21 * c_.k4);
-        const Scalar step_65 = detail::step<Scalar>(e39);
-        const Scalar e66 = q_2 * step_65;
-        const Scalar e67 = (e66 - exp_31 * e41) * e35;
-        const Scalar e68 = T_2 * e36 + e49;
-        const Scalar e69 = exp_31 * c_.k18;
-        const Scalar e70 = e67 * e27 - e68 * e69;
-        const Scalar e71 = exp_31 * e42;
-        const Scalar e72 = p_2 * e71 - (Scalar(1) / Scalar(2)) * (p_2 * e38 * e66 - e28 * e71);
-        const Scalar e73 = Scalar(2) * e72 + e71 * c_.k8;
-        const Scalar e74 = e73 * c_.k19 + e67 * (e45 * c_.k19 + e46 * c_.k4);
-        const Scalar e75 = e17 + e60;
-        const Scalar e76 = e42 + e70;
+        dxdt[2] = exp_4 * e11 * c_.k1 + p_.beta * inverse_5 * e6;
+        dxdt[3] = exp_15 * e22 * c_.k1 + p_.beta * inverse_16 * e17;
+        dxdt[4] = e8 * e11 * c_.k12;
+        dxdt[5] = e19 * e22 * c_.k12;
+    }
+
+    /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
+    /// 6 x 6, entry (i, j) at J[6*j + i].
+    /// Operations: 65 + or -, 113 *, 4 /, 8 other functions
+    void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
+        using std::exp;
+        const Scalar p_1 = x[2];
+        const Scalar f_l = u[2];
+        const Scalar p_2 = x[3];
+        const Scalar s_k_ddot = (p_.A_1 * p_1 - f_l - p_.A_2 * p_2) * c_.k0;
+        const Scalar q_1 = u[0];
+        const Scalar e1 = q_1 * c_.k4;
+        const Scalar s_k_dot = x[1];
+        const Scalar e2 = e1 - s_k_dot;
+        const Scalar s_k = x[0];
+        const Scalar inverse_3 = Scalar(1) / s_k;
+        const Scalar e4 = p_.beta * inverse_3;
+        const Scalar T_1 = x[4];
+        const Scalar e5 = p_.T_0 - T_1;
+        const Scalar e6 = p_.p_0 - p_1;
+        const Scalar e7 = p_.alpha * e5 - e6 * c_.k2;
+        const Scalar e8 = -e7;
+        const Scalar exp_9 = exp(e8);
+        const Scalar e10 = exp_9 * c_.k8;
+        const Scalar compression_11 = detail::compression<Scalar>(e7, exp_9);
+        const Scalar e12 = c_.k14 - p_1 * e10 + p_.c_v * e5 - compression_11 * c_.k6 + (e8 * exp_9 - compression_11) * c_.k15;
+        const Scalar e13 = p_.rho_0 * q_1 / exp_9;
+        const Scalar max_14 = detail::max<Scalar>(Scalar(0), e13);
+        const Scalar e15 = max_14 * c_.k4;
+        const Scalar e16 = inverse_3 * c_.k12;
+        const Scalar e17 = exp_9 * e16;
+        const Scalar e18 = (T_1 * e2 * c_.k3 + e12 * e15) * e17;
+        const Scalar e19 = e2 * e4 + e18 * c_.k13;
+        const Scalar q_2 = u[1];
+        const Scalar e20 = q_2 * c_.k10;
+        const Scalar e21 = s_k_dot + e20;
+        const Scalar inverse_22 = Scalar(1) / (c_.k9 - s_k);
+        const Scalar e23 = p_.beta * inverse_22;
+        const Scalar T_2 = x[5];
+        const Scalar e24 = p_.T_0 - T_2;
+        const Scalar e25 = p_.p_0 - p_2;
+        const Scalar e26 = p_.alpha * e24 - e25 * c_.k2;
+        const Scalar e27 = -e26;
+        const Scalar exp_28 = exp(e27);
+        const Scalar e29 = exp_28 * c_.k8;
+        const Scalar compression_30 = detail::compression<Scalar>(e26, exp_28);
+        const Scalar e31 = c_.k16 - p_2 * e29 + p_.c_v * e24 - compression_30 * c_.k6 + (e27 * exp_28 - compression_30)
+            * c_.k15;
+        const Scalar e32 = p_.rho_0 * q_2 / exp_28;
+        const Scalar max_33 = detail::max<Scalar>(Scalar(0), e32);
+        const Scalar e34 = max_33 * c_.k10;
+        const Scalar e35 = inverse_22 * c_.k12;
+        const Scalar e36 = exp_28 * e35;
+        const Scalar e37 = (T_2 * e21 * c_.k3 + e31 * e34) * e36;
+        const Scalar e38 = e21 * e23 + e37 * c_.k13;
+        const Scalar e39 = e18 * c_.k8;
+        const Scalar e40 = e37 * c_.k8;
+        dxdt[0] = x[1];
+        dxdt[1] = s_k_ddot;
+        dxdt[2] = e19;
+        dxdt[3] = e38;
+        dxdt[4] = e39;
+        dxdt[5] = e40;
+        const Scalar e41 = T_1 * e17;
+        const Scalar e42 = T_2 * e36;
+        const Scalar step_43 = detail::step<Scalar>(e13);
+        const Scalar e44 = step_43 * e12 * (e16 * e1);
+        const Scalar e45 = p_.alpha * e44;
+        const Scalar e46 = p_.T_0 - e5;
+        const Scalar e47 = e6 - e6;
+        const Scalar e48 = e17 * e15;
+        const Scalar e49 = (c_.k8 - e46 * c_.k18 - e47 * c_.k19) * e48;
+        const Scalar e50 = e18 * c_.k18;
+        const Scalar step_51 = detail::step<Scalar>(e32);
+        const Scalar e52 = step_51 * e31 * (e35 * e20);
+        const Scalar e53 = p_.alpha * e52;
+        const Scalar e54 = p_.T_0 - e24;
+        const Scalar e55 = e25 - e25;
+        const Scalar e56 = e36 * e34;
+        const Scalar e57 = (c_.k8 - e54 * c_.k18 - e55 * c_.k19) * e56;
+        const Scalar e58 = e37 * c_.k18;
+        const Scalar e59 = e45 - e2 * e17 * c_.k13;
+        const Scalar e60 = (exp_9 * (e46 * c_.k20 + e47 * c_.k18) + p_.c_v) * e48;
+        const Scalar e61 = e53 - e21 * e36 * c_.k13;
+        const Scalar e62 = (exp_28 * (e54 * c_.k20 + e55 * c_.k18) + p_.c_v) * e56;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = -inverse_9 * e25;
-        J[3] = inverse_34 * e50;
-        J[4] = -inverse_9 * e52;
-        J[5] = inverse_34 * e54;
+        J[2] = -inverse_3 * e19;
+        J[3] = inverse_22 * e38;
+        J[4] = -inverse_3 * e39;
+        J[5] = inverse_22 * e40;
         J[6] = Scalar(1);
         J[7] = Scalar(0);
-        J[8] = -p_.beta * inverse_9 * e8;
-        J[9] = p_.beta * inverse_34 * e33;
-        J[10] = -inverse_9 * e7 * c_.k4;
-        J[11] = inverse_34 * e32 * c_.k4;
+        J[8] = -e41 * c_.k17 - e4;
+        J[9] = e42 * c_.k17 + e23;
+        J[10] = -e41 * c_.k13;
+        J[11] = e42 * c_.k13;
         J[12] = Scalar(0);
-        J[13] = p_.A_1 * c_.k0;
-        J[14] = e60 - e61 * c_.k4 + e64;
+        J[13] = c_.k0 * p_.A_1;
+        J[14] = e45 - exp_9 * e49 * c_.k13 - e50;
         J[15] = Scalar(0);
-        J[16] = e57 * (c_.k22 + e1 * c_.k5 - e19 * c_.k20 + e21 * c_.k17) - exp_6 * e58 * c_.k19 + e62 * c_.k21 - e61 * c_.k23;
+        J[16] = e44 * c_.k2 - e12 * e48 * c_.k19 - e2 * e41 * c_.k18 - e10 * e49;
         J[17] = Scalar(0);
         J[18] = Scalar(0);
-        J[19] = (-p_.A_2) * c_.k0;
+        J[19] = c_.k0 * (-p_.A_2);
         J[20] = Scalar(0);
-        J[21] = e70 - e71 * c_.k4 + e74;
+        J[21] = e53 - exp_28 * e57 * c_.k13 - e58;
         J[22] = Scalar(0);
-        J[23] = e67 * (c_.k24 + e26 * c_.k5 - e44 * c_.k20 + e46 * c_.k17) - exp_31 * e68 * c_.k19 + e72 * c_.k21 - e71
-            * c_.k23;
+        J[23] = e52 * c_.k2 - e31 * e56 * c_.k19 - e21 * e42 * c_.k18 - e29 * e57;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = e12 * e59 - c_.k18 * (e22 * e57 + e63) - e75 * c_.k2;
+        J[26] = e18 * c_.k20 - e59 * c_.k3 - e60 * c_.k13;
         J[27] = Scalar(0);
-        J[28] = exp_6 * e51 - e64 - e75;
+        J[28] = e50 - e59 - e60 * c_.k8;
         J[29] = Scalar(0);
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = e37 * e69 - c_.k18 * (e47 * e67 + e73) - e76 * c_.k2;
+        J[33] = e37 * c_.k20 - e61 * c_.k3 - e62 * c_.k13;
         J[34] = Scalar(0);
-        J[35] = exp_31 * e53 - e74 - e76;
+        J[35] = e58 - e61 - e62 * c_.k8;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -639,52 +603,48 @@ public:
     }
 
     /// J = df/du. 6 x 3, entry (i, j) at J[6*j + i].
-    /// Operations: 33 + or -, 53 *, 4 /, 6 other functions
+    /// Operations: 25 + or -, 39 *, 4 /, 6 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::exp;
         const Scalar s_k = x[0];
         const Scalar inverse_1 = Scalar(1) / s_k;
-        const Scalar q_1 = u[0];
-        const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
+        const Scalar p_1 = x[2];
         const Scalar e2 = p_.T_0 - T_1;
-        const Scalar e3 = c_.k5 * (p_.p_0 - p_1) - p_.alpha * e2;
+        const Scalar e3 = c_.k2 * (p_.p_0 - p_1) - p_.alpha * e2;
         const Scalar exp_4 = exp(e3);
-        const Scalar step_5 = detail::step<Scalar>(p_.rho_0 * q_1 / exp_4);
-        const Scalar e6 = step_5 * inverse_1;
-        const Scalar e7 = e2 * e6;
-        const Scalar compression_8 = detail::compression<Scalar>(-e3, exp_4);
-        const Scalar e9 = compression_8 * e6;
-        const Scalar e10 = (e3 * exp_4 - compression_8) * e6;
-        const Scalar e11 = T_1 * (exp_4 * inverse_1);
-        const Scalar e12 = e6 * (p_1 * exp_4);
-        const Scalar inverse_13 = Scalar(1) / (c_.k12 - s_k);
-        const Scalar q_2 = u[1];
-        const Scalar p_2 = x[3];
+        const Scalar e5 = inverse_1 * (T_1 * exp_4);
+        const Scalar q_1 = u[0];
+        const Scalar step_6 = detail::step<Scalar>(p_.rho_0 * q_1 / exp_4);
+        const Scalar compression_7 = detail::compression<Scalar>(-e3, exp_4);
+        const Scalar e8 = c_.k33 - c_.k8 * p_1 * exp_4 + p_.c_v * e2 - c_.k6 * compression_7 - c_.k32
+            * (e3 * exp_4 - compression_7);
+        const Scalar e9 = inverse_1 * (step_6 * e8);
+        const Scalar inverse_10 = Scalar(1) / (c_.k9 - s_k);
         const Scalar T_2 = x[5];
-        const Scalar e14 = p_.T_0 - T_2;
-        const Scalar e15 = c_.k5 * (p_.p_0 - p_2) - p_.alpha * e14;
-        const Scalar exp_16 = exp(e15);
-        const Scalar step_17 = detail::step<Scalar>(p_.rho_0 * q_2 / exp_16);
-        const Scalar e18 = step_17 * inverse_13;
-        const Scalar e19 = e14 * e18;
-        const Scalar compression_20 = detail::compression<Scalar>(-e15, exp_16);
-        const Scalar e21 = compression_20 * e18;
-        const Scalar e22 = (e15 * exp_16 - compression_20) * e18;
-        const Scalar e23 = T_2 * (exp_16 * inverse_13);
-        const Scalar e24 = e18 * (p_2 * exp_16);
+        const Scalar p_2 = x[3];
+        const Scalar e11 = p_.T_0 - T_2;
+        const Scalar e12 = c_.k2 * (p_.p_0 - p_2) - p_.alpha * e11;
+        const Scalar exp_13 = exp(e12);
+        const Scalar e14 = inverse_10 * (T_2 * exp_13);
+        const Scalar q_2 = u[1];
+        const Scalar step_15 = detail::step<Scalar>(p_.rho_0 * q_2 / exp_13);
+        const Scalar compression_16 = detail::compression<Scalar>(-e12, exp_13);
+        const Scalar e17 = c_.k31 - c_.k8 * p_2 * exp_13 + p_.c_v * e11 - c_.k6 * compression_16 - c_.k32
+            * (e12 * exp_13 - compression_16);
+        const Scalar e18 = inverse_10 * (step_15 * e17);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k25 * inverse_1 - c_.k31 * e6 + c_.k28 * e7 - c_.k29 * e9 + c_.k30 * e10 + c_.k27 * e11 - c_.k26 * e12;
+        J[2] = c_.k21 * inverse_1 + c_.k22 * e5 + c_.k23 * e9;
         J[3] = Scalar(0);
-        J[4] = c_.k35 * e6 + c_.k1 * e7 - c_.k33 * e9 - c_.k34 * e10 + c_.k26 * e11 - c_.k32 * e12;
+        J[4] = c_.k24 * e5 + c_.k25 * e9;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = c_.k38 * inverse_13 - c_.k42 * e18 + c_.k39 * e19 - c_.k40 * e21 + c_.k41 * e22 + c_.k37 * e23 - c_.k36 * e24;
+        J[9] = c_.k27 * inverse_10 + c_.k26 * e14 + c_.k28 * e18;
         J[10] = Scalar(0);
-        J[11] = c_.k46 * e18 + c_.k11 * e19 - c_.k44 * e21 - c_.k45 * e22 + c_.k36 * e23 - c_.k43 * e24;
+        J[11] = c_.k29 * e14 + c_.k30 * e18;
         J[12] = Scalar(0);
         J[13] = (-Scalar(1)) * c_.k0;
         J[14] = Scalar(0);
@@ -694,305 +654,225 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 14, entry (i, j) at J[6*j + i].
-    /// Operations: 461 + or -, 804 *, 9 /, 12 other functions
+    /// Operations: 263 + or -, 489 *, 9 /, 12 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
         State dxdt;
         rhs(x, u, t, dxdt);
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
-        const Scalar inverse_1 = Scalar(1) / p_.A_1;
-        const Scalar e2 = p_.beta * p_.alpha;
-        const Scalar inverse_3 = Scalar(1) / p_.rho_0;
-        const Scalar inverse_4 = Scalar(1) / p_.c_v;
-        const Scalar e5 = inverse_3 * inverse_4;
-        const Scalar e6 = inverse_3 * e5;
-        const Scalar e7 = inverse_1 * e6;
-        const Scalar e8 = e2 * e7;
-        const Scalar e9 = p_.p_0 - p_.p_s;
-        const Scalar inverse_10 = Scalar(1) / p_.beta;
-        const Scalar e11 = e9 * inverse_10;
-        const Scalar exp_12 = exp(e11);
-        const Scalar compression_13 = detail::compression<Scalar>(-e11, exp_12);
-        const Scalar e14 = e11 * exp_12 - compression_13;
-        const Scalar e15 = p_.T_0 * e2 - p_.p_0;
-        const Scalar e16 = p_.p_s * exp_12;
-        const Scalar e17 = e14 * e15 + e16;
-        const Scalar e18 = p_.beta * compression_13;
-        const Scalar e19 = e17 + e18;
-        const Scalar e20 = e8 * e19;
+        const Scalar e1 = p_.beta * p_.alpha;
+        const Scalar inverse_2 = Scalar(1) / p_.rho_0;
+        const Scalar inverse_3 = Scalar(1) / p_.c_v;
+        const Scalar e4 = inverse_2 * inverse_3;
+        const Scalar e5 = e4 * e1;
+        const Scalar e6 = e1 * e5;
+        const Scalar inverse_7 = Scalar(1) / p_.A_1;
+        const Scalar inverse_7_squared = inverse_7 * inverse_7;
         const Scalar q_1 = u[0];
-        const Scalar e21 = p_.p_0 - p_1;
         const Scalar T_1 = x[4];
-        const Scalar e22 = p_.T_0 - T_1;
-        const Scalar e23 = c_.k5 * e21 - p_.alpha * e22;
-        const Scalar exp_24 = exp(e23);
-        const Scalar e25 = p_.rho_0 * q_1 / exp_24;
-        const Scalar max_26 = detail::max<Scalar>(Scalar(0), e25);
+        const Scalar e8 = p_.p_0 - p_1;
+        const Scalar e9 = p_.T_0 - T_1;
+        const Scalar e10 = c_.k2 * e8 - p_.alpha * e9;
+        const Scalar exp_11 = exp(e10);
         const Scalar s_k = x[0];
-        const Scalar inverse_27 = Scalar(1) / s_k;
-        const Scalar e28 = exp_24 * inverse_27;
-        const Scalar e29 = max_26 * e28;
-        const Scalar e30 = inverse_1 * inverse_3;
-        const Scalar e31 = e2 * e30;
-        const Scalar e32 = e22 * e29;
-        const Scalar e33 = inverse_1 * e5;
-        const Scalar e34 = e2 * e33;
-        const Scalar e35 = inverse_1 * e34;
-        const Scalar e36 = T_1 * e28;
-        const Scalar e37 = q_1 * e36;
-        const Scalar e38 = inverse_1 * e8;
-        const Scalar compression_39 = detail::compression<Scalar>(-e23, exp_24);
-        const Scalar e40 = e23 * exp_24 - compression_39;
-        const Scalar e41 = e40 * e29;
-        const Scalar e42 = exp_24 * e29;
-        const Scalar e43 = p_1 * e42;
-        const Scalar e44 = p_.beta * e8;
-        const Scalar e45 = compression_39 * e29;
-        const Scalar e46 = q_1 * inverse_27;
-        const Scalar e47 = inverse_1 * e7;
-        const Scalar e48 = p_.beta * e7;
-        const Scalar inverse_49 = Scalar(1) / p_.A_2;
-        const Scalar e50 = inverse_49 * e6;
-        const Scalar e51 = e2 * e50;
-        const Scalar e52 = p_.p_0 - p_.p_t;
-        const Scalar e53 = e52 * inverse_10;
-        const Scalar exp_54 = exp(e53);
-        const Scalar compression_55 = detail::compression<Scalar>(-e53, exp_54);
-        const Scalar e56 = e53 * exp_54 - compression_55;
-        const Scalar e57 = p_.p_t * exp_54;
-        const Scalar e58 = e56 * e15 + e57;
-        const Scalar e59 = p_.beta * compression_55;
-        const Scalar e60 = e58 + e59;
-        const Scalar e61 = e51 * e60;
+        const Scalar inverse_12 = Scalar(1) / s_k;
+        const Scalar e13 = exp_11 * inverse_12;
+        const Scalar e14 = T_1 * e13;
+        const Scalar e15 = q_1 * e14;
+        const Scalar e16 = e5 * inverse_7_squared;
+        const Scalar compression_17 = detail::compression<Scalar>(-e10, exp_11);
+        const Scalar e18 = e10 * exp_11 - compression_17;
+        const Scalar e19 = c_.k33 - c_.k8 * p_1 * exp_11 + p_.c_v * e9 - c_.k6 * compression_17 - c_.k32 * e18;
+        const Scalar e20 = p_.rho_0 * q_1 / exp_11;
+        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e20);
+        const Scalar e22 = max_21 * e13;
+        const Scalar e23 = e19 * e22;
+        const Scalar e24 = q_1 * inverse_12;
+        const Scalar inverse_25 = Scalar(1) / p_.A_2;
+        const Scalar inverse_25_squared = inverse_25 * inverse_25;
         const Scalar q_2 = u[1];
-        const Scalar e62 = p_.p_0 - p_2;
         const Scalar T_2 = x[5];
-        const Scalar e63 = p_.T_0 - T_2;
-        const Scalar e64 = c_.k5 * e62 - p_.alpha * e63;
-        const Scalar exp_65 = exp(e64);
-        const Scalar e66 = p_.rho_0 * q_2 / exp_65;
-        const Scalar max_67 = detail::max<Scalar>(Scalar(0), e66);
-        const Scalar inverse_68 = Scalar(1) / (c_.k12 - s_k);
-        const Scalar e69 = exp_65 * inverse_68;
-        const Scalar e70 = max_67 * e69;
-        const Scalar e71 = inverse_49 * inverse_3;
-        const Scalar e72 = e2 * e71;
-        const Scalar e73 = e63 * e70;
-        const Scalar e74 = inverse_49 * e5;
-        const Scalar e75 = e2 * e74;
-        const Scalar e76 = inverse_49 * e75;
-        const Scalar e77 = T_2 * e69;
-        const Scalar e78 = q_2 * e77;
-        const Scalar e79 = inverse_49 * e51;
-        const Scalar compression_80 = detail::compression<Scalar>(-e64, exp_65);
-        const Scalar e81 = e64 * exp_65 - compression_80;
-        const Scalar e82 = e81 * e70;
-        const Scalar e83 = p_.beta * e51;
-        const Scalar e84 = compression_80 * e70;
-        const Scalar e85 = exp_65 * e70;
-        const Scalar e86 = p_2 * e85;
-        const Scalar e87 = q_2 * inverse_68;
-        const Scalar e88 = inverse_49 * e50;
-        const Scalar e89 = p_.beta * e50;
-        const Scalar e90 = -e15 * e51;
-        const Scalar e91 = -e61;
+        const Scalar e26 = p_.p_0 - p_2;
+        const Scalar e27 = p_.T_0 - T_2;
+        const Scalar e28 = c_.k2 * e26 - p_.alpha * e27;
+        const Scalar exp_29 = exp(e28);
+        const Scalar inverse_30 = Scalar(1) / (c_.k9 - s_k);
+        const Scalar e31 = exp_29 * inverse_30;
+        const Scalar e32 = T_2 * e31;
+        const Scalar e33 = q_2 * e32;
+        const Scalar e34 = e5 * inverse_25_squared;
+        const Scalar compression_35 = detail::compression<Scalar>(-e28, exp_29);
+        const Scalar e36 = e28 * exp_29 - compression_35;
+        const Scalar e37 = c_.k31 - c_.k8 * p_2 * exp_29 + p_.c_v * e27 - c_.k6 * compression_35 - c_.k32 * e36;
+        const Scalar e38 = p_.rho_0 * q_2 / exp_29;
+        const Scalar max_39 = detail::max<Scalar>(Scalar(0), e38);
+        const Scalar e40 = max_39 * e31;
+        const Scalar e41 = e37 * e40;
+        const Scalar e42 = q_2 * inverse_30;
         const Scalar s_k_dot = x[1];
-        const Scalar e92 = e5 * e2;
-        const Scalar e93 = e2 * e92;
-        const Scalar e94 = s_k_dot * e77;
-        const Scalar e95 = e93 * e94 + (c_.k37 * e78 + e72 * e73);
-        const Scalar e96 = inverse_68 * e84;
-        const Scalar e97 = p_2 * e69;
-        const Scalar e98 = e70 * e97;
-        const Scalar e99 = e90 * e82 - e91 * e70 + (inverse_68 * (c_.k38 * q_2 + p_.beta * s_k_dot) + e95);
-        const Scalar e100 = inverse_68 * e99 - (e83 * e96 + e51 * e98);
-        const Scalar e101 = c_.k4 * e94 + (c_.k36 * e78 + e71 * e73);
-        const Scalar e102 = e15 * e50;
-        const Scalar e103 = e50 * e60;
-        const Scalar e104 = inverse_68 * (e101 - (e102 * e82 - e103 * e70)) - (e89 * e96 + e50 * e98);
-        const Scalar step_105 = detail::step<Scalar>(e25);
-        const Scalar e106 = q_1 * step_105;
-        const Scalar e107 = inverse_27 * e106;
-        const Scalar e108 = e2 * e8;
-        const Scalar e109 = inverse_3 * e15;
-        const Scalar e110 = e22 * e107;
-        const Scalar e111 = e6 * e2;
-        const Scalar e112 = e2 * e111;
-        const Scalar e113 = s_k_dot * e36;
-        const Scalar e114 = e106 * (p_1 * e28);
-        const Scalar e115 = compression_39 * e107;
-        const Scalar e116 = -e15 * e8;
-        const Scalar e117 = e40 * e107;
-        const Scalar step_118 = detail::step<Scalar>(e66);
-        const Scalar e119 = q_2 * step_118;
-        const Scalar e120 = inverse_68 * e119;
-        const Scalar e121 = e2 * e51;
-        const Scalar e122 = e63 * e120;
-        const Scalar e123 = e119 * e97;
-        const Scalar e124 = compression_80 * e120;
-        const Scalar e125 = e81 * e120;
-        const Scalar e126 = e7 * e19;
-        const Scalar e127 = inverse_3 * e7;
-        const Scalar e128 = e15 * e7;
-        const Scalar e129 = inverse_3 * e50;
-        const Scalar e130 = p_.alpha * e7;
-        const Scalar e131 = p_.p_0 * e14 - e16;
-        const Scalar e132 = p_.alpha * e8;
-        const Scalar e133 = p_.T_0 * e14;
-        const Scalar e134 = exp_12 * e130;
-        const Scalar e135 = p_.p_s + e9;
-        const Scalar e136 = p_.alpha * p_.T_0 - p_.p_0 * inverse_10;
-        const Scalar e137 = inverse_10 * e135 + e136;
-        const Scalar e138 = e9 * e137;
-        const Scalar e139 = e21 * e45;
-        const Scalar e140 = p_.alpha * e33;
-        const Scalar e141 = p_.alpha * e2;
-        const Scalar e142 = e33 * e141;
-        const Scalar e143 = Scalar(2) * e5 * e141;
-        const Scalar e144 = Scalar(2) * e8;
-        const Scalar e145 = e21 * e42;
-        const Scalar e146 = e21 * e41 + e145;
-        const Scalar e147 = e22 * e145;
-        const Scalar e148 = p_.alpha * inverse_10;
-        const Scalar e149 = e21 * (e33 * e148);
-        const Scalar e150 = compression_13 + (e14 * e136 + inverse_10 * e16);
-        const Scalar e151 = e21 * e29;
-        const Scalar e152 = e21 * e107;
-        const Scalar e153 = e21 * e32;
-        const Scalar e154 = p_.alpha * e30 * e32;
-        const Scalar e155 = inverse_10 * e130;
-        const Scalar e156 = e21 * e43;
-        const Scalar e157 = e21 * e110;
-        const Scalar e158 = p_.alpha * p_.alpha * e5;
-        const Scalar e159 = e21 * e113;
-        const Scalar e160 = e21 * e145;
-        const Scalar e161 = e21 * e115;
-        const Scalar e162 = e21 * e117;
-        const Scalar e163 = p_.alpha * e50;
-        const Scalar e164 = e62 * e84;
-        const Scalar e165 = p_.alpha * e74;
-        const Scalar e166 = e74 * e141;
-        const Scalar e167 = p_.p_0 * e56 - e57;
-        const Scalar e168 = p_.alpha * e51;
-        const Scalar e169 = p_.T_0 * e56;
-        const Scalar e170 = exp_54 * e163;
-        const Scalar e171 = p_.p_t + e52;
-        const Scalar e172 = inverse_10 * e171 + e136;
-        const Scalar e173 = e52 * e172;
-        const Scalar e174 = Scalar(2) * e51;
-        const Scalar e175 = e62 * e85;
-        const Scalar e176 = e62 * e82 + e175;
-        const Scalar e177 = e63 * e175;
-        const Scalar e178 = e62 * (e74 * e148);
-        const Scalar e179 = compression_55 + (e56 * e136 + inverse_10 * e57);
-        const Scalar e180 = e62 * e70;
-        const Scalar e181 = e62 * e120;
-        const Scalar e182 = e62 * e73;
-        const Scalar e183 = p_.alpha * e71 * e73;
-        const Scalar e184 = e62 * e94;
-        const Scalar e185 = inverse_10 * e163;
-        const Scalar e186 = e62 * e86;
-        const Scalar e187 = e62 * e122;
-        const Scalar e188 = e62 * e175;
-        const Scalar e189 = e62 * e124;
-        const Scalar e190 = e62 * e125;
-        const Scalar e191 = inverse_10 * e7;
-        const Scalar e192 = exp_12 * e191;
-        const Scalar inverse_10_squared = inverse_10 * inverse_10;
-        const Scalar e193 = e7 * e45 + (c_.k19 * e113 - e140 * e37);
-        const Scalar e194 = inverse_10 * e33;
-        const Scalar e195 = e7 * inverse_10_squared;
-        const Scalar e196 = e5 * e148;
-        const Scalar e197 = inverse_10 * e50;
-        const Scalar e198 = exp_54 * e197;
-        const Scalar e199 = e50 * e84 - (c_.k19 * e94 + e165 * e78);
-        const Scalar e200 = inverse_10 * e74;
-        const Scalar e201 = e50 * inverse_10_squared;
-        const Scalar e202 = Scalar(2) * p_.beta * e92;
-        const Scalar e203 = e22 * e42;
-        const Scalar e204 = e40 * e32 + e203;
-        const Scalar e205 = c_.k26 * e22;
-        const Scalar e206 = compression_39 * e32;
-        const Scalar e207 = e22 * e32;
-        const Scalar e208 = e22 * e43;
-        const Scalar e209 = compression_39 * e110;
-        const Scalar e210 = e40 * e110;
-        const Scalar e211 = e22 * e110;
-        const Scalar e212 = e22 * e113;
-        const Scalar e213 = e22 * e203;
-        const Scalar e214 = e63 * e85;
-        const Scalar e215 = e81 * e73 + e214;
-        const Scalar e216 = compression_80 * e73;
-        const Scalar e217 = e63 * e86;
-        const Scalar e218 = compression_80 * e122;
-        const Scalar e219 = e81 * e122;
-        const Scalar e220 = e63 * e122;
-        const Scalar e221 = e63 * e123;
-        const Scalar e222 = e63 * e214;
-        const Scalar e223 = e33 * e92;
-        const Scalar e224 = inverse_4 * e2;
-        const Scalar e225 = e92 * e224;
-        const Scalar e226 = e74 * e92;
-        const Scalar e227 = e5 * e33;
-        const Scalar e228 = inverse_4 * e92;
-        const Scalar e229 = e5 * e74;
-        const Scalar e230 = p_.p_s + (Scalar(1) / Scalar(2)) * e9;
-        const Scalar e231 = exp_12 + e14;
-        const Scalar e232 = e15 * e130;
-        const Scalar e233 = compression_13 - e14;
-        const Scalar e234 = e8 * e233;
-        const Scalar e235 = compression_13 * e34;
-        const Scalar e236 = e232 - e8;
-        const Scalar e237 = c_.k26 * e115 + e15 * e140 * e117 - ((e17 * e140 + e235) * e107 + e232 * e42 - (e142 * e37 + e154));
-        const Scalar e238 = Scalar(2) * e130 * e43 - (-e236) * e41 + (c_.k18 * e113 + p_.alpha * inverse_1 * e110);
-        const Scalar e239 = e237 - (e238 + (e8 * e45 + e130 * e145 - (e140 * e114 + e132 * e203)));
-        const Scalar e240 = p_.p_t + (Scalar(1) / Scalar(2)) * e52;
-        const Scalar e241 = exp_54 + e56;
-        const Scalar e242 = e15 * e163;
-        const Scalar e243 = compression_55 - e56;
-        const Scalar e244 = e51 * e243;
-        const Scalar e245 = compression_55 * e75;
-        const Scalar e246 = e242 - e51;
-        const Scalar e247 = c_.k36 * e124 + e15 * e165 * e125 - ((e58 * e165 + e245) * e120 + e242 * e85 - (e166 * e78 + e183));
-        const Scalar e248 = e163 * e175 + p_.alpha * inverse_49 * e122 - (e165 * e123 + e168 * e214);
-        const Scalar e249 = c_.k18 * e94 + (-e246) * e82 - (e51 * e84 + Scalar(2) * e163 * e86) - e248;
-        const Scalar e250 = e247 + e249;
-        const Scalar e251 = e136 * e7;
-        const Scalar e252 = e136 * e50;
-        const Scalar e253 = e234 - e30;
-        const Scalar e254 = e15 * e132;
-        const Scalar e255 = e141 * e92;
-        const Scalar e256 = e244 - e71;
-        const Scalar e257 = e15 * e168;
+        const Scalar e43 = s_k_dot * e32;
+        const Scalar e44 = e6 * e43 + (c_.k26 * e33 + c_.k29 * e41);
+        const Scalar e45 = s_k_dot * inverse_30;
+        const Scalar e46 = inverse_30 * (e44 + (c_.k27 * e42 + p_.beta * e45));
+        const Scalar e47 = inverse_25 * e4;
+        const Scalar e48 = c_.k1 * e43 + (c_.k29 * e33 + e47 * e41);
+        const Scalar e49 = inverse_30 * e48;
+        const Scalar e50 = inverse_2 * e4;
+        const Scalar e51 = p_.alpha * e50;
+        const Scalar e52 = p_.beta * e51;
+        const Scalar e53 = inverse_7 * e52;
+        const Scalar e54 = p_.p_0 - p_.p_s;
+        const Scalar inverse_55 = Scalar(1) / p_.beta;
+        const Scalar e56 = e54 * inverse_55;
+        const Scalar exp_57 = exp(e56);
+        const Scalar compression_58 = detail::compression<Scalar>(-e56, exp_57);
+        const Scalar e59 = e56 * exp_57 - compression_58;
+        const Scalar e60 = p_.T_0 * e1 - p_.p_0;
+        const Scalar e61 = inverse_2 * e60;
+        const Scalar e62 = e59 * e61 + inverse_2 * (p_.beta * compression_58 + p_.p_s * exp_57);
+        const Scalar e63 = e1 * e53;
+        const Scalar e64 = e52 * e1;
+        const Scalar e65 = s_k_dot * e14;
+        const Scalar e66 = e18 * e22;
+        const Scalar step_67 = detail::step<Scalar>(e20);
+        const Scalar e68 = e24 * (step_67 * e19);
+        const Scalar e69 = p_.beta * inverse_2;
+        const Scalar e70 = compression_17 * e22;
+        const Scalar e71 = exp_11 * e22;
+        const Scalar e72 = p_1 * e71;
+        const Scalar e73 = inverse_25 * e52;
+        const Scalar e74 = p_.p_0 - p_.p_t;
+        const Scalar e75 = e74 * inverse_55;
+        const Scalar exp_76 = exp(e75);
+        const Scalar compression_77 = detail::compression<Scalar>(-e75, exp_76);
+        const Scalar e78 = e75 * exp_76 - compression_77;
+        const Scalar e79 = e78 * e61 + inverse_2 * (p_.beta * compression_77 + p_.p_t * exp_76);
+        const Scalar e80 = e1 * e73;
+        const Scalar e81 = e36 * e40;
+        const Scalar step_82 = detail::step<Scalar>(e38);
+        const Scalar e83 = e42 * (step_82 * e37);
+        const Scalar e84 = compression_35 * e40;
+        const Scalar e85 = exp_29 * e40;
+        const Scalar e86 = p_2 * e85;
+        const Scalar e87 = inverse_7 * e50;
+        const Scalar e88 = inverse_7 * e4;
+        const Scalar e89 = inverse_25 * e50;
+        const Scalar e90 = inverse_7 * e51;
+        const Scalar e91 = exp_57 * e90;
+        const Scalar e92 = p_.alpha * p_.T_0;
+        const Scalar e93 = p_.p_0 * inverse_55;
+        const Scalar e94 = e92 - e93;
+        const Scalar e95 = p_.p_s + e54;
+        const Scalar e96 = e59 * e53;
+        const Scalar e97 = p_.alpha * inverse_7;
+        const Scalar e98 = p_.alpha * e4;
+        const Scalar e99 = e9 * e71;
+        const Scalar e100 = e5 * e97;
+        const Scalar e101 = p_.alpha * e5;
+        const Scalar e102 = Scalar(2) * e101;
+        const Scalar e103 = inverse_55 * e4;
+        const Scalar e104 = e4 * e97;
+        const Scalar e105 = e8 * (e97 * e103) - e104;
+        const Scalar e106 = p_1 + e8;
+        const Scalar e107 = e106 * e71;
+        const Scalar e108 = e8 * (inverse_55 * e90);
+        const Scalar e109 = e8 * e71;
+        const Scalar e110 = p_.alpha * e98;
+        const Scalar e111 = e8 * e65;
+        const Scalar e112 = inverse_55 * inverse_3;
+        const Scalar e113 = e8 * e68;
+        const Scalar e114 = inverse_25 * e51;
+        const Scalar e115 = exp_76 * e114;
+        const Scalar e116 = p_.p_t + e74;
+        const Scalar e117 = e78 * e73;
+        const Scalar e118 = p_.alpha * inverse_25;
+        const Scalar e119 = e27 * e85;
+        const Scalar e120 = e5 * e118;
+        const Scalar e121 = e4 * e118;
+        const Scalar e122 = e26 * (e118 * e103) - e121;
+        const Scalar e123 = p_2 + e26;
+        const Scalar e124 = e123 * e85;
+        const Scalar e125 = e26 * (inverse_55 * e114);
+        const Scalar e126 = e26 * e85;
+        const Scalar e127 = e26 * e43;
+        const Scalar e128 = e26 * e83;
+        const Scalar e129 = e50 * e93 - p_.T_0 * e51;
+        const Scalar e130 = inverse_7 * inverse_55;
+        const Scalar e131 = inverse_55 * e87;
+        const Scalar e132 = inverse_7 * e129;
+        const Scalar e133 = exp_57 * (e132 - e95 * e131);
+        const Scalar e134 = p_.T_0 * e90;
+        const Scalar e135 = p_.alpha * e103;
+        const Scalar e136 = e98 * e65;
+        const Scalar e137 = inverse_25 * inverse_55;
+        const Scalar e138 = inverse_55 * e89;
+        const Scalar e139 = inverse_25 * e129;
+        const Scalar e140 = exp_76 * (e139 - e116 * e138);
+        const Scalar e141 = p_.T_0 * e114;
+        const Scalar e142 = e98 * e43;
+        const Scalar e143 = p_.beta * p_.T_0;
+        const Scalar e144 = p_.beta * e5;
+        const Scalar e145 = Scalar(2) * e144;
+        const Scalar e146 = c_.k24 * e9;
+        const Scalar e147 = p_.beta * e4;
+        const Scalar e148 = e146 - inverse_7 * e147;
+        const Scalar e149 = e9 * e65;
+        const Scalar e150 = e9 * e99;
+        const Scalar e151 = e106 * e99;
+        const Scalar e152 = e9 * e68;
+        const Scalar e153 = inverse_25 * e147;
+        const Scalar e154 = e27 * e119;
+        const Scalar e155 = e123 * e119;
+        const Scalar e156 = e27 * e83;
+        const Scalar e157 = e59 * e87;
+        const Scalar e158 = e9 * e88;
+        const Scalar e159 = e78 * e89;
+        const Scalar e160 = inverse_3 * e6;
+        const Scalar e161 = inverse_7 * inverse_3;
+        const Scalar e162 = e5 * e161;
+        const Scalar e163 = e27 * e40;
+        const Scalar e164 = inverse_25 * inverse_3;
+        const Scalar e165 = e5 * e164;
+        const Scalar e166 = inverse_3 * e5;
+        const Scalar e167 = p_.alpha * e53;
+        const Scalar e168 = e100 * e15 - e60 * e90 * e71 + (e104 * e23 - e101 * e65)
+            + (e53 * e66 + e167 * e99 - (inverse_3 * e97 * e68 + e90 * e107));
+        const Scalar e169 = (e60 + e95) * e91;
+        const Scalar e170 = p_.alpha * e73;
+        const Scalar e171 = e120 * e33 - e60 * e114 * e85 + (e121 * e41 + e101 * e43)
+            + (e73 * e81 + e170 * e119 - (inverse_3 * e118 * e83 + e114 * e124));
+        const Scalar e172 = (e60 + e116) * e115;
+        const Scalar e173 = inverse_7 * inverse_2 + e96;
+        const Scalar e174 = p_.alpha * e6;
+        const Scalar e175 = inverse_3 * e1;
+        const Scalar e176 = inverse_25 * inverse_2 + e117;
         J[0] = Scalar(0);
-        J[1] = p_1 * c_.k0;
-        J[2] = (-inverse_1 * e20) * e29 - inverse_1 * e31 * e32 - e2 * e35 * e37 - (-e15 * e38) * e41 + e38 * e43 + inverse_1
-            * e44 * e45 - p_.beta * inverse_1 * inverse_1 * e46;
+        J[1] = c_.k0 * p_1;
+        J[2] = -e6 * inverse_7_squared * e15 - e16 * e23 - p_.beta * inverse_7_squared * e24;
         J[3] = Scalar(0);
-        J[4] = e15 * e47 * e41 - e19 * e47 * e29 - inverse_1 * e30 * e32 - e35 * e37 + e47 * e43 + inverse_1 * e48 * e45;
+        J[4] = -e16 * e15 - e4 * inverse_7_squared * e23;
         J[5] = Scalar(0);
         J[6] = Scalar(0);
-        J[7] = (-p_2) * c_.k0;
+        J[7] = c_.k0 * (-p_2);
         J[8] = Scalar(0);
-        J[9] = (-inverse_49 * e61) * e70 - inverse_49 * e72 * e73 - e2 * e76 * e78 - (-e15 * e79) * e82 + inverse_49 * e83
-            * e84 + e79 * e86 - p_.beta * inverse_49 * inverse_49 * e87;
+        J[9] = -e6 * inverse_25_squared * e33 - e34 * e41 - p_.beta * inverse_25_squared * e42;
         J[10] = Scalar(0);
-        J[11] = e15 * e88 * e82 - e60 * e88 * e70 - inverse_49 * e71 * e73 - e76 * e78 + inverse_49 * e89 * e84 + e88 * e86;
+        J[11] = -e34 * e33 - e4 * inverse_25_squared * e41;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = -e100;
+        J[15] = -e46;
         J[16] = Scalar(0);
-        J[17] = -e104;
+        J[17] = -e49;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = e100;
+        J[21] = e46;
         J[22] = Scalar(0);
-        J[23] = e104;
+        J[23] = e49;
         J[24] = Scalar(0);
-        J[25] = (-dxdt[1]) * c_.k0;
+        J[25] = c_.k0 * (-dxdt[1]);
         J[26] = Scalar(0);
         J[27] = Scalar(0);
         J[28] = Scalar(0);
@@ -1005,94 +885,74 @@ public:
         J[35] = Scalar(0);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        J[38] = (-Scalar(2) * inverse_3 * e20) * e29 - (-e20) * e107 - inverse_3 * e31 * e32 - e108 * e37
-            - (-Scalar(2) * e8 * e109) * e41 + Scalar(2) * inverse_3 * e8 * e43 + e31 * e110 + e112 * e113 + Scalar(2)
-            * inverse_3 * e44 * e45 - e8 * e114 - e44 * e115 + e116 * e117;
-        J[39] = (-Scalar(2) * inverse_3 * e61) * e70 - e91 * e120 - inverse_3 * e72 * e73 - e121 * e78
-            - (-Scalar(2) * e51 * e109) * e82 - e112 * e94 + Scalar(2) * inverse_3 * e83 * e84 + Scalar(2) * inverse_3 * e51
-            * e86 + e72 * e122 - e51 * e123 - e83 * e124 + e90 * e125;
-        J[40] = e126 * e107 - Scalar(2) * e19 * e127 * e29 - inverse_3 * e30 * e32 - e8 * e37 + Scalar(2) * e7 * e109 * e41
-            + Scalar(2) * e127 * e43 + e30 * e110 + e111 * e113 + Scalar(2) * inverse_3 * e48 * e45 - e7 * e114 - e48 * e115
-            - e128 * e117;
-        J[41] = e103 * e120 - Scalar(2) * e60 * e129 * e70 - inverse_3 * e71 * e73 - e51 * e78 + Scalar(2) * e50 * e109 * e82
-            - e111 * e94 + Scalar(2) * inverse_3 * e89 * e84 + Scalar(2) * e129 * e86 + e71 * e122 - e50 * e123 - e89 * e124
-            - e102 * e125;
+        J[38] = (-e53 * e62) * e22 - e63 * e15 - e53 * e23 + e64 * e65 - (-e53 * e61) * e66 + c_.k24 * e68 + e53 * e69 * e70
+            + inverse_2 * e53 * e72;
+        J[39] = (-e73 * e79) * e40 - e80 * e33 - e73 * e41 - e64 * e43 - (-e73 * e61) * e81 + c_.k29 * e83 + e73 * e69 * e84
+            + inverse_2 * e73 * e86;
+        J[40] = e52 * e65 - e87 * e62 * e22 - e53 * e15 - e87 * e23 + e87 * e61 * e66 + e88 * e68 + e87 * e69 * e70 + inverse_2
+            * e87 * e72;
+        J[41] = e89 * e61 * e81 - e89 * e79 * e40 - e73 * e33 - e89 * e41 - e52 * e43 + e47 * e83 + e89 * e69 * e84 + inverse_2
+            * e89 * e86;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        const Scalar e258 = Scalar(2) * compression_13 * e8 - e130 * e131 + Scalar(2) * e132 * e133 - e134 * e138;
-        J[44] = e258 * e29 - e130 * (e43 - e139) - e37 * (e21 * (p_.alpha * e140) - Scalar(2) * e142) - s_k_dot * inverse_27
-            - (Scalar(2) * p_.T_0 * e132 - p_.p_0 * e130) * e41 - e143 * e113 - e144 * e45 - (-e136 * e130) * e146 - p_.alpha
-            * e130 * e147 + c_.k1 * e46 - e114 * e149 + (-e130 * e150) * e151 - (-e150 * e140) * e152 - e30 * e148 * e153
-            + e154 + Scalar(2) * e155 * e156 + inverse_1 * e148 * e157 + e158 * e159 + e155 * e160 - e140 * e161
-            + (-e136 * e140) * e162;
-        const Scalar e259 = Scalar(2) * compression_55 * e51 - e163 * e167 + Scalar(2) * e168 * e169 - e170 * e173;
-        J[45] = s_k_dot * inverse_68 - e163 * (e86 - e164) - e78 * (e62 * (p_.alpha * e165) - Scalar(2) * e166) + e259 * e70
-            - (Scalar(2) * p_.T_0 * e168 - p_.p_0 * e163) * e82 + e143 * e94 - e174 * e84 - (-e136 * e163) * e176 - p_.alpha
-            * e163 * e177 + c_.k11 * e87 - e123 * e178 + (-e163 * e179) * e180 - (-e179 * e165) * e181 - e71 * e148 * e182
-            + e183 - e158 * e184 + Scalar(2) * e185 * e186 + inverse_49 * e148 * e187 + e185 * e188 - e165 * e189
-            + (-e136 * e165) * e190;
-        J[46] = e136 * e191 * e146 - (e138 * e192 - compression_13 * e7 - e130 * e133) * e29 - p_.T_0 * e130 * e41 - e21
-            * (e33 * inverse_10_squared) * e114 - e155 * e147 - e193 - e37 * e149 - e150 * e191 * e151 + e150 * e194 * e152
-            - e30 * inverse_10_squared * e153 + Scalar(2) * e195 * e156 + inverse_1 * inverse_10_squared * e157 + e196 * e159
-            + e191 * e139 + e195 * e160 - e194 * e161 - e136 * e194 * e162;
-        J[47] = e136 * e197 * e176 - (e173 * e198 - compression_55 * e50 - e163 * e169) * e70 - p_.T_0 * e163 * e82 - e62
-            * (e74 * inverse_10_squared) * e123 - e185 * e177 - e199 - e78 * e178 - e179 * e197 * e180 + e179 * e200 * e181
-            - e71 * inverse_10_squared * e182 - e196 * e184 + e197 * e164 + Scalar(2) * e201 * e186 + inverse_49
-            * inverse_10_squared * e187 + e201 * e188 - e200 * e189 - e136 * e200 * e190;
+        const Scalar e177 = (compression_58 * e53 - e91 * (e54 * e94 + e95 * e56) + e92 * e96) * e22;
+        J[44] = e177 - e8 * (e97 * e98 * e15 + p_.alpha * e90 * e99) - s_k_dot * inverse_12 + Scalar(2) * e100 * e15 - e102
+            * e65 + c_.k4 * e24 - e53 * e92 * e66 - e23 * e105 - e53 * e70 + e107 * e108 - (-e94 * e90) * e109 + e110 * e111
+            + e97 * e112 * e113;
+        const Scalar e178 = (compression_77 * e73 - e115 * (e74 * e94 + e116 * e75) + e92 * e117) * e40;
+        J[45] = e178 - e26 * (e118 * e98 * e33 + p_.alpha * e114 * e119) + Scalar(2) * e120 * e33 + e102 * e43 + c_.k10 * e42
+            - e73 * e92 * e81 - e41 * e122 - e73 * e84 + e45 + e124 * e125 - (-e94 * e114) * e126 - e110 * e127 + e118 * e112
+            * e128;
+        J[46] = (-e129 * e130) * e109 - e8 * (e103 * e130 * e23 - inverse_55 * e131 * e107)
+            - (-compression_58 * e87 - e56 * e133 - e59 * e134) * e22 - e134 * e66 - e15 * e105 - e87 * e70 - e99 * e108 + e135
+            * e111 - e136 + e112 * e130 * e113;
+        J[47] = (-e129 * e137) * e126 - e26 * (e103 * e137 * e41 - inverse_55 * e138 * e124)
+            - (-compression_77 * e89 - e75 * e140 - e78 * e141) * e40 - e141 * e81 - e33 * e122 - e89 * e84 - e119 * e125
+            - e135 * e127 + e142 + e112 * e137 * e128;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = (p_.beta * e30 - e20) * e32 - e37 * (c_.k27 * e22 - Scalar(2) * p_.beta * e34)
-            - (e48 * (e131 - e18) - Scalar(2) * e44 * e133) * e29 + (p_.p_0 * e48 - Scalar(2) * p_.T_0 * e44) * e41 - e48 * e43
-            - c_.k31 * e110 - e202 * e113 - p_.beta * e48 * e45 - e116 * e204 + e8 * e147 - e114 * e205 + e44 * e206 - e31
-            * e207 + e144 * e208 - c_.k29 * e209 + c_.k30 * e210 + c_.k28 * e211 + e93 * e212 - e108 * e213;
-        J[51] = (p_.beta * e71 - e61) * e73 - (e89 * (e167 - e59) - Scalar(2) * e83 * e169) * e70 + Scalar(2) * p_.beta * e75
-            * e78 + (p_.p_0 * e89 - Scalar(2) * p_.T_0 * e83) * e82 + e202 * e94 - p_.beta * e89 * e84 - e89 * e86 - c_.k42
-            * e122 - e63 * e95 - e90 * e215 + e51 * e177 + e83 * e216 + e174 * e217 - c_.k40 * e218 + c_.k41 * e219 + c_.k39
-            * e220 - c_.k36 * e221 - e121 * e222;
-        J[52] = c_.k33 * (e37 - e209) + e48 * e133 * e29 - e126 * e32 - p_.T_0 * e48 * e41 + c_.k35 * e110 - c_.k16 * e113
-            - c_.k32 * e22 * e114 + e128 * e204 + e7 * e147 - e37 * e205 + e48 * e206 - e30 * e207 + Scalar(2) * e7 * e208
-            - c_.k34 * e210 + c_.k1 * e211 + c_.k4 * e212 - e8 * e213;
-        J[53] = c_.k44 * (e78 - e218) + e89 * e169 * e70 - e103 * e73 - p_.T_0 * e89 * e82 + c_.k16 * e94 + c_.k46 * e122 - e63
-            * e101 + e102 * e215 + e50 * e177 + e89 * e216 + Scalar(2) * e50 * e217 - c_.k45 * e219 + c_.k11 * e220 - c_.k43
-            * e221 - e51 * e222;
+        J[50] = e143 * e96 * e22 - e15 * (c_.k22 * e9 - Scalar(2) * inverse_7 * e144) - e145 * e65 - (-e60 * e53) * e99 - e53
+            * e143 * e66 - e23 * e148 + e6 * e149 - e63 * e150 + e53 * e151 + c_.k23 * e152;
+        J[51] = e143 * e117 * e40 + Scalar(2) * inverse_25 * e144 * e33 + e153 * e41 + e145 * e43 - (-e60 * e73) * e119 - e73
+            * e143 * e81 - e27 * e44 - e80 * e154 + e73 * e155 + c_.k28 * e156;
+        J[52] = e143 * e157 * e22 - e147 * e65 + e60 * e87 * e99 - e87 * e143 * e66 - e15 * e148 - e23 * e158 + c_.k1 * e149
+            - e53 * e150 + e87 * e151 + c_.k25 * e152;
+        J[53] = e143 * e159 * e40 + e153 * e33 + e147 * e43 + e60 * e89 * e119 - e89 * e143 * e81 - e27 * e48 - e73 * e154
+            + e89 * e155 + c_.k30 * e156;
         J[54] = Scalar(0);
         J[55] = Scalar(0);
-        J[56] = (-e19 * e223) * e29 - e34 * e224 * e37 - (-e15 * e223) * e41 + e223 * e43 + e225 * e113 + p_.beta * e223 * e45;
-        J[57] = (-e60 * e226) * e70 - e75 * e224 * e78 - (-e15 * e226) * e82 - e225 * e94 + p_.beta * e226 * e84 + e226 * e86;
-        J[58] = e15 * e227 * e41 - e19 * e227 * e29 - inverse_4 * e34 * e37 + e227 * e43 + e228 * e113 + p_.beta * e227 * e45;
-        J[59] = e15 * e229 * e82 - e60 * e229 * e70 - inverse_4 * e75 * e78 - e228 * e94 + p_.beta * e229 * e84 + e229 * e86;
+        J[56] = e160 * e65 - e6 * e161 * e15 - e162 * e23 + e22 * e146;
+        J[57] = c_.k29 * e163 - e6 * e164 * e33 - e165 * e41 - e160 * e43;
+        J[58] = e166 * e65 - e162 * e15 - e4 * e161 * e23 + e22 * e158;
+        J[59] = e47 * e163 - e165 * e33 - e4 * e164 * e41 - e166 * e43;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = (Scalar(2) * e230 * e134 + e231 * e232 + e234) * e29 + e239;
-        J[63] = (Scalar(2) * e240 * e170 + e241 * e242 + e244) * e70 + e250;
-        J[64] = (-e251) * e42 - (-e7 * e233 - e231 * e251 - Scalar(2) * e230 * e192) * e29 + (-e33 * e150) * e107 + inverse_10
-            * e30 * e32 + (e7 - e251) * e41 - Scalar(2) * e191 * e43 - inverse_1 * inverse_10 * e110 - e191 * e145 + e194
-            * e114 + e130 * e203 + c_.k32 * e115 - (-e136 * e33) * e117 - e193;
-        J[65] = (-e252) * e85 - (-e50 * e243 - e241 * e252 - Scalar(2) * e240 * e198) * e70 + (-e74 * e179) * e120 + inverse_10
-            * e71 * e73 + (e50 - e252) * e82 - Scalar(2) * e197 * e86 - inverse_49 * inverse_10 * e122 - e197 * e175 + e200
-            * e123 + e163 * e214 + c_.k43 * e124 - (-e136 * e74) * e125 - e199;
+        J[62] = e168 - (e96 - e169) * e22;
+        J[63] = e171 - (e117 - e172) * e40;
+        J[64] = e132 * e71 - (e133 + e157) * e22 + e104 * e15 + inverse_7 * e103 * e23 + e90 * e99 + e87 * e66 - inverse_7
+            * e112 * e68 - e131 * e107 - e136;
+        J[65] = e139 * e85 - (e140 + e159) * e40 + e121 * e33 + inverse_25 * e103 * e41 + e114 * e119 + e89 * e81 - inverse_25
+            * e112 * e83 - e138 * e124 + e142;
         J[66] = Scalar(0);
         J[67] = Scalar(0);
-        J[68] = (-e17 * e132 - e2 * e253) * e29 - (-e254) * e42 - (-e17 * e142 - e2 * e235) * e107 - e141 * e30 * e32 - e141
-            * e34 * e37 - (e108 - e254) * e41 + Scalar(2) * e132 * e43 + inverse_1 * e141 * e110 + e255 * e113 + e108 * e45
-            + e132 * e145 - e142 * e114 - e8 * e141 * e203 - c_.k27 * e115 + (-e15 * e142) * e117;
-        J[69] = (-e58 * e168 - e2 * e256) * e70 - (-e257) * e85 - (-e58 * e166 - e2 * e245) * e120 - e141 * e71 * e73 - e141
-            * e75 * e78 - (e121 - e257) * e82 - e255 * e94 + e121 * e84 + Scalar(2) * e168 * e86 + inverse_49 * e141 * e122
-            + e168 * e175 - e166 * e123 - e51 * e141 * e214 - c_.k37 * e124 + (-e15 * e166) * e125;
-        J[70] = (-e17 * e130 - e253) * e29 - e239;
-        J[71] = (-e58 * e163 - e256) * e70 - e250;
+        J[68] = e1 * e173 * e22 - (-e60 * e167) * e71 - e97 * e6 * e15 - e100 * e23 + e174 * e65 - e1 * e167 * e99 - e63 * e66
+            + e97 * e175 * e68 + e167 * e107;
+        J[69] = e1 * e176 * e40 - (-e60 * e170) * e85 - e118 * e6 * e33 - e120 * e41 - e174 * e43 - e1 * e170 * e119 - e80
+            * e81 + e118 * e175 * e83 + e170 * e124;
+        J[70] = e173 * e22 - e168;
+        J[71] = e176 * e40 - e171;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
-        J[74] = (-exp_12 * e236 - e135 * e134) * e29;
+        J[74] = (exp_57 * e53 - e169) * e22;
         J[75] = Scalar(0);
-        J[76] = exp_12 * e7 * (Scalar(1) - e137) * e29;
+        J[76] = (exp_57 * e87 + e133) * e22;
         J[77] = Scalar(0);
         J[78] = Scalar(0);
         J[79] = Scalar(0);
         J[80] = Scalar(0);
-        J[81] = (-exp_54 * e246 - e171 * e170) * e70;
+        J[81] = (exp_76 * e73 - e172) * e40;
         J[82] = Scalar(0);
-        J[83] = exp_54 * e50 * (Scalar(1) - e172) * e70;
+        J[83] = (exp_76 * e89 + e140) * e40;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1150,22 +1010,22 @@ public:
         const Scalar s_k = x[0];
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
-        const Scalar e2 = c_.k5 * (p_.p_0 - p_2) - p_.alpha * e1;
+        const Scalar e2 = c_.k2 * (p_.p_0 - p_2) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar compression_5 = detail::compression<Scalar>(-e2, exp_3);
         const Scalar e6 = e2 * exp_3 - compression_5;
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
-        const Scalar e8 = c_.k5 * (p_.p_0 - p_1) - p_.alpha * e7;
+        const Scalar e8 = c_.k2 * (p_.p_0 - p_1) - p_.alpha * e7;
         const Scalar exp_9 = exp(e8);
         const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
         const Scalar s_k_dot = x[1];
         y[0] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        const Scalar e11 = c_.k47 * e7 - c_.k49 * compression_10 - c_.k51 * (e8 * exp_9 - compression_10);
-        y[1] = s_k * inverse_4 * (c_.k48 * e1 - c_.k50 * compression_5 - c_.k52 * e6) - inverse_4
-            * (c_.k54 * e1 - c_.k55 * compression_5 - c_.k56 * e6) - s_k / exp_9 * e11 + c_.k53 * s_k_dot * s_k_dot;
-        y[2] = c_.k57;
+        const Scalar e11 = c_.k34 * e7 - c_.k36 * compression_10 - c_.k38 * (e8 * exp_9 - compression_10);
+        y[1] = s_k * inverse_4 * (c_.k35 * e1 - c_.k37 * compression_5 - c_.k39 * e6) - inverse_4
+            * (c_.k41 * e1 - c_.k42 * compression_5 - c_.k43 * e6) - s_k / exp_9 * e11 + c_.k40 * s_k_dot * s_k_dot;
+        y[2] = c_.k44;
     }
 
     /// C = dh/dx.
@@ -1176,7 +1036,7 @@ public:
         const Scalar e1 = p_.T_0 - T_2;
         const Scalar p_2 = x[3];
         const Scalar e2 = p_.p_0 - p_2;
-        const Scalar e3 = c_.k5 * e2 - p_.alpha * e1;
+        const Scalar e3 = c_.k2 * e2 - p_.alpha * e1;
         const Scalar exp_4 = exp(e3);
         const Scalar inverse_5 = Scalar(1) / exp_4;
         const Scalar e6 = e1 * inverse_5;
@@ -1184,7 +1044,7 @@ public:
         const Scalar e7 = p_.p_0 - p_1;
         const Scalar T_1 = x[4];
         const Scalar e8 = p_.T_0 - T_1;
-        const Scalar e9 = c_.k5 * e7 - p_.alpha * e8;
+        const Scalar e9 = c_.k2 * e7 - p_.alpha * e8;
         const Scalar exp_10 = exp(e9);
         const Scalar inverse_11 = Scalar(1) / exp_10;
         const Scalar compression_12 = detail::compression<Scalar>(-e9, exp_10);
@@ -1201,29 +1061,29 @@ public:
         const Scalar e21 = e8 * e17;
         const Scalar e22 = compression_12 * e17;
         const Scalar e23 = Scalar(1) - e16;
-        const Scalar e24 = c_.k65 * s_k - c_.k68;
+        const Scalar e24 = c_.k52 * s_k - c_.k55;
         const Scalar e25 = s_k * e23;
         const Scalar e26 = s_k * e6;
         const Scalar e27 = s_k * e15;
         C[0] = Scalar(0);
-        C[1] = c_.k48 * e6 - inverse_11 * (c_.k47 * e8 - c_.k49 * compression_12 - c_.k51 * e13) - c_.k50 * e15 - c_.k52 * e16;
+        C[1] = c_.k35 * e6 - inverse_11 * (c_.k34 * e8 - c_.k36 * compression_12 - c_.k38 * e13) - c_.k37 * e15 - c_.k39 * e16;
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = p_.m_k * s_k_dot;
         C[5] = Scalar(0);
         C[6] = p_.A_1;
-        C[7] = c_.k58 * e18 + c_.k60 * e19 - c_.k59 * e20 - c_.k61 * e21 + p_.A_1 * e22;
+        C[7] = c_.k45 * e18 + c_.k47 * e19 - c_.k46 * e20 - c_.k48 * e21 + p_.A_1 * e22;
         C[8] = Scalar(0);
         C[9] = -p_.A_2;
-        C[10] = e2 * (c_.k64 * s_k - c_.k67) + c_.k62 * e23 - e1 * e24 - c_.k69 * e6 + c_.k70 * e15 - c_.k63 * e25 + c_.k66
+        C[10] = e2 * (c_.k51 * s_k - c_.k54) + c_.k49 * e23 - e1 * e24 - c_.k56 * e6 + c_.k57 * e15 - c_.k50 * e25 + c_.k53
             * e26 - p_.A_2 * e27;
         C[11] = Scalar(0);
         C[12] = Scalar(0);
-        C[13] = c_.k47 * e17 + c_.k71 * e18 - c_.k72 * e19 + c_.k60 * e20 + c_.k73 * e21 - c_.k74 * e22;
+        C[13] = c_.k34 * e17 + c_.k58 * e18 - c_.k59 * e19 + c_.k47 * e20 + c_.k60 * e21 - c_.k61 * e22;
         C[14] = Scalar(0);
         C[15] = Scalar(0);
-        C[16] = s_k * (c_.k77 * e1 - c_.k48 * inverse_5) - c_.k80 * e1 + c_.k54 * inverse_5 + c_.k75 * e23 - e2 * e24 + c_.k81
-            * e6 - c_.k82 * e15 - c_.k76 * e25 - c_.k78 * e26 + c_.k79 * e27;
+        C[16] = s_k * (c_.k64 * e1 - c_.k35 * inverse_5) - c_.k67 * e1 + c_.k41 * inverse_5 + c_.k62 * e23 - e2 * e24 + c_.k68
+            * e6 - c_.k69 * e15 - c_.k63 * e25 - c_.k65 * e26 + c_.k66 * e27;
         C[17] = Scalar(0);
     }
 
@@ -1246,7 +1106,7 @@ public:
     ///     T = m_k*dot(s_k)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
         const Scalar s_k_dot = x[1];
-        return c_.k53 * s_k_dot * s_k_dot;
+        return c_.k40 * s_k_dot * s_k_dot;
     }
 
     /// V in joules.
@@ -1288,7 +1148,7 @@ public:
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.T_0 - T_2;
-        const Scalar e2 = c_.k5 * (p_.p_0 - p_2) - p_.alpha * e1;
+        const Scalar e2 = c_.k2 * (p_.p_0 - p_2) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar inverse_4 = Scalar(1) / exp_3;
         const Scalar compression_5 = detail::compression<Scalar>(-e2, exp_3);
@@ -1296,53 +1156,41 @@ public:
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
         const Scalar e7 = p_.T_0 - T_1;
-        const Scalar e8 = c_.k5 * (p_.p_0 - p_1) - p_.alpha * e7;
+        const Scalar e8 = c_.k2 * (p_.p_0 - p_1) - p_.alpha * e7;
         const Scalar exp_9 = exp(e8);
         const Scalar compression_10 = detail::compression<Scalar>(-e8, exp_9);
-        const Scalar e11 = c_.k47 * e7 - c_.k49 * compression_10 - c_.k51 * (e8 * exp_9 - compression_10);
-        return s_k * inverse_4 * (c_.k48 * e1 - c_.k50 * compression_5 - c_.k52 * e6) - inverse_4
-            * (c_.k54 * e1 - c_.k55 * compression_5 - c_.k56 * e6) - s_k / exp_9 * e11;
+        const Scalar e11 = c_.k34 * e7 - c_.k36 * compression_10 - c_.k38 * (e8 * exp_9 - compression_10);
+        return s_k * inverse_4 * (c_.k35 * e1 - c_.k37 * compression_5 - c_.k39 * e6) - inverse_4
+            * (c_.k41 * e1 - c_.k42 * compression_5 - c_.k43 * e6) - s_k / exp_9 * e11;
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 30 + or -, 40 *, 4 /, 12 other functions
+    /// Operations: 19 + or -, 24 *, 2 /, 8 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
         const Scalar q_1 = u[0];
         const Scalar p_1 = x[2];
         const Scalar T_1 = x[4];
         const Scalar e1 = p_.T_0 - T_1;
-        const Scalar e2 = c_.k5 * (p_.p_0 - p_1) - p_.alpha * e1;
+        const Scalar e2 = c_.k2 * (p_.p_0 - p_1) - p_.alpha * e1;
         const Scalar exp_3 = exp(e2);
         const Scalar e4 = p_.rho_0 * q_1 / exp_3;
         const Scalar min_5 = detail::min<Scalar>(Scalar(0), e4);
         const Scalar compression_6 = detail::compression<Scalar>(-e2, exp_3);
-        const Scalar inverse_7 = Scalar(1) / p_.rho_0;
-        const Scalar e8 = p_.beta * inverse_7;
-        const Scalar e9 = inverse_7 * (p_.beta * p_.alpha * p_.T_0 - p_.p_0);
         const Scalar q_2 = u[1];
         const Scalar p_2 = x[3];
         const Scalar T_2 = x[5];
-        const Scalar e10 = p_.T_0 - T_2;
-        const Scalar e11 = c_.k5 * (p_.p_0 - p_2) - p_.alpha * e10;
-        const Scalar exp_12 = exp(e11);
-        const Scalar e13 = p_.rho_0 * q_2 / exp_12;
-        const Scalar min_14 = detail::min<Scalar>(Scalar(0), e13);
-        const Scalar compression_15 = detail::compression<Scalar>(-e11, exp_12);
-        const Scalar max_16 = detail::max<Scalar>(Scalar(0), e4);
-        const Scalar inverse_17 = Scalar(1) / p_.beta;
-        const Scalar e18 = (p_.p_0 - p_.p_s) * inverse_17;
-        const Scalar exp_19 = exp(e18);
-        const Scalar compression_20 = detail::compression<Scalar>(-e18, exp_19);
-        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e13);
-        const Scalar e22 = (p_.p_0 - p_.p_t) * inverse_17;
-        const Scalar exp_23 = exp(e22);
-        const Scalar compression_24 = detail::compression<Scalar>(-e22, exp_23);
-        const Scalar e25 = c_.k6 * p_1 * exp_3 - p_.c_v * e1 + compression_6 * e8 + (e2 * exp_3 - compression_6) * e9;
-        const Scalar e26 = c_.k6 * p_2 * exp_12 - p_.c_v * e10 + compression_15 * e8 + (e11 * exp_12 - compression_15) * e9;
-        const Scalar e27 = p_.p_s * exp_19 * inverse_7 + compression_20 * e8 + (e18 * exp_19 - compression_20) * e9;
-        const Scalar e28 = p_.p_t * exp_23 * inverse_7 + compression_24 * e8 + (e22 * exp_23 - compression_24) * e9;
-        return min_5 * e25 + min_14 * e26 + max_16 * e27 + max_21 * e28;
+        const Scalar e7 = p_.T_0 - T_2;
+        const Scalar e8 = c_.k2 * (p_.p_0 - p_2) - p_.alpha * e7;
+        const Scalar exp_9 = exp(e8);
+        const Scalar e10 = p_.rho_0 * q_2 / exp_9;
+        const Scalar min_11 = detail::min<Scalar>(Scalar(0), e10);
+        const Scalar compression_12 = detail::compression<Scalar>(-e8, exp_9);
+        const Scalar max_13 = detail::max<Scalar>(Scalar(0), e4);
+        const Scalar max_14 = detail::max<Scalar>(Scalar(0), e10);
+        const Scalar e15 = c_.k8 * p_1 * exp_3 - p_.c_v * e1 + c_.k6 * compression_6 + c_.k32 * (e2 * exp_3 - compression_6);
+        const Scalar e16 = c_.k8 * p_2 * exp_9 - p_.c_v * e7 + c_.k6 * compression_12 + c_.k32 * (e8 * exp_9 - compression_12);
+        return min_5 * e15 + min_11 * e16 + c_.k33 * max_13 + c_.k31 * max_14;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1356,7 +1204,7 @@ public:
         g[0] = p_.A_1 * s_k;
         g[1] = p_1;
         g[2] = T_1;
-        g[3] = c_.k70 - p_.A_2 * s_k;
+        g[3] = c_.k57 - p_.A_2 * s_k;
         g[4] = p_2;
         g[5] = T_2;
     }
@@ -1366,88 +1214,75 @@ private:
     /// What depends on parameters alone.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
-        Scalar k1;  ///< 1/A_1
-        Scalar k2;  ///< beta*alpha
-        Scalar k3;  ///< beta^2*alpha/(rho_0*c_v)
-        Scalar k4;  ///< beta*alpha/(rho_0*c_v)
-        Scalar k5;  ///< 1/beta
-        Scalar k6;  ///< 1/rho_0
-        Scalar k7;  ///< compression(-p_0/beta + p_s/beta)
-        Scalar k8;  ///< beta*alpha*T_0 - p_0
-        Scalar k9;  ///< p_0*exp(p_0/beta - p_s/beta)/beta - p_s*exp(p_0/beta - p_s/beta)/beta - compression(-p_0/beta + ...
-        Scalar k10;  ///< p_s*exp(p_0/beta - p_s/beta)
-        Scalar k11;  ///< 1/A_2
-        Scalar k12;  ///< l - d
-        Scalar k13;  ///< compression(-p_0/beta + p_t/beta)
-        Scalar k14;  ///< p_0*exp(p_0/beta - p_t/beta)/beta - p_t*exp(p_0/beta - p_t/beta)/beta - compression(-p_0/beta + ...
-        Scalar k15;  ///< p_t*exp(p_0/beta - p_t/beta)
-        Scalar k16;  ///< beta/(rho_0*c_v)
-        Scalar k17;  ///< 1/(rho_0*c_v)
-        Scalar k18;  ///< beta*alpha^2/(rho_0*c_v)
-        Scalar k19;  ///< alpha/(rho_0*c_v)
-        Scalar k20;  ///< (p_0/beta - alpha*T_0)/(rho_0*c_v)
-        Scalar k21;  ///< 2/(rho_0*beta*c_v)
-        Scalar k22;  ///< p_s*exp(p_0/beta - p_s/beta)/(rho_0*beta*c_v)
-        Scalar k23;  ///< (1 + p_0/beta - alpha*T_0)/(rho_0*c_v)
-        Scalar k24;  ///< p_t*exp(p_0/beta - p_t/beta)/(rho_0*beta*c_v)
-        Scalar k25;  ///< beta/A_1
-        Scalar k26;  ///< beta*alpha/(A_1*rho_0*c_v)
-        Scalar k27;  ///< beta^2*alpha^2/(A_1*rho_0*c_v)
-        Scalar k28;  ///< beta*alpha/A_1
-        Scalar k29;  ///< beta^2*alpha/(A_1*rho_0*c_v)
-        Scalar k30;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_1*rho_0*c_v)
-        Scalar k31;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_s/beta) - beta*alpha*T_0*p_s*exp(p_0/beta - ...
-        Scalar k32;  ///< 1/(A_1*rho_0*c_v)
-        Scalar k33;  ///< beta/(A_1*rho_0*c_v)
-        Scalar k34;  ///< (beta*alpha*T_0 - p_0)/(A_1*rho_0*c_v)
-        Scalar k35;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
-        Scalar k36;  ///< beta*alpha/(A_2*rho_0*c_v)
-        Scalar k37;  ///< beta^2*alpha^2/(A_2*rho_0*c_v)
-        Scalar k38;  ///< beta/A_2
-        Scalar k39;  ///< beta*alpha/A_2
-        Scalar k40;  ///< beta^2*alpha/(A_2*rho_0*c_v)
-        Scalar k41;  ///< beta*alpha*(-beta*alpha*T_0 + p_0)/(A_2*rho_0*c_v)
-        Scalar k42;  ///< -alpha*(beta*alpha*p_0*T_0*exp(p_0/beta - p_t/beta) - beta*alpha*T_0*p_t*exp(p_0/beta - ...
-        Scalar k43;  ///< 1/(A_2*rho_0*c_v)
-        Scalar k44;  ///< beta/(A_2*rho_0*c_v)
-        Scalar k45;  ///< (beta*alpha*T_0 - p_0)/(A_2*rho_0*c_v)
-        Scalar k46;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
-        Scalar k47;  ///< A_1*rho_0*c_v
-        Scalar k48;  ///< A_2*rho_0*c_v
-        Scalar k49;  ///< A_1*beta
-        Scalar k50;  ///< A_2*beta
-        Scalar k51;  ///< A_1*(beta*alpha*T_0 - p_0)
-        Scalar k52;  ///< A_2*(beta*alpha*T_0 - p_0)
-        Scalar k53;  ///< m_k/2
-        Scalar k54;  ///< A_2*rho_0*c_v*(l - d)
-        Scalar k55;  ///< A_2*beta*(l - d)
-        Scalar k56;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
-        Scalar k57;  ///< m_k/rho_k
-        Scalar k58;  ///< A_1*(p_0/beta - alpha*T_0)
-        Scalar k59;  ///< A_1/beta
-        Scalar k60;  ///< A_1*alpha
-        Scalar k61;  ///< A_1*rho_0*c_v/beta
-        Scalar k62;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
-        Scalar k63;  ///< A_2*(p_0/beta - alpha*T_0)
-        Scalar k64;  ///< A_2/beta
-        Scalar k65;  ///< A_2*alpha
-        Scalar k66;  ///< A_2*rho_0*c_v/beta
-        Scalar k67;  ///< A_2*(l - d)/beta
-        Scalar k68;  ///< A_2*alpha*(l - d)
-        Scalar k69;  ///< A_2*rho_0*c_v*(l - d)/beta
-        Scalar k70;  ///< A_2*(l - d)
-        Scalar k71;  ///< A_1*alpha*(beta*alpha*T_0 - p_0)
-        Scalar k72;  ///< A_1*beta*alpha^2
-        Scalar k73;  ///< A_1*rho_0*alpha*c_v
-        Scalar k74;  ///< A_1*beta*alpha
-        Scalar k75;  ///< A_2*alpha*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
-        Scalar k76;  ///< A_2*alpha*(beta*alpha*T_0 - p_0)
-        Scalar k77;  ///< A_2*beta*alpha^2
-        Scalar k78;  ///< A_2*rho_0*alpha*c_v
-        Scalar k79;  ///< A_2*beta*alpha
-        Scalar k80;  ///< A_2*beta*alpha^2*(l - d)
-        Scalar k81;  ///< A_2*rho_0*alpha*c_v*(l - d)
-        Scalar k82;  ///< A_2*beta*alpha*(l - d)
+        Scalar k1;  ///< beta*alpha/(rho_0*c_v)
+        Scalar k2;  ///< 1/beta
+        Scalar k3;  ///< beta*alpha
+        Scalar k4;  ///< 1/A_1
+        Scalar k5;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k6;  ///< beta/rho_0
+        Scalar k7;  ///< (beta*alpha*T_0 - p_0)/rho_0
+        Scalar k8;  ///< 1/rho_0
+        Scalar k9;  ///< l - d
+        Scalar k10;  ///< 1/A_2
+        Scalar k11;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k12;  ///< 1/c_v
+        Scalar k13;  ///< beta*alpha/rho_0
+        Scalar k14;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k15;  ///< -(beta*alpha*T_0 - p_0)/rho_0
+        Scalar k16;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k17;  ///< beta^2*alpha^2/rho_0
+        Scalar k18;  ///< alpha/rho_0
+        Scalar k19;  ///< 1/(rho_0*beta)
+        Scalar k20;  ///< beta*alpha^2/rho_0
+        Scalar k21;  ///< beta/A_1
+        Scalar k22;  ///< beta^2*alpha^2/(A_1*rho_0*c_v)
+        Scalar k23;  ///< beta*alpha/(A_1*c_v)
+        Scalar k24;  ///< beta*alpha/(A_1*rho_0*c_v)
+        Scalar k25;  ///< 1/(A_1*c_v)
+        Scalar k26;  ///< beta^2*alpha^2/(A_2*rho_0*c_v)
+        Scalar k27;  ///< beta/A_2
+        Scalar k28;  ///< beta*alpha/(A_2*c_v)
+        Scalar k29;  ///< beta*alpha/(A_2*rho_0*c_v)
+        Scalar k30;  ///< 1/(A_2*c_v)
+        Scalar k31;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_t/beta) + p_0*p_t*exp(p_0/beta - p_t/beta)/beta - ...
+        Scalar k32;  ///< (beta*alpha*T_0 - p_0)/rho_0
+        Scalar k33;  ///< (-beta*alpha*T_0*compression(-p_0/beta + p_s/beta) + p_0*p_s*exp(p_0/beta - p_s/beta)/beta - ...
+        Scalar k34;  ///< A_1*rho_0*c_v
+        Scalar k35;  ///< A_2*rho_0*c_v
+        Scalar k36;  ///< A_1*beta
+        Scalar k37;  ///< A_2*beta
+        Scalar k38;  ///< A_1*(beta*alpha*T_0 - p_0)
+        Scalar k39;  ///< A_2*(beta*alpha*T_0 - p_0)
+        Scalar k40;  ///< m_k/2
+        Scalar k41;  ///< A_2*rho_0*c_v*(l - d)
+        Scalar k42;  ///< A_2*beta*(l - d)
+        Scalar k43;  ///< A_2*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k44;  ///< m_k/rho_k
+        Scalar k45;  ///< A_1*(p_0/beta - alpha*T_0)
+        Scalar k46;  ///< A_1/beta
+        Scalar k47;  ///< A_1*alpha
+        Scalar k48;  ///< A_1*rho_0*c_v/beta
+        Scalar k49;  ///< A_2*(l*p_0/beta - l*alpha*T_0 - d*p_0/beta + d*alpha*T_0)
+        Scalar k50;  ///< A_2*(p_0/beta - alpha*T_0)
+        Scalar k51;  ///< A_2/beta
+        Scalar k52;  ///< A_2*alpha
+        Scalar k53;  ///< A_2*rho_0*c_v/beta
+        Scalar k54;  ///< A_2*(l - d)/beta
+        Scalar k55;  ///< A_2*alpha*(l - d)
+        Scalar k56;  ///< A_2*rho_0*c_v*(l - d)/beta
+        Scalar k57;  ///< A_2*(l - d)
+        Scalar k58;  ///< A_1*alpha*(beta*alpha*T_0 - p_0)
+        Scalar k59;  ///< A_1*beta*alpha^2
+        Scalar k60;  ///< A_1*rho_0*alpha*c_v
+        Scalar k61;  ///< A_1*beta*alpha
+        Scalar k62;  ///< A_2*alpha*(l*beta*alpha*T_0 - l*p_0 - d*beta*alpha*T_0 + d*p_0)
+        Scalar k63;  ///< A_2*alpha*(beta*alpha*T_0 - p_0)
+        Scalar k64;  ///< A_2*beta*alpha^2
+        Scalar k65;  ///< A_2*rho_0*alpha*c_v
+        Scalar k66;  ///< A_2*beta*alpha
+        Scalar k67;  ///< A_2*beta*alpha^2*(l - d)
+        Scalar k68;  ///< A_2*rho_0*alpha*c_v*(l - d)
+        Scalar k69;  ///< A_2*beta*alpha*(l - d)
     };
     Cached c_{};
 };

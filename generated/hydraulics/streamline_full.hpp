@@ -262,12 +262,13 @@ public:
         const Scalar sin_1 = sin(p_.omega * t);
         const Scalar e2 = p_.a_0 + p_.a_1 * sin_1;
         const Scalar z = x[1];
+        const Scalar e3 = -e2;
         dxdt[0] = x_value * e2;
         dxdt[1] = -z * e2;
         J[0] = e2;
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = -e2;
+        J[3] = e3;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].

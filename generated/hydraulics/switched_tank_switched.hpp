@@ -346,8 +346,9 @@ public:
                 const Scalar inverse_1 = Scalar(1) / h_root;
                 const Scalar e2 = c_.k2 * inverse_1;
                 const Scalar step_h_root = detail::step<Scalar>(h_root);
+                const Scalar e3 = -inverse_1 * e2;
                 dxdt[0] = e2 - c_.k0 * step_h_root;
-                J[0] = -inverse_1 * e2;
+                J[0] = e3;
                 break;
             }
             case Mode::filling_and_tank_empty:
@@ -355,8 +356,9 @@ public:
                 const Scalar h_root = x[0];
                 const Scalar inverse_1 = Scalar(1) / h_root;
                 const Scalar e2 = c_.k2 * inverse_1;
+                const Scalar e3 = -inverse_1 * e2;
                 dxdt[0] = e2;
-                J[0] = -inverse_1 * e2;
+                J[0] = e3;
                 break;
             }
         }

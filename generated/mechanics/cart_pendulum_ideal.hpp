@@ -19,9 +19,9 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                 3     13     1        0      0
 //   rhs                    7     12     1        2      0
-//   rhs_and_jacobian      16     30     1        2      0
+//   rhs_and_jacobian      14     28     1        2      0
 //   jacobian_u             3      5     1        1      0
-//   jacobian_p            36     96     1        2      0
+//   jacobian_p            32     92     1        2      0
 //   mass_matrix            0      1     0        1      0
 //   bias                   2      5     0        1      0
 //   output                 1      1     0        1      0
@@ -261,7 +261,7 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 16 + or -, 30 *, 1 /, 2 sin or cos
+    /// Operations: 14 + or -, 28 *, 1 /, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar f_e = u[0];
         const Scalar s = x[0];
@@ -277,32 +277,37 @@ public:
         const Scalar inverse_5 = Scalar(1) / (c_.k2 - e3 * e4);
         const Scalar phi_ddot = (-c_.k4 * sin_phi - e4 * e2) * inverse_5;
         const Scalar s_ddot = e2 * c_.k5 - e4 * phi_ddot;
+        const Scalar e6 = (-e4) * inverse_5;
+        const Scalar e7 = c_.k5 - e4 * e6;
+        const Scalar e8 = -p_.c_W;
+        const Scalar e9 = e7 * e8;
+        const Scalar e10 = e6 * e8;
+        const Scalar e11 = phi_ddot * e1 + e3 * phi_dot_squared;
+        const Scalar e12 = (s_ddot * e1 - c_.k4 * cos_phi - e4 * e11) * inverse_5;
+        const Scalar e13 = e11 * c_.k5 - e4 * e12;
+        const Scalar e14 = c_.k6 * phi_dot * sin_phi;
+        const Scalar e15 = e7 * e14;
+        const Scalar e16 = e6 * e14;
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = s_ddot;
         dxdt[3] = phi_ddot;
-        const Scalar e6 = -p_.c_W;
-        const Scalar e7 = (-e4 * e6) * inverse_5;
-        const Scalar e8 = phi_ddot * e1 + e3 * phi_dot_squared;
-        const Scalar e9 = (s_ddot * e1 - c_.k4 * cos_phi - e4 * e8) * inverse_5;
-        const Scalar e10 = c_.k6 * phi_dot * sin_phi;
-        const Scalar e11 = (-e4 * e10) * inverse_5;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e6 * c_.k5 - e4 * e7;
-        J[3] = e7;
+        J[2] = e9;
+        J[3] = e10;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = e8 * c_.k5 - e4 * e9;
-        J[7] = e9;
+        J[6] = e13;
+        J[7] = e12;
         J[8] = Scalar(1);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
         J[11] = Scalar(0);
         J[12] = Scalar(0);
         J[13] = Scalar(1);
-        J[14] = e10 * c_.k5 - e4 * e11;
-        J[15] = e11;
+        J[14] = e15;
+        J[15] = e16;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -327,89 +332,88 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 8, entry (i, j) at J[4*j + i].
-    /// Operations: 36 + or -, 96 *, 1 /, 2 sin or cos
+    /// Operations: 32 + or -, 92 *, 1 /, 2 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         State dxdt;
         rhs(x, u, t, dxdt);
-        const Scalar e1 = -dxdt[2];
         const Scalar phi = x[1];
         Scalar sin_phi, cos_phi;
         detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
-        const Scalar e2 = c_.k1 * cos_phi;
-        const Scalar e3 = e2 * c_.k5;
-        const Scalar inverse_4 = Scalar(1) / (c_.k2 - e2 * e3);
-        const Scalar e5 = (-e3 * e1) * inverse_4;
-        const Scalar e6 = p_.l_S * p_.b_S;
-        const Scalar e7 = p_.h_S * e6;
-        const Scalar e8 = (Scalar(1) / Scalar(2)) * p_.l_S * e7;
+        const Scalar e1 = c_.k1 * cos_phi;
+        const Scalar e2 = e1 * c_.k5;
+        const Scalar inverse_3 = Scalar(1) / (c_.k2 - e1 * e2);
+        const Scalar e4 = (-e2) * inverse_3;
+        const Scalar e5 = c_.k5 - e2 * e4;
+        const Scalar e6 = -dxdt[2];
+        const Scalar e7 = p_.l_S * p_.b_S;
+        const Scalar e8 = p_.h_S * e7;
+        const Scalar e9 = (Scalar(1) / Scalar(2)) * p_.l_S * e8;
         const Scalar phi_dot = x[3];
-        const Scalar e9 = phi_dot * phi_dot * sin_phi - dxdt[3] * cos_phi;
-        const Scalar e10 = e8 * e9 - dxdt[2] * e7;
-        const Scalar e11 = p_.l_S * p_.l_S;
-        const Scalar e12 = p_.b_S * p_.b_S;
-        const Scalar e13 = e11 + (Scalar(1) / Scalar(4)) * e12;
-        const Scalar e14 = p_.l_S * p_.g;
-        const Scalar e15 = dxdt[2] * cos_phi;
-        const Scalar e16 = -dxdt[3] * ((Scalar(1) / Scalar(3)) * e13 * e7) - sin_phi * ((Scalar(1) / Scalar(2)) * e7 * e14)
-            - e8 * e15;
-        const Scalar e17 = (e16 - e3 * e10) * inverse_4;
-        const Scalar e18 = p_.rho_S * p_.h_S;
-        const Scalar e19 = c_.m_S + e6 * e18;
-        const Scalar e20 = (Scalar(1) / Scalar(2)) * e19;
-        const Scalar e21 = p_.b_S * e18;
-        const Scalar e22 = e20 * e9 - dxdt[2] * e21;
-        const Scalar e23 = (Scalar(1) / Scalar(2)) * p_.l_S * e19 + (Scalar(1) / Scalar(12)) * e21 * e12;
-        const Scalar e24 = -dxdt[3] * e23 - sin_phi * ((Scalar(1) / Scalar(2)) * p_.g * e19) - e20 * e15;
-        const Scalar e25 = (e24 - e3 * e22) * inverse_4;
-        const Scalar e26 = e18 * e11;
-        const Scalar e27 = (Scalar(1) / Scalar(2)) * e26;
-        const Scalar e28 = e27 * e9 - dxdt[2] * (p_.l_S * e18);
-        const Scalar e29 = (Scalar(1) / Scalar(4)) * e6 * e21 + (Scalar(1) / Scalar(3)) * p_.l_S * e26;
-        const Scalar e30 = -dxdt[3] * e29 - sin_phi * ((Scalar(1) / Scalar(2)) * p_.g * e26) - e27 * e15;
-        const Scalar e31 = (e30 - e3 * e28) * inverse_4;
-        const Scalar e32 = p_.rho_S * e6;
-        const Scalar e33 = (Scalar(1) / Scalar(2)) * p_.l_S * e32;
-        const Scalar e34 = e33 * e9 - dxdt[2] * e32;
-        const Scalar e35 = -dxdt[3] * ((Scalar(1) / Scalar(3)) * e13 * e32) - sin_phi * ((Scalar(1) / Scalar(2)) * e32 * e14)
-            - e33 * e15;
-        const Scalar e36 = (e35 - e3 * e34) * inverse_4;
+        const Scalar e10 = phi_dot * phi_dot * sin_phi - dxdt[3] * cos_phi;
+        const Scalar e11 = e9 * e10 - dxdt[2] * e8;
+        const Scalar e12 = p_.l_S * p_.l_S;
+        const Scalar e13 = p_.b_S * p_.b_S;
+        const Scalar e14 = e12 + (Scalar(1) / Scalar(4)) * e13;
+        const Scalar e15 = p_.l_S * p_.g;
+        const Scalar e16 = dxdt[2] * cos_phi;
+        const Scalar e17 = -dxdt[3] * ((Scalar(1) / Scalar(3)) * e14 * e8) - sin_phi * ((Scalar(1) / Scalar(2)) * e8 * e15)
+            - e9 * e16;
+        const Scalar e18 = (e17 - e2 * e11) * inverse_3;
+        const Scalar e19 = p_.rho_S * p_.h_S;
+        const Scalar e20 = c_.m_S + e7 * e19;
+        const Scalar e21 = (Scalar(1) / Scalar(2)) * e20;
+        const Scalar e22 = p_.b_S * e19;
+        const Scalar e23 = e21 * e10 - dxdt[2] * e22;
+        const Scalar e24 = (Scalar(1) / Scalar(2)) * p_.l_S * e20 + (Scalar(1) / Scalar(12)) * e22 * e13;
+        const Scalar e25 = -dxdt[3] * e24 - sin_phi * ((Scalar(1) / Scalar(2)) * p_.g * e20) - e21 * e16;
+        const Scalar e26 = (e25 - e2 * e23) * inverse_3;
+        const Scalar e27 = e19 * e12;
+        const Scalar e28 = (Scalar(1) / Scalar(2)) * e27;
+        const Scalar e29 = e28 * e10 - dxdt[2] * (p_.l_S * e19);
+        const Scalar e30 = (Scalar(1) / Scalar(4)) * e7 * e22 + (Scalar(1) / Scalar(3)) * p_.l_S * e27;
+        const Scalar e31 = -dxdt[3] * e30 - sin_phi * ((Scalar(1) / Scalar(2)) * p_.g * e27) - e28 * e16;
+        const Scalar e32 = (e31 - e2 * e29) * inverse_3;
+        const Scalar e33 = p_.rho_S * e7;
+        const Scalar e34 = (Scalar(1) / Scalar(2)) * p_.l_S * e33;
+        const Scalar e35 = e34 * e10 - dxdt[2] * e33;
+        const Scalar e36 = -dxdt[3] * ((Scalar(1) / Scalar(3)) * e14 * e33) - sin_phi * ((Scalar(1) / Scalar(2)) * e33 * e15)
+            - e34 * e16;
+        const Scalar e37 = (e36 - e2 * e35) * inverse_3;
         const Scalar s = x[0];
-        const Scalar e37 = p_.s_W0 - s;
-        const Scalar e38 = (-e3 * e37) * inverse_4;
-        const Scalar e39 = (-e3 * p_.c_W) * inverse_4;
-        const Scalar e40 = (-c_.k1 * sin_phi) * inverse_4;
+        const Scalar e38 = p_.s_W0 - s;
+        const Scalar e39 = (-c_.k1 * sin_phi) * inverse_3;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e1 * c_.k5 - e3 * e5;
-        J[3] = e5;
+        J[2] = e5 * e6;
+        J[3] = e4 * e6;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = e10 * c_.k5 - e3 * e17;
-        J[7] = e17;
+        J[6] = e11 * c_.k5 - e2 * e18;
+        J[7] = e18;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
-        J[10] = e22 * c_.k5 - e3 * e25;
-        J[11] = e25;
+        J[10] = e23 * c_.k5 - e2 * e26;
+        J[11] = e26;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
-        J[14] = e28 * c_.k5 - e3 * e31;
-        J[15] = e31;
+        J[14] = e29 * c_.k5 - e2 * e32;
+        J[15] = e32;
         J[16] = Scalar(0);
         J[17] = Scalar(0);
-        J[18] = e34 * c_.k5 - e3 * e36;
-        J[19] = e36;
+        J[18] = e35 * c_.k5 - e2 * e37;
+        J[19] = e37;
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = e37 * c_.k5 - e3 * e38;
-        J[23] = e38;
+        J[22] = e5 * e38;
+        J[23] = e4 * e38;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = p_.c_W * c_.k5 - e3 * e39;
-        J[27] = e39;
+        J[26] = e5 * p_.c_W;
+        J[27] = e4 * p_.c_W;
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = -e3 * e40;
-        J[31] = e40;
+        J[30] = -e2 * e39;
+        J[31] = e39;
     }
 
     /// J = df/dt at fixed x and u.

@@ -18,7 +18,7 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                 1      3     1        0      0
 //   rhs                   17     35     2        2      0
-//   rhs_and_jacobian      51     87     2        2      0
+//   rhs_and_jacobian      48     88     2        2      0
 //   jacobian_p            48     85     2        2      0
 //   mass_matrix            1      2     0        2      0
 //   bias                   2      4     0        2      0
@@ -286,7 +286,7 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 51 + or -, 87 *, 2 /, 2 sin or cos
+    /// Operations: 48 + or -, 88 *, 2 /, 2 sin or cos
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar theta_dot = x[5];
         const Scalar theta = x[2];
@@ -317,12 +317,6 @@ public:
         const Scalar theta_ddot = e10 * inverse_11 - e14 * constraint_force_blade;
         const Scalar x_ddot = e3 * c_.k2 - e5 * theta_ddot - e15 * constraint_force_blade;
         const Scalar y_ddot = e9 * c_.k2 - e7 * theta_ddot - e16 * constraint_force_blade;
-        dxdt[0] = x[3];
-        dxdt[1] = x[4];
-        dxdt[2] = x[5];
-        dxdt[3] = x_ddot;
-        dxdt[4] = y_ddot;
-        dxdt[5] = theta_ddot;
         const Scalar e19 = c_.k0 * theta_ddot - constraint_force_blade;
         const Scalar e20 = cos_theta * e19 - e9;
         const Scalar e21 = x_ddot * cos_theta + y_ddot * sin_theta;
@@ -330,16 +324,35 @@ public:
         const Scalar e23 = c_.k0 * e21 - e5 * e20 - e7 * e22;
         const Scalar e24 = (x_dot * e8 - y_dot * e1 - e21 - e15 * e20 - e16 * e22 - e14 * e23) * independent_inverse_18;
         const Scalar e25 = e23 * inverse_11 - e14 * e24;
-        const Scalar e26 = (-e1) * independent_inverse_18;
-        const Scalar e27 = -e14 * e26;
-        const Scalar e28 = (-e8) * independent_inverse_18;
-        const Scalar e29 = -e14 * e28;
-        const Scalar e30 = c_.k3 * e1;
-        const Scalar e31 = c_.k3 * e8;
-        const Scalar e32 = -e5 * e30 - e7 * e31;
-        const Scalar e33 = -x_dot * cos_theta - y_dot * sin_theta - e15 * e30 - e16 * e31 - e14 * e32;
-        const Scalar e34 = e33 * independent_inverse_18;
-        const Scalar e35 = e32 * inverse_11 - e14 * e34;
+        const Scalar e26 = e20 * c_.k2 - e5 * e25 - e15 * e24;
+        const Scalar e27 = e22 * c_.k2 - e7 * e25 - e16 * e24;
+        const Scalar e28 = -e14 * independent_inverse_18;
+        const Scalar e29 = -e5 * e28 - e15 * independent_inverse_18;
+        const Scalar e30 = -e1;
+        const Scalar e31 = e29 * e30;
+        const Scalar e32 = -e7 * e28 - e16 * independent_inverse_18;
+        const Scalar e33 = e32 * e30;
+        const Scalar e34 = e28 * e30;
+        const Scalar e35 = independent_inverse_18 * e30;
+        const Scalar e36 = -e8;
+        const Scalar e37 = e29 * e36;
+        const Scalar e38 = e32 * e36;
+        const Scalar e39 = e28 * e36;
+        const Scalar e40 = independent_inverse_18 * e36;
+        const Scalar e41 = c_.k3 * e1;
+        const Scalar e42 = c_.k3 * e8;
+        const Scalar e43 = -e5 * e41 - e7 * e42;
+        const Scalar e44 = -x_dot * cos_theta - y_dot * sin_theta - e15 * e41 - e16 * e42 - e14 * e43;
+        const Scalar e45 = e44 * independent_inverse_18;
+        const Scalar e46 = e43 * inverse_11 - e14 * e45;
+        const Scalar e47 = e41 * c_.k2 - e5 * e46 - e15 * e45;
+        const Scalar e48 = e42 * c_.k2 - e7 * e46 - e16 * e45;
+        dxdt[0] = x[3];
+        dxdt[1] = x[4];
+        dxdt[2] = x[5];
+        dxdt[3] = x_ddot;
+        dxdt[4] = y_ddot;
+        dxdt[5] = theta_ddot;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -355,27 +368,27 @@ public:
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e20 * c_.k2 - e5 * e25 - e15 * e24;
-        J[16] = e22 * c_.k2 - e7 * e25 - e16 * e24;
+        J[15] = e26;
+        J[16] = e27;
         J[17] = e25;
         J[18] = Scalar(1);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = -e5 * e27 - e15 * e26;
-        J[22] = -e7 * e27 - e16 * e26;
-        J[23] = e27;
+        J[21] = e31;
+        J[22] = e33;
+        J[23] = e34;
         J[24] = Scalar(0);
         J[25] = Scalar(1);
         J[26] = Scalar(0);
-        J[27] = -e5 * e29 - e15 * e28;
-        J[28] = -e7 * e29 - e16 * e28;
-        J[29] = e29;
+        J[27] = e37;
+        J[28] = e38;
+        J[29] = e39;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(1);
-        J[33] = e30 * c_.k2 - e5 * e35 - e15 * e34;
-        J[34] = e31 * c_.k2 - e7 * e35 - e16 * e34;
-        J[35] = e35;
+        J[33] = e47;
+        J[34] = e48;
+        J[35] = e46;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -594,9 +607,9 @@ public:
         const Scalar e26 = x_dot * e1 - y_dot * e2 - e20 - e15 * e22 - e16 * e23 - e14 * (c_.k0 * e20 - e6 * e22 - e8 * e23);
         C[5] = e26 * independent_inverse_18;
         C[6] = cos_theta;
-        C[7] = (-e2) * independent_inverse_18;
+        C[7] = independent_inverse_18 * (-e2);
         C[8] = sin_theta;
-        C[9] = (-e1) * independent_inverse_18;
+        C[9] = independent_inverse_18 * (-e1);
         C[10] = Scalar(0);
         const Scalar e27 = -x_dot * cos_theta - y_dot * sin_theta - e15 * e24 - e16 * e25 - e14 * (-e6 * e24 - e8 * e25);
         C[11] = e27 * independent_inverse_18;

@@ -18,10 +18,10 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      2     2        0      0
 //   rhs                   47     72     4        0      2
-//   rhs_and_jacobian     170    277     5        0      3
+//   rhs_and_jacobian     165    280     5        0      3
 //   jacobian_p            78    115     4        0      2
 //   output                46     64     4        0      4
-//   output_jacobian_x    133    237     7        0      3
+//   output_jacobian_x    132    238     7        0      3
 //   kinetic_energy         3      8     0        0      0
 //   potential_energy       1      2     0        0      0
 //   start_state            3      3     0        1      0
@@ -315,7 +315,7 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 8 x 8, entry (i, j) at J[8*j + i].
-    /// Operations: 170 + or -, 277 *, 5 /, 3 other functions
+    /// Operations: 165 + or -, 280 *, 5 /, 3 other functions
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::sqrt;
         const Scalar x_1 = x[0];
@@ -461,10 +461,12 @@ public:
         const Scalar e104 = Scalar(2) * (e36 * e35 - e37 * e33);
         const Scalar e105 = (-e104 - e28 * e103) * independent_inverse_48;
         const Scalar e106 = e103 * independent_inverse_14 - e28 * e105;
-        const Scalar e107 = (-e100) * independent_inverse_48;
-        const Scalar e108 = -e28 * e107;
-        const Scalar e109 = e104 * independent_inverse_48;
-        const Scalar e110 = -e28 * e109;
+        const Scalar e107 = -e28 * independent_inverse_48;
+        const Scalar e108 = -e4 * e107 - e42 * independent_inverse_48;
+        const Scalar e109 = -e100;
+        const Scalar e110 = -e10 * e107 - e39 * independent_inverse_48;
+        const Scalar e111 = -e45 * independent_inverse_48;
+        const Scalar e112 = -e40 * independent_inverse_48;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -517,18 +519,18 @@ public:
         J[49] = Scalar(0);
         J[50] = Scalar(1);
         J[51] = Scalar(0);
-        J[52] = -e4 * e108 - e42 * e107;
-        J[53] = -e10 * e108 - e39 * e107;
-        J[54] = -e45 * e107;
-        J[55] = -e40 * e107;
+        J[52] = e108 * e109;
+        J[53] = e110 * e109;
+        J[54] = e111 * e109;
+        J[55] = e112 * e109;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
         J[58] = Scalar(0);
         J[59] = Scalar(1);
-        J[60] = -e4 * e110 - e42 * e109;
-        J[61] = -e10 * e110 - e39 * e109;
-        J[62] = -e45 * e109;
-        J[63] = -e40 * e109;
+        J[60] = e108 * e104;
+        J[61] = e110 * e104;
+        J[62] = e111 * e104;
+        J[63] = e112 * e104;
     }
 
     /// J = df/dx. 8 x 8, entry (i, j) at J[8*j + i].
@@ -800,7 +802,7 @@ public:
     }
 
     /// C = dh/dx.
-    /// Operations: 133 + or -, 237 *, 7 /, 3 other functions
+    /// Operations: 132 + or -, 238 *, 7 /, 3 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::sqrt;
         const Scalar x_1 = x[0];
@@ -932,8 +934,8 @@ public:
         const Scalar e102 = Scalar(2) * (-y_1_dot * e82 - x_1_dot * e56);
         const Scalar e103 = Scalar(2) * (e39 * e38 - e40 * e36);
         const Scalar e104 = (-e103 - e31 * e102) * independent_inverse_51;
-        const Scalar e105 = (-e100) * independent_inverse_51;
-        const Scalar e106 = e103 * independent_inverse_51;
+        const Scalar e105 = -e31 * independent_inverse_51;
+        const Scalar e106 = -e100;
         C[0] = (-Scalar(1)) * (e66 * independent_inverse_17 - e31 * e78);
         C[1] = (-Scalar(1)) * e78;
         C[2] = -y_1 * inverse_79;
@@ -958,12 +960,12 @@ public:
         C[21] = (-Scalar(1)) * e104;
         C[22] = Scalar(0);
         C[23] = Scalar(0);
-        C[24] = (-Scalar(1)) * (-e31 * e105);
-        C[25] = (-Scalar(1)) * e105;
+        C[24] = (-Scalar(1)) * (e105 * e106);
+        C[25] = (-Scalar(1)) * (independent_inverse_51 * e106);
         C[26] = Scalar(0);
         C[27] = Scalar(0);
-        C[28] = (-Scalar(1)) * (-e31 * e106);
-        C[29] = (-Scalar(1)) * e106;
+        C[28] = (-Scalar(1)) * (e105 * e103);
+        C[29] = (-Scalar(1)) * (independent_inverse_51 * e103);
         C[30] = Scalar(0);
         C[31] = Scalar(0);
     }

@@ -216,6 +216,8 @@ public:
         const Scalar x_ddot = c_.k3 * y_dot * c_.k0;
         const Scalar x_dot = x[3];
         const Scalar y_ddot = (-c_.k3 * x_dot) * c_.k1;
+        const Scalar e1 = (-c_.k3) * c_.k1;
+        const Scalar e2 = c_.k3 * c_.k0;
         dxdt[0] = x[3];
         dxdt[1] = x[4];
         dxdt[2] = x[5];
@@ -244,12 +246,12 @@ public:
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = (-c_.k3) * c_.k1;
+        J[22] = e1;
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(1);
         J[26] = Scalar(0);
-        J[27] = c_.k3 * c_.k0;
+        J[27] = e2;
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);

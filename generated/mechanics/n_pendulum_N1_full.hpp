@@ -232,10 +232,11 @@ public:
         Scalar sin_phi_1, cos_phi_1;
         detail::sin_and_cos<Scalar>(phi_1, sin_phi_1, cos_phi_1);
         const Scalar phi_1_ddot = (-c_.k1 * sin_phi_1) * c_.k0;
+        const Scalar e1 = (-c_.k1 * cos_phi_1) * c_.k0;
         dxdt[0] = x[1];
         dxdt[1] = phi_1_ddot;
         J[0] = Scalar(0);
-        J[1] = (-c_.k1 * cos_phi_1) * c_.k0;
+        J[1] = e1;
         J[2] = Scalar(1);
         J[3] = Scalar(0);
     }
@@ -261,11 +262,11 @@ public:
         const Scalar sin_phi_1 = sin(phi_1);
         const Scalar e1 = p_.m[0] * p_.l[0];
         J[0] = Scalar(0);
-        J[1] = (-dxdt[1] * (p_.l[0] * p_.l[0]) - sin_phi_1 * (p_.l[0] * p_.g)) * c_.k0;
+        J[1] = c_.k0 * (-dxdt[1] * (p_.l[0] * p_.l[0]) - sin_phi_1 * (p_.l[0] * p_.g));
         J[2] = Scalar(0);
-        J[3] = (-dxdt[1] * (Scalar(2) * e1) - sin_phi_1 * (p_.m[0] * p_.g)) * c_.k0;
+        J[3] = c_.k0 * (-dxdt[1] * (Scalar(2) * e1) - sin_phi_1 * (p_.m[0] * p_.g));
         J[4] = Scalar(0);
-        J[5] = (-sin_phi_1 * e1) * c_.k0;
+        J[5] = c_.k0 * (-sin_phi_1 * e1);
     }
 
     /// J = df/dt at fixed x and u.

@@ -223,10 +223,11 @@ public:
         Scalar sin_phi, cos_phi;
         detail::sin_and_cos<Scalar>(phi, sin_phi, cos_phi);
         const Scalar phi_ddot = (-c_.k1 * sin_phi) * c_.k0;
+        const Scalar e1 = (-c_.k1 * cos_phi) * c_.k0;
         dxdt[0] = x[1];
         dxdt[1] = phi_ddot;
         J[0] = Scalar(0);
-        J[1] = (-c_.k1 * cos_phi) * c_.k0;
+        J[1] = e1;
         J[2] = Scalar(1);
         J[3] = Scalar(0);
     }
@@ -252,11 +253,11 @@ public:
         const Scalar sin_phi = sin(phi);
         const Scalar e1 = p_.m * p_.l;
         J[0] = Scalar(0);
-        J[1] = (-dxdt[1] * (p_.l * p_.l) - sin_phi * (p_.l * p_.g)) * c_.k0;
+        J[1] = c_.k0 * (-dxdt[1] * (p_.l * p_.l) - sin_phi * (p_.l * p_.g));
         J[2] = Scalar(0);
-        J[3] = (-dxdt[1] * (Scalar(2) * e1) - sin_phi * (p_.m * p_.g)) * c_.k0;
+        J[3] = c_.k0 * (-dxdt[1] * (Scalar(2) * e1) - sin_phi * (p_.m * p_.g));
         J[4] = Scalar(0);
-        J[5] = (-sin_phi * e1) * c_.k0;
+        J[5] = c_.k0 * (-sin_phi * e1);
     }
 
     /// J = df/dt at fixed x and u.

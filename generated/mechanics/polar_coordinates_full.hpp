@@ -234,14 +234,19 @@ public:
         const Scalar e3 = phi_dot * e2;
         const Scalar inverse_4 = Scalar(1) / (p_.m * r * r);
         const Scalar phi_ddot = (-r_dot * e3) * inverse_4;
+        const Scalar e5 = e1 * c_.k0;
+        const Scalar e6 = (-c_.k1 * r_dot * phi_dot - phi_ddot * e2) * inverse_4;
+        const Scalar e7 = (-e3) * inverse_4;
+        const Scalar e8 = e3 * c_.k0;
+        const Scalar e9 = (-r_dot * e2) * inverse_4;
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = r_ddot;
         dxdt[3] = phi_ddot;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e1 * c_.k0;
-        J[3] = (-c_.k1 * r_dot * phi_dot - phi_ddot * e2) * inverse_4;
+        J[2] = e5;
+        J[3] = e6;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
         J[6] = Scalar(0);
@@ -249,11 +254,11 @@ public:
         J[8] = Scalar(1);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = (-e3) * inverse_4;
+        J[11] = e7;
         J[12] = Scalar(0);
         J[13] = Scalar(1);
-        J[14] = e3 * c_.k0;
-        J[15] = (-r_dot * e2) * inverse_4;
+        J[14] = e8;
+        J[15] = e9;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].

@@ -275,13 +275,17 @@ public:
         const Scalar e3 = c_.k2 * sqrt_2;
         const Scalar x_ddot = (-x_dot * e3) * c_.k0;
         const Scalar z_ddot = (-c_.k3 - z_dot * e3) * c_.k1;
+        const Scalar inverse_norm_4 = detail::inverse_norm<Scalar>(e1);
+        const Scalar e5 = c_.k2 * inverse_norm_4;
+        const Scalar e6 = (-e3 - e5 * x_dot_squared) * c_.k0;
+        const Scalar e7 = -x_dot * z_dot * e5;
+        const Scalar e8 = e7 * c_.k1;
+        const Scalar e9 = e7 * c_.k0;
+        const Scalar e10 = (-e3 - e5 * z_dot_squared) * c_.k1;
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = x_ddot;
         dxdt[3] = z_ddot;
-        const Scalar inverse_norm_4 = detail::inverse_norm<Scalar>(e1);
-        const Scalar e5 = c_.k2 * inverse_norm_4;
-        const Scalar e6 = -x_dot * z_dot * e5;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -292,12 +296,12 @@ public:
         J[7] = Scalar(0);
         J[8] = Scalar(1);
         J[9] = Scalar(0);
-        J[10] = (-e3 - e5 * x_dot_squared) * c_.k0;
-        J[11] = e6 * c_.k1;
+        J[10] = e6;
+        J[11] = e8;
         J[12] = Scalar(0);
         J[13] = Scalar(1);
-        J[14] = e6 * c_.k0;
-        J[15] = (-e3 - e5 * z_dot_squared) * c_.k1;
+        J[14] = e9;
+        J[15] = e10;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].

@@ -307,12 +307,14 @@ public:
                 const Scalar s = x[0];
                 const Scalar s_dot = x[1];
                 const Scalar s_ddot = (c_.k2 - p_.c * s - p_.d * s_dot) * c_.k0;
+                const Scalar e1 = c_.k0 * (-p_.c);
+                const Scalar e2 = c_.k0 * (-p_.d);
                 dxdt[0] = x[1];
                 dxdt[1] = s_ddot;
                 J[0] = Scalar(0);
-                J[1] = (-p_.c) * c_.k0;
+                J[1] = e1;
                 J[2] = Scalar(1);
-                J[3] = (-p_.d) * c_.k0;
+                J[3] = e2;
                 break;
             }
         }
@@ -338,9 +340,9 @@ public:
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
                 J[0] = Scalar(0);
-                J[1] = (p_.g - dxdt[1]) * c_.k0;
+                J[1] = c_.k0 * (p_.g - dxdt[1]);
                 J[2] = Scalar(0);
-                J[3] = p_.m * c_.k0;
+                J[3] = c_.k0 * p_.m;
                 J[4] = Scalar(0);
                 J[5] = Scalar(0);
                 J[6] = Scalar(0);
@@ -358,15 +360,15 @@ public:
                 const Scalar s = x[0];
                 const Scalar s_dot = x[1];
                 J[0] = Scalar(0);
-                J[1] = (p_.g - dxdt[1]) * c_.k0;
+                J[1] = c_.k0 * (p_.g - dxdt[1]);
                 J[2] = Scalar(0);
-                J[3] = p_.m * c_.k0;
+                J[3] = c_.k0 * p_.m;
                 J[4] = Scalar(0);
-                J[5] = p_.c * c_.k0;
+                J[5] = c_.k0 * p_.c;
                 J[6] = Scalar(0);
-                J[7] = (p_.l - s) * c_.k0;
+                J[7] = c_.k0 * (p_.l - s);
                 J[8] = Scalar(0);
-                J[9] = (-s_dot) * c_.k0;
+                J[9] = c_.k0 * (-s_dot);
                 J[10] = Scalar(0);
                 J[11] = Scalar(0);
                 break;

@@ -282,10 +282,11 @@ public:
             default: {
                 const Scalar s = x[0];
                 const Scalar s_ddot = (c_.k2 - p_.c * s) * c_.k0;
+                const Scalar e1 = (-p_.c) * c_.k0;
                 dxdt[0] = x[1];
                 dxdt[1] = s_ddot;
                 J[0] = Scalar(0);
-                J[1] = (-p_.c) * c_.k0;
+                J[1] = e1;
                 J[2] = Scalar(1);
                 J[3] = Scalar(0);
                 break;
@@ -312,9 +313,9 @@ public:
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
                 J[0] = Scalar(0);
-                J[1] = (p_.g - dxdt[1]) * c_.k0;
+                J[1] = c_.k0 * (p_.g - dxdt[1]);
                 J[2] = Scalar(0);
-                J[3] = p_.m * c_.k0;
+                J[3] = c_.k0 * p_.m;
                 J[4] = Scalar(0);
                 J[5] = Scalar(0);
                 J[6] = Scalar(0);
@@ -329,13 +330,13 @@ public:
                 rhs(mode, x, u, t, dxdt);
                 const Scalar s = x[0];
                 J[0] = Scalar(0);
-                J[1] = (p_.g - dxdt[1]) * c_.k0;
+                J[1] = c_.k0 * (p_.g - dxdt[1]);
                 J[2] = Scalar(0);
-                J[3] = p_.m * c_.k0;
+                J[3] = c_.k0 * p_.m;
                 J[4] = Scalar(0);
-                J[5] = p_.c * c_.k0;
+                J[5] = c_.k0 * p_.c;
                 J[6] = Scalar(0);
-                J[7] = (p_.l - s) * c_.k0;
+                J[7] = c_.k0 * (p_.l - s);
                 J[8] = Scalar(0);
                 J[9] = Scalar(0);
                 break;

@@ -250,15 +250,20 @@ public:
         const Scalar sin_theta_squared = sin_theta * sin_theta;
         const Scalar inverse_5 = Scalar(1) / (c_.k0 * sin_theta_squared);
         const Scalar phi_ddot = (-theta_dot * e4) * inverse_5;
+        const Scalar e6 = phi_dot * (cos_theta * cos_theta - sin_theta_squared);
+        const Scalar e7 = (e2 * e6 - c_.k1 * cos_theta) * c_.k2;
+        const Scalar e8 = (-phi_ddot * e3 - c_.k3 * theta_dot * e6) * inverse_5;
+        const Scalar e9 = (-e4) * inverse_5;
+        const Scalar e10 = e4 * c_.k2;
+        const Scalar e11 = (-theta_dot * e3) * inverse_5;
         dxdt[0] = x[2];
         dxdt[1] = x[3];
         dxdt[2] = theta_ddot;
         dxdt[3] = phi_ddot;
-        const Scalar e6 = phi_dot * (cos_theta * cos_theta - sin_theta_squared);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = (e2 * e6 - c_.k1 * cos_theta) * c_.k2;
-        J[3] = (-phi_ddot * e3 - c_.k3 * theta_dot * e6) * inverse_5;
+        J[2] = e7;
+        J[3] = e8;
         J[4] = Scalar(0);
         J[5] = Scalar(0);
         J[6] = Scalar(0);
@@ -266,11 +271,11 @@ public:
         J[8] = Scalar(1);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = (-e4) * inverse_5;
+        J[11] = e9;
         J[12] = Scalar(0);
         J[13] = Scalar(1);
-        J[14] = e4 * c_.k2;
-        J[15] = (-theta_dot * e3) * inverse_5;
+        J[14] = e10;
+        J[15] = e11;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].

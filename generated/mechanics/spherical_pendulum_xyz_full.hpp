@@ -19,7 +19,7 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      2     2        0      0
 //   rhs                   12     19     1        0      0
-//   rhs_and_jacobian      33     54     1        0      0
+//   rhs_and_jacobian      27     57     1        0      0
 //   jacobian_p            38     54     2        0      0
 //   output                13     22     1        0      1
 //   output_jacobian_x     20     65     2        0      1
@@ -263,7 +263,7 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 33 + or -, 54 *, 1 /
+    /// Operations: 27 + or -, 57 *, 1 /
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar x_value = x[0];
         const Scalar e1 = -c_.k0 * x_value;
@@ -296,9 +296,12 @@ public:
         const Scalar e12 = (c_.k0 * x_ddot - e2 * e10) * independent_inverse_9;
         const Scalar e13 = (c_.k0 * y_ddot - e7 * e10) * independent_inverse_9;
         const Scalar e14 = (c_.k0 * z_ddot - e4 * e10) * independent_inverse_9;
-        const Scalar e15 = c_.k3 * x_dot * independent_inverse_9;
-        const Scalar e16 = c_.k3 * y_dot * independent_inverse_9;
-        const Scalar e17 = c_.k3 * z_dot * independent_inverse_9;
+        const Scalar e15 = -e2 * independent_inverse_9;
+        const Scalar e16 = c_.k3 * x_dot;
+        const Scalar e17 = -e7 * independent_inverse_9;
+        const Scalar e18 = -e4 * independent_inverse_9;
+        const Scalar e19 = c_.k3 * y_dot;
+        const Scalar e20 = c_.k3 * z_dot;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -320,21 +323,21 @@ public:
         J[18] = Scalar(1);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
-        J[21] = -e2 * e15;
-        J[22] = -e7 * e15;
-        J[23] = -e4 * e15;
+        J[21] = e15 * e16;
+        J[22] = e17 * e16;
+        J[23] = e18 * e16;
         J[24] = Scalar(0);
         J[25] = Scalar(1);
         J[26] = Scalar(0);
-        J[27] = -e2 * e16;
-        J[28] = -e7 * e16;
-        J[29] = -e4 * e16;
+        J[27] = e15 * e19;
+        J[28] = e17 * e19;
+        J[29] = e18 * e19;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(1);
-        J[33] = -e2 * e17;
-        J[34] = -e7 * e17;
-        J[35] = -e4 * e17;
+        J[33] = e15 * e20;
+        J[34] = e17 * e20;
+        J[35] = e18 * e20;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -521,9 +524,9 @@ public:
         const Scalar inverse_16 = Scalar(1) / sqrt_15;
         const Scalar e17 = (c_.k0 * (-e10 * constraint_force_rod) - e10 * e13) * independent_inverse_12;
         const Scalar e18 = (c_.k0 * (e7 * c_.k2 - e6 * constraint_force_rod) - e6 * e13) * independent_inverse_12;
-        const Scalar e19 = c_.k3 * x_dot * independent_inverse_12;
-        const Scalar e20 = c_.k3 * y_dot * independent_inverse_12;
-        const Scalar e21 = c_.k3 * z_dot * independent_inverse_12;
+        const Scalar e19 = independent_inverse_12 * (c_.k3 * x_dot);
+        const Scalar e20 = independent_inverse_12 * (c_.k3 * y_dot);
+        const Scalar e21 = independent_inverse_12 * (c_.k3 * z_dot);
         C[0] = (-Scalar(1)) * e14;
         C[1] = e13 + e1 * e14;
         C[2] = e8 * e14;

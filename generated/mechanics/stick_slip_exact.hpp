@@ -311,10 +311,11 @@ public:
             case Mode::floor_slides_forwards: {
                 const Scalar x_value = x[0];
                 const Scalar x_ddot = (c_.k0 * t - c_.k2 - p_.c * x_value) * c_.k1;
+                const Scalar e1 = (-p_.c) * c_.k1;
                 dxdt[0] = x[1];
                 dxdt[1] = x_ddot;
                 J[0] = Scalar(0);
-                J[1] = (-p_.c) * c_.k1;
+                J[1] = e1;
                 J[2] = Scalar(1);
                 J[3] = Scalar(0);
                 break;
@@ -323,10 +324,11 @@ public:
             default: {
                 const Scalar x_value = x[0];
                 const Scalar x_ddot = (c_.k2 + c_.k0 * t - p_.c * x_value) * c_.k1;
+                const Scalar e1 = (-p_.c) * c_.k1;
                 dxdt[0] = x[1];
                 dxdt[1] = x_ddot;
                 J[0] = Scalar(0);
-                J[1] = (-p_.c) * c_.k1;
+                J[1] = e1;
                 J[2] = Scalar(1);
                 J[3] = Scalar(0);
                 break;
@@ -369,15 +371,15 @@ public:
                 rhs(mode, x, u, t, dxdt);
                 const Scalar x_value = x[0];
                 J[0] = Scalar(0);
-                J[1] = (-p_.g * p_.mu_C - dxdt[1]) * c_.k1;
+                J[1] = c_.k1 * (-p_.g * p_.mu_C - dxdt[1]);
                 J[2] = Scalar(0);
-                J[3] = (-p_.m * p_.mu_C) * c_.k1;
+                J[3] = c_.k1 * (-p_.m * p_.mu_C);
                 J[4] = Scalar(0);
-                J[5] = (p_.v_0 * t - x_value) * c_.k1;
+                J[5] = c_.k1 * (p_.v_0 * t - x_value);
                 J[6] = Scalar(0);
-                J[7] = p_.c * t * c_.k1;
+                J[7] = c_.k1 * (p_.c * t);
                 J[8] = Scalar(0);
-                J[9] = (-p_.m * p_.g) * c_.k1;
+                J[9] = c_.k1 * (-p_.m * p_.g);
                 J[10] = Scalar(0);
                 J[11] = Scalar(0);
                 break;
@@ -388,15 +390,15 @@ public:
                 rhs(mode, x, u, t, dxdt);
                 const Scalar x_value = x[0];
                 J[0] = Scalar(0);
-                J[1] = (p_.g * p_.mu_C - dxdt[1]) * c_.k1;
+                J[1] = c_.k1 * (p_.g * p_.mu_C - dxdt[1]);
                 J[2] = Scalar(0);
-                J[3] = p_.m * p_.mu_C * c_.k1;
+                J[3] = c_.k1 * (p_.m * p_.mu_C);
                 J[4] = Scalar(0);
-                J[5] = (p_.v_0 * t - x_value) * c_.k1;
+                J[5] = c_.k1 * (p_.v_0 * t - x_value);
                 J[6] = Scalar(0);
-                J[7] = p_.c * t * c_.k1;
+                J[7] = c_.k1 * (p_.c * t);
                 J[8] = Scalar(0);
-                J[9] = p_.m * p_.g * c_.k1;
+                J[9] = c_.k1 * (p_.m * p_.g);
                 J[10] = Scalar(0);
                 J[11] = Scalar(0);
                 break;

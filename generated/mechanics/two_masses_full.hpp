@@ -282,20 +282,24 @@ public:
         const Scalar phi_ddot = (cos_phi * e7 - sin_phi * e8 - e6 * e3 - e9 * e11) * inverse_12;
         const Scalar x_ddot = e3 * c_.k3 - e6 * phi_ddot;
         const Scalar y_ddot = e11 * c_.k3 - e9 * phi_ddot;
+        const Scalar e13 = phi_ddot * e1 - e10;
+        const Scalar e14 = phi_ddot * e4 + e2;
+        const Scalar e15 = x_ddot * e1 + y_ddot * e4 - cos_phi * e8 - sin_phi * e7 - e6 * e13 - e9 * e14;
+        const Scalar e16 = e15 * inverse_12;
+        const Scalar e17 = e13 * c_.k3 - e6 * e16;
+        const Scalar e18 = e14 * c_.k3 - e9 * e16;
+        const Scalar e19 = c_.k4 * phi_dot;
+        const Scalar e20 = cos_phi * e19;
+        const Scalar e21 = sin_phi * e19;
+        const Scalar e22 = (-e6 * e20 - e9 * e21) * inverse_12;
+        const Scalar e23 = e20 * c_.k3 - e6 * e22;
+        const Scalar e24 = e21 * c_.k3 - e9 * e22;
         dxdt[0] = x[3];
         dxdt[1] = x[4];
         dxdt[2] = x[5];
         dxdt[3] = x_ddot;
         dxdt[4] = y_ddot;
         dxdt[5] = phi_ddot;
-        const Scalar e13 = phi_ddot * e1 - e10;
-        const Scalar e14 = phi_ddot * e4 + e2;
-        const Scalar e15 = x_ddot * e1 + y_ddot * e4 - cos_phi * e8 - sin_phi * e7 - e6 * e13 - e9 * e14;
-        const Scalar e16 = e15 * inverse_12;
-        const Scalar e17 = c_.k4 * phi_dot;
-        const Scalar e18 = cos_phi * e17;
-        const Scalar e19 = sin_phi * e17;
-        const Scalar e20 = (-e6 * e18 - e9 * e19) * inverse_12;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -311,8 +315,8 @@ public:
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e13 * c_.k3 - e6 * e16;
-        J[16] = e14 * c_.k3 - e9 * e16;
+        J[15] = e17;
+        J[16] = e18;
         J[17] = e16;
         J[18] = Scalar(1);
         J[19] = Scalar(0);
@@ -329,9 +333,9 @@ public:
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(1);
-        J[33] = e18 * c_.k3 - e6 * e20;
-        J[34] = e19 * c_.k3 - e9 * e20;
-        J[35] = e20;
+        J[33] = e23;
+        J[34] = e24;
+        J[35] = e22;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].

@@ -461,7 +461,6 @@ public:
         const Scalar signed_root_17 = detail::signed_root<Scalar>(e16);
         const Scalar u_e = u[1];
         const Scalar e18 = signed_root_17 * (c_.k0 * u_e);
-        dxdt[0] = c_.k2 * mdot + outflow_factor_5 * e10 + outflow_factor_15 * e18;
         const Scalar step_19 = detail::step<Scalar>(-e11);
         const Scalar outflow_factor_slope_20 = detail::outflow_factor_slope<Scalar>(e14, c_.k3);
         const Scalar e21 = e18 * (outflow_factor_slope_20 * inverse_13);
@@ -473,8 +472,10 @@ public:
         const Scalar sign_27 = detail::sign<Scalar>(e11);
         const Scalar e28 = u_f * outflow_factor_5 * (inverse_root_26 * (max_p_S - step_6 * e1))
             * (c_.k4 * step_6 + c_.k5 * step_7);
-        J[0] = -step_19 * (e14 * e21 - e11 * e23) - e10 * (outflow_factor_slope_24 * inverse_3) * (sign_25 + step_6 * e4) - e28
-            - sign_27 * e21 - max_p_0 * e23;
+        const Scalar e29 = -step_19 * (e14 * e21 - e11 * e23) - e10 * (outflow_factor_slope_24 * inverse_3)
+            * (sign_25 + step_6 * e4) - e28 - sign_27 * e21 - max_p_0 * e23;
+        dxdt[0] = c_.k2 * mdot + outflow_factor_5 * e10 + outflow_factor_15 * e18;
+        J[0] = e29;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

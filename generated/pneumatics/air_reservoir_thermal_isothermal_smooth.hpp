@@ -461,7 +461,6 @@ public:
         const Scalar e23 = u_e * e14;
         const Scalar e24 = sqrt_22 * e23;
         const Scalar e25 = e21 * e24;
-        dxdt[0] = c_.k2 * mdot + e7 * e13 + outflow_factor_18 * e25;
         const Scalar step_26 = detail::step<Scalar>(-e14);
         const Scalar e27 = c_.k5 * outflow_factor_18;
         const Scalar outflow_factor_slope_28 = detail::outflow_factor_slope<Scalar>(e17, c_.k3);
@@ -473,8 +472,10 @@ public:
         const Scalar sign_34 = detail::sign<Scalar>(e14);
         const Scalar e35 = (step_2 * power_5 / sqrt_6 + e1 * power_30 * sqrt_6) * e13 * (c_.k5 * step_2 + c_.k6 * step_3);
         const Scalar e36 = outflow_factor_slope_31 * inverse_9 * (e12 * e7) * (sign_32 + step_2 * e10);
-        J[0] = step_26 * (power_20 * e23 * e27 / sqrt_22 - e17 * e29) + e35 - e36 - u_e * sqrt_22 * outflow_factor_18 * e21
-            - u_f * outflow_factor_11 * e7 + e14 * power_33 * e24 * e27 - sign_34 * e29;
+        const Scalar e37 = step_26 * (power_20 * e23 * e27 / sqrt_22 - e17 * e29) + e35 - e36 - u_e * sqrt_22
+            * outflow_factor_18 * e21 - u_f * outflow_factor_11 * e7 + e14 * power_33 * e24 * e27 - sign_34 * e29;
+        dxdt[0] = c_.k2 * mdot + e7 * e13 + outflow_factor_18 * e25;
+        J[0] = e37;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -17,16 +17,16 @@
 //     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 3     34     8        0      4
-//   rhs                   16     30     4        0     16
-//   rhs_and_jacobian      39     94     4        0     24
-//   jacobian_u            23     53     4        0     16
-//   jacobian_p           164    430    10        0     30
+//   update                 4     30     8        0      4
+//   rhs                   16     32     4        0     16
+//   rhs_and_jacobian      39     91     4        0     24
+//   jacobian_u            20     52     4        0     16
+//   jacobian_p           138    362    10        0     30
 //   output                 9     20     4        0     13
 //   output_jacobian_x     19     46     4        0     19
 //   output_jacobian_u      6     13     3        0     13
 //   internal_energy        0      3     1        0      0
-//   exchanged_power       15     22     3        0     19
+//   exchanged_power       14     20     3        0     19
 //   guards                 8      5     3        0      5
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -339,7 +339,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 3 + or -, 34 *, 8 /, 4 other functions
+    /// Operations: 4 + or -, 30 *, 8 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
@@ -351,55 +351,58 @@ public:
         const Scalar e4 = p_.R_s * inverse_3;
         const Scalar e5 = Scalar(1) + e4;
         c_.k1 = e5;
-        c_.k2 = p_.k_W * inverse_3;
+        c_.k2 = inverse_3;
+        const Scalar e6 = p_.R_s + c_.c_v;
+        const Scalar e7 = p_.T_in * e6;
+        c_.k3 = e7;
+        c_.k4 = e6;
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar sqrt_6 = sqrt(Scalar(2));
-        const Scalar e7 = sqrt_6 * (p_.A_d * p_.alpha_d);
-        const Scalar e8 = e7 / sqrt_R_s;
-        c_.k3 = e8;
+        const Scalar sqrt_8 = sqrt(Scalar(2));
+        const Scalar e9 = sqrt_8 * (p_.A_d * p_.alpha_d);
+        const Scalar e10 = e9 / sqrt_R_s;
+        c_.k5 = e10;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_9 = Scalar(1) / sqrt_T_0;
-        c_.k4 = inverse_9;
+        const Scalar inverse_11 = Scalar(1) / sqrt_T_0;
+        c_.k6 = inverse_11;
         const Scalar sqrt_T_in = sqrt(p_.T_in);
-        const Scalar inverse_10 = Scalar(1) / sqrt_T_in;
-        c_.k5 = inverse_10;
-        c_.k6 = e4;
-        const Scalar e11 = e5 * e2;
-        c_.k7 = e11;
-        c_.k8 = Scalar(2) * e4;
-        const Scalar e12 = sqrt_R_s * e7;
-        const Scalar e13 = e12 * (inverse_1 * e5);
+        const Scalar inverse_12 = Scalar(1) / sqrt_T_in;
+        c_.k7 = inverse_12;
+        c_.k8 = e4;
+        const Scalar e13 = inverse_3 * e2;
         c_.k9 = e13;
-        const Scalar e14 = e8 * e11;
-        c_.k10 = e14;
-        c_.k11 = inverse_10 * e13;
-        c_.k12 = inverse_10 * e14;
-        const Scalar e15 = p_.T_in * e14;
+        c_.k10 = p_.k_W * e13;
+        const Scalar e14 = e5 * e2;
+        c_.k11 = e14;
+        c_.k12 = p_.T_0 * p_.k_W;
+        const Scalar e15 = p_.T_0 * e6;
         c_.k13 = e15;
-        c_.k14 = inverse_10 * e15;
-        const Scalar e16 = e12 * (inverse_3 * e2);
-        c_.k15 = e16;
-        c_.k16 = inverse_10 * e16;
-        c_.k17 = inverse_9 * e13;
-        c_.k18 = inverse_9 * e14;
-        const Scalar e17 = p_.T_0 * e14;
-        c_.k19 = e17;
-        c_.k20 = inverse_9 * e17;
-        c_.k21 = inverse_9 * e16;
-        c_.k22 = e11;
-        c_.k23 = p_.T_in * e11;
-        c_.k24 = e2 * e4;
-        const Scalar e18 = inverse_9 * e8;
-        c_.k25 = e18;
-        c_.k26 = e5;
-        const Scalar e19 = inverse_10 * e8;
-        c_.k27 = e19;
-        c_.k28 = p_.V / p_.R_s;
-        c_.k29 = p_.T_0 * p_.k_W;
-        c_.k30 = Scalar(1) / p_.p_S;
-        c_.k31 = (Scalar(1) / Scalar(2)) * e8;
-        c_.k32 = (Scalar(1) / Scalar(2)) * e19;
-        c_.k33 = (Scalar(1) / Scalar(2)) * e18;
+        const Scalar e16 = sqrt_R_s * e9;
+        const Scalar e17 = e16 * (inverse_1 * e5);
+        c_.k14 = e17;
+        c_.k15 = inverse_12 * e17;
+        c_.k16 = e10 * e13;
+        const Scalar e18 = inverse_12 * e10;
+        c_.k17 = e13 * e18;
+        const Scalar e19 = e13 * e16;
+        c_.k18 = e19;
+        c_.k19 = inverse_12 * e19;
+        c_.k20 = inverse_11 * e17;
+        const Scalar e20 = inverse_11 * e10;
+        c_.k21 = e13 * e20;
+        c_.k22 = inverse_11 * e19;
+        c_.k23 = e14;
+        c_.k24 = p_.R_s * e13;
+        c_.k25 = e20;
+        c_.k26 = e15;
+        c_.k27 = e6;
+        c_.k28 = e5;
+        c_.k29 = e18;
+        c_.k30 = e7;
+        c_.k31 = p_.V / p_.R_s;
+        c_.k32 = Scalar(1) / p_.p_S;
+        c_.k33 = (Scalar(1) / Scalar(2)) * e10;
+        c_.k34 = (Scalar(1) / Scalar(2)) * e18;
+        c_.k35 = (Scalar(1) / Scalar(2)) * e20;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -413,7 +416,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 16 + or -, 30 *, 4 /, 16 other functions
+    /// Operations: 16 + or -, 32 *, 4 /, 16 other functions
     ///     specific_enthalpy[supply] = T_in*(R_s + c_v)
     ///     specific_enthalpy[ambience] = T_0*(R_s + c_v)
     ///     density[tank] = p/(R_s*T)
@@ -425,145 +428,150 @@ public:
     ///     mass_flow[empty] = -A_d*alpha_d*sqrt(2)*u_e*signed_root(max(p_0, p)*(p_0 - p))*step(-p_0 + p)*outflow_factor(abs(p_0 -
     ///     p)/max(p_0, p), 1 + R_s/c_v)/(sqrt(R_s)*sqrt(T)) - A_d*alpha_d*sqrt(2)*u_e*signed_root(max(p_0, p)*(p_0 - p))*step(p_0 -
     ///     p)*outflow_factor(abs(p_0 - p)/max(p_0, p), 1 + R_s/c_v)/(sqrt(R_s)*sqrt(T_0))
-    ///     dot(p) = mdot*p^2/(V*c_v*T*density[tank]^2) + mdot*p/(V*density[tank]) + p*specific_enthalpy[supply]*max(0,
-    ///     mdot)/(V*c_v*T*density[tank]) + p*specific_enthalpy[supply]*max(0, mass_flow[fill])/(V*c_v*T*density[tank]) -
-    ///     p*specific_enthalpy[ambience]*min(0, mass_flow[empty])/(V*c_v*T*density[tank]) + T_0*k_W*p/(V*c_v*T*density[tank]) -
-    ///     p*specific_enthalpy[tank]*max(0, mdot)/(V*c_v*T*density[tank]) - p*specific_enthalpy[tank]*max(0,
-    ///     mass_flow[fill])/(V*c_v*T*density[tank]) + p*specific_enthalpy[tank]*min(0, mass_flow[empty])/(V*c_v*T*density[tank]) +
-    ///     p^2*mass_flow[fill]/(V*c_v*T*density[tank]^2) - p^2*mass_flow[empty]/(V*c_v*T*density[tank]^2) -
+    ///     dot(p) = mdot*p^2/(V*c_v*T*density[tank]^2) + mdot*p/(V*density[tank]) + T_0*k_W*p/(V*c_v*T*density[tank]) +
+    ///     p^2*mass_flow[fill]/(V*c_v*T*density[tank]^2) - p^2*mass_flow[empty]/(V*c_v*T*density[tank]^2) + p*max(0,
+    ///     mdot)*(specific_enthalpy[supply] - specific_enthalpy[tank])/(V*c_v*T*density[tank]) + p*max(0,
+    ///     mass_flow[fill])*(specific_enthalpy[supply] - specific_enthalpy[tank])/(V*c_v*T*density[tank]) - p*min(0,
+    ///     mass_flow[empty])*(specific_enthalpy[ambience] - specific_enthalpy[tank])/(V*c_v*T*density[tank]) -
     ///     k_W*p/(V*c_v*density[tank]) + p*mass_flow[fill]/(V*density[tank]) - p*mass_flow[empty]/(V*density[tank])
     ///     dot(T) = mdot*p/(V*c_v*density[tank]^2) + p*mass_flow[fill]/(V*c_v*density[tank]^2) -
-    ///     p*mass_flow[empty]/(V*c_v*density[tank]^2) - k_W*T/(V*c_v*density[tank]) + specific_enthalpy[supply]*max(0,
-    ///     mdot)/(V*c_v*density[tank]) + specific_enthalpy[supply]*max(0, mass_flow[fill])/(V*c_v*density[tank]) -
-    ///     specific_enthalpy[ambience]*min(0, mass_flow[empty])/(V*c_v*density[tank]) + T_0*k_W/(V*c_v*density[tank]) -
-    ///     specific_enthalpy[tank]*max(0, mdot)/(V*c_v*density[tank]) - specific_enthalpy[tank]*max(0,
-    ///     mass_flow[fill])/(V*c_v*density[tank]) + specific_enthalpy[tank]*min(0, mass_flow[empty])/(V*c_v*density[tank])
+    ///     p*mass_flow[empty]/(V*c_v*density[tank]^2) - k_W*T/(V*c_v*density[tank]) + T_0*k_W/(V*c_v*density[tank]) + max(0,
+    ///     mdot)*(specific_enthalpy[supply] - specific_enthalpy[tank])/(V*c_v*density[tank]) + max(0,
+    ///     mass_flow[fill])*(specific_enthalpy[supply] - specific_enthalpy[tank])/(V*c_v*density[tank]) - min(0,
+    ///     mass_flow[empty])*(specific_enthalpy[ambience] - specific_enthalpy[tank])/(V*c_v*density[tank])
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::abs;
         using std::sqrt;
         const Scalar mdot = u[2];
-        const Scalar u_f = u[0];
-        const Scalar p_value = x[0];
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar e1 = p_.p_S - p_value;
-        const Scalar signed_root_2 = detail::signed_root<Scalar>(max_p_S * e1);
-        const Scalar abs_3 = abs(e1);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k1);
-        const Scalar step_5 = detail::step<Scalar>(-e1);
+        const Scalar max_1 = detail::max<Scalar>(Scalar(0), mdot);
         const Scalar T = x[1];
-        const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_6 = Scalar(1) / sqrt_T;
-        const Scalar step_7 = detail::step<Scalar>(e1);
-        const Scalar e8 = u_f * signed_root_2 * (outflow_factor_4 * (step_5 * inverse_6 + step_7 * c_.k5));
+        const Scalar e2 = c_.k3 - T * c_.k4;
+        const Scalar e3 = p_.T_0 - T;
         const Scalar u_e = u[1];
+        const Scalar p_value = x[0];
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar e9 = p_.p_0 - p_value;
-        const Scalar signed_root_10 = detail::signed_root<Scalar>(max_p_0 * e9);
-        const Scalar abs_11 = abs(e9);
-        const Scalar outflow_factor_12 = detail::outflow_factor<Scalar>(abs_11 / max_p_0, c_.k1);
-        const Scalar step_13 = detail::step<Scalar>(-e9);
-        const Scalar step_14 = detail::step<Scalar>(e9);
-        const Scalar e15 = u_e * signed_root_10 * (outflow_factor_12 * (step_13 * inverse_6 + step_14 * c_.k4));
-        const Scalar e16 = T * c_.k0;
-        const Scalar e17 = (mdot + (e8 + e15) * c_.k3) * e16;
-        const Scalar min_18 = detail::min<Scalar>(Scalar(0), -e15 * c_.k3);
-        const Scalar e19 = c_.k2 - min_18 * c_.k1;
-        const Scalar max_20 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e8 * c_.k3);
-        const Scalar e22 = T * e19 - (p_.T_0 * e19 + (p_.T_in - T) * (max_20 + max_21) * c_.k1);
-        dxdt[0] = e17 * c_.k1 - e22 * c_.k0;
-        dxdt[1] = (T * e17 * c_.k6 - e22 * e16) / p_value;
+        const Scalar e4 = p_.p_0 - p_value;
+        const Scalar signed_root_5 = detail::signed_root<Scalar>(max_p_0 * e4);
+        const Scalar abs_6 = abs(e4);
+        const Scalar outflow_factor_7 = detail::outflow_factor<Scalar>(abs_6 / max_p_0, c_.k1);
+        const Scalar step_8 = detail::step<Scalar>(-e4);
+        const Scalar sqrt_T = sqrt(T);
+        const Scalar inverse_9 = Scalar(1) / sqrt_T;
+        const Scalar step_10 = detail::step<Scalar>(e4);
+        const Scalar e11 = u_e * signed_root_5 * (outflow_factor_7 * (step_8 * inverse_9 + step_10 * c_.k6));
+        const Scalar min_12 = detail::min<Scalar>(Scalar(0), -e11 * c_.k5);
+        const Scalar u_f = u[0];
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
+        const Scalar e13 = p_.p_S - p_value;
+        const Scalar signed_root_14 = detail::signed_root<Scalar>(max_p_S * e13);
+        const Scalar abs_15 = abs(e13);
+        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_S, c_.k1);
+        const Scalar step_17 = detail::step<Scalar>(-e13);
+        const Scalar step_18 = detail::step<Scalar>(e13);
+        const Scalar e19 = u_f * signed_root_14 * (outflow_factor_16 * (step_17 * inverse_9 + step_18 * c_.k7));
+        const Scalar max_20 = detail::max<Scalar>(Scalar(0), e19 * c_.k5);
+        const Scalar e21 = (max_1 * e2 - e3 * c_.k4 * min_12 + (e2 * max_20 + p_.k_W * e3)) * c_.k2;
+        const Scalar e22 = T * c_.k0;
+        const Scalar e23 = (mdot + (e19 + e11) * c_.k5) * e22;
+        dxdt[0] = e21 * c_.k0 + e23 * c_.k1;
+        dxdt[1] = (T * e23 * c_.k8 + e22 * e21) / p_value;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: 39 + or -, 94 *, 4 /, 24 other functions
+    /// Operations: 39 + or -, 91 *, 4 /, 24 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::sqrt;
         const Scalar T = x[1];
+        const Scalar e1 = T * c_.k4;
+        const Scalar e2 = c_.k3 - e1;
         const Scalar mdot = u[2];
-        const Scalar u_f = u[0];
+        const Scalar max_3 = detail::max<Scalar>(Scalar(0), mdot);
         const Scalar p_value = x[0];
-        const Scalar e1 = p_.p_S - p_value;
-        const Scalar step_2 = detail::step<Scalar>(-e1);
-        const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_3 = Scalar(1) / sqrt_T;
-        const Scalar step_4 = detail::step<Scalar>(e1);
-        const Scalar e5 = step_2 * inverse_3 + step_4 * c_.k5;
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar e6 = max_p_S * e1;
-        const Scalar signed_root_7 = detail::signed_root<Scalar>(e6);
-        const Scalar abs_8 = abs(e1);
-        const Scalar inverse_9 = Scalar(1) / max_p_S;
-        const Scalar e10 = abs_8 * inverse_9;
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(e10, c_.k1);
-        const Scalar e12 = signed_root_7 * outflow_factor_11;
-        const Scalar u_e = u[1];
-        const Scalar e13 = p_.p_0 - p_value;
-        const Scalar step_14 = detail::step<Scalar>(-e13);
-        const Scalar step_15 = detail::step<Scalar>(e13);
-        const Scalar e16 = step_14 * inverse_3 + step_15 * c_.k4;
+        const Scalar e4 = p_.p_S - p_value;
+        const Scalar e5 = max_p_S * e4;
+        const Scalar signed_root_6 = detail::signed_root<Scalar>(e5);
+        const Scalar abs_7 = abs(e4);
+        const Scalar inverse_8 = Scalar(1) / max_p_S;
+        const Scalar e9 = abs_7 * inverse_8;
+        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(e9, c_.k1);
+        const Scalar e11 = signed_root_6 * outflow_factor_10;
+        const Scalar step_12 = detail::step<Scalar>(-e4);
+        const Scalar sqrt_T = sqrt(T);
+        const Scalar inverse_13 = Scalar(1) / sqrt_T;
+        const Scalar step_14 = detail::step<Scalar>(e4);
+        const Scalar e15 = step_12 * inverse_13 + step_14 * c_.k7;
+        const Scalar u_f = u[0];
+        const Scalar e16 = u_f * c_.k5;
+        const Scalar e17 = e15 * e16;
+        const Scalar e18 = e11 * e17;
+        const Scalar max_19 = detail::max<Scalar>(Scalar(0), e18);
+        const Scalar e20 = max_3 + max_19;
+        const Scalar e21 = c_.k13 - e1;
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar e17 = max_p_0 * e13;
-        const Scalar signed_root_18 = detail::signed_root<Scalar>(e17);
-        const Scalar abs_19 = abs(e13);
-        const Scalar inverse_20 = Scalar(1) / max_p_0;
-        const Scalar e21 = abs_19 * inverse_20;
-        const Scalar outflow_factor_22 = detail::outflow_factor<Scalar>(e21, c_.k1);
-        const Scalar e23 = signed_root_18 * outflow_factor_22;
-        const Scalar e24 = mdot + (u_f * e5 * e12 + u_e * e16 * e23) * c_.k3;
-        const Scalar e25 = e24 * c_.k7;
-        const Scalar e26 = p_.T_in - T;
-        const Scalar max_27 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar e28 = u_f * c_.k3;
-        const Scalar e29 = e5 * e28;
-        const Scalar e30 = e12 * e29;
-        const Scalar max_31 = detail::max<Scalar>(Scalar(0), e30);
-        const Scalar e32 = max_27 + max_31;
-        const Scalar e33 = e32 * c_.k1;
-        const Scalar e34 = p_.T_0 - T;
-        const Scalar e35 = u_e * c_.k3;
-        const Scalar e36 = e16 * e35;
-        const Scalar e37 = e23 * e36;
-        const Scalar min_38 = detail::min<Scalar>(Scalar(0), -e37);
-        const Scalar e39 = c_.k2 - min_38 * c_.k1;
-        const Scalar e40 = e26 * e33 + e34 * e39;
-        const Scalar inverse_41 = Scalar(1) / p_value;
-        const Scalar e42 = inverse_41 * c_.k0;
-        const Scalar e43 = T * e42;
-        const Scalar e44 = T * c_.k6;
-        const Scalar e45 = e43 * (e24 * e44 + e40);
-        dxdt[0] = T * e25 + e40 * c_.k0;
-        dxdt[1] = e45;
-        const Scalar step_46 = detail::step<Scalar>(e37);
-        const Scalar e47 = step_46 * e34;
-        const Scalar e48 = (T + e47) * c_.k7;
-        const Scalar inverse_root_49 = detail::inverse_root<Scalar>(e17);
-        const Scalar e50 = inverse_root_49 * outflow_factor_22;
-        const Scalar outflow_factor_slope_51 = detail::outflow_factor_slope<Scalar>(e21, c_.k1);
-        const Scalar sign_52 = detail::sign<Scalar>(e13);
-        const Scalar e53 = Scalar(2) * signed_root_18 * outflow_factor_slope_51 * inverse_20 * (step_14 * e21 + sign_52);
-        const Scalar e54 = (max_p_0 * e50 - (step_14 * e13 * e50 - e53)) * e36;
-        const Scalar step_55 = detail::step<Scalar>(e30);
-        const Scalar e56 = step_55 * e26;
-        const Scalar e57 = (T + e56) * c_.k7;
-        const Scalar inverse_root_58 = detail::inverse_root<Scalar>(e6);
-        const Scalar e59 = inverse_root_58 * outflow_factor_11;
-        const Scalar outflow_factor_slope_60 = detail::outflow_factor_slope<Scalar>(e10, c_.k1);
-        const Scalar sign_61 = detail::sign<Scalar>(e1);
-        const Scalar e62 = Scalar(2) * signed_root_7 * outflow_factor_slope_60 * inverse_9 * (step_2 * e10 + sign_61);
-        const Scalar e63 = (max_p_S * e59 - (step_2 * e1 * e59 - e62)) * e29;
-        const Scalar e64 = (e44 + e47 * c_.k1) * e43;
-        const Scalar e65 = (e44 + e56 * c_.k1) * e43;
-        const Scalar e66 = inverse_3 * (inverse_3 * inverse_3);
-        const Scalar e67 = step_14 * e35 * (e23 * e66);
-        const Scalar e68 = step_2 * e28 * (e12 * e66);
-        J[0] = (Scalar(1) / Scalar(2)) * (-e48 * e54 - e57 * e63);
-        J[1] = -inverse_41 * e45 - (Scalar(1) / Scalar(2)) * e64 * e54 - (Scalar(1) / Scalar(2)) * e65 * e63;
-        J[2] = e25 - e39 * c_.k0 - e32 * c_.k7 - (Scalar(1) / Scalar(2)) * e48 * e67 - (Scalar(1) / Scalar(2)) * e57 * e68;
-        J[3] = e43 * (e24 * c_.k8 - Scalar(2) * e39 - Scalar(2) * e33) + e42 * (p_.T_0 * e39 + p_.T_in * e33)
-            - (Scalar(1) / Scalar(2)) * e64 * e67 - (Scalar(1) / Scalar(2)) * e65 * e68;
+        const Scalar e22 = p_.p_0 - p_value;
+        const Scalar e23 = max_p_0 * e22;
+        const Scalar signed_root_24 = detail::signed_root<Scalar>(e23);
+        const Scalar abs_25 = abs(e22);
+        const Scalar inverse_26 = Scalar(1) / max_p_0;
+        const Scalar e27 = abs_25 * inverse_26;
+        const Scalar outflow_factor_28 = detail::outflow_factor<Scalar>(e27, c_.k1);
+        const Scalar e29 = signed_root_24 * outflow_factor_28;
+        const Scalar step_30 = detail::step<Scalar>(-e22);
+        const Scalar step_31 = detail::step<Scalar>(e22);
+        const Scalar e32 = step_30 * inverse_13 + step_31 * c_.k6;
+        const Scalar u_e = u[1];
+        const Scalar e33 = u_e * c_.k5;
+        const Scalar e34 = e32 * e33;
+        const Scalar e35 = e29 * e34;
+        const Scalar min_36 = detail::min<Scalar>(Scalar(0), -e35);
+        const Scalar e37 = e2 * e20 + (c_.k12 - e21 * min_36);
+        const Scalar e38 = mdot + (u_f * e15 * e11 + u_e * e32 * e29) * c_.k5;
+        const Scalar e39 = c_.k10 - e38 * c_.k11;
+        const Scalar inverse_40 = Scalar(1) / p_value;
+        const Scalar e41 = inverse_40 * c_.k9;
+        const Scalar e42 = T * e41;
+        const Scalar e43 = p_.R_s * e38 - p_.k_W;
+        const Scalar e44 = e42 * (T * e43 + e37);
+        const Scalar step_45 = detail::step<Scalar>(e18);
+        const Scalar e46 = e2 * step_45;
+        const Scalar e47 = T * c_.k1;
+        const Scalar e48 = (e46 * c_.k2 + e47) * c_.k0;
+        const Scalar inverse_root_49 = detail::inverse_root<Scalar>(e5);
+        const Scalar e50 = inverse_root_49 * outflow_factor_10;
+        const Scalar outflow_factor_slope_51 = detail::outflow_factor_slope<Scalar>(e9, c_.k1);
+        const Scalar sign_52 = detail::sign<Scalar>(e4);
+        const Scalar e53 = Scalar(2) * signed_root_6 * outflow_factor_slope_51 * inverse_8 * (step_12 * e9 + sign_52);
+        const Scalar e54 = (max_p_S * e50 - (step_12 * e4 * e50 - e53)) * e17;
+        const Scalar step_55 = detail::step<Scalar>(e35);
+        const Scalar e56 = e21 * step_55;
+        const Scalar e57 = (e56 * c_.k2 + e47) * c_.k0;
+        const Scalar inverse_root_58 = detail::inverse_root<Scalar>(e23);
+        const Scalar e59 = inverse_root_58 * outflow_factor_28;
+        const Scalar outflow_factor_slope_60 = detail::outflow_factor_slope<Scalar>(e27, c_.k1);
+        const Scalar sign_61 = detail::sign<Scalar>(e22);
+        const Scalar e62 = Scalar(2) * signed_root_24 * outflow_factor_slope_60 * inverse_26 * (step_30 * e27 + sign_61);
+        const Scalar e63 = (max_p_0 * e59 - (step_30 * e22 * e59 - e62)) * e34;
+        const Scalar e64 = (Scalar(1) / Scalar(2)) * (-e48 * e54 - e57 * e63);
+        const Scalar e65 = p_.R_s * T;
+        const Scalar e66 = (e65 + e46) * e42;
+        const Scalar e67 = (e65 + e56) * e42;
+        const Scalar e68 = -inverse_40 * e44 - (Scalar(1) / Scalar(2)) * e66 * e54 - (Scalar(1) / Scalar(2)) * e67 * e63;
+        const Scalar e69 = (min_36 - e20) * c_.k4;
+        const Scalar e70 = inverse_13 * (inverse_13 * inverse_13);
+        const Scalar e71 = step_12 * e16 * (e11 * e70);
+        const Scalar e72 = step_30 * e33 * (e29 * e70);
+        const Scalar e73 = e69 * c_.k9 - e39 - (Scalar(1) / Scalar(2)) * e48 * e71 - (Scalar(1) / Scalar(2)) * e57 * e72;
+        const Scalar e74 = e42 * (Scalar(2) * e43 + e69) + e41 * e37 - (Scalar(1) / Scalar(2)) * e66 * e71
+            - (Scalar(1) / Scalar(2)) * e67 * e72;
+        dxdt[0] = e37 * c_.k9 - T * e39;
+        dxdt[1] = e44;
+        J[0] = e64;
+        J[1] = e68;
+        J[2] = e73;
+        J[3] = e74;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].
@@ -573,7 +581,7 @@ public:
     }
 
     /// J = df/du. 2 x 3, entry (i, j) at J[2*j + i].
-    /// Operations: 23 + or -, 53 *, 4 /, 16 other functions
+    /// Operations: 20 + or -, 52 *, 4 /, 16 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::abs;
         using std::sqrt;
@@ -584,7 +592,7 @@ public:
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar signed_root_3 = detail::signed_root<Scalar>(max_p_S * e1);
         const Scalar abs_4 = abs(e1);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k26);
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k28);
         const Scalar e6 = signed_root_3 * outflow_factor_5;
         const Scalar e7 = step_2 * e6;
         const Scalar step_8 = detail::step<Scalar>(-e1);
@@ -592,44 +600,42 @@ public:
         const Scalar inverse_9 = Scalar(1) / sqrt_T;
         const Scalar e10 = step_8 * inverse_9;
         const Scalar e11 = e6 * e10;
-        const Scalar e12 = c_.k9 * T;
+        const Scalar e12 = c_.k14 * T;
+        const Scalar e13 = c_.k27 * T;
+        const Scalar e14 = c_.k30 - e13;
         const Scalar u_f = u[0];
-        const Scalar step_13 = detail::step<Scalar>(u_f * (c_.k27 * e7 + c_.k3 * e11));
-        const Scalar e14 = c_.k10 * T;
-        const Scalar e15 = step_13 * (c_.k14 * step_2 - (c_.k12 * T * step_2 + (e14 - c_.k13) * e10));
-        const Scalar e16 = e6 * e15;
+        const Scalar step_15 = detail::step<Scalar>(u_f * (c_.k29 * e7 + c_.k5 * e11));
+        const Scalar e16 = e14 * step_15 * ((c_.k17 * step_2 + c_.k16 * e10) * e6);
         const Scalar e17 = T / p_value;
         const Scalar e18 = T * e17;
-        const Scalar e19 = c_.k15 * e18;
+        const Scalar e19 = c_.k18 * e18;
         const Scalar e20 = p_.p_0 - p_value;
         const Scalar step_21 = detail::step<Scalar>(e20);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar signed_root_22 = detail::signed_root<Scalar>(max_p_0 * e20);
         const Scalar abs_23 = abs(e20);
-        const Scalar outflow_factor_24 = detail::outflow_factor<Scalar>(abs_23 / max_p_0, c_.k26);
+        const Scalar outflow_factor_24 = detail::outflow_factor<Scalar>(abs_23 / max_p_0, c_.k28);
         const Scalar e25 = signed_root_22 * outflow_factor_24;
         const Scalar e26 = step_21 * e25;
         const Scalar step_27 = detail::step<Scalar>(-e20);
         const Scalar e28 = step_27 * inverse_9;
         const Scalar e29 = e25 * e28;
         const Scalar u_e = u[1];
-        const Scalar step_30 = detail::step<Scalar>(u_e * (c_.k25 * e26 + c_.k3 * e29));
-        const Scalar e31 = step_30 * (c_.k20 * step_21 - (c_.k18 * T * step_21 + (e14 - c_.k19) * e28));
-        const Scalar e32 = e25 * e31;
-        const Scalar e33 = c_.k22 * T;
+        const Scalar step_30 = detail::step<Scalar>(u_e * (c_.k25 * e26 + c_.k5 * e29));
+        const Scalar e31 = (c_.k26 - e13) * step_30 * ((c_.k21 * step_21 + c_.k16 * e28) * e25);
         const Scalar mdot = u[2];
         const Scalar step_mdot = detail::step<Scalar>(mdot);
-        const Scalar e34 = step_mdot * (e33 - c_.k23);
-        J[0] = c_.k11 * T * e7 + e11 * e12 + e16;
-        J[1] = c_.k16 * e18 * e7 + e11 * e19 + e17 * e16;
-        J[2] = c_.k17 * T * e26 + e29 * e12 + e32;
-        J[3] = c_.k21 * e18 * e26 + e29 * e19 + e17 * e32;
-        J[4] = e33 - e34;
-        J[5] = c_.k24 * e18 - e17 * e34;
+        const Scalar e32 = e14 * (c_.k9 * step_mdot);
+        J[0] = c_.k15 * T * e7 + e11 * e12 + e16;
+        J[1] = c_.k19 * e18 * e7 + e11 * e19 + e17 * e16;
+        J[2] = c_.k20 * T * e26 + e29 * e12 + e31;
+        J[3] = c_.k22 * e18 * e26 + e29 * e19 + e17 * e31;
+        J[4] = c_.k23 * T + e32;
+        J[5] = c_.k24 * e18 + e17 * e32;
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 10, entry (i, j) at J[2*j + i].
-    /// Operations: 164 + or -, 430 *, 10 /, 30 other functions
+    /// Operations: 138 + or -, 362 *, 10 /, 30 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::abs;
         using std::sqrt;
@@ -638,246 +644,221 @@ public:
         const Scalar inverse_2 = Scalar(1) / c_.c_v;
         const Scalar e3 = p_.R_s * inverse_1;
         const Scalar e4 = inverse_2 * e3;
-        const Scalar e5 = p_.k_W * e4;
-        const Scalar e6 = inverse_1 * e5;
-        const Scalar sqrt_T_in = sqrt(p_.T_in);
-        const Scalar inverse_7 = Scalar(1) / sqrt_T_in;
-        const Scalar e8 = p_.R_s * inverse_2;
-        const Scalar e9 = Scalar(1) + e8;
-        const Scalar sqrt_10 = sqrt(Scalar(2));
-        const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar inverse_11 = Scalar(1) / sqrt_R_s;
-        const Scalar e12 = sqrt_10 * inverse_11;
-        const Scalar e13 = e3 * e12;
-        const Scalar e14 = p_.A_d * e13;
-        const Scalar e15 = p_.alpha_d * e14;
-        const Scalar e16 = e9 * e15;
-        const Scalar e17 = inverse_7 * e16;
-        const Scalar p_value = x[0];
-        const Scalar e18 = p_.p_S - p_value;
-        const Scalar abs_19 = abs(e18);
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar inverse_20 = Scalar(1) / max_p_S;
-        const Scalar e21 = abs_19 * inverse_20;
-        const Scalar outflow_factor_22 = detail::outflow_factor<Scalar>(e21, c_.k26);
-        const Scalar step_23 = detail::step<Scalar>(e18);
-        const Scalar u_f = u[0];
-        const Scalar e24 = max_p_S * e18;
-        const Scalar signed_root_25 = detail::signed_root<Scalar>(e24);
-        const Scalar e26 = u_f * signed_root_25;
-        const Scalar e27 = step_23 * e26;
-        const Scalar e28 = T * e27;
-        const Scalar e29 = outflow_factor_22 * e28;
-        const Scalar e30 = p_.p_0 - p_value;
-        const Scalar abs_31 = abs(e30);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar inverse_32 = Scalar(1) / max_p_0;
-        const Scalar e33 = abs_31 * inverse_32;
-        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e33, c_.k26);
-        const Scalar u_e = u[1];
-        const Scalar e35 = max_p_0 * e30;
-        const Scalar signed_root_36 = detail::signed_root<Scalar>(e35);
-        const Scalar e37 = u_e * signed_root_36;
-        const Scalar step_38 = detail::step<Scalar>(-e30);
-        const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_39 = Scalar(1) / sqrt_T;
-        const Scalar e40 = step_38 * inverse_39;
-        const Scalar e41 = e37 * e40;
-        const Scalar step_42 = detail::step<Scalar>(e30);
-        const Scalar e43 = step_42 * e37;
-        const Scalar e44 = outflow_factor_34 * e43;
-        const Scalar e45 = c_.k3 * outflow_factor_34 * e41 + c_.k25 * e44;
-        const Scalar min_46 = detail::min<Scalar>(Scalar(0), -e45);
-        const Scalar e47 = inverse_1 * e9;
-        const Scalar e48 = e3 * e47;
-        const Scalar mdot = u[2];
-        const Scalar max_49 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar step_50 = detail::step<Scalar>(-e18);
-        const Scalar e51 = step_50 * inverse_39;
-        const Scalar e52 = e26 * e51;
-        const Scalar e53 = outflow_factor_22 * (c_.k27 * e27 + c_.k3 * e52);
-        const Scalar max_54 = detail::max<Scalar>(Scalar(0), e53);
-        const Scalar e55 = max_49 + max_54;
-        const Scalar e56 = p_.T_0 * e6 - (min_46 * (p_.T_0 * e48) - p_.T_in * e48 * e55);
+        const Scalar e5 = inverse_1 * e4;
+        const Scalar e6 = p_.k_W * e5;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_57 = Scalar(1) / sqrt_T_0;
-        const Scalar e58 = inverse_57 * e16;
-        const Scalar e59 = T * e44;
-        const Scalar e60 = min_46 - e55;
-        const Scalar e61 = mdot + e60;
-        const Scalar e62 = T * e61;
-        const Scalar e63 = step_50 * e26;
-        const Scalar e64 = e37 * (step_38 * outflow_factor_34);
-        const Scalar e65 = inverse_39 * (outflow_factor_22 * e63 + e64);
-        const Scalar e66 = T * e65;
-        const Scalar e67 = T / p_value;
-        const Scalar e68 = T * e67;
-        const Scalar e69 = e15 * e4;
-        const Scalar e70 = e68 * e27;
-        const Scalar e71 = outflow_factor_22 * e70;
-        const Scalar e72 = e68 * e44;
-        const Scalar e73 = e68 * e65;
-        const Scalar e74 = mdot * e68;
-        const Scalar e75 = e68 * e60;
-        const Scalar e76 = p_.A_d * p_.alpha_d;
-        const Scalar inverse_11_squared = inverse_11 * inverse_11;
-        const Scalar e77 = (Scalar(1) / Scalar(2)) * (e16 * inverse_11_squared);
-        const Scalar inverse_78 = Scalar(1) / (Scalar(1) - p_.kappa);
-        const Scalar e79 = inverse_78 * e8;
-        const Scalar e80 = Scalar(1) + (Scalar(1) / Scalar(2)) * e79;
-        const Scalar e81 = e80 * (inverse_2 * e15);
-        const Scalar e82 = (Scalar(1) / Scalar(2)) * (inverse_1 * e12 * e76 - e77) + e81;
-        const Scalar e83 = (inverse_1 + inverse_78 * e4) * (p_.k_W * inverse_2);
-        const Scalar step_84 = detail::step<Scalar>(e45);
-        const Scalar e85 = step_84 * e44;
-        const Scalar step_86 = detail::step<Scalar>(e53);
-        const Scalar e87 = outflow_factor_22 * step_86;
-        const Scalar e88 = inverse_39 * (e87 * e63 + step_84 * e64);
-        const Scalar e89 = e83 - ((Scalar(1) / Scalar(2)) * e58 * inverse_11_squared * e85 + e77 * e88);
-        const Scalar e90 = Scalar(2) * (e80 * e4);
-        const Scalar e91 = inverse_1 + e90;
-        const Scalar e92 = p_.T_in * e17;
-        const Scalar e93 = e27 * e87;
-        const Scalar e94 = p_.T_0 * e58;
-        const Scalar e95 = step_84 * e41;
-        const Scalar e96 = p_.T_0 * e16;
-        const Scalar outflow_factor_by_exponent_97 = detail::outflow_factor_by_exponent<Scalar>(e33, c_.k26);
-        const Scalar e98 = inverse_2 * (Scalar(1) + e79);
-        const Scalar outflow_factor_by_exponent_99 = detail::outflow_factor_by_exponent<Scalar>(e21, c_.k26);
-        const Scalar e100 = outflow_factor_by_exponent_99 * step_86;
-        const Scalar e101 = p_.T_in * e16;
-        const Scalar e102 = outflow_factor_by_exponent_97 * e43;
-        const Scalar e103 = step_84 * e102;
-        const Scalar e104 = e87 * e52;
-        const Scalar e105 = (Scalar(1) / Scalar(2)) * inverse_11_squared * e92 * e93 + (Scalar(1) / Scalar(2))
-            * inverse_11_squared * e94 * e85;
-        const Scalar e106 = outflow_factor_34 * ((Scalar(1) / Scalar(2)) * inverse_11_squared * e96);
-        const Scalar e107 = e95 * (e106 - outflow_factor_by_exponent_97 * (e98 * e96)) - e100
-            * (e98 * e101 * e52 + e98 * e92 * e27);
-        const Scalar e108 = e98 * e94 * e103 - (Scalar(1) / Scalar(2)) * inverse_11_squared * e101 * e104;
-        const Scalar e109 = min_46 * (p_.T_0 * e91) - p_.T_in * e91 * e55 + e105 + (e107 - (p_.T_0 * e83 + e108));
-        const Scalar e110 = (Scalar(1) / Scalar(2)) * e17 * inverse_11_squared;
-        const Scalar e111 = e87 * e28;
-        const Scalar e112 = e16 * e98;
-        const Scalar e113 = Scalar(1) - step_86;
-        const Scalar e114 = outflow_factor_by_exponent_99 * e113;
-        const Scalar e115 = Scalar(1) - step_84;
-        const Scalar e116 = outflow_factor_by_exponent_97 * e41;
-        const Scalar e117 = T * (e52 * e114 + e115 * e116);
-        const Scalar e118 = e58 * e98;
-        const Scalar e119 = T * e115;
-        const Scalar e120 = e102 * e119;
-        const Scalar e121 = e17 * e98;
-        const Scalar e122 = e28 * e114;
-        const Scalar e123 = e15 * e8;
-        const Scalar e124 = e81 - (Scalar(1) / Scalar(4)) * e123 * inverse_11_squared;
-        const Scalar e125 = e87 * e70;
-        const Scalar e126 = inverse_7 * e123;
-        const Scalar e127 = outflow_factor_by_exponent_99 * e70;
-        const Scalar e128 = e70 * e100;
-        const Scalar e129 = inverse_57 * e123;
-        const Scalar e130 = e68 * e102;
-        const Scalar e131 = e68 * (outflow_factor_by_exponent_99 * e52 + e116);
-        const Scalar e132 = outflow_factor_by_exponent_97 * e95;
-        const Scalar e133 = e68 * (e52 * e100 + e132);
-        const Scalar e134 = e68 * e103;
-        const Scalar e79_squared = e79 * e79;
-        const Scalar e135 = e15 * e79_squared;
-        const Scalar e136 = inverse_7 * e135;
-        const Scalar e137 = e3 * e79_squared;
-        const Scalar e138 = e5 * (inverse_78 * e79);
-        const Scalar e139 = inverse_57 * e135 * e44 + e137 * e61 + (e135 * e65 - e138);
-        const Scalar e140 = p_.T_0 * e138 + e100 * (e79_squared * e101 * e52 + e79_squared * e92 * e27);
-        const Scalar e141 = e79_squared * e94 * e103 + e79_squared * e96 * e132
-            - (min_46 * (p_.T_0 * e137) - p_.T_in * e137 * e55);
-        const Scalar e142 = e140 + e141;
-        const Scalar e143 = e16 * e79_squared;
-        const Scalar e144 = e79_squared * e58;
-        const Scalar e145 = e79_squared * e17;
-        const Scalar sign_146 = detail::sign<Scalar>(e30);
-        const Scalar outflow_factor_slope_147 = detail::outflow_factor_slope<Scalar>(e33, c_.k26);
-        const Scalar e148 = (step_42 * e33 - sign_146) * (outflow_factor_slope_147 * inverse_32);
-        const Scalar e149 = e43 * e148;
-        const Scalar e150 = (Scalar(1) / Scalar(2)) * e16;
-        const Scalar inverse_root_151 = detail::inverse_root<Scalar>(e35);
-        const Scalar e152 = u_e * outflow_factor_34 * (inverse_root_151 * (max_p_0 + step_42 * e30));
-        const Scalar e153 = c_.k18 * e149 - (step_42 * ((Scalar(1) / Scalar(2)) * e58) + e150 * e40) * e152;
-        const Scalar e154 = step_42 * ((Scalar(1) / Scalar(2)) * e94) + (Scalar(1) / Scalar(2)) * e96 * e40;
-        const Scalar e155 = step_84 * (c_.k20 * e149 - e154 * e152) + c_.k19 * e95 * e148;
-        const Scalar e156 = (Scalar(1) / Scalar(2)) * e123 * e68;
-        const Scalar inverse_57_squared = inverse_57 * inverse_57;
-        const Scalar e157 = (Scalar(1) / Scalar(2)) * e58 * inverse_57_squared;
-        const Scalar e158 = c_.k22 * min_46 + (Scalar(1) / Scalar(2)) * e94 * inverse_57_squared * e85;
-        const Scalar e159 = e5 - e158;
-        const Scalar e160 = inverse_57 * inverse_57_squared;
-        const Scalar e161 = e76 * (sqrt_10 * sqrt_R_s);
-        const Scalar e162 = e47 * e161;
-        const Scalar e163 = e4 * e161;
-        const Scalar e164 = e68 * e85;
-        const Scalar inverse_root_165 = detail::inverse_root<Scalar>(e24);
-        const Scalar e166 = (max_p_S + step_23 * e18) * (u_f * inverse_root_165);
-        const Scalar e167 = e87 * e166;
-        const Scalar sign_168 = detail::sign<Scalar>(e18);
-        const Scalar outflow_factor_slope_169 = detail::outflow_factor_slope<Scalar>(e21, c_.k26);
-        const Scalar e170 = (step_23 * e21 - sign_168) * (outflow_factor_slope_169 * inverse_20);
-        const Scalar e171 = step_86 * e170;
-        const Scalar e172 = step_23 * ((Scalar(1) / Scalar(2)) * e92) + (Scalar(1) / Scalar(2)) * e101 * e51;
-        const Scalar e173 = e172 * e167 - (c_.k13 * e52 + c_.k14 * e27) * e171;
-        const Scalar e174 = e52 * e170;
-        const Scalar e175 = step_23 * ((Scalar(1) / Scalar(2)) * e17) + e150 * e51;
-        const Scalar e176 = outflow_factor_22 * e166;
+        const Scalar inverse_7 = Scalar(1) / sqrt_T_0;
+        const Scalar sqrt_8 = sqrt(Scalar(2));
+        const Scalar sqrt_R_s = sqrt(p_.R_s);
+        const Scalar inverse_9 = Scalar(1) / sqrt_R_s;
+        const Scalar e10 = sqrt_8 * inverse_9;
+        const Scalar e11 = p_.A_d * e10;
+        const Scalar e12 = p_.alpha_d * e11;
+        const Scalar e13 = Scalar(1) + p_.R_s * inverse_2;
+        const Scalar e14 = e13 * e3;
+        const Scalar e15 = e12 * e14;
+        const Scalar e16 = inverse_1 * e15;
+        const Scalar p_value = x[0];
+        const Scalar e17 = p_.p_0 - p_value;
+        const Scalar abs_18 = abs(e17);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
+        const Scalar inverse_19 = Scalar(1) / max_p_0;
+        const Scalar e20 = abs_18 * inverse_19;
+        const Scalar outflow_factor_21 = detail::outflow_factor<Scalar>(e20, c_.k28);
+        const Scalar step_22 = detail::step<Scalar>(e17);
+        const Scalar u_e = u[1];
+        const Scalar e23 = max_p_0 * e17;
+        const Scalar signed_root_24 = detail::signed_root<Scalar>(e23);
+        const Scalar e25 = u_e * signed_root_24;
+        const Scalar e26 = step_22 * e25;
+        const Scalar e27 = outflow_factor_21 * e26;
+        const Scalar e28 = T * e27;
+        const Scalar sqrt_T_in = sqrt(p_.T_in);
+        const Scalar inverse_29 = Scalar(1) / sqrt_T_in;
+        const Scalar e30 = p_.p_S - p_value;
+        const Scalar abs_31 = abs(e30);
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
+        const Scalar inverse_32 = Scalar(1) / max_p_S;
+        const Scalar e33 = abs_31 * inverse_32;
+        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e33, c_.k28);
+        const Scalar step_35 = detail::step<Scalar>(e30);
+        const Scalar u_f = u[0];
+        const Scalar e36 = max_p_S * e30;
+        const Scalar signed_root_37 = detail::signed_root<Scalar>(e36);
+        const Scalar e38 = u_f * signed_root_37;
+        const Scalar e39 = step_35 * e38;
+        const Scalar e40 = outflow_factor_34 * e39;
+        const Scalar e41 = T * e40;
+        const Scalar step_42 = detail::step<Scalar>(-e17);
+        const Scalar e43 = step_42 * e25;
+        const Scalar e44 = outflow_factor_21 * e43;
+        const Scalar step_45 = detail::step<Scalar>(-e30);
+        const Scalar e46 = step_45 * e38;
+        const Scalar e47 = outflow_factor_34 * e46;
+        const Scalar e48 = e44 + e47;
+        const Scalar sqrt_T = sqrt(T);
+        const Scalar inverse_49 = Scalar(1) / sqrt_T;
+        const Scalar e50 = T * inverse_49;
+        const Scalar e51 = e48 * e50;
+        const Scalar e52 = p_.T_0 * p_.k_W;
+        const Scalar e53 = c_.k27 * T;
+        const Scalar e54 = c_.k26 - e53;
+        const Scalar e55 = c_.k5 * inverse_49;
+        const Scalar e56 = c_.k25 * e27 + e44 * e55;
+        const Scalar min_57 = detail::min<Scalar>(Scalar(0), -e56);
+        const Scalar e58 = c_.k30 - e53;
+        const Scalar mdot = u[2];
+        const Scalar max_59 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar e60 = c_.k29 * e40 + e47 * e55;
+        const Scalar max_61 = detail::max<Scalar>(Scalar(0), e60);
+        const Scalar e62 = max_59 + max_61;
+        const Scalar e63 = e54 * min_57 - e58 * e62;
+        const Scalar e64 = e52 * e5 - e5 * e63;
+        const Scalar e65 = mdot * T;
+        const Scalar e66 = T / p_value;
+        const Scalar e67 = T * e66;
+        const Scalar e68 = e4 * e12;
+        const Scalar e69 = inverse_7 * e68;
+        const Scalar e70 = e67 * e27;
+        const Scalar e71 = inverse_29 * e68;
+        const Scalar e72 = e67 * e40;
+        const Scalar e73 = inverse_49 * e67;
+        const Scalar e74 = e48 * e73;
+        const Scalar e75 = mdot * e67;
+        const Scalar inverse_9_squared = inverse_9 * inverse_9;
+        const Scalar e76 = p_.R_s * e68;
+        const Scalar inverse_77 = Scalar(1) / (Scalar(1) - p_.kappa);
+        const Scalar e78 = inverse_2 * inverse_77;
+        const Scalar e79 = e68 + (Scalar(1) / Scalar(2)) * e76 * e78;
+        const Scalar e80 = e12 * (inverse_1 - (Scalar(1) / Scalar(2)) * e14 * inverse_9_squared) + Scalar(2) * e79;
+        const Scalar e81 = inverse_1 * inverse_2 + e4 * e78;
+        const Scalar e82 = inverse_77 * e4;
+        const Scalar e83 = e4 - e82;
+        const Scalar e84 = min_57 - e62;
+        const Scalar e85 = p_.k_W * e81 - e83 * e84;
+        const Scalar step_86 = detail::step<Scalar>(e56);
+        const Scalar e87 = e54 * step_86;
+        const Scalar e88 = e87 * e27;
+        const Scalar step_89 = detail::step<Scalar>(e60);
+        const Scalar e90 = e58 * step_89;
+        const Scalar e91 = e87 * e44 + e90 * e47;
+        const Scalar e92 = p_.R_s * e78;
+        const Scalar e93 = Scalar(1) + e92;
+        const Scalar e94 = inverse_2 * e93;
+        const Scalar outflow_factor_by_exponent_95 = detail::outflow_factor_by_exponent<Scalar>(e20, c_.k28);
+        const Scalar e96 = outflow_factor_by_exponent_95 * e43;
+        const Scalar outflow_factor_by_exponent_97 = detail::outflow_factor_by_exponent<Scalar>(e33, c_.k28);
+        const Scalar e98 = outflow_factor_by_exponent_97 * e46;
+        const Scalar e99 = e87 * e96 + e90 * e98;
+        const Scalar e100 = e90 * e40;
+        const Scalar e101 = outflow_factor_by_exponent_95 * e26;
+        const Scalar e102 = e87 * e101;
+        const Scalar e103 = outflow_factor_by_exponent_97 * e39;
+        const Scalar e104 = e90 * e103;
+        const Scalar e105 = min_57 * (p_.T_0 * e83) - p_.T_in * e83 * e62
+            + ((Scalar(1) / Scalar(2)) * e69 * inverse_9_squared * e88 + e81 * e63);
+        const Scalar e106 = (Scalar(1) / Scalar(2)) * e68 * inverse_9_squared * e91 - e68 * e94 * e99;
+        const Scalar e107 = inverse_49 * e106 + (Scalar(1) / Scalar(2)) * e71 * inverse_9_squared * e100;
+        const Scalar e108 = e105 + (e107 - (e81 * e52 + (e69 * e94 * e102 + e71 * e94 * e104)));
+        const Scalar e109 = Scalar(2) * (e4 * (Scalar(1) + (Scalar(1) / Scalar(2)) * e92));
+        const Scalar e110 = e13 * e93;
+        const Scalar e111 = e96 + e98;
+        const Scalar e112 = e111 * e50;
+        const Scalar e113 = T * e101;
+        const Scalar e114 = T * e103;
+        const Scalar e115 = e76 * inverse_9_squared - Scalar(4) * e79;
+        const Scalar e116 = e111 * e73;
+        const Scalar e117 = inverse_7 * e76;
+        const Scalar e118 = e67 * e101;
+        const Scalar e119 = inverse_29 * e76;
+        const Scalar e120 = e67 * e103;
+        const Scalar e121 = e76 * e92;
+        const Scalar e122 = inverse_77 * e121;
+        const Scalar e123 = p_.R_s * e82;
+        const Scalar e124 = inverse_77 * e123;
+        const Scalar e125 = e92 * e82;
+        const Scalar e126 = inverse_29 * e122 * e40 - e124 * e84
+            - (p_.k_W * e125 - (mdot * (e92 * e123) + inverse_7 * e122 * e27));
+        const Scalar e127 = e78 * e121;
+        const Scalar e128 = min_57 * (p_.T_0 * e124) + inverse_49 * e127 * e99 - (p_.T_in * e124 * e62 + e125 * e63);
+        const Scalar e129 = e52 * e125 + (inverse_7 * e127 * e102 + inverse_29 * e127 * e104) + e128;
+        const Scalar e130 = e13 * e122;
+        const Scalar e131 = e92 * e121;
+        const Scalar e132 = (Scalar(1) / Scalar(2)) * e15 * e50;
+        const Scalar inverse_root_133 = detail::inverse_root<Scalar>(e23);
+        const Scalar e134 = u_e * outflow_factor_21 * (inverse_root_133 * (max_p_0 + step_22 * e17));
+        const Scalar e135 = step_42 * e134;
+        const Scalar e136 = inverse_7 * e15;
+        const Scalar sign_137 = detail::sign<Scalar>(e17);
+        const Scalar outflow_factor_slope_138 = detail::outflow_factor_slope<Scalar>(e20, c_.k28);
+        const Scalar e139 = (step_22 * e20 - sign_137) * (outflow_factor_slope_138 * inverse_19);
+        const Scalar e140 = e26 * e139;
+        const Scalar e141 = step_22 * e134;
+        const Scalar e142 = (Scalar(1) / Scalar(2)) * e68;
+        const Scalar e143 = step_42 * inverse_49 * (c_.k16 * e25 * e139 - e142 * e134)
+            + (c_.k21 * e140 - (Scalar(1) / Scalar(2)) * e69 * e141);
+        const Scalar e144 = e87 * e143;
+        const Scalar e145 = e15 * e50;
+        const Scalar e146 = e43 * e139;
+        const Scalar e147 = (Scalar(1) / Scalar(2)) * e76 * e73;
+        const Scalar e148 = e76 * e73;
         const Scalar inverse_7_squared = inverse_7 * inverse_7;
-        const Scalar e177 = c_.k22 * e55 - (Scalar(1) / Scalar(2)) * e92 * inverse_7_squared * e93;
-        const Scalar e178 = inverse_7 * inverse_7_squared;
-        const Scalar e179 = (Scalar(1) / Scalar(2)) * e17 * inverse_7_squared;
-        const Scalar e180 = p_.alpha_d * e13;
-        const Scalar e181 = e9 * e180;
-        const Scalar e182 = outflow_factor_34 * e95;
-        const Scalar e183 = p_.T_in * inverse_7;
-        const Scalar e184 = p_.T_0 * inverse_57;
-        const Scalar e185 = p_.T_in * e181 * e104 + p_.T_0 * e181 * e182 + (e181 * e183 * e93 + e181 * e184 * e85);
-        const Scalar e186 = T * (e88 - e65);
-        const Scalar e187 = inverse_57 * e181;
-        const Scalar e188 = e44 * e119;
-        const Scalar e189 = inverse_7 * e181;
-        const Scalar e190 = e113 * e29;
-        const Scalar e191 = e8 * e180;
-        const Scalar e192 = e68 * e88;
-        const Scalar e193 = e9 * e14;
-        const Scalar e194 = p_.T_in * e193 * e104 + p_.T_0 * e193 * e182 + (e193 * e183 * e93 + e193 * e184 * e85);
-        const Scalar e195 = inverse_57 * e193;
-        const Scalar e196 = inverse_7 * e193;
-        const Scalar e197 = e14 * e8;
-        const Scalar e198 = p_.T_0 * e4;
-        J[0] = T * e6 - inverse_1 * e17 * e29 - e56 - inverse_1 * e58 * e59 - e48 * e62 - inverse_1 * e16 * e66;
-        J[1] = e6 * e68 - inverse_7 * e69 * e71 - inverse_57 * e69 * e72 - e69 * e73 - e67 * e56 - e3 * e4 * e74 - e48 * e75;
-        J[2] = Scalar(2) * inverse_7 * e82 * e29 - T * e89 - e109 + Scalar(2) * inverse_57 * e82 * e59 + e91 * e62 + e110
-            * e111 + e112 * e117 + Scalar(2) * e82 * e66 + e118 * e120 + e121 * e122;
-        J[3] = Scalar(2) * inverse_7 * e124 * e71 + Scalar(2) * inverse_57 * e124 * e72 - e68 * e89 + e110 * e125 + Scalar(2)
-            * e124 * e73 - e67 * e109 + e90 * e74 + e91 * e75 + e98 * e126 * e127 - e121 * e128 + e98 * e129 * e130 + e123
-            * e98 * e131 - e112 * e133 - e118 * e134;
-        J[4] = e136 * e29 + T * e139 + e142 + e143 * e117 + e144 * e120 + e145 * e122;
-        J[5] = e136 * e71 + e68 * e139 + e67 * e142 + e79_squared * e126 * e127 - e145 * e128 + e79_squared * e129 * e130
-            + e79_squared * e123 * e131 - e143 * e133 - e144 * e134;
-        J[6] = -e119 * (e153 + c_.k10 * e41 * e148) - e155;
-        const Scalar e199 = e68 * (step_84 * e153 + step_42 * ((Scalar(1) / Scalar(2)) * e129) * e152);
-        J[7] = e199 - e68 * e148 * (e129 * e43 + e123 * e41 - c_.k10 * e95) - e67 * e155 + e40 * e152 * e156;
-        J[8] = T * e157 * e85 + e159 - (Scalar(1) / Scalar(2)) * e160 * e162 * e59;
-        J[9] = e67 * e159 - (Scalar(1) / Scalar(2)) * e160 * e163 * e72 + e157 * e164;
-        J[10] = e173 - T * e113 * (c_.k10 * e174 - e175 * e176) - c_.k12 * e113 * e28 * e170;
-        const Scalar e200 = e68 * (step_23 * ((Scalar(1) / Scalar(2)) * e126) * e176 - e175 * e167);
-        J[11] = e200 - e70 * (e126 * e170 - c_.k12 * e171) - e68 * e174 * (e123 - c_.k10 * step_86) + e67 * e173 + e51 * e176
-            * e156;
-        J[12] = e177 - (Scalar(1) / Scalar(2)) * e178 * e162 * e29 + e179 * e111;
-        J[13] = e67 * e177 - (Scalar(1) / Scalar(2)) * e178 * e163 * e71 + e179 * e125;
-        J[14] = e185 - e181 * e186 + e187 * e188 + e189 * e190;
-        J[15] = inverse_7 * e191 * e71 + inverse_57 * e191 * e72 - e189 * e125 + e191 * e73 + e67 * e185 - e187 * e164 - e181
-            * e192;
-        J[16] = e194 - e193 * e186 + e195 * e188 + e196 * e190;
-        J[17] = inverse_7 * e197 * e71 + inverse_57 * e197 * e72 - e196 * e125 + e197 * e73 + e67 * e194 - e195 * e164 - e193
-            * e192;
-        J[18] = e198 - T * e4;
-        J[19] = e198 * e67 - e4 * e68;
+        const Scalar e149 = c_.k23 * min_57 + (Scalar(1) / Scalar(2)) * e69 * inverse_7_squared * e88;
+        const Scalar e150 = c_.k10 - e149;
+        const Scalar e151 = inverse_1 * e13;
+        const Scalar e152 = p_.A_d * p_.alpha_d * (sqrt_8 * sqrt_R_s);
+        const Scalar e153 = e152 * inverse_7_squared;
+        const Scalar e154 = inverse_7 * e4;
+        const Scalar inverse_root_155 = detail::inverse_root<Scalar>(e36);
+        const Scalar e156 = u_f * outflow_factor_34 * (inverse_root_155 * (max_p_S + step_35 * e30));
+        const Scalar e157 = step_45 * e156;
+        const Scalar e158 = inverse_29 * e15;
+        const Scalar sign_159 = detail::sign<Scalar>(e30);
+        const Scalar outflow_factor_slope_160 = detail::outflow_factor_slope<Scalar>(e33, c_.k28);
+        const Scalar e161 = (step_35 * e33 - sign_159) * (outflow_factor_slope_160 * inverse_32);
+        const Scalar e162 = e39 * e161;
+        const Scalar e163 = step_35 * e156;
+        const Scalar e164 = step_45 * inverse_49 * (c_.k16 * e38 * e161 - e142 * e156)
+            + (c_.k17 * e162 - (Scalar(1) / Scalar(2)) * e71 * e163);
+        const Scalar e165 = e90 * e164;
+        const Scalar e166 = e46 * e161;
+        const Scalar inverse_29_squared = inverse_29 * inverse_29;
+        const Scalar e167 = c_.k23 * e62 - (Scalar(1) / Scalar(2)) * e71 * inverse_29_squared * e100;
+        const Scalar e168 = e152 * inverse_29_squared;
+        const Scalar e169 = inverse_29 * e4;
+        const Scalar e170 = p_.alpha_d * e10;
+        const Scalar e171 = e14 * e170;
+        const Scalar e172 = inverse_49 * e91;
+        const Scalar e173 = e170 * e169 * e100 + (e170 * e154 * e88 + e4 * e170 * e172);
+        const Scalar e174 = p_.R_s * e4;
+        const Scalar e175 = e170 * e174;
+        const Scalar e176 = e11 * e14;
+        const Scalar e177 = e11 * e169 * e100 + (e11 * e154 * e88 + e4 * e11 * e172);
+        const Scalar e178 = e11 * e174;
+        const Scalar e179 = p_.T_0 * e4;
+        J[0] = T * e6 - inverse_7 * e16 * e28 - inverse_29 * e16 * e41 - e16 * e51 - e64 - inverse_1 * e14 * e65;
+        J[1] = e6 * e67 - e3 * e69 * e70 - e3 * e71 * e72 - e3 * e68 * e74 - e66 * e64 - e3 * e4 * e75;
+        J[2] = inverse_7 * e80 * e28 - T * e85 + inverse_29 * e80 * e41 + e80 * e51 - e108 + (inverse_1 + e109) * e65 + e68
+            * e110 * e112 + e69 * e110 * e113 + e71 * e110 * e114;
+        J[3] = (-(Scalar(1) / Scalar(2)) * inverse_7 * e115) * e70 - e67 * e85 + (-(Scalar(1) / Scalar(2)) * inverse_29 * e115)
+            * e72 + (-(Scalar(1) / Scalar(2)) * e115) * e74 - e66 * e108 + e109 * e75 + e76 * e94 * e116 + e94 * e117 * e118
+            + e94 * e119 * e120;
+        J[4] = e122 * e51 + T * e126 + e129 + e130 * e112 + inverse_7 * e130 * e113 + inverse_29 * e130 * e114;
+        J[5] = e122 * e74 + e67 * e126 + e66 * e129 + e131 * e116 + inverse_7 * e131 * e118 + inverse_29 * e131 * e120;
+        J[6] = e132 * e135 - T * (e136 * e140 - (Scalar(1) / Scalar(2)) * e136 * e141) - e144 - e145 * e146;
+        J[7] = e147 * e135 - e67 * (e117 * e140 - (Scalar(1) / Scalar(2)) * e117 * e141) - e66 * e144 - e148 * e146;
+        J[8] = e150 - (Scalar(1) / Scalar(2)) * inverse_7 * e151 * e153 * e28;
+        J[9] = e66 * e150 - (Scalar(1) / Scalar(2)) * e154 * e153 * e70;
+        J[10] = e132 * e157 - T * (e158 * e162 - (Scalar(1) / Scalar(2)) * e158 * e163) - e165 - e145 * e166;
+        J[11] = e147 * e157 - e67 * (e119 * e162 - (Scalar(1) / Scalar(2)) * e119 * e163) - e66 * e165 - e148 * e166;
+        J[12] = e167 - (Scalar(1) / Scalar(2)) * inverse_29 * e151 * e168 * e41;
+        J[13] = e66 * e167 - (Scalar(1) / Scalar(2)) * e169 * e168 * e72;
+        J[14] = inverse_7 * e171 * e28 + inverse_29 * e171 * e41 + e171 * e51 + e173;
+        J[15] = inverse_7 * e175 * e70 + inverse_29 * e175 * e72 + e175 * e74 + e66 * e173;
+        J[16] = inverse_7 * e176 * e28 + inverse_29 * e176 * e41 + e176 * e51 + e177;
+        J[17] = inverse_7 * e178 * e70 + inverse_29 * e178 * e72 + e178 * e74 + e66 * e177;
+        J[18] = e179 - c_.k9 * T;
+        J[19] = e179 * e66 - c_.k9 * e67;
     }
 
     /// J = df/dt at fixed x and u.
@@ -924,7 +905,7 @@ public:
         const Scalar step_2 = detail::step<Scalar>(-e1);
         const Scalar abs_3 = abs(e1);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k26);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k28);
         const Scalar u_f = u[0];
         const Scalar signed_root_5 = detail::signed_root<Scalar>(max_p_S * e1);
         const Scalar e6 = outflow_factor_4 * (u_f * signed_root_5);
@@ -932,7 +913,7 @@ public:
         const Scalar step_8 = detail::step<Scalar>(-e7);
         const Scalar abs_9 = abs(e7);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_0, c_.k26);
+        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_0, c_.k28);
         const Scalar u_e = u[1];
         const Scalar signed_root_11 = detail::signed_root<Scalar>(max_p_0 * e7);
         const Scalar e12 = outflow_factor_10 * (u_e * signed_root_11);
@@ -940,10 +921,10 @@ public:
         const Scalar step_13 = detail::step<Scalar>(e1);
         const Scalar step_14 = detail::step<Scalar>(e7);
         y[0] = T;
-        y[1] = c_.k28 * p_value / T;
-        y[2] = c_.k3 / sqrt_T * (step_2 * e6 + step_8 * e12) + mdot + c_.k27 * step_13 * e6 + c_.k25 * step_14 * e12;
-        y[3] = c_.k29 - p_.k_W * T;
-        y[4] = c_.k30 * p_value;
+        y[1] = c_.k31 * p_value / T;
+        y[2] = c_.k5 / sqrt_T * (step_2 * e6 + step_8 * e12) + mdot + c_.k29 * step_13 * e6 + c_.k25 * step_14 * e12;
+        y[3] = c_.k12 - p_.k_W * T;
+        y[4] = c_.k32 * p_value;
     }
 
     /// C = dh/dx.
@@ -953,7 +934,7 @@ public:
         using std::sqrt;
         const Scalar T = x[1];
         const Scalar inverse_1 = Scalar(1) / T;
-        const Scalar e2 = c_.k28 * inverse_1;
+        const Scalar e2 = c_.k31 * inverse_1;
         const Scalar p_value = x[0];
         const Scalar e3 = p_.p_0 - p_value;
         const Scalar step_4 = detail::step<Scalar>(e3);
@@ -961,13 +942,13 @@ public:
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar inverse_6 = Scalar(1) / max_p_0;
         const Scalar e7 = abs_5 * inverse_6;
-        const Scalar outflow_factor_8 = detail::outflow_factor<Scalar>(e7, c_.k26);
+        const Scalar outflow_factor_8 = detail::outflow_factor<Scalar>(e7, c_.k28);
         const Scalar step_9 = detail::step<Scalar>(-e3);
         const Scalar u_e = u[1];
         const Scalar e10 = max_p_0 * e3;
         const Scalar inverse_root_11 = detail::inverse_root<Scalar>(e10);
         const Scalar e12 = (max_p_0 - step_9 * e3) * (u_e * inverse_root_11);
-        const Scalar outflow_factor_slope_13 = detail::outflow_factor_slope<Scalar>(e7, c_.k26);
+        const Scalar outflow_factor_slope_13 = detail::outflow_factor_slope<Scalar>(e7, c_.k28);
         const Scalar sign_14 = detail::sign<Scalar>(e3);
         const Scalar signed_root_15 = detail::signed_root<Scalar>(e10);
         const Scalar e16 = u_e * signed_root_15;
@@ -978,29 +959,29 @@ public:
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar inverse_21 = Scalar(1) / max_p_S;
         const Scalar e22 = abs_20 * inverse_21;
-        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(e22, c_.k26);
+        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(e22, c_.k28);
         const Scalar step_24 = detail::step<Scalar>(-e18);
         const Scalar u_f = u[0];
         const Scalar e25 = max_p_S * e18;
         const Scalar inverse_root_26 = detail::inverse_root<Scalar>(e25);
         const Scalar e27 = (max_p_S - step_24 * e18) * (u_f * inverse_root_26);
-        const Scalar outflow_factor_slope_28 = detail::outflow_factor_slope<Scalar>(e22, c_.k26);
+        const Scalar outflow_factor_slope_28 = detail::outflow_factor_slope<Scalar>(e22, c_.k28);
         const Scalar sign_29 = detail::sign<Scalar>(e18);
         const Scalar signed_root_30 = detail::signed_root<Scalar>(e25);
         const Scalar e31 = u_f * signed_root_30;
         const Scalar e32 = outflow_factor_slope_28 * inverse_21 * ((sign_29 + step_24 * e22) * e31);
         const Scalar sqrt_T = sqrt(T);
         const Scalar inverse_33 = Scalar(1) / sqrt_T;
-        const Scalar e34 = c_.k31 * inverse_33;
+        const Scalar e34 = c_.k33 * inverse_33;
         const Scalar e35 = e34 * (step_24 * outflow_factor_23);
         const Scalar e36 = e34 * (step_9 * outflow_factor_8);
         C[0] = Scalar(0);
         C[1] = e2;
-        C[2] = -step_4 * (c_.k33 * outflow_factor_8 * e12 + c_.k25 * e17) - step_19
-            * (c_.k32 * outflow_factor_23 * e27 + c_.k27 * e32) - c_.k3 * inverse_33 * (step_24 * e32 + step_9 * e17) - e27
+        C[2] = -step_4 * (c_.k35 * outflow_factor_8 * e12 + c_.k25 * e17) - step_19
+            * (c_.k34 * outflow_factor_23 * e27 + c_.k29 * e32) - c_.k5 * inverse_33 * (step_24 * e32 + step_9 * e17) - e27
             * e35 - e12 * e36;
         C[3] = Scalar(0);
-        C[4] = c_.k30;
+        C[4] = c_.k32;
         C[5] = Scalar(1);
         C[6] = -p_value * inverse_1 * e2;
         C[7] = -inverse_33 * inverse_33 * (e31 * e35 + e16 * e36);
@@ -1018,22 +999,22 @@ public:
         const Scalar e1 = p_.p_S - p_value;
         const Scalar signed_root_2 = detail::signed_root<Scalar>(max_p_S * e1);
         const Scalar abs_3 = abs(e1);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k26);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k28);
         const Scalar step_5 = detail::step<Scalar>(e1);
         const Scalar step_6 = detail::step<Scalar>(-e1);
         const Scalar T = x[1];
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e7 = c_.k3 / sqrt_T;
+        const Scalar e7 = c_.k5 / sqrt_T;
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar e8 = p_.p_0 - p_value;
         const Scalar signed_root_9 = detail::signed_root<Scalar>(max_p_0 * e8);
         const Scalar abs_10 = abs(e8);
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_0, c_.k26);
+        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_0, c_.k28);
         const Scalar step_12 = detail::step<Scalar>(e8);
         const Scalar step_13 = detail::step<Scalar>(-e8);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = signed_root_2 * outflow_factor_4 * (c_.k27 * step_5 + step_6 * e7);
+        D[2] = signed_root_2 * outflow_factor_4 * (c_.k29 * step_5 + step_6 * e7);
         D[3] = Scalar(0);
         D[4] = Scalar(0);
         D[5] = Scalar(0);
@@ -1091,43 +1072,41 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 15 + or -, 22 *, 3 /, 19 other functions
+    /// Operations: 14 + or -, 20 *, 3 /, 19 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
         using std::sqrt;
         const Scalar T = x[1];
-        const Scalar e1 = p_.R_s + c_.c_v;
         const Scalar mdot = u[2];
-        const Scalar min_2 = detail::min<Scalar>(Scalar(0), mdot);
+        const Scalar min_1 = detail::min<Scalar>(Scalar(0), mdot);
         const Scalar p_value = x[0];
-        const Scalar e3 = p_.p_0 - p_value;
-        const Scalar abs_4 = abs(e3);
+        const Scalar e2 = p_.p_0 - p_value;
+        const Scalar abs_3 = abs(e2);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_0, c_.k26);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, c_.k28);
         const Scalar u_e = u[1];
-        const Scalar signed_root_6 = detail::signed_root<Scalar>(max_p_0 * e3);
-        const Scalar step_7 = detail::step<Scalar>(e3);
-        const Scalar step_8 = detail::step<Scalar>(-e3);
+        const Scalar signed_root_5 = detail::signed_root<Scalar>(max_p_0 * e2);
+        const Scalar step_6 = detail::step<Scalar>(e2);
+        const Scalar step_7 = detail::step<Scalar>(-e2);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e9 = c_.k3 / sqrt_T;
-        const Scalar e10 = outflow_factor_5 * (u_e * signed_root_6) * (c_.k25 * step_7 + step_8 * e9);
-        const Scalar e11 = -e10;
-        const Scalar max_12 = detail::max<Scalar>(Scalar(0), e11);
-        const Scalar e13 = p_.p_S - p_value;
-        const Scalar abs_14 = abs(e13);
+        const Scalar e8 = c_.k5 / sqrt_T;
+        const Scalar e9 = outflow_factor_4 * (u_e * signed_root_5) * (c_.k25 * step_6 + step_7 * e8);
+        const Scalar e10 = -e9;
+        const Scalar max_11 = detail::max<Scalar>(Scalar(0), e10);
+        const Scalar e12 = p_.p_S - p_value;
+        const Scalar abs_13 = abs(e12);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar outflow_factor_15 = detail::outflow_factor<Scalar>(abs_14 / max_p_S, c_.k26);
+        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_S, c_.k28);
         const Scalar u_f = u[0];
-        const Scalar signed_root_16 = detail::signed_root<Scalar>(max_p_S * e13);
-        const Scalar step_17 = detail::step<Scalar>(e13);
-        const Scalar step_18 = detail::step<Scalar>(-e13);
-        const Scalar e19 = outflow_factor_15 * (u_f * signed_root_16) * (c_.k27 * step_17 + step_18 * e9);
-        const Scalar min_20 = detail::min<Scalar>(Scalar(0), e19);
-        const Scalar max_21 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar max_22 = detail::max<Scalar>(Scalar(0), e19);
-        const Scalar min_23 = detail::min<Scalar>(Scalar(0), e11);
-        return T * e1 * (min_2 - max_12 + min_20) + p_.T_in * e1 * (max_21 + max_22) + c_.k29 - p_.k_W * T - min_23
-            * (p_.T_0 * e1);
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(max_p_S * e12);
+        const Scalar step_16 = detail::step<Scalar>(e12);
+        const Scalar step_17 = detail::step<Scalar>(-e12);
+        const Scalar e18 = outflow_factor_14 * (u_f * signed_root_15) * (c_.k29 * step_16 + step_17 * e8);
+        const Scalar min_19 = detail::min<Scalar>(Scalar(0), e18);
+        const Scalar max_20 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e18);
+        const Scalar min_22 = detail::min<Scalar>(Scalar(0), e10);
+        return c_.k27 * T * (min_1 - max_11 + min_19) + c_.k30 * (max_20 + max_21) + c_.k12 - p_.k_W * T - c_.k26 * min_22;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1160,38 +1139,40 @@ private:
         Scalar c_v;  ///< -R_s/(1 - kappa)
         Scalar k0;  ///< R_s/V
         Scalar k1;  ///< 1 + R_s/c_v
-        Scalar k2;  ///< k_W/c_v
-        Scalar k3;  ///< A_d*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k4;  ///< 1/sqrt(T_0)
-        Scalar k5;  ///< 1/sqrt(T_in)
-        Scalar k6;  ///< R_s/c_v
-        Scalar k7;  ///< R_s*(1 + R_s/c_v)/V
-        Scalar k8;  ///< 2*R_s/c_v
-        Scalar k9;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k10;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k11;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
-        Scalar k12;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
-        Scalar k13;  ///< T_in*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k14;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_in)*(1 + R_s/c_v)/V
-        Scalar k15;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
-        Scalar k16;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
-        Scalar k17;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
-        Scalar k18;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
-        Scalar k19;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k20;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)/V
-        Scalar k21;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
-        Scalar k22;  ///< R_s*(1 + R_s/c_v)/V
-        Scalar k23;  ///< R_s*T_in*(1 + R_s/c_v)/V
+        Scalar k2;  ///< 1/c_v
+        Scalar k3;  ///< T_in*(R_s + c_v)
+        Scalar k4;  ///< R_s + c_v
+        Scalar k5;  ///< A_d*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k6;  ///< 1/sqrt(T_0)
+        Scalar k7;  ///< 1/sqrt(T_in)
+        Scalar k8;  ///< R_s/c_v
+        Scalar k9;  ///< R_s/(V*c_v)
+        Scalar k10;  ///< R_s*k_W/(V*c_v)
+        Scalar k11;  ///< R_s*(1 + R_s/c_v)/V
+        Scalar k12;  ///< T_0*k_W
+        Scalar k13;  ///< T_0*(R_s + c_v)
+        Scalar k14;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k15;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
+        Scalar k16;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*c_v)
+        Scalar k17;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*c_v*sqrt(T_in))
+        Scalar k18;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
+        Scalar k19;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
+        Scalar k20;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
+        Scalar k21;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*c_v*sqrt(T_0))
+        Scalar k22;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
+        Scalar k23;  ///< R_s*(1 + R_s/c_v)/V
         Scalar k24;  ///< R_s^2/(V*c_v)
         Scalar k25;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k26;  ///< 1 + R_s/c_v
-        Scalar k27;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
-        Scalar k28;  ///< V/R_s
-        Scalar k29;  ///< T_0*k_W
-        Scalar k30;  ///< 1/p_S
-        Scalar k31;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s))
-        Scalar k32;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
-        Scalar k33;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k26;  ///< T_0*(R_s + c_v)
+        Scalar k27;  ///< R_s + c_v
+        Scalar k28;  ///< 1 + R_s/c_v
+        Scalar k29;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
+        Scalar k30;  ///< T_in*(R_s + c_v)
+        Scalar k31;  ///< V/R_s
+        Scalar k32;  ///< 1/p_S
+        Scalar k33;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s))
+        Scalar k34;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
+        Scalar k35;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
     };
     Cached c_{};
 };

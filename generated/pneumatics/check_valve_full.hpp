@@ -295,8 +295,9 @@ public:
                 const Scalar p_s = u[0];
                 const Scalar p_value = x[0];
                 const Scalar e1 = c_.k3 * p_s;
+                const Scalar e2 = -e1;
                 dxdt[0] = (p_s - p_value) * e1 - c_.k0;
-                J[0] = -e1;
+                J[0] = e2;
                 break;
             }
         }

@@ -18,11 +18,11 @@
 //     this code = the derivation: 22 of 22 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 6     25     7        0      3
-//   rhs                   51     95    12        0     41
-//   rhs_and_jacobian     149    336    16        0     59
-//   jacobian_u            41    103    10        0     38
-//   jacobian_p           379    831    22        0     66
+//   update                 7     23     7        0      3
+//   rhs                   51     93    12        0     41
+//   rhs_and_jacobian     148    311    16        0     59
+//   jacobian_u            39    101    10        0     38
+//   jacobian_p           325    762    22        0     66
 //   bias                   3      5     0        0      1
 //   generalised_force      1      0     0        0      0
 //   output                27     48     8        0     34
@@ -32,7 +32,7 @@
 //   supplied_power         2      1     0        0      0
 //   dissipated_power       1      4     0        0      1
 //   internal_energy        4     10     1        0      0
-//   exchanged_power       30     47     6        0     40
+//   exchanged_power       29     46     6        0     40
 //   guards                13      9     3        0      9
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -359,7 +359,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 6 + or -, 25 *, 7 /, 3 other functions
+    /// Operations: 7 + or -, 23 *, 7 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
@@ -371,42 +371,42 @@ public:
         const Scalar e3 = p_.R_s * inverse_2;
         const Scalar e4 = Scalar(1) + e3;
         c_.k2 = e4;
-        const Scalar sqrt_5 = sqrt(Scalar(2));
+        c_.k3 = e3;
+        const Scalar e5 = p_.R_s + c_.c_v;
+        c_.k4 = e5;
+        const Scalar sqrt_6 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar e6 = p_.A_v * p_.alpha_d * (sqrt_5 / sqrt_R_s);
-        c_.k3 = e6;
+        const Scalar e7 = p_.A_v * p_.alpha_d * (sqrt_6 / sqrt_R_s);
+        c_.k5 = e7;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_7 = Scalar(1) / sqrt_T_0;
-        c_.k4 = inverse_7;
-        c_.k5 = p_.width * p_.width;
-        c_.k6 = p_.k_W * inverse_2;
-        const Scalar inverse_8 = Scalar(1) / p_.R_s;
-        c_.k7 = inverse_8;
-        const Scalar e9 = p_.R_s * e6;
-        c_.k8 = e9;
-        c_.k9 = p_.A_2 * p_.l + p_.V_d;
-        c_.k10 = e3;
-        const Scalar e10 = e4 * e9;
-        c_.k11 = e10;
-        c_.k12 = p_.R_s * e4;
-        c_.k13 = p_.k_W * e3;
-        c_.k14 = p_.d + p_.f_C * inverse_1;
-        c_.k15 = Scalar(2) * e3;
-        c_.k16 = e10;
-        c_.k17 = inverse_7 * e10;
-        const Scalar e11 = p_.T_0 * e10;
-        c_.k18 = e11;
-        c_.k19 = inverse_7 * e11;
-        const Scalar e12 = e9 * e3;
-        c_.k20 = e12;
-        c_.k21 = inverse_7 * e12;
-        const Scalar e13 = inverse_7 * e6;
-        c_.k22 = e13;
-        c_.k23 = e4;
-        c_.k24 = p_.p_0 * (p_.A_1 - p_.A_2);
-        c_.k25 = p_.k_L * inverse_8;
-        c_.k26 = p_.T_0 * p_.k_W;
-        c_.k27 = (Scalar(1) / Scalar(2)) * e6;
+        const Scalar inverse_8 = Scalar(1) / sqrt_T_0;
+        c_.k6 = inverse_8;
+        c_.k7 = p_.width * p_.width;
+        const Scalar inverse_9 = Scalar(1) / p_.R_s;
+        c_.k8 = inverse_9;
+        const Scalar e10 = p_.R_s * e7;
+        c_.k9 = e10;
+        c_.k10 = p_.A_2 * p_.l + p_.V_d;
+        const Scalar e11 = p_.T_0 * e5;
+        c_.k11 = e11;
+        c_.k12 = p_.T_0 * p_.k_W;
+        c_.k13 = p_.d + p_.f_C * inverse_1;
+        c_.k14 = inverse_2;
+        c_.k15 = e4 * e10;
+        const Scalar e12 = inverse_8 * e10;
+        c_.k16 = e4 * e12;
+        c_.k17 = inverse_2 * e10;
+        c_.k18 = inverse_2 * e12;
+        c_.k19 = e10 * e3;
+        c_.k20 = e3 * e12;
+        const Scalar e13 = inverse_8 * e7;
+        c_.k21 = e13;
+        c_.k22 = e11;
+        c_.k23 = e5;
+        c_.k24 = e4;
+        c_.k25 = p_.p_0 * (p_.A_1 - p_.A_2);
+        c_.k26 = p_.k_L * inverse_9;
+        c_.k27 = (Scalar(1) / Scalar(2)) * e7;
         c_.k28 = (Scalar(1) / Scalar(2)) * e13;
     }
 
@@ -424,7 +424,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 51 + or -, 95 *, 12 /, 41 other functions
+    /// Operations: 51 + or -, 93 *, 12 /, 41 other functions
     ///     specific_enthalpy[supply] = T_0*(R_s + c_v)
     ///     specific_enthalpy[ambience] = T_0*(R_s + c_v)
     ///     density[chamber_1] = p_1/(R_s*T_1)
@@ -452,30 +452,27 @@ public:
     ///     mass_flow[leakage] = k_L*density[chamber_1]*(p_1 - p_2)*step(k_L*(p_1 - p_2)) + k_L*density[chamber_2]*(p_1 -
     ///     p_2)*step(-k_L*(p_1 - p_2))
     ///     m_K*ddot(s) + d*dot(s) - A_1*p_1 + A_2*p_2 + f_C*tanh(dot(s)/v_C) = -p_0*(A_1 - A_2) - f_L
-    ///     dot(p_1) = -A_1*(1 + p_1/(c_v*T_1*density[chamber_1]))*p_1*dot(s)/(A_1*s + V_d) + p_1*specific_enthalpy[supply]*max(0,
-    ///     mass_flow[smooth_supply_1])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) - p_1*specific_enthalpy[ambience]*min(0,
-    ///     mass_flow[smooth_exhaust_1])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) - p_1*specific_enthalpy[chamber_1]*max(0,
-    ///     mass_flow[smooth_supply_1])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) + p_1*specific_enthalpy[chamber_1]*min(0,
-    ///     mass_flow[smooth_exhaust_1])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) + p_1*specific_enthalpy[chamber_1]*min(0,
-    ///     mass_flow[leakage])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) - p_1*specific_enthalpy[chamber_2]*min(0,
-    ///     mass_flow[leakage])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) +
+    ///     dot(p_1) = -A_1*(1 + p_1/(c_v*T_1*density[chamber_1]))*p_1*dot(s)/(A_1*s + V_d) +
     ///     p_1^2*mass_flow[smooth_supply_1]/(c_v*T_1*density[chamber_1]^2*(A_1*s + V_d)) -
     ///     p_1^2*mass_flow[smooth_exhaust_1]/(c_v*T_1*density[chamber_1]^2*(A_1*s + V_d)) -
-    ///     p_1^2*mass_flow[leakage]/(c_v*T_1*density[chamber_1]^2*(A_1*s + V_d)) + T_0*k_W*p_1/(c_v*T_1*density[chamber_1]*(A_1*s +
-    ///     V_d)) + p_1*mass_flow[smooth_supply_1]/(density[chamber_1]*(A_1*s + V_d)) -
+    ///     p_1^2*mass_flow[leakage]/(c_v*T_1*density[chamber_1]^2*(A_1*s + V_d)) + p_1*max(0,
+    ///     mass_flow[smooth_supply_1])*(specific_enthalpy[supply] - specific_enthalpy[chamber_1])/(c_v*T_1*density[chamber_1]*(A_1*s
+    ///     + V_d)) - p_1*min(0, mass_flow[smooth_exhaust_1])*(specific_enthalpy[ambience] -
+    ///     specific_enthalpy[chamber_1])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) + p_1*min(0,
+    ///     mass_flow[leakage])*(specific_enthalpy[chamber_1] - specific_enthalpy[chamber_2])/(c_v*T_1*density[chamber_1]*(A_1*s +
+    ///     V_d)) + T_0*k_W*p_1/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) +
+    ///     p_1*mass_flow[smooth_supply_1]/(density[chamber_1]*(A_1*s + V_d)) -
     ///     p_1*mass_flow[smooth_exhaust_1]/(density[chamber_1]*(A_1*s + V_d)) - p_1*mass_flow[leakage]/(density[chamber_1]*(A_1*s +
     ///     V_d)) - k_W*p_1/(c_v*density[chamber_1]*(A_1*s + V_d))
     ///     dot(p_2) = A_2*(1 + p_2/(c_v*T_2*density[chamber_2]))*p_2*dot(s)/(A_2*l - A_2*s + V_d) +
-    ///     p_2*specific_enthalpy[supply]*max(0, mass_flow[smooth_supply_2])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) -
-    ///     p_2*specific_enthalpy[ambience]*min(0, mass_flow[smooth_exhaust_2])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
-    ///     p_2*specific_enthalpy[chamber_1]*max(0, mass_flow[leakage])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) -
-    ///     p_2*specific_enthalpy[chamber_2]*max(0, mass_flow[smooth_supply_2])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) -
-    ///     p_2*specific_enthalpy[chamber_2]*max(0, mass_flow[leakage])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
-    ///     p_2*specific_enthalpy[chamber_2]*min(0, mass_flow[smooth_exhaust_2])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d))
-    ///     + p_2^2*mass_flow[smooth_supply_2]/(c_v*T_2*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) -
+    ///     p_2^2*mass_flow[smooth_supply_2]/(c_v*T_2*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) -
     ///     p_2^2*mass_flow[smooth_exhaust_2]/(c_v*T_2*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) +
-    ///     p_2^2*mass_flow[leakage]/(c_v*T_2*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) +
-    ///     T_0*k_W*p_2/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
+    ///     p_2^2*mass_flow[leakage]/(c_v*T_2*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) + p_2*max(0,
+    ///     mass_flow[smooth_supply_2])*(specific_enthalpy[supply] - specific_enthalpy[chamber_2])/(c_v*T_2*density[chamber_2]*(A_2*l
+    ///     - A_2*s + V_d)) + p_2*max(0, mass_flow[leakage])*(specific_enthalpy[chamber_1] -
+    ///     specific_enthalpy[chamber_2])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) - p_2*min(0,
+    ///     mass_flow[smooth_exhaust_2])*(specific_enthalpy[ambience] - specific_enthalpy[chamber_2])/(c_v*T_2*density[chamber_2]*(A_2*l
+    ///     - A_2*s + V_d)) + T_0*k_W*p_2/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
     ///     p_2*mass_flow[smooth_supply_2]/(density[chamber_2]*(A_2*l - A_2*s + V_d)) -
     ///     p_2*mass_flow[smooth_exhaust_2]/(density[chamber_2]*(A_2*l - A_2*s + V_d)) +
     ///     p_2*mass_flow[leakage]/(density[chamber_2]*(A_2*l - A_2*s + V_d)) - k_W*p_2/(c_v*density[chamber_2]*(A_2*l - A_2*s +
@@ -484,24 +481,21 @@ public:
     ///     p_1*mass_flow[smooth_supply_1]/(c_v*density[chamber_1]^2*(A_1*s + V_d)) -
     ///     p_1*mass_flow[smooth_exhaust_1]/(c_v*density[chamber_1]^2*(A_1*s + V_d)) -
     ///     p_1*mass_flow[leakage]/(c_v*density[chamber_1]^2*(A_1*s + V_d)) - k_W*T_1/(c_v*density[chamber_1]*(A_1*s + V_d)) +
-    ///     specific_enthalpy[supply]*max(0, mass_flow[smooth_supply_1])/(c_v*density[chamber_1]*(A_1*s + V_d)) -
-    ///     specific_enthalpy[ambience]*min(0, mass_flow[smooth_exhaust_1])/(c_v*density[chamber_1]*(A_1*s + V_d)) -
-    ///     specific_enthalpy[chamber_1]*max(0, mass_flow[smooth_supply_1])/(c_v*density[chamber_1]*(A_1*s + V_d)) +
-    ///     specific_enthalpy[chamber_1]*min(0, mass_flow[smooth_exhaust_1])/(c_v*density[chamber_1]*(A_1*s + V_d)) +
-    ///     specific_enthalpy[chamber_1]*min(0, mass_flow[leakage])/(c_v*density[chamber_1]*(A_1*s + V_d)) -
-    ///     specific_enthalpy[chamber_2]*min(0, mass_flow[leakage])/(c_v*density[chamber_1]*(A_1*s + V_d)) +
-    ///     T_0*k_W/(c_v*density[chamber_1]*(A_1*s + V_d))
+    ///     max(0, mass_flow[smooth_supply_1])*(specific_enthalpy[supply] -
+    ///     specific_enthalpy[chamber_1])/(c_v*density[chamber_1]*(A_1*s + V_d)) - min(0,
+    ///     mass_flow[smooth_exhaust_1])*(specific_enthalpy[ambience] - specific_enthalpy[chamber_1])/(c_v*density[chamber_1]*(A_1*s
+    ///     + V_d)) + min(0, mass_flow[leakage])*(specific_enthalpy[chamber_1] -
+    ///     specific_enthalpy[chamber_2])/(c_v*density[chamber_1]*(A_1*s + V_d)) + T_0*k_W/(c_v*density[chamber_1]*(A_1*s + V_d))
     ///     dot(T_2) = A_2*p_2*dot(s)/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
     ///     p_2*mass_flow[smooth_supply_2]/(c_v*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) -
     ///     p_2*mass_flow[smooth_exhaust_2]/(c_v*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) +
     ///     p_2*mass_flow[leakage]/(c_v*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) - k_W*T_2/(c_v*density[chamber_2]*(A_2*l - A_2*s
-    ///     + V_d)) + specific_enthalpy[supply]*max(0, mass_flow[smooth_supply_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) -
-    ///     specific_enthalpy[ambience]*min(0, mass_flow[smooth_exhaust_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
-    ///     specific_enthalpy[chamber_1]*max(0, mass_flow[leakage])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) -
-    ///     specific_enthalpy[chamber_2]*max(0, mass_flow[smooth_supply_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) -
-    ///     specific_enthalpy[chamber_2]*max(0, mass_flow[leakage])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
-    ///     specific_enthalpy[chamber_2]*min(0, mass_flow[smooth_exhaust_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
-    ///     T_0*k_W/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d))
+    ///     + V_d)) + max(0, mass_flow[smooth_supply_2])*(specific_enthalpy[supply] -
+    ///     specific_enthalpy[chamber_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) + max(0,
+    ///     mass_flow[leakage])*(specific_enthalpy[chamber_1] - specific_enthalpy[chamber_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s
+    ///     + V_d)) - min(0, mass_flow[smooth_exhaust_2])*(specific_enthalpy[ambience] -
+    ///     specific_enthalpy[chamber_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) + T_0*k_W/(c_v*density[chamber_2]*(A_2*l -
+    ///     A_2*s + V_d))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::abs;
         using std::pow;
@@ -525,9 +519,9 @@ public:
         const Scalar step_8 = detail::step<Scalar>(e3);
         const Scalar u_value = u[0];
         const Scalar max_9 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar power_10 = pow(c_.k5 + e3 * e3, -Scalar(1) / Scalar(4));
+        const Scalar power_10 = pow(c_.k7 + e3 * e3, -Scalar(1) / Scalar(4));
         const Scalar sqrt_11 = sqrt(max_p_0);
-        const Scalar e12 = outflow_factor_5 * (step_6 * inverse_7 + step_8 * c_.k4) * (max_9 * e3 * (power_10 * sqrt_11));
+        const Scalar e12 = outflow_factor_5 * (step_6 * inverse_7 + step_8 * c_.k6) * (max_9 * e3 * (power_10 * sqrt_11));
         const Scalar e13 = p_.p_S - p_1;
         const Scalar abs_14 = abs(e13);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
@@ -535,15 +529,15 @@ public:
         const Scalar step_16 = detail::step<Scalar>(-e13);
         const Scalar step_17 = detail::step<Scalar>(e13);
         const Scalar max_18 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar power_19 = pow(c_.k5 + e13 * e13, -Scalar(1) / Scalar(4));
+        const Scalar power_19 = pow(c_.k7 + e13 * e13, -Scalar(1) / Scalar(4));
         const Scalar sqrt_20 = sqrt(max_p_S);
-        const Scalar e21 = outflow_factor_15 * (step_16 * inverse_7 + step_17 * c_.k4) * (max_18 * e13 * (power_19 * sqrt_20));
+        const Scalar e21 = outflow_factor_15 * (step_16 * inverse_7 + step_17 * c_.k6) * (max_18 * e13 * (power_19 * sqrt_20));
         const Scalar e22 = p_.k_L * (p_1 - p_2);
         const Scalar step_23 = detail::step<Scalar>(-e22);
         const Scalar e24 = step_23 * e22;
         const Scalar T_2 = x[5];
         const Scalar e25 = e24 * (p_2 / T_2);
-        const Scalar e26 = (e12 + e21) * c_.k8 - e25;
+        const Scalar e26 = (e12 + e21) * c_.k9 - e25;
         const Scalar s = x[0];
         const Scalar inverse_27 = Scalar(1) / (p_.V_d + p_.A_1 * s);
         const Scalar e28 = T_1 * inverse_27;
@@ -551,14 +545,14 @@ public:
         const Scalar e30 = step_29 * e22;
         const Scalar e31 = p_.A_1 * s_dot + e30;
         const Scalar e32 = p_.T_0 - T_1;
-        const Scalar max_33 = detail::max<Scalar>(Scalar(0), e21 * c_.k3);
-        const Scalar min_34 = detail::min<Scalar>(Scalar(0), -e12 * c_.k3);
-        const Scalar e35 = e30 * (p_1 / T_1);
-        const Scalar e36 = c_.k7 * (e25 + e35);
-        const Scalar min_37 = detail::min<Scalar>(Scalar(0), e36);
-        const Scalar e38 = (T_1 - T_2) * c_.k2;
-        const Scalar e39 = p_.R_s * (e32 * (max_33 - min_34) * c_.k2 + (min_37 * e38 + e32 * c_.k6));
-        const Scalar inverse_40 = Scalar(1) / (c_.k9 - p_.A_2 * s);
+        const Scalar max_33 = detail::max<Scalar>(Scalar(0), e21 * c_.k5);
+        const Scalar min_34 = detail::min<Scalar>(Scalar(0), -e12 * c_.k5);
+        const Scalar e35 = c_.k4 * (T_1 - T_2);
+        const Scalar e36 = e30 * (p_1 / T_1);
+        const Scalar e37 = c_.k8 * (e25 + e36);
+        const Scalar min_38 = detail::min<Scalar>(Scalar(0), e37);
+        const Scalar e39 = e32 * c_.k4 * (max_33 - min_34) + (e35 * min_38 + p_.k_W * e32);
+        const Scalar inverse_40 = Scalar(1) / (c_.k10 - p_.A_2 * s);
         const Scalar e41 = p_.A_2 * s_dot + e24;
         const Scalar e42 = p_.T_0 - T_2;
         const Scalar e43 = p_.p_S - p_2;
@@ -569,34 +563,36 @@ public:
         const Scalar sqrt_T_2 = sqrt(T_2);
         const Scalar inverse_47 = Scalar(1) / sqrt_T_2;
         const Scalar step_48 = detail::step<Scalar>(e43);
-        const Scalar power_49 = pow(c_.k5 + e43 * e43, -Scalar(1) / Scalar(4));
+        const Scalar power_49 = pow(c_.k7 + e43 * e43, -Scalar(1) / Scalar(4));
         const Scalar sqrt_50 = sqrt(max_p_S_2);
-        const Scalar e51 = outflow_factor_45 * (step_46 * inverse_47 + step_48 * c_.k4) * (max_9 * e43 * (power_49 * sqrt_50));
-        const Scalar max_52 = detail::max<Scalar>(Scalar(0), e51 * c_.k3);
+        const Scalar e51 = outflow_factor_45 * (step_46 * inverse_47 + step_48 * c_.k6) * (max_9 * e43 * (power_49 * sqrt_50));
+        const Scalar max_52 = detail::max<Scalar>(Scalar(0), e51 * c_.k5);
         const Scalar abs_53 = abs(e1);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
         const Scalar outflow_factor_54 = detail::outflow_factor<Scalar>(abs_53 / max_p_0_2, c_.k2);
         const Scalar step_55 = detail::step<Scalar>(-e1);
         const Scalar step_56 = detail::step<Scalar>(e1);
-        const Scalar power_57 = pow(c_.k5 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar power_57 = pow(c_.k7 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar sqrt_58 = sqrt(max_p_0_2);
-        const Scalar e59 = outflow_factor_54 * (step_55 * inverse_47 + step_56 * c_.k4) * (max_18 * e1 * (power_57 * sqrt_58));
-        const Scalar min_60 = detail::min<Scalar>(Scalar(0), -e59 * c_.k3);
-        const Scalar max_61 = detail::max<Scalar>(Scalar(0), e36);
-        const Scalar e62 = p_.R_s * (e42 * (max_52 - min_60) * c_.k2 + (max_61 * e38 + e42 * c_.k6));
-        const Scalar e63 = (e51 + e59) * c_.k8 + e35;
+        const Scalar e59 = outflow_factor_54 * (step_55 * inverse_47 + step_56 * c_.k6) * (max_18 * e1 * (power_57 * sqrt_58));
+        const Scalar min_60 = detail::min<Scalar>(Scalar(0), -e59 * c_.k5);
+        const Scalar max_61 = detail::max<Scalar>(Scalar(0), e37);
+        const Scalar e62 = e42 * c_.k4 * (max_52 - min_60) + (e35 * max_61 + p_.k_W * e42);
+        const Scalar e63 = (e51 + e59) * c_.k9 + e36;
         const Scalar e64 = T_2 * inverse_40;
+        const Scalar e65 = e28 * c_.k3;
+        const Scalar e66 = e64 * c_.k3;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = e26 * e28 * c_.k2 - inverse_27 * (p_1 * e31 * c_.k2 - e39);
-        dxdt[3] = inverse_40 * (p_2 * e41 * c_.k2 + e62) + e63 * e64 * c_.k2;
-        dxdt[4] = e28 / p_1 * (T_1 * e26 * c_.k10 + e39) - e31 * e28 * c_.k10;
-        dxdt[5] = e64 / p_2 * (T_2 * e63 * c_.k10 + e62) + e41 * e64 * c_.k10;
+        dxdt[2] = e26 * e28 * c_.k2 - inverse_27 * (p_1 * e31 * c_.k2 - e39 * c_.k3);
+        dxdt[3] = inverse_40 * (p_2 * e41 * c_.k2 + e62 * c_.k3) + e63 * e64 * c_.k2;
+        dxdt[4] = e65 / p_1 * (T_1 * e26 + e39) - e31 * e65;
+        dxdt[5] = e66 / p_2 * (T_2 * e63 + e62) + e41 * e66;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 149 + or -, 336 *, 16 /, 59 other functions
+    /// Operations: 148 + or -, 311 *, 16 /, 59 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::pow;
@@ -611,287 +607,283 @@ public:
         const Scalar tanh_3 = tanh(s_dot * c_.k1);
         const Scalar e4 = p_.f_C * tanh_3;
         const Scalar s_ddot = (p_.A_2 * e1 - f_L - p_.d * s_dot - p_.A_1 * e2 - e4) * c_.k0;
-        const Scalar T_1 = x[4];
         const Scalar s = x[0];
         const Scalar inverse_5 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e6 = T_1 * inverse_5;
+        const Scalar e6 = inverse_5 * c_.k2;
         const Scalar e7 = p_.k_L * (p_1 - p_2);
-        const Scalar T_2 = x[5];
-        const Scalar inverse_8 = Scalar(1) / T_2;
-        const Scalar step_9 = detail::step<Scalar>(-e7);
-        const Scalar e10 = p_2 * step_9;
-        const Scalar e11 = inverse_8 * e10;
-        const Scalar e12 = e7 * e11;
-        const Scalar e2_squared = e2 * e2;
-        const Scalar e13 = c_.k5 + e2_squared;
-        const Scalar power_14 = pow(e13, -Scalar(1) / Scalar(4));
-        const Scalar e15 = e2 * power_14;
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar sqrt_16 = sqrt(max_p_0);
-        const Scalar abs_17 = abs(e2);
-        const Scalar inverse_18 = Scalar(1) / max_p_0;
-        const Scalar e19 = abs_17 * inverse_18;
-        const Scalar outflow_factor_20 = detail::outflow_factor<Scalar>(e19, c_.k2);
-        const Scalar e21 = sqrt_16 * outflow_factor_20;
-        const Scalar e22 = e15 * e21;
+        const Scalar step_8 = detail::step<Scalar>(e7);
+        const Scalar e9 = p_.A_1 * s_dot + step_8 * e7;
+        const Scalar T_1 = x[4];
         const Scalar u_value = u[0];
-        const Scalar max_23 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar step_24 = detail::step<Scalar>(-e2);
+        const Scalar max_10 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar step_11 = detail::step<Scalar>(-e2);
         const Scalar sqrt_T_1 = sqrt(T_1);
-        const Scalar inverse_25 = Scalar(1) / sqrt_T_1;
-        const Scalar step_26 = detail::step<Scalar>(e2);
-        const Scalar e27 = step_24 * inverse_25 + step_26 * c_.k4;
-        const Scalar e28 = max_23 * e27;
-        const Scalar e29 = p_.p_S - p_1;
-        const Scalar e29_squared = e29 * e29;
-        const Scalar e30 = c_.k5 + e29_squared;
+        const Scalar inverse_12 = Scalar(1) / sqrt_T_1;
+        const Scalar step_13 = detail::step<Scalar>(e2);
+        const Scalar e14 = step_11 * inverse_12 + step_13 * c_.k6;
+        const Scalar e2_squared = e2 * e2;
+        const Scalar e15 = c_.k7 + e2_squared;
+        const Scalar power_16 = pow(e15, -Scalar(1) / Scalar(4));
+        const Scalar e17 = e2 * power_16;
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
+        const Scalar sqrt_18 = sqrt(max_p_0);
+        const Scalar abs_19 = abs(e2);
+        const Scalar inverse_20 = Scalar(1) / max_p_0;
+        const Scalar e21 = abs_19 * inverse_20;
+        const Scalar outflow_factor_22 = detail::outflow_factor<Scalar>(e21, c_.k2);
+        const Scalar e23 = sqrt_18 * outflow_factor_22;
+        const Scalar e24 = e17 * e23;
+        const Scalar max_25 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar e26 = p_.p_S - p_1;
+        const Scalar step_27 = detail::step<Scalar>(-e26);
+        const Scalar step_28 = detail::step<Scalar>(e26);
+        const Scalar e29 = step_27 * inverse_12 + step_28 * c_.k6;
+        const Scalar e26_squared = e26 * e26;
+        const Scalar e30 = c_.k7 + e26_squared;
         const Scalar power_31 = pow(e30, -Scalar(1) / Scalar(4));
-        const Scalar e32 = e29 * power_31;
+        const Scalar e32 = e26 * power_31;
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
         const Scalar sqrt_33 = sqrt(max_p_S);
-        const Scalar abs_34 = abs(e29);
+        const Scalar abs_34 = abs(e26);
         const Scalar inverse_35 = Scalar(1) / max_p_S;
         const Scalar e36 = abs_34 * inverse_35;
         const Scalar outflow_factor_37 = detail::outflow_factor<Scalar>(e36, c_.k2);
         const Scalar e38 = sqrt_33 * outflow_factor_37;
         const Scalar e39 = e32 * e38;
-        const Scalar max_40 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar step_41 = detail::step<Scalar>(-e29);
-        const Scalar step_42 = detail::step<Scalar>(e29);
-        const Scalar e43 = step_41 * inverse_25 + step_42 * c_.k4;
-        const Scalar e44 = max_40 * e43;
-        const Scalar e45 = e22 * e28 + e39 * e44;
-        const Scalar e46 = e12 * c_.k2 - e45 * c_.k11;
-        const Scalar step_47 = detail::step<Scalar>(e7);
-        const Scalar e48 = step_47 * e7;
-        const Scalar e49 = p_.A_1 * s_dot;
-        const Scalar e50 = e48 + e49;
-        const Scalar e51 = inverse_5 * c_.k2;
-        const Scalar e52 = p_1 * e51;
-        const Scalar e53 = T_1 - T_2;
-        const Scalar inverse_54 = Scalar(1) / T_1;
-        const Scalar e55 = p_1 * step_47;
-        const Scalar e56 = inverse_54 * e55;
-        const Scalar e57 = (e56 + e11) * (e7 * c_.k7);
-        const Scalar min_58 = detail::min<Scalar>(Scalar(0), e57);
-        const Scalar e59 = min_58 * c_.k12;
-        const Scalar e60 = p_.T_0 - T_1;
-        const Scalar e61 = max_23 * c_.k3;
-        const Scalar e62 = e27 * e61;
-        const Scalar e63 = e22 * e62;
-        const Scalar min_64 = detail::min<Scalar>(Scalar(0), -e63);
-        const Scalar e65 = max_40 * c_.k3;
-        const Scalar e66 = e43 * e65;
-        const Scalar e67 = e39 * e66;
-        const Scalar max_68 = detail::max<Scalar>(Scalar(0), e67);
-        const Scalar e69 = min_64 * c_.k12 - (c_.k13 + max_68 * c_.k12);
-        const Scalar e70 = e53 * e59 - e60 * e69;
-        const Scalar e71 = e6 * e46 + (e50 * e52 - inverse_5 * e70);
-        const Scalar inverse_72 = Scalar(1) / (c_.k9 - p_.A_2 * s);
-        const Scalar e73 = T_2 * inverse_72;
-        const Scalar e1_squared = e1 * e1;
-        const Scalar e74 = c_.k5 + e1_squared;
-        const Scalar power_75 = pow(e74, -Scalar(1) / Scalar(4));
-        const Scalar e76 = e1 * power_75;
-        const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar sqrt_77 = sqrt(max_p_0_2);
-        const Scalar abs_78 = abs(e1);
-        const Scalar inverse_79 = Scalar(1) / max_p_0_2;
-        const Scalar e80 = abs_78 * inverse_79;
-        const Scalar outflow_factor_81 = detail::outflow_factor<Scalar>(e80, c_.k2);
-        const Scalar e82 = sqrt_77 * outflow_factor_81;
-        const Scalar e83 = e76 * e82;
-        const Scalar step_84 = detail::step<Scalar>(-e1);
+        const Scalar step_40 = detail::step<Scalar>(-e7);
+        const Scalar T_2 = x[5];
+        const Scalar inverse_41 = Scalar(1) / T_2;
+        const Scalar e42 = step_40 * inverse_41;
+        const Scalar e43 = p_2 * e42;
+        const Scalar e44 = (max_10 * e14 * e24 + max_25 * e29 * e39) * c_.k9 - e7 * e43;
+        const Scalar e45 = inverse_5 * c_.k3;
+        const Scalar e46 = T_1 * e45;
+        const Scalar e47 = T_1 * c_.k4;
+        const Scalar e48 = c_.k11 - e47;
+        const Scalar e49 = max_25 * c_.k5;
+        const Scalar e50 = e29 * e49;
+        const Scalar e51 = e39 * e50;
+        const Scalar max_52 = detail::max<Scalar>(Scalar(0), e51);
+        const Scalar e53 = max_10 * c_.k5;
+        const Scalar e54 = e14 * e53;
+        const Scalar e55 = e24 * e54;
+        const Scalar min_56 = detail::min<Scalar>(Scalar(0), -e55);
+        const Scalar e57 = max_52 - min_56;
+        const Scalar e58 = T_2 * c_.k4;
+        const Scalar e59 = e47 - e58;
+        const Scalar inverse_60 = Scalar(1) / T_1;
+        const Scalar e61 = step_8 * inverse_60;
+        const Scalar e62 = p_1 * e61;
+        const Scalar e63 = e43 + e62;
+        const Scalar e64 = e7 * (e63 * c_.k8);
+        const Scalar min_65 = detail::min<Scalar>(Scalar(0), e64);
+        const Scalar e66 = e48 * e57 + (c_.k12 + e59 * min_65);
+        const Scalar e67 = e45 * e66;
+        const Scalar e68 = e6 * (p_1 * e9 - T_1 * e44) + (p_.k_W * e46 - e67);
+        const Scalar inverse_69 = Scalar(1) / (c_.k10 - p_.A_2 * s);
+        const Scalar e70 = inverse_69 * c_.k2;
+        const Scalar e71 = p_.A_2 * s_dot + step_40 * e7;
+        const Scalar e72 = p_.p_S - p_2;
+        const Scalar step_73 = detail::step<Scalar>(-e72);
         const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar inverse_85 = Scalar(1) / sqrt_T_2;
-        const Scalar step_86 = detail::step<Scalar>(e1);
-        const Scalar e87 = step_84 * inverse_85 + step_86 * c_.k4;
-        const Scalar e88 = max_40 * e87;
-        const Scalar e89 = p_.p_S - p_2;
-        const Scalar e89_squared = e89 * e89;
-        const Scalar e90 = c_.k5 + e89_squared;
-        const Scalar power_91 = pow(e90, -Scalar(1) / Scalar(4));
-        const Scalar e92 = e89 * power_91;
+        const Scalar inverse_74 = Scalar(1) / sqrt_T_2;
+        const Scalar step_75 = detail::step<Scalar>(e72);
+        const Scalar e76 = step_73 * inverse_74 + step_75 * c_.k6;
+        const Scalar e72_squared = e72 * e72;
+        const Scalar e77 = c_.k7 + e72_squared;
+        const Scalar power_78 = pow(e77, -Scalar(1) / Scalar(4));
+        const Scalar e79 = e72 * power_78;
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar sqrt_93 = sqrt(max_p_S_2);
-        const Scalar abs_94 = abs(e89);
-        const Scalar inverse_95 = Scalar(1) / max_p_S_2;
+        const Scalar sqrt_80 = sqrt(max_p_S_2);
+        const Scalar abs_81 = abs(e72);
+        const Scalar inverse_82 = Scalar(1) / max_p_S_2;
+        const Scalar e83 = abs_81 * inverse_82;
+        const Scalar outflow_factor_84 = detail::outflow_factor<Scalar>(e83, c_.k2);
+        const Scalar e85 = sqrt_80 * outflow_factor_84;
+        const Scalar e86 = e79 * e85;
+        const Scalar step_87 = detail::step<Scalar>(-e1);
+        const Scalar step_88 = detail::step<Scalar>(e1);
+        const Scalar e89 = step_87 * inverse_74 + step_88 * c_.k6;
+        const Scalar e1_squared = e1 * e1;
+        const Scalar e90 = c_.k7 + e1_squared;
+        const Scalar power_91 = pow(e90, -Scalar(1) / Scalar(4));
+        const Scalar e92 = e1 * power_91;
+        const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
+        const Scalar sqrt_93 = sqrt(max_p_0_2);
+        const Scalar abs_94 = abs(e1);
+        const Scalar inverse_95 = Scalar(1) / max_p_0_2;
         const Scalar e96 = abs_94 * inverse_95;
         const Scalar outflow_factor_97 = detail::outflow_factor<Scalar>(e96, c_.k2);
         const Scalar e98 = sqrt_93 * outflow_factor_97;
         const Scalar e99 = e92 * e98;
-        const Scalar step_100 = detail::step<Scalar>(-e89);
-        const Scalar step_101 = detail::step<Scalar>(e89);
-        const Scalar e102 = step_100 * inverse_85 + step_101 * c_.k4;
-        const Scalar e103 = max_23 * e102;
-        const Scalar e104 = e83 * e88 + e99 * e103;
-        const Scalar e105 = e7 * e56;
-        const Scalar e106 = e104 * c_.k11 + e105 * c_.k2;
-        const Scalar max_107 = detail::max<Scalar>(Scalar(0), e57);
-        const Scalar e108 = max_107 * c_.k12;
-        const Scalar e109 = p_.T_0 - T_2;
-        const Scalar e110 = e87 * e65;
-        const Scalar e111 = e83 * e110;
-        const Scalar min_112 = detail::min<Scalar>(Scalar(0), -e111);
-        const Scalar e113 = e102 * e61;
-        const Scalar e114 = e99 * e113;
-        const Scalar max_115 = detail::max<Scalar>(Scalar(0), e114);
-        const Scalar e116 = min_112 * c_.k12 - (c_.k13 + max_115 * c_.k12);
-        const Scalar e117 = e53 * e108 - e109 * e116;
-        const Scalar e118 = step_9 * e7;
-        const Scalar e119 = p_.A_2 * s_dot;
-        const Scalar e120 = e118 + e119;
-        const Scalar e121 = inverse_72 * c_.k2;
-        const Scalar e122 = p_2 * e121;
-        const Scalar e123 = e73 * e106 + (inverse_72 * e117 + e120 * e122);
-        const Scalar e124 = T_1 * c_.k10;
-        const Scalar inverse_125 = Scalar(1) / p_1;
-        const Scalar e126 = inverse_125 * e6;
-        const Scalar e127 = e126 * (e45 * c_.k8 - e12);
-        const Scalar e128 = e124 * e127;
-        const Scalar e129 = e6 * c_.k10;
-        const Scalar e130 = e126 * e70;
-        const Scalar e131 = e50 * e129 - e130;
-        const Scalar e132 = e73 * c_.k10;
-        const Scalar inverse_133 = Scalar(1) / p_2;
-        const Scalar e134 = inverse_133 * e73;
-        const Scalar e135 = e134 * e117;
-        const Scalar e136 = e120 * e132 + e135;
-        const Scalar e137 = T_2 * c_.k10;
-        const Scalar e138 = e134 * (e104 * c_.k8 + e105);
-        const Scalar e139 = e137 * e138;
+        const Scalar e100 = (max_10 * e76 * e86 + max_25 * e89 * e99) * c_.k9 + e7 * e62;
+        const Scalar e101 = inverse_69 * c_.k3;
+        const Scalar e102 = T_2 * e101;
+        const Scalar e103 = c_.k11 - e58;
+        const Scalar e104 = e76 * e53;
+        const Scalar e105 = e86 * e104;
+        const Scalar max_106 = detail::max<Scalar>(Scalar(0), e105);
+        const Scalar e107 = e89 * e49;
+        const Scalar e108 = e99 * e107;
+        const Scalar min_109 = detail::min<Scalar>(Scalar(0), -e108);
+        const Scalar e110 = max_106 - min_109;
+        const Scalar max_111 = detail::max<Scalar>(Scalar(0), e64);
+        const Scalar e112 = e103 * e110 + (c_.k12 + e59 * max_111);
+        const Scalar e113 = e101 * e112;
+        const Scalar e114 = e70 * (p_2 * e71 + T_2 * e100) - (p_.k_W * e102 - e113);
+        const Scalar inverse_115 = Scalar(1) / p_1;
+        const Scalar e116 = inverse_115 * e46;
+        const Scalar e117 = p_.k_W - e44;
+        const Scalar e118 = e116 * (T_1 * e117 - e66);
+        const Scalar e119 = e46 * e9 + e118;
+        const Scalar inverse_120 = Scalar(1) / p_2;
+        const Scalar e121 = inverse_120 * e102;
+        const Scalar e122 = p_.k_W - e100;
+        const Scalar e123 = e121 * (T_2 * e122 - e112);
+        const Scalar e124 = e102 * e71 - e123;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = -e71;
-        dxdt[3] = e123;
-        dxdt[4] = e128 - e131;
-        dxdt[5] = e136 + e139;
-        const Scalar e140 = p_.A_1 * inverse_5;
-        const Scalar e141 = p_.A_2 * inverse_72;
-        const Scalar e142 = p_.A_1 * e129;
-        const Scalar e143 = p_.A_2 * e132;
-        const Scalar outflow_factor_slope_144 = detail::outflow_factor_slope<Scalar>(e19, c_.k2);
-        const Scalar sign_145 = detail::sign<Scalar>(e2);
-        const Scalar power_146 = pow(e13, -Scalar(5) / Scalar(4));
-        const Scalar e147 = Scalar(2) * sqrt_16 * outflow_factor_slope_144 * inverse_18 * (step_24 * e19 + sign_145);
-        const Scalar e148 = (step_24 * outflow_factor_20 / sqrt_16 - e147) * e15
-            + (power_146 * e2_squared - Scalar(2) * power_14) * e21;
-        const Scalar step_149 = detail::step<Scalar>(e63);
-        const Scalar e150 = step_149 * e60;
-        const Scalar e151 = inverse_5 * c_.k11;
-        const Scalar e152 = (T_1 + e150) * e151;
-        const Scalar outflow_factor_slope_153 = detail::outflow_factor_slope<Scalar>(e36, c_.k2);
-        const Scalar sign_154 = detail::sign<Scalar>(e29);
-        const Scalar power_155 = pow(e30, -Scalar(5) / Scalar(4));
-        const Scalar e156 = Scalar(2) * sqrt_33 * outflow_factor_slope_153 * inverse_35 * (step_41 * e36 + sign_154);
-        const Scalar e157 = (step_41 * outflow_factor_37 / sqrt_33 - e156) * e32
-            + (power_155 * e29_squared - Scalar(2) * power_31) * e38;
-        const Scalar step_158 = detail::step<Scalar>(e67);
-        const Scalar e159 = step_158 * e60;
-        const Scalar e160 = (T_1 + e159) * e151;
-        const Scalar e161 = step_47 * (p_.k_L * p_1 + e7);
-        const Scalar step_162 = detail::step<Scalar>(-e57);
-        const Scalar e163 = Scalar(1) - T_2 * inverse_54;
-        const Scalar e164 = e51 * (Scalar(1) - step_162 * e163);
-        const Scalar e165 = Scalar(1) - T_1 * inverse_8;
-        const Scalar e166 = step_162 * e165;
-        const Scalar e167 = (inverse_8 * e6 + inverse_5 * e166) * c_.k2;
-        const Scalar e168 = p_.k_L * e10;
-        const Scalar step_169 = detail::step<Scalar>(e57);
-        const Scalar e170 = step_169 * e163;
-        const Scalar e171 = (inverse_54 * e73 + inverse_72 * e170) * c_.k2;
-        const Scalar e172 = e121 * (Scalar(1) - step_169 * e165);
-        const Scalar e173 = step_162 * e51;
-        const Scalar e174 = e53 * e173;
-        const Scalar e175 = p_.R_s * e124;
-        const Scalar e176 = (e150 * c_.k12 + e175) * e126;
-        const Scalar e177 = (e159 * c_.k12 + e175) * e126;
-        const Scalar e178 = e126 * (inverse_8 * e124 + e166 * c_.k2);
-        const Scalar e179 = (e174 - e129) * (p_.k_L * step_47);
-        const Scalar e180 = e134 * (inverse_54 * e137 + e170 * c_.k2);
-        const Scalar e181 = step_169 * e121;
-        const Scalar e182 = e53 * e181;
-        const Scalar e183 = (e132 + e182) * (p_.k_L * step_9);
-        const Scalar e184 = step_9 * (p_.k_L * p_2 - e7);
-        const Scalar e185 = p_.k_L * e55;
-        const Scalar outflow_factor_slope_186 = detail::outflow_factor_slope<Scalar>(e96, c_.k2);
-        const Scalar sign_187 = detail::sign<Scalar>(e89);
-        const Scalar power_188 = pow(e90, -Scalar(5) / Scalar(4));
-        const Scalar e189 = Scalar(2) * sqrt_93 * outflow_factor_slope_186 * inverse_95 * (step_100 * e96 + sign_187);
-        const Scalar e190 = (step_100 * outflow_factor_97 / sqrt_93 - e189) * e92
-            + (power_188 * e89_squared - Scalar(2) * power_91) * e98;
-        const Scalar step_191 = detail::step<Scalar>(e114);
-        const Scalar e192 = step_191 * e109;
-        const Scalar e193 = inverse_72 * c_.k11;
-        const Scalar e194 = (T_2 + e192) * e193;
-        const Scalar outflow_factor_slope_195 = detail::outflow_factor_slope<Scalar>(e80, c_.k2);
-        const Scalar sign_196 = detail::sign<Scalar>(e1);
-        const Scalar power_197 = pow(e74, -Scalar(5) / Scalar(4));
-        const Scalar e198 = Scalar(2) * sqrt_77 * outflow_factor_slope_195 * inverse_79 * (step_84 * e80 + sign_196);
-        const Scalar e199 = (step_84 * outflow_factor_81 / sqrt_77 - e198) * e76
-            + (power_197 * e1_squared - Scalar(2) * power_75) * e82;
-        const Scalar step_200 = detail::step<Scalar>(e111);
-        const Scalar e201 = step_200 * e109;
-        const Scalar e202 = (T_2 + e201) * e193;
-        const Scalar e203 = p_.R_s * e137;
-        const Scalar e204 = (e192 * c_.k12 + e203) * e134;
-        const Scalar e205 = (e201 * c_.k12 + e203) * e134;
-        const Scalar e206 = e69 + e59;
-        const Scalar e207 = inverse_25 * (inverse_25 * inverse_25);
-        const Scalar e208 = e207 * (step_24 * e22);
-        const Scalar e209 = e207 * (step_41 * e39);
-        const Scalar e210 = e163 * e173;
-        const Scalar e211 = e116 - e108;
-        const Scalar e212 = inverse_85 * (inverse_85 * inverse_85);
-        const Scalar e213 = e212 * (step_100 * e99);
-        const Scalar e214 = e212 * (step_84 * e83);
-        const Scalar e215 = e165 * e181;
+        dxdt[2] = -e68;
+        dxdt[3] = e114;
+        dxdt[4] = -e119;
+        dxdt[5] = e124;
+        const Scalar e125 = p_.A_1 * inverse_5;
+        const Scalar e126 = p_.A_2 * inverse_69;
+        const Scalar e127 = p_1 * e6;
+        const Scalar e128 = p_2 * e70;
+        const Scalar step_129 = detail::step<Scalar>(e55);
+        const Scalar e130 = e48 * step_129;
+        const Scalar e131 = T_1 * e6;
+        const Scalar e132 = p_.R_s * e131;
+        const Scalar e133 = e45 * e130 + e132;
+        const Scalar outflow_factor_slope_134 = detail::outflow_factor_slope<Scalar>(e21, c_.k2);
+        const Scalar sign_135 = detail::sign<Scalar>(e2);
+        const Scalar power_136 = pow(e15, -Scalar(5) / Scalar(4));
+        const Scalar e137 = Scalar(2) * sqrt_18 * outflow_factor_slope_134 * inverse_20 * (step_11 * e21 + sign_135);
+        const Scalar e138 = (step_11 * outflow_factor_22 / sqrt_18 - e137) * e17
+            + (power_136 * e2_squared - Scalar(2) * power_16) * e23;
+        const Scalar e139 = e138 * e54;
+        const Scalar step_140 = detail::step<Scalar>(e51);
+        const Scalar e141 = e48 * step_140;
+        const Scalar e142 = e45 * e141 + e132;
+        const Scalar outflow_factor_slope_143 = detail::outflow_factor_slope<Scalar>(e36, c_.k2);
+        const Scalar sign_144 = detail::sign<Scalar>(e26);
+        const Scalar power_145 = pow(e30, -Scalar(5) / Scalar(4));
+        const Scalar e146 = Scalar(2) * sqrt_33 * outflow_factor_slope_143 * inverse_35 * (step_27 * e36 + sign_144);
+        const Scalar e147 = (step_27 * outflow_factor_37 / sqrt_33 - e146) * e32
+            + (power_145 * e26_squared - Scalar(2) * power_31) * e38;
+        const Scalar e148 = e147 * e50;
+        const Scalar step_149 = detail::step<Scalar>(-e64);
+        const Scalar e150 = step_149 * inverse_5;
+        const Scalar e151 = e59 * c_.k14;
+        const Scalar e152 = e63 * e151;
+        const Scalar e153 = p_.k_L * (step_8 * e127 - e150 * e152);
+        const Scalar e154 = e7 * e151;
+        const Scalar e155 = e154 * e150;
+        const Scalar e156 = e61 * e155;
+        const Scalar step_157 = detail::step<Scalar>(e64);
+        const Scalar e158 = step_157 * inverse_69;
+        const Scalar e159 = e154 * e158;
+        const Scalar e160 = T_2 * e70;
+        const Scalar e161 = e61 * (p_.k_L * p_1 + e7);
+        const Scalar e162 = p_.k_L * (step_40 * e128 + e158 * e152);
+        const Scalar e163 = T_1 * inverse_115;
+        const Scalar e164 = e46 - e151 * e150;
+        const Scalar e165 = p_.k_L * e164;
+        const Scalar e166 = p_.R_s * T_1;
+        const Scalar e167 = (e166 + e130) * e116;
+        const Scalar e168 = (e166 + e141) * e116;
+        const Scalar e169 = step_8 * e165;
+        const Scalar e170 = e102 + e151 * e158;
+        const Scalar e171 = T_2 * inverse_120;
+        const Scalar e172 = e170 * e171;
+        const Scalar e173 = p_.k_L * e170;
+        const Scalar e174 = step_40 * e173;
+        const Scalar e175 = e42 * (p_.k_L * p_2 - e7);
+        const Scalar step_176 = detail::step<Scalar>(e108);
+        const Scalar e177 = e103 * step_176;
+        const Scalar e178 = p_.R_s * e160;
+        const Scalar e179 = e101 * e177 + e178;
+        const Scalar outflow_factor_slope_180 = detail::outflow_factor_slope<Scalar>(e96, c_.k2);
+        const Scalar sign_181 = detail::sign<Scalar>(e1);
+        const Scalar power_182 = pow(e90, -Scalar(5) / Scalar(4));
+        const Scalar e183 = Scalar(2) * sqrt_93 * outflow_factor_slope_180 * inverse_95 * (step_87 * e96 + sign_181);
+        const Scalar e184 = (step_87 * outflow_factor_97 / sqrt_93 - e183) * e92
+            + (power_182 * e1_squared - Scalar(2) * power_91) * e98;
+        const Scalar e185 = e184 * e107;
+        const Scalar step_186 = detail::step<Scalar>(e105);
+        const Scalar e187 = e103 * step_186;
+        const Scalar e188 = e101 * e187 + e178;
+        const Scalar outflow_factor_slope_189 = detail::outflow_factor_slope<Scalar>(e83, c_.k2);
+        const Scalar sign_190 = detail::sign<Scalar>(e72);
+        const Scalar power_191 = pow(e77, -Scalar(5) / Scalar(4));
+        const Scalar e192 = Scalar(2) * sqrt_80 * outflow_factor_slope_189 * inverse_82 * (step_73 * e83 + sign_190);
+        const Scalar e193 = (step_73 * outflow_factor_84 / sqrt_80 - e192) * e79
+            + (power_191 * e72_squared - Scalar(2) * power_78) * e85;
+        const Scalar e194 = e193 * e104;
+        const Scalar e195 = e42 * e159;
+        const Scalar e196 = e164 * e163;
+        const Scalar e197 = p_.R_s * T_2;
+        const Scalar e198 = (e197 + e187) * e121;
+        const Scalar e199 = (e197 + e177) * e121;
+        const Scalar e200 = (min_65 - e57) * c_.k4;
+        const Scalar e201 = inverse_12 * (inverse_12 * inverse_12);
+        const Scalar e202 = step_11 * e53 * (e24 * e201);
+        const Scalar e203 = step_27 * e49 * (e39 * e201);
+        const Scalar e204 = inverse_60 * e62;
+        const Scalar e205 = max_111 * c_.k4;
+        const Scalar e206 = e7 * e204;
+        const Scalar e207 = inverse_41 * e43;
+        const Scalar e208 = e7 * e207;
+        const Scalar e209 = min_65 * c_.k4;
+        const Scalar e210 = (max_111 + e110) * c_.k4;
+        const Scalar e211 = inverse_74 * (inverse_74 * inverse_74);
+        const Scalar e212 = step_87 * e49 * (e99 * e211);
+        const Scalar e213 = step_73 * e53 * (e86 * e211);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e71 * e140;
-        J[3] = e123 * e141;
-        J[4] = e131 * e140 - e127 * e142;
-        J[5] = e136 * e141 + e138 * e143;
+        J[2] = e68 * e125;
+        J[3] = e114 * e126;
+        J[4] = e119 * e125;
+        J[5] = e124 * e126;
         J[6] = Scalar(1);
-        J[7] = (tanh_3 * e4 * c_.k1 - c_.k14) * c_.k0;
-        J[8] = -p_.A_1 * e52;
-        J[9] = p_.A_2 * e122;
-        J[10] = -e142;
-        J[11] = e143;
+        J[7] = c_.k0 * (tanh_3 * e4 * c_.k1 - c_.k13);
+        J[8] = -p_.A_1 * e127;
+        J[9] = p_.A_2 * e128;
+        J[10] = -p_.A_1 * e46;
+        J[11] = p_.A_2 * e102;
         J[12] = Scalar(0);
-        J[13] = p_.A_1 * c_.k0;
-        J[14] = (Scalar(1) / Scalar(2)) * e148 * e28 * e152 + (Scalar(1) / Scalar(2)) * e157 * e44 * e160 - e51 * e49 - e161
-            * e164 - e167 * e168;
-        J[15] = e161 * e171 + e168 * e172;
-        J[16] = inverse_125 * (e48 * e174 - e130 - e128) + (Scalar(1) / Scalar(2)) * e148 * e62 * e176
-            + (Scalar(1) / Scalar(2)) * e157 * e177 * e66 - e178 * e168 + e179;
-        J[17] = e161 * e180 + e183;
+        J[13] = c_.k0 * p_.A_1;
+        J[14] = (Scalar(1) / Scalar(2)) * e133 * e139 + (Scalar(1) / Scalar(2)) * e142 * e148 - e9 * e6 - p_.k_L * e43 * e131
+            - e153 + e156;
+        J[15] = e61 * e159 + e160 * e161 + e162;
+        J[16] = inverse_115 * (step_8 * e155 + e118) - e43 * e163 * e165 + (Scalar(1) / Scalar(2)) * e167 * e139
+            + (Scalar(1) / Scalar(2)) * e168 * e148 - e169;
+        J[17] = e161 * e172 + e174;
         J[18] = Scalar(0);
-        J[19] = (-p_.A_2) * c_.k0;
-        J[20] = e184 * e167 + e185 * e164;
-        J[21] = (Scalar(1) / Scalar(2)) * e190 * e103 * e194 + (Scalar(1) / Scalar(2)) * e199 * e88 * e202 + e121 * e119 - e184
-            * e172 - e171 * e185;
-        J[22] = e184 * e178 - e179;
-        J[23] = inverse_133 * (e118 * e182 - e135 - e139) + (Scalar(1) / Scalar(2)) * e190 * e204 * e113
-            + (Scalar(1) / Scalar(2)) * e199 * e110 * e205 - e180 * e185 - e183;
+        J[19] = c_.k0 * (-p_.A_2);
+        J[20] = e42 * e155 + e131 * e175 + e153;
+        J[21] = (Scalar(1) / Scalar(2)) * e179 * e185 + (Scalar(1) / Scalar(2)) * e188 * e194 + e71 * e70 - p_.k_L * e62 * e160
+            - e162 + e195;
+        J[22] = e175 * e196 + e169;
+        J[23] = inverse_120 * (step_40 * e159 + e123) - e62 * e171 * e173 + (Scalar(1) / Scalar(2)) * e198 * e194
+            + (Scalar(1) / Scalar(2)) * e199 * e185 - e174;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = -inverse_5 * (e46 - e206) - (Scalar(1) / Scalar(2)) * max_23 * e152 * e208 - (Scalar(1) / Scalar(2)) * max_40
-            * e160 * e209 - e105 * e210;
-        J[27] = inverse_72 * e108 - e105 * e171;
-        J[28] = Scalar(2) * e126 * e206 - inverse_125 * inverse_5 * (T_2 * e59 + p_.T_0 * e69) - inverse_5 * e50 * c_.k10
-            - (Scalar(1) / Scalar(2)) * e61 * e176 * e208 - (Scalar(1) / Scalar(2)) * e65 * e177 * e209 + e127 * c_.k15 - e48
-            * e210;
-        J[29] = e134 * e108 - e105 * e180;
+        J[26] = e44 * e6 - e45 * (p_.k_W - e200) - (Scalar(1) / Scalar(2)) * e133 * e202 - (Scalar(1) / Scalar(2)) * e142
+            * e203 - e155 * e204;
+        J[27] = e101 * e205 - e159 * e204 - e160 * e206;
+        J[28] = inverse_115 * e67 - e116 * (Scalar(2) * e117 - e200) - e45 * e9 - (Scalar(1) / Scalar(2)) * e167 * e202
+            - (Scalar(1) / Scalar(2)) * e168 * e203 - e156;
+        J[29] = e121 * e205 - e206 * e172;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
-        J[32] = e12 * e167 - inverse_5 * e59;
-        J[33] = inverse_72 * (e106 + e211) - (Scalar(1) / Scalar(2)) * max_23 * e194 * e213 - (Scalar(1) / Scalar(2)) * max_40
-            * e202 * e214 + e12 * e215;
-        J[34] = e12 * e178 - e126 * e59;
-        J[35] = inverse_133 * inverse_72 * (T_1 * e108 - p_.T_0 * e116) + inverse_72 * e120 * c_.k10 + Scalar(2) * e134 * e211
-            - (Scalar(1) / Scalar(2)) * e61 * e204 * e213 - (Scalar(1) / Scalar(2)) * e65 * e205 * e214 + e138 * c_.k15 + e118
-            * e215;
+        J[32] = e131 * e208 - e45 * e209 - e155 * e207;
+        J[33] = e100 * e70 - e101 * (p_.k_W + e210) - (Scalar(1) / Scalar(2)) * e179 * e212 - (Scalar(1) / Scalar(2)) * e188
+            * e213 - e159 * e207;
+        J[34] = e208 * e196 - e116 * e209;
+        J[35] = inverse_120 * e113 - e121 * (Scalar(2) * e122 + e210) + e101 * e71 - (Scalar(1) / Scalar(2)) * e198 * e213
+            - (Scalar(1) / Scalar(2)) * e199 * e212 - e195;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -901,7 +893,7 @@ public:
     }
 
     /// J = df/du. 6 x 2, entry (i, j) at J[6*j + i].
-    /// Operations: 41 + or -, 103 *, 10 /, 38 other functions
+    /// Operations: 39 + or -, 101 *, 10 /, 38 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::abs;
         using std::pow;
@@ -916,21 +908,21 @@ public:
         const Scalar u_value = u[0];
         const Scalar e5 = -u_value;
         const Scalar step_6 = detail::step<Scalar>(e5);
-        const Scalar power_7 = pow(c_.k5 + e3 * e3, -Scalar(1) / Scalar(4));
+        const Scalar power_7 = pow(c_.k7 + e3 * e3, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
         const Scalar sqrt_8 = sqrt(max_p_0);
         const Scalar abs_9 = abs(e3);
-        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_0, c_.k23);
+        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_0, c_.k24);
         const Scalar e11 = e3 * power_7 * (sqrt_8 * outflow_factor_10);
         const Scalar e12 = step_6 * e11;
         const Scalar e13 = p_.p_S - p_1;
         const Scalar step_14 = detail::step<Scalar>(e13);
         const Scalar step_u = detail::step<Scalar>(u_value);
-        const Scalar power_15 = pow(c_.k5 + e13 * e13, -Scalar(1) / Scalar(4));
+        const Scalar power_15 = pow(c_.k7 + e13 * e13, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
         const Scalar sqrt_16 = sqrt(max_p_S);
         const Scalar abs_17 = abs(e13);
-        const Scalar outflow_factor_18 = detail::outflow_factor<Scalar>(abs_17 / max_p_S, c_.k23);
+        const Scalar outflow_factor_18 = detail::outflow_factor<Scalar>(abs_17 / max_p_S, c_.k24);
         const Scalar e19 = e13 * power_15 * (sqrt_16 * outflow_factor_18);
         const Scalar e20 = step_u * e19;
         const Scalar e21 = step_4 * e12 - step_14 * e20;
@@ -940,61 +932,59 @@ public:
         const Scalar step_24 = detail::step<Scalar>(-e13);
         const Scalar e25 = inverse_22 * (step_23 * e12 - step_24 * e20);
         const Scalar max_26 = detail::max<Scalar>(Scalar(0), e5);
-        const Scalar e27 = c_.k3 * inverse_22;
-        const Scalar e28 = c_.k22 * max_26;
+        const Scalar e27 = c_.k5 * inverse_22;
+        const Scalar e28 = c_.k21 * max_26;
         const Scalar step_29 = detail::step<Scalar>(e11 * (max_26 * step_23 * e27 + step_4 * e28));
         const Scalar e30 = step_29 * e12;
         const Scalar max_31 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e32 = c_.k22 * max_31;
+        const Scalar e32 = c_.k21 * max_31;
         const Scalar step_33 = detail::step<Scalar>(e19 * (step_14 * e32 + max_31 * step_24 * e27));
         const Scalar e34 = step_33 * e20;
-        const Scalar e35 = step_4 * e30 - step_14 * e34;
-        const Scalar e36 = c_.k17 * T_1 * e35 + inverse_22 * (step_23 * e30 - step_24 * e34) * (c_.k16 * T_1 - c_.k18);
-        const Scalar e37 = c_.k19 * e35 - e36;
+        const Scalar e35 = c_.k17 * inverse_22 * (step_23 * e30 - step_24 * e34) + c_.k18 * (step_4 * e30 - step_14 * e34);
+        const Scalar e36 = (c_.k22 - c_.k23 * T_1) * e35;
         const Scalar T_2 = x[5];
-        const Scalar inverse_38 = Scalar(1) / (c_.k9 - p_.A_2 * s);
-        const Scalar e39 = T_2 * inverse_38;
+        const Scalar inverse_37 = Scalar(1) / (c_.k10 - p_.A_2 * s);
+        const Scalar e38 = T_2 * inverse_37;
         const Scalar p_2 = x[3];
-        const Scalar e40 = p_.p_S - p_2;
-        const Scalar step_41 = detail::step<Scalar>(e40);
-        const Scalar power_42 = pow(c_.k5 + e40 * e40, -Scalar(1) / Scalar(4));
+        const Scalar e39 = p_.p_S - p_2;
+        const Scalar step_40 = detail::step<Scalar>(e39);
+        const Scalar power_41 = pow(c_.k7 + e39 * e39, -Scalar(1) / Scalar(4));
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar sqrt_43 = sqrt(max_p_S_2);
-        const Scalar abs_44 = abs(e40);
-        const Scalar outflow_factor_45 = detail::outflow_factor<Scalar>(abs_44 / max_p_S_2, c_.k23);
-        const Scalar e46 = e40 * power_42 * (sqrt_43 * outflow_factor_45);
-        const Scalar e47 = step_6 * e46;
-        const Scalar e48 = p_.p_0 - p_2;
-        const Scalar step_49 = detail::step<Scalar>(e48);
-        const Scalar power_50 = pow(c_.k5 + e48 * e48, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_42 = sqrt(max_p_S_2);
+        const Scalar abs_43 = abs(e39);
+        const Scalar outflow_factor_44 = detail::outflow_factor<Scalar>(abs_43 / max_p_S_2, c_.k24);
+        const Scalar e45 = e39 * power_41 * (sqrt_42 * outflow_factor_44);
+        const Scalar e46 = step_6 * e45;
+        const Scalar e47 = p_.p_0 - p_2;
+        const Scalar step_48 = detail::step<Scalar>(e47);
+        const Scalar power_49 = pow(c_.k7 + e47 * e47, -Scalar(1) / Scalar(4));
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar sqrt_51 = sqrt(max_p_0_2);
-        const Scalar abs_52 = abs(e48);
-        const Scalar outflow_factor_53 = detail::outflow_factor<Scalar>(abs_52 / max_p_0_2, c_.k23);
-        const Scalar e54 = e48 * power_50 * (sqrt_51 * outflow_factor_53);
-        const Scalar e55 = step_u * e54;
-        const Scalar e56 = step_41 * e47 - step_49 * e55;
+        const Scalar sqrt_50 = sqrt(max_p_0_2);
+        const Scalar abs_51 = abs(e47);
+        const Scalar outflow_factor_52 = detail::outflow_factor<Scalar>(abs_51 / max_p_0_2, c_.k24);
+        const Scalar e53 = e47 * power_49 * (sqrt_50 * outflow_factor_52);
+        const Scalar e54 = step_u * e53;
+        const Scalar e55 = step_40 * e46 - step_48 * e54;
         const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar inverse_57 = Scalar(1) / sqrt_T_2;
-        const Scalar step_58 = detail::step<Scalar>(-e40);
-        const Scalar step_59 = detail::step<Scalar>(-e48);
-        const Scalar e60 = inverse_57 * (step_58 * e47 - step_59 * e55);
-        const Scalar e61 = c_.k3 * inverse_57;
-        const Scalar step_62 = detail::step<Scalar>(e46 * (max_26 * step_58 * e61 + step_41 * e28));
-        const Scalar e63 = step_62 * e47;
-        const Scalar step_64 = detail::step<Scalar>(e54 * (max_31 * step_59 * e61 + step_49 * e32));
-        const Scalar e65 = step_64 * e55;
-        const Scalar e66 = step_41 * e63 - step_49 * e65;
-        const Scalar e67 = c_.k17 * T_2 * e66 + inverse_57 * (step_58 * e63 - step_59 * e65) * (c_.k16 * T_2 - c_.k18);
-        const Scalar e68 = c_.k19 * e66 - e67;
-        const Scalar e69 = e2 / p_1;
-        const Scalar e70 = e39 / p_2;
+        const Scalar inverse_56 = Scalar(1) / sqrt_T_2;
+        const Scalar step_57 = detail::step<Scalar>(-e39);
+        const Scalar step_58 = detail::step<Scalar>(-e47);
+        const Scalar e59 = inverse_56 * (step_57 * e46 - step_58 * e54);
+        const Scalar e60 = c_.k5 * inverse_56;
+        const Scalar step_61 = detail::step<Scalar>(e45 * (max_26 * step_57 * e60 + step_40 * e28));
+        const Scalar e62 = step_61 * e46;
+        const Scalar step_63 = detail::step<Scalar>(e53 * (max_31 * step_58 * e60 + step_48 * e32));
+        const Scalar e64 = step_63 * e54;
+        const Scalar e65 = c_.k17 * inverse_56 * (step_57 * e62 - step_58 * e64) + c_.k18 * (step_40 * e62 - step_48 * e64);
+        const Scalar e66 = (c_.k22 - c_.k23 * T_2) * e65;
+        const Scalar e67 = e2 / p_1;
+        const Scalar e68 = e38 / p_2;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = -e2 * (c_.k17 * e21 + c_.k16 * e25) - inverse_1 * e37;
-        J[3] = -e39 * (c_.k17 * e56 + c_.k16 * e60) - inverse_38 * e68;
-        J[4] = -T_1 * e69 * (c_.k21 * e21 + c_.k20 * e25) - e37 * e69;
-        J[5] = -T_2 * e70 * (c_.k21 * e56 + c_.k20 * e60) - e68 * e70;
+        J[2] = -e2 * (c_.k16 * e21 + c_.k15 * e25) - inverse_1 * e36;
+        J[3] = -e38 * (c_.k16 * e55 + c_.k15 * e59) - inverse_37 * e66;
+        J[4] = -T_1 * e67 * (c_.k20 * e21 + c_.k19 * e25) - e67 * e36;
+        J[5] = -T_2 * e68 * (c_.k20 * e55 + c_.k19 * e59) - e68 * e66;
         J[6] = Scalar(0);
         J[7] = (-Scalar(1)) * c_.k0;
         J[8] = Scalar(0);
@@ -1004,7 +994,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 20, entry (i, j) at J[6*j + i].
-    /// Operations: 379 + or -, 831 *, 22 /, 66 other functions
+    /// Operations: 325 + or -, 762 *, 22 /, 66 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::abs;
         using std::pow;
@@ -1020,453 +1010,461 @@ public:
         const Scalar s_dot = x[1];
         const Scalar tanh_4 = tanh(c_.k1 * s_dot);
         const Scalar inverse_5 = Scalar(1) / p_.v_C;
-        const Scalar T_1 = x[4];
-        const Scalar sqrt_T_1 = sqrt(T_1);
-        const Scalar inverse_6 = Scalar(1) / sqrt_T_1;
-        const Scalar s = x[0];
-        const Scalar inverse_7 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e8 = T_1 * inverse_7;
-        const Scalar e9 = inverse_6 * e8;
+        const Scalar sqrt_6 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar inverse_10 = Scalar(1) / sqrt_R_s;
-        const Scalar inverse_10_squared = inverse_10 * inverse_10;
+        const Scalar inverse_7 = Scalar(1) / sqrt_R_s;
+        const Scalar e8 = sqrt_6 * inverse_7;
+        const Scalar e9 = p_.A_v * e8;
+        const Scalar e10 = p_.alpha_d * e9;
         const Scalar inverse_11 = Scalar(1) / c_.c_v;
         const Scalar e12 = p_.R_s * inverse_11;
         const Scalar e13 = Scalar(1) + e12;
-        const Scalar sqrt_14 = sqrt(Scalar(2));
-        const Scalar e15 = sqrt_14 * inverse_10;
-        const Scalar e16 = p_.R_s * e15;
-        const Scalar e17 = p_.A_v * e16;
-        const Scalar e18 = p_.alpha_d * e17;
-        const Scalar e19 = e13 * e18;
-        const Scalar e20 = (Scalar(1) / Scalar(2)) * (inverse_10_squared * e19);
-        const Scalar abs_21 = abs(e1);
+        const Scalar e14 = p_.R_s * e13;
+        const Scalar e15 = e10 * e14;
+        const Scalar inverse_7_squared = inverse_7 * inverse_7;
+        const Scalar e16 = e12 * e10;
+        const Scalar inverse_17 = Scalar(1) / (Scalar(1) - p_.kappa);
+        const Scalar e18 = inverse_17 * e12;
+        const Scalar e19 = Scalar(1) + (Scalar(1) / Scalar(2)) * e18;
+        const Scalar e20 = Scalar(2) * (e16 * e19);
+        const Scalar e21 = e10 - (Scalar(1) / Scalar(2)) * e15 * inverse_7_squared + e20;
+        const Scalar e22 = c_.k7 + e1 * e1;
+        const Scalar power_23 = pow(e22, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar inverse_22 = Scalar(1) / max_p_0;
-        const Scalar e23 = abs_21 * inverse_22;
-        const Scalar outflow_factor_24 = detail::outflow_factor<Scalar>(e23, c_.k23);
+        const Scalar sqrt_24 = sqrt(max_p_0);
+        const Scalar e25 = power_23 * sqrt_24;
+        const Scalar step_26 = detail::step<Scalar>(e2);
+        const Scalar abs_27 = abs(e1);
+        const Scalar inverse_28 = Scalar(1) / max_p_0;
+        const Scalar e29 = abs_27 * inverse_28;
+        const Scalar outflow_factor_30 = detail::outflow_factor<Scalar>(e29, c_.k24);
         const Scalar u_value = u[0];
-        const Scalar max_25 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e26 = max_25 * e1;
-        const Scalar e27 = outflow_factor_24 * e26;
-        const Scalar e28 = c_.k5 + e1 * e1;
-        const Scalar power_29 = pow(e28, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_30 = sqrt(max_p_0);
-        const Scalar e31 = power_29 * sqrt_30;
-        const Scalar e32 = e27 * e31;
-        const Scalar step_33 = detail::step<Scalar>(e2);
-        const Scalar step_34 = detail::step<Scalar>(e1);
-        const Scalar e35 = step_33 * inverse_6;
-        const Scalar e36 = (c_.k22 * step_34 + c_.k3 * e35) * e32;
-        const Scalar step_37 = detail::step<Scalar>(e36);
-        const Scalar e38 = step_33 * step_37;
-        const Scalar e39 = p_.p_S - p_1;
-        const Scalar step_40 = detail::step<Scalar>(-e39);
-        const Scalar abs_41 = abs(e39);
+        const Scalar max_31 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar e32 = max_31 * e1;
+        const Scalar e33 = outflow_factor_30 * e32;
+        const Scalar e34 = step_26 * e33;
+        const Scalar e35 = p_.p_S - p_1;
+        const Scalar e36 = c_.k7 + e35 * e35;
+        const Scalar power_37 = pow(e36, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
+        const Scalar sqrt_38 = sqrt(max_p_S);
+        const Scalar e39 = power_37 * sqrt_38;
+        const Scalar step_40 = detail::step<Scalar>(-e35);
+        const Scalar abs_41 = abs(e35);
         const Scalar inverse_42 = Scalar(1) / max_p_S;
         const Scalar e43 = abs_41 * inverse_42;
-        const Scalar outflow_factor_44 = detail::outflow_factor<Scalar>(e43, c_.k23);
+        const Scalar outflow_factor_44 = detail::outflow_factor<Scalar>(e43, c_.k24);
         const Scalar max_45 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e46 = max_45 * e39;
+        const Scalar e46 = max_45 * e35;
         const Scalar e47 = outflow_factor_44 * e46;
         const Scalar e48 = step_40 * e47;
-        const Scalar e49 = c_.k5 + e39 * e39;
-        const Scalar power_50 = pow(e49, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_51 = sqrt(max_p_S);
-        const Scalar e52 = power_50 * sqrt_51;
-        const Scalar step_53 = detail::step<Scalar>(e39);
-        const Scalar e54 = step_53 * e47;
-        const Scalar e55 = e52 * e54;
-        const Scalar e56 = e52 * e48;
-        const Scalar e57 = c_.k22 * e55 + c_.k3 * inverse_6 * e56;
-        const Scalar step_58 = detail::step<Scalar>(e57);
-        const Scalar e59 = step_58 * e52;
-        const Scalar e60 = e32 * e38 + e48 * e59;
-        const Scalar e61 = e12 / (Scalar(1) - p_.kappa);
-        const Scalar e62 = inverse_11 * (Scalar(1) + e61);
-        const Scalar e63 = e62 * e19;
-        const Scalar outflow_factor_by_exponent_64 = detail::outflow_factor_by_exponent<Scalar>(e23, c_.k23);
-        const Scalar e65 = e31 * (outflow_factor_by_exponent_64 * e26);
-        const Scalar outflow_factor_by_exponent_66 = detail::outflow_factor_by_exponent<Scalar>(e43, c_.k23);
-        const Scalar e67 = outflow_factor_by_exponent_66 * e46;
-        const Scalar e68 = e67 * e59;
-        const Scalar e69 = e38 * e65 + step_40 * e68;
-        const Scalar e70 = e20 * e60 - e63 * e69;
-        const Scalar e71 = Scalar(1) + (Scalar(1) / Scalar(2)) * e61;
-        const Scalar e72 = Scalar(1) + Scalar(2) * e12 * e71;
-        const Scalar e73 = p_.k_L / p_.R_s;
+        const Scalar e49 = e39 * e48;
+        const Scalar e50 = e25 * e34 + e49;
+        const Scalar T_1 = x[4];
+        const Scalar sqrt_T_1 = sqrt(T_1);
+        const Scalar inverse_51 = Scalar(1) / sqrt_T_1;
+        const Scalar s = x[0];
+        const Scalar inverse_52 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e53 = T_1 * inverse_52;
+        const Scalar e54 = inverse_51 * e53;
+        const Scalar e55 = e50 * e54;
+        const Scalar e56 = Scalar(1) + e18;
+        const Scalar e57 = inverse_11 * e56;
+        const Scalar e58 = p_.k_W * e57;
+        const Scalar e59 = e12 - e18;
         const Scalar T_2 = x[5];
-        const Scalar inverse_74 = Scalar(1) / T_2;
-        const Scalar e75 = p_1 - p_2;
-        const Scalar e76 = p_.k_L * e75;
-        const Scalar step_77 = detail::step<Scalar>(-e76);
-        const Scalar e78 = e75 * step_77;
-        const Scalar e79 = p_2 * e78;
-        const Scalar e80 = inverse_74 * e79;
-        const Scalar step_81 = detail::step<Scalar>(e76);
-        const Scalar e82 = e75 * step_81;
-        const Scalar inverse_83 = Scalar(1) / T_1;
-        const Scalar e84 = p_1 * inverse_83;
-        const Scalar e85 = e82 * e84;
-        const Scalar e86 = e73 * (e80 + e85);
-        const Scalar min_87 = detail::min<Scalar>(Scalar(0), e86);
-        const Scalar e88 = T_2 * inverse_7 - e8;
-        const Scalar max_89 = detail::max<Scalar>(Scalar(0), e57);
-        const Scalar min_90 = detail::min<Scalar>(Scalar(0), -e36);
-        const Scalar e91 = max_89 - min_90;
-        const Scalar e92 = min_87 * e88 + e8 * e91;
-        const Scalar e93 = p_.k_L * e62;
-        const Scalar e94 = p_1 * inverse_7;
-        const Scalar e95 = p_2 * step_77;
-        const Scalar e96 = e75 * (step_81 * e94 + inverse_74 * e8 * e95);
-        const Scalar e97 = p_.k_W * e62;
+        const Scalar e60 = p_1 - p_2;
+        const Scalar e61 = p_.k_L * e60;
+        const Scalar step_62 = detail::step<Scalar>(-e61);
+        const Scalar e63 = p_2 * step_62;
+        const Scalar e64 = e63 / T_2;
+        const Scalar step_65 = detail::step<Scalar>(e61);
+        const Scalar e66 = p_1 * step_65 / T_1;
+        const Scalar e67 = e64 + e66;
+        const Scalar e68 = p_.k_L / p_.R_s;
+        const Scalar e69 = e67 * (e60 * e68);
+        const Scalar min_70 = detail::min<Scalar>(Scalar(0), e69);
+        const Scalar step_71 = detail::step<Scalar>(e35);
+        const Scalar e72 = step_71 * e47;
+        const Scalar e73 = e39 * e72;
+        const Scalar e74 = c_.k5 * inverse_51 * e49 + c_.k21 * e73;
+        const Scalar max_75 = detail::max<Scalar>(Scalar(0), e74);
+        const Scalar step_76 = detail::step<Scalar>(e1);
+        const Scalar e77 = step_26 * inverse_51;
+        const Scalar e78 = (c_.k21 * step_76 + c_.k5 * e77) * (e33 * e25);
+        const Scalar min_79 = detail::min<Scalar>(Scalar(0), -e78);
+        const Scalar e80 = max_75 - min_79;
+        const Scalar e81 = min_70 - e80;
+        const Scalar e82 = e58 - e59 * e81;
+        const Scalar e83 = c_.k23 * T_1;
+        const Scalar e84 = c_.k22 - e83;
+        const Scalar e85 = e84 * inverse_52;
+        const Scalar e86 = (Scalar(1) / Scalar(2)) * e16 * inverse_7_squared;
+        const Scalar step_87 = detail::step<Scalar>(e78);
+        const Scalar e88 = step_87 * e25;
+        const Scalar step_89 = detail::step<Scalar>(e74);
+        const Scalar e90 = step_89 * e39;
+        const Scalar e91 = e34 * e88 + e48 * e90;
+        const Scalar e92 = e16 * e57;
+        const Scalar outflow_factor_by_exponent_93 = detail::outflow_factor_by_exponent<Scalar>(e29, c_.k24);
+        const Scalar e94 = outflow_factor_by_exponent_93 * e32;
+        const Scalar e95 = e94 * e88;
+        const Scalar outflow_factor_by_exponent_96 = detail::outflow_factor_by_exponent<Scalar>(e43, c_.k24);
+        const Scalar e97 = outflow_factor_by_exponent_96 * e46;
+        const Scalar e98 = e97 * e90;
+        const Scalar e99 = step_26 * e95 + step_40 * e98;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_98 = Scalar(1) / sqrt_T_0;
-        const Scalar e99 = inverse_98 * e18;
-        const Scalar e100 = e13 * e99;
-        const Scalar e101 = (Scalar(1) / Scalar(2)) * (e100 * inverse_10_squared);
-        const Scalar e102 = step_34 * step_37;
-        const Scalar e103 = e32 * e102 + e54 * e59;
-        const Scalar e104 = e62 * e100;
-        const Scalar e105 = e102 * e65 + step_53 * e68;
-        const Scalar e106 = e97 - (e101 * e103 - e104 * e105);
-        const Scalar e107 = p_.T_0 * e13;
-        const Scalar e108 = e18 * e107;
-        const Scalar e109 = (Scalar(1) / Scalar(2)) * inverse_10_squared * e108;
-        const Scalar e110 = e62 * e108;
-        const Scalar e111 = p_.T_0 * e72;
-        const Scalar e112 = p_.T_0 * p_.k_W;
-        const Scalar e113 = e62 * e112;
-        const Scalar e114 = e99 * e107;
-        const Scalar e115 = (Scalar(1) / Scalar(2)) * inverse_10_squared * e114;
-        const Scalar e116 = e62 * e114;
-        const Scalar e117 = inverse_6 * (e109 * e60 - e110 * e69) - e111 * e91 - (e113 - (e115 * e103 - e116 * e105));
-        const Scalar e118 = p_.A_1 * e62;
-        const Scalar e119 = s_dot * e94;
-        const Scalar e120 = inverse_11 * e71;
-        const Scalar e121 = Scalar(2) * (e99 * e120);
-        const Scalar e122 = e15 * (p_.A_v * p_.alpha_d);
-        const Scalar e123 = e121 - e101 + inverse_98 * e122;
-        const Scalar e124 = step_34 * e32 + e55;
-        const Scalar e125 = e8 * e124;
-        const Scalar e126 = Scalar(2) * (e18 * e120);
-        const Scalar e127 = e126 - e20 + e122;
-        const Scalar e128 = step_33 * e32 + e56;
-        const Scalar e129 = e128 * e9;
-        const Scalar e130 = inverse_7 * e79 + (T_2 * inverse_83 * e82 * e94 - e96);
-        const Scalar step_131 = detail::step<Scalar>(-e86);
-        const Scalar e132 = p_.k_L * inverse_11 + e73;
-        const Scalar e133 = step_131 * e132;
-        const Scalar e134 = e52 * e67;
-        const Scalar e135 = step_34 * e65 + step_53 * e134;
-        const Scalar e136 = e8 * e135;
-        const Scalar e137 = step_33 * e65 + step_40 * e134;
-        const Scalar e138 = e137 * e9;
-        const Scalar max_139 = detail::max<Scalar>(Scalar(0), e86);
-        const Scalar inverse_140 = Scalar(1) / (c_.k9 - p_.A_2 * s);
-        const Scalar e141 = T_2 * inverse_140;
-        const Scalar e142 = T_1 * inverse_140 - e141;
-        const Scalar e143 = p_.p_S - p_2;
-        const Scalar e144 = c_.k5 + e143 * e143;
-        const Scalar power_145 = pow(e144, -Scalar(1) / Scalar(4));
-        const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar sqrt_146 = sqrt(max_p_S_2);
-        const Scalar e147 = power_145 * sqrt_146;
-        const Scalar step_148 = detail::step<Scalar>(e143);
-        const Scalar abs_149 = abs(e143);
-        const Scalar inverse_150 = Scalar(1) / max_p_S_2;
-        const Scalar e151 = abs_149 * inverse_150;
-        const Scalar outflow_factor_152 = detail::outflow_factor<Scalar>(e151, c_.k23);
-        const Scalar e153 = max_25 * e143;
-        const Scalar e154 = outflow_factor_152 * e153;
-        const Scalar e155 = step_148 * e154;
-        const Scalar e156 = e147 * e155;
-        const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar inverse_157 = Scalar(1) / sqrt_T_2;
-        const Scalar step_158 = detail::step<Scalar>(-e143);
-        const Scalar e159 = step_158 * e154;
-        const Scalar e160 = e147 * e159;
-        const Scalar e161 = c_.k22 * e156 + c_.k3 * inverse_157 * e160;
-        const Scalar max_162 = detail::max<Scalar>(Scalar(0), e161);
-        const Scalar step_163 = detail::step<Scalar>(e3);
-        const Scalar step_164 = detail::step<Scalar>(-e3);
-        const Scalar e165 = step_164 * inverse_157;
-        const Scalar abs_166 = abs(e3);
+        const Scalar inverse_100 = Scalar(1) / sqrt_T_0;
+        const Scalar e101 = inverse_100 * e16;
+        const Scalar e102 = (Scalar(1) / Scalar(2)) * e101 * inverse_7_squared;
+        const Scalar e103 = step_76 * e33;
+        const Scalar e104 = e103 * e88 + e72 * e90;
+        const Scalar e105 = e101 * e57;
+        const Scalar e106 = step_76 * e95 + step_71 * e98;
+        const Scalar e107 = inverse_51 * (e86 * e91 - e92 * e99) + (e102 * e104 - e105 * e106);
+        const Scalar e108 = inverse_100 * e15;
+        const Scalar e109 = Scalar(2) * (e101 * e19);
+        const Scalar e110 = inverse_100 * e10 - (Scalar(1) / Scalar(2)) * inverse_7_squared * e108 + e109;
+        const Scalar e111 = e25 * e103 + e73;
+        const Scalar e112 = e53 * e111;
+        const Scalar e113 = T_2 * min_70;
+        const Scalar e114 = p_.T_0 * e59;
+        const Scalar e115 = c_.k23 * T_2;
+        const Scalar e116 = e83 - e115;
+        const Scalar e117 = e84 * e80 + e116 * min_70;
+        const Scalar e118 = p_.T_0 * p_.k_W;
+        const Scalar e119 = e57 * e118;
+        const Scalar e120 = e59 * e113 - e114 * e80 - (e57 * e117 + e119);
+        const Scalar e121 = p_.k_L * e57;
+        const Scalar e122 = p_1 * inverse_52;
+        const Scalar e123 = e60 * (step_65 * e122 + e53 * e64);
+        const Scalar e124 = p_.A_1 * e57;
+        const Scalar e125 = s_dot * e122;
+        const Scalar e126 = e56 * e101;
+        const Scalar e127 = e13 * e126;
+        const Scalar e128 = e25 * e94;
+        const Scalar e129 = e39 * e97;
+        const Scalar e130 = step_76 * e128 + step_71 * e129;
+        const Scalar e131 = e53 * e130;
+        const Scalar e132 = e16 * e56;
+        const Scalar e133 = e13 * e132;
+        const Scalar e134 = step_26 * e128 + step_40 * e129;
+        const Scalar e135 = e134 * e54;
+        const Scalar step_136 = detail::step<Scalar>(-e69);
+        const Scalar e137 = step_136 * inverse_52;
+        const Scalar e138 = e116 * e60;
+        const Scalar e139 = inverse_11 * e68 * e138;
+        const Scalar e140 = e67 * e139;
+        const Scalar e141 = c_.k7 + e3 * e3;
+        const Scalar power_142 = pow(e141, -Scalar(1) / Scalar(4));
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_167 = Scalar(1) / max_p_0_2;
-        const Scalar e168 = abs_166 * inverse_167;
-        const Scalar outflow_factor_169 = detail::outflow_factor<Scalar>(e168, c_.k23);
-        const Scalar e170 = max_45 * e3;
-        const Scalar e171 = outflow_factor_169 * e170;
-        const Scalar e172 = c_.k5 + e3 * e3;
-        const Scalar power_173 = pow(e172, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_174 = sqrt(max_p_0_2);
-        const Scalar e175 = power_173 * sqrt_174;
-        const Scalar e176 = e171 * e175;
-        const Scalar e177 = (c_.k22 * step_163 + c_.k3 * e165) * e176;
-        const Scalar min_178 = detail::min<Scalar>(Scalar(0), -e177);
-        const Scalar e179 = max_162 - min_178;
-        const Scalar e180 = max_139 * e142 - e141 * e179;
-        const Scalar e181 = step_163 * e176 + e156;
-        const Scalar e182 = e141 * e181;
-        const Scalar e183 = step_164 * e176 + e160;
-        const Scalar e184 = inverse_157 * e141;
-        const Scalar e185 = e183 * e184;
-        const Scalar e186 = inverse_140 * e179;
-        const Scalar e187 = step_81 * e84;
-        const Scalar e188 = e75 * (inverse_140 * e95 + e141 * e187);
-        const Scalar step_189 = detail::step<Scalar>(e177);
-        const Scalar e190 = step_164 * step_189;
-        const Scalar step_191 = detail::step<Scalar>(e161);
-        const Scalar e192 = step_191 * e147;
-        const Scalar e193 = e176 * e190 + e159 * e192;
-        const Scalar outflow_factor_by_exponent_194 = detail::outflow_factor_by_exponent<Scalar>(e168, c_.k23);
-        const Scalar e195 = e175 * (outflow_factor_by_exponent_194 * e170);
-        const Scalar outflow_factor_by_exponent_196 = detail::outflow_factor_by_exponent<Scalar>(e151, c_.k23);
-        const Scalar e197 = outflow_factor_by_exponent_196 * e153;
-        const Scalar e198 = e197 * e192;
-        const Scalar e199 = e190 * e195 + step_158 * e198;
-        const Scalar e200 = e20 * e193 - e63 * e199;
-        const Scalar e201 = p_.A_2 * e62;
-        const Scalar e202 = s_dot * inverse_140;
-        const Scalar e203 = p_2 * e202;
-        const Scalar e204 = step_163 * step_189;
-        const Scalar e205 = e176 * e204 + e155 * e192;
-        const Scalar e206 = e204 * e195 + step_148 * e198;
-        const Scalar e207 = e97 - (e101 * e205 - e104 * e206);
-        const Scalar e208 = e115 * e205 - e116 * e206 + (inverse_157 * (e109 * e193 - e110 * e199) - e113);
-        const Scalar e209 = p_1 * e82;
-        const Scalar e210 = e188 - inverse_140 * (T_1 * e80 + e209);
-        const Scalar step_211 = detail::step<Scalar>(e86);
-        const Scalar e212 = step_211 * e132;
-        const Scalar e213 = e147 * e197;
-        const Scalar e214 = step_163 * e195 + step_148 * e213;
-        const Scalar e215 = e141 * e214;
-        const Scalar e216 = step_164 * e195 + step_158 * e213;
-        const Scalar e217 = e216 * e184;
-        const Scalar e218 = e8 / p_1;
-        const Scalar e219 = T_1 * e218;
-        const Scalar e220 = inverse_6 * e219;
-        const Scalar e221 = e8 * e82;
-        const Scalar e222 = e219 * e80 + e221;
-        const Scalar e223 = min_87 * (T_2 * e218 - e219) + e91 * e219;
-        const Scalar e224 = e12 * e99;
-        const Scalar e225 = e121 - (Scalar(1) / Scalar(2)) * inverse_10_squared * e224;
-        const Scalar e226 = e124 * e219;
-        const Scalar e227 = s_dot * e8;
-        const Scalar e228 = e12 * e18;
-        const Scalar e229 = e126 - (Scalar(1) / Scalar(2)) * inverse_10_squared * e228;
-        const Scalar e230 = e128 * e220;
-        const Scalar e231 = e88 * e82 - e79 * (inverse_74 * e219 - e218);
-        const Scalar e232 = e62 * e224;
-        const Scalar e233 = e219 * e135;
-        const Scalar e234 = e62 * e228;
-        const Scalar e235 = e137 * e220;
-        const Scalar e236 = e141 / p_2;
-        const Scalar e237 = T_2 * e236;
-        const Scalar e238 = e141 * e78 + e237 * e85;
-        const Scalar e239 = inverse_157 * e237;
-        const Scalar e240 = max_139 * (T_1 * e236 - e237) - e179 * e237;
-        const Scalar e241 = e181 * e237;
-        const Scalar e242 = e183 * e239;
-        const Scalar e243 = s_dot * e141;
-        const Scalar e244 = e236 * e179;
-        const Scalar e245 = (inverse_83 * e237 - e236) * e209 - e142 * e78;
-        const Scalar e246 = e237 * e214;
-        const Scalar e247 = e216 * e239;
-        const Scalar e61_squared = e61 * e61;
-        const Scalar e248 = e18 * e61_squared;
-        const Scalar e249 = e61_squared * e19;
-        const Scalar e250 = e248 * e128 - e249 * e69;
-        const Scalar e251 = p_.R_s * e61_squared;
-        const Scalar e252 = p_.k_L * e61_squared;
-        const Scalar e253 = p_.k_W * e61_squared;
-        const Scalar e254 = e99 * e61_squared;
-        const Scalar e255 = e61_squared * e100;
-        const Scalar e256 = e253 - (e254 * e124 - e255 * e105);
-        const Scalar e257 = e61_squared * e108;
-        const Scalar e258 = e61_squared * e114;
-        const Scalar e259 = e61_squared * e112;
-        const Scalar e260 = p_.T_0 * e251;
-        const Scalar e261 = inverse_6 * e257 * e69 + e258 * e105 + (e259 + e260 * e91);
-        const Scalar e262 = p_.A_1 * e61_squared;
-        const Scalar e263 = p_.A_2 * e61_squared;
-        const Scalar e264 = e255 * e206 + e253;
-        const Scalar e265 = e259 + (inverse_157 * e257 * e199 + e258 * e206);
-        const Scalar e266 = e249 * e199;
-        const Scalar e267 = e61_squared * e224;
-        const Scalar e268 = e61_squared * e228;
-        const Scalar e269 = p_.k_L * e13;
-        const Scalar e270 = p_.R_s * e107;
-        const Scalar e271 = e12 * e112;
-        const Scalar e272 = p_.R_s * e13;
-        const Scalar e273 = c_.k13 * e8 - inverse_7 * e270 * e91 - (inverse_7 * e271 - e272 * e92);
-        const Scalar e274 = inverse_7 * (c_.k17 * e125 - e269 * e96 + (c_.k16 * e129 - e273));
-        const Scalar e275 = inverse_7 * e119;
-        const Scalar e276 = p_.k_L * e12;
-        const Scalar e277 = e8 * (s_dot * inverse_7 * (p_.A_1 * e12) + e276 * e218 * e80) - e218
-            * (c_.k21 * e125 + c_.k20 * e129);
-        const Scalar e278 = e218 * e273 + inverse_7 * e276 * e221 + e277;
-        const Scalar e279 = c_.k13 * e141 - e270 * e186 - (inverse_140 * e271 + e272 * e180);
-        const Scalar e280 = p_.l * e12;
-        const Scalar e281 = p_.l * e270 * e186 + (inverse_140 * (e112 * e280) - p_.k_W * e280 * e141);
-        const Scalar e282 = s * e279 + p_.l * e272 * e180 + e281;
-        const Scalar e283 = inverse_140 * e182;
-        const Scalar e284 = inverse_140 * e185;
-        const Scalar e285 = inverse_140 * e188;
-        const Scalar e286 = p_.A_2 * e13;
-        const Scalar e287 = inverse_140 * e203;
-        const Scalar e288 = inverse_140 * (e269 * e188 + e286 * e203 + (c_.k16 * e185 + c_.k17 * e182));
-        const Scalar e289 = e236 * e182;
-        const Scalar e290 = (step_77 * inverse_140 + e236 * e187) * (e75 * e141);
-        const Scalar e291 = e236 * e185;
-        const Scalar e292 = p_.A_2 * e12;
-        const Scalar e293 = e141 * e202;
-        const Scalar e294 = c_.k21 * e289 + e276 * e290 + (c_.k20 * e291 + e292 * e293);
-        const Scalar e295 = inverse_140 * (e292 * e112) - p_.k_W * e292 * e141 + (p_.R_s * e286 * e180 + p_.A_2 * e270 * e186);
-        const Scalar outflow_factor_slope_296 = detail::outflow_factor_slope<Scalar>(e43, c_.k23);
-        const Scalar sign_297 = detail::sign<Scalar>(e39);
-        const Scalar e298 = e39 * outflow_factor_slope_296 * inverse_42 * (step_53 * e43 - sign_297);
-        const Scalar e299 = e52 * (max_45 * (e298 - outflow_factor_44));
-        const Scalar e300 = (Scalar(1) / Scalar(2)) * e100;
-        const Scalar power_301 = pow(e49, -Scalar(5) / Scalar(4));
-        const Scalar e302 = power_301 * sqrt_51;
-        const Scalar e303 = step_53 * power_50 / sqrt_51 - e39 * e302;
-        const Scalar e304 = e303 * e47;
-        const Scalar e305 = c_.k17 * e299 - e300 * e304;
-        const Scalar e306 = (Scalar(1) / Scalar(2)) * e19;
-        const Scalar e307 = c_.k16 * e299 - e306 * e304;
-        const Scalar e308 = step_40 * inverse_6;
-        const Scalar e309 = (Scalar(1) / Scalar(2)) * e114;
-        const Scalar e310 = (Scalar(1) / Scalar(2)) * e108;
-        const Scalar e311 = (c_.k19 * step_53 + c_.k18 * e308) * e299 - (step_53 * e309 + e310 * e308) * e304;
-        const Scalar e312 = step_58 * e311;
-        const Scalar outflow_factor_slope_313 = detail::outflow_factor_slope<Scalar>(e151, c_.k23);
-        const Scalar sign_314 = detail::sign<Scalar>(e143);
-        const Scalar e315 = e143 * outflow_factor_slope_313 * inverse_150 * (step_148 * e151 - sign_314);
-        const Scalar e316 = e147 * (max_25 * (e315 - outflow_factor_152));
-        const Scalar power_317 = pow(e144, -Scalar(5) / Scalar(4));
-        const Scalar e318 = power_317 * sqrt_146;
-        const Scalar e319 = step_148 * power_145 / sqrt_146 - e143 * e318;
-        const Scalar e320 = e319 * e154;
-        const Scalar e321 = c_.k17 * e316 - e300 * e320;
-        const Scalar e322 = c_.k16 * e316 - e306 * e320;
-        const Scalar e323 = step_158 * inverse_157;
-        const Scalar e324 = (c_.k19 * step_148 + c_.k18 * e323) * e316 - (step_148 * e309 + e310 * e323) * e320;
-        const Scalar e325 = step_191 * e324;
-        const Scalar e326 = step_53 * e219;
-        const Scalar e327 = step_40 * e220;
-        const Scalar e328 = (Scalar(1) / Scalar(2)) * e224;
-        const Scalar e329 = (Scalar(1) / Scalar(2)) * e228;
-        const Scalar e330 = step_148 * e237;
-        const Scalar e331 = step_158 * e239;
-        const Scalar outflow_factor_slope_332 = detail::outflow_factor_slope<Scalar>(e23, c_.k23);
-        const Scalar sign_333 = detail::sign<Scalar>(e1);
-        const Scalar e334 = e1 * outflow_factor_slope_332 * inverse_22 * (step_34 * e23 - sign_333);
-        const Scalar e335 = e31 * (max_25 * (e334 - outflow_factor_24));
-        const Scalar power_336 = pow(e28, -Scalar(5) / Scalar(4));
-        const Scalar e337 = power_336 * sqrt_30;
-        const Scalar e338 = (step_34 * power_29 / sqrt_30 - e1 * e337) * e27;
-        const Scalar e339 = c_.k16 * e335 - e306 * e338;
-        const Scalar e340 = c_.k17 * e335 - e300 * e338;
-        const Scalar e341 = (c_.k19 * step_34 + c_.k18 * e35) * e335 - (step_34 * e309 + e310 * e35) * e338;
-        const Scalar e342 = step_37 * e341;
-        const Scalar outflow_factor_slope_343 = detail::outflow_factor_slope<Scalar>(e168, c_.k23);
-        const Scalar sign_344 = detail::sign<Scalar>(e3);
-        const Scalar e345 = e3 * outflow_factor_slope_343 * inverse_167 * (step_163 * e168 - sign_344);
-        const Scalar e346 = e175 * (max_45 * (e345 - outflow_factor_169));
-        const Scalar power_347 = pow(e172, -Scalar(5) / Scalar(4));
-        const Scalar e348 = power_347 * sqrt_174;
-        const Scalar e349 = (step_163 * power_173 / sqrt_174 - e3 * e348) * e171;
-        const Scalar e350 = c_.k17 * e346 - e300 * e349;
-        const Scalar e351 = c_.k16 * e346 - e306 * e349;
-        const Scalar e352 = (c_.k19 * step_163 + c_.k18 * e165) * e346 - (step_163 * e309 + e310 * e165) * e349;
-        const Scalar e353 = step_189 * e352;
-        const Scalar e354 = step_34 * e219;
-        const Scalar e355 = step_33 * e220;
-        const Scalar e356 = step_163 * e237;
-        const Scalar e357 = step_164 * e239;
-        const Scalar inverse_98_squared = inverse_98 * inverse_98;
-        const Scalar e358 = (Scalar(1) / Scalar(2)) * e114 * inverse_98_squared;
-        const Scalar e359 = c_.k13 + (e272 * e91 - e358 * e103);
-        const Scalar e360 = (Scalar(1) / Scalar(2)) * e100 * inverse_98_squared;
-        const Scalar e361 = e8 * (e103 - e124);
-        const Scalar e362 = e141 * e205 - e182;
-        const Scalar e363 = c_.k13 - e358 * e205;
-        const Scalar e364 = (Scalar(1) / Scalar(2)) * e224 * inverse_98_squared;
-        const Scalar e365 = e103 * e219;
-        const Scalar e366 = e205 * e237;
-        const Scalar e367 = p_.alpha_d * e16;
-        const Scalar e368 = inverse_98 * e367;
-        const Scalar e369 = e107 * e368;
-        const Scalar e370 = e107 * e367;
-        const Scalar e371 = inverse_6 * e60;
-        const Scalar e372 = e369 * e103 + e370 * e371;
-        const Scalar e373 = e13 * e368;
-        const Scalar e374 = e13 * e367;
-        const Scalar e375 = e9 * (e60 - e128);
-        const Scalar e376 = inverse_157 * e193;
-        const Scalar e377 = e369 * e205 + e370 * e376;
-        const Scalar e378 = e193 * e184 - e185;
-        const Scalar e379 = e12 * e368;
-        const Scalar e380 = e12 * e367;
-        const Scalar e381 = e60 * e220;
-        const Scalar e382 = e193 * e239;
-        const Scalar e383 = inverse_98 * e17;
-        const Scalar e384 = e107 * e383;
-        const Scalar e385 = e17 * e107;
-        const Scalar e386 = e384 * e103 + e385 * e371;
-        const Scalar e387 = e13 * e383;
-        const Scalar e388 = e13 * e17;
-        const Scalar e389 = e384 * e205 + e385 * e376;
-        const Scalar e390 = e12 * e383;
-        const Scalar e391 = e17 * e12;
-        const Scalar e392 = (Scalar(1) / Scalar(2)) * p_.width * e100;
-        const Scalar e393 = e27 * e337;
-        const Scalar e394 = e54 * e302;
-        const Scalar e395 = e102 * e393 + step_58 * e394;
-        const Scalar e396 = step_34 * e393 + e394;
-        const Scalar e397 = (Scalar(1) / Scalar(2)) * p_.width * e19;
-        const Scalar e398 = e48 * e302;
-        const Scalar e399 = step_33 * e393 + e398;
-        const Scalar e400 = e38 * e393 + step_58 * e398;
-        const Scalar e401 = e397 * e400;
-        const Scalar e402 = (Scalar(1) / Scalar(2)) * p_.width * e108;
-        const Scalar e403 = (Scalar(1) / Scalar(2)) * p_.width * e114;
-        const Scalar e404 = inverse_6 * e402 * e400 + e403 * e395;
-        const Scalar e405 = e171 * e348;
-        const Scalar e406 = e155 * e318;
-        const Scalar e407 = e204 * e405 + step_191 * e406;
-        const Scalar e408 = step_163 * e405 + e406;
-        const Scalar e409 = e159 * e318;
-        const Scalar e410 = step_164 * e405 + e409;
-        const Scalar e411 = e190 * e405 + step_191 * e409;
-        const Scalar e412 = e397 * e411;
-        const Scalar e413 = inverse_157 * e402 * e411 + e403 * e407;
-        const Scalar e414 = (Scalar(1) / Scalar(2)) * p_.width * e224;
-        const Scalar e415 = (Scalar(1) / Scalar(2)) * p_.width * e228;
-        const Scalar e416 = c_.k23 * step_131;
-        const Scalar e417 = c_.k23 * step_211;
-        const Scalar e418 = p_.T_0 * e12;
+        const Scalar sqrt_143 = sqrt(max_p_0_2);
+        const Scalar e144 = power_142 * sqrt_143;
+        const Scalar step_145 = detail::step<Scalar>(e3);
+        const Scalar abs_146 = abs(e3);
+        const Scalar inverse_147 = Scalar(1) / max_p_0_2;
+        const Scalar e148 = abs_146 * inverse_147;
+        const Scalar outflow_factor_149 = detail::outflow_factor<Scalar>(e148, c_.k24);
+        const Scalar e150 = max_45 * e3;
+        const Scalar e151 = outflow_factor_149 * e150;
+        const Scalar e152 = step_145 * e151;
+        const Scalar e153 = p_.p_S - p_2;
+        const Scalar e154 = c_.k7 + e153 * e153;
+        const Scalar power_155 = pow(e154, -Scalar(1) / Scalar(4));
+        const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
+        const Scalar sqrt_156 = sqrt(max_p_S_2);
+        const Scalar e157 = power_155 * sqrt_156;
+        const Scalar step_158 = detail::step<Scalar>(e153);
+        const Scalar abs_159 = abs(e153);
+        const Scalar inverse_160 = Scalar(1) / max_p_S_2;
+        const Scalar e161 = abs_159 * inverse_160;
+        const Scalar outflow_factor_162 = detail::outflow_factor<Scalar>(e161, c_.k24);
+        const Scalar e163 = max_31 * e153;
+        const Scalar e164 = outflow_factor_162 * e163;
+        const Scalar e165 = step_158 * e164;
+        const Scalar e166 = e157 * e165;
+        const Scalar e167 = e144 * e152 + e166;
+        const Scalar inverse_168 = Scalar(1) / (c_.k10 - p_.A_2 * s);
+        const Scalar e169 = T_2 * inverse_168;
+        const Scalar e170 = e167 * e169;
+        const Scalar step_171 = detail::step<Scalar>(-e3);
+        const Scalar e172 = step_171 * e151;
+        const Scalar step_173 = detail::step<Scalar>(-e153);
+        const Scalar e174 = step_173 * e164;
+        const Scalar e175 = e157 * e174;
+        const Scalar e176 = e144 * e172 + e175;
+        const Scalar sqrt_T_2 = sqrt(T_2);
+        const Scalar inverse_177 = Scalar(1) / sqrt_T_2;
+        const Scalar e178 = inverse_177 * e169;
+        const Scalar e179 = e176 * e178;
+        const Scalar e180 = e60 * (inverse_168 * e63 + e169 * e66);
+        const Scalar e181 = p_.A_2 * e57;
+        const Scalar e182 = s_dot * inverse_168;
+        const Scalar e183 = p_2 * e182;
+        const Scalar max_184 = detail::max<Scalar>(Scalar(0), e69);
+        const Scalar e185 = c_.k21 * e166 + c_.k5 * inverse_177 * e175;
+        const Scalar max_186 = detail::max<Scalar>(Scalar(0), e185);
+        const Scalar e187 = step_171 * inverse_177;
+        const Scalar e188 = (c_.k21 * step_145 + c_.k5 * e187) * (e151 * e144);
+        const Scalar min_189 = detail::min<Scalar>(Scalar(0), -e188);
+        const Scalar e190 = max_186 - min_189;
+        const Scalar e191 = max_184 + e190;
+        const Scalar e192 = e58 + e59 * e191;
+        const Scalar e193 = c_.k22 - e115;
+        const Scalar e194 = e193 * inverse_168;
+        const Scalar step_195 = detail::step<Scalar>(e188);
+        const Scalar e196 = step_195 * e144;
+        const Scalar step_197 = detail::step<Scalar>(e185);
+        const Scalar e198 = step_197 * e157;
+        const Scalar e199 = e172 * e196 + e174 * e198;
+        const Scalar outflow_factor_by_exponent_200 = detail::outflow_factor_by_exponent<Scalar>(e148, c_.k24);
+        const Scalar e201 = outflow_factor_by_exponent_200 * e150;
+        const Scalar e202 = e201 * e196;
+        const Scalar outflow_factor_by_exponent_203 = detail::outflow_factor_by_exponent<Scalar>(e161, c_.k24);
+        const Scalar e204 = outflow_factor_by_exponent_203 * e163;
+        const Scalar e205 = e204 * e198;
+        const Scalar e206 = step_171 * e202 + step_173 * e205;
+        const Scalar e207 = e152 * e196 + e165 * e198;
+        const Scalar e208 = step_145 * e202 + step_158 * e205;
+        const Scalar e209 = inverse_177 * (e86 * e199 - e92 * e206) + (e102 * e207 - e105 * e208);
+        const Scalar e210 = T_1 * max_184;
+        const Scalar e211 = e193 * e190 + e116 * max_184;
+        const Scalar e212 = e114 * e190 + e59 * e210 + (e57 * e211 + e119);
+        const Scalar e213 = e144 * e201;
+        const Scalar e214 = e157 * e204;
+        const Scalar e215 = step_145 * e213 + step_158 * e214;
+        const Scalar e216 = e169 * e215;
+        const Scalar e217 = step_171 * e213 + step_173 * e214;
+        const Scalar e218 = e217 * e178;
+        const Scalar step_219 = detail::step<Scalar>(e69);
+        const Scalar e220 = step_219 * inverse_168;
+        const Scalar e221 = p_.R_s * e101;
+        const Scalar e222 = e109 - (Scalar(1) / Scalar(2)) * e221 * inverse_7_squared;
+        const Scalar e223 = e53 / p_1;
+        const Scalar e224 = T_1 * e223;
+        const Scalar e225 = e111 * e224;
+        const Scalar e226 = e84 * e223;
+        const Scalar e227 = p_.R_s * e16;
+        const Scalar e228 = e20 - (Scalar(1) / Scalar(2)) * e227 * inverse_7_squared;
+        const Scalar e229 = inverse_51 * e224;
+        const Scalar e230 = e50 * e229;
+        const Scalar e231 = s_dot * e53;
+        const Scalar e232 = e60 * (step_65 * e53 + e224 * e64);
+        const Scalar e233 = e12 * e126;
+        const Scalar e234 = e130 * e224;
+        const Scalar e235 = step_65 * inverse_52 + e223 * e64;
+        const Scalar e236 = step_136 * e235;
+        const Scalar e237 = e12 * e132;
+        const Scalar e238 = e134 * e229;
+        const Scalar e239 = e169 / p_2;
+        const Scalar e240 = T_2 * e239;
+        const Scalar e241 = e167 * e240;
+        const Scalar e242 = e193 * e239;
+        const Scalar e243 = inverse_177 * e240;
+        const Scalar e244 = e176 * e243;
+        const Scalar e245 = s_dot * e169;
+        const Scalar e246 = e60 * (step_62 * e169 + e240 * e66);
+        const Scalar e247 = step_62 * inverse_168 + e239 * e66;
+        const Scalar e248 = step_219 * e247;
+        const Scalar e249 = e215 * e240;
+        const Scalar e250 = e217 * e243;
+        const Scalar e18_squared = e18 * e18;
+        const Scalar e251 = e16 * e18_squared;
+        const Scalar e252 = e101 * e18_squared;
+        const Scalar e253 = inverse_51 * e251 * e99 + e252 * e106;
+        const Scalar e254 = inverse_17 * e18;
+        const Scalar e255 = e227 * e254;
+        const Scalar e256 = p_.k_W * e18_squared;
+        const Scalar e257 = e221 * e254;
+        const Scalar e258 = p_.R_s * e254;
+        const Scalar e259 = e256 - (e257 * e111 - e258 * e81);
+        const Scalar e260 = p_.T_0 * e258;
+        const Scalar e261 = e18_squared * e118;
+        const Scalar e262 = e258 * e113 - e260 * e80 + (e18_squared * e117 + e261);
+        const Scalar e263 = p_.k_L * e18_squared;
+        const Scalar e264 = p_.A_1 * e18_squared;
+        const Scalar e265 = e14 * e254;
+        const Scalar e266 = e101 * e265;
+        const Scalar e267 = e16 * e265;
+        const Scalar e268 = inverse_177 * e251 * e206 + e252 * e208;
+        const Scalar e269 = p_.A_2 * e18_squared;
+        const Scalar e270 = e256 - e258 * e191;
+        const Scalar e271 = e260 * e190 + e258 * e210 - (e18_squared * e211 + e261);
+        const Scalar e272 = e18_squared * e221;
+        const Scalar e273 = e18_squared * e227;
+        const Scalar e274 = p_.k_L * e13;
+        const Scalar e275 = p_.k_W * e12;
+        const Scalar e276 = p_.T_0 * e275;
+        const Scalar e277 = inverse_52 * e276 + (c_.k3 * inverse_52 * e117 - e275 * e53);
+        const Scalar e278 = c_.k15 * e55 - e274 * e123 + (e277 + (c_.k16 * e112 - p_.A_1 * e13 * e125));
+        const Scalar e279 = inverse_52 * e278;
+        const Scalar e280 = p_.k_L * e12;
+        const Scalar e281 = e53 * (c_.k20 * e111 * e223 - s_dot * inverse_52 * (p_.A_1 * e12)) + e223 * e277;
+        const Scalar e282 = c_.k19 * e223 * e55 - e60 * e280 * e53 * e235 + e281;
+        const Scalar e283 = inverse_168 * e276 + (c_.k3 * inverse_168 * e211 - e275 * e169);
+        const Scalar e284 = inverse_168 * (p_.l * e12 * e211 + p_.l * e276) - (s * e283 + p_.l * e275 * e169);
+        const Scalar e285 = inverse_168 * e170;
+        const Scalar e286 = inverse_168 * e179;
+        const Scalar e287 = p_.l * p_.k_L;
+        const Scalar e288 = inverse_168 * e180;
+        const Scalar e289 = p_.A_2 * e13;
+        const Scalar e290 = inverse_168 * e183;
+        const Scalar e291 = inverse_168 * (e274 * e180 + e289 * e183 + (c_.k15 * e179 + c_.k16 * e170));
+        const Scalar e292 = e239 * e170;
+        const Scalar e293 = e247 * (e60 * e169);
+        const Scalar e294 = e239 * e179;
+        const Scalar e295 = p_.A_2 * e12;
+        const Scalar e296 = e169 * e182;
+        const Scalar e297 = c_.k20 * e292 + e280 * e293 + (c_.k19 * e294 + e295 * e296);
+        const Scalar e298 = inverse_168 * (e295 * e211 + p_.A_2 * e276) - p_.A_2 * e275 * e169;
+        const Scalar e299 = (Scalar(1) / Scalar(2)) * e15;
+        const Scalar e300 = e299 * e54;
+        const Scalar power_301 = pow(e36, -Scalar(5) / Scalar(4));
+        const Scalar e302 = power_301 * sqrt_38;
+        const Scalar e303 = step_71 * power_37 / sqrt_38 - e35 * e302;
+        const Scalar e304 = e303 * e48;
+        const Scalar e305 = step_40 * inverse_51;
+        const Scalar outflow_factor_slope_306 = detail::outflow_factor_slope<Scalar>(e43, c_.k24);
+        const Scalar sign_307 = detail::sign<Scalar>(e35);
+        const Scalar e308 = e35 * outflow_factor_slope_306 * inverse_42 * (step_71 * e43 - sign_307);
+        const Scalar e309 = e39 * (max_45 * (e308 - outflow_factor_44));
+        const Scalar e310 = (Scalar(1) / Scalar(2)) * e101;
+        const Scalar e311 = (Scalar(1) / Scalar(2)) * e16;
+        const Scalar e312 = (c_.k18 * step_71 + c_.k17 * e305) * e309 - e303 * e47 * (step_71 * e310 + e311 * e305);
+        const Scalar e313 = step_89 * e312;
+        const Scalar e314 = (Scalar(1) / Scalar(2)) * e108;
+        const Scalar e315 = e314 * e53;
+        const Scalar e316 = e303 * e72;
+        const Scalar e317 = c_.k16 * e53;
+        const Scalar e318 = step_71 * e309;
+        const Scalar e319 = c_.k15 * e54;
+        const Scalar e320 = step_40 * e309;
+        const Scalar e321 = e314 * e169;
+        const Scalar power_322 = pow(e154, -Scalar(5) / Scalar(4));
+        const Scalar e323 = power_322 * sqrt_156;
+        const Scalar e324 = step_158 * power_155 / sqrt_156 - e153 * e323;
+        const Scalar e325 = e324 * e165;
+        const Scalar e326 = step_173 * inverse_177;
+        const Scalar outflow_factor_slope_327 = detail::outflow_factor_slope<Scalar>(e161, c_.k24);
+        const Scalar sign_328 = detail::sign<Scalar>(e153);
+        const Scalar e329 = e153 * outflow_factor_slope_327 * inverse_160 * (step_158 * e161 - sign_328);
+        const Scalar e330 = e157 * (max_31 * (e329 - outflow_factor_162));
+        const Scalar e331 = (c_.k18 * step_158 + c_.k17 * e326) * e330 - e324 * e164 * (step_158 * e310 + e311 * e326);
+        const Scalar e332 = step_197 * e331;
+        const Scalar e333 = e299 * e178;
+        const Scalar e334 = e324 * e174;
+        const Scalar e335 = c_.k16 * e169;
+        const Scalar e336 = step_158 * e330;
+        const Scalar e337 = c_.k15 * e178;
+        const Scalar e338 = step_173 * e330;
+        const Scalar e339 = (Scalar(1) / Scalar(2)) * e227;
+        const Scalar e340 = e339 * e229;
+        const Scalar e341 = (Scalar(1) / Scalar(2)) * e221;
+        const Scalar e342 = e341 * e224;
+        const Scalar e343 = c_.k20 * e224;
+        const Scalar e344 = c_.k19 * e229;
+        const Scalar e345 = e341 * e240;
+        const Scalar e346 = e339 * e243;
+        const Scalar e347 = c_.k20 * e240;
+        const Scalar e348 = c_.k19 * e243;
+        const Scalar power_349 = pow(e22, -Scalar(5) / Scalar(4));
+        const Scalar e350 = power_349 * sqrt_24;
+        const Scalar e351 = step_76 * power_23 / sqrt_24 - e1 * e350;
+        const Scalar e352 = e351 * e34;
+        const Scalar outflow_factor_slope_353 = detail::outflow_factor_slope<Scalar>(e29, c_.k24);
+        const Scalar sign_354 = detail::sign<Scalar>(e1);
+        const Scalar e355 = e1 * outflow_factor_slope_353 * inverse_28 * (step_76 * e29 - sign_354);
+        const Scalar e356 = e25 * (max_31 * (e355 - outflow_factor_30));
+        const Scalar e357 = (c_.k18 * step_76 + c_.k17 * e77) * e356 - e351 * e33 * (step_76 * e310 + e311 * e77);
+        const Scalar e358 = step_87 * e357;
+        const Scalar e359 = e351 * e103;
+        const Scalar e360 = step_76 * e356;
+        const Scalar e361 = step_26 * e356;
+        const Scalar power_362 = pow(e141, -Scalar(5) / Scalar(4));
+        const Scalar e363 = power_362 * sqrt_143;
+        const Scalar e364 = step_145 * power_142 / sqrt_143 - e3 * e363;
+        const Scalar e365 = e364 * e172;
+        const Scalar outflow_factor_slope_366 = detail::outflow_factor_slope<Scalar>(e148, c_.k24);
+        const Scalar sign_367 = detail::sign<Scalar>(e3);
+        const Scalar e368 = e3 * outflow_factor_slope_366 * inverse_147 * (step_145 * e148 - sign_367);
+        const Scalar e369 = e144 * (max_45 * (e368 - outflow_factor_149));
+        const Scalar e370 = (c_.k18 * step_145 + c_.k17 * e187) * e369 - e364 * e151 * (step_145 * e310 + e311 * e187);
+        const Scalar e371 = step_195 * e370;
+        const Scalar e372 = e364 * e152;
+        const Scalar e373 = step_145 * e369;
+        const Scalar e374 = step_171 * e369;
+        const Scalar e375 = e275 + e14 * e80;
+        const Scalar inverse_100_squared = inverse_100 * inverse_100;
+        const Scalar e376 = (Scalar(1) / Scalar(2)) * e108 * inverse_100_squared;
+        const Scalar e377 = (Scalar(1) / Scalar(2)) * e101 * inverse_100_squared;
+        const Scalar e378 = e377 * e104;
+        const Scalar e379 = e275 + e14 * e190;
+        const Scalar e380 = e377 * e207;
+        const Scalar e381 = (Scalar(1) / Scalar(2)) * e221 * inverse_100_squared;
+        const Scalar e382 = p_.alpha_d * e8;
+        const Scalar e383 = inverse_100 * e12;
+        const Scalar e384 = e382 * e383;
+        const Scalar e385 = e12 * e382;
+        const Scalar e386 = inverse_51 * e91;
+        const Scalar e387 = e384 * e104 + e385 * e386;
+        const Scalar e388 = e14 * e382;
+        const Scalar e389 = inverse_100 * e14;
+        const Scalar e390 = e382 * e389;
+        const Scalar e391 = inverse_177 * e199;
+        const Scalar e392 = e384 * e207 + e385 * e391;
+        const Scalar e393 = p_.R_s * e384;
+        const Scalar e394 = p_.R_s * e12;
+        const Scalar e395 = e382 * e394;
+        const Scalar e396 = e9 * e383;
+        const Scalar e397 = e12 * e9;
+        const Scalar e398 = e396 * e104 + e397 * e386;
+        const Scalar e399 = e9 * e14;
+        const Scalar e400 = e9 * e389;
+        const Scalar e401 = e396 * e207 + e397 * e391;
+        const Scalar e402 = p_.R_s * e396;
+        const Scalar e403 = e9 * e394;
+        const Scalar e404 = (Scalar(1) / Scalar(2)) * p_.width * e15;
+        const Scalar e405 = e48 * e302;
+        const Scalar e406 = e34 * e350;
+        const Scalar e407 = e405 + e406;
+        const Scalar e408 = (Scalar(1) / Scalar(2)) * p_.width * e108;
+        const Scalar e409 = e72 * e302;
+        const Scalar e410 = e103 * e350;
+        const Scalar e411 = e409 + e410;
+        const Scalar e412 = (Scalar(1) / Scalar(2)) * p_.width * e16;
+        const Scalar e413 = (Scalar(1) / Scalar(2)) * p_.width * e101;
+        const Scalar e414 = inverse_51 * e412 * (step_89 * e405 + step_87 * e406) + e413 * (step_89 * e409 + step_87 * e410);
+        const Scalar e415 = e174 * e323;
+        const Scalar e416 = e172 * e363;
+        const Scalar e417 = e415 + e416;
+        const Scalar e418 = e165 * e323;
+        const Scalar e419 = e152 * e363;
+        const Scalar e420 = e418 + e419;
+        const Scalar e421 = inverse_177 * e412 * (step_197 * e415 + step_195 * e416) + e413
+            * (step_197 * e418 + step_195 * e419);
+        const Scalar e422 = (Scalar(1) / Scalar(2)) * p_.width * e221;
+        const Scalar e423 = (Scalar(1) / Scalar(2)) * p_.width * e227;
+        const Scalar e424 = c_.k14 * e138;
+        const Scalar e425 = e67 * e424;
+        const Scalar e426 = p_.T_0 * e12;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e9 * e70 - e72 * e92 - e93 * e96 - e8 * e106 - inverse_7 * e117 - e118 * e119 + e123 * e125 + e127 * e129 + e130
-            * e133 + e104 * e136 + e63 * e138;
-        J[3] = e72 * e180 + e123 * e182 + e127 * e185 + e111 * e186 + e93 * e188 + e184 * e200 + e201 * e203 - e141 * e207
-            - inverse_140 * e208 + e210 * e212 + e104 * e215 + e63 * e217;
-        J[4] = e220 * e70 - e93 * e222 - e72 * e223 - e219 * e106 - e218 * e117 + e225 * e226 - e118 * e227 + e229 * e230
-            + e231 * e133 + e232 * e233 + e234 * e235;
-        J[5] = e93 * e238 + e239 * e200 + e72 * e240 + e225 * e241 - e237 * e207 - e236 * e208 + e229 * e242 + e201 * e243
-            + e111 * e244 + e245 * e212 + e232 * e246 + e234 * e247;
+        J[2] = e21 * e55 - e53 * e82 - e85 * e107 + e110 * e112 - inverse_52 * e120 - e121 * e123 - e124 * e125 + e127 * e131
+            + e133 * e135 - e137 * e140;
+        J[3] = e110 * e170 + e21 * e179 + e121 * e180 + e181 * e183 - e169 * e192 - e194 * e209 + inverse_168 * e212 + e127
+            * e216 + e133 * e218 - e220 * e140;
+        J[4] = e222 * e225 - e224 * e82 - e226 * e107 - e223 * e120 + e228 * e230 - e124 * e231 - e121 * e232 + e233 * e234
+            - e139 * e236 + e237 * e238;
+        J[5] = e222 * e241 - e240 * e192 - e242 * e209 + e239 * e212 + e228 * e244 + e181 * e245 + e121 * e246 - e139 * e248
+            + e233 * e249 + e237 * e250;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
-        J[8] = e9 * e250 - e251 * e92 - e252 * e96 - e8 * e256 + inverse_7 * e261 - e262 * e119 + e255 * e136 + e249 * e138;
-        J[9] = e251 * e180 + e254 * e182 + e248 * e185 + e260 * e186 + e252 * e188 + e263 * e203 - e141 * e264 + inverse_140
-            * e265 - e184 * e266 + e255 * e215 + e249 * e217;
-        J[10] = e220 * e250 - e252 * e222 - e251 * e223 - e219 * e256 + e218 * e261 - e262 * e227 + e267 * e233 + e268 * e235;
-        J[11] = e252 * e238 + e251 * e240 - e237 * e264 + e254 * e241 + e236 * e265 + e248 * e242 + e263 * e243 + e260 * e244
-            - e239 * e266 + e267 * e246 + e268 * e247;
+        J[8] = e85 * e253 + e255 * e55 - e53 * e259 + inverse_52 * e262 - e263 * e123 - e264 * e125 + e266 * e131 + e267 * e135;
+        J[9] = e257 * e170 + e255 * e179 + e194 * e268 + e263 * e180 + e269 * e183 - e169 * e270 - inverse_168 * e271 + e266
+            * e216 + e267 * e218;
+        J[10] = e226 * e253 - e224 * e259 + e223 * e262 + e255 * e230 - e264 * e231 - e263 * e232 + e272 * e234 + e273 * e238;
+        J[11] = e242 * e268 - e240 * e270 + e257 * e241 - e239 * e271 + e255 * e244 + e269 * e245 + e263 * e246 + e272 * e249
+            + e273 * e250;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
@@ -1474,65 +1472,62 @@ public:
         J[16] = Scalar(0);
         J[17] = Scalar(0);
         J[18] = Scalar(0);
-        J[19] = e2 * c_.k0;
-        J[20] = -s * e274 - p_.V_d * e13 * e275;
+        J[19] = c_.k0 * e2;
+        J[20] = -c_.k24 * e125 - s * e279;
         J[21] = Scalar(0);
-        J[22] = s * e278 - c_.k10 * e227;
+        J[22] = -s * e282 - c_.k3 * e231;
         J[23] = Scalar(0);
         J[24] = Scalar(0);
-        J[25] = e3 * c_.k0;
+        J[25] = c_.k0 * e3;
         J[26] = Scalar(0);
-        J[27] = c_.k23 * e203 - inverse_140 * e282 - p_.l * e100 * e283 - p_.l * e19 * e284 - p_.l * e269 * e285 - p_.l * e286
-            * e287 + s * e288;
+        J[27] = c_.k24 * e183 - inverse_168 * e284 - p_.l * e108 * e285 - p_.l * e15 * e286 - e13 * e287 * e288 - p_.l * e289
+            * e290 + s * e291;
         J[28] = Scalar(0);
-        J[29] = s * e294 - e236 * e282 + c_.k10 * e243 - p_.l * e224 * e289 - p_.l * e228 * e291 - p_.l * e292 * e293 - p_.k_L
-            * e280 * e290;
+        J[29] = s * e297 - e239 * e284 + c_.k3 * e245 - p_.l * e221 * e292 - p_.l * e227 * e294 - p_.l * e295 * e296 - e12
+            * e287 * e293;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = -inverse_140 * e295 - p_.A_2 * e100 * e283 - p_.A_2 * e19 * e284 - p_.k_L * e286 * e285 - p_.A_2 * e286 * e287;
+        J[33] = -inverse_168 * e298 - p_.A_2 * e108 * e285 - p_.A_2 * e15 * e286 - p_.k_L * e289 * e288 - p_.A_2 * e289 * e290;
         J[34] = Scalar(0);
-        J[35] = -e236 * e295 - e99 * e292 * e289 - e18 * e292 * e291 - p_.A_2 * e292 * e293 - p_.k_L * e292 * e290;
+        J[35] = -e239 * e298 - p_.A_2 * e221 * e292 - p_.A_2 * e227 * e294 - p_.A_2 * e295 * e296 - p_.k_L * e295 * e293;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        J[38] = p_.A_1 * e13 * e275 - e274;
-        J[39] = inverse_140 * e279 - e288;
-        J[40] = e278;
-        J[41] = e236 * e279 - e294;
+        J[38] = -e279;
+        J[39] = -inverse_168 * e283 - e291;
+        J[40] = -e282;
+        J[41] = -e239 * e283 - e297;
         J[42] = Scalar(0);
-        J[43] = (-dxdt[1]) * c_.k0;
+        J[43] = c_.k0 * (-dxdt[1]);
         J[44] = Scalar(0);
         J[45] = Scalar(0);
         J[46] = Scalar(0);
         J[47] = Scalar(0);
         J[48] = Scalar(0);
-        J[49] = (-s_dot) * c_.k0;
+        J[49] = c_.k0 * (-s_dot);
         J[50] = Scalar(0);
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = Scalar(0);
-        J[55] = (-tanh_4) * c_.k0;
+        J[55] = c_.k0 * (-tanh_4);
         J[56] = Scalar(0);
         J[57] = Scalar(0);
         J[58] = Scalar(0);
         J[59] = Scalar(0);
         J[60] = Scalar(0);
-        const Scalar e419 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
-        J[61] = e419 * c_.k0;
+        const Scalar e427 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
+        J[61] = c_.k0 * e427;
         J[62] = Scalar(0);
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = Scalar(0);
         J[66] = Scalar(0);
         J[67] = Scalar(0);
-        J[68] = -(Scalar(1) - step_58) * (step_53 * e8 * e305 + step_40 * e9 * e307) - inverse_7 * e312;
-        const Scalar e420 = (Scalar(1) - step_191) * (step_148 * e141 * e321 + step_158 * e184 * e322);
-        J[69] = -e420 - inverse_140 * e325;
-        J[70] = step_58 * (e305 * e326 + e307 * e327) + e303 * (e328 * e219 * e54 + e329 * e220 * e48) - e299
-            * (c_.k21 * e326 + c_.k20 * e327) - e218 * e312;
-        J[71] = step_191 * (e321 * e330 + e322 * e331) + e319 * (e328 * e237 * e155 + e329 * e239 * e159) - e316
-            * (c_.k21 * e330 + c_.k20 * e331) - e236 * e325;
+        J[68] = e300 * e304 - e85 * e313 + e315 * e316 - e317 * e318 - e319 * e320;
+        J[69] = e321 * e325 - e194 * e332 + e333 * e334 - e335 * e336 - e337 * e338;
+        J[70] = e340 * e304 - e226 * e313 + e342 * e316 - e343 * e318 - e344 * e320;
+        J[71] = e345 * e325 - e242 * e332 + e346 * e334 - e347 * e336 - e348 * e338;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
         J[74] = Scalar(0);
@@ -1540,50 +1535,47 @@ public:
         J[76] = Scalar(0);
         J[77] = Scalar(0);
         J[78] = Scalar(0);
-        J[79] = (-(p_.A_1 - p_.A_2)) * c_.k0;
-        J[80] = -(Scalar(1) - step_37) * (step_33 * e9 * e339 + step_34 * e8 * e340) - inverse_7 * e342;
-        const Scalar e421 = (Scalar(1) - step_189) * (step_163 * e141 * e350 + step_164 * e184 * e351);
-        J[81] = -e421 - inverse_140 * e353;
-        J[82] = e338 * (e328 * e354 + e329 * e355) - e335 * (c_.k21 * e354 + c_.k20 * e355) + e220 * e339 * e38 + e219 * e340
-            * e102 - e218 * e342;
-        J[83] = e349 * (e328 * e356 + e329 * e357) - e346 * (c_.k21 * e356 + c_.k20 * e357) + e239 * e351 * e190 + e237 * e350
-            * e204 - e236 * e353;
+        J[79] = c_.k0 * (-(p_.A_1 - p_.A_2));
+        J[80] = e300 * e352 - e85 * e358 + e315 * e359 - e317 * e360 - e319 * e361;
+        J[81] = e333 * e365 - e194 * e371 + e321 * e372 - e335 * e373 - e337 * e374;
+        J[82] = e340 * e352 - e226 * e358 + e342 * e359 - e343 * e360 - e344 * e361;
+        J[83] = e346 * e365 - e242 * e371 + e345 * e372 - e347 * e373 - e348 * e374;
         J[84] = Scalar(0);
         J[85] = Scalar(0);
-        J[86] = inverse_7 * e359 + e360 * e361;
-        J[87] = e360 * e362 + e272 * e186 + inverse_140 * e363;
-        J[88] = e218 * e359 - e364 * e226 + e360 * e365;
-        J[89] = e236 * e363 - e364 * e241 + e272 * e244 + e360 * e366;
+        J[86] = inverse_52 * e375 - e376 * e112 - e85 * e378;
+        J[87] = inverse_168 * e379 - e376 * e170 - e194 * e380;
+        J[88] = e223 * e375 - e381 * e225 - e226 * e378;
+        J[89] = e239 * e379 - e381 * e241 - e242 * e380;
         J[90] = Scalar(0);
         J[91] = Scalar(0);
-        J[92] = inverse_7 * e372 - e373 * e361 - e374 * e375;
-        J[93] = inverse_140 * e377 - e373 * e362 - e374 * e378;
-        J[94] = e218 * e372 + e379 * e226 - e373 * e365 + e380 * e230 - e374 * e381;
-        J[95] = e236 * e377 + e379 * e241 + e380 * e242 - e373 * e366 - e374 * e382;
+        J[92] = e85 * e387 + e388 * e55 + e390 * e112;
+        J[93] = e390 * e170 + e388 * e179 + e194 * e392;
+        J[94] = e226 * e387 + e393 * e225 + e395 * e230;
+        J[95] = e242 * e392 + e393 * e241 + e395 * e244;
         J[96] = Scalar(0);
         J[97] = Scalar(0);
-        J[98] = inverse_7 * e386 - e387 * e361 - e388 * e375;
-        J[99] = inverse_140 * e389 - e387 * e362 - e388 * e378;
-        J[100] = e218 * e386 + e390 * e226 - e387 * e365 + e391 * e230 - e388 * e381;
-        J[101] = e236 * e389 + e390 * e241 + e391 * e242 - e387 * e366 - e388 * e382;
+        J[98] = e85 * e398 + e399 * e55 + e400 * e112;
+        J[99] = e400 * e170 + e399 * e179 + e194 * e401;
+        J[100] = e226 * e398 + e402 * e225 + e403 * e230;
+        J[101] = e242 * e401 + e402 * e241 + e403 * e244;
         J[102] = Scalar(0);
         J[103] = Scalar(0);
-        J[104] = e392 * e8 * (e395 - e396) - e9 * (e397 * e399 - e401) - inverse_7 * e404;
-        J[105] = e392 * e141 * (e407 - e408) - e184 * (e397 * e410 - e412) - inverse_140 * e413;
-        J[106] = e219 * (e392 * e395 - e414 * e396) - e220 * (e415 * e399 - e401) - e218 * e404;
-        J[107] = e237 * (e392 * e407 - e414 * e408) - e239 * (e415 * e410 - e412) - e236 * e413;
+        J[104] = -e404 * e54 * e407 - e408 * e53 * e411 - e85 * e414;
+        J[105] = -e404 * e178 * e417 - e408 * e169 * e420 - e194 * e421;
+        J[106] = -e422 * e224 * e411 - e423 * e407 * e229 - e226 * e414;
+        J[107] = -e422 * e240 * e420 - e423 * e417 * e243 - e242 * e421;
         J[108] = Scalar(0);
         J[109] = Scalar(0);
-        J[110] = -c_.k23 * e96 - e130 * e416;
-        J[111] = c_.k23 * e188 - e210 * e417;
-        J[112] = -c_.k10 * e222 - e231 * e416;
-        J[113] = c_.k10 * e238 - e245 * e417;
+        J[110] = e137 * e425 - c_.k24 * e123;
+        J[111] = c_.k24 * e180 + e220 * e425;
+        J[112] = e424 * e236 - c_.k3 * e232;
+        J[113] = c_.k3 * e246 + e424 * e248;
         J[114] = Scalar(0);
         J[115] = Scalar(0);
-        J[116] = inverse_7 * e418 - c_.k10 * e8;
-        J[117] = inverse_140 * e418 - c_.k10 * e141;
-        J[118] = e418 * e218 - c_.k10 * e219;
-        J[119] = e418 * e236 - c_.k10 * e237;
+        J[116] = inverse_52 * e426 - c_.k3 * e53;
+        J[117] = inverse_168 * e426 - c_.k3 * e169;
+        J[118] = e426 * e223 - c_.k3 * e224;
+        J[119] = e426 * e239 - c_.k3 * e240;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1621,7 +1613,7 @@ public:
     ///     Q[s] = -p_0*(A_1 - A_2) - f_L
     void generalised_force(const State& /*x*/, const Input& u, Scalar /*t*/, Generalised& Q) const noexcept {
         const Scalar f_L = u[1];
-        Q[0] = -c_.k24 - f_L;
+        Q[0] = -c_.k25 - f_L;
     }
 
     /// y = h(x, u, t).
@@ -1658,21 +1650,21 @@ public:
         const Scalar T_2 = x[5];
         const Scalar e1 = p_.p_0 - p_1;
         const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar power_3 = pow(c_.k5 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar power_3 = pow(c_.k7 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
         const Scalar sqrt_4 = sqrt(max_p_0);
         const Scalar abs_5 = abs(e1);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_0, c_.k23);
+        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_0, c_.k24);
         const Scalar u_value = u[0];
         const Scalar max_7 = detail::max<Scalar>(Scalar(0), -u_value);
         const Scalar e8 = power_3 * sqrt_4 * (outflow_factor_6 * (max_7 * e1));
         const Scalar e9 = p_.p_S - p_1;
         const Scalar step_10 = detail::step<Scalar>(e9);
-        const Scalar power_11 = pow(c_.k5 + e9 * e9, -Scalar(1) / Scalar(4));
+        const Scalar power_11 = pow(c_.k7 + e9 * e9, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
         const Scalar sqrt_12 = sqrt(max_p_S);
         const Scalar abs_13 = abs(e9);
-        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_S, c_.k23);
+        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_S, c_.k24);
         const Scalar max_15 = detail::max<Scalar>(Scalar(0), u_value);
         const Scalar e16 = power_11 * sqrt_12 * (outflow_factor_14 * (max_15 * e9));
         const Scalar sqrt_T_1 = sqrt(T_1);
@@ -1682,32 +1674,32 @@ public:
         const Scalar e20 = p_.k_L * e19;
         const Scalar step_21 = detail::step<Scalar>(e20);
         const Scalar step_22 = detail::step<Scalar>(-e20);
-        const Scalar e23 = (p_1 * step_21 / T_1 + p_2 * step_22 / T_2) * (c_.k25 * e19);
+        const Scalar e23 = (p_1 * step_21 / T_1 + p_2 * step_22 / T_2) * (c_.k26 * e19);
         const Scalar e24 = p_.p_S - p_2;
         const Scalar step_25 = detail::step<Scalar>(e24);
-        const Scalar power_26 = pow(c_.k5 + e24 * e24, -Scalar(1) / Scalar(4));
+        const Scalar power_26 = pow(c_.k7 + e24 * e24, -Scalar(1) / Scalar(4));
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
         const Scalar sqrt_27 = sqrt(max_p_S_2);
         const Scalar abs_28 = abs(e24);
-        const Scalar outflow_factor_29 = detail::outflow_factor<Scalar>(abs_28 / max_p_S_2, c_.k23);
+        const Scalar outflow_factor_29 = detail::outflow_factor<Scalar>(abs_28 / max_p_S_2, c_.k24);
         const Scalar e30 = power_26 * sqrt_27 * (outflow_factor_29 * (max_7 * e24));
         const Scalar e31 = p_.p_0 - p_2;
         const Scalar step_32 = detail::step<Scalar>(e31);
-        const Scalar power_33 = pow(c_.k5 + e31 * e31, -Scalar(1) / Scalar(4));
+        const Scalar power_33 = pow(c_.k7 + e31 * e31, -Scalar(1) / Scalar(4));
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
         const Scalar sqrt_34 = sqrt(max_p_0_2);
         const Scalar abs_35 = abs(e31);
-        const Scalar outflow_factor_36 = detail::outflow_factor<Scalar>(abs_35 / max_p_0_2, c_.k23);
+        const Scalar outflow_factor_36 = detail::outflow_factor<Scalar>(abs_35 / max_p_0_2, c_.k24);
         const Scalar e37 = power_33 * sqrt_34 * (outflow_factor_36 * (max_15 * e31));
         const Scalar sqrt_T_2 = sqrt(T_2);
         const Scalar step_38 = detail::step<Scalar>(-e24);
         const Scalar step_39 = detail::step<Scalar>(-e31);
-        y[0] = p_.A_1 * p_1 - c_.k24 - p_.A_2 * p_2;
+        y[0] = p_.A_1 * p_1 - c_.k25 - p_.A_2 * p_2;
         y[1] = T_1;
         y[2] = T_2;
-        y[3] = c_.k22 * (step_2 * e8 + step_10 * e16) + c_.k3 / sqrt_T_1 * (step_17 * e8 + step_18 * e16) - e23;
-        y[4] = c_.k22 * (step_25 * e30 + step_32 * e37) + c_.k3 / sqrt_T_2 * (step_38 * e30 + step_39 * e37) + e23;
-        y[5] = c_.k26 - p_.k_W * T_1;
+        y[3] = c_.k21 * (step_2 * e8 + step_10 * e16) + c_.k5 / sqrt_T_1 * (step_17 * e8 + step_18 * e16) - e23;
+        y[4] = c_.k21 * (step_25 * e30 + step_32 * e37) + c_.k5 / sqrt_T_2 * (step_38 * e30 + step_39 * e37) + e23;
+        y[5] = c_.k12 - p_.k_W * T_1;
     }
 
     /// C = dh/dx.
@@ -1719,7 +1711,7 @@ public:
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_S - p_1;
         const Scalar step_2 = detail::step<Scalar>(-e1);
-        const Scalar e3 = c_.k5 + e1 * e1;
+        const Scalar e3 = c_.k7 + e1 * e1;
         const Scalar power_4 = pow(e3, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
         const Scalar sqrt_5 = sqrt(max_p_S);
@@ -1732,20 +1724,20 @@ public:
         const Scalar abs_10 = abs(e1);
         const Scalar inverse_11 = Scalar(1) / max_p_S;
         const Scalar e12 = abs_10 * inverse_11;
-        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(e12, c_.k23);
+        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(e12, c_.k24);
         const Scalar u_value = u[0];
         const Scalar max_14 = detail::max<Scalar>(Scalar(0), u_value);
         const Scalar e15 = max_14 * e1;
         const Scalar e16 = outflow_factor_13 * e15;
         const Scalar e17 = (c_.k28 * step_6 + e9) * e16;
-        const Scalar outflow_factor_slope_18 = detail::outflow_factor_slope<Scalar>(e12, c_.k23);
-        const Scalar e19 = c_.k3 * inverse_7;
+        const Scalar outflow_factor_slope_18 = detail::outflow_factor_slope<Scalar>(e12, c_.k24);
+        const Scalar e19 = c_.k5 * inverse_7;
         const Scalar e20 = power_4 * sqrt_5;
-        const Scalar e21 = (c_.k22 * step_6 + step_2 * e19) * e20;
+        const Scalar e21 = (c_.k21 * step_6 + step_2 * e19) * e20;
         const Scalar e22 = outflow_factor_slope_18 * inverse_11 * (e15 * e21);
         const Scalar e23 = p_.p_0 - p_1;
         const Scalar step_24 = detail::step<Scalar>(-e23);
-        const Scalar e25 = c_.k5 + e23 * e23;
+        const Scalar e25 = c_.k7 + e23 * e23;
         const Scalar power_26 = pow(e25, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
         const Scalar sqrt_27 = sqrt(max_p_0);
@@ -1754,18 +1746,18 @@ public:
         const Scalar abs_30 = abs(e23);
         const Scalar inverse_31 = Scalar(1) / max_p_0;
         const Scalar e32 = abs_30 * inverse_31;
-        const Scalar outflow_factor_33 = detail::outflow_factor<Scalar>(e32, c_.k23);
+        const Scalar outflow_factor_33 = detail::outflow_factor<Scalar>(e32, c_.k24);
         const Scalar max_34 = detail::max<Scalar>(Scalar(0), -u_value);
         const Scalar e35 = max_34 * e23;
         const Scalar e36 = outflow_factor_33 * e35;
         const Scalar e37 = (c_.k28 * step_28 + e29) * e36;
-        const Scalar outflow_factor_slope_38 = detail::outflow_factor_slope<Scalar>(e32, c_.k23);
+        const Scalar outflow_factor_slope_38 = detail::outflow_factor_slope<Scalar>(e32, c_.k24);
         const Scalar e39 = power_26 * sqrt_27;
-        const Scalar e40 = (c_.k22 * step_28 + step_24 * e19) * e39;
+        const Scalar e40 = (c_.k21 * step_28 + step_24 * e19) * e39;
         const Scalar e41 = outflow_factor_slope_38 * inverse_31 * (e35 * e40);
         const Scalar p_2 = x[3];
         const Scalar e42 = p_1 - p_2;
-        const Scalar e43 = c_.k25 * e42;
+        const Scalar e43 = c_.k26 * e42;
         const Scalar e44 = p_.k_L * e42;
         const Scalar step_45 = detail::step<Scalar>(e44);
         const Scalar inverse_46 = Scalar(1) / T_1;
@@ -1776,7 +1768,7 @@ public:
         const Scalar inverse_50 = Scalar(1) / T_2;
         const Scalar e51 = step_49 * inverse_50;
         const Scalar e52 = p_2 * e51;
-        const Scalar e53 = c_.k25 * (e48 + e52);
+        const Scalar e53 = c_.k26 * (e48 + e52);
         const Scalar e54 = e43 * e47 + e53;
         const Scalar power_55 = pow(e25, -Scalar(5) / Scalar(4));
         const Scalar power_56 = pow(e3, -Scalar(5) / Scalar(4));
@@ -1785,7 +1777,7 @@ public:
         const Scalar e59 = e53 - e43 * e51;
         const Scalar e60 = p_.p_S - p_2;
         const Scalar step_61 = detail::step<Scalar>(-e60);
-        const Scalar e62 = c_.k5 + e60 * e60;
+        const Scalar e62 = c_.k7 + e60 * e60;
         const Scalar power_63 = pow(e62, -Scalar(1) / Scalar(4));
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
         const Scalar sqrt_64 = sqrt(max_p_S_2);
@@ -1797,18 +1789,18 @@ public:
         const Scalar abs_69 = abs(e60);
         const Scalar inverse_70 = Scalar(1) / max_p_S_2;
         const Scalar e71 = abs_69 * inverse_70;
-        const Scalar outflow_factor_72 = detail::outflow_factor<Scalar>(e71, c_.k23);
+        const Scalar outflow_factor_72 = detail::outflow_factor<Scalar>(e71, c_.k24);
         const Scalar e73 = max_34 * e60;
         const Scalar e74 = outflow_factor_72 * e73;
         const Scalar e75 = (c_.k28 * step_65 + e68) * e74;
-        const Scalar outflow_factor_slope_76 = detail::outflow_factor_slope<Scalar>(e71, c_.k23);
-        const Scalar e77 = c_.k3 * inverse_66;
+        const Scalar outflow_factor_slope_76 = detail::outflow_factor_slope<Scalar>(e71, c_.k24);
+        const Scalar e77 = c_.k5 * inverse_66;
         const Scalar e78 = power_63 * sqrt_64;
-        const Scalar e79 = (c_.k22 * step_65 + step_61 * e77) * e78;
+        const Scalar e79 = (c_.k21 * step_65 + step_61 * e77) * e78;
         const Scalar e80 = outflow_factor_slope_76 * inverse_70 * (e73 * e79);
         const Scalar e81 = p_.p_0 - p_2;
         const Scalar step_82 = detail::step<Scalar>(-e81);
-        const Scalar e83 = c_.k5 + e81 * e81;
+        const Scalar e83 = c_.k7 + e81 * e81;
         const Scalar power_84 = pow(e83, -Scalar(1) / Scalar(4));
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
         const Scalar sqrt_85 = sqrt(max_p_0_2);
@@ -1817,13 +1809,13 @@ public:
         const Scalar abs_88 = abs(e81);
         const Scalar inverse_89 = Scalar(1) / max_p_0_2;
         const Scalar e90 = abs_88 * inverse_89;
-        const Scalar outflow_factor_91 = detail::outflow_factor<Scalar>(e90, c_.k23);
+        const Scalar outflow_factor_91 = detail::outflow_factor<Scalar>(e90, c_.k24);
         const Scalar e92 = max_14 * e81;
         const Scalar e93 = outflow_factor_91 * e92;
         const Scalar e94 = (c_.k28 * step_86 + e87) * e93;
-        const Scalar outflow_factor_slope_95 = detail::outflow_factor_slope<Scalar>(e90, c_.k23);
+        const Scalar outflow_factor_slope_95 = detail::outflow_factor_slope<Scalar>(e90, c_.k24);
         const Scalar e96 = power_84 * sqrt_85;
-        const Scalar e97 = (c_.k22 * step_86 + step_82 * e77) * e96;
+        const Scalar e97 = (c_.k21 * step_86 + step_82 * e77) * e96;
         const Scalar e98 = outflow_factor_slope_95 * inverse_89 * (e92 * e97);
         const Scalar power_99 = pow(e62, -Scalar(5) / Scalar(4));
         const Scalar power_100 = pow(e83, -Scalar(5) / Scalar(4));
@@ -1882,21 +1874,21 @@ public:
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_0 - p_1;
         const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar power_3 = pow(c_.k5 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar power_3 = pow(c_.k7 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
         const Scalar sqrt_4 = sqrt(max_p_0);
         const Scalar abs_5 = abs(e1);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_0, c_.k23);
+        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_0, c_.k24);
         const Scalar u_value = u[0];
         const Scalar step_7 = detail::step<Scalar>(-u_value);
         const Scalar e8 = power_3 * sqrt_4 * (outflow_factor_6 * (step_7 * e1));
         const Scalar e9 = p_.p_S - p_1;
         const Scalar step_10 = detail::step<Scalar>(e9);
-        const Scalar power_11 = pow(c_.k5 + e9 * e9, -Scalar(1) / Scalar(4));
+        const Scalar power_11 = pow(c_.k7 + e9 * e9, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
         const Scalar sqrt_12 = sqrt(max_p_S);
         const Scalar abs_13 = abs(e9);
-        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_S, c_.k23);
+        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_S, c_.k24);
         const Scalar step_u = detail::step<Scalar>(u_value);
         const Scalar e15 = power_11 * sqrt_12 * (outflow_factor_14 * (step_u * e9));
         const Scalar T_1 = x[4];
@@ -1906,19 +1898,19 @@ public:
         const Scalar p_2 = x[3];
         const Scalar e18 = p_.p_S - p_2;
         const Scalar step_19 = detail::step<Scalar>(e18);
-        const Scalar power_20 = pow(c_.k5 + e18 * e18, -Scalar(1) / Scalar(4));
+        const Scalar power_20 = pow(c_.k7 + e18 * e18, -Scalar(1) / Scalar(4));
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
         const Scalar sqrt_21 = sqrt(max_p_S_2);
         const Scalar abs_22 = abs(e18);
-        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(abs_22 / max_p_S_2, c_.k23);
+        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(abs_22 / max_p_S_2, c_.k24);
         const Scalar e24 = power_20 * sqrt_21 * (outflow_factor_23 * (step_7 * e18));
         const Scalar e25 = p_.p_0 - p_2;
         const Scalar step_26 = detail::step<Scalar>(e25);
-        const Scalar power_27 = pow(c_.k5 + e25 * e25, -Scalar(1) / Scalar(4));
+        const Scalar power_27 = pow(c_.k7 + e25 * e25, -Scalar(1) / Scalar(4));
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
         const Scalar sqrt_28 = sqrt(max_p_0_2);
         const Scalar abs_29 = abs(e25);
-        const Scalar outflow_factor_30 = detail::outflow_factor<Scalar>(abs_29 / max_p_0_2, c_.k23);
+        const Scalar outflow_factor_30 = detail::outflow_factor<Scalar>(abs_29 / max_p_0_2, c_.k24);
         const Scalar e31 = power_27 * sqrt_28 * (outflow_factor_30 * (step_u * e25));
         const Scalar T_2 = x[5];
         const Scalar sqrt_T_2 = sqrt(T_2);
@@ -1927,8 +1919,8 @@ public:
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = -c_.k22 * (step_2 * e8 - step_10 * e15) - c_.k3 / sqrt_T_1 * (step_16 * e8 - step_17 * e15);
-        D[4] = -c_.k22 * (step_19 * e24 - step_26 * e31) - c_.k3 / sqrt_T_2 * (step_32 * e24 - step_33 * e31);
+        D[3] = -c_.k21 * (step_2 * e8 - step_10 * e15) - c_.k5 / sqrt_T_1 * (step_16 * e8 - step_17 * e15);
+        D[4] = -c_.k21 * (step_19 * e24 - step_26 * e31) - c_.k5 / sqrt_T_2 * (step_32 * e24 - step_33 * e31);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -1959,7 +1951,7 @@ public:
     Scalar supplied_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar s_dot = x[1];
         const Scalar f_L = u[1];
-        return -s_dot * (f_L + c_.k24);
+        return -s_dot * (f_L + c_.k25);
     }
 
     /// Power in watts that dampers dissipate; not negative for laws that resist.
@@ -1993,71 +1985,70 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 30 + or -, 47 *, 6 /, 40 other functions
+    /// Operations: 29 + or -, 46 *, 6 /, 40 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
-        const Scalar e1 = p_.R_s + c_.c_v;
         const Scalar p_2 = x[3];
-        const Scalar e2 = p_.p_S - p_2;
-        const Scalar power_3 = pow(c_.k5 + e2 * e2, -Scalar(1) / Scalar(4));
+        const Scalar e1 = p_.p_S - p_2;
+        const Scalar power_2 = pow(c_.k7 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar sqrt_4 = sqrt(max_p_S);
-        const Scalar abs_5 = abs(e2);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k23);
+        const Scalar sqrt_3 = sqrt(max_p_S);
+        const Scalar abs_4 = abs(e1);
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k24);
         const Scalar u_value = u[0];
-        const Scalar max_7 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar step_8 = detail::step<Scalar>(e2);
-        const Scalar step_9 = detail::step<Scalar>(-e2);
+        const Scalar max_6 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar step_7 = detail::step<Scalar>(e1);
+        const Scalar step_8 = detail::step<Scalar>(-e1);
         const Scalar T_2 = x[5];
         const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar e10 = c_.k3 / sqrt_T_2;
-        const Scalar e11 = power_3 * sqrt_4 * (outflow_factor_6 * (max_7 * e2)) * (c_.k22 * step_8 + step_9 * e10);
-        const Scalar max_12 = detail::max<Scalar>(Scalar(0), e11);
+        const Scalar e9 = c_.k5 / sqrt_T_2;
+        const Scalar e10 = power_2 * sqrt_3 * (outflow_factor_5 * (max_6 * e1)) * (c_.k21 * step_7 + step_8 * e9);
+        const Scalar max_11 = detail::max<Scalar>(Scalar(0), e10);
         const Scalar p_1 = x[2];
-        const Scalar e13 = p_.p_S - p_1;
-        const Scalar power_14 = pow(c_.k5 + e13 * e13, -Scalar(1) / Scalar(4));
+        const Scalar e12 = p_.p_S - p_1;
+        const Scalar power_13 = pow(c_.k7 + e12 * e12, -Scalar(1) / Scalar(4));
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar sqrt_15 = sqrt(max_p_S_2);
-        const Scalar abs_16 = abs(e13);
-        const Scalar outflow_factor_17 = detail::outflow_factor<Scalar>(abs_16 / max_p_S_2, c_.k23);
-        const Scalar max_18 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar step_19 = detail::step<Scalar>(e13);
-        const Scalar step_20 = detail::step<Scalar>(-e13);
+        const Scalar sqrt_14 = sqrt(max_p_S_2);
+        const Scalar abs_15 = abs(e12);
+        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_S_2, c_.k24);
+        const Scalar max_17 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar step_18 = detail::step<Scalar>(e12);
+        const Scalar step_19 = detail::step<Scalar>(-e12);
         const Scalar T_1 = x[4];
         const Scalar sqrt_T_1 = sqrt(T_1);
-        const Scalar e21 = c_.k3 / sqrt_T_1;
-        const Scalar e22 = power_14 * sqrt_15 * (outflow_factor_17 * (max_18 * e13)) * (c_.k22 * step_19 + step_20 * e21);
-        const Scalar max_23 = detail::max<Scalar>(Scalar(0), e22);
-        const Scalar e24 = p_.p_0 - p_1;
-        const Scalar power_25 = pow(c_.k5 + e24 * e24, -Scalar(1) / Scalar(4));
+        const Scalar e20 = c_.k5 / sqrt_T_1;
+        const Scalar e21 = power_13 * sqrt_14 * (outflow_factor_16 * (max_17 * e12)) * (c_.k21 * step_18 + step_19 * e20);
+        const Scalar max_22 = detail::max<Scalar>(Scalar(0), e21);
+        const Scalar e23 = p_.p_0 - p_1;
+        const Scalar power_24 = pow(c_.k7 + e23 * e23, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar sqrt_26 = sqrt(max_p_0);
-        const Scalar abs_27 = abs(e24);
-        const Scalar outflow_factor_28 = detail::outflow_factor<Scalar>(abs_27 / max_p_0, c_.k23);
-        const Scalar step_29 = detail::step<Scalar>(e24);
-        const Scalar step_30 = detail::step<Scalar>(-e24);
-        const Scalar e31 = power_25 * sqrt_26 * (outflow_factor_28 * (max_7 * e24)) * (c_.k22 * step_29 + step_30 * e21);
-        const Scalar e32 = -e31;
-        const Scalar min_33 = detail::min<Scalar>(Scalar(0), e32);
-        const Scalar e34 = p_.p_0 - p_2;
-        const Scalar power_35 = pow(c_.k5 + e34 * e34, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_25 = sqrt(max_p_0);
+        const Scalar abs_26 = abs(e23);
+        const Scalar outflow_factor_27 = detail::outflow_factor<Scalar>(abs_26 / max_p_0, c_.k24);
+        const Scalar step_28 = detail::step<Scalar>(e23);
+        const Scalar step_29 = detail::step<Scalar>(-e23);
+        const Scalar e30 = power_24 * sqrt_25 * (outflow_factor_27 * (max_6 * e23)) * (c_.k21 * step_28 + step_29 * e20);
+        const Scalar e31 = -e30;
+        const Scalar min_32 = detail::min<Scalar>(Scalar(0), e31);
+        const Scalar e33 = p_.p_0 - p_2;
+        const Scalar power_34 = pow(c_.k7 + e33 * e33, -Scalar(1) / Scalar(4));
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar sqrt_36 = sqrt(max_p_0_2);
-        const Scalar abs_37 = abs(e34);
-        const Scalar outflow_factor_38 = detail::outflow_factor<Scalar>(abs_37 / max_p_0_2, c_.k23);
-        const Scalar step_39 = detail::step<Scalar>(e34);
-        const Scalar step_40 = detail::step<Scalar>(-e34);
-        const Scalar e41 = power_35 * sqrt_36 * (outflow_factor_38 * (max_18 * e34)) * (c_.k22 * step_39 + step_40 * e10);
-        const Scalar e42 = -e41;
-        const Scalar min_43 = detail::min<Scalar>(Scalar(0), e42);
-        const Scalar max_44 = detail::max<Scalar>(Scalar(0), e32);
-        const Scalar min_45 = detail::min<Scalar>(Scalar(0), e22);
-        const Scalar max_46 = detail::max<Scalar>(Scalar(0), e42);
-        const Scalar min_47 = detail::min<Scalar>(Scalar(0), e11);
-        return p_.T_0 * e1 * (max_12 + max_23 - min_33 - min_43) - p_.k_W * (T_1 + T_2) - T_1 * e1 * (max_44 - min_45) - T_2
-            * e1 * (max_46 - min_47) + Scalar(2) * p_.T_0 * p_.k_W;
+        const Scalar sqrt_35 = sqrt(max_p_0_2);
+        const Scalar abs_36 = abs(e33);
+        const Scalar outflow_factor_37 = detail::outflow_factor<Scalar>(abs_36 / max_p_0_2, c_.k24);
+        const Scalar step_38 = detail::step<Scalar>(e33);
+        const Scalar step_39 = detail::step<Scalar>(-e33);
+        const Scalar e40 = power_34 * sqrt_35 * (outflow_factor_37 * (max_17 * e33)) * (c_.k21 * step_38 + step_39 * e9);
+        const Scalar e41 = -e40;
+        const Scalar min_42 = detail::min<Scalar>(Scalar(0), e41);
+        const Scalar max_43 = detail::max<Scalar>(Scalar(0), e31);
+        const Scalar min_44 = detail::min<Scalar>(Scalar(0), e21);
+        const Scalar max_45 = detail::max<Scalar>(Scalar(0), e41);
+        const Scalar min_46 = detail::min<Scalar>(Scalar(0), e10);
+        return c_.k22 * (max_11 + max_22 - min_32 - min_42) - p_.k_W * (T_1 + T_2) - c_.k23 * T_1 * (max_43 - min_44) - c_.k23
+            * T_2 * (max_45 - min_46) + Scalar(2) * p_.T_0 * p_.k_W;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -2083,7 +2074,7 @@ public:
         g[0] = p_.V_d + p_.A_1 * s;
         g[1] = p_1;
         g[2] = T_1;
-        g[3] = c_.k9 - p_.A_2 * s;
+        g[3] = c_.k10 - p_.A_2 * s;
         g[4] = p_2;
         g[5] = T_2;
         g[6] = abs_1 - max_p_S * e3;
@@ -2100,30 +2091,30 @@ private:
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< 1/v_C
         Scalar k2;  ///< 1 + R_s/c_v
-        Scalar k3;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k4;  ///< 1/sqrt(T_0)
-        Scalar k5;  ///< width^2
-        Scalar k6;  ///< k_W/c_v
-        Scalar k7;  ///< 1/R_s
-        Scalar k8;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)
-        Scalar k9;  ///< A_2*l + V_d
-        Scalar k10;  ///< R_s/c_v
-        Scalar k11;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
-        Scalar k12;  ///< R_s*(1 + R_s/c_v)
-        Scalar k13;  ///< R_s*k_W/c_v
-        Scalar k14;  ///< d + f_C/v_C
-        Scalar k15;  ///< 2*R_s/c_v
-        Scalar k16;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
-        Scalar k17;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/sqrt(T_0)
-        Scalar k18;  ///< T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
-        Scalar k19;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)
-        Scalar k20;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/c_v
-        Scalar k21;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/(c_v*sqrt(T_0))
-        Scalar k22;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k23;  ///< 1 + R_s/c_v
-        Scalar k24;  ///< p_0*(A_1 - A_2)
-        Scalar k25;  ///< k_L/R_s
-        Scalar k26;  ///< T_0*k_W
+        Scalar k3;  ///< R_s/c_v
+        Scalar k4;  ///< R_s + c_v
+        Scalar k5;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k6;  ///< 1/sqrt(T_0)
+        Scalar k7;  ///< width^2
+        Scalar k8;  ///< 1/R_s
+        Scalar k9;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)
+        Scalar k10;  ///< A_2*l + V_d
+        Scalar k11;  ///< T_0*(R_s + c_v)
+        Scalar k12;  ///< T_0*k_W
+        Scalar k13;  ///< d + f_C/v_C
+        Scalar k14;  ///< 1/c_v
+        Scalar k15;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
+        Scalar k16;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/sqrt(T_0)
+        Scalar k17;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)/c_v
+        Scalar k18;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)/(c_v*sqrt(T_0))
+        Scalar k19;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/c_v
+        Scalar k20;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/(c_v*sqrt(T_0))
+        Scalar k21;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k22;  ///< T_0*(R_s + c_v)
+        Scalar k23;  ///< R_s + c_v
+        Scalar k24;  ///< 1 + R_s/c_v
+        Scalar k25;  ///< p_0*(A_1 - A_2)
+        Scalar k26;  ///< k_L/R_s
         Scalar k27;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
         Scalar k28;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
     };

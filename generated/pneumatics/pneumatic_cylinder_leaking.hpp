@@ -688,69 +688,80 @@ public:
         const Scalar e85 = p_.A_2 * s_dot + step_29 * e5;
         const Scalar e86 = p_2 * e83;
         const Scalar e87 = e81 * e84 + e85 * e86;
+        const Scalar e88 = c_.k0 * (tanh_3 * e4 * c_.k11 - c_.k14);
+        const Scalar e89 = c_.k0 * p_.A_1;
+        const Scalar e90 = c_.k0 * (-p_.A_2);
+        const Scalar e91 = p_.A_1 * inverse_8 * e51;
+        const Scalar e92 = p_.A_2 * inverse_82 * e87;
+        const Scalar e93 = -p_.A_1 * e10;
+        const Scalar e94 = p_.A_2 * e86;
+        const Scalar e95 = e50 * e41;
+        const Scalar inverse_root_96 = detail::inverse_root<Scalar>(e42);
+        const Scalar e97 = e95 * (inverse_root_96 * outflow_factor_47);
+        const Scalar outflow_factor_slope_98 = detail::outflow_factor_slope<Scalar>(e46, c_.k7);
+        const Scalar e99 = signed_root_43 * inverse_45 * (outflow_factor_slope_98 * e95);
+        const Scalar e100 = e50 * e21;
+        const Scalar inverse_root_101 = detail::inverse_root<Scalar>(e22);
+        const Scalar e102 = e100 * (inverse_root_101 * outflow_factor_27);
+        const Scalar outflow_factor_slope_103 = detail::outflow_factor_slope<Scalar>(e26, c_.k7);
+        const Scalar e104 = signed_root_23 * inverse_25 * (outflow_factor_slope_103 * e100);
+        const Scalar e105 = (-Scalar(1)) * c_.k16;
+        const Scalar power_106 = pow(e13, e105);
+        const Scalar e107 = power_106 * c_.k15;
+        const Scalar e108 = inverse_8 * e107;
+        const Scalar sign_109 = detail::sign<Scalar>(e35);
+        const Scalar sign_110 = detail::sign<Scalar>(e2);
+        const Scalar e111 = inverse_33 * e30;
+        const Scalar e112 = p_.k_L * (e9 * e67 + e50 * e111);
+        const Scalar e113 = inverse_17 * inverse_17 * (e15 * e108)
+            * ((Scalar(1) / Scalar(2)) * (e20 * e28 * e18 + e40 * e48 * e38));
+        const Scalar e114 = step_37 * ((Scalar(1) / Scalar(2)) * e35 * e97 - e46 * e99) + step_12
+            * ((Scalar(1) / Scalar(2)) * e2 * e102 - e26 * e104) + e113 - (Scalar(1) / Scalar(2)) * max_p_S * e97
+            - (Scalar(1) / Scalar(2)) * max_p_0 * e102 - sign_109 * e99 - sign_110 * e104 - e49 * e108 - e9 * e7 - e112;
+        const Scalar e115 = inverse_68 * e67;
+        const Scalar e116 = p_.k_L * (e83 * e30 + e84 * e115);
+        const Scalar e117 = e69 * (power_32 * inverse_82 * e107 * e115 + step_6 * e84) + e116;
+        const Scalar power_118 = pow(e31, e105);
+        const Scalar e119 = power_118 * c_.k15;
+        const Scalar e120 = e112 - e34 * (power_14 * inverse_8 * e119 * e111 + step_29 * e50);
+        const Scalar e121 = e84 * e59;
+        const Scalar inverse_root_122 = detail::inverse_root<Scalar>(e60);
+        const Scalar e123 = e121 * (inverse_root_122 * outflow_factor_65);
+        const Scalar outflow_factor_slope_124 = detail::outflow_factor_slope<Scalar>(e64, c_.k7);
+        const Scalar e125 = signed_root_61 * inverse_63 * (outflow_factor_slope_124 * e121);
+        const Scalar e126 = e84 * e73;
+        const Scalar inverse_root_127 = detail::inverse_root<Scalar>(e74);
+        const Scalar e128 = e126 * (inverse_root_127 * outflow_factor_79);
+        const Scalar outflow_factor_slope_129 = detail::outflow_factor_slope<Scalar>(e78, c_.k7);
+        const Scalar e130 = signed_root_75 * inverse_77 * (outflow_factor_slope_129 * e126);
+        const Scalar e131 = inverse_82 * e119;
+        const Scalar sign_132 = detail::sign<Scalar>(e52);
+        const Scalar sign_133 = detail::sign<Scalar>(e1);
+        const Scalar e134 = inverse_57 * inverse_57 * (e55 * e131)
+            * ((Scalar(1) / Scalar(2)) * (e20 * e66 * e58 + e40 * e80 * e72));
+        const Scalar e135 = step_54 * ((Scalar(1) / Scalar(2)) * e52 * e123 - e64 * e125) + step_71
+            * ((Scalar(1) / Scalar(2)) * e1 * e128 - e78 * e130) + e134 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e123
+            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e128 - sign_132 * e125 - sign_133 * e130 - e81 * e131 + e83 * e85 - e116;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
         dxdt[2] = -e51;
         dxdt[3] = e87;
-        const Scalar e88 = e50 * e41;
-        const Scalar inverse_root_89 = detail::inverse_root<Scalar>(e42);
-        const Scalar e90 = e88 * (inverse_root_89 * outflow_factor_47);
-        const Scalar outflow_factor_slope_91 = detail::outflow_factor_slope<Scalar>(e46, c_.k7);
-        const Scalar e92 = signed_root_43 * inverse_45 * (outflow_factor_slope_91 * e88);
-        const Scalar e93 = e50 * e21;
-        const Scalar inverse_root_94 = detail::inverse_root<Scalar>(e22);
-        const Scalar e95 = e93 * (inverse_root_94 * outflow_factor_27);
-        const Scalar outflow_factor_slope_96 = detail::outflow_factor_slope<Scalar>(e26, c_.k7);
-        const Scalar e97 = signed_root_23 * inverse_25 * (outflow_factor_slope_96 * e93);
-        const Scalar e98 = (-Scalar(1)) * c_.k16;
-        const Scalar power_99 = pow(e13, e98);
-        const Scalar e100 = power_99 * c_.k15;
-        const Scalar e101 = inverse_8 * e100;
-        const Scalar sign_102 = detail::sign<Scalar>(e35);
-        const Scalar sign_103 = detail::sign<Scalar>(e2);
-        const Scalar e104 = inverse_33 * e30;
-        const Scalar e105 = p_.k_L * (e9 * e67 + e50 * e104);
-        const Scalar e106 = inverse_68 * e67;
-        const Scalar e107 = p_.k_L * (e83 * e30 + e84 * e106);
-        const Scalar power_108 = pow(e31, e98);
-        const Scalar e109 = power_108 * c_.k15;
-        const Scalar e110 = e84 * e59;
-        const Scalar inverse_root_111 = detail::inverse_root<Scalar>(e60);
-        const Scalar e112 = e110 * (inverse_root_111 * outflow_factor_65);
-        const Scalar outflow_factor_slope_113 = detail::outflow_factor_slope<Scalar>(e64, c_.k7);
-        const Scalar e114 = signed_root_61 * inverse_63 * (outflow_factor_slope_113 * e110);
-        const Scalar e115 = e84 * e73;
-        const Scalar inverse_root_116 = detail::inverse_root<Scalar>(e74);
-        const Scalar e117 = e115 * (inverse_root_116 * outflow_factor_79);
-        const Scalar outflow_factor_slope_118 = detail::outflow_factor_slope<Scalar>(e78, c_.k7);
-        const Scalar e119 = signed_root_75 * inverse_77 * (outflow_factor_slope_118 * e115);
-        const Scalar e120 = inverse_82 * e109;
-        const Scalar sign_121 = detail::sign<Scalar>(e52);
-        const Scalar sign_122 = detail::sign<Scalar>(e1);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = p_.A_1 * inverse_8 * e51;
-        J[3] = p_.A_2 * inverse_82 * e87;
+        J[2] = e91;
+        J[3] = e92;
         J[4] = Scalar(1);
-        J[5] = (tanh_3 * e4 * c_.k11 - c_.k14) * c_.k0;
-        J[6] = -p_.A_1 * e10;
-        J[7] = p_.A_2 * e86;
+        J[5] = e88;
+        J[6] = e93;
+        J[7] = e94;
         J[8] = Scalar(0);
-        J[9] = p_.A_1 * c_.k0;
-        const Scalar e123 = inverse_17 * inverse_17 * (e15 * e101)
-            * ((Scalar(1) / Scalar(2)) * (e20 * e28 * e18 + e40 * e48 * e38));
-        J[10] = step_37 * ((Scalar(1) / Scalar(2)) * e35 * e90 - e46 * e92) + step_12
-            * ((Scalar(1) / Scalar(2)) * e2 * e95 - e26 * e97) + e123 - (Scalar(1) / Scalar(2)) * max_p_S * e90
-            - (Scalar(1) / Scalar(2)) * max_p_0 * e95 - sign_102 * e92 - sign_103 * e97 - e49 * e101 - e9 * e7 - e105;
-        J[11] = e69 * (power_32 * inverse_82 * e100 * e106 + step_6 * e84) + e107;
+        J[9] = e89;
+        J[10] = e114;
+        J[11] = e117;
         J[12] = Scalar(0);
-        J[13] = (-p_.A_2) * c_.k0;
-        J[14] = e105 - e34 * (power_14 * inverse_8 * e109 * e104 + step_29 * e50);
-        const Scalar e124 = inverse_57 * inverse_57 * (e55 * e120)
-            * ((Scalar(1) / Scalar(2)) * (e20 * e66 * e58 + e40 * e80 * e72));
-        J[15] = step_54 * ((Scalar(1) / Scalar(2)) * e52 * e112 - e64 * e114) + step_71
-            * ((Scalar(1) / Scalar(2)) * e1 * e117 - e78 * e119) + e124 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e112
-            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e117 - sign_121 * e114 - sign_122 * e119 - e81 * e120 + e83 * e85 - e107;
+        J[13] = e90;
+        J[14] = e120;
+        J[15] = e135;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -1046,11 +1057,11 @@ public:
         J[11] = log_128 * (e112 * e99 + e113 * e105 - e114 * e131) + c_.k13 * e99 + e117 * e105 + p_.k_L * e136 + p_.A_2 * e137
             - e135 * e129;
         J[12] = Scalar(0);
-        J[13] = e2 * c_.k0;
+        J[13] = c_.k0 * e2;
         J[14] = s * e139 - p_.n * e127;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
-        J[17] = e3 * c_.k0;
+        J[17] = c_.k0 * e3;
         J[18] = Scalar(0);
         J[19] = p_.n * e137 - p_.l * e13 * e140 - p_.l * e55 * e141 + s * e142 - p_.l * e143 * e144 - p_.l * e145 * e146;
         J[20] = Scalar(0);
@@ -1062,20 +1073,20 @@ public:
         J[26] = e139;
         J[27] = -e142;
         J[28] = Scalar(0);
-        J[29] = (-dxdt[1]) * c_.k0;
+        J[29] = c_.k0 * (-dxdt[1]);
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = (-s_dot) * c_.k0;
+        J[33] = c_.k0 * (-s_dot);
         J[34] = Scalar(0);
         J[35] = Scalar(0);
         J[36] = Scalar(0);
-        J[37] = (-tanh_4) * c_.k0;
+        J[37] = c_.k0 * (-tanh_4);
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         const Scalar e189 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
-        J[41] = e189 * c_.k0;
+        J[41] = c_.k0 * e189;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = Scalar(0);
@@ -1093,7 +1104,7 @@ public:
         const Scalar e195 = power_172 * e132 * (inverse_71 * e169 * e98 + e170 * e104 + e171 * e134);
         J[51] = inverse_133 * e171 * e135 * e168 - e195 + e165 * e130 * e173;
         J[52] = Scalar(0);
-        J[53] = (-(p_.A_1 - p_.A_2)) * c_.k0;
+        J[53] = c_.k0 * (-(p_.A_1 - p_.A_2));
         const Scalar e196 = max_30 * outflow_factor_50 * (inverse_root_174 * (max_p_0 + step_59 * e1));
         const Scalar e197 = (step_59 * e27 - sign_175) * (outflow_factor_slope_176 * inverse_26) * (e60 * e154 + e34 * e155);
         J[54] = e196 * (step_59 * e149 + step_29 * e151) - e197;

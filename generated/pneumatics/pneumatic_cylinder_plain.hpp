@@ -635,65 +635,74 @@ public:
         const Scalar e71 = p_.A_2 * inverse_68;
         const Scalar e72 = p_2 * e71;
         const Scalar e73 = e67 * e70 + e3 * e72;
+        const Scalar e74 = c_.k0 * (-p_.d);
+        const Scalar e75 = c_.k0 * p_.A_1;
+        const Scalar e76 = c_.k0 * (-p_.A_2);
+        const Scalar e77 = e39 * e5;
+        const Scalar e78 = e73 * e71;
+        const Scalar e79 = -p_.n * e6;
+        const Scalar e80 = p_.n * e72;
+        const Scalar e81 = e38 * e28;
+        const Scalar inverse_root_82 = detail::inverse_root<Scalar>(e29);
+        const Scalar e83 = e81 * (inverse_root_82 * outflow_factor_34);
+        const Scalar outflow_factor_slope_84 = detail::outflow_factor_slope<Scalar>(e33, c_.k6);
+        const Scalar e85 = signed_root_30 * inverse_32 * (outflow_factor_slope_84 * e81);
+        const Scalar e86 = e38 * e15;
+        const Scalar inverse_root_87 = detail::inverse_root<Scalar>(e16);
+        const Scalar e88 = e86 * (inverse_root_87 * outflow_factor_21);
+        const Scalar outflow_factor_slope_89 = detail::outflow_factor_slope<Scalar>(e20, c_.k6);
+        const Scalar e90 = signed_root_17 * inverse_19 * (outflow_factor_slope_89 * e86);
+        const Scalar e91 = (-Scalar(1)) * c_.k12;
+        const Scalar power_92 = pow(e10, e91);
+        const Scalar e93 = max_7 * c_.k13;
+        const Scalar e94 = max_23 * c_.k13;
+        const Scalar sign_95 = detail::sign<Scalar>(e24);
+        const Scalar sign_96 = detail::sign<Scalar>(e2);
+        const Scalar e97 = power_92 * inverse_13 * (inverse_13 * e37)
+            * ((Scalar(1) / Scalar(2)) * (e22 * e14 * e93 + e35 * e27 * e94));
+        const Scalar e98 = step_26 * ((Scalar(1) / Scalar(2)) * e24 * e83 - e33 * e85) + step_9
+            * ((Scalar(1) / Scalar(2)) * e2 * e88 - e20 * e90) + e97 - (Scalar(1) / Scalar(2)) * max_p_S * e83
+            - (Scalar(1) / Scalar(2)) * max_p_0 * e88 - power_92 * inverse_4 * e36 * c_.k11 - sign_95 * e85 - sign_96 * e90
+            - e3 * e5;
+        const Scalar e99 = e70 * e48;
+        const Scalar inverse_root_100 = detail::inverse_root<Scalar>(e49);
+        const Scalar e101 = e99 * (inverse_root_100 * outflow_factor_54);
+        const Scalar outflow_factor_slope_102 = detail::outflow_factor_slope<Scalar>(e53, c_.k6);
+        const Scalar e103 = signed_root_50 * inverse_52 * (outflow_factor_slope_102 * e99);
+        const Scalar e104 = e70 * e59;
+        const Scalar inverse_root_105 = detail::inverse_root<Scalar>(e60);
+        const Scalar e106 = e104 * (inverse_root_105 * outflow_factor_65);
+        const Scalar outflow_factor_slope_107 = detail::outflow_factor_slope<Scalar>(e64, c_.k6);
+        const Scalar e108 = signed_root_61 * inverse_63 * (outflow_factor_slope_107 * e104);
+        const Scalar power_109 = pow(e43, e91);
+        const Scalar sign_110 = detail::sign<Scalar>(e40);
+        const Scalar sign_111 = detail::sign<Scalar>(e1);
+        const Scalar e112 = power_109 * inverse_46 * (inverse_46 * e69)
+            * ((Scalar(1) / Scalar(2)) * (e55 * e47 * e93 + e66 * e58 * e94));
+        const Scalar e113 = step_42 * ((Scalar(1) / Scalar(2)) * e40 * e101 - e53 * e103) + step_57
+            * ((Scalar(1) / Scalar(2)) * e1 * e106 - e64 * e108) + e112 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e101
+            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e106 - power_109 * inverse_68 * e67 * c_.k11 - sign_110 * e103 - sign_111
+            * e108 + e3 * e71;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
         dxdt[2] = -e39;
         dxdt[3] = e73;
-        const Scalar e74 = e38 * e28;
-        const Scalar inverse_root_75 = detail::inverse_root<Scalar>(e29);
-        const Scalar e76 = e74 * (inverse_root_75 * outflow_factor_34);
-        const Scalar outflow_factor_slope_77 = detail::outflow_factor_slope<Scalar>(e33, c_.k6);
-        const Scalar e78 = signed_root_30 * inverse_32 * (outflow_factor_slope_77 * e74);
-        const Scalar e79 = e38 * e15;
-        const Scalar inverse_root_80 = detail::inverse_root<Scalar>(e16);
-        const Scalar e81 = e79 * (inverse_root_80 * outflow_factor_21);
-        const Scalar outflow_factor_slope_82 = detail::outflow_factor_slope<Scalar>(e20, c_.k6);
-        const Scalar e83 = signed_root_17 * inverse_19 * (outflow_factor_slope_82 * e79);
-        const Scalar e84 = (-Scalar(1)) * c_.k12;
-        const Scalar power_85 = pow(e10, e84);
-        const Scalar e86 = max_7 * c_.k13;
-        const Scalar e87 = max_23 * c_.k13;
-        const Scalar sign_88 = detail::sign<Scalar>(e24);
-        const Scalar sign_89 = detail::sign<Scalar>(e2);
-        const Scalar e90 = e70 * e48;
-        const Scalar inverse_root_91 = detail::inverse_root<Scalar>(e49);
-        const Scalar e92 = e90 * (inverse_root_91 * outflow_factor_54);
-        const Scalar outflow_factor_slope_93 = detail::outflow_factor_slope<Scalar>(e53, c_.k6);
-        const Scalar e94 = signed_root_50 * inverse_52 * (outflow_factor_slope_93 * e90);
-        const Scalar e95 = e70 * e59;
-        const Scalar inverse_root_96 = detail::inverse_root<Scalar>(e60);
-        const Scalar e97 = e95 * (inverse_root_96 * outflow_factor_65);
-        const Scalar outflow_factor_slope_98 = detail::outflow_factor_slope<Scalar>(e64, c_.k6);
-        const Scalar e99 = signed_root_61 * inverse_63 * (outflow_factor_slope_98 * e95);
-        const Scalar power_100 = pow(e43, e84);
-        const Scalar sign_101 = detail::sign<Scalar>(e40);
-        const Scalar sign_102 = detail::sign<Scalar>(e1);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e39 * e5;
-        J[3] = e73 * e71;
+        J[2] = e77;
+        J[3] = e78;
         J[4] = Scalar(1);
-        J[5] = (-p_.d) * c_.k0;
-        J[6] = -p_.n * e6;
-        J[7] = p_.n * e72;
+        J[5] = e74;
+        J[6] = e79;
+        J[7] = e80;
         J[8] = Scalar(0);
-        J[9] = p_.A_1 * c_.k0;
-        const Scalar e103 = power_85 * inverse_13 * (inverse_13 * e37)
-            * ((Scalar(1) / Scalar(2)) * (e22 * e14 * e86 + e35 * e27 * e87));
-        J[10] = step_26 * ((Scalar(1) / Scalar(2)) * e24 * e76 - e33 * e78) + step_9
-            * ((Scalar(1) / Scalar(2)) * e2 * e81 - e20 * e83) + e103 - (Scalar(1) / Scalar(2)) * max_p_S * e76
-            - (Scalar(1) / Scalar(2)) * max_p_0 * e81 - power_85 * inverse_4 * e36 * c_.k11 - sign_88 * e78 - sign_89 * e83
-            - e3 * e5;
+        J[9] = e75;
+        J[10] = e98;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        J[13] = (-p_.A_2) * c_.k0;
+        J[13] = e76;
         J[14] = Scalar(0);
-        const Scalar e104 = power_100 * inverse_46 * (inverse_46 * e69)
-            * ((Scalar(1) / Scalar(2)) * (e55 * e47 * e86 + e66 * e58 * e87));
-        J[15] = step_42 * ((Scalar(1) / Scalar(2)) * e40 * e92 - e53 * e94) + step_57
-            * ((Scalar(1) / Scalar(2)) * e1 * e97 - e64 * e99) + e104 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e92
-            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e97 - power_100 * inverse_68 * e67 * c_.k11 - sign_101 * e94 - sign_102
-            * e99 + e3 * e71;
+        J[15] = e113;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -964,11 +973,11 @@ public:
         J[10] = log_108 * (e109 * e51 + e110 * e62 - e111 * e113) + e10 * e51 + e114 * e62 - p_.A_1 * e116;
         J[11] = log_117 * (e109 * e97 + e110 * e103 - e111 * e119) + e10 * e97 + e114 * e103 + p_.A_2 * e121;
         J[12] = Scalar(0);
-        J[13] = e2 * c_.k0;
+        J[13] = c_.k0 * e2;
         J[14] = -s * e122 - p_.n * p_.V_d * e123;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
-        J[17] = e3 * c_.k0;
+        J[17] = c_.k0 * e3;
         J[18] = Scalar(0);
         J[19] = p_.n * e121 - p_.l * e11 * e124 - p_.l * e53 * e125 + s * e126 - p_.l * e127 * e128;
         J[20] = Scalar(0);
@@ -980,11 +989,11 @@ public:
         J[26] = c_.k2 * e123 - e122;
         J[27] = -e126;
         J[28] = Scalar(0);
-        J[29] = (-dxdt[1]) * c_.k0;
+        J[29] = c_.k0 * (-dxdt[1]);
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = (-s_dot) * c_.k0;
+        J[33] = c_.k0 * (-s_dot);
         J[34] = Scalar(0);
         J[35] = Scalar(0);
         J[36] = Scalar(0);
@@ -1000,7 +1009,7 @@ public:
         J[42] = p_1 * power_146 * e149 * e112 - power_146 * e115 * (inverse_19 * e150 * e50 + e151 * e61);
         J[43] = p_2 * power_152 * e149 * e118 - power_152 * e120 * (inverse_69 * e150 * e96 + e151 * e102);
         J[44] = Scalar(0);
-        J[45] = (-(p_.A_1 - p_.A_2)) * c_.k0;
+        J[45] = c_.k0 * (-(p_.A_1 - p_.A_2));
         const Scalar e172 = max_28 * outflow_factor_48 * (inverse_root_153 * (max_p_0 + step_57 * e1));
         const Scalar e173 = (step_57 * e25 - sign_154) * (outflow_factor_slope_155 * inverse_24) * (e58 * e136 + e32 * e137);
         J[46] = e172 * (step_57 * e131 + step_27 * e133) - e173;

@@ -647,65 +647,74 @@ public:
         const Scalar e73 = p_.A_2 * inverse_70;
         const Scalar e74 = p_2 * e73;
         const Scalar e75 = e69 * e72 + e5 * e74;
+        const Scalar e76 = c_.k0 * (tanh_3 * e4 * c_.k10 - c_.k12);
+        const Scalar e77 = c_.k0 * p_.A_1;
+        const Scalar e78 = c_.k0 * (-p_.A_2);
+        const Scalar e79 = e41 * e7;
+        const Scalar e80 = e75 * e73;
+        const Scalar e81 = -p_.n * e8;
+        const Scalar e82 = p_.n * e74;
+        const Scalar e83 = e40 * e30;
+        const Scalar inverse_root_84 = detail::inverse_root<Scalar>(e31);
+        const Scalar e85 = e83 * (inverse_root_84 * outflow_factor_36);
+        const Scalar outflow_factor_slope_86 = detail::outflow_factor_slope<Scalar>(e35, c_.k6);
+        const Scalar e87 = signed_root_32 * inverse_34 * (outflow_factor_slope_86 * e83);
+        const Scalar e88 = e40 * e17;
+        const Scalar inverse_root_89 = detail::inverse_root<Scalar>(e18);
+        const Scalar e90 = e88 * (inverse_root_89 * outflow_factor_23);
+        const Scalar outflow_factor_slope_91 = detail::outflow_factor_slope<Scalar>(e22, c_.k6);
+        const Scalar e92 = signed_root_19 * inverse_21 * (outflow_factor_slope_91 * e88);
+        const Scalar e93 = (-Scalar(1)) * c_.k14;
+        const Scalar power_94 = pow(e12, e93);
+        const Scalar e95 = max_9 * c_.k15;
+        const Scalar e96 = max_25 * c_.k15;
+        const Scalar sign_97 = detail::sign<Scalar>(e26);
+        const Scalar sign_98 = detail::sign<Scalar>(e2);
+        const Scalar e99 = power_94 * inverse_15 * (inverse_15 * e39)
+            * ((Scalar(1) / Scalar(2)) * (e24 * e16 * e95 + e37 * e29 * e96));
+        const Scalar e100 = step_28 * ((Scalar(1) / Scalar(2)) * e26 * e85 - e35 * e87) + step_11
+            * ((Scalar(1) / Scalar(2)) * e2 * e90 - e22 * e92) + e99 - (Scalar(1) / Scalar(2)) * max_p_S * e85
+            - (Scalar(1) / Scalar(2)) * max_p_0 * e90 - power_94 * inverse_6 * e38 * c_.k13 - sign_97 * e87 - sign_98 * e92
+            - e5 * e7;
+        const Scalar e101 = e72 * e50;
+        const Scalar inverse_root_102 = detail::inverse_root<Scalar>(e51);
+        const Scalar e103 = e101 * (inverse_root_102 * outflow_factor_56);
+        const Scalar outflow_factor_slope_104 = detail::outflow_factor_slope<Scalar>(e55, c_.k6);
+        const Scalar e105 = signed_root_52 * inverse_54 * (outflow_factor_slope_104 * e101);
+        const Scalar e106 = e72 * e61;
+        const Scalar inverse_root_107 = detail::inverse_root<Scalar>(e62);
+        const Scalar e108 = e106 * (inverse_root_107 * outflow_factor_67);
+        const Scalar outflow_factor_slope_109 = detail::outflow_factor_slope<Scalar>(e66, c_.k6);
+        const Scalar e110 = signed_root_63 * inverse_65 * (outflow_factor_slope_109 * e106);
+        const Scalar power_111 = pow(e45, e93);
+        const Scalar sign_112 = detail::sign<Scalar>(e42);
+        const Scalar sign_113 = detail::sign<Scalar>(e1);
+        const Scalar e114 = power_111 * inverse_48 * (inverse_48 * e71)
+            * ((Scalar(1) / Scalar(2)) * (e57 * e49 * e95 + e68 * e60 * e96));
+        const Scalar e115 = step_44 * ((Scalar(1) / Scalar(2)) * e42 * e103 - e55 * e105) + step_59
+            * ((Scalar(1) / Scalar(2)) * e1 * e108 - e66 * e110) + e114 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e103
+            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e108 - power_111 * inverse_70 * e69 * c_.k13 - sign_112 * e105 - sign_113
+            * e110 + e5 * e73;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
         dxdt[2] = -e41;
         dxdt[3] = e75;
-        const Scalar e76 = e40 * e30;
-        const Scalar inverse_root_77 = detail::inverse_root<Scalar>(e31);
-        const Scalar e78 = e76 * (inverse_root_77 * outflow_factor_36);
-        const Scalar outflow_factor_slope_79 = detail::outflow_factor_slope<Scalar>(e35, c_.k6);
-        const Scalar e80 = signed_root_32 * inverse_34 * (outflow_factor_slope_79 * e76);
-        const Scalar e81 = e40 * e17;
-        const Scalar inverse_root_82 = detail::inverse_root<Scalar>(e18);
-        const Scalar e83 = e81 * (inverse_root_82 * outflow_factor_23);
-        const Scalar outflow_factor_slope_84 = detail::outflow_factor_slope<Scalar>(e22, c_.k6);
-        const Scalar e85 = signed_root_19 * inverse_21 * (outflow_factor_slope_84 * e81);
-        const Scalar e86 = (-Scalar(1)) * c_.k14;
-        const Scalar power_87 = pow(e12, e86);
-        const Scalar e88 = max_9 * c_.k15;
-        const Scalar e89 = max_25 * c_.k15;
-        const Scalar sign_90 = detail::sign<Scalar>(e26);
-        const Scalar sign_91 = detail::sign<Scalar>(e2);
-        const Scalar e92 = e72 * e50;
-        const Scalar inverse_root_93 = detail::inverse_root<Scalar>(e51);
-        const Scalar e94 = e92 * (inverse_root_93 * outflow_factor_56);
-        const Scalar outflow_factor_slope_95 = detail::outflow_factor_slope<Scalar>(e55, c_.k6);
-        const Scalar e96 = signed_root_52 * inverse_54 * (outflow_factor_slope_95 * e92);
-        const Scalar e97 = e72 * e61;
-        const Scalar inverse_root_98 = detail::inverse_root<Scalar>(e62);
-        const Scalar e99 = e97 * (inverse_root_98 * outflow_factor_67);
-        const Scalar outflow_factor_slope_100 = detail::outflow_factor_slope<Scalar>(e66, c_.k6);
-        const Scalar e101 = signed_root_63 * inverse_65 * (outflow_factor_slope_100 * e97);
-        const Scalar power_102 = pow(e45, e86);
-        const Scalar sign_103 = detail::sign<Scalar>(e42);
-        const Scalar sign_104 = detail::sign<Scalar>(e1);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e41 * e7;
-        J[3] = e75 * e73;
+        J[2] = e79;
+        J[3] = e80;
         J[4] = Scalar(1);
-        J[5] = (tanh_3 * e4 * c_.k10 - c_.k12) * c_.k0;
-        J[6] = -p_.n * e8;
-        J[7] = p_.n * e74;
+        J[5] = e76;
+        J[6] = e81;
+        J[7] = e82;
         J[8] = Scalar(0);
-        J[9] = p_.A_1 * c_.k0;
-        const Scalar e105 = power_87 * inverse_15 * (inverse_15 * e39)
-            * ((Scalar(1) / Scalar(2)) * (e24 * e16 * e88 + e37 * e29 * e89));
-        J[10] = step_28 * ((Scalar(1) / Scalar(2)) * e26 * e78 - e35 * e80) + step_11
-            * ((Scalar(1) / Scalar(2)) * e2 * e83 - e22 * e85) + e105 - (Scalar(1) / Scalar(2)) * max_p_S * e78
-            - (Scalar(1) / Scalar(2)) * max_p_0 * e83 - power_87 * inverse_6 * e38 * c_.k13 - sign_90 * e80 - sign_91 * e85
-            - e5 * e7;
+        J[9] = e77;
+        J[10] = e100;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        J[13] = (-p_.A_2) * c_.k0;
+        J[13] = e78;
         J[14] = Scalar(0);
-        const Scalar e106 = power_102 * inverse_48 * (inverse_48 * e71)
-            * ((Scalar(1) / Scalar(2)) * (e57 * e49 * e88 + e68 * e60 * e89));
-        J[15] = step_44 * ((Scalar(1) / Scalar(2)) * e42 * e94 - e55 * e96) + step_59
-            * ((Scalar(1) / Scalar(2)) * e1 * e99 - e66 * e101) + e106 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e94
-            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e99 - power_102 * inverse_70 * e69 * c_.k13 - sign_103 * e96 - sign_104
-            * e101 + e5 * e73;
+        J[15] = e115;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -979,11 +988,11 @@ public:
         J[10] = log_110 * (e111 * e53 + e112 * e64 - e113 * e115) + e12 * e53 + e116 * e64 - p_.A_1 * e118;
         J[11] = log_119 * (e111 * e99 + e112 * e105 - e113 * e121) + e12 * e99 + e116 * e105 + p_.A_2 * e123;
         J[12] = Scalar(0);
-        J[13] = e2 * c_.k0;
+        J[13] = c_.k0 * e2;
         J[14] = -s * e124 - e125 * e126;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
-        J[17] = e3 * c_.k0;
+        J[17] = c_.k0 * e3;
         J[18] = Scalar(0);
         J[19] = e125 * e127 - p_.l * e13 * e128 - p_.l * e55 * e129 + s * e130;
         J[20] = Scalar(0);
@@ -995,20 +1004,20 @@ public:
         J[26] = c_.k2 * e126 - e124;
         J[27] = -c_.k5 * e127 - e130;
         J[28] = Scalar(0);
-        J[29] = (-dxdt[1]) * c_.k0;
+        J[29] = c_.k0 * (-dxdt[1]);
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = (-s_dot) * c_.k0;
+        J[33] = c_.k0 * (-s_dot);
         J[34] = Scalar(0);
         J[35] = Scalar(0);
         J[36] = Scalar(0);
-        J[37] = (-tanh_4) * c_.k0;
+        J[37] = c_.k0 * (-tanh_4);
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         const Scalar e170 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
-        J[41] = e170 * c_.k0;
+        J[41] = c_.k0 * e170;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = Scalar(0);
@@ -1024,7 +1033,7 @@ public:
         J[50] = p_1 * power_148 * e151 * e114 - power_148 * e117 * (inverse_21 * e152 * e52 + e153 * e63);
         J[51] = p_2 * power_154 * e151 * e120 - power_154 * e122 * (inverse_71 * e152 * e98 + e153 * e104);
         J[52] = Scalar(0);
-        J[53] = (-(p_.A_1 - p_.A_2)) * c_.k0;
+        J[53] = c_.k0 * (-(p_.A_1 - p_.A_2));
         const Scalar e175 = max_30 * outflow_factor_50 * (inverse_root_155 * (max_p_0 + step_59 * e1));
         const Scalar e176 = (step_59 * e27 - sign_156) * (outflow_factor_slope_157 * inverse_26) * (e60 * e138 + e34 * e139);
         J[54] = e175 * (step_59 * e133 + step_29 * e135) - e176;

@@ -20,11 +20,11 @@
 //     this code = the derivation: 22 of 22 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 6     21     6        0      3
-//   rhs                   37     72    10        0     33
-//   rhs_and_jacobian      87    227    10        0     49
-//   jacobian_u            37     95    10        0     34
-//   jacobian_p           300    658    15        0     56
+//   update                 7     22     6        0      3
+//   rhs                   37     74    10        0     33
+//   rhs_and_jacobian      95    223    10        0     49
+//   jacobian_u            35     93    10        0     34
+//   jacobian_p           256    589    15        0     56
 //   bias                   3      5     0        0      1
 //   generalised_force      1      0     0        0      0
 //   output                18     33     6        0     28
@@ -34,7 +34,7 @@
 //   supplied_power         2      1     0        0      0
 //   dissipated_power       1      4     0        0      1
 //   internal_energy        4     10     1        0      0
-//   exchanged_power       26     39     6        0     36
+//   exchanged_power       25     38     6        0     36
 //   guards                15      9     3        0      9
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -378,7 +378,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 6 + or -, 21 *, 6 /, 3 other functions
+    /// Operations: 7 + or -, 22 *, 6 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
@@ -390,37 +390,41 @@ public:
         const Scalar e3 = p_.R_s * inverse_2;
         const Scalar e4 = Scalar(1) + e3;
         c_.k2 = e4;
-        const Scalar sqrt_5 = sqrt(Scalar(2));
+        c_.k3 = e3;
+        const Scalar e5 = p_.R_s + c_.c_v;
+        c_.k4 = e5;
+        const Scalar sqrt_6 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar e6 = p_.A_v * p_.alpha_d * (sqrt_5 / sqrt_R_s);
-        c_.k3 = e6;
+        const Scalar e7 = p_.A_v * p_.alpha_d * (sqrt_6 / sqrt_R_s);
+        c_.k5 = e7;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_7 = Scalar(1) / sqrt_T_0;
-        c_.k4 = inverse_7;
-        c_.k5 = p_.k_W * inverse_2;
-        c_.k6 = p_.A_2 * p_.l + p_.V_d;
-        c_.k7 = e3;
-        const Scalar e8 = p_.R_s * e6;
-        c_.k8 = e8;
-        c_.k9 = inverse_2;
-        c_.k10 = p_.d + p_.f_C * inverse_1;
-        c_.k11 = Scalar(2) * e3;
-        const Scalar e9 = e4 * e8;
-        c_.k12 = e9;
-        c_.k13 = inverse_7 * e9;
-        const Scalar e10 = p_.T_0 * e9;
-        c_.k14 = e10;
-        c_.k15 = inverse_7 * e10;
-        const Scalar e11 = e8 * e3;
-        c_.k16 = e11;
-        c_.k17 = inverse_7 * e11;
-        const Scalar e12 = inverse_7 * e6;
-        c_.k18 = e12;
-        c_.k19 = e4;
-        c_.k20 = p_.p_0 * (p_.A_1 - p_.A_2);
-        c_.k21 = p_.T_0 * p_.k_W;
-        c_.k22 = (Scalar(1) / Scalar(2)) * e6;
-        c_.k23 = (Scalar(1) / Scalar(2)) * e12;
+        const Scalar inverse_8 = Scalar(1) / sqrt_T_0;
+        c_.k6 = inverse_8;
+        const Scalar e9 = p_.R_s * e7;
+        c_.k7 = e9;
+        c_.k8 = p_.A_2 * p_.l + p_.V_d;
+        c_.k9 = p_.T_0 * p_.k_W;
+        const Scalar e10 = p_.T_0 * e5;
+        c_.k10 = e10;
+        c_.k11 = p_.d + p_.f_C * inverse_1;
+        c_.k12 = p_.R_s * e4;
+        const Scalar e11 = e4 * e9;
+        c_.k13 = e11;
+        c_.k14 = e11;
+        const Scalar e12 = inverse_8 * e9;
+        c_.k15 = e4 * e12;
+        c_.k16 = inverse_2 * e9;
+        c_.k17 = inverse_2 * e12;
+        c_.k18 = e9 * e3;
+        c_.k19 = e3 * e12;
+        const Scalar e13 = inverse_8 * e7;
+        c_.k20 = e13;
+        c_.k21 = e10;
+        c_.k22 = e5;
+        c_.k23 = e4;
+        c_.k24 = p_.p_0 * (p_.A_1 - p_.A_2);
+        c_.k25 = (Scalar(1) / Scalar(2)) * e7;
+        c_.k26 = (Scalar(1) / Scalar(2)) * e13;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -437,7 +441,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 37 + or -, 72 *, 10 /, 33 other functions
+    /// Operations: 37 + or -, 74 *, 10 /, 33 other functions
     ///     specific_enthalpy[supply] = T_0*(R_s + c_v)
     ///     specific_enthalpy[ambience] = T_0*(R_s + c_v)
     ///     density[chamber_1] = p_1/(R_s*T_1)
@@ -463,41 +467,36 @@ public:
     ///     u)*signed_root(max(p_0, p_2)*(p_0 - p_2))*step(p_0 - p_2)*outflow_factor(abs(p_0 - p_2)/max(p_0, p_2), 1 +
     ///     R_s/c_v)/(sqrt(R_s)*sqrt(T_0))
     ///     m_K*ddot(s) + d*dot(s) - A_1*p_1 + A_2*p_2 + f_C*tanh(dot(s)/v_C) = -p_0*(A_1 - A_2) - f_L
-    ///     dot(p_1) = -A_1*(1 + p_1/(c_v*T_1*density[chamber_1]))*p_1*dot(s)/(A_1*s + V_d) + p_1*specific_enthalpy[supply]*max(0,
-    ///     mass_flow[supply_1])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) - p_1*specific_enthalpy[ambience]*min(0,
-    ///     mass_flow[exhaust_1])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) - p_1*specific_enthalpy[chamber_1]*max(0,
-    ///     mass_flow[supply_1])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) + p_1*specific_enthalpy[chamber_1]*min(0,
-    ///     mass_flow[exhaust_1])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) +
+    ///     dot(p_1) = -A_1*(1 + p_1/(c_v*T_1*density[chamber_1]))*p_1*dot(s)/(A_1*s + V_d) +
     ///     p_1^2*mass_flow[supply_1]/(c_v*T_1*density[chamber_1]^2*(A_1*s + V_d)) -
-    ///     p_1^2*mass_flow[exhaust_1]/(c_v*T_1*density[chamber_1]^2*(A_1*s + V_d)) + T_0*k_W*p_1/(c_v*T_1*density[chamber_1]*(A_1*s
-    ///     + V_d)) + p_1*mass_flow[supply_1]/(density[chamber_1]*(A_1*s + V_d)) -
+    ///     p_1^2*mass_flow[exhaust_1]/(c_v*T_1*density[chamber_1]^2*(A_1*s + V_d)) + p_1*max(0,
+    ///     mass_flow[supply_1])*(specific_enthalpy[supply] - specific_enthalpy[chamber_1])/(c_v*T_1*density[chamber_1]*(A_1*s +
+    ///     V_d)) - p_1*min(0, mass_flow[exhaust_1])*(specific_enthalpy[ambience] -
+    ///     specific_enthalpy[chamber_1])/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) +
+    ///     T_0*k_W*p_1/(c_v*T_1*density[chamber_1]*(A_1*s + V_d)) + p_1*mass_flow[supply_1]/(density[chamber_1]*(A_1*s + V_d)) -
     ///     p_1*mass_flow[exhaust_1]/(density[chamber_1]*(A_1*s + V_d)) - k_W*p_1/(c_v*density[chamber_1]*(A_1*s + V_d))
     ///     dot(p_2) = A_2*(1 + p_2/(c_v*T_2*density[chamber_2]))*p_2*dot(s)/(A_2*l - A_2*s + V_d) +
-    ///     p_2*specific_enthalpy[supply]*max(0, mass_flow[supply_2])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) -
-    ///     p_2*specific_enthalpy[ambience]*min(0, mass_flow[exhaust_2])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) -
-    ///     p_2*specific_enthalpy[chamber_2]*max(0, mass_flow[supply_2])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
-    ///     p_2*specific_enthalpy[chamber_2]*min(0, mass_flow[exhaust_2])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
     ///     p_2^2*mass_flow[supply_2]/(c_v*T_2*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) -
-    ///     p_2^2*mass_flow[exhaust_2]/(c_v*T_2*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) +
+    ///     p_2^2*mass_flow[exhaust_2]/(c_v*T_2*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) + p_2*max(0,
+    ///     mass_flow[supply_2])*(specific_enthalpy[supply] - specific_enthalpy[chamber_2])/(c_v*T_2*density[chamber_2]*(A_2*l -
+    ///     A_2*s + V_d)) - p_2*min(0, mass_flow[exhaust_2])*(specific_enthalpy[ambience] -
+    ///     specific_enthalpy[chamber_2])/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
     ///     T_0*k_W*p_2/(c_v*T_2*density[chamber_2]*(A_2*l - A_2*s + V_d)) + p_2*mass_flow[supply_2]/(density[chamber_2]*(A_2*l -
     ///     A_2*s + V_d)) - p_2*mass_flow[exhaust_2]/(density[chamber_2]*(A_2*l - A_2*s + V_d)) -
     ///     k_W*p_2/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d))
     ///     dot(T_1) = -A_1*p_1*dot(s)/(c_v*density[chamber_1]*(A_1*s + V_d)) +
     ///     p_1*mass_flow[supply_1]/(c_v*density[chamber_1]^2*(A_1*s + V_d)) -
     ///     p_1*mass_flow[exhaust_1]/(c_v*density[chamber_1]^2*(A_1*s + V_d)) - k_W*T_1/(c_v*density[chamber_1]*(A_1*s + V_d)) +
-    ///     specific_enthalpy[supply]*max(0, mass_flow[supply_1])/(c_v*density[chamber_1]*(A_1*s + V_d)) -
-    ///     specific_enthalpy[ambience]*min(0, mass_flow[exhaust_1])/(c_v*density[chamber_1]*(A_1*s + V_d)) -
-    ///     specific_enthalpy[chamber_1]*max(0, mass_flow[supply_1])/(c_v*density[chamber_1]*(A_1*s + V_d)) +
-    ///     specific_enthalpy[chamber_1]*min(0, mass_flow[exhaust_1])/(c_v*density[chamber_1]*(A_1*s + V_d)) +
-    ///     T_0*k_W/(c_v*density[chamber_1]*(A_1*s + V_d))
+    ///     max(0, mass_flow[supply_1])*(specific_enthalpy[supply] - specific_enthalpy[chamber_1])/(c_v*density[chamber_1]*(A_1*s +
+    ///     V_d)) - min(0, mass_flow[exhaust_1])*(specific_enthalpy[ambience] -
+    ///     specific_enthalpy[chamber_1])/(c_v*density[chamber_1]*(A_1*s + V_d)) + T_0*k_W/(c_v*density[chamber_1]*(A_1*s + V_d))
     ///     dot(T_2) = A_2*p_2*dot(s)/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
     ///     p_2*mass_flow[supply_2]/(c_v*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) -
     ///     p_2*mass_flow[exhaust_2]/(c_v*density[chamber_2]^2*(A_2*l - A_2*s + V_d)) - k_W*T_2/(c_v*density[chamber_2]*(A_2*l -
-    ///     A_2*s + V_d)) + specific_enthalpy[supply]*max(0, mass_flow[supply_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) -
-    ///     specific_enthalpy[ambience]*min(0, mass_flow[exhaust_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) -
-    ///     specific_enthalpy[chamber_2]*max(0, mass_flow[supply_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
-    ///     specific_enthalpy[chamber_2]*min(0, mass_flow[exhaust_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) +
-    ///     T_0*k_W/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d))
+    ///     A_2*s + V_d)) + max(0, mass_flow[supply_2])*(specific_enthalpy[supply] -
+    ///     specific_enthalpy[chamber_2])/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d)) - min(0,
+    ///     mass_flow[exhaust_2])*(specific_enthalpy[ambience] - specific_enthalpy[chamber_2])/(c_v*density[chamber_2]*(A_2*l -
+    ///     A_2*s + V_d)) + T_0*k_W/(c_v*density[chamber_2]*(A_2*l - A_2*s + V_d))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::abs;
         using std::sqrt;
@@ -510,75 +509,75 @@ public:
         const Scalar p_1 = x[2];
         const Scalar e3 = p_.p_0 - p_1;
         const Scalar s_ddot = (p_.A_2 * e1 - f_L - p_.d * s_dot - p_.f_C * tanh_2 - p_.A_1 * e3) * c_.k0;
+        const Scalar T_1 = x[4];
         const Scalar s = x[0];
         const Scalar inverse_4 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e5 = p_.R_s * inverse_4;
-        const Scalar T_1 = x[4];
+        const Scalar e5 = T_1 * inverse_4;
         const Scalar u_value = u[0];
-        const Scalar max_6 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar e7 = p_.p_S - p_1;
-        const Scalar signed_root_8 = detail::signed_root<Scalar>(max_p_S * e7);
-        const Scalar abs_9 = abs(e7);
-        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_S, c_.k2);
-        const Scalar step_11 = detail::step<Scalar>(-e7);
-        const Scalar sqrt_T_1 = sqrt(T_1);
-        const Scalar inverse_12 = Scalar(1) / sqrt_T_1;
-        const Scalar step_13 = detail::step<Scalar>(e7);
-        const Scalar e14 = max_6 * signed_root_8 * (outflow_factor_10 * (step_11 * inverse_12 + step_13 * c_.k4));
-        const Scalar max_15 = detail::max<Scalar>(Scalar(0), e14 * c_.k3);
-        const Scalar max_16 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar max_6 = detail::max<Scalar>(Scalar(0), -u_value);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar signed_root_17 = detail::signed_root<Scalar>(max_p_0 * e3);
-        const Scalar abs_18 = abs(e3);
-        const Scalar outflow_factor_19 = detail::outflow_factor<Scalar>(abs_18 / max_p_0, c_.k2);
-        const Scalar step_20 = detail::step<Scalar>(-e3);
-        const Scalar step_21 = detail::step<Scalar>(e3);
-        const Scalar e22 = max_16 * signed_root_17 * (outflow_factor_19 * (step_20 * inverse_12 + step_21 * c_.k4));
-        const Scalar min_23 = detail::min<Scalar>(Scalar(0), -e22 * c_.k3);
-        const Scalar e24 = (p_.T_0 - T_1) * (c_.k5 + (max_15 - min_23) * c_.k2);
-        const Scalar e25 = inverse_4 * (p_.A_1 * s_dot);
-        const Scalar e26 = T_1 * e5;
-        const Scalar e27 = (e22 + e14) * c_.k3;
-        const Scalar inverse_28 = Scalar(1) / (c_.k6 - p_.A_2 * s);
-        const Scalar e29 = inverse_28 * (p_.A_2 * s_dot);
+        const Scalar signed_root_7 = detail::signed_root<Scalar>(max_p_0 * e3);
+        const Scalar abs_8 = abs(e3);
+        const Scalar outflow_factor_9 = detail::outflow_factor<Scalar>(abs_8 / max_p_0, c_.k2);
+        const Scalar step_10 = detail::step<Scalar>(-e3);
+        const Scalar sqrt_T_1 = sqrt(T_1);
+        const Scalar inverse_11 = Scalar(1) / sqrt_T_1;
+        const Scalar step_12 = detail::step<Scalar>(e3);
+        const Scalar e13 = max_6 * signed_root_7 * (outflow_factor_9 * (step_10 * inverse_11 + step_12 * c_.k6));
+        const Scalar max_14 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
+        const Scalar e15 = p_.p_S - p_1;
+        const Scalar signed_root_16 = detail::signed_root<Scalar>(max_p_S * e15);
+        const Scalar abs_17 = abs(e15);
+        const Scalar outflow_factor_18 = detail::outflow_factor<Scalar>(abs_17 / max_p_S, c_.k2);
+        const Scalar step_19 = detail::step<Scalar>(-e15);
+        const Scalar step_20 = detail::step<Scalar>(e15);
+        const Scalar e21 = max_14 * signed_root_16 * (outflow_factor_18 * (step_19 * inverse_11 + step_20 * c_.k6));
+        const Scalar e22 = (e13 + e21) * c_.k7;
+        const Scalar e23 = p_.A_1 * s_dot;
+        const Scalar e24 = p_.T_0 - T_1;
+        const Scalar max_25 = detail::max<Scalar>(Scalar(0), e21 * c_.k5);
+        const Scalar min_26 = detail::min<Scalar>(Scalar(0), -e13 * c_.k5);
+        const Scalar e27 = e24 * c_.k4 * (max_25 - min_26) + p_.k_W * e24;
+        const Scalar inverse_28 = Scalar(1) / (c_.k8 - p_.A_2 * s);
+        const Scalar e29 = p_.A_2 * s_dot;
         const Scalar T_2 = x[5];
-        const Scalar e30 = p_.R_s * inverse_28;
-        const Scalar e31 = T_2 * e30;
+        const Scalar e30 = p_.T_0 - T_2;
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar e32 = p_.p_S - p_2;
-        const Scalar signed_root_33 = detail::signed_root<Scalar>(max_p_S_2 * e32);
-        const Scalar abs_34 = abs(e32);
-        const Scalar outflow_factor_35 = detail::outflow_factor<Scalar>(abs_34 / max_p_S_2, c_.k2);
-        const Scalar step_36 = detail::step<Scalar>(-e32);
+        const Scalar e31 = p_.p_S - p_2;
+        const Scalar signed_root_32 = detail::signed_root<Scalar>(max_p_S_2 * e31);
+        const Scalar abs_33 = abs(e31);
+        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(abs_33 / max_p_S_2, c_.k2);
+        const Scalar step_35 = detail::step<Scalar>(-e31);
         const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar inverse_37 = Scalar(1) / sqrt_T_2;
-        const Scalar step_38 = detail::step<Scalar>(e32);
-        const Scalar e39 = max_16 * signed_root_33 * (outflow_factor_35 * (step_36 * inverse_37 + step_38 * c_.k4));
+        const Scalar inverse_36 = Scalar(1) / sqrt_T_2;
+        const Scalar step_37 = detail::step<Scalar>(e31);
+        const Scalar e38 = max_6 * signed_root_32 * (outflow_factor_34 * (step_35 * inverse_36 + step_37 * c_.k6));
+        const Scalar max_39 = detail::max<Scalar>(Scalar(0), e38 * c_.k5);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
         const Scalar signed_root_40 = detail::signed_root<Scalar>(max_p_0_2 * e1);
         const Scalar abs_41 = abs(e1);
         const Scalar outflow_factor_42 = detail::outflow_factor<Scalar>(abs_41 / max_p_0_2, c_.k2);
         const Scalar step_43 = detail::step<Scalar>(-e1);
         const Scalar step_44 = detail::step<Scalar>(e1);
-        const Scalar e45 = max_6 * signed_root_40 * (outflow_factor_42 * (step_43 * inverse_37 + step_44 * c_.k4));
-        const Scalar e46 = (e39 + e45) * c_.k3;
-        const Scalar max_47 = detail::max<Scalar>(Scalar(0), e39 * c_.k3);
-        const Scalar min_48 = detail::min<Scalar>(Scalar(0), -e45 * c_.k3);
-        const Scalar e49 = (p_.T_0 - T_2) * (c_.k5 + (max_47 - min_48) * c_.k2);
-        const Scalar e50 = e26 / p_1;
-        const Scalar e51 = e31 / p_2;
+        const Scalar e45 = max_14 * signed_root_40 * (outflow_factor_42 * (step_43 * inverse_36 + step_44 * c_.k6));
+        const Scalar min_46 = detail::min<Scalar>(Scalar(0), -e45 * c_.k5);
+        const Scalar e47 = e30 * c_.k4 * (max_39 - min_46) + p_.k_W * e30;
+        const Scalar e48 = T_2 * inverse_28;
+        const Scalar e49 = (e38 + e45) * c_.k7;
+        const Scalar e50 = e5 * c_.k3;
+        const Scalar e51 = e48 * c_.k3;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = e5 * e24 - c_.k2 * (p_1 * e25 - e26 * e27);
-        dxdt[3] = c_.k2 * (p_2 * e29 + e31 * e46) + e30 * e49;
-        dxdt[4] = T_1 * c_.k7 * (e27 * e50 - e25) + e24 * e50;
-        dxdt[5] = T_2 * c_.k7 * (e46 * e51 + e29) + e49 * e51;
+        dxdt[2] = e5 * e22 * c_.k2 - inverse_4 * (p_1 * e23 * c_.k2 - e27 * c_.k3);
+        dxdt[3] = inverse_28 * (p_2 * e29 * c_.k2 + e47 * c_.k3) + e48 * e49 * c_.k2;
+        dxdt[4] = e50 / p_1 * (T_1 * e22 + e27) - e50 * e23;
+        dxdt[5] = e51 / p_2 * (T_2 * e49 + e47) + e51 * e29;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 87 + or -, 227 *, 10 /, 49 other functions
+    /// Operations: 95 + or -, 223 *, 10 /, 49 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::sqrt;
@@ -592,200 +591,210 @@ public:
         const Scalar tanh_3 = tanh(s_dot * c_.k1);
         const Scalar e4 = p_.f_C * tanh_3;
         const Scalar s_ddot = (p_.A_2 * e1 - f_L - p_.d * s_dot - p_.A_1 * e2 - e4) * c_.k0;
+        const Scalar T_1 = x[4];
         const Scalar s = x[0];
         const Scalar inverse_5 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e6 = inverse_5 * c_.k8;
-        const Scalar e7 = e6 * c_.k2;
-        const Scalar T_1 = x[4];
-        const Scalar step_8 = detail::step<Scalar>(-e2);
-        const Scalar sqrt_T_1 = sqrt(T_1);
-        const Scalar inverse_9 = Scalar(1) / sqrt_T_1;
-        const Scalar step_10 = detail::step<Scalar>(e2);
-        const Scalar e11 = step_8 * inverse_9 + step_10 * c_.k4;
-        const Scalar abs_12 = abs(e2);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar inverse_13 = Scalar(1) / max_p_0;
-        const Scalar e14 = abs_12 * inverse_13;
-        const Scalar outflow_factor_15 = detail::outflow_factor<Scalar>(e14, c_.k2);
+        const Scalar e6 = inverse_5 * c_.k3;
+        const Scalar e7 = T_1 * e6;
         const Scalar u_value = u[0];
-        const Scalar max_16 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e17 = max_p_0 * e2;
-        const Scalar signed_root_18 = detail::signed_root<Scalar>(e17);
-        const Scalar e19 = outflow_factor_15 * (max_16 * signed_root_18);
-        const Scalar e20 = e11 * e19;
+        const Scalar max_8 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar step_9 = detail::step<Scalar>(-e2);
+        const Scalar sqrt_T_1 = sqrt(T_1);
+        const Scalar inverse_10 = Scalar(1) / sqrt_T_1;
+        const Scalar step_11 = detail::step<Scalar>(e2);
+        const Scalar e12 = step_9 * inverse_10 + step_11 * c_.k6;
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
+        const Scalar e13 = max_p_0 * e2;
+        const Scalar signed_root_14 = detail::signed_root<Scalar>(e13);
+        const Scalar abs_15 = abs(e2);
+        const Scalar inverse_16 = Scalar(1) / max_p_0;
+        const Scalar e17 = abs_15 * inverse_16;
+        const Scalar outflow_factor_18 = detail::outflow_factor<Scalar>(e17, c_.k2);
+        const Scalar e19 = signed_root_14 * outflow_factor_18;
+        const Scalar max_20 = detail::max<Scalar>(Scalar(0), u_value);
         const Scalar e21 = p_.p_S - p_1;
         const Scalar step_22 = detail::step<Scalar>(-e21);
         const Scalar step_23 = detail::step<Scalar>(e21);
-        const Scalar e24 = step_22 * inverse_9 + step_23 * c_.k4;
-        const Scalar abs_25 = abs(e21);
+        const Scalar e24 = step_22 * inverse_10 + step_23 * c_.k6;
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar inverse_26 = Scalar(1) / max_p_S;
-        const Scalar e27 = abs_25 * inverse_26;
-        const Scalar outflow_factor_28 = detail::outflow_factor<Scalar>(e27, c_.k2);
-        const Scalar max_29 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e30 = max_p_S * e21;
-        const Scalar signed_root_31 = detail::signed_root<Scalar>(e30);
-        const Scalar e32 = outflow_factor_28 * (max_29 * signed_root_31);
-        const Scalar e33 = e24 * e32;
-        const Scalar e34 = e20 + e33;
-        const Scalar e35 = T_1 * e34;
-        const Scalar e36 = s_dot * c_.k2;
-        const Scalar e37 = p_.T_0 - T_1;
-        const Scalar e38 = e20 * c_.k3;
-        const Scalar min_39 = detail::min<Scalar>(Scalar(0), -e38);
-        const Scalar e40 = e33 * c_.k3;
-        const Scalar max_41 = detail::max<Scalar>(Scalar(0), e40);
-        const Scalar e42 = min_39 * c_.k2 - (c_.k5 + max_41 * c_.k2);
-        const Scalar e43 = p_.R_s * e42;
-        const Scalar e44 = e7 * e35 - inverse_5 * (p_.A_1 * p_1 * e36 + e37 * e43);
-        const Scalar inverse_45 = Scalar(1) / (c_.k6 - p_.A_2 * s);
-        const Scalar e46 = inverse_45 * c_.k8;
-        const Scalar e47 = e46 * c_.k2;
+        const Scalar e25 = max_p_S * e21;
+        const Scalar signed_root_26 = detail::signed_root<Scalar>(e25);
+        const Scalar abs_27 = abs(e21);
+        const Scalar inverse_28 = Scalar(1) / max_p_S;
+        const Scalar e29 = abs_27 * inverse_28;
+        const Scalar outflow_factor_30 = detail::outflow_factor<Scalar>(e29, c_.k2);
+        const Scalar e31 = signed_root_26 * outflow_factor_30;
+        const Scalar e32 = max_8 * e12 * e19 + max_20 * e24 * e31;
+        const Scalar e33 = e32 * c_.k7;
+        const Scalar e34 = p_.A_1 * s_dot;
+        const Scalar e35 = inverse_5 * c_.k2;
+        const Scalar e36 = c_.k10 - T_1 * c_.k4;
+        const Scalar e37 = max_20 * c_.k5;
+        const Scalar e38 = e24 * e37;
+        const Scalar e39 = e31 * e38;
+        const Scalar max_40 = detail::max<Scalar>(Scalar(0), e39);
+        const Scalar e41 = max_8 * c_.k5;
+        const Scalar e42 = e12 * e41;
+        const Scalar e43 = e19 * e42;
+        const Scalar min_44 = detail::min<Scalar>(Scalar(0), -e43);
+        const Scalar e45 = max_40 - min_44;
+        const Scalar e46 = c_.k9 + e36 * e45;
+        const Scalar e47 = e6 * e46;
+        const Scalar e48 = p_.k_W * e7 - ((T_1 * e33 - p_1 * e34) * e35 + e47);
         const Scalar T_2 = x[5];
-        const Scalar step_48 = detail::step<Scalar>(-e1);
+        const Scalar inverse_49 = Scalar(1) / (c_.k8 - p_.A_2 * s);
+        const Scalar e50 = inverse_49 * c_.k3;
+        const Scalar e51 = T_2 * e50;
+        const Scalar e52 = p_.A_2 * s_dot;
+        const Scalar e53 = p_.p_S - p_2;
+        const Scalar step_54 = detail::step<Scalar>(-e53);
         const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar inverse_49 = Scalar(1) / sqrt_T_2;
-        const Scalar step_50 = detail::step<Scalar>(e1);
-        const Scalar e51 = step_48 * inverse_49 + step_50 * c_.k4;
-        const Scalar abs_52 = abs(e1);
-        const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_53 = Scalar(1) / max_p_0_2;
-        const Scalar e54 = abs_52 * inverse_53;
-        const Scalar outflow_factor_55 = detail::outflow_factor<Scalar>(e54, c_.k2);
-        const Scalar e56 = max_p_0_2 * e1;
-        const Scalar signed_root_57 = detail::signed_root<Scalar>(e56);
-        const Scalar e58 = outflow_factor_55 * (max_29 * signed_root_57);
-        const Scalar e59 = e51 * e58;
-        const Scalar e60 = p_.p_S - p_2;
-        const Scalar step_61 = detail::step<Scalar>(-e60);
-        const Scalar step_62 = detail::step<Scalar>(e60);
-        const Scalar e63 = step_61 * inverse_49 + step_62 * c_.k4;
-        const Scalar abs_64 = abs(e60);
+        const Scalar inverse_55 = Scalar(1) / sqrt_T_2;
+        const Scalar step_56 = detail::step<Scalar>(e53);
+        const Scalar e57 = step_54 * inverse_55 + step_56 * c_.k6;
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar inverse_65 = Scalar(1) / max_p_S_2;
-        const Scalar e66 = abs_64 * inverse_65;
-        const Scalar outflow_factor_67 = detail::outflow_factor<Scalar>(e66, c_.k2);
-        const Scalar e68 = max_p_S_2 * e60;
+        const Scalar e58 = max_p_S_2 * e53;
+        const Scalar signed_root_59 = detail::signed_root<Scalar>(e58);
+        const Scalar abs_60 = abs(e53);
+        const Scalar inverse_61 = Scalar(1) / max_p_S_2;
+        const Scalar e62 = abs_60 * inverse_61;
+        const Scalar outflow_factor_63 = detail::outflow_factor<Scalar>(e62, c_.k2);
+        const Scalar e64 = signed_root_59 * outflow_factor_63;
+        const Scalar step_65 = detail::step<Scalar>(-e1);
+        const Scalar step_66 = detail::step<Scalar>(e1);
+        const Scalar e67 = step_65 * inverse_55 + step_66 * c_.k6;
+        const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
+        const Scalar e68 = max_p_0_2 * e1;
         const Scalar signed_root_69 = detail::signed_root<Scalar>(e68);
-        const Scalar e70 = outflow_factor_67 * (max_16 * signed_root_69);
-        const Scalar e71 = e63 * e70;
-        const Scalar e72 = e59 + e71;
-        const Scalar e73 = T_2 * e72;
-        const Scalar e74 = p_.T_0 - T_2;
-        const Scalar e75 = e59 * c_.k3;
-        const Scalar min_76 = detail::min<Scalar>(Scalar(0), -e75);
-        const Scalar e77 = e71 * c_.k3;
-        const Scalar max_78 = detail::max<Scalar>(Scalar(0), e77);
-        const Scalar e79 = min_76 * c_.k2 - (c_.k5 + max_78 * c_.k2);
-        const Scalar e80 = p_.R_s * e79;
-        const Scalar e81 = e47 * e73 - inverse_45 * (e74 * e80 - p_.A_2 * p_2 * e36);
-        const Scalar inverse_82 = Scalar(1) / p_1;
-        const Scalar e83 = (e6 * e35 * c_.k9 - inverse_5 * e37 * e42) * (p_.R_s * inverse_82);
-        const Scalar e84 = p_.A_1 * inverse_5;
-        const Scalar e85 = s_dot * c_.k7;
-        const Scalar e86 = e84 * e85;
-        const Scalar e87 = T_1 * (e83 - e86);
-        const Scalar e88 = p_.A_2 * inverse_45;
-        const Scalar e89 = e88 * e85;
-        const Scalar inverse_90 = Scalar(1) / p_2;
-        const Scalar e91 = (e46 * e73 * c_.k9 - inverse_45 * e74 * e79) * (p_.R_s * inverse_90);
-        const Scalar e92 = T_2 * (e89 + e91);
+        const Scalar abs_70 = abs(e1);
+        const Scalar inverse_71 = Scalar(1) / max_p_0_2;
+        const Scalar e72 = abs_70 * inverse_71;
+        const Scalar outflow_factor_73 = detail::outflow_factor<Scalar>(e72, c_.k2);
+        const Scalar e74 = signed_root_69 * outflow_factor_73;
+        const Scalar e75 = max_8 * e57 * e64 + max_20 * e67 * e74;
+        const Scalar e76 = e75 * c_.k7;
+        const Scalar e77 = inverse_49 * c_.k2;
+        const Scalar e78 = c_.k10 - T_2 * c_.k4;
+        const Scalar e79 = e57 * e41;
+        const Scalar e80 = e64 * e79;
+        const Scalar max_81 = detail::max<Scalar>(Scalar(0), e80);
+        const Scalar e82 = e67 * e37;
+        const Scalar e83 = e74 * e82;
+        const Scalar min_84 = detail::min<Scalar>(Scalar(0), -e83);
+        const Scalar e85 = max_81 - min_84;
+        const Scalar e86 = c_.k9 + e78 * e85;
+        const Scalar e87 = e50 * e86;
+        const Scalar e88 = p_.k_W * e51 - ((p_2 * e52 + T_2 * e76) * e77 + e87);
+        const Scalar e89 = e33 - p_.k_W;
+        const Scalar inverse_90 = Scalar(1) / p_1;
+        const Scalar e91 = inverse_90 * e7;
+        const Scalar e92 = (T_1 * e89 + e46) * e91;
+        const Scalar e93 = e7 * e34 - e92;
+        const Scalar e94 = e76 - p_.k_W;
+        const Scalar inverse_95 = Scalar(1) / p_2;
+        const Scalar e96 = inverse_95 * e51;
+        const Scalar e97 = (T_2 * e94 + e86) * e96;
+        const Scalar e98 = e51 * e52 + e97;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = e44;
-        dxdt[3] = e81;
-        dxdt[4] = e87;
-        dxdt[5] = e92;
-        const Scalar e93 = T_1 * c_.k7;
-        const Scalar e94 = T_2 * c_.k7;
-        const Scalar step_95 = detail::step<Scalar>(e38);
-        const Scalar e96 = (T_1 + step_95 * e37) * e7;
-        const Scalar inverse_root_97 = detail::inverse_root<Scalar>(e17);
-        const Scalar e98 = inverse_root_97 * outflow_factor_15;
-        const Scalar outflow_factor_slope_99 = detail::outflow_factor_slope<Scalar>(e14, c_.k2);
-        const Scalar sign_100 = detail::sign<Scalar>(e2);
-        const Scalar e101 = Scalar(2) * signed_root_18 * outflow_factor_slope_99 * inverse_13 * (step_8 * e14 + sign_100);
-        const Scalar e102 = (max_p_0 * e98 - (step_8 * e2 * e98 - e101)) * (max_16 * e11);
-        const Scalar step_103 = detail::step<Scalar>(e40);
-        const Scalar e104 = (T_1 + step_103 * e37) * e7;
-        const Scalar inverse_root_105 = detail::inverse_root<Scalar>(e30);
-        const Scalar e106 = inverse_root_105 * outflow_factor_28;
-        const Scalar outflow_factor_slope_107 = detail::outflow_factor_slope<Scalar>(e27, c_.k2);
-        const Scalar sign_108 = detail::sign<Scalar>(e21);
-        const Scalar e109 = Scalar(2) * signed_root_31 * outflow_factor_slope_107 * inverse_26 * (step_22 * e27 + sign_108);
-        const Scalar e110 = (max_p_S * e106 - (step_22 * e21 * e106 - e109)) * (max_29 * e24);
-        const Scalar e111 = T_1 * inverse_82;
-        const Scalar e112 = e37 * c_.k2;
-        const Scalar e113 = e6 * e111;
-        const Scalar e114 = (step_103 * e112 + e93) * e113;
-        const Scalar e115 = (step_95 * e112 + e93) * e113;
-        const Scalar step_116 = detail::step<Scalar>(e77);
-        const Scalar e117 = (T_2 + step_116 * e74) * e47;
-        const Scalar inverse_root_118 = detail::inverse_root<Scalar>(e68);
-        const Scalar e119 = inverse_root_118 * outflow_factor_67;
-        const Scalar outflow_factor_slope_120 = detail::outflow_factor_slope<Scalar>(e66, c_.k2);
-        const Scalar sign_121 = detail::sign<Scalar>(e60);
-        const Scalar e122 = Scalar(2) * signed_root_69 * outflow_factor_slope_120 * inverse_65 * (step_61 * e66 + sign_121);
-        const Scalar e123 = (max_p_S_2 * e119 - (step_61 * e60 * e119 - e122)) * (max_16 * e63);
-        const Scalar step_124 = detail::step<Scalar>(e75);
-        const Scalar e125 = (T_2 + step_124 * e74) * e47;
-        const Scalar inverse_root_126 = detail::inverse_root<Scalar>(e56);
-        const Scalar e127 = inverse_root_126 * outflow_factor_55;
-        const Scalar outflow_factor_slope_128 = detail::outflow_factor_slope<Scalar>(e54, c_.k2);
-        const Scalar sign_129 = detail::sign<Scalar>(e1);
-        const Scalar e130 = Scalar(2) * signed_root_57 * outflow_factor_slope_128 * inverse_53 * (step_48 * e54 + sign_129);
-        const Scalar e131 = (max_p_0_2 * e127 - (step_48 * e1 * e127 - e130)) * (max_29 * e51);
-        const Scalar e132 = T_2 * inverse_90;
-        const Scalar e133 = e74 * c_.k2;
-        const Scalar e134 = e46 * e132;
-        const Scalar e135 = (step_116 * e133 + e94) * e134;
-        const Scalar e136 = (step_124 * e133 + e94) * e134;
-        const Scalar e137 = inverse_5 * e43;
-        const Scalar e138 = inverse_9 * (inverse_9 * inverse_9);
-        const Scalar e139 = e138 * (step_8 * e19);
-        const Scalar e140 = e138 * (step_22 * e32);
-        const Scalar e141 = inverse_45 * e80;
-        const Scalar e142 = inverse_49 * (inverse_49 * inverse_49);
-        const Scalar e143 = e142 * (step_61 * e70);
-        const Scalar e144 = e142 * (step_48 * e58);
+        dxdt[2] = -e48;
+        dxdt[3] = -e88;
+        dxdt[4] = -e93;
+        dxdt[5] = e98;
+        const Scalar e99 = p_.A_1 * inverse_5;
+        const Scalar e100 = p_.A_2 * inverse_49;
+        const Scalar step_101 = detail::step<Scalar>(e43);
+        const Scalar e102 = e36 * step_101;
+        const Scalar e103 = T_1 * c_.k12;
+        const Scalar e104 = inverse_5 * (e102 * c_.k3 + e103);
+        const Scalar inverse_root_105 = detail::inverse_root<Scalar>(e13);
+        const Scalar e106 = inverse_root_105 * outflow_factor_18;
+        const Scalar outflow_factor_slope_107 = detail::outflow_factor_slope<Scalar>(e17, c_.k2);
+        const Scalar sign_108 = detail::sign<Scalar>(e2);
+        const Scalar e109 = Scalar(2) * signed_root_14 * outflow_factor_slope_107 * inverse_16 * (step_9 * e17 + sign_108);
+        const Scalar e110 = (max_p_0 * e106 - (step_9 * e2 * e106 - e109)) * e42;
+        const Scalar step_111 = detail::step<Scalar>(e39);
+        const Scalar e112 = e36 * step_111;
+        const Scalar e113 = inverse_5 * (e112 * c_.k3 + e103);
+        const Scalar inverse_root_114 = detail::inverse_root<Scalar>(e25);
+        const Scalar e115 = inverse_root_114 * outflow_factor_30;
+        const Scalar outflow_factor_slope_116 = detail::outflow_factor_slope<Scalar>(e29, c_.k2);
+        const Scalar sign_117 = detail::sign<Scalar>(e21);
+        const Scalar e118 = Scalar(2) * signed_root_26 * outflow_factor_slope_116 * inverse_28 * (step_22 * e29 + sign_117);
+        const Scalar e119 = (max_p_S * e115 - (step_22 * e21 * e115 - e118)) * e38;
+        const Scalar e120 = p_.R_s * T_1;
+        const Scalar e121 = (e120 + e102) * e91;
+        const Scalar e122 = (e120 + e112) * e91;
+        const Scalar step_123 = detail::step<Scalar>(e83);
+        const Scalar e124 = e78 * step_123;
+        const Scalar e125 = T_2 * c_.k12;
+        const Scalar e126 = inverse_49 * (e124 * c_.k3 + e125);
+        const Scalar inverse_root_127 = detail::inverse_root<Scalar>(e68);
+        const Scalar e128 = inverse_root_127 * outflow_factor_73;
+        const Scalar outflow_factor_slope_129 = detail::outflow_factor_slope<Scalar>(e72, c_.k2);
+        const Scalar sign_130 = detail::sign<Scalar>(e1);
+        const Scalar e131 = Scalar(2) * signed_root_69 * outflow_factor_slope_129 * inverse_71 * (step_65 * e72 + sign_130);
+        const Scalar e132 = (max_p_0_2 * e128 - (step_65 * e1 * e128 - e131)) * e82;
+        const Scalar step_133 = detail::step<Scalar>(e80);
+        const Scalar e134 = e78 * step_133;
+        const Scalar e135 = inverse_49 * (e134 * c_.k3 + e125);
+        const Scalar inverse_root_136 = detail::inverse_root<Scalar>(e58);
+        const Scalar e137 = inverse_root_136 * outflow_factor_63;
+        const Scalar outflow_factor_slope_138 = detail::outflow_factor_slope<Scalar>(e62, c_.k2);
+        const Scalar sign_139 = detail::sign<Scalar>(e53);
+        const Scalar e140 = Scalar(2) * signed_root_59 * outflow_factor_slope_138 * inverse_61 * (step_54 * e62 + sign_139);
+        const Scalar e141 = (max_p_S_2 * e137 - (step_54 * e53 * e137 - e140)) * e79;
+        const Scalar e142 = p_.R_s * T_2;
+        const Scalar e143 = (e142 + e134) * e96;
+        const Scalar e144 = (e142 + e124) * e96;
+        const Scalar e145 = e45 * c_.k4;
+        const Scalar e146 = inverse_10 * (inverse_10 * inverse_10);
+        const Scalar e147 = step_9 * e41 * (e19 * e146);
+        const Scalar e148 = step_22 * e37 * (e31 * e146);
+        const Scalar e149 = e85 * c_.k4;
+        const Scalar e150 = inverse_55 * (inverse_55 * inverse_55);
+        const Scalar e151 = step_65 * e37 * (e74 * e150);
+        const Scalar e152 = step_54 * e41 * (e64 * e150);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = -e44 * e84;
-        J[3] = e81 * e88;
-        J[4] = -e84 * e87;
-        J[5] = e88 * e92;
+        J[2] = e48 * e99;
+        J[3] = -e88 * e100;
+        J[4] = e93 * e99;
+        J[5] = e98 * e100;
         J[6] = Scalar(1);
-        J[7] = (tanh_3 * e4 * c_.k1 - c_.k10) * c_.k0;
-        J[8] = -p_1 * e84 * c_.k2;
-        J[9] = p_2 * e88 * c_.k2;
-        J[10] = -e84 * e93;
-        J[11] = e88 * e94;
+        J[7] = c_.k0 * (tanh_3 * e4 * c_.k1 - c_.k11);
+        J[8] = -p_1 * e99 * c_.k2;
+        J[9] = p_2 * e100 * c_.k2;
+        J[10] = -p_.A_1 * e7;
+        J[11] = p_.A_2 * e51;
         J[12] = Scalar(0);
-        J[13] = p_.A_1 * c_.k0;
-        J[14] = -e84 * e36 - (Scalar(1) / Scalar(2)) * e96 * e102 - (Scalar(1) / Scalar(2)) * e104 * e110;
+        J[13] = c_.k0 * p_.A_1;
+        J[14] = -e34 * e35 - (Scalar(1) / Scalar(2)) * e104 * e110 - (Scalar(1) / Scalar(2)) * e113 * e119;
         J[15] = Scalar(0);
-        J[16] = -e111 * e83 - (Scalar(1) / Scalar(2)) * e114 * e110 - (Scalar(1) / Scalar(2)) * e115 * e102;
+        J[16] = -inverse_90 * e92 - (Scalar(1) / Scalar(2)) * e121 * e110 - (Scalar(1) / Scalar(2)) * e122 * e119;
         J[17] = Scalar(0);
         J[18] = Scalar(0);
-        J[19] = (-p_.A_2) * c_.k0;
+        J[19] = c_.k0 * (-p_.A_2);
         J[20] = Scalar(0);
-        J[21] = e88 * e36 - (Scalar(1) / Scalar(2)) * e117 * e123 - (Scalar(1) / Scalar(2)) * e125 * e131;
+        J[21] = e52 * e77 - (Scalar(1) / Scalar(2)) * e126 * e132 - (Scalar(1) / Scalar(2)) * e135 * e141;
         J[22] = Scalar(0);
-        J[23] = -e132 * e91 - (Scalar(1) / Scalar(2)) * e135 * e123 - (Scalar(1) / Scalar(2)) * e136 * e131;
+        J[23] = -inverse_95 * e97 - (Scalar(1) / Scalar(2)) * e143 * e141 - (Scalar(1) / Scalar(2)) * e144 * e132;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = e34 * e7 + e137 - (Scalar(1) / Scalar(2)) * e96 * e139 - (Scalar(1) / Scalar(2)) * e104 * e140;
+        J[26] = inverse_5 * e32 * c_.k13 - e6 * (p_.k_W + e145) - (Scalar(1) / Scalar(2)) * e104 * e147
+            - (Scalar(1) / Scalar(2)) * e113 * e148;
         J[27] = Scalar(0);
-        J[28] = e34 * e113 * c_.k11 - e137 * (p_.T_0 * inverse_82 - Scalar(2) * e111) - (Scalar(1) / Scalar(2)) * e114 * e140
-            - (Scalar(1) / Scalar(2)) * e115 * e139 - e86;
+        J[28] = e91 * (Scalar(2) * e89 - e145) + inverse_90 * e47 - e6 * e34 - (Scalar(1) / Scalar(2)) * e121 * e147
+            - (Scalar(1) / Scalar(2)) * e122 * e148;
         J[29] = Scalar(0);
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = e72 * e47 + e141 - (Scalar(1) / Scalar(2)) * e117 * e143 - (Scalar(1) / Scalar(2)) * e125 * e144;
+        J[33] = inverse_49 * e75 * c_.k13 - e50 * (p_.k_W + e149) - (Scalar(1) / Scalar(2)) * e126 * e151
+            - (Scalar(1) / Scalar(2)) * e135 * e152;
         J[34] = Scalar(0);
-        J[35] = e72 * e134 * c_.k11 - e141 * (p_.T_0 * inverse_90 - Scalar(2) * e132) - (Scalar(1) / Scalar(2)) * e135 * e143
-            - (Scalar(1) / Scalar(2)) * e136 * e144 + e89;
+        J[35] = e96 * (Scalar(2) * e94 - e149) + inverse_95 * e87 + e50 * e52 - (Scalar(1) / Scalar(2)) * e143 * e152
+            - (Scalar(1) / Scalar(2)) * e144 * e151;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -795,7 +804,7 @@ public:
     }
 
     /// J = df/du. 6 x 2, entry (i, j) at J[6*j + i].
-    /// Operations: 37 + or -, 95 *, 10 /, 34 other functions
+    /// Operations: 35 + or -, 93 *, 10 /, 34 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::abs;
         using std::sqrt;
@@ -812,7 +821,7 @@ public:
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
         const Scalar signed_root_7 = detail::signed_root<Scalar>(max_p_0 * e3);
         const Scalar abs_8 = abs(e3);
-        const Scalar outflow_factor_9 = detail::outflow_factor<Scalar>(abs_8 / max_p_0, c_.k19);
+        const Scalar outflow_factor_9 = detail::outflow_factor<Scalar>(abs_8 / max_p_0, c_.k23);
         const Scalar e10 = signed_root_7 * outflow_factor_9;
         const Scalar e11 = step_6 * e10;
         const Scalar e12 = p_.p_S - p_1;
@@ -821,7 +830,7 @@ public:
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
         const Scalar signed_root_14 = detail::signed_root<Scalar>(max_p_S * e12);
         const Scalar abs_15 = abs(e12);
-        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_S, c_.k19);
+        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_S, c_.k23);
         const Scalar e17 = signed_root_14 * outflow_factor_16;
         const Scalar e18 = step_u * e17;
         const Scalar e19 = step_4 * e11 - step_13 * e18;
@@ -831,59 +840,57 @@ public:
         const Scalar step_22 = detail::step<Scalar>(-e12);
         const Scalar e23 = inverse_20 * (step_21 * e11 - step_22 * e18);
         const Scalar max_24 = detail::max<Scalar>(Scalar(0), e5);
-        const Scalar e25 = c_.k3 * inverse_20;
-        const Scalar e26 = c_.k18 * max_24;
+        const Scalar e25 = c_.k5 * inverse_20;
+        const Scalar e26 = c_.k20 * max_24;
         const Scalar step_27 = detail::step<Scalar>(e10 * (max_24 * step_21 * e25 + step_4 * e26));
         const Scalar e28 = step_27 * e11;
         const Scalar max_29 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e30 = c_.k18 * max_29;
+        const Scalar e30 = c_.k20 * max_29;
         const Scalar step_31 = detail::step<Scalar>(e17 * (step_13 * e30 + max_29 * step_22 * e25));
         const Scalar e32 = step_31 * e18;
-        const Scalar e33 = step_4 * e28 - step_13 * e32;
-        const Scalar e34 = c_.k13 * T_1 * e33 + inverse_20 * (step_21 * e28 - step_22 * e32) * (c_.k12 * T_1 - c_.k14);
-        const Scalar e35 = c_.k15 * e33 - e34;
+        const Scalar e33 = c_.k16 * inverse_20 * (step_21 * e28 - step_22 * e32) + c_.k17 * (step_4 * e28 - step_13 * e32);
+        const Scalar e34 = (c_.k21 - c_.k22 * T_1) * e33;
         const Scalar T_2 = x[5];
-        const Scalar inverse_36 = Scalar(1) / (c_.k6 - p_.A_2 * s);
-        const Scalar e37 = T_2 * inverse_36;
+        const Scalar inverse_35 = Scalar(1) / (c_.k8 - p_.A_2 * s);
+        const Scalar e36 = T_2 * inverse_35;
         const Scalar p_2 = x[3];
-        const Scalar e38 = p_.p_S - p_2;
-        const Scalar step_39 = detail::step<Scalar>(e38);
+        const Scalar e37 = p_.p_S - p_2;
+        const Scalar step_38 = detail::step<Scalar>(e37);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar signed_root_40 = detail::signed_root<Scalar>(max_p_S_2 * e38);
-        const Scalar abs_41 = abs(e38);
-        const Scalar outflow_factor_42 = detail::outflow_factor<Scalar>(abs_41 / max_p_S_2, c_.k19);
-        const Scalar e43 = signed_root_40 * outflow_factor_42;
-        const Scalar e44 = step_6 * e43;
-        const Scalar e45 = p_.p_0 - p_2;
-        const Scalar step_46 = detail::step<Scalar>(e45);
+        const Scalar signed_root_39 = detail::signed_root<Scalar>(max_p_S_2 * e37);
+        const Scalar abs_40 = abs(e37);
+        const Scalar outflow_factor_41 = detail::outflow_factor<Scalar>(abs_40 / max_p_S_2, c_.k23);
+        const Scalar e42 = signed_root_39 * outflow_factor_41;
+        const Scalar e43 = step_6 * e42;
+        const Scalar e44 = p_.p_0 - p_2;
+        const Scalar step_45 = detail::step<Scalar>(e44);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar signed_root_47 = detail::signed_root<Scalar>(max_p_0_2 * e45);
-        const Scalar abs_48 = abs(e45);
-        const Scalar outflow_factor_49 = detail::outflow_factor<Scalar>(abs_48 / max_p_0_2, c_.k19);
-        const Scalar e50 = signed_root_47 * outflow_factor_49;
-        const Scalar e51 = step_u * e50;
-        const Scalar e52 = step_39 * e44 - step_46 * e51;
+        const Scalar signed_root_46 = detail::signed_root<Scalar>(max_p_0_2 * e44);
+        const Scalar abs_47 = abs(e44);
+        const Scalar outflow_factor_48 = detail::outflow_factor<Scalar>(abs_47 / max_p_0_2, c_.k23);
+        const Scalar e49 = signed_root_46 * outflow_factor_48;
+        const Scalar e50 = step_u * e49;
+        const Scalar e51 = step_38 * e43 - step_45 * e50;
         const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar inverse_53 = Scalar(1) / sqrt_T_2;
-        const Scalar step_54 = detail::step<Scalar>(-e38);
-        const Scalar step_55 = detail::step<Scalar>(-e45);
-        const Scalar e56 = inverse_53 * (step_54 * e44 - step_55 * e51);
-        const Scalar e57 = c_.k3 * inverse_53;
-        const Scalar step_58 = detail::step<Scalar>(e43 * (max_24 * step_54 * e57 + step_39 * e26));
-        const Scalar e59 = step_58 * e44;
-        const Scalar step_60 = detail::step<Scalar>(e50 * (max_29 * step_55 * e57 + step_46 * e30));
-        const Scalar e61 = step_60 * e51;
-        const Scalar e62 = step_39 * e59 - step_46 * e61;
-        const Scalar e63 = c_.k13 * T_2 * e62 + inverse_53 * (step_54 * e59 - step_55 * e61) * (c_.k12 * T_2 - c_.k14);
-        const Scalar e64 = c_.k15 * e62 - e63;
-        const Scalar e65 = e2 / p_1;
-        const Scalar e66 = e37 / p_2;
+        const Scalar inverse_52 = Scalar(1) / sqrt_T_2;
+        const Scalar step_53 = detail::step<Scalar>(-e37);
+        const Scalar step_54 = detail::step<Scalar>(-e44);
+        const Scalar e55 = inverse_52 * (step_53 * e43 - step_54 * e50);
+        const Scalar e56 = c_.k5 * inverse_52;
+        const Scalar step_57 = detail::step<Scalar>(e42 * (max_24 * step_53 * e56 + step_38 * e26));
+        const Scalar e58 = step_57 * e43;
+        const Scalar step_59 = detail::step<Scalar>(e49 * (max_29 * step_54 * e56 + step_45 * e30));
+        const Scalar e60 = step_59 * e50;
+        const Scalar e61 = c_.k16 * inverse_52 * (step_53 * e58 - step_54 * e60) + c_.k17 * (step_38 * e58 - step_45 * e60);
+        const Scalar e62 = (c_.k21 - c_.k22 * T_2) * e61;
+        const Scalar e63 = e2 / p_1;
+        const Scalar e64 = e36 / p_2;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = -e2 * (c_.k13 * e19 + c_.k12 * e23) - inverse_1 * e35;
-        J[3] = -e37 * (c_.k13 * e52 + c_.k12 * e56) - inverse_36 * e64;
-        J[4] = -T_1 * e65 * (c_.k17 * e19 + c_.k16 * e23) - e35 * e65;
-        J[5] = -T_2 * e66 * (c_.k17 * e52 + c_.k16 * e56) - e64 * e66;
+        J[2] = -e2 * (c_.k15 * e19 + c_.k14 * e23) - inverse_1 * e34;
+        J[3] = -e36 * (c_.k15 * e51 + c_.k14 * e55) - inverse_35 * e62;
+        J[4] = -T_1 * e63 * (c_.k19 * e19 + c_.k18 * e23) - e63 * e34;
+        J[5] = -T_2 * e64 * (c_.k19 * e51 + c_.k18 * e55) - e64 * e62;
         J[6] = Scalar(0);
         J[7] = (-Scalar(1)) * c_.k0;
         J[8] = Scalar(0);
@@ -893,7 +900,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 18, entry (i, j) at J[6*j + i].
-    /// Operations: 300 + or -, 658 *, 15 /, 56 other functions
+    /// Operations: 256 + or -, 589 *, 15 /, 56 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::abs;
         using std::sqrt;
@@ -908,384 +915,352 @@ public:
         const Scalar s_dot = x[1];
         const Scalar tanh_4 = tanh(c_.k1 * s_dot);
         const Scalar inverse_5 = Scalar(1) / p_.v_C;
-        const Scalar T_1 = x[4];
-        const Scalar s = x[0];
-        const Scalar inverse_6 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e7 = T_1 * inverse_6;
-        const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_8 = Scalar(1) / sqrt_T_0;
-        const Scalar sqrt_9 = sqrt(Scalar(2));
+        const Scalar sqrt_6 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar inverse_10 = Scalar(1) / sqrt_R_s;
-        const Scalar e11 = sqrt_9 * inverse_10;
-        const Scalar e12 = p_.R_s * e11;
-        const Scalar e13 = p_.A_v * e12;
-        const Scalar e14 = p_.alpha_d * e13;
-        const Scalar e15 = inverse_8 * e14;
-        const Scalar inverse_16 = Scalar(1) / c_.c_v;
-        const Scalar e17 = p_.R_s * inverse_16;
-        const Scalar e18 = e17 / (Scalar(1) - p_.kappa);
+        const Scalar inverse_7 = Scalar(1) / sqrt_R_s;
+        const Scalar e8 = sqrt_6 * inverse_7;
+        const Scalar e9 = p_.A_v * e8;
+        const Scalar e10 = p_.alpha_d * e9;
+        const Scalar inverse_11 = Scalar(1) / c_.c_v;
+        const Scalar e12 = p_.R_s * inverse_11;
+        const Scalar e13 = Scalar(1) + e12;
+        const Scalar e14 = p_.R_s * e13;
+        const Scalar e15 = e10 * e14;
+        const Scalar inverse_7_squared = inverse_7 * inverse_7;
+        const Scalar e16 = e12 * e10;
+        const Scalar inverse_17 = Scalar(1) / (Scalar(1) - p_.kappa);
+        const Scalar e18 = inverse_17 * e12;
         const Scalar e19 = Scalar(1) + (Scalar(1) / Scalar(2)) * e18;
-        const Scalar e20 = inverse_16 * e19;
-        const Scalar inverse_10_squared = inverse_10 * inverse_10;
-        const Scalar e21 = Scalar(1) + e17;
-        const Scalar e22 = e21 * e15;
-        const Scalar e23 = (Scalar(1) / Scalar(2)) * (inverse_10_squared * e22);
-        const Scalar e24 = e11 * (p_.A_v * p_.alpha_d);
-        const Scalar e25 = Scalar(2) * e15 * e20 - e23 + inverse_8 * e24;
-        const Scalar abs_26 = abs(e1);
+        const Scalar e20 = Scalar(2) * (e16 * e19);
+        const Scalar e21 = e10 - (Scalar(1) / Scalar(2)) * e15 * inverse_7_squared + e20;
+        const Scalar step_22 = detail::step<Scalar>(e2);
+        const Scalar abs_23 = abs(e1);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar inverse_27 = Scalar(1) / max_p_0;
-        const Scalar e28 = abs_26 * inverse_27;
-        const Scalar outflow_factor_29 = detail::outflow_factor<Scalar>(e28, c_.k19);
-        const Scalar step_30 = detail::step<Scalar>(e1);
+        const Scalar inverse_24 = Scalar(1) / max_p_0;
+        const Scalar e25 = abs_23 * inverse_24;
+        const Scalar outflow_factor_26 = detail::outflow_factor<Scalar>(e25, c_.k23);
         const Scalar u_value = u[0];
-        const Scalar max_31 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar e32 = max_p_0 * e1;
-        const Scalar signed_root_33 = detail::signed_root<Scalar>(e32);
-        const Scalar e34 = max_31 * signed_root_33;
-        const Scalar e35 = step_30 * e34;
-        const Scalar e36 = p_.p_S - p_1;
-        const Scalar abs_37 = abs(e36);
+        const Scalar max_27 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar e28 = max_p_0 * e1;
+        const Scalar signed_root_29 = detail::signed_root<Scalar>(e28);
+        const Scalar e30 = max_27 * signed_root_29;
+        const Scalar e31 = outflow_factor_26 * e30;
+        const Scalar e32 = p_.p_S - p_1;
+        const Scalar abs_33 = abs(e32);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar inverse_38 = Scalar(1) / max_p_S;
-        const Scalar e39 = abs_37 * inverse_38;
-        const Scalar outflow_factor_40 = detail::outflow_factor<Scalar>(e39, c_.k19);
-        const Scalar step_41 = detail::step<Scalar>(e36);
-        const Scalar max_42 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar e43 = max_p_S * e36;
-        const Scalar signed_root_44 = detail::signed_root<Scalar>(e43);
-        const Scalar e45 = max_42 * signed_root_44;
-        const Scalar e46 = step_41 * e45;
-        const Scalar e47 = outflow_factor_40 * e46;
-        const Scalar e48 = outflow_factor_29 * e35 + e47;
-        const Scalar step_49 = detail::step<Scalar>(e2);
-        const Scalar e50 = step_49 * e34;
+        const Scalar inverse_34 = Scalar(1) / max_p_S;
+        const Scalar e35 = abs_33 * inverse_34;
+        const Scalar outflow_factor_36 = detail::outflow_factor<Scalar>(e35, c_.k23);
+        const Scalar step_37 = detail::step<Scalar>(-e32);
+        const Scalar max_38 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar e39 = max_p_S * e32;
+        const Scalar signed_root_40 = detail::signed_root<Scalar>(e39);
+        const Scalar e41 = max_38 * signed_root_40;
+        const Scalar e42 = step_37 * e41;
+        const Scalar e43 = outflow_factor_36 * e42;
+        const Scalar e44 = step_22 * e31 + e43;
+        const Scalar T_1 = x[4];
         const Scalar sqrt_T_1 = sqrt(T_1);
-        const Scalar inverse_51 = Scalar(1) / sqrt_T_1;
-        const Scalar e52 = c_.k3 * inverse_51;
-        const Scalar e53 = outflow_factor_29 * (c_.k18 * e35 + e50 * e52);
-        const Scalar step_54 = detail::step<Scalar>(e53);
-        const Scalar e55 = step_54 * e35;
-        const Scalar step_56 = detail::step<Scalar>(-e36);
-        const Scalar e57 = step_56 * e45;
-        const Scalar e58 = outflow_factor_40 * e57;
-        const Scalar e59 = e58 * e52 + c_.k18 * e47;
-        const Scalar step_60 = detail::step<Scalar>(e59);
-        const Scalar e61 = step_60 * e46;
-        const Scalar e62 = outflow_factor_29 * e55 + outflow_factor_40 * e61;
-        const Scalar e63 = inverse_16 * (Scalar(1) + e18);
-        const Scalar e64 = e63 * e22;
-        const Scalar outflow_factor_by_exponent_65 = detail::outflow_factor_by_exponent<Scalar>(e28, c_.k19);
-        const Scalar outflow_factor_by_exponent_66 = detail::outflow_factor_by_exponent<Scalar>(e39, c_.k19);
-        const Scalar e67 = outflow_factor_by_exponent_65 * e55 + outflow_factor_by_exponent_66 * e61;
-        const Scalar e68 = p_.k_W * e63;
-        const Scalar e69 = Scalar(1) + Scalar(2) * e17 * e19;
-        const Scalar max_70 = detail::max<Scalar>(Scalar(0), e59);
-        const Scalar min_71 = detail::min<Scalar>(Scalar(0), -e53);
-        const Scalar e72 = max_70 - min_71;
-        const Scalar e73 = e23 * e62 - e64 * e67 - (e68 + e69 * e72);
-        const Scalar e74 = e21 * e14;
-        const Scalar e75 = (Scalar(1) / Scalar(2)) * (inverse_10_squared * e74);
-        const Scalar e76 = Scalar(2) * e14 * e20 - e75 + e24;
-        const Scalar e77 = outflow_factor_29 * e50;
-        const Scalar e78 = e58 + e77;
-        const Scalar e79 = inverse_51 * e7;
-        const Scalar e80 = e78 * e79;
-        const Scalar e81 = step_60 * e58 + step_54 * e77;
-        const Scalar e82 = e63 * e74;
-        const Scalar e83 = outflow_factor_by_exponent_65 * e50;
-        const Scalar e84 = outflow_factor_by_exponent_66 * e57;
-        const Scalar e85 = step_54 * e83 + step_60 * e84;
-        const Scalar e86 = e75 * e81 - e82 * e85;
-        const Scalar e87 = p_.T_0 * e21;
-        const Scalar e88 = e14 * e87;
-        const Scalar e89 = (Scalar(1) / Scalar(2)) * inverse_10_squared * e88;
-        const Scalar e90 = e63 * e88;
-        const Scalar e91 = p_.T_0 * e69;
-        const Scalar e92 = p_.T_0 * p_.k_W;
-        const Scalar e93 = e63 * e92;
-        const Scalar e94 = e15 * e87;
-        const Scalar e95 = (Scalar(1) / Scalar(2)) * inverse_10_squared * e94;
-        const Scalar e96 = e63 * e94;
-        const Scalar e97 = inverse_51 * (e89 * e81 - e90 * e85) - e91 * e72 - (e93 - (e95 * e62 - e96 * e67));
-        const Scalar e98 = p_.A_1 * e63;
-        const Scalar e99 = s_dot * inverse_6;
-        const Scalar e100 = p_1 * e99;
-        const Scalar e101 = outflow_factor_by_exponent_65 * e35 + outflow_factor_by_exponent_66 * e46;
-        const Scalar e102 = e7 * e101;
-        const Scalar e103 = e83 + e84;
-        const Scalar e104 = e103 * e79;
+        const Scalar inverse_45 = Scalar(1) / sqrt_T_1;
+        const Scalar s = x[0];
+        const Scalar inverse_46 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e47 = T_1 * inverse_46;
+        const Scalar e48 = inverse_45 * e47;
+        const Scalar e49 = e44 * e48;
+        const Scalar e50 = Scalar(1) + e18;
+        const Scalar e51 = inverse_11 * e50;
+        const Scalar e52 = p_.T_0 * p_.k_W;
+        const Scalar e53 = e51 * e52;
+        const Scalar e54 = e12 - e18;
+        const Scalar e55 = p_.T_0 * e54;
+        const Scalar step_56 = detail::step<Scalar>(e32);
+        const Scalar e57 = step_56 * e41;
+        const Scalar e58 = outflow_factor_36 * e57;
+        const Scalar e59 = c_.k20 * e58 + c_.k5 * inverse_45 * e43;
+        const Scalar max_60 = detail::max<Scalar>(Scalar(0), e59);
+        const Scalar step_61 = detail::step<Scalar>(e1);
+        const Scalar e62 = step_22 * inverse_45;
+        const Scalar e63 = (c_.k20 * step_61 + c_.k5 * e62) * e31;
+        const Scalar min_64 = detail::min<Scalar>(Scalar(0), -e63);
+        const Scalar e65 = max_60 - min_64;
+        const Scalar e66 = e53 + e55 * e65;
+        const Scalar e67 = p_.k_W * e51;
+        const Scalar e68 = e67 + e54 * e65;
+        const Scalar sqrt_T_0 = sqrt(p_.T_0);
+        const Scalar inverse_69 = Scalar(1) / sqrt_T_0;
+        const Scalar e70 = inverse_69 * e15;
+        const Scalar e71 = inverse_69 * e16;
+        const Scalar e72 = Scalar(2) * (e71 * e19);
+        const Scalar e73 = inverse_69 * e10 - (Scalar(1) / Scalar(2)) * inverse_7_squared * e70 + e72;
+        const Scalar e74 = step_61 * e31 + e58;
+        const Scalar e75 = e47 * e74;
+        const Scalar e76 = c_.k21 - c_.k22 * T_1;
+        const Scalar e77 = e76 * inverse_46;
+        const Scalar e78 = (Scalar(1) / Scalar(2)) * e71 * inverse_7_squared;
+        const Scalar step_79 = detail::step<Scalar>(e59);
+        const Scalar step_80 = detail::step<Scalar>(e63);
+        const Scalar e81 = step_61 * step_80;
+        const Scalar e82 = step_79 * e58 + e31 * e81;
+        const Scalar e83 = (Scalar(1) / Scalar(2)) * e16 * inverse_7_squared;
+        const Scalar e84 = step_22 * step_80;
+        const Scalar e85 = step_79 * e43 + e31 * e84;
+        const Scalar e86 = e16 * e51;
+        const Scalar outflow_factor_by_exponent_87 = detail::outflow_factor_by_exponent<Scalar>(e25, c_.k23);
+        const Scalar e88 = outflow_factor_by_exponent_87 * e30;
+        const Scalar outflow_factor_by_exponent_89 = detail::outflow_factor_by_exponent<Scalar>(e35, c_.k23);
+        const Scalar e90 = outflow_factor_by_exponent_89 * step_79;
+        const Scalar e91 = e88 * e84 + e42 * e90;
+        const Scalar e92 = e71 * e51;
+        const Scalar e93 = e88 * e81 + e57 * e90;
+        const Scalar e94 = e78 * e82 - e51 * e65 + (inverse_45 * (e83 * e85 - e86 * e91) - e92 * e93);
+        const Scalar e95 = p_.A_1 * e51;
+        const Scalar e96 = s_dot * inverse_46;
+        const Scalar e97 = p_1 * e96;
+        const Scalar e98 = e50 * e71;
+        const Scalar e99 = e13 * e98;
+        const Scalar e100 = outflow_factor_by_exponent_89 * e57 + step_61 * e88;
+        const Scalar e101 = e47 * e100;
+        const Scalar e102 = e16 * e50;
+        const Scalar e103 = e13 * e102;
+        const Scalar e104 = outflow_factor_by_exponent_89 * e42 + step_22 * e88;
+        const Scalar e105 = e104 * e48;
         const Scalar T_2 = x[5];
-        const Scalar inverse_105 = Scalar(1) / (c_.k6 - p_.A_2 * s);
-        const Scalar e106 = T_2 * inverse_105;
-        const Scalar abs_107 = abs(e3);
+        const Scalar inverse_106 = Scalar(1) / (c_.k8 - p_.A_2 * s);
+        const Scalar e107 = T_2 * inverse_106;
+        const Scalar step_108 = detail::step<Scalar>(e3);
+        const Scalar abs_109 = abs(e3);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar inverse_108 = Scalar(1) / max_p_0_2;
-        const Scalar e109 = abs_107 * inverse_108;
-        const Scalar outflow_factor_110 = detail::outflow_factor<Scalar>(e109, c_.k19);
-        const Scalar step_111 = detail::step<Scalar>(e3);
-        const Scalar e112 = max_p_0_2 * e3;
-        const Scalar signed_root_113 = detail::signed_root<Scalar>(e112);
-        const Scalar e114 = max_42 * signed_root_113;
-        const Scalar e115 = step_111 * e114;
-        const Scalar e116 = p_.p_S - p_2;
-        const Scalar abs_117 = abs(e116);
+        const Scalar inverse_110 = Scalar(1) / max_p_0_2;
+        const Scalar e111 = abs_109 * inverse_110;
+        const Scalar outflow_factor_112 = detail::outflow_factor<Scalar>(e111, c_.k23);
+        const Scalar e113 = max_p_0_2 * e3;
+        const Scalar signed_root_114 = detail::signed_root<Scalar>(e113);
+        const Scalar e115 = max_38 * signed_root_114;
+        const Scalar e116 = outflow_factor_112 * e115;
+        const Scalar e117 = p_.p_S - p_2;
+        const Scalar abs_118 = abs(e117);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar inverse_118 = Scalar(1) / max_p_S_2;
-        const Scalar e119 = abs_117 * inverse_118;
-        const Scalar outflow_factor_120 = detail::outflow_factor<Scalar>(e119, c_.k19);
-        const Scalar step_121 = detail::step<Scalar>(e116);
-        const Scalar e122 = max_p_S_2 * e116;
-        const Scalar signed_root_123 = detail::signed_root<Scalar>(e122);
-        const Scalar e124 = max_31 * signed_root_123;
-        const Scalar e125 = step_121 * e124;
-        const Scalar e126 = outflow_factor_120 * e125;
-        const Scalar e127 = outflow_factor_110 * e115 + e126;
-        const Scalar e128 = e106 * e127;
-        const Scalar step_129 = detail::step<Scalar>(-e116);
-        const Scalar e130 = step_129 * e124;
-        const Scalar e131 = outflow_factor_120 * e130;
-        const Scalar step_132 = detail::step<Scalar>(-e3);
-        const Scalar e133 = step_132 * e114;
-        const Scalar e134 = outflow_factor_110 * e133;
-        const Scalar e135 = e131 + e134;
+        const Scalar inverse_119 = Scalar(1) / max_p_S_2;
+        const Scalar e120 = abs_118 * inverse_119;
+        const Scalar outflow_factor_121 = detail::outflow_factor<Scalar>(e120, c_.k23);
+        const Scalar step_122 = detail::step<Scalar>(e117);
+        const Scalar e123 = max_p_S_2 * e117;
+        const Scalar signed_root_124 = detail::signed_root<Scalar>(e123);
+        const Scalar e125 = max_27 * signed_root_124;
+        const Scalar e126 = step_122 * e125;
+        const Scalar e127 = outflow_factor_121 * e126;
+        const Scalar e128 = step_108 * e116 + e127;
+        const Scalar e129 = e107 * e128;
+        const Scalar step_130 = detail::step<Scalar>(-e3);
+        const Scalar step_131 = detail::step<Scalar>(-e117);
+        const Scalar e132 = step_131 * e125;
+        const Scalar e133 = outflow_factor_121 * e132;
+        const Scalar e134 = step_130 * e116 + e133;
         const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar inverse_136 = Scalar(1) / sqrt_T_2;
-        const Scalar e137 = inverse_136 * e106;
-        const Scalar e138 = e135 * e137;
-        const Scalar e139 = c_.k3 * inverse_136;
-        const Scalar e140 = e131 * e139 + c_.k18 * e126;
-        const Scalar max_141 = detail::max<Scalar>(Scalar(0), e140);
-        const Scalar e142 = outflow_factor_110 * (c_.k18 * e115 + e133 * e139);
-        const Scalar min_143 = detail::min<Scalar>(Scalar(0), -e142);
-        const Scalar e144 = max_141 - min_143;
-        const Scalar e145 = inverse_105 * e144;
-        const Scalar step_146 = detail::step<Scalar>(e140);
-        const Scalar step_147 = detail::step<Scalar>(e142);
-        const Scalar e148 = step_146 * e131 + step_147 * e134;
-        const Scalar outflow_factor_by_exponent_149 = detail::outflow_factor_by_exponent<Scalar>(e109, c_.k19);
-        const Scalar e150 = outflow_factor_by_exponent_149 * e133;
-        const Scalar outflow_factor_by_exponent_151 = detail::outflow_factor_by_exponent<Scalar>(e119, c_.k19);
-        const Scalar e152 = outflow_factor_by_exponent_151 * e130;
-        const Scalar e153 = step_147 * e150 + step_146 * e152;
-        const Scalar e154 = e75 * e148 - e82 * e153;
-        const Scalar e155 = p_.A_2 * e63;
-        const Scalar e156 = s_dot * inverse_105;
-        const Scalar e157 = p_2 * e156;
-        const Scalar e158 = step_147 * e115;
-        const Scalar e159 = step_146 * e125;
-        const Scalar e160 = outflow_factor_110 * e158 + outflow_factor_120 * e159;
-        const Scalar e161 = outflow_factor_by_exponent_149 * e158 + outflow_factor_by_exponent_151 * e159;
-        const Scalar e162 = e23 * e160 - e69 * e144 - (e64 * e161 + e68);
-        const Scalar e163 = e95 * e160 - e96 * e161 + (inverse_136 * (e89 * e148 - e90 * e153) - e93);
-        const Scalar e164 = outflow_factor_by_exponent_149 * e115 + outflow_factor_by_exponent_151 * e125;
-        const Scalar e165 = e106 * e164;
-        const Scalar e166 = e150 + e152;
-        const Scalar e167 = e166 * e137;
-        const Scalar e168 = e7 / p_1;
+        const Scalar inverse_135 = Scalar(1) / sqrt_T_2;
+        const Scalar e136 = inverse_135 * e107;
+        const Scalar e137 = e134 * e136;
+        const Scalar e138 = p_.A_2 * e51;
+        const Scalar e139 = s_dot * inverse_106;
+        const Scalar e140 = p_2 * e139;
+        const Scalar e141 = c_.k20 * e127 + c_.k5 * inverse_135 * e133;
+        const Scalar max_142 = detail::max<Scalar>(Scalar(0), e141);
+        const Scalar e143 = step_130 * inverse_135;
+        const Scalar e144 = (c_.k20 * step_108 + c_.k5 * e143) * e116;
+        const Scalar min_145 = detail::min<Scalar>(Scalar(0), -e144);
+        const Scalar e146 = max_142 - min_145;
+        const Scalar e147 = e53 + e55 * e146;
+        const Scalar e148 = e67 + e54 * e146;
+        const Scalar e149 = c_.k21 - c_.k22 * T_2;
+        const Scalar e150 = e149 * inverse_106;
+        const Scalar step_151 = detail::step<Scalar>(e141);
+        const Scalar step_152 = detail::step<Scalar>(e144);
+        const Scalar e153 = step_108 * step_152;
+        const Scalar e154 = step_151 * e127 + e116 * e153;
+        const Scalar e155 = step_130 * step_152;
+        const Scalar e156 = step_151 * e133 + e116 * e155;
+        const Scalar outflow_factor_by_exponent_157 = detail::outflow_factor_by_exponent<Scalar>(e120, c_.k23);
+        const Scalar e158 = outflow_factor_by_exponent_157 * step_151;
+        const Scalar outflow_factor_by_exponent_159 = detail::outflow_factor_by_exponent<Scalar>(e111, c_.k23);
+        const Scalar e160 = outflow_factor_by_exponent_159 * e115;
+        const Scalar e161 = e132 * e158 + e160 * e155;
+        const Scalar e162 = e126 * e158 + e160 * e153;
+        const Scalar e163 = e78 * e154 - e51 * e146 + (inverse_135 * (e83 * e156 - e86 * e161) - e92 * e162);
+        const Scalar e164 = outflow_factor_by_exponent_157 * e126 + step_108 * e160;
+        const Scalar e165 = e107 * e164;
+        const Scalar e166 = outflow_factor_by_exponent_157 * e132 + step_130 * e160;
+        const Scalar e167 = e166 * e136;
+        const Scalar e168 = e47 / p_1;
         const Scalar e169 = T_1 * e168;
-        const Scalar e170 = inverse_51 * e169;
-        const Scalar e171 = e20 - (Scalar(1) / Scalar(4)) * e17 * inverse_10_squared;
-        const Scalar e172 = Scalar(2) * e15 * e171;
-        const Scalar e173 = e48 * e169;
-        const Scalar e174 = Scalar(2) * e14 * e171;
-        const Scalar e175 = e78 * e170;
-        const Scalar e176 = s_dot * e7;
-        const Scalar e177 = e17 * e15;
-        const Scalar e178 = e63 * e177;
-        const Scalar e179 = e169 * e101;
-        const Scalar e180 = e17 * e14;
-        const Scalar e181 = e63 * e180;
-        const Scalar e182 = e103 * e170;
-        const Scalar e183 = e106 / p_2;
+        const Scalar e170 = e76 * e168;
+        const Scalar e171 = p_.R_s * e71;
+        const Scalar e172 = e72 - (Scalar(1) / Scalar(2)) * e171 * inverse_7_squared;
+        const Scalar e173 = e74 * e169;
+        const Scalar e174 = p_.R_s * e16;
+        const Scalar e175 = e20 - (Scalar(1) / Scalar(2)) * inverse_7_squared * e174;
+        const Scalar e176 = inverse_45 * e169;
+        const Scalar e177 = e44 * e176;
+        const Scalar e178 = s_dot * e47;
+        const Scalar e179 = e12 * e98;
+        const Scalar e180 = e100 * e169;
+        const Scalar e181 = e12 * e102;
+        const Scalar e182 = e104 * e176;
+        const Scalar e183 = e107 / p_2;
         const Scalar e184 = T_2 * e183;
-        const Scalar e185 = inverse_136 * e184;
-        const Scalar e186 = e127 * e184;
-        const Scalar e187 = e183 * e144;
-        const Scalar e188 = e135 * e185;
-        const Scalar e189 = s_dot * e106;
-        const Scalar e190 = e184 * e164;
-        const Scalar e191 = e166 * e185;
+        const Scalar e185 = e128 * e184;
+        const Scalar e186 = e149 * e183;
+        const Scalar e187 = inverse_135 * e184;
+        const Scalar e188 = e134 * e187;
+        const Scalar e189 = s_dot * e107;
+        const Scalar e190 = e164 * e184;
+        const Scalar e191 = e166 * e187;
+        const Scalar e192 = inverse_17 * e18;
+        const Scalar e193 = e174 * e192;
         const Scalar e18_squared = e18 * e18;
-        const Scalar e192 = e14 * e18_squared;
-        const Scalar e193 = e18_squared * e88;
-        const Scalar e194 = e18_squared * e94;
-        const Scalar e195 = e18_squared * e92;
-        const Scalar e196 = p_.R_s * e18_squared;
-        const Scalar e197 = p_.T_0 * e196;
-        const Scalar e198 = inverse_51 * e193 * e85 + e194 * e67 + (e195 + e197 * e72);
-        const Scalar e199 = e15 * e18_squared;
-        const Scalar e200 = e18_squared * e22;
+        const Scalar e194 = e18_squared * e52;
+        const Scalar e195 = p_.R_s * e192;
+        const Scalar e196 = p_.T_0 * e195;
+        const Scalar e197 = e194 - e196 * e65;
+        const Scalar e198 = e71 * e18_squared;
+        const Scalar e199 = e16 * e18_squared;
+        const Scalar e200 = e198 * e93 + (inverse_45 * e199 * e91 + e18_squared * e65);
         const Scalar e201 = p_.k_W * e18_squared;
-        const Scalar e202 = e199 * e48 - e200 * e67 - (e201 + e196 * e72);
-        const Scalar e203 = p_.A_1 * e18_squared;
-        const Scalar e204 = e18_squared * e74;
-        const Scalar e205 = e204 * e85;
-        const Scalar e206 = p_.A_2 * e18_squared;
-        const Scalar e207 = e195 + (inverse_136 * e193 * e153 + e194 * e161);
-        const Scalar e208 = e201 + (e200 * e161 + e196 * e144);
-        const Scalar e209 = e204 * e153;
-        const Scalar e210 = e18_squared * e177;
-        const Scalar e211 = e18_squared * e180;
-        const Scalar e212 = c_.k13 * e7;
-        const Scalar e213 = e17 * e92;
-        const Scalar e214 = p_.R_s * e87;
-        const Scalar e215 = p_.k_W * e17;
-        const Scalar e216 = p_.R_s * e21;
-        const Scalar e217 = e215 + e216 * e72;
-        const Scalar e218 = inverse_6 * e213 + (inverse_6 * e214 * e72 - e7 * e217);
-        const Scalar e219 = inverse_6 * (e48 * e212 - p_.A_1 * e21 * e100 + (c_.k12 * e80 + e218));
-        const Scalar e220 = e7 * (c_.k17 * e168 * e48 - p_.A_1 * e17 * e99) + e168 * (c_.k16 * e80 + e218);
-        const Scalar e221 = p_.l * e214 * e145 + (inverse_105 * (p_.l * e213) - p_.l * e215 * e106);
-        const Scalar e222 = p_.l * e216 * e106;
-        const Scalar e223 = inverse_105 * e128;
-        const Scalar e224 = inverse_105 * e138;
-        const Scalar e225 = p_.A_2 * e21;
-        const Scalar e226 = inverse_105 * e157;
-        const Scalar e227 = e215 + e216 * e144;
-        const Scalar e228 = inverse_105 * e213 + (e214 * e145 - e106 * e227);
-        const Scalar e229 = inverse_105 * (c_.k13 * e128 + e225 * e157 + (c_.k12 * e138 + e228));
-        const Scalar e230 = p_.A_2 * e17;
-        const Scalar e231 = e106 * e156;
-        const Scalar e232 = e183 * (c_.k16 * e138 + c_.k17 * e128) + (e183 * e228 + e230 * e231);
-        const Scalar e233 = e183 * e128;
-        const Scalar e234 = e183 * e138;
-        const Scalar e235 = p_.R_s * e225 * e106;
-        const Scalar e236 = p_.A_2 * e214 * e145 + (inverse_105 * (e230 * e92) - p_.k_W * e230 * e106);
-        const Scalar e237 = (Scalar(1) / Scalar(2)) * e94;
-        const Scalar e238 = inverse_6 * e237;
-        const Scalar inverse_root_239 = detail::inverse_root<Scalar>(e43);
-        const Scalar e240 = max_42 * outflow_factor_40 * (inverse_root_239 * (max_p_S + step_41 * e36));
-        const Scalar e241 = step_41 * e240;
-        const Scalar e242 = step_60 * e241;
-        const Scalar sign_243 = detail::sign<Scalar>(e36);
-        const Scalar outflow_factor_slope_244 = detail::outflow_factor_slope<Scalar>(e39, c_.k19);
-        const Scalar e245 = (step_41 * e39 - sign_243) * (outflow_factor_slope_244 * inverse_38);
-        const Scalar e246 = e45 * e245;
-        const Scalar e247 = (Scalar(1) / Scalar(2)) * e74;
-        const Scalar e248 = c_.k12 * e246 - e247 * e240;
-        const Scalar e249 = (Scalar(1) / Scalar(2)) * e22;
-        const Scalar e250 = e249 * e7;
-        const Scalar e251 = e46 * e245;
-        const Scalar e252 = c_.k15 * inverse_6;
-        const Scalar e253 = e245 * e61;
-        const Scalar e254 = inverse_51 * inverse_6;
-        const Scalar e255 = (Scalar(1) / Scalar(2)) * e88;
-        const Scalar e256 = step_56 * step_60;
-        const Scalar e257 = (c_.k14 * e246 - e255 * e240) * e256;
-        const Scalar e258 = inverse_105 * e237;
-        const Scalar inverse_root_259 = detail::inverse_root<Scalar>(e122);
-        const Scalar e260 = max_31 * outflow_factor_120 * (inverse_root_259 * (max_p_S_2 + step_121 * e116));
-        const Scalar e261 = step_121 * e260;
-        const Scalar e262 = step_146 * e261;
-        const Scalar sign_263 = detail::sign<Scalar>(e116);
-        const Scalar outflow_factor_slope_264 = detail::outflow_factor_slope<Scalar>(e119, c_.k19);
-        const Scalar e265 = (step_121 * e119 - sign_263) * (outflow_factor_slope_264 * inverse_118);
-        const Scalar e266 = e124 * e265;
-        const Scalar e267 = c_.k12 * e266 - e247 * e260;
-        const Scalar e268 = e249 * e106;
-        const Scalar e269 = c_.k13 * e106;
-        const Scalar e270 = e125 * e265;
-        const Scalar e271 = c_.k15 * inverse_105;
-        const Scalar e272 = e265 * e159;
-        const Scalar e273 = inverse_136 * inverse_105;
-        const Scalar e274 = step_129 * step_146;
-        const Scalar e275 = (c_.k14 * e266 - e255 * e260) * e274;
-        const Scalar e276 = (Scalar(1) / Scalar(2)) * e177;
-        const Scalar e277 = e276 * e169;
-        const Scalar e278 = (Scalar(1) / Scalar(2)) * e180;
-        const Scalar e279 = e278 * e170;
-        const Scalar e280 = c_.k16 * e170;
-        const Scalar e281 = c_.k17 * e169;
-        const Scalar e282 = c_.k13 * e169 - c_.k15 * e168;
-        const Scalar e283 = e249 * e169 - e237 * e168;
-        const Scalar e284 = inverse_51 * e168;
-        const Scalar e285 = e276 * e184;
-        const Scalar e286 = e278 * e185;
-        const Scalar e287 = c_.k16 * e185;
-        const Scalar e288 = c_.k17 * e184;
-        const Scalar e289 = c_.k13 * e184 - c_.k15 * e183;
-        const Scalar e290 = e249 * e184 - e237 * e183;
-        const Scalar e291 = inverse_136 * e183;
-        const Scalar inverse_root_292 = detail::inverse_root<Scalar>(e32);
-        const Scalar e293 = max_31 * outflow_factor_29 * (inverse_root_292 * (max_p_0 + step_30 * e1));
-        const Scalar e294 = step_30 * e293;
-        const Scalar e295 = step_54 * e294;
-        const Scalar sign_296 = detail::sign<Scalar>(e1);
-        const Scalar outflow_factor_slope_297 = detail::outflow_factor_slope<Scalar>(e28, c_.k19);
-        const Scalar e298 = (step_30 * e28 - sign_296) * (outflow_factor_slope_297 * inverse_27);
-        const Scalar e299 = e34 * e298;
-        const Scalar e300 = c_.k12 * e299 - e247 * e293;
-        const Scalar e301 = e35 * e298;
-        const Scalar e302 = e298 * e55;
-        const Scalar e303 = step_49 * step_54;
-        const Scalar e304 = (c_.k14 * e299 - e255 * e293) * e303;
-        const Scalar inverse_root_305 = detail::inverse_root<Scalar>(e112);
-        const Scalar e306 = max_42 * outflow_factor_110 * (inverse_root_305 * (max_p_0_2 + step_111 * e3));
-        const Scalar e307 = step_111 * e306;
-        const Scalar e308 = step_147 * e307;
-        const Scalar sign_309 = detail::sign<Scalar>(e3);
-        const Scalar outflow_factor_slope_310 = detail::outflow_factor_slope<Scalar>(e109, c_.k19);
-        const Scalar e311 = (step_111 * e109 - sign_309) * (outflow_factor_slope_310 * inverse_108);
-        const Scalar e312 = e114 * e311;
-        const Scalar e313 = c_.k12 * e312 - e247 * e306;
-        const Scalar e314 = e115 * e311;
-        const Scalar e315 = e311 * e158;
-        const Scalar e316 = step_132 * step_147;
-        const Scalar e317 = (c_.k14 * e312 - e255 * e306) * e316;
-        const Scalar inverse_8_squared = inverse_8 * inverse_8;
-        const Scalar e318 = (Scalar(1) / Scalar(2)) * e22 * inverse_8_squared;
-        const Scalar e319 = e7 * (e62 - e48);
-        const Scalar e320 = (Scalar(1) / Scalar(2)) * e94 * inverse_8_squared;
-        const Scalar e321 = e320 * e62 - e217;
-        const Scalar e322 = e106 * e160 - e128;
-        const Scalar e323 = e320 * e160 - e227;
-        const Scalar e324 = e62 * e169;
-        const Scalar e325 = (Scalar(1) / Scalar(2)) * e177 * inverse_8_squared;
-        const Scalar e326 = e160 * e184;
-        const Scalar e327 = p_.alpha_d * e12;
-        const Scalar e328 = inverse_8 * e327;
-        const Scalar e329 = e87 * e328;
-        const Scalar e330 = e87 * e327;
-        const Scalar e331 = inverse_51 * e81;
-        const Scalar e332 = e329 * e62 + e330 * e331;
-        const Scalar e333 = e21 * e327;
-        const Scalar e334 = e81 * e79 - e80;
-        const Scalar e335 = e21 * e328;
-        const Scalar e336 = inverse_136 * e148;
-        const Scalar e337 = e329 * e160 + e330 * e336;
-        const Scalar e338 = e148 * e137 - e138;
-        const Scalar e339 = e17 * e328;
-        const Scalar e340 = e17 * e327;
-        const Scalar e341 = e81 * e170;
-        const Scalar e342 = e148 * e185;
-        const Scalar e343 = inverse_8 * e13;
-        const Scalar e344 = e87 * e343;
-        const Scalar e345 = e13 * e87;
-        const Scalar e346 = e344 * e62 + e345 * e331;
-        const Scalar e347 = e21 * e13;
-        const Scalar e348 = e21 * e343;
-        const Scalar e349 = e344 * e160 + e345 * e336;
-        const Scalar e350 = e17 * e343;
-        const Scalar e351 = e13 * e17;
-        const Scalar e352 = p_.T_0 * e17;
+        const Scalar e202 = e171 * e192;
+        const Scalar e203 = e201 - (e202 * e74 + e195 * e65);
+        const Scalar e204 = p_.A_1 * e18_squared;
+        const Scalar e205 = e14 * e192;
+        const Scalar e206 = e71 * e205;
+        const Scalar e207 = e16 * e205;
+        const Scalar e208 = p_.A_2 * e18_squared;
+        const Scalar e209 = e194 - e196 * e146;
+        const Scalar e210 = e201 - e195 * e146;
+        const Scalar e211 = e198 * e162 + (inverse_135 * e199 * e161 + e18_squared * e146);
+        const Scalar e212 = e18_squared * e171;
+        const Scalar e213 = e18_squared * e174;
+        const Scalar e214 = p_.k_W * e12;
+        const Scalar e215 = p_.T_0 * e214;
+        const Scalar e216 = e214 * e47 - (c_.k3 * e65 * e77 + inverse_46 * e215);
+        const Scalar e217 = inverse_46 * (c_.k15 * e75 - p_.A_1 * e13 * e97 + (c_.k14 * e49 - e216));
+        const Scalar e218 = e47 * (c_.k19 * e74 * e168 - p_.A_1 * e12 * e96) + e168 * (c_.k18 * e49 - e216);
+        const Scalar e219 = e146 * e150;
+        const Scalar e220 = e214 * e107 - (inverse_106 * e215 + c_.k3 * e219);
+        const Scalar e221 = inverse_106 * (p_.l * e215) + p_.l * e12 * e219 + (s * e220 - p_.l * e214 * e107);
+        const Scalar e222 = inverse_106 * e129;
+        const Scalar e223 = inverse_106 * e137;
+        const Scalar e224 = p_.A_2 * e13;
+        const Scalar e225 = inverse_106 * (c_.k14 * e137 + (c_.k15 * e129 + e224 * e140));
+        const Scalar e226 = inverse_106 * e140;
+        const Scalar e227 = p_.A_2 * e12;
+        const Scalar e228 = e107 * e139;
+        const Scalar e229 = e183 * (c_.k18 * e137 + c_.k19 * e129) + e227 * e228;
+        const Scalar e230 = e183 * e129;
+        const Scalar e231 = e183 * e137;
+        const Scalar e232 = p_.A_2 * e214 * e107 - (inverse_106 * (p_.A_2 * e215) + e227 * e219);
+        const Scalar e233 = (Scalar(1) / Scalar(2)) * e71;
+        const Scalar e234 = (Scalar(1) / Scalar(2)) * e16;
+        const Scalar e235 = step_37 * inverse_45;
+        const Scalar inverse_root_236 = detail::inverse_root<Scalar>(e39);
+        const Scalar e237 = max_38 * outflow_factor_36 * (inverse_root_236 * (max_p_S + step_56 * e32));
+        const Scalar sign_238 = detail::sign<Scalar>(e32);
+        const Scalar outflow_factor_slope_239 = detail::outflow_factor_slope<Scalar>(e35, c_.k23);
+        const Scalar e240 = (step_56 * e35 - sign_238) * (outflow_factor_slope_239 * inverse_34);
+        const Scalar e241 = (step_56 * e233 + e234 * e235) * e237 - (c_.k17 * step_56 + c_.k16 * e235) * e41 * e240;
+        const Scalar e242 = step_79 * e241;
+        const Scalar e243 = e57 * e240;
+        const Scalar e244 = (Scalar(1) / Scalar(2)) * e70;
+        const Scalar e245 = step_56 * e237;
+        const Scalar e246 = c_.k14 * e48;
+        const Scalar e247 = e42 * e240;
+        const Scalar e248 = (Scalar(1) / Scalar(2)) * e15;
+        const Scalar e249 = e248 * e48;
+        const Scalar e250 = step_37 * e237;
+        const Scalar e251 = step_131 * inverse_135;
+        const Scalar inverse_root_252 = detail::inverse_root<Scalar>(e123);
+        const Scalar e253 = max_27 * outflow_factor_121 * (inverse_root_252 * (max_p_S_2 + step_122 * e117));
+        const Scalar sign_254 = detail::sign<Scalar>(e117);
+        const Scalar outflow_factor_slope_255 = detail::outflow_factor_slope<Scalar>(e120, c_.k23);
+        const Scalar e256 = (step_122 * e120 - sign_254) * (outflow_factor_slope_255 * inverse_119);
+        const Scalar e257 = (step_122 * e233 + e234 * e251) * e253 - (c_.k17 * step_122 + c_.k16 * e251) * e125 * e256;
+        const Scalar e258 = step_151 * e257;
+        const Scalar e259 = e126 * e256;
+        const Scalar e260 = step_122 * e253;
+        const Scalar e261 = c_.k14 * e136;
+        const Scalar e262 = e132 * e256;
+        const Scalar e263 = e248 * e136;
+        const Scalar e264 = step_131 * e253;
+        const Scalar e265 = c_.k19 * e169;
+        const Scalar e266 = c_.k18 * e176;
+        const Scalar e267 = (Scalar(1) / Scalar(2)) * e171;
+        const Scalar e268 = e267 * e169;
+        const Scalar e269 = (Scalar(1) / Scalar(2)) * e174;
+        const Scalar e270 = e269 * e176;
+        const Scalar e271 = c_.k19 * e184;
+        const Scalar e272 = c_.k18 * e187;
+        const Scalar e273 = e267 * e184;
+        const Scalar e274 = e269 * e187;
+        const Scalar inverse_root_275 = detail::inverse_root<Scalar>(e28);
+        const Scalar e276 = max_27 * outflow_factor_26 * (inverse_root_275 * (max_p_0 + step_61 * e1));
+        const Scalar outflow_factor_slope_277 = detail::outflow_factor_slope<Scalar>(e25, c_.k23);
+        const Scalar sign_278 = detail::sign<Scalar>(e1);
+        const Scalar e279 = outflow_factor_slope_277 * inverse_24 * ((step_61 * e25 - sign_278) * e30);
+        const Scalar e280 = step_61 * (c_.k17 * e279 - e233 * e276) + (c_.k16 * e279 - e234 * e276) * e62;
+        const Scalar e281 = step_80 * e280;
+        const Scalar e282 = step_22 * e276;
+        const Scalar e283 = step_22 * e279;
+        const Scalar inverse_root_284 = detail::inverse_root<Scalar>(e113);
+        const Scalar e285 = max_38 * outflow_factor_112 * (inverse_root_284 * (max_p_0_2 + step_108 * e3));
+        const Scalar outflow_factor_slope_286 = detail::outflow_factor_slope<Scalar>(e111, c_.k23);
+        const Scalar sign_287 = detail::sign<Scalar>(e3);
+        const Scalar e288 = outflow_factor_slope_286 * inverse_110 * ((step_108 * e111 - sign_287) * e115);
+        const Scalar e289 = step_108 * (c_.k17 * e288 - e233 * e285) + (c_.k16 * e288 - e234 * e285) * e143;
+        const Scalar e290 = step_152 * e289;
+        const Scalar e291 = step_130 * e285;
+        const Scalar e292 = step_130 * e288;
+        const Scalar e293 = e214 + e14 * e65;
+        const Scalar inverse_69_squared = inverse_69 * inverse_69;
+        const Scalar e294 = (Scalar(1) / Scalar(2)) * e70 * inverse_69_squared;
+        const Scalar e295 = (Scalar(1) / Scalar(2)) * e71 * inverse_69_squared;
+        const Scalar e296 = e295 * e82;
+        const Scalar e297 = e214 + e14 * e146;
+        const Scalar e298 = e295 * e154;
+        const Scalar e299 = (Scalar(1) / Scalar(2)) * e171 * inverse_69_squared;
+        const Scalar e300 = p_.alpha_d * e8;
+        const Scalar e301 = e14 * e300;
+        const Scalar e302 = inverse_69 * e12;
+        const Scalar e303 = e300 * e302;
+        const Scalar e304 = e12 * e300;
+        const Scalar e305 = inverse_45 * e85;
+        const Scalar e306 = e303 * e82 + e304 * e305;
+        const Scalar e307 = inverse_69 * e14;
+        const Scalar e308 = e300 * e307;
+        const Scalar e309 = inverse_135 * e156;
+        const Scalar e310 = e303 * e154 + e304 * e309;
+        const Scalar e311 = p_.R_s * e303;
+        const Scalar e312 = p_.R_s * e12;
+        const Scalar e313 = e300 * e312;
+        const Scalar e314 = e9 * e14;
+        const Scalar e315 = e9 * e302;
+        const Scalar e316 = e12 * e9;
+        const Scalar e317 = e315 * e82 + e316 * e305;
+        const Scalar e318 = e9 * e307;
+        const Scalar e319 = e315 * e154 + e316 * e309;
+        const Scalar e320 = p_.R_s * e315;
+        const Scalar e321 = e9 * e312;
+        const Scalar e322 = p_.T_0 * e12;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e7 * (e25 * e48 + e73) + e76 * e80 + e79 * e86 - inverse_6 * e97 - e98 * e100 + e64 * e102 + e82 * e104;
-        J[3] = e25 * e128 + e76 * e138 + e91 * e145 + e137 * e154 + e155 * e157 + e106 * e162 - inverse_105 * e163 + e64 * e165
-            + e82 * e167;
-        J[4] = e170 * e86 + e169 * e73 - e168 * e97 + e172 * e173 + e174 * e175 - e98 * e176 + e178 * e179 + e181 * e182;
-        J[5] = e185 * e154 + e172 * e186 + e184 * e162 - e183 * e163 + e91 * e187 + e174 * e188 + e155 * e189 + e178 * e190
-            + e181 * e191;
+        J[2] = e21 * e49 + inverse_46 * e66 - e47 * e68 + e73 * e75 - e77 * e94 - e95 * e97 + e99 * e101 + e103 * e105;
+        J[3] = e73 * e129 + e21 * e137 + e138 * e140 + inverse_106 * e147 - e107 * e148 - e150 * e163 + e99 * e165 + e103
+            * e167;
+        J[4] = e168 * e66 - e169 * e68 - e170 * e94 + e172 * e173 + e175 * e177 - e95 * e178 + e179 * e180 + e181 * e182;
+        J[5] = e183 * e147 - e184 * e148 + e172 * e185 - e186 * e163 + e175 * e188 + e138 * e189 + e179 * e190 + e181 * e191;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
-        J[8] = e192 * e80 + inverse_6 * e198 + e7 * e202 - e203 * e100 - e79 * e205 + e200 * e102 + e204 * e104;
-        J[9] = e199 * e128 + e192 * e138 + e197 * e145 + e206 * e157 + inverse_105 * e207 - e106 * e208 - e137 * e209 + e200
-            * e165 + e204 * e167;
-        J[10] = e168 * e198 + e169 * e202 + e192 * e175 - e203 * e176 - e170 * e205 + e210 * e179 + e211 * e182;
-        J[11] = e199 * e186 + e183 * e207 - e184 * e208 + e197 * e187 + e192 * e188 + e206 * e189 - e185 * e209 + e210 * e190
-            + e211 * e191;
+        J[8] = e193 * e49 + inverse_46 * e197 + e77 * e200 - e47 * e203 - e204 * e97 + e206 * e101 + e207 * e105;
+        J[9] = e202 * e129 + e193 * e137 + e208 * e140 + inverse_106 * e209 - e107 * e210 + e150 * e211 + e206 * e165 + e207
+            * e167;
+        J[10] = e168 * e197 + e170 * e200 - e169 * e203 + e193 * e177 - e204 * e178 + e212 * e180 + e213 * e182;
+        J[11] = e183 * e209 - e184 * e210 + e186 * e211 + e202 * e185 + e193 * e188 + e208 * e189 + e212 * e190 + e213 * e191;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
@@ -1293,66 +1268,60 @@ public:
         J[16] = Scalar(0);
         J[17] = Scalar(0);
         J[18] = Scalar(0);
-        J[19] = e2 * c_.k0;
-        J[20] = -c_.k19 * e100 - s * e219;
+        J[19] = c_.k0 * e2;
+        J[20] = -c_.k23 * e97 - s * e217;
         J[21] = Scalar(0);
-        J[22] = -s * e220 - c_.k7 * e176;
+        J[22] = -s * e218 - c_.k3 * e178;
         J[23] = Scalar(0);
         J[24] = Scalar(0);
-        J[25] = e3 * c_.k0;
+        J[25] = c_.k0 * e3;
         J[26] = Scalar(0);
-        J[27] = c_.k19 * e157 - inverse_105 * e221 + e145 * e222 - p_.l * e22 * e223 - p_.l * e74 * e224 - p_.l * e225 * e226
-            + s * e229;
+        J[27] = c_.k23 * e140 - inverse_106 * e221 - p_.l * e70 * e222 - p_.l * e15 * e223 + s * e225 - p_.l * e224 * e226;
         J[28] = Scalar(0);
-        J[29] = s * e232 - e183 * e221 + c_.k7 * e189 - p_.l * e230 * e231 + e187 * e222 - p_.l * e177 * e233 - p_.l * e180
-            * e234;
+        J[29] = s * e229 - e183 * e221 + c_.k3 * e189 - p_.l * e227 * e228 - p_.l * e171 * e230 - p_.l * e174 * e231;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = e145 * e235 - inverse_105 * e236 - p_.A_2 * e22 * e223 - p_.A_2 * e74 * e224 - p_.A_2 * e225 * e226;
+        J[33] = inverse_106 * e232 - p_.A_2 * e70 * e222 - p_.A_2 * e15 * e223 - p_.A_2 * e224 * e226;
         J[34] = Scalar(0);
-        J[35] = e187 * e235 - e183 * e236 - p_.A_2 * e230 * e231 - e15 * e230 * e233 - e14 * e230 * e234;
+        J[35] = e183 * e232 - p_.A_2 * e227 * e228 - p_.A_2 * e171 * e230 - p_.A_2 * e174 * e231;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        J[38] = -e219;
-        J[39] = -e229;
-        J[40] = -e220;
-        J[41] = -e232;
+        J[38] = -e217;
+        J[39] = inverse_106 * e220 - e225;
+        J[40] = -e218;
+        J[41] = e183 * e220 - e229;
         J[42] = Scalar(0);
-        J[43] = (-dxdt[1]) * c_.k0;
+        J[43] = c_.k0 * (-dxdt[1]);
         J[44] = Scalar(0);
         J[45] = Scalar(0);
         J[46] = Scalar(0);
         J[47] = Scalar(0);
         J[48] = Scalar(0);
-        J[49] = (-s_dot) * c_.k0;
+        J[49] = c_.k0 * (-s_dot);
         J[50] = Scalar(0);
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = Scalar(0);
-        J[55] = (-tanh_4) * c_.k0;
+        J[55] = c_.k0 * (-tanh_4);
         J[56] = Scalar(0);
         J[57] = Scalar(0);
         J[58] = Scalar(0);
         J[59] = Scalar(0);
         J[60] = Scalar(0);
-        const Scalar e353 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
-        J[61] = e353 * c_.k0;
+        const Scalar e323 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
+        J[61] = c_.k0 * e323;
         J[62] = Scalar(0);
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = Scalar(0);
         J[66] = Scalar(0);
         J[67] = Scalar(0);
-        const Scalar e354 = (Scalar(1) - step_60) * (step_56 * e79 * e248 - e241 * e250 + e212 * e251);
-        J[68] = e238 * e242 - e354 - e252 * e253 - e254 * e257;
-        const Scalar e355 = (Scalar(1) - step_146) * (step_129 * e137 * e267 - e261 * e268 + e269 * e270);
-        J[69] = e258 * e262 - e355 - e271 * e272 - e273 * e275;
-        J[70] = e170 * e248 * e256 + e241 * e277 + step_56 * e240 * e279 - e245 * e57 * e280 - e281 * e251 + e282 * e253 - e283
-            * e242 - e284 * e257;
-        J[71] = e185 * e267 * e274 + e261 * e285 + step_129 * e260 * e286 - e265 * e130 * e287 - e288 * e270 + e289 * e272
-            - e290 * e262 - e291 * e275;
+        J[68] = e77 * e242 - e47 * (c_.k15 * e243 - e244 * e245) - e246 * e247 + e249 * e250;
+        J[69] = e150 * e258 - e107 * (c_.k15 * e259 - e244 * e260) - e261 * e262 + e263 * e264;
+        J[70] = e170 * e242 - e265 * e243 - e266 * e247 + e268 * e245 + e270 * e250;
+        J[71] = e186 * e258 - e271 * e259 - e272 * e262 + e273 * e260 + e274 * e264;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
         J[74] = Scalar(0);
@@ -1360,39 +1329,35 @@ public:
         J[76] = Scalar(0);
         J[77] = Scalar(0);
         J[78] = Scalar(0);
-        J[79] = (-(p_.A_1 - p_.A_2)) * c_.k0;
-        const Scalar e356 = (Scalar(1) - step_54) * (step_49 * e79 * e300 - e294 * e250 + e212 * e301);
-        J[80] = e238 * e295 - e356 - e252 * e302 - e254 * e304;
-        const Scalar e357 = (Scalar(1) - step_147) * (step_132 * e137 * e313 - e307 * e268 + e269 * e314);
-        J[81] = e258 * e308 - e357 - e271 * e315 - e273 * e317;
-        J[82] = e170 * e300 * e303 + e294 * e277 + step_49 * e293 * e279 - e298 * e50 * e280 - e281 * e301 + e282 * e302 - e283
-            * e295 - e284 * e304;
-        J[83] = e185 * e313 * e316 + e307 * e285 + step_132 * e306 * e286 - e311 * e133 * e287 - e288 * e314 + e289 * e315
-            - e290 * e308 - e291 * e317;
+        J[79] = c_.k0 * (-(p_.A_1 - p_.A_2));
+        J[80] = step_61 * e47 * (e244 * e276 - c_.k15 * e279) - e77 * e281 + e249 * e282 - e246 * e283;
+        J[81] = step_108 * e107 * (e244 * e285 - c_.k15 * e288) - e150 * e290 + e263 * e291 - e261 * e292;
+        J[82] = e270 * e282 - step_61 * (e279 * e265 - e276 * e268) - e170 * e281 - e266 * e283;
+        J[83] = e274 * e291 - step_108 * (e288 * e271 - e285 * e273) - e186 * e290 - e272 * e292;
         J[84] = Scalar(0);
         J[85] = Scalar(0);
-        J[86] = e318 * e319 - inverse_6 * e321;
-        J[87] = e318 * e322 - inverse_105 * e323;
-        J[88] = e318 * e324 - e168 * e321 - e325 * e173;
-        J[89] = e318 * e326 - e183 * e323 - e325 * e186;
+        J[86] = inverse_46 * e293 - e294 * e75 - e77 * e296;
+        J[87] = inverse_106 * e297 - e294 * e129 - e150 * e298;
+        J[88] = e168 * e293 - e299 * e173 - e170 * e296;
+        J[89] = e183 * e297 - e299 * e185 - e186 * e298;
         J[90] = Scalar(0);
         J[91] = Scalar(0);
-        J[92] = inverse_6 * e332 - e333 * e334 - e335 * e319;
-        J[93] = inverse_105 * e337 - e335 * e322 - e333 * e338;
-        J[94] = e168 * e332 + e339 * e173 + e340 * e175 - e335 * e324 - e333 * e341;
-        J[95] = e183 * e337 + e339 * e186 + e340 * e188 - e335 * e326 - e333 * e342;
+        J[92] = e301 * e49 + e77 * e306 + e308 * e75;
+        J[93] = e308 * e129 + e301 * e137 + e150 * e310;
+        J[94] = e170 * e306 + e311 * e173 + e313 * e177;
+        J[95] = e186 * e310 + e311 * e185 + e313 * e188;
         J[96] = Scalar(0);
         J[97] = Scalar(0);
-        J[98] = inverse_6 * e346 - e347 * e334 - e348 * e319;
-        J[99] = inverse_105 * e349 - e348 * e322 - e347 * e338;
-        J[100] = e168 * e346 + e350 * e173 + e351 * e175 - e348 * e324 - e347 * e341;
-        J[101] = e183 * e349 + e350 * e186 + e351 * e188 - e348 * e326 - e347 * e342;
+        J[98] = e314 * e49 + e77 * e317 + e318 * e75;
+        J[99] = e318 * e129 + e314 * e137 + e150 * e319;
+        J[100] = e170 * e317 + e320 * e173 + e321 * e177;
+        J[101] = e186 * e319 + e320 * e185 + e321 * e188;
         J[102] = Scalar(0);
         J[103] = Scalar(0);
-        J[104] = inverse_6 * e352 - c_.k7 * e7;
-        J[105] = inverse_105 * e352 - c_.k7 * e106;
-        J[106] = e352 * e168 - c_.k7 * e169;
-        J[107] = e352 * e183 - c_.k7 * e184;
+        J[104] = inverse_46 * e322 - c_.k3 * e47;
+        J[105] = inverse_106 * e322 - c_.k3 * e107;
+        J[106] = e322 * e168 - c_.k3 * e169;
+        J[107] = e322 * e183 - c_.k3 * e184;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1430,7 +1395,7 @@ public:
     ///     Q[s] = -p_0*(A_1 - A_2) - f_L
     void generalised_force(const State& /*x*/, const Input& u, Scalar /*t*/, Generalised& Q) const noexcept {
         const Scalar f_L = u[1];
-        Q[0] = -c_.k20 - f_L;
+        Q[0] = -c_.k24 - f_L;
     }
 
     /// y = h(x, u, t).
@@ -1462,7 +1427,7 @@ public:
         const Scalar step_2 = detail::step<Scalar>(e1);
         const Scalar abs_3 = abs(e1);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, c_.k19);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, c_.k23);
         const Scalar u_value = u[0];
         const Scalar max_5 = detail::max<Scalar>(Scalar(0), -u_value);
         const Scalar signed_root_6 = detail::signed_root<Scalar>(max_p_0 * e1);
@@ -1471,7 +1436,7 @@ public:
         const Scalar step_9 = detail::step<Scalar>(e8);
         const Scalar abs_10 = abs(e8);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_S, c_.k19);
+        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_S, c_.k23);
         const Scalar max_12 = detail::max<Scalar>(Scalar(0), u_value);
         const Scalar signed_root_13 = detail::signed_root<Scalar>(max_p_S * e8);
         const Scalar e14 = outflow_factor_11 * (max_12 * signed_root_13);
@@ -1482,25 +1447,25 @@ public:
         const Scalar step_18 = detail::step<Scalar>(e17);
         const Scalar abs_19 = abs(e17);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar outflow_factor_20 = detail::outflow_factor<Scalar>(abs_19 / max_p_S_2, c_.k19);
+        const Scalar outflow_factor_20 = detail::outflow_factor<Scalar>(abs_19 / max_p_S_2, c_.k23);
         const Scalar signed_root_21 = detail::signed_root<Scalar>(max_p_S_2 * e17);
         const Scalar e22 = outflow_factor_20 * (max_5 * signed_root_21);
         const Scalar e23 = p_.p_0 - p_2;
         const Scalar step_24 = detail::step<Scalar>(e23);
         const Scalar abs_25 = abs(e23);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar outflow_factor_26 = detail::outflow_factor<Scalar>(abs_25 / max_p_0_2, c_.k19);
+        const Scalar outflow_factor_26 = detail::outflow_factor<Scalar>(abs_25 / max_p_0_2, c_.k23);
         const Scalar signed_root_27 = detail::signed_root<Scalar>(max_p_0_2 * e23);
         const Scalar e28 = outflow_factor_26 * (max_12 * signed_root_27);
         const Scalar sqrt_T_2 = sqrt(T_2);
         const Scalar step_29 = detail::step<Scalar>(-e17);
         const Scalar step_30 = detail::step<Scalar>(-e23);
-        y[0] = p_.A_1 * p_1 - c_.k20 - p_.A_2 * p_2;
+        y[0] = p_.A_1 * p_1 - c_.k24 - p_.A_2 * p_2;
         y[1] = T_1;
         y[2] = T_2;
-        y[3] = c_.k18 * (step_2 * e7 + step_9 * e14) + c_.k3 / sqrt_T_1 * (step_15 * e7 + step_16 * e14);
-        y[4] = c_.k18 * (step_18 * e22 + step_24 * e28) + c_.k3 / sqrt_T_2 * (step_29 * e22 + step_30 * e28);
-        y[5] = c_.k21 - p_.k_W * T_1;
+        y[3] = c_.k20 * (step_2 * e7 + step_9 * e14) + c_.k5 / sqrt_T_1 * (step_15 * e7 + step_16 * e14);
+        y[4] = c_.k20 * (step_18 * e22 + step_24 * e28) + c_.k5 / sqrt_T_2 * (step_29 * e22 + step_30 * e28);
+        y[5] = c_.k9 - p_.k_W * T_1;
     }
 
     /// C = dh/dx.
@@ -1521,7 +1486,7 @@ public:
         const Scalar abs_7 = abs(e1);
         const Scalar inverse_8 = Scalar(1) / max_p_0;
         const Scalar e9 = abs_7 * inverse_8;
-        const Scalar outflow_factor_slope_10 = detail::outflow_factor_slope<Scalar>(e9, c_.k19);
+        const Scalar outflow_factor_slope_10 = detail::outflow_factor_slope<Scalar>(e9, c_.k23);
         const Scalar sign_11 = detail::sign<Scalar>(e1);
         const Scalar u_value = u[0];
         const Scalar max_12 = detail::max<Scalar>(Scalar(0), -u_value);
@@ -1535,21 +1500,21 @@ public:
         const Scalar abs_19 = abs(e14);
         const Scalar inverse_20 = Scalar(1) / max_p_S;
         const Scalar e21 = abs_19 * inverse_20;
-        const Scalar outflow_factor_slope_22 = detail::outflow_factor_slope<Scalar>(e21, c_.k19);
+        const Scalar outflow_factor_slope_22 = detail::outflow_factor_slope<Scalar>(e21, c_.k23);
         const Scalar sign_23 = detail::sign<Scalar>(e14);
         const Scalar max_24 = detail::max<Scalar>(Scalar(0), u_value);
         const Scalar e25 = signed_root_18 * outflow_factor_slope_22 * ((sign_23 + step_15 * e21) * (max_24 * inverse_20));
         const Scalar step_26 = detail::step<Scalar>(e1);
         const Scalar step_27 = detail::step<Scalar>(e14);
         const Scalar inverse_root_28 = detail::inverse_root<Scalar>(e5);
-        const Scalar outflow_factor_29 = detail::outflow_factor<Scalar>(e9, c_.k19);
-        const Scalar e30 = c_.k23 * max_12;
-        const Scalar e31 = c_.k22 * max_12;
+        const Scalar outflow_factor_29 = detail::outflow_factor<Scalar>(e9, c_.k23);
+        const Scalar e30 = c_.k26 * max_12;
+        const Scalar e31 = c_.k25 * max_12;
         const Scalar e32 = e31 * e4;
         const Scalar inverse_root_33 = detail::inverse_root<Scalar>(e17);
-        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e21, c_.k19);
-        const Scalar e35 = c_.k23 * max_24;
-        const Scalar e36 = c_.k22 * max_24;
+        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e21, c_.k23);
+        const Scalar e35 = c_.k26 * max_24;
+        const Scalar e36 = c_.k25 * max_24;
         const Scalar e37 = e36 * e16;
         const Scalar p_2 = x[3];
         const Scalar e38 = p_.p_S - p_2;
@@ -1564,7 +1529,7 @@ public:
         const Scalar abs_44 = abs(e38);
         const Scalar inverse_45 = Scalar(1) / max_p_S_2;
         const Scalar e46 = abs_44 * inverse_45;
-        const Scalar outflow_factor_slope_47 = detail::outflow_factor_slope<Scalar>(e46, c_.k19);
+        const Scalar outflow_factor_slope_47 = detail::outflow_factor_slope<Scalar>(e46, c_.k23);
         const Scalar sign_48 = detail::sign<Scalar>(e38);
         const Scalar e49 = signed_root_43 * outflow_factor_slope_47 * ((sign_48 + step_39 * e46) * (max_12 * inverse_45));
         const Scalar e50 = p_.p_0 - p_2;
@@ -1576,16 +1541,16 @@ public:
         const Scalar abs_55 = abs(e50);
         const Scalar inverse_56 = Scalar(1) / max_p_0_2;
         const Scalar e57 = abs_55 * inverse_56;
-        const Scalar outflow_factor_slope_58 = detail::outflow_factor_slope<Scalar>(e57, c_.k19);
+        const Scalar outflow_factor_slope_58 = detail::outflow_factor_slope<Scalar>(e57, c_.k23);
         const Scalar sign_59 = detail::sign<Scalar>(e50);
         const Scalar e60 = signed_root_54 * outflow_factor_slope_58 * ((sign_59 + step_51 * e57) * (max_24 * inverse_56));
         const Scalar step_61 = detail::step<Scalar>(e38);
         const Scalar step_62 = detail::step<Scalar>(e50);
         const Scalar inverse_root_63 = detail::inverse_root<Scalar>(e42);
-        const Scalar outflow_factor_64 = detail::outflow_factor<Scalar>(e46, c_.k19);
+        const Scalar outflow_factor_64 = detail::outflow_factor<Scalar>(e46, c_.k23);
         const Scalar e65 = e31 * e41;
         const Scalar inverse_root_66 = detail::inverse_root<Scalar>(e53);
-        const Scalar outflow_factor_67 = detail::outflow_factor<Scalar>(e57, c_.k19);
+        const Scalar outflow_factor_67 = detail::outflow_factor<Scalar>(e57, c_.k23);
         const Scalar e68 = e36 * e52;
         C[0] = Scalar(0);
         C[1] = Scalar(0);
@@ -1604,7 +1569,7 @@ public:
         C[14] = Scalar(0);
         const Scalar e69 = (max_p_0 - step_2 * e1) * (inverse_root_28 * outflow_factor_29) * (step_26 * e30 + e32);
         const Scalar e70 = (max_p_S - step_15 * e14) * (inverse_root_33 * outflow_factor_34) * (step_27 * e35 + e37);
-        C[15] = -c_.k3 * (e4 * e13 + e16 * e25) - c_.k18 * (step_26 * e13 + step_27 * e25) - e69 - e70;
+        C[15] = -c_.k5 * (e4 * e13 + e16 * e25) - c_.k20 * (step_26 * e13 + step_27 * e25) - e69 - e70;
         C[16] = Scalar(0);
         C[17] = Scalar(0);
         C[18] = -p_.A_2;
@@ -1613,7 +1578,7 @@ public:
         C[21] = Scalar(0);
         const Scalar e71 = (max_p_S_2 - step_39 * e38) * (inverse_root_63 * outflow_factor_64) * (step_61 * e30 + e65);
         const Scalar e72 = (max_p_0_2 - step_51 * e50) * (inverse_root_66 * outflow_factor_67) * (step_62 * e35 + e68);
-        C[22] = -c_.k3 * (e41 * e49 + e52 * e60) - c_.k18 * (step_61 * e49 + step_62 * e60) - e71 - e72;
+        C[22] = -c_.k5 * (e41 * e49 + e52 * e60) - c_.k20 * (step_61 * e49 + step_62 * e60) - e71 - e72;
         C[23] = Scalar(0);
         C[24] = Scalar(0);
         C[25] = Scalar(1);
@@ -1641,7 +1606,7 @@ public:
         const Scalar step_2 = detail::step<Scalar>(e1);
         const Scalar abs_3 = abs(e1);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, c_.k19);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, c_.k23);
         const Scalar u_value = u[0];
         const Scalar step_5 = detail::step<Scalar>(-u_value);
         const Scalar signed_root_6 = detail::signed_root<Scalar>(max_p_0 * e1);
@@ -1650,7 +1615,7 @@ public:
         const Scalar step_9 = detail::step<Scalar>(e8);
         const Scalar abs_10 = abs(e8);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_S, c_.k19);
+        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_S, c_.k23);
         const Scalar step_u = detail::step<Scalar>(u_value);
         const Scalar signed_root_12 = detail::signed_root<Scalar>(max_p_S * e8);
         const Scalar e13 = outflow_factor_11 * (step_u * signed_root_12);
@@ -1663,14 +1628,14 @@ public:
         const Scalar step_17 = detail::step<Scalar>(e16);
         const Scalar abs_18 = abs(e16);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar outflow_factor_19 = detail::outflow_factor<Scalar>(abs_18 / max_p_S_2, c_.k19);
+        const Scalar outflow_factor_19 = detail::outflow_factor<Scalar>(abs_18 / max_p_S_2, c_.k23);
         const Scalar signed_root_20 = detail::signed_root<Scalar>(max_p_S_2 * e16);
         const Scalar e21 = outflow_factor_19 * (step_5 * signed_root_20);
         const Scalar e22 = p_.p_0 - p_2;
         const Scalar step_23 = detail::step<Scalar>(e22);
         const Scalar abs_24 = abs(e22);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar outflow_factor_25 = detail::outflow_factor<Scalar>(abs_24 / max_p_0_2, c_.k19);
+        const Scalar outflow_factor_25 = detail::outflow_factor<Scalar>(abs_24 / max_p_0_2, c_.k23);
         const Scalar signed_root_26 = detail::signed_root<Scalar>(max_p_0_2 * e22);
         const Scalar e27 = outflow_factor_25 * (step_u * signed_root_26);
         const Scalar T_2 = x[5];
@@ -1680,8 +1645,8 @@ public:
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = -c_.k18 * (step_2 * e7 - step_9 * e13) - c_.k3 / sqrt_T_1 * (step_14 * e7 - step_15 * e13);
-        D[4] = -c_.k18 * (step_17 * e21 - step_23 * e27) - c_.k3 / sqrt_T_2 * (step_28 * e21 - step_29 * e27);
+        D[3] = -c_.k20 * (step_2 * e7 - step_9 * e13) - c_.k5 / sqrt_T_1 * (step_14 * e7 - step_15 * e13);
+        D[4] = -c_.k20 * (step_17 * e21 - step_23 * e27) - c_.k5 / sqrt_T_2 * (step_28 * e21 - step_29 * e27);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -1712,7 +1677,7 @@ public:
     Scalar supplied_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar s_dot = x[1];
         const Scalar f_L = u[1];
-        return -s_dot * (f_L + c_.k20);
+        return -s_dot * (f_L + c_.k24);
     }
 
     /// Power in watts that dampers dissipate; not negative for laws that resist.
@@ -1746,66 +1711,65 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 26 + or -, 39 *, 6 /, 36 other functions
+    /// Operations: 25 + or -, 38 *, 6 /, 36 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
         using std::sqrt;
-        const Scalar e1 = p_.R_s + c_.c_v;
         const Scalar p_2 = x[3];
-        const Scalar e2 = p_.p_S - p_2;
-        const Scalar abs_3 = abs(e2);
+        const Scalar e1 = p_.p_S - p_2;
+        const Scalar abs_2 = abs(e1);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_2);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k19);
+        const Scalar outflow_factor_3 = detail::outflow_factor<Scalar>(abs_2 / max_p_S, c_.k23);
         const Scalar u_value = u[0];
-        const Scalar max_5 = detail::max<Scalar>(Scalar(0), -u_value);
-        const Scalar signed_root_6 = detail::signed_root<Scalar>(max_p_S * e2);
-        const Scalar step_7 = detail::step<Scalar>(e2);
-        const Scalar step_8 = detail::step<Scalar>(-e2);
+        const Scalar max_4 = detail::max<Scalar>(Scalar(0), -u_value);
+        const Scalar signed_root_5 = detail::signed_root<Scalar>(max_p_S * e1);
+        const Scalar step_6 = detail::step<Scalar>(e1);
+        const Scalar step_7 = detail::step<Scalar>(-e1);
         const Scalar T_2 = x[5];
         const Scalar sqrt_T_2 = sqrt(T_2);
-        const Scalar e9 = c_.k3 / sqrt_T_2;
-        const Scalar e10 = outflow_factor_4 * (max_5 * signed_root_6) * (c_.k18 * step_7 + step_8 * e9);
-        const Scalar max_11 = detail::max<Scalar>(Scalar(0), e10);
+        const Scalar e8 = c_.k5 / sqrt_T_2;
+        const Scalar e9 = outflow_factor_3 * (max_4 * signed_root_5) * (c_.k20 * step_6 + step_7 * e8);
+        const Scalar max_10 = detail::max<Scalar>(Scalar(0), e9);
         const Scalar p_1 = x[2];
-        const Scalar e12 = p_.p_S - p_1;
-        const Scalar abs_13 = abs(e12);
+        const Scalar e11 = p_.p_S - p_1;
+        const Scalar abs_12 = abs(e11);
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_1);
-        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_S_2, c_.k19);
-        const Scalar max_15 = detail::max<Scalar>(Scalar(0), u_value);
-        const Scalar signed_root_16 = detail::signed_root<Scalar>(max_p_S_2 * e12);
-        const Scalar step_17 = detail::step<Scalar>(e12);
-        const Scalar step_18 = detail::step<Scalar>(-e12);
+        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_S_2, c_.k23);
+        const Scalar max_14 = detail::max<Scalar>(Scalar(0), u_value);
+        const Scalar signed_root_15 = detail::signed_root<Scalar>(max_p_S_2 * e11);
+        const Scalar step_16 = detail::step<Scalar>(e11);
+        const Scalar step_17 = detail::step<Scalar>(-e11);
         const Scalar T_1 = x[4];
         const Scalar sqrt_T_1 = sqrt(T_1);
-        const Scalar e19 = c_.k3 / sqrt_T_1;
-        const Scalar e20 = outflow_factor_14 * (max_15 * signed_root_16) * (c_.k18 * step_17 + step_18 * e19);
-        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e20);
-        const Scalar e22 = p_.p_0 - p_1;
-        const Scalar abs_23 = abs(e22);
+        const Scalar e18 = c_.k5 / sqrt_T_1;
+        const Scalar e19 = outflow_factor_13 * (max_14 * signed_root_15) * (c_.k20 * step_16 + step_17 * e18);
+        const Scalar max_20 = detail::max<Scalar>(Scalar(0), e19);
+        const Scalar e21 = p_.p_0 - p_1;
+        const Scalar abs_22 = abs(e21);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_1);
-        const Scalar outflow_factor_24 = detail::outflow_factor<Scalar>(abs_23 / max_p_0, c_.k19);
-        const Scalar signed_root_25 = detail::signed_root<Scalar>(max_p_0 * e22);
-        const Scalar step_26 = detail::step<Scalar>(e22);
-        const Scalar step_27 = detail::step<Scalar>(-e22);
-        const Scalar e28 = outflow_factor_24 * (max_5 * signed_root_25) * (c_.k18 * step_26 + step_27 * e19);
-        const Scalar e29 = -e28;
-        const Scalar min_30 = detail::min<Scalar>(Scalar(0), e29);
-        const Scalar e31 = p_.p_0 - p_2;
-        const Scalar abs_32 = abs(e31);
+        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(abs_22 / max_p_0, c_.k23);
+        const Scalar signed_root_24 = detail::signed_root<Scalar>(max_p_0 * e21);
+        const Scalar step_25 = detail::step<Scalar>(e21);
+        const Scalar step_26 = detail::step<Scalar>(-e21);
+        const Scalar e27 = outflow_factor_23 * (max_4 * signed_root_24) * (c_.k20 * step_25 + step_26 * e18);
+        const Scalar e28 = -e27;
+        const Scalar min_29 = detail::min<Scalar>(Scalar(0), e28);
+        const Scalar e30 = p_.p_0 - p_2;
+        const Scalar abs_31 = abs(e30);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
-        const Scalar outflow_factor_33 = detail::outflow_factor<Scalar>(abs_32 / max_p_0_2, c_.k19);
-        const Scalar signed_root_34 = detail::signed_root<Scalar>(max_p_0_2 * e31);
-        const Scalar step_35 = detail::step<Scalar>(e31);
-        const Scalar step_36 = detail::step<Scalar>(-e31);
-        const Scalar e37 = outflow_factor_33 * (max_15 * signed_root_34) * (c_.k18 * step_35 + step_36 * e9);
-        const Scalar e38 = -e37;
-        const Scalar min_39 = detail::min<Scalar>(Scalar(0), e38);
-        const Scalar max_40 = detail::max<Scalar>(Scalar(0), e29);
-        const Scalar min_41 = detail::min<Scalar>(Scalar(0), e20);
-        const Scalar max_42 = detail::max<Scalar>(Scalar(0), e38);
-        const Scalar min_43 = detail::min<Scalar>(Scalar(0), e10);
-        return p_.T_0 * e1 * (max_11 + max_21 - min_30 - min_39) - p_.k_W * (T_1 + T_2) - T_1 * e1 * (max_40 - min_41) - T_2
-            * e1 * (max_42 - min_43) + Scalar(2) * p_.T_0 * p_.k_W;
+        const Scalar outflow_factor_32 = detail::outflow_factor<Scalar>(abs_31 / max_p_0_2, c_.k23);
+        const Scalar signed_root_33 = detail::signed_root<Scalar>(max_p_0_2 * e30);
+        const Scalar step_34 = detail::step<Scalar>(e30);
+        const Scalar step_35 = detail::step<Scalar>(-e30);
+        const Scalar e36 = outflow_factor_32 * (max_14 * signed_root_33) * (c_.k20 * step_34 + step_35 * e8);
+        const Scalar e37 = -e36;
+        const Scalar min_38 = detail::min<Scalar>(Scalar(0), e37);
+        const Scalar max_39 = detail::max<Scalar>(Scalar(0), e28);
+        const Scalar min_40 = detail::min<Scalar>(Scalar(0), e19);
+        const Scalar max_41 = detail::max<Scalar>(Scalar(0), e37);
+        const Scalar min_42 = detail::min<Scalar>(Scalar(0), e9);
+        return c_.k21 * (max_10 + max_20 - min_29 - min_38) - p_.k_W * (T_1 + T_2) - c_.k22 * T_1 * (max_39 - min_40) - c_.k22
+            * T_2 * (max_41 - min_42) + Scalar(2) * p_.T_0 * p_.k_W;
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1835,7 +1799,7 @@ public:
         g[0] = p_.V_d + p_.A_1 * s;
         g[1] = p_1;
         g[2] = T_1;
-        g[3] = c_.k6 - p_.A_2 * s;
+        g[3] = c_.k8 - p_.A_2 * s;
         g[4] = p_2;
         g[5] = T_2;
         g[6] = e1;
@@ -1856,27 +1820,30 @@ private:
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< 1/v_C
         Scalar k2;  ///< 1 + R_s/c_v
-        Scalar k3;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k4;  ///< 1/sqrt(T_0)
-        Scalar k5;  ///< k_W/c_v
-        Scalar k6;  ///< A_2*l + V_d
-        Scalar k7;  ///< R_s/c_v
-        Scalar k8;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)
-        Scalar k9;  ///< 1/c_v
-        Scalar k10;  ///< d + f_C/v_C
-        Scalar k11;  ///< 2*R_s/c_v
-        Scalar k12;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
-        Scalar k13;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/sqrt(T_0)
-        Scalar k14;  ///< T_0*A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
-        Scalar k15;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)*(1 + R_s/c_v)
-        Scalar k16;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/c_v
-        Scalar k17;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/(c_v*sqrt(T_0))
-        Scalar k18;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k19;  ///< 1 + R_s/c_v
-        Scalar k20;  ///< p_0*(A_1 - A_2)
-        Scalar k21;  ///< T_0*k_W
-        Scalar k22;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
-        Scalar k23;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k3;  ///< R_s/c_v
+        Scalar k4;  ///< R_s + c_v
+        Scalar k5;  ///< A_v*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k6;  ///< 1/sqrt(T_0)
+        Scalar k7;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)
+        Scalar k8;  ///< A_2*l + V_d
+        Scalar k9;  ///< T_0*k_W
+        Scalar k10;  ///< T_0*(R_s + c_v)
+        Scalar k11;  ///< d + f_C/v_C
+        Scalar k12;  ///< R_s*(1 + R_s/c_v)
+        Scalar k13;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
+        Scalar k14;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)
+        Scalar k15;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/sqrt(T_0)
+        Scalar k16;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)/c_v
+        Scalar k17;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)/(c_v*sqrt(T_0))
+        Scalar k18;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/c_v
+        Scalar k19;  ///< A_v*alpha_d*sqrt(2)*sqrt(R_s)^3/(c_v*sqrt(T_0))
+        Scalar k20;  ///< A_v*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k21;  ///< T_0*(R_s + c_v)
+        Scalar k22;  ///< R_s + c_v
+        Scalar k23;  ///< 1 + R_s/c_v
+        Scalar k24;  ///< p_0*(A_1 - A_2)
+        Scalar k25;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s))
+        Scalar k26;  ///< A_v*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
     };
     Cached c_{};
 };

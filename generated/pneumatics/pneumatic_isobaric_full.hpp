@@ -243,12 +243,14 @@ public:
         const Scalar inverse_6 = Scalar(1) / p_V;
         const Scalar e7 = inverse_6 * e5;
         const Scalar e8 = T_V * e7;
+        const Scalar e9 = -inverse_2 * e4;
+        const Scalar e10 = -inverse_6 * e8;
         dxdt[0] = e1;
         dxdt[1] = e4;
         dxdt[2] = e5;
         dxdt[3] = e8;
         J[0] = Scalar(0);
-        J[1] = -inverse_2 * e4;
+        J[1] = e9;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
@@ -258,7 +260,7 @@ public:
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = -inverse_6 * e8;
+        J[11] = e10;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);

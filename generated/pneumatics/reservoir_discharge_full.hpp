@@ -528,10 +528,11 @@ public:
                 const Scalar e6 = e5 * (power_2 * c_.k7);
                 const Scalar inverse_7 = Scalar(1) / w;
                 const Scalar e8 = e6 * (p_.p_0 * inverse_7);
-                dxdt[0] = (Scalar(1) / Scalar(2)) * (-w * e6 - e8);
                 const Scalar power_9 = pow(e1, (-Scalar(1)) * c_.k9);
                 const Scalar e10 = e1 * (power_9 * (e5 - (Scalar(1) / Scalar(2)) * inverse_3 / sqrt_4)) * c_.k8;
-                J[0] = (Scalar(1) / Scalar(2)) * inverse_7 * e8 - (Scalar(1) / Scalar(2)) * e6 - e10;
+                const Scalar e11 = (Scalar(1) / Scalar(2)) * inverse_7 * e8 - (Scalar(1) / Scalar(2)) * e6 - e10;
+                dxdt[0] = (Scalar(1) / Scalar(2)) * (-w * e6 - e8);
+                J[0] = e11;
                 break;
             }
             case Mode::subsonic: {
@@ -560,7 +561,6 @@ public:
                 const Scalar e16 = decay_mean_14 * inverse_15;
                 const Scalar sqrt_17 = sqrt(e16);
                 const Scalar e18 = sqrt_17 * e6;
-                dxdt[0] = -(Scalar(1) / Scalar(2)) * e5 * e12 * e18;
                 const Scalar power_19 = pow(e7, (-Scalar(1)) * c_.k9);
                 const Scalar e20 = w * e5;
                 const Scalar e21 = Scalar(1) + e1;
@@ -570,8 +570,10 @@ public:
                 const Scalar e25 = sqrt_17 * e23;
                 const Scalar log_mean_slope_26 = detail::log_mean_slope<Scalar>(e6, p_.p_0);
                 const Scalar e27 = power_19 * c_.k4 * ((e11 - (Scalar(1) / Scalar(2)) * inverse_9 / sqrt_10) * e18);
-                J[0] = e27 * (w * e4 - e20) - e21 / e21 * (decay_mean_slope_22 * e24 * c_.k35 - e25 * c_.k31) + (Scalar(1) / Scalar(2))
-                    * log_mean_slope_26 * e6 * e16 * e24 - e25;
+                const Scalar e28 = e27 * (w * e4 - e20) - e21 / e21 * (decay_mean_slope_22 * e24 * c_.k35 - e25 * c_.k31)
+                    + (Scalar(1) / Scalar(2)) * log_mean_slope_26 * e6 * e16 * e24 - e25;
+                dxdt[0] = -(Scalar(1) / Scalar(2)) * e5 * e12 * e18;
+                J[0] = e28;
                 break;
             }
             case Mode::balanced:

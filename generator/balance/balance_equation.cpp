@@ -27,12 +27,12 @@ Ports ports_of(const ControlVolume& volume, const std::vector<FlowState>& flows)
         if (f.from_volume == &volume) {
             ports.inflow.push_back(-f.mass_flow);
             ports.has_outflow = ports.has_outflow || !f.mass_flow.is_zero();
-            ports.excess += f.excess_at_from();
+            ports.excess += f.excess_at_from(volume.is_thermal() && volume.primary != Primary::filling);
         }
         if (f.to_volume == &volume) {
             ports.inflow.push_back(f.mass_flow);
             ports.has_inflow = ports.has_inflow || !f.mass_flow.is_zero();
-            ports.excess += f.excess_at_to();
+            ports.excess += f.excess_at_to(volume.is_thermal() && volume.primary != Primary::filling);
         }
     }
     return ports;

@@ -100,7 +100,7 @@ private:
     /// Of a volume with a filling; constant where the medium is compressible.
     ex surface_pressure(const ControlVolume& v, const Indices& indices) const {
         ex pressure = translate_(v.member.item->pressure, indices);
-        if (v.medium->is_compressible() && !is_constant(pressure))
+        if (v.medium->is_compressible() && !symbols_.is_constant(pressure))
             throw Failure(Diagnostic{Id::not_allowed_here, v.member.item->pressure->span,
                                      fmt::format("volume '{}' follows its filling and holds '{}', which is compressible: its pressure must be constant, but '{}' is not",
                                                  v.member.name(), v.medium->item().name, v.member.item->pressure->written())});
@@ -126,13 +126,6 @@ private:
     }
 
     static bool item_has_heat(const Medium& medium) { return medium.isochoric_heat.has_value() || medium.energy.has_value(); }
-
-    bool is_constant(const ex& e) const {
-        for (const SymbolKind kind : {SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
-            for (const Variable& variable : symbols_.all(kind))
-                if (e.has(variable.symbol)) return false;
-        return true;
-    }
 
     /// Without a filling the size follows the walls; with one it follows its own state and nothing else.
     void check_size(const ControlVolume& v) const {

@@ -213,8 +213,14 @@ ex carried(const FlowState& f) {
 ex FlowState::leaving() const { return carried(*this) + unit_step(-mass_flow) * kept(*this); }
 ex FlowState::arriving() const { return carried(*this) - unit_step(mass_flow) * kept(*this); }
 
-ex FlowState::excess_at_from() const { return -minimum(mass_flow, 0) * (to->carried() - from->carried()) - unit_step(-mass_flow) * kept(*this); }
-ex FlowState::excess_at_to() const { return maximum(mass_flow, 0) * (from->carried() - to->carried()) - unit_step(mass_flow) * kept(*this); }
+ex FlowState::excess_at_from(bool is_whole) const {
+    const ex difference = to->carried() - from->carried();
+    return -minimum(mass_flow, 0) * (is_whole ? whole(difference) : difference) - unit_step(-mass_flow) * kept(*this);
+}
+ex FlowState::excess_at_to(bool is_whole) const {
+    const ex difference = from->carried() - to->carried();
+    return maximum(mass_flow, 0) * (is_whole ? whole(difference) : difference) - unit_step(mass_flow) * kept(*this);
+}
 
 namespace {
 

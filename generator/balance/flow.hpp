@@ -43,8 +43,9 @@ struct FlowState {
     GiNaC::ex arriving() const;
     /// The power that arrives at an end beyond what it would be if the fluid came as the fluid there is:
     /// (power into the end) - (mass flow into the end)*(enthalpy + potential there).
-    GiNaC::ex excess_at_from() const;
-    GiNaC::ex excess_at_to() const;
+    /// `is_whole`: the difference of what is carried stays a factor.
+    GiNaC::ex excess_at_from(bool is_whole) const;
+    GiNaC::ex excess_at_to(bool is_whole) const;
 };
 
 /// Out of a volume that is empty flows what flows into it, shared by what each of its outflows would take.

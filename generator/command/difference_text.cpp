@@ -9,6 +9,7 @@
 
 #include "form/random_points.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/quotient.hpp"
 
 namespace dalembert {
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::size_t most_signs = 4;
 constexpr int points = 200;
+constexpr std::size_t most_terms = 60;  ///< of a sum that is brought to one denominator
 
 /// What the difference is where signs have these values, +1 or -1; a sign that does not matter there is zero.
 struct Piece {
@@ -133,8 +135,18 @@ private:
 }  // namespace
 
 std::string difference_text(const System& system, const ex& difference, bool has_cases) {
-    const std::string pieces = has_cases ? Pieces(system, difference).text() : "";
-    return pieces.empty() ? Notation(system.symbols, Style::text)(difference) : pieces;
+    const ex sum = without_whole(difference).expand();
+    const std::string pieces = has_cases ? Pieces(system, sum).text() : "";
+    if (!pieces.empty()) return pieces;
+    const Notation write(system.symbols, Style::text);
+    std::string shortest = write(sum);
+    if (sum.nops() <= most_terms) {
+        const ex parts = sum.numer_denom();
+        std::string fraction = write(quotient(parts.op(0).expand(), parts.op(1).expand()));
+        if (fraction.size() < shortest.size()) shortest = std::move(fraction);
+    }
+    const std::string kept = write(difference);
+    return 4 * shortest.size() < 3 * kept.size() ? shortest : kept;  // a few letters less are not worth another form
 }
 
 }  // namespace dalembert

@@ -12,6 +12,8 @@ namespace dalembert {
 
 namespace {
 
+constexpr std::ptrdiff_t most_held = 16;  ///< entries of a Jacobian that registers hold
+
 const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State", "c", "solved", "unit"};
 const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g", "rates", "by_time", "k"};
 
@@ -150,7 +152,12 @@ std::string CppBodies::motion(CppFunction& cpp, const FunctionCode& f) {
         name_multipliers(cpp, f.accelerations);
         statements += cpp.compute(f.accelerations);
     }
-    statements += cpp.compute(f.results);
+    return statements + cpp.compute(f.results);
+}
+
+/// What motion() computed, put into dxdt.
+std::string CppBodies::stored_motion(CppFunction& cpp, const FunctionCode& f) {
+    std::string statements;
     const Symbols& symbols = code_.system.symbols;
     for (std::size_t j = 0; j < n_; ++j)
         if (symbols.has_value(j)) statements += fmt::format("{}dxdt[{}] = x[{}];\n", indent, symbols.place(SymbolKind::coordinate, j), velocities_ + j);
@@ -163,13 +170,24 @@ CppBody CppBodies::rhs() {
     const FunctionCode& f = code_[Function::rhs];
     CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements = motion(cpp, f);
+    statements += stored_motion(cpp, f);
     return finish(cpp, std::move(statements), n_ + m_ > 0 ? "State& dxdt" : "State& /*dxdt*/", {.state = n_ > 0});
 }
 
+/// Nothing is stored before all is computed, where that fits into registers: for all that a compiler knows, what is stored may change a member,
+/// which it then loads anew.
 CppBody CppBodies::rhs_and_jacobian() {
     const FunctionCode& f = code_[Function::rhs_and_jacobian];
     CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements = motion(cpp, f);
+    std::vector<NodeId> entries = f.solved.entries;
+    entries.insert(entries.end(), f.below.entries.begin(), f.below.entries.end());
+    const auto computed = std::count_if(entries.begin(), entries.end(), [&](NodeId id) { return f.program[id].kind != Node::Kind::constant; });
+    if (!f.by_loops && !f.loop && computed <= most_held) {
+        for (const NodeId id : entries) cpp.keep(id);
+        statements += cpp.compute(entries);
+    }
+    statements += stored_motion(cpp, f);
     statements += filled_jacobian(cpp, f, layout(By::state), By::state, true);
     return finish(cpp, std::move(statements), n_ + m_ > 0 ? "State& dxdt, JacobianX& J" : "State& /*dxdt*/, JacobianX& /*J*/", {.state = n_ > 0});
 }

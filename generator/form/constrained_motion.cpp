@@ -55,16 +55,10 @@ private:
     /// An entry of M on the diagonal that does not change is a pivot whose reciprocal is computed once, if it comes first.
     void constant_pivots_first() {
         Squares squares{PositiveByRange(system_.translate)};
-        const auto changes = [&](const ex& e) {
-            for (const SymbolKind kind : {SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
-                for (const Variable& variable : symbols_.all(kind))
-                    if (e.has(variable.symbol)) return true;
-            return false;
-        };
         std::vector<std::size_t>& free = system_.motion.free;
         std::stable_partition(free.begin(), free.end(), [&](std::size_t k) {
             const ex& pivot = system_.mass(static_cast<unsigned>(k), static_cast<unsigned>(k));
-            return !changes(pivot) || !changes(squares.shortened(pivot));
+            return symbols_.is_constant(pivot) || symbols_.is_constant(squares.shortened(pivot));
         });
     }
 

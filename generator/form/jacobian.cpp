@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "form/jacobian.hpp"
 
+#include <map>
+#include <set>
+
 namespace dalembert {
 
 using GiNaC::ex;
@@ -13,6 +16,37 @@ std::vector<ex> output_values(const System& system) {
     for (const OutputEquation& output : system.outputs) values.push_back(system.with_rates(output.value));
     return values;
 }
+
+/// A sum whose terms are found by the letters in them: of the many terms of a large machine each letter occurs in few.
+class TermsByLetter {
+public:
+    explicit TermsByLetter(const ex& e) : e_(e) {
+        if (!GiNaC::is_a<GiNaC::add>(e)) return;
+        for (std::size_t i = 0; i < e.nops(); ++i)
+            for (auto part = e.op(i).preorder_begin(); part != e.op(i).preorder_end(); ++part) {
+                if (!GiNaC::is_a<GiNaC::symbol>(*part)) continue;
+                std::vector<std::size_t>& places = places_[*part];
+                if (places.empty() || places.back() != i) places.push_back(i);
+            }
+    }
+
+    /// What is left of the sum without the terms in which none of the letters occurs.
+    ex with(const GiNaC::exvector& letters) const {
+        if (!GiNaC::is_a<GiNaC::add>(e_)) return e_;
+        std::set<std::size_t> found;
+        for (const ex& letter : letters)
+            if (const auto places = places_.find(letter); places != places_.end()) found.insert(places->second.begin(), places->second.end());
+        GiNaC::exvector terms;
+        for (const std::size_t i : found) terms.push_back(e_.op(i));
+        return GiNaC::add(terms);
+    }
+
+private:
+    ex e_;
+    std::map<ex, std::vector<std::size_t>, GiNaC::ex_is_less> places_;
+};
+
+std::vector<TermsByLetter> by_letter(const std::vector<ex>& rows) { return std::vector<TermsByLetter>(rows.begin(), rows.end()); }
 
 }  // namespace
 
@@ -30,18 +64,22 @@ ex by_column(const System& system, const ex& e, const Variable& column) {
 }
 
 Partials partials(const System& system, By by) {
-    const std::vector<ex> outputs = output_values(system);
-    std::vector<ex> held;
-    for (const auto& [coordinate, acceleration] : system.motion.accelerations) held.push_back(acceleration);
+    std::vector<ex> accelerations;
+    for (const auto& [coordinate, acceleration] : system.motion.accelerations) accelerations.push_back(acceleration);
+    const auto residual = by_letter(system.motion.residual), state_rates = by_letter(system.state_rates), outputs = by_letter(output_values(system)), held = by_letter(accelerations);
+    GiNaC::exvector letters(1);  // through which the variable acts: itself, and what is defined by parameters
+    if (by == By::parameter)
+        for (const Variable& definition : system.symbols.all(SymbolKind::definition)) letters.push_back(definition.symbol);
     Partials result;
     for (const Variable* variable : column_variables(system.symbols, by)) {
-        const auto derivatives = [&](const std::vector<ex>& rows) {
+        letters.front() = variable->symbol;
+        const auto derivatives = [&](const std::vector<TermsByLetter>& rows) {
             std::vector<ex> column;
-            for (const ex& row : rows) column.push_back(by_column(system, row, *variable));
+            for (const TermsByLetter& row : rows) column.push_back(by_column(system, row.with(letters), *variable));
             return column;
         };
-        result.residual.push_back(derivatives(system.motion.residual));
-        result.state_rate.push_back(derivatives(system.state_rates));
+        result.residual.push_back(derivatives(residual));
+        result.state_rate.push_back(derivatives(state_rates));
         result.output.push_back(derivatives(outputs));
         result.held.push_back(derivatives(held));
     }

@@ -234,18 +234,19 @@ private:
         f.right = {n_, columns.residual.size(), {}};
         f.solved = {degrees_ + multipliers_, f.by_loops ? 0 : columns.residual.size(), {}};
         f.below = {m, columns.residual.size(), {}};
-        for (std::size_t c = 0; c < columns.residual.size(); ++c) {
-            std::vector<NodeId> right;
-            for (std::size_t j = 0; j < n_; ++j) right.push_back(builder.root(parts.residual + c * n_ + j));
-            f.right.entries.insert(f.right.entries.end(), right.begin(), right.end());
+        std::vector<std::vector<NodeId>> rights(columns.residual.size()), solved;
+        for (std::size_t c = 0; c < rights.size(); ++c)
+            for (std::size_t j = 0; j < n_; ++j) rights[c].push_back(builder.root(parts.residual + c * n_ + j));
+        for (const std::vector<NodeId>& right : rights) f.right.entries.insert(f.right.entries.end(), right.begin(), right.end());
+        if (!f.by_loops) solved = solve_columns(f.program, n_, f.factors, rights);
+        for (std::size_t c = 0; c < rights.size(); ++c) {
             if (!f.by_loops) {
-                const std::vector<NodeId> solved = solve(f.program, n_, f.factors, right);
                 std::vector<NodeId> column(degrees_ + multipliers_);
                 const std::size_t free = system_.motion.free.size();
-                for (std::size_t i = 0; i < n_; ++i) column[places_[i]] = solved[i];
+                for (std::size_t i = 0; i < n_; ++i) column[places_[i]] = solved[c][i];
                 for (std::size_t i = 0; i < held; ++i) {
                     std::vector<std::pair<bool, NodeId>> terms{{false, builder.root(parts.held + c * held + i)}};
-                    for (std::size_t k = 0; k < free; ++k) terms.emplace_back(false, f.program.product({builder.root(parts.held_by_free + i * free + k), solved[k]}));
+                    for (std::size_t k = 0; k < free; ++k) terms.emplace_back(false, f.program.product({builder.root(parts.held_by_free + i * free + k), solved[c][k]}));
                     column[system_.motion.accelerations[i].first] = f.program.sum(std::move(terms));
                 }
                 f.solved.entries.insert(f.solved.entries.end(), column.begin(), column.end());

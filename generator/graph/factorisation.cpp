@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/factorisation.hpp"
 
+#include <algorithm>
+#include <optional>
+
 namespace dalembert {
 
 namespace {
@@ -72,6 +75,33 @@ std::vector<NodeId> solve(Program& program, std::size_t n, const std::vector<Nod
         b[i] = minus_products(program, program.product({b[i], factors[lower_index(i, i)]}), products);
     }
     return b;
+}
+
+std::vector<std::vector<NodeId>> solve_columns(Program& program, std::size_t n, const std::vector<NodeId>& factors, const std::vector<std::vector<NodeId>>& columns) {
+    const auto is_zero = [&](NodeId id) { return program.is_constant(id, 0); };
+    const auto only_entry = [&](const std::vector<NodeId>& b) -> std::optional<std::size_t> {
+        if (std::count_if(b.begin(), b.end(), is_zero) + 1 != static_cast<std::ptrdiff_t>(n)) return {};
+        return static_cast<std::size_t>(std::find_if_not(b.begin(), b.end(), is_zero) - b.begin());
+    };
+    std::vector<int> uses(n, 0);
+    for (const std::vector<NodeId>& b : columns)
+        if (const auto row = only_entry(b)) ++uses[*row];
+    std::vector<std::vector<NodeId>> units(n), result;
+    for (const std::vector<NodeId>& b : columns) {
+        const auto row = only_entry(b);
+        if (!row || uses[*row] < 2) {
+            result.push_back(solve(program, n, factors, b));
+            continue;
+        }
+        if (units[*row].empty()) {
+            std::vector<NodeId> unit(n, program.constant(0));
+            unit[*row] = program.constant(1);
+            units[*row] = solve(program, n, factors, std::move(unit));
+        }
+        result.emplace_back();
+        for (const NodeId entry : units[*row]) result.back().push_back(program.product({entry, b[*row]}));
+    }
+    return result;
 }
 
 }  // namespace dalembert

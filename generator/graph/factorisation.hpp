@@ -42,4 +42,8 @@ std::vector<NodeId> solve_lower(Program& program, std::size_t n, const std::vect
 /// x with M x = b.
 std::vector<NodeId> solve(Program& program, std::size_t n, const std::vector<NodeId>& factors, std::vector<NodeId> b);
 
+/// The same for many b. Where several have one entry in the same row and nothing else, M^-1 of that row's unit vector is computed once, and is
+/// multiplied by each.
+std::vector<std::vector<NodeId>> solve_columns(Program& program, std::size_t n, const std::vector<NodeId>& factors, const std::vector<std::vector<NodeId>>& columns);
+
 }  // namespace dalembert

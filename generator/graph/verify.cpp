@@ -410,15 +410,19 @@ private:
         };
         if (!solved_for(f).empty()) require(solve(program, s.n, f.factors, f.force) == solved([&](std::size_t j) { return solved_for(f)[j]; }));
         if (!f.rates_solved_for.empty()) require(solve(program, s.n, f.factors, f.right.entries) == f.rates_solved_for);
+        const bool is_everything = f.solved.rows == s.n && function == Function::resets;
+        std::vector<std::vector<NodeId>> rights, emitted;
         for (std::size_t c = 0; c < f.solved.columns; ++c) {
             const auto column = [&](const CodeMatrix& matrix) {
                 std::vector<NodeId> entries;
                 for (std::size_t j = 0; j < matrix.rows; ++j) entries.push_back(matrix.at(j, c));
                 return entries;
             };
-            const bool is_everything = f.solved.rows == s.n && function == Function::resets;
-            require(solve(program, s.n, f.factors, column(f.right)) == (is_everything ? column(f.solved) : solved([&](std::size_t j) { return f.solved.at(j, c); })));
+            rights.push_back(column(f.right));
+            emitted.push_back(is_everything ? column(f.solved) : solved([&](std::size_t j) { return f.solved.at(j, c); }));
         }
+        if (function != Function::resets) return require(solve_columns(program, s.n, f.factors, rights) == emitted);
+        for (std::size_t c = 0; c < rights.size(); ++c) require(solve(program, s.n, f.factors, rights[c]) == emitted[c]);
     }
 
     const Code& code_;

@@ -105,20 +105,13 @@ private:
         return true;
     }
 
-    bool is_fixed(const ex& e) const {
-        for (const SymbolKind kind : {SymbolKind::time, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::input})
-            for (const Variable& variable : symbols_.all(kind))
-                if (e.has(variable.symbol)) return false;
-        return true;
-    }
-
     bool add(std::size_t i) {
         const BodyMotion& body = bodies_[i];
         const auto base = base_place(i);
         ChainLink link;
         if (base) link.base = places_[*base];
         const Base& on = base ? bases_[*link.base] : ground_;
-        if (!is_fixed(body.mass) || !is_fixed(body.inertia)) return false;
+        if (!symbols_.is_constant(body.mass) || !symbols_.is_constant(body.inertia)) return false;
         Base own = base_of(body.member.name(), body);
         Twist velocity;  // of letters of the base
         if (!(body.frame ? add_in_space(link, body, on, own, velocity) : add_in_plane(link, body, on, own, velocity))) return false;
@@ -158,7 +151,7 @@ private:
         const Body& item = *body.member.item;
         const SpaceVector centre = item.centre ? translate_(*item.centre, Translator::indices_of(body.member)) : SpaceVector{0, 0, 0};
         for (std::size_t r = 0; r < 3; ++r)
-            if (!is_fixed(centre[r]) || !is_fixed(body.tensor[r][0]) || !is_fixed(body.tensor[r][1]) || !is_fixed(body.tensor[r][2])) return false;
+            if (!symbols_.is_constant(centre[r]) || !symbols_.is_constant(body.tensor[r][0]) || !symbols_.is_constant(body.tensor[r][1]) || !symbols_.is_constant(body.tensor[r][2])) return false;
         std::vector<ex> placement(frame.origin.begin(), frame.origin.end());
         for (const SpaceVector& row : frame.axes) placement.insert(placement.end(), row.begin(), row.end());
         if (!take_coordinates(placement, link.coordinates)) return false;

@@ -202,7 +202,16 @@ struct Elementary : GiNaC::map_function {
     }
 };
 
+struct WithoutWhole : GiNaC::map_function {
+    ex operator()(const ex& e) override { return is_ex_the_function(e, whole) ? (*this)(e.op(0)) : GiNaC::is_a<GiNaC::function>(e) ? e : e.map(*this); }
+};
+
 }  // namespace
+
+ex without_whole(const ex& e) {
+    WithoutWhole without;
+    return without(e);
+}
 
 ex in_elementary_functions(const ex& e) {
     Elementary elementary;

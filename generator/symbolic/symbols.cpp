@@ -165,6 +165,13 @@ void Symbols::add(SymbolKind kind, const std::string& name, bool positive, Origi
                     origin.declared, positive, origin.is_root, symbol});
 }
 
+bool Symbols::is_constant(const ex& e) const {
+    for (const SymbolKind kind : {SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+        for (const Variable& variable : all(kind))
+            if (e.has(variable.symbol)) return false;
+    return true;
+}
+
 const Variable* Symbols::find(SymbolKind kind, const std::string& base, int index) const {
     const auto found = by_name_.find(key(kind, base, index));
     return found == by_name_.end() ? nullptr : &all(kind)[found->second.second];

@@ -96,6 +96,9 @@ public:
     /// d(part of the quaternion)/d(angle turned about an axis): linear in the quaternion.
     GiNaC::ex quaternion_slope(const AttitudeSymbols& attitude, std::size_t part, std::size_t axis) const;
 
+    /// Whether neither the motion nor the time nor an input occurs in it.
+    bool is_constant(const GiNaC::ex& e) const;
+
     /// Null when the scene has no such variable.
     const Variable* find(SymbolKind kind, const std::string& base, int index) const;
     const Variable* find(const GiNaC::ex& symbol) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arm with six joints as a careful engineer writes it: loops over the links in one frame. Forces by the recursive Newton-Euler algorithm, M by
-// composite bodies, L D L', and slopes of the forces in closed form (Echeandia and Wensing, "Numerical methods to compute the Coriolis matrix and
-// Christoffel symbols for rigid-body systems", 2021; "Closed-form second-order partial derivatives of rigid-body inverse dynamics", 2022, eq. 1-4).
+// composite bodies, L D L', and slopes of the forces in closed form (Singh, Russell and Wensing, "Efficient analytical derivatives of rigid-body
+// dynamics using spatial vector algebra", 2022).
 #pragma once
 
 #include <array>

@@ -74,3 +74,12 @@ TEST_CASE("derivatives agree with GiNaC's") {
             CHECK(NormalForm().is_zero(partial(f, s) - f.diff(ex_to<symbol>(s))));
         }
 }
+
+TEST_CASE("the slope of a difference of powers that is kept as a product is that of the powers") {
+    const realsymbol a("a"), b("b"), c("c");
+    const ex fourth = whole(a - b) * whole(a + b) * whole(a * a + b * b);
+    CHECK(partial(fourth, a).is_equal(4 * pow(a, 3)));
+    CHECK(partial(c * fourth, b).is_equal(-4 * c * pow(b, 3)));
+    CHECK(partial(c * fourth, c).is_equal(fourth));
+    CHECK(NormalForm().is_zero(partial(a * whole(a - b) * whole(a + c), a) - ex(a * (a - b) * (a + c)).diff(a)));
+}
