@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What `generate --trig combined` gains on the board: headers measured as all others, and what an angle costs, whatever its size.
+# What `generate --trig combined` and `--fix parameters` gain on the board: headers measured as all others, and what an angle costs, whatever its size.
 # Needs the program (PROGRAM). 1: a gate failed, or a promise is not kept.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -11,7 +11,13 @@ headers=$work/headers
 mkdir -p "$headers"
 
 systems=$here/../../systems/mechanics
-generate() { "$PROGRAM" generate "$systems/$1.toml" --trig combined -o "$headers" --header "$2_combined.hpp" "${@:3}" >/dev/null; }
+generate() {
+  local model=$systems/$1.toml name=$2
+  shift 2
+  "$PROGRAM" generate "$model" "$@" --trig combined -o "$headers" --header "${name}_combined.hpp" >/dev/null
+  "$PROGRAM" generate "$model" "$@" --fix parameters -o "$headers" --header "${name}_fixed.hpp" >/dev/null
+  "$PROGRAM" generate "$model" "$@" --fix parameters --trig combined -o "$headers" --header "${name}_both.hpp" >/dev/null
+}
 generate cart_pendulum cart_pendulum_lab --scene lab
 generate spherical_pendulum spherical_pendulum_forced --scene forced
 generate n_pendulum n_pendulum_N3_full --size N=3

@@ -22,11 +22,11 @@ awk '
   FILENAME ~ /goals.txt$/ { if ($1 !~ /^#/) for (i = 2; i <= 5; i++) goal[$1, i] = $i; next }
   BEGIN {
     print "rhs, and rhs with Jacobian: mean instructions (own: without functions of the C library), own bytes, stack in bytes with the library; errors of rates and Jacobian\n"
-    printf "%-28s %-4s %3s %17s %17s %13s %6s %11s   %-23s %s\n", "system", "", "dof", "rhs (own)", "Jacobian (own)", "bytes", "set-up", "stack", "errors, limit", "goals: rhs; with Jacobian"
+    printf "%-32s %-4s %3s %17s %17s %13s %6s %11s   %-23s %s\n", "system", "", "dof", "rhs (own)", "Jacobian (own)", "bytes", "set-up", "stack", "errors, limit", "goals: rhs; with Jacobian"
   }
   function beside(value, i) { return sprintf("%s%s", goal[$1, i], value > goal[$1, i] ? " missed" : " met") }
   {
-    printf "%-28s -%-3s %3d %8.0f (%6.0f) %8.0f (%6.0f) %6d %6d %6d %5d %5d   %-7s %-7s %-7s", $1, $2, $3, $4, $6, $5, $7, $8, $9, $10, $11, $12, $13, $15, $14
+    printf "%-32s -%-3s %3d %8.0f (%6.0f) %8.0f (%6.0f) %6d %6d %6d %5d %5d   %-7s %-7s %-7s", $1, $2, $3, $4, $6, $5, $7, $8, $9, $10, $11, $12, $13, $15, $14
     if ($2 == "Os" && ($1, 2) in goal)
       printf "instructions %s, bytes %s; instructions %s, bytes %s", beside($4, 2), beside($8, 3), beside($5, 4), beside($9, 5)
     print ""
