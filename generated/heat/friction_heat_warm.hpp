@@ -271,9 +271,9 @@ public:
         const Scalar e10 = c_.k0 * (-p_.c);
         const Scalar e11 = (Scalar(1) - tanh_4 * tanh_4) * c_.k8;
         const Scalar e12 = c_.k0 * (-e2 - e11);
-        const Scalar e13 = c_.k0 * (p_.b * e3);
-        const Scalar e14 = Scalar(2) * e6;
-        const Scalar e15 = e5 * c_.k4 + e9 * e11;
+        const Scalar e13 = Scalar(2) * e6;
+        const Scalar e14 = e5 * c_.k4 + e9 * e11;
+        const Scalar e15 = c_.k0 * (p_.b * e3);
         const Scalar e16 = -c_.k6 - p_.b * e7;
         const Scalar e17 = (-Scalar(1)) * c_.k9;
         dxdt[0] = x[1];
@@ -286,10 +286,10 @@ public:
         J[3] = Scalar(0);
         J[4] = Scalar(1);
         J[5] = e12;
-        J[6] = e14;
-        J[7] = e15;
+        J[6] = e13;
+        J[7] = e14;
         J[8] = Scalar(0);
-        J[9] = e13;
+        J[9] = e15;
         J[10] = e16;
         J[11] = c_.k7;
         J[12] = Scalar(0);

@@ -258,22 +258,22 @@ public:
         const Scalar e2 = p_.n * inverse_1;
         const Scalar e3 = s_dot * e2;
         const Scalar e4 = p_value * e3;
-        const Scalar e5 = c_.k0 * (-p_.d);
-        const Scalar e6 = c_.k0 * p_.A;
-        const Scalar e7 = inverse_1 * e4;
-        const Scalar e8 = -p_value * e2;
+        const Scalar e5 = inverse_1 * e4;
+        const Scalar e6 = c_.k0 * (-p_.d);
+        const Scalar e7 = -p_value * e2;
+        const Scalar e8 = c_.k0 * p_.A;
         const Scalar e9 = -e3;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
         dxdt[2] = -e4;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e7;
+        J[2] = e5;
         J[3] = Scalar(1);
-        J[4] = e5;
-        J[5] = e8;
+        J[4] = e6;
+        J[5] = e7;
         J[6] = Scalar(0);
-        J[7] = e6;
+        J[7] = e8;
         J[8] = e9;
     }
 

@@ -688,42 +688,42 @@ public:
         const Scalar e85 = p_.A_2 * s_dot + step_29 * e5;
         const Scalar e86 = p_2 * e83;
         const Scalar e87 = e81 * e84 + e85 * e86;
-        const Scalar e88 = c_.k0 * (tanh_3 * e4 * c_.k11 - c_.k14);
-        const Scalar e89 = c_.k0 * p_.A_1;
-        const Scalar e90 = c_.k0 * (-p_.A_2);
-        const Scalar e91 = p_.A_1 * inverse_8 * e51;
-        const Scalar e92 = p_.A_2 * inverse_82 * e87;
-        const Scalar e93 = -p_.A_1 * e10;
-        const Scalar e94 = p_.A_2 * e86;
-        const Scalar e95 = e50 * e41;
-        const Scalar inverse_root_96 = detail::inverse_root<Scalar>(e42);
-        const Scalar e97 = e95 * (inverse_root_96 * outflow_factor_47);
-        const Scalar outflow_factor_slope_98 = detail::outflow_factor_slope<Scalar>(e46, c_.k7);
-        const Scalar e99 = signed_root_43 * inverse_45 * (outflow_factor_slope_98 * e95);
-        const Scalar e100 = e50 * e21;
-        const Scalar inverse_root_101 = detail::inverse_root<Scalar>(e22);
-        const Scalar e102 = e100 * (inverse_root_101 * outflow_factor_27);
-        const Scalar outflow_factor_slope_103 = detail::outflow_factor_slope<Scalar>(e26, c_.k7);
-        const Scalar e104 = signed_root_23 * inverse_25 * (outflow_factor_slope_103 * e100);
-        const Scalar e105 = (-Scalar(1)) * c_.k16;
-        const Scalar power_106 = pow(e13, e105);
-        const Scalar e107 = power_106 * c_.k15;
-        const Scalar e108 = inverse_8 * e107;
-        const Scalar sign_109 = detail::sign<Scalar>(e35);
-        const Scalar sign_110 = detail::sign<Scalar>(e2);
-        const Scalar e111 = inverse_33 * e30;
-        const Scalar e112 = p_.k_L * (e9 * e67 + e50 * e111);
-        const Scalar e113 = inverse_17 * inverse_17 * (e15 * e108)
+        const Scalar e88 = p_.A_1 * inverse_8 * e51;
+        const Scalar e89 = p_.A_2 * inverse_82 * e87;
+        const Scalar e90 = c_.k0 * (tanh_3 * e4 * c_.k11 - c_.k14);
+        const Scalar e91 = -p_.A_1 * e10;
+        const Scalar e92 = p_.A_2 * e86;
+        const Scalar e93 = c_.k0 * p_.A_1;
+        const Scalar e94 = e50 * e41;
+        const Scalar inverse_root_95 = detail::inverse_root<Scalar>(e42);
+        const Scalar e96 = e94 * (inverse_root_95 * outflow_factor_47);
+        const Scalar outflow_factor_slope_97 = detail::outflow_factor_slope<Scalar>(e46, c_.k7);
+        const Scalar e98 = signed_root_43 * inverse_45 * (outflow_factor_slope_97 * e94);
+        const Scalar e99 = e50 * e21;
+        const Scalar inverse_root_100 = detail::inverse_root<Scalar>(e22);
+        const Scalar e101 = e99 * (inverse_root_100 * outflow_factor_27);
+        const Scalar outflow_factor_slope_102 = detail::outflow_factor_slope<Scalar>(e26, c_.k7);
+        const Scalar e103 = signed_root_23 * inverse_25 * (outflow_factor_slope_102 * e99);
+        const Scalar e104 = (-Scalar(1)) * c_.k16;
+        const Scalar power_105 = pow(e13, e104);
+        const Scalar e106 = power_105 * c_.k15;
+        const Scalar e107 = inverse_8 * e106;
+        const Scalar sign_108 = detail::sign<Scalar>(e35);
+        const Scalar sign_109 = detail::sign<Scalar>(e2);
+        const Scalar e110 = inverse_33 * e30;
+        const Scalar e111 = p_.k_L * (e9 * e67 + e50 * e110);
+        const Scalar e112 = inverse_17 * inverse_17 * (e15 * e107)
             * ((Scalar(1) / Scalar(2)) * (e20 * e28 * e18 + e40 * e48 * e38));
-        const Scalar e114 = step_37 * ((Scalar(1) / Scalar(2)) * e35 * e97 - e46 * e99) + step_12
-            * ((Scalar(1) / Scalar(2)) * e2 * e102 - e26 * e104) + e113 - (Scalar(1) / Scalar(2)) * max_p_S * e97
-            - (Scalar(1) / Scalar(2)) * max_p_0 * e102 - sign_109 * e99 - sign_110 * e104 - e49 * e108 - e9 * e7 - e112;
-        const Scalar e115 = inverse_68 * e67;
-        const Scalar e116 = p_.k_L * (e83 * e30 + e84 * e115);
-        const Scalar e117 = e69 * (power_32 * inverse_82 * e107 * e115 + step_6 * e84) + e116;
-        const Scalar power_118 = pow(e31, e105);
+        const Scalar e113 = step_37 * ((Scalar(1) / Scalar(2)) * e35 * e96 - e46 * e98) + step_12
+            * ((Scalar(1) / Scalar(2)) * e2 * e101 - e26 * e103) + e112 - (Scalar(1) / Scalar(2)) * max_p_S * e96
+            - (Scalar(1) / Scalar(2)) * max_p_0 * e101 - sign_108 * e98 - sign_109 * e103 - e49 * e107 - e9 * e7 - e111;
+        const Scalar e114 = inverse_68 * e67;
+        const Scalar e115 = p_.k_L * (e83 * e30 + e84 * e114);
+        const Scalar e116 = e69 * (power_32 * inverse_82 * e106 * e114 + step_6 * e84) + e115;
+        const Scalar e117 = c_.k0 * (-p_.A_2);
+        const Scalar power_118 = pow(e31, e104);
         const Scalar e119 = power_118 * c_.k15;
-        const Scalar e120 = e112 - e34 * (power_14 * inverse_8 * e119 * e111 + step_29 * e50);
+        const Scalar e120 = e111 - e34 * (power_14 * inverse_8 * e119 * e110 + step_29 * e50);
         const Scalar e121 = e84 * e59;
         const Scalar inverse_root_122 = detail::inverse_root<Scalar>(e60);
         const Scalar e123 = e121 * (inverse_root_122 * outflow_factor_65);
@@ -741,25 +741,25 @@ public:
             * ((Scalar(1) / Scalar(2)) * (e20 * e66 * e58 + e40 * e80 * e72));
         const Scalar e135 = step_54 * ((Scalar(1) / Scalar(2)) * e52 * e123 - e64 * e125) + step_71
             * ((Scalar(1) / Scalar(2)) * e1 * e128 - e78 * e130) + e134 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e123
-            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e128 - sign_132 * e125 - sign_133 * e130 - e81 * e131 + e83 * e85 - e116;
+            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e128 - sign_132 * e125 - sign_133 * e130 - e81 * e131 + e83 * e85 - e115;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
         dxdt[2] = -e51;
         dxdt[3] = e87;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e91;
-        J[3] = e92;
+        J[2] = e88;
+        J[3] = e89;
         J[4] = Scalar(1);
-        J[5] = e88;
-        J[6] = e93;
-        J[7] = e94;
+        J[5] = e90;
+        J[6] = e91;
+        J[7] = e92;
         J[8] = Scalar(0);
-        J[9] = e89;
-        J[10] = e114;
-        J[11] = e117;
+        J[9] = e93;
+        J[10] = e113;
+        J[11] = e116;
         J[12] = Scalar(0);
-        J[13] = e90;
+        J[13] = e117;
         J[14] = e120;
         J[15] = e135;
     }

@@ -12,7 +12,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr std::ptrdiff_t most_held = 16;  ///< entries of a Jacobian that registers hold
+constexpr std::size_t most_held = 16;  ///< entries of a Jacobian that registers hold
 
 const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State", "c", "solved", "unit"};
 const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g", "rates", "by_time", "k"};
@@ -174,19 +174,28 @@ CppBody CppBodies::rhs() {
     return finish(cpp, std::move(statements), n_ + m_ > 0 ? "State& dxdt" : "State& /*dxdt*/", {.state = n_ > 0});
 }
 
-/// Nothing is stored before all is computed, where that fits into registers: for all that a compiler knows, what is stored may change a member,
-/// which it then loads anew.
+/// What J has, if that fits into registers: nothing is stored before all is computed then. For all that a compiler knows, what is stored may change
+/// a member, which it then loads anew.
+std::string CppBodies::entries_if_few(CppFunction& cpp, const FunctionCode& f) {
+    const JacobianLayout places = layout(By::state);
+    std::vector<NodeId> entries;
+    const auto take = [&](std::size_t row, std::size_t c, NodeId id) {
+        if (places.place(row, c) && f.program[id].kind != Node::Kind::constant) entries.push_back(id);
+    };
+    for (std::size_t c = 0; c < places.columns(); ++c) {
+        for (std::size_t j = 0; j < n_; ++j) take(velocities_ + j, c, f.solved.at(j, c));
+        for (std::size_t i = 0; i < m_; ++i) take(states_ + i, c, f.below.at(i, c));
+    }
+    if (entries.size() > most_held) return {};
+    for (const NodeId id : entries) cpp.keep(id);
+    return cpp.compute(entries);
+}
+
 CppBody CppBodies::rhs_and_jacobian() {
     const FunctionCode& f = code_[Function::rhs_and_jacobian];
     CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements = motion(cpp, f);
-    std::vector<NodeId> entries = f.solved.entries;
-    entries.insert(entries.end(), f.below.entries.begin(), f.below.entries.end());
-    const auto computed = std::count_if(entries.begin(), entries.end(), [&](NodeId id) { return f.program[id].kind != Node::Kind::constant; });
-    if (!f.by_loops && !f.loop && computed <= most_held) {
-        for (const NodeId id : entries) cpp.keep(id);
-        statements += cpp.compute(entries);
-    }
+    if (!f.by_loops && !f.loop) statements += entries_if_few(cpp, f);
     statements += stored_motion(cpp, f);
     statements += filled_jacobian(cpp, f, layout(By::state), By::state, true);
     return finish(cpp, std::move(statements), n_ + m_ > 0 ? "State& dxdt, JacobianX& J" : "State& /*dxdt*/, JacobianX& /*J*/", {.state = n_ > 0});

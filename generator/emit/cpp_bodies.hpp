@@ -71,6 +71,7 @@ private:
     std::vector<std::size_t> needed_definitions() const;
     std::string motion(CppFunction& cpp, const FunctionCode& f);
     std::string stored_motion(CppFunction& cpp, const FunctionCode& f);
+    std::string entries_if_few(CppFunction& cpp, const FunctionCode& f);
     std::string filled_jacobian(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout, By by, bool has_mass);
     std::string column_loop(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout);
     std::string factored_mass(CppFunction& cpp, const FunctionCode& f);
