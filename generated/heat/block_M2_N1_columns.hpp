@@ -23,7 +23,7 @@
 //   jacobian_p            38    124    11        0      0
 //   output                 3      3     0        0      0
 //   internal_energy        0      1     0        0      0
-//   exchanged_power        5     13     8        0      0
+//   exchanged_power        5     10     7        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -422,15 +422,15 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 5 + or -, 13 *, 8 /
+    /// Operations: 5 + or -, 10 *, 7 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar e1 = p_.B * p_.lambda_d * (c_.H / p_.L_d);
-        const Scalar e2 = p_.L_a / p_.lambda_a / c_.H + Scalar(1) / ((p_.H_b * p_.lambda_b + p_.H_c * p_.lambda_c) / p_.L_b);
-        const Scalar inverse_3 = Scalar(1) / (e2 / p_.B);
-        const Scalar e4 = e1 * (inverse_3 / (inverse_3 + e1));
+        const Scalar inverse_1 = Scalar(1) / p_.B;
+        const Scalar e2 = inverse_1 / c_.H * (p_.L_a / p_.lambda_a + p_.L_d / p_.lambda_d) + inverse_1
+            / ((p_.H_b * p_.lambda_b + p_.H_c * p_.lambda_c) / p_.L_b);
+        const Scalar inverse_3 = Scalar(1) / e2;
         const Scalar P = u[0];
         const Scalar T_P = x[0];
-        return p_.T_0 * e4 + P - T_P * e4;
+        return p_.T_0 * inverse_3 + P - T_P * inverse_3;
     }
 
     /// Functions whose sign matters, in the order of guard_table().

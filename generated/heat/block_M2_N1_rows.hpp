@@ -17,10 +17,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                12     33    26        0      0
+//   update                12     29    26        0      0
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            35     84    12        0      0
+//   jacobian_p            26     74    12        0      0
 //   output                 3      3     0        0      0
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        2      1     0        0      0
@@ -176,7 +176,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 12 + or -, 33 *, 26 /
+    /// Operations: 12 + or -, 29 *, 26 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         c_.H = p_.H_b + p_.H_c;
@@ -200,9 +200,9 @@ public:
         const Scalar e11 = Scalar(1) / ((e9 + e10 / p_.lambda_b) / p_.H_b) + Scalar(1) / ((e9 + e10 / p_.lambda_c) / p_.H_c);
         c_.R_up = Scalar(1) / e11;
         const Scalar inverse_12 = Scalar(1) / p_.C;
-        const Scalar inverse_13 = Scalar(1) / (Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
-        const Scalar inverse_14 = Scalar(1) / (Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
-        const Scalar e15 = c_.G_ab * inverse_13 / (c_.G_ab + inverse_13) + c_.G_ac * inverse_14 / (c_.G_ac + inverse_14);
+        const Scalar inverse_13 = Scalar(1) / (Scalar(1) / c_.G_ab + Scalar(1) / c_.G_b + Scalar(1) / c_.G_db);
+        const Scalar inverse_14 = Scalar(1) / (Scalar(1) / c_.G_ac + Scalar(1) / c_.G_c + Scalar(1) / c_.G_dc);
+        const Scalar e15 = inverse_13 + inverse_14;
         const Scalar e16 = inverse_12 * e15;
         c_.k0 = p_.T_0 * e16;
         c_.k1 = inverse_12;
@@ -228,9 +228,8 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 2 + or -, 2 *
-    ///     dot(T_P) = T_0*(G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c +
-    ///     1/G_dc))))/C + P/C - (G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c +
-    ///     1/G_dc))))*T_P/C
+    ///     dot(T_P) = T_0*(1/(1/G_ab + 1/G_b + 1/G_db) + 1/(1/G_ac + 1/G_c + 1/G_dc))/C + P/C - (1/(1/G_ab + 1/G_b + 1/G_db) +
+    ///     1/(1/G_ac + 1/G_c + 1/G_dc))*T_P/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar T_P = x[0];
@@ -261,70 +260,67 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 12, entry (i, j) at J[1*j + i].
-    /// Operations: 35 + or -, 84 *, 12 /
+    /// Operations: 26 + or -, 74 *, 12 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_P = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.L_a;
         const Scalar e2 = p_.lambda_a * inverse_1;
         const Scalar inverse_3 = Scalar(1) / p_.C;
         const Scalar e4 = p_.B * inverse_3;
-        const Scalar inverse_5 = Scalar(1) / c_.G_b;
-        const Scalar inverse_6 = Scalar(1) / c_.G_db;
-        const Scalar inverse_7 = Scalar(1) / (inverse_5 + inverse_6);
-        const Scalar inverse_8 = Scalar(1) / (c_.G_ab + inverse_7);
-        const Scalar e9 = inverse_7 * inverse_8;
-        const Scalar e10 = p_.H_b * e9;
+        const Scalar inverse_5 = Scalar(1) / c_.G_ab;
+        const Scalar inverse_6 = Scalar(1) / c_.G_b;
+        const Scalar inverse_7 = Scalar(1) / c_.G_db;
+        const Scalar inverse_8 = Scalar(1) / (inverse_5 + inverse_6 + inverse_7);
+        const Scalar inverse_8_squared = inverse_8 * inverse_8;
+        const Scalar e9 = p_.H_b * inverse_8_squared;
+        const Scalar inverse_5_squared = inverse_5 * inverse_5;
+        const Scalar inverse_10 = Scalar(1) / c_.G_ac;
         const Scalar inverse_11 = Scalar(1) / c_.G_c;
         const Scalar inverse_12 = Scalar(1) / c_.G_dc;
-        const Scalar inverse_13 = Scalar(1) / (inverse_11 + inverse_12);
-        const Scalar inverse_14 = Scalar(1) / (c_.G_ac + inverse_13);
-        const Scalar e15 = inverse_13 * inverse_14;
-        const Scalar e16 = p_.H_c * e15;
-        const Scalar e17 = inverse_1 * (e9 * e10 + e15 * e16);
-        const Scalar e18 = e4 * e17;
-        const Scalar e19 = p_.T_0 * e4;
-        const Scalar e20 = e19 * e17;
-        const Scalar inverse_21 = Scalar(1) / p_.L_b;
-        const Scalar e22 = inverse_21 * e4;
-        const Scalar inverse_5_squared = inverse_5 * inverse_5;
-        const Scalar e23 = c_.G_ab * e9;
-        const Scalar e24 = e23 * (c_.G_ab * e10);
-        const Scalar e25 = inverse_5_squared * e24;
-        const Scalar inverse_11_squared = inverse_11 * inverse_11;
-        const Scalar e26 = c_.G_ac * e15;
-        const Scalar e27 = e26 * (c_.G_ac * e16);
-        const Scalar e28 = inverse_11_squared * e27;
-        const Scalar e29 = inverse_21 * (p_.lambda_b * e25 + p_.lambda_c * e28);
-        const Scalar e30 = inverse_21 * e19;
-        const Scalar inverse_31 = Scalar(1) / p_.L_d;
-        const Scalar e32 = p_.lambda_d * inverse_31;
+        const Scalar inverse_13 = Scalar(1) / (inverse_10 + inverse_11 + inverse_12);
+        const Scalar inverse_13_squared = inverse_13 * inverse_13;
+        const Scalar e14 = p_.H_c * inverse_13_squared;
+        const Scalar inverse_10_squared = inverse_10 * inverse_10;
+        const Scalar e15 = e9 * inverse_5_squared + e14 * inverse_10_squared;
+        const Scalar e16 = inverse_1 * e15;
+        const Scalar e17 = e4 * e16;
+        const Scalar e18 = p_.T_0 * e4;
+        const Scalar e19 = e18 * e16;
+        const Scalar inverse_20 = Scalar(1) / p_.L_b;
         const Scalar inverse_6_squared = inverse_6 * inverse_6;
+        const Scalar e21 = e9 * inverse_6_squared;
+        const Scalar inverse_11_squared = inverse_11 * inverse_11;
+        const Scalar e22 = e14 * inverse_11_squared;
+        const Scalar e23 = inverse_20 * (p_.lambda_b * e21 + p_.lambda_c * e22);
+        const Scalar e24 = inverse_20 * e4;
+        const Scalar e25 = inverse_20 * e18;
+        const Scalar inverse_26 = Scalar(1) / p_.L_d;
+        const Scalar e27 = p_.lambda_d * inverse_26;
+        const Scalar inverse_7_squared = inverse_7 * inverse_7;
         const Scalar inverse_12_squared = inverse_12 * inverse_12;
-        const Scalar e33 = inverse_31 * (e24 * inverse_6_squared + e27 * inverse_12_squared);
-        const Scalar e34 = e4 * e33;
-        const Scalar e35 = e19 * e33;
-        const Scalar e36 = inverse_7 * (p_.lambda_b * inverse_21 * inverse_5_squared + e32 * inverse_6_squared);
-        const Scalar e37 = c_.G_ab * (e36 - inverse_8 * (e2 + inverse_7 * e36)) + e2;
-        const Scalar e38 = e37 * e9;
-        const Scalar e39 = p_.lambda_c * inverse_21 * inverse_11_squared + e32 * inverse_12_squared;
-        const Scalar e40 = inverse_13 * e39;
-        const Scalar e41 = c_.G_ac * (e40 - inverse_14 * (e2 + inverse_13 * e40)) + e2;
-        const Scalar e42 = e41 * e15;
-        const Scalar e43 = inverse_3 * (e37 * e10 + e41 * e16);
+        const Scalar e28 = e9 * inverse_7_squared + e14 * inverse_12_squared;
+        const Scalar e29 = inverse_26 * e28;
+        const Scalar e30 = e4 * e29;
+        const Scalar e31 = e18 * e29;
+        const Scalar e32 = p_.lambda_b * inverse_20 * inverse_6_squared + e2 * inverse_5_squared + e27 * inverse_7_squared;
+        const Scalar e33 = e32 * inverse_8_squared;
+        const Scalar e34 = p_.lambda_c * inverse_20 * inverse_11_squared + e2 * inverse_10_squared;
+        const Scalar e35 = (e34 + e27 * inverse_12_squared) * inverse_13_squared;
+        const Scalar e36 = inverse_3 * (e15 * e2 + e28 * e27 + e23);
         const Scalar inverse_3_squared = inverse_3 * inverse_3;
-        const Scalar e44 = (e23 + e26) * inverse_3_squared;
+        const Scalar e37 = (inverse_8 + inverse_13) * inverse_3_squared;
         const Scalar P = u[0];
-        J[0] = T_P * (e2 * e18) - e2 * e20;
-        J[1] = T_P * (e22 * e29) - e30 * e29;
-        J[2] = T_P * (e32 * e34) - e32 * e35;
-        J[3] = T_P * (-e4 * e38) - (-e19 * e38);
-        J[4] = T_P * (-e4 * e42) - (-e19 * e42);
-        J[5] = T_P * (-e43) - (-p_.T_0 * e43);
-        J[6] = e20 - T_P * e18;
-        J[7] = e30 * e25 - T_P * (e22 * e25);
-        J[8] = e30 * e28 - T_P * (e22 * e28);
-        J[9] = e35 - T_P * e34;
-        J[10] = T_P * e44 - p_.T_0 * e44 - P * inverse_3_squared;
+        J[0] = T_P * (e2 * e17) - e2 * e19;
+        J[1] = T_P * (e23 * e24) - e23 * e25;
+        J[2] = T_P * (e27 * e30) - e27 * e31;
+        J[3] = e18 * e33 - T_P * (e4 * e33);
+        J[4] = e18 * e35 - T_P * (e4 * e35);
+        J[5] = p_.T_0 * e36 - T_P * e36;
+        J[6] = e19 - T_P * e17;
+        J[7] = e25 * e21 - T_P * (e24 * e21);
+        J[8] = e25 * e22 - T_P * (e24 * e22);
+        J[9] = e31 - T_P * e30;
+        J[10] = T_P * e37 - p_.T_0 * e37 - P * inverse_3_squared;
         J[11] = c_.k2;
     }
 
@@ -351,9 +347,8 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: 3 + or -, 3 *
-    ///     Q_chain = -T_0*(G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c +
-    ///     1/G_dc)))) + (G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c +
-    ///     1/G_dc))))*T_P
+    ///     Q_chain = -T_0*(1/(1/G_ab + 1/G_b + 1/G_db) + 1/(1/G_ac + 1/G_c + 1/G_dc)) + (1/(1/G_ab + 1/G_b + 1/G_db) + 1/(1/G_ac +
+    ///     1/G_c + 1/G_dc))*T_P
     ///     Q_most = -T_0/R_low + T_P/R_low
     ///     Q_least = -T_0/R_up + T_P/R_up
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
@@ -447,11 +442,11 @@ private:
         Scalar G_dc;  ///< H_c*B*lambda_d/L_d
         Scalar R_low;  ///< (L_a/(lambda_a*H) + L_d/(lambda_d*H) + 1/(H_b*lambda_b/L_b + H_c*lambda_c/L_b))/B
         Scalar R_up;  ///< 1/(1/(L_a/(H_b*B*lambda_a) + L_b/(H_b*B*lambda_b) + L_d/(H_b*B*lambda_d)) + ...
-        Scalar k0;  ///< T_0*(G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + ...
+        Scalar k0;  ///< T_0*(1/(1/G_ab + 1/G_b + 1/G_db) + 1/(1/G_ac + 1/G_c + 1/G_dc))/C
         Scalar k1;  ///< 1/C
-        Scalar k2;  ///< (G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c + ...
-        Scalar k3;  ///< T_0*(G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + ...
-        Scalar k4;  ///< G_ab/((1/G_b + 1/G_db)*(G_ab + 1/(1/G_b + 1/G_db))) + G_ac/((1/G_c + 1/G_dc)*(G_ac + 1/(1/G_c + ...
+        Scalar k2;  ///< (1/(1/G_ab + 1/G_b + 1/G_db) + 1/(1/G_ac + 1/G_c + 1/G_dc))/C
+        Scalar k3;  ///< T_0*(1/(1/G_ab + 1/G_b + 1/G_db) + 1/(1/G_ac + 1/G_c + 1/G_dc))
+        Scalar k4;  ///< 1/(1/G_ab + 1/G_b + 1/G_db) + 1/(1/G_ac + 1/G_c + 1/G_dc)
         Scalar k5;  ///< T_0/R_low
         Scalar k6;  ///< 1/R_low
         Scalar k7;  ///< T_0/R_up

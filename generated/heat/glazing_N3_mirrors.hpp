@@ -16,14 +16,14 @@
 //     this code = the derivation: 16 of 16 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                23     59    10        0      0
+//   update                19     48    12        0      0
 //   rhs                    5      4     0        0      0
 //   rhs_and_jacobian       6      4     0        0      0
-//   jacobian_p           101    222    10        0      0
+//   jacobian_p            91    205    12        0      0
 //   output                 6      6     0        0      0
 //   output_jacobian_u      1      0     0        0      0
 //   internal_energy        0      1     0        0      0
-//   exchanged_power       10     16     5        0      0
+//   exchanged_power       10     14     5        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -172,57 +172,52 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 23 + or -, 59 *, 10 /
+    /// Operations: 19 + or -, 48 *, 12 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar inverse_1 = Scalar(1) / p_.C;
-        const Scalar e2 = p_.a_i * p_.a_e;
-        const Scalar e3 = p_.k / p_.d;
-        const Scalar inverse_4 = Scalar(1) / (p_.a_i + e3);
-        const Scalar inverse_5 = Scalar(1) / p_.A;
-        const Scalar inverse_6 = Scalar(1) / p_.a_i;
-        const Scalar e7 = inverse_5 * inverse_6;
-        const Scalar e8 = p_.d / p_.k;
-        const Scalar e9 = inverse_5 * e8;
-        const Scalar inverse_10 = Scalar(1) / (e7 + e9);
-        const Scalar e11 = p_.A * e3;
-        const Scalar e12 = inverse_4 / (inverse_10 + e11);
-        const Scalar inverse_13 = Scalar(1) / (e7 + Scalar(2) * e9);
-        const Scalar inverse_14 = Scalar(1) / (p_.A * p_.a_e + inverse_13);
-        const Scalar e15 = p_.A * inverse_14;
-        const Scalar e16 = e12 * e15;
-        const Scalar e17 = e3 * e16;
-        const Scalar e18 = p_.A * e17;
-        const Scalar e19 = e18 * e11;
-        const Scalar e20 = e2 * e19;
-        const Scalar e21 = inverse_1 * e20;
-        c_.k0 = p_.T_e * e21;
+        const Scalar inverse_2 = Scalar(1) / p_.A;
+        const Scalar inverse_3 = Scalar(1) / p_.a_i;
+        const Scalar e4 = p_.d / p_.k;
+        const Scalar e5 = Scalar(2) * (inverse_2 * ((Scalar(1) / Scalar(2)) * inverse_3 + e4));
+        const Scalar inverse_6 = Scalar(1) / (inverse_2 / p_.a_e + e5);
+        const Scalar e7 = inverse_1 * inverse_6;
+        c_.k0 = p_.T_e * e7;
         c_.k1 = inverse_1;
-        const Scalar e22 = inverse_13 * e3;
-        const Scalar e23 = inverse_10 * e16;
-        const Scalar e24 = Scalar(3) * e18 * (p_.a_i * inverse_13 + (Scalar(1) / Scalar(3)) * p_.a_e * inverse_10);
-        const Scalar e25 = (p_.A * e2 + e22) * (Scalar(2) * e18 + e23) + (p_.a_i * (e19 + inverse_13 * e23) + e24);
-        const Scalar e26 = p_.share * e25;
-        c_.k2 = p_.A * inverse_1 * (Scalar(1) - Scalar(3) * p_.share) + inverse_1 * e26;
-        c_.k3 = e21;
-        const Scalar e27 = inverse_1 * (p_.U_w * p_.A_w);
-        c_.k4 = e27;
-        c_.k5 = e21 + e27;
-        c_.k6 = p_.T_e * e20;
-        c_.k7 = e26;
-        c_.k8 = e20;
-        const Scalar e28 = p_.a_e * p_.T_e;
-        const Scalar e29 = e3 * e18;
-        c_.k9 = e28 * e29;
-        const Scalar e30 = p_.share * e12;
-        const Scalar e31 = inverse_10 * e3;
-        const Scalar e32 = p_.share * inverse_13;
-        const Scalar e33 = e17 * e32;
-        c_.k10 = p_.share * (inverse_4 + e29) + inverse_6 * (e30 * e31 + Scalar(2) * e3 * e33) + e11 * e30 + e33;
-        c_.k11 = p_.a_i * inverse_4 + e12 * e31 + e17 * e22;
-        c_.k12 = e15 * e28;
-        c_.k13 = inverse_14 * e32 * (Scalar(2) * inverse_6 + e8) + p_.share * e15;
-        c_.k14 = inverse_13 * inverse_14;
+        const Scalar inverse_8 = Scalar(1) / e5;
+        const Scalar e9 = p_.A + Scalar(2) * inverse_3 * inverse_8;
+        const Scalar e10 = e9 + inverse_8 * e4;
+        const Scalar inverse_11 = Scalar(1) / (inverse_2 * (inverse_3 + e4));
+        const Scalar e12 = p_.k / p_.d;
+        const Scalar e13 = inverse_11 + p_.A * e12;
+        const Scalar inverse_14 = Scalar(1) / e13;
+        const Scalar e15 = p_.A * p_.a_e;
+        const Scalar e16 = inverse_8 + e15;
+        const Scalar e17 = p_.A + inverse_3 * inverse_11;
+        const Scalar inverse_18 = Scalar(1) / (p_.a_i + e12);
+        const Scalar e19 = p_.a_i * inverse_18;
+        const Scalar inverse_20 = Scalar(1) / e16;
+        const Scalar e21 = p_.share * inverse_20;
+        const Scalar e22 = inverse_8 * e10 + inverse_14 * e16 * (inverse_11 * e17 + p_.A * e13 * e19);
+        const Scalar e23 = e22 * e21;
+        c_.k2 = p_.A * inverse_1 * (Scalar(1) - Scalar(3) * p_.share) + inverse_1 * e23;
+        c_.k3 = e7;
+        const Scalar e24 = inverse_1 * (p_.U_w * p_.A_w);
+        c_.k4 = e24;
+        c_.k5 = e7 + e24;
+        c_.k6 = p_.T_e * inverse_6;
+        c_.k7 = e23;
+        c_.k8 = inverse_6;
+        const Scalar e25 = e12 * (inverse_18 * inverse_14);
+        const Scalar e26 = p_.A * inverse_20;
+        const Scalar e27 = e25 * e26;
+        const Scalar e28 = e12 * e27;
+        c_.k9 = p_.T_e * e28 * e15;
+        c_.k10 = p_.share * (inverse_18 + e17 * e25 + inverse_8 * e27 + e9 * e28);
+        c_.k11 = inverse_11 * e25 + inverse_8 * e28 + e19;
+        c_.k12 = p_.a_e * p_.T_e * e26;
+        c_.k13 = e10 * e21;
+        c_.k14 = inverse_8 * inverse_20;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -236,18 +231,18 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 5 + or -, 4 *
-    ///     dot(T) = A^3*k^2*a_i*a_e*T_e/(C*d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) +
-    ///     P/C + A*(1 + 2*A^2*k*a_i*a_e*share/(d*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
-    ///     + 3*A*k*a_i*share/(d*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
-    ///     1/(A*a_i)))) + A^2*k^2*a_i*share/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
-    ///     + A*k*a_e*share/(d*(d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
-    ///     1/(A*a_i)))) + 2*A*k^2*share/(d^2*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e +
-    ///     1/(2*d/(A*k) + 1/(A*a_i)))) + A*a_i*a_e*share/((d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) +
-    ///     1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + k*share/(d*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(k/d +
-    ///     a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + a_i*share/((d/(A*k) +
-    ///     1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) -
-    ///     3*share)*sun/C - A^3*k^2*a_i*a_e*T/(C*d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
-    ///     1/(A*a_i)))) + U_w*A_w*(T_e - T)/C
+    ///     dot(T) = T_e/(C*(2*d/(A*k) + 1/(A*a_i) + 1/(A*a_e))) + P/C + (A + A^3*k*a_i*a_e*share/(d*(k/d + a_i)*(A*k/d + 1/(d/(A*k)
+    ///     + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + A^2*k*a_i*share/(d*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d +
+    ///     1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + A^2*a_i*a_e*share/((d/(A*k) + 1/(A*a_i))*(k/d +
+    ///     a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + A*a_e*share/(a_i*(d/(A*k) +
+    ///     1/(A*a_i))^2*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + A*a_i*share/((d/(A*k) +
+    ///     1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) +
+    ///     A^2*a_e*share/((d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) - 3*A*share
+    ///     + A*share/((d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
+    ///     1/(A*a_i)))) + A*share/((2*d/(A*k) + 1/(A*a_i))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + d*share/(k*(2*d/(A*k) +
+    ///     1/(A*a_i))^2*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + share/(a_i*(d/(A*k) + 1/(A*a_i))^2*(2*d/(A*k) + 1/(A*a_i))*(A*k/d +
+    ///     1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + 2*share/(a_i*(2*d/(A*k) + 1/(A*a_i))^2*(A*a_e +
+    ///     1/(2*d/(A*k) + 1/(A*a_i)))))*sun/C - T/(C*(2*d/(A*k) + 1/(A*a_i) + 1/(A*a_e))) + U_w*A_w*(T_e - T)/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar sun = u[1];
@@ -281,119 +276,123 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 101 + or -, 222 *, 10 /
+    /// Operations: 91 + or -, 205 *, 12 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar sun = u[1];
         const Scalar inverse_1 = Scalar(1) / p_.A;
-        const Scalar inverse_2 = Scalar(1) / p_.a_i;
-        const Scalar e3 = inverse_1 * inverse_2;
+        const Scalar inverse_2 = Scalar(1) / p_.a_e;
+        const Scalar inverse_3 = Scalar(1) / p_.a_i;
         const Scalar inverse_4 = Scalar(1) / p_.k;
         const Scalar e5 = p_.d * inverse_4;
-        const Scalar e6 = inverse_1 * e5;
-        const Scalar inverse_7 = Scalar(1) / (e3 + Scalar(2) * e6);
-        const Scalar inverse_8 = Scalar(1) / (e3 + e6);
+        const Scalar e6 = (Scalar(1) / Scalar(2)) * inverse_3 + e5;
+        const Scalar e7 = inverse_1 * (inverse_2 + Scalar(2) * e6);
+        const Scalar inverse_8 = Scalar(1) / e7;
         const Scalar inverse_9 = Scalar(1) / p_.C;
-        const Scalar inverse_10 = Scalar(1) / p_.d;
-        const Scalar e11 = p_.k * inverse_10;
-        const Scalar e12 = p_.A * e11;
-        const Scalar inverse_13 = Scalar(1) / (inverse_8 + e12);
-        const Scalar inverse_14 = Scalar(1) / (p_.a_i + e11);
-        const Scalar e15 = p_.A * p_.a_e;
-        const Scalar e16 = inverse_7 + e15;
-        const Scalar inverse_17 = Scalar(1) / e16;
-        const Scalar e18 = inverse_9 * inverse_13 * (inverse_14 * inverse_17);
-        const Scalar e19 = p_.share * e18;
-        const Scalar e20 = inverse_8 * e19;
-        const Scalar e21 = p_.a_i * e20;
-        const Scalar inverse_7_squared = inverse_7 * inverse_7;
-        const Scalar e22 = inverse_17 * inverse_7_squared;
-        const Scalar e23 = e19 * e11;
-        const Scalar e24 = inverse_8 * inverse_13;
-        const Scalar e25 = inverse_8 * e24;
-        const Scalar e26 = Scalar(2) * e22 + e25;
-        const Scalar e27 = p_.a_i * e19;
-        const Scalar e28 = p_.a_e + inverse_1 * inverse_7;
-        const Scalar e29 = e21 * e5;
-        const Scalar e30 = e22 + e25;
-        const Scalar e31 = inverse_8 - e30;
-        const Scalar e32 = e11 * e20;
-        const Scalar e33 = inverse_2 * e32;
-        const Scalar e34 = e19 * e12;
-        const Scalar e35 = p_.A * p_.a_i;
-        const Scalar e36 = (Scalar(3) / Scalar(2)) * inverse_7 + e15;
-        const Scalar e37 = inverse_8 * e16;
-        const Scalar e38 = e36 * e35 + (Scalar(1) / Scalar(2)) * e37;
-        const Scalar e39 = Scalar(2) * inverse_7 + e35;
-        const Scalar e40 = e12 * e39;
-        const Scalar e41 = Scalar(2) * e38 + e40;
-        const Scalar e42 = inverse_7 * e34;
-        const Scalar e43 = p_.a_i * inverse_14;
-        const Scalar e44 = p_.A * inverse_13 + inverse_14;
-        const Scalar e45 = e44 * e11;
-        const Scalar e46 = e34 * e43;
-        const Scalar e47 = p_.a_i * e12;
-        const Scalar e48 = e16 * e21;
-        const Scalar e49 = e12 * e48;
-        const Scalar e50 = inverse_7 * e32;
-        const Scalar e51 = inverse_8 * e28;
-        const Scalar e52 = Scalar(2) * (e20 * e51);
-        const Scalar e53 = inverse_17 * e15 + e43;
-        const Scalar e54 = inverse_1 * inverse_7_squared;
-        const Scalar e55 = e26 + e12 * e45;
-        const Scalar e56 = e47 - (Scalar(1) / Scalar(4)) * (p_.a_i * e55 + e30 * e11);
-        const Scalar e57 = Scalar(1) - Scalar(3) * p_.share;
-        const Scalar e58 = e19 * e35;
-        const Scalar e59 = (inverse_7 * e30 - inverse_7_squared) * (inverse_2 * e11);
-        const Scalar e60 = e53 * e47 - Scalar(4) * e56;
-        const Scalar e61 = e18 * e12;
-        const Scalar e62 = p_.a_e * e61;
-        const Scalar e63 = p_.T_e * e62;
+        const Scalar e10 = inverse_9 * inverse_8;
+        const Scalar e11 = inverse_8 * e10;
+        const Scalar e12 = inverse_1 * e11;
+        const Scalar e13 = p_.T_e * e12;
+        const Scalar sun = u[1];
+        const Scalar e14 = inverse_1 * inverse_3;
+        const Scalar e15 = inverse_1 * e5;
+        const Scalar inverse_16 = Scalar(1) / (e14 + e15);
+        const Scalar inverse_17 = Scalar(1) / p_.d;
+        const Scalar e18 = p_.k * inverse_17;
+        const Scalar e19 = p_.A * e18;
+        const Scalar e20 = inverse_16 + e19;
+        const Scalar inverse_21 = Scalar(1) / e20;
+        const Scalar e22 = inverse_1 * e6;
+        const Scalar inverse_23 = Scalar(1) / (Scalar(2) * e22);
+        const Scalar e24 = p_.A * p_.a_e;
+        const Scalar e25 = inverse_23 + e24;
+        const Scalar inverse_26 = Scalar(1) / e25;
+        const Scalar e27 = inverse_9 * inverse_26;
+        const Scalar e28 = p_.share * e27;
+        const Scalar e29 = inverse_21 * e28;
+        const Scalar e30 = inverse_16 * e29;
+        const Scalar e31 = p_.a_e + inverse_1 * inverse_23;
+        const Scalar inverse_32 = Scalar(1) / (p_.a_i + e18);
+        const Scalar e33 = inverse_3 + inverse_32;
+        const Scalar inverse_23_squared = inverse_23 * inverse_23;
+        const Scalar e34 = inverse_26 * inverse_23_squared;
+        const Scalar e35 = inverse_1 * inverse_23_squared;
+        const Scalar e36 = inverse_23_squared * e14;
+        const Scalar e37 = inverse_16 * e30;
+        const Scalar e38 = e31 * e37;
+        const Scalar e39 = p_.a_i * inverse_32;
+        const Scalar e40 = Scalar(1) + e39;
+        const Scalar e41 = inverse_16 * inverse_21;
+        const Scalar e42 = inverse_16 * e41 + Scalar(2) * e34;
+        const Scalar e43 = e5 * e14;
+        const Scalar e44 = inverse_3 * e14;
+        const Scalar e45 = e44 * e34;
+        const Scalar e46 = e25 * e18;
+        const Scalar e47 = p_.a_e * inverse_3;
+        const Scalar e48 = e29 * e39;
+        const Scalar e49 = inverse_23 * e30;
+        const Scalar e50 = e30 * e24;
+        const Scalar e51 = e48 * e19;
+        const Scalar e52 = e28 * inverse_23_squared;
+        const Scalar e53 = inverse_23 * e52;
+        const Scalar e54 = inverse_26 * e53;
+        const Scalar e55 = inverse_3 * inverse_16 * inverse_16 + p_.A * e39 * e19;
+        const Scalar e56 = e40 * e30;
+        const Scalar e57 = e29 * e55 + p_.A * e56;
+        const Scalar e58 = inverse_32 * e20;
+        const Scalar e59 = inverse_21 * e57 + e48 * e58;
+        const Scalar e60 = inverse_32 * e29;
+        const Scalar e61 = (Scalar(1) - (Scalar(1) / Scalar(2)) * inverse_23 * inverse_26) * e53;
+        const Scalar e62 = e14 * e61;
+        const Scalar e63 = inverse_16 * e38;
+        const Scalar e64 = Scalar(2) * inverse_3 + e5;
+        const Scalar e65 = p_.A * inverse_23 + inverse_23_squared * e64;
+        const Scalar e66 = e28 * e65;
+        const Scalar e67 = e25 * e57 + e66;
+        const Scalar e68 = Scalar(1) - Scalar(3) * p_.share;
+        const Scalar e69 = e35 - (Scalar(1) / Scalar(2)) * e42 * e31;
+        const Scalar e70 = e25 * e42 - Scalar(2) * inverse_23_squared;
+        const Scalar e71 = e70 * e48;
         const Scalar T = x[0];
-        const Scalar e64 = e12 * e35;
-        const Scalar e65 = inverse_9 * e64;
+        const Scalar e72 = inverse_9 * e10;
         const Scalar P = u[0];
         const Scalar inverse_9_squared = inverse_9 * inverse_9;
-        const Scalar e66 = e16 * e20;
-        const Scalar e67 = p_.T_e - T;
-        const Scalar e68 = e55 - Scalar(2) * e12;
-        const Scalar e69 = inverse_10 * e35;
-        const Scalar e70 = e68 * e69;
-        const Scalar e71 = inverse_10 * e19;
-        const Scalar e72 = Scalar(2) * inverse_7_squared + e37;
-        const Scalar e73 = Scalar(6) * ((Scalar(1) / Scalar(6)) * e20 * e72 + inverse_7_squared * e58);
-        const Scalar e74 = inverse_7_squared + (Scalar(1) / Scalar(2)) * (e38 - (Scalar(1) / Scalar(2)) * e68 * e39);
-        const Scalar e75 = inverse_4 * (e16 * e26 - e72);
-        const Scalar e76 = inverse_10 * e44;
-        const Scalar e77 = e70 * (e18 * e15);
-        const Scalar e78 = inverse_14 * e12;
-        const Scalar e79 = e12 * (inverse_2 * e30 - e78);
-        const Scalar e80 = inverse_7 * inverse_17 * (e61 * e64);
-        const Scalar e81 = inverse_7 * (Scalar(2) * e21 - Scalar(7) * e22 * e23 - Scalar(3) * e26 * e27);
-        const Scalar e82 = e81 - e28 * (Scalar(3) * e20 * e22 + e26 * e29 - e31 * e33) + inverse_7_squared
-            * (e32 * e3 + Scalar(7) * e23 + Scalar(6) * e27) - p_.a_e * e34
-            * (Scalar(2) * e30 - Scalar(8) * e35 + inverse_17 * e41) + e11 * e42
-            * (Scalar(6) - Scalar(5) * e43 - Scalar(2) * e45) + p_.a_i * (Scalar(9) * e42 - Scalar(2) * e36 * e46) - inverse_13
-            * (Scalar(3) * e42 * e47 + e49) - e24 * (Scalar(5) * e50 + e52) - e48 * (Scalar(2) * inverse_14 * e11 + e53) + e29
-            * (e51 + Scalar(2) * e54) + p_.a_e * e20 * (Scalar(3) * (e12 + e35)) + Scalar(4) * e34 * e56 + inverse_9 * e57
-            - e16 * e32 * e45 - Scalar(2) * p_.a_e * e55 * e58 + Scalar(3) * e20 * e54 + Scalar(2) * e50 - e47 * e46 + e52
-            - Scalar(2) * e23 * e59;
-        J[0] = sun * e82 - e60 * e63 + T * (e62 * e60);
-        const Scalar e83 = sun * (inverse_9 * (e34 * e41 + e35 * e66) + p_.A * e57 * inverse_9_squared);
-        J[1] = T * (e62 * e65) - e63 * e65 - P * inverse_9_squared - e83 - e67 * (p_.U_w * p_.A_w * inverse_9_squared);
-        J[2] = e67 * (p_.A_w * inverse_9);
-        J[3] = e67 * (p_.U_w * inverse_9);
-        const Scalar e84 = Scalar(2) * e55 * e38 * e71 - inverse_10 * (e73 + Scalar(4) * e34 * e74) + e21 * e75 + e76 * e49;
-        J[4] = e63 * e70 + sun * e84 - T * (e62 * e70);
-        const Scalar e85 = inverse_4 * (Scalar(2) * e26 * e19 * e38 - e73) + Scalar(2) * e38 * e34 * e76 - Scalar(4) * p_.A
-            * e74 * e71 + e44 * e69 * e66 + e29 * e75;
-        J[5] = T * e77 - p_.T_e * e77 - sun * e85;
-        const Scalar e86 = Scalar(2) * e30 * e36 - Scalar(3) * inverse_7_squared + Scalar(2) * e59;
-        const Scalar e87 = inverse_2 * e34 * e86 - e34 * (Scalar(2) * e15 * e78 - e79) - inverse_2
-            * (e16 * e31 + inverse_7_squared) * (e20 + e33) - e42 * e78;
-        J[6] = T * (e62 * e79) - e63 * e79 - sun * e87;
-        J[7] = p_.T_e * e80 - sun * (p_.A * inverse_17 * (e35 * e42 + e34 * e40)) - T * e80;
+        const Scalar e73 = p_.T_e - T;
+        const Scalar e74 = inverse_4 * e12;
+        const Scalar e75 = p_.T_e * e74;
+        const Scalar e76 = e25 * (p_.A * e48 - e59);
+        const Scalar e77 = p_.A * inverse_17;
+        const Scalar e78 = e25 * e40;
+        const Scalar e79 = inverse_3 * e63 - e54;
+        const Scalar e80 = Scalar(4) * (inverse_1 * e64 * e61 - (Scalar(1) / Scalar(4)) * e70 * e56);
+        const Scalar e81 = e37 * (inverse_3 * e69 + (Scalar(1) / Scalar(2)) * e78) + e79 + (Scalar(1) / Scalar(2))
+            * (e52 + e80);
+        const Scalar e82 = inverse_4 * e81;
+        const Scalar e83 = e11 * e44;
+        const Scalar inverse_3_squared = inverse_3 * inverse_3;
+        const Scalar e84 = inverse_3_squared * (e37 * e41);
+        const Scalar inverse_2_squared = inverse_2 * inverse_2;
+        const Scalar e85 = inverse_23 * e14 - inverse_32 * inverse_21 * e46 + Scalar(2) * e47 + Scalar(2) * e22 * e36;
+        const Scalar e86 = e30 * (e31 * e33 * e34 - inverse_32 * e35 - e36) - e38
+            * (inverse_32 + e40 * e5 - e33 * e41 - e42 * e43 - e45) - e37 * e85 + e39
+            * (e25 * e20 * e48 - Scalar(2) * e49 - Scalar(3) * e50) - inverse_23 * (e28 + Scalar(3) * e51) - e22
+            * (Scalar(2) * (e52 - e54)) + e46 * (e59 + e34 * e60) - e15 * (Scalar(4) * e61 * e15 + Scalar(10) * e62) - e44
+            * e63 * (Scalar(2) - e41) + p_.a_e * inverse_26 * e67 - inverse_9 * e68 - inverse_23_squared * e18 * e60
+            - Scalar(2) * e5 * e69 * e56 + e71 - e49 - Scalar(2) * e63 * e43 - Scalar(4) * e24 * e51 - Scalar(2) * e50
+            - Scalar(4) * e14 * e62;
+        J[0] = e7 * e13 - sun * e86 - T * (e12 * e7);
+        J[1] = T * e72 - p_.T_e * e72 - P * inverse_9_squared - sun * (inverse_9 * e67 + p_.A * e68 * inverse_9_squared) - e73
+            * (p_.U_w * p_.A_w * inverse_9_squared);
+        J[2] = e73 * (p_.A_w * inverse_9);
+        J[3] = e73 * (p_.U_w * inverse_9);
+        J[4] = T * (Scalar(2) * e74) - Scalar(2) * e75 - sun * (inverse_17 * e19 * e76 - e71 * e77 + Scalar(2) * e82);
+        J[5] = Scalar(2) * e5 * e75 + sun * (e77 * e76 - p_.A * inverse_4 * e71 + Scalar(2) * e5 * e82) - T
+            * (Scalar(2) * e5 * e74);
+        const Scalar e87 = e5 * e52 * e45 - inverse_3 * (e53 * e44 + e46 * e84) - e25 * (e19 * e60 * e58 - e84)
+            - inverse_3_squared * (e79 + Scalar(2) * e54 * e47);
+        J[6] = p_.T_e * e83 - sun * e87 - T * e83;
+        J[7] = inverse_2_squared * e13 - sun * (p_.A * inverse_26 * e66) - T * (e12 * inverse_2_squared);
         J[8] = c_.k5;
-        J[9] = -sun * (Scalar(3) * p_.A * inverse_9 - e61 * e41 - e18 * e35 * e37);
+        const Scalar e88 = Scalar(3) * p_.A * inverse_9 - e27 * (inverse_21 * e25 * e55 + e65 + p_.A * e41 * e78);
+        J[9] = -sun * e88;
     }
 
     /// J = df/dt at fixed x and u.
@@ -419,12 +418,14 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: 6 + or -, 6 *
-    ///     Q_m = -A^3*k^2*a_i*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) -
-    ///     A*share*(A^2*k^2*a_i/d^2 + 2*A^2*k*a_i*a_e/d + 3*A*k*a_i/(d*(2*d/(A*k) + 1/(A*a_i))) + A*k*a_e/(d*(d/(A*k) + 1/(A*a_i)))
-    ///     + 2*A*k^2/(d^2*(2*d/(A*k) + 1/(A*a_i))) + A*a_i*a_e/(d/(A*k) + 1/(A*a_i)) + k/(d*(d/(A*k) + 1/(A*a_i))*(2*d/(A*k) +
-    ///     1/(A*a_i))) + a_i/((d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))))*sun/((k/d + a_i)*(A*k/d + 1/(d/(A*k) +
-    ///     1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) + A^3*k^2*a_i*a_e*T/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) +
-    ///     1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
+    ///     Q_m = -T_e/(2*d/(A*k) + 1/(A*a_i) + 1/(A*a_e)) - share*(A^3*k*a_i*a_e/(d*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i))))
+    ///     + A^2*k*a_i/(d*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A^2*a_i*a_e/((d/(A*k) +
+    ///     1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A*a_e/(a_i*(d/(A*k) + 1/(A*a_i))^2*(A*k/d + 1/(d/(A*k) +
+    ///     1/(A*a_i)))) + A*a_i/((d/(A*k) + 1/(A*a_i))*(2*d/(A*k) + 1/(A*a_i))*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) +
+    ///     A^2*a_e/((d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A/((d/(A*k) + 1/(A*a_i))*(2*d/(A*k) +
+    ///     1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + A/(2*d/(A*k) + 1/(A*a_i)) + d/(k*(2*d/(A*k) + 1/(A*a_i))^2) +
+    ///     1/(a_i*(d/(A*k) + 1/(A*a_i))^2*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))) + 2/(a_i*(2*d/(A*k) +
+    ///     1/(A*a_i))^2))*sun/(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))) + T/(2*d/(A*k) + 1/(A*a_i) + 1/(A*a_e))
     ///     T_in = A^2*k^2*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) +
     ///     share*(1 + 2*A*k^2/(d^2*a_i*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) +
     ///     1/(A*a_i)))) + A*k/(d*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))) +
@@ -504,19 +505,18 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 10 + or -, 16 *, 5 /
+    /// Operations: 10 + or -, 14 *, 5 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        const Scalar inverse_1 = Scalar(1) / p_.a_i;
-        const Scalar e2 = p_.d / p_.k;
-        const Scalar inverse_3 = Scalar(1) / ((inverse_1 + Scalar(2) * e2) / p_.A);
-        const Scalar e4 = p_.A * p_.a_e;
-        const Scalar e5 = e4 / (inverse_3 + e4);
-        const Scalar e6 = inverse_3 * e5;
         const Scalar P = u[0];
         const Scalar sun = u[1];
+        const Scalar e1 = p_.A * p_.a_e;
+        const Scalar inverse_2 = Scalar(1) / p_.a_i;
+        const Scalar e3 = p_.d / p_.k;
+        const Scalar inverse_4 = Scalar(1) / ((inverse_2 + Scalar(2) * e3) / p_.A);
+        const Scalar e5 = e1 * (p_.share / (inverse_4 + e1));
         const Scalar T = x[0];
-        const Scalar e7 = p_.A * (Scalar(1) - p_.share * e5) - p_.share * e6 * (Scalar(2) * inverse_1 + e2);
-        return p_.T_e * e6 + P + sun * e7 - T * e6 + (p_.T_e - T) * (p_.U_w * p_.A_w);
+        const Scalar e6 = p_.A * (Scalar(1) - e5) - inverse_4 * e5 * (Scalar(2) * inverse_2 + e3);
+        return c_.k6 + P + sun * e6 - c_.k8 * T + (p_.T_e - T) * (p_.U_w * p_.A_w);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -528,21 +528,21 @@ private:
     Parameters<Scalar> p_;
     /// What depends on parameters alone.
     struct Cached {
-        Scalar k0;  ///< A^3*k^2*a_i*a_e*T_e/(C*d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
+        Scalar k0;  ///< T_e/(C*(2*d/(A*k) + 1/(A*a_i) + 1/(A*a_e)))
         Scalar k1;  ///< 1/C
-        Scalar k2;  ///< A*(1 + 2*A^2*k*a_i*a_e*share/(d*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + ...
-        Scalar k3;  ///< A^3*k^2*a_i*a_e/(C*d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
+        Scalar k2;  ///< A*(1 + k*a_i*a_e*share/(d*(k/d + a_i)*(k/d + 1/(d/k + 1/a_i))*(a_e + 1/(2*d/k + 1/a_i))) + ...
+        Scalar k3;  ///< 1/(C*(2*d/(A*k) + 1/(A*a_i) + 1/(A*a_e)))
         Scalar k4;  ///< U_w*A_w/C
-        Scalar k5;  ///< (A^3*k^2*a_i*a_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
-        Scalar k6;  ///< A^3*k^2*a_i*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
-        Scalar k7;  ///< A*share*(A^2*k^2*a_i/d^2 + 2*A^2*k*a_i*a_e/d + 3*A*k*a_i/(d*(2*d/(A*k) + 1/(A*a_i))) + ...
-        Scalar k8;  ///< A^3*k^2*a_i*a_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
-        Scalar k9;  ///< A^2*k^2*a_e*T_e/(d^2*(k/d + a_i)*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
-        Scalar k10;  ///< share*(1 + 2*A*k^2/(d^2*a_i*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + ...
-        Scalar k11;  ///< (A*k^2/(d^2*(2*d/(A*k) + 1/(A*a_i))*(A*k/d + 1/(d/(A*k) + 1/(A*a_i)))*(A*a_e + 1/(2*d/(A*k) + ...
-        Scalar k12;  ///< A*a_e*T_e/(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i)))
-        Scalar k13;  ///< share*(A + d/(k*(2*d/(A*k) + 1/(A*a_i))) + 2/(a_i*(2*d/(A*k) + 1/(A*a_i))))/(A*a_e + ...
-        Scalar k14;  ///< 1/((2*d/(A*k) + 1/(A*a_i))*(A*a_e + 1/(2*d/(A*k) + 1/(A*a_i))))
+        Scalar k5;  ///< (U_w*A_w + 1/(2*d/(A*k) + 1/(A*a_i) + 1/(A*a_e)))/C
+        Scalar k6;  ///< T_e/(2*d/(A*k) + 1/(A*a_i) + 1/(A*a_e))
+        Scalar k7;  ///< A*share*(k*a_i*a_e/(d*(k/d + a_i)*(k/d + 1/(d/k + 1/a_i))) + k*a_i/(d*(k/d + a_i)*(2*d/k + ...
+        Scalar k8;  ///< 1/(2*d/(A*k) + 1/(A*a_i) + 1/(A*a_e))
+        Scalar k9;  ///< k^2*a_e*T_e/(d^2*(k/d + a_i)*(k/d + 1/(d/k + 1/a_i))*(a_e + 1/(2*d/k + 1/a_i)))
+        Scalar k10;  ///< share*(1 + k/(d*a_i*(d/k + 1/a_i)*(k/d + 1/(d/k + 1/a_i))) + 2*k^2/(d^2*a_i*(2*d/k + 1/a_i)*(k/d ...
+        Scalar k11;  ///< (k/(d*(d/k + 1/a_i)*(k/d + 1/(d/k + 1/a_i))) + k^2/(d^2*(2*d/k + 1/a_i)*(k/d + 1/(d/k + ...
+        Scalar k12;  ///< a_e*T_e/(a_e + 1/(2*d/k + 1/a_i))
+        Scalar k13;  ///< share*(1 + d/(k*(2*d/k + 1/a_i)) + 2/(a_i*(2*d/k + 1/a_i)))/(a_e + 1/(2*d/k + 1/a_i))
+        Scalar k14;  ///< 1/((2*d/k + 1/a_i)*(a_e + 1/(2*d/k + 1/a_i)))
     };
     Cached c_{};
 };

@@ -22,10 +22,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 5     40     6        0      0
+//   update                 5     44     7        0      0
 //   rhs                   22     15     0        0      0
 //   rhs_and_jacobian      30     15     0        0      0
-//   jacobian_p            61    159     4        0      0
+//   jacobian_p            61    162     7        0      0
 //   output                 1      2     0        0      0
 //   output_jacobian_u      1      1     0        0      0
 //   internal_energy        7     21     0        0      0
@@ -193,48 +193,53 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 5 + or -, 40 *, 6 /
+    /// Operations: 5 + or -, 44 *, 7 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = Scalar(1) / p_.rho / p_.c_p;
-        const Scalar e2 = p_.lambda * e1;
-        c_.a = e2;
-        const Scalar e3 = p_.g * e1;
-        c_.k0 = e3;
-        const Scalar inverse_4 = Scalar(1) / p_.R;
-        const Scalar e5 = inverse_4 * e2;
-        const Scalar e6 = inverse_4 * e5;
-        c_.k1 = Scalar(144) * e6;
-        c_.k2 = (Scalar(144) / Scalar(7)) * e6;
-        c_.k3 = (Scalar(720) / Scalar(7)) * e6;
-        c_.k4 = (Scalar(720) / Scalar(19)) * e6;
-        c_.k5 = (Scalar(1680) / Scalar(19)) * e6;
-        c_.k6 = (Scalar(1680) / Scalar(37)) * e6;
-        c_.k7 = (Scalar(3024) / Scalar(37)) * e6;
-        c_.k8 = (Scalar(3024) / Scalar(61)) * e6;
-        c_.k9 = (Scalar(4752) / Scalar(61)) * e6;
-        c_.k10 = (Scalar(4752) / Scalar(91)) * e6;
-        c_.k11 = (Scalar(528) / Scalar(7)) * e6;
-        c_.k12 = (Scalar(6864) / Scalar(127)) * e6;
-        c_.k13 = (Scalar(9360) / Scalar(127)) * e6;
-        const Scalar e7 = e5 * (p_.alpha / (p_.R * p_.alpha + Scalar(15) * p_.lambda));
-        c_.k14 = (Scalar(23040) / Scalar(169)) * p_.T_inf * e7 + e3;
-        const Scalar e8 = (Scalar(23040) / Scalar(169)) * e7;
-        c_.k15 = e8;
-        const Scalar e9 = (Scalar(720) / Scalar(13)) * e6;
-        c_.k16 = e9;
-        c_.k17 = (Scalar(864) / Scalar(7)) * e6;
-        c_.k18 = (Scalar(2400) / Scalar(19)) * e6;
-        c_.k19 = (Scalar(4704) / Scalar(37)) * e6;
-        c_.k20 = (Scalar(7776) / Scalar(61)) * e6;
-        c_.k21 = (Scalar(11616) / Scalar(91)) * e6;
-        c_.k22 = (Scalar(16224) / Scalar(127)) * e6;
-        c_.k23 = e9 + e8;
-        const Scalar e10 = p_.g / p_.lambda;
-        const Scalar e11 = (Scalar(1) / Scalar(3)) * p_.g / p_.alpha + (Scalar(1) / Scalar(6)) * p_.R * e10;
-        c_.k24 = p_.R * e11 + p_.T_inf;
-        c_.k25 = (Scalar(1) / Scalar(6)) * e10;
-        c_.k26 = (Scalar(1) / Scalar(3)) * e10;
+        c_.a = p_.lambda * e1;
+        const Scalar e2 = p_.g * e1;
+        c_.k0 = e2;
+        const Scalar inverse_3 = Scalar(1) / p_.R;
+        const Scalar inverse_3_squared = inverse_3 * inverse_3;
+        const Scalar e4 = e1 * inverse_3_squared;
+        const Scalar e5 = p_.lambda * e4;
+        c_.k1 = Scalar(144) * e5;
+        c_.k2 = (Scalar(144) / Scalar(7)) * e5;
+        c_.k3 = (Scalar(720) / Scalar(7)) * e5;
+        c_.k4 = (Scalar(720) / Scalar(19)) * e5;
+        c_.k5 = (Scalar(1680) / Scalar(19)) * e5;
+        c_.k6 = (Scalar(1680) / Scalar(37)) * e5;
+        c_.k7 = (Scalar(3024) / Scalar(37)) * e5;
+        c_.k8 = (Scalar(3024) / Scalar(61)) * e5;
+        c_.k9 = (Scalar(4752) / Scalar(61)) * e5;
+        c_.k10 = (Scalar(4752) / Scalar(91)) * e5;
+        c_.k11 = (Scalar(528) / Scalar(7)) * e5;
+        c_.k12 = (Scalar(6864) / Scalar(127)) * e5;
+        c_.k13 = (Scalar(9360) / Scalar(127)) * e5;
+        const Scalar inverse_6 = Scalar(1) / detail::pi<Scalar>();
+        const Scalar e7 = inverse_3 * inverse_6;
+        const Scalar inverse_8 = Scalar(1) / p_.alpha;
+        const Scalar inverse_9 = Scalar(1) / p_.lambda;
+        const Scalar e10 = Scalar(15) * inverse_8 * inverse_6 * inverse_3_squared + inverse_9 * e7;
+        const Scalar e11 = e7 * (e4 / e10);
+        c_.k14 = (Scalar(23040) / Scalar(169)) * p_.T_inf * e11 + e2;
+        const Scalar e12 = (Scalar(23040) / Scalar(169)) * e11;
+        c_.k15 = e12;
+        const Scalar e13 = (Scalar(720) / Scalar(13)) * e5;
+        c_.k16 = e13;
+        c_.k17 = (Scalar(864) / Scalar(7)) * e5;
+        c_.k18 = (Scalar(2400) / Scalar(19)) * e5;
+        c_.k19 = (Scalar(4704) / Scalar(37)) * e5;
+        c_.k20 = (Scalar(7776) / Scalar(61)) * e5;
+        c_.k21 = (Scalar(11616) / Scalar(91)) * e5;
+        c_.k22 = (Scalar(16224) / Scalar(127)) * e5;
+        c_.k23 = e13 + e12;
+        const Scalar e14 = p_.g * inverse_9;
+        const Scalar e15 = (Scalar(1) / Scalar(3)) * p_.g * inverse_8 + (Scalar(1) / Scalar(6)) * p_.R * e14;
+        c_.k24 = p_.R * e15 + p_.T_inf;
+        c_.k25 = (Scalar(1) / Scalar(6)) * e14;
+        c_.k26 = (Scalar(1) / Scalar(3)) * e14;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -262,8 +267,8 @@ public:
     ///     dot(T[5]) = g/(rho*c_p) + 3024*lambda*(T[4] - T[5])/(61*R^2*rho*c_p) - 4752*lambda*(T[5] - T[6])/(61*R^2*rho*c_p)
     ///     dot(T[6]) = g/(rho*c_p) + 4752*lambda*(T[5] - T[6])/(91*R^2*rho*c_p) - 528*lambda*(T[6] - T[7])/(7*R^2*rho*c_p)
     ///     dot(T[7]) = g/(rho*c_p) + 6864*lambda*(T[6] - T[7])/(127*R^2*rho*c_p) - 9360*lambda*(T[7] - T[8])/(127*R^2*rho*c_p)
-    ///     dot(T[8]) = (23040*lambda*alpha*T_inf/(169*R*(R*alpha + 15*lambda)) + g)/(rho*c_p) -
-    ///     23040*lambda*alpha*T[8]/(169*R*rho*c_p*(R*alpha + 15*lambda)) + 720*lambda*(T[7] - T[8])/(13*R^2*rho*c_p)
+    ///     dot(T[8]) = (23040*T_inf/(169*R^3*pi*(1/(R*lambda*pi) + 15/(R^2*alpha*pi))) + g)/(rho*c_p) -
+    ///     23040*T[8]/(169*R^3*rho*c_p*pi*(1/(R*lambda*pi) + 15/(R^2*alpha*pi))) + 720*lambda*(T[7] - T[8])/(13*R^2*rho*c_p)
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -403,7 +408,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 8 x 7, entry (i, j) at J[8*j + i].
-    /// Operations: 61 + or -, 159 *, 4 /
+    /// Operations: 61 + or -, 162 *, 7 /
     void jacobian_p(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
@@ -412,72 +417,78 @@ public:
         const Scalar inverse_3 = Scalar(1) / p_.rho;
         const Scalar inverse_4 = Scalar(1) / p_.c_p;
         const Scalar e5 = inverse_3 * inverse_4;
-        const Scalar e6 = inverse_2 * e5;
-        const Scalar e7 = inverse_2 * e6;
-        const Scalar e8 = p_.lambda * e7;
-        const Scalar e9 = inverse_2 * e8;
+        const Scalar inverse_2_squared = inverse_2 * inverse_2;
+        const Scalar e6 = e5 * inverse_2_squared;
+        const Scalar e7 = p_.lambda * e6;
+        const Scalar e8 = inverse_2 * e7;
         const Scalar T_3 = x[2];
-        const Scalar e10 = T_2 - T_3;
+        const Scalar e9 = T_2 - T_3;
         const Scalar T_4 = x[3];
-        const Scalar e11 = T_3 - T_4;
+        const Scalar e10 = T_3 - T_4;
         const Scalar T_5 = x[4];
-        const Scalar e12 = T_4 - T_5;
+        const Scalar e11 = T_4 - T_5;
         const Scalar T_6 = x[5];
-        const Scalar e13 = T_5 - T_6;
+        const Scalar e12 = T_5 - T_6;
         const Scalar T_7 = x[6];
-        const Scalar e14 = T_6 - T_7;
+        const Scalar e13 = T_6 - T_7;
         const Scalar T_8 = x[7];
-        const Scalar e15 = T_7 - T_8;
-        const Scalar inverse_16 = Scalar(1) / (p_.R * p_.alpha + Scalar(15) * p_.lambda);
-        const Scalar e17 = p_.lambda * inverse_16;
-        const Scalar e18 = p_.alpha * e6;
-        const Scalar e19 = ((Scalar(15) / Scalar(2)) * e8 + e18) * (p_.alpha * inverse_16);
-        const Scalar e20 = p_.T_inf * e17;
-        const Scalar e21 = (Scalar(1) - Scalar(15) * e17) * (inverse_16 * e18);
-        const Scalar e22 = inverse_3 * e8;
-        const Scalar e23 = p_.g * e5;
-        const Scalar e24 = inverse_3 * e23;
-        const Scalar e25 = e17 * e18;
-        const Scalar e26 = e23 + (Scalar(23040) / Scalar(169)) * e18 * e20;
-        const Scalar e27 = inverse_4 * e8;
-        const Scalar e28 = inverse_4 * e23;
-        const Scalar e29 = e6 * e17;
-        J[0] = e1 * (Scalar(288) * e9);
-        J[1] = e10 * ((Scalar(1440) / Scalar(7)) * e9) - e1 * ((Scalar(288) / Scalar(7)) * e9);
-        J[2] = e11 * ((Scalar(3360) / Scalar(19)) * e9) - e10 * ((Scalar(1440) / Scalar(19)) * e9);
-        J[3] = e12 * ((Scalar(6048) / Scalar(37)) * e9) - e11 * ((Scalar(3360) / Scalar(37)) * e9);
-        J[4] = e13 * ((Scalar(9504) / Scalar(61)) * e9) - e12 * ((Scalar(6048) / Scalar(61)) * e9);
-        J[5] = e14 * ((Scalar(1056) / Scalar(7)) * e9) - e13 * ((Scalar(9504) / Scalar(91)) * e9);
-        J[6] = e15 * ((Scalar(18720) / Scalar(127)) * e9) - e14 * ((Scalar(13728) / Scalar(127)) * e9);
-        J[7] = T_8 * ((Scalar(46080) / Scalar(169)) * e17 * e19) - (Scalar(46080) / Scalar(169)) * e20 * e19 - e15
-            * ((Scalar(1440) / Scalar(13)) * e9);
-        J[8] = -e1 * (Scalar(144) * e7);
-        J[9] = e1 * ((Scalar(144) / Scalar(7)) * e7) - e10 * ((Scalar(720) / Scalar(7)) * e7);
-        J[10] = e10 * ((Scalar(720) / Scalar(19)) * e7) - e11 * ((Scalar(1680) / Scalar(19)) * e7);
-        J[11] = e11 * ((Scalar(1680) / Scalar(37)) * e7) - e12 * ((Scalar(3024) / Scalar(37)) * e7);
-        J[12] = e12 * ((Scalar(3024) / Scalar(61)) * e7) - e13 * ((Scalar(4752) / Scalar(61)) * e7);
-        J[13] = e13 * ((Scalar(4752) / Scalar(91)) * e7) - e14 * ((Scalar(528) / Scalar(7)) * e7);
-        J[14] = e14 * ((Scalar(6864) / Scalar(127)) * e7) - e15 * ((Scalar(9360) / Scalar(127)) * e7);
-        J[15] = T_8 * (-(Scalar(23040) / Scalar(169)) * e21) - (-(Scalar(23040) / Scalar(169)) * p_.T_inf * e21) + e15
-            * ((Scalar(720) / Scalar(13)) * e7);
-        J[16] = e1 * (Scalar(144) * e22) - e24;
-        J[17] = e10 * ((Scalar(720) / Scalar(7)) * e22) - e24 - e1 * ((Scalar(144) / Scalar(7)) * e22);
-        J[18] = e11 * ((Scalar(1680) / Scalar(19)) * e22) - e24 - e10 * ((Scalar(720) / Scalar(19)) * e22);
-        J[19] = e12 * ((Scalar(3024) / Scalar(37)) * e22) - e24 - e11 * ((Scalar(1680) / Scalar(37)) * e22);
-        J[20] = e13 * ((Scalar(4752) / Scalar(61)) * e22) - e24 - e12 * ((Scalar(3024) / Scalar(61)) * e22);
-        J[21] = e14 * ((Scalar(528) / Scalar(7)) * e22) - e24 - e13 * ((Scalar(4752) / Scalar(91)) * e22);
-        J[22] = e15 * ((Scalar(9360) / Scalar(127)) * e22) - e24 - e14 * ((Scalar(6864) / Scalar(127)) * e22);
-        J[23] = T_8 * ((Scalar(23040) / Scalar(169)) * inverse_3 * e25) - inverse_3 * e26 - e15
-            * ((Scalar(720) / Scalar(13)) * e22);
-        J[24] = e1 * (Scalar(144) * e27) - e28;
-        J[25] = e10 * ((Scalar(720) / Scalar(7)) * e27) - e28 - e1 * ((Scalar(144) / Scalar(7)) * e27);
-        J[26] = e11 * ((Scalar(1680) / Scalar(19)) * e27) - e28 - e10 * ((Scalar(720) / Scalar(19)) * e27);
-        J[27] = e12 * ((Scalar(3024) / Scalar(37)) * e27) - e28 - e11 * ((Scalar(1680) / Scalar(37)) * e27);
-        J[28] = e13 * ((Scalar(4752) / Scalar(61)) * e27) - e28 - e12 * ((Scalar(3024) / Scalar(61)) * e27);
-        J[29] = e14 * ((Scalar(528) / Scalar(7)) * e27) - e28 - e13 * ((Scalar(4752) / Scalar(91)) * e27);
-        J[30] = e15 * ((Scalar(9360) / Scalar(127)) * e27) - e28 - e14 * ((Scalar(6864) / Scalar(127)) * e27);
-        J[31] = T_8 * ((Scalar(23040) / Scalar(169)) * inverse_4 * e25) - inverse_4 * e26 - e15
-            * ((Scalar(720) / Scalar(13)) * e27);
+        const Scalar e14 = T_7 - T_8;
+        const Scalar inverse_15 = Scalar(1) / p_.lambda;
+        const Scalar e16 = inverse_2 * inverse_15;
+        const Scalar inverse_17 = Scalar(1) / p_.alpha;
+        const Scalar e18 = inverse_17 * inverse_2_squared;
+        const Scalar inverse_19 = Scalar(1) / detail::pi<Scalar>();
+        const Scalar e20 = inverse_19 / (inverse_19 * (e16 + Scalar(15) * e18));
+        const Scalar e21 = e6 * e20;
+        const Scalar e22 = inverse_2_squared * e21;
+        const Scalar e23 = e20 * e22;
+        const Scalar e24 = (e16 + Scalar(30) * e18) * e23 - Scalar(3) * e22;
+        const Scalar inverse_15_squared = inverse_15 * inverse_15;
+        const Scalar e25 = p_.T_inf * e23;
+        const Scalar e26 = inverse_3 * e7;
+        const Scalar e27 = p_.g * e5;
+        const Scalar e28 = inverse_3 * e27;
+        const Scalar e29 = inverse_2 * e21;
+        const Scalar e30 = e27 + (Scalar(23040) / Scalar(169)) * p_.T_inf * e29;
+        const Scalar e31 = inverse_4 * e7;
+        const Scalar e32 = inverse_4 * e27;
+        const Scalar e33 = inverse_17 * (inverse_2 * inverse_17);
+        J[0] = e1 * (Scalar(288) * e8);
+        J[1] = e9 * ((Scalar(1440) / Scalar(7)) * e8) - e1 * ((Scalar(288) / Scalar(7)) * e8);
+        J[2] = e10 * ((Scalar(3360) / Scalar(19)) * e8) - e9 * ((Scalar(1440) / Scalar(19)) * e8);
+        J[3] = e11 * ((Scalar(6048) / Scalar(37)) * e8) - e10 * ((Scalar(3360) / Scalar(37)) * e8);
+        J[4] = e12 * ((Scalar(9504) / Scalar(61)) * e8) - e11 * ((Scalar(6048) / Scalar(61)) * e8);
+        J[5] = e13 * ((Scalar(1056) / Scalar(7)) * e8) - e12 * ((Scalar(9504) / Scalar(91)) * e8);
+        J[6] = e14 * ((Scalar(18720) / Scalar(127)) * e8) - e13 * ((Scalar(13728) / Scalar(127)) * e8);
+        J[7] = T_8 * (-(Scalar(23040) / Scalar(169)) * e24) - (-(Scalar(23040) / Scalar(169)) * p_.T_inf * e24) - e14
+            * ((Scalar(1440) / Scalar(13)) * e8);
+        J[8] = -e1 * (Scalar(144) * e6);
+        J[9] = e1 * ((Scalar(144) / Scalar(7)) * e6) - e9 * ((Scalar(720) / Scalar(7)) * e6);
+        J[10] = e9 * ((Scalar(720) / Scalar(19)) * e6) - e10 * ((Scalar(1680) / Scalar(19)) * e6);
+        J[11] = e10 * ((Scalar(1680) / Scalar(37)) * e6) - e11 * ((Scalar(3024) / Scalar(37)) * e6);
+        J[12] = e11 * ((Scalar(3024) / Scalar(61)) * e6) - e12 * ((Scalar(4752) / Scalar(61)) * e6);
+        J[13] = e12 * ((Scalar(4752) / Scalar(91)) * e6) - e13 * ((Scalar(528) / Scalar(7)) * e6);
+        J[14] = e13 * ((Scalar(6864) / Scalar(127)) * e6) - e14 * ((Scalar(9360) / Scalar(127)) * e6);
+        J[15] = (Scalar(23040) / Scalar(169)) * inverse_15_squared * e25 - T_8
+            * ((Scalar(23040) / Scalar(169)) * e23 * inverse_15_squared) + e14 * ((Scalar(720) / Scalar(13)) * e6);
+        J[16] = e1 * (Scalar(144) * e26) - e28;
+        J[17] = e9 * ((Scalar(720) / Scalar(7)) * e26) - e28 - e1 * ((Scalar(144) / Scalar(7)) * e26);
+        J[18] = e10 * ((Scalar(1680) / Scalar(19)) * e26) - e28 - e9 * ((Scalar(720) / Scalar(19)) * e26);
+        J[19] = e11 * ((Scalar(3024) / Scalar(37)) * e26) - e28 - e10 * ((Scalar(1680) / Scalar(37)) * e26);
+        J[20] = e12 * ((Scalar(4752) / Scalar(61)) * e26) - e28 - e11 * ((Scalar(3024) / Scalar(61)) * e26);
+        J[21] = e13 * ((Scalar(528) / Scalar(7)) * e26) - e28 - e12 * ((Scalar(4752) / Scalar(91)) * e26);
+        J[22] = e14 * ((Scalar(9360) / Scalar(127)) * e26) - e28 - e13 * ((Scalar(6864) / Scalar(127)) * e26);
+        J[23] = T_8 * ((Scalar(23040) / Scalar(169)) * inverse_3 * e29) - inverse_3 * e30 - e14
+            * ((Scalar(720) / Scalar(13)) * e26);
+        J[24] = e1 * (Scalar(144) * e31) - e32;
+        J[25] = e9 * ((Scalar(720) / Scalar(7)) * e31) - e32 - e1 * ((Scalar(144) / Scalar(7)) * e31);
+        J[26] = e10 * ((Scalar(1680) / Scalar(19)) * e31) - e32 - e9 * ((Scalar(720) / Scalar(19)) * e31);
+        J[27] = e11 * ((Scalar(3024) / Scalar(37)) * e31) - e32 - e10 * ((Scalar(1680) / Scalar(37)) * e31);
+        J[28] = e12 * ((Scalar(4752) / Scalar(61)) * e31) - e32 - e11 * ((Scalar(3024) / Scalar(61)) * e31);
+        J[29] = e13 * ((Scalar(528) / Scalar(7)) * e31) - e32 - e12 * ((Scalar(4752) / Scalar(91)) * e31);
+        J[30] = e14 * ((Scalar(9360) / Scalar(127)) * e31) - e32 - e13 * ((Scalar(6864) / Scalar(127)) * e31);
+        J[31] = T_8 * ((Scalar(23040) / Scalar(169)) * inverse_4 * e29) - inverse_4 * e30 - e14
+            * ((Scalar(720) / Scalar(13)) * e31);
         J[32] = e5;
         J[33] = e5;
         J[34] = e5;
@@ -493,7 +504,7 @@ public:
         J[44] = Scalar(0);
         J[45] = Scalar(0);
         J[46] = Scalar(0);
-        J[47] = (Scalar(345600) / Scalar(169)) * e20 * e29 - T_8 * ((Scalar(345600) / Scalar(169)) * e17 * e29);
+        J[47] = (Scalar(345600) / Scalar(169)) * e25 * e33 - T_8 * ((Scalar(345600) / Scalar(169)) * e23 * e33);
         J[48] = Scalar(0);
         J[49] = Scalar(0);
         J[50] = Scalar(0);
@@ -684,8 +695,8 @@ private:
         Scalar k11;  ///< 528*lambda/(7*R^2*rho*c_p)
         Scalar k12;  ///< 6864*lambda/(127*R^2*rho*c_p)
         Scalar k13;  ///< 9360*lambda/(127*R^2*rho*c_p)
-        Scalar k14;  ///< (23040*lambda*alpha*T_inf/(169*R*(R*alpha + 15*lambda)) + g)/(rho*c_p)
-        Scalar k15;  ///< 23040*lambda*alpha/(169*R*rho*c_p*(R*alpha + 15*lambda))
+        Scalar k14;  ///< (23040*T_inf/(169*R^3*pi*(1/(R*lambda*pi) + 15/(R^2*alpha*pi))) + g)/(rho*c_p)
+        Scalar k15;  ///< 23040/(169*R^3*rho*c_p*pi*(1/(R*lambda*pi) + 15/(R^2*alpha*pi)))
         Scalar k16;  ///< 720*lambda/(13*R^2*rho*c_p)
         Scalar k17;  ///< 864*lambda/(7*R^2*rho*c_p)
         Scalar k18;  ///< 2400*lambda/(19*R^2*rho*c_p)
@@ -693,7 +704,7 @@ private:
         Scalar k20;  ///< 7776*lambda/(61*R^2*rho*c_p)
         Scalar k21;  ///< 11616*lambda/(91*R^2*rho*c_p)
         Scalar k22;  ///< 16224*lambda/(127*R^2*rho*c_p)
-        Scalar k23;  ///< lambda*(720/(13*R) + 23040*alpha/(169*(R*alpha + 15*lambda)))/(R*rho*c_p)
+        Scalar k23;  ///< (23040/(169*R*pi*(1/(R*lambda*pi) + 15/(R^2*alpha*pi))) + 720*lambda/13)/(R^2*rho*c_p)
         Scalar k24;  ///< R^2*g/(6*lambda) + R*g/(3*alpha) + T_inf
         Scalar k25;  ///< g/(6*lambda)
         Scalar k26;  ///< g/(3*lambda)

@@ -17,11 +17,11 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     25     8        0      0
+//   update                 1     27    10        0      0
 //   rhs                   50     74     0        0      0
 //   rhs_and_jacobian      52     74     0        0      0
 //   jacobian_u            24     28     0        0      0
-//   jacobian_p           124    233     5        0      0
+//   jacobian_p           123    225     9        0      0
 //   output                30     18     5        0      4
 //   output_jacobian_x      3      4     2        0      1
 //   output_jacobian_u     42     51     5        0      8
@@ -323,36 +323,35 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 2 + or -, 25 *, 8 /
+    /// Operations: 1 + or -, 27 *, 10 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        c_.k = Scalar(1) / (Scalar(1) / p_.alpha_h + Scalar(1) / p_.alpha_c);
-        const Scalar inverse_1 = Scalar(1) / p_.M_h;
-        c_.k0 = Scalar(12) * inverse_1;
-        const Scalar inverse_2 = Scalar(1) / p_.c_h;
-        const Scalar e3 = p_.L * p_.b;
-        const Scalar e4 = p_.alpha_h * p_.alpha_c * (e3 / (p_.alpha_h + p_.alpha_c));
-        c_.k1 = inverse_2 * inverse_1 * e4;
+        const Scalar e1 = Scalar(1) / p_.alpha_h + Scalar(1) / p_.alpha_c;
+        c_.k = Scalar(1) / e1;
+        const Scalar inverse_2 = Scalar(1) / p_.M_h;
+        c_.k0 = Scalar(12) * inverse_2;
+        const Scalar inverse_3 = Scalar(1) / p_.c_h;
+        const Scalar inverse_4 = Scalar(1) / (e1 / p_.L / p_.b);
+        c_.k1 = inverse_3 * inverse_2 * inverse_4;
         const Scalar inverse_5 = Scalar(1) / p_.M_c;
         c_.k2 = Scalar(12) * inverse_5;
         const Scalar inverse_6 = Scalar(1) / p_.c_c;
-        c_.k3 = inverse_6 * inverse_5 * e4;
-        c_.k4 = (Scalar(1) / Scalar(12)) * e4;
-        const Scalar e7 = c_.k * e3;
-        c_.k5 = e7;
-        const Scalar e8 = p_.b * c_.k;
-        const Scalar e9 = inverse_2 * e8;
-        c_.k6 = e9;
-        const Scalar e10 = inverse_6 * e8;
-        c_.k7 = e10;
+        c_.k3 = inverse_6 * inverse_5 * inverse_4;
+        c_.k4 = (Scalar(1) / Scalar(12)) * inverse_4;
+        const Scalar e7 = p_.b * c_.k;
+        c_.k5 = p_.L * e7;
+        c_.k6 = inverse_3 * e7;
+        c_.k7 = inverse_6 * e7;
         const Scalar e7_squared = e7 * e7;
-        c_.k8 = p_.c_h * e7_squared;
-        c_.k9 = (Scalar(1) / Scalar(12)) * p_.c_h * e4;
-        c_.k10 = e9 * e9;
-        c_.k11 = e9 * e10;
-        c_.k12 = p_.c_c * e7_squared;
-        c_.k13 = (Scalar(1) / Scalar(12)) * p_.c_c * e4;
-        c_.k14 = e10 * e10;
+        const Scalar e8 = e7_squared * (p_.L * p_.L);
+        c_.k8 = p_.c_h * e8;
+        c_.k9 = (Scalar(1) / Scalar(12)) * p_.c_h * inverse_4;
+        const Scalar e9 = inverse_3 * e7_squared;
+        c_.k10 = inverse_3 * e9;
+        c_.k11 = inverse_6 * e9;
+        c_.k12 = p_.c_c * e8;
+        c_.k13 = (Scalar(1) / Scalar(12)) * p_.c_c * inverse_4;
+        c_.k14 = inverse_6 * inverse_6 * e7_squared;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -389,54 +388,54 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 50 + or -, 74 *
-    ///     dot(T_h[1]) = 12*m_h*T_hi/M_h - 12*m_h*T_h[1]/M_h - L*b*alpha_h*alpha_c*T_h[1]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[1]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[2]) = 12*m_h*T_h[1]/M_h - 12*m_h*T_h[2]/M_h - L*b*alpha_h*alpha_c*T_h[2]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[2]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[3]) = 12*m_h*T_h[2]/M_h - 12*m_h*T_h[3]/M_h - L*b*alpha_h*alpha_c*T_h[3]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[3]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[4]) = 12*m_h*T_h[3]/M_h - 12*m_h*T_h[4]/M_h - L*b*alpha_h*alpha_c*T_h[4]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[4]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[5]) = 12*m_h*T_h[4]/M_h - 12*m_h*T_h[5]/M_h - L*b*alpha_h*alpha_c*T_h[5]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[5]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[6]) = 12*m_h*T_h[5]/M_h - 12*m_h*T_h[6]/M_h - L*b*alpha_h*alpha_c*T_h[6]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[6]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[7]) = 12*m_h*T_h[6]/M_h - 12*m_h*T_h[7]/M_h - L*b*alpha_h*alpha_c*T_h[7]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[7]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[8]) = 12*m_h*T_h[7]/M_h - 12*m_h*T_h[8]/M_h - L*b*alpha_h*alpha_c*T_h[8]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[8]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[9]) = 12*m_h*T_h[8]/M_h - 12*m_h*T_h[9]/M_h - L*b*alpha_h*alpha_c*T_h[9]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[9]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[10]) = 12*m_h*T_h[9]/M_h - 12*m_h*T_h[10]/M_h - L*b*alpha_h*alpha_c*T_h[10]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[10]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[11]) = 12*m_h*T_h[10]/M_h - 12*m_h*T_h[11]/M_h - L*b*alpha_h*alpha_c*T_h[11]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[11]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_h[12]) = 12*m_h*T_h[11]/M_h - 12*m_h*T_h[12]/M_h - L*b*alpha_h*alpha_c*T_h[12]/(c_h*M_h*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_c[12]/(c_h*M_h*(alpha_h + alpha_c))
-    ///     dot(T_c[1]) = 12*m_c*T_ci/M_c - 12*m_c*T_c[1]/M_c + L*b*alpha_h*alpha_c*T_h[1]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[1]/(c_c*M_c*(alpha_h + alpha_c))
-    ///     dot(T_c[2]) = 12*m_c*T_c[1]/M_c - 12*m_c*T_c[2]/M_c + L*b*alpha_h*alpha_c*T_h[2]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[2]/(c_c*M_c*(alpha_h + alpha_c))
-    ///     dot(T_c[3]) = 12*m_c*T_c[2]/M_c - 12*m_c*T_c[3]/M_c + L*b*alpha_h*alpha_c*T_h[3]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[3]/(c_c*M_c*(alpha_h + alpha_c))
-    ///     dot(T_c[4]) = 12*m_c*T_c[3]/M_c - 12*m_c*T_c[4]/M_c + L*b*alpha_h*alpha_c*T_h[4]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[4]/(c_c*M_c*(alpha_h + alpha_c))
-    ///     dot(T_c[5]) = 12*m_c*T_c[4]/M_c - 12*m_c*T_c[5]/M_c + L*b*alpha_h*alpha_c*T_h[5]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[5]/(c_c*M_c*(alpha_h + alpha_c))
-    ///     dot(T_c[6]) = 12*m_c*T_c[5]/M_c - 12*m_c*T_c[6]/M_c + L*b*alpha_h*alpha_c*T_h[6]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[6]/(c_c*M_c*(alpha_h + alpha_c))
-    ///     dot(T_c[7]) = 12*m_c*T_c[6]/M_c - 12*m_c*T_c[7]/M_c + L*b*alpha_h*alpha_c*T_h[7]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[7]/(c_c*M_c*(alpha_h + alpha_c))
-    ///     dot(T_c[8]) = 12*m_c*T_c[7]/M_c - 12*m_c*T_c[8]/M_c + L*b*alpha_h*alpha_c*T_h[8]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[8]/(c_c*M_c*(alpha_h + alpha_c))
-    ///     dot(T_c[9]) = 12*m_c*T_c[8]/M_c - 12*m_c*T_c[9]/M_c + L*b*alpha_h*alpha_c*T_h[9]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[9]/(c_c*M_c*(alpha_h + alpha_c))
-    ///     dot(T_c[10]) = 12*m_c*T_c[9]/M_c - 12*m_c*T_c[10]/M_c + L*b*alpha_h*alpha_c*T_h[10]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[10]/(c_c*M_c*(alpha_h + alpha_c))
-    ///     dot(T_c[11]) = 12*m_c*T_c[10]/M_c - 12*m_c*T_c[11]/M_c + L*b*alpha_h*alpha_c*T_h[11]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[11]/(c_c*M_c*(alpha_h + alpha_c))
-    ///     dot(T_c[12]) = 12*m_c*T_c[11]/M_c - 12*m_c*T_c[12]/M_c + L*b*alpha_h*alpha_c*T_h[12]/(c_c*M_c*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[12]/(c_c*M_c*(alpha_h + alpha_c))
+    ///     dot(T_h[1]) = 12*m_h*T_hi/M_h - 12*m_h*T_h[1]/M_h - T_h[1]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[1]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_h[2]) = 12*m_h*T_h[1]/M_h - 12*m_h*T_h[2]/M_h - T_h[2]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[2]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_h[3]) = 12*m_h*T_h[2]/M_h - 12*m_h*T_h[3]/M_h - T_h[3]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[3]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_h[4]) = 12*m_h*T_h[3]/M_h - 12*m_h*T_h[4]/M_h - T_h[4]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[4]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_h[5]) = 12*m_h*T_h[4]/M_h - 12*m_h*T_h[5]/M_h - T_h[5]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[5]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_h[6]) = 12*m_h*T_h[5]/M_h - 12*m_h*T_h[6]/M_h - T_h[6]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[6]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_h[7]) = 12*m_h*T_h[6]/M_h - 12*m_h*T_h[7]/M_h - T_h[7]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[7]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_h[8]) = 12*m_h*T_h[7]/M_h - 12*m_h*T_h[8]/M_h - T_h[8]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[8]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_h[9]) = 12*m_h*T_h[8]/M_h - 12*m_h*T_h[9]/M_h - T_h[9]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[9]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_h[10]) = 12*m_h*T_h[9]/M_h - 12*m_h*T_h[10]/M_h - T_h[10]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[10]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_h[11]) = 12*m_h*T_h[10]/M_h - 12*m_h*T_h[11]/M_h - T_h[11]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[11]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_h[12]) = 12*m_h*T_h[11]/M_h - 12*m_h*T_h[12]/M_h - T_h[12]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_c[12]/(c_h*M_h*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[1]) = 12*m_c*T_ci/M_c - 12*m_c*T_c[1]/M_c + T_h[1]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[1]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[2]) = 12*m_c*T_c[1]/M_c - 12*m_c*T_c[2]/M_c + T_h[2]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[2]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[3]) = 12*m_c*T_c[2]/M_c - 12*m_c*T_c[3]/M_c + T_h[3]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[3]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[4]) = 12*m_c*T_c[3]/M_c - 12*m_c*T_c[4]/M_c + T_h[4]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[4]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[5]) = 12*m_c*T_c[4]/M_c - 12*m_c*T_c[5]/M_c + T_h[5]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[5]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[6]) = 12*m_c*T_c[5]/M_c - 12*m_c*T_c[6]/M_c + T_h[6]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[6]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[7]) = 12*m_c*T_c[6]/M_c - 12*m_c*T_c[7]/M_c + T_h[7]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[7]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[8]) = 12*m_c*T_c[7]/M_c - 12*m_c*T_c[8]/M_c + T_h[8]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[8]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[9]) = 12*m_c*T_c[8]/M_c - 12*m_c*T_c[9]/M_c + T_h[9]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[9]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[10]) = 12*m_c*T_c[9]/M_c - 12*m_c*T_c[10]/M_c + T_h[10]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[10]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[11]) = 12*m_c*T_c[10]/M_c - 12*m_c*T_c[11]/M_c + T_h[11]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[11]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
+    ///     dot(T_c[12]) = 12*m_c*T_c[11]/M_c - 12*m_c*T_c[12]/M_c + T_h[12]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[12]/(c_c*M_c*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_c_1 = x[12];
         const Scalar T_h_1 = x[0];
@@ -718,231 +717,231 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. The entries of jacobian_p_pattern in its order.
-    /// Operations: 124 + or -, 233 *, 5 /
+    /// Operations: 123 + or -, 225 *, 9 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar e1 = p_.alpha_h + p_.alpha_c;
-        const Scalar inverse_2 = Scalar(1) / e1;
-        const Scalar e3 = p_.b * inverse_2;
-        const Scalar inverse_4 = Scalar(1) / p_.c_h;
-        const Scalar inverse_5 = Scalar(1) / p_.M_h;
-        const Scalar e6 = inverse_4 * inverse_5;
-        const Scalar e7 = p_.alpha_h * p_.alpha_c;
-        const Scalar e8 = (Scalar(1) - (Scalar(1) / Scalar(2)) * inverse_2 * e1) * e7;
-        const Scalar e9 = e6 * e8;
-        const Scalar e10 = Scalar(2) * e3 * e9;
+        const Scalar inverse_1 = Scalar(1) / p_.L;
+        const Scalar inverse_2 = Scalar(1) / p_.c_h;
+        const Scalar inverse_3 = Scalar(1) / p_.M_h;
+        const Scalar e4 = inverse_2 * inverse_3;
+        const Scalar inverse_5 = Scalar(1) / p_.alpha_h;
+        const Scalar inverse_6 = Scalar(1) / p_.alpha_c;
+        const Scalar e7 = inverse_5 + inverse_6;
+        const Scalar inverse_8 = Scalar(1) / p_.b;
+        const Scalar e9 = inverse_1 * inverse_8;
+        const Scalar inverse_10 = Scalar(1) / (e7 * e9);
+        const Scalar e11 = e9 * (inverse_10 * inverse_10);
+        const Scalar e12 = e7 * e11;
+        const Scalar e13 = e4 * e12;
+        const Scalar e14 = inverse_1 * e13;
         const Scalar T_h_1 = x[0];
         const Scalar T_c_1 = x[12];
-        const Scalar e11 = T_h_1 - T_c_1;
+        const Scalar e15 = T_h_1 - T_c_1;
         const Scalar T_h_2 = x[1];
         const Scalar T_c_2 = x[13];
-        const Scalar e12 = T_h_2 - T_c_2;
+        const Scalar e16 = T_h_2 - T_c_2;
         const Scalar T_h_3 = x[2];
         const Scalar T_c_3 = x[14];
-        const Scalar e13 = T_h_3 - T_c_3;
+        const Scalar e17 = T_h_3 - T_c_3;
         const Scalar T_h_4 = x[3];
         const Scalar T_c_4 = x[15];
-        const Scalar e14 = T_h_4 - T_c_4;
+        const Scalar e18 = T_h_4 - T_c_4;
         const Scalar T_h_5 = x[4];
         const Scalar T_c_5 = x[16];
-        const Scalar e15 = T_h_5 - T_c_5;
+        const Scalar e19 = T_h_5 - T_c_5;
         const Scalar T_h_6 = x[5];
         const Scalar T_c_6 = x[17];
-        const Scalar e16 = T_h_6 - T_c_6;
+        const Scalar e20 = T_h_6 - T_c_6;
         const Scalar T_h_7 = x[6];
         const Scalar T_c_7 = x[18];
-        const Scalar e17 = T_h_7 - T_c_7;
+        const Scalar e21 = T_h_7 - T_c_7;
         const Scalar T_h_8 = x[7];
         const Scalar T_c_8 = x[19];
-        const Scalar e18 = T_h_8 - T_c_8;
+        const Scalar e22 = T_h_8 - T_c_8;
         const Scalar T_h_9 = x[8];
         const Scalar T_c_9 = x[20];
-        const Scalar e19 = T_h_9 - T_c_9;
+        const Scalar e23 = T_h_9 - T_c_9;
         const Scalar T_h_10 = x[9];
         const Scalar T_c_10 = x[21];
-        const Scalar e20 = T_h_10 - T_c_10;
+        const Scalar e24 = T_h_10 - T_c_10;
         const Scalar T_h_11 = x[10];
         const Scalar T_c_11 = x[22];
-        const Scalar e21 = T_h_11 - T_c_11;
+        const Scalar e25 = T_h_11 - T_c_11;
         const Scalar T_h_12 = x[11];
         const Scalar T_c_12 = x[23];
-        const Scalar e22 = T_h_12 - T_c_12;
-        const Scalar inverse_23 = Scalar(1) / p_.c_c;
-        const Scalar inverse_24 = Scalar(1) / p_.M_c;
-        const Scalar e25 = inverse_23 * inverse_24;
-        const Scalar e26 = e25 * e8;
-        const Scalar e27 = Scalar(2) * e3 * e26;
-        const Scalar e28 = p_.L * inverse_2;
-        const Scalar e29 = Scalar(2) * e28 * e9;
-        const Scalar e30 = Scalar(2) * e28 * e26;
-        const Scalar e31 = p_.alpha_c * p_.alpha_c;
-        const Scalar e32 = p_.L * e3;
-        const Scalar e33 = inverse_2 * e32;
-        const Scalar e34 = e6 * e33;
-        const Scalar e35 = e31 * e34;
-        const Scalar e36 = e25 * e33;
-        const Scalar e37 = e31 * e36;
-        const Scalar e38 = p_.alpha_h * p_.alpha_h;
-        const Scalar e39 = e38 * e34;
-        const Scalar e40 = e38 * e36;
-        const Scalar e41 = e7 * e32;
-        const Scalar e42 = e6 * e41;
-        const Scalar e43 = inverse_4 * e42;
-        const Scalar e44 = e25 * e41;
-        const Scalar e45 = inverse_23 * e44;
-        const Scalar e46 = inverse_5 * e42;
+        const Scalar e26 = T_h_12 - T_c_12;
+        const Scalar inverse_27 = Scalar(1) / p_.c_c;
+        const Scalar inverse_28 = Scalar(1) / p_.M_c;
+        const Scalar e29 = inverse_27 * inverse_28;
+        const Scalar e30 = e29 * e12;
+        const Scalar e31 = inverse_1 * e30;
+        const Scalar e32 = inverse_8 * e13;
+        const Scalar e33 = inverse_8 * e30;
+        const Scalar inverse_5_squared = inverse_5 * inverse_5;
+        const Scalar e34 = e11 * e4;
+        const Scalar e35 = inverse_5_squared * e34;
+        const Scalar e36 = e11 * e29;
+        const Scalar e37 = inverse_5_squared * e36;
+        const Scalar inverse_6_squared = inverse_6 * inverse_6;
+        const Scalar e38 = inverse_6_squared * e34;
+        const Scalar e39 = inverse_6_squared * e36;
+        const Scalar e40 = inverse_10 * e4;
+        const Scalar e41 = inverse_2 * e40;
+        const Scalar e42 = inverse_10 * e29;
+        const Scalar e43 = inverse_27 * e42;
+        const Scalar e44 = inverse_3 * e40;
         const Scalar m_h = u[0];
-        const Scalar e47 = m_h * (Scalar(12) * inverse_5 * inverse_5);
-        const Scalar e48 = e46 + e47;
+        const Scalar e45 = m_h * (Scalar(12) * inverse_3 * inverse_3);
+        const Scalar e46 = e44 + e45;
         const Scalar T_hi = u[2];
-        const Scalar e49 = inverse_24 * e44;
+        const Scalar e47 = inverse_28 * e42;
         const Scalar m_c = u[1];
-        const Scalar e50 = m_c * (Scalar(12) * inverse_24 * inverse_24);
-        const Scalar e51 = e49 + e50;
+        const Scalar e48 = m_c * (Scalar(12) * inverse_28 * inverse_28);
+        const Scalar e49 = e47 + e48;
         const Scalar T_ci = u[3];
-        J[0] = -e10 * e11;
-        J[1] = -e10 * e12;
-        J[2] = -e10 * e13;
-        J[3] = -e10 * e14;
-        J[4] = -e10 * e15;
-        J[5] = -e10 * e16;
-        J[6] = -e10 * e17;
-        J[7] = -e10 * e18;
-        J[8] = -e10 * e19;
-        J[9] = -e10 * e20;
-        J[10] = -e10 * e21;
-        J[11] = -e10 * e22;
-        J[12] = e27 * e11;
-        J[13] = e27 * e12;
-        J[14] = e27 * e13;
-        J[15] = e27 * e14;
-        J[16] = e27 * e15;
-        J[17] = e27 * e16;
-        J[18] = e27 * e17;
-        J[19] = e27 * e18;
-        J[20] = e27 * e19;
-        J[21] = e27 * e20;
-        J[22] = e27 * e21;
-        J[23] = e27 * e22;
-        J[24] = -e29 * e11;
-        J[25] = -e29 * e12;
-        J[26] = -e29 * e13;
-        J[27] = -e29 * e14;
-        J[28] = -e29 * e15;
-        J[29] = -e29 * e16;
-        J[30] = -e29 * e17;
-        J[31] = -e29 * e18;
-        J[32] = -e29 * e19;
-        J[33] = -e29 * e20;
-        J[34] = -e29 * e21;
-        J[35] = -e29 * e22;
-        J[36] = e30 * e11;
-        J[37] = e30 * e12;
-        J[38] = e30 * e13;
-        J[39] = e30 * e14;
-        J[40] = e30 * e15;
-        J[41] = e30 * e16;
-        J[42] = e30 * e17;
-        J[43] = e30 * e18;
-        J[44] = e30 * e19;
-        J[45] = e30 * e20;
-        J[46] = e30 * e21;
-        J[47] = e30 * e22;
-        J[48] = -e35 * e11;
-        J[49] = -e35 * e12;
-        J[50] = -e35 * e13;
-        J[51] = -e35 * e14;
-        J[52] = -e35 * e15;
-        J[53] = -e35 * e16;
-        J[54] = -e35 * e17;
-        J[55] = -e35 * e18;
-        J[56] = -e35 * e19;
-        J[57] = -e35 * e20;
-        J[58] = -e35 * e21;
-        J[59] = -e35 * e22;
-        J[60] = e37 * e11;
-        J[61] = e37 * e12;
-        J[62] = e37 * e13;
-        J[63] = e37 * e14;
-        J[64] = e37 * e15;
-        J[65] = e37 * e16;
-        J[66] = e37 * e17;
-        J[67] = e37 * e18;
-        J[68] = e37 * e19;
-        J[69] = e37 * e20;
-        J[70] = e37 * e21;
-        J[71] = e37 * e22;
-        J[72] = -e39 * e11;
-        J[73] = -e39 * e12;
-        J[74] = -e39 * e13;
-        J[75] = -e39 * e14;
-        J[76] = -e39 * e15;
-        J[77] = -e39 * e16;
-        J[78] = -e39 * e17;
-        J[79] = -e39 * e18;
-        J[80] = -e39 * e19;
-        J[81] = -e39 * e20;
-        J[82] = -e39 * e21;
-        J[83] = -e39 * e22;
-        J[84] = e40 * e11;
-        J[85] = e40 * e12;
-        J[86] = e40 * e13;
-        J[87] = e40 * e14;
-        J[88] = e40 * e15;
-        J[89] = e40 * e16;
-        J[90] = e40 * e17;
-        J[91] = e40 * e18;
-        J[92] = e40 * e19;
-        J[93] = e40 * e20;
-        J[94] = e40 * e21;
-        J[95] = e40 * e22;
-        J[96] = e43 * e11;
-        J[97] = e43 * e12;
-        J[98] = e43 * e13;
-        J[99] = e43 * e14;
-        J[100] = e43 * e15;
-        J[101] = e43 * e16;
-        J[102] = e43 * e17;
-        J[103] = e43 * e18;
-        J[104] = e43 * e19;
-        J[105] = e43 * e20;
-        J[106] = e43 * e21;
-        J[107] = e43 * e22;
-        J[108] = -e45 * e11;
-        J[109] = -e45 * e12;
-        J[110] = -e45 * e13;
-        J[111] = -e45 * e14;
-        J[112] = -e45 * e15;
-        J[113] = -e45 * e16;
-        J[114] = -e45 * e17;
-        J[115] = -e45 * e18;
-        J[116] = -e45 * e19;
-        J[117] = -e45 * e20;
-        J[118] = -e45 * e21;
-        J[119] = -e45 * e22;
-        J[120] = T_h_1 * e48 - T_c_1 * e46 - T_hi * e47;
-        J[121] = T_h_2 * e48 - T_c_2 * e46 - T_h_1 * e47;
-        J[122] = T_h_3 * e48 - T_c_3 * e46 - T_h_2 * e47;
-        J[123] = T_h_4 * e48 - T_c_4 * e46 - T_h_3 * e47;
-        J[124] = T_h_5 * e48 - T_c_5 * e46 - T_h_4 * e47;
-        J[125] = T_h_6 * e48 - T_c_6 * e46 - T_h_5 * e47;
-        J[126] = T_h_7 * e48 - T_c_7 * e46 - T_h_6 * e47;
-        J[127] = T_h_8 * e48 - T_c_8 * e46 - T_h_7 * e47;
-        J[128] = T_h_9 * e48 - T_c_9 * e46 - T_h_8 * e47;
-        J[129] = T_h_10 * e48 - T_c_10 * e46 - T_h_9 * e47;
-        J[130] = T_h_11 * e48 - T_c_11 * e46 - T_h_10 * e47;
-        J[131] = T_h_12 * e48 - T_c_12 * e46 - T_h_11 * e47;
-        J[132] = T_c_1 * e51 - T_h_1 * e49 - T_ci * e50;
-        J[133] = T_c_2 * e51 - T_h_2 * e49 - T_c_1 * e50;
-        J[134] = T_c_3 * e51 - T_h_3 * e49 - T_c_2 * e50;
-        J[135] = T_c_4 * e51 - T_h_4 * e49 - T_c_3 * e50;
-        J[136] = T_c_5 * e51 - T_h_5 * e49 - T_c_4 * e50;
-        J[137] = T_c_6 * e51 - T_h_6 * e49 - T_c_5 * e50;
-        J[138] = T_c_7 * e51 - T_h_7 * e49 - T_c_6 * e50;
-        J[139] = T_c_8 * e51 - T_h_8 * e49 - T_c_7 * e50;
-        J[140] = T_c_9 * e51 - T_h_9 * e49 - T_c_8 * e50;
-        J[141] = T_c_10 * e51 - T_h_10 * e49 - T_c_9 * e50;
-        J[142] = T_c_11 * e51 - T_h_11 * e49 - T_c_10 * e50;
-        J[143] = T_c_12 * e51 - T_h_12 * e49 - T_c_11 * e50;
+        J[0] = -e14 * e15;
+        J[1] = -e14 * e16;
+        J[2] = -e14 * e17;
+        J[3] = -e14 * e18;
+        J[4] = -e14 * e19;
+        J[5] = -e14 * e20;
+        J[6] = -e14 * e21;
+        J[7] = -e14 * e22;
+        J[8] = -e14 * e23;
+        J[9] = -e14 * e24;
+        J[10] = -e14 * e25;
+        J[11] = -e14 * e26;
+        J[12] = e31 * e15;
+        J[13] = e31 * e16;
+        J[14] = e31 * e17;
+        J[15] = e31 * e18;
+        J[16] = e31 * e19;
+        J[17] = e31 * e20;
+        J[18] = e31 * e21;
+        J[19] = e31 * e22;
+        J[20] = e31 * e23;
+        J[21] = e31 * e24;
+        J[22] = e31 * e25;
+        J[23] = e31 * e26;
+        J[24] = -e32 * e15;
+        J[25] = -e32 * e16;
+        J[26] = -e32 * e17;
+        J[27] = -e32 * e18;
+        J[28] = -e32 * e19;
+        J[29] = -e32 * e20;
+        J[30] = -e32 * e21;
+        J[31] = -e32 * e22;
+        J[32] = -e32 * e23;
+        J[33] = -e32 * e24;
+        J[34] = -e32 * e25;
+        J[35] = -e32 * e26;
+        J[36] = e33 * e15;
+        J[37] = e33 * e16;
+        J[38] = e33 * e17;
+        J[39] = e33 * e18;
+        J[40] = e33 * e19;
+        J[41] = e33 * e20;
+        J[42] = e33 * e21;
+        J[43] = e33 * e22;
+        J[44] = e33 * e23;
+        J[45] = e33 * e24;
+        J[46] = e33 * e25;
+        J[47] = e33 * e26;
+        J[48] = -e35 * e15;
+        J[49] = -e35 * e16;
+        J[50] = -e35 * e17;
+        J[51] = -e35 * e18;
+        J[52] = -e35 * e19;
+        J[53] = -e35 * e20;
+        J[54] = -e35 * e21;
+        J[55] = -e35 * e22;
+        J[56] = -e35 * e23;
+        J[57] = -e35 * e24;
+        J[58] = -e35 * e25;
+        J[59] = -e35 * e26;
+        J[60] = e37 * e15;
+        J[61] = e37 * e16;
+        J[62] = e37 * e17;
+        J[63] = e37 * e18;
+        J[64] = e37 * e19;
+        J[65] = e37 * e20;
+        J[66] = e37 * e21;
+        J[67] = e37 * e22;
+        J[68] = e37 * e23;
+        J[69] = e37 * e24;
+        J[70] = e37 * e25;
+        J[71] = e37 * e26;
+        J[72] = -e38 * e15;
+        J[73] = -e38 * e16;
+        J[74] = -e38 * e17;
+        J[75] = -e38 * e18;
+        J[76] = -e38 * e19;
+        J[77] = -e38 * e20;
+        J[78] = -e38 * e21;
+        J[79] = -e38 * e22;
+        J[80] = -e38 * e23;
+        J[81] = -e38 * e24;
+        J[82] = -e38 * e25;
+        J[83] = -e38 * e26;
+        J[84] = e39 * e15;
+        J[85] = e39 * e16;
+        J[86] = e39 * e17;
+        J[87] = e39 * e18;
+        J[88] = e39 * e19;
+        J[89] = e39 * e20;
+        J[90] = e39 * e21;
+        J[91] = e39 * e22;
+        J[92] = e39 * e23;
+        J[93] = e39 * e24;
+        J[94] = e39 * e25;
+        J[95] = e39 * e26;
+        J[96] = e41 * e15;
+        J[97] = e41 * e16;
+        J[98] = e41 * e17;
+        J[99] = e41 * e18;
+        J[100] = e41 * e19;
+        J[101] = e41 * e20;
+        J[102] = e41 * e21;
+        J[103] = e41 * e22;
+        J[104] = e41 * e23;
+        J[105] = e41 * e24;
+        J[106] = e41 * e25;
+        J[107] = e41 * e26;
+        J[108] = -e43 * e15;
+        J[109] = -e43 * e16;
+        J[110] = -e43 * e17;
+        J[111] = -e43 * e18;
+        J[112] = -e43 * e19;
+        J[113] = -e43 * e20;
+        J[114] = -e43 * e21;
+        J[115] = -e43 * e22;
+        J[116] = -e43 * e23;
+        J[117] = -e43 * e24;
+        J[118] = -e43 * e25;
+        J[119] = -e43 * e26;
+        J[120] = T_h_1 * e46 - T_c_1 * e44 - T_hi * e45;
+        J[121] = T_h_2 * e46 - T_c_2 * e44 - T_h_1 * e45;
+        J[122] = T_h_3 * e46 - T_c_3 * e44 - T_h_2 * e45;
+        J[123] = T_h_4 * e46 - T_c_4 * e44 - T_h_3 * e45;
+        J[124] = T_h_5 * e46 - T_c_5 * e44 - T_h_4 * e45;
+        J[125] = T_h_6 * e46 - T_c_6 * e44 - T_h_5 * e45;
+        J[126] = T_h_7 * e46 - T_c_7 * e44 - T_h_6 * e45;
+        J[127] = T_h_8 * e46 - T_c_8 * e44 - T_h_7 * e45;
+        J[128] = T_h_9 * e46 - T_c_9 * e44 - T_h_8 * e45;
+        J[129] = T_h_10 * e46 - T_c_10 * e44 - T_h_9 * e45;
+        J[130] = T_h_11 * e46 - T_c_11 * e44 - T_h_10 * e45;
+        J[131] = T_h_12 * e46 - T_c_12 * e44 - T_h_11 * e45;
+        J[132] = T_c_1 * e49 - T_h_1 * e47 - T_ci * e48;
+        J[133] = T_c_2 * e49 - T_h_2 * e47 - T_c_1 * e48;
+        J[134] = T_c_3 * e49 - T_h_3 * e47 - T_c_2 * e48;
+        J[135] = T_c_4 * e49 - T_h_4 * e47 - T_c_3 * e48;
+        J[136] = T_c_5 * e49 - T_h_5 * e47 - T_c_4 * e48;
+        J[137] = T_c_6 * e49 - T_h_6 * e47 - T_c_5 * e48;
+        J[138] = T_c_7 * e49 - T_h_7 * e47 - T_c_6 * e48;
+        J[139] = T_c_8 * e49 - T_h_8 * e47 - T_c_7 * e48;
+        J[140] = T_c_9 * e49 - T_h_9 * e47 - T_c_8 * e48;
+        J[141] = T_c_10 * e49 - T_h_10 * e47 - T_c_9 * e48;
+        J[142] = T_c_11 * e49 - T_h_11 * e47 - T_c_10 * e48;
+        J[143] = T_c_12 * e49 - T_h_12 * e47 - T_c_11 * e48;
     }
 
     /// J = df/dt at fixed x and u.
@@ -993,44 +992,39 @@ public:
     /// Operations: 30 + or -, 18 *, 5 /, 4 other functions
     ///     T_h_out = T_h[12]
     ///     T_c_out = T_c[12]
-    ///     Q = L*b*alpha_h*alpha_c*T_h[1]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[2]/(12*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_h[3]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[4]/(12*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_h[5]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[6]/(12*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_h[7]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[8]/(12*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_h[9]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[10]/(12*(alpha_h + alpha_c)) +
-    ///     L*b*alpha_h*alpha_c*T_h[11]/(12*(alpha_h + alpha_c)) + L*b*alpha_h*alpha_c*T_h[12]/(12*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[1]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[2]/(12*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[3]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[4]/(12*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[5]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[6]/(12*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[7]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[8]/(12*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[9]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[10]/(12*(alpha_h + alpha_c)) -
-    ///     L*b*alpha_h*alpha_c*T_c[11]/(12*(alpha_h + alpha_c)) - L*b*alpha_h*alpha_c*T_c[12]/(12*(alpha_h + alpha_c))
+    ///     Q = T_h[1]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) + T_h[2]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_h[3]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) + T_h[4]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_h[5]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) + T_h[6]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_h[7]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) + T_h[8]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_h[9]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) + T_h[10]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) +
+    ///     T_h[11]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) + T_h[12]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[1]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) - T_c[2]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[3]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) - T_c[4]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[5]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) - T_c[6]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[7]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) - T_c[8]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[9]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) - T_c[10]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) -
+    ///     T_c[11]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))) - T_c[12]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c)))
     ///     Q_parallel = L*b*k*T_hi*decay_mean(L*b*k*(1 + min(c_h*m_h, c_c*m_c)/max(c_h*m_h, c_c*m_c))/min(c_h*m_h, c_c*m_c)) -
     ///     L*b*k*T_ci*decay_mean(L*b*k*(1 + min(c_h*m_h, c_c*m_c)/max(c_h*m_h, c_c*m_c))/min(c_h*m_h, c_c*m_c))
-    ///     efficiency = L*b*alpha_h*alpha_c*T_h[1]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*alpha_c*T_h[2]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*alpha_c*T_h[3]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*alpha_c*T_h[4]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*alpha_c*T_h[5]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*alpha_c*T_h[6]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*alpha_c*T_h[7]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*alpha_c*T_h[8]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*alpha_c*T_h[9]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*alpha_c*T_h[10]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*alpha_c*T_h[11]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
-    ///     L*b*alpha_h*alpha_c*T_h[12]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[1]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[2]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[3]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[4]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[5]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[6]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[7]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[8]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[9]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[10]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[11]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
-    ///     L*b*alpha_h*alpha_c*T_c[12]/(12*(alpha_h + alpha_c)*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci))
+    ///     efficiency = T_h[1]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     T_h[2]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + T_h[3]/(12*(1/(L*b*alpha_h) +
+    ///     1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + T_h[4]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h,
+    ///     c_c*m_c)*(T_hi - T_ci)) + T_h[5]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     T_h[6]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + T_h[7]/(12*(1/(L*b*alpha_h) +
+    ///     1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + T_h[8]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h,
+    ///     c_c*m_c)*(T_hi - T_ci)) + T_h[9]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) +
+    ///     T_h[10]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + T_h[11]/(12*(1/(L*b*alpha_h) +
+    ///     1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) + T_h[12]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h,
+    ///     c_c*m_c)*(T_hi - T_ci)) - T_c[1]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
+    ///     T_c[2]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) - T_c[3]/(12*(1/(L*b*alpha_h) +
+    ///     1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) - T_c[4]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h,
+    ///     c_c*m_c)*(T_hi - T_ci)) - T_c[5]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
+    ///     T_c[6]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) - T_c[7]/(12*(1/(L*b*alpha_h) +
+    ///     1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) - T_c[8]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h,
+    ///     c_c*m_c)*(T_hi - T_ci)) - T_c[9]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) -
+    ///     T_c[10]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) - T_c[11]/(12*(1/(L*b*alpha_h) +
+    ///     1/(L*b*alpha_c))*min(c_h*m_h, c_c*m_c)*(T_hi - T_ci)) - T_c[12]/(12*(1/(L*b*alpha_h) + 1/(L*b*alpha_c))*min(c_h*m_h,
+    ///     c_c*m_c)*(T_hi - T_ci))
     ///     T_h_x = -b*k*T_hi*x*decay_mean(b*k*x/(c_h*m_h) + b*k*x/(c_c*m_c))/(c_h*m_h) + b*k*T_ci*x*decay_mean(b*k*x/(c_h*m_h) +
     ///     b*k*x/(c_c*m_c))/(c_h*m_h) + T_hi
     ///     T_c_x = b*k*T_hi*x*decay_mean(b*k*x/(c_h*m_h) + b*k*x/(c_c*m_c))/(c_c*m_c) - b*k*T_ci*x*decay_mean(b*k*x/(c_h*m_h) +
@@ -1474,19 +1468,19 @@ private:
     struct Cached {
         Scalar k;  ///< 1/(1/alpha_h + 1/alpha_c)
         Scalar k0;  ///< 12/M_h
-        Scalar k1;  ///< L*b*alpha_h*alpha_c/(c_h*M_h*(alpha_h + alpha_c))
+        Scalar k1;  ///< L*b/(c_h*M_h*(1/alpha_h + 1/alpha_c))
         Scalar k2;  ///< 12/M_c
-        Scalar k3;  ///< L*b*alpha_h*alpha_c/(c_c*M_c*(alpha_h + alpha_c))
-        Scalar k4;  ///< L*b*alpha_h*alpha_c/(12*(alpha_h + alpha_c))
+        Scalar k3;  ///< L*b/(c_c*M_c*(1/alpha_h + 1/alpha_c))
+        Scalar k4;  ///< L*b/(12*(1/alpha_h + 1/alpha_c))
         Scalar k5;  ///< L*b*k
         Scalar k6;  ///< b*k/c_h
         Scalar k7;  ///< b*k/c_c
         Scalar k8;  ///< L^2*b^2*c_h*k^2
-        Scalar k9;  ///< L*b*alpha_h*alpha_c*c_h/(12*(alpha_h + alpha_c))
+        Scalar k9;  ///< L*b*c_h/(12*(1/alpha_h + 1/alpha_c))
         Scalar k10;  ///< b^2*k^2/c_h^2
         Scalar k11;  ///< b^2*k^2/(c_h*c_c)
         Scalar k12;  ///< L^2*b^2*c_c*k^2
-        Scalar k13;  ///< L*b*alpha_h*alpha_c*c_c/(12*(alpha_h + alpha_c))
+        Scalar k13;  ///< L*b*c_c/(12*(1/alpha_h + 1/alpha_c))
         Scalar k14;  ///< b^2*k^2/c_c^2
     };
     Cached c_{};

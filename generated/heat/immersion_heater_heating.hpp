@@ -16,10 +16,10 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 8     25    14        0      2
+//   update                 7     20    13        0      2
 //   rhs                    2      2     0        0      0
 //   rhs_and_jacobian       3      2     0        0      0
-//   jacobian_p            25     60     9        0      0
+//   jacobian_p            11     34     7        0      0
 //   output                 4      4     0        0      1
 //   internal_energy        0      2     0        0      0
 //   exchanged_power        2      1     0        0      0
@@ -174,40 +174,39 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 8 + or -, 25 *, 14 /, 2 other functions
+    /// Operations: 7 + or -, 20 *, 13 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
         using std::expm1;
         const Scalar e1 = p_.L / p_.lambda + Scalar(1) / p_.alpha_i;
-        c_.k = Scalar(1) / (Scalar(1) / p_.alpha_a + e1);
-        const Scalar e2 = p_.A * c_.k;
-        const Scalar e3 = Scalar(1) / p_.m_0 / p_.c_p;
-        const Scalar e4 = e2 * e3;
-        const Scalar e5 = p_.t_s * e4;
-        const Scalar expm1_6 = expm1(-e5);
-        const Scalar exp_7 = exp(e5);
-        const Scalar e8 = p_.T_inf * e2;
-        const Scalar e9 = p_.T_s * e2;
-        c_.P_s = (e8 / exp_7 - e9) / expm1_6 - e8;
-        const Scalar inverse_10 = Scalar(1) / p_.A;
-        const Scalar inverse_11 = Scalar(1) / (inverse_10 * e1);
-        const Scalar e12 = p_.A * p_.alpha_a;
-        const Scalar inverse_13 = Scalar(1) / (inverse_11 + e12);
-        const Scalar e14 = inverse_13 * e12;
-        const Scalar e15 = p_.T_inf * e14;
-        const Scalar e16 = p_.lambda / p_.L;
-        const Scalar e17 = e3 / (p_.alpha_i + e16) * (e16 * (p_.A * p_.alpha_i));
-        c_.k0 = e15 * e17;
-        c_.k1 = e3;
-        c_.k2 = e14 * e17;
-        c_.k3 = e15;
-        c_.k4 = inverse_11 * inverse_13;
-        c_.k5 = inverse_11 * e15;
-        c_.k6 = inverse_11 * e14;
-        c_.k7 = c_.P_s * inverse_10 / c_.k;
-        c_.k8 = e9 - e8;
-        c_.k9 = e4;
+        const Scalar e2 = Scalar(1) / p_.alpha_a + e1;
+        c_.k = Scalar(1) / e2;
+        const Scalar e3 = p_.A * c_.k;
+        const Scalar e4 = Scalar(1) / p_.m_0 / p_.c_p;
+        const Scalar e5 = e3 * e4;
+        const Scalar e6 = p_.t_s * e5;
+        const Scalar expm1_7 = expm1(-e6);
+        const Scalar exp_8 = exp(e6);
+        const Scalar e9 = p_.T_inf * e3;
+        const Scalar e10 = p_.T_s * e3;
+        c_.P_s = (e9 / exp_8 - e10) / expm1_7 - e9;
+        const Scalar inverse_11 = Scalar(1) / p_.A;
+        const Scalar inverse_12 = Scalar(1) / (inverse_11 * e2);
+        const Scalar e13 = p_.T_inf * inverse_12;
+        c_.k0 = e4 * e13;
+        c_.k1 = e4;
+        c_.k2 = inverse_12 * e4;
+        const Scalar inverse_14 = Scalar(1) / (inverse_11 * e1);
+        const Scalar e15 = p_.A * p_.alpha_a;
+        const Scalar inverse_16 = Scalar(1) / (inverse_14 + e15);
+        c_.k3 = p_.T_inf * inverse_16 * e15;
+        c_.k4 = inverse_14 * inverse_16;
+        c_.k5 = e13;
+        c_.k6 = inverse_12;
+        c_.k7 = c_.P_s * inverse_11 / c_.k;
+        c_.k8 = e10 - e9;
+        c_.k9 = e5;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -221,9 +220,8 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 2 + or -, 2 *
-    ///     dot(T) = T_inf*A^2*lambda*alpha_i*alpha_a/(m_0*c_p*L*(lambda/L + alpha_i)*(A*alpha_a + 1/(L/(A*lambda) +
-    ///     1/(A*alpha_i)))) + P/(m_0*c_p) - A^2*lambda*alpha_i*alpha_a*T/(m_0*c_p*L*(lambda/L + alpha_i)*(A*alpha_a +
-    ///     1/(L/(A*lambda) + 1/(A*alpha_i))))
+    ///     dot(T) = T_inf/(m_0*c_p*(L/(A*lambda) + 1/(A*alpha_i) + 1/(A*alpha_a))) + P/(m_0*c_p) - T/(m_0*c_p*(L/(A*lambda) +
+    ///     1/(A*alpha_i) + 1/(A*alpha_a)))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar P = u[0];
         const Scalar T = x[0];
@@ -254,49 +252,38 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 25 + or -, 60 *, 9 /
+    /// Operations: 11 + or -, 34 *, 7 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T = x[0];
         const Scalar inverse_1 = Scalar(1) / p_.m_0;
-        const Scalar inverse_2 = Scalar(1) / p_.c_p;
-        const Scalar e3 = inverse_1 * inverse_2;
-        const Scalar inverse_4 = Scalar(1) / p_.L;
-        const Scalar e5 = p_.lambda * inverse_4;
-        const Scalar inverse_6 = Scalar(1) / (p_.alpha_i + e5);
-        const Scalar inverse_7 = Scalar(1) / p_.lambda;
-        const Scalar inverse_8 = Scalar(1) / p_.alpha_i;
-        const Scalar inverse_9 = Scalar(1) / ((p_.L * inverse_7 + inverse_8) / p_.A);
-        const Scalar inverse_10 = Scalar(1) / (p_.A * p_.alpha_a + inverse_9);
-        const Scalar e11 = e3 * (inverse_6 * inverse_10);
-        const Scalar e12 = p_.alpha_a * e11;
-        const Scalar e13 = p_.alpha_i * e12;
-        const Scalar e14 = p_.A * inverse_4;
-        const Scalar e15 = p_.lambda * e14;
-        const Scalar e16 = e13 * e15;
-        const Scalar e17 = p_.A * e16;
-        const Scalar e18 = inverse_1 * e17;
+        const Scalar inverse_2 = Scalar(1) / p_.A;
+        const Scalar inverse_3 = Scalar(1) / p_.alpha_a;
+        const Scalar inverse_4 = Scalar(1) / p_.alpha_i;
+        const Scalar inverse_5 = Scalar(1) / p_.lambda;
+        const Scalar e6 = p_.L * inverse_5;
+        const Scalar e7 = inverse_2 * (inverse_3 + (inverse_4 + e6));
+        const Scalar inverse_8 = Scalar(1) / e7;
+        const Scalar inverse_9 = Scalar(1) / p_.c_p;
+        const Scalar e10 = inverse_1 * inverse_9;
+        const Scalar e11 = inverse_8 * e10;
+        const Scalar e12 = inverse_1 * e11;
         const Scalar P = u[0];
-        const Scalar e19 = inverse_2 * e17;
-        const Scalar e20 = p_.alpha_i * inverse_6;
-        const Scalar e21 = inverse_9 * inverse_10;
-        const Scalar e22 = inverse_9 * e21;
-        const Scalar e23 = (inverse_6 * e15 * e5 + e22) * e13;
-        const Scalar e24 = inverse_10 * (p_.alpha_a * e17 + inverse_9 * inverse_9 * e12 * e5) - Scalar(3) * e16;
-        const Scalar e25 = e16 * e20 + e23 + e24;
-        const Scalar e26 = e14 * (e23 - e16);
-        const Scalar e27 = e13 * (e14 * e20 - inverse_7 * e22);
-        const Scalar e28 = p_.T_inf * p_.A;
-        const Scalar e29 = inverse_6 * e17 - e12 * e15 * (p_.A - inverse_8 * e22);
-        const Scalar e30 = p_.alpha_i * e11 * (e15 * e21);
-        J[0] = T * e18 - p_.T_inf * e18 - P * (inverse_1 * e3);
-        J[1] = T * e19 - p_.T_inf * e19 - P * (inverse_2 * e3);
+        const Scalar e13 = inverse_9 * e11;
+        const Scalar e14 = e11 * (inverse_2 * inverse_8);
+        const Scalar e15 = p_.T_inf * e14;
+        const Scalar e16 = inverse_5 * e14;
+        const Scalar e17 = inverse_5 * e15;
+        const Scalar inverse_4_squared = inverse_4 * inverse_4;
+        const Scalar inverse_3_squared = inverse_3 * inverse_3;
+        J[0] = T * e12 - p_.T_inf * e12 - P * (inverse_1 * e10);
+        J[1] = T * e13 - p_.T_inf * e13 - P * (inverse_9 * e10);
         J[2] = Scalar(0);
         J[3] = c_.k2;
-        J[4] = -p_.T_inf * e25 - T * (-e25);
-        J[5] = p_.T_inf * e26 - T * e26;
-        J[6] = T * (-p_.A * e27) - (-e28 * e27);
-        J[7] = T * e29 - p_.T_inf * e29;
-        J[8] = e28 * e30 - T * (p_.A * e30);
+        J[4] = e15 * e7 - T * (e14 * e7);
+        J[5] = T * e16 - e17;
+        J[6] = e6 * e17 - T * (e6 * e16);
+        J[7] = e15 * inverse_4_squared - T * (e14 * inverse_4_squared);
+        J[8] = e15 * inverse_3_squared - T * (e14 * inverse_3_squared);
         J[9] = Scalar(0);
     }
 
@@ -325,8 +312,7 @@ public:
     /// Operations: 4 + or -, 4 *, 1 other functions
     ///     T_outer = T_inf*A*alpha_a/(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i))) + T/((L/(A*lambda) + 1/(A*alpha_i))*(A*alpha_a
     ///     + 1/(L/(A*lambda) + 1/(A*alpha_i))))
-    ///     loss = -T_inf*A*alpha_a/((L/(A*lambda) + 1/(A*alpha_i))*(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i)))) +
-    ///     A*alpha_a*T/((L/(A*lambda) + 1/(A*alpha_i))*(A*alpha_a + 1/(L/(A*lambda) + 1/(A*alpha_i))))
+    ///     loss = -T_inf/(L/(A*lambda) + 1/(A*alpha_i) + 1/(A*alpha_a)) + T/(L/(A*lambda) + 1/(A*alpha_i) + 1/(A*alpha_a))
     ///     exact = (T_inf + P_s/(A*k)) - P_s/(A*k*exp(A*k*t/(m_0*c_p)))
     ///     boils = T_s
     ///     power = P_s
@@ -426,13 +412,13 @@ private:
     struct Cached {
         Scalar k;  ///< 1/(L/lambda + 1/alpha_i + 1/alpha_a)
         Scalar P_s;  ///< A*k*(T_s/(1 - 1/exp(A*t_s*k/(m_0*c_p))) - T_inf - T_inf/(exp(A*t_s*k/(m_0*c_p))*(1 - ...
-        Scalar k0;  ///< T_inf*A*lambda*alpha_i*alpha_a/(m_0*c_p*L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
+        Scalar k0;  ///< T_inf*A/(m_0*c_p*(L/lambda + 1/alpha_i + 1/alpha_a))
         Scalar k1;  ///< 1/(m_0*c_p)
-        Scalar k2;  ///< A*lambda*alpha_i*alpha_a/(m_0*c_p*L*(lambda/L + alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
+        Scalar k2;  ///< A/(m_0*c_p*(L/lambda + 1/alpha_i + 1/alpha_a))
         Scalar k3;  ///< T_inf*alpha_a/(alpha_a + 1/(L/lambda + 1/alpha_i))
         Scalar k4;  ///< 1/((L/lambda + 1/alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
-        Scalar k5;  ///< T_inf*A*alpha_a/((L/lambda + 1/alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
-        Scalar k6;  ///< A*alpha_a/((L/lambda + 1/alpha_i)*(alpha_a + 1/(L/lambda + 1/alpha_i)))
+        Scalar k5;  ///< T_inf*A/(L/lambda + 1/alpha_i + 1/alpha_a)
+        Scalar k6;  ///< A/(L/lambda + 1/alpha_i + 1/alpha_a)
         Scalar k7;  ///< P_s/(A*k)
         Scalar k8;  ///< A*k*(T_s - T_inf)
         Scalar k9;  ///< A*k/(m_0*c_p)

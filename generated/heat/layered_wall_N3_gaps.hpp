@@ -17,15 +17,15 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                18     72    25        0      0
-//   rhs                   10     10     0        0      0
-//   rhs_and_jacobian      13     10     0        0      0
-//   jacobian_p            80    277    21        0      0
+//   update                19     69    26        0      0
+//   rhs                   11      8     0        0      0
+//   rhs_and_jacobian      11     10     0        0      0
+//   jacobian_p            69    257    21        0      0
 //   output                12     14     0        0      6
 //   output_jacobian_x      1      0     0        0      0
 //   output_jacobian_u     13     10     0        0     12
 //   internal_energy        2     12     0        0      0
-//   exchanged_power       10     12     2        0      0
+//   exchanged_power       10     14     6        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -217,79 +217,84 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 18 + or -, 72 *, 25 /
+    /// Operations: 19 + or -, 69 *, 26 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        const Scalar inverse_1 = Scalar(1) / p_.lambda[2];
-        const Scalar inverse_2 = Scalar(1) / p_.alpha_0;
-        const Scalar inverse_3 = Scalar(1) / p_.lambda[0];
-        const Scalar e4 = p_.L[0] * inverse_3;
-        const Scalar inverse_5 = Scalar(1) / p_.lambda[1];
-        const Scalar e6 = p_.L[1] * inverse_5;
-        c_.k = Scalar(1) / (p_.L[2] * inverse_1 + inverse_2 + Scalar(1) / p_.alpha_L + e4 + e6);
-        const Scalar e7 = Scalar(1) / p_.rho[0] / p_.c_p[0];
-        c_.k0 = p_.g * e7;
-        const Scalar inverse_8 = Scalar(1) / p_.L[0];
-        const Scalar e9 = p_.lambda[0] * inverse_8;
-        const Scalar e10 = Scalar(2) * e9;
-        const Scalar inverse_11 = Scalar(1) / (p_.alpha_0 + e10);
-        const Scalar e12 = p_.alpha_0 * inverse_11;
-        const Scalar e13 = e7 * (inverse_8 * e9);
-        const Scalar e14 = e12 * e13;
-        c_.k1 = Scalar(2) * e14;
-        const Scalar e15 = p_.A * p_.alpha_c;
-        const Scalar inverse_16 = Scalar(1) / p_.A;
-        const Scalar e17 = Scalar(2) * (inverse_16 / p_.alpha_c);
-        const Scalar inverse_18 = Scalar(1) / (e17 + inverse_16 * e4);
+        const Scalar inverse_1 = Scalar(1) / p_.alpha_0;
+        const Scalar inverse_2 = Scalar(1) / p_.alpha_L;
+        const Scalar inverse_3 = Scalar(1) / p_.lambda[2];
+        const Scalar e4 = p_.L[2] * inverse_3;
+        const Scalar inverse_5 = Scalar(1) / p_.lambda[0];
+        const Scalar e6 = p_.L[0] * inverse_5;
+        const Scalar inverse_7 = Scalar(1) / p_.lambda[1];
+        const Scalar e8 = p_.L[1] * inverse_7;
+        c_.k = Scalar(1) / (inverse_1 + inverse_2 + e4 + e6 + e8);
+        const Scalar e9 = Scalar(1) / p_.rho[0] / p_.c_p[0];
+        c_.k0 = p_.g * e9;
+        const Scalar inverse_10 = Scalar(1) / p_.A;
+        const Scalar e11 = inverse_10 * e6;
+        const Scalar inverse_12 = Scalar(1) / (Scalar(2) * inverse_10 * inverse_1 + e11);
+        const Scalar inverse_13 = Scalar(1) / p_.L[0];
+        const Scalar e14 = e9 * (inverse_13 * inverse_10);
+        const Scalar e15 = inverse_12 * e14;
+        c_.k1 = Scalar(2) * e15;
+        c_.k2 = Scalar(2) * e14;
+        const Scalar e16 = inverse_10 * (Scalar(2) / p_.alpha_c + e8);
+        const Scalar inverse_17 = Scalar(1) / (e16 + e11);
+        c_.k3 = inverse_17;
+        const Scalar e18 = Scalar(1) / p_.rho[1] / p_.c_p[1];
+        c_.k4 = p_.g * e18;
         const Scalar inverse_19 = Scalar(1) / p_.L[1];
-        const Scalar e20 = p_.lambda[1] * inverse_19;
-        const Scalar e21 = e20 / (inverse_18 + p_.A * e20);
-        const Scalar e22 = e15 / (p_.alpha_c + e10) * (e21 * e13);
-        c_.k2 = Scalar(2) * (e14 + e22);
-        c_.k3 = Scalar(2) * e22;
-        const Scalar e23 = Scalar(1) / p_.rho[1] / p_.c_p[1];
-        c_.k4 = p_.g * e23;
-        const Scalar e24 = inverse_19 * e23;
-        const Scalar e25 = e24 * (inverse_18 * e21);
-        c_.k5 = Scalar(2) * e25;
-        const Scalar inverse_26 = Scalar(1) / (e17 + inverse_16 * e6);
-        const Scalar inverse_27 = Scalar(1) / p_.L[2];
-        const Scalar e28 = p_.lambda[2] * inverse_27;
-        const Scalar inverse_29 = Scalar(1) / (inverse_26 + p_.A * e28);
-        const Scalar e30 = inverse_29 * e28;
-        const Scalar e31 = e15 * e30;
-        const Scalar inverse_32 = Scalar(1) / (p_.alpha_c + Scalar(2) * e20);
-        const Scalar e33 = inverse_32 * e20;
-        const Scalar e34 = e31 * (e24 * e33);
-        c_.k6 = Scalar(2) * (e25 + e34);
-        c_.k7 = Scalar(2) * e34;
-        const Scalar e35 = Scalar(1) / p_.rho[2] / p_.c_p[2];
-        c_.k8 = p_.g * e35;
-        const Scalar e36 = inverse_27 * e35;
-        const Scalar inverse_37 = Scalar(1) / (p_.alpha_L + Scalar(2) * e28);
-        const Scalar e38 = inverse_37 * e28;
-        const Scalar e39 = e36 * e38;
-        const Scalar e40 = p_.alpha_L * e39;
-        c_.k9 = Scalar(2) * e40;
-        c_.k10 = Scalar(2) * p_.a_s * e39;
-        const Scalar e41 = e36 * (inverse_26 * e30);
-        c_.k11 = Scalar(2) * e41;
-        c_.k12 = Scalar(2) * (e40 + e41);
-        c_.k13 = e12;
-        c_.k14 = Scalar(2) * inverse_11 * e9;
-        c_.k15 = p_.alpha_c * inverse_32 * inverse_26 * inverse_29 + Scalar(2) * e33;
-        c_.k16 = inverse_32 * e31;
-        c_.k17 = p_.alpha_L * inverse_37;
-        c_.k18 = p_.a_s * inverse_37;
-        c_.k19 = Scalar(2) * e38;
-        c_.k20 = Scalar(2) * p_.A * e9 * e12;
-        const Scalar e42 = c_.k * inverse_2;
-        c_.k21 = Scalar(1) - e42;
-        c_.k22 = c_.k * inverse_3;
-        c_.k23 = c_.k * inverse_5;
-        c_.k24 = c_.k * inverse_1;
-        c_.k25 = e42;
-        c_.k26 = p_.L[0] + p_.L[1];
+        const Scalar e20 = e18 * (inverse_19 * inverse_10);
+        c_.k5 = Scalar(2) * e20;
+        const Scalar e21 = inverse_10 * e4;
+        const Scalar inverse_22 = Scalar(1) / (e16 + e21);
+        c_.k6 = inverse_22;
+        const Scalar e23 = Scalar(1) / p_.rho[2] / p_.c_p[2];
+        c_.k7 = p_.g * e23;
+        const Scalar inverse_24 = Scalar(1) / p_.L[2];
+        const Scalar e25 = inverse_24 * e23;
+        const Scalar e26 = inverse_10 * e25;
+        const Scalar e27 = e26 / (Scalar(2) * inverse_10 * inverse_2 + e21);
+        c_.k8 = Scalar(2) * e27;
+        const Scalar e28 = p_.lambda[2] * inverse_24;
+        const Scalar inverse_29 = Scalar(1) / (p_.alpha_L + Scalar(2) * e28);
+        const Scalar e30 = p_.a_s * inverse_29;
+        c_.k9 = Scalar(2) * e25 * e28 * e30;
+        c_.k10 = Scalar(2) * e26;
+        const Scalar e31 = inverse_17 * e14;
+        c_.k11 = Scalar(2) * e31;
+        const Scalar e32 = inverse_17 * e20;
+        c_.k12 = Scalar(2) * e32;
+        const Scalar e33 = inverse_22 * e20;
+        c_.k13 = Scalar(2) * e33;
+        const Scalar e34 = inverse_22 * e26;
+        c_.k14 = Scalar(2) * e34;
+        c_.k15 = Scalar(2) * (e31 + e15);
+        c_.k16 = Scalar(2) * (e32 + e33);
+        c_.k17 = Scalar(2) * (e34 + e27);
+        const Scalar e35 = p_.lambda[0] * inverse_13;
+        const Scalar inverse_36 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e35);
+        c_.k18 = p_.alpha_0 * inverse_36;
+        c_.k19 = Scalar(2) * inverse_36 * e35;
+        const Scalar e37 = p_.lambda[1] * inverse_19;
+        const Scalar inverse_38 = Scalar(1) / (p_.alpha_c + Scalar(2) * e37);
+        const Scalar inverse_39 = Scalar(1) / e16;
+        const Scalar e40 = p_.A * e28;
+        const Scalar e41 = p_.alpha_c * inverse_38 / (inverse_39 + e40);
+        c_.k20 = Scalar(2) * inverse_38 * e37 + inverse_39 * e41;
+        c_.k21 = e40 * e41;
+        c_.k22 = p_.alpha_L * inverse_29;
+        c_.k23 = e30;
+        c_.k24 = Scalar(2) * inverse_29 * e28;
+        c_.k25 = Scalar(2) * inverse_12;
+        const Scalar e42 = c_.k * inverse_1;
+        c_.k26 = Scalar(1) - e42;
+        c_.k27 = c_.k * inverse_5;
+        c_.k28 = c_.k * inverse_7;
+        c_.k29 = c_.k * inverse_3;
+        c_.k30 = e42;
+        c_.k31 = p_.L[0] + p_.L[1];
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -304,60 +309,60 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 10 + or -, 10 *
-    ///     dot(T[1]) = g/(rho[1]*c_p[1]) + 2*lambda[1]*alpha_0*T_i/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0)) -
-    ///     2*lambda[1]*(lambda[2]*A*alpha_c/(L[2]*(2*lambda[1]/L[1] + alpha_c)*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) +
-    ///     2/(A*alpha_c)))) + alpha_0/(2*lambda[1]/L[1] + alpha_0))*T[1]/(L[1]^2*rho[1]*c_p[1]) +
-    ///     2*lambda[1]*lambda[2]*A*alpha_c*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_c)*(lambda[2]*A/L[2] +
-    ///     1/(L[1]/(lambda[1]*A) + 2/(A*alpha_c))))
-    ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 2*lambda[2]*T[1]/(L[2]^2*rho[2]*c_p[2]*(L[1]/(lambda[1]*A) +
-    ///     2/(A*alpha_c))*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) + 2/(A*alpha_c)))) -
-    ///     2*lambda[2]*(lambda[3]*A*alpha_c/(L[3]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) +
-    ///     2/(A*alpha_c)))) + 1/((L[1]/(lambda[1]*A) + 2/(A*alpha_c))*(lambda[2]*A/L[2] + 1/(L[1]/(lambda[1]*A) +
-    ///     2/(A*alpha_c)))))*T[2]/(L[2]^2*rho[2]*c_p[2]) + 2*lambda[2]*lambda[3]*A*alpha_c*T[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(2*lambda[2]/L[2]
-    ///     + alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c))))
-    ///     dot(T[3]) = g/(rho[3]*c_p[3]) + 2*lambda[3]*alpha_L*T_a/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L)) +
+    /// Operations: 11 + or -, 8 *
+    ///     dot(T[1]) = g/(rho[1]*c_p[1]) + 2*T_i/(L[1]*rho[1]*c_p[1]*A*(L[1]/(lambda[1]*A) + 2/(A*alpha_0))) -
+    ///     2*(1/(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A) + 2/(A*alpha_c)) + 1/(L[1]/(lambda[1]*A) +
+    ///     2/(A*alpha_0)))*T[1]/(L[1]*rho[1]*c_p[1]*A) + 2*T[2]/(L[1]*rho[1]*c_p[1]*A*(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A) +
+    ///     2/(A*alpha_c)))
+    ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 2*T[1]/(L[2]*rho[2]*c_p[2]*A*(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A) + 2/(A*alpha_c)))
+    ///     - 2*(1/(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A) + 2/(A*alpha_c)) + 1/(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A) +
+    ///     2/(A*alpha_c)))*T[2]/(L[2]*rho[2]*c_p[2]*A) + 2*T[3]/(L[2]*rho[2]*c_p[2]*A*(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A) +
+    ///     2/(A*alpha_c)))
+    ///     dot(T[3]) = g/(rho[3]*c_p[3]) + 2*T_a/(L[3]*rho[3]*c_p[3]*A*(L[3]/(lambda[3]*A) + 2/(A*alpha_L))) +
     ///     2*lambda[3]*a_s*sun/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L)) +
-    ///     2*lambda[3]*T[2]/(L[3]^2*rho[3]*c_p[3]*(L[2]/(lambda[2]*A) + 2/(A*alpha_c))*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) +
-    ///     2/(A*alpha_c)))) - 2*lambda[3]*(alpha_L/(2*lambda[3]/L[3] + alpha_L) + 1/((L[2]/(lambda[2]*A) +
-    ///     2/(A*alpha_c))*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c)))))*T[3]/(L[3]^2*rho[3]*c_p[3])
+    ///     2*T[2]/(L[3]*rho[3]*c_p[3]*A*(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A) + 2/(A*alpha_c))) - 2*(1/(L[2]/(lambda[2]*A) +
+    ///     L[3]/(lambda[3]*A) + 2/(A*alpha_c)) + 1/(L[3]/(lambda[3]*A) + 2/(A*alpha_L)))*T[3]/(L[3]*rho[3]*c_p[3]*A)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
+        const Scalar e1 = (T_1 - T_2) * c_.k3;
         const Scalar T_3 = x[2];
+        const Scalar e2 = (T_2 - T_3) * c_.k6;
         const Scalar T_a = u[1];
         const Scalar sun = u[2];
-        dxdt[0] = c_.k0 + c_.k1 * T_i - c_.k2 * T_1 + c_.k3 * T_2;
-        dxdt[1] = c_.k4 + c_.k5 * T_1 - c_.k6 * T_2 + c_.k7 * T_3;
-        dxdt[2] = c_.k8 + c_.k9 * T_a + c_.k10 * sun + c_.k11 * T_2 - c_.k12 * T_3;
+        dxdt[0] = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k2;
+        dxdt[1] = c_.k5 * (e1 - e2) + c_.k4;
+        dxdt[2] = c_.k8 * (T_a - T_3) + c_.k7 + sun * c_.k9 + e2 * c_.k10;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 3 x 3, entry (i, j) at J[3*j + i].
-    /// Operations: 13 + or -, 10 *
+    /// Operations: 11 + or -, 10 *
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
+        const Scalar e1 = T_1 - T_2;
         const Scalar T_3 = x[2];
+        const Scalar e2 = T_2 - T_3;
         const Scalar T_a = u[1];
         const Scalar sun = u[2];
-        const Scalar e1 = -c_.k2;
-        const Scalar e2 = -c_.k6;
-        const Scalar e3 = -c_.k12;
-        dxdt[0] = c_.k0 + c_.k1 * T_i - c_.k2 * T_1 + c_.k3 * T_2;
-        dxdt[1] = c_.k4 + c_.k5 * T_1 - c_.k6 * T_2 + c_.k7 * T_3;
-        dxdt[2] = c_.k8 + c_.k9 * T_a + c_.k10 * sun + c_.k11 * T_2 - c_.k12 * T_3;
-        J[0] = e1;
-        J[1] = c_.k5;
+        const Scalar e3 = (-Scalar(1)) * c_.k15;
+        const Scalar e4 = (-Scalar(1)) * c_.k16;
+        const Scalar e5 = (-Scalar(1)) * c_.k17;
+        dxdt[0] = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k11;
+        dxdt[1] = c_.k4 + e1 * c_.k12 - e2 * c_.k13;
+        dxdt[2] = c_.k8 * (T_a - T_3) + c_.k7 + sun * c_.k9 + e2 * c_.k14;
+        J[0] = e3;
+        J[1] = c_.k12;
         J[2] = Scalar(0);
-        J[3] = c_.k3;
-        J[4] = e2;
-        J[5] = c_.k11;
+        J[3] = c_.k11;
+        J[4] = e4;
+        J[5] = c_.k14;
         J[6] = Scalar(0);
-        J[7] = c_.k7;
-        J[8] = e3;
+        J[7] = c_.k13;
+        J[8] = e5;
     }
 
     /// J = df/dx. 3 x 3, entry (i, j) at J[3*j + i].
@@ -374,189 +379,171 @@ public:
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
-        J[5] = c_.k9;
+        J[5] = c_.k8;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
-        J[8] = c_.k10;
+        J[8] = c_.k9;
         J[9] = Scalar(0);
         J[10] = Scalar(0);
         J[11] = Scalar(0);
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 18, entry (i, j) at J[3*j + i].
-    /// Operations: 80 + or -, 277 *, 21 /
+    /// Operations: 69 + or -, 257 *, 21 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        const Scalar T_2 = x[1];
-        const Scalar inverse_1 = Scalar(1) / p_.L[0];
-        const Scalar e2 = p_.lambda[0] * inverse_1;
-        const Scalar e3 = Scalar(2) * e2;
-        const Scalar inverse_4 = Scalar(1) / (p_.alpha_c + e3);
-        const Scalar inverse_5 = Scalar(1) / p_.rho[0];
-        const Scalar inverse_6 = Scalar(1) / p_.c_p[0];
-        const Scalar e7 = inverse_5 * inverse_6;
-        const Scalar e8 = inverse_1 * e7;
-        const Scalar e9 = inverse_1 * e8;
-        const Scalar inverse_10 = Scalar(1) / p_.A;
-        const Scalar inverse_11 = Scalar(1) / p_.lambda[0];
-        const Scalar e12 = p_.L[0] * inverse_11;
-        const Scalar inverse_13 = Scalar(1) / p_.alpha_c;
-        const Scalar e14 = Scalar(2) * (inverse_10 * inverse_13);
-        const Scalar inverse_15 = Scalar(1) / (inverse_10 * e12 + e14);
-        const Scalar inverse_16 = Scalar(1) / p_.L[1];
-        const Scalar e17 = p_.lambda[1] * inverse_16;
-        const Scalar e18 = p_.A * e17;
-        const Scalar inverse_19 = Scalar(1) / (inverse_15 + e18);
-        const Scalar e20 = inverse_19 * e17;
-        const Scalar e21 = inverse_15 * e20;
-        const Scalar e22 = inverse_15 * inverse_19;
-        const Scalar e23 = e21 * e22;
-        const Scalar e24 = p_.lambda[0] * e9;
-        const Scalar e25 = inverse_1 * e24;
-        const Scalar e26 = p_.A * p_.alpha_c;
-        const Scalar e27 = inverse_4 * e26;
-        const Scalar e28 = e20 * e27;
-        const Scalar e29 = e25 * e28;
-        const Scalar e30 = inverse_4 * ((Scalar(1) / Scalar(2)) * p_.alpha_c * e9 * e23 + e2 * e29);
-        const Scalar T_i = u[0];
-        const Scalar inverse_31 = Scalar(1) / (p_.alpha_0 + e3);
-        const Scalar e32 = p_.alpha_0 * inverse_31;
-        const Scalar e33 = inverse_31 * e25;
-        const Scalar e34 = e33 * (e32 * e2);
         const Scalar T_1 = x[0];
-        const Scalar e35 = e32 + e28;
-        const Scalar inverse_36 = Scalar(1) / p_.rho[1];
-        const Scalar inverse_37 = Scalar(1) / p_.c_p[1];
-        const Scalar e38 = inverse_36 * inverse_37;
-        const Scalar e39 = inverse_16 * e38;
-        const Scalar e40 = e39 * e21;
-        const Scalar e41 = e21 * e40;
-        const Scalar e42 = inverse_11 * e41;
-        const Scalar e43 = T_1 - T_2;
-        const Scalar e44 = e27 * (inverse_19 * e24);
+        const Scalar inverse_1 = Scalar(1) / p_.A;
+        const Scalar inverse_2 = Scalar(1) / p_.lambda[1];
+        const Scalar inverse_3 = Scalar(1) / p_.alpha_c;
+        const Scalar e4 = inverse_1 * (p_.L[1] * inverse_2 + Scalar(2) * inverse_3);
+        const Scalar inverse_5 = Scalar(1) / p_.lambda[0];
+        const Scalar e6 = p_.L[0] * (inverse_5 * inverse_1);
+        const Scalar inverse_7 = Scalar(1) / (e4 + e6);
+        const Scalar inverse_8 = Scalar(1) / p_.alpha_0;
+        const Scalar inverse_9 = Scalar(1) / (Scalar(2) * inverse_1 * inverse_8 + e6);
+        const Scalar e10 = inverse_7 + inverse_9;
+        const Scalar inverse_11 = Scalar(1) / p_.L[0];
+        const Scalar inverse_12 = Scalar(1) / p_.rho[0];
+        const Scalar inverse_13 = Scalar(1) / p_.c_p[0];
+        const Scalar e14 = inverse_12 * inverse_13;
+        const Scalar e15 = inverse_11 * e14;
+        const Scalar e16 = inverse_1 * e15;
+        const Scalar e17 = inverse_11 * e16;
+        const Scalar inverse_1_squared = inverse_1 * inverse_1;
+        const Scalar inverse_7_squared = inverse_7 * inverse_7;
+        const Scalar e18 = inverse_1_squared * inverse_7_squared;
+        const Scalar e19 = inverse_1_squared * (inverse_9 * inverse_9);
+        const Scalar e20 = e18 + e19;
+        const Scalar e21 = inverse_5 * e15;
+        const Scalar T_i = u[0];
+        const Scalar T_2 = x[1];
+        const Scalar e22 = e15 * e18;
+        const Scalar inverse_23 = Scalar(1) / p_.L[1];
+        const Scalar inverse_24 = Scalar(1) / p_.rho[1];
+        const Scalar inverse_25 = Scalar(1) / p_.c_p[1];
+        const Scalar e26 = inverse_24 * inverse_25;
+        const Scalar e27 = inverse_23 * e26;
+        const Scalar e28 = e27 * e18;
+        const Scalar e29 = T_1 - T_2;
+        const Scalar inverse_30 = Scalar(1) / p_.lambda[2];
+        const Scalar e31 = p_.L[2] * (inverse_30 * inverse_1);
+        const Scalar inverse_32 = Scalar(1) / (e4 + e31);
+        const Scalar e33 = inverse_7 + inverse_32;
+        const Scalar e34 = inverse_1 * e27;
+        const Scalar e35 = inverse_23 * e34;
+        const Scalar inverse_32_squared = inverse_32 * inverse_32;
+        const Scalar e36 = inverse_1_squared * (inverse_7_squared + inverse_32_squared);
+        const Scalar e37 = e27 * e36;
         const Scalar T_3 = x[2];
-        const Scalar inverse_45 = Scalar(1) / (p_.alpha_c + Scalar(2) * e17);
-        const Scalar inverse_46 = Scalar(1) / p_.lambda[1];
-        const Scalar e47 = p_.L[1] * inverse_46;
-        const Scalar inverse_48 = Scalar(1) / (inverse_10 * e47 + e14);
-        const Scalar inverse_49 = Scalar(1) / p_.L[2];
-        const Scalar e50 = p_.lambda[2] * inverse_49;
-        const Scalar inverse_51 = Scalar(1) / (inverse_48 + p_.A * e50);
-        const Scalar e52 = inverse_51 * e50;
-        const Scalar e53 = inverse_45 * e39;
-        const Scalar e54 = e52 * e53;
-        const Scalar e55 = e17 * e54;
-        const Scalar e56 = e26 * e55;
-        const Scalar e57 = p_.alpha_c * e54;
-        const Scalar e58 = inverse_48 * inverse_51;
-        const Scalar e59 = inverse_48 * e58;
-        const Scalar e60 = Scalar(2) * (inverse_16 * (Scalar(2) * inverse_45 * e17 * e56 + e57 * e59));
-        const Scalar e61 = inverse_16 * e40;
-        const Scalar e62 = p_.A * e20;
-        const Scalar e63 = Scalar(2) * (e62 * e61);
-        const Scalar e64 = e40 + e56;
-        const Scalar e65 = inverse_46 * inverse_48;
-        const Scalar inverse_66 = Scalar(1) / p_.rho[2];
-        const Scalar inverse_67 = Scalar(1) / p_.c_p[2];
-        const Scalar e68 = inverse_66 * inverse_67;
-        const Scalar e69 = inverse_49 * e68;
-        const Scalar e70 = inverse_48 * e69;
-        const Scalar e71 = e52 * e70;
-        const Scalar e72 = e52 * e71;
-        const Scalar e73 = e65 * e72;
-        const Scalar e74 = T_2 - T_3;
-        const Scalar e75 = inverse_49 * e58;
-        const Scalar inverse_76 = Scalar(1) / (p_.alpha_L + Scalar(2) * e50);
-        const Scalar e77 = inverse_76 * e69;
-        const Scalar e78 = e50 * e77;
-        const Scalar e79 = p_.alpha_L * e78;
-        const Scalar e80 = inverse_76 * e50;
-        const Scalar e81 = inverse_49 * (Scalar(1) - e80);
-        const Scalar e82 = e79 * e81;
-        const Scalar e83 = (Scalar(1) - (Scalar(1) / Scalar(2)) * p_.A * e52) * (inverse_49 * e71);
+        const Scalar e38 = inverse_1_squared * inverse_32_squared;
+        const Scalar e39 = e27 * e38;
+        const Scalar inverse_40 = Scalar(1) / p_.L[2];
+        const Scalar inverse_41 = Scalar(1) / p_.rho[2];
+        const Scalar inverse_42 = Scalar(1) / p_.c_p[2];
+        const Scalar e43 = inverse_41 * inverse_42;
+        const Scalar e44 = inverse_40 * e43;
+        const Scalar e45 = e44 * e38;
+        const Scalar e46 = T_2 - T_3;
+        const Scalar inverse_47 = Scalar(1) / p_.alpha_L;
+        const Scalar inverse_48 = Scalar(1) / (Scalar(2) * inverse_1 * inverse_47 + e31);
+        const Scalar e49 = inverse_32 + inverse_48;
+        const Scalar e50 = inverse_40 * e44;
+        const Scalar e51 = inverse_1 * e50;
+        const Scalar e52 = inverse_1_squared * (inverse_48 * inverse_48);
+        const Scalar e53 = e38 + e52;
+        const Scalar e54 = inverse_30 * e44;
         const Scalar T_a = u[1];
         const Scalar sun = u[2];
-        const Scalar e84 = p_.a_s * e78;
-        const Scalar e85 = e32 * (e9 * e32);
-        const Scalar e86 = (inverse_11 * e8 * e23 - e9 * e28) * (p_.alpha_c * inverse_4);
-        const Scalar e87 = inverse_16 * e22;
-        const Scalar e88 = e87 * (e39 * e22);
-        const Scalar e89 = (inverse_16 * inverse_45 * e26 - e58 * e65) * e57;
-        const Scalar e90 = inverse_51 * e75;
-        const Scalar e91 = p_.alpha_L * inverse_49 * (inverse_76 * e77);
-        const Scalar e92 = p_.alpha_L * e91;
-        const Scalar e93 = e70 * e90;
-        const Scalar e94 = inverse_5 * e24;
-        const Scalar e95 = p_.g * e7;
-        const Scalar e96 = p_.g * e38;
-        const Scalar e97 = e71 + e79;
-        const Scalar e98 = p_.g * e68;
-        const Scalar e99 = inverse_6 * e24;
-        const Scalar inverse_13_squared = inverse_13 * inverse_13;
-        const Scalar e100 = e41 * inverse_13_squared;
-        const Scalar e101 = e55 * (inverse_45 * e18 - inverse_13 * e59);
-        J[0] = T_2 * (Scalar(4) * (e30 - e29)) - T_i * (Scalar(4) * (e32 * e25 - e34)) - T_1
-            * (Scalar(4) * (e30 - e35 * e25 + e34));
-        J[1] = -Scalar(2) * e42 * e43;
+        const Scalar e55 = p_.lambda[2] * inverse_40;
+        const Scalar inverse_56 = Scalar(1) / (p_.alpha_L + Scalar(2) * e55);
+        const Scalar e57 = inverse_56 * e50;
+        const Scalar e58 = p_.lambda[2] * e57;
+        const Scalar e59 = p_.a_s * e58;
+        const Scalar e60 = inverse_40 * e59;
+        const Scalar e61 = inverse_56 * e60;
+        const Scalar inverse_5_squared = inverse_5 * inverse_5;
+        const Scalar e62 = e14 * inverse_5_squared;
+        const Scalar inverse_2_squared = inverse_2 * inverse_2;
+        const Scalar e63 = p_.L[1] * inverse_2_squared;
+        const Scalar e64 = e26 * inverse_2_squared;
+        const Scalar inverse_30_squared = inverse_30 * inverse_30;
+        const Scalar e65 = e43 * inverse_30_squared;
+        const Scalar e66 = inverse_12 * e16;
+        const Scalar e67 = p_.g * e14;
+        const Scalar e68 = inverse_24 * e34;
+        const Scalar e69 = p_.g * e26;
+        const Scalar e70 = inverse_1 * e44;
+        const Scalar e71 = inverse_41 * e70;
+        const Scalar e72 = p_.g * e43;
+        const Scalar e73 = inverse_13 * e16;
+        const Scalar e74 = inverse_25 * e34;
+        const Scalar e75 = inverse_42 * e70;
+        const Scalar inverse_3_squared = inverse_3 * inverse_3;
+        J[0] = T_1 * (Scalar(2) * (e10 * e17 + e20 * e21)) - T_i * (Scalar(2) * (inverse_9 * e17 + e19 * e21)) - T_2
+            * (Scalar(2) * (inverse_5 * e22 + inverse_7 * e17));
+        J[1] = -Scalar(2) * inverse_5 * e28 * e29;
         J[2] = Scalar(0);
-        J[3] = Scalar(2) * inverse_16 * e21 * e44 * e43;
-        J[4] = T_3 * (e60 - Scalar(4) * inverse_16 * e56) - T_1 * (Scalar(4) * e61 - e63) - T_2
-            * (e60 - Scalar(4) * inverse_16 * e64 + e63);
-        J[5] = -Scalar(2) * e73 * e74;
+        J[3] = Scalar(2) * inverse_2 * e22 * e29;
+        J[4] = T_2 * (Scalar(2) * (e33 * e35 + inverse_2 * e37)) - T_1 * (Scalar(2) * (inverse_2 * e28 + inverse_7 * e35))
+            - T_3 * (Scalar(2) * (inverse_2 * e39 + inverse_32 * e35));
+        J[5] = -Scalar(2) * inverse_2 * e45 * e46;
         J[6] = Scalar(0);
-        J[7] = Scalar(2) * e56 * e75 * e74;
-        J[8] = T_3 * (Scalar(4) * (e82 + e83)) - T_a * (Scalar(4) * e82) - sun * (Scalar(4) * e84 * e81) - T_2
-            * (Scalar(4) * e83);
-        J[9] = T_i * (Scalar(2) * e85) + T_1 * (Scalar(2) * (e86 - e85)) - T_2 * (Scalar(2) * e86);
-        J[10] = Scalar(2) * e12 * e42 * e43;
+        J[7] = Scalar(2) * inverse_30 * e39 * e46;
+        J[8] = T_3 * (Scalar(2) * (e49 * e51 + e53 * e54)) - T_a * (Scalar(2) * (inverse_48 * e51 + e52 * e54)) - sun
+            * (Scalar(4) * (e60 - e55 * e61)) - T_2 * (Scalar(2) * (inverse_30 * e45 + inverse_32 * e51));
+        J[9] = T_i * (Scalar(2) * e19 * e62) - T_1 * (Scalar(2) * e20 * e62) + T_2 * (Scalar(2) * e18 * e62);
+        J[10] = Scalar(2) * p_.L[0] * inverse_5_squared * e28 * e29;
         J[11] = Scalar(0);
-        J[12] = -Scalar(2) * e87 * e44 * e43;
-        J[13] = T_1 * (Scalar(2) * e88) + T_2 * (Scalar(2) * (-e89 - e88)) - T_3 * (-Scalar(2) * e89);
-        J[14] = Scalar(2) * e47 * e73 * e74;
+        J[12] = -Scalar(2) * e22 * e63 * e29;
+        J[13] = T_1 * (Scalar(2) * e18 * e64) - T_2 * (Scalar(2) * e36 * e64) + T_3 * (Scalar(2) * e38 * e64);
+        J[14] = Scalar(2) * e45 * e63 * e46;
         J[15] = Scalar(0);
-        J[16] = -Scalar(2) * e17 * e26 * e53 * e90 * e74;
-        J[17] = T_a * (Scalar(2) * e92) + sun * (Scalar(2) * p_.a_s * e91) + T_2 * (Scalar(2) * e93) - T_3
-            * (Scalar(2) * (e93 + e92));
-        J[18] = T_1 * (Scalar(2) * e35 * e94) - inverse_5 * e95 - T_i * (Scalar(2) * e32 * e94) - T_2 * (Scalar(2) * e28 * e94);
+        J[16] = -Scalar(2) * p_.L[2] * inverse_30_squared * e39 * e46;
+        J[17] = T_a * (Scalar(2) * e52 * e65) + sun * (Scalar(2) * p_.a_s * e57 - Scalar(4) * e61) + T_2
+            * (Scalar(2) * e38 * e65) - T_3 * (Scalar(2) * e53 * e65);
+        J[18] = T_1 * (Scalar(2) * e10 * e66) - inverse_12 * e67 - T_i * (Scalar(2) * inverse_9 * e66) - T_2
+            * (Scalar(2) * inverse_7 * e66);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (Scalar(2) * inverse_36 * e64) - inverse_36 * e96 - T_1 * (Scalar(2) * inverse_36 * e40) - T_3
-            * (Scalar(2) * inverse_36 * e56);
+        J[22] = T_2 * (Scalar(2) * e33 * e68) - inverse_24 * e69 - T_1 * (Scalar(2) * inverse_7 * e68) - T_3
+            * (Scalar(2) * inverse_32 * e68);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (Scalar(2) * inverse_66 * e97) - inverse_66 * e98 - T_a * (Scalar(2) * inverse_66 * e79) - sun
-            * (Scalar(2) * inverse_66 * e84) - T_2 * (Scalar(2) * inverse_66 * e71);
-        J[27] = T_1 * (Scalar(2) * e35 * e99) - inverse_6 * e95 - T_i * (Scalar(2) * e32 * e99) - T_2 * (Scalar(2) * e28 * e99);
+        J[26] = T_3 * (Scalar(2) * e49 * e71) - inverse_41 * e72 - T_a * (Scalar(2) * inverse_48 * e71) - sun
+            * (Scalar(2) * inverse_41 * e59) - T_2 * (Scalar(2) * inverse_32 * e71);
+        J[27] = T_1 * (Scalar(2) * e10 * e73) - inverse_13 * e67 - T_i * (Scalar(2) * inverse_9 * e73) - T_2
+            * (Scalar(2) * inverse_7 * e73);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (Scalar(2) * inverse_37 * e64) - inverse_37 * e96 - T_1 * (Scalar(2) * inverse_37 * e40) - T_3
-            * (Scalar(2) * inverse_37 * e56);
+        J[31] = T_2 * (Scalar(2) * e33 * e74) - inverse_25 * e69 - T_1 * (Scalar(2) * inverse_7 * e74) - T_3
+            * (Scalar(2) * inverse_32 * e74);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (Scalar(2) * inverse_67 * e97) - inverse_67 * e98 - T_a * (Scalar(2) * inverse_67 * e79) - sun
-            * (Scalar(2) * inverse_67 * e84) - T_2 * (Scalar(2) * inverse_67 * e71);
+        J[35] = T_3 * (Scalar(2) * e49 * e75) - inverse_42 * e72 - T_a * (Scalar(2) * inverse_48 * e75) - sun
+            * (Scalar(2) * inverse_42 * e59) - T_2 * (Scalar(2) * inverse_32 * e75);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
-        J[39] = Scalar(4) * p_.lambda[0] * inverse_31 * e33 * (T_i - T_1);
+        J[39] = Scalar(4) * inverse_8 * inverse_8 * e15 * e19 * (T_i - T_1);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        J[44] = Scalar(4) * e78 * e80 * (T_a - T_3) - sun * (Scalar(2) * inverse_76 * e84);
-        const Scalar e102 = inverse_4 * (p_.lambda[0] * inverse_4 * e25 * e62 - inverse_13 * e24 * e23);
-        J[45] = Scalar(4) * (-e102) * e43;
-        J[46] = T_1 * (Scalar(4) * e100) + T_2 * (Scalar(4) * (-e101 - e100)) - T_3 * (-Scalar(4) * e101);
-        J[47] = Scalar(4) * inverse_48 * inverse_13_squared * e72 * e74;
+        J[44] = Scalar(4) * inverse_47 * inverse_47 * e44 * e52 * (T_a - T_3) - sun * (Scalar(2) * inverse_56 * e59);
+        J[45] = -Scalar(4) * inverse_3_squared * e22 * e29;
+        J[46] = T_1 * (Scalar(4) * inverse_3_squared * e28) - T_2 * (Scalar(4) * inverse_3_squared * e37) + T_3
+            * (Scalar(4) * inverse_3_squared * e39);
+        J[47] = Scalar(4) * inverse_3_squared * e45 * e46;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = sun * (Scalar(2) * e78);
-        J[51] = e7;
-        J[52] = e38;
-        J[53] = e68;
+        J[50] = sun * (Scalar(2) * e58);
+        J[51] = e14;
+        J[52] = e26;
+        J[53] = e43;
     }
 
     /// J = df/dt at fixed x and u.
@@ -590,8 +577,7 @@ public:
     ///     alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) + 2/(A*alpha_c))))
     ///     T_front = alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) + a_s*sun/(2*lambda[3]/L[3] + alpha_L) +
     ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
-    ///     Q_inside = 2*lambda[1]*A*alpha_0*T_i/(L[1]*(2*lambda[1]/L[1] + alpha_0)) -
-    ///     2*lambda[1]*A*alpha_0*T[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
+    ///     Q_inside = 2*T_i/(L[1]/(lambda[1]*A) + 2/(A*alpha_0)) - 2*T[1]/(L[1]/(lambda[1]*A) + 2/(A*alpha_0))
     ///     U = k
     ///     T_steady = (1 - k/alpha_0)*T_i - k*T_i*min(L[1], max(0, x))/lambda[1] - k*T_i*min(L[2], max(0, -L[1] + x))/lambda[2] -
     ///     k*T_i*min(L[3], max(0, -L[1] - L[2] + x))/lambda[3] + k*T_a/alpha_0 + k*T_a*min(L[1], max(0, x))/lambda[1] +
@@ -608,34 +594,34 @@ public:
         const Scalar min_L_1 = detail::min<Scalar>(p_.L[0], max_1);
         const Scalar max_2 = detail::max<Scalar>(Scalar(0), x_value - p_.L[0]);
         const Scalar min_L_2 = detail::min<Scalar>(p_.L[1], max_2);
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value - c_.k26);
+        const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value - c_.k31);
         const Scalar min_L_3 = detail::min<Scalar>(p_.L[2], max_3);
-        y[0] = c_.k13 * T_i + c_.k14 * T_1;
-        y[1] = c_.k15 * T_2 + c_.k16 * T_3;
-        y[2] = c_.k17 * T_a + c_.k18 * sun + c_.k19 * T_3;
-        y[3] = c_.k20 * (T_i - T_1);
+        y[0] = c_.k18 * T_i + c_.k19 * T_1;
+        y[1] = c_.k20 * T_2 + c_.k21 * T_3;
+        y[2] = c_.k22 * T_a + c_.k23 * sun + c_.k24 * T_3;
+        y[3] = c_.k25 * (T_i - T_1);
         y[4] = c_.k;
-        y[5] = c_.k21 * T_i - (T_i - T_a) * (c_.k22 * min_L_1 + c_.k23 * min_L_2 + c_.k24 * min_L_3) + c_.k25 * T_a;
+        y[5] = c_.k26 * T_i - (T_i - T_a) * (c_.k27 * min_L_1 + c_.k28 * min_L_2 + c_.k29 * min_L_3) + c_.k30 * T_a;
     }
 
     /// C = dh/dx.
     /// Operations: 1 + or -
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        C[0] = c_.k14;
+        C[0] = c_.k19;
         C[1] = Scalar(0);
         C[2] = Scalar(0);
-        C[3] = -c_.k20;
+        C[3] = -c_.k25;
         C[4] = Scalar(0);
         C[5] = Scalar(0);
         C[6] = Scalar(0);
-        C[7] = c_.k15;
+        C[7] = c_.k20;
         C[8] = Scalar(0);
         C[9] = Scalar(0);
         C[10] = Scalar(0);
         C[11] = Scalar(0);
         C[12] = Scalar(0);
-        C[13] = c_.k16;
-        C[14] = c_.k19;
+        C[13] = c_.k21;
+        C[14] = c_.k24;
         C[15] = Scalar(0);
         C[16] = Scalar(0);
         C[17] = Scalar(0);
@@ -645,7 +631,7 @@ public:
     /// Operations: 13 + or -, 10 *, 12 other functions
     void output_jacobian_u(const State& /*x*/, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         const Scalar x_value = u[3];
-        const Scalar e1 = x_value - c_.k26;
+        const Scalar e1 = x_value - c_.k31;
         const Scalar max_2 = detail::max<Scalar>(Scalar(0), e1);
         const Scalar min_L_3 = detail::min<Scalar>(p_.L[2], max_2);
         const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value);
@@ -653,7 +639,7 @@ public:
         const Scalar e4 = x_value - p_.L[0];
         const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
         const Scalar min_L_2 = detail::min<Scalar>(p_.L[1], max_5);
-        const Scalar e6 = c_.k24 * min_L_3 + (c_.k22 * min_L_1 + c_.k23 * min_L_2);
+        const Scalar e6 = c_.k29 * min_L_3 + (c_.k27 * min_L_1 + c_.k28 * min_L_2);
         const Scalar T_i = u[0];
         const Scalar T_a = u[1];
         const Scalar step_7 = detail::step<Scalar>(e1);
@@ -662,21 +648,21 @@ public:
         const Scalar step_10 = detail::step<Scalar>(p_.L[1] - max_5);
         const Scalar step_x = detail::step<Scalar>(x_value);
         const Scalar step_11 = detail::step<Scalar>(p_.L[0] - max_3);
-        D[0] = c_.k13;
+        D[0] = c_.k18;
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = c_.k20;
+        D[3] = c_.k25;
         D[4] = Scalar(0);
-        D[5] = c_.k21 - e6;
+        D[5] = c_.k26 - e6;
         D[6] = Scalar(0);
         D[7] = Scalar(0);
-        D[8] = c_.k17;
+        D[8] = c_.k22;
         D[9] = Scalar(0);
         D[10] = Scalar(0);
-        D[11] = c_.k25 + e6;
+        D[11] = c_.k30 + e6;
         D[12] = Scalar(0);
         D[13] = Scalar(0);
-        D[14] = c_.k18;
+        D[14] = c_.k23;
         D[15] = Scalar(0);
         D[16] = Scalar(0);
         D[17] = Scalar(0);
@@ -685,7 +671,7 @@ public:
         D[20] = Scalar(0);
         D[21] = Scalar(0);
         D[22] = Scalar(0);
-        const Scalar e12 = c_.k24 * step_7 * step_8 + c_.k23 * step_9 * step_10 + c_.k22 * step_x * step_11;
+        const Scalar e12 = c_.k29 * step_7 * step_8 + c_.k28 * step_9 * step_10 + c_.k27 * step_x * step_11;
         D[23] = -(T_i - T_a) * e12;
     }
 
@@ -735,17 +721,16 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 10 + or -, 12 *, 2 /
+    /// Operations: 10 + or -, 14 *, 6 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
-        const Scalar e1 = p_.lambda[2] / p_.L[2];
-        const Scalar e2 = p_.A * p_.alpha_L / (p_.alpha_L + Scalar(2) * e1);
         const Scalar T_a = u[1];
         const Scalar T_3 = x[2];
         const Scalar sun = u[2];
-        return c_.k20 * (T_i - T_1) + Scalar(2) * e1 * e2 * (T_a - T_3) + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) - sun
-            * (-p_.a_s * (p_.A - e2));
+        const Scalar e1 = Scalar(2) / ((p_.L[2] / p_.lambda[2] + Scalar(2) / p_.alpha_L) / p_.A) * (T_a - T_3);
+        const Scalar e2 = p_.alpha_L / (Scalar(2) * p_.lambda[2] / p_.L[2] + p_.alpha_L) - Scalar(1);
+        return c_.k25 * (T_i - T_1) + e1 + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) - sun * (p_.A * p_.a_s * e2);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -759,32 +744,37 @@ private:
     struct Cached {
         Scalar k;  ///< 1/(L[1]/lambda[1] + L[2]/lambda[2] + L[3]/lambda[3] + 1/alpha_0 + 1/alpha_L)
         Scalar k0;  ///< g/(rho[1]*c_p[1])
-        Scalar k1;  ///< 2*lambda[1]*alpha_0/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k2;  ///< 2*lambda[1]*(lambda[2]*A*alpha_c/(L[2]*(2*lambda[1]/L[1] + alpha_c)*(lambda[2]*A/L[2] + ...
-        Scalar k3;  ///< 2*lambda[1]*lambda[2]*A*alpha_c/(L[1]^2*L[2]*rho[1]*c_p[1]*(2*lambda[1]/L[1] + ...
+        Scalar k1;  ///< 2/(L[1]*rho[1]*c_p[1]*A*(L[1]/(lambda[1]*A) + 2/(A*alpha_0)))
+        Scalar k2;  ///< 2/(L[1]*rho[1]*c_p[1]*A)
+        Scalar k3;  ///< 1/(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A) + 2/(A*alpha_c))
         Scalar k4;  ///< g/(rho[2]*c_p[2])
-        Scalar k5;  ///< 2*lambda[2]/(L[2]^2*rho[2]*c_p[2]*(L[1]/(lambda[1]*A) + 2/(A*alpha_c))*(lambda[2]*A/L[2] + ...
-        Scalar k6;  ///< 2*lambda[2]*(lambda[3]*A*alpha_c/(L[3]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + ...
-        Scalar k7;  ///< 2*lambda[2]*lambda[3]*A*alpha_c/(L[2]^2*L[3]*rho[2]*c_p[2]*(2*lambda[2]/L[2] + ...
-        Scalar k8;  ///< g/(rho[3]*c_p[3])
-        Scalar k9;  ///< 2*lambda[3]*alpha_L/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
-        Scalar k10;  ///< 2*lambda[3]*a_s/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
-        Scalar k11;  ///< 2*lambda[3]/(L[3]^2*rho[3]*c_p[3]*(L[2]/(lambda[2]*A) + 2/(A*alpha_c))*(lambda[3]*A/L[3] + ...
-        Scalar k12;  ///< 2*lambda[3]*(alpha_L/(2*lambda[3]/L[3] + alpha_L) + 1/((L[2]/(lambda[2]*A) + ...
-        Scalar k13;  ///< alpha_0/(2*lambda[1]/L[1] + alpha_0)
-        Scalar k14;  ///< 2*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k15;  ///< (2*lambda[2]/L[2] + alpha_c/((L[2]/(lambda[2]*A) + 2/(A*alpha_c))*(lambda[3]*A/L[3] + ...
-        Scalar k16;  ///< lambda[3]*A*alpha_c/(L[3]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]*A/L[3] + 1/(L[2]/(lambda[2]*A) ...
-        Scalar k17;  ///< alpha_L/(2*lambda[3]/L[3] + alpha_L)
-        Scalar k18;  ///< a_s/(2*lambda[3]/L[3] + alpha_L)
-        Scalar k19;  ///< 2*lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
-        Scalar k20;  ///< 2*lambda[1]*A*alpha_0/(L[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k21;  ///< 1 - k/alpha_0
-        Scalar k22;  ///< k/lambda[1]
-        Scalar k23;  ///< k/lambda[2]
-        Scalar k24;  ///< k/lambda[3]
-        Scalar k25;  ///< k/alpha_0
-        Scalar k26;  ///< L[1] + L[2]
+        Scalar k5;  ///< 2/(L[2]*rho[2]*c_p[2]*A)
+        Scalar k6;  ///< 1/(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A) + 2/(A*alpha_c))
+        Scalar k7;  ///< g/(rho[3]*c_p[3])
+        Scalar k8;  ///< 2/(L[3]*rho[3]*c_p[3]*A*(L[3]/(lambda[3]*A) + 2/(A*alpha_L)))
+        Scalar k9;  ///< 2*lambda[3]*a_s/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
+        Scalar k10;  ///< 2/(L[3]*rho[3]*c_p[3]*A)
+        Scalar k11;  ///< 2/(L[1]*rho[1]*c_p[1]*A*(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A) + 2/(A*alpha_c)))
+        Scalar k12;  ///< 2/(L[2]*rho[2]*c_p[2]*A*(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A) + 2/(A*alpha_c)))
+        Scalar k13;  ///< 2/(L[2]*rho[2]*c_p[2]*A*(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A) + 2/(A*alpha_c)))
+        Scalar k14;  ///< 2/(L[3]*rho[3]*c_p[3]*A*(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A) + 2/(A*alpha_c)))
+        Scalar k15;  ///< 2*(1/(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A) + 2/(A*alpha_c)) + 1/(L[1]/(lambda[1]*A) + ...
+        Scalar k16;  ///< 2*(1/(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A) + 2/(A*alpha_c)) + 1/(L[2]/(lambda[2]*A) + ...
+        Scalar k17;  ///< 2*(1/(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A) + 2/(A*alpha_c)) + 1/(L[3]/(lambda[3]*A) + ...
+        Scalar k18;  ///< alpha_0/(2*lambda[1]/L[1] + alpha_0)
+        Scalar k19;  ///< 2*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
+        Scalar k20;  ///< (2*lambda[2]/L[2] + alpha_c/((L[2]/lambda[2] + 2/alpha_c)*(lambda[3]/L[3] + 1/(L[2]/lambda[2] + ...
+        Scalar k21;  ///< lambda[3]*alpha_c/(L[3]*(2*lambda[2]/L[2] + alpha_c)*(lambda[3]/L[3] + 1/(L[2]/lambda[2] + ...
+        Scalar k22;  ///< alpha_L/(2*lambda[3]/L[3] + alpha_L)
+        Scalar k23;  ///< a_s/(2*lambda[3]/L[3] + alpha_L)
+        Scalar k24;  ///< 2*lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
+        Scalar k25;  ///< 2/(L[1]/(lambda[1]*A) + 2/(A*alpha_0))
+        Scalar k26;  ///< 1 - k/alpha_0
+        Scalar k27;  ///< k/lambda[1]
+        Scalar k28;  ///< k/lambda[2]
+        Scalar k29;  ///< k/lambda[3]
+        Scalar k30;  ///< k/alpha_0
+        Scalar k31;  ///< L[1] + L[2]
     };
     Cached c_{};
 };

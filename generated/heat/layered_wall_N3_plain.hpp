@@ -19,15 +19,15 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                13     55    19        0      0
-//   rhs                   10     10     0        0      0
+//   update                15     62    23        0      0
+//   rhs                   11      8     0        0      0
 //   rhs_and_jacobian      11     10     0        0      0
-//   jacobian_p            65    224    13        0      0
+//   jacobian_p            64    241    20        0      0
 //   output                12     14     0        0      6
 //   output_jacobian_x      1      0     0        0      0
 //   output_jacobian_u     13     10     0        0     12
 //   internal_energy        2     12     0        0      0
-//   exchanged_power       10     12     2        0      0
+//   exchanged_power       10     14     6        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -216,69 +216,80 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 13 + or -, 55 *, 19 /
+    /// Operations: 15 + or -, 62 *, 23 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        const Scalar inverse_1 = Scalar(1) / p_.lambda[0];
-        const Scalar inverse_2 = Scalar(1) / p_.lambda[1];
-        const Scalar inverse_3 = Scalar(1) / p_.lambda[2];
-        const Scalar inverse_4 = Scalar(1) / p_.alpha_0;
-        const Scalar e5 = p_.L[0] * inverse_1 + p_.L[1] * inverse_2 + p_.L[2] * inverse_3 + inverse_4 + Scalar(1) / p_.alpha_L;
-        c_.k = Scalar(1) / e5;
-        const Scalar e6 = Scalar(1) / p_.rho[0] / p_.c_p[0];
-        c_.k0 = p_.g * e6;
-        const Scalar inverse_7 = Scalar(1) / p_.L[0];
-        const Scalar e8 = p_.lambda[0] * inverse_7;
-        const Scalar inverse_9 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e8);
-        const Scalar e10 = p_.alpha_0 * inverse_9;
-        const Scalar e11 = e6 * (inverse_7 * e8);
-        const Scalar e12 = e10 * e11;
-        c_.k1 = Scalar(2) * e12;
-        const Scalar inverse_13 = Scalar(1) / p_.L[1];
-        const Scalar e14 = p_.lambda[1] * inverse_13;
-        const Scalar e15 = e14 / (e14 + e8);
-        const Scalar e16 = e15 * e11;
-        c_.k2 = Scalar(2) * (e12 + e16);
-        c_.k3 = Scalar(2) * e16;
+        const Scalar inverse_1 = Scalar(1) / p_.alpha_0;
+        const Scalar inverse_2 = Scalar(1) / p_.alpha_L;
+        const Scalar inverse_3 = Scalar(1) / p_.lambda[1];
+        const Scalar e4 = p_.L[1] * inverse_3;
+        const Scalar inverse_5 = Scalar(1) / p_.lambda[0];
+        const Scalar e6 = p_.L[0] * inverse_5;
+        const Scalar e7 = e4 + e6;
+        const Scalar inverse_8 = Scalar(1) / p_.lambda[2];
+        const Scalar e9 = p_.L[2] * inverse_8;
+        c_.k = Scalar(1) / (inverse_1 + inverse_2 + e7 + e9);
+        const Scalar e10 = Scalar(1) / p_.rho[0] / p_.c_p[0];
+        c_.k0 = p_.g * e10;
+        const Scalar inverse_11 = Scalar(1) / p_.A;
+        const Scalar inverse_12 = Scalar(1) / (inverse_11 * (Scalar(2) * inverse_1 + e6));
+        const Scalar inverse_13 = Scalar(1) / p_.L[0];
+        const Scalar e14 = e10 * (inverse_13 * inverse_11);
+        const Scalar e15 = inverse_12 * e14;
+        c_.k1 = Scalar(2) * e15;
+        c_.k2 = Scalar(2) * e14;
+        const Scalar inverse_16 = Scalar(1) / (inverse_11 * e7);
+        c_.k3 = inverse_16;
         const Scalar e17 = Scalar(1) / p_.rho[1] / p_.c_p[1];
         c_.k4 = p_.g * e17;
-        const Scalar e18 = inverse_13 * e17;
-        const Scalar e19 = e18 * (e8 * e15);
+        const Scalar inverse_18 = Scalar(1) / p_.L[1];
+        const Scalar e19 = e17 * (inverse_18 * inverse_11);
         c_.k5 = Scalar(2) * e19;
-        const Scalar inverse_20 = Scalar(1) / p_.L[2];
-        const Scalar e21 = p_.lambda[2] * inverse_20;
-        const Scalar inverse_22 = Scalar(1) / (e14 + e21);
-        const Scalar e23 = inverse_22 * e14;
-        const Scalar e24 = e18 * (e21 * e23);
-        c_.k6 = Scalar(2) * (e24 + e19);
-        c_.k7 = Scalar(2) * e24;
-        const Scalar e25 = Scalar(1) / p_.rho[2] / p_.c_p[2];
-        c_.k8 = p_.g * e25;
-        const Scalar e26 = e25 * (inverse_20 * e21);
-        const Scalar inverse_27 = Scalar(1) / (p_.alpha_L + Scalar(2) * e21);
-        const Scalar e28 = p_.alpha_L * inverse_27;
-        const Scalar e29 = e26 * e28;
-        c_.k9 = Scalar(2) * e29;
-        const Scalar e30 = p_.a_s * inverse_27;
-        c_.k10 = Scalar(2) * e26 * e30;
-        const Scalar e31 = e23 * e26;
-        c_.k11 = Scalar(2) * e31;
-        c_.k12 = Scalar(2) * (e31 + e29);
-        c_.k13 = e10;
-        c_.k14 = Scalar(2) * inverse_9 * e8;
-        c_.k15 = e23;
-        c_.k16 = inverse_22 * e21;
-        c_.k17 = e28;
-        c_.k18 = e30;
-        c_.k19 = Scalar(2) * inverse_27 * e21;
-        c_.k20 = Scalar(2) * p_.A * e8 * e10;
-        const Scalar e32 = c_.k * inverse_4;
-        c_.k21 = Scalar(1) - e32;
-        c_.k22 = c_.k * inverse_1;
-        c_.k23 = c_.k * inverse_2;
-        c_.k24 = c_.k * inverse_3;
-        c_.k25 = e32;
-        c_.k26 = p_.L[0] + p_.L[1];
+        const Scalar e20 = inverse_11 * e9;
+        const Scalar inverse_21 = Scalar(1) / (inverse_11 * e4 + e20);
+        c_.k6 = inverse_21;
+        const Scalar e22 = Scalar(1) / p_.rho[2] / p_.c_p[2];
+        c_.k7 = p_.g * e22;
+        const Scalar inverse_23 = Scalar(1) / p_.L[2];
+        const Scalar e24 = inverse_23 * e22;
+        const Scalar e25 = inverse_11 * e24;
+        const Scalar e26 = e25 / (Scalar(2) * inverse_11 * inverse_2 + e20);
+        c_.k8 = Scalar(2) * e26;
+        const Scalar e27 = p_.lambda[2] * inverse_23;
+        const Scalar inverse_28 = Scalar(1) / (p_.alpha_L + Scalar(2) * e27);
+        const Scalar e29 = p_.a_s * inverse_28;
+        c_.k9 = Scalar(2) * e24 * e27 * e29;
+        c_.k10 = Scalar(2) * e25;
+        const Scalar e30 = inverse_16 * e14;
+        c_.k11 = Scalar(2) * e30;
+        const Scalar e31 = inverse_16 * e19;
+        c_.k12 = Scalar(2) * e31;
+        const Scalar e32 = inverse_21 * e19;
+        c_.k13 = Scalar(2) * e32;
+        const Scalar e33 = inverse_21 * e25;
+        c_.k14 = Scalar(2) * e33;
+        c_.k15 = Scalar(2) * (e30 + e15);
+        c_.k16 = Scalar(2) * (e31 + e32);
+        c_.k17 = Scalar(2) * (e33 + e26);
+        const Scalar e34 = p_.lambda[0] * inverse_13;
+        const Scalar inverse_35 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e34);
+        c_.k18 = p_.alpha_0 * inverse_35;
+        c_.k19 = Scalar(2) * inverse_35 * e34;
+        const Scalar e36 = p_.lambda[1] * inverse_18;
+        const Scalar inverse_37 = Scalar(1) / (e27 + e36);
+        c_.k20 = inverse_37 * e36;
+        c_.k21 = inverse_37 * e27;
+        c_.k22 = p_.alpha_L * inverse_28;
+        c_.k23 = e29;
+        c_.k24 = Scalar(2) * inverse_28 * e27;
+        c_.k25 = Scalar(2) * inverse_12;
+        const Scalar e38 = c_.k * inverse_1;
+        c_.k26 = Scalar(1) - e38;
+        c_.k27 = c_.k * inverse_5;
+        c_.k28 = c_.k * inverse_3;
+        c_.k29 = c_.k * inverse_8;
+        c_.k30 = e38;
+        c_.k31 = p_.L[0] + p_.L[1];
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -293,30 +304,30 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 10 + or -, 10 *
-    ///     dot(T[1]) = g/(rho[1]*c_p[1]) + 2*lambda[1]*alpha_0*T_i/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0)) -
-    ///     2*lambda[1]*(lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) + alpha_0/(2*lambda[1]/L[1] +
-    ///     alpha_0))*T[1]/(L[1]^2*rho[1]*c_p[1]) + 2*lambda[1]*lambda[2]*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(lambda[1]/L[1] +
-    ///     lambda[2]/L[2]))
-    ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 2*lambda[1]*lambda[2]*T[1]/(L[1]*L[2]^2*rho[2]*c_p[2]*(lambda[1]/L[1] + lambda[2]/L[2]))
-    ///     - 2*lambda[2]*(lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) + lambda[3]/(L[3]*(lambda[2]/L[2] +
-    ///     lambda[3]/L[3])))*T[2]/(L[2]^2*rho[2]*c_p[2]) + 2*lambda[2]*lambda[3]*T[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(lambda[2]/L[2] +
-    ///     lambda[3]/L[3]))
-    ///     dot(T[3]) = g/(rho[3]*c_p[3]) + 2*lambda[3]*alpha_L*T_a/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L)) +
+    /// Operations: 11 + or -, 8 *
+    ///     dot(T[1]) = g/(rho[1]*c_p[1]) + 2*T_i/(L[1]*rho[1]*c_p[1]*A*(L[1]/(lambda[1]*A) + 2/(A*alpha_0))) -
+    ///     2*(1/(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A)) + 1/(L[1]/(lambda[1]*A) + 2/(A*alpha_0)))*T[1]/(L[1]*rho[1]*c_p[1]*A) +
+    ///     2*T[2]/(L[1]*rho[1]*c_p[1]*A*(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A)))
+    ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 2*T[1]/(L[2]*rho[2]*c_p[2]*A*(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A))) -
+    ///     2*(1/(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A)) + 1/(L[2]/(lambda[2]*A) +
+    ///     L[3]/(lambda[3]*A)))*T[2]/(L[2]*rho[2]*c_p[2]*A) + 2*T[3]/(L[2]*rho[2]*c_p[2]*A*(L[2]/(lambda[2]*A) +
+    ///     L[3]/(lambda[3]*A)))
+    ///     dot(T[3]) = g/(rho[3]*c_p[3]) + 2*T_a/(L[3]*rho[3]*c_p[3]*A*(L[3]/(lambda[3]*A) + 2/(A*alpha_L))) +
     ///     2*lambda[3]*a_s*sun/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L)) +
-    ///     2*lambda[2]*lambda[3]*T[2]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3])) -
-    ///     2*lambda[3]*(lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3])) + alpha_L/(2*lambda[3]/L[3] +
-    ///     alpha_L))*T[3]/(L[3]^2*rho[3]*c_p[3])
+    ///     2*T[2]/(L[3]*rho[3]*c_p[3]*A*(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A))) - 2*(1/(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A))
+    ///     + 1/(L[3]/(lambda[3]*A) + 2/(A*alpha_L)))*T[3]/(L[3]*rho[3]*c_p[3]*A)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
         const Scalar T_2 = x[1];
+        const Scalar e1 = (T_1 - T_2) * c_.k3;
         const Scalar T_3 = x[2];
+        const Scalar e2 = (T_2 - T_3) * c_.k6;
         const Scalar T_a = u[1];
         const Scalar sun = u[2];
-        dxdt[0] = c_.k0 + c_.k1 * T_i - c_.k2 * T_1 + c_.k3 * T_2;
-        dxdt[1] = c_.k4 + c_.k5 * T_1 - c_.k6 * T_2 + c_.k7 * T_3;
-        dxdt[2] = c_.k8 + c_.k9 * T_a + c_.k10 * sun + c_.k11 * T_2 - c_.k12 * T_3;
+        dxdt[0] = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k2;
+        dxdt[1] = c_.k5 * (e1 - e2) + c_.k4;
+        dxdt[2] = c_.k8 * (T_a - T_3) + c_.k7 + sun * c_.k9 + e2 * c_.k10;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
@@ -331,20 +342,20 @@ public:
         const Scalar e2 = T_2 - T_3;
         const Scalar T_a = u[1];
         const Scalar sun = u[2];
-        const Scalar e3 = (-Scalar(1)) * c_.k2;
-        const Scalar e4 = (-Scalar(1)) * c_.k6;
-        const Scalar e5 = (-Scalar(1)) * c_.k12;
-        dxdt[0] = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k3;
-        dxdt[1] = c_.k4 + e1 * c_.k5 - e2 * c_.k7;
-        dxdt[2] = c_.k9 * (T_a - T_3) + c_.k8 + sun * c_.k10 + e2 * c_.k11;
+        const Scalar e3 = (-Scalar(1)) * c_.k15;
+        const Scalar e4 = (-Scalar(1)) * c_.k16;
+        const Scalar e5 = (-Scalar(1)) * c_.k17;
+        dxdt[0] = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k11;
+        dxdt[1] = c_.k4 + e1 * c_.k12 - e2 * c_.k13;
+        dxdt[2] = c_.k8 * (T_a - T_3) + c_.k7 + sun * c_.k9 + e2 * c_.k14;
         J[0] = e3;
-        J[1] = c_.k5;
+        J[1] = c_.k12;
         J[2] = Scalar(0);
-        J[3] = c_.k3;
+        J[3] = c_.k11;
         J[4] = e4;
-        J[5] = c_.k11;
+        J[5] = c_.k14;
         J[6] = Scalar(0);
-        J[7] = c_.k7;
+        J[7] = c_.k13;
         J[8] = e5;
     }
 
@@ -362,159 +373,168 @@ public:
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
-        J[5] = c_.k9;
+        J[5] = c_.k8;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
-        J[8] = c_.k10;
+        J[8] = c_.k9;
         J[9] = Scalar(0);
         J[10] = Scalar(0);
         J[11] = Scalar(0);
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 17, entry (i, j) at J[3*j + i].
-    /// Operations: 65 + or -, 224 *, 13 /
+    /// Operations: 64 + or -, 241 *, 20 /
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
-        const Scalar inverse_1 = Scalar(1) / p_.L[1];
-        const Scalar e2 = p_.lambda[1] * inverse_1;
-        const Scalar inverse_3 = Scalar(1) / p_.L[0];
-        const Scalar e4 = p_.lambda[0] * inverse_3;
-        const Scalar inverse_5 = Scalar(1) / (e2 + e4);
-        const Scalar e6 = inverse_5 * e2;
-        const Scalar inverse_7 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e4);
-        const Scalar e8 = p_.alpha_0 * inverse_7;
-        const Scalar e9 = e6 + e8;
-        const Scalar inverse_10 = Scalar(1) / p_.rho[0];
-        const Scalar inverse_11 = Scalar(1) / p_.c_p[0];
-        const Scalar e12 = inverse_10 * inverse_11;
-        const Scalar e13 = inverse_3 * e12;
-        const Scalar e14 = e4 * e13;
-        const Scalar e15 = inverse_3 * e14;
-        const Scalar e16 = e4 * e6;
-        const Scalar e17 = inverse_5 * e16;
-        const Scalar e18 = Scalar(2) * (e15 * e17);
-        const Scalar e19 = inverse_7 * e4;
-        const Scalar e20 = e8 * e15;
-        const Scalar e21 = e19 * e20;
+        const Scalar inverse_1 = Scalar(1) / p_.lambda[0];
+        const Scalar inverse_2 = Scalar(1) / p_.A;
+        const Scalar e3 = p_.L[0] * (inverse_1 * inverse_2);
+        const Scalar inverse_4 = Scalar(1) / p_.lambda[1];
+        const Scalar e5 = p_.L[1] * (inverse_4 * inverse_2);
+        const Scalar inverse_6 = Scalar(1) / (e3 + e5);
+        const Scalar inverse_7 = Scalar(1) / p_.alpha_0;
+        const Scalar inverse_8 = Scalar(1) / (Scalar(2) * inverse_2 * inverse_7 + e3);
+        const Scalar e9 = inverse_6 + inverse_8;
+        const Scalar inverse_10 = Scalar(1) / p_.L[0];
+        const Scalar inverse_11 = Scalar(1) / p_.rho[0];
+        const Scalar inverse_12 = Scalar(1) / p_.c_p[0];
+        const Scalar e13 = inverse_11 * inverse_12;
+        const Scalar e14 = inverse_10 * e13;
+        const Scalar e15 = inverse_2 * e14;
+        const Scalar e16 = inverse_10 * e15;
+        const Scalar inverse_6_squared = inverse_6 * inverse_6;
+        const Scalar inverse_8_squared = inverse_8 * inverse_8;
+        const Scalar e17 = inverse_6_squared + inverse_8_squared;
+        const Scalar inverse_2_squared = inverse_2 * inverse_2;
+        const Scalar e18 = inverse_1 * inverse_2_squared;
+        const Scalar e19 = e14 * e18;
         const Scalar T_i = u[0];
         const Scalar T_2 = x[1];
-        const Scalar e22 = e6 * e16;
-        const Scalar inverse_23 = Scalar(1) / p_.rho[1];
-        const Scalar inverse_24 = Scalar(1) / p_.c_p[1];
-        const Scalar e25 = inverse_23 * inverse_24;
-        const Scalar e26 = inverse_1 * e25;
-        const Scalar e27 = inverse_3 * e26;
-        const Scalar e28 = T_1 - T_2;
-        const Scalar e29 = inverse_1 * e14;
-        const Scalar inverse_30 = Scalar(1) / p_.L[2];
-        const Scalar e31 = p_.lambda[2] * inverse_30;
-        const Scalar inverse_32 = Scalar(1) / (e2 + e31);
-        const Scalar e33 = inverse_32 * e2;
-        const Scalar e34 = e31 * e33;
-        const Scalar e35 = e16 + e34;
-        const Scalar e36 = inverse_1 * e26;
-        const Scalar e37 = Scalar(2) * (e36 * e22);
-        const Scalar e38 = e36 * e34;
-        const Scalar e39 = Scalar(2) * (e33 * e38);
+        const Scalar e20 = e14 * inverse_6_squared;
+        const Scalar inverse_21 = Scalar(1) / p_.L[1];
+        const Scalar inverse_22 = Scalar(1) / p_.rho[1];
+        const Scalar inverse_23 = Scalar(1) / p_.c_p[1];
+        const Scalar e24 = inverse_22 * inverse_23;
+        const Scalar e25 = inverse_21 * e24;
+        const Scalar e26 = e25 * inverse_6_squared;
+        const Scalar e27 = T_1 - T_2;
+        const Scalar e28 = inverse_4 * inverse_2_squared;
+        const Scalar inverse_29 = Scalar(1) / p_.lambda[2];
+        const Scalar e30 = p_.L[2] * (inverse_29 * inverse_2);
+        const Scalar inverse_31 = Scalar(1) / (e5 + e30);
+        const Scalar inverse_31_squared = inverse_31 * inverse_31;
+        const Scalar e32 = inverse_6_squared + inverse_31_squared;
+        const Scalar e33 = inverse_6 + inverse_31;
+        const Scalar e34 = inverse_2 * e25;
+        const Scalar e35 = inverse_21 * e34;
         const Scalar T_3 = x[2];
-        const Scalar inverse_40 = Scalar(1) / p_.rho[2];
-        const Scalar inverse_41 = Scalar(1) / p_.c_p[2];
-        const Scalar e42 = inverse_40 * inverse_41;
-        const Scalar e43 = inverse_30 * e42;
-        const Scalar e44 = e31 * e43;
-        const Scalar e45 = inverse_1 * e44;
-        const Scalar e46 = inverse_32 * e34;
-        const Scalar e47 = T_2 - T_3;
-        const Scalar e48 = inverse_30 * e33;
-        const Scalar e49 = p_.alpha_L * inverse_30;
-        const Scalar inverse_50 = Scalar(1) / (p_.alpha_L + Scalar(2) * e31);
-        const Scalar e51 = inverse_50 * e44;
-        const Scalar e52 = inverse_50 * e31;
-        const Scalar e53 = Scalar(1) - e52;
-        const Scalar e54 = Scalar(4) * (e49 * (e51 * e53));
-        const Scalar e55 = Scalar(2) * ((e46 - Scalar(2) * e33) * (inverse_30 * e44));
+        const Scalar e36 = e25 * inverse_31_squared;
+        const Scalar inverse_37 = Scalar(1) / p_.L[2];
+        const Scalar inverse_38 = Scalar(1) / p_.rho[2];
+        const Scalar inverse_39 = Scalar(1) / p_.c_p[2];
+        const Scalar e40 = inverse_38 * inverse_39;
+        const Scalar e41 = inverse_37 * e40;
+        const Scalar e42 = e41 * inverse_31_squared;
+        const Scalar e43 = T_2 - T_3;
+        const Scalar e44 = inverse_29 * inverse_2_squared;
+        const Scalar inverse_45 = Scalar(1) / p_.alpha_L;
+        const Scalar inverse_46 = Scalar(1) / (Scalar(2) * inverse_2 * inverse_45 + e30);
+        const Scalar e47 = inverse_31 + inverse_46;
+        const Scalar e48 = inverse_37 * e41;
+        const Scalar e49 = inverse_2 * e48;
+        const Scalar inverse_46_squared = inverse_46 * inverse_46;
+        const Scalar e50 = inverse_31_squared + inverse_46_squared;
+        const Scalar e51 = e41 * e44;
         const Scalar T_a = u[1];
         const Scalar sun = u[2];
-        const Scalar e56 = p_.a_s * e51;
-        const Scalar e57 = inverse_3 * e13;
-        const Scalar e58 = e57 * (e8 * e8);
-        const Scalar e6_squared = e6 * e6;
-        const Scalar e59 = e57 * e6_squared;
-        const Scalar e60 = e4 * (inverse_5 * inverse_5);
-        const Scalar e61 = e60 * (e4 * e36);
-        const Scalar e62 = e31 * (inverse_32 * inverse_32);
-        const Scalar e63 = e62 * (e31 * e36);
-        const Scalar e64 = e33 * e48;
-        const Scalar e65 = inverse_50 * inverse_50 * (e43 * e49);
-        const Scalar e66 = p_.alpha_L * e65;
-        const Scalar e67 = e43 * e64;
-        const Scalar e68 = inverse_10 * e14;
-        const Scalar e69 = p_.g * e12;
-        const Scalar e70 = inverse_23 * e26;
-        const Scalar e71 = p_.g * e25;
-        const Scalar e72 = e44 * e33;
-        const Scalar e73 = p_.alpha_L * e51;
-        const Scalar e74 = e72 + e73;
-        const Scalar e75 = p_.g * e42;
-        const Scalar e76 = inverse_11 * e14;
-        const Scalar e77 = inverse_24 * e26;
-        J[0] = T_1 * (Scalar(4) * e9 * e15 - e18 - Scalar(4) * e21) - T_i * (Scalar(4) * (e20 - e21)) - T_2
-            * (Scalar(4) * e6 * e15 - e18);
-        J[1] = -Scalar(2) * e22 * e27 * e28;
+        const Scalar e52 = p_.lambda[2] * inverse_37;
+        const Scalar inverse_53 = Scalar(1) / (p_.alpha_L + Scalar(2) * e52);
+        const Scalar e54 = inverse_53 * e48;
+        const Scalar e55 = p_.lambda[2] * e54;
+        const Scalar e56 = p_.a_s * e55;
+        const Scalar e57 = inverse_1 * e18;
+        const Scalar e58 = e13 * e57;
+        const Scalar e59 = inverse_4 * e28;
+        const Scalar e60 = p_.L[1] * e59;
+        const Scalar e61 = e24 * e59;
+        const Scalar e62 = inverse_29 * e44;
+        const Scalar e63 = e40 * e62;
+        const Scalar e64 = inverse_11 * e15;
+        const Scalar e65 = p_.g * e13;
+        const Scalar e66 = inverse_22 * e34;
+        const Scalar e67 = p_.g * e24;
+        const Scalar e68 = inverse_2 * e41;
+        const Scalar e69 = inverse_38 * e68;
+        const Scalar e70 = p_.g * e40;
+        const Scalar e71 = inverse_12 * e15;
+        const Scalar e72 = inverse_23 * e34;
+        const Scalar e73 = inverse_39 * e68;
+        J[0] = T_1 * (Scalar(2) * (e9 * e16 + e17 * e19)) - T_i * (Scalar(2) * (inverse_8 * e16 + inverse_8_squared * e19))
+            - T_2 * (Scalar(2) * (e18 * e20 + inverse_6 * e16));
+        J[1] = -Scalar(2) * e18 * e26 * e27;
         J[2] = Scalar(0);
-        J[3] = Scalar(2) * e17 * e29 * e28;
-        J[4] = T_2 * (Scalar(4) * e35 * e36 - e37 - e39) - T_1 * (Scalar(4) * e36 * e16 - e37) - T_3 * (Scalar(4) * e38 - e39);
-        J[5] = -Scalar(2) * e45 * e46 * e47;
+        J[3] = Scalar(2) * e28 * e20 * e27;
+        J[4] = T_2 * (Scalar(2) * (e25 * e28 * e32 + e33 * e35)) - T_1 * (Scalar(2) * (e28 * e26 + inverse_6 * e35)) - T_3
+            * (Scalar(2) * (e28 * e36 + inverse_31 * e35));
+        J[5] = -Scalar(2) * e28 * e42 * e43;
         J[6] = Scalar(0);
-        J[7] = Scalar(2) * e26 * e34 * e48 * e47;
-        J[8] = T_3 * (e54 - e55) - T_a * e54 - sun * (Scalar(4) * inverse_30 * e53 * e56) - T_2 * (-e55);
-        J[9] = T_i * (Scalar(2) * e58) - T_1 * (Scalar(2) * (e59 + e58)) + T_2 * (Scalar(2) * e59);
-        J[10] = Scalar(2) * e6_squared * e27 * e28;
+        J[7] = Scalar(2) * e44 * e36 * e43;
+        const Scalar e74 = sun * (Scalar(4) * (inverse_37 * e56 * (Scalar(1) - inverse_53 * e52)));
+        J[8] = T_3 * (Scalar(2) * (e47 * e49 + e50 * e51)) - T_a * (Scalar(2) * (inverse_46 * e49 + inverse_46_squared * e51))
+            - e74 - T_2 * (Scalar(2) * (e44 * e42 + inverse_31 * e49));
+        J[9] = T_i * (Scalar(2) * inverse_8_squared * e58) - T_1 * (Scalar(2) * e17 * e58) + T_2
+            * (Scalar(2) * inverse_6_squared * e58);
+        J[10] = Scalar(2) * p_.L[0] * e57 * e26 * e27;
         J[11] = Scalar(0);
-        J[12] = -Scalar(2) * e60 * e29 * e28;
-        J[13] = T_1 * (Scalar(2) * e61) - T_2 * (Scalar(2) * (e63 + e61)) + T_3 * (Scalar(2) * e63);
-        J[14] = Scalar(2) * e62 * e45 * e47;
+        J[12] = -Scalar(2) * e20 * e60 * e27;
+        J[13] = T_1 * (Scalar(2) * inverse_6_squared * e61) - T_2 * (Scalar(2) * e32 * e61) + T_3
+            * (Scalar(2) * inverse_31_squared * e61);
+        J[14] = Scalar(2) * e42 * e60 * e43;
         J[15] = Scalar(0);
-        J[16] = -Scalar(2) * e26 * e64 * e47;
-        J[17] = T_a * (Scalar(2) * e66) + sun * (Scalar(2) * p_.a_s * e65) + T_2 * (Scalar(2) * e67) - T_3
-            * (Scalar(2) * (e67 + e66));
-        J[18] = T_1 * (Scalar(2) * e9 * e68) - inverse_10 * e69 - T_i * (Scalar(2) * e8 * e68) - T_2 * (Scalar(2) * e6 * e68);
+        J[16] = -Scalar(2) * p_.L[2] * e62 * e36 * e43;
+        J[17] = T_a * (Scalar(2) * inverse_46_squared * e63) + sun * (Scalar(2) * p_.alpha_L * p_.a_s * inverse_53 * e54) + T_2
+            * (Scalar(2) * inverse_31_squared * e63) - T_3 * (Scalar(2) * e50 * e63);
+        J[18] = T_1 * (Scalar(2) * e9 * e64) - inverse_11 * e65 - T_i * (Scalar(2) * inverse_8 * e64) - T_2
+            * (Scalar(2) * inverse_6 * e64);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (Scalar(2) * e35 * e70) - inverse_23 * e71 - T_1 * (Scalar(2) * e16 * e70) - T_3
-            * (Scalar(2) * e34 * e70);
+        J[22] = T_2 * (Scalar(2) * e33 * e66) - inverse_22 * e67 - T_1 * (Scalar(2) * inverse_6 * e66) - T_3
+            * (Scalar(2) * inverse_31 * e66);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (Scalar(2) * inverse_40 * e74) - inverse_40 * e75 - T_a * (Scalar(2) * inverse_40 * e73) - sun
-            * (Scalar(2) * inverse_40 * e56) - T_2 * (Scalar(2) * inverse_40 * e72);
-        J[27] = T_1 * (Scalar(2) * e9 * e76) - inverse_11 * e69 - T_i * (Scalar(2) * e8 * e76) - T_2 * (Scalar(2) * e6 * e76);
+        J[26] = T_3 * (Scalar(2) * e47 * e69) - inverse_38 * e70 - T_a * (Scalar(2) * inverse_46 * e69) - sun
+            * (Scalar(2) * inverse_38 * e56) - T_2 * (Scalar(2) * inverse_31 * e69);
+        J[27] = T_1 * (Scalar(2) * e9 * e71) - inverse_12 * e65 - T_i * (Scalar(2) * inverse_8 * e71) - T_2
+            * (Scalar(2) * inverse_6 * e71);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (Scalar(2) * e35 * e77) - inverse_24 * e71 - T_1 * (Scalar(2) * e16 * e77) - T_3
-            * (Scalar(2) * e34 * e77);
+        J[31] = T_2 * (Scalar(2) * e33 * e72) - inverse_23 * e67 - T_1 * (Scalar(2) * inverse_6 * e72) - T_3
+            * (Scalar(2) * inverse_31 * e72);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (Scalar(2) * inverse_41 * e74) - inverse_41 * e75 - T_a * (Scalar(2) * inverse_41 * e73) - sun
-            * (Scalar(2) * inverse_41 * e56) - T_2 * (Scalar(2) * inverse_41 * e72);
+        J[35] = T_3 * (Scalar(2) * e47 * e73) - inverse_39 * e70 - T_a * (Scalar(2) * inverse_46 * e73) - sun
+            * (Scalar(2) * inverse_39 * e56) - T_2 * (Scalar(2) * inverse_31 * e73);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
-        J[39] = Scalar(4) * inverse_7 * e14 * e19 * (T_i - T_1);
+        const Scalar e75 = Scalar(4) * inverse_7 * inverse_7 * inverse_2_squared * e14 * inverse_8_squared;
+        J[39] = e75 * (T_i - T_1);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        J[44] = Scalar(4) * e51 * e52 * (T_a - T_3) - sun * (Scalar(2) * inverse_50 * e56);
+        const Scalar e76 = Scalar(4) * inverse_45 * inverse_45 * inverse_2_squared * e41 * inverse_46_squared;
+        J[44] = e76 * (T_a - T_3) - sun * (Scalar(2) * inverse_53 * e56);
         J[45] = Scalar(0);
         J[46] = Scalar(0);
-        J[47] = sun * (Scalar(2) * e51);
-        J[48] = e12;
-        J[49] = e25;
-        J[50] = e42;
+        J[47] = sun * (Scalar(2) * e55);
+        J[48] = e13;
+        J[49] = e24;
+        J[50] = e40;
     }
 
     /// J = df/dt at fixed x and u.
@@ -547,8 +567,7 @@ public:
     ///     lambda[3]/L[3]))
     ///     T_front = alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) + a_s*sun/(2*lambda[3]/L[3] + alpha_L) +
     ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
-    ///     Q_inside = 2*lambda[1]*A*alpha_0*T_i/(L[1]*(2*lambda[1]/L[1] + alpha_0)) -
-    ///     2*lambda[1]*A*alpha_0*T[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
+    ///     Q_inside = 2*T_i/(L[1]/(lambda[1]*A) + 2/(A*alpha_0)) - 2*T[1]/(L[1]/(lambda[1]*A) + 2/(A*alpha_0))
     ///     U = k
     ///     T_steady = (1 - k/alpha_0)*T_i - k*T_i*min(L[1], max(0, x))/lambda[1] - k*T_i*min(L[2], max(0, -L[1] + x))/lambda[2] -
     ///     k*T_i*min(L[3], max(0, -L[1] - L[2] + x))/lambda[3] + k*T_a/alpha_0 + k*T_a*min(L[1], max(0, x))/lambda[1] +
@@ -565,34 +584,34 @@ public:
         const Scalar min_L_1 = detail::min<Scalar>(p_.L[0], max_1);
         const Scalar max_2 = detail::max<Scalar>(Scalar(0), x_value - p_.L[0]);
         const Scalar min_L_2 = detail::min<Scalar>(p_.L[1], max_2);
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value - c_.k26);
+        const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value - c_.k31);
         const Scalar min_L_3 = detail::min<Scalar>(p_.L[2], max_3);
-        y[0] = c_.k13 * T_i + c_.k14 * T_1;
-        y[1] = c_.k15 * T_2 + c_.k16 * T_3;
-        y[2] = c_.k17 * T_a + c_.k18 * sun + c_.k19 * T_3;
-        y[3] = c_.k20 * (T_i - T_1);
+        y[0] = c_.k18 * T_i + c_.k19 * T_1;
+        y[1] = c_.k20 * T_2 + c_.k21 * T_3;
+        y[2] = c_.k22 * T_a + c_.k23 * sun + c_.k24 * T_3;
+        y[3] = c_.k25 * (T_i - T_1);
         y[4] = c_.k;
-        y[5] = c_.k21 * T_i - (T_i - T_a) * (c_.k22 * min_L_1 + c_.k23 * min_L_2 + c_.k24 * min_L_3) + c_.k25 * T_a;
+        y[5] = c_.k26 * T_i - (T_i - T_a) * (c_.k27 * min_L_1 + c_.k28 * min_L_2 + c_.k29 * min_L_3) + c_.k30 * T_a;
     }
 
     /// C = dh/dx.
     /// Operations: 1 + or -
     void output_jacobian_x(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        C[0] = c_.k14;
+        C[0] = c_.k19;
         C[1] = Scalar(0);
         C[2] = Scalar(0);
-        C[3] = -c_.k20;
+        C[3] = -c_.k25;
         C[4] = Scalar(0);
         C[5] = Scalar(0);
         C[6] = Scalar(0);
-        C[7] = c_.k15;
+        C[7] = c_.k20;
         C[8] = Scalar(0);
         C[9] = Scalar(0);
         C[10] = Scalar(0);
         C[11] = Scalar(0);
         C[12] = Scalar(0);
-        C[13] = c_.k16;
-        C[14] = c_.k19;
+        C[13] = c_.k21;
+        C[14] = c_.k24;
         C[15] = Scalar(0);
         C[16] = Scalar(0);
         C[17] = Scalar(0);
@@ -602,7 +621,7 @@ public:
     /// Operations: 13 + or -, 10 *, 12 other functions
     void output_jacobian_u(const State& /*x*/, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         const Scalar x_value = u[3];
-        const Scalar e1 = x_value - c_.k26;
+        const Scalar e1 = x_value - c_.k31;
         const Scalar max_2 = detail::max<Scalar>(Scalar(0), e1);
         const Scalar min_L_3 = detail::min<Scalar>(p_.L[2], max_2);
         const Scalar max_3 = detail::max<Scalar>(Scalar(0), x_value);
@@ -610,7 +629,7 @@ public:
         const Scalar e4 = x_value - p_.L[0];
         const Scalar max_5 = detail::max<Scalar>(Scalar(0), e4);
         const Scalar min_L_2 = detail::min<Scalar>(p_.L[1], max_5);
-        const Scalar e6 = c_.k24 * min_L_3 + (c_.k22 * min_L_1 + c_.k23 * min_L_2);
+        const Scalar e6 = c_.k29 * min_L_3 + (c_.k27 * min_L_1 + c_.k28 * min_L_2);
         const Scalar T_i = u[0];
         const Scalar T_a = u[1];
         const Scalar step_7 = detail::step<Scalar>(e1);
@@ -619,21 +638,21 @@ public:
         const Scalar step_10 = detail::step<Scalar>(p_.L[1] - max_5);
         const Scalar step_x = detail::step<Scalar>(x_value);
         const Scalar step_11 = detail::step<Scalar>(p_.L[0] - max_3);
-        D[0] = c_.k13;
+        D[0] = c_.k18;
         D[1] = Scalar(0);
         D[2] = Scalar(0);
-        D[3] = c_.k20;
+        D[3] = c_.k25;
         D[4] = Scalar(0);
-        D[5] = c_.k21 - e6;
+        D[5] = c_.k26 - e6;
         D[6] = Scalar(0);
         D[7] = Scalar(0);
-        D[8] = c_.k17;
+        D[8] = c_.k22;
         D[9] = Scalar(0);
         D[10] = Scalar(0);
-        D[11] = c_.k25 + e6;
+        D[11] = c_.k30 + e6;
         D[12] = Scalar(0);
         D[13] = Scalar(0);
-        D[14] = c_.k18;
+        D[14] = c_.k23;
         D[15] = Scalar(0);
         D[16] = Scalar(0);
         D[17] = Scalar(0);
@@ -642,7 +661,7 @@ public:
         D[20] = Scalar(0);
         D[21] = Scalar(0);
         D[22] = Scalar(0);
-        const Scalar e12 = c_.k24 * step_7 * step_8 + c_.k23 * step_9 * step_10 + c_.k22 * step_x * step_11;
+        const Scalar e12 = c_.k29 * step_7 * step_8 + c_.k28 * step_9 * step_10 + c_.k27 * step_x * step_11;
         D[23] = -(T_i - T_a) * e12;
     }
 
@@ -692,17 +711,16 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 10 + or -, 12 *, 2 /
+    /// Operations: 10 + or -, 14 *, 6 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_i = u[0];
         const Scalar T_1 = x[0];
-        const Scalar e1 = p_.lambda[2] / p_.L[2];
-        const Scalar e2 = p_.A * p_.alpha_L / (p_.alpha_L + Scalar(2) * e1);
         const Scalar T_a = u[1];
         const Scalar T_3 = x[2];
         const Scalar sun = u[2];
-        return c_.k20 * (T_i - T_1) + Scalar(2) * e1 * e2 * (T_a - T_3) + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) - sun
-            * (-p_.a_s * (p_.A - e2));
+        const Scalar e1 = Scalar(2) / ((p_.L[2] / p_.lambda[2] + Scalar(2) / p_.alpha_L) / p_.A) * (T_a - T_3);
+        const Scalar e2 = p_.alpha_L / (Scalar(2) * p_.lambda[2] / p_.L[2] + p_.alpha_L) - Scalar(1);
+        return c_.k25 * (T_i - T_1) + e1 + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) - sun * (p_.A * p_.a_s * e2);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -716,32 +734,37 @@ private:
     struct Cached {
         Scalar k;  ///< 1/(L[1]/lambda[1] + L[2]/lambda[2] + L[3]/lambda[3] + 1/alpha_0 + 1/alpha_L)
         Scalar k0;  ///< g/(rho[1]*c_p[1])
-        Scalar k1;  ///< 2*lambda[1]*alpha_0/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k2;  ///< 2*lambda[1]*(lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) + alpha_0/(2*lambda[1]/L[1] + ...
-        Scalar k3;  ///< 2*lambda[1]*lambda[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(lambda[1]/L[1] + lambda[2]/L[2]))
+        Scalar k1;  ///< 2/(L[1]*rho[1]*c_p[1]*(L[1]/lambda[1] + 2/alpha_0))
+        Scalar k2;  ///< 2/(L[1]*rho[1]*c_p[1]*A)
+        Scalar k3;  ///< A/(L[1]/lambda[1] + L[2]/lambda[2])
         Scalar k4;  ///< g/(rho[2]*c_p[2])
-        Scalar k5;  ///< 2*lambda[1]*lambda[2]/(L[1]*L[2]^2*rho[2]*c_p[2]*(lambda[1]/L[1] + lambda[2]/L[2]))
-        Scalar k6;  ///< 2*lambda[2]*(lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) + ...
-        Scalar k7;  ///< 2*lambda[2]*lambda[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(lambda[2]/L[2] + lambda[3]/L[3]))
-        Scalar k8;  ///< g/(rho[3]*c_p[3])
-        Scalar k9;  ///< 2*lambda[3]*alpha_L/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
-        Scalar k10;  ///< 2*lambda[3]*a_s/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
-        Scalar k11;  ///< 2*lambda[2]*lambda[3]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
-        Scalar k12;  ///< 2*lambda[3]*(lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3])) + alpha_L/(2*lambda[3]/L[3] + ...
-        Scalar k13;  ///< alpha_0/(2*lambda[1]/L[1] + alpha_0)
-        Scalar k14;  ///< 2*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k15;  ///< lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3]))
-        Scalar k16;  ///< lambda[3]/(L[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
-        Scalar k17;  ///< alpha_L/(2*lambda[3]/L[3] + alpha_L)
-        Scalar k18;  ///< a_s/(2*lambda[3]/L[3] + alpha_L)
-        Scalar k19;  ///< 2*lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
-        Scalar k20;  ///< 2*lambda[1]*A*alpha_0/(L[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k21;  ///< 1 - k/alpha_0
-        Scalar k22;  ///< k/lambda[1]
-        Scalar k23;  ///< k/lambda[2]
-        Scalar k24;  ///< k/lambda[3]
-        Scalar k25;  ///< k/alpha_0
-        Scalar k26;  ///< L[1] + L[2]
+        Scalar k5;  ///< 2/(L[2]*rho[2]*c_p[2]*A)
+        Scalar k6;  ///< 1/(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A))
+        Scalar k7;  ///< g/(rho[3]*c_p[3])
+        Scalar k8;  ///< 2/(L[3]*rho[3]*c_p[3]*A*(L[3]/(lambda[3]*A) + 2/(A*alpha_L)))
+        Scalar k9;  ///< 2*lambda[3]*a_s/(L[3]^2*rho[3]*c_p[3]*(2*lambda[3]/L[3] + alpha_L))
+        Scalar k10;  ///< 2/(L[3]*rho[3]*c_p[3]*A)
+        Scalar k11;  ///< 2/(L[1]*rho[1]*c_p[1]*(L[1]/lambda[1] + L[2]/lambda[2]))
+        Scalar k12;  ///< 2/(L[2]*rho[2]*c_p[2]*(L[1]/lambda[1] + L[2]/lambda[2]))
+        Scalar k13;  ///< 2/(L[2]*rho[2]*c_p[2]*A*(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A)))
+        Scalar k14;  ///< 2/(L[3]*rho[3]*c_p[3]*A*(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A)))
+        Scalar k15;  ///< 2*(1/(L[1]/lambda[1] + L[2]/lambda[2]) + 1/(L[1]/lambda[1] + 2/alpha_0))/(L[1]*rho[1]*c_p[1])
+        Scalar k16;  ///< 2*(1/(A*(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A))) + 1/(L[1]/lambda[1] + ...
+        Scalar k17;  ///< 2*(1/(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A)) + 1/(L[3]/(lambda[3]*A) + ...
+        Scalar k18;  ///< alpha_0/(2*lambda[1]/L[1] + alpha_0)
+        Scalar k19;  ///< 2*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
+        Scalar k20;  ///< lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3]))
+        Scalar k21;  ///< lambda[3]/(L[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
+        Scalar k22;  ///< alpha_L/(2*lambda[3]/L[3] + alpha_L)
+        Scalar k23;  ///< a_s/(2*lambda[3]/L[3] + alpha_L)
+        Scalar k24;  ///< 2*lambda[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L))
+        Scalar k25;  ///< 2*A/(L[1]/lambda[1] + 2/alpha_0)
+        Scalar k26;  ///< 1 - k/alpha_0
+        Scalar k27;  ///< k/lambda[1]
+        Scalar k28;  ///< k/lambda[2]
+        Scalar k29;  ///< k/lambda[3]
+        Scalar k30;  ///< k/alpha_0
+        Scalar k31;  ///< L[1] + L[2]
     };
     Cached c_{};
 };

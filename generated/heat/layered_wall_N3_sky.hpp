@@ -18,11 +18,11 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                13     67    19        0      0
+//   update                14     68    22        0      0
 //   rhs                   12     16     0        0      1
 //   rhs_and_jacobian      15     19     1        0      1
 //   jacobian_u             4     14     1        0      1
-//   jacobian_p            75    255    14        0      1
+//   jacobian_p            72    255    19        0      1
 //   output                13     18     0        0      7
 //   output_jacobian_x      5     11     1        0      1
 //   output_jacobian_u     17     24     1        0     13
@@ -235,79 +235,84 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 13 + or -, 67 *, 19 /
+    /// Operations: 14 + or -, 68 *, 22 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        const Scalar inverse_1 = Scalar(1) / p_.lambda[0];
+        const Scalar inverse_1 = Scalar(1) / p_.alpha_0;
         const Scalar inverse_2 = Scalar(1) / p_.lambda[1];
-        const Scalar inverse_3 = Scalar(1) / p_.lambda[2];
-        const Scalar inverse_4 = Scalar(1) / p_.alpha_0;
-        const Scalar e5 = p_.L[0] * inverse_1 + p_.L[1] * inverse_2 + p_.L[2] * inverse_3 + inverse_4 + Scalar(1) / p_.alpha_L;
-        c_.k = Scalar(1) / e5;
-        const Scalar e6 = Scalar(1) / p_.rho[0] / p_.c_p[0];
-        c_.k0 = p_.g * e6;
-        const Scalar inverse_7 = Scalar(1) / p_.L[0];
-        const Scalar e8 = p_.lambda[0] * inverse_7;
-        const Scalar inverse_9 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e8);
-        const Scalar e10 = p_.alpha_0 * inverse_9;
-        const Scalar e11 = e6 * (inverse_7 * e8);
-        const Scalar e12 = e10 * e11;
-        c_.k1 = Scalar(2) * e12;
-        const Scalar inverse_13 = Scalar(1) / p_.L[1];
-        const Scalar e14 = p_.lambda[1] * inverse_13;
-        const Scalar e15 = e14 / (e14 + e8);
-        const Scalar e16 = e15 * e11;
-        c_.k2 = Scalar(2) * (e12 + e16);
+        const Scalar e3 = p_.L[1] * inverse_2;
+        const Scalar inverse_4 = Scalar(1) / p_.lambda[0];
+        const Scalar e5 = p_.L[0] * inverse_4;
+        const Scalar e6 = e3 + e5;
+        const Scalar inverse_7 = Scalar(1) / p_.lambda[2];
+        const Scalar e8 = p_.L[2] * inverse_7;
+        c_.k = Scalar(1) / (inverse_1 + Scalar(1) / p_.alpha_L + e6 + e8);
+        const Scalar e9 = Scalar(1) / p_.rho[0] / p_.c_p[0];
+        c_.k0 = p_.g * e9;
+        const Scalar inverse_10 = Scalar(1) / p_.A;
+        const Scalar inverse_11 = Scalar(1) / (inverse_10 * (Scalar(2) * inverse_1 + e5));
+        const Scalar inverse_12 = Scalar(1) / p_.L[0];
+        const Scalar e13 = e9 * (inverse_12 * inverse_10);
+        const Scalar e14 = inverse_11 * e13;
+        c_.k1 = Scalar(2) * e14;
+        const Scalar inverse_15 = Scalar(1) / (inverse_10 * e6);
+        const Scalar e16 = inverse_15 * e13;
+        c_.k2 = Scalar(2) * (e14 + e16);
         c_.k3 = Scalar(2) * e16;
         const Scalar e17 = Scalar(1) / p_.rho[1] / p_.c_p[1];
         c_.k4 = p_.g * e17;
-        const Scalar e18 = inverse_13 * e17;
-        const Scalar e19 = e18 * (e8 * e15);
-        c_.k5 = Scalar(2) * e19;
-        const Scalar inverse_20 = Scalar(1) / p_.L[2];
-        const Scalar e21 = p_.lambda[2] * inverse_20;
-        const Scalar inverse_22 = Scalar(1) / (e21 + e14);
-        const Scalar e23 = inverse_22 * e14;
-        const Scalar e24 = e18 * (e21 * e23);
-        c_.k6 = Scalar(2) * (e24 + e19);
-        c_.k7 = Scalar(2) * e24;
-        const Scalar e25 = Scalar(1) / p_.rho[2] / p_.c_p[2];
-        c_.k8 = p_.g * e25;
-        const Scalar e26 = e25 * (inverse_20 * e21);
-        const Scalar e27 = e26 * e23;
-        c_.k9 = Scalar(2) * e27;
-        c_.k10 = Scalar(2) * (e26 + e27);
-        c_.k11 = Scalar(2) * e26;
-        const Scalar inverse_28 = Scalar(1) / (p_.alpha_L + Scalar(2) * e21);
-        const Scalar e29 = p_.eps * inverse_28;
-        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e29;
-        const Scalar e30 = p_.alpha_L * inverse_28;
-        c_.k13 = e30;
-        const Scalar e31 = p_.a_s * inverse_28;
-        c_.k14 = e31;
-        const Scalar e32 = inverse_28 * e21;
-        c_.k15 = Scalar(2) * e32;
-        const Scalar e33 = inverse_28 * e26;
-        c_.k16 = ((Scalar(100000000) * Scalar(1000000000))) * e21 * e33;
-        c_.k17 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * e29;
-        c_.k18 = ((Scalar(50000000) * Scalar(1000000000))) * p_.alpha_L * e33;
-        c_.k19 = ((Scalar(11) * Scalar(1000000000) + Scalar(340748838))) * p_.eps * e33;
-        c_.k20 = ((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e33;
-        c_.k21 = e10;
-        c_.k22 = Scalar(2) * inverse_9 * e8;
-        c_.k23 = e23;
-        c_.k24 = inverse_22 * e21;
-        c_.k25 = Scalar(2) * p_.A * e8 * e10;
-        const Scalar e34 = c_.k * inverse_4;
-        c_.k26 = Scalar(1) - e34;
-        c_.k27 = c_.k * inverse_1;
+        const Scalar inverse_18 = Scalar(1) / p_.L[1];
+        const Scalar e19 = e17 * (inverse_18 * inverse_10);
+        const Scalar e20 = inverse_15 * e19;
+        c_.k5 = Scalar(2) * e20;
+        const Scalar inverse_21 = Scalar(1) / (inverse_10 * (e3 + e8));
+        const Scalar e22 = inverse_21 * e19;
+        c_.k6 = Scalar(2) * (e20 + e22);
+        c_.k7 = Scalar(2) * e22;
+        const Scalar e23 = Scalar(1) / p_.rho[2] / p_.c_p[2];
+        c_.k8 = p_.g * e23;
+        const Scalar inverse_24 = Scalar(1) / p_.L[2];
+        const Scalar e25 = inverse_24 * e23;
+        const Scalar e26 = e25 * (inverse_10 * inverse_21);
+        c_.k9 = Scalar(2) * e26;
+        const Scalar e27 = p_.lambda[2] * inverse_24;
+        const Scalar e28 = e27 * e25;
+        c_.k10 = Scalar(2) * (e28 + e26);
+        c_.k11 = Scalar(2) * e28;
+        const Scalar inverse_29 = Scalar(1) / (p_.alpha_L + Scalar(2) * e27);
+        const Scalar e30 = p_.eps * inverse_29;
+        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e30;
+        const Scalar e31 = p_.alpha_L * inverse_29;
+        c_.k13 = e31;
+        const Scalar e32 = p_.a_s * inverse_29;
+        c_.k14 = e32;
+        const Scalar e33 = inverse_29 * e27;
+        c_.k15 = Scalar(2) * e33;
+        const Scalar e34 = e25 * e33;
+        c_.k16 = ((Scalar(100000000) * Scalar(1000000000))) * e27 * e34;
+        c_.k17 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * e30;
+        c_.k18 = ((Scalar(50000000) * Scalar(1000000000))) * p_.alpha_L * e34;
+        c_.k19 = ((Scalar(11) * Scalar(1000000000) + Scalar(340748838))) * p_.eps * e34;
+        c_.k20 = ((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e34;
+        const Scalar e35 = p_.lambda[0] * inverse_12;
+        const Scalar inverse_36 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e35);
+        c_.k21 = p_.alpha_0 * inverse_36;
+        c_.k22 = Scalar(2) * inverse_36 * e35;
+        const Scalar e37 = p_.lambda[1] * inverse_18;
+        const Scalar inverse_38 = Scalar(1) / (e27 + e37);
+        c_.k23 = inverse_38 * e37;
+        c_.k24 = inverse_38 * e27;
+        c_.k25 = Scalar(2) * inverse_11;
+        const Scalar e39 = c_.k * inverse_1;
+        c_.k26 = Scalar(1) - e39;
+        c_.k27 = c_.k * inverse_4;
         c_.k28 = c_.k * inverse_2;
-        c_.k29 = c_.k * inverse_3;
-        c_.k30 = e34;
+        c_.k29 = c_.k * inverse_7;
+        c_.k30 = e39;
         c_.k31 = p_.L[0] + p_.L[1];
-        c_.k32 = ((Scalar(50000000) * Scalar(1000000000))) * e32;
-        c_.k33 = ((Scalar(25000000) * Scalar(1000000000))) * e30;
-        c_.k34 = ((Scalar(25000000) * Scalar(1000000000))) * e31;
+        c_.k32 = ((Scalar(50000000) * Scalar(1000000000))) * e33;
+        c_.k33 = ((Scalar(25000000) * Scalar(1000000000))) * e31;
+        c_.k34 = ((Scalar(25000000) * Scalar(1000000000))) * e32;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -326,16 +331,15 @@ public:
     ///     temperature[front] = radiant_temperature(stefan_boltzmann*eps/(2*lambda[3]/L[3] + alpha_L),
     ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L)) + alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) +
     ///     stefan_boltzmann*eps*T_h^4/(2*lambda[3]/L[3] + alpha_L) + a_s*sun/(2*lambda[3]/L[3] + alpha_L))
-    ///     dot(T[1]) = g/(rho[1]*c_p[1]) + 2*lambda[1]*alpha_0*T_i/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0)) -
-    ///     2*lambda[1]*(lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) + alpha_0/(2*lambda[1]/L[1] +
-    ///     alpha_0))*T[1]/(L[1]^2*rho[1]*c_p[1]) + 2*lambda[1]*lambda[2]*T[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(lambda[1]/L[1] +
-    ///     lambda[2]/L[2]))
-    ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 2*lambda[1]*lambda[2]*T[1]/(L[1]*L[2]^2*rho[2]*c_p[2]*(lambda[1]/L[1] + lambda[2]/L[2]))
-    ///     - 2*lambda[2]*(lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) + lambda[3]/(L[3]*(lambda[2]/L[2] +
-    ///     lambda[3]/L[3])))*T[2]/(L[2]^2*rho[2]*c_p[2]) + 2*lambda[2]*lambda[3]*T[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(lambda[2]/L[2] +
-    ///     lambda[3]/L[3]))
-    ///     dot(T[3]) = g/(rho[3]*c_p[3]) + 2*lambda[2]*lambda[3]*T[2]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
-    ///     - 2*lambda[3]*(1 + lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3])))*T[3]/(L[3]^2*rho[3]*c_p[3]) +
+    ///     dot(T[1]) = g/(rho[1]*c_p[1]) + 2*T_i/(L[1]*rho[1]*c_p[1]*A*(L[1]/(lambda[1]*A) + 2/(A*alpha_0))) -
+    ///     2*(1/(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A)) + 1/(L[1]/(lambda[1]*A) + 2/(A*alpha_0)))*T[1]/(L[1]*rho[1]*c_p[1]*A) +
+    ///     2*T[2]/(L[1]*rho[1]*c_p[1]*A*(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A)))
+    ///     dot(T[2]) = g/(rho[2]*c_p[2]) + 2*T[1]/(L[2]*rho[2]*c_p[2]*A*(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A))) -
+    ///     2*(1/(L[1]/(lambda[1]*A) + L[2]/(lambda[2]*A)) + 1/(L[2]/(lambda[2]*A) +
+    ///     L[3]/(lambda[3]*A)))*T[2]/(L[2]*rho[2]*c_p[2]*A) + 2*T[3]/(L[2]*rho[2]*c_p[2]*A*(L[2]/(lambda[2]*A) +
+    ///     L[3]/(lambda[3]*A)))
+    ///     dot(T[3]) = g/(rho[3]*c_p[3]) + 2*T[2]/(L[3]*rho[3]*c_p[3]*A*(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A))) -
+    ///     2*(lambda[3]/L[3] + 1/(A*(L[2]/(lambda[2]*A) + L[3]/(lambda[3]*A))))*T[3]/(L[3]*rho[3]*c_p[3]) +
     ///     2*lambda[3]*temperature[front]/(L[3]^2*rho[3]*c_p[3])
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar T_i = u[0];
@@ -421,176 +425,178 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 3 x 18, entry (i, j) at J[3*j + i].
-    /// Operations: 75 + or -, 255 *, 14 /, 1 other functions
+    /// Operations: 72 + or -, 255 *, 19 /, 1 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         const Scalar T_1 = x[0];
-        const Scalar inverse_1 = Scalar(1) / p_.L[1];
-        const Scalar e2 = p_.lambda[1] * inverse_1;
-        const Scalar inverse_3 = Scalar(1) / p_.L[0];
-        const Scalar e4 = p_.lambda[0] * inverse_3;
-        const Scalar inverse_5 = Scalar(1) / (e2 + e4);
-        const Scalar e6 = inverse_5 * e2;
-        const Scalar inverse_7 = Scalar(1) / (p_.alpha_0 + Scalar(2) * e4);
-        const Scalar e8 = p_.alpha_0 * inverse_7;
-        const Scalar e9 = e6 + e8;
-        const Scalar inverse_10 = Scalar(1) / p_.rho[0];
-        const Scalar inverse_11 = Scalar(1) / p_.c_p[0];
-        const Scalar e12 = inverse_10 * inverse_11;
-        const Scalar e13 = inverse_3 * e12;
-        const Scalar e14 = e4 * e13;
-        const Scalar e15 = inverse_3 * e14;
-        const Scalar e16 = e4 * e6;
-        const Scalar e17 = inverse_5 * e16;
-        const Scalar e18 = Scalar(2) * (e15 * e17);
-        const Scalar e19 = inverse_7 * e4;
-        const Scalar e20 = e8 * e15;
-        const Scalar e21 = e19 * e20;
+        const Scalar inverse_1 = Scalar(1) / p_.lambda[0];
+        const Scalar inverse_2 = Scalar(1) / p_.A;
+        const Scalar e3 = p_.L[0] * (inverse_1 * inverse_2);
+        const Scalar inverse_4 = Scalar(1) / p_.lambda[1];
+        const Scalar e5 = p_.L[1] * (inverse_4 * inverse_2);
+        const Scalar inverse_6 = Scalar(1) / (e3 + e5);
+        const Scalar inverse_7 = Scalar(1) / p_.alpha_0;
+        const Scalar inverse_8 = Scalar(1) / (Scalar(2) * inverse_2 * inverse_7 + e3);
+        const Scalar e9 = inverse_6 + inverse_8;
+        const Scalar inverse_10 = Scalar(1) / p_.L[0];
+        const Scalar inverse_11 = Scalar(1) / p_.rho[0];
+        const Scalar inverse_12 = Scalar(1) / p_.c_p[0];
+        const Scalar e13 = inverse_11 * inverse_12;
+        const Scalar e14 = inverse_10 * e13;
+        const Scalar e15 = inverse_2 * e14;
+        const Scalar e16 = inverse_10 * e15;
+        const Scalar inverse_6_squared = inverse_6 * inverse_6;
+        const Scalar inverse_8_squared = inverse_8 * inverse_8;
+        const Scalar e17 = inverse_6_squared + inverse_8_squared;
+        const Scalar inverse_2_squared = inverse_2 * inverse_2;
+        const Scalar e18 = inverse_1 * inverse_2_squared;
+        const Scalar e19 = e14 * e18;
         const Scalar T_i = u[0];
         const Scalar T_2 = x[1];
-        const Scalar e22 = e6 * e16;
-        const Scalar inverse_23 = Scalar(1) / p_.rho[1];
-        const Scalar inverse_24 = Scalar(1) / p_.c_p[1];
-        const Scalar e25 = inverse_23 * inverse_24;
-        const Scalar e26 = inverse_1 * e25;
-        const Scalar e27 = inverse_3 * e26;
-        const Scalar e28 = T_1 - T_2;
-        const Scalar e29 = inverse_1 * e14;
-        const Scalar inverse_30 = Scalar(1) / p_.L[2];
-        const Scalar e31 = p_.lambda[2] * inverse_30;
-        const Scalar inverse_32 = Scalar(1) / (e2 + e31);
-        const Scalar e33 = inverse_32 * e2;
-        const Scalar e34 = e31 * e33;
-        const Scalar e35 = e34 + e16;
-        const Scalar e36 = inverse_1 * e26;
-        const Scalar e37 = e33 * e34;
-        const Scalar e38 = Scalar(2) * (e36 * e37);
-        const Scalar e39 = Scalar(2) * (e36 * e22);
+        const Scalar e20 = e14 * inverse_6_squared;
+        const Scalar inverse_21 = Scalar(1) / p_.L[1];
+        const Scalar inverse_22 = Scalar(1) / p_.rho[1];
+        const Scalar inverse_23 = Scalar(1) / p_.c_p[1];
+        const Scalar e24 = inverse_22 * inverse_23;
+        const Scalar e25 = inverse_21 * e24;
+        const Scalar e26 = e25 * inverse_6_squared;
+        const Scalar e27 = T_1 - T_2;
+        const Scalar e28 = inverse_4 * inverse_2_squared;
+        const Scalar inverse_29 = Scalar(1) / p_.lambda[2];
+        const Scalar inverse_30 = Scalar(1) / (p_.L[2] * inverse_29 * inverse_2 + e5);
+        const Scalar e31 = inverse_2 * e25;
+        const Scalar e32 = (inverse_6 + inverse_30) * e31;
+        const Scalar inverse_30_squared = inverse_30 * inverse_30;
+        const Scalar e33 = inverse_6_squared + inverse_30_squared;
+        const Scalar e34 = e25 * e28;
+        const Scalar e35 = inverse_6 * e31;
         const Scalar T_3 = x[2];
-        const Scalar inverse_40 = Scalar(1) / p_.rho[2];
-        const Scalar inverse_41 = Scalar(1) / p_.c_p[2];
-        const Scalar e42 = inverse_40 * inverse_41;
-        const Scalar e43 = inverse_30 * e42;
-        const Scalar e44 = e31 * e43;
-        const Scalar e45 = inverse_1 * e44;
-        const Scalar e46 = T_2 - T_3;
-        const Scalar e47 = inverse_30 * e26;
-        const Scalar e48 = inverse_30 * e44;
-        const Scalar e49 = Scalar(1) + e33;
-        const Scalar e50 = inverse_32 * e48;
-        const Scalar e51 = Scalar(2) * (e34 * e50);
+        const Scalar e36 = inverse_2 * inverse_30;
+        const Scalar e37 = e25 * e36;
+        const Scalar inverse_38 = Scalar(1) / p_.L[2];
+        const Scalar inverse_39 = Scalar(1) / p_.rho[2];
+        const Scalar inverse_40 = Scalar(1) / p_.c_p[2];
+        const Scalar e41 = inverse_39 * inverse_40;
+        const Scalar e42 = inverse_38 * e41;
+        const Scalar e43 = e42 * inverse_30_squared;
+        const Scalar e44 = T_2 - T_3;
+        const Scalar e45 = inverse_30_squared * (inverse_29 * inverse_2_squared);
+        const Scalar e46 = inverse_38 * e42;
+        const Scalar e47 = Scalar(2) * (e46 * e36 + e42 * e45);
+        const Scalar e48 = p_.lambda[2] * e46;
+        const Scalar e49 = Scalar(4) * (inverse_38 * e48);
         const Scalar T_a = u[1];
         const Scalar sun = u[3];
         const Scalar T_h = u[2];
         const Scalar T_h_squared = T_h * T_h;
         const Scalar T_h_squared_squared = T_h_squared * T_h_squared;
-        const Scalar e52 = c_.k13 * T_a + c_.k14 * sun + c_.k15 * T_3 + c_.k12 * T_h_squared_squared;
-        const Scalar radiant_temperature_53 = detail::radiant_temperature<Scalar>(c_.k12, e52);
-        const Scalar inverse_54 = Scalar(1) / (p_.alpha_L + Scalar(2) * e31);
-        const Scalar inverse_54_squared = inverse_54 * inverse_54;
-        const Scalar e55 = e48 * inverse_54_squared;
-        const Scalar e56 = e31 * e55;
-        const Scalar radiant_temperature_53_squared = radiant_temperature_53 * radiant_temperature_53;
-        const Scalar e57 = (Scalar(25000000) * Scalar(1000000000)) + c_.k17 * radiant_temperature_53
-            * radiant_temperature_53_squared;
-        const Scalar inverse_58 = Scalar(1) / e57;
-        const Scalar e59 = sun * inverse_58;
-        const Scalar e60 = T_h_squared_squared - radiant_temperature_53_squared * radiant_temperature_53_squared;
-        const Scalar e61 = inverse_58 * e60;
-        const Scalar e62 = T_a * inverse_58;
-        const Scalar e63 = inverse_54 * e48 - Scalar(2) * e56;
-        const Scalar e64 = T_3 * inverse_58;
-        const Scalar e65 = inverse_3 * e13;
-        const Scalar e66 = e65 * (e8 * e8);
-        const Scalar e6_squared = e6 * e6;
-        const Scalar e67 = e65 * e6_squared;
-        const Scalar e68 = e4 * (inverse_5 * inverse_5);
-        const Scalar e69 = e68 * (e4 * e36);
-        const Scalar e70 = e31 * (inverse_32 * inverse_32);
-        const Scalar e71 = e70 * (e31 * e36);
-        const Scalar e72 = inverse_30 * e43;
-        const Scalar e73 = e33 * e50;
-        const Scalar e74 = inverse_10 * e14;
-        const Scalar e75 = p_.g * e12;
-        const Scalar e76 = inverse_23 * e26;
-        const Scalar e77 = p_.g * e25;
-        const Scalar e78 = inverse_40 * e44;
-        const Scalar e79 = p_.g * e42;
-        const Scalar e80 = inverse_11 * e14;
-        const Scalar e81 = inverse_24 * e26;
-        const Scalar e82 = inverse_41 * e44;
-        const Scalar e83 = e44 * inverse_54_squared;
-        const Scalar e84 = inverse_54 * e44;
-        J[0] = T_1 * (Scalar(4) * e9 * e15 - e18 - Scalar(4) * e21) - T_i * (Scalar(4) * (e20 - e21)) - T_2
-            * (Scalar(4) * e6 * e15 - e18);
-        J[1] = -Scalar(2) * e22 * e27 * e28;
+        const Scalar e50 = c_.k13 * T_a + c_.k14 * sun + c_.k15 * T_3 + c_.k12 * T_h_squared_squared;
+        const Scalar radiant_temperature_51 = detail::radiant_temperature<Scalar>(c_.k12, e50);
+        const Scalar e52 = p_.lambda[2] * inverse_38;
+        const Scalar inverse_53 = Scalar(1) / (p_.alpha_L + Scalar(2) * e52);
+        const Scalar e54 = inverse_53 * e48;
+        const Scalar e55 = inverse_38 * e54;
+        const Scalar e56 = inverse_53 * e55;
+        const Scalar e57 = e56 * e52;
+        const Scalar radiant_temperature_51_squared = radiant_temperature_51 * radiant_temperature_51;
+        const Scalar e58 = (Scalar(25000000) * Scalar(1000000000)) + c_.k17 * radiant_temperature_51
+            * radiant_temperature_51_squared;
+        const Scalar inverse_59 = Scalar(1) / e58;
+        const Scalar e60 = sun * inverse_59;
+        const Scalar e61 = T_h_squared_squared - radiant_temperature_51_squared * radiant_temperature_51_squared;
+        const Scalar e62 = inverse_59 * e61;
+        const Scalar e63 = T_a * inverse_59;
+        const Scalar e64 = e55 - Scalar(2) * e57;
+        const Scalar e65 = T_3 * inverse_59;
+        const Scalar e66 = inverse_1 * e18;
+        const Scalar e67 = e13 * e66;
+        const Scalar e68 = inverse_4 * e28;
+        const Scalar e69 = p_.L[1] * e68;
+        const Scalar e70 = e24 * e68;
+        const Scalar e71 = inverse_29 * e45;
+        const Scalar e72 = e41 * e71;
+        const Scalar e73 = inverse_11 * e15;
+        const Scalar e74 = p_.g * e13;
+        const Scalar e75 = p_.g * e24;
+        const Scalar e76 = e42 * e36;
+        const Scalar e77 = e48 + e76;
+        const Scalar e78 = p_.g * e41;
+        const Scalar e79 = inverse_12 * e15;
+        const Scalar e80 = inverse_53 * e54;
+        J[0] = T_1 * (Scalar(2) * (e9 * e16 + e17 * e19)) - T_i * (Scalar(2) * (inverse_8 * e16 + inverse_8_squared * e19))
+            - T_2 * (Scalar(2) * (e18 * e20 + inverse_6 * e16));
+        J[1] = -Scalar(2) * e18 * e26 * e27;
         J[2] = Scalar(0);
-        J[3] = Scalar(2) * e17 * e29 * e28;
-        J[4] = T_2 * (Scalar(4) * e35 * e36 - e38 - e39) - T_1 * (Scalar(4) * e36 * e16 - e39) - T_3
-            * (Scalar(4) * e36 * e34 - e38);
-        J[5] = -Scalar(2) * inverse_32 * e34 * e45 * e46;
+        J[3] = Scalar(2) * e28 * e20 * e27;
+        J[4] = T_2 * (Scalar(2) * (inverse_21 * e32 + e33 * e34)) - T_1 * (Scalar(2) * (e28 * e26 + inverse_21 * e35)) - T_3
+            * (Scalar(2) * (inverse_21 * e37 + inverse_30_squared * e34));
+        J[5] = -Scalar(2) * e28 * e43 * e44;
         J[6] = Scalar(0);
-        J[7] = Scalar(2) * e37 * e47 * e46;
-        const Scalar e85 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e56 * e61;
-        J[8] = T_3 * (Scalar(4) * e48 * e49 - e51) - T_2 * (Scalar(4) * e33 * e48 - e51) - radiant_temperature_53
-            * (Scalar(4) * e48) + ((Scalar(100000000) * Scalar(1000000000))) * p_.a_s * e56 * e59 + e85
-            + ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e56 * e62 - ((Scalar(100000000) * Scalar(1000000000)))
-            * e31 * e63 * e64;
-        J[9] = T_i * (Scalar(2) * e66) - T_1 * (Scalar(2) * (e67 + e66)) + T_2 * (Scalar(2) * e67);
-        J[10] = Scalar(2) * e6_squared * e27 * e28;
+        J[7] = Scalar(2) * e25 * e45 * e44;
+        const Scalar e81 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e57 * e62;
+        J[8] = T_3 * (e47 + e49) - T_2 * e47 - radiant_temperature_51 * e49 + ((Scalar(100000000) * Scalar(1000000000)))
+            * p_.a_s * e57 * e60 + e81 + ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e57 * e63
+            - ((Scalar(100000000) * Scalar(1000000000))) * e52 * e64 * e65;
+        J[9] = T_i * (Scalar(2) * inverse_8_squared * e67) - T_1 * (Scalar(2) * e17 * e67) + T_2
+            * (Scalar(2) * inverse_6_squared * e67);
+        J[10] = Scalar(2) * p_.L[0] * e66 * e26 * e27;
         J[11] = Scalar(0);
-        J[12] = -Scalar(2) * e68 * e29 * e28;
-        J[13] = T_1 * (Scalar(2) * e69) - T_2 * (Scalar(2) * (e71 + e69)) + T_3 * (Scalar(2) * e71);
-        J[14] = Scalar(2) * e70 * e45 * e46;
+        J[12] = -Scalar(2) * e20 * e69 * e27;
+        J[13] = T_1 * (Scalar(2) * inverse_6_squared * e70) - T_2 * (Scalar(2) * e33 * e70) + T_3
+            * (Scalar(2) * inverse_30_squared * e70);
+        J[14] = Scalar(2) * e43 * e69 * e44;
         J[15] = Scalar(0);
-        J[16] = -Scalar(2) * e33 * e33 * e47 * e46;
-        const Scalar e86 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e55 * e61;
-        J[17] = T_2 * (Scalar(2) * (e33 * e72 - e73)) - T_3 * (Scalar(2) * (e49 * e72 - e73)) + radiant_temperature_53
-            * (Scalar(2) * e72) - ((Scalar(100000000) * Scalar(1000000000))) * p_.a_s * e55 * e59 - e86
-            - ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e55 * e62 + ((Scalar(100000000) * Scalar(1000000000)))
-            * e63 * e64;
-        J[18] = T_1 * (Scalar(2) * e9 * e74) - inverse_10 * e75 - T_i * (Scalar(2) * e8 * e74) - T_2 * (Scalar(2) * e6 * e74);
+        J[16] = -Scalar(2) * p_.L[2] * e25 * e71 * e44;
+        const Scalar e82 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * p_.eps * e56 * e62;
+        J[17] = T_2 * (Scalar(2) * e72) - T_3 * (Scalar(2) * (e46 + e72)) + radiant_temperature_51 * (Scalar(2) * e46)
+            - ((Scalar(100000000) * Scalar(1000000000))) * p_.a_s * e56 * e60 - e82
+            - ((Scalar(100000000) * Scalar(1000000000))) * p_.alpha_L * e56 * e63 + ((Scalar(100000000) * Scalar(1000000000)))
+            * e64 * e65;
+        J[18] = T_1 * (Scalar(2) * e9 * e73) - inverse_11 * e74 - T_i * (Scalar(2) * inverse_8 * e73) - T_2
+            * (Scalar(2) * inverse_6 * e73);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = T_2 * (Scalar(2) * e35 * e76) - inverse_23 * e77 - T_1 * (Scalar(2) * e16 * e76) - T_3
-            * (Scalar(2) * e34 * e76);
+        J[22] = T_2 * (Scalar(2) * inverse_22 * e32) - inverse_22 * e75 - T_1 * (Scalar(2) * inverse_22 * e35) - T_3
+            * (Scalar(2) * inverse_22 * e37);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = T_3 * (Scalar(2) * e49 * e78) - inverse_40 * e79 - T_2 * (Scalar(2) * e33 * e78) - radiant_temperature_53
-            * (Scalar(2) * e78);
-        J[27] = T_1 * (Scalar(2) * e9 * e80) - inverse_11 * e75 - T_i * (Scalar(2) * e8 * e80) - T_2 * (Scalar(2) * e6 * e80);
+        J[26] = T_3 * (Scalar(2) * inverse_39 * e77) - inverse_39 * e78 - T_2 * (Scalar(2) * inverse_39 * e76)
+            - radiant_temperature_51 * (Scalar(2) * inverse_39 * e48);
+        J[27] = T_1 * (Scalar(2) * e9 * e79) - inverse_12 * e74 - T_i * (Scalar(2) * inverse_8 * e79) - T_2
+            * (Scalar(2) * inverse_6 * e79);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
         J[30] = Scalar(0);
-        J[31] = T_2 * (Scalar(2) * e35 * e81) - inverse_24 * e77 - T_1 * (Scalar(2) * e16 * e81) - T_3
-            * (Scalar(2) * e34 * e81);
+        J[31] = T_2 * (Scalar(2) * inverse_23 * e32) - inverse_23 * e75 - T_1 * (Scalar(2) * inverse_23 * e35) - T_3
+            * (Scalar(2) * inverse_23 * e37);
         J[32] = Scalar(0);
         J[33] = Scalar(0);
         J[34] = Scalar(0);
-        J[35] = T_3 * (Scalar(2) * e49 * e82) - inverse_41 * e79 - T_2 * (Scalar(2) * e33 * e82) - radiant_temperature_53
-            * (Scalar(2) * e82);
+        J[35] = T_3 * (Scalar(2) * inverse_40 * e77) - inverse_40 * e78 - T_2 * (Scalar(2) * inverse_40 * e76)
+            - radiant_temperature_51 * (Scalar(2) * inverse_40 * e48);
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
-        J[39] = Scalar(4) * inverse_7 * e14 * e19 * (T_i - T_1);
+        const Scalar e83 = Scalar(4) * inverse_7 * inverse_7 * inverse_2_squared * e14 * inverse_8_squared;
+        J[39] = e83 * (T_i - T_1);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        const Scalar e87 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * p_.eps * e83;
-        J[44] = ((Scalar(100000000) * Scalar(1000000000))) * e31 * e83 * (e62 - e64)
-            - ((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e83 * e59 - e87 * e61;
+        const Scalar e84 = ((Scalar(100000000) * Scalar(1000000000))) * p_.lambda[2] * e56 * (e63 - e65);
+        const Scalar e85 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * p_.eps * e80;
+        J[44] = e84 - ((Scalar(50000000) * Scalar(1000000000))) * p_.a_s * e80 * e60 - e85 * e62;
         J[45] = Scalar(0);
         J[46] = Scalar(0);
-        const Scalar e88 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * e84;
-        J[47] = e88 * e61;
+        const Scalar e86 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / Scalar(2)) * e54;
+        J[47] = e86 * e62;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = ((Scalar(50000000) * Scalar(1000000000))) * e84 * e59;
-        J[51] = e12;
-        J[52] = e25;
-        J[53] = e42;
+        J[50] = ((Scalar(50000000) * Scalar(1000000000))) * e54 * e60;
+        J[51] = e13;
+        J[52] = e24;
+        J[53] = e41;
     }
 
     /// J = df/dt at fixed x and u.
@@ -624,8 +630,7 @@ public:
     ///     T_front = radiant_temperature(stefan_boltzmann*eps/(2*lambda[3]/L[3] + alpha_L),
     ///     2*lambda[3]*T[3]/(L[3]*(2*lambda[3]/L[3] + alpha_L)) + alpha_L*T_a/(2*lambda[3]/L[3] + alpha_L) +
     ///     stefan_boltzmann*eps*T_h^4/(2*lambda[3]/L[3] + alpha_L) + a_s*sun/(2*lambda[3]/L[3] + alpha_L))
-    ///     Q_inside = 2*lambda[1]*A*alpha_0*T_i/(L[1]*(2*lambda[1]/L[1] + alpha_0)) -
-    ///     2*lambda[1]*A*alpha_0*T[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
+    ///     Q_inside = 2*T_i/(L[1]/(lambda[1]*A) + 2/(A*alpha_0)) - 2*T[1]/(L[1]/(lambda[1]*A) + 2/(A*alpha_0))
     ///     U = k
     ///     T_steady = (1 - k/alpha_0)*T_i - k*T_i*min(L[1], max(0, x))/lambda[1] - k*T_i*min(L[2], max(0, -L[1] + x))/lambda[2] -
     ///     k*T_i*min(L[3], max(0, -L[1] - L[2] + x))/lambda[3] + k*T_a/alpha_0 + k*T_a*min(L[1], max(0, x))/lambda[1] +
@@ -824,16 +829,16 @@ private:
     struct Cached {
         Scalar k;  ///< 1/(L[1]/lambda[1] + L[2]/lambda[2] + L[3]/lambda[3] + 1/alpha_0 + 1/alpha_L)
         Scalar k0;  ///< g/(rho[1]*c_p[1])
-        Scalar k1;  ///< 2*lambda[1]*alpha_0/(L[1]^2*rho[1]*c_p[1]*(2*lambda[1]/L[1] + alpha_0))
-        Scalar k2;  ///< 2*lambda[1]*(lambda[2]/(L[2]*(lambda[1]/L[1] + lambda[2]/L[2])) + alpha_0/(2*lambda[1]/L[1] + ...
-        Scalar k3;  ///< 2*lambda[1]*lambda[2]/(L[1]^2*L[2]*rho[1]*c_p[1]*(lambda[1]/L[1] + lambda[2]/L[2]))
+        Scalar k1;  ///< 2/(L[1]*rho[1]*c_p[1]*(L[1]/lambda[1] + 2/alpha_0))
+        Scalar k2;  ///< 2*(1/(L[1]/lambda[1] + L[2]/lambda[2]) + 1/(L[1]/lambda[1] + 2/alpha_0))/(L[1]*rho[1]*c_p[1])
+        Scalar k3;  ///< 2/(L[1]*rho[1]*c_p[1]*(L[1]/lambda[1] + L[2]/lambda[2]))
         Scalar k4;  ///< g/(rho[2]*c_p[2])
-        Scalar k5;  ///< 2*lambda[1]*lambda[2]/(L[1]*L[2]^2*rho[2]*c_p[2]*(lambda[1]/L[1] + lambda[2]/L[2]))
-        Scalar k6;  ///< 2*lambda[2]*(lambda[1]/(L[1]*(lambda[1]/L[1] + lambda[2]/L[2])) + ...
-        Scalar k7;  ///< 2*lambda[2]*lambda[3]/(L[2]^2*L[3]*rho[2]*c_p[2]*(lambda[2]/L[2] + lambda[3]/L[3]))
+        Scalar k5;  ///< 2/(L[2]*rho[2]*c_p[2]*(L[1]/lambda[1] + L[2]/lambda[2]))
+        Scalar k6;  ///< 2*(1/(L[1]/lambda[1] + L[2]/lambda[2]) + 1/(L[2]/lambda[2] + L[3]/lambda[3]))/(L[2]*rho[2]*c_p[2])
+        Scalar k7;  ///< 2/(L[2]*rho[2]*c_p[2]*(L[2]/lambda[2] + L[3]/lambda[3]))
         Scalar k8;  ///< g/(rho[3]*c_p[3])
-        Scalar k9;  ///< 2*lambda[2]*lambda[3]/(L[2]*L[3]^2*rho[3]*c_p[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
-        Scalar k10;  ///< 2*lambda[3]*(1 + lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3])))/(L[3]^2*rho[3]*c_p[3])
+        Scalar k9;  ///< 2/(L[3]*rho[3]*c_p[3]*(L[2]/lambda[2] + L[3]/lambda[3]))
+        Scalar k10;  ///< 2*(lambda[3]/L[3] + 1/(L[2]/lambda[2] + L[3]/lambda[3]))/(L[3]*rho[3]*c_p[3])
         Scalar k11;  ///< 2*lambda[3]/(L[3]^2*rho[3]*c_p[3])
         Scalar k12;  ///< stefan_boltzmann*eps/(2*lambda[3]/L[3] + alpha_L)
         Scalar k13;  ///< alpha_L/(2*lambda[3]/L[3] + alpha_L)
@@ -848,7 +853,7 @@ private:
         Scalar k22;  ///< 2*lambda[1]/(L[1]*(2*lambda[1]/L[1] + alpha_0))
         Scalar k23;  ///< lambda[2]/(L[2]*(lambda[2]/L[2] + lambda[3]/L[3]))
         Scalar k24;  ///< lambda[3]/(L[3]*(lambda[2]/L[2] + lambda[3]/L[3]))
-        Scalar k25;  ///< 2*lambda[1]*A*alpha_0/(L[1]*(2*lambda[1]/L[1] + alpha_0))
+        Scalar k25;  ///< 2*A/(L[1]/lambda[1] + 2/alpha_0)
         Scalar k26;  ///< 1 - k/alpha_0
         Scalar k27;  ///< k/lambda[1]
         Scalar k28;  ///< k/lambda[2]

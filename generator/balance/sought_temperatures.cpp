@@ -202,8 +202,28 @@ private:
             const ex slope = partial(link.heat, letter);
             if (slope.has(letter)) continue;
             const ex rest = link.heat.subs(letter == 0, no_pattern);
-            link.heat = (rest * all + slope * heat).expand() / all;
+            link.heat = over((rest * all + slope * heat).expand(), all);
         }
+    }
+
+    /// A sum over two conductances. Terms with both become conductances in series, 1/(1/a + 1/b), whose slopes keep their digits: by the product
+    /// rule, the slope of a*b/(a + b) is a difference, 1 - a/(a + b).
+    static ex over(const ex& sum, const ex& all) {
+        if (!GiNaC::is_a<GiNaC::add>(all) || all.nops() != 2) return sum / all;
+        const ex &a = all.op(0), &b = all.op(1);
+        ex result = 0, rest = 0;
+        const auto add = [&](const ex& term) {
+            const ex factor = term / (a * b);
+            if (share_letters(factor, all)) rest += term;
+            else result += factor * in_series(a, b);
+        };
+        if (GiNaC::is_a<GiNaC::add>(sum)) std::for_each(sum.begin(), sum.end(), add);
+        else add(sum);
+        return result + rest / all;
+    }
+
+    static bool share_letters(const ex& e, const ex& with) {
+        return std::any_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) { return GiNaC::is_a<GiNaC::symbol>(part) && with.has(part); });
     }
 
     std::vector<std::size_t> connected_to(std::size_t first) const {

@@ -34,6 +34,7 @@ TEST_CASE("what the emitted code costs") {
     CHECK(operations("n_pendulum", "", Function::rhs_and_jacobian, {{"N", 12}}) <= 1148);
     CHECK(operations("hydraulics/hydraulic_cylinder", "real", Function::rhs) <= 122);
     CHECK(operations("hydraulics/hydraulic_cylinder", "real", Function::rhs_and_jacobian) <= 338);
+    CHECK(operations("heat/immersion_heater", "heating", Function::jacobian_p) <= 52);  // resistances in a row are added
 }
 
 TEST_CASE("a pivot that does not change comes first, so that the ball on the beam divides once") {
