@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "symbolic/functions.hpp"
 #include "text/diagnostic.hpp"
 
@@ -208,18 +210,27 @@ ex carried(const FlowState& f) {
     return maximum(f.mass_flow, 0) * f.from->carried() + minimum(f.mass_flow, 0) * f.to->carried();
 }
 
+/// a - b, kept whole but for the factors of both, as c_p of a gas.
+ex whole_difference(const ex& a, const ex& b) {
+    if (!GiNaC::is_a<GiNaC::mul>(a) || !GiNaC::is_a<GiNaC::mul>(b)) return whole(a - b);
+    ex common = 1;
+    for (const ex& factor : a)
+        if (std::any_of(b.begin(), b.end(), [&](const ex& other) { return other.is_equal(factor); })) common *= factor;
+    return common * whole(a / common - b / common);
+}
+
 }  // namespace
 
 ex FlowState::leaving() const { return carried(*this) + unit_step(-mass_flow) * kept(*this); }
 ex FlowState::arriving() const { return carried(*this) - unit_step(mass_flow) * kept(*this); }
 
 ex FlowState::excess_at_from(bool is_whole) const {
-    const ex difference = to->carried() - from->carried();
-    return -minimum(mass_flow, 0) * (is_whole ? whole(difference) : difference) - unit_step(-mass_flow) * kept(*this);
+    const ex a = to->carried(), b = from->carried();
+    return -minimum(mass_flow, 0) * (is_whole ? whole_difference(a, b) : a - b) - unit_step(-mass_flow) * kept(*this);
 }
 ex FlowState::excess_at_to(bool is_whole) const {
-    const ex difference = from->carried() - to->carried();
-    return maximum(mass_flow, 0) * (is_whole ? whole(difference) : difference) - unit_step(mass_flow) * kept(*this);
+    const ex a = from->carried(), b = to->carried();
+    return maximum(mass_flow, 0) * (is_whole ? whole_difference(a, b) : a - b) - unit_step(mass_flow) * kept(*this);
 }
 
 namespace {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_signs = 4;
 constexpr int points = 200;
-constexpr std::size_t most_terms = 60;  ///< of a sum that is brought to one denominator
+constexpr std::size_t most_terms = 1000;  ///< of a numerator over one denominator
 
 /// What the difference is where signs have these values, +1 or -1; a sign that does not matter there is zero.
 struct Piece {
@@ -132,6 +132,29 @@ private:
     std::vector<Piece> found_;
 };
 
+/// How many terms a product of sums may have.
+std::size_t most_terms_of(const ex& product) {
+    std::size_t terms = 1;
+    const auto take = [&](const ex& factor) {
+        const bool is_power = GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::posint);
+        const ex base = is_power ? factor.op(0) : factor;
+        if (!GiNaC::is_a<GiNaC::add>(base)) return;
+        for (ex i = 0; i < (is_power ? factor.op(1) : ex(1)) && terms <= most_terms; i += 1) terms *= base.nops();
+    };
+    if (GiNaC::is_a<GiNaC::mul>(product)) std::for_each(product.begin(), product.end(), take);
+    else take(product);
+    return terms;
+}
+
+/// Whether a sum over one denominator can be written down: with many different denominators it grows as their product.
+bool fits_one_denominator(const ex& sum) {
+    std::size_t terms = sum.nops();
+    GiNaC::exset denominators;
+    for (const ex& term : sum)
+        if (const ex below = term.denom(); terms <= most_terms && denominators.insert(below).second) terms *= most_terms_of(below);
+    return terms <= most_terms;
+}
+
 }  // namespace
 
 std::string difference_text(const System& system, const ex& difference, bool has_cases) {
@@ -140,13 +163,15 @@ std::string difference_text(const System& system, const ex& difference, bool has
     if (!pieces.empty()) return pieces;
     const Notation write(system.symbols, Style::text);
     std::string shortest = write(sum);
-    if (sum.nops() <= most_terms) {
+    if (GiNaC::is_a<GiNaC::add>(sum) && fits_one_denominator(sum)) {
         const ex parts = sum.numer_denom();
         std::string fraction = write(quotient(parts.op(0).expand(), parts.op(1).expand()));
         if (fraction.size() < shortest.size()) shortest = std::move(fraction);
     }
     const std::string kept = write(difference);
-    return 4 * shortest.size() < 3 * kept.size() ? shortest : kept;  // a few letters less are not worth another form
+    const auto divisions = [](const std::string& text) { return std::count(text.begin(), text.end(), '/'); };
+    const bool is_simpler = shortest.size() < kept.size() && divisions(shortest) < divisions(kept);
+    return is_simpler || 4 * shortest.size() < 3 * kept.size() ? shortest : kept;  // a few letters less are not worth another form
 }
 
 }  // namespace dalembert

@@ -12,7 +12,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr std::size_t most_held = 16;  ///< entries of a Jacobian that registers hold
+constexpr std::size_t most_held = 16;  ///< values that registers hold
 
 const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State", "c", "solved", "unit"};
 const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g", "rates", "by_time", "k"};
@@ -174,14 +174,19 @@ CppBody CppBodies::rhs() {
     return finish(cpp, std::move(statements), n_ + m_ > 0 ? "State& dxdt" : "State& /*dxdt*/", {.state = n_ > 0});
 }
 
-/// What J has, if that fits into registers: nothing is stored before all is computed then. For all that a compiler knows, what is stored may change
-/// a member, which it then loads anew.
+/// What is computed for J and for the rates of plain states, if that fits into registers: nothing is stored before all is computed then. For all that
+/// a compiler knows, what is stored may change a member, which it then loads anew.
 std::string CppBodies::entries_if_few(CppFunction& cpp, const FunctionCode& f) {
     const JacobianLayout places = layout(By::state);
     std::vector<NodeId> entries;
-    const auto take = [&](std::size_t row, std::size_t c, NodeId id) {
-        if (places.place(row, c) && f.program[id].kind != Node::Kind::constant) entries.push_back(id);
+    const auto add = [&](NodeId id) {
+        const Node::Kind kind = f.program[id].kind;
+        if (kind != Node::Kind::constant && kind != Node::Kind::symbol && std::find(entries.begin(), entries.end(), id) == entries.end()) entries.push_back(id);
     };
+    const auto take = [&](std::size_t row, std::size_t c, NodeId id) {
+        if (places.place(row, c)) add(id);
+    };
+    for (const NodeId id : f.results) add(id);
     for (std::size_t c = 0; c < places.columns(); ++c) {
         for (std::size_t j = 0; j < n_; ++j) take(velocities_ + j, c, f.solved.at(j, c));
         for (std::size_t i = 0; i < m_; ++i) take(states_ + i, c, f.below.at(i, c));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 namespace dalembert {
 
@@ -83,13 +84,14 @@ std::vector<std::vector<NodeId>> solve_columns(Program& program, std::size_t n, 
         if (std::count_if(b.begin(), b.end(), is_zero) + 1 != static_cast<std::ptrdiff_t>(n)) return {};
         return static_cast<std::size_t>(std::find_if_not(b.begin(), b.end(), is_zero) - b.begin());
     };
-    std::vector<int> uses(n, 0);
+    std::vector<std::set<NodeId>> uses(n);
     for (const std::vector<NodeId>& b : columns)
-        if (const auto row = only_entry(b)) ++uses[*row];
+        if (const auto row = only_entry(b)) uses[*row].insert(b[*row]);
     std::vector<std::vector<NodeId>> units(n), result;
     for (const std::vector<NodeId>& b : columns) {
         const auto row = only_entry(b);
-        if (!row || uses[*row] < 2) {
+        const bool is_short = row && n < 3 && *row + 1 == n;  // of two, the last costs two products either way
+        if (!row || is_short || uses[*row].size() < 2) {
             result.push_back(solve(program, n, factors, b));
             continue;
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/verify.hpp"
 
+#include <algorithm>
+
 #include "graph/lowered_system.hpp"
 #include "graph/raise.hpp"
 #include "graph/verify_chain.hpp"
@@ -421,8 +423,19 @@ private:
             rights.push_back(column(f.right));
             emitted.push_back(is_everything ? column(f.solved) : solved([&](std::size_t j) { return f.solved.at(j, c); }));
         }
-        if (function != Function::resets) return require(solve_columns(program, s.n, f.factors, rights) == emitted);
-        for (std::size_t c = 0; c < rights.size(); ++c) require(solve(program, s.n, f.factors, rights[c]) == emitted[c]);
+        for (std::size_t c = 0; c < rights.size(); ++c) require(solve(program, s.n, f.factors, rights[c]) == emitted[c] || is_multiple_of_a_unit_solution(program, f.factors, rights[c], emitted[c]));
+    }
+
+    /// Whether x is M^-1 of a unit vector, times the one entry that b has.
+    bool is_multiple_of_a_unit_solution(Program& program, const std::vector<NodeId>& factors, const std::vector<NodeId>& b, const std::vector<NodeId>& x) const {
+        const auto is_entry = [&](NodeId id) { return !program.is_constant(id, 0); };
+        const auto entry = std::find_if(b.begin(), b.end(), is_entry);
+        if (std::count_if(b.begin(), b.end(), is_entry) != 1) return false;
+        std::vector<NodeId> unit(b.size(), program.constant(0));
+        unit[static_cast<std::size_t>(entry - b.begin())] = program.constant(1);
+        std::vector<NodeId> product;
+        for (const NodeId one : solve(program, b.size(), factors, std::move(unit))) product.push_back(program.product({one, *entry}));
+        return product == x;
     }
 
     const Code& code_;

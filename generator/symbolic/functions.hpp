@@ -52,7 +52,7 @@ DECLARE_FUNCTION_2P(root_excess)          ///< sqrt(c^2 + s) - c for s >= 0
 DECLARE_FUNCTION_3P(sum_of_three)         ///< a + b + c, also where two of them nearly cancel
 DECLARE_FUNCTION_2P(radiant_temperature)  ///< the T >= 0 with a*T^4 + T = b for a, b >= 0
 
-/// With x for whole(x), but for what stands in other functions.
+/// With whole(x) replaced by x, except inside other functions.
 GiNaC::ex without_whole(const GiNaC::ex& e);
 
 /// What whole, exp_minus_one, log_one_plus and compression stand for, for proofs.

@@ -96,7 +96,7 @@ public:
     /// d(part of the quaternion)/d(angle turned about an axis): linear in the quaternion.
     GiNaC::ex quaternion_slope(const AttitudeSymbols& attitude, std::size_t part, std::size_t axis) const;
 
-    /// Whether neither the motion nor the time nor an input occurs in it.
+    /// Whether neither a coordinate, a velocity, another state, an input nor the time occurs in it; definitions count as letters.
     bool is_constant(const GiNaC::ex& e) const;
 
     /// Null when the scene has no such variable.

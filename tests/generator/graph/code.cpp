@@ -44,15 +44,18 @@ TEST_CASE("a pivot that does not change comes first, so that the ball on the bea
 
 TEST_CASE("columns with one entry in the same row are solved together") {
     Program program;
-    const NodeId a = program.cached(0), b = program.cached(1), zero = program.constant(0);
+    const NodeId a = program.cached(0), b = program.cached(1), zero = program.constant(0), one = program.constant(1);
     const std::vector<NodeId> factors = factorise(program, 2, 0, {a, b, b, a});
-    const auto columns = solve_columns(program, 2, factors, {{zero, a}, {zero, b}, {a, b}});
-    const std::vector<NodeId> unit = solve(program, 2, factors, {zero, program.constant(1)});
+    const auto columns = solve_columns(program, 2, factors, {{a, zero}, {b, zero}, {a, b}, {zero, a}, {zero, b}});
+    const std::vector<NodeId> unit = solve(program, 2, factors, {one, zero});
     for (std::size_t i = 0; i < 2; ++i) {
         CHECK(columns[0][i] == program.product({unit[i], a}));
         CHECK(columns[1][i] == program.product({unit[i], b}));
     }
     CHECK(columns[2] == solve(program, 2, factors, {a, b}));
+    CHECK(columns[3] == solve(program, 2, factors, {zero, a}));
+    // The same column twice is computed once anyway.
+    CHECK(solve_columns(program, 2, factors, {{a, zero}, {a, zero}})[1] == solve(program, 2, factors, {a, zero}));
 }
 
 TEST_CASE("sine squared and cosine squared are folded, also through two angles") {
