@@ -237,9 +237,10 @@ public:
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar P = u[0];
         const Scalar T_P = x[0];
-        const Scalar e1 = -c_.k2;
-        dxdt[0] = c_.k0 + c_.k1 * P - c_.k2 * T_P;
-        J[0] = e1;
+        const Scalar e1 = c_.k0 + c_.k1 * P - c_.k2 * T_P;
+        const Scalar e2 = -c_.k2;
+        dxdt[0] = e1;
+        J[0] = e2;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -327,13 +327,14 @@ public:
                 const Scalar inverse_1 = Scalar(1) / m;
                 const Scalar P = u[0];
                 const Scalar e2 = inverse_1 * (c_.k0 * P);
-                const Scalar e3 = -c_.k1;
-                const Scalar e4 = -inverse_1 * e2;
-                dxdt[0] = c_.k1 * (p_.T_inf - T) + e2;
+                const Scalar e3 = c_.k1 * (p_.T_inf - T) + e2;
+                const Scalar e4 = -c_.k1;
+                const Scalar e5 = -inverse_1 * e2;
+                dxdt[0] = e3;
                 dxdt[1] = Scalar(0);
-                J[0] = e3;
+                J[0] = e4;
                 J[1] = Scalar(0);
-                J[2] = e4;
+                J[2] = e5;
                 J[3] = Scalar(0);
                 break;
             }
@@ -345,13 +346,14 @@ public:
                 const Scalar e1 = p_.T_inf - T;
                 const Scalar m = x[1];
                 const Scalar e2 = c_.k4 * m;
-                const Scalar e3 = -c_.k4 * e1;
+                const Scalar e3 = -c_.k3 * P - e1 * e2;
+                const Scalar e4 = -c_.k4 * e1;
                 dxdt[0] = Scalar(0);
-                dxdt[1] = -c_.k3 * P - e1 * e2;
+                dxdt[1] = e3;
                 J[0] = Scalar(0);
                 J[1] = e2;
                 J[2] = Scalar(0);
-                J[3] = e3;
+                J[3] = e4;
                 break;
             }
         }

@@ -333,10 +333,11 @@ public:
         switch (mode) {
             case Mode::pads_sticks: {
                 const Scalar T = x[2];
-                const Scalar e1 = -c_.k0;
+                const Scalar e1 = c_.k0 * (p_.T_inf - T);
+                const Scalar e2 = -c_.k0;
                 dxdt[0] = x[1];
                 dxdt[1] = Scalar(0);
-                dxdt[2] = c_.k0 * (p_.T_inf - T);
+                dxdt[2] = e1;
                 J[0] = Scalar(0);
                 J[1] = Scalar(0);
                 J[2] = Scalar(0);
@@ -345,17 +346,18 @@ public:
                 J[5] = Scalar(0);
                 J[6] = Scalar(0);
                 J[7] = Scalar(0);
-                J[8] = e1;
+                J[8] = e2;
                 break;
             }
             case Mode::pads_slides_forwards: {
                 const Scalar phi_ddot = (-c_.k4) * c_.k3;
                 const Scalar phi_dot = x[1];
                 const Scalar T = x[2];
-                const Scalar e1 = -c_.k0;
+                const Scalar e1 = c_.k5 * phi_dot + c_.k0 * (p_.T_inf - T);
+                const Scalar e2 = -c_.k0;
                 dxdt[0] = x[1];
                 dxdt[1] = phi_ddot;
-                dxdt[2] = c_.k5 * phi_dot + c_.k0 * (p_.T_inf - T);
+                dxdt[2] = e1;
                 J[0] = Scalar(0);
                 J[1] = Scalar(0);
                 J[2] = Scalar(0);
@@ -364,7 +366,7 @@ public:
                 J[5] = c_.k5;
                 J[6] = Scalar(0);
                 J[7] = Scalar(0);
-                J[8] = e1;
+                J[8] = e2;
                 break;
             }
             case Mode::pads_slides_backwards:
@@ -372,20 +374,21 @@ public:
                 const Scalar phi_ddot = c_.k4 * c_.k3;
                 const Scalar T = x[2];
                 const Scalar phi_dot = x[1];
-                const Scalar e1 = -c_.k5;
-                const Scalar e2 = -c_.k0;
+                const Scalar e1 = c_.k0 * (p_.T_inf - T) - c_.k5 * phi_dot;
+                const Scalar e2 = -c_.k5;
+                const Scalar e3 = -c_.k0;
                 dxdt[0] = x[1];
                 dxdt[1] = phi_ddot;
-                dxdt[2] = c_.k0 * (p_.T_inf - T) - c_.k5 * phi_dot;
+                dxdt[2] = e1;
                 J[0] = Scalar(0);
                 J[1] = Scalar(0);
                 J[2] = Scalar(0);
                 J[3] = Scalar(1);
                 J[4] = Scalar(0);
-                J[5] = e1;
+                J[5] = e2;
                 J[6] = Scalar(0);
                 J[7] = Scalar(0);
-                J[8] = e2;
+                J[8] = e3;
                 break;
             }
         }
@@ -464,7 +467,7 @@ public:
                 const Scalar e8 = p_.A * e4;
                 const Scalar e9 = p_.alpha * e8;
                 J[0] = Scalar(0);
-                J[1] = c_.k3 * (-dxdt[1]);
+                J[1] = (-dxdt[1]) * c_.k3;
                 J[2] = Scalar(0);
                 J[3] = Scalar(0);
                 J[4] = Scalar(0);
@@ -473,13 +476,13 @@ public:
                 J[7] = Scalar(0);
                 J[8] = -phi_dot * (Scalar(2) * inverse_3 * e6) - e7 * (inverse_3 * e9);
                 J[9] = Scalar(0);
-                J[10] = c_.k3 * (-Scalar(2) * p_.f_n * p_.mu);
+                J[10] = (-Scalar(2) * p_.f_n * p_.mu) * c_.k3;
                 J[11] = phi_dot * (Scalar(2) * p_.f_n * e5);
                 J[12] = Scalar(0);
-                J[13] = c_.k3 * (-Scalar(2) * p_.r * p_.mu);
+                J[13] = (-Scalar(2) * p_.r * p_.mu) * c_.k3;
                 J[14] = phi_dot * (Scalar(2) * p_.r * e5);
                 J[15] = Scalar(0);
-                J[16] = c_.k3 * (-Scalar(2) * e1);
+                J[16] = (-Scalar(2) * e1) * c_.k3;
                 J[17] = phi_dot * (Scalar(2) * e4 * e1);
                 J[18] = Scalar(0);
                 J[19] = Scalar(0);
@@ -514,7 +517,7 @@ public:
                 const Scalar e8 = p_.A * e4;
                 const Scalar e9 = p_.alpha * e8;
                 J[0] = Scalar(0);
-                J[1] = c_.k3 * (-dxdt[1]);
+                J[1] = (-dxdt[1]) * c_.k3;
                 J[2] = Scalar(0);
                 J[3] = Scalar(0);
                 J[4] = Scalar(0);
@@ -523,13 +526,13 @@ public:
                 J[7] = Scalar(0);
                 J[8] = phi_dot * (Scalar(2) * inverse_3 * e6) - e7 * (inverse_3 * e9);
                 J[9] = Scalar(0);
-                J[10] = c_.k3 * (Scalar(2) * p_.f_n * p_.mu);
+                J[10] = Scalar(2) * p_.f_n * p_.mu * c_.k3;
                 J[11] = -phi_dot * (Scalar(2) * p_.f_n * e5);
                 J[12] = Scalar(0);
-                J[13] = c_.k3 * (Scalar(2) * p_.r * p_.mu);
+                J[13] = Scalar(2) * p_.r * p_.mu * c_.k3;
                 J[14] = -phi_dot * (Scalar(2) * p_.r * e5);
                 J[15] = Scalar(0);
-                J[16] = c_.k3 * (Scalar(2) * e1);
+                J[16] = Scalar(2) * e1 * c_.k3;
                 J[17] = -phi_dot * (Scalar(2) * e4 * e1);
                 J[18] = Scalar(0);
                 J[19] = Scalar(0);

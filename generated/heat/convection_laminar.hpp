@@ -271,9 +271,10 @@ public:
         const Scalar u_value = u[0];
         const Scalar sqrt_1 = sqrt(c_.k2 * u_value);
         const Scalar e2 = c_.k1 * sqrt_1;
-        const Scalar e3 = -e2;
-        dxdt[0] = c_.k0 * P + (p_.T_inf - T_P) * e2;
-        J[0] = e3;
+        const Scalar e3 = c_.k0 * P + (p_.T_inf - T_P) * e2;
+        const Scalar e4 = -e2;
+        dxdt[0] = e3;
+        J[0] = e4;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

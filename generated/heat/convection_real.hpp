@@ -352,13 +352,14 @@ public:
         const Scalar sqrt_6 = sqrt(min_5);
         const Scalar e7 = c_.k2 * sqrt_6;
         const Scalar P = u[1];
-        const Scalar power_8 = pow(max_2, Scalar(4) / Scalar(5));
+        const Scalar e8 = c_.k1 * (p_.T_inf + T_P) * (c_.k5 + T_P_squared) + c_.k3 * expm1_4 + e7;
+        const Scalar e9 = (p_.T_inf - T_P) * e8 + c_.k0 * P;
+        const Scalar power_10 = pow(max_2, Scalar(4) / Scalar(5));
         const Scalar log_ratio_Re_c = detail::log_ratio<Scalar>(p_.Re_c, max_2);
-        const Scalar expm1_9 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
-        const Scalar e10 = c_.k7 * power_8 * expm1_9 - c_.k6 * T_P * T_P_squared - e7;
-        const Scalar e11 = c_.k1 * (p_.T_inf + T_P) * (c_.k5 + T_P_squared) + c_.k3 * expm1_4 + e7;
-        dxdt[0] = (p_.T_inf - T_P) * e11 + c_.k0 * P;
-        J[0] = e10;
+        const Scalar expm1_11 = expm1((Scalar(4) / Scalar(5)) * log_ratio_Re_c);
+        const Scalar e12 = c_.k7 * power_10 * expm1_11 - c_.k6 * T_P * T_P_squared - e7;
+        dxdt[0] = e9;
+        J[0] = e12;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -340,7 +340,8 @@ public:
         const Scalar min_5 = detail::min<Scalar>(e1, p_.Re_c);
         const Scalar sqrt_6 = sqrt(min_5);
         const Scalar e7 = c_.k1 * power_3 * expm1_4 - c_.k2 * sqrt_6;
-        dxdt[0] = c_.k0 * P - (p_.T_inf - T_P) * e7;
+        const Scalar e8 = c_.k0 * P - (p_.T_inf - T_P) * e7;
+        dxdt[0] = e8;
         J[0] = e7;
     }
 

@@ -280,10 +280,11 @@ public:
         const Scalar P = u[0];
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        const Scalar e1 = -c_.k5 * T_R * T_R_squared;
-        dxdt[0] = c_.k0 + c_.k1 * P + c_.k3 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared) - c_.k2 * T_R_squared
-            * T_R_squared;
-        J[0] = e1;
+        const Scalar e1 = c_.k0 + c_.k1 * P + c_.k3 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared) - c_.k2
+            * T_R_squared * T_R_squared;
+        const Scalar e2 = -c_.k5 * T_R * T_R_squared;
+        dxdt[0] = e1;
+        J[0] = e2;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -336,18 +336,29 @@ public:
         const Scalar e8 = c_.k0 * (T_8 - T_9);
         const Scalar T_10 = x[9];
         const Scalar e9 = T_9 - T_10;
-        dxdt[0] = c_.k0 * (p_.T_0 - T_1) + c_.k1 * (p_.T_inf - T_1) - e1;
-        dxdt[1] = c_.k1 * (p_.T_inf - T_2) + e1 - e2;
-        dxdt[2] = c_.k1 * (p_.T_inf - T_3) + e2 - e3;
-        dxdt[3] = c_.k1 * (p_.T_inf - T_4) + e3 - e4;
-        dxdt[4] = c_.k1 * (p_.T_inf - T_5) + e4 - e5;
-        dxdt[5] = c_.k1 * (p_.T_inf - T_6) + e5 - e6;
-        dxdt[6] = c_.k1 * (p_.T_inf - T_7) + e6 - e7;
-        dxdt[7] = c_.k1 * (p_.T_inf - T_8) + e7 - e8;
-        dxdt[8] = c_.k1 * (p_.T_inf - T_9) - c_.k0 * e9 + e8;
-        dxdt[9] = c_.k2 * (p_.T_inf - T_10) + c_.k3 * e9;
-        const Scalar e10 = -c_.k4;
-        J[0] = e10;
+        const Scalar e10 = c_.k0 * (p_.T_0 - T_1) + c_.k1 * (p_.T_inf - T_1) - e1;
+        const Scalar e11 = c_.k1 * (p_.T_inf - T_2) + e1 - e2;
+        const Scalar e12 = c_.k1 * (p_.T_inf - T_3) + e2 - e3;
+        const Scalar e13 = c_.k1 * (p_.T_inf - T_4) + e3 - e4;
+        const Scalar e14 = c_.k1 * (p_.T_inf - T_5) + e4 - e5;
+        const Scalar e15 = c_.k1 * (p_.T_inf - T_6) + e5 - e6;
+        const Scalar e16 = c_.k1 * (p_.T_inf - T_7) + e6 - e7;
+        const Scalar e17 = c_.k1 * (p_.T_inf - T_8) + e7 - e8;
+        const Scalar e18 = c_.k1 * (p_.T_inf - T_9) - c_.k0 * e9 + e8;
+        const Scalar e19 = c_.k2 * (p_.T_inf - T_10) + c_.k3 * e9;
+        const Scalar e20 = -c_.k4;
+        const Scalar e21 = -c_.k5;
+        dxdt[0] = e10;
+        dxdt[1] = e11;
+        dxdt[2] = e12;
+        dxdt[3] = e13;
+        dxdt[4] = e14;
+        dxdt[5] = e15;
+        dxdt[6] = e16;
+        dxdt[7] = e17;
+        dxdt[8] = e18;
+        dxdt[9] = e19;
+        J[0] = e20;
         J[1] = c_.k0;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
@@ -358,7 +369,7 @@ public:
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = c_.k0;
-        J[11] = e10;
+        J[11] = e20;
         J[12] = c_.k0;
         J[13] = Scalar(0);
         J[14] = Scalar(0);
@@ -369,7 +380,7 @@ public:
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = c_.k0;
-        J[22] = e10;
+        J[22] = e20;
         J[23] = c_.k0;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
@@ -380,7 +391,7 @@ public:
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = c_.k0;
-        J[33] = e10;
+        J[33] = e20;
         J[34] = c_.k0;
         J[35] = Scalar(0);
         J[36] = Scalar(0);
@@ -391,7 +402,7 @@ public:
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = c_.k0;
-        J[44] = e10;
+        J[44] = e20;
         J[45] = c_.k0;
         J[46] = Scalar(0);
         J[47] = Scalar(0);
@@ -402,7 +413,7 @@ public:
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = c_.k0;
-        J[55] = e10;
+        J[55] = e20;
         J[56] = c_.k0;
         J[57] = Scalar(0);
         J[58] = Scalar(0);
@@ -413,7 +424,7 @@ public:
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = c_.k0;
-        J[66] = e10;
+        J[66] = e20;
         J[67] = c_.k0;
         J[68] = Scalar(0);
         J[69] = Scalar(0);
@@ -424,7 +435,7 @@ public:
         J[74] = Scalar(0);
         J[75] = Scalar(0);
         J[76] = c_.k0;
-        J[77] = e10;
+        J[77] = e20;
         J[78] = c_.k0;
         J[79] = Scalar(0);
         J[80] = Scalar(0);
@@ -435,7 +446,7 @@ public:
         J[85] = Scalar(0);
         J[86] = Scalar(0);
         J[87] = c_.k0;
-        J[88] = e10;
+        J[88] = e20;
         J[89] = c_.k3;
         J[90] = Scalar(0);
         J[91] = Scalar(0);
@@ -446,7 +457,7 @@ public:
         J[96] = Scalar(0);
         J[97] = Scalar(0);
         J[98] = c_.k0;
-        J[99] = -c_.k5;
+        J[99] = e21;
     }
 
     /// J = df/dx. 10 x 10, entry (i, j) at J[10*j + i].

@@ -302,17 +302,26 @@ public:
         const Scalar e7 = c_.k0 * (U_7 - U_8);
         const Scalar U_9 = x[8];
         const Scalar e8 = c_.k0 * (U_8 - U_9);
-        dxdt[0] = c_.k0 * (p_.T_0 - U_1) + c_.k1 * (p_.T_inf - U_1) - e1;
-        dxdt[1] = c_.k1 * (p_.T_inf - U_2) + e1 - e2;
-        dxdt[2] = c_.k1 * (p_.T_inf - U_3) + e2 - e3;
-        dxdt[3] = c_.k1 * (p_.T_inf - U_4) + e3 - e4;
-        dxdt[4] = c_.k1 * (p_.T_inf - U_5) + e4 - e5;
-        dxdt[5] = c_.k1 * (p_.T_inf - U_6) + e5 - e6;
-        dxdt[6] = c_.k1 * (p_.T_inf - U_7) + e6 - e7;
-        dxdt[7] = c_.k1 * (p_.T_inf - U_8) + e7 - e8;
-        dxdt[8] = c_.k1 * (p_.T_inf - U_9) + c_.k0 * (p_.T_L - U_9) + e8;
-        const Scalar e9 = -c_.k2;
-        J[0] = e9;
+        const Scalar e9 = c_.k0 * (p_.T_0 - U_1) + c_.k1 * (p_.T_inf - U_1) - e1;
+        const Scalar e10 = c_.k1 * (p_.T_inf - U_2) + e1 - e2;
+        const Scalar e11 = c_.k1 * (p_.T_inf - U_3) + e2 - e3;
+        const Scalar e12 = c_.k1 * (p_.T_inf - U_4) + e3 - e4;
+        const Scalar e13 = c_.k1 * (p_.T_inf - U_5) + e4 - e5;
+        const Scalar e14 = c_.k1 * (p_.T_inf - U_6) + e5 - e6;
+        const Scalar e15 = c_.k1 * (p_.T_inf - U_7) + e6 - e7;
+        const Scalar e16 = c_.k1 * (p_.T_inf - U_8) + e7 - e8;
+        const Scalar e17 = c_.k1 * (p_.T_inf - U_9) + c_.k0 * (p_.T_L - U_9) + e8;
+        const Scalar e18 = -c_.k2;
+        dxdt[0] = e9;
+        dxdt[1] = e10;
+        dxdt[2] = e11;
+        dxdt[3] = e12;
+        dxdt[4] = e13;
+        dxdt[5] = e14;
+        dxdt[6] = e15;
+        dxdt[7] = e16;
+        dxdt[8] = e17;
+        J[0] = e18;
         J[1] = c_.k0;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
@@ -322,7 +331,7 @@ public:
         J[7] = Scalar(0);
         J[8] = Scalar(0);
         J[9] = c_.k0;
-        J[10] = e9;
+        J[10] = e18;
         J[11] = c_.k0;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
@@ -332,7 +341,7 @@ public:
         J[17] = Scalar(0);
         J[18] = Scalar(0);
         J[19] = c_.k0;
-        J[20] = e9;
+        J[20] = e18;
         J[21] = c_.k0;
         J[22] = Scalar(0);
         J[23] = Scalar(0);
@@ -342,7 +351,7 @@ public:
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = c_.k0;
-        J[30] = e9;
+        J[30] = e18;
         J[31] = c_.k0;
         J[32] = Scalar(0);
         J[33] = Scalar(0);
@@ -352,7 +361,7 @@ public:
         J[37] = Scalar(0);
         J[38] = Scalar(0);
         J[39] = c_.k0;
-        J[40] = e9;
+        J[40] = e18;
         J[41] = c_.k0;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
@@ -362,7 +371,7 @@ public:
         J[47] = Scalar(0);
         J[48] = Scalar(0);
         J[49] = c_.k0;
-        J[50] = e9;
+        J[50] = e18;
         J[51] = c_.k0;
         J[52] = Scalar(0);
         J[53] = Scalar(0);
@@ -372,7 +381,7 @@ public:
         J[57] = Scalar(0);
         J[58] = Scalar(0);
         J[59] = c_.k0;
-        J[60] = e9;
+        J[60] = e18;
         J[61] = c_.k0;
         J[62] = Scalar(0);
         J[63] = Scalar(0);
@@ -382,7 +391,7 @@ public:
         J[67] = Scalar(0);
         J[68] = Scalar(0);
         J[69] = c_.k0;
-        J[70] = e9;
+        J[70] = e18;
         J[71] = c_.k0;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
@@ -392,7 +401,7 @@ public:
         J[77] = Scalar(0);
         J[78] = Scalar(0);
         J[79] = c_.k0;
-        J[80] = e9;
+        J[80] = e18;
     }
 
     /// J = df/dx. 9 x 9, entry (i, j) at J[9*j + i].

@@ -207,8 +207,8 @@ public:
         const Scalar s_dot = x[1];
         const Scalar tanh_1 = tanh(c_.k1 * s_dot);
         const Scalar s_ddot = (f - p_.c * s - p_.d_0 * s_dot - p_.f_s * tanh_1) * c_.k0;
-        const Scalar e2 = c_.k0 * (-p_.c);
-        const Scalar e3 = c_.k0 * (c_.k3 * tanh_1 * tanh_1 - c_.k2);
+        const Scalar e2 = (-p_.c) * c_.k0;
+        const Scalar e3 = (c_.k3 * tanh_1 * tanh_1 - c_.k2) * c_.k0;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
         J[0] = Scalar(0);
@@ -241,16 +241,16 @@ public:
         const Scalar inverse_1 = Scalar(1) / p_.q_v;
         const Scalar tanh_2 = tanh(c_.k1 * s_dot);
         J[0] = Scalar(0);
-        J[1] = c_.k0 * (-dxdt[1]);
+        J[1] = (-dxdt[1]) * c_.k0;
         J[2] = Scalar(0);
-        J[3] = c_.k0 * (-s);
+        J[3] = (-s) * c_.k0;
         J[4] = Scalar(0);
-        J[5] = c_.k0 * (-s_dot);
+        J[5] = (-s_dot) * c_.k0;
         J[6] = Scalar(0);
         const Scalar e3 = s_dot * (p_.f_s * inverse_1 * inverse_1) * (Scalar(1) - tanh_2 * tanh_2);
-        J[7] = c_.k0 * e3;
+        J[7] = e3 * c_.k0;
         J[8] = Scalar(0);
-        J[9] = c_.k0 * (-tanh_2);
+        J[9] = (-tanh_2) * c_.k0;
     }
 
     /// J = df/dt at fixed x and u.

@@ -434,18 +434,19 @@ public:
         const auto balanced_temperature_2 = detail::balanced_temperature<Scalar, 3>({c_.k5, c_.k6, Scalar(0), c_.k6, Scalar(0), c_.k6, Scalar(0), c_.k6, c_.k7, c_.k8, c_.k9, Scalar(0), c_.k9, Scalar(0), c_.k9, Scalar(0), c_.k9, c_.k8, c_.k5 * T + e1 + c_.k8 * T_squared_squared, e1, c_.k11 + e1});
         const Scalar e3 = balanced_temperature_2[0] * balanced_temperature_2[0];
         const Scalar P = u[0];
-        const Scalar e4 = balanced_temperature_2[0] * e3;
-        const Scalar e5 = c_.k18 * balanced_temperature_2[1] * balanced_temperature_2[1] * balanced_temperature_2[1];
-        const Scalar e6 = c_.k6 + e5;
-        const Scalar e7 = balanced_temperature_2[2] * (balanced_temperature_2[2] * balanced_temperature_2[2]);
-        const auto network_inverse_8 = detail::network_inverse<Scalar, 3>({c_.k5 + c_.k17 * e4, e6, Scalar(0), c_.k6 + c_.k18
-            * e4, Scalar(0), c_.k6 + c_.k18 * e7, Scalar(0), e6, c_.k7 + c_.k17 * e7});
-        const Scalar e9 = c_.k15 * network_inverse_8[0];
-        const Scalar e10 = c_.k16 * network_inverse_8[0] - T * T_squared * (c_.k13 - c_.k14 * network_inverse_8[0] * e4 - e9)
-            - c_.k12 + e4 * e9;
-        dxdt[0] = c_.k3 * (e3 * e3 - T_squared_squared) - c_.k2 * (T - balanced_temperature_2[0]) + c_.k0 * P + c_.k1 * sun
-            + c_.k4 * (p_.T_e - T);
-        J[0] = e10;
+        const Scalar e4 = c_.k3 * (e3 * e3 - T_squared_squared) - c_.k2 * (T - balanced_temperature_2[0]) + c_.k0 * P + c_.k1
+            * sun + c_.k4 * (p_.T_e - T);
+        const Scalar e5 = balanced_temperature_2[0] * e3;
+        const Scalar e6 = c_.k18 * balanced_temperature_2[1] * balanced_temperature_2[1] * balanced_temperature_2[1];
+        const Scalar e7 = c_.k6 + e6;
+        const Scalar e8 = balanced_temperature_2[2] * (balanced_temperature_2[2] * balanced_temperature_2[2]);
+        const auto network_inverse_9 = detail::network_inverse<Scalar, 3>({c_.k5 + c_.k17 * e5, e7, Scalar(0), c_.k6 + c_.k18
+            * e5, Scalar(0), c_.k6 + c_.k18 * e8, Scalar(0), e7, c_.k7 + c_.k17 * e8});
+        const Scalar e10 = c_.k15 * network_inverse_9[0];
+        const Scalar e11 = c_.k16 * network_inverse_9[0] - T * T_squared * (c_.k13 - c_.k14 * network_inverse_9[0] * e5 - e10)
+            - c_.k12 + e5 * e10;
+        dxdt[0] = e4;
+        J[0] = e11;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

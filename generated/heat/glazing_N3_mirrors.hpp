@@ -257,9 +257,10 @@ public:
         const Scalar P = u[0];
         const Scalar sun = u[1];
         const Scalar T = x[0];
-        const Scalar e1 = -c_.k5;
-        dxdt[0] = c_.k0 + c_.k1 * P + c_.k2 * sun - c_.k3 * T + c_.k4 * (p_.T_e - T);
-        J[0] = e1;
+        const Scalar e1 = c_.k0 + c_.k1 * P + c_.k2 * sun - c_.k3 * T + c_.k4 * (p_.T_e - T);
+        const Scalar e2 = -c_.k5;
+        dxdt[0] = e1;
+        J[0] = e2;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

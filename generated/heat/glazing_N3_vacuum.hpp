@@ -430,16 +430,17 @@ public:
         const auto balanced_temperature_2 = detail::balanced_temperature<Scalar, 2>({c_.k5, Scalar(0), Scalar(0), c_.k6, c_.k7, c_.k8, c_.k8, c_.k7, c_.k5 * T + e1 + c_.k7 * T_squared_squared, c_.k10 + e1});
         const Scalar e3 = balanced_temperature_2[0] * balanced_temperature_2[0];
         const Scalar P = u[0];
-        const Scalar e4 = balanced_temperature_2[0] * e3;
-        const Scalar e5 = balanced_temperature_2[1] * (balanced_temperature_2[1] * balanced_temperature_2[1]);
-        const auto network_inverse_6 = detail::network_inverse<Scalar, 2>({c_.k5 + c_.k16 * e4, c_.k17 * e5, c_.k17 * e4, c_.k6
-            + c_.k16 * e5});
-        const Scalar e7 = c_.k14 * network_inverse_6[0];
-        const Scalar e8 = c_.k15 * network_inverse_6[0] - T * T_squared * (c_.k12 - c_.k13 * network_inverse_6[0] * e4 - e7)
-            - c_.k11 + e4 * e7;
-        dxdt[0] = c_.k3 * (e3 * e3 - T_squared_squared) - c_.k2 * (T - balanced_temperature_2[0]) + c_.k0 * P + c_.k1 * sun
-            + c_.k4 * (p_.T_e - T);
-        J[0] = e8;
+        const Scalar e4 = c_.k3 * (e3 * e3 - T_squared_squared) - c_.k2 * (T - balanced_temperature_2[0]) + c_.k0 * P + c_.k1
+            * sun + c_.k4 * (p_.T_e - T);
+        const Scalar e5 = balanced_temperature_2[0] * e3;
+        const Scalar e6 = balanced_temperature_2[1] * (balanced_temperature_2[1] * balanced_temperature_2[1]);
+        const auto network_inverse_7 = detail::network_inverse<Scalar, 2>({c_.k5 + c_.k16 * e5, c_.k17 * e6, c_.k17 * e5, c_.k6
+            + c_.k16 * e6});
+        const Scalar e8 = c_.k14 * network_inverse_7[0];
+        const Scalar e9 = c_.k15 * network_inverse_7[0] - T * T_squared * (c_.k12 - c_.k13 * network_inverse_7[0] * e5 - e8)
+            - c_.k11 + e5 * e8;
+        dxdt[0] = e4;
+        J[0] = e9;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -274,17 +274,26 @@ public:
         const Scalar T_8 = x[7];
         const Scalar e7 = T_7 - T_8;
         const Scalar T_8_squared = T_8 * T_8;
-        dxdt[0] = c_.k0 - c_.k1 * e1;
-        dxdt[1] = c_.k0 + c_.k2 * e1 - e2;
-        dxdt[2] = c_.k0 + e2 - e3;
-        dxdt[3] = c_.k0 + e3 - e4;
-        dxdt[4] = c_.k0 + e4 - e5;
-        dxdt[5] = c_.k0 + e5 - e6;
-        dxdt[6] = c_.k0 - c_.k2 * e7 + e6;
-        const Scalar e8 = (p_.T_inf - T_8) * (c_.k3 + c_.k4 * (p_.T_inf + T_8) * (c_.k5 + T_8_squared));
-        dxdt[7] = e8 + c_.k0 + c_.k1 * e7;
-        const Scalar e9 = -c_.k1;
-        J[0] = e9;
+        const Scalar e8 = c_.k0 - c_.k1 * e1;
+        const Scalar e9 = c_.k0 + c_.k2 * e1 - e2;
+        const Scalar e10 = c_.k0 + e2 - e3;
+        const Scalar e11 = c_.k0 + e3 - e4;
+        const Scalar e12 = c_.k0 + e4 - e5;
+        const Scalar e13 = c_.k0 + e5 - e6;
+        const Scalar e14 = c_.k0 - c_.k2 * e7 + e6;
+        const Scalar e15 = (p_.T_inf - T_8) * (c_.k3 + c_.k4 * (p_.T_inf + T_8) * (c_.k5 + T_8_squared));
+        const Scalar e16 = e15 + c_.k0 + c_.k1 * e7;
+        const Scalar e17 = -c_.k1;
+        const Scalar e18 = -c_.k6 - c_.k7 * T_8 * T_8_squared;
+        dxdt[0] = e8;
+        dxdt[1] = e9;
+        dxdt[2] = e10;
+        dxdt[3] = e11;
+        dxdt[4] = e12;
+        dxdt[5] = e13;
+        dxdt[6] = e14;
+        dxdt[7] = e16;
+        J[0] = e17;
         J[1] = c_.k2;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
@@ -293,7 +302,7 @@ public:
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = c_.k1;
-        J[9] = e9;
+        J[9] = e17;
         J[10] = c_.k2;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
@@ -302,7 +311,7 @@ public:
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = c_.k2;
-        J[18] = e9;
+        J[18] = e17;
         J[19] = c_.k2;
         J[20] = Scalar(0);
         J[21] = Scalar(0);
@@ -311,7 +320,7 @@ public:
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = c_.k2;
-        J[27] = e9;
+        J[27] = e17;
         J[28] = c_.k2;
         J[29] = Scalar(0);
         J[30] = Scalar(0);
@@ -320,7 +329,7 @@ public:
         J[33] = Scalar(0);
         J[34] = Scalar(0);
         J[35] = c_.k2;
-        J[36] = e9;
+        J[36] = e17;
         J[37] = c_.k2;
         J[38] = Scalar(0);
         J[39] = Scalar(0);
@@ -329,7 +338,7 @@ public:
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = c_.k2;
-        J[45] = e9;
+        J[45] = e17;
         J[46] = c_.k2;
         J[47] = Scalar(0);
         J[48] = Scalar(0);
@@ -338,7 +347,7 @@ public:
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = c_.k2;
-        J[54] = e9;
+        J[54] = e17;
         J[55] = c_.k1;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
@@ -347,7 +356,7 @@ public:
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = c_.k2;
-        J[63] = -c_.k6 - c_.k7 * T_8 * T_8_squared;
+        J[63] = e18;
     }
 
     /// J = df/dx. 8 x 8, entry (i, j) at J[8*j + i].

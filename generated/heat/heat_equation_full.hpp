@@ -277,9 +277,10 @@ public:
         const Scalar y_value = u[1];
         const Scalar z = u[2];
         const Scalar exp_1 = exp(p_.k_x * x_value - p_.s * t + p_.k_y * y_value + p_.k_z * z);
-        const Scalar e2 = -c_.k0;
-        dxdt[0] = c_.k0 * (p_.T_0 - T + p_.dT * exp_1);
-        J[0] = e2;
+        const Scalar e2 = c_.k0 * (p_.T_0 - T + p_.dT * exp_1);
+        const Scalar e3 = -c_.k0;
+        dxdt[0] = e2;
+        J[0] = e3;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -242,21 +242,24 @@ public:
         const Scalar T_ac = x[0];
         const Scalar I_dc = x[2];
         const Scalar T_dc = x[1];
-        const Scalar e1 = -c_.k1;
-        const Scalar e2 = -c_.k3;
-        const Scalar e3 = -p_.k_c;
-        const Scalar e4 = c_.k4 * I_dc;
-        dxdt[0] = c_.k0 * I_ac * I_ac + c_.k1 * (p_.T_0 - T_ac);
-        dxdt[1] = c_.k2 * I_dc * I_dc + c_.k3 * (p_.T_0 - T_dc);
-        dxdt[2] = p_.k_c * (T_ac - T_dc);
-        J[0] = e1;
+        const Scalar e1 = c_.k0 * I_ac * I_ac + c_.k1 * (p_.T_0 - T_ac);
+        const Scalar e2 = c_.k2 * I_dc * I_dc + c_.k3 * (p_.T_0 - T_dc);
+        const Scalar e3 = p_.k_c * (T_ac - T_dc);
+        const Scalar e4 = -c_.k1;
+        const Scalar e5 = -c_.k3;
+        const Scalar e6 = -p_.k_c;
+        const Scalar e7 = c_.k4 * I_dc;
+        dxdt[0] = e1;
+        dxdt[1] = e2;
+        dxdt[2] = e3;
+        J[0] = e4;
         J[1] = Scalar(0);
         J[2] = p_.k_c;
         J[3] = Scalar(0);
-        J[4] = e2;
-        J[5] = e3;
+        J[4] = e5;
+        J[5] = e6;
         J[6] = Scalar(0);
-        J[7] = e4;
+        J[7] = e7;
         J[8] = Scalar(0);
     }
 

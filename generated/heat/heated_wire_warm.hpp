@@ -279,21 +279,24 @@ public:
         const Scalar I_dc = x[2];
         const Scalar I_dc_squared = I_dc * I_dc;
         const Scalar e2 = c_.k3 * I_dc_squared;
-        const Scalar e3 = e1 - c_.k2;
-        const Scalar e4 = e2 - c_.k5;
-        const Scalar e5 = -p_.k_c;
-        const Scalar e6 = I_dc * (c_.k6 * T_dc - c_.k7);
-        dxdt[0] = c_.k2 * (p_.T_0 - T_ac) - c_.k0 * I_ac_squared + T_ac * e1;
-        dxdt[1] = c_.k5 * (p_.T_0 - T_dc) - c_.k4 * I_dc_squared + T_dc * e2;
-        dxdt[2] = p_.k_c * (T_ac - T_dc);
-        J[0] = e3;
+        const Scalar e3 = c_.k2 * (p_.T_0 - T_ac) - c_.k0 * I_ac_squared + T_ac * e1;
+        const Scalar e4 = c_.k5 * (p_.T_0 - T_dc) - c_.k4 * I_dc_squared + T_dc * e2;
+        const Scalar e5 = p_.k_c * (T_ac - T_dc);
+        const Scalar e6 = e1 - c_.k2;
+        const Scalar e7 = e2 - c_.k5;
+        const Scalar e8 = -p_.k_c;
+        const Scalar e9 = I_dc * (c_.k6 * T_dc - c_.k7);
+        dxdt[0] = e3;
+        dxdt[1] = e4;
+        dxdt[2] = e5;
+        J[0] = e6;
         J[1] = Scalar(0);
         J[2] = p_.k_c;
         J[3] = Scalar(0);
-        J[4] = e4;
-        J[5] = e5;
+        J[4] = e7;
+        J[5] = e8;
         J[6] = Scalar(0);
-        J[7] = e6;
+        J[7] = e9;
         J[8] = Scalar(0);
     }
 

@@ -234,7 +234,8 @@ public:
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar m = x[0];
         const Scalar P = u[0];
-        dxdt[0] = c_.k1 * m - c_.k0 * P;
+        const Scalar e1 = c_.k1 * m - c_.k0 * P;
+        dxdt[0] = e1;
         J[0] = c_.k1;
     }
 

@@ -342,21 +342,24 @@ public:
         const Scalar e2 = T_2 - T_3;
         const Scalar T_a = u[1];
         const Scalar sun = u[2];
-        const Scalar e3 = (-Scalar(1)) * c_.k15;
-        const Scalar e4 = (-Scalar(1)) * c_.k16;
-        const Scalar e5 = (-Scalar(1)) * c_.k17;
-        dxdt[0] = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k11;
-        dxdt[1] = c_.k4 + e1 * c_.k12 - e2 * c_.k13;
-        dxdt[2] = c_.k8 * (T_a - T_3) + c_.k7 + sun * c_.k9 + e2 * c_.k14;
-        J[0] = e3;
+        const Scalar e3 = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k11;
+        const Scalar e4 = c_.k4 + e1 * c_.k12 - e2 * c_.k13;
+        const Scalar e5 = c_.k8 * (T_a - T_3) + c_.k7 + sun * c_.k9 + e2 * c_.k14;
+        const Scalar e6 = (-Scalar(1)) * c_.k15;
+        const Scalar e7 = (-Scalar(1)) * c_.k16;
+        const Scalar e8 = (-Scalar(1)) * c_.k17;
+        dxdt[0] = e3;
+        dxdt[1] = e4;
+        dxdt[2] = e5;
+        J[0] = e6;
         J[1] = c_.k12;
         J[2] = Scalar(0);
         J[3] = c_.k11;
-        J[4] = e4;
+        J[4] = e7;
         J[5] = c_.k14;
         J[6] = Scalar(0);
         J[7] = c_.k13;
-        J[8] = e5;
+        J[8] = e8;
     }
 
     /// J = df/dx. 3 x 3, entry (i, j) at J[3*j + i].

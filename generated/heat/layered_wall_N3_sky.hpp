@@ -371,22 +371,25 @@ public:
         const Scalar sun = u[3];
         const Scalar e3 = T_a * c_.k13 + T_h * T_h * T_h * T_h * c_.k12 + sun * c_.k14 + T_3 * c_.k15;
         const Scalar radiant_temperature_4 = detail::radiant_temperature<Scalar>(c_.k12, e3);
-        const Scalar e5 = (-Scalar(1)) * c_.k2;
-        const Scalar e6 = (-Scalar(1)) * c_.k6;
-        const Scalar e7 = radiant_temperature_4 * radiant_temperature_4 * radiant_temperature_4 * c_.k17;
-        const Scalar e8 = c_.k16 / ((Scalar(25000000) * Scalar(1000000000)) + e7) - c_.k10;
-        dxdt[0] = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k3;
-        dxdt[1] = c_.k4 + e1 * c_.k5 - e2 * c_.k7;
-        dxdt[2] = c_.k8 - c_.k11 * (T_3 - radiant_temperature_4) + e2 * c_.k9;
-        J[0] = e5;
+        const Scalar e5 = c_.k1 * (T_i - T_1) + c_.k0 - e1 * c_.k3;
+        const Scalar e6 = c_.k4 + e1 * c_.k5 - e2 * c_.k7;
+        const Scalar e7 = c_.k8 - c_.k11 * (T_3 - radiant_temperature_4) + e2 * c_.k9;
+        const Scalar e8 = (-Scalar(1)) * c_.k2;
+        const Scalar e9 = (-Scalar(1)) * c_.k6;
+        const Scalar e10 = radiant_temperature_4 * radiant_temperature_4 * radiant_temperature_4 * c_.k17;
+        const Scalar e11 = c_.k16 / ((Scalar(25000000) * Scalar(1000000000)) + e10) - c_.k10;
+        dxdt[0] = e5;
+        dxdt[1] = e6;
+        dxdt[2] = e7;
+        J[0] = e8;
         J[1] = c_.k5;
         J[2] = Scalar(0);
         J[3] = c_.k3;
-        J[4] = e6;
+        J[4] = e9;
         J[5] = c_.k9;
         J[6] = Scalar(0);
         J[7] = c_.k7;
-        J[8] = e8;
+        J[8] = e11;
     }
 
     /// J = df/dx. 3 x 3, entry (i, j) at J[3*j + i].

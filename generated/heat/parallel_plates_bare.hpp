@@ -217,18 +217,20 @@ public:
         const Scalar T_2 = x[1];
         const Scalar T_2_squared = T_2 * T_2;
         const Scalar e1 = (T_1_squared + T_2_squared) * ((T_1 - T_2) * (T_1 + T_2));
-        const Scalar e2 = T_1 * T_1_squared;
-        const Scalar e3 = -c_.k2 * e2;
-        const Scalar e4 = c_.k3 * e2;
-        const Scalar e5 = T_2 * T_2_squared;
-        const Scalar e6 = c_.k2 * e5;
-        const Scalar e7 = -c_.k3 * e5;
-        dxdt[0] = -c_.k0 * e1;
-        dxdt[1] = c_.k1 * e1;
-        J[0] = e3;
-        J[1] = e4;
-        J[2] = e6;
-        J[3] = e7;
+        const Scalar e2 = -c_.k0 * e1;
+        const Scalar e3 = c_.k1 * e1;
+        const Scalar e4 = T_1 * T_1_squared;
+        const Scalar e5 = -c_.k2 * e4;
+        const Scalar e6 = c_.k3 * e4;
+        const Scalar e7 = T_2 * T_2_squared;
+        const Scalar e8 = c_.k2 * e7;
+        const Scalar e9 = -c_.k3 * e7;
+        dxdt[0] = e2;
+        dxdt[1] = e3;
+        J[0] = e5;
+        J[1] = e6;
+        J[2] = e8;
+        J[3] = e9;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].

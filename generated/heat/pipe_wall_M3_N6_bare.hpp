@@ -296,21 +296,24 @@ public:
         const Scalar T_F = u[0];
         const Scalar T_1_3 = x[2];
         const Scalar e2 = T_1_2 - T_1_3;
-        const Scalar e3 = -c_.k2;
-        const Scalar e4 = -c_.k1;
-        const Scalar e5 = -c_.k5;
-        const Scalar e6 = -c_.k3;
-        dxdt[0] = c_.k1 * e1 - c_.k0 * (T_F - T_1_1);
-        dxdt[1] = c_.k3 * e2 - c_.k2 * e1;
-        dxdt[2] = -c_.k4 * (p_.T_inf - T_1_3) - c_.k5 * e2;
+        const Scalar e3 = c_.k1 * e1 - c_.k0 * (T_F - T_1_1);
+        const Scalar e4 = c_.k3 * e2 - c_.k2 * e1;
+        const Scalar e5 = -c_.k4 * (p_.T_inf - T_1_3) - c_.k5 * e2;
+        const Scalar e6 = -c_.k2;
+        const Scalar e7 = -c_.k1;
+        const Scalar e8 = -c_.k5;
+        const Scalar e9 = -c_.k3;
+        dxdt[0] = e3;
+        dxdt[1] = e4;
+        dxdt[2] = e5;
         J[0] = c_.k6;
-        J[1] = e3;
+        J[1] = e6;
         J[2] = Scalar(0);
-        J[3] = e4;
+        J[3] = e7;
         J[4] = c_.k7;
-        J[5] = e5;
+        J[5] = e8;
         J[6] = Scalar(0);
-        J[7] = e6;
+        J[7] = e9;
         J[8] = c_.k8;
     }
 

@@ -298,19 +298,21 @@ public:
         const Scalar T_j = x[1];
         const Scalar T_j_squared = T_j * T_j;
         const Scalar e1 = (T_i_squared + T_j_squared) * ((T_i - T_j) * (T_i + T_j));
-        const Scalar e2 = T_i * T_i_squared;
-        const Scalar e3 = -c_.k7 * e2;
-        const Scalar e4 = c_.k8 * e2;
-        const Scalar e5 = T_j * T_j_squared;
-        const Scalar e6 = c_.k9 * e5;
-        const Scalar e7 = -c_.k3 - c_.k10 * e5;
-        dxdt[0] = c_.k0 * P + c_.k1 * (p_.T_0 - T_i) * (p_.T_0 + T_i) * (c_.k6 + T_i_squared) - c_.k2 * e1;
-        const Scalar e8 = (p_.T_0 - T_j) * (c_.k3 - c_.k4 * (p_.T_0 + T_j) * (c_.k6 + T_j_squared));
-        dxdt[1] = e8 + c_.k5 * e1;
-        J[0] = e3;
-        J[1] = e4;
-        J[2] = e6;
-        J[3] = e7;
+        const Scalar e2 = c_.k0 * P + c_.k1 * (p_.T_0 - T_i) * (p_.T_0 + T_i) * (c_.k6 + T_i_squared) - c_.k2 * e1;
+        const Scalar e3 = (p_.T_0 - T_j) * (c_.k3 - c_.k4 * (p_.T_0 + T_j) * (c_.k6 + T_j_squared));
+        const Scalar e4 = e3 + c_.k5 * e1;
+        const Scalar e5 = T_i * T_i_squared;
+        const Scalar e6 = -c_.k7 * e5;
+        const Scalar e7 = c_.k8 * e5;
+        const Scalar e8 = T_j * T_j_squared;
+        const Scalar e9 = c_.k9 * e8;
+        const Scalar e10 = -c_.k3 - c_.k10 * e8;
+        dxdt[0] = e2;
+        dxdt[1] = e4;
+        J[0] = e6;
+        J[1] = e7;
+        J[2] = e9;
+        J[3] = e10;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].

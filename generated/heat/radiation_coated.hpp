@@ -254,9 +254,10 @@ public:
         const Scalar T = x[0];
         const Scalar T_squared = T * T;
         const Scalar T_a = u[1];
-        const Scalar e1 = -c_.k2 - c_.k3 * T * T_squared;
-        dxdt[0] = c_.k0 * sun + c_.k1 * (T_h - T) * (T_h + T) * (T_h * T_h + T_squared) + c_.k2 * (T_a - T);
-        J[0] = e1;
+        const Scalar e1 = c_.k0 * sun + c_.k1 * (T_h - T) * (T_h + T) * (T_h * T_h + T_squared) + c_.k2 * (T_a - T);
+        const Scalar e2 = -c_.k2 - c_.k3 * T * T_squared;
+        dxdt[0] = e1;
+        J[0] = e2;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

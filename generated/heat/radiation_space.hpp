@@ -244,9 +244,10 @@ public:
         const Scalar T_h = u[0];
         const Scalar T = x[0];
         const Scalar T_squared = T * T;
-        const Scalar e1 = -c_.k2 * T * T_squared;
-        dxdt[0] = c_.k0 * sun + c_.k1 * (T_h - T) * (T_h + T) * (T_h * T_h + T_squared);
-        J[0] = e1;
+        const Scalar e1 = c_.k0 * sun + c_.k1 * (T_h - T) * (T_h + T) * (T_h * T_h + T_squared);
+        const Scalar e2 = -c_.k2 * T * T_squared;
+        dxdt[0] = e1;
+        J[0] = e2;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -312,18 +312,28 @@ public:
         const Scalar T_9 = x[9];
         const Scalar e9 = c_.k1 * (T_8 - T_9);
         const Scalar T_L = u[1];
-        dxdt[0] = -c_.k0 * e1;
-        dxdt[1] = c_.k1 * e1 - e2;
-        dxdt[2] = e2 - e3;
-        dxdt[3] = e3 - e4;
-        dxdt[4] = e4 - e5;
-        dxdt[5] = e5 - e6;
-        dxdt[6] = e6 - e7;
-        dxdt[7] = e7 - e8;
-        dxdt[8] = e8 - e9;
-        dxdt[9] = c_.k1 * (T_L - T_9) + e9;
-        const Scalar e10 = -c_.k0;
-        J[0] = e10;
+        const Scalar e10 = -c_.k0 * e1;
+        const Scalar e11 = c_.k1 * e1 - e2;
+        const Scalar e12 = e2 - e3;
+        const Scalar e13 = e3 - e4;
+        const Scalar e14 = e4 - e5;
+        const Scalar e15 = e5 - e6;
+        const Scalar e16 = e6 - e7;
+        const Scalar e17 = e7 - e8;
+        const Scalar e18 = e8 - e9;
+        const Scalar e19 = c_.k1 * (T_L - T_9) + e9;
+        const Scalar e20 = -c_.k0;
+        dxdt[0] = e10;
+        dxdt[1] = e11;
+        dxdt[2] = e12;
+        dxdt[3] = e13;
+        dxdt[4] = e14;
+        dxdt[5] = e15;
+        dxdt[6] = e16;
+        dxdt[7] = e17;
+        dxdt[8] = e18;
+        dxdt[9] = e19;
+        J[0] = e20;
         J[1] = c_.k1;
         J[2] = Scalar(0);
         J[3] = Scalar(0);
@@ -334,7 +344,7 @@ public:
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = c_.k0;
-        J[11] = e10;
+        J[11] = e20;
         J[12] = c_.k1;
         J[13] = Scalar(0);
         J[14] = Scalar(0);
@@ -345,7 +355,7 @@ public:
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = c_.k1;
-        J[22] = e10;
+        J[22] = e20;
         J[23] = c_.k1;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
@@ -356,7 +366,7 @@ public:
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = c_.k1;
-        J[33] = e10;
+        J[33] = e20;
         J[34] = c_.k1;
         J[35] = Scalar(0);
         J[36] = Scalar(0);
@@ -367,7 +377,7 @@ public:
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = c_.k1;
-        J[44] = e10;
+        J[44] = e20;
         J[45] = c_.k1;
         J[46] = Scalar(0);
         J[47] = Scalar(0);
@@ -378,7 +388,7 @@ public:
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = c_.k1;
-        J[55] = e10;
+        J[55] = e20;
         J[56] = c_.k1;
         J[57] = Scalar(0);
         J[58] = Scalar(0);
@@ -389,7 +399,7 @@ public:
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = c_.k1;
-        J[66] = e10;
+        J[66] = e20;
         J[67] = c_.k1;
         J[68] = Scalar(0);
         J[69] = Scalar(0);
@@ -400,7 +410,7 @@ public:
         J[74] = Scalar(0);
         J[75] = Scalar(0);
         J[76] = c_.k1;
-        J[77] = e10;
+        J[77] = e20;
         J[78] = c_.k1;
         J[79] = Scalar(0);
         J[80] = Scalar(0);
@@ -411,7 +421,7 @@ public:
         J[85] = Scalar(0);
         J[86] = Scalar(0);
         J[87] = c_.k1;
-        J[88] = e10;
+        J[88] = e20;
         J[89] = c_.k1;
         J[90] = Scalar(0);
         J[91] = Scalar(0);
@@ -422,7 +432,7 @@ public:
         J[96] = Scalar(0);
         J[97] = Scalar(0);
         J[98] = c_.k1;
-        J[99] = e10;
+        J[99] = e20;
     }
 
     /// J = df/dx. 10 x 10, entry (i, j) at J[10*j + i].

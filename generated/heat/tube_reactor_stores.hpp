@@ -272,19 +272,21 @@ public:
         const Scalar T_1 = x[0];
         const Scalar T_1_squared = T_1 * T_1;
         const Scalar e1 = (T_2_squared + T_1_squared) * ((T_1 - T_2) * (T_1 + T_2));
-        const Scalar e2 = T_1 * T_1_squared;
-        const Scalar e3 = -c_.k6 * e2;
-        const Scalar e4 = c_.k7 * e2;
-        const Scalar e5 = T_2 * T_2_squared;
-        const Scalar e6 = c_.k6 * e5;
-        const Scalar e7 = -c_.k2 - c_.k8 * e5;
-        dxdt[0] = c_.k0 * load - c_.k1 * e1;
-        const Scalar e8 = (p_.T_inf - T_2) * (c_.k2 + c_.k3 * (p_.T_inf + T_2) * (c_.k5 + T_2_squared));
-        dxdt[1] = e8 + c_.k4 * e1;
-        J[0] = e3;
-        J[1] = e4;
-        J[2] = e6;
-        J[3] = e7;
+        const Scalar e2 = c_.k0 * load - c_.k1 * e1;
+        const Scalar e3 = (p_.T_inf - T_2) * (c_.k2 + c_.k3 * (p_.T_inf + T_2) * (c_.k5 + T_2_squared));
+        const Scalar e4 = e3 + c_.k4 * e1;
+        const Scalar e5 = T_1 * T_1_squared;
+        const Scalar e6 = -c_.k6 * e5;
+        const Scalar e7 = c_.k7 * e5;
+        const Scalar e8 = T_2 * T_2_squared;
+        const Scalar e9 = c_.k6 * e8;
+        const Scalar e10 = -c_.k2 - c_.k8 * e8;
+        dxdt[0] = e2;
+        dxdt[1] = e4;
+        J[0] = e6;
+        J[1] = e7;
+        J[2] = e9;
+        J[3] = e10;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].

@@ -307,12 +307,13 @@ public:
         const Scalar radiant_temperature_1 = detail::radiant_temperature<Scalar>(c_.k2, c_.k3 + c_.k4 * T_1_squared_squared);
         const Scalar radiant_temperature_1_squared = radiant_temperature_1 * radiant_temperature_1;
         const Scalar load = u[0];
-        const Scalar e2 = radiant_temperature_1 * radiant_temperature_1_squared;
-        const Scalar e3 = c_.k5 - c_.k6 * e2 / ((Scalar(25000000) * Scalar(1000000000)) + c_.k7 * e2);
-        const Scalar e4 = -T_1 * T_1_squared * e3;
-        const Scalar e5 = radiant_temperature_1_squared * radiant_temperature_1_squared - T_1_squared_squared;
-        dxdt[0] = c_.k1 * e5 + c_.k0 * load;
-        J[0] = e4;
+        const Scalar e2 = radiant_temperature_1_squared * radiant_temperature_1_squared - T_1_squared_squared;
+        const Scalar e3 = c_.k1 * e2 + c_.k0 * load;
+        const Scalar e4 = radiant_temperature_1 * radiant_temperature_1_squared;
+        const Scalar e5 = c_.k5 - c_.k6 * e4 / ((Scalar(25000000) * Scalar(1000000000)) + c_.k7 * e4);
+        const Scalar e6 = -T_1 * T_1_squared * e5;
+        dxdt[0] = e3;
+        J[0] = e6;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -203,9 +203,10 @@ public:
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar U_e = u[0];
         const Scalar T_B = x[0];
-        const Scalar e1 = -c_.k2;
-        dxdt[0] = c_.k1 * U_e - c_.k0 + c_.k2 * (p_.T_inf - T_B);
-        J[0] = e1;
+        const Scalar e1 = c_.k1 * U_e - c_.k0 + c_.k2 * (p_.T_inf - T_B);
+        const Scalar e2 = -c_.k2;
+        dxdt[0] = e1;
+        J[0] = e2;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

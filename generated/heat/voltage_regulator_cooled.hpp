@@ -270,14 +270,16 @@ public:
         const Scalar T_B = x[0];
         const Scalar T_K = x[1];
         const Scalar e1 = T_B - T_K;
-        const Scalar e2 = -c_.k2;
-        const Scalar e3 = -c_.k5;
-        dxdt[0] = c_.k1 * U_e - c_.k0 - c_.k2 * e1;
-        dxdt[1] = c_.k3 * (p_.T_inf - T_K) + c_.k4 * e1;
-        J[0] = e2;
+        const Scalar e2 = c_.k1 * U_e - c_.k0 - c_.k2 * e1;
+        const Scalar e3 = c_.k3 * (p_.T_inf - T_K) + c_.k4 * e1;
+        const Scalar e4 = -c_.k2;
+        const Scalar e5 = -c_.k5;
+        dxdt[0] = e2;
+        dxdt[1] = e3;
+        J[0] = e4;
         J[1] = c_.k4;
         J[2] = c_.k2;
-        J[3] = e3;
+        J[3] = e5;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].

@@ -373,17 +373,19 @@ public:
         const Scalar exp_5 = exp(c_.k5 * (p_.p_0 - p_value) - p_.alpha * (p_.T_0 - T));
         const Scalar e6 = exp_5 * e4;
         const Scalar e7 = T * e6;
-        const Scalar e8 = c_.k6 * e7;
-        const Scalar e9 = -e8;
-        const Scalar e10 = -c_.k7 * e7;
-        const Scalar e11 = c_.k0 * e6 + c_.k8 * e7;
-        const Scalar e12 = c_.k2 * e6 + e8;
-        dxdt[0] = c_.k1 * e4 + c_.k0 * e7;
-        dxdt[1] = c_.k2 * e7;
-        J[0] = e9;
-        J[1] = e10;
-        J[2] = e11;
-        J[3] = e12;
+        const Scalar e8 = c_.k1 * e4 + c_.k0 * e7;
+        const Scalar e9 = c_.k2 * e7;
+        const Scalar e10 = c_.k6 * e7;
+        const Scalar e11 = -e10;
+        const Scalar e12 = -c_.k7 * e7;
+        const Scalar e13 = c_.k0 * e6 + c_.k8 * e7;
+        const Scalar e14 = c_.k2 * e6 + e10;
+        dxdt[0] = e8;
+        dxdt[1] = e9;
+        J[0] = e11;
+        J[1] = e12;
+        J[2] = e13;
+        J[3] = e14;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].

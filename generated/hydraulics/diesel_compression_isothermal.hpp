@@ -324,7 +324,8 @@ public:
         const Scalar e1 = c_.k2 * t;
         Scalar sin_2, cos_3;
         detail::sin_and_cos<Scalar>(e1, sin_2, cos_3);
-        dxdt[0] = c_.k0 * sin_2 / (c_.k1 + p_.delta * cos_3);
+        const Scalar e4 = c_.k0 * sin_2 / (c_.k1 + p_.delta * cos_3);
+        dxdt[0] = e4;
         J[0] = Scalar(0);
     }
 

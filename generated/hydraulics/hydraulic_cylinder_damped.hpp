@@ -393,10 +393,10 @@ public:
         const Scalar e6 = (q_2 * c_.k5 + s_k_dot) * e5;
         const Scalar e7 = -inverse_1 * e3;
         const Scalar e8 = inverse_4 * e6;
-        const Scalar e9 = c_.k0 * (-p_.d_k);
+        const Scalar e9 = (-p_.d_k) * c_.k0;
         const Scalar e10 = -e2;
-        const Scalar e11 = c_.k0 * p_.A_1;
-        const Scalar e12 = c_.k0 * (-p_.A_2);
+        const Scalar e11 = p_.A_1 * c_.k0;
+        const Scalar e12 = (-p_.A_2) * c_.k0;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
         dxdt[2] = e3;
@@ -462,11 +462,11 @@ public:
         const Scalar e6 = q_2 * inverse_5;
         const Scalar e7 = (c_.k2 * q_2 + p_.beta * s_k_dot) * (inverse_5 * inverse_5);
         J[0] = Scalar(0);
-        J[1] = c_.k0 * p_1;
+        J[1] = p_1 * c_.k0;
         J[2] = -p_.beta * inverse_1 * inverse_1 * e3;
         J[3] = Scalar(0);
         J[4] = Scalar(0);
-        J[5] = c_.k0 * (-p_2);
+        J[5] = (-p_2) * c_.k0;
         J[6] = Scalar(0);
         J[7] = -p_.beta * inverse_4 * inverse_4 * e6;
         J[8] = Scalar(0);
@@ -478,7 +478,7 @@ public:
         J[14] = Scalar(0);
         J[15] = e7;
         J[16] = Scalar(0);
-        J[17] = c_.k0 * (-dxdt[1]);
+        J[17] = (-dxdt[1]) * c_.k0;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
@@ -518,7 +518,7 @@ public:
         J[54] = Scalar(0);
         J[55] = Scalar(0);
         J[56] = Scalar(0);
-        J[57] = c_.k0 * (-s_k_dot);
+        J[57] = (-s_k_dot) * c_.k0;
         J[58] = Scalar(0);
         J[59] = Scalar(0);
     }

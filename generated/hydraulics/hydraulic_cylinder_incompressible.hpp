@@ -205,7 +205,8 @@ public:
     /// Operations: 1 *
     void rhs_and_jacobian(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar q_1 = u[0];
-        dxdt[0] = c_.k0 * q_1;
+        const Scalar e1 = c_.k0 * q_1;
+        dxdt[0] = e1;
         J[0] = Scalar(0);
     }
 

@@ -399,12 +399,12 @@ public:
         const Scalar inverse_4 = Scalar(1) / (c_.k4 - s_k);
         const Scalar e5 = p_.beta * inverse_4;
         const Scalar e6 = (q_2 * c_.k6 + s_k_dot) * e5;
-        const Scalar e7 = c_.k0 * (-p_.c_l);
+        const Scalar e7 = (-p_.c_l) * c_.k0;
         const Scalar e8 = -inverse_1 * e3;
         const Scalar e9 = inverse_4 * e6;
         const Scalar e10 = -e2;
-        const Scalar e11 = c_.k0 * p_.A_1;
-        const Scalar e12 = c_.k0 * (-p_.A_2);
+        const Scalar e11 = p_.A_1 * c_.k0;
+        const Scalar e12 = (-p_.A_2) * c_.k0;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
         dxdt[2] = e3;
@@ -458,7 +458,7 @@ public:
         rhs(x, u, t, dxdt);
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
-        const Scalar e1 = c_.k0 * (-dxdt[1]);
+        const Scalar e1 = (-dxdt[1]) * c_.k0;
         const Scalar s_k = x[0];
         const Scalar inverse_2 = Scalar(1) / p_.A_1;
         const Scalar q_1 = u[0];
@@ -471,11 +471,11 @@ public:
         const Scalar s_k_dot = x[1];
         const Scalar e8 = (c_.k3 * q_2 + p_.beta * s_k_dot) * (inverse_6 * inverse_6);
         J[0] = Scalar(0);
-        J[1] = c_.k0 * p_1;
+        J[1] = p_1 * c_.k0;
         J[2] = -p_.beta * inverse_2 * inverse_2 * e4;
         J[3] = Scalar(0);
         J[4] = Scalar(0);
-        J[5] = c_.k0 * (-p_2);
+        J[5] = (-p_2) * c_.k0;
         J[6] = Scalar(0);
         J[7] = -p_.beta * inverse_5 * inverse_5 * e7;
         J[8] = Scalar(0);
@@ -531,11 +531,11 @@ public:
         J[58] = Scalar(0);
         J[59] = Scalar(0);
         J[60] = Scalar(0);
-        J[61] = c_.k0 * (p_.s_l - s_k);
+        J[61] = (p_.s_l - s_k) * c_.k0;
         J[62] = Scalar(0);
         J[63] = Scalar(0);
         J[64] = Scalar(0);
-        J[65] = c_.k0 * p_.c_l;
+        J[65] = p_.c_l * c_.k0;
         J[66] = Scalar(0);
         J[67] = Scalar(0);
     }

@@ -239,7 +239,8 @@ public:
     void rhs_and_jacobian(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar dp = u[0];
         const Scalar signed_root_1 = detail::signed_root<Scalar>(c_.k1 * dp);
-        dxdt[0] = c_.k0 * signed_root_1;
+        const Scalar e2 = c_.k0 * signed_root_1;
+        dxdt[0] = e2;
         J[0] = Scalar(0);
     }
 

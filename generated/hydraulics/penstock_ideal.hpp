@@ -258,7 +258,8 @@ public:
     /// Operations: 1 + or -, 1 *
     void rhs_and_jacobian(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar p_2 = u[0];
-        dxdt[0] = c_.k0 - c_.k1 * p_2;
+        const Scalar e1 = c_.k0 - c_.k1 * p_2;
+        dxdt[0] = e1;
         J[0] = Scalar(0);
     }
 

@@ -281,10 +281,11 @@ public:
         const Scalar v = x[0];
         const Scalar abs_v = abs(v);
         const Scalar e1 = c_.k2 * v;
+        const Scalar e2 = c_.k0 - c_.k1 * p_2 - abs_v * e1;
         const Scalar sign_v = detail::sign<Scalar>(v);
-        const Scalar e2 = -c_.k2 * abs_v - sign_v * e1;
-        dxdt[0] = c_.k0 - c_.k1 * p_2 - abs_v * e1;
-        J[0] = e2;
+        const Scalar e3 = -c_.k2 * abs_v - sign_v * e1;
+        dxdt[0] = e2;
+        J[0] = e3;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -227,8 +227,10 @@ public:
     /// Operations: 1 + or -, 2 *
     void rhs_and_jacobian(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar q = u[0];
-        dxdt[0] = -c_.k0 * q;
-        dxdt[1] = c_.k1 * q;
+        const Scalar e1 = -c_.k0 * q;
+        const Scalar e2 = c_.k1 * q;
+        dxdt[0] = e1;
+        dxdt[1] = e2;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);

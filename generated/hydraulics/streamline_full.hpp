@@ -262,13 +262,15 @@ public:
         const Scalar sin_1 = sin(p_.omega * t);
         const Scalar e2 = p_.a_0 + p_.a_1 * sin_1;
         const Scalar z = x[1];
-        const Scalar e3 = -e2;
-        dxdt[0] = x_value * e2;
-        dxdt[1] = -z * e2;
+        const Scalar e3 = x_value * e2;
+        const Scalar e4 = -z * e2;
+        const Scalar e5 = -e2;
+        dxdt[0] = e3;
+        dxdt[1] = e4;
         J[0] = e2;
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = e3;
+        J[3] = e5;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].

@@ -293,7 +293,8 @@ public:
             case Mode::tank_filled: {
                 const Scalar h_root = x[0];
                 const Scalar step_h_root = detail::step<Scalar>(h_root);
-                dxdt[0] = -c_.k0 * step_h_root;
+                const Scalar e1 = -c_.k0 * step_h_root;
+                dxdt[0] = e1;
                 J[0] = Scalar(0);
                 break;
             }

@@ -332,7 +332,8 @@ public:
             case Mode::shut_and_tank_filled: {
                 const Scalar h_root = x[0];
                 const Scalar step_h_root = detail::step<Scalar>(h_root);
-                dxdt[0] = -c_.k0 * step_h_root;
+                const Scalar e1 = -c_.k0 * step_h_root;
+                dxdt[0] = e1;
                 J[0] = Scalar(0);
                 break;
             }
@@ -346,9 +347,10 @@ public:
                 const Scalar inverse_1 = Scalar(1) / h_root;
                 const Scalar e2 = c_.k2 * inverse_1;
                 const Scalar step_h_root = detail::step<Scalar>(h_root);
-                const Scalar e3 = -inverse_1 * e2;
-                dxdt[0] = e2 - c_.k0 * step_h_root;
-                J[0] = e3;
+                const Scalar e3 = e2 - c_.k0 * step_h_root;
+                const Scalar e4 = -inverse_1 * e2;
+                dxdt[0] = e3;
+                J[0] = e4;
                 break;
             }
             case Mode::filling_and_tank_empty:

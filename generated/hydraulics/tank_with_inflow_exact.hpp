@@ -238,10 +238,11 @@ public:
         const Scalar h = x[0];
         const Scalar e1 = c_.k2 * h;
         const Scalar signed_root_2 = detail::signed_root<Scalar>(e1);
-        const Scalar inverse_root_3 = detail::inverse_root<Scalar>(e1);
-        const Scalar e4 = -c_.k3 * inverse_root_3;
-        dxdt[0] = c_.k0 * q_z - c_.k1 * signed_root_2;
-        J[0] = e4;
+        const Scalar e3 = c_.k0 * q_z - c_.k1 * signed_root_2;
+        const Scalar inverse_root_4 = detail::inverse_root<Scalar>(e1);
+        const Scalar e5 = -c_.k3 * inverse_root_4;
+        dxdt[0] = e3;
+        J[0] = e5;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -228,10 +228,11 @@ public:
         const Scalar e1 = c_.k2 + c_.k3 * h_squared;
         const Scalar power_2 = pow(e1, -Scalar(1) / Scalar(4));
         const Scalar e3 = c_.k1 * power_2;
-        const Scalar power_4 = pow(e1, -Scalar(5) / Scalar(4));
-        const Scalar e5 = c_.k4 * power_4 * h_squared - e3;
-        dxdt[0] = c_.k0 * q_z - h * e3;
-        J[0] = e5;
+        const Scalar e4 = c_.k0 * q_z - h * e3;
+        const Scalar power_5 = pow(e1, -Scalar(5) / Scalar(4));
+        const Scalar e6 = c_.k4 * power_5 * h_squared - e3;
+        dxdt[0] = e4;
+        J[0] = e6;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

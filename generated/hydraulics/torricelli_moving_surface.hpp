@@ -235,7 +235,8 @@ public:
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar h_root = x[0];
         const Scalar step_h_root = detail::step<Scalar>(h_root);
-        dxdt[0] = -c_.k0 * step_h_root;
+        const Scalar e1 = -c_.k0 * step_h_root;
+        dxdt[0] = e1;
         J[0] = Scalar(0);
     }
 

@@ -526,54 +526,55 @@ public:
         const Scalar e63 = p_.beta * inverse_38;
         const Scalar e64 = e39 * (exp_6 * e60 * c_.k5 + e4 * e62)
             + (s_k_dot * e63 + e39 * (step_43 * e49 + step_53 * e59) * c_.k5);
-        const Scalar e65 = inverse_1 * e37;
-        const Scalar e66 = inverse_38 * e64;
-        const Scalar e67 = c_.k0 * (-p_.d_k);
-        const Scalar e68 = -e36;
-        const Scalar e69 = c_.k0 * p_.A_1;
-        const Scalar e70 = max_15 * c_.k10;
-        const Scalar inverse_root_71 = detail::inverse_root<Scalar>(e21);
-        const Scalar e72 = inverse_root_71 * inverse_19;
-        const Scalar e73 = e70 * e72;
-        const Scalar e74 = max_27 * c_.k10;
-        const Scalar inverse_root_75 = detail::inverse_root<Scalar>(e32);
-        const Scalar e76 = inverse_root_75 * inverse_30;
-        const Scalar e77 = e74 * e76;
-        const Scalar e78 = max_15 * c_.k11;
-        const Scalar e79 = max_27 * c_.k11;
-        const Scalar e80 = (e11 - e3 * e10) * (p_.k_l * e2);
-        const Scalar e81 = -exp_8 * e2 * (e35 * c_.k9 + e14 * e73 + e26 * e77) - step_16 * e2 * (e18 * e72 * e20 * e78 + e73)
-            - step_28 * e2 * (e29 * e76 * e31 * e79 + e77) - e80;
-        const Scalar e82 = (e3 * e61 + e62) * (p_.k_l * e39);
-        const Scalar e83 = c_.k0 * (-p_.A_2);
-        const Scalar inverse_root_84 = detail::inverse_root<Scalar>(e47);
-        const Scalar e85 = inverse_root_84 * inverse_45;
-        const Scalar e86 = e70 * e85;
-        const Scalar inverse_root_87 = detail::inverse_root<Scalar>(e57);
-        const Scalar e88 = inverse_root_87 * inverse_55;
-        const Scalar e89 = e74 * e88;
-        const Scalar e90 = -exp_6 * e39 * (e60 * c_.k9 + e42 * e86 + e52 * e89) - step_43 * e39 * (e44 * e85 * e46 * e78 + e86)
-            - step_53 * e39 * (e54 * e88 * e56 * e79 + e89) - e82;
+        const Scalar e65 = -e37;
+        const Scalar e66 = inverse_1 * e37;
+        const Scalar e67 = inverse_38 * e64;
+        const Scalar e68 = (-p_.d_k) * c_.k0;
+        const Scalar e69 = -e36;
+        const Scalar e70 = p_.A_1 * c_.k0;
+        const Scalar e71 = max_15 * c_.k10;
+        const Scalar inverse_root_72 = detail::inverse_root<Scalar>(e21);
+        const Scalar e73 = inverse_root_72 * inverse_19;
+        const Scalar e74 = e71 * e73;
+        const Scalar e75 = max_27 * c_.k10;
+        const Scalar inverse_root_76 = detail::inverse_root<Scalar>(e32);
+        const Scalar e77 = inverse_root_76 * inverse_30;
+        const Scalar e78 = e75 * e77;
+        const Scalar e79 = max_15 * c_.k11;
+        const Scalar e80 = max_27 * c_.k11;
+        const Scalar e81 = (e11 - e3 * e10) * (p_.k_l * e2);
+        const Scalar e82 = -exp_8 * e2 * (e35 * c_.k9 + e14 * e74 + e26 * e78) - step_16 * e2 * (e18 * e73 * e20 * e79 + e74)
+            - step_28 * e2 * (e29 * e77 * e31 * e80 + e78) - e81;
+        const Scalar e83 = (e3 * e61 + e62) * (p_.k_l * e39);
+        const Scalar e84 = (-p_.A_2) * c_.k0;
+        const Scalar inverse_root_85 = detail::inverse_root<Scalar>(e47);
+        const Scalar e86 = inverse_root_85 * inverse_45;
+        const Scalar e87 = e71 * e86;
+        const Scalar inverse_root_88 = detail::inverse_root<Scalar>(e57);
+        const Scalar e89 = inverse_root_88 * inverse_55;
+        const Scalar e90 = e75 * e89;
+        const Scalar e91 = -exp_6 * e39 * (e60 * c_.k9 + e42 * e87 + e52 * e90) - step_43 * e39 * (e44 * e86 * e46 * e79 + e87)
+            - step_53 * e39 * (e54 * e89 * e56 * e80 + e90) - e83;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = -e37;
+        dxdt[2] = e65;
         dxdt[3] = e64;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e65;
-        J[3] = e66;
+        J[2] = e66;
+        J[3] = e67;
         J[4] = Scalar(1);
-        J[5] = e67;
-        J[6] = e68;
+        J[5] = e68;
+        J[6] = e69;
         J[7] = e63;
         J[8] = Scalar(0);
-        J[9] = e69;
-        J[10] = e81;
-        J[11] = e82;
+        J[9] = e70;
+        J[10] = e82;
+        J[11] = e83;
         J[12] = Scalar(0);
-        J[13] = e83;
-        J[14] = e80;
-        J[15] = e90;
+        J[13] = e84;
+        J[14] = e81;
+        J[15] = e91;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -770,11 +771,11 @@ public:
         const Scalar e127 = p_.w * e2;
         const Scalar e128 = p_.w * e55;
         J[0] = Scalar(0);
-        J[1] = c_.k0 * p_1;
+        J[1] = p_1 * c_.k0;
         J[2] = e2 * e3 * e16 - e2 * e24 * e35 - e2 * e40 * e50 - e2 * e23 * e53;
         J[3] = Scalar(0);
         J[4] = Scalar(0);
-        J[5] = c_.k0 * (-p_2);
+        J[5] = (-p_2) * c_.k0;
         J[6] = Scalar(0);
         J[7] = -e55 * e57 * e68 - e55 * e69 * e78 - e55 * e56 * e82 - e55 * e83 * e85;
         J[8] = Scalar(0);
@@ -786,7 +787,7 @@ public:
         J[14] = Scalar(0);
         J[15] = e87;
         J[16] = Scalar(0);
-        J[17] = c_.k0 * (-dxdt[1]);
+        J[17] = (-dxdt[1]) * c_.k0;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
@@ -830,7 +831,7 @@ public:
         J[50] = -e2 * e16;
         J[51] = e55 * e85;
         J[52] = Scalar(0);
-        J[53] = c_.k0 * (-s_k_dot);
+        J[53] = (-s_k_dot) * c_.k0;
         J[54] = Scalar(0);
         J[55] = Scalar(0);
     }

@@ -505,7 +505,7 @@ public:
         const Scalar e59 = -inverse_1 * e30;
         const Scalar e60 = inverse_31 * e58;
         const Scalar e61 = -e27;
-        const Scalar e62 = c_.k0 * p_.A_1;
+        const Scalar e62 = p_.A_1 * c_.k0;
         const Scalar e63 = max_18 * c_.k10;
         const Scalar inverse_root_64 = detail::inverse_root<Scalar>(e24);
         const Scalar e65 = inverse_root_64 * inverse_22;
@@ -518,7 +518,7 @@ public:
         const Scalar e72 = max_5 * c_.k11;
         const Scalar e73 = -e28 * (e20 * e66 + e9 * e70) - step_17 * e2 * (e21 * e65 * e23 * e71 + e66) - step_4 * e2
             * (e10 * e69 * e12 * e72 + e70) - e29 * c_.k9;
-        const Scalar e74 = c_.k0 * (-p_.A_2);
+        const Scalar e74 = (-p_.A_2) * c_.k0;
         const Scalar inverse_root_75 = detail::inverse_root<Scalar>(e42);
         const Scalar e76 = inverse_root_75 * inverse_40;
         const Scalar e77 = e63 * e76;
@@ -728,11 +728,11 @@ public:
         const Scalar e112 = p_.w * e2;
         const Scalar e113 = p_.w * e43;
         J[0] = Scalar(0);
-        J[1] = c_.k0 * p_1;
+        J[1] = p_1 * c_.k0;
         J[2] = -e2 * e9 * e24 - e2 * e28 * e38 - e2 * e8 * e41;
         J[3] = Scalar(0);
         J[4] = Scalar(0);
-        J[5] = c_.k0 * (-p_2);
+        J[5] = (-p_2) * c_.k0;
         J[6] = Scalar(0);
         J[7] = -e43 * e45 * e59 - e43 * e60 * e69 - e43 * e44 * e73;
         J[8] = Scalar(0);
@@ -744,7 +744,7 @@ public:
         J[14] = Scalar(0);
         J[15] = e75;
         J[16] = Scalar(0);
-        J[17] = c_.k0 * (-dxdt[1]);
+        J[17] = (-dxdt[1]) * c_.k0;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);

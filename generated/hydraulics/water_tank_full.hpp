@@ -197,7 +197,8 @@ public:
     void rhs_and_jacobian(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar q_z = u[0];
         const Scalar q_a = u[1];
-        dxdt[0] = c_.k0 * (q_z - q_a);
+        const Scalar e1 = c_.k0 * (q_z - q_a);
+        dxdt[0] = e1;
         J[0] = Scalar(0);
     }
 

@@ -306,9 +306,9 @@ public:
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
                 J[0] = Scalar(0);
-                J[1] = c_.k0 * (-p_.g - dxdt[1]);
+                J[1] = (-p_.g - dxdt[1]) * c_.k0;
                 J[2] = Scalar(0);
-                J[3] = c_.k0 * (-p_.m);
+                J[3] = (-p_.m) * c_.k0;
                 J[4] = Scalar(0);
                 J[5] = Scalar(0);
                 J[6] = Scalar(0);

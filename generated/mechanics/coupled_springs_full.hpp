@@ -253,7 +253,7 @@ public:
         J[4] = Scalar(0);
         J[5] = Scalar(0);
         J[6] = Scalar(0);
-        J[7] = c_.k1 * (-dxdt[3]);
+        J[7] = (-dxdt[3]) * c_.k1;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = c_.k0 * (-z_1);
@@ -261,7 +261,7 @@ public:
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = c_.k1 * (-z_2);
+        J[15] = (-z_2) * c_.k1;
         J[16] = Scalar(0);
         J[17] = Scalar(0);
         J[18] = (-e1) * c_.k0;

@@ -379,9 +379,9 @@ public:
                 State dxdt;
                 rhs(mode, x, u, t, dxdt);
                 J[0] = Scalar(0);
-                J[1] = c_.k0 * (p_.a_max - dxdt[1]);
+                J[1] = (p_.a_max - dxdt[1]) * c_.k0;
                 J[2] = Scalar(0);
-                J[3] = c_.k0 * p_.m;
+                J[3] = p_.m * c_.k0;
                 J[4] = Scalar(0);
                 J[5] = Scalar(0);
                 J[6] = Scalar(0);
@@ -425,18 +425,18 @@ public:
                 const Scalar e9 = e1 * e8;
                 const Scalar e10 = e6 * (p_.a_max * (p_.t_2 * e7 - e1));
                 J[0] = Scalar(0);
-                J[1] = c_.k0 * (c_.a_min - dxdt[1]);
+                J[1] = (c_.a_min - dxdt[1]) * c_.k0;
                 J[2] = Scalar(0);
                 const Scalar e11 = e9 * (p_.t_0 + p_.t_1 - Scalar(2) * p_.t_2) + Scalar(2) * e6 * e1_squared;
-                J[3] = c_.k0 * (-e11);
+                J[3] = (-e11) * c_.k0;
                 J[4] = Scalar(0);
-                J[5] = c_.k0 * (-Scalar(2) * (e8 * e2 - e10));
+                J[5] = (-Scalar(2) * (e8 * e2 - e10)) * c_.k0;
                 J[6] = Scalar(0);
-                J[7] = c_.k0 * (Scalar(2) * (e8 * e3 - e10));
+                J[7] = Scalar(2) * (e8 * e3 - e10) * c_.k0;
                 J[8] = Scalar(0);
-                J[9] = c_.k0 * (Scalar(2) * p_.a_max * e9);
+                J[9] = Scalar(2) * p_.a_max * e9 * c_.k0;
                 J[10] = Scalar(0);
-                J[11] = c_.k0 * (Scalar(2) * e8);
+                J[11] = Scalar(2) * e8 * c_.k0;
                 break;
             }
         }

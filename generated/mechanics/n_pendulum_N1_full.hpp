@@ -262,11 +262,11 @@ public:
         const Scalar sin_phi_1 = sin(phi_1);
         const Scalar e1 = p_.m[0] * p_.l[0];
         J[0] = Scalar(0);
-        J[1] = c_.k0 * (-dxdt[1] * (p_.l[0] * p_.l[0]) - sin_phi_1 * (p_.l[0] * p_.g));
+        J[1] = (-dxdt[1] * (p_.l[0] * p_.l[0]) - sin_phi_1 * (p_.l[0] * p_.g)) * c_.k0;
         J[2] = Scalar(0);
-        J[3] = c_.k0 * (-dxdt[1] * (Scalar(2) * e1) - sin_phi_1 * (p_.m[0] * p_.g));
+        J[3] = (-dxdt[1] * (Scalar(2) * e1) - sin_phi_1 * (p_.m[0] * p_.g)) * c_.k0;
         J[4] = Scalar(0);
-        J[5] = c_.k0 * (-sin_phi_1 * e1);
+        J[5] = (-sin_phi_1 * e1) * c_.k0;
     }
 
     /// J = df/dt at fixed x and u.

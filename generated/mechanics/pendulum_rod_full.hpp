@@ -264,18 +264,18 @@ public:
         const Scalar e11 = p_.rho_S * e4;
         J[0] = Scalar(0);
         const Scalar e12 = -dxdt[1] * ((Scalar(1) / Scalar(3)) * e3 * e5) - sin_phi * ((Scalar(1) / Scalar(2)) * e6 * e5);
-        J[1] = c_.k0 * e12;
+        J[1] = e12 * c_.k0;
         J[2] = Scalar(0);
         const Scalar e13 = (Scalar(1) / Scalar(2)) * p_.l_S * e8 + (Scalar(1) / Scalar(12)) * e2 * e9;
-        J[3] = c_.k0 * (-dxdt[1] * e13 - sin_phi * ((Scalar(1) / Scalar(2)) * p_.g * e8));
+        J[3] = (-dxdt[1] * e13 - sin_phi * ((Scalar(1) / Scalar(2)) * p_.g * e8)) * c_.k0;
         J[4] = Scalar(0);
         const Scalar e14 = (Scalar(1) / Scalar(4)) * e4 * e9 + (Scalar(1) / Scalar(3)) * p_.l_S * e10;
-        J[5] = c_.k0 * (-dxdt[1] * e14 - sin_phi * ((Scalar(1) / Scalar(2)) * p_.g * e10));
+        J[5] = (-dxdt[1] * e14 - sin_phi * ((Scalar(1) / Scalar(2)) * p_.g * e10)) * c_.k0;
         J[6] = Scalar(0);
         const Scalar e15 = -dxdt[1] * ((Scalar(1) / Scalar(3)) * e3 * e11) - sin_phi * ((Scalar(1) / Scalar(2)) * e6 * e11);
-        J[7] = c_.k0 * e15;
+        J[7] = e15 * c_.k0;
         J[8] = Scalar(0);
-        J[9] = c_.k0 * (-sin_phi * ((Scalar(1) / Scalar(2)) * p_.l_S * c_.m_S));
+        J[9] = (-sin_phi * ((Scalar(1) / Scalar(2)) * p_.l_S * c_.m_S)) * c_.k0;
     }
 
     /// J = df/dt at fixed x and u.

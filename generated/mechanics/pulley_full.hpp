@@ -222,11 +222,11 @@ public:
         State dxdt;
         rhs(x, u, t, dxdt);
         J[0] = Scalar(0);
-        J[1] = c_.k0 * (-(Scalar(1) / Scalar(2)) * p_.g - (Scalar(1) / Scalar(4)) * dxdt[1]);
+        J[1] = (-(Scalar(1) / Scalar(2)) * p_.g - (Scalar(1) / Scalar(4)) * dxdt[1]) * c_.k0;
         J[2] = Scalar(0);
-        J[3] = c_.k0 * (p_.g - dxdt[1]);
+        J[3] = (p_.g - dxdt[1]) * c_.k0;
         J[4] = Scalar(0);
-        J[5] = c_.k0 * (-((Scalar(1) / Scalar(2)) * p_.m_1 - p_.m_2));
+        J[5] = (-((Scalar(1) / Scalar(2)) * p_.m_1 - p_.m_2)) * c_.k0;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);

@@ -278,10 +278,11 @@ public:
                 const Scalar m = x[2];
                 const Scalar inverse_1 = Scalar(1) / m;
                 const Scalar h_ddot = (p_.w * u_value - p_.g * m) * inverse_1;
-                const Scalar e2 = (-p_.g - h_ddot) * inverse_1;
+                const Scalar e2 = -u_value;
+                const Scalar e3 = (-p_.g - h_ddot) * inverse_1;
                 dxdt[0] = x[1];
                 dxdt[1] = h_ddot;
-                dxdt[2] = -u_value;
+                dxdt[2] = e2;
                 J[0] = Scalar(0);
                 J[1] = Scalar(0);
                 J[2] = Scalar(0);
@@ -289,7 +290,7 @@ public:
                 J[4] = Scalar(0);
                 J[5] = Scalar(0);
                 J[6] = Scalar(0);
-                J[7] = e2;
+                J[7] = e3;
                 J[8] = Scalar(0);
                 break;
             }
@@ -348,9 +349,9 @@ public:
     void jacobian_p(Mode mode, const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         switch (mode) {
             case Mode::burning: {
+                const Scalar u_value = u[0];
                 const Scalar m = x[2];
                 const Scalar inverse_1 = Scalar(1) / m;
-                const Scalar u_value = u[0];
                 J[0] = Scalar(0);
                 J[1] = Scalar(0);
                 J[2] = Scalar(0);
@@ -358,10 +359,10 @@ public:
                 J[4] = Scalar(0);
                 J[5] = Scalar(0);
                 J[6] = Scalar(0);
-                J[7] = inverse_1 * u_value;
+                J[7] = u_value * inverse_1;
                 J[8] = Scalar(0);
                 J[9] = Scalar(0);
-                J[10] = inverse_1 * (-m);
+                J[10] = (-m) * inverse_1;
                 J[11] = Scalar(0);
                 break;
             }

@@ -287,15 +287,15 @@ public:
         const Scalar e1 = p_.g * sin_alpha;
         const Scalar e2 = p_.m * p_.R;
         J[0] = Scalar(0);
-        J[1] = c_.k0 * (p_.R * e1 - dxdt[1] * ((Scalar(7) / Scalar(5)) * p_.R * p_.R));
+        J[1] = (p_.R * e1 - dxdt[1] * ((Scalar(7) / Scalar(5)) * p_.R * p_.R)) * c_.k0;
         J[2] = Scalar(0);
-        J[3] = c_.k0 * (p_.m * e1 - dxdt[1] * ((Scalar(14) / Scalar(5)) * e2));
+        J[3] = (p_.m * e1 - dxdt[1] * ((Scalar(14) / Scalar(5)) * e2)) * c_.k0;
         J[4] = Scalar(0);
-        J[5] = c_.k0 * (p_.g * cos_alpha * e2);
+        J[5] = p_.g * cos_alpha * e2 * c_.k0;
         J[6] = Scalar(0);
         J[7] = Scalar(0);
         J[8] = Scalar(0);
-        J[9] = c_.k0 * (sin_alpha * e2);
+        J[9] = sin_alpha * e2 * c_.k0;
     }
 
     /// J = df/dt at fixed x and u.

@@ -278,13 +278,13 @@ public:
         J[4] = Scalar(0);
         J[5] = Scalar(0);
         J[6] = Scalar(0);
-        J[7] = c_.k0 * (-dxdt[1] * (Scalar(2) * p_.R_c * p_.R_c + Scalar(4) * p_.H * p_.H));
+        J[7] = (-dxdt[1] * (Scalar(2) * p_.R_c * p_.R_c + Scalar(4) * p_.H * p_.H)) * c_.k0;
         J[8] = Scalar(0);
-        J[9] = c_.k0 * (-dxdt[1] * (Scalar(4) * p_.m * p_.R_c));
+        J[9] = (-dxdt[1] * (Scalar(4) * p_.m * p_.R_c)) * c_.k0;
         J[10] = Scalar(0);
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        J[13] = c_.k0 * (-dxdt[1] * (Scalar(8) * p_.m * p_.H));
+        J[13] = (-dxdt[1] * (Scalar(8) * p_.m * p_.H)) * c_.k0;
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = Scalar(0);

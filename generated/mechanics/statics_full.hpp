@@ -293,7 +293,8 @@ public:
     /// Operations: 1 *
     void rhs_and_jacobian(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar v_w = u[0];
-        dxdt[0] = p_.c_3 * v_w;
+        const Scalar e1 = p_.c_3 * v_w;
+        dxdt[0] = e1;
         J[0] = Scalar(0);
     }
 

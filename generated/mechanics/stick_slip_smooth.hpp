@@ -229,9 +229,9 @@ public:
         const Scalar inverse_3 = Scalar(1) / exp_2;
         const Scalar e4 = tanh_1 * inverse_3;
         const Scalar x_ddot = (c_.k1 * t - p_.c * x_value - c_.k3 * tanh_1 + c_.k2 * e4) * c_.k0;
-        const Scalar e5 = c_.k0 * (-p_.c);
+        const Scalar e5 = (-p_.c) * c_.k0;
         const Scalar e6 = -(c_.k6 - c_.k8 * inverse_3) * (Scalar(1) - tanh_1 * tanh_1) - c_.k7 * x_dot * e4;
-        const Scalar e7 = c_.k0 * e6;
+        const Scalar e7 = e6 * c_.k0;
         dxdt[0] = x[1];
         dxdt[1] = x_ddot;
         J[0] = Scalar(0);
@@ -275,23 +275,23 @@ public:
         const Scalar e10 = e1 * e8;
         const Scalar inverse_11 = Scalar(1) / p_.v_s;
         J[0] = Scalar(0);
-        J[1] = c_.k0 * (p_.g * e1 * e6 - dxdt[1] - tanh_2 * (p_.g * p_.mu_C));
+        J[1] = (p_.g * e1 * e6 - dxdt[1] - tanh_2 * (p_.g * p_.mu_C)) * c_.k0;
         J[2] = Scalar(0);
-        J[3] = c_.k0 * (p_.m * e1 * e6 - tanh_2 * (p_.m * p_.mu_C));
+        J[3] = (p_.m * e1 * e6 - tanh_2 * (p_.m * p_.mu_C)) * c_.k0;
         J[4] = Scalar(0);
-        J[5] = c_.k0 * (p_.v_0 * t - x_value);
+        J[5] = (p_.v_0 * t - x_value) * c_.k0;
         J[6] = Scalar(0);
-        J[7] = c_.k0 * (p_.c * t);
+        J[7] = p_.c * t * c_.k0;
         J[8] = Scalar(0);
-        J[9] = c_.k0 * (expm1_7 * tanh_2 * e8);
+        J[9] = expm1_7 * tanh_2 * e8 * c_.k0;
         J[10] = Scalar(0);
-        J[11] = c_.k0 * (-e8 * e6);
+        J[11] = (-e8 * e6) * c_.k0;
         J[12] = Scalar(0);
         const Scalar e12 = inverse_5 * (inverse_9_squared * e10) - p_.mu_C * e8 * inverse_9_squared;
-        J[13] = c_.k0 * (-x_dot * e12 * (Scalar(1) - tanh_2 * tanh_2));
+        J[13] = (-x_dot * e12 * (Scalar(1) - tanh_2 * tanh_2)) * c_.k0;
         J[14] = Scalar(0);
         const Scalar e13 = Scalar(2) * inverse_11 * inverse_11 * inverse_11 * e10 * e6 * x_dot_squared;
-        J[15] = c_.k0 * e13;
+        J[15] = e13 * c_.k0;
     }
 
     /// J = df/dt at fixed x and u.

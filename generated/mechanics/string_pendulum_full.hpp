@@ -254,11 +254,11 @@ public:
         const Scalar sin_phi = sin(phi);
         const Scalar e1 = p_.m * p_.l;
         J[0] = Scalar(0);
-        J[1] = c_.k0 * (-dxdt[1] * (p_.l * p_.l) - sin_phi * (p_.l * p_.g));
+        J[1] = (-dxdt[1] * (p_.l * p_.l) - sin_phi * (p_.l * p_.g)) * c_.k0;
         J[2] = Scalar(0);
-        J[3] = c_.k0 * (-dxdt[1] * (Scalar(2) * e1) - sin_phi * (p_.m * p_.g));
+        J[3] = (-dxdt[1] * (Scalar(2) * e1) - sin_phi * (p_.m * p_.g)) * c_.k0;
         J[4] = Scalar(0);
-        J[5] = c_.k0 * (-sin_phi * e1);
+        J[5] = (-sin_phi * e1) * c_.k0;
     }
 
     /// J = df/dt at fixed x and u.

@@ -234,14 +234,16 @@ public:
         const Scalar e2 = c_.k0 * inverse_1;
         const Scalar T = x[1];
         const Scalar e3 = c_.k1 * inverse_1;
-        const Scalar e4 = -e2;
-        const Scalar e5 = -e3;
-        dxdt[0] = -p_value * e2;
-        dxdt[1] = -T * e3;
-        J[0] = e4;
+        const Scalar e4 = -p_value * e2;
+        const Scalar e5 = -T * e3;
+        const Scalar e6 = -e2;
+        const Scalar e7 = -e3;
+        dxdt[0] = e4;
+        dxdt[1] = e5;
+        J[0] = e6;
         J[1] = Scalar(0);
         J[2] = Scalar(0);
-        J[3] = e5;
+        J[3] = e7;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].

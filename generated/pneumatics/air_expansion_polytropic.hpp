@@ -235,9 +235,10 @@ public:
     void rhs_and_jacobian(const State& x, const Input& /*u*/, Scalar t, State& dxdt, JacobianX& J) const noexcept {
         const Scalar p_value = x[0];
         const Scalar e1 = c_.k0 / (Scalar(1) + c_.k1 * t);
-        const Scalar e2 = -e1;
-        dxdt[0] = -p_value * e1;
-        J[0] = e2;
+        const Scalar e2 = -p_value * e1;
+        const Scalar e3 = -e1;
+        dxdt[0] = e2;
+        J[0] = e3;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -259,10 +259,11 @@ public:
         const Scalar charge = u[0];
         const Scalar consume = u[1];
         const Scalar e3 = charge - consume;
-        const Scalar power_4 = pow(e1, -c_.k4);
-        const Scalar e5 = -c_.k3 * power_4 * e3;
-        dxdt[0] = c_.k0 * power_2 * e3;
-        J[0] = e5;
+        const Scalar e4 = c_.k0 * power_2 * e3;
+        const Scalar power_5 = pow(e1, -c_.k4);
+        const Scalar e6 = -c_.k3 * power_5 * e3;
+        dxdt[0] = e4;
+        J[0] = e6;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -206,7 +206,8 @@ public:
     void rhs_and_jacobian(const State& /*x*/, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         const Scalar charge = u[0];
         const Scalar consume = u[1];
-        dxdt[0] = c_.k0 * (charge - consume);
+        const Scalar e1 = c_.k0 * (charge - consume);
+        dxdt[0] = e1;
         J[0] = Scalar(0);
     }
 

@@ -461,21 +461,22 @@ public:
         const Scalar signed_root_17 = detail::signed_root<Scalar>(e16);
         const Scalar u_e = u[1];
         const Scalar e18 = signed_root_17 * (c_.k0 * u_e);
-        const Scalar step_19 = detail::step<Scalar>(-e11);
-        const Scalar outflow_factor_slope_20 = detail::outflow_factor_slope<Scalar>(e14, c_.k3);
-        const Scalar e21 = e18 * (outflow_factor_slope_20 * inverse_13);
-        const Scalar inverse_root_22 = detail::inverse_root<Scalar>(e16);
-        const Scalar e23 = u_e * outflow_factor_15 * (c_.k4 * inverse_root_22);
-        const Scalar outflow_factor_slope_24 = detail::outflow_factor_slope<Scalar>(e4, c_.k3);
-        const Scalar sign_25 = detail::sign<Scalar>(e1);
-        const Scalar inverse_root_26 = detail::inverse_root<Scalar>(e8);
-        const Scalar sign_27 = detail::sign<Scalar>(e11);
-        const Scalar e28 = u_f * outflow_factor_5 * (inverse_root_26 * (max_p_S - step_6 * e1))
+        const Scalar e19 = c_.k2 * mdot + outflow_factor_5 * e10 + outflow_factor_15 * e18;
+        const Scalar step_20 = detail::step<Scalar>(-e11);
+        const Scalar outflow_factor_slope_21 = detail::outflow_factor_slope<Scalar>(e14, c_.k3);
+        const Scalar e22 = e18 * (outflow_factor_slope_21 * inverse_13);
+        const Scalar inverse_root_23 = detail::inverse_root<Scalar>(e16);
+        const Scalar e24 = u_e * outflow_factor_15 * (c_.k4 * inverse_root_23);
+        const Scalar outflow_factor_slope_25 = detail::outflow_factor_slope<Scalar>(e4, c_.k3);
+        const Scalar sign_26 = detail::sign<Scalar>(e1);
+        const Scalar inverse_root_27 = detail::inverse_root<Scalar>(e8);
+        const Scalar sign_28 = detail::sign<Scalar>(e11);
+        const Scalar e29 = u_f * outflow_factor_5 * (inverse_root_27 * (max_p_S - step_6 * e1))
             * (c_.k4 * step_6 + c_.k5 * step_7);
-        const Scalar e29 = -step_19 * (e14 * e21 - e11 * e23) - e10 * (outflow_factor_slope_24 * inverse_3)
-            * (sign_25 + step_6 * e4) - e28 - sign_27 * e21 - max_p_0 * e23;
-        dxdt[0] = c_.k2 * mdot + outflow_factor_5 * e10 + outflow_factor_15 * e18;
-        J[0] = e29;
+        const Scalar e30 = -step_20 * (e14 * e22 - e11 * e24) - e10 * (outflow_factor_slope_25 * inverse_3)
+            * (sign_26 + step_6 * e4) - e29 - sign_28 * e22 - max_p_0 * e24;
+        dxdt[0] = e19;
+        J[0] = e30;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

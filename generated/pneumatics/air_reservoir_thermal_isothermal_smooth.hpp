@@ -461,21 +461,22 @@ public:
         const Scalar e23 = u_e * e14;
         const Scalar e24 = sqrt_22 * e23;
         const Scalar e25 = e21 * e24;
-        const Scalar step_26 = detail::step<Scalar>(-e14);
-        const Scalar e27 = c_.k5 * outflow_factor_18;
-        const Scalar outflow_factor_slope_28 = detail::outflow_factor_slope<Scalar>(e17, c_.k3);
-        const Scalar e29 = e25 * (outflow_factor_slope_28 * inverse_16);
-        const Scalar power_30 = pow(e4, -Scalar(5) / Scalar(4));
-        const Scalar outflow_factor_slope_31 = detail::outflow_factor_slope<Scalar>(e10, c_.k3);
-        const Scalar sign_32 = detail::sign<Scalar>(e1);
-        const Scalar power_33 = pow(e19, -Scalar(5) / Scalar(4));
-        const Scalar sign_34 = detail::sign<Scalar>(e14);
-        const Scalar e35 = (step_2 * power_5 / sqrt_6 + e1 * power_30 * sqrt_6) * e13 * (c_.k5 * step_2 + c_.k6 * step_3);
-        const Scalar e36 = outflow_factor_slope_31 * inverse_9 * (e12 * e7) * (sign_32 + step_2 * e10);
-        const Scalar e37 = step_26 * (power_20 * e23 * e27 / sqrt_22 - e17 * e29) + e35 - e36 - u_e * sqrt_22
-            * outflow_factor_18 * e21 - u_f * outflow_factor_11 * e7 + e14 * power_33 * e24 * e27 - sign_34 * e29;
-        dxdt[0] = c_.k2 * mdot + e7 * e13 + outflow_factor_18 * e25;
-        J[0] = e37;
+        const Scalar e26 = c_.k2 * mdot + e7 * e13 + outflow_factor_18 * e25;
+        const Scalar step_27 = detail::step<Scalar>(-e14);
+        const Scalar e28 = c_.k5 * outflow_factor_18;
+        const Scalar outflow_factor_slope_29 = detail::outflow_factor_slope<Scalar>(e17, c_.k3);
+        const Scalar e30 = e25 * (outflow_factor_slope_29 * inverse_16);
+        const Scalar power_31 = pow(e4, -Scalar(5) / Scalar(4));
+        const Scalar outflow_factor_slope_32 = detail::outflow_factor_slope<Scalar>(e10, c_.k3);
+        const Scalar sign_33 = detail::sign<Scalar>(e1);
+        const Scalar power_34 = pow(e19, -Scalar(5) / Scalar(4));
+        const Scalar sign_35 = detail::sign<Scalar>(e14);
+        const Scalar e36 = (step_2 * power_5 / sqrt_6 + e1 * power_31 * sqrt_6) * e13 * (c_.k5 * step_2 + c_.k6 * step_3);
+        const Scalar e37 = outflow_factor_slope_32 * inverse_9 * (e12 * e7) * (sign_33 + step_2 * e10);
+        const Scalar e38 = step_27 * (power_20 * e23 * e28 / sqrt_22 - e17 * e30) + e36 - e37 - u_e * sqrt_22
+            * outflow_factor_18 * e21 - u_f * outflow_factor_11 * e7 + e14 * power_34 * e24 * e28 - sign_35 * e30;
+        dxdt[0] = e26;
+        J[0] = e38;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].

@@ -17,16 +17,16 @@
 //     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 4     30     8        0      4
-//   rhs                   16     32     4        0     16
-//   rhs_and_jacobian      39     91     4        0     24
-//   jacobian_u            20     52     4        0     16
-//   jacobian_p           138    362    10        0     30
+//   update                 3     30     8        0      4
+//   rhs                   16     31     4        0     16
+//   rhs_and_jacobian      39     92     4        0     24
+//   jacobian_u            20     51     4        0     16
+//   jacobian_p           130    328    10        0     30
 //   output                 9     20     4        0     13
 //   output_jacobian_x     19     46     4        0     19
 //   output_jacobian_u      6     13     3        0     13
 //   internal_energy        0      3     1        0      0
-//   exchanged_power       14     20     3        0     19
+//   exchanged_power       15     22     3        0     19
 //   guards                 8      5     3        0      5
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -339,7 +339,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 4 + or -, 30 *, 8 /, 4 other functions
+    /// Operations: 3 + or -, 30 *, 8 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
@@ -351,58 +351,51 @@ public:
         const Scalar e4 = p_.R_s * inverse_3;
         const Scalar e5 = Scalar(1) + e4;
         c_.k1 = e5;
-        c_.k2 = inverse_3;
-        const Scalar e6 = p_.R_s + c_.c_v;
-        const Scalar e7 = p_.T_in * e6;
-        c_.k3 = e7;
-        c_.k4 = e6;
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar sqrt_8 = sqrt(Scalar(2));
-        const Scalar e9 = sqrt_8 * (p_.A_d * p_.alpha_d);
-        const Scalar e10 = e9 / sqrt_R_s;
-        c_.k5 = e10;
+        const Scalar sqrt_6 = sqrt(Scalar(2));
+        const Scalar e7 = sqrt_6 * (p_.A_d * p_.alpha_d);
+        const Scalar e8 = e7 / sqrt_R_s;
+        c_.k2 = e8;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_11 = Scalar(1) / sqrt_T_0;
-        c_.k6 = inverse_11;
+        const Scalar inverse_9 = Scalar(1) / sqrt_T_0;
+        c_.k3 = inverse_9;
+        const Scalar e10 = p_.k_W * inverse_3;
+        c_.k4 = e10;
         const Scalar sqrt_T_in = sqrt(p_.T_in);
-        const Scalar inverse_12 = Scalar(1) / sqrt_T_in;
-        c_.k7 = inverse_12;
-        c_.k8 = e4;
-        const Scalar e13 = inverse_3 * e2;
-        c_.k9 = e13;
-        c_.k10 = p_.k_W * e13;
-        const Scalar e14 = e5 * e2;
-        c_.k11 = e14;
-        c_.k12 = p_.T_0 * p_.k_W;
-        const Scalar e15 = p_.T_0 * e6;
-        c_.k13 = e15;
-        const Scalar e16 = sqrt_R_s * e9;
-        const Scalar e17 = e16 * (inverse_1 * e5);
-        c_.k14 = e17;
-        c_.k15 = inverse_12 * e17;
-        c_.k16 = e10 * e13;
-        const Scalar e18 = inverse_12 * e10;
-        c_.k17 = e13 * e18;
-        const Scalar e19 = e13 * e16;
-        c_.k18 = e19;
-        c_.k19 = inverse_12 * e19;
-        c_.k20 = inverse_11 * e17;
-        const Scalar e20 = inverse_11 * e10;
-        c_.k21 = e13 * e20;
-        c_.k22 = inverse_11 * e19;
-        c_.k23 = e14;
-        c_.k24 = p_.R_s * e13;
-        c_.k25 = e20;
-        c_.k26 = e15;
-        c_.k27 = e6;
-        c_.k28 = e5;
-        c_.k29 = e18;
-        c_.k30 = e7;
-        c_.k31 = p_.V / p_.R_s;
-        c_.k32 = Scalar(1) / p_.p_S;
-        c_.k33 = (Scalar(1) / Scalar(2)) * e10;
-        c_.k34 = (Scalar(1) / Scalar(2)) * e18;
-        c_.k35 = (Scalar(1) / Scalar(2)) * e20;
+        const Scalar inverse_11 = Scalar(1) / sqrt_T_in;
+        c_.k5 = inverse_11;
+        c_.k6 = e4;
+        const Scalar e12 = inverse_3 * e2;
+        c_.k7 = p_.k_W * e12;
+        const Scalar e13 = e5 * e2;
+        c_.k8 = e13;
+        c_.k9 = p_.T_0 * e10;
+        c_.k10 = inverse_3;
+        const Scalar e14 = sqrt_R_s * e7;
+        const Scalar e15 = e14 * (inverse_1 * e5);
+        c_.k11 = e15;
+        c_.k12 = inverse_11 * e15;
+        c_.k13 = e8 * e13;
+        const Scalar e16 = inverse_11 * e8;
+        c_.k14 = e13 * e16;
+        const Scalar e17 = e14 * e12;
+        c_.k15 = e17;
+        c_.k16 = inverse_11 * e17;
+        c_.k17 = inverse_9 * e15;
+        const Scalar e18 = inverse_9 * e8;
+        c_.k18 = e13 * e18;
+        c_.k19 = inverse_9 * e17;
+        c_.k20 = e13;
+        c_.k21 = p_.R_s * e12;
+        c_.k22 = e18;
+        c_.k23 = e5;
+        c_.k24 = e16;
+        c_.k25 = p_.V / p_.R_s;
+        c_.k26 = p_.T_0 * p_.k_W;
+        c_.k27 = Scalar(1) / p_.p_S;
+        c_.k28 = (Scalar(1) / Scalar(2)) * e8;
+        c_.k29 = (Scalar(1) / Scalar(2)) * e16;
+        c_.k30 = (Scalar(1) / Scalar(2)) * e18;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -416,7 +409,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 16 + or -, 32 *, 4 /, 16 other functions
+    /// Operations: 16 + or -, 31 *, 4 /, 16 other functions
     ///     specific_enthalpy[supply] = T_in*(R_s + c_v)
     ///     specific_enthalpy[ambience] = T_0*(R_s + c_v)
     ///     density[tank] = p/(R_s*T)
@@ -445,7 +438,7 @@ public:
         const Scalar mdot = u[2];
         const Scalar max_1 = detail::max<Scalar>(Scalar(0), mdot);
         const Scalar T = x[1];
-        const Scalar e2 = c_.k3 - T * c_.k4;
+        const Scalar e2 = p_.T_in - T;
         const Scalar e3 = p_.T_0 - T;
         const Scalar u_e = u[1];
         const Scalar p_value = x[0];
@@ -458,8 +451,8 @@ public:
         const Scalar sqrt_T = sqrt(T);
         const Scalar inverse_9 = Scalar(1) / sqrt_T;
         const Scalar step_10 = detail::step<Scalar>(e4);
-        const Scalar e11 = u_e * signed_root_5 * (outflow_factor_7 * (step_8 * inverse_9 + step_10 * c_.k6));
-        const Scalar min_12 = detail::min<Scalar>(Scalar(0), -e11 * c_.k5);
+        const Scalar e11 = u_e * signed_root_5 * (outflow_factor_7 * (step_8 * inverse_9 + step_10 * c_.k3));
+        const Scalar min_12 = detail::min<Scalar>(Scalar(0), -e11 * c_.k2);
         const Scalar u_f = u[0];
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar e13 = p_.p_S - p_value;
@@ -468,110 +461,109 @@ public:
         const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_S, c_.k1);
         const Scalar step_17 = detail::step<Scalar>(-e13);
         const Scalar step_18 = detail::step<Scalar>(e13);
-        const Scalar e19 = u_f * signed_root_14 * (outflow_factor_16 * (step_17 * inverse_9 + step_18 * c_.k7));
-        const Scalar max_20 = detail::max<Scalar>(Scalar(0), e19 * c_.k5);
-        const Scalar e21 = (max_1 * e2 - e3 * c_.k4 * min_12 + (e2 * max_20 + p_.k_W * e3)) * c_.k2;
+        const Scalar e19 = u_f * signed_root_14 * (outflow_factor_16 * (step_17 * inverse_9 + step_18 * c_.k5));
+        const Scalar max_20 = detail::max<Scalar>(Scalar(0), e19 * c_.k2);
+        const Scalar e21 = (max_1 * e2 - e3 * min_12) * c_.k1 + (e2 * max_20 * c_.k1 + e3 * c_.k4);
         const Scalar e22 = T * c_.k0;
-        const Scalar e23 = (mdot + (e19 + e11) * c_.k5) * e22;
+        const Scalar e23 = (mdot + (e19 + e11) * c_.k2) * e22;
         dxdt[0] = e21 * c_.k0 + e23 * c_.k1;
-        dxdt[1] = (T * e23 * c_.k8 + e22 * e21) / p_value;
+        dxdt[1] = (T * e23 * c_.k6 + e21 * e22) / p_value;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: 39 + or -, 91 *, 4 /, 24 other functions
+    /// Operations: 39 + or -, 92 *, 4 /, 24 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::sqrt;
         const Scalar T = x[1];
-        const Scalar e1 = T * c_.k4;
-        const Scalar e2 = c_.k3 - e1;
+        const Scalar e1 = p_.T_in - T;
         const Scalar mdot = u[2];
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar max_2 = detail::max<Scalar>(Scalar(0), mdot);
         const Scalar p_value = x[0];
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar e4 = p_.p_S - p_value;
-        const Scalar e5 = max_p_S * e4;
-        const Scalar signed_root_6 = detail::signed_root<Scalar>(e5);
-        const Scalar abs_7 = abs(e4);
-        const Scalar inverse_8 = Scalar(1) / max_p_S;
-        const Scalar e9 = abs_7 * inverse_8;
-        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(e9, c_.k1);
-        const Scalar e11 = signed_root_6 * outflow_factor_10;
-        const Scalar step_12 = detail::step<Scalar>(-e4);
+        const Scalar e3 = p_.p_S - p_value;
+        const Scalar e4 = max_p_S * e3;
+        const Scalar signed_root_5 = detail::signed_root<Scalar>(e4);
+        const Scalar abs_6 = abs(e3);
+        const Scalar inverse_7 = Scalar(1) / max_p_S;
+        const Scalar e8 = abs_6 * inverse_7;
+        const Scalar outflow_factor_9 = detail::outflow_factor<Scalar>(e8, c_.k1);
+        const Scalar e10 = signed_root_5 * outflow_factor_9;
+        const Scalar step_11 = detail::step<Scalar>(-e3);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_13 = Scalar(1) / sqrt_T;
-        const Scalar step_14 = detail::step<Scalar>(e4);
-        const Scalar e15 = step_12 * inverse_13 + step_14 * c_.k7;
+        const Scalar inverse_12 = Scalar(1) / sqrt_T;
+        const Scalar step_13 = detail::step<Scalar>(e3);
+        const Scalar e14 = step_11 * inverse_12 + step_13 * c_.k5;
         const Scalar u_f = u[0];
-        const Scalar e16 = u_f * c_.k5;
-        const Scalar e17 = e15 * e16;
-        const Scalar e18 = e11 * e17;
-        const Scalar max_19 = detail::max<Scalar>(Scalar(0), e18);
-        const Scalar e20 = max_3 + max_19;
-        const Scalar e21 = c_.k13 - e1;
+        const Scalar e15 = u_f * c_.k2;
+        const Scalar e16 = e14 * e15;
+        const Scalar e17 = e10 * e16;
+        const Scalar max_18 = detail::max<Scalar>(Scalar(0), e17);
+        const Scalar e19 = max_2 + max_18;
+        const Scalar e20 = p_.T_0 - T;
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar e22 = p_.p_0 - p_value;
-        const Scalar e23 = max_p_0 * e22;
-        const Scalar signed_root_24 = detail::signed_root<Scalar>(e23);
-        const Scalar abs_25 = abs(e22);
-        const Scalar inverse_26 = Scalar(1) / max_p_0;
-        const Scalar e27 = abs_25 * inverse_26;
-        const Scalar outflow_factor_28 = detail::outflow_factor<Scalar>(e27, c_.k1);
-        const Scalar e29 = signed_root_24 * outflow_factor_28;
-        const Scalar step_30 = detail::step<Scalar>(-e22);
-        const Scalar step_31 = detail::step<Scalar>(e22);
-        const Scalar e32 = step_30 * inverse_13 + step_31 * c_.k6;
+        const Scalar e21 = p_.p_0 - p_value;
+        const Scalar e22 = max_p_0 * e21;
+        const Scalar signed_root_23 = detail::signed_root<Scalar>(e22);
+        const Scalar abs_24 = abs(e21);
+        const Scalar inverse_25 = Scalar(1) / max_p_0;
+        const Scalar e26 = abs_24 * inverse_25;
+        const Scalar outflow_factor_27 = detail::outflow_factor<Scalar>(e26, c_.k1);
+        const Scalar e28 = signed_root_23 * outflow_factor_27;
+        const Scalar step_29 = detail::step<Scalar>(-e21);
+        const Scalar step_30 = detail::step<Scalar>(e21);
+        const Scalar e31 = step_29 * inverse_12 + step_30 * c_.k3;
         const Scalar u_e = u[1];
-        const Scalar e33 = u_e * c_.k5;
-        const Scalar e34 = e32 * e33;
-        const Scalar e35 = e29 * e34;
-        const Scalar min_36 = detail::min<Scalar>(Scalar(0), -e35);
-        const Scalar e37 = e2 * e20 + (c_.k12 - e21 * min_36);
-        const Scalar e38 = mdot + (u_f * e15 * e11 + u_e * e32 * e29) * c_.k5;
-        const Scalar e39 = c_.k10 - e38 * c_.k11;
-        const Scalar inverse_40 = Scalar(1) / p_value;
-        const Scalar e41 = inverse_40 * c_.k9;
-        const Scalar e42 = T * e41;
-        const Scalar e43 = p_.R_s * e38 - p_.k_W;
-        const Scalar e44 = e42 * (T * e43 + e37);
-        const Scalar step_45 = detail::step<Scalar>(e18);
-        const Scalar e46 = e2 * step_45;
-        const Scalar e47 = T * c_.k1;
-        const Scalar e48 = (e46 * c_.k2 + e47) * c_.k0;
-        const Scalar inverse_root_49 = detail::inverse_root<Scalar>(e5);
-        const Scalar e50 = inverse_root_49 * outflow_factor_10;
-        const Scalar outflow_factor_slope_51 = detail::outflow_factor_slope<Scalar>(e9, c_.k1);
-        const Scalar sign_52 = detail::sign<Scalar>(e4);
-        const Scalar e53 = Scalar(2) * signed_root_6 * outflow_factor_slope_51 * inverse_8 * (step_12 * e9 + sign_52);
-        const Scalar e54 = (max_p_S * e50 - (step_12 * e4 * e50 - e53)) * e17;
-        const Scalar step_55 = detail::step<Scalar>(e35);
-        const Scalar e56 = e21 * step_55;
-        const Scalar e57 = (e56 * c_.k2 + e47) * c_.k0;
-        const Scalar inverse_root_58 = detail::inverse_root<Scalar>(e23);
-        const Scalar e59 = inverse_root_58 * outflow_factor_28;
-        const Scalar outflow_factor_slope_60 = detail::outflow_factor_slope<Scalar>(e27, c_.k1);
-        const Scalar sign_61 = detail::sign<Scalar>(e22);
-        const Scalar e62 = Scalar(2) * signed_root_24 * outflow_factor_slope_60 * inverse_26 * (step_30 * e27 + sign_61);
-        const Scalar e63 = (max_p_0 * e59 - (step_30 * e22 * e59 - e62)) * e34;
-        const Scalar e64 = (Scalar(1) / Scalar(2)) * (-e48 * e54 - e57 * e63);
-        const Scalar e65 = p_.R_s * T;
-        const Scalar e66 = (e65 + e46) * e42;
-        const Scalar e67 = (e65 + e56) * e42;
-        const Scalar e68 = -inverse_40 * e44 - (Scalar(1) / Scalar(2)) * e66 * e54 - (Scalar(1) / Scalar(2)) * e67 * e63;
-        const Scalar e69 = (min_36 - e20) * c_.k4;
-        const Scalar e70 = inverse_13 * (inverse_13 * inverse_13);
-        const Scalar e71 = step_12 * e16 * (e11 * e70);
-        const Scalar e72 = step_30 * e33 * (e29 * e70);
-        const Scalar e73 = e69 * c_.k9 - e39 - (Scalar(1) / Scalar(2)) * e48 * e71 - (Scalar(1) / Scalar(2)) * e57 * e72;
-        const Scalar e74 = e42 * (Scalar(2) * e43 + e69) + e41 * e37 - (Scalar(1) / Scalar(2)) * e66 * e71
-            - (Scalar(1) / Scalar(2)) * e67 * e72;
-        dxdt[0] = e37 * c_.k9 - T * e39;
-        dxdt[1] = e44;
-        J[0] = e64;
-        J[1] = e68;
-        J[2] = e73;
-        J[3] = e74;
+        const Scalar e32 = u_e * c_.k2;
+        const Scalar e33 = e31 * e32;
+        const Scalar e34 = e28 * e33;
+        const Scalar min_35 = detail::min<Scalar>(Scalar(0), -e34);
+        const Scalar e36 = e1 * e19 * c_.k1 + (c_.k9 - e20 * min_35 * c_.k1);
+        const Scalar e37 = mdot + (u_f * e14 * e10 + u_e * e31 * e28) * c_.k2;
+        const Scalar e38 = c_.k7 - e37 * c_.k8;
+        const Scalar inverse_39 = Scalar(1) / p_value;
+        const Scalar e40 = inverse_39 * c_.k0;
+        const Scalar e41 = T * e40;
+        const Scalar e42 = (p_.R_s * e37 - p_.k_W) * c_.k10;
+        const Scalar e43 = e41 * (T * e42 + e36);
+        const Scalar e44 = e36 * c_.k0 - T * e38;
+        const Scalar step_45 = detail::step<Scalar>(e17);
+        const Scalar e46 = e1 * step_45;
+        const Scalar e47 = (T + e46) * c_.k8;
+        const Scalar inverse_root_48 = detail::inverse_root<Scalar>(e4);
+        const Scalar e49 = inverse_root_48 * outflow_factor_9;
+        const Scalar outflow_factor_slope_50 = detail::outflow_factor_slope<Scalar>(e8, c_.k1);
+        const Scalar sign_51 = detail::sign<Scalar>(e3);
+        const Scalar e52 = Scalar(2) * signed_root_5 * outflow_factor_slope_50 * inverse_7 * (step_11 * e8 + sign_51);
+        const Scalar e53 = (max_p_S * e49 - (step_11 * e3 * e49 - e52)) * e16;
+        const Scalar step_54 = detail::step<Scalar>(e34);
+        const Scalar e55 = e20 * step_54;
+        const Scalar e56 = (T + e55) * c_.k8;
+        const Scalar inverse_root_57 = detail::inverse_root<Scalar>(e22);
+        const Scalar e58 = inverse_root_57 * outflow_factor_27;
+        const Scalar outflow_factor_slope_59 = detail::outflow_factor_slope<Scalar>(e26, c_.k1);
+        const Scalar sign_60 = detail::sign<Scalar>(e21);
+        const Scalar e61 = Scalar(2) * signed_root_23 * outflow_factor_slope_59 * inverse_25 * (step_29 * e26 + sign_60);
+        const Scalar e62 = (max_p_0 * e58 - (step_29 * e21 * e58 - e61)) * e33;
+        const Scalar e63 = (Scalar(1) / Scalar(2)) * (-e47 * e53 - e56 * e62);
+        const Scalar e64 = T * c_.k6;
+        const Scalar e65 = (e46 * c_.k1 + e64) * e41;
+        const Scalar e66 = (e55 * c_.k1 + e64) * e41;
+        const Scalar e67 = -inverse_39 * e43 - (Scalar(1) / Scalar(2)) * e65 * e53 - (Scalar(1) / Scalar(2)) * e66 * e62;
+        const Scalar e68 = min_35 - e19;
+        const Scalar e69 = inverse_12 * (inverse_12 * inverse_12);
+        const Scalar e70 = step_11 * e15 * (e10 * e69);
+        const Scalar e71 = step_29 * e32 * (e28 * e69);
+        const Scalar e72 = e68 * c_.k8 - e38 - (Scalar(1) / Scalar(2)) * e47 * e70 - (Scalar(1) / Scalar(2)) * e56 * e71;
+        const Scalar e73 = e41 * (e68 * c_.k1 + Scalar(2) * e42) + e40 * e36 - (Scalar(1) / Scalar(2)) * e65 * e70
+            - (Scalar(1) / Scalar(2)) * e66 * e71;
+        dxdt[0] = e44;
+        dxdt[1] = e43;
+        J[0] = e63;
+        J[1] = e67;
+        J[2] = e72;
+        J[3] = e73;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].
@@ -581,7 +573,7 @@ public:
     }
 
     /// J = df/du. 2 x 3, entry (i, j) at J[2*j + i].
-    /// Operations: 20 + or -, 52 *, 4 /, 16 other functions
+    /// Operations: 20 + or -, 51 *, 4 /, 16 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::abs;
         using std::sqrt;
@@ -592,7 +584,7 @@ public:
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar signed_root_3 = detail::signed_root<Scalar>(max_p_S * e1);
         const Scalar abs_4 = abs(e1);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k28);
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k23);
         const Scalar e6 = signed_root_3 * outflow_factor_5;
         const Scalar e7 = step_2 * e6;
         const Scalar step_8 = detail::step<Scalar>(-e1);
@@ -600,42 +592,41 @@ public:
         const Scalar inverse_9 = Scalar(1) / sqrt_T;
         const Scalar e10 = step_8 * inverse_9;
         const Scalar e11 = e6 * e10;
-        const Scalar e12 = c_.k14 * T;
-        const Scalar e13 = c_.k27 * T;
-        const Scalar e14 = c_.k30 - e13;
+        const Scalar e12 = c_.k11 * T;
+        const Scalar e13 = p_.T_in - T;
         const Scalar u_f = u[0];
-        const Scalar step_15 = detail::step<Scalar>(u_f * (c_.k29 * e7 + c_.k5 * e11));
-        const Scalar e16 = e14 * step_15 * ((c_.k17 * step_2 + c_.k16 * e10) * e6);
-        const Scalar e17 = T / p_value;
-        const Scalar e18 = T * e17;
-        const Scalar e19 = c_.k18 * e18;
-        const Scalar e20 = p_.p_0 - p_value;
-        const Scalar step_21 = detail::step<Scalar>(e20);
+        const Scalar step_14 = detail::step<Scalar>(u_f * (c_.k24 * e7 + c_.k2 * e11));
+        const Scalar e15 = e13 * step_14 * ((c_.k14 * step_2 + c_.k13 * e10) * e6);
+        const Scalar e16 = T / p_value;
+        const Scalar e17 = T * e16;
+        const Scalar e18 = c_.k15 * e17;
+        const Scalar e19 = p_.p_0 - p_value;
+        const Scalar step_20 = detail::step<Scalar>(e19);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar signed_root_22 = detail::signed_root<Scalar>(max_p_0 * e20);
-        const Scalar abs_23 = abs(e20);
-        const Scalar outflow_factor_24 = detail::outflow_factor<Scalar>(abs_23 / max_p_0, c_.k28);
-        const Scalar e25 = signed_root_22 * outflow_factor_24;
-        const Scalar e26 = step_21 * e25;
-        const Scalar step_27 = detail::step<Scalar>(-e20);
-        const Scalar e28 = step_27 * inverse_9;
-        const Scalar e29 = e25 * e28;
+        const Scalar signed_root_21 = detail::signed_root<Scalar>(max_p_0 * e19);
+        const Scalar abs_22 = abs(e19);
+        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(abs_22 / max_p_0, c_.k23);
+        const Scalar e24 = signed_root_21 * outflow_factor_23;
+        const Scalar e25 = step_20 * e24;
+        const Scalar step_26 = detail::step<Scalar>(-e19);
+        const Scalar e27 = step_26 * inverse_9;
+        const Scalar e28 = e24 * e27;
         const Scalar u_e = u[1];
-        const Scalar step_30 = detail::step<Scalar>(u_e * (c_.k25 * e26 + c_.k5 * e29));
-        const Scalar e31 = (c_.k26 - e13) * step_30 * ((c_.k21 * step_21 + c_.k16 * e28) * e25);
+        const Scalar step_29 = detail::step<Scalar>(u_e * (c_.k22 * e25 + c_.k2 * e28));
+        const Scalar e30 = (p_.T_0 - T) * step_29 * ((c_.k18 * step_20 + c_.k13 * e27) * e24);
         const Scalar mdot = u[2];
         const Scalar step_mdot = detail::step<Scalar>(mdot);
-        const Scalar e32 = e14 * (c_.k9 * step_mdot);
-        J[0] = c_.k15 * T * e7 + e11 * e12 + e16;
-        J[1] = c_.k19 * e18 * e7 + e11 * e19 + e17 * e16;
-        J[2] = c_.k20 * T * e26 + e29 * e12 + e31;
-        J[3] = c_.k22 * e18 * e26 + e29 * e19 + e17 * e31;
-        J[4] = c_.k23 * T + e32;
-        J[5] = c_.k24 * e18 + e17 * e32;
+        const Scalar e31 = e13 * (c_.k20 * step_mdot);
+        J[0] = c_.k12 * T * e7 + e11 * e12 + e15;
+        J[1] = c_.k16 * e17 * e7 + e11 * e18 + e16 * e15;
+        J[2] = c_.k17 * T * e25 + e28 * e12 + e30;
+        J[3] = c_.k19 * e17 * e25 + e28 * e18 + e16 * e30;
+        J[4] = c_.k20 * T + e31;
+        J[5] = c_.k21 * e17 + e16 * e31;
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 10, entry (i, j) at J[2*j + i].
-    /// Operations: 138 + or -, 362 *, 10 /, 30 other functions
+    /// Operations: 130 + or -, 328 *, 10 /, 30 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::abs;
         using std::sqrt;
@@ -644,221 +635,219 @@ public:
         const Scalar inverse_2 = Scalar(1) / c_.c_v;
         const Scalar e3 = p_.R_s * inverse_1;
         const Scalar e4 = inverse_2 * e3;
-        const Scalar e5 = inverse_1 * e4;
-        const Scalar e6 = p_.k_W * e5;
-        const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_7 = Scalar(1) / sqrt_T_0;
-        const Scalar sqrt_8 = sqrt(Scalar(2));
-        const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar inverse_9 = Scalar(1) / sqrt_R_s;
-        const Scalar e10 = sqrt_8 * inverse_9;
-        const Scalar e11 = p_.A_d * e10;
-        const Scalar e12 = p_.alpha_d * e11;
-        const Scalar e13 = Scalar(1) + p_.R_s * inverse_2;
-        const Scalar e14 = e13 * e3;
-        const Scalar e15 = e12 * e14;
-        const Scalar e16 = inverse_1 * e15;
-        const Scalar p_value = x[0];
-        const Scalar e17 = p_.p_0 - p_value;
-        const Scalar abs_18 = abs(e17);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar inverse_19 = Scalar(1) / max_p_0;
-        const Scalar e20 = abs_18 * inverse_19;
-        const Scalar outflow_factor_21 = detail::outflow_factor<Scalar>(e20, c_.k28);
-        const Scalar step_22 = detail::step<Scalar>(e17);
-        const Scalar u_e = u[1];
-        const Scalar e23 = max_p_0 * e17;
-        const Scalar signed_root_24 = detail::signed_root<Scalar>(e23);
-        const Scalar e25 = u_e * signed_root_24;
-        const Scalar e26 = step_22 * e25;
-        const Scalar e27 = outflow_factor_21 * e26;
-        const Scalar e28 = T * e27;
-        const Scalar sqrt_T_in = sqrt(p_.T_in);
-        const Scalar inverse_29 = Scalar(1) / sqrt_T_in;
-        const Scalar e30 = p_.p_S - p_value;
-        const Scalar abs_31 = abs(e30);
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar inverse_32 = Scalar(1) / max_p_S;
-        const Scalar e33 = abs_31 * inverse_32;
-        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e33, c_.k28);
-        const Scalar step_35 = detail::step<Scalar>(e30);
-        const Scalar u_f = u[0];
-        const Scalar e36 = max_p_S * e30;
-        const Scalar signed_root_37 = detail::signed_root<Scalar>(e36);
-        const Scalar e38 = u_f * signed_root_37;
-        const Scalar e39 = step_35 * e38;
-        const Scalar e40 = outflow_factor_34 * e39;
-        const Scalar e41 = T * e40;
-        const Scalar step_42 = detail::step<Scalar>(-e17);
-        const Scalar e43 = step_42 * e25;
-        const Scalar e44 = outflow_factor_21 * e43;
-        const Scalar step_45 = detail::step<Scalar>(-e30);
-        const Scalar e46 = step_45 * e38;
-        const Scalar e47 = outflow_factor_34 * e46;
-        const Scalar e48 = e44 + e47;
-        const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_49 = Scalar(1) / sqrt_T;
-        const Scalar e50 = T * inverse_49;
-        const Scalar e51 = e48 * e50;
-        const Scalar e52 = p_.T_0 * p_.k_W;
-        const Scalar e53 = c_.k27 * T;
-        const Scalar e54 = c_.k26 - e53;
-        const Scalar e55 = c_.k5 * inverse_49;
-        const Scalar e56 = c_.k25 * e27 + e44 * e55;
-        const Scalar min_57 = detail::min<Scalar>(Scalar(0), -e56);
-        const Scalar e58 = c_.k30 - e53;
+        const Scalar e5 = p_.k_W * e4;
+        const Scalar e6 = inverse_1 * e5;
+        const Scalar e7 = p_.T_0 * e6;
+        const Scalar e8 = p_.R_s * inverse_2;
+        const Scalar e9 = Scalar(1) + e8;
+        const Scalar e10 = inverse_1 * e9 * e3;
         const Scalar mdot = u[2];
-        const Scalar max_59 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar e60 = c_.k29 * e40 + e47 * e55;
-        const Scalar max_61 = detail::max<Scalar>(Scalar(0), e60);
-        const Scalar e62 = max_59 + max_61;
-        const Scalar e63 = e54 * min_57 - e58 * e62;
-        const Scalar e64 = e52 * e5 - e5 * e63;
-        const Scalar e65 = mdot * T;
+        const Scalar e11 = p_.T_0 - T;
+        const Scalar p_value = x[0];
+        const Scalar e12 = p_.p_0 - p_value;
+        const Scalar abs_13 = abs(e12);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
+        const Scalar inverse_14 = Scalar(1) / max_p_0;
+        const Scalar e15 = abs_13 * inverse_14;
+        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(e15, c_.k23);
+        const Scalar step_17 = detail::step<Scalar>(e12);
+        const Scalar u_e = u[1];
+        const Scalar e18 = max_p_0 * e12;
+        const Scalar signed_root_19 = detail::signed_root<Scalar>(e18);
+        const Scalar e20 = u_e * signed_root_19;
+        const Scalar e21 = step_17 * e20;
+        const Scalar e22 = outflow_factor_16 * e21;
+        const Scalar step_23 = detail::step<Scalar>(-e12);
+        const Scalar e24 = step_23 * e20;
+        const Scalar e25 = outflow_factor_16 * e24;
+        const Scalar sqrt_T = sqrt(T);
+        const Scalar inverse_26 = Scalar(1) / sqrt_T;
+        const Scalar e27 = c_.k2 * inverse_26;
+        const Scalar e28 = c_.k22 * e22 + e25 * e27;
+        const Scalar min_29 = detail::min<Scalar>(Scalar(0), -e28);
+        const Scalar e30 = p_.T_in - T;
+        const Scalar max_31 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar e32 = p_.p_S - p_value;
+        const Scalar abs_33 = abs(e32);
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
+        const Scalar inverse_34 = Scalar(1) / max_p_S;
+        const Scalar e35 = abs_33 * inverse_34;
+        const Scalar outflow_factor_36 = detail::outflow_factor<Scalar>(e35, c_.k23);
+        const Scalar step_37 = detail::step<Scalar>(e32);
+        const Scalar u_f = u[0];
+        const Scalar e38 = max_p_S * e32;
+        const Scalar signed_root_39 = detail::signed_root<Scalar>(e38);
+        const Scalar e40 = u_f * signed_root_39;
+        const Scalar e41 = step_37 * e40;
+        const Scalar e42 = outflow_factor_36 * e41;
+        const Scalar step_43 = detail::step<Scalar>(-e32);
+        const Scalar e44 = step_43 * e40;
+        const Scalar e45 = outflow_factor_36 * e44;
+        const Scalar e46 = c_.k24 * e42 + e45 * e27;
+        const Scalar max_47 = detail::max<Scalar>(Scalar(0), e46);
+        const Scalar e48 = max_31 + max_47;
+        const Scalar e49 = e11 * min_29 - e30 * e48;
+        const Scalar e50 = mdot * T - e49;
+        const Scalar sqrt_T_0 = sqrt(p_.T_0);
+        const Scalar inverse_51 = Scalar(1) / sqrt_T_0;
+        const Scalar sqrt_52 = sqrt(Scalar(2));
+        const Scalar sqrt_R_s = sqrt(p_.R_s);
+        const Scalar inverse_53 = Scalar(1) / sqrt_R_s;
+        const Scalar e54 = sqrt_52 * inverse_53;
+        const Scalar e55 = e3 * e54;
+        const Scalar e56 = p_.A_d * p_.alpha_d;
+        const Scalar e57 = e55 * e56;
+        const Scalar e58 = e9 * e57;
+        const Scalar e59 = inverse_51 * e58;
+        const Scalar e60 = T * e22;
+        const Scalar sqrt_T_in = sqrt(p_.T_in);
+        const Scalar inverse_61 = Scalar(1) / sqrt_T_in;
+        const Scalar e62 = inverse_61 * e58;
+        const Scalar e63 = T * e42;
+        const Scalar e64 = e25 + e45;
+        const Scalar e65 = e64 * (T * inverse_26);
         const Scalar e66 = T / p_value;
         const Scalar e67 = T * e66;
-        const Scalar e68 = e4 * e12;
-        const Scalar e69 = inverse_7 * e68;
-        const Scalar e70 = e67 * e27;
-        const Scalar e71 = inverse_29 * e68;
-        const Scalar e72 = e67 * e40;
-        const Scalar e73 = inverse_49 * e67;
-        const Scalar e74 = e48 * e73;
-        const Scalar e75 = mdot * e67;
-        const Scalar inverse_9_squared = inverse_9 * inverse_9;
-        const Scalar e76 = p_.R_s * e68;
-        const Scalar inverse_77 = Scalar(1) / (Scalar(1) - p_.kappa);
-        const Scalar e78 = inverse_2 * inverse_77;
-        const Scalar e79 = e68 + (Scalar(1) / Scalar(2)) * e76 * e78;
-        const Scalar e80 = e12 * (inverse_1 - (Scalar(1) / Scalar(2)) * e14 * inverse_9_squared) + Scalar(2) * e79;
-        const Scalar e81 = inverse_1 * inverse_2 + e4 * e78;
-        const Scalar e82 = inverse_77 * e4;
-        const Scalar e83 = e4 - e82;
-        const Scalar e84 = min_57 - e62;
-        const Scalar e85 = p_.k_W * e81 - e83 * e84;
-        const Scalar step_86 = detail::step<Scalar>(e56);
-        const Scalar e87 = e54 * step_86;
-        const Scalar e88 = e87 * e27;
-        const Scalar step_89 = detail::step<Scalar>(e60);
-        const Scalar e90 = e58 * step_89;
-        const Scalar e91 = e87 * e44 + e90 * e47;
-        const Scalar e92 = p_.R_s * e78;
-        const Scalar e93 = Scalar(1) + e92;
-        const Scalar e94 = inverse_2 * e93;
-        const Scalar outflow_factor_by_exponent_95 = detail::outflow_factor_by_exponent<Scalar>(e20, c_.k28);
-        const Scalar e96 = outflow_factor_by_exponent_95 * e43;
-        const Scalar outflow_factor_by_exponent_97 = detail::outflow_factor_by_exponent<Scalar>(e33, c_.k28);
-        const Scalar e98 = outflow_factor_by_exponent_97 * e46;
-        const Scalar e99 = e87 * e96 + e90 * e98;
-        const Scalar e100 = e90 * e40;
-        const Scalar e101 = outflow_factor_by_exponent_95 * e26;
-        const Scalar e102 = e87 * e101;
-        const Scalar e103 = outflow_factor_by_exponent_97 * e39;
-        const Scalar e104 = e90 * e103;
-        const Scalar e105 = min_57 * (p_.T_0 * e83) - p_.T_in * e83 * e62
-            + ((Scalar(1) / Scalar(2)) * e69 * inverse_9_squared * e88 + e81 * e63);
-        const Scalar e106 = (Scalar(1) / Scalar(2)) * e68 * inverse_9_squared * e91 - e68 * e94 * e99;
-        const Scalar e107 = inverse_49 * e106 + (Scalar(1) / Scalar(2)) * e71 * inverse_9_squared * e100;
-        const Scalar e108 = e105 + (e107 - (e81 * e52 + (e69 * e94 * e102 + e71 * e94 * e104)));
-        const Scalar e109 = Scalar(2) * (e4 * (Scalar(1) + (Scalar(1) / Scalar(2)) * e92));
-        const Scalar e110 = e13 * e93;
-        const Scalar e111 = e96 + e98;
-        const Scalar e112 = e111 * e50;
-        const Scalar e113 = T * e101;
-        const Scalar e114 = T * e103;
-        const Scalar e115 = e76 * inverse_9_squared - Scalar(4) * e79;
-        const Scalar e116 = e111 * e73;
-        const Scalar e117 = inverse_7 * e76;
-        const Scalar e118 = e67 * e101;
-        const Scalar e119 = inverse_29 * e76;
-        const Scalar e120 = e67 * e103;
-        const Scalar e121 = e76 * e92;
-        const Scalar e122 = inverse_77 * e121;
-        const Scalar e123 = p_.R_s * e82;
-        const Scalar e124 = inverse_77 * e123;
-        const Scalar e125 = e92 * e82;
-        const Scalar e126 = inverse_29 * e122 * e40 - e124 * e84
-            - (p_.k_W * e125 - (mdot * (e92 * e123) + inverse_7 * e122 * e27));
-        const Scalar e127 = e78 * e121;
-        const Scalar e128 = min_57 * (p_.T_0 * e124) + inverse_49 * e127 * e99 - (p_.T_in * e124 * e62 + e125 * e63);
-        const Scalar e129 = e52 * e125 + (inverse_7 * e127 * e102 + inverse_29 * e127 * e104) + e128;
-        const Scalar e130 = e13 * e122;
-        const Scalar e131 = e92 * e121;
-        const Scalar e132 = (Scalar(1) / Scalar(2)) * e15 * e50;
-        const Scalar inverse_root_133 = detail::inverse_root<Scalar>(e23);
-        const Scalar e134 = u_e * outflow_factor_21 * (inverse_root_133 * (max_p_0 + step_22 * e17));
-        const Scalar e135 = step_42 * e134;
-        const Scalar e136 = inverse_7 * e15;
-        const Scalar sign_137 = detail::sign<Scalar>(e17);
-        const Scalar outflow_factor_slope_138 = detail::outflow_factor_slope<Scalar>(e20, c_.k28);
-        const Scalar e139 = (step_22 * e20 - sign_137) * (outflow_factor_slope_138 * inverse_19);
-        const Scalar e140 = e26 * e139;
-        const Scalar e141 = step_22 * e134;
-        const Scalar e142 = (Scalar(1) / Scalar(2)) * e68;
-        const Scalar e143 = step_42 * inverse_49 * (c_.k16 * e25 * e139 - e142 * e134)
-            + (c_.k21 * e140 - (Scalar(1) / Scalar(2)) * e69 * e141);
-        const Scalar e144 = e87 * e143;
-        const Scalar e145 = e15 * e50;
-        const Scalar e146 = e43 * e139;
-        const Scalar e147 = (Scalar(1) / Scalar(2)) * e76 * e73;
-        const Scalar e148 = e76 * e73;
-        const Scalar inverse_7_squared = inverse_7 * inverse_7;
-        const Scalar e149 = c_.k23 * min_57 + (Scalar(1) / Scalar(2)) * e69 * inverse_7_squared * e88;
-        const Scalar e150 = c_.k10 - e149;
-        const Scalar e151 = inverse_1 * e13;
-        const Scalar e152 = p_.A_d * p_.alpha_d * (sqrt_8 * sqrt_R_s);
-        const Scalar e153 = e152 * inverse_7_squared;
-        const Scalar e154 = inverse_7 * e4;
-        const Scalar inverse_root_155 = detail::inverse_root<Scalar>(e36);
-        const Scalar e156 = u_f * outflow_factor_34 * (inverse_root_155 * (max_p_S + step_35 * e30));
-        const Scalar e157 = step_45 * e156;
-        const Scalar e158 = inverse_29 * e15;
-        const Scalar sign_159 = detail::sign<Scalar>(e30);
-        const Scalar outflow_factor_slope_160 = detail::outflow_factor_slope<Scalar>(e33, c_.k28);
-        const Scalar e161 = (step_35 * e33 - sign_159) * (outflow_factor_slope_160 * inverse_32);
-        const Scalar e162 = e39 * e161;
-        const Scalar e163 = step_35 * e156;
-        const Scalar e164 = step_45 * inverse_49 * (c_.k16 * e38 * e161 - e142 * e156)
-            + (c_.k17 * e162 - (Scalar(1) / Scalar(2)) * e71 * e163);
-        const Scalar e165 = e90 * e164;
-        const Scalar e166 = e46 * e161;
-        const Scalar inverse_29_squared = inverse_29 * inverse_29;
-        const Scalar e167 = c_.k23 * e62 - (Scalar(1) / Scalar(2)) * e71 * inverse_29_squared * e100;
-        const Scalar e168 = e152 * inverse_29_squared;
-        const Scalar e169 = inverse_29 * e4;
-        const Scalar e170 = p_.alpha_d * e10;
-        const Scalar e171 = e14 * e170;
-        const Scalar e172 = inverse_49 * e91;
-        const Scalar e173 = e170 * e169 * e100 + (e170 * e154 * e88 + e4 * e170 * e172);
-        const Scalar e174 = p_.R_s * e4;
-        const Scalar e175 = e170 * e174;
-        const Scalar e176 = e11 * e14;
-        const Scalar e177 = e11 * e169 * e100 + (e11 * e154 * e88 + e4 * e11 * e172);
-        const Scalar e178 = e11 * e174;
-        const Scalar e179 = p_.T_0 * e4;
-        J[0] = T * e6 - inverse_7 * e16 * e28 - inverse_29 * e16 * e41 - e16 * e51 - e64 - inverse_1 * e14 * e65;
-        J[1] = e6 * e67 - e3 * e69 * e70 - e3 * e71 * e72 - e3 * e68 * e74 - e66 * e64 - e3 * e4 * e75;
-        J[2] = inverse_7 * e80 * e28 - T * e85 + inverse_29 * e80 * e41 + e80 * e51 - e108 + (inverse_1 + e109) * e65 + e68
-            * e110 * e112 + e69 * e110 * e113 + e71 * e110 * e114;
-        J[3] = (-(Scalar(1) / Scalar(2)) * inverse_7 * e115) * e70 - e67 * e85 + (-(Scalar(1) / Scalar(2)) * inverse_29 * e115)
-            * e72 + (-(Scalar(1) / Scalar(2)) * e115) * e74 - e66 * e108 + e109 * e75 + e76 * e94 * e116 + e94 * e117 * e118
-            + e94 * e119 * e120;
-        J[4] = e122 * e51 + T * e126 + e129 + e130 * e112 + inverse_7 * e130 * e113 + inverse_29 * e130 * e114;
-        J[5] = e122 * e74 + e67 * e126 + e66 * e129 + e131 * e116 + inverse_7 * e131 * e118 + inverse_29 * e131 * e120;
-        J[6] = e132 * e135 - T * (e136 * e140 - (Scalar(1) / Scalar(2)) * e136 * e141) - e144 - e145 * e146;
-        J[7] = e147 * e135 - e67 * (e117 * e140 - (Scalar(1) / Scalar(2)) * e117 * e141) - e66 * e144 - e148 * e146;
-        J[8] = e150 - (Scalar(1) / Scalar(2)) * inverse_7 * e151 * e153 * e28;
-        J[9] = e66 * e150 - (Scalar(1) / Scalar(2)) * e154 * e153 * e70;
-        J[10] = e132 * e157 - T * (e158 * e162 - (Scalar(1) / Scalar(2)) * e158 * e163) - e165 - e145 * e166;
-        J[11] = e147 * e157 - e67 * (e119 * e162 - (Scalar(1) / Scalar(2)) * e119 * e163) - e66 * e165 - e148 * e166;
-        J[12] = e167 - (Scalar(1) / Scalar(2)) * inverse_29 * e151 * e168 * e41;
-        J[13] = e66 * e167 - (Scalar(1) / Scalar(2)) * e169 * e168 * e72;
-        J[14] = inverse_7 * e171 * e28 + inverse_29 * e171 * e41 + e171 * e51 + e173;
-        J[15] = inverse_7 * e175 * e70 + inverse_29 * e175 * e72 + e175 * e74 + e66 * e173;
-        J[16] = inverse_7 * e176 * e28 + inverse_29 * e176 * e41 + e176 * e51 + e177;
-        J[17] = inverse_7 * e178 * e70 + inverse_29 * e178 * e72 + e178 * e74 + e66 * e177;
-        J[18] = e179 - c_.k9 * T;
-        J[19] = e179 * e66 - c_.k9 * e67;
+        const Scalar e68 = e57 * e4;
+        const Scalar e69 = e67 * e22;
+        const Scalar e70 = e67 * e42;
+        const Scalar e71 = inverse_26 * e67;
+        const Scalar e72 = e64 * e71;
+        const Scalar e73 = mdot * e67;
+        const Scalar e74 = e66 * e49;
+        const Scalar inverse_75 = Scalar(1) / (Scalar(1) - p_.kappa);
+        const Scalar e76 = inverse_75 * e8;
+        const Scalar e77 = Scalar(2) * (e4 * (Scalar(1) + (Scalar(1) / Scalar(2)) * e76));
+        const Scalar e78 = inverse_1 + e77;
+        const Scalar e79 = (inverse_1 + inverse_75 * e4) * (p_.k_W * inverse_2);
+        const Scalar inverse_53_squared = inverse_53 * inverse_53;
+        const Scalar e80 = (Scalar(1) / Scalar(2)) * (e58 * inverse_53_squared);
+        const Scalar step_81 = detail::step<Scalar>(e28);
+        const Scalar e82 = e11 * step_81;
+        const Scalar step_83 = detail::step<Scalar>(e46);
+        const Scalar e84 = e30 * step_83;
+        const Scalar e85 = e82 * e25 + e84 * e45;
+        const Scalar e86 = inverse_26 * e80 * e85 - p_.T_0 * e79;
+        const Scalar e87 = e57 * e8;
+        const Scalar e88 = inverse_75 * e87;
+        const Scalar e89 = inverse_2 * (Scalar(2) * e57 + e88);
+        const Scalar e90 = inverse_1 * e54 * e56 - e80 + e89;
+        const Scalar e91 = (Scalar(1) / Scalar(2)) * inverse_53_squared * e62;
+        const Scalar e92 = e42 * e84;
+        const Scalar e93 = (Scalar(1) / Scalar(2)) * inverse_53_squared * e59;
+        const Scalar e94 = e22 * e82;
+        const Scalar e95 = inverse_2 * (e58 + e9 * e88);
+        const Scalar e96 = T + e82;
+        const Scalar outflow_factor_by_exponent_97 = detail::outflow_factor_by_exponent<Scalar>(e15, c_.k23);
+        const Scalar e98 = outflow_factor_by_exponent_97 * e24;
+        const Scalar e99 = T + e84;
+        const Scalar outflow_factor_by_exponent_100 = detail::outflow_factor_by_exponent<Scalar>(e35, c_.k23);
+        const Scalar e101 = outflow_factor_by_exponent_100 * e44;
+        const Scalar e102 = inverse_26 * (e96 * e98 + e99 * e101);
+        const Scalar e103 = inverse_51 * e95;
+        const Scalar e104 = outflow_factor_by_exponent_97 * e21;
+        const Scalar e105 = e96 * e104;
+        const Scalar e106 = inverse_61 * e95;
+        const Scalar e107 = outflow_factor_by_exponent_100 * e41;
+        const Scalar e108 = e99 * e107;
+        const Scalar e109 = e89 - (Scalar(1) / Scalar(2)) * e87 * inverse_53_squared;
+        const Scalar e110 = e66 * e84;
+        const Scalar e111 = e42 * e110;
+        const Scalar e112 = e66 * e82;
+        const Scalar e113 = e22 * e112;
+        const Scalar e114 = e87 * e76;
+        const Scalar e115 = inverse_2 * (e87 + e114);
+        const Scalar e116 = e71 * (e98 + e101);
+        const Scalar e117 = e67 * e104;
+        const Scalar e118 = e112 * e104;
+        const Scalar e119 = e67 * e107;
+        const Scalar e120 = e110 * e107;
+        const Scalar e121 = inverse_26 * e66;
+        const Scalar e122 = (e82 * e98 + e84 * e101) * e121;
+        const Scalar e123 = e5 * (inverse_75 * e76);
+        const Scalar e124 = p_.T_0 * e123;
+        const Scalar e125 = e3 * e76 * e76;
+        const Scalar e126 = inverse_75 * e114;
+        const Scalar e127 = e123 - (inverse_61 * e126 * e42 + inverse_51 * e126 * e22);
+        const Scalar e128 = e9 * e126;
+        const Scalar e129 = inverse_51 * e9;
+        const Scalar e130 = e126 * e129;
+        const Scalar e131 = inverse_61 * e9;
+        const Scalar e132 = e126 * e131;
+        const Scalar e133 = e76 * e114;
+        const Scalar sign_134 = detail::sign<Scalar>(e12);
+        const Scalar outflow_factor_slope_135 = detail::outflow_factor_slope<Scalar>(e15, c_.k23);
+        const Scalar e136 = (step_17 * e15 - sign_134) * (outflow_factor_slope_135 * inverse_14);
+        const Scalar e137 = (Scalar(1) / Scalar(2)) * e58;
+        const Scalar inverse_root_138 = detail::inverse_root<Scalar>(e18);
+        const Scalar e139 = u_e * outflow_factor_16 * (inverse_root_138 * (max_p_0 + step_17 * e12));
+        const Scalar e140 = e21 * e136;
+        const Scalar e141 = step_17 * e139;
+        const Scalar e142 = step_23 * inverse_26 * (c_.k13 * e20 * e136 - e137 * e139)
+            + (c_.k18 * e140 - (Scalar(1) / Scalar(2)) * e59 * e141);
+        const Scalar e143 = (Scalar(1) / Scalar(2)) * e87 * e71;
+        const Scalar e144 = inverse_51 * e87;
+        const Scalar e145 = e87 * e71;
+        const Scalar e146 = c_.k7 - c_.k20 * min_29;
+        const Scalar inverse_51_squared = inverse_51 * inverse_51;
+        const Scalar e147 = e56 * (sqrt_52 * sqrt_R_s);
+        const Scalar e148 = inverse_1 * e147;
+        const Scalar e149 = (Scalar(1) / Scalar(2)) * e59 * inverse_51_squared;
+        const Scalar e150 = e4 * e147;
+        const Scalar sign_151 = detail::sign<Scalar>(e32);
+        const Scalar outflow_factor_slope_152 = detail::outflow_factor_slope<Scalar>(e35, c_.k23);
+        const Scalar e153 = (step_37 * e35 - sign_151) * (outflow_factor_slope_152 * inverse_34);
+        const Scalar inverse_root_154 = detail::inverse_root<Scalar>(e38);
+        const Scalar e155 = u_f * outflow_factor_36 * (inverse_root_154 * (max_p_S + step_37 * e32));
+        const Scalar e156 = e41 * e153;
+        const Scalar e157 = step_37 * e155;
+        const Scalar e158 = step_43 * inverse_26 * (c_.k13 * e40 * e153 - e137 * e155)
+            + (c_.k14 * e156 - (Scalar(1) / Scalar(2)) * e62 * e157);
+        const Scalar e159 = inverse_61 * e87;
+        const Scalar e160 = c_.k20 * e48;
+        const Scalar inverse_61_squared = inverse_61 * inverse_61;
+        const Scalar e161 = (Scalar(1) / Scalar(2)) * e62 * inverse_61_squared;
+        const Scalar e162 = p_.alpha_d * e55;
+        const Scalar e163 = e162 * e129;
+        const Scalar e164 = e96 * e22;
+        const Scalar e165 = e162 * e131;
+        const Scalar e166 = e99 * e42;
+        const Scalar e167 = e9 * e162;
+        const Scalar e168 = inverse_26 * (e96 * e25 + e99 * e45);
+        const Scalar e169 = e8 * e162;
+        const Scalar e170 = e85 * e121;
+        const Scalar e171 = p_.A_d * e55;
+        const Scalar e172 = e171 * e129;
+        const Scalar e173 = e171 * e131;
+        const Scalar e174 = e9 * e171;
+        const Scalar e175 = e8 * e171;
+        const Scalar e176 = p_.T_0 * e4;
+        J[0] = T * e6 - e7 - e10 * e50 - inverse_1 * e59 * e60 - inverse_1 * e62 * e63 - inverse_1 * e58 * e65;
+        J[1] = e6 * e67 - e7 * e66 - inverse_51 * e68 * e69 - inverse_61 * e68 * e70 - e68 * e72 - e3 * e4 * e73 + e10 * e74;
+        J[2] = e78 * e50 - T * e79 - e86 + inverse_51 * e90 * e60 + inverse_61 * e90 * e63 + e90 * e65 - e91 * e92 - e93 * e94
+            + e95 * e102 + e103 * e105 + e106 * e108;
+        J[3] = inverse_51 * e109 * e69 - e79 * e67 - e66 * e86 + inverse_61 * e109 * e70 + e109 * e72 - e91 * e111 - e93 * e113
+            + e77 * e73 - e78 * e74 + e115 * e116 + inverse_51 * e115 * e117 + e103 * e118 + inverse_61 * e115 * e119 + e106
+            * e120 + e95 * e122;
+        J[4] = e124 + e125 * e50 - T * e127 + e126 * e65 + e128 * e102 + e130 * e105 + e132 * e108;
+        J[5] = e125 * (e73 - e74) + e124 * e66 + e126 * e72 - e67 * e127 + e133 * e116 + inverse_51 * e133 * e117 + e130 * e118
+            + inverse_61 * e133 * e119 + e132 * e120 + e128 * e122;
+        J[6] = -e96 * e142;
+        J[7] = step_23 * e139 * e143 - e67 * (e144 * e140 - (Scalar(1) / Scalar(2)) * e144 * e141) - e112 * e142 - e24 * e136
+            * e145;
+        J[8] = e146 - (Scalar(1) / Scalar(2)) * e129 * inverse_51_squared * e148 * e60 - e149 * e94;
+        J[9] = e66 * e146 - (Scalar(1) / Scalar(2)) * inverse_51 * inverse_51_squared * e150 * e69 - e149 * e113;
+        J[10] = -e99 * e158;
+        J[11] = step_43 * e155 * e143 - e67 * (e159 * e156 - (Scalar(1) / Scalar(2)) * e159 * e157) - e110 * e158 - e44 * e153
+            * e145;
+        J[12] = e160 - (Scalar(1) / Scalar(2)) * e131 * inverse_61_squared * e148 * e63 - e161 * e92;
+        J[13] = e66 * e160 - (Scalar(1) / Scalar(2)) * inverse_61 * inverse_61_squared * e150 * e70 - e161 * e111;
+        J[14] = e163 * e164 + e165 * e166 + e167 * e168;
+        J[15] = inverse_51 * e169 * e69 + inverse_61 * e169 * e70 + e169 * e72 + e165 * e111 + e163 * e113 + e167 * e170;
+        J[16] = e172 * e164 + e173 * e166 + e174 * e168;
+        J[17] = inverse_51 * e175 * e69 + inverse_61 * e175 * e70 + e175 * e72 + e173 * e111 + e172 * e113 + e174 * e170;
+        J[18] = e176 - T * e4;
+        J[19] = e176 * e66 - e4 * e67;
     }
 
     /// J = df/dt at fixed x and u.
@@ -905,7 +894,7 @@ public:
         const Scalar step_2 = detail::step<Scalar>(-e1);
         const Scalar abs_3 = abs(e1);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k28);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k23);
         const Scalar u_f = u[0];
         const Scalar signed_root_5 = detail::signed_root<Scalar>(max_p_S * e1);
         const Scalar e6 = outflow_factor_4 * (u_f * signed_root_5);
@@ -913,7 +902,7 @@ public:
         const Scalar step_8 = detail::step<Scalar>(-e7);
         const Scalar abs_9 = abs(e7);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_0, c_.k28);
+        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(abs_9 / max_p_0, c_.k23);
         const Scalar u_e = u[1];
         const Scalar signed_root_11 = detail::signed_root<Scalar>(max_p_0 * e7);
         const Scalar e12 = outflow_factor_10 * (u_e * signed_root_11);
@@ -921,10 +910,10 @@ public:
         const Scalar step_13 = detail::step<Scalar>(e1);
         const Scalar step_14 = detail::step<Scalar>(e7);
         y[0] = T;
-        y[1] = c_.k31 * p_value / T;
-        y[2] = c_.k5 / sqrt_T * (step_2 * e6 + step_8 * e12) + mdot + c_.k29 * step_13 * e6 + c_.k25 * step_14 * e12;
-        y[3] = c_.k12 - p_.k_W * T;
-        y[4] = c_.k32 * p_value;
+        y[1] = c_.k25 * p_value / T;
+        y[2] = c_.k2 / sqrt_T * (step_2 * e6 + step_8 * e12) + mdot + c_.k24 * step_13 * e6 + c_.k22 * step_14 * e12;
+        y[3] = c_.k26 - p_.k_W * T;
+        y[4] = c_.k27 * p_value;
     }
 
     /// C = dh/dx.
@@ -934,7 +923,7 @@ public:
         using std::sqrt;
         const Scalar T = x[1];
         const Scalar inverse_1 = Scalar(1) / T;
-        const Scalar e2 = c_.k31 * inverse_1;
+        const Scalar e2 = c_.k25 * inverse_1;
         const Scalar p_value = x[0];
         const Scalar e3 = p_.p_0 - p_value;
         const Scalar step_4 = detail::step<Scalar>(e3);
@@ -942,13 +931,13 @@ public:
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar inverse_6 = Scalar(1) / max_p_0;
         const Scalar e7 = abs_5 * inverse_6;
-        const Scalar outflow_factor_8 = detail::outflow_factor<Scalar>(e7, c_.k28);
+        const Scalar outflow_factor_8 = detail::outflow_factor<Scalar>(e7, c_.k23);
         const Scalar step_9 = detail::step<Scalar>(-e3);
         const Scalar u_e = u[1];
         const Scalar e10 = max_p_0 * e3;
         const Scalar inverse_root_11 = detail::inverse_root<Scalar>(e10);
         const Scalar e12 = (max_p_0 - step_9 * e3) * (u_e * inverse_root_11);
-        const Scalar outflow_factor_slope_13 = detail::outflow_factor_slope<Scalar>(e7, c_.k28);
+        const Scalar outflow_factor_slope_13 = detail::outflow_factor_slope<Scalar>(e7, c_.k23);
         const Scalar sign_14 = detail::sign<Scalar>(e3);
         const Scalar signed_root_15 = detail::signed_root<Scalar>(e10);
         const Scalar e16 = u_e * signed_root_15;
@@ -959,29 +948,29 @@ public:
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar inverse_21 = Scalar(1) / max_p_S;
         const Scalar e22 = abs_20 * inverse_21;
-        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(e22, c_.k28);
+        const Scalar outflow_factor_23 = detail::outflow_factor<Scalar>(e22, c_.k23);
         const Scalar step_24 = detail::step<Scalar>(-e18);
         const Scalar u_f = u[0];
         const Scalar e25 = max_p_S * e18;
         const Scalar inverse_root_26 = detail::inverse_root<Scalar>(e25);
         const Scalar e27 = (max_p_S - step_24 * e18) * (u_f * inverse_root_26);
-        const Scalar outflow_factor_slope_28 = detail::outflow_factor_slope<Scalar>(e22, c_.k28);
+        const Scalar outflow_factor_slope_28 = detail::outflow_factor_slope<Scalar>(e22, c_.k23);
         const Scalar sign_29 = detail::sign<Scalar>(e18);
         const Scalar signed_root_30 = detail::signed_root<Scalar>(e25);
         const Scalar e31 = u_f * signed_root_30;
         const Scalar e32 = outflow_factor_slope_28 * inverse_21 * ((sign_29 + step_24 * e22) * e31);
         const Scalar sqrt_T = sqrt(T);
         const Scalar inverse_33 = Scalar(1) / sqrt_T;
-        const Scalar e34 = c_.k33 * inverse_33;
+        const Scalar e34 = c_.k28 * inverse_33;
         const Scalar e35 = e34 * (step_24 * outflow_factor_23);
         const Scalar e36 = e34 * (step_9 * outflow_factor_8);
         C[0] = Scalar(0);
         C[1] = e2;
-        C[2] = -step_4 * (c_.k35 * outflow_factor_8 * e12 + c_.k25 * e17) - step_19
-            * (c_.k34 * outflow_factor_23 * e27 + c_.k29 * e32) - c_.k5 * inverse_33 * (step_24 * e32 + step_9 * e17) - e27
+        C[2] = -step_4 * (c_.k30 * outflow_factor_8 * e12 + c_.k22 * e17) - step_19
+            * (c_.k29 * outflow_factor_23 * e27 + c_.k24 * e32) - c_.k2 * inverse_33 * (step_24 * e32 + step_9 * e17) - e27
             * e35 - e12 * e36;
         C[3] = Scalar(0);
-        C[4] = c_.k32;
+        C[4] = c_.k27;
         C[5] = Scalar(1);
         C[6] = -p_value * inverse_1 * e2;
         C[7] = -inverse_33 * inverse_33 * (e31 * e35 + e16 * e36);
@@ -999,27 +988,27 @@ public:
         const Scalar e1 = p_.p_S - p_value;
         const Scalar signed_root_2 = detail::signed_root<Scalar>(max_p_S * e1);
         const Scalar abs_3 = abs(e1);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k28);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k23);
         const Scalar step_5 = detail::step<Scalar>(e1);
         const Scalar step_6 = detail::step<Scalar>(-e1);
         const Scalar T = x[1];
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e7 = c_.k5 / sqrt_T;
+        const Scalar e7 = c_.k2 / sqrt_T;
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar e8 = p_.p_0 - p_value;
         const Scalar signed_root_9 = detail::signed_root<Scalar>(max_p_0 * e8);
         const Scalar abs_10 = abs(e8);
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_0, c_.k28);
+        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_0, c_.k23);
         const Scalar step_12 = detail::step<Scalar>(e8);
         const Scalar step_13 = detail::step<Scalar>(-e8);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = signed_root_2 * outflow_factor_4 * (c_.k29 * step_5 + step_6 * e7);
+        D[2] = signed_root_2 * outflow_factor_4 * (c_.k24 * step_5 + step_6 * e7);
         D[3] = Scalar(0);
         D[4] = Scalar(0);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
-        D[7] = signed_root_9 * outflow_factor_11 * (c_.k25 * step_12 + step_13 * e7);
+        D[7] = signed_root_9 * outflow_factor_11 * (c_.k22 * step_12 + step_13 * e7);
         D[8] = Scalar(0);
         D[9] = Scalar(0);
         D[10] = Scalar(0);
@@ -1072,41 +1061,43 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 14 + or -, 20 *, 3 /, 19 other functions
+    /// Operations: 15 + or -, 22 *, 3 /, 19 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
         using std::sqrt;
         const Scalar T = x[1];
+        const Scalar e1 = p_.R_s + c_.c_v;
         const Scalar mdot = u[2];
-        const Scalar min_1 = detail::min<Scalar>(Scalar(0), mdot);
+        const Scalar min_2 = detail::min<Scalar>(Scalar(0), mdot);
         const Scalar p_value = x[0];
-        const Scalar e2 = p_.p_0 - p_value;
-        const Scalar abs_3 = abs(e2);
+        const Scalar e3 = p_.p_0 - p_value;
+        const Scalar abs_4 = abs(e3);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, c_.k28);
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_0, c_.k23);
         const Scalar u_e = u[1];
-        const Scalar signed_root_5 = detail::signed_root<Scalar>(max_p_0 * e2);
-        const Scalar step_6 = detail::step<Scalar>(e2);
-        const Scalar step_7 = detail::step<Scalar>(-e2);
+        const Scalar signed_root_6 = detail::signed_root<Scalar>(max_p_0 * e3);
+        const Scalar step_7 = detail::step<Scalar>(e3);
+        const Scalar step_8 = detail::step<Scalar>(-e3);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e8 = c_.k5 / sqrt_T;
-        const Scalar e9 = outflow_factor_4 * (u_e * signed_root_5) * (c_.k25 * step_6 + step_7 * e8);
-        const Scalar e10 = -e9;
-        const Scalar max_11 = detail::max<Scalar>(Scalar(0), e10);
-        const Scalar e12 = p_.p_S - p_value;
-        const Scalar abs_13 = abs(e12);
+        const Scalar e9 = c_.k2 / sqrt_T;
+        const Scalar e10 = outflow_factor_5 * (u_e * signed_root_6) * (c_.k22 * step_7 + step_8 * e9);
+        const Scalar e11 = -e10;
+        const Scalar max_12 = detail::max<Scalar>(Scalar(0), e11);
+        const Scalar e13 = p_.p_S - p_value;
+        const Scalar abs_14 = abs(e13);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_S, c_.k28);
+        const Scalar outflow_factor_15 = detail::outflow_factor<Scalar>(abs_14 / max_p_S, c_.k23);
         const Scalar u_f = u[0];
-        const Scalar signed_root_15 = detail::signed_root<Scalar>(max_p_S * e12);
-        const Scalar step_16 = detail::step<Scalar>(e12);
-        const Scalar step_17 = detail::step<Scalar>(-e12);
-        const Scalar e18 = outflow_factor_14 * (u_f * signed_root_15) * (c_.k29 * step_16 + step_17 * e8);
-        const Scalar min_19 = detail::min<Scalar>(Scalar(0), e18);
-        const Scalar max_20 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e18);
-        const Scalar min_22 = detail::min<Scalar>(Scalar(0), e10);
-        return c_.k27 * T * (min_1 - max_11 + min_19) + c_.k30 * (max_20 + max_21) + c_.k12 - p_.k_W * T - c_.k26 * min_22;
+        const Scalar signed_root_16 = detail::signed_root<Scalar>(max_p_S * e13);
+        const Scalar step_17 = detail::step<Scalar>(e13);
+        const Scalar step_18 = detail::step<Scalar>(-e13);
+        const Scalar e19 = outflow_factor_15 * (u_f * signed_root_16) * (c_.k24 * step_17 + step_18 * e9);
+        const Scalar min_20 = detail::min<Scalar>(Scalar(0), e19);
+        const Scalar max_21 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar max_22 = detail::max<Scalar>(Scalar(0), e19);
+        const Scalar min_23 = detail::min<Scalar>(Scalar(0), e11);
+        return T * e1 * (min_2 - max_12 + min_20) + p_.T_in * e1 * (max_21 + max_22) + c_.k26 - p_.k_W * T - min_23
+            * (p_.T_0 * e1);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1139,40 +1130,35 @@ private:
         Scalar c_v;  ///< -R_s/(1 - kappa)
         Scalar k0;  ///< R_s/V
         Scalar k1;  ///< 1 + R_s/c_v
-        Scalar k2;  ///< 1/c_v
-        Scalar k3;  ///< T_in*(R_s + c_v)
-        Scalar k4;  ///< R_s + c_v
-        Scalar k5;  ///< A_d*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k6;  ///< 1/sqrt(T_0)
-        Scalar k7;  ///< 1/sqrt(T_in)
-        Scalar k8;  ///< R_s/c_v
-        Scalar k9;  ///< R_s/(V*c_v)
-        Scalar k10;  ///< R_s*k_W/(V*c_v)
-        Scalar k11;  ///< R_s*(1 + R_s/c_v)/V
-        Scalar k12;  ///< T_0*k_W
-        Scalar k13;  ///< T_0*(R_s + c_v)
-        Scalar k14;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k15;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
-        Scalar k16;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*c_v)
-        Scalar k17;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*c_v*sqrt(T_in))
-        Scalar k18;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
-        Scalar k19;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
-        Scalar k20;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
-        Scalar k21;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*c_v*sqrt(T_0))
-        Scalar k22;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
-        Scalar k23;  ///< R_s*(1 + R_s/c_v)/V
-        Scalar k24;  ///< R_s^2/(V*c_v)
-        Scalar k25;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k26;  ///< T_0*(R_s + c_v)
-        Scalar k27;  ///< R_s + c_v
-        Scalar k28;  ///< 1 + R_s/c_v
-        Scalar k29;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
-        Scalar k30;  ///< T_in*(R_s + c_v)
-        Scalar k31;  ///< V/R_s
-        Scalar k32;  ///< 1/p_S
-        Scalar k33;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s))
-        Scalar k34;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
-        Scalar k35;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k2;  ///< A_d*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k3;  ///< 1/sqrt(T_0)
+        Scalar k4;  ///< k_W/c_v
+        Scalar k5;  ///< 1/sqrt(T_in)
+        Scalar k6;  ///< R_s/c_v
+        Scalar k7;  ///< R_s*k_W/(V*c_v)
+        Scalar k8;  ///< R_s*(1 + R_s/c_v)/V
+        Scalar k9;  ///< T_0*k_W/c_v
+        Scalar k10;  ///< 1/c_v
+        Scalar k11;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k12;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
+        Scalar k13;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k14;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
+        Scalar k15;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
+        Scalar k16;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
+        Scalar k17;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
+        Scalar k18;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
+        Scalar k19;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
+        Scalar k20;  ///< R_s*(1 + R_s/c_v)/V
+        Scalar k21;  ///< R_s^2/(V*c_v)
+        Scalar k22;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k23;  ///< 1 + R_s/c_v
+        Scalar k24;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
+        Scalar k25;  ///< V/R_s
+        Scalar k26;  ///< T_0*k_W
+        Scalar k27;  ///< 1/p_S
+        Scalar k28;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s))
+        Scalar k29;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
+        Scalar k30;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
     };
     Cached c_{};
 };

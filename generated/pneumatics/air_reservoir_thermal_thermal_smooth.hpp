@@ -17,16 +17,16 @@
 //     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 4     31     8        0      4
-//   rhs                   20     38     4        0     18
-//   rhs_and_jacobian      43     96     6        0     26
-//   jacobian_u            22     56     4        0     18
-//   jacobian_p           159    433    12        0     32
+//   update                 3     31     8        0      4
+//   rhs                   18     35     4        0     18
+//   rhs_and_jacobian      43    100     6        0     26
+//   jacobian_u            22     55     4        0     18
+//   jacobian_p           141    371    12        0     32
 //   output                11     24     4        0     15
 //   output_jacobian_x     23     59     6        0     21
 //   output_jacobian_u      8     17     3        0     15
 //   internal_energy        0      3     1        0      0
-//   exchanged_power       16     24     3        0     21
+//   exchanged_power       17     26     3        0     21
 //   guards                 7      5     3        0      5
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
@@ -322,7 +322,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes what depends on them alone.
-    /// Operations: 4 + or -, 31 *, 8 /, 4 other functions
+    /// Operations: 3 + or -, 31 *, 8 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
@@ -330,61 +330,56 @@ public:
         const Scalar inverse_1 = Scalar(1) / p_.V;
         const Scalar e2 = p_.R_s * inverse_1;
         c_.k0 = e2;
-        const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar sqrt_3 = sqrt(Scalar(2));
-        const Scalar e4 = sqrt_3 * (p_.A_d * p_.alpha_d);
-        const Scalar e5 = e4 / sqrt_R_s;
+        const Scalar inverse_3 = Scalar(1) / c_.c_v;
+        const Scalar e4 = p_.R_s * inverse_3;
+        const Scalar e5 = Scalar(1) + e4;
         c_.k1 = e5;
-        c_.k2 = p_.width * p_.width;
-        const Scalar inverse_6 = Scalar(1) / c_.c_v;
-        const Scalar e7 = Scalar(1) + p_.R_s * inverse_6;
-        c_.k3 = e7;
-        const Scalar sqrt_T_in = sqrt(p_.T_in);
-        const Scalar inverse_8 = Scalar(1) / sqrt_T_in;
-        c_.k4 = inverse_8;
+        const Scalar sqrt_R_s = sqrt(p_.R_s);
+        const Scalar sqrt_6 = sqrt(Scalar(2));
+        const Scalar e7 = sqrt_6 * (p_.A_d * p_.alpha_d);
+        const Scalar e8 = e7 / sqrt_R_s;
+        c_.k2 = e8;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
         const Scalar inverse_9 = Scalar(1) / sqrt_T_0;
-        c_.k5 = inverse_9;
-        c_.k6 = inverse_6;
-        const Scalar e10 = p_.R_s + c_.c_v;
-        c_.k7 = e10;
-        const Scalar e11 = p_.T_in * e10;
-        c_.k8 = e11;
-        const Scalar e12 = inverse_6 * e2;
-        c_.k9 = e12;
-        c_.k10 = p_.k_W * e12;
-        const Scalar e13 = e7 * e2;
-        c_.k11 = e13;
-        c_.k12 = e7;
-        c_.k13 = p_.T_0 * p_.k_W;
-        const Scalar e14 = p_.T_0 * e10;
-        c_.k14 = e14;
-        const Scalar e15 = sqrt_R_s * e4;
-        const Scalar e16 = e15 * (inverse_1 * e7);
-        c_.k15 = e16;
-        c_.k16 = inverse_8 * e16;
-        c_.k17 = e5 * e12;
-        const Scalar e17 = inverse_8 * e5;
-        c_.k18 = e12 * e17;
-        const Scalar e18 = e12 * e15;
-        c_.k19 = e18;
-        c_.k20 = inverse_8 * e18;
-        c_.k21 = inverse_9 * e16;
-        const Scalar e19 = inverse_9 * e5;
-        c_.k22 = e12 * e19;
-        c_.k23 = inverse_9 * e18;
-        c_.k24 = e13;
-        c_.k25 = p_.R_s * e12;
-        c_.k26 = e19;
-        c_.k27 = e14;
-        c_.k28 = e10;
-        c_.k29 = e17;
-        c_.k30 = e11;
-        c_.k31 = p_.V / p_.R_s;
-        c_.k32 = Scalar(1) / p_.p_S;
-        c_.k33 = (Scalar(1) / Scalar(2)) * e5;
-        c_.k34 = (Scalar(1) / Scalar(2)) * e17;
-        c_.k35 = (Scalar(1) / Scalar(2)) * e19;
+        c_.k3 = inverse_9;
+        c_.k4 = p_.width * p_.width;
+        const Scalar e10 = p_.k_W * inverse_3;
+        c_.k5 = e10;
+        const Scalar sqrt_T_in = sqrt(p_.T_in);
+        const Scalar inverse_11 = Scalar(1) / sqrt_T_in;
+        c_.k6 = inverse_11;
+        c_.k7 = e4;
+        const Scalar e12 = inverse_3 * e2;
+        c_.k8 = p_.k_W * e12;
+        const Scalar e13 = e5 * e2;
+        c_.k9 = e13;
+        c_.k10 = p_.T_0 * e10;
+        c_.k11 = inverse_3;
+        const Scalar e14 = sqrt_R_s * e7;
+        const Scalar e15 = e14 * (inverse_1 * e5);
+        c_.k12 = e15;
+        c_.k13 = inverse_11 * e15;
+        c_.k14 = e8 * e13;
+        const Scalar e16 = inverse_11 * e8;
+        c_.k15 = e13 * e16;
+        const Scalar e17 = e14 * e12;
+        c_.k16 = e17;
+        c_.k17 = inverse_11 * e17;
+        c_.k18 = inverse_9 * e15;
+        const Scalar e18 = inverse_9 * e8;
+        c_.k19 = e13 * e18;
+        c_.k20 = inverse_9 * e17;
+        c_.k21 = e13;
+        c_.k22 = p_.R_s * e12;
+        c_.k23 = e18;
+        c_.k24 = e5;
+        c_.k25 = e16;
+        c_.k26 = p_.V / p_.R_s;
+        c_.k27 = p_.T_0 * p_.k_W;
+        c_.k28 = Scalar(1) / p_.p_S;
+        c_.k29 = (Scalar(1) / Scalar(2)) * e8;
+        c_.k30 = (Scalar(1) / Scalar(2)) * e16;
+        c_.k31 = (Scalar(1) / Scalar(2)) * e18;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -398,7 +393,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 20 + or -, 38 *, 4 /, 18 other functions
+    /// Operations: 18 + or -, 35 *, 4 /, 18 other functions
     ///     specific_enthalpy[supply] = T_in*(R_s + c_v)
     ///     specific_enthalpy[ambience] = T_0*(R_s + c_v)
     ///     density[tank] = p/(R_s*T)
@@ -427,151 +422,148 @@ public:
         using std::abs;
         using std::pow;
         using std::sqrt;
-        const Scalar T = x[1];
-        const Scalar p_value = x[0];
-        const Scalar e1 = p_.p_S - p_value;
-        const Scalar power_2 = pow(c_.k2 + e1 * e1, -Scalar(1) / Scalar(4));
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_3 = sqrt(max_p_S);
-        const Scalar abs_4 = abs(e1);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k3);
-        const Scalar u_f = u[0];
-        const Scalar e6 = power_2 * sqrt_3 * (outflow_factor_5 * (u_f * e1));
-        const Scalar step_7 = detail::step<Scalar>(e1);
-        const Scalar e8 = e6 * (step_7 * c_.k4);
-        const Scalar e9 = p_.p_0 - p_value;
-        const Scalar power_10 = pow(c_.k2 + e9 * e9, -Scalar(1) / Scalar(4));
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar sqrt_11 = sqrt(max_p_0);
-        const Scalar abs_12 = abs(e9);
-        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_0, c_.k3);
-        const Scalar u_e = u[1];
-        const Scalar e14 = power_10 * sqrt_11 * (outflow_factor_13 * (u_e * e9));
-        const Scalar step_15 = detail::step<Scalar>(e9);
-        const Scalar e16 = e14 * (step_15 * c_.k5);
         const Scalar mdot = u[2];
-        const Scalar step_17 = detail::step<Scalar>(-e1);
-        const Scalar e18 = step_17 * e6;
-        const Scalar step_19 = detail::step<Scalar>(-e9);
-        const Scalar e20 = step_19 * e14;
+        const Scalar max_1 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar T = x[1];
+        const Scalar e2 = p_.T_in - T;
+        const Scalar e3 = p_.T_0 - T;
+        const Scalar p_value = x[0];
+        const Scalar e4 = p_.p_0 - p_value;
+        const Scalar abs_5 = abs(e4);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
+        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_0, c_.k1);
+        const Scalar step_7 = detail::step<Scalar>(-e4);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e21 = c_.k1 / sqrt_T;
-        const Scalar e22 = T * ((e8 + e16) * c_.k1 + (mdot + (e18 + e20) * e21));
-        const Scalar e23 = p_.T_0 - T;
-        const Scalar min_24 = detail::min<Scalar>(Scalar(0), -e21 * e20 - e16 * c_.k1);
-        const Scalar e25 = c_.k8 - T * c_.k7;
-        const Scalar max_26 = detail::max<Scalar>(Scalar(0), e21 * e18 + e8 * c_.k1);
-        const Scalar max_27 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar e28 = e23 * c_.k7 * min_24 - e25 * max_26 - (p_.k_W * e23 + (max_27 * e25 + p_.R_s * e22));
-        const Scalar e29 = e28 * c_.k6 * c_.k0;
-        dxdt[0] = e22 * c_.k0 - e29;
-        dxdt[1] = -T * e29 / p_value;
+        const Scalar inverse_8 = Scalar(1) / sqrt_T;
+        const Scalar step_9 = detail::step<Scalar>(e4);
+        const Scalar u_e = u[1];
+        const Scalar power_10 = pow(c_.k4 + e4 * e4, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_11 = sqrt(max_p_0);
+        const Scalar e12 = outflow_factor_6 * (step_7 * inverse_8 + step_9 * c_.k3) * (u_e * e4 * (power_10 * sqrt_11));
+        const Scalar min_13 = detail::min<Scalar>(Scalar(0), -e12 * c_.k2);
+        const Scalar e14 = p_.p_S - p_value;
+        const Scalar abs_15 = abs(e14);
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
+        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_S, c_.k1);
+        const Scalar step_17 = detail::step<Scalar>(-e14);
+        const Scalar step_18 = detail::step<Scalar>(e14);
+        const Scalar u_f = u[0];
+        const Scalar power_19 = pow(c_.k4 + e14 * e14, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_20 = sqrt(max_p_S);
+        const Scalar e21 = outflow_factor_16 * (step_17 * inverse_8 + step_18 * c_.k6) * (u_f * e14 * (power_19 * sqrt_20));
+        const Scalar max_22 = detail::max<Scalar>(Scalar(0), e21 * c_.k2);
+        const Scalar e23 = (max_1 * e2 - e3 * min_13) * c_.k1 + (e2 * max_22 * c_.k1 + e3 * c_.k5);
+        const Scalar e24 = T * c_.k0;
+        const Scalar e25 = (mdot + (e21 + e12) * c_.k2) * e24;
+        dxdt[0] = e23 * c_.k0 + e25 * c_.k1;
+        dxdt[1] = (T * e25 * c_.k7 + e23 * e24) / p_value;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: 43 + or -, 96 *, 6 /, 26 other functions
+    /// Operations: 43 + or -, 100 *, 6 /, 26 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
         const Scalar T = x[1];
-        const Scalar e1 = T * c_.k7;
-        const Scalar e2 = c_.k8 - e1;
+        const Scalar e1 = p_.T_in - T;
         const Scalar mdot = u[2];
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar max_2 = detail::max<Scalar>(Scalar(0), mdot);
         const Scalar p_value = x[0];
-        const Scalar e4 = p_.p_S - p_value;
-        const Scalar abs_5 = abs(e4);
+        const Scalar e3 = p_.p_S - p_value;
+        const Scalar e3_squared = e3 * e3;
+        const Scalar e4 = c_.k4 + e3_squared;
+        const Scalar power_5 = pow(e4, -Scalar(1) / Scalar(4));
+        const Scalar e6 = e3 * power_5;
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar inverse_6 = Scalar(1) / max_p_S;
-        const Scalar e7 = abs_5 * inverse_6;
-        const Scalar outflow_factor_8 = detail::outflow_factor<Scalar>(e7, c_.k12);
-        const Scalar e9 = c_.k2 + e4 * e4;
-        const Scalar power_10 = pow(e9, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_11 = sqrt(max_p_S);
-        const Scalar e12 = power_10 * sqrt_11;
-        const Scalar e13 = outflow_factor_8 * e12;
-        const Scalar e14 = e4 * e13;
-        const Scalar step_15 = detail::step<Scalar>(-e4);
+        const Scalar sqrt_7 = sqrt(max_p_S);
+        const Scalar abs_8 = abs(e3);
+        const Scalar inverse_9 = Scalar(1) / max_p_S;
+        const Scalar e10 = abs_8 * inverse_9;
+        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(e10, c_.k1);
+        const Scalar e12 = sqrt_7 * outflow_factor_11;
+        const Scalar e13 = e6 * e12;
+        const Scalar step_14 = detail::step<Scalar>(-e3);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_16 = Scalar(1) / sqrt_T;
-        const Scalar step_17 = detail::step<Scalar>(e4);
-        const Scalar e18 = step_15 * inverse_16 + step_17 * c_.k4;
+        const Scalar inverse_15 = Scalar(1) / sqrt_T;
+        const Scalar step_16 = detail::step<Scalar>(e3);
+        const Scalar e17 = step_14 * inverse_15 + step_16 * c_.k6;
         const Scalar u_f = u[0];
-        const Scalar e19 = u_f * c_.k1;
-        const Scalar e20 = e18 * e19;
-        const Scalar e21 = e14 * e20;
-        const Scalar max_22 = detail::max<Scalar>(Scalar(0), e21);
-        const Scalar e23 = max_3 + max_22;
-        const Scalar e24 = c_.k14 - e1;
-        const Scalar e25 = p_.p_0 - p_value;
-        const Scalar abs_26 = abs(e25);
+        const Scalar e18 = u_f * c_.k2;
+        const Scalar e19 = e17 * e18;
+        const Scalar e20 = e13 * e19;
+        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e20);
+        const Scalar e22 = max_2 + max_21;
+        const Scalar e23 = p_.T_0 - T;
+        const Scalar e24 = p_.p_0 - p_value;
+        const Scalar e24_squared = e24 * e24;
+        const Scalar e25 = c_.k4 + e24_squared;
+        const Scalar power_26 = pow(e25, -Scalar(1) / Scalar(4));
+        const Scalar e27 = e24 * power_26;
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar inverse_27 = Scalar(1) / max_p_0;
-        const Scalar e28 = abs_26 * inverse_27;
-        const Scalar outflow_factor_29 = detail::outflow_factor<Scalar>(e28, c_.k12);
-        const Scalar e30 = c_.k2 + e25 * e25;
-        const Scalar power_31 = pow(e30, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_32 = sqrt(max_p_0);
-        const Scalar e33 = power_31 * sqrt_32;
-        const Scalar e34 = outflow_factor_29 * e33;
-        const Scalar e35 = e25 * e34;
-        const Scalar step_36 = detail::step<Scalar>(-e25);
-        const Scalar step_37 = detail::step<Scalar>(e25);
-        const Scalar e38 = step_36 * inverse_16 + step_37 * c_.k5;
+        const Scalar sqrt_28 = sqrt(max_p_0);
+        const Scalar abs_29 = abs(e24);
+        const Scalar inverse_30 = Scalar(1) / max_p_0;
+        const Scalar e31 = abs_29 * inverse_30;
+        const Scalar outflow_factor_32 = detail::outflow_factor<Scalar>(e31, c_.k1);
+        const Scalar e33 = sqrt_28 * outflow_factor_32;
+        const Scalar e34 = e27 * e33;
+        const Scalar step_35 = detail::step<Scalar>(-e24);
+        const Scalar step_36 = detail::step<Scalar>(e24);
+        const Scalar e37 = step_35 * inverse_15 + step_36 * c_.k3;
         const Scalar u_e = u[1];
-        const Scalar e39 = u_e * c_.k1;
-        const Scalar e40 = e38 * e39;
-        const Scalar e41 = e35 * e40;
-        const Scalar min_42 = detail::min<Scalar>(Scalar(0), -e41);
-        const Scalar e43 = e2 * e23 + (c_.k13 - e24 * min_42);
-        const Scalar e44 = mdot + (u_f * e18 * e14 + u_e * e38 * e35) * c_.k1;
-        const Scalar e45 = c_.k10 - e44 * c_.k11;
-        const Scalar inverse_46 = Scalar(1) / p_value;
-        const Scalar e47 = inverse_46 * c_.k9;
-        const Scalar e48 = T * e47;
-        const Scalar e49 = p_.R_s * e44 - p_.k_W;
-        const Scalar e50 = e48 * (T * e49 + e43);
-        const Scalar step_51 = detail::step<Scalar>(e21);
-        const Scalar e52 = e2 * step_51;
-        const Scalar e53 = T * c_.k12;
-        const Scalar e54 = (e52 * c_.k6 + e53) * c_.k0;
-        const Scalar outflow_factor_slope_55 = detail::outflow_factor_slope<Scalar>(e7, c_.k12);
-        const Scalar sign_56 = detail::sign<Scalar>(e4);
-        const Scalar power_57 = pow(e9, -Scalar(5) / Scalar(4));
-        const Scalar e58 = (Scalar(1) / Scalar(2)) * outflow_factor_8
-            * (step_15 * power_10 / sqrt_11 + e4 * power_57 * sqrt_11);
-        const Scalar e59 = outflow_factor_slope_55 * inverse_6 * (step_15 * e7 + sign_56) * e12 - e58;
-        const Scalar e60 = (e4 * e59 + e13) * e20;
-        const Scalar step_61 = detail::step<Scalar>(e41);
-        const Scalar e62 = e24 * step_61;
-        const Scalar e63 = (e62 * c_.k6 + e53) * c_.k0;
-        const Scalar outflow_factor_slope_64 = detail::outflow_factor_slope<Scalar>(e28, c_.k12);
-        const Scalar sign_65 = detail::sign<Scalar>(e25);
-        const Scalar power_66 = pow(e30, -Scalar(5) / Scalar(4));
-        const Scalar e67 = (Scalar(1) / Scalar(2)) * outflow_factor_29
-            * (step_36 * power_31 / sqrt_32 + e25 * power_66 * sqrt_32);
-        const Scalar e68 = outflow_factor_slope_64 * inverse_27 * (step_36 * e28 + sign_65) * e33 - e67;
-        const Scalar e69 = (e25 * e68 + e34) * e40;
-        const Scalar e70 = -e54 * e60 - e63 * e69;
-        const Scalar e71 = p_.R_s * T;
-        const Scalar e72 = (e71 + e52) * e48;
-        const Scalar e73 = (e71 + e62) * e48;
-        const Scalar e74 = -inverse_46 * e50 - e72 * e60 - e73 * e69;
-        const Scalar e75 = (min_42 - e23) * c_.k7;
-        const Scalar e76 = inverse_16 * (inverse_16 * inverse_16);
-        const Scalar e77 = step_15 * e19 * (e14 * e76);
-        const Scalar e78 = step_36 * e39 * (e35 * e76);
-        const Scalar e79 = e75 * c_.k9 - e45 - (Scalar(1) / Scalar(2)) * e54 * e77 - (Scalar(1) / Scalar(2)) * e63 * e78;
-        const Scalar e80 = e48 * (Scalar(2) * e49 + e75) + e47 * e43 - (Scalar(1) / Scalar(2)) * e72 * e77
-            - (Scalar(1) / Scalar(2)) * e73 * e78;
-        dxdt[0] = e43 * c_.k9 - T * e45;
-        dxdt[1] = e50;
-        J[0] = e70;
-        J[1] = e74;
-        J[2] = e79;
-        J[3] = e80;
+        const Scalar e38 = u_e * c_.k2;
+        const Scalar e39 = e37 * e38;
+        const Scalar e40 = e34 * e39;
+        const Scalar min_41 = detail::min<Scalar>(Scalar(0), -e40);
+        const Scalar e42 = e1 * e22 * c_.k1 + (c_.k10 - e23 * min_41 * c_.k1);
+        const Scalar e43 = mdot + (u_f * e17 * e13 + u_e * e37 * e34) * c_.k2;
+        const Scalar e44 = c_.k8 - e43 * c_.k9;
+        const Scalar inverse_45 = Scalar(1) / p_value;
+        const Scalar e46 = inverse_45 * c_.k0;
+        const Scalar e47 = T * e46;
+        const Scalar e48 = (p_.R_s * e43 - p_.k_W) * c_.k11;
+        const Scalar e49 = e47 * (T * e48 + e42);
+        const Scalar e50 = e42 * c_.k0 - T * e44;
+        const Scalar step_51 = detail::step<Scalar>(e20);
+        const Scalar e52 = e1 * step_51;
+        const Scalar e53 = (T + e52) * c_.k9;
+        const Scalar outflow_factor_slope_54 = detail::outflow_factor_slope<Scalar>(e10, c_.k1);
+        const Scalar sign_55 = detail::sign<Scalar>(e3);
+        const Scalar power_56 = pow(e4, -Scalar(5) / Scalar(4));
+        const Scalar e57 = Scalar(2) * sqrt_7 * outflow_factor_slope_54 * inverse_9 * (step_14 * e10 + sign_55);
+        const Scalar e58 = (step_14 * outflow_factor_11 / sqrt_7 - e57) * e6 + (power_56 * e3_squared - Scalar(2) * power_5)
+            * e12;
+        const Scalar e59 = e58 * e19;
+        const Scalar step_60 = detail::step<Scalar>(e40);
+        const Scalar e61 = e23 * step_60;
+        const Scalar e62 = (T + e61) * c_.k9;
+        const Scalar outflow_factor_slope_63 = detail::outflow_factor_slope<Scalar>(e31, c_.k1);
+        const Scalar sign_64 = detail::sign<Scalar>(e24);
+        const Scalar power_65 = pow(e25, -Scalar(5) / Scalar(4));
+        const Scalar e66 = Scalar(2) * sqrt_28 * outflow_factor_slope_63 * inverse_30 * (step_35 * e31 + sign_64);
+        const Scalar e67 = (step_35 * outflow_factor_32 / sqrt_28 - e66) * e27
+            + (power_65 * e24_squared - Scalar(2) * power_26) * e33;
+        const Scalar e68 = e67 * e39;
+        const Scalar e69 = (Scalar(1) / Scalar(2)) * (e53 * e59 + e62 * e68);
+        const Scalar e70 = T * c_.k7;
+        const Scalar e71 = (e52 * c_.k1 + e70) * e47;
+        const Scalar e72 = (e61 * c_.k1 + e70) * e47;
+        const Scalar e73 = (Scalar(1) / Scalar(2)) * e71 * e59 - inverse_45 * e49 + (Scalar(1) / Scalar(2)) * e72 * e68;
+        const Scalar e74 = min_41 - e22;
+        const Scalar e75 = inverse_15 * (inverse_15 * inverse_15);
+        const Scalar e76 = step_14 * e18 * (e13 * e75);
+        const Scalar e77 = step_35 * e38 * (e34 * e75);
+        const Scalar e78 = e74 * c_.k9 - e44 - (Scalar(1) / Scalar(2)) * e53 * e76 - (Scalar(1) / Scalar(2)) * e62 * e77;
+        const Scalar e79 = e47 * (e74 * c_.k1 + Scalar(2) * e48) + e46 * e42 - (Scalar(1) / Scalar(2)) * e71 * e76
+            - (Scalar(1) / Scalar(2)) * e72 * e77;
+        dxdt[0] = e50;
+        dxdt[1] = e49;
+        J[0] = e69;
+        J[1] = e73;
+        J[2] = e78;
+        J[3] = e79;
     }
 
     /// J = df/dx. 2 x 2, entry (i, j) at J[2*j + i].
@@ -581,7 +573,7 @@ public:
     }
 
     /// J = df/du. 2 x 3, entry (i, j) at J[2*j + i].
-    /// Operations: 22 + or -, 56 *, 4 /, 18 other functions
+    /// Operations: 22 + or -, 55 *, 4 /, 18 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::abs;
         using std::pow;
@@ -590,11 +582,11 @@ public:
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_S - p_value;
         const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar power_3 = pow(c_.k2 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar power_3 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_4 = sqrt(max_p_S);
         const Scalar abs_5 = abs(e1);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k3);
+        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k24);
         const Scalar e7 = e1 * power_3 * (sqrt_4 * outflow_factor_6);
         const Scalar e8 = step_2 * e7;
         const Scalar step_9 = detail::step<Scalar>(-e1);
@@ -602,43 +594,42 @@ public:
         const Scalar inverse_10 = Scalar(1) / sqrt_T;
         const Scalar e11 = step_9 * inverse_10;
         const Scalar e12 = e7 * e11;
-        const Scalar e13 = c_.k15 * T;
-        const Scalar e14 = c_.k28 * T;
-        const Scalar e15 = c_.k30 - e14;
+        const Scalar e13 = c_.k12 * T;
+        const Scalar e14 = p_.T_in - T;
         const Scalar u_f = u[0];
-        const Scalar step_16 = detail::step<Scalar>(u_f * (c_.k29 * e8 + c_.k1 * e12));
-        const Scalar e17 = e15 * step_16 * ((c_.k18 * step_2 + c_.k17 * e11) * e7);
-        const Scalar e18 = T / p_value;
-        const Scalar e19 = T * e18;
-        const Scalar e20 = c_.k19 * e19;
-        const Scalar e21 = p_.p_0 - p_value;
-        const Scalar step_22 = detail::step<Scalar>(e21);
-        const Scalar power_23 = pow(c_.k2 + e21 * e21, -Scalar(1) / Scalar(4));
+        const Scalar step_15 = detail::step<Scalar>(u_f * (c_.k25 * e8 + c_.k2 * e12));
+        const Scalar e16 = e14 * step_15 * ((c_.k15 * step_2 + c_.k14 * e11) * e7);
+        const Scalar e17 = T / p_value;
+        const Scalar e18 = T * e17;
+        const Scalar e19 = c_.k16 * e18;
+        const Scalar e20 = p_.p_0 - p_value;
+        const Scalar step_21 = detail::step<Scalar>(e20);
+        const Scalar power_22 = pow(c_.k4 + e20 * e20, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar sqrt_24 = sqrt(max_p_0);
-        const Scalar abs_25 = abs(e21);
-        const Scalar outflow_factor_26 = detail::outflow_factor<Scalar>(abs_25 / max_p_0, c_.k3);
-        const Scalar e27 = e21 * power_23 * (sqrt_24 * outflow_factor_26);
-        const Scalar e28 = step_22 * e27;
-        const Scalar step_29 = detail::step<Scalar>(-e21);
-        const Scalar e30 = step_29 * inverse_10;
-        const Scalar e31 = e27 * e30;
+        const Scalar sqrt_23 = sqrt(max_p_0);
+        const Scalar abs_24 = abs(e20);
+        const Scalar outflow_factor_25 = detail::outflow_factor<Scalar>(abs_24 / max_p_0, c_.k24);
+        const Scalar e26 = e20 * power_22 * (sqrt_23 * outflow_factor_25);
+        const Scalar e27 = step_21 * e26;
+        const Scalar step_28 = detail::step<Scalar>(-e20);
+        const Scalar e29 = step_28 * inverse_10;
+        const Scalar e30 = e26 * e29;
         const Scalar u_e = u[1];
-        const Scalar step_32 = detail::step<Scalar>(u_e * (c_.k26 * e28 + c_.k1 * e31));
-        const Scalar e33 = (c_.k27 - e14) * step_32 * ((c_.k22 * step_22 + c_.k17 * e30) * e27);
+        const Scalar step_31 = detail::step<Scalar>(u_e * (c_.k23 * e27 + c_.k2 * e30));
+        const Scalar e32 = (p_.T_0 - T) * step_31 * ((c_.k19 * step_21 + c_.k14 * e29) * e26);
         const Scalar mdot = u[2];
         const Scalar step_mdot = detail::step<Scalar>(mdot);
-        const Scalar e34 = e15 * (c_.k9 * step_mdot);
-        J[0] = c_.k16 * T * e8 + e12 * e13 + e17;
-        J[1] = c_.k20 * e19 * e8 + e12 * e20 + e18 * e17;
-        J[2] = c_.k21 * T * e28 + e31 * e13 + e33;
-        J[3] = c_.k23 * e19 * e28 + e31 * e20 + e18 * e33;
-        J[4] = c_.k24 * T + e34;
-        J[5] = c_.k25 * e19 + e18 * e34;
+        const Scalar e33 = e14 * (c_.k21 * step_mdot);
+        J[0] = c_.k13 * T * e8 + e12 * e13 + e16;
+        J[1] = c_.k17 * e18 * e8 + e12 * e19 + e17 * e16;
+        J[2] = c_.k18 * T * e27 + e30 * e13 + e32;
+        J[3] = c_.k20 * e18 * e27 + e30 * e19 + e17 * e32;
+        J[4] = c_.k21 * T + e33;
+        J[5] = c_.k22 * e18 + e17 * e33;
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 11, entry (i, j) at J[2*j + i].
-    /// Operations: 159 + or -, 433 *, 12 /, 32 other functions
+    /// Operations: 141 + or -, 371 *, 12 /, 32 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::abs;
         using std::pow;
@@ -648,258 +639,241 @@ public:
         const Scalar inverse_2 = Scalar(1) / c_.c_v;
         const Scalar e3 = p_.R_s * inverse_1;
         const Scalar e4 = inverse_2 * e3;
-        const Scalar e5 = inverse_1 * e4;
-        const Scalar e6 = p_.k_W * e5;
-        const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar inverse_7 = Scalar(1) / sqrt_T_0;
-        const Scalar sqrt_8 = sqrt(Scalar(2));
-        const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar inverse_9 = Scalar(1) / sqrt_R_s;
-        const Scalar e10 = sqrt_8 * inverse_9;
-        const Scalar e11 = p_.A_d * e10;
-        const Scalar e12 = p_.alpha_d * e11;
-        const Scalar e13 = Scalar(1) + p_.R_s * inverse_2;
-        const Scalar e14 = e13 * e3;
-        const Scalar e15 = e12 * e14;
-        const Scalar e16 = inverse_7 * e15;
-        const Scalar p_value = x[0];
-        const Scalar e17 = p_.p_0 - p_value;
-        const Scalar abs_18 = abs(e17);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar inverse_19 = Scalar(1) / max_p_0;
-        const Scalar e20 = abs_18 * inverse_19;
-        const Scalar outflow_factor_21 = detail::outflow_factor<Scalar>(e20, c_.k3);
-        const Scalar u_e = u[1];
-        const Scalar e22 = u_e * e17;
-        const Scalar e23 = outflow_factor_21 * e22;
-        const Scalar step_24 = detail::step<Scalar>(e17);
-        const Scalar e25 = c_.k2 + e17 * e17;
-        const Scalar power_26 = pow(e25, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_27 = sqrt(max_p_0);
-        const Scalar e28 = power_26 * sqrt_27;
-        const Scalar e29 = step_24 * e28;
-        const Scalar e30 = e23 * e29;
-        const Scalar e31 = T * e30;
-        const Scalar sqrt_T_in = sqrt(p_.T_in);
-        const Scalar inverse_32 = Scalar(1) / sqrt_T_in;
-        const Scalar e33 = inverse_32 * e15;
-        const Scalar e34 = p_.p_S - p_value;
-        const Scalar abs_35 = abs(e34);
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar inverse_36 = Scalar(1) / max_p_S;
-        const Scalar e37 = abs_35 * inverse_36;
-        const Scalar outflow_factor_38 = detail::outflow_factor<Scalar>(e37, c_.k3);
-        const Scalar u_f = u[0];
-        const Scalar e39 = u_f * e34;
-        const Scalar e40 = outflow_factor_38 * e39;
-        const Scalar step_41 = detail::step<Scalar>(e34);
-        const Scalar e42 = c_.k2 + e34 * e34;
-        const Scalar power_43 = pow(e42, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_44 = sqrt(max_p_S);
-        const Scalar e45 = power_43 * sqrt_44;
-        const Scalar e46 = step_41 * e45;
-        const Scalar e47 = e40 * e46;
-        const Scalar e48 = T * e47;
-        const Scalar step_49 = detail::step<Scalar>(-e17);
-        const Scalar e50 = step_49 * e28;
-        const Scalar e51 = e23 * e50;
-        const Scalar step_52 = detail::step<Scalar>(-e34);
-        const Scalar e53 = step_52 * e45;
-        const Scalar e54 = e40 * e53;
-        const Scalar e55 = e51 + e54;
-        const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_56 = Scalar(1) / sqrt_T;
-        const Scalar e57 = T * inverse_56;
-        const Scalar e58 = e55 * e57;
-        const Scalar e59 = p_.T_0 * p_.k_W;
-        const Scalar e60 = c_.k28 * T;
-        const Scalar e61 = c_.k27 - e60;
-        const Scalar e62 = c_.k1 * inverse_56;
-        const Scalar e63 = c_.k26 * e30 + e51 * e62;
-        const Scalar min_64 = detail::min<Scalar>(Scalar(0), -e63);
-        const Scalar e65 = c_.k30 - e60;
+        const Scalar e5 = p_.k_W * e4;
+        const Scalar e6 = inverse_1 * e5;
+        const Scalar e7 = p_.T_0 * e6;
+        const Scalar e8 = p_.R_s * inverse_2;
+        const Scalar e9 = Scalar(1) + e8;
+        const Scalar e10 = inverse_1 * e9 * e3;
         const Scalar mdot = u[2];
-        const Scalar max_66 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar e67 = c_.k29 * e47 + e54 * e62;
-        const Scalar max_68 = detail::max<Scalar>(Scalar(0), e67);
-        const Scalar e69 = max_66 + max_68;
-        const Scalar e70 = e61 * min_64 - e65 * e69;
-        const Scalar e71 = e59 * e5 - e5 * e70;
-        const Scalar e72 = mdot * T;
-        const Scalar e73 = T / p_value;
+        const Scalar e11 = p_.T_0 - T;
+        const Scalar p_value = x[0];
+        const Scalar e12 = p_.p_0 - p_value;
+        const Scalar abs_13 = abs(e12);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
+        const Scalar inverse_14 = Scalar(1) / max_p_0;
+        const Scalar e15 = abs_13 * inverse_14;
+        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(e15, c_.k24);
+        const Scalar u_e = u[1];
+        const Scalar e17 = u_e * e12;
+        const Scalar e18 = outflow_factor_16 * e17;
+        const Scalar step_19 = detail::step<Scalar>(e12);
+        const Scalar e20 = c_.k4 + e12 * e12;
+        const Scalar power_21 = pow(e20, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_22 = sqrt(max_p_0);
+        const Scalar e23 = power_21 * sqrt_22;
+        const Scalar e24 = step_19 * e23;
+        const Scalar e25 = e18 * e24;
+        const Scalar step_26 = detail::step<Scalar>(-e12);
+        const Scalar sqrt_T = sqrt(T);
+        const Scalar inverse_27 = Scalar(1) / sqrt_T;
+        const Scalar e28 = step_26 * inverse_27;
+        const Scalar e29 = e23 * e28;
+        const Scalar e30 = e18 * e29;
+        const Scalar e31 = c_.k23 * e25 + c_.k2 * e30;
+        const Scalar min_32 = detail::min<Scalar>(Scalar(0), -e31);
+        const Scalar e33 = p_.T_in - T;
+        const Scalar max_34 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar e35 = p_.p_S - p_value;
+        const Scalar abs_36 = abs(e35);
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
+        const Scalar inverse_37 = Scalar(1) / max_p_S;
+        const Scalar e38 = abs_36 * inverse_37;
+        const Scalar outflow_factor_39 = detail::outflow_factor<Scalar>(e38, c_.k24);
+        const Scalar u_f = u[0];
+        const Scalar e40 = u_f * e35;
+        const Scalar e41 = outflow_factor_39 * e40;
+        const Scalar step_42 = detail::step<Scalar>(e35);
+        const Scalar e43 = c_.k4 + e35 * e35;
+        const Scalar power_44 = pow(e43, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_45 = sqrt(max_p_S);
+        const Scalar e46 = power_44 * sqrt_45;
+        const Scalar e47 = step_42 * e46;
+        const Scalar e48 = e41 * e47;
+        const Scalar step_49 = detail::step<Scalar>(-e35);
+        const Scalar e50 = step_49 * inverse_27;
+        const Scalar e51 = e46 * e50;
+        const Scalar e52 = e41 * e51;
+        const Scalar e53 = c_.k25 * e48 + c_.k2 * e52;
+        const Scalar max_54 = detail::max<Scalar>(Scalar(0), e53);
+        const Scalar e55 = max_34 + max_54;
+        const Scalar e56 = e11 * min_32 - e33 * e55;
+        const Scalar e57 = mdot * T - e56;
+        const Scalar sqrt_T_0 = sqrt(p_.T_0);
+        const Scalar inverse_58 = Scalar(1) / sqrt_T_0;
+        const Scalar sqrt_59 = sqrt(Scalar(2));
+        const Scalar sqrt_R_s = sqrt(p_.R_s);
+        const Scalar inverse_60 = Scalar(1) / sqrt_R_s;
+        const Scalar e61 = sqrt_59 * inverse_60;
+        const Scalar e62 = e3 * e61;
+        const Scalar e63 = p_.A_d * p_.alpha_d;
+        const Scalar e64 = e62 * e63;
+        const Scalar e65 = e9 * e64;
+        const Scalar e66 = inverse_58 * e65;
+        const Scalar e67 = T * e25;
+        const Scalar sqrt_T_in = sqrt(p_.T_in);
+        const Scalar inverse_68 = Scalar(1) / sqrt_T_in;
+        const Scalar e69 = inverse_68 * e65;
+        const Scalar e70 = T * e48;
+        const Scalar e71 = e18 * (step_26 * e23);
+        const Scalar e72 = e41 * (step_49 * e46);
+        const Scalar e73 = inverse_27 * (e71 + e72);
         const Scalar e74 = T * e73;
-        const Scalar e75 = e4 * e12;
-        const Scalar e76 = inverse_7 * e75;
-        const Scalar e77 = e74 * e30;
-        const Scalar e78 = inverse_32 * e75;
-        const Scalar e79 = e74 * e47;
-        const Scalar e80 = inverse_56 * e74;
-        const Scalar e81 = e55 * e80;
-        const Scalar e82 = mdot * e74;
-        const Scalar e83 = p_.R_s * e75;
-        const Scalar inverse_84 = Scalar(1) / (Scalar(1) - p_.kappa);
-        const Scalar e85 = inverse_2 * inverse_84;
-        const Scalar e86 = e75 + (Scalar(1) / Scalar(2)) * e83 * e85;
-        const Scalar inverse_9_squared = inverse_9 * inverse_9;
-        const Scalar e87 = (Scalar(1) / Scalar(2)) * (inverse_1 * e12 - (Scalar(1) / Scalar(2)) * e15 * inverse_9_squared);
-        const Scalar e88 = e86 + e87;
-        const Scalar step_89 = detail::step<Scalar>(e63);
-        const Scalar e90 = e61 * step_89;
-        const Scalar step_91 = detail::step<Scalar>(e67);
-        const Scalar e92 = e65 * step_91;
-        const Scalar e93 = e90 * e51 + e92 * e54;
-        const Scalar e94 = p_.R_s * e85;
-        const Scalar e95 = Scalar(1) + e94;
-        const Scalar e96 = inverse_2 * e95;
-        const Scalar outflow_factor_by_exponent_97 = detail::outflow_factor_by_exponent<Scalar>(e20, c_.k3);
-        const Scalar e98 = outflow_factor_by_exponent_97 * e22;
-        const Scalar e99 = e98 * e50;
-        const Scalar outflow_factor_by_exponent_100 = detail::outflow_factor_by_exponent<Scalar>(e37, c_.k3);
-        const Scalar e101 = outflow_factor_by_exponent_100 * e39;
-        const Scalar e102 = e101 * e53;
-        const Scalar e103 = e90 * e99 + e92 * e102;
-        const Scalar e104 = (Scalar(1) / Scalar(2)) * e75 * inverse_9_squared * e93 - e75 * e96 * e103;
-        const Scalar e105 = inverse_1 * inverse_2 + e4 * e85;
-        const Scalar e106 = inverse_84 * e4;
-        const Scalar e107 = e4 - e106;
-        const Scalar e108 = min_64 - e69;
-        const Scalar e109 = p_.k_W * e105 - e107 * e108;
-        const Scalar e110 = e29 * e98;
-        const Scalar e111 = e90 * e110;
-        const Scalar e112 = e46 * e101;
-        const Scalar e113 = e92 * e112;
-        const Scalar e114 = e90 * e30;
-        const Scalar e115 = e92 * e47;
-        const Scalar e116 = e76 * e96 * e111 + e78 * e96 * e113 - (min_64 * (p_.T_0 * e107) - p_.T_in * e107 * e69);
-        const Scalar e117 = (Scalar(1) / Scalar(2)) * e76 * inverse_9_squared * e114 + e105 * e70
-            - (e105 * e59 - (Scalar(1) / Scalar(2)) * e78 * inverse_9_squared * e115);
-        const Scalar e118 = e116 - e117;
-        const Scalar e119 = Scalar(2) * (e4 * (Scalar(1) + (Scalar(1) / Scalar(2)) * e94));
-        const Scalar e120 = e13 * e95;
-        const Scalar e121 = e99 + e102;
-        const Scalar e122 = e121 * e57;
-        const Scalar e123 = T * e110;
-        const Scalar e124 = T * e112;
-        const Scalar e125 = e83 * inverse_9_squared - Scalar(4) * e86;
-        const Scalar e126 = inverse_56 * e73;
-        const Scalar e127 = e121 * e80;
-        const Scalar e128 = inverse_7 * e83;
-        const Scalar e129 = e74 * e110;
-        const Scalar e130 = inverse_32 * e83;
-        const Scalar e131 = e74 * e112;
-        const Scalar e132 = e83 * e94;
-        const Scalar e133 = inverse_84 * e132;
-        const Scalar e134 = p_.R_s * e106;
-        const Scalar e135 = inverse_84 * e134;
-        const Scalar e136 = e94 * e106;
-        const Scalar e137 = inverse_32 * e133 * e47 - e135 * e108
-            - (p_.k_W * e136 - (mdot * (e94 * e134) + inverse_7 * e133 * e30));
-        const Scalar e138 = e85 * e132;
-        const Scalar e139 = inverse_7 * e138 * e111 + inverse_32 * e138 * e113
-            + (min_64 * (p_.T_0 * e135) - p_.T_in * e135 * e69);
-        const Scalar e140 = e59 * e136 - e136 * e70 + e139;
-        const Scalar e141 = e138 * e103;
-        const Scalar e142 = e13 * e133;
-        const Scalar e143 = e94 * e132;
-        const Scalar e144 = (Scalar(1) / Scalar(2)) * e15 * e57;
-        const Scalar power_145 = pow(e25, -Scalar(5) / Scalar(4));
-        const Scalar e146 = power_145 * sqrt_27;
-        const Scalar e147 = step_24 * power_26 / sqrt_27 - e17 * e146;
-        const Scalar e148 = step_49 * e23;
-        const Scalar e149 = e147 * e148;
-        const Scalar outflow_factor_slope_150 = detail::outflow_factor_slope<Scalar>(e20, c_.k3);
-        const Scalar sign_151 = detail::sign<Scalar>(e17);
-        const Scalar e152 = e17 * outflow_factor_slope_150 * inverse_19 * (step_24 * e20 - sign_151);
-        const Scalar e153 = u_e * (e152 - outflow_factor_21);
-        const Scalar e154 = e29 * e153;
-        const Scalar e155 = step_24 * e23;
-        const Scalar e156 = e147 * e155;
-        const Scalar e157 = e90 * (c_.k22 * e154 - (Scalar(1) / Scalar(2)) * e76 * e156);
-        const Scalar e158 = e15 * e57;
-        const Scalar e159 = e50 * e153;
-        const Scalar e160 = (Scalar(1) / Scalar(2)) * e75;
-        const Scalar e161 = (c_.k17 * e28 * e153 - e160 * e147 * e23) * (step_49 * e90);
-        const Scalar e162 = (Scalar(1) / Scalar(2)) * e83 * e80;
-        const Scalar e163 = e83 * e80;
-        const Scalar inverse_7_squared = inverse_7 * inverse_7;
-        const Scalar e164 = c_.k24 * min_64 + (Scalar(1) / Scalar(2)) * e76 * inverse_7_squared * e114;
-        const Scalar e165 = c_.k10 - e164;
-        const Scalar e166 = inverse_1 * e13;
-        const Scalar e167 = p_.A_d * p_.alpha_d * (sqrt_8 * sqrt_R_s);
-        const Scalar e168 = e167 * inverse_7_squared;
-        const Scalar e169 = inverse_7 * e4;
-        const Scalar power_170 = pow(e42, -Scalar(5) / Scalar(4));
-        const Scalar e171 = power_170 * sqrt_44;
-        const Scalar e172 = step_41 * power_43 / sqrt_44 - e34 * e171;
-        const Scalar e173 = step_52 * e40;
-        const Scalar e174 = e172 * e173;
-        const Scalar outflow_factor_slope_175 = detail::outflow_factor_slope<Scalar>(e37, c_.k3);
-        const Scalar sign_176 = detail::sign<Scalar>(e34);
-        const Scalar e177 = e34 * outflow_factor_slope_175 * inverse_36 * (step_41 * e37 - sign_176);
-        const Scalar e178 = u_f * (e177 - outflow_factor_38);
-        const Scalar e179 = e46 * e178;
-        const Scalar e180 = step_41 * e40;
-        const Scalar e181 = e172 * e180;
-        const Scalar e182 = e92 * (c_.k18 * e179 - (Scalar(1) / Scalar(2)) * e78 * e181);
-        const Scalar e183 = e53 * e178;
-        const Scalar e184 = (c_.k17 * e45 * e178 - e160 * e172 * e40) * (step_52 * e92);
-        const Scalar inverse_32_squared = inverse_32 * inverse_32;
-        const Scalar e185 = c_.k24 * e69 - (Scalar(1) / Scalar(2)) * e78 * inverse_32_squared * e115;
-        const Scalar e186 = e167 * inverse_32_squared;
-        const Scalar e187 = inverse_32 * e4;
-        const Scalar e188 = p_.alpha_d * e10;
-        const Scalar e189 = e188 * e187 * e115 + e188 * e169 * e114;
-        const Scalar e190 = e14 * e188;
-        const Scalar e191 = e4 * e188;
-        const Scalar e192 = inverse_56 * e93;
-        const Scalar e193 = p_.R_s * e4;
-        const Scalar e194 = e188 * e193;
-        const Scalar e195 = e93 * e126;
-        const Scalar e196 = e11 * e187 * e115 + e11 * e169 * e114;
-        const Scalar e197 = e11 * e14;
-        const Scalar e198 = e4 * e11;
-        const Scalar e199 = e11 * e193;
-        const Scalar e200 = p_.T_0 * e4;
-        const Scalar e201 = e146 * e155;
-        const Scalar e202 = e171 * e180;
-        const Scalar e203 = (Scalar(1) / Scalar(2)) * p_.width * e76 * e90 * e201 + (Scalar(1) / Scalar(2)) * p_.width * e78
-            * e92 * e202;
-        const Scalar e204 = e146 * e148;
-        const Scalar e205 = e171 * e173;
-        const Scalar e206 = e204 + e205;
-        const Scalar e207 = (Scalar(1) / Scalar(2)) * p_.width * e75 * (e90 * e204 + e92 * e205);
-        J[0] = T * e6 - inverse_1 * e16 * e31 - inverse_1 * e33 * e48 - inverse_1 * e15 * e58 - e71 - inverse_1 * e14 * e72;
-        J[1] = e6 * e74 - e3 * e76 * e77 - e3 * e78 * e79 - e3 * e75 * e81 - e73 * e71 - e3 * e4 * e82;
-        J[2] = Scalar(2) * inverse_7 * e88 * e31 - inverse_56 * e104 - T * e109 + Scalar(2) * inverse_32 * e88 * e48
-            + Scalar(2) * e88 * e58 + e118 + (inverse_1 + e119) * e72 + e75 * e120 * e122 + e76 * e120 * e123 + e78 * e120
-            * e124;
-        J[3] = (-(Scalar(1) / Scalar(2)) * inverse_7 * e125) * e77 - e126 * e104 - e74 * e109
-            + (-(Scalar(1) / Scalar(2)) * inverse_32 * e125) * e79 + (-(Scalar(1) / Scalar(2)) * e125) * e81 + e73 * e118
-            + e119 * e82 + e83 * e96 * e127 + e96 * e128 * e129 + e96 * e130 * e131;
-        J[4] = e133 * e58 + T * e137 + e140 + inverse_56 * e141 + e142 * e122 + inverse_7 * e142 * e123 + inverse_32 * e142
-            * e124;
-        J[5] = e133 * e81 + e74 * e137 + e73 * e140 + e126 * e141 + e143 * e127 + inverse_7 * e143 * e129 + inverse_32 * e143
-            * e131;
-        J[6] = e144 * e149 - T * (e16 * e154 - (Scalar(1) / Scalar(2)) * e16 * e156) - e157 - e158 * e159 - inverse_56 * e161;
-        J[7] = e162 * e149 - e74 * (e128 * e154 - (Scalar(1) / Scalar(2)) * e128 * e156) - e73 * e157 - e163 * e159 - e126
-            * e161;
-        J[8] = e165 - (Scalar(1) / Scalar(2)) * inverse_7 * e166 * e168 * e31;
-        J[9] = e73 * e165 - (Scalar(1) / Scalar(2)) * e169 * e168 * e77;
-        J[10] = e144 * e174 - T * (e33 * e179 - (Scalar(1) / Scalar(2)) * e33 * e181) - e182 - e158 * e183 - inverse_56 * e184;
-        J[11] = e162 * e174 - e74 * (e130 * e179 - (Scalar(1) / Scalar(2)) * e130 * e181) - e73 * e182 - e163 * e183 - e126
-            * e184;
-        J[12] = e185 - (Scalar(1) / Scalar(2)) * inverse_32 * e166 * e186 * e48;
-        J[13] = e73 * e185 - (Scalar(1) / Scalar(2)) * e187 * e186 * e79;
-        J[14] = e189 + inverse_7 * e190 * e31 + inverse_32 * e190 * e48 + e190 * e58 + e191 * e192;
-        J[15] = e73 * e189 + inverse_7 * e194 * e77 + inverse_32 * e194 * e79 + e194 * e81 + e191 * e195;
-        J[16] = e196 + inverse_7 * e197 * e31 + inverse_32 * e197 * e48 + e197 * e58 + e198 * e192;
-        J[17] = e73 * e196 + inverse_7 * e199 * e77 + inverse_32 * e199 * e79 + e199 * e81 + e198 * e195;
-        J[18] = e200 - c_.k9 * T;
-        J[19] = e200 * e73 - c_.k9 * e74;
-        const Scalar e208 = (Scalar(1) / Scalar(2)) * p_.width * e16 * e201 + (Scalar(1) / Scalar(2)) * p_.width * e33 * e202;
-        J[20] = -T * e208 - e203 - (Scalar(1) / Scalar(2)) * p_.width * e15 * e206 * e57 - inverse_56 * e207;
-        const Scalar e209 = (Scalar(1) / Scalar(2)) * p_.width * e128 * e201 + (Scalar(1) / Scalar(2)) * p_.width * e130 * e202;
-        J[21] = -e74 * e209 - e73 * e203 - (Scalar(1) / Scalar(2)) * p_.width * e83 * e206 * e80 - e126 * e207;
+        const Scalar e75 = T / p_value;
+        const Scalar e76 = T * e75;
+        const Scalar e77 = e64 * e4;
+        const Scalar e78 = e76 * e25;
+        const Scalar e79 = e76 * e48;
+        const Scalar e80 = e76 * e73;
+        const Scalar e81 = mdot * e76;
+        const Scalar e82 = e75 * e56;
+        const Scalar inverse_83 = Scalar(1) / (Scalar(1) - p_.kappa);
+        const Scalar e84 = e64 * e8;
+        const Scalar e85 = inverse_83 * e84;
+        const Scalar e86 = inverse_2 * (e65 + e9 * e85);
+        const Scalar step_87 = detail::step<Scalar>(e31);
+        const Scalar e88 = e11 * step_87;
+        const Scalar e89 = T + e88;
+        const Scalar outflow_factor_by_exponent_90 = detail::outflow_factor_by_exponent<Scalar>(e15, c_.k24);
+        const Scalar e91 = outflow_factor_by_exponent_90 * e17;
+        const Scalar e92 = e91 * e29;
+        const Scalar step_93 = detail::step<Scalar>(e53);
+        const Scalar e94 = e33 * step_93;
+        const Scalar e95 = T + e94;
+        const Scalar outflow_factor_by_exponent_96 = detail::outflow_factor_by_exponent<Scalar>(e38, c_.k24);
+        const Scalar e97 = outflow_factor_by_exponent_96 * e40;
+        const Scalar e98 = e97 * e51;
+        const Scalar e99 = e89 * e92 + e95 * e98;
+        const Scalar e100 = (inverse_1 + inverse_83 * e4) * (p_.k_W * inverse_2);
+        const Scalar e101 = inverse_83 * e8;
+        const Scalar e102 = Scalar(2) * (e4 * (Scalar(1) + (Scalar(1) / Scalar(2)) * e101));
+        const Scalar e103 = inverse_1 + e102;
+        const Scalar inverse_60_squared = inverse_60 * inverse_60;
+        const Scalar e104 = (Scalar(1) / Scalar(2)) * (e65 * inverse_60_squared);
+        const Scalar e105 = inverse_27 * (e88 * e71 + e94 * e72);
+        const Scalar e106 = e104 * e105 - p_.T_0 * e100;
+        const Scalar e107 = inverse_2 * (Scalar(2) * e64 + e85);
+        const Scalar e108 = inverse_1 * e61 * e63 - e104 + e107;
+        const Scalar e109 = (Scalar(1) / Scalar(2)) * inverse_60_squared * e69;
+        const Scalar e110 = e48 * e94;
+        const Scalar e111 = (Scalar(1) / Scalar(2)) * inverse_60_squared * e66;
+        const Scalar e112 = e25 * e88;
+        const Scalar e113 = inverse_58 * e86;
+        const Scalar e114 = e24 * e91;
+        const Scalar e115 = e89 * e114;
+        const Scalar e116 = inverse_68 * e86;
+        const Scalar e117 = e47 * e97;
+        const Scalar e118 = e95 * e117;
+        const Scalar e119 = e107 - (Scalar(1) / Scalar(2)) * e84 * inverse_60_squared;
+        const Scalar e120 = e75 * e94;
+        const Scalar e121 = e48 * e120;
+        const Scalar e122 = e75 * e88;
+        const Scalar e123 = e25 * e122;
+        const Scalar e124 = e75 * (e88 * e92 + e94 * e98);
+        const Scalar e125 = e84 * e101;
+        const Scalar e126 = inverse_2 * (e84 + e125);
+        const Scalar e127 = e76 * (e92 + e98);
+        const Scalar e128 = e76 * e114;
+        const Scalar e129 = e122 * e114;
+        const Scalar e130 = e76 * e117;
+        const Scalar e131 = e120 * e117;
+        const Scalar e132 = e5 * (inverse_83 * e101);
+        const Scalar e133 = p_.T_0 * e132;
+        const Scalar e134 = inverse_83 * e125;
+        const Scalar e135 = e9 * e134;
+        const Scalar e136 = e3 * e101 * e101;
+        const Scalar e137 = inverse_68 * e134 * e48 + inverse_58 * e134 * e25 + (e134 * e73 - e132);
+        const Scalar e138 = inverse_58 * e9;
+        const Scalar e139 = e134 * e138;
+        const Scalar e140 = inverse_68 * e9;
+        const Scalar e141 = e134 * e140;
+        const Scalar e142 = e101 * e125;
+        const Scalar outflow_factor_slope_143 = detail::outflow_factor_slope<Scalar>(e15, c_.k24);
+        const Scalar sign_144 = detail::sign<Scalar>(e12);
+        const Scalar e145 = e12 * outflow_factor_slope_143 * inverse_14 * (step_19 * e15 - sign_144);
+        const Scalar e146 = u_e * (e145 - outflow_factor_16);
+        const Scalar e147 = (Scalar(1) / Scalar(2)) * e65;
+        const Scalar power_148 = pow(e20, -Scalar(5) / Scalar(4));
+        const Scalar e149 = power_148 * sqrt_22;
+        const Scalar e150 = (step_19 * power_21 / sqrt_22 - e12 * e149) * e18;
+        const Scalar e151 = e24 * e146;
+        const Scalar e152 = e28 * (c_.k14 * e23 * e146 - e147 * e150)
+            + (c_.k19 * e151 - step_19 * ((Scalar(1) / Scalar(2)) * e66) * e150);
+        const Scalar e153 = inverse_58 * e84;
+        const Scalar e154 = step_19 * e76;
+        const Scalar e155 = (Scalar(1) / Scalar(2)) * e84 * e76;
+        const Scalar e156 = e84 * e76;
+        const Scalar e157 = c_.k8 - c_.k21 * min_32;
+        const Scalar inverse_58_squared = inverse_58 * inverse_58;
+        const Scalar e158 = e63 * (sqrt_59 * sqrt_R_s);
+        const Scalar e159 = inverse_1 * e158;
+        const Scalar e160 = (Scalar(1) / Scalar(2)) * e66 * inverse_58_squared;
+        const Scalar e161 = e4 * e158;
+        const Scalar outflow_factor_slope_162 = detail::outflow_factor_slope<Scalar>(e38, c_.k24);
+        const Scalar sign_163 = detail::sign<Scalar>(e35);
+        const Scalar e164 = e35 * outflow_factor_slope_162 * inverse_37 * (step_42 * e38 - sign_163);
+        const Scalar e165 = u_f * (e164 - outflow_factor_39);
+        const Scalar power_166 = pow(e43, -Scalar(5) / Scalar(4));
+        const Scalar e167 = power_166 * sqrt_45;
+        const Scalar e168 = (step_42 * power_44 / sqrt_45 - e35 * e167) * e41;
+        const Scalar e169 = e47 * e165;
+        const Scalar e170 = e50 * (c_.k14 * e46 * e165 - e147 * e168)
+            + (c_.k15 * e169 - step_42 * ((Scalar(1) / Scalar(2)) * e69) * e168);
+        const Scalar e171 = inverse_68 * e84;
+        const Scalar e172 = step_42 * e76;
+        const Scalar e173 = c_.k21 * e55;
+        const Scalar inverse_68_squared = inverse_68 * inverse_68;
+        const Scalar e174 = (Scalar(1) / Scalar(2)) * e69 * inverse_68_squared;
+        const Scalar e175 = p_.alpha_d * e62;
+        const Scalar e176 = e9 * e175;
+        const Scalar e177 = e89 * e30 + e95 * e52;
+        const Scalar e178 = e175 * e138;
+        const Scalar e179 = e89 * e25;
+        const Scalar e180 = e175 * e140;
+        const Scalar e181 = e95 * e48;
+        const Scalar e182 = e8 * e175;
+        const Scalar e183 = e75 * e105;
+        const Scalar e184 = p_.A_d * e62;
+        const Scalar e185 = e9 * e184;
+        const Scalar e186 = e184 * e138;
+        const Scalar e187 = e184 * e140;
+        const Scalar e188 = e8 * e184;
+        const Scalar e189 = p_.T_0 * e4;
+        const Scalar e190 = (Scalar(1) / Scalar(2)) * p_.width * e65;
+        const Scalar e191 = e18 * e149;
+        const Scalar e192 = (step_19 * ((Scalar(1) / Scalar(2)) * p_.width * e66) + e190 * e28) * e191;
+        const Scalar e193 = e41 * e167;
+        const Scalar e194 = (step_42 * ((Scalar(1) / Scalar(2)) * p_.width * e69) + e190 * e50) * e193;
+        const Scalar e195 = (Scalar(1) / Scalar(2)) * p_.width * e84 * e76;
+        J[0] = T * e6 - e7 - e10 * e57 - inverse_1 * e66 * e67 - inverse_1 * e69 * e70 - inverse_1 * e65 * e74;
+        J[1] = e6 * e76 - e7 * e75 - inverse_58 * e77 * e78 - inverse_68 * e77 * e79 - e77 * e80 - e3 * e4 * e81 + e10 * e82;
+        J[2] = e86 * e99 - T * e100 + e103 * e57 - e106 + inverse_58 * e108 * e67 + inverse_68 * e108 * e70 - e109 * e110
+            - e111 * e112 + e108 * e74 + e113 * e115 + e116 * e118;
+        J[3] = inverse_58 * e119 * e78 - e100 * e76 - e75 * e106 + inverse_68 * e119 * e79 - e109 * e121 - e111 * e123 + e119
+            * e80 + e102 * e81 - e103 * e82 + e86 * e124 + e126 * e127 + inverse_58 * e126 * e128 + e113 * e129 + inverse_68
+            * e126 * e130 + e116 * e131;
+        J[4] = e133 + e135 * e99 + e136 * e57 + T * e137 + e139 * e115 + e141 * e118;
+        J[5] = e136 * (e81 - e82) + e133 * e75 + e76 * e137 + e135 * e124 + e142 * e127 + inverse_58 * e142 * e128 + e139
+            * e129 + inverse_68 * e142 * e130 + e141 * e131;
+        J[6] = -e89 * e152;
+        J[7] = e150 * ((Scalar(1) / Scalar(2)) * e153 * e154 + e28 * e155) - e122 * e152 - e29 * e146 * e156 - e153 * e76
+            * e151;
+        J[8] = e157 - (Scalar(1) / Scalar(2)) * e138 * inverse_58_squared * e159 * e67 - e160 * e112;
+        J[9] = e75 * e157 - (Scalar(1) / Scalar(2)) * inverse_58 * inverse_58_squared * e161 * e78 - e160 * e123;
+        J[10] = -e95 * e170;
+        J[11] = e168 * ((Scalar(1) / Scalar(2)) * e171 * e172 + e50 * e155) - e120 * e170 - e51 * e165 * e156 - e171 * e76
+            * e169;
+        J[12] = e173 - (Scalar(1) / Scalar(2)) * e140 * inverse_68_squared * e159 * e70 - e174 * e110;
+        J[13] = e75 * e173 - (Scalar(1) / Scalar(2)) * inverse_68 * inverse_68_squared * e161 * e79 - e174 * e121;
+        J[14] = e176 * e177 + e178 * e179 + e180 * e181;
+        J[15] = inverse_58 * e182 * e78 + inverse_68 * e182 * e79 + e180 * e121 + e178 * e123 + e182 * e80 + e176 * e183;
+        J[16] = e185 * e177 + e186 * e179 + e187 * e181;
+        J[17] = inverse_58 * e188 * e78 + inverse_68 * e188 * e79 + e187 * e121 + e186 * e123 + e188 * e80 + e185 * e183;
+        J[18] = e189 - T * e4;
+        J[19] = e189 * e75 - e4 * e76;
+        J[20] = -e89 * e192 - e95 * e194;
+        J[21] = -e191 * ((Scalar(1) / Scalar(2)) * p_.width * e153 * e154 + e28 * e195) - e193
+            * ((Scalar(1) / Scalar(2)) * p_.width * e171 * e172 + e50 * e195) - e122 * e192 - e120 * e194;
     }
 
     /// J = df/dt at fixed x and u.
@@ -946,30 +920,30 @@ public:
         const Scalar sqrt_T = sqrt(T);
         const Scalar e1 = p_.p_S - p_value;
         const Scalar step_2 = detail::step<Scalar>(-e1);
-        const Scalar power_3 = pow(c_.k2 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar power_3 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_4 = sqrt(max_p_S);
         const Scalar abs_5 = abs(e1);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k3);
+        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k24);
         const Scalar u_f = u[0];
         const Scalar e7 = power_3 * sqrt_4 * (outflow_factor_6 * (u_f * e1));
         const Scalar e8 = p_.p_0 - p_value;
         const Scalar step_9 = detail::step<Scalar>(-e8);
-        const Scalar power_10 = pow(c_.k2 + e8 * e8, -Scalar(1) / Scalar(4));
+        const Scalar power_10 = pow(c_.k4 + e8 * e8, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_11 = sqrt(max_p_0);
         const Scalar abs_12 = abs(e8);
-        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_0, c_.k3);
+        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_0, c_.k24);
         const Scalar u_e = u[1];
         const Scalar e14 = power_10 * sqrt_11 * (outflow_factor_13 * (u_e * e8));
         const Scalar mdot = u[2];
         const Scalar step_15 = detail::step<Scalar>(e1);
         const Scalar step_16 = detail::step<Scalar>(e8);
         y[0] = T;
-        y[1] = c_.k31 * p_value / T;
-        y[2] = c_.k1 / sqrt_T * (step_2 * e7 + step_9 * e14) + mdot + c_.k29 * step_15 * e7 + c_.k26 * step_16 * e14;
-        y[3] = c_.k13 - p_.k_W * T;
-        y[4] = c_.k32 * p_value;
+        y[1] = c_.k26 * p_value / T;
+        y[2] = c_.k2 / sqrt_T * (step_2 * e7 + step_9 * e14) + mdot + c_.k25 * step_15 * e7 + c_.k23 * step_16 * e14;
+        y[3] = c_.k27 - p_.k_W * T;
+        y[4] = c_.k28 * p_value;
     }
 
     /// C = dh/dx.
@@ -980,35 +954,35 @@ public:
         using std::sqrt;
         const Scalar T = x[1];
         const Scalar inverse_1 = Scalar(1) / T;
-        const Scalar e2 = c_.k31 * inverse_1;
+        const Scalar e2 = c_.k26 * inverse_1;
         const Scalar p_value = x[0];
         const Scalar e3 = p_.p_0 - p_value;
         const Scalar step_4 = detail::step<Scalar>(-e3);
-        const Scalar e5 = c_.k2 + e3 * e3;
+        const Scalar e5 = c_.k4 + e3 * e3;
         const Scalar power_6 = pow(e5, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_7 = sqrt(max_p_0);
         const Scalar step_8 = detail::step<Scalar>(e3);
         const Scalar sqrt_T = sqrt(T);
         const Scalar inverse_9 = Scalar(1) / sqrt_T;
-        const Scalar e10 = c_.k33 * inverse_9;
+        const Scalar e10 = c_.k29 * inverse_9;
         const Scalar e11 = step_4 * e10;
         const Scalar abs_12 = abs(e3);
         const Scalar inverse_13 = Scalar(1) / max_p_0;
         const Scalar e14 = abs_12 * inverse_13;
-        const Scalar outflow_factor_15 = detail::outflow_factor<Scalar>(e14, c_.k3);
+        const Scalar outflow_factor_15 = detail::outflow_factor<Scalar>(e14, c_.k24);
         const Scalar u_e = u[1];
         const Scalar e16 = u_e * e3;
         const Scalar e17 = outflow_factor_15 * e16;
-        const Scalar e18 = (c_.k35 * step_8 + e11) * e17;
-        const Scalar outflow_factor_slope_19 = detail::outflow_factor_slope<Scalar>(e14, c_.k3);
-        const Scalar e20 = c_.k1 * inverse_9;
+        const Scalar e18 = (c_.k31 * step_8 + e11) * e17;
+        const Scalar outflow_factor_slope_19 = detail::outflow_factor_slope<Scalar>(e14, c_.k24);
+        const Scalar e20 = c_.k2 * inverse_9;
         const Scalar e21 = power_6 * sqrt_7;
-        const Scalar e22 = (c_.k26 * step_8 + step_4 * e20) * e21;
+        const Scalar e22 = (c_.k23 * step_8 + step_4 * e20) * e21;
         const Scalar e23 = outflow_factor_slope_19 * inverse_13 * (e16 * e22);
         const Scalar e24 = p_.p_S - p_value;
         const Scalar step_25 = detail::step<Scalar>(-e24);
-        const Scalar e26 = c_.k2 + e24 * e24;
+        const Scalar e26 = c_.k4 + e24 * e24;
         const Scalar power_27 = pow(e26, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_28 = sqrt(max_p_S);
@@ -1017,14 +991,14 @@ public:
         const Scalar abs_31 = abs(e24);
         const Scalar inverse_32 = Scalar(1) / max_p_S;
         const Scalar e33 = abs_31 * inverse_32;
-        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e33, c_.k3);
+        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e33, c_.k24);
         const Scalar u_f = u[0];
         const Scalar e35 = u_f * e24;
         const Scalar e36 = outflow_factor_34 * e35;
-        const Scalar e37 = (c_.k34 * step_29 + e30) * e36;
-        const Scalar outflow_factor_slope_38 = detail::outflow_factor_slope<Scalar>(e33, c_.k3);
+        const Scalar e37 = (c_.k30 * step_29 + e30) * e36;
+        const Scalar outflow_factor_slope_38 = detail::outflow_factor_slope<Scalar>(e33, c_.k24);
         const Scalar e39 = power_27 * sqrt_28;
-        const Scalar e40 = (c_.k29 * step_29 + step_25 * e20) * e39;
+        const Scalar e40 = (c_.k25 * step_29 + step_25 * e20) * e39;
         const Scalar e41 = outflow_factor_slope_38 * inverse_32 * (e35 * e40);
         const Scalar power_42 = pow(e26, -Scalar(5) / Scalar(4));
         const Scalar power_43 = pow(e5, -Scalar(5) / Scalar(4));
@@ -1036,7 +1010,7 @@ public:
             * outflow_factor_34 * e40 - u_e * outflow_factor_15 * e22 + e24 * power_42 * sqrt_28 * e37 + e3 * power_43 * sqrt_7
             * e18 - sign_44 * e41 - sign_45 * e23;
         C[3] = Scalar(0);
-        C[4] = c_.k32;
+        C[4] = c_.k28;
         C[5] = Scalar(1);
         C[6] = -p_value * inverse_1 * e2;
         C[7] = -inverse_9 * inverse_9 * (e21 * e17 * e11 + e39 * e36 * e30);
@@ -1052,32 +1026,32 @@ public:
         using std::sqrt;
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_S - p_value;
-        const Scalar power_2 = pow(c_.k2 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar power_2 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_3 = sqrt(max_p_S);
         const Scalar abs_4 = abs(e1);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k3);
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k24);
         const Scalar step_6 = detail::step<Scalar>(e1);
         const Scalar step_7 = detail::step<Scalar>(-e1);
         const Scalar T = x[1];
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e8 = c_.k1 / sqrt_T;
+        const Scalar e8 = c_.k2 / sqrt_T;
         const Scalar e9 = p_.p_0 - p_value;
-        const Scalar power_10 = pow(c_.k2 + e9 * e9, -Scalar(1) / Scalar(4));
+        const Scalar power_10 = pow(c_.k4 + e9 * e9, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_11 = sqrt(max_p_0);
         const Scalar abs_12 = abs(e9);
-        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_0, c_.k3);
+        const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_0, c_.k24);
         const Scalar step_14 = detail::step<Scalar>(e9);
         const Scalar step_15 = detail::step<Scalar>(-e9);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = e1 * power_2 * (sqrt_3 * outflow_factor_5) * (c_.k29 * step_6 + step_7 * e8);
+        D[2] = e1 * power_2 * (sqrt_3 * outflow_factor_5) * (c_.k25 * step_6 + step_7 * e8);
         D[3] = Scalar(0);
         D[4] = Scalar(0);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
-        D[7] = e9 * power_10 * (sqrt_11 * outflow_factor_13) * (c_.k26 * step_14 + step_15 * e8);
+        D[7] = e9 * power_10 * (sqrt_11 * outflow_factor_13) * (c_.k23 * step_14 + step_15 * e8);
         D[8] = Scalar(0);
         D[9] = Scalar(0);
         D[10] = Scalar(0);
@@ -1130,44 +1104,46 @@ public:
     }
 
     /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
-    /// Operations: 16 + or -, 24 *, 3 /, 21 other functions
+    /// Operations: 17 + or -, 26 *, 3 /, 21 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
         using std::pow;
         using std::sqrt;
         const Scalar T = x[1];
+        const Scalar e1 = p_.R_s + c_.c_v;
         const Scalar mdot = u[2];
-        const Scalar min_1 = detail::min<Scalar>(Scalar(0), mdot);
+        const Scalar min_2 = detail::min<Scalar>(Scalar(0), mdot);
         const Scalar p_value = x[0];
-        const Scalar e2 = p_.p_0 - p_value;
-        const Scalar power_3 = pow(c_.k2 + e2 * e2, -Scalar(1) / Scalar(4));
+        const Scalar e3 = p_.p_0 - p_value;
+        const Scalar power_4 = pow(c_.k4 + e3 * e3, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar sqrt_4 = sqrt(max_p_0);
-        const Scalar abs_5 = abs(e2);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_0, c_.k3);
+        const Scalar sqrt_5 = sqrt(max_p_0);
+        const Scalar abs_6 = abs(e3);
+        const Scalar outflow_factor_7 = detail::outflow_factor<Scalar>(abs_6 / max_p_0, c_.k24);
         const Scalar u_e = u[1];
-        const Scalar step_7 = detail::step<Scalar>(e2);
-        const Scalar step_8 = detail::step<Scalar>(-e2);
+        const Scalar step_8 = detail::step<Scalar>(e3);
+        const Scalar step_9 = detail::step<Scalar>(-e3);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e9 = c_.k1 / sqrt_T;
-        const Scalar e10 = power_3 * sqrt_4 * (outflow_factor_6 * (u_e * e2)) * (c_.k26 * step_7 + step_8 * e9);
-        const Scalar e11 = -e10;
-        const Scalar max_12 = detail::max<Scalar>(Scalar(0), e11);
-        const Scalar e13 = p_.p_S - p_value;
-        const Scalar power_14 = pow(c_.k2 + e13 * e13, -Scalar(1) / Scalar(4));
+        const Scalar e10 = c_.k2 / sqrt_T;
+        const Scalar e11 = power_4 * sqrt_5 * (outflow_factor_7 * (u_e * e3)) * (c_.k23 * step_8 + step_9 * e10);
+        const Scalar e12 = -e11;
+        const Scalar max_13 = detail::max<Scalar>(Scalar(0), e12);
+        const Scalar e14 = p_.p_S - p_value;
+        const Scalar power_15 = pow(c_.k4 + e14 * e14, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_15 = sqrt(max_p_S);
-        const Scalar abs_16 = abs(e13);
-        const Scalar outflow_factor_17 = detail::outflow_factor<Scalar>(abs_16 / max_p_S, c_.k3);
+        const Scalar sqrt_16 = sqrt(max_p_S);
+        const Scalar abs_17 = abs(e14);
+        const Scalar outflow_factor_18 = detail::outflow_factor<Scalar>(abs_17 / max_p_S, c_.k24);
         const Scalar u_f = u[0];
-        const Scalar step_18 = detail::step<Scalar>(e13);
-        const Scalar step_19 = detail::step<Scalar>(-e13);
-        const Scalar e20 = power_14 * sqrt_15 * (outflow_factor_17 * (u_f * e13)) * (c_.k29 * step_18 + step_19 * e9);
-        const Scalar min_21 = detail::min<Scalar>(Scalar(0), e20);
-        const Scalar max_22 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar max_23 = detail::max<Scalar>(Scalar(0), e20);
-        const Scalar min_24 = detail::min<Scalar>(Scalar(0), e11);
-        return c_.k28 * T * (min_1 - max_12 + min_21) + c_.k30 * (max_22 + max_23) + c_.k13 - p_.k_W * T - c_.k27 * min_24;
+        const Scalar step_19 = detail::step<Scalar>(e14);
+        const Scalar step_20 = detail::step<Scalar>(-e14);
+        const Scalar e21 = power_15 * sqrt_16 * (outflow_factor_18 * (u_f * e14)) * (c_.k25 * step_19 + step_20 * e10);
+        const Scalar min_22 = detail::min<Scalar>(Scalar(0), e21);
+        const Scalar max_23 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar max_24 = detail::max<Scalar>(Scalar(0), e21);
+        const Scalar min_25 = detail::min<Scalar>(Scalar(0), e12);
+        return T * e1 * (min_2 - max_13 + min_22) + p_.T_in * e1 * (max_23 + max_24) + c_.k27 - p_.k_W * T - min_25
+            * (p_.T_0 * e1);
     }
 
     /// Functions whose sign matters, in the order of guard_table().
@@ -1195,41 +1171,37 @@ private:
     struct Cached {
         Scalar c_v;  ///< -R_s/(1 - kappa)
         Scalar k0;  ///< R_s/V
-        Scalar k1;  ///< A_d*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k2;  ///< width^2
-        Scalar k3;  ///< 1 + R_s/c_v
-        Scalar k4;  ///< 1/sqrt(T_in)
-        Scalar k5;  ///< 1/sqrt(T_0)
-        Scalar k6;  ///< 1/c_v
-        Scalar k7;  ///< R_s + c_v
-        Scalar k8;  ///< T_in*(R_s + c_v)
-        Scalar k9;  ///< R_s/(V*c_v)
-        Scalar k10;  ///< R_s*k_W/(V*c_v)
-        Scalar k11;  ///< R_s*(1 + R_s/c_v)/V
-        Scalar k12;  ///< 1 + R_s/c_v
-        Scalar k13;  ///< T_0*k_W
-        Scalar k14;  ///< T_0*(R_s + c_v)
-        Scalar k15;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
-        Scalar k16;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
-        Scalar k17;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*c_v)
-        Scalar k18;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*c_v*sqrt(T_in))
-        Scalar k19;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
-        Scalar k20;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
-        Scalar k21;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
-        Scalar k22;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*c_v*sqrt(T_0))
-        Scalar k23;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
-        Scalar k24;  ///< R_s*(1 + R_s/c_v)/V
-        Scalar k25;  ///< R_s^2/(V*c_v)
-        Scalar k26;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k27;  ///< T_0*(R_s + c_v)
-        Scalar k28;  ///< R_s + c_v
-        Scalar k29;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
-        Scalar k30;  ///< T_in*(R_s + c_v)
-        Scalar k31;  ///< V/R_s
-        Scalar k32;  ///< 1/p_S
-        Scalar k33;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s))
-        Scalar k34;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
-        Scalar k35;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k1;  ///< 1 + R_s/c_v
+        Scalar k2;  ///< A_d*alpha_d*sqrt(2)/sqrt(R_s)
+        Scalar k3;  ///< 1/sqrt(T_0)
+        Scalar k4;  ///< width^2
+        Scalar k5;  ///< k_W/c_v
+        Scalar k6;  ///< 1/sqrt(T_in)
+        Scalar k7;  ///< R_s/c_v
+        Scalar k8;  ///< R_s*k_W/(V*c_v)
+        Scalar k9;  ///< R_s*(1 + R_s/c_v)/V
+        Scalar k10;  ///< T_0*k_W/c_v
+        Scalar k11;  ///< 1/c_v
+        Scalar k12;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k13;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
+        Scalar k14;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/V
+        Scalar k15;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_in))
+        Scalar k16;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v)
+        Scalar k17;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_in))
+        Scalar k18;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
+        Scalar k19;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*(1 + R_s/c_v)/(V*sqrt(T_0))
+        Scalar k20;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)^3/(V*c_v*sqrt(T_0))
+        Scalar k21;  ///< R_s*(1 + R_s/c_v)/V
+        Scalar k22;  ///< R_s^2/(V*c_v)
+        Scalar k23;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k24;  ///< 1 + R_s/c_v
+        Scalar k25;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
+        Scalar k26;  ///< V/R_s
+        Scalar k27;  ///< T_0*k_W
+        Scalar k28;  ///< 1/p_S
+        Scalar k29;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s))
+        Scalar k30;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
+        Scalar k31;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
     };
     Cached c_{};
 };

@@ -286,7 +286,8 @@ public:
     void rhs_and_jacobian(Mode mode, const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         switch (mode) {
             case Mode::valve_shut: {
-                dxdt[0] = -c_.k0;
+                const Scalar e1 = -c_.k0;
+                dxdt[0] = e1;
                 J[0] = Scalar(0);
                 break;
             }
@@ -295,9 +296,10 @@ public:
                 const Scalar p_s = u[0];
                 const Scalar p_value = x[0];
                 const Scalar e1 = c_.k3 * p_s;
-                const Scalar e2 = -e1;
-                dxdt[0] = (p_s - p_value) * e1 - c_.k0;
-                J[0] = e2;
+                const Scalar e2 = (p_s - p_value) * e1 - c_.k0;
+                const Scalar e3 = -e1;
+                dxdt[0] = e2;
+                J[0] = e3;
                 break;
             }
         }

@@ -635,74 +635,75 @@ public:
         const Scalar e71 = p_.A_2 * inverse_68;
         const Scalar e72 = p_2 * e71;
         const Scalar e73 = e67 * e70 + e3 * e72;
-        const Scalar e74 = e39 * e5;
-        const Scalar e75 = e73 * e71;
-        const Scalar e76 = c_.k0 * (-p_.d);
-        const Scalar e77 = -p_.n * e6;
-        const Scalar e78 = p_.n * e72;
-        const Scalar e79 = c_.k0 * p_.A_1;
-        const Scalar e80 = e38 * e28;
-        const Scalar inverse_root_81 = detail::inverse_root<Scalar>(e29);
-        const Scalar e82 = e80 * (inverse_root_81 * outflow_factor_34);
-        const Scalar outflow_factor_slope_83 = detail::outflow_factor_slope<Scalar>(e33, c_.k6);
-        const Scalar e84 = signed_root_30 * inverse_32 * (outflow_factor_slope_83 * e80);
-        const Scalar e85 = e38 * e15;
-        const Scalar inverse_root_86 = detail::inverse_root<Scalar>(e16);
-        const Scalar e87 = e85 * (inverse_root_86 * outflow_factor_21);
-        const Scalar outflow_factor_slope_88 = detail::outflow_factor_slope<Scalar>(e20, c_.k6);
-        const Scalar e89 = signed_root_17 * inverse_19 * (outflow_factor_slope_88 * e85);
-        const Scalar e90 = (-Scalar(1)) * c_.k12;
-        const Scalar power_91 = pow(e10, e90);
-        const Scalar e92 = max_7 * c_.k13;
-        const Scalar e93 = max_23 * c_.k13;
-        const Scalar sign_94 = detail::sign<Scalar>(e24);
-        const Scalar sign_95 = detail::sign<Scalar>(e2);
-        const Scalar e96 = power_91 * inverse_13 * (inverse_13 * e37)
-            * ((Scalar(1) / Scalar(2)) * (e22 * e14 * e92 + e35 * e27 * e93));
-        const Scalar e97 = step_26 * ((Scalar(1) / Scalar(2)) * e24 * e82 - e33 * e84) + step_9
-            * ((Scalar(1) / Scalar(2)) * e2 * e87 - e20 * e89) + e96 - (Scalar(1) / Scalar(2)) * max_p_S * e82
-            - (Scalar(1) / Scalar(2)) * max_p_0 * e87 - power_91 * inverse_4 * e36 * c_.k11 - sign_94 * e84 - sign_95 * e89
+        const Scalar e74 = -e39;
+        const Scalar e75 = e39 * e5;
+        const Scalar e76 = e73 * e71;
+        const Scalar e77 = (-p_.d) * c_.k0;
+        const Scalar e78 = -p_.n * e6;
+        const Scalar e79 = p_.n * e72;
+        const Scalar e80 = p_.A_1 * c_.k0;
+        const Scalar e81 = e38 * e28;
+        const Scalar inverse_root_82 = detail::inverse_root<Scalar>(e29);
+        const Scalar e83 = e81 * (inverse_root_82 * outflow_factor_34);
+        const Scalar outflow_factor_slope_84 = detail::outflow_factor_slope<Scalar>(e33, c_.k6);
+        const Scalar e85 = signed_root_30 * inverse_32 * (outflow_factor_slope_84 * e81);
+        const Scalar e86 = e38 * e15;
+        const Scalar inverse_root_87 = detail::inverse_root<Scalar>(e16);
+        const Scalar e88 = e86 * (inverse_root_87 * outflow_factor_21);
+        const Scalar outflow_factor_slope_89 = detail::outflow_factor_slope<Scalar>(e20, c_.k6);
+        const Scalar e90 = signed_root_17 * inverse_19 * (outflow_factor_slope_89 * e86);
+        const Scalar e91 = (-Scalar(1)) * c_.k12;
+        const Scalar power_92 = pow(e10, e91);
+        const Scalar e93 = max_7 * c_.k13;
+        const Scalar e94 = max_23 * c_.k13;
+        const Scalar sign_95 = detail::sign<Scalar>(e24);
+        const Scalar sign_96 = detail::sign<Scalar>(e2);
+        const Scalar e97 = power_92 * inverse_13 * (inverse_13 * e37)
+            * ((Scalar(1) / Scalar(2)) * (e22 * e14 * e93 + e35 * e27 * e94));
+        const Scalar e98 = step_26 * ((Scalar(1) / Scalar(2)) * e24 * e83 - e33 * e85) + step_9
+            * ((Scalar(1) / Scalar(2)) * e2 * e88 - e20 * e90) + e97 - (Scalar(1) / Scalar(2)) * max_p_S * e83
+            - (Scalar(1) / Scalar(2)) * max_p_0 * e88 - power_92 * inverse_4 * e36 * c_.k11 - sign_95 * e85 - sign_96 * e90
             - e3 * e5;
-        const Scalar e98 = c_.k0 * (-p_.A_2);
-        const Scalar e99 = e70 * e48;
-        const Scalar inverse_root_100 = detail::inverse_root<Scalar>(e49);
-        const Scalar e101 = e99 * (inverse_root_100 * outflow_factor_54);
-        const Scalar outflow_factor_slope_102 = detail::outflow_factor_slope<Scalar>(e53, c_.k6);
-        const Scalar e103 = signed_root_50 * inverse_52 * (outflow_factor_slope_102 * e99);
-        const Scalar e104 = e70 * e59;
-        const Scalar inverse_root_105 = detail::inverse_root<Scalar>(e60);
-        const Scalar e106 = e104 * (inverse_root_105 * outflow_factor_65);
-        const Scalar outflow_factor_slope_107 = detail::outflow_factor_slope<Scalar>(e64, c_.k6);
-        const Scalar e108 = signed_root_61 * inverse_63 * (outflow_factor_slope_107 * e104);
-        const Scalar power_109 = pow(e43, e90);
-        const Scalar sign_110 = detail::sign<Scalar>(e40);
-        const Scalar sign_111 = detail::sign<Scalar>(e1);
-        const Scalar e112 = power_109 * inverse_46 * (inverse_46 * e69)
-            * ((Scalar(1) / Scalar(2)) * (e55 * e47 * e92 + e66 * e58 * e93));
-        const Scalar e113 = step_42 * ((Scalar(1) / Scalar(2)) * e40 * e101 - e53 * e103) + step_57
-            * ((Scalar(1) / Scalar(2)) * e1 * e106 - e64 * e108) + e112 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e101
-            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e106 - power_109 * inverse_68 * e67 * c_.k11 - sign_110 * e103 - sign_111
-            * e108 + e3 * e71;
+        const Scalar e99 = (-p_.A_2) * c_.k0;
+        const Scalar e100 = e70 * e48;
+        const Scalar inverse_root_101 = detail::inverse_root<Scalar>(e49);
+        const Scalar e102 = e100 * (inverse_root_101 * outflow_factor_54);
+        const Scalar outflow_factor_slope_103 = detail::outflow_factor_slope<Scalar>(e53, c_.k6);
+        const Scalar e104 = signed_root_50 * inverse_52 * (outflow_factor_slope_103 * e100);
+        const Scalar e105 = e70 * e59;
+        const Scalar inverse_root_106 = detail::inverse_root<Scalar>(e60);
+        const Scalar e107 = e105 * (inverse_root_106 * outflow_factor_65);
+        const Scalar outflow_factor_slope_108 = detail::outflow_factor_slope<Scalar>(e64, c_.k6);
+        const Scalar e109 = signed_root_61 * inverse_63 * (outflow_factor_slope_108 * e105);
+        const Scalar power_110 = pow(e43, e91);
+        const Scalar sign_111 = detail::sign<Scalar>(e40);
+        const Scalar sign_112 = detail::sign<Scalar>(e1);
+        const Scalar e113 = power_110 * inverse_46 * (inverse_46 * e69)
+            * ((Scalar(1) / Scalar(2)) * (e55 * e47 * e93 + e66 * e58 * e94));
+        const Scalar e114 = step_42 * ((Scalar(1) / Scalar(2)) * e40 * e102 - e53 * e104) + step_57
+            * ((Scalar(1) / Scalar(2)) * e1 * e107 - e64 * e109) + e113 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e102
+            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e107 - power_110 * inverse_68 * e67 * c_.k11 - sign_111 * e104 - sign_112
+            * e109 + e3 * e71;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = -e39;
+        dxdt[2] = e74;
         dxdt[3] = e73;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e74;
-        J[3] = e75;
+        J[2] = e75;
+        J[3] = e76;
         J[4] = Scalar(1);
-        J[5] = e76;
-        J[6] = e77;
-        J[7] = e78;
+        J[5] = e77;
+        J[6] = e78;
+        J[7] = e79;
         J[8] = Scalar(0);
-        J[9] = e79;
-        J[10] = e97;
+        J[9] = e80;
+        J[10] = e98;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        J[13] = e98;
+        J[13] = e99;
         J[14] = Scalar(0);
-        J[15] = e113;
+        J[15] = e114;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -973,11 +974,11 @@ public:
         J[10] = log_108 * (e109 * e51 + e110 * e62 - e111 * e113) + e10 * e51 + e114 * e62 - p_.A_1 * e116;
         J[11] = log_117 * (e109 * e97 + e110 * e103 - e111 * e119) + e10 * e97 + e114 * e103 + p_.A_2 * e121;
         J[12] = Scalar(0);
-        J[13] = c_.k0 * e2;
+        J[13] = e2 * c_.k0;
         J[14] = -s * e122 - p_.n * p_.V_d * e123;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
-        J[17] = c_.k0 * e3;
+        J[17] = e3 * c_.k0;
         J[18] = Scalar(0);
         J[19] = p_.n * e121 - p_.l * e11 * e124 - p_.l * e53 * e125 + s * e126 - p_.l * e127 * e128;
         J[20] = Scalar(0);
@@ -989,11 +990,11 @@ public:
         J[26] = c_.k2 * e123 - e122;
         J[27] = -e126;
         J[28] = Scalar(0);
-        J[29] = c_.k0 * (-dxdt[1]);
+        J[29] = (-dxdt[1]) * c_.k0;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = c_.k0 * (-s_dot);
+        J[33] = (-s_dot) * c_.k0;
         J[34] = Scalar(0);
         J[35] = Scalar(0);
         J[36] = Scalar(0);
@@ -1009,7 +1010,7 @@ public:
         J[42] = p_1 * power_146 * e149 * e112 - power_146 * e115 * (inverse_19 * e150 * e50 + e151 * e61);
         J[43] = p_2 * power_152 * e149 * e118 - power_152 * e120 * (inverse_69 * e150 * e96 + e151 * e102);
         J[44] = Scalar(0);
-        J[45] = c_.k0 * (-(p_.A_1 - p_.A_2));
+        J[45] = (-(p_.A_1 - p_.A_2)) * c_.k0;
         const Scalar e172 = max_28 * outflow_factor_48 * (inverse_root_153 * (max_p_0 + step_57 * e1));
         const Scalar e173 = (step_57 * e25 - sign_154) * (outflow_factor_slope_155 * inverse_24) * (e58 * e136 + e32 * e137);
         J[46] = e172 * (step_57 * e131 + step_27 * e133) - e173;

@@ -647,74 +647,75 @@ public:
         const Scalar e73 = p_.A_2 * inverse_70;
         const Scalar e74 = p_2 * e73;
         const Scalar e75 = e69 * e72 + e5 * e74;
-        const Scalar e76 = e41 * e7;
-        const Scalar e77 = e75 * e73;
-        const Scalar e78 = c_.k0 * (tanh_3 * e4 * c_.k10 - c_.k12);
-        const Scalar e79 = -p_.n * e8;
-        const Scalar e80 = p_.n * e74;
-        const Scalar e81 = c_.k0 * p_.A_1;
-        const Scalar e82 = e40 * e30;
-        const Scalar inverse_root_83 = detail::inverse_root<Scalar>(e31);
-        const Scalar e84 = e82 * (inverse_root_83 * outflow_factor_36);
-        const Scalar outflow_factor_slope_85 = detail::outflow_factor_slope<Scalar>(e35, c_.k6);
-        const Scalar e86 = signed_root_32 * inverse_34 * (outflow_factor_slope_85 * e82);
-        const Scalar e87 = e40 * e17;
-        const Scalar inverse_root_88 = detail::inverse_root<Scalar>(e18);
-        const Scalar e89 = e87 * (inverse_root_88 * outflow_factor_23);
-        const Scalar outflow_factor_slope_90 = detail::outflow_factor_slope<Scalar>(e22, c_.k6);
-        const Scalar e91 = signed_root_19 * inverse_21 * (outflow_factor_slope_90 * e87);
-        const Scalar e92 = (-Scalar(1)) * c_.k14;
-        const Scalar power_93 = pow(e12, e92);
-        const Scalar e94 = max_9 * c_.k15;
-        const Scalar e95 = max_25 * c_.k15;
-        const Scalar sign_96 = detail::sign<Scalar>(e26);
-        const Scalar sign_97 = detail::sign<Scalar>(e2);
-        const Scalar e98 = power_93 * inverse_15 * (inverse_15 * e39)
-            * ((Scalar(1) / Scalar(2)) * (e24 * e16 * e94 + e37 * e29 * e95));
-        const Scalar e99 = step_28 * ((Scalar(1) / Scalar(2)) * e26 * e84 - e35 * e86) + step_11
-            * ((Scalar(1) / Scalar(2)) * e2 * e89 - e22 * e91) + e98 - (Scalar(1) / Scalar(2)) * max_p_S * e84
-            - (Scalar(1) / Scalar(2)) * max_p_0 * e89 - power_93 * inverse_6 * e38 * c_.k13 - sign_96 * e86 - sign_97 * e91
+        const Scalar e76 = -e41;
+        const Scalar e77 = e41 * e7;
+        const Scalar e78 = e75 * e73;
+        const Scalar e79 = (tanh_3 * e4 * c_.k10 - c_.k12) * c_.k0;
+        const Scalar e80 = -p_.n * e8;
+        const Scalar e81 = p_.n * e74;
+        const Scalar e82 = p_.A_1 * c_.k0;
+        const Scalar e83 = e40 * e30;
+        const Scalar inverse_root_84 = detail::inverse_root<Scalar>(e31);
+        const Scalar e85 = e83 * (inverse_root_84 * outflow_factor_36);
+        const Scalar outflow_factor_slope_86 = detail::outflow_factor_slope<Scalar>(e35, c_.k6);
+        const Scalar e87 = signed_root_32 * inverse_34 * (outflow_factor_slope_86 * e83);
+        const Scalar e88 = e40 * e17;
+        const Scalar inverse_root_89 = detail::inverse_root<Scalar>(e18);
+        const Scalar e90 = e88 * (inverse_root_89 * outflow_factor_23);
+        const Scalar outflow_factor_slope_91 = detail::outflow_factor_slope<Scalar>(e22, c_.k6);
+        const Scalar e92 = signed_root_19 * inverse_21 * (outflow_factor_slope_91 * e88);
+        const Scalar e93 = (-Scalar(1)) * c_.k14;
+        const Scalar power_94 = pow(e12, e93);
+        const Scalar e95 = max_9 * c_.k15;
+        const Scalar e96 = max_25 * c_.k15;
+        const Scalar sign_97 = detail::sign<Scalar>(e26);
+        const Scalar sign_98 = detail::sign<Scalar>(e2);
+        const Scalar e99 = power_94 * inverse_15 * (inverse_15 * e39)
+            * ((Scalar(1) / Scalar(2)) * (e24 * e16 * e95 + e37 * e29 * e96));
+        const Scalar e100 = step_28 * ((Scalar(1) / Scalar(2)) * e26 * e85 - e35 * e87) + step_11
+            * ((Scalar(1) / Scalar(2)) * e2 * e90 - e22 * e92) + e99 - (Scalar(1) / Scalar(2)) * max_p_S * e85
+            - (Scalar(1) / Scalar(2)) * max_p_0 * e90 - power_94 * inverse_6 * e38 * c_.k13 - sign_97 * e87 - sign_98 * e92
             - e5 * e7;
-        const Scalar e100 = c_.k0 * (-p_.A_2);
-        const Scalar e101 = e72 * e50;
-        const Scalar inverse_root_102 = detail::inverse_root<Scalar>(e51);
-        const Scalar e103 = e101 * (inverse_root_102 * outflow_factor_56);
-        const Scalar outflow_factor_slope_104 = detail::outflow_factor_slope<Scalar>(e55, c_.k6);
-        const Scalar e105 = signed_root_52 * inverse_54 * (outflow_factor_slope_104 * e101);
-        const Scalar e106 = e72 * e61;
-        const Scalar inverse_root_107 = detail::inverse_root<Scalar>(e62);
-        const Scalar e108 = e106 * (inverse_root_107 * outflow_factor_67);
-        const Scalar outflow_factor_slope_109 = detail::outflow_factor_slope<Scalar>(e66, c_.k6);
-        const Scalar e110 = signed_root_63 * inverse_65 * (outflow_factor_slope_109 * e106);
-        const Scalar power_111 = pow(e45, e92);
-        const Scalar sign_112 = detail::sign<Scalar>(e42);
-        const Scalar sign_113 = detail::sign<Scalar>(e1);
-        const Scalar e114 = power_111 * inverse_48 * (inverse_48 * e71)
-            * ((Scalar(1) / Scalar(2)) * (e57 * e49 * e94 + e68 * e60 * e95));
-        const Scalar e115 = step_44 * ((Scalar(1) / Scalar(2)) * e42 * e103 - e55 * e105) + step_59
-            * ((Scalar(1) / Scalar(2)) * e1 * e108 - e66 * e110) + e114 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e103
-            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e108 - power_111 * inverse_70 * e69 * c_.k13 - sign_112 * e105 - sign_113
-            * e110 + e5 * e73;
+        const Scalar e101 = (-p_.A_2) * c_.k0;
+        const Scalar e102 = e72 * e50;
+        const Scalar inverse_root_103 = detail::inverse_root<Scalar>(e51);
+        const Scalar e104 = e102 * (inverse_root_103 * outflow_factor_56);
+        const Scalar outflow_factor_slope_105 = detail::outflow_factor_slope<Scalar>(e55, c_.k6);
+        const Scalar e106 = signed_root_52 * inverse_54 * (outflow_factor_slope_105 * e102);
+        const Scalar e107 = e72 * e61;
+        const Scalar inverse_root_108 = detail::inverse_root<Scalar>(e62);
+        const Scalar e109 = e107 * (inverse_root_108 * outflow_factor_67);
+        const Scalar outflow_factor_slope_110 = detail::outflow_factor_slope<Scalar>(e66, c_.k6);
+        const Scalar e111 = signed_root_63 * inverse_65 * (outflow_factor_slope_110 * e107);
+        const Scalar power_112 = pow(e45, e93);
+        const Scalar sign_113 = detail::sign<Scalar>(e42);
+        const Scalar sign_114 = detail::sign<Scalar>(e1);
+        const Scalar e115 = power_112 * inverse_48 * (inverse_48 * e71)
+            * ((Scalar(1) / Scalar(2)) * (e57 * e49 * e95 + e68 * e60 * e96));
+        const Scalar e116 = step_44 * ((Scalar(1) / Scalar(2)) * e42 * e104 - e55 * e106) + step_59
+            * ((Scalar(1) / Scalar(2)) * e1 * e109 - e66 * e111) + e115 - (Scalar(1) / Scalar(2)) * max_p_S_2 * e104
+            - (Scalar(1) / Scalar(2)) * max_p_0_2 * e109 - power_112 * inverse_70 * e69 * c_.k13 - sign_113 * e106 - sign_114
+            * e111 + e5 * e73;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = -e41;
+        dxdt[2] = e76;
         dxdt[3] = e75;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e76;
-        J[3] = e77;
+        J[2] = e77;
+        J[3] = e78;
         J[4] = Scalar(1);
-        J[5] = e78;
-        J[6] = e79;
-        J[7] = e80;
+        J[5] = e79;
+        J[6] = e80;
+        J[7] = e81;
         J[8] = Scalar(0);
-        J[9] = e81;
-        J[10] = e99;
+        J[9] = e82;
+        J[10] = e100;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        J[13] = e100;
+        J[13] = e101;
         J[14] = Scalar(0);
-        J[15] = e115;
+        J[15] = e116;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -988,11 +989,11 @@ public:
         J[10] = log_110 * (e111 * e53 + e112 * e64 - e113 * e115) + e12 * e53 + e116 * e64 - p_.A_1 * e118;
         J[11] = log_119 * (e111 * e99 + e112 * e105 - e113 * e121) + e12 * e99 + e116 * e105 + p_.A_2 * e123;
         J[12] = Scalar(0);
-        J[13] = c_.k0 * e2;
+        J[13] = e2 * c_.k0;
         J[14] = -s * e124 - e125 * e126;
         J[15] = Scalar(0);
         J[16] = Scalar(0);
-        J[17] = c_.k0 * e3;
+        J[17] = e3 * c_.k0;
         J[18] = Scalar(0);
         J[19] = e125 * e127 - p_.l * e13 * e128 - p_.l * e55 * e129 + s * e130;
         J[20] = Scalar(0);
@@ -1004,20 +1005,20 @@ public:
         J[26] = c_.k2 * e126 - e124;
         J[27] = -c_.k5 * e127 - e130;
         J[28] = Scalar(0);
-        J[29] = c_.k0 * (-dxdt[1]);
+        J[29] = (-dxdt[1]) * c_.k0;
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = c_.k0 * (-s_dot);
+        J[33] = (-s_dot) * c_.k0;
         J[34] = Scalar(0);
         J[35] = Scalar(0);
         J[36] = Scalar(0);
-        J[37] = c_.k0 * (-tanh_4);
+        J[37] = (-tanh_4) * c_.k0;
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         const Scalar e170 = s_dot * (p_.f_C * inverse_5 * inverse_5) * (Scalar(1) - tanh_4 * tanh_4);
-        J[41] = c_.k0 * e170;
+        J[41] = e170 * c_.k0;
         J[42] = Scalar(0);
         J[43] = Scalar(0);
         J[44] = Scalar(0);
@@ -1033,7 +1034,7 @@ public:
         J[50] = p_1 * power_148 * e151 * e114 - power_148 * e117 * (inverse_21 * e152 * e52 + e153 * e63);
         J[51] = p_2 * power_154 * e151 * e120 - power_154 * e122 * (inverse_71 * e152 * e98 + e153 * e104);
         J[52] = Scalar(0);
-        J[53] = c_.k0 * (-(p_.A_1 - p_.A_2));
+        J[53] = (-(p_.A_1 - p_.A_2)) * c_.k0;
         const Scalar e175 = max_30 * outflow_factor_50 * (inverse_root_155 * (max_p_0 + step_59 * e1));
         const Scalar e176 = (step_59 * e27 - sign_156) * (outflow_factor_slope_157 * inverse_26) * (e60 * e138 + e34 * e139);
         J[54] = e175 * (step_59 * e133 + step_29 * e135) - e176;

@@ -391,7 +391,8 @@ public:
         const Scalar signed_root_2 = detail::signed_root<Scalar>(max_p_2 * e1);
         const Scalar abs_3 = abs(e1);
         const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_2, c_.k1);
-        dxdt[0] = -c_.k0 * signed_root_2 * outflow_factor_4;
+        const Scalar e5 = -c_.k0 * signed_root_2 * outflow_factor_4;
+        dxdt[0] = e5;
         J[0] = Scalar(0);
     }
 

@@ -528,11 +528,12 @@ public:
                 const Scalar e6 = e5 * (power_2 * c_.k7);
                 const Scalar inverse_7 = Scalar(1) / w;
                 const Scalar e8 = e6 * (p_.p_0 * inverse_7);
-                const Scalar power_9 = pow(e1, (-Scalar(1)) * c_.k9);
-                const Scalar e10 = e1 * (power_9 * (e5 - (Scalar(1) / Scalar(2)) * inverse_3 / sqrt_4)) * c_.k8;
-                const Scalar e11 = (Scalar(1) / Scalar(2)) * inverse_7 * e8 - (Scalar(1) / Scalar(2)) * e6 - e10;
-                dxdt[0] = (Scalar(1) / Scalar(2)) * (-w * e6 - e8);
-                J[0] = e11;
+                const Scalar e9 = (Scalar(1) / Scalar(2)) * (-w * e6 - e8);
+                const Scalar power_10 = pow(e1, (-Scalar(1)) * c_.k9);
+                const Scalar e11 = e1 * (power_10 * (e5 - (Scalar(1) / Scalar(2)) * inverse_3 / sqrt_4)) * c_.k8;
+                const Scalar e12 = (Scalar(1) / Scalar(2)) * inverse_7 * e8 - (Scalar(1) / Scalar(2)) * e6 - e11;
+                dxdt[0] = e9;
+                J[0] = e12;
                 break;
             }
             case Mode::subsonic: {
@@ -561,19 +562,20 @@ public:
                 const Scalar e16 = decay_mean_14 * inverse_15;
                 const Scalar sqrt_17 = sqrt(e16);
                 const Scalar e18 = sqrt_17 * e6;
-                const Scalar power_19 = pow(e7, (-Scalar(1)) * c_.k9);
-                const Scalar e20 = w * e5;
-                const Scalar e21 = Scalar(1) + e1;
-                const Scalar decay_mean_slope_22 = detail::decay_mean_slope<Scalar>(e13);
-                const Scalar e23 = e20 * e12;
-                const Scalar e24 = e23 * (inverse_15 / sqrt_17);
-                const Scalar e25 = sqrt_17 * e23;
-                const Scalar log_mean_slope_26 = detail::log_mean_slope<Scalar>(e6, p_.p_0);
-                const Scalar e27 = power_19 * c_.k4 * ((e11 - (Scalar(1) / Scalar(2)) * inverse_9 / sqrt_10) * e18);
-                const Scalar e28 = e27 * (w * e4 - e20) - e21 / e21 * (decay_mean_slope_22 * e24 * c_.k35 - e25 * c_.k31)
-                    + (Scalar(1) / Scalar(2)) * log_mean_slope_26 * e6 * e16 * e24 - e25;
-                dxdt[0] = -(Scalar(1) / Scalar(2)) * e5 * e12 * e18;
-                J[0] = e28;
+                const Scalar e19 = -(Scalar(1) / Scalar(2)) * e5 * e12 * e18;
+                const Scalar power_20 = pow(e7, (-Scalar(1)) * c_.k9);
+                const Scalar e21 = w * e5;
+                const Scalar e22 = Scalar(1) + e1;
+                const Scalar decay_mean_slope_23 = detail::decay_mean_slope<Scalar>(e13);
+                const Scalar e24 = e21 * e12;
+                const Scalar e25 = e24 * (inverse_15 / sqrt_17);
+                const Scalar e26 = sqrt_17 * e24;
+                const Scalar log_mean_slope_27 = detail::log_mean_slope<Scalar>(e6, p_.p_0);
+                const Scalar e28 = power_20 * c_.k4 * ((e11 - (Scalar(1) / Scalar(2)) * inverse_9 / sqrt_10) * e18);
+                const Scalar e29 = e28 * (w * e4 - e21) - e22 / e22 * (decay_mean_slope_23 * e25 * c_.k35 - e26 * c_.k31)
+                    + (Scalar(1) / Scalar(2)) * log_mean_slope_27 * e6 * e16 * e25 - e26;
+                dxdt[0] = e19;
+                J[0] = e29;
                 break;
             }
             case Mode::balanced:

@@ -23,6 +23,15 @@ generate spherical_pendulum spherical_pendulum_forced --scene forced
 generate n_pendulum n_pendulum_N3_full --size N=3
 generate n_pendulum n_pendulum_N5_full --size N=5
 BUILD=$work bash "$here/table.sh" "$headers"/*.hpp
+awk '
+  BEGIN { most["n_pendulum_N3_full"] = 240; most["n_pendulum_N5_full"] = 485 }
+  $2 == "O2" && match($1, /_(combined|both)$/) {
+    name = substr($1, 1, RSTART - 1)
+    if (!(name in most)) next
+    seen++
+    if ($4 > most[name]) { print "FAILED: rhs of " $1 " takes " $4 " instructions at -O2, not at most " most[name]; failed = 1 }
+  }
+  END { if (seen != 4) { print "FAILED: 4 rows of chains are to be there, not " seen + 0; failed = 1 } exit failed }' "$work"/embedded/rows/*.txt
 
 compile -O2 -I"$here/../../runtime" "$here/angles.cpp" "$board/startup.cpp" "${link[@]}" -o "$work/angles.elf"
 run_board "$work/angles.elf" >"$work/angles.txt" || { echo "the board stopped: $(tail -1 "$work/angles.txt")" >&2; exit 1; }
